@@ -1,0 +1,10 @@
+// The subcommands of `palpate`. Each lives in a file of its own, adds itself to the command line and runs when chosen.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace palpate::app {
+
+void addInfoCommand(CLI::App& app);
+
+}  // namespace palpate::app

@@ -1,0 +1,36 @@
+// Seeded random numbers that are the same on every platform and library (std distributions are not).
+//
+// Based on: Vigna, "splitmix64" (public domain, 2015).
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace palpate {
+
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : state_(seed) {}
+
+  std::uint64_t bits() {
+    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15ull);
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
+    return z ^ (z >> 31);
+  }
+  /// Uniform in [0, 1): 53 random bits, so every value is exact.
+  double uniform() { return static_cast<double>(bits() >> 11) * 0x1.0p-53; }
+  double uniform(double low, double high) { return low + (high - low) * uniform(); }
+  /// Uniform in [0, n), n > 0. The bias of the plain remainder is below n / 2^64.
+  std::uint64_t below(std::uint64_t n) { return bits() % n; }
+  /// Normal with mean 0 and variance 1 (Box and Muller, one of the pair is dropped to stay stateless).
+  double normal() {
+    const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));
+    return radius * std::cos(6.283185307179586 * uniform());
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+}  // namespace palpate

@@ -1,0 +1,26 @@
+// Reading text that a stranger wrote: whole files with a size limit, numbers without a locale.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace palpate {
+
+/// The whole file. Throws Error naming the file when it is missing, a folder, unreadable or longer than `max_bytes`.
+std::string readFile(const std::filesystem::path& file, std::size_t max_bytes);
+
+/// The number that fills the whole text, blanks around it allowed, or nothing. Never reads the locale. `inf` and `nan`
+/// are read as such: the caller decides whether they are wanted.
+std::optional<double> parseNumber(std::string_view text);
+
+/// The text without blanks, tabs and line ends at both ends.
+std::string_view trimmed(std::string_view text);
+
+/// The fields between separators, each trimmed; "a,,b" has three fields, "" has one.
+std::vector<std::string_view> split(std::string_view text, char separator);
+
+}  // namespace palpate

@@ -1,0 +1,23 @@
+// The triangle surface that every other room works on.
+#pragma once
+
+#include <vector>
+
+#include "palpate/base/vec.h"
+
+namespace palpate::mesh {
+
+/// A triangle soup over shared vertices. Positions in millimetre. Nothing is promised about it until `validate` has
+/// looked at it and `repair` has mended it.
+struct TriangleMesh {
+  std::vector<Vec3> positions;
+  std::vector<Triangle> triangles;
+};
+
+/// The axis-aligned box of all vertices; empty (min > max) for a mesh without vertices.
+Eigen::AlignedBox3d boundingBox(const TriangleMesh& mesh);
+
+/// Twice the area vector of a triangle: its direction is the outward normal, its length twice the area (mm^2).
+inline Vec3 areaVector2(const Vec3& a, const Vec3& b, const Vec3& c) { return (b - a).cross(c - a); }
+
+}  // namespace palpate::mesh

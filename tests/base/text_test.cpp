@@ -1,0 +1,33 @@
+#include "palpate/base/text.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "palpate/base/error.h"
+
+namespace palpate {
+
+TEST(ParseNumber, ReadsWholeTextOrNothing) {
+  EXPECT_EQ(parseNumber(" 1.5e3 "), 1500.0);
+  EXPECT_EQ(parseNumber("+2"), 2.0);
+  EXPECT_FALSE(parseNumber("1.5mm"));
+  EXPECT_FALSE(parseNumber(""));
+  EXPECT_TRUE(std::isnan(*parseNumber("nan")));
+}
+
+TEST(Split, KeepsEmptyFieldsAndTrims) {
+  EXPECT_EQ(split("a, ,b ", ','), (std::vector<std::string_view>{"a", "", "b"}));
+  EXPECT_EQ(split("", ',').size(), 1u);
+}
+
+TEST(ReadFile, NamesTheFileThatIsMissing) {
+  try {
+    readFile("/nowhere/at-all.txt", 10);
+    FAIL() << "a missing file was read";
+  } catch (const Error& error) {
+    EXPECT_EQ(std::string(error.what()), "/nowhere/at-all.txt: no such file");
+  }
+}
+
+}  // namespace palpate
