@@ -1,0 +1,42 @@
+// A scripted device: where the tip of a finger is over time, read from and written to CSV.
+//
+// Sits at the very start of a run: the file's rows become one tip position a tick, which contact::step consumes.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "palpate/base/vec.h"
+
+namespace palpate::device {
+
+/// The header that names columns and units; optional in files that are read, always written.
+inline constexpr std::string_view kTrajectoryHeader = "t_s,x_mm,y_mm,z_mm";
+
+struct Trajectory {
+  std::vector<double> time_s;  ///< strictly increasing, finite
+  std::vector<Vec3> tip_mm;    ///< as many as `time_s`, finite
+  std::size_t size() const { return time_s.size(); }
+};
+
+/// Reads `t_s,x_mm,y_mm,z_mm` rows. Blank lines are skipped. Throws Error (file:line: cause) for a wrong header, a
+/// wrong number of fields, a field that is no finite number, time that does not increase, and a file without rows.
+Trajectory readTrajectory(const std::filesystem::path& file);
+
+/// The same from text; `name` stands for the file in messages.
+Trajectory parseTrajectory(std::string_view text, std::string_view name);
+
+/// Rows with the time to a millisecond and positions to a nanometre, under the header. Throws Error if it cannot.
+void writeTrajectory(const std::filesystem::path& file, const Trajectory& trajectory);
+
+/// The text that writeTrajectory writes.
+std::string formatTrajectory(const Trajectory& trajectory);
+
+/// One sample every `tick_s` seconds from the first to the last row, linear in between. A row that falls on a tick is
+/// taken as it is, so a trajectory already at this rate comes back bit by bit. Throws Error for tick_s <= 0, for no
+/// rows, and for more than 5e7 ticks (14 hours at 1 kHz), which is a mistake in the time column.
+Trajectory resampled(const Trajectory& trajectory, double tick_s);
+
+}  // namespace palpate::device

@@ -1,0 +1,74 @@
+#include "palpate/device/trajectory.h"
+
+#include <gtest/gtest.h>
+
+#include "palpate/base/error.h"
+
+namespace palpate::device {
+namespace {
+
+std::string messageOf(std::string_view text) {
+  try {
+    parseTrajectory(text, "path.csv");
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Trajectory, ReadsRowsWithAndWithoutHeader) {
+  for (const char* text : {"t_s,x_mm,y_mm,z_mm\n0,1,2,3\n0.5,4,5,6\n", "0,1,2,3\r\n\r\n0.5, 4, 5, 6"}) {
+    const Trajectory read = parseTrajectory(text, "path.csv");
+    EXPECT_EQ(read.time_s, (std::vector<double>{0.0, 0.5}));
+    EXPECT_EQ(read.tip_mm, (std::vector<Vec3>{Vec3(1, 2, 3), Vec3(4, 5, 6)}));
+  }
+}
+
+TEST(Trajectory, NamesTheLineAndTheCause) {
+  EXPECT_EQ(messageOf("0,1,2,3\n1,1,2\n"), "path.csv:2: expected 4 fields (t_s,x_mm,y_mm,z_mm), found 3");
+  EXPECT_EQ(messageOf("0,1,2,3,4\n"), "path.csv:1: expected 4 fields (t_s,x_mm,y_mm,z_mm), found 5");
+  EXPECT_EQ(messageOf("0,1,2,3\n1,1,two,3\n"), "path.csv:2: y_mm is not a number: 'two'");
+  EXPECT_EQ(messageOf("0,1,2,3\n1,,2,3\n"), "path.csv:2: x_mm is not a number: ''");
+  EXPECT_EQ(messageOf("0,1,2,nan\n"), "path.csv:1: z_mm is not finite");
+  EXPECT_EQ(messageOf("0,1,2,inf\n"), "path.csv:1: z_mm is not finite");
+  EXPECT_EQ(messageOf("0,1,2,3\n\n0,1,2,3\n"), "path.csv:3: time does not increase: 0 s after 0 s");
+  EXPECT_EQ(messageOf("t_ms,x,y,z\n0,1,2,3\n"), "path.csv:1: expected the header t_s,x_mm,y_mm,z_mm or numbers");
+  EXPECT_EQ(messageOf("t_s,x_mm,y_mm,z_mm\n"), "path.csv: empty trajectory: no rows");
+  EXPECT_EQ(messageOf(""), "path.csv: empty trajectory: no rows");
+}
+
+TEST(Trajectory, WrittenTextReadsBack) {
+  const Trajectory path{{0.0, 0.001}, {Vec3(1.25, -2, 3e-6), Vec3(100, 0, -0.5)}};
+  const std::string text = formatTrajectory(path);
+  EXPECT_EQ(text, "t_s,x_mm,y_mm,z_mm\n0.000,1.250000,-2.000000,0.000003\n0.001,100.000000,0.000000,-0.500000\n");
+  EXPECT_EQ(parseTrajectory(text, "path.csv").tip_mm, path.tip_mm);
+}
+
+TEST(Trajectory, ResamplingKeepsRowsThatFallOnTicks) {
+  Trajectory path;
+  for (int k = 0; k < 500; ++k) {
+    path.time_s.push_back(k * 1e-3);
+    path.tip_mm.emplace_back(0.1 * k, 1.0 / (k + 1), k * k);
+  }
+  EXPECT_EQ(resampled(parseTrajectory(formatTrajectory(path), "path.csv"), 0.001).size(), path.size());
+  EXPECT_EQ(resampled(path, 0.001).tip_mm, path.tip_mm);
+}
+
+TEST(Trajectory, ResamplingIsLinearBetweenRows) {
+  const Trajectory path{{1.0, 1.004, 1.005}, {Vec3(0, 0, 0), Vec3(4, 8, 0), Vec3(4, 8, 10)}};
+  const Trajectory ticks = resampled(path, 0.001);
+  ASSERT_EQ(ticks.size(), 6u);
+  EXPECT_NEAR((ticks.tip_mm[1] - Vec3(1, 2, 0)).norm(), 0.0, 1e-9);
+  EXPECT_NEAR((ticks.tip_mm[3] - Vec3(3, 6, 0)).norm(), 0.0, 1e-9);
+  EXPECT_EQ(ticks.tip_mm.back(), Vec3(4, 8, 10));
+}
+
+TEST(Trajectory, ResamplingRefusesWhatHasNoEnd) {
+  const Trajectory years{{0.0, 1e12}, {Vec3::Zero(), Vec3::Zero()}};
+  EXPECT_THROW(resampled(years, 0.001), Error);
+  EXPECT_THROW(resampled(years, 0.0), Error);
+  EXPECT_THROW(resampled({}, 0.001), Error);
+}
+
+}  // namespace
+}  // namespace palpate::device
