@@ -29,10 +29,12 @@ TEST(Trajectory, NamesTheLineAndTheCause) {
   EXPECT_EQ(messageOf("0,1,2,3,4\n"), "path.csv:1: expected 4 fields (t_s,x_mm,y_mm,z_mm), found 5");
   EXPECT_EQ(messageOf("0,1,2,3\n1,1,two,3\n"), "path.csv:2: y_mm is not a number: 'two'");
   EXPECT_EQ(messageOf("0,1,2,3\n1,,2,3\n"), "path.csv:2: x_mm is not a number: ''");
-  EXPECT_EQ(messageOf("0,1,2,nan\n"), "path.csv:1: z_mm is not finite");
-  EXPECT_EQ(messageOf("0,1,2,inf\n"), "path.csv:1: z_mm is not finite");
+  EXPECT_EQ(messageOf("0,1,2,nan\n"), "path.csv:1: z_mm is nan");
+  EXPECT_EQ(messageOf("0,1,2,inf\n"), "path.csv:1: z_mm is inf");
   EXPECT_EQ(messageOf("0,1,2,3\n\n0,1,2,3\n"), "path.csv:3: time does not increase: 0 s after 0 s");
   EXPECT_EQ(messageOf("t_ms,x,y,z\n0,1,2,3\n"), "path.csv:1: expected the header t_s,x_mm,y_mm,z_mm or numbers");
+  EXPECT_EQ(messageOf("0,1,2,2e9\n"), "path.csv:1: z_mm = 2000000000 is farther than 1000000000 mm");
+  EXPECT_EQ(messageOf(std::string_view("0,1,2,3\n\0\1\2,,,\n", 15)), "path.csv:2: not a text table (byte 0x00)");
   EXPECT_EQ(messageOf("t_s,x_mm,y_mm,z_mm\n"), "path.csv: empty trajectory: no rows");
   EXPECT_EQ(messageOf(""), "path.csv: empty trajectory: no rows");
 }
@@ -42,6 +44,22 @@ TEST(Trajectory, WrittenTextReadsBack) {
   const std::string text = formatTrajectory(path);
   EXPECT_EQ(text, "t_s,x_mm,y_mm,z_mm\n0.000,1.250000,-2.000000,0.000003\n0.001,100.000000,0.000000,-0.500000\n");
   EXPECT_EQ(parseTrajectory(text, "path.csv").tip_mm, path.tip_mm);
+}
+
+TEST(Trajectory, SkipsCommentsAndAByteOrderMark) {
+  const Trajectory read =
+      parseTrajectory("\xef\xbb\xbf# a slide\r\nt_s,x_mm,y_mm,z_mm\r\n0,1,2,3 # begin\r\n", "path.csv");
+  EXPECT_EQ(read.tip_mm, (std::vector<Vec3>{Vec3(1, 2, 3)}));
+}
+
+TEST(Trajectory, WritesTimesOfAFastDeviceWithAllTheirDigits) {
+  const Trajectory fast{{0.0, 0.00025, 0.0005}, {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}};
+  EXPECT_EQ(parseTrajectory(formatTrajectory(fast), "path.csv").time_s, fast.time_s);
+}
+
+TEST(Trajectory, NamesAFileThatCannotBeReadOrWritten) {
+  EXPECT_THROW(readTrajectory("no/such.csv"), Error);
+  EXPECT_THROW(writeTrajectory("/nowhere/at/all.csv", {{0.0}, {Vec3::Zero()}}), Error);
 }
 
 TEST(Trajectory, ResamplingKeepsRowsThatFallOnTicks) {

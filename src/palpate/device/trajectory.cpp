@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
 
+#include "palpate/base/csv.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
 
@@ -19,50 +21,39 @@ constexpr double kMaxTicks = 5e7;
 /// Rows this close to a tick, in ticks, are on it: times are written in decimal and so are off by rounding.
 constexpr double kOnTick = 1e-6;
 
-/// Hands out lines without their ends and counts them from 1.
-struct LineReader {
-  std::string_view rest;
-  std::string_view name;
-  std::size_t line = 0;
-
-  bool next(std::string_view& text) {
-    if (rest.empty()) return false;
-    const std::size_t end = rest.find('\n');
-    text = trimmed(rest.substr(0, end));
-    rest = end == std::string_view::npos ? std::string_view{} : rest.substr(end + 1);
-    ++line;
-    return true;
-  }
-  Error error(std::string_view cause) const { return Error::atLine(name, line, cause); }
-};
-
-double readField(std::string_view field, std::string_view column, const LineReader& lines) {
-  const std::optional<double> number = parseNumber(field);
-  if (!number) throw lines.error(fmt::format("{} is not a number: '{}'", column, field.substr(0, 40)));
-  if (!std::isfinite(*number)) throw lines.error(fmt::format("{} is not finite", column));
-  return *number;
+double readCoordinate(const CsvRow& row, std::size_t column, std::string_view name) {
+  const double value = csvNumber(row, column, name);
+  if (std::abs(value) <= kMaxCoordinateMm) return value;
+  throw Error::atLine(row.file, row.line, fmt::format("{} = {} is farther than {} mm", name, value, kMaxCoordinateMm));
 }
 
-void appendRow(std::string_view text, const LineReader& lines, Trajectory& trajectory) {
-  const std::vector<std::string_view> fields = split(text, ',');
-  if (fields.size() != kFields) {
-    throw lines.error(fmt::format("expected {} fields ({}), found {}", kFields, kTrajectoryHeader, fields.size()));
-  }
-  const double time = readField(fields[0], "t_s", lines);
+void appendRow(const CsvRow& row, Trajectory& trajectory) {
+  const double time = csvNumber(row, 0, "t_s");
   if (!trajectory.time_s.empty() && time <= trajectory.time_s.back()) {
-    throw lines.error(fmt::format("time does not increase: {} s after {} s", time, trajectory.time_s.back()));
+    throw Error::atLine(row.file, row.line,
+                        fmt::format("time does not increase: {} s after {} s", time, trajectory.time_s.back()));
   }
   trajectory.time_s.push_back(time);
-  trajectory.tip_mm.emplace_back(readField(fields[1], "x_mm", lines), readField(fields[2], "y_mm", lines),
-                                 readField(fields[3], "z_mm", lines));
+  trajectory.tip_mm.emplace_back(readCoordinate(row, 1, "x_mm"), readCoordinate(row, 2, "y_mm"),
+                                 readCoordinate(row, 3, "z_mm"));
 }
 
-/// A first line whose first field is no number is a header; it must name these columns, for it also names the units.
-bool isHeader(std::string_view text, const LineReader& lines) {
-  const std::vector<std::string_view> fields = split(text, ',');
-  if (parseNumber(fields[0])) return false;
-  if (fields == split(kTrajectoryHeader, ',')) return true;
-  throw lines.error(fmt::format("expected the header {} or numbers", kTrajectoryHeader));
+void requireFields(const CsvRow& row) {
+  if (row.fields.size() == kFields) return;
+  throw Error::atLine(row.file, row.line,
+                      fmt::format("expected {} fields ({}), found {}", kFields, kTrajectoryHeader, row.fields.size()));
+}
+
+/// A header must name these columns, for it also names the units.
+void requireHeader(const CsvRow& row) {
+  if (std::ranges::equal(row.fields, split(kTrajectoryHeader, ','))) return;
+  throw Error::atLine(row.file, row.line, fmt::format("expected the header {} or numbers", kTrajectoryHeader));
+}
+
+/// Times on whole milliseconds are written as such; others need every digit, or rows of a faster device would coincide.
+std::string formatTime(double time_s) {
+  const bool whole = std::abs(time_s * 1e3 - std::round(time_s * 1e3)) < kOnTick;
+  return whole ? fmt::format("{:.3f}", time_s) : fmt::format("{}", time_s);
 }
 
 /// The position at `time`, between row `before` and the next.
@@ -81,14 +72,15 @@ Trajectory readTrajectory(const std::filesystem::path& file) {
 }
 
 Trajectory parseTrajectory(std::string_view text, std::string_view name) {
-  LineReader lines{text, name};
   Trajectory trajectory;
   bool first = true;
-  for (std::string_view line; lines.next(line);) {
-    if (line.empty()) continue;
-    if (!first || !isHeader(line, lines)) appendRow(line, lines, trajectory);
+  forEachCsvRow(text, name, [&](const CsvRow& row) {
+    const bool is_header = first && looksLikeCsvHeader(row);
     first = false;
-  }
+    if (is_header) return requireHeader(row);
+    requireFields(row);
+    appendRow(row, trajectory);
+  });
   if (trajectory.time_s.empty()) throw Error::inFile(name, "empty trajectory: no rows");
   return trajectory;
 }
@@ -97,8 +89,8 @@ std::string formatTrajectory(const Trajectory& trajectory) {
   std::string text = fmt::format("{}\n", kTrajectoryHeader);
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
     const Vec3& tip = trajectory.tip_mm[i];
-    fmt::format_to(std::back_inserter(text), "{:.3f},{:.6f},{:.6f},{:.6f}\n", trajectory.time_s[i], tip.x(), tip.y(),
-                   tip.z());
+    fmt::format_to(std::back_inserter(text), "{},{:.6f},{:.6f},{:.6f}\n", formatTime(trajectory.time_s[i]), tip.x(),
+                   tip.y(), tip.z());
   }
   return text;
 }

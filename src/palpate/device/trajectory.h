@@ -15,20 +15,25 @@ namespace palpate::device {
 /// The header that names columns and units; optional in files that are read, always written.
 inline constexpr std::string_view kTrajectoryHeader = "t_s,x_mm,y_mm,z_mm";
 
+/// Largest coordinate in a file, mm: a body is 10^3 mm long, and the sixth power of this still fits a double.
+inline constexpr double kMaxCoordinateMm = 1e9;
+
 struct Trajectory {
   std::vector<double> time_s;  ///< strictly increasing, finite
   std::vector<Vec3> tip_mm;    ///< as many as `time_s`, finite
   std::size_t size() const { return time_s.size(); }
 };
 
-/// Reads `t_s,x_mm,y_mm,z_mm` rows. Blank lines are skipped. Throws Error (file:line: cause) for a wrong header, a
-/// wrong number of fields, a field that is no finite number, time that does not increase, and a file without rows.
+/// Reads `t_s,x_mm,y_mm,z_mm` rows. Blank lines and `#` comments are skipped. Throws Error (file:line: cause) for a
+/// wrong header, a wrong number of fields, a field that is no finite number, a coordinate beyond kMaxCoordinateMm, time
+/// that does not increase, binary content, and a file without rows or larger than 1 GiB.
 Trajectory readTrajectory(const std::filesystem::path& file);
 
 /// The same from text; `name` stands for the file in messages.
 Trajectory parseTrajectory(std::string_view text, std::string_view name);
 
-/// Rows with the time to a millisecond and positions to a nanometre, under the header. Throws Error if it cannot.
+/// Rows under the header: whole milliseconds with three decimals, other times with all their digits, positions to a
+/// nanometre. Throws Error if it cannot.
 void writeTrajectory(const std::filesystem::path& file, const Trajectory& trajectory);
 
 /// The text that writeTrajectory writes.

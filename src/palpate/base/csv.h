@@ -1,0 +1,31 @@
+// Comma-separated tables that a stranger wrote: rows with their line numbers, numbers with an error that names the
+// line.
+//
+// A table is plain text: one row a line, fields between commas, `#` starts a comment, blank lines are skipped, a byte
+// order mark and Windows line ends are accepted. Quoted fields are not: the tables of this project hold numbers and
+// names.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <string_view>
+
+namespace palpate {
+
+struct CsvRow {
+  std::string_view file;                     ///< name for messages
+  std::size_t line = 0;                      ///< counted from 1
+  std::span<const std::string_view> fields;  ///< trimmed; valid during the visit only
+};
+
+/// Calls `visit` for every row that holds something. Throws Error at the first control byte (a binary file).
+void forEachCsvRow(std::string_view text, std::string_view file, const std::function<void(const CsvRow&)>& visit);
+
+/// The finite number in `column`. Throws Error naming the line and the column otherwise.
+double csvNumber(const CsvRow& row, std::size_t column, std::string_view column_name);
+
+/// True when the row names columns instead of holding values, that is when its first field is not a number.
+bool looksLikeCsvHeader(const CsvRow& row);
+
+}  // namespace palpate
