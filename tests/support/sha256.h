@@ -1,0 +1,12 @@
+// SHA-256 of bytes, to compare what we generate with published check sums.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace palpate::test {
+
+/// 64 lower-case hexadecimal digits.
+std::string sha256(std::string_view bytes);
+
+}  // namespace palpate::test
