@@ -1,0 +1,131 @@
+#include "palpate/maps/key_points.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <numbers>
+
+#include "palpate/base/csv.h"
+#include "palpate/base/error.h"
+#include "palpate/base/text.h"
+
+namespace palpate::maps {
+
+namespace {
+
+constexpr std::string_view kHeader = "name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg";
+constexpr std::string_view kStiffnessColumn = "stiffness_n_per_mm";
+constexpr std::size_t kFields = 6;
+/// 64 MiB: more than a million rows; anything longer is not a table of measurements.
+constexpr std::size_t kMaxFileBytes = std::size_t{64} << 20;
+constexpr double kMaxHalfMajorMm = 1e4;  // ten metres: no body is larger
+constexpr double kMaxRatio = 1e3;        // longer ellipses are a wrong unit
+constexpr double kRadPerDeg = std::numbers::pi / 180.0;
+
+/// A size or ratio: above 0, and small enough that its logarithm and its inverse stay numbers.
+double positive(const CsvRow& row, std::size_t column, std::string_view name, double max) {
+  const double value = csvNumber(row, column, name);
+  if (value > 0.0 && value <= max) return value;
+  throw Error::atLine(row.file, row.line, fmt::format("{} = {} is not above 0 and at most {}", name, value, max));
+}
+
+double stiffnessOf(const CsvRow& row) {
+  const double value = csvNumber(row, kFields, kStiffnessColumn);
+  if (value >= 0.0) return value;
+  throw Error::atLine(row.file, row.line, fmt::format("{} = {} is negative", kStiffnessColumn, value));
+}
+
+void requireFields(const CsvRow& row) {
+  if (row.fields.size() == kFields || row.fields.size() == kFields + 1) return;
+  throw Error::atLine(row.file, row.line,
+                      fmt::format("expected {} or {} fields ({}[,{}]), found {}", kFields, kFields + 1, kHeader,
+                                  kStiffnessColumn, row.fields.size()));
+}
+
+/// The columns carry the units in their names, so a header that differs is not ours.
+void requireHeader(const CsvRow& row) {
+  auto expected = split(kHeader, ',');
+  if (row.fields.size() > kFields) expected.push_back(kStiffnessColumn);
+  if (std::ranges::equal(row.fields, expected)) return;
+  throw Error::atLine(row.file, row.line, fmt::format("expected the header {}[,{}]", kHeader, kStiffnessColumn));
+}
+
+KeyPoint keyPointOf(const CsvRow& row) {
+  requireFields(row);
+  KeyPoint key;
+  key.name = row.fields[0];
+  key.position_mm = {csvNumber(row, 1, "x_mm"), csvNumber(row, 2, "y_mm")};
+  const double half_major_mm = positive(row, 3, "half_major_mm", kMaxHalfMajorMm);
+  const double ratio = positive(row, 4, "major_over_minor", kMaxRatio);
+  key.ellipse = canonicalEllipse(half_major_mm, half_major_mm / ratio, csvNumber(row, 5, "direction_deg") * kRadPerDeg);
+  const bool has_stiffness = row.fields.size() > kFields && !row.fields[kFields].empty();
+  if (has_stiffness) key.stiffness_n_per_mm = stiffnessOf(row);
+  return key;
+}
+
+void requireTableName(const std::string& name) {
+  if (name.find_first_of(",#\r\n") == std::string::npos && name != "name") return;
+  throw Error(fmt::format("key point name '{}' cannot stand in a table", name));
+}
+
+}  // namespace
+
+std::vector<KeyPoint> readKeyPoints(const std::filesystem::path& file) {
+  return parseKeyPoints(readFile(file, kMaxFileBytes), file.string());
+}
+
+std::vector<KeyPoint> parseKeyPoints(std::string_view text, std::string_view file) {
+  std::vector<KeyPoint> keys;
+  bool first = true;
+  forEachCsvRow(text, file, [&](const CsvRow& row) {
+    const bool is_header = first && row.fields.front() == "name";
+    first = false;
+    if (is_header) return requireHeader(row);
+    keys.push_back(keyPointOf(row));
+  });
+  return keys;
+}
+
+std::string formatKeyPoints(const std::vector<KeyPoint>& keys) {
+  std::string text = fmt::format("{},{}\n", kHeader, kStiffnessColumn);
+  for (const KeyPoint& key : keys) {
+    requireTableName(key.name);
+    const std::string stiffness = key.stiffness_n_per_mm ? fmt::format("{}", *key.stiffness_n_per_mm) : std::string();
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{}\n", key.name, key.position_mm.x(),
+                   key.position_mm.y(), key.ellipse.half_major_mm, 1.0 / key.ellipse.aspect,
+                   key.ellipse.direction_rad / kRadPerDeg, stiffness);
+  }
+  return text;
+}
+
+void writeKeyPoints(const std::filesystem::path& file, const std::vector<KeyPoint>& keys) {
+  const std::string text = formatKeyPoints(keys);
+  std::ofstream out(file, std::ios::binary);
+  out << text;
+  out.flush();
+  if (!out) throw Error::inFile(file.string(), "cannot be written");
+}
+
+std::vector<KeyPoint> dissertationKeyPoints() {
+  // Tips of the spinous processes T5, T10 and L2 on the built-in body (published vertebral heights, docs/maps.md).
+  constexpr double kT5 = 73.0;
+  constexpr double kT10 = -62.0;
+  constexpr double kL2 = -173.0;
+  constexpr double kUpper = 0.5 * (kT5 + kT10);
+  constexpr double kLower = 0.5 * (kT10 + kL2);
+  constexpr double kAside = 100.0;  // section 5.1: 10 cm from the midline
+  const auto key = [](const char* name, double x, double y, double half_major, double ratio, double degree) {
+    return KeyPoint{name, {x, y}, canonicalEllipse(half_major, half_major / ratio, degree * kRadPerDeg), {}};
+  };
+  return {key("P1", 0.0, kT5, 179.0, 1.134, 90.0),
+          key("P2", 0.0, kT10, 149.0, 1.049, 90.0),
+          key("P3", 0.0, kL2, 133.0, 1.231, 180.0),
+          key("P4", -kAside, kUpper, 179.0, 1.357, 99.4),
+          key("P5", -kAside, kLower, 142.0, 1.313, 121.0),
+          key("P6", kAside, kUpper, 179.0, 1.357, 180.0 - 99.4),
+          key("P7", kAside, kLower, 142.0, 1.313, 180.0 - 121.0)};
+}
+
+}  // namespace palpate::maps

@@ -1,0 +1,40 @@
+// Key points: the places on the back where somebody measured.
+//
+// A table, one row a key point: name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg[,stiffness_n_per_mm]. The
+// first row may name the columns. x and y are the body frame's (x to the patient's right seen from behind, y cranial),
+// seen along z. From here the maps are interpolated (ellipse_map.h, stiffness_map.h).
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "palpate/maps/ellipse.h"
+
+namespace palpate::maps {
+
+struct KeyPoint {
+  std::string name;
+  Vec2 position_mm = Vec2::Zero();
+  Ellipse ellipse;
+  std::optional<double> stiffness_n_per_mm;
+};
+
+/// Reads a table; a ratio below 1 is an ellipse whose longer axis lies across the given direction (E30). An empty table
+/// is fine: no key points. Throws Error with the line for a wrong number of fields, anything that is not a finite
+/// number, a size or ratio that is not above 0, a negative stiffness.
+std::vector<KeyPoint> readKeyPoints(const std::filesystem::path& file);
+std::vector<KeyPoint> parseKeyPoints(std::string_view text, std::string_view file);
+
+/// The table that parseKeyPoints reads back; numbers keep every digit. Throws Error for a name that a table cannot hold
+/// (comma, '#', line break).
+std::string formatKeyPoints(const std::vector<KeyPoint>& keys);
+void writeKeyPoints(const std::filesystem::path& file, const std::vector<KeyPoint>& keys);
+
+/// The dissertation's measured means (Fig 5.3; ratios from Appendix C unrounded) with P6 and P7 mirrored from P4 and
+/// P5. Where they lie on the built-in body is assumed (E33): the text gives vertebrae and 100 mm offsets only.
+std::vector<KeyPoint> dissertationKeyPoints();
+
+}  // namespace palpate::maps

@@ -1,0 +1,93 @@
+#include "palpate/maps/key_points.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <numbers>
+
+#include "palpate/base/error.h"
+
+namespace palpate::maps {
+
+std::string messageOf(std::string_view table) {
+  try {
+    parseKeyPoints(table, "keys.csv");
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(KeyPoints, ReadsATableWithAndWithoutStiffness) {
+  const auto keys = parseKeyPoints(
+      "name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg,stiffness_n_per_mm\n"
+      "P1, 0, 73, 179, 1.25, 90, 0.6\n"
+      "P2, 1, -62, 149, 1.0, 200,\n",
+      "keys.csv");
+  ASSERT_EQ(keys.size(), 2u);
+  EXPECT_EQ(keys[0].name, "P1");
+  EXPECT_EQ(keys[0].ellipse.half_major_mm, 179.0);
+  EXPECT_DOUBLE_EQ(keys[0].ellipse.aspect, 0.8);
+  EXPECT_EQ(keys[0].stiffness_n_per_mm, 0.6);
+  EXPECT_FALSE(keys[1].stiffness_n_per_mm);
+  EXPECT_NEAR(keys[1].ellipse.direction_rad, 20.0 * std::numbers::pi / 180.0, 1e-12);
+}
+
+TEST(KeyPoints, RatioBelowOneSwapsTheAxes) {
+  const auto key = parseKeyPoints("P, 0, 0, 100, 0.5, 90\n", "keys.csv").front();
+  EXPECT_DOUBLE_EQ(key.ellipse.half_major_mm, 200.0);
+  EXPECT_DOUBLE_EQ(key.ellipse.aspect, 0.5);
+  EXPECT_NEAR(key.ellipse.direction_rad, 0.0, 1e-15);
+}
+
+TEST(KeyPoints, EmptyTableHasNoKeyPoints) { EXPECT_TRUE(parseKeyPoints("# nothing measured\n", "keys.csv").empty()); }
+
+TEST(KeyPoints, ErrorsNameTheLineAndTheCause) {
+  EXPECT_EQ(messageOf("P1,0,0,100,1.2,90\nP2,0,0,100,1.2\n"),
+            "keys.csv:2: expected 6 or 7 fields "
+            "(name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg[,stiffness_n_per_mm]), found 5");
+  EXPECT_EQ(messageOf("P1,0,abc,100,1.2,90\n"), "keys.csv:1: y_mm is not a number: 'abc'");
+  EXPECT_EQ(messageOf("P1,0,0,-3,1.2,90\n"), "keys.csv:1: half_major_mm = -3 is not above 0 and at most 10000");
+  EXPECT_EQ(messageOf("P1,0,0,100,0,90\n"), "keys.csv:1: major_over_minor = 0 is not above 0 and at most 1000");
+  EXPECT_EQ(messageOf("P1,0,0,100,1,nan\n"), "keys.csv:1: direction_deg is nan");
+  EXPECT_EQ(messageOf("P1,0,0,100,1,0,-1\n"), "keys.csv:1: stiffness_n_per_mm = -1 is negative");
+  EXPECT_EQ(messageOf("name,x_cm,y_mm,half_major_mm,major_over_minor,direction_deg\n"),
+            "keys.csv:1: expected the header "
+            "name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg[,stiffness_n_per_mm]");
+}
+
+TEST(KeyPoints, WrittenTableReadsBackTheSame) {
+  auto keys = dissertationKeyPoints();
+  keys[2].stiffness_n_per_mm = 0.1 + 0.2;
+  const auto file = std::filesystem::temp_directory_path() / "palpate_key_points_test.csv";
+  writeKeyPoints(file, keys);
+  const auto back = readKeyPoints(file);
+  std::filesystem::remove(file);
+  ASSERT_EQ(back.size(), keys.size());
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    EXPECT_EQ(back[i].name, keys[i].name);
+    EXPECT_EQ(back[i].position_mm, keys[i].position_mm);
+    EXPECT_EQ(back[i].ellipse.half_major_mm, keys[i].ellipse.half_major_mm);
+    EXPECT_NEAR(back[i].ellipse.aspect, keys[i].ellipse.aspect, 1e-15);
+    EXPECT_NEAR(back[i].ellipse.direction_rad, keys[i].ellipse.direction_rad, 1e-14);
+    EXPECT_EQ(back[i].stiffness_n_per_mm, keys[i].stiffness_n_per_mm);
+  }
+}
+
+TEST(KeyPoints, NamesThatATableCannotHoldAreRefused) {
+  EXPECT_THROW(formatKeyPoints({{"a,b", {0, 0}, {10, 1, 0}, {}}}), Error);
+  EXPECT_THROW(formatKeyPoints({{"#1", {0, 0}, {10, 1, 0}, {}}}), Error);
+}
+
+TEST(KeyPoints, BuiltInOnesAreMirrored) {
+  const auto keys = dissertationKeyPoints();
+  ASSERT_EQ(keys.size(), 7u);
+  for (const auto& [left, right] : {std::pair{3, 5}, std::pair{4, 6}}) {
+    EXPECT_EQ(keys[left].position_mm.x(), -keys[right].position_mm.x());
+    EXPECT_EQ(keys[left].position_mm.y(), keys[right].position_mm.y());
+    EXPECT_EQ(keys[left].ellipse.half_major_mm, keys[right].ellipse.half_major_mm);
+    EXPECT_NEAR(keys[left].ellipse.direction_rad + keys[right].ellipse.direction_rad, std::numbers::pi, 1e-12);
+  }
+}
+
+}  // namespace palpate::maps
