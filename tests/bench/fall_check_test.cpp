@@ -1,0 +1,95 @@
+// The judge is judged with fingers that are made to fail in known ways.
+#include "bench/fall_check.h"
+
+#include <gtest/gtest.h>
+
+#include "bench/workload_meshes.h"
+#include "bench/workload_paths.h"
+
+namespace palpate::bench {
+namespace {
+
+Observation freeAt(const Vec3& tip) { return {tip, tip, false, false}; }
+Observation heldAt(const Vec3& tip) { return {tip, tip, true, true}; }
+
+/// A finger that always holds a tip below z = 0 of the plate.
+std::vector<Observation> perfectFinger(const device::Trajectory& path) {
+  std::vector<Observation> ticks;
+  for (const Vec3& tip : path.tip_mm) {
+    const bool over_plate = tip.x() >= 0 && tip.x() <= 100 && tip.y() >= 0 && tip.y() <= 100;
+    ticks.push_back(tip.z() < 0 && over_plate ? heldAt(tip) : freeAt(tip));
+  }
+  return ticks;
+}
+
+TEST(FallCheck, AFingerThatHoldsHasNoFalls) {
+  SurfaceSide plate(flatMesh());
+  const FallReport report = checkFalls(plate, perfectFinger(workloadPath("flat_press")));
+  EXPECT_EQ(report.ticks, 0u);
+  EXPECT_EQ(report.first_contact_delay_ticks, 0u);
+  EXPECT_EQ(report.first_contacts, 16u);
+}
+
+TEST(FallCheck, CountsEveryTickOfAFreeTipBelowAndNamesTheFirst) {
+  SurfaceSide plate(flatMesh());
+  std::vector<Observation> ticks{freeAt({50, 50, 2}),  heldAt({50, 50, -1}), freeAt({50, 50, -2}), freeAt({50, 50, -3}),
+                                 heldAt({50, 50, -2}), freeAt({50, 50, 1}),  freeAt({50, 50, -1}), freeAt({50, 50, 1})};
+  const FallReport report = checkFalls(plate, ticks);
+  EXPECT_EQ(report.ticks, 3u);
+  EXPECT_EQ(report.events, 2u);
+  EXPECT_EQ(report.first_tick, 2u);
+}
+
+TEST(FallCheck, ATunnellingFingerFallsAtEveryStab) {
+  SurfaceSide back(backMesh(2962));
+  std::vector<Observation> ticks;
+  for (const Vec3& tip : backStabs(5.0, 1).tip_mm) ticks.push_back(freeAt(tip));
+  const FallReport report = checkFalls(back, ticks);
+  EXPECT_EQ(report.events, 300u);
+  EXPECT_EQ(report.first_contacts, 300u);
+  EXPECT_GE(report.first_contact_delay_ticks, 7u);  // 40 mm at 5 mm a tick are below for 7 to 9 ticks
+}
+
+TEST(FallCheck, DelayRunsFromTheEntryToTheFirstForce) {
+  SurfaceSide plate(flatMesh());
+  Observation touching = freeAt({50, 50, -1});
+  touching.touching = true;
+  const std::vector<Observation> late{freeAt({50, 50, 1}), touching, touching, heldAt({50, 50, -1})};
+  const FallReport report = checkFalls(plate, late);
+  EXPECT_EQ(report.first_contact_delay_ticks, 2u);
+  EXPECT_EQ(report.ticks, 0u) << "a tip in contact without force has not fallen";
+}
+
+TEST(FallCheck, ATipOfUnknownPastIsLetBe) {
+  SurfaceSide plate(flatMesh());
+  const std::vector<Observation> under{freeAt({50, 50, -20}), freeAt({50, 50, -10})};
+  EXPECT_EQ(checkFalls(plate, under).ticks, 0u) << "starts inside";
+  const std::vector<Observation> round{freeAt({90, 50, 5}), freeAt({120, 50, 5}), freeAt({120, 50, -9}),
+                                       freeAt({80, 50, -9})};
+  EXPECT_EQ(checkFalls(plate, round).ticks, 0u) << "comes from beyond the border";
+}
+
+TEST(FallCheck, ATipOnTheSurfaceHasNotFallen) {
+  SurfaceSide plate(flatMesh());
+  const std::vector<Observation> ticks{freeAt({50, 50, 1}), freeAt({50, 50, 0}), freeAt({50, 50, -1e-8}),
+                                       freeAt({50, 50, -1e-3})};
+  const FallReport report = checkFalls(plate, ticks);  // the judge's tolerance is 1.4e-7 mm here
+  EXPECT_EQ(report.ticks, 1u);
+  EXPECT_EQ(report.first_tick, 3u);
+}
+
+TEST(SphereCheck, FindsASphereInTheSkinAndAMissedContact) {
+  SurfaceSide plate(flatMesh());
+  Observation held = heldAt({50, 50, -1});
+  held.centre = {50, 50, 5};
+  Observation sunk = held;
+  sunk.centre = {50, 50, 2};
+  const std::vector<Observation> ticks{held, sunk, freeAt({50, 50, 4}), freeAt({50, 50, 6})};
+  const SphereReport report = checkSphere(plate, ticks, 5.0);
+  EXPECT_EQ(report.infeasible_ticks, 1u);
+  EXPECT_EQ(report.missed_ticks, 1u);
+  EXPECT_NEAR(report.least_distance, 0.4, 1e-12);
+}
+
+}  // namespace
+}  // namespace palpate::bench
