@@ -1,0 +1,53 @@
+// The skin of the back as a smooth surface: position and normal at any (angle, y), before it is cut into triangles.
+//
+// One scalar, the radius about a cranio-caudal axis, from the fitted table plus a layer of detail (skin_relief), bent
+// by the natural asymmetry and scaled to the stature. Read by the meshing of the back and the torso and by the
+// construction of the bones, which must lie under it. Millimetre, body frame (design of vec.h); immutable, any thread.
+#pragma once
+
+#include "palpate/base/vec.h"
+#include "palpate/body/asymmetry.h"
+#include "palpate/body/bicubic_spline.h"
+
+namespace palpate::body {
+
+/// Where a point of the skin is: angle about the axis (rad, positive to the right) and height (mm), both of the table's
+/// man of 1750 mm whatever the stature.
+struct SkinPlace {
+  double angle = 0;
+  double y = 0;
+};
+
+struct SkinPoint {
+  Vec3 position;
+  Vec3 normal;  ///< unit, out of the body
+};
+
+class SkinSurface {
+ public:
+  /// The fitted surface alone, symmetric, for a stature in mm.
+  explicit SkinSurface(double stature_mm = 1750.0);
+  /// `detail` is added to the radius, mm over the spline's unit square (see unitPlace); `asymmetry` bends the result.
+  SkinSurface(double stature_mm, BicubicSpline detail, const Asymmetry& asymmetry);
+
+  SkinPoint at(const SkinPlace& place) const;
+  /// z of the symmetric, unbent skin over (x, y) in mm of this stature; found by walking the angle. x within +-135 mm
+  /// and y within [-292, 200] mm of a man of 1750 mm, where the skin is a height field.
+  double heightOver(double x, double y) const;
+  /// Stature / 1750: factor from the table's millimetres to this body's.
+  double scale() const { return scale_; }
+
+ private:
+  SplineValue radius(const SkinPlace& place) const;
+
+  double scale_;
+  BicubicSpline base_;
+  BicubicSpline detail_;
+  Asymmetry asymmetry_;
+};
+
+/// The place of a unit-square coordinate of the skin's splines, and back.
+SkinPlace placeOfUnit(double u, double v);
+Vec2 unitOfPlace(const SkinPlace& place);
+
+}  // namespace palpate::body
