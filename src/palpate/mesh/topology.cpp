@@ -1,33 +1,15 @@
 #include "palpate/mesh/topology.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace palpate::mesh {
 
 namespace {
 
-struct DirectedEdge {
-  std::uint64_t key;  // (lower vertex << 32) | higher vertex
-  Index triangle;
-  std::uint8_t edge;
-  bool ascending;
-};
-
-std::vector<DirectedEdge> sortedEdges(const TriangleMesh& mesh) {
-  std::vector<DirectedEdge> edges;
-  edges.reserve(mesh.triangles.size() * 3);
-  for (Index t = 0; t < mesh.triangles.size(); ++t) {
-    for (std::uint8_t e = 0; e < 3; ++e) {
-      const Index a = mesh.triangles[t][e];
-      const Index b = mesh.triangles[t][(e + 1) % 3];
-      const auto [low, high] = std::minmax(a, b);
-      edges.push_back({(std::uint64_t{low} << 32) | high, t, e, a < b});
-    }
-  }
-  std::sort(edges.begin(), edges.end(), [](const DirectedEdge& l, const DirectedEdge& r) {
-    return l.key != r.key ? l.key < r.key : l.triangle < r.triangle;
-  });
-  return edges;
+/// Turns counts in offsets[row + 1] into offsets.
+void sumUp(std::vector<Index>& offsets) {
+  for (std::size_t row = 1; row < offsets.size(); ++row) offsets[row] += offsets[row - 1];
 }
 
 }  // namespace
@@ -38,7 +20,7 @@ IndexRows trianglesOfVertices(const TriangleMesh& mesh) {
   for (const Triangle& triangle : mesh.triangles) {
     for (Index v : triangle) ++rows.offsets[v + 1];
   }
-  for (std::size_t v = 1; v < rows.offsets.size(); ++v) rows.offsets[v] += rows.offsets[v - 1];
+  sumUp(rows.offsets);
   rows.entries.resize(mesh.triangles.size() * 3);
   std::vector<Index> next(rows.offsets.begin(), rows.offsets.end() - 1);
   for (Index t = 0; t < mesh.triangles.size(); ++t) {
@@ -66,18 +48,39 @@ IndexRows neighboursOfVertices(const TriangleMesh& mesh, const IndexRows& triang
   return rows;
 }
 
+EdgeUses edgeUses(const TriangleMesh& mesh) {
+  EdgeUses edges;
+  edges.offsets.assign(mesh.positions.size() + 1, 0);
+  const auto half_edges = static_cast<Index>(mesh.triangles.size() * 3);
+  const auto for_each_edge = [&](const auto& visit) {
+    for (Index h = 0; h < half_edges; ++h) {
+      const auto [low, high] = std::minmax({halfEdgeStart(mesh, h), halfEdgeEnd(mesh, h)});
+      if (low != high) visit(low, high, h);
+    }
+  };
+  for_each_edge([&](Index low, Index, Index) { ++edges.offsets[low + 1]; });
+  sumUp(edges.offsets);
+  edges.uses.resize(edges.offsets.back());
+  std::vector<Index> next(edges.offsets.begin(), edges.offsets.end() - 1);
+  for_each_edge([&](Index low, Index high, Index h) { edges.uses[next[low]++] = {high, h}; });
+  for (std::size_t v = 0; v + 1 < edges.offsets.size(); ++v) {
+    std::sort(edges.uses.begin() + edges.offsets[v], edges.uses.begin() + edges.offsets[v + 1],
+              [](const EdgeUse& l, const EdgeUse& r) {
+                return l.high != r.high ? l.high < r.high : l.half_edge < r.half_edge;
+              });
+  }
+  return edges;
+}
+
 std::vector<std::array<Index, 3>> neighboursOfTriangles(const TriangleMesh& mesh) {
   std::vector<std::array<Index, 3>> neighbours(mesh.triangles.size(), {kNoIndex, kNoIndex, kNoIndex});
-  const auto edges = sortedEdges(mesh);
-  for (std::size_t first = 0; first < edges.size();) {
-    std::size_t last = first + 1;
-    while (last < edges.size() && edges[last].key == edges[first].key) ++last;
-    if (last - first == 2 && edges[first].ascending != edges[first + 1].ascending) {
-      neighbours[edges[first].triangle][edges[first].edge] = edges[first + 1].triangle;
-      neighbours[edges[first + 1].triangle][edges[first + 1].edge] = edges[first].triangle;
-    }
-    first = last;
-  }
+  forEachEdge(edgeUses(mesh), [&](Index, Index, std::span<const EdgeUse> uses) {
+    if (uses.size() != 2) return;
+    const auto [first, second] = std::pair(uses[0].half_edge, uses[1].half_edge);
+    if (halfEdgeStart(mesh, first) == halfEdgeStart(mesh, second)) return;
+    neighbours[first / 3][first % 3] = second / 3;
+    neighbours[second / 3][second % 3] = first / 3;
+  });
   return neighbours;
 }
 

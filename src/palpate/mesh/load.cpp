@@ -1,0 +1,113 @@
+#include "palpate/mesh/load.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <limits>
+
+#include "palpate/base/error.h"
+#include "palpate/base/text.h"
+#include "palpate/mesh/readers.h"
+#include "palpate/mesh/vertex_merging.h"
+#include "palpate/mesh/weld.h"
+
+namespace palpate::mesh {
+
+namespace {
+
+constexpr double kMillimetresPerMetre = 1000.0;
+
+std::string lowerCase(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+std::optional<Format> formatByContent(std::string_view bytes) {
+  if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return Format::ply;
+  if (bytes.starts_with("glTF")) return Format::glb;
+  for (std::string_view magic : {"OFF", "COFF", "NOFF", "CNOFF", "STOFF"}) {
+    const bool word_ends =
+        bytes.size() > magic.size() && std::string_view(" \t\r\n#").find(bytes[magic.size()]) != std::string_view::npos;
+    if (bytes.starts_with(magic) && word_ends) return Format::off;
+  }
+  return std::nullopt;
+}
+
+std::optional<Format> formatByExtension(const std::filesystem::path& file) {
+  const std::string extension = lowerCase(file.extension().string());
+  if (extension == ".obj") return Format::obj;
+  if (extension == ".stl") return Format::stl;
+  if (extension == ".ply") return Format::ply;
+  if (extension == ".off") return Format::off;
+  if (extension == ".gltf") return Format::gltf;
+  if (extension == ".glb") return Format::glb;
+  return std::nullopt;
+}
+
+Format formatOf(const std::filesystem::path& file, std::string_view bytes) {
+  if (const auto format = formatByContent(bytes)) return *format;
+  if (const auto format = formatByExtension(file)) return *format;
+  throw Error::inFile(file.string(), "not a mesh file that can be read; these can: obj, stl, ply, off, gltf, glb");
+}
+
+TriangleMesh read(const MeshFile& file, Format format) {
+  switch (format) {
+    case Format::obj:
+      return readObj(file);
+    case Format::stl:
+      return readStl(file);
+    case Format::ply:
+      return readPly(file);
+    case Format::off:
+      return readOff(file);
+    case Format::gltf:
+    case Format::glb:
+      return readGltf(file);
+  }
+  return {};
+}
+
+bool isGltf(Format format) { return format == Format::gltf || format == Format::glb; }
+
+void toMillimetres(TriangleMesh& mesh, Format format, double unit_mm) {
+  if (unit_mm == 0.0) unit_mm = isGltf(format) ? kMillimetresPerMetre : 1.0;
+  if (unit_mm == 1.0) return;
+  for (Vec3& position : mesh.positions) position *= unit_mm;
+}
+
+TriangleMesh loadChecked(const MeshFile& file, Format format) {
+  if (file.bytes.empty()) throw Error::inFile(file.name, "the file is empty");
+  TriangleMesh mesh = read(file, format);
+  if (mesh.triangles.empty()) throw Error::inFile(file.name, "no triangles in it");
+  // STL welds while it reads.
+  if (format != Format::stl && file.options.weld.value_or(isGltf(format))) {
+    mergeVertices(mesh, equalVertices(mesh.positions));
+  }
+  if (!file.options.group.empty()) removeUnusedVertices(mesh);
+  toMillimetres(mesh, format, file.options.unit_mm);
+  report(file.progress, "reading", 1.0);
+  return mesh;
+}
+
+}  // namespace
+
+void checkTriangleCount(std::size_t triangles, std::string_view name) {
+  constexpr std::size_t kMost = std::numeric_limits<Index>::max() / 3;
+  if (triangles >= kMost) throw Error::inFile(name, fmt::format("more than {} triangles", kMost));
+}
+
+TriangleMesh load(const std::filesystem::path& file, const LoadOptions& options, const Progress& progress) {
+  report(progress, "reading", 0.0);
+  const std::string bytes = readFile(file, options.max_bytes);
+  const std::string name = file.string();
+  return loadChecked({bytes, name, options, progress, file.parent_path() / "."}, formatOf(file, bytes));
+}
+
+TriangleMesh loadFromMemory(std::string_view bytes, Format format, std::string_view name, const LoadOptions& options,
+                            const Progress& progress) {
+  return loadChecked({bytes, name, options, progress, {}}, format);
+}
+
+}  // namespace palpate::mesh

@@ -1,0 +1,45 @@
+// Mesh files a stranger may hand us -> TriangleMesh: OBJ, STL (binary and text), PLY, OFF, glTF and GLB.
+//
+// First step of the load path: load -> validate / repair -> contact, deform. Every reader bounds its memory by the size
+// of the file and answers a malformed one with a single Error that names the file and the place in it.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "palpate/base/progress.h"
+#include "palpate/mesh/triangle_mesh.h"
+
+namespace palpate::mesh {
+
+enum class Format : std::uint8_t { obj, stl, ply, off, gltf, glb };
+
+struct LoadOptions {
+  /// Millimetres per unit of the file. 0 = what the format says: glTF and GLB are in metres (1000), the others in
+  /// millimetres (1).
+  double unit_mm = 0.0;
+  /// Only the faces of this OBJ group or object (`g`, `o`); empty = all. Vertices that no kept face uses are left out.
+  std::string group;
+  /// Vertices at equal coordinates become one. Unset = what the format needs: STL, glTF and GLB weld, the others do
+  /// not.
+  std::optional<bool> weld;
+  /// Keep triangles that name vertices which do not exist, as they are, instead of refusing the file. For `validate`
+  /// and `repair` only: everything else expects indices within range.
+  bool keep_wrong_indices = false;
+  /// Longer files are refused before they are read.
+  std::size_t max_bytes = std::size_t{8} << 30;
+};
+
+/// The mesh of a file, polygons cut into triangles, units in millimetre. The format follows the first bytes where they
+/// are unmistakable (ply, OFF, glTF), otherwise the extension. Coordinates may be non-finite: `validate` reports them.
+/// Throws Error.
+TriangleMesh load(const std::filesystem::path& file, const LoadOptions& options = {}, const Progress& progress = {});
+
+/// The same for bytes in memory. `name` stands for the file in messages; glTF that refers to other files is refused.
+TriangleMesh loadFromMemory(std::string_view bytes, Format format, std::string_view name,
+                            const LoadOptions& options = {}, const Progress& progress = {});
+
+}  // namespace palpate::mesh

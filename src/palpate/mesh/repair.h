@@ -1,0 +1,46 @@
+// Any mesh -> one that a finger can feel: what contact and deformation take for granted is made true here, once, at
+// load.
+//
+// Afterwards every edge has 0 or 1 neighbour of opposite direction, every vertex one fan of triangles, no triangle is
+// without height, no vertex unused. Borders, several components and self-intersections stay and are flagged.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "palpate/base/progress.h"
+#include "palpate/mesh/triangle_mesh.h"
+
+namespace palpate::mesh {
+
+struct RepairOptions {
+  /// Join vertices at equal coordinates first, so that seams of texture or shading are no borders.
+  bool weld = true;
+  /// Join also vertices nearer than this (mm); 0 = equal coordinates only.
+  double weld_distance_mm = 0.0;
+  /// Turn closed parts outside out.
+  bool orient_outwards = true;
+  /// Look for self-intersections of the result (costs more than all the rest).
+  bool find_self_intersections = true;
+};
+
+/// One thing that was done, in plain words, e.g. {"opposite pairs of triangles removed (fins without thickness)", 12}.
+struct RepairAction {
+  std::string what;
+  std::size_t count = 0;
+};
+
+struct RepairResult {
+  TriangleMesh mesh;
+  std::vector<Index> source_vertex;  ///< for each vertex of `mesh` the vertex it came from
+  std::vector<RepairAction> actions;
+  std::size_t components = 0;
+  bool closed = false;
+  bool self_intersecting = false;
+};
+
+/// Throws Error when nothing is left to feel. `what_for` of the message is the caller's business: it names no file.
+RepairResult repair(TriangleMesh mesh, const RepairOptions& options = {}, const Progress& progress = {});
+
+}  // namespace palpate::mesh
