@@ -1,0 +1,205 @@
+// Marching tetrahedra on the Kuhn split of a cubic lattice, evaluated only in blocks near the surface.
+//
+// Each cube is cut into six tetrahedra around its main diagonal; the cut is the same in every cube, so faces match and
+// the surface is a closed manifold for any field. (Marching cubes by table leaves non-manifold edges on thin plates.)
+// Blocks are found by halving the box and dropping parts that are too far from the surface, then by following the
+// surface across block faces, so that a wrong steepness bound cannot tear it.
+//
+// Based on: Kuhn, "Some combinatorial lemmas in topology" (1960), the split; Doi and Koide, "An efficient method of
+// triangulating equi-valued surfaces by using tetrahedral cells" (1991).
+#include "palpate/body/tetrahedra_mesher.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace palpate::body {
+namespace {
+
+using Point = Eigen::Vector3i;  // lattice coordinates
+
+constexpr int kBlock = 4;  // cells along a block: small enough to hug the surface, large enough to amortise the queue
+// A vertex keeps this share of its edge away from the ends, so that no triangle shrinks to nothing.
+constexpr double kEndShare = 0.02;
+
+// One tetrahedron of a cube: corners 0 -> ... -> 7 as bit masks (1 = x, 2 = y, 4 = z), each adding one axis.
+struct Tetrahedron {
+  std::array<int, 4> corners;
+  bool positive;  // orientation of the corners in this order
+};
+constexpr std::array<Tetrahedron, 6> kKuhnSplit = {{{{0, 1, 3, 7}, true},
+                                                    {{0, 1, 5, 7}, false},
+                                                    {{0, 2, 3, 7}, false},
+                                                    {{0, 2, 6, 7}, true},
+                                                    {{0, 4, 5, 7}, true},
+                                                    {{0, 4, 6, 7}, false}}};
+
+class Lattice {
+ public:
+  Lattice(const Field& field, const MesherSettings& settings) : field_(field), settings_(settings) {
+    cells_ = ((settings.high - settings.low) / settings.cell_mm).array().ceil().max(1.0).cast<int>();
+    points_ = cells_.array() + 1;
+    blocks_ = (cells_.array() + kBlock - 1) / kBlock;
+    values_.assign(static_cast<std::size_t>(points_.prod()), std::numeric_limits<double>::quiet_NaN());
+    vertex_on_edge_.assign(8 * values_.size(), kNoIndex);
+    queued_.assign(static_cast<std::size_t>(blocks_.prod()), 0);
+  }
+
+  mesh::TriangleMesh run() {
+    seedBlocks(Point::Zero(), blocks_);
+    for (std::size_t next = 0; next < queue_.size(); ++next) visitBlock(Point(queue_[next]));
+    return std::move(mesh_);
+  }
+
+ private:
+  // Queues the blocks of [low, high) that the surface may touch, halving the longest side.
+  void seedBlocks(const Point& low, const Point& high) {
+    const double half_diagonal = 0.5 * settings_.cell_mm * kBlock * (high - low).cast<double>().norm();
+    if (std::abs(field_(position((low + high) * (kBlock / 2)))) > settings_.steepest * half_diagonal) return;
+    int axis = 0;
+    if ((high - low).maxCoeff(&axis) == 1) return queueBlock(low);
+    Point middle = low;
+    middle[axis] = (low[axis] + high[axis]) / 2;
+    Point first_high = high;
+    first_high[axis] = middle[axis];
+    seedBlocks(low, first_high);
+    seedBlocks(middle, high);
+  }
+
+  void queueBlock(const Point& block) {
+    if ((block.array() < 0).any() || (block.array() >= blocks_.array()).any()) return;
+    char& queued = queued_[static_cast<std::size_t>(block.x() + blocks_.x() * (block.y() + blocks_.y() * block.z()))];
+    if (queued == 0) queue_.push_back(block);
+    queued = 1;
+  }
+
+  void visitBlock(const Point& block) {
+    const Point low = block * kBlock;
+    const Point high = (low.array() + kBlock).min(cells_.array());
+    Point p;
+    for (p.z() = low.z(); p.z() < high.z(); ++p.z()) {
+      for (p.y() = low.y(); p.y() < high.y(); ++p.y()) {
+        for (p.x() = low.x(); p.x() < high.x(); ++p.x()) visitCell(p, block);
+      }
+    }
+  }
+
+  void visitCell(const Point& cell, const Point& block) {
+    const std::size_t base = index(cell);
+    std::array<double, 8> value;
+    int inside = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+      value[corner] = valueAt(base, cell, corner);
+      inside += value[corner] < 0.0 ? 1 : 0;
+    }
+    if (inside == 0 || inside == 8) return;
+    followAcrossFaces(cell, block);
+    for (const Tetrahedron& tetrahedron : kKuhnSplit) cutTetrahedron(tetrahedron, base, cell, value);
+  }
+
+  // A cut cell at the rim of its block: the surface may go on in the next block.
+  void followAcrossFaces(const Point& cell, const Point& block) {
+    for (int axis = 0; axis < 3; ++axis) {
+      Point next = block;
+      if (cell[axis] % kBlock == 0) next[axis] -= 1;
+      if (cell[axis] % kBlock == kBlock - 1) next[axis] += 1;
+      if (next != block) queueBlock(next);
+    }
+  }
+
+  void cutTetrahedron(const Tetrahedron& t, std::size_t base, const Point& cell, const std::array<double, 8>& value) {
+    std::array<int, 4> order;  // inside corners first, both groups ascending
+    int inside = 0;
+    for (int i = 0; i < 4; ++i) {
+      if (value[t.corners[i]] < 0.0) order[inside++] = i;
+    }
+    if (inside == 0 || inside == 4) return;
+    for (int i = 0, next = inside; i < 4; ++i) {
+      if (value[t.corners[i]] >= 0.0) order[next++] = i;
+    }
+    const auto vertex = [&](int i, int j) {
+      const auto [a, b] = std::minmax(t.corners[order[i]], t.corners[order[j]]);
+      return vertexOnEdge(base, cell, a, b, value);
+    };
+    const bool flip = evenPermutation(order) != t.positive;
+    if (inside == 1) return addTriangle(vertex(0, 1), vertex(0, 2), vertex(0, 3), flip);
+    if (inside == 3) return addTriangle(vertex(0, 3), vertex(1, 3), vertex(2, 3), flip);
+    addQuad({vertex(0, 2), vertex(0, 3), vertex(1, 3), vertex(1, 2)}, flip);
+  }
+
+  static bool evenPermutation(const std::array<int, 4>& order) {
+    int inversions = 0;
+    for (int i = 0; i < 4; ++i) {
+      for (int j = i + 1; j < 4; ++j) inversions += order[i] > order[j] ? 1 : 0;
+    }
+    return inversions % 2 == 0;
+  }
+
+  void addTriangle(Index a, Index b, Index c, bool flip) {
+    if (flip) std::swap(b, c);
+    mesh_.triangles.push_back({a, b, c});
+  }
+
+  // Splits along the shorter diagonal.
+  void addQuad(const std::array<Index, 4>& q, bool flip) {
+    const auto length = [&](int i, int j) { return (mesh_.positions[q[i]] - mesh_.positions[q[j]]).squaredNorm(); };
+    const int first = length(0, 2) <= length(1, 3) ? 0 : 1;
+    addTriangle(q[first], q[first + 1], q[first + 2], flip);
+    addTriangle(q[first], q[first + 2], q[(first + 3) % 4], flip);
+  }
+
+  // The vertex on the edge from corner a to corner b of a cell; a is a subset of b, so (point a, b - a) names the edge.
+  Index vertexOnEdge(std::size_t base, const Point& cell, int a, int b, const std::array<double, 8>& value) {
+    Index& vertex = vertex_on_edge_[8 * (base + cornerOffset(a)) + static_cast<std::size_t>(b - a)];
+    if (vertex == kNoIndex) {
+      vertex = static_cast<Index>(mesh_.positions.size());
+      mesh_.positions.push_back(crossing(position(cornerOf(cell, a)), position(cornerOf(cell, b)), value[a], value[b]));
+    }
+    return vertex;
+  }
+
+  // Where the field is zero between two points: one secant step from the linear guess.
+  Vec3 crossing(const Vec3& from, const Vec3& to, double value_from, double value_to) const {
+    double t = value_from / (value_from - value_to);
+    const double value = field_(from + t * (to - from));
+    const bool beyond = (value < 0.0) == (value_from < 0.0);
+    t = beyond ? t + (1.0 - t) * value / (value - value_to) : t * value_from / (value_from - value);
+    return from + std::clamp(t, kEndShare, 1.0 - kEndShare) * (to - from);
+  }
+
+  double valueAt(std::size_t base, const Point& cell, int corner) {
+    double& value = values_[base + cornerOffset(corner)];
+    if (std::isnan(value)) value = field_(position(cornerOf(cell, corner)));
+    return value;
+  }
+
+  static Point cornerOf(const Point& cell, int corner) {
+    return cell + Point(corner & 1, (corner >> 1) & 1, (corner >> 2) & 1);
+  }
+  std::size_t cornerOffset(int corner) const { return index(cornerOf(Point::Zero(), corner)); }
+  std::size_t index(const Point& p) const {
+    return static_cast<std::size_t>(p.x()) +
+           static_cast<std::size_t>(points_.x()) *
+               (static_cast<std::size_t>(p.y()) + static_cast<std::size_t>(points_.y()) * static_cast<std::size_t>(p.z()));
+  }
+  Vec3 position(const Point& p) const { return settings_.low + settings_.cell_mm * p.cast<double>(); }
+
+  const Field& field_;
+  const MesherSettings& settings_;
+  Point cells_, points_, blocks_;
+  std::vector<double> values_;          // NaN: not evaluated yet
+  std::vector<Index> vertex_on_edge_;   // 8 slots a lattice point, slot = axes of the edge as a mask
+  std::vector<char> queued_;
+  std::vector<Point> queue_;
+  mesh::TriangleMesh mesh_;
+};
+
+}  // namespace
+
+mesh::TriangleMesh meshZeroSurface(const Field& field, const MesherSettings& settings) {
+  return Lattice(field, settings).run();
+}
+
+}  // namespace palpate::body

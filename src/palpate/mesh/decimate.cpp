@@ -1,0 +1,404 @@
+// Quadric edge collapse to an exact count of triangles.
+//
+// A heap holds every edge with the error that its collapse would cost. The cheapest is taken if it keeps the topology
+// (link condition) and turns no triangle over; its vertex then gets new edges, older entries are recognised by the
+// stamps of their ends. Edges refused when they came up may be fine later, so the heap is refilled until nothing
+// moves. Vertices keep their triangles in linked lists of corners, which join in constant time.
+//
+// Based on: Garland and Heckbert, "Surface simplification using quadric error metrics" (1997); Dey, Edelsbrunner, Guha,
+// Nekhayev, "Topology preserving edge contraction" (1999), the link condition.
+#include "palpate/mesh/decimate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "palpate/base/error.h"
+#include "palpate/mesh/quadric.h"
+
+namespace palpate::mesh {
+namespace {
+
+// Share of the mean eigenvalue that holds a new vertex near the middle of its edge (see Quadric::best).
+constexpr double kHold = 1e-3;
+// Cost of an edge's squared length times its squared length, so that flat regions collapse short edges first.
+constexpr double kLengthCost = 1e-6;
+// A triangle may turn by at most acos(0.2) = 78 degrees in one collapse.
+constexpr double kLeastTurnCosine = 0.2;
+// A triangle below this share of the area around an edge is dust (a mesher leaves some): its own normal means nothing, so
+// it is judged by the normal of the whole neighbourhood.
+constexpr double kDust = 0.01;
+// Shape 4 sqrt(3) area / sum of squared edges below which a triangle counts as a sliver (1: equilateral).
+constexpr double kSliver = 0.05;
+
+double shapeOf(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double squares = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
+  return squares > 0.0 ? 2.0 * std::sqrt(3.0) * areaVector2(a, b, c).norm() / squares : 0.0;
+}
+
+struct Candidate {
+  double cost;
+  Index a, b;
+  std::uint32_t stamp_a, stamp_b;
+};
+// For a heap with the cheapest on top; ends break ties, so that the order never depends on the heap.
+bool later(const Candidate& p, const Candidate& q) {
+  if (p.cost != q.cost) return p.cost > q.cost;
+  return std::pair(p.a, p.b) > std::pair(q.a, q.b);
+}
+
+class Decimator {
+ public:
+  Decimator(TriangleMesh mesh, const DecimateOptions& options)
+      : options_(options),
+        positions_(std::move(mesh.positions)),
+        triangles_(std::move(mesh.triangles)),
+        live_triangles_(triangles_.size()),
+        origin_(positions_.empty() ? Vec3::Zero() : positions_.front()) {
+    for (Vec3& p : positions_) p -= keepX0(origin_);
+    linkCorners();
+    findBorder();
+    sumQuadrics();
+  }
+
+  void reduceTo(std::size_t target) {
+    target_ = target;
+    collapseWhatGoes();
+    avoid_slivers_ = false;  // only if nothing else is left to reach the count
+    collapseWhatGoes();
+    if (live_triangles_ > target) throwUnreachable();
+  }
+
+  TriangleMesh result() const {
+    TriangleMesh mesh;
+    std::vector<Index> renumbered(positions_.size(), kNoIndex);
+    for (Index v = 0; v < positions_.size(); ++v) {
+      if (first_corner_[v] == kNoIndex) continue;
+      renumbered[v] = static_cast<Index>(mesh.positions.size());
+      mesh.positions.push_back(positions_[v] + keepX0(origin_));
+    }
+    for (const Triangle& t : triangles_) {
+      if (t[0] != kNoIndex) mesh.triangles.push_back({renumbered[t[0]], renumbered[t[1]], renumbered[t[2]]});
+    }
+    return mesh;
+  }
+
+ private:
+  // Quadrics are summed near the origin to keep their digits; a mirrored half must keep its plane.
+  Vec3 keepX0(const Vec3& shift) const {
+    return options_.mirrored_at_x0 ? Vec3(0.0, shift.y(), shift.z()) : shift;
+  }
+
+  // --- set-up ---
+
+  void linkCorners() {
+    first_corner_.assign(positions_.size(), kNoIndex);
+    last_corner_.assign(positions_.size(), kNoIndex);
+    next_corner_.assign(3 * triangles_.size(), kNoIndex);
+    for (Index corner = 0; corner < next_corner_.size(); ++corner) {
+      const Index v = triangles_[corner / 3][corner % 3];
+      (first_corner_[v] == kNoIndex ? first_corner_[v] : next_corner_[last_corner_[v]]) = corner;
+      last_corner_[v] = corner;
+    }
+    stamp_.assign(positions_.size(), 0);
+    seen_.assign(positions_.size(), 0);
+  }
+
+  void findBorder() {
+    border_.assign(positions_.size(), 0);
+    for (const Triangle& t : triangles_) {
+      for (int i = 0; i < 3; ++i) {
+        if (sharedTriangles(t[i], t[(i + 1) % 3]) == 1) border_[t[i]] = border_[t[(i + 1) % 3]] = 1;
+      }
+    }
+  }
+
+  void sumQuadrics() {
+    quadrics_.assign(positions_.size(), {});
+    for (const Triangle& t : triangles_) addTriangle(t);
+    if (!options_.mirrored_at_x0) return;
+    for (Index v = 0; v < positions_.size(); ++v) {
+      if (border_[v] != 0) quadrics_[v] += Quadric(quadrics_[v]).mirroredAtX0();
+    }
+  }
+
+  void addTriangle(const Triangle& t) {
+    const Vec3 area2 = areaVector2(positions_[t[0]], positions_[t[1]], positions_[t[2]]);
+    const double norm = area2.norm();
+    if (norm == 0.0) return;
+    const Quadric q = Quadric::ofPlane(area2 / norm, positions_[t[0]], norm / 6.0);
+    for (const Index v : t) quadrics_[v] += q;
+    if (!options_.mirrored_at_x0) addBorderWalls(t, area2 / norm);
+  }
+
+  // A wall through each border edge, upright on its triangle, holds the border's line.
+  void addBorderWalls(const Triangle& t, const Vec3& normal) {
+    for (int i = 0; i < 3; ++i) {
+      const Index a = t[i];
+      const Index b = t[(i + 1) % 3];
+      if (border_[a] == 0 || border_[b] == 0 || sharedTriangles(a, b) != 1) continue;
+      const Vec3 edge = positions_[b] - positions_[a];
+      const Quadric wall =
+          Quadric::ofPlane(edge.cross(normal).normalized(), positions_[a], options_.border_weight * edge.squaredNorm());
+      quadrics_[a] += wall;
+      quadrics_[b] += wall;
+    }
+  }
+
+  // --- the heap ---
+
+  void fillHeap() {
+    heap_.clear();
+    for (const Triangle& t : triangles_) {
+      if (t[0] == kNoIndex) continue;
+      for (int i = 0; i < 3; ++i) {
+        const Index a = t[i];
+        const Index b = t[(i + 1) % 3];
+        // Each inner edge is met twice, in both directions.
+        if (a < b || (border_[a] != 0 && border_[b] != 0 && sharedTriangles(a, b) == 1)) heap_.push_back(candidate(a, b));
+      }
+    }
+    std::make_heap(heap_.begin(), heap_.end(), later);
+  }
+
+  void collapseWhatGoes() {
+    for (std::size_t before = live_triangles_ + 1; live_triangles_ > target_ && live_triangles_ < before;) {
+      before = live_triangles_;
+      fillHeap();
+      drainHeap();
+    }
+  }
+
+  void drainHeap() {
+    while (live_triangles_ > target_ && !heap_.empty()) {
+      std::pop_heap(heap_.begin(), heap_.end(), later);
+      const Candidate c = heap_.back();
+      heap_.pop_back();
+      if (stamp_[c.a] != c.stamp_a || stamp_[c.b] != c.stamp_b) continue;
+      tryCollapse(c.a, c.b);
+    }
+  }
+
+  Candidate candidate(Index a, Index b) const {
+    if (a > b) std::swap(a, b);
+    const Quadric sum = merged(a, b);
+    const double length2 = (positions_[a] - positions_[b]).squaredNorm();
+    const double cost = sum.at(placement(sum, a, b)) + kLengthCost * length2 * length2;
+    return {cost, a, b, stamp_[a], stamp_[b]};
+  }
+
+  // Merging an inner vertex into the plane of symmetry merges its mirror image as well.
+  Quadric merged(Index a, Index b) const {
+    Quadric sum = quadrics_[a];
+    sum += quadrics_[b];
+    if (options_.mirrored_at_x0 && border_[a] != border_[b]) sum += quadrics_[border_[a] != 0 ? b : a].mirroredAtX0();
+    return sum;
+  }
+
+  Vec3 placement(const Quadric& sum, Index a, Index b) const {
+    const Vec3 middle = 0.5 * (positions_[a] + positions_[b]);
+    const double length2 = (positions_[a] - positions_[b]).squaredNorm();
+    const bool in_plane = options_.mirrored_at_x0 && (border_[a] != 0 || border_[b] != 0);
+    Vec3 best = sum.best(middle, kHold);
+    if (in_plane) best.x() = 0.0;
+    if ((best - middle).squaredNorm() <= length2) return best;
+    // The optimum ran away: take the best of what is certainly near.
+    best = middle;
+    if (in_plane) best.x() = 0.0;
+    for (const Index v : {a, b}) {
+      const bool allowed = !in_plane || border_[v] != 0;
+      if (allowed && sum.at(positions_[v]) < sum.at(best)) best = positions_[v];
+    }
+    return best;
+  }
+
+  // --- one collapse ---
+
+  void tryCollapse(Index a, Index b) {
+    const Index shared = sharedTriangles(a, b);
+    if (shared == 0 || live_triangles_ - target_ < shared || !linkAllows(a, b, shared)) return;
+    if (options_.mirrored_at_x0 && border_[a] != border_[b] && makesChord(border_[a] != 0 ? a : b, border_[a] != 0 ? b : a))
+      return;
+    const Quadric sum = merged(a, b);
+    const Vec3 point = placement(sum, a, b);
+    const Vec3 around = areaAround(a) + areaAround(b);
+    if (turnsOver(a, b, point, around) || turnsOver(b, a, point, around)) return;
+    collapse(a, b, point, sum);
+    pushEdgesOf(a);
+  }
+
+  template <class Visit>
+  void forTrianglesOf(Index v, Visit visit) const {
+    for (Index corner = first_corner_[v]; corner != kNoIndex; corner = next_corner_[corner]) visit(corner / 3, corner % 3);
+  }
+
+  static bool uses(const Triangle& t, Index v) { return t[0] == v || t[1] == v || t[2] == v; }
+
+  Index sharedTriangles(Index a, Index b) const {
+    Index count = 0;
+    forTrianglesOf(a, [&](Index t, Index) { count += uses(triangles_[t], b) ? 1 : 0; });
+    return count;
+  }
+
+  Index triangleCount(Index v) const {
+    Index count = 0;
+    forTrianglesOf(v, [&](Index, Index) { ++count; });
+    return count;
+  }
+
+  // The ends may share no neighbour but the tips of the triangles on the edge, and an inner edge may not join two borders.
+  bool linkAllows(Index a, Index b, Index shared) {
+    if (shared == 2 && border_[a] != 0 && border_[b] != 0) return false;
+    ++round_;
+    forTrianglesOf(a, [&](Index t, Index) {
+      for (const Index v : triangles_[t]) seen_[v] = round_;
+    });
+    seen_[a] = seen_[b] = 0;
+    Index common = 0;
+    bool keeps_fans = true;
+    forTrianglesOf(b, [&](Index t, Index) {
+      for (const Index v : triangles_[t]) {
+        if (seen_[v] != round_) continue;
+        seen_[v] = 0;
+        ++common;
+        keeps_fans = keeps_fans && (border_[v] != 0 || triangleCount(v) > 3);
+      }
+    });
+    return common == shared && keeps_fans;
+  }
+
+  // Whether merging `inner` into `border` joins two border vertices by an inner edge: its mirror image would be the same
+  // edge, used by four triangles.
+  bool makesChord(Index border, Index inner) const {
+    bool chord = false;
+    forTrianglesOf(inner, [&](Index t, Index) {
+      for (const Index v : triangles_[t]) {
+        chord = chord || (v != border && border_[v] != 0 && sharedTriangles(border, v) != 1);
+      }
+    });
+    return chord;
+  }
+
+  Vec3 areaAround(Index v) const {
+    Vec3 sum = Vec3::Zero();
+    forTrianglesOf(v, [&](Index t, Index) {
+      const Triangle& i = triangles_[t];
+      sum += areaVector2(positions_[i[0]], positions_[i[1]], positions_[i[2]]);
+    });
+    return sum;
+  }
+
+  // Whether moving v to the point folds or flattens one of its triangles that stay (those without `other`).
+  bool turnsOver(Index v, Index other, const Vec3& point, const Vec3& around) const {
+    bool turned = false;
+    forTrianglesOf(v, [&](Index t, Index corner) {
+      const Triangle& triangle = triangles_[t];
+      if (turned || uses(triangle, other)) return;
+      const Vec3& p = positions_[triangle[(corner + 1) % 3]];
+      const Vec3& q = positions_[triangle[(corner + 2) % 3]];
+      turned = spoils(areaVector2(positions_[v], p, q), areaVector2(point, p, q), around);
+      turned = turned || (avoid_slivers_ && shapeOf(point, p, q) < kSliver && shapeOf(positions_[v], p, q) >= kSliver);
+    });
+    return turned;
+  }
+
+  static bool spoils(const Vec3& before, const Vec3& after, const Vec3& around) {
+    const double dust = kDust * around.norm();
+    if (before.norm() > dust) return before.dot(after) <= kLeastTurnCosine * before.norm() * after.norm();
+    return after.norm() > dust && around.dot(after) <= kLeastTurnCosine * around.norm() * after.norm();
+  }
+
+  void collapse(Index a, Index b, const Vec3& point, const Quadric& sum) {
+    positions_[a] = point;
+    quadrics_[a] = sum;
+    border_[a] = static_cast<char>(border_[a] | border_[b]);
+    std::vector<Index>& gone = scratch_;
+    gone.clear();
+    forTrianglesOf(b, [&](Index t, Index corner) {
+      if (uses(triangles_[t], a)) gone.push_back(t);
+      else triangles_[t][corner] = a;
+    });
+    joinCorners(a, b);
+    for (const Index t : gone) removeTriangle(t, b);
+    ++stamp_[a];
+    ++stamp_[b];
+  }
+
+  void joinCorners(Index a, Index b) {
+    next_corner_[last_corner_[a]] = first_corner_[b];
+    last_corner_[a] = last_corner_[b];
+    first_corner_[b] = last_corner_[b] = kNoIndex;
+  }
+
+  // `merged` is the vertex whose corners were handed over already.
+  void removeTriangle(Index t, Index merged) {
+    const Triangle corners = triangles_[t];
+    triangles_[t] = {kNoIndex, kNoIndex, kNoIndex};
+    --live_triangles_;
+    for (const Index v : corners) {
+      if (v != merged) dropDeadCorners(v);
+    }
+  }
+
+  void dropDeadCorners(Index v) {
+    Index* link = &first_corner_[v];
+    last_corner_[v] = kNoIndex;
+    while (*link != kNoIndex) {
+      if (triangles_[*link / 3][0] == kNoIndex) {
+        *link = next_corner_[*link];
+      } else {
+        last_corner_[v] = *link;
+        link = &next_corner_[*link];
+      }
+    }
+  }
+
+  void pushEdgesOf(Index a) {
+    ++round_;
+    seen_[a] = round_;
+    forTrianglesOf(a, [&](Index t, Index) {
+      for (const Index v : triangles_[t]) {
+        if (seen_[v] == round_) continue;
+        seen_[v] = round_;
+        heap_.push_back(candidate(a, v));
+        std::push_heap(heap_.begin(), heap_.end(), later);
+      }
+    });
+  }
+
+  [[noreturn]] void throwUnreachable() const {
+    throw Error("cannot reduce to " + std::to_string(target_) + " triangles: the topology stops at " +
+                std::to_string(live_triangles_) + " (a closed surface has an even count)");
+  }
+
+  DecimateOptions options_;
+  std::vector<Vec3> positions_;
+  std::vector<Triangle> triangles_;  // removed ones hold kNoIndex
+  std::size_t live_triangles_;
+  std::size_t target_ = 0;
+  bool avoid_slivers_ = true;
+  Vec3 origin_;
+  std::vector<Quadric> quadrics_;
+  std::vector<char> border_;
+  std::vector<Index> first_corner_, last_corner_;  // per vertex, corner = 3 * triangle + place
+  std::vector<Index> next_corner_;                 // per corner
+  std::vector<std::uint32_t> stamp_;               // raised whenever a vertex moves or dies
+  std::vector<std::uint32_t> seen_;                // equals round_ when met in this round
+  std::uint32_t round_ = 0;
+  std::vector<Candidate> heap_;
+  std::vector<Index> scratch_;
+};
+
+}  // namespace
+
+TriangleMesh decimate(TriangleMesh mesh, std::size_t target_triangles, const DecimateOptions& options) {
+  if (mesh.triangles.size() <= target_triangles) return mesh;
+  Decimator decimator(std::move(mesh), options);
+  decimator.reduceTo(target_triangles);
+  return decimator.result();
+}
+
+}  // namespace palpate::mesh
