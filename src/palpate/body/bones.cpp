@@ -1,5 +1,5 @@
-// Puts the 43 bones together: shape, reduce, place, mirror, warp, scale. Only 12 ribs, one scapula and 17 half vertebrae
-// are ever built and reduced; the rest are mirror images.
+// Puts the 43 bones together: shape, reduce, place, mirror, warp, scale. Only 12 ribs, one scapula and 17 half
+// vertebrae are ever built and reduced; the rest are mirror images.
 #include "palpate/body/bones.h"
 
 #include <cmath>
@@ -53,8 +53,7 @@ void check(const BonesSettings& settings) {
 mesh::TriangleMesh makeVertebra(const VertebraRow& row, std::size_t triangles, double cell_mm) {
   mesh::DecimateOptions options;
   options.mirrored_at_x0 = true;
-  mesh::TriangleMesh whole =
-      withMirrorImage(mesh::decimate(makeVertebraHalf(row, cell_mm), triangles / 2, options));
+  mesh::TriangleMesh whole = withMirrorImage(mesh::decimate(makeVertebraHalf(row, cell_mm), triangles / 2, options));
   const Eigen::Isometry3d frame = vertebraFrame(row);
   for (Vec3& p : whole.positions) p = frame * p;
   return whole;
@@ -74,7 +73,8 @@ void addVertebrae(std::vector<Bone>& bones, const std::vector<std::size_t>& coun
 
 void addRibs(std::vector<Bone>& bones, const std::vector<std::size_t>& counts, double cell_mm) {
   for (int rib = 1; rib <= kRibCount; ++rib) {
-    bones.push_back({ribName(rib, "right"), BoneKind::rib, reduced(makeRightRib(rib, cell_mm * 1.4), counts[bones.size()])});
+    bones.push_back(
+        {ribName(rib, "right"), BoneKind::rib, reduced(makeRightRib(rib, cell_mm * 1.4), counts[bones.size()])});
   }
   for (int rib = 1; rib <= kRibCount; ++rib) {
     bones.push_back({ribName(rib, "left"), BoneKind::rib, mirrored(bones[kFirstRib + rib - 1].mesh)});

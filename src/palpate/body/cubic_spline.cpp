@@ -13,7 +13,8 @@ constexpr std::size_t kStepsPerSpan = 64;  // of the polygon that measures arc l
 CubicSpline::CubicSpline(std::span<const Vec3> points, Ends ends) : ends_(ends), points_(points.begin(), points.end()) {
   if (ends == Ends::closed) points_.push_back(points_.front());
   knots_.assign(1, 0.0);
-  for (std::size_t i = 1; i < points_.size(); ++i) knots_.push_back(knots_.back() + (points_[i] - points_[i - 1]).norm());
+  for (std::size_t i = 1; i < points_.size(); ++i)
+    knots_.push_back(knots_.back() + (points_[i] - points_[i - 1]).norm());
 
   const auto n = static_cast<Eigen::Index>(points_.size());
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(n, n);

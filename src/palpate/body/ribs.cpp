@@ -22,11 +22,11 @@ namespace palpate::body {
 namespace {
 
 struct RibRow {
-  double angle_x, angle_drop, angle_z;              // the angle: y below the head, z in the body frame
-  double half_width, lateral_drop, lateral_z;       // the most lateral point: outer edge; y and z from the head
-  double anterior_x, anterior_drop, anterior_z;     // the anterior end: y and z from the head
-  double height, thickness;                         // the section
-  double roll_deg;                                  // how far the outer face looks up: the first rib lies flat
+  double angle_x, angle_drop, angle_z;           // the angle: y below the head, z in the body frame
+  double half_width, lateral_drop, lateral_z;    // the most lateral point: outer edge; y and z from the head
+  double anterior_x, anterior_drop, anterior_z;  // the anterior end: y and z from the head
+  double height, thickness;                      // the section
+  double roll_deg;                               // how far the outer face looks up: the first rib lies flat
 };
 
 constexpr std::array<RibRow, kRibCount> kRows = {{
@@ -89,7 +89,8 @@ void addQuarter(std::vector<Vec3>& line, const Vec3& from, const Vec3& to, bool 
     const double t = std::numbers::pi / 2 * i / count;
     const double early = std::sin(t);
     const double late = 1.0 - std::cos(t);
-    line.emplace_back(mix(from.x(), to.x(), first ? early : late), mix(from.y(), to.y(), static_cast<double>(i) / count),
+    line.emplace_back(mix(from.x(), to.x(), first ? early : late),
+                      mix(from.y(), to.y(), static_cast<double>(i) / count),
                       mix(from.z(), to.z(), first ? late : early));
   }
 }
@@ -122,7 +123,8 @@ double smoothStep(double from, double to, double x) {
 }
 
 SectionStop sectionAt(double share) {
-  const auto next = std::find_if(kSection.begin(), kSection.end(), [&](const SectionStop& s) { return s.share > share; });
+  const auto next =
+      std::find_if(kSection.begin(), kSection.end(), [&](const SectionStop& s) { return s.share > share; });
   if (next == kSection.end()) return kSection.back();
   const SectionStop& before = *(next - 1);
   const double t = smoothStep(before.share, next->share, share);
@@ -218,8 +220,6 @@ mesh::TriangleMesh makeRightRib(int number, double edge_mm) {
   return sweep(stationsOf(number, edge_mm), corners);
 }
 
-Vec3 rightRibAngle(int number) {
-  return anglePoint(number) + Vec3(0.0, 0.0, kRows[number - 1].thickness / 2);
-}
+Vec3 rightRibAngle(int number) { return anglePoint(number) + Vec3(0.0, 0.0, kRows[number - 1].thickness / 2); }
 
 }  // namespace palpate::body

@@ -1,12 +1,12 @@
-// The scapula in its own frame: u lateral along its spine, v cranial, n dorsal (stored as x, y, z), origin where the spine
-// meets the medial border. A thin curved blade cut by an outline, with a roll along the medial border, a pillar along the
-// lateral one, neck and glenoid, the spine as a fin, acromion and coracoid as chains of capsules.
+// The scapula in its own frame: u lateral along its spine, v cranial, n dorsal (stored as x, y, z), origin where the
+// spine meets the medial border. A thin curved blade cut by an outline, with a roll along the medial border, a pillar
+// along the lateral one, neck and glenoid, the spine as a fin, acromion and coracoid as chains of capsules.
 //
-// Sizes guided by: von Schroeder 2001, Clin Orthop 383:131 (superior to inferior angle 155 +- 16, spine 134 +- 12, acromion
-// 48 x 22 x 9, glenoid 36 x 29, spine width 7 / 18 / 46 along it, medial border 4) [A]; Siriraj Med J 2004 (length 139,
-// lateral border 8.2, inferior angle 41 degrees) [A]. Rest: level of the spine's root T3, of the inferior angle T8 (mean
-// T8.03, PMC2647093) [A]; 41 degrees internal, 5 upward, 13 tilt, Ludewig 2009, is [R] recalled. The coordinates are
-// construction values of our choice.
+// Sizes guided by: von Schroeder 2001, Clin Orthop 383:131 (superior to inferior angle 155 +- 16, spine 134 +- 12,
+// acromion 48 x 22 x 9, glenoid 36 x 29, spine width 7 / 18 / 46 along it, medial border 4) [A]; Siriraj Med J 2004
+// (length 139, lateral border 8.2, inferior angle 41 degrees) [A]. Rest: level of the spine's root T3, of the inferior
+// angle T8 (mean T8.03, PMC2647093) [A]; 41 degrees internal, 5 upward, 13 tilt, Ludewig 2009, is [R] recalled. The
+// coordinates are construction values of our choice.
 #include "palpate/body/scapula.h"
 
 #include <algorithm>
@@ -22,23 +22,23 @@
 namespace palpate::body {
 namespace {
 
-// Placement: where the spine's root lies and how the blade is turned, solved for the depths under the fitted skin (root 9.4,
-// inferior angle 11.6, acromion at least 4 mm).
+// Placement: where the spine's root lies and how the blade is turned, solved for the depths under the fitted skin
+// (root 9.4, inferior angle 11.6, acromion at least 4 mm).
 const Vec3 kRoot{81.0, 101.0, 95.0};
 constexpr double kTiltDeg = 10.5;      // about u: the upper border leans forwards
 constexpr double kUpwardDeg = 0.5;     // about n: the lateral side rises
 constexpr double kInternalDeg = 41.6;  // about y: the lateral side turns forwards
 
-const std::vector<Vec3> kOutline = {
-    {8, 43, 0},    {2, 30, 0},    {0, 12, 0},   {0, 0, 0},    {1, -20, 0},  {3, -45, 0},  {6, -72, 0},
-    {10, -95, 0},  {16, -110, 0}, {24, -112, 0}, {32, -101, 0}, {45, -80, 0}, {60, -57, 0}, {76, -36, 0},
-    {90, -22, 0},  {98, -14, 0},  {101, 2, 0},  {98, 18, 0},  {90, 26, 0},  {80, 25, 0},  {72, 24, 0},
-    {66, 30, 0},   {50, 37, 0},   {30, 43, 0},  {16, 46, 0}};
+const std::vector<Vec3> kOutline = {{8, 43, 0},    {2, 30, 0},   {0, 12, 0},   {0, 0, 0},     {1, -20, 0},
+                                    {3, -45, 0},   {6, -72, 0},  {10, -95, 0}, {16, -110, 0}, {24, -112, 0},
+                                    {32, -101, 0}, {45, -80, 0}, {60, -57, 0}, {76, -36, 0},  {90, -22, 0},
+                                    {98, -14, 0},  {101, 2, 0},  {98, 18, 0},  {90, 26, 0},   {80, 25, 0},
+                                    {72, 24, 0},   {66, 30, 0},  {50, 37, 0},  {30, 43, 0},   {16, 46, 0}};
 constexpr std::size_t kOutlinePoints = 160;  // of the polygon: sagitta below 0.05 mm
 
 // The crest of the spine: u, v at the blade, height over the blade.
 const std::vector<Vec3> kCrest = {{2, 1, 3}, {12, 3, 7}, {40, 7, 18}, {70, 12, 26}, {90, 15, 31}};
-constexpr double kFinLean = 0.22;           // v per height: the spine leans cranially
+constexpr double kFinLean = 0.22;  // v per height: the spine leans cranially
 constexpr double kFinHalfThickness = 1.7;
 
 double square(double x) { return x * x; }
@@ -140,8 +140,8 @@ class Outline {
 
 struct Parts {
   Outline outline;
-  Tube medial_roll{{onBlade(9, 41), onBlade(3.5, 28), onBlade(2.2, 5), onBlade(3, -20), onBlade(5, -45), onBlade(8, -72),
-                    onBlade(12, -95)},
+  Tube medial_roll{{onBlade(9, 41), onBlade(3.5, 28), onBlade(2.2, 5), onBlade(3, -20), onBlade(5, -45),
+                    onBlade(8, -72), onBlade(12, -95)},
                    {2.0, 2.2, 2.6, 2.6, 2.8, 3.1, 3.4},
                    24};
   Tube pillar{{onBlade(27, -104), onBlade(42, -80), onBlade(57, -57.5), onBlade(73, -36), onBlade(88, -19)},
@@ -158,7 +158,8 @@ struct Parts {
 
   static std::vector<Vec3> crestPoints() {
     std::vector<Vec3> points;
-    for (const Vec3& c : kCrest) points.emplace_back(c.x(), c.y() + kFinLean * c.z(), bladeOffset(c.x(), c.y()) + c.z());
+    for (const Vec3& c : kCrest)
+      points.emplace_back(c.x(), c.y() + kFinLean * c.z(), bladeOffset(c.x(), c.y()) + c.z());
     return points;
   }
 

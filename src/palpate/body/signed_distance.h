@@ -4,8 +4,8 @@
 // elliptic ones are first-order approximations, exact at the surface and growing by at most about 1.5 per millimetre
 // elsewhere: good enough for a mesher that follows the zero surface, not for measuring.
 //
-// Based on: Hart, "Sphere tracing" (1996), distances by parts; Quilez, "Smooth minimum" and "Ellipsoid" (iquilezles.org),
-// the polynomial blend and the two-norm estimate.
+// Based on: Hart, "Sphere tracing" (1996), distances by parts; Quilez, "Smooth minimum" and "Ellipsoid"
+// (iquilezles.org), the polynomial blend and the two-norm estimate.
 #pragma once
 
 #include <algorithm>

@@ -182,15 +182,16 @@ class Lattice {
   std::size_t index(const Point& p) const {
     return static_cast<std::size_t>(p.x()) +
            static_cast<std::size_t>(points_.x()) *
-               (static_cast<std::size_t>(p.y()) + static_cast<std::size_t>(points_.y()) * static_cast<std::size_t>(p.z()));
+               (static_cast<std::size_t>(p.y()) +
+                static_cast<std::size_t>(points_.y()) * static_cast<std::size_t>(p.z()));
   }
   Vec3 position(const Point& p) const { return settings_.low + settings_.cell_mm * p.cast<double>(); }
 
   const Field& field_;
   const MesherSettings& settings_;
   Point cells_, points_, blocks_;
-  std::vector<double> values_;          // NaN: not evaluated yet
-  std::vector<Index> vertex_on_edge_;   // 8 slots a lattice point, slot = axes of the edge as a mask
+  std::vector<double> values_;         // NaN: not evaluated yet
+  std::vector<Index> vertex_on_edge_;  // 8 slots a lattice point, slot = axes of the edge as a mask
   std::vector<char> queued_;
   std::vector<Point> queue_;
   mesh::TriangleMesh mesh_;

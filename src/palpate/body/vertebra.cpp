@@ -12,7 +12,7 @@
 namespace palpate::body {
 namespace {
 
-constexpr double kEndplateEdge = 2.5;   // mm, rounding of the rim of the endplates
+constexpr double kEndplateEdge = 2.5;    // mm, rounding of the rim of the endplates
 constexpr double kLaminaOverhang = 2.0;  // mm from the canal's dorsal wall to the middle of the lamina
 constexpr double kCanalLift = 0.5;       // mm by which the canal cuts into the body's dorsal wall
 constexpr double kLeastTransverseRoot = 4.2;
@@ -90,27 +90,43 @@ struct Parts {
   static EllipticCapsule makeUpperFacet(const VertebraRow& r, const Arch& a) {
     const double c = a.half_canal;
     if (r.thoracic()) {
-      return {{c + 1.2, a.pedicle_y, a.root_z + 0.5}, {c + 1.0, r.height / 2 + 3.0, a.root_z - 0.8}, Vec3::UnitX(), {4.0, 2.3}};
+      return {{c + 1.2, a.pedicle_y, a.root_z + 0.5},
+              {c + 1.0, r.height / 2 + 3.0, a.root_z - 0.8},
+              Vec3::UnitX(),
+              {4.0, 2.3}};
     }
-    return {{c + 4.0, a.pedicle_y, a.root_z + 1.0}, {c + 6.6, r.height / 2 + 4.0, a.root_z + 3.0}, Vec3::UnitZ(), {4.1, 2.8}};
+    return {{c + 4.0, a.pedicle_y, a.root_z + 1.0},
+            {c + 6.6, r.height / 2 + 4.0, a.root_z + 3.0},
+            Vec3::UnitZ(),
+            {4.1, 2.8}};
   }
   static EllipticCapsule makeLowerFacet(const VertebraRow& r, const Arch& a) {
     const double c = a.half_canal;
     if (r.thoracic()) {
-      return {{c + 1.0, a.pedicle_y, a.root_z + 2.0}, {c + 0.2, -0.56 * r.height, a.root_z + 6.0}, Vec3::UnitX(), {4.0, 2.3}};
+      return {{c + 1.0, a.pedicle_y, a.root_z + 2.0},
+              {c + 0.2, -0.56 * r.height, a.root_z + 6.0},
+              Vec3::UnitX(),
+              {4.0, 2.3}};
     }
-    return {{c + 2.5, a.pedicle_y, a.root_z + 3.0}, {c - 1.6, -0.62 * r.height, a.root_z + 5.5}, Vec3::UnitZ(), {4.1, 2.8}};
+    return {
+        {c + 2.5, a.pedicle_y, a.root_z + 3.0}, {c - 1.6, -0.62 * r.height, a.root_z + 5.5}, Vec3::UnitZ(), {4.1, 2.8}};
   }
   static Capsule makeTransverse(const VertebraRow& r) {
     return {transverseRoot(r), transverseTip(r), std::max(1.15 * r.transverse_radius, kLeastTransverseRoot),
             r.transverse_radius};
   }
   static EllipticCapsule makeSpinousRoot(const VertebraRow& r) {
-    return {spinousRoot(r), 0.5 * (spinousRoot(r) + spinousEnd(r)), Vec3::UnitY(), {0.62 * r.spinous_height, 3.6},
+    return {spinousRoot(r),
+            0.5 * (spinousRoot(r) + spinousEnd(r)),
+            Vec3::UnitY(),
+            {0.62 * r.spinous_height, 3.6},
             {0.48 * r.spinous_height, 2.6}};
   }
   static EllipticCapsule makeSpinousTip(const VertebraRow& r) {
-    return {0.5 * (spinousRoot(r) + spinousEnd(r)), spinousEnd(r), Vec3::UnitY(), {0.48 * r.spinous_height, 2.6},
+    return {0.5 * (spinousRoot(r) + spinousEnd(r)),
+            spinousEnd(r),
+            Vec3::UnitY(),
+            {0.48 * r.spinous_height, 2.6},
             {spinousTipHalfHeight(r), r.spinous_thickness / 2}};
   }
 

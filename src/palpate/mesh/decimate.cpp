@@ -28,8 +28,8 @@ constexpr double kHold = 1e-3;
 constexpr double kLengthCost = 1e-6;
 // A triangle may turn by at most acos(0.2) = 78 degrees in one collapse.
 constexpr double kLeastTurnCosine = 0.2;
-// A triangle below this share of the area around an edge is dust (a mesher leaves some): its own normal means nothing, so
-// it is judged by the normal of the whole neighbourhood.
+// A triangle below this share of the area around an edge is dust (a mesher leaves some): its own normal means nothing,
+// so it is judged by the normal of the whole neighbourhood.
 constexpr double kDust = 0.01;
 // Shape 4 sqrt(3) area / sum of squared edges below which a triangle counts as a sliver (1: equilateral).
 constexpr double kSliver = 0.05;
@@ -88,9 +88,7 @@ class Decimator {
 
  private:
   // Quadrics are summed near the origin to keep their digits; a mirrored half must keep its plane.
-  Vec3 keepX0(const Vec3& shift) const {
-    return options_.mirrored_at_x0 ? Vec3(0.0, shift.y(), shift.z()) : shift;
-  }
+  Vec3 keepX0(const Vec3& shift) const { return options_.mirrored_at_x0 ? Vec3(0.0, shift.y(), shift.z()) : shift; }
 
   // --- set-up ---
 
@@ -158,7 +156,8 @@ class Decimator {
         const Index a = t[i];
         const Index b = t[(i + 1) % 3];
         // Each inner edge is met twice, in both directions.
-        if (a < b || (border_[a] != 0 && border_[b] != 0 && sharedTriangles(a, b) == 1)) heap_.push_back(candidate(a, b));
+        if (a < b || (border_[a] != 0 && border_[b] != 0 && sharedTriangles(a, b) == 1))
+          heap_.push_back(candidate(a, b));
       }
     }
     std::make_heap(heap_.begin(), heap_.end(), later);
@@ -220,7 +219,8 @@ class Decimator {
   void tryCollapse(Index a, Index b) {
     const Index shared = sharedTriangles(a, b);
     if (shared == 0 || live_triangles_ - target_ < shared || !linkAllows(a, b, shared)) return;
-    if (options_.mirrored_at_x0 && border_[a] != border_[b] && makesChord(border_[a] != 0 ? a : b, border_[a] != 0 ? b : a))
+    if (options_.mirrored_at_x0 && border_[a] != border_[b] &&
+        makesChord(border_[a] != 0 ? a : b, border_[a] != 0 ? b : a))
       return;
     const Quadric sum = merged(a, b);
     const Vec3 point = placement(sum, a, b);
@@ -232,7 +232,8 @@ class Decimator {
 
   template <class Visit>
   void forTrianglesOf(Index v, Visit visit) const {
-    for (Index corner = first_corner_[v]; corner != kNoIndex; corner = next_corner_[corner]) visit(corner / 3, corner % 3);
+    for (Index corner = first_corner_[v]; corner != kNoIndex; corner = next_corner_[corner])
+      visit(corner / 3, corner % 3);
   }
 
   static bool uses(const Triangle& t, Index v) { return t[0] == v || t[1] == v || t[2] == v; }
@@ -249,7 +250,8 @@ class Decimator {
     return count;
   }
 
-  // The ends may share no neighbour but the tips of the triangles on the edge, and an inner edge may not join two borders.
+  // The ends may share no neighbour but the tips of the triangles on the edge, and an inner edge may not join two
+  // borders.
   bool linkAllows(Index a, Index b, Index shared) {
     if (shared == 2 && border_[a] != 0 && border_[b] != 0) return false;
     ++round_;
@@ -270,8 +272,8 @@ class Decimator {
     return common == shared && keeps_fans;
   }
 
-  // Whether merging `inner` into `border` joins two border vertices by an inner edge: its mirror image would be the same
-  // edge, used by four triangles.
+  // Whether merging `inner` into `border` joins two border vertices by an inner edge: its mirror image would be the
+  // same edge, used by four triangles.
   bool makesChord(Index border, Index inner) const {
     bool chord = false;
     forTrianglesOf(inner, [&](Index t, Index) {
@@ -318,8 +320,10 @@ class Decimator {
     std::vector<Index>& gone = scratch_;
     gone.clear();
     forTrianglesOf(b, [&](Index t, Index corner) {
-      if (uses(triangles_[t], a)) gone.push_back(t);
-      else triangles_[t][corner] = a;
+      if (uses(triangles_[t], a))
+        gone.push_back(t);
+      else
+        triangles_[t][corner] = a;
     });
     joinCorners(a, b);
     for (const Index t : gone) removeTriangle(t, b);

@@ -62,10 +62,9 @@ Index NearestTriangle::build(std::span<Corners> corners, Index offset) {
   middles.sizes().maxCoeff(&axis);
   const auto key = [axis](const Corners& t) { return t.a[axis] + t.b[axis] + t.c[axis]; };
   const std::size_t half = corners.size() / 2;
-  std::nth_element(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(half), corners.end(),
-                   [&](const Corners& p, const Corners& q) {
-                     return key(p) != key(q) ? key(p) < key(q) : p.triangle < q.triangle;
-                   });
+  std::nth_element(
+      corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(half), corners.end(),
+      [&](const Corners& p, const Corners& q) { return key(p) != key(q) ? key(p) < key(q) : p.triangle < q.triangle; });
   build(corners.first(half), offset);
   nodes_[node].first = build(corners.subspan(half), offset + static_cast<Index>(half));
   nodes_[node].count = 0;

@@ -23,7 +23,8 @@ class NearestTriangle {
 
   explicit NearestTriangle(const TriangleMesh& mesh);
 
-  /// The nearest point within `reach` (mm) of p; a good reach makes it faster. Equal distances: any, but always the same.
+  /// The nearest point within `reach` (mm) of p; a good reach makes it faster. Equal distances: any, but always the
+  /// same.
   Hit find(const Vec3& p, double reach = std::numeric_limits<double>::infinity()) const;
 
  private:
