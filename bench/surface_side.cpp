@@ -116,6 +116,10 @@ double windingNumber(const mesh::TriangleMesh& mesh, const Vec3& point) {
   return sum;
 }
 
+Vec3 nearestOnTriangle(const std::array<Vec3, 3>& corners, const Vec3& point) {
+  return combined(corners, nearestCoordinates(corners, point));
+}
+
 SurfaceSide::SurfaceSide(mesh::TriangleMesh mesh)
     : mesh_(std::move(mesh)), diagonal_(mesh::boundingBox(mesh_).diagonal().norm()) {
   neighbours_ = mesh::neighboursOfTriangles(mesh_);

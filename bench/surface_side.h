@@ -37,6 +37,9 @@ struct NearestPoint {
 /// How often the surface winds round the point: 1 inside a closed body, 0 outside. O(triangles).
 double windingNumber(const mesh::TriangleMesh& mesh, const Vec3& point);
 
+/// The point of a triangle nearest to `point`.
+Vec3 nearestOnTriangle(const std::array<Vec3, 3>& corners, const Vec3& point);
+
 /// Copies the mesh. Building the nearest-point tree is put off until it is asked for.
 class SurfaceSide {
  public:
