@@ -1,0 +1,160 @@
+#include "palpate/scene/key_table.h"
+
+#include <algorithm>
+#include <cctype>
+#include <numeric>
+
+namespace palpate::scene {
+
+namespace {
+
+std::string typeWords(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::string:
+      return "a text";
+    case toml::node_type::boolean:
+      return "true or false";
+    case toml::node_type::array:
+      return "a list";
+    case toml::node_type::table:
+      return "a table";
+    case toml::node_type::integer:
+    case toml::node_type::floating_point:
+      return "a number";
+    default:
+      return "a date or time";
+  }
+}
+
+[[noreturn]] void failType(const Entry& entry, std::string_view expected) {
+  entry.fail(fmt::format("must be {}, not {}", expected, typeWords(entry.node)));
+}
+
+double finiteNumber(const Entry& entry, const toml::node& node, const Range& range) {
+  const auto value = node.is_number() ? node.value<double>() : std::nullopt;
+  if (!value) failType({node, entry.file, entry.name}, "a number");
+  if (!std::isfinite(*value)) entry.fail("must be finite");
+  if (!range.holds(*value)) entry.fail(fmt::format("= {} must be {}", *value, range.words()));
+  return *value;
+}
+
+/// Letters that must be inserted, removed or replaced to turn a into b (Levenshtein 1966).
+std::size_t editDistance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
+    }
+  }
+  return row.back();
+}
+
+/// The first word of a name: "radius" of "radius_mm".
+std::string_view stem(std::string_view name) { return name.substr(0, name.find('_')); }
+
+/// Nothing that people type by mistake is longer, and the distance costs the product of the lengths.
+constexpr std::size_t kLongestName = 64;
+/// Longer than any file name or title.
+constexpr std::size_t kLongestText = 4096;
+
+bool isControl(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
+
+/// What a stranger wrote, fit for one line of a message.
+std::string printable(std::string_view text) {
+  std::string line(text.substr(0, kLongestName));
+  std::replace_if(line.begin(), line.end(), isControl, '?');
+  return line;
+}
+
+}  // namespace
+
+std::string Range::words() const {
+  std::string words;
+  if (std::isfinite(low)) words = fmt::format("{} {}", above_low ? "above" : "at least", low);
+  if (std::isfinite(high)) words += fmt::format("{}at most {}", words.empty() ? "" : " and ", high);
+  return words;
+}
+
+std::string rangeSuffix(const Range& range) {
+  const std::string words = range.words();
+  return words.empty() ? words : ", " + words;
+}
+
+std::string choiceWords(const std::vector<std::string>& choices) {
+  std::string words;
+  for (const std::string& choice : choices) words += fmt::format("{}\"{}\"", words.empty() ? "" : " or ", choice);
+  return words;
+}
+
+double readNumber(const Entry& entry, const Range& range) { return finiteNumber(entry, entry.node, range); }
+
+std::string readText(const Entry& entry) {
+  const auto value = entry.node.value<std::string>();
+  if (!entry.node.is_string()) failType(entry, "a text in quotes");
+  if (std::any_of(value->begin(), value->end(), isControl) || value->size() > kLongestText) {
+    entry.fail("must be one line of plain text");
+  }
+  return *value;
+}
+
+bool readFlag(const Entry& entry) {
+  if (!entry.node.is_boolean()) failType(entry, "true or false");
+  return *entry.node.value<bool>();
+}
+
+std::vector<double> readNumbers(const Entry& entry, const Range& range) {
+  const toml::array* list = entry.node.as_array();
+  if (list == nullptr) failType(entry, "a list of numbers");
+  std::vector<double> values;
+  for (const toml::node& node : *list) values.push_back(finiteNumber(entry, node, range));
+  return values;
+}
+
+std::vector<double> readPoint(const Entry& entry, std::size_t count) {
+  std::vector<double> values = readNumbers(entry, {});
+  if (values.size() != count) entry.fail(fmt::format("must be {} numbers, not {}", count, values.size()));
+  return values;
+}
+
+std::size_t readChoice(const Entry& entry, const std::vector<std::string>& choices) {
+  const std::string value = readText(entry);
+  const auto found = std::find(choices.begin(), choices.end(), value);
+  if (found == choices.end()) entry.fail(fmt::format("must be {}, not \"{}\"", choiceWords(choices), printable(value)));
+  return static_cast<std::size_t>(found - choices.begin());
+}
+
+std::string showNumber(double value) { return fmt::format("{}", value); }
+
+std::string showNumbers(const std::vector<double>& values) { return fmt::format("[{}]", fmt::join(values, ", ")); }
+
+std::string nearestName(std::string_view written, const std::vector<std::string>& names) {
+  std::string nearest;
+  std::size_t least = std::max<std::size_t>(2, written.size() / 3) + 1;
+  if (written.size() > kLongestName) return nearest;
+  for (const std::string& name : names) {
+    // "radius_cm" and "radius" mean "radius_mm", however many letters that takes.
+    const std::size_t distance = stem(name) == stem(written) ? std::min<std::size_t>(1, editDistance(name, written))
+                                                             : editDistance(name, written);
+    if (distance < least) {
+      least = distance;
+      nearest = name;
+    }
+  }
+  return nearest;
+}
+
+std::string unknownName(std::string_view kind, std::string_view written, std::string_view table,
+                        const std::vector<std::string>& names) {
+  const std::string where = table.empty() ? std::string() : fmt::format(" in {}", table);
+  const std::string nearest = nearestName(written, names);
+  const std::string hint =
+      nearest.empty() ? fmt::format("known: {}", fmt::join(names, ", ")) : fmt::format("did you mean '{}'?", nearest);
+  return fmt::format("unknown {} '{}'{}; {}", kind, printable(written), where, hint);
+}
+
+}  // namespace palpate::scene

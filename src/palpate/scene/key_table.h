@@ -1,0 +1,191 @@
+// One table says everything about the keys of a scene file: how each is read, which values it takes, what it is when it
+// is left out and what it means. The reader, its error messages and docs/scene-files.md all come from it.
+//
+// Used by scene_keys.cpp (the tables) and scene_file.cpp (the reader) only; it includes the TOML parser.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <toml++/toml.h>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "palpate/base/error.h"
+#include "palpate/base/vec.h"
+
+namespace palpate::scene {
+
+/// A value in the file and where it stands.
+struct Entry {
+  const toml::node& node;
+  std::string_view file;
+  std::string name;  ///< as the user would say it, e.g. "finger.radius_mm"
+
+  std::size_t line() const { return node.source().begin.line; }
+  [[noreturn]] void fail(std::string_view cause) const {
+    throw Error::atLine(file, line(), fmt::format("{} {}", name, cause));
+  }
+};
+
+/// The numbers a key takes, both ends included unless `above_low`.
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool above_low = false;
+
+  bool holds(double value) const { return value <= high && (above_low ? value > low : value >= low); }
+  /// "> 0, at most 100"; empty without limits.
+  std::string words() const;
+};
+inline constexpr Range atLeast(double low) { return {low}; }
+inline constexpr Range between(double low, double high) { return {low, high}; }
+inline constexpr Range above(double low, double high = std::numeric_limits<double>::infinity()) {
+  return {low, high, true};
+}
+
+/// One key of a table whose settings are an S.
+template <class S>
+struct Key {
+  std::string name;
+  std::string takes;    ///< type and range in words
+  std::string meaning;  ///< one sentence, with unit and reason
+  std::function<void(S&, const Entry&)> read;
+  std::function<std::string(const S&)> show;  ///< the value as it would stand in a file; empty = there is none
+};
+
+double readNumber(const Entry& entry, const Range& range);
+std::string readText(const Entry& entry);
+bool readFlag(const Entry& entry);
+std::vector<double> readNumbers(const Entry& entry, const Range& range);
+/// Exactly `count` numbers.
+std::vector<double> readPoint(const Entry& entry, std::size_t count);
+/// Index of the text among the choices.
+std::size_t readChoice(const Entry& entry, const std::vector<std::string>& choices);
+
+std::string showNumber(double value);
+std::string showNumbers(const std::vector<double>& values);
+std::string rangeSuffix(const Range& range);
+std::string choiceWords(const std::vector<std::string>& choices);
+
+/// A way from the settings to one number, text, ... of them; lets a key reach into a nested struct.
+template <class S, class T>
+using Access = std::function<T&(S&)>;
+
+template <class S, class T>
+T valueOf(const Access<S, T>& access, const S& settings) {
+  S copy = settings;
+  return access(copy);
+}
+
+template <class S>
+Key<S> number(std::string name, Access<S, double> at, Range range, std::string meaning) {
+  return {std::move(name), "number" + rangeSuffix(range), std::move(meaning),
+          [at, range](S& s, const Entry& e) { at(s) = readNumber(e, range); },
+          [at](const S& s) { return showNumber(valueOf<S, double>(at, s)); }};
+}
+
+/// A number in the file that the engine holds in another unit: held = factor * written.
+template <class S>
+Key<S> scaledNumber(std::string name, Access<S, double> at, double factor, Range range, std::string meaning) {
+  return {std::move(name), "number" + rangeSuffix(range), std::move(meaning),
+          [at, range, factor](S& s, const Entry& e) { at(s) = factor * readNumber(e, range); },
+          [at, factor](const S& s) { return showNumber(valueOf<S, double>(at, s) / factor); }};
+}
+
+template <class S>
+Key<S> flag(std::string name, Access<S, bool> at, std::string meaning) {
+  return {std::move(name), "true or false", std::move(meaning), [at](S& s, const Entry& e) { at(s) = readFlag(e); },
+          [at](const S& s) { return valueOf<S, bool>(at, s) ? "true" : "false"; }};
+}
+
+template <class S>
+Key<S> text(std::string name, Access<S, std::string> at, std::string meaning) {
+  return {std::move(name), "text", std::move(meaning), [at](S& s, const Entry& e) { at(s) = readText(e); },
+          [at](const S& s) {
+            const std::string value = valueOf<S, std::string>(at, s);
+            return value.empty() ? value : fmt::format("\"{}\"", value);
+          }};
+}
+
+/// A file, relative to the folder of the scene file.
+template <class S>
+Key<S> file(std::string name, Access<S, std::filesystem::path> at, std::string meaning) {
+  return {std::move(name), "file name", std::move(meaning),
+          [at](S& s, const Entry& e) { at(s) = std::filesystem::path(e.file).parent_path() / readText(e); },
+          [](const S&) { return std::string(); }};
+}
+
+/// One of a few words, each standing for the enumerator of the same place.
+template <class S, class E>
+Key<S> choice(std::string name, Access<S, E> at, std::vector<std::string> choices, std::string meaning) {
+  return {std::move(name), choiceWords(choices), std::move(meaning),
+          [at, choices](S& s, const Entry& e) { at(s) = static_cast<E>(readChoice(e, choices)); },
+          [at, choices](const S& s) {
+            return fmt::format("\"{}\"", choices[static_cast<std::size_t>(valueOf<S, E>(at, s))]);
+          }};
+}
+
+template <class S>
+Key<S> numbers(std::string name, Access<S, std::vector<double>> at, Range range, std::string meaning) {
+  return {std::move(name), "list of numbers" + rangeSuffix(range), std::move(meaning),
+          [at, range](S& s, const Entry& e) { at(s) = readNumbers(e, range); },
+          [at](const S& s) { return showNumbers(valueOf<S, std::vector<double>>(at, s)); }};
+}
+
+template <class S>
+Key<S> point2(std::string name, Access<S, Vec2> at, std::string meaning) {
+  return {std::move(name), "two numbers", std::move(meaning),
+          [at](S& s, const Entry& e) {
+            const auto v = readPoint(e, 2);
+            at(s) = Vec2(v[0], v[1]);
+          },
+          [at](const S& s) {
+            const Vec2 v = valueOf<S, Vec2>(at, s);
+            return showNumbers({v.x(), v.y()});
+          }};
+}
+
+template <class S>
+Key<S> point3(std::string name, Access<S, Vec3> at, std::string meaning) {
+  return {std::move(name), "three numbers", std::move(meaning),
+          [at](S& s, const Entry& e) {
+            const auto v = readPoint(e, 3);
+            at(s) = Vec3(v[0], v[1], v[2]);
+          },
+          [at](const S& s) {
+            const Vec3 v = valueOf<S, Vec3>(at, s);
+            return showNumbers({v.x(), v.y(), v.z()});
+          }};
+}
+
+/// The name nearest to what was written, or nothing when none is near. A name that differs in its unit only is near.
+std::string nearestName(std::string_view written, const std::vector<std::string>& names);
+
+/// "unknown key 'radius_cm' in [[finger]]; did you mean 'radius_mm'?"
+std::string unknownName(std::string_view kind, std::string_view written, std::string_view table,
+                        const std::vector<std::string>& names);
+
+/// Reads every key of `table` into the settings; `title` is the table's header as it stands in a file.
+template <class S>
+void readTable(const toml::table& table, std::string_view title, std::string_view file_name,
+               const std::vector<Key<S>>& keys, S& settings, const std::vector<std::string>& nested = {}) {
+  std::vector<std::string> names = nested;
+  for (const Key<S>& key : keys) names.push_back(key.name);
+  for (const auto& [toml_key, node] : table) {
+    const std::string_view written = toml_key.str();
+    const auto key = std::find_if(keys.begin(), keys.end(), [&](const Key<S>& k) { return k.name == written; });
+    if (key != keys.end()) {
+      key->read(settings,
+                {node, file_name, title.empty() ? std::string(written) : fmt::format("{} {}", title, written)});
+    } else if (std::find(nested.begin(), nested.end(), written) == nested.end()) {
+      throw Error::atLine(file_name, toml_key.source().begin.line, unknownName("key", written, title, names));
+    }
+  }
+}
+
+}  // namespace palpate::scene

@@ -1,0 +1,113 @@
+// What a scene file says, as plain settings with defaults: a body, how stiff and how soft-edged it is, who touches it
+// and what is written down. Read by scene_file.h, built into a World by world.h.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "palpate/base/vec.h"
+#include "palpate/maps/ellipse_map.h"
+#include "palpate/maps/stiffness_map.h"
+#include "palpate/scene/safety_settings.h"
+
+namespace palpate::scene {
+
+/// Where the dissertation's formulae and their corrections differ (docs/contact.md, docs/deform.md).
+enum class Fidelity : std::uint8_t { corrected, literal };
+
+enum class BodyKind : std::uint8_t { torso, mesh };
+
+/// Length of one unit of a mesh file. The order is that of kUnitNames.
+enum class Unit : std::uint8_t { from_file, millimetre, centimetre, decimetre, metre, inch };
+
+/// Millimetres of a unit; 0 for from_file: the mesh reader knows what its formats say.
+double millimetresOf(Unit unit);
+
+struct BodySettings {
+  BodyKind kind = BodyKind::torso;
+  // The built-in torso.
+  int triangles = 20389;  ///< skin and bones together; 8163, 20389 and 41582 are the dissertation's sizes
+  double stature_mm = 1750.0;
+  double relief = 1.0;     ///< spinous, rib and scapular relief; 0 = smooth
+  double asymmetry = 1.0;  ///< natural differences of the two sides; 0 = mirror image
+  // A mesh file.
+  std::filesystem::path file;
+  Unit unit = Unit::from_file;
+  double scale = 1.0;
+  std::string group;   ///< only this group of an OBJ file; empty = all
+  bool repair = true;  ///< false: refuse a mesh that is not fit
+};
+
+enum class StiffnessSource : std::uint8_t { automatic, depth, points, constant };
+
+struct StiffnessSettings {
+  StiffnessSource source = StiffnessSource::automatic;  ///< automatic: depth where there are bones, else constant
+  double constant_n_per_mm = 0.5;
+  maps::DepthLaw depth;
+  maps::MeasuredStiffness points;
+};
+
+struct EllipseSettings {
+  std::filesystem::path key_points;  ///< empty: the dissertation's means on the torso, none on a mesh
+  maps::EllipseMapSettings map;
+};
+
+struct FrictionSettings {
+  double mu_static = 0.46;
+  double mu_dynamic = 0.44;
+  double stiffness_ratio = 1.0;  ///< k_t / k_n
+};
+
+struct ContactSettings {
+  double max_depth_mm = 40.0;
+  bool force_shading = false;
+};
+
+/// What one stretch of a finger's script does. The order is that of kMoveNames.
+enum class Move : std::uint8_t { press, hold, drag, circle, lift };
+
+struct Step {
+  Move move = Move::hold;
+  double seconds = 1.0;
+  double depth_mm = 8.0;      ///< press: to this depth below the skin at rest
+  double height_mm = 10.0;    ///< lift: to this height above it
+  Vec2 by_mm = Vec2::Zero();  ///< drag: by this much
+  double radius_mm = 10.0;    ///< circle: round the present place
+  double turns = 1.0;         ///< circle: negative = clockwise
+};
+
+struct Finger {
+  std::string name;
+  double radius_mm = 0.0;
+  std::filesystem::path trajectory;  ///< a table of positions; otherwise the script below
+  Vec2 at_mm = Vec2::Zero();         ///< place the script starts over
+  double start_height_mm = 10.0;
+  std::vector<Step> steps;
+};
+
+enum class StrainMode : std::uint8_t { edges, principal };
+
+struct OutputSettings {
+  std::vector<double> surfaces_at_s;
+  bool forces = true;
+};
+
+struct Scene {
+  std::filesystem::path file;  ///< where it was read, for messages; empty for one made in memory
+  std::string title = "untitled";
+  Fidelity fidelity = Fidelity::corrected;
+  double seconds = 0.0;  ///< 0 = until the last finger has finished
+  double ticks_per_s = 1000.0;
+  BodySettings body;
+  StiffnessSettings stiffness;
+  std::vector<maps::Dysfunction> dysfunctions;
+  EllipseSettings ellipses;
+  FrictionSettings friction;
+  ContactSettings contact;
+  OutputSettings output;
+  SafetySettings safety;
+  std::vector<Finger> fingers;
+};
+
+}  // namespace palpate::scene

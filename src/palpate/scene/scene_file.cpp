@@ -1,0 +1,96 @@
+#include "palpate/scene/scene_file.h"
+
+#include <algorithm>
+#include <set>
+
+#include "palpate/base/text.h"
+#include "palpate/scene/scene_keys.h"
+
+namespace palpate::scene {
+
+namespace {
+
+toml::table parsedToml(std::string_view toml_text, std::string_view name) {
+  try {
+    return toml::parse(toml_text, name);
+  } catch (const toml::parse_error& error) {
+    throw Error::atLine(name, error.source().begin.line, error.description());
+  }
+}
+
+std::vector<std::string> sectionNames() {
+  std::vector<std::string> names;
+  for (const Section& section : sections()) names.push_back(section.name);
+  return names;
+}
+
+void readSections(const toml::table& root, std::string_view file, Scene& scene) {
+  for (const Section& section : sections()) {
+    if (const toml::node* node = root.get(section.name)) section.read(scene, {*node, file, section.title});
+  }
+}
+
+void requireFingers(const Scene& scene, std::string_view name) {
+  if (scene.fingers.empty()) throw Error::inFile(name, "has no [[finger]]: nobody would touch anything");
+  std::set<std::string> names;
+  for (const Finger& finger : scene.fingers) {
+    if (!names.insert(finger.name).second) {
+      throw Error::inFile(name, fmt::format("has two fingers of the name '{}'", finger.name));
+    }
+  }
+}
+
+void requireAvailable(const toml::table& root, std::string_view name, const Scene& scene) {
+  if (scene.fidelity == Fidelity::corrected) return;
+  throw Error::atLine(name, root.get("fidelity")->source().begin.line,
+                      "fidelity \"literal\" is not available yet; use \"corrected\"");
+}
+
+}  // namespace
+
+double millimetresOf(Unit unit) {
+  constexpr std::array<double, 6> kMillimetres = {0.0, 1.0, 10.0, 100.0, 1000.0, 25.4};
+  return kMillimetres[static_cast<std::size_t>(unit)];
+}
+
+Scene parse(std::string_view toml_text, std::string_view name) {
+  const toml::table root = parsedToml(toml_text, name);
+  Scene scene;
+  scene.file = name;
+  readTable(root, "", name, topKeys(), scene, sectionNames());
+  requireAvailable(root, name, scene);
+  readSections(root, name, scene);
+  requireFingers(scene, name);
+  return scene;
+}
+
+Scene load(const std::filesystem::path& file) { return parse(readFile(file, kMaxSceneBytes), file.string()); }
+
+std::vector<KeyRow> describeKeys() {
+  std::vector<KeyRow> rows;
+  for (const Key<Scene>& key : topKeys()) rows.push_back({"", key.name, key.takes, key.show({}), key.meaning});
+  for (const Section& section : sections()) {
+    for (KeyRow& row : section.describe()) rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+std::string keysAsMarkdown() {
+  std::string text;
+  std::string table = "?";
+  for (const KeyRow& row : describeKeys()) {
+    if (row.table != table) {
+      const auto section =
+          std::find_if(sections().begin(), sections().end(), [&](const Section& s) { return s.title == row.table; });
+      text += fmt::format("\n### {}\n\n", row.table.empty() ? "Before the first table" : "`" + row.table + "`");
+      if (section != sections().end()) text += section->about + "\n\n";
+      text += "| key | takes | left out | meaning |\n|---|---|---|---|\n";
+      table = row.table;
+    }
+    text += fmt::format("| `{}` | {} | {} | {} |\n", row.key, row.takes,
+                        row.fallback.empty() ? "" : "`" + row.fallback + "`", row.meaning);
+  }
+  return text;
+}
+
+}  // namespace palpate::scene

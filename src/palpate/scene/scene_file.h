@@ -1,0 +1,35 @@
+// Reads a scene file (TOML). docs/scene-files.md lists every key; it is checked against describeKeys().
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "palpate/scene/scene.h"
+
+namespace palpate::scene {
+
+/// Bytes of the largest scene file that is read.
+inline constexpr std::size_t kMaxSceneBytes = std::size_t{1} << 20;
+
+/// Throws Error: file:line for what is not TOML, an unknown key (naming the nearest known one), a value of the wrong
+/// type or out of range, a missing value; the file's name for one that cannot be read. Files that the scene names are
+/// relative to its folder and are not opened yet.
+Scene load(const std::filesystem::path& file);
+
+/// The same from text; `name` stands for the file in messages and its folder for relative names.
+Scene parse(std::string_view toml, std::string_view name);
+
+/// One key of the format, as a row of the documentation.
+struct KeyRow {
+  std::string table;  ///< "" for keys before the first table, else its header, e.g. "[body]"
+  std::string key;
+  std::string takes;     ///< type and range in words
+  std::string fallback;  ///< the value when it is left out; empty = none
+  std::string meaning;
+};
+std::vector<KeyRow> describeKeys();
+
+/// describeKeys as the Markdown tables of docs/scene-files.md.
+std::string keysAsMarkdown();
+
+}  // namespace palpate::scene
