@@ -177,19 +177,19 @@ class Builder {
   /// Returns where the right part begins; range.begin or range.end when the triangles could not be told apart.
   std::size_t partitionByHeuristic(const Range& range, int axis, float low, float high, Range& left, Range& right) {
     const float scale = static_cast<float>(kBins) / (high - low);
-    const auto binOf = [&](const Item& item) {
+    const auto bin_of = [&](const Item& item) {
       return std::clamp(static_cast<int>((item.box.doubleMiddle(axis) - low) * scale), 0, kBins - 1);
     };
     std::array<Bin, kBins> bins;
     for (std::size_t i = range.begin; i < range.end; ++i) {
-      Bin& bin = bins[binOf(items_[i])];
+      Bin& bin = bins[bin_of(items_[i])];
       bin.box.extend(items_[i].box);
       ++bin.count;
     }
     const int first_right = bestCut(bins);
     const auto middle = std::partition(items_.begin() + static_cast<std::ptrdiff_t>(range.begin),
                                        items_.begin() + static_cast<std::ptrdiff_t>(range.end),
-                                       [&](const Item& item) { return binOf(item) < first_right; });
+                                       [&](const Item& item) { return bin_of(item) < first_right; });
     Bin left_bin, right_bin;
     for (int i = 0; i < kBins; ++i) (i < first_right ? left_bin : right_bin).add(bins[i]);
     const auto split = static_cast<std::size_t>(middle - items_.begin());

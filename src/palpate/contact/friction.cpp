@@ -1,0 +1,70 @@
+// Friction of the finger on the skin. Comes after the contact solver and before the force in every tick.
+//
+// The anchor is kept as state and not divided out of a noisy force (E1). The slip flag is kept too: once slipping, the
+// limit is the dynamic one until the pull falls below it by itself, so kinetic friction is exactly its coefficient at
+// any speed; without the flag the ratio would saw between the two coefficients.
+//
+// Based on: Coulomb's law; Hayward and Armstrong, "A new computational model of friction applied to haptic rendering"
+// (2000) for friction by displacement; Ji (2008), 2.2 for the anchor.
+#include "palpate/contact/friction.h"
+
+#include <cmath>
+#include <limits>
+
+#include "palpate/contact/surface_walk.h"
+
+namespace palpate::contact {
+
+namespace {
+
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+
+/// The place of the skin nearest to `target`, found from where the anchor was; from the proxy when the proxy has moved
+/// somewhere else (the anchor would be left behind on another part of the skin).
+SurfacePoint dragged(const Surface& surface, const FingerState& state, const Vec3& target, double pull_mm) noexcept {
+  const double near_enough = 0.5 * pull_mm;
+  for (const SurfacePoint& from : {state.anchor, state.proxy}) {
+    const WalkResult walk = walkToNearest(surface, from, target, kUnbounded);
+    if (walk.finished && (walk.at.position - target).norm() <= near_enough) return walk.at;
+  }
+  return walkToNearest(surface, state.proxy, target, pull_mm).at;
+}
+
+}  // namespace
+
+Grip gripOf(const Vec3& proxy, const Vec3& normal, const Vec3& anchor, const GripLimits& limits,
+            bool slipped_before) noexcept {
+  const Vec3 offset = anchor - proxy;
+  const Vec3 tangential = offset - offset.dot(normal) * normal;
+  const double length = tangential.norm();
+  // As long as the whole offset: wrapping around a bump does not hide displacement.
+  const double stretched = length > 0.0 ? offset.norm() : 0.0;
+  const bool slips = stretched > (slipped_before ? limits.slipping_mm : limits.sticking_mm);
+  const double kept = slips ? limits.slipping_mm : stretched;
+  if (length == 0.0 || kept == 0.0) return {Vec3::Zero(), slips};
+  return {(kept / length) * tangential, slips};
+}
+
+Vec3 holdOnSkin(const Surface& surface, const Press& press, const GripLimits& limits, FingerState& state) noexcept {
+  const Grip grip = gripOf(press.proxy, press.normal, state.anchor.position, limits, state.slipping);
+  state.slipping = grip.slipping;
+  if (grip.slipping) state.anchor = dragged(surface, state, press.proxy + grip.pull, grip.pull.norm());
+  return grip.pull;
+}
+
+Vec3 holdInSpace(const Surface& surface, const Press& press, const GripLimits& limits, FingerState& state) noexcept {
+  const Grip grip = gripOf(press.proxy, press.normal, state.hold, limits, state.slipping);
+  state.slipping = grip.slipping;
+  if (grip.slipping) state.hold = press.proxy + grip.pull;
+  state.anchor = dragged(surface, state, state.hold, (state.hold - press.proxy).norm());
+  return grip.pull;
+}
+
+Vec3 anchorOfForce(const Vec3& proxy, const Vec3& tip, const Vec3& normal, const Vec3& force) noexcept {
+  const double depth = (proxy - tip).dot(normal);
+  const double normal_force = force.dot(normal);
+  if (!(depth > 0.0) || !(normal_force > 1e-9 * force.norm())) return proxy;
+  return proxy + (depth / normal_force) * (force - normal_force * normal);
+}
+
+}  // namespace palpate::contact

@@ -1,0 +1,123 @@
+// One tick of a point finger: exact entry, bounded walk to the local minimum, too-deep rule, border, exact release.
+//
+// The tip is free until its path crosses the skin from front to back, exactly (partition/exact_predicates.h). From then
+// on the proxy walks on the skin towards the tip, no further in a tick than the path bound, and the tip is let go when
+// it is in front of the proxy's tangent plane by more than rounding. Nothing here has an absolute length except the
+// settings.
+//
+// Based on: Zilles and Salisbury, "A constraint-based god-object method for haptic display" (1995); Ho et al. (1999)
+// for the walk. The walk's proof of not falling through: the proxy never leaves the surface, so only a wrong release
+// could free a tip inside; release asks an exact normal and then the segment from proxy to tip.
+#include "palpate/contact/point_finger.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "palpate/contact/border.h"
+#include "palpate/contact/surface_walk.h"
+
+namespace palpate::contact {
+
+namespace {
+
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+/// Sheets that one tick can land on one after the other, each left at once. Beyond it the last contact is kept: safe.
+constexpr int kMostSheets = 8;
+
+void land(const partition::Crossing& crossing, FingerState& state) {
+  state.touching = true;
+  state.slipping = false;
+  state.proxy = {crossing.point, crossing.triangle, partition::Feature::face};
+  state.anchor = state.proxy;  // what the tip slides further within this tick is friction already
+}
+
+bool inFrontOf(const Surface& surface, const SurfacePoint& place, const Vec3& tip) {
+  return (tip - place.position).dot(normalAt(surface, place)) > releaseSlack(surface);
+}
+
+/// The proxy is given up only for a place that is much nearer, or when the tip is outside. Returns true for outside.
+bool escapesTooDeep(const Surface& surface, const Vec3& tip, double lag, FingerState& state, std::uint32_t& status) {
+  status |= kTooDeep;
+  const partition::NearestPoint nearest = nearestPoint(surface.tree, tip, lag);
+  if (nearest.triangle == kNoIndex) return false;
+  const SurfacePoint place{nearest.closest.point, nearest.triangle, nearest.closest.feature};
+  if (!onBorder(surface, place) && inFrontOf(surface, place, tip)) return true;
+  if ((place.position - tip).norm() < 0.5 * lag) {
+    state.proxy = state.anchor = place;
+    state.slipping = false;
+    status |= kReseeded;
+  }
+  return false;
+}
+
+/// True when the tip has left the skin at the proxy. A proxy that is still on its way is no judge: then the end of the
+/// walk is asked, and only if that agrees the proxy goes there.
+bool released(const Surface& surface, const WalkResult& walk, const Vec3& tip, FingerState& state) {
+  if (!inFrontOf(surface, walk.at, tip)) return false;
+  if (walk.finished) return true;
+  const WalkResult end = walkToNearest(surface, walk.at, tip, kUnbounded);
+  if (!end.finished || !inFrontOf(surface, end.at, tip)) return false;
+  state.proxy = end.at;
+  return true;
+}
+
+Press pressAt(const Surface& surface, const FingerSettings& settings, const SurfacePoint& proxy, const Vec3& tip,
+              std::uint32_t status) {
+  Press press;
+  press.touching = true;
+  press.proxy = proxy.position;
+  press.normal = normalAt(surface, proxy);
+  press.status = status;
+  if (onBorder(surface, proxy)) {
+    press.status |= kAtBorder;
+    press.depth_mm = std::max(0.0, (proxy.position - tip).dot(press.normal));
+    press.felt_depth_mm = std::min(depthAtBorder(proxy.position, press.normal, tip), settings.max_depth_mm);
+    return press;
+  }
+  const Vec3 out = proxy.position - tip;
+  const double depth = out.norm();
+  if (depth > directionlessDepth(surface)) {
+    press.normal = out / depth;
+    press.depth_mm = depth;
+  }
+  press.felt_depth_mm = std::min(press.depth_mm, settings.max_depth_mm);
+  return press;
+}
+
+/// Leaves the proxy's place: lands on the next sheet between it and the tip, or is free. True when it landed.
+bool landsElsewhere(const Surface& surface, const Vec3& tip, FingerState& state) {
+  const SurfacePoint left = state.proxy;
+  const auto next = firstFrontCrossingIf(surface.tree, left.position, tip,
+                                         [&](Index triangle) { return !touchesFeature(surface, triangle, left); });
+  state.touching = next.triangle != kNoIndex;
+  if (state.touching) land(next, state);
+  return state.touching;
+}
+
+}  // namespace
+
+Press pressPoint(const Surface& surface, const FingerSettings& settings, FingerState& state, const Vec3& tip) noexcept {
+  if (!state.touching) {
+    const partition::Crossing entry = firstFrontCrossing(surface.tree, state.tip, tip);
+    if (entry.triangle == kNoIndex) return {};
+    land(entry, state);
+  }
+  const double path = pathBound(settings, (tip - state.tip).norm());
+  Press press;
+  for (int sheet = 0; sheet < kMostSheets; ++sheet) {
+    const WalkResult walk = walkToNearest(surface, state.proxy, tip, path);
+    state.proxy = walk.at;
+    std::uint32_t status = walk.finished ? 0u : kCatchingUp;
+    bool leaves = released(surface, walk, tip, state);
+    const double lag = (walk.at.position - tip).norm();
+    if (!leaves && lag > settings.max_depth_mm) leaves = escapesTooDeep(surface, tip, lag, state, status);
+    if (!leaves) {
+      press = pressAt(surface, settings, state.proxy, tip, status);
+      if (!(press.status & kAtBorder) || press.felt_depth_mm > 0.0) return press;
+    }
+    if (!landsElsewhere(surface, tip, state)) return {};
+  }
+  return press;
+}
+
+}  // namespace palpate::contact

@@ -1,0 +1,29 @@
+// What a finger's contact solver hands on to friction and force: how the tip presses the skin in this tick.
+#pragma once
+
+#include "palpate/contact/finger.h"
+
+namespace palpate::contact {
+
+struct Press {
+  bool touching = false;
+  Vec3 proxy = Vec3::Zero();   ///< P
+  Vec3 normal = Vec3::Zero();  ///< n, unit, from the tip towards the skin's outside
+  double depth_mm = 0.0;       ///< p, along n
+  double felt_depth_mm = 0.0;  ///< p as the force counts it: capped, faded at a border
+  std::uint32_t status = 0;
+};
+
+/// How far the proxy may move in this tick, mm.
+inline double pathBound(const FingerSettings& settings, double tip_moved_mm) {
+  return 2.0 * tip_moved_mm + settings.catch_up_mm_per_s * settings.tick_s;
+}
+
+/// Below this depth the direction from tip to proxy is rounding, and the skin's own normal is used.
+inline double directionlessDepth(const Surface& surface) { return 1e-11 * surface.tree.diagonal; }
+
+/// A tip is let go only when it is in front of the skin by more than rounding. Otherwise a tip released "on" the plane
+/// would start its next segment behind it and fall through without an event.
+inline double releaseSlack(const Surface& surface) { return 1e-12 * surface.tree.diagonal; }
+
+}  // namespace palpate::contact

@@ -1,0 +1,118 @@
+// Builds the skin that fingers feel, and refuses a mesh on which a walk could lose its way.
+//
+// Based on: Baerentzen and Aanaes, "Signed distance computation using the angle weighted pseudonormal" (2005).
+#include "palpate/contact/surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "palpate/base/error.h"
+#include "palpate/contact/surface_walk.h"
+
+namespace palpate::contact {
+
+using partition::TriangleRecord;
+
+namespace {
+
+void checkStiffness(const std::vector<double>& stiffness, std::size_t vertices) {
+  if (stiffness.size() != vertices) {
+    throw Error("contact surface: " + std::to_string(stiffness.size()) + " stiffnesses for " +
+                std::to_string(vertices) + " vertices");
+  }
+  for (std::size_t v = 0; v < vertices; ++v) {
+    if (!(stiffness[v] >= 0.0) || !std::isfinite(stiffness[v])) {
+      throw Error("contact surface: the stiffness of vertex " + std::to_string(v) + " is not a number >= 0");
+    }
+  }
+}
+
+/// Angle of the triangle at a corner, radian.
+double angleAt(const TriangleRecord& record, int corner) {
+  const Vec3 a = record.corners[(corner + 1) % 3] - record.corners[corner];
+  const Vec3 b = record.corners[(corner + 2) % 3] - record.corners[corner];
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+void fillVertices(Surface& surface, std::size_t vertices) {
+  surface.vertex_normals.assign(vertices, Vec3::Zero());
+  surface.vertex_on_border.assign(vertices, 0);
+  for (const TriangleRecord& record : surface.tree.records) {
+    const Vec3 normal = mesh::areaVector2(record.corners[0], record.corners[1], record.corners[2]).stableNormalized();
+    for (int i = 0; i < 3; ++i) {
+      surface.vertex_normals[record.vertices[i]] += angleAt(record, i) * normal;
+      if (record.neighbours[i] != kNoIndex) continue;
+      surface.vertex_on_border[record.vertices[i]] = 1;
+      surface.vertex_on_border[record.vertices[(i + 1) % 3]] = 1;
+    }
+  }
+  for (Vec3& normal : surface.vertex_normals) normal.stableNormalize();
+}
+
+/// Every triangle of a vertex must be reached by turning around it; otherwise the walk would miss some.
+void checkFans(const Surface& surface) {
+  std::vector<Index> triangles(surface.vertex_normals.size(), 0);
+  std::vector<Index> one_record(surface.vertex_normals.size(), kNoIndex);
+  for (Index r = 0; r < surface.tree.records.size(); ++r) {
+    const auto& vertices = surface.tree.records[r].vertices;
+    if (vertices[0] == vertices[1] || vertices[1] == vertices[2] || vertices[2] == vertices[0]) {
+      throw Error("contact surface: triangle " + std::to_string(surface.tree.source_triangle[r]) +
+                  " uses a vertex twice; repair the mesh first");
+    }
+    for (const Index v : vertices) {
+      ++triangles[v];
+      one_record[v] = r;
+    }
+  }
+  for (Index v = 0; v < triangles.size(); ++v) {
+    if (one_record[v] == kNoIndex) continue;
+    const auto& vertices = surface.tree.records[one_record[v]].vertices;
+    const auto corner = static_cast<int>(std::find(vertices.begin(), vertices.end(), v) - vertices.begin());
+    Index reached = 0;
+    visitFan(surface, one_record[v], corner, [&](Index, int) { ++reached; });
+    if (reached != triangles[v]) {
+      throw Error("contact surface: the triangles of vertex " + std::to_string(v) +
+                  " do not form one fan; repair the mesh first");
+    }
+  }
+}
+
+}  // namespace
+
+std::size_t countPiercingEdges(const partition::TriangleTree& tree) {
+  std::size_t piercing = 0;
+  for (Index r = 0; r < tree.records.size(); ++r) {
+    const TriangleRecord& record = tree.records[r];
+    for (int i = 0; i < 3; ++i) {
+      if (record.neighbours[i] != kNoIndex && record.neighbours[i] < r) continue;  // the neighbour has asked
+      const Vec3& from = record.corners[i];
+      const Vec3& to = record.corners[(i + 1) % 3];
+      // By place, not by vertex: a vertex that repair has split is still one place.
+      const auto apart = [&](Index other) {
+        const auto& corners = tree.records[other].corners;
+        return std::none_of(corners.begin(), corners.end(), [&](const Vec3& c) { return c == from || c == to; });
+      };
+      const bool pierces = firstFrontCrossingIf(tree, from, to, apart).triangle != kNoIndex ||
+                           firstFrontCrossingIf(tree, to, from, apart).triangle != kNoIndex;
+      piercing += pierces ? 1 : 0;
+    }
+  }
+  return piercing;
+}
+
+Surface buildSurface(const mesh::TriangleMesh& mesh, std::vector<double> stiffness_n_per_mm,
+                     const SurfaceOptions& options) {
+  checkStiffness(stiffness_n_per_mm, mesh.positions.size());
+  Surface surface;
+  surface.tree = partition::buildTriangleTree(mesh);
+  surface.stiffness_n_per_mm = std::move(stiffness_n_per_mm);
+  surface.force_law = options.force_law;
+  fillVertices(surface, mesh.positions.size());
+  checkFans(surface);
+  surface.self_intersecting =
+      options.self_intersecting ? *options.self_intersecting : countPiercingEdges(surface.tree) > 0;
+  return surface;
+}
+
+}  // namespace palpate::contact

@@ -1,0 +1,120 @@
+// The walk over the skin that makes the proxy a local minimum, and what is asked about a place on the skin.
+//
+// A step crosses an edge, or at a vertex looks at the whole fan (edge neighbours alone get stuck at vertices), and is
+// taken only when it brings the target strictly nearer, so the walk ends. Cost: one closest point a triangle, about 15
+// ns in cache; 1 to 5 triangles a tick on a back of 3,000 to 4,000,000 triangles.
+//
+// Based on: Ho, Basdogan, Srinivasan, "Efficient point-based rendering techniques for haptic display of virtual
+// objects" (1999) for the local search; Baerentzen and Aanaes (2005) for the normals that tell the side.
+#include "palpate/contact/surface_walk.h"
+
+#include <cmath>
+
+namespace palpate::contact {
+
+using partition::ClosestOnTriangle;
+using partition::closestOnTriangle;
+using partition::Feature;
+using partition::TriangleRecord;
+
+namespace {
+
+/// Triangles looked at in one tick before the walk pauses: 1,000 take about 20 us, and only a teleport needs so many.
+constexpr int kMostMoves = 1000;
+
+struct Candidate {
+  ClosestOnTriangle closest;
+  Index triangle = kNoIndex;
+};
+
+Candidate closestIn(const Surface& surface, Index triangle, const Vec3& target) {
+  return {closestOnTriangle(surface.tree.records[triangle].corners, target), triangle};
+}
+
+/// The best place next to `here`, or triangle kNoIndex when none is nearer to the target.
+Candidate betterNeighbour(const Surface& surface, const Candidate& here, const Vec3& target) {
+  Candidate best;
+  double nearest = here.closest.squared_distance;
+  const auto consider = [&](Index triangle) {
+    const Candidate other = closestIn(surface, triangle, target);
+    if (!(other.closest.squared_distance < nearest)) return;
+    nearest = other.closest.squared_distance;
+    best = other;
+  };
+  const Feature feature = here.closest.feature;
+  if (partition::isEdge(feature)) {
+    const Index across = surface.tree.records[here.triangle].neighbours[partition::indexOf(feature)];
+    if (across != kNoIndex) consider(across);
+  } else if (partition::isCorner(feature)) {
+    visitFan(surface, here.triangle, partition::indexOf(feature), [&](Index triangle, int) {
+      if (triangle != here.triangle) consider(triangle);
+    });
+  }
+  return best;
+}
+
+Vec3 faceNormal(const TriangleRecord& record) {
+  return mesh::areaVector2(record.corners[0], record.corners[1], record.corners[2]).stableNormalized();
+}
+
+}  // namespace
+
+WalkResult walkToNearest(const Surface& surface, const SurfacePoint& from, const Vec3& target,
+                         double path_mm) noexcept {
+  SurfacePoint here = from;
+  Candidate next = closestIn(surface, from.triangle, target);
+  for (int moves = 0; moves < kMostMoves; ++moves) {
+    const Vec3 piece = next.closest.point - here.position;
+    const double length = piece.norm();
+    if (length > path_mm) {
+      return {{here.position + (path_mm / length) * piece, next.triangle, Feature::face}, false};
+    }
+    path_mm -= length;
+    here = {next.closest.point, next.triangle, next.closest.feature};
+    next = betterNeighbour(surface, next, target);
+    if (next.triangle == kNoIndex) return {here, true};
+  }
+  return {here, false};
+}
+
+Vec3 normalAt(const Surface& surface, const SurfacePoint& point) noexcept {
+  const TriangleRecord& record = surface.tree.records[point.triangle];
+  if (partition::isCorner(point.feature)) {
+    return surface.vertex_normals[record.vertices[partition::indexOf(point.feature)]];
+  }
+  const Vec3 normal = faceNormal(record);
+  if (!partition::isEdge(point.feature)) return normal;
+  const Index across = record.neighbours[partition::indexOf(point.feature)];
+  if (across == kNoIndex) return normal;
+  return (normal + faceNormal(surface.tree.records[across])).stableNormalized();
+}
+
+bool onBorder(const Surface& surface, const SurfacePoint& point) noexcept {
+  const TriangleRecord& record = surface.tree.records[point.triangle];
+  if (partition::isEdge(point.feature)) return record.neighbours[partition::indexOf(point.feature)] == kNoIndex;
+  if (!partition::isCorner(point.feature)) return false;
+  return surface.vertex_on_border[record.vertices[partition::indexOf(point.feature)]] != 0;
+}
+
+bool touchesFeature(const Surface& surface, Index triangle, const SurfacePoint& point) noexcept {
+  if (triangle == point.triangle) return true;
+  const TriangleRecord& record = surface.tree.records[point.triangle];
+  const auto has = [&](int corner) {
+    const auto& vertices = surface.tree.records[triangle].vertices;
+    const Index vertex = record.vertices[corner];
+    return vertices[0] == vertex || vertices[1] == vertex || vertices[2] == vertex;
+  };
+  if (partition::isCorner(point.feature)) return has(partition::indexOf(point.feature));
+  if (!partition::isEdge(point.feature)) return false;
+  return has(partition::indexOf(point.feature)) && has((partition::indexOf(point.feature) + 1) % 3);
+}
+
+double stiffnessAt(const Surface& surface, const SurfacePoint& point) noexcept {
+  const TriangleRecord& record = surface.tree.records[point.triangle];
+  const Vec3 weights = partition::barycentricWeights(record.corners, point.position);
+  double stiffness = 0.0;
+  for (int i = 0; i < 3; ++i) stiffness += weights[i] * surface.stiffness_n_per_mm[record.vertices[i]];
+  return stiffness;
+}
+
+}  // namespace palpate::contact

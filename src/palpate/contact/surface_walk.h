@@ -1,0 +1,55 @@
+// Moving over the skin: from a point of the surface downhill to the place nearest to a target.
+#pragma once
+
+#include "palpate/contact/finger.h"
+#include "palpate/contact/surface.h"
+
+namespace palpate::contact {
+
+struct WalkResult {
+  SurfacePoint at;
+  bool finished = false;  ///< false: the path or the moves were used up on the way
+};
+
+/// Walks from triangle to triangle while that brings the target strictly nearer, at most `path_mm` far. Each piece of
+/// the way lies inside one triangle, so it is a path on the skin and not a jump, and it ends at a local minimum of the
+/// distance to `target`.
+WalkResult walkToNearest(const Surface& surface, const SurfacePoint& from, const Vec3& target, double path_mm) noexcept;
+
+/// The unit normal whose side test is exact at that place: of the face, of both faces of the edge, of the vertex.
+Vec3 normalAt(const Surface& surface, const SurfacePoint& point) noexcept;
+
+/// Whether the sheet ends at that place.
+bool onBorder(const Surface& surface, const SurfacePoint& point) noexcept;
+
+/// Whether the triangle has the corner, the edge or the face on which the point lies.
+bool touchesFeature(const Surface& surface, Index triangle, const SurfacePoint& point) noexcept;
+
+/// Stiffness at the point, N/mm, barycentric from the vertices (E3).
+double stiffnessAt(const Surface& surface, const SurfacePoint& point) noexcept;
+
+/// Calls visit(triangle, corner) for the triangles around a corner of `triangle`, itself first.
+template <class Visit>
+void visitFan(const Surface& surface, Index triangle, int corner, Visit&& visit) noexcept {
+  const auto& records = surface.tree.records;
+  const Index vertex = records[triangle].vertices[corner];
+  const auto corner_of = [&](Index t) {
+    const auto& vertices = records[t].vertices;
+    return vertices[0] == vertex ? 0 : (vertices[1] == vertex ? 1 : 2);
+  };
+  Index t = triangle;
+  int c = corner;
+  do {  // counter-clockwise, until the fan closes or the sheet ends
+    visit(t, c);
+    t = records[t].neighbours[(c + 2) % 3];
+    if (t != kNoIndex) c = corner_of(t);
+  } while (t != kNoIndex && t != triangle);
+  if (t == triangle) return;
+  t = records[triangle].neighbours[corner];
+  for (; t != kNoIndex; t = records[t].neighbours[c]) {  // the rest, clockwise
+    c = corner_of(t);
+    visit(t, c);
+  }
+}
+
+}  // namespace palpate::contact
