@@ -11,7 +11,7 @@ namespace palpate::body {
 namespace {
 
 void check(const SkinSettings& settings) {
-  if (!(settings.stature_mm >= 500 && settings.stature_mm <= 2500)) throw Error("stature must be 500 to 2500 mm");
+  if (!(settings.stature_mm >= 300 && settings.stature_mm <= 3000)) throw Error("stature must be 300 to 3000 mm");
   for (const double factor :
        {settings.relief.spine, settings.relief.ribs, settings.relief.scapulae, settings.asymmetry}) {
     // Beyond 5 the skin would fold over itself.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <span>
 
 #include "palpate/mesh/topology.h"
@@ -112,10 +113,12 @@ Quad quadAt(const Band& band, std::span<const std::array<Index, 3>> neighbours, 
 /// True when the other diagonal gives rounder triangles: the angles facing the shared edge sum to more than pi.
 bool shouldFlip(const Band& band, const Quad& quad) {
   if (flatArea2(band, quad.c, quad.d, quad.b) <= 0 || flatArea2(band, quad.d, quad.c, quad.a) <= 0) return false;
+  // Where the border turns sharply the band may hold a triangle that is turned over: any other diagonal is better.
+  if (flatArea2(band, quad.a, quad.b, quad.c) <= 0 || flatArea2(band, quad.b, quad.a, quad.d) <= 0) return true;
   const auto& at = band.lifted.positions;
   constexpr double kSlack = 1e-6;  // rad; keeps two equal diagonals from flipping for ever
   return angleAt(at[quad.c], at[quad.a], at[quad.b]) + angleAt(at[quad.d], at[quad.a], at[quad.b]) >
-         3.141592653589793 + kSlack;
+         std::numbers::pi + kSlack;
 }
 
 void replaceNeighbour(std::vector<std::array<Index, 3>>& neighbours, Index triangle, Index before, Index after) {

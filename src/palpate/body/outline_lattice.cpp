@@ -75,7 +75,8 @@ void walkRightEnd(const Lattice& lattice, int row, Visit visit) {
 double Lattice::rowHeight() const { return cell * std::sqrt(3.0) / 2; }
 
 Lattice fitLattice(const FlatOutline& outline, double cell) {
-  Lattice lattice{.cell = cell};
+  Lattice lattice;
+  lattice.cell = cell;
   const double margin = kMargin * cell;
   const double low = outline.right.front().y();
   const double height = outline.right.back().y() - low;

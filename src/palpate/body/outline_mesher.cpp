@@ -162,26 +162,38 @@ void appendLattice(const Lattice& lattice, const LatticeNumbers& number, FlatMes
   }
 }
 
-double area2(const Vec2& a, const Vec2& b, const Vec2& c) {
-  return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
+/// For each rim vertex the border vertex nearest to it, ascending; one entry more closes the round.
+std::vector<std::size_t> matchRim(const std::vector<Index>& rim, const FlatMesh& mesh) {
+  // Rim and border go round side by side; at a corner the border runs ahead by a few vertices, never by this many.
+  constexpr std::size_t kAhead = 16;
+  std::vector<std::size_t> match;
+  std::size_t last = 0;
+  for (const Index vertex : rim) {
+    const auto distance = [&](std::size_t o) {
+      return (mesh.points[o % mesh.border] - mesh.points[vertex]).squaredNorm();
+    };
+    std::size_t nearest = last;
+    for (std::size_t o = last; o <= std::min<std::size_t>(last + kAhead, mesh.border); ++o) {
+      if (distance(o) < distance(nearest)) nearest = o;
+    }
+    match.push_back(last = nearest);
+  }
+  match.push_back(mesh.border);
+  return match;
 }
 
-/// Joins the border to the rim of the lattice: walks both, always making the triangle with the shorter new edge.
+/// Joins the border to the rim of the lattice: walks both at the same pace, one triangle a step.
 void appendBand(const std::vector<Index>& rim, FlatMesh& mesh) {
-  const std::size_t inner_count = rim.size();
-  const std::size_t outer_count = mesh.border;
-  const auto& points = mesh.points;
+  const std::vector<std::size_t> match = matchRim(rim, mesh);
   std::size_t inner = 0;
   std::size_t outer = 0;
-  while (inner < inner_count || outer < outer_count) {
-    const Index i = rim[inner % inner_count];
-    const Index next_i = rim[(inner + 1) % inner_count];
-    const auto o = static_cast<Index>(outer % outer_count);
-    const auto next_o = static_cast<Index>((outer + 1) % outer_count);
-    const bool outer_fits = outer < outer_count && area2(points[o], points[next_o], points[i]) > 0;
-    const bool inner_fits = inner < inner_count && area2(points[next_i], points[i], points[o]) > 0;
-    const bool outer_shorter = (points[next_o] - points[i]).norm() < (points[next_i] - points[o]).norm();
-    if (inner == inner_count || (outer < outer_count && outer_fits && (outer_shorter || !inner_fits))) {
+  while (inner < rim.size() || outer < mesh.border) {
+    const Index i = rim[inner % rim.size()];
+    const Index next_i = rim[(inner + 1) % rim.size()];
+    const auto o = static_cast<Index>(outer % mesh.border);
+    const auto next_o = static_cast<Index>((outer + 1) % mesh.border);
+    const bool border_is_behind = inner == rim.size() || 2 * outer + 1 < match[inner] + match[inner + 1];
+    if (border_is_behind && outer < mesh.border) {
       mesh.triangles.push_back({o, next_o, i});
       ++outer;
     } else {

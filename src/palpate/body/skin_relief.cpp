@@ -25,7 +25,7 @@ struct Group {
   double wide_across, wide_along;
   double kept;  ///< share of the mean that stays
 };
-constexpr Group kSpine{BoneKind::vertebra, 6.5, 6, 5, 4, 9, 22, 0.30};
+constexpr Group kSpine{BoneKind::vertebra, 8, 6, 5, 4, 9, 22, 0.30};
 constexpr Group kRibs{BoneKind::rib, 16, 8, 5, 5, 14, 14, 0.15};
 constexpr Group kScapulae{BoneKind::scapula, 6.5, 9, 7, 7, 28, 28, 0.40};
 
@@ -38,6 +38,7 @@ std::size_t site(int across, int along) { return static_cast<std::size_t>(along)
 struct Grid {
   std::vector<Vec3> position;
   std::vector<double> radial;  ///< component of the normal along the radius
+  Layer inside;                ///< 0 at the side border and beyond, 1 well inside: no relief changes the outline
   Layer along_row;             ///< arc length from the left end of the row, mm
   Layer along_column;          ///< arc length from the lower end of the column, mm
 };
@@ -50,6 +51,15 @@ SkinPlace placeOfSite(int across, int along) {
   return place;
 }
 
+/// Grows smoothly from the side border inwards.
+double insideBorder(const SkinPlace& place) {
+  constexpr double kMargin = 4;  // mm, so that the spline's own smoothing does not reach the border
+  constexpr double kFade = 25;   // mm
+  const double distance = kFlatRadius * (borderAngle(place.y) - std::abs(place.angle));
+  const double t = std::clamp((distance - kMargin) / kFade, 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
 Grid makeGrid() {
   const SkinSurface bare;
   Grid grid;
@@ -58,6 +68,7 @@ Grid makeGrid() {
       const SkinPlace place = placeOfSite(i, j);
       const SkinPoint point = bare.at(place);
       grid.position.push_back(point.position);
+      grid.inside.push_back(insideBorder(place));
       grid.radial.push_back(point.normal.dot(Vec3(std::sin(place.angle), 0, std::cos(place.angle))));
     }
   }
@@ -100,7 +111,16 @@ void blurLine(const Layer& at, std::size_t first, std::size_t stride, int count,
   }
 }
 
+/// What is left to do of a blur when the spline, whose coefficients are the samples, does the rest.
+double beforeSpline(double sigma) {
+  constexpr double kStep = 3.0;                          // mm between sites
+  constexpr double kSplineVariance = kStep * kStep / 3;  // of a cubic B-spline
+  return std::sqrt(sigma * sigma - kSplineVariance);
+}
+
 Layer blurred(const Grid& grid, const Layer& layer, double across, double along) {
+  across = beforeSpline(across);
+  along = beforeSpline(along);
   Layer rows(layer.size());
   Layer both(layer.size());
   for (int j = 0; j < kAlong; ++j) blurLine(grid.along_row, site(0, j), 1, kAcross, across, layer, rows);
@@ -177,7 +197,7 @@ BicubicSpline skinDetail(std::span<const Bone> bones, const ReliefSettings& sett
       // A displacement along the normal as a change of the radius; on the crest of the shoulder, where the radius runs
       // along the skin, it is bounded.
       const double radial = std::max(0.45, grid.radial[site(i, j)]);
-      coefficients[static_cast<std::size_t>(i) * kAlong + j] = sum[site(i, j)] / radial;
+      coefficients[static_cast<std::size_t>(i) * kAlong + j] = sum[site(i, j)] * grid.inside[site(i, j)] / radial;
     }
   }
   return {kAcross, kAlong, std::move(coefficients)};

@@ -1,0 +1,81 @@
+#include "palpate/body/torso.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "palpate/base/error.h"
+#include "palpate/body/bone_depth.h"
+#include "palpate/body/skin_table.h"
+
+namespace palpate::body {
+
+namespace {
+
+constexpr double kBoneShare = 0.44;  // leaves skin and bones triangles of about the same size
+
+std::size_t boneTriangles(const TorsoSettings& settings) {
+  if (settings.triangles < kFewestTorsoTriangles) {
+    throw Error("a torso needs at least " + std::to_string(kFewestTorsoTriangles) + " triangles");
+  }
+  if (settings.bone_triangles == 0) {
+    const auto share = static_cast<std::size_t>(kBoneShare * static_cast<double>(settings.triangles));
+    // More than the grid of the bones holds cannot be given to them; the skin takes the rest.
+    return std::clamp<std::size_t>(share / 2 * 2, kFewestBoneTriangles, kMostBoneTriangles);
+  }
+  if (settings.bone_triangles + kFewestTriangles > settings.triangles)
+    throw Error("too few triangles are left for the skin");
+  return settings.bone_triangles;
+}
+
+/// Bends a point with the body's asymmetry and scales it, as SkinSurface does with the skin.
+class Shape {
+ public:
+  explicit Shape(const SkinSettings& settings)
+      : asymmetry_{.amount = settings.asymmetry}, scale_(settings.stature_mm / kTableStature) {}
+  Vec3 operator()(const Vec3& point) const { return scale_ * warp(asymmetry_, point).position; }
+
+ private:
+  Asymmetry asymmetry_;
+  double scale_;
+};
+
+/// The skin above a bone's landmark is where the ray from the axis of the skin through it comes out.
+std::vector<SkinLandmark> skinLandmarks(const SkinSurface& surface, const Shape& shape) {
+  std::vector<SkinLandmark> landmarks;
+  for (const Landmark& point : boneLandmarks()) {
+    const double angle = std::atan2(point.position.x(), point.position.z() - kSkinAxisZ);
+    const SkinPoint above = surface.at({angle, point.position.y()});
+    landmarks.push_back({point.name, point.bone, above.position, above.normal, shape(point.position)});
+  }
+  return landmarks;
+}
+
+}  // namespace
+
+Torso makeTorso(const TorsoSettings& settings) {
+  BonesSettings bones;  // at 1750 mm and symmetric: the relief is computed there, before both are shaped alike
+  bones.triangles = boneTriangles(settings);
+  Torso torso;
+  torso.bones = makeBones(bones);
+  const SkinSurface surface = makeSkinSurface(settings.shape, torso.bones);
+  const Shape shape(settings.shape);
+  for (Bone& bone : torso.bones) {
+    for (Vec3& point : bone.mesh.positions) point = shape(point);
+  }
+  torso.skin = meshSkin(surface, SkinExtent::torso, settings.triangles - bones.triangles);
+  BoneDepth depth = depthToBones(torso.skin.mesh.positions, torso.bones);
+  torso.depth_mm = std::move(depth.depth_mm);
+  torso.nearest_bone = std::move(depth.bone);
+  torso.landmarks = skinLandmarks(surface, shape);
+  return torso;
+}
+
+const SkinLandmark& landmark(const Torso& torso, std::string_view name) {
+  const auto found = std::find_if(torso.landmarks.begin(), torso.landmarks.end(),
+                                  [&](const SkinLandmark& candidate) { return candidate.name == name; });
+  if (found == torso.landmarks.end()) throw Error("the body has no landmark '" + std::string(name) + "'");
+  return *found;
+}
+
+}  // namespace palpate::body

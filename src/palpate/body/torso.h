@@ -1,0 +1,50 @@
+// The default body: the longer skin, down to the sacrum, over its bones; every skin vertex knows the bone below it.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "palpate/body/back.h"
+#include "palpate/body/bones.h"
+
+namespace palpate::body {
+
+/// Triangles in all of the three back models that the dissertation measured (its tables of the octree and of the
+/// rates).
+inline constexpr std::size_t kTorsoPresets[] = {8163, 20389, 41582};
+
+struct TorsoSettings {
+  std::size_t triangles = 20389;    ///< skin and bones together, exact; at least kFewestTorsoTriangles
+  std::size_t bone_triangles = 0;   ///< of them for bones, even; 0 gives the bones the larger of 44 % and their least
+  SkinSettings shape{1750, {}, 1};  ///< a natural back
+};
+/// The grid that the bones are drawn from holds no more.
+inline constexpr std::size_t kMostBoneTriangles = 60000;
+inline constexpr std::size_t kFewestTorsoTriangles = kFewestTriangles + kFewestBoneTriangles;
+
+/// A point that an examiner looks for, on the skin above the bone.
+struct SkinLandmark {
+  std::string name;    ///< as in boneLandmarks: "spinous_T6", "scapula_left_inferior_angle" ...
+  std::string bone;    ///< name of the bone
+  Vec3 position;       ///< on the smooth skin, mm
+  Vec3 normal;         ///< of the skin there, out of the body
+  Vec3 bone_position;  ///< the point of the bone itself, mm
+};
+
+struct Torso {
+  Skin skin;
+  std::vector<Bone> bones;          ///< 43 closed meshes in their place below the skin
+  std::vector<double> depth_mm;     ///< a skin vertex each: distance to the nearest bone
+  std::vector<Index> nearest_bone;  ///< a skin vertex each: index into `bones`
+  std::vector<SkinLandmark> landmarks;
+};
+
+/// Builds the torso; one to two seconds on one core, nearly all of it for the bones. Throws Error on a wrong setting.
+Torso makeTorso(const TorsoSettings& settings = {});
+
+/// The landmark of that name. Throws Error when there is none.
+const SkinLandmark& landmark(const Torso& torso, std::string_view name);
+
+}  // namespace palpate::body
