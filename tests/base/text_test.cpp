@@ -30,4 +30,13 @@ TEST(ReadFile, NamesTheFileThatIsMissing) {
   }
 }
 
+TEST(WriteFile, IsReadBackAndNamesTheFileThatCannotBe) {
+  const auto file = std::filesystem::temp_directory_path() / "palpate_write_file_test.txt";
+  writeFile(file, "one\ntwo");
+  writeFile(file, "three");
+  EXPECT_EQ(readFile(file, 100), "three");
+  std::filesystem::remove(file);
+  EXPECT_THROW(writeFile("/nowhere/at-all.txt", "x"), Error);
+}
+
 }  // namespace palpate

@@ -37,6 +37,13 @@ std::string readFile(const std::filesystem::path& file, std::size_t max_bytes) {
   return content;
 }
 
+void writeFile(const std::filesystem::path& file, std::string_view content) {
+  std::ofstream stream(file, std::ios::binary);
+  stream.write(content.data(), static_cast<std::streamsize>(content.size()));
+  stream.flush();
+  if (!stream) throw Error::inFile(file.string(), "cannot be written");
+}
+
 std::optional<double> parseNumber(std::string_view text) {
   text = trimmed(text);
   if (!text.empty() && text.front() == '+') text.remove_prefix(1);

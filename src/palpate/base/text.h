@@ -13,6 +13,9 @@ namespace palpate {
 /// The whole file. Throws Error naming the file when it is missing, a folder, unreadable or longer than `max_bytes`.
 std::string readFile(const std::filesystem::path& file, std::size_t max_bytes);
 
+/// Writes the whole file, replacing what was there. Throws Error naming the file when it cannot.
+void writeFile(const std::filesystem::path& file, std::string_view content);
+
 /// The number that fills the whole text, blanks around it allowed, or nothing. Never reads the locale. `inf` and `nan`
 /// are read as such: the caller decides whether they are wanted.
 std::optional<double> parseNumber(std::string_view text);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 #include <numbers>
 
@@ -101,11 +100,7 @@ std::string formatKeyPoints(const std::vector<KeyPoint>& keys) {
 }
 
 void writeKeyPoints(const std::filesystem::path& file, const std::vector<KeyPoint>& keys) {
-  const std::string text = formatKeyPoints(keys);
-  std::ofstream out(file, std::ios::binary);
-  out << text;
-  out.flush();
-  if (!out) throw Error::inFile(file.string(), "cannot be written");
+  writeFile(file, formatKeyPoints(keys));
 }
 
 std::vector<KeyPoint> dissertationKeyPoints() {

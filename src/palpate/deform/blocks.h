@@ -1,0 +1,64 @@
+// Vertices in blocks of 64: one bit a vertex, one 64-bit word a block.
+//
+// The skin is worked on in blocks, so that the kernels run over whole vectors, the search for a region moves many
+// vertices with one instruction, and what changed is named by a few ranges.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include "palpate/base/vec.h"
+
+namespace palpate::deform {
+
+inline constexpr Index kBlockVertices = 64;
+
+inline constexpr Index blockOf(Index vertex) { return vertex / kBlockVertices; }
+inline constexpr std::uint64_t bitOf(Index vertex) { return std::uint64_t{1} << (vertex % kBlockVertices); }
+inline constexpr Index blocksFor(Index vertices) { return (vertices + kBlockVertices - 1) / kBlockVertices; }
+
+/// Rest positions and normals, x y z nx ny nz, at a block's first vertex.
+struct RestBlock {
+  const float* values[6];
+};
+
+/// Deformed positions, normals and displacements, x y z nx ny nz dx dy dz, at a block's first vertex.
+struct DeformedBlock {
+  float* values[9];
+};
+
+/// Calls `visit(bit index)` for every set bit, ascending.
+template <class Visit>
+void forEachBit(std::uint64_t bits, const Visit& visit) {
+  for (; bits != 0; bits &= bits - 1) visit(static_cast<Index>(std::countr_zero(bits)));
+}
+
+/// A set of blocks as a bitmap: 4 million triangles need 4 KiB, so that clearing and walking it costs next to nothing.
+class BlockSet {
+ public:
+  BlockSet() = default;
+  explicit BlockSet(Index blocks) : words_(blocksFor(blocks), 0) {}
+
+  void clear() { words_.assign(words_.size(), 0); }
+  void insert(Index block) { words_[blockOf(block)] |= bitOf(block); }
+  bool contains(Index block) const { return (words_[blockOf(block)] & bitOf(block)) != 0; }
+
+  /// Visits the blocks of both sets, ascending, each once.
+  template <class Visit>
+  static void forEachOfBoth(const BlockSet& a, const BlockSet& b, const Visit& visit) {
+    for (std::size_t w = 0; w < a.words_.size(); ++w) {
+      const Index base = static_cast<Index>(w) * kBlockVertices;
+      forEachBit(a.words_[w] | b.words_[w], [&](Index bit) { visit(base + bit); });
+    }
+  }
+  template <class Visit>
+  void forEach(const Visit& visit) const {
+    forEachOfBoth(*this, *this, visit);
+  }
+
+ private:
+  std::vector<std::uint64_t> words_;
+};
+
+}  // namespace palpate::deform

@@ -1,0 +1,22 @@
+#include "palpate/deform/contact.h"
+
+#include <algorithm>
+
+namespace palpate::deform {
+
+double cappedDepth(double depth_mm, double cap_mm) noexcept {
+  return depth_mm > 0.0 ? std::min(depth_mm, cap_mm) : 0.0;
+}
+
+Vec3 cappedLength(const Vec3& displacement_mm, double cap_mm) noexcept {
+  const double length = displacement_mm.norm();
+  return length > cap_mm ? Vec3(displacement_mm * (cap_mm / length)) : displacement_mm;
+}
+
+maps::SurfaceEllipse normalRegion(const Vec3& normal, double depth_mm, const TissueSettings& settings) noexcept {
+  const double depth = cappedDepth(depth_mm, settings.normal_cap_mm);
+  const double radius = settings.normal_radius_mm + settings.normal_radius_per_depth * depth;
+  return maps::liftedOntoSurface({radius, 1.0}, normal);
+}
+
+}  // namespace palpate::deform

@@ -1,0 +1,60 @@
+#include "palpate/deform/surface.h"
+
+#include <algorithm>
+
+namespace palpate::deform {
+
+namespace {
+
+constexpr int kStreams = 10;
+constexpr int kRestStreams = 6;
+constexpr int kNormal = 3;
+constexpr int kStrain = 9;
+/// The rest shape's arrays take the phases before (float_streams.h).
+constexpr std::size_t kFirstPhase = kRestStreams;
+
+}  // namespace
+
+DeformedSurface::DeformedSurface(const Skin& skin)
+    : vertices_(skin.vertices),
+      streams_(kStreams, std::size_t{skin.blocks} * kBlockVertices, kFirstPhase),
+      written_(skin.blocks) {
+  changed_.reserve(skin.blocks);
+  for (Index b = 0; b < skin.blocks; ++b) restore(skin, b);
+}
+
+DeformedBlock DeformedSurface::block(Index block) {
+  DeformedBlock values{};
+  for (int i = 0; i < kStrain; ++i) values.values[i] = streams_[i] + std::size_t{block} * kBlockVertices;
+  return values;
+}
+
+void DeformedSurface::setNormal(Index v, const Vec3f& normal) {
+  for (int axis = 0; axis < 3; ++axis) streams_[kNormal + axis][v] = normal[axis];
+}
+
+void DeformedSurface::setStrain(Index v, float strain) { streams_[kStrain][v] = strain; }
+
+void DeformedSurface::restore(const Skin& skin, Index block) {
+  const RestBlock rest = skin.restBlock(block);
+  for (int i = 0; i < kStreams; ++i) {
+    float* out = streams_[i] + std::size_t{block} * kBlockVertices;
+    if (i < kRestStreams) {
+      std::copy_n(rest.values[i], kBlockVertices, out);
+    } else {
+      std::fill_n(out, kBlockVertices, 0.0f);
+    }
+  }
+}
+
+void DeformedSurface::listChange(Index block) {
+  const Index first = block * kBlockVertices;
+  const Index end = std::min(first + kBlockVertices, vertices_);
+  if (!changed_.empty() && changed_.back().end == first) {
+    changed_.back().end = end;
+  } else {
+    changed_.push_back({first, end});
+  }
+}
+
+}  // namespace palpate::deform

@@ -1,0 +1,398 @@
+#include "palpate/deform/deformer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "bench/allocation_count.h"
+#include "deform/scalar_reference.h"
+#include "deform/shapes.h"
+#include "support/golden.h"
+
+namespace palpate::deform {
+
+using test::anyContact;
+using test::bits;
+using test::drag;
+using test::press;
+
+/// Skin, deformer and surface of a mesh, as an application holds them.
+struct Stage {
+  explicit Stage(mesh::TriangleMesh m, const Settings& settings = {})
+      : mesh(std::move(m)), skin(buildSkin(mesh)), deformer(skin, settings), surface(skin) {}
+  Report apply(const std::vector<Contact>& contacts) { return deformer.apply(contacts, surface); }
+
+  mesh::TriangleMesh mesh;
+  Skin skin;
+  Deformer deformer;
+  DeformedSurface surface;
+};
+
+/// The triangle of a mesh whose centre is nearest to a point.
+Index triangleNear(const mesh::TriangleMesh& mesh, const Vec3& point) {
+  Index best = 0;
+  double distance = INFINITY;
+  for (Index t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    const double d = ((mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3 - point).norm();
+    if (d < distance) {
+      distance = d;
+      best = t;
+    }
+  }
+  return best;
+}
+
+mesh::TriangleMesh goldenGrid() {
+  mesh::TriangleMesh mesh;
+  for (int j = 0; j < 21; ++j) {
+    for (int i = 0; i < 21; ++i) mesh.positions.emplace_back(10.0 * (i - 10), 10.0 * (j - 10), 0.0);
+  }
+  for (Index j = 0; j < 20; ++j) {
+    for (Index i = 0; i < 20; ++i) {
+      const Index a = j * 21 + i;
+      mesh.triangles.push_back({a, a + 1, a + 22});
+      mesh.triangles.push_back({a, a + 22, a + 21});
+    }
+  }
+  return mesh;
+}
+
+TEST(Deformer, DeformsTheReferenceGrid) {
+  Stage stage(goldenGrid());
+  for (const auto& c : test::golden("fsmd_grid")["cases"]) {
+    if (c["mode"] != "recommended") continue;
+    Contact contact;
+    contact.anchor = test::vec3(c["O"]);
+    contact.anchor_triangle = triangleNear(stage.mesh, contact.anchor);
+    contact.normal = test::vec3(c["N"]);
+    contact.depth_mm = c["depth"];
+    contact.drag_mm = test::vec3(c["tangential"]);
+    const double half_major = c["half_major"];
+    const double direction = c["deg"].get<double>() * std::numbers::pi / 180.0;
+    const auto ellipse = maps::canonicalEllipse(half_major, half_major / c["ratio"].get<double>(), direction);
+    contact.normal_region = contact.tangential_region = maps::liftedOntoSurface(ellipse, contact.normal);
+    stage.apply({contact});
+
+    std::vector<bool> listed(stage.skin.vertices, false);
+    for (const auto& v : c["vertices"]) {
+      const auto index = v["index"].get<Index>();
+      listed[index] = true;
+      EXPECT_LT((stage.surface.positionAt(index).cast<double>() - test::vec3(v["position"])).norm(), 1e-4) << v;
+    }
+    for (Index v = 0; v < stage.skin.vertices; ++v) {
+      if (!listed[v]) {
+        EXPECT_LT(stage.surface.displacementAt(v).norm(), 1e-5f) << c["name"] << " " << v;
+      }
+    }
+  }
+}
+
+TEST(Deformer, AgreesWithTheScalarReferenceForAnyContact) {
+  for (auto& mesh : {bench::backMesh(6261), test::torso()}) {
+    Stage stage(mesh);
+    Random random(23);
+    for (int i = 0; i < 100; ++i) {
+      const Contact contact = anyContact(stage.mesh, random);
+      stage.apply({contact});
+      const auto expected = test::displacementsOf(stage.skin, test::scalarContact(contact));
+      for (Index v = 0; v < stage.skin.vertices; ++v) {
+        ASSERT_LT((stage.surface.displacementAt(v).cast<double>() - expected[v]).norm(), 1e-4) << i << " " << v;
+        const Vec3 position = test::restPoint(stage.skin, v) + expected[v];
+        ASSERT_LT((stage.surface.positionAt(v).cast<double>() - position).norm(), 1e-4) << i << " " << v;
+      }
+    }
+  }
+}
+
+TEST(Deformer, SkinAtTheAnchorFollowsTheTip) {
+  Stage stage(bench::backMesh(20389));
+  const Index triangle = triangleNear(stage.mesh, {175, 200, 80});
+  const Contact contact = drag(press(stage.mesh, triangle, 6.0, Vec3(1, 0, 0)), {4, 3, 0});
+  stage.apply({contact});
+  const Vec3 tip = contact.anchor + contact.drag_mm - contact.depth_mm * contact.normal;
+  EXPECT_LT((stage.surface.positionAt(stage.mesh.triangles[triangle][0]).cast<double>() - tip).norm(), 1e-4);
+}
+
+TEST(Deformer, NothingMovesOutsideTheRegion) {
+  Stage stage(bench::backMesh(8163));
+  Random random(5);
+  for (int i = 0; i < 50; ++i) {
+    const Contact contact = anyContact(stage.mesh, random);
+    stage.apply({contact});
+    const auto scalar = test::scalarContact(contact);
+    for (Index v = 0; v < stage.skin.vertices; ++v) {
+      const Vec3 p = test::restPoint(stage.skin, v);
+      if (std::min(scalar.normalRatio(p), scalar.tangentialRatio(p)) < 1.0 + 1e-5) continue;
+      ASSERT_TRUE(stage.surface.displacementAt(v).isZero(0.0f));
+      ASSERT_EQ(stage.surface.positionAt(v), stage.skin.restPosition(v));
+      ASSERT_EQ(stage.surface.normalAt(v), stage.skin.restNormal(v));
+    }
+  }
+}
+
+TEST(Deformer, RestComesBackBitByBit) {
+  for (const Normals normals : {Normals::analytic, Normals::recomputed}) {
+    Settings settings;
+    settings.normals = normals;
+    settings.strain = true;
+    Stage stage(test::torso(), settings);
+    const auto rest = bits(stage.surface);
+    Random random(7);
+    for (int i = 0; i < 30; ++i) {
+      stage.apply({anyContact(stage.mesh, random), anyContact(stage.mesh, random)});
+      EXPECT_NE(bits(stage.surface), rest);
+      stage.apply({});
+      ASSERT_EQ(bits(stage.surface), rest);
+    }
+  }
+}
+
+// Minus zero is a coordinate too: adding a displacement of zero would turn it into plus zero.
+TEST(Deformer, RestKeepsTheSignOfZero) {
+  auto mesh = zoo::grid(20, 200.0);
+  for (Vec3& p : mesh.positions) p.z() = -0.0;
+  Stage stage(mesh);
+  const auto rest = bits(stage.surface);
+  stage.apply({press(stage.mesh, 400, 5.0)});
+  for (Index v = 0; v < stage.skin.vertices; ++v) {
+    if (stage.surface.displacementAt(v).isZero(0.0f)) {
+      ASSERT_TRUE(std::signbit(stage.surface.positionAt(v).z()));
+    }
+  }
+  stage.apply({});
+  EXPECT_EQ(bits(stage.surface), rest);
+}
+
+TEST(Deformer, ResultDoesNotDependOnWhatWasBefore) {
+  Stage fresh(test::torso());
+  Stage used(test::torso());
+  Random random(13);
+  for (int i = 0; i < 30; ++i) {
+    used.apply({anyContact(used.mesh, random), anyContact(used.mesh, random), anyContact(used.mesh, random)});
+    const std::vector<Contact> contacts{anyContact(used.mesh, random), anyContact(used.mesh, random)};
+    used.apply(contacts);
+    fresh.apply({});
+    fresh.apply(contacts);
+    ASSERT_EQ(bits(used.surface), bits(fresh.surface));
+  }
+}
+
+TEST(Deformer, ResultDoesNotDependOnTheOrderOfVertices) {
+  const auto mesh = test::torso();
+  const auto n = static_cast<Index>(mesh.positions.size());
+  auto backwards = mesh;
+  std::reverse(backwards.positions.begin(), backwards.positions.end());
+  for (Triangle& t : backwards.triangles) t = {n - 1 - t[0], n - 1 - t[1], n - 1 - t[2]};
+  Stage a(mesh);
+  Stage b(backwards);
+  Random random(29);
+  for (int i = 0; i < 20; ++i) {
+    const std::vector<Contact> contacts{anyContact(mesh, random), anyContact(mesh, random)};
+    a.apply(contacts);
+    b.apply(contacts);
+    for (Index v = 0; v < n; ++v) {
+      ASSERT_EQ(a.surface.positionAt(v), b.surface.positionAt(n - 1 - v));
+      ASSERT_EQ(a.surface.displacementAt(v), b.surface.displacementAt(n - 1 - v));
+    }
+  }
+}
+
+TEST(Deformer, ChangedRangesNameEverythingThatChanged) {
+  Stage stage(bench::backMesh(20389));
+  Random random(31);
+  auto before = bits(stage.surface);
+  for (int i = 0; i < 30; ++i) {
+    stage.apply({anyContact(stage.mesh, random)});
+    std::vector<bool> named(stage.skin.vertices, false);
+    Index last = 0;
+    for (const auto [first, end] : stage.surface.changed()) {
+      EXPECT_TRUE(last == 0 || first > last) << "ranges must ascend and not touch";
+      for (Index v = first; v < end; ++v) named[v] = true;
+      last = end;
+    }
+    const auto after = bits(stage.surface);
+    for (std::size_t k = 0; k < after.size(); ++k) {
+      if (after[k] != before[k]) {
+        ASSERT_TRUE(named[k % stage.skin.vertices]);
+      }
+    }
+    before = after;
+  }
+}
+
+// A torso pressed on its back with an ellipse as wide as itself: seen along the normal, its belly lies in the ellipse.
+TEST(Deformer, FarSideOfAClosedBodyNeverMoves) {
+  Stage stage(test::torso(5));
+  for (const Vec3& direction : {Vec3(0, 0, 1), Vec3(0.6, 0, 0.8), Vec3(0, 1, 0.3), Vec3(-1, 0.2, 0)}) {
+    const Vec3 place = direction.normalized().cwiseProduct(Vec3(160, 280, 100));
+    Contact contact = press(stage.mesh, triangleNear(stage.mesh, place), 10.0);
+    contact.tangential_region = maps::liftedOntoSurface({179.0, 1.0 / 1.134, 1.57}, contact.normal);
+    contact = drag(contact, {9, 9, 9});
+    const Report report = stage.apply({contact});
+    EXPECT_GT(report.moved_vertices, 100u);
+    for (Index v = 0; v < stage.skin.vertices; ++v) {
+      const bool far = stage.skin.restNormal(v).cast<double>().dot(contact.normal) <= 0.0;
+      if (far) {
+        ASSERT_TRUE(stage.surface.displacementAt(v).isZero(0.0f)) << v;
+      }
+    }
+  }
+}
+
+double depthAt(const Stage& stage, const Contact& contact, Index vertex) {
+  return -stage.surface.displacementAt(vertex).cast<double>().dot(contact.normal.normalized());
+}
+
+TEST(Deformer, TwoFingersEachHoldTheirDepth) {
+  Stage stage(bench::backMesh(41582));
+  for (const double distance : {20.0, 30.0, 45.0, 80.0}) {
+    std::vector<Contact> contacts;
+    std::vector<Index> vertices;
+    for (const double side : {-0.5, 0.5}) {
+      const Index triangle = triangleNear(stage.mesh, {175 + 40 + side * distance, 200, 100});
+      contacts.push_back(press(stage.mesh, triangle, side < 0 ? 8.0 : 6.0, Vec3(1, 0, 0)));
+      contacts.back().normal_region = normalRegion(contacts.back().normal, 8.0, {});
+      vertices.push_back(stage.mesh.triangles[triangle][0]);
+    }
+    stage.apply(contacts);
+    for (std::size_t i = 0; i < 2; ++i) {
+      EXPECT_NEAR(depthAt(stage, contacts[i], vertices[i]), contacts[i].depth_mm, 1e-3) << distance;
+    }
+  }
+}
+
+TEST(Deformer, TwoFingersEachHoldTheirDrag) {
+  Stage stage(goldenGrid());
+  const Index left = triangleNear(stage.mesh, {-20, 0, 0});
+  const Index right = triangleNear(stage.mesh, {20, 0, 0});
+  const std::vector<Contact> contacts{drag(press(stage.mesh, left, 5.0, Vec3(1, 0, 0)), {6, 2, 0}),
+                                      drag(press(stage.mesh, right, 5.0, Vec3(1, 0, 0)), {3, -4, 0})};
+  stage.apply(contacts);
+  for (const Contact& contact : contacts) {
+    const Vec3f moved = stage.surface.displacementAt(stage.mesh.triangles[contact.anchor_triangle][0]);
+    EXPECT_LT((moved.cast<double>() - contact.drag_mm + 5.0 * Vec3::UnitZ()).norm(), 1e-4);
+  }
+}
+
+// Fingers on both sides of a thin plate do not feel each other's dent.
+TEST(Deformer, PinchingAPlateDentsBothSides) {
+  Stage stage(zoo::plate(50.0, 2.0));
+  std::vector<Contact> contacts;
+  for (const double z : {2.0, 0.0}) {
+    contacts.push_back(press(stage.mesh, triangleNear(stage.mesh, {25, 25, z}), 0.9, Vec3(1, 0, 0)));
+  }
+  ASSERT_LT(contacts[0].normal.dot(contacts[1].normal), -0.99);
+  stage.apply(contacts);
+  for (const Contact& contact : contacts) {
+    EXPECT_NEAR(depthAt(stage, contact, stage.mesh.triangles[contact.anchor_triangle][0]), 0.9, 1e-4);
+  }
+}
+
+TEST(Deformer, AppliesWithoutAllocating) {
+  if (!bench::allocationsOfThisThread()) GTEST_SKIP() << "allocations cannot be counted here";
+  Settings settings;
+  settings.strain = true;
+  for (const Normals normals : {Normals::analytic, Normals::recomputed}) {
+    settings.normals = normals;
+    Stage stage(bench::backMesh(8163), settings);
+    Random random(3);
+    std::vector<std::vector<Contact>> frames;
+    for (int i = 0; i < 100; ++i) {
+      std::vector<Contact> contacts;
+      for (std::uint64_t n = random.below(20); n > 0; --n) contacts.push_back(anyContact(stage.mesh, random));
+      frames.push_back(contacts);
+    }
+    const auto before = *bench::allocationsOfThisThread();
+    for (const auto& contacts : frames) stage.apply(contacts);
+    EXPECT_EQ(*bench::allocationsOfThisThread() - before, 0u);
+  }
+}
+
+TEST(Deformer, IgnoresWhatMakesNoSenseAndSaysSo) {
+  Stage stage(bench::backMesh(2962));
+  const auto rest = bits(stage.surface);
+  const Contact good = press(stage.mesh, 1000, 5.0);
+  const auto broken = [&](auto&& change) {
+    Contact contact = drag(good, {2, 1, 0});
+    change(contact);
+    const Report report = stage.apply({contact});
+    EXPECT_EQ(bits(stage.surface), rest);
+    return report.status;
+  };
+  EXPECT_EQ(broken([](Contact& c) { c.anchor.x() = NAN; }), kIgnoredNotFinite);
+  EXPECT_EQ(broken([](Contact& c) { c.depth_mm = INFINITY; }), kIgnoredNotFinite);
+  EXPECT_EQ(broken([](Contact& c) { c.drag_mm.y() = NAN; }), kIgnoredNotFinite);
+  EXPECT_EQ(broken([](Contact& c) { c.normal.setZero(); }), kIgnoredNotFinite);
+  EXPECT_EQ(broken([](Contact& c) { c.tangential_region.aspect = NAN; }), kIgnoredNotFinite);
+  EXPECT_EQ(broken([](Contact& c) { c.anchor_triangle = kNoIndex; }), kIgnoredNoTriangle);
+  EXPECT_EQ(broken([](Contact& c) { c.depth_mm = -1.0, c.drag_mm.setZero(); }), 0u);
+  EXPECT_EQ(broken([](Contact& c) {
+              c.normal_region.half_major.setZero();
+              c.tangential_region.aspect = 0.0;
+            }),
+            kDegenerateRegion | kNoVertexInRegion);
+  EXPECT_EQ(broken([](Contact& c) { c.anchor.z() += 1e6, c.anchor.x() += 1e6; }), kNoVertexInRegion);
+  const Report report = stage.apply(std::vector<Contact>(17, good));
+  EXPECT_EQ(report.status, kIgnoredOverCapacity);
+}
+
+TEST(Deformer, OneDegenerateEllipseLeavesTheOtherPartWorking) {
+  Stage stage(bench::backMesh(2962));
+  Contact contact = drag(press(stage.mesh, 1000, 5.0), {4, 0, 0});
+  contact.normal_region.half_major.setZero();
+  const Report report = stage.apply({contact});
+  EXPECT_EQ(report.status, kDegenerateRegion);
+  EXPECT_GT(report.moved_vertices, 10u);
+}
+
+TEST(Deformer, CoarseMeshMovesTheCornersThatLieInside) {
+  Stage stage(zoo::oneTriangle());
+  const Report at_corner = stage.apply({press(stage.mesh, 0, 5.0, Vec3(1, 0, 0))});
+  EXPECT_GE(at_corner.moved_vertices, 1u);
+  EXPECT_NEAR(stage.surface.displacementAt(stage.mesh.triangles[0][0]).z(), -5.0f, 1e-5f);
+  Contact small = press(stage.mesh, 0, 5.0);
+  small.normal_region.half_major *= 0.001;
+  EXPECT_EQ(stage.apply({small}).status, kNoVertexInRegion);
+}
+
+TEST(Deformer, NeverMakesANonFiniteNumber) {
+  Random random(41);
+  for (const auto& specimen : zoo::specimens()) {
+    bool sound = true;
+    for (const Triangle& t : specimen.mesh.triangles) {
+      for (const Index v : t) {
+        sound = sound && v < specimen.mesh.positions.size() && specimen.mesh.positions[v].allFinite();
+      }
+    }
+    if (!sound) continue;
+    Settings settings;
+    settings.strain = true;
+    Stage stage(specimen.mesh, settings);
+    for (int i = 0; i < 20; ++i) {
+      stage.apply({anyContact(stage.mesh, random), anyContact(stage.mesh, random)});
+      for (Index v = 0; v < stage.skin.vertices; ++v) {
+        ASSERT_TRUE(stage.surface.positionAt(v).allFinite()) << specimen.name;
+        ASSERT_TRUE(stage.surface.normalAt(v).allFinite()) << specimen.name;
+        ASSERT_TRUE(std::isfinite(stage.surface.strain()[v])) << specimen.name;
+      }
+    }
+  }
+}
+
+TEST(Deformer, EmptyMeshIsNothingToDeform) {
+  Stage stage(mesh::TriangleMesh{});
+  EXPECT_EQ(stage.apply({Contact{}}).status, kIgnoredNoTriangle);
+  EXPECT_TRUE(stage.surface.changed().empty());
+}
+
+TEST(Deformer, OneCallDoesTheSameAsTheParts) {
+  Stage stage(bench::backMesh(2962));
+  const std::vector<Contact> contacts{press(stage.mesh, 700, 5.0), drag(press(stage.mesh, 1500, 8.0), {5, 5, 0})};
+  stage.apply(contacts);
+  EXPECT_EQ(bits(deformed(stage.mesh, contacts)), bits(stage.surface));
+}
+
+}  // namespace palpate::deform
