@@ -21,6 +21,9 @@ struct Reordering {
 /// must be within range. The surface and every winding stay the same.
 Reordering reorderSpatially(TriangleMesh& mesh);
 
+/// The mean of the corners of each triangle, mm.
+std::vector<Vec3> triangleCentres(const TriangleMesh& mesh);
+
 /// The order that sorts points along the Morton curve of their box; ties keep their order.
 std::vector<Index> mortonOrder(std::span<const Vec3> points);
 

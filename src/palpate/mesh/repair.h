@@ -33,14 +33,17 @@ struct RepairAction {
 
 struct RepairResult {
   TriangleMesh mesh;
-  std::vector<Index> source_vertex;  ///< for each vertex of `mesh` the vertex it came from
+  /// For each vertex of `mesh` the vertex it came from. Copies share theirs; a vertex that had to be put in the middle
+  /// of an edge (rare) has one end of it.
+  std::vector<Index> source_vertex;
   std::vector<RepairAction> actions;
   std::size_t components = 0;
   bool closed = false;
   bool self_intersecting = false;
 };
 
-/// Throws Error when nothing is left to feel. `what_for` of the message is the caller's business: it names no file.
+/// The mesh may be anything, wrong indices included. Throws Error when nothing is left to feel (it names no file: the
+/// caller knows which).
 RepairResult repair(TriangleMesh mesh, const RepairOptions& options = {}, const Progress& progress = {});
 
 }  // namespace palpate::mesh

@@ -17,6 +17,12 @@ struct TriangleMesh {
 /// The axis-aligned box of all vertices; empty (min > max) for a mesh without vertices.
 Eigen::AlignedBox3d boundingBox(const TriangleMesh& mesh);
 
+/// Farther out than this (mm) a coordinate is as good as infinite: products of three still fit a double.
+inline constexpr double kFarthestCoordinate = 1e100;
+
+/// Finite and not absurdly far: what geometry can be computed with.
+inline bool isUsable(const Vec3& position) { return (position.array().abs() <= kFarthestCoordinate).all(); }
+
 /// Twice the area vector of a triangle: its direction is the outward normal, its length twice the area (mm^2).
 inline Vec3 areaVector2(const Vec3& a, const Vec3& b, const Vec3& c) { return (b - a).cross(c - a); }
 

@@ -1,0 +1,34 @@
+// Triangles over the same three vertices: given twice, or from both sides.
+//
+// Two opposite ones are a sheet without thickness. Its normals cancel, so a finger would be let go of while it is
+// inside the body next to it.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "palpate/mesh/triangle_mesh.h"
+
+namespace palpate::mesh {
+
+/// Triangles with the same three different vertices, at least two, ascending.
+using TwinGroup = std::vector<Index>;
+
+/// All groups, by their lowest vertex. Indices must be within range.
+std::vector<TwinGroup> twinGroups(const TriangleMesh& mesh);
+
+/// Whether a triangle runs through its three vertices in ascending order (cyclically).
+inline bool runsUp(const Triangle& t) { return (t[0] < t[1]) + (t[1] < t[2]) + (t[2] < t[0]) == 2; }
+
+struct DoubledRemoved {
+  std::size_t duplicates = 0;      ///< triangles that had an earlier twin with the same winding
+  std::size_t opposite_pairs = 0;  ///< fins: both triangles are gone
+  std::size_t sides = 0;           ///< one of two opposite triangles is gone, because the surface needs the other
+};
+
+/// Afterwards no two triangles have the same vertices. An opposite pair is a fin and goes altogether, unless it fills a
+/// hole of the surface around it or everything in the mesh is given from both sides; then its first one stays.
+DoubledRemoved removeDoubled(TriangleMesh& mesh);
+
+}  // namespace palpate::mesh

@@ -1,0 +1,154 @@
+#include "palpate/mesh/slivers.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "palpate/mesh/disjoint_sets.h"
+#include "palpate/mesh/topology.h"
+
+namespace palpate::mesh {
+
+namespace {
+
+/// Each pass takes out all slivers that do not touch each other. Real meshes need one to three.
+constexpr int kMaxPasses = 16;
+/// Sewing splits neighbours; a book of many pages with many slivers in its spine could grow without end.
+constexpr std::size_t kMaxGrowth = 2;
+
+double edgeLength(const TriangleMesh& mesh, const Triangle& t, std::size_t edge) {
+  return (mesh.positions[t[(edge + 1) % 3]] - mesh.positions[t[edge]]).norm();
+}
+
+bool hasRepeatedCorner(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
+
+std::size_t longestEdge(const TriangleMesh& mesh, const Triangle& t) {
+  std::size_t longest = 0;
+  for (std::size_t edge : {1u, 2u}) {
+    if (edgeLength(mesh, t, edge) > edgeLength(mesh, t, longest)) longest = edge;
+  }
+  return longest;
+}
+
+std::size_t dropRepeatedCorners(TriangleMesh& mesh) { return std::erase_if(mesh.triangles, hasRepeatedCorner); }
+
+/// Slivers with an edge shorter than `height`: the ends of that edge become the lower one of them.
+std::size_t collapseShortEdges(TriangleMesh& mesh, double height) {
+  DisjointSets merged(mesh.positions.size());
+  bool any = false;
+  for (const Triangle& t : mesh.triangles) {
+    if (!isSliver(mesh, t, height)) continue;
+    for (std::size_t edge = 0; edge < 3; ++edge) {
+      if (edgeLength(mesh, t, edge) <= height) any |= merged.unite(t[edge], t[(edge + 1) % 3]);
+    }
+  }
+  if (any) {
+    for (Triangle& t : mesh.triangles) {
+      for (Index& v : t) v = merged.root(v);
+    }
+  }
+  return dropRepeatedCorners(mesh);
+}
+
+/// Takes out flat slivers: each other triangle at the long edge is split at the sliver's third corner, which lies on
+/// it.
+class Sewing {
+ public:
+  Sewing(TriangleMesh& mesh, double height, std::size_t most_triangles)
+      : mesh_(mesh), height_(height), most_triangles_(most_triangles), edges_(edgeUses(mesh)) {
+    touched_.assign(mesh.triangles.size(), false);
+  }
+
+  std::size_t run() {
+    std::size_t sewn = 0;
+    const std::size_t count = mesh_.triangles.size();
+    for (Index t = 0; t < count && mesh_.triangles.size() < most_triangles_; ++t) {
+      if (!touched_[t] && isSliver(mesh_, mesh_.triangles[t], height_) && sew(t)) ++sewn;
+    }
+    dropRepeatedCorners(mesh_);
+    return sewn;
+  }
+
+ private:
+  std::span<const EdgeUse> usesOf(Index a, Index b) const {
+    const auto [low, high] = std::minmax(a, b);
+    const auto row_begin = edges_.uses.begin() + edges_.offsets[low];
+    const auto row_end = edges_.uses.begin() + edges_.offsets[low + 1];
+    const auto begin = std::partition_point(row_begin, row_end, [h = high](const EdgeUse& u) { return u.high < h; });
+    const auto end = std::partition_point(begin, row_end, [h = high](const EdgeUse& u) { return u.high <= h; });
+    return {begin, end};
+  }
+
+  /// False when a neighbour was changed in this pass already: its edges are no longer what edges_ says.
+  bool sew(Index sliver) {
+    const Triangle t = mesh_.triangles[sliver];
+    const std::size_t edge = longestEdge(mesh_, t);
+    const Index third = t[(edge + 2) % 3];
+    const auto uses = usesOf(t[edge], t[(edge + 1) % 3]);
+    if (std::any_of(uses.begin(), uses.end(), [&](const EdgeUse& u) { return touched_[u.half_edge / 3]; }))
+      return false;
+    for (const EdgeUse& use : uses) {
+      if (use.half_edge / 3 != sliver) splitAt(use.half_edge, third);
+    }
+    erase(sliver);
+    return true;
+  }
+
+  /// (a, b, c) becomes (a, m, c) and (m, b, c), where the half-edge is a-b. With m = c nothing is left of it.
+  void splitAt(Index half_edge, Index middle) {
+    const Index t = half_edge / 3;
+    const Triangle old = mesh_.triangles[t];
+    const std::size_t edge = half_edge % 3;
+    const auto [a, b, c] = std::tuple(old[edge], old[(edge + 1) % 3], old[(edge + 2) % 3]);
+    touched_[t] = true;
+    mesh_.triangles[t] = {a, middle, c};
+    mesh_.triangles.push_back({middle, b, c});
+  }
+
+  /// Marked by a repeated corner; taken out at the end of the pass, so that indices stay what they are.
+  void erase(Index t) {
+    touched_[t] = true;
+    mesh_.triangles[t] = {0, 0, 0};
+  }
+
+  TriangleMesh& mesh_;
+  double height_;
+  std::size_t most_triangles_;
+  EdgeUses edges_;
+  std::vector<bool> touched_;
+};
+
+bool anySliver(const TriangleMesh& mesh, double height) {
+  return std::any_of(mesh.triangles.begin(), mesh.triangles.end(),
+                     [&](const Triangle& t) { return isSliver(mesh, t, height); });
+}
+
+}  // namespace
+
+double sliverHeight(const TriangleMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Triangle& triangle : mesh.triangles) {
+    for (Index v : triangle) box.extend(mesh.positions[v]);
+  }
+  return box.isEmpty() ? 0.0 : kSliverShare * box.diagonal().norm();
+}
+
+bool isSliver(const TriangleMesh& mesh, const Triangle& t, double height) {
+  if (hasRepeatedCorner(t)) return true;
+  const double area2 = areaVector2(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]).norm();
+  const double longest = std::max({edgeLength(mesh, t, 0), edgeLength(mesh, t, 1), edgeLength(mesh, t, 2)});
+  return !(area2 > height * longest);
+}
+
+SliversRemoved removeSlivers(TriangleMesh& mesh) {
+  SliversRemoved removed;
+  const double height = sliverHeight(mesh);
+  const std::size_t most_triangles = mesh.triangles.size() * kMaxGrowth + 1000;
+  for (int pass = 0; pass < kMaxPasses && anySliver(mesh, height); ++pass) {
+    removed.collapsed += collapseShortEdges(mesh, height);
+    removed.sewn += Sewing(mesh, height, most_triangles).run();
+  }
+  removed.dropped = std::erase_if(mesh.triangles, [&](const Triangle& t) { return isSliver(mesh, t, height); });
+  return removed;
+}
+
+}  // namespace palpate::mesh

@@ -1,0 +1,210 @@
+// Based on: Van Oosterom, Strackee, "The solid angle of a plane triangle", 1983; Jacobson, Kavan, Sorkine-Hornung,
+// "Robust inside-outside segmentation using generalized winding numbers", 2013 (inside = winding number above a half).
+#include "palpate/mesh/winding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace palpate::mesh {
+
+namespace {
+
+/// The half-edge across, where an edge has exactly two, whatever their directions.
+std::vector<Index> pairedHalfEdges(const TriangleMesh& mesh, const EdgeUses& edges) {
+  std::vector<Index> across(mesh.triangles.size() * 3, kNoIndex);
+  forEachEdge(edges, [&](Index, Index, std::span<const EdgeUse> uses) {
+    if (uses.size() != 2) return;
+    across[uses[0].half_edge] = uses[1].half_edge;
+    across[uses[1].half_edge] = uses[0].half_edge;
+  });
+  return across;
+}
+
+bool sameDirection(const TriangleMesh& mesh, Index half_edge, Index other) {
+  return halfEdgeStart(mesh, half_edge) == halfEdgeStart(mesh, other);
+}
+
+/// Marks the patch of `seed` and which of its triangles must flip to agree with the seed.
+void growPatch(const TriangleMesh& mesh, const std::vector<Index>& across, Index seed, Patches& patches,
+               std::vector<Index>& members) {
+  members.assign(1, seed);
+  patches.of_triangle[seed] = patches.count;
+  for (std::size_t next = 0; next < members.size(); ++next) {
+    for (Index h = 3 * members[next]; h < 3 * members[next] + 3; ++h) {
+      if (across[h] == kNoIndex || patches.of_triangle[across[h] / 3] != kNoIndex) continue;
+      const Index neighbour = across[h] / 3;
+      patches.of_triangle[neighbour] = patches.count;
+      patches.flipped[neighbour] = patches.flipped[members[next]] != sameDirection(mesh, h, across[h]);
+      members.push_back(neighbour);
+    }
+  }
+  ++patches.count;
+}
+
+/// The smaller half is the one to flip; the seed's half stays on a tie.
+void preferMajority(Patches& patches, const std::vector<Index>& members) {
+  const auto flips = std::count_if(members.begin(), members.end(), [&](Index t) { return patches.flipped[t]; });
+  if (2 * static_cast<std::size_t>(flips) <= members.size()) return;
+  for (Index t : members) patches.flipped[t] = !patches.flipped[t];
+}
+
+std::size_t countSeamEdges(const TriangleMesh& mesh, const std::vector<Index>& across, const Patches& patches) {
+  std::size_t count = 0;
+  for (Index h = 0; h < across.size(); ++h) {
+    if (across[h] == kNoIndex || across[h] < h) continue;
+    const bool both_or_none = patches.flipped[h / 3] == patches.flipped[across[h] / 3];
+    if (sameDirection(mesh, h, across[h]) == both_or_none) ++count;
+  }
+  return count;
+}
+
+void flip(Triangle& t) { std::swap(t[1], t[2]); }
+
+// --- outwards ---
+
+/// Triangle numbers sorted by patch, with the start of each patch.
+IndexRows trianglesOfPatches(const Patches& patches) {
+  IndexRows rows;
+  rows.offsets.assign(patches.count + 1, 0);
+  for (Index p : patches.of_triangle) ++rows.offsets[p + 1];
+  for (std::size_t p = 1; p < rows.offsets.size(); ++p) rows.offsets[p] += rows.offsets[p - 1];
+  rows.entries.resize(patches.of_triangle.size());
+  std::vector<Index> next(rows.offsets.begin(), rows.offsets.end() - 1);
+  for (Index t = 0; t < patches.of_triangle.size(); ++t) rows.entries[next[patches.of_triangle[t]]++] = t;
+  return rows;
+}
+
+/// A patch is closed when at each of its edges as many of its triangles run one way as the other.
+std::vector<bool> closedPatches(const TriangleMesh& mesh, const EdgeUses& edges, const Patches& patches) {
+  std::vector<bool> closed(patches.count, true);
+  std::vector<std::pair<Index, int>> directions;
+  forEachEdge(edges, [&](Index low, Index, std::span<const EdgeUse> uses) {
+    directions.clear();
+    for (const EdgeUse& use : uses) {
+      const int direction = halfEdgeStart(mesh, use.half_edge) == low ? 1 : -1;
+      directions.emplace_back(patches.of_triangle[use.half_edge / 3], direction);
+    }
+    std::sort(directions.begin(), directions.end());
+    for (std::size_t i = 0; i < directions.size();) {
+      const Index patch = directions[i].first;
+      int balance = 0;
+      for (; i < directions.size() && directions[i].first == patch; ++i) balance += directions[i].second;
+      if (balance != 0) closed[patch] = false;
+    }
+  });
+  return closed;
+}
+
+double volumeOf(const TriangleMesh& mesh, std::span<const Index> triangles, const Vec3& origin) {
+  double six_times = 0.0;
+  for (Index t : triangles) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    six_times += (mesh.positions[a] - origin).dot((mesh.positions[b] - origin).cross(mesh.positions[c] - origin));
+  }
+  return six_times / 6.0;
+}
+
+/// How often the patch winds around the point: near 0 outside, near +-1 inside.
+double windingNumber(const TriangleMesh& mesh, std::span<const Index> triangles, const Vec3& point) {
+  double half_angles = 0.0;
+  for (Index t : triangles) {
+    const Vec3 a = mesh.positions[mesh.triangles[t][0]] - point;
+    const Vec3 b = mesh.positions[mesh.triangles[t][1]] - point;
+    const Vec3 c = mesh.positions[mesh.triangles[t][2]] - point;
+    const double la = a.norm();
+    const double lb = b.norm();
+    const double lc = c.norm();
+    half_angles += std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  }
+  return half_angles / (2.0 * std::numbers::pi);
+}
+
+/// Closed patches with their boxes: who lies inside whom.
+class ClosedParts {
+ public:
+  ClosedParts(const TriangleMesh& mesh, const IndexRows& triangles, const std::vector<bool>& closed)
+      : mesh_(mesh), triangles_(triangles), closed_(closed), boxes_(triangles.rows()) {
+    for (Index p = 0; p < triangles.rows(); ++p) {
+      for (Index t : triangles[p]) {
+        for (Index v : mesh.triangles[t]) boxes_[p].extend(mesh.positions[v]);
+      }
+    }
+    work_left_ = 64 * mesh.triangles.size() + 1'000'000;
+  }
+
+  const Eigen::AlignedBox3d& box(Index patch) const { return boxes_[patch]; }
+
+  bool isInsideAnother(Index patch) {
+    for (Index other = 0; other < triangles_.rows() && work_left_ > 0; ++other) {
+      --work_left_;
+      if (other == patch || !closed_[other] || !boxes_[other].contains(boxes_[patch])) continue;
+      work_left_ -= std::min(work_left_, triangles_[other].size());
+      const Vec3& point = mesh_.positions[mesh_.triangles[triangles_[patch][0]][0]];
+      if (std::abs(windingNumber(mesh_, triangles_[other], point)) > 0.5) return true;
+    }
+    return false;
+  }
+
+ private:
+  const TriangleMesh& mesh_;
+  const IndexRows& triangles_;
+  const std::vector<bool>& closed_;
+  std::vector<Eigen::AlignedBox3d> boxes_;
+  /// Thousands of nested shells would cost the square of their number; beyond this the rest counts as not nested.
+  std::size_t work_left_ = 0;
+};
+
+}  // namespace
+
+Patches findPatches(const TriangleMesh& mesh, const EdgeUses& edges) {
+  Patches patches;
+  patches.of_triangle.assign(mesh.triangles.size(), kNoIndex);
+  patches.flipped.assign(mesh.triangles.size(), false);
+  const std::vector<Index> across = pairedHalfEdges(mesh, edges);
+  std::vector<Index> members;
+  for (Index t = 0; t < mesh.triangles.size(); ++t) {
+    if (patches.of_triangle[t] != kNoIndex) continue;
+    growPatch(mesh, across, t, patches, members);
+    preferMajority(patches, members);
+  }
+  patches.seam_edges = countSeamEdges(mesh, across, patches);
+  return patches;
+}
+
+std::size_t makeWindingConsistent(TriangleMesh& mesh, const Patches& patches) {
+  std::size_t count = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (!patches.flipped[t]) continue;
+    flip(mesh.triangles[t]);
+    ++count;
+  }
+  return count;
+}
+
+std::size_t turnOutwards(TriangleMesh& mesh, const EdgeUses& edges, const Patches& patches) {
+  const std::vector<bool> closed = closedPatches(mesh, edges, patches);
+  const IndexRows triangles = trianglesOfPatches(patches);
+  ClosedParts parts(mesh, triangles, closed);
+  std::vector<Index> inside_out;
+  for (Index p = 0; p < patches.count; ++p) {
+    if (!closed[p] || volumeOf(mesh, triangles[p], parts.box(p).center()) >= 0.0) continue;
+    if (!parts.isInsideAnother(p)) inside_out.push_back(p);
+  }
+  for (Index p : inside_out) {
+    for (Index t : triangles[p]) flip(mesh.triangles[t]);
+  }
+  return inside_out.size();
+}
+
+double signedVolume(const TriangleMesh& mesh) {
+  const Vec3 origin = mesh.positions.empty() ? Vec3::Zero().eval() : mesh.positions[0];
+  double six_times = 0.0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    six_times += (mesh.positions[a] - origin).dot((mesh.positions[b] - origin).cross(mesh.positions[c] - origin));
+  }
+  return six_times / 6.0;
+}
+
+}  // namespace palpate::mesh

@@ -1,0 +1,112 @@
+#include "palpate/mesh/validate.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "support/mesh_zoo.h"
+
+namespace palpate::mesh {
+
+TEST(Validate, ASoundMeshHasNoTraits) {
+  for (const auto& mesh : {zoo::cube(), zoo::sphere(), zoo::torus()}) {
+    const auto report = validate(mesh);
+    EXPECT_TRUE(report.fit());
+    EXPECT_TRUE(report.closed);
+    EXPECT_TRUE(report.self_intersections_checked);
+    EXPECT_TRUE(describe(report).empty());
+  }
+}
+
+TEST(Validate, MeasuresBoxAreaAndVolume) {
+  const auto cube = validate(zoo::cube(10, {1, 2, 3}));
+  EXPECT_NEAR(cube.area_mm2, 600.0, 1e-9);
+  EXPECT_NEAR(cube.volume_mm3, 1000.0, 1e-9);
+  EXPECT_EQ(cube.box.max(), Vec3(11, 12, 13));
+  const auto sphere = validate(zoo::sphere(20, 5));
+  EXPECT_NEAR(sphere.volume_mm3, 4.0 / 3.0 * std::numbers::pi * 8000.0, 60.0);
+  EXPECT_LT(validate(zoo::insideOut()).volume_mm3, 0.0);
+}
+
+TEST(Validate, NamesVerticesThatCannotBeUsed) {
+  const auto report = validate(zoo::cubeWithNonFiniteVertices());
+  EXPECT_EQ(report.non_finite_vertices.count, 2u);
+  EXPECT_EQ(report.non_finite_vertices.first, (std::vector<Index>{8, 9}));
+  EXPECT_NEAR(report.volume_mm3, 1000.0, 1e-9);  // the rest is measured all the same
+  const auto unused = validate(zoo::cubeWithUnusedVertices());
+  EXPECT_EQ(unused.unused_vertices.first, (std::vector<Index>{4, 9, 10}));
+  EXPECT_EQ(unused.box.max(), Vec3(10, 10, 10));
+}
+
+TEST(Validate, NamesWrongIndices) {
+  const auto report = validate(zoo::cubeWithWrongIndices());
+  EXPECT_EQ(report.wrong_indices.first, (std::vector<Index>{12, 13}));
+  EXPECT_TRUE(report.closed);
+}
+
+TEST(Validate, CountsTwins) {
+  EXPECT_EQ(validate(zoo::cubeWithDuplicates()).duplicate_triangles.first, (std::vector<Index>{12, 13, 14}));
+  const auto fin = validate(zoo::cubeWithFin());
+  EXPECT_EQ(fin.opposite_triangles.first, (std::vector<Index>{13, 15}));
+  EXPECT_EQ(fin.duplicate_triangles.count, 0u);
+}
+
+TEST(Validate, FindsTrianglesWithoutArea) {
+  EXPECT_EQ(validate(zoo::cubeWithCap()).zero_area_triangles.first, (std::vector<Index>{13}));
+  EXPECT_EQ(validate(zoo::cubeWithNeedles()).zero_area_triangles.count, 2u);
+  EXPECT_EQ(validate(zoo::plateWithFoldedSliver()).zero_area_triangles.first, (std::vector<Index>{3}));
+}
+
+TEST(Validate, FindsNonManifoldEdgesAndVertices) {
+  const auto edge = validate(zoo::cubesSharingAnEdge());
+  EXPECT_EQ(edge.non_manifold_edges.count, 1u);
+  EXPECT_EQ(edge.non_manifold_vertices.count, 0u);
+  EXPECT_TRUE(edge.closed);
+  const auto vertex = validate(zoo::cubesSharingAVertex());
+  EXPECT_EQ(vertex.non_manifold_edges.count, 0u);
+  EXPECT_EQ(vertex.non_manifold_vertices.first, (std::vector<Index>{7}));
+  EXPECT_EQ(validate(zoo::book()).non_manifold_edges.count, 1u);
+}
+
+TEST(Validate, KnowsOneSidedFromMerelyMixed) {
+  EXPECT_TRUE(validate(zoo::moebius()).one_sided);
+  EXPECT_TRUE(validate(zoo::kleinBottle()).one_sided);
+  const auto mixed = validate(zoo::mixedWinding());
+  EXPECT_GT(mixed.inconsistent_edges.count, 100u);
+  EXPECT_FALSE(mixed.one_sided);
+  EXPECT_FALSE(mixed.closed);
+}
+
+TEST(Validate, CountsBordersAndParts) {
+  const auto tube = validate(zoo::openTube(10, 40, 24, 8));
+  EXPECT_EQ(tube.border_edges.count, 48u);
+  EXPECT_EQ(tube.border_loops, 2u);
+  EXPECT_EQ(validate(zoo::grid()).border_loops, 1u);
+  EXPECT_EQ(validate(zoo::moebius()).border_loops, 1u);
+  EXPECT_EQ(validate(zoo::coincidentTriangles()).components, 2u);
+  EXPECT_EQ(validate(zoo::soup(zoo::cube())).components, 12u);
+}
+
+TEST(Validate, FindsSelfIntersections) {
+  EXPECT_GT(validate(zoo::overlappingSpheres()).self_intersections.count, 20u);
+  EXPECT_GT(validate(zoo::kleinBottle()).self_intersections.count, 10u);
+  // Edges that meet the other cube's faces exactly on a diagonal count too.
+  EXPECT_GT(validate(zoo::joined(zoo::cube(), zoo::cube(10, {5, 5, 5}))).self_intersections.count, 0u);
+  const auto touching = zoo::joined(zoo::cube(), zoo::cube(10, {10, 0, 0}));
+  EXPECT_EQ(validate(touching).self_intersections.count, 0u);
+  EXPECT_EQ(validate(zoo::hollowSphere()).self_intersections.count, 0u);
+}
+
+TEST(Validate, SaysWhatItFindsInPlainWords) {
+  const auto sentences = describe(validate(zoo::cubeWithDuplicates()));
+  ASSERT_FALSE(sentences.empty());
+  EXPECT_EQ(sentences[0], "3 duplicate triangles (first: 12, 13, 14)");
+}
+
+TEST(Validate, NothingIsNotFit) {
+  const auto report = validate(zoo::empty());
+  EXPECT_FALSE(report.fit());
+  EXPECT_FALSE(report.closed);
+}
+
+}  // namespace palpate::mesh
