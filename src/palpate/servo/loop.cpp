@@ -1,0 +1,90 @@
+#include "palpate/servo/loop.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate::servo {
+
+namespace {
+
+/// Ticks between two progress reports of the headless loop: some milliseconds of work.
+constexpr std::uint64_t kProgressTicks = 10000;
+
+/// The histograms and counters of a running loop; the report is made of them at the end.
+struct Meter {
+  DurationHistogram compute;
+  DurationHistogram lateness;
+  std::int64_t started_ns = monotonicNs();
+  LoopReport report;
+
+  LoopReport finished() {
+    report.compute = compute.percentiles();
+    report.lateness = lateness.percentiles();
+    report.wall_s = static_cast<double>(monotonicNs() - started_ns) * 1e-9;
+    return report;
+  }
+};
+
+void measuredTick(Rig& rig, std::uint64_t tick, LoopEvent event, ContactFrame& samples, Meter& meter) {
+  const std::int64_t before = monotonicNs();
+  runTick(rig, tick, event, samples);
+  meter.compute.add(monotonicNs() - before);
+  ++meter.report.ticks;
+}
+
+LoopEvent eventOf(const Pacer::Wake& wake, const PacedSettings& settings, Meter& meter) {
+  meter.lateness.add(wake.late_ns);
+  meter.report.overruns += wake.missed;
+  if (static_cast<double>(wake.late_ns) <= settings.watchdog_s * 1e9) return LoopEvent::none;
+  ++meter.report.stalls;
+  return LoopEvent::stalled;
+}
+
+void handOver(const ContactFrame& samples, LoopLinks& links) {
+  for (const trace::Sample& sample : samples) links.samples.push(sample);
+  links.contacts.publish(samples);
+  links.heartbeat_ns.store(monotonicNs(), std::memory_order_relaxed);
+}
+
+void releaseForces(Rig& rig) {
+  for (FingerChain& finger : rig.fingers) {
+    if (finger.device.writeForce) finger.device.writeForce(Vec3::Zero());
+  }
+}
+
+}  // namespace
+
+LoopReport runHeadless(Rig& rig, std::uint64_t ticks, const std::function<void(std::span<const trace::Sample>)>& sink,
+                       const Progress& progress) {
+  ContactFrame samples(rig.fingers.size());
+  Meter meter;
+  for (std::uint64_t tick = 0; tick < ticks; ++tick) {
+    measuredTick(rig, tick, LoopEvent::none, samples, meter);
+    sink(samples);
+    if (tick % kProgressTicks == 0) {
+      palpate::report(progress, "palpating", static_cast<double>(tick) / static_cast<double>(ticks));
+    }
+  }
+  return meter.finished();
+}
+
+LoopReport runPaced(Rig& rig, std::uint64_t ticks, const PacedSettings& settings, LoopLinks& links) {
+  ContactFrame samples(rig.fingers.size());
+  Meter meter;
+  meter.report.grant = prepareServoThread(settings.pacing);
+  Pacer pacer(settings.pacing);
+  for (std::uint64_t next = 0; next < ticks && !links.stop.load(std::memory_order_relaxed);) {
+    const Pacer::Wake wake = pacer.waitForNext();
+    const std::uint64_t tick = std::min(wake.tick, ticks - 1);
+    measuredTick(rig, tick, eventOf(wake, settings, meter), samples, meter);
+    handOver(samples, links);
+    next = tick + 1;
+  }
+  releaseForces(rig);
+  releaseServoMemory(meter.report.grant);
+  meter.report.dropped_samples = links.samples.dropped();
+  links.finished.store(true, std::memory_order_release);
+  return meter.finished();
+}
+
+}  // namespace palpate::servo

@@ -1,0 +1,62 @@
+// Runs ticks: paced against the clock for a hand, or as fast as the machine can for a script.
+//
+// Paced, the caller's thread becomes the servo thread. It hands samples to a ring buffer (the trace writer empties it)
+// and the newest contacts to a triple buffer (the display looks at it), and measures itself: how late it woke, and how
+// long a tick took to compute. The two are kept apart because the first is the system's doing and the second is ours.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "palpate/base/progress.h"
+#include "palpate/servo/histogram.h"
+#include "palpate/servo/pacing.h"
+#include "palpate/servo/ring_buffer.h"
+#include "palpate/servo/tick.h"
+#include "palpate/servo/triple_buffer.h"
+
+namespace palpate::servo {
+
+struct LoopReport {
+  std::uint64_t ticks = 0;     ///< computed
+  std::uint64_t overruns = 0;  ///< deadlines that passed without a tick (paced only)
+  std::uint64_t stalls = 0;    ///< times the loop was away longer than the watchdog allows (paced only)
+  std::uint64_t dropped_samples = 0;
+  DurationPercentiles compute;   ///< reading the clock to reading it again around one tick of all fingers
+  DurationPercentiles lateness;  ///< wake-up after the deadline (paced only)
+  double wall_s = 0.0;
+  PacingGrant grant;
+};
+
+/// Runs ticks 0 .. ticks-1 back to back; `sink` gets each tick's samples, in order. Deterministic.
+LoopReport runHeadless(Rig& rig, std::uint64_t ticks, const std::function<void(std::span<const trace::Sample>)>& sink,
+                       const Progress& progress = {});
+
+/// The newest contact of every finger, in the scene's order.
+using ContactFrame = std::vector<trace::Sample>;
+
+/// What a paced loop shares with other threads.
+struct LoopLinks {
+  explicit LoopLinks(std::size_t fingers, std::size_t ring_capacity = std::size_t{1} << 16)
+      : samples(ring_capacity), contacts(ContactFrame(fingers)) {}
+  RingBuffer<trace::Sample> samples;
+  TripleBuffer<ContactFrame> contacts;
+  std::atomic<bool> stop{false};              ///< set by anybody: the loop ends after the tick at hand
+  std::atomic<bool> finished{false};          ///< set by the loop when no more samples will come
+  std::atomic<std::int64_t> heartbeat_ns{0};  ///< monotonicNs() of the newest tick: a watchdog's view of the loop
+};
+
+struct PacedSettings {
+  PacingSettings pacing;
+  /// The loop was away this long, s: the hand has moved on, so forces ramp up again.
+  double watchdog_s = 0.050;
+};
+
+/// Runs paced ticks on the calling thread until the deadline of tick `ticks` - 1 has passed or `links.stop` is set. At
+/// the end every device gets zero force.
+LoopReport runPaced(Rig& rig, std::uint64_t ticks, const PacedSettings& settings, LoopLinks& links);
+
+}  // namespace palpate::servo

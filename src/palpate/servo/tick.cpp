@@ -1,0 +1,27 @@
+#include "palpate/servo/tick.h"
+
+namespace palpate::servo {
+
+namespace {
+
+void runFinger(const contact::Surface& surface, FingerChain& finger, LoopEvent event, trace::Sample& sample) noexcept {
+  const Vec3 measured = finger.device.readTip(sample.tick);
+  const Vec3 tip = guardTip(finger.limiter_settings, finger.limiter, measured);
+  if (event == LoopEvent::stalled) restartRamp(finger.limiter, kStalled);
+  sample.contact = contact::step(surface, finger.contact_settings, finger.contact, tip);
+  sample.device_force = limitForce(finger.limiter_settings, finger.limiter, sample.contact.force);
+  sample.safety = finger.limiter.status;
+  if (finger.device.writeForce) finger.device.writeForce(sample.device_force);
+}
+
+}  // namespace
+
+void runTick(Rig& rig, std::uint64_t tick, LoopEvent event, std::span<trace::Sample> samples) noexcept {
+  for (std::size_t i = 0; i < rig.fingers.size(); ++i) {
+    samples[i].tick = tick;
+    samples[i].finger = static_cast<std::uint32_t>(i);
+    runFinger(*rig.surface, rig.fingers[i], event, samples[i]);
+  }
+}
+
+}  // namespace palpate::servo

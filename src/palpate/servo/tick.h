@@ -1,0 +1,38 @@
+// One servo tick: every finger reads its device, touches the surface, and sends a safe force back.
+//
+// The paced loop and the headless one both call this, so what a script feels is what a hand feels.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "palpate/contact/finger.h"
+#include "palpate/device/device.h"
+#include "palpate/servo/limiter.h"
+#include "palpate/trace/sample.h"
+
+namespace palpate::servo {
+
+/// One finger: its settings, its device and what it remembers from tick to tick.
+struct FingerChain {
+  contact::FingerSettings contact_settings;
+  LimiterSettings limiter_settings;
+  device::Device device;
+  contact::FingerState contact;
+  LimiterState limiter;
+};
+
+/// Everything a servo thread touches. The surface must outlive it; nobody else may change the chains while a loop runs.
+struct Rig {
+  const contact::Surface* surface = nullptr;
+  std::vector<FingerChain> fingers;
+};
+
+/// What happened to the loop before this tick.
+enum class LoopEvent : std::uint8_t { none, stalled };
+
+/// Runs tick number `tick` for all fingers and writes one sample each; `samples` has as many places as there are
+/// fingers. No allocation, lock or exception, given a device that keeps its word.
+void runTick(Rig& rig, std::uint64_t tick, LoopEvent event, std::span<trace::Sample> samples) noexcept;
+
+}  // namespace palpate::servo

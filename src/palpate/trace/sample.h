@@ -1,0 +1,19 @@
+// What is recorded of one finger in one tick.
+#pragma once
+
+#include <cstdint>
+
+#include "palpate/contact/finger.h"
+
+namespace palpate::trace {
+
+/// Plain data: it crosses threads by copy.
+struct Sample {
+  std::uint64_t tick = 0;
+  std::uint32_t finger = 0;  ///< index in the scene's order
+  contact::FingerOutput contact;
+  Vec3 device_force = Vec3::Zero();  ///< what the limiter let through, N
+  std::uint32_t safety = 0;          ///< servo::SafetyBit; 0 = the contact's force went through unchanged
+};
+
+}  // namespace palpate::trace
