@@ -19,7 +19,7 @@ int main() {
   constexpr double kStartHeightMm = 130.0;  // a little above the skin there
   for (int tick = 0; tick < 2000; ++tick) {
     const double t = tick * 0.001;
-    const double pressed_mm = t < 1.0 ? 100.0 * t : 100.0;       // down for a second ...
+    const double pressed_mm = t < 1.0 ? 28.0 * t : 28.0;         // down for a second ...
     const double dragged_mm = t < 1.0 ? 0.0 : 20.0 * (t - 1.0);  // ... then to the head
     const Vec3 tip(60.0, dragged_mm, kStartHeightMm - pressed_mm);
     felt = contact::step(surface, fingertip, state, tip);
