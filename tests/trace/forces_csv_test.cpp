@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "palpate/base/csv.h"
 #include "palpate/base/error.h"
 #include "palpate/base/random.h"
 #include "palpate/base/text.h"
+#include "support/temporary_folder.h"
 
 namespace palpate::trace {
 namespace {
@@ -58,8 +61,8 @@ TEST(ForcesCsv, NumbersReadBackToTheSameBits) {
 }
 
 TEST(ForcesCsv, AppearsOnlyWhenItIsComplete) {
-  const auto file = std::filesystem::temp_directory_path() / "palpate_forces_test.csv";
-  std::filesystem::remove(file);
+  const support::TemporaryFolder folder;
+  const auto file = folder / "forces.csv";
   {
     ForcesCsvWriter writer(file, kTwoFingers);
     writer.add(sampleWith(1.0));
@@ -73,7 +76,6 @@ TEST(ForcesCsv, AppearsOnlyWhenItIsComplete) {
   std::size_t rows = 0;
   forEachCsvRow(readFile(file, 1u << 30), "forces.csv", [&](const CsvRow&) { ++rows; });
   EXPECT_EQ(rows, 5001u);
-  std::filesystem::remove(file);
   EXPECT_THROW(ForcesCsvWriter("/nowhere/at/all.csv", kTwoFingers), Error);
 }
 

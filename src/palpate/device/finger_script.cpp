@@ -123,7 +123,8 @@ std::vector<Vec3> walkScript(const scene::Finger& finger, const ScriptFrame& fra
   std::vector<Vec3> tips(stands.size());
   for (std::size_t i = 0; i < stands.size(); ++i) {
     const Stand& stand = stands[i];
-    tips[i] = frame.origin + stand.place.x() * frame.u + stand.place.y() * frame.v + (skin[i] + stand.height) * frame.w;
+    tips[i] = frame.origin + stand.place.x() * frame.u + stand.place.y() * frame.v +
+              (skin[i] + stand.height + finger.radius_mm) * frame.w;
   }
   return tips;
 }

@@ -25,7 +25,8 @@ struct ScriptFrame {
 /// Height of the skin at rest above the frame's plane, mm, or nothing where there is no skin.
 using SkinHeight = std::function<std::optional<double>(double u_mm, double v_mm)>;
 
-/// One tip a tick, from the script's start to its end. Depths and heights count along w from the skin, whose relief is
+/// One tip a tick, from the script's start to its end. Depths and heights are those of the
+/// finger's pad, which is its radius below the tip; they count along w from the skin, whose relief is
 /// smoothed over kReliefSmoothingS: a hand does not follow a cliff. Past the border the last height holds. Throws Error
 /// when the start is not over skin, or the script is longer than kMaxScriptS.
 std::vector<Vec3> walkScript(const scene::Finger& finger, const ScriptFrame& frame, const SkinHeight& height,

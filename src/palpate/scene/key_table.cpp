@@ -93,6 +93,15 @@ std::string choiceWords(const std::vector<std::string>& choices) {
 
 double readNumber(const Entry& entry, const Range& range) { return finiteNumber(entry, entry.node, range); }
 
+std::size_t readCount(const Entry& entry, std::size_t low, std::size_t high) {
+  if (!entry.node.is_integer()) failType(entry, "a whole number");
+  const auto value = *entry.node.value<std::int64_t>();
+  if (value < 0 || static_cast<std::uint64_t>(value) < low || static_cast<std::uint64_t>(value) > high) {
+    entry.fail(fmt::format("= {} must be {} to {}", value, low, high));
+  }
+  return static_cast<std::size_t>(value);
+}
+
 std::string readText(const Entry& entry) {
   const auto value = entry.node.value<std::string>();
   if (!entry.node.is_string()) failType(entry, "a text in quotes");

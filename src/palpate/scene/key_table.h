@@ -59,6 +59,7 @@ struct Key {
 };
 
 double readNumber(const Entry& entry, const Range& range);
+std::size_t readCount(const Entry& entry, std::size_t low, std::size_t high);
 std::string readText(const Entry& entry);
 bool readFlag(const Entry& entry);
 std::vector<double> readNumbers(const Entry& entry, const Range& range);
@@ -89,12 +90,12 @@ Key<S> number(std::string name, Access<S, double> at, Range range, std::string m
           [at](const S& s) { return showNumber(valueOf<S, double>(at, s)); }};
 }
 
-/// A number in the file that the engine holds in another unit: held = factor * written.
+/// A whole number.
 template <class S>
-Key<S> scaledNumber(std::string name, Access<S, double> at, double factor, Range range, std::string meaning) {
-  return {std::move(name), "number" + rangeSuffix(range), std::move(meaning),
-          [at, range, factor](S& s, const Entry& e) { at(s) = factor * readNumber(e, range); },
-          [at, factor](const S& s) { return showNumber(valueOf<S, double>(at, s) / factor); }};
+Key<S> count(std::string name, Access<S, std::size_t> at, std::size_t low, std::size_t high, std::string meaning) {
+  return {std::move(name), fmt::format("whole number, {} to {}", low, high), std::move(meaning),
+          [=](S& s, const Entry& e) { at(s) = readCount(e, low, high); },
+          [at](const S& s) { return fmt::format("{}", valueOf<S, std::size_t>(at, s)); }};
 }
 
 template <class S>

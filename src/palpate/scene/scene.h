@@ -7,9 +7,12 @@
 #include <vector>
 
 #include "palpate/base/vec.h"
+#include "palpate/body/torso.h"
+#include "palpate/deform/deformer.h"
 #include "palpate/maps/ellipse_map.h"
 #include "palpate/maps/stiffness_map.h"
 #include "palpate/scene/safety_settings.h"
+#include "palpate/tissue/force_law.h"
 
 namespace palpate::scene {
 
@@ -26,11 +29,7 @@ double millimetresOf(Unit unit);
 
 struct BodySettings {
   BodyKind kind = BodyKind::torso;
-  // The built-in torso.
-  int triangles = 20389;  ///< skin and bones together; 8163, 20389 and 41582 are the dissertation's sizes
-  double stature_mm = 1750.0;
-  double relief = 1.0;     ///< spinous, rib and scapular relief; 0 = smooth
-  double asymmetry = 1.0;  ///< natural differences of the two sides; 0 = mirror image
+  body::TorsoSettings torso;
   // A mesh file.
   std::filesystem::path file;
   Unit unit = Unit::from_file;
@@ -51,6 +50,7 @@ struct StiffnessSettings {
 struct EllipseSettings {
   std::filesystem::path key_points;  ///< empty: the dissertation's means on the torso, none on a mesh
   maps::EllipseMapSettings map;
+  double basic_radius_mm = 0.0;  ///< 0: 150 mm on the torso, on a mesh at most 15 % of its diagonal
 };
 
 struct FrictionSettings {
@@ -61,6 +61,7 @@ struct FrictionSettings {
 
 struct ContactSettings {
   double max_depth_mm = 40.0;
+  double catch_up_mm_per_s = 100.0;
   bool force_shading = false;
 };
 
@@ -86,7 +87,9 @@ struct Finger {
   std::vector<Step> steps;
 };
 
-enum class StrainMode : std::uint8_t { edges, principal };
+struct StrainSettings {
+  double range_percent = 20.0;  ///< strain of full red (tension) and full blue (compression)
+};
 
 struct OutputSettings {
   std::vector<double> surfaces_at_s;
@@ -105,6 +108,9 @@ struct Scene {
   EllipseSettings ellipses;
   FrictionSettings friction;
   ContactSettings contact;
+  tissue::ForceLaw force_law;
+  deform::Settings deformation;
+  StrainSettings strain;
   OutputSettings output;
   SafetySettings safety;
   std::vector<Finger> fingers;

@@ -55,10 +55,24 @@ Section bodySection() {
   using S = BodySettings;
   std::vector<Key<S>> keys = {
       choice<S, BodyKind>("kind", &S::kind, {"torso", "mesh"}, "The built-in torso with its bones, or a mesh file."),
-      number<S>("stature_mm", &S::stature_mm, between(500, 2500), "Torso: how tall the whole person is."),
-      number<S>("relief", &S::relief, between(0, 3),
-                "Torso: how far spinous processes, ribs and shoulder blades show on the skin; 0 is smooth."),
-      number<S>("asymmetry", &S::asymmetry, between(0, 3), "Torso: natural differences of left and right; 0 is none."),
+      count<S>(
+          "triangles", [](S& s) -> std::size_t& { return s.torso.triangles; }, 5000, 4'000'000,
+          "Torso: of skin and bones together; 8163, 20389 and 41582 are the dissertation's sizes."),
+      number<S>(
+          "stature_mm", [](S& s) -> double& { return s.torso.shape.stature_mm; }, between(500, 2500),
+          "Torso: how tall the whole person is."),
+      number<S>(
+          "spine_relief", [](S& s) -> double& { return s.torso.shape.relief.spine; }, between(0, 3),
+          "Torso: how far the spinous processes show on the skin; 0 is not at all, 1 a lean standing man."),
+      number<S>(
+          "rib_relief", [](S& s) -> double& { return s.torso.shape.relief.ribs; }, between(0, 3),
+          "Torso: the same for the ribs."),
+      number<S>(
+          "scapula_relief", [](S& s) -> double& { return s.torso.shape.relief.scapulae; }, between(0, 3),
+          "Torso: the same for the shoulder blades."),
+      number<S>(
+          "asymmetry", [](S& s) -> double& { return s.torso.shape.asymmetry; }, between(0, 3),
+          "Torso: natural differences of left and right; 0 is a mirror image."),
       file<S>("file", &S::file, "Mesh: OBJ, STL, PLY, OFF, glTF or GLB, relative to the scene file."),
       choice<S, Unit>("unit", &S::unit, {"auto", "mm", "cm", "dm", "m", "in"},
                       "Mesh: the unit of the file; auto is m for glTF and GLB, mm for the others."),
@@ -128,9 +142,9 @@ Section ellipsesSection() {
       number<S>(
           "effect_radius_mm", [](S& s) -> double& { return s.map.effect_radius_mm; }, above(0, kLongestMm),
           "How far a key point reaches."),
-      number<S>(
-          "basic_radius_mm", [](S& s) -> double& { return s.map.basic_radius_mm; }, above(0, kLongestMm),
-          "Radius of the circle where no key point reaches."),
+      number<S>("basic_radius_mm", &S::basic_radius_mm, between(0, kLongestMm),
+                "Radius of the circle where no key point reaches; 0 is 150 mm on the torso and at most 15 % of its "
+                "diagonal on a mesh."),
   };
   return section<S>("ellipses", "How far the skin follows a dragging finger.", &Scene::ellipses, std::move(keys));
 }
@@ -154,9 +168,54 @@ Section contactSection() {
   std::vector<Key<S>> keys = {
       number<S>("max_depth_mm", &S::max_depth_mm, above(0, kLongestMm),
                 "A finger deeper than this looks for a nearer piece of skin; the force grows no further."),
+      number<S>(
+          "catch_up_mm_per_s", &S::catch_up_mm_per_s, above(0, 1e6),
+          "The proxy moves at most twice as far as the tip plus this speed; bounds the change of force at ridges."),
       flag<S>("force_shading", &S::force_shading, "Smooth the force over coarse triangles."),
   };
   return section<S>("contact", "How the finger meets the surface.", &Scene::contact, std::move(keys));
+}
+
+Section tissueSection() {
+  using S = tissue::ForceLaw;
+  std::vector<Key<S>> keys = {
+      choice<S, tissue::ForceLaw::Kind>("force_law", &S::kind, {"linear"},
+                                        "Normal force by depth: stiffness times depth."),
+  };
+  return section<S>("tissue", "How force grows with depth.", &Scene::force_law, std::move(keys));
+}
+
+Section deformationSection() {
+  using S = deform::Settings;
+  const auto tissue = [](double deform::TissueSettings::*member) -> Access<S, double> {
+    return [member](S& s) -> double& { return s.tissue.*member; };
+  };
+  using T = deform::TissueSettings;
+  std::vector<Key<S>> keys = {
+      number<S>("normal_cap_mm", tissue(&T::normal_cap_mm), between(0, 1000),
+                "The skin is pressed in no deeper than this."),
+      number<S>("tangential_cap_mm", tissue(&T::tangential_cap_mm), between(0, 1000),
+                "The skin is dragged no farther than this."),
+      number<S>("f_adj", tissue(&T::f_adj), between(0, 10),
+                "Factor on how far the skin follows a drag: 1.3 for loose skin, 0.7 for tight skin."),
+      number<S>("normal_radius_mm", tissue(&T::normal_radius_mm), above(0, 10000),
+                "Radius of the dent at no depth ..."),
+      number<S>("normal_radius_per_depth", tissue(&T::normal_radius_per_depth), between(0, 1000),
+                "... and how much it grows per mm of depth."),
+      choice<S, deform::Normals>("normals", &S::normals, {"analytic", "recomputed"},
+                                 "Of the deformed skin: from the formulae (fast), or from its triangles."),
+  };
+  return section<S>("deformation", "How the skin gives way (functional shape matched deformation).",
+                    &Scene::deformation, std::move(keys));
+}
+
+Section strainSection() {
+  using S = StrainSettings;
+  std::vector<Key<S>> keys = {
+      number<S>("range_percent", &S::range_percent, above(0, 1000),
+                "Strain that is drawn in full red (tension) or full blue (compression)."),
+  };
+  return section<S>("strain", "The colours of the written surfaces.", &Scene::strain, std::move(keys));
 }
 
 Section outputSection() {
@@ -301,8 +360,9 @@ const std::vector<Key<Scene>>& topKeys() {
 
 const std::vector<Section>& sections() {
   static const std::vector<Section> kSections = {
-      bodySection(),    stiffnessSection(), dysfunctionSection(), ellipsesSection(), frictionSection(),
-      contactSection(), outputSection(),    safetySection(),      fingerSection(),
+      bodySection(),     stiffnessSection(), dysfunctionSection(), ellipsesSection(),
+      frictionSection(), contactSection(),   tissueSection(),      deformationSection(),
+      strainSection(),   outputSection(),    safetySection(),      fingerSection(),
   };
   return kSections;
 }

@@ -1,0 +1,96 @@
+#include "palpate/scene/body_parts.h"
+
+#include <fmt/format.h>
+
+#include "palpate/base/error.h"
+#include "palpate/mesh/load.h"
+#include "palpate/mesh/reorder.h"
+#include "palpate/mesh/repair.h"
+#include "palpate/mesh/validate.h"
+
+namespace palpate::scene {
+
+namespace {
+
+/// A body outside these lengths (mm) was probably written in another unit: a thumb's tip, a tall man and half again.
+constexpr double kShortestBodyMm = 15.0;
+constexpr double kLongestBodyMm = 3000.0;
+
+template <class T>
+std::vector<T> permuted(const std::vector<T>& values, const std::vector<Index>& source) {
+  std::vector<T> result(source.size());
+  for (std::size_t i = 0; i < source.size(); ++i) result[i] = values[source[i]];
+  return result;
+}
+
+BodyParts makeTorsoParts(const body::TorsoSettings& settings, const Progress& progress) {
+  report(progress, "building the torso", 0.0);
+  body::Torso torso = body::makeTorso(settings);
+  BodyParts parts;
+  parts.name = fmt::format("built-in torso, {} triangles with bones", settings.triangles);
+  parts.skin = std::move(torso.skin.mesh);
+  const auto order = mesh::reorderSpatially(parts.skin);
+  parts.anatomy = {std::move(torso.bones), permuted(torso.depth_mm, order.source_vertex),
+                   permuted(torso.nearest_bone, order.source_vertex), std::move(torso.landmarks)};
+  return parts;
+}
+
+void scale(mesh::TriangleMesh& mesh, double factor) {
+  if (factor == 1.0) return;
+  for (Vec3& position : mesh.positions) position *= factor;
+}
+
+void noteDoubtfulUnit(const mesh::TriangleMesh& skin, std::vector<std::string>& notes) {
+  const double length = mesh::boundingBox(skin).diagonal().norm();
+  if (length >= kShortestBodyMm && length <= kLongestBodyMm) return;
+  notes.push_back(fmt::format("the body is {:.3g} mm from corner to corner: is its unit right? (unit, scale)", length));
+}
+
+void requireFit(const mesh::TriangleMesh& mesh, const Progress& progress) {
+  const mesh::ValidationReport found = mesh::validate(mesh, {}, progress);
+  if (found.fit()) return;
+  std::string traits;
+  for (const std::string& trait : mesh::describe(found)) traits += (traits.empty() ? "" : "; ") + trait;
+  throw Error("is not fit for contact and repair is off: " + traits);
+}
+
+void mend(mesh::TriangleMesh mesh, BodyParts& parts, const Progress& progress) {
+  mesh::RepairResult repaired = mesh::repair(std::move(mesh), {}, progress);
+  parts.skin = std::move(repaired.mesh);
+  parts.closed = repaired.closed;
+  parts.self_intersecting = repaired.self_intersecting;
+  for (const mesh::RepairAction& action : repaired.actions) {
+    parts.notes.push_back(fmt::format("repaired: {} ({})", action.what, action.count));
+  }
+  if (parts.self_intersecting)
+    parts.notes.emplace_back("the surface intersects itself: fingers feel it as tiny spheres");
+}
+
+BodyParts makeMeshParts(const BodySettings& settings, const Progress& progress) {
+  mesh::LoadOptions options;
+  options.unit_mm = millimetresOf(settings.unit);
+  options.group = settings.group;
+  options.keep_wrong_indices = settings.repair;
+  mesh::TriangleMesh mesh = mesh::load(settings.file, options, progress);
+  scale(mesh, settings.scale);
+  BodyParts parts;
+  parts.name = settings.file.filename().string();
+  try {
+    if (!settings.repair) requireFit(mesh, progress);
+    mend(std::move(mesh), parts, progress);
+  } catch (const Error& error) {
+    throw Error::inFile(settings.file.string(), error.what());
+  }
+  mesh::reorderSpatially(parts.skin);
+  noteDoubtfulUnit(parts.skin, parts.notes);
+  return parts;
+}
+
+}  // namespace
+
+BodyParts makeBody(const BodySettings& settings, const Progress& progress) {
+  return settings.kind == BodyKind::torso ? makeTorsoParts(settings.torso, progress)
+                                          : makeMeshParts(settings, progress);
+}
+
+}  // namespace palpate::scene

@@ -1,0 +1,87 @@
+#include "palpate/scene/world.h"
+
+#include <algorithm>
+
+#include "palpate/base/error.h"
+#include "palpate/scene/body_parts.h"
+
+namespace palpate::scene {
+
+namespace {
+
+/// Radius of the basic circle where the scene says none: the dissertation's 150 mm on a back, and on other bodies no
+/// more than this share of their diagonal.
+constexpr double kBackRadiusMm = 150.0;
+constexpr double kRadiusOfDiagonal = 0.15;
+
+std::vector<maps::KeyPoint> keyPointsOf(const Scene& scene) {
+  if (!scene.ellipses.key_points.empty()) return maps::readKeyPoints(scene.ellipses.key_points);
+  return scene.body.kind == BodyKind::torso ? maps::dissertationKeyPoints() : std::vector<maps::KeyPoint>{};
+}
+
+maps::EllipseMapSettings ellipseMapSettings(const Scene& scene, const mesh::TriangleMesh& skin) {
+  maps::EllipseMapSettings settings = scene.ellipses.map;
+  if (scene.ellipses.basic_radius_mm > 0.0) {
+    settings.basic_radius_mm = scene.ellipses.basic_radius_mm;
+  } else if (scene.body.kind == BodyKind::mesh) {
+    settings.basic_radius_mm = std::min(kBackRadiusMm, kRadiusOfDiagonal * mesh::boundingBox(skin).diagonal().norm());
+  }
+  return settings;
+}
+
+StiffnessSource resolvedSource(const Scene& scene) {
+  if (scene.stiffness.source != StiffnessSource::automatic) return scene.stiffness.source;
+  return scene.body.kind == BodyKind::torso ? StiffnessSource::depth : StiffnessSource::constant;
+}
+
+std::vector<double> stiffnessFromPoints(const Scene& scene, const std::vector<Vec3>& positions,
+                                        const std::vector<maps::KeyPoint>& keys) {
+  const bool any = std::any_of(keys.begin(), keys.end(), [](const auto& key) { return key.stiffness_n_per_mm; });
+  if (!any) throw Error("stiffness source \"points\" needs key points with a stiffness ([ellipses] key_points)");
+  return maps::stiffnessFromKeyPoints(positions, keys, scene.stiffness.points);
+}
+
+std::vector<double> basicStiffness(const Scene& scene, const BodyParts& body, const std::vector<maps::KeyPoint>& keys) {
+  switch (resolvedSource(scene)) {
+    case StiffnessSource::depth:
+      if (body.anatomy.depth_mm.empty()) throw Error("stiffness source \"depth\" needs bones: the torso has them");
+      return maps::stiffnessFromDepth(body.anatomy.depth_mm, scene.stiffness.depth);
+    case StiffnessSource::points:
+      return stiffnessFromPoints(scene, body.skin.positions, keys);
+    default:
+      return std::vector<double>(body.skin.positions.size(), scene.stiffness.constant_n_per_mm);
+  }
+}
+
+}  // namespace
+
+std::shared_ptr<const World> build(const Scene& scene, const Progress& progress) {
+  BodyParts body = makeBody(scene.body, progress);
+  const std::vector<maps::KeyPoint> keys = keyPointsOf(scene);
+  report(progress, "mapping stiffness", 0.0);
+  std::vector<double> stiffness = basicStiffness(scene, body, keys);
+  maps::applyDysfunctions(body.skin.positions, scene.dysfunctions, stiffness);
+  report(progress, "building the contact surface", 0.0);
+  contact::Surface surface = contact::buildSurface(body.skin, stiffness, {scene.force_law, body.self_intersecting});
+  report(progress, "preparing the deformation", 0.0);
+  deform::Skin deformable = deform::buildSkin(body.skin);
+  maps::EllipseMap ellipses(keys, ellipseMapSettings(scene, body.skin));
+  return std::make_shared<const World>(World{scene, std::move(body.name), std::move(body.skin), body.closed,
+                                             std::move(stiffness), std::move(surface), std::move(deformable),
+                                             std::move(ellipses), std::move(body.anatomy), std::move(body.notes)});
+}
+
+contact::FingerSettings contactSettings(const Scene& scene, const Finger& finger) {
+  contact::FingerSettings settings;
+  settings.radius_mm = finger.radius_mm;
+  settings.stiffness_ratio = scene.friction.stiffness_ratio;
+  settings.mu_static = scene.friction.mu_static;
+  settings.mu_dynamic = scene.friction.mu_dynamic;
+  settings.max_depth_mm = scene.contact.max_depth_mm;
+  settings.catch_up_mm_per_s = scene.contact.catch_up_mm_per_s;
+  settings.force_shading = scene.contact.force_shading;
+  settings.tick_s = 1.0 / scene.ticks_per_s;
+  return settings;
+}
+
+}  // namespace palpate::scene

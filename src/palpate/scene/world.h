@@ -1,0 +1,48 @@
+// A scene, built: everything a run reads and nothing it writes. Immutable after build; shared by any number of threads.
+//
+// Data flow: scene file -> Scene -> build -> World -> servo (surface), display (skin, ellipses), reports (bones,
+// notes).
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "palpate/base/progress.h"
+#include "palpate/contact/finger.h"
+#include "palpate/deform/skin.h"
+#include "palpate/maps/ellipse_map.h"
+#include "palpate/scene/scene.h"
+
+namespace palpate::scene {
+
+/// What lies under the skin of the torso; empty for a mesh.
+struct Anatomy {
+  std::vector<body::Bone> bones;
+  std::vector<double> depth_mm;     ///< a skin vertex each: to the nearest bone
+  std::vector<Index> nearest_bone;  ///< a skin vertex each: index into `bones`
+  std::vector<body::SkinLandmark> landmarks;
+};
+
+struct World {
+  Scene scene;              ///< the settings it was built from
+  std::string body_name;    ///< for reports: "torso" or the file's name
+  mesh::TriangleMesh skin;  ///< fit for contact, spatially ordered; triangle numbers everywhere are its own
+  bool closed = false;      ///< the skin has no border
+  std::vector<double> stiffness_n_per_mm;  ///< a skin vertex each
+  contact::Surface surface;
+  deform::Skin deformable;
+  maps::EllipseMap ellipses;
+  Anatomy anatomy;
+  std::vector<std::string> notes;  ///< what the user should know: repairs, a doubtful unit
+};
+
+/// Loads or makes the body, mends and orders it, and builds what the run needs. Throws Error: a file that cannot be
+/// read, a mesh that cannot be felt or is not fit although repair is off, key points without stiffness where they are
+/// needed.
+std::shared_ptr<const World> build(const Scene& scene, const Progress& progress = {});
+
+/// Settings of one finger's contact in this scene.
+contact::FingerSettings contactSettings(const Scene& scene, const Finger& finger);
+
+}  // namespace palpate::scene

@@ -1,0 +1,157 @@
+#include "palpate/scene/world.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "palpate/base/error.h"
+#include "palpate/device/finger_path.h"
+#include "palpate/mesh/save.h"
+#include "palpate/scene/scene_file.h"
+#include "support/temporary_folder.h"
+
+namespace palpate::scene {
+namespace {
+
+/// A folder with what a scene needs.
+class WorldOf : public ::testing::Test {
+ protected:
+  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
+  /// A dome 200 mm wide and 20 mm high, as an OBJ file.
+  void writeDome(const std::string& name) const {
+    mesh::TriangleMesh dome;
+    constexpr int kCells = 20;
+    for (int j = 0; j <= kCells; ++j) {
+      for (int i = 0; i <= kCells; ++i) {
+        const double x = -100.0 + 10.0 * i;
+        const double y = -100.0 + 10.0 * j;
+        dome.positions.emplace_back(x, y, 20.0 - 0.001 * (x * x + y * y));
+      }
+    }
+    for (Index j = 0; j < kCells; ++j) {
+      for (Index i = 0; i < kCells; ++i) {
+        const Index a = j * (kCells + 1) + i;
+        dome.triangles.push_back({a, a + 1, a + kCells + 2});
+        dome.triangles.push_back({a, a + kCells + 2, a + kCells + 1});
+      }
+    }
+    mesh::save(folder_ / name, dome);
+  }
+  Scene meshScene(const std::string& more = "") const {
+    return parse("[body]\nkind = \"mesh\"\nfile = \"dome.obj\"\n" + more +
+                     "[[finger]]\nname = \"a\"\nat_mm = [5, 5]\nscript = [{ do = \"press\", depth_mm = 3 }]\n",
+                 (folder_ / "s.toml").string());
+  }
+  std::string messageOfBuild(const Scene& scene) const {
+    try {
+      device::pathsOf(*build(scene));
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+
+  support::TemporaryFolder folder_;
+};
+
+TEST_F(WorldOf, AMeshIsScaledOrderedAndEquallyStiff) {
+  writeDome("dome.obj");
+  const auto world = build(meshScene("unit = \"cm\"\nscale = 0.1\n"));
+  EXPECT_EQ(world->skin.triangles.size(), 800u);
+  EXPECT_NEAR(mesh::boundingBox(world->skin).sizes().x(), 200.0, 1e-3);
+  EXPECT_FALSE(world->closed);
+  EXPECT_EQ(world->stiffness_n_per_mm, std::vector<double>(441, 0.5));
+  EXPECT_TRUE(world->anatomy.bones.empty());
+}
+
+TEST_F(WorldOf, ADysfunctionChangesTheStiffnessWhereItIs) {
+  writeDome("dome.obj");
+  const auto world = build(meshScene("[[dysfunction]]\nx_mm = 50\nradius_mm = 20\nchange_percent = -40\n"));
+  for (std::size_t v = 0; v < world->skin.positions.size(); ++v) {
+    const Vec3& p = world->skin.positions[v];
+    const double distance = (p.head<2>() - Vec2(50, 0)).norm();
+    if (distance < 1e-6) {
+      EXPECT_NEAR(world->stiffness_n_per_mm[v], 0.3, 1e-12);
+    } else if (distance > 20.0) {
+      EXPECT_EQ(world->stiffness_n_per_mm[v], 0.5);
+    }
+  }
+}
+
+TEST_F(WorldOf, ScriptsFollowTheSkinFromAbove) {
+  writeDome("dome.obj");
+  const auto world = build(meshScene());
+  const device::FingerPaths paths = device::pathsOf(*world);
+  ASSERT_EQ(paths.ticks, 1001u);
+  EXPECT_NEAR(paths.tips[0]->front().z(), 19.95 + 10.0, 0.2);
+  EXPECT_NEAR(paths.tips[0]->back().z(), 19.95 - 3.0, 0.2);
+}
+
+TEST_F(WorldOf, FingersShareOneClock) {
+  writeDome("dome.obj");
+  write("early.csv", "1.0,0,0,30\n1.1,0,0,20\n");
+  write("late.csv", "1.5,0,0,30\n2.0,0,0,20\n");
+  Scene scene = meshScene();
+  scene.fingers = {{"early", 0.0, folder_ / "early.csv", Vec2::Zero(), 10.0, {}},
+                   {"late", 0.0, folder_ / "late.csv", Vec2::Zero(), 10.0, {}}};
+  const device::FingerPaths paths = device::pathsOf(*build(scene));
+  EXPECT_EQ(paths.start_s, 1.0);
+  EXPECT_EQ(paths.ticks, 1001u);
+  EXPECT_EQ((*paths.tips[1])[500], Vec3(0, 0, 30));
+  EXPECT_LT((*paths.tips[1])[501].z(), 30.0);
+}
+
+TEST_F(WorldOf, AnyMeshGetsAPathOverItsTop) {
+  writeDome("dome.obj");
+  const auto world = build(meshScene());
+  const device::Trajectory path = device::automaticPath(*world);
+  EXPECT_NEAR(path.tip_mm.front().z(), 20.0 + 10.0 * world->surface.tree.diagonal / 400.0, 0.5);
+  double lowest = 1e9;
+  for (const Vec3& tip : path.tip_mm) lowest = std::min(lowest, tip.z());
+  EXPECT_LT(lowest, 16.0);
+}
+
+TEST_F(WorldOf, NamesWhatCannotBeBuilt) {
+  EXPECT_EQ(messageOfBuild(meshScene()), (folder_ / "dome.obj").string() + ": no such file");
+  write("dome.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
+  EXPECT_EQ(messageOfBuild(meshScene()).find((folder_ / "dome.obj").string() + ": "), 0u);
+  writeDome("dome.obj");
+  EXPECT_NE(messageOfBuild(meshScene("[stiffness]\nsource = \"depth\"\n")).find("needs bones"), std::string::npos);
+  EXPECT_NE(messageOfBuild(meshScene("[stiffness]\nsource = \"points\"\n")).find("needs key points"),
+            std::string::npos);
+  Scene beside = meshScene();
+  beside.fingers[0].at_mm = Vec2(500, 0);
+  EXPECT_EQ(messageOfBuild(beside), "finger 'a': there is no skin at at_mm = [500, 0]");
+}
+
+TEST_F(WorldOf, RefusesAnUnfitMeshWhenRepairIsOff) {
+  // A fin: two triangles back to back.
+  write("dome.obj", "v 0 0 0\nv 100 0 0\nv 0 100 0\nv 100 100 0\nf 1 2 3\nf 2 4 3\nf 2 3 4\n");
+  EXPECT_NE(messageOfBuild(meshScene("repair = false\n")).find("is not fit for contact and repair is off"),
+            std::string::npos);
+}
+
+TEST_F(WorldOf, NotesADoubtfulUnit) {
+  writeDome("dome.obj");
+  const auto world = build(meshScene("scale = 0.01\n[stiffness]\nsource = \"constant\"\n"));
+  ASSERT_FALSE(world->notes.empty());
+  EXPECT_NE(world->notes.back().find("is its unit right?"), std::string::npos);
+}
+
+TEST_F(WorldOf, TheTorsoIsStifferOverBoneAndKnowsItsLandmarks) {
+  const auto world =
+      build(parse("[body]\ntriangles = 8163\n[[finger]]\nname = \"a\"\nscript = [{ do = \"press\" }]\n", "s"));
+  const Anatomy& anatomy = world->anatomy;
+  ASSERT_EQ(anatomy.depth_mm.size(), world->skin.positions.size());
+  EXPECT_EQ(anatomy.bones.size(), body::kBoneCount);
+  std::size_t shallow = 0;
+  std::size_t deep = 0;
+  for (std::size_t v = 0; v < anatomy.depth_mm.size(); ++v) {
+    if (anatomy.depth_mm[v] < anatomy.depth_mm[shallow]) shallow = v;
+    if (anatomy.depth_mm[v] > anatomy.depth_mm[deep]) deep = v;
+  }
+  EXPECT_GT(world->stiffness_n_per_mm[shallow], 1.5 * world->stiffness_n_per_mm[deep]);
+}
+
+}  // namespace
+}  // namespace palpate::scene
