@@ -144,7 +144,7 @@ void SurfaceSide::buildGrid() {
   grid_origin_ = box.min().head<2>();
   cell_size_ = (box.diagonal().head<2>() / static_cast<double>(side));
 
-  const auto rangeOf = [&](Index t) {
+  const auto range_of = [&](Index t) {
     Eigen::AlignedBox3d b;
     for (const Vec3& c : corners(t)) b.extend(c);
     return CellRange{cellOf(b.min().x(), grid_origin_.x(), cell_size_.x(), side),
@@ -152,20 +152,20 @@ void SurfaceSide::buildGrid() {
                      cellOf(b.min().y(), grid_origin_.y(), cell_size_.y(), side),
                      cellOf(b.max().y(), grid_origin_.y(), cell_size_.y(), side)};
   };
-  const auto forEachCell = [&](auto&& visit) {
+  const auto for_each_cell = [&](auto&& visit) {
     for (Index t = 0; t < mesh_.triangles.size(); ++t) {
-      const CellRange range = rangeOf(t);
+      const CellRange range = range_of(t);
       for (std::size_t y = range.y0; y <= range.y1; ++y) {
         for (std::size_t x = range.x0; x <= range.x1; ++x) visit(y * side + x, t);
       }
     }
   };
   grid_.offsets.assign(side * side + 1, 0);
-  forEachCell([&](std::size_t cell, Index) { ++grid_.offsets[cell + 1]; });
+  for_each_cell([&](std::size_t cell, Index) { ++grid_.offsets[cell + 1]; });
   std::partial_sum(grid_.offsets.begin(), grid_.offsets.end(), grid_.offsets.begin());
   grid_.entries.resize(grid_.offsets.back());
   std::vector<Index> next(grid_.offsets.begin(), grid_.offsets.end() - 1);
-  forEachCell([&](std::size_t cell, Index t) { grid_.entries[next[cell]++] = t; });
+  for_each_cell([&](std::size_t cell, Index t) { grid_.entries[next[cell]++] = t; });
 }
 
 std::optional<double> SurfaceSide::heightAt(double x, double y) const {
@@ -271,7 +271,7 @@ Vec3 SurfaceSide::vertexPseudoNormal(Index vertex) const {
 
 void SurfaceSide::describeFeature(const Vec3& barycentric, NearestPoint& nearest) const {
   const Triangle& v = mesh_.triangles[nearest.triangle];
-  const auto normalOf = [&](Index t) {
+  const auto normal_of = [&](Index t) {
     const std::array<Vec3, 3> c = corners(t);
     return mesh::areaVector2(c[0], c[1], c[2]).normalized();
   };
@@ -286,11 +286,11 @@ void SurfaceSide::describeFeature(const Vec3& barycentric, NearestPoint& nearest
     nearest.pseudo_normal = vertexPseudoNormal(vertex);
     return;
   }
-  nearest.pseudo_normal = normalOf(nearest.triangle);
+  nearest.pseudo_normal = normal_of(nearest.triangle);
   if (zero_count != 1) return;
   const Index across = neighbours_[nearest.triangle][(zeros[0] + 1) % 3];  // the edge opposite to corner zeros[0]
   nearest.on_border = across == kNoIndex;
-  if (across != kNoIndex) nearest.pseudo_normal = (nearest.pseudo_normal + normalOf(across)).normalized();
+  if (across != kNoIndex) nearest.pseudo_normal = (nearest.pseudo_normal + normal_of(across)).normalized();
 }
 
 NearestPoint SurfaceSide::nearestTo(const Vec3& point) {

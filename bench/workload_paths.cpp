@@ -73,8 +73,8 @@ std::vector<double> slideParameter() {
   std::vector<double> parameter(kTwentySeconds, 0.0);
   double q = 0.0;
   for (std::size_t k = 1; k < kTwentySeconds; ++k) {
-    for (int m = 0; m < 20 && kSlideFrom_s < timeOf(k) && timeOf(k) <= kSlideUntil_s; ++m) {
-      const double tau = timeOf(k - 1) - kSlideFrom_s + m * 5e-5;
+    for (int m = 0; m < 20 && kSlideFromSeconds < timeOf(k) && timeOf(k) <= kSlideUntilSeconds; ++m) {
+      const double tau = timeOf(k - 1) - kSlideFromSeconds + m * 5e-5;
       const double speed = 300 + 200 * std::sin(2 * pi * 0.25 * tau);
       q += speed * 5e-5 / std::hypot(2 * kHalfWidth * std::cos(2 * q), 3 * kHalfLength * std::cos(3 * q + kPhase));
     }
@@ -91,11 +91,11 @@ Vec3 approachPoint(double t) {
 
 Vec3 pressPoint(double t) {
   const double x0 = 175.0, y0 = 200 + kHalfLength * std::sin(kPhase);
-  return {x0, y0, backHeight(x0, y0) + 2 - 7 * smooth((t - kPressFrom) / (kSlideFrom_s - kPressFrom))};
+  return {x0, y0, backHeight(x0, y0) + 2 - 7 * smooth((t - kPressFrom) / (kSlideFromSeconds - kPressFrom))};
 }
 
 double slideDepth(double t) {
-  const double tau = std::clamp(t - kSlideFrom_s, 0.0, kSlideUntil_s - kSlideFrom_s);
+  const double tau = std::clamp(t - kSlideFromSeconds, 0.0, kSlideUntilSeconds - kSlideFromSeconds);
   return 7.5 - 2.5 * std::cos(2 * pi * 0.7 * tau);
 }
 
@@ -106,8 +106,8 @@ Vec3 slidePoint(double parameter, double t) {
 }
 
 Vec3 liftPoint(const Vec3& end, double t) {
-  const double depth = slideDepth(kSlideUntil_s);
-  const double share = smooth((t - kSlideUntil_s) / (kLiftUntil - kSlideUntil_s));
+  const double depth = slideDepth(kSlideUntilSeconds);
+  const double share = smooth((t - kSlideUntilSeconds) / (kLiftUntil - kSlideUntilSeconds));
   return {end.x(), end.y(), backHeight(end.x(), end.y()) - depth + (depth + 2) * share};
 }
 
@@ -192,15 +192,15 @@ std::optional<device::Trajectory> pathWithNumber(std::string_view name) {
 
 device::Trajectory backSlide() {
   const std::vector<double> parameter = slideParameter();
-  const Vec3 end = slidePoint(parameter[18000], kSlideUntil_s);
+  const Vec3 end = slidePoint(parameter[18000], kSlideUntilSeconds);
   Points points;
   for (std::size_t k = 0; k < kTwentySeconds; ++k) {
     const double t = timeOf(k);
     if (t < kPressFrom) {
       points.push_back(approachPoint(t));
-    } else if (t < kSlideFrom_s) {
+    } else if (t < kSlideFromSeconds) {
       points.push_back(pressPoint(t));
-    } else if (t < kSlideUntil_s) {
+    } else if (t < kSlideUntilSeconds) {
       points.push_back(slidePoint(parameter[k], t));
     } else {
       points.push_back(t < kLiftUntil ? liftPoint(end, t) : departPoint(end, t));

@@ -16,8 +16,8 @@
 namespace palpate::bench {
 
 /// The slide of back_slide: pressed 5 to 10 mm deep, 100 to 500 mm/s. The bars on lag and force step hold here.
-inline constexpr double kSlideFrom_s = 2.2;
-inline constexpr double kSlideUntil_s = 18.0;
+inline constexpr double kSlideFromSeconds = 2.2;
+inline constexpr double kSlideUntilSeconds = 18.0;
 
 /// A named path and the mesh of workload_meshes.h that it was made for (`back` means any back_N).
 struct PathName {
