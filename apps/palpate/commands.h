@@ -5,6 +5,7 @@
 
 namespace palpate::app {
 
+void addBenchCommand(CLI::App& app);
 void addInfoCommand(CLI::App& app);
 
 }  // namespace palpate::app

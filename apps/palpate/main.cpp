@@ -15,6 +15,7 @@ int run(int argc, char** argv) {
   CLI::App app{"Palpate: feel, see and measure touch on a soft human body.", "palpate"};
   app.set_version_flag("--version", PALPATE_VERSION);
   app.require_subcommand(1);
+  palpate::app::addBenchCommand(app);
   palpate::app::addInfoCommand(app);
   try {
     app.parse(argc, argv);

@@ -1,0 +1,172 @@
+// `palpate bench`: measures the finger on known meshes and trajectories.
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "apps/palpate/commands.h"
+#include "bench/contact_run.h"
+#include "bench/heldout_meshes.h"
+#include "bench/workload_meshes.h"
+#include "bench/workload_paths.h"
+#include "palpate/base/error.h"
+#include "palpate/mesh/load.h"
+#include "palpate/mesh/save.h"
+
+namespace palpate::app {
+namespace {
+
+struct ContactArguments {
+  std::string mesh, trajectory;
+  double scale = 1.0;
+  double stiffness_n_per_mm = 0.5;
+  contact::FingerSettings finger;
+  bench::Window window;
+  bool json = false;
+};
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// A file, or the name of a benchmark mesh when no such file exists.
+mesh::TriangleMesh meshFrom(const std::string& name) {
+  if (std::filesystem::exists(name) || name.find('.') != std::string::npos) return mesh::load(name);
+  if (contains(bench::heldoutMeshNames(), name)) return bench::heldoutMesh(name);
+  return bench::workloadMesh(name);
+}
+
+device::Trajectory trajectoryFrom(const std::string& name) {
+  if (std::filesystem::exists(name) || name.ends_with(".csv")) return device::readTrajectory(name);
+  return bench::workloadPath(name);
+}
+
+nlohmann::ordered_json jsonOf(const bench::ContactFigures& f) {
+  nlohmann::ordered_json json;
+  json["triangles"] = f.triangles;
+  json["ticks"] = f.ticks;
+  json["tick_us"] = {
+      {"p50", f.tick_us.p50}, {"p99", f.tick_us.p99}, {"p99_9", f.tick_us.p99_9}, {"max", f.tick_us.max}};
+  json["lag_mm"] = {{"p99", f.lag_mm.p99}, {"max", f.lag_mm.max}};
+  json["fall_throughs"] = f.falls.ticks;
+  json["first_contact_delay_ticks"] = f.falls.first_contact_delay_ticks;
+  json["friction"] = {{"kinetic", f.friction.kinetic},
+                      {"static", f.friction.static_peak},
+                      {"kinetic_min", f.friction.kinetic_min},
+                      {"kinetic_max", f.friction.kinetic_max}};
+  json["peak_force_n"] = f.peak_force_n;
+  json["max_force_step_n"] = f.max_force_step_n;
+  json["allocations"] = f.allocations ? nlohmann::ordered_json(*f.allocations) : nlohmann::ordered_json(nullptr);
+  json["hash"] = fmt::format("{:016x}", f.hash);
+  json["contact_ticks"] = f.contact_ticks;
+  json["stick_ticks"] = f.friction.stick_ticks;
+  json["slip_ticks"] = f.friction.slip_ticks;
+  json["first_contacts"] = f.falls.first_contacts;
+  json["fall_events"] = f.falls.events;
+  json["peak_depth_mm"] = f.peak_depth_mm;
+  json["teleport_ticks"] = f.teleports;
+  if (f.sphere) {
+    json["sphere"] = {{"least_distance_over_radius", f.sphere->least_distance},
+                      {"infeasible_ticks", f.sphere->infeasible_ticks},
+                      {"missed_ticks", f.sphere->missed_ticks}};
+  }
+  return json;
+}
+
+std::string textOf(const bench::ContactFigures& f) {
+  std::string text = fmt::format(
+      "triangles                {}\nticks           "
+      "         {} ({} in contact)\n",
+      f.triangles, f.ticks, f.contact_ticks);
+  text += fmt::format(
+      "tick time                p50 {:.2f}  p99 {:.2f}  p99.9 "
+      "{:.2f}  max {:.1f} us\n",
+      f.tick_us.p50, f.tick_us.p99, f.tick_us.p99_9, f.tick_us.max);
+  text += fmt::format("lag |anchor - tip|       p99 {:.3f}  max {:.3f} mm\n", f.lag_mm.p99, f.lag_mm.max);
+  text += fmt::format("fall-throughs            {} ticks in {} events\n", f.falls.ticks, f.falls.events);
+  text += fmt::format("first contacts           {}, worst delay {} ticks\n", f.falls.first_contacts,
+                      f.falls.first_contact_delay_ticks);
+  text += fmt::format(
+      "friction                 kinetic {:.6f} ({} ticks), "
+      "break-away peak {:.6f}\n",
+      f.friction.kinetic, f.friction.slip_ticks, f.friction.static_peak);
+  text += fmt::format(
+      "force                    peak {:.3f} N, largest step {:.3f} "
+      "N (tick {})\n",
+      f.peak_force_n, f.max_force_step_n, f.max_force_step_tick);
+  text += fmt::format("heap allocations         {}\n", f.allocations ? fmt::to_string(*f.allocations) : "not counted");
+  return text + fmt::format("hash                     {:016x}\n", f.hash);
+}
+
+void runContact(const ContactArguments& arguments) {
+  bench::ContactWorld world =
+      bench::buildContactWorld(meshFrom(arguments.mesh), arguments.scale, arguments.stiffness_n_per_mm);
+  const bench::ContactFigures figures =
+      bench::measureContact(world, trajectoryFrom(arguments.trajectory), arguments.finger, arguments.window);
+  fmt::print("{}", arguments.json ? jsonOf(figures).dump(2) + "\n" : textOf(figures));
+}
+
+void addContactCommand(CLI::App& parent) {
+  auto arguments = std::make_shared<ContactArguments>();
+  CLI::App& command = *parent.add_subcommand("contact", "Run one finger along a trajectory and report what it felt");
+  command.add_option("--mesh", arguments->mesh, "Mesh file (mm), or the name of a benchmark mesh")->required();
+  command.add_option("--trajectory", arguments->trajectory, "CSV file t_s,x_mm,y_mm,z_mm, or a benchmark's name")
+      ->required();
+  const auto number = [&](const char* name, double& value, const char* help, double low) {
+    command.add_option(name, value, help)->capture_default_str()->check(CLI::Range(low, 1e9));
+  };
+  number("--scale", arguments->scale, "Multiplies mesh, trajectory and finger lengths; results stay in mm", 1e-9);
+  number("--radius-mm", arguments->finger.radius_mm, "Radius of the fingertip (mm); 0 is a point", 0.0);
+  number("--mu-static", arguments->finger.mu_static, "Static friction coefficient", 0.0);
+  number("--mu-dynamic", arguments->finger.mu_dynamic, "Dynamic friction coefficient", 0.0);
+  number("--stiffness", arguments->stiffness_n_per_mm, "Stiffness of the skin (N/mm), the same everywhere", 1e-9);
+  number("--stiffness-ratio", arguments->finger.stiffness_ratio, "Tangential over normal stiffness", 1e-9);
+  command.add_option("--from", arguments->window.from_s, "Measure ticks from this time on (s); falls always whole run");
+  command.add_option("--to", arguments->window.until_s, "Measure ticks before this time (s)");
+  command.add_flag("--force-shading", arguments->finger.force_shading, "Smooth the force across triangles");
+  command.add_flag("--json", arguments->json, "Print one JSON object");
+  command.callback([arguments] { runContact(*arguments); });
+}
+
+/// Trajectories are written as .csv, meshes as what the extension says.
+void writeWorkload(const std::string& name, const std::string& file) {
+  if (file.ends_with(".csv")) {
+    device::writeTrajectory(file, trajectoryFrom(name));
+  } else {
+    mesh::save(file, meshFrom(name));
+  }
+}
+
+void addWorkloadCommand(CLI::App& parent) {
+  struct Arguments {
+    std::string name, file;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App& command = *parent.add_subcommand("workload", "Write a benchmark mesh (.stl, .obj, .ply) or path (.csv)");
+  command.add_option("name", arguments->name, "Name, as `palpate bench list` prints it")->required();
+  command.add_option("-o,--output", arguments->file, "File to write")->required();
+  command.callback([arguments] { writeWorkload(arguments->name, arguments->file); });
+}
+
+void printNames() {
+  fmt::print("meshes\n");
+  for (const std::string& name : bench::workloadMeshNames()) fmt::print("  {}\n", name);
+  fmt::print("held-out meshes\n");
+  for (const std::string& name : bench::heldoutMeshNames()) fmt::print("  {}\n", name);
+  fmt::print("trajectories (and the mesh each was made for)\n");
+  for (const bench::PathName& name : bench::workloadPathNames()) fmt::print("  {:18} {}\n", name.path, name.mesh);
+}
+
+}  // namespace
+
+void addBenchCommand(CLI::App& app) {
+  CLI::App& bench = *app.add_subcommand("bench", "Measure the finger on known meshes and trajectories");
+  bench.require_subcommand(1);
+  addContactCommand(bench);
+  addWorkloadCommand(bench);
+  bench.add_subcommand("list", "Name the benchmark meshes and trajectories")->callback(printNames);
+}
+
+}  // namespace palpate::app
