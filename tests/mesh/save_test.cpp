@@ -3,24 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <functional>
 #include <sstream>
 
 #include "palpate/base/error.h"
 #include "palpate/mesh/load.h"
+#include "support/error_message.h"
 #include "support/mesh_zoo.h"
 #include "support/temporary_folder.h"
 
 namespace palpate::mesh {
-
-std::string messageOf(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 TEST(Save, ObjAndPlyKeepEveryBit) {
   const support::TemporaryFolder folder;
@@ -72,7 +63,8 @@ TEST(Save, AFullDiskIsAnError) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full on this system";
   const support::TemporaryFolder folder;
   std::filesystem::create_symlink("/dev/full", folder / "full.ply");
-  EXPECT_NE(messageOf([&] { save(folder / "full.ply", zoo::sphere()); }).find("No space left"), std::string::npos);
+  EXPECT_NE(support::messageOf([&] { save(folder / "full.ply", zoo::sphere()); }).find("No space left"),
+            std::string::npos);
 }
 
 TEST(Save, AFailedWriteLeavesTheOldFile) {

@@ -22,10 +22,10 @@ struct LoadOptions {
   /// millimetres (1).
   double unit_mm = 0.0;
   /// Only the faces of this OBJ group or object (`g`, `o`); empty = all. Vertices that no kept face uses are left out.
-  std::string group;
+  std::string group = std::string();
   /// Vertices at equal coordinates become one. Unset = what the format needs: STL, glTF and GLB weld, the others do
   /// not.
-  std::optional<bool> weld;
+  std::optional<bool> weld = std::nullopt;
   /// Keep triangles that name vertices which do not exist, as they are, instead of refusing the file. For `validate`
   /// and `repair` only: everything else expects indices within range.
   bool keep_wrong_indices = false;

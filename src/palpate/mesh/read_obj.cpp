@@ -67,7 +67,8 @@ class ObjReader {
   void readVertex() {
     Vec3 position;
     for (double& value : position) value = text_.number(word(), "a coordinate");
-    mesh_.positions.push_back(position);  // a weight or a colour may follow
+    mesh_.positions.push_back(position);
+    passOver();  // a weight or a colour may follow
     if (mesh_.positions.size() >= kNoIndex) text_.fail("more vertices than 32-bit indices can name");
   }
 

@@ -47,9 +47,10 @@ bool TextReader::nextLine() {
   if (position_ == text_.size()) return false;
   const bool two_bytes = text_[position_] == '\r' && position_ + 1 < text_.size() && text_[position_ + 1] == '\n';
   position_ += two_bytes ? 2 : 1;
+  if (position_ == text_.size()) return false;
   ++line_;
   if (position_ >= next_report_) reportProgress();
-  return position_ < text_.size();
+  return true;
 }
 
 bool TextReader::nextFilledLine(char comment) {
