@@ -17,6 +17,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   palpate::app::addBenchCommand(app);
   palpate::app::addInfoCommand(app);
+  palpate::app::addSimulateCommand(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -55,6 +55,7 @@ double earliestStart(const std::vector<Trajectory>& trajectories) {
 std::vector<Vec3> tipsOf(const scene::World& world, const scene::Finger& finger, const Trajectory& trajectory,
                          double start_s) {
   const double ticks_per_s = world.scene.ticks_per_s;
+  if (finger.findsItsOwnWay()) return automaticPath(world, finger.radius_mm).tip_mm;
   if (trajectory.size() == 0) return walkScript(finger, {}, heightOver(world, {}), 1.0 / ticks_per_s);
   const Trajectory on_ticks = resampled(trajectory, 1.0 / ticks_per_s);
   const double delay_s = trajectory.time_s.front() - start_s;
@@ -86,7 +87,7 @@ ScriptFrame frameAt(const Vec3& origin, const Vec3& normal) {
 }
 
 /// Ten seconds whose lengths suit a back, and shrink with smaller bodies.
-scene::Finger automaticFinger(double diagonal) {
+scene::Finger automaticFinger(double diagonal, double radius_mm) {
   const double size = std::min(1.0, diagonal / 400.0);  // 400 mm: the length of a back
   const auto step = [](scene::Move move, double seconds) {
     scene::Step s;
@@ -96,6 +97,7 @@ scene::Finger automaticFinger(double diagonal) {
   };
   scene::Finger finger;
   finger.name = "automatic";
+  finger.radius_mm = radius_mm;
   finger.start_height_mm = 10.0 * size;
   finger.steps = {step(scene::Move::press, 1.5),  step(scene::Move::hold, 0.5), step(scene::Move::drag, 2.0),
                   step(scene::Move::circle, 3.0), step(scene::Move::drag, 2.0), step(scene::Move::lift, 1.0)};
@@ -123,13 +125,13 @@ FingerPaths pathsOf(const scene::World& world) {
   return paths;
 }
 
-Trajectory automaticPath(const scene::World& world) {
+Trajectory automaticPath(const scene::World& world, double radius_mm) {
   const Index top = topVertex(world);
   const ScriptFrame frame = frameAt(world.skin.positions[top], world.surface.vertex_normals[top]);
   const double ticks_per_s = world.scene.ticks_per_s;
   Trajectory path;
-  path.tip_mm =
-      walkScript(automaticFinger(world.surface.tree.diagonal), frame, heightOver(world, frame), 1.0 / ticks_per_s);
+  path.tip_mm = walkScript(automaticFinger(world.surface.tree.diagonal, radius_mm), frame, heightOver(world, frame),
+                           1.0 / ticks_per_s);
   for (std::size_t k = 0; k < path.tip_mm.size(); ++k) path.time_s.push_back(static_cast<double>(k) / ticks_per_s);
   return path;
 }

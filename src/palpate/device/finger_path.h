@@ -21,6 +21,6 @@ FingerPaths pathsOf(const scene::World& world);
 
 /// A path for a body nobody has planned one for: press, drag, circle and lift around the highest point (largest z) that
 /// faces up, along its normal, sized to the body.
-Trajectory automaticPath(const scene::World& world);
+Trajectory automaticPath(const scene::World& world, double radius_mm = 0.0);
 
 }  // namespace palpate::device

@@ -85,6 +85,9 @@ struct Finger {
   Vec2 at_mm = Vec2::Zero();         ///< place the script starts over
   double start_height_mm = 10.0;
   std::vector<Step> steps;
+
+  /// Neither path nor script: it gets a path that suits the body. Scene files must say what they want.
+  bool findsItsOwnWay() const { return trajectory.empty() && steps.empty(); }
 };
 
 struct StrainSettings {

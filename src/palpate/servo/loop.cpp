@@ -28,7 +28,9 @@ struct Meter {
 void measuredTick(Rig& rig, std::uint64_t tick, LoopEvent event, ContactFrame& samples, Meter& meter) {
   const std::int64_t before = monotonicNs();
   runTick(rig, tick, event, samples);
-  meter.compute.add(monotonicNs() - before);
+  const std::int64_t took = monotonicNs() - before;
+  meter.compute.add(took);
+  if (static_cast<double>(took) > rig.tick_s * 1e9) ++meter.report.slow_ticks;
   ++meter.report.ticks;
 }
 

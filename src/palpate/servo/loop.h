@@ -21,9 +21,10 @@
 namespace palpate::servo {
 
 struct LoopReport {
-  std::uint64_t ticks = 0;     ///< computed
-  std::uint64_t overruns = 0;  ///< deadlines that passed without a tick (paced only)
-  std::uint64_t stalls = 0;    ///< times the loop was away longer than the watchdog allows (paced only)
+  std::uint64_t ticks = 0;       ///< computed
+  std::uint64_t overruns = 0;    ///< deadlines that passed without a tick (paced only)
+  std::uint64_t slow_ticks = 0;  ///< took longer to compute than a tick may last
+  std::uint64_t stalls = 0;      ///< times the loop was away longer than the watchdog allows (paced only)
   std::uint64_t dropped_samples = 0;
   DurationPercentiles compute;   ///< reading the clock to reading it again around one tick of all fingers
   DurationPercentiles lateness;  ///< wake-up after the deadline (paced only)

@@ -25,6 +25,7 @@ struct FingerChain {
 /// Everything a servo thread touches. The surface must outlive it; nobody else may change the chains while a loop runs.
 struct Rig {
   const contact::Surface* surface = nullptr;
+  double tick_s = 0.001;
   std::vector<FingerChain> fingers;
 };
 

@@ -1,0 +1,79 @@
+#include "apps/palpate/run_recorder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate::app {
+
+namespace {
+
+trace::ForcesCsvSettings forcesSettings(const scene::World& world, const device::FingerPaths& paths) {
+  trace::ForcesCsvSettings settings;
+  for (const scene::Finger& finger : world.scene.fingers) settings.finger_names.push_back(finger.name);
+  settings.start_s = paths.start_s;
+  settings.ticks_per_s = world.scene.ticks_per_s;
+  return settings;
+}
+
+double totalDepth(const Frame& frame) {
+  double depth = 0.0;
+  for (const trace::Sample& sample : frame) depth += sample.contact.depth_mm;
+  return depth;
+}
+
+}  // namespace
+
+RunRecorder::RunRecorder(const scene::World& world, const device::FingerPaths& paths,
+                         const std::filesystem::path& folder)
+    : world_(world), folder_(folder), statistics_(world.scene.fingers.size(), world.skin.triangles.size()) {
+  const scene::OutputSettings& output = world.scene.output;
+  if (output.forces) {
+    forces_.emplace(folder / "forces.csv", forcesSettings(world, paths));
+    files_.emplace_back("forces.csv");
+  }
+  for (const double seconds : output.surfaces_at_s) {
+    const auto tick = static_cast<std::uint64_t>(std::llround(seconds * world.scene.ticks_per_s));
+    moments_.push_back({fmt::format("surface_{:.3f}s.ply", seconds), tick, {}});
+  }
+  deepest_.file = "surface_deepest.ply";
+}
+
+void RunRecorder::add(const trace::Sample& sample) {
+  if (forces_) forces_->add(sample);
+  statistics_.add(sample);
+  frame_.push_back(sample);
+  if (frame_.size() < world_.scene.fingers.size()) return;
+  addFrame();
+  frame_.clear();
+}
+
+void RunRecorder::addFrame() {
+  for (Moment& moment : moments_) {
+    if (moment.frame.empty() && frame_.front().tick >= moment.tick) moment.frame = frame_;
+  }
+  const double depth = totalDepth(frame_);
+  if (depth > deepest_mm_) {
+    deepest_mm_ = depth;
+    deepest_.frame = frame_;
+  }
+}
+
+void RunRecorder::write(const Moment& moment) {
+  if (moment.frame.empty()) return;
+  writeSurface(folder_ / moment.file, world_, moment.frame);
+  files_.push_back(moment.file);
+}
+
+void RunRecorder::finish(const Progress& progress) {
+  if (forces_) forces_->commit();
+  for (std::size_t i = 0; i < moments_.size(); ++i) {
+    report(progress, "writing surfaces", static_cast<double>(i) / static_cast<double>(moments_.size() + 1));
+    write(moments_[i]);
+    if (moments_[i].frame.empty()) notes_.push_back(fmt::format("no {}: the run ended before", moments_[i].file));
+  }
+  write(deepest_);
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,80 @@
+// `palpate simulate`: palpates a scene without a device and writes what was felt.
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "apps/palpate/commands.h"
+#include "apps/palpate/progress_line.h"
+#include "apps/palpate/simulate_options.h"
+#include "apps/palpate/simulate_report.h"
+#include "palpate/base/output_file.h"
+#include "palpate/scene/scene_file.h"
+
+namespace palpate::app {
+
+namespace {
+
+void writeReport(const SimulationResult& result, const std::string& json) {
+  OutputFile file(result.folder / "report.json");
+  file.write(json);
+  file.commit();
+}
+
+void runSimulate(const SimulateOptions& options) {
+  ProgressLine progress;
+  SimulationResult result = simulate(sceneFor(options), options.out, options.realtime, progress.callback());
+  progress.clear();
+  result.files.emplace_back("report.json");
+  const std::string json = reportOf(result).dump(2) + "\n";
+  writeReport(result, json);
+  fmt::print("{}", options.json ? json : summaryOf(result));
+}
+
+void addInputOptions(CLI::App& command, SimulateOptions& options) {
+  command.add_option("SCENE", options.scene,
+                     "Scene file (TOML, docs/scene-files.md); without one: ten seconds on the torso");
+  command.add_option("--mesh", options.mesh,
+                     "Palpate this mesh (OBJ, STL, PLY, OFF, glTF, GLB) instead of the scene's body");
+  command.add_option("--mesh-unit", options.mesh_unit, "Unit of the mesh file: auto, mm, cm, dm, m, in")
+      ->capture_default_str();
+  command.add_option("--mesh-scale", options.mesh_scale, "Factor on the mesh's size, after the unit")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  command.add_option("--mesh-group", options.mesh_group, "Only this group or object of an OBJ file");
+  command.add_option("--trajectory", options.trajectories,
+                     "Path of a finger, rows of t_s,x_mm,y_mm,z_mm in the body's coordinates; once for each finger");
+  command.add_option("--radius-mm", options.radius_mm, "Radius of every finger, mm; 0 is a point, 8 a fingertip")
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("--seconds", options.seconds, "How long to run, s; default: until the last finger has finished")
+      ->check(CLI::PositiveNumber);
+}
+
+void addOutputOptions(CLI::App& command, SimulateOptions& options) {
+  command.add_option("--out", options.out, "Folder for forces.csv, surfaces (PLY) and report.json")
+      ->capture_default_str();
+  command.add_flag("--realtime", options.realtime,
+                   "Pace the servo loop by the clock, deform at 60 Hz beside it, and report how late it woke");
+  command.add_flag("--json", options.json, "Print the report as JSON instead of the summary");
+}
+
+}  // namespace
+
+void addSimulateCommand(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("simulate", "Palpate a body without a device and write what was felt");
+  const auto options = std::make_shared<SimulateOptions>();
+  const auto keys = std::make_shared<bool>(false);
+  addInputOptions(*command, *options);
+  addOutputOptions(*command, *options);
+  command->add_flag("--keys", *keys, "Print every key of scene files (Markdown) and stop");
+  command->callback([=] {
+    options->radius_given = command->count("--radius-mm") > 0;
+    if (*keys) {
+      fmt::print("{}", scene::keysAsMarkdown());
+    } else {
+      runSimulate(*options);
+    }
+  });
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,31 @@
+// What `palpate simulate` was asked for, and the scene that comes of it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "palpate/scene/scene.h"
+
+namespace palpate::app {
+
+struct SimulateOptions {
+  std::string scene;  ///< empty: the default scene, or none when there is a mesh
+  std::string mesh;
+  std::string mesh_unit = "auto";
+  double mesh_scale = 1.0;
+  std::string mesh_group;
+  std::vector<std::string> trajectories;
+  double radius_mm = 0.0;
+  bool radius_given = false;
+  double seconds = 0.0;
+  std::filesystem::path out = "results";
+  bool realtime = false;
+  bool json = false;
+};
+
+/// The scene file (or the built-in one) with the command line's changes: a mesh replaces the body, trajectories replace
+/// the fingers' paths in their order, further ones add fingers. Throws Error.
+scene::Scene sceneFor(const SimulateOptions& options);
+
+}  // namespace palpate::app

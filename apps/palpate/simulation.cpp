@@ -1,0 +1,117 @@
+#include "apps/palpate/simulation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "apps/palpate/realtime_run.h"
+#include "apps/palpate/run_recorder.h"
+#include "palpate/base/error.h"
+#include "palpate/device/scripted_device.h"
+
+namespace palpate::app {
+
+namespace {
+
+constexpr const char* kAutomaticFile = "trajectory_automatic.csv";
+
+void makeFolder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!std::filesystem::is_directory(folder))
+    throw Error::inFile(folder.string(), "cannot be made a folder for results");
+}
+
+servo::LimiterSettings limiterSettings(const scene::World& world) {
+  servo::LimiterSettings settings;
+  settings.safety = world.scene.safety;
+  settings.stiffness_n_per_mm = *std::max_element(world.stiffness_n_per_mm.begin(), world.stiffness_n_per_mm.end());
+  settings.tick_s = 1.0 / world.scene.ticks_per_s;
+  return settings;
+}
+
+servo::Rig rigFor(const scene::World& world, const device::FingerPaths& paths) {
+  servo::Rig rig;
+  rig.surface = &world.surface;
+  rig.tick_s = 1.0 / world.scene.ticks_per_s;
+  for (std::size_t i = 0; i < world.scene.fingers.size(); ++i) {
+    const scene::Finger& finger = world.scene.fingers[i];
+    servo::FingerChain chain;
+    chain.contact_settings = scene::contactSettings(world.scene, finger);
+    contact::check(chain.contact_settings);
+    chain.limiter_settings = limiterSettings(world);
+    chain.device = device::scriptedDevice(finger.name, paths.tips[i]);
+    rig.fingers.push_back(std::move(chain));
+  }
+  return rig;
+}
+
+void saveAutomaticPaths(const scene::World& world, const device::FingerPaths& paths, SimulationResult& result) {
+  for (std::size_t i = 0; i < world.scene.fingers.size(); ++i) {
+    if (!world.scene.fingers[i].findsItsOwnWay()) continue;
+    device::Trajectory path;
+    path.tip_mm = *paths.tips[i];
+    for (std::size_t k = 0; k < path.tip_mm.size(); ++k) {
+      path.time_s.push_back(static_cast<double>(k) / world.scene.ticks_per_s);
+    }
+    device::writeTrajectory(result.folder / kAutomaticFile, path);
+    result.files.emplace_back(kAutomaticFile);
+  }
+}
+
+void run(const scene::World& world, const device::FingerPaths& paths, bool realtime, RunRecorder& recorder,
+         SimulationResult& result, const Progress& progress) {
+  servo::Rig rig = rigFor(world, paths);
+  if (realtime) {
+    runRealtime(world, rig, paths.ticks, recorder, result, progress);
+    return;
+  }
+  const auto record = [&](std::span<const trace::Sample> samples) {
+    for (const trace::Sample& sample : samples) recorder.add(sample);
+  };
+  result.loop = servo::runHeadless(rig, paths.ticks, record, progress);
+}
+
+void noteUntouched(const scene::World& world, const RunStatistics& statistics, std::vector<std::string>& notes) {
+  if (statistics.anyTouch()) return;
+  const Eigen::AlignedBox3d box = mesh::boundingBox(world.skin);
+  notes.push_back(fmt::format(
+      "no finger touched the body, which lies between ({:.1f}, {:.1f}, {:.1f}) and ({:.1f}, {:.1f}, {:.1f}) mm: "
+      "trajectories are in its coordinates",
+      box.min().x(), box.min().y(), box.min().z(), box.max().x(), box.max().y(), box.max().z()));
+}
+
+template <class T>
+void append(std::vector<T>& to, const std::vector<T>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+}  // namespace
+
+SimulationResult simulate(const scene::Scene& scene, const std::filesystem::path& folder, bool realtime,
+                          const Progress& progress) {
+  SimulationResult result;
+  result.folder = folder;
+  const std::int64_t started_ns = servo::monotonicNs();
+  result.world = scene::build(scene, progress);
+  const scene::World& world = *result.world;
+  const device::FingerPaths paths = device::pathsOf(world);
+  result.build_s = static_cast<double>(servo::monotonicNs() - started_ns) * 1e-9;
+  result.duration_s = static_cast<double>(paths.ticks) / scene.ticks_per_s;
+  makeFolder(folder);
+  saveAutomaticPaths(world, paths, result);
+
+  RunRecorder recorder(world, paths, folder);
+  run(world, paths, realtime, recorder, result, progress);
+  recorder.finish(progress);
+
+  result.fingers = recorder.statistics().fingers();
+  result.hash = recorder.statistics().hash();
+  append(result.files, recorder.files());
+  append(result.notes, world.notes);
+  append(result.notes, recorder.notes());
+  noteUntouched(world, recorder.statistics(), result.notes);
+  return result;
+}
+
+}  // namespace palpate::app
