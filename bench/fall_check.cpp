@@ -20,6 +20,7 @@ class FallJudge {
       if (past_ == Past::outside) ++report_.first_contacts;
       endWait(index);
       past_ = Past::held;
+      held_at_ = tick.tip;
       return;
     }
     switch (surface_.sideOf(tick.tip)) {
@@ -44,6 +45,7 @@ class FallJudge {
  private:
   /// A tip that came from outside is inside, without a force.
   void addInside(const Observation& tick, std::size_t index) {
+    if (past_ == Past::held && surface_.sideOf(held_at_) == Side::unknown) past_ = Past::unknown;  // let go at a border
     if (past_ == Past::unknown) return;
     if (past_ == Past::outside) {
       ++report_.first_contacts;
@@ -65,6 +67,7 @@ class FallJudge {
 
   SurfaceSide& surface_;
   Past past_ = Past::unknown;
+  Vec3 held_at_ = Vec3::Zero();
   std::size_t entry_ = 0;
   bool waiting_ = false;  ///< for the first force since `entry_`
   FallReport report_;

@@ -2,8 +2,8 @@
 //
 // A proxy of radius 0 lies on the skin and so cannot show a fall; what can really fall is a *free* tip. So every tick
 // without contact is asked for the side of its tip, and a tip that is inside although it came from outside, or was
-// held a tick before, has fallen. A tip of unknown past (from beyond a border, or inside from the start) is let be
-// until it has been outside.
+// held a tick before, has fallen. A tip of unknown past (from beyond a border, let go beside one, or inside from the
+// start) is let be until it has been outside.
 #pragma once
 
 #include <cstddef>

@@ -13,6 +13,9 @@ namespace {
 constexpr double kInsideWinding = 0.75;
 /// Barycentric coordinates this small count as zero when a feature (edge, vertex) is named.
 constexpr double kOnFeature = 1e-9;
+/// On an open surface a tip this many times its depth from a border may have been released there: the skin between can
+/// be steep.
+constexpr double kBesideBorder = 3.0;
 constexpr Index kLeafTriangles = 8;
 
 double cross2(const Vec3& a, const Vec3& b, double x, double y) {
@@ -182,11 +185,11 @@ std::optional<double> SurfaceSide::heightAt(double x, double y) const {
   return height;
 }
 
-double SurfaceSide::distanceToBorderInPlane(const Vec3& point) const {
+double SurfaceSide::distanceToBorder(const Vec3& point) const {
   double nearest2 = std::numeric_limits<double>::infinity();
   for (const auto& [from, to] : border_edges_) {
     Vec3 a = mesh_.positions[from], b = mesh_.positions[to];
-    a.z() = b.z() = point.z();
+    if (kind_ == SurfaceKind::height_field) a.z() = b.z() = point.z();
     nearest2 = std::min(nearest2, (a + segmentParameter(a, b, point) * (b - a) - point).squaredNorm());
   }
   return std::sqrt(nearest2);
@@ -198,7 +201,7 @@ Side SurfaceSide::sideOverHeightField(const Vec3& point) const {
   const double depth = *height - point.z();
   if (std::abs(depth) <= tolerance()) return Side::on_surface;
   if (depth < 0.0) return Side::outside;
-  return distanceToBorderInPlane(point) < depth ? Side::unknown : Side::inside;
+  return distanceToBorder(point) < depth ? Side::unknown : Side::inside;
 }
 
 // ---- nearest point ------------------------------------------------------------------------------------------------
@@ -314,7 +317,7 @@ Side SurfaceSide::sideOf(const Vec3& point) {
     clear_centre_ = point;
     clear_radius_ = nearest.distance - tolerance();
     clear_side_ = side;
-  } else if (!nearest.on_border) {
+  } else if (!nearest.on_border && distanceToBorder(point) > kBesideBorder * nearest.distance) {
     side = nearest.pseudo_normal.dot(point - nearest.point) < 0.0 ? Side::inside : Side::outside;
   }
   return side;

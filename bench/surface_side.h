@@ -73,7 +73,7 @@ class SurfaceSide {
   void describeFeature(const Vec3& barycentric, NearestPoint& nearest) const;
   Vec3 vertexPseudoNormal(Index vertex) const;
   Side sideOverHeightField(const Vec3& point) const;
-  double distanceToBorderInPlane(const Vec3& point) const;
+  double distanceToBorder(const Vec3& point) const;  ///< seen from +z for a height field
   std::array<Vec3, 3> corners(Index triangle) const;
 
   mesh::TriangleMesh mesh_;

@@ -69,6 +69,14 @@ TEST(FallCheck, ATipOfUnknownPastIsLetBe) {
   EXPECT_EQ(checkFalls(plate, round).ticks, 0u) << "comes from beyond the border";
 }
 
+TEST(FallCheck, ATipReleasedBesideTheBorderIsLetBe) {
+  SurfaceSide plate(flatMesh());
+  const std::vector<Observation> sideways{heldAt({90, 50, -3}), heldAt({98, 50, -5}), freeAt({80, 50, -9})};
+  EXPECT_EQ(checkFalls(plate, sideways).ticks, 0u);
+  const std::vector<Observation> fallen{heldAt({90, 50, -3}), heldAt({94, 50, -5}), freeAt({80, 50, -9})};
+  EXPECT_EQ(checkFalls(plate, fallen).ticks, 1u);
+}
+
 TEST(FallCheck, ATipOnTheSurfaceHasNotFallen) {
   SurfaceSide plate(flatMesh());
   const std::vector<Observation> ticks{freeAt({50, 50, 1}), freeAt({50, 50, 0}), freeAt({50, 50, -1e-8}),
