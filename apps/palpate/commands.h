@@ -8,5 +8,6 @@ namespace palpate::app {
 void addBenchCommand(CLI::App& app);
 void addInfoCommand(CLI::App& app);
 void addSimulateCommand(CLI::App& app);
+void addRepairCommand(CLI::App& app);
 
 }  // namespace palpate::app

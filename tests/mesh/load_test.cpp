@@ -195,7 +195,7 @@ TEST(LoadGltf, RefusesAShortFileThatShowsAMeshTooOften) {
   std::string scene = R"("nodes":[0)";
   for (int i = 1; i < 20000; ++i) {
     nodes += R"(,{"mesh":0})";
-    scene += "," + std::to_string(i);
+    scene.append(",").append(std::to_string(i));
   }
   nodes += "]";
   scene += "]";

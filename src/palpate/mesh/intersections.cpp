@@ -83,16 +83,18 @@ bool uses(const Triangle& t, Index v) { return t[0] == v || t[1] == v || t[2] ==
 // --- the search ---
 
 constexpr std::size_t kTrianglesPerLeaf = 4;
-/// A sound mesh needs about 30 box tests a triangle. A cloud where everything overlaps everything would need the square
-/// of their number: give up at this many.
-constexpr std::size_t kBoxTestsPerTriangle = 400;
-constexpr std::size_t kLeastBoxTests = 20'000'000;
+/// Work is counted in box tests (about 3 ns); testing a pair of triangles costs as much as this many.
+constexpr std::size_t kPairCost = 16;
+/// A sound mesh needs about 130 a triangle. A cloud where everything overlaps everything would need the square of the
+/// number of triangles: give up at this many.
+constexpr std::size_t kWorkPerTriangle = 1000;
+constexpr std::size_t kLeastWork = 10'000'000;
 
 class SelfSearch {
  public:
   SelfSearch(const TriangleMesh& mesh, const Progress& progress)
       : mesh_(mesh), progress_(progress), order_(mortonOrder(triangleCentres(mesh))) {
-    tests_left_ = kLeastBoxTests + kBoxTestsPerTriangle * order_.size();
+    work_left_ = kLeastWork + kWorkPerTriangle * order_.size();
     buildTree();
   }
 
@@ -102,7 +104,7 @@ class SelfSearch {
     result.piercing_edges = sortAndCountUnique(edges_);
     sortAndCountUnique(triangles_);
     result.pierced_triangles = std::move(triangles_);
-    result.complete = tests_left_ > 0;
+    result.complete = work_left_ > 0;
     return result;
   }
 
@@ -146,8 +148,8 @@ class SelfSearch {
 
   /// All pairs with one triangle below each of two nodes of the same level.
   void searchBetween(std::size_t a, std::size_t b) {
-    if (tests_left_ == 0) return;
-    --tests_left_;
+    if (work_left_ == 0) return;
+    --work_left_;
     if (!overlap(nodes_[a], nodes_[b])) return;
     if (a >= leaves_) {
       testLeaves(a, b);
@@ -171,6 +173,8 @@ class SelfSearch {
   }
 
   void testTriangles(Index a, Index b) {
+    if (work_left_ == 0) return;
+    work_left_ -= std::min(work_left_, kPairCost);
     const Triangle& ta = mesh_.triangles[a];
     const auto shared = std::count_if(ta.begin(), ta.end(), [&](Index v) { return uses(mesh_.triangles[b], v); });
     if (shared > 1) return;  // every edge of one has a vertex of the other
@@ -198,7 +202,7 @@ class SelfSearch {
   std::size_t leaves_ = 0;
   std::vector<Box> boxes_;  // of triangles, in order_
   std::vector<Box> nodes_;  // node n has the children 2 n and 2 n + 1; leaves from leaves_ on
-  std::size_t tests_left_ = 0;
+  std::size_t work_left_ = 0;
   std::vector<std::uint64_t> edges_;
   std::vector<Index> triangles_;
 };

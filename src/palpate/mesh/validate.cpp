@@ -94,21 +94,32 @@ int balance(const TriangleMesh& mesh, Index low, std::span<const EdgeUse> uses) 
   return sum;
 }
 
+void addSorted(Trait& trait, std::vector<Index>& triangles) {
+  std::sort(triangles.begin(), triangles.end());
+  for (Index t : triangles) trait.add(t);
+}
+
 void checkEdges(const Sound& sound, const EdgeUses& edges, ValidationReport& found) {
   found.closed = !sound.mesh.triangles.empty();
   DisjointSets borders(sound.mesh.positions.size());
   std::size_t joined = 0;
+  std::vector<Index> at_border;
+  std::vector<Index> non_manifold;
+  std::vector<Index> inconsistent;
   std::vector<bool> on_border(sound.mesh.positions.size(), false);
   forEachEdge(edges, [&](Index low, Index high, std::span<const EdgeUse> uses) {
     const Index triangle = sound.original[uses[0].half_edge / 3];
     if (balance(sound.mesh, low, uses) != 0) found.closed = false;
-    if (uses.size() > 2) found.non_manifold_edges.add(triangle);
-    if (uses.size() == 2 && balance(sound.mesh, low, uses) != 0) found.inconsistent_edges.add(triangle);
+    if (uses.size() > 2) non_manifold.push_back(triangle);
+    if (uses.size() == 2 && balance(sound.mesh, low, uses) != 0) inconsistent.push_back(triangle);
     if (uses.size() != 1) return;
-    found.border_edges.add(triangle);
+    at_border.push_back(triangle);
     on_border[low] = on_border[high] = true;
     joined += borders.unite(low, high) ? 1 : 0;
   });
+  addSorted(found.border_edges, at_border);
+  addSorted(found.non_manifold_edges, non_manifold);
+  addSorted(found.inconsistent_edges, inconsistent);
   found.border_loops = static_cast<std::size_t>(std::count(on_border.begin(), on_border.end(), true)) - joined;
 }
 
