@@ -17,6 +17,7 @@ using test::anyContact;
 using test::bits;
 using test::drag;
 using test::press;
+using test::triangleNear;
 
 /// Skin, deformer and surface of a mesh, as an application holds them.
 struct Stage {
@@ -29,21 +30,6 @@ struct Stage {
   Deformer deformer;
   DeformedSurface surface;
 };
-
-/// The triangle of a mesh whose centre is nearest to a point.
-Index triangleNear(const mesh::TriangleMesh& mesh, const Vec3& point) {
-  Index best = 0;
-  double distance = INFINITY;
-  for (Index t = 0; t < mesh.triangles.size(); ++t) {
-    const auto& [a, b, c] = mesh.triangles[t];
-    const double d = ((mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3 - point).norm();
-    if (d < distance) {
-      distance = d;
-      best = t;
-    }
-  }
-  return best;
-}
 
 mesh::TriangleMesh goldenGrid() {
   mesh::TriangleMesh mesh;

@@ -1,6 +1,8 @@
 // Shapes and contacts that the deformation tests share.
 #pragma once
 
+#include <cmath>
+
 #include "bench/workload_meshes.h"
 #include "palpate/base/random.h"
 #include "palpate/deform/deformer.h"
@@ -16,6 +18,21 @@ inline mesh::TriangleMesh torso(int levels = 4) {
   mesh::TriangleMesh body = zoo::sphere(1.0, levels);
   for (Vec3& p : body.positions) p = p.cwiseProduct(Vec3(160.0, 280.0, 100.0));
   return body;
+}
+
+/// The triangle of a mesh whose centre is nearest to a point.
+inline Index triangleNear(const mesh::TriangleMesh& mesh, const Vec3& point) {
+  Index best = 0;
+  double distance = INFINITY;
+  for (Index t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    const double d = ((mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3 - point).norm();
+    if (d < distance) {
+      distance = d;
+      best = t;
+    }
+  }
+  return best;
 }
 
 /// A finger at a place of a triangle, pressing straight in.

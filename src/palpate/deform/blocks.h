@@ -34,6 +34,19 @@ void forEachBit(std::uint64_t bits, const Visit& visit) {
   for (; bits != 0; bits &= bits - 1) visit(static_cast<Index>(std::countr_zero(bits)));
 }
 
+/// The vertices of `allowed` that hang together with `start` within a block; `neighbours` has one word a vertex.
+inline std::uint64_t grownWithin(const std::uint64_t* neighbours, std::uint64_t start, std::uint64_t allowed) {
+  std::uint64_t grown = start & allowed;
+  // Ring by ring: the loads of one ring do not wait for each other.
+  for (std::uint64_t ring = grown; ring != 0;) {
+    std::uint64_t next = 0;
+    for (; ring != 0; ring &= ring - 1) next |= neighbours[std::countr_zero(ring)];
+    ring = next & allowed & ~grown;
+    grown |= ring;
+  }
+  return grown;
+}
+
 /// A set of blocks as a bitmap: 4 million triangles need 4 KiB, so that clearing and walking it costs next to nothing.
 class BlockSet {
  public:

@@ -12,7 +12,6 @@
 #define HWY_TARGET_INCLUDE "palpate/deform/kernels.cpp"
 #include <hwy/foreach_target.h>
 // The order matters: foreach_target compiles this file once more for every further instruction set.
-#include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
 
 #include <cstring>
@@ -59,6 +58,11 @@ HWY_INLINE V3 add(const V3& a, const V3& b) { return {hn::Add(a.x, b.x), hn::Add
 HWY_INLINE V3 mulAdd(V s, const V3& b, const V3& a) {
   return {hn::MulAdd(s, b.x, a.x), hn::MulAdd(s, b.y, a.y), hn::MulAdd(s, b.z, a.z)};
 }
+HWY_INLINE V3 scaled(V s, const V3& a) { return {hn::Mul(s, a.x), hn::Mul(s, a.y), hn::Mul(s, a.z)}; }
+/// a - s b
+HWY_INLINE V3 mulSub(V s, const V3& b, const V3& a) {
+  return {hn::NegMulAdd(s, b.x, a.x), hn::NegMulAdd(s, b.y, a.y), hn::NegMulAdd(s, b.z, a.z)};
+}
 HWY_INLINE V3 cross(const V3& a, const V3& b) {
   return {hn::MulSub(a.y, b.z, hn::Mul(a.z, b.y)), hn::MulSub(a.z, b.x, hn::Mul(a.x, b.z)),
           hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
@@ -103,67 +107,160 @@ std::uint64_t insideMask(const ContactLanes& contact, const RestBlock& rest) {
   return inside;
 }
 
-/// Rows of F - I and the displacement so far.
+/// exp(-rate q^2) for 0 <= q^2 <= 1, within 3e-7 of its value; anything outside. 2^t is split into a whole power, added
+/// to the exponent's bits, and the Taylor series of 2^f for |f| <= 1/2: a third of the work of an exp for every number.
+HWY_INLINE V gaussian(V q2) {
+  const Lanes d;
+  const hn::RebindToSigned<Lanes> di;
+  constexpr double kLn2 = 0.6931471805599453;
+  const auto series = [&](V sum, V f, double coefficient)
+                          HWY_ATTR { return hn::MulAdd(sum, f, hn::Set(d, static_cast<float>(coefficient))); };
+  const V t = hn::Mul(q2, hn::Set(d, static_cast<float>(-kGaussianRate / kLn2)));
+  const V whole = hn::Round(t);
+  const V f = hn::Sub(t, whole);
+  constexpr double kLn2To2 = kLn2 * kLn2;
+  V sum = hn::Set(d, static_cast<float>(kLn2To2 * kLn2To2 * kLn2To2 / 720));
+  sum = series(sum, f, kLn2To2 * kLn2To2 * kLn2 / 120);
+  sum = series(sum, f, kLn2To2 * kLn2To2 / 24);
+  sum = series(sum, f, kLn2To2 * kLn2 / 6);
+  sum = series(sum, f, kLn2To2 / 2);
+  sum = series(sum, f, kLn2);
+  sum = series(sum, f, 1.0);
+  constexpr int kExponentBit = 23;
+  return hn::BitCast(d, hn::Add(hn::BitCast(di, sum), hn::ShiftLeft<kExponentBit>(hn::ConvertTo(di, whole))));
+}
+
+/// profile(q) and its gradient at 16 (8, 4) vertices; both 0 outside the region and from q = 1 on.
+struct Profile {
+  V weight;
+  V3 gradient;
+};
+
+HWY_INLINE Profile profileOf(const PartLanes& part, const V3& offset, M region) {
+  const Lanes d;
+  const Location at = locate(part, offset);
+  const M acts = hn::And(region, hn::Lt(at.q2, hn::Set(d, 1.0f)));
+  const V gauss = gaussian(at.q2);
+  const V scale = hn::Set(d, static_cast<float>(tissue::kProfileScale));
+  const V offset_at_rim = hn::Set(d, static_cast<float>(tissue::kProfileOffset));
+  const V weight = hn::IfThenElseZero(acts, hn::MulSub(scale, gauss, offset_at_rim));
+  constexpr double kSlope = -2.0 * kGaussianRate * tissue::kProfileScale;
+  const V slope = hn::IfThenElseZero(acts, hn::Mul(hn::Set(d, static_cast<float>(kSlope)), gauss));
+  const V3 across = scaled(hn::Mul(slope, at.t), broadcast(part.across));
+  return {weight, mulAdd(hn::Mul(slope, at.s), broadcast(part.along), across)};
+}
+
+/// One contact: cof(F) n written out. The press a = amplitude times the contact's normal is orthogonal to both
+/// gradients u (of the press) and v (of the drag b), so that cof(F) n = (1 + b.v) (n - (a.n) u) - ((b.n) - (a.n) (b.u))
+/// v.
+template <bool kDrags>
+HWY_INLINE void moveByOne(const ContactLanes& contact, const V3& position, M region, V3& displacement, V3& normal) {
+  const V3 offset = sub(position, broadcast(contact.anchor));
+  const V3 a = broadcast(contact.normal.shift);
+  const Profile press = profileOf(contact.normal, offset, region);
+  const V a_n = dot(a, normal);
+  const V3 pressed = mulSub(a_n, press.gradient, normal);
+  displacement = scaled(press.weight, a);
+  if constexpr (!kDrags) {
+    normal = pressed;
+    return;
+  }
+  const Lanes d;
+  const V3 b = broadcast(contact.tangential.shift);
+  const Profile drag = profileOf(contact.tangential, offset, region);
+  const V stretch = hn::Add(dot(b, drag.gradient), hn::Set(d, 1.0f));
+  const V tilt = hn::NegMulAdd(a_n, dot(b, press.gradient), dot(b, normal));
+  displacement = mulAdd(drag.weight, b, displacement);
+  normal = mulSub(tilt, drag.gradient, scaled(stretch, pressed));
+}
+
+/// Rows of F and the displacement so far, of any number of contacts.
 struct Motion {
   V3 displacement;
   V3 row_x, row_y, row_z;
 };
 
 HWY_INLINE void addPart(const PartLanes& part, const V3& offset, M region, Motion& motion) {
-  const Lanes d;
-  const Location at = locate(part, offset);
-  const M acts = hn::And(region, hn::Lt(at.q2, hn::Set(d, 1.0f)));
-  const V bell =
-      hn::IfThenElseZero(acts, hn::Mul(hn::Set(d, static_cast<float>(tissue::kProfileScale)),
-                                       hn::Exp(d, hn::Mul(hn::Set(d, -static_cast<float>(kGaussianRate)), at.q2))));
-  const V weight = hn::IfThenElseZero(acts, hn::Sub(bell, hn::Set(d, static_cast<float>(tissue::kProfileOffset))));
+  const Profile profile = profileOf(part, offset, region);
   const V3 shift = broadcast(part.shift);
-  motion.displacement = mulAdd(weight, shift, motion.displacement);
-  const V slope = hn::Mul(bell, hn::Set(d, -2.0f * static_cast<float>(kGaussianRate)));
-  const V3 along = broadcast(part.along);
-  const V3 across = broadcast(part.across);
-  const V s = hn::Mul(slope, at.s);
-  const V t = hn::Mul(slope, at.t);
-  const V3 gradient = mulAdd(s, along, {hn::Mul(t, across.x), hn::Mul(t, across.y), hn::Mul(t, across.z)});
-  motion.row_x = mulAdd(shift.x, gradient, motion.row_x);
-  motion.row_y = mulAdd(shift.y, gradient, motion.row_y);
-  motion.row_z = mulAdd(shift.z, gradient, motion.row_z);
+  motion.displacement = mulAdd(profile.weight, shift, motion.displacement);
+  motion.row_x = mulAdd(shift.x, profile.gradient, motion.row_x);
+  motion.row_y = mulAdd(shift.y, profile.gradient, motion.row_y);
+  motion.row_z = mulAdd(shift.z, profile.gradient, motion.row_z);
 }
 
-/// cof(F) n, normalised; n itself where it vanishes (skin folded flat).
-HWY_INLINE V3 turnedNormal(const Motion& motion, const V3& n) {
+HWY_INLINE void moveByMany(std::span<const ContactOnBlock> contacts, const V3& position, size_t lane, V3& displacement,
+                           V3& normal) {
   const Lanes d;
+  const V zero = hn::Zero(d);
   const V one = hn::Set(d, 1.0f);
-  const V3 x{hn::Add(motion.row_x.x, one), motion.row_x.y, motion.row_x.z};
-  const V3 y{motion.row_y.x, hn::Add(motion.row_y.y, one), motion.row_y.z};
-  const V3 z{motion.row_z.x, motion.row_z.y, hn::Add(motion.row_z.z, one)};
-  const V3 turned{dot(cross(y, z), n), dot(cross(z, x), n), dot(cross(x, y), n)};
-  const V length2 = dot(turned, turned);
-  const V scale = hn::Div(one, hn::Sqrt(length2));
-  const V3 unit{hn::Mul(turned.x, scale), hn::Mul(turned.y, scale), hn::Mul(turned.z, scale)};
-  return select(hn::Gt(length2, hn::Zero(d)), unit, n);
+  Motion motion{{zero, zero, zero}, {one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
+  for (const ContactOnBlock& on : contacts) {
+    const M region = maskAt(on.region, lane);
+    const V3 offset = sub(position, broadcast(on.contact->anchor));
+    addPart(on.contact->normal, offset, region, motion);
+    addPart(on.contact->tangential, offset, region, motion);
+  }
+  displacement = motion.displacement;
+  normal = {dot(cross(motion.row_y, motion.row_z), normal), dot(cross(motion.row_z, motion.row_x), normal),
+            dot(cross(motion.row_x, motion.row_y), normal)};
+}
+
+/// The normal made unit; the rest normal where it vanishes (skin folded flat).
+HWY_INLINE V3 unitOr(const V3& normal, const V3& rest) {
+  const Lanes d;
+  const V length2 = dot(normal, normal);
+  const V3 unit = scaled(hn::Div(hn::Set(d, 1.0f), hn::Sqrt(length2)), normal);
+  return select(hn::Gt(length2, hn::Zero(d)), unit, rest);
+}
+
+HWY_INLINE void storeRest(const V3& position, const V3& normal, const DeformedBlock& out, size_t lane) {
+  const V zero = hn::Zero(Lanes());
+  store(position, out.values, lane);
+  store(normal, out.values + 3, lane);
+  store({zero, zero, zero}, out.values + 6, lane);
+}
+
+/// Runs `move(position, lane, displacement, normal)` over the block and writes what it gives for the touched vertices;
+/// `normal` comes in as the rest normal and need not leave with unit length. Results go through references: returned
+/// structs of vectors are spilled to the stack.
+template <class Move>
+HWY_INLINE void overBlock(std::uint64_t touched, const RestBlock& rest, const DeformedBlock& out, const Move& move) {
+  for (size_t lane = 0; lane < kBlockVertices; lane += hn::Lanes(Lanes())) {
+    const V3 position = load(rest.values, lane);
+    const V3 normal = load(rest.values + 3, lane);
+    const M mask = maskAt(touched, lane);
+    if (hn::AllFalse(Lanes(), mask)) {
+      storeRest(position, normal, out, lane);
+      continue;
+    }
+    V3 displacement = position;
+    V3 turned = normal;
+    move(position, lane, displacement, turned);
+    store(select(mask, add(position, displacement), position), out.values, lane);
+    store(select(mask, unitOr(turned, normal), normal), out.values + 3, lane);
+    store(displacement, out.values + 6, lane);
+  }
+}
+
+template <bool kDrags>
+void displaceByOne(const ContactOnBlock& on, const RestBlock& rest, const DeformedBlock& out) {
+  const ContactLanes contact = *on.contact;  // a copy that no store can alias
+  overBlock(on.region, rest, out, [&](const V3& position, size_t lane, V3& displacement, V3& normal) HWY_ATTR {
+    moveByOne<kDrags>(contact, position, maskAt(on.region, lane), displacement, normal);
+  });
 }
 
 void displaceBlock(std::span<const ContactOnBlock> contacts, const RestBlock& rest, const DeformedBlock& out) {
-  const Lanes d;
-  const V zero = hn::Zero(d);
+  if (contacts.size() == 1) {
+    const bool drags = contacts[0].contact->tangential.outside == 0.0f;
+    return drags ? displaceByOne<true>(contacts[0], rest, out) : displaceByOne<false>(contacts[0], rest, out);
+  }
   std::uint64_t touched = 0;
   for (const ContactOnBlock& on : contacts) touched |= on.region;
-  for (size_t lane = 0; lane < kBlockVertices; lane += hn::Lanes(d)) {
-    const V3 position = load(rest.values, lane);
-    const V3 normal = load(rest.values + 3, lane);
-    Motion motion{{zero, zero, zero}, {zero, zero, zero}, {zero, zero, zero}, {zero, zero, zero}};
-    for (const ContactOnBlock& on : contacts) {
-      const M region = maskAt(on.region, lane);
-      const V3 offset = sub(position, broadcast(on.contact->anchor));
-      addPart(on.contact->normal, offset, region, motion);
-      if (on.contact->tangential.outside == 0.0f) addPart(on.contact->tangential, offset, region, motion);
-    }
-    const M moved = maskAt(touched, lane);
-    store(select(moved, add(position, motion.displacement), position), out.values, lane);
-    store(select(moved, turnedNormal(motion, normal), normal), out.values + 3, lane);
-    store(motion.displacement, out.values + 6, lane);
-  }
+  overBlock(touched, rest, out, [&](const V3& position, size_t lane, V3& displacement, V3& normal) HWY_ATTR {
+    moveByMany(contacts, position, lane, displacement, normal);
+  });
 }
 
 }  // namespace HWY_NAMESPACE

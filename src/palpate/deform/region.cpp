@@ -4,17 +4,14 @@ namespace palpate::deform {
 
 namespace {
 
-/// The vertices of `allowed` that hang together with `start` within the block.
-std::uint64_t grownWithin(const Skin& skin, Index block, std::uint64_t start, std::uint64_t allowed) noexcept {
-  if (allowed == skin.block_vertices[block] && skin.block_connected[block]) return allowed;
-  const std::uint64_t* neighbours = skin.neighbours_in_block.data() + std::size_t{block} * kBlockVertices;
-  std::uint64_t grown = start;
-  for (std::uint64_t edge = start; edge != 0;) {
-    const auto bit = static_cast<unsigned>(std::countr_zero(edge));
-    const std::uint64_t fresh = neighbours[bit] & allowed & ~grown;
-    grown |= fresh;
-    edge = (edge & (edge - 1)) | fresh;
+/// The vertices of `allowed` that hang together with `start` within the block. In a block that lies inside as a whole,
+/// and those are most, the components are known.
+std::uint64_t reachable(const Skin& skin, Index block, std::uint64_t start, std::uint64_t allowed) noexcept {
+  if (allowed != skin.block_vertices[block]) {
+    return grownWithin(skin.neighbours_in_block.data() + std::size_t{block} * kBlockVertices, start, allowed);
   }
+  std::uint64_t grown = 0;
+  for (const std::uint64_t component : skin.componentsOf(block)) grown |= (component & start) != 0 ? component : 0;
   return grown;
 }
 
@@ -49,10 +46,10 @@ std::span<const BlockPart> RegionSearch::find(const Skin& skin, const ContactLan
     queue_.pop_back();
     Block& here = blocks_[block];
     here.queued = false;
-    const std::uint64_t grown = grownWithin(skin, block, here.pending, here.inside & ~here.reached);
+    const std::uint64_t grown = reachable(skin, block, here.pending, here.inside) & ~here.reached;
     here.pending = 0;
     here.reached |= grown;
-    spread(skin, contact, block, grown);
+    spread(skin, contact, block, here.reached);
   }
   for (const Index block : touched_) found_.push_back({block, blocks_[block].reached});
   return found_;
@@ -63,18 +60,19 @@ bool RegionSearch::reached(Index vertex) const noexcept {
   return block.epoch == epoch_ && (block.reached & bitOf(vertex)) != 0;
 }
 
-RegionSearch::Block& RegionSearch::visit(const Skin& skin, const ContactLanes& contact, Index block) noexcept {
-  Block& here = blocks_[block];
-  if (here.epoch == epoch_) return here;
-  here = {epoch_, false, insideMask(contact, skin.restBlock(block)) & skin.block_vertices[block], 0, 0};
+void RegionSearch::look(const Skin& skin, const ContactLanes& contact, Index block) noexcept {
+  const std::uint64_t inside = insideMask(contact, skin.restBlock(block)) & skin.block_vertices[block];
+  blocks_[block] = {epoch_, false, inside, 0, 0};
   ++visited_;
-  return here;
 }
 
 void RegionSearch::seed(const Skin& skin, const ContactLanes& contact, Index block, std::uint64_t vertices) noexcept {
-  Block& here = visit(skin, contact, block);
-  const std::uint64_t fresh = vertices & here.inside & ~here.reached & ~here.pending;
-  if (fresh == 0) return;
+  const std::uint64_t fresh = vertices & visit(skin, contact, block).missing();
+  if (fresh != 0) enqueue(block, fresh);
+}
+
+void RegionSearch::enqueue(Index block, std::uint64_t fresh) noexcept {
+  Block& here = blocks_[block];
   if (here.reached == 0 && here.pending == 0) touched_.push_back(block);
   here.pending |= fresh;
   if (here.queued) return;
@@ -89,8 +87,10 @@ void RegionSearch::seedNeighbours(const Skin& skin, const ContactLanes& contact,
 void RegionSearch::spread(const Skin& skin, const ContactLanes& contact, Index block, std::uint64_t from) noexcept {
   for (const BlockLink& link : skin.linksOf(block)) {
     if ((from & link.from) == 0) continue;
-    const Block& other = visit(skin, contact, link.block);
-    if ((other.reached | other.pending) != other.inside) seed(skin, contact, link.block, acrossLink(skin, link, from));
+    const std::uint64_t missing = link.to & visit(skin, contact, link.block).missing();
+    if (missing == 0) continue;
+    const std::uint64_t fresh = acrossLink(skin, link, from) & missing;
+    if (fresh != 0) enqueue(link.block, fresh);
   }
 }
 

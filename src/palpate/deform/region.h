@@ -41,8 +41,14 @@ class RegionSearch {
     std::uint64_t inside = 0;   // passes the test of the contact
     std::uint64_t reached = 0;  // inside, and connected to the anchor
     std::uint64_t pending = 0;  // reached, but not yet spread from
+    std::uint64_t missing() const { return inside & ~reached & ~pending; }
   };
-  Block& visit(const Skin& skin, const ContactLanes& contact, Index block) noexcept;
+  const Block& visit(const Skin& skin, const ContactLanes& contact, Index block) noexcept {
+    if (blocks_[block].epoch != epoch_) look(skin, contact, block);
+    return blocks_[block];
+  }
+  void look(const Skin& skin, const ContactLanes& contact, Index block) noexcept;
+  void enqueue(Index block, std::uint64_t fresh) noexcept;
   void seed(const Skin& skin, const ContactLanes& contact, Index block, std::uint64_t vertices) noexcept;
   void seedNeighbours(const Skin& skin, const ContactLanes& contact, Index vertex) noexcept;
   void spread(const Skin& skin, const ContactLanes& contact, Index block, std::uint64_t from) noexcept;

@@ -70,25 +70,25 @@ void appendLinks(const std::vector<EdgeOut>& edges, Skin& skin) {
   }
 }
 
-bool hangsTogether(const Skin& skin, Index block) {
-  const std::uint64_t all = skin.block_vertices[block];
-  std::uint64_t found = all & (~all + 1);  // the lowest vertex
-  for (std::uint64_t last = 0; found != last;) {
-    last = found;
-    forEachBit(last, [&](Index bit) { found |= skin.neighbours_in_block[block * kBlockVertices + bit]; });
+void appendComponents(Index block, Skin& skin) {
+  const std::uint64_t* neighbours = skin.neighbours_in_block.data() + std::size_t{block} * kBlockVertices;
+  for (std::uint64_t left = skin.block_vertices[block]; left != 0;) {
+    skin.components.push_back(grownWithin(neighbours, left & (~left + 1), left));
+    left &= ~skin.components.back();
   }
-  return found == all;
+  skin.first_component.push_back(static_cast<Index>(skin.components.size()));
 }
 
 void linkBlocks(Skin& skin) {
   skin.neighbours_in_block.assign(std::size_t{skin.blocks} * kBlockVertices, 0);
   skin.first_link.push_back(0);
+  skin.first_component.push_back(0);
   for (Index block = 0; block < skin.blocks; ++block) {
     appendLinks(sortedEdgesOut(skin, block), skin);
     skin.first_link.push_back(static_cast<Index>(skin.links.size()));
     const Index count = std::min(kBlockVertices, skin.vertices - block * kBlockVertices);
     skin.block_vertices.push_back(~std::uint64_t{0} >> (kBlockVertices - count));
-    skin.block_connected.push_back(hangsTogether(skin, block) ? 1 : 0);
+    appendComponents(block, skin);
   }
 }
 

@@ -39,13 +39,17 @@ struct Skin {
 
   std::vector<std::uint64_t> neighbours_in_block;  ///< per vertex
   std::vector<std::uint64_t> block_vertices;       ///< per block: which of the 64 exist
-  std::vector<std::uint8_t> block_connected;       ///< per block: 1 if its vertices hang together within it
+  std::vector<Index> first_component;              ///< per block, blocks + 1 entries
+  std::vector<std::uint64_t> components;           ///< per block: its vertices by what hangs together within it
   std::vector<Index> first_link;                   ///< per block, blocks + 1 entries
   std::vector<BlockLink> links;
   std::vector<CrossEdge> cross_edges;
 
   std::span<const BlockLink> linksOf(Index block) const {
     return {links.data() + first_link[block], links.data() + first_link[block + 1]};
+  }
+  std::span<const std::uint64_t> componentsOf(Index block) const {
+    return {components.data() + first_component[block], components.data() + first_component[block + 1]};
   }
   RestBlock restBlock(Index block) const {
     const std::size_t first = std::size_t{block} * kBlockVertices;

@@ -28,7 +28,7 @@ Vec3 alongZ(const Vec2& axis, const Vec3& n) {
 /// For a vertical tangent plane: the map axis projected at right angles, or the axis across where it has no shadow.
 Vec3 acrossPlane(const Vec2& axis, const Vec3& n) {
   const Vec3 along(axis.x(), axis.y(), 0.0);
-  const Vec3 shadow = along - along.dot(n) * n;
+  Vec3 shadow = along - along.dot(n) * n;
   if (shadow.norm() > kParallel) return shadow;
   return Vec3(-axis.y(), axis.x(), 0.0).cross(n);
 }
