@@ -10,6 +10,7 @@
 #include "palpate/base/error.h"
 #include "palpate/contact/friction.h"
 #include "palpate/contact/point_finger.h"
+#include "palpate/contact/sphere_finger.h"
 #include "palpate/contact/surface_walk.h"
 
 namespace palpate::contact {
@@ -43,15 +44,24 @@ GripLimits gripLimits(const FingerSettings& settings, double normal_force, doubl
           settings.mu_dynamic * normal_force / tangential_stiffness};
 }
 
+/// A point on a surface whose sheets pierce each other is felt as a sphere of 1e-4 of its diagonal (0.05 mm on a back):
+/// the walk of a point would slide along one sheet into the inside of the other, a sphere asks all of them.
+double solvedRadius(const Surface& surface, const FingerSettings& settings) {
+  if (settings.radius_mm > 0.0 || !surface.self_intersecting) return settings.radius_mm;
+  return 1e-4 * surface.tree.diagonal;
+}
+
 FingerOutput pressedOutput(const Surface& surface, const FingerSettings& settings, const Press& press, const Vec3& tip,
                            FingerState& state) {
   const double stiffness = stiffnessAt(surface, state.proxy);
   const double normal_force = tissue::normalForce(surface.force_law, stiffness, press.felt_depth_mm);
-  const Vec3 pull = holdOnSkin(surface, press, gripLimits(settings, normal_force, stiffness), state);
+  const GripLimits limits = gripLimits(settings, normal_force, stiffness);
+  const bool is_point = solvedRadius(surface, settings) == 0.0;
+  const Vec3 pull = is_point ? holdOnSkin(surface, press, limits, state) : holdInSpace(surface, press, limits, state);
   FingerOutput output;
   output.tip = tip;
   output.proxy = press.proxy;
-  output.anchor = state.anchor.position;
+  output.anchor = is_point ? state.anchor.position : state.hold;
   output.normal = press.normal;
   output.force = normal_force * press.normal + settings.stiffness_ratio * stiffness * pull;
   output.depth_mm = press.depth_mm;
@@ -91,7 +101,9 @@ FingerOutput step(const Surface& surface, const FingerSettings& settings, Finger
                   const Vec3& tip) noexcept {
   if (!usable(surface, tip)) return lostOutput(state);
   if (!state.knows_tip) state.tip = tip;
-  const Press press = pressPoint(surface, settings, state, tip);
+  const double radius = solvedRadius(surface, settings);
+  const Press press =
+      radius > 0.0 ? pressSphere(surface, settings, radius, state, tip) : pressPoint(surface, settings, state, tip);
   state.knows_tip = true;
   state.tip = tip;
   if (!press.touching) return freeOutput(tip);
