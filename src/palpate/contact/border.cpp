@@ -4,11 +4,11 @@
 
 namespace palpate::contact {
 
-double depthAtBorder(const Vec3& proxy, const Vec3& normal, const Vec3& tip) noexcept {
-  const Vec3 down = proxy - tip;
+double depthAtBorder(const Vec3& place, const Vec3& normal, const Vec3& tip, double radius) noexcept {
+  const Vec3 down = place - tip;
   const double below = down.dot(normal);
   const double beyond = (down - below * normal).norm();
-  return below - beyond;
+  return radius + below - beyond;
 }
 
 }  // namespace palpate::contact

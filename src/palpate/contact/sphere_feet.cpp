@@ -1,9 +1,10 @@
 // Finds the feet of a sphere with one query of the tree, without duplicates.
 #include "palpate/contact/sphere_feet.h"
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "palpate/contact/press.h"
 #include "palpate/contact/surface_walk.h"
 
 namespace palpate::contact {
@@ -21,8 +22,23 @@ SurfacePoint placeOf(Index triangle, const ClosestOnTriangle& closest) {
   return {closest.point, triangle, closest.feature};
 }
 
-bool inFront(const Surface& surface, Index triangle, const ClosestOnTriangle& closest, const Vec3& centre) {
-  return (centre - closest.point).dot(normalAt(surface, placeOf(triangle, closest))) > 0.0;
+/// What a place is to a sphere. False when the centre is behind it; a centre on the skin, to rounding, counts as in
+/// front, as it does in the crossing test.
+bool standsOn(const Surface& surface, const SurfacePoint& place, const Vec3& centre, Foot& foot) {
+  const Vec3 to_centre = centre - place.position;
+  const Vec3 skin_normal = normalAt(surface, place);
+  const double distance = to_centre.norm();
+  const double above = to_centre.dot(skin_normal);
+  foot.at = place;
+  const bool on_skin = distance <= directionlessDepth(surface);
+  if (on_skin || onBorder(surface, place)) {
+    foot.normal = skin_normal;
+    foot.height = std::max(above, 0.0);
+  } else {
+    foot.normal = to_centre / distance;
+    foot.height = distance;
+  }
+  return on_skin || above > 0.0;
 }
 
 /// Whether moving from the closest point into the triangles next to it leads away from the centre. Only directions to
@@ -54,71 +70,66 @@ bool isLocalMinimum(const Surface& surface, Index triangle, const ClosestOnTrian
   return minimum;
 }
 
-bool isKnown(const Feet& feet, const Foot& foot) {
-  const double same = kSameFoot * foot.distance;
+bool isKnown(const Feet& feet, const SurfacePoint& place, double distance) {
+  const double same = kSameFoot * distance;
   for (int i = 0; i < feet.count; ++i) {
-    if ((feet.feet[i].at.position - foot.at.position).squaredNorm() <= same * same) return true;
+    if ((feet.feet[i].at.position - place.position).squaredNorm() <= same * same) return true;
   }
   return false;
 }
 
 void keep(const Foot& foot, Feet& feet) {
-  if (isKnown(feet, foot)) return;
   if (feet.count < Feet::kMost) {
     feet.feet[feet.count++] = foot;
     return;
   }
-  int farthest = 0;
-  for (int i = 1; i < Feet::kMost; ++i) {
-    if (feet.feet[i].distance > feet.feet[farthest].distance) farthest = i;
-  }
-  if (foot.distance < feet.feet[farthest].distance) feet.feet[farthest] = foot;
+  const auto highest = std::max_element(feet.feet.begin(), feet.feet.end(),
+                                        [](const Foot& l, const Foot& r) { return l.height < r.height; });
+  if (foot.height < highest->height) *highest = foot;
 }
 
 }  // namespace
 
-const Foot& Feet::nearest() const {
+int Feet::lowest() const {
   int best = 0;
   for (int i = 1; i < count; ++i) {
-    if (feet[i].distance < feet[best].distance) best = i;
+    if (feet[i].height < feet[best].height) best = i;
   }
-  return feet[best];
-}
-
-double Feet::nearestDistance() const {
-  return count > 0 ? nearest().distance : std::numeric_limits<double>::infinity();
+  return best;
 }
 
 void findFeet(const Surface& surface, const Vec3& centre, double reach, Feet& feet) noexcept {
   feet.count = 0;
   const double limit = reach * reach;
   visitNearTriangles(surface.tree, centre, limit, [&](Index triangle, const ClosestOnTriangle& closest) {
-    if (!isLocalMinimum(surface, triangle, closest, centre) || !inFront(surface, triangle, closest, centre)) {
-      return limit;
-    }
+    if (!isLocalMinimum(surface, triangle, closest, centre)) return limit;
+    const SurfacePoint place = placeOf(triangle, closest);
     Foot foot;
-    foot.at = placeOf(triangle, closest);
-    foot.distance = std::sqrt(closest.squared_distance);
-    foot.normal = (centre - closest.point) / foot.distance;
-    keep(foot, feet);
+    const bool stands =
+        !isKnown(feet, place, std::sqrt(closest.squared_distance)) && standsOn(surface, place, centre, foot);
+    if (stands) keep(foot, feet);
     return limit;
   });
 }
 
-bool anyFrontNearer(const Surface& surface, const Vec3& centre, double distance) noexcept {
+bool anyFootLower(const Surface& surface, const Vec3& centre, double height) noexcept {
   bool any = false;
-  const double limit = distance * distance;
+  const double limit = height * height;
   visitNearTriangles(surface.tree, centre, limit, [&](Index triangle, const ClosestOnTriangle& closest) {
-    any = inFront(surface, triangle, closest, centre);
+    Foot foot;
+    any = standsOn(surface, placeOf(triangle, closest), centre, foot) && foot.height < height;
     return any ? 0.0 : limit;
   });
   return any;
 }
 
-partition::NearestPoint nearestFront(const Surface& surface, const Vec3& centre, double reach) noexcept {
-  return nearestPointIf(surface.tree, centre, reach, [&](Index triangle, const ClosestOnTriangle& closest) {
-    return inFront(surface, triangle, closest, centre);
-  });
+SurfacePoint nearestFront(const Surface& surface, const Vec3& centre, double reach) noexcept {
+  const partition::NearestPoint nearest =
+      nearestPointIf(surface.tree, centre, reach, [&](Index triangle, const ClosestOnTriangle& closest) {
+        Foot foot;
+        return standsOn(surface, placeOf(triangle, closest), centre, foot);
+      });
+  return placeOf(nearest.triangle, nearest.closest);
 }
 
 HalfSpace keepOff(const Foot& foot, double radius) noexcept {

@@ -1,4 +1,8 @@
 // Where a sphere stands on the skin: the local minima of the distance from its centre, its feet.
+//
+// A sheet is felt from its front only, so a place seen from behind is no foot. At a border the sheet counts as going on
+// flat: a sphere there keeps its height instead of rolling round the edge and under the sheet (the force fades,
+// border.h).
 #pragma once
 
 #include <array>
@@ -10,31 +14,28 @@ namespace palpate::contact {
 
 struct Foot {
   SurfacePoint at;
-  Vec3 normal = Vec3::Zero();  ///< unit, from the foot to the centre
-  double distance = 0.0;       ///< from the centre, mm
+  Vec3 normal = Vec3::Zero();  ///< unit: from the foot to the centre; at a border the sheet's
+  double height = 0.0;         ///< of the centre above the foot along `normal`, mm: where it fits, at least the radius
 };
 
-/// The nearest feet; when there are more than kMost, the farthest are left out.
+/// The lowest feet; when there are more than kMost, the highest are left out.
 struct Feet {
   static constexpr int kMost = 32;
   std::array<Foot, kMost> feet;
   int count = 0;
 
-  /// The nearest one; only if count > 0.
-  const Foot& nearest() const;
-  /// Distance of the nearest, infinite without feet.
-  double nearestDistance() const;
+  /// Index of the one with the smallest height; only if count > 0.
+  int lowest() const;
 };
 
-/// Fills `feet` with those nearer than `reach` on whose front side the centre is. A place of the skin seen from behind
-/// is no foot: a sheet is felt from its front only.
+/// Fills `feet` with those nearer to the centre than `reach`.
 void findFeet(const Surface& surface, const Vec3& centre, double reach, Feet& feet) noexcept;
 
-/// Whether any front side is nearer to the centre than `distance`. Stops at the first.
-bool anyFrontNearer(const Surface& surface, const Vec3& centre, double distance) noexcept;
+/// Whether the sphere sinks into the skin: any foot lower than `height`. Stops at the first.
+bool anyFootLower(const Surface& surface, const Vec3& centre, double height) noexcept;
 
-/// The nearest front side nearer than `reach`; triangle kNoIndex when there is none.
-partition::NearestPoint nearestFront(const Surface& surface, const Vec3& centre, double reach) noexcept;
+/// The nearest place of the skin with the centre in front, nearer than `reach`; triangle kNoIndex when there is none.
+SurfacePoint nearestFront(const Surface& surface, const Vec3& centre, double reach) noexcept;
 
 /// The half-space that keeps the centre of a sphere of this radius off the foot.
 HalfSpace keepOff(const Foot& foot, double radius) noexcept;

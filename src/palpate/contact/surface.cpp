@@ -9,6 +9,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/contact/surface_walk.h"
+#include "palpate/mesh/intersections.h"
 
 namespace palpate::contact {
 
@@ -80,27 +81,6 @@ void checkFans(const Surface& surface) {
 
 }  // namespace
 
-std::size_t countPiercingEdges(const partition::TriangleTree& tree) {
-  std::size_t piercing = 0;
-  for (Index r = 0; r < tree.records.size(); ++r) {
-    const TriangleRecord& record = tree.records[r];
-    for (int i = 0; i < 3; ++i) {
-      if (record.neighbours[i] != kNoIndex && record.neighbours[i] < r) continue;  // the neighbour has asked
-      const Vec3& from = record.corners[i];
-      const Vec3& to = record.corners[(i + 1) % 3];
-      // By place, not by vertex: a vertex that repair has split is still one place.
-      const auto apart = [&](Index other) {
-        const auto& corners = tree.records[other].corners;
-        return std::none_of(corners.begin(), corners.end(), [&](const Vec3& c) { return c == from || c == to; });
-      };
-      const bool pierces = firstFrontCrossingIf(tree, from, to, apart).triangle != kNoIndex ||
-                           firstFrontCrossingIf(tree, to, from, apart).triangle != kNoIndex;
-      piercing += pierces ? 1 : 0;
-    }
-  }
-  return piercing;
-}
-
 Surface buildSurface(const mesh::TriangleMesh& mesh, std::vector<double> stiffness_n_per_mm,
                      const SurfaceOptions& options) {
   checkStiffness(stiffness_n_per_mm, mesh.positions.size());
@@ -111,7 +91,7 @@ Surface buildSurface(const mesh::TriangleMesh& mesh, std::vector<double> stiffne
   fillVertices(surface, mesh.positions.size());
   checkFans(surface);
   surface.self_intersecting =
-      options.self_intersecting ? *options.self_intersecting : countPiercingEdges(surface.tree) > 0;
+      options.self_intersecting ? *options.self_intersecting : mesh::findIntersections(mesh).piercing_edges > 0;
   return surface;
 }
 

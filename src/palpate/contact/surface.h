@@ -33,7 +33,4 @@ struct Surface {
 Surface buildSurface(const mesh::TriangleMesh& mesh, std::vector<double> stiffness_n_per_mm,
                      const SurfaceOptions& options = {});
 
-/// How many edges of the surface pass through a triangle that does not touch them.
-std::size_t countPiercingEdges(const partition::TriangleTree& tree);
-
 }  // namespace palpate::contact

@@ -1,0 +1,35 @@
+// Moves a sphere's centre over the skin towards the tip.
+//
+// Every place the centre takes fits (nowhere nearer to the skin than the radius), every one is nearer to the tip than
+// the one before, the straight way between two of them crosses no skin, and all together they stay within the path
+// bound. So the sphere cannot fall through and cannot swing, whatever happens: when the rounds are used up, the centre
+// is still at a good place and the next tick goes on from there.
+#pragma once
+
+#include "palpate/contact/surface.h"
+
+namespace palpate::contact {
+
+/// What does not change during one tick.
+struct SphereTask {
+  const Surface& surface;
+  double radius;
+  Vec3 tip;
+  Vec3 start;   ///< the centre when the tick began
+  double path;  ///< how far from `start` the centre may go, mm
+};
+
+/// Shares of the radius.
+inline constexpr double kFit = 1e-4;    ///< a sphere fits while it sinks in less than this
+inline constexpr double kTight = 1e-5;  ///< what is asked of a place found directly, so that descent starts with room
+
+/// Whether the way of the centre crosses no skin.
+bool isFreeWay(const SphereTask& task, const Vec3& from, const Vec3& to) noexcept;
+
+/// Moves a centre that does not fit straight out of the skin, within the path. True when it fits in the end.
+bool pushOut(const SphereTask& task, Vec3& centre) noexcept;
+
+/// Brings a centre that fits as near to the tip as the path and the rounds allow. True when it ends at a local minimum.
+bool descend(const SphereTask& task, Vec3& centre) noexcept;
+
+}  // namespace palpate::contact
