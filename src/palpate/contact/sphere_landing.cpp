@@ -57,9 +57,13 @@ Vec3 advance(const Surface& surface, const Vec3& from, const Vec3& to, double ra
 }  // namespace
 
 bool landSphere(const Surface& surface, double radius, FingerState& state, const Vec3& tip) noexcept {
-  const bool centre_enters = firstFrontCrossing(surface.tree, state.tip, tip).triangle != kNoIndex;
-  if (!centre_enters && !overlapsFront(surface, tip, radius)) return false;
-  const Vec3 centre = advance(surface, state.tip, tip, radius);
+  const partition::Crossing entry = firstFrontCrossing(surface.tree, state.tip, tip);
+  const bool enters = entry.triangle != kNoIndex;
+  if (!enters && !overlapsFront(surface, tip, radius)) return false;
+  // A tip that was inside comes out first: the contact starts where it came out.
+  const partition::Crossing exit = firstFrontCrossing(surface.tree, enters ? entry.point : tip, state.tip);
+  const Vec3 outside = exit.triangle != kNoIndex ? exit.point : state.tip;
+  const Vec3 centre = advance(surface, outside, tip, radius);
   const SurfacePoint foot = nearestFront(surface, centre, kUnbounded);
   if (foot.triangle == kNoIndex) return false;
   state.touching = true;
