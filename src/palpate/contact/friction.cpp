@@ -19,6 +19,9 @@ namespace {
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
+/// An offset whose tangential share is smaller points along the normal: what is left of it is rounding.
+constexpr double kDirectionless = 1e-12;
+
 /// The place of the skin nearest to `target`, found from where the anchor was; from the proxy when the proxy has moved
 /// somewhere else (the anchor would be left behind on another part of the skin).
 SurfacePoint dragged(const Surface& surface, const FingerState& state, const Vec3& target, double pull_mm) noexcept {
@@ -35,13 +38,15 @@ SurfacePoint dragged(const Surface& surface, const FingerState& state, const Vec
 Grip gripOf(const Vec3& proxy, const Vec3& normal, const Vec3& anchor, const GripLimits& limits,
             bool slipped_before) noexcept {
   const Vec3 offset = anchor - proxy;
-  const Vec3 tangential = offset - offset.dot(normal) * normal;
+  const Vec3 rough = offset - offset.dot(normal) * normal;
+  const Vec3 tangential = rough - rough.dot(normal) * normal;  // twice: an offset along the normal leaves rounding
   const double length = tangential.norm();
-  // As long as the whole offset: wrapping around a bump does not hide displacement.
-  const double stretched = length > 0.0 ? offset.norm() : 0.0;
+  // As long as the whole offset: wrapping around a bump does not hide displacement. Unless there is no direction.
+  const double whole = offset.norm();
+  const double stretched = length > kDirectionless * whole ? whole : 0.0;
   const bool slips = stretched > (slipped_before ? limits.slipping_mm : limits.sticking_mm);
   const double kept = slips ? limits.slipping_mm : stretched;
-  if (length == 0.0 || kept == 0.0) return {Vec3::Zero(), slips};
+  if (stretched == 0.0 || kept == 0.0) return {Vec3::Zero(), slips};
   return {(kept / length) * tangential, slips};
 }
 

@@ -68,10 +68,12 @@ Press pressAt(const Surface& surface, const FingerSettings& settings, const Surf
   press.proxy = proxy.position;
   press.normal = normalAt(surface, proxy);
   press.status = status;
-  if (onBorder(surface, proxy)) {
+  const double beyond = beyondBorder(surface, proxy, tip);
+  if (beyond > 0.0) {
     press.status |= kAtBorder;
     press.depth_mm = std::max(0.0, (proxy.position - tip).dot(press.normal));
-    press.felt_depth_mm = std::min(depthAtBorder(proxy.position, press.normal, tip), settings.max_depth_mm);
+    press.felt_depth_mm =
+        std::min(depthAtBorder(proxy.position, press.normal, tip, 0.0, beyond), settings.max_depth_mm);
     return press;
   }
   const Vec3 out = proxy.position - tip;

@@ -11,7 +11,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "palpate/contact/border.h"
 #include "palpate/contact/press.h"
 #include "palpate/contact/sphere_feet.h"
 #include "palpate/contact/surface_walk.h"
@@ -19,6 +21,8 @@
 namespace palpate::contact {
 
 namespace {
+
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 // Shares of the radius.
 constexpr double kSettled = 1e-5;  ///< a centre that would move less than this stays
@@ -36,10 +40,17 @@ Vec3 withinPath(const SphereTask& task, const Vec3& place) {
   return length > task.path ? Vec3(task.start + (task.path / length) * way) : place;
 }
 
-/// Planes of the feet at a place that fits: what the next step has to respect.
-void planFrom(const Feet& feet, double radius, HalfSpaces& planes) {
+/// Planes of the feet at a place that fits: what the next step has to respect. Beyond a border there are none, but the
+/// sheet goes on flat; otherwise the sphere would come back under it.
+void planFrom(const SphereTask& task, const Vec3& centre, const Feet& feet, HalfSpaces& planes) {
   planes.clear();
-  for (int i = 0; i < feet.count; ++i) planes.add(keepOff(feet.feet[i], radius));
+  for (int i = 0; i < feet.count; ++i) planes.add(keepOff(feet.feet[i], task.radius));
+  if (feet.count > 0) return;
+  const SurfacePoint below = walkToNearest(task.surface, task.last, centre, kUnbounded).at;
+  Foot foot;
+  if (beyondBorder(task.surface, below, centre) > 0.0 && standsOn(task.surface, below, centre, foot)) {
+    planes.add(keepOff(foot, task.radius));
+  }
 }
 
 /// The place nearest to the tip that keeps off the planes, within the path. False when there is none.
@@ -108,7 +119,7 @@ bool descend(const SphereTask& task, Vec3& centre) noexcept {
   Feet feet;
   HalfSpaces planes;
   findFeet(task.surface, centre, task.radius * (1.0 + kOutlook), feet);
-  planFrom(feet, task.radius, planes);
+  planFrom(task, centre, feet, planes);
   int failures = 0;
   for (int round = 0; round < kMostRounds; ++round) {
     Vec3 goal = centre;
@@ -122,7 +133,7 @@ bool descend(const SphereTask& task, Vec3& centre) noexcept {
       continue;
     }
     centre = goal;
-    planFrom(feet, task.radius, planes);
+    planFrom(task, centre, feet, planes);
     failures = 0;
   }
   return false;

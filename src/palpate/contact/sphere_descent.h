@@ -6,6 +6,7 @@
 // is still at a good place and the next tick goes on from there.
 #pragma once
 
+#include "palpate/contact/finger.h"
 #include "palpate/contact/surface.h"
 
 namespace palpate::contact {
@@ -15,8 +16,9 @@ struct SphereTask {
   const Surface& surface;
   double radius;
   Vec3 tip;
-  Vec3 start;   ///< the centre when the tick began
-  double path;  ///< how far from `start` the centre may go, mm
+  Vec3 start;         ///< the centre when the tick began
+  double path;        ///< how far from `start` the centre may go, mm
+  SurfacePoint last;  ///< where the sphere stood on the skin in the last tick
 };
 
 /// Shares of the radius.

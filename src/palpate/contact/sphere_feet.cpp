@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/contact/border.h"
 #include "palpate/contact/press.h"
 #include "palpate/contact/surface_walk.h"
 
@@ -20,25 +21,6 @@ constexpr double kSameFoot = 1e-9;
 
 SurfacePoint placeOf(Index triangle, const ClosestOnTriangle& closest) {
   return {closest.point, triangle, closest.feature};
-}
-
-/// What a place is to a sphere. False when the centre is behind it; a centre on the skin, to rounding, counts as in
-/// front, as it does in the crossing test.
-bool standsOn(const Surface& surface, const SurfacePoint& place, const Vec3& centre, Foot& foot) {
-  const Vec3 to_centre = centre - place.position;
-  const Vec3 skin_normal = normalAt(surface, place);
-  const double distance = to_centre.norm();
-  const double above = to_centre.dot(skin_normal);
-  foot.at = place;
-  const bool on_skin = distance <= directionlessDepth(surface);
-  if (on_skin || onBorder(surface, place)) {
-    foot.normal = skin_normal;
-    foot.height = std::max(above, 0.0);
-  } else {
-    foot.normal = to_centre / distance;
-    foot.height = distance;
-  }
-  return on_skin || above > 0.0;
 }
 
 /// Whether moving from the closest point into the triangles next to it leads away from the centre. Only directions to
@@ -96,6 +78,23 @@ int Feet::lowest() const {
     if (feet[i].height < feet[best].height) best = i;
   }
   return best;
+}
+
+bool standsOn(const Surface& surface, const SurfacePoint& place, const Vec3& centre, Foot& foot) noexcept {
+  const Vec3 to_centre = centre - place.position;
+  const Vec3 skin_normal = normalAt(surface, place);
+  const double distance = to_centre.norm();
+  const double above = to_centre.dot(skin_normal);
+  foot.at = place;
+  const bool on_skin = distance <= directionlessDepth(surface);
+  if (on_skin || beyondBorder(surface, place, centre) > 0.0) {
+    foot.normal = skin_normal;
+    foot.height = std::max(above, 0.0);
+  } else {
+    foot.normal = to_centre / distance;
+    foot.height = distance;
+  }
+  return on_skin || above > 0.0;
 }
 
 void findFeet(const Surface& surface, const Vec3& centre, double reach, Feet& feet) noexcept {

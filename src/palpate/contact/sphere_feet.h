@@ -28,6 +28,10 @@ struct Feet {
   int lowest() const;
 };
 
+/// What a place of the skin is to a sphere. False when the centre is behind it; a centre on the skin, to rounding,
+/// counts as in front, as it does in the crossing test.
+bool standsOn(const Surface& surface, const SurfacePoint& place, const Vec3& centre, Foot& foot) noexcept;
+
 /// Fills `feet` with those nearer to the centre than `reach`.
 void findFeet(const Surface& surface, const Vec3& centre, double reach, Feet& feet) noexcept;
 

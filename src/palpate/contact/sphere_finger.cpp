@@ -38,15 +38,15 @@ Vec3 centreOver(const SphereTask& task, const SurfacePoint& foot) {
   const Vec3 to_tip = task.tip - foot.position;
   const double distance = to_tip.norm();
   const double above = to_tip.dot(normal);
-  if (onBorder(task.surface, foot)) return task.tip + std::max(0.0, task.radius - above) * normal;
+  if (beyondBorder(task.surface, foot, task.tip) > 0.0) return task.tip + std::max(0.0, task.radius - above) * normal;
   if (above > 0.0 && distance >= task.radius) return task.tip;
   if (distance <= directionlessDepth(task.surface)) return foot.position + task.radius * normal;
   return foot.position + ((above > 0.0 ? task.radius : -task.radius) / distance) * to_tip;
 }
 
 /// Whether the sphere stands on the one place that a point finger would press. If so, moves it there.
-bool standsOnOnePlace(const SphereTask& task, const SurfacePoint& last, Move& move) {
-  const WalkResult walk = walkToNearest(task.surface, last, task.tip, kUnbounded);
+bool standsOnOnePlace(const SphereTask& task, Move& move) {
+  const WalkResult walk = walkToNearest(task.surface, task.last, task.tip, kUnbounded);
   move.foot = walk.at;
   const Vec3 centre = centreOver(task, move.foot);
   move.on_foot = walk.finished && (centre - task.start).norm() <= task.path &&
@@ -56,15 +56,15 @@ bool standsOnOnePlace(const SphereTask& task, const SurfacePoint& last, Move& mo
   return move.on_foot;
 }
 
-Move moveCentre(const SphereTask& task, const SurfacePoint& last) {
+Move moveCentre(const SphereTask& task) {
   Move move;
   move.centre = task.start;
-  move.foot = last;
+  move.foot = task.last;
   if (!pushOut(task, move.centre)) {
     move.status = kStartedInside;
     return move;
   }
-  if (standsOnOnePlace(task, last, move)) return move;
+  if (standsOnOnePlace(task, move)) return move;
   if (!descend(task, move.centre)) move.status |= kUnsettled;
   constexpr double kUsedUp = 0.999;
   if ((move.centre - task.start).norm() >= kUsedUp * task.path) move.status |= kCatchingUp;
@@ -81,7 +81,7 @@ void escapeTooDeep(const SphereTask& task, Move& move, FingerState& state) {
   const Vec3 normal = normalAt(task.surface, place);
   const bool outside = !onBorder(task.surface, place) && (task.tip - place.position).dot(normal) > 0.0;
   if (!outside && std::sqrt(nearest.closest.squared_distance) >= 0.5 * lag) return;
-  const SphereTask anywhere{task.surface, task.radius, task.tip, task.tip, kUnbounded};
+  const SphereTask anywhere{task.surface, task.radius, task.tip, task.tip, kUnbounded, place};
   Vec3 centre = outside ? task.tip : Vec3(place.position + task.radius * normal);
   if (!pushOut(anywhere, centre)) return;
   move = {centre, place, false, move.status | kReseeded};
@@ -112,10 +112,12 @@ Press pressWith(const FingerSettings& settings, const SphereTask& task, const Mo
     press.normal = (move.centre - foot.position).stableNormalized();
   }
   press.felt_depth_mm = std::min(press.depth_mm, settings.max_depth_mm + task.radius);
-  if (onBorder(task.surface, foot)) {
+  const double beyond = onBorder(task.surface, foot) ? beyondBorder(task.surface, move.foot, task.tip) : 0.0;
+  if (beyond > 0.0) {
     press.status |= kAtBorder;
-    const Vec3 normal = normalAt(task.surface, foot);
-    press.felt_depth_mm = std::min(press.felt_depth_mm, depthAtBorder(foot.position, normal, task.tip, task.radius));
+    const Vec3 normal = normalAt(task.surface, move.foot);
+    const double felt = depthAtBorder(move.foot.position, normal, task.tip, task.radius, beyond);
+    press.felt_depth_mm = std::min(press.felt_depth_mm, felt);
   }
   press.proxy = move.centre - task.radius * press.normal;
   state.proxy = walkToNearest(task.surface, foot, press.proxy, kUnbounded).at;
@@ -127,8 +129,9 @@ Press pressWith(const FingerSettings& settings, const SphereTask& task, const Mo
 Press pressSphere(const Surface& surface, const FingerSettings& settings, double radius, FingerState& state,
                   const Vec3& tip) noexcept {
   if (!state.touching && !landSphere(surface, radius, state, tip)) return {};
-  const SphereTask task{surface, radius, tip, state.centre, pathBound(settings, (tip - state.tip).norm())};
-  Move move = moveCentre(task, state.proxy);
+  const double path = pathBound(settings, (tip - state.tip).norm());
+  const SphereTask task{surface, radius, tip, state.centre, path, state.proxy};
+  Move move = moveCentre(task);
   if ((move.centre - tip).norm() - radius > settings.max_depth_mm) escapeTooDeep(task, move, state);
   state.centre = move.centre;
   const bool reached = move.centre == tip && (move.status & kStartedInside) == 0;
