@@ -184,7 +184,6 @@ def colour_map(value):
 
 def shade(normals, colours):
     key = np.array(KEY_LIGHT) / np.linalg.norm(KEY_LIGHT)
-    normals = np.where(normals[:, 2:] < 0, -normals, normals)
     diffuse = np.clip(normals @ key, 0, 1)
     half = key + [0, 0, 1]
     shine = np.clip(normals @ (half / np.linalg.norm(half)), 0, 1) ** 40
@@ -199,6 +198,9 @@ def draw_layer(mesh, turn, place, width, height, options):
     corner = triangles[nearest[seen]]
     blend = lambda values: (values[corner] * weight[seen][:, :, None]).sum(1)
     normals = blend(vertex_normals(points, triangles) @ turn.T)
+    # A sheet seen from behind is lit as from its front; a smooth normal that turns away at a silhouette is kept.
+    away = np.cross(screen[corner[:, 1]] - screen[corner[:, 0]], screen[corner[:, 2]] - screen[corner[:, 0]])[:, 2] > 0
+    normals[away] *= -1
     normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12)
     base = np.tile(np.array(colour, float), (len(seen), 1))
     if options.scalar in scalars:

@@ -7,6 +7,7 @@ namespace palpate::app {
 
 void addBenchCommand(CLI::App& app);
 void addInfoCommand(CLI::App& app);
+void addModelCommand(CLI::App& app);
 void addSimulateCommand(CLI::App& app);
 void addRepairCommand(CLI::App& app);
 

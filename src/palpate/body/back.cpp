@@ -17,6 +17,12 @@ void check(const SkinSettings& settings) {
     // Beyond 5 the skin would fold over itself.
     if (!(factor >= 0 && factor <= 5)) throw Error("relief and asymmetry factors must be 0 to 5");
   }
+  const ReliefSettings& relief = settings.relief;
+  for (const LevelWeights* weights : {&relief.spine_level, &relief.rib_level, &relief.scapula_level}) {
+    for (const double weight : *weights) {
+      if (!(weight >= 0 && weight <= 5)) throw Error("relief weights of the levels must be 0 to 5");
+    }
+  }
 }
 
 }  // namespace

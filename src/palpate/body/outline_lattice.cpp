@@ -113,7 +113,8 @@ std::vector<LatticePoint> latticeRim(const Lattice& lattice) {
   rim.insert(rim.end(), right.begin(), right.end());
   const int top = lattice.rows() - 1;
   for (int k = lattice.reach[top] - 2; k > -lattice.reach[top]; k -= 2) rim.push_back({top, k});
-  for (auto point = right.rbegin(); point != right.rend(); ++point) rim.push_back({point->row, -point->half_step});
+  std::reverse(right.begin(), right.end());
+  for (const LatticePoint& point : right) rim.push_back({point.row, -point.half_step});
   return rim;
 }
 

@@ -33,8 +33,9 @@ std::vector<Line> borderLines(const FlatOutline& outline) {
   std::vector<Line> lines{{mirrored(right.front()), right.front()}};
   lines.insert(lines.end(), rising.begin(), rising.end());
   lines.push_back({right.back(), mirrored(right.back())});
-  for (auto line = rising.rbegin(); line != rising.rend(); ++line) {
-    Line falling(line->rbegin(), line->rend());
+  std::reverse(rising.begin(), rising.end());
+  for (const Line& line : rising) {
+    Line falling(line.rbegin(), line.rend());
     for (Vec2& point : falling) point = mirrored(point);
     lines.push_back(std::move(falling));
   }
@@ -44,6 +45,7 @@ std::vector<Line> borderLines(const FlatOutline& outline) {
 /// Hands `count` edges to the lines by their lengths: at least one each, largest remainders first.
 std::vector<std::size_t> edgesOfLines(const std::vector<Line>& lines, std::size_t count) {
   std::vector<double> share;
+  share.reserve(lines.size());
   for (const Line& line : lines) share.push_back(lengthOf(line));
   const double total = std::accumulate(share.begin(), share.end(), 0.0);
   std::vector<std::size_t> edges;

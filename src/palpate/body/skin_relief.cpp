@@ -54,7 +54,7 @@ SkinPlace placeOfSite(int across, int along) {
 /// Grows smoothly from the side border inwards.
 double insideBorder(const SkinPlace& place) {
   constexpr double kMargin = 4;  // mm, so that the spline's own smoothing does not reach the border
-  constexpr double kFade = 25;   // mm
+  constexpr double kFade = 45;   // mm; shorter, and the tip of the shoulder shows a dent
   const double distance = kFlatRadius * (borderAngle(place.y) - std::abs(place.angle));
   const double t = std::clamp((distance - kMargin) / kFade, 0.0, 1.0);
   return t * t * (3 - 2 * t);
