@@ -80,7 +80,7 @@ class FigureSum {
  private:
   void addContact(const contact::FingerOutput& now) {
     ++figures_.contact_ticks;
-    lag_mm_.push_back((now.anchor - now.tip).norm() / scale_);
+    lag_mm_.push_back((now.hold - now.tip).norm() / scale_);
     figures_.peak_depth_mm = std::max(figures_.peak_depth_mm, now.depth_mm / scale_);
   }
   void addForceStep(double step, std::size_t tick) {

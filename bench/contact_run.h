@@ -62,7 +62,7 @@ struct FrictionFigures {
 struct ContactFigures {
   std::size_t triangles = 0, ticks = 0, contact_ticks = 0;
   Percentiles tick_us;
-  Percentiles lag_mm;  ///< |A - D| over ticks in contact
+  Percentiles lag_mm;  ///< |A - D| over ticks in contact, A where friction holds
   FallReport falls;    ///< of the whole run, whatever the window
   std::optional<SphereReport> sphere;
   FrictionFigures friction;

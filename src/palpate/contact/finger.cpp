@@ -26,7 +26,7 @@ bool usable(const Surface& surface, const Vec3& tip) {
 
 FingerOutput freeOutput(const Vec3& tip) {
   FingerOutput output;
-  output.tip = output.proxy = output.anchor = tip;
+  output.tip = output.proxy = output.anchor = output.hold = tip;
   output.normal = output.force = Vec3::Zero();
   return output;
 }
@@ -61,7 +61,8 @@ FingerOutput pressedOutput(const Surface& surface, const FingerSettings& setting
   FingerOutput output;
   output.tip = tip;
   output.proxy = press.proxy;
-  output.anchor = is_point ? state.anchor.position : state.hold;
+  output.anchor = state.anchor.position;
+  output.hold = is_point ? state.anchor.position : state.hold;
   output.normal = press.normal;
   output.force = normal_force * press.normal + settings.stiffness_ratio * stiffness * pull;
   output.depth_mm = press.depth_mm;

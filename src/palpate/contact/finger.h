@@ -69,10 +69,11 @@ struct FingerState {
 
 struct FingerOutput {
   Vec3 tip;
-  Vec3 proxy;  ///< P, on the skin (a sphere in a valley: on the sphere, between its feet); the tip when free
-  /// A; the tip when free. On the skin for a point finger; at P + u, in the plane that touches the sphere at P, for a
-  /// sphere (FingerState::anchor is the skin nearest to it).
-  Vec3 anchor;
+  Vec3 proxy;   ///< P, on the skin (a sphere in a valley: on the sphere, between its feet); the tip when free
+  Vec3 anchor;  ///< A, on the skin; the tip when free
+  /// Where friction holds the tip; the tip when free. The anchor for a point finger. For a sphere a point in space, in
+  /// the plane that touches it at P, and the anchor is the skin nearest to it.
+  Vec3 hold;
   Vec3 normal;  ///< unit, out of the skin; zero when free
   Vec3 force;   ///< on the tip, N
   double depth_mm = 0.0;
