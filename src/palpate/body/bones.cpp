@@ -21,6 +21,10 @@ constexpr std::size_t kScapulaRight = kBoneCount - 2;
 constexpr double kLeastCellMm = 0.5;
 constexpr double kLargestCellMm = 3.0;  // beyond it the mesher loses the thin parts
 
+// Grid of the other bones, relative to the vertebrae: the scapula is large and smooth, ribs are swept without a grid.
+constexpr double kScapulaCell = 1.25;
+constexpr double kRibEdge = 1.5;
+
 // Share of a bone in the triangles, relative: chosen so that the visible error after reduction is alike.
 constexpr double kVertebraWeight = 1.0;
 constexpr double kRibWeight = 0.7;
@@ -74,7 +78,7 @@ void addVertebrae(std::vector<Bone>& bones, const std::vector<std::size_t>& coun
 void addRibs(std::vector<Bone>& bones, const std::vector<std::size_t>& counts, double cell_mm) {
   for (int rib = 1; rib <= kRibCount; ++rib) {
     bones.push_back(
-        {ribName(rib, "right"), BoneKind::rib, reduced(makeRightRib(rib, cell_mm * 1.4), counts[bones.size()])});
+        {ribName(rib, "right"), BoneKind::rib, reduced(makeRightRib(rib, kRibEdge * cell_mm), counts[bones.size()])});
   }
   for (int rib = 1; rib <= kRibCount; ++rib) {
     bones.push_back({ribName(rib, "left"), BoneKind::rib, mirrored(bones[kFirstRib + rib - 1].mesh)});
@@ -82,7 +86,7 @@ void addRibs(std::vector<Bone>& bones, const std::vector<std::size_t>& counts, d
 }
 
 void addScapulae(std::vector<Bone>& bones, const std::vector<std::size_t>& counts, double cell_mm) {
-  bones.push_back({"scapula_right", BoneKind::scapula, reduced(makeRightScapula(cell_mm), counts[kScapulaRight])});
+  bones.push_back({"scapula_right", BoneKind::scapula, reduced(makeRightScapula(kScapulaCell * cell_mm), counts[kScapulaRight])});
   bones.push_back({"scapula_left", BoneKind::scapula, mirrored(bones[kScapulaRight].mesh)});
 }
 

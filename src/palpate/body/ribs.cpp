@@ -51,6 +51,9 @@ struct SectionStop {
 constexpr std::array<SectionStop, 5> kSection = {
     {{0.0, 0.80, 1.20}, {0.03, 0.72, 1.00}, {0.07, 0.72, 0.95}, {0.16, 0.85, 1.15}, {0.30, 1.00, 1.00}}};
 
+// Room between the tubercle's face and the transverse process (mm): cartilage, and what smoothing and roll take away.
+constexpr std::array<double, 10> kTubercleGap = {5.2, 6.6, 4.6, 3.6, 3.0, 3.0, 3.0, 3.0, 3.0, 4.0};
+
 constexpr int kEndRings = 4;         // of the rounded ends
 constexpr double kRollFrom = 0.10;   // share of the length where the face starts to roll,
 constexpr double kRollUntil = 0.28;  // and where it has done so
@@ -65,6 +68,7 @@ Vec3 headPoint(int number) {
   double up = v.height / 2 + 1.0;
   if (number == 1) lateral = 8.5, dorsal = 0.15, up = 0.25 * v.height;
   if (number == 2) lateral = 5.4, dorsal = 0.5;
+  if (number == 3) lateral = 4.8;
   if (number == 10) up = 0.35 * v.height;
   if (number > 10) up = 0.25 * v.height;
   return vertebraFrame(v) * Vec3(0.97 * v.width / 2 + lateral, up, dorsal * v.depth / 2);
@@ -73,8 +77,7 @@ Vec3 headPoint(int number) {
 // The tubercle lies in front of the transverse process, clear of it.
 Vec3 tuberclePoint(int number) {
   const VertebraRow& v = vertebraOf(number);
-  const double gap = number == 1 ? 4.5 : number == 2 ? 3.2 : 2.4;
-  const double ventral = v.transverse_radius + kRows[number - 1].thickness / 2 + gap;
+  const double ventral = v.transverse_radius + kRows[number - 1].thickness / 2 + kTubercleGap[number - 1];
   return vertebraFrame(v) * (transverseTip(v) + Vec3(2.0, 1.5, -ventral));
 }
 

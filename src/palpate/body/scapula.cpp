@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "palpate/body/cubic_spline.h"
+#include "palpate/body/relax.h"
 #include "palpate/body/signed_distance.h"
 #include "palpate/body/tetrahedra_mesher.h"
 
@@ -24,7 +25,7 @@ namespace {
 
 // Placement: where the spine's root lies and how the blade is turned, solved for the depths under the fitted skin
 // (root 9.4, inferior angle 11.6, acromion at least 4 mm).
-const Vec3 kRoot{81.0, 101.0, 95.0};
+const Vec3 kRoot{76.0, 98.0, 94.5};
 constexpr double kTiltDeg = 10.5;      // about u: the upper border leans forwards
 constexpr double kUpwardDeg = 0.5;     // about n: the lateral side rises
 constexpr double kInternalDeg = 41.6;  // about y: the lateral side turns forwards
@@ -41,12 +42,22 @@ const std::vector<Vec3> kCrest = {{2, 1, 3}, {12, 3, 7}, {40, 7, 18}, {70, 12, 2
 constexpr double kFinLean = 0.22;  // v per height: the spine leans cranially
 constexpr double kFinHalfThickness = 1.7;
 
+constexpr int kRelaxRounds = 3;
+
 double square(double x) { return x * x; }
 
 // The blade's middle surface over its plane: hollow towards the ribs, the superior angle bent forwards.
 double bladeOffset(double u, double v) {
   const double dome = 5.0 * (1.0 - square((u - 48.0) / 52.0)) * std::max(0.0, 1.0 - square((v + 30.0) / 95.0));
   return dome - 0.016 * square(std::max(0.0, v - 12.0));
+}
+
+// Length of the normal (-dn/du, -dn/dv, 1) of the middle surface: a height over it, divided by this, is a distance.
+double bladeSteepness(double u, double v) {
+  constexpr double kStep = 0.5;
+  const double du = (bladeOffset(u + kStep, v) - bladeOffset(u - kStep, v)) / (2.0 * kStep);
+  const double dv = (bladeOffset(u, v + kStep) - bladeOffset(u, v - kStep)) / (2.0 * kStep);
+  return std::sqrt(1.0 + du * du + dv * dv);
 }
 
 Vec3 onBlade(double u, double v) { return {u, v, bladeOffset(u, v)}; }
@@ -76,16 +87,17 @@ class Tube {
   std::vector<Capsule> capsules_;
 };
 
-// The same with elliptic sections.
-class EllipticTube {
+// The same with flat sections: plates or ellipses.
+struct FlatRing {
+  Vec3 centre, wide_direction;
+  HalfAxes axes;
+};
+template <class Piece>
+class FlatTube {
  public:
-  struct Ring {
-    Vec3 centre, wide_direction;
-    EllipticCapsule::HalfAxes axes;
-  };
-  EllipticTube(const std::vector<Ring>& rings, std::size_t pieces_per_ring) {
+  FlatTube(const std::vector<FlatRing>& rings, std::size_t pieces_per_ring) {
     std::vector<Vec3> points;
-    for (const Ring& ring : rings) points.push_back(ring.centre);
+    for (const FlatRing& ring : rings) points.push_back(ring.centre);
     const CubicSpline line(points);
     for (std::size_t i = 0; i + 1 < rings.size(); ++i) {
       for (std::size_t k = 0; k < pieces_per_ring; ++k) {
@@ -93,7 +105,7 @@ class EllipticTube {
         const double to = static_cast<double>(k + 1) / static_cast<double>(pieces_per_ring);
         const auto place = [&](double t) { return line.at(mix(line.knot(i), line.knot(i + 1), t)); };
         const auto axes = [&](double t) {
-          return EllipticCapsule::HalfAxes{mix(rings[i].axes.wide, rings[i + 1].axes.wide, t),
+          return HalfAxes{mix(rings[i].axes.wide, rings[i + 1].axes.wide, t),
                                            mix(rings[i].axes.thick, rings[i + 1].axes.thick, t)};
         };
         const Vec3 wide = mix3(rings[i].wide_direction, rings[i + 1].wide_direction, 0.5 * (from + to));
@@ -103,24 +115,43 @@ class EllipticTube {
   }
   double distance(const Vec3& p) const {
     double d = capsules_.front().distance(p);
-    for (const EllipticCapsule& c : capsules_) d = std::min(d, c.distance(p));
+    for (const Piece& c : capsules_) d = std::min(d, c.distance(p));
     return d;
   }
 
  private:
   static Vec3 mix3(const Vec3& from, const Vec3& to, double t) { return from + t * (to - from); }
-  std::vector<EllipticCapsule> capsules_;
+  std::vector<Piece> capsules_;
 };
 
-// Signed distance in the plane of the blade to its outline.
+// Signed distance in the plane of the blade to its outline, tabulated: the polygon is asked millions of times.
 class Outline {
  public:
   Outline() {
     for (const Vec3& p : CubicSpline(kOutline, CubicSpline::Ends::closed).evenly(kOutlinePoints)) {
       polygon_.emplace_back(p.x(), p.y());
     }
+    for (int j = 0; j < kRows; ++j) {
+      for (int i = 0; i < kColumns; ++i) table_.push_back(exact(kLow + kStepMm * Vec2(i, j)));
+    }
   }
+  /// Bilinear in the table; outside it the value at its rim, which is far from the bone.
   double distance(const Vec2& p) const {
+    const Vec2 q = ((p - kLow) / kStepMm).cwiseMax(0.0).cwiseMin(Vec2(kColumns - 1.001, kRows - 1.001));
+    const auto i = static_cast<std::size_t>(q.x());
+    const auto j = static_cast<std::size_t>(q.y());
+    const double* cell = &table_[j * kColumns + i];
+    const double s = q.x() - static_cast<double>(i);
+    return mix(mix(cell[0], cell[1], s), mix(cell[kColumns], cell[kColumns + 1], s), q.y() - static_cast<double>(j));
+  }
+
+ private:
+  static constexpr int kColumns = 150;
+  static constexpr int kRows = 190;
+  static constexpr double kStepMm = 1.0;
+  inline static const Vec2 kLow{-20.0, -130.0};
+
+  double exact(const Vec2& p) const {
     double nearest2 = (p - polygon_[0]).squaredNorm();
     bool inside = false;
     for (std::size_t i = 0, j = polygon_.size() - 1; i < polygon_.size(); j = i++) {
@@ -134,8 +165,35 @@ class Outline {
     return (inside ? -1.0 : 1.0) * std::sqrt(nearest2);
   }
 
- private:
   std::vector<Vec2> polygon_;
+  std::vector<double> table_;
+};
+
+// The crest's v and height over u, tabulated from its spline.
+class CrestTable {
+ public:
+  CrestTable() {
+    const std::vector<Vec3> fine = CubicSpline(kCrest).evenly(400);
+    std::size_t next = 1;
+    for (int i = 0; i <= kSteps; ++i) {
+      const double u = mix(first(), last(), static_cast<double>(i) / kSteps);
+      while (next + 1 < fine.size() && fine[next].x() < u) ++next;
+      const double t = (u - fine[next - 1].x()) / (fine[next].x() - fine[next - 1].x());
+      places_.push_back(fine[next - 1] + t * (fine[next] - fine[next - 1]));
+    }
+  }
+  /// (u, v at the blade, height), u held to the crest's range.
+  Vec3 at(double u) const {
+    const double place = std::clamp((u - first()) / (last() - first()), 0.0, 1.0) * (kSteps - 1e-6);
+    const auto i = static_cast<std::size_t>(place);
+    return places_[i] + (place - static_cast<double>(i)) * (places_[i + 1] - places_[i]);
+  }
+  static double first() { return kCrest.front().x(); }
+  static double last() { return kCrest.back().x(); }
+
+ private:
+  static constexpr int kSteps = 88;
+  std::vector<Vec3> places_;
 };
 
 struct Parts {
@@ -143,15 +201,15 @@ struct Parts {
   Tube medial_roll{{onBlade(9, 41), onBlade(3.5, 28), onBlade(2.2, 5), onBlade(3, -20), onBlade(5, -45),
                     onBlade(8, -72), onBlade(12, -95)},
                    {2.0, 2.2, 2.6, 2.6, 2.8, 3.1, 3.4},
-                   24};
+                   12};
   Tube pillar{{onBlade(27, -104), onBlade(42, -80), onBlade(57, -57.5), onBlade(73, -36), onBlade(88, -19)},
               {4.2, 4.4, 4.8, 5.4, 6.0},
-              16};
-  EllipticCapsule neck{onBlade(86, 2), onBlade(101, 3), Vec3::UnitY(), {12.0, 8.0}, {17.0, 11.5}};
-  CubicSpline crest_line{kCrest};
-  Tube crest{crestPoints(), {2.6, 2.6, 3.2, 4.0, 4.4}, 20};
-  EllipticTube acromion{acromionRings(), 4};
-  EllipticTube coracoid{{{{86, 24, 0}, Vec3::UnitX(), {8, 6}},
+              8};
+  EllipticCapsule neck{onBlade(80, 0), onBlade(100.5, 3), Vec3::UnitY(), {9.0, 4.5}, {16.5, 10.5}};
+  CrestTable crest_table;
+  Tube crest{crestPoints(), {2.6, 2.6, 3.2, 4.0, 4.4}, 12};
+  FlatTube<PlateCapsule> acromion{acromionRings(), 4};
+  FlatTube<EllipticCapsule> coracoid{{{{86, 24, 0}, Vec3::UnitX(), {8, 6}},
                          {{92, 36, -10}, Vec3::UnitX(), {7, 5.6}},
                          {{112, 30, -34}, Vec3::UnitY(), {6, 5}}},
                         6};
@@ -164,46 +222,37 @@ struct Parts {
   }
 
   // A flat plate that turns forwards around the head of the humerus; its wide side looks up and outwards.
-  static std::vector<EllipticTube::Ring> acromionRings() {
+  static std::vector<FlatRing> acromionRings() {
     const Vec3 wide = Vec3::UnitY();
-    return {{{88, 21, 31}, wide, {6.0, 4.5}},
-            {{103, 27, 32}, wide, {8.0, 4.5}},
-            {{114, 32, 27}, Vec3(-0.5, 1, 0).normalized(), {10.5, 4.5}},
-            {{121, 38, 13}, Vec3(-1, 0.8, 0).normalized(), {11.5, 4.5}},
-            {{118, 42, -3}, Vec3(-1, 0.6, 0).normalized(), {9.0, 4.5}}};
+    return {{{86, 20.5, 30}, wide, {5.0, 4.2}},
+            {{102, 25.5, 31.5}, Vec3(0, 1, 0.2).normalized(), {7.0, 4.4}},
+            {{113, 30, 26}, Vec3(-0.6, 0.8, 0.1).normalized(), {10.0, 4.4}},
+            {{118.5, 34, 12}, Vec3(-1, 0.4, 0).normalized(), {12.0, 4.4}},
+            {{116, 36.5, -4}, Vec3(-1, 0.25, 0).normalized(), {9.5, 4.2}}};
   }
 
   double bladeDistance(const Vec3& p) const {
     const double near_neck = std::clamp((p.x() - 60.0) / 30.0, 0.0, 1.0);
     const double half = 2.0 + 0.8 * near_neck;
-    const double slab = std::abs(p.z() - bladeOffset(p.x(), p.y())) - half;
-    if (slab > 12.0) return slab;  // far from the blade the outline does not matter
-    return roundedIntersection(outline.distance({p.x(), p.y()}), slab, 1.5);
+    const double height = std::abs(p.z() - bladeOffset(p.x(), p.y()));
+    const double slab = height / bladeSteepness(p.x(), p.y()) - half;
+    return roundedIntersection(outline.distance({p.x(), p.y()}), slab, 0.95 * half);
   }
 
   double finDistance(const Vec3& p) const {
-    const double u = std::clamp(p.x(), kCrest.front().x(), kCrest.back().x());
-    const Vec3 crest_here = crestAt(u);
+    const Vec3 crest_here = crest_table.at(p.x());
     const double height = p.z() - bladeOffset(p.x(), p.y());
     const double wall = std::abs(p.y() - kFinLean * height - crest_here.y()) - kFinHalfThickness;
     const double top = height - crest_here.z();
-    const double end = std::max(kCrest.front().x() - p.x(), p.x() - kCrest.back().x());
+    const double end = std::max(CrestTable::first() - p.x(), p.x() - CrestTable::last());
     return std::max({wall, top, -height - 1.0, end});
-  }
-
-  // The crest's v and height at u: its spline is monotonic in u, so a few bisections find the place.
-  Vec3 crestAt(double u) const {
-    double low = 0.0;
-    double high = crest_line.length();
-    for (int i = 0; i < 12; ++i) (crest_line.at(0.5 * (low + high)).x() < u ? low : high) = 0.5 * (low + high);
-    return crest_line.at(0.5 * (low + high));
   }
 
   double distance(const Vec3& p) const {
     double d = smoothUnion(bladeDistance(p), medial_roll.distance(p), 2.0);
-    d = smoothUnion(d, pillar.distance(p), 3.0);
-    d = smoothUnion(d, ellipsoidDistance(p - onBlade(21, -102), {9.0, 9.0, 4.2}), 3.0);
-    d = smoothUnion(d, neck.distance(p), 4.0);
+    d = smoothUnion(d, pillar.distance(p), 6.0);
+    d = smoothUnion(d, ellipsoidDistance(p - onBlade(21, -102), {9.0, 9.0, 4.2}), 7.0);
+    d = smoothUnion(d, neck.distance(p), 9.0);
     d = smoothDifference(d, (p - Vec3(131.0, 3.0, 0.0)).norm() - 27.5, 1.5);  // the glenoid's hollow
     d = smoothUnion(d, std::min(finDistance(p), crest.distance(p)), 3.0);
     d = smoothUnion(d, acromion.distance(p), 4.0);
@@ -229,7 +278,9 @@ mesh::TriangleMesh makeRightScapula(double cell_mm) {
   box.low = {-6.0, -122.0, -46.0};
   box.high = {140.0, 62.0, 44.0};
   box.cell_mm = cell_mm;
-  mesh::TriangleMesh mesh = meshZeroSurface([&](const Vec3& p) { return parts.distance(p); }, box);
+  const Field field = [&](const Vec3& p) { return parts.distance(p); };
+  mesh::TriangleMesh mesh = meshZeroSurface(field, box);
+  relaxOnSurface(mesh, field, kRelaxRounds);
   const Eigen::Isometry3d frame = placement();
   for (Vec3& p : mesh.positions) p = frame * p;
   return mesh;
@@ -238,7 +289,7 @@ mesh::TriangleMesh makeRightScapula(double cell_mm) {
 ScapulaPoints rightScapulaPoints() {
   const Eigen::Isometry3d frame = placement();
   const auto raised = [&](double u, double v, double n) { return frame * Vec3(onBlade(u, v) + n * Vec3::UnitZ()); };
-  return {raised(12, 43, 2.5), raised(2, 1.6, 5.6), raised(20, -106, 4.2), frame * Vec3(112, 31, 33)};
+  return {raised(12, 43, 2.5), raised(2, 1.6, 5.6), raised(20, -106, 4.2), frame * Vec3(112, 31, 31)};
 }
 
 }  // namespace palpate::body

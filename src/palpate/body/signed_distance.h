@@ -53,30 +53,38 @@ struct Capsule {
   }
 };
 
-/// A capsule whose cross-section is an ellipse: half axes `wide` along the given direction and `thick` across it, both
-/// linear along the segment; the ends are rounded by the smaller of the two.
-class EllipticCapsule {
- public:
-  struct HalfAxes {
-    double wide, thick;
-  };
+/// The same in the plane: an ellipse with half axes a (x) and b (z).
+inline double ellipseDistance(double x, double z, double a, double b) {
+  const double k0 = std::hypot(x / a, z / b);
+  const double k1 = std::hypot(x / (a * a), z / (b * b));
+  return k1 > 0.0 ? k0 * (k0 - 1.0) / k1 : -std::min(a, b);
+}
 
-  EllipticCapsule(const Vec3& from, const Vec3& to, const Vec3& wide_direction, HalfAxes at_from, HalfAxes at_to)
+/// Half axes of the section of a flat or elliptic capsule.
+struct HalfAxes {
+  double wide, thick;
+};
+
+/// A segment with a direction across it: the frame that flat and elliptic capsules share.
+class FlatSegment {
+ public:
+  FlatSegment(const Vec3& from, const Vec3& to, const Vec3& wide_direction, HalfAxes at_from, HalfAxes at_to)
       : from_(from), at_from_(at_from), at_to_(at_to), length_((to - from).norm()), along_((to - from) / length_) {
     wide_ = (wide_direction - wide_direction.dot(along_) * along_).normalized();
     thick_ = along_.cross(wide_);
   }
-  EllipticCapsule(const Vec3& from, const Vec3& to, const Vec3& wide_direction, HalfAxes axes)
-      : EllipticCapsule(from, to, wide_direction, axes, axes) {}
 
-  double distance(const Vec3& p) const {
+  struct Place {
+    Vec3 offset;    ///< across wide, across thick, beyond the nearer end (0 beside the segment)
+    HalfAxes axes;  ///< of the section there
+  };
+  Place place(const Vec3& p) const {
     const Vec3 v = p - from_;
     const double s = v.dot(along_);
     const double on_segment = std::clamp(s, 0.0, length_);
     const double t = on_segment / length_;
-    const double wide = mix(at_from_.wide, at_to_.wide, t);
-    const double thick = mix(at_from_.thick, at_to_.thick, t);
-    return ellipsoidDistance({v.dot(wide_), v.dot(thick_), s - on_segment}, {wide, thick, std::min(wide, thick)});
+    return {{v.dot(wide_), v.dot(thick_), s - on_segment},
+            {mix(at_from_.wide, at_to_.wide, t), mix(at_from_.thick, at_to_.thick, t)}};
   }
 
  private:
@@ -84,6 +92,40 @@ class EllipticCapsule {
   HalfAxes at_from_, at_to_;
   double length_;
   Vec3 along_, wide_, thick_;
+};
+
+/// A capsule whose section is an ellipse: half axes `wide` along the given direction and `thick` across it, both linear
+/// along the segment; the ends are rounded by the smaller of the two.
+struct EllipticCapsule {
+  FlatSegment segment;
+
+  EllipticCapsule(const Vec3& from, const Vec3& to, const Vec3& wide_direction, HalfAxes at_from, HalfAxes at_to)
+      : segment(from, to, wide_direction, at_from, at_to) {}
+  EllipticCapsule(const Vec3& from, const Vec3& to, const Vec3& wide_direction, HalfAxes axes)
+      : EllipticCapsule(from, to, wide_direction, axes, axes) {}
+
+  double distance(const Vec3& p) const {
+    const FlatSegment::Place at = segment.place(p);
+    return ellipsoidDistance(at.offset, {at.axes.wide, at.axes.thick, std::min(at.axes.wide, at.axes.thick)});
+  }
+};
+
+/// A plate with rounded rims: like the elliptic capsule, but the section is a stadium, whose rim has the radius `thick`
+/// everywhere. An ellipse as flat as a lamina would end in an edge sharper than the mesher can follow. Needs wide >= thick.
+struct PlateCapsule {
+  FlatSegment segment;
+
+  PlateCapsule(const Vec3& from, const Vec3& to, const Vec3& wide_direction, HalfAxes at_from, HalfAxes at_to)
+      : segment(from, to, wide_direction, at_from, at_to) {}
+  PlateCapsule(const Vec3& from, const Vec3& to, const Vec3& wide_direction, HalfAxes axes)
+      : PlateCapsule(from, to, wide_direction, axes, axes) {}
+
+  double distance(const Vec3& p) const {
+    const FlatSegment::Place at = segment.place(p);
+    const double flat = at.axes.wide - at.axes.thick;
+    const double beside = std::max(std::abs(at.offset.x()) - flat, 0.0);
+    return Vec3(beside, at.offset.y(), at.offset.z()).norm() - at.axes.thick;
+  }
 };
 
 /// The side of an upright column (axis y) with a superellipse section |x/a|^n + |z/b|^n = 1.

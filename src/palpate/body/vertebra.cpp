@@ -6,12 +6,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "palpate/body/relax.h"
 #include "palpate/body/signed_distance.h"
 #include "palpate/body/tetrahedra_mesher.h"
 
 namespace palpate::body {
 namespace {
 
+constexpr double kOutOfReach = 8.0;  // mm, beyond every blend and the mesher's blocks
+constexpr int kRelaxRounds = 3;
 constexpr double kEndplateEdge = 2.5;    // mm, rounding of the rim of the endplates
 constexpr double kLaminaOverhang = 2.0;  // mm from the canal's dorsal wall to the middle of the lamina
 constexpr double kCanalLift = 0.5;       // mm by which the canal cuts into the body's dorsal wall
@@ -59,9 +62,10 @@ Vec3 transverseRoot(const VertebraRow& row) {
 struct Parts {
   VertebraRow row;
   Arch arch;
-  EllipticCapsule pedicle, lamina, upper_facet, lower_facet;
+  EllipticCapsule pedicle;
+  PlateCapsule lamina, upper_facet, lower_facet;
   Capsule transverse;
-  EllipticCapsule spinous_root, spinous_tip;
+  PlateCapsule spinous_root, spinous_tip;
 
   explicit Parts(const VertebraRow& r)
       : row(r),
@@ -80,49 +84,49 @@ struct Parts {
             Vec3::UnitX(),
             {r.pedicle_width / 2, r.pedicle_height / 2}};
   }
-  static EllipticCapsule makeLamina(const VertebraRow& r, const Arch& a) {
+  static PlateCapsule makeLamina(const VertebraRow& r, const Arch& a) {
     return {{a.pedicle_x - 1.0, a.pedicle_y - 0.18 * r.height, a.root_z + 1.5},
             {0.0, -0.12 * r.height, a.lamina_z - 0.5},
             Vec3::UnitY(),
             {0.42 * r.height, 3.0}};
   }
   // Upper and lower facets are set apart (thoracic front to back, lumbar sideways), or neighbours collide.
-  static EllipticCapsule makeUpperFacet(const VertebraRow& r, const Arch& a) {
+  static PlateCapsule makeUpperFacet(const VertebraRow& r, const Arch& a) {
     const double c = a.half_canal;
     if (r.thoracic()) {
       return {{c + 1.2, a.pedicle_y, a.root_z + 0.5},
               {c + 1.0, r.height / 2 + 3.0, a.root_z - 0.8},
               Vec3::UnitX(),
-              {4.0, 2.3}};
+              {3.9, 2.1}};
     }
     return {{c + 4.0, a.pedicle_y, a.root_z + 1.0},
             {c + 6.6, r.height / 2 + 4.0, a.root_z + 3.0},
             Vec3::UnitZ(),
-            {4.1, 2.8}};
+            {4.1, 2.5}};
   }
-  static EllipticCapsule makeLowerFacet(const VertebraRow& r, const Arch& a) {
+  static PlateCapsule makeLowerFacet(const VertebraRow& r, const Arch& a) {
     const double c = a.half_canal;
     if (r.thoracic()) {
       return {{c + 1.0, a.pedicle_y, a.root_z + 2.0},
-              {c + 0.2, -0.56 * r.height, a.root_z + 6.0},
+              {c + 0.2, -0.56 * r.height, a.root_z + 6.6},
               Vec3::UnitX(),
-              {4.0, 2.3}};
+              {3.9, 2.1}};
     }
     return {
-        {c + 2.5, a.pedicle_y, a.root_z + 3.0}, {c - 1.6, -0.62 * r.height, a.root_z + 5.5}, Vec3::UnitZ(), {4.1, 2.8}};
+        {c + 2.5, a.pedicle_y, a.root_z + 3.0}, {c - 1.6, -0.62 * r.height, a.root_z + 5.5}, Vec3::UnitZ(), {4.1, 2.5}};
   }
   static Capsule makeTransverse(const VertebraRow& r) {
     return {transverseRoot(r), transverseTip(r), std::max(1.15 * r.transverse_radius, kLeastTransverseRoot),
             r.transverse_radius};
   }
-  static EllipticCapsule makeSpinousRoot(const VertebraRow& r) {
+  static PlateCapsule makeSpinousRoot(const VertebraRow& r) {
     return {spinousRoot(r),
             0.5 * (spinousRoot(r) + spinousEnd(r)),
             Vec3::UnitY(),
             {0.62 * r.spinous_height, 3.6},
             {0.48 * r.spinous_height, 2.6}};
   }
-  static EllipticCapsule makeSpinousTip(const VertebraRow& r) {
+  static PlateCapsule makeSpinousTip(const VertebraRow& r) {
     return {0.5 * (spinousRoot(r) + spinousEnd(r)),
             spinousEnd(r),
             Vec3::UnitY(),
@@ -131,6 +135,8 @@ struct Parts {
   }
 
   double bodyDistance(const Vec3& p) const {
+    const double behind = p.z() - arch.half_depth;
+    if (behind > kOutOfReach) return behind;  // a lower bound is enough where nothing blends with the body
     const double height = std::min(std::abs(2.0 * p.y() / row.height), 1.0);
     const double waist = 1.0 - (row.thoracic() ? 0.08 : 0.10) * (1.0 - height * height);
     const double front = row.thoracic() ? std::clamp(-p.z() / arch.half_depth, 0.0, 1.0) : 0.0;
@@ -141,6 +147,8 @@ struct Parts {
   }
 
   double archDistance(const Vec3& p) const {
+    const double before = arch.half_depth - 4.0 - row.pedicle_height / 2 - p.z();
+    if (before > kOutOfReach) return before;
     double d = smoothUnion(pedicle.distance(p), lamina.distance(p), 2.5);
     d = smoothUnion(d, upper_facet.distance(p), 2.0);
     d = smoothUnion(d, lower_facet.distance(p), 2.0);
@@ -149,12 +157,12 @@ struct Parts {
 
   double canalDistance(const Vec3& p) const {
     const double z = p.z() - (arch.half_depth + row.canal_depth / 2 - kCanalLift);
-    return superellipseDistance(p.x(), z, arch.half_canal, row.canal_depth / 2, 2.0);
+    return ellipseDistance(p.x(), z, arch.half_canal, row.canal_depth / 2);
   }
 
   double distance(const Vec3& p) const {
     double d = smoothUnion(bodyDistance(p), archDistance(p), 3.0);
-    d = smoothDifference(d, canalDistance(p), 1.5);
+    d = smoothDifference(d, canalDistance(p), 3.0);
     return smoothUnion(d, std::min(spinous_root.distance(p), spinous_tip.distance(p)), 2.5);
   }
 
@@ -187,7 +195,10 @@ Vec3 spinousTip(const VertebraRow& row) {
 
 mesh::TriangleMesh makeVertebraHalf(const VertebraRow& row, double cell_mm) {
   const Parts parts(row);
-  return meshZeroSurface([&](const Vec3& p) { return parts.distance(p); }, parts.box(cell_mm));
+  const Field field = [&](const Vec3& p) { return parts.distance(p); };
+  mesh::TriangleMesh half = meshZeroSurface(field, parts.box(cell_mm));
+  relaxOnSurface(half, field, kRelaxRounds);
+  return half;
 }
 
 }  // namespace palpate::body
