@@ -86,7 +86,8 @@ void addRibs(std::vector<Bone>& bones, const std::vector<std::size_t>& counts, d
 }
 
 void addScapulae(std::vector<Bone>& bones, const std::vector<std::size_t>& counts, double cell_mm) {
-  bones.push_back({"scapula_right", BoneKind::scapula, reduced(makeRightScapula(kScapulaCell * cell_mm), counts[kScapulaRight])});
+  bones.push_back(
+      {"scapula_right", BoneKind::scapula, reduced(makeRightScapula(kScapulaCell * cell_mm), counts[kScapulaRight])});
   bones.push_back({"scapula_left", BoneKind::scapula, mirrored(bones[kScapulaRight].mesh)});
 }
 

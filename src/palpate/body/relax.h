@@ -7,8 +7,8 @@
 namespace palpate::body {
 
 /// Moves every vertex towards the middle of its neighbours along the surface and back onto the zero of the field,
-/// `rounds` times: the lattice's slivers and the steps they draw along round edges disappear. Vertices with x == 0 exactly
-/// stay in that plane, as the border of a half that will be mirrored must.
+/// `rounds` times: the lattice's slivers and the steps they draw along round edges disappear. Vertices with x == 0
+/// exactly stay in that plane, as the border of a half that will be mirrored must.
 void relaxOnSurface(mesh::TriangleMesh& mesh, const Field& field, int rounds);
 
 }  // namespace palpate::body

@@ -19,6 +19,7 @@
 #include "palpate/body/relax.h"
 #include "palpate/body/signed_distance.h"
 #include "palpate/body/tetrahedra_mesher.h"
+#include "palpate/body/tube.h"
 
 namespace palpate::body {
 namespace {
@@ -61,68 +62,6 @@ double bladeSteepness(double u, double v) {
 }
 
 Vec3 onBlade(double u, double v) { return {u, v, bladeOffset(u, v)}; }
-
-// A chain of capsules along a spline, joined by the plain minimum: a smooth union would bulge at every joint.
-class Tube {
- public:
-  Tube(const std::vector<Vec3>& points, const std::vector<double>& radii, std::size_t pieces) {
-    const CubicSpline line(points);
-    const auto at = [&](std::size_t i) { return line.length() * static_cast<double>(i) / static_cast<double>(pieces); };
-    const auto radius = [&](double s) {
-      const double place = s / line.length() * static_cast<double>(radii.size() - 1);
-      const auto i = std::min(static_cast<std::size_t>(place), radii.size() - 2);
-      return mix(radii[i], radii[i + 1], place - static_cast<double>(i));
-    };
-    for (std::size_t i = 0; i < pieces; ++i) {
-      capsules_.push_back({line.at(at(i)), line.at(at(i + 1)), radius(at(i)), radius(at(i + 1))});
-    }
-  }
-  double distance(const Vec3& p) const {
-    double d = capsules_.front().distance(p);
-    for (const Capsule& c : capsules_) d = std::min(d, c.distance(p));
-    return d;
-  }
-
- private:
-  std::vector<Capsule> capsules_;
-};
-
-// The same with flat sections: plates or ellipses.
-struct FlatRing {
-  Vec3 centre, wide_direction;
-  HalfAxes axes;
-};
-template <class Piece>
-class FlatTube {
- public:
-  FlatTube(const std::vector<FlatRing>& rings, std::size_t pieces_per_ring) {
-    std::vector<Vec3> points;
-    for (const FlatRing& ring : rings) points.push_back(ring.centre);
-    const CubicSpline line(points);
-    for (std::size_t i = 0; i + 1 < rings.size(); ++i) {
-      for (std::size_t k = 0; k < pieces_per_ring; ++k) {
-        const double from = static_cast<double>(k) / static_cast<double>(pieces_per_ring);
-        const double to = static_cast<double>(k + 1) / static_cast<double>(pieces_per_ring);
-        const auto place = [&](double t) { return line.at(mix(line.knot(i), line.knot(i + 1), t)); };
-        const auto axes = [&](double t) {
-          return HalfAxes{mix(rings[i].axes.wide, rings[i + 1].axes.wide, t),
-                                           mix(rings[i].axes.thick, rings[i + 1].axes.thick, t)};
-        };
-        const Vec3 wide = mix3(rings[i].wide_direction, rings[i + 1].wide_direction, 0.5 * (from + to));
-        capsules_.emplace_back(place(from), place(to), wide, axes(from), axes(to));
-      }
-    }
-  }
-  double distance(const Vec3& p) const {
-    double d = capsules_.front().distance(p);
-    for (const Piece& c : capsules_) d = std::min(d, c.distance(p));
-    return d;
-  }
-
- private:
-  static Vec3 mix3(const Vec3& from, const Vec3& to, double t) { return from + t * (to - from); }
-  std::vector<Piece> capsules_;
-};
 
 // Signed distance in the plane of the blade to its outline, tabulated: the polygon is asked millions of times.
 class Outline {
@@ -210,9 +149,9 @@ struct Parts {
   Tube crest{crestPoints(), {2.6, 2.6, 3.2, 4.0, 4.4}, 12};
   FlatTube<PlateCapsule> acromion{acromionRings(), 4};
   FlatTube<EllipticCapsule> coracoid{{{{86, 24, 0}, Vec3::UnitX(), {8, 6}},
-                         {{92, 36, -10}, Vec3::UnitX(), {7, 5.6}},
-                         {{112, 30, -34}, Vec3::UnitY(), {6, 5}}},
-                        6};
+                                      {{92, 36, -10}, Vec3::UnitX(), {7, 5.6}},
+                                      {{112, 30, -34}, Vec3::UnitY(), {6, 5}}},
+                                     6};
 
   static std::vector<Vec3> crestPoints() {
     std::vector<Vec3> points;

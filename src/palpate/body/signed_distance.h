@@ -111,7 +111,8 @@ struct EllipticCapsule {
 };
 
 /// A plate with rounded rims: like the elliptic capsule, but the section is a stadium, whose rim has the radius `thick`
-/// everywhere. An ellipse as flat as a lamina would end in an edge sharper than the mesher can follow. Needs wide >= thick.
+/// everywhere. An ellipse as flat as a lamina would end in an edge sharper than the mesher can follow. Needs wide >=
+/// thick.
 struct PlateCapsule {
   FlatSegment segment;
 
