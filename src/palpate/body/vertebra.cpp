@@ -9,6 +9,7 @@
 #include "palpate/body/relax.h"
 #include "palpate/body/signed_distance.h"
 #include "palpate/body/tetrahedra_mesher.h"
+#include "palpate/body/tube.h"
 
 namespace palpate::body {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 constexpr double kOutOfReach = 8.0;  // mm, beyond every blend and the mesher's blocks
 constexpr int kRelaxRounds = 3;
 constexpr double kEndplateEdge = 2.5;    // mm, rounding of the rim of the endplates
-constexpr double kLaminaOverhang = 2.0;  // mm from the canal's dorsal wall to the middle of the lamina
+constexpr double kLaminaOverhang = 2.0;  // mm from the canal's wall to the middle of the lamina
 constexpr double kCanalLift = 0.5;       // mm by which the canal cuts into the body's dorsal wall
 constexpr double kLeastTransverseRoot = 4.2;
 
@@ -63,7 +64,8 @@ struct Parts {
   VertebraRow row;
   Arch arch;
   EllipticCapsule pedicle;
-  PlateCapsule lamina, upper_facet, lower_facet;
+  FlatTube<PlateCapsule> lamina;
+  PlateCapsule upper_facet, lower_facet;
   Capsule transverse;
   PlateCapsule spinous_root, spinous_tip;
 
@@ -84,11 +86,19 @@ struct Parts {
             Vec3::UnitX(),
             {r.pedicle_width / 2, r.pedicle_height / 2}};
   }
-  static PlateCapsule makeLamina(const VertebraRow& r, const Arch& a) {
-    return {{a.pedicle_x - 1.0, a.pedicle_y - 0.18 * r.height, a.root_z + 1.5},
-            {0.0, -0.12 * r.height, a.lamina_z - 0.5},
-            Vec3::UnitY(),
-            {0.42 * r.height, 3.0}};
+  // The lamina follows the dorsal wall of the canal from the pedicle to the midline.
+  static FlatTube<PlateCapsule> makeLamina(const VertebraRow& r, const Arch& a) {
+    const double centre_z = a.half_depth + r.canal_depth / 2 - kCanalLift;
+    std::vector<FlatRing> rings;
+    for (const double degrees : {82.0, 60.0, 38.0, 18.0, 0.0}) {
+      const double angle = radians(degrees);
+      const double y = mix(-0.12 * r.height, a.pedicle_y - 0.18 * r.height, degrees / 82.0);
+      rings.push_back({{(a.half_canal + kLaminaOverhang) * std::sin(angle), y,
+                        centre_z + (r.canal_depth / 2 + kLaminaOverhang) * std::cos(angle)},
+                       Vec3::UnitY(),
+                       {0.42 * r.height, 3.0}});
+    }
+    return {rings, 1};
   }
   // Upper and lower facets are set apart (thoracic front to back, lumbar sideways), or neighbours collide.
   static PlateCapsule makeUpperFacet(const VertebraRow& r, const Arch& a) {
