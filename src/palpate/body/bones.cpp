@@ -18,12 +18,15 @@ namespace {
 
 constexpr std::size_t kFirstRib = kVertebraCount;
 constexpr std::size_t kScapulaRight = kBoneCount - 2;
+// The grid when none is asked for: a coarse result never shows a fine grid's detail, and the time goes with its square.
+constexpr double kFineCellMm = 1.5;
+constexpr double kCoarseCellMm = 2.0;
+constexpr std::size_t kFineFrom = 40000;  // triangles
 constexpr double kLeastCellMm = 0.5;
 constexpr double kLargestCellMm = 3.0;  // beyond it the mesher loses the thin parts
 
-// Grid of the other bones, relative to the vertebrae: the scapula is large and smooth, ribs are swept without a grid.
-constexpr double kScapulaCell = 1.25;
-constexpr double kRibEdge = 1.5;
+constexpr double kScapulaCell = 1.25;  // relative to the vertebrae: it is larger and smoother
+constexpr double kRibEdgeMm = 2.2;     // ribs are swept without a grid; longer edges would cross in the neck's bend
 
 // Share of a bone in the triangles, relative: chosen so that the visible error after reduction is alike.
 constexpr double kVertebraWeight = 1.0;
@@ -48,25 +51,29 @@ void check(const BonesSettings& settings) {
   if (settings.triangles < kFewestBoneTriangles) {
     throw Error("the bones need at least " + std::to_string(kFewestBoneTriangles) + " triangles");
   }
-  if (!(settings.cell_mm >= kLeastCellMm && settings.cell_mm <= kLargestCellMm)) {
+  if (settings.cell_mm != 0.0 && !(settings.cell_mm >= kLeastCellMm && settings.cell_mm <= kLargestCellMm)) {
     throw Error("the grid of the bones must lie between 0.5 and 3 mm");
   }
 }
 
-// Coarse totals never use a fine grid's detail: the grid follows the count to save time.
-mesh::TriangleMesh makeVertebra(const VertebraRow& row, std::size_t triangles, double cell_mm) {
-  mesh::DecimateOptions options;
-  options.mirrored_at_x0 = true;
-  mesh::TriangleMesh whole = withMirrorImage(mesh::decimate(makeVertebraHalf(row, cell_mm), triangles / 2, options));
-  const Eigen::Isometry3d frame = vertebraFrame(row);
-  for (Vec3& p : whole.positions) p = frame * p;
-  return whole;
+double cellOf(const BonesSettings& settings) {
+  if (settings.cell_mm > 0.0) return settings.cell_mm;
+  return settings.triangles < kFineFrom ? kCoarseCellMm : kFineCellMm;
 }
 
 // Throws when the mesh before the reduction has fewer triangles than asked for.
-mesh::TriangleMesh reduced(mesh::TriangleMesh mesh, std::size_t triangles) {
+mesh::TriangleMesh reduced(mesh::TriangleMesh mesh, std::size_t triangles, const mesh::DecimateOptions& options = {}) {
   if (mesh.triangles.size() < triangles) throw Error("too many triangles for this grid of the bones");
-  return mesh::decimate(std::move(mesh), triangles);
+  return mesh::decimate(std::move(mesh), triangles, options);
+}
+
+mesh::TriangleMesh makeVertebra(const VertebraRow& row, std::size_t triangles, double cell_mm) {
+  mesh::DecimateOptions options;
+  options.mirrored_at_x0 = true;
+  mesh::TriangleMesh whole = withMirrorImage(reduced(makeVertebraHalf(row, cell_mm), triangles / 2, options));
+  const Eigen::Isometry3d frame = vertebraFrame(row);
+  for (Vec3& p : whole.positions) p = frame * p;
+  return whole;
 }
 
 void addVertebrae(std::vector<Bone>& bones, const std::vector<std::size_t>& counts, double cell_mm) {
@@ -75,10 +82,10 @@ void addVertebrae(std::vector<Bone>& bones, const std::vector<std::size_t>& coun
   }
 }
 
-void addRibs(std::vector<Bone>& bones, const std::vector<std::size_t>& counts, double cell_mm) {
+void addRibs(std::vector<Bone>& bones, const std::vector<std::size_t>& counts) {
   for (int rib = 1; rib <= kRibCount; ++rib) {
     bones.push_back(
-        {ribName(rib, "right"), BoneKind::rib, reduced(makeRightRib(rib, kRibEdge * cell_mm), counts[bones.size()])});
+        {ribName(rib, "right"), BoneKind::rib, reduced(makeRightRib(rib, kRibEdgeMm), counts[bones.size()])});
   }
   for (int rib = 1; rib <= kRibCount; ++rib) {
     bones.push_back({ribName(rib, "left"), BoneKind::rib, mirrored(bones[kFirstRib + rib - 1].mesh)});
@@ -128,9 +135,10 @@ std::vector<Bone> makeBones(const BonesSettings& settings) {
   check(settings);
   const std::vector<std::size_t> counts = shareTriangles(settings.triangles);
   std::vector<Bone> bones;
-  addVertebrae(bones, counts, settings.cell_mm);
-  addRibs(bones, counts, settings.cell_mm);
-  addScapulae(bones, counts, settings.cell_mm);
+  const double cell_mm = cellOf(settings);
+  addVertebrae(bones, counts, cell_mm);
+  addRibs(bones, counts);
+  addScapulae(bones, counts, cell_mm);
   for (Bone& bone : bones) {
     for (Vec3& p : bone.mesh.positions) p = placed(p, settings);
   }

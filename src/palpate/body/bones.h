@@ -27,7 +27,7 @@ using Warp = std::function<Vec3(const Vec3&)>;
 struct BonesSettings {
   double stature_mm = 1750.0;     ///< everything scales linearly with it
   std::size_t triangles = 60000;  ///< of all bones together, exact; even; at least kFewestBoneTriangles
-  double cell_mm = 1.5;           ///< grid of the mesher before the reduction, for a stature of 1750
+  double cell_mm = 0.0;           ///< grid of the mesher before the reduction, for 1750; 0: fits the triangles
   Warp warp;                      ///< applied before the scaling, e.g. the skin's asymmetry; none when empty
 };
 

@@ -54,9 +54,11 @@ constexpr std::array<SectionStop, 5> kSection = {
 // Room between the tubercle's face and the transverse process (mm): cartilage, and what smoothing and roll take away.
 constexpr std::array<double, 10> kTubercleGap = {5.2, 6.6, 4.6, 3.6, 3.0, 3.0, 3.0, 3.0, 3.0, 4.0};
 
-constexpr int kEndRings = 4;         // of the rounded ends
-constexpr double kRollFrom = 0.10;   // share of the length where the face starts to roll,
-constexpr double kRollUntil = 0.28;  // and where it has done so
+constexpr double kSmoothing =
+    40.0;                     // mm^2, twice the variance of the blur along the line: sections must not cross in bends
+constexpr int kEndRings = 4;  // of the rounded ends
+constexpr double kRollFrom = 0.16;   // share of the length where the face starts to roll,
+constexpr double kRollUntil = 0.42;  // and where it has done so
 
 const VertebraRow& vertebraOf(int number) { return spineRows()[number - 1]; }
 
@@ -145,7 +147,7 @@ std::vector<Station> stationsOf(int number, double edge_mm) {
   const CubicSpline spline(controlPoints(number));
   const auto count = static_cast<std::size_t>(std::ceil(spline.length() / edge_mm)) + 1;
   std::vector<Vec3> line = spline.evenly(count);
-  smoothLine(line, static_cast<int>(24.0 / (edge_mm * edge_mm)) + 1);
+  smoothLine(line, static_cast<int>(kSmoothing / (edge_mm * edge_mm)) + 1);
   const double cage_centre_z = headPoint(number).z() + 0.5 * row.anterior_z;
 
   std::vector<Station> stations;

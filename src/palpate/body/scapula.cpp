@@ -155,6 +155,7 @@ struct Parts {
 
   static std::vector<Vec3> crestPoints() {
     std::vector<Vec3> points;
+    points.reserve(kCrest.size());
     for (const Vec3& c : kCrest)
       points.emplace_back(c.x(), c.y() + kFinLean * c.z(), bladeOffset(c.x(), c.y()) + c.z());
     return points;

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <vector>
 
@@ -49,7 +50,11 @@ class Lattice {
 
   mesh::TriangleMesh run() {
     seedBlocks(Point::Zero(), blocks_);
-    for (std::size_t next = 0; next < queue_.size(); ++next) visitBlock(Point(queue_[next]));
+    while (!queue_.empty()) {
+      const Point block = queue_.front();
+      queue_.pop_front();
+      visitBlock(block);
+    }
     return std::move(mesh_);
   }
 
@@ -70,7 +75,7 @@ class Lattice {
 
   void queueBlock(const Point& block) {
     if ((block.array() < 0).any() || (block.array() >= blocks_.array()).any()) return;
-    char& queued = queued_[static_cast<std::size_t>(block.x() + blocks_.x() * (block.y() + blocks_.y() * block.z()))];
+    char& queued = queued_[flatIndex(block, blocks_)];
     if (queued == 0) queue_.push_back(block);
     queued = 1;
   }
@@ -179,11 +184,11 @@ class Lattice {
     return cell + Point(corner & 1, (corner >> 1) & 1, (corner >> 2) & 1);
   }
   std::size_t cornerOffset(int corner) const { return index(cornerOf(Point::Zero(), corner)); }
-  std::size_t index(const Point& p) const {
-    return static_cast<std::size_t>(p.x()) +
-           static_cast<std::size_t>(points_.x()) *
-               (static_cast<std::size_t>(p.y()) +
-                static_cast<std::size_t>(points_.y()) * static_cast<std::size_t>(p.z()));
+  std::size_t index(const Point& p) const { return flatIndex(p, points_); }
+  static std::size_t flatIndex(const Point& p, const Point& size) {
+    const auto wide = p.cast<std::size_t>();
+    const auto extent = size.cast<std::size_t>();
+    return wide.x() + extent.x() * (wide.y() + extent.y() * wide.z());
   }
   Vec3 position(const Point& p) const { return settings_.low + settings_.cell_mm * p.cast<double>(); }
 
@@ -193,7 +198,7 @@ class Lattice {
   std::vector<double> values_;         // NaN: not evaluated yet
   std::vector<Index> vertex_on_edge_;  // 8 slots a lattice point, slot = axes of the edge as a mask
   std::vector<char> queued_;
-  std::vector<Point> queue_;
+  std::deque<Point> queue_;
   mesh::TriangleMesh mesh_;
 };
 

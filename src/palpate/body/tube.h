@@ -48,6 +48,7 @@ class FlatTube {
  public:
   FlatTube(const std::vector<FlatRing>& rings, std::size_t pieces_per_ring) {
     std::vector<Vec3> points;
+    points.reserve(rings.size());
     for (const FlatRing& ring : rings) points.push_back(ring.centre);
     const CubicSpline line(points);
     for (std::size_t i = 0; i + 1 < rings.size(); ++i) addSpan(line, i, rings[i], rings[i + 1], pieces_per_ring);

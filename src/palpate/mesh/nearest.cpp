@@ -14,6 +14,11 @@ constexpr Index kLeafTriangles = 4;
 // Median splits halve the count, so depth <= log2(2^32 / 4): a fixed stack is enough.
 constexpr std::size_t kStack = 64;
 
+// Branch-free, unlike Eigen's squaredExteriorDistance, which costs half of the search.
+double squaredDistance(const Eigen::AlignedBox3d& box, const Vec3& p) {
+  return (box.min() - p).cwiseMax(p - box.max()).cwiseMax(0.0).squaredNorm();
+}
+
 }  // namespace
 
 Vec3 nearestOnTriangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -98,8 +103,8 @@ NearestTriangle::Hit NearestTriangle::find(const Vec3& p, double reach) const {
       scanLeaf(node, p, best);
       continue;
     }
-    Pending nearer{pending.node + 1, nodes_[pending.node + 1].box.squaredExteriorDistance(p)};
-    Pending farther{node.first, nodes_[node.first].box.squaredExteriorDistance(p)};
+    Pending nearer{pending.node + 1, squaredDistance(nodes_[pending.node + 1].box, p)};
+    Pending farther{node.first, squaredDistance(nodes_[node.first].box, p)};
     if (farther.distance2 < nearer.distance2) std::swap(nearer, farther);
     stack[size++] = farther;
     stack[size++] = nearer;

@@ -9,9 +9,9 @@
 
 namespace palpate::mesh {
 
-/// E(x) = x^T A x + 2 b^T x + c, mm^2 times the weight of the planes (mm^2).
+/// E(x) = x^T M x + 2 b^T x + c, mm^2 times the weight of the planes (mm^2).
 struct Quadric {
-  Mat3 A = Mat3::Zero();
+  Mat3 m = Mat3::Zero();
   Vec3 b = Vec3::Zero();
   double c = 0.0;
 
@@ -20,30 +20,30 @@ struct Quadric {
     return {weight * unit_normal * unit_normal.transpose(), weight * offset * unit_normal, weight * offset * offset};
   }
   Quadric& operator+=(const Quadric& q) {
-    A += q.A;
+    m += q.m;
     b += q.b;
     c += q.c;
     return *this;
   }
-  double at(const Vec3& x) const { return x.dot(A * x) + 2.0 * b.dot(x) + c; }
+  double at(const Vec3& x) const { return x.dot(m * x) + 2.0 * b.dot(x) + c; }
 
   /// The point of least error, held near `guess` by `stiffness` (a share of the mean eigenvalue): flat and straight
   /// regions leave directions free that would otherwise send the point anywhere.
   Vec3 best(const Vec3& guess, double stiffness) const {
-    const double hold = stiffness * A.trace() / 3.0 + 1e-30;
-    const Mat3 held = A + hold * Mat3::Identity();
+    const double hold = stiffness * m.trace() / 3.0 + 1e-30;
+    const Mat3 held = m + hold * Mat3::Identity();
     return held.inverse() * (hold * guess - b);
   }
 
   /// The same planes mirrored at x = 0.
   Quadric mirroredAtX0() const {
-    Quadric m = *this;
-    m.A(0, 1) = -m.A(0, 1);
-    m.A(1, 0) = -m.A(1, 0);
-    m.A(0, 2) = -m.A(0, 2);
-    m.A(2, 0) = -m.A(2, 0);
-    m.b.x() = -m.b.x();
-    return m;
+    Quadric q = *this;
+    for (const int other : {1, 2}) {
+      q.m(0, other) = -q.m(0, other);
+      q.m(other, 0) = -q.m(other, 0);
+    }
+    q.b.x() = -q.b.x();
+    return q;
   }
 };
 

@@ -1,0 +1,85 @@
+// The hand: closed, one piece, exact count, its length, sides mirrored.
+#include "palpate/body/hand.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "palpate/base/error.h"
+#include "palpate/mesh/nearest.h"
+#include "palpate/mesh/validate.h"
+
+namespace palpate::body {
+namespace {
+
+TEST(Hand, IsAClosedManifoldInOnePiece) {
+  const mesh::ValidationReport report = mesh::validate(makeHand());
+  EXPECT_TRUE(report.closed);
+  EXPECT_TRUE(report.fit());
+  EXPECT_EQ(report.components, 1u);
+  EXPECT_EQ(report.self_intersections.count, 0u);
+  EXPECT_TRUE(report.volume_mm3 > 300e3 && report.volume_mm3 < 550e3) << report.volume_mm3;  // about 0.4 litre
+}
+
+TEST(Hand, HasTheAskedNumberOfTriangles) {
+  for (const std::size_t count : {std::size_t{200}, std::size_t{2800}, std::size_t{20000}}) {
+    HandSettings settings;
+    settings.triangles = count;
+    EXPECT_EQ(makeHand(settings).triangles.size(), count);
+  }
+}
+
+TEST(Hand, HasTheAskedLengthAndPointsWithItsIndexFinger) {
+  for (const double length : {221.0, 180.0}) {
+    HandSettings settings;
+    settings.length_mm = length;
+    const mesh::TriangleMesh hand = makeHand(settings);
+    const auto box = mesh::boundingBox(hand);
+    EXPECT_NEAR(box.sizes().y(), length, 0.01 * length);
+    const Vec3 tip = indexTip(settings);
+    EXPECT_NEAR(tip.y(), box.max().y(), 0.5);
+    EXPECT_LT(mesh::NearestTriangle(hand).find(tip).distance, 0.5);
+  }
+}
+
+TEST(Hand, LeftIsTheMirrorImageOfRight) {
+  HandSettings settings;
+  const auto right = makeHand(settings).positions;
+  settings.side = Side::left;
+  const auto left = makeHand(settings).positions;
+  ASSERT_EQ(left.size(), right.size());
+  for (std::size_t v = 0; v < left.size(); ++v) EXPECT_EQ(left[v], Vec3(-right[v].x(), right[v].y(), right[v].z()));
+  EXPECT_GT(indexTip(settings).x(), 0.0);
+}
+
+TEST(Hand, FewTrianglesStayNearTheFullShape) {
+  HandSettings settings;
+  settings.triangles = 30000;
+  const mesh::TriangleMesh fine = makeHand(settings);
+  const mesh::NearestTriangle few(makeHand());
+  double squares = 0.0;
+  double worst = 0.0;
+  for (const Vec3& p : fine.positions) {
+    const double d = few.find(p).distance;
+    squares += d * d;
+    worst = std::max(worst, d);
+  }
+  EXPECT_LT(std::sqrt(squares / static_cast<double>(fine.positions.size())), 0.15);
+  EXPECT_LT(worst, 0.8);
+}
+
+TEST(Hand, RefusesWhatCannotBeBuilt) {
+  HandSettings settings;
+  settings.triangles = 2801;
+  EXPECT_THROW(makeHand(settings), Error);
+  settings.triangles = 100;
+  EXPECT_THROW(makeHand(settings), Error);
+  settings.triangles = 4000000;
+  EXPECT_THROW(makeHand(settings), Error);
+  settings = {};
+  settings.length_mm = std::nan("");
+  EXPECT_THROW(makeHand(settings), Error);
+}
+
+}  // namespace
+}  // namespace palpate::body
