@@ -33,8 +33,8 @@ bool overlapsFront(const Surface& surface, const Vec3& centre, double radius) {
   findFeet(surface, centre, radius, feet);
   for (int i = 0; i < feet.count; ++i) {
     const Foot& foot = feet.feet[i];
-    const double beyond = beyondBorder(surface, foot.at, centre);
-    const bool felt = beyond == 0.0 || depthAtBorder(foot.at.position, foot.normal, centre, radius, beyond) > 0.0;
+    // From beyond a border the sheet is not felt: passing beside it must not catch.
+    const bool felt = beyondBorder(surface, foot.at, centre) == 0.0;
     if (felt && !isHidden(surface, foot.at, centre)) return true;
   }
   return false;

@@ -1,0 +1,108 @@
+#include "palpate/contact/friction.h"
+
+#include <cmath>
+
+#include "contact/finger_track.h"
+#include "support/golden.h"
+#include "support/mesh_zoo.h"
+
+namespace palpate::contact {
+
+namespace {
+
+double ratioOf(const FingerOutput& output) {
+  const double normal = output.force.dot(output.normal);
+  return (output.force - normal * output.normal).norm() / normal;
+}
+
+}  // namespace
+
+TEST(Friction, AnchorOfAForceAgreesWithTheGoldenFile) {
+  const auto golden = test::golden("friction_anchor");
+  for (const auto& test : golden["cases"]) {
+    const Vec3 anchor =
+        anchorOfForce(test::vec3(test["P"]), test::vec3(test["D"]), test::vec3(test["n"]), test::vec3(test["F"]));
+    EXPECT_NEAR((anchor - test::vec3(test["expected_A"])).norm(), 0, 1e-9) << test.dump();
+  }
+}
+
+TEST(Friction, TheFingersOwnForceLeadsBackToItsAnchor) {
+  const Surface plate = surfaceOf(zoo::grid());
+  FingerTrack finger(plate);
+  finger.to({50, 50, 5});
+  finger.to({50, 50, -5});
+  const FingerOutput output = finger.slide({51, 50.5, -5}, 0.1);
+  const Vec3 anchor = anchorOfForce(output.proxy, output.tip, output.normal, output.force);
+  EXPECT_NEAR((anchor - output.anchor).norm(), 0, 1e-9);
+}
+
+TEST(Friction, SticksThenSlipsAtItsTwoCoefficients) {
+  const Surface plate = surfaceOf(zoo::grid());
+  for (const double radius : {0.0, 5.0}) {
+    for (const double step : {0.02, 0.05, 0.1, 0.2, 0.5}) {
+      FingerTrack finger(plate, sphereOf(radius));
+      finger.to({30, 50.3, radius + 2});
+      finger.slide({30, 50.3, -5}, 0.05);
+      double highest = 0.0;
+      for (double x = 30 + step; x <= 60; x += step) {
+        const FingerOutput output = finger.to({x, 50.3, -5});
+        highest = std::max(highest, ratioOf(output));
+        if (output.touch == Touch::slip) {
+          ASSERT_NEAR(ratioOf(output), 0.44, 1e-9) << step;
+        }
+      }
+      EXPECT_LE(highest, 0.46 + 1e-9);
+      if (step <= 0.02) {
+        EXPECT_GE(highest, 0.455);
+      }
+    }
+  }
+}
+
+TEST(Friction, HoldsTheAnchorWhileSticking) {
+  const Surface plate = surfaceOf(zoo::grid());
+  FingerTrack finger(plate);
+  finger.to({50, 50, 5});
+  const Vec3 anchor = finger.to({50, 50, -5}).anchor;
+  for (int i = 0; i < 100; ++i) {
+    const FingerOutput output = finger.to({50 + 2 * std::sin(0.1 * i), 50 + 0.5 * std::cos(0.1 * i), -5});
+    ASSERT_EQ(output.touch, Touch::stick);
+    EXPECT_EQ(output.anchor, anchor);
+    EXPECT_NEAR(output.force.x(), kTestStiffness * (anchor.x() - output.tip.x()), 1e-9) << "k_t (A - P)";
+  }
+}
+
+TEST(Friction, ASofterTangentialSpringFollowsFarther) {
+  const Surface plate = surfaceOf(zoo::grid());
+  FingerSettings soft;
+  soft.stiffness_ratio = 0.23;
+  FingerTrack finger(plate, soft);
+  finger.to({30, 50, 5});
+  finger.slide({30, 50, -10}, 0.5);
+  const FingerOutput output = finger.slide({70, 50, -10}, 0.2);
+  EXPECT_EQ(output.touch, Touch::slip);
+  EXPECT_NEAR(ratioOf(output), 0.44, 1e-9);
+  EXPECT_NEAR((output.proxy - output.anchor).norm(), 0.44 * 10 / 0.23, 1e-6) << "19 mm at 10 mm depth (E2)";
+}
+
+TEST(Friction, NoneWithoutCoefficients) {
+  const Surface plate = surfaceOf(zoo::grid());
+  FingerSettings slick;
+  slick.mu_static = slick.mu_dynamic = 0.0;
+  FingerTrack finger(plate, slick);
+  finger.to({30, 50, 5});
+  finger.slide({30, 50, -5}, 0.5);
+  const FingerOutput output = finger.slide({60, 55, -5}, 0.3);
+  EXPECT_NEAR((output.force - Vec3(0, 0, 2.5)).norm(), 0, 1e-12);
+  EXPECT_NEAR((output.anchor - output.proxy).norm(), 0, 1e-12);
+}
+
+TEST(Friction, StretchesThePullToTheWholeOffset) {
+  // The anchor on the far slope of a bump: its tangential share alone would hide most of the displacement.
+  const Grip grip = gripOf({0, 0, 0}, Vec3::UnitZ(), {3, 0, -4}, {10.0, 10.0}, false);
+  EXPECT_NEAR((grip.pull - Vec3(5, 0, 0)).norm(), 0, 1e-12);
+  EXPECT_FALSE(grip.slipping);
+  EXPECT_EQ(gripOf({0, 0, 0}, Vec3::UnitZ(), {0, 0, -4}, {10.0, 10.0}, false).pull, Vec3(0, 0, 0));
+}
+
+}  // namespace palpate::contact

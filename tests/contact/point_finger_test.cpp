@@ -1,0 +1,259 @@
+#include <cmath>
+#include <limits>
+
+#include "contact/finger_track.h"
+#include "palpate/base/error.h"
+#include "palpate/base/random.h"
+#include "support/mesh_zoo.h"
+
+namespace palpate::contact {
+
+TEST(PointFinger, FeelsNothingAbove) {
+  const Surface plate = surfaceOf(zoo::grid());
+  FingerTrack finger(plate);
+  const FingerOutput output = finger.to({50, 50, 3});
+  EXPECT_FALSE(touches(output));
+  EXPECT_EQ(output.force, Vec3(0, 0, 0));
+  EXPECT_EQ(output.proxy, output.tip);
+  EXPECT_EQ(output.triangle, kNoIndex);
+}
+
+TEST(PointFinger, FirstContactHasItsForceInTheSameTick) {
+  const Surface plate = surfaceOf(zoo::grid());
+  FingerTrack finger(plate);
+  finger.to({51.3, 48.7, 5});
+  const FingerOutput output = finger.to({51.3, 48.7, -4});
+  EXPECT_NEAR((output.force - Vec3(0, 0, 4 * kTestStiffness)).norm(), 0, 1e-12);
+  EXPECT_NEAR((output.proxy - Vec3(51.3, 48.7, 0)).norm(), 0, 1e-12);
+  EXPECT_NEAR(output.depth_mm, 4.0, 1e-12);
+  EXPECT_EQ(output.touch, Touch::stick);
+}
+
+TEST(PointFinger, EntersThroughVerticesAndEdgesAndAfterAStopOnTheSurface) {
+  const Surface plate = surfaceOf(zoo::grid(8, 100.0));
+  for (const Vec3& aim : {Vec3(50, 50, 0), Vec3(37.5, 62.5, 0), Vec3(43.75, 50, 0), Vec3(40, 40, 0)}) {
+    FingerTrack straight(plate);
+    straight.to(aim + Vec3(0, 0, 1));
+    EXPECT_TRUE(touches(straight.to(aim - Vec3(0, 0, 1)))) << aim.transpose();
+    FingerTrack in_two_moves(plate);
+    in_two_moves.to(aim + Vec3(0, 0, 1));
+    in_two_moves.to(aim);
+    EXPECT_TRUE(touches(in_two_moves.to(aim - Vec3(0, 0, 1)))) << aim.transpose();
+  }
+}
+
+TEST(PointFinger, ComesInFromTheFrontOnly) {
+  const Surface plate = surfaceOf(zoo::grid());
+  FingerTrack finger(plate);
+  finger.to({50, 50, -5});
+  EXPECT_FALSE(touches(finger.to({50, 50, 5}))) << "from behind";
+  EXPECT_TRUE(touches(finger.to({50, 50, -5}))) << "and back";
+}
+
+TEST(PointFinger, LetsGoInFrontAndFeelsAgain) {
+  const Surface plate = surfaceOf(zoo::grid());
+  FingerTrack finger(plate);
+  for (int press = 0; press < 3; ++press) {
+    finger.to({50, 50, 2});
+    EXPECT_TRUE(touches(finger.to({50, 50, -2})));
+    EXPECT_TRUE(touches(finger.to({50, 50, 0}))) << "on the plane it still touches";
+    EXPECT_FALSE(touches(finger.to({50, 50, 1e-9})));
+  }
+}
+
+TEST(PointFinger, PressesAcrossAConcaveEdgeWithoutASkip) {
+  // A trough of 90 degrees along y: the force turns continuously while the tip crosses the bottom.
+  mesh::TriangleMesh trough{{{-50, 0, 50}, {-50, 100, 50}, {0, 0, 0}, {0, 100, 0}, {50, 0, 50}, {50, 100, 50}},
+                            {{0, 2, 1}, {1, 2, 3}, {2, 4, 3}, {3, 4, 5}}};
+  const Surface surface = surfaceOf(trough);
+  FingerSettings frictionless;
+  frictionless.mu_static = frictionless.mu_dynamic = 0.0;
+  FingerTrack finger(surface, frictionless);
+  finger.to({-20, 50, 40});
+  FingerOutput last = finger.to({-20, 50, 10});
+  for (double x = -20; x <= 20; x += 0.1) {
+    const FingerOutput now = finger.to({x, 50, -std::abs(x) / 2 - 5});
+    ASSERT_TRUE(touches(now));
+    EXPECT_LE((now.force - last.force).norm(), 0.5 * ((now.tip - last.tip).norm() * 2 + 0.2));
+    last = now;
+  }
+}
+
+TEST(PointFinger, FadesAtTheBorderAndStaysFreeBelowTheSheet) {
+  const Surface plate = surfaceOf(zoo::grid(8, 100.0));
+  FingerSettings frictionless;
+  frictionless.mu_static = frictionless.mu_dynamic = 0.0;
+  FingerTrack finger(plate, frictionless);
+  finger.to({90, 50, 5});
+  FingerOutput last = finger.to({90, 50, -5});
+  for (double x = 90.1; x <= 105.5; x += 0.1) {
+    const FingerOutput now = finger.to({x, 50, -5});
+    EXPECT_LE((now.force - last.force).norm(), 0.051) << "0.1 mm at 0.5 N/mm";
+    EXPECT_NEAR(now.force.z(), kTestStiffness * std::clamp(105.0 - x, 0.0, 5.0), 1e-9);
+    last = now;
+  }
+  EXPECT_FALSE(touches(last));
+  EXPECT_FALSE(touches(finger.slide({50, 50, -5}, 0.5))) << "back below the sheet";
+  EXPECT_FALSE(touches(finger.slide({50, 50, 5}, 0.5))) << "and out through its back";
+}
+
+TEST(PointFinger, FadesRoundACornerOfTheBorder) {
+  const Surface plate = surfaceOf(zoo::grid(8, 100.0));
+  FingerTrack finger(plate);
+  finger.to({97, 97, 5});
+  finger.to({97, 97, -5});
+  FingerOutput last = finger.to({99.9, 99.9, -5});
+  for (double beyond = 0.0; beyond <= 6.0; beyond += 0.1) {
+    const FingerOutput now = finger.to({100 + beyond, 100 + beyond, -5});
+    EXPECT_LE((now.force - last.force).norm(), 0.12);
+    last = now;
+  }
+  EXPECT_FALSE(touches(last));
+}
+
+TEST(PointFinger, AThinPlateHoldsUntilTheTipIsFarTooDeep) {
+  const Surface plate = surfaceOf(zoo::plate(200.0, 2.0));
+  const double top = 2.0;
+  FingerTrack finger(plate);
+  finger.to({100, 100, top + 5});
+  for (double depth = 0.5; depth < 40.0; depth += 0.5) {
+    const FingerOutput output = finger.to({100, 100, top - depth});
+    ASSERT_TRUE(touches(output)) << depth;
+    EXPECT_NEAR(output.force.z(), kTestStiffness * depth, 1e-9);
+  }
+  EXPECT_FALSE(touches(finger.to({100, 100, top - 41}))) << "outside on the other side";
+}
+
+TEST(PointFinger, InAFoldEachSheetKeepsItsOwnProxy) {
+  // Two sheets that touch, back to back nowhere: the upper faces up, the lower faces up too, 1 mm below.
+  mesh::TriangleMesh sheets = zoo::grid(4, 100.0);
+  const auto count = static_cast<Index>(sheets.positions.size());
+  const mesh::TriangleMesh upper = sheets;
+  for (const Vec3& p : upper.positions) sheets.positions.emplace_back(p - Vec3(0, 0, 1));
+  for (const Triangle& t : upper.triangles) sheets.triangles.push_back({t[0] + count, t[1] + count, t[2] + count});
+  const Surface surface = surfaceOf(sheets);
+  FingerTrack finger(surface);
+  finger.to({51, 52, 3});
+  const FingerOutput output = finger.to({51, 52, -3});
+  EXPECT_NEAR(output.depth_mm, 3.0, 1e-12) << "the first sheet on the way holds";
+  finger.slide({60, 60, -3}, 0.3);
+  EXPECT_NEAR(finger.state().proxy.position.z(), 0.0, 1e-12);
+}
+
+TEST(PointFinger, LandsOnTheNextSheetInTheTickInWhichItLeavesTheFirst) {
+  // A floor and a wall that do not share vertices: sliding off the wall's slope onto the floor in one tick.
+  mesh::TriangleMesh mesh = zoo::grid(4, 100.0);
+  const auto first = static_cast<Index>(mesh.positions.size());
+  for (const Vec3& p : {Vec3(40, 0, 30), Vec3(40, 100, 30), Vec3(60, 0, 10), Vec3(60, 100, 10)}) {
+    mesh.positions.push_back(p);
+  }
+  mesh.triangles.push_back({first, first + 2, first + 1});
+  mesh.triangles.push_back({first + 1, first + 2, first + 3});
+  const Surface surface = surfaceOf(mesh);
+  FingerTrack finger(surface);
+  finger.to({50, 50, 40});
+  ASSERT_TRUE(touches(finger.to({50, 50, 19})));
+  const FingerOutput output = finger.to({85, 50, -2});  // in front of the slope's plane, but through the floor
+  EXPECT_TRUE(touches(output));
+  EXPECT_NEAR(output.proxy.z(), 0.0, 1e-12);
+}
+
+TEST(PointFinger, GivesUpAPlaceThatIsFarTooDeepForOneMuchNearer) {
+  const Surface box = surfaceOf(zoo::cube(100.0, {0, 0, 0}));
+  FingerTrack finger(box);
+  finger.to({50, 60, 110});
+  const FingerOutput deep = finger.slide({50, 60, 20}, 1.0);  // 80 mm below the top, 20 above the bottom
+  EXPECT_TRUE(touches(deep));
+  EXPECT_LE((deep.proxy - deep.tip).norm(), 40.0 + 1e-9);
+  EXPECT_LE(deep.force.norm(), 40.0 * kTestStiffness * 1.2);
+}
+
+TEST(PointFinger, FeelsRepairedNonManifoldAndOneSidedMeshes) {
+  for (const auto& mesh : {zoo::cubesSharingAnEdge(), zoo::book(), zoo::moebius(), zoo::cubeWithFin(),
+                           zoo::plateWithFoldedSliver(), zoo::cubeWithNeedles(), zoo::cubeWithCap()}) {
+    const Surface surface = surfaceOf(mesh);
+    Random random(41);
+    int felt = 0;
+    for (int i = 0; i < 300; ++i) {
+      const Index t = static_cast<Index>(random.below(surface.tree.records.size()));
+      const auto& c = surface.tree.records[t].corners;
+      const Vec3 normal = (c[1] - c[0]).cross(c[2] - c[0]).normalized();
+      const Vec3 aim = (c[0] + c[1] + c[2]) / 3.0;
+      FingerTrack finger(surface);
+      finger.to(aim + 0.05 * normal);
+      felt += touches(finger.to(aim - 0.05 * normal)) ? 1 : 0;
+    }
+    EXPECT_EQ(felt, 300);
+  }
+}
+
+TEST(PointFinger, ALostTipGivesNoForceAndForgetsNothing) {
+  const Surface plate = surfaceOf(zoo::grid());
+  FingerTrack finger(plate);
+  finger.to({50, 50, 5});
+  const FingerOutput before = finger.to({50, 50, -3});
+  for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity(), 1e300, -1e12}) {
+    const FingerOutput lost = finger.to({50, bad, -3});
+    EXPECT_EQ(lost.force, Vec3(0, 0, 0));
+    EXPECT_NE(lost.status & kTipLost, 0u);
+    EXPECT_TRUE(lost.tip.allFinite() && lost.proxy.allFinite() && lost.anchor.allFinite());
+  }
+  EXPECT_EQ(finger.to({50, 50, -3}).force, before.force);
+}
+
+TEST(PointFinger, IsLostFromTheVeryFirstTickToo) {
+  const Surface plate = surfaceOf(zoo::grid());
+  FingerTrack finger(plate);
+  EXPECT_NE(finger.to({NAN, 0, 0}).status & kTipLost, 0u);
+  finger.to({50, 50, 3});
+  EXPECT_TRUE(touches(finger.to({50, 50, -3})));
+}
+
+TEST(PointFinger, StartedInsideIsFreeUntilItHasBeenOutside) {
+  const Surface box = surfaceOf(zoo::cube(100.0, {0, 0, 0}));
+  FingerTrack finger(box);
+  EXPECT_FALSE(touches(finger.to({50, 50, 50})));
+  EXPECT_FALSE(touches(finger.slide({50, 50, 99}, 1.0)));
+  EXPECT_FALSE(touches(finger.slide({50, 50, 103}, 1.0)));
+  EXPECT_TRUE(touches(finger.slide({50, 50, 97}, 1.0)));
+}
+
+TEST(PointFinger, SlidesOverTwoSpheresThatPierceEachOther) {
+  // Over the top from one sphere to the other, 3 mm deep: the tip must not get free inside the second one.
+  const Surface spheres = surfaceOf(zoo::overlappingSpheres(4));
+  ASSERT_TRUE(spheres.self_intersecting);
+  const auto height = [](double x) { return std::sqrt(std::max(0.0, 400.0 - std::pow(std::abs(x) - 12.5, 2))); };
+  const bool centred = std::abs(spheres.tree.center.x()) < 1.0;
+  const double shift = centred ? 0.0 : spheres.tree.center.x();
+  FingerTrack finger(spheres);
+  finger.to({shift - 20, 3, 30});
+  int ticks = 0, held = 0;
+  for (int pass = 0; pass < 4; ++pass) {
+    for (double s = -20; s <= 20; s += 0.2) {
+      const double x = pass % 2 == 0 ? s : -s;
+      held += touches(finger.to({shift + x, 3, height(x) - 3.2})) ? 1 : 0;
+      ++ticks;
+    }
+  }
+  EXPECT_GE(held, ticks * 97 / 100);
+}
+
+TEST(FingerSettings, ScaleChangesLengthsOnly) {
+  const FingerSettings small = scaled(sphereOf(8.0), 0.001);
+  EXPECT_DOUBLE_EQ(small.radius_mm, 0.008);
+  EXPECT_DOUBLE_EQ(small.max_depth_mm, 0.04);
+  EXPECT_DOUBLE_EQ(small.catch_up_mm_per_s, 0.1);
+  EXPECT_DOUBLE_EQ(small.mu_static, 0.46);
+  EXPECT_DOUBLE_EQ(small.tick_s, 0.001);
+}
+
+TEST(FingerSettings, NonsenseIsNamed) {
+  EXPECT_NO_THROW(check(FingerSettings{}));
+  EXPECT_THROW(check(sphereOf(-1.0)), Error);
+  EXPECT_THROW(check(sphereOf(NAN)), Error);
+  FingerSettings swapped;
+  swapped.mu_dynamic = 0.5;
+  EXPECT_THROW(check(swapped), Error);
+}
+
+}  // namespace palpate::contact
