@@ -1,4 +1,4 @@
-// `palpate model back|torso|bones`: writes a part of the built-in human to a mesh file.
+// `palpate model back|torso|bones|hand`: writes a part of the built-in human to a mesh file.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,6 +16,7 @@
 #include "apps/palpate/commands.h"
 #include "palpate/body/back.h"
 #include "palpate/body/bones.h"
+#include "palpate/body/hand.h"
 #include "palpate/body/torso.h"
 #include "palpate/mesh/save.h"
 
@@ -30,6 +31,8 @@ struct ModelOptions {
   std::size_t triangles = 0;
   std::size_t bone_triangles = 0;
   body::SkinSettings shape;
+  double hand_length_mm = body::HandSettings{}.length_mm;
+  std::string side = "right";
   bool json = false;
 };
 
@@ -185,6 +188,18 @@ void makeBonesModel(const ModelOptions& options) {
          {{"stature_mm", options.shape.stature_mm}, {"parts", partsOf(bones)}});
 }
 
+void makeHandModel(const ModelOptions& options) {
+  const Stopwatch watch;
+  body::HandSettings settings;
+  settings.side = options.side == "left" ? body::Side::left : body::Side::right;
+  settings.triangles = options.triangles;
+  settings.length_mm = options.hand_length_mm;
+  Model model;
+  model.mesh = body::makeHand(settings);
+  const Vec3 tip = body::indexTip(settings);
+  finish("hand", options, model, watch.seconds(), {{"side", options.side}, {"index_tip_mm", jsonOf(tip)}});
+}
+
 /// One model's subcommand with what all of them have. Options live as long as the command line does.
 CLI::App* addModel(CLI::App& parent, const char* name, const char* what, ModelOptions defaults,
                    const std::function<void(const ModelOptions&)>& make, std::shared_ptr<ModelOptions>& options) {
@@ -213,15 +228,15 @@ void addShape(CLI::App& command, ModelOptions& options) {
   add("--rib-relief", shape.relief.ribs, "Ribs: 0 none, 1 a lean man, 2 emaciated");
   add("--scapula-relief", shape.relief.scapulae, "Shoulder blades: 0 none, 1 a lean man, 2 emaciated");
   add("--asymmetry", shape.asymmetry, "0 symmetric, 1 naturally uneven");
-  const auto addLevels = [&](const char* name, body::LevelWeights& value) {
+  const auto add_levels = [&](const char* name, body::LevelWeights& value) {
     command.add_option(name, value, "Weights of that relief at T1-T2, T3-T9, T10-L2, L3-L5")
         ->delimiter(',')
         ->capture_default_str()
         ->group(kGroup);
   };
-  addLevels("--spine-levels", shape.relief.spine_level);
-  addLevels("--rib-levels", shape.relief.rib_level);
-  addLevels("--scapula-levels", shape.relief.scapula_level);
+  add_levels("--spine-levels", shape.relief.spine_level);
+  add_levels("--rib-levels", shape.relief.rib_level);
+  add_levels("--scapula-levels", shape.relief.scapula_level);
 }
 
 void addBack(CLI::App& model) {
@@ -257,6 +272,19 @@ void addBones(CLI::App& model) {
   addStature(*command, *options);
 }
 
+void addHand(CLI::App& model) {
+  ModelOptions defaults;
+  defaults.triangles = body::HandSettings{}.triangles;
+  std::shared_ptr<ModelOptions> options;
+  CLI::App* command =
+      addModel(model, "hand", "An open hand with the index finger stretched out", defaults, makeHandModel, options);
+  command->add_option("--side", options->side, "Which hand")
+      ->check(CLI::IsMember({"right", "left"}))
+      ->capture_default_str();
+  command->add_option("--length-mm", options->hand_length_mm, "From the wrist's cut to the tip of the index finger")
+      ->capture_default_str();
+}
+
 }  // namespace
 
 void addModelCommand(CLI::App& app) {
@@ -265,6 +293,7 @@ void addModelCommand(CLI::App& app) {
   addBack(*model);
   addTorso(*model);
   addBones(*model);
+  addHand(*model);
 }
 
 }  // namespace palpate::app

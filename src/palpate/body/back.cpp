@@ -29,7 +29,8 @@ void check(const SkinSettings& settings) {
 
 SkinSurface makeSkinSurface(const SkinSettings& settings) {
   check(settings);
-  const std::vector<Bone> bones = settings.relief.any() ? makeBones() : std::vector<Bone>{};
+  const std::vector<Bone> bones =
+      settings.relief.any() ? makeBones({.triangles = kReliefBoneTriangles, .warp = {}}) : std::vector<Bone>{};
   return makeSkinSurface(settings, bones);
 }
 

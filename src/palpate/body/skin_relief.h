@@ -30,6 +30,10 @@ struct ReliefSettings {
   bool any() const { return spine != 0 || ribs != 0 || scapulae != 0; }
 };
 
+/// Triangles of bones that are good enough for their relief: more change it by 0.15 mm at most; with half as many a
+/// spinous process may lose its tip.
+inline constexpr std::size_t kReliefBoneTriangles = 8000;
+
 /// No relief at all: the fitted surface alone.
 ReliefSettings noRelief();
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "palpate/body/skin_table.h"
+#include "palpate/body/stature.h"
 
 namespace palpate::body {
 
@@ -34,7 +35,7 @@ Vec2 unitOfPlace(const SkinPlace& place) {
 SkinSurface::SkinSurface(double stature_mm) : SkinSurface(stature_mm, {}, {}) {}
 
 SkinSurface::SkinSurface(double stature_mm, BicubicSpline detail, const Asymmetry& asymmetry)
-    : scale_(stature_mm / kTableStature), base_(tableSpline()), detail_(std::move(detail)), asymmetry_(asymmetry) {
+    : scale_(stature_mm / kTableStatureMm), base_(tableSpline()), detail_(std::move(detail)), asymmetry_(asymmetry) {
   asymmetry_.stature_scale = 1;  // the warp is applied before the scaling
 }
 

@@ -1,8 +1,8 @@
 // The numbers of the built-in skin: spline coefficients and the outline of the trimmed back.
 //
 // Data only, written by tools/fit_skin.py (provenance in skin_table.cpp); read by skin_surface and skin_outline.
-// A man of 1750 mm; the surface is a radius r(angle, y) about the axis x = 0, z = kSkinAxisZ, angle = atan2(x, z -
-// axis).
+// A man of kTableStatureMm; the surface is a radius r(angle, y) about the axis x = 0, z = kSkinAxisZ, angle = atan2(x,
+// z - axis).
 #pragma once
 
 #include <array>
@@ -10,8 +10,6 @@
 
 namespace palpate::body {
 
-/// The stature that the table was fitted at; everything scales with stature / kTableStature.
-inline constexpr double kTableStature = 1750.0;   // mm
 inline constexpr double kSkinAxisZ = -60.0;       // mm; the patch is cut at z = 0, so it spans up to atan(175 / 60)
 inline constexpr double kSkinHalfAngle = 1.2405;  // rad, the spline covers [-half, half]
 inline constexpr double kSkinLow = -292.0;        // mm, below the spine of L5

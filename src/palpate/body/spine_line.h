@@ -8,10 +8,10 @@
 #include <span>
 
 #include "palpate/base/vec.h"
+#include "palpate/body/stature.h"
 
 namespace palpate::body {
 
-inline constexpr double kTableStatureMm = 1750.0;
 inline constexpr int kThoracicCount = 12;
 inline constexpr int kVertebraCount = 17;
 

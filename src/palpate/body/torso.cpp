@@ -7,6 +7,7 @@
 #include "palpate/base/error.h"
 #include "palpate/body/bone_depth.h"
 #include "palpate/body/skin_table.h"
+#include "palpate/body/stature.h"
 
 namespace palpate::body {
 
@@ -32,7 +33,7 @@ std::size_t boneTriangles(const TorsoSettings& settings) {
 class Shape {
  public:
   explicit Shape(const SkinSettings& settings)
-      : asymmetry_{.amount = settings.asymmetry}, scale_(settings.stature_mm / kTableStature) {}
+      : asymmetry_{.amount = settings.asymmetry}, scale_(settings.stature_mm / kTableStatureMm) {}
   Vec3 operator()(const Vec3& point) const { return scale_ * warp(asymmetry_, point).position; }
 
  private:
@@ -58,7 +59,8 @@ Torso makeTorso(const TorsoSettings& settings) {
   bones.triangles = boneTriangles(settings);
   Torso torso;
   torso.bones = makeBones(bones);
-  const SkinSurface surface = makeSkinSurface(settings.shape, torso.bones);
+  const SkinSurface surface = bones.triangles >= kReliefBoneTriangles ? makeSkinSurface(settings.shape, torso.bones)
+                                                                      : makeSkinSurface(settings.shape);
   const Shape shape(settings.shape);
   for (Bone& bone : torso.bones) {
     for (Vec3& point : bone.mesh.positions) point = shape(point);
