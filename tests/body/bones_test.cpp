@@ -11,6 +11,7 @@
 #include <set>
 
 #include "palpate/base/error.h"
+#include "palpate/body/asymmetry.h"
 #include "palpate/body/skin_surface.h"
 #include "palpate/mesh/nearest.h"
 #include "palpate/mesh/validate.h"
@@ -146,7 +147,7 @@ TEST(Bones, FewTrianglesStayNearTheFullShape) {
       worst = std::max(worst, d);
     }
     EXPECT_LT(std::sqrt(squares / static_cast<double>(many[i].mesh.positions.size())), 0.25);
-    EXPECT_LT(worst, 1.2);
+    EXPECT_LT(worst, 1.5);
   }
 }
 
@@ -170,19 +171,29 @@ TEST(Bones, VertebraeAreExactlySymmetric) {
   }
 }
 
-TEST(Bones, NoVertexOfOneLiesInsideAnother) {
-  const auto& bones = defaultBones();
+// The first pair of which one has a vertex inside the other, or nothing.
+std::string firstPiercedPair(const std::vector<Bone>& bones) {
   for (const Bone& outer : bones) {
     const auto box = mesh::boundingBox(outer.mesh);
     for (const Bone& inner : bones) {
       if (&inner == &outer) continue;
       for (const Vec3& p : inner.mesh.positions) {
-        if (box.contains(p)) {
-          ASSERT_LT(support::windingNumber(outer.mesh, p), 0.5) << inner.name << " in " << outer.name;
-        }
+        if (box.contains(p) && support::windingNumber(outer.mesh, p) > 0.5) return inner.name + " in " + outer.name;
       }
     }
   }
+  return "";
+}
+
+TEST(Bones, NoVertexOfOneLiesInsideAnother) { EXPECT_EQ(firstPiercedPair(defaultBones()), ""); }
+
+TEST(Bones, NoVertexOfOneLiesInsideAnotherInTheDefaultTorso) {
+  BonesSettings settings;
+  settings.triangles = 8972;  // its share of 20,389
+  Asymmetry asymmetry;
+  asymmetry.amount = 1.0;
+  settings.warp = [&](const Vec3& p) { return warp(asymmetry, p).position; };
+  EXPECT_EQ(firstPiercedPair(makeBones(settings)), "");
 }
 
 TEST(Bones, LieUnderTheSkinAtTheirCovers) {

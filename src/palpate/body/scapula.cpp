@@ -229,7 +229,7 @@ mesh::TriangleMesh makeRightScapula(double cell_mm) {
 ScapulaPoints rightScapulaPoints() {
   const Eigen::Isometry3d frame = placement();
   const auto raised = [&](double u, double v, double n) { return frame * Vec3(onBlade(u, v) + n * Vec3::UnitZ()); };
-  return {raised(12, 43, 2.5), raised(2, 1.6, 5.6), raised(20, -106, 4.2), frame * Vec3(112, 31, 31)};
+  return {raised(12, 43, 2.5), raised(2, 1.6, 5.6), raised(20, -106, 5.1), frame * Vec3(112, 31, 32)};
 }
 
 }  // namespace palpate::body
