@@ -14,7 +14,7 @@ namespace {
 
 struct InfoArguments {
   MeshArguments mesh;
-  mesh::ValidateOptions checks;
+  bool quick = false;
   bool json = false;
 };
 
@@ -23,7 +23,7 @@ mesh::ValidationReport inspect(const InfoArguments& arguments) {
   mesh::LoadOptions options = arguments.mesh.options;
   options.keep_wrong_indices = true;  // to be counted, not refused
   const mesh::TriangleMesh surface = mesh::load(arguments.mesh.file, options, progress.callback());
-  return mesh::validate(surface, arguments.checks, progress.callback());
+  return mesh::validate(surface, {.self_intersections = !arguments.quick}, progress.callback());
 }
 
 void runInfo(const InfoArguments& arguments) {
@@ -43,7 +43,7 @@ void addInfoCommand(CLI::App& app) {
   auto arguments = std::make_shared<InfoArguments>();
   CLI::App& command = *app.add_subcommand("info", "Report what a mesh file holds and what is wrong with it");
   addMeshArguments(command, arguments->mesh);
-  command.add_flag("!--no-self-intersections", arguments->checks.self_intersections,
+  command.add_flag("--no-self-intersections", arguments->quick,
                    "Do not look for self-intersections (the slowest check)");
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.callback([arguments] { runInfo(*arguments); });

@@ -10,6 +10,8 @@ void addMeshArguments(CLI::App& command, MeshArguments& arguments) {
       ->capture_default_str()
       ->check(CLI::Range(0.0, 1e9));
   command.add_option("--group", arguments.options.group, "Only this group or object of an OBJ file");
+  command.add_flag("--foreign", arguments.options.allow_foreign,
+                   "Read other formats (3mf, dae, fbx, ...) through assimp; only for files you trust");
 }
 
 }  // namespace palpate::app

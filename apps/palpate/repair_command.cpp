@@ -18,7 +18,9 @@ namespace {
 struct RepairArguments {
   MeshArguments mesh;
   std::string output;
-  mesh::RepairOptions options;
+  double weld_distance_mm = 0.0;
+  bool no_weld = false;
+  bool keep_orientation = false;
   bool json = false;
 };
 
@@ -28,7 +30,10 @@ mesh::RepairResult repairFile(const RepairArguments& arguments) {
   load_options.keep_wrong_indices = true;
   mesh::TriangleMesh surface = mesh::load(arguments.mesh.file, load_options, progress.callback());
   try {
-    return mesh::repair(std::move(surface), arguments.options, progress.callback());
+    const mesh::RepairOptions options{.weld = !arguments.no_weld,
+                                      .weld_distance_mm = arguments.weld_distance_mm,
+                                      .orient_outwards = !arguments.keep_orientation};
+    return mesh::repair(std::move(surface), options, progress.callback());
   } catch (const Error& error) {
     throw Error::inFile(arguments.mesh.file, error.what());
   }
@@ -68,13 +73,13 @@ void addRepairCommand(CLI::App& app) {
   CLI::App& command = *app.add_subcommand("repair", "Make a mesh fit to be felt and say what was done");
   addMeshArguments(command, arguments->mesh);
   command.add_option("-o,--output", arguments->output, "File to write: obj, stl or ply (mm)")->required();
-  command.add_flag("!--no-weld", arguments->options.weld, "Leave vertices at the same place apart");
+  command.add_flag("--no-weld", arguments->no_weld, "Leave vertices at the same place apart");
   command
-      .add_option("--weld-distance-mm", arguments->options.weld_distance_mm,
+      .add_option("--weld-distance-mm", arguments->weld_distance_mm,
                   "Weld also vertices nearer than this (mm); 0: the same place only")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 1e9));
-  command.add_flag("!--keep-orientation", arguments->options.orient_outwards,
+  command.add_flag("--keep-orientation", arguments->keep_orientation,
                    "Do not turn closed parts outside out that face inwards");
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.callback([arguments] { runRepair(*arguments); });

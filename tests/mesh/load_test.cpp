@@ -83,6 +83,21 @@ TEST(Load, ReportsProgressThatGrows) {
   EXPECT_EQ(last, 1.0);
 }
 
+TEST(Load, OtherFormatsOnlyWhenAskedFor) {
+  const std::string ac3d =  // a simple format of assimp's: one square
+      "AC3Db\nMATERIAL \"m\" rgb 1 1 1  amb 1 1 1  emis 0 0 0  spec 0 0 0  shi 0  trans 0\nOBJECT world\nkids 1\n"
+      "OBJECT poly\nnumvert 4\n0 0 0\n10 0 0\n10 10 0\n0 10 0\nnumsurf 1\nSURF 0x20\nmat 0\nrefs 4\n0 0 0\n1 1 0\n"
+      "2 1 1\n3 0 1\nkids 0\n";
+  const support::TemporaryFolder folder;
+  writeFile(folder / "square.ac", ac3d);
+  EXPECT_NE(messageOf([&] { load(folder / "square.ac"); }).find("not a mesh file"), std::string::npos);
+  EXPECT_NEAR(validate(load(folder / "square.ac", {.allow_foreign = true})).area_mm2, 100.0, 1e-4);
+  writeFile(folder / "broken.ac", "AC3D");
+  EXPECT_EQ(
+      messageOf([&] { load(folder / "broken.ac", {.allow_foreign = true}); }).find((folder / "broken.ac").string()),
+      0u);
+}
+
 // --- polygons ---
 
 TEST(LoadObj, CutsPolygonsAndCountsBackwards) {

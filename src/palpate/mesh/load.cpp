@@ -24,6 +24,12 @@ std::string lowerCase(std::string text) {
   return text;
 }
 
+/// With its dot, in lower case; "." when there is none.
+std::string extensionOf(const std::filesystem::path& file) {
+  const std::string ending = lowerCase(file.extension().string());
+  return ending.empty() ? "." : ending;
+}
+
 std::optional<Format> formatByContent(std::string_view bytes) {
   if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return Format::ply;
   if (bytes.starts_with("glTF")) return Format::glb;
@@ -36,7 +42,7 @@ std::optional<Format> formatByContent(std::string_view bytes) {
 }
 
 std::optional<Format> formatByExtension(const std::filesystem::path& file) {
-  const std::string extension = lowerCase(file.extension().string());
+  const std::string extension = extensionOf(file);
   if (extension == ".obj") return Format::obj;
   if (extension == ".stl") return Format::stl;
   if (extension == ".ply") return Format::ply;
@@ -46,9 +52,10 @@ std::optional<Format> formatByExtension(const std::filesystem::path& file) {
   return std::nullopt;
 }
 
-Format formatOf(const std::filesystem::path& file, std::string_view bytes) {
+Format formatOf(const std::filesystem::path& file, std::string_view bytes, bool allow_foreign) {
   if (const auto format = formatByContent(bytes)) return *format;
   if (const auto format = formatByExtension(file)) return *format;
+  if (allow_foreign) return Format::foreign;
   throw Error::inFile(file.string(), "not a mesh file that can be read; these can: obj, stl, ply, off, gltf, glb");
 }
 
@@ -65,6 +72,8 @@ TriangleMesh read(const MeshFile& file, Format format) {
     case Format::gltf:
     case Format::glb:
       return readGltf(file);
+    case Format::foreign:
+      return readForeign(file, extensionOf(std::string(file.name)).substr(1));
   }
   return {};
 }
@@ -82,7 +91,8 @@ TriangleMesh loadChecked(const MeshFile& file, Format format) {
   TriangleMesh mesh = read(file, format);
   if (mesh.triangles.empty()) throw Error::inFile(file.name, "no triangles in it");
   // STL welds while it reads.
-  if (format != Format::stl && file.options.weld.value_or(isGltf(format))) {
+  const bool repeats_vertices = isGltf(format) || format == Format::foreign;
+  if (format != Format::stl && file.options.weld.value_or(repeats_vertices)) {
     mergeVertices(mesh, equalVertices(mesh.positions));
   }
   if (!file.options.group.empty()) removeUnusedVertices(mesh);
@@ -102,7 +112,8 @@ TriangleMesh load(const std::filesystem::path& file, const LoadOptions& options,
   report(progress, "reading", 0.0);
   const std::string bytes = readFile(file, options.max_bytes);
   const std::string name = file.string();
-  return loadChecked({bytes, name, options, progress, file.parent_path() / "."}, formatOf(file, bytes));
+  return loadChecked({bytes, name, options, progress, file.parent_path() / "."},
+                     formatOf(file, bytes, options.allow_foreign));
 }
 
 TriangleMesh loadFromMemory(std::string_view bytes, Format format, std::string_view name, const LoadOptions& options,

@@ -15,7 +15,8 @@
 
 namespace palpate::mesh {
 
-enum class Format : std::uint8_t { obj, stl, ply, off, gltf, glb };
+/// `foreign`: whatever else assimp reads, see LoadOptions::allow_foreign.
+enum class Format : std::uint8_t { obj, stl, ply, off, gltf, glb, foreign };
 
 struct LoadOptions {
   /// Millimetres per unit of the file. 0 = what the format says: glTF and GLB are in metres (1000), the others in
@@ -23,12 +24,15 @@ struct LoadOptions {
   double unit_mm = 0.0;
   /// Only the faces of this OBJ group or object (`g`, `o`); empty = all. Vertices that no kept face uses are left out.
   std::string group = std::string();
-  /// Vertices at equal coordinates become one. Unset = what the format needs: STL, glTF and GLB weld, the others do
-  /// not.
+  /// Vertices at equal coordinates become one. Unset = what the format needs: OBJ, PLY and OFF share vertices by
+  /// themselves and are left alone, all others are welded.
   std::optional<bool> weld = std::nullopt;
   /// Keep triangles that name vertices which do not exist, as they are, instead of refusing the file. For `validate`
   /// and `repair` only: everything else expects indices within range.
   bool keep_wrong_indices = false;
+  /// Hand files of other extensions (3mf, dae, fbx, ...) to assimp. Only for files you trust: a hostile one may crash
+  /// it.
+  bool allow_foreign = false;
   /// Longer files are refused before they are read.
   std::size_t max_bytes = std::size_t{8} << 30;
 };
@@ -38,7 +42,8 @@ struct LoadOptions {
 /// Throws Error.
 TriangleMesh load(const std::filesystem::path& file, const LoadOptions& options = {}, const Progress& progress = {});
 
-/// The same for bytes in memory. `name` stands for the file in messages; glTF that refers to other files is refused.
+/// The same for bytes in memory. `name` stands for the file in messages (and its extension tells a foreign format);
+/// glTF that refers to other files is refused.
 TriangleMesh loadFromMemory(std::string_view bytes, Format format, std::string_view name,
                             const LoadOptions& options = {}, const Progress& progress = {});
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 #include "palpate/mesh/load.h"
@@ -21,6 +22,8 @@ TriangleMesh readStl(const MeshFile& file);
 TriangleMesh readPly(const MeshFile& file);
 TriangleMesh readOff(const MeshFile& file);
 TriangleMesh readGltf(const MeshFile& file);
+/// `extension` without its dot tells the format.
+TriangleMesh readForeign(const MeshFile& file, const std::string& extension);
 
 /// Throws Error when one more triangle would not be nameable: adjacency numbers 3 half-edges a triangle in 32 bits.
 void checkTriangleCount(std::size_t triangles, std::string_view name);
