@@ -36,7 +36,6 @@ void measuredTick(Rig& rig, std::uint64_t tick, LoopEvent event, ContactFrame& s
 
 LoopEvent eventOf(const Pacer::Wake& wake, const PacedSettings& settings, Meter& meter) {
   meter.lateness.add(wake.late_ns);
-  meter.report.overruns += wake.missed;
   if (static_cast<double>(wake.late_ns) <= settings.watchdog_s * 1e9) return LoopEvent::none;
   ++meter.report.stalls;
   return LoopEvent::stalled;
@@ -78,6 +77,7 @@ LoopReport runPaced(Rig& rig, std::uint64_t ticks, const PacedSettings& settings
   for (std::uint64_t next = 0; next < ticks && !links.stop.load(std::memory_order_relaxed);) {
     const Pacer::Wake wake = pacer.waitForNext();
     const std::uint64_t tick = std::min(wake.tick, ticks - 1);
+    meter.report.overruns += tick - next;  // deadlines past the end of the run do not count
     measuredTick(rig, tick, eventOf(wake, settings, meter), samples, meter);
     handOver(samples, links);
     next = tick + 1;
