@@ -86,26 +86,61 @@ ScriptFrame frameAt(const Vec3& origin, const Vec3& normal) {
   return {origin, u, w.cross(u), w};
 }
 
-/// Ten seconds whose lengths suit a back, and shrink with smaller bodies.
-scene::Finger automaticFinger(double diagonal, double radius_mm) {
-  const double size = std::min(1.0, diagonal / 400.0);  // 400 mm: the length of a back
-  const auto step = [](scene::Move move, double seconds) {
-    scene::Step s;
-    s.move = move;
-    s.seconds = seconds;
-    return s;
-  };
+// Lengths of the automatic path for a body the size of a back, mm; smaller bodies and narrow tops get smaller ones.
+constexpr double kBackDiagonal = 400.0;
+constexpr double kAutomaticDepth = 8.0;
+constexpr double kAutomaticDrag = 30.0;
+constexpr double kAutomaticCircle = 12.0;
+constexpr double kAutomaticHover = 10.0;
+
+/// Whether the skin goes on, and falls off no steeper than about 40 degrees, wherever a path of this size leads.
+bool fits(const SkinHeight& height, double size) {
+  const double top = height(0.0, 0.0).value_or(0.0);
+  for (double u = -kAutomaticCircle; u <= kAutomaticDrag + kAutomaticCircle; u += 0.5 * kAutomaticCircle) {
+    for (double v = -kAutomaticCircle; v <= kAutomaticCircle; v += 0.5 * kAutomaticCircle) {
+      const auto here = height(size * u, size * v);
+      const double reach = size * (std::hypot(u, v) + kAutomaticDepth);
+      if (!here || std::abs(*here - top) > 0.8 * reach) return false;
+    }
+  }
+  return true;
+}
+
+/// Factors on the lengths above: sideways as far as the top allows, in depth at least half of what the body's size asks
+/// for.
+struct PathSize {
+  double sideways;
+  double depth;
+};
+
+PathSize fittingSize(const SkinHeight& height, double diagonal) {
+  const double body = std::min(1.0, diagonal / kBackDiagonal);
+  double sideways = body;
+  for (int halvings = 0; halvings < 3 && !fits(height, sideways); ++halvings) sideways *= 0.5;
+  return {sideways, std::max(sideways, 0.5 * body)};
+}
+
+scene::Step stepOf(scene::Move move, double seconds) {
+  scene::Step step;
+  step.move = move;
+  step.seconds = seconds;
+  return step;
+}
+
+/// Ten seconds: press, drag away, circle there, drag back, lift.
+scene::Finger automaticFinger(const PathSize& size, double radius_mm) {
+  using scene::Move;
   scene::Finger finger;
   finger.name = "automatic";
   finger.radius_mm = radius_mm;
-  finger.start_height_mm = 10.0 * size;
-  finger.steps = {step(scene::Move::press, 1.5),  step(scene::Move::hold, 0.5), step(scene::Move::drag, 2.0),
-                  step(scene::Move::circle, 3.0), step(scene::Move::drag, 2.0), step(scene::Move::lift, 1.0)};
-  finger.steps[0].depth_mm = 8.0 * size;
-  finger.steps[2].by_mm = Vec2(30.0, 0.0) * size;
-  finger.steps[3].radius_mm = 12.0 * size;
-  finger.steps[4].by_mm = Vec2(-30.0, 0.0) * size;
-  finger.steps[5].height_mm = 10.0 * size;
+  finger.start_height_mm = size.depth * kAutomaticHover;
+  finger.steps = {stepOf(Move::press, 1.5),  stepOf(Move::hold, 0.5), stepOf(Move::drag, 2.0),
+                  stepOf(Move::circle, 3.0), stepOf(Move::drag, 2.0), stepOf(Move::lift, 1.0)};
+  finger.steps[0].depth_mm = size.depth * kAutomaticDepth;
+  finger.steps[2].by_mm = Vec2(size.sideways * kAutomaticDrag, 0.0);
+  finger.steps[3].radius_mm = size.sideways * kAutomaticCircle;
+  finger.steps[4].by_mm = -finger.steps[2].by_mm;
+  finger.steps[5].height_mm = size.depth * kAutomaticHover;
   return finger;
 }
 
@@ -128,10 +163,11 @@ FingerPaths pathsOf(const scene::World& world) {
 Trajectory automaticPath(const scene::World& world, double radius_mm) {
   const Index top = topVertex(world);
   const ScriptFrame frame = frameAt(world.skin.positions[top], world.surface.vertex_normals[top]);
+  const SkinHeight height = heightOver(world, frame);
+  const PathSize size = fittingSize(height, world.surface.tree.diagonal);
   const double ticks_per_s = world.scene.ticks_per_s;
   Trajectory path;
-  path.tip_mm = walkScript(automaticFinger(world.surface.tree.diagonal, radius_mm), frame, heightOver(world, frame),
-                           1.0 / ticks_per_s);
+  path.tip_mm = walkScript(automaticFinger(size, radius_mm), frame, height, 1.0 / ticks_per_s);
   for (std::size_t k = 0; k < path.tip_mm.size(); ++k) path.time_s.push_back(static_cast<double>(k) / ticks_per_s);
   return path;
 }

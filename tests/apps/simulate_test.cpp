@@ -1,0 +1,201 @@
+// `palpate simulate` from the outside: what it prints, writes and refuses.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "palpate/base/text.h"
+#include "palpate/mesh/load.h"
+#include "palpate/mesh/save.h"
+#include "support/run_command.h"
+#include "support/temporary_folder.h"
+
+namespace palpate {
+namespace {
+
+using support::CommandResult;
+using support::contentOf;
+using support::runPalpate;
+
+class Simulate : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    writeDome(folder_ / "dome.obj");
+    write("path.csv", "t_s,x_mm,y_mm,z_mm\n0,0,0,30\n0.5,0,0,15\n1.0,20,0,14\n1.2,20,0,30\n");
+  }
+
+  /// A dome 200 mm wide and 20 mm high.
+  static void writeDome(const std::filesystem::path& file) {
+    mesh::TriangleMesh dome;
+    constexpr Index kCells = 20;
+    for (Index j = 0; j <= kCells; ++j) {
+      for (Index i = 0; i <= kCells; ++i) {
+        const double x = -100.0 + 10.0 * i;
+        const double y = -100.0 + 10.0 * j;
+        dome.positions.emplace_back(x, y, 20.0 - 0.001 * (x * x + y * y));
+        if (i == kCells || j == kCells) continue;
+        const Index a = j * (kCells + 1) + i;
+        dome.triangles.push_back({a, a + 1, a + kCells + 2});
+        dome.triangles.push_back({a, a + kCells + 2, a + kCells + 1});
+      }
+    }
+    mesh::save(file, dome);
+  }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+  }
+  CommandResult simulate(const std::string& arguments) const {
+    return runPalpate("simulate " + arguments, folder_.path());
+  }
+  nlohmann::json report(const std::string& out = "results") const {
+    return nlohmann::json::parse(contentOf(folder_ / (out + "/report.json")));
+  }
+  /// The error of a run that must end with exit code 2 and exactly one line.
+  std::string errorOf(const std::string& arguments) const {
+    const CommandResult result = simulate(arguments);
+    EXPECT_EQ(result.exit_code, 2) << arguments << "\n" << result.err;
+    EXPECT_EQ(result.out, "") << arguments;
+    EXPECT_TRUE(!result.err.empty() && result.err.find('\n') == result.err.size() - 1) << "one line: " << result.err;
+    return result.err;
+  }
+
+  support::TemporaryFolder folder_;
+};
+
+TEST_F(Simulate, PalpatesAMeshAlongATrajectory) {
+  const CommandResult result = simulate("--mesh dome.obj --trajectory path.csv");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("dome.obj"), std::string::npos);
+  EXPECT_NE(result.out.find("results in results: forces.csv surface_deepest.ply report.json"), std::string::npos);
+  const auto finger = report()["fingers"][0];
+  EXPECT_NEAR(finger["depth_mm"]["peak"], 5.6, 0.2);
+  EXPECT_NEAR(finger["force_n"]["peak"], 0.5 * double(finger["depth_mm"]["peak"]), 0.3);
+  EXPECT_GT(finger["triangles_touched"], 2);
+  const std::string forces = contentOf(folder_ / "results/forces.csv");
+  EXPECT_EQ(std::count(forces.begin(), forces.end(), '\n'), 1 + 1201);
+}
+
+TEST_F(Simulate, FindsItsOwnWayOverAnyMeshAndSavesIt) {
+  const CommandResult result = simulate("--mesh dome.obj --out own");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_GT(report("own")["fingers"][0]["touching_share"], 0.8);
+  // The saved path can be used again and gives the same contact to the nanometre it is written with.
+  ASSERT_EQ(simulate("--mesh dome.obj --trajectory own/trajectory_automatic.csv --out again").exit_code, 0);
+  EXPECT_NEAR(report("again")["fingers"][0]["force_n"]["peak"], report("own")["fingers"][0]["force_n"]["peak"], 1e-4);
+}
+
+TEST_F(Simulate, WritesSurfacesWithDisplacementAndStrain) {
+  write("s.toml",
+        "[body]\nkind = \"mesh\"\nfile = \"dome.obj\"\n[output]\nsurfaces_at_s = [0, 1.0, 9]\nforces = false\n"
+        "[[finger]]\nname = \"a\"\ntrajectory = \"path.csv\"\n");
+  ASSERT_EQ(simulate("s.toml").exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "results/forces.csv"));
+  EXPECT_NE(std::string(report()["notes"].dump()).find("no surface_9.000s.ply: the run ended before"),
+            std::string::npos);
+  const std::string ply = contentOf(folder_ / "results/surface_1.000s.ply");
+  for (const char* property : {"displacement_mm", "strain", "stiffness_n_per_mm", "red"}) {
+    EXPECT_NE(ply.substr(0, 1000).find(property), std::string::npos) << property;
+  }
+  const auto rest = mesh::load(folder_ / "results/surface_0.000s.ply");
+  const auto pressed = mesh::load(folder_ / "results/surface_1.000s.ply");
+  double lowest = 0.0;
+  for (std::size_t v = 0; v < rest.positions.size(); ++v) {
+    lowest = std::min(lowest, pressed.positions[v].z() - rest.positions[v].z());
+  }
+  EXPECT_LT(lowest, -3.0) << "the skin gives way under the finger";
+}
+
+TEST_F(Simulate, GivesTheSameForcesTwice) {
+  ASSERT_EQ(simulate("--mesh dome.obj --out one").exit_code, 0);
+  ASSERT_EQ(simulate("--mesh dome.obj --out two").exit_code, 0);
+  EXPECT_EQ(contentOf(folder_ / "one/forces.csv"), contentOf(folder_ / "two/forces.csv"));
+  EXPECT_EQ(report("one")["hash"], report("two")["hash"]);
+}
+
+TEST_F(Simulate, RunsTheDefaultSceneFromAnyFolder) {
+  const CommandResult result = simulate("--json");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json, report());
+  EXPECT_EQ(json["ticks"], 10000);
+  EXPECT_EQ(json["body"]["bones"], 43);
+  ASSERT_EQ(json["fingers"].size(), 2u);
+  for (const auto& finger : json["fingers"]) {
+    EXPECT_GT(finger["touching_share"], 0.8);
+    EXPECT_GT(finger["stick_share"], 0.1);
+    EXPECT_GT(finger["slip_share"], 0.1);
+  }
+}
+
+TEST_F(Simulate, AnUnoptimisedBuildGivesTheSameForcesBitByBit) {
+  const auto twin = std::filesystem::path(PALPATE_BINARY_DIR) / "palpate_unoptimised";
+  if (!std::filesystem::exists(twin)) GTEST_SKIP() << "built without PALPATE_DETERMINISM_BUILD";
+  // Not the torso: without optimisation its bones take minutes.
+  const std::string arguments = "simulate --mesh dome.obj --trajectory path.csv --out ";
+  ASSERT_EQ(runPalpate(arguments + "fast", folder_.path()).exit_code, 0);
+  ASSERT_EQ(support::runProgram(twin, arguments + "slow", folder_.path()).exit_code, 0);
+  EXPECT_EQ(report("fast")["hash"], report("slow")["hash"]);
+  EXPECT_TRUE(contentOf(folder_ / "fast/forces.csv") == contentOf(folder_ / "slow/forces.csv"));
+}
+
+TEST_F(Simulate, RunsInRealTimeBesideTheDeformation) {
+  ASSERT_EQ(simulate("--mesh dome.obj --trajectory path.csv --realtime").exit_code, 0);
+  const auto json = report();
+  EXPECT_EQ(json["mode"], "realtime");
+  EXPECT_GE(json["wall_s"], 1.2);
+  EXPECT_EQ(int(json["ticks"]) + int(json["overruns"]), 1201);
+  EXPECT_GT(json["realtime"]["display"]["frames"], 20);
+  EXPECT_GE(json["realtime"]["lateness_us"]["max"], json["realtime"]["lateness_us"]["p50"]);
+  EXPECT_NEAR(json["fingers"][0]["depth_mm"]["peak"], 5.6, 0.5);
+}
+
+TEST_F(Simulate, RunsAsLongAsItIsTold) {
+  ASSERT_EQ(simulate("--mesh dome.obj --seconds 0.25").exit_code, 0);
+  EXPECT_EQ(report()["ticks"], 250);
+}
+
+TEST_F(Simulate, SaysWhenNothingWasTouched) {
+  write("away.csv", "0,500,500,500\n0.1,500,500,501\n");
+  const CommandResult result = simulate("--mesh dome.obj --trajectory away.csv");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_NE(result.out.find("no finger touched the body, which lies between (-100.0, -100.0,"), std::string::npos);
+}
+
+TEST_F(Simulate, RefusesWrongInputInOneLineWithExitCodeTwo) {
+  EXPECT_EQ(errorOf("nowhere.toml"), "palpate: nowhere.toml: no such file\n");
+  EXPECT_EQ(errorOf("--mesh nowhere.obj"), "palpate: nowhere.obj: no such file\n");
+  EXPECT_EQ(errorOf("--mesh dome.obj --trajectory nowhere.csv"), "palpate: nowhere.csv: no such file\n");
+  write("bad.csv", "t_s,x_mm,y_mm,z_mm\n0,1,2,3\n0.1,1,two,3\n");
+  EXPECT_EQ(errorOf("--mesh dome.obj --trajectory bad.csv"), "palpate: bad.csv:3: y_mm is not a number: 'two'\n");
+  write("nan.csv", "0,1,2,nan\n");
+  EXPECT_EQ(errorOf("--mesh dome.obj --trajectory nan.csv"), "palpate: nan.csv:1: z_mm is nan\n");
+  write("empty.csv", "");
+  EXPECT_EQ(errorOf("--mesh dome.obj --trajectory empty.csv"), "palpate: empty.csv: empty trajectory: no rows\n");
+  write("bad.toml", "[friction]\nstatik = 1\n");
+  EXPECT_EQ(errorOf("bad.toml"), "palpate: bad.toml:2: unknown key 'statik' in [friction]; did you mean 'static'?\n");
+  write("garbage.toml", std::string("\0\1\2\xff", 4));
+  EXPECT_NE(errorOf("garbage.toml").find("palpate: garbage.toml:1: "), std::string::npos);
+  write("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
+  EXPECT_NE(errorOf("--mesh line.obj").find("palpate: line.obj: "), std::string::npos);
+  EXPECT_NE(errorOf("--mesh path.csv").find("palpate: path.csv: "), std::string::npos);
+  write("file", "");
+  EXPECT_EQ(errorOf("--mesh dome.obj --out file"), "palpate: file: cannot be made a folder for results\n");
+  EXPECT_EQ(errorOf("--mesh dome.obj --mesh-unit furlong"),
+            "palpate: --mesh-unit furlong: must be one of auto, mm, cm, dm, m, in\n");
+}
+
+TEST_F(Simulate, RefusesUnknownOptionsWithExitCodeTwo) {
+  EXPECT_EQ(simulate("--speed 3").exit_code, 2);
+  EXPECT_EQ(simulate("--seconds -1").exit_code, 2);
+  EXPECT_EQ(simulate("--help").exit_code, 0);
+}
+
+TEST_F(Simulate, PrintsTheKeysOfSceneFiles) {
+  const CommandResult result = simulate("--keys");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_NE(result.out.find("| `radius_mm` |"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace palpate

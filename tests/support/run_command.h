@@ -1,0 +1,49 @@
+// Runs the built command as a user would, and tells what it printed and how it ended.
+#pragma once
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace palpate::support {
+
+struct CommandResult {
+  int exit_code = -1;
+  std::string out;
+  std::string err;
+};
+
+inline std::string contentOf(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+/// Runs `program arguments` through the shell in a folder of its choice; quote what needs it.
+inline CommandResult runProgram(const std::filesystem::path& program, const std::string& arguments,
+                                const std::filesystem::path& in = ".") {
+  static int runs = 0;
+  const auto stem = std::filesystem::temp_directory_path() /
+                    ("palpate_run_" + std::to_string(getpid()) + "_" + std::to_string(runs++));
+  const std::string out = stem.string() + ".out";
+  const std::string err = stem.string() + ".err";
+  const std::string line = "cd '" + in.string() + "' && '" + program.string() + "' " + arguments + " >'" + out +
+                           "' 2>'" + err + "' </dev/null";
+  const int status = std::system(line.c_str());
+  const CommandResult result{WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentOf(out), contentOf(err)};
+  std::filesystem::remove(out);
+  std::filesystem::remove(err);
+  return result;
+}
+
+inline CommandResult runPalpate(const std::string& arguments, const std::filesystem::path& in = ".") {
+  return runProgram(std::filesystem::path(PALPATE_BINARY_DIR) / "palpate", arguments, in);
+}
+
+}  // namespace palpate::support
