@@ -162,9 +162,10 @@ void printNames() {
 }  // namespace
 
 void addBenchCommand(CLI::App& app) {
-  CLI::App& bench = *app.add_subcommand("bench", "Measure the finger on known meshes and trajectories");
+  CLI::App& bench = *app.add_subcommand("bench", "Measure the finger and the deformation on known meshes and trajectories");
   bench.require_subcommand(1);
   addContactCommand(bench);
+  addBenchDeformCommand(bench);
   addWorkloadCommand(bench);
   bench.add_subcommand("list", "Name the benchmark meshes and trajectories")->callback(printNames);
 }

@@ -47,8 +47,8 @@ TEST(KeyPoints, ErrorsNameTheLineAndTheCause) {
             "keys.csv:2: expected 6 or 7 fields "
             "(name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg[,stiffness_n_per_mm]), found 5");
   EXPECT_EQ(messageOf("P1,0,abc,100,1.2,90\n"), "keys.csv:1: y_mm is not a number: 'abc'");
-  EXPECT_EQ(messageOf("P1,0,0,-3,1.2,90\n"), "keys.csv:1: half_major_mm = -3 is not above 0 and at most 10000");
-  EXPECT_EQ(messageOf("P1,0,0,100,0,90\n"), "keys.csv:1: major_over_minor = 0 is not above 0 and at most 1000");
+  EXPECT_EQ(messageOf("P1,0,0,-3,1.2,90\n"), "keys.csv:1: half_major_mm = -3 is not between 0.001 and 10000");
+  EXPECT_EQ(messageOf("P1,0,0,100,0,90\n"), "keys.csv:1: major_over_minor = 0 is not between 0.001 and 1000");
   EXPECT_EQ(messageOf("P1,0,0,100,1,nan\n"), "keys.csv:1: direction_deg is nan");
   EXPECT_EQ(messageOf("P1,0,0,100,1,0,-1\n"), "keys.csv:1: stiffness_n_per_mm = -1 is negative");
   EXPECT_EQ(messageOf("name,x_cm,y_mm,half_major_mm,major_over_minor,direction_deg\n"),

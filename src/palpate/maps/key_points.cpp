@@ -19,15 +19,16 @@ constexpr std::string_view kStiffnessColumn = "stiffness_n_per_mm";
 constexpr std::size_t kFields = 6;
 /// 64 MiB: more than a million rows; anything longer is not a table of measurements.
 constexpr std::size_t kMaxFileBytes = std::size_t{64} << 20;
-constexpr double kMaxHalfMajorMm = 1e4;  // ten metres: no body is larger
-constexpr double kMaxRatio = 1e3;        // longer ellipses are a wrong unit
+constexpr double kMinHalfMajorMm = 1e-3;  // a micrometre: smaller is a wrong unit
+constexpr double kMaxHalfMajorMm = 1e4;   // ten metres: no body is larger
+constexpr double kMaxRatio = 1e3;         // longer ellipses are a wrong unit
 constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 
-/// A size or ratio: above 0, and small enough that its logarithm and its inverse stay numbers.
-double positive(const CsvRow& row, std::size_t column, std::string_view name, double max) {
+/// A size or ratio whose logarithm and inverse stay ordinary numbers.
+double within(const CsvRow& row, std::size_t column, std::string_view name, double low, double high) {
   const double value = csvNumber(row, column, name);
-  if (value > 0.0 && value <= max) return value;
-  throw Error::atLine(row.file, row.line, fmt::format("{} = {} is not above 0 and at most {}", name, value, max));
+  if (value >= low && value <= high) return value;
+  throw Error::atLine(row.file, row.line, fmt::format("{} = {} is not between {} and {}", name, value, low, high));
 }
 
 double stiffnessOf(const CsvRow& row) {
@@ -56,8 +57,8 @@ KeyPoint keyPointOf(const CsvRow& row) {
   KeyPoint key;
   key.name = row.fields[0];
   key.position_mm = {csvNumber(row, 1, "x_mm"), csvNumber(row, 2, "y_mm")};
-  const double half_major_mm = positive(row, 3, "half_major_mm", kMaxHalfMajorMm);
-  const double ratio = positive(row, 4, "major_over_minor", kMaxRatio);
+  const double half_major_mm = within(row, 3, "half_major_mm", kMinHalfMajorMm, kMaxHalfMajorMm);
+  const double ratio = within(row, 4, "major_over_minor", 1.0 / kMaxRatio, kMaxRatio);
   key.ellipse = canonicalEllipse(half_major_mm, half_major_mm / ratio, csvNumber(row, 5, "direction_deg") * kRadPerDeg);
   const bool has_stiffness = row.fields.size() > kFields && !row.fields[kFields].empty();
   if (has_stiffness) key.stiffness_n_per_mm = stiffnessOf(row);
