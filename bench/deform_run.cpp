@@ -22,7 +22,7 @@ using Clock = std::chrono::steady_clock;
 constexpr int kPlaces = 16;
 /// The finger's places lie on a circle of this radius around the middle of the back: a few millimetres apart, as
 /// between two frames of a moving hand.
-constexpr double kWander_mm = 10.0;
+constexpr double kWanderMm = 10.0;
 constexpr double kMiddleX = 175.0;
 constexpr double kMiddleY = 200.0;
 
@@ -58,8 +58,8 @@ std::vector<deform::Contact> wanderingContacts(const mesh::TriangleMesh& mesh, c
   std::vector<deform::Contact> contacts;
   for (int i = 0; i < kPlaces; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / kPlaces;
-    const double x = kMiddleX + kWander_mm * std::cos(angle);
-    const double y = kMiddleY + kWander_mm * std::sin(angle);
+    const double x = kMiddleX + kWanderMm * std::cos(angle);
+    const double y = kMiddleY + kWanderMm * std::sin(angle);
     contacts.push_back(contactAt(mesh, triangleAt(mesh, x, y), run));
   }
   return contacts;

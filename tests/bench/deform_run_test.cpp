@@ -8,8 +8,9 @@ TEST(DeformRun, MeasuresWhatItSays) {
   const DeformFigures figures =
       measureDeform({.triangles = 41582, .half_major_mm = 100.0, .drag_mm = 5.0, .seconds = 0.02});
   EXPECT_EQ(figures.triangles, 41582u);
-  // About the ellipse's share of the sheet's 350 mm x 400 mm.
-  EXPECT_NEAR(figures.vertices, 41582 / 2.0 * 3.14159 * 100 * 80 / (350 * 400), 600.0);
+  // The ellipse's share of the sheet is 3732 vertices; slopes and the tilt of the contacts make it more.
+  EXPECT_GT(figures.vertices, 3500.0);
+  EXPECT_LT(figures.vertices, 6000.0);
   EXPECT_GT(figures.ns_per_vertex, figures.region_ns_per_vertex);
   EXPECT_GT(figures.region_ns_per_vertex, 0.0);
   EXPECT_GT(figures.ratio_to_copy_floor, 1.0);

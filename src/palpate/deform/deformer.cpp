@@ -171,11 +171,13 @@ Index Deformer::displaceOne(Index block, DeformedSurface& surface) noexcept {
 void Deformer::finishNormalsAndStrain(DeformedSurface& surface) noexcept {
   const bool recompute = settings_.normals == Normals::recomputed;
   if (!recompute && !settings_.strain) return;
+  const PositionStreams positions = surface.positions();
+  const PositionStreams displacements = surface.displacements();
   affected_.forEach([&](Index block) {
     const Index end = std::min((block + 1) * kBlockVertices, skin_.vertices);
     for (Index v = block * kBlockVertices; v < end; ++v) {
-      if (recompute) surface.setNormal(v, areaWeightedNormal(skin_, surface.positions(), v));
-      if (settings_.strain) surface.setStrain(v, strainOfVertex(skin_, surface, v));
+      if (recompute) surface.setNormal(v, areaWeightedNormal(skin_, positions, v));
+      if (settings_.strain) surface.setStrain(v, strainOfVertex(skin_, displacements, v));
     }
   });
 }

@@ -18,6 +18,7 @@ std::uint64_t reachable(const Skin& skin, Index block, std::uint64_t start, std:
 /// The vertices of the linked block that have an edge to one of `from`.
 std::uint64_t acrossLink(const Skin& skin, const BlockLink& link, std::uint64_t from) noexcept {
   if ((from & link.from) == link.from) return link.to;
+  if ((from & link.from) == 0) return 0;
   std::uint64_t to = 0;
   for (Index e = link.first_edge; e < link.end_edge; ++e) {
     const CrossEdge edge = skin.cross_edges[e];
@@ -28,79 +29,75 @@ std::uint64_t acrossLink(const Skin& skin, const BlockLink& link, std::uint64_t 
 
 }  // namespace
 
-RegionSearch::RegionSearch(const Skin& skin) : blocks_(skin.blocks) {
-  queue_.reserve(skin.blocks);
-  touched_.reserve(skin.blocks);
+RegionSearch::RegionSearch(const Skin& skin)
+    : blocks_(skin.blocks), ring_(std::bit_ceil(std::size_t{skin.blocks} + 1)) {
+  visited_.reserve(skin.blocks);
   found_.reserve(skin.blocks);
 }
 
 std::span<const BlockPart> RegionSearch::find(const Skin& skin, const ContactLanes& contact,
                                               const Triangle& anchor_triangle) noexcept {
-  nextEpoch();
+  forget();
   for (const Index corner : anchor_triangle) {
-    seed(skin, contact, blockOf(corner), bitOf(corner));
-    seedNeighbours(skin, contact, corner);
+    seedVertex(corner);
+    for (const Index neighbour : skin.neighbours[corner]) seedVertex(neighbour);
   }
-  while (!queue_.empty()) {
-    const Index block = queue_.back();
-    queue_.pop_back();
-    Block& here = blocks_[block];
-    here.queued = false;
-    const std::uint64_t grown = reachable(skin, block, here.pending, here.inside) & ~here.reached;
-    here.pending = 0;
-    here.reached |= grown;
-    spread(skin, contact, block, here.reached);
+  while (head_ != tail_) {
+    const Index block = ring_[head_++ & (ring_.size() - 1)];
+    if (grow(skin, contact, block) != 0) spread(skin, block, blocks_[block].reached);
   }
-  for (const Index block : touched_) found_.push_back({block, blocks_[block].reached});
+  for (const Index block : visited_) {
+    if (blocks_[block].reached != 0) found_.push_back({block, blocks_[block].reached});
+  }
   return found_;
 }
 
 bool RegionSearch::reached(Index vertex) const noexcept {
-  const Block& block = blocks_[blockOf(vertex)];
-  return block.epoch == epoch_ && (block.reached & bitOf(vertex)) != 0;
+  return (blocks_[blockOf(vertex)].reached & bitOf(vertex)) != 0;
 }
 
-void RegionSearch::look(const Skin& skin, const ContactLanes& contact, Index block) noexcept {
-  const std::uint64_t inside = insideMask(contact, skin.restBlock(block)) & skin.block_vertices[block];
-  blocks_[block] = {epoch_, false, inside, 0, 0};
-  ++visited_;
-}
-
-void RegionSearch::seed(const Skin& skin, const ContactLanes& contact, Index block, std::uint64_t vertices) noexcept {
-  const std::uint64_t fresh = vertices & visit(skin, contact, block).missing();
-  if (fresh != 0) enqueue(block, fresh);
-}
-
-void RegionSearch::enqueue(Index block, std::uint64_t fresh) noexcept {
+/// Notes vertices that the block is missing and queues it. Runs eight times a block in no pattern that a branch
+/// predictor could learn, hence without branches: the queue's next slot is written anyway and counts only if the tail
+/// moves on.
+inline void RegionSearch::seed(Index block, std::uint64_t fresh) noexcept {
   Block& here = blocks_[block];
-  if (here.reached == 0 && here.pending == 0) touched_.push_back(block);
+  ring_[tail_ & (ring_.size() - 1)] = block;
+  tail_ += static_cast<std::size_t>((fresh != 0) & (here.pending == 0));
   here.pending |= fresh;
-  if (here.queued) return;
-  here.queued = true;
-  queue_.push_back(block);
 }
 
-void RegionSearch::seedNeighbours(const Skin& skin, const ContactLanes& contact, Index vertex) noexcept {
-  for (const Index w : skin.neighbours[vertex]) seed(skin, contact, blockOf(w), bitOf(w));
+void RegionSearch::seedVertex(Index vertex) noexcept {
+  seed(blockOf(vertex), bitOf(vertex) & blocks_[blockOf(vertex)].missing());
 }
 
-void RegionSearch::spread(const Skin& skin, const ContactLanes& contact, Index block, std::uint64_t from) noexcept {
+/// Takes the block's seeds and adds what they reach within it; returns what is new.
+std::uint64_t RegionSearch::grow(const Skin& skin, const ContactLanes& contact, Index block) noexcept {
+  Block& here = blocks_[block];
+  if (!here.looked_at) {
+    here.outside = ~(insideMask(contact, skin.restBlock(block)) & skin.block_vertices[block]);
+    here.looked_at = true;
+    visited_.push_back(block);
+  }
+  const std::uint64_t start = here.pending & ~here.outside;
+  here.pending = 0;
+  if (start == 0) return 0;
+  const std::uint64_t grown = reachable(skin, block, start, ~here.outside) & ~here.reached;
+  here.reached |= grown;
+  return grown;
+}
+
+void RegionSearch::spread(const Skin& skin, Index block, std::uint64_t from) noexcept {
   for (const BlockLink& link : skin.linksOf(block)) {
-    if ((from & link.from) == 0) continue;
-    const std::uint64_t missing = link.to & visit(skin, contact, link.block).missing();
-    if (missing == 0) continue;
-    const std::uint64_t fresh = acrossLink(skin, link, from) & missing;
-    if (fresh != 0) enqueue(link.block, fresh);
+    const std::uint64_t missing = link.to & blocks_[link.block].missing();
+    if (missing != 0) seed(link.block, acrossLink(skin, link, from) & missing);
   }
 }
 
-void RegionSearch::nextEpoch() noexcept {
-  touched_.clear();
+void RegionSearch::forget() noexcept {
+  for (const Index block : visited_) blocks_[block] = {};
+  visited_.clear();
   found_.clear();
-  visited_ = 0;
-  if (++epoch_ != 0) return;
-  for (Block& block : blocks_) block.epoch = 0;  // once in four billion searches the stamps start over
-  epoch_ = 1;
+  head_ = tail_ = 0;
 }
 
 }  // namespace palpate::deform

@@ -20,7 +20,7 @@ struct BlockPart {
   std::uint64_t vertices;
 };
 
-/// Working memory of the search. The arrays are never cleared: a block's entries count only if its epoch is this one.
+/// The search and its working memory.
 class RegionSearch {
  public:
   explicit RegionSearch(const Skin& skin);
@@ -32,34 +32,29 @@ class RegionSearch {
   /// True if the last search reached this vertex.
   bool reached(Index vertex) const noexcept;
   /// Blocks that the last search looked at.
-  Index visitedBlocks() const noexcept { return visited_; }
+  Index visitedBlocks() const noexcept { return static_cast<Index>(visited_.size()); }
 
  private:
+  /// What is known of a block. Half a cache line: the search lives on these.
   struct Block {
-    std::uint32_t epoch = 0;
-    bool queued = false;
-    std::uint64_t inside = 0;   // passes the test of the contact
-    std::uint64_t reached = 0;  // inside, and connected to the anchor
-    std::uint64_t pending = 0;  // reached, but not yet spread from
-    std::uint64_t missing() const { return inside & ~reached & ~pending; }
+    std::uint64_t outside = 0;  // known not to belong; nothing is known before the block is looked at
+    std::uint64_t reached = 0;
+    std::uint64_t pending = 0;  // seeds since the block was last taken from the queue; not 0 means it waits there
+    bool looked_at = false;
+    std::uint64_t missing() const { return ~(outside | reached | pending); }
   };
-  const Block& visit(const Skin& skin, const ContactLanes& contact, Index block) noexcept {
-    if (blocks_[block].epoch != epoch_) look(skin, contact, block);
-    return blocks_[block];
-  }
-  void look(const Skin& skin, const ContactLanes& contact, Index block) noexcept;
-  void enqueue(Index block, std::uint64_t fresh) noexcept;
-  void seed(const Skin& skin, const ContactLanes& contact, Index block, std::uint64_t vertices) noexcept;
-  void seedNeighbours(const Skin& skin, const ContactLanes& contact, Index vertex) noexcept;
-  void spread(const Skin& skin, const ContactLanes& contact, Index block, std::uint64_t from) noexcept;
-  void nextEpoch() noexcept;
+  void seed(Index block, std::uint64_t fresh) noexcept;
+  void seedVertex(Index vertex) noexcept;
+  std::uint64_t grow(const Skin& skin, const ContactLanes& contact, Index block) noexcept;
+  void spread(const Skin& skin, Index block, std::uint64_t from) noexcept;
+  void forget() noexcept;
 
   std::vector<Block> blocks_;
-  std::vector<Index> queue_;
-  std::vector<Index> touched_;  // blocks with reached vertices
+  std::vector<Index> ring_;  // the queue: a ring with room for every block, its size a power of two
+  std::size_t head_ = 0;
+  std::size_t tail_ = 0;
+  std::vector<Index> visited_;  // blocks that hold something
   std::vector<BlockPart> found_;
-  std::uint32_t epoch_ = 0;
-  Index visited_ = 0;
 };
 
 }  // namespace palpate::deform

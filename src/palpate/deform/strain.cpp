@@ -18,19 +18,17 @@ double edgeStrain(const Vec3& rest_edge_mm, const Vec3& stretch_mm) noexcept {
   const double rest = rest_edge_mm.norm();
   if (!(rest > 0.0)) return 0.0;
   // |e + s| - |e| without the cancellation of two nearly equal lengths.
-  const double longer = (2.0 * rest_edge_mm + stretch_mm).dot(stretch_mm) / ((rest_edge_mm + stretch_mm).norm() + rest);
-  return longer / rest;
+  const double grown2 = (2.0 * rest_edge_mm + stretch_mm).dot(stretch_mm);
+  return grown2 / (rest * ((rest_edge_mm + stretch_mm).norm() + rest));
 }
 
-float strainOfVertex(const Skin& skin, const DeformedSurface& surface, Index vertex) noexcept {
-  const Vec3f place = skin.restPosition(vertex);
-  const Vec3f moved = surface.displacementAt(vertex);
+float strainOfVertex(const Skin& skin, const PositionStreams& displacements, Index vertex) noexcept {
+  const PositionStreams places{skin.rest[0], skin.rest[1], skin.rest[2]};
+  const Vec3 place = places.at(vertex);
+  const Vec3 moved = displacements.at(vertex);
   double sum = 0.0;
   const auto ring = skin.neighbours[vertex];
-  for (const Index w : ring) {
-    sum +=
-        edgeStrain((skin.restPosition(w) - place).cast<double>(), (surface.displacementAt(w) - moved).cast<double>());
-  }
+  for (const Index w : ring) sum += edgeStrain(places.at(w) - place, displacements.at(w) - moved);
   return ring.empty() ? 0.0f : static_cast<float>(sum / static_cast<double>(ring.size()));
 }
 

@@ -15,7 +15,7 @@ namespace palpate::deform {
 double edgeStrain(const Vec3& rest_edge_mm, const Vec3& stretch_mm) noexcept;
 
 /// (4.20): mean strain of the edges of a vertex; 0 for a vertex without edges. Exactly 0 where nothing moved.
-float strainOfVertex(const Skin& skin, const DeformedSurface& surface, Index vertex) noexcept;
+float strainOfVertex(const Skin& skin, const PositionStreams& displacements, Index vertex) noexcept;
 
 /// Red, green, blue, 0..255.
 using Rgb = std::array<std::uint8_t, 3>;

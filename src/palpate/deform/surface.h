@@ -42,6 +42,7 @@ class DeformedSurface {
   std::span<const float> view(int stream) const { return {streams_[stream], vertices_}; }
   DeformedBlock block(Index block);
   PositionStreams positions() const { return {streams_[0], streams_[1], streams_[2]}; }
+  PositionStreams displacements() const { return {streams_[6], streams_[7], streams_[8]}; }
   void setNormal(Index v, const Vec3f& normal);
   void setStrain(Index v, float strain);
   void restore(const Skin& skin, Index block);
