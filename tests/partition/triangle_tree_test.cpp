@@ -9,6 +9,7 @@
 #include "palpate/base/error.h"
 #include "palpate/base/random.h"
 #include "palpate/partition/exact_predicates.h"
+#include "support/mesh_zoo.h"
 
 namespace palpate::partition {
 
@@ -178,6 +179,16 @@ TEST(TriangleTree, FirstCrossingAgreesWithBruteForce) {
     }
     EXPECT_GT(hits, 30);
   }
+}
+
+TEST(TriangleTree, WindingNumberCountsTheSheetsAroundAPoint) {
+  const TriangleTree tree = buildTriangleTree(zoo::overlappingSpheres());
+  const Vec3 middle = tree.center;
+  EXPECT_EQ(windingNumber(tree, middle), 2);
+  EXPECT_EQ(windingNumber(tree, middle + Vec3(20, 0, 0)), 1);
+  EXPECT_EQ(windingNumber(tree, middle - Vec3(20, 0, 0)), 1);
+  EXPECT_EQ(windingNumber(tree, middle + Vec3(0, 19, 0)), 0);
+  EXPECT_EQ(windingNumber(tree, middle + Vec3(0, 0, -40)), 0);
 }
 
 TEST(TriangleTree, CoincidentTrianglesDoNotNestWithoutEnd) {

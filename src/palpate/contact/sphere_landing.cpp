@@ -28,6 +28,12 @@ bool isHidden(const Surface& surface, const SurfacePoint& foot, const Vec3& cent
          }).triangle != kNoIndex;
 }
 
+/// Whether a place in front of one sheet is inside a body: sheets that pierce each other are buried in part, and a tip
+/// that starts a session inside must not be held by them.
+bool isBuried(const Surface& surface, const Vec3& place) {
+  return surface.self_intersecting && surface.closed && windingNumber(surface.tree, place) > 0;
+}
+
 bool overlapsFront(const Surface& surface, const Vec3& centre, double radius) {
   Feet feet;
   findFeet(surface, centre, radius, feet);
@@ -61,12 +67,12 @@ bool landSphere(const Surface& surface, double radius, FingerState& state, const
   const partition::Crossing entry = firstFrontCrossing(surface.tree, state.tip, tip);
   const bool enters = entry.triangle != kNoIndex;
   if (!enters && !overlapsFront(surface, tip, radius)) return false;
-  // A tip that was inside comes out first: the contact starts where it came out.
+  // A tip that was inside comes out first: then the contact starts where it is out.
   const partition::Crossing exit = firstFrontCrossing(surface.tree, enters ? entry.point : tip, state.tip);
-  const Vec3 outside = exit.triangle != kNoIndex ? exit.point : state.tip;
+  const Vec3 outside = exit.triangle == kNoIndex ? state.tip : (enters ? exit.point : tip);
   const Vec3 centre = advance(surface, outside, tip, radius);
   const SurfacePoint foot = nearestFront(surface, centre, kUnbounded);
-  if (foot.triangle == kNoIndex) return false;
+  if (foot.triangle == kNoIndex || isBuried(surface, centre)) return false;
   state.touching = true;
   state.slipping = false;
   state.centre = centre;

@@ -90,6 +90,8 @@ Surface buildSurface(const mesh::TriangleMesh& mesh, std::vector<double> stiffne
   surface.force_law = options.force_law;
   fillVertices(surface, mesh.positions.size());
   checkFans(surface);
+  const auto& on_border = surface.vertex_on_border;
+  surface.closed = std::find(on_border.begin(), on_border.end(), 1) == on_border.end();
   surface.self_intersecting =
       options.self_intersecting ? *options.self_intersecting : mesh::findIntersections(mesh).piercing_edges > 0;
   return surface;

@@ -26,6 +26,7 @@ struct Surface {
   tissue::ForceLaw force_law;
   /// A point on such a surface is felt as a very small sphere (docs/contact.md).
   bool self_intersecting = false;
+  bool closed = false;  ///< no border anywhere
 };
 
 /// `mesh` must be fit for contact, as mesh::repair leaves it: an edge has at most one neighbour on each side and the

@@ -63,6 +63,10 @@ NearestPoint nearestPoint(const TriangleTree& tree, const Vec3& point, double ma
 /// kNoIndex.
 Crossing firstFrontCrossing(const TriangleTree& tree, const Vec3& from, const Vec3& to) noexcept;
 
+/// How many times a closed surface winds round a point: 0 outside, 1 inside, more where sheets overlap. Counted along
+/// one ray, so a ray that meets an edge exactly may miscount; not for borders.
+int windingNumber(const TriangleTree& tree, const Vec3& point) noexcept;
+
 // ------------------------------------------------------------------------------------------------------------------
 // The same queries with the caller's own test, for those who need one (contact). Templates, so that it is inlined.
 
@@ -134,33 +138,39 @@ NearestPoint nearestPointIf(const TriangleTree& tree, const Vec3& point, double 
   return best;
 }
 
+/// Calls visit(record) for every triangle whose box the segment may touch.
+template <class Visit>
+void visitTrianglesAlong(const TriangleTree& tree, const Vec3& from, const Vec3& to, Visit&& visit) noexcept {
+  const SegmentQuery query = detail::segmentQuery(tree, from, to);
+  ChildLink stack[detail::kMostPending];
+  stack[0] = ChildLink::toNode(0);
+  for (int size = 1; size > 0;) {
+    const ChildLink next = stack[--size];
+    if (next.isLeaf()) {
+      const Index end = next.firstTriangle() + next.triangleCount();
+      for (Index t = next.firstTriangle(); t < end; ++t) visit(t);
+      continue;
+    }
+    const WideNode& node = tree.nodes[next.node()];
+    for (std::uint32_t hits = segmentMayTouch(node, query); hits != 0; hits &= hits - 1) {
+      stack[size++] = node.children[std::countr_zero(hits)];
+    }
+  }
+}
+
 /// First front-to-back crossing of a triangle that accept(record) is true for. Of crossings at the same fraction the
 /// one with the lower record wins.
 template <class Accept>
 Crossing firstFrontCrossingIf(const TriangleTree& tree, const Vec3& from, const Vec3& to, Accept&& accept) noexcept {
-  const SegmentQuery query = detail::segmentQuery(tree, from, to);
-  ChildLink stack[detail::kMostPending];
-  stack[0] = ChildLink::toNode(0);
   Crossing first;
-  for (int size = 1; size > 0;) {
-    const ChildLink next = stack[--size];
-    if (!next.isLeaf()) {
-      const WideNode& node = tree.nodes[next.node()];
-      for (std::uint32_t hits = segmentMayTouch(node, query); hits != 0; hits &= hits - 1) {
-        stack[size++] = node.children[std::countr_zero(hits)];
-      }
-      continue;
-    }
-    const Index end = next.firstTriangle() + next.triangleCount();
-    for (Index t = next.firstTriangle(); t < end; ++t) {
-      Crossing crossing;
-      if (!detail::crossingOf(tree.records[t], from, to, crossing) || !accept(t)) continue;
-      crossing.triangle = t;
-      const bool earlier = first.triangle == kNoIndex || crossing.fraction < first.fraction ||
-                           (crossing.fraction == first.fraction && t < first.triangle);
-      if (earlier) first = crossing;
-    }
-  }
+  visitTrianglesAlong(tree, from, to, [&](Index t) {
+    Crossing crossing;
+    if (!detail::crossingOf(tree.records[t], from, to, crossing) || !accept(t)) return;
+    crossing.triangle = t;
+    const bool earlier = first.triangle == kNoIndex || crossing.fraction < first.fraction ||
+                         (crossing.fraction == first.fraction && t < first.triangle);
+    if (earlier) first = crossing;
+  });
   return first;
 }
 
