@@ -132,6 +132,9 @@ TEST(SceneFile, NamesTheLineOfWhatIsNotToml) {
   EXPECT_EQ(messageFor("title = \"a\"\n[friction\n").substr(0, 9), "s.toml:2:");
   EXPECT_EQ(messageFor("title = \"a\"\ntitle = \"b\"\n").substr(0, 9), "s.toml:2:");
   EXPECT_EQ(messageFor("title = \"a\\nb\"\n" + kFinger), "s.toml:1: title must be one line of plain text");
+  const std::string cut_short = messageFor("[output]\nforces = fal\n" + kFinger);
+  EXPECT_EQ(cut_short.find("s.toml:2: "), 0u);
+  EXPECT_EQ(cut_short.find('\n'), std::string::npos) << "the parser quotes the line end";
   EXPECT_THROW(load("no/such.toml"), Error);
 }
 

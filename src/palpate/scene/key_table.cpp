@@ -57,21 +57,18 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 /// The first word of a name: "radius" of "radius_mm".
 std::string_view stem(std::string_view name) { return name.substr(0, name.find('_')); }
 
-/// Nothing that people type by mistake is longer, and the distance costs the product of the lengths.
-constexpr std::size_t kLongestName = 64;
 /// Longer than any file name or title.
 constexpr std::size_t kLongestText = 4096;
 
 bool isControl(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
-/// What a stranger wrote, fit for one line of a message.
-std::string printable(std::string_view text) {
-  std::string line(text.substr(0, kLongestName));
+}  // namespace
+
+std::string oneLine(std::string_view text, std::size_t most) {
+  std::string line(text.substr(0, most));
   std::replace_if(line.begin(), line.end(), isControl, '?');
   return line;
 }
-
-}  // namespace
 
 std::string Range::words() const {
   std::string words;
@@ -133,7 +130,7 @@ std::vector<double> readPoint(const Entry& entry, std::size_t count) {
 std::size_t readChoice(const Entry& entry, const std::vector<std::string>& choices) {
   const std::string value = readText(entry);
   const auto found = std::find(choices.begin(), choices.end(), value);
-  if (found == choices.end()) entry.fail(fmt::format("must be {}, not \"{}\"", choiceWords(choices), printable(value)));
+  if (found == choices.end()) entry.fail(fmt::format("must be {}, not \"{}\"", choiceWords(choices), oneLine(value)));
   return static_cast<std::size_t>(found - choices.begin());
 }
 
@@ -163,7 +160,7 @@ std::string unknownName(std::string_view kind, std::string_view written, std::st
   const std::string nearest = nearestName(written, names);
   const std::string hint =
       nearest.empty() ? fmt::format("known: {}", fmt::join(names, ", ")) : fmt::format("did you mean '{}'?", nearest);
-  return fmt::format("unknown {} '{}'{}; {}", kind, printable(written), where, hint);
+  return fmt::format("unknown {} '{}'{}; {}", kind, oneLine(written), where, hint);
 }
 
 }  // namespace palpate::scene

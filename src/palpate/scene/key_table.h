@@ -20,6 +20,12 @@
 
 namespace palpate::scene {
 
+/// Nothing that people type by mistake is longer, and comparing names costs the product of their lengths.
+inline constexpr std::size_t kLongestName = 64;
+
+/// What a stranger wrote, fit for a message: no line breaks or other control bytes, not too long.
+std::string oneLine(std::string_view text, std::size_t most = kLongestName);
+
 /// A value in the file and where it stands.
 struct Entry {
   const toml::node& node;

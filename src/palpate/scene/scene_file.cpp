@@ -10,11 +10,14 @@ namespace palpate::scene {
 
 namespace {
 
+/// The parser quotes what it stumbled over; its sentences are shorter.
+constexpr std::size_t kLongestParseMessage = 300;
+
 toml::table parsedToml(std::string_view toml_text, std::string_view name) {
   try {
     return toml::parse(toml_text, name);
   } catch (const toml::parse_error& error) {
-    throw Error::atLine(name, error.source().begin.line, error.description());
+    throw Error::atLine(name, error.source().begin.line, oneLine(error.description(), kLongestParseMessage));
   }
 }
 
