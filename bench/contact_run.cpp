@@ -166,7 +166,7 @@ ContactFigures figuresOf(ContactWorld& world, const FingerRun& run, const contac
   figures.tick_us = percentilesOf(std::move(tick_us));
   const double radius = real.radius_mm * world.scale;
   const std::vector<Observation> observations = observationsOf(run, radius);
-  figures.falls = checkFalls(world.side, observations);
+  figures.falls = checkFalls(world.side, observations, radius);
   if (radius > 0.0) figures.sphere = checkSphere(world.side, observations, radius);
   figures.allocations = run.allocations;
   figures.hash = hashOf(run);

@@ -13,7 +13,7 @@ enum class Past { unknown, outside, entered, held, fallen };
 /// Walks through the ticks and keeps what is known about the tip.
 class FallJudge {
  public:
-  explicit FallJudge(SurfaceSide& surface) : surface_(surface) {}
+  FallJudge(SurfaceSide& surface, double radius) : surface_(surface), reach_(2.0 * radius) {}
 
   void add(const Observation& tick, std::size_t index) {
     if (tick.has_force) {
@@ -23,7 +23,7 @@ class FallJudge {
       held_at_ = tick.tip;
       return;
     }
-    switch (surface_.sideOf(tick.tip)) {
+    switch (surface_.sideOf(tick.tip, reach_)) {
       case Side::unknown:
         endWait(index), past_ = Past::unknown;
         break;
@@ -45,7 +45,8 @@ class FallJudge {
  private:
   /// A tip that came from outside is inside, without a force.
   void addInside(const Observation& tick, std::size_t index) {
-    if (past_ == Past::held && surface_.sideOf(held_at_) == Side::unknown) past_ = Past::unknown;  // let go at a border
+    if (past_ == Past::held && surface_.sideOf(held_at_, reach_) == Side::unknown)
+      past_ = Past::unknown;  // let go at a border
     if (past_ == Past::unknown) return;
     if (past_ == Past::outside) {
       ++report_.first_contacts;
@@ -66,6 +67,7 @@ class FallJudge {
   }
 
   SurfaceSide& surface_;
+  double reach_;
   Past past_ = Past::unknown;
   Vec3 held_at_ = Vec3::Zero();
   std::size_t entry_ = 0;
@@ -75,8 +77,8 @@ class FallJudge {
 
 }  // namespace
 
-FallReport checkFalls(SurfaceSide& surface, std::span<const Observation> ticks) {
-  FallJudge judge(surface);
+FallReport checkFalls(SurfaceSide& surface, std::span<const Observation> ticks, double radius) {
+  FallJudge judge(surface, radius);
   for (std::size_t k = 0; k < ticks.size(); ++k) judge.add(ticks[k], k);
   return judge.finish(ticks.size());
 }

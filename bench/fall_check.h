@@ -30,8 +30,8 @@ struct FallReport {
   std::size_t first_contact_delay_ticks = 0;  ///< worst wait from the tick of the entry to the first force
 };
 
-/// Ticks in their order, of one finger.
-FallReport checkFalls(SurfaceSide& surface, std::span<const Observation> ticks);
+/// Ticks in their order, of one finger with that radius.
+FallReport checkFalls(SurfaceSide& surface, std::span<const Observation> ticks, double radius = 0.0);
 
 struct SphereReport {
   std::size_t infeasible_ticks = 0;  ///< touching, yet the centre is nearer than 0.999 r to a front side

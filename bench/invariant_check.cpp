@@ -25,8 +25,9 @@ class Checker {
       : mesh_(mesh),
         settings_(settings),
         length_(kRounding * mesh::boundingBox(mesh).diagonal().norm()),
-        force_limit_(stiffness * settings.max_depth_mm * std::hypot(1.0, settings.mu_static) * (1.0 + kRounding)),
-        force_(kRounding * stiffness * settings.max_depth_mm) {}
+        force_limit_(stiffness * (settings.max_depth_mm + settings.radius_mm) * std::hypot(1.0, settings.mu_static) *
+                     (1.0 + kRounding)),
+        force_(kRounding * stiffness * (settings.max_depth_mm + settings.radius_mm)) {}
 
   void add(const contact::FingerOutput& o, std::size_t tick) {
     tick_ = tick;

@@ -21,7 +21,7 @@ enum class Invariant {
   tip_not_in_front,   ///< radius 0: (tip - proxy) . normal <= 0
   force_not_pulling,  ///< F . normal >= 0
   friction_in_cone,   ///< Ft <= mu_s Fn
-  force_bounded       ///< |F| <= k max_depth sqrt(1 + mu_s^2)
+  force_bounded       ///< |F| <= k (max_depth + radius) sqrt(1 + mu_s^2)
 };
 inline constexpr std::size_t kInvariants = 9;
 const char* nameOf(Invariant invariant);

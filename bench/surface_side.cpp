@@ -195,13 +195,13 @@ double SurfaceSide::distanceToBorder(const Vec3& point) const {
   return std::sqrt(nearest2);
 }
 
-Side SurfaceSide::sideOverHeightField(const Vec3& point) const {
+Side SurfaceSide::sideOverHeightField(const Vec3& point, double reach) const {
   const std::optional<double> height = heightAt(point.x(), point.y());
   if (!height) return Side::unknown;
   const double depth = *height - point.z();
   if (std::abs(depth) <= tolerance()) return Side::on_surface;
   if (depth < 0.0) return Side::outside;
-  return distanceToBorder(point) < depth ? Side::unknown : Side::inside;
+  return distanceToBorder(point) < depth + reach ? Side::unknown : Side::inside;
 }
 
 // ---- nearest point ------------------------------------------------------------------------------------------------
@@ -306,8 +306,8 @@ NearestPoint SurfaceSide::nearestTo(const Vec3& point) {
   return nearest;
 }
 
-Side SurfaceSide::sideOf(const Vec3& point) {
-  if (kind_ == SurfaceKind::height_field) return sideOverHeightField(point);
+Side SurfaceSide::sideOf(const Vec3& point, double reach) {
+  if (kind_ == SurfaceKind::height_field) return sideOverHeightField(point, reach);
   if ((point - clear_centre_).norm() < clear_radius_) return clear_side_;
   const NearestPoint nearest = nearestTo(point);
   if (nearest.distance <= tolerance()) return Side::on_surface;
@@ -317,7 +317,7 @@ Side SurfaceSide::sideOf(const Vec3& point) {
     clear_centre_ = point;
     clear_radius_ = nearest.distance - tolerance();
     clear_side_ = side;
-  } else if (!nearest.on_border && distanceToBorder(point) > kBesideBorder * nearest.distance) {
+  } else if (!nearest.on_border && distanceToBorder(point) > kBesideBorder * nearest.distance + reach) {
     side = nearest.pseudo_normal.dot(point - nearest.point) < 0.0 ? Side::inside : Side::outside;
   }
   return side;

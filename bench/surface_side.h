@@ -51,14 +51,18 @@ class SurfaceSide {
   double tolerance() const { return 1e-9 * diagonal_; }
   const mesh::TriangleMesh& mesh() const { return mesh_; }
 
-  /// Unknown beyond the border, and nearer to the border than the point is deep: there a finger may have been released
-  /// sideways. Not for several threads at once (it remembers the last answer).
-  Side sideOf(const Vec3& point);
+  /// Unknown beyond the border, and nearer to the border than the point is deep plus `reach`: there a finger may have
+  /// been let go sideways (a sphere leaves a border up to 2 radii earlier than a point). Not for several threads at
+  /// once: it remembers the last answer.
+  Side sideOf(const Vec3& point, double reach = 0.0);
 
   /// Height field only: z of the highest triangle over (x, y), nothing beyond the border.
   std::optional<double> heightAt(double x, double y) const;
 
   NearestPoint nearestTo(const Vec3& point);
+
+  /// Infinite without a border; seen from +z for a height field.
+  double distanceToBorder(const Vec3& point) const;
 
  private:
   struct Box {
@@ -72,8 +76,7 @@ class SurfaceSide {
   void searchBox(Index box, const Vec3& point, NearestPoint& best, Vec3& barycentric) const;
   void describeFeature(const Vec3& barycentric, NearestPoint& nearest) const;
   Vec3 vertexPseudoNormal(Index vertex) const;
-  Side sideOverHeightField(const Vec3& point) const;
-  double distanceToBorder(const Vec3& point) const;  ///< seen from +z for a height field
+  Side sideOverHeightField(const Vec3& point, double reach) const;
   std::array<Vec3, 3> corners(Index triangle) const;
 
   mesh::TriangleMesh mesh_;

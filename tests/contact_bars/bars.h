@@ -24,7 +24,7 @@ inline bool heavy() {
 }
 
 /// A point, and spheres up to a fingertip.
-inline std::vector<double> radiiMm() { return {0.0}; }
+inline std::vector<double> radiiMm() { return {0.0, 0.5, 5.0, 8.0}; }
 
 /// Real friction 0.46 / 0.44, k_t = k_n, shading off: the setting of every bar.
 inline contact::FingerSettings fingerOf(double radius_mm) {

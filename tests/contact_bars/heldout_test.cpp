@@ -27,10 +27,11 @@ class HeldoutShape : public testing::TestWithParam<std::string> {
 TEST_P(HeldoutShape, IsFeltSoundlyByPointsAndSpheres) {
   const double size = sizeOf(GetParam());
   bench::ContactWorld world = bench::buildContactWorld(bench::heldoutMesh(GetParam()));
-  for (const double radius_mm : {0.0}) {
+  for (const double radius_mm : {0.0, 4.0}) {
     const contact::FingerSettings finger = contact::scaled(fingerOf(radius_mm), size);
     for (const double step_mm : {0.1, 1.0, 5.0}) {
-      const bench::PathSettings settings{.ticks = 6000, .step_mm = step_mm * size, .depth_mm = 5.0 * size, .seed = 7};
+      const bench::PathSettings settings{
+          .ticks = 6000, .step_mm = step_mm * size, .depth_mm = 5.0 * size, .start_above_mm = 10.0 * size, .seed = 7};
       const std::string what = fmt::format("{} mm a tick, radius {} mm", step_mm, radius_mm);
       expectSound(world, bench::rub(world.side, settings), finger, "rub, " + what);
       expectSound(world, bench::tour(world.side, settings), finger, "tour, " + what);
