@@ -27,9 +27,10 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr Box kEmptyBox = {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
 
 bool overlap(const Box& a, const Box& b) {
-  bool result = true;
-  for (std::size_t i = 0; i < 3; ++i) result &= (a.low[i] <= b.high[i]) & (b.low[i] <= a.high[i]);
-  return result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (a.low[i] > b.high[i] || b.low[i] > a.high[i]) return false;
+  }
+  return true;
 }
 
 void include(Box& box, const Box& other) {

@@ -289,7 +289,7 @@ class BodyReader {
 }  // namespace
 
 TriangleMesh readPly(const MeshFile& file) {
-  TextReader text(file.bytes, file.name);
+  TextReader text(file.bytes, file.name, file.progress);
   const Header header = readHeader(text);
   text.nextLine();
   if (header.encoding == Encoding::text) return BodyReader(TextValues(text, header.encoding), file).read(header);

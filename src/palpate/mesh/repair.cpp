@@ -29,7 +29,8 @@ class Repairing {
   }
 
   void dropUnusable() {
-    auto& [positions, triangles] = result_.mesh;
+    const auto& positions = result_.mesh.positions;
+    auto& triangles = result_.mesh.triangles;
     note("triangles dropped that name a vertex which does not exist", std::erase_if(triangles, [&](const Triangle& t) {
            return std::any_of(t.begin(), t.end(), [&](Index v) { return v >= positions.size(); });
          }));

@@ -13,8 +13,9 @@ namespace palpate::mesh {
 
 class TextReader {
  public:
-  /// `name` is the file in messages; both texts must outlive the reader. Starts on line 1.
-  TextReader(std::string_view text, std::string_view name, const Progress& progress = {});
+  /// `name` is the file in messages. Text, name and progress must outlive the reader, which is why none has a default:
+  /// it would be gone at the end of the statement. Starts on line 1.
+  TextReader(std::string_view text, std::string_view name, const Progress& progress);
 
   /// The next word of this line; empty at its end.
   std::string_view word();
