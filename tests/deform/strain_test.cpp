@@ -12,7 +12,7 @@ namespace palpate::deform {
 using test::vec3;
 
 TEST(Strain, EdgesOfTheReference) {
-  for (const auto& c : test::golden("strain")["cases"]) {
+  for (const auto& c : test::goldenRows("strain", "cases")) {
     double sum = 0.0;
     for (std::size_t i = 0; i < c["rest_nb"].size(); ++i) {
       const Vec3 rest = vec3(c["rest_nb"][i]) - vec3(c["rest_center"]);

@@ -23,7 +23,7 @@ std::vector<double> solvedDepths(const Eigen::MatrixXd& g, const Eigen::VectorXd
 }
 
 TEST(SolveDepths, TwoFingersAsInTheReference) {
-  for (const auto& c : test::golden("two_fingers")["cases"]) {
+  for (const auto& c : test::goldenRows("two_fingers", "cases")) {
     const double g = tissue::profile(c["distance"].get<double>() / c["R"].get<double>());
     EXPECT_NEAR(g, c["g"], 1e-12);
     Eigen::Matrix2d coupling;

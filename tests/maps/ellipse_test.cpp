@@ -10,7 +10,7 @@
 
 namespace palpate::maps {
 
-using test::golden;
+using test::goldenRows;
 using test::vec3;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -22,7 +22,7 @@ double axisDifference(double a_deg, double b_deg) {
 }
 
 TEST(Ellipse, LocationRatioIsThatOfTheTrueEllipse) {
-  for (const auto& c : golden("ellipse_q")["cases"]) {
+  for (const auto& c : goldenRows("ellipse_q", "cases")) {
     const SurfaceEllipse ellipse{vec3(c["OA"]), c["aspect_minor_over_major"]};
     const double q = locationRatio(ellipse, vec3(c["OD"]));
     EXPECT_NEAR(q, c["q_ellipse"], 1e-12 * std::max(1.0, q)) << c;
@@ -42,7 +42,7 @@ TEST(Ellipse, CentreIsZeroAndAnEmptyEllipseHoldsNothingElse) {
 }
 
 TEST(Ellipse, FullAxesInCentimetreBecomeCanonical) {
-  for (const auto& c : golden("ellipse_normalise")["cases"]) {
+  for (const auto& c : goldenRows("ellipse_normalise", "cases")) {
     const Ellipse e = ellipseFromFullAxesCm(c["in_major_cm"], c["in_minor_cm"], c["in_deg"]);
     EXPECT_NEAR(e.half_major_mm, c["half_major_mm"], 1e-12) << c;
     EXPECT_NEAR(e.aspect, c["aspect"], 1e-12) << c;
@@ -54,7 +54,7 @@ TEST(Ellipse, FullAxesInCentimetreBecomeCanonical) {
 
 // The measured ratio is major/minor; taken as minor/major it would stretch the ellipse across itself.
 TEST(Ellipse, RatioAboveOneIsNotMistakenForTheAspect) {
-  for (const auto& c : golden("ellipse_normalise")["misuse"]) {
+  for (const auto& c : goldenRows("ellipse_normalise", "misuse")) {
     const double half_major = c["half_major"];
     const Ellipse e = canonicalEllipse(half_major, half_major / c["ratio"].get<double>(), 0.0);
     EXPECT_NEAR(locationRatio(e, Vec2(c["OD"][0], c["OD"][1])), c["q_correct"], 1e-12) << c;
@@ -79,7 +79,7 @@ TEST(Ellipse, CircleHasNoDirectionAndSaysSo) {
 }
 
 TEST(Projection, FootOfThePointLiesOnThePlane) {
-  for (const auto& c : golden("projection")["cases"]) {
+  for (const auto& c : goldenRows("projection", "cases")) {
     const Vec3 foot = projectedOnPlane(vec3(c["J"]), vec3(c["O"]), vec3(c["N"]));
     EXPECT_LT((foot - vec3(c["D"])).norm(), 1e-12) << c;
     EXPECT_NEAR((foot - vec3(c["O"])).dot(vec3(c["N"])), 0.0, 1e-12);
@@ -87,7 +87,7 @@ TEST(Projection, FootOfThePointLiesOnThePlane) {
 }
 
 TEST(Lift, KeepsDirectionSeenAlongZAndRestoresLength) {
-  for (const auto& c : golden("ellipse_lift")["cases"]) {
+  for (const auto& c : goldenRows("ellipse_lift", "cases")) {
     const auto& expected = c["recommended_same_direction_length_R"];
     if (expected.is_null()) continue;
     const Ellipse flat{c["half_major"], 0.8, c["deg"].get<double>() * kDegree};

@@ -11,6 +11,7 @@
 namespace palpate::maps {
 
 using test::golden;
+using test::goldenRows;
 
 double blended(const nlohmann::json& levels, const nlohmann::json& values, double base) {
   GaussianBlend<double> blend(base);
@@ -30,11 +31,12 @@ TEST(GaussianInterpolation, EffectLevelsOfTheTableInTheText) {
 }
 
 TEST(GaussianInterpolation, EqualsTheProductFormula) {
-  for (const auto& c : golden("gri")["random"]) EXPECT_NEAR(blended(c["a"], c["r"], c["r_c"]), c["exact"], 1e-9);
+  for (const auto& c : goldenRows("gri", "random")) EXPECT_NEAR(blended(c["a"], c["r"], c["r_c"]), c["exact"], 1e-9);
 }
 
 TEST(GaussianInterpolation, HasAnAnswerWhereTheProductFormulaIsZeroByZero) {
-  for (const auto& c : golden("gri")["edge"]) EXPECT_NEAR(blended(c["a"], c["r"], c["r_c"]), c["exact"], 1e-12) << c;
+  for (const auto& c : goldenRows("gri", "edge"))
+    EXPECT_NEAR(blended(c["a"], c["r"], c["r_c"]), c["exact"], 1e-12) << c;
 }
 
 TEST(GaussianInterpolation, NothingReachesFartherThanTheEffectRadius) {
@@ -64,7 +66,7 @@ TEST(GaussianInterpolation, TenThousandKeysStayWithinTheirRange) {
 }
 
 TEST(GaussianInterpolation, UndirectedAxesBlendAsTensors) {
-  for (const auto& c : golden("direction_interp")["cases"]) {
+  for (const auto& c : goldenRows("direction_interp", "cases")) {
     const auto& expected = c["log_tensor"];
     const double half_major = expected["key_half_major"];
     GaussianBlend<LogTensor> blend(logTensor({expected["r_c"], 1.0}));

@@ -18,6 +18,14 @@ inline nlohmann::json golden(const std::string& name) {
   return nlohmann::json::parse(file);
 }
 
+/// The list `key` of the file, by value: `golden(name)[key]` in a range-for would be a list that is gone before the
+/// first round, and the test would check nothing. Throws if the list is missing or empty.
+inline nlohmann::json goldenRows(const std::string& name, const std::string& key) {
+  nlohmann::json rows = golden(name).at(key);
+  if (!rows.is_array() || rows.empty()) throw std::runtime_error("golden list empty: " + name + " " + key);
+  return rows;
+}
+
 inline Vec2 vec2(const nlohmann::json& v) { return {v.at(0).get<double>(), v.at(1).get<double>()}; }
 inline Vec3 vec3(const nlohmann::json& v) {
   return {v.at(0).get<double>(), v.at(1).get<double>(), v.at(2).get<double>()};

@@ -7,6 +7,7 @@
 namespace palpate::tissue {
 
 using test::golden;
+using test::goldenRows;
 
 TEST(HalfGaussian, IsTheCurveOfTheStoredTable) {
   const auto data = golden("gaussian_table");
@@ -19,7 +20,7 @@ TEST(HalfGaussian, IsTheCurveOfTheStoredTable) {
 }
 
 TEST(Profile, MatchesTheContinuousReference) {
-  for (const auto& c : golden("gaussian_table")["lookup"]) EXPECT_NEAR(profile(c["q"]), c["c0"], 1e-12) << c;
+  for (const auto& c : goldenRows("gaussian_table", "lookup")) EXPECT_NEAR(profile(c["q"]), c["c0"], 1e-12) << c;
 }
 
 TEST(Profile, RunsFromOneToZeroWithoutAStep) {
