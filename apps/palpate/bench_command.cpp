@@ -162,7 +162,8 @@ void printNames() {
 }  // namespace
 
 void addBenchCommand(CLI::App& app) {
-  CLI::App& bench = *app.add_subcommand("bench", "Measure the finger and the deformation on known meshes and trajectories");
+  CLI::App& bench =
+      *app.add_subcommand("bench", "Measure the finger and the deformation on known meshes and trajectories");
   bench.require_subcommand(1);
   addContactCommand(bench);
   addBenchDeformCommand(bench);
