@@ -12,8 +12,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "palpate/contact/border.h"
+#include "palpate/contact/force_shading.h"
 #include "palpate/contact/surface_walk.h"
 
 namespace palpate::contact {
@@ -86,6 +88,21 @@ Press pressAt(const Surface& surface, const FingerSettings& settings, const Surf
   return press;
 }
 
+/// Replaces what is felt by the smooth stand-in, if there is one. The proxy of the walk stays the state.
+void shade(const Surface& surface, const FingerSettings& settings, const SurfacePoint& proxy, const Vec3& tip,
+           Press& press) {
+  if (!settings.force_shading || press.depth_mm <= 0.0 || (press.status & (kAtBorder | kTooDeep)) != 0) return;
+  const std::optional<ShadedProxy> shaded = shadedProxy(surface, proxy, tip);
+  if (!shaded) {
+    press.status |= kShadingFailed;
+    return;
+  }
+  press.proxy = shaded->position;
+  press.normal = shaded->normal;
+  press.depth_mm = shaded->depth_mm;
+  press.felt_depth_mm = std::min(shaded->depth_mm, settings.max_depth_mm);
+}
+
 /// Leaves the proxy's place: lands on the next sheet between it and the tip, or is free. True when it landed.
 bool landsElsewhere(const Surface& surface, const Vec3& tip, FingerState& state) {
   const SurfacePoint left = state.proxy;
@@ -115,6 +132,7 @@ Press pressPoint(const Surface& surface, const FingerSettings& settings, FingerS
     if (!leaves && lag > settings.max_depth_mm) leaves = escapesTooDeep(surface, tip, lag, state, status);
     if (!leaves) {
       press = pressAt(surface, settings, state.proxy, tip, status);
+      shade(surface, settings, state.proxy, tip, press);
       if (!(press.status & kAtBorder) || press.felt_depth_mm > 0.0) return press;
     }
     if (!landsElsewhere(surface, tip, state)) return {};
