@@ -26,7 +26,7 @@ constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 // Shares of the radius.
 constexpr double kSettled = 1e-5;  ///< a centre that would move less than this stays
-constexpr double kOutlook = 0.05;  ///< skin within this of the sphere takes part in the first plan
+constexpr double kOutlook = 0.02;  ///< skin within this of the sphere takes part in the first plan
 constexpr double kSlack = 1e-9;    ///< of the planes: far above rounding, far below kTight
 
 constexpr int kMostRounds = 24;  ///< trials in a tick, about 1 us each at 40,000 triangles
@@ -115,11 +115,16 @@ bool pushOut(const SphereTask& task, Vec3& centre) noexcept {
   return !anyFootLower(task.surface, centre, task.radius * (1.0 - kFit));
 }
 
-bool descend(const SphereTask& task, Vec3& centre) noexcept {
+bool descend(const SphereTask& task, Vec3& centre, SurfacePoint& foot) noexcept {
   Feet feet;
   HalfSpaces planes;
+  const auto settle_at = [&](const Vec3& place) {
+    centre = place;
+    planFrom(task, centre, feet, planes);
+    if (feet.count > 0) foot = feet.feet[feet.lowest()].at;
+  };
   findFeet(task.surface, centre, task.radius * (1.0 + kOutlook), feet);
-  planFrom(task, centre, feet, planes);
+  settle_at(centre);
   int failures = 0;
   for (int round = 0; round < kMostRounds; ++round) {
     Vec3 goal = centre;
@@ -132,8 +137,7 @@ bool descend(const SphereTask& task, Vec3& centre) noexcept {
       ++failures;
       continue;
     }
-    centre = goal;
-    planFrom(task, centre, feet, planes);
+    settle_at(goal);
     failures = 0;
   }
   return false;

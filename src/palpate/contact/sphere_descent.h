@@ -32,6 +32,7 @@ bool isFreeWay(const SphereTask& task, const Vec3& from, const Vec3& to) noexcep
 bool pushOut(const SphereTask& task, Vec3& centre) noexcept;
 
 /// Brings a centre that fits as near to the tip as the path and the rounds allow. True when it ends at a local minimum.
-bool descend(const SphereTask& task, Vec3& centre) noexcept;
+/// `foot` becomes the lowest foot there; it is left alone when the sphere ends in the air.
+bool descend(const SphereTask& task, Vec3& centre, SurfacePoint& foot) noexcept;
 
 }  // namespace palpate::contact

@@ -27,8 +27,8 @@ constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 /// How the centre moved in this tick.
 struct Move {
   Vec3 centre;
-  SurfacePoint foot;     ///< the place of the skin that a point finger would press
-  bool on_foot = false;  ///< the sphere stands on `foot` and nowhere else
+  SurfacePoint under_tip;  ///< the place of the skin that a point finger would press
+  SurfacePoint foot;       ///< the place that the sphere stands on; the last one when it is in the air
   std::uint32_t status = 0;
 };
 
@@ -47,25 +47,28 @@ Vec3 centreOver(const SphereTask& task, const SurfacePoint& foot) {
 /// Whether the sphere stands on the one place that a point finger would press. If so, moves it there.
 bool standsOnOnePlace(const SphereTask& task, Move& move) {
   const WalkResult walk = walkToNearest(task.surface, task.last, task.tip, kUnbounded);
+  move.under_tip = walk.at;
+  const Vec3 centre = centreOver(task, walk.at);
+  const bool stands = walk.finished && (centre - task.start).norm() <= task.path &&
+                      !anyFootLower(task.surface, centre, task.radius * (1.0 - kTight)) &&
+                      isFreeWay(task, move.centre, centre);
+  if (!stands) return false;
+  move.centre = centre;
   move.foot = walk.at;
-  const Vec3 centre = centreOver(task, move.foot);
-  move.on_foot = walk.finished && (centre - task.start).norm() <= task.path &&
-                 !anyFootLower(task.surface, centre, task.radius * (1.0 - kTight)) &&
-                 isFreeWay(task, move.centre, centre);
-  if (move.on_foot) move.centre = centre;
-  return move.on_foot;
+  return true;
 }
 
-Move moveCentre(const SphereTask& task) {
-  Move move;
-  move.centre = task.start;
-  move.foot = task.last;
-  if (!pushOut(task, move.centre)) {
+/// A sphere that fitted in the last tick still does: the skin does not move.
+Move moveCentre(const SphereTask& task, bool fits) {
+  Move move{task.start, task.last, task.last, 0u};
+  if (!fits && !pushOut(task, move.centre)) {
+    const SurfacePoint foot = nearestFront(task.surface, move.centre, task.radius);
+    if (foot.triangle != kNoIndex) move.foot = foot;
     move.status = kStartedInside;
     return move;
   }
   if (standsOnOnePlace(task, move)) return move;
-  if (!descend(task, move.centre)) move.status |= kUnsettled;
+  if (!descend(task, move.centre, move.foot)) move.status |= kUnsettled;
   constexpr double kUsedUp = 0.999;
   if ((move.centre - task.start).norm() >= kUsedUp * task.path) move.status |= kCatchingUp;
   return move;
@@ -84,43 +87,34 @@ void escapeTooDeep(const SphereTask& task, Move& move, FingerState& state) {
   const SphereTask anywhere{task.surface, task.radius, task.tip, task.tip, kUnbounded, place};
   Vec3 centre = outside ? task.tip : Vec3(place.position + task.radius * normal);
   if (!pushOut(anywhere, centre)) return;
-  move = {centre, place, false, move.status | kReseeded};
+  move = {centre, place, place, move.status | kReseeded};
   state.proxy = state.anchor = place;
   state.hold = place.position;
   state.slipping = false;
-}
-
-/// The place of the skin that the sphere stands on: the lowest foot, or the one it stood on when it is in the air.
-SurfacePoint footOf(const SphereTask& task, const Move& move, const FingerState& state) {
-  if (move.on_foot) return move.foot;
-  constexpr double kTouches = 1e-3;
-  const SurfacePoint foot = nearestFront(task.surface, move.centre, task.radius * (1.0 + kTouches));
-  return foot.triangle != kNoIndex ? foot : state.proxy;
 }
 
 Press pressWith(const FingerSettings& settings, const SphereTask& task, const Move& move, FingerState& state) {
   Press press;
   press.touching = true;
   press.status = move.status;
-  const SurfacePoint foot = footOf(task, move, state);
   const Vec3 out = move.centre - task.tip;
   const double depth = out.norm();
   if (depth > directionlessDepth(task.surface)) {
     press.normal = out / depth;
     press.depth_mm = depth;
   } else {
-    press.normal = (move.centre - foot.position).stableNormalized();
+    press.normal = (move.centre - move.foot.position).stableNormalized();
   }
   press.felt_depth_mm = std::min(press.depth_mm, settings.max_depth_mm + task.radius);
-  const double beyond = onBorder(task.surface, foot) ? beyondBorder(task.surface, move.foot, task.tip) : 0.0;
+  const double beyond = onBorder(task.surface, move.foot) ? beyondBorder(task.surface, move.under_tip, task.tip) : 0.0;
   if (beyond > 0.0) {
     press.status |= kAtBorder;
-    const Vec3 normal = normalAt(task.surface, move.foot);
-    const double felt = depthAtBorder(move.foot.position, normal, task.tip, task.radius, beyond);
+    const Vec3 normal = normalAt(task.surface, move.under_tip);
+    const double felt = depthAtBorder(move.under_tip.position, normal, task.tip, task.radius, beyond);
     press.felt_depth_mm = std::min(press.felt_depth_mm, felt);
   }
   press.proxy = move.centre - task.radius * press.normal;
-  state.proxy = walkToNearest(task.surface, foot, press.proxy, kUnbounded).at;
+  state.proxy = walkToNearest(task.surface, move.foot, press.proxy, kUnbounded).at;
   return press;
 }
 
@@ -131,10 +125,11 @@ Press pressSphere(const Surface& surface, const FingerSettings& settings, double
   if (!state.touching && !landSphere(surface, radius, state, tip)) return {};
   const double path = pathBound(settings, (tip - state.tip).norm());
   const SphereTask task{surface, radius, tip, state.centre, path, state.proxy};
-  Move move = moveCentre(task);
+  Move move = moveCentre(task, state.fits);
   if ((move.centre - tip).norm() - radius > settings.max_depth_mm) escapeTooDeep(task, move, state);
   state.centre = move.centre;
-  const bool reached = move.centre == tip && (move.status & kStartedInside) == 0;
+  state.fits = (move.status & kStartedInside) == 0;
+  const bool reached = move.centre == tip && state.fits;
   Press press;
   if (!reached) press = pressWith(settings, task, move, state);
   const bool faded = (press.status & kAtBorder) != 0 && press.felt_depth_mm <= 0.0;

@@ -75,6 +75,7 @@ bool landSphere(const Surface& surface, double radius, FingerState& state, const
   if (foot.triangle == kNoIndex || isBuried(surface, centre)) return false;
   state.touching = true;
   state.slipping = false;
+  state.fits = false;  // to be seen
   state.centre = centre;
   state.proxy = state.anchor = foot;
   state.hold = foot.position;
