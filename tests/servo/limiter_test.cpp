@@ -51,6 +51,14 @@ TEST(Limiter, RampsUpAfterTheStart) {
   EXPECT_EQ(state.status, 0u);
 }
 
+TEST(Limiter, NeverSendsMoreThanTheContactAtTheEndOfARamp) {
+  LimiterSettings settings;
+  settings.safety.ramp_s = 0.00102;  // a little more than one tick
+  LimiterState state;
+  for (int i = 0; i < 4; ++i) EXPECT_LE(tick(settings, state, Vec3::Zero(), Vec3(0, 0, 0.01)).z(), 0.01);
+  EXPECT_DOUBLE_EQ(state.force.z(), 0.01);
+}
+
 TEST(Limiter, ShortensToTheNominalForceAndKeepsTheDirection) {
   const LimiterSettings settings = withoutRamp();
   LimiterState state;

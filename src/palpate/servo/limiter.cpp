@@ -28,7 +28,9 @@ Vec3 ramped(const LimiterSettings& settings, LimiterState& state, const Vec3& fo
   const double ticks = settings.safety.ramp_s / settings.tick_s;
   if (state.ramp_ticks >= ticks) return force;
   state.status |= kRamping;
-  return ++state.ramp_ticks / std::max(ticks, 1.0) * force;
+  state.ramp_ticks += 1.0;
+  // A ramp that is no whole number of ticks must not overshoot in its last one.
+  return std::min(1.0, state.ramp_ticks / ticks) * force;
 }
 
 /// The force of the last tick was held while the tip moved: it gave force . motion to the hand.
