@@ -95,7 +95,7 @@ TEST(Bones, AreClosedManifoldOutwardInOnePieceAndDoNotPierceThemselves) {
 }
 
 TEST(Bones, HaveTheSizeOfBones) {
-  // Volumes in cm^3 of a prototype built from the same dimensions: vertebrae 15-47, ribs 4-25, scapula 81.
+  // Volumes in cm^3 of bodies built from the same dimensions: vertebrae 15-47, ribs 4-25, scapula 81.
   for (const Bone& b : defaultBones()) {
     SCOPED_TRACE(b.name);
     const double volume = mesh::validate(b.mesh, {false}).volume_mm3 / 1000.0;
