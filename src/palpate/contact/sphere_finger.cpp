@@ -65,6 +65,9 @@ Move moveCentre(const SphereTask& task, bool fits) {
     const SurfacePoint foot = nearestFront(task.surface, move.centre, task.radius);
     if (foot.triangle != kNoIndex) move.foot = foot;
     move.status = kStartedInside;
+    // A sphere that is stuck must not pull the tip inwards: it goes along with a tip that is farther out.
+    const bool pulls_inwards = (move.centre - task.tip).dot(normalAt(task.surface, move.foot)) < 0.0;
+    if (pulls_inwards && isFreeWay(task, move.centre, task.tip)) move.centre = task.tip;
     return move;
   }
   if (standsOnOnePlace(task, move)) return move;
@@ -81,11 +84,13 @@ void escapeTooDeep(const SphereTask& task, Move& move, FingerState& state) {
   const partition::NearestPoint nearest = nearestPoint(task.surface.tree, task.tip, lag);
   if (nearest.triangle == kNoIndex) return;
   const SurfacePoint place{nearest.closest.point, nearest.triangle, nearest.closest.feature};
-  const Vec3 normal = normalAt(task.surface, place);
-  const bool outside = !onBorder(task.surface, place) && (task.tip - place.position).dot(normal) > 0.0;
+  const bool outside =
+      !onBorder(task.surface, place) && (task.tip - place.position).dot(normalAt(task.surface, place)) > 0.0;
   if (!outside && std::sqrt(nearest.closest.squared_distance) >= 0.5 * lag) return;
   const SphereTask anywhere{task.surface, task.radius, task.tip, task.tip, kUnbounded, place};
-  Vec3 centre = outside ? task.tip : Vec3(place.position + task.radius * normal);
+  // Pushed out from the skin itself, so that every piece of the way is asked: in a valley narrower than the sphere a
+  // radius off one wall would be behind the other.
+  Vec3 centre = outside ? task.tip : place.position;
   if (!pushOut(anywhere, centre)) return;
   move = {centre, place, place, move.status | kReseeded};
   state.proxy = state.anchor = place;
