@@ -205,13 +205,12 @@ std::string JsonValue::text() const {
   std::string result;
   const auto raw = slice();
   for (std::size_t i = 0; i < raw.size(); ++i) {
-    if (raw[i] != '\\') {
-      result += raw[i];
-    } else if (++i < raw.size() && std::string_view("\"\\/").find(raw[i]) != std::string_view::npos) {
-      result += raw[i];
-    } else {
-      fail("an escape in this string is not understood");  // file names and base64 need no others
+    // File names and base64 need no other escapes than these three.
+    const bool escaped = raw[i] == '\\';
+    if (escaped && (++i == raw.size() || std::string_view("\"\\/").find(raw[i]) == std::string_view::npos)) {
+      fail("an escape in this string is not understood");
     }
+    result += raw[i];
   }
   return result;
 }

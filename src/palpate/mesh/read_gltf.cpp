@@ -5,6 +5,7 @@
 // errors name no place. Checking a file so well that neither can happen is nearly all of the work of reading it.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -118,11 +119,12 @@ class GltfReader {
       Eigen::Affine3d parent;
     };
     std::vector<Pending> pending;
-    const auto push = [&](const std::vector<std::size_t>& nodes, const Eigen::Affine3d& parent) {
-      for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) {
-        if (visited_[*node]) nodes_[*node].fail("the node is shown twice: nodes must form a tree");
-        visited_[*node] = true;
-        pending.push_back({*node, parent});
+    const auto push = [&](std::vector<std::size_t> nodes, const Eigen::Affine3d& parent) {
+      std::reverse(nodes.begin(), nodes.end());  // the first comes off the stack first
+      for (const std::size_t node : nodes) {
+        if (visited_[node]) nodes_[node].fail("the node is shown twice: nodes must form a tree");
+        visited_[node] = true;
+        pending.push_back({node, parent});
       }
     };
     push(roots, Eigen::Affine3d::Identity());

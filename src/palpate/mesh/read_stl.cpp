@@ -40,8 +40,7 @@ bool isBinary(std::string_view bytes) {
 /// Joins equal corners while they come in, or just numbers them.
 class Corners {
  public:
-  Corners(std::size_t expected_triangles, bool weld)
-      : weld_(weld), welder_(weld ? expected_triangles / 2 : 0), loose_(std::vector<Vec3>()) {}
+  Corners(std::size_t expected_triangles, bool weld) : weld_(weld), welder_(weld ? expected_triangles / 2 : 0) {}
   Index add(const Vec3& position) {
     if (weld_) return welder_.add(position);
     loose_.push_back(position);
