@@ -65,18 +65,23 @@ std::vector<Vec3> tipsOf(const scene::World& world, const scene::Finger& finger,
   return delayed(on_ticks.tip_mm, ticksIn(delay_s, ticks_per_s));
 }
 
-/// The highest vertex that faces up and is not on a border; any highest vertex when there is none such.
-Index topVertex(const scene::World& world) {
-  const auto rank = [&](Index v) {
-    const bool inside = world.surface.vertex_on_border[v] == 0;
-    const bool faces_up = world.surface.vertex_normals[v].z() > 0.5;
-    return std::pair(int{inside} + int{faces_up}, world.skin.positions[v].z());
-  };
-  Index top = 0;
-  for (Index v = 1; v < world.skin.positions.size(); ++v) {
-    if (rank(v) > rank(top)) top = v;
+/// Vertices to try, the highest first: spread over those that face up and are not on a border, or over all vertices
+/// when there is none such.
+std::vector<Index> places(const scene::World& world) {
+  constexpr std::size_t kMost = 200;  // a try costs a few hundred queries, so all of them well under a second
+  std::vector<Index> facing_up;
+  std::vector<Index> all;
+  for (Index v = 0; v < world.skin.positions.size(); ++v) {
+    all.push_back(v);
+    if (world.surface.vertex_on_border[v] == 0 && world.surface.vertex_normals[v].z() > 0.5) facing_up.push_back(v);
   }
-  return top;
+  std::vector<Index>& candidates = facing_up.empty() ? all : facing_up;
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [&](Index a, Index b) { return world.skin.positions[a].z() > world.skin.positions[b].z(); });
+  const std::size_t stride = (candidates.size() + kMost - 1) / kMost;
+  std::vector<Index> spread;
+  for (std::size_t i = 0; i < candidates.size(); i += stride) spread.push_back(candidates[i]);
+  return spread;
 }
 
 ScriptFrame frameAt(const Vec3& origin, const Vec3& normal) {
@@ -120,6 +125,25 @@ PathSize fittingSize(const SkinHeight& height, double diagonal) {
   return {sideways, std::max(sideways, 0.5 * body)};
 }
 
+struct Ground {
+  ScriptFrame frame;
+  PathSize size{0.0, 0.0};
+};
+
+/// The highest place with room for the whole path, or else with the most room: the top of a scan may be a toe or a
+/// horn.
+Ground roomiestGround(const scene::World& world) {
+  Ground best;
+  for (const Index v : places(world)) {
+    const ScriptFrame frame = frameAt(world.skin.positions[v], world.surface.vertex_normals[v]);
+    const double diagonal = world.surface.tree.diagonal;
+    const PathSize size = fittingSize(heightOver(world, frame), diagonal);
+    if (size.sideways > best.size.sideways) best = {frame, size};
+    if (size.sideways >= std::min(1.0, diagonal / kBackDiagonal)) break;
+  }
+  return best;
+}
+
 scene::Step stepOf(scene::Move move, double seconds) {
   scene::Step step;
   step.move = move;
@@ -161,13 +185,11 @@ FingerPaths pathsOf(const scene::World& world) {
 }
 
 Trajectory automaticPath(const scene::World& world, double radius_mm) {
-  const Index top = topVertex(world);
-  const ScriptFrame frame = frameAt(world.skin.positions[top], world.surface.vertex_normals[top]);
-  const SkinHeight height = heightOver(world, frame);
-  const PathSize size = fittingSize(height, world.surface.tree.diagonal);
+  const Ground ground = roomiestGround(world);
   const double ticks_per_s = world.scene.ticks_per_s;
   Trajectory path;
-  path.tip_mm = walkScript(automaticFinger(size, radius_mm), frame, height, 1.0 / ticks_per_s);
+  path.tip_mm = walkScript(automaticFinger(ground.size, radius_mm), ground.frame, heightOver(world, ground.frame),
+                           1.0 / ticks_per_s);
   for (std::size_t k = 0; k < path.tip_mm.size(); ++k) path.time_s.push_back(static_cast<double>(k) / ticks_per_s);
   return path;
 }

@@ -19,8 +19,8 @@ struct FingerPaths {
 /// Reads the files and walks the scripts. Throws Error as readTrajectory and walkScript do.
 FingerPaths pathsOf(const scene::World& world);
 
-/// A path for a body nobody has planned one for: press, drag, circle and lift around the highest point (largest z) that
-/// faces up, along its normal, sized to the body.
+/// A path for a body nobody has planned one for: press, drag, circle and lift around the highest place (largest z) that
+/// faces up and has room for it, along its normal, sized to the body.
 Trajectory automaticPath(const scene::World& world, double radius_mm = 0.0);
 
 }  // namespace palpate::device
