@@ -83,9 +83,9 @@ TEST(FingerScript, RefusesToStartWhereThereIsNoSkin) {
 TEST(ScriptedDevice, ReplaysTipsAndRestsAtTheLast) {
   const auto tips = std::make_shared<const std::vector<Vec3>>(std::vector<Vec3>{Vec3(1, 0, 0), Vec3(2, 0, 0)});
   const Device device = scriptedDevice("index", tips);
-  EXPECT_EQ(device.readTip(0), Vec3(1, 0, 0));
-  EXPECT_EQ(device.readTip(1), Vec3(2, 0, 0));
-  EXPECT_EQ(device.readTip(1000), Vec3(2, 0, 0));
+  EXPECT_EQ(device.read_tip(0), Vec3(1, 0, 0));
+  EXPECT_EQ(device.read_tip(1), Vec3(2, 0, 0));
+  EXPECT_EQ(device.read_tip(1000), Vec3(2, 0, 0));
   EXPECT_THROW(scriptedDevice("index", std::make_shared<const std::vector<Vec3>>()), Error);
 }
 

@@ -16,7 +16,7 @@ const fs::path kRoot = PALPATE_SOURCE_DIR;
 
 std::vector<fs::path> pages() {
   std::vector<fs::path> found;
-  for (const fs::path folder : {kRoot, kRoot / "docs"}) {
+  for (const fs::path& folder : {kRoot, kRoot / "docs"}) {
     for (const auto& entry : fs::directory_iterator(folder)) {
       if (entry.path().extension() == ".md") found.push_back(entry.path());
     }

@@ -53,8 +53,8 @@ TEST(Tick, GivesContactForceToTheTraceAndASafeForceToTheDevice) {
   const contact::Surface surface = plate();
   Rig rig = rigOn(surface, 10);
   Vec3 written = Vec3::Zero();
-  rig.fingers[0].device.readTip = [](std::uint64_t tick) { return Vec3(0, 0, tick == 0 ? 1.0 : -20.0); };
-  rig.fingers[0].device.writeForce = [&](const Vec3& force) { written = force; };
+  rig.fingers[0].device.read_tip = [](std::uint64_t tick) { return Vec3(0, 0, tick == 0 ? 1.0 : -20.0); };
+  rig.fingers[0].device.write_force = [&](const Vec3& force) { written = force; };
   std::vector<trace::Sample> samples(2);
   for (std::uint64_t tick = 0; tick < 5; ++tick) runTick(rig, tick, LoopEvent::none, samples);
   EXPECT_NEAR(samples[0].contact.force.z(), 10.0, 1e-9);
@@ -66,7 +66,7 @@ TEST(Tick, GivesContactForceToTheTraceAndASafeForceToTheDevice) {
 TEST(Tick, ADeviceWithoutPositionGivesNoNumberToNobody) {
   const contact::Surface surface = plate();
   Rig rig = rigOn(surface, 10);
-  rig.fingers[0].device.readTip = [](std::uint64_t) {
+  rig.fingers[0].device.read_tip = [](std::uint64_t) {
     return Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
   };
   std::vector<trace::Sample> samples(2);
@@ -142,7 +142,7 @@ TEST(PacedLoop, StopsWhenAskedAndLetsGoOfEveryDevice) {
   Rig rig = rigOn(surface, 100);
   LoopLinks links(rig.fingers.size());
   Vec3 last_force(1, 1, 1);
-  rig.fingers[1].device.writeForce = [&](const Vec3& force) {
+  rig.fingers[1].device.write_force = [&](const Vec3& force) {
     last_force = force;
     if (links.heartbeat_ns.load() != 0) links.stop = true;
   };
@@ -157,7 +157,7 @@ TEST(PacedLoop, RampsAgainAfterAStall) {
   Rig rig = rigOn(surface, 100);
   LoopLinks links(rig.fingers.size());
   bool slept = false;
-  rig.fingers[0].device.readTip = [&slept](std::uint64_t tick) {
+  rig.fingers[0].device.read_tip = [&slept](std::uint64_t tick) {
     // Not "at tick 20": a busy machine may skip that one.
     if (tick >= 20 && !std::exchange(slept, true)) std::this_thread::sleep_for(std::chrono::milliseconds(80));
     return Vec3(0, 0, 1);

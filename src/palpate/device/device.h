@@ -19,9 +19,9 @@ struct Device {
   std::string name;
   /// Position of the finger tip at a tick, mm. `tick` counts deadlines from 0, skipped ones included: scripts follow
   /// it, hardware ignores it. Not a number means that the device has no position now.
-  std::function<Vec3(std::uint64_t tick)> readTip;
+  std::function<Vec3(std::uint64_t tick)> read_tip;
   /// Takes the force that acts on the hand, N. May be empty for a device that only points.
-  std::function<void(const Vec3& force)> writeForce;
+  std::function<void(const Vec3& force)> write_force;
 };
 
 }  // namespace palpate::device

@@ -129,7 +129,7 @@ Key<S> file(std::string name, Access<S, std::filesystem::path> at, std::string m
 
 /// One of a few words, each standing for the enumerator of the same place.
 template <class S, class E>
-Key<S> choice(std::string name, Access<S, E> at, std::vector<std::string> choices, std::string meaning) {
+Key<S> choice(std::string name, Access<S, E> at, const std::vector<std::string>& choices, std::string meaning) {
   return {std::move(name), choiceWords(choices), std::move(meaning),
           [at, choices](S& s, const Entry& e) { at(s) = static_cast<E>(readChoice(e, choices)); },
           [at, choices](const S& s) {

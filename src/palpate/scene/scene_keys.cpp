@@ -13,6 +13,7 @@ constexpr double kLongestMm = 1e5;
 template <class S>
 std::vector<KeyRow> describe(const std::string& title, const std::vector<Key<S>>& keys, const S& defaults = {}) {
   std::vector<KeyRow> rows;
+  rows.reserve(keys.size());
   for (const Key<S>& key : keys) rows.push_back({title, key.name, key.takes, key.show(defaults), key.meaning});
   return rows;
 }
@@ -37,7 +38,7 @@ Section section(const std::string& name, const std::string& about, Access<Scene,
 /// A table that stands as often as one likes.
 template <class S>
 Section listSection(const std::string& name, const std::string& about, Access<Scene, std::vector<S>> at,
-                    std::function<S(const toml::table&, const Entry&)> readOne,
+                    std::function<S(const toml::table&, const Entry&)> read_one,
                     std::function<std::vector<KeyRow>()> describe_rows) {
   const std::string title = "[[" + name + "]]";
   const auto read = [=](Scene& scene, const Entry& entry) {
@@ -45,7 +46,7 @@ Section listSection(const std::string& name, const std::string& about, Access<Sc
     if (list == nullptr) Entry{entry.node, entry.file, title}.fail("must be written with two brackets");
     for (const toml::node& node : *list) {
       const Entry one{node, entry.file, title};
-      at(scene).push_back(readOne(tableOf(one), one));
+      at(scene).push_back(read_one(tableOf(one), one));
     }
   };
   return {name, title, about, read, std::move(describe_rows)};
@@ -347,7 +348,7 @@ Section fingerSection() {
 
 const std::vector<Key<Scene>>& topKeys() {
   using S = Scene;
-  static const std::vector<Key<S>> kKeys = {
+  static const std::vector<Key<S>> keys = {
       text<S>("title", &S::title, "What the report calls the run."),
       choice<S, Fidelity>("fidelity", &S::fidelity, {"corrected", "literal"},
                           "The dissertation's formulae with their errata corrected, or literally."),
@@ -355,16 +356,16 @@ const std::vector<Key<Scene>>& topKeys() {
                 "How long it runs; 0 is until the last finger has finished."),
       number<S>("ticks_per_s", &S::ticks_per_s, between(100, 10000), "Rate of the servo loop."),
   };
-  return kKeys;
+  return keys;
 }
 
 const std::vector<Section>& sections() {
-  static const std::vector<Section> kSections = {
+  static const std::vector<Section> all = {
       bodySection(),     stiffnessSection(), dysfunctionSection(), ellipsesSection(),
       frictionSection(), contactSection(),   tissueSection(),      deformationSection(),
       strainSection(),   outputSection(),    safetySection(),      fingerSection(),
   };
-  return kSections;
+  return all;
 }
 
 }  // namespace palpate::scene

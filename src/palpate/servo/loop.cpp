@@ -49,7 +49,7 @@ void handOver(const ContactFrame& samples, LoopLinks& links) {
 
 void releaseForces(Rig& rig) {
   for (FingerChain& finger : rig.fingers) {
-    if (finger.device.writeForce) finger.device.writeForce(Vec3::Zero());
+    if (finger.device.write_force) finger.device.write_force(Vec3::Zero());
   }
 }
 

@@ -5,13 +5,13 @@ namespace palpate::servo {
 namespace {
 
 void runFinger(const contact::Surface& surface, FingerChain& finger, LoopEvent event, trace::Sample& sample) noexcept {
-  const Vec3 measured = finger.device.readTip(sample.tick);
+  const Vec3 measured = finger.device.read_tip(sample.tick);
   const Vec3 tip = guardTip(finger.limiter_settings, finger.limiter, measured);
   if (event == LoopEvent::stalled) restartRamp(finger.limiter, kStalled);
   sample.contact = contact::step(surface, finger.contact_settings, finger.contact, tip);
   sample.device_force = limitForce(finger.limiter_settings, finger.limiter, sample.contact.force);
   sample.safety = finger.limiter.status;
-  if (finger.device.writeForce) finger.device.writeForce(sample.device_force);
+  if (finger.device.write_force) finger.device.write_force(sample.device_force);
 }
 
 }  // namespace
