@@ -84,7 +84,7 @@ TEST(Rooms, IncludeOnlyRoomsAbove) {
 TEST(Rooms, OnlyViewKnowsGraphicsAndNobodyInTheEngineKnowsTheCommandLine) {
   for (const Include& include : includesUnder(kRoot / "src/palpate")) {
     if (include.file.parent_path().filename() == "view") continue;
-    for (const std::string& banned : {"GL/", "GLFW/", "epoxy/", "imgui", "CLI/", "nlohmann/", "iostream"}) {
+    for (const std::string_view banned : {"GL/", "GLFW/", "epoxy/", "imgui", "CLI/", "nlohmann/", "iostream"}) {
       EXPECT_NE(include.target.substr(0, banned.size()), banned) << include.file << " includes " << include.target;
     }
   }
@@ -94,7 +94,7 @@ TEST(Rooms, PlainRoomsNeedNoThread) {
   for (const std::string room : {"contact", "deform", "partition", "maps"}) {
     if (!fs::exists(kRoot / "src/palpate" / room)) continue;
     for (const Include& include : includesUnder(kRoot / "src/palpate" / room)) {
-      for (const std::string& banned : {"thread", "mutex", "condition_variable", "fstream", "cstdio"}) {
+      for (const std::string_view banned : {"thread", "mutex", "condition_variable", "fstream", "cstdio"}) {
         EXPECT_NE(include.target, banned) << include.file;
       }
     }

@@ -36,7 +36,7 @@ inline CommandResult runProgram(const std::filesystem::path& program, const std:
   const std::string line = "cd '" + in.string() + "' && '" + program.string() + "' " + arguments + " >'" + out +
                            "' 2>'" + err + "' </dev/null";
   const int status = std::system(line.c_str());
-  const CommandResult result{WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentOf(out), contentOf(err)};
+  CommandResult result{WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentOf(out), contentOf(err)};
   std::filesystem::remove(out);
   std::filesystem::remove(err);
   return result;
