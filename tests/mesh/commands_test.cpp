@@ -34,19 +34,18 @@ class MeshCommands : public testing::Test {
   }
 
   CommandEnd palpate(const std::string& arguments) const {
-    const std::string line = std::string("cd '") + folder_.path().string() + "' && '" + kCommand + "' " + arguments +
+    const std::string line = std::string("cd '") + folder.path().string() + "' && '" + kCommand + "' " + arguments +
                              " >out.txt 2>err.txt </dev/null";
     const int status = std::system(line.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentOf(folder_ / "out.txt"),
-            contentOf(folder_ / "err.txt")};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentOf(folder / "out.txt"), contentOf(folder / "err.txt")};
   }
 
   static constexpr const char* kCommand = PALPATE_BINARY_DIR "/palpate";
-  support::TemporaryFolder folder_;
+  support::TemporaryFolder folder;
 };
 
 TEST_F(MeshCommands, InfoCountsTraits) {
-  save(folder_ / "fin.obj", zoo::cubeWithFin());
+  save(folder / "fin.obj", zoo::cubeWithFin());
   const auto text = palpate("info fin.obj");
   EXPECT_EQ(text.code, 0) << text.err;
   EXPECT_NE(text.out.find("2 triangles doubled from the other side"), std::string::npos) << text.out;
@@ -57,23 +56,23 @@ TEST_F(MeshCommands, InfoCountsTraits) {
 }
 
 TEST_F(MeshCommands, InfoNamesWrongIndicesInsteadOfRefusingThem) {
-  std::ofstream(folder_ / "bad.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 9\n";
+  std::ofstream(folder / "bad.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 9\n";
   const auto end = palpate("info bad.obj");
   EXPECT_EQ(end.code, 0);
   EXPECT_NE(end.out.find("1 triangle with out-of-range indices (first: 1)"), std::string::npos) << end.out;
 }
 
 TEST_F(MeshCommands, RepairWritesAFitMeshAndSaysWhatItDid) {
-  save(folder_ / "fin.obj", zoo::cubeWithFin());
+  save(folder / "fin.obj", zoo::cubeWithFin());
   const auto json = nlohmann::json::parse(palpate("repair fin.obj -o fit.ply --json").out);
   EXPECT_EQ(json["closed"], true);
   EXPECT_EQ(json["actions"][0]["count"], 2);
-  EXPECT_TRUE(validate(load(folder_ / "fit.ply")).fit());
+  EXPECT_TRUE(validate(load(folder / "fit.ply")).fit());
 }
 
 TEST_F(MeshCommands, BadInputIsOneLineAndExitCodeTwo) {
-  std::ofstream(folder_ / "flat.obj") << "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n";
-  std::ofstream(folder_ / "bad.obj") << "v 0 0 zero\n";
+  std::ofstream(folder / "flat.obj") << "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n";
+  std::ofstream(folder / "bad.obj") << "v 0 0 zero\n";
   for (const auto& [arguments, message] :
        {std::pair("info gone.stl", "palpate: gone.stl: no such file\n"),
         std::pair("info bad.obj", "palpate: bad.obj:1: a coordinate is not a number: 'zero'\n"),

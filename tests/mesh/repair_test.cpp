@@ -36,7 +36,8 @@ bool everyVertexHasOneFan(const TriangleMesh& mesh) {
   for (const Triangle& t : mesh.triangles) {
     for (Index v : t) around[v].push_back(t);
   }
-  for (const auto& [vertex, triangles] : around) {
+  for (const auto& entry : around) {
+    const std::vector<Triangle>& triangles = entry.second;
     std::set<std::size_t> reached = {0};
     for (bool grew = true; grew;) {
       grew = false;

@@ -16,7 +16,7 @@
 namespace palpate::mesh {
 
 /// Wide enough for a slow and busy machine, a hundred times too narrow for anything quadratic.
-constexpr double kPatience_s = 60.0;
+constexpr double kPatienceSeconds = 60.0;
 
 template <class Action>
 auto timed(const char* what, const Action& action) {
@@ -24,7 +24,7 @@ auto timed(const char* what, const Action& action) {
   auto result = action();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   std::printf("  %-24s %6.2f s\n", what, seconds);
-  EXPECT_LT(seconds, kPatience_s) << what;
+  EXPECT_LT(seconds, kPatienceSeconds) << what;
   return result;
 }
 

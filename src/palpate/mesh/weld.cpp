@@ -83,7 +83,7 @@ class CellLists {
   Index earliestNear(const Vec3& position) const {
     Index earliest = kNoIndex;
     for (int i = 0; i < 27; ++i) {
-      const Vec3 cell = cellOf(position) + Vec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+      const Vec3 cell = cellOf(position) + Eigen::Vector3i(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1).cast<double>();
       const auto entry = first_.find(hashOf(cell));
       for (Index v = entry == first_.end() ? kNoIndex : entry->second; v != kNoIndex; v = next_[v]) {
         if ((positions_[v] - position).norm() < distance_) earliest = std::min(earliest, v);
