@@ -124,8 +124,6 @@ TEST(SceneFile, NamesWhatIsMissingOrContradicts) {
   EXPECT_EQ(messageFor(kFinger + kFinger), "s.toml: has two fingers of the name 'index'");
   EXPECT_EQ(messageFor("[[finger]]\nname = \"a\"\nscript = [{ seconds = 1 }]\n"),
             "s.toml:3: [[finger]] script needs do = \"press\" or \"hold\" or \"drag\" or \"circle\" or \"lift\"");
-  EXPECT_EQ(messageFor("\nfidelity = \"literal\"\n" + kFinger),
-            "s.toml:2: fidelity \"literal\" is not available yet; use \"corrected\"");
 }
 
 TEST(SceneFile, NamesTheLineOfWhatIsNotToml) {

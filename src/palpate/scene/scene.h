@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "palpate/base/fidelity.h"
 #include "palpate/base/vec.h"
 #include "palpate/body/torso.h"
 #include "palpate/deform/deformer.h"
@@ -15,9 +16,6 @@
 #include "palpate/tissue/force_law.h"
 
 namespace palpate::scene {
-
-/// Where the dissertation's formulae and their corrections differ (docs/contact.md, docs/deform.md).
-enum class Fidelity : std::uint8_t { corrected, literal };
 
 enum class BodyKind : std::uint8_t { torso, mesh };
 
@@ -102,7 +100,7 @@ struct OutputSettings {
 struct Scene {
   std::filesystem::path file;  ///< where it was read, for messages; empty for one made in memory
   std::string title = "untitled";
-  Fidelity fidelity = Fidelity::corrected;
+  Fidelity fidelity;  ///< which errata are taken as printed (errata.h); none by default
   double seconds = 0.0;  ///< 0 = until the last finger has finished
   double ticks_per_s = 1000.0;
   BodySettings body;

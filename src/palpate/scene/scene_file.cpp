@@ -43,12 +43,6 @@ void requireFingers(const Scene& scene, std::string_view name) {
   }
 }
 
-void requireAvailable(const toml::table& root, std::string_view name, const Scene& scene) {
-  if (scene.fidelity == Fidelity::corrected) return;
-  throw Error::atLine(name, root.get("fidelity")->source().begin.line,
-                      "fidelity \"literal\" is not available yet; use \"corrected\"");
-}
-
 }  // namespace
 
 double millimetresOf(Unit unit) {
@@ -61,7 +55,6 @@ Scene parse(std::string_view toml_text, std::string_view name) {
   Scene scene;
   scene.file = name;
   readTable(root, "", name, topKeys(), scene, sectionNames());
-  requireAvailable(root, name, scene);
   readSections(root, name, scene);
   requireFingers(scene, name);
   return scene;

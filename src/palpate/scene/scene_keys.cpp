@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "palpate/scene/fidelity_key.h"
+
 namespace palpate::scene {
 
 namespace {
@@ -350,8 +352,7 @@ const std::vector<Key<Scene>>& topKeys() {
   using S = Scene;
   static const std::vector<Key<S>> keys = {
       text<S>("title", &S::title, "What the report calls the run."),
-      choice<S, Fidelity>("fidelity", &S::fidelity, {"corrected", "literal"},
-                          "The dissertation's formulae with their errata corrected, or literally."),
+      fidelityKey(),
       number<S>("seconds", &S::seconds, between(0, 10800),
                 "How long it runs; 0 is until the last finger has finished."),
       number<S>("ticks_per_s", &S::ticks_per_s, between(100, 10000), "Rate of the servo loop."),

@@ -1,0 +1,46 @@
+#include "palpate/scene/fidelity_key.h"
+
+#include "palpate/scene/errata.h"
+
+namespace palpate::scene {
+
+namespace {
+
+bool readsLiteral(const Entry& entry) { return readChoice(entry, {"corrected", "literal"}) == 1; }
+
+void readErratum(Fidelity& fidelity, const Entry& entry, std::string_view name) {
+  const Erratum erratum = erratumNamed(name);
+  if (erratum == 0) entry.fail("is not an erratum; they are E1 to E34, and \"all\"");
+  try {
+    requireSwitchable(erratum);
+  } catch (const Error& error) {
+    throw Error::atLine(entry.file, entry.line(), error.what());
+  }
+  fidelity.setLiteral(erratum, readsLiteral(entry));
+}
+
+Entry entryOf(const toml::key& key, const toml::node& node, const Entry& table) {
+  return {node, table.file, fmt::format("{}.{}", table.name, oneLine(key.str()))};
+}
+
+void readFidelity(Fidelity& fidelity, const Entry& entry) {
+  const toml::table* table = entry.node.as_table();
+  if (table == nullptr) return fidelity.setAll(readsLiteral(entry));
+  if (const toml::node* all = table->get("all")) {
+    fidelity.setAll(readsLiteral({*all, entry.file, entry.name + ".all"}));
+  }
+  for (const auto& [key, node] : *table) {
+    if (key.str() != "all") readErratum(fidelity, entryOf(key, node, entry), key.str());
+  }
+}
+
+}  // namespace
+
+Key<Scene> fidelityKey() {
+  return {"fidelity", "\"corrected\" or \"literal\", or one word for each erratum: `fidelity.E14 = \"literal\"`",
+          "The dissertation's formulae with their errata corrected, or as printed (docs/dissertation.md).",
+          [](Scene& scene, const Entry& entry) { readFidelity(scene.fidelity, entry); },
+          [](const Scene& scene) { return fmt::format("\"{}\"", wordsOf(scene.fidelity)); }};
+}
+
+}  // namespace palpate::scene

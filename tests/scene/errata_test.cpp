@@ -1,0 +1,74 @@
+#include "palpate/scene/errata.h"
+
+#include <gtest/gtest.h>
+
+#include "palpate/base/error.h"
+#include "palpate/scene/scene_file.h"
+#include "support/error_message.h"
+
+namespace palpate::scene {
+namespace {
+
+Fidelity fidelityOf(const std::string& lines) {
+  return parse(lines + "\n[[finger]]\nname = \"index\"\nscript = [{ do = \"press\" }]\n", "s.toml").fidelity;
+}
+
+Fidelity only(std::initializer_list<Erratum> literal) {
+  Fidelity fidelity;
+  for (const Erratum e : literal) fidelity.setLiteral(e);
+  return fidelity;
+}
+
+TEST(Errata, AreNumberedFromOneWithoutGaps) {
+  ASSERT_EQ(errata().size(), static_cast<std::size_t>(kLastErratum));
+  for (Erratum e = 1; e <= kLastErratum; ++e) {
+    const ErratumText& text = errata()[static_cast<std::size_t>(e - 1)];
+    EXPECT_EQ(text.number, e);
+    EXPECT_FALSE(text.printed.empty() || text.ours.empty() || text.choice.empty()) << nameOf(e);
+  }
+}
+
+TEST(Errata, AreNamedWithALetterAndANumber) {
+  EXPECT_EQ(erratumNamed("E14"), 14);
+  EXPECT_EQ(erratumNamed("e1"), 1);
+  for (const char* name : {"", "E", "E0", "E35", "E1x", "14", "F3", "E-1", "E99999999999"}) {
+    EXPECT_EQ(erratumNamed(name), 0) << name;
+  }
+}
+
+TEST(Fidelity, IsCorrectedUnlessSaidOtherwise) {
+  EXPECT_EQ(fidelityOf(""), Fidelity());
+  EXPECT_EQ(fidelityOf("fidelity = \"corrected\""), Fidelity());
+  EXPECT_EQ(parseFidelity("corrected"), Fidelity());
+}
+
+TEST(Fidelity, SwitchesAllErrataAtOnceOrSingleOnes) {
+  EXPECT_EQ(fidelityOf("fidelity = \"literal\""), literalFidelity());
+  EXPECT_EQ(fidelityOf("fidelity.E14 = \"literal\"\nfidelity.E29 = \"literal\""), only({14, 29}));
+  EXPECT_EQ(parseFidelity("E14, E29"), only({14, 29}));
+  Fidelity all_but_one = literalFidelity();
+  all_but_one.setLiteral(14, false);
+  EXPECT_EQ(fidelityOf("[fidelity]\nE14 = \"corrected\"\nall = \"literal\""), all_but_one);
+}
+
+TEST(Fidelity, SaysWhatItCannotSwitch) {
+  const auto message = [](const std::string& lines) { return support::messageOf([&] { fidelityOf(lines); }); };
+  EXPECT_EQ(message("title = \"x\"\nfidelity.E99 = \"literal\""),
+            "s.toml:2: fidelity.E99 is not an erratum; they are E1 to E34, and \"all\"");
+  EXPECT_EQ(message("fidelity.E22 = \"literal\""), "s.toml:1: E22 has no literal form: nothing to switch");
+  EXPECT_EQ(message("fidelity.E24 = \"literal\""), "s.toml:1: E24 is not a switch of fidelity; see strain.kind");
+  EXPECT_EQ(message("fidelity.E14 = \"printed\""),
+            "s.toml:1: fidelity.E14 must be \"corrected\" or \"literal\", not \"printed\"");
+  EXPECT_EQ(message("fidelity = 3"), "s.toml:1: fidelity must be a text in quotes, not a number");
+  EXPECT_EQ(support::messageOf([] { parseFidelity("E14,E15x"); }),
+            "fidelity is \"corrected\", \"literal\" or errata such as E14,E29; not 'E14,E15x'");
+}
+
+TEST(Fidelity, IsWrittenInTheWordsThatAreRead) {
+  for (const char* words : {"corrected", "literal", "E14", "E1,E14,E29"}) {
+    EXPECT_EQ(wordsOf(parseFidelity(words)), words);
+  }
+}
+
+}  // namespace
+}  // namespace palpate::scene
