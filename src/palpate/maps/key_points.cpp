@@ -65,12 +65,12 @@ KeyPoint keyPointOf(const CsvRow& row) {
   return key;
 }
 
+}  // namespace
+
 void requireTableName(const std::string& name) {
   if (name.find_first_of(",#\r\n") == std::string::npos && name != "name") return;
   throw Error(fmt::format("key point name '{}' cannot stand in a table", name));
 }
-
-}  // namespace
 
 std::vector<KeyPoint> readKeyPoints(const std::filesystem::path& file) {
   return parseKeyPoints(readFile(file, kMaxFileBytes), file.string());

@@ -33,6 +33,9 @@ std::vector<KeyPoint> parseKeyPoints(std::string_view text, std::string_view fil
 std::string formatKeyPoints(const std::vector<KeyPoint>& keys);
 void writeKeyPoints(const std::filesystem::path& file, const std::vector<KeyPoint>& keys);
 
+/// Throws Error for a name that a table of measurements cannot hold.
+void requireTableName(const std::string& name);
+
 /// The dissertation's measured means (Fig 5.3; ratios from Appendix C unrounded) with P6 and P7 mirrored from P4 and
 /// P5. Where they lie on the built-in body is assumed (E33): the text gives vertebrae and 100 mm offsets only.
 std::vector<KeyPoint> dissertationKeyPoints();
