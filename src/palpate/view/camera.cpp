@@ -1,0 +1,99 @@
+#include "palpate/view/camera.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "palpate/base/error.h"
+
+namespace palpate::view {
+
+namespace {
+
+Eigen::Matrix3d axesOf(const Camera& camera) {
+  using Eigen::AngleAxisd;
+  return (AngleAxisd(camera.yaw_rad, Vec3::UnitY()) * AngleAxisd(-camera.pitch_rad, Vec3::UnitX()) *
+          AngleAxisd(camera.roll_rad, Vec3::UnitZ()))
+      .toRotationMatrix();
+}
+
+Mat4f frustumMatrix(double left, double right, double bottom, double top, double near, double far) {
+  Eigen::Matrix4d m = Eigen::Matrix4d::Zero();
+  m(0, 0) = 2.0 * near / (right - left);
+  m(0, 2) = (right + left) / (right - left);
+  m(1, 1) = 2.0 * near / (top - bottom);
+  m(1, 2) = (top + bottom) / (top - bottom);
+  m(2, 2) = -(far + near) / (far - near);
+  m(2, 3) = -2.0 * far * near / (far - near);
+  m(3, 2) = -1.0;
+  return m.cast<float>();
+}
+
+}  // namespace
+
+Vec3 Camera::right() const { return axesOf(*this).col(0); }
+Vec3 Camera::up() const { return axesOf(*this).col(1); }
+Vec3 Camera::backward() const { return axesOf(*this).col(2); }
+
+Camera fitted(const Eigen::AlignedBox3d& box, double aspect, StandardView side) {
+  constexpr double kQuarter = std::numbers::pi / 2.0;
+  // Straight above the up direction would have no sense; a hair beside it looks the same.
+  constexpr double kAlmostAbove = kQuarter - 1e-3;
+  Camera camera;
+  if (side == StandardView::left) camera.yaw_rad = -kQuarter;
+  if (side == StandardView::right) camera.yaw_rad = kQuarter;
+  if (side == StandardView::front) camera.yaw_rad = 2.0 * kQuarter;
+  if (side == StandardView::above) camera.pitch_rad = kAlmostAbove;
+  if (box.isEmpty()) return camera;
+  camera.centre = box.center();
+  const Vec3 half = 0.5 * box.diagonal();
+  const double half_height = half.cwiseProduct(camera.up().cwiseAbs()).sum();
+  const double half_width = half.cwiseProduct(camera.right().cwiseAbs()).sum();
+  const double half_depth = half.cwiseProduct(camera.backward().cwiseAbs()).sum();
+  constexpr double kMargin = 1.05;
+  const double reach = kMargin * std::max(half_height, half_width / aspect);
+  camera.distance_mm = std::max(reach / std::tan(0.5 * camera.height_rad), 1e-6) + half_depth;
+  return camera;
+}
+
+Screen screenOf(const Camera& camera, double aspect) {
+  const double half_height = camera.distance_mm * std::tan(0.5 * camera.height_rad);
+  const Vec3 up = half_height * camera.up();
+  const Vec3 right = aspect * half_height * camera.right();
+  return {camera.centre - right - up, camera.centre + right - up, camera.centre - right + up};
+}
+
+Frustum frustumOf(const Screen& screen, const Vec3& eye, double near_mm, double far_mm) {
+  const Vec3 right = (screen.lower_right - screen.lower_left).normalized();
+  const Vec3 up = (screen.upper_left - screen.lower_left).normalized();
+  const Vec3 normal = right.cross(up).normalized();
+  const Vec3 to_left = screen.lower_left - eye;
+  const double distance = -normal.dot(to_left);
+  if (!(distance > 0.0)) throw Error("the eye is not in front of the screen");
+  const double scale = near_mm / distance;
+  Frustum frustum;
+  frustum.eye = eye;
+  frustum.projection = frustumMatrix(scale * right.dot(to_left), scale * right.dot(screen.lower_right - eye),
+                                     scale * up.dot(to_left), scale * up.dot(screen.upper_left - eye), near_mm, far_mm);
+  Eigen::Matrix4d view = Eigen::Matrix4d::Identity();
+  view.block<1, 3>(0, 0) = right.transpose();
+  view.block<1, 3>(1, 0) = up.transpose();
+  view.block<1, 3>(2, 0) = normal.transpose();
+  view.block<3, 1>(0, 3) = -view.block<3, 3>(0, 0) * eye;
+  frustum.view = view.cast<float>();
+  return frustum;
+}
+
+Ray rayThrough(const Screen& screen, const Vec3& eye, double x, double y) {
+  const Vec3 place =
+      screen.upper_left + x * (screen.lower_right - screen.lower_left) + y * (screen.lower_left - screen.upper_left);
+  return {eye, (place - eye).normalized()};
+}
+
+Vec2 seenAt(const Frustum& frustum, const Vec3& point) {
+  const Eigen::Vector4f clip = frustum.clip() * point.cast<float>().homogeneous();
+  if (!(clip.w() > 0.0f)) return Vec2::Constant(std::numeric_limits<double>::quiet_NaN());
+  return {0.5 + 0.5 * clip.x() / clip.w(), 0.5 - 0.5 * clip.y() / clip.w()};
+}
+
+}  // namespace palpate::view

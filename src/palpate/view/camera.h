@@ -1,0 +1,69 @@
+// Where the eye is and what the screen shows: an orbit camera, and the off-axis frustum of any eye before any screen.
+//
+// One description serves the desktop, both eyes of a stereo pair and a tracked head before a co-located display: a
+// rectangle in the world (the screen) and a point (the eye). The desktop is the case of a virtual screen through the
+// orbit's centre. No GL here; pure functions over plain data.
+// Based on: Kooima, "Generalized perspective projection", 2008; Ji, Williams, Howell, Conatser, "3D stereo viewing
+// evaluation for the Virtual Haptic Back", 2006 (why off-axis: toe-in makes vertical parallax).
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "palpate/base/vec.h"
+
+namespace palpate::view {
+
+using Mat4f = Eigen::Matrix4f;
+
+enum class StandardView : std::uint8_t { back, left, right, above, front };
+inline constexpr std::string_view kStandardViewNames[] = {"back", "left", "right", "above", "front"};
+
+/// Looks at `centre` from a distance; at yaw 0 and pitch 0 from behind the patient (along -z), cranial up.
+struct Camera {
+  Vec3 centre = Vec3::Zero();   ///< mm, body frame: what the camera turns about
+  double yaw_rad = 0.0;         ///< about the cranial axis; positive sees more of the patient's right
+  double pitch_rad = 0.0;       ///< positive looks from above, in (-pi/2, pi/2)
+  double distance_mm = 1000.0;  ///< from the centre, > 0
+  double height_rad = 0.5;      ///< full vertical angle of view
+  double roll_rad = 0.0;
+
+  Vec3 right() const;
+  Vec3 up() const;
+  Vec3 backward() const;  ///< from the centre to the eye
+  Vec3 eye() const { return centre + distance_mm * backward(); }
+};
+
+/// A camera that sees the whole box from one side, with a margin of a twentieth.
+Camera fitted(const Eigen::AlignedBox3d& box, double aspect, StandardView side = StandardView::back);
+
+/// A screen in the world: lower left, lower right and upper left corner, mm.
+struct Screen {
+  Vec3 lower_left, lower_right, upper_left;
+};
+
+/// The virtual screen of a camera: through its centre, square to its axis. `aspect` is width over height.
+Screen screenOf(const Camera& camera, double aspect);
+
+struct Frustum {
+  Mat4f view = Mat4f::Identity();        ///< body frame -> eye frame (x right, y up, z to the eye)
+  Mat4f projection = Mat4f::Identity();  ///< eye frame -> clip
+  Vec3 eye = Vec3::Zero();
+  Mat4f clip() const { return projection * view; }
+};
+
+/// The frustum of an eye before a screen (Kooima). Throws Error for an eye that is not in front of the screen.
+Frustum frustumOf(const Screen& screen, const Vec3& eye, double near_mm, double far_mm);
+
+struct Ray {
+  Vec3 origin;
+  Vec3 direction;  ///< unit
+};
+
+/// Through a place of the screen: x from 0 (left) to 1, y from 0 (top) to 1.
+Ray rayThrough(const Screen& screen, const Vec3& eye, double x, double y);
+
+/// A place in the world as it appears: x, y as in rayThrough. Points behind the eye give NaN.
+Vec2 seenAt(const Frustum& frustum, const Vec3& point);
+
+}  // namespace palpate::view

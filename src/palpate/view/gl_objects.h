@@ -1,0 +1,105 @@
+// OpenGL objects that delete themselves. Everything here needs a current context of version 3.3 core (offscreen.h,
+// window.h) and belongs to the thread that has it.
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "palpate/base/vec.h"
+
+namespace palpate::view {
+
+/// Owns one name of a kind of GL object.
+template <class Kind>
+class GlName {
+ public:
+  GlName() : name_(Kind::make()) {}
+  ~GlName() {
+    if (name_ != 0) Kind::destroy(name_);
+  }
+  GlName(GlName&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
+  GlName& operator=(GlName&& other) noexcept {
+    std::swap(name_, other.name_);
+    return *this;
+  }
+  GLuint get() const { return name_; }
+
+ private:
+  GLuint name_;
+};
+
+struct BufferKind {
+  static GLuint make() {
+    GLuint name = 0;
+    glGenBuffers(1, &name);
+    return name;
+  }
+  static void destroy(GLuint name) { glDeleteBuffers(1, &name); }
+};
+struct VertexArrayKind {
+  static GLuint make() {
+    GLuint name = 0;
+    glGenVertexArrays(1, &name);
+    return name;
+  }
+  static void destroy(GLuint name) { glDeleteVertexArrays(1, &name); }
+};
+struct TextureKind {
+  static GLuint make() {
+    GLuint name = 0;
+    glGenTextures(1, &name);
+    return name;
+  }
+  static void destroy(GLuint name) { glDeleteTextures(1, &name); }
+};
+struct FramebufferKind {
+  static GLuint make() {
+    GLuint name = 0;
+    glGenFramebuffers(1, &name);
+    return name;
+  }
+  static void destroy(GLuint name) { glDeleteFramebuffers(1, &name); }
+};
+struct ProgramKind {
+  static GLuint make() { return glCreateProgram(); }
+  static void destroy(GLuint name) { glDeleteProgram(name); }
+};
+
+using GlBuffer = GlName<BufferKind>;
+using GlVertexArray = GlName<VertexArrayKind>;
+using GlTexture = GlName<TextureKind>;
+using GlFramebuffer = GlName<FramebufferKind>;
+
+/// A vertex and a fragment shader, compiled and linked. Throws Error with the compiler's message.
+class Program {
+ public:
+  /// `name` stands for it in messages; `#version 330 core` and `shared` are put before both sources.
+  Program(std::string_view name, std::string_view shared, std::string_view vertex, std::string_view fragment);
+
+  void use() const { glUseProgram(program_.get()); }
+  /// Uniforms of the program in use; a name that the compiler optimised away is ignored.
+  void set(const char* name, int value) const { glUniform1i(location(name), value); }
+  void set(const char* name, float value) const { glUniform1f(location(name), value); }
+  void set(const char* name, const Eigen::Vector2f& v) const { glUniform2fv(location(name), 1, v.data()); }
+  void set(const char* name, const Vec3f& v) const { glUniform3fv(location(name), 1, v.data()); }
+  void set(const char* name, const Eigen::Vector4f& v) const { glUniform4fv(location(name), 1, v.data()); }
+  void set(const char* name, const Eigen::Matrix3f& m) const {
+    glUniformMatrix3fv(location(name), 1, GL_FALSE, m.data());
+  }
+  void set(const char* name, const Eigen::Matrix4f& m) const {
+    glUniformMatrix4fv(location(name), 1, GL_FALSE, m.data());
+  }
+
+ private:
+  GLint location(const char* name) const { return glGetUniformLocation(program_.get(), name); }
+  GlName<ProgramKind> program_;
+};
+
+/// Version the current context offers as major * 10 + minor.
+inline int contextVersion() { return epoxy_gl_version(); }
+inline constexpr int kNeededVersion = 33;
+
+}  // namespace palpate::view

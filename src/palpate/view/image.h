@@ -1,0 +1,33 @@
+// A picture in memory and as a PNG file.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace palpate::view {
+
+using Pixel = std::array<std::uint8_t, 3>;
+
+/// Rows from top to bottom, 8 bits a channel, sRGB.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<Pixel> pixels;
+
+  Image() = default;
+  Image(int w, int h, Pixel fill = {}) : width(w), height(h), pixels(static_cast<std::size_t>(w) * h, fill) {}
+  Pixel& at(int x, int y) { return pixels[static_cast<std::size_t>(y) * width + x]; }
+  const Pixel& at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * width + x]; }
+};
+
+/// Each pixel the mean of factor x factor; width and height must be multiples of the factor. The mean is taken of the
+/// encoded values: lines and text keep their weight.
+Image reduced(const Image& image, int factor);
+
+/// Throws Error naming the file.
+void writePng(const std::filesystem::path& file, const Image& image);
+Image readPng(const std::filesystem::path& file);
+
+}  // namespace palpate::view

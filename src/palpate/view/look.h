@@ -1,0 +1,69 @@
+// How a picture looks: everything the user can choose about it, as plain data.
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <cstdint>
+#include <string_view>
+
+#include "palpate/base/vec.h"
+
+namespace palpate::view {
+
+enum class Shading : std::uint8_t {
+  gouraud,  ///< light at the vertices, as in the dissertation
+  skin,     ///< light at the pixels, with what makes skin look like skin
+};
+
+/// What the colour of the skin says; one at a time.
+enum class Colouring : std::uint8_t { plain, strain, stiffness, ellipses };
+inline constexpr std::array<std::string_view, 4> kColouringNames = {"plain", "strain", "stiffness", "ellipses"};
+
+/// Things drawn over the skin; any number at once.
+enum class Overlay : std::uint8_t {
+  wireframe,
+  haptic_triangles,  ///< of the leaves that meet the detecting box, green
+  leaf_boxes,        ///< blue
+  planes,            ///< splitting planes: x green, y red, z yellow (Fig 3.6)
+  detecting_box,
+  ellipses,  ///< of the contact, and of the key points
+  rings,     ///< of neighbours round the anchor's triangle
+  arrows,    ///< displacement
+  contact,   ///< friction anchor, proxy, tip, force
+  normals,
+  section,  ///< cut through the contact, rest against deformed, as a curve in mm (Fig 4.7)
+};
+inline constexpr std::size_t kOverlays = 11;
+inline constexpr std::array<std::string_view, kOverlays> kOverlayNames = {"wireframe", "triangles", "leaves", "planes",
+                                                                          "box",       "ellipses",  "rings",  "arrows",
+                                                                          "contact",   "normals",   "section"};
+
+enum class FingerShape : std::uint8_t { none, sphere, hand };
+
+/// Ends of a colour map, in the unit of what is coloured (strain: per cent).
+struct ColourRange {
+  double low = 0.0;
+  double high = 1.0;
+};
+
+struct Look {
+  Shading shading = Shading::skin;
+  Colouring colouring = Colouring::plain;
+  std::bitset<kOverlays> overlays;
+  double skin_opacity = 1.0;  ///< below 1 the bones show through; 0 hides the skin
+  FingerShape finger = FingerShape::sphere;
+  bool detail = true;  ///< pores and mottling (Shading::skin)
+  bool white_background = false;
+  ColourRange strain_percent = {-20.0, 20.0};
+  ColourRange stiffness_n_per_mm = {0.3, 1.2};
+  ColourRange half_major_mm = {100.0, 200.0};
+
+  bool shows(Overlay overlay) const { return overlays[static_cast<std::size_t>(overlay)]; }
+  void show(Overlay overlay, bool on = true) { overlays[static_cast<std::size_t>(overlay)] = on; }
+  const ColourRange& range() const {
+    if (colouring == Colouring::stiffness) return stiffness_n_per_mm;
+    return colouring == Colouring::ellipses ? half_major_mm : strain_percent;
+  }
+};
+
+}  // namespace palpate::view

@@ -1,0 +1,55 @@
+// The one renderer: a world, its deformed skin and the fingers on it become a picture in the current framebuffer.
+//
+//   World ─► Renderer (static buffers once)        DeformedSurface ─► update (changed ranges only)
+//   Frame, Look, Frustum ─► draw ─► framebuffer ─► window │ image │ one eye of a stereo pair
+//
+// Needs a current OpenGL 3.3 context (offscreen.h, window.h) and belongs to the thread that has it. The cost of a frame
+// on this side is in proportion to what changed: only the ranges that a deformation wrote are uploaded.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "palpate/contact/finger.h"
+#include "palpate/deform/surface.h"
+#include "palpate/scene/world.h"
+#include "palpate/view/camera.h"
+#include "palpate/view/look.h"
+
+namespace palpate::view {
+
+/// A finger as it is drawn.
+struct FingerMark {
+  contact::FingerOutput contact;
+  double radius_mm = 8.0;                ///< of the drawn ball
+  Vec3f colour = {0.20f, 0.42f, 0.85f};  ///< linear
+};
+
+/// What changes from picture to picture.
+struct Frame {
+  std::span<const FingerMark> fingers;
+  double time_s = 0.0;
+};
+
+class Renderer {
+ public:
+  explicit Renderer(std::shared_ptr<const scene::World> world);
+  ~Renderer();
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+
+  /// Uploads what the last Deformer::apply wrote. Returns the number of vertices uploaded.
+  Index update(const deform::DeformedSurface& surface);
+  /// Uploads everything: after a surface that this renderer has not followed from rest.
+  void updateAll(const deform::DeformedSurface& surface);
+
+  /// Draws into the bound framebuffer's viewport of `width` x `height` pixels: background, bones, skin, fingers,
+  /// overlays. Text and legends are the business of labels.h.
+  void draw(const Frame& frame, const Look& look, const Frustum& frustum, int width, int height);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace palpate::view

@@ -1,0 +1,89 @@
+#include "palpate/view/camera.h"
+
+#include <gtest/gtest.h>
+
+#include "support/error_message.h"
+
+namespace palpate::view {
+namespace {
+
+constexpr double kAspect = 16.0 / 9.0;
+
+TEST(Camera, SeesTheBackFromBehindWithTheHeadUp) {
+  const Camera camera;
+  EXPECT_TRUE(camera.backward().isApprox(Vec3::UnitZ()));
+  EXPECT_TRUE(camera.up().isApprox(Vec3::UnitY()));
+  EXPECT_TRUE(camera.right().isApprox(Vec3::UnitX())) << "the patient's right is on the right";
+}
+
+TEST(Camera, FitsABoxFromEverySide) {
+  const Eigen::AlignedBox3d box(Vec3(-200, -300, -100), Vec3(200, 260, 130));
+  for (const auto side :
+       {StandardView::back, StandardView::left, StandardView::right, StandardView::above, StandardView::front}) {
+    const Camera camera = fitted(box, kAspect, side);
+    const Frustum frustum = frustumOf(screenOf(camera, kAspect), camera.eye(), 1.0, 5000.0);
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vec2 seen = seenAt(frustum, box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)));
+      EXPECT_TRUE((seen.array() >= 0.0).all() && (seen.array() <= 1.0).all())
+          << kStandardViewNames[static_cast<int>(side)] << " " << seen.transpose();
+    }
+  }
+}
+
+TEST(Frustum, OfAnEyeBeforeTheMiddleOfTheScreenIsThePlainPerspective) {
+  Camera camera;
+  camera.distance_mm = 600.0;
+  const Frustum frustum = frustumOf(screenOf(camera, kAspect), camera.eye(), 10.0, 2000.0);
+  const float cotangent = static_cast<float>(1.0 / std::tan(0.5 * camera.height_rad));
+  EXPECT_NEAR(frustum.projection(1, 1), cotangent, 1e-5);
+  EXPECT_NEAR(frustum.projection(0, 0), cotangent / kAspect, 1e-5);
+  EXPECT_NEAR(frustum.projection(0, 2), 0.0, 1e-6);
+}
+
+TEST(Frustum, OfAnEyeAsideKeepsTheScreenWhereItIs) {
+  const Camera camera;
+  const Screen screen = screenOf(camera, kAspect);
+  for (const double aside : {-31.5, 0.0, 31.5}) {
+    const Frustum frustum = frustumOf(screen, camera.eye() + aside * camera.right(), 10.0, 5000.0);
+    EXPECT_TRUE(seenAt(frustum, screen.lower_left).isApprox(Vec2(0.0, 1.0), 1e-4) ||
+                (seenAt(frustum, screen.lower_left) - Vec2(0.0, 1.0)).norm() < 1e-4);
+    EXPECT_LT((seenAt(frustum, screen.lower_right) - Vec2(1.0, 1.0)).norm(), 1e-4);
+    EXPECT_LT((seenAt(frustum, camera.centre) - Vec2(0.5, 0.5)).norm(), 1e-4);
+  }
+}
+
+TEST(Frustum, ShiftsAPointByTheParallaxOfItsDistance) {
+  Camera camera;
+  camera.distance_mm = 600.0;
+  const Screen screen = screenOf(camera, kAspect);
+  const double width = (screen.lower_right - screen.lower_left).norm();
+  constexpr double kEyes = 63.0;
+  const Vec3 half = 0.5 * kEyes * camera.right();
+  const Frustum left = frustumOf(screen, camera.eye() - half, 10.0, 5000.0);
+  const Frustum right = frustumOf(screen, camera.eye() + half, 10.0, 5000.0);
+  for (const double beyond : {-120.0, 0.0, 300.0}) {
+    const Vec3 point = camera.centre - beyond * camera.backward();
+    const double parallax = width * (seenAt(right, point).x() - seenAt(left, point).x());
+    EXPECT_NEAR(parallax, kEyes * (1.0 - 600.0 / (600.0 + beyond)), 1e-3) << beyond;
+  }
+}
+
+TEST(Frustum, NeedsAnEyeBeforeTheScreen) {
+  const Camera camera;
+  const Vec3 behind = camera.centre - camera.backward();
+  EXPECT_EQ(support::messageOf([&] { frustumOf(screenOf(camera, 1.0), behind, 1.0, 10.0); }),
+            "the eye is not in front of the screen");
+}
+
+TEST(Ray, ThroughAPlaceOfTheScreenMeetsWhatIsSeenThere) {
+  Camera camera;
+  camera.yaw_rad = 0.4;
+  camera.pitch_rad = 0.2;
+  const Screen screen = screenOf(camera, kAspect);
+  const Frustum frustum = frustumOf(screen, camera.eye(), 10.0, 5000.0);
+  const Ray ray = rayThrough(screen, camera.eye(), 0.3, 0.8);
+  EXPECT_LT((seenAt(frustum, ray.origin + 700.0 * ray.direction) - Vec2(0.3, 0.8)).norm(), 1e-5);
+}
+
+}  // namespace
+}  // namespace palpate::view
