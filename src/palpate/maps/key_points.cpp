@@ -65,6 +65,11 @@ KeyPoint keyPointOf(const CsvRow& row) {
   return key;
 }
 
+/// On the other side of the spine.
+Ellipse mirrored(const Ellipse& e) {
+  return canonicalEllipse(e.half_major_mm, e.half_major_mm * e.aspect, std::numbers::pi - e.direction_rad);
+}
+
 }  // namespace
 
 void requireTableName(const std::string& name) {
@@ -104,7 +109,7 @@ void writeKeyPoints(const std::filesystem::path& file, const std::vector<KeyPoin
   writeFile(file, formatKeyPoints(keys));
 }
 
-std::vector<KeyPoint> dissertationKeyPoints() {
+std::vector<KeyPoint> dissertationKeyPoints(const MeasuredDataChoice& choice) {
   // Tips of the spinous processes T5, T10 and L2 on the built-in body (published vertebral heights, docs/maps.md).
   constexpr double kT5 = 73.0;
   constexpr double kT10 = -62.0;
@@ -112,16 +117,14 @@ std::vector<KeyPoint> dissertationKeyPoints() {
   constexpr double kUpper = 0.5 * (kT5 + kT10);
   constexpr double kLower = 0.5 * (kT10 + kL2);
   constexpr double kAside = 100.0;  // section 5.1: 10 cm from the midline
-  const auto key = [](const char* name, double x, double y, double half_major, double ratio, double degree) {
-    return KeyPoint{name, {x, y}, canonicalEllipse(half_major, half_major / ratio, degree * kRadPerDeg), {}};
-  };
-  return {key("P1", 0.0, kT5, 179.0, 1.134, 90.0),
-          key("P2", 0.0, kT10, 149.0, 1.049, 90.0),
-          key("P3", 0.0, kL2, 133.0, 1.231, 180.0),
-          key("P4", -kAside, kUpper, 179.0, 1.357, 99.4),
-          key("P5", -kAside, kLower, 142.0, 1.313, 121.0),
-          key("P6", kAside, kUpper, 179.0, 1.357, 180.0 - 99.4),
-          key("P7", kAside, kLower, 142.0, 1.313, 180.0 - 121.0)};
+  const auto measured = [&](int point) { return meanEllipse(measuredAt(choice.force, point), choice.averaging); };
+  return {{"P1", {0.0, kT5}, measured(1), {}},
+          {"P2", {0.0, kT10}, measured(2), {}},
+          {"P3", {0.0, kL2}, measured(3), {}},
+          {"P4", {-kAside, kUpper}, measured(4), {}},
+          {"P5", {-kAside, kLower}, measured(5), {}},
+          {"P6", {kAside, kUpper}, mirrored(measured(4)), {}},
+          {"P7", {kAside, kLower}, mirrored(measured(5)), {}}};
 }
 
 }  // namespace palpate::maps

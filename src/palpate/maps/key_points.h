@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "palpate/maps/ellipse.h"
+#include "palpate/maps/measured_data.h"
 
 namespace palpate::maps {
 
@@ -36,8 +37,14 @@ void writeKeyPoints(const std::filesystem::path& file, const std::vector<KeyPoin
 /// Throws Error for a name that a table of measurements cannot hold.
 void requireTableName(const std::string& name);
 
-/// The dissertation's measured means (Fig 5.3; ratios from Appendix C unrounded) with P6 and P7 mirrored from P4 and
-/// P5. Where they lie on the built-in body is assumed (E33): the text gives vertebrae and 100 mm offsets only.
-std::vector<KeyPoint> dissertationKeyPoints();
+/// Which of the measured data make the built-in key points.
+struct MeasuredDataChoice {
+  ForceDirection force = ForceDirection::up;
+  Averaging averaging = Averaging::plain;
+};
+
+/// The dissertation's measured means (Appendix C, Fig 5.3) with P6 and P7 mirrored from P4 and P5. Where they lie on
+/// the built-in body is assumed (E33): the text gives vertebrae and 100 mm offsets only.
+std::vector<KeyPoint> dissertationKeyPoints(const MeasuredDataChoice& choice = {});
 
 }  // namespace palpate::maps
