@@ -72,6 +72,57 @@ TEST(Friction, HoldsTheAnchorWhileSticking) {
   }
 }
 
+/// One law of every kind.
+std::vector<tissue::ForceLaw> everyLaw() {
+  std::vector<tissue::ForceLaw> laws(4);
+  laws[1].kind = tissue::ForceLaw::Kind::power;
+  laws[2].kind = tissue::ForceLaw::Kind::stiffening;
+  laws[3].kind = tissue::ForceLaw::Kind::table;
+  laws[3].table.rows = 2;
+  laws[3].table.depth_mm = {3.0, 8.0};
+  laws[3].table.effective_mm = {1.0, 9.0};
+  return laws;
+}
+
+TEST(Friction, ItsCoefficientsHoldUnderEveryForceLawAtAnySpeed) {
+  Surface plate = surfaceOf(zoo::grid());
+  for (const tissue::ForceLaw& law : everyLaw()) {
+    plate.force_law = law;
+    for (const double radius : {0.0, 5.0}) {
+      for (const double step : {0.02, 0.1, 0.5}) {
+        FingerTrack finger(plate, sphereOf(radius));
+        finger.to({30, 50.3, radius + 2});
+        finger.slide({30, 50.3, -5}, 0.05);
+        double highest = 0.0;
+        for (double x = 30 + step; x <= 60; x += step) {
+          const FingerOutput output = finger.to({x, 50.3, -5 + 2 * std::sin(x)});  // pressing and easing
+          highest = std::max(highest, ratioOf(output));
+          if (output.touch == Touch::slip) {
+            ASSERT_NEAR(ratioOf(output), 0.44, 1e-9) << static_cast<int>(law.kind) << " step " << step;
+          }
+        }
+        EXPECT_LE(highest, 0.46 + 1e-9);
+        EXPECT_GE(highest, 0.44 - 1e-9);
+      }
+    }
+  }
+}
+
+TEST(Friction, TheForceLeadsBackToTheAnchorUnderEveryForceLaw) {
+  Surface plate = surfaceOf(zoo::grid());
+  for (const tissue::ForceLaw& law : everyLaw()) {
+    plate.force_law = law;
+    FingerTrack finger(plate);
+    finger.to({50, 50, 5});
+    finger.to({50, 50, -5});
+    const FingerOutput output = finger.slide({51, 50.5, -6}, 0.1);
+    EXPECT_EQ(output.touch, Touch::stick);
+    const Vec3 anchor = anchorOfForce(output.proxy, output.tip, output.normal, output.force);
+    EXPECT_NEAR((anchor - output.anchor).norm(), 0, 1e-9) << static_cast<int>(law.kind);
+    EXPECT_NEAR(output.force.z(), normalForce(law, kTestStiffness, 6.0), 1e-9);
+  }
+}
+
 TEST(Friction, ASofterTangentialSpringFollowsFarther) {
   const Surface plate = surfaceOf(zoo::grid());
   FingerSettings soft;

@@ -74,6 +74,24 @@ script = [{ do = "drag", by_mm = [30, 0], seconds = 2 }, { do = "circle", radius
   EXPECT_EQ(scene.fingers[1].steps[1].turns, -1.5);
 }
 
+TEST(SceneFile, ReadsForceLaws) {
+  const auto lawOf = [](const std::string& keys) { return parse("[tissue]\n" + keys + kFinger, "f/s.toml").tissue; };
+  EXPECT_EQ(parse(kFinger, "s.toml").tissue.force_law.kind, tissue::ForceLaw::Kind::linear);
+  const TissueSettings power = lawOf("force_law = \"power\"\nexponent = 1.5\nreference_depth_mm = 6\n");
+  EXPECT_EQ(power.force_law.kind, tissue::ForceLaw::Kind::power);
+  EXPECT_EQ(power.force_law.exponent, 1.5);
+  EXPECT_EQ(power.force_law.reference_depth_mm, 6.0);
+  EXPECT_EQ(lawOf("force_law = \"stiffening\"\nstiffening_ratio = 3\n").force_law.stiffening_ratio, 3.0);
+  EXPECT_EQ(lawOf("force_law = \"table\"\nforce_table = \"t.csv\"\n").force_table, std::filesystem::path("f/t.csv"));
+}
+
+TEST(SceneFile, AForceTableAndItsLawNeedEachOther) {
+  EXPECT_EQ(messageFor("[tissue]\nforce_law = \"table\"\n" + kFinger),
+            "s.toml:1: [tissue] law \"table\" needs a force_table");
+  EXPECT_EQ(messageFor("[tissue]\nforce_table = \"t.csv\"\n" + kFinger),
+            "s.toml:1: [tissue] has a force_table but its force_law is not \"table\"");
+}
+
 TEST(SceneFile, SuggestsTheNearestKey) {
   EXPECT_EQ(messageFor("[friction]\nstatik = 0.5\n" + kFinger),
             "s.toml:2: unknown key 'statik' in [friction]; did you mean 'static'?");

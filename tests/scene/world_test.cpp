@@ -54,6 +54,15 @@ class WorldOf : public ::testing::Test {
   support::TemporaryFolder folder_;
 };
 
+TEST_F(WorldOf, ItsForceLawComesWithTheTableOfItsFile) {
+  writeDome("dome.obj");
+  write("law.csv", "depth_mm,force_n\n4,2\n8,10\n");
+  const auto world = build(meshScene("[tissue]\nforce_law = \"table\"\nforce_table = \"law.csv\"\n"));
+  EXPECT_DOUBLE_EQ(tissue::normalForce(world->surface.force_law, 1.0, 6.0), 6.0);
+  write("law.csv", "4,2\n3,5\n");
+  EXPECT_NE(messageOfBuild(world->scene).find("law.csv:2: depth_mm must increase"), std::string::npos);
+}
+
 TEST_F(WorldOf, AMeshIsScaledOrderedAndEquallyStiff) {
   writeDome("dome.obj");
   const auto world = build(meshScene("unit = \"cm\"\nscale = 0.1\n"));

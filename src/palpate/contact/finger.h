@@ -65,7 +65,7 @@ struct FingerState {
   SurfacePoint anchor;         ///< on the skin
   Vec3 centre = Vec3::Zero();  ///< sphere only: C, where the sphere rests on the skin
   bool fits = false;           ///< sphere only: at C it does not sink into the skin
-  Vec3 hold = Vec3::Zero();    ///< sphere only: A as a point in space
+  Vec3 hold = Vec3::Zero();    ///< A as a point in space
 };
 
 struct FingerOutput {

@@ -54,6 +54,7 @@ Vec3 holdOnSkin(const Surface& surface, const Press& press, const GripLimits& li
   const Grip grip = gripOf(press.proxy, press.normal, state.anchor.position, limits, state.slipping);
   state.slipping = grip.slipping;
   if (grip.slipping) state.anchor = dragged(surface, state, press.proxy + grip.pull, grip.pull.norm());
+  state.hold = state.anchor.position;
   return grip.pull;
 }
 

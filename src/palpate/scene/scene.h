@@ -63,6 +63,11 @@ struct ContactSettings {
   bool force_shading = false;
 };
 
+struct TissueSettings {
+  tissue::ForceLaw force_law;         ///< its table is read when the scene is built
+  std::filesystem::path force_table;  ///< for the law of that kind
+};
+
 /// What one stretch of a finger's script does. The order is that of kMoveNames.
 enum class Move : std::uint8_t { press, hold, drag, circle, lift };
 
@@ -100,7 +105,7 @@ struct OutputSettings {
 struct Scene {
   std::filesystem::path file;  ///< where it was read, for messages; empty for one made in memory
   std::string title = "untitled";
-  Fidelity fidelity;  ///< which errata are taken as printed (errata.h); none by default
+  Fidelity fidelity;     ///< which errata are taken as printed (errata.h); none by default
   double seconds = 0.0;  ///< 0 = until the last finger has finished
   double ticks_per_s = 1000.0;
   BodySettings body;
@@ -109,7 +114,7 @@ struct Scene {
   EllipseSettings ellipses;
   FrictionSettings friction;
   ContactSettings contact;
-  tissue::ForceLaw force_law;
+  TissueSettings tissue;
   deform::Settings deformation;
   StrainSettings strain;
   OutputSettings output;

@@ -180,12 +180,34 @@ Section contactSection() {
 }
 
 Section tissueSection() {
-  using S = tissue::ForceLaw;
-  std::vector<Key<S>> keys = {
-      choice<S, tissue::ForceLaw::Kind>("force_law", &S::kind, {"linear"},
-                                        "Normal force by depth: stiffness times depth."),
+  using S = TissueSettings;
+  const auto law = [](double tissue::ForceLaw::*member) -> Access<S, double> {
+    return [member](S& s) -> double& { return s.force_law.*member; };
   };
-  return section<S>("tissue", "How force grows with depth.", &Scene::force_law, std::move(keys));
+  using L = tissue::ForceLaw;
+  std::vector<Key<S>> keys = {
+      choice<S, L::Kind>(
+          "force_law", [](S& s) -> L::Kind& { return s.force_law.kind; }, {"linear", "power", "stiffening", "table"},
+          "Normal force by depth (docs/force-laws.md): stiffness times depth; a power of the depth; a stiffness that "
+          "grows along a Gaussian; measured."),
+      number<S>("exponent", law(&L::exponent), between(1, 3), "Power: of the depth; layered tissue has 1.5 to 1.8."),
+      number<S>("reference_depth_mm", law(&L::reference_depth_mm), above(0, 1000),
+                "Power: the depth at which it pushes as hard as the linear law."),
+      number<S>("stiffening_ratio", law(&L::stiffening_ratio), above(0, 100),
+                "Stiffening: the stiffness deep down over that of the map, which is how a light touch feels."),
+      number<S>("stiffening_depth_mm", law(&L::stiffening_depth_mm), above(0, 1000),
+                "Stiffening: the depth at which that stiffness is reached."),
+      file<S>("force_table", &S::force_table,
+              "Table: rows depth_mm,force_n, the force being that where the map says 1 N/mm."),
+  };
+  return section<S>("tissue", "How force grows with depth.", &Scene::tissue, std::move(keys),
+                    [](const S& tissue, const Entry& entry) {
+                      const bool wants_table = tissue.force_law.kind == L::Kind::table;
+                      if (wants_table && tissue.force_table.empty()) entry.fail("law \"table\" needs a force_table");
+                      if (!wants_table && !tissue.force_table.empty()) {
+                        entry.fail("has a force_table but its force_law is not \"table\"");
+                      }
+                    });
 }
 
 Section deformationSection() {

@@ -4,6 +4,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/scene/body_parts.h"
+#include "palpate/tissue/force_table.h"
 
 namespace palpate::scene {
 
@@ -53,6 +54,15 @@ std::vector<double> basicStiffness(const Scene& scene, const BodyParts& body, co
   }
 }
 
+tissue::ForceLaw forceLaw(const Scene& scene) {
+  tissue::ForceLaw law = scene.tissue.force_law;
+  if (law.kind == tissue::ForceLaw::Kind::table && !scene.tissue.force_table.empty()) {
+    law.table = tissue::readForceTable(scene.tissue.force_table);
+  }
+  tissue::check(law);
+  return law;
+}
+
 }  // namespace
 
 std::shared_ptr<const World> build(const Scene& scene, const Progress& progress) {
@@ -62,7 +72,7 @@ std::shared_ptr<const World> build(const Scene& scene, const Progress& progress)
   std::vector<double> stiffness = basicStiffness(scene, body, keys);
   maps::applyDysfunctions(body.skin.positions, scene.dysfunctions, stiffness);
   report(progress, "building the contact surface", 0.0);
-  contact::Surface surface = contact::buildSurface(body.skin, stiffness, {scene.force_law, body.self_intersecting});
+  contact::Surface surface = contact::buildSurface(body.skin, stiffness, {forceLaw(scene), body.self_intersecting});
   report(progress, "preparing the deformation", 0.0);
   deform::Skin deformable = deform::buildSkin(body.skin);
   maps::EllipseMap ellipses(keys, ellipseMapSettings(scene, body.skin));

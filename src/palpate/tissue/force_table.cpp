@@ -1,0 +1,63 @@
+#include "palpate/tissue/force_table.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "palpate/base/csv.h"
+#include "palpate/base/error.h"
+#include "palpate/base/text.h"
+
+namespace palpate::tissue {
+
+namespace {
+
+/// 64 rows take 2 KiB; comments may take the rest.
+constexpr std::size_t kMaxBytes = std::size_t{1} << 16;
+/// Deeper than any body, stiffer than any tissue: a number beyond it is a slip of the pen.
+constexpr double kLargest = 1e6;
+
+[[noreturn]] void fail(const CsvRow& row, std::string_view cause) { throw Error::atLine(row.file, row.line, cause); }
+
+double readNumber(const CsvRow& row, std::size_t column, std::string_view name) {
+  const double value = csvNumber(row, column, name);
+  if (value < 0.0 || value > kLargest) fail(row, fmt::format("{} must be at least 0 and at most {}", name, kLargest));
+  return value;
+}
+
+void append(ForceTable& table, const CsvRow& row) {
+  if (row.fields.size() != 2) fail(row, fmt::format("needs depth_mm,force_n but has {} fields", row.fields.size()));
+  const double depth = readNumber(row, 0, "depth_mm");
+  const double force = readNumber(row, 1, "force_n");
+  if (table.rows == 0 && depth == 0.0) {
+    if (force != 0.0) fail(row, "force_n must be 0 at depth 0");
+    return;
+  }
+  if (table.rows == ForceTable::kMostRows) fail(row, fmt::format("more than {} rows", ForceTable::kMostRows));
+  const double last_depth = table.rows == 0 ? 0.0 : table.depth_mm[table.rows - 1];
+  const double last_force = table.rows == 0 ? 0.0 : table.effective_mm[table.rows - 1];
+  if (!(depth > last_depth)) fail(row, fmt::format("depth_mm must increase, but {} follows {}", depth, last_depth));
+  if (force < last_force) fail(row, fmt::format("force_n must not decrease, but {} follows {}", force, last_force));
+  table.depth_mm[table.rows] = depth;
+  table.effective_mm[table.rows] = force;
+  ++table.rows;
+}
+
+}  // namespace
+
+ForceTable parseForceTable(std::string_view text, std::string_view name) {
+  ForceTable table;
+  bool first = true;
+  forEachCsvRow(text, name, [&](const CsvRow& row) {
+    if (std::exchange(first, false) && looksLikeCsvHeader(row)) return;
+    append(table, row);
+  });
+  if (table.rows == 0) throw Error::inFile(name, "has no row with a depth above 0");
+  return table;
+}
+
+ForceTable readForceTable(const std::filesystem::path& file) {
+  return parseForceTable(readFile(file, kMaxBytes), file.string());
+}
+
+}  // namespace palpate::tissue

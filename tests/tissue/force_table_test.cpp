@@ -1,0 +1,50 @@
+#include "palpate/tissue/force_table.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "support/error_message.h"
+#include "support/temporary_folder.h"
+
+namespace palpate::tissue {
+namespace {
+
+std::string messageFor(const std::string& text) {
+  return support::messageOf([&] { parseForceTable(text, "f.csv"); });
+}
+
+TEST(ForceTable, ReadsRowsAfterAHeader) {
+  const ForceTable table = parseForceTable("depth_mm,force_n\n# measured in spring\n0,0\n2,0.9\n10,12.5\n", "f.csv");
+  ASSERT_EQ(table.rows, 2u);
+  EXPECT_EQ(table.depth_mm[1], 10.0);
+  EXPECT_EQ(table.effective_mm[0], 0.9);
+}
+
+TEST(ForceTable, IsReadFromAFile) {
+  const support::TemporaryFolder folder;
+  std::ofstream(folder / "f.csv") << "5,4\n";
+  EXPECT_EQ(readForceTable(folder / "f.csv").rows, 1u);
+  EXPECT_NE(support::messageOf([&] { readForceTable(folder / "none.csv"); }), "no error");
+}
+
+TEST(ForceTable, NamesTheLineThatIsWrong) {
+  EXPECT_EQ(messageFor("2,1\n2,3\n"), "f.csv:2: depth_mm must increase, but 2 follows 2");
+  EXPECT_EQ(messageFor("2,1\n3,0.5\n"), "f.csv:2: force_n must not decrease, but 0.5 follows 1");
+  EXPECT_EQ(messageFor("\n2\n"), "f.csv:2: needs depth_mm,force_n but has 1 fields");
+  EXPECT_EQ(messageFor("0,1\n"), "f.csv:1: force_n must be 0 at depth 0");
+  EXPECT_EQ(messageFor("-2,1\n"), "f.csv:1: depth_mm must be at least 0 and at most 1000000");
+  EXPECT_EQ(messageFor("2,x\n"), "f.csv:1: force_n is not a number: 'x'");
+  EXPECT_EQ(messageFor("2,inf\n"), "f.csv:1: force_n is inf");
+  EXPECT_EQ(messageFor("depth_mm,force_n\n"), "f.csv: has no row with a depth above 0");
+}
+
+TEST(ForceTable, HoldsADeclaredNumberOfRows) {
+  std::string text;
+  for (std::uint32_t i = 1; i <= ForceTable::kMostRows; ++i) text += std::to_string(i) + "," + std::to_string(i) + "\n";
+  EXPECT_EQ(parseForceTable(text, "f.csv").rows, ForceTable::kMostRows);
+  EXPECT_EQ(messageFor(text + "65,65\n"), "f.csv:65: more than 64 rows");
+}
+
+}  // namespace
+}  // namespace palpate::tissue
