@@ -109,7 +109,7 @@ TEST(PolarContour, RefusesWhatIsNoContour) {
 TEST(PolarContour, LiesUndistortedOnTheTangentPlane) {
   const PolarContour contour = raggedContour(12, 4);
   for (const Vec3& normal : {Vec3(0, 0, 2), Vec3(0.3, -0.2, 0.9), Vec3(1, 0, 0), Vec3(0.1, 0.2, -1)}) {
-    const SurfaceContour lifted = liftedOntoSurface(contour, normal);
+    const SurfaceContour lifted = contourOnSurface(contour, normal);
     EXPECT_NEAR(lifted.axis_x.norm(), 1.0, 1e-12);
     EXPECT_NEAR(lifted.axis_y.norm(), 1.0, 1e-12);
     EXPECT_NEAR(lifted.axis_x.dot(lifted.axis_y), 0.0, 1e-12);
@@ -121,15 +121,15 @@ TEST(PolarContour, LiesUndistortedOnTheTangentPlane) {
 
 TEST(PolarContour, OnLevelSkinTheMapAxesAreKeptFromEitherSide) {
   for (const double z : {1.0, -1.0}) {
-    const SurfaceContour lifted = liftedOntoSurface(raggedContour(5, 1), Vec3(0, 0, z));
+    const SurfaceContour lifted = contourOnSurface(raggedContour(5, 1), Vec3(0, 0, z));
     EXPECT_LT((lifted.axis_x - Vec3::UnitX()).norm(), 1e-12);
     EXPECT_LT((lifted.axis_y - Vec3::UnitY()).norm(), 1e-12);
   }
 }
 
 TEST(PolarContour, NoNormalGivesAnEmptyContour) {
-  EXPECT_EQ(liftedOntoSurface(raggedContour(5, 1), Vec3::Zero()).contour.count, 0u);
-  EXPECT_EQ(liftedOntoSurface(raggedContour(5, 1), Vec3(NAN, 0, 1)).contour.count, 0u);
+  EXPECT_EQ(contourOnSurface(raggedContour(5, 1), Vec3::Zero()).contour.count, 0u);
+  EXPECT_EQ(contourOnSurface(raggedContour(5, 1), Vec3(NAN, 0, 1)).contour.count, 0u);
 }
 
 }  // namespace palpate::maps

@@ -43,7 +43,7 @@ PolarContour PolarContourMap::at(double x_mm, double y_mm) const noexcept {
 }
 
 SurfaceContour PolarContourMap::on(const Vec3& point, const Vec3& normal) const noexcept {
-  return liftedOntoSurface(at(point.x(), point.y()), normal);
+  return contourOnSurface(at(point.x(), point.y()), normal);
 }
 
 }  // namespace palpate::maps

@@ -86,7 +86,7 @@ double locationRatio(const PolarContour& contour, const Vec2& offset) noexcept {
   return ratioOf(offset.norm(), radiusAt(contour, std::atan2(offset.y(), offset.x())));
 }
 
-SurfaceContour liftedOntoSurface(const PolarContour& contour, const Vec3& normal) noexcept {
+SurfaceContour contourOnSurface(const PolarContour& contour, const Vec3& normal) noexcept {
   constexpr Ellipse kAlongX{1.0, 1.0, 0.0};
   const Vec3 axis_x = liftedOntoSurface(kAlongX, normal).half_major;
   if (axis_x.isZero(0.0)) return {};

@@ -55,7 +55,7 @@ struct SurfaceContour {
 /// The map's contour laid undistorted on the tangent plane of a surface point: its x axis keeps the direction seen
 /// along z (E32, as for ellipses), y follows at right angles. A normal that is not finite or is zero gives an empty
 /// contour.
-SurfaceContour liftedOntoSurface(const PolarContour& contour, const Vec3& normal) noexcept;
+SurfaceContour contourOnSurface(const PolarContour& contour, const Vec3& normal) noexcept;
 
 /// Location ratio of a point whose offset from the centre lies in the contour's plane.
 double locationRatio(const SurfaceContour& contour, const Vec3& offset_in_plane) noexcept;
