@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "apps/palpate/realtime_run.h"
 #include "apps/palpate/run_recorder.h"
 #include "palpate/base/error.h"
-#include "palpate/device/scripted_device.h"
+#include "palpate/servo/scripted_rig.h"
 
 namespace palpate::app {
 
@@ -20,31 +18,6 @@ void makeFolder(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder, error);
   if (!std::filesystem::is_directory(folder))
     throw Error::inFile(folder.string(), "cannot be made a folder for results");
-}
-
-servo::LimiterSettings limiterSettings(const scene::World& world) {
-  servo::LimiterSettings settings;
-  settings.safety = world.scene.safety;
-  settings.stiffness_n_per_mm = *std::max_element(world.stiffness_n_per_mm.begin(), world.stiffness_n_per_mm.end()) *
-                                tissue::steepestFactor(world.surface.force_law, world.scene.contact.max_depth_mm);
-  settings.tick_s = 1.0 / world.scene.ticks_per_s;
-  return settings;
-}
-
-servo::Rig rigFor(const scene::World& world, const device::FingerPaths& paths) {
-  servo::Rig rig;
-  rig.surface = &world.surface;
-  rig.tick_s = 1.0 / world.scene.ticks_per_s;
-  for (std::size_t i = 0; i < world.scene.fingers.size(); ++i) {
-    const scene::Finger& finger = world.scene.fingers[i];
-    servo::FingerChain chain;
-    chain.contact_settings = scene::contactSettings(world.scene, finger);
-    contact::check(chain.contact_settings);
-    chain.limiter_settings = limiterSettings(world);
-    chain.device = device::scriptedDevice(finger.name, paths.tips[i]);
-    rig.fingers.push_back(std::move(chain));
-  }
-  return rig;
 }
 
 void saveAutomaticPaths(const scene::World& world, const device::FingerPaths& paths, SimulationResult& result) {
@@ -62,7 +35,7 @@ void saveAutomaticPaths(const scene::World& world, const device::FingerPaths& pa
 
 void run(const scene::World& world, const device::FingerPaths& paths, bool realtime, RunRecorder& recorder,
          SimulationResult& result, const Progress& progress) {
-  servo::Rig rig = rigFor(world, paths);
+  servo::Rig rig = servo::scriptedRig(world, paths);
   if (realtime) {
     runRealtime(world, rig, paths.ticks, recorder, result, progress);
     return;

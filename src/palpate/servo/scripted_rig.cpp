@@ -1,0 +1,34 @@
+#include "palpate/servo/scripted_rig.h"
+
+#include <algorithm>
+
+#include "palpate/device/scripted_device.h"
+
+namespace palpate::servo {
+
+LimiterSettings limiterSettings(const scene::World& world) {
+  LimiterSettings settings;
+  settings.safety = world.scene.safety;
+  settings.stiffness_n_per_mm = *std::max_element(world.stiffness_n_per_mm.begin(), world.stiffness_n_per_mm.end()) *
+                                tissue::steepestFactor(world.surface.force_law, world.scene.contact.max_depth_mm);
+  settings.tick_s = 1.0 / world.scene.ticks_per_s;
+  return settings;
+}
+
+Rig scriptedRig(const scene::World& world, const device::FingerPaths& paths) {
+  Rig rig;
+  rig.surface = &world.surface;
+  rig.tick_s = 1.0 / world.scene.ticks_per_s;
+  for (std::size_t i = 0; i < world.scene.fingers.size(); ++i) {
+    const scene::Finger& finger = world.scene.fingers[i];
+    FingerChain chain;
+    chain.contact_settings = scene::contactSettings(world.scene, finger);
+    contact::check(chain.contact_settings);
+    chain.limiter_settings = limiterSettings(world);
+    chain.device = device::scriptedDevice(finger.name, paths.tips[i]);
+    rig.fingers.push_back(std::move(chain));
+  }
+  return rig;
+}
+
+}  // namespace palpate::servo

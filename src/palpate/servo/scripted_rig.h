@@ -1,0 +1,17 @@
+// The fingers of a scene on their scripted or recorded paths, ready for a loop.
+#pragma once
+
+#include "palpate/device/finger_path.h"
+#include "palpate/scene/world.h"
+#include "palpate/servo/tick.h"
+
+namespace palpate::servo {
+
+/// The limits that this scene sets for one finger: its safety settings, and the steepest force the body can give.
+LimiterSettings limiterSettings(const scene::World& world);
+
+/// One chain a finger of the scene, in its order. The world must outlive the rig. Throws Error for contact settings
+/// that make no sense.
+Rig scriptedRig(const scene::World& world, const device::FingerPaths& paths);
+
+}  // namespace palpate::servo
