@@ -1,0 +1,64 @@
+#include "palpate/view/orbit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate::view {
+
+namespace {
+
+Mat3 axesOf(const Camera& camera) {
+  Mat3 axes;
+  axes << camera.right(), camera.up(), camera.backward();
+  return axes;
+}
+
+}  // namespace
+
+Camera orbited(const Camera& camera, const Vec3& pivot, const Vec2& by, double height) {
+  Camera turned = camera;
+  const double radians = kTurnPerHeightRad / std::max(1.0, height);
+  turned.yaw_rad = std::remainder(camera.yaw_rad - radians * by.x(), 2.0 * kTurnPerHeightRad);
+  turned.pitch_rad = std::clamp(camera.pitch_rad + radians * by.y(), -kSteepestRad, kSteepestRad);
+  turned.centre = pivot + axesOf(turned) * (axesOf(camera).transpose() * (camera.centre - pivot));
+  return turned;
+}
+
+Camera panned(const Camera& camera, const Vec3& pivot, const Vec2& by, double height) {
+  const double depth = std::max(kNearestMm, (camera.eye() - pivot).dot(camera.backward()));
+  const double mm_per_pixel = 2.0 * depth * std::tan(0.5 * camera.height_rad) / std::max(1.0, height);
+  Camera shifted = camera;
+  shifted.centre += mm_per_pixel * (by.y() * camera.up() - by.x() * camera.right());
+  return shifted;
+}
+
+Camera zoomed(const Camera& camera, const Vec3& pivot, double notches) {
+  Camera nearer = camera;
+  nearer.distance_mm = std::clamp(camera.distance_mm * std::pow(kZoomPerNotch, notches), kNearestMm, kFarthestMm);
+  const double factor = nearer.distance_mm / camera.distance_mm;
+  nearer.centre = pivot + factor * (camera.centre - pivot);
+  return nearer;
+}
+
+Camera centredOn(const Camera& camera, const Vec3& place) {
+  Camera centred = camera;
+  centred.distance_mm = std::clamp((camera.eye() - place).dot(camera.backward()), kNearestMm, kFarthestMm);
+  centred.centre = place;
+  return centred;
+}
+
+Camera between(const Camera& from, const Camera& to, double share) {
+  const double s = std::clamp(share, 0.0, 1.0);
+  const double eased = s * s * (3.0 - 2.0 * s);
+  const auto mix = [&](double a, double b) { return a + eased * (b - a); };
+  Camera camera = to;
+  camera.centre = from.centre + eased * (to.centre - from.centre);
+  camera.yaw_rad = from.yaw_rad + eased * std::remainder(to.yaw_rad - from.yaw_rad, 2.0 * kTurnPerHeightRad);
+  camera.pitch_rad = mix(from.pitch_rad, to.pitch_rad);
+  camera.roll_rad = mix(from.roll_rad, to.roll_rad);
+  camera.height_rad = mix(from.height_rad, to.height_rad);
+  camera.distance_mm = std::exp(mix(std::log(from.distance_mm), std::log(to.distance_mm)));
+  return camera;
+}
+
+}  // namespace palpate::view

@@ -1,0 +1,31 @@
+// Turning, shifting and zooming a camera so that the place the user took hold of stays under the cursor. Pure.
+#pragma once
+
+#include "palpate/view/camera.h"
+
+namespace palpate::view {
+
+/// A drag over the whole height of the picture turns by this much.
+inline constexpr double kTurnPerHeightRad = 3.14159265358979;
+/// The camera stays this far from straight up and down, where left and right would lose their meaning.
+inline constexpr double kSteepestRad = 1.55;
+inline constexpr double kZoomPerNotch = 0.9;  ///< factor on the distance
+inline constexpr double kNearestMm = 30.0;
+inline constexpr double kFarthestMm = 1e6;
+
+/// Turned by a drag of `by` pixels in a picture `height` pixels high; `pivot` stays where it appears.
+Camera orbited(const Camera& camera, const Vec3& pivot, const Vec2& by, double height);
+
+/// Shifted so that a point at the depth of `pivot` follows the cursor.
+Camera panned(const Camera& camera, const Vec3& pivot, const Vec2& by, double height);
+
+/// Nearer (notches > 0) to `pivot`, which stays where it appears.
+Camera zoomed(const Camera& camera, const Vec3& pivot, double notches);
+
+/// Turns about `place` from now on, and looks straight at it.
+Camera centredOn(const Camera& camera, const Vec3& place);
+
+/// Between two cameras, share in [0, 1]: for flights.
+Camera between(const Camera& from, const Camera& to, double share);
+
+}  // namespace palpate::view

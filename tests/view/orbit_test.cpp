@@ -1,0 +1,102 @@
+#include "palpate/view/orbit.h"
+
+#include <gtest/gtest.h>
+
+#include "palpate/base/random.h"
+
+namespace palpate::view {
+namespace {
+
+constexpr double kAspect = 1.6;
+constexpr double kHeight = 800.0;
+
+Vec2 seen(const Camera& camera, const Vec3& point) {
+  return seenAt(frustumOf(screenOf(camera, kAspect), camera.eye(), 1.0, 1e5), point);
+}
+
+Camera randomCamera(Random& random) {
+  Camera camera;
+  camera.centre = Vec3(random.uniform(-200, 200), random.uniform(-200, 200), random.uniform(-50, 50));
+  camera.yaw_rad = random.uniform(-3, 3);
+  camera.pitch_rad = random.uniform(-1.2, 1.2);
+  camera.distance_mm = random.uniform(300, 2000);
+  return camera;
+}
+
+Vec3 pointBefore(const Camera& camera, Random& random) {
+  return camera.centre + random.uniform(-80, 80) * camera.right() + random.uniform(-80, 80) * camera.up() +
+         random.uniform(-100, 100) * camera.backward();
+}
+
+TEST(Orbit, KeepsThePivotWhereItAppears) {
+  Random random(1);
+  for (int i = 0; i < 500; ++i) {
+    const Camera camera = randomCamera(random);
+    const Vec3 pivot = pointBefore(camera, random);
+    const Vec2 by(random.uniform(-300, 300), random.uniform(-50, 50));
+    EXPECT_LT((seen(orbited(camera, pivot, by, kHeight), pivot) - seen(camera, pivot)).norm(), 1e-4);
+  }
+}
+
+TEST(Orbit, DraggingToTheRightBringsThePatientsLeftSideForward) {
+  const Camera camera;
+  const Camera turned = orbited(camera, camera.centre, Vec2(100, 0), kHeight);
+  EXPECT_GT(seen(turned, camera.centre + 100.0 * Vec3::UnitZ()).x(), 0.5) << "what is nearest follows the hand";
+  EXPECT_GT(seen(orbited(camera, camera.centre, Vec2(0, 100), kHeight), camera.centre + 100.0 * Vec3::UnitZ()).y(),
+            0.5);
+}
+
+TEST(Orbit, NeverTipsOver) {
+  const Camera steep = orbited({}, Vec3::Zero(), Vec2(0, 1e5), kHeight);
+  EXPECT_LE(steep.pitch_rad, kSteepestRad);
+}
+
+TEST(Pan, TheGrabbedPointFollowsTheCursor) {
+  Random random(2);
+  for (int i = 0; i < 200; ++i) {
+    const Camera camera = randomCamera(random);
+    const Vec3 grabbed = pointBefore(camera, random);
+    const Vec2 by(random.uniform(-100, 100), random.uniform(-100, 100));
+    const Vec2 expected = seen(camera, grabbed) + Vec2(by.x() / (kHeight * kAspect), by.y() / kHeight);
+    EXPECT_LT((seen(panned(camera, grabbed, by, kHeight), grabbed) - expected).norm(), 1e-4);
+  }
+}
+
+TEST(Zoom, KeepsThePivotWhereItAppearsAndComesNearer) {
+  Random random(3);
+  for (int i = 0; i < 200; ++i) {
+    const Camera camera = randomCamera(random);
+    const Vec3 pivot = pointBefore(camera, random);
+    const Camera nearer = zoomed(camera, pivot, 2.0);
+    EXPECT_LT(nearer.distance_mm, camera.distance_mm);
+    EXPECT_LT((seen(nearer, pivot) - seen(camera, pivot)).norm(), 1e-4);
+  }
+}
+
+TEST(Zoom, StopsNearTheSkinAndFarAway) {
+  EXPECT_GE(zoomed({}, Vec3::Zero(), 1e4).distance_mm, kNearestMm);
+  EXPECT_LE(zoomed({}, Vec3::Zero(), -1e4).distance_mm, kFarthestMm);
+}
+
+TEST(Flight, StartsAndEndsAtItsCamerasAndTurnsTheShortWay) {
+  Camera from;
+  from.yaw_rad = 3.0;
+  Camera to;
+  to.yaw_rad = -3.0;
+  to.centre = Vec3(10, 0, 0);
+  EXPECT_LT((between(from, to, 0.0).eye() - from.eye()).norm(), 1e-9);
+  EXPECT_LT((between(from, to, 1.0).eye() - to.eye()).norm(), 1e-9);
+  EXPECT_NEAR(std::abs(between(from, to, 0.5).yaw_rad), 3.14159, 1e-4);
+}
+
+TEST(Centre, LooksStraightAtThePlaceFromAsFarAsBefore) {
+  Camera camera;
+  camera.yaw_rad = 0.3;
+  const Vec3 place(20, 30, 40);
+  const Camera centred = centredOn(camera, place);
+  EXPECT_LT((seen(centred, place) - Vec2(0.5, 0.5)).norm(), 1e-5);
+  EXPECT_NEAR((centred.eye() - place).norm(), (camera.eye() - place).dot(camera.backward()), 1e-9);
+}
+
+}  // namespace
+}  // namespace palpate::view
