@@ -4,6 +4,7 @@
 
 #include <epoxy/gl.h>
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -73,6 +74,13 @@ using GlVertexArray = GlName<VertexArrayKind>;
 using GlTexture = GlName<TextureKind>;
 using GlFramebuffer = GlName<FramebufferKind>;
 
+/// Binds a buffer and gives it these values for good.
+template <class T>
+void fillBuffer(GLenum kind, GLuint buffer, std::span<const T> values, GLenum usage = GL_STATIC_DRAW) {
+  glBindBuffer(kind, buffer);
+  glBufferData(kind, static_cast<GLsizeiptr>(values.size_bytes()), values.data(), usage);
+}
+
 /// A vertex and a fragment shader, compiled and linked. Throws Error with the compiler's message.
 class Program {
  public:
@@ -86,6 +94,15 @@ class Program {
   void set(const char* name, const Eigen::Vector2f& v) const { glUniform2fv(location(name), 1, v.data()); }
   void set(const char* name, const Vec3f& v) const { glUniform3fv(location(name), 1, v.data()); }
   void set(const char* name, const Eigen::Vector4f& v) const { glUniform4fv(location(name), 1, v.data()); }
+  void set(const char* name, std::span<const float> values) const {
+    glUniform1fv(location(name), static_cast<GLsizei>(values.size()), values.data());
+  }
+  void set(const char* name, std::span<const Vec3f> values) const {
+    if (!values.empty()) glUniform3fv(location(name), static_cast<GLsizei>(values.size()), values.front().data());
+  }
+  void set(const char* name, std::span<const Eigen::Vector4f> values) const {
+    if (!values.empty()) glUniform4fv(location(name), static_cast<GLsizei>(values.size()), values.front().data());
+  }
   void set(const char* name, const Eigen::Matrix3f& m) const {
     glUniformMatrix3fv(location(name), 1, GL_FALSE, m.data());
   }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "palpate/base/colour_map.h"
 #include "palpate/base/vec.h"
 
 namespace palpate::view {
@@ -18,6 +19,13 @@ enum class Shading : std::uint8_t {
 /// What the colour of the skin says; one at a time.
 enum class Colouring : std::uint8_t { plain, strain, stiffness, ellipses };
 inline constexpr std::array<std::string_view, 4> kColouringNames = {"plain", "strain", "stiffness", "ellipses"};
+
+/// Each field has a colour map of its own, so that two pictures cannot be mistaken for each other. Strain: blue is
+/// compression, red tension.
+constexpr ColourMap colourMapOf(Colouring colouring) {
+  if (colouring == Colouring::stiffness) return ColourMap::viridis;
+  return colouring == Colouring::ellipses ? ColourMap::cividis : ColourMap::cool_warm;
+}
 
 /// Things drawn over the skin; any number at once.
 enum class Overlay : std::uint8_t {
@@ -46,11 +54,22 @@ struct ColourRange {
   double high = 1.0;
 };
 
+/// Linear; from light to dark.
+struct SkinTone {
+  std::string_view name;
+  std::array<float, 3> colour;
+};
+inline constexpr std::array<SkinTone, 4> kSkinTones = {{{"light", {0.58f, 0.36f, 0.27f}},
+                                                        {"tan", {0.44f, 0.25f, 0.17f}},
+                                                        {"brown", {0.28f, 0.15f, 0.10f}},
+                                                        {"dark", {0.15f, 0.08f, 0.055f}}}};
+
 struct Look {
   Shading shading = Shading::skin;
   Colouring colouring = Colouring::plain;
   std::bitset<kOverlays> overlays;
-  double skin_opacity = 1.0;  ///< below 1 the bones show through; 0 hides the skin
+  double skin_opacity = 1.0;                  ///< below 1 the bones show through; 0 hides the skin
+  Vec3f skin_colour = {0.58f, 0.36f, 0.27f};  ///< linear; kSkinTones has some
   FingerShape finger = FingerShape::sphere;
   bool detail = true;  ///< pores and mottling (Shading::skin)
   bool white_background = false;

@@ -10,20 +10,13 @@
 #include <memory>
 #include <span>
 
-#include "palpate/contact/finger.h"
 #include "palpate/deform/surface.h"
 #include "palpate/scene/world.h"
 #include "palpate/view/camera.h"
+#include "palpate/view/finger_pose.h"
 #include "palpate/view/look.h"
 
 namespace palpate::view {
-
-/// A finger as it is drawn.
-struct FingerMark {
-  contact::FingerOutput contact;
-  double radius_mm = 8.0;                ///< of the drawn ball
-  Vec3f colour = {0.20f, 0.42f, 0.85f};  ///< linear
-};
 
 /// What changes from picture to picture.
 struct Frame {
@@ -33,6 +26,7 @@ struct Frame {
 
 class Renderer {
  public:
+  /// Shows the skin at rest.
   explicit Renderer(std::shared_ptr<const scene::World> world);
   ~Renderer();
   Renderer(const Renderer&) = delete;

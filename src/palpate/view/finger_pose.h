@@ -1,0 +1,39 @@
+// Where a finger is drawn: on the deformed skin, never in it.
+//
+// The haptic finger follows its tip below the skin; what is drawn rests on the skin that gave way. The ball is laid on
+// the deformed friction anchor along the contact's normal and lifted until no triangle around reaches into it. No GL.
+#pragma once
+
+#include "palpate/contact/finger.h"
+#include "palpate/scene/world.h"
+#include "palpate/view/drawn_skin.h"
+
+namespace palpate::view {
+
+/// Linear colours of the two hands; the third finger and on take the neutral one.
+inline const Vec3f kLeftFinger{0.10f, 0.26f, 0.78f};
+inline const Vec3f kRightFinger{0.76f, 0.09f, 0.07f};
+inline const Vec3f kOtherFinger{0.55f, 0.50f, 0.20f};
+
+/// A finger as it is drawn.
+struct FingerMark {
+  contact::FingerOutput contact;
+  double radius_mm = 8.0;  ///< of the drawn ball
+  Vec3f colour = kLeftFinger;
+  double haptic_radius_mm = 0.0;  ///< of the finger that touches: its tip is the centre of a ball of this radius
+  bool left = true;               ///< which hand, when hands are drawn
+};
+
+/// The drawn ball.
+struct FingerPose {
+  Vec3 centre = Vec3::Zero();
+  Vec3 tail = Vec3::Zero();     ///< of a finger, which is as thick: its far end; the centre for a ball
+  Vec3 normal = Vec3::UnitZ();  ///< unit, from the skin to the finger
+  Vec3f colour = kLeftFinger;
+  double radius_mm = 8.0;
+  bool touches = false;
+};
+
+FingerPose poseOf(const scene::World& world, const DrawnSkin& skin, const FingerMark& finger);
+
+}  // namespace palpate::view

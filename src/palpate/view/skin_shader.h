@@ -1,0 +1,248 @@
+// The shaders of the skin: light at the vertices, light at the pixels, a field as colours, and depth alone.
+#pragma once
+
+#include <string_view>
+
+namespace palpate::view {
+
+/// Attributes of the skin, for every vertex shader of it. Positions and normals come as one float array an axis, as the
+/// deformation writes them. `invariant` makes the depth of all passes the same to the bit.
+inline constexpr std::string_view kSkinAttributes = R"(
+layout(location = 0) in float x;
+layout(location = 1) in float y;
+layout(location = 2) in float z;
+layout(location = 3) in float nx;
+layout(location = 4) in float ny;
+layout(location = 5) in float nz;
+layout(location = 6) in float strain;
+layout(location = 7) in vec3 rest_place;
+layout(location = 8) in vec4 tint;    // kTintUnit is 128
+layout(location = 9) in float value;  // of the field shown, when it does not change with the deformation
+invariant gl_Position;
+uniform vec3 skin_colour;
+uniform float skin_opacity;
+vec3 factorOf(vec4 tint) { return tint.rgb * (255.0 / 128.0); }
+)";
+
+/// Shared by the fragment shaders: skin seen at a slant hides more than skin seen face on.
+inline constexpr std::string_view kSkinOpacity = R"(
+float opacityAt(float facing, float face_on) {
+  float slant = 1.0 - facing;
+  return mix(face_on, 1.0, slant * slant * slant);
+}
+)";
+
+inline constexpr std::string_view kDepthVertex = R"(
+void main() { gl_Position = clip_from_body * vec4(x, y, z, 1.0); }
+)";
+inline constexpr std::string_view kDepthFragment = R"(
+void main() {}
+)";
+
+/// The dissertation's shading: Lambert and Blinn-Phong at the vertices, colours interpolated across the triangle.
+inline constexpr std::string_view kGouraudVertex = R"(
+out vec4 front_colour;
+out vec3 back_colour;
+void main() {
+  vec3 place = vec3(x, y, z);
+  gl_Position = clip_from_body * vec4(place, 1.0);
+  vec3 normal = vec3(nx, ny, nz);
+  vec3 to_eye = normalize(eye - place);
+  vec3 albedo = skin_colour * factorOf(tint);
+  vec3 light = albedo * (matteLight(normal, 0.92) * 0.34);
+  float shine = pow(saturate(dot(normal, normalize(to_key + to_eye))), 24.0);
+  front_colour.rgb = encoded(toned(light + 0.035 * shine));
+  front_colour.a = opacityAt(abs(dot(normal, to_eye)), skin_opacity);
+  back_colour = encoded(toned(albedo * (matteLight(-normal, 0.6) * 0.16)));
+}
+)";
+inline constexpr std::string_view kGouraudFragment = R"(
+in vec4 front_colour;
+in vec3 back_colour;
+out vec4 colour;
+void main() { colour = gl_FrontFacing ? front_colour : vec4(back_colour, front_colour.a); }
+)";
+
+inline constexpr std::string_view kSkinVertex = R"(
+out vec3 place;
+out vec3 normal;
+out vec3 rest;
+out vec4 albedo;  // fourth: curvature
+void main() {
+  place = vec3(x, y, z);
+  normal = vec3(nx, ny, nz);
+  rest = rest_place;
+  albedo = vec4(skin_colour * factorOf(tint), tint.a);
+  gl_Position = clip_from_body * vec4(place, 1.0);
+}
+)";
+
+/// Skin by its parts: wrapped diffuse light a channel (red travels farthest under the skin), one weak gloss, pores as a
+/// noise in rest coordinates, blood pressed away under the finger and coming back, the finger's shadow.
+/// Based on: Green, "Real-time approximations to subsurface scattering", GPU Gems, 2004; Penner, "Pre-integrated skin
+/// shading", 2011; Quilez, "sphere ambient occlusion" and "sphere soft shadow".
+inline constexpr std::string_view kSkinFragment = R"(
+in vec3 place;
+in vec3 normal;
+in vec3 rest;
+in vec4 albedo;
+out vec4 colour;
+
+uniform float detail;        // 0: no pores
+uniform float skin_opacity;
+uniform int ball_count;
+uniform vec4 ball[4];        // centre and radius of what shadows the skin
+uniform vec3 ball_tail[4];   // other end of a finger; the centre for a ball
+uniform int mark_count;
+uniform vec4 mark[8];        // where the skin is or was pressed (rest coordinates) and the radius of the pad
+uniform float mark_strength[8];
+
+// Pores: cells of 1.3 mm, twice as long across the body, where the lines of tension run.
+const vec3 cells_per_mm = vec3(0.42, 0.80, 0.80);
+const float pore_relief = 0.17;
+
+float latticeValue(ivec3 cell) {
+  uint h = uint(cell.x) * 374761393u + uint(cell.y) * 668265263u + uint(cell.z) * 2246822519u;
+  h = (h ^ (h >> 13u)) * 1274126177u;
+  return float(h >> 8u) * (1.0 / 16777216.0);
+}
+
+// Value noise: gradient and value.
+vec4 noiseAt(vec3 p) {
+  vec3 base = floor(p);
+  ivec3 c = ivec3(base);
+  vec3 t = p - base;
+  vec3 s = t * t * (3.0 - 2.0 * t);
+  vec3 ds = 6.0 * t * (1.0 - t);
+  float v000 = latticeValue(c), v100 = latticeValue(c + ivec3(1, 0, 0));
+  float v010 = latticeValue(c + ivec3(0, 1, 0)), v110 = latticeValue(c + ivec3(1, 1, 0));
+  float v001 = latticeValue(c + ivec3(0, 0, 1)), v101 = latticeValue(c + ivec3(1, 0, 1));
+  float v011 = latticeValue(c + ivec3(0, 1, 1)), v111 = latticeValue(c + ivec3(1, 1, 1));
+  vec4 low = vec4(v000, v010, v001, v011);
+  vec4 step_x = vec4(v100, v110, v101, v111) - low;
+  vec4 at_x = low + s.x * step_x;
+  vec2 at_y = mix(at_x.xz, at_x.yw, s.y);
+  vec2 slope_x = mix(step_x.xz, step_x.yw, s.y);
+  vec2 slope_y = at_x.yw - at_x.xz;
+  return vec4(ds * vec3(mix(slope_x.x, slope_x.y, s.z), mix(slope_y.x, slope_y.y, s.z), at_y.y - at_y.x),
+              mix(at_y.x, at_y.y, s.z));
+}
+
+// A cell must be some pixels wide, else it shimmers.
+float poresAreSeen() {
+  vec3 cells = fwidth(rest) * cells_per_mm;
+  float cells_a_pixel = max(cells.x, max(cells.y, cells.z));
+  return 1.0 - smoothstep(0.22, 0.45, cells_a_pixel);
+}
+
+// Paler where the blood is pressed away, redder round it.
+vec3 blanched(vec3 skin) {
+  float pale = 0.0, rim = 0.0;
+  for (int i = 0; i < mark_count; ++i) {
+    float away = distance(rest, mark[i].xyz) / mark[i].w;
+    pale = max(pale, mark_strength[i] * (1.0 - smoothstep(0.35, 1.05, away)));
+    rim = max(rim, mark_strength[i] * (1.0 - smoothstep(1.15, 2.3, away)));
+  }
+  float grey = dot(skin, vec3(0.2126, 0.7152, 0.0722));
+  skin *= mix(vec3(1.0), vec3(1.02, 0.78, 0.76), rim * (1.0 - pale));
+  return mix(skin, 1.25 * grey * vec3(1.05, 0.95, 0.90), 0.75 * pale);
+}
+
+vec3 nearestOnFinger(int i, vec3 p) {
+  vec3 along = ball_tail[i] - ball[i].xyz;
+  float t = saturate(dot(p - ball[i].xyz, along) / max(dot(along, along), 1e-6));
+  return ball[i].xyz + t * along;
+}
+
+// x: share of the sky that the fingers leave, y: share of the key light.
+vec2 lightLeftByFingers(vec3 n) {
+  vec2 left = vec2(1.0);
+  for (int i = 0; i < ball_count; ++i) {
+    float r = ball[i].w;
+    vec3 to = nearestOnFinger(i, place) - place;
+    float d = length(to);
+    left.x *= 1.0 - min(0.8, saturate(dot(n, to) / d) * r * r / (d * d));
+    // Towards the key: how far the ray passes from the finger, against how far it has gone.
+    float ahead = max(dot(nearestOnFinger(i, place + to_key * 2.0 * r) - place, to_key), 0.0);
+    vec3 pass = place + to_key * ahead;
+    float clearance = distance(nearestOnFinger(i, pass), pass) - r;
+    float penumbra = 0.14 * ahead + 1.0;
+    left.y *= ahead > 0.0 ? mix(0.22, 1.0, smoothstep(-penumbra, penumbra, clearance)) : 1.0;
+  }
+  return left;
+}
+
+vec3 wrapped(vec3 smooth_normal, vec3 detailed, vec3 to_light, vec3 wrap) {
+  float cosine = dot(normalize(smooth_normal + detailed), to_light);
+  return saturate((cosine + wrap) / ((1.0 + wrap) * (1.0 + wrap)));
+}
+
+void main() {
+  vec3 to_eye = normalize(eye - place);
+  vec3 smooth_normal = normalize(gl_FrontFacing ? normal : -normal);
+  vec3 detailed = smooth_normal;
+  vec3 skin = albedo.rgb;
+  float roughness = 0.42;
+  if (detail > 0.0) {
+    float seen = poresAreSeen();
+    vec4 noise = noiseAt(rest * cells_per_mm);
+    vec3 slope = noise.xyz - smooth_normal * dot(noise.xyz, smooth_normal);
+    detailed = normalize(smooth_normal - pore_relief * seen * slope);
+    roughness -= 0.06 * seen * noise.w;
+    skin *= 1.0 + 0.10 * seen * (noise.w - 0.5);
+  }
+  skin = blanched(skin);
+  vec2 left = lightLeftByFingers(smooth_normal);
+  float facing = saturate(dot(smooth_normal, to_eye));
+  vec3 wrap = vec3(0.40, 0.18, 0.12) * (0.45 + 0.55 * albedo.a);
+
+  vec3 light = key_light * left.y * wrapped(smooth_normal, detailed, to_key, wrap);
+  light += fill_light * left.x * wrapped(smooth_normal, detailed, to_fill, wrap);
+  light += ambientFrom(smooth_normal) * left.x;
+  vec3 seen_colour = skin * light;
+  seen_colour += key_light * left.y * gloss(detailed, to_key, to_eye, roughness, 0.028);
+  seen_colour += fill_light * left.x * gloss(detailed, to_fill, to_eye, roughness, 0.028);
+  float slant = 1.0 - facing;
+  seen_colour += skin * vec3(0.60, 0.34, 0.30) * (slant * slant * slant * slant) * left.x;
+  if (!gl_FrontFacing) seen_colour *= 0.45;
+  colour = vec4(encoded(toned(seen_colour * 0.40)), opacityAt(facing, skin_opacity));
+}
+)";
+
+/// A field as colours: no tone curve, no gloss. Light may take at most a quarter, nothing where the skin faces the eye,
+/// so that a colour can be looked up on its legend.
+inline constexpr std::string_view kFieldVertex = R"(
+uniform float low;
+uniform float per_unit;
+uniform float strain_percent;  // 1: the field is the strain, 0: it is `value`
+out float share;
+out float brightness;
+out float facing;
+void main() {
+  vec3 place = vec3(x, y, z);
+  gl_Position = clip_from_body * vec4(place, 1.0);
+  vec3 normal = vec3(nx, ny, nz);
+  share = ((strain_percent > 0.0 ? 100.0 * strain : value) - low) * per_unit;
+  // Dents must still be seen: what turns away from the key darkens; what faces the eye is at full colour.
+  float lit = dot(normal, to_key) / max(dot(backward, to_key), 0.2);
+  brightness = 0.75 + 0.25 * saturate(lit);
+  facing = abs(dot(normal, normalize(eye - place)));
+}
+)";
+inline constexpr std::string_view kFieldFragment = R"(
+in float share;
+in float brightness;
+in float facing;
+uniform sampler2D colour_map;
+uniform float texels;
+uniform vec3 no_value;
+uniform float skin_opacity;
+out vec4 colour;
+void main() {
+  float at = (saturate(share) * (texels - 1.0) + 0.5) / texels;
+  vec3 mapped = share == share ? texture(colour_map, vec2(at, 0.5)).rgb : no_value;
+  colour = vec4(mapped * min(brightness, 1.0), opacityAt(saturate(facing), skin_opacity));
+}
+)";
+
+}  // namespace palpate::view
