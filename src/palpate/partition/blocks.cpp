@@ -79,7 +79,11 @@ class BlockBuilder {
 void addBlocks(Growth& growth) {
   growth.nodes.reserve(growth.nodes.size() + growth.items.size() / 5);  // about one for six entries, measured
   BlockBuilder builder(growth);
-  for (const Index leaf : growth.leaves) builder.divide(leaf, 0);
+  const double share = kBlocksShare / static_cast<double>(growth.items.size());
+  for (const Index leaf : growth.leaves) {
+    builder.divide(leaf, 0);
+    growth.work_done.add(share * growth.nodes[leaf].entry_count);
+  }
 }
 
 }  // namespace palpate::partition

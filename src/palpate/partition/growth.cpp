@@ -13,9 +13,11 @@ constexpr double kProgressStep = 0.01;
 
 }  // namespace
 
-void plantRoot(Growth& growth, const Box3& bounds) {
-  growth.nodes.emplace_back();
-  growth.cells.push_back(bounds);
+void WorkDone::add(double share) {
+  done_ += share;
+  if (done_ < reported_ + kProgressStep) return;
+  reported_ = done_;
+  report(progress_, "partition", std::min(done_, 1.0));
 }
 
 Box3 childCell(TreeKind tree, const Box3& cell, int level, int slot) {
@@ -52,10 +54,7 @@ void makeLeaf(Growth& growth, Index node, std::size_t first_entry, std::size_t e
   growth.nodes[node].first_entry = static_cast<Index>(first_entry);
   growth.nodes[node].entry_count = static_cast<Index>(entry_count);
   growth.leaves.push_back(node);
-  growth.done += share;
-  if (growth.done < growth.reported + kProgressStep) return;
-  growth.reported = growth.done;
-  report(growth.progress, "partition", std::min(growth.done, 1.0));
+  growth.work_done.add(kGrowthShare * share);
 }
 
 }  // namespace palpate::partition

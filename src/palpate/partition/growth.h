@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "palpate/partition/partition.h"
@@ -16,6 +17,24 @@ struct Item {
   Index piece;     ///< with the cut: which of Growth::pieces
 };
 
+/// Adds up the shares of the work that are done and reports them in steps.
+class WorkDone {
+ public:
+  WorkDone() = default;
+  explicit WorkDone(Progress progress) : progress_(std::move(progress)) {}
+  void add(double share);
+
+ private:
+  Progress progress_;
+  double done_ = 0.0;
+  double reported_ = 0.0;
+};
+
+// How the time of a build divides between its stages, about (case C, 4,000,000 triangles).
+inline constexpr double kGrowthShare = 0.6;
+inline constexpr double kBlocksShare = 0.2;
+inline constexpr double kEntriesShare = 0.2;
+
 /// The tree under construction: nodes and cells as in Partition, entries as items.
 struct Growth {
   TreeKind tree = TreeKind::Octree;
@@ -25,16 +44,16 @@ struct Growth {
   std::vector<Index> leaves;
   std::vector<Item> items;
   std::vector<Piece> pieces;
-
-  Progress progress;
-  double done = 0.0;      ///< share of the mesh that has reached its leaves
-  double reported = 0.0;  ///< the last share that `progress` heard
+  WorkDone work_done;
 };
 
 inline int mostLevels(TreeKind tree) { return tree == TreeKind::Bsp ? kMostBspLevels : kMostOctreeLevels; }
 
-/// The root: node 0, all of the space.
-void plantRoot(Growth& growth, const Box3& bounds);
+/// A tree of one node, the whole space, that wants to grow. Throws Error as buildPartition does.
+Growth startGrowth(const mesh::TriangleMesh& mesh, const BuildSettings& settings, const Progress& progress);
+
+/// Divides the leaves of the grown tree into blocks and gives every entry and node its box.
+Partition finishPartition(Growth&& growth, const mesh::TriangleMesh& mesh, Assignment assignment);
 
 /// The cell of the child in this slot.
 Box3 childCell(TreeKind tree, const Box3& cell, int level, int slot);
@@ -42,7 +61,7 @@ Box3 childCell(TreeKind tree, const Box3& cell, int level, int slot);
 /// Adds the children in these slots behind the last node and links them. Returns the first.
 Index addChildren(Growth& growth, Index node, const std::vector<std::uint8_t>& slots);
 
-/// `share` is the part of the mesh that the node holds, for the progress.
+/// `share` is the part of the mesh that the node holds, for the progress: all leaves together have 1.
 void makeLeaf(Growth& growth, Index node, std::size_t first_entry, std::size_t entry_count, double share);
 
 /// Case C: items are divided in place.

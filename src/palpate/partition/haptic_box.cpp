@@ -21,7 +21,9 @@ bool holds(const Box3& outer, const Box3& inner) {
               (i_high[1] <= o_high[1]) & (i_high[2] <= o_high[2]));
 }
 
-void collectLeaves(const Partition& partition, Index node_index, const Box3& box, LeafHits& hits) {
+/// Each child on its own test (E4).
+template <class MeetsShape>
+void collectLeaves(const Partition& partition, Index node_index, const MeetsShape& meets_shape, LeafHits& hits) {
   const Node& node = partition.nodes[node_index];
   ++hits.cost.nodes_entered;
   if (node.is_leaf) {
@@ -30,7 +32,20 @@ void collectLeaves(const Partition& partition, Index node_index, const Box3& box
   }
   hits.cost.nodes_tested += node.child_count;
   for (Index child = node.first_child; child < node.first_child + node.child_count; ++child) {
-    if (meets(partition.nodes[child].tight, box)) collectLeaves(partition, child, box, hits);
+    if (meets_shape(partition.nodes[child].tight)) collectLeaves(partition, child, meets_shape, hits);
+  }
+}
+
+template <class MeetsShape>
+void findLeavesThat(const Partition& partition, const MeetsShape& meets_shape, LeafHits& hits) {
+  hits.leaves.clear();
+  hits.cost = {};
+  if (partition.nodes.empty()) return;
+  hits.cost.nodes_tested = 1;
+  if (meets_shape(partition.nodes[0].tight)) {
+    collectLeaves(partition, 0, meets_shape, hits);
+  } else {
+    hits.cost.nodes_entered = 1;
   }
 }
 
@@ -93,15 +108,13 @@ void TriangleHits::prepareFor(const Partition& partition) {
 }
 
 void findLeaves(const Partition& partition, const Box3& box, LeafHits& hits) noexcept {
-  hits.leaves.clear();
-  hits.cost = {};
-  if (partition.nodes.empty()) return;
-  hits.cost.nodes_tested = 1;
-  if (meets(partition.nodes[0].tight, box)) {
-    collectLeaves(partition, 0, box, hits);
-  } else {
-    hits.cost.nodes_entered = 1;
-  }
+  findLeavesThat(
+      partition, [&](const Box3& tight) { return meets(tight, box); }, hits);
+}
+
+void findLeavesInSphere(const Partition& partition, const Vec3& centre, double radius, LeafHits& hits) noexcept {
+  findLeavesThat(
+      partition, [&](const Box3& tight) { return tight.squaredExteriorDistance(centre) <= radius * radius; }, hits);
 }
 
 void findTriangles(const Partition& partition, const Box3& box, TriangleHits& hits) noexcept {

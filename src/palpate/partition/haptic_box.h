@@ -71,6 +71,10 @@ struct TriangleHits {
 /// The leaves whose tight box meets `box`.
 void findLeaves(const Partition& partition, const Box3& box, LeafHits& hits) noexcept;
 
+/// The leaves whose tight box has a point within `radius` mm of the centre: the sphere of 3.4.1, tested by the closest
+/// point of the box (E11).
+void findLeavesInSphere(const Partition& partition, const Vec3& centre, double radius, LeafHits& hits) noexcept;
+
 /// The entries whose triangle's box meets `box`, as ranges: a subtree inside the box is one range, however large.
 void findTriangles(const Partition& partition, const Box3& box, TriangleHits& hits) noexcept;
 

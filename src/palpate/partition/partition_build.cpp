@@ -1,5 +1,7 @@
 // Builds a partition: grow the tree, divide its leaves into blocks, then give every entry and node its box.
+#include <algorithm>
 #include <string>
+#include <utility>
 
 #include "palpate/base/error.h"
 #include "palpate/partition/growth.h"
@@ -46,16 +48,22 @@ void growTree(Growth& growth, const mesh::TriangleMesh& mesh, Assignment assignm
   }
 }
 
-void fillEntries(Partition& partition, const Growth& growth, const mesh::TriangleMesh& mesh) {
-  partition.triangles.reserve(growth.items.size());
-  partition.boxes.reserve(growth.items.size());
-  for (const Item& item : growth.items) {
-    partition.triangles.push_back(item.triangle);
-    partition.boxes.push_back(boxOf(mesh, item.triangle));
+void fillEntries(Partition& partition, Growth& growth, const mesh::TriangleMesh& mesh) {
+  constexpr std::size_t kChunk = 1 << 16;  // between two reports
+  const std::vector<Item>& items = growth.items;
+  partition.triangles.reserve(items.size());
+  partition.boxes.reserve(items.size());
+  for (std::size_t begin = 0; begin < items.size(); begin += kChunk) {
+    const std::size_t end = std::min(begin + kChunk, items.size());
+    for (std::size_t i = begin; i < end; ++i) {
+      partition.triangles.push_back(items[i].triangle);
+      partition.boxes.push_back(boxOf(mesh, items[i].triangle));
+    }
+    growth.work_done.add(kEntriesShare * static_cast<double>(end - begin) / static_cast<double>(items.size()));
   }
   if (partition.assignment != Assignment::Cut) return;
-  partition.pieces.reserve(growth.items.size());
-  for (const Item& item : growth.items) partition.pieces.push_back(growth.pieces[item.piece]);
+  partition.pieces.reserve(items.size());
+  for (const Item& item : items) partition.pieces.push_back(growth.pieces[item.piece]);
 }
 
 /// Children lie behind their parents, so one round from the back has each node's children ready. Inner nodes get their
@@ -76,21 +84,24 @@ void fitNodes(Partition& partition) {
 
 }  // namespace
 
-Partition buildPartition(const mesh::TriangleMesh& mesh, const BuildSettings& settings, const Progress& progress) {
+Growth startGrowth(const mesh::TriangleMesh& mesh, const BuildSettings& settings, const Progress& progress) {
   check(mesh, settings);
-  Partition partition;
-  partition.tree = settings.tree;
-  partition.assignment = settings.assignment;
-  partition.triangle_count = mesh.triangles.size();
-  partition.bounds = boundsOf(mesh);
-  if (mesh.triangles.empty()) return partition;
-
   Growth growth;
   growth.tree = settings.tree;
   growth.most_in_leaf = settings.leaf_below_threshold ? settings.threshold - 1 : settings.threshold;  // E7
-  growth.progress = progress;
-  plantRoot(growth, partition.bounds);
-  growTree(growth, mesh, settings.assignment);
+  growth.work_done = WorkDone(progress);
+  growth.nodes.emplace_back();
+  growth.cells.push_back(boundsOf(mesh));
+  return growth;
+}
+
+Partition finishPartition(Growth&& growth, const mesh::TriangleMesh& mesh, Assignment assignment) {
+  Partition partition;
+  partition.tree = growth.tree;
+  partition.assignment = assignment;
+  partition.triangle_count = mesh.triangles.size();
+  partition.bounds = growth.cells[0];
+  if (growth.leaves.empty()) return partition;
   partition.tree_node_count = static_cast<Index>(growth.nodes.size());
   addBlocks(growth);
   fillEntries(partition, growth, mesh);
@@ -99,6 +110,12 @@ Partition buildPartition(const mesh::TriangleMesh& mesh, const BuildSettings& se
   partition.leaves = std::move(growth.leaves);
   fitNodes(partition);
   return partition;
+}
+
+Partition buildPartition(const mesh::TriangleMesh& mesh, const BuildSettings& settings, const Progress& progress) {
+  Growth growth = startGrowth(mesh, settings, progress);
+  if (!mesh.triangles.empty()) growTree(growth, mesh, settings.assignment);
+  return finishPartition(std::move(growth), mesh, settings.assignment);
 }
 
 }  // namespace palpate::partition
