@@ -1,0 +1,169 @@
+#include "palpate/view/labels.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "palpate/view/label_paints.h"
+#include "palpate/view/legend.h"
+#include "palpate/view/round_steps.h"
+
+namespace palpate::view {
+
+namespace {
+
+constexpr float kMargin = 14.0f;
+
+// ---- title
+
+void drawTitle(Drawing& page, const std::string& title) {
+  if (!title.empty()) writeLabel(page, {kMargin, kMargin - 3.0f}, title, Align::left, TextSize::title);
+}
+
+// ---- colours
+
+std::string lowWord(Colouring colouring) { return colouring == Colouring::strain ? "compression" : ""; }
+std::string highWord(Colouring colouring) { return colouring == Colouring::strain ? "tension" : ""; }
+
+Legend legendOf(const LabelScene& scene, const ColourScale& scale) {
+  const Look& look = scene.look;
+  Legend legend{std::string(scale.title),
+                std::string(scale.unit),
+                lowWord(look.colouring),
+                highWord(look.colouring),
+                look.range(),
+                scale.map,
+                {}};
+  for (const FingerMark& finger : scene.frame.fingers) {
+    const auto value = valueUnder(scene.world, scene.surface, look, finger.contact);
+    if (value) legend.marks.push_back({*value, encodedColour(finger.colour)});
+  }
+  return legend;
+}
+
+void drawColours(Drawing& page, const LabelScene& scene) {
+  const auto scale = scaleOf(scene.look.colouring);
+  if (!scale) return;
+  LegendPlace place;
+  constexpr float kRoomForWords = 52.0f;
+  constexpr float kRoomForNumbers = 46.0f;
+  constexpr float kRoomBelow = 128.0f;  // the lower end's word, and the figure of directions
+  const float free_height = page.size().y() - kMargin - kRoomForWords - kRoomBelow;
+  place.size.y() = std::round(std::clamp(std::min(0.45f * page.size().y(), free_height), 60.0f, 260.0f));
+  place.corner = {std::round(page.size().x() - kMargin - kRoomForNumbers - place.size.x()), kMargin + kRoomForWords};
+  drawLegend(page, legendOf(scene, *scale), place);
+}
+
+// ---- size and direction
+
+void drawScaleBar(Drawing& page, const Eyes& eyes) {
+  const double screen_mm = (eyes.screen.upper_left - eyes.screen.lower_left).norm();
+  const double points_per_mm = page.size().y() / screen_mm;
+  constexpr double kShareOfPage = 0.2;
+  const double length_mm = roundStepDown(kShareOfPage * page.size().x() / points_per_mm);
+  const auto length = static_cast<float>(length_mm * points_per_mm);
+  const float y = page.size().y() - kMargin - 2.0f;
+  constexpr float kEnd = 5.0f;
+  for (const auto& [paint, thickness] : {std::pair{kShade, 4.0f}, {kInk, 2.0f}}) {
+    page.line({kMargin, y}, {kMargin + length, y}, paint, thickness);
+    page.line({kMargin, y - kEnd}, {kMargin, y + kEnd}, paint, thickness);
+    page.line({kMargin + length, y - kEnd}, {kMargin + length, y + kEnd}, paint, thickness);
+  }
+  const std::string words = length_mm >= 1.0 ? fmt::format("{:.0f} mm", length_mm) : fmt::format("{} mm", length_mm);
+  writeLabel(page, {kMargin + 0.5f * length, y - kEnd - 18.0f}, words, Align::centre);
+}
+
+/// An axis of the patient as the camera sees it: half of the figure's width and its letter at the end.
+void drawAxis(Drawing& page, const Vec2f& middle, const Vec2f& end, std::string_view letter) {
+  constexpr float kShortest = 7.0f;  ///< points: an axis that looks at the eye says nothing
+  if (end.norm() < kShortest) return;
+  page.line(middle, middle + end, kShade, 3.5f);
+  page.line(middle, middle + end, kInk, 1.5f);
+  const Vec2f letter_place = middle + end + 9.0f * end.normalized();
+  writeLabel(page, {letter_place.x(), letter_place.y() - 8.0f}, letter, Align::centre);
+}
+
+void drawOrientation(Drawing& page, const Camera& camera) {
+  constexpr float kRadius = 24.0f;
+  const Vec2f middle = page.size() - Vec2f(kMargin + kRadius + 20.0f, kMargin + kRadius - 4.0f);
+  const auto seen = [&](const Vec3& direction) {
+    return Vec2f(kRadius * static_cast<float>(direction.dot(camera.right())),
+                 -kRadius * static_cast<float>(direction.dot(camera.up())));
+  };
+  drawAxis(page, middle, seen(Vec3::UnitX()), "R");
+  drawAxis(page, middle, seen(-Vec3::UnitX()), "L");
+  drawAxis(page, middle, seen(Vec3::UnitY()), "cranial");
+}
+
+// ---- fingers
+
+std::string nameOf(const LabelSettings& settings, std::size_t finger) {
+  return finger < settings.finger_names.size() ? settings.finger_names[finger] : std::string();
+}
+
+/// Where a place of the world is on the page, seen from between the eyes.
+Vec2f placeOnPage(const Drawing& page, const Eyes& eyes, const Vec3& place) {
+  constexpr double kNearMm = 1.0;
+  constexpr double kFarMm = 1e5;
+  const Vec2 seen = seenAt(frustumOf(eyes.screen, eyes.middle, kNearMm, kFarMm), place);
+  return seen.cast<float>().cwiseProduct(page.size());
+}
+
+std::vector<std::string> numbersOf(const contact::FingerOutput& contact, const std::string& name) {
+  std::vector<std::string> lines;
+  if (!name.empty()) lines.push_back(name);
+  lines.push_back(fmt::format("depth {:.1f} mm", contact.depth_mm));
+  lines.push_back(fmt::format("force {:.2f} N", contact.force.norm()));
+  return lines;
+}
+
+Vec2f extentOf(const Drawing& page, const std::vector<std::string>& lines) {
+  Vec2f extent = Vec2f::Zero();
+  for (const std::string& line : lines) {
+    const Vec2f size = page.measure(line, TextSize::small);
+    extent = {std::max(extent.x(), size.x()), extent.y() + size.y() + 1.0f};
+  }
+  return extent;
+}
+
+/// A plate beside the finger, with a line to it; never under the hand that comes from the right, never off the page.
+void drawNumbers(Drawing& page, const LabelScene& scene, const FingerMark& finger, const std::string& name) {
+  const Vec2f tip = placeOnPage(page, scene.eyes, finger.contact.proxy);
+  if (!tip.allFinite()) return;
+  const std::vector<std::string> lines = numbersOf(finger.contact, name);
+  constexpr float kPad = 6.0f;
+  constexpr float kStripe = 3.0f;
+  const Vec2f size = extentOf(page, lines) + Vec2f(2.0f * kPad + kStripe, 2.0f * kPad);
+  const Vec2f wanted = tip + Vec2f(34.0f, -30.0f - size.y());
+  const Vec2f last = (page.size() - size - Vec2f::Constant(kMargin)).cwiseMax(Vec2f::Constant(kMargin));
+  const Vec2f corner = wanted.cwiseMax(Vec2f::Constant(kMargin)).cwiseMin(last).array().round();
+  const Paint colour{encodedColour(finger.colour)};
+  page.line(tip, corner + Vec2f(0.0f, size.y()), kInk, 1.2f);
+  page.box(corner, corner + size, kShade, 4.0f);
+  page.box(corner, corner + Vec2f(kStripe, size.y()), colour);
+  float y = corner.y() + kPad;
+  for (const std::string& line : lines) {
+    page.text({corner.x() + kPad + kStripe, y}, line, kInk, Align::left, TextSize::small);
+    y += page.measure(line, TextSize::small).y() + 1.0f;
+  }
+}
+
+void drawFingers(Drawing& page, const LabelScene& scene, const LabelSettings& settings) {
+  for (std::size_t i = 0; i < scene.frame.fingers.size(); ++i) {
+    const FingerMark& finger = scene.frame.fingers[i];
+    if (finger.contact.touch != contact::Touch::free) drawNumbers(page, scene, finger, nameOf(settings, i));
+  }
+}
+
+}  // namespace
+
+void drawLabels(Drawing& page, const LabelScene& scene, const LabelSettings& settings) {
+  if (settings.scale_bar) drawScaleBar(page, scene.eyes);
+  if (settings.orientation) drawOrientation(page, scene.camera);
+  if (settings.legend) drawColours(page, scene);
+  if (settings.numbers) drawFingers(page, scene, settings);
+  drawTitle(page, settings.title);
+}
+
+}  // namespace palpate::view

@@ -1,0 +1,87 @@
+#include "palpate/view/legend.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "palpate/view/label_paints.h"
+#include "palpate/view/round_steps.h"
+
+namespace palpate::view {
+
+namespace {
+
+constexpr int kMostNumbers = 5;
+constexpr float kPoint = 9.0f;  ///< height of a pointed end
+constexpr float kTick = 4.0f;
+
+ColourBytes colourAt(const Legend& legend, double share) { return bytesOf(colourOf(legend.map, share)); }
+
+/// Strips so thin that no step is seen.
+void drawBar(Drawing& page, const Legend& legend, const LegendPlace& place) {
+  const int strips = std::max(1, static_cast<int>(std::lround(place.size.y())));
+  for (int i = 0; i < strips; ++i) {
+    const float top = place.corner.y() + place.size.y() * static_cast<float>(i) / static_cast<float>(strips);
+    const float below = place.corner.y() + place.size.y() * static_cast<float>(i + 1) / static_cast<float>(strips);
+    const Paint paint{colourAt(legend, 1.0 - (i + 0.5) / strips)};
+    page.box({place.corner.x(), top}, {place.corner.x() + place.size.x(), below}, paint);
+  }
+}
+
+void drawPointedEnds(Drawing& page, const Legend& legend, const LegendPlace& place) {
+  const float left = place.corner.x();
+  const float right = left + place.size.x();
+  const float middle = 0.5f * (left + right);
+  const float top = place.corner.y() - 1.0f;
+  const float below = place.corner.y() + place.size.y() + 1.0f;
+  page.triangle({left, top}, {middle, top - kPoint}, {right, top}, {colourAt(legend, 1.0)});
+  page.triangle({left, below}, {right, below}, {middle, below + kPoint}, {colourAt(legend, 0.0)});
+}
+
+float heightOf(const Legend& legend, const LegendPlace& place, double value) {
+  return place.corner.y() + place.size.y() * static_cast<float>(1.0 - heightOnBar(legend, value));
+}
+
+void drawNumbers(Drawing& page, const Legend& legend, const LegendPlace& place) {
+  const std::vector<double> values = roundMarks(legend.range.low, legend.range.high, kMostNumbers);
+  const double step = values.size() > 1 ? values[1] - values[0] : 1.0;
+  const float right = place.corner.x() + place.size.x();
+  const float half_line = 0.5f * page.measure("0", TextSize::small).y();
+  for (const double value : values) {
+    const float y = heightOf(legend, place, value);
+    page.line({right, y}, {right + kTick, y}, kInk);
+    writeLabel(page, {right + kTick + 3.0f, y - half_line}, markText(value, step), Align::left, TextSize::small);
+  }
+}
+
+void drawWords(Drawing& page, const Legend& legend, const LegendPlace& place) {
+  const float middle = place.corner.x() + 0.5f * place.size.x();
+  const float line = page.measure("0", TextSize::small).y();
+  const float above = place.corner.y() - kPoint - line - 4.0f;
+  const float below = place.corner.y() + place.size.y() + kPoint + 3.0f;
+  if (!legend.high_word.empty()) writeLabel(page, {middle, above}, legend.high_word, Align::centre, TextSize::small);
+  if (!legend.low_word.empty()) writeLabel(page, {middle, below}, legend.low_word, Align::centre, TextSize::small);
+  const float title = above - (legend.high_word.empty() ? 0.0f : line + 3.0f) - 2.0f;
+  writeLabel(page, {middle, title}, legend.title + ", " + legend.unit, Align::centre);
+}
+
+/// A wedge at the bar's left that points at the value under a finger.
+void drawMark(Drawing& page, const Legend& legend, const LegendPlace& place, const Legend::Mark& mark) {
+  const float y = heightOf(legend, place, mark.value);
+  const float tip = place.corner.x() - 1.0f;
+  page.triangle({tip + 1.5f, y}, {tip - 11.0f, y + 6.5f}, {tip - 11.0f, y - 6.5f}, kInk);
+  page.triangle({tip, y}, {tip - 9.5f, y + 5.0f}, {tip - 9.5f, y - 5.0f}, {mark.colour});
+}
+
+}  // namespace
+
+double heightOnBar(const Legend& legend, double value) { return std::clamp(shareOf(legend.range, value), 0.0, 1.0); }
+
+void drawLegend(Drawing& page, const Legend& legend, const LegendPlace& place) {
+  drawPointedEnds(page, legend, place);
+  drawBar(page, legend, place);
+  drawNumbers(page, legend, place);
+  drawWords(page, legend, place);
+  for (const Legend::Mark& mark : legend.marks) drawMark(page, legend, place, mark);
+}
+
+}  // namespace palpate::view

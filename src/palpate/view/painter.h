@@ -1,0 +1,70 @@
+// Draws whole pictures of one world: the scene for one eye or two, labels over it, packed for the screen. The window
+// and the offscreen pictures (picture.h) both draw through here, so they show the same pixels.
+//
+//   each eye: Renderer::draw ─► labels ─► what the host draws over it (panels)      then: StereoComposer
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "palpate/view/drawing.h"
+#include "palpate/view/labels.h"
+#include "palpate/view/renderer.h"
+#include "palpate/view/stereo_composer.h"
+
+namespace palpate::view {
+
+/// Everything the user can choose about a picture.
+struct PictureSettings {
+  Camera camera;
+  Look look;
+  StereoSettings stereo;
+  LabelSettings labels;
+};
+
+/// Where a picture goes.
+struct Canvas {
+  GLuint framebuffer = 0;  ///< 0 = the window's
+  int width = 0;           ///< pixels
+  int height = 0;
+  double pixels_per_point = 1.0;  ///< size of letters and thin lines: the screen's content scale, the supersampling
+  int supersampling = 1;          ///< pixels that one pixel of the final picture is made of, along each side
+  bool quad_buffer = false;       ///< the framebuffer has a left and a right one
+};
+
+/// What the user should know about the picture that was drawn.
+struct Painted {
+  Eyes eyes;  ///< the middle one is the eye to pick with
+  StereoMode mode = StereoMode::mono;
+  std::vector<std::string> notes;  ///< a mode that is not offered, parallax that tires the eyes
+};
+
+/// Needs a current context; belongs to its thread.
+class Painter {
+ public:
+  explicit Painter(std::shared_ptr<const scene::World> world);
+
+  Renderer& renderer() { return renderer_; }
+
+  /// Draws with the eye's target bound, `width` x `height` pixels; the page it stands for is `seen_width` x
+  /// `seen_height` (a squeezed picture has fewer pixels). Called once for each eye.
+  using DrawOver = std::function<void(const EyePicture& picture)>;
+
+  /// `surface` must have been given to the renderer (Renderer::update); the labels read it here.
+  Painted paint(const Frame& frame, const deform::DeformedSurface& surface, const PictureSettings& settings,
+                const Canvas& canvas, const DrawOver& draw_over = {});
+
+ private:
+  struct Job;
+  void preparePage(const Job& job);
+  void paintEye(const Job& job, Eye eye);
+
+  std::shared_ptr<const scene::World> world_;
+  Eigen::AlignedBox3d box_;
+  Renderer renderer_;
+  StereoComposer composer_;
+  Drawing page_;
+};
+
+}  // namespace palpate::view
