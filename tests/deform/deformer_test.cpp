@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "bench/allocation_count.h"
+#include "deform/golden_grid.h"
 #include "deform/scalar_reference.h"
 #include "deform/shapes.h"
 #include "support/golden.h"
@@ -31,35 +31,11 @@ struct Stage {
   DeformedSurface surface;
 };
 
-mesh::TriangleMesh goldenGrid() {
-  mesh::TriangleMesh mesh;
-  for (int j = 0; j < 21; ++j) {
-    for (int i = 0; i < 21; ++i) mesh.positions.emplace_back(10.0 * (i - 10), 10.0 * (j - 10), 0.0);
-  }
-  for (Index j = 0; j < 20; ++j) {
-    for (Index i = 0; i < 20; ++i) {
-      const Index a = j * 21 + i;
-      mesh.triangles.push_back({a, a + 1, a + 22});
-      mesh.triangles.push_back({a, a + 22, a + 21});
-    }
-  }
-  return mesh;
-}
-
 TEST(Deformer, DeformsTheReferenceGrid) {
-  Stage stage(goldenGrid());
+  Stage stage(test::goldenGrid());
   for (const auto& c : test::goldenRows("fsmd_grid", "cases")) {
     if (c["mode"] != "recommended") continue;
-    Contact contact;
-    contact.anchor = test::vec3(c["O"]);
-    contact.anchor_triangle = triangleNear(stage.mesh, contact.anchor);
-    contact.normal = test::vec3(c["N"]);
-    contact.depth_mm = c["depth"];
-    contact.drag_mm = test::vec3(c["tangential"]);
-    const double half_major = c["half_major"];
-    const double direction = c["deg"].get<double>() * std::numbers::pi / 180.0;
-    const auto ellipse = maps::canonicalEllipse(half_major, half_major / c["ratio"].get<double>(), direction);
-    contact.normal_region = contact.tangential_region = maps::liftedOntoSurface(ellipse, contact.normal);
+    const Contact contact = test::goldenContact(stage.mesh, c);
     stage.apply({contact});
 
     std::vector<bool> listed(stage.skin.vertices, false);
@@ -251,7 +227,7 @@ TEST(Deformer, TwoFingersEachHoldTheirDepth) {
 }
 
 TEST(Deformer, TwoFingersEachHoldTheirDrag) {
-  Stage stage(goldenGrid());
+  Stage stage(test::goldenGrid());
   const Index left = triangleNear(stage.mesh, {-20, 0, 0});
   const Index right = triangleNear(stage.mesh, {20, 0, 0});
   const std::vector<Contact> contacts{drag(press(stage.mesh, left, 5.0, Vec3(1, 0, 0)), {6, 2, 0}),

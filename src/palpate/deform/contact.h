@@ -4,7 +4,7 @@
 // and the body frame.
 #pragma once
 
-#include "palpate/maps/ellipse.h"
+#include "palpate/maps/polar_contour.h"
 
 namespace palpate::deform {
 
@@ -17,6 +17,8 @@ struct Contact {
   /// Zero contours of the two parts (E21). Axes that are not in the tangent plane are turned into it.
   maps::SurfaceEllipse normal_region;
   maps::SurfaceEllipse tangential_region;
+  /// Irregular boundary in place of the tangential ellipse, for Shape::contour only (forms.h); empty otherwise.
+  maps::SurfaceContour tangential_contour;
 };
 
 /// Limits of what skin on a back does, and how far a press reaches.

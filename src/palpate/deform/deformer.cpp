@@ -169,7 +169,7 @@ Index Deformer::displaceOne(Index block, DeformedSurface& surface) noexcept {
 }
 
 void Deformer::finishNormalsAndStrain(DeformedSurface& surface) noexcept {
-  const bool recompute = settings_.normals == Normals::recomputed;
+  const bool recompute = settings_.normals != Normals::analytic;
   if (!recompute && !settings_.strain) return;
   const PositionStreams positions = surface.positions();
   const PositionStreams displacements = surface.displacements();

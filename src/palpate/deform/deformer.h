@@ -21,6 +21,9 @@ namespace palpate::deform {
 enum class Normals : std::uint8_t {
   analytic,    ///< of the smooth deformation, in the same pass as the displacement (default)
   recomputed,  ///< area-weighted from the deformed triangles: the reference, several times slower
+  /// The same normals by subtracting and adding only the triangles that changed (incremental_normals.h): a matter of
+  /// FormDeformer; Deformer recomputes.
+  incremental,
 };
 
 struct Settings {

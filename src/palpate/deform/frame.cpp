@@ -14,13 +14,7 @@ constexpr double kParallel = 1e-6;
 bool isFinite(const maps::SurfaceEllipse& e) noexcept { return e.half_major.allFinite() && std::isfinite(e.aspect); }
 
 PartFrame partOf(const maps::SurfaceEllipse& ellipse, const Vec3& normal, bool moves) noexcept {
-  const double length = ellipse.half_major.norm();
-  const Vec3 in_plane = ellipse.half_major - ellipse.half_major.dot(normal) * normal;
-  const bool is_flat = in_plane.norm() > kParallel * length;
-  const bool has_size = ellipse.aspect > 0.0 && ellipse.aspect <= 1.0 && length * ellipse.aspect > kSmallestAxis;
-  if (!moves || !is_flat || !has_size) return {};
-  const Vec3 axis = in_plane.normalized();
-  return {axis / length, normal.cross(axis) / (length * ellipse.aspect), true};
+  return moves ? partFrameOf(ellipse, normal) : PartFrame{};
 }
 
 void copyTo(float (&out)[3], const Vec3& v) noexcept {
@@ -38,6 +32,16 @@ PartLanes lanesOf(const PartFrame& part, const Vec3& shift_mm) noexcept {
 }
 
 }  // namespace
+
+PartFrame partFrameOf(const maps::SurfaceEllipse& ellipse, const Vec3& unit_normal) noexcept {
+  const double length = ellipse.half_major.norm();
+  const Vec3 in_plane = ellipse.half_major - ellipse.half_major.dot(unit_normal) * unit_normal;
+  const bool is_flat = in_plane.norm() > kParallel * length;
+  const bool has_size = ellipse.aspect > 0.0 && ellipse.aspect <= 1.0 && length * ellipse.aspect > kSmallestAxis;
+  if (!is_flat || !has_size) return {};
+  const Vec3 axis = in_plane.normalized();
+  return {axis / length, unit_normal.cross(axis) / (length * ellipse.aspect), true};
+}
 
 bool isUsable(const Contact& contact) noexcept {
   return contact.anchor.allFinite() && contact.normal.allFinite() && contact.normal.norm() > 0.0 &&

@@ -27,6 +27,9 @@ struct ContactFrame {
   PartFrame tangential_part;
 };
 
+/// The ellipse turned into the tangent plane of a unit normal; does not act where it is degenerate.
+PartFrame partFrameOf(const maps::SurfaceEllipse& ellipse, const Vec3& unit_normal) noexcept;
+
 /// True if every number of the contact is finite and its normal has a direction.
 bool isUsable(const Contact& contact) noexcept;
 

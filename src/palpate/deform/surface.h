@@ -27,7 +27,8 @@ class DeformedSurface {
   std::span<const float> normal(int axis) const { return view(3 + axis); }
   /// mm; exactly 0 outside the regions.
   std::span<const float> displacement(int axis) const { return view(6 + axis); }
-  /// Mean strain of the vertex's edges (4.20), > 0 is tension; 0 unless the deformer was asked for strain.
+  /// Strain of the skin around the vertex, > 0 is tension: mean of its edges (4.20), or principal (StrainKind); 0
+  /// unless the deformer was asked for strain.
   std::span<const float> strain() const { return view(9); }
 
   Vec3f positionAt(Index v) const { return {streams_[0][v], streams_[1][v], streams_[2][v]}; }
@@ -39,11 +40,13 @@ class DeformedSurface {
 
  private:
   friend class Deformer;
+  friend class FormDeformer;
   std::span<const float> view(int stream) const { return {streams_[stream], vertices_}; }
   DeformedBlock block(Index block);
   PositionStreams positions() const { return {streams_[0], streams_[1], streams_[2]}; }
   PositionStreams displacements() const { return {streams_[6], streams_[7], streams_[8]}; }
   void setNormal(Index v, const Vec3f& normal);
+  void setDisplacement(Index v, const Skin& skin, const Vec3f& displacement);
   void setStrain(Index v, float strain);
   void restore(const Skin& skin, Index block);
   void listChange(Index block);

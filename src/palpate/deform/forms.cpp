@@ -1,0 +1,45 @@
+#include "palpate/deform/forms.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate::deform {
+
+namespace {
+
+/// Errata whose printed form changes what a deformer does with its contacts.
+constexpr Erratum kDeformerErrata[] = {14, 15, 18, 19, 23};
+
+bool isDefault(const tissue::ProfileSettings& profile) {
+  return profile.kind == tissue::ProfileKind::half_gaussian && profile.rim == tissue::ProfileRim::lowered;
+}
+
+void scale(maps::SurfaceContour& contour, double factor) noexcept {
+  for (double& radius : contour.contour.log_radii) radius += std::log(factor);
+}
+
+}  // namespace
+
+bool needsForms(const FormSettings& forms) {
+  const bool as_printed = std::any_of(std::begin(kDeformerErrata), std::end(kDeformerErrata),
+                                      [&](Erratum erratum) { return forms.fidelity.literal(erratum); });
+  const bool profiles = !isDefault(forms.normal_profile) || !isDefault(forms.tangential_profile);
+  const bool principal = forms.common.strain && forms.strain_kind == StrainKind::principal;
+  return as_printed || profiles || principal || forms.radial.share != 0.0 || forms.shape != Shape::ellipse ||
+         forms.together != Together::solved || forms.common.normals == Normals::incremental;
+}
+
+Contact formedRegions(Contact contact, const FormSettings& forms) noexcept {
+  if (forms.boundary == Boundary::two_mm) {  // E20
+    contact.tangential_region.half_major *= kTwoMmBoundary;
+    scale(contact.tangential_contour, kTwoMmBoundary);
+  }
+  if (sharesRegion(forms)) {
+    contact.normal_region = contact.tangential_region;
+  } else if (forms.region == NormalRegion::constant) {
+    contact.normal_region = normalRegion(contact.normal, 0.0, forms.common.tissue);
+  }
+  return contact;
+}
+
+}  // namespace palpate::deform

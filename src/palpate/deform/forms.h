@@ -1,0 +1,73 @@
+// Every form of the deformation that the dissertation describes, as settings: which profile, which region, which way
+// of combining, and which errata as printed.
+//
+// With the defaults all of it is what Deformer does, and any_deformer.h chooses Deformer. Anything else is done by
+// FormDeformer, vertex by vertex. docs/deformation.md has a table of what each form is for.
+#pragma once
+
+#include "palpate/base/fidelity.h"
+#include "palpate/deform/deformer.h"
+#include "palpate/tissue/radial_term.h"
+
+namespace palpate::deform {
+
+/// What the skin follows a drag in. The press has its own circle unless NormalRegion::shared.
+enum class Shape : std::uint8_t {
+  ellipse,  ///< of the map
+  circle,   ///< of the ellipse's area
+  contour,  ///< Contact::tangential_contour; where that is empty, the ellipse
+};
+
+/// Where the skin follows a press (E21).
+enum class NormalRegion : std::uint8_t {
+  linear,    ///< a circle that grows with the depth, R0 + c depth
+  constant,  ///< a circle of R0
+  shared,    ///< the region of the drag: one ellipse for both parts
+};
+
+/// What the measured boundary was (E20).
+enum class Boundary : std::uint8_t {
+  zero,    ///< where nothing moves any more
+  two_mm,  ///< the 2 mm contour of a 20 mm drag: the axes grow by kTwoMmBoundary
+};
+
+/// Several fingers on one skin (E25).
+enum class Together : std::uint8_t {
+  solved,  ///< each finger gets the depth and drag it asks for
+  summed,  ///< displacements simply add up: a finger in another's dent sinks too deep
+};
+
+enum class StrainKind : std::uint8_t {
+  edges,      ///< mean of the edges (4.20)
+  principal,  ///< the larger principal strain of the fan, with its sign (E24)
+};
+
+/// 1 / q at which the half Gaussian is worth a tenth: axes times this put 2 of 20 mm where they were measured.
+inline constexpr double kTwoMmBoundary = 1.0 / 0.611511842994195;
+
+struct FormSettings {
+  Settings common;  ///< caps, radii, normals, strain or not, capacity: as for Deformer
+  tissue::ProfileSettings normal_profile;
+  tissue::ProfileSettings tangential_profile;
+  tissue::RadialTerm radial;
+  Shape shape = Shape::ellipse;
+  NormalRegion region = NormalRegion::linear;  ///< acts when a contact is made: see formedRegions
+  Boundary boundary = Boundary::zero;          ///< likewise
+  Together together = Together::solved;
+  StrainKind strain_kind = StrainKind::edges;
+  Fidelity fidelity;  ///< E14, E15, E18, E19, E21 and E23 act here
+};
+
+/// True if both parts of a contact have one region, by choice or as printed.
+inline bool sharesRegion(const FormSettings& forms) {
+  return forms.region == NormalRegion::shared || forms.fidelity.literal(21);  // E21
+}
+
+/// True if Deformer cannot do it. Forms of regions alone (constant, shared, two_mm) do not count: they are in the
+/// contacts.
+bool needsForms(const FormSettings& forms);
+
+/// The contact with the regions of these forms; it comes with R0 + c depth and the map's boundary as measured.
+Contact formedRegions(Contact contact, const FormSettings& forms) noexcept;
+
+}  // namespace palpate::deform

@@ -1,0 +1,81 @@
+#include "palpate/deform/region_frame.h"
+
+#include <cmath>
+
+#include "palpate/deform/frame.h"
+
+namespace palpate::deform {
+
+namespace {
+
+/// Step for the slope of a contour's radius, radian: the contour is a piecewise cubic of arcs of 0.1 and more, far
+/// coarser, and its rounding is far finer.
+constexpr double kAngleStep = 1e-5;
+
+Location ellipseLocation(const RegionFrame& region, const Vec2& offset) noexcept {
+  const Vec2 scaled(offset.x() / region.half_along_mm, offset.y() / region.half_across_mm);
+  const double q = scaled.norm();  // E14
+  if (!(q > 0.0)) return {};
+  return {q, Vec2(scaled.x() / region.half_along_mm, scaled.y() / region.half_across_mm) / q};
+}
+
+/// q = d / rho(angle), hence grad q = e_radial / rho - (rho' / rho^2) e_turning.
+Location contourLocation(const RegionFrame& region, const Vec2& offset) noexcept {
+  const double distance = offset.norm();
+  if (!(distance > 0.0)) return {};
+  const double angle = std::atan2(offset.y(), offset.x());
+  const double radius = maps::radiusAt(region.contour, angle);
+  const double growth =
+      (maps::radiusAt(region.contour, angle + kAngleStep) - maps::radiusAt(region.contour, angle - kAngleStep)) /
+      (2.0 * kAngleStep);
+  const Vec2 radial = offset / distance;
+  const Vec2 turning(-radial.y(), radial.x());
+  return {distance / radius, radial / radius - growth / (radius * radius) * turning};
+}
+
+}  // namespace
+
+RegionFrame ellipseFrame(const maps::SurfaceEllipse& ellipse, const Vec3& unit_normal,
+                         const FormSettings& forms) noexcept {
+  const PartFrame part = partFrameOf(ellipse, unit_normal);
+  if (!part.acts) return {};
+  RegionFrame frame;
+  frame.kind = forms.fidelity.literal(14) ? RegionFrame::Kind::pedal : RegionFrame::Kind::ellipse;  // E14
+  frame.along = part.along.normalized();
+  frame.across = part.across.normalized();
+  frame.half_along_mm = 1.0 / part.along.norm();
+  frame.half_across_mm = 1.0 / part.across.norm();
+  if (forms.fidelity.literal(15)) frame.half_across_mm = frame.half_along_mm / ellipse.aspect;  // E15
+  if (forms.shape == Shape::circle) {
+    frame.half_along_mm = frame.half_across_mm = std::sqrt(frame.half_along_mm * frame.half_across_mm);
+  }
+  return frame;
+}
+
+RegionFrame contourFrame(const maps::SurfaceContour& contour, const Vec3& unit_normal) noexcept {
+  const Vec3 flat = contour.axis_x - contour.axis_x.dot(unit_normal) * unit_normal;
+  if (contour.contour.count < maps::kMinContourRadii || !(flat.norm() > 1e-6)) return {};
+  RegionFrame frame;
+  frame.kind = RegionFrame::Kind::contour;
+  frame.along = flat.normalized();
+  const Vec3 across = unit_normal.cross(frame.along);
+  frame.across = across.dot(contour.axis_y) < 0.0 ? Vec3(-across) : across;
+  frame.contour = contour.contour;
+  return frame;
+}
+
+Location locate(const RegionFrame& region, const Vec2& offset) noexcept {
+  switch (region.kind) {
+    case RegionFrame::Kind::ellipse:
+      return ellipseLocation(region, offset);
+    case RegionFrame::Kind::pedal:
+      return pedalLocation(region.half_along_mm, region.half_across_mm / region.half_along_mm, offset);
+    case RegionFrame::Kind::contour:
+      return contourLocation(region, offset);
+    case RegionFrame::Kind::none:
+      break;
+  }
+  return {2.0, Vec2::Zero()};
+}
+
+}  // namespace palpate::deform

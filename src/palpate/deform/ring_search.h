@@ -1,0 +1,91 @@
+// Which vertices belong to a contact, ring by ring of neighbour nodes: for regions of any shape, and as printed.
+//
+// The search of the dissertation's section 4.5 with the corrections of E23, which finds what RegionSearch finds; or its
+// literal stopping rule: all neighbours of a whole ring make the next one, and the first ring without a vertex inside
+// ends the search. O(vertices looked at). Based on: Ji, dissertation 2008, section 4.5.
+#pragma once
+
+#include <vector>
+
+#include "palpate/deform/region.h"
+
+namespace palpate::deform {
+
+enum class RingRule : std::uint8_t {
+  connected,  ///< only vertices of the region lead on; the anchor's corners always do
+  printed,    ///< every vertex of a ring leads on, until a ring has none inside (E23)
+};
+
+/// The search and its working memory.
+class RingSearch {
+ public:
+  explicit RingSearch(const Skin& skin) : seen_(skin.blocks, 0), inside_(skin.blocks, 0) {
+    order_.reserve(skin.vertices);
+    found_.reserve(skin.blocks);
+  }
+
+  /// The region around the anchor's triangle, where `isInside(vertex)` says who lies in it. Blocks in the order of
+  /// discovery; valid until the next call. No allocation.
+  template <class IsInside>
+  std::span<const BlockPart> find(const Skin& skin, const Triangle& anchor_triangle, RingRule rule,
+                                  const IsInside& is_inside) noexcept {
+    forget();
+    for (const Index corner : anchor_triangle) see(corner);
+    std::size_t first = 0;
+    for (bool corners = true; first < order_.size(); corners = false) {
+      const std::size_t end = order_.size();
+      const bool any = judge(first, end, is_inside);
+      if (rule == RingRule::printed && !any) break;
+      for (std::size_t i = first; i < end; ++i) {
+        const bool leads_on = corners || rule == RingRule::printed || reached(order_[i]);
+        if (leads_on) seeNeighbours(skin, order_[i]);
+      }
+      first = end;
+    }
+    for (BlockPart& part : found_) part.vertices = inside_[part.block];
+    return found_;
+  }
+
+  /// True if the last search found this vertex inside.
+  bool reached(Index vertex) const noexcept { return (inside_[blockOf(vertex)] & bitOf(vertex)) != 0; }
+  /// Vertices that the last search looked at.
+  Index visited() const noexcept { return static_cast<Index>(order_.size()); }
+
+ private:
+  void see(Index vertex) noexcept {
+    std::uint64_t& seen = seen_[blockOf(vertex)];
+    if ((seen & bitOf(vertex)) != 0) return;
+    seen |= bitOf(vertex);
+    order_.push_back(vertex);
+  }
+
+  void seeNeighbours(const Skin& skin, Index vertex) noexcept {
+    for (const Index neighbour : skin.neighbours[vertex]) see(neighbour);
+  }
+
+  template <class IsInside>
+  bool judge(std::size_t first, std::size_t end, const IsInside& is_inside) noexcept {
+    bool any = false;
+    for (std::size_t i = first; i < end; ++i) {
+      if (!is_inside(order_[i])) continue;
+      any = true;
+      std::uint64_t& inside = inside_[blockOf(order_[i])];
+      if (inside == 0) found_.push_back({blockOf(order_[i]), 0});
+      inside |= bitOf(order_[i]);
+    }
+    return any;
+  }
+
+  void forget() noexcept {
+    for (const Index vertex : order_) seen_[blockOf(vertex)] = inside_[blockOf(vertex)] = 0;
+    order_.clear();
+    found_.clear();
+  }
+
+  std::vector<std::uint64_t> seen_;    // one bit a vertex
+  std::vector<std::uint64_t> inside_;  // likewise
+  std::vector<Index> order_;           // all that were seen, ring by ring
+  std::vector<BlockPart> found_;
+};
+
+}  // namespace palpate::deform

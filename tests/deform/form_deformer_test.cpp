@@ -1,0 +1,464 @@
+#include "palpate/deform/form_deformer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "bench/allocation_count.h"
+#include "deform/form_stage.h"
+#include "deform/golden_grid.h"
+#include "deform/scalar_reference.h"
+#include "palpate/deform/any_deformer.h"
+
+namespace palpate::deform {
+
+using test::anyContact;
+using test::anyFormedContact;
+using test::bits;
+using test::drag;
+using test::FormStage;
+using test::literally;
+using test::press;
+using test::triangleNear;
+
+void expectGoldenGrid(FormStage& stage, const std::string& mode) {
+  for (const auto& c : test::goldenRows("fsmd_grid", "cases")) {
+    if (c["mode"] != mode) continue;
+    stage.apply({test::goldenContact(stage.mesh, c)});
+    std::vector<bool> listed(stage.skin.vertices, false);
+    for (const auto& v : c["vertices"]) {
+      const auto index = v["index"].get<Index>();
+      listed[index] = true;
+      EXPECT_LT((stage.surface.positionAt(index).cast<double>() - test::vec3(v["position"])).norm(), 1e-5) << v;
+    }
+    Index moved = 0;
+    for (Index v = 0; v < stage.skin.vertices; ++v) {
+      const bool moves = !stage.moved(v).isZero(0.0);
+      moved += moves ? 1 : 0;
+      EXPECT_TRUE(listed[v] || !moves) << c["name"] << " " << v;
+    }
+    EXPECT_EQ(moved, c["moved_count"]) << c["name"];
+  }
+}
+
+TEST(FormDeformer, DeformsTheReferenceGrid) {
+  FormStage stage(test::goldenGrid());
+  expectGoldenGrid(stage, "recommended");
+}
+
+// (4.13), 700 entries with nearest lookup, rings as printed; the reference caps the drag's length (E19).
+TEST(FormDeformer, DeformsTheReferenceGridAsTheDissertationDoes) {
+  FormStage stage(test::goldenGrid(), literally({14, 18, 21, 23}));
+  expectGoldenGrid(stage, "dissertation");
+}
+
+TEST(FormDeformer, EachErratumAloneMissesTheDissertationsGrid) {
+  const auto c = test::goldenRows("fsmd_grid", "cases")[4];
+  ASSERT_EQ(c["mode"], "dissertation");
+  const auto worst = [&](const FormSettings& forms) {
+    FormStage stage(test::goldenGrid(), forms);
+    stage.apply({test::goldenContact(stage.mesh, c)});
+    double distance = 0.0;
+    for (const auto& v : c["vertices"]) {
+      distance =
+          std::max(distance, (stage.surface.positionAt(v["index"]).cast<double>() - test::vec3(v["position"])).norm());
+    }
+    return distance;
+  };
+  EXPECT_LT(worst(literally({14, 18})), 1e-5);
+  EXPECT_GT(worst(literally({14})), 0.03);
+  EXPECT_GT(worst(literally({18})), 0.1);
+  EXPECT_GT(worst(literally({14, 15, 18})), 1.0);
+  EXPECT_GT(worst(literally({14, 18, 19})), 1.0);
+}
+
+// The general deformer and the kernels are two programs for one definition.
+TEST(FormDeformer, WithDefaultFormsIsTheFastOne) {
+  for (auto& mesh : {bench::backMesh(6261), test::torso()}) {
+    FormSettings forms;
+    forms.common.strain = true;
+    FormStage general(mesh, forms);
+    Deformer fast(general.skin, forms.common);
+    DeformedSurface expected(general.skin);
+    Random random(23);
+    for (int i = 0; i < 60; ++i) {
+      const std::vector<Contact> contacts{anyContact(mesh, random), anyContact(mesh, random)};
+      const Report report = general.apply(contacts);
+      const Report fast_report = fast.apply(contacts, expected);
+      EXPECT_EQ(report.status, fast_report.status);
+      EXPECT_NEAR(report.moved_vertices, fast_report.moved_vertices, 2) << "the rim is a matter of rounding";
+      for (Index v = 0; v < general.skin.vertices; ++v) {
+        ASSERT_LT((general.surface.positionAt(v) - expected.positionAt(v)).norm(), 1e-4f) << i << " " << v;
+        ASSERT_LT((general.surface.displacementAt(v) - expected.displacementAt(v)).norm(), 1e-4f) << i << " " << v;
+        ASSERT_LT((general.surface.normalAt(v) - expected.normalAt(v)).norm(), 2e-3f) << i << " " << v;
+        ASSERT_NEAR(general.surface.strain()[v], expected.strain()[v], 1e-4f) << i << " " << v;
+      }
+    }
+  }
+}
+
+TEST(FormDeformer, RestComesBackBitByBitInEveryForm) {
+  for (const FormSettings& forms : test::manyForms()) {
+    FormStage stage(test::torso(), forms);
+    const auto rest = bits(stage.surface);
+    Random random(7);
+    for (int i = 0; i < 10; ++i) {
+      stage.apply({anyFormedContact(stage.mesh, random), anyFormedContact(stage.mesh, random)});
+      EXPECT_NE(bits(stage.surface), rest);
+      stage.apply({});
+      ASSERT_EQ(bits(stage.surface), rest);
+    }
+  }
+}
+
+TEST(FormDeformer, ResultDoesNotDependOnWhatWasBefore) {
+  for (const FormSettings& forms : test::manyForms()) {
+    FormStage used(test::torso(), forms);
+    FormStage fresh(test::torso(), forms);
+    Random random(13);
+    for (int i = 0; i < 8; ++i) {
+      used.apply({anyFormedContact(used.mesh, random), anyFormedContact(used.mesh, random)});
+      const std::vector<Contact> contacts{anyFormedContact(used.mesh, random), anyFormedContact(used.mesh, random)};
+      used.apply(contacts);
+      fresh.apply({});
+      fresh.apply(contacts);
+      ASSERT_EQ(bits(used.surface), bits(fresh.surface));
+    }
+  }
+}
+
+// Double buffering: two surfaces take turns.
+TEST(FormDeformer, ServesSeveralSurfaces) {
+  for (const FormSettings& forms : test::manyForms()) {
+    FormStage stage(test::torso(), forms);
+    DeformedSurface other(stage.skin);
+    FormStage judge(test::torso(), forms);
+    Random random(5);
+    for (int i = 0; i < 8; ++i) {
+      const Contact contact = anyFormedContact(stage.mesh, random);
+      DeformedSurface& turn = i % 2 == 0 ? stage.surface : other;
+      stage.deformer.apply({&contact, 1}, turn);
+      judge.apply({contact});
+      ASSERT_EQ(bits(turn), bits(judge.surface));
+    }
+  }
+}
+
+TEST(FormDeformer, ChangedRangesNameEverythingThatChanged) {
+  for (const FormSettings& forms : test::manyForms()) {
+    FormStage stage(bench::backMesh(8163), forms);
+    Random random(31);
+    auto before = bits(stage.surface);
+    for (int i = 0; i < 10; ++i) {
+      stage.apply({anyFormedContact(stage.mesh, random)});
+      std::vector<bool> named(stage.skin.vertices, false);
+      for (const auto [first, end] : stage.surface.changed()) {
+        for (Index v = first; v < end; ++v) named[v] = true;
+      }
+      const auto after = bits(stage.surface);
+      for (std::size_t k = 0; k < after.size(); ++k) {
+        if (after[k] != before[k]) {
+          ASSERT_TRUE(named[k % stage.skin.vertices]);
+        }
+      }
+      before = after;
+    }
+  }
+}
+
+TEST(FormDeformer, AppliesWithoutAllocating) {
+  if (!bench::allocationsOfThisThread()) GTEST_SKIP() << "allocations cannot be counted here";
+  for (const FormSettings& forms : test::manyForms()) {
+    FormStage stage(bench::backMesh(8163), forms);
+    Random random(3);
+    std::vector<std::vector<Contact>> frames;
+    for (int i = 0; i < 20; ++i) {
+      std::vector<Contact> contacts;
+      for (std::uint64_t n = random.below(20); n > 0; --n) contacts.push_back(anyFormedContact(stage.mesh, random));
+      frames.push_back(contacts);
+    }
+    const auto before = *bench::allocationsOfThisThread();
+    for (const auto& contacts : frames) stage.apply(contacts);
+    EXPECT_EQ(*bench::allocationsOfThisThread() - before, 0u);
+  }
+}
+
+TEST(FormDeformer, NeverMakesANonFiniteNumber) {
+  Random random(41);
+  for (const auto& specimen : zoo::specimens()) {
+    bool sound = true;
+    for (const Triangle& t : specimen.mesh.triangles) {
+      for (const Index v : t) {
+        sound = sound && v < specimen.mesh.positions.size() && specimen.mesh.positions[v].allFinite();
+      }
+    }
+    if (!sound || specimen.mesh.triangles.empty()) continue;
+    for (const FormSettings& forms : test::manyForms()) {
+      FormStage stage(specimen.mesh, forms);
+      for (int i = 0; i < 5; ++i) {
+        stage.apply({anyFormedContact(stage.mesh, random), anyFormedContact(stage.mesh, random)});
+        for (Index v = 0; v < stage.skin.vertices; ++v) {
+          ASSERT_TRUE(stage.surface.positionAt(v).allFinite()) << specimen.name;
+          ASSERT_TRUE(stage.surface.normalAt(v).allFinite()) << specimen.name;
+          ASSERT_TRUE(std::isfinite(stage.surface.strain()[v])) << specimen.name;
+        }
+      }
+    }
+  }
+}
+
+TEST(FormDeformer, EmptyMeshIsNothingToDeform) {
+  FormStage stage(mesh::TriangleMesh{});
+  EXPECT_EQ(stage.apply({Contact{}}).status, kIgnoredNoTriangle);
+}
+
+TEST(FormDeformer, IgnoresWhatMakesNoSenseAndSaysSo) {
+  FormStage stage(bench::backMesh(2962));
+  const Contact good = press(stage.mesh, 1000, 5.0);
+  const auto broken = [&](auto&& change) {
+    Contact contact = drag(good, {2, 1, 0});
+    change(contact);
+    return stage.apply({contact}).status;
+  };
+  EXPECT_EQ(broken([](Contact& c) { c.anchor.x() = NAN; }), kIgnoredNotFinite);
+  EXPECT_EQ(broken([](Contact& c) { c.normal.setZero(); }), kIgnoredNotFinite);
+  EXPECT_EQ(broken([](Contact& c) { c.anchor_triangle = kNoIndex; }), kIgnoredNoTriangle);
+  EXPECT_EQ(broken([](Contact& c) { c.normal_region.half_major.setZero(); }), kDegenerateRegion);
+  EXPECT_EQ(broken([](Contact& c) { c.anchor.z() += 1e6, c.anchor.x() += 1e6; }), kNoVertexInRegion);
+  EXPECT_EQ(stage.apply(std::vector<Contact>(17, good)).status, kIgnoredOverCapacity);
+}
+
+// ---- single forms -----------------------------------------------------------------------------------------------
+
+/// A press with radius 40 in the middle of a flat sheet with vertices 5 mm apart.
+struct Sheet : FormStage {
+  explicit Sheet(const FormSettings& forms = {}) : FormStage(zoo::grid(40, 200.0), forms) {
+    contact = press(mesh, triangleNear(mesh, {100, 100, 0}), 6.0, Vec3(1, 0, 0));
+    contact.normal_region = maps::liftedOntoSurface(maps::Ellipse{40.0, 1.0}, contact.normal);
+  }
+  /// Location ratio in the press.
+  double ratio(Index v) const { return (test::restPoint(skin, v) - contact.anchor).head<2>().norm() / 40.0; }
+  Contact contact;
+};
+
+TEST(FormDeformer, PressesInTheShapeOfTheProfile) {
+  for (const auto kind : {tissue::ProfileKind::table, tissue::ProfileKind::sharp, tissue::ProfileKind::cosine,
+                          tissue::ProfileKind::logarithm, tissue::ProfileKind::two_gaussians}) {
+    FormSettings forms;
+    forms.normal_profile.kind = kind;
+    Sheet sheet(forms);
+    sheet.apply({sheet.contact});
+    const tissue::ProfileCurve curve(forms.normal_profile);
+    for (Index v = 0; v < sheet.skin.vertices; ++v) {
+      EXPECT_NEAR(sheet.moved(v).z(), -6.0 * curve.at(sheet.ratio(v)).value, 1e-5);
+    }
+  }
+}
+
+TEST(FormDeformer, PressAndDragHaveProfilesOfTheirOwn) {
+  FormSettings forms;
+  forms.tangential_profile.kind = tissue::ProfileKind::power;
+  Sheet sheet(forms);
+  Contact contact = drag(sheet.contact, {4, 0, 0});
+  contact.tangential_region = contact.normal_region;
+  sheet.apply({contact});
+  const tissue::ProfileCurve power(forms.tangential_profile);
+  const tissue::ProfileCurve half_gaussian;
+  for (Index v = 0; v < sheet.skin.vertices; ++v) {
+    EXPECT_NEAR(sheet.moved(v).x(), 4.0 * power.at(sheet.ratio(v)).value, 1e-5);
+    EXPECT_NEAR(sheet.moved(v).z(), -6.0 * half_gaussian.at(sheet.ratio(v)).value, 1e-5);
+  }
+}
+
+TEST(FormDeformer, RadialTermPullsTowardsTheFinger) {
+  FormSettings forms;
+  forms.radial.share = 0.08;
+  Sheet sheet(forms);
+  sheet.apply({sheet.contact});
+  double largest = 0.0;
+  for (Index v = 0; v < sheet.skin.vertices; ++v) {
+    const Vec3 offset = test::restPoint(sheet.skin, v) - sheet.contact.anchor;
+    const double inward = offset.norm() > 0.0 ? -sheet.moved(v).dot(offset.normalized()) : 0.0;
+    EXPECT_NEAR(inward, 6.0 * tissue::radialPull(forms.radial, sheet.ratio(v)).value, 1e-4);
+    largest = std::max(largest, inward);
+  }
+  EXPECT_NEAR(largest, 0.08 * 6.0, 0.02);
+}
+
+TEST(FormDeformer, ContourBoundsTheDrag) {
+  FormSettings forms;
+  forms.shape = Shape::contour;
+  Sheet sheet(forms);
+  Contact contact = drag(sheet.contact, {5, 0, 0});
+  contact.depth_mm = 0.0;
+  const auto contour = maps::contourOf(std::vector<double>{60, 20, 30, 25, 45, 35});
+  contact.tangential_contour = maps::contourOnSurface(contour, contact.normal);
+  sheet.apply({contact});
+  for (Index v = 0; v < sheet.skin.vertices; ++v) {
+    const Vec3 offset = test::restPoint(sheet.skin, v) - contact.anchor;
+    const double expected = 5.0 * tissue::profile(maps::locationRatio(contour, offset.head<2>()));
+    EXPECT_NEAR(sheet.moved(v).x(), expected, 1e-5);
+  }
+}
+
+TEST(FormDeformer, CircleHasTheEllipsesArea) {
+  FormSettings forms;
+  forms.shape = Shape::circle;
+  Sheet sheet(forms);
+  Contact contact = drag(sheet.contact, {5, 0, 0});
+  contact.tangential_region = maps::liftedOntoSurface(maps::Ellipse{50.0, 0.5, 0.3}, contact.normal);
+  sheet.apply({contact});
+  for (Index v = 0; v < sheet.skin.vertices; ++v) {
+    const double q = (test::restPoint(sheet.skin, v) - contact.anchor).norm() / (50.0 * std::sqrt(0.5));
+    EXPECT_NEAR(sheet.moved(v).x(), 5.0 * tissue::profile(q), 1e-5);
+  }
+}
+
+// Two fingers 20 mm apart, each 5 mm deep: added up, the skin under each sinks deeper than its finger.
+TEST(FormDeformer, PlainSumSinksTooDeep) {
+  const auto depth = [](Together together) {
+    FormSettings forms;
+    forms.together = together;
+    Sheet sheet(forms);
+    Contact second = sheet.contact;
+    second.anchor.x() += 20.0;
+    second.anchor_triangle = triangleNear(sheet.mesh, second.anchor);
+    sheet.apply({sheet.contact, second});
+    return -sheet.moved(sheet.mesh.triangles[sheet.contact.anchor_triangle][0]).z();
+  };
+  EXPECT_NEAR(depth(Together::solved), 6.0, 1e-4);
+  EXPECT_NEAR(depth(Together::summed), 6.0 * (1.0 + tissue::profile(0.5)), 1e-4);
+}
+
+TEST(FormDeformer, LiteralCapsActOnComponents) {  // E19
+  Sheet sheet(literally({19}));
+  const Index centre = sheet.mesh.triangles[sheet.contact.anchor_triangle][0];
+  sheet.apply({drag(sheet.contact, {18, 24, 0})});
+  EXPECT_LT((sheet.moved(centre) - Vec3(18, 20, -6)).norm(), 1e-4);
+  Sheet corrected;
+  corrected.apply({drag(corrected.contact, {18, 24, 0})});
+  EXPECT_LT((corrected.moved(centre) - Vec3(12, 16, -6)).norm(), 1e-4);
+}
+
+TEST(FormDeformer, LiteralNegativeDepthPullsOut) {  // E19
+  Sheet sheet(literally({19}));
+  sheet.contact.depth_mm = -3.0;
+  sheet.apply({sheet.contact});
+  EXPECT_NEAR(sheet.moved(sheet.mesh.triangles[sheet.contact.anchor_triangle][0]).z(), 3.0, 1e-5);
+  Sheet corrected;
+  corrected.contact.depth_mm = -3.0;
+  EXPECT_EQ(corrected.apply({corrected.contact}).moved_vertices, 0u);
+}
+
+// The printed rings know no facing test: an ellipse as wide as the body drags the belly along (E23).
+TEST(FormDeformer, LiteralRingsReachTheFarSide) {
+  const auto far_moves = [](const FormSettings& forms) {
+    FormStage stage(test::torso(), forms);
+    Contact contact = press(stage.mesh, triangleNear(stage.mesh, {0, 0, 100}), 5.0);
+    contact.tangential_region = maps::liftedOntoSurface(maps::Ellipse{300.0, 1.0}, contact.normal);
+    stage.apply({drag(contact, {10, 0, 0})});
+    Index far = 0;
+    for (Index v = 0; v < stage.skin.vertices; ++v) {
+      far += stage.skin.restNormal(v).z() < 0.0f && !stage.moved(v).isZero(0.0) ? 1 : 0;
+    }
+    return far;
+  };
+  EXPECT_EQ(far_moves({}), 0u);
+  EXPECT_GT(far_moves(literally({23})), 500u);
+}
+
+// All corners of the anchor's triangle outside: printed, the search is over; the vertex beyond them is never seen.
+TEST(FormDeformer, LiteralRingsStopEarlyOnCoarseMeshes) {
+  const mesh::TriangleMesh strip{{{0, 0, 0}, {100, 0, 0}, {0, 100, 0}, {55, 55, 0}}, {{0, 1, 2}, {1, 3, 2}}};
+  const auto moved = [&](const FormSettings& forms) {
+    FormStage stage(strip, forms);
+    Contact contact = press(stage.mesh, 0, 5.0, Vec3(0.1, 0.45, 0.45));
+    contact.normal_region.half_major = Vec3(20, 0, 0);
+    return stage.apply({contact}).moved_vertices;
+  };
+  EXPECT_EQ(moved({}), 1u);
+  EXPECT_EQ(moved(literally({23})), 0u);
+}
+
+TEST(FormDeformer, SearchIsTheOneOfTheFastPath) {
+  const auto mesh = test::torso();
+  const Skin skin = buildSkin(mesh);
+  FormDeformer deformer(skin);
+  DeformedSurface surface(skin);
+  Random random(19);
+  for (int i = 0; i < 40; ++i) {
+    const Contact contact = anyContact(mesh, random);
+    const auto expected = test::displacementsOf(skin, test::scalarContact(contact));
+    deformer.apply({&contact, 1}, surface);
+    for (Index v = 0; v < skin.vertices; ++v) {
+      ASSERT_LT((surface.displacementAt(v).cast<double>() - expected[v]).norm(), 1e-5) << i << " " << v;
+    }
+  }
+}
+
+// The surface normal of the deformed smooth sheet, from neighbours half a millimetre apart, in every shape and profile.
+TEST(FormDeformer, AnalyticNormalsAreThoseOfTheSurface) {
+  std::vector<FormSettings> all = test::manyForms();
+  for (FormSettings& forms : all) {
+    if (forms.fidelity.literal(18)) continue;  // the stored table is a staircase
+    forms.common.normals = Normals::analytic;
+    FormStage stage(zoo::grid(200, 100.0), forms);
+    Contact contact = press(stage.mesh, triangleNear(stage.mesh, {50, 50, 0}), 5.0);
+    contact.normal_region = maps::liftedOntoSurface(maps::Ellipse{35.0, 0.8, 0.4}, contact.normal);
+    contact.tangential_region = maps::liftedOntoSurface(maps::Ellipse{40.0, 0.7, 1.0}, contact.normal);
+    const std::vector<double> radii{40, 30, 35, 28, 38, 33, 36, 31};
+    contact.tangential_contour = maps::contourOnSurface(maps::contourOf(radii), contact.normal);
+    stage.apply({drag(contact, {5, 3, 0})});
+    double sum = 0.0;
+    Index count = 0;
+    for (Index v = 0; v < stage.skin.vertices; ++v) {
+      if (stage.moved(v).isZero(0.0)) continue;
+      const PositionStreams places{stage.surface.position(0).data(), stage.surface.position(1).data(),
+                                   stage.surface.position(2).data()};
+      sum += (stage.surface.normalAt(v) - areaWeightedNormal(stage.skin, places, v)).norm();
+      ++count;
+    }
+    EXPECT_LT(sum / count, 4e-3);
+  }
+}
+
+// ---- the choice -------------------------------------------------------------------------------------------------
+
+TEST(AnyDeformer, IsTheFastOneUnlessAFormNeedsTheGeneralOne) {
+  const Skin skin = buildSkin(zoo::grid(4, 100.0));
+  EXPECT_TRUE(AnyDeformer(skin, {}).isFast());
+  FormSettings regions;
+  regions.region = NormalRegion::constant;
+  regions.boundary = Boundary::two_mm;
+  regions.common.strain = true;
+  regions.common.normals = Normals::recomputed;
+  regions.fidelity.setLiteral(21);
+  EXPECT_TRUE(AnyDeformer(skin, regions).isFast()) << "regions come with the contacts";
+  const auto all = test::manyForms();
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    if (i != 9) {
+      EXPECT_FALSE(AnyDeformer(skin, all[i]).isFast()) << i;
+    }
+  }
+}
+
+TEST(AnyDeformer, DoesWhatItsChoiceDoes) {
+  const auto mesh = bench::backMesh(2962);
+  const Skin skin = buildSkin(mesh);
+  Random random(2);
+  const Contact contact = anyFormedContact(mesh, random);
+  for (const FormSettings& forms : {test::manyForms()[0], test::manyForms()[1]}) {
+    AnyDeformer any(skin, forms);
+    DeformedSurface surface(skin);
+    DeformedSurface expected(skin);
+    const Report report = any.apply({&contact, 1}, surface);
+    if (any.isFast()) {
+      EXPECT_EQ(Deformer(skin, forms.common).apply({&contact, 1}, expected).moved_vertices, report.moved_vertices);
+    } else {
+      FormDeformer(skin, forms).apply({&contact, 1}, expected);
+    }
+    EXPECT_EQ(bits(surface), bits(expected));
+  }
+}
+
+}  // namespace palpate::deform

@@ -1,0 +1,57 @@
+// Skin, general deformer and surface of a mesh, as an application holds them.
+#pragma once
+
+#include "deform/shapes.h"
+#include "palpate/deform/form_deformer.h"
+
+namespace palpate::test {
+
+struct FormStage {
+  explicit FormStage(mesh::TriangleMesh m, const FormSettings& forms = {})
+      : mesh(std::move(m)), skin(buildSkin(mesh)), deformer(skin, forms), surface(skin) {}
+  Report apply(const std::vector<Contact>& contacts) { return deformer.apply(contacts, surface); }
+  Vec3 moved(Index v) const { return surface.displacementAt(v).cast<double>(); }
+
+  mesh::TriangleMesh mesh;
+  Skin skin;
+  FormDeformer deformer;
+  DeformedSurface surface;
+};
+
+inline FormSettings literally(std::initializer_list<Erratum> errata) {
+  FormSettings forms;
+  for (const Erratum e : errata) forms.fidelity.setLiteral(e);
+  return forms;
+}
+
+/// One of everything: a contact with an irregular boundary 60 to 90 mm away, too.
+inline Contact anyFormedContact(const mesh::TriangleMesh& mesh, Random& random) {
+  Contact contact = anyContact(mesh, random);
+  std::vector<double> radii;
+  for (int i = 0; i < 16; ++i) radii.push_back(random.uniform(30, 50));
+  contact.tangential_contour = maps::contourOnSurface(maps::contourOf(radii), contact.normal);
+  return contact;
+}
+
+/// Every form differs from the default in something.
+inline std::vector<FormSettings> manyForms() {
+  std::vector<FormSettings> all(12);
+  all[1].normal_profile.kind = tissue::ProfileKind::sharp;
+  all[1].tangential_profile.kind = tissue::ProfileKind::power;
+  all[2].normal_profile.kind = tissue::ProfileKind::two_gaussians;
+  all[2].radial.share = 0.1;
+  all[3].shape = Shape::circle;
+  all[4].shape = Shape::contour;
+  all[4].region = NormalRegion::shared;
+  all[5].together = Together::summed;
+  all[6].fidelity = literalFidelity();
+  all[7] = literally({14, 15});
+  all[8] = literally({23});
+  all[9].common.normals = Normals::recomputed;
+  all[10].common.normals = Normals::incremental;
+  all[11].strain_kind = StrainKind::principal;
+  for (std::size_t i = 6; i < all.size(); ++i) all[i].common.strain = true;
+  return all;
+}
+
+}  // namespace palpate::test
