@@ -1,0 +1,41 @@
+// The cut through the skin at a finger: the curve at rest and the same skin deformed, in mm (Fig 4.7).
+//
+// The plane holds the contact's normal and the direction the finger drags in (across the body when it does not), so
+// that what presses and what pulls both lie in it. The curve is the cut of the skin at rest; its points are then
+// followed to where the deformation takes them. No GL.
+#pragma once
+
+#include <vector>
+
+#include "palpate/contact/finger.h"
+#include "palpate/deform/surface.h"
+#include "palpate/scene/world.h"
+
+namespace palpate::view {
+
+struct SectionPlane {
+  Vec3 origin = Vec3::Zero();   ///< the friction anchor
+  Vec3 along = Vec3::UnitX();   ///< unit
+  Vec3 upward = Vec3::UnitZ();  ///< unit, square to `along`: out of the skin
+};
+
+/// The plane of a finger; for one in free space, of the skin below it.
+SectionPlane sectionPlane(const scene::World& world, const contact::FingerOutput& contact);
+
+/// First coordinate along the plane, second upward, mm from its origin.
+struct SectionPoint {
+  Vec2 rest;
+  Vec2 deformed;
+};
+
+/// The skin that hangs together with the origin, as far as `half_width_mm` to either side, in the order of `along`.
+/// Empty where the plane meets no skin at its origin.
+std::vector<SectionPoint> sectionCurve(const scene::World& world, const deform::DeformedSurface& surface,
+                                       const SectionPlane& plane, double half_width_mm = 60.0);
+
+/// A section's point back in the body frame.
+inline Vec3 onPlane(const SectionPlane& plane, const Vec2& point) {
+  return plane.origin + point.x() * plane.along + point.y() * plane.upward;
+}
+
+}  // namespace palpate::view

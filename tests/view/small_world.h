@@ -1,0 +1,66 @@
+// A world made of any mesh, and fingers that press it: what pictures in tests are taken of.
+#pragma once
+
+#include <memory>
+
+#include "palpate/deform/deformer.h"
+#include "palpate/deform/finger_contact.h"
+#include "palpate/scene/world.h"
+#include "palpate/view/finger_pose.h"
+#include "support/mesh_zoo.h"
+
+namespace palpate::view {
+
+inline constexpr double kTestStiffness = 0.5;
+
+/// The mesh as it is, the same stiffness everywhere, no bones, no key points, circles of 50 mm.
+inline std::shared_ptr<const scene::World> worldOf(mesh::TriangleMesh mesh) {
+  auto world = std::make_shared<scene::World>(
+      scene::World{.scene = {},
+                   .body_name = "test",
+                   .skin = mesh,
+                   .stiffness_n_per_mm = std::vector<double>(mesh.positions.size(), kTestStiffness),
+                   .surface = contact::buildSurface(mesh, std::vector<double>(mesh.positions.size(), kTestStiffness)),
+                   .deformable = deform::buildSkin(mesh),
+                   .ellipses = maps::EllipseMap({}, {.basic_radius_mm = 50.0}),
+                   .anatomy = {},
+                   .notes = {}});
+  return world;
+}
+
+/// Flat, 100 x 100 mm from the origin, facing +z: cells of 2 mm.
+inline std::shared_ptr<const scene::World> flatWorld() { return worldOf(zoo::grid(50, 100.0)); }
+
+/// A point finger straight above `place`, pressed to `depth_mm` along -z and dragged there.
+inline FingerMark pressedFinger(const scene::World& world, const Vec3& place, double depth_mm,
+                                const Vec3& drag_mm = Vec3::Zero()) {
+  contact::FingerState state;
+  FingerMark mark;
+  constexpr int kTicks = 200;
+  for (int i = 0; i <= kTicks; ++i) {
+    const double share = static_cast<double>(i) / kTicks;
+    mark.contact = contact::step(world.surface, {}, state, place + Vec3(0.0, 0.0, 5.0 - share * (5.0 + depth_mm)));
+  }
+  for (int i = 1; i <= kTicks; ++i) {
+    const double share = static_cast<double>(i) / kTicks;
+    mark.contact = contact::step(world.surface, {}, state, place - depth_mm * Vec3::UnitZ() + share * drag_mm);
+  }
+  return mark;
+}
+
+inline deform::DeformedSurface deformedBy(const scene::World& world, std::span<const FingerMark> fingers) {
+  deform::Settings settings;
+  settings.strain = true;
+  std::vector<deform::Contact> contacts;
+  for (const FingerMark& finger : fingers) {
+    if (const auto contact = deform::contactOf(finger.contact, world.ellipses, settings.tissue)) {
+      contacts.push_back(*contact);
+    }
+  }
+  deform::Deformer deformer(world.deformable, settings);
+  deform::DeformedSurface surface(world.deformable);
+  deformer.apply(contacts, surface);
+  return surface;
+}
+
+}  // namespace palpate::view
