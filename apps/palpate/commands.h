@@ -12,5 +12,6 @@ void addInfoCommand(CLI::App& app);
 void addModelCommand(CLI::App& app);
 void addSimulateCommand(CLI::App& app);
 void addRepairCommand(CLI::App& app);
+void addStudyCommand(CLI::App& app);
 
 }  // namespace palpate::app

@@ -20,8 +20,11 @@ int run(int argc, char** argv) {
   palpate::app::addModelCommand(app);
   palpate::app::addSimulateCommand(app);
   palpate::app::addRepairCommand(app);
+  palpate::app::addStudyCommand(app);
   try {
     app.parse(argc, argv);
+  } catch (const CLI::RuntimeError& answer) {  // a command's "no"
+    return answer.get_exit_code();
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
     fmt::print(stderr, "palpate: {} (see --help)\n", error.what());

@@ -1,0 +1,23 @@
+// The study of the numbers as text, JSON, Markdown and CSV.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "study/number_row.h"
+
+namespace palpate::study {
+
+/// A table for the terminal and a closing line with the counts.
+std::string textOf(const std::vector<NumberRow>& rows);
+/// One object: {"holds", "counts", "rows", "statements"}; rows decide, statements inform.
+std::string jsonOf(const std::vector<NumberRow>& rows);
+std::string markdownOf(const std::vector<NumberRow>& rows);
+std::string csvOf(const std::vector<NumberRow>& rows);
+
+/// Writes numbers.md, numbers.csv and numbers.json into the folder, which is made when missing. Throws Error naming
+/// the file.
+void writeNumbers(const std::vector<NumberRow>& rows, const std::filesystem::path& folder);
+
+}  // namespace palpate::study

@@ -1,0 +1,120 @@
+// The dissertation's numbers are reproduced, and a wrong one does not slip through.
+#include "study/numbers_study.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "palpate/base/text.h"
+#include "study/array_error.h"
+#include "study/numbers_report.h"
+#include "study/rate_comparison.h"
+#include "study/table_5_1.h"
+#include "support/error_message.h"
+#include "support/golden.h"
+#include "support/temporary_folder.h"
+
+namespace palpate::study {
+
+namespace {
+
+const NumberRow& rowAt(const std::vector<NumberRow>& rows, const std::string& where, const std::string& what) {
+  const auto found = std::find_if(rows.begin(), rows.end(),
+                                  [&](const NumberRow& row) { return row.where == where && row.what == what; });
+  if (found == rows.end()) throw Error("no row " + where + ", " + what);
+  return *found;
+}
+
+// The printed numbers with one of them changed: the study must fail at exactly that place.
+template <class Change>
+void expectToFail(const Change& change, const std::string& where) {
+  PrintedNumbers printed = printedNumbers();
+  change(printed);
+  const auto rows = studyNumbers(printed);
+  EXPECT_FALSE(studyHolds(rows)) << where;
+  for (const NumberRow& row : rows) {
+    EXPECT_TRUE(row.verdict != Verdict::not_reproduced || row.where.starts_with(where)) << row.where;
+  }
+}
+
+}  // namespace
+
+TEST(Numbers, EveryComputableNumberIsReproducedOrANamedMisprint) {
+  const auto rows = studyNumbers();
+  EXPECT_TRUE(studyHolds(rows));
+  for (const NumberRow& row : rows) {
+    EXPECT_NE(row.verdict, Verdict::not_reproduced) << row.where << " " << row.what << " " << row.ours;
+    EXPECT_TRUE(row.verdict != Verdict::misprint || row.erratum > 0) << row.where;
+    EXPECT_FALSE(row.reason.empty()) << row.where;
+  }
+  EXPECT_EQ(countOf(rows, Verdict::misprint), 5);
+  EXPECT_GE(countOf(rows, Verdict::reproduced), 200);
+}
+
+TEST(Numbers, MisprintsAreTheOnesOfTheErrata) {
+  const auto rows = studyNumbers();
+  EXPECT_EQ(rowAt(rows, "Table 3.3, height 5", "w").verdict, Verdict::misprint);
+  EXPECT_EQ(rowAt(rows, "Table 3.3, height 9", "w").erratum, 13);
+  EXPECT_EQ(rowAt(rows, "Figure 5.9, e = 400 as radius", "R(E1)").erratum, 28);
+  EXPECT_EQ(rowAt(rows, "Figure 5.9, e = 400 as diameter", "R(E1)").verdict, Verdict::reproduced);
+}
+
+TEST(Numbers, AWrongNumberFailsTheStudy) {
+  expectToFail([](PrintedNumbers& p) { p.table_3_3[0].w = "2.14"; }, "Table 3.3, height 3");
+  expectToFail([](PrintedNumbers& p) { p.table_3_3[2].w = "3.03"; }, "Table 3.3, height 5");  // another misprint
+  expectToFail([](PrintedNumbers& p) { p.table_3_4[1].node_share = "5/585"; }, "Table 3.4, height 3");
+  expectToFail([](PrintedNumbers& p) { p.appendix_b.touched[3].fps = "27"; }, "Appendix B, touched");
+  expectToFail([](PrintedNumbers& p) { p.gaussian_variance = "0.1593"; }, "4.2.1");
+  expectToFail([](PrintedNumbers& p) { p.exact_r = "121"; }, "Figure 5.10");
+  expectToFail([](PrintedNumbers& p) { p.appendix_c_ratios[7] = "0.822"; }, "Appendix C, up P2 subject 3");
+  expectToFail([](PrintedNumbers& p) { p.keys[4].figure_degree = "121.5"; }, "Figure 5.3, P5");
+  expectToFail([](PrintedNumbers& p) { p.array_sizes = {20, 20, 700}; }, "Figure 4.9");
+}
+
+TEST(Numbers, ANumberIsAsExactAsItsDigits) {
+  EXPECT_TRUE(agrees("3.04", 3.0449));
+  EXPECT_FALSE(agrees("3.04", 3.0476));
+  EXPECT_TRUE(agrees("115", 115.49));
+  EXPECT_TRUE(agrees("4/15", 4.0 / 15.0));
+  EXPECT_FALSE(agrees("4/15", 0.2667));
+  EXPECT_NE(support::messageOf([] { parsePrinted("3,04"); }), "no error");
+}
+
+TEST(Numbers, AgreeWithTheIndependentReference) {
+  for (const auto& row : test::goldenRows("gri", "series")) {
+    const Vec2 place = test::vec2(row["p"]);
+    EXPECT_NEAR(naiveHalfMajor(place, row["e"]), row["naive_5_7"].get<double>(), 1e-9);
+    EXPECT_NEAR(exactHalfMajor(place, row["e"]), row["exact_5_16"].get<double>(), 1e-9);
+  }
+  EXPECT_NEAR(worstArrayError(20, tissue::TableLookup::nearest), 0.56, 0.005);
+  EXPECT_NEAR(worstArrayError(130, tissue::TableLookup::nearest), 0.083, 0.001);
+  EXPECT_NEAR(worstArrayError(700, tissue::TableLookup::nearest), 0.0153, 0.0005);
+  EXPECT_NEAR(worstArrayError(130, tissue::TableLookup::linear), 0.0009, 0.0001);
+}
+
+TEST(Numbers, TimesAreComparedAtEqualTriangleCounts) {
+  const std::vector<PrintedTiming> slow{{100, "10.0", "100"}, {300, "30.0", "33"}};
+  const std::vector<PrintedTiming> fast{{200, "10.0", "100"}, {400, "30.0", "33"}};
+  EXPECT_DOUBLE_EQ(timeAt(slow, 200), 20.0);
+  EXPECT_TRUE(std::isnan(timeAt(slow, 301)));
+  const Gain gain = rateGain(fast, slow);
+  EXPECT_DOUBLE_EQ(gain.least, 0.5);  // 30 against 20 ms at 300 triangles
+  EXPECT_DOUBLE_EQ(gain.most, 1.0);   // 20 against 10 ms at 200
+}
+
+TEST(Numbers, AreReportedAsTextJsonMarkdownAndCsv) {
+  const auto rows = studyNumbers();
+  const auto json = nlohmann::json::parse(jsonOf(rows));
+  EXPECT_TRUE(json.at("holds").get<bool>());
+  EXPECT_EQ(json.at("rows").size() + json.at("statements").size(), rows.size());
+  EXPECT_EQ(json.at("rows")[0].at("verdict"), "reproduced");
+  EXPECT_NE(textOf(rows).find("0 NOT REPRODUCED"), std::string::npos);
+  EXPECT_NE(markdownOf(rows).find("| Table 3.3, height 5 | w | 3.04 | 3.0476 | misprint (E13) |"), std::string::npos);
+  const support::TemporaryFolder folder;
+  writeNumbers(rows, folder.path() / "new" / "folder");
+  EXPECT_EQ(readFile(folder.path() / "new/folder/numbers.csv", 1 << 20), csvOf(rows));
+  EXPECT_NE(support::messageOf([&] { writeNumbers(rows, folder.path() / "new/folder/numbers.csv"); }), "no error");
+}
+
+}  // namespace palpate::study
