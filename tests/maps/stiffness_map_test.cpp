@@ -31,22 +31,6 @@ TEST(StiffnessMap, LiesNearTheLayeredModel) {
   EXPECT_NEAR(stiffnessAtDepth(40.0), 0.416, 0.12 * 0.416);
 }
 
-TEST(StiffnessMap, MeasuredPointsAreMetAndFadeToTheBasicValue) {
-  std::vector<KeyPoint> keys(3);
-  keys[0].position_mm = {0, 0};
-  keys[0].stiffness_n_per_mm = 0.9;
-  keys[1].position_mm = {50, 0};
-  keys[1].stiffness_n_per_mm = 0.4;
-  keys[2].position_mm = {25, 0};  // an ellipse only: no say in stiffness
-  const std::vector<Vec3> positions{{0, 0, 5}, {50, 0, -7}, {1000, 0, 0}, {25, 0, 0}};
-  const auto k = stiffnessFromKeyPoints(positions, keys, {100.0, 0.5});
-  EXPECT_DOUBLE_EQ(k[0], 0.9);
-  EXPECT_DOUBLE_EQ(k[1], 0.4);
-  EXPECT_DOUBLE_EQ(k[2], 0.5);
-  EXPECT_GT(k[3], 0.4);
-  EXPECT_LT(k[3], 0.9);
-}
-
 TEST(Dysfunction, ChangesTheCoreFullyAndTheOutsideNotAtAll) {
   const Dysfunction d{10.0, 20.0, 16.0, 50.0, 0.25};
   EXPECT_DOUBLE_EQ(stiffnessFactor(d, {10, 20}), 1.5);

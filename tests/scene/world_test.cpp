@@ -7,6 +7,7 @@
 #include "palpate/base/error.h"
 #include "palpate/device/finger_path.h"
 #include "palpate/mesh/save.h"
+#include "palpate/scene/errata.h"
 #include "palpate/scene/scene_file.h"
 #include "support/temporary_folder.h"
 
@@ -71,6 +72,37 @@ TEST_F(WorldOf, AMeshIsScaledOrderedAndEquallyStiff) {
   EXPECT_FALSE(world->closed);
   EXPECT_EQ(world->stiffness_n_per_mm, std::vector<double>(441, 0.5));
   EXPECT_TRUE(world->anatomy.bones.empty());
+}
+
+TEST_F(WorldOf, EllipsesAreThePrintedOnesWhereTheSceneSaysSo) {
+  writeDome("dome.obj");
+  write("keys.csv", "A,0,0,100,2,0\n");
+  const auto half_major = [&](const std::string& fidelity) {
+    Scene scene = meshScene("[ellipses]\nkey_points = \"keys.csv\"\nbasic_radius_mm = 50\neffect_radius_mm = 60\n");
+    if (!fidelity.empty()) scene.fidelity = parseFidelity(fidelity);
+    return build(scene)->ellipses.at(80.0, 0.0).half_major_mm;
+  };
+  EXPECT_NEAR(half_major(""), 50.0, 1e-9);     // out of reach
+  EXPECT_GT(half_major("E28"), 51.0);          // reaches 120 mm
+  EXPECT_NEAR(half_major("E29"), 50.0, 1e-9);  // the base whichever way directions blend
+}
+
+TEST_F(WorldOf, MeasuredStiffnessIsInterpolatedAsTheSceneSays) {
+  writeDome("dome.obj");
+  write("keys.csv", "A,-50,-50,100,1,90,0.2\nB,50,-50,100,1,90,0.4\nC,-50,50,100,1,90,0.6\nD,50,50,100,1,90,0.8\n");
+  const auto built = [&](const std::string& more) {
+    return build(meshScene("[ellipses]\nkey_points = \"keys.csv\"\n[stiffness]\nsource = \"points\"\n" + more));
+  };
+  for (const std::string word : {"thin_plate", "polynomial"}) {  // both reproduce a plane
+    const auto world = built("interpolation = \"" + word + "\"\npolynomial_degree = 1\n");
+    for (std::size_t v = 0; v < world->skin.positions.size(); ++v) {
+      const Vec3& p = world->skin.positions[v];
+      EXPECT_NEAR(world->stiffness_n_per_mm[v], std::max(0.5 + 0.002 * p.x() + 0.004 * p.y(), 0.05), 1e-9) << word;
+    }
+    EXPECT_EQ(world->notes.empty(), false) << "the corner falls below a quarter of the least";
+  }
+  EXPECT_TRUE(built("")->notes.empty());
+  EXPECT_EQ(messageOfBuild(built("")->scene), "no error");
 }
 
 TEST_F(WorldOf, ADysfunctionChangesTheStiffnessWhereItIs) {

@@ -2,7 +2,7 @@
 
 namespace palpate::deform {
 
-std::optional<Contact> contactOf(const contact::FingerOutput& finger, const maps::EllipseMap& map,
+std::optional<Contact> contactOf(const contact::FingerOutput& finger, const maps::SurfaceEllipse& tangential_region,
                                  const TissueSettings& tissue) noexcept {
   if (finger.touch == contact::Touch::free) return std::nullopt;
   Contact contact;
@@ -12,7 +12,7 @@ std::optional<Contact> contactOf(const contact::FingerOutput& finger, const maps
   contact.depth_mm = finger.depth_mm;
   contact.drag_mm = finger.proxy - finger.anchor;
   contact.normal_region = normalRegion(finger.normal, finger.depth_mm, tissue);
-  contact.tangential_region = map.on(finger.anchor, finger.normal);
+  contact.tangential_region = tangential_region;
   return contact;
 }
 

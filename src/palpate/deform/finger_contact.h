@@ -9,9 +9,17 @@
 
 namespace palpate::deform {
 
-/// The contact of a finger that touches; nothing for one in free space. The normal region is the circle of the tissue,
-/// the tangential one the map's ellipse at the friction anchor. No allocation.
-std::optional<Contact> contactOf(const contact::FingerOutput& finger, const maps::EllipseMap& map,
+/// The contact of a finger that touches; nothing for one in free space. The normal region is the circle of the tissue.
+/// No allocation.
+std::optional<Contact> contactOf(const contact::FingerOutput& finger, const maps::SurfaceEllipse& tangential_region,
                                  const TissueSettings& tissue) noexcept;
+
+/// The same with the tangential region that a map has at the friction anchor: maps::EllipseMap or one asked like it.
+template <class Map>
+std::optional<Contact> contactOf(const contact::FingerOutput& finger, const Map& map,
+                                 const TissueSettings& tissue) noexcept {
+  if (finger.touch == contact::Touch::free) return std::nullopt;
+  return contactOf(finger, map.on(finger.anchor, finger.normal), tissue);
+}
 
 }  // namespace palpate::deform

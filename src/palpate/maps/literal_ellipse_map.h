@@ -34,6 +34,8 @@ struct LiteralForms {
   bool ratio_as_aspect = false;     ///< E15: aspect = major/minor, 1 or more: the long side lies across
   bool full_axes_as_half = false;   ///< E16: key ellipses twice as large
   bool projected_length = false;    ///< E32: lifted along z, longer by 1/cos
+
+  friend bool operator==(const LiteralForms&, const LiteralForms&) = default;
 };
 
 /// E26 takes the printed products (and blends directions by double angle, because an axis must not change with the sum

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "palpate/base/error.h"
-#include "palpate/maps/gaussian_interpolation.h"
 
 namespace palpate::maps {
 
@@ -36,22 +35,6 @@ std::vector<double> stiffnessFromDepth(std::span<const double> bone_depth_mm, co
   std::vector<double> stiffness;
   stiffness.reserve(bone_depth_mm.size());
   for (const double depth : bone_depth_mm) stiffness.push_back(stiffnessAtDepth(depth, law));
-  return stiffness;
-}
-
-std::vector<double> stiffnessFromKeyPoints(std::span<const Vec3> positions, std::span<const KeyPoint> keys,
-                                           const MeasuredStiffness& settings) {
-  std::vector<double> stiffness;
-  stiffness.reserve(positions.size());
-  for (const Vec3& position : positions) {
-    GaussianBlend<double> blend(settings.basic_n_per_mm);
-    for (const KeyPoint& key : keys) {
-      if (!key.stiffness_n_per_mm) continue;
-      const double distance = (position.head<2>() - key.position_mm).norm();
-      blend.add(effectLevel(distance, settings.effect_radius_mm), *key.stiffness_n_per_mm);
-    }
-    stiffness.push_back(blend.result());
-  }
   return stiffness;
 }
 

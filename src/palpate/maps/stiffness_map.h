@@ -1,15 +1,14 @@
 // The stiffness map: how hard the body pushes back at each vertex, N per mm of depth.
 //
-// Comes from the depth of the bone under the skin (default) or from measured key points, then dysfunctions edit it. The
-// result goes into the contact surface; nothing here is asked again while a finger moves.
-// Based on: Ji, dissertation 2008, section 2.2 (a stiffness a vertex, made softer or stiffer to simulate dysfunctions);
-// for measured points section 5.2 (GRI).
+// Comes from the depth of the bone under the skin (default) or from measured key points (measured_stiffness.h), then
+// dysfunctions edit it. The result goes into the contact surface; nothing here is asked again while a finger moves.
+// Based on: Ji, dissertation 2008, section 2.2 (a stiffness a vertex, made softer or stiffer to simulate dysfunctions).
 #pragma once
 
 #include <span>
 #include <vector>
 
-#include "palpate/maps/key_points.h"
+#include "palpate/base/vec.h"
 
 namespace palpate::maps {
 
@@ -26,15 +25,6 @@ struct DepthLaw {
 /// Stiffness for a depth to bone in mm. A negative depth counts as 0; NaN or infinity (no bone below) gives soft.
 double stiffnessAtDepth(double bone_depth_mm, const DepthLaw& law = {});
 std::vector<double> stiffnessFromDepth(std::span<const double> bone_depth_mm, const DepthLaw& law = {});
-
-struct MeasuredStiffness {
-  double effect_radius_mm = 200.0;  ///< reach of a measured point in the map plane
-  double basic_n_per_mm = 0.5;      ///< where none reaches
-};
-
-/// GRI of the key points that have a stiffness, one value a position. O(positions x key points).
-std::vector<double> stiffnessFromKeyPoints(std::span<const Vec3> positions, std::span<const KeyPoint> keys,
-                                           const MeasuredStiffness& settings = {});
 
 /// A place that is stiffer (or softer) than it should be: what a student has to find.
 struct Dysfunction {

@@ -11,6 +11,7 @@
 #include "palpate/body/torso.h"
 #include "palpate/deform/deformer.h"
 #include "palpate/maps/ellipse_map.h"
+#include "palpate/maps/measured_stiffness.h"
 #include "palpate/maps/stiffness_map.h"
 #include "palpate/scene/safety_settings.h"
 #include "palpate/tissue/force_law.h"
@@ -46,7 +47,8 @@ struct StiffnessSettings {
 };
 
 struct EllipseSettings {
-  std::filesystem::path key_points;  ///< empty: the dissertation's means on the torso, none on a mesh
+  std::filesystem::path key_points;   ///< empty: the dissertation's means on the torso, none on a mesh
+  maps::MeasuredDataChoice measured;  ///< which of the dissertation's measurements
   maps::EllipseMapSettings map;
   double basic_radius_mm = 0.0;  ///< 0: 150 mm on the torso, on a mesh at most 15 % of its diagonal
 };

@@ -112,6 +112,14 @@ Section stiffnessSection() {
       number<S>(
           "effect_radius_mm", [](S& s) -> double& { return s.points.effect_radius_mm; }, above(0, kLongestMm),
           "Source \"points\": how far a key point reaches."),
+      choice<S, maps::StiffnessInterpolation>(
+          "interpolation", [](S& s) -> maps::StiffnessInterpolation& { return s.points.interpolation; },
+          {"gri", "thin_plate", "polynomial"},
+          "Source \"points\": through every point and never beyond them; through every point and smoothest; or the "
+          "trend."),
+      count<S>(
+          "polynomial_degree", [](S& s) -> std::size_t& { return s.points.polynomial_degree; }, 0,
+          maps::kMaxPolynomialDegree, "Source \"points\", interpolation \"polynomial\": its degree."),
   };
   return section<S>("stiffness", "How hard the body pushes back, in N per mm of depth.", &Scene::stiffness,
                     std::move(keys));
@@ -142,6 +150,12 @@ Section ellipsesSection() {
       file<S>("key_points", &S::key_points,
               "Table of measured ellipses (docs/maps.md); left out: the dissertation's means on the torso, none on a "
               "mesh."),
+      choice<S, maps::ForceDirection>(
+          "data", [](S& s) -> maps::ForceDirection& { return s.measured.force; }, {"up", "down"},
+          "Without key points: the dissertation's means of the skin dragged up, or down."),
+      choice<S, maps::Averaging>(
+          "averaging", [](S& s) -> maps::Averaging& { return s.measured.averaging; }, {"plain", "tensorial"},
+          "Without key points: means of the numbers as printed, or of the ellipses."),
       number<S>(
           "effect_radius_mm", [](S& s) -> double& { return s.map.effect_radius_mm; }, above(0, kLongestMm),
           "How far a key point reaches."),

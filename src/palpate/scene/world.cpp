@@ -1,5 +1,7 @@
 #include "palpate/scene/world.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "palpate/base/error.h"
@@ -17,7 +19,10 @@ constexpr double kRadiusOfDiagonal = 0.15;
 
 std::vector<maps::KeyPoint> keyPointsOf(const Scene& scene) {
   if (!scene.ellipses.key_points.empty()) return maps::readKeyPoints(scene.ellipses.key_points);
-  return scene.body.kind == BodyKind::torso ? maps::dissertationKeyPoints() : std::vector<maps::KeyPoint>{};
+  if (scene.body.kind != BodyKind::torso) return {};
+  maps::MeasuredDataChoice measured = scene.ellipses.measured;
+  if (scene.fidelity.literal(30)) measured.averaging = maps::Averaging::plain;  // E30
+  return maps::dissertationKeyPoints(measured);
 }
 
 maps::EllipseMapSettings ellipseMapSettings(const Scene& scene, const mesh::TriangleMesh& skin) {
@@ -30,25 +35,37 @@ maps::EllipseMapSettings ellipseMapSettings(const Scene& scene, const mesh::Tria
   return settings;
 }
 
+/// The deformation itself reads the ratio as the aspect (E15); doing it here too would undo it.
+maps::LiteralForms literalMapForms(const Scene& scene) {
+  maps::LiteralForms forms = maps::literalForms(scene.fidelity);
+  forms.ratio_as_aspect = false;
+  return forms;
+}
+
 StiffnessSource resolvedSource(const Scene& scene) {
   if (scene.stiffness.source != StiffnessSource::automatic) return scene.stiffness.source;
   return scene.body.kind == BodyKind::torso ? StiffnessSource::depth : StiffnessSource::constant;
 }
 
 std::vector<double> stiffnessFromPoints(const Scene& scene, const std::vector<Vec3>& positions,
-                                        const std::vector<maps::KeyPoint>& keys) {
+                                        const std::vector<maps::KeyPoint>& keys, std::vector<std::string>& notes) {
   const bool any = std::any_of(keys.begin(), keys.end(), [](const auto& key) { return key.stiffness_n_per_mm; });
   if (!any) throw Error("stiffness source \"points\" needs key points with a stiffness ([ellipses] key_points)");
-  return maps::stiffnessFromKeyPoints(positions, keys, scene.stiffness.points);
+  maps::StiffnessOfPositions stiffness = maps::measuredStiffness(positions, keys, scene.stiffness.points);
+  if (stiffness.limited > 0) {
+    notes.push_back(fmt::format("stiffness: the fit ran away at {} of {} vertices and was limited there",
+                                stiffness.limited, positions.size()));
+  }
+  return std::move(stiffness.n_per_mm);
 }
 
-std::vector<double> basicStiffness(const Scene& scene, const BodyParts& body, const std::vector<maps::KeyPoint>& keys) {
+std::vector<double> basicStiffness(const Scene& scene, BodyParts& body, const std::vector<maps::KeyPoint>& keys) {
   switch (resolvedSource(scene)) {
     case StiffnessSource::depth:
       if (body.anatomy.depth_mm.empty()) throw Error("stiffness source \"depth\" needs bones: the torso has them");
       return maps::stiffnessFromDepth(body.anatomy.depth_mm, scene.stiffness.depth);
     case StiffnessSource::points:
-      return stiffnessFromPoints(scene, body.skin.positions, keys);
+      return stiffnessFromPoints(scene, body.skin.positions, keys, body.notes);
     default:
       return std::vector<double>(body.skin.positions.size(), scene.stiffness.constant_n_per_mm);
   }
@@ -75,7 +92,7 @@ std::shared_ptr<const World> build(const Scene& scene, const Progress& progress)
   contact::Surface surface = contact::buildSurface(body.skin, stiffness, {forceLaw(scene), body.self_intersecting});
   report(progress, "preparing the deformation", 0.0);
   deform::Skin deformable = deform::buildSkin(body.skin);
-  maps::EllipseMap ellipses(keys, ellipseMapSettings(scene, body.skin));
+  maps::AnyEllipseMap ellipses(keys, ellipseMapSettings(scene, body.skin), literalMapForms(scene));
   return std::make_shared<const World>(World{scene, std::move(body.name), std::move(body.skin), body.closed,
                                              std::move(stiffness), std::move(surface), std::move(deformable),
                                              std::move(ellipses), std::move(body.anatomy), std::move(body.notes)});

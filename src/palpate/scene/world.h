@@ -11,7 +11,7 @@
 #include "palpate/base/progress.h"
 #include "palpate/contact/finger.h"
 #include "palpate/deform/skin.h"
-#include "palpate/maps/ellipse_map.h"
+#include "palpate/maps/any_ellipse_map.h"
 #include "palpate/scene/scene.h"
 
 namespace palpate::scene {
@@ -32,7 +32,7 @@ struct World {
   std::vector<double> stiffness_n_per_mm;  ///< a skin vertex each
   contact::Surface surface;
   deform::Skin deformable;
-  maps::EllipseMap ellipses;
+  maps::AnyEllipseMap ellipses;
   Anatomy anatomy;
   std::vector<std::string> notes;  ///< what the user should know: repairs, a doubtful unit
 };
