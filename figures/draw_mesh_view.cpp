@@ -142,7 +142,9 @@ class Scenery {
 
   void addBall(const Ball& ball) {
     const double radius = ball.radius * camera_.pixelsPerMm();
-    pieces_.push_back({camera_.depth(ball.centre), {camera_(ball.centre)}, ball.colour, Pen{kInk, 0.6}, radius});
+    // Whole, also where it sits half in the surface: by the depth of its front.
+    pieces_.push_back(
+        {camera_.depth(ball.centre) + ball.radius, {camera_(ball.centre)}, ball.colour, Pen{kInk, 0.6}, radius});
   }
 
   void addSegments(const Segments& lines) {

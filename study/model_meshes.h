@@ -13,4 +13,8 @@ mesh::TriangleMesh backModel(std::size_t triangles = kBackTriangles);
 /// The built-in hand; stands in for the bunny as the closed model.
 mesh::TriangleMesh handModel();
 
+/// The border of the back seen along z, a closed polygon in mm.
+std::vector<Vec2> backOutline();
+bool isInside(const std::vector<Vec2>& polygon, const Vec2& place);
+
 }  // namespace palpate::study

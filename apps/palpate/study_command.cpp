@@ -5,8 +5,12 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "apps/palpate/commands.h"
+#include "apps/palpate/progress_line.h"
+#include "palpate/base/error.h"
+#include "study/figure_study.h"
 #include "study/numbers_report.h"
 #include "study/numbers_study.h"
 
@@ -41,12 +45,42 @@ void addNumbers(CLI::App& study) {
   command.callback([arguments] { runNumbers(*arguments); });
 }
 
+struct FiguresArguments {
+  std::string folder;
+  std::vector<std::string> only;
+  bool list = false;
+};
+
+void runFigures(const FiguresArguments& arguments) {
+  const auto chosen = study::chosenFigures(arguments.only);
+  if (arguments.list) {
+    for (const auto& figure : chosen) fmt::print("{:<6} {}\n", figure.number, figure.caption);
+    return;
+  }
+  if (arguments.folder.empty()) throw Error("study figures: --out DIR is needed");
+  ProgressLine progress;
+  study::writeFigures(chosen, arguments.folder, progress.callback());
+  progress.clear();
+  fmt::print("{} figures in {}\n", chosen.size(), arguments.folder);
+}
+
+void addFigures(CLI::App& study) {
+  auto arguments = std::make_shared<FiguresArguments>();
+  CLI::App& command = *study.add_subcommand(
+      "figures", "Draw the figures of the dissertation: PNG, SVG, the curves as CSV, and index.md with the captions");
+  command.add_option("--out", arguments->folder, "Folder to write into; made when missing");
+  command.add_option("--only", arguments->only, "Only these, for example 4.8,5.11")->delimiter(',');
+  command.add_flag("--list", arguments->list, "Only list what can be drawn");
+  command.callback([arguments] { runFigures(*arguments); });
+}
+
 }  // namespace
 
 void addStudyCommand(CLI::App& app) {
   CLI::App& study = *app.add_subcommand("study", "The dissertation's numbers and figures, reproduced");
   study.require_subcommand(1);
   addNumbers(study);
+  addFigures(study);
 }
 
 }  // namespace palpate::app

@@ -1,0 +1,31 @@
+// Every figure of the dissertation that can be drawn from the text alone, drawn by the engine.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "figures/figure.h"
+
+namespace palpate::study {
+
+struct DissertationFigure {
+  std::string number;      ///< as in the text: "4.8"; "T4.2" for the curves of Table 4.2
+  std::string caption;     ///< what is shown
+  std::string difference;  ///< what differs from the printed picture
+  figures::Figure (*draw)() = nullptr;
+};
+
+/// In the order of the text.
+std::vector<DissertationFigure> dissertationFigures();
+
+// The figures of each chapter's files.
+std::vector<DissertationFigure> rateFigures();      ///< 3.1, 3.10, 3.16 to 3.18: printed measurements
+std::vector<DissertationFigure> treeFigures();      ///< 3.4, 3.6 to 3.9, 3.13 to 3.15: partitions of meshes
+std::vector<DissertationFigure> searchFigures();    ///< 3.11: the worst search
+std::vector<DissertationFigure> profileFigures();   ///< 4.3, 4.4, Table 4.2, 4.8, 4.9
+std::vector<DissertationFigure> regionFigures();    ///< 4.13 to 4.15
+std::vector<DissertationFigure> deformedFigures();  ///< 4.7, 4.12, 4.16 to 4.18
+std::vector<DissertationFigure> ellipseFigures();   ///< 5.3 to 5.7
+std::vector<DissertationFigure> mapFigures();       ///< 5.8 to 5.12
+
+}  // namespace palpate::study

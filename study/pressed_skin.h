@@ -1,0 +1,43 @@
+// A finger that presses and drags the built-in back, for the pictures of chapter 4.
+#pragma once
+
+#include <vector>
+
+#include "palpate/deform/forms.h"
+#include "palpate/deform/surface.h"
+#include "palpate/mesh/triangle_mesh.h"
+
+namespace palpate::study {
+
+/// A place on a surface seen along z: the triangle there nearest to the viewer.
+struct SkinPlace {
+  Vec3 position = Vec3::Zero();
+  Vec3 normal = Vec3::UnitZ();
+  Index triangle = kNoIndex;
+};
+
+/// Throws Error where the surface is not.
+SkinPlace placeOn(const mesh::TriangleMesh& mesh, const Vec2& at);
+
+struct Press {
+  Vec2 at = Vec2::Zero();
+  double depth_mm = 0.0;
+  Vec2 drag_mm = Vec2::Zero();          ///< as seen along z; laid into the tangent plane
+  double half_major_mm = 60.0;          ///< of the drag's region
+  double aspect = 1.0;                  ///< minor/major
+  double direction_rad = 1.5707963268;  ///< of its major axis
+};
+
+deform::Contact contactOf(const mesh::TriangleMesh& mesh, const Press& press, const deform::FormSettings& forms);
+
+struct PressedSkin {
+  std::vector<Vec3> positions;
+  std::vector<double> strain;  ///< (4.20), a vertex each
+};
+
+PressedSkin pressed(const mesh::TriangleMesh& mesh, const Press& press, const deform::FormSettings& forms = {});
+
+/// Where the plane y = `y` cuts the surface: x and z of the cut, sorted by x.
+std::vector<Vec2> crossSection(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles, double y);
+
+}  // namespace palpate::study
