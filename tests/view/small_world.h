@@ -22,7 +22,7 @@ inline std::shared_ptr<const scene::World> worldOf(mesh::TriangleMesh mesh) {
                    .stiffness_n_per_mm = std::vector<double>(mesh.positions.size(), kTestStiffness),
                    .surface = contact::buildSurface(mesh, std::vector<double>(mesh.positions.size(), kTestStiffness)),
                    .deformable = deform::buildSkin(mesh),
-                   .ellipses = maps::EllipseMap({}, {.basic_radius_mm = 50.0}),
+                   .ellipses = maps::AnyEllipseMap({}, {.basic_radius_mm = 50.0}, {}),
                    .anatomy = {},
                    .notes = {}});
   return world;

@@ -13,8 +13,12 @@ class AnyEllipseMap {
  public:
   /// Throws Error like EllipseMap.
   AnyEllipseMap(std::span<const KeyPoint> keys, const EllipseMapSettings& settings, const LiteralForms& forms)
-      : map_(forms == LiteralForms{} ? Maps(EllipseMap(keys, settings))
+      : keys_(keys.begin(), keys.end()),
+        map_(forms == LiteralForms{} ? Maps(EllipseMap(keys, settings))
                                      : Maps(LiteralEllipseMap(keys, settings, forms))) {}
+
+  /// The key points it was made of.
+  std::span<const KeyPoint> keys() const { return keys_; }
 
   Ellipse at(double x_mm, double y_mm) const noexcept {
     const auto* own = std::get_if<EllipseMap>(&map_);
@@ -27,6 +31,7 @@ class AnyEllipseMap {
 
  private:
   using Maps = std::variant<EllipseMap, LiteralEllipseMap>;
+  std::vector<KeyPoint> keys_;
   Maps map_;
 };
 

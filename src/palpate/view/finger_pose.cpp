@@ -95,7 +95,7 @@ FingerPose poseOf(const scene::World& world, const DrawnSkin& skin, const Finger
   pose.touches = finger.contact.touch != contact::Touch::free;
   pose.colour = finger.colour;
   pose.centre = pose.tail = finger.contact.tip;
-  if (skin.empty()) return pose;
+  if (skin.vertices() == 0) return pose;
   const Support support = supportOf(world, skin, finger);
   pose.normal = support.normal;
   pose.centre = support.place + pose.radius_mm * pose.normal;

@@ -27,14 +27,17 @@ GLuint compiled(GLenum stage, std::string_view name, std::string_view shared, st
 
 }  // namespace
 
-Program::Program(std::string_view name, std::string_view shared, std::string_view vertex, std::string_view fragment) {
-  const GLuint vertex_shader = compiled(GL_VERTEX_SHADER, name, shared, vertex);
-  const GLuint fragment_shader = compiled(GL_FRAGMENT_SHADER, name, shared, fragment);
-  glAttachShader(program_.get(), vertex_shader);
-  glAttachShader(program_.get(), fragment_shader);
+Program::Program(std::string_view name, std::string_view shared, std::string_view vertex, std::string_view fragment,
+                 std::string_view geometry) {
+  const auto attach = [&](GLenum stage, std::string_view source) {
+    const GLuint shader = compiled(stage, name, shared, source);
+    glAttachShader(program_.get(), shader);
+    glDeleteShader(shader);  // lives as long as the program
+  };
+  attach(GL_VERTEX_SHADER, vertex);
+  attach(GL_FRAGMENT_SHADER, fragment);
+  if (!geometry.empty()) attach(GL_GEOMETRY_SHADER, geometry);
   glLinkProgram(program_.get());
-  glDeleteShader(vertex_shader);
-  glDeleteShader(fragment_shader);
   GLint good = 0;
   glGetProgramiv(program_.get(), GL_LINK_STATUS, &good);
   if (good != GL_TRUE) throw Error(fmt::format("shader '{}' does not link", name));

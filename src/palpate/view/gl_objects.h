@@ -81,11 +81,13 @@ void fillBuffer(GLenum kind, GLuint buffer, std::span<const T> values, GLenum us
   glBufferData(kind, static_cast<GLsizeiptr>(values.size_bytes()), values.data(), usage);
 }
 
-/// A vertex and a fragment shader, compiled and linked. Throws Error with the compiler's message.
+/// Shaders, compiled and linked: vertex, fragment and, when it is not empty, geometry. Throws Error with the compiler's
+/// message.
 class Program {
  public:
-  /// `name` stands for it in messages; `#version 330 core` and `shared` are put before both sources.
-  Program(std::string_view name, std::string_view shared, std::string_view vertex, std::string_view fragment);
+  /// `name` stands for it in messages; `#version 330 core` and `shared` are put before every source.
+  Program(std::string_view name, std::string_view shared, std::string_view vertex, std::string_view fragment,
+          std::string_view geometry = {});
 
   void use() const { glUseProgram(program_.get()); }
   /// Uniforms of the program in use; a name that the compiler optimised away is ignored.

@@ -7,40 +7,16 @@
 #include "palpate/view/bone_layer.h"
 #include "palpate/view/drawn_skin.h"
 #include "palpate/view/finger_layer.h"
+#include "palpate/view/line_layer.h"
+#include "palpate/view/overlay_paint.h"
+#include "palpate/view/overlays.h"
 #include "palpate/view/skin_layer.h"
 
 namespace palpate::view {
 
-struct Renderer::Parts {
-  std::shared_ptr<const scene::World> world;
-  Background background;
-  SkinLayer skin;
-  BoneLayer bones;
-  FingerLayer fingers;
-  DrawnSkin drawn;
-  Blanching blanching;
-  std::vector<FingerPose> poses;
-  std::vector<Press> presses;
-
-  explicit Parts(std::shared_ptr<const scene::World> w) : world(std::move(w)), skin(*world), bones(*world) {}
-};
-
-Renderer::Renderer(std::shared_ptr<const scene::World> world) : parts_(std::make_unique<Parts>(std::move(world))) {
-  updateAll(deform::DeformedSurface(parts_->world->deformable));
-}
-Renderer::~Renderer() = default;
-
-Index Renderer::update(const deform::DeformedSurface& surface) {
-  for (const deform::VertexRange& range : surface.changed()) parts_->drawn.copy(surface, range);
-  return parts_->skin.update(surface);
-}
-
-void Renderer::updateAll(const deform::DeformedSurface& surface) {
-  parts_->drawn.copy(surface, {0, surface.vertices()});
-  parts_->skin.updateAll(surface);
-}
-
 namespace {
+
+constexpr double kWireframePx = 0.8;
 
 std::vector<Press> pressesOf(std::span<const FingerMark> fingers) {
   std::vector<Press> presses;
@@ -61,25 +37,82 @@ void setWinding(const Frustum& frustum) {
 
 }  // namespace
 
-void Renderer::draw(const Frame& frame, const Look& look, const Frustum& frustum, int width, int height) {
-  Parts& p = *parts_;
-  const Viewpoint viewpoint = viewpointOf(frustum, width, height);
-  p.poses.clear();
-  for (const FingerMark& finger : frame.fingers) p.poses.push_back(poseOf(*p.world, p.drawn, finger));
-  const bool with_fingers = look.finger != FingerShape::none;
-  const std::span<const FingerPose> poses =
-      with_fingers ? std::span<const FingerPose>(p.poses) : std::span<const FingerPose>();
-  const auto marks = p.blanching.at(frame.time_s, pressesOf(frame.fingers));
+struct Renderer::Parts {
+  std::shared_ptr<const scene::World> world;
+  Background background;
+  SkinLayer skin;
+  BoneLayer bones;
+  FingerLayer fingers;
+  LineLayer lines;
+  Overlays overlays;
+  DrawnSkin drawn;
+  Blanching blanching;
+  std::vector<FingerPose> poses;
 
+  explicit Parts(std::shared_ptr<const scene::World> w)
+      : world(std::move(w)), skin(*world), bones(*world), overlays(*world) {}
+
+  void poseFingers(const Frame& frame, const Look& look) {
+    poses.clear();
+    if (look.finger == FingerShape::none) return;
+    for (const FingerMark& finger : frame.fingers) poses.push_back(poseOf(*world, drawn, finger));
+  }
+
+  /// What hides comes first where nothing shines through, so that hidden pixels are never shaded; transparent skin
+  /// comes last, over what it covers.
+  void drawBody(const Look& look, const Viewpoint& viewpoint, std::span<const PressMark> marks) {
+    const bool opaque = look.skin_opacity >= 1.0;
+    if (opaque) skin.draw(look, viewpoint, {poses, marks});
+    fingers.drawBalls(poses, viewpoint);
+    bones.draw(look, viewpoint);
+    if (!opaque) skin.draw(look, viewpoint, {poses, marks});
+  }
+
+  void drawOverlays(const Frame& frame, const Look& look, const Viewpoint& viewpoint) {
+    if (look.shows(Overlay::wireframe)) {
+      skin.bindEdges();
+      lines.drawEdges(viewpoint, kWireframePx * frame.pixels_per_point, kWireframePaint, [&] { skin.drawEdges(); });
+    }
+    const OverlayShapes& shapes = overlays.shapes(look, drawn, frame.fingers);
+    lines.draw(shapes.patches, viewpoint);
+    lines.draw(shapes.thin, viewpoint, frame.pixels_per_point);
+    lines.draw(shapes.bold, viewpoint, frame.pixels_per_point);
+  }
+};
+
+Renderer::Renderer(std::shared_ptr<const scene::World> world) : parts_(std::make_unique<Parts>(std::move(world))) {
+  updateAll(deform::DeformedSurface(parts_->world->deformable));
+}
+Renderer::~Renderer() = default;
+
+Index Renderer::update(const deform::DeformedSurface& surface) {
+  parts_->drawn.follow(surface);
+  return parts_->skin.update(surface);
+}
+
+void Renderer::updateAll(const deform::DeformedSurface& surface) {
+  parts_->drawn.copyAll(surface);
+  parts_->skin.updateAll(surface);
+}
+
+void Renderer::setField(Colouring colouring, std::span<const float> values) {
+  parts_->skin.setField(colouring, values);
+}
+
+void Renderer::setPartition(std::shared_ptr<const partition::Partition> partition, const Vec3& box_edges_mm) {
+  parts_->overlays.setPartition({std::move(partition), box_edges_mm});
+}
+
+void Renderer::draw(const Frame& frame, const Look& look, const Frustum& frustum, int width, int height) {
+  const Viewpoint viewpoint = viewpointOf(frustum, width, height);
+  parts_->poseFingers(frame, look);
+  const auto marks = parts_->blanching.at(frame.time_s, pressesOf(frame.fingers));
   glDepthMask(GL_TRUE);
   glClear(GL_DEPTH_BUFFER_BIT);
-  p.background.draw(look.white_background);
+  parts_->background.draw(look.white_background);
   setWinding(frustum);
-  // Nearest first where nothing shines through: hidden pixels are never shaded.
-  if (look.skin_opacity >= 1.0) p.skin.draw(look, viewpoint, {poses, marks});
-  p.fingers.drawBalls(poses, viewpoint);
-  p.bones.draw(look, viewpoint);
-  if (look.skin_opacity < 1.0) p.skin.draw(look, viewpoint, {poses, marks});
+  parts_->drawBody(look, viewpoint, marks);
+  parts_->drawOverlays(frame, look, viewpoint);
   glBindVertexArray(0);
   glFrontFace(GL_CCW);
 }

@@ -16,12 +16,17 @@
 #include "palpate/view/finger_pose.h"
 #include "palpate/view/look.h"
 
+namespace palpate::partition {
+struct Partition;
+}
+
 namespace palpate::view {
 
 /// What changes from picture to picture.
 struct Frame {
   std::span<const FingerMark> fingers;
   double time_s = 0.0;
+  double pixels_per_point = 1.0;  ///< widens lines: the screen's content scale, times the supersampling
 };
 
 class Renderer {
@@ -36,6 +41,11 @@ class Renderer {
   Index update(const deform::DeformedSurface& surface);
   /// Uploads everything: after a surface that this renderer has not followed from rest.
   void updateAll(const deform::DeformedSurface& surface);
+
+  /// The field of a colouring when it is no longer the world's: a value a vertex.
+  void setField(Colouring colouring, std::span<const float> values);
+  /// The partition that overlays show; without it one of default settings is built when first shown.
+  void setPartition(std::shared_ptr<const partition::Partition> partition, const Vec3& box_edges_mm);
 
   /// Draws into the bound framebuffer's viewport of `width` x `height` pixels: background, bones, skin, fingers,
   /// overlays. Text and legends are the business of labels.h.

@@ -11,6 +11,7 @@ namespace palpate::view {
 namespace {
 
 using partition::TriangleRecord;
+using Deformed = std::function<Vec3(Index)>;
 
 /// A drag shorter than this (mm) says nothing about where the finger wants to go.
 constexpr double kLeastDragMm = 0.2;
@@ -37,14 +38,13 @@ Vec2 inPlane(const SectionPlane& plane, const Vec3& p) {
   return {(p - plane.origin).dot(plane.along), (p - plane.origin).dot(plane.upward)};
 }
 
-SectionPoint crossingAt(const TriangleRecord& record, int edge, const deform::DeformedSurface& surface,
-                        const SectionPlane& plane, const Side& side) {
+SectionPoint crossingAt(const TriangleRecord& record, int edge, const Deformed& deformed, const SectionPlane& plane,
+                        const Side& side) {
   const int next = (edge + 1) % 3;
   const double t = side.fraction(record.corners[edge], record.corners[next]);
   const auto between = [&](const Vec3& a, const Vec3& b) { return inPlane(plane, a + t * (b - a)); };
   return {between(record.corners[edge], record.corners[next]),
-          between(surface.positionAt(record.vertices[edge]).cast<double>(),
-                  surface.positionAt(record.vertices[next]).cast<double>())};
+          between(deformed(record.vertices[edge]), deformed(record.vertices[next]))};
 }
 
 bool isCrossed(const TriangleRecord& record, int edge, const Side& side) {
@@ -57,7 +57,7 @@ struct CrossedEdges {
   int forward = 0;
 };
 
-std::optional<CrossedEdges> crossedEdges(const TriangleRecord& record, const deform::DeformedSurface& surface,
+std::optional<CrossedEdges> crossedEdges(const TriangleRecord& record, const Deformed& deformed,
                                          const SectionPlane& plane, const Side& side) {
   int edges[3];
   int count = 0;
@@ -65,7 +65,7 @@ std::optional<CrossedEdges> crossedEdges(const TriangleRecord& record, const def
     if (isCrossed(record, edge, side)) edges[count++] = edge;
   }
   if (count != 2) return std::nullopt;
-  const auto placeOf = [&](int edge) { return crossingAt(record, edge, surface, plane, side).rest.x(); };
+  const auto placeOf = [&](int edge) { return crossingAt(record, edge, deformed, plane, side).rest.x(); };
   if (placeOf(edges[0]) > placeOf(edges[1])) std::swap(edges[0], edges[1]);
   return CrossedEdges{edges[0], edges[1]};
 }
@@ -81,12 +81,12 @@ Index startOf(const partition::TriangleTree& tree, const SectionPlane& plane, co
 }
 
 /// Walks over the surface from a triangle's edge on, as far as the width, a border, or round a closed body.
-std::vector<SectionPoint> walked(const partition::TriangleTree& tree, const deform::DeformedSurface& surface,
+std::vector<SectionPoint> walked(const partition::TriangleTree& tree, const Deformed& deformed,
                                  const SectionPlane& plane, const Side& side, Index record, int edge, double width) {
   std::vector<SectionPoint> points;
   const Index start = record;
   while (true) {
-    points.push_back(crossingAt(tree.records[record], edge, surface, plane, side));
+    points.push_back(crossingAt(tree.records[record], edge, deformed, plane, side));
     if (std::abs(points.back().rest.x()) > width) break;
     const Index next = tree.records[record].neighbours[edge];
     if (next == kNoIndex || next == start) break;
@@ -118,19 +118,25 @@ SectionPlane sectionPlane(const scene::World& world, const contact::FingerOutput
   return plane;
 }
 
-std::vector<SectionPoint> sectionCurve(const scene::World& world, const deform::DeformedSurface& surface,
-                                       const SectionPlane& plane, double half_width_mm) {
+std::vector<SectionPoint> sectionCurve(const scene::World& world, const Deformed& deformed, const SectionPlane& plane,
+                                       double half_width_mm) {
   const partition::TriangleTree& tree = world.surface.tree;
   const Side side(plane);
   const Index start = startOf(tree, plane, side);
   if (start == kNoIndex) return {};
-  const auto edges = crossedEdges(tree.records[start], surface, plane, side);
+  const auto edges = crossedEdges(tree.records[start], deformed, plane, side);
   if (!edges) return {};
-  std::vector<SectionPoint> curve = walked(tree, surface, plane, side, start, edges->backward, half_width_mm);
+  std::vector<SectionPoint> curve = walked(tree, deformed, plane, side, start, edges->backward, half_width_mm);
   std::reverse(curve.begin(), curve.end());
-  const auto forward = walked(tree, surface, plane, side, start, edges->forward, half_width_mm);
+  const auto forward = walked(tree, deformed, plane, side, start, edges->forward, half_width_mm);
   curve.insert(curve.end(), forward.begin(), forward.end());
   return curve;
+}
+
+std::vector<SectionPoint> sectionCurve(const scene::World& world, const deform::DeformedSurface& surface,
+                                       const SectionPlane& plane, double half_width_mm) {
+  return sectionCurve(
+      world, [&](Index v) { return Vec3(surface.positionAt(v).cast<double>()); }, plane, half_width_mm);
 }
 
 }  // namespace palpate::view

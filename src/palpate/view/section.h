@@ -5,6 +5,7 @@
 // followed to where the deformation takes them. No GL.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "palpate/contact/finger.h"
@@ -31,6 +32,10 @@ struct SectionPoint {
 /// The skin that hangs together with the origin, as far as `half_width_mm` to either side, in the order of `along`.
 /// Empty where the plane meets no skin at its origin.
 std::vector<SectionPoint> sectionCurve(const scene::World& world, const deform::DeformedSurface& surface,
+                                       const SectionPlane& plane, double half_width_mm = 60.0);
+
+/// The same with the deformed place of each vertex given.
+std::vector<SectionPoint> sectionCurve(const scene::World& world, const std::function<Vec3(Index)>& deformed,
                                        const SectionPlane& plane, double half_width_mm = 60.0);
 
 /// A section's point back in the body frame.

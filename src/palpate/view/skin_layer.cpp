@@ -75,6 +75,17 @@ void setMarks(const Program& program, std::span<const PressMark> marks) {
   program.set("mark_strength", std::span<const float>(strengths).first(marks.size()));
 }
 
+/// Both ends of each edge once.
+std::vector<Index> edgesOf(const deform::Skin& skin) {
+  std::vector<Index> ends;
+  for (Index v = 0; v < skin.vertices; ++v) {
+    for (const Index other : skin.neighbours[v]) {
+      if (other > v) ends.insert(ends.end(), {v, other});
+    }
+  }
+  return ends;
+}
+
 std::vector<Vec3f> restPlaces(const deform::Skin& skin) {
   std::vector<Vec3f> places(skin.vertices);
   for (Index v = 0; v < skin.vertices; ++v) places[v] = skin.restPosition(v);
@@ -221,6 +232,21 @@ void SkinLayer::draw(const Look& look, const Viewpoint& viewpoint, const SkinTou
   glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
   glDepthFunc(GL_LESS);
+}
+
+void SkinLayer::bindEdges() {
+  glBindVertexArray(edge_array_.get());
+  if (edge_indices_ != 0) return;
+  const std::vector<Index> ends = edgesOf(world_.deformable);
+  edge_indices_ = static_cast<Index>(ends.size());
+  fillBuffer<Index>(GL_ELEMENT_ARRAY_BUFFER, edges_.get(), ends);
+  for (GLuint axis = 0; axis < 3; ++axis) {
+    pointAt(axis, deformed_.get(), 1, GL_FLOAT, axis * std::size_t{vertices_} * sizeof(float));
+  }
+}
+
+void SkinLayer::drawEdges() const {
+  glDrawElements(GL_LINES, static_cast<GLsizei>(edge_indices_), GL_UNSIGNED_INT, nullptr);
 }
 
 }  // namespace palpate::view

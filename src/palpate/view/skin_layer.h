@@ -33,9 +33,9 @@ class SkinLayer {
   /// Draws over what is there, depth-tested; transparent where the look says so.
   void draw(const Look& look, const Viewpoint& viewpoint, const SkinTouch& touch);
 
-  /// The vertex array with positions at location 0, 1, 2, for overlays that follow the skin.
-  void bindVertices() const { glBindVertexArray(vertex_array_.get()); }
-  Index indices() const { return indices_; }
+  /// Binds the skin's vertices with the edges of its triangles, for a program that draws lines; then drawEdges.
+  void bindEdges();
+  void drawEdges() const;
 
  private:
   void upload(const deform::DeformedSurface& surface, deform::VertexRange range);
@@ -47,9 +47,9 @@ class SkinLayer {
   void drawTriangles() const;
 
   Program gouraud_, skin_, field_, depth_;
-  GlVertexArray vertex_array_;
+  GlVertexArray vertex_array_, edge_array_;
   GlBuffer deformed_;  // x.. y.. z.. nx.. ny.. nz.. strain..: as the deformation keeps them
-  GlBuffer rest_, tint_, field_values_, triangles_;
+  GlBuffer rest_, tint_, field_values_, triangles_, edges_;
   GlTexture colour_map_;
   const scene::World& world_;
   std::vector<float> stiffness_;
@@ -57,6 +57,7 @@ class SkinLayer {
   Colouring shown_field_ = Colouring::plain;
   Index vertices_ = 0;
   Index indices_ = 0;
+  Index edge_indices_ = 0;  // made when first shown
   bool closed_ = false;
   Eigen::AlignedBox3f box_;  // at rest
 };

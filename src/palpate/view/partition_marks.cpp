@@ -1,0 +1,77 @@
+#include "palpate/view/partition_marks.h"
+
+#include <cmath>
+
+#include "palpate/view/overlay_paint.h"
+
+namespace palpate::view {
+
+namespace {
+
+/// Each level is drawn with this share of the one above; fainter than the least is left out.
+constexpr double kLevelShare = 0.8;
+constexpr double kLeastShare = 0.1;
+constexpr double kFill = 0.04;
+
+/// The rectangle that the plane square to `axis` cuts out of a cell.
+std::array<Vec3, 4> rectangleIn(const partition::Box3& cell, int axis) {
+  const int u = (axis + 1) % 3;
+  const int v = (axis + 2) % 3;
+  std::array<Vec3, 4> corners;
+  for (int i = 0; i < 4; ++i) {
+    corners[i][axis] = partition::splitPoint(cell)[axis];
+    corners[i][u] = i == 1 || i == 2 ? cell.max()[u] : cell.min()[u];
+    corners[i][v] = i >= 2 ? cell.max()[v] : cell.min()[v];
+  }
+  return corners;
+}
+
+void addPlane(const partition::Box3& cell, int axis, double share, Lines& lines, Patches& patches) {
+  const std::array<Vec3, 4> corners = rectangleIn(cell, axis);
+  const Paint paint = faded(kPlanePaints[axis], share);
+  for (int i = 0; i < 4; ++i) lines.add(corners[i], corners[(i + 1) % 4], paint);
+  patches.addQuad(corners, faded(paint, kFill));
+}
+
+}  // namespace
+
+ShownPartition defaultPartition(const scene::World& world) {
+  auto built = std::make_shared<partition::Partition>(partition::buildPartition(world.skin, {}));
+  const Vec3 edges = partition::hdbEdges(built->bounds);
+  return {std::move(built), edges};
+}
+
+void addLeafBoxes(const partition::Partition& partition, Lines& lines) {
+  for (const Index leaf : partition.leaves) lines.addBox(partition.cells[leaf], kLeafBoxPaint);
+}
+
+void addPlanes(const partition::Partition& partition, Lines& lines, Patches& patches) {
+  for (Index n = 0; n < partition.tree_node_count; ++n) {
+    const partition::Node& node = partition.nodes[n];
+    const double share = std::pow(kLevelShare, node.level);
+    if (node.is_leaf || share < kLeastShare) continue;
+    if (partition.tree == partition::TreeKind::Bsp) {
+      addPlane(partition.cells[n], partition::splitAxis(node.level), share, lines, patches);
+    } else {
+      for (int axis = 0; axis < 3; ++axis) addPlane(partition.cells[n], axis, share, lines, patches);
+    }
+  }
+}
+
+void addDetectingBox(const ShownPartition& shown, const contact::FingerOutput& contact, Lines& lines) {
+  lines.addBox(partition::hapticBox(contact.proxy, shown.box_edges_mm), kDetectingBoxPaint);
+}
+
+void addHapticTriangles(const ShownPartition& shown, const scene::World& world, const DrawnSkin& skin,
+                        const contact::FingerOutput& contact, Patches& patches) {
+  partition::LeafHits hits;
+  partition::findLeaves(*shown.partition, partition::hapticBox(contact.proxy, shown.box_edges_mm), hits);
+  for (const Index leaf : hits.leaves) {
+    for (const Index t : partition::trianglesOf(*shown.partition, shown.partition->nodes[leaf])) {
+      const Triangle& v = world.skin.triangles[t];
+      patches.addTriangle(skin.at(v[0]), skin.at(v[1]), skin.at(v[2]), kHapticTrianglePaint);
+    }
+  }
+}
+
+}  // namespace palpate::view

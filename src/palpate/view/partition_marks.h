@@ -1,0 +1,38 @@
+// The dissertation's partition, drawn: leaves, splitting planes, and what the detecting box of a finger meets
+// (Fig 3.6).
+#pragma once
+
+#include <memory>
+
+#include "palpate/contact/finger.h"
+#include "palpate/partition/haptic_box.h"
+#include "palpate/partition/partition.h"
+#include "palpate/scene/world.h"
+#include "palpate/view/drawn_skin.h"
+#include "palpate/view/lines.h"
+
+namespace palpate::view {
+
+/// A partition of the world's skin, and the edges of the detecting box.
+struct ShownPartition {
+  std::shared_ptr<const partition::Partition> partition;
+  Vec3 box_edges_mm = Vec3::Zero();
+};
+
+/// The partition of default settings: what is shown when nobody says otherwise.
+ShownPartition defaultPartition(const scene::World& world);
+
+/// The cells of the leaves, blue.
+void addLeafBoxes(const partition::Partition& partition, Lines& lines);
+
+/// Every splitting plane within its cell: square to x green, to y red, to z yellow; fainter level by level.
+void addPlanes(const partition::Partition& partition, Lines& lines, Patches& patches);
+
+/// The box round the finger's proxy.
+void addDetectingBox(const ShownPartition& shown, const contact::FingerOutput& contact, Lines& lines);
+
+/// The triangles of all leaves that the box meets, green: what the haptic process works on.
+void addHapticTriangles(const ShownPartition& shown, const scene::World& world, const DrawnSkin& skin,
+                        const contact::FingerOutput& contact, Patches& patches);
+
+}  // namespace palpate::view
