@@ -32,7 +32,10 @@ class InterruptGuard {
 class Display {
  public:
   Display(const scene::World& world, servo::LoopLinks& links)
-      : world_(world), links_(links), deformer_(world.deformable, settingsFor(world)), surface_(world.deformable) {}
+      : world_(world),
+        links_(links),
+        deformer_(world.deformable, formsForDisplay(world, world.scene.fingers.size())),
+        surface_(world.deformable) {}
 
   void drawFrame() {
     const std::int64_t before = servo::monotonicNs();
@@ -48,16 +51,9 @@ class Display {
   }
 
  private:
-  static deform::Settings settingsFor(const scene::World& world) {
-    deform::Settings settings = world.scene.deformation;
-    settings.strain = true;
-    settings.max_contacts = std::max<std::size_t>(settings.max_contacts, world.scene.fingers.size());
-    return settings;
-  }
-
   const scene::World& world_;
   servo::LoopLinks& links_;
-  deform::Deformer deformer_;
+  deform::AnyDeformer deformer_;
   deform::DeformedSurface surface_;
   servo::DurationHistogram durations_;
   servo::DurationHistogram staleness_;

@@ -1,8 +1,8 @@
 #include "apps/palpate/surface_files.h"
 
-#include "palpate/deform/finger_contact.h"
 #include "palpate/deform/strain.h"
 #include "palpate/mesh/save.h"
+#include "palpate/scene/skin_contact.h"
 
 namespace palpate::app {
 
@@ -38,17 +38,21 @@ mesh::VertexChannels channelsOf(const scene::World& world, const deform::Deforme
 std::vector<deform::Contact> contactsOf(const scene::World& world, const Frame& frame) {
   std::vector<deform::Contact> contacts;
   for (const trace::Sample& sample : frame) {
-    const auto contact = deform::contactOf(sample.contact, world.ellipses, world.scene.deformation.tissue);
+    const auto contact = scene::contactOf(world, sample.contact);
     if (contact) contacts.push_back(*contact);
   }
   return contacts;
 }
 
+deform::FormSettings formsForDisplay(const scene::World& world, std::size_t fingers) {
+  deform::FormSettings forms = world.deformation;
+  forms.common.strain = true;
+  forms.common.max_contacts = std::max(forms.common.max_contacts, fingers);
+  return forms;
+}
+
 void writeSurface(const std::filesystem::path& file, const scene::World& world, const Frame& frame) {
-  deform::Settings settings = world.scene.deformation;
-  settings.strain = true;
-  settings.max_contacts = std::max<std::size_t>(settings.max_contacts, frame.size());
-  deform::Deformer deformer(world.deformable, settings);
+  deform::AnyDeformer deformer(world.deformable, formsForDisplay(world, frame.size()));
   deform::DeformedSurface surface(world.deformable);
   deformer.apply(contactsOf(world, frame), surface);
   mesh::save(file, deformedMesh(world, surface), channelsOf(world, surface));

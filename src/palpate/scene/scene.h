@@ -9,10 +9,10 @@
 #include "palpate/base/fidelity.h"
 #include "palpate/base/vec.h"
 #include "palpate/body/torso.h"
-#include "palpate/deform/deformer.h"
 #include "palpate/maps/ellipse_map.h"
 #include "palpate/maps/measured_stiffness.h"
 #include "palpate/maps/stiffness_map.h"
+#include "palpate/scene/deformation_settings.h"
 #include "palpate/scene/safety_settings.h"
 #include "palpate/tissue/force_law.h"
 
@@ -96,6 +96,7 @@ struct Finger {
 };
 
 struct StrainSettings {
+  deform::StrainKind kind = deform::StrainKind::edges;
   double range_percent = 20.0;  ///< strain of full red (tension) and full blue (compression)
 };
 
@@ -117,7 +118,7 @@ struct Scene {
   FrictionSettings friction;
   ContactSettings contact;
   TissueSettings tissue;
-  deform::Settings deformation;
+  DeformationSettings deformation;
   StrainSettings strain;
   OutputSettings output;
   SafetySettings safety;

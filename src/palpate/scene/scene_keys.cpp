@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "palpate/scene/deformation_keys.h"
 #include "palpate/scene/fidelity_key.h"
 
 namespace palpate::scene {
@@ -225,36 +226,12 @@ Section tissueSection() {
 }
 
 Section deformationSection() {
-  using S = deform::Settings;
-  const auto tissue = [](double deform::TissueSettings::*member) -> Access<S, double> {
-    return [member](S& s) -> double& { return s.tissue.*member; };
-  };
-  using T = deform::TissueSettings;
-  std::vector<Key<S>> keys = {
-      number<S>("normal_cap_mm", tissue(&T::normal_cap_mm), between(0, 1000),
-                "The skin is pressed in no deeper than this."),
-      number<S>("tangential_cap_mm", tissue(&T::tangential_cap_mm), between(0, 1000),
-                "The skin is dragged no farther than this."),
-      number<S>("f_adj", tissue(&T::f_adj), between(0, 10),
-                "Factor on how far the skin follows a drag: 1.3 for loose skin, 0.7 for tight skin."),
-      number<S>("normal_radius_mm", tissue(&T::normal_radius_mm), above(0, 10000),
-                "Radius of the dent at no depth ..."),
-      number<S>("normal_radius_per_depth", tissue(&T::normal_radius_per_depth), between(0, 1000),
-                "... and how much it grows per mm of depth."),
-      choice<S, deform::Normals>("normals", &S::normals, {"analytic", "recomputed"},
-                                 "Of the deformed skin: from the formulae (fast), or from its triangles."),
-  };
-  return section<S>("deformation", "How the skin gives way (functional shape matched deformation).",
-                    &Scene::deformation, std::move(keys));
+  return section<DeformationSettings>("deformation", "How the skin gives way (functional shape matched deformation).",
+                                      &Scene::deformation, deformationKeys(), checkDeformation);
 }
 
 Section strainSection() {
-  using S = StrainSettings;
-  std::vector<Key<S>> keys = {
-      number<S>("range_percent", &S::range_percent, above(0, 1000),
-                "Strain that is drawn in full red (tension) or full blue (compression)."),
-  };
-  return section<S>("strain", "The colours of the written surfaces.", &Scene::strain, std::move(keys));
+  return section<StrainSettings>("strain", "The colours of the written surfaces.", &Scene::strain, strainKeys());
 }
 
 Section outputSection() {

@@ -83,6 +83,7 @@ tissue::ForceLaw forceLaw(const Scene& scene) {
 }  // namespace
 
 std::shared_ptr<const World> build(const Scene& scene, const Progress& progress) {
+  deform::FormSettings forms = formsOf(scene);  // first: a fault in its files should not wait for the body
   BodyParts body = makeBody(scene.body, progress);
   const std::vector<maps::KeyPoint> keys = keyPointsOf(scene);
   report(progress, "mapping stiffness", 0.0);
@@ -93,9 +94,11 @@ std::shared_ptr<const World> build(const Scene& scene, const Progress& progress)
   report(progress, "preparing the deformation", 0.0);
   deform::Skin deformable = deform::buildSkin(body.skin);
   maps::AnyEllipseMap ellipses(keys, ellipseMapSettings(scene, body.skin), literalMapForms(scene));
+  auto contours = contoursOf(scene, keys, ellipseMapSettings(scene, body.skin));
   return std::make_shared<const World>(World{scene, std::move(body.name), std::move(body.skin), body.closed,
                                              std::move(stiffness), std::move(surface), std::move(deformable),
-                                             std::move(ellipses), std::move(body.anatomy), std::move(body.notes)});
+                                             std::move(ellipses), std::move(forms), std::move(contours),
+                                             std::move(body.anatomy), std::move(body.notes)});
 }
 
 contact::FingerSettings contactSettings(const Scene& scene, const Finger& finger) {

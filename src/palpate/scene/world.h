@@ -5,6 +5,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,8 @@ struct World {
   contact::Surface surface;
   deform::Skin deformable;
   maps::AnyEllipseMap ellipses;
+  deform::FormSettings deformation;               ///< complete: files read, fidelity filled in
+  std::optional<maps::PolarContourMap> contours;  ///< for the shape "contour"
   Anatomy anatomy;
   std::vector<std::string> notes;  ///< what the user should know: repairs, a doubtful unit
 };

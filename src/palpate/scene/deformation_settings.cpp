@@ -1,0 +1,33 @@
+#include "palpate/scene/deformation_settings.h"
+
+#include "palpate/maps/contour_points.h"
+#include "palpate/scene/scene.h"
+#include "palpate/tissue/user_profile.h"
+
+namespace palpate::scene {
+
+namespace {
+
+void readKnots(const std::filesystem::path& file, tissue::ProfileSettings& profile) {
+  if (profile.kind == tissue::ProfileKind::user && !file.empty()) profile.knots = tissue::readProfileKnots(file);
+}
+
+}  // namespace
+
+deform::FormSettings formsOf(const Scene& scene) {
+  deform::FormSettings forms = scene.deformation.forms;
+  readKnots(scene.deformation.profile_file, forms.normal_profile);
+  readKnots(scene.deformation.tangential_profile_file, forms.tangential_profile);
+  forms.strain_kind = scene.strain.kind;
+  forms.fidelity = scene.fidelity;
+  return forms;
+}
+
+std::optional<maps::PolarContourMap> contoursOf(const Scene& scene, std::span<const maps::KeyPoint> keys,
+                                                const maps::EllipseMapSettings& settings) {
+  if (scene.deformation.forms.shape != deform::Shape::contour) return std::nullopt;
+  const std::filesystem::path& file = scene.deformation.contours;
+  return maps::PolarContourMap(file.empty() ? maps::contourPointsOf(keys) : maps::readContourPoints(file), settings);
+}
+
+}  // namespace palpate::scene

@@ -1,0 +1,29 @@
+#include "palpate/scene/skin_contact.h"
+
+#include "palpate/contact/literal_anchor.h"
+#include "palpate/deform/finger_contact.h"
+
+namespace palpate::scene {
+
+namespace {
+
+/// The finger with the anchor that (2.6) prints; the search for the region then starts under the proxy. // E1
+contact::FingerOutput withLiteralAnchor(contact::FingerOutput finger) noexcept {
+  finger.anchor = contact::literalAnchorOfForce(finger.proxy, finger.tip, finger.normal, finger.force);
+  finger.anchor_triangle = finger.triangle;
+  return finger;
+}
+
+}  // namespace
+
+std::optional<deform::Contact> contactOf(const World& world, const contact::FingerOutput& finger) noexcept {
+  if (finger.touch == contact::Touch::free) return std::nullopt;
+  const deform::FormSettings& forms = world.deformation;
+  const contact::FingerOutput meant = forms.fidelity.literal(1) ? withLiteralAnchor(finger) : finger;
+  std::optional<deform::Contact> contact = deform::contactOf(meant, world.ellipses, forms.common.tissue);
+  if (!contact) return contact;
+  if (world.contours) contact->tangential_contour = world.contours->on(meant.anchor, meant.normal);
+  return deform::formedRegions(*contact, forms);
+}
+
+}  // namespace palpate::scene

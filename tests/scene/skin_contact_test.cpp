@@ -1,0 +1,93 @@
+#include "palpate/scene/skin_contact.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "palpate/contact/literal_anchor.h"
+#include "palpate/deform/finger_contact.h"
+#include "palpate/scene/scene_file.h"
+
+namespace palpate::scene {
+namespace {
+
+/// The torso, built once, in the forms of these lines of a scene file.
+World worldWith(const std::string& toml) {
+  const std::string finger = "\n[[finger]]\nname = \"index\"\nscript = [{ do = \"press\" }]\n";
+  static const auto plain = build(parse("[body]\ntriangles = 8163\n" + finger, "s.toml"));
+  World world = *plain;
+  const Scene scene = parse(toml + finger, "s.toml");
+  world.deformation = formsOf(scene);
+  world.contours = contoursOf(scene, maps::dissertationKeyPoints(), {});
+  return world;
+}
+
+contact::FingerOutput dragging(const World& world) {
+  contact::FingerOutput finger{};
+  const Index triangle = 1000;
+  const auto& [a, b, c] = world.skin.triangles[triangle];
+  const Vec3 normal = mesh::areaVector2(world.skin.positions[a], world.skin.positions[b], world.skin.positions[c]);
+  finger.normal = normal.normalized();
+  const Vec3 along = finger.normal.unitOrthogonal();
+  finger.anchor = (world.skin.positions[a] + world.skin.positions[b] + world.skin.positions[c]) / 3.0;
+  finger.proxy = finger.anchor + 2.0 * along;
+  finger.tip = finger.proxy - 6.0 * finger.normal;
+  finger.force = 3.0 * finger.normal - 1.0 * along;
+  finger.depth_mm = 6.0;
+  finger.touch = contact::Touch::stick;
+  finger.triangle = finger.anchor_triangle = triangle;
+  return finger;
+}
+
+TEST(SkinContact, IsThatOfTheMapsByDefault) {
+  const World world = worldWith("");
+  const contact::FingerOutput finger = dragging(world);
+  const auto contact = contactOf(world, finger);
+  const auto expected = deform::contactOf(finger, world.ellipses, deform::TissueSettings{});
+  ASSERT_TRUE(contact && expected);
+  EXPECT_EQ(contact->anchor, finger.anchor);
+  EXPECT_EQ(contact->normal_region.half_major, expected->normal_region.half_major);
+  EXPECT_EQ(contact->tangential_region.half_major, expected->tangential_region.half_major);
+  EXPECT_EQ(contact->tangential_contour.contour.count, 0u);
+}
+
+TEST(SkinContact, FreeFingerTouchesNothing) {
+  const World world = worldWith("");
+  contact::FingerOutput finger = dragging(world);
+  finger.touch = contact::Touch::free;
+  EXPECT_FALSE(contactOf(world, finger));
+}
+
+TEST(SkinContact, PrintedAnchorLiesOnTheNormal) {  // E1
+  const World world = worldWith("fidelity.E1 = \"literal\"\n");
+  const contact::FingerOutput finger = dragging(world);
+  const auto contact = contactOf(world, finger);
+  ASSERT_TRUE(contact);
+  EXPECT_LT((contact->anchor - (finger.proxy + 2.0 * finger.normal)).norm(), 1e-9) << "6 mm x 1 N / 3 N";
+  EXPECT_LT((contact->drag_mm + 2.0 * finger.normal).norm(), 1e-9);
+}
+
+TEST(SkinContact, OneEllipseForBothPartsAsPrinted) {  // E21
+  const World world = worldWith("[deformation]\nregion = \"shared\"\nboundary = \"two_mm\"\n");
+  const contact::FingerOutput finger = dragging(world);
+  const auto contact = contactOf(world, finger);
+  const auto measured = deform::contactOf(finger, world.ellipses, deform::TissueSettings{});
+  ASSERT_TRUE(contact && measured);
+  EXPECT_EQ(contact->normal_region.half_major, contact->tangential_region.half_major);
+  EXPECT_NEAR(contact->tangential_region.half_major.norm() / measured->tangential_region.half_major.norm(), 1.635,
+              1e-3);
+}
+
+// Without a table of contours the key ellipses become contours: the same boundary, told by 64 radii.
+TEST(SkinContact, ContoursOfKeyEllipsesAreNearlyTheEllipses) {
+  const World world = worldWith("[deformation]\nshape = \"contour\"\n");
+  const contact::FingerOutput finger = dragging(world);
+  const auto contact = contactOf(world, finger);
+  ASSERT_TRUE(contact);
+  ASSERT_EQ(contact->tangential_contour.contour.count, 64u);
+  const double half_major = contact->tangential_region.half_major.norm();
+  EXPECT_NEAR(maps::reachMm(contact->tangential_contour.contour) / half_major, 1.0, 0.1);
+}
+
+}  // namespace
+}  // namespace palpate::scene
