@@ -54,7 +54,7 @@ void addOutline(const Outline& outline, const DrawnSkin& skin, Paint paint, Line
 
 void addContactEllipses(const scene::World& world, const contact::FingerOutput& contact, const DrawnSkin& skin,
                         Lines& lines) {
-  const auto pressed = deform::contactOf(contact, world.ellipses, world.scene.deformation.tissue);
+  const auto pressed = deform::contactOf(contact, world.ellipses, world.scene.deformation.forms.common.tissue);
   if (!pressed) return;
   const Vec3 normal = pressed->normal.normalized();
   addOutline(outlineOf(world, pressed->normal_region, pressed->anchor, normal), skin, kNormalRegionPaint, lines);
