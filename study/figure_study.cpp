@@ -85,16 +85,16 @@ std::string csvOf(const figures::Figure& figure) {
   return csv.empty() ? csv : std::string("panel,series,x,y,value\n").append(csv);
 }
 
-void writeFigures(const std::vector<DissertationFigure>& chosen, const std::filesystem::path& folder,
+void writeFigures(const std::vector<DissertationFigure>& chosen, const std::filesystem::path& folder, double png_scale,
                   const Progress& progress) {
   makeFolder(folder);
   std::string index = "# Figures of the dissertation, drawn by palpate\n\nMade by `palpate study figures`.\n\n";
   double done = 0.0;
   for (const DissertationFigure& entry : chosen) {
     report(progress, titleOf(entry), done / static_cast<double>(chosen.size()));
-    figures::Figure figure = entry.draw();
+    const figures::Figure figure = entry.draw();
     const std::string stem = fileStem(entry);
-    figures::writePng(figure, folder / (stem + ".png"));
+    figures::writePng(figure, folder / (stem + ".png"), png_scale);
     figures::writeSvg(figure, folder / (stem + ".svg"));
     const std::string csv = csvOf(figure);
     if (!csv.empty()) writeFile(folder / (stem + ".csv"), csv);

@@ -22,9 +22,9 @@ std::string titleOf(const DissertationFigure& figure);
 /// The data of every curve and field: columns panel,series,x,y,value.
 std::string csvOf(const figures::Figure& figure);
 
-/// Draws them into the folder, which is made when missing, and writes index.md. Throws Error naming a file that cannot
-/// be written.
+/// Draws them into the folder, which is made when missing, and writes index.md. `png_scale` is pixels of the PNG a CSS
+/// pixel. Throws Error naming a file that cannot be written.
 void writeFigures(const std::vector<DissertationFigure>& chosen, const std::filesystem::path& folder,
-                  const Progress& progress = {});
+                  double png_scale = figures::kPngScale, const Progress& progress = {});
 
 }  // namespace palpate::study

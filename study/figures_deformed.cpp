@@ -48,7 +48,8 @@ Figure figure47() {
   shared.region = deform::NormalRegion::shared;
   return {.panels = {sectionPlot("Region of the tissue, R = 25 mm", back, press, {}),
                      sectionPlot("As printed: region of the drag, 90 mm", back, press, shared)},
-          .columns = 2};
+          .columns = 2,
+          .panel_height_px = 270.0};
 }
 
 MeshView patchView(const std::string& title, const std::vector<Vec3>& positions, const mesh::TriangleMesh& mesh,

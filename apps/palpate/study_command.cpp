@@ -48,6 +48,7 @@ void addNumbers(CLI::App& study) {
 struct FiguresArguments {
   std::string folder;
   std::vector<std::string> only;
+  double scale = figures::kPngScale;
   bool list = false;
 };
 
@@ -59,7 +60,7 @@ void runFigures(const FiguresArguments& arguments) {
   }
   if (arguments.folder.empty()) throw Error("study figures: --out DIR is needed");
   ProgressLine progress;
-  study::writeFigures(chosen, arguments.folder, progress.callback());
+  study::writeFigures(chosen, arguments.folder, arguments.scale, progress.callback());
   progress.clear();
   fmt::print("{} figures in {}\n", chosen.size(), arguments.folder);
 }
@@ -70,6 +71,9 @@ void addFigures(CLI::App& study) {
       "figures", "Draw the figures of the dissertation: PNG, SVG, the curves as CSV, and index.md with the captions");
   command.add_option("--out", arguments->folder, "Folder to write into; made when missing");
   command.add_option("--only", arguments->only, "Only these, for example 4.8,5.11")->delimiter(',');
+  command.add_option("--scale", arguments->scale, "Pixels of the PNG for 1/96 inch")
+      ->capture_default_str()
+      ->check(CLI::Range(0.25, 8.0));
   command.add_flag("--list", arguments->list, "Only list what can be drawn");
   command.callback([arguments] { runFigures(*arguments); });
 }

@@ -1,0 +1,53 @@
+// `palpate study`: exit codes, files and messages.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "support/run_command.h"
+#include "support/temporary_folder.h"
+
+namespace palpate {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+support::CommandResult study(const std::string& arguments, const fs::path& folder) {
+  return support::runProgram(fs::path(PALPATE_BINARY_DIR) / "palpate", "study " + arguments, folder);
+}
+
+}  // namespace
+
+TEST(StudyCommand, NumbersHoldAndSayEachVerdict) {
+  const support::TemporaryFolder folder;
+  const auto run = study("numbers --json --out report", folder.path());
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const auto json = nlohmann::json::parse(run.out);
+  EXPECT_TRUE(json.at("holds").get<bool>());
+  EXPECT_GT(json.at("rows").size(), 200u);
+  EXPECT_TRUE(fs::exists(folder.path() / "report/numbers.md"));
+  EXPECT_NE(study("numbers", folder.path()).out.find("misprint (E13)"), std::string::npos);
+}
+
+TEST(StudyCommand, DrawsTheFiguresThatAreAskedFor) {
+  const support::TemporaryFolder folder;
+  const auto run = study("figures --only 3.11,4.8 --scale 1 --out drawn", folder.path());
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(fs::exists(folder.path() / "drawn/figure_3_11.svg"));
+  EXPECT_TRUE(fs::exists(folder.path() / "drawn/figure_4_8.png"));
+  EXPECT_FALSE(fs::exists(folder.path() / "drawn/figure_4_9.png"));
+  EXPECT_NE(study("figures --list", folder.path()).out.find("5.11"), std::string::npos);
+}
+
+TEST(StudyCommand, WrongUseIsOneLineAndExitCodeTwo) {
+  const support::TemporaryFolder folder;
+  for (const std::string wrong : {"figures --only 9.9 --out x", "figures", "", "numbers --out /proc/nowhere"}) {
+    const auto run = study(wrong, folder.path());
+    EXPECT_EQ(run.exit_code, 2) << wrong;
+    EXPECT_EQ(run.err.substr(0, 9), "palpate: ") << wrong;
+    EXPECT_EQ(run.err.find('\n'), run.err.size() - 1) << run.err;
+  }
+}
+
+}  // namespace palpate
