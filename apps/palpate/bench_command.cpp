@@ -163,10 +163,11 @@ void printNames() {
 
 void addBenchCommand(CLI::App& app) {
   CLI::App& bench =
-      *app.add_subcommand("bench", "Measure the finger and the deformation on known meshes and trajectories");
+      *app.add_subcommand("bench", "Measure the finger, the deformation and the pictures");
   bench.require_subcommand(1);
   addContactCommand(bench);
   addBenchDeformCommand(bench);
+  addBenchFrameCommand(bench);
   addWorkloadCommand(bench);
   bench.add_subcommand("list", "Name the benchmark meshes and trajectories")->callback(printNames);
 }

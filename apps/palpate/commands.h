@@ -6,8 +6,9 @@
 namespace palpate::app {
 
 void addBenchCommand(CLI::App& app);
-/// `parent` is the bench command.
+// `parent` is the bench command.
 void addBenchDeformCommand(CLI::App& parent);
+void addBenchFrameCommand(CLI::App& parent);
 void addInfoCommand(CLI::App& app);
 void addModelCommand(CLI::App& app);
 void addSimulateCommand(CLI::App& app);

@@ -23,6 +23,8 @@ inline std::shared_ptr<const scene::World> worldOf(mesh::TriangleMesh mesh) {
                    .surface = contact::buildSurface(mesh, std::vector<double>(mesh.positions.size(), kTestStiffness)),
                    .deformable = deform::buildSkin(mesh),
                    .ellipses = maps::AnyEllipseMap({}, {.basic_radius_mm = 50.0}, {}),
+                   .deformation = {},
+                   .contours = {},
                    .anatomy = {},
                    .notes = {}});
   return world;

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "palpate/deform/finger_contact.h"
+#include "palpate/scene/skin_contact.h"
 #include "palpate/view/overlay_paint.h"
 
 namespace palpate::view {
@@ -54,7 +54,7 @@ void addOutline(const Outline& outline, const DrawnSkin& skin, Paint paint, Line
 
 void addContactEllipses(const scene::World& world, const contact::FingerOutput& contact, const DrawnSkin& skin,
                         Lines& lines) {
-  const auto pressed = deform::contactOf(contact, world.ellipses, world.scene.deformation.forms.common.tissue);
+  const auto pressed = scene::contactOf(world, contact);
   if (!pressed) return;
   const Vec3 normal = pressed->normal.normalized();
   addOutline(outlineOf(world, pressed->normal_region, pressed->anchor, normal), skin, kNormalRegionPaint, lines);

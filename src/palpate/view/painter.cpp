@@ -59,7 +59,9 @@ void Painter::preparePage(const Job& job) {
 
 void Painter::paintEye(const Job& job, Eye eye) {
   const Frustum frustum = frustumOf(job.eyes, eye, depthRangeOf(job.eyes, box_));
-  renderer_.draw(job.frame, job.settings.look, frustum, job.picture.width, job.picture.height);
+  Frame frame = job.frame;
+  frame.pixels_per_point = job.canvas.pixels_per_point;
+  renderer_.draw(frame, job.settings.look, frustum, job.picture.width, job.picture.height);
   page_.present(job.picture.width, job.picture.height);
   if (job.draw_over) job.draw_over(job.picture);
 }
