@@ -131,13 +131,16 @@ class Scenery {
     constexpr int kCells = 32;
     const Vec3 u = sheet.side_u / kCells;
     const Vec3 v = sheet.side_v / kCells;
-    for (int i = 0; i < kCells * kCells; ++i) {
-      const Vec3 corner = sheet.corner + (i % kCells) * u + (i / kCells) * v;  // NOLINT(bugprone-integer-division)
-      pieces_.push_back({camera_.depth(corner + 0.5 * (u + v)),
-                         {camera_(corner), camera_(corner + u), camera_(corner + u + v), camera_(corner + v)},
-                         sheet.colour,
-                         std::nullopt});
+    for (int i = 0; i < kCells; ++i) {
+      for (int j = 0; j < kCells; ++j) addSheetCell(sheet.corner + i * u + j * v, u, v, sheet.colour);
     }
+  }
+
+  void addSheetCell(const Vec3& corner, const Vec3& u, const Vec3& v, const Colour& colour) {
+    pieces_.push_back({camera_.depth(corner + 0.5 * (u + v)),
+                       {camera_(corner), camera_(corner + u), camera_(corner + u + v), camera_(corner + v)},
+                       colour,
+                       std::nullopt});
   }
 
   void addBall(const Ball& ball) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
@@ -28,11 +29,14 @@ void addCurves(const figures::Plot& plot, int panel, std::string& csv) {
 }
 
 void addField(const figures::Field& field, int panel, std::string& csv) {
-  for (int i = 0; i < field.columns * field.rows; ++i) {
-    const double value = field.values[static_cast<std::size_t>(i)];
-    const double x = field.origin.x() + (i % field.columns) * field.step.x();
-    const double y = field.origin.y() + (i / field.columns) * field.step.y();  // NOLINT(bugprone-integer-division)
-    if (value == value) csv += fmt::format("{},{},{:.9g},{:.9g},{:.9g}\n", panel, csvCell(field.label), x, y, value);
+  std::size_t next = 0;
+  for (int row = 0; row < field.rows; ++row) {
+    for (int column = 0; column < field.columns; ++column) {
+      const double value = field.values[next++];
+      if (!std::isfinite(value)) continue;
+      csv += fmt::format("{},{},{:.9g},{:.9g},{:.9g}\n", panel, csvCell(field.label),
+                         field.origin.x() + column * field.step.x(), field.origin.y() + row * field.step.y(), value);
+    }
   }
 }
 

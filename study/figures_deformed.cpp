@@ -115,51 +115,63 @@ Figure figure416() {
   return {.panels = {first, second}, .columns = 2, .panel_width_px = 470.0, .panel_height_px = 430.0};
 }
 
-// A flat patch of neighbours, dragged: the arrows are what its vertices move by.
-Figure figure417() {
-  mesh::TriangleMesh patch;
+// Equilateral triangles of 10 mm, 9 by 9 vertices around the origin.
+mesh::TriangleMesh flatPatch() {
   constexpr Index kSide = 9;
+  constexpr double kEdge = 10.0;
+  constexpr double kHeight = 8.66;
+  mesh::TriangleMesh patch;
   for (Index row = 0; row < kSide; ++row) {
     for (Index column = 0; column < kSide; ++column) {
-      patch.positions.emplace_back(10.0 * column - 40.0 + 5.0 * (row % 2), 8.7 * row - 34.8, 0.0);
+      patch.positions.emplace_back(kEdge * column - 40.0 + 0.5 * kEdge * (row % 2), kHeight * (row - 4.0), 0.0);
     }
   }
   for (Index row = 0; row + 1 < kSide; ++row) {
     for (Index column = 0; column + 1 < kSide; ++column) {
       const Index a = row * kSide + column;
       const Index up = a + kSide;
-      if (row % 2 == 0) {
-        patch.triangles.push_back({a, a + 1, up});
-        patch.triangles.push_back({a + 1, up + 1, up});
-      } else {
-        patch.triangles.push_back({a, a + 1, up + 1});
-        patch.triangles.push_back({a, up + 1, up});
-      }
+      const bool leans_left = row % 2 == 0;
+      patch.triangles.push_back({a, a + 1, leans_left ? up : up + 1});
+      patch.triangles.push_back({leans_left ? a + 1 : a, up + 1, up});
     }
   }
+  return patch;
+}
+
+figures::Shape wires(const std::string& name, const std::vector<Vec3>& positions, const mesh::TriangleMesh& mesh) {
+  figures::Shape shape{.name = name};
+  for (const Triangle& t : mesh.triangles) {
+    shape.paths.push_back({positions[t[0]].head<2>(), positions[t[1]].head<2>(), positions[t[2]].head<2>()});
+  }
+  return shape;
+}
+
+std::vector<figures::Arrow> displacementArrows(const mesh::TriangleMesh& rest, const PressedSkin& skin) {
+  constexpr double kSeen = 0.3;  // mm
+  std::vector<figures::Arrow> arrows;
+  for (std::size_t v = 0; v < rest.positions.size(); ++v) {
+    const Vec2 from = rest.positions[v].head<2>();
+    const Vec2 to = skin.positions[v].head<2>();
+    if ((to - from).norm() > kSeen) arrows.push_back({from, to});
+  }
+  return arrows;
+}
+
+Figure figure417() {
+  const mesh::TriangleMesh patch = flatPatch();
   deform::FormSettings forms;
   forms.common.strain = true;
-  const PressedSkin skin =
-      pressed(patch, {.at = Vec2(-9.0, -4.0), .drag_mm = Vec2(9.0, 5.0), .half_major_mm = 32.0}, forms);
+  const Press press{.at = Vec2(-9.0, -4.0), .drag_mm = Vec2(9.0, 5.0), .half_major_mm = 32.0};
+  const PressedSkin skin = pressed(patch, press, forms);
   Plot plot{.title = "Displacements and the mean strain (4.20) of four vertices"};
   plot.equal_aspect = true;
   plot.x = {.label = "x", .unit = "mm"};
   plot.y = {.label = "y", .unit = "mm"};
-  figures::Shape rest{.name = "at rest", .colour = figures::kInk, .width_px = 0.7};
-  figures::Shape moved{.name = "deformed", .colour = figures::kVermilion, .width_px = 1.8};
-  for (const Triangle& t : patch.triangles) {
-    auto outline = [&](const std::vector<Vec3>& p) {
-      return std::vector<Vec2>{p[t[0]].head<2>(), p[t[1]].head<2>(), p[t[2]].head<2>()};
-    };
-    rest.paths.push_back(outline(patch.positions));
-    moved.paths.push_back(outline(skin.positions));
-  }
-  plot.shapes = {moved, rest};
-  for (std::size_t v = 0; v < patch.positions.size(); ++v) {
-    const Vec2 from = patch.positions[v].head<2>();
-    const Vec2 to = skin.positions[v].head<2>();
-    if ((to - from).norm() > 0.3) plot.arrows.push_back({from, to, figures::kBlue});
-  }
+  plot.shapes = {wires("deformed", skin.positions, patch), wires("at rest", patch.positions, patch)};
+  plot.shapes[0].colour = figures::kVermilion;
+  plot.shapes[0].width_px = 1.8;
+  plot.shapes[1].width_px = 0.7;
+  plot.arrows = displacementArrows(patch, skin);
   for (const Index v : {Index{39}, Index{42}, Index{31}, Index{49}}) {
     plot.places.push_back({skin.positions[v].head<2>(), fmt::format("{:+.0f} %", 100.0 * skin.strain[v])});
   }

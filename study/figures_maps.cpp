@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "palpate/maps/ellipse_map.h"
 #include "study/dissertation_figures.h"
@@ -154,46 +155,61 @@ std::vector<std::array<Vec3, 2>> ellipseLoop(const Vec3& centre, const Vec3& alo
   constexpr int kCorners = 96;
   std::vector<std::array<Vec3, 2>> loop;
   const auto corner = [&](int i) {
-    const double angle = 2.0 * 3.14159265358979 * i / kCorners;
+    const double angle = 2.0 * std::numbers::pi * i / kCorners;
     return Vec3(centre + std::cos(angle) * along + std::sin(angle) * across);
   };
   for (int i = 0; i < kCorners; ++i) loop.push_back({corner(i), corner(i + 1)});
   return loop;
 }
 
+// A map ellipse in space: its centre and its half axes.
+struct Placed {
+  Vec3 centre;
+  Vec3 along;
+  Vec3 across;
+};
+
+Placed placedOnMap(const maps::Ellipse& ellipse, const Vec3& centre) {
+  const Vec3 unit(std::cos(ellipse.direction_rad), std::sin(ellipse.direction_rad), 0.0);
+  const Vec3 along = ellipse.half_major_mm * unit;
+  return {centre, along, ellipse.aspect * Vec3::UnitZ().cross(along)};
+}
+
+Placed placedOnSkin(const maps::Ellipse& ellipse, const SkinPlace& place) {
+  const maps::SurfaceEllipse lifted = maps::liftedOntoSurface(ellipse, place.normal);
+  return {place.position, lifted.half_major, lifted.aspect * place.normal.cross(lifted.half_major)};
+}
+
+std::vector<figures::Segments> projectionLines(const Placed& map, const Placed& skin) {
+  const auto loop = [](const Placed& ellipse) { return ellipseLoop(ellipse.centre, ellipse.along, ellipse.across); };
+  std::vector<figures::Segments> lines(4);
+  lines[0] = {.name = "ellipse on the map", .segments = loop(map), .colour = figures::kBlue, .width_px = 1.8};
+  lines[1] = {
+      .name = "ellipse on the skin (E32)", .segments = loop(skin), .colour = figures::kVermilion, .width_px = 1.8};
+  lines[2] = {.name = "projection along z", .segments = {{skin.centre, map.centre}}};
+  lines[3] = {.name = "half major axes",
+              .segments = {{skin.centre, skin.centre + skin.along}, {map.centre, map.centre + map.along}},
+              .colour = figures::kGreen,
+              .width_px = 2.0};
+  for (figures::Segments& line : lines) line.on_top = true;
+  return lines;
+}
+
 Figure figure512() {
-  constexpr double kMapDistance = 170.0;  // of the map plane in front of the back
+  constexpr double kMapDistance = 170.0;  // mm, of the map plane in front of the back
   const mesh::TriangleMesh back = backModel();
   const SkinPlace place = placeOn(back, {100.0, -20.0});
-  const maps::Ellipse flat{60.0, 0.7, 2.3};  // small, so that both are seen whole
-  const maps::SurfaceEllipse lifted = maps::liftedOntoSurface(flat, place.normal);
-  const Vec3 on_map(place.position.x(), place.position.y(), kMapDistance);
-  const Vec3 along(flat.half_major_mm * std::cos(flat.direction_rad), flat.half_major_mm * std::sin(flat.direction_rad),
-                   0.0);
+  const maps::Ellipse ellipse{60.0, 0.7, 2.3};  // small, so that both are seen whole
+  const Placed skin = placedOnSkin(ellipse, place);
+  const Placed map = placedOnMap(ellipse, {place.position.x(), place.position.y(), kMapDistance});
   MeshView view;
   view.positions = back.positions;
   view.triangles = back.triangles;
   view.towards_viewer = Vec3(1.0, -0.55, 0.75);
-  view.sheets.push_back(
-      {Vec3(-175, -200, kMapDistance), Vec3(350, 0, 0), Vec3(0, 400, 0), figures::withAlpha(figures::kSky, 0.3)});
-  view.lines.push_back({.name = "ellipse on the map",
-                        .segments = ellipseLoop(on_map, along, flat.aspect * Vec3::UnitZ().cross(along)),
-                        .colour = figures::kBlue,
-                        .width_px = 1.8});
-  view.lines.push_back({.name = "ellipse on the skin (E32)",
-                        .segments = ellipseLoop(place.position, lifted.half_major,
-                                                lifted.aspect * place.normal.cross(lifted.half_major)),
-                        .colour = figures::kVermilion,
-                        .width_px = 1.8,
-                        .on_top = true});
-  view.lines.push_back(
-      {.name = "projection along z", .segments = {{place.position, on_map}}, .colour = figures::kInk, .on_top = true});
-  view.lines.push_back({.name = "half major axes",
-                        .segments = {{place.position, place.position + lifted.half_major}, {on_map, on_map + along}},
-                        .colour = figures::kGreen,
-                        .width_px = 2.0,
-                        .on_top = true});
-  view.places = {{place.position, "vertex"}, {on_map, "P on the map"}};
+  view.sheets.push_back({Vec3(-175.0, -200.0, kMapDistance), Vec3(350.0, 0.0, 0.0), Vec3(0.0, 400.0, 0.0),
+                         figures::withAlpha(figures::kSky, 0.3)});
+  view.lines = projectionLines(map, skin);
+  view.places = {{skin.centre, "vertex"}, {map.centre, "P on the map"}};
   return {.panels = {view}, .panel_width_px = 620.0, .panel_height_px = 460.0};
 }
 

@@ -128,41 +128,47 @@ std::vector<std::vector<Index>> ringsAround(const deform::Skin& skin, const Tria
   return rings;
 }
 
-Figure figure415() {
-  constexpr double kAcross = 46.0;
-  const mesh::TriangleMesh back = backModel(2962);
-  const deform::Skin skin = deform::buildSkin(back);
-  const Vec2 centre(8.0, 3.0);
-  const SkinPlace place = placeOn(back, centre);
-  Plot plot{.title = "Rings of neighbour nodes"};
-  plot.equal_aspect = true;
-  plot.x = {.label = "x", .unit = "mm", .from = centre.x() - kAcross, .to = centre.x() + kAcross};
-  plot.y = {.label = "y", .unit = "mm", .from = centre.y() - kAcross, .to = centre.y() + kAcross};
-  figures::Shape mesh{.stroke = figures::Stroke::solid, .colour = {0.6, 0.6, 0.6}, .width_px = 0.7};
-  for (const Triangle& t : back.triangles) {
-    mesh.paths.push_back(
-        {back.positions[t[0]].head<2>(), back.positions[t[1]].head<2>(), back.positions[t[2]].head<2>()});
+figures::Shape wires(const mesh::TriangleMesh& mesh) {
+  figures::Shape shape{.colour = {0.6, 0.6, 0.6}, .width_px = 0.7};
+  for (const Triangle& t : mesh.triangles) {
+    shape.paths.push_back({mesh.positions[t[0]].head<2>(), mesh.positions[t[1]].head<2>(),  //
+                           mesh.positions[t[2]].head<2>()});
   }
-  plot.shapes = {mesh,
-                 {.name = "ellipse",
-                  .paths = {figures::ellipseOutline(centre, 27.0, 20.0, 1.0)},
-                  .stroke = figures::Stroke::dashed,
-                  .colour = figures::kVermilion,
-                  .width_px = 2.0}};
+  return shape;
+}
+
+std::vector<figures::Series> ringSeries(const mesh::TriangleMesh& mesh, const Triangle& start) {
   constexpr std::array kMarkers{figures::Marker::circle, figures::Marker::triangle, figures::Marker::square,
                                 figures::Marker::diamond, figures::Marker::cross};
-  int number = 0;
-  for (const auto& ring : ringsAround(skin, back.triangles[place.triangle], kMarkers.size())) {
-    figures::Series series{.name = fmt::format("ring {}", number + 1),
-                           .stroke = figures::Stroke::none,
-                           .marker = kMarkers[static_cast<std::size_t>(number)]};
+  std::vector<figures::Series> rings;
+  for (const auto& ring : ringsAround(deform::buildSkin(mesh), start, kMarkers.size())) {
+    figures::Series& series = rings.emplace_back();
+    series.name = fmt::format("ring {}", rings.size());
+    series.stroke = figures::Stroke::none;
+    series.marker = kMarkers[rings.size() - 1];
     for (const Index v : ring) {
-      series.x.push_back(back.positions[v].x());
-      series.y.push_back(back.positions[v].y());
+      series.x.push_back(mesh.positions[v].x());
+      series.y.push_back(mesh.positions[v].y());
     }
-    plot.series.push_back(series);
-    ++number;
   }
+  return rings;
+}
+
+Figure figure415() {
+  constexpr double kAround = 46.0;  // mm
+  const mesh::TriangleMesh back = backModel();
+  const Vec2 centre(8.0, 3.0);
+  Plot plot{.title = "Rings of neighbour nodes"};
+  plot.equal_aspect = true;
+  plot.x = {.label = "x", .unit = "mm", .from = centre.x() - kAround, .to = centre.x() + kAround};
+  plot.y = {.label = "y", .unit = "mm", .from = centre.y() - kAround, .to = centre.y() + kAround};
+  const figures::Shape ellipse{.name = "ellipse",
+                               .paths = {figures::ellipseOutline(centre, 27.0, 20.0, 1.0)},
+                               .stroke = figures::Stroke::dashed,
+                               .colour = figures::kVermilion,
+                               .width_px = 2.0};
+  plot.shapes = {wires(back), ellipse};
+  plot.series = ringSeries(back, back.triangles[placeOn(back, centre).triangle]);
   plot.places = {{centre, "O"}};
   return {.panels = {plot}, .panel_width_px = 560.0, .panel_height_px = 560.0};
 }

@@ -64,30 +64,39 @@ partition::Partition splitOnce(const mesh::TriangleMesh& patch, partition::Assig
   return partition::buildPartition(patch, settings);
 }
 
+// How many children each triangle belongs to.
+std::vector<int> ownersOf(const partition::Partition& tree) {
+  std::vector<int> owners(tree.triangle_count, 0);
+  for (const Index triangle : tree.triangles) ++owners[triangle];
+  return owners;
+}
+
+// The triangles (with the cut, the pieces) of both children, and those that both own.
+std::vector<Shape> childShapes(const mesh::TriangleMesh& patch, const partition::Partition& tree) {
+  const std::vector<int> owners = ownersOf(tree);
+  const bool cut = tree.assignment == partition::Assignment::Cut;
+  std::vector<Shape> shapes{shapeOf("child 1", kFirst), shapeOf("child 2", kSecond), shapeOf("both children", kBoth)};
+  for (const Index leaf : tree.leaves) {
+    const partition::Node& node = tree.nodes[leaf];
+    for (Index entry = node.first_entry; entry < node.first_entry + node.entry_count; ++entry) {
+      const Index triangle = tree.triangles[entry];
+      const std::size_t own = node.slot == 1 ? 0 : 1;
+      const std::size_t shown = !cut && owners[triangle] > 1 ? 2 : own;
+      shapes[shown].paths.push_back(outlineOf(cut ? tree.pieces[entry] : cornersOf(patch, triangle)));
+    }
+  }
+  if (shapes[2].paths.empty()) shapes.pop_back();
+  return shapes;
+}
+
 Plot casePlot(const std::string& title, partition::Assignment assignment) {
   const mesh::TriangleMesh patch = unevenPatch();
   const partition::Partition tree = splitOnce(patch, assignment);
-  Shape first = shapeOf("child 1", kFirst);
-  Shape second = shapeOf("child 2", kSecond);
-  Shape both = shapeOf("both children", kBoth);
-  std::vector<int> owners(patch.triangles.size(), 0);
-  for (const Index triangle : tree.triangles) ++owners[triangle];
-  for (const Index leaf : tree.leaves) {
-    const partition::Node& node = tree.nodes[leaf];
-    Shape& side = node.slot == 1 ? first : second;
-    for (Index entry = node.first_entry; entry < node.first_entry + node.entry_count; ++entry) {
-      const bool cut = assignment == partition::Assignment::Cut;
-      const Index triangle = tree.triangles[entry];
-      const bool shared = assignment == partition::Assignment::BothSides && owners[triangle] > 1;
-      (shared ? both : side).paths.push_back(outlineOf(cut ? tree.pieces[entry] : cornersOf(patch, triangle)));
-    }
-  }
   Plot plot{.title = title};
   plot.equal_aspect = true;
   plot.x.hidden = true;
   plot.y.hidden = true;
-  plot.shapes = {first, second};
-  if (!both.paths.empty()) plot.shapes.push_back(both);
+  plot.shapes = childShapes(patch, tree);
   const double at = partition::splitPoint(tree.cells[0]).x();
   plot.shapes.push_back({.name = "splitting plane",
                          .paths = {{Vec2(at, -4.0), Vec2(at, 64.0)}},
