@@ -179,6 +179,20 @@ TEST_F(WorldOf, NotesADoubtfulUnit) {
   EXPECT_NE(world->notes.back().find("is its unit right?"), std::string::npos);
 }
 
+TEST_F(WorldOf, RebuiltIsWhatBuildingAnewGives) {
+  writeDome("dome.obj");
+  Scene scene = meshScene("[stiffness]\nsource = \"constant\"\n");
+  const auto first = build(scene);
+  scene.dysfunctions.push_back({50.0, 50.0, 30.0, 80.0, 0.5});
+  const auto again = rebuilt(*first, scene);
+  const auto anew = build(scene);
+  EXPECT_EQ(again->stiffness_n_per_mm, anew->stiffness_n_per_mm);
+  EXPECT_NE(again->stiffness_n_per_mm, first->stiffness_n_per_mm);
+  EXPECT_EQ(again->skin.triangles, anew->skin.triangles);
+  EXPECT_EQ(again->notes, anew->notes);
+  EXPECT_EQ(again->surface.closed, anew->surface.closed);
+}
+
 TEST_F(WorldOf, TheTorsoIsStifferOverBoneAndKnowsItsLandmarks) {
   const auto world =
       build(parse("[body]\ntriangles = 8163\n[[finger]]\nname = \"a\"\nscript = [{ do = \"press\" }]\n", "s"));

@@ -171,6 +171,37 @@ TEST(PacedLoop, RampsAgainAfterAStall) {
   EXPECT_TRUE(seen & kStalled);
 }
 
+TEST(PacedLoop, LetsTheServoThreadExchangeItsSurfaceBetweenTicks) {
+  const contact::Surface surface = plate();
+  const contact::Surface other = plate();
+  Rig rig = rigOn(surface, 100);
+  LoopLinks links(rig.fingers.size());
+  PacedSettings settings = quick();
+  std::uint64_t calls = 0;
+  settings.before_tick = [&](Rig& ours) {
+    if (++calls == 50) ours.surface = &other;
+  };
+  const LoopReport report = runPaced(rig, 100, settings, links);
+  EXPECT_EQ(calls, report.ticks);
+  EXPECT_EQ(rig.surface, calls >= 50 ? &other : &surface);
+}
+
+TEST(PacedLoop, PublishesItsVitalsEveryThousandTicks) {
+  const contact::Surface surface = plate();
+  Rig rig = rigOn(surface, 100);
+  LoopLinks links(rig.fingers.size());
+  PacedSettings settings = quick();
+  settings.before_tick = [&](Rig&) {
+    if (links.vitals.newest().ticks > 0) links.stop = true;
+  };
+  runPaced(rig, 100'000, settings, links);
+  const LoopVitals vitals = links.vitals.newest();
+  EXPECT_EQ(vitals.ticks, 1000u);
+  EXPECT_GT(vitals.ticks_per_s, 100.0);
+  EXPECT_GT(vitals.compute.p50_us, 0.0);
+  EXPECT_GE(vitals.lateness.max_us, vitals.lateness.p99_us);
+}
+
 TEST(SampleDrain, HandsOverWhatItsSinkThrew) {
   LoopLinks links(1);
   links.samples.push({});

@@ -127,6 +127,7 @@ TEST(MouseDevice, FeelsTheSkinThroughTheContact) {
   contact::FingerState state;
   contact::FingerOutput output{};
   for (std::uint64_t tick = 0; tick < 600; ++tick) {
+    advance(link);
     output = contact::step(surface, settings, state, device.read_tip(tick));
     device.write_force(output.force);
   }

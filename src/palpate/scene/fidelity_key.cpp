@@ -34,13 +34,24 @@ void readFidelity(Fidelity& fidelity, const Entry& entry) {
   }
 }
 
+/// "corrected", "literal" or { E14 = "literal", ... }.
+std::string showFidelity(const Scene& scene) {
+  const std::string words = wordsOf(scene.fidelity);
+  if (!words.starts_with('E')) return inQuotes(words);
+  std::string table;
+  for (const ErratumText& erratum : errata()) {
+    if (!scene.fidelity.literal(erratum.number)) continue;
+    table += fmt::format("{}{} = \"literal\"", table.empty() ? "" : ", ", nameOf(erratum.number));
+  }
+  return "{ " + table + " }";
+}
+
 }  // namespace
 
 Key<Scene> fidelityKey() {
   return {"fidelity", "\"corrected\" or \"literal\", or one word for each erratum: `fidelity.E14 = \"literal\"`",
           "The dissertation's formulae with their errata corrected, or as printed (docs/dissertation.md).",
-          [](Scene& scene, const Entry& entry) { readFidelity(scene.fidelity, entry); },
-          [](const Scene& scene) { return fmt::format("\"{}\"", wordsOf(scene.fidelity)); }};
+          [](Scene& scene, const Entry& entry) { readFidelity(scene.fidelity, entry); }, showFidelity};
 }
 
 }  // namespace palpate::scene

@@ -134,6 +134,22 @@ std::size_t readChoice(const Entry& entry, const std::vector<std::string>& choic
   return static_cast<std::size_t>(found - choices.begin());
 }
 
+std::string inQuotes(std::string_view text) {
+  std::string words = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      words += '\\';
+      words += c;
+    } else if (byte < 0x20 || byte == 0x7f) {
+      words += fmt::format("\\u{:04X}", byte);
+    } else {
+      words += c;
+    }
+  }
+  return words + '"';
+}
+
 std::string showNumber(double value) { return fmt::format("{}", value); }
 
 std::string showNumbers(const std::vector<double>& values) { return fmt::format("[{}]", fmt::join(values, ", ")); }

@@ -17,6 +17,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/vec.h"
+#include "palpate/scene/scene_file.h"
 
 namespace palpate::scene {
 
@@ -62,6 +63,7 @@ struct Key {
   std::string meaning;  ///< one sentence, with unit and reason
   std::function<void(S&, const Entry&)> read;
   std::function<std::string(const S&)> show;  ///< the value as it would stand in a file; empty = there is none
+  KeyForm form = {};
 };
 
 double readNumber(const Entry& entry, const Range& range);
@@ -74,6 +76,8 @@ std::vector<double> readPoint(const Entry& entry, std::size_t count);
 /// Index of the text among the choices.
 std::size_t readChoice(const Entry& entry, const std::vector<std::string>& choices);
 
+/// As a text stands in a file: in quotes, with what would end or break it written as escapes.
+std::string inQuotes(std::string_view text);
 std::string showNumber(double value);
 std::string showNumbers(const std::vector<double>& values);
 std::string rangeSuffix(const Range& range);
@@ -91,50 +95,74 @@ T valueOf(const Access<S, T>& access, const S& settings) {
 
 template <class S>
 Key<S> number(std::string name, Access<S, double> at, Range range, std::string meaning) {
-  return {std::move(name), "number" + rangeSuffix(range), std::move(meaning),
+  return {std::move(name),
+          "number" + rangeSuffix(range),
+          std::move(meaning),
           [at, range](S& s, const Entry& e) { at(s) = readNumber(e, range); },
-          [at](const S& s) { return showNumber(valueOf<S, double>(at, s)); }};
+          [at](const S& s) { return showNumber(valueOf<S, double>(at, s)); },
+          {KeyForm::Kind::number, range.low, range.high}};
 }
 
 /// A whole number.
 template <class S>
 Key<S> count(std::string name, Access<S, std::size_t> at, std::size_t low, std::size_t high, std::string meaning) {
-  return {std::move(name), fmt::format("whole number, {} to {}", low, high), std::move(meaning),
+  return {std::move(name),
+          fmt::format("whole number, {} to {}", low, high),
+          std::move(meaning),
           [=](S& s, const Entry& e) { at(s) = readCount(e, low, high); },
-          [at](const S& s) { return fmt::format("{}", valueOf<S, std::size_t>(at, s)); }};
+          [at](const S& s) { return fmt::format("{}", valueOf<S, std::size_t>(at, s)); },
+          {KeyForm::Kind::whole, static_cast<double>(low), static_cast<double>(high)}};
 }
 
 template <class S>
 Key<S> flag(std::string name, Access<S, bool> at, std::string meaning) {
-  return {std::move(name), "true or false", std::move(meaning), [at](S& s, const Entry& e) { at(s) = readFlag(e); },
-          [at](const S& s) { return valueOf<S, bool>(at, s) ? "true" : "false"; }};
+  return {std::move(name),
+          "true or false",
+          std::move(meaning),
+          [at](S& s, const Entry& e) { at(s) = readFlag(e); },
+          [at](const S& s) { return valueOf<S, bool>(at, s) ? "true" : "false"; },
+          {KeyForm::Kind::flag}};
 }
 
 template <class S>
 Key<S> text(std::string name, Access<S, std::string> at, std::string meaning) {
-  return {std::move(name), "text", std::move(meaning), [at](S& s, const Entry& e) { at(s) = readText(e); },
+  return {std::move(name),
+          "text",
+          std::move(meaning),
+          [at](S& s, const Entry& e) { at(s) = readText(e); },
           [at](const S& s) {
             const std::string value = valueOf<S, std::string>(at, s);
-            return value.empty() ? value : fmt::format("\"{}\"", value);
-          }};
+            return value.empty() ? value : inQuotes(value);
+          },
+          {KeyForm::Kind::text}};
 }
 
 /// A file, relative to the folder of the scene file.
+inline constexpr std::string_view kTakesFile = "file name";
 template <class S>
 Key<S> file(std::string name, Access<S, std::filesystem::path> at, std::string meaning) {
-  return {std::move(name), "file name", std::move(meaning),
+  return {std::move(name),
+          std::string(kTakesFile),
+          std::move(meaning),
           [at](S& s, const Entry& e) { at(s) = std::filesystem::path(e.file).parent_path() / readText(e); },
-          [](const S&) { return std::string(); }};
+          [at](const S& s) {
+            const std::filesystem::path path = valueOf<S, std::filesystem::path>(at, s);
+            return path.empty() ? std::string() : inQuotes(std::filesystem::absolute(path).lexically_normal().string());
+          },
+          {KeyForm::Kind::file}};
 }
 
 /// One of a few words, each standing for the enumerator of the same place.
 template <class S, class E>
 Key<S> choice(std::string name, Access<S, E> at, const std::vector<std::string>& choices, std::string meaning) {
-  return {std::move(name), choiceWords(choices), std::move(meaning),
+  return {std::move(name),
+          choiceWords(choices),
+          std::move(meaning),
           [at, choices](S& s, const Entry& e) { at(s) = static_cast<E>(readChoice(e, choices)); },
           [at, choices](const S& s) {
             return fmt::format("\"{}\"", choices[static_cast<std::size_t>(valueOf<S, E>(at, s))]);
-          }};
+          },
+          {KeyForm::Kind::choice, 0.0, 0.0, choices}};
 }
 
 template <class S>

@@ -64,7 +64,8 @@ Scene load(const std::filesystem::path& file) { return parse(readFile(file, kMax
 
 std::vector<KeyRow> describeKeys() {
   std::vector<KeyRow> rows;
-  for (const Key<Scene>& key : topKeys()) rows.push_back({"", key.name, key.takes, key.show({}), key.meaning});
+  for (const Key<Scene>& key : topKeys())
+    rows.push_back({"", key.name, key.takes, key.show({}), key.meaning, key.form});
   for (const Section& section : sections()) {
     for (KeyRow& row : section.describe()) rows.push_back(std::move(row));
   }

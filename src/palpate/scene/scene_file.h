@@ -1,6 +1,9 @@
 // Reads a scene file (TOML). docs/scene-files.md lists every key; it is checked against describeKeys().
 #pragma once
 
+#include <cstdint>
+#include <limits>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,6 +22,15 @@ Scene load(const std::filesystem::path& file);
 /// The same from text; `name` stands for the file in messages and its folder for relative names.
 Scene parse(std::string_view toml, std::string_view name);
 
+/// What a key takes, for programs that offer it to be changed.
+struct KeyForm {
+  enum class Kind : std::uint8_t { other, number, whole, flag, choice, text, file };
+  Kind kind = Kind::other;
+  double low = -std::numeric_limits<double>::infinity();  ///< number, whole
+  double high = std::numeric_limits<double>::infinity();
+  std::vector<std::string> choices = {};
+};
+
 /// One key of the format, as a row of the documentation.
 struct KeyRow {
   std::string table;  ///< "" for keys before the first table, else its header, e.g. "[body]"
@@ -26,6 +38,7 @@ struct KeyRow {
   std::string takes;     ///< type and range in words
   std::string fallback;  ///< the value when it is left out; empty = none
   std::string meaning;
+  KeyForm form = {};
 };
 std::vector<KeyRow> describeKeys();
 

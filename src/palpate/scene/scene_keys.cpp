@@ -17,7 +17,8 @@ template <class S>
 std::vector<KeyRow> describe(const std::string& title, const std::vector<Key<S>>& keys, const S& defaults = {}) {
   std::vector<KeyRow> rows;
   rows.reserve(keys.size());
-  for (const Key<S>& key : keys) rows.push_back({title, key.name, key.takes, key.show(defaults), key.meaning});
+  for (const Key<S>& key : keys)
+    rows.push_back({title, key.name, key.takes, key.show(defaults), key.meaning, key.form});
   return rows;
 }
 
@@ -35,13 +36,19 @@ Section section(const std::string& name, const std::string& about, Access<Scene,
     readTable(tableOf({entry.node, entry.file, title}), title, entry.file, keys, at(scene));
     if (check) check(at(scene), {entry.node, entry.file, title});
   };
-  return {name, title, about, read, [=] { return describe(title, keys, valueOf<Scene, S>(at, {})); }};
+  const auto rows = [=](const Scene& scene) { return describe(title, keys, valueOf<Scene, S>(at, scene)); };
+  return {name,
+          title,
+          about,
+          read,
+          [=] { return rows({}); },
+          [=](const Scene& scene) { return std::vector<std::vector<KeyRow>>{rows(scene)}; }};
 }
 
 /// A table that stands as often as one likes.
 template <class S>
 Section listSection(const std::string& name, const std::string& about, Access<Scene, std::vector<S>> at,
-                    std::function<S(const toml::table&, const Entry&)> read_one,
+                    std::function<S(const toml::table&, const Entry&)> read_one, const std::vector<Key<S>>& keys,
                     std::function<std::vector<KeyRow>()> describe_rows) {
   const std::string title = "[[" + name + "]]";
   const auto read = [=](Scene& scene, const Entry& entry) {
@@ -52,7 +59,12 @@ Section listSection(const std::string& name, const std::string& about, Access<Sc
       at(scene).push_back(read_one(tableOf(one), one));
     }
   };
-  return {name, title, about, read, std::move(describe_rows)};
+  const auto values = [=](const Scene& scene) {
+    std::vector<std::vector<KeyRow>> rows;
+    for (const S& one : valueOf<Scene, std::vector<S>>(at, scene)) rows.push_back(describe(title, keys, one));
+    return rows;
+  };
+  return {name, title, about, read, std::move(describe_rows), values};
 }
 
 Section bodySection() {
@@ -142,7 +154,7 @@ Section dysfunctionSection() {
     return dysfunction;
   };
   return listSection<S>("dysfunction", "A place that is stiffer or softer than it should be.", &Scene::dysfunctions,
-                        read, [keys] { return describe<S>("[[dysfunction]]", keys); });
+                        read, keys, [keys] { return describe<S>("[[dysfunction]]", keys); });
 }
 
 Section ellipsesSection() {
@@ -303,14 +315,27 @@ Step readStep(const Entry& entry) {
   return step;
 }
 
+std::string showStep(const Step& step) {
+  std::string words;
+  for (const Key<Step>& key : stepKeys(step.move)) {
+    words += fmt::format("{}{} = {}", words.empty() ? "" : ", ", key.name, key.show(step));
+  }
+  return "{ " + words + " }";
+}
+
+std::string showScript(const Finger& finger) {
+  std::string lines;
+  for (const Step& step : finger.steps) lines += "  " + showStep(step) + ",\n";
+  return lines.empty() ? lines : "[\n" + lines + "]";
+}
+
 Key<Finger> scriptKey() {
   const auto read = [](Finger& finger, const Entry& entry) {
     const toml::array* list = entry.node.as_array();
     if (list == nullptr) entry.fail("must be a list of steps");
     for (const toml::node& node : *list) finger.steps.push_back(readStep({node, entry.file, entry.name}));
   };
-  return {"script", "list of steps", "What the finger does, step by step; see below.", read,
-          [](const Finger&) { return std::string(); }};
+  return {"script", "list of steps", "What the finger does, step by step; see below.", read, showScript};
 }
 
 std::vector<Key<Finger>> fingerKeys() {
@@ -356,7 +381,7 @@ Section fingerSection() {
     return finger;
   };
   return listSection<Finger>("finger", "Who touches it: any number of fingers, each on its own.", &Scene::fingers, read,
-                             describeFinger);
+                             fingerKeys(), describeFinger);
 }
 
 }  // namespace

@@ -18,6 +18,8 @@ struct Section {
   std::string about;  ///< one sentence for the documentation
   std::function<void(Scene&, const Entry&)> read;
   std::function<std::vector<KeyRow>()> describe;
+  /// The keys with the scene's values as they would stand in a file, once for each time the table stands there.
+  std::function<std::vector<std::vector<KeyRow>>(const Scene&)> values;
 };
 
 /// Keys before the first table.

@@ -80,11 +80,8 @@ tissue::ForceLaw forceLaw(const Scene& scene) {
   return law;
 }
 
-}  // namespace
-
-std::shared_ptr<const World> build(const Scene& scene, const Progress& progress) {
-  deform::FormSettings forms = formsOf(scene);  // first: a fault in its files should not wait for the body
-  BodyParts body = makeBody(scene.body, progress);
+std::shared_ptr<const World> withBody(const Scene& scene, BodyParts body, deform::FormSettings forms,
+                                      const Progress& progress) {
   const std::vector<maps::KeyPoint> keys = keyPointsOf(scene);
   report(progress, "mapping stiffness", 0.0);
   std::vector<double> stiffness = basicStiffness(scene, body, keys);
@@ -99,6 +96,19 @@ std::shared_ptr<const World> build(const Scene& scene, const Progress& progress)
                                              std::move(stiffness), std::move(surface), std::move(deformable),
                                              std::move(ellipses), std::move(forms), std::move(contours),
                                              std::move(body.anatomy), std::move(body.notes)});
+}
+
+}  // namespace
+
+std::shared_ptr<const World> build(const Scene& scene, const Progress& progress) {
+  deform::FormSettings forms = formsOf(scene);  // first: a fault in its files should not wait for the body
+  return withBody(scene, makeBody(scene.body, progress), std::move(forms), progress);
+}
+
+std::shared_ptr<const World> rebuilt(const World& world, const Scene& scene, const Progress& progress) {
+  return withBody(
+      scene, {world.body_name, world.skin, world.closed, world.surface.self_intersecting, world.anatomy, world.notes},
+      formsOf(scene), progress);
 }
 
 contact::FingerSettings contactSettings(const Scene& scene, const Finger& finger) {

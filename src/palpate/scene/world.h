@@ -45,6 +45,10 @@ struct World {
 /// needed.
 std::shared_ptr<const World> build(const Scene& scene, const Progress& progress = {});
 
+/// The world's body under other settings of the scene: new maps, dysfunctions, force law or deformation, the same
+/// triangles in the same order. `scene.body` is not looked at. Throws Error as build does.
+std::shared_ptr<const World> rebuilt(const World& world, const Scene& scene, const Progress& progress = {});
+
 /// Settings of one finger's contact in this scene.
 contact::FingerSettings contactSettings(const Scene& scene, const Finger& finger);
 

@@ -10,10 +10,32 @@ namespace {
 /// Ticks between two progress reports of the headless loop: some milliseconds of work.
 constexpr std::uint64_t kProgressTicks = 10000;
 
+/// Ticks of one LoopVitals.
+constexpr std::uint64_t kVitalsTicks = 1000;
+
+/// The last stretch of a running loop, for LoopVitals.
+struct RecentMeter {
+  DurationHistogram compute;
+  DurationHistogram lateness;
+  std::int64_t started_ns = monotonicNs();
+
+  LoopVitals finished(const LoopReport& report) const {
+    const double seconds = static_cast<double>(monotonicNs() - started_ns) * 1e-9;
+    return {report.ticks,
+            report.overruns,
+            report.slow_ticks,
+            report.stalls,
+            compute.percentiles(),
+            lateness.percentiles(),
+            static_cast<double>(compute.count()) / seconds};
+  }
+};
+
 /// The histograms and counters of a running loop; the report is made of them at the end.
 struct Meter {
   DurationHistogram compute;
   DurationHistogram lateness;
+  RecentMeter recent;
   std::int64_t started_ns = monotonicNs();
   LoopReport report;
 
@@ -30,12 +52,14 @@ void measuredTick(Rig& rig, std::uint64_t tick, LoopEvent event, ContactFrame& s
   runTick(rig, tick, event, samples);
   const std::int64_t took = monotonicNs() - before;
   meter.compute.add(took);
+  meter.recent.compute.add(took);
   if (static_cast<double>(took) > rig.tick_s * 1e9) ++meter.report.slow_ticks;
   ++meter.report.ticks;
 }
 
 LoopEvent eventOf(const Pacer::Wake& wake, const PacedSettings& settings, Meter& meter) {
   meter.lateness.add(wake.late_ns);
+  meter.recent.lateness.add(wake.late_ns);
   if (static_cast<double>(wake.late_ns) <= settings.watchdog_s * 1e9) return LoopEvent::none;
   ++meter.report.stalls;
   return LoopEvent::stalled;
@@ -45,6 +69,12 @@ void handOver(const ContactFrame& samples, LoopLinks& links) {
   for (const trace::Sample& sample : samples) links.samples.push(sample);
   links.contacts.publish(samples);
   links.heartbeat_ns.store(monotonicNs(), std::memory_order_relaxed);
+}
+
+void publishVitals(Meter& meter, LoopLinks& links) {
+  if (meter.report.ticks % kVitalsTicks != 0) return;
+  links.vitals.publish(meter.recent.finished(meter.report));
+  meter.recent = RecentMeter{};
 }
 
 void releaseForces(Rig& rig) {
@@ -78,8 +108,10 @@ LoopReport runPaced(Rig& rig, std::uint64_t ticks, const PacedSettings& settings
     const Pacer::Wake wake = pacer.waitForNext();
     const std::uint64_t tick = std::min(wake.tick, ticks - 1);
     meter.report.overruns += tick - next;  // deadlines past the end of the run do not count
+    if (settings.before_tick) settings.before_tick(rig);
     measuredTick(rig, tick, eventOf(wake, settings, meter), samples, meter);
     handOver(samples, links);
+    publishVitals(meter, links);
     next = tick + 1;
   }
   releaseForces(rig);

@@ -36,6 +36,17 @@ struct LoopReport {
 LoopReport runHeadless(Rig& rig, std::uint64_t ticks, const std::function<void(std::span<const trace::Sample>)>& sink,
                        const Progress& progress = {});
 
+/// How the loop did lately: published once a second, for a display that is looking on.
+struct LoopVitals {
+  std::uint64_t ticks = 0;  ///< since the start, like the other counts
+  std::uint64_t overruns = 0;
+  std::uint64_t slow_ticks = 0;
+  std::uint64_t stalls = 0;
+  DurationPercentiles compute;  ///< of the last second, like `lateness` and the rate
+  DurationPercentiles lateness;
+  double ticks_per_s = 0.0;
+};
+
 /// The newest contact of every finger, in the scene's order.
 using ContactFrame = std::vector<trace::Sample>;
 
@@ -45,6 +56,7 @@ struct LoopLinks {
       : samples(ring_capacity), contacts(ContactFrame(fingers)) {}
   RingBuffer<trace::Sample> samples;
   TripleBuffer<ContactFrame> contacts;
+  TripleBuffer<LoopVitals> vitals;
   std::atomic<bool> stop{false};              ///< set by anybody: the loop ends after the tick at hand
   std::atomic<bool> finished{false};          ///< set by the loop when no more samples will come
   std::atomic<std::int64_t> heartbeat_ns{0};  ///< monotonicNs() of the newest tick: a watchdog's view of the loop
@@ -54,6 +66,9 @@ struct PacedSettings {
   PacingSettings pacing;
   /// The loop was away this long, s: the hand has moved on, so forces ramp up again.
   double watchdog_s = 0.050;
+  /// Called on the servo thread before each tick; may exchange what the rig holds, and must keep a device's rules: no
+  /// lock, no allocation, no exception, a fraction of a tick. May be empty.
+  std::function<void(Rig&)> before_tick;
 };
 
 /// Runs paced ticks on the calling thread until the deadline of tick `ticks` - 1 has passed or `links.stop` is set. At

@@ -79,14 +79,16 @@ void MouseFinger::pressByForce(const FingerTarget& target, const Vec3& felt_forc
   depth_ = std::clamp(depth_ + depth_speed_ * settings_.tick_s, -settings_.hover_mm, target.max_depth_mm);
 }
 
+bool advance(MouseLink& link) noexcept {
+  const FingerStep step = link.finger.step(link.target.newest(), link.felt_force);
+  link.tip = step.tip;
+  return step.jumped;
+}
+
 device::Device mouseDevice(std::string name, MouseLink& link) {
   device::Device device;
   device.name = std::move(name);
-  device.read_tip = [&link](std::uint64_t) {
-    const FingerStep step = link.finger.step(link.target.newest(), link.felt_force);
-    link.jumped = link.jumped || step.jumped;
-    return step.tip;
-  };
+  device.read_tip = [&link](std::uint64_t) { return link.tip; };
   device.write_force = [&link](const Vec3& force) { link.felt_force = force; };
   return device;
 }

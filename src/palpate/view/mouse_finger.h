@@ -78,15 +78,19 @@ class MouseFinger {
   double depth_speed_ = 0.0;
 };
 
-/// One finger between the display and the servo; both keep a pointer to it.
+/// One finger between the display and the servo.
 struct MouseLink {
   servo::TripleBuffer<FingerTarget> target{FingerTarget{}};  ///< display writes, servo reads
-  MouseFinger finger;                                        ///< servo
-  Vec3 felt_force = Vec3::Zero();                            ///< servo
-  bool jumped = false;                                       ///< servo: since it was last looked at
+  MouseFinger finger;                                        ///< servo, like what follows
+  Vec3 felt_force = Vec3::Zero();
+  Vec3 tip = Vec3::Zero();
 };
 
-/// The device of a link, which must outlive it.
+/// One tick, on the servo thread before the contact's. True when the finger jumped: its contact must forget what it
+/// touched, or it would be dragged through the body. No lock, no allocation.
+bool advance(MouseLink& link) noexcept;
+
+/// Reads the tip that `advance` made. The link must outlive the device.
 device::Device mouseDevice(std::string name, MouseLink& link);
 
 }  // namespace palpate::view

@@ -1,0 +1,79 @@
+#include "palpate/scene/scene_edit.h"
+
+#include <algorithm>
+
+#include "palpate/scene/scene_keys.h"
+
+namespace palpate::scene {
+
+namespace {
+
+constexpr std::string_view kHere = "value";
+
+const Section* sectionOf(std::string_view table) {
+  for (const Section& section : sections()) {
+    if (section.name == table && !section.title.starts_with("[[")) return &section;
+  }
+  return nullptr;
+}
+
+const Key<Scene>* topKeyOf(std::string_view name) {
+  const auto found =
+      std::find_if(topKeys().begin(), topKeys().end(), [&](const auto& key) { return key.name == name; });
+  return found == topKeys().end() ? nullptr : &*found;
+}
+
+std::optional<KeyRow> rowNamed(const std::vector<KeyRow>& rows, std::string_view key) {
+  for (const KeyRow& row : rows) {
+    if (row.key == key) return row;
+  }
+  return std::nullopt;
+}
+
+toml::table parsed(std::string_view text) {
+  try {
+    return toml::parse(text, kHere);
+  } catch (const toml::parse_error& error) {
+    throw Error(oneLine(error.description()));
+  }
+}
+
+}  // namespace
+
+std::optional<KeyRow> keyOf(const Scene& scene, std::string_view table, std::string_view key) {
+  if (table.empty()) {
+    const Key<Scene>* top = topKeyOf(key);
+    if (top == nullptr) return std::nullopt;
+    return KeyRow{"", top->name, top->takes, top->show(scene), top->meaning, top->form};
+  }
+  const Section* section = sectionOf(table);
+  return section == nullptr ? std::nullopt : rowNamed(section->values(scene).front(), key);
+}
+
+std::vector<KeyRow> keysOf(const Scene& scene, std::string_view table) {
+  const Section* section = sectionOf(table);
+  return section == nullptr ? std::vector<KeyRow>{} : section->values(scene).front();
+}
+
+std::string defaultOf(std::string_view table, std::string_view key) {
+  const auto row = keyOf({}, table, key);
+  return row ? row->fallback : std::string();
+}
+
+void setKey(Scene& scene, std::string_view table, std::string_view key, std::string_view value) {
+  Scene changed = scene;
+  if (table.empty()) {
+    const Key<Scene>* top = topKeyOf(key);
+    if (top == nullptr) throw Error(fmt::format("there is no key '{}'", key));
+    const toml::table root = parsed(fmt::format("{} = {}", key, value));
+    top->read(changed, {*root.get(key), kHere, top->name});
+  } else {
+    const Section* section = sectionOf(table);
+    if (section == nullptr) throw Error(fmt::format("there is no table [{}]", table));
+    const toml::table root = parsed(fmt::format("[{}]\n{} = {}", table, key, value));
+    section->read(changed, {*root.get(table), kHere, section->title});
+  }
+  scene = std::move(changed);
+}
+
+}  // namespace palpate::scene

@@ -1,0 +1,66 @@
+#include "palpate/scene/scene_writer.h"
+
+#include <algorithm>
+
+#include "palpate/base/output_file.h"
+#include "palpate/scene/scene_keys.h"
+
+namespace palpate::scene {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A shown file name without its quotes; names with escapes stay as they are, which is right too.
+std::string nearTo(const fs::path& folder, const std::string& shown) {
+  if (folder.empty() || shown.find('\\') != std::string::npos) return shown;
+  const fs::path file = shown.substr(1, shown.size() - 2);
+  const fs::path relative = file.lexically_relative(fs::absolute(folder).lexically_normal());
+  return relative.empty() || relative.native().starts_with("..") ? shown : inQuotes(relative.string());
+}
+
+bool isDefault(const KeyRow& row, const std::vector<KeyRow>& defaults) {
+  const auto same = [&](const KeyRow& other) { return other.table == row.table && other.key == row.key; };
+  const auto found = std::find_if(defaults.begin(), defaults.end(), same);
+  return found != defaults.end() && found->fallback == row.fallback;
+}
+
+/// The rows that say something, as lines.
+std::string linesOf(const std::vector<KeyRow>& rows, const std::vector<KeyRow>& defaults, const fs::path& folder) {
+  std::string lines;
+  for (const KeyRow& row : rows) {
+    if (row.fallback.empty() || isDefault(row, defaults)) continue;
+    const std::string value = row.takes == kTakesFile ? nearTo(folder, row.fallback) : row.fallback;
+    lines += fmt::format("{} = {}\n", row.key, value);
+  }
+  return lines;
+}
+
+std::vector<KeyRow> topRows(const Scene& scene) {
+  std::vector<KeyRow> rows;
+  for (const Key<Scene>& key : topKeys())
+    rows.push_back({"", key.name, key.takes, key.show(scene), key.meaning, key.form});
+  return rows;
+}
+
+}  // namespace
+
+std::string sceneAsToml(const Scene& scene, const fs::path& folder) {
+  std::string text = linesOf(topRows(scene), topRows({}), folder);
+  for (const Section& section : sections()) {
+    const bool repeats = section.title.starts_with("[[");
+    for (const std::vector<KeyRow>& rows : section.values(scene)) {
+      const std::string lines = linesOf(rows, section.describe(), folder);
+      if (repeats || !lines.empty()) text += fmt::format("\n{}\n{}", section.title, lines);
+    }
+  }
+  return text;
+}
+
+void save(const Scene& scene, const fs::path& file) {
+  OutputFile out(file);
+  out.write(sceneAsToml(scene, fs::absolute(file).parent_path()));
+  out.commit();
+}
+
+}  // namespace palpate::scene
