@@ -10,7 +10,7 @@
 
 #include "bench/allocation_count.h"
 #include "bench/workload_meshes.h"
-#include "palpate/deform/deformer.h"
+#include "palpate/deform/form_deformer.h"
 #include "palpate/mesh/reorder.h"
 
 namespace palpate::bench {
@@ -82,6 +82,15 @@ double bestOf(std::size_t places, double seconds, const Step& step) {
   return std::accumulate(best.begin(), best.begin() + static_cast<std::ptrdiff_t>(places), 0.0);
 }
 
+deform::FormSettings formsOf(const DeformRun& run) {
+  deform::FormSettings forms;
+  forms.common.strain = run.strain || run.principal;
+  if (run.recompute) forms.common.normals = deform::Normals::recomputed;
+  if (run.incremental) forms.common.normals = deform::Normals::incremental;
+  if (run.principal) forms.strain_kind = deform::StrainKind::principal;
+  return forms;
+}
+
 double copyFloor(std::size_t vertices, double seconds) {
   deform::FloatStreams streams(6, vertices, 0);
   const double best = bestOf(1, seconds, [&](std::size_t) {
@@ -100,24 +109,29 @@ DeformFigures measureDeform(const DeformRun& run) {
   mesh::reorderSpatially(mesh);
   const auto contacts = wanderingContacts(mesh, run);
   const deform::Skin skin = deform::buildSkin(mesh);
-  deform::Settings settings;
-  settings.strain = run.strain;
-  settings.normals = run.recompute ? deform::Normals::recomputed : deform::Normals::analytic;
-  deform::Deformer deformer(skin, settings);
+  const deform::FormSettings forms = formsOf(run);
+  std::optional<deform::Deformer> fast;
+  std::optional<deform::FormDeformer> general;
+  if (run.general || deform::needsForms(forms)) {
+    general.emplace(skin, forms);
+  } else {
+    fast.emplace(skin, forms.common);
+  }
   deform::DeformedSurface surface(skin);
 
+  const auto apply = [&](const deform::Contact& contact) {
+    return fast ? fast->apply({&contact, 1}, surface) : general->apply({&contact, 1}, surface);
+  };
   double moved = 0.0;
-  for (const deform::Contact& contact : contacts) moved += deformer.apply({&contact, 1}, surface).moved_vertices;
+  for (const deform::Contact& contact : contacts) moved += apply(contact).moved_vertices;
   const auto allocations_before = allocationsOfThisThread();
-  const double applied = bestOf(kPlaces, run.seconds, [&](std::size_t place) {
-    deformer.apply({&contacts[place], 1}, surface);
-  });
+  const double applied = bestOf(kPlaces, run.seconds, [&](std::size_t place) { apply(contacts[place]); });
   DeformFigures figures;
   if (allocations_before) figures.allocations = *allocationsOfThisThread() - *allocations_before;
 
   deform::RegionSearch search(skin);
   const double searched = bestOf(kPlaces, run.seconds / 2, [&](std::size_t place) {
-    const auto lanes = deform::lanesOf(deform::frameOf(contacts[place], settings.tissue), 0.0, Vec3::Zero());
+    const auto lanes = deform::lanesOf(deform::frameOf(contacts[place], forms.common.tissue), 0.0, Vec3::Zero());
     search.find(skin, lanes, skin.triangles[contacts[place].anchor_triangle]);
   });
   figures.triangles = mesh.triangles.size();

@@ -12,10 +12,13 @@ struct DeformRun {
   double half_major_mm = 60.0;      ///< of the normal and the tangential region
   double aspect = 0.8;              ///< minor/major
   double depth_mm = 8.0;
-  double drag_mm = 0.0;    ///< along x; 0 presses only
-  bool recompute = false;  ///< recomputed instead of analytic normals
+  double drag_mm = 0.0;      ///< along x; 0 presses only
+  bool recompute = false;    ///< recomputed instead of analytic normals
+  bool incremental = false;  ///< incremental normals (of the general deformer)
   bool strain = false;
-  double seconds = 1.0;  ///< how long to repeat
+  bool principal = false;  ///< principal strain (of the general deformer)
+  bool general = false;    ///< the general deformer even where the fast one would do
+  double seconds = 1.0;    ///< how long to repeat
 };
 
 struct DeformFigures {

@@ -55,7 +55,10 @@ void addBenchDeformCommand(CLI::App& parent) {
   number("--drag-mm", run.drag_mm, "Drag of the skin along x (mm); 0 presses only", 0.0, 100.0);
   number("--seconds", run.seconds, "How long to repeat (s); the best round counts", 0.0, 600.0);
   command.add_flag("--recompute-normals", run.recompute, "Recomputed instead of analytic normals");
+  command.add_flag("--incremental-normals", run.incremental, "Normals from the list of changed triangles");
   command.add_flag("--strain", run.strain, "Also write the strain");
+  command.add_flag("--principal-strain", run.principal, "Also write the principal strain");
+  command.add_flag("--general", run.general, "The deformer of every form, even where the fast one would do");
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.callback([arguments] {
     const auto figures = bench::measureDeform(arguments->run);

@@ -2,7 +2,7 @@
 //
 //   contacts ─ check, cap ─► frames ─ ring search ─► regions ─ couple ─► amplitudes ─ vertex by vertex ─► surface
 //
-// The general and slow one: scalar, in double, 20 to 60 times the time of Deformer's kernels (docs/deformation.md), and
+// The general and slow one: scalar, in double, some 20 times the time of Deformer's kernels (docs/deformation.md), and
 // still far below a frame for a fingertip. With default forms both give the same surface within 1e-4 mm.
 // Based on: Ji, dissertation 2008, chapter 4.
 #pragma once
