@@ -8,6 +8,7 @@ void drawColourBar(Canvas& canvas, const Rect& bar, ColourMap colours, const Ran
                    const std::vector<Tick>& ticks, const std::string& label) {
   constexpr int kSteps = 256;
   std::vector<std::uint32_t> pixels;
+  pixels.reserve(kSteps);
   for (int i = 0; i < kSteps; ++i) pixels.push_back(pixelOf(mapColour(colours, 1.0 - (i + 0.5) / kSteps)));
   canvas.image(bar, 1, kSteps, pixels);
   canvas.rectangle(bar, Pen{kInk, 0.8}, std::nullopt);

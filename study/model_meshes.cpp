@@ -21,6 +21,7 @@ mesh::TriangleMesh handModel() { return body::makeHand({.triangles = kHandTriang
 std::vector<Vec2> backOutline() {
   const body::Skin skin = backSkin(kBackTriangles);
   std::vector<Vec2> outline;
+  outline.reserve(skin.border);
   for (Index v = 0; v < skin.border; ++v) outline.emplace_back(skin.mesh.positions[v].head<2>());
   return outline;
 }

@@ -20,6 +20,7 @@ std::vector<maps::KeyPoint> table51Keys() {
 
 double naiveHalfMajor(const Vec2& place, double effect_radius_mm) {
   std::vector<double> levels;
+  levels.reserve(kTable51Y.size());
   for (const double y : kTable51Y) levels.push_back(maps::effectLevel((place - Vec2(0.0, y)).norm(), effect_radius_mm));
   const std::vector<double> values(levels.size(), kTable51HalfMajor);
   return maps::literalBlend(maps::LiteralWeights::single_effects, levels, values, kTable51Basic)

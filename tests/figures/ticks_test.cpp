@@ -11,6 +11,7 @@ namespace {
 
 std::vector<std::string> texts(const std::vector<Tick>& ticks) {
   std::vector<std::string> found;
+  found.reserve(ticks.size());
   for (const Tick& tick : ticks) found.push_back(tick.text);
   return found;
 }
