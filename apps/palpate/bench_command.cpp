@@ -7,12 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/palpate/commands.h"
+#include "apps/palpate/named_mesh.h"
 #include "bench/contact_run.h"
 #include "bench/heldout_meshes.h"
 #include "bench/workload_meshes.h"
 #include "bench/workload_paths.h"
-#include "palpate/base/error.h"
-#include "palpate/mesh/load.h"
 #include "palpate/mesh/save.h"
 
 namespace palpate::app {
@@ -26,17 +25,6 @@ struct ContactArguments {
   bench::Window window;
   bool json = false;
 };
-
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-/// A file, or the name of a benchmark mesh when no such file exists.
-mesh::TriangleMesh meshFrom(const std::string& name) {
-  if (std::filesystem::exists(name) || name.find('.') != std::string::npos) return mesh::load(name);
-  if (contains(bench::heldoutMeshNames(), name)) return bench::heldoutMesh(name);
-  return bench::workloadMesh(name);
-}
 
 device::Trajectory trajectoryFrom(const std::string& name) {
   if (std::filesystem::exists(name) || name.ends_with(".csv")) return device::readTrajectory(name);
@@ -111,7 +99,7 @@ void runContact(const ContactArguments& arguments) {
 void addContactCommand(CLI::App& parent) {
   auto arguments = std::make_shared<ContactArguments>();
   CLI::App& command = *parent.add_subcommand("contact", "Run one finger along a trajectory and report what it felt");
-  command.add_option("--mesh", arguments->mesh, "Mesh file (mm), or the name of a benchmark mesh")->required();
+  command.add_option("--mesh", arguments->mesh, kMeshNamesHelp)->required();
   command.add_option("--trajectory", arguments->trajectory, "CSV file t_s,x_mm,y_mm,z_mm, or a benchmark's name")
       ->required();
   const auto number = [&](const char* name, double& value, const char* help, double low) {
@@ -163,11 +151,12 @@ void printNames() {
 
 void addBenchCommand(CLI::App& app) {
   CLI::App& bench =
-      *app.add_subcommand("bench", "Measure the finger, the deformation and the pictures");
+      *app.add_subcommand("bench", "Measure the finger, the deformation, the partitions and the pictures");
   bench.require_subcommand(1);
   addContactCommand(bench);
   addBenchDeformCommand(bench);
   addBenchFrameCommand(bench);
+  addBenchPartitionCommand(bench);
   addWorkloadCommand(bench);
   bench.add_subcommand("list", "Name the benchmark meshes and trajectories")->callback(printNames);
 }

@@ -9,8 +9,10 @@ void addBenchCommand(CLI::App& app);
 // `parent` is the bench command.
 void addBenchDeformCommand(CLI::App& parent);
 void addBenchFrameCommand(CLI::App& parent);
+void addBenchPartitionCommand(CLI::App& parent);
 void addInfoCommand(CLI::App& app);
 void addModelCommand(CLI::App& app);
+void addPartitionCommand(CLI::App& app);
 void addSimulateCommand(CLI::App& app);
 void addRepairCommand(CLI::App& app);
 void addStudyCommand(CLI::App& app);

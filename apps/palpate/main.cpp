@@ -18,6 +18,7 @@ int run(int argc, char** argv) {
   palpate::app::addBenchCommand(app);
   palpate::app::addInfoCommand(app);
   palpate::app::addModelCommand(app);
+  palpate::app::addPartitionCommand(app);
   palpate::app::addSimulateCommand(app);
   palpate::app::addRepairCommand(app);
   palpate::app::addStudyCommand(app);
