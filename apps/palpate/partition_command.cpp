@@ -40,13 +40,13 @@ struct Arguments {
 };
 
 const Choices<LeafSearch>& traversals() {
-  static const Choices<LeafSearch> kTraversals = {{"tight", {}},
-                                                  {"sphere", {true, {}}},
-                                                  {"else-if", {false, LiteralTraversal::ElseIf}},
-                                                  {"half-space", {false, LiteralTraversal::HalfSpace}},
-                                                  {"cell-box", {false, LiteralTraversal::CellBox}},
-                                                  {"sphere-corners", {false, LiteralTraversal::SphereCorners}}};
-  return kTraversals;
+  static const Choices<LeafSearch> all = {{"tight", {}},
+                                          {"sphere", {true, {}}},
+                                          {"else-if", {false, LiteralTraversal::ElseIf}},
+                                          {"half-space", {false, LiteralTraversal::HalfSpace}},
+                                          {"cell-box", {false, LiteralTraversal::CellBox}},
+                                          {"sphere-corners", {false, LiteralTraversal::SphereCorners}}};
+  return all;
 }
 
 std::string nameOf(const LeafSearch& search) {

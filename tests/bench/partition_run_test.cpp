@@ -21,7 +21,7 @@ TEST(PartitionRun, MeasuresAFingerThatSlides) {
   EXPECT_LT(f.hybrid_refreshes, 100u);    // of 500 ticks
   EXPECT_GT(f.bytes_per_triangle, 52.0);  // an index and a box of six doubles at least
   EXPECT_LT(f.bytes_per_triangle, 130.0);
-  if (f.allocations) EXPECT_EQ(*f.allocations, 0u);
+  EXPECT_EQ(f.allocations.value_or(0), 0u);
   EXPECT_EQ(measurePartition(backMesh(8163), run).hash, f.hash);
 }
 
