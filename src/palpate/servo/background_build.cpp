@@ -1,11 +1,11 @@
-#include "palpate/partition/background_build.h"
+#include "palpate/servo/background_build.h"
 
 #include <exception>
 #include <utility>
 
 #include "palpate/base/error.h"
 
-namespace palpate::partition {
+namespace palpate::servo {
 
 namespace {
 
@@ -26,7 +26,8 @@ BackgroundBuild::~BackgroundBuild() {
   thread_.join();
 }
 
-std::uint64_t BackgroundBuild::request(std::shared_ptr<const mesh::TriangleMesh> mesh, const BuildSettings& settings) {
+std::uint64_t BackgroundBuild::request(std::shared_ptr<const mesh::TriangleMesh> mesh,
+                                       const partition::BuildSettings& settings) {
   std::optional<BuildResult> unwanted;  // freed after the lock
   const std::lock_guard lock(mutex_);
   const std::uint64_t number = latest_.load(std::memory_order_relaxed) + 1;
@@ -72,7 +73,7 @@ void BackgroundBuild::work() {
 }
 
 BuildResult BackgroundBuild::build(const Request& request) {
-  std::erase_if(handed_over_, [](const auto& partition) { return partition.use_count() == 1; });
+  std::erase_if(handed_over_, [](const auto& one) { return one.use_count() == 1; });
   BuildResult result;
   result.request = request.number;
   try {
@@ -82,8 +83,8 @@ BuildResult BackgroundBuild::build(const Request& request) {
     };
     report_or_stop({}, 0.0);
     if (!request.mesh) throw Error("partition: no mesh was given");
-    result.partition =
-        std::make_shared<const Partition>(buildPartition(*request.mesh, request.settings, report_or_stop));
+    result.partition = std::make_shared<const partition::Partition>(
+        partition::buildPartition(*request.mesh, request.settings, report_or_stop));
   } catch (const std::exception& error) {
     result.error = error.what();
   }
@@ -98,4 +99,4 @@ void BackgroundBuild::handOver(BuildResult result) {
   result_ = std::move(result);
 }
 
-}  // namespace palpate::partition
+}  // namespace palpate::servo

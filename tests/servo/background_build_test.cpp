@@ -1,12 +1,13 @@
-#include "palpate/partition/background_build.h"
+#include "palpate/servo/background_build.h"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 
-#include "partition/partition_judges.h"
+#include "palpate/base/random.h"
+#include "support/mesh_zoo.h"
 
-namespace palpate::partition {
+namespace palpate::servo {
 
 namespace {
 
@@ -94,7 +95,7 @@ TEST(BackgroundBuild, ReportsProgressWhileItBuilds) {
 TEST(BackgroundBuild, StopsSoonWhenItIsDestroyed) {
   const auto large = shared(zoo::hugeGrid(1000000));
   const auto begin = Clock::now();
-  buildPartition(*large, {.threshold = 16});
+  partition::buildPartition(*large, {.threshold = 16});
   const auto whole = Clock::now() - begin;
   const auto start = Clock::now();
   {
@@ -109,7 +110,7 @@ TEST(BackgroundBuild, KeepsWhatItHandedOverUntilTheNextBuild) {
   BackgroundBuild builder;
   builder.request(shared(zoo::sphere()), {});
   auto result = waitFor(builder);
-  const std::weak_ptr<const Partition> watched = result->partition;
+  const std::weak_ptr<const partition::Partition> watched = result->partition;
   result.reset();
   EXPECT_FALSE(watched.expired());
   builder.request(shared(zoo::cube()), {});
@@ -143,4 +144,4 @@ TEST(BackgroundBuild, ManyThreadsAskAndTakeAtOnce) {
   EXPECT_EQ(waitFor(builder)->request, last);
 }
 
-}  // namespace palpate::partition
+}  // namespace palpate::servo
