@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "palpate/base/text.h"
 #include "palpate/mesh/load.h"
@@ -104,6 +105,34 @@ TEST_F(Simulate, WritesSurfacesWithDisplacementAndStrain) {
     lowest = std::min(lowest, pressed.positions[v].z() - rest.positions[v].z());
   }
   EXPECT_LT(lowest, -3.0) << "the skin gives way under the finger";
+}
+
+// The same press in several forms: the forces are the same, the skin is not.
+TEST_F(Simulate, DeformsInTheFormsOfTheScene) {
+  const auto surface_with = [&](const std::string& lines) {
+    write("s.toml", lines + "\n[body]\nkind = \"mesh\"\nfile = \"dome.obj\"\n[output]\nsurfaces_at_s = [1.0]\n" +
+                        "[[finger]]\nname = \"a\"\ntrajectory = \"path.csv\"\n");
+    const CommandResult result = simulate("s.toml");
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return contentOf(folder_ / "results/surface_1.000s.ply");
+  };
+  write("mine.csv", "q,value\n0,1\n0.3,0.8\n1,0\n");
+  std::set<std::string> surfaces{surface_with("")};
+  surfaces.insert(surface_with("[deformation]\nprofile = \"sharp\""));
+  surfaces.insert(surface_with("[deformation]\nprofile = \"user\"\nprofile_file = \"mine.csv\""));
+  surfaces.insert(surface_with("[deformation]\nregion = \"shared\""));
+  surfaces.insert(surface_with("[strain]\nkind = \"principal\""));
+  surfaces.insert(surface_with("fidelity.E18 = \"literal\""));
+  surfaces.insert(surface_with("fidelity = \"literal\""));
+  EXPECT_EQ(surfaces.size(), 7u);
+}
+
+TEST_F(Simulate, NamesTheLineOfAFaultyProfile) {
+  write("mine.csv", "q,value\n0,1\n0.3,0.8\n0.2,0.7\n1,0\n");
+  write("s.toml",
+        "[deformation]\nprofile = \"user\"\nprofile_file = \"mine.csv\"\n"
+        "[[finger]]\nname = \"a\"\ntrajectory = \"path.csv\"\n");
+  EXPECT_NE(errorOf("s.toml").find("mine.csv:4: q must ascend: 0.2 after 0.3"), std::string::npos);
 }
 
 TEST_F(Simulate, GivesTheSameForcesTwice) {
