@@ -127,6 +127,18 @@ TEST(LiteralOctree, PutsTrianglesWhereTheGoldenFileSays) {
   }
 }
 
+TEST(LiteralOctree, HasTheNodesOfTheMajorityTree) {
+  std::vector<zoo::Specimen> meshes = test::buildableZoo();
+  meshes.push_back({"golden back", test::goldenBack()});
+  for (const zoo::Specimen& specimen : meshes) {
+    SCOPED_TRACE(specimen.name);
+    const LiteralOctree literal = buildLiteralOctree(specimen.mesh, {.threshold = 4});
+    const Partition majority = buildPartition(specimen.mesh, {.threshold = 4});
+    EXPECT_EQ(literal.partition.tree_node_count, majority.tree_node_count);
+    EXPECT_EQ(literal.partition.leaves.size(), majority.leaves.size());
+  }
+}
+
 TEST(LiteralOctree, HandlesEveryMesh) {
   for (const zoo::Specimen& specimen : test::buildableZoo()) {
     SCOPED_TRACE(specimen.name);

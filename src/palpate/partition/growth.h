@@ -47,6 +47,10 @@ struct Growth {
   WorkDone work_done;
 };
 
+/// The middle one of the three x, of the three y, and of the three z: by it case C decides, because it lies on the side
+/// of a plane on which two vertices lie.
+Vec3 middlePoint(const mesh::TriangleMesh& mesh, Index triangle);
+
 inline int mostLevels(TreeKind tree) { return tree == TreeKind::Bsp ? kMostBspLevels : kMostOctreeLevels; }
 
 /// A tree of one node, the whole space, that wants to grow. Throws Error as buildPartition does.

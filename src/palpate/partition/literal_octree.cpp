@@ -24,7 +24,8 @@ class LiteralGrowth {
       : growth_(growth), mesh_(mesh), share_(1.0 / static_cast<double>(mesh.triangles.size())) {}
 
   void grow(Index node, const std::vector<Traveller>& travellers) {
-    if (travellers.size() <= growth_.most_in_leaf || growth_.nodes[node].level >= kMostOctreeLevels) {
+    const bool small = travellers.size() <= growth_.most_in_leaf;
+    if (small || growth_.nodes[node].level >= kMostOctreeLevels || allEqual(travellers)) {
       fillLeaf(node, travellers);
       return;
     }
@@ -38,6 +39,15 @@ class LiteralGrowth {
   }
 
  private:
+  /// As the majority rule: nothing can tell coincident triangles apart (E7).
+  bool allEqual(const std::vector<Traveller>& travellers) const {
+    const Vec3 first = middlePoint(mesh_, travellers.front().triangle);
+    for (const Traveller& traveller : travellers) {
+      if (middlePoint(mesh_, traveller.triangle) != first) return false;
+    }
+    return true;
+  }
+
   Piece cornersOf(Index triangle) const {
     const auto [a, b, c] = mesh_.triangles[triangle];
     return {mesh_.positions[a], mesh_.positions[b], mesh_.positions[c]};

@@ -12,18 +12,10 @@ namespace palpate::partition {
 
 namespace {
 
-double middleOf(double a, double b, double c) { return std::max(std::min(a, b), std::min(std::max(a, b), c)); }
-
 std::vector<Item> middlePoints(const mesh::TriangleMesh& mesh) {
   std::vector<Item> items;
   items.reserve(mesh.triangles.size());
-  for (Index t = 0; t < mesh.triangles.size(); ++t) {
-    const Vec3& a = mesh.positions[mesh.triangles[t][0]];
-    const Vec3& b = mesh.positions[mesh.triangles[t][1]];
-    const Vec3& c = mesh.positions[mesh.triangles[t][2]];
-    const Vec3 middle(middleOf(a.x(), b.x(), c.x()), middleOf(a.y(), b.y(), c.y()), middleOf(a.z(), b.z(), c.z()));
-    items.push_back({middle, t, 0});
-  }
+  for (Index t = 0; t < mesh.triangles.size(); ++t) items.push_back({middlePoint(mesh, t), t, 0});
   return items;
 }
 
