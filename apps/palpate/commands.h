@@ -11,6 +11,7 @@ void addBenchDeformCommand(CLI::App& parent);
 void addBenchFrameCommand(CLI::App& parent);
 void addBenchPartitionCommand(CLI::App& parent);
 void addInfoCommand(CLI::App& app);
+void addMapCommand(CLI::App& app);
 void addModelCommand(CLI::App& app);
 void addPartitionCommand(CLI::App& app);
 void addSimulateCommand(CLI::App& app);

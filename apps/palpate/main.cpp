@@ -17,6 +17,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   palpate::app::addBenchCommand(app);
   palpate::app::addInfoCommand(app);
+  palpate::app::addMapCommand(app);
   palpate::app::addModelCommand(app);
   palpate::app::addPartitionCommand(app);
   palpate::app::addSimulateCommand(app);
