@@ -16,7 +16,7 @@ struct MapOutput {
 };
 
 /// Of the shown quantity: as asked for, else that of the vertices; for a diverging map both ends equally far from its
-/// middle.
+/// middle, at most from 0 to twice of it.
 std::pair<double, double> shownRange(const SkinMap& map);
 
 /// Throws Error for another extension and for a file that cannot be written.

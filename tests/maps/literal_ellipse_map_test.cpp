@@ -168,6 +168,7 @@ TEST(LiteralEllipseMap, PrintedProductsLeaveNoEllipseOnTheKeysButTheFirst) {
   EXPECT_GT(map.at(keys[0].position_mm.x(), keys[0].position_mm.y()).half_major_mm, 179.0);
   for (std::size_t i = 1; i < keys.size(); ++i) {
     EXPECT_EQ(map.at(keys[i].position_mm.x(), keys[i].position_mm.y()).half_major_mm, 0.0) << keys[i].name;
+    EXPECT_LT(map.at(keys[i].position_mm.x() + 1.0, keys[i].position_mm.y()).half_major_mm, 1.0) << keys[i].name;
   }
 }
 

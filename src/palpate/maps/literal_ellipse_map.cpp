@@ -17,10 +17,10 @@ constexpr double kBasicDirectionDeg = 90.0;
 /// In (0, 180]: Appendix C writes a level axis as 180 degree.
 double printedDegree(double direction_rad) { return direction_rad == 0.0 ? 180.0 : direction_rad / kRadPerDeg; }
 
-/// Weights that do not sum to 1 may leave no ellipse (0 or less): an empty one; or a ratio below 1: the axes swap.
+/// Weights that do not sum to 1 may leave no ellipse (0 or less): an empty one.
 Ellipse ellipseOfNumbers(double half_major_mm, double ratio, double direction_rad) {
   if (!(half_major_mm > 0.0) || !(ratio > 0.0)) return {};
-  return canonicalEllipse(half_major_mm, half_major_mm / ratio, direction_rad);
+  return {half_major_mm, 1.0 / ratio, canonicalEllipse(1.0, 1.0, direction_rad).direction_rad};
 }
 
 }  // namespace

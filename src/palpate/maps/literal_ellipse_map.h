@@ -51,7 +51,8 @@ class LiteralEllipseMap {
       : LiteralEllipseMap(keys, settings, literalForms(fidelity)) {}
 
   /// The ellipse at a place of the map plane. Never NaN: where the printed formula has no value it is the basic circle.
-  /// The printed products give an empty ellipse at every key point but the first. The aspect is above 1 with E15.
+  /// The printed products give an empty ellipse at every key point but the first, and near them ratios below 1. The
+  /// aspect is above 1 there and with E15: the other axis is the longer one.
   /// O(n), with product weights O(n^2); no allocation.
   Ellipse at(double x_mm, double y_mm) const noexcept;
 
