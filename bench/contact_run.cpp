@@ -1,10 +1,9 @@
 #include "bench/contact_run.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
-#include "bench/allocation_count.h"
+#include "bench/timed_run.h"
 #include "palpate/base/error.h"
 #include "palpate/base/hash.h"
 #include "palpate/mesh/repair.h"
@@ -18,20 +17,6 @@ constexpr double kTeleportMm = 5.0;
 /// Ratios Ft / Fn are only read above this force: below it they are rounding
 /// over rounding.
 constexpr double kLeastNormalForceN = 1e-3;
-
-using Clock = std::chrono::steady_clock;
-
-double microseconds(Clock::duration d) { return std::chrono::duration<double, std::micro>(d).count(); }
-
-/// What two readings of the clock cost when nothing is between them.
-double emptyTimer_us() {
-  std::vector<double> samples(2000);
-  for (double& sample : samples) {
-    const Clock::time_point start = Clock::now();
-    sample = microseconds(Clock::now() - start);
-  }
-  return percentilesOf(std::move(samples)).p50;
-}
 
 bool inContact(const contact::FingerOutput& output) { return output.touch != contact::Touch::free; }
 
@@ -134,19 +119,8 @@ std::vector<Vec3> scaledTips(const device::Trajectory& ticks, double scale) {
 
 FingerRun runFinger(const contact::Surface& surface, const contact::FingerSettings& settings,
                     std::span<const Vec3> tips) {
-  const double empty_us = emptyTimer_us();
-  FingerRun run;
-  run.outputs.resize(tips.size());
-  run.tick_us.resize(tips.size());
   contact::FingerState state;
-  const std::optional<std::uint64_t> allocations = allocationsOfThisThread();
-  for (std::size_t k = 0; k < tips.size(); ++k) {
-    const Clock::time_point start = Clock::now();
-    run.outputs[k] = contact::step(surface, settings, state, tips[k]);
-    run.tick_us[k] = std::max(0.0, microseconds(Clock::now() - start) - empty_us);
-  }
-  if (allocations) run.allocations = *allocationsOfThisThread() - *allocations;
-  return run;
+  return timedRun(tips, [&](const Vec3& tip) { return contact::step(surface, settings, state, tip); });
 }
 
 ContactFigures figuresOf(ContactWorld& world, const FingerRun& run, const contact::FingerSettings& real,

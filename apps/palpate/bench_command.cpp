@@ -9,6 +9,7 @@
 #include "apps/palpate/commands.h"
 #include "apps/palpate/named_mesh.h"
 #include "bench/contact_run.h"
+#include "bench/hdb_run.h"
 #include "bench/heldout_meshes.h"
 #include "bench/workload_meshes.h"
 #include "bench/workload_paths.h"
@@ -17,12 +18,29 @@
 namespace palpate::app {
 namespace {
 
+using Words = std::vector<std::string>;
+// Each in the order of its enumerators.
+const Words kSources = {"surface", "hdb"};
+const Words kTrees = {"bsp", "octree"};
+const Words kAssignments = {"A", "B", "C"};
+const Words kQueries = {"leaves", "triangles", "coherent"};
+const Words kTraversals = {"tight", "else-if", "half-space", "cell-box", "sphere-corners"};
+
+/// For --source hdb.
+struct HdbArguments {
+  std::string source = "surface", tree = "octree", assign = "C", query = "leaves", traversal = "tight";
+  Index threshold = 1024;
+  double edge_mm = 0.0;
+  std::uint32_t refresh_ticks = 1;
+};
+
 struct ContactArguments {
   std::string mesh, trajectory;
   double scale = 1.0;
   double stiffness_n_per_mm = 0.5;
   contact::FingerSettings finger;
   bench::Window window;
+  HdbArguments hdb;
   bool json = false;
 };
 
@@ -88,12 +106,67 @@ std::string textOf(const bench::ContactFigures& f) {
   return text + fmt::format("hash                     {:016x}\n", f.hash);
 }
 
+/// `word` is one of `words`.
+int placeOf(const std::string& word, const Words& words) {
+  return static_cast<int>(std::find(words.begin(), words.end(), word) - words.begin());
+}
+
+bench::HdbRunSettings settingsOf(const HdbArguments& arguments) {
+  bench::HdbRunSettings settings;
+  settings.build.tree = static_cast<partition::TreeKind>(placeOf(arguments.tree, kTrees));
+  settings.build.assignment = static_cast<partition::Assignment>(placeOf(arguments.assign, kAssignments));
+  settings.build.threshold = arguments.threshold;
+  settings.edge_mm = arguments.edge_mm;
+  settings.hdb.query = static_cast<contact::HdbQuery>(placeOf(arguments.query, kQueries));
+  const int traversal = placeOf(arguments.traversal, kTraversals);
+  if (traversal > 0) settings.hdb.literal = static_cast<partition::LiteralTraversal>(traversal - 1);
+  settings.hdb.ticks_per_refresh = arguments.refresh_ticks;
+  return settings;
+}
+
+void runHdb(const ContactArguments& arguments) {
+  if (arguments.scale != 1.0 || arguments.finger.radius_mm != 0.0 || arguments.finger.force_shading) {
+    throw Error("--source hdb touches with a point, without scale and shading");
+  }
+  bench::ContactWorld world = bench::buildContactWorld(meshFrom(arguments.mesh), 1.0, arguments.stiffness_n_per_mm);
+  const bench::HdbFigures figures = bench::measureHdb(world, trajectoryFrom(arguments.trajectory), arguments.finger,
+                                                      settingsOf(arguments.hdb), arguments.window);
+  nlohmann::ordered_json json = jsonOf(figures.contact);
+  json["hdb"] = {{"edge_mm", figures.edge_mm},
+                 {"leaves", figures.leaves},
+                 {"most_listed", figures.most_listed},
+                 {"queries", figures.queries}};
+  const std::string text =
+      textOf(figures.contact) + fmt::format(
+                                    "detecting box            {:.1f} mm; {} leaves, at most {} triangles listed, {} "
+                                    "queries\n",
+                                    figures.edge_mm, figures.leaves, figures.most_listed, figures.queries);
+  fmt::print("{}", arguments.json ? json.dump(2) + "\n" : text);
+}
+
 void runContact(const ContactArguments& arguments) {
+  if (arguments.hdb.source == "hdb") return runHdb(arguments);
   bench::ContactWorld world =
       bench::buildContactWorld(meshFrom(arguments.mesh), arguments.scale, arguments.stiffness_n_per_mm);
   const bench::ContactFigures figures =
       bench::measureContact(world, trajectoryFrom(arguments.trajectory), arguments.finger, arguments.window);
   fmt::print("{}", arguments.json ? jsonOf(figures).dump(2) + "\n" : textOf(figures));
+}
+
+void addHdbOptions(CLI::App& command, HdbArguments& hdb) {
+  const auto choice = [&](const char* name, std::string& value, const Words& words, const char* help) {
+    command.add_option(name, value, help)->check(CLI::IsMember(words))->capture_default_str();
+  };
+  choice("--source", hdb.source, kSources, "What is touched: the whole surface, or what the detecting box (HDB) finds");
+  choice("--tree", hdb.tree, kTrees, "HDB: how space is divided");
+  choice("--assign", hdb.assign, kAssignments, "HDB: a triangle across a plane is cut, goes to both sides or to one");
+  choice("--query", hdb.query, kQueries, "HDB: what the box gives");
+  choice("--traversal", hdb.traversal, kTraversals, "HDB: how leaves are found; all but the first as printed");
+  command.add_option("--threshold", hdb.threshold, "HDB: triangles in a leaf")->capture_default_str();
+  command.add_option("--hdb-edge-mm", hdb.edge_mm, "HDB: edge of the box; 0 is a quarter of the longest edge")
+      ->capture_default_str();
+  command.add_option("--refresh-ticks", hdb.refresh_ticks, "HDB: the box follows the proxy every so many ticks")
+      ->capture_default_str();
 }
 
 void addContactCommand(CLI::App& parent) {
@@ -114,6 +187,7 @@ void addContactCommand(CLI::App& parent) {
   command.add_option("--from", arguments->window.from_s, "Measure ticks from this time on (s); falls always whole run");
   command.add_option("--to", arguments->window.until_s, "Measure ticks before this time (s)");
   command.add_flag("--force-shading", arguments->finger.force_shading, "Smooth the force across triangles");
+  addHdbOptions(command, arguments->hdb);
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.callback([arguments] { runContact(*arguments); });
 }

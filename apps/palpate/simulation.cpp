@@ -5,6 +5,7 @@
 #include "apps/palpate/realtime_run.h"
 #include "apps/palpate/run_recorder.h"
 #include "palpate/base/error.h"
+#include "palpate/scene/hdb_source.h"
 #include "palpate/servo/scripted_rig.h"
 
 namespace palpate::app {
@@ -83,6 +84,7 @@ SimulationResult simulate(const scene::Scene& scene, const std::filesystem::path
   result.hash = recorder.statistics().hash();
   append(result.files, recorder.files());
   append(result.notes, world.notes);
+  if (world.hdb) result.notes.push_back(scene::describe(*world.hdb));
   append(result.notes, recorder.notes());
   noteUntouched(world, recorder.statistics(), result.notes);
   return result;

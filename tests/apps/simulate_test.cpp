@@ -86,6 +86,45 @@ TEST_F(Simulate, FindsItsOwnWayOverAnyMeshAndSavesIt) {
   EXPECT_NEAR(report("again")["fingers"][0]["force_n"]["peak"], report("own")["fingers"][0]["force_n"]["peak"], 1e-4);
 }
 
+TEST_F(Simulate, TouchesThroughTheDetectingBoxAsThroughTheWholeSkin) {
+  const std::string finger = "[[finger]]\nname = \"a\"\ntrajectory = \"path.csv\"\n";
+  const std::string body = "[body]\nkind = \"mesh\"\nfile = \"dome.obj\"\n";
+  write("whole.toml", body + finger);
+  write("hdb.toml", body + "[contact]\nsource = \"hdb\"\n[partition]\ntree = \"bsp\"\nthreshold = 50\n" + finger);
+  ASSERT_EQ(simulate("whole.toml --out whole").exit_code, 0);
+  ASSERT_EQ(simulate("hdb.toml --out hdb").exit_code, 0);
+  ASSERT_EQ(simulate("hdb.toml --out hdb_again").exit_code, 0);
+  ASSERT_EQ(simulate("hdb.toml --out hdb_paced --realtime").exit_code, 0);
+  EXPECT_NE(report("hdb")["notes"].dump().find("touched through a detecting box of 50 mm: BSP tree of"),
+            std::string::npos);
+  EXPECT_EQ(report("hdb")["hash"], report("hdb_again")["hash"]);
+  for (const char* out : {"hdb", "hdb_paced"}) {
+    EXPECT_NEAR(report(out)["fingers"][0]["force_n"]["peak"], report("whole")["fingers"][0]["force_n"]["peak"], 0.02);
+  }
+}
+
+TEST_F(Simulate, RunsTheDissertationsContactAndRefusesItASphere) {
+  const std::string scene = std::string(PALPATE_SOURCE_DIR) + "/scenes/dissertation_contact.toml";
+  ASSERT_EQ(simulate(scene).exit_code, 0);
+  EXPECT_GT(report()["fingers"][0]["touching_share"], 0.7);
+  EXPECT_EQ(errorOf(scene + " --radius-mm 8"),
+            "palpate: contact source \"hdb\" touches with a point: finger 'index' must have radius_mm = 0, not 8\n");
+}
+
+TEST_F(Simulate, AStiffeningSkinPushesHarderDeepDown) {
+  const std::string rest =
+      "[body]\nkind = \"mesh\"\nfile = \"dome.obj\"\n[[finger]]\nname = \"a\"\ntrajectory = \"path.csv\"\n";
+  write("linear.toml", rest);
+  write("stiffening.toml", "[tissue]\nforce_law = \"stiffening\"\n" + rest);
+  write("table.toml", "[tissue]\nforce_law = \"table\"\nforce_table = \"law.csv\"\n" + rest);
+  write("law.csv", "depth_mm,force_n\n3,1\n2,4\n");
+  ASSERT_EQ(simulate("linear.toml --out linear").exit_code, 0);
+  ASSERT_EQ(simulate("stiffening.toml --out stiffening").exit_code, 0);
+  const auto peak = [&](const std::string& out) { return double(report(out)["fingers"][0]["force_n"]["peak"]); };
+  EXPECT_GT(peak("stiffening"), 1.5 * peak("linear"));
+  EXPECT_NE(errorOf("table.toml").find("law.csv:3: depth_mm must increase, but 2 follows 3"), std::string::npos);
+}
+
 TEST_F(Simulate, WritesSurfacesWithDisplacementAndStrain) {
   write("s.toml",
         "[body]\nkind = \"mesh\"\nfile = \"dome.obj\"\n[output]\nsurfaces_at_s = [0, 1.0, 9]\nforces = false\n"

@@ -92,6 +92,31 @@ TEST(SceneFile, AForceTableAndItsLawNeedEachOther) {
             "s.toml:1: [tissue] has a force_table but its force_law is not \"table\"");
 }
 
+TEST(SceneFile, ReadsTheDetectingBoxAsContactSource) {
+  EXPECT_EQ(parse(kFinger, "s.toml").contact.source, ContactSource::surface);
+  const Scene scene = parse(R"(
+[contact]
+source = "hdb"
+[partition]
+tree = "bsp"
+assign = "A"
+threshold = 200
+hdb_edge_mm = 80
+query = "coherent"
+traversal = "half-space"
+refresh_s = 0.03
+)" + kFinger,
+                            "s.toml");
+  EXPECT_EQ(scene.contact.source, ContactSource::hdb);
+  EXPECT_EQ(scene.partition.tree, partition::TreeKind::Bsp);
+  EXPECT_EQ(scene.partition.assign, partition::Assignment::Cut);
+  EXPECT_EQ(scene.partition.threshold, 200u);
+  EXPECT_EQ(scene.partition.hdb_edge_mm, 80.0);
+  EXPECT_EQ(scene.partition.query, contact::HdbQuery::coherent);
+  EXPECT_EQ(scene.partition.traversal, Traversal::half_space);
+  EXPECT_EQ(scene.partition.refresh_s, 0.03);
+}
+
 TEST(SceneFile, SuggestsTheNearestKey) {
   EXPECT_EQ(messageFor("[friction]\nstatik = 0.5\n" + kFinger),
             "s.toml:2: unknown key 'statik' in [friction]; did you mean 'static'?");

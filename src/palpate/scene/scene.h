@@ -9,6 +9,7 @@
 #include "palpate/base/fidelity.h"
 #include "palpate/base/vec.h"
 #include "palpate/body/torso.h"
+#include "palpate/contact/hdb_settings.h"
 #include "palpate/maps/ellipse_map.h"
 #include "palpate/maps/measured_stiffness.h"
 #include "palpate/maps/stiffness_map.h"
@@ -59,10 +60,32 @@ struct FrictionSettings {
   double stiffness_ratio = 1.0;  ///< k_t / k_n
 };
 
+/// What a finger collides with. The order is that of the scene file's words.
+enum class ContactSource : std::uint8_t {
+  surface,  ///< the whole skin, by walking on it
+  hdb       ///< the triangles that the haptic detecting box found: the dissertation's haptic process
+};
+
 struct ContactSettings {
+  ContactSource source = ContactSource::surface;
   double max_depth_mm = 40.0;
   double catch_up_mm_per_s = 100.0;
   bool force_shading = false;
+};
+
+/// How the leaves around the proxy are found: exactly, or as printed. The order is that of the scene file's words.
+enum class Traversal : std::uint8_t { corrected, else_if, half_space, cell_box, sphere_corners };
+
+/// For the contact source "hdb".
+struct PartitionSettings {
+  partition::TreeKind tree = partition::TreeKind::Octree;
+  partition::Assignment assign = partition::Assignment::Majority;
+  std::size_t threshold = 1024;
+  double hdb_fraction = 0.25;  ///< edge of the box over the longest edge of the body
+  double hdb_edge_mm = 0.0;    ///< edge of the box; 0: by the fraction
+  contact::HdbQuery query = contact::HdbQuery::leaves;
+  Traversal traversal = Traversal::corrected;
+  double refresh_s = 0.0;  ///< the box stays where it is for this long; 0: a tick
 };
 
 struct TissueSettings {
@@ -117,6 +140,7 @@ struct Scene {
   EllipseSettings ellipses;
   FrictionSettings friction;
   ContactSettings contact;
+  PartitionSettings partition;
   TissueSettings tissue;
   DeformationSettings deformation;
   StrainSettings strain;

@@ -196,6 +196,9 @@ Section frictionSection() {
 Section contactSection() {
   using S = ContactSettings;
   std::vector<Key<S>> keys = {
+      choice<S, ContactSource>("source", &S::source, {"surface", "hdb"},
+                               "What a finger collides with: the whole skin, or only the triangles near the proxy that "
+                               "the [partition] gives, as in the dissertation (docs/contact.md)."),
       number<S>("max_depth_mm", &S::max_depth_mm, above(0, kLongestMm),
                 "A finger deeper than this looks for a nearer piece of skin; the force grows no further."),
       number<S>(
@@ -204,6 +207,30 @@ Section contactSection() {
       flag<S>("force_shading", &S::force_shading, "Smooth the force over coarse triangles."),
   };
   return section<S>("contact", "How the finger meets the surface.", &Scene::contact, std::move(keys));
+}
+
+Section partitionSection() {
+  using S = PartitionSettings;
+  std::vector<Key<S>> keys = {
+      choice<S, partition::TreeKind>("tree", &S::tree, {"bsp", "octree"}, "How space is divided."),
+      choice<S, partition::Assignment>(
+          "assign", &S::assign, {"A", "B", "C"},
+          "A triangle across a plane is cut (A), goes to both sides (B) or to the side with most of it (C)."),
+      count<S>("threshold", &S::threshold, 1, 100'000'000, "A leaf holds at most so many triangles."),
+      number<S>("hdb_fraction", &S::hdb_fraction, above(0, 100),
+                "Edge of the haptic detecting box as a share of the longest edge of the body."),
+      number<S>("hdb_edge_mm", &S::hdb_edge_mm, between(0, kLongestMm), "Edge of that box; 0 is by hdb_fraction."),
+      choice<S, contact::HdbQuery>("query", &S::query, {"leaves", "triangles", "coherent"},
+                                   "What may be touched: all triangles of the leaves that the box meets, those that it "
+                                   "meets itself, or a list of these that is made anew only when the box leaves it."),
+      choice<S, Traversal>("traversal", &S::traversal, {"tight", "else-if", "half-space", "cell-box", "sphere-corners"},
+                           "How the leaves are found: all of them, or as printed, with its gaps; where it says "
+                           "\"tight\", fidelity may still ask for a printed one (E4, E5, E10)."),
+      number<S>("refresh_s", &S::refresh_s, between(0, 60),
+                "The box follows the proxy every so many seconds; 0 is every tick."),
+  };
+  return section<S>("partition", "Where a finger of the contact source \"hdb\" finds its triangles.", &Scene::partition,
+                    std::move(keys));
 }
 
 Section tissueSection() {
@@ -400,9 +427,9 @@ const std::vector<Key<Scene>>& topKeys() {
 
 const std::vector<Section>& sections() {
   static const std::vector<Section> all = {
-      bodySection(),     stiffnessSection(), dysfunctionSection(), ellipsesSection(),
-      frictionSection(), contactSection(),   tissueSection(),      deformationSection(),
-      strainSection(),   outputSection(),    safetySection(),      fingerSection(),
+      bodySection(),    stiffnessSection(), dysfunctionSection(), ellipsesSection(),    frictionSection(),
+      contactSection(), partitionSection(), tissueSection(),      deformationSection(), strainSection(),
+      outputSection(),  safetySection(),    fingerSection(),
   };
   return all;
 }

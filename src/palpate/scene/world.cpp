@@ -6,6 +6,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/scene/body_parts.h"
+#include "palpate/scene/hdb_source.h"
 #include "palpate/tissue/force_table.h"
 
 namespace palpate::scene {
@@ -88,6 +89,8 @@ std::shared_ptr<const World> withBody(const Scene& scene, BodyParts body, deform
   maps::applyDysfunctions(body.skin.positions, scene.dysfunctions, stiffness);
   report(progress, "building the contact surface", 0.0);
   contact::Surface surface = contact::buildSurface(body.skin, stiffness, {forceLaw(scene), body.self_intersecting});
+  std::shared_ptr<const contact::HdbSurface> hdb;
+  if (scene.contact.source == ContactSource::hdb) hdb = buildHdbSource(scene, body.skin, surface, progress);
   report(progress, "preparing the deformation", 0.0);
   deform::Skin deformable = deform::buildSkin(body.skin);
   maps::AnyEllipseMap ellipses(keys, ellipseMapSettings(scene, body.skin), literalMapForms(scene));
@@ -95,12 +98,13 @@ std::shared_ptr<const World> withBody(const Scene& scene, BodyParts body, deform
   return std::make_shared<const World>(World{scene, std::move(body.name), std::move(body.skin), body.closed,
                                              std::move(stiffness), std::move(surface), std::move(deformable),
                                              std::move(ellipses), std::move(forms), std::move(contours),
-                                             std::move(body.anatomy), std::move(body.notes)});
+                                             std::move(body.anatomy), std::move(body.notes), std::move(hdb)});
 }
 
 }  // namespace
 
 std::shared_ptr<const World> build(const Scene& scene, const Progress& progress) {
+  checkContactSource(scene);
   deform::FormSettings forms = formsOf(scene);  // first: a fault in its files should not wait for the body
   return withBody(scene, makeBody(scene.body, progress), std::move(forms), progress);
 }

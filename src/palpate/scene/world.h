@@ -11,6 +11,7 @@
 
 #include "palpate/base/progress.h"
 #include "palpate/contact/finger.h"
+#include "palpate/contact/hdb_candidates.h"
 #include "palpate/deform/skin.h"
 #include "palpate/maps/any_ellipse_map.h"
 #include "palpate/scene/scene.h"
@@ -37,7 +38,8 @@ struct World {
   deform::FormSettings deformation;               ///< complete: files read, fidelity filled in
   std::optional<maps::PolarContourMap> contours;  ///< for the shape "contour"
   Anatomy anatomy;
-  std::vector<std::string> notes;  ///< what the user should know: repairs, a doubtful unit
+  std::vector<std::string> notes;                  ///< what the user should know: repairs, a doubtful unit
+  std::shared_ptr<const contact::HdbSurface> hdb;  ///< for the contact source "hdb", otherwise null
 };
 
 /// Loads or makes the body, mends and orders it, and builds what the run needs. Throws Error: a file that cannot be

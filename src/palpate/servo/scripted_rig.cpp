@@ -28,6 +28,7 @@ Rig scriptedRig(const scene::World& world, const device::FingerPaths& paths) {
     chain.device = device::scriptedDevice(finger.name, paths.tips[i]);
     rig.fingers.push_back(std::move(chain));
   }
+  if (world.hdb) rig.hdb = makeHdbFingers(world.hdb, rig.fingers.size());
   return rig;
 }
 

@@ -3,11 +3,13 @@
 // The paced loop and the headless one both call this, so what a script feels is what a hand feels.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "palpate/contact/finger.h"
 #include "palpate/device/device.h"
+#include "palpate/servo/hdb_fingers.h"
 #include "palpate/servo/limiter.h"
 #include "palpate/trace/sample.h"
 
@@ -19,6 +21,7 @@ struct FingerChain {
   LimiterSettings limiter_settings;
   device::Device device;
   contact::FingerState contact;
+  contact::HdbFingerState hdb;  ///< in place of `contact` where the rig has HDB fingers
   LimiterState limiter;
 };
 
@@ -27,6 +30,10 @@ struct Rig {
   const contact::Surface* surface = nullptr;
   double tick_s = 0.001;
   std::vector<FingerChain> fingers;
+  /// Contact against the triangles of the detecting box only; null: against the whole surface.
+  std::unique_ptr<HdbFingers> hdb;
+  /// Where rebuilt partitions come from while the loop runs; may be null. Must outlive the loop.
+  Handover<HdbFingers>* new_hdb = nullptr;
 };
 
 /// What happened to the loop before this tick.

@@ -1,0 +1,52 @@
+#include "bench/hdb_run.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "bench/timed_run.h"
+#include "palpate/contact/hdb_finger.h"
+
+namespace palpate::bench {
+
+namespace {
+
+/// The repaired mesh from which a surface was built.
+mesh::TriangleMesh meshOf(const contact::Surface& surface) {
+  mesh::TriangleMesh mesh;
+  mesh.positions.assign(surface.vertex_normals.size(), Vec3::Zero());
+  mesh.triangles.resize(surface.tree.records.size());
+  for (std::size_t r = 0; r < surface.tree.records.size(); ++r) {
+    const partition::TriangleRecord& record = surface.tree.records[r];
+    mesh.triangles[surface.tree.source_triangle[r]] = record.vertices;
+    for (int corner = 0; corner < 3; ++corner) mesh.positions[record.vertices[corner]] = record.corners[corner];
+  }
+  return mesh;
+}
+
+}  // namespace
+
+HdbFigures measureHdb(ContactWorld& world, const device::Trajectory& trajectory, const contact::FingerSettings& finger,
+                      const HdbRunSettings& settings, const Window& window) {
+  contact::check(finger);
+  auto partition =
+      std::make_shared<const partition::Partition>(partition::buildPartition(meshOf(world.surface), settings.build));
+  contact::HdbSettings hdb = settings.hdb;
+  hdb.edges_mm = settings.edge_mm > 0.0 ? Vec3::Constant(settings.edge_mm) : partition::hdbEdges(partition->bounds);
+  HdbFigures figures;
+  figures.leaves = partition->leaves.size();
+  figures.edge_mm = hdb.edges_mm.x();
+  contact::HdbCandidates candidates(contact::makeHdbSurface(world.surface, std::move(partition), hdb));
+  contact::HdbFingerState state;
+  const device::Trajectory ticks = device::resampled(trajectory, finger.tick_s);
+  const FingerRun run = timedRun(std::span(ticks.tip_mm), [&](const Vec3& tip) {
+    const contact::FingerOutput output = contact::stepHdb(world.surface, finger, candidates, state, tip);
+    figures.most_listed = std::max(figures.most_listed, candidates.size());
+    return output;
+  });
+  figures.queries = candidates.queries();
+  figures.contact = figuresOf(world, run, finger, ticks.time_s, window);
+  return figures;
+}
+
+}  // namespace palpate::bench

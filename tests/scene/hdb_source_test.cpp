@@ -1,0 +1,89 @@
+#include "palpate/scene/hdb_source.h"
+
+#include <gtest/gtest.h>
+
+#include "palpate/mesh/repair.h"
+#include "palpate/scene/scene_file.h"
+#include "support/error_message.h"
+#include "support/mesh_zoo.h"
+
+namespace palpate::scene {
+namespace {
+
+/// A plate of 100 mm with its surface.
+class HdbSource : public ::testing::Test {
+ protected:
+  std::shared_ptr<const contact::HdbSurface> sourceOf(const Scene& scene) const {
+    return buildHdbSource(scene, plate_, surface_);
+  }
+  std::string messageOf(const Scene& scene) const {
+    return support::messageOf([&] { sourceOf(scene); });
+  }
+
+  const mesh::TriangleMesh plate_ = mesh::repair(zoo::grid(20, 100.0)).mesh;
+  const contact::Surface surface_ = contact::buildSurface(plate_, std::vector<double>(plate_.positions.size(), 0.5));
+};
+
+TEST_F(HdbSource, TheBoxIsACubeOfAQuarterOfTheLongestEdge) {
+  Scene scene;
+  EXPECT_TRUE(sourceOf(scene)->settings.edges_mm.isApprox(Vec3(25, 25, 25)));
+  scene.partition.hdb_fraction = 0.5;
+  EXPECT_TRUE(sourceOf(scene)->settings.edges_mm.isApprox(Vec3(50, 50, 50)));
+  scene.partition.hdb_edge_mm = 30.0;
+  EXPECT_TRUE(sourceOf(scene)->settings.edges_mm.isApprox(Vec3(30, 30, 30)));
+}
+
+TEST_F(HdbSource, ErrataOfChapterThreeAreSwitchedByTheirNumbers) {
+  Scene scene;
+  scene.partition.tree = partition::TreeKind::Bsp;
+  EXPECT_FALSE(sourceOf(scene)->settings.literal.has_value());
+  scene.fidelity.setLiteral(4);
+  EXPECT_EQ(sourceOf(scene)->settings.literal, partition::LiteralTraversal::ElseIf);
+  scene.fidelity = {};
+  scene.fidelity.setLiteral(10);
+  EXPECT_EQ(sourceOf(scene)->settings.literal, partition::LiteralTraversal::HalfSpace);
+  scene.fidelity = {};
+  scene.fidelity.setLiteral(5);
+  EXPECT_EQ(sourceOf(scene)->settings.literal, partition::LiteralTraversal::CellBox);
+  scene.partition.query = contact::HdbQuery::coherent;
+  EXPECT_FALSE(sourceOf(scene)->settings.literal.has_value()) << "the text knows leaves only";
+}
+
+TEST_F(HdbSource, TheOctreeAsPrintedLosesTriangles) {
+  Scene scene;
+  scene.partition.threshold = 16;
+  const auto listed = [&] { return sourceOf(scene)->partition->triangles.size(); };
+  EXPECT_EQ(listed(), plate_.triangles.size());
+  scene.fidelity.setLiteral(6);  // E6
+  EXPECT_LE(listed(), plate_.triangles.size());
+}
+
+TEST_F(HdbSource, ANamedTraversalNeedsItsTree) {
+  Scene scene;
+  scene.partition.traversal = Traversal::else_if;
+  EXPECT_EQ(messageOf(scene), "hdb source: this traversal needs the planes of a BSP tree");
+  scene.partition.tree = partition::TreeKind::Bsp;
+  EXPECT_EQ(messageOf(scene), "no error");
+}
+
+TEST_F(HdbSource, RefusesFingersThatItCannotServe) {
+  Scene scene =
+      parse("[contact]\nsource = \"hdb\"\n[[finger]]\nname = \"thumb\"\nradius_mm = 8\nscript = [{ do = \"press\" }]\n",
+            "s.toml");
+  EXPECT_EQ(messageOf(scene),
+            "contact source \"hdb\" touches with a point: finger 'thumb' must have radius_mm = 0, not 8");
+  scene.fingers[0].radius_mm = 0.0;
+  EXPECT_EQ(messageOf(scene), "no error");
+  scene.contact.force_shading = true;
+  EXPECT_EQ(messageOf(scene), "contact source \"hdb\" has no force_shading");
+}
+
+TEST_F(HdbSource, ARefreshIsAWholeNumberOfTicks) {
+  Scene scene;
+  EXPECT_EQ(sourceOf(scene)->settings.ticks_per_refresh, 1u);
+  scene.partition.refresh_s = 0.033;
+  EXPECT_EQ(sourceOf(scene)->settings.ticks_per_refresh, 33u);
+}
+
+}  // namespace
+}  // namespace palpate::scene

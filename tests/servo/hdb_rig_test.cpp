@@ -1,0 +1,171 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <thread>
+
+#include "bench/allocation_count.h"
+#include "palpate/scene/scene_file.h"
+#include "palpate/scene/world.h"
+#include "palpate/servo/background_build.h"
+#include "palpate/servo/loop.h"
+#include "palpate/servo/scripted_rig.h"
+
+namespace palpate::servo {
+namespace {
+
+/// The small torso, pressed beside the spine, dragged over it, circled.
+std::shared_ptr<const scene::World> torso(const std::string& more) {
+  return scene::build(scene::parse("[body]\ntriangles = 8163\n" + more + R"(
+[[finger]]
+name = "index"
+at_mm = [20, 20]
+script = [{ do = "press", depth_mm = 6 }, { do = "drag", by_mm = [-40, -50], seconds = 2 },
+          { do = "circle", radius_mm = 15 }, { do = "lift" }]
+[[finger]]
+name = "middle"
+at_mm = [-60, -30]
+script = [{ do = "press", depth_mm = 4 }, { do = "drag", by_mm = [50, 60], seconds = 0.5 }, { do = "lift" }]
+)",
+                                   "torso.toml"));
+}
+
+const std::string kHdb = "[contact]\nsource = \"hdb\"\n";
+
+/// What the world's fingers feel through this source; null: through the default one.
+std::vector<contact::FingerOutput> felt(const scene::World& world,
+                                        const std::shared_ptr<const contact::HdbSurface>& source) {
+  const device::FingerPaths paths = device::pathsOf(world);
+  Rig rig = scriptedRig(world, paths);
+  rig.hdb = source ? makeHdbFingers(source, rig.fingers.size()) : nullptr;
+  std::vector<contact::FingerOutput> outputs;
+  runHeadless(rig, paths.ticks, [&](std::span<const trace::Sample> samples) {
+    for (const trace::Sample& sample : samples) outputs.push_back(sample.contact);
+  });
+  return outputs;
+}
+
+TEST(HdbRig, FeelsTheTorsoAsTheDefaultSourceDoes) {
+  const auto world = torso(kHdb);
+  const auto reference = felt(*world, nullptr);
+  for (const auto query : {contact::HdbQuery::leaves, contact::HdbQuery::coherent}) {
+    contact::HdbSettings settings = world->hdb->settings;
+    settings.query = query;
+    const auto found = felt(*world, contact::makeHdbSurface(world->surface, world->hdb->partition, settings));
+    ASSERT_EQ(found.size(), reference.size());
+    std::size_t touching = 0;
+    double worst_n = 0.0;
+    double worst_mm = 0.0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      ASSERT_EQ(found[i].depth_mm > 0.0, reference[i].depth_mm > 0.0) << i;
+      if (!(found[i].depth_mm > 0.0)) continue;
+      ++touching;
+      worst_n = std::max(worst_n, (found[i].force - reference[i].force).norm());
+      worst_mm = std::max(worst_mm, (found[i].proxy - reference[i].proxy).norm());
+    }
+    EXPECT_GT(touching, 5000u);
+    EXPECT_LT(worst_n, 0.25);
+    EXPECT_LT(worst_mm, 1.0);
+    RecordProperty("worst_force_difference_n", std::to_string(worst_n));
+    RecordProperty("worst_proxy_difference_mm", std::to_string(worst_mm));
+  }
+}
+
+TEST(HdbRig, GivesTheSameBitsTwice) {
+  const auto world = torso(kHdb + "[partition]\ntree = \"bsp\"\nthreshold = 200\n");
+  const auto once = felt(*world, world->hdb);
+  const auto twice = felt(*world, world->hdb);
+  ASSERT_EQ(once.size(), twice.size());
+  for (std::size_t i = 0; i < once.size(); ++i) ASSERT_EQ(once[i].force, twice[i].force) << i;
+}
+
+/// Other settings for the same body, ready for a running rig.
+std::unique_ptr<HdbFingers> rebuilt(const scene::World& world, std::shared_ptr<const partition::Partition> partition,
+                                    std::size_t fingers) {
+  return makeHdbFingers(contact::makeHdbSurface(world.surface, std::move(partition), world.hdb->settings), fingers);
+}
+
+std::shared_ptr<const partition::Partition> takeWhenReady(BackgroundBuild& builder) {
+  for (;;) {
+    if (auto result = builder.take()) {
+      EXPECT_EQ(result->error, "");
+      return result->partition;
+    }
+    std::this_thread::yield();
+  }
+}
+
+// Between two ticks of a finger that presses and slides, the partition is replaced again and again: other trees, other
+// assignments, other thresholds. The forces are those of a run in which nothing is replaced.
+TEST(HdbRig, ARebuiltPartitionChangesNoForceAndAllocatesNothingInTheTick) {
+  const auto world = torso(kHdb);
+  const device::FingerPaths paths = device::pathsOf(*world);
+  const auto reference = felt(*world, world->hdb);
+  const auto mesh = std::make_shared<const mesh::TriangleMesh>(world->skin);
+  BackgroundBuild builder;
+  Handover<HdbFingers> handover;
+  Rig rig = scriptedRig(*world, paths);
+  rig.new_hdb = &handover;
+  ContactFrame samples(rig.fingers.size());
+  std::uint64_t allocations = 0;
+  std::size_t replaced = 0;
+  for (std::uint64_t tick = 0; tick < paths.ticks; ++tick) {
+    if (tick % 400 == 0) {
+      partition::BuildSettings settings;
+      settings.tree = tick % 800 == 0 ? partition::TreeKind::Bsp : partition::TreeKind::Octree;
+      settings.assignment = static_cast<partition::Assignment>(tick / 400 % 3);
+      settings.threshold = 64;
+      builder.request(mesh, settings);
+      handover.offer(rebuilt(*world, takeWhenReady(builder), rig.fingers.size()));
+      ++replaced;
+    }
+    const auto before = bench::allocationsOfThisThread();
+    runTick(rig, tick, LoopEvent::none, samples);
+    allocations += bench::allocationsOfThisThread().value_or(0) - before.value_or(0);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      ASSERT_NEAR((samples[i].contact.force - reference[tick * samples.size() + i].force).norm(), 0.0, 1e-3) << tick;
+    }
+  }
+  EXPECT_EQ(allocations, 0u);
+  EXPECT_GE(replaced, 8u);
+  EXPECT_TRUE(handover.collect()) << "the last one put down";
+}
+
+// Also the test that ThreadSanitizer watches: the loop runs while another thread builds and hands over.
+TEST(HdbRig, ThePacedLoopGoesOnWhilePartitionsAreReplaced) {
+  const auto world = torso(kHdb);
+  const device::FingerPaths paths = device::pathsOf(*world);
+  const auto mesh = std::make_shared<const mesh::TriangleMesh>(world->skin);
+  Handover<HdbFingers> handover;
+  Rig rig = scriptedRig(*world, paths);
+  rig.new_hdb = &handover;
+  LoopLinks links(rig.fingers.size());
+  PacedSettings settings;
+  settings.pacing.realtime = false;
+  LoopReport report;
+  constexpr std::uint64_t kTicks = 1500;
+  std::thread servo([&] { report = runPaced(rig, kTicks, settings, links); });
+  BackgroundBuild builder;
+  std::size_t collected = 0;
+  for (Index threshold = 32; !links.finished.load(); threshold = threshold == 32 ? 2048 : 32) {
+    partition::BuildSettings other;
+    other.threshold = threshold;
+    builder.request(mesh, other);
+    auto next = rebuilt(*world, takeWhenReady(builder), rig.fingers.size());
+    collected += handover.collect() ? 1 : 0;
+    handover.offer(std::move(next));
+  }
+  servo.join();
+  EXPECT_EQ(report.ticks + report.overruns, kTicks);
+  EXPECT_GT(collected, 3u) << "partitions were taken while the loop ran";
+  trace::Sample sample;
+  bool touched = false;
+  while (links.samples.pop(sample)) {
+    EXPECT_TRUE(sample.contact.force.allFinite());
+    EXPECT_LT(sample.contact.force.norm(), 30.0);
+    touched = touched || sample.contact.depth_mm > 3.0;
+  }
+  EXPECT_TRUE(touched);
+}
+
+}  // namespace
+}  // namespace palpate::servo
