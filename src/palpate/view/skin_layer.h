@@ -5,18 +5,10 @@
 
 #include "palpate/deform/surface.h"
 #include "palpate/scene/world.h"
-#include "palpate/view/blanching.h"
-#include "palpate/view/finger_pose.h"
-#include "palpate/view/look.h"
-#include "palpate/view/viewpoint.h"
+#include "palpate/view/skin_chunks.h"
+#include "palpate/view/skin_paint.h"
 
 namespace palpate::view {
-
-/// What touches the skin's colour.
-struct SkinTouch {
-  std::span<const FingerPose> fingers;
-  std::span<const PressMark> marks;
-};
 
 class SkinLayer {
  public:
@@ -40,23 +32,18 @@ class SkinLayer {
  private:
   void upload(const deform::DeformedSurface& surface, deform::VertexRange range);
   void showField(Colouring colouring);
-  const Program& paint(const Look& look, const Viewpoint& viewpoint, const SkinTouch& touch);
-  const Program& paintSkin(const Look& look, const Viewpoint& viewpoint, const SkinTouch& touch);
-  const Program& paintField(const Look& look);
-  void drawDepth(const Viewpoint& viewpoint) const;
-  void drawTriangles() const;
+  void drawColours(const Look& look, const Viewpoint& viewpoint, const SkinTouch& touch, const SplitRuns& runs);
 
-  Program gouraud_, skin_, field_, depth_;
+  SkinPaint paint_;
+  SkinChunks chunks_;
   GlVertexArray vertex_array_, edge_array_;
   GlBuffer deformed_;  // x.. y.. z.. nx.. ny.. nz.. strain..: as the deformation keeps them
   GlBuffer rest_, tint_, field_values_, triangles_, edges_;
-  GlTexture colour_map_;
   const scene::World& world_;
   std::vector<float> stiffness_;
   std::vector<float> half_major_;  // made when first shown
   Colouring shown_field_ = Colouring::plain;
   Index vertices_ = 0;
-  Index indices_ = 0;
   Index edge_indices_ = 0;  // made when first shown
   bool closed_ = false;
   Eigen::AlignedBox3f box_;  // at rest

@@ -88,7 +88,6 @@ in vec3 rest;
 in vec4 albedo;
 out vec4 colour;
 
-uniform float detail;        // 0: no pores
 uniform float skin_opacity;
 uniform int ball_count;
 uniform vec4 ball[4];        // centre and radius of what shadows the skin
@@ -101,25 +100,24 @@ uniform float mark_strength[8];
 const vec3 cells_per_mm = vec3(0.42, 0.80, 0.80);
 const float pore_relief = 0.17;
 
-float latticeValue(ivec3 cell) {
-  uint h = uint(cell.x) * 374761393u + uint(cell.y) * 668265263u + uint(cell.z) * 2246822519u;
-  h = (h ^ (h >> 13u)) * 1274126177u;
-  return float(h >> 8u) * (1.0 / 16777216.0);
-}
-
-// Value noise: gradient and value.
+// Value noise: gradient and value. The lattice is hashed by products and fractions of small whole numbers, all four
+// corners of a layer at once (after Sharpe, "A fast and simple 32bit floating point hash function", 2011); it repeats
+// every 61 cells.
 vec4 noiseAt(vec3 p) {
+  const float period = 61.0;
   vec3 base = floor(p);
-  ivec3 c = ivec3(base);
   vec3 t = p - base;
   vec3 s = t * t * (3.0 - 2.0 * t);
   vec3 ds = 6.0 * t * (1.0 - t);
-  float v000 = latticeValue(c), v100 = latticeValue(c + ivec3(1, 0, 0));
-  float v010 = latticeValue(c + ivec3(0, 1, 0)), v110 = latticeValue(c + ivec3(1, 1, 0));
-  float v001 = latticeValue(c + ivec3(0, 0, 1)), v101 = latticeValue(c + ivec3(1, 0, 1));
-  float v011 = latticeValue(c + ivec3(0, 1, 1)), v111 = latticeValue(c + ivec3(1, 1, 1));
-  vec4 low = vec4(v000, v010, v001, v011);
-  vec4 step_x = vec4(v100, v110, v101, v111) - low;
+  vec3 cell = base - floor(base / period) * period;
+  vec3 next = mix(cell + 1.0, vec3(0.0), step(period - 1.5, cell));
+  vec4 corners = vec4(cell.xy, next.xy) + vec4(37.0, 149.0, 37.0, 149.0);
+  corners *= corners;
+  corners = corners.xzxz * corners.yyww;  // 00, 10, 01, 11
+  vec2 layer = 1.0 / (vec2(cell.z, next.z) * 41.713 + 587.243);
+  vec4 lower = fract(corners * layer.x), upper = fract(corners * layer.y);
+  vec4 low = vec4(lower.x, lower.z, upper.x, upper.z);
+  vec4 step_x = vec4(lower.y, lower.w, upper.y, upper.w) - low;
   vec4 at_x = low + s.x * step_x;
   vec2 at_y = mix(at_x.xz, at_x.yw, s.y);
   vec2 slope_x = mix(step_x.xz, step_x.yw, s.y);
@@ -161,13 +159,14 @@ vec2 lightLeftByFingers(vec3 n) {
     float r = ball[i].w;
     vec3 to = nearestOnFinger(i, place) - place;
     float d = length(to);
-    left.x *= 1.0 - min(0.8, saturate(dot(n, to) / d) * r * r / (d * d));
+    left.x *= 1.0 - min(0.8, saturate(dot(n, to) / d) * r * r / (d * d)) * (1.0 - smoothstep(2.5, 4.0, d / r));
     // Towards the key: how far the ray passes from the finger, against how far it has gone.
     float ahead = max(dot(nearestOnFinger(i, place + to_key * 2.0 * r) - place, to_key), 0.0);
     vec3 pass = place + to_key * ahead;
     float clearance = distance(nearestOnFinger(i, pass), pass) - r;
     float penumbra = 0.14 * ahead + 1.0;
-    left.y *= ahead > 0.0 ? mix(0.22, 1.0, smoothstep(-penumbra, penumbra, clearance)) : 1.0;
+    float dark = ahead > 0.0 ? 0.78 * saturate(1.0 - ahead / 100.0) : 0.0;
+    left.y *= 1.0 - dark * (1.0 - smoothstep(-penumbra, penumbra, clearance));
   }
   return left;
 }
@@ -183,7 +182,8 @@ void main() {
   vec3 detailed = smooth_normal;
   vec3 skin = albedo.rgb;
   float roughness = 0.42;
-  if (detail > 0.0) {
+#ifdef PORES
+  {
     float seen = poresAreSeen();
     vec4 noise = noiseAt(rest * cells_per_mm);
     vec3 slope = noise.xyz - smooth_normal * dot(noise.xyz, smooth_normal);
@@ -191,8 +191,13 @@ void main() {
     roughness -= 0.06 * seen * noise.w;
     skin *= 1.0 + 0.10 * seen * (noise.w - 0.5);
   }
+#endif
+#ifdef TOUCHED
   skin = blanched(skin);
   vec2 left = lightLeftByFingers(smooth_normal);
+#else
+  const vec2 left = vec2(1.0);
+#endif
   float facing = saturate(dot(smooth_normal, to_eye));
   vec3 wrap = vec3(0.40, 0.18, 0.12) * (0.45 + 0.55 * albedo.a);
 
@@ -201,7 +206,6 @@ void main() {
   light += ambientFrom(smooth_normal) * left.x;
   vec3 seen_colour = skin * light;
   seen_colour += key_light * left.y * gloss(detailed, to_key, to_eye, roughness, 0.028);
-  seen_colour += fill_light * left.x * gloss(detailed, to_fill, to_eye, roughness, 0.028);
   float slant = 1.0 - facing;
   seen_colour += skin * vec3(0.60, 0.34, 0.30) * (slant * slant * slant * slant) * left.x;
   if (!gl_FrontFacing) seen_colour *= 0.45;
