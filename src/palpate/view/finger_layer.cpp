@@ -4,6 +4,7 @@
 #include <numbers>
 #include <vector>
 
+#include "palpate/mesh/normals.h"
 #include "palpate/view/shared_shader.h"
 
 namespace palpate::view {
@@ -11,14 +12,15 @@ namespace palpate::view {
 namespace {
 
 constexpr std::string_view kVertex = R"(
-layout(location = 0) in vec3 on_sphere;
-uniform vec3 centre;
-uniform float radius;
+layout(location = 0) in vec3 point;
+layout(location = 1) in vec3 point_normal;
+uniform mat3 axes;  // a turn, and a size
+uniform vec3 origin;
 out vec3 place;
 out vec3 normal;
 void main() {
-  place = centre + radius * on_sphere;
-  normal = on_sphere;
+  place = origin + axes * point;
+  normal = axes * point_normal;
   gl_Position = clip_from_body * vec4(place, 1.0);
 }
 )";
@@ -44,57 +46,99 @@ void main() {
 constexpr Index kRings = 24;
 constexpr Index kSectors = 48;
 
-std::vector<Vec3f> spherePoints() {
-  std::vector<Vec3f> points;
+mesh::TriangleMesh unitSphere() {
+  mesh::TriangleMesh sphere;
   for (Index ring = 0; ring <= kRings; ++ring) {
     const double polar = std::numbers::pi * ring / kRings;
-    for (Index sector = 0; sector <= kSectors; ++sector) {
+    for (Index sector = 0; sector < kSectors; ++sector) {
       const double around = 2.0 * std::numbers::pi * sector / kSectors;
-      points.emplace_back(std::sin(polar) * std::cos(around), std::cos(polar), std::sin(polar) * std::sin(around));
+      sphere.positions.emplace_back(std::sin(polar) * std::cos(around), std::cos(polar),
+                                    std::sin(polar) * std::sin(around));
     }
   }
-  return points;
-}
-
-std::vector<Triangle> sphereTriangles() {
-  std::vector<Triangle> triangles;
   for (Index ring = 0; ring < kRings; ++ring) {
     for (Index sector = 0; sector < kSectors; ++sector) {
-      const Index a = ring * (kSectors + 1) + sector;
-      const Index below = a + kSectors + 1;
-      triangles.push_back({a, a + 1, below});
-      triangles.push_back({a + 1, below + 1, below});
+      const Index next = (sector + 1) % kSectors;
+      const Index row = ring * kSectors;
+      const Index below = row + kSectors;
+      sphere.triangles.push_back({row + sector, row + next, below + sector});
+      sphere.triangles.push_back({row + next, below + next, below + sector});
     }
   }
-  return triangles;
+  return sphere;
+}
+
+std::vector<Vec3f> floatsOf(const std::vector<Vec3>& values) {
+  std::vector<Vec3f> floats;
+  floats.reserve(values.size());
+  for (const Vec3& value : values) floats.push_back(value.cast<float>());
+  return floats;
+}
+
+void pointAt(GLuint location, GLuint buffer, const std::vector<Vec3f>& values) {
+  fillBuffer<Vec3f>(GL_ARRAY_BUFFER, buffer, values);
+  glEnableVertexAttribArray(location);
+  glVertexAttribPointer(location, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
 }
 
 }  // namespace
 
-FingerLayer::FingerLayer() : program_("finger", kSharedShader, kVertex, kFragment) {
-  const std::vector<Triangle> triangles = sphereTriangles();
-  ball_indices_ = static_cast<Index>(3 * triangles.size());
-  glBindVertexArray(ball_array_.get());
-  fillBuffer<Triangle>(GL_ELEMENT_ARRAY_BUFFER, ball_triangles_.get(), triangles);
-  fillBuffer<Vec3f>(GL_ARRAY_BUFFER, ball_.get(), spherePoints());
-  glEnableVertexAttribArray(0);
-  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+FingerLayer::FingerLayer() : program_("finger", kSharedShader, kVertex, kFragment), ball_(uploaded(unitSphere())) {}
+
+FingerLayer::Shape FingerLayer::uploaded(const mesh::TriangleMesh& mesh) {
+  Shape shape;
+  shape.indices = static_cast<Index>(3 * mesh.triangles.size());
+  glBindVertexArray(shape.vertex_array.get());
+  fillBuffer<Triangle>(GL_ELEMENT_ARRAY_BUFFER, shape.triangles.get(), mesh.triangles);
+  pointAt(0, shape.places.get(), floatsOf(mesh.positions));
+  pointAt(1, shape.normals.get(), floatsOf(mesh::vertexNormals(mesh)));
   glBindVertexArray(0);
+  return shape;
 }
 
-void FingerLayer::drawBalls(std::span<const FingerPose> fingers, const Viewpoint& viewpoint) const {
-  if (fingers.empty()) return;
+const FingerLayer::Hand& FingerLayer::hand(bool left) {
+  std::optional<Hand>& hand = hands_[left ? 1 : 0];
+  if (!hand) {
+    body::HandSettings settings;
+    settings.side = left ? body::Side::left : body::Side::right;
+    mesh::TriangleMesh mesh = body::makeHand(settings);
+    Shape shape = uploaded(mesh);
+    hand.emplace(Hand{std::move(mesh), std::move(shape)});
+  }
+  return *hand;
+}
+
+void FingerLayer::begin(const Viewpoint& viewpoint) const {
   program_.use();
   setViewpoint(program_, viewpoint);
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_CULL_FACE);
-  glBindVertexArray(ball_array_.get());
+}
+
+void FingerLayer::drawShape(const Shape& shape, const FingerPose& finger, const Mat3& axes, const Vec3& origin) const {
+  program_.set("axes", Eigen::Matrix3f(axes.cast<float>()));
+  program_.set("origin", Vec3f(origin.cast<float>()));
+  program_.set("finger_colour", finger.colour);
+  program_.set("down", Vec3f(-finger.normal.cast<float>()));
+  glBindVertexArray(shape.vertex_array.get());
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(shape.indices), GL_UNSIGNED_INT, nullptr);
+}
+
+void FingerLayer::drawBalls(std::span<const FingerPose> fingers, const Viewpoint& viewpoint) const {
+  begin(viewpoint);
   for (const FingerPose& finger : fingers) {
-    program_.set("centre", Vec3f(finger.centre.cast<float>()));
-    program_.set("radius", static_cast<float>(finger.radius_mm));
-    program_.set("finger_colour", finger.colour);
-    program_.set("down", Vec3f(-finger.normal.cast<float>()));
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(ball_indices_), GL_UNSIGNED_INT, nullptr);
+    drawShape(ball_, finger, finger.radius_mm * Mat3::Identity(), finger.centre);
+  }
+  glDisable(GL_CULL_FACE);
+}
+
+void FingerLayer::drawHands(const scene::World& world, std::span<const FingerPose> fingers,
+                            const Viewpoint& viewpoint) {
+  for (const FingerPose& finger : fingers) {
+    const Hand& shown = hand(finger.left);
+    const HandPose pose = handPoseOf(world, finger, shown.mesh);
+    begin(viewpoint);
+    drawShape(shown.shape, finger, pose.axes, pose.origin);
   }
   glDisable(GL_CULL_FACE);
 }

@@ -1,9 +1,11 @@
-// The fingers as balls.
+// The fingers: balls, or hands whose index fingertip takes the ball's place.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <span>
 
-#include "palpate/view/finger_pose.h"
+#include "palpate/view/hand_pose.h"
 #include "palpate/view/viewpoint.h"
 
 namespace palpate::view {
@@ -12,12 +14,27 @@ class FingerLayer {
  public:
   FingerLayer();
   void drawBalls(std::span<const FingerPose> fingers, const Viewpoint& viewpoint) const;
+  void drawHands(const scene::World& world, std::span<const FingerPose> fingers, const Viewpoint& viewpoint);
 
  private:
+  /// A mesh on the graphics card.
+  struct Shape {
+    GlVertexArray vertex_array;
+    GlBuffer places, normals, triangles;
+    Index indices = 0;
+  };
+  struct Hand {
+    mesh::TriangleMesh mesh;
+    Shape shape;
+  };
+  static Shape uploaded(const mesh::TriangleMesh& mesh);
+  const Hand& hand(bool left);
+  void begin(const Viewpoint& viewpoint) const;
+  void drawShape(const Shape& shape, const FingerPose& finger, const Mat3& axes, const Vec3& origin) const;
+
   Program program_;
-  GlVertexArray ball_array_;
-  GlBuffer ball_, ball_triangles_;
-  Index ball_indices_ = 0;
+  Shape ball_;
+  std::array<std::optional<Hand>, 2> hands_;  // right, left; made when first shown
 };
 
 }  // namespace palpate::view

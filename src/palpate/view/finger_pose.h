@@ -32,8 +32,12 @@ struct FingerPose {
   Vec3f colour = kLeftFinger;
   double radius_mm = 8.0;
   bool touches = false;
+  bool left = true;  ///< which hand
 };
 
 FingerPose poseOf(const scene::World& world, const DrawnSkin& skin, const FingerMark& finger);
+
+/// A ball becomes a finger for the shadow it throws: as thick, this long.
+inline constexpr double kFingerMm = 60.0;
 
 }  // namespace palpate::view

@@ -22,7 +22,9 @@ class Overlays {
  public:
   explicit Overlays(const scene::World& world) : world_(world) {}
 
-  void setPartition(ShownPartition shown) { partition_ = std::move(shown); }
+  void setPartition(ShownPartition shown) {
+    partition_ = shown.partition ? std::optional(std::move(shown)) : std::nullopt;
+  }
 
   /// What the look asks for. Valid until the next call.
   const OverlayShapes& shapes(const Look& look, const DrawnSkin& skin, std::span<const FingerMark> fingers);

@@ -56,6 +56,8 @@ struct Renderer::Parts {
     poses.clear();
     if (look.finger == FingerShape::none) return;
     for (const FingerMark& finger : frame.fingers) poses.push_back(poseOf(*world, drawn, finger));
+    if (look.finger != FingerShape::hand) return;
+    for (FingerPose& pose : poses) pose.tail = pose.centre - kFingerMm * fingerDirection(pose);
   }
 
   /// What hides comes first where nothing shines through, so that hidden pixels are never shaded; transparent skin
@@ -63,7 +65,11 @@ struct Renderer::Parts {
   void drawBody(const Look& look, const Viewpoint& viewpoint, std::span<const PressMark> marks) {
     const bool opaque = look.skin_opacity >= 1.0;
     if (opaque) skin.draw(look, viewpoint, {poses, marks});
-    fingers.drawBalls(poses, viewpoint);
+    if (look.finger == FingerShape::hand) {
+      fingers.drawHands(*world, poses, viewpoint);
+    } else {
+      fingers.drawBalls(poses, viewpoint);
+    }
     bones.draw(look, viewpoint);
     if (!opaque) skin.draw(look, viewpoint, {poses, marks});
   }

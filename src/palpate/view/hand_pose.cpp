@@ -1,0 +1,69 @@
+#include "palpate/view/hand_pose.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "palpate/partition/triangle_tree.h"
+
+namespace palpate::view {
+
+namespace {
+
+/// Between the finger and the skin, and how far the hand comes from its own side instead of straight from below.
+constexpr double kSteepness = 0.90;
+constexpr double kAside = 0.45;
+/// Every how many vertices of the hand are asked whether they are in the skin; those within this of the tip are not: it
+/// lies in its dent.
+constexpr std::size_t kStride = 4;
+constexpr double kTipMm = 35.0;
+
+/// Cranial along the skin; where the skin faces up or down, dorsal.
+Vec3 cranialAlong(const Vec3& normal) {
+  const Vec3 cranial = Vec3::UnitY() - normal.y() * normal;
+  constexpr double kLeast = 1e-2;
+  if (cranial.norm() > kLeast) return cranial.normalized();
+  return (Vec3::UnitZ() - normal.z() * normal).normalized();
+}
+
+Mat3 axesOf(const FingerPose& finger) {
+  const Vec3& up = finger.normal;
+  const Vec3 cranial = cranialAlong(up);
+  const double aside = finger.left ? kAside : -kAside;
+  const Vec3 heading = std::cos(aside) * cranial + std::sin(aside) * cranial.cross(up);
+  Mat3 axes;
+  axes.col(1) = std::cos(kSteepness) * heading - std::sin(kSteepness) * up;
+  axes.col(2) = std::sin(kSteepness) * heading + std::cos(kSteepness) * up;
+  axes.col(0) = axes.col(1).cross(axes.col(2));
+  return axes;
+}
+
+/// How deep a point lies in the skin at rest; 0 outside, and beyond `reach`.
+double depthIn(const contact::Surface& surface, const Vec3& point, double reach) {
+  const auto nearest = partition::nearestPoint(surface.tree, point, reach);
+  if (nearest.triangle == kNoIndex) return 0.0;
+  const auto& corners = surface.tree.records[nearest.triangle].corners;
+  const Vec3 normal = mesh::areaVector2(corners[0], corners[1], corners[2]).normalized();
+  return std::max(0.0, -normal.dot(point - nearest.closest.point));
+}
+
+}  // namespace
+
+Vec3 fingerDirection(const FingerPose& finger) { return axesOf(finger).col(1); }
+
+HandPose handPoseOf(const scene::World& world, const FingerPose& finger, const mesh::TriangleMesh& hand) {
+  HandPose pose;
+  pose.axes = axesOf(finger);
+  const Vec3 pad = body::indexTip() - finger.radius_mm * Vec3::UnitY();
+  pose.origin = finger.centre - pose.axes * Vec3(finger.left ? -pad.x() : pad.x(), pad.y(), pad.z());
+  constexpr double kDeepestMm = 40.0;
+  double deepest = 0.0;
+  for (std::size_t v = 0; v < hand.positions.size(); v += kStride) {
+    const Vec3 place = pose.origin + pose.axes * hand.positions[v];
+    if ((place - finger.centre).norm() < kTipMm) continue;
+    deepest = std::max(deepest, depthIn(world.surface, place, kDeepestMm));
+  }
+  pose.origin += deepest * finger.normal;
+  return pose;
+}
+
+}  // namespace palpate::view

@@ -1,0 +1,152 @@
+// Overlays as data: the lines and patches before they are drawn.
+#include "palpate/view/overlays.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "palpate/view/contact_marks.h"
+#include "palpate/view/overlay_paint.h"
+#include "palpate/view/skin_marks.h"
+#include "view/small_world.h"
+
+namespace palpate::view {
+namespace {
+
+std::size_t paintedWith(const std::vector<PaintedPoint>& points, Paint paint) {
+  return static_cast<std::size_t>(
+      std::count_if(points.begin(), points.end(), [&](const auto& point) { return point.paint == paint; }));
+}
+
+TEST(ContactMarks, DrawTenMillimetresAnNewtonAndBreakAtSixty) {
+  contact::FingerOutput contact{};
+  contact.touch = contact::Touch::stick;
+  contact.normal = Vec3::UnitZ();
+  const auto reachOf = [&](double newton) {
+    contact.force = newton * Vec3::UnitZ();
+    Lines lines;
+    addContactMarks(contact, lines);
+    float highest = 0.0f;
+    for (const auto& point : lines.points) {
+      if (point.paint == kForcePaint) highest = std::max(highest, point.place.z());
+    }
+    return std::pair{highest, paintedWith(lines.points, kForcePaint)};
+  };
+  EXPECT_NEAR(reachOf(2.5).first, 25.0, 1e-4);
+  EXPECT_NEAR(reachOf(30.0).first, 60.0, 1e-4);
+  EXPECT_GT(reachOf(30.0).second, reachOf(2.5).second) << "the cap is drawn as a break";
+}
+
+TEST(EllipseMarks, LieOnFlatSkinAtTheEllipsesOwnSize) {
+  const auto world = flatWorld();
+  DrawnSkin skin;
+  skin.copyAll(deformedBy(*world, {}));
+  const Vec3 centre(50.0, 50.0, 0.0);
+  const Outline outline = outlineOf(*world, {{30.0, 0.0, 0.0}, 0.5}, centre, Vec3::UnitZ());
+  ASSERT_EQ(outline.size(), 1u);
+  for (const SkinSpot& spot : outline.front()) {
+    const Vec3 offset = placeOf(spot, skin) - centre;
+    EXPECT_NEAR(offset.z(), 0.0, 1e-6);
+    EXPECT_NEAR(std::hypot(offset.x() / 30.0, offset.y() / 15.0), 1.0, 1e-5);
+  }
+}
+
+TEST(EllipseMarks, EndWhereTheSkinEnds) {
+  const auto world = flatWorld();
+  const Outline outline = outlineOf(*world, {{30.0, 0.0, 0.0}, 1.0}, {0.0, 50.0, 0.0}, Vec3::UnitZ());
+  std::size_t spots = 0;
+  for (const auto& piece : outline) spots += piece.size();
+  EXPECT_GT(spots, 40u);
+  EXPECT_LT(spots, 60u) << "half of it";
+}
+
+TEST(PartitionMarks, HoldEveryTriangleWhoseBoxMeetsTheDetectingBox) {
+  const auto world = flatWorld();
+  DrawnSkin skin;
+  skin.copyAll(deformedBy(*world, {}));
+  ShownPartition shown = defaultPartition(*world);
+  shown.partition = std::make_shared<partition::Partition>(partition::buildPartition(world->skin, {.threshold = 64}));
+  shown.box_edges_mm = Vec3::Constant(20.0);
+  contact::FingerOutput contact{};
+  contact.proxy = {40.0, 60.0, 0.0};
+  Patches patches;
+  addHapticTriangles(shown, *world, skin, contact, patches);
+  std::set<std::array<float, 2>> corners;
+  for (const auto& point : patches.points) corners.insert({point.place.x(), point.place.y()});
+  for (const Vec3& p : world->skin.positions) {
+    if ((p - contact.proxy).head<2>().lpNorm<Eigen::Infinity>() < 10.0) {
+      EXPECT_TRUE(corners.contains({static_cast<float>(p.x()), static_cast<float>(p.y())}));
+    }
+  }
+  EXPECT_LT(patches.points.size(), 3 * world->skin.triangles.size()) << "and not the whole skin";
+}
+
+TEST(PartitionMarks, ColourPlanesByTheirAxis) {
+  const auto world = worldOf(zoo::sphere(50.0));
+  const auto tree = partition::buildPartition(world->skin, {.tree = partition::TreeKind::Octree, .threshold = 400});
+  Lines lines;
+  Patches patches;
+  addPlanes(tree, lines, patches);
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_GE(paintedWith(lines.points, kPlanePaints[axis]), 8u) << "four edges of the root's plane " << axis;
+  }
+}
+
+TEST(SkinMarks, DrawOneArrowInEachCubeThatMoved) {
+  const auto world = flatWorld();
+  const FingerMark finger = pressedFinger(*world, {50.0, 50.0, 0.0}, 6.0);
+  DrawnSkin skin;
+  skin.copyAll(deformedBy(*world, {&finger, 1}));
+  Lines fine, coarse;
+  addDisplacements(*world, skin, 4.0, fine);
+  addDisplacements(*world, skin, 12.0, coarse);
+  EXPECT_GT(coarse.points.size(), 0u);
+  EXPECT_GT(fine.points.size(), 4 * coarse.points.size());
+  Lines none;
+  skin.copyAll(deformedBy(*world, {}));
+  addDisplacements(*world, skin, 4.0, none);
+  EXPECT_TRUE(none.points.empty()) << "nothing moved";
+}
+
+/// Steps along edges from the nearest corner of a triangle, for every vertex.
+std::vector<int> stepsFrom(const scene::World& world, Index triangle) {
+  std::vector<int> steps(world.skin.positions.size(), 1000);
+  for (const Index v : world.skin.triangles[triangle]) steps[v] = 0;
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const Triangle& t : world.skin.triangles) {
+      for (int i = 0; i < 6; ++i) {
+        const Index from = t[i % 3];
+        const Index to = t[(i + 1 + i / 3) % 3];
+        if (steps[from] + 1 < steps[to]) {
+          steps[to] = steps[from] + 1;
+          changed = true;
+        }
+      }
+    }
+  }
+  return steps;
+}
+
+TEST(SkinMarks, DrawTheEdgesWithinEachRingOfNeighbours) {
+  const auto world = flatWorld();
+  DrawnSkin skin;
+  skin.copyAll(deformedBy(*world, {}));
+  constexpr Index kTriangle = 2500;
+  constexpr int kRings = 3;
+  const std::vector<int> steps = stepsFrom(*world, kTriangle);
+  std::set<std::pair<Index, Index>> edges;
+  for (const Triangle& t : world->skin.triangles) {
+    for (int i = 0; i < 3; ++i) {
+      const auto [low, high] = std::minmax(t[i], t[(i + 1) % 3]);
+      if (steps[low] == steps[high] && steps[low] <= kRings) edges.insert({low, high});
+    }
+  }
+  Lines lines;
+  addRings(*world, skin, kTriangle, kRings, lines);
+  EXPECT_EQ(lines.points.size(), 2 * edges.size());
+  EXPECT_GT(edges.size(), 20u);
+}
+
+}  // namespace
+}  // namespace palpate::view

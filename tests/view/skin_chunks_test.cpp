@@ -1,0 +1,76 @@
+#include "palpate/view/skin_chunks.h"
+
+#include <gtest/gtest.h>
+
+#include "palpate/mesh/reorder.h"
+#include "view/small_world.h"
+
+namespace palpate::view {
+namespace {
+
+/// 1 for an index that is drawn; fails for one that is drawn twice.
+std::vector<int> drawn(const SplitRuns& runs, std::size_t indices) {
+  std::vector<int> count(indices, 0);
+  for (const auto& list : {runs.touched, runs.plain}) {
+    for (const IndexRun& run : list) {
+      for (Index i = run.first; i < run.first + run.count; ++i) ++count[i];
+    }
+  }
+  for (const int c : count) EXPECT_LE(c, 1);
+  return count;
+}
+
+struct Sheet {
+  mesh::TriangleMesh mesh = zoo::grid(80, 300.0);
+  deform::Skin skin;
+  SkinChunks chunks;
+  Camera camera;
+  Sheet() : skin((mesh::reorderSpatially(mesh), deform::buildSkin(mesh))), chunks(skin) {
+    camera = fitted(mesh::boundingBox(mesh), 1.5);
+  }
+  Mat4f clip() const { return frustumOf(screenOf(camera, 1.5), camera.eye(), 10.0, 5000.0).clip(); }
+  Vec3 middleOf(Index triangle) const {
+    const auto& [a, b, c] = mesh.triangles[triangle];
+    return (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3.0;
+  }
+};
+
+TEST(SkinChunks, DrawEveryTriangleOnceWhenAllIsSeen) {
+  Sheet sheet;
+  const Influence finger{{150, 150, 0}, {150, 150, 0}, 30.0f};
+  const auto& runs = sheet.chunks.split(sheet.clip(), {&finger, 1});
+  EXPECT_FALSE(runs.touched.empty());
+  EXPECT_FALSE(runs.plain.empty());
+  for (const int count : drawn(runs, 3 * sheet.mesh.triangles.size())) EXPECT_EQ(count, 1);
+}
+
+TEST(SkinChunks, CountAsTouchedAllThatIsNearAFinger) {
+  Sheet sheet;
+  const Influence finger{{100, 100, 0}, {200, 100, 0}, 20.0f};
+  const auto& runs = sheet.chunks.split(sheet.clip(), {&finger, 1});
+  for (const IndexRun& run : runs.plain) {
+    for (Index i = run.first; i < run.first + run.count; i += 3) {
+      const Vec3 middle = sheet.middleOf(i / 3);
+      const double x = std::clamp(middle.x(), 100.0, 200.0);
+      EXPECT_GT((middle - Vec3(x, 100.0, 0.0)).norm(), 20.0);
+    }
+  }
+}
+
+TEST(SkinChunks, LeaveOutOnlyWhatIsOutsideThePicture) {
+  Sheet sheet;
+  sheet.camera.distance_mm *= 0.2;
+  const Frustum frustum = frustumOf(screenOf(sheet.camera, 1.5), sheet.camera.eye(), 10.0, 5000.0);
+  const auto count = drawn(sheet.chunks.split(sheet.clip(), {}), 3 * sheet.mesh.triangles.size());
+  std::size_t left_out = 0;
+  for (Index t = 0; t < sheet.mesh.triangles.size(); ++t) {
+    if (count[std::size_t{3} * t] == 1) continue;
+    ++left_out;
+    const Vec2 seen = seenAt(frustum, sheet.middleOf(t));
+    EXPECT_FALSE(seen.x() > 0.0 && seen.x() < 1.0 && seen.y() > 0.0 && seen.y() < 1.0);
+  }
+  EXPECT_GT(left_out, sheet.mesh.triangles.size() / 2);
+}
+
+}  // namespace
+}  // namespace palpate::view
