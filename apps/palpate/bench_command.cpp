@@ -13,6 +13,7 @@
 #include "bench/heldout_meshes.h"
 #include "bench/workload_meshes.h"
 #include "bench/workload_paths.h"
+#include "palpate/base/error.h"
 #include "palpate/mesh/save.h"
 
 namespace palpate::app {
