@@ -50,10 +50,10 @@ TEST(FingerPose, HoversWithItsPadAtThePointOfAFreeFinger) {
 }
 
 TEST(HandPose, LaysTheIndexFingertipOnTheSkinAndKeepsTheRestOut) {
-  const auto world = flatWorld();
+  const auto world = worldOf(zoo::grid(60, 900.0));
   for (const bool left : {false, true}) {
     FingerPose finger;
-    finger.centre = {50.0, 50.0, 4.0};
+    finger.centre = {450.0, 450.0, 4.0};
     finger.left = left;
     body::HandSettings settings;
     settings.side = left ? body::Side::left : body::Side::right;

@@ -64,7 +64,7 @@ TEST(PartitionMarks, HoldEveryTriangleWhoseBoxMeetsTheDetectingBox) {
   const auto world = flatWorld();
   DrawnSkin skin;
   skin.copyAll(deformedBy(*world, {}));
-  ShownPartition shown = defaultPartition(*world);
+  ShownPartition shown = partitionOf(*world);
   shown.partition = std::make_shared<partition::Partition>(partition::buildPartition(world->skin, {.threshold = 64}));
   shown.box_edges_mm = Vec3::Constant(20.0);
   contact::FingerOutput contact{};

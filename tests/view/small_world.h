@@ -26,7 +26,8 @@ inline std::shared_ptr<const scene::World> worldOf(mesh::TriangleMesh mesh) {
                    .deformation = {},
                    .contours = {},
                    .anatomy = {},
-                   .notes = {}});
+                   .notes = {},
+                   .hdb = {}});
   return world;
 }
 

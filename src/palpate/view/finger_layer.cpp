@@ -132,14 +132,14 @@ void FingerLayer::drawBalls(std::span<const FingerPose> fingers, const Viewpoint
   glDisable(GL_CULL_FACE);
 }
 
-void FingerLayer::drawHands(const scene::World& world, std::span<const FingerPose> fingers,
-                            const Viewpoint& viewpoint) {
-  for (const FingerPose& finger : fingers) {
-    const Hand& shown = hand(finger.left);
-    const HandPose pose = handPoseOf(world, finger, shown.mesh);
-    begin(viewpoint);
-    drawShape(shown.shape, finger, pose.axes, pose.origin);
-  }
+HandPose FingerLayer::handPose(const scene::World& world, const FingerPose& finger) {
+  return handPoseOf(world, finger, hand(finger.left).mesh);
+}
+
+void FingerLayer::drawHand(const FingerPose& finger, const HandPose& pose, const Viewpoint& viewpoint) {
+  const Shape& shape = hand(finger.left).shape;
+  begin(viewpoint);
+  drawShape(shape, finger, pose.axes, pose.origin);
   glDisable(GL_CULL_FACE);
 }
 

@@ -14,7 +14,9 @@ class FingerLayer {
  public:
   FingerLayer();
   void drawBalls(std::span<const FingerPose> fingers, const Viewpoint& viewpoint) const;
-  void drawHands(const scene::World& world, std::span<const FingerPose> fingers, const Viewpoint& viewpoint);
+  /// Where hands lie; makes a hand when it is first asked for.
+  HandPose handPose(const scene::World& world, const FingerPose& finger);
+  void drawHand(const FingerPose& finger, const HandPose& pose, const Viewpoint& viewpoint);
 
  private:
   /// A mesh on the graphics card.

@@ -14,11 +14,9 @@ struct HandPose {
   Vec3 origin = Vec3::Zero();
 };
 
-/// Which way the finger points, from the wrist to the tip; unit.
-Vec3 fingerDirection(const FingerPose& finger);
-
-/// The index fingertip takes the place of the finger's ball; where another part would sink into the skin at rest the
-/// hand is lifted. `hand` must be the one of that side.
+/// The index fingertip takes the place of the finger's ball; the hand is held as flat as its other parts
+/// allow without sinking into the skin at rest, and lifted where even that is not enough. `hand` must be the one of
+/// that side.
 HandPose handPoseOf(const scene::World& world, const FingerPose& finger, const mesh::TriangleMesh& hand);
 
 }  // namespace palpate::view

@@ -59,7 +59,7 @@ struct SkinTone {
   std::string_view name;
   std::array<float, 3> colour;
 };
-inline constexpr std::array<SkinTone, 4> kSkinTones = {{{"light", {0.58f, 0.36f, 0.27f}},
+inline constexpr std::array<SkinTone, 4> kSkinTones = {{{"light", {0.56f, 0.32f, 0.22f}},
                                                         {"tan", {0.44f, 0.25f, 0.17f}},
                                                         {"brown", {0.28f, 0.15f, 0.10f}},
                                                         {"dark", {0.15f, 0.08f, 0.055f}}}};
@@ -69,7 +69,7 @@ struct Look {
   Colouring colouring = Colouring::plain;
   std::bitset<kOverlays> overlays;
   double skin_opacity = 1.0;                  ///< below 1 the bones show through; 0 hides the skin
-  Vec3f skin_colour = {0.58f, 0.36f, 0.27f};  ///< linear; kSkinTones has some
+  Vec3f skin_colour = {0.56f, 0.32f, 0.22f};  ///< linear; kSkinTones has some
   FingerShape finger = FingerShape::sphere;
   bool detail = true;  ///< pores and mottling (Shading::skin)
   bool white_background = false;

@@ -56,7 +56,7 @@ void Overlays::addTouch(const Look& look, const DrawnSkin& skin, const contact::
 }
 
 const ShownPartition& Overlays::partition() {
-  if (!partition_) partition_ = defaultPartition(world_);
+  if (!partition_) partition_ = partitionOf(world_);
   return *partition_;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "palpate/scene/hdb_source.h"
 #include "palpate/view/overlay_paint.h"
 
 namespace palpate::view {
@@ -35,10 +36,9 @@ void addPlane(const partition::Box3& cell, int axis, double share, Lines& lines,
 
 }  // namespace
 
-ShownPartition defaultPartition(const scene::World& world) {
-  auto built = std::make_shared<partition::Partition>(partition::buildPartition(world.skin, {}));
-  const Vec3 edges = partition::hdbEdges(built->bounds);
-  return {std::move(built), edges};
+ShownPartition partitionOf(const scene::World& world) {
+  const auto source = world.hdb ? world.hdb : scene::buildHdbSource(world.scene, world.skin, world.surface);
+  return {source->partition, source->settings.edges_mm};
 }
 
 void addLeafBoxes(const partition::Partition& partition, Lines& lines) {

@@ -19,8 +19,8 @@ struct ShownPartition {
   Vec3 box_edges_mm = Vec3::Zero();
 };
 
-/// The partition of default settings: what is shown when nobody says otherwise.
-ShownPartition defaultPartition(const scene::World& world);
+/// The one that fingers of this world touch through; built from the scene's settings when they do not.
+ShownPartition partitionOf(const scene::World& world);
 
 /// The cells of the leaves, blue.
 void addLeafBoxes(const partition::Partition& partition, Lines& lines);

@@ -48,16 +48,26 @@ struct Renderer::Parts {
   DrawnSkin drawn;
   Blanching blanching;
   std::vector<FingerPose> poses;
+  std::vector<HandPose> hands;  // of the poses, when hands are drawn
 
   explicit Parts(std::shared_ptr<const scene::World> w)
       : world(std::move(w)), skin(*world), bones(*world), overlays(*world) {}
 
   void poseFingers(const Frame& frame, const Look& look) {
     poses.clear();
+    hands.clear();
     if (look.finger == FingerShape::none) return;
     for (const FingerMark& finger : frame.fingers) poses.push_back(poseOf(*world, drawn, finger));
     if (look.finger != FingerShape::hand) return;
-    for (FingerPose& pose : poses) pose.tail = pose.centre - kFingerMm * fingerDirection(pose);
+    for (FingerPose& pose : poses) {
+      hands.push_back(fingers.handPose(*world, pose));
+      pose.tail = pose.centre - kFingerMm * hands.back().axes.col(1);
+    }
+  }
+
+  void drawFingers(const Look& look, const Viewpoint& viewpoint) {
+    if (look.finger == FingerShape::sphere) fingers.drawBalls(poses, viewpoint);
+    for (std::size_t i = 0; i < hands.size(); ++i) fingers.drawHand(poses[i], hands[i], viewpoint);
   }
 
   /// What hides comes first where nothing shines through, so that hidden pixels are never shaded; transparent skin
@@ -65,11 +75,7 @@ struct Renderer::Parts {
   void drawBody(const Look& look, const Viewpoint& viewpoint, std::span<const PressMark> marks) {
     const bool opaque = look.skin_opacity >= 1.0;
     if (opaque) skin.draw(look, viewpoint, {poses, marks});
-    if (look.finger == FingerShape::hand) {
-      fingers.drawHands(*world, poses, viewpoint);
-    } else {
-      fingers.drawBalls(poses, viewpoint);
-    }
+    drawFingers(look, viewpoint);
     bones.draw(look, viewpoint);
     if (!opaque) skin.draw(look, viewpoint, {poses, marks});
   }

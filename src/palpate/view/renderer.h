@@ -44,8 +44,7 @@ class Renderer {
 
   /// The field of a colouring when it is no longer the world's: a value a vertex.
   void setField(Colouring colouring, std::span<const float> values);
-  /// The partition that overlays show; without one (null) one of default settings is built
-  /// when first shown.
+  /// The partition that overlays show; null brings back the world's own, which is built when first shown.
   void setPartition(std::shared_ptr<const partition::Partition> partition, const Vec3& box_edges_mm);
 
   /// Draws into the bound framebuffer's viewport of `width` x `height` pixels: background, bones, skin, fingers,

@@ -16,9 +16,9 @@ uniform vec3 to_fill;
 
 // A warm key, a cool fill at a quarter of it, and the sky: cool above, warm from the skin and the couch below.
 const vec3 key_light = vec3(2.35, 2.15, 1.86);
-const vec3 fill_light = vec3(0.42, 0.50, 0.60);
-const vec3 sky_light = vec3(0.34, 0.37, 0.42);
-const vec3 ground_light = vec3(0.21, 0.17, 0.14);
+const vec3 fill_light = vec3(0.33, 0.39, 0.47);
+const vec3 sky_light = vec3(0.25, 0.27, 0.31);
+const vec3 ground_light = vec3(0.15, 0.12, 0.10);
 
 float saturate(float x) { return clamp(x, 0.0, 1.0); }
 vec3 saturate(vec3 x) { return clamp(x, 0.0, 1.0); }

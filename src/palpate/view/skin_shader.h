@@ -49,7 +49,7 @@ void main() {
   vec3 normal = vec3(nx, ny, nz);
   vec3 to_eye = normalize(eye - place);
   vec3 albedo = skin_colour * factorOf(tint);
-  vec3 light = albedo * (matteLight(normal, 0.92) * 0.34);
+  vec3 light = albedo * (matteLight(normal, 0.92) * 0.37);
   float shine = pow(saturate(dot(normal, normalize(to_key + to_eye))), 24.0);
   front_colour.rgb = encoded(toned(light + 0.035 * shine));
   front_colour.a = opacityAt(abs(dot(normal, to_eye)), skin_opacity);
@@ -96,9 +96,9 @@ uniform int mark_count;
 uniform vec4 mark[8];        // where the skin is or was pressed (rest coordinates) and the radius of the pad
 uniform float mark_strength[8];
 
-// Pores: cells of 1.3 mm, twice as long across the body, where the lines of tension run.
-const vec3 cells_per_mm = vec3(0.42, 0.80, 0.80);
-const float pore_relief = 0.17;
+// Pores: cells of 1.3 mm, half as long again across the body, where the lines of tension run.
+const vec3 cells_per_mm = vec3(0.52, 0.80, 0.80);
+const float pore_relief = 0.14;
 
 // Value noise: gradient and value. The lattice is hashed by products and fractions of small whole numbers, all four
 // corners of a layer at once (after Sharpe, "A fast and simple 32bit floating point hash function", 2011); it repeats
@@ -143,7 +143,7 @@ vec3 blanched(vec3 skin) {
   }
   float grey = dot(skin, vec3(0.2126, 0.7152, 0.0722));
   skin *= mix(vec3(1.0), vec3(1.02, 0.78, 0.76), rim * (1.0 - pale));
-  return mix(skin, 1.25 * grey * vec3(1.05, 0.95, 0.90), 0.75 * pale);
+  return mix(skin, 1.28 * grey * vec3(1.16, 0.97, 0.83), 0.7 * pale);
 }
 
 vec3 nearestOnFinger(int i, vec3 p) {
@@ -209,7 +209,7 @@ void main() {
   float slant = 1.0 - facing;
   seen_colour += skin * vec3(0.60, 0.34, 0.30) * (slant * slant * slant * slant) * left.x;
   if (!gl_FrontFacing) seen_colour *= 0.45;
-  colour = vec4(encoded(toned(seen_colour * 0.40)), opacityAt(facing, skin_opacity));
+  colour = vec4(encoded(toned(seen_colour * 0.42)), opacityAt(facing, skin_opacity));
 }
 )";
 
