@@ -2,12 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "palpate/base/text.h"
 #include "study/folder.h"
+#include "study/text_table.h"
 
 namespace palpate::study {
 
@@ -25,32 +26,12 @@ std::vector<std::string> cellsOf(const NumberRow& row) {
   return {row.where, row.what, row.printed, row.ours, verdictText(row), row.reason};
 }
 
-std::vector<std::string> headings() { return {"where", "number", "printed", "ours", "verdict", "how or why"}; }
-
 std::string closingLine(const std::vector<NumberRow>& rows) {
   std::string line;
   for (const Verdict verdict : kVerdicts) {
     line += fmt::format("{}{} {}", line.empty() ? "" : ", ", countOf(rows, verdict), nameOf(verdict));
   }
   return line;
-}
-
-using Widths = std::vector<std::size_t>;
-
-Widths widthsOf(const std::vector<NumberRow>& rows) {
-  Widths widths;
-  for (const std::string& heading : headings()) widths.push_back(heading.size());
-  for (const NumberRow& row : rows) {
-    const auto cells = cellsOf(row);
-    for (std::size_t i = 0; i < cells.size(); ++i) widths[i] = std::max(widths[i], cells[i].size());
-  }
-  return widths;
-}
-
-std::string aligned(const std::vector<std::string>& cells, const Widths& widths) {
-  std::string line;
-  for (std::size_t i = 0; i + 1 < cells.size(); ++i) line += fmt::format("{:<{}}  ", cells[i], widths[i]);
-  return line + cells.back() + "\n";
 }
 
 nlohmann::ordered_json objectOf(const NumberRow& row) {
@@ -72,32 +53,26 @@ nlohmann::ordered_json listOf(const std::vector<NumberRow>& rows, bool deciding)
   return list;
 }
 
-std::string quoted(std::string text) {
-  for (std::size_t at = text.find('"'); at != std::string::npos; at = text.find('"', at + 2)) text.insert(at, 1, '"');
-  return '"' + text + '"';
+TextTable tableOf(const std::vector<NumberRow>& rows, const std::function<bool(const NumberRow&)>& wanted) {
+  TextTable table{{"where", "number", "printed", "ours", "verdict", "how or why"}, {}};
+  for (const NumberRow& row : rows) {
+    if (wanted(row)) table.rows.push_back(cellsOf(row));
+  }
+  return table;
 }
 
-std::string markdownRow(const std::vector<std::string>& cells) {
-  std::string line = "|";
-  for (const std::string& cell : cells) line += " " + cell + " |";
-  return line + "\n";
+TextTable tableOf(const std::vector<NumberRow>& rows) {
+  return tableOf(rows, [](const NumberRow&) { return true; });
 }
 
 std::string markdownTable(const std::vector<NumberRow>& rows, bool deciding) {
-  std::string table = markdownRow(headings()) + markdownRow(std::vector<std::string>(headings().size(), "---"));
-  for (const NumberRow& row : rows) {
-    if (decides(row.verdict) == deciding) table += markdownRow(cellsOf(row));
-  }
-  return table;
+  return markdownOf(tableOf(rows, [=](const NumberRow& row) { return decides(row.verdict) == deciding; }));
 }
 
 }  // namespace
 
 std::string textOf(const std::vector<NumberRow>& rows) {
-  const Widths widths = widthsOf(rows);
-  std::string text = aligned(headings(), widths);
-  for (const NumberRow& row : rows) text += aligned(cellsOf(row), widths);
-  return text + "\n" + closingLine(rows) + "\n";
+  return plainText(tableOf(rows)) + "\n" + closingLine(rows) + "\n";
 }
 
 std::string jsonOf(const std::vector<NumberRow>& rows) {
@@ -118,13 +93,13 @@ std::string markdownOf(const std::vector<NumberRow>& rows) {
 }
 
 std::string csvOf(const std::vector<NumberRow>& rows) {
-  std::string csv = "where,number,printed,ours,verdict,erratum,reason\n";
+  TextTable table{{"where", "number", "printed", "ours", "verdict", "erratum", "reason"}, {}};
   for (const NumberRow& row : rows) {
     const std::string erratum = row.erratum > 0 ? fmt::format("E{}", row.erratum) : "";
-    csv += fmt::format("{},{},{},{},{},{},{}\n", quoted(row.where), quoted(row.what), quoted(row.printed),
-                       quoted(row.ours), quoted(std::string(nameOf(row.verdict))), erratum, quoted(row.reason));
+    table.rows.push_back(
+        {row.where, row.what, row.printed, row.ours, std::string(nameOf(row.verdict)), erratum, row.reason});
   }
-  return csv;
+  return csvOf(table);
 }
 
 void writeNumbers(const std::vector<NumberRow>& rows, const std::filesystem::path& folder) {

@@ -8,8 +8,11 @@
 #include <vector>
 
 #include "apps/palpate/commands.h"
+#include "apps/palpate/default_scene.h"
 #include "apps/palpate/progress_line.h"
 #include "palpate/base/error.h"
+#include "palpate/scene/scene_file.h"
+#include "study/errata_report.h"
 #include "study/figure_study.h"
 #include "study/numbers_report.h"
 #include "study/numbers_study.h"
@@ -78,6 +81,34 @@ void addFigures(CLI::App& study) {
   command.callback([arguments] { runFigures(*arguments); });
 }
 
+struct ErrataArguments {
+  std::string scene;
+  std::string folder;
+  bool json = false;
+};
+
+void runErrata(const ErrataArguments& arguments) {
+  const scene::Scene scene =
+      arguments.scene.empty() ? scene::parse(defaultScene(), "default.toml") : scene::load(arguments.scene);
+  ProgressLine progress;
+  const auto effects = study::studyErrata(scene, progress.callback());
+  progress.clear();
+  fmt::print("{}", arguments.json ? study::errataJson(effects) : study::errataText(effects));
+  if (!arguments.folder.empty()) study::writeErrata(effects, arguments.folder);
+}
+
+void addErrata(CLI::App& study) {
+  auto arguments = std::make_shared<ErrataArguments>();
+  CLI::App& command = *study.add_subcommand("errata",
+                                            "What each erratum of the dissertation changes on a scene: forces (N), "
+                                            "proxies (mm), skin (mm), strain (%), against "
+                                            "the corrected engine");
+  command.add_option("scene", arguments->scene, "Scene file (TOML); the built-in scene when left out");
+  command.add_option("--out", arguments->folder, "Also write errata.md, errata.csv and errata.json into this folder");
+  command.add_flag("--json", arguments->json, "Print one JSON object");
+  command.callback([arguments] { runErrata(*arguments); });
+}
+
 }  // namespace
 
 void addStudyCommand(CLI::App& app) {
@@ -85,6 +116,7 @@ void addStudyCommand(CLI::App& app) {
   study.require_subcommand(1);
   addNumbers(study);
   addFigures(study);
+  addErrata(study);
 }
 
 }  // namespace palpate::app
