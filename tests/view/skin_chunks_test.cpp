@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "palpate/base/random.h"
 #include "palpate/mesh/reorder.h"
+#include "palpate/partition/triangle_tree.h"
 #include "view/small_world.h"
 
 namespace palpate::view {
@@ -25,7 +27,7 @@ struct Sheet {
   deform::Skin skin;
   SkinChunks chunks;
   Camera camera;
-  Sheet() : skin((mesh::reorderSpatially(mesh), deform::buildSkin(mesh))), chunks(skin) {
+  Sheet() : skin((mesh::reorderSpatially(mesh), deform::buildSkin(mesh))), chunks(skin, mesh.triangles) {
     camera = fitted(mesh::boundingBox(mesh), 1.5);
   }
   Mat4f clip() const { return frustumOf(screenOf(camera, 1.5), camera.eye(), 10.0, 5000.0).clip(); }
@@ -70,6 +72,36 @@ TEST(SkinChunks, LeaveOutOnlyWhatIsOutsideThePicture) {
     EXPECT_FALSE(seen.x() > 0.0 && seen.x() < 1.0 && seen.y() > 0.0 && seen.y() < 1.0);
   }
   EXPECT_GT(left_out, sheet.mesh.triangles.size() / 2);
+}
+
+TEST(CoarserTriangles, CoverTheSameSkinWithFewerOfItsVertices) {
+  const deform::Skin skin = deform::buildSkin(zoo::sphere(50.0, 5));
+  const std::vector<std::uint8_t> none(skin.vertices, 0);
+  mesh::TriangleMesh coarse;
+  for (Index v = 0; v < skin.vertices; ++v) coarse.positions.push_back(skin.restPosition(v).cast<double>());
+  coarse.triangles = coarserTriangles(skin, none, 8.0f);
+  EXPECT_LT(coarse.triangles.size(), skin.triangles.size() / 4);
+  const partition::TriangleTree tree = partition::buildTriangleTree(coarse);
+  Random random(1);
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 way = Vec3(random.normal(), random.normal(), random.normal()).normalized();
+    const auto hit = partition::firstFrontCrossing(tree, 100.0 * way, Vec3::Zero());
+    ASSERT_NE(hit.triangle, kNoIndex) << "a hole";
+    EXPECT_NEAR(hit.point.norm(), 50.0, 2.0);
+  }
+}
+
+TEST(CoarserTriangles, KeepTheVerticesThatAreFixed) {
+  const deform::Skin skin = deform::buildSkin(zoo::grid(40, 100.0));
+  std::vector<std::uint8_t> fixed(skin.vertices, 0);
+  for (Index v = 0; v < skin.vertices; ++v) fixed[v] = skin.triangles_of_vertex[v].size() < 6 ? 1 : 0;
+  std::vector<std::uint8_t> used(skin.vertices, 0);
+  for (const Triangle& t : coarserTriangles(skin, fixed, 20.0f)) {
+    for (const Index v : t) used[v] = 1;
+  }
+  for (Index v = 0; v < skin.vertices; ++v) {
+    EXPECT_GE(used[v], fixed[v]) << skin.restPosition(v).transpose();
+  }
 }
 
 }  // namespace

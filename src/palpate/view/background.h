@@ -8,7 +8,7 @@ namespace palpate::view {
 class Background {
  public:
   Background();
-  /// Fills the viewport; leaves the depth alone.
+  /// Fills what is still empty of the viewport: where the depth is that of the far plane.
   void draw(bool white) const;
 
  private:

@@ -14,23 +14,25 @@ namespace {
 struct BoneVertex {
   Vec3f place;
   Vec3f normal;
-  float depth_mm;  // to the nearest skin at rest
+  Vec3f to_skin;  // to the nearest skin at rest, mm
 };
 
-/// Bones farther from any skin look as if they were this far.
-constexpr double kDeepestMm = 80.0;
+/// Bones farther from any skin than this look as if there were none.
+constexpr double kDeepestMm = 150.0;
 
 constexpr std::string_view kVertex = R"(
 layout(location = 0) in vec3 place_in;
 layout(location = 1) in vec3 normal_in;
-layout(location = 2) in float depth_in;
+layout(location = 2) in vec3 to_skin;
 out vec3 place;
 out vec3 normal;
 out float depth;
 void main() {
   place = place_in;
   normal = normal_in;
-  depth = depth_in;
+  // Flesh lies between the bone and the eye where the nearest skin is on the eye's side.
+  depth = min(length(to_skin), 45.0);
+  depth *= smoothstep(-0.2, 0.5, dot(to_skin, normalize(eye - place)) / max(length(to_skin), 1e-3));
   gl_Position = clip_from_body * vec4(place, 1.0);
 }
 )";
@@ -63,8 +65,8 @@ void append(const body::Bone& bone, const scene::World& world, std::vector<BoneV
   for (std::size_t v = 0; v < normals.size(); ++v) {
     const Vec3& place = bone.mesh.positions[v];
     const auto nearest = partition::nearestPoint(world.surface.tree, place, kDeepestMm);
-    const double depth = nearest.triangle == kNoIndex ? kDeepestMm : std::sqrt(nearest.closest.squared_distance);
-    vertices.push_back({place.cast<float>(), normals[v].cast<float>(), static_cast<float>(depth)});
+    const Vec3 to_skin = nearest.triangle == kNoIndex ? Vec3(Vec3::Zero()) : Vec3(nearest.closest.point - place);
+    vertices.push_back({place.cast<float>(), normals[v].cast<float>(), to_skin.cast<float>()});
   }
   for (const Triangle& t : bone.mesh.triangles) triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
 }
@@ -76,29 +78,52 @@ void pointAt(GLuint location, GLint size, std::size_t offset) {
 
 }  // namespace
 
-BoneLayer::BoneLayer(const scene::World& world) : program_("bones", kSharedShader, kVertex, kFragment) {
+BoneLayer::BoneLayer(const scene::World& world) : world_(world), program_("bones", kSharedShader, kVertex, kFragment) {
   std::vector<BoneVertex> vertices;
   std::vector<Triangle> triangles;
-  for (const body::Bone& bone : world.anatomy.bones) append(bone, world, vertices, triangles);
-  indices_ = static_cast<Index>(3 * triangles.size());
+  for (const body::Bone& bone : world.anatomy.bones) {
+    const auto first = static_cast<Index>(3 * triangles.size());
+    append(bone, world, vertices, triangles);
+    bones_.push_back({first, static_cast<Index>(3 * triangles.size()) - first});
+  }
   glBindVertexArray(vertex_array_.get());
   fillBuffer<Triangle>(GL_ELEMENT_ARRAY_BUFFER, triangles_.get(), triangles);
   fillBuffer<BoneVertex>(GL_ARRAY_BUFFER, vertices_.get(), vertices);
   pointAt(0, 3, offsetof(BoneVertex, place));
   pointAt(1, 3, offsetof(BoneVertex, normal));
-  pointAt(2, 1, offsetof(BoneVertex, depth_mm));
+  pointAt(2, 3, offsetof(BoneVertex, to_skin));
   glBindVertexArray(0);
 }
 
-void BoneLayer::draw(const Look& look, const Viewpoint& viewpoint) const {
-  if (empty()) return;
+/// A bone is hidden when the skin at rest lies before every tenth of its vertices; a dent takes no skin away.
+void BoneLayer::findHidden(const Vec3f& eye) {
+  constexpr std::size_t kStride = 10;
+  hidden_from_ = eye;
+  for (std::size_t b = 0; b < bones_.size(); ++b) {
+    const std::vector<Vec3>& points = world_.anatomy.bones[b].mesh.positions;
+    bones_[b].hidden = true;
+    for (std::size_t v = 0; v < points.size() && bones_[b].hidden; v += kStride) {
+      const auto skin = partition::firstFrontCrossing(world_.surface.tree, eye.cast<double>(), points[v]);
+      bones_[b].hidden = skin.triangle != kNoIndex;
+    }
+  }
+}
+
+void BoneLayer::draw(const Look& look, const Viewpoint& viewpoint) {
+  if (bones_.empty()) return;
+  const bool all = look.skin_opacity < 1.0;
+  if (!all && hidden_from_ != viewpoint.eye) findHidden(viewpoint.eye);
   program_.use();
   setViewpoint(program_, viewpoint);
   program_.set("skin_opacity", static_cast<float>(look.skin_opacity));
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_CULL_FACE);
   glBindVertexArray(vertex_array_.get());
-  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(indices_), GL_UNSIGNED_INT, nullptr);
+  for (const Range& bone : bones_) {
+    if (!all && bone.hidden) continue;
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(bone.count), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(bone.first * sizeof(Index)));
+  }
   glDisable(GL_CULL_FACE);
 }
 

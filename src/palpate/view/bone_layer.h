@@ -1,5 +1,9 @@
-// The bones under the skin, darker and redder the deeper they lie.
+// The bones under the skin, darker and redder the deeper they lie. Bones that opaque skin hides are not drawn: which
+// they are is asked again only when the eye has moved.
 #pragma once
+
+#include <limits>
+#include <vector>
 
 #include "palpate/scene/world.h"
 #include "palpate/view/look.h"
@@ -9,15 +13,25 @@ namespace palpate::view {
 
 class BoneLayer {
  public:
+  /// The world must outlive the layer.
   explicit BoneLayer(const scene::World& world);
-  void draw(const Look& look, const Viewpoint& viewpoint) const;
-  bool empty() const { return indices_ == 0; }
+  void draw(const Look& look, const Viewpoint& viewpoint);
 
  private:
+  /// A bone's part of the indices.
+  struct Range {
+    Index first = 0;
+    Index count = 0;
+    bool hidden = false;  // from hidden_from_
+  };
+  void findHidden(const Vec3f& eye);
+
+  const scene::World& world_;
   Program program_;
   GlVertexArray vertex_array_;
   GlBuffer vertices_, triangles_;
-  Index indices_ = 0;
+  std::vector<Range> bones_;
+  Vec3f hidden_from_ = Vec3f::Constant(std::numeric_limits<float>::quiet_NaN());
 };
 
 }  // namespace palpate::view

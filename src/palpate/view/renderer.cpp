@@ -77,6 +77,7 @@ struct Renderer::Parts {
     if (opaque) skin.draw(look, viewpoint, {poses, marks});
     drawFingers(look, viewpoint);
     bones.draw(look, viewpoint);
+    background.draw(look.white_background);
     if (!opaque) skin.draw(look, viewpoint, {poses, marks});
   }
 
@@ -121,7 +122,6 @@ void Renderer::draw(const Frame& frame, const Look& look, const Frustum& frustum
   const auto marks = parts_->blanching.at(frame.time_s, pressesOf(frame.fingers));
   glDepthMask(GL_TRUE);
   glClear(GL_DEPTH_BUFFER_BIT);
-  parts_->background.draw(look.white_background);
   setWinding(frustum);
   parts_->drawBody(look, viewpoint, marks);
   parts_->drawOverlays(frame, look, viewpoint);

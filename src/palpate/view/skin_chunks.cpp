@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <compare>
 
 namespace palpate::view {
 
@@ -48,14 +49,68 @@ void append(std::vector<IndexRun>& runs, Index first, Index count) {
   }
 }
 
+/// A cube, and which way the skin faces in it: the two sides of a thin part stay apart.
+using Cell = std::array<int, 4>;
+
+Cell cellOf(const deform::Skin& skin, Index v, float cell_mm) {
+  const Vec3f cell = (skin.restPosition(v) / cell_mm).array().floor();
+  const Vec3f normal = skin.restNormal(v);
+  const int octant = (normal.x() > 0.0f ? 1 : 0) + (normal.y() > 0.0f ? 2 : 0) + (normal.z() > 0.0f ? 4 : 0);
+  return {static_cast<int>(cell.x()), static_cast<int>(cell.y()), static_cast<int>(cell.z()), octant};
+}
+
+struct CellMember {
+  Cell cell;
+  float from_middle;
+  Index vertex;
+  friend auto operator<=>(const CellMember&, const CellMember&) = default;
+};
+
+/// For each vertex the one that stands for it: the nearest to the middle of its cell, itself when it is `fixed`.
+std::vector<Index> keptVertices(const deform::Skin& skin, std::span<const std::uint8_t> fixed, float cell_mm) {
+  std::vector<CellMember> members;
+  members.reserve(skin.vertices);
+  for (Index v = 0; v < skin.vertices; ++v) {
+    const Vec3f place = skin.restPosition(v) / cell_mm;
+    const Vec3f middle = place.array().floor() + 0.5f;
+    members.push_back({cellOf(skin, v, cell_mm), (place - middle).squaredNorm(), v});
+  }
+  std::sort(members.begin(), members.end());
+  std::vector<Index> kept(skin.vertices);
+  Index keeper = 0;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    if (i == 0 || members[i].cell != members[i - 1].cell) keeper = members[i].vertex;
+    kept[members[i].vertex] = fixed[members[i].vertex] != 0 ? members[i].vertex : keeper;
+  }
+  return kept;
+}
+
+/// Still seen from the side that its corners face; folds are not, and what is beside them covers their place.
+bool facesOut(const deform::Skin& skin, const Triangle& t) {
+  const Vec3f a = skin.restPosition(t[0]);
+  const Vec3f area = (skin.restPosition(t[1]) - a).cross(skin.restPosition(t[2]) - a);
+  return area.dot(skin.restNormal(t[0]) + skin.restNormal(t[1]) + skin.restNormal(t[2])) > 0.0f;
+}
+
 }  // namespace
 
-SkinChunks::SkinChunks(const deform::Skin& skin) : indices_(static_cast<Index>(3 * skin.triangles.size())) {
-  for (std::size_t first = 0; first < skin.triangles.size(); first += kChunkTriangles) {
-    const std::size_t end = std::min(first + kChunkTriangles, skin.triangles.size());
+std::vector<Triangle> coarserTriangles(const deform::Skin& skin, std::span<const std::uint8_t> fixed, float cell_mm) {
+  const std::vector<Index> kept = keptVertices(skin, fixed, cell_mm);
+  std::vector<Triangle> triangles;
+  for (const Triangle& t : skin.triangles) {
+    const Triangle coarse = {kept[t[0]], kept[t[1]], kept[t[2]]};
+    if (facesOut(skin, coarse)) triangles.push_back(coarse);
+  }
+  return triangles;
+}
+
+SkinChunks::SkinChunks(const deform::Skin& skin, std::span<const Triangle> triangles)
+    : indices_(static_cast<Index>(3 * triangles.size())) {
+  for (std::size_t first = 0; first < triangles.size(); first += kChunkTriangles) {
+    const std::size_t end = std::min(first + kChunkTriangles, triangles.size());
     Eigen::AlignedBox3f box;
     for (std::size_t t = first; t < end; ++t) {
-      for (const Index v : skin.triangles[t]) box.extend(skin.restPosition(v));
+      for (const Index v : triangles[t]) box.extend(skin.restPosition(v));
     }
     chunks_.push_back({box.center(), 0.5f * box.diagonal().norm()});
   }

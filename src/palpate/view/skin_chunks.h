@@ -30,9 +30,15 @@ struct SplitRuns {
   std::vector<IndexRun> plain;
 };
 
+/// Fewer triangles over some of the same vertices, for a skin that is seen so small that several triangles share a
+/// pixel: each cube of `cell_mm` keeps one vertex, and those marked in `fixed` stay. They deform with it. The order is
+/// that of the skin's triangles.
+std::vector<Triangle> coarserTriangles(const deform::Skin& skin, std::span<const std::uint8_t> fixed, float cell_mm);
+
 class SkinChunks {
  public:
-  explicit SkinChunks(const deform::Skin& skin);
+  /// `triangles` of the skin: all of them, or a coarser set.
+  SkinChunks(const deform::Skin& skin, std::span<const Triangle> triangles);
 
   /// The chunks that may be seen, neighbouring ones joined. Valid until the next call.
   const SplitRuns& split(const Mat4f& clip, std::span<const Influence> influences);

@@ -15,6 +15,10 @@ constexpr GLuint kRest = 7;
 constexpr GLuint kTint = 8;
 constexpr GLuint kValue = 9;
 constexpr int kDeformedArrays = 7;
+/// Skins of so many triangles have a coarser set (skin_chunks.h), drawn where its cells are smaller than these pixels.
+constexpr std::size_t kManyTriangles = 200000;
+constexpr float kCoarseCellMm = 2.0f;
+constexpr float kCoarseCellPixels = 3.0f;
 /// Pores fade out below (skin_shader.h): where all of the body is farther away they are not computed at all.
 constexpr float kFewestPixelsPerMm = 1.7f;
 
@@ -77,25 +81,40 @@ std::vector<Vec3f> restPlaces(const deform::Skin& skin) {
 }  // namespace
 
 SkinLayer::SkinLayer(const scene::World& world)
-    : chunks_(world.deformable),
-      world_(world),
+    : world_(world),
       stiffness_(world.stiffness_n_per_mm.begin(), world.stiffness_n_per_mm.end()),
       vertices_(world.deformable.vertices),
       closed_(world.closed),
       box_(mesh::boundingBox(world.skin).cast<float>()) {
   const std::size_t array_bytes = std::size_t{vertices_} * sizeof(float);
-  glBindVertexArray(vertex_array_.get());
-  fillBuffer<Triangle>(GL_ELEMENT_ARRAY_BUFFER, triangles_.get(), world.deformable.triangles);
   fillBuffer<Vec3f>(GL_ARRAY_BUFFER, rest_.get(), restPlaces(world.deformable));
   fillBuffer<TintBytes>(GL_ARRAY_BUFFER, tint_.get(), skinTints(world));
   fillBuffer<float>(GL_ARRAY_BUFFER, field_values_.get(), stiffness_);
   glBindBuffer(GL_ARRAY_BUFFER, deformed_.get());
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(kDeformedArrays * array_bytes), nullptr, GL_STREAM_DRAW);
+  whole_ = std::make_unique<Density>(world.deformable, world.deformable.triangles);
+  upload(*whole_, world.deformable.triangles);
+  if (world.deformable.triangles.size() < kManyTriangles) return;
+  // The outline stays as it is: it is what the eye sees first.
+  const std::vector<Triangle> fewer = coarserTriangles(world.deformable, world.surface.vertex_on_border, kCoarseCellMm);
+  coarse_ = std::make_unique<Density>(world.deformable, fewer);
+  upload(*coarse_, fewer);
+}
+
+void SkinLayer::upload(Density& density, std::span<const Triangle> triangles) const {
+  const std::size_t array_bytes = std::size_t{vertices_} * sizeof(float);
+  glBindVertexArray(density.vertex_array.get());
+  fillBuffer<Triangle>(GL_ELEMENT_ARRAY_BUFFER, density.triangles.get(), triangles);
   for (GLuint i = 0; i < kDeformedArrays; ++i) pointAt(i, deformed_.get(), 1, GL_FLOAT, i * array_bytes);
   pointAt(kRest, rest_.get(), 3, GL_FLOAT, 0);
   pointAt(kTint, tint_.get(), 4, GL_UNSIGNED_BYTE, 0);
   pointAt(kValue, field_values_.get(), 1, GL_FLOAT, 0);
   glBindVertexArray(0);
+}
+
+SkinLayer::Density& SkinLayer::densityFor(const Viewpoint& viewpoint) {
+  const bool small = viewpoint.pixelsPerMm(box_) * kCoarseCellMm < kCoarseCellPixels;
+  return coarse_ && small ? *coarse_ : *whole_;
 }
 
 void SkinLayer::upload(const deform::DeformedSurface& surface, deform::VertexRange range) {
@@ -154,13 +173,14 @@ void SkinLayer::drawColours(const Look& look, const Viewpoint& viewpoint, const 
 void SkinLayer::draw(const Look& look, const Viewpoint& viewpoint, const SkinTouch& touch) {
   if (!(look.skin_opacity > 0.0)) return;
   const bool transparent = look.skin_opacity < 1.0;
-  glBindVertexArray(vertex_array_.get());
+  Density& density = densityFor(viewpoint);
+  glBindVertexArray(density.vertex_array.get());
   glEnable(GL_DEPTH_TEST);
   // A closed skin hides its inside; an open sheet may be looked at from within.
   (closed_ ? glEnable : glDisable)(GL_CULL_FACE);
   const bool lit = look.colouring == Colouring::plain && look.shading == Shading::skin;
   const auto influences = lit ? influencesOf(touch, viewpoint.lights) : std::vector<Influence>();
-  const SplitRuns& runs = chunks_.split(viewpoint.clip, influences);
+  const SplitRuns& runs = density.chunks.split(viewpoint.clip, influences);
   if (transparent) {
     paint_.useDepth(viewpoint);
     drawDepth(runs);

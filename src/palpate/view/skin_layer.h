@@ -1,6 +1,7 @@
 // The skin on the graphics card: static arrays once, and of the deformation only what changed.
 #pragma once
 
+#include <memory>
 #include <span>
 
 #include "palpate/deform/surface.h"
@@ -35,10 +36,21 @@ class SkinLayer {
   void drawColours(const Look& look, const Viewpoint& viewpoint, const SkinTouch& touch, const SplitRuns& runs);
 
   SkinPaint paint_;
-  SkinChunks chunks_;
-  GlVertexArray vertex_array_, edge_array_;
+  /// A set of triangles over the skin's vertices.
+  struct Density {
+    SkinChunks chunks;
+    GlVertexArray vertex_array;
+    GlBuffer triangles;
+    Density(const deform::Skin& skin, std::span<const Triangle> kept) : chunks(skin, kept) {}
+  };
+  void upload(Density& density, std::span<const Triangle> triangles) const;
+  Density& densityFor(const Viewpoint& viewpoint);
+
+  std::unique_ptr<Density> whole_;
+  std::unique_ptr<Density> coarse_;  // for a skin of very many triangles that is seen small
+  GlVertexArray edge_array_;
   GlBuffer deformed_;  // x.. y.. z.. nx.. ny.. nz.. strain..: as the deformation keeps them
-  GlBuffer rest_, tint_, field_values_, triangles_, edges_;
+  GlBuffer rest_, tint_, field_values_, edges_;
   const scene::World& world_;
   std::vector<float> stiffness_;
   std::vector<float> half_major_;  // made when first shown
