@@ -128,7 +128,9 @@ void SkinPaint::useField(const Look& look, const Viewpoint& viewpoint) {
 const Program& SkinPaint::skinProgram(bool pores, bool touched) {
   std::optional<Program>& variant = skin_[(pores ? 1 : 0) + (touched ? 2 : 0)];
   if (!variant) {
-    const std::string defines = std::string(pores ? "#define PORES\n" : "") + (touched ? "#define TOUCHED\n" : "");
+    std::string defines;
+    if (pores) defines += "#define PORES\n";
+    if (touched) defines += "#define TOUCHED\n";
     variant.emplace(program("skin", kSkinVertex, kSkinFragment, defines));
   }
   return *variant;
