@@ -226,6 +226,17 @@ TEST(Renderer, ShowsEveryOverlay) {
   }
 }
 
+TEST(Renderer, LeavesAnOpaquePicture) {
+  Scene scene;
+  scene.press({50.0, 50.0, 0.0}, 6.0);
+  scene.look.skin_opacity = 0.4;
+  scene.look.overlays.set();
+  scene.draw();
+  std::vector<std::uint8_t> alpha(static_cast<std::size_t>(kWidth) * kHeight);
+  glReadPixels(0, 0, kWidth, kHeight, GL_ALPHA, GL_UNSIGNED_BYTE, alpha.data());
+  EXPECT_EQ(std::count(alpha.begin(), alpha.end(), 255), kWidth * kHeight);
+}
+
 TEST(Renderer, KeepsFrontsInFrontInAMirror) {
   Scene scene;
   scene.look.colouring = Colouring::stiffness;

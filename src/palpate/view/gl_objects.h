@@ -117,6 +117,9 @@ class Program {
   GlName<ProgramKind> program_;
 };
 
+/// Sets how transparent things cover what is there. The picture itself stays opaque: some desktops would show through.
+inline void blendOver() { glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA); }
+
 /// Version the current context offers as major * 10 + minor.
 inline int contextVersion() { return epoxy_gl_version(); }
 inline constexpr int kNeededVersion = 33;

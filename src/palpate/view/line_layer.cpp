@@ -124,7 +124,7 @@ void LineLayer::begin(const Program& program, const Viewpoint& viewpoint) {
   glEnable(GL_DEPTH_TEST);
   glDepthMask(GL_FALSE);
   glEnable(GL_BLEND);
-  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  blendOver();
 }
 
 void LineLayer::end() {

@@ -89,7 +89,9 @@ std::vector<Index> keptVertices(const deform::Skin& skin, std::span<const std::u
 bool facesOut(const deform::Skin& skin, const Triangle& t) {
   const Vec3f a = skin.restPosition(t[0]);
   const Vec3f area = (skin.restPosition(t[1]) - a).cross(skin.restPosition(t[2]) - a);
-  return area.dot(skin.restNormal(t[0]) + skin.restNormal(t[1]) + skin.restNormal(t[2])) > 0.0f;
+  const Vec3f normals = skin.restNormal(t[0]) + skin.restNormal(t[1]) + skin.restNormal(t[2]);
+  constexpr float kLeastCosine = 0.3f;  // steeper against its corners it is a fold too
+  return area.dot(normals) > kLeastCosine * area.norm() * normals.norm();
 }
 
 }  // namespace

@@ -187,7 +187,7 @@ void SkinLayer::draw(const Look& look, const Viewpoint& viewpoint, const SkinTou
   }
   glDepthFunc(transparent ? GL_EQUAL : GL_LESS);
   (transparent ? glEnable : glDisable)(GL_BLEND);
-  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  blendOver();
   drawColours(look, viewpoint, touch, runs);
   glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
