@@ -10,10 +10,11 @@ namespace palpate::view {
 namespace {
 
 /// Angle between the finger and the skin: as flat as the other fingers allow, within these; and how far the hand comes
-/// from its own side instead of straight from below. Radians.
+/// from its own side instead of straight from below; and turned about the finger, the little finger's side up. Radians.
 constexpr double kFlattest = 0.75;
 constexpr double kSteepest = 1.35;
 constexpr double kAside = 0.30;
+constexpr double kRoll = 0.40;
 /// Every how many vertices of the hand are asked whether they are in the skin; those within this of the tip are not: it
 /// lies in its dent.
 constexpr std::size_t kStride = 3;
@@ -36,7 +37,8 @@ Mat3 axesAt(const FingerPose& finger, double steepness) {
   axes.col(1) = std::cos(steepness) * heading - std::sin(steepness) * up;
   axes.col(2) = std::sin(steepness) * heading + std::cos(steepness) * up;
   axes.col(0) = axes.col(1).cross(axes.col(2));
-  return axes;
+  // The thumb is at the right hand's -x and the left hand's +x.
+  return axes * Eigen::AngleAxisd(finger.left ? kRoll : -kRoll, Vec3::UnitY()).toRotationMatrix();
 }
 
 /// The vertices between those that are asked may lie this much deeper.
