@@ -14,7 +14,7 @@ namespace {
 constexpr double kFlattest = 0.75;
 constexpr double kSteepest = 1.35;
 constexpr double kAside = 0.30;
-constexpr double kRoll = 0.40;
+constexpr double kRoll = 1.10;
 /// Every how many vertices of the hand are asked whether they are in the skin; those within this of the tip are not: it
 /// lies in its dent.
 constexpr std::size_t kStride = 3;
