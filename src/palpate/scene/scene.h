@@ -15,6 +15,7 @@
 #include "palpate/maps/stiffness_map.h"
 #include "palpate/scene/deformation_settings.h"
 #include "palpate/scene/safety_settings.h"
+#include "palpate/scene/view_settings.h"
 #include "palpate/tissue/force_law.h"
 
 namespace palpate::scene {
@@ -145,6 +146,7 @@ struct Scene {
   DeformationSettings deformation;
   StrainSettings strain;
   OutputSettings output;
+  ViewSettings view;
   SafetySettings safety;
   std::vector<Finger> fingers;
 };

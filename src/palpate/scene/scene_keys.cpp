@@ -5,6 +5,7 @@
 
 #include "palpate/scene/deformation_keys.h"
 #include "palpate/scene/fidelity_key.h"
+#include "palpate/scene/view_keys.h"
 
 namespace palpate::scene {
 
@@ -283,6 +284,15 @@ Section outputSection() {
   return section<S>("output", "What is written.", &Scene::output, std::move(keys));
 }
 
+Section viewSection() {
+  using S = ViewSettings;
+  const auto check = [](const S& view, const Entry& entry) {
+    if (view.head_mm && !(view.head_mm->z() > 0.0))
+      entry.fail("head_mm must be in front of the screen: third number > 0");
+  };
+  return section<S>("view", "How pictures of it look.", &Scene::view, viewKeys(), check);
+}
+
 Section safetySection() {
   using S = SafetySettings;
   std::vector<Key<S>> keys = {
@@ -429,7 +439,7 @@ const std::vector<Section>& sections() {
   static const std::vector<Section> all = {
       bodySection(),    stiffnessSection(), dysfunctionSection(), ellipsesSection(),    frictionSection(),
       contactSection(), partitionSection(), tissueSection(),      deformationSection(), strainSection(),
-      outputSection(),  safetySection(),    fingerSection(),
+      outputSection(),  viewSection(),      safetySection(),      fingerSection(),
   };
   return all;
 }

@@ -26,11 +26,11 @@ Vec3 cornerShares(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& place
 std::optional<ColourScale> scaleOf(Colouring colouring) {
   switch (colouring) {
     case Colouring::strain:
-      return ColourScale{ColourMap::cool_warm, "strain", "%"};
+      return ColourScale{colourMapOf(colouring), "strain", "%"};
     case Colouring::stiffness:
-      return ColourScale{ColourMap::viridis, "stiffness", "N/mm"};
+      return ColourScale{colourMapOf(colouring), "stiffness", "N/mm"};
     case Colouring::ellipses:
-      return ColourScale{ColourMap::cividis, "half-major", "mm"};
+      return ColourScale{colourMapOf(colouring), "half-major", "mm"};
     case Colouring::plain:
       break;
   }

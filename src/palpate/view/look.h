@@ -16,6 +16,8 @@ enum class Shading : std::uint8_t {
   skin,     ///< light at the pixels, with what makes skin look like skin
 };
 
+inline constexpr std::array<std::string_view, 2> kShadingNames = {"gouraud", "skin"};
+
 /// What the colour of the skin says; one at a time.
 enum class Colouring : std::uint8_t { plain, strain, stiffness, ellipses };
 inline constexpr std::array<std::string_view, 4> kColouringNames = {"plain", "strain", "stiffness", "ellipses"};
@@ -47,6 +49,7 @@ inline constexpr std::array<std::string_view, kOverlays> kOverlayNames = {"wiref
                                                                           "contact",   "normals",   "section"};
 
 enum class FingerShape : std::uint8_t { none, sphere, hand };
+inline constexpr std::array<std::string_view, 3> kFingerShapeNames = {"none", "sphere", "hand"};
 
 /// Ends of a colour map, in the unit of what is coloured (strain: per cent).
 struct ColourRange {

@@ -1,0 +1,90 @@
+#include "palpate/view/scene_view.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+#include "palpate/base/error.h"
+
+namespace palpate::view {
+
+namespace {
+
+constexpr double kRadians = std::numbers::pi / 180.0;
+
+/// The enumerator of the same place as the name. The scene's reader knows the names too; this is for other callers.
+template <class E>
+E named(std::span<const std::string_view> names, std::string_view name, std::string_view what) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) throw Error(fmt::format("{} '{}': must be one of {}", what, name, fmt::join(names, ", ")));
+  return static_cast<E>(found - names.begin());
+}
+
+Camera cameraOf(const scene::World& world, const scene::ViewSettings& view, double aspect) {
+  const auto side = named<StandardView>(kStandardViewNames, view.side, "side");
+  Camera camera = fitted(mesh::boundingBox(world.skin), aspect, side);
+  camera.yaw_rad += kRadians * view.yaw_deg;
+  camera.pitch_rad = std::clamp(camera.pitch_rad + kRadians * view.pitch_deg, -kRadians * 89.9, kRadians * 89.9);
+  // A longer lens from the same place: it never enters the body.
+  camera.height_rad = 2.0 * std::atan(std::tan(0.5 * camera.height_rad) / view.zoom);
+  if (view.look_at_mm) camera.centre = *view.look_at_mm;
+  return camera;
+}
+
+template <class Values>
+ColourRange rangeOf(const Values& values, const ColourRange& fallback) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return low != values.end() && *low < *high ? ColourRange{*low, *high} : fallback;
+}
+
+std::vector<double> halfMajors(const scene::World& world) {
+  std::vector<double> lengths;
+  lengths.reserve(world.skin.positions.size());
+  for (const Vec3& place : world.skin.positions) {
+    lengths.push_back(world.ellipses.at(place.x(), place.y()).half_major_mm);
+  }
+  return lengths;
+}
+
+Look lookOf(const scene::World& world, const scene::ViewSettings& view) {
+  Look look;
+  look.shading = named<Shading>(kShadingNames, view.shading, "shading");
+  look.colouring = named<Colouring>(kColouringNames, view.colours, "colours");
+  for (const std::string& name : view.show) look.show(named<Overlay>(kOverlayNames, name, "overlay"));
+  look.skin_opacity = view.opacity;
+  look.finger = named<FingerShape>(kFingerShapeNames, view.finger, "finger");
+  look.white_background = view.white_background;
+  look.strain_percent = {-world.scene.strain.range_percent, world.scene.strain.range_percent};
+  look.stiffness_n_per_mm = rangeOf(world.stiffness_n_per_mm, look.stiffness_n_per_mm);
+  if (look.colouring == Colouring::ellipses) look.half_major_mm = rangeOf(halfMajors(world), look.half_major_mm);
+  return look;
+}
+
+StereoSettings stereoOf(const scene::ViewSettings& view) {
+  StereoSettings stereo;
+  stereo.mode = stereoModeNamed(view.stereo);
+  stereo.eye_distance_mm = view.eye_distance_mm;
+  stereo.convergence_mm = view.convergence_mm;
+  stereo.swap_eyes = view.swap_eyes;
+  if (view.head_mm) stereo.head = TrackedHead{*view.head_mm, view.screen_height_mm};
+  return stereo;
+}
+
+}  // namespace
+
+PictureSettings pictureSettings(const scene::World& world, const scene::ViewSettings& view, double aspect) {
+  PictureSettings settings;
+  settings.camera = cameraOf(world, view, aspect);
+  settings.look = lookOf(world, view);
+  settings.stereo = stereoOf(view);
+  return settings;
+}
+
+PictureSettings pictureSettings(const scene::World& world, double aspect) {
+  return pictureSettings(world, world.scene.view, aspect);
+}
+
+}  // namespace palpate::view
