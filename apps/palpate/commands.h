@@ -15,6 +15,7 @@ void addMapCommand(CLI::App& app);
 void addModelCommand(CLI::App& app);
 void addPartitionCommand(CLI::App& app);
 void addSimulateCommand(CLI::App& app);
+void addRenderCommand(CLI::App& app);
 void addRepairCommand(CLI::App& app);
 void addStudyCommand(CLI::App& app);
 

@@ -21,6 +21,7 @@ int run(int argc, char** argv) {
   palpate::app::addModelCommand(app);
   palpate::app::addPartitionCommand(app);
   palpate::app::addSimulateCommand(app);
+  palpate::app::addRenderCommand(app);
   palpate::app::addRepairCommand(app);
   palpate::app::addStudyCommand(app);
   try {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 
@@ -58,6 +59,25 @@ void useSomeFinger(scene::Scene& scene) {
 }
 
 }  // namespace
+
+void addInputOptions(CLI::App& command, SimulateOptions& options) {
+  command.add_option("SCENE", options.scene,
+                     "Scene file (TOML, docs/scene-files.md); without one: ten seconds on the torso");
+  command.add_option("--mesh", options.mesh,
+                     "Palpate this mesh (OBJ, STL, PLY, OFF, glTF, GLB) instead of the scene's body");
+  command.add_option("--mesh-unit", options.mesh_unit, "Unit of the mesh file: auto, mm, cm, dm, m, in")
+      ->capture_default_str();
+  command.add_option("--mesh-scale", options.mesh_scale, "Factor on the mesh's size, after the unit")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  command.add_option("--mesh-group", options.mesh_group, "Only this group or object of an OBJ file");
+  command.add_option("--trajectory", options.trajectories,
+                     "Path of a finger, rows of t_s,x_mm,y_mm,z_mm in the body's coordinates; once for each finger");
+  command.add_option("--radius-mm", options.radius_mm, "Radius of every finger, mm; 0 is a point, 8 a fingertip")
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("--seconds", options.seconds, "How long to run, s; default: until the last finger has finished")
+      ->check(CLI::PositiveNumber);
+}
 
 scene::Scene sceneFor(const SimulateOptions& options) {
   scene::Scene scene = startingScene(options);

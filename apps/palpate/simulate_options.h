@@ -7,6 +7,10 @@
 
 #include "palpate/scene/scene.h"
 
+namespace CLI {
+class App;
+}
+
 namespace palpate::app {
 
 struct SimulateOptions {
@@ -23,6 +27,9 @@ struct SimulateOptions {
   bool realtime = false;
   bool json = false;
 };
+
+/// Adds SCENE and what replaces its parts: mesh, trajectories, radius, duration.
+void addInputOptions(CLI::App& command, SimulateOptions& options);
 
 /// The scene file (or the built-in one) with the command line's changes: a mesh replaces the body, trajectories replace
 /// the fingers' paths in their order, further ones add fingers. Throws Error.

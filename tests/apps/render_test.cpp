@@ -1,0 +1,114 @@
+// `palpate render` from the outside: which files it writes, what they hold, and what it refuses.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "palpate/view/image.h"
+#include "support/run_command.h"
+#include "support/temporary_folder.h"
+
+namespace palpate {
+namespace {
+
+using support::CommandResult;
+
+class Render : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::ofstream(folder_ / "dome.toml")
+        << "[body]\nkind = \"mesh\"\nfile = \"dome.obj\"\n\n[[finger]]\nname = \"a\"\n"
+           "at_mm = [0, 0]\nscript = [{ do = \"press\", depth_mm = 5, seconds = 1 }]\n";
+    writeDome();
+  }
+  CommandResult render(const std::string& arguments) const {
+    return support::runPalpate("render dome.toml --supersampling 1 --size 160x120 " + arguments, folder_.path());
+  }
+  std::string errorOf(const std::string& arguments) const {
+    const CommandResult result = render(arguments);
+    EXPECT_EQ(result.exit_code, 2) << arguments;
+    EXPECT_TRUE(!result.err.empty() && result.err.find('\n') == result.err.size() - 1) << "one line: " << result.err;
+    return result.err;
+  }
+  view::Image image(const std::string& name) const { return view::readPng(folder_ / name); }
+
+  support::TemporaryFolder folder_;
+
+ private:
+  void writeDome() const {
+    std::ofstream dome(folder_ / "dome.obj");
+    constexpr int kCells = 20;
+    for (int j = 0; j <= kCells; ++j) {
+      for (int i = 0; i <= kCells; ++i) {
+        const double x = -100.0 + 10.0 * i;
+        const double y = -100.0 + 10.0 * j;
+        dome << "v " << x << " " << y << " " << 20.0 - 0.001 * (x * x + y * y) << "\n";
+      }
+    }
+    for (int j = 0; j < kCells; ++j) {
+      for (int i = 0; i < kCells; ++i) {
+        const int a = j * (kCells + 1) + i + 1;
+        dome << "f " << a << " " << a + 1 << " " << a + kCells + 2 << " " << a + kCells + 1 << "\n";
+      }
+    }
+  }
+};
+
+TEST_F(Render, DrawsTheBodyAtRest) {
+  const CommandResult result = render("-o rest.png");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out.substr(0, 20), "rest.png: 160 x 120,");
+  const view::Image picture = image("rest.png");
+  EXPECT_EQ(picture.width, 160);
+  EXPECT_NE(picture.at(80, 60), picture.at(2, 60)) << "the body stands out from the background";
+}
+
+TEST_F(Render, ShowsTheMomentThatIsAskedFor) {
+  ASSERT_EQ(render("--no-labels -o a.png --at 0").exit_code, 0);
+  const CommandResult pressed = render("--no-labels -o b.png --at 0.99 --json");
+  ASSERT_EQ(pressed.exit_code, 0) << pressed.err;
+  const auto finger = nlohmann::json::parse(pressed.out)["pictures"][0]["fingers"][0];
+  EXPECT_TRUE(finger["touching"]);
+  EXPECT_NEAR(finger["depth_mm"], 5.0, 0.5);
+  EXPECT_NE(image("a.png").pixels, image("b.png").pixels);
+}
+
+TEST_F(Render, PressesAFingerAtAPose) {
+  const CommandResult result = render("--pose 20,0,12,30,0,12 --json -o pose.png");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto finger = nlohmann::json::parse(result.out)["pictures"][0]["fingers"][0];
+  EXPECT_NEAR(finger["depth_mm"], 7.1, 0.4) << "the dome is 19.1 mm high at (30, 0)";
+}
+
+TEST_F(Render, WritesASequence) {
+  const CommandResult result = render("--at 0.5 --frames 3 --fps 10 -o film.png --json");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_DOUBLE_EQ(nlohmann::json::parse(result.out)["pictures"][2]["time_s"], 0.7);
+  EXPECT_NE(image("film_0001.png").pixels, image("film_0003.png").pixels);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "film.png"));
+}
+
+TEST_F(Render, IsTheSamePictureEveryTime) {
+  ASSERT_EQ(render("--at 0.8 --show strain,wireframe -o a.png").exit_code, 0);
+  ASSERT_EQ(render("--at 0.8 --show strain,wireframe -o b.png").exit_code, 0);
+  EXPECT_EQ(image("a.png").pixels, image("b.png").pixels);
+}
+
+TEST_F(Render, SaysWhatStereoCannotDo) {
+  const CommandResult result = render("--stereo quad-buffer -o quad.png");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("quad-buffer stereo is not offered here"), std::string::npos);
+}
+
+TEST_F(Render, RefusesWithOneLine) {
+  EXPECT_EQ(errorOf("-o picture.jpg"), "palpate: picture.jpg: must be named *.png: pictures are written as PNG\n");
+  EXPECT_EQ(errorOf("--at 7"), "palpate: there is no moment 7 s: the run ends at 0.999 s\n");
+  EXPECT_EQ(errorOf("--pose 1,2"), "palpate: --pose 1,2: needs x,y,z, or several of them\n");
+  EXPECT_EQ(errorOf("--pose 1,2,x"), "palpate: --pose 1,2,x: 'x' is no number\n");
+  EXPECT_EQ(errorOf("--look-at 1,2"), "palpate: --look-at 1,2: needs x,y,z in mm\n");
+  EXPECT_NE(errorOf("--show wirefame").find("'wirefame' must be one of plain, strain"), std::string::npos);
+  EXPECT_NE(errorOf("--stereo 3d").find("--stereo"), std::string::npos);
+  EXPECT_NE(errorOf("-o no/such/folder/a.png").find("no/such/folder/a.png"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace palpate
