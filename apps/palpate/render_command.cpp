@@ -10,6 +10,7 @@
 #include "apps/palpate/commands.h"
 #include "apps/palpate/finger_marks.h"
 #include "apps/palpate/moments.h"
+#include "apps/palpate/picture_series.h"
 #include "apps/palpate/progress_line.h"
 #include "apps/palpate/render_options.h"
 #include "palpate/base/error.h"
@@ -81,39 +82,6 @@ view::PictureSettings settingsFor(const RenderOptions& options, const scene::Wor
   return settings;
 }
 
-/// Skin, deformer and studio of one world.
-class PictureSeries {
- public:
-  PictureSeries(std::shared_ptr<const scene::World> world, view::PictureSettings settings, view::PictureSize size)
-      : world_(std::move(world)),
-        settings_(std::move(settings)),
-        size_(size),
-        deformer_(world_->deformable, deformSettings(*world_)),
-        surface_(world_->deformable),
-        studio_(world_) {}
-
-  view::TakenPicture take(const Frame& frame, double time_s) {
-    deformer_.apply(contactsOf(*world_, frame), surface_);
-    const std::vector<view::FingerMark> marks = marksOf(*world_, frame);
-    return studio_.take(surface_, {marks, time_s}, settings_, size_);
-  }
-
- private:
-  static deform::Settings deformSettings(const scene::World& world) {
-    deform::Settings settings = world.scene.deformation;
-    settings.strain = true;
-    settings.max_contacts = std::max(settings.max_contacts, world.scene.fingers.size());
-    return settings;
-  }
-
-  std::shared_ptr<const scene::World> world_;
-  view::PictureSettings settings_;
-  view::PictureSize size_;
-  deform::Deformer deformer_;
-  deform::DeformedSurface surface_;
-  view::Studio studio_;
-};
-
 RenderReport render(const RenderOptions& options, const Progress& progress) {
   RenderReport result;
   result.size = sizeOf(options);
@@ -125,10 +93,11 @@ RenderReport render(const RenderOptions& options, const Progress& progress) {
   std::vector<double> times;
   const std::vector<Frame> frames = framesFor(options, *world, times, progress);
   const auto drawing = Clock::now();
-  PictureSeries series(world, settingsFor(options, *world, result.size), result.size);
+  const view::PictureSettings settings = settingsFor(options, *world, result.size);
+  PictureSeries series(world, result.size);
   for (std::size_t i = 0; i < files.size(); ++i) {
     report(progress, "drawing", static_cast<double>(i) / static_cast<double>(files.size()));
-    const view::TakenPicture taken = series.take(frames[i], times[i]);
+    const view::TakenPicture taken = series.take(frames[i], times[i], settings);
     view::writePng(files[i], taken.image);
     result.pictures.push_back({files[i].string(), times[i], frames[i]});
     if (i == 0) result.notes.insert(result.notes.end(), taken.notes.begin(), taken.notes.end());

@@ -23,6 +23,13 @@ double totalDepth(const Frame& frame) {
   return depth;
 }
 
+/// How far friction holds the skin behind or before the fingers.
+double totalDrag(const Frame& frame) {
+  double drag = 0.0;
+  for (const trace::Sample& sample : frame) drag += (sample.contact.proxy - sample.contact.hold).norm();
+  return drag;
+}
+
 }  // namespace
 
 RunRecorder::RunRecorder(const scene::World& world, const device::FingerPaths& paths,
@@ -57,6 +64,11 @@ void RunRecorder::addFrame() {
   if (depth > deepest_mm_) {
     deepest_mm_ = depth;
     deepest_.frame = frame_;
+  }
+  const double drag = totalDrag(frame_);
+  if (drag > farthest_mm_) {
+    farthest_mm_ = drag;
+    farthest_ = frame_;
   }
 }
 

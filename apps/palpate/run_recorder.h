@@ -29,6 +29,10 @@ class RunRecorder {
   const RunStatistics& statistics() const { return statistics_; }
   /// Names of the files written, in the folder.
   const std::vector<std::string>& files() const { return files_; }
+  /// The frame in which the fingers pressed deepest, and the one in which they pulled the skin farthest; empty when
+  /// they never did.
+  const Frame& deepest() const { return deepest_.frame; }
+  const Frame& farthest() const { return farthest_; }
   /// What could not be kept, in words.
   const std::vector<std::string>& notes() const { return notes_; }
 
@@ -50,6 +54,8 @@ class RunRecorder {
   std::vector<Moment> moments_;
   Moment deepest_;
   double deepest_mm_ = 0.0;
+  Frame farthest_;
+  double farthest_mm_ = 0.0;
   Frame frame_;
   std::vector<std::string> files_;
   std::vector<std::string> notes_;

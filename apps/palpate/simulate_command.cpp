@@ -23,7 +23,8 @@ void writeReport(const SimulationResult& result, const std::string& json) {
 
 void runSimulate(const SimulateOptions& options) {
   ProgressLine progress;
-  SimulationResult result = simulate(sceneFor(options), options.out, options.realtime, progress.callback());
+  SimulationResult result =
+      simulate(sceneFor(options), {options.out, options.realtime, options.pictures}, progress.callback());
   progress.clear();
   result.files.emplace_back("report.json");
   const std::string json = reportOf(result).dump(2) + "\n";
@@ -32,10 +33,11 @@ void runSimulate(const SimulateOptions& options) {
 }
 
 void addOutputOptions(CLI::App& command, SimulateOptions& options) {
-  command.add_option("--out", options.out, "Folder for forces.csv, surfaces (PLY) and report.json")
+  command.add_option("--out", options.out, "Folder for forces.csv, surfaces (PLY), pictures.png and report.json")
       ->capture_default_str();
   command.add_flag("--realtime", options.realtime,
                    "Pace the servo loop by the clock, deform at 60 Hz beside it, and report how late it woke");
+  command.add_flag("--pictures,!--no-pictures", options.pictures, "Leave pictures.png, what it looked like (default)");
   command.add_flag("--json", options.json, "Print the report as JSON instead of the summary");
 }
 

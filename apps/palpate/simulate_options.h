@@ -25,6 +25,7 @@ struct SimulateOptions {
   double seconds = 0.0;
   std::filesystem::path out = "results";
   bool realtime = false;
+  bool pictures = true;
   bool json = false;
 };
 

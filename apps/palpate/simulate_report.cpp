@@ -130,6 +130,7 @@ nlohmann::ordered_json reportOf(const SimulationResult& result) {
                  {"mode", result.display ? "realtime" : "headless"},
                  {"body", bodyJson(*result.world)},
                  {"build_s", result.build_s},
+                 {"pictures_s", result.pictures_s},
                  {"duration_s", result.duration_s},
                  {"wall_s", result.loop.wall_s},
                  {"ticks", result.loop.ticks},
@@ -152,6 +153,7 @@ std::string summaryOf(const SimulationResult& result) {
   text += fmt::format("  tick       {}   overruns {}\n", percentilesLine(result.loop.compute), result.loop.overruns);
   text += realtimeLines(result);
   text += safetyLine(result);
+  if (result.pictures_s > 0.0) text += fmt::format("  pictures   drawn in {:.1f} s\n", result.pictures_s);
   for (const std::string& note : result.notes) text += fmt::format("  note       {}\n", note);
   return text + filesLines(result);
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/palpate/contact_sheet.h"
 #include "apps/palpate/realtime_run.h"
 #include "apps/palpate/run_recorder.h"
 #include "palpate/base/error.h"
@@ -13,6 +14,7 @@ namespace palpate::app {
 namespace {
 
 constexpr const char* kAutomaticFile = "trajectory_automatic.csv";
+constexpr const char* kPicturesFile = "pictures.png";
 
 void makeFolder(const std::filesystem::path& folder) {
   std::error_code error;
@@ -56,6 +58,19 @@ void noteUntouched(const scene::World& world, const RunStatistics& statistics, s
       box.min().x(), box.min().y(), box.min().z(), box.max().x(), box.max().y(), box.max().z()));
 }
 
+/// A machine that cannot draw still palpates.
+void leavePictures(const RunRecorder& recorder, SimulationResult& result, const Progress& progress) {
+  const std::int64_t started_ns = servo::monotonicNs();
+  try {
+    const view::Image sheet = contactSheet(result.world, {recorder.deepest(), recorder.farthest()}, progress);
+    view::writePng(result.folder / kPicturesFile, sheet);
+    result.files.emplace_back(kPicturesFile);
+    result.pictures_s = static_cast<double>(servo::monotonicNs() - started_ns) * 1e-9;
+  } catch (const Error& error) {
+    result.notes.push_back(fmt::format("no {}: {}", kPicturesFile, error.what()));
+  }
+}
+
 template <class T>
 void append(std::vector<T>& to, const std::vector<T>& from) {
   to.insert(to.end(), from.begin(), from.end());
@@ -63,21 +78,20 @@ void append(std::vector<T>& to, const std::vector<T>& from) {
 
 }  // namespace
 
-SimulationResult simulate(const scene::Scene& scene, const std::filesystem::path& folder, bool realtime,
-                          const Progress& progress) {
+SimulationResult simulate(const scene::Scene& scene, const SimulationSettings& settings, const Progress& progress) {
   SimulationResult result;
-  result.folder = folder;
+  result.folder = settings.folder;
   const std::int64_t started_ns = servo::monotonicNs();
   result.world = scene::build(scene, progress);
   const scene::World& world = *result.world;
   const device::FingerPaths paths = device::pathsOf(world);
   result.build_s = static_cast<double>(servo::monotonicNs() - started_ns) * 1e-9;
   result.duration_s = static_cast<double>(paths.ticks) / scene.ticks_per_s;
-  makeFolder(folder);
+  makeFolder(settings.folder);
   saveAutomaticPaths(world, paths, result);
 
-  RunRecorder recorder(world, paths, folder);
-  run(world, paths, realtime, recorder, result, progress);
+  RunRecorder recorder(world, paths, settings.folder);
+  run(world, paths, settings.realtime, recorder, result, progress);
   recorder.finish(progress);
 
   result.fingers = recorder.statistics().fingers();
@@ -87,6 +101,7 @@ SimulationResult simulate(const scene::Scene& scene, const std::filesystem::path
   if (world.hdb) result.notes.push_back(scene::describe(*world.hdb));
   append(result.notes, recorder.notes());
   noteUntouched(world, recorder.statistics(), result.notes);
+  if (settings.pictures) leavePictures(recorder, result, progress);
   return result;
 }
 

@@ -1,7 +1,7 @@
 // One simulated palpation from its settings to its files: what `palpate simulate` does between reading its options and
 // printing its summary.
 //
-//   scene ─ build ─► world ─ paths ─► rig ─ headless │ realtime ─► recorder ─► forces.csv, surfaces
+//   scene ─ build ─► world ─ paths ─► rig ─ headless │ realtime ─► recorder ─► forces.csv, surfaces, pictures
 #pragma once
 
 #include <filesystem>
@@ -28,6 +28,7 @@ struct SimulationResult {
   std::shared_ptr<const scene::World> world;
   std::filesystem::path folder;
   double build_s = 0.0;
+  double pictures_s = 0.0;  ///< spent on drawing pictures.png; 0 when none was drawn
   double duration_s = 0.0;  ///< of what was simulated
   servo::LoopReport loop;
   std::optional<DisplayReport> display;  ///< of a realtime run
@@ -37,8 +38,13 @@ struct SimulationResult {
   std::vector<std::string> notes;
 };
 
+struct SimulationSettings {
+  std::filesystem::path folder = "results";
+  bool realtime = false;
+  bool pictures = true;  ///< leave a contact sheet, where pictures can be drawn
+};
+
 /// Builds the scene, runs it and writes its files into the folder, which is made if needed. Throws Error.
-SimulationResult simulate(const scene::Scene& scene, const std::filesystem::path& folder, bool realtime,
-                          const Progress& progress);
+SimulationResult simulate(const scene::Scene& scene, const SimulationSettings& settings, const Progress& progress);
 
 }  // namespace palpate::app

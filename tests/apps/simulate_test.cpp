@@ -9,6 +9,7 @@
 #include "palpate/base/text.h"
 #include "palpate/mesh/load.h"
 #include "palpate/mesh/save.h"
+#include "palpate/view/image.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
 
@@ -46,8 +47,9 @@ class Simulate : public ::testing::Test {
   void write(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / name, std::ios::binary) << text;
   }
+  /// Without pictures: they take longer than all the rest.
   CommandResult simulate(const std::string& arguments) const {
-    return runPalpate("simulate " + arguments, folder_.path());
+    return runPalpate("simulate --no-pictures " + arguments, folder_.path());
   }
   nlohmann::json report(const std::string& out = "results") const {
     return nlohmann::json::parse(contentOf(folder_ / (out + "/report.json")));
@@ -75,6 +77,26 @@ TEST_F(Simulate, PalpatesAMeshAlongATrajectory) {
   EXPECT_GT(finger["triangles_touched"], 2);
   const std::string forces = contentOf(folder_ / "results/forces.csv");
   EXPECT_EQ(std::count(forces.begin(), forces.end(), '\n'), 1 + 1201);
+}
+
+TEST_F(Simulate, LeavesPicturesOfWhatItDid) {
+  const CommandResult result = runPalpate("simulate --mesh dome.obj --trajectory path.csv", folder_.path());
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("results in results: forces.csv surface_deepest.ply pictures.png report.json"),
+            std::string::npos);
+  const view::Image sheet = view::readPng(folder_ / "results/pictures.png");
+  EXPECT_EQ(sheet.width, 3 * 480);
+  EXPECT_EQ(sheet.height, 2 * 360);
+  EXPECT_GT(report()["pictures_s"], 0.0);
+}
+
+TEST_F(Simulate, GoesOnWherePicturesCannotBeDrawn) {
+  const CommandResult result = support::runProgram("/usr/bin/env",
+                                                   "MESA_GL_VERSION_OVERRIDE=2.1 " PALPATE_BINARY_DIR
+                                                   "/palpate simulate --mesh dome.obj --trajectory path.csv",
+                                                   folder_.path());
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("no pictures.png: cannot draw: needs OpenGL 3.3, found "), std::string::npos) << result.out;
 }
 
 TEST_F(Simulate, FindsItsOwnWayOverAnyMeshAndSavesIt) {

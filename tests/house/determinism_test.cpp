@@ -18,7 +18,8 @@ TEST(Determinism, TheDefaultSceneIsBitIdenticalWithoutOptimisation) {
   if (!fs::exists(build / "palpate_unoptimised")) GTEST_SKIP() << "built without PALPATE_DETERMINISM_BUILD";
   const support::TemporaryFolder folder;
   for (const char* twin : {"palpate", "palpate_unoptimised"}) {
-    const auto run = support::runProgram(build / twin, std::string("simulate --out ") + twin, folder.path());
+    const auto run =
+        support::runProgram(build / twin, std::string("simulate --no-pictures --out ") + twin, folder.path());
     ASSERT_EQ(run.exit_code, 0) << run.err;
   }
   const std::string forces = support::contentOf(folder.path() / "palpate" / "forces.csv");

@@ -11,8 +11,8 @@
 namespace palpate::view {
 namespace {
 
-constexpr Paint kWhite{{255, 255, 255}};
-constexpr Paint kRed{{200, 30, 40}};
+constexpr Ink kWhite{{255, 255, 255}};
+constexpr Ink kRed{{200, 30, 40}};
 
 Image drawn(int width, int height, double scale, const std::function<void(Drawing&)>& draw) {
   const OffscreenContext context;

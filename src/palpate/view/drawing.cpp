@@ -18,8 +18,8 @@ constexpr std::array<float, 3> kTextPoints = {12.0f, 14.0f, 18.0f};
 
 ImVec2 at(const Vec2f& v) { return {v.x(), v.y()}; }
 
-ImU32 packed(const Paint& paint) {
-  return IM_COL32(paint.colour[0], paint.colour[1], paint.colour[2], std::lround(255.0 * paint.opacity));
+ImU32 packed(const Ink& ink) {
+  return IM_COL32(ink.colour[0], ink.colour[1], ink.colour[2], std::lround(255.0 * ink.opacity));
 }
 
 const char* endOf(std::string_view words) { return words.data() + words.size(); }
@@ -117,42 +117,42 @@ void Drawing::present(int width, int height) const {
   ImGui_ImplOpenGL3_RenderDrawData(&data);
 }
 
-void Drawing::line(const Vec2f& from, const Vec2f& to, const Paint& paint, float thickness) {
-  parts_->list->AddLine(at(from), at(to), packed(paint), thickness);
+void Drawing::line(const Vec2f& from, const Vec2f& to, const Ink& ink, float thickness) {
+  parts_->list->AddLine(at(from), at(to), packed(ink), thickness);
 }
 
-void Drawing::curve(std::span<const Vec2f> points, const Paint& paint, float thickness) {
+void Drawing::curve(std::span<const Vec2f> points, const Ink& ink, float thickness) {
   static_assert(sizeof(Vec2f) == sizeof(ImVec2));
   parts_->list->AddPolyline(reinterpret_cast<const ImVec2*>(points.data()), static_cast<int>(points.size()),
-                            packed(paint), ImDrawFlags_None, thickness);
+                            packed(ink), ImDrawFlags_None, thickness);
 }
 
-void Drawing::box(const Vec2f& corner, const Vec2f& opposite, const Paint& paint, float rounding) {
-  parts_->list->AddRectFilled(at(corner), at(opposite), packed(paint), rounding);
+void Drawing::box(const Vec2f& corner, const Vec2f& opposite, const Ink& ink, float rounding) {
+  parts_->list->AddRectFilled(at(corner), at(opposite), packed(ink), rounding);
 }
 
-void Drawing::frame(const Vec2f& corner, const Vec2f& opposite, const Paint& paint, float rounding) {
-  parts_->list->AddRect(at(corner), at(opposite), packed(paint), rounding);
+void Drawing::frame(const Vec2f& corner, const Vec2f& opposite, const Ink& ink, float rounding) {
+  parts_->list->AddRect(at(corner), at(opposite), packed(ink), rounding);
 }
 
-void Drawing::triangle(const Vec2f& a, const Vec2f& b, const Vec2f& c, const Paint& paint) {
-  parts_->list->AddTriangleFilled(at(a), at(b), at(c), packed(paint));
+void Drawing::triangle(const Vec2f& a, const Vec2f& b, const Vec2f& c, const Ink& ink) {
+  parts_->list->AddTriangleFilled(at(a), at(b), at(c), packed(ink));
 }
 
-void Drawing::disc(const Vec2f& middle, float radius, const Paint& paint) {
-  parts_->list->AddCircleFilled(at(middle), radius, packed(paint));
+void Drawing::disc(const Vec2f& middle, float radius, const Ink& ink) {
+  parts_->list->AddCircleFilled(at(middle), radius, packed(ink));
 }
 
-void Drawing::ring(const Vec2f& middle, float radius, const Paint& paint, float thickness) {
-  parts_->list->AddCircle(at(middle), radius, packed(paint), 0, thickness);
+void Drawing::ring(const Vec2f& middle, float radius, const Ink& ink, float thickness) {
+  parts_->list->AddCircle(at(middle), radius, packed(ink), 0, thickness);
 }
 
-void Drawing::text(const Vec2f& place, std::string_view words, const Paint& paint, Align align, TextSize size) {
+void Drawing::text(const Vec2f& place, std::string_view words, const Ink& ink, Align align, TextSize size) {
   const float width = measure(words, size).x();
   const float left = align == Align::left ? 0.0f : align == Align::centre ? 0.5f * width : width;
   // Letters start on whole points: those of a supersampled picture are then reduced alike.
   const ImVec2 start{std::round(place.x() - left), std::round(place.y())};
-  parts_->list->AddText(parts_->font(size), kTextPoints[static_cast<std::size_t>(size)], start, packed(paint),
+  parts_->list->AddText(parts_->font(size), kTextPoints[static_cast<std::size_t>(size)], start, packed(ink),
                         words.data(), endOf(words));
 }
 

@@ -19,7 +19,7 @@ namespace palpate::view {
 using Vec2f = Eigen::Vector2f;
 
 /// sRGB, opacity from 0 to 1.
-struct Paint {
+struct Ink {
   ColourBytes colour = {255, 255, 255};
   double opacity = 1.0;
 };
@@ -42,15 +42,15 @@ class Drawing {
   /// Draws the page into the bound framebuffer, stretched to its `width` x `height` pixels.
   void present(int width, int height) const;
 
-  void line(const Vec2f& from, const Vec2f& to, const Paint& paint, float thickness = 1.0f);
-  void curve(std::span<const Vec2f> points, const Paint& paint, float thickness = 1.0f);
-  void box(const Vec2f& corner, const Vec2f& opposite, const Paint& paint, float rounding = 0.0f);
-  void frame(const Vec2f& corner, const Vec2f& opposite, const Paint& paint, float rounding = 0.0f);
-  void triangle(const Vec2f& a, const Vec2f& b, const Vec2f& c, const Paint& paint);
-  void disc(const Vec2f& middle, float radius, const Paint& paint);
-  void ring(const Vec2f& middle, float radius, const Paint& paint, float thickness = 1.0f);
+  void line(const Vec2f& from, const Vec2f& to, const Ink& ink, float thickness = 1.0f);
+  void curve(std::span<const Vec2f> points, const Ink& ink, float thickness = 1.0f);
+  void box(const Vec2f& corner, const Vec2f& opposite, const Ink& ink, float rounding = 0.0f);
+  void frame(const Vec2f& corner, const Vec2f& opposite, const Ink& ink, float rounding = 0.0f);
+  void triangle(const Vec2f& a, const Vec2f& b, const Vec2f& c, const Ink& ink);
+  void disc(const Vec2f& middle, float radius, const Ink& ink);
+  void ring(const Vec2f& middle, float radius, const Ink& ink, float thickness = 1.0f);
   /// `place` is the upper left, upper middle or upper right of the line of text.
-  void text(const Vec2f& place, std::string_view words, const Paint& paint, Align align = Align::left,
+  void text(const Vec2f& place, std::string_view words, const Ink& ink, Align align = Align::left,
             TextSize size = TextSize::normal);
   Vec2f measure(std::string_view words, TextSize size = TextSize::normal) const;
   const Vec2f& size() const { return size_; }

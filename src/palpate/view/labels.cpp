@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "palpate/view/label_paints.h"
+#include "palpate/view/label_inks.h"
 #include "palpate/view/legend.h"
 #include "palpate/view/round_steps.h"
+#include "palpate/view/section_inset.h"
 
 namespace palpate::view {
 
@@ -65,10 +66,10 @@ void drawScaleBar(Drawing& page, const Eyes& eyes) {
   const auto length = static_cast<float>(length_mm * points_per_mm);
   const float y = page.size().y() - kMargin - 2.0f;
   constexpr float kEnd = 5.0f;
-  for (const auto& [paint, thickness] : {std::pair{kShade, 4.0f}, {kInk, 2.0f}}) {
-    page.line({kMargin, y}, {kMargin + length, y}, paint, thickness);
-    page.line({kMargin, y - kEnd}, {kMargin, y + kEnd}, paint, thickness);
-    page.line({kMargin + length, y - kEnd}, {kMargin + length, y + kEnd}, paint, thickness);
+  for (const auto& [ink, thickness] : {std::pair{kShadeInk, 4.0f}, {kLightInk, 2.0f}}) {
+    page.line({kMargin, y}, {kMargin + length, y}, ink, thickness);
+    page.line({kMargin, y - kEnd}, {kMargin, y + kEnd}, ink, thickness);
+    page.line({kMargin + length, y - kEnd}, {kMargin + length, y + kEnd}, ink, thickness);
   }
   const std::string words = length_mm >= 1.0 ? fmt::format("{:.0f} mm", length_mm) : fmt::format("{} mm", length_mm);
   writeLabel(page, {kMargin + 0.5f * length, y - kEnd - 18.0f}, words, Align::centre);
@@ -78,8 +79,8 @@ void drawScaleBar(Drawing& page, const Eyes& eyes) {
 void drawAxis(Drawing& page, const Vec2f& middle, const Vec2f& end, std::string_view letter) {
   constexpr float kShortest = 7.0f;  ///< points: an axis that looks at the eye says nothing
   if (end.norm() < kShortest) return;
-  page.line(middle, middle + end, kShade, 3.5f);
-  page.line(middle, middle + end, kInk, 1.5f);
+  page.line(middle, middle + end, kShadeInk, 3.5f);
+  page.line(middle, middle + end, kLightInk, 1.5f);
   const Vec2f letter_place = middle + end + 9.0f * end.normalized();
   writeLabel(page, {letter_place.x(), letter_place.y() - 8.0f}, letter, Align::centre);
 }
@@ -138,13 +139,13 @@ void drawNumbers(Drawing& page, const LabelScene& scene, const FingerMark& finge
   const Vec2f wanted = tip + Vec2f(34.0f, -30.0f - size.y());
   const Vec2f last = (page.size() - size - Vec2f::Constant(kMargin)).cwiseMax(Vec2f::Constant(kMargin));
   const Vec2f corner = wanted.cwiseMax(Vec2f::Constant(kMargin)).cwiseMin(last).array().round();
-  const Paint colour{encodedColour(finger.colour)};
-  page.line(tip, corner + Vec2f(0.0f, size.y()), kInk, 1.2f);
-  page.box(corner, corner + size, kShade, 4.0f);
+  const Ink colour{encodedColour(finger.colour)};
+  page.line(tip, corner + Vec2f(0.0f, size.y()), kLightInk, 1.2f);
+  page.box(corner, corner + size, kShadeInk, 4.0f);
   page.box(corner, corner + Vec2f(kStripe, size.y()), colour);
   float y = corner.y() + kPad;
   for (const std::string& line : lines) {
-    page.text({corner.x() + kPad + kStripe, y}, line, kInk, Align::left, TextSize::small);
+    page.text({corner.x() + kPad + kStripe, y}, line, kLightInk, Align::left, TextSize::small);
     y += page.measure(line, TextSize::small).y() + 1.0f;
   }
 }
@@ -156,12 +157,36 @@ void drawFingers(Drawing& page, const LabelScene& scene, const LabelSettings& se
   }
 }
 
+// ---- the cut through the deepest contact
+
+const FingerMark* deepest(const Frame& frame) {
+  const FingerMark* found = nullptr;
+  for (const FingerMark& finger : frame.fingers) {
+    if (finger.contact.touch == contact::Touch::free) continue;
+    if (found == nullptr || finger.contact.depth_mm > found->contact.depth_mm) found = &finger;
+  }
+  return found;
+}
+
+/// At the lower edge, between the scale bar and the figure of directions.
+void drawCut(Drawing& page, const LabelScene& scene) {
+  const FingerMark* finger = deepest(scene.frame);
+  if (finger == nullptr) return;
+  const SectionPlane plane = sectionPlane(scene.world, finger->contact);
+  SectionChart chart;
+  chart.size = {std::round(std::clamp(0.36f * page.size().x(), 150.0f, 320.0f)),
+                std::round(std::clamp(0.34f * page.size().y(), 92.0f, 180.0f))};
+  chart.corner = {std::round(0.5f * (page.size().x() - chart.size.x())), page.size().y() - chart.size.y() - 8.0f};
+  drawSection(page, sectionCurve(scene.world, scene.surface, plane, kSectionHalfWidthMm), chart);
+}
+
 }  // namespace
 
 void drawLabels(Drawing& page, const LabelScene& scene, const LabelSettings& settings) {
   if (settings.scale_bar) drawScaleBar(page, scene.eyes);
   if (settings.orientation) drawOrientation(page, scene.camera);
   if (settings.legend) drawColours(page, scene);
+  if (settings.section && scene.look.shows(Overlay::section)) drawCut(page, scene);
   if (settings.numbers) drawFingers(page, scene, settings);
   drawTitle(page, settings.title);
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "palpate/view/label_paints.h"
+#include "palpate/view/label_inks.h"
 #include "palpate/view/round_steps.h"
 
 namespace palpate::view {
@@ -22,8 +22,8 @@ void drawBar(Drawing& page, const Legend& legend, const LegendPlace& place) {
   for (int i = 0; i < strips; ++i) {
     const float top = place.corner.y() + place.size.y() * static_cast<float>(i) / static_cast<float>(strips);
     const float below = place.corner.y() + place.size.y() * static_cast<float>(i + 1) / static_cast<float>(strips);
-    const Paint paint{colourAt(legend, 1.0 - (i + 0.5) / strips)};
-    page.box({place.corner.x(), top}, {place.corner.x() + place.size.x(), below}, paint);
+    const Ink ink{colourAt(legend, 1.0 - (i + 0.5) / strips)};
+    page.box({place.corner.x(), top}, {place.corner.x() + place.size.x(), below}, ink);
   }
 }
 
@@ -48,7 +48,7 @@ void drawNumbers(Drawing& page, const Legend& legend, const LegendPlace& place) 
   const float half_line = 0.5f * page.measure("0", TextSize::small).y();
   for (const double value : values) {
     const float y = heightOf(legend, place, value);
-    page.line({right, y}, {right + kTick, y}, kInk);
+    page.line({right, y}, {right + kTick, y}, kLightInk);
     writeLabel(page, {right + kTick + 3.0f, y - half_line}, markText(value, step), Align::left, TextSize::small);
   }
 }
@@ -68,7 +68,7 @@ void drawWords(Drawing& page, const Legend& legend, const LegendPlace& place) {
 void drawMark(Drawing& page, const Legend& legend, const LegendPlace& place, const Legend::Mark& mark) {
   const float y = heightOf(legend, place, mark.value);
   const float tip = place.corner.x() - 1.0f;
-  page.triangle({tip + 1.5f, y}, {tip - 11.0f, y + 6.5f}, {tip - 11.0f, y - 6.5f}, kInk);
+  page.triangle({tip + 1.5f, y}, {tip - 11.0f, y + 6.5f}, {tip - 11.0f, y - 6.5f}, kLightInk);
   page.triangle({tip, y}, {tip - 9.5f, y + 5.0f}, {tip - 9.5f, y - 5.0f}, {mark.colour});
 }
 

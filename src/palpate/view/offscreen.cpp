@@ -77,4 +77,13 @@ OffscreenContext::OffscreenContext() : handles_(std::make_unique<Handles>()) {
 
 OffscreenContext::~OffscreenContext() = default;
 
+std::string rendererName() {
+  const std::string renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const std::string version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
+  constexpr std::string_view kMesa = "Mesa ";
+  const std::size_t mesa = version.find(kMesa);
+  const std::string number = mesa == std::string::npos ? version : version.substr(mesa + kMesa.size());
+  return renderer.substr(0, renderer.find(' ')) + "-" + number.substr(0, number.find('.'));
+}
+
 }  // namespace palpate::view

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 namespace palpate::view {
 
@@ -18,5 +19,9 @@ class OffscreenContext {
   struct Handles;
   std::unique_ptr<Handles> handles_;
 };
+
+/// Who draws in the current context, short enough for a folder's name: "llvmpipe-22" for Mesa 22's renderer of that
+/// name. Pictures of different ones differ in single pixels.
+std::string rendererName();
 
 }  // namespace palpate::view

@@ -18,7 +18,8 @@ TakenPicture Studio::take(const deform::DeformedSurface& surface, const Frame& f
   painter_.renderer().updateAll(surface);
   Painted painted = painter_.paint(frame, surface, settings, canvas);
   const Image image = target_->read();
-  return {size.supersampling == 1 ? image : reduced(image, size.supersampling), std::move(painted.notes)};
+  return {size.supersampling == 1 ? image : reduced(image, size.supersampling), std::move(painted.notes),
+          rendererName()};
 }
 
 Image picture(std::shared_ptr<const scene::World> world, const deform::DeformedSurface& surface, const Frame& frame,

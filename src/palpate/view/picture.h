@@ -16,6 +16,7 @@ struct PictureSize {
 struct TakenPicture {
   Image image;
   std::vector<std::string> notes;  ///< see Painted
+  std::string drawn_by;            ///< rendererName()
 };
 
 /// Takes pictures of one world: an offscreen context and all that is uploaded once. One thread.

@@ -5,8 +5,8 @@
 
 namespace palpate::view {
 
-inline constexpr Paint kInk{{250, 250, 250}};
-inline constexpr Paint kShade{{20, 20, 24}, 0.72};
+inline constexpr Ink kLightInk{{250, 250, 250}};
+inline constexpr Ink kShadeInk{{20, 20, 24}, 0.72};
 
 /// sRGB bytes of a linear colour.
 ColourBytes encodedColour(const Vec3f& linear);

@@ -1,4 +1,4 @@
-#include "palpate/view/label_paints.h"
+#include "palpate/view/label_inks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,9 +17,9 @@ ColourBytes encodedColour(const Vec3f& linear) {
 
 void writeLabel(Drawing& page, const Vec2f& place, std::string_view words, Align align, TextSize size) {
   for (const auto& [x, y] : {std::pair{-1.0f, 0.0f}, {1.0f, 0.0f}, {0.0f, -1.0f}, {0.0f, 1.0f}}) {
-    page.text(place + Vec2f(x, y), words, kShade, align, size);
+    page.text(place + Vec2f(x, y), words, kShadeInk, align, size);
   }
-  page.text(place, words, kInk, align, size);
+  page.text(place, words, kLightInk, align, size);
 }
 
 }  // namespace palpate::view
