@@ -128,7 +128,7 @@ Vec2f extentOf(const Drawing& page, const std::vector<std::string>& lines) {
   return extent;
 }
 
-/// A plate beside the finger, with a line to it; never under the hand that comes from the right, never off the page.
+/// A plate beside the finger, never under it, with a line to it; never off the page.
 void drawNumbers(Drawing& page, const LabelScene& scene, const FingerMark& finger, const std::string& name) {
   const Vec2f tip = placeOnPage(page, scene.eyes, finger.contact.proxy);
   if (!tip.allFinite()) return;
@@ -136,11 +136,14 @@ void drawNumbers(Drawing& page, const LabelScene& scene, const FingerMark& finge
   constexpr float kPad = 6.0f;
   constexpr float kStripe = 3.0f;
   const Vec2f size = extentOf(page, lines) + Vec2f(2.0f * kPad + kStripe, 2.0f * kPad);
-  const Vec2f wanted = tip + Vec2f(34.0f, -30.0f - size.y());
+  // On the side where more room is: the legend and the panels stand at the edges.
+  const bool to_the_left = tip.x() > 0.5f * page.size().x();
+  constexpr float kAway = 34.0f;
+  const Vec2f wanted = tip + Vec2f(to_the_left ? -kAway - size.x() : kAway, -30.0f - size.y());
   const Vec2f last = (page.size() - size - Vec2f::Constant(kMargin)).cwiseMax(Vec2f::Constant(kMargin));
   const Vec2f corner = wanted.cwiseMax(Vec2f::Constant(kMargin)).cwiseMin(last).array().round();
   const Ink colour{encodedColour(finger.colour)};
-  page.line(tip, corner + Vec2f(0.0f, size.y()), kLightInk, 1.2f);
+  page.line(tip, corner + Vec2f(to_the_left ? size.x() : 0.0f, size.y()), kLightInk, 1.2f);
   page.box(corner, corner + size, kShadeInk, 4.0f);
   page.box(corner, corner + Vec2f(kStripe, size.y()), colour);
   float y = corner.y() + kPad;
@@ -168,15 +171,16 @@ const FingerMark* deepest(const Frame& frame) {
   return found;
 }
 
-/// At the lower edge, between the scale bar and the figure of directions.
+/// Above the scale bar: fingers are mostly in the middle.
 void drawCut(Drawing& page, const LabelScene& scene) {
   const FingerMark* finger = deepest(scene.frame);
   if (finger == nullptr) return;
   const SectionPlane plane = sectionPlane(scene.world, finger->contact);
   SectionChart chart;
-  chart.size = {std::round(std::clamp(0.36f * page.size().x(), 150.0f, 320.0f)),
+  chart.size = {std::round(std::clamp(0.32f * page.size().x(), 150.0f, 320.0f)),
                 std::round(std::clamp(0.34f * page.size().y(), 92.0f, 180.0f))};
-  chart.corner = {std::round(0.5f * (page.size().x() - chart.size.x())), page.size().y() - chart.size.y() - 8.0f};
+  constexpr float kScaleBarHeight = 46.0f;
+  chart.corner = {kMargin, page.size().y() - chart.size.y() - kScaleBarHeight};
   drawSection(page, sectionCurve(scene.world, scene.surface, plane, kSectionHalfWidthMm), chart);
 }
 
