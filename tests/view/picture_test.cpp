@@ -32,6 +32,7 @@ FingerMark ballAt(const Vec3& place) {
   mark.contact = contact::FingerOutput{
       .tip = place, .proxy = place, .anchor = place, .hold = place, .normal = Vec3::Zero(), .force = Vec3::Zero()};
   mark.radius_mm = 6.0;
+  mark.haptic_radius_mm = mark.radius_mm;  // its tip is the ball's middle
   return mark;
 }
 

@@ -12,7 +12,10 @@
 namespace palpate::view {
 namespace {
 
-scene::ViewSettings parsed(const std::string& lines) { return scene::parse("[view]\n" + lines, "test.toml").view; }
+scene::ViewSettings parsed(const std::string& lines) {
+  const std::string finger = "\n[[finger]]\nname = \"a\"\nscript = [{ do = \"hold\" }]\n";
+  return scene::parse("[view]\n" + lines + finger, "test.toml").view;
+}
 
 const scene::World& smallWorld() {
   static const scene::World world = [] {
