@@ -15,6 +15,8 @@ namespace palpate::view {
 namespace {
 
 constexpr float kMargin = 14.0f;
+/// Of the page's width: the bar, its numbers and the wedges beside it.
+constexpr float kRoomForLegend = 100.0f;
 
 // ---- title
 
@@ -136,9 +138,9 @@ void drawNumbers(Drawing& page, const LabelScene& scene, const FingerMark& finge
   constexpr float kPad = 6.0f;
   constexpr float kStripe = 3.0f;
   const Vec2f size = extentOf(page, lines) + Vec2f(2.0f * kPad + kStripe, 2.0f * kPad);
-  // On the side where more room is: the legend and the panels stand at the edges.
-  const bool to_the_left = tip.x() > 0.5f * page.size().x();
+  const float room_at_the_right = scaleOf(scene.look.colouring) ? kRoomForLegend : kMargin;
   constexpr float kAway = 34.0f;
+  const bool to_the_left = tip.x() + kAway + size.x() > page.size().x() - room_at_the_right;
   const Vec2f wanted = tip + Vec2f(to_the_left ? -kAway - size.x() : kAway, -30.0f - size.y());
   const Vec2f last = (page.size() - size - Vec2f::Constant(kMargin)).cwiseMax(Vec2f::Constant(kMargin));
   const Vec2f corner = wanted.cwiseMax(Vec2f::Constant(kMargin)).cwiseMin(last).array().round();
