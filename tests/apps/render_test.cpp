@@ -101,7 +101,7 @@ TEST_F(Render, SaysWhatStereoCannotDo) {
 
 TEST_F(Render, RefusesWithOneLine) {
   EXPECT_EQ(errorOf("-o picture.jpg"), "palpate: picture.jpg: must be named *.png: pictures are written as PNG\n");
-  EXPECT_EQ(errorOf("--at 7"), "palpate: there is no moment 7 s: the run ends at 0.999 s\n");
+  EXPECT_EQ(errorOf("--at 7"), "palpate: there is no moment 7 s: the run ends at 1.000 s\n");
   EXPECT_EQ(errorOf("--pose 1,2"), "palpate: --pose 1,2: needs x,y,z, or several of them\n");
   EXPECT_EQ(errorOf("--pose 1,2,x"), "palpate: --pose 1,2,x: 'x' is no number\n");
   EXPECT_EQ(errorOf("--look-at 1,2"), "palpate: --look-at 1,2: needs x,y,z in mm\n");
