@@ -18,5 +18,6 @@ void addSimulateCommand(CLI::App& app);
 void addRenderCommand(CLI::App& app);
 void addRepairCommand(CLI::App& app);
 void addStudyCommand(CLI::App& app);
+void addRunCommand(CLI::App& app);
 
 }  // namespace palpate::app

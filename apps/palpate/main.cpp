@@ -23,6 +23,7 @@ int run(int argc, char** argv) {
   palpate::app::addSimulateCommand(app);
   palpate::app::addRenderCommand(app);
   palpate::app::addRepairCommand(app);
+  palpate::app::addRunCommand(app);
   palpate::app::addStudyCommand(app);
   try {
     app.parse(argc, argv);

@@ -5,6 +5,8 @@
 #include <map>
 #include <set>
 
+#include "palpate/base/text.h"
+
 namespace palpate::view {
 namespace {
 
@@ -70,6 +72,12 @@ TEST(Keys, AreNamedAsOnAKeyboard) {
   EXPECT_EQ(nameOf({key('Z'), {true, true}}), "Ctrl+Shift+Z");
   EXPECT_EQ(nameOf({functionKey(11), {}}), "F11");
   EXPECT_EQ(keysOf(bindingOf(Action::deeper)), "PgDn or ]");
+}
+
+TEST(Keys, AreDocumentedAsTheyAre) {
+  const std::string page = readFile(std::string(PALPATE_SOURCE_DIR) + "/docs/viewer.md", 1 << 20);
+  EXPECT_NE(page.find(keysAsMarkdown()), std::string::npos)
+      << "put the output of `palpate run --keys` into docs/viewer.md";
 }
 
 }  // namespace

@@ -25,9 +25,10 @@ double depthOf(const Vec3& tip) { return kRadius - tip.z(); }
 
 TEST(MouseFinger, IsNowhereUntilItWasOverTheSkin) {
   MouseFinger finger;
-  EXPECT_TRUE(std::isnan(finger.step({}, Vec3::Zero()).tip.x()));
+  EXPECT_EQ(finger.step({}, Vec3::Zero()).tip, kNowhere);
   EXPECT_TRUE(finger.step(over({1, 2, 0}), Vec3::Zero()).jumped);
   EXPECT_FALSE(finger.step(over({1, 2, 0}), Vec3::Zero()).jumped);
+  EXPECT_TRUE(finger.step({}, Vec3::Zero()).jumped) << "taken away it must not be dragged through the body";
 }
 
 TEST(MouseFinger, HoversOverTheSkinAndGoesDownWithinATenthOfASecondOrSo) {

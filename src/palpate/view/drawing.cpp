@@ -110,10 +110,14 @@ void Drawing::end() {
   parts_->list = nullptr;
 }
 
-void Drawing::present(int width, int height) const {
+void Drawing::present(int width, int height) const { present(width, height, Vec2f::Zero(), size_); }
+
+void Drawing::present(int width, int height, const Vec2f& corner, const Vec2f& whole) const {
   const Inside inside(parts_->context);
   ImDrawData& data = *ImGui::GetDrawData();
-  data.FramebufferScale = {static_cast<float>(width) / size_.x(), static_cast<float>(height) / size_.y()};
+  data.DisplayPos = at(-corner);
+  data.DisplaySize = at(whole);
+  data.FramebufferScale = {static_cast<float>(width) / whole.x(), static_cast<float>(height) / whole.y()};
   ImGui_ImplOpenGL3_RenderDrawData(&data);
 }
 

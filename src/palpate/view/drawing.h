@@ -41,6 +41,8 @@ class Drawing {
   void end();
   /// Draws the page into the bound framebuffer, stretched to its `width` x `height` pixels.
   void present(int width, int height) const;
+  /// The same for a page that is a part of a larger one: its upper left corner lies at `corner` of `whole` points.
+  void present(int width, int height, const Vec2f& corner, const Vec2f& whole) const;
 
   void line(const Vec2f& from, const Vec2f& to, const Ink& ink, float thickness = 1.0f);
   void curve(std::span<const Vec2f> points, const Ink& ink, float thickness = 1.0f);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 namespace palpate::view {
 
@@ -28,8 +28,8 @@ void follow(T& value, T& speed, const T& target, double rate, double tick_s) noe
 FingerStep MouseFinger::step(const FingerTarget& target, const Vec3& felt_force) noexcept {
   FingerStep step;
   if (!target.present) {
-    present_ = false;
-    step.tip = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+    step.jumped = std::exchange(present_, false);
+    step.tip = kNowhere;
     return step;
   }
   step.jumped = mustJump(target);

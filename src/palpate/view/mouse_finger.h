@@ -48,9 +48,13 @@ struct MouseFingerSettings {
   double fastest_mm_per_s = 120.0;  ///< of the depth in press by force
 };
 
+/// Where a finger waits that has not been over the skin: a hundred metres behind the back. Not "no number": the servo
+/// would take the last good place instead, and in the beginning that is the middle of the body.
+inline const Vec3 kNowhere(0.0, 0.0, 1e5);
+
 struct FingerStep {
-  Vec3 tip = Vec3::Zero();  ///< NaN while the finger is not present
-  bool jumped = false;      ///< it is elsewhere now: whatever it touched is forgotten
+  Vec3 tip = kNowhere;  ///< kNowhere while the finger is not present
+  bool jumped = false;  ///< it is elsewhere now: whatever it touched is forgotten
 };
 
 class MouseFinger {

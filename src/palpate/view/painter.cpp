@@ -16,6 +16,38 @@ struct Painter::Job {
   Eyes eyes;
 };
 
+namespace {
+
+/// A rectangle of the page, points.
+struct Part {
+  Vec2f corner;  ///< upper left
+  Vec2f size;
+};
+
+/// The page of one eye, points.
+Vec2f wholePage(const EyePicture& picture, const Canvas& canvas) {
+  return Vec2f(picture.seen_width, picture.seen_height) / static_cast<float>(canvas.pixels_per_point);
+}
+
+/// What is left of it for labels; never nothing.
+Part labelledPart(const EyePicture& picture, const Canvas& canvas) {
+  const auto& [left, top, right, below] = canvas.covered;
+  const Vec2f size = wholePage(picture, canvas) - Vec2f(left + right, top + below);
+  return {Vec2f(left, top), size.cwiseMax(Vec2f(1.0f, 1.0f))};
+}
+
+/// The part of a screen that a part of its picture shows.
+Screen partOf(const Screen& screen, const Part& part, const Vec2f& whole) {
+  const Vec3 right = screen.lower_right - screen.lower_left;
+  const Vec3 down = screen.lower_left - screen.upper_left;
+  const Vec2 from = part.corner.cwiseQuotient(whole).cast<double>();
+  const Vec2 to = (part.corner + part.size).cwiseQuotient(whole).cast<double>();
+  const auto at = [&](double x, double y) { return Vec3(screen.upper_left + x * right + y * down); };
+  return {at(from.x(), to.y()), at(to.x(), to.y()), at(from.x(), from.y())};
+}
+
+}  // namespace
+
 Painter::Painter(std::shared_ptr<const scene::World> world)
     : world_(std::move(world)), box_(mesh::boundingBox(world_->skin)), renderer_(world_) {}
 
@@ -51,8 +83,10 @@ Painted Painter::paint(const Frame& frame, const deform::DeformedSurface& surfac
 
 void Painter::preparePage(const Job& job) {
   const double scale = job.canvas.pixels_per_point;
-  page_.begin(Vec2f(job.picture.seen_width, job.picture.seen_height) / static_cast<float>(scale), scale);
-  drawLabels(page_, {*world_, job.surface, job.frame, job.settings.look, job.settings.camera, job.eyes},
+  page_.begin(labelledPart(job.picture, job.canvas).size, scale);
+  Eyes eyes = job.eyes;
+  eyes.screen = partOf(eyes.screen, labelledPart(job.picture, job.canvas), wholePage(job.picture, job.canvas));
+  drawLabels(page_, {*world_, job.surface, job.frame, job.settings.look, job.settings.camera, eyes},
              job.settings.labels);
   page_.end();
 }
@@ -62,7 +96,8 @@ void Painter::paintEye(const Job& job, Eye eye) {
   Frame frame = job.frame;
   frame.pixels_per_point = job.canvas.pixels_per_point;
   renderer_.draw(frame, job.settings.look, frustum, job.picture.width, job.picture.height);
-  page_.present(job.picture.width, job.picture.height);
+  page_.present(job.picture.width, job.picture.height, labelledPart(job.picture, job.canvas).corner,
+                wholePage(job.picture, job.canvas));
   if (job.draw_over) job.draw_over(job.picture);
 }
 

@@ -4,6 +4,7 @@
 //   each eye: Renderer::draw ─► labels ─► what the host draws over it (panels)      then: StereoComposer
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <string>
@@ -31,6 +32,8 @@ struct Canvas {
   double pixels_per_point = 1.0;  ///< size of letters and thin lines: the screen's content scale, the supersampling
   int supersampling = 1;          ///< pixels that one pixel of the final picture is made of, along each side
   bool quad_buffer = false;       ///< the framebuffer has a left and a right one
+  /// Points at the left, top, right and below that the host draws over: the labels stay out of them.
+  std::array<float, 4> covered = {};
 };
 
 /// What the user should know about the picture that was drawn.

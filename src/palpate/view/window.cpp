@@ -79,6 +79,8 @@ struct Window::Handles {
   GLFWwindow* window = nullptr;
   std::vector<InputEvent> events;
   Modifiers modifiers;
+  /// At the time of the event at hand; asking GLFW would tell where it is by now, several events later.
+  Vec2 cursor = Vec2::Zero();
   int windowed_x = 0;
   int windowed_y = 0;
   int windowed_width = 1280;
@@ -95,22 +97,19 @@ struct Window::Handles {
     InputEvent& event = events.emplace_back();
     event.kind = kind;
     event.time_s = glfwGetTime();
-    event.at = cursor();
+    event.at = pixelsOf(cursor);
     event.modifiers = modifiers;
     return event;
   }
-  /// The cursor in pixels of the picture: GLFW tells it in screen coordinates.
-  Vec2 cursor() const {
-    double x = 0.0;
-    double y = 0.0;
-    glfwGetCursorPos(window, &x, &y);
+  /// From GLFW's screen coordinates to pixels of the picture.
+  Vec2 pixelsOf(const Vec2& place) const {
     int width = 0;
     int height = 0;
     int pixels_x = 0;
     int pixels_y = 0;
     glfwGetWindowSize(window, &width, &height);
     glfwGetFramebufferSize(window, &pixels_x, &pixels_y);
-    return {x * pixels_x / std::max(1, width), y * pixels_y / std::max(1, height)};
+    return {place.x() * pixels_x / std::max(1, width), place.y() * pixels_y / std::max(1, height)};
   }
 
   void create(const WindowSettings& settings);
@@ -141,7 +140,10 @@ void Window::Handles::create(const WindowSettings& settings) {
 
 void Window::Handles::listen() {
   glfwSetWindowUserPointer(window, this);
-  glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { of(w).add(InputEvent::Kind::move); });
+  glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
+    of(w).cursor = Vec2(x, y);
+    of(w).add(InputEvent::Kind::move);
+  });
   glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
     if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
     of(w).modifiers = modifiersOf(mods);

@@ -1,0 +1,38 @@
+// The picture's side of a world: its deformed skin and the painter that draws it. Contacts in, picture out.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "palpate/deform/any_deformer.h"
+#include "palpate/scene/world.h"
+#include "palpate/servo/loop.h"
+#include "palpate/view/painter.h"
+
+namespace palpate::viewer {
+
+/// Needs a current GL context; belongs to its thread.
+class LiveModel {
+ public:
+  explicit LiveModel(std::shared_ptr<const scene::World> world);
+
+  struct Times {
+    double deform_ms = 0.0;
+    double upload_ms = 0.0;
+  };
+  /// Deforms the skin by the newest contacts and uploads what changed.
+  Times follow(const servo::ContactFrame& contacts);
+
+  const scene::World& world() const { return *world_; }
+  const deform::DeformedSurface& surface() const { return surface_; }
+  view::Painter& painter() { return painter_; }
+
+ private:
+  std::shared_ptr<const scene::World> world_;
+  deform::AnyDeformer deformer_;
+  deform::DeformedSurface surface_;
+  view::Painter painter_;
+  std::vector<deform::Contact> touching_;
+};
+
+}  // namespace palpate::viewer

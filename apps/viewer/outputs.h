@@ -1,0 +1,49 @@
+// What the viewer writes while it runs: forces, pictures, plots, the scene. Every success and failure becomes a
+// message.
+#pragma once
+
+#include <filesystem>
+
+#include "apps/viewer/recorder.h"
+#include "apps/viewer/session.h"
+
+namespace palpate::viewer {
+
+class Outputs {
+ public:
+  explicit Outputs(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  ~Outputs();
+  Outputs(const Outputs&) = delete;
+  Outputs& operator=(const Outputs&) = delete;
+
+  void addSample(const trace::Sample& sample) { forces_.add(sample); }
+  void toggleForces(Session& session);
+  void toggleSequence(Session& session);
+  void savePlots(Session& session);
+  /// To `file`, else to where the scene came from, else to a fresh name in the folder.
+  void saveScene(Session& session, const std::string& file);
+  /// Writes the drawn displacement profile to a file and has the scene use it.
+  void useProfile(Session& session);
+  void askForScreenshot() { screenshot_ = true; }
+
+  /// A frame has been drawn; `read` fetches it when somebody wants it.
+  template <class Read>
+  void frameDrawn(Session& session, const Read& read) {
+    if (screenshot_ || session.recording.sequence) keepFrame(session, read());
+    tellErrors(session);
+  }
+
+  /// Completes what is being recorded.
+  void finish(Session& session);
+
+ private:
+  void keepFrame(Session& session, view::Image image);
+  void tellErrors(Session& session);
+
+  std::filesystem::path folder_;
+  ForceRecorder forces_;
+  PictureWriter pictures_;
+  bool screenshot_ = false;
+};
+
+}  // namespace palpate::viewer

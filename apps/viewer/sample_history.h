@@ -1,0 +1,69 @@
+// The last minute of every finger, for the plots: force, depth and speed at the servo's rate, drawn with the least and
+// the greatest value of each pixel column so that no spike is lost. Pure; one thread.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "palpate/trace/sample.h"
+
+namespace palpate::viewer {
+
+struct PlotSample {
+  double time_s = 0.0;
+  float normal_n = 0.0f;
+  float tangential_n = 0.0f;
+  float depth_mm = 0.0f;
+  float speed_mm_per_s = 0.0f;
+  bool touching = false;
+  bool slipping = false;
+};
+
+enum class PlotValue : std::uint8_t { normal_force, tangential_force, depth, speed };
+
+struct Extent {
+  float low = 0.0f;
+  float high = 0.0f;
+  bool any = false;
+};
+
+class SampleHistory {
+ public:
+  explicit SampleHistory(double ticks_per_s = 1000.0, double seconds = 60.0);
+
+  void add(const trace::Sample& sample);
+  void clear();
+
+  /// Oldest first.
+  std::size_t size() const { return count_; }
+  const PlotSample& at(std::size_t i) const { return samples_[(first_ + i) % samples_.size()]; }
+  double newestTime() const { return count_ == 0 ? 0.0 : at(count_ - 1).time_s; }
+
+  /// Least and greatest value in `columns` equal stretches of the time from `end_s` - `window_s` to `end_s`.
+  std::vector<Extent> columns(PlotValue value, double end_s, double window_s, std::size_t columns) const;
+  /// The sample nearest to a time, or null.
+  const PlotSample* near(double time_s) const;
+
+ private:
+  std::size_t firstAfter(double time_s) const;
+
+  std::vector<PlotSample> samples_;
+  double tick_s_;
+  std::size_t first_ = 0;
+  std::size_t count_ = 0;
+  Vec3 last_tip_ = Vec3::Zero();
+  std::uint64_t last_tick_ = 0;
+  float speed_ = 0.0f;
+};
+
+float valueOf(const PlotSample& sample, PlotValue value);
+
+/// The upper end of an axis: the smallest of 1, 2, 5, 10, 20, ... that holds `value`, at least `least`.
+double axisEnd(double value, double least);
+
+/// The window of both fingers as a table: t_s, then normal_n, tangential_n, depth_mm, speed_mm_per_s of each.
+std::string historyAsCsv(std::span<const SampleHistory> fingers, double end_s, double window_s);
+
+}  // namespace palpate::viewer

@@ -1,0 +1,53 @@
+// From a changed scene to a changed world at work: waits until the user has stopped pulling at a slider, has the world
+// built beside the display, hands it to the servo, and says when it may be shown.
+//
+//   session.changed ─ 250 ms of quiet ─► WorldBuilder ─► LiveServo::change ─ taken between two ticks ─► shown
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "apps/viewer/live_servo.h"
+#include "apps/viewer/session.h"
+#include "apps/viewer/world_builder.h"
+
+namespace palpate::viewer {
+
+/// A slider sends sixty changes a second; only the last of them is built.
+inline constexpr double kQuietS = 0.25;
+
+class Turnover {
+ public:
+  explicit Turnover(std::shared_ptr<const scene::World> world) : shown_(std::move(world)) {}
+
+  /// A scene or mesh file, or a whole scene, takes the place of what there is.
+  void open(const std::string& file, const Session& session);
+  void open(const scene::Scene& scene, Session& session);
+  void cancel(Session& session);
+
+  /// Once a frame: acts on session.changed. Settings of the fingers go to the servo at once.
+  void advance(Session& session, LiveServo& servo);
+
+  struct Shown {
+    std::shared_ptr<const scene::World> world;  ///< null: nothing new
+    bool other_body = false;
+  };
+  /// The world to be shown from now on, once the servo has taken it.
+  Shown takeShown(LiveServo& servo);
+
+ private:
+  void takeResult(Session& session, LiveServo& servo);
+  void adopt(Session& session, const BuildResult& result, LiveServo& servo);
+  void wishWhenQuiet(Session& session);
+  void changeFingers(Session& session, LiveServo& servo) const;
+
+  WorldBuilder builder_;
+  std::shared_ptr<const scene::World> shown_;
+  std::shared_ptr<const scene::World> coming_;  ///< given to the servo, not taken yet
+  std::uint32_t wanted_ = 0;                    ///< kMapChange, kBodyChange
+  double wanted_since_s_ = 0.0;
+  bool opening_ = false;
+  bool other_body_ = false;
+};
+
+}  // namespace palpate::viewer

@@ -1,0 +1,315 @@
+#include "apps/viewer/viewer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include "apps/viewer/acts.h"
+#include "apps/viewer/dysfunction_editor.h"
+#include "apps/viewer/hints.h"
+#include "apps/viewer/home_view.h"
+#include "apps/viewer/panels.h"
+#include "apps/viewer/ring_cursor.h"
+#include "apps/viewer/view_text.h"
+#include "palpate/base/error.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+using Kind = view::Command::Kind;
+
+constexpr double kFlightS = 0.35;
+/// The frame rate shown is the mean of about this many frames.
+constexpr double kRateSmoothing = 0.05;
+
+double sinceMs(std::int64_t start_ns) { return static_cast<double>(servo::monotonicNs() - start_ns) * 1e-6; }
+
+WorldFacts factsOf(const scene::World& world) {
+  const Vec3 size = mesh::boundingBox(world.skin).sizes();
+  const auto [soft, stiff] = std::minmax_element(world.stiffness_n_per_mm.begin(), world.stiffness_n_per_mm.end());
+  return {world.body_name,
+          world.skin.triangles.size(),
+          world.skin.positions.size(),
+          size.x(),
+          size.y(),
+          size.z(),
+          world.closed,
+          !world.anatomy.bones.empty(),
+          *soft,
+          *stiff,
+          world.notes};
+}
+
+}  // namespace
+
+Viewer::Viewer(std::shared_ptr<const scene::World> world, ViewState state, ViewerSettings settings, ViewerHost host)
+    : settings_(std::move(settings)),
+      host_(std::move(host)),
+      world_(world),
+      servo_(planFor(world, world->scene, true)),
+      model_(std::make_unique<LiveModel>(world)),
+      turnover_(world),
+      outputs_(settings_.output_folder) {
+  session_.state = std::move(state);
+  session_.scene = world->scene;
+  session_.scene_file = world->scene.file.string();
+  session_.world = factsOf(*world);
+  session_.device_limit_n = world->scene.safety.nominal_force_n;
+  session_.profile_knots = world->deformation.normal_profile.knots;
+  for (SampleHistory& plot : session_.plots) plot = SampleHistory(world->scene.ticks_per_s);
+  input_.settings = session_.state.input;
+  const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  session_.performance.graphics = renderer == nullptr ? "" : renderer;
+}
+
+Viewer::~Viewer() = default;
+
+servo::LoopReport Viewer::finish() {
+  servo::LoopReport report = servo_.stop();
+  takeSamples();
+  outputs_.finish(session_);
+  return report;
+}
+
+void Viewer::frame(int width, int height, double scale, double now_s, std::span<const view::InputEvent> events) {
+  const std::int64_t started = servo::monotonicNs();
+  const double elapsed_s = seen_ ? std::max(1e-4, now_s - session_.now_s) : 1.0 / 60.0;
+  session_.now_s = now_s;
+  makeTarget(width, height);
+  takeWorld();
+  followServo();
+  const double points = scale * session_.state.text_size;
+  if (std::exchange(theme_, session_.state.theme) != session_.state.theme) gui_.setTheme(session_.state.theme);
+  const view::StereoMode mode = session_.state.stereo.mode;
+  const view::EyePicture eye = view::eyePictureIn(mode, width, height);
+  size_points_ = Vec2(eye.seen_width, eye.seen_height) / points;
+  gui_.begin(size_points_, points, elapsed_s, events);
+  lookAround();
+  handle(events);
+  intro_.advance(pointer_, *world_, now_s);
+  pointer_.advance(session_);
+  ringCursor(session_, pointer_, eyes_);
+  drawGui(session_);
+  gui_.end();
+  useChanges();
+  pointServo();
+  paint(points);
+  outputs_.frameDrawn(session_, [this] { return target_->read(); });
+  Performance& performance = session_.performance;
+  performance.frame_ms = sinceMs(started);
+  frame_s_ += kRateSmoothing * (elapsed_s - frame_s_);
+  performance.frames_per_s = 1.0 / frame_s_;
+  seen_ = true;
+}
+
+void Viewer::makeTarget(int width, int height) {
+  if (target_ && target_->width() == width && target_->height() == height) return;
+  target_ = std::make_unique<view::Target>(std::max(1, width), std::max(1, height));
+}
+
+/// What the cursor's pixels mean in this frame; the first time also where the camera stands.
+void Viewer::lookAround() {
+  const view::EyePicture eye = view::eyePictureIn(session_.state.stereo.mode, target_->width(), target_->height());
+  if (!seen_) {
+    session_.camera = homeView(*world_, session_, view::StandardView::back, size_points_);
+    if (settings_.intro && !session_.state.reduced_motion) intro_.begin(*world_, session_.now_s);
+  }
+  eyes_ = view::eyesOf(session_.camera, session_.state.stereo, eye.aspect());
+  pointer_.look({eyes_.screen, eyes_.middle, Vec2(target_->width(), target_->height()), session_.state.stereo.mode},
+                world_);
+}
+
+void Viewer::takeWorld() {
+  const Turnover::Shown shown = turnover_.takeShown(servo_);
+  if (!shown.world) return;
+  world_ = shown.world;
+  model_ = std::make_unique<LiveModel>(world_);
+  session_.world = factsOf(*world_);
+  session_.device_limit_n = session_.scene.safety.nominal_force_n;
+  if (session_.profile_handle < 0) session_.profile_knots = world_->deformation.normal_profile.knots;
+  if (!shown.other_body) return;
+  pointer_.reset();
+  std::vector<view::Command> lifted;
+  input_.handle({.kind = view::InputEvent::Kind::focus}, {}, lifted);
+  if (seen_) setView(view::StandardView::back);
+}
+
+void Viewer::followServo() {
+  takeSamples();
+  Performance& performance = session_.performance;
+  performance.servo = servo_.vitals();
+  performance.dropped_samples = servo_.droppedSamples();
+  if (session_.frozen) return;
+  const servo::ContactFrame& contacts = servo_.contacts();
+  for (std::size_t i = 0; i < kFingers; ++i) session_.fingers[i] = contacts[i].contact;
+  const LiveModel::Times times = model_->follow(contacts);
+  performance.deform_ms = times.deform_ms;
+  performance.upload_ms = times.upload_ms;
+}
+
+void Viewer::takeSamples() {
+  trace::Sample sample;
+  while (servo_.pop(sample)) {
+    outputs_.addSample(sample);
+    if (!session_.frozen) session_.plots[sample.finger].add(sample);
+  }
+}
+
+void Viewer::handle(std::span<const view::InputEvent> events) {
+  input_.settings = session_.state.input;
+  std::vector<view::Command> commands;
+  for (const view::InputEvent& event : events) {
+    using EventKind = view::InputEvent::Kind;
+    if (event.kind == EventKind::drop) session_.wish(Wish::Kind::open, event.text);
+    if (event.kind == EventKind::move || event.kind == EventKind::button) intro_.end(pointer_);
+    view::Situation situation;
+    situation.over_gui = gui_.wantsMouse();
+    situation.gui_wants_text = gui_.wantsText();
+    situation.editing = session_.editor.active;
+    situation.on_skin = event.kind == EventKind::button && pointer_.skinAt(event.at).has_value();
+    commands.clear();
+    input_.handle(event, situation, commands);
+    for (const view::Command& command : commands) obey(command);
+  }
+}
+
+void Viewer::obey(const view::Command& command) {
+  countHint(command, session_);
+  if (command.kind == Kind::act) return actOn(command);
+  // With nothing selected the wheel has nothing to size, so it zooms.
+  if (command.kind == Kind::edit_size && session_.editor.selected < 0) {
+    view::Command zoom = command;
+    zoom.kind = Kind::zoom;
+    pointer_.apply(zoom, session_);
+    return;
+  }
+  if (pointer_.apply(command, session_)) return;
+  const auto place = pointer_.skinAt(command.at);
+  std::optional<Vec2> on_map;
+  if (place) on_map = Vec2(place->point.x(), place->point.y());
+  applyEdit(command, on_map, session_);
+}
+
+void Viewer::actOn(const view::Command& command) {
+  using view::Action;
+  using view::StandardView;
+  if (pointer_.step(command.action, command.fine, session_)) return;
+  switch (command.action) {
+    case Action::centre_on_finger:
+      if (const auto& place = pointer_.placeOf(session_.active_finger)) {
+        pointer_.fly(view::centredOn(session_.camera, place->point), session_, kFlightS);
+      }
+      return;
+    case Action::next_view:
+    case Action::previous_view: {
+      constexpr int kViews = static_cast<int>(std::size(view::kStandardViewNames));
+      standard_view_ = (standard_view_ + (command.action == Action::next_view ? 1 : kViews - 1)) % kViews;
+      return setView(static_cast<StandardView>(standard_view_));
+    }
+    case Action::view_back:
+      return setView(StandardView::back);
+    case Action::view_right:
+      return setView(StandardView::right);
+    case Action::view_above:
+      return setView(StandardView::above);
+    default:
+      return perform(command.action, session_);
+  }
+}
+
+void Viewer::setView(view::StandardView side) {
+  standard_view_ = static_cast<int>(side);
+  pointer_.fly(homeView(*world_, session_, side, size_points_), session_, kFlightS);
+}
+
+void Viewer::useChanges() {
+  for (const Wish& wish : std::exchange(session_.wishes, {})) grant(wish);
+  turnover_.advance(session_, servo_);
+  session_.changed = 0;
+}
+
+void Viewer::grant(const Wish& wish) {
+  switch (wish.kind) {
+    case Wish::Kind::open:
+      return turnover_.open(wish.file, session_);
+    case Wish::Kind::default_scene:
+      return turnover_.open(settings_.default_scene, session_);
+    case Wish::Kind::cancel_build:
+      return turnover_.cancel(session_);
+    case Wish::Kind::save:
+      return outputs_.saveScene(session_, wish.file);
+    case Wish::Kind::screenshot:
+      return outputs_.askForScreenshot();
+    case Wish::Kind::plots_csv:
+      return outputs_.savePlots(session_);
+    case Wish::Kind::record:
+      return outputs_.toggleForces(session_);
+    case Wish::Kind::sequence:
+      return outputs_.toggleSequence(session_);
+    case Wish::Kind::use_profile:
+      return outputs_.useProfile(session_);
+    case Wish::Kind::undo:
+      return undo(session_);
+    case Wish::Kind::redo:
+      return redo(session_);
+    case Wish::Kind::home:
+      return setView(view::StandardView::back);
+    case Wish::Kind::full_screen:
+      if (host_.toggle_full_screen) host_.toggle_full_screen();
+      return;
+    case Wish::Kind::copy_view:
+      if (host_.set_clipboard) host_.set_clipboard(viewAsText(session_.camera));
+      return;
+    case Wish::Kind::paste_view:
+      if (const auto camera = viewFromText(host_.clipboard ? host_.clipboard() : "")) {
+        pointer_.fly(*camera, session_, kFlightS);
+      } else {
+        session_.report(Severity::warning, "The clipboard holds no view");
+      }
+      return;
+    case Wish::Kind::quit:
+      quit_ = true;
+      return;
+  }
+}
+
+void Viewer::pointServo() {
+  for (std::size_t i = 0; i < kFingers; ++i) {
+    const view::FingerTarget target = pointer_.target(i, session_);
+    session_.finger_present[i] = target.present;
+    servo_.point(i, target);
+  }
+}
+
+void Viewer::paint(double scale) {
+  const std::int64_t started = servo::monotonicNs();
+  std::vector<view::FingerMark> marks;
+  for (std::size_t i = 0; i < kFingers; ++i) {
+    if (!session_.finger_present[i] || session_.fingers[i].tip.z() > 0.5 * view::kNowhere.z()) continue;
+    const double radius = fingerRadius(session_, i);
+    marks.push_back({session_.fingers[i], radius, i == 0 ? view::kLeftFinger : view::kRightFinger, radius, i == 0});
+  }
+  view::PictureSettings picture;
+  picture.camera = session_.camera;
+  picture.look = session_.state.look;
+  picture.stereo = session_.state.stereo;
+  picture.labels.numbers = session_.state.shown.numbers;
+  view::Canvas canvas;
+  canvas.framebuffer = target_->framebuffer();
+  canvas.width = target_->width();
+  canvas.height = target_->height();
+  canvas.pixels_per_point = scale;
+  const auto width = static_cast<float>(size_points_.x());
+  const auto height = static_cast<float>(size_points_.y());
+  const FreeArea free = freeArea(session_, width, height);
+  canvas.covered = {free.left, free.top, width - free.right, height - free.below};
+  const auto over = [this](const view::EyePicture& eye) { gui_.present(eye.width, eye.height); };
+  model_->painter().paint({marks, session_.now_s}, model_->surface(), picture, canvas, over);
+  session_.performance.draw_ms = sinceMs(started);
+}
+
+}  // namespace palpate::viewer

@@ -1,0 +1,99 @@
+// The viewer: input events in, a picture out, sixty times a second; the servo thread beside it touches the body.
+//
+//   InputEvents ─► gui, Input ─► Commands ─► Pointer (fingers, camera), editor, acts ─► session
+//   session ─► servo (targets, plans), builder (worlds)          servo ─► contacts, samples ─► model, plots, files
+//   model + session ─► Painter ─► Target ─► window │ image
+//
+// It knows no window: a host feeds it events and shows its target, so that it runs and is tested without a display.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "apps/viewer/intro.h"
+#include "apps/viewer/live_model.h"
+#include "apps/viewer/live_servo.h"
+#include "apps/viewer/outputs.h"
+#include "apps/viewer/pointer.h"
+#include "apps/viewer/session.h"
+#include "apps/viewer/turnover.h"
+#include "palpate/view/gui.h"
+#include "palpate/view/target.h"
+
+namespace palpate::viewer {
+
+struct ViewerSettings {
+  bool intro = true;                          ///< a finger shows by itself how to press, until the mouse moves
+  std::filesystem::path output_folder = ".";  ///< for pictures, tables and scenes without a file
+  scene::Scene default_scene;                 ///< for "Built-in torso"
+};
+
+/// What only a window can do; members may be empty.
+struct ViewerHost {
+  std::function<void()> toggle_full_screen;
+  std::function<void(const std::string&)> set_clipboard;
+  std::function<std::string()> clipboard;
+};
+
+/// Needs a current GL context; belongs to its thread. Throws Error where the world cannot be drawn or felt.
+class Viewer {
+ public:
+  Viewer(std::shared_ptr<const scene::World> world, ViewState state, ViewerSettings settings, ViewerHost host = {});
+  /// Ends the servo thread and completes files that are being recorded.
+  ~Viewer();
+  Viewer(const Viewer&) = delete;
+  Viewer& operator=(const Viewer&) = delete;
+
+  /// One frame, `width` x `height` pixels, `scale` pixels a point of the screen, `now_s` on any steady clock.
+  void frame(int width, int height, double scale, double now_s, std::span<const view::InputEvent> events);
+
+  const view::Target& target() const { return *target_; }
+  bool wantsToQuit() const { return quit_; }
+  Session& session() { return session_; }
+  const view::Input& input() const { return input_; }
+  const Pointer& pointer() const { return pointer_; }
+  const scene::World& world() const { return model_->world(); }
+  /// Ends the servo; its report of the whole run. Nothing may be called afterwards.
+  servo::LoopReport finish();
+
+ private:
+  void makeTarget(int width, int height);
+  void lookAround();
+  void takeWorld();
+  void followServo();
+  void takeSamples();
+  void handle(std::span<const view::InputEvent> events);
+  void obey(const view::Command& command);
+  void actOn(const view::Command& command);
+  void useChanges();
+  void grant(const Wish& wish);
+  void setView(view::StandardView side);
+  void pointServo();
+  void paint(double scale);
+
+  ViewerSettings settings_;
+  ViewerHost host_;
+  Session session_;
+  view::Input input_;
+  Pointer pointer_;
+  std::shared_ptr<const scene::World> world_;
+  LiveServo servo_;
+  std::unique_ptr<LiveModel> model_;
+  Turnover turnover_;
+  Outputs outputs_;
+  Intro intro_;
+  view::Gui gui_;
+  std::unique_ptr<view::Target> target_;
+  Vec2 size_points_ = Vec2(1, 1);
+  view::Eyes eyes_;  ///< of this frame
+  view::Theme theme_ = view::Theme::dark;
+  int standard_view_ = 0;
+  double frame_s_ = 1.0 / 60.0;  ///< smoothed time between two frames
+  bool seen_ = false;            ///< a frame has been drawn
+  bool quit_ = false;
+};
+
+}  // namespace palpate::viewer

@@ -1,0 +1,61 @@
+// Controls of the panels: each says what it is in plain words, explains itself when pointed at (unit, range, default,
+// the scene file's name for it), goes back to its default by a right click, and is known to tests by a path.
+#pragma once
+
+#include <array>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "apps/viewer/session.h"
+
+namespace palpate::viewer {
+
+/// Where each control was drawn in this frame, points: "touch/depth" -> left, top, right, below. For tests and input
+/// scripts, which should not know pixels.
+using WidgetPlaces = std::map<std::string, std::array<float, 4>>;
+WidgetPlaces& widgetPlaces();
+
+/// Notes the control that was drawn last.
+void notePlace(const std::string& path);
+
+/// A control for one key of the scene file.
+struct KeyWidget {
+  std::string_view table;
+  std::string_view key;
+  const char* label;
+  double low = 0.0;  ///< ends of the slider; low = high: those of the key, or no slider where it has none
+  double high = 0.0;
+  const char* format = "%.2f";
+};
+/// Draws it and changes session.scene; nothing where the scene file has no such key. True when it was changed.
+bool keyWidget(Session& session, const KeyWidget& widget);
+
+/// All keys of a table that no keyWidget of this frame has shown, under a heading "more": what the scene file can say
+/// and no panel has words for.
+void otherKeys(Session& session, const char* table);
+
+struct NumberWidget {
+  const char* path;  ///< "touch/depth"
+  const char* label;
+  const char* format;
+  double low;
+  double high;
+  double fallback;
+  const char* meaning;
+};
+bool numberWidget(double& value, const NumberWidget& widget);
+
+bool flagWidget(const char* path, const char* label, bool& value, const char* meaning);
+/// The index chosen among the names.
+bool choiceWidget(const char* path, const char* label, std::size_t& value, std::span<const std::string_view> names,
+                  const char* meaning);
+bool buttonWidget(const char* path, const char* label, const char* meaning = "");
+
+/// A line "label   value", the value right-aligned in digits of equal width.
+void valueLine(const char* label, const std::string& value);
+/// Small grey words.
+void remark(const std::string& words);
+
+}  // namespace palpate::viewer

@@ -1,0 +1,96 @@
+#include "apps/viewer/live_servo.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "palpate/mesh/save.h"
+#include "palpate/scene/scene_file.h"
+#include "support/mesh_zoo.h"
+#include "support/temporary_folder.h"
+
+namespace palpate::viewer {
+namespace {
+
+std::shared_ptr<const scene::World> sheet(const support::TemporaryFolder& folder, double stiffness) {
+  scene::Scene scene;
+  scene.body.kind = scene::BodyKind::mesh;
+  scene.body.file = folder / "sheet.ply";
+  scene.stiffness.constant_n_per_mm = stiffness;
+  if (!std::filesystem::exists(scene.body.file)) mesh::save(scene.body.file, zoo::grid(20, 200.0));
+  return scene::build(scene);
+}
+
+view::FingerTarget pressAt(const Vec3& place, double depth_mm) {
+  view::FingerTarget target;
+  target.present = true;
+  target.pressed = true;
+  target.place = place;
+  target.depth_mm = depth_mm;
+  target.radius_mm = 8.0;
+  return target;
+}
+
+/// Looks at the servo until `ready`, at most ten seconds.
+template <class Ready>
+bool waitFor(LiveServo& servo, const Ready& ready) {
+  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  while (std::chrono::steady_clock::now() < until) {
+    servo.exchange();
+    if (ready()) return true;
+    std::this_thread::yield();
+  }
+  return false;
+}
+
+TEST(LiveServo, FeelsWhereTheMousePoints) {
+  const support::TemporaryFolder folder;
+  const auto world = sheet(folder, 0.5);
+  LiveServo servo(planFor(world, world->scene, true));
+  servo.point(1, pressAt({100, 100, 0}, 4.0));
+  EXPECT_TRUE(waitFor(servo, [&] { return servo.contacts()[1].contact.depth_mm > 3.9; }));
+  EXPECT_NEAR(servo.contacts()[1].device_force.z(), 2.0, 0.1) << "the mouse's force is not limited";
+  EXPECT_EQ(servo.contacts()[0].contact.touch, contact::Touch::free) << "the other finger is nowhere";
+  const servo::LoopReport report = servo.stop();
+  EXPECT_GT(report.ticks, 50u);
+}
+
+TEST(LiveServo, TakesAnotherWorldBetweenTwoTicksAndGivesTheOldOneBack) {
+  const support::TemporaryFolder folder;
+  auto soft = sheet(folder, 0.2);
+  const auto stiff = sheet(folder, 2.0);
+  std::weak_ptr<const scene::World> watched = soft;
+  LiveServo servo(planFor(soft, soft->scene, true));
+  servo.point(0, pressAt({100, 100, 0}, 3.0));
+  ASSERT_TRUE(waitFor(servo, [&] { return servo.contacts()[0].contact.depth_mm > 2.9; }));
+  servo.change(planFor(stiff, stiff->scene, false));
+  soft.reset();
+  ASSERT_TRUE(waitFor(servo, [&] { return servo.plan().world == stiff; }));
+  EXPECT_TRUE(watched.expired()) << "freed on this thread, after the exchange";
+  EXPECT_TRUE(waitFor(servo, [&] { return servo.contacts()[0].contact.force.z() > 5.0; }));
+}
+
+TEST(LiveServo, OfManyChangesTheNewestWins) {
+  const support::TemporaryFolder folder;
+  const auto world = sheet(folder, 0.5);
+  LiveServo servo(planFor(world, world->scene, true));
+  scene::Scene scene = world->scene;
+  for (int i = 0; i < 50; ++i) {
+    scene.friction.mu_static = 0.5 + 0.01 * i;
+    servo.change(planFor(world, scene, false));
+    servo.exchange();
+  }
+  EXPECT_TRUE(waitFor(servo, [&] { return servo.contacts().size() == kFingers && !servo.exchange(); }));
+  servo.stop();
+}
+
+TEST(LiveServo, RefusesSettingsThatMakeNoSense) {
+  const support::TemporaryFolder folder;
+  const auto world = sheet(folder, 0.5);
+  scene::Scene scene = world->scene;
+  scene.friction.mu_static = -1.0;
+  EXPECT_ANY_THROW(planFor(world, scene, false));
+}
+
+}  // namespace
+}  // namespace palpate::viewer

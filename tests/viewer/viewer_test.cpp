@@ -1,0 +1,242 @@
+// The viewer as a user meets it, without a window: events in, pictures and numbers out.
+#include "stage.h"
+
+#include "palpate/base/text.h"
+
+namespace palpate::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(Viewer, PressesWhereTheMouseIsHeldAndLiftsWhenItIsLetGo) {
+  Stage stage;
+  stage.move(stage.middle());
+  stage.button(true);
+  EXPECT_TRUE(stage.until([&] { return stage.finger().depth_mm > 5.0; }));
+  EXPECT_GT(stage.finger().force.norm(), 1.0);
+  stage.button(false);
+  EXPECT_TRUE(stage.until([&] { return stage.finger().touch == contact::Touch::free; }));
+}
+
+TEST(Viewer, TheWheelDeepensWhilePressingAndZoomsOtherwise) {
+  Stage stage;
+  const double distance = stage.session().camera.distance_mm;
+  stage.move(stage.middle());
+  stage.scroll(1.0);
+  EXPECT_NEAR(stage.session().camera.distance_mm, 0.9 * distance, 1e-6);
+  stage.button(true);
+  stage.scroll(-4.0);
+  EXPECT_DOUBLE_EQ(stage.session().state.touch.depth_mm, 8.0);
+  EXPECT_TRUE(stage.until([&] { return stage.finger().depth_mm > 7.0; }));
+}
+
+TEST(Viewer, DraggingPullsTheSkin) {
+  Stage stage;
+  stage.move(stage.middle());
+  stage.button(true);
+  ASSERT_TRUE(stage.until([&] { return stage.finger().depth_mm > 5.0; }));
+  const Vec3 anchor = stage.finger().anchor;
+  stage.move(stage.middle() + Vec2(30, 0));
+  EXPECT_TRUE(stage.until([&] { return (stage.finger().proxy - anchor).norm() > 2.0; }));
+}
+
+TEST(Viewer, LosingTheFocusLiftsTheFingerAlsoAHeldOne) {
+  Stage stage;
+  stage.move(stage.middle());
+  stage.key(view::Key::enter);
+  ASSERT_TRUE(stage.until([&] { return stage.finger().depth_mm > 1.0; }));
+  stage.loseFocus();
+  EXPECT_TRUE(stage.until([&] { return stage.finger().touch == contact::Touch::free; }));
+}
+
+TEST(Viewer, TheSecondFingerPressesWhileTheFirstStays) {
+  Stage stage;
+  stage.move(stage.middle());
+  stage.key(view::Key::enter);
+  ASSERT_TRUE(stage.until([&] { return stage.finger(0).depth_mm > 5.0; }));
+  stage.key(view::key('2'));
+  stage.move(stage.middle() + Vec2(120, 0));
+  stage.button(true);
+  EXPECT_TRUE(stage.until([&] { return stage.finger(1).depth_mm > 5.0; }));
+  EXPECT_GT(stage.finger(0).depth_mm, 5.0);
+}
+
+TEST(Viewer, DragsBesideTheBodyTurnTheCamera) {
+  Stage stage;
+  stage.move(Vec2(320, 60));  // between the panel and the sheet
+  stage.button(true);
+  stage.move(Vec2(420, 60));
+  stage.button(false);
+  EXPECT_NE(stage.session().camera.yaw_rad, 0.0);
+  EXPECT_EQ(stage.finger().touch, contact::Touch::free);
+}
+
+TEST(Viewer, KeysSwitchOverlaysAndColours) {
+  Stage stage;
+  stage.key(view::key('W'));
+  EXPECT_TRUE(stage.session().state.look.shows(view::Overlay::wireframe));
+  stage.key(view::key('W'));
+  EXPECT_FALSE(stage.session().state.look.shows(view::Overlay::wireframe));
+  stage.key(view::key('S'));
+  EXPECT_EQ(stage.session().state.look.colouring, view::Colouring::strain);
+  stage.key(view::key('M'));
+  EXPECT_EQ(stage.session().state.look.colouring, view::Colouring::stiffness);
+  stage.key(view::key('M'));
+  EXPECT_EQ(stage.session().state.look.colouring, view::Colouring::plain);
+}
+
+TEST(Viewer, AFileThatCannotBeReadBecomesAMessageAndLeavesEverythingAsItWas) {
+  Stage stage;
+  writeFile(stage.folder / "broken.obj", "v 1 2\nthis is no mesh\n");
+  const std::size_t triangles = stage.session().world.triangles;
+  stage.drop(stage.folder / "broken.obj");
+  ASSERT_TRUE(stage.until([&] { return stage.session().messages.toast(stage.now_s) != nullptr; }));
+  EXPECT_EQ(stage.session().messages.toast(1e9)->severity, Severity::error);
+  EXPECT_TRUE(stage.lastMessage().starts_with("cannot open ")) << stage.lastMessage();
+  EXPECT_NE(stage.lastMessage().find("broken.obj"), std::string::npos);
+  EXPECT_EQ(stage.session().world.triangles, triangles);
+}
+
+TEST(Viewer, ADroppedMeshTakesThePlaceOfTheBodyAndClearsTheErrorBefore) {
+  Stage stage;
+  mesh::save(stage.folder / "ball.ply", zoo::sphere(60.0, 3));
+  stage.drop(stage.folder / "nothing.obj");
+  ASSERT_TRUE(stage.until([&] { return stage.session().messages.toast(stage.now_s) != nullptr; }));
+  stage.drop(stage.folder / "ball.ply");
+  ASSERT_TRUE(stage.until([&] { return stage.session().world.name == "ball.ply"; }));
+  EXPECT_EQ(stage.session().messages.toast(stage.now_s), nullptr);
+  EXPECT_EQ(stage.session().state.recent.front(), (stage.folder / "ball.ply").string());
+  stage.move(stage.middle());
+  stage.button(true);
+  EXPECT_TRUE(stage.until([&] { return stage.finger().depth_mm > 5.0; })) << "and is felt";
+}
+
+TEST(Viewer, ADysfunctionIsPlacedFeltUndoneAndRedone) {
+  Stage stage;
+  stage.click("panel/Dysfunctions");
+  stage.click("dysfunctions/edit");
+  ASSERT_TRUE(stage.session().editor.active);
+  stage.move(stage.middle());
+  stage.button(true);
+  stage.button(false);
+  ASSERT_EQ(stage.session().scene.dysfunctions.size(), 1u);
+  const auto stiffest = [&] { return stage.session().world.stiffest_n_per_mm; };
+  EXPECT_TRUE(stage.until([&] { return stiffest() > 0.7; })) << stiffest();
+  stage.key(view::key('Z'), {true, false});
+  EXPECT_TRUE(stage.session().scene.dysfunctions.empty());
+  EXPECT_TRUE(stage.until([&] { return stiffest() < 0.51; }));
+  stage.key(view::key('Z'), {true, true});
+  EXPECT_EQ(stage.session().scene.dysfunctions.size(), 1u);
+  stage.key(view::Key::escape);
+  EXPECT_FALSE(stage.session().editor.active);
+}
+
+TEST(Viewer, TurningTheWheelInTheEditorSizesWhatIsSelected) {
+  Stage stage;
+  stage.click("panel/Dysfunctions");
+  stage.click("dysfunctions/edit");
+  stage.move(stage.middle());
+  stage.button(true);
+  stage.button(false);
+  const double radius = stage.session().scene.dysfunctions.at(0).radius_mm;
+  stage.scroll(2.0);
+  EXPECT_GT(stage.session().scene.dysfunctions.at(0).radius_mm, radius);
+  stage.key(view::Key::delete_key);
+  EXPECT_TRUE(stage.session().scene.dysfunctions.empty());
+}
+
+TEST(Viewer, AChangedSceneIsSavedAndReadsBack) {
+  Stage stage;
+  stage.session().scene.friction.mu_static = 0.9;
+  stage.key(view::key('S'), {true, false});
+  const fs::path file = stage.session().scene_file;
+  ASSERT_TRUE(fs::exists(file)) << stage.lastMessage();
+  EXPECT_EQ(scene::load(file).friction.mu_static, 0.9);
+}
+
+TEST(Viewer, WhatIsRecordedIsCompleteEvenWhenTheViewerIsClosed) {
+  Stage stage;
+  stage.key(view::key('R'));
+  ASSERT_TRUE(stage.session().recording.forces);
+  ASSERT_TRUE(stage.until([&] { return stage.session().performance.servo.ticks >= 1000; }));
+  const fs::path file = stage.session().recording.forces_file;
+  EXPECT_FALSE(fs::exists(file)) << "a half-written table has no name yet";
+  stage.viewer->finish();
+  const std::string text = readFile(file, 1 << 26);
+  EXPECT_TRUE(text.starts_with(trace::forcesCsvHeader()));
+  EXPECT_GT(std::count(text.begin(), text.end(), '\n'), 100);
+}
+
+TEST(Viewer, SavesPicturesAndSequences) {
+  Stage stage;
+  stage.key(view::functionKey(12));
+  stage.frame();
+  ASSERT_TRUE(fs::exists(stage.folder / "palpate.png"));
+  const view::Image picture = view::readPng(stage.folder / "palpate.png");
+  EXPECT_EQ(picture.width, kStageWidth);
+  EXPECT_EQ(picture.height, kStageHeight);
+  stage.session().wish(Wish::Kind::sequence);
+  for (int i = 0; i < 5; ++i) stage.frame();
+  stage.session().wish(Wish::Kind::sequence);
+  stage.frame();
+  stage.viewer->finish();
+  EXPECT_TRUE(fs::exists(stage.folder / "pictures" / "frame_00003.png"));
+}
+
+TEST(Viewer, FreezesThePictureButNotTheTouch) {
+  Stage stage;
+  stage.key(view::Key::space);
+  stage.move(stage.middle());
+  stage.button(true);
+  const std::uint64_t ticks = stage.session().performance.servo.ticks;
+  ASSERT_TRUE(stage.until([&] { return stage.session().performance.servo.ticks > ticks + 1000; }));
+  EXPECT_EQ(stage.finger().depth_mm, 0.0) << "what is shown stays as it was";
+  stage.key(view::Key::space);
+  EXPECT_TRUE(stage.until([&] { return stage.finger().depth_mm > 5.0; }));
+}
+
+TEST(Viewer, EscapeNeverQuits) {
+  Stage stage;
+  stage.key(view::functionKey(1));
+  EXPECT_TRUE(stage.session().state.shown.help);
+  for (int i = 0; i < 5; ++i) stage.key(view::Key::escape);
+  EXPECT_FALSE(stage.session().state.shown.help);
+  EXPECT_FALSE(stage.viewer->wantsToQuit());
+  stage.key(view::key('Q'), {true, false});
+  EXPECT_TRUE(stage.viewer->wantsToQuit());
+}
+
+TEST(Viewer, CopiesItsViewAsTextAndPastesItBack) {
+  std::string clipboard;
+  ViewerHost host;
+  host.set_clipboard = [&](const std::string& text) { clipboard = text; };
+  host.clipboard = [&] { return clipboard; };
+  Stage stage(Stage::quiet(), host);
+  stage.session().camera.yaw_rad = 0.5;
+  stage.session().wish(Wish::Kind::copy_view);
+  stage.frame();
+  EXPECT_TRUE(clipboard.starts_with("palpate-view ")) << clipboard;
+  stage.session().camera.yaw_rad = -1.0;
+  stage.session().wish(Wish::Kind::paste_view);
+  stage.frame();
+  stage.frame();
+  EXPECT_NEAR(stage.session().camera.yaw_rad, 0.5, 1e-4);
+  clipboard = "nonsense";
+  stage.session().wish(Wish::Kind::paste_view);
+  stage.frame();
+  EXPECT_EQ(stage.lastMessage(), "The clipboard holds no view");
+}
+
+TEST(Viewer, PressedByForceAStiffPlaceGivesWayLess) {
+  ViewState state = Stage::quiet();
+  state.touch.by = view::PressBy::force;
+  state.touch.force_n = 2.0;
+  Stage stage(state);
+  stage.move(stage.middle());
+  stage.button(true);
+  ASSERT_TRUE(stage.until([&] { return std::abs(stage.finger().force.norm() - 2.0) < 0.05; }));
+  EXPECT_NEAR(stage.finger().depth_mm, 4.0, 0.3) << "0.5 N/mm";
+}
+
+}  // namespace
+}  // namespace palpate::viewer
