@@ -14,6 +14,13 @@ namespace fs = std::filesystem;
 
 constexpr const char* kProfileStem = "profile";
 
+/// A fresh name in a folder that is made when it is first needed; that it cannot be is told by the writing.
+fs::path fresh(const fs::path& folder, const std::string& stem, const std::string& kind) {
+  std::error_code ignored;
+  fs::create_directories(folder, ignored);
+  return freshName(folder, stem, kind);
+}
+
 /// Does something with files; what goes wrong becomes a message.
 template <class Action>
 bool attempt(Session& session, const Action& action) {
@@ -45,7 +52,7 @@ void Outputs::toggleForces(Session& session) {
     }
     return;
   }
-  const fs::path file = freshName(folder_, "forces", ".csv");
+  const fs::path file = fresh(folder_, "forces", ".csv");
   if (!attempt(session, [&] { forces_.start(file, session.scene.ticks_per_s); })) return;
   recording.forces = true;
   recording.forces_file = file.string();
@@ -59,7 +66,7 @@ void Outputs::toggleSequence(Session& session) {
     session.report(Severity::info, fmt::format("{} pictures are in {}", recording.pictures, recording.sequence_folder));
     return;
   }
-  const fs::path folder = freshName(folder_, "pictures", "");
+  const fs::path folder = fresh(folder_, "pictures", "");
   if (!attempt(session, [&] { fs::create_directories(folder); })) return;
   recording.sequence = true;
   recording.sequence_folder = folder.string();
@@ -68,14 +75,14 @@ void Outputs::toggleSequence(Session& session) {
 
 void Outputs::savePlots(Session& session) {
   const double end_s = session.plots_paused ? session.plot_end_s : session.plots[0].newestTime();
-  const fs::path file = freshName(folder_, "plots", ".csv");
+  const fs::path file = fresh(folder_, "plots", ".csv");
   const auto write = [&] { writeFile(file, historyAsCsv(session.plots, end_s, session.plot_window_s)); };
   if (attempt(session, write)) session.report(Severity::info, fmt::format("The plots are in {}", file.string()));
 }
 
 void Outputs::saveScene(Session& session, const std::string& file) {
   fs::path target = !file.empty() ? fs::path(file) : fs::path(session.scene_file);
-  if (target.empty()) target = freshName(folder_, "scene", ".toml");
+  if (target.empty()) target = fresh(folder_, "scene", ".toml");
   if (!attempt(session, [&] { scene::save(session.scene, target); })) return;
   session.scene_file = target.string();
   session.report(Severity::info, fmt::format("The scene is saved as {}", target.string()));
@@ -84,7 +91,7 @@ void Outputs::saveScene(Session& session, const std::string& file) {
 void Outputs::useProfile(Session& session) {
   fs::path& file = session.scene.deformation.profile_file;
   const bool ours = file.filename().string().starts_with(kProfileStem) && file.parent_path() == folder_;
-  const fs::path target = ours ? file : freshName(folder_, kProfileStem, ".csv");
+  const fs::path target = ours ? file : fresh(folder_, kProfileStem, ".csv");
   std::string table = "q,value\n";
   for (const tissue::ProfileKnot& knot : session.profile_knots) table += fmt::format("{},{}\n", knot.q, knot.value);
   if (!attempt(session, [&] { writeFile(target, table); })) return;
@@ -97,7 +104,7 @@ void Outputs::keepFrame(Session& session, view::Image image) {
   Recording& recording = session.recording;
   if (screenshot_) {
     screenshot_ = false;
-    const fs::path file = freshName(folder_, "palpate", ".png");
+    const fs::path file = fresh(folder_, "palpate", ".png");
     pictures_.write(file, image);
     // The next fresh name must not be the same one.
     pictures_.finish();

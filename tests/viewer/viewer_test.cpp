@@ -183,6 +183,14 @@ TEST(Viewer, SavesPicturesAndSequences) {
   EXPECT_TRUE(fs::exists(stage.folder / "pictures" / "frame_00003.png"));
 }
 
+TEST(Outputs, MakesItsFolderWhenItIsFirstNeeded) {
+  const support::TemporaryFolder folder;
+  Session session;
+  Outputs outputs(folder / "not" / "yet");
+  outputs.savePlots(session);
+  EXPECT_TRUE(fs::exists(folder / "not" / "yet" / "plots.csv")) << session.messages.all().back().text;
+}
+
 TEST(Viewer, FreezesThePictureButNotTheTouch) {
   Stage stage;
   stage.key(view::Key::space);
