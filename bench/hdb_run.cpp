@@ -40,7 +40,7 @@ HdbFigures measureHdb(ContactWorld& world, const device::Trajectory& trajectory,
   contact::HdbFingerState state;
   const device::Trajectory ticks = device::resampled(trajectory, finger.tick_s);
   const FingerRun run = timedRun(std::span(ticks.tip_mm), [&](const Vec3& tip) {
-    const contact::FingerOutput output = contact::stepHdb(world.surface, finger, candidates, state, tip);
+    contact::FingerOutput output = contact::stepHdb(world.surface, finger, candidates, state, tip);
     figures.most_listed = std::max(figures.most_listed, candidates.size());
     return output;
   });

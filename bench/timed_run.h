@@ -18,7 +18,7 @@ using Clock = std::chrono::steady_clock;
 inline double microseconds(Clock::duration d) { return std::chrono::duration<double, std::micro>(d).count(); }
 
 /// What two readings of the clock cost when nothing is between them.
-inline double emptyTimer_us() {
+inline double emptyTimerMicroseconds() {
   std::vector<double> samples(2000);
   for (double& sample : samples) {
     const Clock::time_point start = Clock::now();
@@ -32,7 +32,7 @@ inline double emptyTimer_us() {
 /// `step` takes a tip and gives a FingerOutput.
 template <class Step>
 FingerRun timedRun(std::span<const Vec3> tips, Step&& step) {
-  const double empty_us = detail::emptyTimer_us();
+  const double empty_us = detail::emptyTimerMicroseconds();
   FingerRun run;
   run.outputs.resize(tips.size());
   run.tick_us.resize(tips.size());

@@ -31,16 +31,16 @@ void drawBeside(Canvas& canvas, const Vec2& at, const std::string& text, const C
       Spot{{-7.0, -10.0}, Align::end, Align::middle},  Spot{{-7.0, 10.0}, Align::end, Align::middle},
       Spot{{9.0, -24.0}, Align::start, Align::middle}, Spot{{9.0, 24.0}, Align::start, Align::middle},
   };
-  const auto styleAt = [&](const Spot& spot) {
+  const auto style_at = [&](const Spot& spot) {
     return TextStyle{.size_px = 11.0, .colour = colour, .across = spot.across, .down = spot.down, .halo = true};
   };
   const Spot* chosen = spots.data();
   for (const Spot& spot : spots) {
-    if (!isFree(canvas, canvas.textBox(at + spot.offset, text, styleAt(spot)), bounds)) continue;
+    if (!isFree(canvas, canvas.textBox(at + spot.offset, text, style_at(spot)), bounds)) continue;
     chosen = &spot;
     break;
   }
-  canvas.text(at + chosen->offset, text, styleAt(*chosen));
+  canvas.text(at + chosen->offset, text, style_at(*chosen));
 }
 
 }  // namespace palpate::figures

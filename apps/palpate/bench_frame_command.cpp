@@ -19,7 +19,7 @@ nlohmann::ordered_json jsonOf(const FrameFigures& f) {
   json["deform_ms"] = f.deform_ms;
   json["upload_ms"] = f.upload_ms;
   json["draw_ms"] = f.draw_ms;
-  json["frame_ms"] = f.frame_ms();
+  json["frame_ms"] = f.frameMs();
   json["fps"] = f.fps;
   json["uploaded_vertices"] = f.uploaded_vertices;
   json["covered"] = f.covered;

@@ -157,7 +157,7 @@ FrameFigures measureFrames(const FrameRun& run) {
   figures.deform_ms = bench.mean(0);
   figures.upload_ms = bench.mean(1);
   figures.draw_ms = bench.mean(2);
-  figures.fps = 1000.0 / figures.frame_ms();
+  figures.fps = 1000.0 / figures.frameMs();
   figures.uploaded_vertices = bench.uploadedVertices();
   figures.covered = bench.covered(marks.back());
   return figures;

@@ -28,7 +28,7 @@ struct FrameFigures {
   double deform_ms = 0.0;
   double upload_ms = 0.0;
   double draw_ms = 0.0;  ///< until the last pixel is there, labels and stereo included
-  double frame_ms() const { return deform_ms + upload_ms + draw_ms; }
+  double frameMs() const { return deform_ms + upload_ms + draw_ms; }
   double fps = 0.0;                ///< 1000 / frame_ms: each step waits for the one before
   double covered = 0.0;            ///< share of the window that the skin takes
   double uploaded_vertices = 0.0;  ///< a picture

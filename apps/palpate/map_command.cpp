@@ -40,17 +40,17 @@ MapSkin skinOf(const MapArguments& arguments) {
 
 /// The words of the options as settings. CLI11 has checked them.
 MapSource sourceOf(const MapArguments& arguments) {
-  static const std::map<std::string, std::optional<maps::LiteralWeights>> kWeights{
+  static const std::map<std::string, std::optional<maps::LiteralWeights>> weight_words{
       {"", {}},
       {"gri", {}},
       {"products", maps::LiteralWeights::products},
       {"printed-products", maps::LiteralWeights::printed_products},
       {"single-effects", maps::LiteralWeights::single_effects}};
-  static const std::map<std::string, maps::DirectionBlend> kDirections{
+  static const std::map<std::string, maps::DirectionBlend> direction_words{
       {"tensor", maps::DirectionBlend::tensor},
       {"double-angle", maps::DirectionBlend::double_angle},
       {"raw-degrees", maps::DirectionBlend::raw_degrees}};
-  static const std::map<std::string, maps::StiffnessInterpolation> kStiffness{
+  static const std::map<std::string, maps::StiffnessInterpolation> stiffness_words{
       {"gri", maps::StiffnessInterpolation::gri},
       {"thin-plate", maps::StiffnessInterpolation::thin_plate},
       {"polynomial", maps::StiffnessInterpolation::polynomial}};
@@ -58,13 +58,13 @@ MapSource sourceOf(const MapArguments& arguments) {
   source.fidelity = scene::parseFidelity(arguments.fidelity);
   source.measured.force = arguments.data == "down" ? maps::ForceDirection::down : maps::ForceDirection::up;
   source.measured.averaging = arguments.averaging == "tensorial" ? maps::Averaging::tensorial : maps::Averaging::plain;
-  const auto stiffness = kStiffness.find(arguments.interpolation);
-  if (stiffness != kStiffness.end()) source.stiffness.interpolation = stiffness->second;
+  const auto stiffness = stiffness_words.find(arguments.interpolation);
+  if (stiffness != stiffness_words.end()) source.stiffness.interpolation = stiffness->second;
   source.interpolate_depth = !arguments.interpolation.empty();
-  const auto weights = kWeights.find(arguments.interpolation);
-  if (weights != kWeights.end()) source.weights = weights->second;
-  const auto directions = kDirections.find(arguments.directions);
-  if (directions != kDirections.end()) source.directions = directions->second;
+  const auto weights = weight_words.find(arguments.interpolation);
+  if (weights != weight_words.end()) source.weights = weights->second;
+  const auto directions = direction_words.find(arguments.directions);
+  if (directions != direction_words.end()) source.directions = directions->second;
   return source;
 }
 

@@ -38,7 +38,8 @@ struct SkinGrid {
 
   Vec2 node(std::size_t i) const {
     const auto width = static_cast<std::size_t>(columns);
-    return origin + step_mm * Vec2(static_cast<double>(i % width), static_cast<double>(i / width));
+    const std::size_t row = i / width;
+    return origin + step_mm * Vec2(static_cast<double>(i % width), static_cast<double>(row));
   }
 };
 
