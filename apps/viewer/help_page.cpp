@@ -31,17 +31,21 @@ void row(const char* input, const char* does) {
   ImGui::TextWrapped("%s", does);
 }
 
-bool beginRows(const char* name) {
+/// Of the keys and buttons, points: those on the left of the page have long names.
+constexpr float kLeftNames = 190.0f;
+constexpr float kRightNames = 100.0f;
+
+bool beginRows(const char* name, float names) {
   if (!ImGui::BeginTable(name, 2)) return false;
-  ImGui::TableSetupColumn("input", ImGuiTableColumnFlags_WidthFixed, 160.0f);
+  ImGui::TableSetupColumn("input", ImGuiTableColumnFlags_WidthFixed, names);
   ImGui::TableSetupColumn("does");
   return true;
 }
 
-void groupOf(view::KeyGroup group) {
+void groupOf(view::KeyGroup group, float names) {
   const auto index = static_cast<std::size_t>(group);
   ImGui::TextDisabled("%s", std::string(view::kKeyGroupNames[index]).c_str());
-  if (!beginRows(std::string(view::kKeyGroupNames[index]).c_str())) return;
+  if (!beginRows(std::string(view::kKeyGroupNames[index]).c_str(), names)) return;
   for (const view::KeyBinding& binding : view::keyTable()) {
     if (binding.group == group) row(view::keysOf(binding).c_str(), std::string(binding.does).c_str());
   }
@@ -50,7 +54,7 @@ void groupOf(view::KeyGroup group) {
 
 void mouseRules() {
   ImGui::TextDisabled("Mouse");
-  if (!beginRows("mouse")) return;
+  if (!beginRows("mouse", kLeftNames)) return;
   for (const MouseRule& rule : kMouse) row(rule.input, rule.does);
   ImGui::EndTable();
 }
@@ -68,12 +72,12 @@ void helpPage(Session& session) {
     if (ImGui::BeginTable("columns", 2)) {
       ImGui::TableNextColumn();
       mouseRules();
-      groupOf(view::KeyGroup::touch);
-      groupOf(view::KeyGroup::view);
-      groupOf(view::KeyGroup::file);
+      groupOf(view::KeyGroup::touch, kLeftNames);
+      groupOf(view::KeyGroup::view, kLeftNames);
       ImGui::TableNextColumn();
-      groupOf(view::KeyGroup::overlays);
-      groupOf(view::KeyGroup::window);
+      groupOf(view::KeyGroup::overlays, kRightNames);
+      groupOf(view::KeyGroup::window, kRightNames);
+      groupOf(view::KeyGroup::file, kRightNames);
       ImGui::EndTable();
     }
   }

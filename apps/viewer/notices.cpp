@@ -27,9 +27,15 @@ constexpr std::string_view kHints[] = {
 
 float middleOf(const FreeArea& free) { return 0.5f * (free.left + free.right); }
 
+/// On a light window the same hues, darker.
 ImVec4 colourOf(Severity severity) {
-  if (severity == Severity::error) return {0.98f, 0.45f, 0.40f, 1.0f};
-  return severity == Severity::warning ? ImVec4{0.98f, 0.80f, 0.40f, 1.0f} : ImGui::GetStyleColorVec4(ImGuiCol_Text);
+  const ImVec4 text = ImGui::GetStyleColorVec4(ImGuiCol_Text);
+  const bool light_window = text.y < 0.5f;
+  if (severity == Severity::error)
+    return light_window ? ImVec4{0.70f, 0.10f, 0.08f, 1.0f} : ImVec4{0.98f, 0.45f, 0.40f, 1.0f};
+  if (severity == Severity::warning)
+    return light_window ? ImVec4{0.55f, 0.36f, 0.0f, 1.0f} : ImVec4{0.98f, 0.80f, 0.40f, 1.0f};
+  return text;
 }
 
 const char* wordFor(Severity severity) {
@@ -96,6 +102,8 @@ void editingFrame(Session&, const FreeArea& free) {
 
 void messageList(Session& session) {
   session.messages.markRead();
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0.5f * size.x, 0.5f * size.y}, ImGuiCond_FirstUseEver, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({560.0f, 320.0f}, ImGuiCond_FirstUseEver);
   if (ImGui::Begin("Messages", &session.state.shown.messages, ImGuiWindowFlags_NoSavedSettings)) {
     if (buttonWidget("messages/copy", "Copy all")) {

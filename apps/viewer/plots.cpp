@@ -15,13 +15,15 @@ namespace {
 constexpr float kHeight = 118.0f;
 constexpr float kTitle = 20.0f;
 constexpr std::array<double, 5> kWindows = {2.0, 5.0, 10.0, 30.0, 60.0};
-constexpr ImU32 kInk = IM_COL32(225, 225, 225, 255);
-constexpr ImU32 kFaint = IM_COL32(255, 255, 255, 40);
-constexpr ImU32 kTouching = IM_COL32(255, 255, 255, 14);
 constexpr ImU32 kLimit = IM_COL32(230, 160, 60, 200);
 /// Left blue and right red, as the fingers; the tangential force is paler.
 constexpr std::array<ImU32, 2> kFinger = {IM_COL32(110, 165, 255, 255), IM_COL32(255, 120, 105, 255)};
 constexpr std::array<ImU32, 2> kFingerPale = {IM_COL32(110, 165, 255, 110), IM_COL32(255, 120, 105, 110)};
+
+/// Of the theme's text, so that it is seen on light and dark.
+ImU32 ink(float opacity = 1.0f) { return ImGui::GetColorU32(ImGuiCol_Text, opacity); }
+constexpr float kFaint = 0.16f;
+constexpr float kTouching = 0.06f;
 
 struct Strip {
   const char* title;
@@ -92,7 +94,7 @@ void shadeContact(const SampleHistory& history, const Area& area, double end_s, 
   for (std::size_t i = 0; i < depth.size(); ++i) {
     if (!depth[i].any || depth[i].high <= 0.0f) continue;
     const float x = area.low.x + area.width() * static_cast<float>(i) / static_cast<float>(columns);
-    list.AddRectFilled({x, area.low.y}, {x + 4.0f, area.high.y}, kTouching);
+    list.AddRectFilled({x, area.low.y}, {x + 4.0f, area.high.y}, ink(kTouching));
   }
 }
 
@@ -103,15 +105,15 @@ double endOfTime(const Session& session) {
 
 void drawAxis(const Area& area, const Strip& strip, double end) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddLine({area.low.x, area.high.y}, area.high, kFaint);
-  list.AddLine({area.low.x, area.low.y}, {area.high.x, area.low.y}, kFaint);
+  list.AddLine({area.low.x, area.high.y}, area.high, ink(kFaint));
+  list.AddLine({area.low.x, area.low.y}, {area.high.x, area.low.y}, ink(kFaint));
   const float middle = 0.5f * (area.low.y + area.high.y);
-  list.AddLine({area.low.x, middle}, {area.high.x, middle}, kFaint);
+  list.AddLine({area.low.x, middle}, {area.high.x, middle}, ink(kFaint));
   const std::string top = fmt::format("{:g}", end);
   const float small = ImGui::GetFontSize() * 0.8f;
-  list.AddText(ImGui::GetFont(), small, {area.low.x + 3.0f, area.low.y + 1.0f}, kInk, top.c_str());
+  list.AddText(ImGui::GetFont(), small, {area.low.x + 3.0f, area.low.y + 1.0f}, ink(), top.c_str());
   const std::string title = fmt::format("{}, {}", strip.title, strip.unit);
-  list.AddText({area.low.x, area.low.y - kTitle}, kInk, title.c_str());
+  list.AddText({area.low.x, area.low.y - kTitle}, ink(), title.c_str());
 }
 
 void drawLimit(const Area& area, double limit, double end) {
@@ -125,7 +127,7 @@ void drawNow(const Session& session, const Area& area, const Strip& strip, doubl
   if (sample == nullptr) return;
   const std::string value = fmt::format("{:.2f}", valueOf(*sample, strip.value));
   const float width = ImGui::CalcTextSize(value.c_str()).x;
-  ImGui::GetWindowDrawList()->AddText({area.high.x - width, area.low.y - kTitle}, kInk, value.c_str());
+  ImGui::GetWindowDrawList()->AddText({area.high.x - width, area.low.y - kTitle}, ink(), value.c_str());
 }
 
 void drawStrip(Session& session, std::size_t index, const Area& area) {
@@ -162,7 +164,7 @@ void drawCursor(Session& session, std::span<const Area> areas) {
     time_s -= (1.0 - share) * session.plot_window_s;
     for (const Area& other : areas) {
       const float x = other.low.x + static_cast<float>(share) * other.width();
-      ImGui::GetWindowDrawList()->AddLine({x, other.low.y}, {x, other.high.y}, kInk);
+      ImGui::GetWindowDrawList()->AddLine({x, other.low.y}, {x, other.high.y}, ink());
     }
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
       session.plot_end_s = endOfTime(session);

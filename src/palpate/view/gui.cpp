@@ -30,8 +30,9 @@ void useDark(ImGuiStyle& style) {
   c[ImGuiCol_Button] = {0.28f, 0.28f, 0.29f, 1.0f};
   c[ImGuiCol_ButtonHovered] = {0.38f, 0.38f, 0.39f, 1.0f};
   c[ImGuiCol_ButtonActive] = {0.45f, 0.45f, 0.46f, 1.0f};
-  c[ImGuiCol_SliderGrab] = {0.66f, 0.66f, 0.67f, 1.0f};
-  c[ImGuiCol_SliderGrabActive] = {0.86f, 0.86f, 0.86f, 1.0f};
+  // Dark enough to read the number that is written over it.
+  c[ImGuiCol_SliderGrab] = {0.44f, 0.44f, 0.45f, 1.0f};
+  c[ImGuiCol_SliderGrabActive] = {0.54f, 0.54f, 0.55f, 1.0f};
   c[ImGuiCol_CheckMark] = {0.95f, 0.72f, 0.36f, 1.0f};
   c[ImGuiCol_MenuBarBg] = {0.10f, 0.10f, 0.11f, 1.0f};
   c[ImGuiCol_TitleBgActive] = {0.18f, 0.18f, 0.19f, 1.0f};
@@ -44,7 +45,9 @@ void useContrast(ImGuiStyle& style) {
   c[ImGuiCol_WindowBg] = c[ImGuiCol_PopupBg] = c[ImGuiCol_MenuBarBg] = {0.0f, 0.0f, 0.0f, 1.0f};
   c[ImGuiCol_Text] = {1.0f, 1.0f, 1.0f, 1.0f};
   c[ImGuiCol_Border] = {1.0f, 1.0f, 1.0f, 1.0f};
-  c[ImGuiCol_CheckMark] = c[ImGuiCol_SliderGrab] = {1.0f, 1.0f, 0.0f, 1.0f};
+  c[ImGuiCol_FrameBg] = {0.0f, 0.0f, 0.0f, 1.0f};
+  c[ImGuiCol_CheckMark] = {1.0f, 1.0f, 0.0f, 1.0f};
+  c[ImGuiCol_SliderGrab] = c[ImGuiCol_SliderGrabActive] = {0.0f, 0.35f, 0.85f, 1.0f};  // under a white number
   style.FrameBorderSize = 1.0f;
 }
 
