@@ -85,12 +85,12 @@ void tellFrame(std::uint64_t number, double now_s, viewer::Viewer& viewer) {
   const viewer::Message* message = s.messages.all().empty() ? nullptr : &s.messages.all().back();
   fmt::print(
       "frame {} t={:.3f} size={}x{} finger={} pressed={} depth={:.2f} force={:.2f} drag={:.2f} wish={:.2f} "
-      "distance={:.0f} yaw={:.3f} body={} building={} panel={} overlays={} recording={} message={}\n",
+      "distance={:.0f} yaw={:.3f} body={} building={} panel={} overlays={} row={} recording={} message={}\n",
       number, now_s, viewer.target().width(), viewer.target().height(), s.active_finger,
       viewer.pointer().pressed(s.active_finger) ? 1 : 0, finger.depth_mm, finger.force.norm(),
       (finger.proxy - finger.anchor).norm(), s.state.touch.depth_mm, s.camera.distance_mm, s.camera.yaw_rad,
       s.world.triangles, s.building ? 1 : 0, s.state.shown.panel ? 1 : 0, s.state.look.overlays.to_string(),
-      s.recording.forces ? 1 : 0, message == nullptr ? "-" : message->text);
+      s.state.stereo.monitor_row, s.recording.forces ? 1 : 0, message == nullptr ? "-" : message->text);
   std::fflush(stdout);
 }
 
@@ -126,6 +126,7 @@ void loop(const RunOptions& options, Playback& playback, view::Window& window, v
     const double now_s = frame == 1 ? 0.0 : secondsSince(started) - shown_s;  // a script begins at the first picture
     const bool close = playback.play(now_s, window, events);
     if (close || window.closing() || viewer.wantsToQuit()) return;
+    viewer.session().state.stereo.monitor_row = window.top();
     viewer.frame(window.width(), window.height(), window.contentScale(), now_s, events);
     window.present(viewer.target());
     if (frame == 1) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <sstream>
 
 #include "desktop.h"
 #include "palpate/base/text.h"
@@ -142,6 +143,49 @@ TEST_F(Window, FillsTheScreenAndComesBack) {
   EXPECT_TRUE(program->until([](const Values& v) { return v.at("size") == "1400x900"; }));
   ASSERT_TRUE(program->hand("key F11"));
   EXPECT_TRUE(program->until([&](const Values& v) { return v.at("size") == before; }));
+}
+
+/// Between two ticks of a table of forces.
+double longestPauseS(const std::string& table) {
+  std::istringstream lines(table);
+  std::string line;
+  std::getline(lines, line);  // the header
+  double longest = 0.0;
+  for (double last = -1.0; std::getline(lines, line);) {
+    const double time_s = std::atof(line.c_str());
+    if (last >= 0.0) longest = std::max(longest, time_s - last);
+    last = time_s;
+  }
+  return longest;
+}
+
+TEST_F(Window, TheServoGoesOnWhileTheScreenIsFilledAndLeft) {
+  const auto program = start();
+  const std::string before = program->word("size");
+  ASSERT_TRUE(program->hand(std::string(kOnSkin) + " mousedown 1"));
+  ASSERT_TRUE(program->until([](const Values& v) { return numberIn(v, "depth") > 5.0; }));
+  ASSERT_TRUE(program->hand("key r"));
+  ASSERT_TRUE(program->until([](const Values& v) { return v.at("recording") == "1"; }));
+  for (int round = 0; round < 3; ++round) {
+    ASSERT_TRUE(program->hand("key F11"));
+    ASSERT_TRUE(program->until([](const Values& v) { return v.at("size") == "1400x900"; }));
+    ASSERT_TRUE(program->hand("key F11"));
+    ASSERT_TRUE(program->until([&](const Values& v) { return v.at("size") == before; }));
+  }
+  EXPECT_GT(program->number("depth"), 5.0) << "still pressed";
+  ASSERT_TRUE(program->hand("mouseup 1 key r"));
+  ASSERT_TRUE(program->until([](const Values& v) { return v.at("recording") == "0"; }));
+  const std::string table = readFile(folder / "forces.csv", 1 << 28);
+  EXPECT_GT(std::count(table.begin(), table.end(), '\n'), 300);
+  EXPECT_LT(longestPauseS(table), 0.2) << "a busy machine may make it pause for some hundredths";
+}
+
+TEST_F(Window, RowsForTheEyesAreThoseOfTheMonitor) {
+  const auto program = start();
+  for (const char* top : {"101", "40"}) {
+    ASSERT_TRUE(program->hand(std::string("search --onlyvisible --name Palpate windowmove 20 ") + top));
+    EXPECT_TRUE(program->until([&](const Values& v) { return v.at("row") == top; })) << program->word("row");
+  }
 }
 
 TEST_F(Window, ADroppedFileThatIsBrokenIsToldAndNothingChanges) {
