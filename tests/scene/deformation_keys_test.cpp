@@ -5,21 +5,11 @@
 #include "palpate/base/error.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/scene/world.h"
+#include "scene/scene_text.h"
 #include "support/temporary_folder.h"
 
 namespace palpate::scene {
 namespace {
-
-const std::string kFinger = "[[finger]]\nname = \"index\"\nscript = [{ do = \"press\" }]\n";
-
-std::string messageFor(const std::string& toml) {
-  try {
-    parse(toml, "s.toml");
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 TEST(DeformationKeys, EveryFormHasAName) {
   const Scene scene = parse(R"(

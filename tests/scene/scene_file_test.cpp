@@ -7,21 +7,10 @@
 #include <sstream>
 
 #include "palpate/base/error.h"
+#include "scene/scene_text.h"
 
 namespace palpate::scene {
 namespace {
-
-/// The smallest scene: everything else has a default.
-const std::string kFinger = "[[finger]]\nname = \"index\"\nscript = [{ do = \"press\" }]\n";
-
-std::string messageFor(const std::string& toml) {
-  try {
-    parse(toml, "s.toml");
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 TEST(SceneFile, TheSmallestSceneIsOneFingerWithAScript) {
   const Scene scene = parse(kFinger, "s.toml");

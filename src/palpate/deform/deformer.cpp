@@ -70,10 +70,8 @@ Report Deformer::apply(std::span<const Contact> contacts, DeformedSurface& surfa
 void Deformer::frameContacts(std::span<const Contact> contacts, Report& report) noexcept {
   frames_.clear();
   for (const Contact& contact : contacts) {
-    if (!isUsable(contact)) {
-      report.status |= kIgnoredNotFinite;
-    } else if (contact.anchor_triangle >= skin_.triangles.size()) {
-      report.status |= kIgnoredNoTriangle;
+    if (const std::uint32_t reason = whyIgnored(contact, skin_.triangles.size()); reason != 0) {
+      report.status |= reason;
     } else if (frames_.size() == settings_.max_contacts) {
       report.status |= kIgnoredOverCapacity;
     } else if (const ContactFrame frame = frameOf(contact, settings_.tissue); wantsToMove(frame)) {

@@ -13,6 +13,7 @@
 
 #include "palpate/deform/frame.h"
 #include "palpate/deform/region.h"
+#include "palpate/deform/report.h"
 #include "palpate/deform/surface.h"
 
 namespace palpate::deform {
@@ -31,21 +32,6 @@ struct Settings {
   Normals normals = Normals::analytic;
   bool strain = false;            ///< also write the strain of (4.20)
   std::size_t max_contacts = 16;  ///< contacts beyond are ignored and reported
-};
-
-/// Why a contact had no (full) effect; bits of Report::status.
-enum Status : std::uint32_t {
-  kIgnoredNotFinite = 1,     ///< NaN, infinity or a normal without direction
-  kIgnoredNoTriangle = 2,    ///< the anchor's triangle is not one of the skin's
-  kIgnoredOverCapacity = 4,  ///< more contacts than Settings::max_contacts
-  kDegenerateRegion = 8,     ///< an ellipse without area: its part moves nothing
-  kNoVertexInRegion = 16,    ///< wants to move, but no vertex lies inside (ellipse smaller than the triangles)
-};
-
-struct Report {
-  std::uint32_t status = 0;
-  Index moved_vertices = 0;    ///< in the region of at least one contact
-  Index visited_vertices = 0;  ///< looked at by the region searches, in whole blocks
 };
 
 class Deformer {

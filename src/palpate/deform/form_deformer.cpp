@@ -66,10 +66,8 @@ Report FormDeformer::apply(std::span<const Contact> contacts, DeformedSurface& s
 void FormDeformer::frameContacts(std::span<const Contact> contacts, Report& report) noexcept {
   frames_.clear();
   for (const Contact& contact : contacts) {
-    if (!isUsable(contact)) {
-      report.status |= kIgnoredNotFinite;
-    } else if (contact.anchor_triangle >= skin_.triangles.size()) {
-      report.status |= kIgnoredNoTriangle;
+    if (const std::uint32_t reason = whyIgnored(contact, skin_.triangles.size()); reason != 0) {
+      report.status |= reason;
     } else if (frames_.size() == forms_.common.max_contacts) {
       report.status |= kIgnoredOverCapacity;
     } else if (const FormFrame frame = formFrameOf(contact, forms_); wantsToMove(frame)) {

@@ -1,0 +1,19 @@
+// Scene files as text, for the tests of their keys.
+#pragma once
+
+#include <string>
+
+#include "palpate/scene/scene_file.h"
+#include "support/error_message.h"
+
+namespace palpate::scene {
+
+/// The smallest scene: everything else has a default.
+inline const std::string kFinger = "[[finger]]\nname = \"index\"\nscript = [{ do = \"press\" }]\n";
+
+/// What is said of a scene that cannot be read; "no error" of one that can.
+inline std::string messageFor(const std::string& toml) {
+  return support::messageOf([&] { parse(toml, "s.toml"); });
+}
+
+}  // namespace palpate::scene
