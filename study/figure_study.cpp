@@ -63,7 +63,7 @@ std::string titleOf(const DissertationFigure& figure) {
 }
 
 std::vector<DissertationFigure> chosenFigures(const std::vector<std::string>& numbers) {
-  const std::vector<DissertationFigure> all = dissertationFigures();
+  std::vector<DissertationFigure> all = dissertationFigures();
   if (numbers.empty()) return all;
   for (const std::string& number : numbers) {
     const bool known = std::any_of(all.begin(), all.end(), [&](const auto& figure) { return figure.number == number; });

@@ -21,7 +21,7 @@ void setCapped(const Contact& contact, const FormSettings& forms, FormFrame& fra
 
 RegionFrame dragFrame(const Contact& contact, const Vec3& normal, const FormSettings& forms) noexcept {
   if (forms.shape == Shape::contour) {
-    const RegionFrame contour = contourFrame(contact.tangential_contour, normal);
+    RegionFrame contour = contourFrame(contact.tangential_contour, normal);
     if (contour.acts()) return contour;
   }
   return ellipseFrame(contact.tangential_region, normal, forms);
