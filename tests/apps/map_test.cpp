@@ -13,6 +13,7 @@
 #include "palpate/maps/measured_stiffness.h"
 #include "palpate/mesh/load.h"
 #include "palpate/mesh/save.h"
+#include "support/mesh_zoo.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
 
@@ -46,22 +47,7 @@ class Map : public ::testing::Test {
   void SetUp() override { writeHill(); }
 
   /// A hill 400 mm wide and 60 mm high under the seven key points.
-  void writeHill() const {
-    mesh::TriangleMesh hill;
-    constexpr Index kCells = 20;
-    for (Index j = 0; j <= kCells; ++j) {
-      for (Index i = 0; i <= kCells; ++i) {
-        const double x = -200.0 + 20.0 * i;
-        const double y = -250.0 + 20.0 * j;
-        hill.positions.emplace_back(x, y, 60.0 - 0.001 * (x * x + y * y));
-        if (i == kCells || j == kCells) continue;
-        const Index a = j * (kCells + 1) + i;
-        hill.triangles.push_back({a, a + 1, a + kCells + 2});
-        hill.triangles.push_back({a, a + kCells + 2, a + kCells + 1});
-      }
-    }
-    mesh::save(folder_ / "hill.obj", hill);
-  }
+  void writeHill() const { mesh::save(folder_ / "hill.obj", zoo::dome({-200.0, -250.0}, 20.0, 60.0)); }
   void write(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / name, std::ios::binary) << text;
   }

@@ -10,6 +10,7 @@
 #include "palpate/mesh/load.h"
 #include "palpate/mesh/save.h"
 #include "palpate/view/image.h"
+#include "support/mesh_zoo.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
 
@@ -29,20 +30,7 @@ class Simulate : public ::testing::Test {
 
   /// A dome 200 mm wide and 20 mm high.
   static void writeDome(const std::filesystem::path& file) {
-    mesh::TriangleMesh dome;
-    constexpr Index kCells = 20;
-    for (Index j = 0; j <= kCells; ++j) {
-      for (Index i = 0; i <= kCells; ++i) {
-        const double x = -100.0 + 10.0 * i;
-        const double y = -100.0 + 10.0 * j;
-        dome.positions.emplace_back(x, y, 20.0 - 0.001 * (x * x + y * y));
-        if (i == kCells || j == kCells) continue;
-        const Index a = j * (kCells + 1) + i;
-        dome.triangles.push_back({a, a + 1, a + kCells + 2});
-        dome.triangles.push_back({a, a + kCells + 2, a + kCells + 1});
-      }
-    }
-    mesh::save(file, dome);
+    mesh::save(file, zoo::dome({-100.0, -100.0}, 10.0, 20.0));
   }
   void write(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / name, std::ios::binary) << text;

@@ -126,6 +126,13 @@ TriangleMesh wavyGrid(int cells, double edge_mm, double amplitude_mm) {
   });
 }
 
+TriangleMesh dome(const Vec2& low_corner, double cell_mm, double top_mm) {
+  return parametricSheet(20, 20, [=](int u, int v) {
+    const Vec2 place = low_corner + cell_mm * Vec2(u, v);
+    return Vec3(place.x(), place.y(), top_mm - 0.001 * place.squaredNorm());
+  });
+}
+
 TriangleMesh plate(double edge_mm, double thickness_mm) {
   TriangleMesh mesh = cube(1.0);
   for (Vec3& p : mesh.positions) p = Vec3(edge_mm * p.x(), edge_mm * p.y(), thickness_mm * p.z());

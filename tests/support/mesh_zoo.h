@@ -22,6 +22,8 @@ mesh::TriangleMesh torus(double ring_radius_mm = 20.0, double tube_radius_mm = 6
 mesh::TriangleMesh grid(int cells = 8, double edge_mm = 100.0);
 /// The grid with hills: z = amplitude * sin * sin, two waves each way.
 mesh::TriangleMesh wavyGrid(int cells = 32, double edge_mm = 100.0, double amplitude_mm = 5.0);
+/// A dome of 20 x 20 square cells from `low_corner`, facing +z: z = top - 0.001 r^2 of the distance r to the origin.
+mesh::TriangleMesh dome(const Vec2& low_corner, double cell_mm, double top_mm);
 /// Closed square box, low and wide: a plate between z = 0 and z = thickness.
 mesh::TriangleMesh plate(double edge_mm = 50.0, double thickness_mm = 2.0);
 /// One triangle in z = 0, facing +z.
