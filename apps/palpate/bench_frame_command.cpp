@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "apps/palpate/bench_report.h"
 #include "apps/palpate/commands.h"
 #include "apps/palpate/frame_run.h"
 
@@ -75,7 +76,7 @@ void addBenchFrameCommand(CLI::App& parent) {
     arguments->run.stereo = view::stereoModeNamed(arguments->stereo);
     arguments->run.labels = !arguments->no_labels;
     const FrameFigures figures = measureFrames(arguments->run);
-    fmt::print("{}", arguments->json ? jsonOf(figures).dump(2) + "\n" : textOf(figures));
+    printReport(jsonOf(figures), textOf(figures), arguments->json);
   });
 }
 
