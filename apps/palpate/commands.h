@@ -18,6 +18,8 @@ void addSimulateCommand(CLI::App& app);
 void addRenderCommand(CLI::App& app);
 void addRepairCommand(CLI::App& app);
 void addStudyCommand(CLI::App& app);
+// `parent` is the study command.
+void addStudyPages(CLI::App& parent);
 void addRunCommand(CLI::App& app);
 
 }  // namespace palpate::app

@@ -1,6 +1,7 @@
 // `palpate study`: the dissertation's numbers and figures, computed and drawn by the engine.
 //
-// Each study is a subcommand with a file of its own in study/.
+// Each study is a subcommand with a file of its own in study/; those that write a page are added by
+// study_page_command.cpp.
 #include <fmt/format.h>
 
 #include <memory>
@@ -117,6 +118,7 @@ void addStudyCommand(CLI::App& app) {
   addNumbers(study);
   addFigures(study);
   addErrata(study);
+  addStudyPages(study);
 }
 
 }  // namespace palpate::app

@@ -8,6 +8,7 @@
 #include "palpate/base/text.h"
 #include "study/model_meshes.h"
 #include "study/pressed_skin.h"
+#include "study/texts_apart.h"
 #include "support/error_message.h"
 #include "support/temporary_folder.h"
 
@@ -46,14 +47,7 @@ TEST(DissertationFigures, AllAreDrawnWithTextsApart) {
     const figures::Figure figure = entry.draw();
     const auto texts = figures::textsOf(figure);
     EXPECT_FALSE(texts.empty() && figure.panels.empty()) << entry.number;
-    for (std::size_t i = 0; i < texts.size(); ++i) {
-      for (std::size_t j = i + 1; j < texts.size(); ++j) {
-        const auto& a = texts[i];
-        const auto& b = texts[j];
-        const bool apart = a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top;
-        EXPECT_TRUE(apart) << entry.number << ": " << a.text << " covers " << b.text;
-      }
-    }
+    expectTextsApart(figure, entry.number);
   }
 }
 
