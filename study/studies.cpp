@@ -4,10 +4,18 @@
 
 #include <chrono>
 
+#include "bench/machine.h"
+#include "study/complexity_study.h"
+#include "study/directions_study.h"
+#include "study/profile_study.h"
+
 namespace palpate::study {
 
 const std::vector<Study>& studies() {
-  static const std::vector<Study> kStudies{};
+  static const std::vector<Study> kStudies{
+      {"profile", "The array of the half Gaussian: sizes 20 to 7000, nearest and linear (Figure 4.9)", studyProfile},
+      {"complexity", "What a search for leaves visits, against w and 0.8 n, 0.4 n (Tables 3.3, 3.4)", studyComplexity},
+      {"directions", "Directions of ellipses averaged as numbers and as tensors (E29, E30)", studyDirections}};
   return kStudies;
 }
 
@@ -16,6 +24,7 @@ StudyPage runStudy(const Study& study, const StudySettings& settings) {
   StudyPage page = study.run(settings);
   page.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   page.name = study.name;
+  page.machine = bench::lineOf(bench::thisMachine());
   page.command = fmt::format("palpate study {}{} --out DIR", study.name, settings.quick ? " --quick" : "");
   return page;
 }
