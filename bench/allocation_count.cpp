@@ -8,16 +8,9 @@
 #include <cerrno>
 #include <cstdlib>
 
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(memory_sanitizer)
-#define PALPATE_SANITIZED 1
-#endif
-#endif
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define PALPATE_SANITIZED 1
-#endif
+#include "bench/interposition.h"
 
-#if defined(__GLIBC__) && !defined(PALPATE_SANITIZED)
+#ifdef PALPATE_CAN_INTERPOSE
 
 namespace {
 thread_local std::uint64_t count = 0;

@@ -15,6 +15,7 @@
 #include "bench/fall_check.h"
 #include "bench/statistics.h"
 #include "bench/surface_side.h"
+#include "bench/thread_counts.h"
 #include "palpate/contact/finger.h"
 #include "palpate/contact/surface.h"
 #include "palpate/device/trajectory.h"
@@ -39,7 +40,7 @@ ContactWorld buildContactWorld(mesh::TriangleMesh mesh_mm, double scale = 1.0, d
 struct FingerRun {
   std::vector<contact::FingerOutput> outputs;  ///< one a tick
   std::vector<double> tick_us;                 ///< time of each step, the clock's own cost taken off
-  std::optional<std::uint64_t> allocations;    ///< during all steps together
+  ThreadCounts counts;                         ///< during all steps together
 };
 
 /// A new finger along the tips, back to back.
@@ -71,8 +72,8 @@ struct ContactFigures {
   std::size_t max_force_step_tick = 0;
   double peak_depth_mm = 0.0;
   std::size_t teleports = 0;  ///< ticks left out of friction and force figures: |dD| > 5 mm
-  std::optional<std::uint64_t> allocations;
-  std::uint64_t hash = 0;  ///< of every bit of every output
+  ThreadCounts counts;        ///< of the whole run, whatever the window
+  std::uint64_t hash = 0;     ///< of every bit of every output
 };
 
 /// Runs and measures. `real` holds real lengths; the trajectory is in mm and is

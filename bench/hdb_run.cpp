@@ -24,6 +24,14 @@ mesh::TriangleMesh meshOf(const contact::Surface& surface) {
   return mesh;
 }
 
+/// Finds every page of code and surface.
+void warmUp(const contact::Surface& surface, const contact::FingerSettings& finger,
+            const std::shared_ptr<const contact::HdbSurface>& hdb, const std::vector<Vec3>& tips) {
+  contact::HdbCandidates candidates(hdb);
+  contact::HdbFingerState state;
+  for (const Vec3& tip : tips) (void)contact::stepHdb(surface, finger, candidates, state, tip);
+}
+
 }  // namespace
 
 HdbFigures measureHdb(ContactWorld& world, const device::Trajectory& trajectory, const contact::FingerSettings& finger,
@@ -36,9 +44,11 @@ HdbFigures measureHdb(ContactWorld& world, const device::Trajectory& trajectory,
   HdbFigures figures;
   figures.leaves = partition->leaves.size();
   figures.edge_mm = hdb.edges_mm.x();
-  contact::HdbCandidates candidates(contact::makeHdbSurface(world.surface, std::move(partition), hdb));
-  contact::HdbFingerState state;
+  const auto surface = contact::makeHdbSurface(world.surface, std::move(partition), hdb);
   const device::Trajectory ticks = device::resampled(trajectory, finger.tick_s);
+  warmUp(world.surface, finger, surface, ticks.tip_mm);
+  contact::HdbCandidates candidates(surface);
+  contact::HdbFingerState state;
   const FingerRun run = timedRun(std::span(ticks.tip_mm), [&](const Vec3& tip) {
     contact::FingerOutput output = contact::stepHdb(world.surface, finger, candidates, state, tip);
     figures.most_listed = std::max(figures.most_listed, candidates.size());

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "bench/allocation_count.h"
 #include "bench/contact_run.h"
+#include "bench/thread_counts.h"
 
 namespace palpate::bench {
 
@@ -36,13 +36,13 @@ FingerRun timedRun(std::span<const Vec3> tips, Step&& step) {
   FingerRun run;
   run.outputs.resize(tips.size());
   run.tick_us.resize(tips.size());
-  const std::optional<std::uint64_t> allocations = allocationsOfThisThread();
+  const ThreadCounts before = countsOfThisThread();
   for (std::size_t k = 0; k < tips.size(); ++k) {
     const detail::Clock::time_point start = detail::Clock::now();
     run.outputs[k] = step(tips[k]);
     run.tick_us[k] = std::max(0.0, detail::microseconds(detail::Clock::now() - start) - empty_us);
   }
-  if (allocations) run.allocations = *allocationsOfThisThread() - *allocations;
+  run.counts = countsSince(before);
   return run;
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "apps/palpate/bench_report.h"
 #include "apps/palpate/commands.h"
 #include "apps/palpate/named_mesh.h"
 #include "bench/contact_run.h"
@@ -54,8 +55,7 @@ nlohmann::ordered_json jsonOf(const bench::ContactFigures& f) {
   nlohmann::ordered_json json;
   json["triangles"] = f.triangles;
   json["ticks"] = f.ticks;
-  json["tick_us"] = {
-      {"p50", f.tick_us.p50}, {"p99", f.tick_us.p99}, {"p99_9", f.tick_us.p99_9}, {"max", f.tick_us.max}};
+  json["tick_us"] = percentilesJson(f.tick_us);
   json["lag_mm"] = {{"p99", f.lag_mm.p99}, {"max", f.lag_mm.max}};
   json["fall_throughs"] = f.falls.ticks;
   json["first_contact_delay_ticks"] = f.falls.first_contact_delay_ticks;
@@ -65,7 +65,9 @@ nlohmann::ordered_json jsonOf(const bench::ContactFigures& f) {
                       {"kinetic_max", f.friction.kinetic_max}};
   json["peak_force_n"] = f.peak_force_n;
   json["max_force_step_n"] = f.max_force_step_n;
-  json["allocations"] = f.allocations ? nlohmann::ordered_json(*f.allocations) : nlohmann::ordered_json(nullptr);
+  json["allocations"] = countJson(f.counts.allocations);
+  json["locks"] = countJson(f.counts.locks);
+  json["page_faults"] = countJson(f.counts.page_faults);
   json["hash"] = fmt::format("{:016x}", f.hash);
   json["contact_ticks"] = f.contact_ticks;
   json["stick_ticks"] = f.friction.stick_ticks;
@@ -103,7 +105,8 @@ std::string textOf(const bench::ContactFigures& f) {
       "force                    peak {:.3f} N, largest step {:.3f} "
       "N (tick {})\n",
       f.peak_force_n, f.max_force_step_n, f.max_force_step_tick);
-  text += fmt::format("heap allocations         {}\n", f.allocations ? fmt::to_string(*f.allocations) : "not counted");
+  text += fmt::format("heap allocations         {}, locks {}, page faults {}\n", countText(f.counts.allocations),
+                      countText(f.counts.locks), countText(f.counts.page_faults));
   return text + fmt::format("hash                     {:016x}\n", f.hash);
 }
 
@@ -142,7 +145,7 @@ void runHdb(const ContactArguments& arguments) {
                                     "detecting box            {:.1f} mm; {} leaves, at most {} triangles listed, {} "
                                     "queries\n",
                                     figures.edge_mm, figures.leaves, figures.most_listed, figures.queries);
-  fmt::print("{}", arguments.json ? json.dump(2) + "\n" : text);
+  printReport(std::move(json), text, arguments.json);
 }
 
 void runContact(const ContactArguments& arguments) {
@@ -151,7 +154,7 @@ void runContact(const ContactArguments& arguments) {
       bench::buildContactWorld(meshFrom(arguments.mesh), arguments.scale, arguments.stiffness_n_per_mm);
   const bench::ContactFigures figures =
       bench::measureContact(world, trajectoryFrom(arguments.trajectory), arguments.finger, arguments.window);
-  fmt::print("{}", arguments.json ? jsonOf(figures).dump(2) + "\n" : textOf(figures));
+  printReport(jsonOf(figures), textOf(figures), arguments.json);
 }
 
 void addHdbOptions(CLI::App& command, HdbArguments& hdb) {

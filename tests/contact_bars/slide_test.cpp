@@ -37,14 +37,14 @@ TEST_P(SlideAtSize, KeepsLagForceStepAndHeap) {
   EXPECT_LE(point.max_force_step_n, kForceStepN) << "at tick " << point.max_force_step_tick;
   EXPECT_EQ(point.contact_ticks, point.ticks);
   EXPECT_EQ(point.falls.ticks, 0u);
-  EXPECT_EQ(point.allocations.value_or(0), 0u);
+  EXPECT_EQ(point.counts.allocations.value_or(0), 0u);
 
   const bench::ContactFigures sphere = measure(world, "back_slide", 8.0, kSlide);
   EXPECT_LE(sphere.lag_mm.p99, kSphereLagP99Mm);
   EXPECT_LE(sphere.lag_mm.max, GetParam().max_sphere_lag_mm);
   EXPECT_EQ(sphere.contact_ticks, sphere.ticks);
   EXPECT_EQ(sphere.falls.ticks, 0u);
-  EXPECT_EQ(sphere.allocations.value_or(0), 0u);
+  EXPECT_EQ(sphere.counts.allocations.value_or(0), 0u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Back, SlideAtSize, testing::ValuesIn(kSizes),
@@ -77,7 +77,7 @@ TEST(Slide, AllocatesNothingInAHundredThousandTicks) {
     for (const double radius_mm : {0.0, 8.0}) {
       const bench::ContactFigures figures = measure(world, path, radius_mm);
       ticks += figures.ticks;
-      allocations += figures.allocations.value_or(0);
+      allocations += figures.counts.allocations.value_or(0);
     }
   }
   EXPECT_GE(ticks, 100000u);

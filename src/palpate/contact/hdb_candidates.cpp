@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "palpate/base/error.h"
+#include "palpate/base/reserve.h"
 
 namespace palpate::contact {
 
@@ -49,9 +50,10 @@ std::shared_ptr<const HdbSurface> makeHdbSurface(const Surface& surface, std::sh
 HdbCandidates::HdbCandidates(std::shared_ptr<const HdbSurface> surface) : surface_(std::move(surface)) {
   const Partition& partition = *surface_->partition;
   leaves_.prepareFor(partition);
-  leaf_ranges_.reserve(partition.leaves.size());
+  reserveTouched(leaves_.leaves, partition.leaves.size());
+  reserveTouched(leaf_ranges_, partition.leaves.size());
   list_.prepareFor(partition);
-  near_.reserve(partition.triangles.size());
+  reserveTouched(near_, partition.triangles.size());
 }
 
 const std::vector<EntryRange>& HdbCandidates::ranges() const {

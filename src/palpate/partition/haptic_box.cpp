@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "palpate/base/reserve.h"
+
 namespace palpate::partition {
 
 namespace {
@@ -101,8 +103,8 @@ double leastHdbEdge(double speed, double delay_s, double largest_triangle) {
 }
 
 void TriangleHits::prepareFor(const Partition& partition) {
-  ranges.reserve(partition.triangles.size() / 2 + 1);
-  triangles.reserve(partition.triangle_count);
+  reserveTouched(ranges, partition.triangles.size() / 2 + 1);
+  reserveTouched(triangles, partition.triangle_count);
   if (partition.mayRepeat()) stamp_of_triangle.assign(partition.triangle_count, 0);
   stamp = 0;
 }
