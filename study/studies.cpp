@@ -7,12 +7,14 @@
 #include "bench/machine.h"
 #include "study/complexity_study.h"
 #include "study/directions_study.h"
+#include "study/hdb_study.h"
 #include "study/profile_study.h"
 
 namespace palpate::study {
 
 const std::vector<Study>& studies() {
   static const std::vector<Study> kStudies{
+      {"hdb", "Size of the haptic detecting box: triangles, time, and when a fast finger gets through", studyHdb},
       {"profile", "The array of the half Gaussian: sizes 20 to 7000, nearest and linear (Figure 4.9)", studyProfile},
       {"complexity", "What a search for leaves visits, against w and 0.8 n, 0.4 n (Tables 3.3, 3.4)", studyComplexity},
       {"directions", "Directions of ellipses averaged as numbers and as tensors (E29, E30)", studyDirections}};

@@ -99,9 +99,13 @@ void writePage(const StudyPage& page, const std::filesystem::path& folder, const
 }
 
 std::string counted(double number) {
-  std::string digits = fmt::format("{:.0f}", std::abs(number));
-  for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3) digits.insert(static_cast<std::size_t>(at), ",");
-  return (number < 0.0 ? "-" : "") + digits;
+  const std::string digits = fmt::format("{:.0f}", std::abs(number));
+  std::string text = number < 0.0 && digits != "0" ? "-" : "";
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0) text += ',';
+    text += digits[i];
+  }
+  return text;
 }
 
 std::string rounded(double number, int digits) {

@@ -1,0 +1,31 @@
+// Parts that plots of several studies share.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "figures/plot.h"
+
+namespace palpate::study {
+
+/// A dotted line from the bottom to the top of a plot whose y axis has this range.
+figures::Shape verticalLine(const std::string& name, double x, double from, double to);
+
+/// A curve with markers; dashed stands for what the dissertation printed.
+figures::Series measuredSeries(const std::string& name, std::vector<double> x, std::vector<double> y,
+                               figures::Marker marker = figures::Marker::circle);
+figures::Series printedSeries(const std::string& name, std::vector<double> x, std::vector<double> y,
+                              figures::Marker marker = figures::Marker::square);
+
+/// Powers of two (or any list) as ticks with their own numbers, "1/4" for shares below 1, "1k" never.
+std::vector<figures::Tick> ticksAt(const std::vector<double>& values);
+
+/// One value of every row.
+template <class Row, class Value>
+std::vector<double> column(const std::vector<Row>& rows, Value Row::*value) {
+  std::vector<double> values;
+  for (const Row& row : rows) values.push_back(static_cast<double>(row.*value));
+  return values;
+}
+
+}  // namespace palpate::study

@@ -1,0 +1,98 @@
+// Every study in its small form: a full page, readable figures, and the physics that must hold at any size.
+#include "study/studies.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "palpate/base/error.h"
+#include "palpate/base/text.h"
+#include "study/hdb_measurement.h"
+#include "study/texts_apart.h"
+#include "support/temporary_folder.h"
+
+namespace palpate::study {
+
+namespace {
+
+const Study& studyOf(const std::string& name) {
+  const auto at = std::find_if(studies().begin(), studies().end(), [&](const Study& s) { return s.name == name; });
+  if (at == studies().end()) throw Error("no study " + name);
+  return *at;
+}
+
+// Each is run once for all tests.
+const StudyPage& quickPage(const std::string& name) {
+  static std::map<std::string, StudyPage> pages;
+  const auto known = pages.find(name);
+  if (known != pages.end()) return known->second;
+  return pages[name] = runStudy(studyOf(name), {.quick = true});
+}
+
+constexpr const char* kPngStart = "\x89PNG\r\n\x1a\n";
+
+}  // namespace
+
+TEST(Studies, WritePagesThatSayWhatWasAskedFoundAndMeasured) {
+  const support::TemporaryFolder folder;
+  for (const Study& study : studies()) {
+    const StudyPage& page = quickPage(study.name);
+    EXPECT_FALSE(page.question.empty() || page.findings.empty() || page.method.empty()) << study.name;
+    EXPECT_FALSE(page.figures.empty() || page.tables.empty() || page.numbers.empty()) << study.name;
+    EXPECT_EQ(page.command, "palpate study " + study.name + " --quick --out DIR");
+    EXPECT_FALSE(page.machine.empty());
+    writePage(page, folder.path());
+    EXPECT_TRUE(std::filesystem::exists(folder / (study.name + ".md")));
+  }
+}
+
+TEST(Studies, DrawFiguresWithTextsApartAndUnitsOnTheAxes) {
+  for (const Study& study : studies()) {
+    for (const StudyFigure& figure : quickPage(study.name).figures) {
+      expectTextsApart(figure.figure, figure.stem);
+      EXPECT_TRUE(figures::pngOf(figure.figure, 0.5).starts_with(kPngStart)) << figure.stem;
+      for (const auto& panel : figure.figure.panels) {
+        const auto* plot = std::get_if<figures::Plot>(&panel);
+        if (plot == nullptr) continue;
+        EXPECT_FALSE(plot->x.label.empty() || plot->y.label.empty()) << figure.stem;
+        for (const auto& series : plot->series) EXPECT_EQ(series.x.size(), series.y.size()) << series.name;
+      }
+    }
+  }
+}
+
+TEST(Studies, HaveTablesWithoutHoles) {
+  for (const Study& study : studies()) {
+    for (const StudyTable& table : quickPage(study.name).tables) {
+      EXPECT_FALSE(table.table.rows.empty()) << table.stem;
+      for (const auto& row : table.table.rows) EXPECT_EQ(row.size(), table.table.headings.size()) << table.stem;
+    }
+  }
+}
+
+TEST(HdbStudy, LargerBoxesRenderMoreAndLetFewerStrokesThrough) {
+  const HdbMeasurement found = measureHdbSizes(hdbPlan(true), {});
+  for (std::size_t i = 0; i < found.sizes.size(); ++i) {
+    const HdbSizeRow& row = found.sizes[i];
+    EXPECT_GE(row.bsp_triangles, row.exact_triangles);
+    EXPECT_GE(row.octree_triangles, row.exact_triangles);
+    if (i == 0) continue;
+    EXPECT_GE(row.exact_triangles, found.sizes[i - 1].exact_triangles);
+  }
+  for (const PunctureRow& row : found.leads) {
+    EXPECT_TRUE(row.lead() >= 0.5 || row.punctured == 1.0) << row.edge_mm;
+    EXPECT_TRUE(row.lead() < 2.9 || row.punctured == 0.0) << row.edge_mm;
+  }
+  for (const PunctureRow& row : found.recommended) EXPECT_EQ(row.punctured, 0.0) << row.edge_mm;
+  EXPECT_EQ(found.else_if_punctured, 1.0);
+}
+
+TEST(HdbStudy, TheRuleAndItsSafeSpeedAreInverse) {
+  const double edge = recommendedEdge(500.0, 0.010, 8.0, 4.0);
+  EXPECT_DOUBLE_EQ(edge, 2.0 * (5.0 + 8.0 + 4.0));
+  EXPECT_DOUBLE_EQ(safeSpeed(edge, 0.010, 8.0, 4.0), 500.0);
+  EXPECT_EQ(safeSpeed(10.0, 0.010, 8.0, 4.0), 0.0);
+}
+
+}  // namespace palpate::study
