@@ -4,6 +4,8 @@
 #include <array>
 #include <numeric>
 
+#include "palpate/mesh/compact_groups.h"
+
 namespace palpate::mesh {
 
 namespace {
@@ -67,7 +69,8 @@ void sortByCode(std::vector<CodedIndex>& codes) {
   }
 }
 
-std::vector<Index> verticesByFirstUse(const TriangleMesh& mesh) {
+/// Used vertices in compact groups, within a group by first use; then the others.
+std::vector<Index> groupedVertices(const TriangleMesh& mesh) {
   std::vector<Index> order;
   order.reserve(mesh.positions.size());
   std::vector<bool> seen(mesh.positions.size(), false);
@@ -79,6 +82,7 @@ std::vector<Index> verticesByFirstUse(const TriangleMesh& mesh) {
   for (const Triangle& triangle : mesh.triangles) {
     for (Index v : triangle) visit(v);
   }
+  order = inCompactGroups(mesh.positions, order);
   for (Index v = 0; v < mesh.positions.size(); ++v) visit(v);
   return order;
 }
@@ -114,7 +118,7 @@ Reordering reorderSpatially(TriangleMesh& mesh) {
   Reordering order;
   order.source_triangle = mortonOrder(triangleCentres(mesh));
   mesh.triangles = inOrder(mesh.triangles, order.source_triangle);
-  order.source_vertex = verticesByFirstUse(mesh);
+  order.source_vertex = groupedVertices(mesh);
   mesh.positions = inOrder(mesh.positions, order.source_vertex);
   std::vector<Index> new_index(mesh.positions.size());
   for (Index v = 0; v < new_index.size(); ++v) new_index[order.source_vertex[v]] = v;

@@ -17,8 +17,8 @@ struct Reordering {
   std::vector<Index> source_triangle;
 };
 
-/// Sorts triangles by the Morton code of their centre and vertices by first use; unused vertices come last. Indices
-/// must be within range. The surface and every winding stay the same.
+/// Sorts triangles by the Morton code of their centre and vertices into compact groups (compact_groups.h); unused
+/// vertices come last. Indices must be within range. The surface and every winding stay the same.
 Reordering reorderSpatially(TriangleMesh& mesh);
 
 /// The mean of the corners of each triangle, mm.
