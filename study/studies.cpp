@@ -8,6 +8,7 @@
 #include "study/complexity_study.h"
 #include "study/directions_study.h"
 #include "study/hdb_study.h"
+#include "study/interpolation_study.h"
 #include "study/profile_study.h"
 
 namespace palpate::study {
@@ -16,6 +17,9 @@ const std::vector<Study>& studies() {
   static const std::vector<Study> kStudies{
       {"hdb", "Size of the haptic detecting box: triangles, time, and when a fast finger gets through", studyHdb},
       {"profile", "The array of the half Gaussian: sizes 20 to 7000, nearest and linear (Figure 4.9)", studyProfile},
+      {"interpolation",
+       "Gaussian radial interpolation: its width, and points left out and foretold (Figures 5.9 to 5.11)",
+       studyInterpolation},
       {"complexity", "What a search for leaves visits, against w and 0.8 n, 0.4 n (Tables 3.3, 3.4)", studyComplexity},
       {"directions", "Directions of ellipses averaged as numbers and as tensors (E29, E30)", studyDirections}};
   return kStudies;
