@@ -5,8 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "study/study_page.h"
-
 namespace palpate::study {
 
 figures::Shape verticalLine(const std::string& name, double x, double from, double to) {
@@ -33,7 +31,7 @@ std::vector<figures::Tick> ticksAt(const std::vector<double>& values) {
   std::vector<figures::Tick> ticks;
   for (const double value : values) {
     const bool unit_fraction = value < 1.0 && std::abs(1.0 / value - std::round(1.0 / value)) < 1e-9;
-    ticks.push_back({value, unit_fraction ? fmt::format("1/{:.0f}", 1.0 / value) : counted(value)});
+    ticks.push_back({value, unit_fraction ? fmt::format("1/{:.0f}", 1.0 / value) : fmt::format("{:g}", value)});
   }
   return ticks;
 }

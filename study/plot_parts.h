@@ -17,7 +17,7 @@ figures::Series measuredSeries(const std::string& name, std::vector<double> x, s
 figures::Series printedSeries(const std::string& name, std::vector<double> x, std::vector<double> y,
                               figures::Marker marker = figures::Marker::square);
 
-/// Powers of two (or any list) as ticks with their own numbers, "1/4" for shares below 1, "1k" never.
+/// Ticks at these values; 1/4 is written as such.
 std::vector<figures::Tick> ticksAt(const std::vector<double>& values);
 
 /// One value of every row.

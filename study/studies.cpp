@@ -5,17 +5,21 @@
 #include <chrono>
 
 #include "bench/machine.h"
+#include "study/assignment_study.h"
 #include "study/complexity_study.h"
 #include "study/directions_study.h"
 #include "study/hdb_study.h"
 #include "study/interpolation_study.h"
 #include "study/profile_study.h"
+#include "study/threshold_study.h"
 
 namespace palpate::study {
 
 const std::vector<Study>& studies() {
   static const std::vector<Study> kStudies{
       {"hdb", "Size of the haptic detecting box: triangles, time, and when a fast finger gets through", studyHdb},
+      {"assignment", "Triangles that a plane crosses, cases A, B, C: count, overlap, misses, time", studyAssignment},
+      {"threshold", "How many triangles a leaf should hold, for five sizes of model", studyThreshold},
       {"profile", "The array of the half Gaussian: sizes 20 to 7000, nearest and linear (Figure 4.9)", studyProfile},
       {"interpolation",
        "Gaussian radial interpolation: its width, and points left out and foretold (Figures 5.9 to 5.11)",

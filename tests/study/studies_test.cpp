@@ -8,8 +8,10 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
+#include "study/assignment_measurement.h"
 #include "study/hdb_measurement.h"
 #include "study/texts_apart.h"
+#include "study/threshold_measurement.h"
 #include "support/temporary_folder.h"
 
 namespace palpate::study {
@@ -55,7 +57,9 @@ TEST(Studies, DrawFiguresWithTextsApartAndUnitsOnTheAxes) {
       for (const auto& panel : figure.figure.panels) {
         const auto* plot = std::get_if<figures::Plot>(&panel);
         if (plot == nullptr) continue;
-        EXPECT_FALSE(plot->x.label.empty() || plot->y.label.empty()) << figure.stem;
+        for (const figures::Axis& axis : {plot->x, plot->y}) {
+          EXPECT_TRUE(axis.hidden || !axis.ticks.empty() || !axis.label.empty()) << figure.stem << ", " << plot->title;
+        }
         for (const auto& series : plot->series) EXPECT_EQ(series.x.size(), series.y.size()) << series.name;
       }
     }
@@ -93,6 +97,42 @@ TEST(HdbStudy, TheRuleAndItsSafeSpeedAreInverse) {
   EXPECT_DOUBLE_EQ(edge, 2.0 * (5.0 + 8.0 + 4.0));
   EXPECT_DOUBLE_EQ(safeSpeed(edge, 0.010, 8.0, 4.0), 500.0);
   EXPECT_EQ(safeSpeed(10.0, 0.010, 8.0, 4.0), 0.0);
+}
+
+TEST(AssignmentStudy, EachCaseKeepsEveryTriangleInItsOwnWay) {
+  using partition::Assignment;
+  const AssignmentMeasurement found = measureAssignments(assignmentPlan(true), {});
+  for (const AssignmentRow& row : found.rows) {
+    EXPECT_EQ(row.missed, 0.0);
+    EXPECT_GE(row.rendered, row.wanted) << "leaves hold what the box meets, and more";
+    if (row.assignment == Assignment::Cut) {
+      EXPECT_NEAR(row.overlap, 1.0, 1e-9) << "cut leaves do not overlap";
+      EXPECT_GT(row.stored, 1.0);
+    } else if (row.assignment == Assignment::BothSides) {
+      EXPECT_GT(row.stored, 1.0);
+    } else {
+      EXPECT_EQ(row.stored, 1.0);
+    }
+  }
+  EXPECT_LT(found.cut_area_error, 1e-9);
+  EXPECT_GT(found.lost_two_of_three.front(), found.lost_two_of_three.back()) << "smaller leaves lose more";
+}
+
+TEST(ThresholdStudy, LargerLeavesAreFewerAndRenderMore) {
+  const ThresholdMeasurement found = measureThresholds(thresholdPlan(true), {});
+  for (const std::size_t model : found.plan.sizes) {
+    for (const auto tree : {partition::TreeKind::Bsp, partition::TreeKind::Octree}) {
+      const auto rows = rowsOf(found, model, tree);
+      ASSERT_EQ(rows.size(), found.plan.thresholds.size());
+      for (std::size_t i = 1; i < rows.size(); ++i) {
+        EXPECT_LE(rows[i].leaves, rows[i - 1].leaves);
+        EXPECT_GE(rows[i].rendered, rows[i - 1].rendered);
+      }
+      EXPECT_EQ(rows.back().leaves, 1u) << "everything fits into one leaf";
+      EXPECT_EQ(rows.back().rendered, static_cast<double>(model));
+      EXPECT_EQ(rowAt(rows, 1000).threshold, 1024u);
+    }
+  }
 }
 
 }  // namespace palpate::study
