@@ -173,10 +173,8 @@ std::string times(const Extent& extent) {
 std::string bestFinding(const AssignmentMeasurement& found) {
   return fmt::format(
       "Case C, the dissertation's choice, is the best in every respect but one. A stores a triangle up to {} times and "
-      "renders {} "
-      "what C renders, B up to {} times and {}. Frames follow: A takes {} and B {} as long as C, over all thresholds "
-      "and both "
-      "trees.",
+      "renders {} what C renders, B up to {} times and {}. Frames follow: A takes {} and B {} as long as C, over all "
+      "thresholds and both trees.",
       rounded(againstMajority(found, Assignment::Cut, &AssignmentRow::stored).most),
       times(againstMajority(found, Assignment::Cut, &AssignmentRow::rendered)),
       rounded(againstMajority(found, Assignment::BothSides, &AssignmentRow::stored).most),
@@ -190,8 +188,7 @@ std::string overlapFinding(const AssignmentMeasurement& found) {
   const AssignmentRow& b = at(found, TreeKind::Octree, Assignment::BothSides, found.plan.thresholds.front());
   return fmt::format(
       "The one: leaves of A do not overlap at all, those of C do where triangles stick out, {} leaf boxes round a "
-      "point of the skin at "
-      "threshold {} (octree; B has {}). With tight boxes that costs less than what A stores more.",
+      "point of the skin at threshold {} (octree; B has {}). With tight boxes that costs less than what A stores more.",
       rounded(c.overlap, 3), c.threshold, rounded(b.overlap, 3));
 }
 
@@ -203,8 +200,7 @@ std::string smallLeavesFinding(const AssignmentMeasurement& found) {
   };
   return fmt::format(
       "Small leaves pay with C only: from a threshold of {} down to {} the triangles rendered (octree) change by a "
-      "factor of {} with C, "
-      "{} with B and {} with A, because every plane cuts or copies more of them.",
+      "factor of {} with C, {} with B and {} with A, because every plane cuts or copies more of them.",
       kPrinted, small, rounded(change(Assignment::Majority)), rounded(change(Assignment::BothSides)),
       rounded(change(Assignment::Cut)));
 }
@@ -219,10 +215,9 @@ std::string missFinding(const AssignmentMeasurement& found) {
   const double lost = *std::max_element(found.lost_two_of_three.begin(), found.lost_two_of_three.end());
   return fmt::format(
       "Our search misses {} of the box's triangles, judged by brute force, with every case, tree and threshold. The "
-      "printed forms: "
-      "ELSEIF up to {} (E4); the half-space, or the box of the node's space, up to {} with C, whose triangles stick "
-      "out of it (E5); the "
-      "octree's two-of-three rule loses up to {} of the model before any search (E6).",
+      "printed forms: ELSEIF up to {} (E4); the half-space, or the box of the node's space, up to {} with C, whose "
+      "triangles stick out of it (E5); the octree's two-of-three rule loses up to {} of the model before any search "
+      "(E6).",
       worst(found, &AssignmentRow::missed) == 0.0 ? "none" : percent(worst(found, &AssignmentRow::missed)),
       percent(worst(found, &AssignmentRow::missed_else_if)), percent(worst(found, &AssignmentRow::missed_cell_box)),
       percent(lost));
@@ -232,8 +227,7 @@ std::string buildFinding(const AssignmentMeasurement& found) {
   const AssignmentRow& c = at(found, TreeKind::Octree, Assignment::Majority, kPrinted);
   return fmt::format(
       "Building takes {} ns and {} bytes a triangle with C (octree, {}); A takes {} the time, B {}. Cutting is exact "
-      "to rounding: the "
-      "pieces' area differs from the model's by {:.1g} of it.",
+      "to rounding: the pieces' area differs from the model's by {:.1g} of it.",
       rounded(c.build_ns), rounded(c.bytes), kPrinted,
       times(againstMajority(found, Assignment::Cut, &AssignmentRow::build_ns)),
       times(againstMajority(found, Assignment::BothSides, &AssignmentRow::build_ns)), found.cut_area_error);
@@ -241,10 +235,9 @@ std::string buildFinding(const AssignmentMeasurement& found) {
 
 std::vector<std::string> methodOf(const AssignmentPlan& plan) {
   return {fmt::format("Model: the benchmark's back with {} triangles. The box is a cube of a quarter of the longest "
-                      "edge round {} places of "
-                      "the skin, the tip 5 mm deep; means of the places, at each the fastest of {} runs. A triangle is "
-                      "missed when its box "
-                      "meets the detecting box (brute force over the mesh) and no leaf found holds it.",
+                      "edge round {} places of the skin, the tip 5 mm deep; means of the places, at each the fastest "
+                      "of {} runs. A triangle is missed when its box meets the detecting box (brute force over the "
+                      "mesh) and no leaf found holds it.",
                       counted(static_cast<double>(plan.triangles)), plan.places, plan.runs),
           "The frame finds the leaves by tight boxes and tests every entry of them as a whole triangle "
           "(`study/literal_process.h`), without drawing. Overlap is the mean number of leaf boxes round the middle of "
@@ -281,10 +274,8 @@ StudyPage studyAssignment(const StudySettings& settings) {
   page.title = "Triangles that a splitting plane crosses";
   page.question =
       "A plane of the partition crosses triangles. Case A cuts them, case B gives them to both sides, case C to the "
-      "side of two of their "
-      "vertices; the dissertation takes C as \"the most efficient for rendering\" (3.3.2). How many triangles does "
-      "each store and render, "
-      "how far do leaves overlap, what is missed, and what does it cost?";
+      "side of two of their vertices; the dissertation takes C as \"the most efficient for rendering\" (3.3.2). How "
+      "many triangles does each store and render, how far do leaves overlap, what is missed, and what does it cost?";
   page.findings = {bestFinding(found), smallLeavesFinding(found), missFinding(found), overlapFinding(found),
                    buildFinding(found)};
   page.method = methodOf(found.plan);

@@ -40,7 +40,7 @@ figures::Axis shareAxis() {
           .scale = Scale::logarithmic,
           .from = 1.0 / 20.0,
           .to = 1.0,
-          .ticks = ticksAt({1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0})};
+          .ticks = fractionTicksAt({1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0})};
 }
 
 Plot trianglesPlot(const HdbMeasurement& found) {
@@ -180,9 +180,9 @@ TextTable sizeTable(const HdbMeasurement& found) {
       {"edge / model", "edge (mm)", "BSP leaves", "octree leaves", "box", "BSP (us)", "octree (us)", "our list (us)"},
       {}};
   for (const HdbSizeRow& row : found.sizes) {
-    table.rows.push_back({ticksAt({row.share}).front().text, rounded(row.edge_mm, 3), counted(row.bsp_triangles),
-                          counted(row.octree_triangles), counted(row.exact_triangles), rounded(row.bsp_us),
-                          rounded(row.octree_us), rounded(row.exact_us)});
+    table.rows.push_back({fractionTicksAt({row.share}).front().text, rounded(row.edge_mm, 3),
+                          counted(row.bsp_triangles), counted(row.octree_triangles), counted(row.exact_triangles),
+                          rounded(row.bsp_us), rounded(row.octree_us), rounded(row.exact_us)});
   }
   return table;
 }
@@ -269,8 +269,8 @@ std::string ruleFinding(const HdbMeasurement& found) {
   return fmt::format(
       "What replaces the guess: **edge = 2 (speed x delay + depth + longest triangle edge)**, with the speed of the "
       "finger now, the longest time until the box follows, and the depth that is allowed. On {} strokes of each speed "
-      "and delay that were not used before, {} got through. For {} m/s and {} ms the box is {} "
-      "mm wide and holds {} triangles, {} of what the leaves of a BSP tree render for 1/4.",
+      "and delay that were not used before, {} got through. For {} m/s and {} ms the box is {} mm wide and holds {} "
+      "triangles, {} of what the leaves of a BSP tree render for 1/4.",
       found.plan.strokes, strokesOf(mostPunctured(found.recommended, 0.0, 1e9)),
       rounded(metresPerSecond(usual.speed_mm_s)), usual.delay_ticks, rounded(usual.edge_mm), counted(usual.triangles),
       percent(usual.triangles / quarterRow(found).bsp_triangles));
@@ -278,11 +278,10 @@ std::string ruleFinding(const HdbMeasurement& found) {
 
 std::string leadFinding(const HdbMeasurement& found) {
   return fmt::format(
-      "One number decides: half the edge over the way that the finger makes until the box follows. Up to 0.5, {} or "
-      "more "
-      "get through; from 1.25 on {} at most, whatever the speed and the delay. That it is not exactly 1 comes from "
-      "the proxy: where the body curves outwards it is faster than the tip below it, and behind a ridge it snaps "
-      "forward. Both are ways of about the depth, hence that term.",
+      "One number decides: half the edge over the way that the finger makes until the box follows. Up to 0.5, {} get "
+      "through; from 1.25 on {} at most, whatever the speed and the delay. That it is not exactly 1 comes from the "
+      "proxy: where the body curves outwards it is faster than the tip below it, and behind a ridge it snaps forward. "
+      "Both are ways of about the depth, hence that term.",
       atLeast(leastPunctured(found.leads, 0.5)), strokesOf(mostPunctured(found.leads, 1.25, 1e9)));
 }
 
@@ -293,8 +292,7 @@ std::string quarterFinding(const HdbMeasurement& found) {
   };
   return fmt::format(
       "Is 1/4 right? For the computer of 2008 it was: its touched frames took {} to {} ms (Table 3.2), and by the rule "
-      "a "
-      "quarter of this model, {} mm, is then safe up to {} and {} m/s, while 1/10 is safe up to {} and {} m/s only - "
+      "a quarter of this model, {} mm, is then safe up to {} and {} m/s, while 1/10 is safe up to {} and {} m/s only - "
       "\"the proxy might get through the model surface frequently\". It is no property of the model: with a collision "
       "thread of 100 Hz, 1/4 is safe up to {} m/s, more than any finger needs, and on a model twice as long 1/4 would "
       "be twice as wide for nothing.",
@@ -308,10 +306,9 @@ std::string costFinding(const HdbMeasurement& found) {
   const auto all = static_cast<double>(found.plan.triangles);
   return fmt::format(
       "What 1/4 costs on {} triangles: the box meets {} of them on average ({}), the leaves that it meets hold {} "
-      "(BSP, {}) "
-      "and {} (octree, {}); the text says a third in one place and a tenth in another. A frame that tests them all "
-      "takes {} us "
-      "(BSP) and {} us (octree) here, our exact list {} us, and the default finger, which needs no box, {} us.",
+      "(BSP, {}) and {} (octree, {}); the text says a third in one place and a tenth in another. A frame that tests "
+      "them all takes {} us (BSP) and {} us (octree) here, our exact list {} us, and the default finger, which needs "
+      "no box, {} us.",
       counted(all), counted(quarter.exact_triangles), percent(quarter.exact_triangles / all),
       counted(quarter.bsp_triangles), percent(quarter.bsp_triangles / all), counted(quarter.octree_triangles),
       percent(quarter.octree_triangles / all), rounded(quarter.bsp_us), rounded(quarter.octree_us),
@@ -325,16 +322,14 @@ std::string leavesFinding(const HdbMeasurement& found) {
   }
   return fmt::format(
       "Leaves hide a small box: they reach beyond it, so that up to {} of the strokes more are held than by the box's "
-      "own "
-      "triangles. This is luck and not a margin, because a leaf may end right behind the box.",
+      "own triangles. This is luck and not a margin, because a leaf may end right behind the box.",
       percent(hidden));
 }
 
 std::string elseIfFinding(const HdbMeasurement& found) {
   return fmt::format(
       "The printed traversal, ELSEIF for the second child (E4), lets {} through although the box follows at every "
-      "tick, "
-      "with 1/16, 1/4 and the whole model alike: no size of box mends that.",
+      "tick, with 1/16, 1/4 and the whole model alike: no size of box mends that.",
       strokesOf(found.else_if_punctured));
 }
 
@@ -385,10 +380,8 @@ StudyPage studyHdb(const StudySettings& settings) {
   page.question =
       "The haptic process sees only triangles near the proxy: those that a box around it meets. Too small a box lets a "
       "fast finger through the skin, because the box follows late; too large a box costs time. The dissertation "
-      "settles "
-      "on a quarter of the model \"after several experiments\" (3.3.3). Is that right, and what should replace the "
-      "guess "
-      "(E12)?";
+      "settles on a quarter of the model \"after several experiments\" (3.3.3). Is that right, and what should replace "
+      "the guess (E12)?";
   page.findings = {ruleFinding(found), leadFinding(found),   quarterFinding(found),
                    costFinding(found), leavesFinding(found), elseIfFinding(found)};
   page.method = methodOf(found);

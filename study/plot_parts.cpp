@@ -30,8 +30,17 @@ figures::Series printedSeries(const std::string& name, std::vector<double> x, st
 std::vector<figures::Tick> ticksAt(const std::vector<double>& values) {
   std::vector<figures::Tick> ticks;
   for (const double value : values) {
-    const bool unit_fraction = value < 1.0 && std::abs(1.0 / value - std::round(1.0 / value)) < 1e-9;
-    ticks.push_back({value, unit_fraction ? fmt::format("1/{:.0f}", 1.0 / value) : fmt::format("{:g}", value)});
+    ticks.push_back({value, value >= 1.0 ? fmt::format("{:.0f}", value) : fmt::format("{:g}", value)});
+  }
+  return ticks;
+}
+
+std::vector<figures::Tick> fractionTicksAt(const std::vector<double>& shares) {
+  std::vector<figures::Tick> ticks;
+  for (const double share : shares) {
+    const double inverse = 1.0 / share;
+    const bool is_unit_fraction = inverse > 1.5 && std::abs(inverse - std::round(inverse)) < 1e-9;
+    ticks.push_back({share, is_unit_fraction ? fmt::format("1/{:.0f}", inverse) : fmt::format("{:g}", share)});
   }
   return ticks;
 }

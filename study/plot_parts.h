@@ -17,8 +17,10 @@ figures::Series measuredSeries(const std::string& name, std::vector<double> x, s
 figures::Series printedSeries(const std::string& name, std::vector<double> x, std::vector<double> y,
                               figures::Marker marker = figures::Marker::square);
 
-/// Ticks at these values; 1/4 is written as such.
+/// Ticks at these values, in plain digits however long.
 std::vector<figures::Tick> ticksAt(const std::vector<double>& values);
+/// Ticks at these shares, written as 1/4 where they are such.
+std::vector<figures::Tick> fractionTicksAt(const std::vector<double>& shares);
 
 /// One value of every row.
 template <class Row, class Value>

@@ -11,12 +11,14 @@
 #include "study/hdb_study.h"
 #include "study/interpolation_study.h"
 #include "study/profile_study.h"
+#include "study/tables_study.h"
 #include "study/threshold_study.h"
 
 namespace palpate::study {
 
 const std::vector<Study>& studies() {
   static const std::vector<Study> kStudies{
+      {"tables", "Tables 3.1, 3.2, Appendix B: drawing, untouched, touched against triangles rendered", studyTables},
       {"hdb", "Size of the haptic detecting box: triangles, time, and when a fast finger gets through", studyHdb},
       {"assignment", "Triangles that a plane crosses, cases A, B, C: count, overlap, misses, time", studyAssignment},
       {"threshold", "How many triangles a leaf should hold, for five sizes of model", studyThreshold},

@@ -38,7 +38,10 @@ std::string quoted(std::string text) {
 
 std::string csvRow(const Cells& cells) {
   std::string line;
-  for (const std::string& cell : cells) line += (line.empty() ? "" : ",") + quoted(cell);
+  for (const std::string& cell : cells) {
+    if (!line.empty()) line += ',';
+    line += quoted(cell);
+  }
   return line + "\n";
 }
 

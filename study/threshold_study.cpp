@@ -198,8 +198,7 @@ std::string modelsFor(const ThresholdMeasurement& found) {
 std::string sizeFinding(const ThresholdMeasurement& found) {
   return fmt::format(
       "For which size would it be right? The box meets more triangles in a larger model, and what sticks out of it at "
-      "its rim "
-      "counts less and less: 1024 is within {} of the fastest for {}.",
+      "its rim counts less and less: 1024 is within {} of the fastest for {}.",
       percent(kNearlyAsGood - 1.0), modelsFor(found));
 }
 
@@ -209,10 +208,8 @@ std::string reasonFinding(const ThresholdMeasurement& found) {
   const ThresholdRow printed = rowAt(rows, kPrinted);
   return fmt::format(
       "The text fears that small leaves make \"traversing the tree more complex\". Finding the leaves is never what "
-      "costs: on {} "
-      "triangles it takes {} us of {} with leaves of {}, and {} us of {} with leaves of 1024. What counts is how many "
-      "triangles "
-      "lie in the leaves without being near the box, and that grows with the leaf.",
+      "costs: on {} triangles it takes {} us of {} with leaves of {}, and {} us of {} with leaves of 1024. What counts "
+      "is how many triangles lie in the leaves without being near the box, and that grows with the leaf.",
       counted(static_cast<double>(best.model)), rounded(best.find_us), rounded(best.touched_us), best.threshold,
       rounded(printed.find_us), rounded(printed.touched_us));
 }
@@ -223,8 +220,7 @@ std::string smallModelFinding(const ThresholdMeasurement& found) {
   const ThresholdRow octree = rowAt(rowsOf(found, size, TreeKind::Octree), kPrinted);
   return fmt::format(
       "On the dissertation's own back of {} triangles, 1024 makes {} leaves (BSP tree) and {} (octree), and a touching "
-      "finger "
-      "renders {} and {} of all triangles (E13): hardly a partition.",
+      "finger renders {} and {} of all triangles (E13): hardly a partition.",
       counted(static_cast<double>(size)), bsp.leaves, octree.leaves, percent(bsp.rendered / static_cast<double>(size)),
       percent(octree.rendered / static_cast<double>(size)));
 }
@@ -237,31 +233,27 @@ std::string ownFinding(const ThresholdMeasurement& found) {
   });
   return fmt::format(
       "Ours needs no such choice: the exact list goes on below the leaves in blocks of 16 triangles, so its time "
-      "changes by a factor of "
-      "at most {} over all thresholds; the default finger, which has no box, takes {} us on {} triangles and {} us on "
-      "{}.",
+      "changes by a factor of at most {} over all thresholds; the default finger, which has no box, takes {} us on {} "
+      "triangles and {} us on {}.",
       rounded(spread.most), rounded(found.tick_us.front()), counted(static_cast<double>(found.plan.sizes.front())),
       rounded(found.tick_us.back()), counted(static_cast<double>(found.plan.sizes.back())));
 }
 
 std::string drawingFinding() {
   return "Drawing would move the best threshold further down: it adds to the price of every triangle in the leaves and "
-         "nothing to "
-         "the search (`palpate study tables`).";
+         "nothing to the search (`palpate study tables`).";
 }
 
 std::vector<std::string> methodOf(const ThresholdPlan& plan) {
   return {
       fmt::format(
           "Models: the benchmark's back. Case C; the box is a cube of a quarter of the longest edge round {} places of "
-          "the "
-          "skin, the tip 5 mm deep; at each place the fastest of {} runs counts, and the mean of the places is shown. "
-          "Points of the largest model wait for memory and vary with what else the machine does.",
+          "the skin, the tip 5 mm deep; at each place the fastest of {} runs counts, and the mean of the places is "
+          "shown. Points of the largest model wait for memory and vary with what else the machine does.",
           plan.places, plan.runs),
       "The dissertation's way: find the leaves by their tight boxes, test every triangle of them against the tip's way "
       "and for its nearest point (`study/literal_process.h`), without drawing. Ours: the triangles whose own boxes "
-      "meet the "
-      "detecting box, written out one by one; and the default finger on strokes at 0.2 m/s."};
+      "meet the detecting box, written out one by one; and the default finger on strokes at 0.2 m/s."};
 }
 
 std::vector<std::pair<std::string, double>> numbersOf(const ThresholdMeasurement& found) {
@@ -285,10 +277,8 @@ StudyPage studyThreshold(const StudySettings& settings) {
   page.title = "The threshold of the partition";
   page.question =
       "A node of the partition with at most t triangles is a leaf. \"Smaller t leads to larger tree height and "
-      "traversing the tree "
-      "becomes more complex. Larger t causes less partition benefits. Finally, 1024 was proved as the best value\" "
-      "(3.3.1). Is it, and for "
-      "which size of model?";
+      "traversing the tree becomes more complex. Larger t causes less partition benefits. Finally, 1024 was proved as "
+      "the best value\" (3.3.1). Is it, and for which size of model?";
   page.findings = {bestFinding(found),       sizeFinding(found), reasonFinding(found),
                    smallModelFinding(found), ownFinding(found),  drawingFinding()};
   page.method = methodOf(found.plan);

@@ -10,6 +10,7 @@
 #include "palpate/base/text.h"
 #include "study/assignment_measurement.h"
 #include "study/hdb_measurement.h"
+#include "study/rendering_rates.h"
 #include "study/texts_apart.h"
 #include "study/threshold_measurement.h"
 #include "support/temporary_folder.h"
@@ -133,6 +134,22 @@ TEST(ThresholdStudy, LargerLeavesAreFewerAndRenderMore) {
       EXPECT_EQ(rowAt(rows, 1000).threshold, 1024u);
     }
   }
+}
+
+TEST(TablesStudy, RendersAboutWhatWasPrintedAndEachStepAddsItsTime) {
+  const RatesMeasurement found = measureRates(ratesPlan(true), {});
+  EXPECT_TRUE(found.renderer.empty() != found.no_renderer.empty());
+  const double scale = static_cast<double>(found.plan.partitioned) / 41582.0;
+  const auto printed = printedNumbers().table_3_2.touched;
+  ASSERT_EQ(found.bsp.touched.size(), printed.size());
+  for (std::size_t i = 0; i < printed.size(); ++i) {
+    const FrameRow& row = found.bsp.touched[i];
+    EXPECT_NEAR(row.triangles, scale * printed[i].triangles, 0.2 * scale * printed[i].triangles + 300.0);
+    EXPECT_EQ(row.draw_us.has_value(), !found.renderer.empty());
+    EXPECT_GT(row.touchedMicroseconds(), row.untouchedMicroseconds());
+    EXPECT_GT(row.untouchedMicroseconds(), row.draw_us.value_or(0.0));
+  }
+  EXPECT_LT(found.tick_us, found.bsp.touched.front().touchedMicroseconds());
 }
 
 }  // namespace palpate::study

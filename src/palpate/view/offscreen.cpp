@@ -54,20 +54,21 @@ std::string versionOffered(EGLDisplay display) {
 
 }  // namespace
 
-OffscreenContext::OffscreenContext() : handles_(std::make_unique<Handles>()) {
+OffscreenContext::OffscreenContext(Profile profile) : handles_(std::make_unique<Handles>()) {
   handles_->display = surfacelessDisplay();
   if (handles_->display == EGL_NO_DISPLAY || !eglInitialize(handles_->display, nullptr, nullptr)) {
     handles_->display = EGL_NO_DISPLAY;
     throw Error("cannot draw: EGL finds no device (on Debian: apt install libegl1 libgl1-mesa-dri)");
   }
   eglBindAPI(EGL_OPENGL_API);
-  const EGLint wanted[] = {EGL_CONTEXT_MAJOR_VERSION,
-                           kNeededVersion / 10,
-                           EGL_CONTEXT_MINOR_VERSION,
-                           kNeededVersion % 10,
-                           EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                           EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                           EGL_NONE};
+  const EGLint wanted[] = {
+      EGL_CONTEXT_MAJOR_VERSION,
+      kNeededVersion / 10,
+      EGL_CONTEXT_MINOR_VERSION,
+      kNeededVersion % 10,
+      EGL_CONTEXT_OPENGL_PROFILE_MASK,
+      profile == Profile::core ? EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT : EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT,
+      EGL_NONE};
   handles_->context = madeContext(handles_->display, wanted);
   if (handles_->context == EGL_NO_CONTEXT) {
     throw Error(fmt::format("cannot draw: needs OpenGL 3.3, found {}", versionOffered(handles_->display)));
