@@ -4,25 +4,13 @@
 #include <memory>
 #include <utility>
 
+#include "bench/surface_mesh.h"
 #include "bench/timed_run.h"
 #include "palpate/contact/hdb_finger.h"
 
 namespace palpate::bench {
 
 namespace {
-
-/// The repaired mesh from which a surface was built.
-mesh::TriangleMesh meshOf(const contact::Surface& surface) {
-  mesh::TriangleMesh mesh;
-  mesh.positions.assign(surface.vertex_normals.size(), Vec3::Zero());
-  mesh.triangles.resize(surface.tree.records.size());
-  for (std::size_t r = 0; r < surface.tree.records.size(); ++r) {
-    const partition::TriangleRecord& record = surface.tree.records[r];
-    mesh.triangles[surface.tree.source_triangle[r]] = record.vertices;
-    for (int corner = 0; corner < 3; ++corner) mesh.positions[record.vertices[corner]] = record.corners[corner];
-  }
-  return mesh;
-}
 
 /// Finds every page of code and surface.
 void warmUp(const contact::Surface& surface, const contact::FingerSettings& finger,

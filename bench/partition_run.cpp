@@ -147,4 +147,13 @@ PartitionFigures measurePartition(const mesh::TriangleMesh& mesh, const Partitio
   return figures;
 }
 
+std::vector<partition::Box3> slidingBoxes(const mesh::TriangleMesh& mesh, const PartitionRun& run) {
+  Box3 bounds;
+  for (const Vec3& p : mesh.positions) bounds.extend(p);
+  const Vec3 edges = partition::hdbEdges(bounds);
+  std::vector<Box3> boxes;
+  for (const Vec3& proxy : slidingProxies(mesh, run)) boxes.push_back(partition::hapticBox(proxy, edges));
+  return boxes;
+}
+
 }  // namespace palpate::bench

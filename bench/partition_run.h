@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "bench/statistics.h"
 #include "palpate/partition/coherent_list.h"
@@ -38,5 +39,8 @@ struct PartitionFigures {
 /// The finger slides between random vertices of the surface, held to it; every tick asks. Throws Error for a mesh
 /// without triangles and as buildPartition does.
 PartitionFigures measurePartition(const mesh::TriangleMesh& mesh, const PartitionRun& run);
+
+/// The boxes of a quarter of the longest edge that measurePartition asks for, one a tick.
+std::vector<partition::Box3> slidingBoxes(const mesh::TriangleMesh& mesh, const PartitionRun& run);
 
 }  // namespace palpate::bench

@@ -3,12 +3,19 @@
 
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
 
+#include "apps/palpate/bench_report.h"
 #include "apps/palpate/commands.h"
 #include "apps/palpate/named_mesh.h"
 #include "apps/palpate/partition_names.h"
+#include "apps/palpate/peers_option.h"
+#include "apps/palpate/peers_report.h"
 #include "apps/palpate/progress_line.h"
 #include "bench/partition_run.h"
+#include "bench/peers/judge.h"
+#include "bench/peers/peer_list.h"
 
 namespace palpate::app {
 namespace {
@@ -16,12 +23,9 @@ namespace {
 struct Arguments {
   std::string mesh;
   bench::PartitionRun run;
+  PeersOption peers;
   bool json = false;
 };
-
-nlohmann::ordered_json jsonOf(const bench::Percentiles& p) {
-  return {{"p50", p.p50}, {"p99", p.p99}, {"p99_9", p.p99_9}, {"max", p.max}};
-}
 
 nlohmann::ordered_json jsonOf(const Arguments& arguments, const bench::PartitionFigures& f) {
   nlohmann::ordered_json json;
@@ -31,9 +35,9 @@ nlohmann::ordered_json jsonOf(const Arguments& arguments, const bench::Partition
   json["assign"] = nameOf(arguments.run.settings.assignment);
   json["threshold"] = arguments.run.settings.threshold;
   json["edge_mm"] = f.edge_mm;
-  json["hdb_query_us"] = jsonOf(f.hdb_query_us);
-  json["ranges_us"] = jsonOf(f.ranges_us);
-  json["leaves_us"] = jsonOf(f.leaves_us);
+  json["hdb_query_us"] = percentilesJson(f.hdb_query_us);
+  json["ranges_us"] = percentilesJson(f.ranges_us);
+  json["leaves_us"] = percentilesJson(f.leaves_us);
   json["mean_triangles"] = f.mean_triangles;
   json["mean_ranges"] = f.mean_ranges;
   json["mean_rendered"] = f.mean_rendered;
@@ -42,15 +46,14 @@ nlohmann::ordered_json jsonOf(const Arguments& arguments, const bench::Partition
   json["hybrid_refreshes"] = f.hybrid_refreshes;
   json["bytes_per_triangle"] = f.bytes_per_triangle;
   json["build_ns_per_triangle"] = f.build_ns_per_triangle;
-  json["allocations"] = f.allocations ? nlohmann::ordered_json(*f.allocations) : nlohmann::ordered_json(nullptr);
+  json["allocations"] = countJson(f.allocations);
   json["hash"] = fmt::format("{:016x}", f.hash);
   return json;
 }
 
 std::string textOf(const bench::PartitionFigures& f) {
   const auto line = [](const char* name, const bench::Percentiles& p) {
-    return fmt::format("{:<22}p50 {:.2f}  p99 {:.2f}  p99.9 {:.2f}  max {:.1f} us\n", name, p.p50, p.p99, p.p99_9,
-                       p.max);
+    return fmt::format("{:<22}{}\n", name, percentilesText(p));
   };
   std::string text = fmt::format("triangles             {}\nbox                   {:.2f} mm\n", f.triangles, f.edge_mm);
   text += line("exact triangles", f.hdb_query_us);
@@ -62,23 +65,35 @@ std::string textOf(const bench::PartitionFigures& f) {
                       f.hybrid_worst_us, f.hybrid_refreshes);
   text += fmt::format("memory, build         {:.1f} bytes, {:.0f} ns a triangle\n", f.bytes_per_triangle,
                       f.build_ns_per_triangle);
-  return text + fmt::format("heap allocations      {}\nhash                  {:016x}\n",
-                            f.allocations ? fmt::to_string(*f.allocations) : "not counted", f.hash);
+  return text +
+         fmt::format("heap allocations      {}\nhash                  {:016x}\n", countText(f.allocations), f.hash);
+}
+
+std::vector<bench::PeerFigures> measurePeers(const Arguments& arguments, const mesh::TriangleMesh& mesh) {
+  if (!arguments.peers.wanted) return {};
+  const std::vector<partition::Box3> boxes = bench::slidingBoxes(mesh, arguments.run);
+  return bench::comparePeers(arguments.peers.peers, mesh, boxes, arguments.peers.seconds);
 }
 
 void runBench(const Arguments& arguments) {
+  if (arguments.peers.wanted) handOverToPeersProgram(arguments.peers);
   ProgressLine progress;
   const mesh::TriangleMesh mesh = meshFrom(arguments.mesh, {}, progress.callback());
   progress.show("measuring", 0.0);
   const bench::PartitionFigures figures = bench::measurePartition(mesh, arguments.run);
+  const std::vector<bench::PeerFigures> peers = measurePeers(arguments, mesh);
   progress.clear();
-  fmt::print("{}", arguments.json ? jsonOf(arguments, figures).dump(2) + "\n" : textOf(figures));
+  nlohmann::ordered_json json = jsonOf(arguments, figures);
+  const double p50 = figures.hdb_query_us.p50;
+  if (arguments.peers.wanted) addPeers(json, peers, PeerTask::boxes, p50);
+  printReport(std::move(json), textOf(figures) + peersText(peers, PeerTask::boxes, p50), arguments.json);
 }
 
 }  // namespace
 
-void addBenchPartitionCommand(CLI::App& parent) {
+void addBenchPartitionCommand(CLI::App& parent, std::vector<bench::Peer> peers) {
   auto arguments = std::make_shared<Arguments>();
+  arguments->peers.peers = std::move(peers);
   bench::PartitionRun& run = arguments->run;
   CLI::App& command = *parent.add_subcommand("partition", "Time the haptic detecting box of a finger that slides");
   command.add_option("--mesh", arguments->mesh, kMeshNamesHelp)->required();
@@ -92,8 +107,11 @@ void addBenchPartitionCommand(CLI::App& parent) {
   command.add_option("--ticks", run.ticks, "Ticks of 1 ms to slide")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000000));
+  addPeersOption(command, arguments->peers);
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.callback([arguments] { runBench(*arguments); });
 }
+
+void addBenchPartitionCommand(CLI::App& parent) { addBenchPartitionCommand(parent, bench::peersWithoutLibraries()); }
 
 }  // namespace palpate::app

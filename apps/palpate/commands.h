@@ -7,6 +7,7 @@ namespace palpate::app {
 
 void addBenchCommand(CLI::App& app);
 // `parent` is the bench command.
+void addBenchContactCommand(CLI::App& parent);
 void addBenchDeformCommand(CLI::App& parent);
 void addBenchFrameCommand(CLI::App& parent);
 void addBenchPartitionCommand(CLI::App& parent);

@@ -26,7 +26,6 @@ namespace palpate::app {
 namespace {
 
 using partition::HdbSize;
-using partition::LiteralTraversal;
 
 struct Arguments {
   MeshArguments mesh;
@@ -40,12 +39,12 @@ struct Arguments {
 };
 
 const Choices<LeafSearch>& traversals() {
-  static const Choices<LeafSearch> all = {{"tight", {}},
-                                          {"sphere", {true, {}}},
-                                          {"else-if", {false, LiteralTraversal::ElseIf}},
-                                          {"half-space", {false, LiteralTraversal::HalfSpace}},
-                                          {"cell-box", {false, LiteralTraversal::CellBox}},
-                                          {"sphere-corners", {false, LiteralTraversal::SphereCorners}}};
+  static const Choices<LeafSearch> all = [] {
+    Choices<LeafSearch> choices;
+    for (const auto& [word, literal] : traversalChoices()) choices.push_back({word, {false, literal}});
+    choices.insert(choices.begin() + 1, {"sphere", {true, {}}});
+    return choices;
+  }();
   return all;
 }
 

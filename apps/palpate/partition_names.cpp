@@ -1,6 +1,6 @@
 #include "apps/palpate/partition_names.h"
 
-#include "apps/palpate/choice_option.h"
+#include "palpate/partition/traversal_words.h"
 
 namespace palpate::app {
 
@@ -25,6 +25,15 @@ void addPartitionSettings(CLI::App& command, partition::BuildSettings& settings)
       ->check(CLI::Range(1u, 4000000000u));
   addChoice<bool>(command, "--leaf-rule", settings.leaf_below_threshold, {{"at-most", false}, {"below", true}},
                   "A leaf holds at most the threshold, or fewer than it as the dissertation's text has it (E7)");
+}
+
+const Choices<std::optional<partition::LiteralTraversal>>& traversalChoices() {
+  static const Choices<std::optional<partition::LiteralTraversal>> all = [] {
+    Choices<std::optional<partition::LiteralTraversal>> choices;
+    for (const partition::TraversalWord& row : partition::kTraversalWords) choices.push_back({row.word, row.literal});
+    return choices;
+  }();
+  return all;
 }
 
 }  // namespace palpate::app

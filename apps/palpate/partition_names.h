@@ -2,9 +2,11 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 
-#include "palpate/partition/partition.h"
+#include "apps/palpate/choice_option.h"
+#include "palpate/partition/literal_traversal.h"
 
 namespace palpate::app {
 
@@ -13,5 +15,8 @@ std::string nameOf(partition::Assignment assignment);
 
 /// Adds --tree, --assign, --threshold and --leaf-rule. `settings` must outlive the command.
 void addPartitionSettings(CLI::App& command, partition::BuildSettings& settings);
+
+/// The words of --traversal.
+const Choices<std::optional<partition::LiteralTraversal>>& traversalChoices();
 
 }  // namespace palpate::app

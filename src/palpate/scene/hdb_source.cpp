@@ -9,6 +9,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/partition/literal_octree.h"
+#include "palpate/partition/traversal_words.h"
 
 namespace palpate::scene {
 
@@ -33,11 +34,17 @@ partition::Partition makePartition(const Scene& scene, const mesh::TriangleMesh&
   return partition::buildPartition(skin, settings, progress);
 }
 
+constexpr std::optional<partition::LiteralTraversal> named(Traversal traversal) {
+  return partition::kTraversalWords[static_cast<std::size_t>(traversal)].literal;
+}
+static_assert(!named(Traversal::corrected) && named(Traversal::else_if) == partition::LiteralTraversal::ElseIf &&
+              named(Traversal::half_space) == partition::LiteralTraversal::HalfSpace &&
+              named(Traversal::cell_box) == partition::LiteralTraversal::CellBox &&
+              named(Traversal::sphere_corners) == partition::LiteralTraversal::SphereCorners);
+
 /// What the scene names; where it names none, what its errata ask for.
 std::optional<partition::LiteralTraversal> literalTraversal(const Scene& scene) {
-  if (scene.partition.traversal != Traversal::corrected) {
-    return static_cast<partition::LiteralTraversal>(static_cast<int>(scene.partition.traversal) - 1);
-  }
+  if (const auto traversal = named(scene.partition.traversal)) return traversal;
   if (scene.partition.query != contact::HdbQuery::leaves) return std::nullopt;  // the text knows leaves only
   return partition::literalTraversal(scene.fidelity, scene.partition.tree);
 }

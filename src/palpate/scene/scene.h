@@ -74,7 +74,7 @@ struct ContactSettings {
   bool force_shading = false;
 };
 
-/// How the leaves around the proxy are found: exactly, or as printed. The order is that of the scene file's words.
+/// How the leaves around the proxy are found: exactly, or as printed. Places in partition::kTraversalWords.
 enum class Traversal : std::uint8_t { corrected, else_if, half_space, cell_box, sphere_corners };
 
 /// For the contact source "hdb".

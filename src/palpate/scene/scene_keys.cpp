@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "palpate/partition/traversal_words.h"
 #include "palpate/scene/deformation_keys.h"
 #include "palpate/scene/fidelity_key.h"
 #include "palpate/scene/view_keys.h"
@@ -210,6 +211,12 @@ Section contactSection() {
   return section<S>("contact", "How the finger meets the surface.", &Scene::contact, std::move(keys));
 }
 
+std::vector<std::string> traversalWords() {
+  std::vector<std::string> words;
+  for (const partition::TraversalWord& row : partition::kTraversalWords) words.emplace_back(row.word);
+  return words;
+}
+
 Section partitionSection() {
   using S = PartitionSettings;
   std::vector<Key<S>> keys = {
@@ -224,7 +231,7 @@ Section partitionSection() {
       choice<S, contact::HdbQuery>("query", &S::query, {"leaves", "triangles", "coherent"},
                                    "What may be touched: all triangles of the leaves that the box meets, those that it "
                                    "meets itself, or a list of these that is made anew only when the box leaves it."),
-      choice<S, Traversal>("traversal", &S::traversal, {"tight", "else-if", "half-space", "cell-box", "sphere-corners"},
+      choice<S, Traversal>("traversal", &S::traversal, traversalWords(),
                            "How the leaves are found: all of them, or as printed, with its gaps; where it says "
                            "\"tight\", fidelity may still ask for a printed one (E4, E5, E10)."),
       number<S>("refresh_s", &S::refresh_s, between(0, 60),

@@ -1,0 +1,33 @@
+// The option --peers: ours beside the libraries that people know.
+//
+// The libraries are linked to a program of their own, palpate_peers, which lies beside `palpate` where it was built:
+// one of them (CGAL) is under the GPL, and a command for everybody should not depend on any of them. That program has
+// the same benchmark commands and measures ours and theirs in one process; `palpate` hands over to it.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <vector>
+
+#include "bench/peers/peer.h"
+
+namespace palpate::app {
+
+struct PeersOption {
+  bool wanted = false;
+  double seconds = 5.0;            ///< for the queries of each peer
+  std::vector<bench::Peer> peers;  ///< in this program
+};
+
+/// Adds --peers and --peer-seconds. `option` must outlive the command.
+void addPeersOption(CLI::App& command, PeersOption& option);
+
+/// In `palpate`: runs palpate_peers in place of this program, with the same arguments, and does not return if there is
+/// one. In palpate_peers: nothing.
+void handOverToPeersProgram(const PeersOption& option);
+
+/// The benchmark commands with the peers that a program has; those of commands.h have none of the libraries.
+void addBenchContactCommand(CLI::App& parent, std::vector<bench::Peer> peers);
+void addBenchPartitionCommand(CLI::App& parent, std::vector<bench::Peer> peers);
+
+}  // namespace palpate::app

@@ -1,0 +1,151 @@
+#include "bench/peers/judge.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bench/peers/triangle_box.h"
+#include "bench/surface_mesh.h"
+#include "palpate/base/hash.h"
+
+namespace palpate::bench {
+
+namespace {
+
+/// Distances may differ by this share of the body's diagonal: coordinates in single precision leave 1e-7 of it.
+constexpr double kTolerance = 2e-6;
+/// A triangle that a box touches by less than this share of the box is in it for one library and not for another.
+constexpr double kBoxTolerance = 1e-6;
+
+template <class Answer>
+PeerFigures figuresOf(const Peer& peer, const PeerRun<Answer>& run) {
+  PeerFigures figures;
+  figures.name = peer.name;
+  figures.package = peer.package;
+  figures.queries = run.asked.size();
+  figures.query_us = percentilesOf(run.query_us);
+  figures.build_ns_per_triangle = run.build_ns_per_triangle;
+  figures.bytes_per_triangle = run.bytes_per_triangle;
+  return figures;
+}
+
+bool agree(const ContactAnswer& a, const ContactAnswer& b, double tolerance, double reach) {
+  if (a.crosses != b.crosses) return false;
+  if (std::isinf(a.distance) && std::isinf(b.distance)) return true;
+  // The one may find what lies just beyond the other's reach.
+  return std::abs(std::min(a.distance, reach) - std::min(b.distance, reach)) <= tolerance;
+}
+
+void judge(const PeerRun<ContactAnswer>& run, const ContactWorld& world, std::span<const ContactQuery> queries,
+           PeerFigures& figures) {
+  const partition::TriangleTree& tree = world.surface.tree;
+  Hash hash;
+  std::size_t found = 0;
+  for (std::size_t k = 0; k < run.asked.size(); ++k) {
+    const ContactQuery& query = queries[run.asked[k]];
+    const ContactAnswer& answer = run.answers[k];
+    if (!agree(answer, exactAnswer(tree, query), kTolerance * tree.diagonal, query.reach)) ++figures.disagreements;
+    if (std::isfinite(answer.distance)) {
+      figures.mean_distance_mm += answer.distance / world.scale;
+      ++found;
+    }
+    figures.hits += answer.crosses ? 1 : 0;
+    hash.add(answer.distance);
+    hash.add(static_cast<std::uint64_t>(answer.crosses));
+  }
+  if (found > 0) figures.mean_distance_mm /= static_cast<double>(found);
+  figures.hash = hash.value();
+}
+
+/// What must be in a box, and what may be besides.
+struct Expected {
+  std::size_t least = 0, most = 0;
+};
+
+bool meets(const mesh::TriangleMesh& mesh, Index t, const partition::Box3& box, BoxTest test) {
+  const auto& [a, b, c] = mesh.triangles[t];
+  const Vec3 centre = box.center();
+  const std::array<Vec3, 3> corners = {mesh.positions[a] - centre, mesh.positions[b] - centre,
+                                       mesh.positions[c] - centre};
+  const Vec3 half = 0.5 * box.sizes();
+  if (test == BoxTest::triangle) return triangleMeetsBox<double>(corners, half);
+  partition::Box3 own(corners[0]);
+  own.extend(corners[1]).extend(corners[2]);
+  return own.intersects(partition::Box3(-half, half));
+}
+
+/// `near` are the triangles whose boxes meet a slightly larger box.
+Expected expected(const mesh::TriangleMesh& mesh, const std::vector<Index>& near, const partition::Box3& box,
+                  BoxTest test) {
+  const Vec3 slack = kBoxTolerance * box.sizes();
+  const partition::Box3 smaller(box.min() + slack, box.max() - slack), larger(box.min() - slack, box.max() + slack);
+  Expected counts;
+  for (const Index t : near) {
+    counts.least += meets(mesh, t, smaller, test) ? 1 : 0;
+    counts.most += meets(mesh, t, larger, test) ? 1 : 0;
+  }
+  return counts;
+}
+
+/// Counts are compared; a hundred boxes spread over the run stand for all, for each is brute force.
+void judge(const Peer& peer, const PeerRun<BoxAnswer>& run, const mesh::TriangleMesh& mesh,
+           const partition::Partition& ours, std::span<const partition::Box3> boxes, PeerFigures& figures) {
+  constexpr std::size_t kJudged = 100;
+  const std::size_t stride = std::max<std::size_t>(1, run.asked.size() / kJudged);
+  partition::TriangleHits hits;
+  hits.prepareFor(ours);
+  Hash hash;
+  for (std::size_t k = 0; k < run.asked.size(); ++k) {
+    const BoxAnswer& answer = run.answers[k];
+    figures.mean_triangles += static_cast<double>(answer.count) / static_cast<double>(run.asked.size());
+    hash.add(static_cast<std::uint64_t>(answer.count));
+    hash.add(answer.sum);
+    if (k % stride != 0) continue;
+    const partition::Box3& box = boxes[run.asked[k]];
+    const Vec3 slack = kBoxTolerance * box.sizes();
+    findTriangles(ours, partition::Box3(box.min() - slack, box.max() + slack), hits);
+    listTriangles(ours, hits);
+    const Expected counts = expected(mesh, hits.triangles, box, peer.box_test);
+    if (answer.count < counts.least || answer.count > counts.most) ++figures.disagreements;
+  }
+  figures.hash = hash.value();
+}
+
+PeerFigures notInstalled(const Peer& peer) {
+  PeerFigures figures;
+  figures.name = peer.name;
+  figures.package = peer.package;
+  figures.skipped = "not installed";
+  return figures;
+}
+
+bool missing(const Peer& peer) { return peer.contact == nullptr && peer.boxes == nullptr; }
+
+}  // namespace
+
+std::vector<PeerFigures> comparePeers(std::span<const Peer> peers, const ContactWorld& world,
+                                      std::span<const ContactQuery> queries, double seconds_per_peer) {
+  const mesh::TriangleMesh mesh = meshOf(world.surface);
+  std::vector<PeerFigures> all;
+  for (const Peer& peer : peers) {
+    if (missing(peer)) all.push_back(notInstalled(peer));
+    if (peer.contact == nullptr) continue;
+    const PeerRun<ContactAnswer> run = peer.contact(mesh, queries, seconds_per_peer);
+    judge(run, world, queries, all.emplace_back(figuresOf(peer, run)));
+  }
+  return all;
+}
+
+std::vector<PeerFigures> comparePeers(std::span<const Peer> peers, const mesh::TriangleMesh& mesh,
+                                      std::span<const partition::Box3> boxes, double seconds_per_peer) {
+  const partition::Partition ours = partition::buildPartition(mesh, {});
+  std::vector<PeerFigures> all;
+  for (const Peer& peer : peers) {
+    if (missing(peer)) all.push_back(notInstalled(peer));
+    if (peer.boxes == nullptr) continue;
+    const PeerRun<BoxAnswer> run = peer.boxes(mesh, boxes, seconds_per_peer);
+    judge(peer, run, mesh, ours, boxes, all.emplace_back(figuresOf(peer, run)));
+  }
+  return all;
+}
+
+}  // namespace palpate::bench

@@ -1,0 +1,40 @@
+// Turns what a peer answered into figures, and checks every answer: a fast wrong one must show.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bench/peers/peer.h"
+#include "bench/statistics.h"
+
+namespace palpate::bench {
+
+struct PeerFigures {
+  std::string name;
+  std::string package;
+  std::string skipped;  ///< why there are no figures; empty: there are
+  std::size_t queries = 0;
+  Percentiles query_us;
+  double build_ns_per_triangle = 0.0;
+  std::optional<double> bytes_per_triangle;
+  std::size_t disagreements = 0;  ///< answers other than ours by more than single precision explains
+  std::uint64_t hash = 0;         ///< of every bit of every answer
+  // Contact
+  double mean_distance_mm = 0.0;  ///< of the nearest points
+  std::size_t hits = 0;           ///< segments that cross the surface
+  // Boxes
+  double mean_triangles = 0.0;
+};
+
+/// Builds each peer, asks it and judges it, one after the other; peers that cannot do it are left out. `mesh` is the
+/// world's own, repaired.
+std::vector<PeerFigures> comparePeers(std::span<const Peer> peers, const ContactWorld& world,
+                                      std::span<const ContactQuery> queries, double seconds_per_peer);
+std::vector<PeerFigures> comparePeers(std::span<const Peer> peers, const mesh::TriangleMesh& mesh,
+                                      std::span<const partition::Box3> boxes, double seconds_per_peer);
+
+}  // namespace palpate::bench

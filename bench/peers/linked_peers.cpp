@@ -1,0 +1,40 @@
+#include "bench/peers/peer_list.h"
+#ifdef PALPATE_HAS_EMBREE
+#include "bench/peers/embree.h"
+#endif
+#ifdef PALPATE_HAS_CGAL
+#include "bench/peers/cgal.h"
+#endif
+#ifdef PALPATE_HAS_FCL
+#include "bench/peers/fcl.h"
+#endif
+
+namespace palpate::bench {
+
+namespace {
+
+/// In the place of the one of its name, which can do nothing.
+[[maybe_unused]] void put(Peer peer, std::vector<Peer>& peers) {
+  for (Peer& place : peers) {
+    if (place.name == peer.name) place = peer;
+  }
+}
+
+}  // namespace
+
+std::vector<Peer> linkedPeers() {
+  std::vector<Peer> peers = peersWithoutLibraries();
+#ifdef PALPATE_HAS_EMBREE
+  put(embreePeer(), peers);
+  peers.insert(peers.begin() + 1, embreeToldPeer());
+#endif
+#ifdef PALPATE_HAS_CGAL
+  put(cgalPeer(), peers);
+#endif
+#ifdef PALPATE_HAS_FCL
+  put(fclPeer(), peers);
+#endif
+  return peers;
+}
+
+}  // namespace palpate::bench

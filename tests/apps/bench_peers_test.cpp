@@ -1,0 +1,84 @@
+// `palpate bench ... --peers` as a user runs it.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "support/run_command.h"
+#include "support/temporary_folder.h"
+
+namespace palpate {
+
+namespace {
+
+using nlohmann::json;
+
+json reportOf(const std::string& arguments) {
+  const support::CommandResult result = support::runPalpate(arguments + " --json");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  return json::parse(result.out);
+}
+
+/// All peers are there, with figures or with the reason why not; `time` is the key of their times.
+void expectPeers(const json& report, const std::string& time) {
+  for (const char* name : {"embree", "cgal", "fcl", "literal"}) {
+    ASSERT_TRUE(report["peers"].contains(name)) << name;
+    const json& peer = report["peers"][name];
+    if (peer.contains("skipped")) {
+      EXPECT_EQ(peer["skipped"], "not installed") << name;
+      EXPECT_FALSE(report["ratio_to"].contains(name)) << name;
+      continue;
+    }
+    for (const char* key : {"p50", "p99", "p99_9", "max"}) EXPECT_TRUE(peer[time].contains(key)) << name << key;
+    for (const char* key : {"queries", "bytes_per_triangle", "build_ns_per_triangle", "hash"}) {
+      EXPECT_TRUE(peer.contains(key)) << name << key;
+    }
+    EXPECT_EQ(peer["disagreements"], 0) << name;
+    const double ratio = report[time]["p50"].get<double>() / peer[time]["p50"].get<double>();
+    EXPECT_DOUBLE_EQ(report["ratio_to"][name].get<double>(), ratio) << name;
+  }
+  EXPECT_FALSE(report["peers"]["literal"].contains("skipped"));
+}
+
+}  // namespace
+
+TEST(BenchPeers, AnswerTheQueriesOfTheFinger) {
+  const std::string run = "bench contact --mesh back_2962 --trajectory back_slide --from 2 --to 4";
+  const json report = reportOf(run + " --peers --peer-seconds 0.5");
+  expectPeers(report, "tick_us");
+  EXPECT_EQ(report["hash"], reportOf(run)["hash"]);  // ours is the same run
+  EXPECT_EQ(report["peer_queries"]["segments"], report["ticks"]);
+  const double distance = report["peers"]["literal"]["mean_distance_mm"];
+  EXPECT_GT(distance, 5.0);
+  EXPECT_LT(distance, 10.0);
+}
+
+TEST(BenchPeers, AnswerTheBoxes) {
+  const json report = reportOf("bench partition --mesh back_2962 --ticks 200 --peers --peer-seconds 0.5");
+  expectPeers(report, "hdb_query_us");
+  EXPECT_DOUBLE_EQ(report["peers"]["literal"]["mean_triangles"].get<double>(), report["mean_triangles"].get<double>());
+}
+
+TEST(BenchPeers, ThatAreNotInstalledAreSkippedByName) {
+  // A copy elsewhere has no palpate_peers beside it, as an installed command.
+  const support::TemporaryFolder folder;
+  const auto copy = folder.path() / "palpate";
+  std::filesystem::copy_file(std::filesystem::path(PALPATE_BINARY_DIR) / "palpate", copy);
+  const std::string run = "bench contact --mesh back_2962 --trajectory back_slide --to 0.5 --peers --peer-seconds 0.2";
+  const support::CommandResult text = support::runProgram(copy, run);
+  EXPECT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_NE(text.out.find("embree:"), std::string::npos);
+  EXPECT_NE(text.out.find("not installed (libembree-dev)"), std::string::npos);
+  const json report = json::parse(support::runProgram(copy, run + " --json").out);
+  EXPECT_EQ(report["peers"]["cgal"]["skipped"], "not installed");
+  expectPeers(report, "tick_us");
+}
+
+TEST(BenchPeers, AreNotForTheDetectingBoxAsASource) {
+  const auto result =
+      support::runPalpate("bench contact --mesh back_2962 --trajectory back_slide --source hdb --peers");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find("--source surface"), std::string::npos);
+}
+
+}  // namespace palpate
