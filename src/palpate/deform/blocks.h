@@ -13,6 +13,8 @@
 namespace palpate::deform {
 
 inline constexpr Index kBlockVertices = 64;
+/// Blocks come in tiles of as many, so that the search moves many blocks with one instruction too.
+inline constexpr Index kTileBlocks = 64;
 
 inline constexpr Index blockOf(Index vertex) { return vertex / kBlockVertices; }
 inline constexpr std::uint64_t bitOf(Index vertex) { return std::uint64_t{1} << (vertex % kBlockVertices); }
@@ -21,6 +23,11 @@ inline constexpr Index blocksFor(Index vertices) { return (vertices + kBlockVert
 /// Rest positions and normals, x y z nx ny nz, at a block's first vertex.
 struct RestBlock {
   const float* values[6];
+};
+
+/// The boxes of a tile's blocks (block_bounds.h) at its first block.
+struct TileBounds {
+  const float* values[12];
 };
 
 /// Deformed positions, normals and displacements, x y z nx ny nz dx dy dz, at a block's first vertex.
@@ -32,19 +39,6 @@ struct DeformedBlock {
 template <class Visit>
 void forEachBit(std::uint64_t bits, const Visit& visit) {
   for (; bits != 0; bits &= bits - 1) visit(static_cast<Index>(std::countr_zero(bits)));
-}
-
-/// The vertices of `allowed` that hang together with `start` within a block; `neighbours` has one word a vertex.
-inline std::uint64_t grownWithin(const std::uint64_t* neighbours, std::uint64_t start, std::uint64_t allowed) {
-  std::uint64_t grown = start & allowed;
-  // Ring by ring: the loads of one ring do not wait for each other.
-  for (std::uint64_t ring = grown; ring != 0;) {
-    std::uint64_t next = 0;
-    for (; ring != 0; ring &= ring - 1) next |= neighbours[std::countr_zero(ring)];
-    ring = next & allowed & ~grown;
-    grown |= ring;
-  }
-  return grown;
 }
 
 /// A set of blocks as a bitmap: 4 million triangles need 4 KiB, so that clearing and walking it costs next to nothing.

@@ -138,31 +138,53 @@ void Deformer::collectBlocks() noexcept {
   affected_ = moved_;
   if (!settings_.strain && settings_.normals == Normals::analytic) return;
   moved_.forEach([&](Index block) {
-    for (const BlockLink& link : skin_.linksOf(block)) affected_.insert(link.block);
+    for (const GroupLink& link : skin_.linksOf(block)) affected_.insert(link.group);
   });
 }
 
 void Deformer::displace(DeformedSurface& surface, Report& report) noexcept {
   surface.changed_.clear();
+  Run run;
   BlockSet::forEachOfBoth(surface.written_, affected_, [&](Index block) {
     surface.listChange(block);
     if (moved_.contains(block)) {
-      report.moved_vertices += displaceOne(block, surface);
+      displaceBlock(block, run, surface, report);
     } else {
       surface.restore(skin_, block);
     }
   });
+  displaceRun(run, surface, report);
 }
 
-/// Returns how many of its vertices moved.
-Index Deformer::displaceOne(Index block, DeformedSurface& surface) noexcept {
+void Deformer::displaceBlock(Index block, Run& run, DeformedSurface& surface, Report& report) noexcept {
+  const Entry& entry = entries_[first_entry_[block]];
+  if (entry.next != kNoIndex || entry.region != ~std::uint64_t{0}) {
+    report.moved_vertices += displaceParts(block, surface);
+    return;
+  }
+  if (block != run.end || entry.contact != run.contact) {
+    displaceRun(run, surface, report);
+    run = {block, block, entry.contact};
+  }
+  run.end = block + 1;
+}
+
+void Deformer::displaceRun(Run& run, DeformedSurface& surface, Report& report) noexcept {
+  const Index blocks = run.end - run.first;
+  if (blocks == 0) return;
+  displaceWholeBlocks(lanes_[run.contact], blocks, skin_.restBlock(run.first), surface.block(run.first));
+  report.moved_vertices += blocks * kBlockVertices;
+}
+
+/// A block that contacts share, or that lies in a region in part. Returns how many of its vertices moved.
+Index Deformer::displaceParts(Index block, DeformedSurface& surface) noexcept {
   on_block_.clear();
   std::uint64_t moved = 0;
   for (Index e = first_entry_[block]; e != kNoIndex; e = entries_[e].next) {
     on_block_.push_back({&lanes_[entries_[e].contact], entries_[e].region});
     moved |= entries_[e].region;
   }
-  displaceBlock(on_block_, skin_.restBlock(block), surface.block(block));
+  deform::displaceBlock(on_block_, skin_.restBlock(block), surface.block(block));
   return static_cast<Index>(std::popcount(moved));
 }
 

@@ -58,8 +58,17 @@ class Deformer {
   void noteCoupling(std::size_t contact) noexcept;
   void solveAmplitudes() noexcept;
   void collectBlocks() noexcept;
+  /// Consecutive blocks that lie in the region of one contact as a whole, about to be displaced in one go.
+  struct Run {
+    Index first = 0;
+    Index end = 0;
+    Index contact = 0;
+  };
+
   void displace(DeformedSurface& surface, Report& report) noexcept;
-  Index displaceOne(Index block, DeformedSurface& surface) noexcept;
+  void displaceBlock(Index block, Run& run, DeformedSurface& surface, Report& report) noexcept;
+  void displaceRun(Run& run, DeformedSurface& surface, Report& report) noexcept;
+  Index displaceParts(Index block, DeformedSurface& surface) noexcept;
   void finishNormalsAndStrain(DeformedSurface& surface) noexcept;
 
   const Skin& skin_;

@@ -146,7 +146,7 @@ void FormDeformer::collectBlocks() noexcept {
   affected_ = moved_;
   if (!forms_.common.strain && forms_.common.normals == Normals::analytic) return;
   moved_.forEach([&](Index block) {
-    for (const BlockLink& link : skin_.linksOf(block)) affected_.insert(link.block);
+    for (const GroupLink& link : skin_.linksOf(block)) affected_.insert(link.group);
   });
 }
 

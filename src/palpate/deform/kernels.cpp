@@ -89,6 +89,64 @@ HWY_INLINE Location locate(const PartLanes& part, const V3& offset) {
   return {s, t, hn::MulAdd(s, s, hn::MulAdd(t, t, hn::Set(Lanes(), part.outside)))};
 }
 
+/// The bits of a mask at `lane` of a word of 64.
+HWY_INLINE std::uint64_t bitsOf(M mask, size_t lane) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(Lanes(), mask, bytes);
+  std::uint64_t bits;
+  std::memcpy(&bits, bytes, sizeof(bits));
+  return bits << lane;
+}
+
+HWY_INLINE bool drags(const ContactLanes& contact) { return contact.tangential.outside == 0.0f; }
+
+HWY_INLINE V3 absolute(const V3& v) { return {hn::Abs(v.x), hn::Abs(v.y), hn::Abs(v.z)}; }
+
+/// Bounds of q^2 over boxes.
+struct Reach {
+  V least, most;
+};
+
+HWY_INLINE Reach reachOf(const PartLanes& part, const V3& centre, const V3& half) {
+  const Lanes d;
+  const V outside = hn::Set(d, part.outside);
+  const V3 along = broadcast(part.along);
+  const V3 across = broadcast(part.across);
+  const V s = hn::Abs(dot(along, centre));
+  const V t = hn::Abs(dot(across, centre));
+  const V s_half = dot(absolute(along), half);
+  const V t_half = dot(absolute(across), half);
+  const V s_least = hn::Max(hn::Sub(s, s_half), hn::Zero(d));
+  const V t_least = hn::Max(hn::Sub(t, t_half), hn::Zero(d));
+  const V s_most = hn::Add(s, s_half);
+  const V t_most = hn::Add(t, t_half);
+  return {hn::MulAdd(s_least, s_least, hn::MulAdd(t_least, t_least, outside)),
+          hn::MulAdd(s_most, s_most, hn::MulAdd(t_most, t_most, outside))};
+}
+
+BlocksInside insideBlocks(const ContactLanes& contact, const TileBounds& bounds) {
+  const Lanes d;
+  const V one = hn::Set(d, 1.0f);
+  const V rounding = hn::Set(d, 1e-6f);
+  const V3 facing = broadcast(contact.facing);
+  BlocksInside blocks{0, 0};
+  for (size_t lane = 0; lane < kTileBlocks; lane += hn::Lanes(d)) {
+    const V3 centre = sub(load(bounds.values, lane), broadcast(contact.anchor));
+    const V3 half = mulAdd(rounding, absolute(centre), load(bounds.values + 3, lane));
+    const Reach normal = reachOf(contact.normal, centre, half);
+    const Reach tangential = reachOf(contact.tangential, centre, half);
+    const V face = dot(load(bounds.values + 6, lane), facing);
+    const V face_half = hn::Add(dot(load(bounds.values + 9, lane), absolute(facing)), rounding);
+    // Written so that boxes of NaN are touched but not whole.
+    const M near = hn::Or(hn::Lt(normal.most, one), hn::Lt(tangential.most, one));
+    const M far = hn::And(hn::Ge(normal.least, one), hn::Ge(tangential.least, one));
+    const M away = hn::Or(far, hn::Le(hn::Add(face, face_half), hn::Zero(d)));
+    blocks.whole |= bitsOf(hn::And(near, hn::Gt(hn::Sub(face, face_half), hn::Zero(d))), lane);
+    blocks.touched |= bitsOf(hn::Not(away), lane);
+  }
+  return blocks;
+}
+
 std::uint64_t insideMask(const ContactLanes& contact, const RestBlock& rest) {
   const Lanes d;
   const V one = hn::Set(d, 1.0f);
@@ -98,11 +156,7 @@ std::uint64_t insideMask(const ContactLanes& contact, const RestBlock& rest) {
     const M facing = hn::Gt(dot(load(rest.values + 3, lane), broadcast(contact.facing)), hn::Zero(d));
     const M near =
         hn::Or(hn::Lt(locate(contact.normal, offset).q2, one), hn::Lt(locate(contact.tangential, offset).q2, one));
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(d, hn::And(facing, near), bytes);
-    std::uint64_t bits;
-    std::memcpy(&bits, bytes, sizeof(bits));
-    inside |= bits << lane;
+    inside |= bitsOf(hn::And(facing, near), lane);
   }
   return inside;
 }
@@ -116,8 +170,10 @@ HWY_INLINE V gaussian(V q2) {
   const auto series = [&](V sum, V f, double coefficient)
                           HWY_ATTR { return hn::MulAdd(sum, f, hn::Set(d, static_cast<float>(coefficient))); };
   const V t = hn::Mul(q2, hn::Set(d, static_cast<float>(-kGaussianRate / kLn2)));
-  const V whole = hn::Round(t);
-  const V f = hn::Sub(t, whole);
+  // Added to 1.5 * 2^23 a small number is rounded to a whole one, which then stands in the last bits.
+  const V shift = hn::Set(d, 12582912.0f);
+  const V shifted = hn::Add(t, shift);
+  const V f = hn::Sub(t, hn::Sub(shifted, shift));
   constexpr double kLn2To2 = kLn2 * kLn2;
   V sum = hn::Set(d, static_cast<float>(kLn2To2 * kLn2To2 * kLn2To2 / 720));
   sum = series(sum, f, kLn2To2 * kLn2To2 * kLn2 / 120);
@@ -127,7 +183,7 @@ HWY_INLINE V gaussian(V q2) {
   sum = series(sum, f, kLn2);
   sum = series(sum, f, 1.0);
   constexpr int kExponentBit = 23;
-  return hn::BitCast(d, hn::Add(hn::BitCast(di, sum), hn::ShiftLeft<kExponentBit>(hn::ConvertTo(di, whole))));
+  return hn::BitCast(d, hn::Add(hn::BitCast(di, sum), hn::ShiftLeft<kExponentBit>(hn::BitCast(di, shifted))));
 }
 
 /// profile(q) and its gradient at 16 (8, 4) vertices; both 0 outside the region and from q = 1 on.
@@ -136,28 +192,34 @@ struct Profile {
   V3 gradient;
 };
 
+/// kAllInside: the vertices are known to lie in this part's ellipse.
+template <bool kAllInside>
 HWY_INLINE Profile profileOf(const PartLanes& part, const V3& offset, M region) {
   const Lanes d;
   const Location at = locate(part, offset);
-  const M acts = hn::And(region, hn::Lt(at.q2, hn::Set(d, 1.0f)));
   const V gauss = gaussian(at.q2);
   const V scale = hn::Set(d, static_cast<float>(tissue::kProfileScale));
   const V offset_at_rim = hn::Set(d, static_cast<float>(tissue::kProfileOffset));
-  const V weight = hn::IfThenElseZero(acts, hn::MulSub(scale, gauss, offset_at_rim));
   constexpr double kSlope = -2.0 * kGaussianRate * tissue::kProfileScale;
-  const V slope = hn::IfThenElseZero(acts, hn::Mul(hn::Set(d, static_cast<float>(kSlope)), gauss));
+  V weight = hn::MulSub(scale, gauss, offset_at_rim);
+  V slope = hn::Mul(hn::Set(d, static_cast<float>(kSlope)), gauss);
+  if constexpr (!kAllInside) {
+    const M acts = hn::And(region, hn::Lt(at.q2, hn::Set(d, 1.0f)));
+    weight = hn::IfThenElseZero(acts, weight);
+    slope = hn::IfThenElseZero(acts, slope);
+  }
   const V3 across = scaled(hn::Mul(slope, at.t), broadcast(part.across));
   return {weight, mulAdd(hn::Mul(slope, at.s), broadcast(part.along), across)};
 }
 
 /// One contact: cof(F) n written out. The press a = amplitude times the contact's normal is orthogonal to both
 /// gradients u (of the press) and v (of the drag b), so that cof(F) n = (1 + b.v) (n - (a.n) u) - ((b.n) - (a.n) (b.u))
-/// v.
-template <bool kDrags>
+/// v. kWhole: the vertices are in the region; with a press alone that is its ellipse.
+template <bool kDrags, bool kWhole>
 HWY_INLINE void moveByOne(const ContactLanes& contact, const V3& position, M region, V3& displacement, V3& normal) {
   const V3 offset = sub(position, broadcast(contact.anchor));
   const V3 a = broadcast(contact.normal.shift);
-  const Profile press = profileOf(contact.normal, offset, region);
+  const Profile press = profileOf < kWhole && !kDrags > (contact.normal, offset, region);
   const V a_n = dot(a, normal);
   const V3 pressed = mulSub(a_n, press.gradient, normal);
   displacement = scaled(press.weight, a);
@@ -167,7 +229,7 @@ HWY_INLINE void moveByOne(const ContactLanes& contact, const V3& position, M reg
   }
   const Lanes d;
   const V3 b = broadcast(contact.tangential.shift);
-  const Profile drag = profileOf(contact.tangential, offset, region);
+  const Profile drag = profileOf<false>(contact.tangential, offset, region);
   const V stretch = hn::Add(dot(b, drag.gradient), hn::Set(d, 1.0f));
   const V tilt = hn::NegMulAdd(a_n, dot(b, press.gradient), dot(b, normal));
   displacement = mulAdd(drag.weight, b, displacement);
@@ -181,7 +243,7 @@ struct Motion {
 };
 
 HWY_INLINE void addPart(const PartLanes& part, const V3& offset, M region, Motion& motion) {
-  const Profile profile = profileOf(part, offset, region);
+  const Profile profile = profileOf<false>(part, offset, region);
   const V3 shift = broadcast(part.shift);
   motion.displacement = mulAdd(profile.weight, shift, motion.displacement);
   motion.row_x = mulAdd(shift.x, profile.gradient, motion.row_x);
@@ -206,12 +268,24 @@ HWY_INLINE void moveByMany(std::span<const ContactOnBlock> contacts, const V3& p
             dot(cross(motion.row_x, motion.row_y), normal)};
 }
 
+/// 1 / sqrt(x) within 3e-7 of its value for x not below 1e-37: root and division would be half of the kernel's time.
+/// The machine's estimate has 12 bits or more on x86, 8 elsewhere; each of Newton's steps doubles them.
+HWY_INLINE V inverseRoot(V x) {
+  const Lanes d;
+  constexpr int kSteps = HWY_ARCH_X86 && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_SCALAR ? 1 : 2;
+  const V half_x = hn::Mul(hn::Set(d, 0.5f), x);
+  V y = hn::ApproximateReciprocalSqrt(x);
+  for (int step = 0; step < kSteps; ++step) {
+    y = hn::Mul(y, hn::NegMulAdd(hn::Mul(half_x, y), y, hn::Set(d, 1.5f)));
+  }
+  return y;
+}
+
 /// The normal made unit; the rest normal where it vanishes (skin folded flat).
 HWY_INLINE V3 unitOr(const V3& normal, const V3& rest) {
-  const Lanes d;
+  const V flat = hn::Set(Lanes(), 1e-30f);
   const V length2 = dot(normal, normal);
-  const V3 unit = scaled(hn::Div(hn::Set(d, 1.0f), hn::Sqrt(length2)), normal);
-  return select(hn::Gt(length2, hn::Zero(d)), unit, rest);
+  return select(hn::Gt(length2, flat), scaled(inverseRoot(length2), normal), rest);
 }
 
 HWY_INLINE void storeRest(const V3& position, const V3& normal, const DeformedBlock& out, size_t lane) {
@@ -247,20 +321,49 @@ template <bool kDrags>
 void displaceByOne(const ContactOnBlock& on, const RestBlock& rest, const DeformedBlock& out) {
   const ContactLanes contact = *on.contact;  // a copy that no store can alias
   overBlock(on.region, rest, out, [&](const V3& position, size_t lane, V3& displacement, V3& normal) HWY_ATTR {
-    moveByOne<kDrags>(contact, position, maskAt(on.region, lane), displacement, normal);
+    moveByOne<kDrags, false>(contact, position, maskAt(on.region, lane), displacement, normal);
   });
 }
 
 void displaceBlock(std::span<const ContactOnBlock> contacts, const RestBlock& rest, const DeformedBlock& out) {
   if (contacts.size() == 1) {
-    const bool drags = contacts[0].contact->tangential.outside == 0.0f;
-    return drags ? displaceByOne<true>(contacts[0], rest, out) : displaceByOne<false>(contacts[0], rest, out);
+    return drags(*contacts[0].contact) ? displaceByOne<true>(contacts[0], rest, out)
+                                       : displaceByOne<false>(contacts[0], rest, out);
   }
   std::uint64_t touched = 0;
   for (const ContactOnBlock& on : contacts) touched |= on.region;
   overBlock(touched, rest, out, [&](const V3& position, size_t lane, V3& displacement, V3& normal) HWY_ATTR {
     moveByMany(contacts, position, lane, displacement, normal);
   });
+}
+
+template <bool kDrags>
+void displaceWholeByOne(const ContactLanes& lanes, size_t vertices, const RestBlock& rest, const DeformedBlock& out) {
+  const ContactLanes contact = lanes;  // a copy that no store can alias
+  const M everyone = hn::FirstN(Lanes(), hn::Lanes(Lanes()));
+  for (size_t lane = 0; lane < vertices; lane += hn::Lanes(Lanes())) {
+    const V3 position = load(rest.values, lane);
+    const V3 normal = load(rest.values + 3, lane);
+    V3 displacement = position;
+    V3 turned = normal;
+    moveByOne<kDrags, true>(contact, position, everyone, displacement, turned);
+    store(add(position, displacement), out.values, lane);
+    store(unitOr(turned, normal), out.values + 3, lane);
+    store(displacement, out.values + 6, lane);
+  }
+}
+
+void displaceWholeBlocks(const ContactLanes& contact, Index blocks, const RestBlock& rest, const DeformedBlock& out) {
+  const size_t vertices = size_t{blocks} * kBlockVertices;
+  drags(contact) ? displaceWholeByOne<true>(contact, vertices, rest, out)
+                 : displaceWholeByOne<false>(contact, vertices, rest, out);
+}
+
+void restoreBlocks(Index blocks, const RestBlock& rest, const DeformedBlock& out) {
+  const size_t vertices = size_t{blocks} * kBlockVertices;
+  for (size_t lane = 0; lane < vertices; lane += hn::Lanes(Lanes())) {
+    storeRest(load(rest.values, lane), load(rest.values + 3, lane), out, lane);
+  }
 }
 
 }  // namespace HWY_NAMESPACE
@@ -270,8 +373,15 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace palpate::deform {
 
+HWY_EXPORT(insideBlocks);
 HWY_EXPORT(insideMask);
 HWY_EXPORT(displaceBlock);
+HWY_EXPORT(displaceWholeBlocks);
+HWY_EXPORT(restoreBlocks);
+
+BlocksInside insideBlocks(const ContactLanes& contact, const TileBounds& bounds) noexcept {
+  return HWY_DYNAMIC_DISPATCH(insideBlocks)(contact, bounds);
+}
 
 std::uint64_t insideMask(const ContactLanes& contact, const RestBlock& rest) noexcept {
   return HWY_DYNAMIC_DISPATCH(insideMask)(contact, rest);
@@ -279,6 +389,15 @@ std::uint64_t insideMask(const ContactLanes& contact, const RestBlock& rest) noe
 
 void displaceBlock(std::span<const ContactOnBlock> contacts, const RestBlock& rest, const DeformedBlock& out) noexcept {
   HWY_DYNAMIC_DISPATCH(displaceBlock)(contacts, rest, out);
+}
+
+void displaceWholeBlocks(const ContactLanes& contact, Index blocks, const RestBlock& rest,
+                         const DeformedBlock& out) noexcept {
+  HWY_DYNAMIC_DISPATCH(displaceWholeBlocks)(contact, blocks, rest, out);
+}
+
+void restoreBlocks(Index blocks, const RestBlock& rest, const DeformedBlock& out) noexcept {
+  HWY_DYNAMIC_DISPATCH(restoreBlocks)(blocks, rest, out);
 }
 
 }  // namespace palpate::deform

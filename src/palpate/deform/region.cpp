@@ -2,100 +2,172 @@
 
 namespace palpate::deform {
 
-namespace {
-
-/// The vertices of `allowed` that hang together with `start` within the block. In a block that lies inside as a whole,
-/// and those are most, the components are known.
-std::uint64_t reachable(const Skin& skin, Index block, std::uint64_t start, std::uint64_t allowed) noexcept {
-  if (allowed != skin.block_vertices[block]) {
-    return grownWithin(skin.neighbours_in_block.data() + std::size_t{block} * kBlockVertices, start, allowed);
-  }
-  std::uint64_t grown = 0;
-  for (const std::uint64_t component : skin.componentsOf(block)) grown |= (component & start) != 0 ? component : 0;
-  return grown;
-}
-
-/// The vertices of the linked block that have an edge to one of `from`.
-std::uint64_t acrossLink(const Skin& skin, const BlockLink& link, std::uint64_t from) noexcept {
-  if ((from & link.from) == link.from) return link.to;
-  if ((from & link.from) == 0) return 0;
-  std::uint64_t to = 0;
-  for (Index e = link.first_edge; e < link.end_edge; ++e) {
-    const CrossEdge edge = skin.cross_edges[e];
-    to |= (from >> edge.from & 1) << edge.to;
-  }
-  return to;
-}
-
-}  // namespace
-
 RegionSearch::RegionSearch(const Skin& skin)
-    : blocks_(skin.blocks), ring_(std::bit_ceil(std::size_t{skin.blocks} + 1)) {
-  visited_.reserve(skin.blocks);
+    : tiles_(skin.block_graph.groups), rim_(skin.blocks), ring_(std::bit_ceil(std::size_t{skin.blocks} + 1)) {
+  known_tiles_.reserve(tiles_.size());
+  open_tiles_.reserve(tiles_.size());
+  looked_into_.reserve(skin.blocks);
   found_.reserve(skin.blocks);
 }
 
 std::span<const BlockPart> RegionSearch::find(const Skin& skin, const ContactLanes& contact,
                                               const Triangle& anchor_triangle) noexcept {
+  const Query query{skin, contact};
   forget();
   for (const Index corner : anchor_triangle) {
-    seedVertex(corner);
-    for (const Index neighbour : skin.neighbours[corner]) seedVertex(neighbour);
+    seedVertex(query, corner);
+    for (const Index neighbour : skin.neighbours[corner]) seedVertex(query, neighbour);
   }
-  while (head_ != tail_) {
-    const Index block = ring_[head_++ & (ring_.size() - 1)];
-    if (grow(skin, contact, block) != 0) spread(skin, block, blocks_[block].reached);
+  // Whole blocks first: a block at the rim then has most of its seeds when its turn comes.
+  while (!open_tiles_.empty() || head_ != tail_) {
+    if (!open_tiles_.empty()) {
+      const Index tile = open_tiles_.back();
+      open_tiles_.pop_back();
+      growTile(query, tile);
+    } else {
+      growBlock(query, ring_[head_++ & (ring_.size() - 1)]);
+    }
   }
-  for (const Index block : visited_) {
-    if (blocks_[block].reached != 0) found_.push_back({block, blocks_[block].reached});
-  }
+  listFound(skin);
   return found_;
 }
 
 bool RegionSearch::reached(Index vertex) const noexcept {
-  return (blocks_[blockOf(vertex)].reached & bitOf(vertex)) != 0;
+  const Index block = blockOf(vertex);
+  return (tiles_[blockOf(block)].reached & bitOf(block)) != 0 || (rim_[block].reached & bitOf(vertex)) != 0;
 }
 
-/// Notes vertices that the block is missing and queues it. Runs eight times a block in no pattern that a branch
-/// predictor could learn, hence without branches: the queue's next slot is written anyway and counts only if the tail
-/// moves on.
-inline void RegionSearch::seed(Index block, std::uint64_t fresh) noexcept {
-  Block& here = blocks_[block];
-  ring_[tail_ & (ring_.size() - 1)] = block;
-  tail_ += static_cast<std::size_t>((fresh != 0) & (here.pending == 0));
+/// The tile, its blocks told apart on the first call.
+RegionSearch::Tile& RegionSearch::tileAt(const Query& query, Index tile) noexcept {
+  Tile& here = tiles_[tile];
+  if (here.known) return here;
+  const BlocksInside blocks = insideBlocks(query.contact, query.skin.tileBounds(tile));
+  here.whole = blocks.whole & query.skin.connected_blocks[tile];
+  here.rim = blocks.touched & query.skin.block_graph.members[tile] & ~here.whole;
+  here.known = true;
+  known_tiles_.push_back(tile);
+  return here;
+}
+
+void RegionSearch::seedVertex(const Query& query, Index vertex) noexcept {
+  const Index block = blockOf(vertex);
+  const Tile& tile = tileAt(query, blockOf(block));
+  if ((tile.whole & bitOf(block)) != 0) {
+    seedWhole(blockOf(block), bitOf(block));
+  } else if ((tile.rim & bitOf(block)) != 0) {
+    rim_[block].pending |= bitOf(vertex);
+    wake(block);
+  }
+}
+
+/// Some blocks of the tile that lie inside as a whole.
+void RegionSearch::seedWhole(Index tile, std::uint64_t blocks) noexcept {
+  Tile& here = tiles_[tile];
+  const std::uint64_t fresh = blocks & ~here.reached;
+  if (fresh == 0) return;
+  if (here.pending == 0) open_tiles_.push_back(tile);
   here.pending |= fresh;
 }
 
-void RegionSearch::seedVertex(Index vertex) noexcept {
-  seed(blockOf(vertex), bitOf(vertex) & blocks_[blockOf(vertex)].missing());
+void RegionSearch::wake(Index rim_block) noexcept {
+  if (rim_[rim_block].waits) return;
+  rim_[rim_block].waits = true;
+  ring_[tail_++ & (ring_.size() - 1)] = rim_block;
 }
 
-/// Takes the block's seeds and adds what they reach within it; returns what is new.
-std::uint64_t RegionSearch::grow(const Skin& skin, const ContactLanes& contact, Index block) noexcept {
-  Block& here = blocks_[block];
-  if (!here.looked_at) {
-    here.outside = ~(insideMask(contact, skin.restBlock(block)) & skin.block_vertices[block]);
-    here.looked_at = true;
-    visited_.push_back(block);
-  }
-  const std::uint64_t start = here.pending & ~here.outside;
+void RegionSearch::wakeRim(Index tile, std::uint64_t blocks) noexcept {
+  forEachBit(blocks & tiles_[tile].rim, [&](Index bit) { wake(tile * kTileBlocks + bit); });
+}
+
+/// Reaches the pending whole blocks of a tile and those that hang together with them; what is beside them at the rim
+/// is to look for them (besideWholeBlocks).
+void RegionSearch::growTile(const Query& query, Index tile) noexcept {
+  Tile& here = tiles_[tile];
+  const GroupGraph& graph = query.skin.block_graph;
+  const std::uint64_t grown = grownWithin(graph, tile, here.pending, here.whole & ~here.reached);
   here.pending = 0;
-  if (start == 0) return 0;
-  const std::uint64_t grown = reachable(skin, block, start, ~here.outside) & ~here.reached;
   here.reached |= grown;
-  return grown;
+  const std::uint64_t* neighbours = graph.neighbours.data() + std::size_t{tile} * kTileBlocks;
+  forEachBit(here.rim, [&](Index bit) {
+    if ((neighbours[bit] & grown) != 0) wake(tile * kTileBlocks + bit);
+  });
+  for (const GroupLink& link : graph.linksOf(tile)) {
+    const std::uint64_t across = acrossLink(graph, link, grown);
+    if (across == 0) continue;
+    const Tile& other = tileAt(query, link.group);
+    seedWhole(link.group, across & other.whole);
+    wakeRim(link.group, across);
+  }
 }
 
-void RegionSearch::spread(const Skin& skin, Index block, std::uint64_t from) noexcept {
-  for (const BlockLink& link : skin.linksOf(block)) {
-    const std::uint64_t missing = link.to & blocks_[link.block].missing();
-    if (missing != 0) seed(link.block, acrossLink(skin, link, from) & missing);
+/// Reaches what hangs together with the seeds of a block at the rim, and seeds what is beside it.
+void RegionSearch::growBlock(const Query& query, Index block) noexcept {
+  RimBlock& here = rim_[block];
+  here.waits = false;
+  if (!here.looked_into) lookInto(query, block);
+  const std::uint64_t allowed = ~(here.outside | here.reached);
+  const std::uint64_t start = (here.pending | besideWholeBlocks(query, block)) & allowed;
+  here.pending = 0;
+  if (start == 0) return;
+  const std::uint64_t grown = grownWithin(query.skin.vertex_graph, block, start, allowed);
+  here.reached |= grown;
+  spread(query, block, grown);
+}
+
+void RegionSearch::lookInto(const Query& query, Index block) noexcept {
+  RimBlock& here = rim_[block];
+  const std::uint64_t inside = insideMask(query.contact, query.skin.restBlock(block));
+  here.outside = ~(inside & query.skin.vertex_graph.members[block]);
+  here.looked_into = true;
+  looked_into_.push_back(block);
+}
+
+/// The vertices of a block that are joined to a block reached as a whole.
+std::uint64_t RegionSearch::besideWholeBlocks(const Query& query, Index block) const noexcept {
+  std::uint64_t beside = 0;
+  for (const GroupLink& link : query.skin.linksOf(block)) {
+    const bool is_reached = (tiles_[blockOf(link.group)].reached & bitOf(link.group)) != 0;
+    beside |= is_reached ? link.from : 0;
+  }
+  return beside;
+}
+
+void RegionSearch::spread(const Query& query, Index block, std::uint64_t from) noexcept {
+  for (const GroupLink& link : query.skin.linksOf(block)) {
+    if ((from & link.from) == 0) continue;
+    const Tile& tile = tileAt(query, blockOf(link.group));
+    const std::uint64_t bit = bitOf(link.group);
+    if ((tile.whole & bit) != 0) {
+      seedWhole(blockOf(link.group), bit);
+    } else if ((tile.rim & bit) != 0) {
+      RimBlock& other = rim_[link.group];
+      if ((link.to & other.missing()) == 0) continue;
+      const std::uint64_t fresh = acrossLink(query.skin.vertex_graph, link, from) & other.missing();
+      if (fresh == 0) continue;
+      other.pending |= fresh;
+      wake(link.group);
+    }
+  }
+}
+
+void RegionSearch::listFound(const Skin& skin) noexcept {
+  for (const Index tile : known_tiles_) {
+    forEachBit(tiles_[tile].reached, [&](Index bit) {
+      const Index block = tile * kTileBlocks + bit;
+      found_.push_back({block, skin.vertex_graph.members[block]});
+    });
+  }
+  visited_blocks_ = static_cast<Index>(found_.size() + looked_into_.size());
+  for (const Index block : looked_into_) {
+    if (rim_[block].reached != 0) found_.push_back({block, rim_[block].reached});
   }
 }
 
 void RegionSearch::forget() noexcept {
-  for (const Index block : visited_) blocks_[block] = {};
-  visited_.clear();
+  for (const Index tile : known_tiles_) tiles_[tile] = {};
+  for (const Index block : looked_into_) rim_[block] = {};
+  known_tiles_.clear();
+  looked_into_.clear();
   found_.clear();
   head_ = tail_ = 0;
 }

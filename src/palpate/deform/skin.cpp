@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "palpate/base/error.h"
+#include "palpate/deform/block_bounds.h"
 #include "palpate/deform/normals.h"
 
 namespace palpate::deform {
@@ -34,62 +35,20 @@ void storeRestNormals(Skin& skin) {
   }
 }
 
-struct EdgeOut {
-  Index block;
-  CrossEdge edge;
-};
-
-/// Splits the neighbours of a block's vertices into those inside and those in other blocks.
-std::vector<EdgeOut> sortedEdgesOut(Skin& skin, Index block) {
-  std::vector<EdgeOut> out;
-  const Index first = block * kBlockVertices;
-  const Index end = std::min(first + kBlockVertices, skin.vertices);
-  for (Index v = first; v < end; ++v) {
-    for (const Index w : skin.neighbours[v]) {
-      if (blockOf(w) == block) {
-        skin.neighbours_in_block[v] |= bitOf(w);
-      } else {
-        out.push_back({blockOf(w),
-                       {static_cast<std::uint8_t>(v % kBlockVertices), static_cast<std::uint8_t>(w % kBlockVertices)}});
-      }
-    }
+/// Blocks whose vertices can all be reached from one of them without leaving the block.
+std::vector<std::uint64_t> connectedBlocks(const GroupGraph& vertices) {
+  std::vector<std::uint64_t> tiles(blocksFor(vertices.groups), 0);
+  for (Index block = 0; block < vertices.groups; ++block) {
+    const std::uint64_t all = vertices.members[block];
+    if (grownWithin(vertices, block, 1, all) == all) tiles[blockOf(block)] |= bitOf(block);
   }
-  std::stable_sort(out.begin(), out.end(), [](const EdgeOut& a, const EdgeOut& b) { return a.block < b.block; });
-  return out;
+  return tiles;
 }
 
-void appendLinks(const std::vector<EdgeOut>& edges, Skin& skin) {
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    const auto here = static_cast<Index>(skin.cross_edges.size());
-    if (i == 0 || edges[i].block != edges[i - 1].block) skin.links.push_back({edges[i].block, here, here, 0, 0});
-    skin.cross_edges.push_back(edges[i].edge);
-    BlockLink& link = skin.links.back();
-    link.end_edge = here + 1;
-    link.from |= std::uint64_t{1} << edges[i].edge.from;
-    link.to |= std::uint64_t{1} << edges[i].edge.to;
-  }
-}
-
-void appendComponents(Index block, Skin& skin) {
-  const std::uint64_t* neighbours = skin.neighbours_in_block.data() + std::size_t{block} * kBlockVertices;
-  for (std::uint64_t left = skin.block_vertices[block]; left != 0;) {
-    skin.components.push_back(grownWithin(neighbours, left & (~left + 1), left));
-    left &= ~skin.components.back();
-  }
-  skin.first_component.push_back(static_cast<Index>(skin.components.size()));
-}
-
-void linkBlocks(Skin& skin) {
-  skin.neighbours_in_block.assign(std::size_t{skin.blocks} * kBlockVertices, 0);
-  skin.first_link.push_back(0);
-  skin.first_component.push_back(0);
-  for (Index block = 0; block < skin.blocks; ++block) {
-    appendLinks(sortedEdgesOut(skin, block), skin);
-    skin.first_link.push_back(static_cast<Index>(skin.links.size()));
-    const Index count = std::min(kBlockVertices, skin.vertices - block * kBlockVertices);
-    skin.block_vertices.push_back(~std::uint64_t{0} >> (kBlockVertices - count));
-    appendComponents(block, skin);
-  }
+void joinBlocks(Skin& skin) {
+  skin.vertex_graph = groupGraph(skin.neighbours);
+  skin.block_graph = groupGraph(neighboursOfGroups(skin.vertex_graph));
+  skin.connected_blocks = connectedBlocks(skin.vertex_graph);
 }
 
 }  // namespace
@@ -104,7 +63,8 @@ Skin buildSkin(const mesh::TriangleMesh& mesh) {
   skin.neighbours = mesh::neighboursOfVertices(mesh, skin.triangles_of_vertex);
   storeRestPositions(mesh, skin);
   storeRestNormals(skin);
-  linkBlocks(skin);
+  joinBlocks(skin);
+  skin.bounds = boundsOfBlocks(skin);
   return skin;
 }
 

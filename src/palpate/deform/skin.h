@@ -1,33 +1,15 @@
 // The skin at rest, laid out for deformation: immutable, built once, shared by any number of threads.
 //
-// Holds the rest shape as arrays of floats in blocks of 64 consecutive vertices, and who is joined to whom in three
-// forms: per vertex the neighbours within its block (one word), per block the edges to other blocks, and plain
-// adjacency for strain and recomputed normals. Sort the mesh spatially before (mesh/reorder.h): any order gives the
-// same surface, a bad one makes the blocks wide and the work slow.
+// Holds the rest shape as arrays of floats in blocks of 64 consecutive vertices and tiles of 64 consecutive blocks,
+// with a box around each block; and who is joined to whom in three forms: vertices in blocks and blocks in tiles for
+// the search of a region, and plain adjacency for strain and recomputed normals. Sort the mesh spatially before
+// (mesh/reorder.h): any order gives the same surface, a bad one makes the blocks wide and the work slow.
 #pragma once
 
-#include <span>
-
-#include "palpate/deform/blocks.h"
 #include "palpate/deform/float_streams.h"
-#include "palpate/mesh/topology.h"
+#include "palpate/deform/group_graph.h"
 
 namespace palpate::deform {
-
-/// An edge between two blocks: vertex `from` of this block, vertex `to` of the other (both within their block).
-struct CrossEdge {
-  std::uint8_t from;
-  std::uint8_t to;
-};
-
-/// All edges from one block to one other.
-struct BlockLink {
-  Index block;
-  Index first_edge;  ///< in Skin::cross_edges
-  Index end_edge;
-  std::uint64_t from;  ///< vertices of this block that have such an edge
-  std::uint64_t to;    ///< vertices of the other block that they reach
-};
 
 struct Skin {
   Index vertices = 0;
@@ -37,19 +19,16 @@ struct Skin {
   mesh::IndexRows neighbours;
   mesh::IndexRows triangles_of_vertex;
 
-  std::vector<std::uint64_t> neighbours_in_block;  ///< per vertex
-  std::vector<std::uint64_t> block_vertices;       ///< per block: which of the 64 exist
-  std::vector<Index> first_component;              ///< per block, blocks + 1 entries
-  std::vector<std::uint64_t> components;           ///< per block: its vertices by what hangs together within it
-  std::vector<Index> first_link;                   ///< per block, blocks + 1 entries
-  std::vector<BlockLink> links;
-  std::vector<CrossEdge> cross_edges;
+  GroupGraph vertex_graph;                      ///< vertices in blocks
+  GroupGraph block_graph;                       ///< blocks in tiles
+  std::vector<std::uint64_t> connected_blocks;  ///< per tile: blocks whose vertices all hang together within the block
+  FloatStreams bounds;                          ///< boxes of the blocks (block_bounds.h)
 
-  std::span<const BlockLink> linksOf(Index block) const {
-    return {links.data() + first_link[block], links.data() + first_link[block + 1]};
-  }
-  std::span<const std::uint64_t> componentsOf(Index block) const {
-    return {components.data() + first_component[block], components.data() + first_component[block + 1]};
+  std::span<const GroupLink> linksOf(Index block) const { return vertex_graph.linksOf(block); }
+  TileBounds tileBounds(Index tile) const {
+    TileBounds tile_bounds{};
+    for (std::size_t i = 0; i < 12; ++i) tile_bounds.values[i] = bounds[i] + std::size_t{tile} * kTileBlocks;
+    return tile_bounds;
   }
   RestBlock restBlock(Index block) const {
     const std::size_t first = std::size_t{block} * kBlockVertices;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "palpate/deform/kernels.h"
+
 namespace palpate::deform {
 
 namespace {
@@ -44,15 +46,8 @@ void DeformedSurface::setDisplacement(Index v, const Skin& skin, const Vec3f& di
 void DeformedSurface::setStrain(Index v, float strain) { streams_[kStrain][v] = strain; }
 
 void DeformedSurface::restore(const Skin& skin, Index block) {
-  const RestBlock rest = skin.restBlock(block);
-  for (int i = 0; i < kStreams; ++i) {
-    float* out = streams_[i] + std::size_t{block} * kBlockVertices;
-    if (i < kRestStreams) {
-      std::copy_n(rest.values[i], kBlockVertices, out);
-    } else {
-      std::fill_n(out, kBlockVertices, 0.0f);
-    }
-  }
+  restoreBlocks(1, skin.restBlock(block), this->block(block));
+  std::fill_n(streams_[kStrain] + std::size_t{block} * kBlockVertices, kBlockVertices, 0.0f);
 }
 
 void DeformedSurface::listChange(Index block) {
