@@ -208,7 +208,7 @@ Figure meansFigure(const Results& results) {
 const char* nameOf(maps::ForceDirection force) { return force == maps::ForceDirection::up ? "up" : "down"; }
 
 StudyTable meansTable(const std::vector<PointMeans>& all) {
-  StudyTable table{"directions_means", "Mean direction of the subjects at every point (degree):", {}};
+  StudyTable table{"directions_points", "Mean direction of the subjects at every point (degree):", {}};
   table.table.headings = {"dragged",
                           "point",
                           "numbers (printed)",

@@ -34,14 +34,6 @@ std::vector<std::string> cellsOf(const ErratumEffect& effect) {
           fmt::format("{}", effect.text.ours)};
 }
 
-TextTable tableOf(const std::vector<ErratumEffect>& effects) {
-  TextTable table{{"erratum", "force N", "proxy mm", "lost ticks", "missed %", "skin mm", "rms mm", "strain %",
-                   "moved x", "other reading", "what the engine does"},
-                  {}};
-  for (const ErratumEffect& effect : effects) table.rows.push_back(cellsOf(effect));
-  return table;
-}
-
 nlohmann::ordered_json objectOf(const ErratumEffect& effect) {
   nlohmann::ordered_json json = {
       {"erratum", nameOf(effect)}, {"printed", effect.text.printed}, {"ours", effect.text.ours}};
@@ -69,6 +61,16 @@ constexpr const char* kLegend =
     "the triangles in the detecting box that the leaves found lack.\n";
 
 }  // namespace
+
+TextTable tableOf(const std::vector<ErratumEffect>& effects) {
+  TextTable table{{"erratum", "force N", "proxy mm", "lost ticks", "missed %", "skin mm", "rms mm", "strain %",
+                   "moved x", "other reading", "what the engine does"},
+                  {}};
+  for (const ErratumEffect& effect : effects) table.rows.push_back(cellsOf(effect));
+  return table;
+}
+
+std::string errataLegend() { return kLegend; }
 
 std::string errataText(const std::vector<ErratumEffect>& effects) {
   return plainText(tableOf(effects)) + "\n" + kLegend;

@@ -6,8 +6,14 @@
 #include <vector>
 
 #include "study/errata_study.h"
+#include "study/text_table.h"
 
 namespace palpate::study {
+
+/// A row an erratum, as all reports show it.
+TextTable tableOf(const std::vector<ErratumEffect>& effects);
+/// What its columns mean.
+std::string errataLegend();
 
 std::string errataText(const std::vector<ErratumEffect>& effects);
 /// One object: "errata", a list with one object each; "all_literal", the effect of every switch together.

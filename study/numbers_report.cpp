@@ -53,7 +53,7 @@ nlohmann::ordered_json listOf(const std::vector<NumberRow>& rows, bool deciding)
   return list;
 }
 
-TextTable tableOf(const std::vector<NumberRow>& rows, const std::function<bool(const NumberRow&)>& wanted) {
+TextTable tableWhere(const std::vector<NumberRow>& rows, const std::function<bool(const NumberRow&)>& wanted) {
   TextTable table{{"where", "number", "printed", "ours", "verdict", "how or why"}, {}};
   for (const NumberRow& row : rows) {
     if (wanted(row)) table.rows.push_back(cellsOf(row));
@@ -61,18 +61,18 @@ TextTable tableOf(const std::vector<NumberRow>& rows, const std::function<bool(c
   return table;
 }
 
-TextTable tableOf(const std::vector<NumberRow>& rows) {
-  return tableOf(rows, [](const NumberRow&) { return true; });
-}
-
-std::string markdownTable(const std::vector<NumberRow>& rows, bool deciding) {
-  return markdownOf(tableOf(rows, [=](const NumberRow& row) { return decides(row.verdict) == deciding; }));
+TextTable wholeTable(const std::vector<NumberRow>& rows) {
+  return tableWhere(rows, [](const NumberRow&) { return true; });
 }
 
 }  // namespace
 
+TextTable tableOf(const std::vector<NumberRow>& rows, bool deciding) {
+  return tableWhere(rows, [=](const NumberRow& row) { return decides(row.verdict) == deciding; });
+}
+
 std::string textOf(const std::vector<NumberRow>& rows) {
-  return plainText(tableOf(rows)) + "\n" + closingLine(rows) + "\n";
+  return plainText(wholeTable(rows)) + "\n" + closingLine(rows) + "\n";
 }
 
 std::string jsonOf(const std::vector<NumberRow>& rows) {
@@ -87,9 +87,9 @@ std::string jsonOf(const std::vector<NumberRow>& rows) {
 
 std::string markdownOf(const std::vector<NumberRow>& rows) {
   return "# The dissertation's numbers beside ours\n\n" + closingLine(rows) +
-         ".\n\n## Numbers that can be computed\n\n" + markdownTable(rows, true) +
+         ".\n\n## Numbers that can be computed\n\n" + markdownOf(tableOf(rows, true)) +
          "\n## Statements that contradict themselves, and numbers that nobody can compute today\n\n" +
-         markdownTable(rows, false);
+         markdownOf(tableOf(rows, false));
 }
 
 std::string csvOf(const std::vector<NumberRow>& rows) {

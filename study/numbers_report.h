@@ -6,8 +6,12 @@
 #include <vector>
 
 #include "study/number_row.h"
+#include "study/text_table.h"
 
 namespace palpate::study {
+
+/// The rows whose verdicts decide whether the study holds, or the others.
+TextTable tableOf(const std::vector<NumberRow>& rows, bool deciding);
 
 /// A table for the terminal and a closing line with the counts.
 std::string textOf(const std::vector<NumberRow>& rows);

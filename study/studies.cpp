@@ -37,7 +37,9 @@ StudyPage runStudy(const Study& study, const StudySettings& settings) {
   page.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   page.name = study.name;
   page.machine = bench::lineOf(bench::thisMachine());
-  page.command = fmt::format("palpate study {}{} --out DIR", study.name, settings.quick ? " --quick" : "");
+  if (page.command.empty()) {
+    page.command = fmt::format("palpate study {}{} --out DIR", study.name, settings.quick ? " --quick" : "");
+  }
   return page;
 }
 

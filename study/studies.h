@@ -1,6 +1,7 @@
 // The studies that write a page each: their names, and how they are run.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,13 +13,13 @@ namespace palpate::study {
 struct Study {
   std::string name;  ///< of the subcommand
   std::string what;  ///< its help, one line
-  StudyPage (*run)(const StudySettings& settings) = nullptr;
+  std::function<StudyPage(const StudySettings& settings)> run;
 };
 
 /// In the order of a report.
 const std::vector<Study>& studies();
 
-/// Runs it and completes the page: name, command, machine, seconds.
+/// Runs it and completes the page: name, command (where it names none), machine, seconds.
 StudyPage runStudy(const Study& study, const StudySettings& settings);
 
 }  // namespace palpate::study

@@ -39,7 +39,8 @@ std::string paragraphs(const std::vector<std::string>& texts, std::string_view b
 }
 
 std::string figureMarkdown(const StudyFigure& figure) {
-  return fmt::format("![{0}]({1}.png)\n\n*{0}* [SVG]({1}.svg), [CSV]({1}.csv)\n\n", figure.caption, figure.stem);
+  const std::string data = csvOf(figure.figure).empty() ? "" : fmt::format(", [CSV]({}.csv)", figure.stem);
+  return fmt::format("![{0}]({1}.png)\n\n*{0}* [SVG]({1}.svg){2}\n\n", figure.caption, figure.stem, data);
 }
 
 std::string tableMarkdown(const StudyTable& table) {
@@ -92,7 +93,8 @@ void writePage(const StudyPage& page, const std::filesystem::path& folder, const
     report(progress, "drawing " + figure.stem, 0.0);
     figures::writePng(figure.figure, folder / (figure.stem + ".png"));
     figures::writeSvg(figure.figure, folder / (figure.stem + ".svg"));
-    writeFile(folder / (figure.stem + ".csv"), csvOf(figure.figure));
+    const std::string data = csvOf(figure.figure);  // a surface alone has none
+    if (!data.empty()) writeFile(folder / (figure.stem + ".csv"), data);
   }
   for (const StudyTable& table : page.tables) writeFile(folder / (table.stem + ".csv"), csvOf(table.table));
   writeFile(folder / (page.name + ".md"), markdownOf(page));

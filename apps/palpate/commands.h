@@ -21,6 +21,8 @@ void addRepairCommand(CLI::App& app);
 void addStudyCommand(CLI::App& app);
 // `parent` is the study command.
 void addStudyPages(CLI::App& parent);
+/// `palpate study all`.
+void addStudyAll(CLI::App& parent);
 void addRunCommand(CLI::App& app);
 
 }  // namespace palpate::app

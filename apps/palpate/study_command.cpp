@@ -119,6 +119,7 @@ void addStudyCommand(CLI::App& app) {
   addFigures(study);
   addErrata(study);
   addStudyPages(study);
+  addStudyAll(study);
 }
 
 }  // namespace palpate::app
