@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "bench/allocation_count.h"
+#include "bench/literal/deformation.h"
 #include "bench/workload_meshes.h"
+#include "palpate/base/hash.h"
 #include "palpate/deform/form_deformer.h"
 #include "palpate/mesh/reorder.h"
 
@@ -25,6 +27,12 @@ constexpr int kPlaces = 16;
 constexpr double kWanderMm = 10.0;
 constexpr double kMiddleX = 175.0;
 constexpr double kMiddleY = 200.0;
+/// Between neighbouring fingers: regions of the default size overlap, the fingers do not touch.
+constexpr double kFingersApartMm = 40.0;
+/// The literal deformation takes a thousand times as long as a frame may: every fourth place must do.
+constexpr int kLiteralStride = 4;
+/// Of applies whose time is kept for the percentiles.
+constexpr std::size_t kMostSamples = 100000;
 
 Index triangleAt(const mesh::TriangleMesh& mesh, double x, double y) {
   Index best = 0;
@@ -54,32 +62,88 @@ deform::Contact contactAt(const mesh::TriangleMesh& mesh, Index triangle, const 
   return contact;
 }
 
-std::vector<deform::Contact> wanderingContacts(const mesh::TriangleMesh& mesh, const DeformRun& run) {
-  std::vector<deform::Contact> contacts;
+using Contacts = std::vector<deform::Contact>;
+
+/// For each place of a round its fingers.
+std::vector<Contacts> wanderingContacts(const mesh::TriangleMesh& mesh, const DeformRun& run) {
+  std::vector<Contacts> places;
   for (int i = 0; i < kPlaces; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / kPlaces;
-    const double x = kMiddleX + kWanderMm * std::cos(angle);
-    const double y = kMiddleY + kWanderMm * std::sin(angle);
-    contacts.push_back(contactAt(mesh, triangleAt(mesh, x, y), run));
+    Contacts& contacts = places.emplace_back();
+    for (int finger = 0; finger < run.fingers; ++finger) {
+      const double beside = kFingersApartMm * (finger - 0.5 * (run.fingers - 1));
+      const double x = kMiddleX + kWanderMm * std::cos(angle) + beside;
+      const double y = kMiddleY + kWanderMm * std::sin(angle);
+      contacts.push_back(contactAt(mesh, triangleAt(mesh, x, y), run));
+    }
   }
-  return contacts;
+  return places;
 }
 
-/// Calls `step(place)` for each of at most kPlaces places, round after round for `seconds`; the sum of each place's
-/// shortest time in ns.
+literal::Touch touchOf(const deform::Contact& contact) {
+  const maps::SurfaceEllipse& ellipse = contact.normal_region;
+  const auto triangle = static_cast<int>(contact.anchor_triangle);
+  return {contact.anchor,  triangle,           contact.normal, contact.depth_mm,
+          contact.drag_mm, ellipse.half_major, ellipse.aspect};
+}
+
+/// The times of a step at each place: the shortest, in ns, and all of them as far as there is room, in us.
+struct Timings {
+  std::array<double, kPlaces> best_ns;  // on the stack: allocations are being counted
+  std::vector<double> all_us;
+  explicit Timings(std::size_t room) {
+    best_ns.fill(1e300);
+    all_us.reserve(room);
+  }
+  void note(std::size_t place, double ns) {
+    best_ns[place] = std::min(best_ns[place], ns);
+    if (all_us.size() < all_us.capacity()) all_us.push_back(1e-3 * ns);
+  }
+  /// Of one round.
+  double bestRoundNs(std::size_t places) const {
+    return std::accumulate(best_ns.begin(), best_ns.begin() + static_cast<std::ptrdiff_t>(places), 0.0);
+  }
+};
+
+/// Calls `step(place)` for each of at most kPlaces places, round after round for `seconds`, at least once.
 template <class Step>
-double bestOf(std::size_t places, double seconds, const Step& step) {
-  std::array<double, kPlaces> best;  // on the stack: allocations are being counted
-  best.fill(1e300);
+void repeat(std::size_t places, double seconds, Timings& timings, const Step& step) {
   const auto end = Clock::now() + std::chrono::duration<double>(seconds);
   do {
     for (std::size_t i = 0; i < places; ++i) {
       const auto start = Clock::now();
       step(i);
-      best[i] = std::min(best[i], std::chrono::duration<double, std::nano>(Clock::now() - start).count());
+      timings.note(i, std::chrono::duration<double, std::nano>(Clock::now() - start).count());
     }
   } while (Clock::now() < end);
-  return std::accumulate(best.begin(), best.begin() + static_cast<std::ptrdiff_t>(places), 0.0);
+}
+
+ApplyFigures figuresOf(Timings timings, std::size_t places, double moved) {
+  ApplyFigures figures;
+  const double round_ns = timings.bestRoundNs(places);
+  figures.vertices = moved / static_cast<double>(places);
+  figures.ns_per_vertex = round_ns / moved;
+  figures.us_per_frame = 1e-3 * round_ns / static_cast<double>(places);
+  figures.apply_us = percentilesOf(std::move(timings.all_us));
+  return figures;
+}
+
+std::uint64_t hashOf(const deform::DeformedSurface& surface) {
+  Hash hash;
+  for (Index v = 0; v < surface.vertices(); ++v) {
+    hash.add(Vec3(surface.positionAt(v).cast<double>()));
+    hash.add(Vec3(surface.normalAt(v).cast<double>()));
+  }
+  return hash.value();
+}
+
+std::uint64_t hashOf(const literal::Mesh& mesh) {
+  Hash hash;
+  for (const literal::Vertex& vertex : mesh.vertices) {
+    hash.add(vertex.position);
+    hash.add(vertex.normal);
+  }
+  return hash.value();
 }
 
 deform::FormSettings formsOf(const DeformRun& run) {
@@ -93,13 +157,79 @@ deform::FormSettings formsOf(const DeformRun& run) {
 
 double copyFloor(std::size_t vertices, double seconds) {
   deform::FloatStreams streams(6, vertices, 0);
-  const double best = bestOf(1, seconds, [&](std::size_t) {
+  Timings timings(0);
+  repeat(1, seconds, timings, [&](std::size_t) {
     for (std::size_t stream = 0; stream < 6; ++stream) {
       float* values = streams[stream];
       for (std::size_t v = 0; v < vertices; ++v) values[v] += 1.0f;
     }
   });
-  return best / static_cast<double>(vertices);
+  return timings.best_ns[0] / static_cast<double>(vertices);
+}
+
+/// The engine's deformer for this run, fast or general.
+class Engine {
+ public:
+  Engine(const deform::Skin& skin, const deform::FormSettings& forms, bool general) : surface_(skin) {
+    if (general || deform::needsForms(forms)) {
+      general_.emplace(skin, forms);
+    } else {
+      fast_.emplace(skin, forms.common);
+    }
+  }
+  Index apply(const Contacts& contacts) {
+    return (fast_ ? fast_->apply(contacts, surface_) : general_->apply(contacts, surface_)).moved_vertices;
+  }
+  const deform::DeformedSurface& surface() const { return surface_; }
+
+ private:
+  std::optional<deform::Deformer> fast_;
+  std::optional<deform::FormDeformer> general_;
+  deform::DeformedSurface surface_;
+};
+
+void timeEngine(const deform::Skin& skin, const std::vector<Contacts>& places, const DeformRun& run,
+                DeformFigures& figures) {
+  Engine engine(skin, formsOf(run), run.general);
+  double moved = 0.0;
+  for (const Contacts& contacts : places) moved += engine.apply(contacts);
+  Timings timings(kMostSamples);
+  const auto before = allocationsOfThisThread();
+  repeat(kPlaces, run.seconds, timings, [&](std::size_t place) { engine.apply(places[place]); });
+  if (before) figures.allocations = *allocationsOfThisThread() - *before;
+  figures.ours = figuresOf(std::move(timings), kPlaces, moved);
+  engine.apply(places[0]);
+  figures.ours.hash = hashOf(engine.surface());
+}
+
+double searchNs(const deform::Skin& skin, const std::vector<Contacts>& places, const DeformRun& run) {
+  deform::RegionSearch search(skin);
+  const deform::TissueSettings tissue = formsOf(run).common.tissue;
+  Timings timings(0);
+  repeat(kPlaces, run.seconds / 2, timings, [&](std::size_t place) {
+    for (const deform::Contact& contact : places[place]) {
+      const auto lanes = deform::lanesOf(deform::frameOf(contact, tissue), 0.0, Vec3::Zero());
+      search.find(skin, lanes, skin.triangles[contact.anchor_triangle]);
+    }
+  });
+  return timings.bestRoundNs(kPlaces);
+}
+
+ApplyFigures timeLiteral(const mesh::TriangleMesh& mesh, const std::vector<Contacts>& places, double seconds) {
+  literal::Deformation deformation(mesh);
+  std::vector<std::vector<literal::Touch>> touches;
+  for (std::size_t i = 0; i < places.size(); i += kLiteralStride) {
+    std::transform(places[i].begin(), places[i].end(), std::back_inserter(touches.emplace_back()), touchOf);
+  }
+  Timings timings(kMostSamples);
+  std::array<double, kPlaces> moved{};
+  repeat(touches.size(), seconds, timings,
+         [&](std::size_t place) { moved[place] = deformation.apply(touches[place]); });
+  const double moved_in_all = std::accumulate(moved.begin(), moved.end(), 0.0);
+  ApplyFigures figures = figuresOf(std::move(timings), touches.size(), moved_in_all);
+  deformation.apply(touches[0]);
+  figures.hash = hashOf(deformation.mesh());
+  return figures;
 }
 
 }  // namespace
@@ -107,39 +237,18 @@ double copyFloor(std::size_t vertices, double seconds) {
 DeformFigures measureDeform(const DeformRun& run) {
   mesh::TriangleMesh mesh = backMesh(run.triangles);
   mesh::reorderSpatially(mesh);
-  const auto contacts = wanderingContacts(mesh, run);
+  const auto places = wanderingContacts(mesh, run);
   const deform::Skin skin = deform::buildSkin(mesh);
-  const deform::FormSettings forms = formsOf(run);
-  std::optional<deform::Deformer> fast;
-  std::optional<deform::FormDeformer> general;
-  if (run.general || deform::needsForms(forms)) {
-    general.emplace(skin, forms);
-  } else {
-    fast.emplace(skin, forms.common);
-  }
-  deform::DeformedSurface surface(skin);
-
-  const auto apply = [&](const deform::Contact& contact) {
-    return fast ? fast->apply({&contact, 1}, surface) : general->apply({&contact, 1}, surface);
-  };
-  double moved = 0.0;
-  for (const deform::Contact& contact : contacts) moved += apply(contact).moved_vertices;
-  const auto allocations_before = allocationsOfThisThread();
-  const double applied = bestOf(kPlaces, run.seconds, [&](std::size_t place) { apply(contacts[place]); });
   DeformFigures figures;
-  if (allocations_before) figures.allocations = *allocationsOfThisThread() - *allocations_before;
-
-  deform::RegionSearch search(skin);
-  const double searched = bestOf(kPlaces, run.seconds / 2, [&](std::size_t place) {
-    const auto lanes = deform::lanesOf(deform::frameOf(contacts[place], forms.common.tissue), 0.0, Vec3::Zero());
-    search.find(skin, lanes, skin.triangles[contacts[place].anchor_triangle]);
-  });
   figures.triangles = mesh.triangles.size();
-  figures.vertices = moved / kPlaces;
-  figures.ns_per_vertex = applied / moved;
-  figures.region_ns_per_vertex = searched / moved;
-  figures.copy_floor_ns_per_vertex = copyFloor(static_cast<std::size_t>(figures.vertices) + 1, run.seconds / 4);
-  figures.ratio_to_copy_floor = figures.ns_per_vertex / figures.copy_floor_ns_per_vertex;
+  timeEngine(skin, places, run, figures);
+  const double moved = figures.ours.vertices;
+  figures.region_ns_per_vertex = searchNs(skin, places, run) / (kPlaces * moved);
+  figures.copy_floor_ns_per_vertex = copyFloor(static_cast<std::size_t>(moved) + 1, run.seconds / 4);
+  figures.ratio_to_copy_floor = figures.ours.ns_per_vertex / figures.copy_floor_ns_per_vertex;
+  if (!run.literal) return figures;
+  figures.literal = timeLiteral(mesh, places, run.seconds);
+  figures.speedup_over_literal = figures.literal->ns_per_vertex / figures.ours.ns_per_vertex;
   return figures;
 }
 
