@@ -57,25 +57,25 @@ void Deformation::restoreMoved() {
 /// SearchNodesInEllipse of section 4.5. "A new vertices list containing all the vertices is created, any vertex has
 /// been assigned to the ring should be marked."
 void Deformation::searchNodesInEllipse(const Touch& touch) {
-  std::vector<char> marked(mesh_.vertices.size(), 0);
+  marked_.assign(mesh_.vertices.size(), 0);
   std::list<Ring> rings(1);
   for (const int corner : mesh_.triangles[static_cast<std::size_t>(touch.anchor_triangle)].corners) {
-    marked[static_cast<std::size_t>(corner)] = 1;
+    marked_[static_cast<std::size_t>(corner)] = 1;
     rings.back().push_back(corner);
   }
   while (true) {
     bool any_inside = false;
     for (const int node : rings.back()) any_inside = deformNode(node, touch) || any_inside;
     if (!any_inside) return;
-    rings.push_back(nextRing(rings.back(), marked));
+    rings.push_back(nextRing(rings.back()));
   }
 }
 
-Deformation::Ring Deformation::nextRing(const Ring& ring, std::vector<char>& marked) const {
+Deformation::Ring Deformation::nextRing(const Ring& ring) {
   Ring next;
   for (const int node : ring) {
     for (const int neighbour : mesh_.vertices[static_cast<std::size_t>(node)].joint_vertices) {
-      char& mark = marked[static_cast<std::size_t>(neighbour)];
+      char& mark = marked_[static_cast<std::size_t>(neighbour)];
       if (mark != 0) continue;
       mark = 1;
       next.push_back(neighbour);
@@ -98,29 +98,29 @@ bool Deformation::deformNode(int node, const Touch& touch) {
 /// "If any triangle is changed, the normals of its vertices should be recalculated. A changed triangle list is created
 /// dynamically to handle the normal recalculation."
 void Deformation::recalculateNormals() {
-  std::vector<char> listed(mesh_.triangles.size(), 0);
+  listed_.assign(mesh_.triangles.size(), 0);
   std::list<int> changed;
-  listTrianglesOf(restored_, listed, changed);
-  listTrianglesOf(moved_, listed, changed);
+  listTrianglesOf(restored_, changed);
+  listTrianglesOf(moved_, changed);
   for (const int t : changed) {
     Triangle& triangle = mesh_.triangles[static_cast<std::size_t>(t)];
     triangle.normal = triangleNormal(mesh_, triangle);
   }
-  std::vector<char> done(mesh_.vertices.size(), 0);
+  marked_.assign(mesh_.vertices.size(), 0);
   for (const int t : changed) {
     for (const int corner : mesh_.triangles[static_cast<std::size_t>(t)].corners) {
-      if (done[static_cast<std::size_t>(corner)] != 0) continue;
-      done[static_cast<std::size_t>(corner)] = 1;
+      char& is_done = marked_[static_cast<std::size_t>(corner)];
+      if (is_done != 0) continue;
+      is_done = 1;
       vertex(corner).normal = averagedNormal(mesh_, vertex(corner));
     }
   }
 }
 
-void Deformation::listTrianglesOf(const std::list<int>& nodes, std::vector<char>& listed,
-                                  std::list<int>& changed) const {
+void Deformation::listTrianglesOf(const std::list<int>& nodes, std::list<int>& changed) {
   for (const int node : nodes) {
     for (const int t : mesh_.vertices[static_cast<std::size_t>(node)].joint_triangles) {
-      char& is_listed = listed[static_cast<std::size_t>(t)];
+      char& is_listed = listed_[static_cast<std::size_t>(t)];
       if (is_listed == 0) changed.push_back(t);
       is_listed = 1;
     }

@@ -40,10 +40,10 @@ class Deformation {
 
   void restoreMoved();
   void searchNodesInEllipse(const Touch& touch);
-  Ring nextRing(const Ring& ring, std::vector<char>& marked) const;
+  Ring nextRing(const Ring& ring);
   bool deformNode(int node, const Touch& touch);
   void recalculateNormals();
-  void listTrianglesOf(const std::list<int>& nodes, std::vector<char>& listed, std::list<int>& changed) const;
+  void listTrianglesOf(const std::list<int>& nodes, std::list<int>& changed);
   Vertex& vertex(int v) { return mesh_.vertices[static_cast<std::size_t>(v)]; }
   const Vec3& rest(int v) const { return rest_[static_cast<std::size_t>(v)]; }
 
@@ -51,6 +51,8 @@ class Deformation {
   std::vector<Vec3> rest_;  // the haptic surface, which does not
   std::array<double, 700> curve_{};
   std::list<int> moved_, restored_;
+  std::vector<char> marked_;  // per vertex
+  std::vector<char> listed_;  // per triangle
 };
 
 }  // namespace palpate::bench::literal

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <cmath>
 #include <vector>
 
 #include "palpate/base/random.h"
@@ -86,6 +87,37 @@ TEST(SolveDrags, PullingTheSamePointApartStaysBounded) {
   std::vector<Vec3> shifts(2);
   solveDrags({g, 2}, drags, 20.0, shifts);
   for (const Vec3& shift : shifts) EXPECT_LE(shift.norm(), 20.0 + 1e-12);
+}
+
+// Two fingers in one ellipse of 150 mm that drag the skin apart: nowhere on the line through both does it move farther
+// than a finger asks, nor shear more than both fingers would alone.
+TEST(SolveDrags, SkinNeverShearsMoreThanTheFingersAsk) {
+  constexpr double kRadius = 150.0;
+  constexpr double kDrag = 6.0;
+  const auto profile = [](double x, double centre) { return tissue::profile(std::abs(x - centre) / kRadius); };
+  for (const double apart : {2.0, 10.0, 40.0, 100.0}) {
+    const double g = profile(apart, 0.0);
+    const std::vector<double> coupling{1.0, g, g, 1.0};
+    const std::vector<Vec3> drags{{0, kDrag, 0}, {0, -kDrag, 0}};
+    std::vector<Vec3> shifts(2);
+    solveDrags({coupling, 2}, drags, 20.0, shifts);
+    const auto moved = [&](double x) { return shifts[0].y() * profile(x, 0.0) + shifts[1].y() * profile(x, apart); };
+    for (double x = -200.0; x < 300.0; x += 1.0) {
+      const double alone =
+          std::abs(profile(x + 1, 0.0) - profile(x, 0.0)) + std::abs(profile(x + 1, apart) - profile(x, apart));
+      EXPECT_LE(std::abs(moved(x)), kDrag + 1e-9) << apart;
+      EXPECT_LE(std::abs(moved(x + 1) - moved(x)), kDrag * alone + 1e-9) << apart;
+    }
+  }
+}
+
+TEST(SolveDrags, AFingerThatHoldsTheSkinHoldsItAgainstAnothersDrag) {
+  const std::vector<double> g{1.0, 0.9, 0.9, 1.0};
+  const std::vector<Vec3> drags{{6, 0, 0}, {0, 0, 0}};
+  std::vector<Vec3> shifts(2);
+  solveDrags({g, 2}, drags, 20.0, shifts);
+  EXPECT_LT((0.9 * shifts[0] + shifts[1]).norm(), 1e-9);
+  EXPECT_GT((shifts[0] + 0.9 * shifts[1]).x(), 1.0);
 }
 
 }  // namespace palpate::deform

@@ -34,6 +34,9 @@ void solveDepths(const Coupling& coupling, std::span<const double> depths_mm,
 
 void solveDrags(const Coupling& coupling, std::span<const Vec3> drags_mm, double cap_mm,
                 std::span<Vec3> shifts_mm) noexcept {
+  double longest = 0.0;
+  for (const Vec3& drag : drags_mm) longest = std::max(longest, drag.norm());
+  const double bound = std::min(cap_mm, longest);
   std::fill(shifts_mm.begin(), shifts_mm.end(), Vec3::Zero());
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     double change = 0.0;
@@ -42,7 +45,7 @@ void solveDrags(const Coupling& coupling, std::span<const Vec3> drags_mm, double
       for (std::size_t j = 0; j < coupling.size(); ++j) {
         if (j != i) missing -= coupling(i, j) * shifts_mm[j];
       }
-      missing = cappedLength(missing, cap_mm);
+      missing = cappedLength(missing, bound);
       change = std::max(change, (missing - shifts_mm[i]).norm());
       shifts_mm[i] = missing;
     }

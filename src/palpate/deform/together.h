@@ -29,8 +29,9 @@ class Coupling {
 /// about a hundredth of their radius may be left up to 0.01 mm short.
 void solveDepths(const Coupling& coupling, std::span<const double> depths_mm, std::span<double> amplitudes_mm) noexcept;
 
-/// The same for drags: shift vectors, each no longer than the cap (two fingers that pull nearly the same skin apart
-/// cannot both have their way).
+/// The same for drags: shift vectors, none longer than the cap or the longest drag. Without the latter two fingers that
+/// pull nearly the same skin apart would get large opposite shifts, and the skin beside them would move and shear more
+/// than any finger asks for; with it they get as much of their way as drags of that length can give.
 void solveDrags(const Coupling& coupling, std::span<const Vec3> drags_mm, double cap_mm,
                 std::span<Vec3> shifts_mm) noexcept;
 
