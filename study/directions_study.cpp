@@ -280,7 +280,8 @@ std::vector<std::string> findingsOf(const Results& results) {
           results.direction.error_deg[0][0], results.direction.error_deg[2][0]),
       fmt::format(
           "Where the radii themselves are measured badly (by {:.0f} %), ellipses that come out nearly round point "
-          "anywhere. The tensor gives them hardly a voice: its error is {:.0f} degree, that of the double angle "
+          "anywhere. The tensor gives them hardly a voice, which helps a little: its error is {:.0f} degree, that of "
+          "the double angle "
           "{:.0f}, that of the numbers {:.0f}.",
           100.0 * results.noise.x[last], results.noise.error_deg[2][last], results.noise.error_deg[1][last],
           results.noise.error_deg[0][last])};

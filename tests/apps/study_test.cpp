@@ -40,9 +40,24 @@ TEST(StudyCommand, DrawsTheFiguresThatAreAskedFor) {
   EXPECT_NE(study("figures --list", folder.path()).out.find("5.11"), std::string::npos);
 }
 
+TEST(StudyCommand, APageGoesIntoTheFolderAndItsNumbersToPrograms) {
+  const support::TemporaryFolder folder;
+  const auto run = study("complexity --quick --json --out page", folder.path());
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const auto json = nlohmann::json::parse(run.out);
+  EXPECT_EQ(json.at("study"), "complexity");
+  EXPECT_LE(json.at("numbers").at("ways_over_bound_max").get<double>(), 1.0);
+  EXPECT_FALSE(json.at("machine").get<std::string>().empty());
+  for (const auto& figure : json.at("figures")) {
+    EXPECT_TRUE(fs::exists(folder.path() / "page" / figure.get<std::string>())) << figure;
+  }
+  EXPECT_TRUE(fs::exists(folder.path() / "page/complexity.md"));
+}
+
 TEST(StudyCommand, WrongUseIsOneLineAndExitCodeTwo) {
   const support::TemporaryFolder folder;
-  for (const std::string wrong : {"figures --only 9.9 --out x", "figures", "", "numbers --out /proc/nowhere"}) {
+  for (const std::string wrong : {"figures --only 9.9 --out x", "figures", "", "numbers --out /proc/nowhere", "all",
+                                  "all --quick --out /proc/nowhere", "profile --quick --out /proc/nowhere"}) {
     const auto run = study(wrong, folder.path());
     EXPECT_EQ(run.exit_code, 2) << wrong;
     EXPECT_EQ(run.err.substr(0, 9), "palpate: ") << wrong;
