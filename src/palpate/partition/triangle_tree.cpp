@@ -20,6 +20,9 @@ namespace {
 constexpr float kFloatRounding = 1.2e-7f;
 /// Rounding of a difference of two coordinates and of its product with the segment, in units of the largest of them.
 constexpr float kAxisRounding = 4e-7f;
+/// Rounding of a point's coordinate and of its product with a direction, summed over three axes, in units of the
+/// largest coordinate.
+constexpr float kPointRounding = 5e-7f;
 
 float roundedDown(double value) {
   const auto nearest = static_cast<float>(value);
@@ -32,11 +35,15 @@ float roundedUp(double value) { return -roundedDown(-value); }
 
 PointQuery pointQuery(const TriangleTree& tree, const Vec3& point) noexcept {
   PointQuery query;
+  double largest = 1.0;  // boxes reach about 1 from the origin of the unit frame
   for (int axis = 0; axis < 3; ++axis) {
     const double unit = (point[axis] - tree.center[axis]) * tree.to_unit;
     query.low[axis] = roundedDown(unit);
     query.high[axis] = roundedUp(unit);
+    query.middle[axis] = static_cast<float>(unit);
+    largest = std::max(largest, std::abs(unit));
   }
+  query.slack = static_cast<float>(largest) * kPointRounding;
   return query;
 }
 

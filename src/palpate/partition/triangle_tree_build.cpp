@@ -11,6 +11,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/mesh/topology.h"
+#include "palpate/partition/node_plates.h"
 #include "palpate/partition/triangle_tree.h"
 
 namespace palpate::partition {
@@ -292,6 +293,7 @@ TriangleTree buildTriangleTree(const mesh::TriangleMesh& mesh) {
   builder.build();
   tree.nodes.shrink_to_fit();
   fillRecords(mesh, builder.items(), tree);
+  fillPlates(tree);
   return tree;
 }
 

@@ -6,6 +6,10 @@
 // segment-box separating axes.
 #include "palpate/partition/wide_node.h"
 
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "palpate/partition/wide_node.cpp"
 #include <hwy/foreach_target.h>
@@ -20,6 +24,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 constexpr float kRoundDown = 1.0f - 1e-6f;
 /// Covers the roundings of the sums and products of one separating-axis test.
 constexpr float kRoundUp = 1.0f + 1e-6f;
+/// Relative rounding of a squared way and of its share along a facing.
+constexpr float kWayRounding = 2e-6f;
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 template <class D>
 hn::Vec<D> gap(D d, const WideNode& node, const PointQuery& query, int axis, int lane) {
@@ -28,14 +35,135 @@ hn::Vec<D> gap(D d, const WideNode& node, const PointQuery& query, int axis, int
   return hn::Max(hn::Max(below, above), hn::Zero(d));
 }
 
+template <class D>
+struct Vector {
+  hn::Vec<D> x, y, z;
+};
+
+template <class D>
+hn::Vec<D> dot(const Vector<D>& a, const Vector<D>& b) {
+  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+
+template <class D>
+hn::Vec<D> fromBytes(D d, const std::int8_t* bytes) {
+  const hn::Rebind<std::int8_t, D> bytes_tag;
+  const hn::RebindToSigned<D> wide_tag;
+  return hn::ConvertTo(d, hn::PromoteTo(wide_tag, hn::LoadU(bytes_tag, bytes)));
+}
+
+template <class D>
+hn::Vec<D> fromBytes(D d, const std::uint8_t* bytes) {
+  const hn::Rebind<std::uint8_t, D> bytes_tag;
+  const hn::RebindToSigned<D> wide_tag;
+  return hn::ConvertTo(d, hn::PromoteTo(wide_tag, hn::LoadU(bytes_tag, bytes)));
+}
+
+/// The query's point as eight children see it.
+template <class D>
+struct Sight {
+  Vector<D> facing;
+  hn::Vec<D> facing2;  ///< its squared length
+  Vector<D> way;       ///< from the middle of the box to the point
+  hn::Vec<D> way2;
+  hn::Vec<D> radius2;  ///< of the box round its middle
+};
+
+/// facingVector, eight at once.
+template <class D>
+Vector<D> facingOf(D d, const WideNode& node, int lane) {
+  const auto u = fromBytes(d, node.facing[0] + lane);
+  const auto v = fromBytes(d, node.facing[1] + lane);
+  const auto length = hn::Set(d, static_cast<float>(kFacingLength));
+  const auto z = hn::Sub(hn::Sub(length, hn::Abs(u)), hn::Abs(v));
+  const auto fold = hn::Max(hn::Neg(z), hn::Zero(d));
+  return {hn::Sub(u, hn::CopySign(fold, u)), hn::Sub(v, hn::CopySign(fold, v)), z};
+}
+
+template <class D>
+Sight<D> sightOf(D d, const WideNode& node, const PointQuery& query, int lane) {
+  Sight<D> sight;
+  sight.facing = facingOf(d, node, lane);
+  sight.facing2 = dot<D>(sight.facing, sight.facing);
+  const auto one_half = hn::Set(d, 0.5f);
+  const auto slack = hn::Set(d, query.slack);
+  Vector<D> half;
+  const auto along = [&](int axis, hn::Vec<D>& way, hn::Vec<D>& half_width) {
+    const auto low = hn::Load(d, node.low[axis] + lane);
+    const auto high = hn::Load(d, node.high[axis] + lane);
+    way = hn::Sub(hn::Set(d, query.middle[axis]), hn::Mul(hn::Add(low, high), one_half));
+    half_width = hn::Add(hn::Mul(hn::Sub(high, low), one_half), slack);
+  };
+  along(0, sight.way.x, half.x);
+  along(1, sight.way.y, half.y);
+  along(2, sight.way.z, half.z);
+  sight.way2 = dot<D>(sight.way, sight.way);
+  sight.radius2 = dot<D>(half, half);
+  return sight;
+}
+
+/// Squared distance to what lies below the plate's plane and in the ball round the box: above the one, beside the
+/// other.
+template <class D>
+hn::Vec<D> plateDistance2(D d, const WideNode& node, const PointQuery& query, int lane, const Sight<D>& sight) {
+  const auto zero = hn::Zero(d);
+  const auto radius = hn::Sqrt(sight.radius2);
+  const auto height = dot<D>(sight.facing, sight.way);
+  const auto top = hn::Mul(hn::Mul(fromBytes(d, node.top + lane), hn::Set(d, 1.0f / kMostTop)),
+                           hn::Mul(radius, hn::Sqrt(sight.facing2)));
+  const auto height_rounding = hn::Set(d, kFacingLength * query.slack);
+  const auto above = hn::Max(hn::Sub(hn::Sub(height, top), height_rounding), zero);
+
+  const auto way_rounding = hn::Add(hn::Mul(sight.way2, hn::Set(d, kWayRounding)),
+                                    hn::Mul(hn::Sqrt(sight.way2), hn::Set(d, 4.0f * query.slack)));
+  const auto across2 = hn::Sub(hn::Sub(sight.way2, hn::Div(hn::Mul(height, height), sight.facing2)), way_rounding);
+  const auto beside = hn::Max(hn::Sub(hn::Sqrt(hn::Max(across2, zero)), radius), zero);
+  const auto distance2 = hn::Add(hn::Div(hn::Mul(above, above), sight.facing2), hn::Mul(beside, beside));
+  return hn::IfThenZeroElse(hn::IsNaN(distance2), distance2);  // an unused slot
+}
+
+/// Of the distances to the box and to the plate, the larger.
+template <class D>
+hn::Vec<D> distanceBound(D d, const WideNode& node, const PointQuery& query, int lane, const Sight<D>& sight) {
+  const Vector<D> gaps{gap(d, node, query, 0, lane), gap(d, node, query, 1, lane), gap(d, node, query, 2, lane)};
+  const auto plate = plateDistance2(d, node, query, lane, sight);
+  return hn::Mul(hn::Max(dot<D>(gaps, gaps), plate), hn::Set(d, kRoundDown));
+}
+
+/// Whether some normal of the child's surface may point to the query's point (or straight away from it, but from there
+/// the surface is seen from behind).
+///
+/// Seen from the point, the child lies within an angle b round the direction to its box's middle, sin b = radius /
+/// distance; its normals within an angle s of its facing. So the facing must lie within b + s of that direction:
+/// facing . way >= distance cos(b + s) = cos s sqrt(distance^2 - radius^2) - radius sin s.
+template <class D>
+hn::Mask<D> mayFace(D d, const WideNode& node, const PointQuery& query, int lane, const Sight<D>& sight) {
+  const auto zero = hn::Zero(d);
+  const auto clear2 = hn::Sub(sight.way2, sight.radius2);
+  const auto spread = fromBytes(d, node.spread + lane);
+  const auto sine = hn::Mul(spread, hn::Set(d, kSpreadStep));
+  const auto cosine = hn::Sqrt(hn::Max(hn::Sub(hn::Set(d, 1.0f), hn::Mul(sine, sine)), zero));
+  const auto least = hn::Sub(hn::Mul(cosine, hn::Sqrt(hn::Max(clear2, zero))),
+                             hn::Add(hn::Mul(sine, hn::Sqrt(sight.radius2)), hn::Set(d, 4.0f * query.slack)));
+  const auto reached = hn::Ge(dot<D>(sight.facing, sight.way), hn::Mul(least, hn::Sqrt(sight.facing2)));
+  const auto no_plate = hn::Ge(spread, hn::Set(d, static_cast<float>(kAnySpread)));
+  return hn::Or(hn::Or(no_plate, hn::Le(clear2, zero)), reached);
+}
+
 void squaredDistanceBounds(const WideNode& node, const PointQuery& query, float* bounds) {
   const hn::CappedTag<float, kNodeWidth> d;
   for (int lane = 0; lane < kNodeWidth; lane += static_cast<int>(hn::Lanes(d))) {
-    const auto x = gap(d, node, query, 0, lane);
-    const auto y = gap(d, node, query, 1, lane);
-    const auto z = gap(d, node, query, 2, lane);
-    const auto sum = hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z));
-    hn::StoreU(hn::Mul(sum, hn::Set(d, kRoundDown)), d, bounds + lane);
+    hn::StoreU(distanceBound(d, node, query, lane, sightOf(d, node, query, lane)), d, bounds + lane);
+  }
+}
+
+void squaredDistanceBoundsOfMinima(const WideNode& node, const PointQuery& query, float* bounds) {
+  const hn::CappedTag<float, kNodeWidth> d;
+  for (int lane = 0; lane < kNodeWidth; lane += static_cast<int>(hn::Lanes(d))) {
+    const auto sight = sightOf(d, node, query, lane);
+    const auto bound = distanceBound(d, node, query, lane, sight);
+    const auto may_face = mayFace(d, node, query, lane, sight);
+    hn::StoreU(hn::IfThenElse(may_face, bound, hn::Set(d, kInfinity)), d, bounds + lane);
   }
 }
 
@@ -98,11 +226,22 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace palpate::partition {
 
+std::array<int, 3> facingVector(std::int8_t u, std::int8_t v) noexcept {
+  const int z = kFacingLength - std::abs(u) - std::abs(v);
+  const int fold = std::max(-z, 0);
+  return {u < 0 ? u + fold : u - fold, v < 0 ? v + fold : v - fold, z};
+}
+
 HWY_EXPORT(squaredDistanceBounds);
+HWY_EXPORT(squaredDistanceBoundsOfMinima);
 HWY_EXPORT(segmentMayTouch);
 
 void squaredDistanceBounds(const WideNode& node, const PointQuery& query, float* bounds) noexcept {
   HWY_DYNAMIC_DISPATCH(squaredDistanceBounds)(node, query, bounds);
+}
+
+void squaredDistanceBoundsOfMinima(const WideNode& node, const PointQuery& query, float* bounds) noexcept {
+  HWY_DYNAMIC_DISPATCH(squaredDistanceBoundsOfMinima)(node, query, bounds);
 }
 
 std::uint32_t segmentMayTouch(const WideNode& node, const SegmentQuery& query) noexcept {

@@ -35,17 +35,37 @@ class ChildLink {
   std::uint32_t bits_ = 0;
 };
 
-/// An unused slot has the box [+infinity, -infinity], which no query touches. 224 bytes.
-struct alignas(32) WideNode {
+/// An unused slot has the box [+infinity, -infinity], which no query touches. 256 bytes, four cache lines.
+///
+/// Beside its box each child has a *plate*: the plane across its facing that it stays below, and how far the normals of
+/// its surface turn away from that facing. A box is as thick as the surface in it is tilted, a plate only as the
+/// surface in it is bent, so that of a smooth surface only what is really near is looked at (node_plates.h).
+struct alignas(64) WideNode {
   float low[3][kNodeWidth];
   float high[3][kNodeWidth];
   ChildLink children[kNodeWidth];
+  std::int8_t facing[2][kNodeWidth];  ///< see facingVector
+  std::int8_t top[kNodeWidth];        ///< of the plate over the box's middle, in 127ths of half the box's diagonal
+  std::uint8_t spread[kNodeWidth];    ///< sine of the widest angle from facing to a normal, in kSpreadStep
 };
+
+inline constexpr int kFacingLength = 127;
+inline constexpr int kMostTop = 127;
+/// Rounded up; the widest spread that is told is 45 degrees.
+inline constexpr float kSpreadStep = 0.70710678f / 254.0f;
+/// No normal is excluded.
+inline constexpr std::uint8_t kAnySpread = 255;
+
+/// The direction that two bytes stand for: a point of the octahedron |x| + |y| + |z| = kFacingLength, whose lower half
+/// is folded over the corners of its upper half. Whole numbers, 73 to 127 long.
+std::array<int, 3> facingVector(std::int8_t u, std::int8_t v) noexcept;
 
 /// A point widened to the box of floats that holds it.
 struct PointQuery {
   std::array<float, 3> low;
   std::array<float, 3> high;
+  std::array<float, 3> middle;
+  float slack;  ///< largest rounding error of one coordinate of `middle` and of differences with it
 };
 
 /// A segment as its middle, its half extents and its box, with the rounding of the separating-axis test as slack.
@@ -59,6 +79,10 @@ struct SegmentQuery {
 
 /// Lower bounds of the squared distances to the eight boxes; +infinity for an unused slot.
 void squaredDistanceBounds(const WideNode& node, const PointQuery& query, float* bounds) noexcept;
+
+/// The same for places of the surface from which the point is straight above (or below): where a local minimum of the
+/// distance may be. +infinity for a child none of whose normals points to the point.
+void squaredDistanceBoundsOfMinima(const WideNode& node, const PointQuery& query, float* bounds) noexcept;
 
 /// Bit i is set when the segment may touch box i.
 std::uint32_t segmentMayTouch(const WideNode& node, const SegmentQuery& query) noexcept;
