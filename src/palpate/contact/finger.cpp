@@ -12,6 +12,7 @@
 #include "palpate/contact/friction.h"
 #include "palpate/contact/point_finger.h"
 #include "palpate/contact/sphere_finger.h"
+#include "palpate/contact/surface_walk.h"
 
 namespace palpate::contact {
 
@@ -54,11 +55,13 @@ FingerOutput step(const Surface& surface, const FingerSettings& settings, Finger
   if (!usableTip(surface, tip)) return lostOutput(state);
   if (!state.knows_tip) state.tip = tip;
   const double radius = solvedRadius(surface, settings);
+  const Index triangle_before = state.proxy.triangle;
   const Press press =
       radius > 0.0 ? pressSphere(surface, settings, radius, state, tip) : pressPoint(surface, settings, state, tip);
   state.knows_tip = true;
   state.tip = tip;
   if (!press.touching) return freeOutput(tip);
+  prefetchNeighbours(surface, state.proxy.triangle, state.proxy.triangle != triangle_before);
   return pressedOutput(surface, settings, press, tip, radius > 0.0 ? holdInSpace : holdOnSkin, state);
 }
 

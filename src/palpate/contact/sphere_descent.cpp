@@ -3,7 +3,11 @@
 // From a place that fits, the next one to try is the point nearest to the tip that stays off the tangent planes at the
 // feet. If skin is in the way there, its planes are added and the point is asked for again; the planes are thrown away
 // as soon as a place is taken, so that no plane of a place left behind can hold the sphere. Flat walls are met exactly
-// in one or two trials, curved ones to 1e-5 of the radius in three to six.
+// in one or two trials, curved ones to 1e-5 of the radius in three to six, a ridge that lets the sphere go in ten.
+//
+// Asking the whole skin is what costs, so several steps are first gone in thought, with the known feet following the
+// centre; only the place where that ends is asked for, like any other. When it is not free, the steps are gone one by
+// one.
 //
 // Based on: Ruspini, Kolarov, Khatib, "The haptic display of complex graphical environments" (1997) for a sphere as
 // proxy among planes; Kelley, "The cutting-plane method for solving convex programs" (1960).
@@ -25,14 +29,16 @@ namespace {
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 // Shares of the radius.
-constexpr double kSettled = 1e-5;  ///< a centre that would move less than this stays
-constexpr double kOutlook = 0.02;  ///< skin within this of the sphere takes part in the first plan
-constexpr double kSlack = 1e-9;    ///< of the planes: far above rounding, far below kTight
+constexpr double kSettled = 1e-5;   ///< a centre that would move less than this stays
+constexpr double kOutlook = 0.005;  ///< skin within this of the sphere takes part in the first plan
+constexpr double kSlack = 1e-9;     ///< of the planes: far above rounding, far below kTight
 
 constexpr int kMostRounds = 24;  ///< trials in a tick, about 1 us each at 40,000 triangles
 constexpr int kMostPushes = 12;
-constexpr int kFullTrials = 4;     ///< trials that cut further before the step is shortened
-constexpr int kPathHalvings = 12;  ///< the path is used up to 1/4096
+constexpr int kFullTrials = 4;                    ///< trials that cut further before the step is shortened
+constexpr int kStepsAhead = 24;                   ///< steps gone in thought before the place is asked for
+constexpr int kPathTrials = 12;                   ///< to use up the path
+constexpr double kPathUsed = 1.0 - 1.0 / 4096.0;  ///< share of the path that counts as all of it
 
 Vec3 withinPath(const SphereTask& task, const Vec3& place) {
   const Vec3 way = place - task.start;
@@ -53,27 +59,49 @@ void planFrom(const SphereTask& task, const Vec3& centre, const Feet& feet, Half
   }
 }
 
+/// The place of the planes' half-spaces nearest to the point that is `share` of the way from the start to the tip.
+bool nearestTowards(const SphereTask& task, const HalfSpaces& planes, double share, Vec3& place) {
+  return nearestInside(planes, task.start + share * (task.tip - task.start), kSlack * task.radius, place);
+}
+
+/// Where the straight way from `inside` to `outside` leaves the ball of that radius round `centre`, as a share.
+double shareWithinBall(const Vec3& centre, double radius, const Vec3& inside, const Vec3& outside) {
+  const Vec3 offset = inside - centre;
+  const Vec3 way = outside - inside;
+  const double a = way.squaredNorm();
+  const double b = way.dot(offset);
+  const double c = std::min(0.0, offset.squaredNorm() - radius * radius);
+  return a > 0.0 ? (std::sqrt(b * b - a * c) - b) / a : 0.0;
+}
+
 /// The place nearest to the tip that keeps off the planes, within the path. False when there is none.
 ///
 /// With the path's ball as a further constraint the answer is the place nearest to some point between the start and the
-/// tip, the farther along the longer the way: so that point is found by halving.
+/// tip, the farther along the longer the way. While the same planes hold it moves along a straight line, so where that
+/// line leaves the ball is usually the answer; halving helps where the planes change.
 bool nextGoal(const SphereTask& task, const HalfSpaces& planes, Vec3& goal) {
-  const auto reachable = [&](double share, Vec3& place) {
-    return nearestInside(planes, task.start + share * (task.tip - task.start), kSlack * task.radius, place) &&
-           (place - task.start).norm() <= task.path;
-  };
-  if (reachable(1.0, goal)) return true;
-  bool any = false;
+  const auto way = [&](const Vec3& place) { return (place - task.start).norm(); };
   double low = 0.0;
   double high = 1.0;
-  for (int i = 0; i < kPathHalvings; ++i) {
-    const double middle = 0.5 * (low + high);
-    Vec3 place;
-    const bool within = reachable(middle, place);
+  Vec3 low_place = task.start;
+  Vec3 high_place = task.tip;
+  if (nearestTowards(task, planes, high, high_place) && way(high_place) <= task.path) {
+    goal = high_place;
+    return true;
+  }
+  bool any = nearestTowards(task, planes, low, low_place) && way(low_place) <= task.path;
+  for (int i = 0; i < kPathTrials && (!any || way(low_place) < kPathUsed * task.path); ++i) {
+    const bool along_line = any && i % 3 != 2;
+    const double aim = 0.5 * (1.0 + kPathUsed) * task.path;
+    const double part = along_line ? shareWithinBall(task.start, aim, low_place, high_place) : 0.5;
+    const double middle = low + part * (high - low);
+    Vec3 place = task.tip;
+    const bool within = nearestTowards(task, planes, middle, place) && way(place) <= task.path;
     (within ? low : high) = middle;
-    if (within) goal = place;
+    (within ? low_place : high_place) = place;
     any = any || within;
   }
+  if (any) goal = low_place;
   return any;
 }
 
@@ -93,6 +121,48 @@ bool addObstacles(const SphereTask& task, const Vec3& from, const Vec3& to, Half
     any = true;
   }
   return any;
+}
+
+bool isNearer(const SphereTask& task, const Vec3& place, const Vec3& than) {
+  return (place - task.tip).squaredNorm() < (than - task.tip).squaredNorm();
+}
+
+/// Lets the feet follow to `place`. False when one is lost or the sphere sinks in at one: its plane is then added.
+bool followFeet(const SphereTask& task, const Vec3& place, const Feet& feet, Feet& followed, HalfSpaces& planes) {
+  bool stands = true;
+  followed.count = feet.count;
+  for (int i = 0; i < feet.count; ++i) {
+    Foot& foot = followed.feet[i] = feet.feet[i];
+    if (!followFoot(task.surface, place, foot)) return false;
+    if (foot.height >= task.radius * (1.0 - kFit)) continue;
+    planes.add(keepOff(foot, task.radius));
+    stands = false;
+  }
+  return stands;
+}
+
+/// Goes on from `place`, a step away from where the feet are, as long as the feet that are known allow it. Returns
+/// where that ends.
+Vec3 lookAhead(const SphereTask& task, Feet feet, Vec3 place) {
+  Feet followed;
+  HalfSpaces planes;
+  if (!followFeet(task, place, feet, followed, planes)) return place;
+  Vec3 goal = place;
+  bool taken = true;
+  for (int step = 0; step < kStepsAhead; ++step) {
+    if (taken) {
+      place = goal;
+      std::swap(feet, followed);
+      planFrom(task, place, feet, planes);
+    }
+    goal = place;
+    if (!nextGoal(task, planes, goal)) break;
+    if ((goal - place).norm() <= kSettled * task.radius || !isNearer(task, goal, place)) break;
+    const int planes_before = planes.size();
+    taken = followFeet(task, goal, feet, followed, planes);
+    if (!taken && planes.size() == planes_before) break;  // a foot is lost
+  }
+  return place;
 }
 
 }  // namespace
@@ -131,8 +201,9 @@ bool descend(const SphereTask& task, Vec3& centre, SurfacePoint& foot) noexcept 
     if (!nextGoal(task, planes, goal)) return false;
     if (failures > kFullTrials) goal = centre + std::exp2(kFullTrials - failures) * (goal - centre);
     if ((goal - centre).norm() <= kSettled * task.radius) return true;
-    const bool nearer = (goal - task.tip).squaredNorm() < (centre - task.tip).squaredNorm();
+    const bool nearer = isNearer(task, goal, centre);
     if (!nearer && failures == 0) return true;
+    if (failures == 0) goal = lookAhead(task, feet, goal);
     if (!nearer || addObstacles(task, centre, goal, planes, feet)) {
       ++failures;
       continue;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "palpate/contact/border.h"
 #include "palpate/contact/press.h"
@@ -48,6 +49,7 @@ bool isLocalMinimum(const Surface& surface, Index triangle, const ClosestOnTrian
   visitFan(surface, triangle, index, [&](Index t, int corner) {
     minimum = minimum && !leads_nearer(records[t].corners[(corner + 1) % 3]) &&
               !leads_nearer(records[t].corners[(corner + 2) % 3]);
+    return minimum;
   });
   return minimum;
 }
@@ -100,7 +102,7 @@ bool standsOn(const Surface& surface, const SurfacePoint& place, const Vec3& cen
 void findFeet(const Surface& surface, const Vec3& centre, double reach, Feet& feet) noexcept {
   feet.count = 0;
   const double limit = reach * reach;
-  visitNearTriangles(surface.tree, centre, limit, [&](Index triangle, const ClosestOnTriangle& closest) {
+  visitNearMinima(surface.tree, centre, limit, [&](Index triangle, const ClosestOnTriangle& closest) {
     if (!isLocalMinimum(surface, triangle, closest, centre)) return limit;
     const SurfacePoint place = placeOf(triangle, closest);
     Foot foot;
@@ -109,6 +111,11 @@ void findFeet(const Surface& surface, const Vec3& centre, double reach, Feet& fe
     if (stands) keep(foot, feet);
     return limit;
   });
+}
+
+bool followFoot(const Surface& surface, const Vec3& centre, Foot& foot) noexcept {
+  const WalkResult walk = walkToNearest(surface, foot.at, centre, std::numeric_limits<double>::infinity());
+  return standsOn(surface, walk.at, centre, foot) && walk.finished;
 }
 
 bool anyFootLower(const Surface& surface, const Vec3& centre, double height) noexcept {

@@ -35,6 +35,9 @@ bool standsOn(const Surface& surface, const SurfacePoint& place, const Vec3& cen
 /// Fills `feet` with those nearer to the centre than `reach`.
 void findFeet(const Surface& surface, const Vec3& centre, double reach, Feet& feet) noexcept;
 
+/// Moves a foot on the skin to the local minimum for a centre nearby. False when the centre is behind the skin there.
+bool followFoot(const Surface& surface, const Vec3& centre, Foot& foot) noexcept;
+
 /// Whether the sphere sinks into the skin: any foot lower than `height`. Stops at the first.
 bool anyFootLower(const Surface& surface, const Vec3& centre, double height) noexcept;
 

@@ -8,6 +8,8 @@
 // objects" (1999) for the local search; Baerentzen and Aanaes (2005) for the normals that tell the side.
 #include "palpate/contact/surface_walk.h"
 
+#include <hwy/cache_control.h>
+
 #include <cmath>
 
 namespace palpate::contact {
@@ -107,6 +109,25 @@ bool touchesFeature(const Surface& surface, Index triangle, const SurfacePoint& 
   if (partition::isCorner(point.feature)) return has(partition::indexOf(point.feature));
   if (!partition::isEdge(point.feature)) return false;
   return has(partition::indexOf(point.feature)) && has((partition::indexOf(point.feature) + 1) % 3);
+}
+
+void prefetchNeighbours(const Surface& surface, Index triangle, bool arrived) noexcept {
+  const TriangleRecord& record = surface.tree.records[triangle];
+  for (int i = 0; i < 3; ++i) {
+    if (record.neighbours[i] == kNoIndex) continue;
+    const TriangleRecord& across = surface.tree.records[record.neighbours[i]];
+    if (arrived) {
+      hwy::Prefetch(&across.corners);
+      hwy::Prefetch(&across.vertices);  // on the next cache line
+      hwy::Prefetch(&surface.tree.source_triangle[record.neighbours[i]]);
+      continue;
+    }
+    // The corner of `across` that is not on the edge: the other two cancel out.
+    const Index far = across.vertices[0] ^ across.vertices[1] ^ across.vertices[2] ^ record.vertices[i] ^
+                      record.vertices[(i + 1) % 3];
+    hwy::Prefetch(&surface.stiffness_n_per_mm[far]);
+    hwy::Prefetch(&surface.vertex_normals[far]);
+  }
 }
 
 double stiffnessAt(const Surface& surface, const SurfacePoint& point) noexcept {

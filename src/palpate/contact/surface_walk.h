@@ -1,6 +1,8 @@
 // Moving over the skin: from a point of the surface downhill to the place nearest to a target.
 #pragma once
 
+#include <type_traits>
+
 #include "palpate/contact/finger.h"
 #include "palpate/contact/surface.h"
 
@@ -28,7 +30,13 @@ bool touchesFeature(const Surface& surface, Index triangle, const SurfacePoint& 
 /// Stiffness at the point, N/mm, barycentric from the vertices (E3).
 double stiffnessAt(const Surface& surface, const SurfacePoint& point) noexcept;
 
-/// Calls visit(triangle, corner) for the triangles around a corner of `triangle`, itself first.
+/// Asks the processor for what a walk into the neighbours of `triangle` would read, so that it is there when the finger
+/// is. In two stages, because what is read at the neighbours' vertices is known only when the neighbours are there:
+/// `arrived` in the tick in which the finger comes to the triangle, not in those in which it stays. Changes nothing.
+void prefetchNeighbours(const Surface& surface, Index triangle, bool arrived) noexcept;
+
+/// Calls visit(triangle, corner) for the triangles around a corner of `triangle`, itself first. A `visit` that returns
+/// a bool ends it with false.
 template <class Visit>
 void visitFan(const Surface& surface, Index triangle, int corner, Visit&& visit) noexcept {
   const auto& records = surface.tree.records;
@@ -37,10 +45,18 @@ void visitFan(const Surface& surface, Index triangle, int corner, Visit&& visit)
     const auto& vertices = records[t].vertices;
     return vertices[0] == vertex ? 0 : (vertices[1] == vertex ? 1 : 2);
   };
+  const auto goes_on = [&](Index t, int c) {
+    if constexpr (std::is_same_v<decltype(visit(t, c)), bool>) {
+      return visit(t, c);
+    } else {
+      visit(t, c);
+      return true;
+    }
+  };
   Index t = triangle;
   int c = corner;
   do {  // counter-clockwise, until the fan closes or the sheet ends
-    visit(t, c);
+    if (!goes_on(t, c)) return;
     t = records[t].neighbours[(c + 2) % 3];
     if (t != kNoIndex) c = corner_of(t);
   } while (t != kNoIndex && t != triangle);
@@ -48,7 +64,7 @@ void visitFan(const Surface& surface, Index triangle, int corner, Visit&& visit)
   t = records[triangle].neighbours[corner];
   for (; t != kNoIndex; t = records[t].neighbours[c]) {  // the rest, clockwise
     c = corner_of(t);
-    visit(t, c);
+    if (!goes_on(t, c)) return;
   }
 }
 
