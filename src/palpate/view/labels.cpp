@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "palpate/view/label_inks.h"
+#include "palpate/view/label_layout.h"
 #include "palpate/view/legend.h"
 #include "palpate/view/round_steps.h"
 #include "palpate/view/section_inset.h"
@@ -15,13 +16,16 @@ namespace palpate::view {
 namespace {
 
 constexpr float kMargin = 14.0f;
-/// Of the page's width: the bar, its numbers and the wedges beside it.
-constexpr float kRoomForLegend = 100.0f;
+/// What is drawn and wants to be read: later labels keep out of it.
+using Taken = std::vector<LabelBox>;
 
 // ---- title
 
-void drawTitle(Drawing& page, const std::string& title) {
-  if (!title.empty()) writeLabel(page, {kMargin, kMargin - 3.0f}, title, Align::left, TextSize::title);
+void drawTitle(Drawing& page, const std::string& title, Taken& taken) {
+  if (title.empty()) return;
+  const Vec2f corner(kMargin, kMargin - 3.0f);
+  writeLabel(page, corner, title, Align::left, TextSize::title);
+  taken.push_back({corner, corner + page.measure(title, TextSize::title)});
 }
 
 // ---- colours
@@ -45,7 +49,7 @@ Legend legendOf(const LabelScene& scene, const ColourScale& scale) {
   return legend;
 }
 
-void drawColours(Drawing& page, const LabelScene& scene) {
+void drawColours(Drawing& page, const LabelScene& scene, Taken& taken) {
   const auto scale = scaleOf(scene.look.colouring);
   if (!scale) return;
   LegendPlace place;
@@ -56,11 +60,15 @@ void drawColours(Drawing& page, const LabelScene& scene) {
   place.size.y() = std::round(std::clamp(std::min(0.45f * page.size().y(), free_height), 60.0f, 260.0f));
   place.corner = {std::round(page.size().x() - kMargin - kRoomForNumbers - place.size.x()), kMargin + kRoomForWords};
   drawLegend(page, legendOf(scene, *scale), place);
+  constexpr float kRoomForMarks = 22.0f;  // the wedges at its left, and the words that are wider than the bar
+  constexpr float kRoomForLowWord = 34.0f;
+  taken.push_back({{place.corner.x() - kRoomForMarks, 0.0f},
+                   {page.size().x(), place.corner.y() + place.size.y() + kRoomForLowWord}});
 }
 
 // ---- size and direction
 
-void drawScaleBar(Drawing& page, const Eyes& eyes) {
+void drawScaleBar(Drawing& page, const Eyes& eyes, Taken& taken) {
   const double screen_mm = (eyes.screen.upper_left - eyes.screen.lower_left).norm();
   const double points_per_mm = page.size().y() / screen_mm;
   constexpr double kShareOfPage = 0.2;
@@ -75,6 +83,7 @@ void drawScaleBar(Drawing& page, const Eyes& eyes) {
   }
   const std::string words = length_mm >= 1.0 ? fmt::format("{:.0f} mm", length_mm) : fmt::format("{} mm", length_mm);
   writeLabel(page, {kMargin + 0.5f * length, y - kEnd - 18.0f}, words, Align::centre);
+  taken.push_back({{kMargin, y - kEnd - 18.0f}, {kMargin + length, page.size().y()}});
 }
 
 /// An axis of the patient as the camera sees it: half of the figure's width and its letter at the end.
@@ -87,7 +96,7 @@ void drawAxis(Drawing& page, const Vec2f& middle, const Vec2f& end, std::string_
   writeLabel(page, {letter_place.x(), letter_place.y() - 8.0f}, letter, Align::centre);
 }
 
-void drawOrientation(Drawing& page, const Camera& camera) {
+void drawOrientation(Drawing& page, const Camera& camera, Taken& taken) {
   constexpr float kRadius = 24.0f;
   const Vec2f middle = page.size() - Vec2f(kMargin + kRadius + 20.0f, kMargin + kRadius - 4.0f);
   const auto seen = [&](const Vec3& direction) {
@@ -97,6 +106,8 @@ void drawOrientation(Drawing& page, const Camera& camera) {
   drawAxis(page, middle, seen(Vec3::UnitX()), "R");
   drawAxis(page, middle, seen(-Vec3::UnitX()), "L");
   drawAxis(page, middle, seen(Vec3::UnitY()), "cranial");
+  constexpr float kWithLetters = kRadius + 18.0f;
+  taken.push_back({middle - Vec2f::Constant(kWithLetters), page.size()});
 }
 
 // ---- fingers
@@ -130,24 +141,19 @@ Vec2f extentOf(const Drawing& page, const std::vector<std::string>& lines) {
   return extent;
 }
 
-/// A plate beside the finger, never under it, with a line to it; never off the page.
-void drawNumbers(Drawing& page, const LabelScene& scene, const FingerMark& finger, const std::string& name) {
-  const Vec2f tip = placeOnPage(page, scene.eyes, finger.contact.proxy);
-  if (!tip.allFinite()) return;
+/// A plate beside the finger, never under it nor under another label, with a line to it; never off the page.
+void drawNumbers(Drawing& page, const Vec2f& tip, const FingerMark& finger, const std::string& name, Taken& taken) {
   const std::vector<std::string> lines = numbersOf(finger.contact, name);
   constexpr float kPad = 6.0f;
   constexpr float kStripe = 3.0f;
   const Vec2f size = extentOf(page, lines) + Vec2f(2.0f * kPad + kStripe, 2.0f * kPad);
-  const float room_at_the_right = scaleOf(scene.look.colouring) ? kRoomForLegend : kMargin;
-  constexpr float kAway = 34.0f;
-  const bool to_the_left = tip.x() + kAway + size.x() > page.size().x() - room_at_the_right;
-  const Vec2f wanted = tip + Vec2f(to_the_left ? -kAway - size.x() : kAway, -30.0f - size.y());
-  const Vec2f last = (page.size() - size - Vec2f::Constant(kMargin)).cwiseMax(Vec2f::Constant(kMargin));
-  const Vec2f corner = wanted.cwiseMax(Vec2f::Constant(kMargin)).cwiseMin(last).array().round();
-  const Ink colour{encodedColour(finger.colour)};
-  page.line(tip, corner + Vec2f(to_the_left ? size.x() : 0.0f, size.y()), kLightInk, 1.2f);
+  const Vec2f margin = Vec2f::Constant(kMargin);
+  const LabelBox plate = placePlate(tip, size, {margin, page.size() - margin}, taken);
+  taken.push_back(plate);
+  const Vec2f corner = plate.corner;
+  page.line(tip, nearestCorner(plate, tip), kLightInk, 1.2f);
   page.box(corner, corner + size, kShadeInk, 4.0f);
-  page.box(corner, corner + Vec2f(kStripe, size.y()), colour);
+  page.box(corner, corner + Vec2f(kStripe, size.y()), Ink{encodedColour(finger.colour)});
   float y = corner.y() + kPad;
   for (const std::string& line : lines) {
     page.text({corner.x() + kPad + kStripe, y}, line, kLightInk, Align::left, TextSize::small);
@@ -155,10 +161,20 @@ void drawNumbers(Drawing& page, const LabelScene& scene, const FingerMark& finge
   }
 }
 
-void drawFingers(Drawing& page, const LabelScene& scene, const LabelSettings& settings) {
-  for (std::size_t i = 0; i < scene.frame.fingers.size(); ++i) {
+/// No plate lies on any finger, so all of them are noted first.
+void drawFingers(Drawing& page, const LabelScene& scene, const LabelSettings& settings, Taken& taken) {
+  constexpr float kBall = 14.0f;
+  std::vector<Vec2f> tips;
+  for (const FingerMark& finger : scene.frame.fingers) {
+    tips.push_back(placeOnPage(page, scene.eyes, finger.contact.proxy));
+    if (tips.back().allFinite()) {
+      taken.push_back({tips.back() - Vec2f::Constant(kBall), tips.back() + Vec2f::Constant(kBall)});
+    }
+  }
+  for (std::size_t i = 0; i < tips.size(); ++i) {
     const FingerMark& finger = scene.frame.fingers[i];
-    if (finger.contact.touch != contact::Touch::free) drawNumbers(page, scene, finger, nameOf(settings, i));
+    if (finger.contact.touch == contact::Touch::free || !tips[i].allFinite()) continue;
+    drawNumbers(page, tips[i], finger, nameOf(settings, i), taken);
   }
 }
 
@@ -174,7 +190,7 @@ const FingerMark* deepest(const Frame& frame) {
 }
 
 /// Above the scale bar: fingers are mostly in the middle.
-void drawCut(Drawing& page, const LabelScene& scene) {
+void drawCut(Drawing& page, const LabelScene& scene, Taken& taken) {
   const FingerMark* finger = deepest(scene.frame);
   if (finger == nullptr) return;
   const SectionPlane plane = sectionPlane(scene.world, finger->contact);
@@ -184,17 +200,19 @@ void drawCut(Drawing& page, const LabelScene& scene) {
   constexpr float kScaleBarHeight = 46.0f;
   chart.corner = {kMargin, page.size().y() - chart.size.y() - kScaleBarHeight};
   drawSection(page, sectionCurve(scene.world, scene.surface, plane, kSectionHalfWidthMm), chart);
+  taken.push_back({chart.corner, chart.corner + chart.size});
 }
 
 }  // namespace
 
 void drawLabels(Drawing& page, const LabelScene& scene, const LabelSettings& settings) {
-  if (settings.scale_bar) drawScaleBar(page, scene.eyes);
-  if (settings.orientation) drawOrientation(page, scene.camera);
-  if (settings.legend) drawColours(page, scene);
-  if (settings.section && scene.look.shows(Overlay::section)) drawCut(page, scene);
-  if (settings.numbers) drawFingers(page, scene, settings);
-  drawTitle(page, settings.title);
+  Taken taken;
+  if (settings.scale_bar) drawScaleBar(page, scene.eyes, taken);
+  if (settings.orientation) drawOrientation(page, scene.camera, taken);
+  if (settings.legend) drawColours(page, scene, taken);
+  drawTitle(page, settings.title, taken);
+  if (settings.section && scene.look.shows(Overlay::section)) drawCut(page, scene, taken);
+  if (settings.numbers) drawFingers(page, scene, settings, taken);
 }
 
 }  // namespace palpate::view
