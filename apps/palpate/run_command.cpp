@@ -23,6 +23,8 @@ struct RunOptions {
   std::string scene;
   std::string play;
   std::string out = ".";
+  std::string replay;
+  std::string stereo;
   int width = 0;
   int height = 0;
   std::uint64_t frames = 0;
@@ -47,6 +49,8 @@ view::WindowSettings windowFor(const RunOptions& options, const viewer::StateRea
   if (options.width > 0) settings.width = options.width;
   if (options.height > 0) settings.height = options.height;
   settings.full_screen = settings.full_screen || options.full_screen;
+  settings.quad_buffer =
+      !options.stereo.empty() && view::stereoModeNamed(options.stereo) == view::StereoMode::quad_buffer;
   return settings;
 }
 
@@ -60,12 +64,14 @@ class Playback {
   bool finished() const { return next_ == script_.size(); }
 
   /// True when the script closes the window.
-  bool play(double now_s, view::Window& window, std::vector<view::InputEvent>& events) {
+  bool play(double now_s, view::Window& window, viewer::Viewer& viewer, std::vector<view::InputEvent>& events) {
     for (; !finished() && script_[next_].time_s <= now_s; ++next_) {
       const viewer::ScriptEvent& event = script_[next_];
       if (event.kind == viewer::ScriptEvent::Kind::close) return true;
       if (event.kind == viewer::ScriptEvent::Kind::size) {
         window.setSize(event.width, event.height);
+      } else if (event.kind == viewer::ScriptEvent::Kind::head) {
+        viewer.headAt(event.head_mm, now_s);
       } else {
         events.push_back(event.input);
       }
@@ -105,7 +111,8 @@ void tellServo(const servo::LoopReport& report) {
 
 viewer::ViewerHost hostOf(view::Window& window) {
   return {[&window] { window.setFullScreen(!window.fullScreen()); },
-          [&window](const std::string& text) { window.setClipboard(text); }, [&window] { return window.clipboard(); }};
+          [&window](const std::string& text) { window.setClipboard(text); }, [&window] { return window.clipboard(); },
+          [&window](bool shown) { window.showCursor(shown); }, window.quadBuffered()};
 }
 
 scene::Scene sceneToRun(const RunOptions& options) {
@@ -124,11 +131,11 @@ void loop(const RunOptions& options, Playback& playback, view::Window& window, v
   for (std::uint64_t frame = 1;; ++frame) {
     std::vector<view::InputEvent> events = window.events();
     const double now_s = frame == 1 ? 0.0 : secondsSince(started) - shown_s;  // a script begins at the first picture
-    const bool close = playback.play(now_s, window, events);
+    const bool close = playback.play(now_s, window, viewer, events);
     if (close || window.closing() || viewer.wantsToQuit()) return;
     viewer.session().state.stereo.monitor_row = window.top();
     viewer.frame(window.width(), window.height(), window.contentScale(), now_s, events);
-    window.present(viewer.target());
+    viewer.drawsItself() ? window.swap() : window.present(viewer.target());
     if (frame == 1) {
       shown_s = secondsSince(started);
       if (options.verbose) fmt::print("first frame after {:.3f} s\n", shown_s);
@@ -154,8 +161,10 @@ void runWindow(const RunOptions& options) {
   settings.default_scene = scene::parse(defaultScene(), "default.toml");
   viewer::ViewState view_state = state.remembered ? state.remembered->state : viewer::ViewState{};
   view_state.input.shortcuts = !options.no_shortcuts;
+  if (!options.stereo.empty()) view_state.stereo.mode = view::stereoModeNamed(options.stereo);
   viewer::Viewer viewer(world.get(), std::move(view_state), std::move(settings), hostOf(window));
   if (!state.note.empty()) viewer.session().report(viewer::Severity::warning, state.note);
+  if (!options.replay.empty()) viewer.session().wish(viewer::Wish::Kind::open, options.replay);
   loop(options, playback, window, viewer, started);
   keepState(options, viewer, window);
   const servo::LoopReport report = viewer.finish();
@@ -169,6 +178,12 @@ void addRunCommand(CLI::App& app) {
   const auto options = std::make_shared<RunOptions>();
   command->add_option("SCENE", options->scene, "Scene (TOML) or mesh file; without one: the built-in torso");
   command->add_option("--play", options->play, "Play an input script (docs/viewer.md): time_s, event, values");
+  command->add_option("--replay", options->replay,
+                      "Press the same places again as a recorded table of forces (CSV), to be stepped tick by tick");
+  command
+      ->add_option("--stereo", options->stereo,
+                   "Stereo mode instead of the remembered one; quad-buffer asks for a window for shutter glasses")
+      ->check(CLI::IsMember(std::vector<std::string>(view::kStereoModeNames.begin(), view::kStereoModeNames.end())));
   command->add_option("--frames", options->frames, "Close after so many frames");
   command->add_option("--out", options->out, "Folder for pictures and tables that are saved")->capture_default_str();
   command->add_option("--width", options->width, "Of the window, instead of the remembered one")

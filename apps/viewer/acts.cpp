@@ -5,6 +5,7 @@
 #include <array>
 
 #include "apps/viewer/dysfunction_editor.h"
+#include "apps/viewer/replay.h"
 
 namespace palpate::viewer {
 
@@ -38,7 +39,9 @@ auto* switchOf(Action action, S& session) {
 
 void nextStereoMode(Session& session) {
   auto& mode = session.state.stereo.mode;
-  const auto next = (static_cast<std::size_t>(mode) + 1) % view::kStereoModeNames.size();
+  auto next = (static_cast<std::size_t>(mode) + 1) % view::kStereoModeNames.size();
+  const bool quad_buffer = static_cast<view::StereoMode>(next) == view::StereoMode::quad_buffer;
+  if (quad_buffer && !session.quad_buffer_offered) next = 0;
   mode = static_cast<view::StereoMode>(next);
   session.report(Severity::info, fmt::format("Stereo: {}", view::kStereoModeNames[next]));
 }
@@ -76,6 +79,7 @@ void perform(Action action, Session& session) {
     look.colouring = look.colouring == *colouring ? view::Colouring::plain : *colouring;
     return;
   }
+  if (action == Action::freeze) return freeze(session, !session.frozen);
   if (bool* on = switchOf(action, session)) {
     *on = !*on;
     return;

@@ -12,7 +12,6 @@ namespace {
 
 constexpr float kPanelWidth = 300.0f;
 constexpr float kMenuHeight = 24.0f;
-constexpr float kPlotHeight = 118.0f;
 
 constexpr PanelEntry kPanels[] = {
     {"Touch", touchPanel},
@@ -33,7 +32,7 @@ FreeArea freeArea(const Session& session, float width, float height) {
   const Shown& shown = session.state.shown;
   FreeArea free{0.0f, kMenuHeight, width, height};
   if (shown.panel) (shown.panel_right ? free.right : free.left) += shown.panel_right ? -kPanelWidth : kPanelWidth;
-  if (shown.plots) free.below -= kPlotHeight;
+  if (shown.plots) free.below -= kPlotsHeight;
   return free;
 }
 
@@ -70,7 +69,11 @@ FreeArea drawGui(Session& session) {
   if (session.state.shown.plots) plotStrips(session, free);
   if (session.editor.active) editingFrame(session, free);
   buildProgress(session, free);
-  hint(session, free);
+  if (session.frozen) {
+    replayBar(session, free);
+  } else {
+    hint(session, free);
+  }
   toast(session, free);
   if (session.state.shown.help) helpPage(session);
   if (session.state.shown.messages) messageList(session);

@@ -134,6 +134,11 @@ class Reader {
       event.width = sizeFrom(row, 2);
       event.height = sizeFrom(row, 3);
       event.time_s = now_;
+    } else if (name == "head") {
+      ScriptEvent& event = events.emplace_back();
+      event.kind = ScriptEvent::Kind::head;
+      event.head_mm = {csvNumber(row, 2, "x"), csvNumber(row, 3, "y"), csvNumber(row, 4, "z")};
+      event.time_s = now_;
     } else if (name == "close") {
       events.emplace_back().kind = ScriptEvent::Kind::close;
       events.back().time_s = now_;
@@ -150,7 +155,7 @@ class Reader {
 
   void add(InputEvent event) {
     event.time_s = now_;
-    events.push_back({ScriptEvent::Kind::input, std::move(event), 0, 0, now_});
+    events.push_back({ScriptEvent::Kind::input, std::move(event), 0, 0, now_, Vec3::Zero()});
   }
 
   void addKey(const view::Chord& chord) {

@@ -9,6 +9,7 @@
 //   1.5, focus, lost               lost | gained
 //   2.0, drop, some/file.obj       beside the script
 //   2.5, size, 800, 600
+//   2.8, head, 120, 40, 550        the eyes: mm to the right of the screen's middle, above it, before it
 //   3.0, close
 #pragma once
 
@@ -21,12 +22,13 @@
 namespace palpate::viewer {
 
 struct ScriptEvent {
-  enum class Kind : std::uint8_t { input, size, close };
+  enum class Kind : std::uint8_t { input, size, close, head };
   Kind kind = Kind::input;
   view::InputEvent input;
   int width = 0;  ///< size
   int height = 0;
   double time_s = 0.0;
+  Vec3 head_mm = Vec3::Zero();  ///< head: where the eyes are (Viewer::headAt)
 };
 
 /// Throws Error naming file and line: an unknown event, key or number, times that go back.

@@ -22,7 +22,7 @@ LiveModel::LiveModel(std::shared_ptr<const scene::World> world)
       surface_(world_->deformable),
       painter_(world_) {}
 
-LiveModel::Times LiveModel::follow(const servo::ContactFrame& contacts) {
+LiveModel::Times LiveModel::follow(std::span<const trace::Sample> contacts) {
   Times times;
   const std::int64_t start = servo::monotonicNs();
   touching_.clear();

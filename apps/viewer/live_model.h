@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "palpate/deform/any_deformer.h"
@@ -21,7 +22,7 @@ class LiveModel {
     double upload_ms = 0.0;
   };
   /// Deforms the skin by the newest contacts and uploads what changed.
-  Times follow(const servo::ContactFrame& contacts);
+  Times follow(std::span<const trace::Sample> contacts);
 
   const scene::World& world() const { return *world_; }
   const deform::DeformedSurface& surface() const { return surface_; }

@@ -36,12 +36,12 @@ servo::Rig rigFor(RigPlan& plan, std::array<view::MouseLink, kFingers>& links) {
   return rig;
 }
 
-void forget(servo::FingerChain& finger) noexcept {
+}  // namespace
+
+void forgetTouch(servo::FingerChain& finger) noexcept {
   finger.contact = {};
   finger.hdb = {};
 }
-
-}  // namespace
 
 double radiusOf(const scene::Scene& scene, std::size_t finger) {
   if (scene.contact.source == scene::ContactSource::hdb) return 0.0;  // it knows points only
@@ -91,14 +91,14 @@ void LiveServo::beforeTick(servo::Rig& rig) noexcept {
       servo::FingerChain& finger = rig.fingers[i];
       std::swap(finger.contact_settings, plan->fingers[i]);
       finger.limiter_settings = plan->limiter;
-      if (plan->other_body) forget(finger);
+      if (plan->other_body) forgetTouch(finger);
     }
     std::swap(rig.hdb, plan->hdb);
     // From here on nothing of the plan before is looked at.
     offered_.store(nullptr, std::memory_order_release);
   }
   for (std::size_t i = 0; i < kFingers; ++i) {
-    if (view::advance(links_to_[i])) forget(rig.fingers[i]);
+    if (view::advance(links_to_[i])) forgetTouch(rig.fingers[i]);
   }
 }
 

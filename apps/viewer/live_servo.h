@@ -36,6 +36,9 @@ struct RigPlan {
 /// The plan for a world with the settings of a scene: the first two fingers' radii, a fingertip where there are fewer.
 RigPlan planFor(std::shared_ptr<const scene::World> world, const scene::Scene& scene, bool other_body);
 
+/// The finger was put elsewhere: it forgets what it touched.
+void forgetTouch(servo::FingerChain& finger) noexcept;
+
 /// Radius of a mouse finger of a scene, mm.
 double radiusOf(const scene::Scene& scene, std::size_t finger);
 

@@ -100,6 +100,10 @@ void viewMenu(Session& session) {
   textSizeMenu(session);
   mouseMenu(session);
   ImGui::MenuItem("Reduced motion", nullptr, &session.state.reduced_motion);
+  if (ImGui::MenuItem("Reset the layout")) {
+    session.state.shown = {};
+    session.state.text_size = 1.0;
+  }
 }
 
 void showMenu(Session& session) {

@@ -71,7 +71,7 @@ void toast(Session& session, const FreeArea& free) {
     ImGui::PushTextWrapPos(kWidth - 20.0f);
     ImGui::TextColored(colourOf(message->severity), "%s%s", wordFor(message->severity), message->text.c_str());
     ImGui::PopTextWrapPos();
-    if (message->severity == Severity::error && buttonWidget("toast/dismiss", "Dismiss")) session.messages.dismiss();
+    if (message->severity != Severity::info && buttonWidget("toast/dismiss", "Dismiss")) session.messages.dismiss();
   }
   ImGui::End();
 }

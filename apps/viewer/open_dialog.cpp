@@ -7,6 +7,7 @@
 #include <cctype>
 #include <filesystem>
 
+#include "apps/viewer/open_dialog.h"
 #include "apps/viewer/panels.h"
 #include "apps/viewer/widgets.h"
 
@@ -16,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 7> kKinds = {".toml", ".obj", ".stl", ".ply", ".off", ".gltf", ".glb"};
+constexpr std::array<std::string_view, 8> kKinds = {".toml", ".obj", ".stl", ".ply", ".off", ".gltf", ".glb", ".csv"};
 
 struct Listing {
   fs::path folder;
@@ -48,6 +49,12 @@ Listing listingOf(const fs::path& folder) {
   return listing;
 }
 
+/// Of the display's thread, like ImGui's own state.
+Listing& shownListing() {
+  static Listing listing = listingOf(fs::current_path());
+  return listing;
+}
+
 void choose(Session& session, const std::string& file) {
   session.wish(Wish::Kind::open, file);
   session.state.shown.open_dialog = false;
@@ -73,14 +80,18 @@ void walk(Session& session, Listing& listing) {
 
 }  // namespace
 
+void showFolder(const fs::path& folder) { shownListing() = listingOf(folder); }
+
 void openDialog(Session& session) {
-  static Listing listing = listingOf(fs::current_path());
+  Listing& listing = shownListing();
   static std::string typed;
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0.5f * size.x, 0.5f * size.y}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({std::min(560.0f, size.x - 40.0f), 0.0f});
   if (ImGui::Begin("Open a scene or a mesh", &session.state.shown.open_dialog,
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings)) {
+    // Files may have come since it was last open.
+    if (ImGui::IsWindowAppearing()) listing = listingOf(listing.folder);
     for (const std::string& file : session.state.recent) {
       if (ImGui::Selectable(file.c_str())) choose(session, file);
     }
@@ -90,7 +101,8 @@ void openDialog(Session& session) {
     notePlace("open/file");
     ImGui::SameLine();
     if ((buttonWidget("open/open", "Open") || entered) && !typed.empty()) choose(session, typed);
-    remark("TOML scenes, OBJ, STL, PLY, OFF, glTF and GLB meshes; or drop a file on the window.");
+    remark(
+        "TOML scenes, OBJ, STL, PLY, OFF, glTF and GLB meshes, recorded forces (CSV); or drop a file on the window.");
   }
   ImGui::End();
 }

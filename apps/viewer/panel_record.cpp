@@ -16,6 +16,12 @@ void recordPanel(Session& session) {
   if (recording.forces) {
     remark(fmt::format("{:.1f} s into {}", session.now_s - recording.since_s, recording.forces_file));
   }
+  if (!recording.forces && !recording.forces_file.empty() &&
+      buttonWidget(
+          "record/replay", "Replay what was recorded",
+          "Presses the same places again, to be stepped tick by tick. Other tables: Open, or drop them here.")) {
+    session.wish(Wish::Kind::open, recording.forces_file);
+  }
   if (buttonWidget("record/sequence", recording.sequence ? "Stop the pictures" : "Record pictures",
                    "Every frame as a PNG file, in a folder of their own.")) {
     session.wish(Wish::Kind::sequence);

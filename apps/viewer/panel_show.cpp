@@ -21,6 +21,13 @@ void lookWidgets(Session& session) {
   if (choiceWidget("show/shading", "shading", shading, kShadings,
                    "Light at the corners, as in the dissertation and fastest, or at each pixel, as skin takes it.")) {
     look.shading = static_cast<view::Shading>(shading);
+    session.state.simpler_when_slow = false;  // who chooses gets what he chose
+  }
+  flagWidget("show/simpler", "smooth while it is slow", session.state.simpler_when_slow,
+             "Below 30 pictures a second the skin is drawn smooth, until there is time to spare.");
+  if (session.simple_shading) {
+    remark("Drawn smooth for now: pictures came too slowly.");
+    if (buttonWidget("show/all_the_same", "Draw skin all the same")) session.state.simpler_when_slow = false;
   }
   auto finger = static_cast<std::size_t>(look.finger);
   if (choiceWidget("show/finger", "finger", finger, kFingerShapes, "What is drawn where the finger is.")) {

@@ -16,6 +16,8 @@ struct FreeArea {
   float below = 0.0f;
 };
 
+inline constexpr float kPlotsHeight = 150.0f;  ///< of the strips below the picture
+
 /// Draws everything over the picture: menu, side panel, plots, hint, message, dialogs. Returns the area left free.
 FreeArea drawGui(Session& session);
 /// Where the picture will be free before anything was drawn.
@@ -49,6 +51,7 @@ void toast(Session& session, const FreeArea& free);
 void buildProgress(Session& session, const FreeArea& free);
 void hint(Session& session, const FreeArea& free);
 void editingFrame(Session& session, const FreeArea& free);
+void replayBar(Session& session, const FreeArea& free);
 
 /// A curve of the scene's displacement profile, with handles when it is the user's own.
 void profileCurve(Session& session);

@@ -3,27 +3,20 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "apps/viewer/panels.h"
+#include "apps/viewer/plot_drawing.h"
 #include "apps/viewer/widgets.h"
 
 namespace palpate::viewer {
 
 namespace {
 
-constexpr float kHeight = 118.0f;
-constexpr float kTitle = 20.0f;
+constexpr float kTitle = 20.0f;    ///< above each strip
+constexpr float kTimes = 18.0f;    ///< below it
+constexpr float kLegend = 18.0f;   ///< below all
+constexpr float kPadding = 16.0f;  ///< of the window, above and below together
 constexpr std::array<double, 5> kWindows = {2.0, 5.0, 10.0, 30.0, 60.0};
-constexpr ImU32 kLimit = IM_COL32(230, 160, 60, 200);
-/// Left blue and right red, as the fingers; the tangential force is paler.
-constexpr std::array<ImU32, 2> kFinger = {IM_COL32(110, 165, 255, 255), IM_COL32(255, 120, 105, 255)};
-constexpr std::array<ImU32, 2> kFingerPale = {IM_COL32(110, 165, 255, 110), IM_COL32(255, 120, 105, 110)};
-
-/// Of the theme's text, so that it is seen on light and dark.
-ImU32 ink(float opacity = 1.0f) { return ImGui::GetColorU32(ImGuiCol_Text, opacity); }
-constexpr float kFaint = 0.16f;
-constexpr float kTouching = 0.06f;
 
 struct Strip {
   const char* title;
@@ -35,11 +28,12 @@ constexpr std::array<Strip, 3> kStrips = {{{"force", "N", PlotValue::normal_forc
                                            {"depth", "mm", PlotValue::depth, 5.0},
                                            {"speed", "mm/s", PlotValue::speed, 50.0}}};
 
-struct Area {
-  ImVec2 low;
-  ImVec2 high;
-  float width() const { return high.x - low.x; }
-  float height() const { return high.y - low.y; }
+/// One look at both fingers: the columns of one frame, the same in every strip.
+struct Columns {
+  double end_s = 0.0;
+  double window_s = 10.0;
+  std::size_t count = 1;
+  std::array<std::vector<ColumnMarks>, 2> marks;
 };
 
 /// Where the axes end now: they grow at once and shrink after three seconds of less.
@@ -65,116 +59,108 @@ double greatest(const std::vector<Extent>& extents) {
   return most;
 }
 
-void drawExtents(const std::vector<Extent>& extents, const Area& area, double end, ImU32 colour) {
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const auto y = [&](float value) {
-    const double share = std::clamp(value / end, 0.0, 1.0);
-    return area.high.y - static_cast<float>(share) * area.height();
-  };
-  const Extent* last = nullptr;
-  for (std::size_t i = 0; i < extents.size(); ++i) {
-    const Extent& extent = extents[i];
-    if (!extent.any) {
-      last = nullptr;
-      continue;
-    }
-    const float x = area.low.x + static_cast<float>(i) + 0.5f;
-    // From the nearest end of the column before, so that the line has no gaps.
-    const float low = last == nullptr ? extent.low : std::min(extent.low, last->high);
-    const float high = last == nullptr ? extent.high : std::max(extent.high, last->low);
-    list.AddLine({x, y(low) + 0.6f}, {x, y(high) - 0.6f}, colour, 1.2f);
-    last = &extent;
-  }
-}
-
-void shadeContact(const SampleHistory& history, const Area& area, double end_s, double window_s) {
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const auto columns = static_cast<std::size_t>(area.width() / 4.0f);
-  const auto depth = history.columns(PlotValue::normal_force, end_s, window_s, columns);
-  for (std::size_t i = 0; i < depth.size(); ++i) {
-    if (!depth[i].any || depth[i].high <= 0.0f) continue;
-    const float x = area.low.x + area.width() * static_cast<float>(i) / static_cast<float>(columns);
-    list.AddRectFilled({x, area.low.y}, {x + 4.0f, area.high.y}, ink(kTouching));
-  }
-}
-
 double endOfTime(const Session& session) {
   return session.plots_paused ? session.plot_end_s
                               : std::max(session.plots[0].newestTime(), session.plots[1].newestTime());
 }
 
-void drawAxis(const Area& area, const Strip& strip, double end) {
+Columns columnsOf(const Session& session, float width) {
+  Columns columns{endOfTime(session), session.plot_window_s, static_cast<std::size_t>(std::max(1.0f, width)), {}};
+  for (std::size_t f = 0; f < 2; ++f) {
+    columns.marks[f] = session.plots[f].marks(columns.end_s, columns.window_s, columns.count);
+  }
+  return columns;
+}
+
+void drawTitle(const PlotArea& area, const Strip& strip, const PlotSample* sample) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddLine({area.low.x, area.high.y}, area.high, ink(kFaint));
-  list.AddLine({area.low.x, area.low.y}, {area.high.x, area.low.y}, ink(kFaint));
-  const float middle = 0.5f * (area.low.y + area.high.y);
-  list.AddLine({area.low.x, middle}, {area.high.x, middle}, ink(kFaint));
-  const std::string top = fmt::format("{:g}", end);
-  const float small = ImGui::GetFontSize() * 0.8f;
-  list.AddText(ImGui::GetFont(), small, {area.low.x + 3.0f, area.low.y + 1.0f}, ink(), top.c_str());
   const std::string title = fmt::format("{}, {}", strip.title, strip.unit);
-  list.AddText({area.low.x, area.low.y - kTitle}, ink(), title.c_str());
-}
-
-void drawLimit(const Area& area, double limit, double end) {
-  if (limit <= 0.0 || limit >= end) return;
-  const float y = area.high.y - static_cast<float>(limit / end) * area.height();
-  ImGui::GetWindowDrawList()->AddLine({area.low.x, y}, {area.high.x, y}, kLimit);
-}
-
-void drawNow(const Session& session, const Area& area, const Strip& strip, double time_s) {
-  const PlotSample* sample = session.plots[session.active_finger].near(time_s);
+  list.AddText({area.low.x, area.low.y - kTitle}, plotInk(), title.c_str());
   if (sample == nullptr) return;
   const std::string value = fmt::format("{:.2f}", valueOf(*sample, strip.value));
   const float width = ImGui::CalcTextSize(value.c_str()).x;
-  ImGui::GetWindowDrawList()->AddText({area.high.x - width, area.low.y - kTitle}, ink(), value.c_str());
+  list.AddText({area.high.x - width, area.low.y - kTitle}, plotInk(), value.c_str());
 }
 
-void drawStrip(Session& session, std::size_t index, const Area& area) {
-  const Strip& strip = kStrips[index];
-  const double end_s = endOfTime(session);
-  const auto columns = static_cast<std::size_t>(std::max(1.0f, area.width()));
-  std::array<std::vector<Extent>, 2> main;
-  double most = 0.0;
+/// A strip's curve of each finger.
+using Curves = std::array<std::vector<Extent>, 2>;
+
+Curves curvesOf(const Session& session, PlotValue value, const Columns& columns) {
+  Curves curves;
   for (std::size_t f = 0; f < 2; ++f) {
-    main[f] = session.plots[f].columns(strip.value, end_s, session.plot_window_s, columns);
-    most = std::max(most, greatest(main[f]));
+    curves[f] = session.plots[f].columns(value, columns.end_s, columns.window_s, columns.count);
+  }
+  return curves;
+}
+
+void drawCurves(const Session& session, const Curves& curves, const std::array<ImU32, 2>& inks, const PlotArea& area,
+                double end) {
+  for (std::size_t f = 0; f < 2; ++f) {
+    if (session.finger_present[f]) drawExtents(curves[f], area, end, inks[f]);
+  }
+}
+
+void drawStrip(const Session& session, std::size_t index, const Columns& columns, const PlotArea& area) {
+  const Strip& strip = kStrips[index];
+  const bool force = strip.value == PlotValue::normal_force;
+  const Curves main = curvesOf(session, strip.value, columns);
+  const Curves sideways = force ? curvesOf(session, PlotValue::tangential_force, columns) : Curves{};
+  double most = 0.0;
+  for (const auto* curves : {&main, &sideways}) {
+    for (const auto& curve : *curves) most = std::max(most, greatest(curve));
   }
   const double end = steadyEnd(index, axisEnd(1.05 * most, strip.least), session.now_s);
-  for (const SampleHistory& history : session.plots) shadeContact(history, area, end_s, session.plot_window_s);
-  drawAxis(area, strip, end);
-  for (std::size_t f = 0; f < 2; ++f) {
-    if (!session.finger_present[f]) continue;
-    if (strip.value == PlotValue::normal_force) {
-      drawExtents(session.plots[f].columns(PlotValue::tangential_force, end_s, session.plot_window_s, columns), area,
-                  end, kFingerPale[f]);
-    }
-    drawExtents(main[f], area, end, kFinger[f]);
+  for (const auto& marks : columns.marks) shadeTouching(marks, area);
+  drawPlotAxes(area, end, columns.window_s);
+  if (force) {
+    drawCurves(session, sideways, kFingerPaleInk, area, end);
+    drawPlotLimit(area, session.device_limit_n, end);
+    for (std::size_t f = 0; f < 2; ++f) drawEvents(columns.marks[f], area, f);
   }
-  if (strip.value == PlotValue::normal_force) drawLimit(area, session.device_limit_n, end);
+  drawCurves(session, main, kFingerInk, area, end);
 }
 
-/// One line through all strips, and what they say there.
-void drawCursor(Session& session, std::span<const Area> areas) {
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
-  double time_s = endOfTime(session);
-  for (const Area& area : areas) {
-    if (mouse.x < area.low.x || mouse.x > area.high.x || mouse.y < area.low.y || mouse.y > area.high.y) continue;
-    const double share = (mouse.x - area.low.x) / area.width();
-    time_s -= (1.0 - share) * session.plot_window_s;
-    for (const Area& other : areas) {
-      const float x = other.low.x + static_cast<float>(share) * other.width();
-      ImGui::GetWindowDrawList()->AddLine({x, other.low.y}, {x, other.high.y}, ink());
-    }
-    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
-      session.plot_end_s = endOfTime(session);
-      session.plots_paused = !session.plots_paused;
-    }
-    if (session.plots_paused && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
-      session.plot_end_s -= ImGui::GetIO().MouseDelta.x / area.width() * session.plot_window_s;
-    }
+void pausePlots(Session& session, bool pause) {
+  session.plot_end_s = endOfTime(session);
+  session.plots_paused = pause;
+}
+
+/// A click pauses or goes on; dragging scrolls back; the wheel takes a longer or a shorter time into view.
+void useMouse(Session& session, const PlotArea& area) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
+    if (!session.plots_paused) pausePlots(session, true);
+    session.plot_end_s -= io.MouseDelta.x / area.width() * session.plot_window_s;
+  } else if (ImGui::IsMouseReleased(ImGuiMouseButton_Left) && ImGui::GetMouseDragDelta().x == 0.0f &&
+             area.holds(io.MouseClickedPos[ImGuiMouseButton_Left])) {
+    pausePlots(session, !session.plots_paused);
   }
-  for (std::size_t i = 0; i < areas.size(); ++i) drawNow(session, areas[i], kStrips[i], time_s);
+  if (io.MouseWheel == 0.0f) return;
+  const auto* now = std::find(kWindows.begin(), kWindows.end(), session.plot_window_s);
+  const auto* last = std::prev(kWindows.end());
+  if (io.MouseWheel > 0.0f && now != kWindows.begin()) session.plot_window_s = *std::prev(now);
+  if (io.MouseWheel < 0.0f && now < last) session.plot_window_s = *std::next(now);
+}
+
+/// The time that is read: under the cursor, else of the frozen picture, else the newest.
+double timeRead(const Session& session, std::span<const PlotArea> areas) {
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  for (const PlotArea& area : areas) {
+    if (!area.holds(mouse)) continue;
+    const double share = (mouse.x - area.low.x) / area.width();
+    return endOfTime(session) - (1.0 - share) * session.plot_window_s;
+  }
+  return session.frozen ? session.replay.at_s : endOfTime(session);
+}
+
+/// One line through all strips.
+void drawCursor(const Session& session, std::span<const PlotArea> areas, double time_s) {
+  const double ago_s = endOfTime(session) - time_s;
+  if (ago_s <= 0.0 || ago_s > session.plot_window_s) return;
+  for (const PlotArea& area : areas) {
+    const float x = area.high.x - static_cast<float>(ago_s / session.plot_window_s) * area.width();
+    ImGui::GetWindowDrawList()->AddLine({x, area.low.y}, {x, area.high.y}, plotInk());
+  }
 }
 
 void windowChoice(Session& session) {
@@ -193,33 +179,53 @@ void windowChoice(Session& session) {
 
 void buttons(Session& session) {
   windowChoice(session);
-  if (buttonWidget("plots/pause", session.plots_paused ? "live" : "pause", "A click into a plot does the same.")) {
-    session.plot_end_s = endOfTime(session);
-    session.plots_paused = !session.plots_paused;
+  if (buttonWidget("plots/pause", session.plots_paused ? "live" : "pause",
+                   "A click into a plot does the same; dragging there scrolls back, the wheel zooms.")) {
+    pausePlots(session, !session.plots_paused);
   }
   if (buttonWidget("plots/csv", "CSV", "Save what the plots show as a table.")) session.wish(Wish::Kind::plots_csv);
+}
+
+std::array<PlotArea, kStrips.size()> areasIn(const ImVec2& corner, float width, float gap) {
+  std::array<PlotArea, kStrips.size()> areas;
+  const float foot = corner.y + kPlotsHeight - kPadding - kTimes - kLegend;
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    const float left = corner.x + static_cast<float>(i) * (width + gap);
+    areas[i] = {{left, corner.y + kTitle}, {left + width, foot}};
+  }
+  return areas;
+}
+
+void strips(Session& session, std::span<const PlotArea> areas) {
+  for (const PlotArea& area : areas) {
+    if (ImGui::IsWindowHovered() && area.holds(ImGui::GetIO().MousePos)) useMouse(session, area);
+  }
+  const Columns columns = columnsOf(session, areas.front().width());
+  const double time_s = timeRead(session, areas);
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    drawStrip(session, i, columns, areas[i]);
+    drawTitle(areas[i], kStrips[i], session.plots[session.active_finger].near(time_s));
+  }
+  drawCursor(session, areas, time_s);
 }
 
 }  // namespace
 
 void plotStrips(Session& session, const FreeArea& free) {
   ImGui::SetNextWindowPos({free.left, free.below});
-  ImGui::SetNextWindowSize({free.right - free.left, kHeight});
+  ImGui::SetNextWindowSize({free.right - free.left, kPlotsHeight});
   constexpr auto kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                          ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing;
+                          ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing |
+                          ImGuiWindowFlags_NoScrollWithMouse;
   if (ImGui::Begin("plots", nullptr, kFixed)) {
     constexpr float kButtons = 78.0f;
     constexpr float kGap = 14.0f;
     const ImVec2 from = ImGui::GetCursorScreenPos();
-    const float width = (ImGui::GetContentRegionAvail().x - kButtons - 3.0f * kGap) / 3.0f;
-    std::array<Area, kStrips.size()> areas;
-    for (std::size_t i = 0; i < kStrips.size(); ++i) {
-      const float left = from.x + static_cast<float>(i) * (width + kGap);
-      areas[i] = {{left, from.y + kTitle}, {left + width, from.y + kHeight - 18.0f}};
-      drawStrip(session, i, areas[i]);
-    }
-    drawCursor(session, areas);
-    ImGui::SetCursorScreenPos({from.x + 3.0f * (width + kGap), from.y});
+    const float all = ImGui::GetContentRegionAvail().x - kButtons - kGap;
+    const float width = (all - 2.0f * kGap) / 3.0f;
+    strips(session, areasIn(from, width, kGap));
+    drawPlotLegend({from.x, from.y + kPlotsHeight - kPadding - 0.8f * kLegend}, all, session.finger_present[1]);
+    ImGui::SetCursorScreenPos({from.x + all + kGap, from.y});
     ImGui::BeginGroup();
     buttons(session);
     ImGui::EndGroup();

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/servo/limiter.h"
+
 namespace palpate::viewer {
 
 namespace {
@@ -13,6 +15,10 @@ namespace {
 constexpr double kSpeedSmoothingS = 0.03;
 /// No hand is faster, mm/s: the finger was put elsewhere.
 constexpr double kJumpMmPerS = 5000.0;
+/// Slower than this the anchor only settles, mm/s.
+constexpr double kSlipMmPerS = 0.5;
+/// What a limiter does to a force; ramps after a start are no news.
+constexpr std::uint32_t kLimiting = servo::kForceNotFinite | servo::kDamped | servo::kClamped | servo::kSlewLimited;
 
 }  // namespace
 
@@ -24,13 +30,16 @@ void SampleHistory::clear() {
   speed_ = 0.0f;
 }
 
-void SampleHistory::add(const trace::Sample& sample) {
+void SampleHistory::add(const trace::Sample& sample, double device_limit_n) {
   const double elapsed = std::max<double>(1.0, static_cast<double>(sample.tick - last_tick_)) * tick_s_;
   const double moved = count_ == 0 ? 0.0 : (sample.contact.tip - last_tip_).norm();
   const double speed = moved < kJumpMmPerS * elapsed ? moved / elapsed : 0.0;  // not for NaN either
+  // A finger that rests at the limit of friction is called slipping too; what is marked is that the skin gets away.
+  const bool gets_away = count_ > 0 && (sample.contact.hold - last_hold_).norm() > kSlipMmPerS * elapsed;
   const double share = 1.0 - std::exp(-elapsed / kSpeedSmoothingS);
   speed_ += static_cast<float>(share * (speed - speed_));
   last_tip_ = sample.contact.tip;
+  last_hold_ = sample.contact.hold;
   last_tick_ = sample.tick;
 
   const Vec3& force = sample.contact.force;
@@ -42,7 +51,8 @@ void SampleHistory::add(const trace::Sample& sample) {
   plot.depth_mm = static_cast<float>(sample.contact.depth_mm);
   plot.speed_mm_per_s = speed_;
   plot.touching = sample.contact.touch != contact::Touch::free;
-  plot.slipping = sample.contact.touch == contact::Touch::slip;
+  plot.slipping = sample.contact.touch == contact::Touch::slip && gets_away;
+  plot.limited = plot.touching && (force.norm() > device_limit_n || (sample.safety & kLimiting) != 0);
 
   if (count_ == samples_.size()) {
     samples_[first_] = plot;
@@ -80,18 +90,34 @@ std::size_t SampleHistory::firstAfter(double time_s) const {
   return low;
 }
 
-std::vector<Extent> SampleHistory::columns(PlotValue value, double end_s, double window_s, std::size_t columns) const {
-  std::vector<Extent> extents(columns);
-  if (columns == 0) return extents;
+template <class Visit>
+void SampleHistory::forEachIn(double end_s, double window_s, std::size_t columns, const Visit& visit) const {
+  if (columns == 0) return;
   const double start_s = end_s - window_s;
   for (std::size_t i = firstAfter(start_s); i < count_ && at(i).time_s <= end_s; ++i) {
     const double share = (at(i).time_s - start_s) / window_s;
-    const auto column = std::min(columns - 1, static_cast<std::size_t>(share * static_cast<double>(columns)));
-    Extent& extent = extents[column];
-    const float v = valueOf(at(i), value);
-    extent = extent.any ? Extent{std::min(extent.low, v), std::max(extent.high, v), true} : Extent{v, v, true};
+    visit(std::min(columns - 1, static_cast<std::size_t>(share * static_cast<double>(columns))), at(i));
   }
+}
+
+std::vector<Extent> SampleHistory::columns(PlotValue value, double end_s, double window_s, std::size_t columns) const {
+  std::vector<Extent> extents(columns);
+  forEachIn(end_s, window_s, columns, [&](std::size_t column, const PlotSample& sample) {
+    Extent& extent = extents[column];
+    const float v = valueOf(sample, value);
+    extent = extent.any ? Extent{std::min(extent.low, v), std::max(extent.high, v), true} : Extent{v, v, true};
+  });
   return extents;
+}
+
+std::vector<ColumnMarks> SampleHistory::marks(double end_s, double window_s, std::size_t columns) const {
+  std::vector<ColumnMarks> marks(columns);
+  forEachIn(end_s, window_s, columns, [&](std::size_t column, const PlotSample& sample) {
+    marks[column].touching |= sample.touching;
+    marks[column].slipping |= sample.slipping;
+    marks[column].limited |= sample.limited;
+  });
+  return marks;
 }
 
 const PlotSample* SampleHistory::near(double time_s) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@ struct PlotSample {
   float speed_mm_per_s = 0.0f;
   bool touching = false;
   bool slipping = false;
+  bool limited = false;  ///< a device of the scene would not get this force: it is too strong or grows too fast
 };
 
 enum class PlotValue : std::uint8_t { normal_force, tangential_force, depth, speed };
@@ -29,11 +31,19 @@ struct Extent {
   bool any = false;
 };
 
+/// What happened in one pixel column.
+struct ColumnMarks {
+  bool touching = false;
+  bool slipping = false;
+  bool limited = false;
+};
+
 class SampleHistory {
  public:
   explicit SampleHistory(double ticks_per_s = 1000.0, double seconds = 60.0);
 
-  void add(const trace::Sample& sample);
+  /// A force beyond `device_limit_n` counts as limited, as what the limiter itself shortened.
+  void add(const trace::Sample& sample, double device_limit_n = std::numeric_limits<double>::infinity());
   void clear();
 
   /// Oldest first.
@@ -43,17 +53,23 @@ class SampleHistory {
 
   /// Least and greatest value in `columns` equal stretches of the time from `end_s` - `window_s` to `end_s`.
   std::vector<Extent> columns(PlotValue value, double end_s, double window_s, std::size_t columns) const;
+  /// The same columns: whether the finger touched, slipped, was limited at any time in it.
+  std::vector<ColumnMarks> marks(double end_s, double window_s, std::size_t columns) const;
   /// The sample nearest to a time, or null.
   const PlotSample* near(double time_s) const;
 
  private:
   std::size_t firstAfter(double time_s) const;
+  /// Calls `visit(column, sample)` for the samples of a window, oldest first.
+  template <class Visit>
+  void forEachIn(double end_s, double window_s, std::size_t columns, const Visit& visit) const;
 
   std::vector<PlotSample> samples_;
   double tick_s_;
   std::size_t first_ = 0;
   std::size_t count_ = 0;
   Vec3 last_tip_ = Vec3::Zero();
+  Vec3 last_hold_ = Vec3::Zero();
   std::uint64_t last_tick_ = 0;
   float speed_ = 0.0f;
 };

@@ -18,6 +18,7 @@
 #include "palpate/servo/loop.h"
 #include "palpate/view/camera.h"
 #include "palpate/view/gui.h"
+#include "palpate/view/head_tracker.h"
 #include "palpate/view/look.h"
 #include "palpate/view/mouse_finger.h"
 #include "palpate/view/stereo.h"
@@ -48,10 +49,24 @@ struct Shown {
   bool open_dialog = false;
 };
 
+/// A head before a real screen of known size (view::TrackedHead).
+struct HeadSettings {
+  bool on = false;
+  Vec3 expected_mm = {0.0, 0.0, 600.0};  ///< where the eyes are taken to be while nothing measures them
+  Vec3 offset_mm = {0.0, 0.0, 0.0};      ///< from the middle of the screen to the origin of what measures
+  double screen_height_mm = 300.0;
+};
+
+inline constexpr double kNearestHeadMm = 100.0;
+inline constexpr double kLeastScreenMm = 20.0;
+inline constexpr double kMostScreenMm = 3000.0;
+
 /// Kept between runs, apart from the camera.
 struct ViewState {
   view::Look look;
-  view::StereoSettings stereo;
+  bool simpler_when_slow = true;  ///< draw the skin smooth while pictures come too slowly (shading_guard.h)
+  view::StereoSettings stereo;    ///< without the head, which is below
+  HeadSettings head;
   TouchSettings touch;
   view::InputSettings input;
   Shown shown;
@@ -118,6 +133,15 @@ struct Performance {
   std::string graphics;  ///< name of the GL renderer
 };
 
+/// Looking again at what was, while the picture is frozen; times are those of the plots.
+struct Replay {
+  double at_s = 0.0;  ///< the moment that is shown
+  double from_s = 0.0;
+  double to_s = 0.0;  ///< what there is to look at
+  bool playing = false;
+  std::string table;  ///< the recorded table that is looked at; empty: the last minute of this run
+};
+
 struct Recording {
   bool forces = false;
   std::string forces_file;
@@ -154,10 +178,15 @@ struct Session {
   Messages messages;
   std::array<SampleHistory, 2> plots;
   bool frozen = false;
+  Replay replay;
   double plot_window_s = 10.0;
   double plot_end_s = 0.0;  ///< of a paused plot
   bool plots_paused = false;
   Performance performance;
+  bool simple_shading = false;       ///< drawn smooth for now, whatever state.look says
+  bool quad_buffer_offered = false;  ///< the window has a picture for each eye
+  Vec3 eyes_mm = Vec3::Zero();       ///< of the tracked head in this frame
+  view::HeadTracker::State head = view::HeadTracker::State::waiting;
   Recording recording;
   std::optional<WorldBuilder::Progress> building;
   std::array<contact::FingerOutput, 2> fingers{nowhere(), nowhere()};

@@ -39,6 +39,7 @@ void forEachValue(Remembered& r, const Visitor& visit) {
   visit("reduced_motion", s.reduced_motion);
   visit("hints", s.hints);
   visit("shading", s.look.shading);
+  visit("simpler_when_slow", s.simpler_when_slow);
   visit("finger_shape", s.look.finger);
   visit("white_background", s.look.white_background);
   visit("press_by", s.touch.by);
@@ -52,6 +53,14 @@ void forEachValue(Remembered& r, const Visitor& visit) {
   visit("stereo_mode", s.stereo.mode);
   visit("eye_distance_mm", s.stereo.eye_distance_mm);
   visit("swap_eyes", s.stereo.swap_eyes);
+  visit("head", s.head.on);
+  visit("head_x_mm", s.head.expected_mm.x());
+  visit("head_y_mm", s.head.expected_mm.y());
+  visit("head_z_mm", s.head.expected_mm.z());
+  visit("head_offset_x_mm", s.head.offset_mm.x());
+  visit("head_offset_y_mm", s.head.offset_mm.y());
+  visit("head_offset_z_mm", s.head.offset_mm.z());
+  visit("screen_height_mm", s.head.screen_height_mm);
 }
 
 /// How many enumerators an enumeration has that a file may name by number.
@@ -100,6 +109,9 @@ void keepSensible(Remembered& r) {
   r.state.touch.force_n = std::clamp(r.state.touch.force_n, 0.0, kMostForceN);
   r.state.input.speed = std::clamp(r.state.input.speed, 0.25, 4.0);
   r.state.stereo.eye_distance_mm = std::clamp(r.state.stereo.eye_distance_mm, 0.0, 80.0);
+  HeadSettings& head = r.state.head;
+  head.expected_mm.z() = std::max(head.expected_mm.z(), kNearestHeadMm);
+  head.screen_height_mm = std::clamp(head.screen_height_mm, kLeastScreenMm, kMostScreenMm);
 }
 
 }  // namespace

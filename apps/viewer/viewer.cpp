@@ -1,6 +1,7 @@
 #include "apps/viewer/viewer.h"
 
 #include <fmt/format.h>
+#include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,9 @@
 #include "apps/viewer/hints.h"
 #include "apps/viewer/home_view.h"
 #include "apps/viewer/panels.h"
-#include "apps/viewer/ring_cursor.h"
+#include "apps/viewer/replay.h"
+#include "apps/viewer/scene_look.h"
+#include "apps/viewer/skin_rings.h"
 #include "apps/viewer/view_text.h"
 #include "palpate/base/error.h"
 
@@ -25,6 +28,10 @@ using Kind = view::Command::Kind;
 constexpr double kFlightS = 0.35;
 /// The frame rate shown is the mean of about this many frames.
 constexpr double kRateSmoothing = 0.05;
+/// Narrower windows start without the side panel.
+constexpr double kNarrowPoints = 1000.0;
+/// Of the finger that stays where it was put, points.
+constexpr double kOutline = 1.5;
 
 double sinceMs(std::int64_t start_ns) { return static_cast<double>(servo::monotonicNs() - start_ns) * 1e-6; }
 
@@ -53,7 +60,9 @@ Viewer::Viewer(std::shared_ptr<const scene::World> world, ViewState state, Viewe
       servo_(planFor(world, world->scene, true)),
       model_(std::make_unique<LiveModel>(world)),
       turnover_(world),
-      outputs_(settings_.output_folder) {
+      history_(world->scene.ticks_per_s),
+      outputs_(settings_.output_folder),
+      eyesight_(host_.quad_buffer) {
   session_.state = std::move(state);
   session_.scene = world->scene;
   session_.scene_file = world->scene.file.string();
@@ -81,18 +90,19 @@ void Viewer::frame(int width, int height, double scale, double now_s, std::span<
   session_.now_s = now_s;
   makeTarget(width, height);
   takeWorld();
-  followServo();
+  takeReplay();
+  followServo(elapsed_s);
   const double points = scale * session_.state.text_size;
   if (std::exchange(theme_, session_.state.theme) != session_.state.theme) gui_.setTheme(session_.state.theme);
-  const view::StereoMode mode = session_.state.stereo.mode;
-  const view::EyePicture eye = view::eyePictureIn(mode, width, height);
+  stereo_ = eyesight_.settings(session_);
+  const view::EyePicture eye = view::eyePictureIn(stereo_.mode, width, height);
   size_points_ = Vec2(eye.seen_width, eye.seen_height) / points;
-  gui_.begin(size_points_, points, elapsed_s, events);
+  gui_.begin(size_points_, points, elapsed_s, asOneEyeSees(events, stereo_.mode, width, height));
+  showCursor();
   lookAround();
   handle(events);
   intro_.advance(pointer_, *world_, now_s);
   pointer_.advance(session_);
-  ringCursor(session_, pointer_, eyes_);
   drawGui(session_);
   gui_.end();
   useChanges();
@@ -103,6 +113,7 @@ void Viewer::frame(int width, int height, double scale, double now_s, std::span<
   performance.frame_ms = sinceMs(started);
   frame_s_ += kRateSmoothing * (elapsed_s - frame_s_);
   performance.frames_per_s = 1.0 / frame_s_;
+  guardShading(elapsed_s);
   seen_ = true;
 }
 
@@ -113,49 +124,97 @@ void Viewer::makeTarget(int width, int height) {
 
 /// What the cursor's pixels mean in this frame; the first time also where the camera stands.
 void Viewer::lookAround() {
-  const view::EyePicture eye = view::eyePictureIn(session_.state.stereo.mode, target_->width(), target_->height());
   if (!seen_) {
+    if (size_points_.x() < kNarrowPoints) session_.state.shown.panel = false;
     session_.camera = homeView(*world_, session_, view::StandardView::back, size_points_);
+    takeSceneLook(*world_, session_, size_points_.x() / size_points_.y());
     if (settings_.intro && !session_.state.reduced_motion) intro_.begin(*world_, session_.now_s);
   }
-  eyes_ = view::eyesOf(session_.camera, session_.state.stereo, eye.aspect());
-  pointer_.look({eyes_.screen, eyes_.middle, Vec2(target_->width(), target_->height()), session_.state.stereo.mode},
-                world_);
+  const view::EyePicture eye = view::eyePictureIn(stereo_.mode, target_->width(), target_->height());
+  eyes_ = view::eyesOf(session_.camera, stereo_, eye.aspect());
+  pointer_.look({eyes_.screen, eyes_.middle, Vec2(target_->width(), target_->height()), stereo_.mode}, world_);
 }
 
 void Viewer::takeWorld() {
   const Turnover::Shown shown = turnover_.takeShown(servo_);
   if (!shown.world) return;
+  const bool other_scene = shown.world->scene.file != world_->scene.file;
   world_ = shown.world;
   model_ = std::make_unique<LiveModel>(world_);
   session_.world = factsOf(*world_);
   session_.device_limit_n = session_.scene.safety.nominal_force_n;
   if (session_.profile_handle < 0) session_.profile_knots = world_->deformation.normal_profile.knots;
   if (!shown.other_body) return;
+  history_.clear();
+  freeze(session_, false);
   pointer_.reset();
   std::vector<view::Command> lifted;
   input_.handle({.kind = view::InputEvent::Kind::focus}, {}, lifted);
-  if (seen_) setView(view::StandardView::back);
+  if (!seen_) return;
+  const view::Camera before = session_.camera;
+  if (!other_scene || !takeSceneLook(*world_, session_, size_points_.x() / size_points_.y())) {
+    return setView(view::StandardView::back);
+  }
+  pointer_.fly(std::exchange(session_.camera, before), session_, kFlightS);
 }
 
-void Viewer::followServo() {
+void Viewer::followServo(double elapsed_s) {
   takeSamples();
   Performance& performance = session_.performance;
   performance.servo = servo_.vitals();
   performance.dropped_samples = servo_.droppedSamples();
-  if (session_.frozen) return;
-  const servo::ContactFrame& contacts = servo_.contacts();
+  if (!session_.frozen && recorded_) leaveReplay();
+  advanceReplay(session_, history(), elapsed_s);
+  if (session_.frozen && !history().empty()) {
+    show(history().at(session_.replay.at_s));
+  } else {
+    show(servo_.contacts());
+  }
+}
+
+void Viewer::show(std::span<const trace::Sample> contacts) {
   for (std::size_t i = 0; i < kFingers; ++i) session_.fingers[i] = contacts[i].contact;
   const LiveModel::Times times = model_->follow(contacts);
-  performance.deform_ms = times.deform_ms;
-  performance.upload_ms = times.upload_ms;
+  session_.performance.deform_ms = times.deform_ms;
+  session_.performance.upload_ms = times.upload_ms;
 }
+
+/// A recorded table that has been felt again is shown frozen at its beginning, and the plots show it.
+void Viewer::takeReplay() {
+  auto result = replay_loader_.take();
+  if (!result) return;
+  if (!result->touch) return session_.report(Severity::error, "cannot replay " + result->error);
+  session_.messages.clearErrors("cannot replay ");
+  recorded_ = std::move(result->touch);
+  const TouchHistory& history = recorded_->history;
+  for (SampleHistory& plot : session_.plots) plot = SampleHistory(recorded_->ticks_per_s, kLongestReplayS);
+  history.forEach([this](const trace::Sample& sample) { plot(sample); });
+  session_.replay = {history.oldestTime(), history.oldestTime(), history.newestTime(), false, recorded_->file};
+  session_.frozen = true;
+  session_.plots_paused = false;
+}
+
+void Viewer::replay(const std::string& table) {
+  if (!replay_loader_.load(world_, session_.scene, table)) {
+    session_.report(Severity::info, "Another table is still being read");
+  }
+}
+
+void Viewer::leaveReplay() {
+  recorded_.reset();
+  session_.replay = {};
+  for (SampleHistory& plot : session_.plots) plot = SampleHistory(session_.scene.ticks_per_s);
+}
+
+void Viewer::plot(const trace::Sample& sample) { session_.plots[sample.finger].add(sample, session_.device_limit_n); }
 
 void Viewer::takeSamples() {
   trace::Sample sample;
   while (servo_.pop(sample)) {
     outputs_.addSample(sample);
-    if (!session_.frozen) session_.plots[sample.finger].add(sample);
+    if (session_.frozen) continue;  // what is studied stays as it is
+    plot(sample);
+    history_.add(sample);
   }
 }
 
@@ -197,6 +256,7 @@ void Viewer::obey(const view::Command& command) {
 void Viewer::actOn(const view::Command& command) {
   using view::Action;
   using view::StandardView;
+  if (replayKey(command.action, command.fine, session_)) return;
   if (pointer_.step(command.action, command.fine, session_)) return;
   switch (command.action) {
     case Action::centre_on_finger:
@@ -235,6 +295,7 @@ void Viewer::useChanges() {
 void Viewer::grant(const Wish& wish) {
   switch (wish.kind) {
     case Wish::Kind::open:
+      if (std::filesystem::path(wish.file).extension() == ".csv") return replay(wish.file);
       return turnover_.open(wish.file, session_);
     case Wish::Kind::default_scene:
       return turnover_.open(settings_.default_scene, session_);
@@ -285,21 +346,63 @@ void Viewer::pointServo() {
   }
 }
 
-void Viewer::paint(double scale) {
-  const std::int64_t started = servo::monotonicNs();
+/// In a picture of two parts the system's pointer would be in one of them: ours is drawn in both.
+void Viewer::showCursor() {
+  const bool own = view::hasTwoParts(stereo_.mode);
+  ImGui::GetIO().MouseDrawCursor = own;
+  if (std::exchange(own_cursor_, own) != own && host_.show_cursor) host_.show_cursor(!own);
+}
+
+void Viewer::guardShading(double elapsed_s) {
+  const ViewState& state = session_.state;
+  if (!state.simpler_when_slow || state.look.shading == view::Shading::gouraud) {
+    shading_guard_.reset();
+  } else {
+    const bool counts = seen_ && !session_.building && !session_.recording.sequence;
+    const auto change = shading_guard_.frame(elapsed_s, 1e-3 * session_.performance.frame_ms, counts);
+    if (change == ShadingGuard::Change::simpler) {
+      session_.report(Severity::warning,
+                      fmt::format("Pictures came {:.0f} times a second, so the skin is drawn smooth for now; "
+                                  "Show > shading decides for good",
+                                  session_.performance.frames_per_s));
+    } else if (change == ShadingGuard::Change::as_wished) {
+      session_.report(Severity::info, "There is time to spare: the skin is drawn as before");
+    }
+  }
+  session_.simple_shading = shading_guard_.simple();
+}
+
+std::vector<view::FingerMark> Viewer::fingerMarks() {
   std::vector<view::FingerMark> marks;
   for (std::size_t i = 0; i < kFingers; ++i) {
+    peaks_[i].follow(session_.fingers[i], session_.now_s);
     if (!session_.finger_present[i] || session_.fingers[i].tip.z() > 0.5 * view::kNowhere.z()) continue;
     const double radius = fingerRadius(session_, i);
-    marks.push_back({session_.fingers[i], radius, i == 0 ? view::kLeftFinger : view::kRightFinger, radius, i == 0});
+    const bool left = i == 0;
+    const double outline = i == session_.active_finger ? 0.0 : kOutline;
+    marks.push_back({session_.fingers[i], radius, left ? view::kLeftFinger : view::kRightFinger, radius, left, outline,
+                     peaks_[i].shown(session_.now_s)});
   }
+  return marks;
+}
+
+/// None while the past is looked at: they are where the fingers are now.
+std::vector<view::Lines> Viewer::rings() const {
+  if (session_.editor.active) return dysfunctionRings(session_, pointer_, *world_);
+  return session_.frozen ? std::vector<view::Lines>() : fingerRings(session_, pointer_);
+}
+
+void Viewer::paint(double scale) {
+  const std::int64_t started = servo::monotonicNs();
   view::PictureSettings picture;
   picture.camera = session_.camera;
   picture.look = session_.state.look;
-  picture.stereo = session_.state.stereo;
+  if (session_.simple_shading) picture.look.shading = view::Shading::gouraud;
+  picture.stereo = stereo_;
   picture.labels.numbers = session_.state.shown.numbers;
   view::Canvas canvas;
-  canvas.framebuffer = target_->framebuffer();
+  canvas.framebuffer = drawsItself() ? 0 : target_->framebuffer();
+  canvas.quad_buffer = host_.quad_buffer;
   canvas.width = target_->width();
   canvas.height = target_->height();
   canvas.pixels_per_point = scale;
@@ -308,7 +411,9 @@ void Viewer::paint(double scale) {
   const FreeArea free = freeArea(session_, width, height);
   canvas.covered = {free.left, free.top, width - free.right, height - free.below};
   const auto over = [this](const view::EyePicture& eye) { gui_.present(eye.width, eye.height); };
-  model_->painter().paint({marks, session_.now_s}, model_->surface(), picture, canvas, over);
+  const std::vector<view::FingerMark> fingers = fingerMarks();
+  const std::vector<view::Lines> shown_rings = rings();
+  model_->painter().paint({fingers, session_.now_s, shown_rings}, model_->surface(), picture, canvas, over);
   session_.performance.draw_ms = sinceMs(started);
 }
 

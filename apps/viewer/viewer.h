@@ -13,12 +13,16 @@
 #include <string>
 #include <vector>
 
+#include "apps/viewer/eyesight.h"
 #include "apps/viewer/intro.h"
 #include "apps/viewer/live_model.h"
 #include "apps/viewer/live_servo.h"
 #include "apps/viewer/outputs.h"
 #include "apps/viewer/pointer.h"
+#include "apps/viewer/press_peak.h"
+#include "apps/viewer/recorded_touch.h"
 #include "apps/viewer/session.h"
+#include "apps/viewer/shading_guard.h"
 #include "apps/viewer/turnover.h"
 #include "palpate/view/gui.h"
 #include "palpate/view/target.h"
@@ -36,6 +40,9 @@ struct ViewerHost {
   std::function<void()> toggle_full_screen;
   std::function<void(const std::string&)> set_clipboard;
   std::function<std::string()> clipboard;
+  std::function<void(bool)> show_cursor;
+  /// Framebuffer 0 has a picture for each eye; the viewer then draws quad-buffer stereo into it (drawsItself).
+  bool quad_buffer = false;
 };
 
 /// Needs a current GL context; belongs to its thread. Throws Error where the world cannot be drawn or felt.
@@ -50,7 +57,13 @@ class Viewer {
   /// One frame, `width` x `height` pixels, `scale` pixels a point of the screen, `now_s` on any steady clock.
   void frame(int width, int height, double scale, double now_s, std::span<const view::InputEvent> events);
 
+  /// Where the eyes were measured, mm from the origin of what measures: right, up, towards the head, in the plane of
+  /// the screen. Any number of times a second; `now_s` on the clock of `frame`. Used while state.head.on.
+  void headAt(const Vec3& eyes_mm, double now_s) { eyesight_.headAt(eyes_mm, now_s); }
+
   const view::Target& target() const { return *target_; }
+  /// The last frame went to framebuffer 0: nothing is left but to swap.
+  bool drawsItself() const { return host_.quad_buffer && stereo_.mode == view::StereoMode::quad_buffer; }
   bool wantsToQuit() const { return quit_; }
   Session& session() { return session_; }
   const view::Input& input() const { return input_; }
@@ -63,8 +76,14 @@ class Viewer {
   void makeTarget(int width, int height);
   void lookAround();
   void takeWorld();
-  void followServo();
+  void followServo(double elapsed_s);
   void takeSamples();
+  void plot(const trace::Sample& sample);
+  void replay(const std::string& table);
+  void takeReplay();
+  void leaveReplay();
+  void show(std::span<const trace::Sample> contacts);
+  const TouchHistory& history() const { return recorded_ ? recorded_->history : history_; }
   void handle(std::span<const view::InputEvent> events);
   void obey(const view::Command& command);
   void actOn(const view::Command& command);
@@ -72,6 +91,10 @@ class Viewer {
   void grant(const Wish& wish);
   void setView(view::StandardView side);
   void pointServo();
+  void showCursor();
+  void guardShading(double elapsed_s);
+  std::vector<view::FingerMark> fingerMarks();
+  std::vector<view::Lines> rings() const;
   void paint(double scale);
 
   ViewerSettings settings_;
@@ -83,8 +106,15 @@ class Viewer {
   LiveServo servo_;
   std::unique_ptr<LiveModel> model_;
   Turnover turnover_;
+  TouchHistory history_;
+  ReplayLoader replay_loader_;
+  std::optional<RecordedTouch> recorded_;  ///< looked at in place of the history
   Outputs outputs_;
   Intro intro_;
+  Eyesight eyesight_;
+  view::StereoSettings stereo_;  ///< of this frame
+  ShadingGuard shading_guard_;
+  std::array<PressPeak, kFingers> peaks_;
   view::Gui gui_;
   std::unique_ptr<view::Target> target_;
   Vec2 size_points_ = Vec2(1, 1);
@@ -93,6 +123,7 @@ class Viewer {
   int standard_view_ = 0;
   double frame_s_ = 1.0 / 60.0;  ///< smoothed time between two frames
   bool seen_ = false;            ///< a frame has been drawn
+  bool own_cursor_ = false;      ///< drawn once for each eye, in place of the system's
   bool quit_ = false;
 };
 

@@ -104,6 +104,11 @@ TEST_F(GoldenPictures, OfEveryStereoMode) {
   }
 }
 
+TEST_F(GoldenPictures, OfAFingerThatWasLeftWhereItIs) {
+  fingers_[0].outline = 1.5;
+  expect("outline", closeUp());
+}
+
 TEST_F(GoldenPictures, OfATrackedHead) {
   PictureSettings settings = closeUp();
   settings.stereo.head = TrackedHead{{150.0, 60.0, 500.0}, 160.0};

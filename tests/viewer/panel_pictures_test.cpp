@@ -4,11 +4,14 @@
 #include <imgui.h>
 
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <numbers>
 
+#include "apps/viewer/open_dialog.h"
 #include "apps/viewer/panels.h"
 #include "apps/viewer/widgets.h"
+#include "palpate/base/text.h"
 #include "palpate/view/offscreen.h"
 #include "palpate/view/target.h"
 #include "support/image_compare.h"
@@ -18,6 +21,7 @@ namespace {
 
 constexpr double kTicksPerS = 1000.0;
 constexpr float kPanelWidth = 300.0f;
+constexpr double kDeviceLimitN = 3.3;
 
 /// One press of a finger that is pulled sideways on its way, as the servo would tell it.
 void addPress(SampleHistory& history, double from_s, double most_mm) {
@@ -29,10 +33,11 @@ void addPress(SampleHistory& history, double from_s, double most_mm) {
     sample.contact = nowhere();
     sample.contact.depth_mm = most_mm * std::sin(std::numbers::pi * share);
     sample.contact.tip = Vec3(60.0 * share * share, 0.0, -sample.contact.depth_mm);
+    sample.contact.hold = sample.contact.tip;
     sample.contact.normal = Vec3::UnitZ();
     sample.contact.force = sample.contact.depth_mm * Vec3(-0.2 * share, 0.0, 0.5);
-    sample.contact.touch = contact::Touch::stick;
-    history.add(sample);
+    sample.contact.touch = share > 0.6 && share < 0.8 ? contact::Touch::slip : contact::Touch::stick;
+    history.add(sample, kDeviceLimitN);
   }
 }
 
@@ -107,9 +112,9 @@ class PanelPictures : public testing::Test {
 
   void expectPlots(const std::string& name) {
     session.now_s = 1000.0;
-    expect(name, 640, 130, [&] {
+    expect(name, 700, 162, [&] {
       session.now_s += 10.0;  // an axis shrinks after some seconds: to this test's own, whatever was drawn before
-      plotStrips(session, {0.0f, 0.0f, 640.0f, 12.0f});
+      plotStrips(session, {0.0f, 0.0f, 700.0f, 12.0f});
     });
   }
 
@@ -133,6 +138,12 @@ class PanelPictures : public testing::Test {
 
 TEST_F(PanelPictures, OfTouch) { expectPanel("touch", 310, touchPanel); }
 
+TEST_F(PanelPictures, OfTouchByForce) {
+  session.state.touch.by = view::PressBy::force;
+  session.active_finger = 1;
+  expectPanel("touch_force", 160, touchPanel);
+}
+
 TEST_F(PanelPictures, OfTissue) { expectPanel("tissue", 595, tissuePanel); }
 
 TEST_F(PanelPictures, OfTheProfileEditor) {
@@ -153,15 +164,38 @@ TEST_F(PanelPictures, OfTheModel) {
   expectPanel("model", 500, modelPanel);
 }
 
+TEST_F(PanelPictures, OfTheModelOfAMeshFile) {
+  session.scene.body.kind = scene::BodyKind::mesh;
+  session.scene.body.file = "scan.ply";
+  session.world = {"scan.ply", 81664, 40834, 310.0, 455.0, 180.0, false, false, 0.50, 0.50, {}};
+  session.world.notes = {"3 triangles without an area were left out", "it has a border: fingers slide off there"};
+  expectPanel("model_mesh", 500, modelPanel);
+}
+
 TEST_F(PanelPictures, OfWhatIsShown) {
   session.state.look.colouring = view::Colouring::stiffness;
   session.state.look.show(view::Overlay::rings, true);
-  expectPanel("show", 520, showPanel);
+  expectPanel("show", 545, showPanel);
+}
+
+TEST_F(PanelPictures, OfASkinThatIsDrawnSmoothForNow) {
+  session.simple_shading = true;
+  expectPanel("show_slow", 200, showPanel);
+}
+
+TEST_F(PanelPictures, OfATrackedHead) {
+  session.state.stereo.mode = view::StereoMode::interlaced;
+  session.state.head.on = true;
+  session.state.head.offset_mm = {0.0, 170.0, -10.0};
+  session.eyes_mm = {112.0, 38.0, 547.0};
+  session.head = view::HeadTracker::State::standing_still;
+  session.camera.distance_mm = 600.0;
+  expectPanel("stereo_head", 470, stereoPanel);
 }
 
 TEST_F(PanelPictures, OfStereo) {
   session.state.stereo.mode = view::StereoMode::anaglyph_dubois;
-  expectPanel("stereo", 180, stereoPanel);
+  expectPanel("stereo", 215, stereoPanel);
 }
 
 TEST_F(PanelPictures, OfARecording) {
@@ -171,6 +205,36 @@ TEST_F(PanelPictures, OfARecording) {
 }
 
 TEST_F(PanelPictures, OfPerformance) { expectPanel("performance", 370, performancePanel); }
+
+TEST_F(PanelPictures, OfTheReplayBar) {
+  session.frozen = true;
+  session.replay = {6.4, 0.0, 9.1, false, {}};
+  expect("replay", 500, 90, [&] { replayBar(session, {0.0f, 0.0f, 500.0f, 90.0f}); });
+  session.replay = {3.2, 0.0, 9.1, true, "somewhere/forces.csv"};
+  expect("replay_table", 500, 90, [&] { replayBar(session, {0.0f, 0.0f, 500.0f, 90.0f}); });
+}
+
+TEST_F(PanelPictures, OfPlotsAtAFrozenMoment) {
+  pressTwice();
+  session.frozen = true;
+  session.replay.at_s = 6.4;
+  expectPlots("plots_frozen");
+}
+
+TEST_F(PanelPictures, OfTheOpenDialog) {
+  const std::filesystem::path folder = "/tmp/palpate-pictures";
+  std::filesystem::create_directories(folder / "people");
+  for (const char* name : {"back.toml", "scan.ply", "forces.csv", "notes.txt"}) writeFile(folder / name, "");
+  session.state.recent = {"/home/somebody/back.toml", "/home/somebody/scans/torso.obj"};
+  showFolder(folder);
+  expect("open", 600, 420, [&] { openDialog(session); });
+  std::filesystem::remove_all(folder);
+}
+
+TEST_F(PanelPictures, OfTheEditorsFrame) {
+  const FreeArea free{0.0f, 0.0f, 640.0f, 160.0f};
+  expect("editing", 640, 160, [&] { editingFrame(session, free); });
+}
 
 TEST_F(PanelPictures, OfThePlots) {
   pressTwice();

@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "palpate/servo/limiter.h"
+
 namespace palpate::viewer {
 namespace {
 
@@ -27,6 +29,24 @@ TEST(SampleHistory, NoSpikeIsLostHoweverNarrowThePlot) {
     highest = std::max(highest, column.high);
   }
   EXPECT_EQ(highest, 9.0f);
+}
+
+TEST(SampleHistory, MarksTouchSlipAndForcesThatADeviceWouldNotGet) {
+  SampleHistory history;
+  for (std::uint64_t tick = 0; tick < 1000; ++tick) {
+    trace::Sample sample = sampleAt(tick, tick >= 310 && tick < 390 ? 9.0 : 1.0);
+    if (tick >= 210 && tick < 690) sample.contact.touch = contact::Touch::stick;
+    if (tick >= 510 && tick < 590) sample.contact.touch = contact::Touch::slip;
+    if (tick == 650) sample.safety = servo::kSlewLimited;
+    if (tick == 250) sample.safety = servo::kRamping;  // no news
+    history.add(sample, 5.0);
+  }
+  const auto marks = history.marks(1.0, 1.0, 10);
+  for (std::size_t i = 0; i < 10; ++i) {
+    EXPECT_EQ(marks[i].touching, i >= 2 && i < 7) << i;
+    EXPECT_EQ(marks[i].slipping, i == 5) << i;
+    EXPECT_EQ(marks[i].limited, i == 3 || i == 6) << i;
+  }
 }
 
 TEST(SampleHistory, ForgetsWhatIsOlderThanItsLength) {

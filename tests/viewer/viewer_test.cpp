@@ -203,6 +203,32 @@ TEST(Viewer, FreezesThePictureButNotTheTouch) {
   EXPECT_TRUE(stage.until([&] { return stage.finger().depth_mm > 5.0; }));
 }
 
+/// Frames that come twenty times a second.
+void slowFrames(Stage& stage, int count) {
+  for (int i = 0; i < count; ++i) stage.viewer->frame(320, 240, 1.0, stage.now_s += 0.05, {});
+}
+
+TEST(Viewer, DrawsTheSkinSmoothWhilePicturesAreSlowAndSaysSo) {
+  ViewState state = Stage::quiet();
+  state.look.shading = view::Shading::skin;
+  Stage stage(state);
+  slowFrames(stage, 60);
+  EXPECT_TRUE(stage.session().simple_shading);
+  EXPECT_NE(stage.lastMessage().find("drawn smooth for now"), std::string::npos) << stage.lastMessage();
+  EXPECT_EQ(stage.session().messages.all().back().severity, Severity::warning);
+  EXPECT_EQ(stage.session().state.look.shading, view::Shading::skin) << "what is remembered is the user's choice";
+}
+
+TEST(Viewer, NeverDrawsSmootherThanTheUserChose) {
+  ViewState state = Stage::quiet();
+  state.look.shading = view::Shading::skin;
+  state.simpler_when_slow = false;
+  Stage stage(state);
+  slowFrames(stage, 60);
+  EXPECT_FALSE(stage.session().simple_shading);
+  EXPECT_TRUE(stage.session().messages.all().empty());
+}
+
 TEST(Viewer, EscapeNeverQuits) {
   Stage stage;
   stage.key(view::functionKey(1));

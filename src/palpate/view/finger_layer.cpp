@@ -16,11 +16,12 @@ layout(location = 0) in vec3 point;
 layout(location = 1) in vec3 point_normal;
 uniform mat3 axes;  // a turn, and a size
 uniform vec3 origin;
+uniform float grown;  // mm along the normals
 out vec3 place;
 out vec3 normal;
 void main() {
-  place = origin + axes * point;
   normal = axes * point_normal;
+  place = origin + axes * point + grown * normalize(normal);
   gl_Position = clip_from_body * vec4(place, 1.0);
 }
 )";
@@ -30,8 +31,13 @@ in vec3 place;
 in vec3 normal;
 uniform vec3 finger_colour;
 uniform vec3 down;  // towards the skin, which takes away light and gives its own
+uniform float rim;  // 1: an outline, which knows no light
 out vec4 colour;
 void main() {
+  if (rim > 0.5) {
+    colour = vec4(encoded(finger_colour), 1.0);
+    return;
+  }
   vec3 n = normalize(normal);
   vec3 to_eye = normalize(eye - place);
   float near_skin = 0.5 + 0.5 * dot(n, down);
@@ -42,6 +48,9 @@ void main() {
   colour = vec4(encoded(toned(0.75 * light)), 1.0);
 }
 )";
+
+/// Linear: light, so that it is seen on skin of every tone and on both fingers.
+const Vec3f kRim{0.95f, 0.93f, 0.80f};
 
 constexpr Index kRings = 24;
 constexpr Index kSectors = 48;
@@ -115,19 +124,34 @@ void FingerLayer::begin(const Viewpoint& viewpoint) const {
   glEnable(GL_CULL_FACE);
 }
 
-void FingerLayer::drawShape(const Shape& shape, const FingerPose& finger, const Mat3& axes, const Vec3& origin) const {
+void FingerLayer::drawShape(const Shape& shape, const FingerPose& finger, const Mat3& axes, const Vec3& origin,
+                            const Viewpoint& viewpoint) const {
   program_.set("axes", Eigen::Matrix3f(axes.cast<float>()));
   program_.set("origin", Vec3f(origin.cast<float>()));
   program_.set("finger_colour", finger.colour);
   program_.set("down", Vec3f(-finger.normal.cast<float>()));
+  program_.set("grown", 0.0f);
+  program_.set("rim", 0.0f);
   glBindVertexArray(shape.vertex_array.get());
-  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(shape.indices), GL_UNSIGNED_INT, nullptr);
+  const auto draw = [&] {
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(shape.indices), GL_UNSIGNED_INT, nullptr);
+  };
+  draw();
+  if (finger.outline <= 0.0) return;
+  // The back faces of a slightly larger shape: what stands out behind the shape is its outline.
+  const float away_mm = (finger.centre.cast<float>() - viewpoint.eye).norm();
+  program_.set("grown", static_cast<float>(finger.outline) * away_mm / viewpoint.pixels_per_radian);
+  program_.set("rim", 1.0f);
+  program_.set("finger_colour", Vec3f(kRim));
+  glCullFace(GL_FRONT);
+  draw();
+  glCullFace(GL_BACK);
 }
 
 void FingerLayer::drawBalls(std::span<const FingerPose> fingers, const Viewpoint& viewpoint) const {
   begin(viewpoint);
   for (const FingerPose& finger : fingers) {
-    drawShape(ball_, finger, finger.radius_mm * Mat3::Identity(), finger.centre);
+    drawShape(ball_, finger, finger.radius_mm * Mat3::Identity(), finger.centre, viewpoint);
   }
   glDisable(GL_CULL_FACE);
 }
@@ -138,8 +162,11 @@ HandPose FingerLayer::handPose(const scene::World& world, const FingerPose& fing
 
 void FingerLayer::drawHand(const FingerPose& finger, const HandPose& pose, const Viewpoint& viewpoint) {
   const Shape& shape = hand(finger.left).shape;
+  // A hand is open at its wrist: its inside would pass for an outline.
+  FingerPose bare = finger;
+  bare.outline = 0.0;
   begin(viewpoint);
-  drawShape(shape, finger, pose.axes, pose.origin);
+  drawShape(shape, bare, pose.axes, pose.origin, viewpoint);
   glDisable(GL_CULL_FACE);
 }
 

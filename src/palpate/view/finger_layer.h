@@ -32,7 +32,8 @@ class FingerLayer {
   static Shape uploaded(const mesh::TriangleMesh& mesh);
   const Hand& hand(bool left);
   void begin(const Viewpoint& viewpoint) const;
-  void drawShape(const Shape& shape, const FingerPose& finger, const Mat3& axes, const Vec3& origin) const;
+  void drawShape(const Shape& shape, const FingerPose& finger, const Mat3& axes, const Vec3& origin,
+                 const Viewpoint& viewpoint) const;
 
   Program program_;
   Shape ball_;

@@ -95,6 +95,7 @@ FingerPose poseOf(const scene::World& world, const DrawnSkin& skin, const Finger
   pose.touches = finger.contact.touch != contact::Touch::free;
   pose.colour = finger.colour;
   pose.left = finger.left;
+  pose.outline = finger.outline;
   pose.centre = pose.tail = finger.contact.tip;
   if (skin.vertices() == 0) return pose;
   const Support support = supportOf(world, skin, finger);

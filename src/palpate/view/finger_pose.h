@@ -4,6 +4,8 @@
 // the deformed friction anchor along the contact's normal and lifted until no triangle around reaches into it. No GL.
 #pragma once
 
+#include <optional>
+
 #include "palpate/contact/finger.h"
 #include "palpate/scene/world.h"
 #include "palpate/view/drawn_skin.h"
@@ -15,13 +17,21 @@ inline const Vec3f kLeftFinger{0.10f, 0.26f, 0.78f};
 inline const Vec3f kRightFinger{0.76f, 0.09f, 0.07f};
 inline const Vec3f kOtherFinger{0.55f, 0.50f, 0.20f};
 
+/// The most that a press came to.
+struct Peak {
+  double depth_mm = 0.0;
+  double force_n = 0.0;
+};
+
 /// A finger as it is drawn.
 struct FingerMark {
   contact::FingerOutput contact;
   double radius_mm = 8.0;  ///< of the drawn ball
   Vec3f colour = kLeftFinger;
-  double haptic_radius_mm = 0.0;  ///< of the finger that touches: its tip is the centre of a ball of this radius
-  bool left = true;               ///< which hand, when hands are drawn
+  double haptic_radius_mm = 0.0;    ///< of the finger that touches: its tip is the centre of a ball of this radius
+  bool left = true;                 ///< which hand, when hands are drawn
+  double outline = 0.0;             ///< width of a light rim round it, points: the finger that was put and left there
+  std::optional<Peak> lifted = {};  ///< its numbers for a moment after it was lifted
 };
 
 /// The drawn ball.
@@ -32,7 +42,8 @@ struct FingerPose {
   Vec3f colour = kLeftFinger;
   double radius_mm = 8.0;
   bool touches = false;
-  bool left = true;  ///< which hand
+  bool left = true;      ///< which hand
+  double outline = 0.0;  ///< FingerMark::outline, in points until the renderer makes it pixels
 };
 
 FingerPose poseOf(const scene::World& world, const DrawnSkin& skin, const FingerMark& finger);

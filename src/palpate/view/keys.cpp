@@ -55,7 +55,7 @@ constexpr KeyBinding kTable[] = {
     {A::colour_strain, G::overlays, plain('S'), kNone, false, "Strain", "Colour the skin by strain; again: off."},
     {A::colour_stiffness, G::overlays, plain('M'), kNone, false, "Stiffness", "Colour the skin by stiffness; again: off."},
     {A::colour_ellipses, G::overlays, plain('L'), kNone, false, "Ellipse map", "Colour the skin by the size of its ellipse; again: off."},
-    {A::freeze, G::window, plain(Key::space), kNone, false, "Freeze", "Freeze picture and plots; the touch goes on."},
+    {A::freeze, G::window, plain(Key::space), kNone, false, "Freeze", "Freeze picture and plots, for Left and Right to step; the touch goes on."},
     {A::help, G::window, f(1), kNone, false, "Keys", "Show this list."},
     {A::numbers, G::window, f(2), kNone, false, "Numbers", "Show depth and force beside the finger."},
     {A::performance, G::window, f(3), kNone, false, "Performance", "Show how fast and how punctual everything is."},

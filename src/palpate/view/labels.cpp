@@ -124,11 +124,16 @@ Vec2f placeOnPage(const Drawing& page, const Eyes& eyes, const Vec3& place) {
   return seen.cast<float>().cwiseProduct(page.size());
 }
 
-std::vector<std::string> numbersOf(const contact::FingerOutput& contact, const std::string& name) {
+/// Of now, or of the press that just ended.
+std::vector<std::string> numbersOf(const FingerMark& finger, const std::string& name) {
   std::vector<std::string> lines;
   if (!name.empty()) lines.push_back(name);
-  lines.push_back(fmt::format("depth {:.1f} mm", contact.depth_mm));
-  lines.push_back(fmt::format("force {:.2f} N", contact.force.norm()));
+  const contact::FingerOutput& contact = finger.contact;
+  const Peak now{contact.depth_mm, contact.force.norm()};
+  const Peak& said = finger.lifted ? *finger.lifted : now;
+  const std::string_view most = finger.lifted ? "most " : "";
+  lines.push_back(fmt::format("{}depth {:.1f} mm", most, said.depth_mm));
+  lines.push_back(fmt::format("{}force {:.2f} N", most, said.force_n));
   return lines;
 }
 
@@ -143,7 +148,7 @@ Vec2f extentOf(const Drawing& page, const std::vector<std::string>& lines) {
 
 /// A plate beside the finger, never under it nor under another label, with a line to it; never off the page.
 void drawNumbers(Drawing& page, const Vec2f& tip, const FingerMark& finger, const std::string& name, Taken& taken) {
-  const std::vector<std::string> lines = numbersOf(finger.contact, name);
+  const std::vector<std::string> lines = numbersOf(finger, name);
   constexpr float kPad = 6.0f;
   constexpr float kStripe = 3.0f;
   const Vec2f size = extentOf(page, lines) + Vec2f(2.0f * kPad + kStripe, 2.0f * kPad);
@@ -173,7 +178,8 @@ void drawFingers(Drawing& page, const LabelScene& scene, const LabelSettings& se
   }
   for (std::size_t i = 0; i < tips.size(); ++i) {
     const FingerMark& finger = scene.frame.fingers[i];
-    if (finger.contact.touch == contact::Touch::free || !tips[i].allFinite()) continue;
+    const bool speaks = finger.contact.touch != contact::Touch::free || finger.lifted;
+    if (!speaks || !tips[i].allFinite()) continue;
     drawNumbers(page, tips[i], finger, nameOf(settings, i), taken);
   }
 }

@@ -58,6 +58,7 @@ struct Renderer::Parts {
     hands.clear();
     if (look.finger == FingerShape::none) return;
     for (const FingerMark& finger : frame.fingers) poses.push_back(poseOf(*world, drawn, finger));
+    for (FingerPose& pose : poses) pose.outline *= frame.pixels_per_point;
     if (look.finger != FingerShape::hand) return;
     for (FingerPose& pose : poses) {
       hands.push_back(fingers.handPose(*world, pose));
@@ -90,6 +91,7 @@ struct Renderer::Parts {
     lines.draw(shapes.patches, viewpoint);
     lines.draw(shapes.thin, viewpoint, frame.pixels_per_point);
     lines.draw(shapes.bold, viewpoint, frame.pixels_per_point);
+    for (const Lines& marks : frame.marks) lines.draw(marks, viewpoint, frame.pixels_per_point);
   }
 };
 

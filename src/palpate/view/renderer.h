@@ -14,6 +14,7 @@
 #include "palpate/scene/world.h"
 #include "palpate/view/camera.h"
 #include "palpate/view/finger_pose.h"
+#include "palpate/view/lines.h"
 #include "palpate/view/look.h"
 
 namespace palpate::partition {
@@ -26,7 +27,8 @@ namespace palpate::view {
 struct Frame {
   std::span<const FingerMark> fingers;
   double time_s = 0.0;
-  double pixels_per_point = 1.0;  ///< widens lines: the screen's content scale, times the supersampling
+  std::span<const Lines> marks = {};  ///< of the caller, drawn as overlays are (lines.h)
+  double pixels_per_point = 1.0;      ///< widens lines: the screen's content scale, times the supersampling
 };
 
 class Renderer {

@@ -67,6 +67,7 @@ constexpr double kRoom = 120.0;
 }  // namespace
 
 bool isStereo(StereoMode mode) { return mode != StereoMode::mono; }
+bool hasTwoParts(StereoMode mode) { return isSideBySide(mode) || isTopBottom(mode); }
 
 StereoMode stereoModeNamed(std::string_view name) {
   const auto* found = std::find(kStereoModeNames.begin(), kStereoModeNames.end(), name);

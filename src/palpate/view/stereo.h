@@ -103,6 +103,8 @@ Corner cornerOf(Eye eye, const StereoSettings& settings, int width, int height);
 Vec2 placeInEye(StereoMode mode, const Vec2& place);
 
 bool isStereo(StereoMode mode);
+/// Each eye's picture has a part of the whole one of its own: the system's pointer would be in one of them only.
+bool hasTwoParts(StereoMode mode);
 /// Throws Error naming the modes.
 StereoMode stereoModeNamed(std::string_view name);
 

@@ -123,7 +123,12 @@ void Window::Handles::create(const WindowSettings& settings) {
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
   glfwWindowHint(GLFW_DEPTH_BITS, 0);  // the picture is made elsewhere
-  window = glfwCreateWindow(settings.width, settings.height, settings.title.c_str(), nullptr, nullptr);
+  const auto open = [&](bool quad_buffer) {
+    glfwWindowHint(GLFW_STEREO, quad_buffer ? GLFW_TRUE : GLFW_FALSE);
+    window = glfwCreateWindow(settings.width, settings.height, settings.title.c_str(), nullptr, nullptr);
+  };
+  if (settings.quad_buffer) open(true);
+  if (window == nullptr) open(false);
   if (window == nullptr) {
     throw Error(fmt::format("the window needs OpenGL 3.3 and found {}; {}", offeredVersion(), kWithoutAWindow));
   }
@@ -213,7 +218,19 @@ void Window::present(const Target& target) {
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
   glBlitFramebuffer(0, 0, target.width(), target.height(), 0, 0, width(), height(), GL_COLOR_BUFFER_BIT,
                     target.width() == width() && target.height() == height() ? GL_NEAREST : GL_LINEAR);
-  glfwSwapBuffers(handles_->window);
+  swap();
+}
+
+bool Window::quadBuffered() const {
+  GLboolean offered = GL_FALSE;
+  glGetBooleanv(GL_STEREO, &offered);
+  return offered == GL_TRUE;
+}
+
+void Window::swap() { glfwSwapBuffers(handles_->window); }
+
+void Window::showCursor(bool shown) {
+  glfwSetInputMode(handles_->window, GLFW_CURSOR, shown ? GLFW_CURSOR_NORMAL : GLFW_CURSOR_HIDDEN);
 }
 
 int Window::width() const {

@@ -18,6 +18,7 @@ struct WindowSettings {
   int x = -1;  ///< place on the desktop; negative or off every monitor: the system chooses
   int y = -1;
   bool full_screen = false;
+  bool quad_buffer = false;     ///< try for a picture an eye (shutter glasses); see quadBuffered
   bool wait_for_screen = true;  ///< present at most once a refresh
 };
 
@@ -44,6 +45,10 @@ class Window {
   bool focused() const;
   bool fullScreen() const;
   void setFullScreen(bool on);
+  /// It has a picture for each eye: draw into its framebuffer 0 (StereoMode::quad_buffer), then `swap`.
+  bool quadBuffered() const;
+  void swap();
+  void showCursor(bool shown);
   void setSize(int width, int height);
   void setTitle(const std::string& title);
   void setClipboard(const std::string& text);
