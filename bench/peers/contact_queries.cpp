@@ -11,7 +11,7 @@ namespace {
 constexpr double kLift = 1e-4;
 /// A sphere at rest on the skin is at its radius from it, to rounding: this much more is asked for.
 constexpr double kSphereReach = 1.01;
-/// So that rounding does not lose the point that made the bound.
+/// So that rounding does not lose the point that made the bound; the lift is added, for a tip on the skin.
 constexpr double kBoundSlack = 1.001;
 
 using contact::FingerOutput;
@@ -26,7 +26,7 @@ ContactQuery pointQuery(const FingerOutput& before, const FingerOutput& now, dou
   if (!touches(before) && !touches(now)) return query;
   query.point = now.tip;
   query.reach = reach;
-  query.bound = touches(before) ? std::min(reach, kBoundSlack * (before.proxy - now.tip).norm()) : reach;
+  query.bound = touches(before) ? std::min(reach, kBoundSlack * (before.proxy - now.tip).norm() + lift) : reach;
   return query;
 }
 

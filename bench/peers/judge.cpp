@@ -28,22 +28,29 @@ PeerFigures figuresOf(const Peer& peer, const PeerRun<Answer>& run) {
   return figures;
 }
 
-bool agree(const ContactAnswer& a, const ContactAnswer& b, double tolerance, double reach) {
-  if (a.crosses != b.crosses) return false;
-  if (std::isinf(a.distance) && std::isinf(b.distance)) return true;
+/// A segment that begins or ends on the surface crosses it for the one and only touches it for the other.
+bool endsOnSurface(const partition::TriangleTree& tree, const ContactQuery& query, double tolerance) {
+  return partition::nearestPoint(tree, query.from, tolerance).triangle != kNoIndex ||
+         partition::nearestPoint(tree, query.to, tolerance).triangle != kNoIndex;
+}
+
+bool isRight(const ContactAnswer& answer, const partition::TriangleTree& tree, const ContactQuery& query) {
+  const double tolerance = kTolerance * tree.diagonal;
+  const ContactAnswer exact = exactAnswer(tree, query);
+  if (answer.crosses != exact.crosses && !endsOnSurface(tree, query, tolerance)) return false;
+  if (std::isinf(answer.distance) && std::isinf(exact.distance)) return true;
   // The one may find what lies just beyond the other's reach.
-  return std::abs(std::min(a.distance, reach) - std::min(b.distance, reach)) <= tolerance;
+  return std::abs(std::min(answer.distance, query.reach) - std::min(exact.distance, query.reach)) <= tolerance;
 }
 
 void judge(const PeerRun<ContactAnswer>& run, const ContactWorld& world, std::span<const ContactQuery> queries,
            PeerFigures& figures) {
-  const partition::TriangleTree& tree = world.surface.tree;
   Hash hash;
   std::size_t found = 0;
   for (std::size_t k = 0; k < run.asked.size(); ++k) {
     const ContactQuery& query = queries[run.asked[k]];
     const ContactAnswer& answer = run.answers[k];
-    if (!agree(answer, exactAnswer(tree, query), kTolerance * tree.diagonal, query.reach)) ++figures.disagreements;
+    if (!isRight(answer, world.surface.tree, query)) ++figures.disagreements;
     if (std::isfinite(answer.distance)) {
       figures.mean_distance_mm += answer.distance / world.scale;
       ++found;

@@ -9,8 +9,10 @@
 namespace palpate::bench {
 
 namespace {
-/// Consecutive queries: long enough that what a library keeps from query to query still helps it.
-constexpr std::size_t kBlock = 64;
+/// Consecutive queries: long enough that what a library keeps from query to query still helps it. For the slowest
+/// shorter, so that there are still some blocks.
+constexpr std::size_t kLongestBlock = 64;
+constexpr std::size_t kFewestBlocks = 8;
 }  // namespace
 
 std::vector<std::uint32_t> affordableQueries(std::size_t count, double query_us, double seconds) {
@@ -20,10 +22,12 @@ std::vector<std::uint32_t> affordableQueries(std::size_t count, double query_us,
     for (std::size_t i = 0; i < count; ++i) asked.push_back(static_cast<std::uint32_t>(i));
     return asked;
   }
-  const std::size_t blocks = std::max<std::size_t>(1, static_cast<std::size_t>(affordable) / kBlock);
+  const std::size_t length =
+      std::clamp<std::size_t>(static_cast<std::size_t>(affordable) / kFewestBlocks, 1, kLongestBlock);
+  const std::size_t blocks = std::max(kFewestBlocks, static_cast<std::size_t>(affordable) / length);
   for (std::size_t block = 0; block < blocks; ++block) {
     const std::size_t first = block * count / blocks;
-    const std::size_t end = std::min({first + kBlock, (block + 1) * count / blocks, count});
+    const std::size_t end = std::min(first + length, (block + 1) * count / blocks);
     for (std::size_t i = first; i < end; ++i) asked.push_back(static_cast<std::uint32_t>(i));
   }
   return asked;

@@ -10,7 +10,7 @@
 namespace palpate::bench {
 
 /// Which of `count` queries to ask when one takes about `query_us`: all in their order when they fit into `seconds`,
-/// otherwise blocks of consecutive ones, spread evenly. At least one block.
+/// otherwise blocks of consecutive ones, spread evenly; a few at least.
 std::vector<std::uint32_t> affordableQueries(std::size_t count, double query_us, double seconds);
 
 /// Bytes that the heap has handed out; none where the C library does not say.
@@ -37,12 +37,15 @@ void timeAnswers(std::size_t count, double seconds, PeerRun<Answer>& run, Ask&& 
     ask(query);
     return std::max(0.0, detail::microseconds(detail::Clock::now() - start) - empty_us);
   };
-  std::vector<double> trials(9);
-  for (std::size_t i = 0; i < trials.size(); ++i) trials[i] = microsecondsFor(i * (count - 1) / (trials.size() - 1));
+  std::vector<double> trials;
+  for (std::size_t i = count / 2; i < std::min(count, count / 2 + 5); ++i) trials.push_back(microsecondsFor(i));
   run.asked = affordableQueries(count, percentilesOf(trials).p50, seconds);
   run.answers.resize(run.asked.size());
   run.query_us.resize(run.asked.size());
   for (std::size_t k = 0; k < run.asked.size(); ++k) {
+    // A block begins as if the queries before it had been asked: with caches and hints of the place.
+    const bool begins_block = k == 0 || run.asked[k] != run.asked[k - 1] + 1;
+    if (begins_block) ask(run.asked[k] > 0 ? run.asked[k] - 1 : 0);
     run.query_us[k] = microsecondsFor(run.asked[k]);
     run.answers[k] = note(run.asked[k]);
   }
