@@ -11,9 +11,15 @@ inline constexpr std::string_view kReportStyle = R"css(
 :root { --ink: #222; --quiet: #5d6470; --line: #dfe3e8; --paper: #fff; --wash: #f5f7f9; --accent: #0072b2; }
 * { box-sizing: border-box; }
 html { scroll-behavior: smooth; }
-body { margin: 0; color: var(--ink); background: var(--paper); font: 16px/1.55 system-ui, "Segoe UI", "Helvetica Neue", "DejaVu Sans", sans-serif; }
+body {
+  margin: 0; color: var(--ink); background: var(--paper);
+  font: 16px/1.55 system-ui, "Segoe UI", "Helvetica Neue", "DejaVu Sans", sans-serif;
+}
 .sheet { display: grid; grid-template-columns: 17rem minmax(0, 1fr); }
-nav { position: sticky; top: 0; align-self: start; height: 100vh; overflow: auto; padding: 2rem 1.25rem; background: var(--wash); border-right: 1px solid var(--line); font-size: 0.9rem; }
+nav {
+  position: sticky; top: 0; align-self: start; height: 100vh; overflow: auto; padding: 2rem 1.25rem;
+  background: var(--wash); border-right: 1px solid var(--line); font-size: 0.9rem;
+}
 nav p { margin: 0 0 0.75rem; font-weight: 600; }
 nav ol { margin: 0; padding-left: 1.5rem; }
 nav li { margin: 0.4rem 0; color: var(--quiet); }
@@ -25,7 +31,10 @@ h2 { font-size: 1.5rem; line-height: 1.25; margin: 0 0 0.5rem; }
 h3 { font-size: 1.05rem; margin: 2rem 0 0.5rem; }
 section { padding-top: 2.5rem; margin-top: 2.5rem; border-top: 1px solid var(--line); }
 .question { color: var(--quiet); font-size: 1.05rem; margin: 0 0 1rem; max-width: 48rem; }
-.findings { margin: 0; max-width: 62rem; padding: 1rem 1.25rem 1rem 2.4rem; background: var(--wash); border-left: 4px solid var(--accent); border-radius: 0 6px 6px 0; }
+.findings {
+  margin: 0; max-width: 62rem; padding: 1rem 1.25rem 1rem 2.4rem; background: var(--wash);
+  border-left: 4px solid var(--accent); border-radius: 0 6px 6px 0;
+}
 .findings li { margin: 0.45rem 0; }
 .glance td:first-child { white-space: nowrap; font-weight: 600; }
 .glance td { padding: 0.5rem 0.7rem; }
@@ -40,7 +49,10 @@ tbody tr:hover { background: #fafbfc; }
 details { margin: 0.5rem 0 1.25rem; }
 summary { cursor: pointer; color: var(--accent); }
 code, pre { font-family: ui-monospace, "DejaVu Sans Mono", Consolas, monospace; font-size: 0.88em; }
-pre { background: var(--wash); border: 1px solid var(--line); border-radius: 6px; padding: 0.7rem 1rem; overflow-x: auto; }
+pre {
+  background: var(--wash); border: 1px solid var(--line); border-radius: 6px; padding: 0.7rem 1rem;
+  overflow-x: auto;
+}
 .method p { margin: 0.5rem 0; max-width: 48rem; }
 .machine { color: var(--quiet); font-size: 0.85rem; }
 @media (max-width: 70rem) {
