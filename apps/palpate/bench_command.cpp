@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "apps/palpate/bench_commands.h"
 #include "apps/palpate/commands.h"
 #include "apps/palpate/named_mesh.h"
 #include "apps/palpate/named_path.h"
@@ -50,12 +51,15 @@ void printNames() {
 
 void addBenchCommand(CLI::App& app) {
   CLI::App& bench =
-      *app.add_subcommand("bench", "Measure the finger, the deformation, the partitions and the pictures");
-  bench.require_subcommand(1);
+      *app.add_subcommand("bench", "Measure the finger, deformation, partitions, loading, servo loop, pictures");
+  bench.require_subcommand(0, 1);  // none: the regression guard
+  addBenchBaseline(bench);
   addBenchContactCommand(bench);
   addBenchDeformCommand(bench);
   addBenchFrameCommand(bench);
+  addBenchLoadCommand(bench);
   addBenchPartitionCommand(bench);
+  addBenchServoCommand(bench);
   addWorkloadCommand(bench);
   bench.add_subcommand("list", "Name the benchmark meshes and trajectories")->callback(printNames);
 }

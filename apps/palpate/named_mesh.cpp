@@ -46,8 +46,12 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 
 }  // namespace
 
+bool isMeshFile(const std::string& name) {
+  return std::filesystem::exists(name) || name.find('.') != std::string::npos;
+}
+
 mesh::TriangleMesh meshFrom(const std::string& name, const mesh::LoadOptions& options, const Progress& progress) {
-  if (std::filesystem::exists(name) || name.find('.') != std::string::npos) return mesh::load(name, options, progress);
+  if (isMeshFile(name)) return mesh::load(name, options, progress);
   if (const auto triangles = torsoTriangles(name)) {
     report(progress, "body", 0.0);
     return torsoMesh(*triangles);

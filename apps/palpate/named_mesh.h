@@ -14,8 +14,10 @@ inline constexpr const char* kMeshNamesHelp =
     "a "
     "benchmark mesh (palpate bench list)";
 
-/// A file if one of that name exists or the name has a dot in it; else the built-in body or a benchmark mesh. Throws
-/// Error.
+/// A file of that name exists, or the name has a dot in it.
+bool isMeshFile(const std::string& name);
+
+/// The file; else the built-in body or a benchmark mesh. Throws Error.
 mesh::TriangleMesh meshFrom(const std::string& name, const mesh::LoadOptions& options = {},
                             const Progress& progress = {});
 

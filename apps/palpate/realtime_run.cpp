@@ -5,7 +5,9 @@
 #include <csignal>
 #include <thread>
 
-#include "palpate/servo/sample_drain.h"
+#include "apps/palpate/surface_files.h"
+#include "palpate/deform/any_deformer.h"
+#include "palpate/scene/skin_contact.h"
 
 namespace palpate::app {
 
@@ -74,19 +76,21 @@ void displayUntilFinished(Display& display, servo::LoopLinks& links, double dura
 
 }  // namespace
 
-void runRealtime(const scene::World& world, servo::Rig& rig, std::uint64_t ticks, RunRecorder& recorder,
-                 SimulationResult& result, const Progress& progress) {
+RealtimeReport runRealtime(const scene::World& world, servo::Rig& rig, std::uint64_t ticks,
+                           const servo::SampleDrain::Sink& sink, const Progress& progress, const ServoLoop& loop) {
+  RealtimeReport report;
   const InterruptGuard guard;
   servo::LoopLinks links(rig.fingers.size());
   servo::PacedSettings settings;
   settings.pacing.period_s = rig.tick_s;
   Display display(world, links);
-  servo::SampleDrain drain(links, [&](const trace::Sample& sample) { recorder.add(sample); });
-  std::thread servo_thread([&] { result.loop = servo::runPaced(rig, ticks, settings, links); });
+  servo::SampleDrain drain(links, sink);
+  std::thread servo_thread([&] { report.loop = loop(rig, ticks, settings, links); });
   displayUntilFinished(display, links, static_cast<double>(ticks) * rig.tick_s, progress);
   servo_thread.join();
   drain.join();
-  result.display = display.report();
+  report.display = display.report();
+  return report;
 }
 
 }  // namespace palpate::app

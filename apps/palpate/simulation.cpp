@@ -40,7 +40,10 @@ void run(const scene::World& world, const device::FingerPaths& paths, bool realt
          SimulationResult& result, const Progress& progress) {
   servo::Rig rig = servo::scriptedRig(world, paths);
   if (realtime) {
-    runRealtime(world, rig, paths.ticks, recorder, result, progress);
+    const auto record = [&](const trace::Sample& sample) { recorder.add(sample); };
+    RealtimeReport report = runRealtime(world, rig, paths.ticks, record, progress);
+    result.loop = std::move(report.loop);
+    result.display = report.display;
     return;
   }
   const auto record = [&](std::span<const trace::Sample> samples) {

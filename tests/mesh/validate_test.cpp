@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
+#include <set>
+#include <utility>
 
+#include "bench/workload_meshes.h"
 #include "support/mesh_zoo.h"
 
 namespace palpate::mesh {
@@ -85,6 +89,23 @@ TEST(Validate, CountsBordersAndParts) {
   EXPECT_EQ(validate(zoo::moebius()).border_loops, 1u);
   EXPECT_EQ(validate(zoo::coincidentTriangles()).components, 2u);
   EXPECT_EQ(validate(zoo::soup(zoo::cube())).components, 12u);
+}
+
+/// Enough triangles that several threads share the search.
+TEST(Validate, CountsTheEdgesOfALargeSheetThatAPlaneCuts) {
+  TriangleMesh mesh = bench::backMesh(40000);
+  constexpr double kCut = 175.1234;
+  std::set<std::pair<Index, Index>> cut;
+  for (const Triangle& triangle : mesh.triangles) {
+    for (int i = 0; i < 3; ++i) {
+      const auto [low, high] = std::minmax(triangle[i], triangle[(i + 1) % 3]);
+      if ((mesh.positions[low].x() < kCut) != (mesh.positions[high].x() < kCut)) cut.insert({low, high});
+    }
+  }
+  const auto first = static_cast<Index>(mesh.positions.size());
+  mesh.positions.insert(mesh.positions.end(), {{kCut, -1e4, -1e3}, {kCut, 1e4, -1e3}, {kCut, 200.0, 1e4}});
+  mesh.triangles.push_back({first, first + 1, first + 2});
+  EXPECT_EQ(validate(mesh).self_intersections.count, cut.size());
 }
 
 TEST(Validate, FindsSelfIntersections) {

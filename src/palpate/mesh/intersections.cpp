@@ -1,14 +1,22 @@
 // A complete binary tree of boxes over triangles in Morton order, descended against itself.
 //
+// The descent falls apart into a hundred tasks that share nothing, for as many threads as there are processors. Tasks
+// and what each may cost depend on the mesh alone, so the answer does too.
+//
 // Based on: Karras, "Maximizing parallelism in the construction of BVHs, octrees, and k-d trees", 2012 (boxes over a
 // Morton order); Shewchuk, "Adaptive precision floating-point arithmetic", 1997 (the error bound of orient3d).
 #include "palpate/mesh/intersections.h"
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cmath>
+#include <future>
 #include <limits>
+#include <mutex>
+#include <optional>
+#include <thread>
 
 #include "palpate/mesh/reorder.h"
 
@@ -26,11 +34,10 @@ struct Box {
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr Box kEmptyBox = {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
 
+/// Without branches between the six comparisons, which no processor could foresee.
 bool overlap(const Box& a, const Box& b) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (a.low[i] > b.high[i] || b.low[i] > a.high[i]) return false;
-  }
-  return true;
+  return bool((a.low[0] <= b.high[0]) & (a.low[1] <= b.high[1]) & (a.low[2] <= b.high[2]) & (b.low[0] <= a.high[0]) &
+              (b.low[1] <= a.high[1]) & (b.low[2] <= a.high[2]));
 }
 
 void include(Box& box, const Box& other) {
@@ -41,12 +48,15 @@ void include(Box& box, const Box& other) {
 }
 
 /// Rounded outwards, so that a float box never misses what the doubles touch.
-void include(Box& box, const Vec3& point) {
+Box boxOf(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 low = a.cwiseMin(b).cwiseMin(c);
+  const Vec3 high = a.cwiseMax(b).cwiseMax(c);
+  Box box;
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto rounded = static_cast<float>(point[static_cast<Eigen::Index>(i)]);
-    box.low[i] = std::min(box.low[i], std::nextafter(rounded, -kInfinity));
-    box.high[i] = std::max(box.high[i], std::nextafter(rounded, kInfinity));
+    box.low[i] = std::nextafter(static_cast<float>(low[static_cast<Eigen::Index>(i)]), -kInfinity);
+    box.high[i] = std::nextafter(static_cast<float>(high[static_cast<Eigen::Index>(i)]), kInfinity);
   }
+  return box;
 }
 
 // --- the crossing test ---
@@ -91,68 +101,69 @@ constexpr std::size_t kPairCost = 16;
 constexpr std::size_t kWorkPerTriangle = 1000;
 constexpr std::size_t kLeastWork = 10'000'000;
 
-class SelfSearch {
+/// Complete binary tree: node n has the children 2 n and 2 n + 1, leaves stand from `leaves` on.
+struct BoxTree {
+  std::vector<Index> order;  // of the triangles, along Morton's curve
+  std::vector<Box> boxes;    // of triangles, in that order
+  std::vector<Box> nodes;
+  std::size_t leaves = 0;
+
+  explicit BoxTree(const TriangleMesh& mesh)
+      : order(mortonOrder(triangleCentres(mesh))),
+        leaves(std::bit_ceil((order.size() + kTrianglesPerLeaf - 1) / kTrianglesPerLeaf)) {
+    boxes.reserve(order.size());
+    for (const Index t : order) {
+      const auto& [a, b, c] = mesh.triangles[t];
+      boxes.push_back(boxOf(mesh.positions[a], mesh.positions[b], mesh.positions[c]));
+    }
+    nodes.assign(2 * leaves, kEmptyBox);
+    for (std::size_t i = 0; i < boxes.size(); ++i) include(nodes[leaves + i / kTrianglesPerLeaf], boxes[i]);
+    for (std::size_t node = leaves - 1; node > 0; --node) {
+      include(nodes[node], nodes[2 * node]);
+      include(nodes[node], nodes[2 * node + 1]);
+    }
+  }
+};
+
+/// All pairs of triangles below one node (a == b), or with one below each of two nodes of the same level.
+struct Task {
+  std::size_t a = 1;
+  std::size_t b = 1;
+  std::size_t work = 0;  // that it may cost
+};
+
+/// Does one task.
+class PairSearch {
  public:
-  SelfSearch(const TriangleMesh& mesh, const Progress& progress)
-      : mesh_(mesh), progress_(progress), order_(mortonOrder(triangleCentres(mesh))) {
-    work_left_ = kLeastWork + kWorkPerTriangle * order_.size();
-    buildTree();
+  PairSearch(const TriangleMesh& mesh, const BoxTree& tree, const Task& task)
+      : mesh_(mesh), tree_(tree), work_left_(task.work) {
+    if (task.a == task.b) {
+      searchWithin(task.a);
+    } else {
+      searchBetween(task.a, task.b);
+    }
   }
 
-  Intersections run() {
-    if (!order_.empty()) searchWithin(1, 0.0, 1.0);
-    Intersections result;
-    result.piercing_edges = sortAndCountUnique(edges_);
-    sortAndCountUnique(triangles_);
-    result.pierced_triangles = std::move(triangles_);
-    result.complete = work_left_ > 0;
-    return result;
-  }
+  bool complete() const { return work_left_ > 0; }
+  const std::vector<std::uint64_t>& edges() const { return edges_; }
+  const std::vector<Index>& triangles() const { return triangles_; }
 
  private:
-  template <class T>
-  static std::size_t sortAndCountUnique(std::vector<T>& values) {
-    std::sort(values.begin(), values.end());
-    values.erase(std::unique(values.begin(), values.end()), values.end());
-    return values.size();
-  }
-
-  void buildTree() {
-    leaves_ = std::bit_ceil((order_.size() + kTrianglesPerLeaf - 1) / kTrianglesPerLeaf);
-    boxes_.reserve(order_.size());
-    for (Index t : order_) {
-      Box box = kEmptyBox;
-      for (Index v : mesh_.triangles[t]) include(box, mesh_.positions[v]);
-      boxes_.push_back(box);
-    }
-    nodes_.assign(2 * leaves_, kEmptyBox);
-    for (std::size_t i = 0; i < boxes_.size(); ++i) include(nodes_[leaves_ + i / kTrianglesPerLeaf], boxes_[i]);
-    for (std::size_t node = leaves_ - 1; node > 0; --node) {
-      include(nodes_[node], nodes_[2 * node]);
-      include(nodes_[node], nodes_[2 * node + 1]);
-    }
-  }
-
-  /// All pairs below one node; from and to are its share of the whole, for the progress.
-  void searchWithin(std::size_t node, double from, double to) {
-    constexpr double kReportedShare = 0.01;
-    if (node >= leaves_) {
+  void searchWithin(std::size_t node) {
+    if (node >= tree_.leaves) {
       testLeaves(node, node);
       return;
     }
-    const double middle = 0.5 * (from + to);
-    searchWithin(2 * node, from, middle);
-    searchWithin(2 * node + 1, middle, to);
+    searchWithin(2 * node);
+    searchWithin(2 * node + 1);
     searchBetween(2 * node, 2 * node + 1);
-    if (to - from > kReportedShare) report(progress_, "looking for self-intersections", to);
   }
 
-  /// All pairs with one triangle below each of two nodes of the same level.
   void searchBetween(std::size_t a, std::size_t b) {
     if (work_left_ == 0) return;
     --work_left_;
-    if (!overlap(nodes_[a], nodes_[b])) return;
-    if (a >= leaves_) {
+    if (!overlap(tree_.nodes[a], tree_.nodes[b])) return;
+    if (a >= tree_.leaves) {
       testLeaves(a, b);
       return;
     }
@@ -162,13 +173,13 @@ class SelfSearch {
   }
 
   void testLeaves(std::size_t a, std::size_t b) {
-    const std::size_t first_a = (a - leaves_) * kTrianglesPerLeaf;
-    const std::size_t first_b = (b - leaves_) * kTrianglesPerLeaf;
-    const std::size_t end_a = std::min(first_a + kTrianglesPerLeaf, order_.size());
-    const std::size_t end_b = std::min(first_b + kTrianglesPerLeaf, order_.size());
+    const std::size_t first_a = (a - tree_.leaves) * kTrianglesPerLeaf;
+    const std::size_t first_b = (b - tree_.leaves) * kTrianglesPerLeaf;
+    const std::size_t end_a = std::min(first_a + kTrianglesPerLeaf, tree_.order.size());
+    const std::size_t end_b = std::min(first_b + kTrianglesPerLeaf, tree_.order.size());
     for (std::size_t i = first_a; i < end_a; ++i) {
       for (std::size_t j = a == b ? i + 1 : first_b; j < end_b; ++j) {
-        if (overlap(boxes_[i], boxes_[j])) testTriangles(order_[i], order_[j]);
+        if (overlap(tree_.boxes[i], tree_.boxes[j])) testTriangles(tree_.order[i], tree_.order[j]);
       }
     }
   }
@@ -198,14 +209,98 @@ class SelfSearch {
   }
 
   const TriangleMesh& mesh_;
-  const Progress& progress_;
-  std::vector<Index> order_;
-  std::size_t leaves_ = 0;
-  std::vector<Box> boxes_;  // of triangles, in order_
-  std::vector<Box> nodes_;  // node n has the children 2 n and 2 n + 1; leaves from leaves_ on
-  std::size_t work_left_ = 0;
+  const BoxTree& tree_;
+  std::size_t work_left_;
   std::vector<std::uint64_t> edges_;
   std::vector<Index> triangles_;
+};
+
+// --- tasks and threads ---
+
+/// The tree is cut this many levels below its root: 64 parts to search within, and 63 pairs above them.
+constexpr std::size_t kTaskLevels = 6;
+
+/// Half of the work is for within the parts; each level of pairs above has an equal share of the other half.
+std::vector<Task> makeTasks(const BoxTree& tree) {
+  const std::size_t work = kLeastWork + kWorkPerTriangle * tree.order.size();
+  const std::size_t parts = std::size_t{1} << kTaskLevels;
+  if (tree.leaves < parts) return {{1, 1, work}};
+  std::vector<Task> tasks;
+  for (std::size_t node = 1; node < parts; ++node) {
+    const std::size_t pairs_of_level = std::bit_floor(node);
+    tasks.push_back({2 * node, 2 * node + 1, work / (2 * kTaskLevels * pairs_of_level)});
+  }
+  for (std::size_t node = parts; node < 2 * parts; ++node) tasks.push_back({node, node, work / (2 * parts)});
+  return tasks;
+}
+
+template <class T>
+std::size_t sortAndCountUnique(std::vector<T>& values) {
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values.size();
+}
+
+class SelfSearch {
+ public:
+  SelfSearch(const TriangleMesh& mesh, const Progress& progress) : mesh_(mesh), progress_(progress) {
+    report(progress_, "looking for self-intersections", 0.0);
+  }
+
+  Intersections run() {
+    if (mesh_.triangles.empty()) return finished();
+    tree_.emplace(mesh_);
+    tasks_ = makeTasks(*tree_);
+    std::vector<std::future<void>> helpers;
+    for (std::size_t i = 1; i < threads(); ++i) {
+      helpers.push_back(std::async([this] { work({}); }));  // this policy does without a thread where none is left
+    }
+    work(progress_);
+    for (std::future<void>& helper : helpers) helper.get();
+    return finished();
+  }
+
+ private:
+  /// Starting a thread costs some tasks of a small mesh.
+  std::size_t threads() const {
+    constexpr std::size_t kLeastTriangles = 20000;
+    const std::size_t processors = std::thread::hardware_concurrency();
+    return tree_->order.size() < kLeastTriangles ? 1 : std::min(processors, tasks_.size());
+  }
+
+  void work(const Progress& progress) {
+    for (std::size_t task = next_++; task < tasks_.size(); task = next_++) {
+      const PairSearch search(mesh_, *tree_, tasks_[task]);
+      add(search);
+      report(progress, "looking for self-intersections", static_cast<double>(task) / tasks_.size());
+    }
+  }
+
+  void add(const PairSearch& search) {
+    const std::lock_guard lock(mutex_);
+    edges_.insert(edges_.end(), search.edges().begin(), search.edges().end());
+    triangles_.insert(triangles_.end(), search.triangles().begin(), search.triangles().end());
+    complete_ = complete_ && search.complete();
+  }
+
+  Intersections finished() {
+    Intersections result;
+    result.piercing_edges = sortAndCountUnique(edges_);
+    sortAndCountUnique(triangles_);
+    result.pierced_triangles = std::move(triangles_);
+    result.complete = complete_;
+    return result;
+  }
+
+  const TriangleMesh& mesh_;
+  const Progress& progress_;
+  std::optional<BoxTree> tree_;
+  std::vector<Task> tasks_;
+  std::atomic<std::size_t> next_{0};
+  std::mutex mutex_;  // guards what follows
+  std::vector<std::uint64_t> edges_;
+  std::vector<Index> triangles_;
+  bool complete_ = true;
 };
 
 }  // namespace

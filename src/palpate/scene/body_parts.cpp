@@ -81,6 +81,7 @@ BodyParts makeMeshParts(const BodySettings& settings, const Progress& progress) 
   } catch (const Error& error) {
     throw Error::inFile(settings.file.string(), error.what());
   }
+  report(progress, "ordering the triangles", 0.0);
   mesh::reorderSpatially(parts.skin);
   noteDoubtfulUnit(parts.skin, parts.notes);
   return parts;

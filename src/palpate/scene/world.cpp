@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <future>
 
 #include "palpate/base/error.h"
 #include "palpate/scene/body_parts.h"
@@ -88,15 +89,16 @@ std::shared_ptr<const World> withBody(const Scene& scene, BodyParts body, deform
   std::vector<double> stiffness = basicStiffness(scene, body, keys);
   maps::applyDysfunctions(body.skin.positions, scene.dysfunctions, stiffness);
   report(progress, "building the contact surface", 0.0);
+  auto deformable = std::async([&] { return deform::buildSkin(body.skin); });  // beside it: a quarter of its time
   contact::Surface surface = contact::buildSurface(body.skin, stiffness, {forceLaw(scene), body.self_intersecting});
   std::shared_ptr<const contact::HdbSurface> hdb;
   if (scene.contact.source == ContactSource::hdb) hdb = buildHdbSource(scene, body.skin, surface, progress);
   report(progress, "preparing the deformation", 0.0);
-  deform::Skin deformable = deform::buildSkin(body.skin);
+  deform::Skin deformable_skin = deformable.get();
   maps::AnyEllipseMap ellipses(keys, ellipseMapSettings(scene, body.skin), literalMapForms(scene));
   auto contours = contoursOf(scene, keys, ellipseMapSettings(scene, body.skin));
   return std::make_shared<const World>(World{scene, std::move(body.name), std::move(body.skin), body.closed,
-                                             std::move(stiffness), std::move(surface), std::move(deformable),
+                                             std::move(stiffness), std::move(surface), std::move(deformable_skin),
                                              std::move(ellipses), std::move(forms), std::move(contours),
                                              std::move(body.anatomy), std::move(body.notes), std::move(hdb)});
 }

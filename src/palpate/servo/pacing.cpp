@@ -49,6 +49,7 @@ PacingGrant prepareServoThread(const PacingSettings& settings) {
   }
   // The default slack lets the kernel deliver a timer up to 50 us late; 1 ns needs no privilege.
   grant.exact_timers = prctl(PR_SET_TIMERSLACK, 1) == 0;
+  if (!grant.exact_timers) addNote(grant, "timer slack of 1 ns", errno);
   sched_param priority{};
   priority.sched_priority = settings.realtime_priority;
   const int refused = pthread_setschedparam(pthread_self(), SCHED_FIFO, &priority);

@@ -1,0 +1,35 @@
+// Measures kernels against the reference loops, and compares the ratios with those of another day.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bench/kernel_list.h"
+
+namespace palpate::bench {
+
+struct KernelTime {
+  std::string name;
+  std::string item;
+  double ns = 0.0;     ///< an item
+  double ratio = 0.0;  ///< of `ns` to a step of the reference loop that suits the kernel's burden
+};
+
+/// Goes round all kernels, each beside its reference loop, for about `seconds`; at least three rounds, the shortest
+/// processor times count.
+std::vector<KernelTime> timeKernels(std::span<const Kernel> kernels, double seconds);
+
+struct Comparison {
+  std::string name;
+  std::optional<double> before, now;  ///< ratios; none where one side does not know the kernel
+  bool slower = false;                ///< by more than the tolerance
+  /// Now over before: above 1 is slower.
+  double change() const { return before && now ? *now / *before : 1.0; }
+};
+
+/// In the order of `now`, then what only `before` knows. `tolerance` 0.3 lets a ratio grow by 30 %.
+std::vector<Comparison> compared(std::span<const KernelTime> before, std::span<const KernelTime> now, double tolerance);
+
+}  // namespace palpate::bench

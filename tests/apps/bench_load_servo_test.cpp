@@ -1,0 +1,70 @@
+// `palpate bench load` and `palpate bench servo` from the outside.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "support/run_command.h"
+#include "support/temporary_folder.h"
+
+namespace palpate {
+namespace {
+
+using support::runPalpate;
+using support::TemporaryFolder;
+
+TEST(BenchLoadCommand, SplitsTheWayFromAFileToAForce) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "back.stl").string();
+  ASSERT_EQ(runPalpate("bench workload back_2962 -o " + file).exit_code, 0);
+  const auto result = runPalpate("bench load " + file + " --peers --json");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json["triangles"], 2962);
+  EXPECT_GT(json["first_force_n"].get<double>(), 0.0);
+  EXPECT_GT(json["peak_memory_gb"].get<double>(), 0.0);
+  double sum = 0.0;
+  for (const auto& step : json["steps"]) sum += step["seconds"].get<double>();
+  EXPECT_GT(sum, 0.0);
+  EXPECT_LE(sum, json["seconds"].get<double>());
+  EXPECT_GT(json["tree_bytes_per_triangle"].get<double>(), 96.0) << "a record alone has so many";
+  EXPECT_GT(json["peers"]["assimp"]["seconds"].get<double>(), 0.0);
+  EXPECT_GT(json["ratio_to"]["assimp"].get<double>(), 0.0);
+  EXPECT_FALSE(json["machine"]["cpu"].get<std::string>().empty());
+}
+
+TEST(BenchLoadCommand, TakesTheNameOfABenchmarkMesh) {
+  const auto named = nlohmann::json::parse(runPalpate("bench load back_2962 --json").out);
+  const auto again = nlohmann::json::parse(runPalpate("bench load back_2962 --json").out);
+  EXPECT_EQ(named["file"], "back_2962");
+  EXPECT_EQ(named["hash"], again["hash"]);
+}
+
+TEST(BenchLoadCommand, RefusesAnUnknownName) {
+  const auto result = runPalpate("bench load nonsense");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find("nonsense"), std::string::npos) << result.err;
+}
+
+TEST(BenchServoCommand, MeasuresLatenessAndComputeTimeApart) {
+  const auto result = runPalpate("bench servo --seconds 0.3 --peers --json");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_LE(json["ticks"].get<int>() + json["overruns"].get<int>(), 300);
+  EXPECT_GT(json["ticks"].get<int>(), 0);
+  for (const char* key : {"lateness_us", "compute_us"}) {
+    const auto& times = json[key];
+    EXPECT_LE(times["p50"], times["p99"]) << key;
+    EXPECT_LE(times["p99"], times["p99_9"]) << key;
+    EXPECT_LE(times["p99_9"], times["max"]) << key;
+  }
+  const std::string scheduler = json["scheduler"];
+  EXPECT_TRUE(scheduler == "SCHED_OTHER" || scheduler.starts_with("SCHED_FIFO")) << scheduler;
+  const bool all_granted = scheduler != "SCHED_OTHER" && json["memory_locked"];
+  EXPECT_EQ(json["fallback"].get<std::string>().empty(), all_granted) << "what was refused must be said";
+  EXPECT_EQ(json["peers"]["sleep_until"]["scheduler"], "SCHED_OTHER");
+  EXPECT_TRUE(json["ratio_to"].contains("sleep_until"));
+}
+
+}  // namespace
+}  // namespace palpate
