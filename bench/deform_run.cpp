@@ -224,12 +224,14 @@ ApplyFigures timeLiteral(const DeformRun& run) {
   for (std::size_t i = 0; i < places.size(); i += kLiteralStride) {
     std::transform(places[i].begin(), places[i].end(), std::back_inserter(touches.emplace_back()), touchOf);
   }
+  double moved = 0.0;
+  for (const auto& fingers : touches) {
+    deformation.apply(fingers);
+    moved += deformation.movedNodes();
+  }
   Timings timings(kMostSamples);
-  std::array<double, kPlaces> moved{};
-  repeat(touches.size(), run.seconds, timings,
-         [&](std::size_t place) { moved[place] = deformation.apply(touches[place]); });
-  const double moved_in_all = std::accumulate(moved.begin(), moved.end(), 0.0);
-  ApplyFigures figures = figuresOf(std::move(timings), touches.size(), moved_in_all);
+  repeat(touches.size(), run.seconds, timings, [&](std::size_t place) { deformation.apply(touches[place]); });
+  ApplyFigures figures = figuresOf(std::move(timings), touches.size(), moved);
   deformation.apply(touches[0]);
   figures.hash = hashOf(deformation.mesh());
   return figures;

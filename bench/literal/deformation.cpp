@@ -41,11 +41,16 @@ Deformation::Deformation(const mesh::TriangleMesh& skin) : mesh_(meshOf(skin)), 
   }
 }
 
-int Deformation::apply(std::span<const Touch> touches) {
+void Deformation::apply(std::span<const Touch> touches) {
   restoreMoved();
   for (const Touch& touch : touches) searchNodesInEllipse(touch);
   recalculateNormals();
-  return static_cast<int>(moved_.size());
+}
+
+int Deformation::movedNodes() const {
+  std::vector<int> nodes(moved_.begin(), moved_.end());  // a node of two regions stands there twice
+  std::sort(nodes.begin(), nodes.end());
+  return static_cast<int>(std::unique(nodes.begin(), nodes.end()) - nodes.begin());
 }
 
 void Deformation::restoreMoved() {

@@ -29,10 +29,11 @@ class Deformation {
  public:
   explicit Deformation(const mesh::TriangleMesh& skin);
 
-  /// Brings back what the last call moved and deforms the skin by these touches. Returns how many nodes lie in a
-  /// region, a node of two counting twice. Allocates, as the text has it.
-  int apply(std::span<const Touch> touches);
+  /// Brings back what the last call moved and deforms the skin by these touches. Allocates, as the text has it.
+  void apply(std::span<const Touch> touches);
 
+  /// Nodes that lie in a region of the last call.
+  int movedNodes() const;
   const Mesh& mesh() const { return mesh_; }
 
  private:

@@ -25,9 +25,9 @@ TEST(DeformRun, TimesTheLiteralDeformationInTheSameRun) {
   const DeformRun run{.triangles = 8163, .fingers = 2, .seconds = 0.02};
   const DeformFigures figures = measureDeform(run);
   ASSERT_TRUE(figures.literal);
-  // Its regions are pedal curves, a little wider; a vertex of two fingers counts twice.
-  EXPECT_GT(figures.literal->vertices, figures.ours.vertices);
-  EXPECT_LT(figures.literal->vertices, 1.6 * figures.ours.vertices);
+  // Its regions are pedal curves, a little wider, without a test of facing.
+  EXPECT_GT(figures.literal->vertices, 0.9 * figures.ours.vertices);
+  EXPECT_LT(figures.literal->vertices, 1.2 * figures.ours.vertices);
   EXPECT_GT(*figures.speedup_over_literal, 1.0);
 }
 

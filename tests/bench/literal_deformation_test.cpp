@@ -39,7 +39,8 @@ TEST(LiteralDeformation, MovesTheSkinAsTheEnginesLiteralReadingDoes) {
       touches.push_back(touchOf(contacts.back()));
     }
     engine.apply(contacts, surface);
-    moved += literally.apply(touches);
+    literally.apply(touches);
+    moved += literally.movedNodes();
     for (Index v = 0; v < skin.vertices; ++v) {
       const literal::Vertex& vertex = literally.mesh().vertices[v];
       ASSERT_LT((vertex.position - surface.positionAt(v).cast<double>()).norm(), 1e-4) << "frame " << frame;
@@ -54,7 +55,8 @@ TEST(LiteralDeformation, BringsBackEveryPositionAndNormal) {
   literal::Deformation literally(back);
   literally.apply(std::vector{touchOf(test::press(back, 1500, 8.0))});
   const literal::Mesh pressed = literally.mesh();
-  EXPECT_EQ(literally.apply({}), 0);
+  literally.apply({});
+  EXPECT_EQ(literally.movedNodes(), 0);
   bool has_turned = false;
   for (std::size_t v = 0; v < rest.vertices.size(); ++v) {
     EXPECT_EQ(literally.mesh().vertices[v].position, rest.vertices[v].position);

@@ -243,6 +243,7 @@ struct Motion {
 };
 
 HWY_INLINE void addPart(const PartLanes& part, const V3& offset, M region, Motion& motion) {
+  if (part.outside != 0.0f) return;  // does not act
   const Profile profile = profileOf<false>(part, offset, region);
   const V3 shift = broadcast(part.shift);
   motion.displacement = mulAdd(profile.weight, shift, motion.displacement);
