@@ -1,7 +1,9 @@
 #include "study/hdb_measurement.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "bench/workload_meshes.h"
 #include "study/finger_strokes.h"
 #include "study/haptic_frames.h"
 #include "study/late_box.h"
@@ -18,6 +20,7 @@ using SharedPartition = std::shared_ptr<const partition::Partition>;
 constexpr double kLeads[] = {0.25, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.1, 1.25, 1.5, 2.0, 3.0};
 // Strokes that no other part of the study saw.
 constexpr std::uint64_t kUnseenSeed = 77;
+constexpr std::uint64_t kMarginSeed = 5;
 constexpr double kSlideMm = 160.0;
 
 SharedPartition treeOf(const mesh::TriangleMesh& mesh, TreeKind tree) {
@@ -82,33 +85,77 @@ std::vector<PunctureRow> edgeRows(const Strokes& strokes, bool leaves, const Pro
   return rows;
 }
 
+/// Calls visit(speed, delay) for all of the plan's.
+template <class Visit>
+void visitMotions(const HdbPlan& plan, Visit&& visit) {
+  for (const int delay : plan.delays_ticks) {
+    for (const double speed : plan.speeds_mm_s) visit(speed, delay);
+  }
+}
+
+double wayOf(double speed, int delay) { return 1e-3 * speed * delay; }
+
 std::vector<PunctureRow> leadRows(const Strokes& strokes, const Progress& progress) {
   std::vector<PunctureRow> rows;
-  for (const int delay : strokes.plan.delays_ticks) {
-    for (const double speed : strokes.plan.speeds_mm_s) {
-      report(progress, "hdb: punctures against the way of the finger", 0.7);
-      const auto ways = strokes.at(speed);
-      for (const double lead : kLeads) {
-        const double edge = 2.0 * lead * speed * 1e-3 * delay;
-        rows.push_back(strokes.run(ways, {.edge_mm = edge, .speed_mm_s = speed, .delay_ticks = delay}));
-      }
+  visitMotions(strokes.plan, [&](double speed, int delay) {
+    report(progress, "hdb: punctures against the way of the finger", 0.65 + 0.0005 * static_cast<double>(rows.size()));
+    const auto ways = strokes.at(speed);
+    for (const double lead : kLeads) {
+      const double edge = 2.0 * lead * wayOf(speed, delay);
+      rows.push_back(strokes.run(ways, {.edge_mm = edge, .speed_mm_s = speed, .delay_ticks = delay}));
+    }
+  });
+  return rows;
+}
+
+// A quarter of the strokes for each speed and delay: there are many of these.
+MarginRow marginRow(const Strokes& strokes, double depth, double share) {
+  double punctured = 0.0;
+  double motions = 0.0;
+  visitMotions(strokes.plan, [&](double speed, int delay) {
+    const auto ways = fingerStrokes({.count = std::max(1, strokes.plan.strokes / 4),
+                                     .speed_mm_s = speed,
+                                     .depth_mm = depth,
+                                     .slide_mm = kSlideMm,
+                                     .seed = kMarginSeed});
+    const double edge = 2.0 * (wayOf(speed, delay) + share * depth);
+    punctured += strokes.run(ways, {.edge_mm = edge, .speed_mm_s = speed, .delay_ticks = delay}).punctured;
+    motions += 1.0;
+  });
+  return {depth, share, punctured / motions};
+}
+
+std::vector<MarginRow> marginRows(const Strokes& strokes, const Progress& progress) {
+  std::vector<MarginRow> rows;
+  for (const double depth : strokes.plan.depths_mm) {
+    for (const double share : strokes.plan.margin_shares) {
+      report(progress, "hdb: margins", 0.75 + 0.003 * static_cast<double>(rows.size()));
+      rows.push_back(marginRow(strokes, depth, share));
     }
   }
   return rows;
 }
 
-std::vector<PunctureRow> recommendedRows(const Strokes& strokes, const HdbMeasurement& found,
-                                         const Progress& progress) {
+// The edge is 2 (speed x delay + margin).
+std::vector<PunctureRow> ruleRows(const Strokes& strokes, double margin, const Progress& progress, double done) {
   std::vector<PunctureRow> rows;
-  for (const int delay : strokes.plan.delays_ticks) {
-    for (const double speed : strokes.plan.speeds_mm_s) {
-      report(progress, "hdb: the recommended box", 0.9);
-      const double edge = recommendedEdge(speed, 1e-3 * delay, found.depth_mm, found.triangle_edge);
-      rows.push_back(
-          strokes.run(strokes.at(speed, kUnseenSeed), {.edge_mm = edge, .speed_mm_s = speed, .delay_ticks = delay}));
-    }
-  }
+  visitMotions(strokes.plan, [&](double speed, int delay) {
+    report(progress, "hdb: rules", done);
+    const double edge = partition::leastHdbEdge(speed, 1e-3 * delay, margin);
+    rows.push_back(
+        strokes.run(strokes.at(speed, kUnseenSeed), {.edge_mm = edge, .speed_mm_s = speed, .delay_ticks = delay}));
+  });
   return rows;
+}
+
+void measureFineModel(const HdbPlan& plan, const Progress& progress, HdbMeasurement& found) {
+  report(progress, "hdb: building the fine model", 0.9);
+  const mesh::TriangleMesh mesh = bench::backMesh(plan.fine_triangles);
+  const contact::Surface surface = contactSurface(mesh);
+  const Strokes strokes{plan, surface, treeOf(mesh, TreeKind::Octree)};
+  found.fine_triangle_edge = longestTriangleEdge(mesh);
+  found.fine_e12 = ruleRows(strokes, found.fine_triangle_edge, progress, 0.93);
+  found.fine_recommended = ruleRows(strokes, found.depth_mm, progress, 0.96);
 }
 
 // The pseudocode of 3.3.3 with a box that follows at every tick.
@@ -139,15 +186,24 @@ HdbPlan hdbPlan(bool quick) {
   plan.edges_mm = {4, 16, 50, 100};
   plan.speeds_mm_s = {500, 2000};
   plan.delays_ticks = {10, 20};
+  plan.depths_mm = {2, 12};
+  plan.margin_shares = {0.0, 1.0};
+  plan.fine_triangles = 20389;
   return plan;
 }
 
-double recommendedEdge(double speed_mm_s, double delay_s, double depth_mm, double triangle_edge_mm) {
-  return partition::leastHdbEdge(speed_mm_s, delay_s, triangle_edge_mm) + 2.0 * depth_mm;
+double recommendedEdge(double speed_mm_s, double delay_s, double depth_mm) {
+  return partition::leastHdbEdge(speed_mm_s, delay_s, depth_mm);
 }
 
-double safeSpeed(double edge_mm, double delay_s, double depth_mm, double triangle_edge_mm) {
-  return std::max(0.0, 0.5 * edge_mm - depth_mm - triangle_edge_mm) / delay_s;
+double safeSpeed(double edge_mm, double delay_s, double depth_mm) {
+  return std::max(0.0, 0.5 * edge_mm - depth_mm) / delay_s;
+}
+
+const HdbSizeRow& quarterRow(const HdbMeasurement& found) {
+  return *std::min_element(found.sizes.begin(), found.sizes.end(), [](const HdbSizeRow& a, const HdbSizeRow& b) {
+    return std::abs(a.share - kQuarter) < std::abs(b.share - kQuarter);
+  });
 }
 
 HdbMeasurement measureHdbSizes(const HdbPlan& plan, const Progress& progress) {
@@ -158,15 +214,16 @@ HdbMeasurement measureHdbSizes(const HdbPlan& plan, const Progress& progress) {
   const Strokes strokes{plan, surface, octree};
   HdbMeasurement found{.plan = plan};
   found.longest_edge = model.longest_edge;
-  found.triangle_edge = longestTriangleEdge(model.mesh);
   found.depth_mm = StrokeSettings{}.depth_mm;
   found.tick_us = meanTickMicroseconds(surface, plan.runs);
   found.sizes = sizeRows(plan, model, octree, progress);
   found.punctures = edgeRows(strokes, false, progress, 0.15);
   found.leaf_punctures = edgeRows(strokes, true, progress, 0.4);
   found.leads = leadRows(strokes, progress);
-  found.recommended = recommendedRows(strokes, found, progress);
+  found.margins = marginRows(strokes, progress);
+  found.recommended = ruleRows(strokes, found.depth_mm, progress, 0.88);
   found.else_if_punctured = elseIfPunctures(strokes, model);
+  measureFineModel(plan, progress, found);
   return found;
 }
 

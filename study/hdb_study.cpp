@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "study/hdb_figures.h"
 #include "study/hdb_measurement.h"
 #include "study/number_row.h"
 #include "study/plot_parts.h"
@@ -14,164 +16,7 @@ namespace palpate::study {
 
 namespace {
 
-using figures::Figure;
-using figures::Marker;
-using figures::Plot;
-using figures::Scale;
-using figures::Series;
-
-constexpr double kQuarter = 0.25;  // the dissertation's choice
-constexpr double kTenth = 0.1;     // its example of a box that is too small
-// 3.3.4: "1/3 triangles (tested in experiments)", and r = 0.1 a page later.
-constexpr double kPrintedShares[] = {1.0 / 3.0, 0.1};
-
 double metresPerSecond(double mm_s) { return 1e-3 * mm_s; }
-
-const HdbSizeRow& quarterRow(const HdbMeasurement& found) {
-  return *std::min_element(found.sizes.begin(), found.sizes.end(), [](const HdbSizeRow& a, const HdbSizeRow& b) {
-    return std::abs(a.share - kQuarter) < std::abs(b.share - kQuarter);
-  });
-}
-
-// ------------------------------------------------------------------------------------------------------------ plots
-
-figures::Axis shareAxis() {
-  return {.label = "edge of the box / longest edge of the model",
-          .scale = Scale::logarithmic,
-          .from = 1.0 / 20.0,
-          .to = 1.0,
-          .ticks = fractionTicksAt({1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0})};
-}
-
-Plot trianglesPlot(const HdbMeasurement& found) {
-  Plot plot{.title = "What is rendered"};
-  plot.x = shareAxis();
-  plot.y = {.label = "triangles", .scale = Scale::logarithmic, .from = 100.0, .to = 100000.0};
-  const auto shares = column(found.sizes, &HdbSizeRow::share);
-  const auto all = static_cast<double>(found.plan.triangles);
-  plot.series = {measuredSeries("leaves of the BSP tree", shares, column(found.sizes, &HdbSizeRow::bsp_triangles)),
-                 measuredSeries("leaves of the octree", shares, column(found.sizes, &HdbSizeRow::octree_triangles),
-                                Marker::square),
-                 measuredSeries("triangles of the box", shares, column(found.sizes, &HdbSizeRow::exact_triangles),
-                                Marker::triangle),
-                 printedSeries("printed: a third, a tenth of all", {kQuarter, kQuarter},
-                               {kPrintedShares[0] * all, kPrintedShares[1] * all}, Marker::cross)};
-  plot.series.back().stroke = figures::Stroke::none;
-  plot.shapes = {verticalLine("1/4, the dissertation's", kQuarter, 100.0, 100000.0)};
-  return plot;
-}
-
-Plot timesPlot(const HdbMeasurement& found) {
-  Plot plot{.title = "Time of a frame, touched, without drawing"};
-  plot.x = shareAxis();
-  plot.y = {.label = "time", .unit = "us", .scale = Scale::logarithmic, .from = 0.05, .to = 2000.0};
-  const auto shares = column(found.sizes, &HdbSizeRow::share);
-  plot.series = {
-      measuredSeries("dissertation's way, BSP tree", shares, column(found.sizes, &HdbSizeRow::bsp_us)),
-      measuredSeries("dissertation's way, octree", shares, column(found.sizes, &HdbSizeRow::octree_us), Marker::square),
-      measuredSeries("our list of the box's triangles", shares, column(found.sizes, &HdbSizeRow::exact_us),
-                     Marker::triangle),
-      measuredSeries("our tick, without a box", shares, std::vector<double>(shares.size(), found.tick_us),
-                     Marker::none)};
-  plot.shapes = {verticalLine("", kQuarter, 0.05, 2000.0)};
-  return plot;
-}
-
-std::string speedName(double mm_s) { return fmt::format("{:g} m/s", metresPerSecond(mm_s)); }
-
-Plot puncturesPlot(const HdbMeasurement& found, const std::vector<PunctureRow>& rows, const std::string& title) {
-  constexpr Marker kMarkers[] = {Marker::circle, Marker::square, Marker::triangle, Marker::diamond, Marker::cross};
-  Plot plot{.title = title};
-  plot.x = {.label = "edge of the box",
-            .unit = "mm",
-            .scale = Scale::logarithmic,
-            .from = 2.0,
-            .to = 200.0,
-            .ticks = ticksAt({2, 5, 10, 20, 50, 100, 200})};
-  plot.y = {.label = "strokes that get through the skin", .unit = "%", .from = 0.0, .to = 100.0};
-  std::size_t next = 0;
-  for (const double speed : found.plan.speeds_mm_s) {
-    Series series = measuredSeries(speedName(speed), {}, {}, kMarkers[next++ % std::size(kMarkers)]);
-    for (const PunctureRow& row : rows) {
-      if (row.speed_mm_s != speed) continue;
-      series.x.push_back(row.edge_mm);
-      series.y.push_back(100.0 * row.punctured);
-    }
-    plot.series.push_back(series);
-  }
-  plot.shapes = {verticalLine("1/10", kTenth * found.longest_edge, 0.0, 100.0),
-                 verticalLine("1/4 of the model", kQuarter * found.longest_edge, 0.0, 100.0)};
-  plot.shapes.front().stroke = figures::Stroke::dashed;
-  return plot;
-}
-
-Plot leadPlot(const HdbMeasurement& found) {
-  constexpr Marker kMarkers[] = {Marker::circle, Marker::square, Marker::triangle};
-  Plot plot{.title = "All speeds and delays"};
-  plot.x = {.label = "half the edge / (speed x delay)",
-            .scale = Scale::logarithmic,
-            .from = 0.25,
-            .to = 4.0,
-            .ticks = {{0.25, "0.25"}, {0.5, "0.5"}, {1.0, "1"}, {2.0, "2"}, {4.0, "4"}}};
-  plot.y = {.label = "strokes that get through the skin", .unit = "%", .from = 0.0, .to = 100.0};
-  std::size_t next = 0;
-  for (const int delay : found.plan.delays_ticks) {
-    Series series =
-        measuredSeries(fmt::format("box follows every {} ms", delay), {}, {}, kMarkers[next++ % std::size(kMarkers)]);
-    series.stroke = figures::Stroke::none;
-    for (const PunctureRow& row : found.leads) {
-      if (row.delay_ticks != delay) continue;
-      series.x.push_back(row.lead());
-      series.y.push_back(100.0 * row.punctured);
-    }
-    plot.series.push_back(series);
-  }
-  plot.shapes = {verticalLine("half the edge = way of the finger", 1.0, 0.0, 100.0)};
-  return plot;
-}
-
-Plot recommendedPlot(const HdbMeasurement& found) {
-  constexpr Marker kMarkers[] = {Marker::circle, Marker::square, Marker::triangle};
-  Plot plot{.title = "Triangles in the box that the rule asks for"};
-  plot.x = {.label = "speed of the finger", .unit = "m/s", .scale = Scale::logarithmic, .from = 0.1, .to = 2.0};
-  plot.y = {.label = "triangles", .scale = Scale::logarithmic, .from = 100.0, .to = 50000.0};
-  std::size_t next = 0;
-  for (const int delay : found.plan.delays_ticks) {
-    Series series = measuredSeries(fmt::format("rule, {} ms", delay), {}, {}, kMarkers[next++ % std::size(kMarkers)]);
-    for (const PunctureRow& row : found.recommended) {
-      if (row.delay_ticks != delay) continue;
-      series.x.push_back(metresPerSecond(row.speed_mm_s));
-      series.y.push_back(row.triangles);
-    }
-    plot.series.push_back(series);
-  }
-  const HdbSizeRow& quarter = quarterRow(found);
-  const std::vector<double> ends{metresPerSecond(found.plan.speeds_mm_s.front()),
-                                 metresPerSecond(found.plan.speeds_mm_s.back())};
-  const auto level = [&](const std::string& name, double triangles) {
-    Series series = printedSeries(name, ends, {triangles, triangles}, Marker::none);
-    plot.series.push_back(series);
-  };
-  level("1/4, leaves of the BSP tree", quarter.bsp_triangles);
-  level("1/4, triangles of the box", quarter.exact_triangles);
-  return plot;
-}
-
-std::vector<StudyFigure> figuresOf(const HdbMeasurement& found) {
-  return {{"hdb_size", "Triangles rendered and time of a frame for every size of box.",
-           Figure{.panels = {trianglesPlot(found), timesPlot(found)}, .columns = 2}},
-          {"hdb_punctures",
-           fmt::format("Strokes that get through the skin when the box follows every {} ms. Left, the finger collides "
-                       "with the triangles that the box meets; right, as printed, with all triangles of the leaves.",
-                       found.plan.delays_ticks.front()),
-           Figure{.panels = {puncturesPlot(found, found.punctures, "Triangles of the box"),
-                             puncturesPlot(found, found.leaf_punctures, "Leaves of the octree, 1024")},
-                  .columns = 2}},
-          {"hdb_lead", "One number decides: half the edge over the way of the finger until the box follows.",
-           Figure{.panels = {leadPlot(found)}}},
-          {"hdb_rule", "What the rule in place of 1/4 renders, against 1/4 itself.",
-           Figure{.panels = {recommendedPlot(found)}}}};
-}
 
 // ----------------------------------------------------------------------------------------------------------- tables
 
@@ -198,14 +43,24 @@ TextTable punctureTable(const std::vector<PunctureRow>& rows) {
   return table;
 }
 
-TextTable ruleTable(const HdbMeasurement& found) {
-  TextTable table{{"speed (m/s)", "delay (ms)", "edge (mm)", "triangles", "of 1/4 with BSP leaves", "punctured (%)"},
-                  {}};
-  for (const PunctureRow& row : found.recommended) {
-    table.rows.push_back({rounded(metresPerSecond(row.speed_mm_s)), counted(row.delay_ticks), rounded(row.edge_mm, 3),
-                          counted(row.triangles), percent(row.triangles / quarterRow(found).bsp_triangles),
+void addRuleRows(const HdbMeasurement& found, std::size_t model, const std::string& rule,
+                 const std::vector<PunctureRow>& rows, TextTable& table) {
+  for (const PunctureRow& row : rows) {
+    const bool same_model = model == found.plan.triangles;
+    table.rows.push_back({counted(static_cast<double>(model)), rule, rounded(metresPerSecond(row.speed_mm_s)),
+                          counted(row.delay_ticks), rounded(row.edge_mm, 3), counted(row.triangles),
+                          same_model ? percent(row.triangles / quarterRow(found).bsp_triangles) : "",
                           rounded(100.0 * row.punctured, 3)});
   }
+}
+
+TextTable ruleTable(const HdbMeasurement& found) {
+  TextTable table{{"model", "margin", "speed (m/s)", "delay (ms)", "edge (mm)", "triangles", "of 1/4 with BSP leaves",
+                   "punctured (%)"},
+                  {}};
+  addRuleRows(found, found.plan.triangles, "depth", found.recommended, table);
+  addRuleRows(found, found.plan.fine_triangles, "depth", found.fine_recommended, table);
+  addRuleRows(found, found.plan.fine_triangles, "longest triangle edge (E12)", found.fine_e12, table);
   return table;
 }
 
@@ -266,14 +121,43 @@ std::string atLeast(double share) { return share == 1.0 ? strokesOf(share) : "at
 
 std::string ruleFinding(const HdbMeasurement& found) {
   const PunctureRow& usual = rowAt(found.recommended, 500.0, 10);
+  const double worst = std::max(mostPunctured(found.recommended, 0.0, 1e9),  //
+                                mostPunctured(found.fine_recommended, 0.0, 1e9));
   return fmt::format(
-      "What replaces the guess: **edge = 2 (speed x delay + depth + longest triangle edge)**, with the speed of the "
-      "finger now, the longest time until the box follows, and the depth that is allowed. On {} strokes of each speed "
-      "and delay that were not used before, {} got through. For {} m/s and {} ms the box is {} mm wide and holds {} "
-      "triangles, {} of what the leaves of a BSP tree render for 1/4.",
-      found.plan.strokes, strokesOf(mostPunctured(found.recommended, 0.0, 1e9)),
+      "What replaces the guess: **edge = 2 (speed x delay + depth)**, with the speed of the finger now, the longest "
+      "time until the box follows, and the depth that the tip may have. On {} strokes of each speed and delay that "
+      "were not used before, on models of {} and {} triangles, {} got through. For {} m/s and {} ms the box is {} mm "
+      "wide and holds {} triangles: {} of what the leaves of a BSP tree render for 1/4, {} of the model.",
+      found.plan.strokes, counted(static_cast<double>(found.plan.triangles)),
+      counted(static_cast<double>(found.plan.fine_triangles)), strokesOf(worst),
       rounded(metresPerSecond(usual.speed_mm_s)), usual.delay_ticks, rounded(usual.edge_mm), counted(usual.triangles),
-      percent(usual.triangles / quarterRow(found).bsp_triangles));
+      percent(usual.triangles / quarterRow(found).bsp_triangles),
+      percent(usual.triangles / static_cast<double>(found.plan.triangles)));
+}
+
+/// The smallest share of the depth that held all strokes of every depth.
+double safeMargin(const HdbMeasurement& found) {
+  double unsafe = -1.0;
+  for (const MarginRow& row : found.margins) {
+    if (row.punctured > 0.0) unsafe = std::max(unsafe, row.share);
+  }
+  double safe = std::numeric_limits<double>::infinity();
+  for (const MarginRow& row : found.margins) {
+    if (row.share > unsafe) safe = std::min(safe, row.share);
+  }
+  return safe;
+}
+
+std::string marginFinding(const HdbMeasurement& found) {
+  return fmt::format(
+      "Why the depth: the proxy is never farther from the tip than that. Between two boxes the tip makes speed x "
+      "delay, so the proxy makes at most that plus the depth before and the depth after (twice the depth is a proof); "
+      "{} times the depth was enough for every depth from {:g} to {:g} mm. The largest triangle, which E12 adds "
+      "instead, is no safe margin: on {} triangles (longest edge {} mm) up to {} get through with it. A triangle needs "
+      "no room of its own, because the box finds whatever reaches into it.",
+      rounded(safeMargin(found)), found.plan.depths_mm.front(), found.plan.depths_mm.back(),
+      counted(static_cast<double>(found.plan.fine_triangles)), rounded(found.fine_triangle_edge),
+      strokesOf(mostPunctured(found.fine_e12, 0.0, 1e9)));
 }
 
 std::string leadFinding(const HdbMeasurement& found) {
@@ -288,7 +172,7 @@ std::string leadFinding(const HdbMeasurement& found) {
 std::string quarterFinding(const HdbMeasurement& found) {
   const PrintedDelays printed = printedDelays();
   const auto safe = [&](double share, double delay) {
-    return rounded(metresPerSecond(safeSpeed(share * found.longest_edge, delay, found.depth_mm, found.triangle_edge)));
+    return rounded(metresPerSecond(safeSpeed(share * found.longest_edge, delay, found.depth_mm)));
   };
   return fmt::format(
       "Is 1/4 right? For the computer of 2008 it was: its touched frames took {} to {} ms (Table 3.2), and by the rule "
@@ -365,6 +249,9 @@ std::vector<std::pair<std::string, double>> numbersOf(const HdbMeasurement& foun
           {"least_punctured_up_to_lead_0_5", leastPunctured(found.leads, 0.5)},
           {"most_punctured_from_lead_1_25", mostPunctured(found.leads, 1.25, 1e9)},
           {"rule_most_punctured", mostPunctured(found.recommended, 0.0, 1e9)},
+          {"rule_most_punctured_fine", mostPunctured(found.fine_recommended, 0.0, 1e9)},
+          {"e12_most_punctured_fine", mostPunctured(found.fine_e12, 0.0, 1e9)},
+          {"safe_margin_over_depth", safeMargin(found)},
           {"rule_edge_mm_at_0_5_mps_10_ms", usual.edge_mm},
           {"rule_triangles_at_0_5_mps_10_ms", usual.triangles},
           {"rule_share_of_quarter_at_0_5_mps_10_ms", usual.triangles / quarter.bsp_triangles},
@@ -382,11 +269,11 @@ StudyPage studyHdb(const StudySettings& settings) {
       "fast finger through the skin, because the box follows late; too large a box costs time. The dissertation "
       "settles on a quarter of the model \"after several experiments\" (3.3.3). Is that right, and what should replace "
       "the guess (E12)?";
-  page.findings = {ruleFinding(found), leadFinding(found),   quarterFinding(found),
+  page.findings = {ruleFinding(found), marginFinding(found), leadFinding(found),  quarterFinding(found),
                    costFinding(found), leavesFinding(found), elseIfFinding(found)};
   page.method = methodOf(found);
   page.tables = tablesOf(found);
-  page.figures = figuresOf(found);
+  page.figures = hdbFigures(found);
   page.numbers = numbersOf(found);
   return page;
 }

@@ -90,14 +90,18 @@ TEST(HdbStudy, LargerBoxesRenderMoreAndLetFewerStrokesThrough) {
     EXPECT_TRUE(row.lead() < 2.9 || row.punctured == 0.0) << row.edge_mm;
   }
   for (const PunctureRow& row : found.recommended) EXPECT_EQ(row.punctured, 0.0) << row.edge_mm;
+  for (const PunctureRow& row : found.fine_recommended) EXPECT_EQ(row.punctured, 0.0) << row.edge_mm;
+  for (const MarginRow& row : found.margins) {
+    EXPECT_TRUE(row.share < 1.0 || row.punctured == 0.0) << row.depth_mm;
+  }
   EXPECT_EQ(found.else_if_punctured, 1.0);
 }
 
 TEST(HdbStudy, TheRuleAndItsSafeSpeedAreInverse) {
-  const double edge = recommendedEdge(500.0, 0.010, 8.0, 4.0);
-  EXPECT_DOUBLE_EQ(edge, 2.0 * (5.0 + 8.0 + 4.0));
-  EXPECT_DOUBLE_EQ(safeSpeed(edge, 0.010, 8.0, 4.0), 500.0);
-  EXPECT_EQ(safeSpeed(10.0, 0.010, 8.0, 4.0), 0.0);
+  const double edge = recommendedEdge(500.0, 0.010, 8.0);
+  EXPECT_DOUBLE_EQ(edge, 2.0 * (5.0 + 8.0));
+  EXPECT_DOUBLE_EQ(safeSpeed(edge, 0.010, 8.0), 500.0);
+  EXPECT_EQ(safeSpeed(10.0, 0.010, 8.0), 0.0);
 }
 
 TEST(AssignmentStudy, EachCaseKeepsEveryTriangleInItsOwnWay) {
