@@ -171,6 +171,9 @@ void addLookOptions(CLI::App& command, RenderOptions& options) {
   command.add_option("--finger", options.finger, "What a finger looks like")->check(oneOf(view::kFingerShapeNames));
   command.add_option("--opacity", options.opacity, "Of the skin; below 1 the bones show")->check(CLI::Range(0.0, 1.0));
   command.add_flag("--white", options.white, "White background");
+  command.add_flag("--texture,!--no-texture", options.texture,
+                   "The body's own picture, if the scene names one (default)");
+  command.add_flag("--detail,!--no-detail", options.detail, "Pores (default)");
   command.add_option("--title", options.title, "Words in the upper left corner");
   command.add_flag("--labels,!--no-labels", options.labels, "Legend, scale bar, directions and numbers (default)");
 }

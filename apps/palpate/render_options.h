@@ -30,6 +30,8 @@ struct RenderOptions {
   std::optional<double> yaw_deg, pitch_deg, zoom, opacity, eye_distance_mm, convergence_mm, screen_height_mm;
   bool swap_eyes = false;
   bool white = false;
+  bool texture = true;
+  bool detail = true;
 };
 
 /// "1280x720" and the supersampling. Throws Error.

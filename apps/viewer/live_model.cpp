@@ -18,9 +18,16 @@ double sinceMs(std::int64_t start_ns) { return static_cast<double>(servo::monoto
 
 LiveModel::LiveModel(std::shared_ptr<const scene::World> world)
     : world_(std::move(world)),
-      deformer_(world_->deformable, formsFor(*world_)),
+      deformer_(std::in_place, world_->deformable, formsFor(*world_)),
       surface_(world_->deformable),
       painter_(world_) {}
+
+void LiveModel::setWorld(std::shared_ptr<const scene::World> world) {
+  painter_.setWorld(world);
+  deformer_.emplace(world->deformable, formsFor(*world));
+  surface_ = deform::DeformedSurface(world->deformable);
+  world_ = std::move(world);
+}
 
 LiveModel::Times LiveModel::follow(std::span<const trace::Sample> contacts) {
   Times times;
@@ -30,7 +37,7 @@ LiveModel::Times LiveModel::follow(std::span<const trace::Sample> contacts) {
     const auto contact = scene::contactOf(*world_, sample.contact);
     if (contact) touching_.push_back(*contact);
   }
-  deformer_.apply(touching_, surface_);
+  deformer_->apply(touching_, surface_);
   times.deform_ms = sinceMs(start);
   const std::int64_t uploading = servo::monotonicNs();
   painter_.renderer().update(surface_);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,8 @@ namespace palpate::viewer {
 class LiveModel {
  public:
   explicit LiveModel(std::shared_ptr<const scene::World> world);
+  /// Shows another world, at rest. Throws Error for a texture that cannot be shown, and then nothing has changed.
+  void setWorld(std::shared_ptr<const scene::World> world);
 
   struct Times {
     double deform_ms = 0.0;
@@ -30,7 +33,7 @@ class LiveModel {
 
  private:
   std::shared_ptr<const scene::World> world_;
-  deform::AnyDeformer deformer_;
+  std::optional<deform::AnyDeformer> deformer_;
   deform::DeformedSurface surface_;
   view::Painter painter_;
   std::vector<deform::Contact> touching_;

@@ -35,6 +35,9 @@ void lookWidgets(Session& session) {
   }
   numberWidget(look.skin_opacity,
                {"show/opacity", "skin opacity", "%.2f", 0.0, 1.0, 1.0, "Below 1 the bones show through (key O)."});
+  if (session.world.has_picture) {
+    flagWidget("show/picture", "picture on the skin", look.texture, "The one that the scene names.");
+  }
   flagWidget("show/white", "white background", look.white_background, "For papers.");
 }
 

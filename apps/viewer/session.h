@@ -161,6 +161,7 @@ struct WorldFacts {
   bool has_bones = false;
   double softest_n_per_mm = 0.0, stiffest_n_per_mm = 0.0;
   std::vector<std::string> notes;
+  bool has_picture = false;
 };
 
 /// A finger that has not been anywhere yet.

@@ -48,7 +48,8 @@ WorldFacts factsOf(const scene::World& world) {
           !world.anatomy.bones.empty(),
           *soft,
           *stiff,
-          world.notes};
+          world.notes,
+          world.texture != nullptr};
 }
 
 }  // namespace
@@ -140,7 +141,7 @@ void Viewer::takeWorld() {
   if (!shown.world) return;
   const bool other_scene = shown.world->scene.file != world_->scene.file;
   world_ = shown.world;
-  model_ = std::make_unique<LiveModel>(world_);
+  model_->setWorld(world_);
   session_.world = factsOf(*world_);
   session_.device_limit_n = session_.scene.safety.nominal_force_n;
   if (session_.profile_handle < 0) session_.profile_knots = world_->deformation.normal_profile.knots;

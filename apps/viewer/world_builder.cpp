@@ -11,6 +11,7 @@
 #include "palpate/base/error.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/servo/pacing.h"
+#include "palpate/view/skin_picture.h"
 
 namespace palpate::viewer {
 
@@ -114,7 +115,9 @@ BuildResult WorldBuilder::build(const BuildWish& wish, std::uint64_t number) {
     if (!wish.open.empty()) result.wish.scene = sceneFromFile(wish.open, wish.scene);
     result.world =
         wish.body ? scene::rebuilt(*wish.body, result.wish.scene, listen) : scene::build(result.wish.scene, listen);
+    if (result.world->texture) view::decodedPicture(*result.world->texture);  // a broken one must not reach the display
   } catch (const std::exception& error) {
+    result.world = nullptr;
     result.error = error.what();
   }
   return result;

@@ -8,6 +8,7 @@
 #include "palpate/base/error.h"
 #include "palpate/mesh/load.h"
 #include "palpate/mesh/repair.h"
+#include "palpate/mesh/textured_mesh.h"
 #include "palpate/mesh/validate.h"
 
 namespace palpate {
@@ -19,7 +20,9 @@ inline int fuzzMesh(const std::uint8_t* data, std::size_t size, mesh::Format for
     const std::string_view bytes(reinterpret_cast<const char*>(data), size);
     mesh::TriangleMesh surface = mesh::loadFromMemory(bytes, format, "fuzz", options);
     mesh::validate(surface);
-    mesh::repair(std::move(surface));
+    const mesh::RepairResult repaired = mesh::repair(std::move(surface));
+    const mesh::TexturedMesh textured = mesh::loadTexturedFromMemory(bytes, format, "fuzz", options);
+    if (!textured.mesh.triangles.empty()) mesh::textureOn(repaired.mesh, textured);
   } catch (const Error&) {
     // The one clear answer to a bad file.
   }

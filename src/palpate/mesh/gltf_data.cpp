@@ -123,6 +123,10 @@ std::filesystem::path pathBeside(const MeshFile& file, const std::string& uri, J
   return file.folder / relative;
 }
 
+constexpr std::string_view kBase64 = ";base64,";
+
+bool isData(std::string_view uri) { return uri.starts_with("data:") && uri.find(kBase64) != std::string_view::npos; }
+
 }  // namespace
 
 GltfParts splitGltf(const MeshFile& file) {
@@ -149,6 +153,12 @@ GltfParts splitGltf(const MeshFile& file) {
   return parts;
 }
 
+std::string bytesOfUri(const MeshFile& file, JsonValue uri, std::size_t max_bytes) {
+  const std::string text = uri.text();
+  if (!isData(text)) return readFile(pathBeside(file, text, uri), max_bytes);
+  return decodeBase64(std::string_view(text).substr(text.find(kBase64) + kBase64.size()), uri);
+}
+
 GltfAccessors::GltfAccessors(const MeshFile& file, JsonValue root, std::string_view binary)
     : bytes_(file.bytes.size()) {
   const auto buffers = root["buffers"].items();
@@ -167,13 +177,9 @@ std::string_view GltfAccessors::readBuffer(const MeshFile& file, JsonValue buffe
   if (!length) buffer.fail("a buffer without byteLength");
   std::string_view bytes = may_be_binary_chunk ? binary : std::string_view();
   if (uri) {
-    const std::string text = uri.text();
-    const auto comma = text.find(";base64,");
-    const bool is_data = text.starts_with("data:") && comma != std::string::npos;
-    owned_.push_back(is_data ? decodeBase64(std::string_view(text).substr(comma + 8), uri)
-                             : readFile(pathBeside(file, text, uri), file.options.max_bytes - bytes_));
+    owned_.push_back(bytesOfUri(file, uri, file.options.max_bytes - bytes_));
     bytes = owned_.back();
-    if (!is_data) bytes_ += bytes.size();
+    if (!isData(uri.text())) bytes_ += bytes.size();
   }
   const std::size_t promised = length.index(kAnySize, "byteLength");
   if (promised > bytes.size()) {
@@ -232,17 +238,32 @@ GltfAccessors::Elements GltfAccessors::elements(JsonValue accessor_index, std::s
   return found;
 }
 
-std::vector<Vec3> GltfAccessors::positions(JsonValue accessor_index) const {
-  const Elements found = elements(accessor_index, "VEC3", 3);
+template <class Vector>
+std::vector<Vector> GltfAccessors::vectors(JsonValue accessor_index, std::string_view type) const {
+  constexpr std::size_t kAxes = Vector::RowsAtCompileTime;
+  const Elements found = elements(accessor_index, type, kAxes);
   const std::size_t bytes = bytesOf(found.component_type);
-  std::vector<Vec3> result(found.count);
+  std::vector<Vector> result(found.count);
   for (std::size_t i = 0; i < found.count; ++i) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
       const char* data = found.data + i * found.stride + axis * bytes;
-      result[i][static_cast<Eigen::Index>(axis)] = componentAt(data, found.component_type, found.normalised);
+      const double value = componentAt(data, found.component_type, found.normalised);
+      result[i][static_cast<Eigen::Index>(axis)] = static_cast<typename Vector::Scalar>(value);
     }
   }
   return result;
+}
+
+std::vector<Vec3> GltfAccessors::positions(JsonValue accessor_index) const {
+  return vectors<Vec3>(accessor_index, "VEC3");
+}
+
+std::vector<Vec2f> GltfAccessors::places(JsonValue accessor_index) const {
+  return vectors<Vec2f>(accessor_index, "VEC2");
+}
+
+std::string_view GltfAccessors::bytesOfView(JsonValue view_index) const {
+  return views_[view_index.index(views_.size(), "bufferView")].bytes;
 }
 
 std::vector<Index> GltfAccessors::indices(JsonValue accessor_index) const {

@@ -24,6 +24,9 @@ struct GltfParts {
 /// Takes a GLB apart; anything that does not start with "glTF" is JSON as a whole. Throws Error at a byte.
 GltfParts splitGltf(const MeshFile& file);
 
+/// What a URI stands for: base64 in the file, or a file beside it. Throws Error.
+std::string bytesOfUri(const MeshFile& file, JsonValue uri, std::size_t max_bytes);
+
 class GltfAccessors {
  public:
   /// Reads buffers that lie in the file or beside it, and the outline of every accessor once: a file in which many
@@ -32,8 +35,11 @@ class GltfAccessors {
 
   /// A VEC3 of any component type, normalised if the accessor says so, in the file's unit.
   std::vector<Vec3> positions(JsonValue accessor_index) const;
+  /// A VEC2, likewise.
+  std::vector<Vec2f> places(JsonValue accessor_index) const;
   /// A SCALAR of unsigned whole numbers.
   std::vector<Index> indices(JsonValue accessor_index) const;
+  std::string_view bytesOfView(JsonValue view_index) const;
   /// Bytes of the file and of all its buffers: what there is to make a mesh of.
   std::size_t bytes() const { return bytes_; }
 
@@ -65,6 +71,8 @@ class GltfAccessors {
   View readView(JsonValue view) const;
   static Accessor outlineOf(JsonValue accessor);
   Elements elements(JsonValue accessor_index, std::string_view type, std::size_t components) const;
+  template <class Vector>
+  std::vector<Vector> vectors(JsonValue accessor_index, std::string_view type) const;
 
   std::vector<std::string_view> buffers_;
   std::vector<std::string> owned_;  // what was decoded or read for buffers_

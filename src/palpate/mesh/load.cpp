@@ -52,13 +52,6 @@ std::optional<Format> formatByExtension(const std::filesystem::path& file) {
   return std::nullopt;
 }
 
-Format formatOf(const std::filesystem::path& file, std::string_view bytes, bool allow_foreign) {
-  if (const auto format = formatByContent(bytes)) return *format;
-  if (const auto format = formatByExtension(file)) return *format;
-  if (allow_foreign) return Format::foreign;
-  throw Error::inFile(file.string(), "not a mesh file that can be read; these can: obj, stl, ply, off, gltf, glb");
-}
-
 TriangleMesh read(const MeshFile& file, Format format) {
   switch (format) {
     case Format::obj:
@@ -80,12 +73,6 @@ TriangleMesh read(const MeshFile& file, Format format) {
 
 bool isGltf(Format format) { return format == Format::gltf || format == Format::glb; }
 
-void toMillimetres(TriangleMesh& mesh, Format format, double unit_mm) {
-  if (unit_mm == 0.0) unit_mm = isGltf(format) ? kMillimetresPerMetre : 1.0;
-  if (unit_mm == 1.0) return;
-  for (Vec3& position : mesh.positions) position *= unit_mm;
-}
-
 TriangleMesh loadChecked(const MeshFile& file, Format format) {
   if (file.bytes.empty()) throw Error::inFile(file.name, "the file is empty");
   TriangleMesh mesh = read(file, format);
@@ -102,6 +89,19 @@ TriangleMesh loadChecked(const MeshFile& file, Format format) {
 }
 
 }  // namespace
+
+Format formatOf(const std::filesystem::path& file, std::string_view bytes, bool allow_foreign) {
+  if (const auto format = formatByContent(bytes)) return *format;
+  if (const auto format = formatByExtension(file)) return *format;
+  if (allow_foreign) return Format::foreign;
+  throw Error::inFile(file.string(), "not a mesh file that can be read; these can: obj, stl, ply, off, gltf, glb");
+}
+
+void toMillimetres(TriangleMesh& mesh, Format format, double unit_mm) {
+  if (unit_mm == 0.0) unit_mm = isGltf(format) ? kMillimetresPerMetre : 1.0;
+  if (unit_mm == 1.0) return;
+  for (Vec3& position : mesh.positions) position *= unit_mm;
+}
 
 void checkTriangleCount(std::size_t triangles, std::string_view name) {
   constexpr std::size_t kMost = std::numeric_limits<Index>::max() / 3;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "palpate/mesh/gltf_data.h"
+#include "palpate/mesh/gltf_picture.h"
 #include "palpate/mesh/json.h"
 #include "palpate/mesh/readers.h"
 
@@ -22,6 +23,8 @@ enum Mode : int { kTriangles = 4, kTriangleStrip = 5, kTriangleFan = 6 };
 /// A node may show a mesh again and again, so a short file can ask for any number of triangles. What is more than this
 /// many times the bytes of the file and its buffers is an attack, not a mesh.
 constexpr std::size_t kMostPerByte = 8;
+
+constexpr std::size_t kMostTextureSets = 64;
 
 Eigen::Affine3d matrixOf(JsonValue node) {
   Eigen::Affine3d transform = Eigen::Affine3d::Identity();
@@ -55,14 +58,16 @@ Eigen::Affine3d transformOf(JsonValue node) {
 
 class GltfReader {
  public:
-  GltfReader(const MeshFile& file, const GltfParts& parts, const JsonDocument& document)
+  GltfReader(const MeshFile& file, const GltfParts& parts, const JsonDocument& document, TexturePlaces* places)
       : file_(file),
+        places_(places),
         root_(document.root()),
         accessors_(file, root_, parts.binary),
         nodes_(root_["nodes"].items()),
         meshes_(root_["meshes"].items()),
         primitives_(meshes_.size()),
         visited_(nodes_.size(), false) {
+    if (places_ != nullptr) base_colours_ = baseColours(root_);
     budget_ = 1000 + kMostPerByte * accessors_.bytes();
   }
 
@@ -144,6 +149,7 @@ class GltfReader {
     int mode = kTriangles;
     std::vector<Vec3> positions;
     std::vector<Index> indices;
+    TexturePlaces places;  // when they are asked for
   };
 
   void addMesh(std::size_t mesh, const Eigen::Affine3d& transform) {
@@ -159,12 +165,25 @@ class GltfReader {
       if (mode < kTriangles) continue;
       const JsonValue attribute = json["attributes"]["POSITION"];
       if (!attribute) json.fail("a primitive without POSITION");
-      Primitive primitive{json, mode, accessors_.positions(attribute), {}};
+      Primitive primitive{json, mode, accessors_.positions(attribute), {}, {}};
       primitive.indices = indicesOf(json, primitive.positions.size());
+      if (places_ != nullptr) primitive.places = placesOf(json, primitive.positions.size());
       spend(primitive);
       primitives.push_back(std::move(primitive));
     }
     return primitives;
+  }
+
+  /// Where the base colour lies; none where there is no such attribute. glTF counts v downwards.
+  TexturePlaces placesOf(JsonValue primitive, std::size_t vertices) const {
+    const JsonValue base_colour = baseColourOf(base_colours_, primitive);
+    const std::size_t set = base_colour["texCoord"].indexOr(0, kMostTextureSets, "texCoord");
+    const JsonValue attribute = primitive["attributes"][fmt::format("TEXCOORD_{}", set)];
+    TexturePlaces places;
+    if (attribute) places = accessors_.places(attribute);
+    for (TexturePlace& place : places) place.y() = 1.0f - place.y();
+    places.resize(vertices, noTexturePlace());
+    return places;
   }
 
   void addPrimitive(const Primitive& primitive, const Eigen::Affine3d& transform) {
@@ -174,6 +193,7 @@ class GltfReader {
       primitive.where.fail("more vertices than 32-bit indices can name");
     }
     for (const Vec3& position : primitive.positions) mesh_.positions.push_back(transform * position);
+    if (places_ != nullptr) places_->insert(places_->end(), primitive.places.begin(), primitive.places.end());
     const bool mirrored = transform.linear().determinant() < 0.0;
     addTriangles(primitive, static_cast<Index>(first), mirrored);
     checkTriangleCount(mesh_.triangles.size(), file_.name);
@@ -213,8 +233,10 @@ class GltfReader {
   }
 
   const MeshFile& file_;
+  TexturePlaces* places_;  // null: not asked for
   JsonValue root_;
   GltfAccessors accessors_;
+  std::vector<JsonValue> base_colours_;  // of each material, when places are asked for
   std::vector<JsonValue> nodes_;
   std::vector<JsonValue> meshes_;
   std::vector<std::optional<std::vector<Primitive>>> primitives_;  // of each mesh, read when first shown
@@ -225,10 +247,10 @@ class GltfReader {
 
 }  // namespace
 
-TriangleMesh readGltf(const MeshFile& file) {
+TriangleMesh readGltf(const MeshFile& file, TexturePlaces* places) {
   const GltfParts parts = splitGltf(file);
   const JsonDocument document(parts.json, {file.name, !parts.is_glb, parts.json_offset});
-  return GltfReader(file, parts, document).read();
+  return GltfReader(file, parts, document, places).read();
 }
 
 }  // namespace palpate::mesh

@@ -1,10 +1,14 @@
-// OBJ: `v`, `f`, `g` and `o` are read; texture, normals, materials, lines, points and free-form surfaces are passed
-// over.
+// OBJ: `v`, `f`, `g` and `o` are read, `vt` when it is asked for; normals, materials, lines, points and free-form
+// surfaces are passed over.
+//
+// An OBJ face names vertices and places in the picture apart. Where the texture is asked for, each corner of a face
+// becomes a vertex of its own, with both.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <map>
+#include <utility>
 
 #include "palpate/base/error.h"
 #include "palpate/mesh/polygons.h"
@@ -24,13 +28,15 @@ constexpr auto kPassedOver = std::to_array<std::string_view>(
 
 class ObjReader {
  public:
-  explicit ObjReader(const MeshFile& file) : file_(file), text_(file.bytes, file.name, file.progress) {}
+  ObjReader(const MeshFile& file, TexturePlaces* places)
+      : file_(file), text_(file.bytes, file.name, file.progress), places_(places) {}
 
   TriangleMesh read() {
     do {
       readLine();
     } while (text_.nextLine());
     if (!file_.options.group.empty() && !group_found_) failForGroup();
+    if (places_ != nullptr) spreadCorners();
     polygons_.cut(mesh_, {file_.name, FileCounting::Place::line, 1}, file_.options.keep_wrong_indices);
     return std::move(mesh_);
   }
@@ -45,6 +51,8 @@ class ObjReader {
       readFace();
     } else if (keyword == "g" || keyword == "o") {
       readGroup();
+    } else if (keyword == "vt" && places_ != nullptr) {
+      readTexturePlace();
     } else if (std::find(kPassedOver.begin(), kPassedOver.end(), keyword) == kPassedOver.end()) {
       text_.fail(fmt::format("'{}' is not an OBJ keyword", shown(keyword)));
     } else {
@@ -72,6 +80,15 @@ class ObjReader {
     if (mesh_.positions.size() >= kNoIndex) text_.fail("more vertices than 32-bit indices can name");
   }
 
+  /// `vt u [v [w]]`
+  void readTexturePlace() {
+    const auto u = static_cast<float>(text_.number(word(), "a texture coordinate"));
+    const std::string_view v = word();
+    texture_.emplace_back(
+        u, v.empty() || v.front() == '#' ? 0.0f : static_cast<float>(text_.number(v, "a texture coordinate")));
+    passOver();
+  }
+
   void readGroup() {
     in_group_ = false;
     for (auto name = word(); !name.empty(); name = word()) {
@@ -83,7 +100,7 @@ class ObjReader {
 
   void readFace() {
     for (auto corner = word(); !corner.empty() && corner.front() != '#'; corner = word()) {
-      polygons_.addCorner(readCorner(corner));
+      polygons_.addCorner(places_ == nullptr ? readCorner(corner) : newCorner(corner));
     }
     if (polygons_.openCorners() < 3) text_.fail("a face needs at least 3 corners");
     if (file_.options.group.empty() || in_group_) {
@@ -95,11 +112,39 @@ class ObjReader {
 
   /// `vertex`, `vertex/texture`, `vertex//normal` or all three; negative counts back from the last vertex.
   Index readCorner(std::string_view corner) const {
-    const auto index = text_.whole(corner.substr(0, corner.find('/')), "a vertex index", -kHighest, kHighest);
-    if (index == 0) text_.fail("vertex indices start at 1");
+    return fromZero(corner.substr(0, corner.find('/')), "vertex", mesh_.positions.size());
+  }
+
+  Index fromZero(std::string_view word, std::string_view what, std::size_t so_far) const {
+    const auto index = text_.whole(word, fmt::format("a {} index", what), -kHighest, kHighest);
+    if (index == 0) text_.fail(fmt::format("{} indices start at 1", what));
     if (index > 0) return static_cast<Index>(index - 1);
-    const auto from_start = static_cast<long long>(mesh_.positions.size()) + index;
+    const auto from_start = static_cast<long long>(so_far) + index;
     return from_start < 0 ? kNoIndex : static_cast<Index>(from_start);
+  }
+
+  /// Notes the two numbers of a corner; what they name may still follow. The number of the corner.
+  Index newCorner(std::string_view corner) {
+    const Index vertex = readCorner(corner);
+    const std::size_t slash = std::min(corner.find('/'), corner.size());
+    const std::string_view rest = corner.substr(std::min(slash + 1, corner.size()));
+    const std::string_view texture = rest.substr(0, rest.find('/'));
+    corners_.push_back({vertex, texture.empty() ? kNoIndex : fromZero(texture, "texture", texture_.size())});
+    if (corners_.size() >= kNoIndex) text_.fail("more corners than 32-bit indices can name");
+    return static_cast<Index>(corners_.size() - 1);
+  }
+
+  /// Each corner becomes a vertex. One that names a vertex or a texture that is not there gets a place that is no
+  /// number.
+  void spreadCorners() {
+    const std::vector<Vec3> positions = std::exchange(mesh_.positions, {});
+    mesh_.positions.reserve(corners_.size());
+    places_->reserve(corners_.size());
+    for (const Corner& corner : corners_) {
+      const bool is_there = corner.vertex < positions.size() && corner.texture < texture_.size();
+      mesh_.positions.push_back(is_there ? positions[corner.vertex] : Vec3::Zero());
+      places_->push_back(is_there ? texture_[corner.texture] : noTexturePlace());
+    }
   }
 
   [[noreturn]] void failForGroup() const {
@@ -112,8 +157,16 @@ class ObjReader {
   static constexpr long long kHighest = 0xfffffffe;
   static constexpr std::size_t kMaxGroupsShown = 12;
 
+  struct Corner {
+    Index vertex;
+    Index texture;
+  };
+
   const MeshFile& file_;
   TextReader text_;
+  TexturePlaces* places_;  // null: not asked for
+  TexturePlaces texture_;  // `vt` so far
+  std::vector<Corner> corners_;
   TriangleMesh mesh_;
   PolygonList polygons_;
   std::map<std::string_view, std::size_t> groups_;
@@ -123,6 +176,6 @@ class ObjReader {
 
 }  // namespace
 
-TriangleMesh readObj(const MeshFile& file) { return ObjReader(file).read(); }
+TriangleMesh readObj(const MeshFile& file, TexturePlaces* places) { return ObjReader(file, places).read(); }
 
 }  // namespace palpate::mesh

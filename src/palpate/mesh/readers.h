@@ -2,10 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <string_view>
 
-#include "palpate/mesh/load.h"
+#include "palpate/mesh/textured_mesh.h"
 
 namespace palpate::mesh {
 
@@ -17,13 +18,25 @@ struct MeshFile {
   std::filesystem::path folder;  ///< where files lie that this one refers to; empty: there are none
 };
 
-TriangleMesh readObj(const MeshFile& file);
+/// Asked for `places`, the readers of formats with texture note a place in the picture for each vertex, not finite
+/// where there is none; the mesh then shares no vertex where the texture does not go on.
+using TexturePlaces = std::vector<TexturePlace>;
+
+TriangleMesh readObj(const MeshFile& file, TexturePlaces* places = nullptr);
 TriangleMesh readStl(const MeshFile& file);
 TriangleMesh readPly(const MeshFile& file);
 TriangleMesh readOff(const MeshFile& file);
-TriangleMesh readGltf(const MeshFile& file);
+TriangleMesh readGltf(const MeshFile& file, TexturePlaces* places = nullptr);
 /// `extension` without its dot tells the format.
 TriangleMesh readForeign(const MeshFile& file, const std::string& extension);
+
+/// No texture here.
+inline TexturePlace noTexturePlace() { return TexturePlace::Constant(std::numeric_limits<float>::quiet_NaN()); }
+
+/// The format of a file by its first bytes, else by its extension. Throws Error when it is none that can be read.
+Format formatOf(const std::filesystem::path& file, std::string_view bytes, bool allow_foreign);
+/// Moves a mesh from the units of its file to mm (LoadOptions::unit_mm).
+void toMillimetres(TriangleMesh& mesh, Format format, double unit_mm);
 
 /// Throws Error when one more triangle would not be nameable: adjacency numbers 3 half-edges a triangle in 32 bits.
 void checkTriangleCount(std::size_t triangles, std::string_view name);

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include "palpate/base/error.h"
-#include "palpate/mesh/load.h"
 #include "palpate/mesh/reorder.h"
 #include "palpate/mesh/repair.h"
 #include "palpate/mesh/validate.h"
+#include "palpate/scene/skin_texture.h"
 
 namespace palpate::scene {
 
@@ -67,11 +67,7 @@ void mend(mesh::TriangleMesh mesh, BodyParts& parts, const Progress& progress) {
 }
 
 BodyParts makeMeshParts(const BodySettings& settings, const Progress& progress) {
-  mesh::LoadOptions options;
-  options.unit_mm = millimetresOf(settings.unit);
-  options.group = settings.group;
-  options.keep_wrong_indices = settings.repair;
-  mesh::TriangleMesh mesh = mesh::load(settings.file, options, progress);
+  mesh::TriangleMesh mesh = mesh::load(settings.file, loadOptionsOf(settings), progress);
   scale(mesh, settings.scale);
   BodyParts parts;
   parts.name = settings.file.filename().string();
@@ -84,10 +80,19 @@ BodyParts makeMeshParts(const BodySettings& settings, const Progress& progress) 
   report(progress, "ordering the triangles", 0.0);
   mesh::reorderSpatially(parts.skin);
   noteDoubtfulUnit(parts.skin, parts.notes);
+  parts.texture = loadSkinTexture(settings, parts.skin, progress);
   return parts;
 }
 
 }  // namespace
+
+mesh::LoadOptions loadOptionsOf(const BodySettings& settings) {
+  mesh::LoadOptions options;
+  options.unit_mm = millimetresOf(settings.unit);
+  options.group = settings.group;
+  options.keep_wrong_indices = settings.repair;
+  return options;
+}
 
 BodyParts makeBody(const BodySettings& settings, const Progress& progress) {
   return settings.kind == BodyKind::torso ? makeTorsoParts(settings.torso, progress)

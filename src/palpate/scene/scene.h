@@ -28,6 +28,13 @@ enum class Unit : std::uint8_t { from_file, millimetre, centimetre, decimetre, m
 /// Millimetres of a unit; 0 for from_file: the mesh reader knows what its formats say.
 double millimetresOf(Unit unit);
 
+/// Where a picture for the skin comes from, and where the scene file says so (for messages).
+struct TextureSource {
+  std::filesystem::path file;  ///< PNG or JPEG, or a glTF or GLB file whose base colour it is; empty: no picture
+  std::string scene_file;
+  std::size_t line = 0;  ///< 0: not from a scene file
+};
+
 struct BodySettings {
   BodyKind kind = BodyKind::torso;
   body::TorsoSettings torso;
@@ -37,6 +44,7 @@ struct BodySettings {
   double scale = 1.0;
   std::string group;   ///< only this group of an OBJ file; empty = all
   bool repair = true;  ///< false: refuse a mesh that is not fit
+  TextureSource texture;
 };
 
 enum class StiffnessSource : std::uint8_t { automatic, depth, points, constant };

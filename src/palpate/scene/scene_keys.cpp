@@ -69,6 +69,21 @@ Section listSection(const std::string& name, const std::string& about, Access<Sc
   return {name, title, about, read, std::move(describe_rows), values};
 }
 
+/// Remembers where it stands: what is wrong with the picture is found when the body is built.
+Key<BodySettings> textureKey() {
+  using S = BodySettings;
+  Key<S> key = file<S>(
+      "texture", [](S& s) -> std::filesystem::path& { return s.texture.file; },
+      "Mesh: a PNG or JPEG picture that lies on the skin by the file's texture coordinates (OBJ, glTF, GLB); or a glTF "
+      "or GLB file, for its base colour picture.");
+  key.read = [read = std::move(key.read)](S& s, const Entry& entry) {
+    read(s, entry);
+    s.texture.scene_file = entry.file;
+    s.texture.line = entry.line();
+  };
+  return key;
+}
+
 Section bodySection() {
   using S = BodySettings;
   std::vector<Key<S>> keys = {
@@ -97,10 +112,13 @@ Section bodySection() {
       number<S>("scale", &S::scale, above(0, 1e6), "Mesh: factor on its size, after the unit."),
       text<S>("group", &S::group, "Mesh: only this group or object of an OBJ file."),
       flag<S>("repair", &S::repair, "Mesh: mend what can be mended; false refuses a mesh that is not fit."),
+      textureKey(),
   };
   return section<S>("body", "What is touched.", &Scene::body, std::move(keys), [](const S& body, const Entry& entry) {
     if (body.kind == BodyKind::mesh && body.file.empty()) entry.fail("of kind \"mesh\" needs a file");
     if (body.kind == BodyKind::torso && !body.file.empty()) entry.fail("has a file but is not of kind \"mesh\"");
+    if (body.kind == BodyKind::torso && !body.texture.file.empty())
+      entry.fail("has a texture but is not of kind \"mesh\"");
   });
 }
 

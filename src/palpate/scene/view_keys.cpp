@@ -73,6 +73,8 @@ std::vector<Key<ViewSettings>> viewKeys() {
       number<S>("opacity", &S::opacity, between(0, 1), "Of the skin; below 1 the bones show through."),
       word("finger", &S::finger, kFingers, "What a finger looks like."),
       flag<S>("white_background", &S::white_background, "White paper instead of grey."),
+      flag<S>("texture", &S::texture, "The picture that [body] texture names, on the skin."),
+      flag<S>("detail", &S::detail, "Pores, where skin is seen from near by."),
       word("stereo", &S::stereo, kStereoModes, "How two eyes share one picture."),
       number<S>("eye_distance_mm", &S::eye_distance_mm, between(0, 200), "Between the eyes; 0 is as good as mono."),
       number<S>("convergence_mm", &S::convergence_mm, between(0, kFarthestMm),

@@ -23,6 +23,8 @@ struct ViewSettings {
   double opacity = 1.0;           ///< of the skin
   std::string finger = "sphere";
   bool white_background = false;
+  bool texture = true;  ///< of the body, where it has one
+  bool detail = true;   ///< pores
 
   std::string stereo = "mono";
   double eye_distance_mm = 63.0;

@@ -97,10 +97,10 @@ std::shared_ptr<const World> withBody(const Scene& scene, BodyParts body, deform
   deform::Skin deformable_skin = deformable.get();
   maps::AnyEllipseMap ellipses(keys, ellipseMapSettings(scene, body.skin), literalMapForms(scene));
   auto contours = contoursOf(scene, keys, ellipseMapSettings(scene, body.skin));
-  return std::make_shared<const World>(World{scene, std::move(body.name), std::move(body.skin), body.closed,
-                                             std::move(stiffness), std::move(surface), std::move(deformable_skin),
-                                             std::move(ellipses), std::move(forms), std::move(contours),
-                                             std::move(body.anatomy), std::move(body.notes), std::move(hdb)});
+  return std::make_shared<const World>(
+      World{scene, std::move(body.name), std::move(body.skin), body.closed, std::move(stiffness), std::move(surface),
+            std::move(deformable_skin), std::move(ellipses), std::move(forms), std::move(contours),
+            std::move(body.anatomy), std::move(body.notes), std::move(hdb), std::move(body.texture)});
 }
 
 }  // namespace
@@ -112,9 +112,9 @@ std::shared_ptr<const World> build(const Scene& scene, const Progress& progress)
 }
 
 std::shared_ptr<const World> rebuilt(const World& world, const Scene& scene, const Progress& progress) {
-  return withBody(
-      scene, {world.body_name, world.skin, world.closed, world.surface.self_intersecting, world.anatomy, world.notes},
-      formsOf(scene), progress);
+  BodyParts body{world.body_name, world.skin,  world.closed, world.surface.self_intersecting,
+                 world.anatomy,   world.notes, world.texture};
+  return withBody(scene, std::move(body), formsOf(scene), progress);
 }
 
 contact::FingerSettings contactSettings(const Scene& scene, const Finger& finger) {

@@ -26,6 +26,8 @@ struct Anatomy {
   std::vector<body::SkinLandmark> landmarks;
 };
 
+struct SkinTexture;
+
 struct World {
   Scene scene;              ///< the settings it was built from
   std::string body_name;    ///< for reports: "torso" or the file's name
@@ -38,8 +40,9 @@ struct World {
   deform::FormSettings deformation;               ///< complete: files read, fidelity filled in
   std::optional<maps::PolarContourMap> contours;  ///< for the shape "contour"
   Anatomy anatomy;
-  std::vector<std::string> notes;                  ///< what the user should know: repairs, a doubtful unit
-  std::shared_ptr<const contact::HdbSurface> hdb;  ///< for the contact source "hdb", otherwise null
+  std::vector<std::string> notes;                        ///< what the user should know: repairs, a doubtful unit
+  std::shared_ptr<const contact::HdbSurface> hdb;        ///< for the contact source "hdb", otherwise null
+  std::shared_ptr<const SkinTexture> texture = nullptr;  ///< a picture on the skin (skin_texture.h), or null
 };
 
 /// Loads or makes the body, mends and orders it, and builds what the run needs. Throws Error: a file that cannot be

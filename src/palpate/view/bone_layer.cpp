@@ -78,7 +78,20 @@ void pointAt(GLuint location, GLint size, std::size_t offset) {
 
 }  // namespace
 
-BoneLayer::BoneLayer(const scene::World& world) : world_(world), program_("bones", kSharedShader, kVertex, kFragment) {
+BoneLayer::BoneLayer() : program_("bones", kSharedShader, kVertex, kFragment) {
+  glBindVertexArray(vertex_array_.get());
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles_.get());
+  glBindBuffer(GL_ARRAY_BUFFER, vertices_.get());
+  pointAt(0, 3, offsetof(BoneVertex, place));
+  pointAt(1, 3, offsetof(BoneVertex, normal));
+  pointAt(2, 3, offsetof(BoneVertex, to_skin));
+  glBindVertexArray(0);
+}
+
+void BoneLayer::setWorld(const scene::World& world) {
+  world_ = &world;
+  hidden_from_.setConstant(std::numeric_limits<float>::quiet_NaN());
+  bones_.clear();
   std::vector<BoneVertex> vertices;
   std::vector<Triangle> triangles;
   for (const body::Bone& bone : world.anatomy.bones) {
@@ -89,9 +102,6 @@ BoneLayer::BoneLayer(const scene::World& world) : world_(world), program_("bones
   glBindVertexArray(vertex_array_.get());
   fillBuffer<Triangle>(GL_ELEMENT_ARRAY_BUFFER, triangles_.get(), triangles);
   fillBuffer<BoneVertex>(GL_ARRAY_BUFFER, vertices_.get(), vertices);
-  pointAt(0, 3, offsetof(BoneVertex, place));
-  pointAt(1, 3, offsetof(BoneVertex, normal));
-  pointAt(2, 3, offsetof(BoneVertex, to_skin));
   glBindVertexArray(0);
 }
 
@@ -100,10 +110,10 @@ void BoneLayer::findHidden(const Vec3f& eye) {
   constexpr std::size_t kStride = 10;
   hidden_from_ = eye;
   for (std::size_t b = 0; b < bones_.size(); ++b) {
-    const std::vector<Vec3>& points = world_.anatomy.bones[b].mesh.positions;
+    const std::vector<Vec3>& points = world_->anatomy.bones[b].mesh.positions;
     bones_[b].hidden = true;
     for (std::size_t v = 0; v < points.size() && bones_[b].hidden; v += kStride) {
-      const auto skin = partition::firstFrontCrossing(world_.surface.tree, eye.cast<double>(), points[v]);
+      const auto skin = partition::firstFrontCrossing(world_->surface.tree, eye.cast<double>(), points[v]);
       bones_[b].hidden = skin.triangle != kNoIndex;
     }
   }

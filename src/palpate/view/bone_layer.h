@@ -13,8 +13,11 @@ namespace palpate::view {
 
 class BoneLayer {
  public:
-  /// The world must outlive the layer.
-  explicit BoneLayer(const scene::World& world);
+  BoneLayer();
+  /// Shows another world's; the program stays. The world must outlive the layer or the next call.
+  void setWorld(const scene::World& world);
+  /// The same for a world with the same body.
+  void setSameBody(const scene::World& world) { world_ = &world; }
   void draw(const Look& look, const Viewpoint& viewpoint);
 
  private:
@@ -26,7 +29,7 @@ class BoneLayer {
   };
   void findHidden(const Vec3f& eye);
 
-  const scene::World& world_;
+  const scene::World* world_ = nullptr;
   Program program_;
   GlVertexArray vertex_array_;
   GlBuffer vertices_, triangles_;

@@ -98,6 +98,7 @@ struct Gui::Parts {
   Parts& operator=(const Parts&) = delete;
   void makeLetters(double pixels_per_point);
   void feed(std::span<const InputEvent> events);
+  void feed(const InputEvent& event);
 };
 
 Gui::Parts::Parts() {
@@ -141,26 +142,30 @@ void Gui::Parts::feed(std::span<const InputEvent> events) {
   ImGuiIO& io = ImGui::GetIO();
   std::array<bool, kButtons> went_down{};
   for (const InputEvent& event : events) {
-    using Kind = InputEvent::Kind;
-    const bool has_place = event.kind == Kind::move || event.kind == Kind::button || event.kind == Kind::scroll;
-    if (has_place) io.MousePos = {static_cast<float>(event.at.x() / scale), static_cast<float>(event.at.y() / scale)};
-    const auto button = static_cast<std::size_t>(event.button);
-    if (event.kind == Kind::button) down[button] = event.down;
-    if (event.kind == Kind::button && event.down) went_down[button] = true;
-    if (event.kind == Kind::scroll) io.MouseWheel += static_cast<float>(event.notches);
-    if (event.kind == Kind::text) io.AddInputCharactersUTF8(event.text.c_str());
-    if (event.kind == Kind::key) {
-      const auto code = static_cast<std::size_t>(event.key);
-      if (code < std::size(io.KeysDown)) io.KeysDown[code] = event.down;
-      io.KeyCtrl = event.modifiers.ctrl;
-      io.KeyShift = event.modifiers.shift;
-    }
-    if (event.kind == Kind::focus && !event.down) {
-      down.fill(false);
-      std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
-    }
+    feed(event);
+    if (event.kind == InputEvent::Kind::button && event.down) went_down[static_cast<std::size_t>(event.button)] = true;
   }
   for (std::size_t b = 0; b < kButtons; ++b) io.MouseDown[b] = down[b] || went_down[b];
+}
+
+void Gui::Parts::feed(const InputEvent& event) {
+  using Kind = InputEvent::Kind;
+  ImGuiIO& io = ImGui::GetIO();
+  const bool has_place = event.kind == Kind::move || event.kind == Kind::button || event.kind == Kind::scroll;
+  if (has_place) io.MousePos = {static_cast<float>(event.at.x() / scale), static_cast<float>(event.at.y() / scale)};
+  if (event.kind == Kind::button) down[static_cast<std::size_t>(event.button)] = event.down;
+  if (event.kind == Kind::scroll) io.MouseWheel += static_cast<float>(event.notches);
+  if (event.kind == Kind::text) io.AddInputCharactersUTF8(event.text.c_str());
+  if (event.kind == Kind::key) {
+    const auto code = static_cast<std::size_t>(event.key);
+    if (code < std::size(io.KeysDown)) io.KeysDown[code] = event.down;
+    io.KeyCtrl = event.modifiers.ctrl;
+    io.KeyShift = event.modifiers.shift;
+  }
+  if (event.kind == Kind::focus && !event.down) {
+    down.fill(false);
+    std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
+  }
 }
 
 Gui::Gui() : parts_(std::make_unique<Parts>()) { setTheme(Theme::dark); }

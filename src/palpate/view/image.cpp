@@ -2,6 +2,7 @@
 
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STBI_ONLY_JPEG
 #define STBI_ONLY_PNG
 #include <stb/stb_image.h>
 #include <stb/stb_image_write.h>
@@ -14,6 +15,18 @@
 namespace palpate::view {
 
 namespace {
+
+constexpr int kChannels = 3;
+
+using StbPixels = std::unique_ptr<stbi_uc, void (*)(void*)>;
+
+/// Into an image that knows its size; an empty one when there are no pixels.
+Image copied(const StbPixels& pixels, Image image) {
+  if (!pixels) return {};
+  image.pixels.resize(static_cast<std::size_t>(image.width) * image.height);
+  std::memcpy(image.pixels.data(), pixels.get(), image.pixels.size() * sizeof(Pixel));
+  return image;
+}
 
 Pixel meanOf(const Image& image, int x0, int y0, int factor) {
   std::array<int, 3> sum{};
@@ -39,22 +52,33 @@ Image reduced(const Image& image, int factor) {
 }
 
 void writePng(const std::filesystem::path& file, const Image& image) {
-  constexpr int kChannels = 3;
   if (stbi_write_png(file.c_str(), image.width, image.height, kChannels, image.pixels.data(),
                      image.width * kChannels) == 0) {
     throw Error::inFile(file.string(), "cannot be written");
   }
 }
 
+ImageSize imageSizeOf(std::string_view bytes) {
+  ImageSize size;
+  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+  if (stbi_info_from_memory(data, static_cast<int>(bytes.size()), &size.width, &size.height, nullptr) == 0) return {};
+  return size;
+}
+
+Image decodeImage(std::string_view bytes) {
+  Image image;
+  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+  const StbPixels pixels(
+      stbi_load_from_memory(data, static_cast<int>(bytes.size()), &image.width, &image.height, nullptr, kChannels),
+      stbi_image_free);
+  return copied(pixels, std::move(image));
+}
+
 Image readPng(const std::filesystem::path& file) {
   Image image;
-  constexpr int kChannels = 3;
-  const std::unique_ptr<stbi_uc, void (*)(void*)> bytes(
-      stbi_load(file.c_str(), &image.width, &image.height, nullptr, kChannels), stbi_image_free);
-  if (!bytes) throw Error::inFile(file.string(), "is not a PNG file that can be read");
-  image.pixels.resize(static_cast<std::size_t>(image.width) * image.height);
-  std::memcpy(image.pixels.data(), bytes.get(), image.pixels.size() * sizeof(Pixel));
-  return image;
+  const StbPixels pixels(stbi_load(file.c_str(), &image.width, &image.height, nullptr, kChannels), stbi_image_free);
+  if (!pixels) throw Error::inFile(file.string(), "is not a PNG file that can be read");
+  return copied(pixels, std::move(image));
 }
 
 }  // namespace palpate::view

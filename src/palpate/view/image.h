@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 namespace palpate::view {
@@ -25,6 +26,15 @@ struct Image {
 /// Each pixel the mean of factor x factor; width and height must be multiples of the factor. The mean is taken of the
 /// encoded values: lines and text keep their weight.
 Image reduced(const Image& image, int factor);
+
+struct ImageSize {
+  int width = 0;
+  int height = 0;
+};
+/// Of the bytes of a PNG or JPEG file, by its first ones; 0 x 0 when they are neither.
+ImageSize imageSizeOf(std::string_view bytes);
+/// The picture itself, without transparency; empty when it cannot be read.
+Image decodeImage(std::string_view bytes);
 
 /// Throws Error naming the file.
 void writePng(const std::filesystem::path& file, const Image& image);

@@ -74,7 +74,8 @@ struct Look {
   double skin_opacity = 1.0;                  ///< below 1 the bones show through; 0 hides the skin
   Vec3f skin_colour = {0.56f, 0.32f, 0.22f};  ///< linear; kSkinTones has some
   FingerShape finger = FingerShape::sphere;
-  bool detail = true;  ///< pores and mottling (Shading::skin)
+  bool detail = true;   ///< pores (Shading::skin)
+  bool texture = true;  ///< the user's picture, on a skin that has one (Colouring::plain)
   bool white_background = false;
   ColourRange strain_percent = {-20.0, 20.0};
   ColourRange stiffness_n_per_mm = {0.3, 1.2};

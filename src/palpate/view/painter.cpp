@@ -51,6 +51,12 @@ Screen partOf(const Screen& screen, const Part& part, const Vec2f& whole) {
 Painter::Painter(std::shared_ptr<const scene::World> world)
     : world_(std::move(world)), box_(mesh::boundingBox(world_->skin)), renderer_(world_) {}
 
+void Painter::setWorld(std::shared_ptr<const scene::World> world) {
+  renderer_.setWorld(world);
+  box_ = mesh::boundingBox(world->skin);
+  world_ = std::move(world);
+}
+
 Painted Painter::paint(const Frame& frame, const deform::DeformedSurface& surface, const PictureSettings& settings,
                        const Canvas& canvas, const DrawOver& draw_over) {
   Painted painted;

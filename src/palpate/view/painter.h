@@ -47,6 +47,8 @@ struct Painted {
 class Painter {
  public:
   explicit Painter(std::shared_ptr<const scene::World> world);
+  /// As Renderer::setWorld.
+  void setWorld(std::shared_ptr<const scene::World> world);
 
   Renderer& renderer() { return renderer_; }
 

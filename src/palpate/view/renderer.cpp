@@ -1,5 +1,6 @@
 #include "palpate/view/renderer.h"
 
+#include <optional>
 #include <vector>
 
 #include "palpate/view/background.h"
@@ -10,6 +11,7 @@
 #include "palpate/view/line_layer.h"
 #include "palpate/view/overlay_paint.h"
 #include "palpate/view/overlays.h"
+#include "palpate/view/same_body.h"
 #include "palpate/view/skin_layer.h"
 
 namespace palpate::view {
@@ -44,14 +46,24 @@ struct Renderer::Parts {
   BoneLayer bones;
   FingerLayer fingers;
   LineLayer lines;
-  Overlays overlays;
+  std::optional<Overlays> overlays;
   DrawnSkin drawn;
   Blanching blanching;
   std::vector<FingerPose> poses;
   std::vector<HandPose> hands;  // of the poses, when hands are drawn
 
-  explicit Parts(std::shared_ptr<const scene::World> w)
-      : world(std::move(w)), skin(*world), bones(*world), overlays(*world) {}
+  void setWorld(std::shared_ptr<const scene::World> next) {
+    if (world && haveSameBody(*world, *next)) {
+      skin.setMapsOf(*next);
+      bones.setSameBody(*next);
+    } else {
+      skin.setWorld(*next);
+      bones.setWorld(*next);
+    }
+    overlays.emplace(*next);
+    blanching = {};
+    world = std::move(next);
+  }
 
   void poseFingers(const Frame& frame, const Look& look) {
     poses.clear();
@@ -84,10 +96,11 @@ struct Renderer::Parts {
 
   void drawOverlays(const Frame& frame, const Look& look, const Viewpoint& viewpoint) {
     if (look.shows(Overlay::wireframe)) {
-      skin.bindEdges();
-      lines.drawEdges(viewpoint, kWireframePx * frame.pixels_per_point, kWireframePaint, [&] { skin.drawEdges(); });
+      skin.buffers().bindEdges();
+      lines.drawEdges(viewpoint, kWireframePx * frame.pixels_per_point, kWireframePaint,
+                      [&] { skin.buffers().drawEdges(); });
     }
-    const OverlayShapes& shapes = overlays.shapes(look, drawn, frame.fingers);
+    const OverlayShapes& shapes = overlays->shapes(look, drawn, frame.fingers);
     lines.draw(shapes.patches, viewpoint);
     lines.draw(shapes.thin, viewpoint, frame.pixels_per_point);
     lines.draw(shapes.bold, viewpoint, frame.pixels_per_point);
@@ -95,27 +108,32 @@ struct Renderer::Parts {
   }
 };
 
-Renderer::Renderer(std::shared_ptr<const scene::World> world) : parts_(std::make_unique<Parts>(std::move(world))) {
-  updateAll(deform::DeformedSurface(parts_->world->deformable));
+Renderer::Renderer(std::shared_ptr<const scene::World> world) : parts_(std::make_unique<Parts>()) {
+  setWorld(std::move(world));
 }
 Renderer::~Renderer() = default;
 
+void Renderer::setWorld(std::shared_ptr<const scene::World> world) {
+  parts_->setWorld(std::move(world));
+  updateAll(deform::DeformedSurface(parts_->world->deformable));
+}
+
 Index Renderer::update(const deform::DeformedSurface& surface) {
   parts_->drawn.follow(surface);
-  return parts_->skin.update(surface);
+  return parts_->skin.buffers().update(surface);
 }
 
 void Renderer::updateAll(const deform::DeformedSurface& surface) {
   parts_->drawn.copyAll(surface);
-  parts_->skin.updateAll(surface);
+  parts_->skin.buffers().updateAll(surface);
 }
 
 void Renderer::setField(Colouring colouring, std::span<const float> values) {
-  parts_->skin.setField(colouring, values);
+  parts_->skin.buffers().setField(colouring, values);
 }
 
 void Renderer::setPartition(std::shared_ptr<const partition::Partition> partition, const Vec3& box_edges_mm) {
-  parts_->overlays.setPartition({std::move(partition), box_edges_mm});
+  parts_->overlays->setPartition({std::move(partition), box_edges_mm});
 }
 
 void Renderer::draw(const Frame& frame, const Look& look, const Frustum& frustum, int width, int height) {

@@ -57,6 +57,8 @@ Look lookOf(const scene::World& world, const scene::ViewSettings& view) {
   look.skin_opacity = view.opacity;
   look.finger = named<FingerShape>(kFingerShapeNames, view.finger, "finger");
   look.white_background = view.white_background;
+  look.texture = view.texture;
+  look.detail = view.detail;
   look.strain_percent = {-world.scene.strain.range_percent, world.scene.strain.range_percent};
   look.stiffness_n_per_mm = rangeOf(world.stiffness_n_per_mm, look.stiffness_n_per_mm);
   if (look.colouring == Colouring::ellipses) look.half_major_mm = rangeOf(halfMajors(world), look.half_major_mm);

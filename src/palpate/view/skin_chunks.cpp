@@ -52,9 +52,9 @@ void append(std::vector<IndexRun>& runs, Index first, Index count) {
 /// A cube, and which way the skin faces in it: the two sides of a thin part stay apart.
 using Cell = std::array<int, 4>;
 
-Cell cellOf(const deform::Skin& skin, Index v, float cell_mm) {
-  const Vec3f cell = (skin.restPosition(v) / cell_mm).array().floor();
-  const Vec3f normal = skin.restNormal(v);
+Cell cellOf(const DrawnShape& shape, Index v, float cell_mm) {
+  const Vec3f cell = (shape.places[v] / cell_mm).array().floor();
+  const Vec3f normal = shape.normals[v];
   const int octant = (normal.x() > 0.0f ? 1 : 0) + (normal.y() > 0.0f ? 2 : 0) + (normal.z() > 0.0f ? 4 : 0);
   return {static_cast<int>(cell.x()), static_cast<int>(cell.y()), static_cast<int>(cell.z()), octant};
 }
@@ -66,53 +66,62 @@ struct CellMember {
   friend auto operator<=>(const CellMember&, const CellMember&) = default;
 };
 
-/// For each vertex the one that stands for it: the nearest to the middle of its cell, itself when it is `fixed`.
-std::vector<Index> keptVertices(const deform::Skin& skin, std::span<const std::uint8_t> fixed, float cell_mm) {
+/// All vertices by their cells, in each the nearest to its middle first.
+std::vector<CellMember> membersOf(const DrawnShape& shape, float cell_mm) {
   std::vector<CellMember> members;
-  members.reserve(skin.vertices);
-  for (Index v = 0; v < skin.vertices; ++v) {
-    const Vec3f place = skin.restPosition(v) / cell_mm;
+  members.reserve(shape.places.size());
+  for (Index v = 0; v < shape.places.size(); ++v) {
+    const Vec3f place = shape.places[v] / cell_mm;
     const Vec3f middle = place.array().floor() + 0.5f;
-    members.push_back({cellOf(skin, v, cell_mm), (place - middle).squaredNorm(), v});
+    members.push_back({cellOf(shape, v, cell_mm), (place - middle).squaredNorm(), v});
   }
   std::sort(members.begin(), members.end());
-  std::vector<Index> kept(skin.vertices);
-  Index keeper = 0;
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    if (i == 0 || members[i].cell != members[i - 1].cell) keeper = members[i].vertex;
-    kept[members[i].vertex] = fixed[members[i].vertex] != 0 ? members[i].vertex : keeper;
+  return members;
+}
+
+/// For each vertex the one that stands for it: the nearest to the middle of its cell, or itself when it stays.
+std::vector<Index> keptVertices(const DrawnShape& shape, std::span<const Stays> stays, float cell_mm) {
+  const std::vector<CellMember> members = membersOf(shape, cell_mm);
+  std::vector<Index> kept(shape.places.size());
+  for (auto first = members.begin(); first != members.end();) {
+    const auto end = std::find_if(first, members.end(), [&](const CellMember& m) { return m.cell != first->cell; });
+    const bool all = std::any_of(first, end, [&](const CellMember& m) { return stays[m.vertex] == Stays::cell; });
+    const Index keeper = first->vertex;
+    for (; first != end; ++first) {
+      kept[first->vertex] = all || stays[first->vertex] == Stays::vertex ? first->vertex : keeper;
+    }
   }
   return kept;
 }
 
 /// Still seen from the side that its corners face; folds are not, and what is beside them covers their place.
-bool facesOut(const deform::Skin& skin, const Triangle& t) {
-  const Vec3f a = skin.restPosition(t[0]);
-  const Vec3f area = (skin.restPosition(t[1]) - a).cross(skin.restPosition(t[2]) - a);
-  const Vec3f normals = skin.restNormal(t[0]) + skin.restNormal(t[1]) + skin.restNormal(t[2]);
+bool facesOut(const DrawnShape& shape, const Triangle& t) {
+  const Vec3f a = shape.places[t[0]];
+  const Vec3f area = (shape.places[t[1]] - a).cross(shape.places[t[2]] - a);
+  const Vec3f normals = shape.normals[t[0]] + shape.normals[t[1]] + shape.normals[t[2]];
   constexpr float kLeastCosine = 0.3f;  // steeper against its corners it is a fold too
   return area.dot(normals) > kLeastCosine * area.norm() * normals.norm();
 }
 
 }  // namespace
 
-std::vector<Triangle> coarserTriangles(const deform::Skin& skin, std::span<const std::uint8_t> fixed, float cell_mm) {
-  const std::vector<Index> kept = keptVertices(skin, fixed, cell_mm);
+std::vector<Triangle> coarserTriangles(const DrawnShape& shape, std::span<const Stays> stays, float cell_mm) {
+  const std::vector<Index> kept = keptVertices(shape, stays, cell_mm);
   std::vector<Triangle> triangles;
-  for (const Triangle& t : skin.triangles) {
+  for (const Triangle& t : shape.triangles) {
     const Triangle coarse = {kept[t[0]], kept[t[1]], kept[t[2]]};
-    if (facesOut(skin, coarse)) triangles.push_back(coarse);
+    if (facesOut(shape, coarse)) triangles.push_back(coarse);
   }
   return triangles;
 }
 
-SkinChunks::SkinChunks(const deform::Skin& skin, std::span<const Triangle> triangles)
+SkinChunks::SkinChunks(std::span<const Vec3f> places, std::span<const Triangle> triangles)
     : indices_(static_cast<Index>(3 * triangles.size())) {
   for (std::size_t first = 0; first < triangles.size(); first += kChunkTriangles) {
     const std::size_t end = std::min(first + kChunkTriangles, triangles.size());
     Eigen::AlignedBox3f box;
     for (std::size_t t = first; t < end; ++t) {
-      for (const Index v : triangles[t]) box.extend(skin.restPosition(v));
+      for (const Index v : triangles[t]) box.extend(places[v]);
     }
     chunks_.push_back({box.center(), 0.5f * box.diagonal().norm()});
   }

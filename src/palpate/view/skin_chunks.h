@@ -4,10 +4,11 @@
 // The mesh is sorted spatially, so consecutive triangles lie together. No GL: index ranges out.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
-#include "palpate/deform/skin.h"
+#include "palpate/base/vec.h"
 #include "palpate/view/camera.h"
 
 namespace palpate::view {
@@ -30,15 +31,25 @@ struct SplitRuns {
   std::vector<IndexRun> plain;
 };
 
+/// A surface at rest to be drawn.
+struct DrawnShape {
+  std::span<const Vec3f> places;
+  std::span<const Vec3f> normals;
+  std::span<const Triangle> triangles;
+};
+
+/// Which vertices a coarser set must keep.
+enum class Stays : std::uint8_t { no, vertex, cell };  // cell: and all that share a cube with it
+
 /// Fewer triangles over some of the same vertices, for a skin that is seen so small that several triangles share a
-/// pixel: each cube of `cell_mm` keeps one vertex, and those marked in `fixed` stay. They deform with it. The order is
-/// that of the skin's triangles.
-std::vector<Triangle> coarserTriangles(const deform::Skin& skin, std::span<const std::uint8_t> fixed, float cell_mm);
+/// pixel: each cube of `cell_mm` keeps one vertex, and those that must stay. They deform with it. `stays` has an entry
+/// a vertex. The order is that of the shape's triangles.
+std::vector<Triangle> coarserTriangles(const DrawnShape& shape, std::span<const Stays> stays, float cell_mm);
 
 class SkinChunks {
  public:
-  /// `triangles` of the skin: all of them, or a coarser set.
-  SkinChunks(const deform::Skin& skin, std::span<const Triangle> triangles);
+  /// `triangles` over vertices at these places.
+  SkinChunks(std::span<const Vec3f> places, std::span<const Triangle> triangles);
 
   /// The chunks that may be seen, neighbouring ones joined. Valid until the next call.
   const SplitRuns& split(const Mat4f& clip, std::span<const Influence> influences);

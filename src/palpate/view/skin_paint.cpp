@@ -31,11 +31,21 @@ Program program(std::string_view name, std::string_view vertex, std::string_view
   return {name, std::string(defines).append(kSharedShader), vertexSource(vertex), fragmentSource(fragment)};
 }
 
+/// A variant for each need: software GL runs both sides of a condition, and a loop at least once.
+std::string definesOf(const SkinNeeds& needs, bool touched) {
+  std::string defines;
+  if (needs.pores) defines += "#define PORES\n";
+  if (needs.picture) defines += "#define PICTURE\n";
+  if (touched) defines += "#define TOUCHED\n";
+  return defines;
+}
+
 void start(const Program& program, const Look& look, const Viewpoint& viewpoint) {
   program.use();
   setViewpoint(program, viewpoint);
   program.set("skin_colour", look.skin_colour);
   program.set("skin_opacity", static_cast<float>(std::min(1.0, look.skin_opacity)));
+  program.set("picture", 0);
 }
 
 void uploadColourMap(GLuint texture, ColourMap map) {
@@ -93,16 +103,22 @@ std::vector<Influence> influencesOf(const SkinTouch& touch, const Lights& lights
 }
 
 SkinPaint::SkinPaint()
-    : gouraud_(program("gouraud", kGouraudVertex, kGouraudFragment)),
-      field_(program("field", kFieldVertex, kFieldFragment)),
-      depth_(program("depth", kDepthVertex, kDepthFragment)) {}
+    : field_(program("field", kFieldVertex, kFieldFragment)), depth_(program("depth", kDepthVertex, kDepthFragment)) {}
 
 void SkinPaint::useDepth(const Viewpoint& viewpoint) const {
   depth_.use();
   setViewpoint(depth_, viewpoint);
 }
 
-void SkinPaint::useGouraud(const Look& look, const Viewpoint& viewpoint) const { start(gouraud_, look, viewpoint); }
+const Program& SkinPaint::gouraudProgram(const SkinNeeds& needs) {
+  std::optional<Program>& variant = gouraud_[needs.picture ? 1 : 0];
+  if (!variant) variant.emplace(program("gouraud", kGouraudVertex, kGouraudFragment, definesOf(needs, false)));
+  return *variant;
+}
+
+void SkinPaint::useGouraud(const Look& look, const Viewpoint& viewpoint, const SkinNeeds& needs) {
+  start(gouraudProgram(needs), look, viewpoint);
+}
 
 void SkinPaint::showMap(Colouring colouring) {
   if (shown_map_ != colouring) uploadColourMap(colour_map_.get(), colourMapOf(colouring));
@@ -124,24 +140,19 @@ void SkinPaint::useField(const Look& look, const Viewpoint& viewpoint) {
   field_.set("colour_map", 0);
 }
 
-/// A variant for each need: software GL runs both sides of a condition, and a loop at least once.
-const Program& SkinPaint::skinProgram(bool pores, bool touched) {
-  std::optional<Program>& variant = skin_[(pores ? 1 : 0) + (touched ? 2 : 0)];
-  if (!variant) {
-    std::string defines;
-    if (pores) defines += "#define PORES\n";
-    if (touched) defines += "#define TOUCHED\n";
-    variant.emplace(program("skin", kSkinVertex, kSkinFragment, defines));
-  }
+const Program& SkinPaint::skinProgram(const SkinNeeds& needs, bool touched) {
+  std::optional<Program>& variant = skin_[(needs.pores ? 1 : 0) + (touched ? 2 : 0) + (needs.picture ? 4 : 0)];
+  if (!variant) variant.emplace(program("skin", kSkinVertex, kSkinFragment, definesOf(needs, touched)));
   return *variant;
 }
 
-void SkinPaint::useSkin(const Look& look, const Viewpoint& viewpoint, bool pores) {
-  start(skinProgram(pores, false), look, viewpoint);
+void SkinPaint::useSkin(const Look& look, const Viewpoint& viewpoint, const SkinNeeds& needs) {
+  start(skinProgram(needs, false), look, viewpoint);
 }
 
-void SkinPaint::useTouchedSkin(const Look& look, const Viewpoint& viewpoint, bool pores, const SkinTouch& touch) {
-  const Program& program = skinProgram(pores, true);
+void SkinPaint::useTouchedSkin(const Look& look, const Viewpoint& viewpoint, const SkinNeeds& needs,
+                               const SkinTouch& touch) {
+  const Program& program = skinProgram(needs, true);
   start(program, look, viewpoint);
   setFingers(program, touch.fingers);
   setMarks(program, touch.marks);

@@ -22,25 +22,34 @@ struct SkinTouch {
 /// The places whose colour it changes: near a finger, in its shadow, where it pressed.
 std::vector<Influence> influencesOf(const SkinTouch& touch, const Lights& lights);
 
+/// What a picture needs of the skin's programs.
+struct SkinNeeds {
+  bool pores = false;
+  bool picture = false;  ///< the user's, bound as texture unit 0, in the place of the skin's own colour
+};
+
 class SkinPaint {
  public:
   SkinPaint();
 
   /// Makes the program current that writes depth alone.
   void useDepth(const Viewpoint& viewpoint) const;
-  void useGouraud(const Look& look, const Viewpoint& viewpoint) const;
+  void useGouraud(const Look& look, const Viewpoint& viewpoint, const SkinNeeds& needs);
   /// The field of the look's colouring.
   void useField(const Look& look, const Viewpoint& viewpoint);
-  void useSkin(const Look& look, const Viewpoint& viewpoint, bool pores);
+  void useSkin(const Look& look, const Viewpoint& viewpoint, const SkinNeeds& needs);
   /// The same for places that something touches.
-  void useTouchedSkin(const Look& look, const Viewpoint& viewpoint, bool pores, const SkinTouch& touch);
+  void useTouchedSkin(const Look& look, const Viewpoint& viewpoint, const SkinNeeds& needs, const SkinTouch& touch);
 
  private:
-  const Program& skinProgram(bool pores, bool touched);
+  const Program& gouraudProgram(const SkinNeeds& needs);
+  const Program& skinProgram(const SkinNeeds& needs, bool touched);
   void showMap(Colouring colouring);
 
-  Program gouraud_, field_, depth_;
-  std::array<std::optional<Program>, 4> skin_;  // by what is needed; compiled when first used
+  Program field_, depth_;
+  // By what is needed; compiled when first used.
+  std::array<std::optional<Program>, 2> gouraud_;
+  std::array<std::optional<Program>, 8> skin_;
   GlTexture colour_map_;
   Colouring shown_map_ = Colouring::plain;
 };

@@ -18,6 +18,7 @@ layout(location = 6) in float strain;
 layout(location = 7) in vec3 rest_place;
 layout(location = 8) in vec4 tint;    // kTintUnit is 128
 layout(location = 9) in float value;  // of the field shown, when it does not change with the deformation
+layout(location = 10) in vec2 picture_place;  // with PICTURE
 invariant gl_Position;
 uniform vec3 skin_colour;
 uniform float skin_opacity;
@@ -39,28 +40,52 @@ inline constexpr std::string_view kDepthFragment = R"(
 void main() {}
 )";
 
-/// The dissertation's shading: Lambert and Blinn-Phong at the vertices, colours interpolated across the triangle.
+/// The dissertation's shading: Lambert and Blinn-Phong at the vertices, colours interpolated across the triangle. On
+/// the user's picture it is light that is interpolated, and the picture that it falls on.
 inline constexpr std::string_view kGouraudVertex = R"(
-out vec4 front_colour;
-out vec3 back_colour;
+out vec4 front;  // fourth: opacity
+out vec3 back;
+#ifdef PICTURE
+out float front_shine;
+out vec2 at;
+#endif
 void main() {
   vec3 place = vec3(x, y, z);
   gl_Position = clip_from_body * vec4(place, 1.0);
   vec3 normal = vec3(nx, ny, nz);
   vec3 to_eye = normalize(eye - place);
+  vec3 light = matteLight(normal, 0.92) * 0.37;
+  vec3 light_behind = matteLight(-normal, 0.6) * 0.16;
+  float shine = 0.035 * pow(saturate(dot(normal, normalize(to_key + to_eye))), 24.0);
+  front.a = opacityAt(abs(dot(normal, to_eye)), skin_opacity);
+#ifdef PICTURE
+  front.rgb = light;
+  back = light_behind;
+  front_shine = shine;
+  at = picture_place;
+#else
   vec3 albedo = skin_colour * factorOf(tint);
-  vec3 light = albedo * (matteLight(normal, 0.92) * 0.37);
-  float shine = pow(saturate(dot(normal, normalize(to_key + to_eye))), 24.0);
-  front_colour.rgb = encoded(toned(light + 0.035 * shine));
-  front_colour.a = opacityAt(abs(dot(normal, to_eye)), skin_opacity);
-  back_colour = encoded(toned(albedo * (matteLight(-normal, 0.6) * 0.16)));
+  front.rgb = encoded(toned(albedo * light + shine));
+  back = encoded(toned(albedo * light_behind));
+#endif
 }
 )";
 inline constexpr std::string_view kGouraudFragment = R"(
-in vec4 front_colour;
-in vec3 back_colour;
+in vec4 front;
+in vec3 back;
 out vec4 colour;
-void main() { colour = gl_FrontFacing ? front_colour : vec4(back_colour, front_colour.a); }
+#ifdef PICTURE
+in float front_shine;
+in vec2 at;
+uniform sampler2D picture;
+void main() {
+  vec3 skin = texture(picture, at).rgb;
+  vec3 light = gl_FrontFacing ? skin * front.rgb + front_shine : skin * back;
+  colour = vec4(encoded(toned(light)), front.a);
+}
+#else
+void main() { colour = gl_FrontFacing ? front : vec4(back, front.a); }
+#endif
 )";
 
 inline constexpr std::string_view kSkinVertex = R"(
@@ -68,11 +93,17 @@ out vec3 place;
 out vec3 normal;
 out vec3 rest;
 out vec4 albedo;  // fourth: curvature
+#ifdef PICTURE
+out vec2 at;
+#endif
 void main() {
   place = vec3(x, y, z);
   normal = vec3(nx, ny, nz);
   rest = rest_place;
   albedo = vec4(skin_colour * factorOf(tint), tint.a);
+#ifdef PICTURE
+  at = picture_place;
+#endif
   gl_Position = clip_from_body * vec4(place, 1.0);
 }
 )";
@@ -87,6 +118,11 @@ in vec3 normal;
 in vec3 rest;
 in vec4 albedo;
 out vec4 colour;
+
+#ifdef PICTURE
+in vec2 at;
+uniform sampler2D picture;
+#endif
 
 uniform float skin_opacity;
 uniform int ball_count;
@@ -180,7 +216,11 @@ void main() {
   vec3 to_eye = normalize(eye - place);
   vec3 smooth_normal = normalize(gl_FrontFacing ? normal : -normal);
   vec3 detailed = smooth_normal;
+#ifdef PICTURE
+  vec3 skin = texture(picture, at).rgb;
+#else
   vec3 skin = albedo.rgb;
+#endif
   float roughness = 0.42;
 #ifdef PORES
   {

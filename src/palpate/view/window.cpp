@@ -114,6 +114,9 @@ struct Window::Handles {
 
   void create(const WindowSettings& settings);
   void listen();
+  void listenToPointer();
+  void listenToKeys();
+  void listenToDesktop();
 };
 
 void Window::Handles::create(const WindowSettings& settings) {
@@ -145,6 +148,12 @@ void Window::Handles::create(const WindowSettings& settings) {
 
 void Window::Handles::listen() {
   glfwSetWindowUserPointer(window, this);
+  listenToPointer();
+  listenToKeys();
+  listenToDesktop();
+}
+
+void Window::Handles::listenToPointer() {
   glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
     of(w).cursor = Vec2(x, y);
     of(w).add(InputEvent::Kind::move);
@@ -162,6 +171,12 @@ void Window::Handles::listen() {
     const double notches = y == 0.0 && of(w).modifiers.shift ? x : y;
     if (notches != 0.0) of(w).add(InputEvent::Kind::scroll).notches = notches;
   });
+  glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
+    if (entered == GLFW_FALSE) of(w).add(InputEvent::Kind::leave);
+  });
+}
+
+void Window::Handles::listenToKeys() {
   glfwSetKeyCallback(window, [](GLFWwindow* w, int k, int, int action, int mods) {
     Handles& handles = of(w);
     handles.modifiers = modifiersOf(mods);
@@ -177,12 +192,12 @@ void Window::Handles::listen() {
   });
   glfwSetCharCallback(window,
                       [](GLFWwindow* w, unsigned int code) { of(w).add(InputEvent::Kind::text).text = utf8(code); });
+}
+
+void Window::Handles::listenToDesktop() {
   glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
     of(w).modifiers = {};
     of(w).add(InputEvent::Kind::focus).down = focused == GLFW_TRUE;
-  });
-  glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
-    if (entered == GLFW_FALSE) of(w).add(InputEvent::Kind::leave);
   });
   glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
     for (int i = 0; i < count; ++i) of(w).add(InputEvent::Kind::drop).text = paths[i];

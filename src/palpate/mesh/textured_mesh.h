@@ -1,0 +1,51 @@
+// How a mesh file lays a picture on its surface, and how another mesh of the same surface takes it over.
+//
+//   file ─ loadTextured ─► TexturedMesh ─ textureOn ─► a place in the picture for every corner of another mesh
+//
+// A step beside `load`, for those who draw: the mesh that is felt keeps positions and triangles only, and repair,
+// welding and reordering give them new numbers. The picture is therefore taken over by place, not by number.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "palpate/mesh/load.h"
+
+namespace palpate::mesh {
+
+/// A place in a picture: (0, 0) is its lower left corner, (1, 1) its upper right one; beyond, the picture repeats.
+using TexturePlace = Vec2f;
+
+/// Of one triangle, in the order of its corners.
+using TextureCorners = std::array<TexturePlace, 3>;
+
+/// A surface with its picture: triangles that share vertices only where the picture goes on.
+struct TexturedMesh {
+  TriangleMesh mesh;                 ///< mm, every triangle usable
+  std::vector<TexturePlace> places;  ///< a vertex each
+};
+
+/// The textured triangles of an OBJ (`vt`), glTF or GLB file (TEXCOORD of the base colour); of other files, or of one
+/// without any, an empty mesh. Triangles without texture or with unusable corners are left out. `options` as for
+/// `load`. Throws Error for a file that is malformed.
+TexturedMesh loadTextured(const std::filesystem::path& file, const LoadOptions& options = {},
+                          const Progress& progress = {});
+
+/// The same for bytes in memory, as loadFromMemory.
+TexturedMesh loadTexturedFromMemory(std::string_view bytes, Format format, std::string_view name,
+                                    const LoadOptions& options = {}, const Progress& progress = {});
+
+/// The picture (the bytes of a PNG or JPEG file) that a glTF or GLB file gives its first triangles with a base colour;
+/// empty when it has none. Throws Error.
+std::string basePictureOf(const std::filesystem::path& file);
+
+/// Where the corners of another mesh of this surface lie in its picture: those of the nearest textured triangle. Each
+/// corner is looked up a little inside its own triangle, so that on a seam it gets its own side. One entry a triangle
+/// of `mesh`. `textured` must have triangles. About 3 us a triangle.
+std::vector<TextureCorners> textureOn(const TriangleMesh& mesh, const TexturedMesh& textured,
+                                      const Progress& progress = {});
+
+}  // namespace palpate::mesh

@@ -1,0 +1,68 @@
+#include "palpate/scene/skin_texture.h"
+
+#include <fmt/format.h>
+
+#include "palpate/base/error.h"
+#include "palpate/base/text.h"
+#include "palpate/scene/body_parts.h"
+
+namespace palpate::scene {
+
+namespace {
+
+/// Far more than a photograph of a back needs; bounds what a wrong file name can cost.
+constexpr std::size_t kMostPictureBytes = std::size_t{256} << 20;
+
+bool isPicture(std::string_view bytes) { return bytes.starts_with("\x89PNG\r\n") || bytes.starts_with("\xff\xd8\xff"); }
+
+bool isGltf(const std::filesystem::path& file) {
+  const std::string extension = file.extension().string();
+  return extension == ".gltf" || extension == ".glb";
+}
+
+std::string pictureFrom(const std::filesystem::path& file) {
+  if (!isGltf(file)) return readFile(file, kMostPictureBytes);
+  std::string picture = mesh::basePictureOf(file);
+  if (picture.empty()) throw Error::inFile(file.string(), "has no base colour texture");
+  return picture;
+}
+
+std::string checkedPicture(const TextureSource& source) {
+  std::string picture;
+  try {
+    picture = pictureFrom(source.file);
+  } catch (const Error& error) {
+    failForTexture(source, error.what());
+  }
+  if (!isPicture(picture)) failForTexture(source, source.file.string() + ": is neither a PNG nor a JPEG picture");
+  return picture;
+}
+
+mesh::TexturedMesh texturedMeshOf(const BodySettings& body, const Progress& progress) {
+  mesh::LoadOptions options = loadOptionsOf(body);
+  mesh::TexturedMesh textured = mesh::loadTextured(body.file, options, progress);
+  if (textured.mesh.triangles.empty()) {
+    failForTexture(body.texture, body.file.string() + ": has no texture coordinates (OBJ, glTF and GLB can)");
+  }
+  for (Vec3& position : textured.mesh.positions) position *= body.scale;
+  return textured;
+}
+
+}  // namespace
+
+void failForTexture(const TextureSource& source, std::string_view cause) {
+  const std::string message = fmt::format("[body] texture: {}", cause);
+  if (source.line == 0) throw Error(message);
+  throw Error::atLine(source.scene_file, source.line, message);
+}
+
+std::shared_ptr<const SkinTexture> loadSkinTexture(const BodySettings& body, const mesh::TriangleMesh& skin,
+                                                   const Progress& progress) {
+  if (body.texture.file.empty()) return nullptr;
+  std::string picture = checkedPicture(body.texture);
+  const mesh::TexturedMesh textured = texturedMeshOf(body, progress);
+  return std::make_shared<const SkinTexture>(
+      SkinTexture{body.texture, std::move(picture), mesh::textureOn(skin, textured, progress)});
+}
+
+}  // namespace palpate::scene

@@ -1,0 +1,205 @@
+#include "palpate/view/skin_buffers.h"
+
+#include "palpate/scene/skin_texture.h"
+#include "palpate/view/skin_tint.h"
+
+namespace palpate::view {
+
+namespace {
+
+/// Locations in kSkinAttributes.
+constexpr GLuint kRest = 7;
+constexpr GLuint kTint = 8;
+constexpr GLuint kValue = 9;
+constexpr GLuint kTexturePlace = 10;
+constexpr int kDeformedArrays = 7;
+/// Skins of so many triangles have a coarser set (skin_chunks.h), drawn where its cells are smaller than these pixels.
+constexpr std::size_t kManyTriangles = 200000;
+constexpr float kCoarseCellMm = 2.0f;
+constexpr float kCoarseCellPixels = 3.0f;
+
+std::span<const float> streamOf(const deform::DeformedSurface& surface, int array) {
+  if (array < 3) return surface.position(array);
+  return array < 6 ? surface.normal(array - 3) : surface.strain();
+}
+
+void pointAt(GLuint location, GLuint buffer, GLint size, GLenum type, std::size_t offset) {
+  glBindBuffer(GL_ARRAY_BUFFER, buffer);
+  glEnableVertexAttribArray(location);
+  glVertexAttribPointer(location, size, type, type == GL_UNSIGNED_BYTE ? GL_TRUE : GL_FALSE, 0,
+                        reinterpret_cast<const void*>(offset));
+}
+
+/// Into the array buffer that is bound.
+void put(std::size_t offset, std::span<const float> values) {
+  glBufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(values.size_bytes()),
+                  values.data());
+}
+
+DrawnVertices drawnVerticesOf(const scene::World& world) {
+  const deform::Skin& skin = world.deformable;
+  if (!world.texture) return drawnVertices(skin.vertices, skin.triangles);
+  return drawnVertices(skin.vertices, skin.triangles, world.texture->corners);
+}
+
+std::vector<float> halfMajors(const scene::World& world) {
+  std::vector<float> values;
+  values.reserve(world.skin.positions.size());
+  for (const Vec3& p : world.skin.positions) {
+    values.push_back(static_cast<float>(world.ellipses.at(p.x(), p.y()).half_major_mm));
+  }
+  return values;
+}
+
+/// Both ends of each edge once.
+std::vector<Index> edgesOf(const deform::Skin& skin) {
+  std::vector<Index> ends;
+  for (Index v = 0; v < skin.vertices; ++v) {
+    for (const Index other : skin.neighbours[v]) {
+      if (other > v) ends.insert(ends.end(), {v, other});
+    }
+  }
+  return ends;
+}
+
+std::vector<Vec3f> restPlaces(const deform::Skin& skin) {
+  std::vector<Vec3f> places(skin.vertices);
+  for (Index v = 0; v < skin.vertices; ++v) places[v] = skin.restPosition(v);
+  return places;
+}
+
+std::vector<Vec3f> restNormals(const deform::Skin& skin) {
+  std::vector<Vec3f> normals(skin.vertices);
+  for (Index v = 0; v < skin.vertices; ++v) normals[v] = skin.restNormal(v);
+  return normals;
+}
+
+/// The outline stays as it is: it is what the eye sees first. At a seam the picture goes on elsewhere: no triangle may
+/// reach across it.
+std::vector<Stays> whatStays(const scene::World& world, const DrawnVertices& drawn) {
+  const std::vector<std::uint8_t> border = drawn.withCopies<std::uint8_t>(world.surface.vertex_on_border);
+  const std::vector<std::uint8_t> seam = drawn.nearSeam();
+  std::vector<Stays> stays(drawn.count());
+  for (Index v = 0; v < drawn.count(); ++v) {
+    stays[v] = seam[v] != 0 ? Stays::cell : border[v] != 0 ? Stays::vertex : Stays::no;
+  }
+  return stays;
+}
+
+}  // namespace
+
+SkinBuffers::SkinBuffers(const scene::World& world)
+    : world_(&world),
+      drawn_(drawnVerticesOf(world)),
+      stiffness_(world.stiffness_n_per_mm.begin(), world.stiffness_n_per_mm.end()),
+      box_(mesh::boundingBox(world.skin).cast<float>()) {
+  const std::vector<Vec3f> places = drawn_.withCopies<Vec3f>(restPlaces(world.deformable));
+  fillBuffer<Vec3f>(GL_ARRAY_BUFFER, rest_.get(), places);
+  fillBuffer<TintBytes>(GL_ARRAY_BUFFER, tint_.get(), drawn_.withCopies<TintBytes>(skinTints(world)));
+  fillBuffer<float>(GL_ARRAY_BUFFER, field_values_.get(), drawn_.withCopies<float>(stiffness_));
+  fillBuffer<mesh::TexturePlace>(GL_ARRAY_BUFFER, texture_places_.get(), drawn_.places);
+  glBindBuffer(GL_ARRAY_BUFFER, deformed_.get());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(offsetOf(kDeformedArrays)), nullptr, GL_STREAM_DRAW);
+  whole_ = uploaded(places, drawn_.triangles);
+  if (drawn_.triangles.size() >= kManyTriangles) makeCoarse(places);
+}
+
+void SkinBuffers::setMapsOf(const scene::World& world) {
+  world_ = &world;
+  stiffness_.assign(world.stiffness_n_per_mm.begin(), world.stiffness_n_per_mm.end());
+  half_major_.clear();
+  shown_field_ = Colouring::plain;
+}
+
+std::unique_ptr<SkinBuffers::Density> SkinBuffers::uploaded(std::span<const Vec3f> places,
+                                                            std::span<const Triangle> triangles) const {
+  auto density = std::make_unique<Density>(places, triangles);
+  glBindVertexArray(density->vertex_array.get());
+  fillBuffer<Triangle>(GL_ELEMENT_ARRAY_BUFFER, density->triangles.get(), triangles);
+  for (int i = 0; i < kDeformedArrays; ++i) {
+    pointAt(static_cast<GLuint>(i), deformed_.get(), 1, GL_FLOAT, offsetOf(i));
+  }
+  pointAt(kRest, rest_.get(), 3, GL_FLOAT, 0);
+  pointAt(kTint, tint_.get(), 4, GL_UNSIGNED_BYTE, 0);
+  pointAt(kValue, field_values_.get(), 1, GL_FLOAT, 0);
+  if (!drawn_.places.empty()) pointAt(kTexturePlace, texture_places_.get(), 2, GL_FLOAT, 0);
+  glBindVertexArray(0);
+  return density;
+}
+
+void SkinBuffers::makeCoarse(const std::vector<Vec3f>& places) {
+  const std::vector<Vec3f> normals = drawn_.withCopies<Vec3f>(restNormals(world_->deformable));
+  const DrawnShape whole{places, normals, drawn_.triangles};
+  coarse_ = uploaded(places, coarserTriangles(whole, whatStays(*world_, drawn_), kCoarseCellMm));
+}
+
+SkinBuffers::Density& SkinBuffers::densityFor(const Viewpoint& viewpoint) {
+  const bool small = viewpoint.pixelsPerMm(box_) * kCoarseCellMm < kCoarseCellPixels;
+  return coarse_ && small ? *coarse_ : *whole_;
+}
+
+const SplitRuns& SkinBuffers::bind(const Viewpoint& viewpoint, std::span<const Influence> influences) {
+  Density& density = densityFor(viewpoint);
+  glBindVertexArray(density.vertex_array.get());
+  return density.chunks.split(viewpoint.clip, influences);
+}
+
+void SkinBuffers::upload(const deform::DeformedSurface& surface, deform::VertexRange range) {
+  const deform::VertexRange copies = drawn_.copiesIn(range);
+  for (int i = 0; i < kDeformedArrays; ++i) {
+    const std::span<const float> values = streamOf(surface, i);
+    put(offsetOf(i) + range.first * sizeof(float), values.subspan(range.first, range.end - range.first));
+    if (copies.first != copies.end) uploadCopies(values, i, copies);
+  }
+}
+
+void SkinBuffers::uploadCopies(std::span<const float> values, int array, deform::VertexRange copies) {
+  copies_.clear();
+  for (Index copy = copies.first; copy < copies.end; ++copy) copies_.push_back(values[drawn_.copied[copy]]);
+  put(offsetOf(array) + (std::size_t{drawn_.of_skin} + copies.first) * sizeof(float), copies_);
+}
+
+Index SkinBuffers::update(const deform::DeformedSurface& surface) {
+  glBindBuffer(GL_ARRAY_BUFFER, deformed_.get());
+  Index uploaded = 0;
+  for (const deform::VertexRange& range : surface.changed()) {
+    upload(surface, range);
+    uploaded += range.end - range.first;
+  }
+  return uploaded;
+}
+
+void SkinBuffers::updateAll(const deform::DeformedSurface& surface) {
+  glBindBuffer(GL_ARRAY_BUFFER, deformed_.get());
+  upload(surface, {0, drawn_.of_skin});
+}
+
+void SkinBuffers::setField(Colouring colouring, std::span<const float> values) {
+  (colouring == Colouring::stiffness ? stiffness_ : half_major_).assign(values.begin(), values.end());
+  if (shown_field_ == colouring) shown_field_ = Colouring::plain;
+}
+
+void SkinBuffers::showField(Colouring colouring) {
+  if (colouring == Colouring::strain || shown_field_ == colouring) return;  // strain comes with the deformation
+  shown_field_ = colouring;
+  if (colouring == Colouring::ellipses && half_major_.empty()) half_major_ = halfMajors(*world_);
+  const std::vector<float>& values = colouring == Colouring::stiffness ? stiffness_ : half_major_;
+  fillBuffer<float>(GL_ARRAY_BUFFER, field_values_.get(), drawn_.withCopies<float>(values));
+}
+
+void SkinBuffers::bindEdges() {
+  glBindVertexArray(edge_array_.get());
+  if (edge_indices_ != 0) return;
+  const std::vector<Index> ends = edgesOf(world_->deformable);
+  edge_indices_ = static_cast<Index>(ends.size());
+  fillBuffer<Index>(GL_ELEMENT_ARRAY_BUFFER, edges_.get(), ends);
+  for (int axis = 0; axis < 3; ++axis) {
+    pointAt(static_cast<GLuint>(axis), deformed_.get(), 1, GL_FLOAT, offsetOf(axis));
+  }
+}
+
+void SkinBuffers::drawEdges() const {
+  glDrawElements(GL_LINES, static_cast<GLsizei>(edge_indices_), GL_UNSIGNED_INT, nullptr);
+}
+
+}  // namespace palpate::view

@@ -1,0 +1,83 @@
+#include "palpate/scene/skin_texture.h"
+
+#include <gtest/gtest.h>
+
+#include "palpate/base/text.h"
+#include "palpate/scene/scene_writer.h"
+#include "palpate/scene/world.h"
+#include "scene/scene_text.h"
+#include "support/mesh_bytes.h"
+#include "support/mesh_zoo.h"
+#include "support/temporary_folder.h"
+#include "support/textured_bytes.h"
+
+namespace palpate::scene {
+namespace {
+
+const std::string kPng = "\x89PNG\r\n\x1a\n...";
+
+/// A folder with a sphere, its picture and a scene about them.
+class SkinTextureOf : public testing::Test {
+ protected:
+  SkinTextureOf() {
+    writeFile(folder_ / "ball.obj", support::texturedObjBytes(zoo::soup(zoo::sphere()), support::onSphere));
+    writeFile(folder_ / "skin.png", kPng);
+  }
+  Scene sceneOf(const std::string& body) const {
+    return parse("[body]\nkind = \"mesh\"\n" + body + "\n" + kFinger, (folder_ / "s.toml").string());
+  }
+  /// What is said of a body, with the scene's folder left out.
+  std::string refusalOf(const std::string& body) const {
+    std::string message = support::messageOf([&] { build(sceneOf(body)); });
+    const std::string folder = folder_.path().string() + "/";
+    for (auto at = message.find(folder); at != std::string::npos; at = message.find(folder)) {
+      message.erase(at, folder.size());
+    }
+    return message;
+  }
+  support::TemporaryFolder folder_;
+};
+
+TEST_F(SkinTextureOf, ABodyLiesOnTheSkinAsItsFileSays) {
+  const auto world = build(sceneOf("file = \"ball.obj\"\nunit = \"cm\"\nscale = 0.5\ntexture = \"skin.png\""));
+  ASSERT_TRUE(world->texture);
+  EXPECT_EQ(world->texture->picture, kPng);
+  const auto expected = support::cornersBy(support::onSphere, world->skin);
+  ASSERT_EQ(world->texture->corners.size(), expected.size());
+  for (std::size_t t = 0; t < expected.size(); ++t) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_LT((world->texture->corners[t][i] - expected[t][i]).norm(), 1e-4f) << t;
+    }
+  }
+}
+
+TEST_F(SkinTextureOf, ABodyIsNoneUnlessItIsAskedFor) { EXPECT_FALSE(build(sceneOf("file = \"ball.obj\""))->texture); }
+
+TEST_F(SkinTextureOf, ABodyStaysWhenOnlyTheMapsChange) {
+  const auto world = build(sceneOf("file = \"ball.obj\"\ntexture = \"skin.png\""));
+  Scene scene = world->scene;
+  scene.stiffness.constant_n_per_mm = 0.9;
+  EXPECT_EQ(rebuilt(*world, scene)->texture, world->texture);
+}
+
+TEST_F(SkinTextureOf, ABodyIsWrittenWithItsScene) {
+  const Scene scene = sceneOf("file = \"ball.obj\"\ntexture = \"skin.png\"");
+  EXPECT_NE(sceneAsToml(scene, folder_.path()).find("texture = \"skin.png\"\n"), std::string::npos);
+}
+
+TEST_F(SkinTextureOf, ABodySaysWhatIsWrongAndWhere) {
+  EXPECT_EQ(refusalOf("file = \"ball.obj\"\ntexture = \"none.png\"").find("s.toml:4: [body] texture: none.png: "), 0u);
+  EXPECT_EQ(refusalOf("file = \"ball.obj\"\ntexture = \"ball.obj\""),
+            "s.toml:4: [body] texture: ball.obj: is neither a PNG nor a JPEG picture");
+  writeFile(folder_ / "bare.obj", support::objBytes(zoo::cube(100.0)));
+  EXPECT_EQ(refusalOf("texture = \"skin.png\"\nfile = \"bare.obj\""),
+            "s.toml:3: [body] texture: bare.obj: has no texture coordinates (OBJ, glTF and GLB can)");
+  writeFile(folder_ / "bare.glb", support::glbBytes(zoo::cube(0.1)));
+  EXPECT_EQ(refusalOf("file = \"ball.obj\"\ntexture = \"bare.glb\""),
+            "s.toml:4: [body] texture: bare.glb: has no base colour texture");
+  EXPECT_NE(messageFor("[body]\ntexture = \"skin.png\"\n" + kFinger).find("has a texture but is not of kind"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace palpate::scene
