@@ -49,8 +49,9 @@ class ChangeOfWorld : public testing::Test {
   Image draw(Renderer& renderer, const World& world, const std::vector<FingerMark>& fingers = {}) {
     const Camera camera = fitted(mesh::boundingBox(world->skin), kAspect);
     target_.bind();
-    renderer.draw({fingers, 0.0, 1.0}, look_, frustumOf(screenOf(camera, kAspect), camera.eye(), 10.0, 2000.0), kWidth,
-                  kHeight);
+    Frame frame;
+    frame.fingers = fingers;
+    renderer.draw(frame, look_, frustumOf(screenOf(camera, kAspect), camera.eye(), 10.0, 2000.0), kWidth, kHeight);
     return target_.read();
   }
   Image drawNew(const World& world) {
