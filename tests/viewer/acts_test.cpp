@@ -41,7 +41,16 @@ TEST(Acts, TheSkinFadesInFourSteps) {
 
 TEST(Acts, TheStereoModesComeRoundAgain) {
   Session session;
+  session.quad_buffer_offered = true;
   for (std::size_t i = 0; i < view::kStereoModeNames.size(); ++i) perform(Action::stereo_mode, session);
+  EXPECT_EQ(session.state.stereo.mode, view::StereoMode::mono);
+}
+
+TEST(Acts, AModeThatTheWindowCannotShowIsPassedOver) {
+  Session session;
+  session.quad_buffer_offered = false;
+  session.state.stereo.mode = view::StereoMode::interlaced;
+  perform(Action::stereo_mode, session);
   EXPECT_EQ(session.state.stereo.mode, view::StereoMode::mono);
 }
 
