@@ -29,9 +29,9 @@ int longestAxis(std::span<const Placed> points) {
 /// How many of these points go to the lower half: whole groups of groups while there are several, then whole groups, a
 /// power of two, so that no later cut falls within one.
 std::size_t lowerHalf(std::size_t points) {
-  const auto unitsFor = [](std::size_t n) { return (n + kCompactGroup - 1) / kCompactGroup; };
-  const std::size_t groups = unitsFor(points);
-  const std::size_t large = unitsFor(groups);
+  const auto units_for = [](std::size_t n) { return (n + kCompactGroup - 1) / kCompactGroup; };
+  const std::size_t groups = units_for(points);
+  const std::size_t large = units_for(groups);
   const std::size_t lower = large > 1 ? (large + 1) / 2 * kCompactGroup : std::bit_ceil(groups) / 2;
   return lower * kCompactGroup;
 }

@@ -94,9 +94,9 @@ bool crossingOf(const TriangleRecord& record, const Vec3& from, const Vec3& to, 
 
 namespace detail {
 
-/// Branch and bound; `boundsOf(node, query, bounds)` fills the lower bounds of the squared distances to the children.
+/// Branch and bound; `bounds_of(node, query, bounds)` fills the lower bounds of the squared distances to the children.
 template <class Bounds, class Visit>
-void visitNearestFirst(const TriangleTree& tree, const Vec3& point, double squared_limit, Bounds&& boundsOf,
+void visitNearestFirst(const TriangleTree& tree, const Vec3& point, double squared_limit, Bounds&& bounds_of,
                        Visit&& visit) noexcept {
   const PointQuery query = pointQuery(tree, point);
   PendingChild stack[kMostPending];
@@ -108,7 +108,7 @@ void visitNearestFirst(const TriangleTree& tree, const Vec3& point, double squar
     if (!next.child.isLeaf()) {
       const WideNode& node = tree.nodes[next.child.node()];
       float bounds[kNodeWidth];
-      boundsOf(node, query, bounds);
+      bounds_of(node, query, bounds);
       size = pushNearestLast(node, bounds, unit_limit, stack, size);
       continue;
     }
