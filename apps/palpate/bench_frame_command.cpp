@@ -45,6 +45,7 @@ void addBenchFrameCommand(CLI::App& parent) {
     FrameRun run;
     std::string stereo = "mono";
     bool no_labels = false;
+    bool peers = false;
     bool json = false;
   };
   auto arguments = std::make_shared<Arguments>();
@@ -71,12 +72,19 @@ void addBenchFrameCommand(CLI::App& parent) {
       ->capture_default_str()
       ->check(CLI::Range(0.0, 600.0));
   command.add_flag("--no-labels", arguments->no_labels, "Without scale, orientation and numbers");
+  command.add_flag("--peers", arguments->peers, "As in the other benchmarks; no other library draws this picture");
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.callback([arguments] {
     arguments->run.stereo = view::stereoModeNamed(arguments->stereo);
     arguments->run.labels = !arguments->no_labels;
     const FrameFigures figures = measureFrames(arguments->run);
-    printReport(jsonOf(figures), textOf(figures), arguments->json);
+    nlohmann::ordered_json json = jsonOf(figures);
+    std::string text = textOf(figures);
+    if (arguments->peers) {
+      json["peers"] = nlohmann::ordered_json::object();
+      text += "peers          none: no other library draws this picture\n";
+    }
+    printReport(json, text, arguments->json);
   });
 }
 
