@@ -7,6 +7,7 @@
 
 #include "palpate/view/offscreen.h"
 #include "palpate/view/target.h"
+#include "view/pixel_difference.h"
 #include "view/small_world.h"
 
 namespace palpate::view {
@@ -56,18 +57,6 @@ struct Scene {
   }
   double distanceOf(const Vec3& place) const { return (camera.eye() - place).dot(camera.backward()); }
 };
-
-int difference(const Pixel& a, const Pixel& b) {
-  int largest = 0;
-  for (int i = 0; i < 3; ++i) largest = std::max(largest, std::abs(int{a[i]} - int{b[i]}));
-  return largest;
-}
-
-int largestDifference(const Image& a, const Image& b) {
-  int largest = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i) largest = std::max(largest, difference(a.pixels[i], b.pixels[i]));
-  return largest;
-}
 
 std::size_t differing(const Image& a, const Image& b) {
   std::size_t count = 0;

@@ -9,6 +9,7 @@
 #include "palpate/view/renderer.h"
 #include "palpate/view/target.h"
 #include "support/error_message.h"
+#include "view/pixel_difference.h"
 #include "view/textured_world.h"
 
 namespace palpate::view {
@@ -50,18 +51,6 @@ Image twoColours() {
     for (int x = 0; x < 64; ++x) image.at(x, y) = x < 32 ? kRed : kBlue;
   }
   return image;
-}
-
-int difference(const Pixel& a, const Pixel& b) {
-  int largest = 0;
-  for (int i = 0; i < 3; ++i) largest = std::max(largest, std::abs(int{a[i]} - int{b[i]}));
-  return largest;
-}
-
-int largestDifference(const Image& a, const Image& b) {
-  int largest = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i) largest = std::max(largest, difference(a.pixels[i], b.pixels[i]));
-  return largest;
 }
 
 class TexturedSkin : public testing::Test {
