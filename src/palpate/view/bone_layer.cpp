@@ -73,7 +73,7 @@ void append(const body::Bone& bone, const scene::World& world, std::vector<BoneV
 
 void pointAt(GLuint location, GLint size, std::size_t offset) {
   glEnableVertexAttribArray(location);
-  glVertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, sizeof(BoneVertex), reinterpret_cast<const void*>(offset));
+  glVertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, sizeof(BoneVertex), bufferOffset(offset));
 }
 
 }  // namespace
@@ -132,7 +132,7 @@ void BoneLayer::draw(const Look& look, const Viewpoint& viewpoint) {
   for (const Range& bone : bones_) {
     if (!all && bone.hidden) continue;
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(bone.count), GL_UNSIGNED_INT,
-                   reinterpret_cast<const void*>(bone.first * sizeof(Index)));
+                   bufferOffset(bone.first * sizeof(Index)));
   }
   glDisable(GL_CULL_FACE);
 }

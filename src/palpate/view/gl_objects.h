@@ -81,6 +81,11 @@ void fillBuffer(GLenum kind, GLuint buffer, std::span<const T> values, GLenum us
   glBufferData(kind, static_cast<GLsizeiptr>(values.size_bytes()), values.data(), usage);
 }
 
+/// Offsets into a bound buffer are handed to OpenGL as if they were pointers.
+inline const void* bufferOffset(std::size_t bytes) {
+  return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr): that is OpenGL's interface
+}
+
 /// Shaders, compiled and linked: vertex, fragment and, when it is not empty, geometry. Throws Error with the compiler's
 /// message.
 class Program {

@@ -107,7 +107,7 @@ LineLayer::LineLayer()
   glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(PaintedPoint), nullptr);
   glEnableVertexAttribArray(1);
   glVertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(PaintedPoint),
-                        reinterpret_cast<const void*>(offsetof(PaintedPoint, paint)));
+                        bufferOffset(offsetof(PaintedPoint, paint)));
   glBindVertexArray(0);
 }
 

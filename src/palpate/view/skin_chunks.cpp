@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <compare>
+#include <tuple>
 
 namespace palpate::view {
 
@@ -63,7 +63,9 @@ struct CellMember {
   Cell cell;
   float from_middle;
   Index vertex;
-  friend auto operator<=>(const CellMember&, const CellMember&) = default;
+  friend bool operator<(const CellMember& a, const CellMember& b) {
+    return std::tie(a.cell, a.from_middle, a.vertex) < std::tie(b.cell, b.from_middle, b.vertex);
+  }
 };
 
 /// All vertices by their cells, in each the nearest to its middle first.

@@ -14,7 +14,7 @@ void drawRuns(std::span<const IndexRun> runs) {
   std::vector<const void*> offsets;
   for (const IndexRun& run : runs) {
     counts.push_back(static_cast<GLsizei>(run.count));
-    offsets.push_back(reinterpret_cast<const void*>(run.first * sizeof(Index)));
+    offsets.push_back(bufferOffset(run.first * sizeof(Index)));
   }
   glMultiDrawElements(GL_TRIANGLES, counts.data(), GL_UNSIGNED_INT, offsets.data(), static_cast<GLsizei>(runs.size()));
 }
