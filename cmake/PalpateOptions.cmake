@@ -1,10 +1,31 @@
-# Compiler settings shared by every target of this project, as an interface target that is never exported.
+# Compiler settings shared by every target of this project, as interface targets that are never exported.
 add_library(palpate_options INTERFACE)
 # Bit-identical forces: a fused multiply-add rounds once instead of twice, which breaks both reproducibility and the exact
 # predicates (docs/contact.md). Never -ffast-math, never -march=native in a released build.
 target_compile_options(palpate_options INTERFACE -ffp-contract=off -Wall -Wextra -Wshadow -Wnon-virtual-dtor)
+if(PALPATE_WERROR)
+  target_compile_options(palpate_options INTERFACE -Werror)
+endif()
 if(PALPATE_SANITIZE)
   target_compile_options(palpate_options INTERFACE -fsanitize=${PALPATE_SANITIZE} -fno-omit-frame-pointer
                                                    -fno-sanitize-recover=undefined)
   target_link_options(palpate_options INTERFACE -fsanitize=${PALPATE_SANITIZE})
 endif()
+
+# The same for what is compiled inside this source tree: headers by their place in it.
+add_library(palpate_build INTERFACE)
+target_link_libraries(palpate_build INTERFACE palpate_options)
+target_include_directories(palpate_build INTERFACE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR})
+
+# palpate_precompile(<target> <owner>): the target compiles with the precompiled header of `owner`, which is made when the
+# owner itself comes by. All targets of one owner must have the same flags; GCC ignores a header that does not fit.
+function(palpate_precompile target owner)
+  if(NOT PALPATE_PRECOMPILE)
+    return()
+  endif()
+  if(target STREQUAL owner)
+    target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src/precompiled.h)
+  else()
+    target_precompile_headers(${target} REUSE_FROM ${owner})
+  endif()
+endfunction()

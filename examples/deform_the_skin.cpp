@@ -6,7 +6,7 @@
 #include "palpate/contact/finger.h"
 #include "palpate/deform/deformer.h"
 #include "palpate/deform/finger_contact.h"
-#include "palpate/mesh/save.h"
+#include "palpate/mesh/files/save.h"
 
 using namespace palpate;
 

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "figures/contours.h"
-#include "figures/free_spot.h"
+#include "figures/legend.h"
 
 namespace palpate::figures {
 

@@ -10,8 +10,7 @@
 #include <cmath>
 #include <limits>
 
-#include "figures/colour_bar.h"
-#include "figures/free_spot.h"
+#include "figures/legend.h"
 #include "figures/plot_layout.h"
 #include "figures/ticks.h"
 

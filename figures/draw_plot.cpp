@@ -2,9 +2,8 @@
 
 #include <cmath>
 
-#include "figures/colour_bar.h"
 #include "figures/draw_field.h"
-#include "figures/free_spot.h"
+#include "figures/legend.h"
 #include "figures/plot_layout.h"
 
 namespace palpate::figures {

@@ -69,4 +69,10 @@ int legendRows(const Canvas& canvas, const std::vector<LegendEntry>& entries, do
 /// Centred rows from `top` downwards.
 void drawLegend(Canvas& canvas, const std::vector<LegendEntry>& entries, const Rect& panel, double top);
 
+// The colour bar beside a map: which colour means which value.
+
+/// A vertical bar with ticks and a label on its right.
+void drawColourBar(Canvas& canvas, const Rect& bar, ColourMap colours, const Range& range,
+                   const std::vector<Tick>& ticks, const std::string& label);
+
 }  // namespace palpate::figures

@@ -4,15 +4,7 @@
 
 #include <chrono>
 
-#include "bench/machine.h"
-#include "study/assignment_study.h"
-#include "study/complexity_study.h"
-#include "study/directions_study.h"
-#include "study/hdb_study.h"
-#include "study/interpolation_study.h"
-#include "study/profile_study.h"
-#include "study/tables_study.h"
-#include "study/threshold_study.h"
+#include "lab/counters/machine.h"
 
 namespace palpate::study {
 
@@ -36,7 +28,7 @@ StudyPage runStudy(const Study& study, const StudySettings& settings) {
   StudyPage page = study.run(settings);
   page.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   page.name = study.name;
-  page.machine = bench::lineOf(bench::thisMachine());
+  page.machine = lab::lineOf(lab::thisMachine());
   if (page.command.empty()) {
     page.command = fmt::format("palpate study {}{} --out DIR", study.name, settings.quick ? " --quick" : "");
   }

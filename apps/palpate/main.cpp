@@ -1,6 +1,6 @@
 // `palpate`: reads the command line and hands over to the chosen subcommand.
-#include "apps/palpate/command_line.h"
-#include "apps/palpate/commands.h"
+#include "apps/palpate/common/command_line.h"
+#include "apps/palpate/common/commands.h"
 
 int main(int argc, char** argv) {
   CLI::App app{"Palpate: feel, see and measure touch on a soft human body.", "palpate"};

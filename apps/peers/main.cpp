@@ -1,8 +1,8 @@
 // `palpate_peers`: the benchmark commands of `palpate` that know --peers, linked with the libraries that are compared.
-// `palpate bench ... --peers` runs this program; why it is one of its own says apps/palpate/peers_option.h.
-#include "apps/palpate/command_line.h"
-#include "apps/palpate/peers_option.h"
-#include "bench/peers/peer_list.h"
+// `palpate bench ... --peers` runs this program; why it is one of its own says apps/palpate/bench/peers_report.h.
+#include "apps/palpate/bench/peers_report.h"
+#include "apps/palpate/common/command_line.h"
+#include "bench/peers/peer.h"
 
 int main(int argc, char** argv) {
   CLI::App app{"Palpate's benchmarks beside other libraries.", "palpate_peers"};

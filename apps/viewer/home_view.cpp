@@ -1,9 +1,17 @@
 #include "apps/viewer/home_view.h"
 
+#include <fmt/format.h>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
+#include <span>
+#include <vector>
 
-#include "apps/viewer/panels.h"
+#include "apps/viewer/panels/panels.h"
+#include "palpate/base/text.h"
+#include "palpate/scene/scene_edit.h"
+#include "palpate/view/scene_view.h"
 
 namespace palpate::viewer {
 
@@ -21,6 +29,71 @@ view::Camera homeView(const scene::World& world, const Session& session, view::S
   const double right = 0.5 * (free.left + free.right - width);
   const double below = 0.5 * (free.top + free.below - height);
   camera.centre += mm_per_pixel * (below * camera.up() - right * camera.right());
+  return camera;
+}
+
+namespace {
+
+constexpr std::array<std::string_view, 5> kCameraKeys = {"side", "yaw_deg", "pitch_deg", "zoom", "look_at_mm"};
+constexpr std::array<std::string_view, 6> kLookKeys = {"shading", "colours", "show",
+                                                       "opacity", "finger",  "white_background"};
+constexpr std::array<std::string_view, 4> kStereoKeys = {"stereo", "eye_distance_mm", "convergence_mm", "swap_eyes"};
+
+/// Some key has another value than it would have if it were left out.
+bool says(const scene::Scene& scene, std::span<const std::string_view> keys) {
+  return std::any_of(keys.begin(), keys.end(), [&](std::string_view key) {
+    const auto row = scene::keyOf(scene, "view", key);
+    return row && row->fallback != scene::defaultOf("view", key);
+  });
+}
+
+}  // namespace
+
+bool takeSceneLook(const scene::World& world, Session& session, double aspect) {
+  const view::PictureSettings said = view::pictureSettings(world, aspect);
+  ViewState& state = session.state;
+  if (says(world.scene, kLookKeys)) state.look = said.look;
+  if (says(world.scene, kStereoKeys)) state.stereo = said.stereo;
+  state.stereo.head.reset();  // HeadSettings speaks for it
+  if (said.stereo.head) {
+    state.head.on = true;
+    state.head.expected_mm = said.stereo.head->eyes_mm;
+    state.head.screen_height_mm = said.stereo.head->screen_height_mm;
+  }
+  if (!says(world.scene, kCameraKeys)) return false;
+  session.camera = said.camera;
+  return true;
+}
+
+namespace {
+
+constexpr std::string_view kWord = "palpate-view";
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+}  // namespace
+
+std::string viewAsText(const view::Camera& camera) {
+  return fmt::format("{} {:.3f} {:.3f} {:.3f} {:.4f} {:.4f} {:.3f} {:.4f}", kWord, camera.centre.x(), camera.centre.y(),
+                     camera.centre.z(), camera.yaw_rad / kDegree, camera.pitch_rad / kDegree, camera.distance_mm,
+                     camera.height_rad / kDegree);
+}
+
+std::optional<view::Camera> viewFromText(std::string_view text) {
+  const auto fields = split(trimmed(text), ' ');
+  if (fields.size() != 8 || fields[0] != kWord) return std::nullopt;
+  std::vector<double> v;
+  for (std::size_t i = 1; i < fields.size(); ++i) {
+    const auto number = parseNumber(fields[i]);
+    if (!number || !std::isfinite(*number)) return std::nullopt;
+    v.push_back(*number);
+  }
+  if (!(v[5] > 0.0) || !(v[6] > 0.0 && v[6] < 170.0) || !(std::abs(v[4]) < 90.0)) return std::nullopt;
+  view::Camera camera;
+  camera.centre = Vec3(v[0], v[1], v[2]);
+  camera.yaw_rad = v[3] * kDegree;
+  camera.pitch_rad = v[4] * kDegree;
+  camera.distance_mm = v[5];
+  camera.height_rad = v[6] * kDegree;
   return camera;
 }
 

@@ -21,7 +21,7 @@ servo::LimiterSettings withoutLimits(const scene::World& world) {
   return settings;
 }
 
-servo::Rig rigFor(RigPlan& plan, std::array<view::MouseLink, kFingers>& links) {
+servo::Rig rigFor(RigPlan& plan, std::array<device::MouseLink, kFingers>& links) {
   servo::Rig rig;
   rig.surface = &plan.world->surface;
   rig.tick_s = plan.fingers[0].tick_s;
@@ -30,7 +30,7 @@ servo::Rig rigFor(RigPlan& plan, std::array<view::MouseLink, kFingers>& links) {
     servo::FingerChain chain;
     chain.contact_settings = plan.fingers[i];
     chain.limiter_settings = plan.limiter;
-    chain.device = view::mouseDevice(i == 0 ? "left" : "right", links[i]);
+    chain.device = device::mouseDevice(i == 0 ? "left" : "right", links[i]);
     rig.fingers.push_back(std::move(chain));
   }
   return rig;
@@ -98,7 +98,7 @@ void LiveServo::beforeTick(servo::Rig& rig) noexcept {
     offered_.store(nullptr, std::memory_order_release);
   }
   for (std::size_t i = 0; i < kFingers; ++i) {
-    if (view::advance(links_to_[i])) forgetTouch(rig.fingers[i]);
+    if (device::advance(links_to_[i])) forgetTouch(rig.fingers[i]);
   }
 }
 

@@ -16,9 +16,9 @@
 #include <thread>
 #include <vector>
 
+#include "palpate/device/mouse_finger.h"
 #include "palpate/scene/world.h"
 #include "palpate/servo/loop.h"
-#include "palpate/view/mouse_finger.h"
 
 namespace palpate::viewer {
 
@@ -50,7 +50,7 @@ class LiveServo {
   LiveServo(const LiveServo&) = delete;
   LiveServo& operator=(const LiveServo&) = delete;
 
-  void point(std::size_t finger, const view::FingerTarget& target) { links_to_[finger].target.publish(target); }
+  void point(std::size_t finger, const device::FingerTarget& target) { links_to_[finger].target.publish(target); }
 
   /// The newest plan wins; it is taken within a tick or two of an exchange.
   void change(RigPlan plan);
@@ -71,7 +71,7 @@ class LiveServo {
   void beforeTick(servo::Rig& rig) noexcept;
 
   servo::LoopLinks links_;
-  std::array<view::MouseLink, kFingers> links_to_;
+  std::array<device::MouseLink, kFingers> links_to_;
   servo::Rig rig_;
   // Ownership: the display owns all plans; the servo only looks at the one at work.
   std::unique_ptr<RigPlan> at_work_;

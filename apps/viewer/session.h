@@ -10,24 +10,24 @@
 #include <string>
 #include <vector>
 
-#include "apps/viewer/edit_history.h"
-#include "apps/viewer/messages.h"
-#include "apps/viewer/sample_history.h"
+#include "apps/viewer/editing/edit_history.h"
+#include "apps/viewer/panels/messages.h"
+#include "apps/viewer/plots/sample_history.h"
 #include "apps/viewer/world_builder.h"
+#include "palpate/device/mouse_finger.h"
 #include "palpate/scene/scene.h"
 #include "palpate/servo/loop.h"
 #include "palpate/view/camera.h"
-#include "palpate/view/gui.h"
-#include "palpate/view/head_tracker.h"
 #include "palpate/view/look.h"
-#include "palpate/view/mouse_finger.h"
 #include "palpate/view/stereo.h"
+#include "palpate/window/gui.h"
+#include "palpate/window/head_tracker.h"
 
 namespace palpate::viewer {
 
 /// How the mouse presses.
 struct TouchSettings {
-  view::PressBy by = view::PressBy::depth;
+  device::PressBy by = device::PressBy::depth;
   double depth_mm = 6.0;
   double force_n = 3.0;
   bool resisting_cursor = true;  ///< a drag in depth goes slower the harder the skin pushes back
@@ -68,9 +68,9 @@ struct ViewState {
   view::StereoSettings stereo;    ///< without the head, which is below
   HeadSettings head;
   TouchSettings touch;
-  view::InputSettings input;
+  window::InputSettings input;
   Shown shown;
-  view::Theme theme = view::Theme::dark;
+  window::Theme theme = window::Theme::dark;
   double text_size = 1.0;  ///< 0.75 to 2.5, on top of the screen's own scale
   bool reduced_motion = false;
   bool hints = true;
@@ -187,7 +187,7 @@ struct Session {
   bool simple_shading = false;       ///< drawn smooth for now, whatever state.look says
   bool quad_buffer_offered = false;  ///< the window has a picture for each eye
   Vec3 eyes_mm = Vec3::Zero();       ///< of the tracked head in this frame
-  view::HeadTracker::State head = view::HeadTracker::State::waiting;
+  window::HeadTracker::State head = window::HeadTracker::State::waiting;
   Recording recording;
   std::optional<WorldBuilder::Progress> building;
   std::array<contact::FingerOutput, 2> fingers{nowhere(), nowhere()};

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "apps/viewer/state_file.h"
+#include "apps/viewer/files/state_file.h"
 #include "palpate/base/error.h"
 
 namespace palpate::viewer {

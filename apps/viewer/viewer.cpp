@@ -8,22 +8,19 @@
 #include <cstdlib>
 #include <utility>
 
-#include "apps/viewer/acts.h"
-#include "apps/viewer/dysfunction_editor.h"
-#include "apps/viewer/hints.h"
+#include "apps/viewer/editing/acts.h"
+#include "apps/viewer/editing/dysfunction_editor.h"
+#include "apps/viewer/files/replay.h"
 #include "apps/viewer/home_view.h"
-#include "apps/viewer/panels.h"
-#include "apps/viewer/replay.h"
-#include "apps/viewer/scene_look.h"
-#include "apps/viewer/skin_rings.h"
-#include "apps/viewer/view_text.h"
+#include "apps/viewer/panels/intro.h"
+#include "apps/viewer/panels/panels.h"
 #include "palpate/base/error.h"
 
 namespace palpate::viewer {
 
 namespace {
 
-using Kind = view::Command::Kind;
+using Kind = window::Command::Kind;
 
 constexpr double kFlightS = 0.35;
 /// The frame rate shown is the mean of about this many frames.
@@ -85,7 +82,7 @@ servo::LoopReport Viewer::finish() {
   return report;
 }
 
-void Viewer::frame(int width, int height, double scale, double now_s, std::span<const view::InputEvent> events) {
+void Viewer::frame(int width, int height, double scale, double now_s, std::span<const window::InputEvent> events) {
   const std::int64_t started = servo::monotonicNs();
   const double elapsed_s = seen_ ? std::max(1e-4, now_s - session_.now_s) : 1.0 / 60.0;
   session_.now_s = now_s;
@@ -149,8 +146,8 @@ void Viewer::takeWorld() {
   history_.clear();
   freeze(session_, false);
   pointer_.reset();
-  std::vector<view::Command> lifted;
-  input_.handle({.kind = view::InputEvent::Kind::focus}, {}, lifted);
+  std::vector<window::Command> lifted;
+  input_.handle({.kind = window::InputEvent::Kind::focus}, {}, lifted);
   if (!seen_) return;
   const view::Camera before = session_.camera;
   if (!other_scene || !takeSceneLook(*world_, session_, size_points_.x() / size_points_.y())) {
@@ -219,30 +216,30 @@ void Viewer::takeSamples() {
   }
 }
 
-void Viewer::handle(std::span<const view::InputEvent> events) {
+void Viewer::handle(std::span<const window::InputEvent> events) {
   input_.settings = session_.state.input;
-  std::vector<view::Command> commands;
-  for (const view::InputEvent& event : events) {
-    using EventKind = view::InputEvent::Kind;
+  std::vector<window::Command> commands;
+  for (const window::InputEvent& event : events) {
+    using EventKind = window::InputEvent::Kind;
     if (event.kind == EventKind::drop) session_.wish(Wish::Kind::open, event.text);
     if (event.kind == EventKind::move || event.kind == EventKind::button) intro_.end(pointer_);
-    view::Situation situation;
+    window::Situation situation;
     situation.over_gui = gui_.wantsMouse();
     situation.gui_wants_text = gui_.wantsText();
     situation.editing = session_.editor.active;
     situation.on_skin = event.kind == EventKind::button && pointer_.skinAt(event.at).has_value();
     commands.clear();
     input_.handle(event, situation, commands);
-    for (const view::Command& command : commands) obey(command);
+    for (const window::Command& command : commands) obey(command);
   }
 }
 
-void Viewer::obey(const view::Command& command) {
+void Viewer::obey(const window::Command& command) {
   countHint(command, session_);
   if (command.kind == Kind::act) return actOn(command);
   // With nothing selected the wheel has nothing to size, so it zooms.
   if (command.kind == Kind::edit_size && session_.editor.selected < 0) {
-    view::Command zoom = command;
+    window::Command zoom = command;
     zoom.kind = Kind::zoom;
     pointer_.apply(zoom, session_);
     return;
@@ -254,9 +251,9 @@ void Viewer::obey(const view::Command& command) {
   applyEdit(command, on_map, session_);
 }
 
-void Viewer::actOn(const view::Command& command) {
-  using view::Action;
+void Viewer::actOn(const window::Command& command) {
   using view::StandardView;
+  using window::Action;
   if (replayKey(command.action, command.fine, session_)) return;
   if (pointer_.step(command.action, command.fine, session_)) return;
   switch (command.action) {
@@ -341,7 +338,7 @@ void Viewer::grant(const Wish& wish) {
 
 void Viewer::pointServo() {
   for (std::size_t i = 0; i < kFingers; ++i) {
-    const view::FingerTarget target = pointer_.target(i, session_);
+    const device::FingerTarget target = pointer_.target(i, session_);
     session_.finger_present[i] = target.present;
     servo_.point(i, target);
   }
@@ -377,7 +374,7 @@ std::vector<view::FingerMark> Viewer::fingerMarks() {
   std::vector<view::FingerMark> marks;
   for (std::size_t i = 0; i < kFingers; ++i) {
     peaks_[i].follow(session_.fingers[i], session_.now_s);
-    if (!session_.finger_present[i] || session_.fingers[i].tip.z() > 0.5 * view::kNowhere.z()) continue;
+    if (!session_.finger_present[i] || session_.fingers[i].tip.z() > 0.5 * device::kNowhere.z()) continue;
     const double radius = fingerRadius(session_, i);
     const bool left = i == 0;
     const double outline = i == session_.active_finger ? 0.0 : kOutline;

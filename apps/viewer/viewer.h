@@ -13,19 +13,18 @@
 #include <string>
 #include <vector>
 
+#include "apps/viewer/editing/pointer.h"
 #include "apps/viewer/eyesight.h"
-#include "apps/viewer/intro.h"
+#include "apps/viewer/files/outputs.h"
+#include "apps/viewer/files/recorded_touch.h"
 #include "apps/viewer/live_model.h"
 #include "apps/viewer/live_servo.h"
-#include "apps/viewer/outputs.h"
-#include "apps/viewer/pointer.h"
-#include "apps/viewer/press_peak.h"
-#include "apps/viewer/recorded_touch.h"
+#include "apps/viewer/panels/intro.h"
+#include "apps/viewer/plots/touch_history.h"
 #include "apps/viewer/session.h"
-#include "apps/viewer/shading_guard.h"
 #include "apps/viewer/turnover.h"
-#include "palpate/view/gui.h"
-#include "palpate/view/target.h"
+#include "palpate/view/offscreen.h"
+#include "palpate/window/gui.h"
 
 namespace palpate::viewer {
 
@@ -55,7 +54,7 @@ class Viewer {
   Viewer& operator=(const Viewer&) = delete;
 
   /// One frame, `width` x `height` pixels, `scale` pixels a point of the screen, `now_s` on any steady clock.
-  void frame(int width, int height, double scale, double now_s, std::span<const view::InputEvent> events);
+  void frame(int width, int height, double scale, double now_s, std::span<const window::InputEvent> events);
 
   /// Where the eyes were measured, mm from the origin of what measures: right, up, towards the head, in the plane of
   /// the screen. Any number of times a second; `now_s` on the clock of `frame`. Used while state.head.on.
@@ -66,7 +65,7 @@ class Viewer {
   bool drawsItself() const { return host_.quad_buffer && stereo_.mode == view::StereoMode::quad_buffer; }
   bool wantsToQuit() const { return quit_; }
   Session& session() { return session_; }
-  const view::Input& input() const { return input_; }
+  const window::Input& input() const { return input_; }
   const Pointer& pointer() const { return pointer_; }
   const scene::World& world() const { return model_->world(); }
   /// Ends the servo; its report of the whole run. Nothing may be called afterwards.
@@ -84,9 +83,9 @@ class Viewer {
   void leaveReplay();
   void show(std::span<const trace::Sample> contacts);
   const TouchHistory& history() const { return recorded_ ? recorded_->history : history_; }
-  void handle(std::span<const view::InputEvent> events);
-  void obey(const view::Command& command);
-  void actOn(const view::Command& command);
+  void handle(std::span<const window::InputEvent> events);
+  void obey(const window::Command& command);
+  void actOn(const window::Command& command);
   void useChanges();
   void grant(const Wish& wish);
   void setView(view::StandardView side);
@@ -100,7 +99,7 @@ class Viewer {
   ViewerSettings settings_;
   ViewerHost host_;
   Session session_;
-  view::Input input_;
+  window::Input input_;
   Pointer pointer_;
   std::shared_ptr<const scene::World> world_;
   LiveServo servo_;
@@ -115,11 +114,11 @@ class Viewer {
   view::StereoSettings stereo_;  ///< of this frame
   ShadingGuard shading_guard_;
   std::array<PressPeak, kFingers> peaks_;
-  view::Gui gui_;
+  window::Gui gui_;
   std::unique_ptr<view::Target> target_;
   Vec2 size_points_ = Vec2(1, 1);
   view::Eyes eyes_;  ///< of this frame
-  view::Theme theme_ = view::Theme::dark;
+  window::Theme theme_ = window::Theme::dark;
   int standard_view_ = 0;
   double frame_s_ = 1.0 / 60.0;  ///< smoothed time between two frames
   bool seen_ = false;            ///< a frame has been drawn

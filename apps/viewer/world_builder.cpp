@@ -11,7 +11,7 @@
 #include "palpate/base/error.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/servo/pacing.h"
-#include "palpate/view/skin_picture.h"
+#include "palpate/view/layers/skin_picture.h"
 
 namespace palpate::viewer {
 

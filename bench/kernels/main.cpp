@@ -1,4 +1,4 @@
-// The Google Benchmark suite: the engine's kernels (bench/kernel_list.h), one benchmark each.
+// The Google Benchmark suite: the engine's kernels (bench/kernels/kernel_list.h), one benchmark each.
 //
 // Based on: Google Benchmark's user guide, https://github.com/google/benchmark/blob/main/docs/user_guide.md
 #include <benchmark/benchmark.h>
@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include "bench/kernel_list.h"
-#include "bench/machine.h"
+#include "bench/kernels/kernel_list.h"
+#include "lab/counters/machine.h"
 
 namespace palpate::bench {
 namespace {
@@ -51,7 +51,7 @@ int main(int argc, char** argv) {
     std::fputs("palpate_kernels: --triangles must be at least 1000\n", stderr);
     return 2;
   }
-  benchmark::AddCustomContext("machine", palpate::bench::lineOf(palpate::bench::thisMachine()));
+  benchmark::AddCustomContext("machine", palpate::lab::lineOf(palpate::lab::thisMachine()));
   benchmark::AddCustomContext("triangles", std::to_string(triangles));
   for (const Kernel& kernel : palpate::bench::makeKernels(triangles)) {
     benchmark::RegisterBenchmark(kernel.name.c_str(), palpate::bench::run, kernel)->Unit(benchmark::kMicrosecond);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "bench/peers/triangle_distance.h"
+#include "bench/peers/triangle_box.h"
 
 namespace palpate::bench::literal {
 
@@ -19,7 +19,7 @@ const Vec3& cornerOf(const Mesh& mesh, const Triangle& triangle, int corner) {
 }
 
 template <class Visit>
-void visitLeaves(HdbContact& contact, const partition::Box3& box, Visit&& visit) {
+void visitLeaves(HdbContact& contact, const Box3& box, Visit&& visit) {
   findLeaves(contact.tree, box, contact.leaves);
   for (const Index leaf : contact.leaves.leaves) {
     for (const Index t : trianglesOf(contact.tree, contact.tree.nodes[leaf])) visit(t, contact.mesh.triangles[t]);
@@ -48,15 +48,15 @@ bool crosses(const Mesh& mesh, const Triangle& triangle, const Vec3& from, const
 HdbContact buildHdbContact(const mesh::TriangleMesh& mesh) {
   HdbContact contact;
   contact.mesh = meshOf(mesh);
-  contact.tree = partition::buildPartition(mesh, {.tree = partition::TreeKind::Bsp, .threshold = kLeafThreshold});
-  contact.edge_mm = partition::hdbEdges(contact.tree.bounds).x();
+  contact.tree = hdb::buildPartition(mesh, {.tree = hdb::TreeKind::Bsp, .threshold = kLeafThreshold});
+  contact.edge_mm = hdb::hdbEdges(contact.tree.bounds).x();
   contact.leaves.prepareFor(contact.tree);
   return contact;
 }
 
 double nearestInLeaves(HdbContact& contact, const Vec3& centre, const Vec3& point, double reach) {
   double nearest = reach * reach;
-  visitLeaves(contact, partition::hapticBox(centre, contact.edge_mm), [&](Index, const Triangle& triangle) {
+  visitLeaves(contact, hdb::hapticBox(centre, contact.edge_mm), [&](Index, const Triangle& triangle) {
     nearest = std::min(
         nearest, squaredDistance<double>(point, cornerOf(contact.mesh, triangle, 0),
                                          cornerOf(contact.mesh, triangle, 1), cornerOf(contact.mesh, triangle, 2)));
@@ -66,15 +66,15 @@ double nearestInLeaves(HdbContact& contact, const Vec3& centre, const Vec3& poin
 
 bool crossesInLeaves(HdbContact& contact, const Vec3& centre, const Vec3& from, const Vec3& to) {
   bool found = false;
-  visitLeaves(contact, partition::hapticBox(centre, contact.edge_mm),
+  visitLeaves(contact, hdb::hapticBox(centre, contact.edge_mm),
               [&](Index, const Triangle& triangle) { found |= crosses(contact.mesh, triangle, from, to); });
   return found;
 }
 
-void trianglesInLeaves(HdbContact& contact, const partition::Box3& box, std::vector<Index>& found) {
+void trianglesInLeaves(HdbContact& contact, const Box3& box, std::vector<Index>& found) {
   found.clear();
   visitLeaves(contact, box, [&](Index index, const Triangle& triangle) {
-    partition::Box3 own(cornerOf(contact.mesh, triangle, 0));
+    Box3 own(cornerOf(contact.mesh, triangle, 0));
     own.extend(cornerOf(contact.mesh, triangle, 1)).extend(cornerOf(contact.mesh, triangle, 2));
     if (own.intersects(box)) found.push_back(index);
   });

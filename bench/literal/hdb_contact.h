@@ -8,15 +8,15 @@
 #include <vector>
 
 #include "bench/literal/mesh.h"
-#include "palpate/partition/haptic_box.h"
+#include "palpate/hdb/haptic_box.h"
 
 namespace palpate::bench::literal {
 
 struct HdbContact {
   Mesh mesh;
-  partition::Partition tree;
+  hdb::Partition tree;
   double edge_mm = 0.0;  ///< of the detecting box: a quarter of the model's longest edge
-  partition::LeafHits leaves;
+  hdb::LeafHits leaves;
 };
 
 /// BSP tree, case C, at most 1024 triangles in a leaf: the dissertation's choice.
@@ -29,6 +29,6 @@ double nearestInLeaves(HdbContact& contact, const Vec3& centre, const Vec3& poin
 bool crossesInLeaves(HdbContact& contact, const Vec3& centre, const Vec3& from, const Vec3& to);
 
 /// The triangles whose boxes meet `box`, by asking every triangle of every leaf that it meets.
-void trianglesInLeaves(HdbContact& contact, const partition::Box3& box, std::vector<Index>& found);
+void trianglesInLeaves(HdbContact& contact, const Box3& box, std::vector<Index>& found);
 
 }  // namespace palpate::bench::literal

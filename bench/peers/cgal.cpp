@@ -3,7 +3,7 @@
 //
 // The package is under the GPL, which is why this file is part of the program palpate_peers and of no other.
 // Based on: Alliez, Tayeb, Wormser, "3D fast intersection and distance computation", CGAL 5.5.
-#include "bench/peers/cgal.h"
+#include "bench/peers/peer_kinds.h"
 
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
@@ -66,7 +66,7 @@ PeerRun<ContactAnswer> answerContact(const mesh::TriangleMesh& mesh, std::span<c
   return run;
 }
 
-PeerRun<BoxAnswer> answerBoxes(const mesh::TriangleMesh& mesh, std::span<const partition::Box3> boxes, double seconds) {
+PeerRun<BoxAnswer> answerBoxes(const mesh::TriangleMesh& mesh, std::span<const Box3> boxes, double seconds) {
   PeerRun<BoxAnswer> run;
   const auto model = timedBuild(mesh.triangles.size(), run, [&] { return buildModel(mesh); });
   std::vector<Triangles::const_iterator> found;

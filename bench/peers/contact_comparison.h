@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "bench/contact_run.h"
 #include "bench/peers/judge.h"
+#include "bench/runs/contact_run.h"
 
 namespace palpate::bench {
 

@@ -4,7 +4,7 @@
 // Its point query finds boxes; the distance to a triangle is the caller's, here the textbook's in floats.
 // Based on: Wald et al., "Embree: a kernel framework for efficient CPU ray tracing" (2014); Ericson, "Real-Time
 // Collision Detection" (2005), 5.1.5; Akenine-Moeller, "Fast 3D triangle-box overlap testing" (2001).
-#include "bench/peers/embree.h"
+#include "bench/peers/peer_kinds.h"
 
 #include <embree3/rtcore.h>
 
@@ -15,7 +15,6 @@
 
 #include "bench/peers/timed_answers.h"
 #include "bench/peers/triangle_box.h"
-#include "bench/peers/triangle_distance.h"
 #include "palpate/base/error.h"
 
 namespace palpate::bench {
@@ -161,7 +160,7 @@ bool tryBox(RTCPointQueryFunctionArguments* call) {
   return false;
 }
 
-PeerRun<BoxAnswer> answerBoxes(const mesh::TriangleMesh& mesh, std::span<const partition::Box3> boxes, double seconds) {
+PeerRun<BoxAnswer> answerBoxes(const mesh::TriangleMesh& mesh, std::span<const Box3> boxes, double seconds) {
   PeerRun<BoxAnswer> run;
   const Model model = timedModel(mesh, run);
   std::vector<Index> found;

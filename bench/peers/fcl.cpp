@@ -3,7 +3,7 @@
 // box.
 //
 // Based on: Pan, Chitta, Manocha, "FCL: a general purpose library for collision and proximity queries" (2012).
-#include "bench/peers/fcl.h"
+#include "bench/peers/peer_kinds.h"
 
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/geometry/shape/box.h>
@@ -80,7 +80,7 @@ PeerRun<ContactAnswer> answerContact(const mesh::TriangleMesh& mesh, std::span<c
   return run;
 }
 
-PeerRun<BoxAnswer> answerBoxes(const mesh::TriangleMesh& mesh, std::span<const partition::Box3> boxes, double seconds) {
+PeerRun<BoxAnswer> answerBoxes(const mesh::TriangleMesh& mesh, std::span<const Box3> boxes, double seconds) {
   PeerRun<BoxAnswer> run;
   const auto model = timedBuild(mesh.triangles.size(), run, [&] { return buildModel(mesh); });
   fcl::CollisionRequest<double> request(mesh.triangles.size());

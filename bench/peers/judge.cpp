@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "bench/peers/triangle_box.h"
-#include "bench/surface_mesh.h"
+#include "lab/workloads/workload_meshes.h"
 #include "palpate/base/hash.h"
 
 namespace palpate::bench {
@@ -22,19 +22,19 @@ PeerFigures figuresOf(const Peer& peer, const PeerRun<Answer>& run) {
   figures.name = peer.name;
   figures.package = peer.package;
   figures.queries = run.asked.size();
-  figures.query_us = percentilesOf(run.query_us);
+  figures.query_us = lab::percentilesOf(run.query_us);
   figures.build_ns_per_triangle = run.build_ns_per_triangle;
   figures.bytes_per_triangle = run.bytes_per_triangle;
   return figures;
 }
 
 /// A segment that begins or ends on the surface crosses it for the one and only touches it for the other.
-bool endsOnSurface(const partition::TriangleTree& tree, const ContactQuery& query, double tolerance) {
-  return partition::nearestPoint(tree, query.from, tolerance).triangle != kNoIndex ||
-         partition::nearestPoint(tree, query.to, tolerance).triangle != kNoIndex;
+bool endsOnSurface(const tree::TriangleTree& tree, const ContactQuery& query, double tolerance) {
+  return tree::nearestPoint(tree, query.from, tolerance).triangle != kNoIndex ||
+         tree::nearestPoint(tree, query.to, tolerance).triangle != kNoIndex;
 }
 
-bool isRight(const ContactAnswer& answer, const partition::TriangleTree& tree, const ContactQuery& query) {
+bool isRight(const ContactAnswer& answer, const tree::TriangleTree& tree, const ContactQuery& query) {
   const double tolerance = kTolerance * tree.diagonal;
   const ContactAnswer exact = exactAnswer(tree, query);
   if (answer.crosses != exact.crosses && !endsOnSurface(tree, query, tolerance)) return false;
@@ -68,23 +68,22 @@ struct Expected {
   std::size_t least = 0, most = 0;
 };
 
-bool meets(const mesh::TriangleMesh& mesh, Index t, const partition::Box3& box, BoxTest test) {
+bool meets(const mesh::TriangleMesh& mesh, Index t, const Box3& box, BoxTest test) {
   const auto& [a, b, c] = mesh.triangles[t];
   const Vec3 centre = box.center();
   const std::array<Vec3, 3> corners = {mesh.positions[a] - centre, mesh.positions[b] - centre,
                                        mesh.positions[c] - centre};
   const Vec3 half = 0.5 * box.sizes();
   if (test == BoxTest::triangle) return triangleMeetsBox<double>(corners, half);
-  partition::Box3 own(corners[0]);
+  Box3 own(corners[0]);
   own.extend(corners[1]).extend(corners[2]);
-  return own.intersects(partition::Box3(-half, half));
+  return own.intersects(Box3(-half, half));
 }
 
 /// `near` are the triangles whose boxes meet a slightly larger box.
-Expected expected(const mesh::TriangleMesh& mesh, const std::vector<Index>& near, const partition::Box3& box,
-                  BoxTest test) {
+Expected expected(const mesh::TriangleMesh& mesh, const std::vector<Index>& near, const Box3& box, BoxTest test) {
   const Vec3 slack = kBoxTolerance * box.sizes();
-  const partition::Box3 smaller(box.min() + slack, box.max() - slack), larger(box.min() - slack, box.max() + slack);
+  const Box3 smaller(box.min() + slack, box.max() - slack), larger(box.min() - slack, box.max() + slack);
   Expected counts;
   for (const Index t : near) {
     counts.least += meets(mesh, t, smaller, test) ? 1 : 0;
@@ -94,11 +93,11 @@ Expected expected(const mesh::TriangleMesh& mesh, const std::vector<Index>& near
 }
 
 /// Counts are compared; a hundred boxes spread over the run stand for all, for each is brute force.
-void judge(const Peer& peer, const PeerRun<BoxAnswer>& run, const mesh::TriangleMesh& mesh,
-           const partition::Partition& ours, std::span<const partition::Box3> boxes, PeerFigures& figures) {
+void judge(const Peer& peer, const PeerRun<BoxAnswer>& run, const mesh::TriangleMesh& mesh, const hdb::Partition& ours,
+           std::span<const Box3> boxes, PeerFigures& figures) {
   constexpr std::size_t kJudged = 100;
   const std::size_t stride = std::max<std::size_t>(1, run.asked.size() / kJudged);
-  partition::TriangleHits hits;
+  hdb::TriangleHits hits;
   hits.prepareFor(ours);
   Hash hash;
   for (std::size_t k = 0; k < run.asked.size(); ++k) {
@@ -107,9 +106,9 @@ void judge(const Peer& peer, const PeerRun<BoxAnswer>& run, const mesh::Triangle
     hash.add(static_cast<std::uint64_t>(answer.count));
     hash.add(answer.sum);
     if (k % stride != 0) continue;
-    const partition::Box3& box = boxes[run.asked[k]];
+    const Box3& box = boxes[run.asked[k]];
     const Vec3 slack = kBoxTolerance * box.sizes();
-    findTriangles(ours, partition::Box3(box.min() - slack, box.max() + slack), hits);
+    findTriangles(ours, Box3(box.min() - slack, box.max() + slack), hits);
     listTriangles(ours, hits);
     const Expected counts = expected(mesh, hits.triangles, box, peer.box_test);
     if (answer.count < counts.least || answer.count > counts.most) ++figures.disagreements;
@@ -131,7 +130,7 @@ bool missing(const Peer& peer) { return peer.contact == nullptr && peer.boxes ==
 
 std::vector<PeerFigures> comparePeers(std::span<const Peer> peers, const ContactWorld& world,
                                       std::span<const ContactQuery> queries, double seconds_per_peer) {
-  const mesh::TriangleMesh mesh = meshOf(world.surface);
+  const mesh::TriangleMesh mesh = lab::meshOf(world.surface);
   std::vector<PeerFigures> all;
   for (const Peer& peer : peers) {
     if (missing(peer)) all.push_back(notInstalled(peer));
@@ -143,8 +142,8 @@ std::vector<PeerFigures> comparePeers(std::span<const Peer> peers, const Contact
 }
 
 std::vector<PeerFigures> comparePeers(std::span<const Peer> peers, const mesh::TriangleMesh& mesh,
-                                      std::span<const partition::Box3> boxes, double seconds_per_peer) {
-  const partition::Partition ours = partition::buildPartition(mesh, {});
+                                      std::span<const Box3> boxes, double seconds_per_peer) {
+  const hdb::Partition ours = hdb::buildPartition(mesh, {});
   std::vector<PeerFigures> all;
   for (const Peer& peer : peers) {
     if (missing(peer)) all.push_back(notInstalled(peer));

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bench/peers/peer.h"
-#include "bench/statistics.h"
+#include "lab/counters/statistics.h"
 
 namespace palpate::bench {
 
@@ -18,7 +18,7 @@ struct PeerFigures {
   std::string package;
   std::string skipped;  ///< why there are no figures; empty: there are
   std::size_t queries = 0;
-  Percentiles query_us;
+  lab::Percentiles query_us;
   double build_ns_per_triangle = 0.0;
   std::optional<double> bytes_per_triangle;
   std::size_t disagreements = 0;  ///< answers other than ours by more than single precision explains
@@ -35,6 +35,6 @@ struct PeerFigures {
 std::vector<PeerFigures> comparePeers(std::span<const Peer> peers, const ContactWorld& world,
                                       std::span<const ContactQuery> queries, double seconds_per_peer);
 std::vector<PeerFigures> comparePeers(std::span<const Peer> peers, const mesh::TriangleMesh& mesh,
-                                      std::span<const partition::Box3> boxes, double seconds_per_peer);
+                                      std::span<const Box3> boxes, double seconds_per_peer);
 
 }  // namespace palpate::bench

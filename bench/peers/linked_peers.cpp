@@ -1,12 +1,10 @@
-#include "bench/peers/peer_list.h"
+#include "bench/peers/peer.h"
 #ifdef PALPATE_HAS_EMBREE
-#include "bench/peers/embree.h"
+#include "bench/peers/peer_kinds.h"
 #endif
 #ifdef PALPATE_HAS_CGAL
-#include "bench/peers/cgal.h"
 #endif
 #ifdef PALPATE_HAS_FCL
-#include "bench/peers/fcl.h"
 #endif
 
 namespace palpate::bench {

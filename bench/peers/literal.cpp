@@ -1,4 +1,4 @@
-#include "bench/peers/literal.h"
+#include "bench/peers/peer_kinds.h"
 
 #include "bench/literal/hdb_contact.h"
 #include "bench/peers/timed_answers.h"
@@ -22,7 +22,7 @@ PeerRun<ContactAnswer> answerContact(const mesh::TriangleMesh& mesh, std::span<c
   return run;
 }
 
-PeerRun<BoxAnswer> answerBoxes(const mesh::TriangleMesh& mesh, std::span<const partition::Box3> boxes, double seconds) {
+PeerRun<BoxAnswer> answerBoxes(const mesh::TriangleMesh& mesh, std::span<const Box3> boxes, double seconds) {
   PeerRun<BoxAnswer> run;
   auto contact = timedBuild(mesh.triangles.size(), run, [&] { return literal::buildHdbContact(mesh); });
   std::vector<Index> found;

@@ -3,15 +3,45 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "bench/peers/contact_queries.h"
-#include "palpate/partition/haptic_box.h"
+#include "bench/runs/contact_run.h"
+#include "palpate/hdb/haptic_box.h"
 
 namespace palpate::bench {
+
+// What a finger has to ask of a surface in each tick, recorded from a run of ours, so that other libraries can be timed
+// on the very same questions.
+//
+// Point finger: where it touches, the nearest point of the skin to the tip, and whether the way from the old proxy to
+// the new one is free (lifted off the skin, for both ends lie on it); in free space, whether the way of the tip is
+// free. Sphere: the nearest point to its centre within its radius, and whether the way of the centre is free.
+
+struct ContactQuery {
+  Vec3 point = Vec3::Zero();  ///< whose nearest point of the surface is wanted
+  double reach = 0.0;         ///< within this distance; 0: not asked
+  double bound = 0.0;         ///< <= reach: what the finger knows of the distance from its last tick
+  Vec3 from = Vec3::Zero();   ///< a segment that may cross the surface, from either side
+  Vec3 to = Vec3::Zero();
+  Vec3 proxy = Vec3::Zero();  ///< where the finger was before this tick: the centre of a detecting box
+};
+
+struct ContactAnswer {
+  double distance = std::numeric_limits<double>::infinity();  ///< of the nearest point; infinite: none, or not asked
+  bool crosses = false;
+};
+
+/// One query a tick of the window, in the world's units. `finger` has real lengths.
+std::vector<ContactQuery> contactQueries(const ContactWorld& world, const FingerRun& run,
+                                         const contact::FingerSettings& finger, std::span<const double> time_s,
+                                         const Window& window);
+
+/// By our own tree, exactly: what the peers should say.
+ContactAnswer exactAnswer(const tree::TriangleTree& tree, const ContactQuery& query);
 
 /// What a library answered: `answers[i]` and `query_us[i]` belong to query `asked[i]`. All queries, or as many as the
 /// time allowed, in blocks spread over the run.
@@ -45,9 +75,17 @@ struct Peer {
   std::string package;  ///< Debian's, empty: needs none
   PeerRun<ContactAnswer> (*contact)(const mesh::TriangleMesh& mesh, std::span<const ContactQuery> queries,
                                     double seconds) = nullptr;
-  PeerRun<BoxAnswer> (*boxes)(const mesh::TriangleMesh& mesh, std::span<const partition::Box3> boxes,
-                              double seconds) = nullptr;
+  PeerRun<BoxAnswer> (*boxes)(const mesh::TriangleMesh& mesh, std::span<const Box3> boxes, double seconds) = nullptr;
   BoxTest box_test = BoxTest::triangle;
 };
+
+// Which peers there are, and which of them this program was built with.
+
+/// All peers, in the order of reports. Those of libraries that were not found at build time cannot do anything. For
+/// programs that link the target palpate_peer_libraries only.
+std::vector<Peer> linkedPeers();
+
+/// For every other program: the literal dissertation can, the libraries cannot.
+std::vector<Peer> peersWithoutLibraries();
 
 }  // namespace palpate::bench

@@ -1,5 +1,5 @@
-#include "bench/peers/literal.h"
-#include "bench/peers/peer_list.h"
+#include "bench/peers/peer.h"
+#include "bench/peers/peer_kinds.h"
 
 namespace palpate::bench {
 

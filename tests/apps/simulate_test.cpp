@@ -7,8 +7,8 @@
 #include <set>
 
 #include "palpate/base/text.h"
-#include "palpate/mesh/load.h"
-#include "palpate/mesh/save.h"
+#include "palpate/mesh/files/load.h"
+#include "palpate/mesh/files/save.h"
 #include "palpate/view/image.h"
 #include "support/mesh_zoo.h"
 #include "support/run_command.h"

@@ -1,4 +1,4 @@
-#include "palpate/base/reserve.h"
+#include "palpate/base/aligned.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "bench/deform_run.h"
+#include "bench/runs/deform_run.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,8 @@
-#include "bench/kernel_times.h"
+#include "bench/kernels/kernel_times.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
-
-#include "bench/reference_loops.h"
 
 namespace palpate::bench {
 namespace {

@@ -24,7 +24,7 @@ literal::Touch touchOf(const deform::Contact& contact) {
 }
 
 TEST(LiteralDeformation, MovesTheSkinAsTheEnginesLiteralReadingDoes) {
-  const mesh::TriangleMesh back = backMesh(2962);
+  const mesh::TriangleMesh back = lab::backMesh(2962);
   const deform::Skin skin = deform::buildSkin(back);
   deform::FormDeformer engine(skin, literalForms());
   deform::DeformedSurface surface(skin);
@@ -50,7 +50,7 @@ TEST(LiteralDeformation, MovesTheSkinAsTheEnginesLiteralReadingDoes) {
 }
 
 TEST(LiteralDeformation, BringsBackEveryPositionAndNormal) {
-  const mesh::TriangleMesh back = backMesh(2962);
+  const mesh::TriangleMesh back = lab::backMesh(2962);
   const literal::Mesh rest = literal::meshOf(back);
   literal::Deformation literally(back);
   literally.apply(std::vector{touchOf(test::press(back, 1500, 8.0))});

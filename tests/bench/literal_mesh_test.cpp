@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "bench/workload_meshes.h"
-#include "palpate/mesh/normals.h"
+#include "lab/workloads/workload_meshes.h"
+#include "palpate/mesh/triangle_mesh.h"
 #include "support/mesh_zoo.h"
 
 namespace palpate::bench {
@@ -18,7 +18,7 @@ TEST(LiteralMesh, ListsEveryNeighbourOnce) {
 }
 
 TEST(LiteralMesh, HasUnitNormalsNearTheEnginesOwn) {
-  const mesh::TriangleMesh back = backMesh(2962);
+  const mesh::TriangleMesh back = lab::backMesh(2962);
   const literal::Mesh literal = literal::meshOf(back);
   const auto normals = mesh::vertexNormals(back);
   for (std::size_t v = 0; v < normals.size(); ++v) {

@@ -1,8 +1,8 @@
-#include "bench/partition_run.h"
+#include "bench/runs/partition_run.h"
 
 #include <gtest/gtest.h>
 
-#include "bench/workload_meshes.h"
+#include "lab/workloads/workload_meshes.h"
 #include "palpate/base/error.h"
 #include "support/mesh_zoo.h"
 
@@ -11,7 +11,7 @@ namespace palpate::bench {
 TEST(PartitionRun, MeasuresAFingerThatSlides) {
   PartitionRun run;
   run.ticks = 500;
-  const PartitionFigures f = measurePartition(backMesh(8163), run);
+  const PartitionFigures f = measurePartition(lab::backMesh(8163), run);
   EXPECT_EQ(f.triangles, 8163u);
   EXPECT_NEAR(f.edge_mm, 100.0, 1e-9);  // a quarter of 400 mm
   EXPECT_GT(f.mean_triangles, 100.0);
@@ -22,7 +22,7 @@ TEST(PartitionRun, MeasuresAFingerThatSlides) {
   EXPECT_GT(f.bytes_per_triangle, 52.0);  // an index and a box of six doubles at least
   EXPECT_LT(f.bytes_per_triangle, 130.0);
   EXPECT_EQ(f.allocations.value_or(0), 0u);
-  EXPECT_EQ(measurePartition(backMesh(8163), run).hash, f.hash);
+  EXPECT_EQ(measurePartition(lab::backMesh(8163), run).hash, f.hash);
 }
 
 TEST(PartitionRun, RefusesAMeshWithoutTriangles) { EXPECT_THROW(measurePartition(zoo::empty(), {}), Error); }

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "bench/peers/contact_comparison.h"
-#include "bench/peers/peer_list.h"
+#include "bench/peers/peer.h"
 #include "bench/peers/timed_answers.h"
 #include "palpate/base/random.h"
-#include "palpate/partition/closest_on_triangle.h"
+#include "palpate/tree/closest_on_triangle.h"
 #include "support/mesh_zoo.h"
 
 namespace palpate::bench {
@@ -29,7 +29,7 @@ double distanceTo(const mesh::TriangleMesh& mesh, const Vec3& point) {
   double squared = INFINITY;
   for (const auto& [a, b, c] : mesh.triangles) {
     const std::array<Vec3, 3> corners = {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
-    squared = std::min(squared, partition::closestOnTriangle(corners, point).squared_distance);
+    squared = std::min(squared, tree::closestOnTriangle(corners, point).squared_distance);
   }
   return std::sqrt(squared);
 }
@@ -107,7 +107,7 @@ TEST(Peers, SeeASegmentCrossFromEitherSide) {
 TEST(Peers, ListTheTrianglesOfABox) {
   // Every triangle fills half of its box's square, and this box ends between the lines of the grid: both tests agree.
   const mesh::TriangleMesh mesh = zoo::grid(20, 100.0);
-  const std::vector<partition::Box3> boxes = {{Vec3(11, 21, -5), Vec3(34, 39, 5)}, {Vec3(50, 50, 1), Vec3(60, 60, 2)}};
+  const std::vector<Box3> boxes = {{Vec3(11, 21, -5), Vec3(34, 39, 5)}, {Vec3(50, 50, 1), Vec3(60, 60, 2)}};
   for (const Peer& peer : peers()) {
     if (peer.boxes == nullptr) continue;
     const PeerRun<BoxAnswer> run = peer.boxes(mesh, boxes, 10.0);

@@ -11,7 +11,6 @@
 #include <set>
 
 #include "palpate/base/error.h"
-#include "palpate/body/asymmetry.h"
 #include "palpate/body/skin_surface.h"
 #include "palpate/mesh/nearest.h"
 #include "palpate/mesh/validate.h"

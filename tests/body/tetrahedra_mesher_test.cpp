@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "palpate/body/mirror.h"
-#include "palpate/body/relax.h"
+#include "palpate/body/mesh_improver.h"
 #include "palpate/body/signed_distance.h"
+#include "palpate/body/tube.h"
 #include "palpate/mesh/validate.h"
 
 namespace palpate::body {

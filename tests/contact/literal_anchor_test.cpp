@@ -1,4 +1,4 @@
-#include "palpate/contact/literal_anchor.h"
+#include "palpate/contact/friction.h"
 
 #include <gtest/gtest.h>
 

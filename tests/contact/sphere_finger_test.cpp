@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "bench/workload_meshes.h"
 #include "contact/finger_track.h"
+#include "lab/workloads/workload_meshes.h"
 #include "palpate/base/random.h"
 #include "support/mesh_zoo.h"
 
@@ -32,7 +32,7 @@ TEST(SphereFinger, TouchesAtItsRadius) {
 
 TEST(SphereFinger, RestsBetweenTheWallsOfAGroove) {
   for (const double angle_deg : {60.0, 90.0, 120.0}) {
-    const Surface groove = surfaceOf(bench::grooveMesh(angle_deg));
+    const Surface groove = surfaceOf(lab::grooveMesh(angle_deg));
     const double radius = 8.0;
     FingerTrack finger(groove, slick(radius));
     finger.to({100, 50, 80});
@@ -44,7 +44,7 @@ TEST(SphereFinger, RestsBetweenTheWallsOfAGroove) {
 }
 
 TEST(SphereFinger, CrossesAGrooveNarrowerThanItselfWithoutAStep) {
-  const Surface groove = surfaceOf(bench::grooveMesh(60.0));
+  const Surface groove = surfaceOf(lab::grooveMesh(60.0));
   FingerTrack finger(groove, slick(8.0));
   finger.to({90, 50, 80});
   finger.slide({90, 50, -5}, 0.5);
@@ -160,15 +160,15 @@ TEST(SphereFinger, ALostTipGivesNoForceAndForgetsNothing) {
 }
 
 TEST(SphereFinger, AVerySmallSphereFeelsLikeAPoint) {
-  const Surface back = surfaceOf(bench::backMesh(2962));
+  const Surface back = surfaceOf(lab::backMesh(2962));
   FingerTrack point(back), sphere(back, sphereOf(0.001));
-  Vec3 tip(175, 200, bench::backHeight(175, 200) + 3);
+  Vec3 tip(175, 200, lab::backHeight(175, 200) + 3);
   point.to(tip);
   sphere.to(tip);
   int alike = 0;
   for (int i = 0; i < 2000; ++i) {
     const double x = 175 + 60 * std::sin(0.003 * i), y = 200 + 40 * std::sin(0.002 * i);
-    tip = {x, y, bench::backHeight(x, y) + std::max(-4.0, 3.0 - 0.02 * i)};
+    tip = {x, y, lab::backHeight(x, y) + std::max(-4.0, 3.0 - 0.02 * i)};
     const FingerOutput p = point.to(tip), s = sphere.to(tip);
     // Where a facet lets the proxy go, the two may be some ticks apart.
     alike += (p.force - s.force).norm() <= 0.02 ? 1 : 0;

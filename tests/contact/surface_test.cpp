@@ -44,7 +44,7 @@ TEST(Surface, KnowsWhetherItsSheetsPierceEachOther) {
 TEST(SurfaceWalk, OnAConvexBodyItEndsAtTheNearestPoint) {
   const Surface surface = surfaceOf(zoo::sphere(20.0, 3));
   Random random(31);
-  SurfacePoint place{surface.tree.records[0].corners[0], 0, partition::Feature::corner0};
+  SurfacePoint place{surface.tree.records[0].corners[0], 0, tree::Feature::corner0};
   for (int i = 0; i < 500; ++i) {
     const Vec3 target = 25.0 * Vec3(random.normal(), random.normal(), random.normal()).normalized();
     const WalkResult walk = walkToNearest(surface, place, target, kAnyPath);
@@ -57,7 +57,7 @@ TEST(SurfaceWalk, OnAConvexBodyItEndsAtTheNearestPoint) {
 
 TEST(SurfaceWalk, PausesWhereThePathIsUsedUp) {
   const Surface surface = surfaceOf(zoo::grid(8, 100.0));
-  const SurfacePoint start{{10, 10, 0}, nearestPoint(surface.tree, {10, 10, 0}, 1).triangle, partition::Feature::face};
+  const SurfacePoint start{{10, 10, 0}, nearestPoint(surface.tree, {10, 10, 0}, 1).triangle, tree::Feature::face};
   const WalkResult half = walkToNearest(surface, start, {70, 90, -5}, 40.0);
   EXPECT_FALSE(half.finished);
   EXPECT_LE((half.at.position - start.position).norm(), 40.0 + 1e-9);
@@ -87,7 +87,7 @@ TEST(SurfaceWalk, StiffnessIsBarycentric) {
   const Surface surface = buildSurface(mesh, {0.2, 0.5, 0.8});
   const auto& corners = surface.tree.records[0].corners;
   const Vec3 place = 0.5 * corners[0] + 0.3 * corners[1] + 0.2 * corners[2];
-  EXPECT_NEAR(stiffnessAt(surface, {place, 0, partition::Feature::face}), 0.5 * 0.2 + 0.3 * 0.5 + 0.2 * 0.8, 1e-12);
+  EXPECT_NEAR(stiffnessAt(surface, {place, 0, tree::Feature::face}), 0.5 * 0.2 + 0.3 * 0.5 + 0.2 * 0.8, 1e-12);
 }
 
 }  // namespace palpate::contact

@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "bench/contact_run.h"
-#include "bench/heldout_meshes.h"
-#include "bench/invariant_check.h"
-#include "bench/workload_meshes.h"
-#include "bench/workload_paths.h"
+#include "bench/runs/contact_run.h"
+#include "lab/judges/invariant_check.h"
+#include "lab/workloads/heldout_meshes.h"
+#include "lab/workloads/workload_meshes.h"
+#include "lab/workloads/workload_paths.h"
 
 namespace palpate::bars {
 
@@ -34,13 +34,13 @@ inline contact::FingerSettings fingerOf(double radius_mm) {
 }
 
 inline bench::ContactWorld worldOf(const std::string& mesh, double scale = 1.0) {
-  return bench::buildContactWorld(bench::workloadMesh(mesh), scale);
+  return bench::buildContactWorld(lab::workloadMesh(mesh), scale);
 }
 
 /// Runs a benchmark path by name.
 inline bench::ContactFigures measure(bench::ContactWorld& world, const std::string& path, double radius_mm = 0.0,
                                      const bench::Window& window = {}) {
-  return bench::measureContact(world, bench::workloadPath(path), fingerOf(radius_mm), window);
+  return bench::measureContact(world, lab::workloadPath(path), fingerOf(radius_mm), window);
 }
 
 /// Letters and digits only, as GoogleTest wants its names.

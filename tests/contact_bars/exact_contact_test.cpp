@@ -2,8 +2,8 @@
 // the gap that a rounded side test leaves between two triangles.
 #include <fmt/format.h>
 
-#include "bench/heldout_paths.h"
 #include "contact_bars/bars.h"
+#include "lab/workloads/heldout_paths.h"
 
 namespace palpate::bars {
 namespace {
@@ -35,7 +35,7 @@ TEST_P(AimedSegments, NeverMissEdgesAndVertices) {
   if (mesh == "back_1000000" && !heavy()) GTEST_SKIP() << "only with PALPATE_HEAVY=1";
   const std::size_t segments = heavy() ? 200000 : 20000;
   bench::ContactWorld real = worldOf(mesh);
-  const device::Trajectory path = bench::aimed(real.side, {.ticks = 3 * segments, .depth_mm = 1.0});
+  const device::Trajectory path = lab::aimed(real.side, {.ticks = 3 * segments, .depth_mm = 1.0});
   for (const double scale : {0.001, 1.0, 1000.0}) {
     const bench::ContactWorld world = worldOf(mesh, scale);
     const Misses misses = missesOf(world, path);

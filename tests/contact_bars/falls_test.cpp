@@ -24,29 +24,29 @@ class EveryScaleAndRadius : public testing::TestWithParam<Setting> {};
 
 TEST_P(EveryScaleAndRadius, BackJumpsAndStabs) {
   bench::ContactWorld world = worldOf("back_8163", GetParam().scale);
-  for (const bench::PathName& name : bench::workloadPathNames()) {
+  for (const lab::PathName& name : lab::workloadPathNames()) {
     if (name.mesh != "back") continue;
-    expectNoFalls(world, bench::workloadPath(name.path), GetParam().radius_mm, name.path);
+    expectNoFalls(world, lab::workloadPath(name.path), GetParam().radius_mm, name.path);
   }
 }
 
 TEST_P(EveryScaleAndRadius, GroovesPitAndEggcrate) {
   for (const char* mesh : {"groove60", "groove90", "groove120", "pit", "eggcrate"}) {
     bench::ContactWorld world = worldOf(mesh, GetParam().scale);
-    for (const bench::PathName& name : bench::workloadPathNames()) {
+    for (const lab::PathName& name : lab::workloadPathNames()) {
       if (name.mesh != mesh || name.path.starts_with("lattice")) continue;
-      expectNoFalls(world, bench::workloadPath(name.path), GetParam().radius_mm, name.path);
+      expectNoFalls(world, lab::workloadPath(name.path), GetParam().radius_mm, name.path);
     }
   }
 }
 
 TEST_P(EveryScaleAndRadius, ClosedBodies) {
-  const mesh::TriangleMesh ball = bench::bumpyBallMesh(60, 0.08, 9.0, 4);
+  const mesh::TriangleMesh ball = lab::bumpyBallMesh(60, 0.08, 9.0, 4);
   bench::ContactWorld ball_world = bench::buildContactWorld(ball, GetParam().scale);
-  expectNoFalls(ball_world, bench::orbit(ball, Vec3::Zero()), GetParam().radius_mm, "ball");
-  const mesh::TriangleMesh ring = bench::torusMesh(50, 18, 60, 24);
+  expectNoFalls(ball_world, lab::orbit(ball, Vec3::Zero()), GetParam().radius_mm, "ball");
+  const mesh::TriangleMesh ring = lab::torusMesh(50, 18, 60, 24);
   bench::ContactWorld ring_world = bench::buildContactWorld(ring, GetParam().scale);
-  expectNoFalls(ring_world, bench::orbit(ring, {50, 0, 0}), GetParam().radius_mm, "ring");
+  expectNoFalls(ring_world, lab::orbit(ring, {50, 0, 0}), GetParam().radius_mm, "ring");
 }
 
 std::vector<Setting> everySetting() {
@@ -69,10 +69,10 @@ TEST_P(EverySize, BackJumpsAndStabs) {
   const std::vector<double> radii = heavy() ? radiiMm() : std::vector<double>{0.0};
   for (const double scale : scales) {
     bench::ContactWorld world = worldOf(fmt::format("back_{}", GetParam()), scale);
-    for (const bench::PathName& name : bench::workloadPathNames()) {
+    for (const lab::PathName& name : lab::workloadPathNames()) {
       if (name.mesh != "back") continue;
       for (const double radius_mm : radii) {
-        expectNoFalls(world, bench::workloadPath(name.path), radius_mm,
+        expectNoFalls(world, lab::workloadPath(name.path), radius_mm,
                       fmt::format("{} at scale {} radius {}", name.path, scale, radius_mm));
       }
     }

@@ -51,7 +51,7 @@ TEST(Friction, HoldsForOtherCoefficientsAndStiffnessRatios) {
     finger.mu_static = 0.8;
     finger.mu_dynamic = 0.3;
     const bench::FrictionFigures friction =
-        bench::measureContact(world, bench::workloadPath("flat_fric_50"), finger).friction;
+        bench::measureContact(world, lab::workloadPath("flat_fric_50"), finger).friction;
     EXPECT_NEAR(friction.kinetic, 0.3, 1e-4) << ratio;
     EXPECT_LE(friction.static_peak, 0.8 + 1e-6) << ratio;
   }
@@ -62,7 +62,7 @@ TEST(Friction, IsNoneWithoutCoefficients) {
   contact::FingerSettings finger = fingerOf(0.0);
   finger.mu_static = finger.mu_dynamic = 0.0;
   const bench::FrictionFigures friction =
-      bench::measureContact(world, bench::workloadPath("flat_fric_50"), finger).friction;
+      bench::measureContact(world, lab::workloadPath("flat_fric_50"), finger).friction;
   EXPECT_LE(friction.kinetic_max, 1e-9);
   EXPECT_LE(friction.static_peak, 1e-9);
 }

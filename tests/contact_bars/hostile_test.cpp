@@ -21,7 +21,7 @@ Vec3 hostileTip(const Vec3& walk, Random& random) {
 
 std::vector<Vec3> hostileTips(std::size_t ticks, std::uint64_t seed) {
   Random random(seed);
-  std::vector<Vec3> tips = bench::backJumps(3.0, seed).tip_mm;
+  std::vector<Vec3> tips = lab::backJumps(3.0, seed).tip_mm;
   tips.resize(ticks);
   for (Vec3& tip : tips) tip = hostileTip(tip, random);
   return tips;
@@ -32,15 +32,15 @@ TEST(HostileTips, GiveFiniteBoundedForces) {
   for (const double radius_mm : radiiMm()) {
     const contact::FingerSettings finger = fingerOf(radius_mm);
     const bench::FingerRun run = bench::runFinger(world.surface, finger, hostileTips(20000, 3));
-    const bench::InvariantReport invariants =
-        bench::checkInvariants(world.side.mesh(), finger, world.stiffness_n_per_mm, run.outputs);
+    const lab::InvariantReport invariants =
+        lab::checkInvariants(world.side.mesh(), finger, world.stiffness_n_per_mm, run.outputs);
     EXPECT_TRUE(invariants.clean()) << "radius " << radius_mm << ": " << invariants.text();
   }
 }
 
 TEST(HostileTips, DoNotStopTheFingerFromFeelingAgain) {
   const bench::ContactWorld world = worldOf("back_2962");
-  const Vec3 above(175, 200, bench::backHeight(175, 200) + 5), below = above - Vec3(0, 0, 10);
+  const Vec3 above(175, 200, lab::backHeight(175, 200) + 5), below = above - Vec3(0, 0, 10);
   for (const double radius_mm : radiiMm()) {
     contact::FingerState state;
     for (const Vec3& tip : hostileTips(2000, 4)) contact::step(world.surface, fingerOf(radius_mm), state, tip);
@@ -53,7 +53,7 @@ TEST(HostileTips, DoNotStopTheFingerFromFeelingAgain) {
 
 TEST(AbsurdSettings, AreSurvived) {
   const bench::ContactWorld world = worldOf("back_2962");
-  std::vector<Vec3> tips = bench::backJumps(5.0, 5).tip_mm;
+  std::vector<Vec3> tips = lab::backJumps(5.0, 5).tip_mm;
   tips.resize(3000);
   std::vector<contact::FingerSettings> absurd(6, fingerOf(0.0));
   absurd[0].stiffness_ratio = 0.0;
@@ -64,8 +64,8 @@ TEST(AbsurdSettings, AreSurvived) {
   absurd[5].stiffness_ratio = 1e6;
   for (std::size_t i = 0; i < absurd.size(); ++i) {
     const bench::FingerRun run = bench::runFinger(world.surface, absurd[i], tips);
-    const bench::InvariantReport invariants =
-        bench::checkInvariants(world.side.mesh(), absurd[i], world.stiffness_n_per_mm, run.outputs);
+    const lab::InvariantReport invariants =
+        lab::checkInvariants(world.side.mesh(), absurd[i], world.stiffness_n_per_mm, run.outputs);
     EXPECT_TRUE(invariants.clean()) << "setting " << i << ": " << invariants.text();
   }
 }

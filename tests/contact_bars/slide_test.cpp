@@ -20,7 +20,7 @@ constexpr double kForceStepN = 0.45;
 
 const SizeBar kSizes[] = {{2962, 14.5, 15.7},  {6261, 14.5, 15.7},   {8163, 13.0, 13.5},    {20389, 13.0, 13.5},
                           {41582, 13.0, 13.5}, {200000, 13.0, 13.5}, {1000000, 13.0, 13.5}, {4000000, 13.0, 13.5}};
-constexpr bench::Window kSlide{bench::kSlideFromSeconds, bench::kSlideUntilSeconds};
+constexpr bench::Window kSlide{lab::kSlideFromSeconds, lab::kSlideUntilSeconds};
 
 class SlideAtSize : public testing::TestWithParam<SizeBar> {
   void SetUp() override {

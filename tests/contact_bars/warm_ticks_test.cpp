@@ -1,7 +1,7 @@
 // 100,000 warm ticks ask nothing of the system: no memory, no lock, no page.
 #include <algorithm>
 
-#include "bench/hdb_run.h"
+#include "bench/runs/hdb_run.h"
 #include "contact_bars/bars.h"
 
 namespace palpate::bars {
@@ -11,7 +11,7 @@ constexpr std::size_t kTicks = 100000;
 
 /// The slide over the back again and again.
 device::Trajectory longSlide() {
-  const device::Trajectory once = bench::workloadPath("back_slide");
+  const device::Trajectory once = lab::workloadPath("back_slide");
   device::Trajectory all;
   double start_s = 0.0;
   while (all.tip_mm.size() <= kTicks) {
@@ -55,7 +55,7 @@ TEST_F(WarmTicks, OfAFingertipAskNothingOfTheSystem) {
 }
 
 TEST_F(WarmTicks, OfTheDetectingBoxAskNothingOfTheSystem) {
-  for (const auto query : {contact::HdbQuery::leaves, contact::HdbQuery::coherent}) {
+  for (const auto query : {hdb::HdbQuery::leaves, hdb::HdbQuery::coherent}) {
     bench::HdbRunSettings settings;
     settings.hdb.query = query;
     expectNothingAsked([&] { return bench::measureHdb(world, slide, fingerOf(0.0), settings).contact; });

@@ -13,7 +13,7 @@ ContactLanes lanesFor(const Contact& contact) { return lanesOf(frameOf(contact, 
 
 // A block taken as whole has every vertex inside, and one left alone none, as the test of single vertices sees it.
 TEST(BlockBounds, SayNothingThatTheVerticesDeny) {
-  for (mesh::TriangleMesh mesh : {bench::backMesh(200000), test::torso(6)}) {
+  for (mesh::TriangleMesh mesh : {lab::backMesh(200000), test::torso(6)}) {
     mesh::reorderSpatially(mesh);
     const Skin skin = buildSkin(mesh);
     Random random(3);
@@ -52,7 +52,7 @@ TEST(BlockBounds, LeaveABlockWithoutNumbersToItsVertices) {
 
 // The kernel without masks writes what the one with masks writes, bit by bit.
 TEST(BlockBounds, WholeRunsAreDisplacedLikeSingleBlocks) {
-  mesh::TriangleMesh mesh = bench::backMesh(41582);
+  mesh::TriangleMesh mesh = lab::backMesh(41582);
   mesh::reorderSpatially(mesh);
   const Skin skin = buildSkin(mesh);
   Contact contact = test::press(mesh, test::triangleNear(mesh, {175, 200, 0}), 8.0);

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <optional>
 
-#include "bench/allocation_count.h"
 #include "deform/golden_grid.h"
 #include "deform/scalar_reference.h"
 #include "deform/shapes.h"
+#include "lab/counters/allocation_count.h"
 #include "support/golden.h"
 
 namespace palpate::deform {
@@ -53,7 +53,7 @@ TEST(Deformer, DeformsTheReferenceGrid) {
 }
 
 TEST(Deformer, AgreesWithTheScalarReferenceForAnyContact) {
-  for (auto& mesh : {bench::backMesh(6261), test::torso()}) {
+  for (auto& mesh : {lab::backMesh(6261), test::torso()}) {
     Stage stage(mesh);
     Random random(23);
     for (int i = 0; i < 100; ++i) {
@@ -70,7 +70,7 @@ TEST(Deformer, AgreesWithTheScalarReferenceForAnyContact) {
 }
 
 TEST(Deformer, SkinAtTheAnchorFollowsTheTip) {
-  Stage stage(bench::backMesh(20389));
+  Stage stage(lab::backMesh(20389));
   const Index triangle = triangleNear(stage.mesh, {175, 200, 80});
   const Contact contact = drag(press(stage.mesh, triangle, 6.0, Vec3(1, 0, 0)), {4, 3, 0});
   stage.apply({contact});
@@ -79,7 +79,7 @@ TEST(Deformer, SkinAtTheAnchorFollowsTheTip) {
 }
 
 TEST(Deformer, NothingMovesOutsideTheRegion) {
-  Stage stage(bench::backMesh(8163));
+  Stage stage(lab::backMesh(8163));
   Random random(5);
   for (int i = 0; i < 50; ++i) {
     const Contact contact = anyContact(stage.mesh, random);
@@ -163,7 +163,7 @@ TEST(Deformer, ResultDoesNotDependOnTheOrderOfVertices) {
 }
 
 TEST(Deformer, ChangedRangesNameEverythingThatChanged) {
-  Stage stage(bench::backMesh(20389));
+  Stage stage(lab::backMesh(20389));
   Random random(31);
   auto before = bits(stage.surface);
   for (int i = 0; i < 30; ++i) {
@@ -209,7 +209,7 @@ double depthAt(const Stage& stage, const Contact& contact, Index vertex) {
 }
 
 TEST(Deformer, TwoFingersEachHoldTheirDepth) {
-  Stage stage(bench::backMesh(41582));
+  Stage stage(lab::backMesh(41582));
   for (const double distance : {20.0, 30.0, 45.0, 80.0}) {
     std::vector<Contact> contacts;
     std::vector<Index> vertices;
@@ -254,12 +254,12 @@ TEST(Deformer, PinchingAPlateDentsBothSides) {
 }
 
 TEST(Deformer, AppliesWithoutAllocating) {
-  if (!bench::allocationsOfThisThread()) GTEST_SKIP() << "allocations cannot be counted here";
+  if (!lab::allocationsOfThisThread()) GTEST_SKIP() << "allocations cannot be counted here";
   Settings settings;
   settings.strain = true;
   for (const Normals normals : {Normals::analytic, Normals::recomputed}) {
     settings.normals = normals;
-    Stage stage(bench::backMesh(8163), settings);
+    Stage stage(lab::backMesh(8163), settings);
     Random random(3);
     std::vector<std::vector<Contact>> frames;
     for (int i = 0; i < 100; ++i) {
@@ -267,14 +267,14 @@ TEST(Deformer, AppliesWithoutAllocating) {
       for (std::uint64_t n = random.below(20); n > 0; --n) contacts.push_back(anyContact(stage.mesh, random));
       frames.push_back(contacts);
     }
-    const auto before = *bench::allocationsOfThisThread();
+    const auto before = *lab::allocationsOfThisThread();
     for (const auto& contacts : frames) stage.apply(contacts);
-    EXPECT_EQ(*bench::allocationsOfThisThread() - before, 0u);
+    EXPECT_EQ(*lab::allocationsOfThisThread() - before, 0u);
   }
 }
 
 TEST(Deformer, IgnoresWhatMakesNoSenseAndSaysSo) {
-  Stage stage(bench::backMesh(2962));
+  Stage stage(lab::backMesh(2962));
   const auto rest = bits(stage.surface);
   const Contact good = press(stage.mesh, 1000, 5.0);
   const auto broken = [&](auto&& change) {
@@ -302,7 +302,7 @@ TEST(Deformer, IgnoresWhatMakesNoSenseAndSaysSo) {
 }
 
 TEST(Deformer, OneDegenerateEllipseLeavesTheOtherPartWorking) {
-  Stage stage(bench::backMesh(2962));
+  Stage stage(lab::backMesh(2962));
   Contact contact = drag(press(stage.mesh, 1000, 5.0), {4, 0, 0});
   contact.normal_region.half_major.setZero();
   const Report report = stage.apply({contact});
@@ -351,7 +351,7 @@ TEST(Deformer, EmptyMeshIsNothingToDeform) {
 }
 
 TEST(Deformer, OneCallDoesTheSameAsTheParts) {
-  Stage stage(bench::backMesh(2962));
+  Stage stage(lab::backMesh(2962));
   const std::vector<Contact> contacts{press(stage.mesh, 700, 5.0), drag(press(stage.mesh, 1500, 8.0), {5, 5, 0})};
   stage.apply(contacts);
   EXPECT_EQ(bits(deformed(stage.mesh, contacts)), bits(stage.surface));

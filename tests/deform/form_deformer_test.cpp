@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "bench/allocation_count.h"
 #include "deform/form_stage.h"
 #include "deform/golden_grid.h"
 #include "deform/scalar_reference.h"
+#include "lab/counters/allocation_count.h"
 #include "palpate/deform/any_deformer.h"
 
 namespace palpate::deform {
@@ -74,7 +74,7 @@ TEST(FormDeformer, EachErratumAloneMissesTheDissertationsGrid) {
 
 // The general deformer and the kernels are two programs for one definition.
 TEST(FormDeformer, WithDefaultFormsIsTheFastOne) {
-  for (auto& mesh : {bench::backMesh(6261), test::torso()}) {
+  for (auto& mesh : {lab::backMesh(6261), test::torso()}) {
     FormSettings forms;
     forms.common.strain = true;
     FormStage general(mesh, forms);
@@ -146,7 +146,7 @@ TEST(FormDeformer, ServesSeveralSurfaces) {
 
 TEST(FormDeformer, ChangedRangesNameEverythingThatChanged) {
   for (const FormSettings& forms : test::manyForms()) {
-    FormStage stage(bench::backMesh(8163), forms);
+    FormStage stage(lab::backMesh(8163), forms);
     Random random(31);
     auto before = bits(stage.surface);
     for (int i = 0; i < 10; ++i) {
@@ -167,9 +167,9 @@ TEST(FormDeformer, ChangedRangesNameEverythingThatChanged) {
 }
 
 TEST(FormDeformer, AppliesWithoutAllocating) {
-  if (!bench::allocationsOfThisThread()) GTEST_SKIP() << "allocations cannot be counted here";
+  if (!lab::allocationsOfThisThread()) GTEST_SKIP() << "allocations cannot be counted here";
   for (const FormSettings& forms : test::manyForms()) {
-    FormStage stage(bench::backMesh(8163), forms);
+    FormStage stage(lab::backMesh(8163), forms);
     Random random(3);
     std::vector<std::vector<Contact>> frames;
     for (int i = 0; i < 20; ++i) {
@@ -177,9 +177,9 @@ TEST(FormDeformer, AppliesWithoutAllocating) {
       for (std::uint64_t n = random.below(20); n > 0; --n) contacts.push_back(anyFormedContact(stage.mesh, random));
       frames.push_back(contacts);
     }
-    const auto before = *bench::allocationsOfThisThread();
+    const auto before = *lab::allocationsOfThisThread();
     for (const auto& contacts : frames) stage.apply(contacts);
-    EXPECT_EQ(*bench::allocationsOfThisThread() - before, 0u);
+    EXPECT_EQ(*lab::allocationsOfThisThread() - before, 0u);
   }
 }
 
@@ -213,7 +213,7 @@ TEST(FormDeformer, EmptyMeshIsNothingToDeform) {
 }
 
 TEST(FormDeformer, IgnoresWhatMakesNoSenseAndSaysSo) {
-  FormStage stage(bench::backMesh(2962));
+  FormStage stage(lab::backMesh(2962));
   const Contact good = press(stage.mesh, 1000, 5.0);
   const auto broken = [&](auto&& change) {
     Contact contact = drag(good, {2, 1, 0});
@@ -443,7 +443,7 @@ TEST(AnyDeformer, IsTheFastOneUnlessAFormNeedsTheGeneralOne) {
 }
 
 TEST(AnyDeformer, DoesWhatItsChoiceDoes) {
-  const auto mesh = bench::backMesh(2962);
+  const auto mesh = lab::backMesh(2962);
   const Skin skin = buildSkin(mesh);
   Random random(2);
   const Contact contact = anyFormedContact(mesh, random);

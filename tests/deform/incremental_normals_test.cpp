@@ -23,7 +23,7 @@ float worstDifference(const DeformedSurface& a, const DeformedSurface& b) {
 }
 
 TEST(IncrementalNormals, AreTheRecomputedOnes) {
-  for (const auto& mesh : {bench::backMesh(6261), test::torso()}) {
+  for (const auto& mesh : {lab::backMesh(6261), test::torso()}) {
     FormStage incremental(mesh, withNormals(Normals::incremental));
     FormStage recomputed(mesh, withNormals(Normals::recomputed));
     Random random(3);
@@ -55,7 +55,7 @@ TEST(IncrementalNormals, NeverDrift) {
 }
 
 TEST(IncrementalNormals, ComputeOnlyWhatChanged) {
-  const auto mesh = bench::backMesh(41582);
+  const auto mesh = lab::backMesh(41582);
   FormStage stage(mesh, withNormals(Normals::incremental));
   const Contact contact = test::press(mesh, test::triangleNear(mesh, {175, 200, 100}), 6.0);
   stage.apply({contact});
@@ -83,7 +83,7 @@ TEST(IncrementalNormals, KeepTheirDigitsBesideHugeTriangles) {
 
 // The fast deformer has no list of triangles; asked for it, it recomputes.
 TEST(IncrementalNormals, OfTheFastDeformerAreRecomputed) {
-  const auto mesh = bench::backMesh(2962);
+  const auto mesh = lab::backMesh(2962);
   const Contact contact = test::press(mesh, 1000, 6.0);
   Settings settings;
   settings.normals = Normals::incremental;

@@ -8,7 +8,7 @@
 
 #include "deform/shapes.h"
 #include "palpate/base/gaussian.h"
-#include "palpate/mesh/normals.h"
+#include "palpate/mesh/triangle_mesh.h"
 
 namespace palpate::deform {
 
@@ -68,7 +68,7 @@ struct Bound {
 TEST(AnalyticNormals, AgreeWithTheTrianglesAsTheyGetFiner) {
   for (const auto& [triangles, mean_deg, max_deg] :
        {Bound{2962, 1.07, 3.8}, Bound{20389, 0.34, 1.9}, Bound{41582, 0.24, 1.5}, Bound{200000, 0.10, 0.8}}) {
-    const auto mesh = bench::backMesh(triangles);
+    const auto mesh = lab::backMesh(triangles);
     const Angles angles = differenceOfNormals(mesh, {middlePress(mesh)});
     EXPECT_LE(angles.mean_deg, mean_deg) << triangles;
     EXPECT_LE(angles.max_deg, max_deg) << triangles;
@@ -76,7 +76,7 @@ TEST(AnalyticNormals, AgreeWithTheTrianglesAsTheyGetFiner) {
 }
 
 TEST(AnalyticNormals, HoldForADrag) {
-  const auto mesh = bench::backMesh(200000);
+  const auto mesh = lab::backMesh(200000);
   Contact contact = test::drag(middlePress(mesh), {8, 4, 0});
   contact.tangential_region = contact.normal_region;
   const Angles angles = differenceOfNormals(mesh, {contact});
@@ -85,7 +85,7 @@ TEST(AnalyticNormals, HoldForADrag) {
 }
 
 TEST(AnalyticNormals, HoldForOverlappingContacts) {
-  const auto mesh = bench::backMesh(200000);
+  const auto mesh = lab::backMesh(200000);
   Contact second = test::drag(test::press(mesh, test::triangleNear(mesh, {195, 190, 100}), 6.0), {-5, 5, 0});
   second.normal_region = maps::liftedOntoSurface({50.0, 0.7, 0.4}, second.normal);
   Contact third = test::drag(test::press(mesh, test::triangleNear(mesh, {160, 215, 100}), 7.0), {0, 4, 0});
@@ -96,7 +96,7 @@ TEST(AnalyticNormals, HoldForOverlappingContacts) {
 }
 
 TEST(RecomputedNormals, AreThoseOfTheMeshRoom) {
-  const auto mesh = bench::backMesh(6261);
+  const auto mesh = lab::backMesh(6261);
   const Contact contact = middlePress(mesh);
   Settings settings;
   settings.normals = Normals::recomputed;

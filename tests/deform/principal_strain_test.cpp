@@ -118,7 +118,7 @@ TEST(PrincipalStrain, IsWrittenByTheDeformer) {
   FormSettings forms;
   forms.common.strain = true;
   forms.strain_kind = StrainKind::principal;
-  const auto mesh = bench::backMesh(8163);
+  const auto mesh = lab::backMesh(8163);
   test::FormStage stage(mesh, forms);
   Random random(19);
   for (int i = 0; i < 10; ++i) {

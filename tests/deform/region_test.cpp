@@ -60,7 +60,7 @@ mesh::TriangleMesh shuffled(mesh::TriangleMesh mesh, std::uint64_t seed) {
   return mesh;
 }
 
-TEST(Region, EqualsTheSearchByRingsOnASheet) { expectSameRegions(bench::backMesh(8163), 60, 1, "back"); }
+TEST(Region, EqualsTheSearchByRingsOnASheet) { expectSameRegions(lab::backMesh(8163), 60, 1, "back"); }
 TEST(Region, EqualsTheSearchByRingsOnAClosedBody) { expectSameRegions(test::torso(), 60, 2, "torso"); }
 TEST(Region, EqualsTheSearchByRingsInAnyVertexOrder) {
   expectSameRegions(shuffled(test::torso(), 9), 40, 3, "shuffled torso");
@@ -100,7 +100,7 @@ TEST(Region, LooksPastTheCornersOfTheAnchorsTriangle) {
 }
 
 TEST(Region, CostsWhatItCovers) {
-  const auto mesh = bench::backMesh(200000);
+  const auto mesh = lab::backMesh(200000);
   const Skin skin = buildSkin(mesh);
   RegionSearch search(skin);
   const auto region = regionByBlocks(skin, search, press(mesh, 90000, 5.0));

@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "bench/workload_meshes.h"
+#include "lab/workloads/workload_meshes.h"
 #include "palpate/base/random.h"
 #include "palpate/deform/deformer.h"
-#include "palpate/mesh/normals.h"
+#include "palpate/mesh/triangle_mesh.h"
 #include "support/mesh_zoo.h"
 
 namespace palpate::test {

@@ -39,7 +39,7 @@ double strainFromPositions(const Skin& skin, const DeformedSurface& surface, Ind
 }
 
 TEST(Strain, DeformedSurfaceCarriesTheMeanOfEachVertex) {
-  const auto mesh = bench::backMesh(8163);
+  const auto mesh = lab::backMesh(8163);
   const Skin skin = buildSkin(mesh);
   Settings settings;
   settings.strain = true;
@@ -55,7 +55,7 @@ TEST(Strain, DeformedSurfaceCarriesTheMeanOfEachVertex) {
 }
 
 TEST(Strain, PressStretchesAndDragCompressesInFront) {
-  const auto mesh = bench::flatMesh();
+  const auto mesh = lab::flatMesh();
   const Skin skin = buildSkin(mesh);
   Settings settings;
   settings.strain = true;
@@ -75,7 +75,7 @@ TEST(Strain, PressStretchesAndDragCompressesInFront) {
 }
 
 TEST(Strain, IsNotWrittenUnlessAskedFor) {
-  const auto mesh = bench::backMesh(2962);
+  const auto mesh = lab::backMesh(2962);
   const Contact contact = test::press(mesh, 1000, 8.0);
   const auto surface = deformed(mesh, {&contact, 1});
   for (const float strain : surface.strain()) ASSERT_EQ(strain, 0.0f);

@@ -1,11 +1,11 @@
-#include "palpate/device/finger_script.h"
+#include "palpate/device/finger_path.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "palpate/base/error.h"
-#include "palpate/device/scripted_device.h"
+#include "palpate/device/device.h"
 
 namespace palpate::device {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "palpate/base/error.h"
-#include "palpate/mesh/load.h"
+#include "palpate/mesh/files/load.h"
 #include "palpate/mesh/repair.h"
 #include "palpate/mesh/textured_mesh.h"
 #include "palpate/mesh/validate.h"

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "palpate/mesh/load.h"
-#include "palpate/mesh/save.h"
+#include "palpate/mesh/files/load.h"
+#include "palpate/mesh/files/save.h"
 #include "palpate/mesh/validate.h"
 #include "support/mesh_zoo.h"
 #include "support/temporary_folder.h"

@@ -1,4 +1,4 @@
-#include "palpate/mesh/compact_groups.h"
+#include "palpate/mesh/reorder.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,7 @@
 #include <limits>
 #include <numeric>
 
-#include "bench/workload_meshes.h"
-#include "palpate/mesh/reorder.h"
+#include "lab/workloads/workload_meshes.h"
 #include "support/mesh_zoo.h"
 
 namespace palpate::mesh {
@@ -46,7 +45,7 @@ TEST(CompactGroups, HasSmallBoxesAtBothSizes) {
 
 // A curve through space leaves a surface that is not aligned with it, and comes back elsewhere.
 TEST(CompactGroups, HasSmallerBoxesOnABackThanMortonsCurve) {
-  const auto back = bench::backMesh(41582);
+  const auto back = lab::backMesh(41582);
   const auto order = inCompactGroups(back.positions, upTo(back.positions.size()));
   EXPECT_LT(meanBox(back.positions, order, 64), 0.7 * meanBox(back.positions, mortonOrder(back.positions), 64));
 }

@@ -1,11 +1,11 @@
-#include "palpate/mesh/load.h"
+#include "palpate/mesh/files/load.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 
 #include "palpate/base/random.h"
-#include "palpate/mesh/save.h"
+#include "palpate/mesh/files/save.h"
 #include "palpate/mesh/validate.h"
 #include "palpate/mesh/winding.h"
 #include "support/error_message.h"

@@ -1,4 +1,4 @@
-#include "palpate/mesh/save.h"
+#include "palpate/mesh/files/save.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "palpate/base/error.h"
-#include "palpate/mesh/load.h"
+#include "palpate/mesh/files/load.h"
 #include "support/error_message.h"
 #include "support/mesh_zoo.h"
 #include "support/temporary_folder.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "palpate/mesh/load.h"
+#include "palpate/mesh/files/load.h"
 #include "palpate/mesh/reorder.h"
 #include "palpate/mesh/repair.h"
 #include "palpate/mesh/topology.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "palpate/mesh/normals.h"
+#include "palpate/mesh/triangle_mesh.h"
 #include "support/mesh_zoo.h"
 
 namespace palpate::mesh {

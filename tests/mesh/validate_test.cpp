@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "bench/workload_meshes.h"
+#include "lab/workloads/workload_meshes.h"
 #include "support/mesh_zoo.h"
 
 namespace palpate::mesh {
@@ -93,7 +93,7 @@ TEST(Validate, CountsBordersAndParts) {
 
 /// Enough triangles that several threads share the search.
 TEST(Validate, CountsTheEdgesOfALargeSheetThatAPlaneCuts) {
-  TriangleMesh mesh = bench::backMesh(40000);
+  TriangleMesh mesh = lab::backMesh(40000);
   constexpr double kCut = 175.1234;
   std::set<std::pair<Index, Index>> cut;
   for (const Triangle& triangle : mesh.triangles) {

@@ -13,7 +13,7 @@ namespace {
 /// A plate of 100 mm with its surface.
 class HdbSource : public ::testing::Test {
  protected:
-  std::shared_ptr<const contact::HdbSurface> sourceOf(const Scene& scene) const {
+  std::shared_ptr<const hdb::HdbSurface> sourceOf(const Scene& scene) const {
     return buildHdbSource(scene, plate_, surface_);
   }
   std::string messageOf(const Scene& scene) const {
@@ -35,17 +35,17 @@ TEST_F(HdbSource, TheBoxIsACubeOfAQuarterOfTheLongestEdge) {
 
 TEST_F(HdbSource, ErrataOfChapterThreeAreSwitchedByTheirNumbers) {
   Scene scene;
-  scene.partition.tree = partition::TreeKind::Bsp;
+  scene.partition.tree = hdb::TreeKind::Bsp;
   EXPECT_FALSE(sourceOf(scene)->settings.literal.has_value());
   scene.fidelity.setLiteral(4);
-  EXPECT_EQ(sourceOf(scene)->settings.literal, partition::LiteralTraversal::ElseIf);
+  EXPECT_EQ(sourceOf(scene)->settings.literal, hdb::LiteralTraversal::ElseIf);
   scene.fidelity = {};
   scene.fidelity.setLiteral(10);
-  EXPECT_EQ(sourceOf(scene)->settings.literal, partition::LiteralTraversal::HalfSpace);
+  EXPECT_EQ(sourceOf(scene)->settings.literal, hdb::LiteralTraversal::HalfSpace);
   scene.fidelity = {};
   scene.fidelity.setLiteral(5);
-  EXPECT_EQ(sourceOf(scene)->settings.literal, partition::LiteralTraversal::CellBox);
-  scene.partition.query = contact::HdbQuery::coherent;
+  EXPECT_EQ(sourceOf(scene)->settings.literal, hdb::LiteralTraversal::CellBox);
+  scene.partition.query = hdb::HdbQuery::coherent;
   EXPECT_FALSE(sourceOf(scene)->settings.literal.has_value()) << "the text knows leaves only";
 }
 
@@ -62,7 +62,7 @@ TEST_F(HdbSource, ANamedTraversalNeedsItsTree) {
   Scene scene;
   scene.partition.traversal = Traversal::else_if;
   EXPECT_EQ(messageOf(scene), "hdb source: this traversal needs the planes of a BSP tree");
-  scene.partition.tree = partition::TreeKind::Bsp;
+  scene.partition.tree = hdb::TreeKind::Bsp;
   EXPECT_EQ(messageOf(scene), "no error");
 }
 

@@ -97,11 +97,11 @@ refresh_s = 0.03
 )" + kFinger,
                             "s.toml");
   EXPECT_EQ(scene.contact.source, ContactSource::hdb);
-  EXPECT_EQ(scene.partition.tree, partition::TreeKind::Bsp);
-  EXPECT_EQ(scene.partition.assign, partition::Assignment::Cut);
+  EXPECT_EQ(scene.partition.tree, hdb::TreeKind::Bsp);
+  EXPECT_EQ(scene.partition.assign, hdb::Assignment::Cut);
   EXPECT_EQ(scene.partition.threshold, 200u);
   EXPECT_EQ(scene.partition.hdb_edge_mm, 80.0);
-  EXPECT_EQ(scene.partition.query, contact::HdbQuery::coherent);
+  EXPECT_EQ(scene.partition.query, hdb::HdbQuery::coherent);
   EXPECT_EQ(scene.partition.traversal, Traversal::half_space);
   EXPECT_EQ(scene.partition.refresh_s, 0.03);
 }

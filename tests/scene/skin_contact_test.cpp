@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "palpate/contact/literal_anchor.h"
+#include "palpate/contact/friction.h"
 #include "palpate/deform/finger_contact.h"
 #include "palpate/scene/scene_file.h"
 

@@ -6,7 +6,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/device/finger_path.h"
-#include "palpate/mesh/save.h"
+#include "palpate/mesh/files/save.h"
 #include "palpate/scene/errata.h"
 #include "palpate/scene/scene_file.h"
 #include "support/temporary_folder.h"

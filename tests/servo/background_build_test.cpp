@@ -95,7 +95,7 @@ TEST(BackgroundBuild, ReportsProgressWhileItBuilds) {
 TEST(BackgroundBuild, StopsSoonWhenItIsDestroyed) {
   const auto large = shared(zoo::hugeGrid(1000000));
   const auto begin = Clock::now();
-  partition::buildPartition(*large, {.threshold = 16});
+  hdb::buildPartition(*large, {.threshold = 16});
   const auto whole = Clock::now() - begin;
   const auto start = Clock::now();
   {
@@ -110,7 +110,7 @@ TEST(BackgroundBuild, KeepsWhatItHandedOverUntilTheNextBuild) {
   BackgroundBuild builder;
   builder.request(shared(zoo::sphere()), {});
   auto result = waitFor(builder);
-  const std::weak_ptr<const partition::Partition> watched = result->partition;
+  const std::weak_ptr<const hdb::Partition> watched = result->partition;
   result.reset();
   EXPECT_FALSE(watched.expired());
   builder.request(shared(zoo::cube()), {});

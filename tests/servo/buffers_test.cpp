@@ -2,8 +2,8 @@
 
 #include <thread>
 
-#include "palpate/servo/ring_buffer.h"
-#include "palpate/servo/triple_buffer.h"
+#include "palpate/base/ring_buffer.h"
+#include "palpate/base/triple_buffer.h"
 
 namespace palpate::servo {
 namespace {

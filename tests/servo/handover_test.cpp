@@ -1,4 +1,4 @@
-#include "palpate/servo/handover.h"
+#include "palpate/base/handover.h"
 
 #include <gtest/gtest.h>
 

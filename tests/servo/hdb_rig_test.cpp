@@ -3,7 +3,7 @@
 #include <cmath>
 #include <thread>
 
-#include "bench/allocation_count.h"
+#include "lab/counters/allocation_count.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/scene/world.h"
 #include "palpate/servo/background_build.h"
@@ -33,7 +33,7 @@ const std::string kHdb = "[contact]\nsource = \"hdb\"\n";
 
 /// What the world's fingers feel through this source; null: through the default one.
 std::vector<contact::FingerOutput> felt(const scene::World& world,
-                                        const std::shared_ptr<const contact::HdbSurface>& source) {
+                                        const std::shared_ptr<const hdb::HdbSurface>& source) {
   const device::FingerPaths paths = device::pathsOf(world);
   Rig rig = scriptedRig(world, paths);
   rig.hdb = source ? makeHdbFingers(source, rig.fingers.size()) : nullptr;
@@ -47,10 +47,10 @@ std::vector<contact::FingerOutput> felt(const scene::World& world,
 TEST(HdbRig, FeelsTheTorsoAsTheDefaultSourceDoes) {
   const auto world = torso(kHdb);
   const auto reference = felt(*world, nullptr);
-  for (const auto query : {contact::HdbQuery::leaves, contact::HdbQuery::coherent}) {
-    contact::HdbSettings settings = world->hdb->settings;
+  for (const auto query : {hdb::HdbQuery::leaves, hdb::HdbQuery::coherent}) {
+    hdb::HdbSettings settings = world->hdb->settings;
     settings.query = query;
-    const auto found = felt(*world, contact::makeHdbSurface(world->surface, world->hdb->partition, settings));
+    const auto found = felt(*world, hdb::makeHdbSurface(world->surface, world->hdb->partition, settings));
     ASSERT_EQ(found.size(), reference.size());
     std::size_t touching = 0;
     double worst_n = 0.0;
@@ -79,12 +79,12 @@ TEST(HdbRig, GivesTheSameBitsTwice) {
 }
 
 /// Other settings for the same body, ready for a running rig.
-std::unique_ptr<HdbFingers> rebuilt(const scene::World& world, std::shared_ptr<const partition::Partition> partition,
+std::unique_ptr<HdbFingers> rebuilt(const scene::World& world, std::shared_ptr<const hdb::Partition> partition,
                                     std::size_t fingers) {
-  return makeHdbFingers(contact::makeHdbSurface(world.surface, std::move(partition), world.hdb->settings), fingers);
+  return makeHdbFingers(hdb::makeHdbSurface(world.surface, std::move(partition), world.hdb->settings), fingers);
 }
 
-std::shared_ptr<const partition::Partition> takeWhenReady(BackgroundBuild& builder) {
+std::shared_ptr<const hdb::Partition> takeWhenReady(BackgroundBuild& builder) {
   for (;;) {
     if (auto result = builder.take()) {
       EXPECT_EQ(result->error, "");
@@ -110,17 +110,17 @@ TEST(HdbRig, ARebuiltPartitionChangesNoForceAndAllocatesNothingInTheTick) {
   std::size_t replaced = 0;
   for (std::uint64_t tick = 0; tick < paths.ticks; ++tick) {
     if (tick % 400 == 0) {
-      partition::BuildSettings settings;
-      settings.tree = tick % 800 == 0 ? partition::TreeKind::Bsp : partition::TreeKind::Octree;
-      settings.assignment = static_cast<partition::Assignment>(tick / 400 % 3);
+      hdb::BuildSettings settings;
+      settings.tree = tick % 800 == 0 ? hdb::TreeKind::Bsp : hdb::TreeKind::Octree;
+      settings.assignment = static_cast<hdb::Assignment>(tick / 400 % 3);
       settings.threshold = 64;
       builder.request(mesh, settings);
       handover.offer(rebuilt(*world, takeWhenReady(builder), rig.fingers.size()));
       ++replaced;
     }
-    const auto before = bench::allocationsOfThisThread();
+    const auto before = lab::allocationsOfThisThread();
     runTick(rig, tick, LoopEvent::none, samples);
-    allocations += bench::allocationsOfThisThread().value_or(0) - before.value_or(0);
+    allocations += lab::allocationsOfThisThread().value_or(0) - before.value_or(0);
     for (std::size_t i = 0; i < samples.size(); ++i) {
       ASSERT_NEAR((samples[i].contact.force - reference[tick * samples.size() + i].force).norm(), 0.0, 1e-3) << tick;
     }
@@ -147,7 +147,7 @@ TEST(HdbRig, ThePacedLoopGoesOnWhilePartitionsAreReplaced) {
   BackgroundBuild builder;
   std::size_t collected = 0;
   for (Index threshold = 32; !links.finished.load(); threshold = threshold == 32 ? 2048 : 32) {
-    partition::BuildSettings other;
+    hdb::BuildSettings other;
     other.threshold = threshold;
     builder.request(mesh, other);
     auto next = rebuilt(*world, takeWhenReady(builder), rig.fingers.size());

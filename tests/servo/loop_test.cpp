@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "palpate/base/error.h"
-#include "palpate/device/scripted_device.h"
+#include "palpate/device/device.h"
 #include "palpate/servo/sample_drain.h"
 
 namespace palpate::servo {

@@ -1,11 +1,11 @@
 // Counted visits are those of the closed forms on complete trees and never more than the worst case on real ones.
-#include "study/complexity_study.h"
+#include "study/studies.h"
 
 #include <gtest/gtest.h>
 
-#include "palpate/partition/complexity.h"
-#include "study/model_meshes.h"
-#include "study/search_cost.h"
+#include "palpate/hdb/complexity.h"
+#include "study/complexity/search_cost.h"
+#include "study/measured/model_meshes.h"
 #include "tests/study/page_numbers.h"
 #include "tests/study/texts_apart.h"
 
@@ -13,33 +13,33 @@ namespace palpate::study {
 
 namespace {
 
-using partition::TreeKind;
+using hdb::TreeKind;
 
-partition::Partition completeTree(TreeKind tree, int height) {
-  return partition::buildPartition(completeTreeMesh(tree, height), {.tree = tree, .threshold = 1});
+hdb::Partition completeTree(TreeKind tree, int height) {
+  return hdb::buildPartition(completeTreeMesh(tree, height), {.tree = tree, .threshold = 1});
 }
 
-partition::Box3 everywhere(const partition::Partition& tree) { return tree.bounds; }
+Box3 everywhere(const hdb::Partition& tree) { return tree.bounds; }
 
 }  // namespace
 
 TEST(CompleteTree, HasAsManyNodesAsTheFormulae) {
-  for (const auto& [kind, arity, most] : {std::tuple{TreeKind::Bsp, partition::kBspArity, 10},
-                                          std::tuple{TreeKind::Octree, partition::kOctreeArity, 4}}) {
+  for (const auto& [kind, arity, most] :
+       {std::tuple{TreeKind::Bsp, hdb::kBspArity, 10}, std::tuple{TreeKind::Octree, hdb::kOctreeArity, 4}}) {
     for (int height = 1; height <= most; ++height) {
-      const partition::Partition tree = completeTree(kind, height);
-      const auto leaves = static_cast<double>(partition::leavesOfCompleteTree(arity, height));
+      const hdb::Partition tree = completeTree(kind, height);
+      const auto leaves = static_cast<double>(hdb::leavesOfCompleteTree(arity, height));
       EXPECT_EQ(static_cast<double>(tree.leaves.size()), leaves);
-      EXPECT_EQ(static_cast<double>(tree.tree_node_count), partition::nodesOfCompleteTree(arity, leaves));
+      EXPECT_EQ(static_cast<double>(tree.tree_node_count), hdb::nodesOfCompleteTree(arity, leaves));
     }
   }
 }
 
 TEST(SearchCounter, OneLeafCostsOneWayAndTheSiblingsBesideIt) {
   const mesh::TriangleMesh mesh = completeTreeMesh(TreeKind::Octree, 3);
-  const partition::Partition tree = completeTree(TreeKind::Octree, 3);
+  const hdb::Partition tree = completeTree(TreeKind::Octree, 3);
   SearchCounter counter(tree);
-  const SearchCount count = counter.count(partition::hapticBox(mesh.positions[0], 1e-4));
+  const SearchCount count = counter.count(hdb::hapticBox(mesh.positions[0], 1e-4));
   EXPECT_EQ(count.leaves_found, 1.0);
   EXPECT_EQ(count.on_paths, 4.0);
   EXPECT_EQ(count.entered, 4.0);
@@ -47,7 +47,7 @@ TEST(SearchCounter, OneLeafCostsOneWayAndTheSiblingsBesideIt) {
 }
 
 TEST(SearchCounter, ABoxAroundAllVisitsAll) {
-  const partition::Partition tree = completeTree(TreeKind::Bsp, 7);
+  const hdb::Partition tree = completeTree(TreeKind::Bsp, 7);
   SearchCounter counter(tree);
   const SearchCount count = counter.count(everywhere(tree));
   EXPECT_EQ(count.leaves_found, 128.0);
@@ -59,7 +59,7 @@ TEST(SearchCounter, NeverCountsMoreThanTheWorstCaseOnRealModels) {
   for (const mesh::TriangleMesh& mesh : {backModel(), handModel()}) {
     for (const TreeKind kind : {TreeKind::Bsp, TreeKind::Octree}) {
       for (const Index threshold : {64u, 512u}) {
-        const partition::Partition tree = partition::buildPartition(mesh, {.tree = kind, .threshold = threshold});
+        const hdb::Partition tree = hdb::buildPartition(mesh, {.tree = kind, .threshold = threshold});
         for (const double edge : {20.0, 100.0}) {
           const SearchSweep sweep = sweepSearches(mesh, tree, edge, 200);
           EXPECT_GT(sweep.worst.leaves_found, 0.0);

@@ -1,12 +1,11 @@
 // A tensor knows that an axis has no sense; numbers do not.
-#include "study/directions_study.h"
+#include "study/studies.h"
 
 #include <gtest/gtest.h>
 
 #include "palpate/base/random.h"
-#include "study/axis_means.h"
-#include "study/back_map.h"
-#include "study/direction_fields.h"
+#include "study/directions/direction_fields.h"
+#include "study/measured/back_map.h"
 #include "tests/study/page_numbers.h"
 #include "tests/study/texts_apart.h"
 

@@ -3,10 +3,10 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "palpate/mesh/save.h"
+#include "palpate/mesh/files/save.h"
 #include "palpate/scene/scene_file.h"
-#include "study/errata_report.h"
-#include "study/errata_study.h"
+#include "study/errata/errata_report.h"
+#include "study/errata/errata_study.h"
 #include "support/mesh_zoo.h"
 #include "support/temporary_folder.h"
 

@@ -1,13 +1,13 @@
 // Every figure can be drawn, is named in the index, and shows what the formulae say.
-#include "study/figure_study.h"
+#include "study/page/figure_study.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
 #include "palpate/base/text.h"
-#include "study/model_meshes.h"
-#include "study/pressed_skin.h"
+#include "study/measured/model_meshes.h"
+#include "study/measured/pressed_skin.h"
 #include "study/texts_apart.h"
 #include "support/error_message.h"
 #include "support/temporary_folder.h"

@@ -1,12 +1,12 @@
 // Interpolations are exact where they must be, and a point left out is really left out.
-#include "study/interpolation_study.h"
+#include "study/studies.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "study/interpolation_figures.h"
-#include "study/left_out.h"
+#include "study/interpolation/interpolation_figures.h"
+#include "study/interpolation/left_out.h"
 #include "tests/study/page_numbers.h"
 #include "tests/study/texts_apart.h"
 

@@ -1,5 +1,5 @@
 // The dissertation's numbers are reproduced, and a wrong one does not slip through.
-#include "study/numbers_study.h"
+#include "study/numbers/numbers_study.h"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "palpate/base/text.h"
-#include "study/array_error.h"
-#include "study/numbers_report.h"
-#include "study/rate_comparison.h"
-#include "study/table_5_1.h"
+#include "study/numbers/rate_comparison.h"
+#include "study/numbers/table_5_1.h"
+#include "study/profile/array_quality.h"
 #include "support/error_message.h"
 #include "support/golden.h"
 #include "support/temporary_folder.h"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "study/study_page.h"
+#include "study/page/study_page.h"
 
 namespace palpate::study {
 

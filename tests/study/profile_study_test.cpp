@@ -1,9 +1,9 @@
 // Larger arrays err less, at the order that theory has, and the page says so.
-#include "study/profile_study.h"
+#include "study/studies.h"
 
 #include <gtest/gtest.h>
 
-#include "study/array_quality.h"
+#include "study/profile/array_quality.h"
 #include "tests/study/page_numbers.h"
 #include "tests/study/texts_apart.h"
 

@@ -8,11 +8,11 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
-#include "study/assignment_measurement.h"
-#include "study/hdb_measurement.h"
-#include "study/rendering_rates.h"
+#include "study/assignment/assignment_measurement.h"
+#include "study/hdb/hdb_measurement.h"
+#include "study/tables/rendering_rates.h"
 #include "study/texts_apart.h"
-#include "study/threshold_measurement.h"
+#include "study/threshold/threshold_measurement.h"
 #include "support/temporary_folder.h"
 
 namespace palpate::study {
@@ -105,7 +105,7 @@ TEST(HdbStudy, TheRuleAndItsSafeSpeedAreInverse) {
 }
 
 TEST(AssignmentStudy, EachCaseKeepsEveryTriangleInItsOwnWay) {
-  using partition::Assignment;
+  using hdb::Assignment;
   const AssignmentMeasurement found = measureAssignments(assignmentPlan(true), {});
   for (const AssignmentRow& row : found.rows) {
     EXPECT_EQ(row.missed, 0.0);
@@ -126,7 +126,7 @@ TEST(AssignmentStudy, EachCaseKeepsEveryTriangleInItsOwnWay) {
 TEST(ThresholdStudy, LargerLeavesAreFewerAndRenderMore) {
   const ThresholdMeasurement found = measureThresholds(thresholdPlan(true), {});
   for (const std::size_t model : found.plan.sizes) {
-    for (const auto tree : {partition::TreeKind::Bsp, partition::TreeKind::Octree}) {
+    for (const auto tree : {hdb::TreeKind::Bsp, hdb::TreeKind::Octree}) {
       const auto rows = rowsOf(found, model, tree);
       ASSERT_EQ(rows.size(), found.plan.thresholds.size());
       for (std::size_t i = 1; i < rows.size(); ++i) {

@@ -1,5 +1,5 @@
 // A page is written with all its parts, and its numbers read well.
-#include "study/study_page.h"
+#include "study/page/study_page.h"
 
 #include <gtest/gtest.h>
 

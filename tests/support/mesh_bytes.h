@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "palpate/mesh/load.h"
+#include "palpate/mesh/files/load.h"
 #include "palpate/mesh/triangle_mesh.h"
 
 namespace palpate::support {

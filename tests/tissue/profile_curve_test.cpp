@@ -6,9 +6,8 @@
 #include <numbers>
 
 #include "palpate/base/error.h"
-#include "palpate/tissue/literal_profile.h"
 #include "palpate/tissue/profile.h"
-#include "palpate/tissue/radial_term.h"
+#include "palpate/tissue/profile_forms.h"
 #include "support/golden.h"
 
 namespace palpate::tissue {

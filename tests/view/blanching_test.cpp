@@ -1,4 +1,4 @@
-#include "palpate/view/blanching.h"
+#include "palpate/view/layers/skin_paint.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "palpate/view/drawing.h"
+#include "palpate/view/layers/drawing.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,6 @@
 #include <functional>
 
 #include "palpate/view/offscreen.h"
-#include "palpate/view/target.h"
 
 namespace palpate::view {
 namespace {

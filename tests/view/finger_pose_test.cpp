@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "palpate/partition/closest_on_triangle.h"
-#include "palpate/view/hand_pose.h"
+#include "palpate/tree/closest_on_triangle.h"
+#include "palpate/view/layers/finger_layer.h"
 #include "view/small_world.h"
 
 namespace palpate::view {
@@ -15,7 +15,7 @@ double distanceToSkin(const scene::World& world, const deform::DeformedSurface& 
   for (const Triangle& triangle : world.skin.triangles) {
     std::array<Vec3, 3> corners;
     for (int i = 0; i < 3; ++i) corners[i] = surface.positionAt(triangle[i]).cast<double>();
-    nearest = std::min(nearest, partition::closestOnTriangle(corners, centre).squared_distance);
+    nearest = std::min(nearest, tree::closestOnTriangle(corners, centre).squared_distance);
   }
   return std::sqrt(nearest);
 }

@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "palpate/partition/triangle_tree.h"
+#include "palpate/tree/triangle_tree.h"
 #include "palpate/view/picture.h"
 #include "palpate/view/scene_view.h"
-#include "support/image_compare.h"
+#include "pictures/image_compare.h"
 #include "view/small_world.h"
 
 namespace palpate::view {
@@ -22,7 +22,7 @@ std::shared_ptr<const scene::World> torso() {
 /// On the back, seen from behind.
 Vec3 skinAt(const scene::World& world, double x_mm, double y_mm) {
   const Vec3 over(x_mm, y_mm, 1000.0);
-  return partition::firstFrontCrossing(world.surface.tree, over, over - 2000.0 * Vec3::UnitZ()).point;
+  return tree::firstFrontCrossing(world.surface.tree, over, over - 2000.0 * Vec3::UnitZ()).point;
 }
 
 /// The torso with two fingers: one presses, one presses and drags.

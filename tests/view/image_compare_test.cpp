@@ -1,4 +1,4 @@
-#include "support/image_compare.h"
+#include "pictures/image_compare.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The pipeline of 2008 gives back what was drawn, and shows it.
-#include "palpate/view/immediate_drawing.h"
+#include "palpate/view/layers/immediate_drawing.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "palpate/view/label_layout.h"
+#include "palpate/view/overlays/labels.h"
 
 #include <gtest/gtest.h>
 

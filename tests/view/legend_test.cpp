@@ -1,10 +1,8 @@
-#include "palpate/view/legend.h"
+#include "palpate/view/overlays/legend.h"
 
 #include <gtest/gtest.h>
 
 #include "palpate/view/offscreen.h"
-#include "palpate/view/round_steps.h"
-#include "palpate/view/target.h"
 
 namespace palpate::view {
 namespace {

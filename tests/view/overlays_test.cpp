@@ -1,13 +1,12 @@
 // Overlays as data: the lines and patches before they are drawn.
-#include "palpate/view/overlays.h"
+#include "palpate/view/overlays/overlays.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "palpate/view/contact_marks.h"
-#include "palpate/view/overlay_paint.h"
-#include "palpate/view/skin_marks.h"
+#include "palpate/view/overlays/contact_marks.h"
+#include "palpate/view/overlays/skin_marks.h"
 #include "view/small_world.h"
 
 namespace palpate::view {
@@ -65,7 +64,7 @@ TEST(PartitionMarks, HoldEveryTriangleWhoseBoxMeetsTheDetectingBox) {
   DrawnSkin skin;
   skin.copyAll(deformedBy(*world, {}));
   ShownPartition shown = partitionOf(*world);
-  shown.partition = std::make_shared<partition::Partition>(partition::buildPartition(world->skin, {.threshold = 64}));
+  shown.partition = std::make_shared<hdb::Partition>(hdb::buildPartition(world->skin, {.threshold = 64}));
   shown.box_edges_mm = Vec3::Constant(20.0);
   contact::FingerOutput contact{};
   contact.proxy = {40.0, 60.0, 0.0};
@@ -83,7 +82,7 @@ TEST(PartitionMarks, HoldEveryTriangleWhoseBoxMeetsTheDetectingBox) {
 
 TEST(PartitionMarks, ColourPlanesByTheirAxis) {
   const auto world = worldOf(zoo::sphere(50.0));
-  const auto tree = partition::buildPartition(world->skin, {.tree = partition::TreeKind::Octree, .threshold = 400});
+  const auto tree = hdb::buildPartition(world->skin, {.tree = hdb::TreeKind::Octree, .threshold = 400});
   Lines lines;
   Patches patches;
   addPlanes(tree, lines, patches);

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "palpate/view/colour_scale.h"
-#include "support/image_compare.h"
+#include "palpate/view/overlays/legend.h"
+#include "pictures/image_compare.h"
 #include "view/small_world.h"
 
 namespace palpate::view {

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "palpate/view/offscreen.h"
-#include "palpate/view/target.h"
 #include "view/pixel_difference.h"
 #include "view/small_world.h"
 

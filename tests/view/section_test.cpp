@@ -1,4 +1,4 @@
-#include "palpate/view/section.h"
+#include "palpate/view/overlays/section.h"
 
 #include <gtest/gtest.h>
 

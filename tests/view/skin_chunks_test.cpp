@@ -1,10 +1,10 @@
-#include "palpate/view/skin_chunks.h"
+#include "palpate/view/layers/skin_chunks.h"
 
 #include <gtest/gtest.h>
 
 #include "palpate/base/random.h"
 #include "palpate/mesh/reorder.h"
-#include "palpate/partition/triangle_tree.h"
+#include "palpate/tree/triangle_tree.h"
 #include "view/small_world.h"
 
 namespace palpate::view {
@@ -98,11 +98,11 @@ TEST(CoarserTriangles, CoverTheSameSkinWithFewerOfItsVertices) {
   for (Index v = 0; v < skin.vertices; ++v) coarse.positions.push_back(skin.restPosition(v).cast<double>());
   coarse.triangles = coarserTriangles(skin, none, 8.0f);
   EXPECT_LT(coarse.triangles.size(), skin.triangles.size() / 4);
-  const partition::TriangleTree tree = partition::buildTriangleTree(coarse);
+  const tree::TriangleTree tree = tree::buildTriangleTree(coarse);
   Random random(1);
   for (int i = 0; i < 2000; ++i) {
     const Vec3 way = Vec3(random.normal(), random.normal(), random.normal()).normalized();
-    const auto hit = partition::firstFrontCrossing(tree, 100.0 * way, Vec3::Zero());
+    const auto hit = tree::firstFrontCrossing(tree, 100.0 * way, Vec3::Zero());
     ASSERT_NE(hit.triangle, kNoIndex) << "a hole";
     EXPECT_NEAR(hit.point.norm(), 50.0, 2.0);
   }

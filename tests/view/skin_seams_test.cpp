@@ -1,11 +1,11 @@
-#include "palpate/view/skin_seams.h"
+#include "palpate/view/layers/skin_seams.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
 #include "palpate/deform/skin.h"
-#include "palpate/view/skin_chunks.h"
+#include "palpate/view/layers/skin_chunks.h"
 #include "support/mesh_zoo.h"
 #include "support/textured_bytes.h"
 

@@ -7,7 +7,6 @@
 
 #include "palpate/view/offscreen.h"
 #include "palpate/view/renderer.h"
-#include "palpate/view/target.h"
 #include "support/error_message.h"
 #include "view/pixel_difference.h"
 #include "view/textured_world.h"

@@ -1,8 +1,7 @@
-#include "palpate/view/target.h"
+#include "palpate/view/offscreen.h"
 
 #include <gtest/gtest.h>
 
-#include "palpate/view/offscreen.h"
 #include "support/temporary_folder.h"
 
 namespace palpate::view {

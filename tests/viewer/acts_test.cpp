@@ -1,17 +1,17 @@
-#include "apps/viewer/acts.h"
+#include "apps/viewer/editing/acts.h"
 
 #include <gtest/gtest.h>
 
-#include "apps/viewer/hints.h"
-#include "apps/viewer/panels.h"
+#include "apps/viewer/panels/intro.h"
+#include "apps/viewer/panels/panels.h"
 
 namespace palpate::viewer {
 namespace {
 
-using view::Action;
+using window::Action;
 
 TEST(Acts, EverySwitchFlipsAndFlipsBack) {
-  for (const view::KeyBinding& binding : view::keyTable()) {
+  for (const window::KeyBinding& binding : window::keyTable()) {
     Session session;
     const bool before = isOn(binding.action, session);
     perform(binding.action, session);
@@ -69,8 +69,8 @@ TEST(Acts, EscapeClosesOneThingAtATime) {
 
 TEST(Hints, ComeOneAfterTheOtherAndThenNoMore) {
   Session session;
-  view::Command command;
-  using Kind = view::Command::Kind;
+  window::Command command;
+  using Kind = window::Command::Kind;
   command.kind = Kind::orbit;
   countHint(command, session);
   EXPECT_EQ(session.hint, 0) << "that was not asked for yet";

@@ -1,4 +1,4 @@
-#include "apps/viewer/edit_history.h"
+#include "apps/viewer/editing/edit_history.h"
 
 #include <gtest/gtest.h>
 

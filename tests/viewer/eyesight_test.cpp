@@ -37,7 +37,7 @@ TEST(Eyesight, TheStereoKeyGoesRoundWithoutQuadBuffer) {
   Stage stage;
   for (std::size_t i = 0; i + 1 < view::kStereoModeNames.size(); ++i) {
     EXPECT_EQ(stage.session().state.stereo.mode, static_cast<StereoMode>(i));
-    stage.key(view::key('K'));
+    stage.key(window::key('K'));
   }
   EXPECT_EQ(stage.session().state.stereo.mode, StereoMode::mono);
 }
@@ -61,7 +61,7 @@ TEST(Eyesight, TheHeadMovesThePictureOnlyWhenItIsSwitchedOn) {
     stage.frame();
   }
   EXPECT_NEAR(stage.session().eyes_mm.x(), 200.0, 1.0);
-  EXPECT_EQ(stage.session().head, view::HeadTracker::State::tracking);
+  EXPECT_EQ(stage.session().head, window::HeadTracker::State::tracking);
   EXPECT_NE(bodyIn(stage.viewer->target().read()), before);
   stage.session().state.head.on = false;
   stage.frame();

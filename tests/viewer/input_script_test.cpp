@@ -1,4 +1,4 @@
-#include "apps/viewer/input_script.h"
+#include "apps/viewer/files/input_script.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 namespace palpate::viewer {
 namespace {
 
-using view::InputEvent;
+using window::InputEvent;
 
 TEST(InputScript, ReadsWhatAHandDid) {
   const auto events = parseInputScript(
@@ -19,7 +19,7 @@ TEST(InputScript, ReadsWhatAHandDid) {
   EXPECT_EQ(events[1].input.at, Vec2(640, 400));
   EXPECT_TRUE(events[1].input.modifiers.shift);
   EXPECT_EQ(events[2].input.notches, -3.0);
-  EXPECT_EQ(events[4].input.key, view::key('S'));
+  EXPECT_EQ(events[4].input.key, window::key('S'));
   EXPECT_TRUE(events[4].input.modifiers.ctrl);
   EXPECT_TRUE(events[4].input.down);
   EXPECT_FALSE(events[5].input.down);
@@ -29,8 +29,8 @@ TEST(InputScript, ReadsWhatAHandDid) {
 }
 
 TEST(InputScript, KnowsEveryKeyOfTheTableByItsName) {
-  for (const view::KeyBinding& binding : view::keyTable()) {
-    const auto events = parseInputScript("0, key, " + view::nameOf(binding.chord) + "\n", "s");
+  for (const window::KeyBinding& binding : window::keyTable()) {
+    const auto events = parseInputScript("0, key, " + window::nameOf(binding.chord) + "\n", "s");
     ASSERT_EQ(events.size(), 2u);
     EXPECT_EQ(events[0].input.key, binding.chord.key) << binding.name;
     EXPECT_EQ(events[0].input.modifiers, binding.chord.modifiers) << binding.name;

@@ -4,7 +4,7 @@
 
 #include <chrono>
 
-#include "palpate/mesh/save.h"
+#include "palpate/mesh/files/save.h"
 #include "palpate/scene/scene_file.h"
 #include "support/mesh_zoo.h"
 #include "support/temporary_folder.h"
@@ -21,8 +21,8 @@ std::shared_ptr<const scene::World> sheet(const support::TemporaryFolder& folder
   return scene::build(scene);
 }
 
-view::FingerTarget pressAt(const Vec3& place, double depth_mm) {
-  view::FingerTarget target;
+device::FingerTarget pressAt(const Vec3& place, double depth_mm) {
+  device::FingerTarget target;
   target.present = true;
   target.pressed = true;
   target.place = place;

@@ -1,4 +1,4 @@
-#include "apps/viewer/messages.h"
+#include "apps/viewer/panels/messages.h"
 
 #include <gtest/gtest.h>
 

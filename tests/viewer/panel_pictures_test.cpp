@@ -8,13 +8,12 @@
 #include <functional>
 #include <numbers>
 
-#include "apps/viewer/open_dialog.h"
-#include "apps/viewer/panels.h"
-#include "apps/viewer/widgets.h"
+#include "apps/viewer/panels/open_dialog.h"
+#include "apps/viewer/panels/panels.h"
+#include "apps/viewer/panels/widgets.h"
 #include "palpate/base/text.h"
 #include "palpate/view/offscreen.h"
-#include "palpate/view/target.h"
-#include "support/image_compare.h"
+#include "pictures/image_compare.h"
 
 namespace palpate::viewer {
 namespace {
@@ -133,13 +132,13 @@ class PanelPictures : public testing::Test {
 
  private:
   const view::OffscreenContext context_;
-  view::Gui gui_;
+  window::Gui gui_;
 };
 
 TEST_F(PanelPictures, OfTouch) { expectPanel("touch", 310, touchPanel); }
 
 TEST_F(PanelPictures, OfTouchByForce) {
-  session.state.touch.by = view::PressBy::force;
+  session.state.touch.by = device::PressBy::force;
   session.active_finger = 1;
   expectPanel("touch_force", 160, touchPanel);
 }
@@ -188,7 +187,7 @@ TEST_F(PanelPictures, OfATrackedHead) {
   session.state.head.on = true;
   session.state.head.offset_mm = {0.0, 170.0, -10.0};
   session.eyes_mm = {112.0, 38.0, 547.0};
-  session.head = view::HeadTracker::State::standing_still;
+  session.head = window::HeadTracker::State::standing_still;
   session.camera.distance_mm = 600.0;
   expectPanel("stereo_head", 470, stereoPanel);
 }
@@ -267,7 +266,7 @@ TEST_F(PanelPictures, OfTheMenu) {
 }
 
 TEST_F(PanelPictures, OfTheLightTheme) {
-  session.state.theme = view::Theme::light;
+  session.state.theme = window::Theme::light;
   pressTwice();
   saySomething();
   expectPanel("touch_light", 160, touchPanel);
@@ -276,7 +275,7 @@ TEST_F(PanelPictures, OfTheLightTheme) {
 }
 
 TEST_F(PanelPictures, OfTheThemeOfHighContrast) {
-  session.state.theme = view::Theme::contrast;
+  session.state.theme = window::Theme::contrast;
   expectPanel("touch_contrast", 160, touchPanel);
 }
 

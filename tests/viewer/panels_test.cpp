@@ -1,7 +1,7 @@
 // Every panel, drawn without a window, and used by the names of its controls.
 #include "stage.h"
 
-#include "apps/viewer/panels.h"
+#include "apps/viewer/panels/panels.h"
 
 namespace palpate::viewer {
 namespace {
@@ -27,17 +27,17 @@ TEST(Panels, EveryOneOpensAndDrawsItsControls) {
 
 TEST(Panels, PagesAndDialogsShowAndHide) {
   Stage stage;
-  for (const view::Key key : {view::functionKey(1), view::functionKey(4), view::Key::tab}) {
+  for (const window::Key key : {window::functionKey(1), window::functionKey(4), window::Key::tab}) {
     const view::Image before = stage.viewer->target().read();
     stage.key(key);
-    EXPECT_GT(changed(before, stage.viewer->target().read()), 0.01) << view::nameOf({key, {}});
+    EXPECT_GT(changed(before, stage.viewer->target().read()), 0.01) << window::nameOf({key, {}});
     stage.key(key);
     EXPECT_LT(changed(before, stage.viewer->target().read()), 0.02);
   }
-  stage.key(view::key('O'), {true, false});
+  stage.key(window::key('O'), {true, false});
   stage.frame();
   EXPECT_TRUE(widgetPlaces().contains("open/open"));
-  stage.key(view::Key::escape);
+  stage.key(window::Key::escape);
   stage.frame();
   EXPECT_FALSE(widgetPlaces().contains("open/open"));
 }
@@ -48,7 +48,7 @@ TEST(Panels, ACheckboxAndItsKeyAreTheSameSwitch) {
   stage.click("panel/Show");
   stage.click("show/wireframe");
   EXPECT_TRUE(stage.session().state.look.shows(view::Overlay::wireframe));
-  stage.key(view::key('W'));
+  stage.key(window::key('W'));
   EXPECT_FALSE(stage.session().state.look.shows(view::Overlay::wireframe));
 }
 
@@ -67,11 +67,11 @@ TEST(Panels, ASliderOfTheSceneReachesTheServoAndTheFile) {
 TEST(Panels, ThemesAndTextSizesDraw) {
   Stage stage;
   const view::Image dark = stage.viewer->target().read();
-  stage.session().state.theme = view::Theme::light;
+  stage.session().state.theme = window::Theme::light;
   stage.frame();
   stage.frame();
   EXPECT_GT(changed(dark, stage.viewer->target().read()), 0.1);
-  stage.session().state.theme = view::Theme::contrast;
+  stage.session().state.theme = window::Theme::contrast;
   stage.session().state.text_size = 1.5;
   stage.frame();
   stage.frame();

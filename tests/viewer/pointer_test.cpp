@@ -1,16 +1,16 @@
-#include "apps/viewer/pointer.h"
+#include "apps/viewer/editing/pointer.h"
 
 #include <gtest/gtest.h>
 
 #include "palpate/base/random.h"
-#include "palpate/mesh/save.h"
+#include "palpate/mesh/files/save.h"
 #include "support/mesh_zoo.h"
 #include "support/temporary_folder.h"
 
 namespace palpate::viewer {
 namespace {
 
-using Kind = view::Command::Kind;
+using Kind = window::Command::Kind;
 const Vec2 kSize(1000, 800);
 
 class PointerOn : public testing::Test {
@@ -29,7 +29,7 @@ class PointerOn : public testing::Test {
     pointer.look({view::screenOf(session.camera, aspect), session.camera.eye(), kSize, view::StereoMode::mono}, world);
   }
   void send(Kind kind, const Vec2& at, double amount = 0.0, const Vec2& by = Vec2::Zero()) {
-    view::Command command;
+    window::Command command;
     command.kind = kind;
     command.at = at;
     command.by = by;
@@ -80,7 +80,7 @@ TEST_F(PointerOn, DepthAndForceStayWithinTheirLimits) {
   EXPECT_EQ(session.state.touch.depth_mm, kMostDepthMm);
   send(Kind::deepen, 0.5 * kSize, -1000.0);
   EXPECT_EQ(session.state.touch.depth_mm, 0.0);
-  session.state.touch.by = view::PressBy::force;
+  session.state.touch.by = device::PressBy::force;
   const double force = session.state.touch.force_n;
   send(Kind::deepen, 0.5 * kSize, 2.0);
   EXPECT_DOUBLE_EQ(session.state.touch.force_n, force + 2.0 * kForcePerNotchN);
@@ -102,11 +102,11 @@ TEST_F(PointerOn, AResistingCursorGoesSlowerTheHarderTheSkinPushes) {
 TEST_F(PointerOn, TheKeyboardMovesTheFingerByTwoMillimetres) {
   send(Kind::hover, 0.5 * kSize);
   const Vec3 before = pointer.placeOf(0)->point;
-  EXPECT_TRUE(pointer.step(view::Action::ring_right, false, session));
+  EXPECT_TRUE(pointer.step(window::Action::ring_right, false, session));
   EXPECT_NEAR(pointer.placeOf(0)->point.x() - before.x(), 2.0, 0.1);
-  EXPECT_TRUE(pointer.step(view::Action::ring_left, true, session));
+  EXPECT_TRUE(pointer.step(window::Action::ring_left, true, session));
   EXPECT_NEAR(pointer.placeOf(0)->point.x() - before.x(), 1.8, 0.1);
-  EXPECT_FALSE(pointer.step(view::Action::help, false, session));
+  EXPECT_FALSE(pointer.step(window::Action::help, false, session));
 }
 
 TEST_F(PointerOn, ZoomsAndTurnsAboutWhatIsUnderTheCursor) {
@@ -124,7 +124,7 @@ TEST_F(PointerOn, ZoomsAndTurnsAboutWhatIsUnderTheCursor) {
 TEST_F(PointerOn, TheOtherFingerKeepsItsDepth) {
   send(Kind::press, 0.5 * kSize);
   session.state.touch.depth_mm = 3.0;
-  view::Command take;
+  window::Command take;
   take.kind = Kind::take_finger;
   take.finger = 1;
   pointer.apply(take, session);

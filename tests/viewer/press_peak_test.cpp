@@ -1,4 +1,4 @@
-#include "apps/viewer/press_peak.h"
+#include "apps/viewer/plots/touch_history.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Stepping back and forth through what was touched: the last minute of a frozen session, and recorded tables.
-#include "apps/viewer/replay.h"
+#include "apps/viewer/files/replay.h"
 
-#include "apps/viewer/recorded_touch.h"
+#include "apps/viewer/files/recorded_touch.h"
 #include "palpate/base/text.h"
 #include "palpate/trace/forces_table.h"
 #include "stage.h"
@@ -48,9 +48,9 @@ TEST(Replay, StepsAPictureOrATickAndStaysWithinWhatThereIs) {
   advanceReplay(session, history, 0.1);
   freeze(session, true);
   EXPECT_DOUBLE_EQ(session.replay.at_s, 0.999);
-  EXPECT_TRUE(replayKey(view::Action::ring_left, false, session));
+  EXPECT_TRUE(replayKey(window::Action::ring_left, false, session));
   EXPECT_NEAR(session.replay.at_s, 0.999 - 1.0 / 60.0, 1e-12);
-  EXPECT_TRUE(replayKey(view::Action::ring_right, true, session));
+  EXPECT_TRUE(replayKey(window::Action::ring_right, true, session));
   EXPECT_NEAR(session.replay.at_s, 1.0 - 1.0 / 60.0, 1e-12);
   for (int i = 0; i < 100; ++i) stepReplay(session, -kReplayStepS);
   EXPECT_EQ(session.replay.at_s, 0.0);
@@ -64,36 +64,36 @@ TEST(Replay, StepsAPictureOrATickAndStaysWithinWhatThereIs) {
 
 TEST(Replay, LeavesTheArrowsToTheFingerUnlessFrozen) {
   Session session;
-  EXPECT_FALSE(replayKey(view::Action::ring_left, false, session));
+  EXPECT_FALSE(replayKey(window::Action::ring_left, false, session));
   session.frozen = true;
-  EXPECT_FALSE(replayKey(view::Action::ring_up, false, session));
+  EXPECT_FALSE(replayKey(window::Action::ring_up, false, session));
 }
 
 TEST(Replay, AFrozenPictureStepsBackToBeforeThePress) {
   Stage stage;
   stage.move(stage.middle());
   ASSERT_TRUE(stage.until([&] { return stage.session().performance.servo.ticks >= 1000; }));
-  stage.key(view::Key::enter);
+  stage.key(window::Key::enter);
   ASSERT_TRUE(stage.until([&] { return stage.finger().depth_mm > 5.9; }));
-  stage.key(view::Key::space);
+  stage.key(window::Key::space);
   stage.frame();
   const view::Image pressed = stage.viewer->target().read();
   EXPECT_GT(stage.finger().depth_mm, 5.0);
   const auto inTheAir = [&] { return stage.finger().touch == contact::Touch::free; };
-  for (int i = 0; i < 900 && !inTheAir(); ++i) stage.key(view::Key::left);
+  for (int i = 0; i < 900 && !inTheAir(); ++i) stage.key(window::Key::left);
   ASSERT_TRUE(inTheAir()) << "back before the press";
   int ticks = 0;
-  for (; ticks < 20 && inTheAir(); ++ticks) stage.key(view::Key::right, {false, true});
+  for (; ticks < 20 && inTheAir(); ++ticks) stage.key(window::Key::right, {false, true});
   EXPECT_LE(ticks, 18) << "a picture is 17 ticks";
   EXPECT_LT(stage.finger().depth_mm, 1.0) << "the first tick of the touch";
   EXPECT_NE(stage.viewer->target().read().pixels, pressed.pixels);
-  stage.key(view::Key::space);
+  stage.key(window::Key::space);
   EXPECT_TRUE(stage.until([&] { return stage.finger().depth_mm > 5.9; })) << "the touch went on";
 }
 
 TEST(Replay, ARecordedTableIsFeltAgainToTheLastBit) {
   Stage stage;
-  stage.key(view::key('R'));
+  stage.key(window::key('R'));
   stage.move(stage.middle());
   stage.button(true);
   ASSERT_TRUE(stage.until([&] { return stage.finger().depth_mm > 5.0; }));
@@ -101,7 +101,7 @@ TEST(Replay, ARecordedTableIsFeltAgainToTheLastBit) {
   ASSERT_TRUE(stage.until([&] { return stage.finger().touch == contact::Touch::slip; }));
   stage.button(false);
   ASSERT_TRUE(stage.until([&] { return stage.finger().touch == contact::Touch::free; }));
-  stage.key(view::key('R'));
+  stage.key(window::key('R'));
   const std::string table = stage.session().recording.forces_file;
   const auto recorded = trace::readForcesTable(table);
   stage.drop(table);
@@ -112,7 +112,7 @@ TEST(Replay, ARecordedTableIsFeltAgainToTheLastBit) {
     stage.frame();
     ASSERT_EQ(stage.finger().force, recorded[0].force[i]) << "at " << recorded[0].time_s[i] << " s";
   }
-  stage.key(view::Key::space);
+  stage.key(window::Key::space);
   stage.frame();
   EXPECT_TRUE(stage.session().replay.table.empty()) << "live again";
 }

@@ -1,4 +1,4 @@
-#include "apps/viewer/sample_history.h"
+#include "apps/viewer/plots/sample_history.h"
 
 #include <gtest/gtest.h>
 

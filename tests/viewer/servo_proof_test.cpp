@@ -40,7 +40,7 @@ double nowS() { return static_cast<double>(servo::monotonicNs()) * 1e-9; }
 servo::LoopReport disturbed(const std::function<void(Stage&, int)>& disturb) {
   Stage stage;
   stage.move(stage.middle());
-  stage.key(view::Key::enter);
+  stage.key(window::Key::enter);
   EXPECT_TRUE(stage.until([&] { return stage.finger().depth_mm > 5.0; }));
   const double end_s = nowS() + phaseS();
   for (int i = 0; nowS() < end_s; ++i) disturb(stage, i);
@@ -114,7 +114,7 @@ TEST(ServoProof, TheServoThreadAllocatesNothing) {
   const support::TemporaryFolder folder;
   const auto world = scene::build(sheetScene(folder));
   LiveServo servo(planFor(world, world->scene, true));
-  view::FingerTarget target;
+  device::FingerTarget target;
   target.present = true;
   target.pressed = true;
   target.radius_mm = 8.0;

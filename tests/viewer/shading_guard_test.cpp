@@ -1,4 +1,4 @@
-#include "apps/viewer/shading_guard.h"
+#include "apps/viewer/eyesight.h"
 
 #include <gtest/gtest.h>
 

@@ -7,9 +7,9 @@
 #include <chrono>
 #include <memory>
 
+#include "apps/viewer/panels/widgets.h"
 #include "apps/viewer/viewer.h"
-#include "apps/viewer/widgets.h"
-#include "palpate/mesh/save.h"
+#include "palpate/mesh/files/save.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/view/offscreen.h"
 #include "support/mesh_zoo.h"
@@ -53,7 +53,7 @@ class Stage {
     return state;
   }
 
-  void frame(const std::vector<view::InputEvent>& events = {}) {
+  void frame(const std::vector<window::InputEvent>& events = {}) {
     viewer->frame(kStageWidth, kStageHeight, 1.0, now_s += 1.0 / 60.0, events);
   }
   /// Frames until it is so, for at most twenty seconds.
@@ -69,21 +69,21 @@ class Stage {
 
   void move(const Vec2& to) {
     at = to;
-    frame({event(view::InputEvent::Kind::move)});
+    frame({event(window::InputEvent::Kind::move)});
   }
-  void button(bool down, view::Button which = view::Button::left) {
-    view::InputEvent e = event(view::InputEvent::Kind::button);
+  void button(bool down, window::Button which = window::Button::left) {
+    window::InputEvent e = event(window::InputEvent::Kind::button);
     e.button = which;
     e.down = down;
     frame({e});
   }
   void scroll(double notches) {
-    view::InputEvent e = event(view::InputEvent::Kind::scroll);
+    window::InputEvent e = event(window::InputEvent::Kind::scroll);
     e.notches = notches;
     frame({e});
   }
-  void key(view::Key k, view::Modifiers modifiers = {}) {
-    view::InputEvent e = event(view::InputEvent::Kind::key);
+  void key(window::Key k, window::Modifiers modifiers = {}) {
+    window::InputEvent e = event(window::InputEvent::Kind::key);
     e.key = k;
     e.modifiers = modifiers;
     e.down = true;
@@ -92,11 +92,11 @@ class Stage {
     frame({e});
   }
   void drop(const std::filesystem::path& file) {
-    view::InputEvent e = event(view::InputEvent::Kind::drop);
+    window::InputEvent e = event(window::InputEvent::Kind::drop);
     e.text = file.string();
     frame({e});
   }
-  void loseFocus() { frame({event(view::InputEvent::Kind::focus)}); }
+  void loseFocus() { frame({event(window::InputEvent::Kind::focus)}); }
 
   /// A click on a control by its name, as one would with a mouse: there, down, up.
   void click(const std::string& widget) {
@@ -124,8 +124,8 @@ class Stage {
   double now_s = 0.0;
 
  private:
-  view::InputEvent event(view::InputEvent::Kind kind) const {
-    view::InputEvent e;
+  window::InputEvent event(window::InputEvent::Kind kind) const {
+    window::InputEvent e;
     e.kind = kind;
     e.at = at;
     e.time_s = now_s;

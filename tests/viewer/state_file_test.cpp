@@ -1,4 +1,4 @@
-#include "apps/viewer/state_file.h"
+#include "apps/viewer/files/state_file.h"
 
 #include <gtest/gtest.h>
 
@@ -18,10 +18,10 @@ Remembered unusual() {
   r.window.x = 40;
   r.window.width = 1111;
   r.state.shown.panel = false;
-  r.state.theme = view::Theme::light;
-  r.state.touch.by = view::PressBy::force;
+  r.state.theme = window::Theme::light;
+  r.state.touch.by = device::PressBy::force;
   r.state.touch.force_n = 4.25;
-  r.state.input.preset = view::MousePreset::cad;
+  r.state.input.preset = window::MousePreset::cad;
   r.state.stereo.mode = view::StereoMode::anaglyph_dubois;
   r.state.recent = {"/a b/\"c\".obj", "/d.toml"};
   return r;
@@ -62,7 +62,7 @@ TEST(StateFile, ValuesThatMakeNoSenseAreLeftAtTheirDefaults) {
       "version = 1\ntheme = 77\nstereo_mode = -1\ndepth_mm = nan\ntext_size = 900.0\nwindow_width = 3\n"
       "panel = \"yes\"\nrecent = [1, \"/x\"]\nunknown = 5\n",
       "s");
-  EXPECT_EQ(r.state.theme, view::Theme::dark);
+  EXPECT_EQ(r.state.theme, window::Theme::dark);
   EXPECT_EQ(r.state.stereo.mode, view::StereoMode::mono);
   EXPECT_EQ(r.state.touch.depth_mm, 6.0);
   EXPECT_EQ(r.state.text_size, 2.5);

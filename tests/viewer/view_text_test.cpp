@@ -1,4 +1,4 @@
-#include "apps/viewer/view_text.h"
+#include "apps/viewer/home_view.h"
 
 #include <gtest/gtest.h>
 

@@ -43,7 +43,7 @@ TEST(Viewer, DraggingPullsTheSkin) {
 TEST(Viewer, LosingTheFocusLiftsTheFingerAlsoAHeldOne) {
   Stage stage;
   stage.move(stage.middle());
-  stage.key(view::Key::enter);
+  stage.key(window::Key::enter);
   ASSERT_TRUE(stage.until([&] { return stage.finger().depth_mm > 1.0; }));
   stage.loseFocus();
   EXPECT_TRUE(stage.until([&] { return stage.finger().touch == contact::Touch::free; }));
@@ -52,9 +52,9 @@ TEST(Viewer, LosingTheFocusLiftsTheFingerAlsoAHeldOne) {
 TEST(Viewer, TheSecondFingerPressesWhileTheFirstStays) {
   Stage stage;
   stage.move(stage.middle());
-  stage.key(view::Key::enter);
+  stage.key(window::Key::enter);
   ASSERT_TRUE(stage.until([&] { return stage.finger(0).depth_mm > 5.0; }));
-  stage.key(view::key('2'));
+  stage.key(window::key('2'));
   stage.move(stage.middle() + Vec2(120, 0));
   stage.button(true);
   EXPECT_TRUE(stage.until([&] { return stage.finger(1).depth_mm > 5.0; }));
@@ -73,15 +73,15 @@ TEST(Viewer, DragsBesideTheBodyTurnTheCamera) {
 
 TEST(Viewer, KeysSwitchOverlaysAndColours) {
   Stage stage;
-  stage.key(view::key('W'));
+  stage.key(window::key('W'));
   EXPECT_TRUE(stage.session().state.look.shows(view::Overlay::wireframe));
-  stage.key(view::key('W'));
+  stage.key(window::key('W'));
   EXPECT_FALSE(stage.session().state.look.shows(view::Overlay::wireframe));
-  stage.key(view::key('S'));
+  stage.key(window::key('S'));
   EXPECT_EQ(stage.session().state.look.colouring, view::Colouring::strain);
-  stage.key(view::key('M'));
+  stage.key(window::key('M'));
   EXPECT_EQ(stage.session().state.look.colouring, view::Colouring::stiffness);
-  stage.key(view::key('M'));
+  stage.key(window::key('M'));
   EXPECT_EQ(stage.session().state.look.colouring, view::Colouring::plain);
 }
 
@@ -122,12 +122,12 @@ TEST(Viewer, ADysfunctionIsPlacedFeltUndoneAndRedone) {
   ASSERT_EQ(stage.session().scene.dysfunctions.size(), 1u);
   const auto stiffest = [&] { return stage.session().world.stiffest_n_per_mm; };
   EXPECT_TRUE(stage.until([&] { return stiffest() > 0.7; })) << stiffest();
-  stage.key(view::key('Z'), {true, false});
+  stage.key(window::key('Z'), {true, false});
   EXPECT_TRUE(stage.session().scene.dysfunctions.empty());
   EXPECT_TRUE(stage.until([&] { return stiffest() < 0.51; }));
-  stage.key(view::key('Z'), {true, true});
+  stage.key(window::key('Z'), {true, true});
   EXPECT_EQ(stage.session().scene.dysfunctions.size(), 1u);
-  stage.key(view::Key::escape);
+  stage.key(window::Key::escape);
   EXPECT_FALSE(stage.session().editor.active);
 }
 
@@ -141,14 +141,14 @@ TEST(Viewer, TurningTheWheelInTheEditorSizesWhatIsSelected) {
   const double radius = stage.session().scene.dysfunctions.at(0).radius_mm;
   stage.scroll(2.0);
   EXPECT_GT(stage.session().scene.dysfunctions.at(0).radius_mm, radius);
-  stage.key(view::Key::delete_key);
+  stage.key(window::Key::delete_key);
   EXPECT_TRUE(stage.session().scene.dysfunctions.empty());
 }
 
 TEST(Viewer, AChangedSceneIsSavedAndReadsBack) {
   Stage stage;
   stage.session().scene.friction.mu_static = 0.9;
-  stage.key(view::key('S'), {true, false});
+  stage.key(window::key('S'), {true, false});
   const fs::path file = stage.session().scene_file;
   ASSERT_TRUE(fs::exists(file)) << stage.lastMessage();
   EXPECT_EQ(scene::load(file).friction.mu_static, 0.9);
@@ -156,7 +156,7 @@ TEST(Viewer, AChangedSceneIsSavedAndReadsBack) {
 
 TEST(Viewer, WhatIsRecordedIsCompleteEvenWhenTheViewerIsClosed) {
   Stage stage;
-  stage.key(view::key('R'));
+  stage.key(window::key('R'));
   ASSERT_TRUE(stage.session().recording.forces);
   ASSERT_TRUE(stage.until([&] { return stage.session().performance.servo.ticks >= 1000; }));
   const fs::path file = stage.session().recording.forces_file;
@@ -169,7 +169,7 @@ TEST(Viewer, WhatIsRecordedIsCompleteEvenWhenTheViewerIsClosed) {
 
 TEST(Viewer, SavesPicturesAndSequences) {
   Stage stage;
-  stage.key(view::functionKey(12));
+  stage.key(window::functionKey(12));
   stage.frame();
   ASSERT_TRUE(fs::exists(stage.folder / "palpate.png"));
   const view::Image picture = view::readPng(stage.folder / "palpate.png");
@@ -193,13 +193,13 @@ TEST(Outputs, MakesItsFolderWhenItIsFirstNeeded) {
 
 TEST(Viewer, FreezesThePictureButNotTheTouch) {
   Stage stage;
-  stage.key(view::Key::space);
+  stage.key(window::Key::space);
   stage.move(stage.middle());
   stage.button(true);
   const std::uint64_t ticks = stage.session().performance.servo.ticks;
   ASSERT_TRUE(stage.until([&] { return stage.session().performance.servo.ticks > ticks + 1000; }));
   EXPECT_EQ(stage.finger().depth_mm, 0.0) << "what is shown stays as it was";
-  stage.key(view::Key::space);
+  stage.key(window::Key::space);
   EXPECT_TRUE(stage.until([&] { return stage.finger().depth_mm > 5.0; }));
 }
 
@@ -231,12 +231,12 @@ TEST(Viewer, NeverDrawsSmootherThanTheUserChose) {
 
 TEST(Viewer, EscapeNeverQuits) {
   Stage stage;
-  stage.key(view::functionKey(1));
+  stage.key(window::functionKey(1));
   EXPECT_TRUE(stage.session().state.shown.help);
-  for (int i = 0; i < 5; ++i) stage.key(view::Key::escape);
+  for (int i = 0; i < 5; ++i) stage.key(window::Key::escape);
   EXPECT_FALSE(stage.session().state.shown.help);
   EXPECT_FALSE(stage.viewer->wantsToQuit());
-  stage.key(view::key('Q'), {true, false});
+  stage.key(window::key('Q'), {true, false});
   EXPECT_TRUE(stage.viewer->wantsToQuit());
 }
 
@@ -263,7 +263,7 @@ TEST(Viewer, CopiesItsViewAsTextAndPastesItBack) {
 
 TEST(Viewer, PressedByForceAStiffPlaceGivesWayLess) {
   ViewState state = Stage::quiet();
-  state.touch.by = view::PressBy::force;
+  state.touch.by = device::PressBy::force;
   state.touch.force_n = 2.0;
   Stage stage(state);
   stage.move(stage.middle());

@@ -4,7 +4,7 @@
 
 #include <chrono>
 
-#include "palpate/mesh/save.h"
+#include "palpate/mesh/files/save.h"
 #include "support/mesh_zoo.h"
 #include "support/temporary_folder.h"
 

@@ -17,6 +17,7 @@ using Vec2f = Eigen::Vector2f;
 using Vec3f = Eigen::Vector3f;
 using Mat2 = Eigen::Matrix2d;
 using Mat3 = Eigen::Matrix3d;
+using Box3 = Eigen::AlignedBox3d;  ///< mm; empty: low > high
 
 /// Index of a vertex or a triangle. 32 bit: four billion elements are beyond any mesh this engine is meant for.
 using Index = std::uint32_t;

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "palpate/base/error.h"
-#include "palpate/body/mirror.h"
 #include "palpate/body/ribs.h"
 #include "palpate/body/scapula.h"
 #include "palpate/body/spine_line.h"
+#include "palpate/body/tube.h"
 #include "palpate/body/vertebra.h"
 #include "palpate/mesh/decimate.h"
 

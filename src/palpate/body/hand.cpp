@@ -8,8 +8,7 @@
 #include <utility>
 
 #include "palpate/base/error.h"
-#include "palpate/body/mirror.h"
-#include "palpate/body/relax.h"
+#include "palpate/body/mesh_improver.h"
 #include "palpate/body/signed_distance.h"
 #include "palpate/body/tetrahedra_mesher.h"
 #include "palpate/body/tube.h"
@@ -22,7 +21,7 @@ constexpr double kTableLengthMm = 221.0;
 constexpr double kWristCutY = -32.0;
 constexpr double kCellMm = 2.2;
 constexpr int kRelaxRounds = 4;
-constexpr std::size_t kFewestTriangles = 200;
+constexpr std::size_t kFewestHandTriangles = 200;
 constexpr double kSkinFactor = 1.05;  // on the radii of the table, which are those of slim fingers
 constexpr double kWaist = 0.955;      // a phalanx is a little thinner between its joints; 0.93 looks bony
 
@@ -147,7 +146,7 @@ mesh::TriangleMesh rightHand() {
 
 mesh::TriangleMesh makeHand(const HandSettings& settings) {
   if (settings.triangles % 2 != 0) throw Error("a closed hand has an even number of triangles");
-  if (settings.triangles < kFewestTriangles) throw Error("a hand needs at least 200 triangles");
+  if (settings.triangles < kFewestHandTriangles) throw Error("a hand needs at least 200 triangles");
   if (!(settings.length_mm >= 20.0 && settings.length_mm <= 1000.0)) {
     throw Error("the length of a hand must lie between 20 and 1000 mm");
   }

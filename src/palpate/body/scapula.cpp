@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "palpate/body/cubic_spline.h"
-#include "palpate/body/relax.h"
+#include "palpate/body/mesh_improver.h"
 #include "palpate/body/signed_distance.h"
 #include "palpate/body/tetrahedra_mesher.h"
 #include "palpate/body/tube.h"

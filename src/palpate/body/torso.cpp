@@ -7,7 +7,7 @@
 #include "palpate/base/error.h"
 #include "palpate/body/bone_depth.h"
 #include "palpate/body/skin_table.h"
-#include "palpate/body/stature.h"
+#include "palpate/body/spine_line.h"
 
 namespace palpate::body {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "palpate/body/relax.h"
+#include "palpate/body/mesh_improver.h"
 #include "palpate/body/signed_distance.h"
 #include "palpate/body/tetrahedra_mesher.h"
 #include "palpate/body/tube.h"

@@ -11,7 +11,7 @@ namespace palpate::contact {
 namespace {
 
 /// In the plane of the triangle, away from it across one of its edges.
-Vec3 outwards(const partition::TriangleRecord& record, int edge) {
+Vec3 outwards(const tree::TriangleRecord& record, int edge) {
   const Vec3 normal = mesh::areaVector2(record.corners[0], record.corners[1], record.corners[2]);
   return (record.corners[(edge + 1) % 3] - record.corners[edge]).cross(normal).stableNormalized();
 }
@@ -22,8 +22,8 @@ double beyondBorder(const Surface& surface, const SurfacePoint& place, const Vec
   const auto& records = surface.tree.records;
   const Vec3 offset = point - place.position;
   if (!onBorder(surface, place)) return 0.0;
-  const int index = partition::indexOf(place.feature);
-  if (partition::isEdge(place.feature)) return std::max(0.0, offset.dot(outwards(records[place.triangle], index)));
+  const int index = tree::indexOf(place.feature);
+  if (tree::isEdge(place.feature)) return std::max(0.0, offset.dot(outwards(records[place.triangle], index)));
   // At a corner the farther of the two edges counts: continuous with both.
   double beyond = 0.0;
   visitFan(surface, place.triangle, index, [&](Index t, int corner) {

@@ -10,8 +10,7 @@
 #include "palpate/base/error.h"
 #include "palpate/contact/felt_force.h"
 #include "palpate/contact/friction.h"
-#include "palpate/contact/point_finger.h"
-#include "palpate/contact/sphere_finger.h"
+#include "palpate/contact/press.h"
 #include "palpate/contact/surface_walk.h"
 
 namespace palpate::contact {

@@ -10,7 +10,7 @@
 #include <cstdint>
 
 #include "palpate/contact/surface.h"
-#include "palpate/partition/closest_on_triangle.h"
+#include "palpate/tree/closest_on_triangle.h"
 
 namespace palpate::contact {
 
@@ -52,7 +52,7 @@ enum StatusBit : std::uint32_t {
 struct SurfacePoint {
   Vec3 position = Vec3::Zero();
   Index triangle = kNoIndex;
-  partition::Feature feature = partition::Feature::face;
+  tree::Feature feature = tree::Feature::face;
 };
 
 /// All that a finger remembers between two ticks. Plain data; value-initialised it has never touched anything.

@@ -36,7 +36,7 @@ struct Patch {
   Vec3 normalAt(double v, double w) const { return normal + v * normal_v + w * normal_w; }
 };
 
-Patch patchOf(const Surface& surface, const partition::TriangleRecord& record) {
+Patch patchOf(const Surface& surface, const tree::TriangleRecord& record) {
   const auto& [a, b, c] = record.corners;
   const Vec3& na = surface.vertex_normals[record.vertices[0]];
   const Vec3& nb = surface.vertex_normals[record.vertices[1]];
@@ -84,7 +84,7 @@ int violatedEdge(const Solution& x) {
 std::optional<ShadedProxy> shadedProxy(const Surface& surface, const SurfacePoint& proxy, const Vec3& tip) noexcept {
   Index triangle = proxy.triangle;
   for (int hop = 0; hop < kMostHops; ++hop) {
-    const partition::TriangleRecord& record = surface.tree.records[triangle];
+    const tree::TriangleRecord& record = surface.tree.records[triangle];
     const Patch patch = patchOf(surface, record);
     const Solution x = solve(patch, tip);
     if (!std::isfinite(x.v + x.w + x.s)) return std::nullopt;

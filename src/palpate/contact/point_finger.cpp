@@ -8,7 +8,7 @@
 // Based on: Zilles and Salisbury, "A constraint-based god-object method for haptic display" (1995); Ho et al. (1999)
 // for the walk. The walk's proof of not falling through: the proxy never leaves the surface, so only a wrong release
 // could free a tip inside; release asks an exact normal and then the segment from proxy to tip.
-#include "palpate/contact/point_finger.h"
+#include "palpate/contact/press.h"
 
 #include <algorithm>
 #include <limits>
@@ -26,10 +26,10 @@ constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 /// Sheets that one tick can land on one after the other, each left at once. Beyond it the last contact is kept: safe.
 constexpr int kMostSheets = 8;
 
-void land(const partition::Crossing& crossing, FingerState& state) {
+void land(const tree::Crossing& crossing, FingerState& state) {
   state.touching = true;
   state.slipping = false;
-  state.proxy = {crossing.point, crossing.triangle, partition::Feature::face};
+  state.proxy = {crossing.point, crossing.triangle, tree::Feature::face};
   state.anchor = state.proxy;  // what the tip slides further within this tick is friction already
 }
 
@@ -40,7 +40,7 @@ bool inFrontOf(const Surface& surface, const SurfacePoint& place, const Vec3& ti
 /// The proxy is given up only for a place that is much nearer, or when the tip is outside. Returns true for outside.
 bool escapesTooDeep(const Surface& surface, const Vec3& tip, double lag, FingerState& state, std::uint32_t& status) {
   status |= kTooDeep;
-  const partition::NearestPoint nearest = nearestPoint(surface.tree, tip, lag);
+  const tree::NearestPoint nearest = nearestPoint(surface.tree, tip, lag);
   if (nearest.triangle == kNoIndex) return false;
   const SurfacePoint place{nearest.closest.point, nearest.triangle, nearest.closest.feature};
   if (!onBorder(surface, place) && inFrontOf(surface, place, tip)) return true;
@@ -117,7 +117,7 @@ bool landsElsewhere(const Surface& surface, const Vec3& tip, FingerState& state)
 
 Press pressPoint(const Surface& surface, const FingerSettings& settings, FingerState& state, const Vec3& tip) noexcept {
   if (!state.touching) {
-    const partition::Crossing entry = firstFrontCrossing(surface.tree, state.tip, tip);
+    const tree::Crossing entry = tree::firstFrontCrossing(surface.tree, state.tip, tip);
     if (entry.triangle == kNoIndex) return {};
     land(entry, state);
   }

@@ -26,4 +26,16 @@ inline double directionlessDepth(const Surface& surface) { return 1e-11 * surfac
 /// would start its next segment behind it and fall through without an event.
 inline double releaseSlack(const Surface& surface) { return 1e-12 * surface.tree.diagonal; }
 
+// The finger of radius 0: a point whose proxy is the local minimum of the distance on the skin.
+
+/// Moves the proxy in `state` (whose tip is still the last tick's) for a new tip. On first contact the anchor starts
+/// where the tip came through the skin.
+Press pressPoint(const Surface& surface, const FingerSettings& settings, FingerState& state, const Vec3& tip) noexcept;
+
+// The finger with a radius: a sphere that rests on the skin with its centre as near to the tip as it can get.
+
+/// Moves the centre in `state` (whose tip is still the last tick's) for a new tip, for a sphere of `radius` > 0.
+Press pressSphere(const Surface& surface, const FingerSettings& settings, double radius, FingerState& state,
+                  const Vec3& tip) noexcept;
+
 }  // namespace palpate::contact

@@ -107,9 +107,9 @@ bool nextGoal(const SphereTask& task, const HalfSpaces& planes, Vec3& goal) {
 
 /// Adds the planes of what is in the way from `from` to `to`. False when nothing is; `feet` are then those at `to`.
 bool addObstacles(const SphereTask& task, const Vec3& from, const Vec3& to, HalfSpaces& planes, Feet& feet) {
-  const partition::Crossing crossing = firstFrontCrossing(task.surface.tree, from, to);
+  const tree::Crossing crossing = tree::firstFrontCrossing(task.surface.tree, from, to);
   if (crossing.triangle != kNoIndex) {
-    const Vec3 normal = normalAt(task.surface, {crossing.point, crossing.triangle, partition::Feature::face});
+    const Vec3 normal = normalAt(task.surface, {crossing.point, crossing.triangle, tree::Feature::face});
     planes.add({normal, normal.dot(crossing.point) + task.radius});
     return true;
   }
@@ -168,7 +168,7 @@ Vec3 lookAhead(const SphereTask& task, Feet feet, Vec3 place) {
 }  // namespace
 
 bool isFreeWay(const SphereTask& task, const Vec3& from, const Vec3& to) noexcept {
-  return firstFrontCrossing(task.surface.tree, from, to).triangle == kNoIndex;
+  return tree::firstFrontCrossing(task.surface.tree, from, to).triangle == kNoIndex;
 }
 
 bool pushOut(const SphereTask& task, Vec3& centre) noexcept {

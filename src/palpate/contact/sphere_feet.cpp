@@ -11,7 +11,7 @@
 
 namespace palpate::contact {
 
-using partition::ClosestOnTriangle;
+using tree::ClosestOnTriangle;
 
 namespace {
 
@@ -27,7 +27,7 @@ SurfacePoint placeOf(Index triangle, const ClosestOnTriangle& closest) {
 /// Whether moving from the closest point into the triangles next to it leads away from the centre. Only directions to
 /// their far corners have to be asked, because the closest point is stationary within its own triangle.
 bool isLocalMinimum(const Surface& surface, Index triangle, const ClosestOnTriangle& closest, const Vec3& centre) {
-  if (closest.feature == partition::Feature::face) return true;
+  if (closest.feature == tree::Feature::face) return true;
   const auto& records = surface.tree.records;
   const Vec3 to_centre = centre - closest.point;
   const auto leads_nearer = [&](const Vec3& corner) {
@@ -35,8 +35,8 @@ bool isLocalMinimum(const Surface& surface, Index triangle, const ClosestOnTrian
     const double slope = to_centre.dot(towards);
     return slope > 0.0 && slope * slope > kLevel * kLevel * to_centre.squaredNorm() * towards.squaredNorm();
   };
-  const int index = partition::indexOf(closest.feature);
-  if (partition::isEdge(closest.feature)) {
+  const int index = tree::indexOf(closest.feature);
+  if (tree::isEdge(closest.feature)) {
     const Index across = records[triangle].neighbours[index];
     if (across == kNoIndex) return true;
     const Index start = records[triangle].vertices[index];
@@ -130,7 +130,7 @@ bool anyFootLower(const Surface& surface, const Vec3& centre, double height) noe
 }
 
 SurfacePoint nearestFront(const Surface& surface, const Vec3& centre, double reach) noexcept {
-  const partition::NearestPoint nearest =
+  const tree::NearestPoint nearest =
       nearestPointIf(surface.tree, centre, reach, [&](Index triangle, const ClosestOnTriangle& closest) {
         Foot foot;
         return standsOn(surface, placeOf(triangle, closest), centre, foot);

@@ -13,7 +13,7 @@
 
 namespace palpate::contact {
 
-using partition::TriangleRecord;
+using tree::TriangleRecord;
 
 namespace {
 
@@ -85,7 +85,7 @@ Surface buildSurface(const mesh::TriangleMesh& mesh, std::vector<double> stiffne
                      const SurfaceOptions& options) {
   checkStiffness(stiffness_n_per_mm, mesh.positions.size());
   Surface surface;
-  surface.tree = partition::buildTriangleTree(mesh);
+  surface.tree = tree::buildTriangleTree(mesh);
   surface.stiffness_n_per_mm = std::move(stiffness_n_per_mm);
   surface.force_law = options.force_law;
   fillVertices(surface, mesh.positions.size());

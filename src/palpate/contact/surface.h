@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "palpate/mesh/triangle_mesh.h"
-#include "palpate/partition/triangle_tree.h"
 #include "palpate/tissue/force_law.h"
+#include "palpate/tree/triangle_tree.h"
 
 namespace palpate::contact {
 
@@ -19,7 +19,7 @@ struct SurfaceOptions {
 
 /// Plain data; every finger reads it, nobody writes it. Triangles are named by their record in the tree (leaf order).
 struct Surface {
-  partition::TriangleTree tree;
+  tree::TriangleTree tree;
   std::vector<Vec3> vertex_normals;            ///< unit, weighted by angle: their side test is exact at a vertex
   std::vector<std::uint8_t> vertex_on_border;  ///< 1 where the sheet ends
   std::vector<double> stiffness_n_per_mm;      ///< per vertex

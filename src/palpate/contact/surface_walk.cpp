@@ -14,10 +14,10 @@
 
 namespace palpate::contact {
 
-using partition::ClosestOnTriangle;
-using partition::closestOnTriangle;
-using partition::Feature;
-using partition::TriangleRecord;
+using tree::ClosestOnTriangle;
+using tree::closestOnTriangle;
+using tree::Feature;
+using tree::TriangleRecord;
 
 namespace {
 
@@ -44,11 +44,11 @@ Candidate betterNeighbour(const Surface& surface, const Candidate& here, const V
     best = other;
   };
   const Feature feature = here.closest.feature;
-  if (partition::isEdge(feature)) {
-    const Index across = surface.tree.records[here.triangle].neighbours[partition::indexOf(feature)];
+  if (tree::isEdge(feature)) {
+    const Index across = surface.tree.records[here.triangle].neighbours[tree::indexOf(feature)];
     if (across != kNoIndex) consider(across);
-  } else if (partition::isCorner(feature)) {
-    visitFan(surface, here.triangle, partition::indexOf(feature), [&](Index triangle, int) {
+  } else if (tree::isCorner(feature)) {
+    visitFan(surface, here.triangle, tree::indexOf(feature), [&](Index triangle, int) {
       if (triangle != here.triangle) consider(triangle);
     });
   }
@@ -81,21 +81,21 @@ WalkResult walkToNearest(const Surface& surface, const SurfacePoint& from, const
 
 Vec3 normalAt(const Surface& surface, const SurfacePoint& point) noexcept {
   const TriangleRecord& record = surface.tree.records[point.triangle];
-  if (partition::isCorner(point.feature)) {
-    return surface.vertex_normals[record.vertices[partition::indexOf(point.feature)]];
+  if (tree::isCorner(point.feature)) {
+    return surface.vertex_normals[record.vertices[tree::indexOf(point.feature)]];
   }
   const Vec3 normal = faceNormal(record);
-  if (!partition::isEdge(point.feature)) return normal;
-  const Index across = record.neighbours[partition::indexOf(point.feature)];
+  if (!tree::isEdge(point.feature)) return normal;
+  const Index across = record.neighbours[tree::indexOf(point.feature)];
   if (across == kNoIndex) return normal;
   return (normal + faceNormal(surface.tree.records[across])).stableNormalized();
 }
 
 bool onBorder(const Surface& surface, const SurfacePoint& point) noexcept {
   const TriangleRecord& record = surface.tree.records[point.triangle];
-  if (partition::isEdge(point.feature)) return record.neighbours[partition::indexOf(point.feature)] == kNoIndex;
-  if (!partition::isCorner(point.feature)) return false;
-  return surface.vertex_on_border[record.vertices[partition::indexOf(point.feature)]] != 0;
+  if (tree::isEdge(point.feature)) return record.neighbours[tree::indexOf(point.feature)] == kNoIndex;
+  if (!tree::isCorner(point.feature)) return false;
+  return surface.vertex_on_border[record.vertices[tree::indexOf(point.feature)]] != 0;
 }
 
 bool touchesFeature(const Surface& surface, Index triangle, const SurfacePoint& point) noexcept {
@@ -106,9 +106,9 @@ bool touchesFeature(const Surface& surface, Index triangle, const SurfacePoint& 
     const Index vertex = record.vertices[corner];
     return vertices[0] == vertex || vertices[1] == vertex || vertices[2] == vertex;
   };
-  if (partition::isCorner(point.feature)) return has(partition::indexOf(point.feature));
-  if (!partition::isEdge(point.feature)) return false;
-  return has(partition::indexOf(point.feature)) && has((partition::indexOf(point.feature) + 1) % 3);
+  if (tree::isCorner(point.feature)) return has(tree::indexOf(point.feature));
+  if (!tree::isEdge(point.feature)) return false;
+  return has(tree::indexOf(point.feature)) && has((tree::indexOf(point.feature) + 1) % 3);
 }
 
 void prefetchNeighbours(const Surface& surface, Index triangle, bool arrived) noexcept {
@@ -132,7 +132,7 @@ void prefetchNeighbours(const Surface& surface, Index triangle, bool arrived) no
 
 double stiffnessAt(const Surface& surface, const SurfacePoint& point) noexcept {
   const TriangleRecord& record = surface.tree.records[point.triangle];
-  const Vec3 weights = partition::barycentricWeights(record.corners, point.position);
+  const Vec3 weights = tree::barycentricWeights(record.corners, point.position);
   double stiffness = 0.0;
   for (int i = 0; i < 3; ++i) stiffness += weights[i] * surface.stiffness_n_per_mm[record.vertices[i]];
   return stiffness;

@@ -1,7 +1,7 @@
 #include "palpate/deform/form_frame.h"
 
 #include "palpate/deform/literal_caps.h"
-#include "palpate/tissue/literal_profile.h"
+#include "palpate/tissue/profile_forms.h"
 
 namespace palpate::deform {
 

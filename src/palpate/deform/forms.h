@@ -7,7 +7,7 @@
 
 #include "palpate/base/fidelity.h"
 #include "palpate/deform/deformer.h"
-#include "palpate/tissue/radial_term.h"
+#include "palpate/tissue/profile_forms.h"
 
 namespace palpate::deform {
 

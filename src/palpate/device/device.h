@@ -7,7 +7,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "palpate/base/vec.h"
 
@@ -23,5 +25,11 @@ struct Device {
   /// Takes the force that acts on the hand, N. May be empty for a device that only points.
   std::function<void(const Vec3& force)> write_force;
 };
+
+// A device that replays positions: the same tick always gives the same tip, which makes runs repeatable.
+
+/// Tip of tick k is `tips[k]`; after the last one it rests there. Takes the forces and drops them. Throws Error for no
+/// tips.
+Device scriptedDevice(std::string name, std::shared_ptr<const std::vector<Vec3>> tips);
 
 }  // namespace palpate::device

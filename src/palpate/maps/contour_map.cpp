@@ -1,13 +1,108 @@
 #include "palpate/maps/contour_map.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 
+#include "palpate/base/csv.h"
 #include "palpate/base/error.h"
+#include "palpate/base/text.h"
 #include "palpate/maps/gaussian_interpolation.h"
 
 namespace palpate::maps {
+
+namespace {
+
+constexpr std::size_t kColumnsBefore = 3;  // name, x_mm, y_mm
+/// 64 MiB: more than a hundred thousand rows; anything longer is not a table of measurements.
+constexpr std::size_t kMaxFileBytes = std::size_t{64} << 20;
+constexpr double kMinRadiusMm = 1e-3;  // a micrometre: smaller is a wrong unit
+constexpr double kMaxRadiusMm = 1e4;   // ten metres: no body is larger
+
+std::string header(std::size_t radii) {
+  std::string text = "name,x_mm,y_mm";
+  for (std::size_t i = 0; i < radii; ++i) fmt::format_to(std::back_inserter(text), ",r{}_mm", i);
+  return text;
+}
+
+/// Number of radii of the row. `wanted` is that of the rows before, 0 for the first one.
+std::size_t radiiOf(const CsvRow& row, std::size_t wanted) {
+  const std::size_t radii = row.fields.size() - std::min(row.fields.size(), kColumnsBefore);
+  if (radii < kMinContourRadii || radii > kMaxContourRadii) {
+    throw Error::atLine(row.file, row.line,
+                        fmt::format("expected name,x_mm,y_mm and {} to {} radii, found {} fields", kMinContourRadii,
+                                    kMaxContourRadii, row.fields.size()));
+  }
+  if (wanted == 0 || radii == wanted) return radii;
+  throw Error::atLine(row.file, row.line, fmt::format("{} radii, the rows before have {}", radii, wanted));
+}
+
+/// The columns carry the units in their names, so a header that differs is not ours.
+void requireHeader(const CsvRow& row, std::size_t radii) {
+  const std::string expected = header(radii);
+  if (fmt::format("{}", fmt::join(row.fields, ",")) == expected) return;
+  throw Error::atLine(row.file, row.line, fmt::format("expected the header {}", expected));
+}
+
+double radiusOf(const CsvRow& row, std::size_t i) {
+  const std::string name = fmt::format("r{}_mm", i);
+  const double radius = csvNumber(row, kColumnsBefore + i, name);
+  if (radius >= kMinRadiusMm && radius <= kMaxRadiusMm) return radius;
+  throw Error::atLine(row.file, row.line,
+                      fmt::format("{} = {} is not between {} and {}", name, radius, kMinRadiusMm, kMaxRadiusMm));
+}
+
+ContourPoint contourPointOf(const CsvRow& row, std::size_t radii) {
+  std::vector<double> radii_mm;
+  for (std::size_t i = 0; i < radii; ++i) radii_mm.push_back(radiusOf(row, i));
+  return {std::string(row.fields[0]), {csvNumber(row, 1, "x_mm"), csvNumber(row, 2, "y_mm")}, contourOf(radii_mm)};
+}
+
+void appendRow(std::string& text, const ContourPoint& point) {
+  fmt::format_to(std::back_inserter(text), "{},{},{}", point.name, point.position_mm.x(), point.position_mm.y());
+  for (std::size_t i = 0; i < point.contour.count; ++i) {
+    fmt::format_to(std::back_inserter(text), ",{}", std::exp(point.contour.log_radii[i]));
+  }
+  text += '\n';
+}
+
+}  // namespace
+
+std::vector<ContourPoint> readContourPoints(const std::filesystem::path& file) {
+  return parseContourPoints(readFile(file, kMaxFileBytes), file.string());
+}
+
+std::vector<ContourPoint> parseContourPoints(std::string_view text, std::string_view file) {
+  std::vector<ContourPoint> points;
+  std::size_t radii = 0;
+  forEachCsvRow(text, file, [&](const CsvRow& row) {
+    const bool first = radii == 0;
+    radii = radiiOf(row, radii);
+    if (first && row.fields.front() == "name") return requireHeader(row, radii);
+    points.push_back(contourPointOf(row, radii));
+  });
+  return points;
+}
+
+std::string formatContourPoints(std::span<const ContourPoint> points) {
+  const std::size_t radii = points.empty() ? kMinContourRadii : points.front().contour.count;
+  std::string text = header(radii) + '\n';
+  for (const ContourPoint& point : points) {
+    requireTableName(point.name);
+    if (point.contour.count != radii) throw Error("contour points: every row needs the same number of radii");
+    appendRow(text, point);
+  }
+  return text;
+}
+
+std::vector<ContourPoint> contourPointsOf(std::span<const KeyPoint> keys, std::size_t radii) {
+  std::vector<ContourPoint> points;
+  for (const KeyPoint& key : keys) {
+    if (key.ellipse.half_major_mm > 0.0) points.push_back({key.name, key.position_mm, contourOf(key.ellipse, radii)});
+  }
+  return points;
+}
 
 namespace {
 

@@ -1,7 +1,5 @@
 #include "palpate/mesh/components.h"
 
-#include "palpate/mesh/disjoint_sets.h"
-
 namespace palpate::mesh {
 
 Components findComponents(const TriangleMesh& mesh) {

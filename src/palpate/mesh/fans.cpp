@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "palpate/mesh/disjoint_sets.h"
+#include "palpate/mesh/components.h"
 #include "palpate/mesh/topology.h"
 
 namespace palpate::mesh {

@@ -10,7 +10,6 @@
 #include "palpate/mesh/intersections.h"
 #include "palpate/mesh/slivers.h"
 #include "palpate/mesh/topology.h"
-#include "palpate/mesh/vertex_merging.h"
 #include "palpate/mesh/weld.h"
 #include "palpate/mesh/winding.h"
 

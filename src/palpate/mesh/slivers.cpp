@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "palpate/mesh/disjoint_sets.h"
+#include "palpate/mesh/components.h"
 #include "palpate/mesh/topology.h"
 
 namespace palpate::mesh {

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "palpate/mesh/load.h"
+#include "palpate/mesh/files/load.h"
 
 namespace palpate::mesh {
 

@@ -26,4 +26,12 @@ inline bool isUsable(const Vec3& position) { return (position.array().abs() <= k
 /// Twice the area vector of a triangle: its direction is the outward normal, its length twice the area (mm^2).
 inline Vec3 areaVector2(const Vec3& a, const Vec3& b, const Vec3& c) { return (b - a).cross(c - a); }
 
+// Area-weighted normals.
+
+/// Unit normal of each triangle; zero for one without area.
+std::vector<Vec3> triangleNormals(const TriangleMesh& mesh);
+
+/// Unit normal of each vertex: the sum of the area vectors of its triangles, normalised; zero for an unused vertex.
+std::vector<Vec3> vertexNormals(const TriangleMesh& mesh);
+
 }  // namespace palpate::mesh

@@ -6,7 +6,6 @@
 #include <array>
 
 #include "palpate/mesh/components.h"
-#include "palpate/mesh/disjoint_sets.h"
 #include "palpate/mesh/doubled_triangles.h"
 #include "palpate/mesh/intersections.h"
 #include "palpate/mesh/slivers.h"

@@ -34,4 +34,13 @@ std::vector<Index> equalVertices(const std::vector<Vec3>& positions);
 /// The same for vertices nearer than `distance_mm` > 0 to an earlier one that stays: no vertex moves by more.
 std::vector<Index> nearVertices(const std::vector<Vec3>& positions, double distance_mm);
 
+// Renumbering of vertices: merging some into others, leaving out those that nothing uses.
+
+/// Puts `same_as[v]` in the place of v in every triangle, then removes unused vertices. For each new vertex its old
+/// index is returned. Wrong indices (out of range) are left as they are.
+std::vector<Index> mergeVertices(TriangleMesh& mesh, const std::vector<Index>& same_as);
+
+/// Keeps the order of the vertices that stay. For each new vertex its old index is returned. Wrong indices stay wrong.
+std::vector<Index> removeUnusedVertices(TriangleMesh& mesh);
+
 }  // namespace palpate::mesh

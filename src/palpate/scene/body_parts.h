@@ -1,7 +1,7 @@
 // The first half of building a world: the body as a mesh that can be felt, whether built in or from a file.
 #pragma once
 
-#include "palpate/mesh/load.h"
+#include "palpate/mesh/files/load.h"
 #include "palpate/scene/world.h"
 
 namespace palpate::scene {

@@ -1,4 +1,4 @@
-#include "palpate/scene/deformation_keys.h"
+#include "palpate/scene/section_keys.h"
 
 #include <algorithm>
 #include <iterator>

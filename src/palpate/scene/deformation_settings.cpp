@@ -1,6 +1,6 @@
 #include "palpate/scene/deformation_settings.h"
 
-#include "palpate/maps/contour_points.h"
+#include "palpate/maps/contour_map.h"
 #include "palpate/scene/scene.h"
 #include "palpate/tissue/user_profile.h"
 

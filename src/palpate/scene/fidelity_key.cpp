@@ -1,4 +1,4 @@
-#include "palpate/scene/fidelity_key.h"
+#include "palpate/scene/section_keys.h"
 
 #include "palpate/scene/errata.h"
 

@@ -8,15 +8,15 @@
 #include <utility>
 
 #include "palpate/base/error.h"
-#include "palpate/partition/literal_octree.h"
-#include "palpate/partition/traversal_words.h"
+#include "palpate/hdb/literal_octree.h"
+#include "palpate/hdb/literal_traversal.h"
 
 namespace palpate::scene {
 
 namespace {
 
-partition::BuildSettings buildSettings(const Scene& scene) {
-  partition::BuildSettings settings;
+hdb::BuildSettings buildSettings(const Scene& scene) {
+  hdb::BuildSettings settings;
   settings.tree = scene.partition.tree;
   settings.assignment = scene.partition.assign;
   settings.threshold = static_cast<Index>(scene.partition.threshold);
@@ -24,34 +24,34 @@ partition::BuildSettings buildSettings(const Scene& scene) {
   return settings;
 }
 
-partition::Partition makePartition(const Scene& scene, const mesh::TriangleMesh& skin, const Progress& progress) {
-  const partition::BuildSettings settings = buildSettings(scene);
+hdb::Partition makePartition(const Scene& scene, const mesh::TriangleMesh& skin, const Progress& progress) {
+  const hdb::BuildSettings settings = buildSettings(scene);
   const bool octree_by_majority =
-      settings.tree == partition::TreeKind::Octree && settings.assignment == partition::Assignment::Majority;
+      settings.tree == hdb::TreeKind::Octree && settings.assignment == hdb::Assignment::Majority;
   if (octree_by_majority && scene.fidelity.literal(6)) {  // E6
-    return partition::buildLiteralOctree(skin, settings, progress).partition;
+    return hdb::buildLiteralOctree(skin, settings, progress).partition;
   }
-  return partition::buildPartition(skin, settings, progress);
+  return hdb::buildPartition(skin, settings, progress);
 }
 
-constexpr std::optional<partition::LiteralTraversal> named(Traversal traversal) {
-  return partition::kTraversalWords[static_cast<std::size_t>(traversal)].literal;
+constexpr std::optional<hdb::LiteralTraversal> named(Traversal traversal) {
+  return hdb::kTraversalWords[static_cast<std::size_t>(traversal)].literal;
 }
-static_assert(!named(Traversal::corrected) && named(Traversal::else_if) == partition::LiteralTraversal::ElseIf &&
-              named(Traversal::half_space) == partition::LiteralTraversal::HalfSpace &&
-              named(Traversal::cell_box) == partition::LiteralTraversal::CellBox &&
-              named(Traversal::sphere_corners) == partition::LiteralTraversal::SphereCorners);
+static_assert(!named(Traversal::corrected) && named(Traversal::else_if) == hdb::LiteralTraversal::ElseIf &&
+              named(Traversal::half_space) == hdb::LiteralTraversal::HalfSpace &&
+              named(Traversal::cell_box) == hdb::LiteralTraversal::CellBox &&
+              named(Traversal::sphere_corners) == hdb::LiteralTraversal::SphereCorners);
 
 /// What the scene names; where it names none, what its errata ask for.
-std::optional<partition::LiteralTraversal> literalTraversal(const Scene& scene) {
+std::optional<hdb::LiteralTraversal> literalTraversal(const Scene& scene) {
   if (const auto traversal = named(scene.partition.traversal)) return traversal;
-  if (scene.partition.query != contact::HdbQuery::leaves) return std::nullopt;  // the text knows leaves only
-  return partition::literalTraversal(scene.fidelity, scene.partition.tree);
+  if (scene.partition.query != hdb::HdbQuery::leaves) return std::nullopt;  // the text knows leaves only
+  return hdb::literalTraversal(scene.fidelity, scene.partition.tree);
 }
 
-Vec3 boxEdges(const Scene& scene, const partition::Box3& model) {
+Vec3 boxEdges(const Scene& scene, const Box3& model) {
   if (scene.partition.hdb_edge_mm > 0.0) return Vec3::Constant(scene.partition.hdb_edge_mm);
-  using partition::HdbSize;
+  using hdb::HdbSize;
   const bool as_the_box = scene.fidelity.literal(12);  // E12
   const Vec3 quarter = hdbEdges(model, as_the_box ? HdbSize::QuarterOfBox : HdbSize::QuarterOfLongestEdge);
   return 4.0 * scene.partition.hdb_fraction * quarter;
@@ -69,24 +69,24 @@ void checkContactSource(const Scene& scene) {
   if (scene.contact.force_shading) throw Error("contact source \"hdb\" has no force_shading");
 }
 
-std::shared_ptr<const contact::HdbSurface> buildHdbSource(const Scene& scene, const mesh::TriangleMesh& skin,
-                                                          const contact::Surface& surface, const Progress& progress) {
+std::shared_ptr<const hdb::HdbSurface> buildHdbSource(const Scene& scene, const mesh::TriangleMesh& skin,
+                                                      const contact::Surface& surface, const Progress& progress) {
   checkContactSource(scene);
   report(progress, "partitioning the skin", 0.0);
-  auto partition = std::make_shared<const partition::Partition>(makePartition(scene, skin, progress));
-  contact::HdbSettings settings;
+  auto partition = std::make_shared<const hdb::Partition>(makePartition(scene, skin, progress));
+  hdb::HdbSettings settings;
   settings.edges_mm = boxEdges(scene, partition->bounds);
   settings.query = scene.partition.query;
   settings.literal = literalTraversal(scene);
   const double ticks = std::round(scene.partition.refresh_s * scene.ticks_per_s);
   settings.ticks_per_refresh = static_cast<std::uint32_t>(std::max(1.0, ticks));
-  return contact::makeHdbSurface(surface, std::move(partition), settings);
+  return hdb::makeHdbSurface(surface, std::move(partition), settings);
 }
 
-std::string describe(const contact::HdbSurface& source) {
-  const partition::Partition& partition = *source.partition;
+std::string describe(const hdb::HdbSurface& source) {
+  const hdb::Partition& partition = *source.partition;
   return fmt::format("touched through a detecting box of {:.0f} mm: {} of {} leaves", source.settings.edges_mm.x(),
-                     partition.tree == partition::TreeKind::Bsp ? "BSP tree" : "octree", partition.leaves.size());
+                     partition.tree == hdb::TreeKind::Bsp ? "BSP tree" : "octree", partition.leaves.size());
 }
 
 }  // namespace palpate::scene

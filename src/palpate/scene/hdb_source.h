@@ -6,7 +6,7 @@
 #include <string>
 
 #include "palpate/base/progress.h"
-#include "palpate/contact/hdb_candidates.h"
+#include "palpate/hdb/hdb_candidates.h"
 #include "palpate/scene/scene.h"
 
 namespace palpate::scene {
@@ -15,11 +15,10 @@ namespace palpate::scene {
 void checkContactSource(const Scene& scene);
 
 /// Throws Error as checkContactSource, and for a traversal that does not suit the tree or the query.
-std::shared_ptr<const contact::HdbSurface> buildHdbSource(const Scene& scene, const mesh::TriangleMesh& skin,
-                                                          const contact::Surface& surface,
-                                                          const Progress& progress = {});
+std::shared_ptr<const hdb::HdbSurface> buildHdbSource(const Scene& scene, const mesh::TriangleMesh& skin,
+                                                      const contact::Surface& surface, const Progress& progress = {});
 
 /// For reports: "touched through a detecting box of 150 mm: octree of 13 leaves".
-std::string describe(const contact::HdbSurface& source);
+std::string describe(const hdb::HdbSurface& source);
 
 }  // namespace palpate::scene

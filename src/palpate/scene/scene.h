@@ -9,7 +9,7 @@
 #include "palpate/base/fidelity.h"
 #include "palpate/base/vec.h"
 #include "palpate/body/torso.h"
-#include "palpate/contact/hdb_settings.h"
+#include "palpate/hdb/hdb_candidates.h"
 #include "palpate/maps/ellipse_map.h"
 #include "palpate/maps/measured_stiffness.h"
 #include "palpate/maps/stiffness_map.h"
@@ -82,17 +82,17 @@ struct ContactSettings {
   bool force_shading = false;
 };
 
-/// How the leaves around the proxy are found: exactly, or as printed. Places in partition::kTraversalWords.
+/// How the leaves around the proxy are found: exactly, or as printed. Places in hdb::kTraversalWords.
 enum class Traversal : std::uint8_t { corrected, else_if, half_space, cell_box, sphere_corners };
 
 /// For the contact source "hdb".
 struct PartitionSettings {
-  partition::TreeKind tree = partition::TreeKind::Octree;
-  partition::Assignment assign = partition::Assignment::Majority;
+  hdb::TreeKind tree = hdb::TreeKind::Octree;
+  hdb::Assignment assign = hdb::Assignment::Majority;
   std::size_t threshold = 1024;
   double hdb_fraction = 0.25;  ///< edge of the box over the longest edge of the body
   double hdb_edge_mm = 0.0;    ///< edge of the box; 0: by the fraction
-  contact::HdbQuery query = contact::HdbQuery::leaves;
+  hdb::HdbQuery query = hdb::HdbQuery::leaves;
   Traversal traversal = Traversal::corrected;
   double refresh_s = 0.0;  ///< the box stays where it is for this long; 0: a tick
 };

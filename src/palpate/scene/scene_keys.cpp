@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
-#include "palpate/partition/traversal_words.h"
-#include "palpate/scene/deformation_keys.h"
-#include "palpate/scene/fidelity_key.h"
-#include "palpate/scene/view_keys.h"
+#include "palpate/hdb/literal_traversal.h"
+#include "palpate/scene/section_keys.h"
 
 namespace palpate::scene {
 
@@ -231,24 +229,24 @@ Section contactSection() {
 
 std::vector<std::string> traversalWords() {
   std::vector<std::string> words;
-  for (const partition::TraversalWord& row : partition::kTraversalWords) words.emplace_back(row.word);
+  for (const hdb::TraversalWord& row : hdb::kTraversalWords) words.emplace_back(row.word);
   return words;
 }
 
 Section partitionSection() {
   using S = PartitionSettings;
   std::vector<Key<S>> keys = {
-      choice<S, partition::TreeKind>("tree", &S::tree, {"bsp", "octree"}, "How space is divided."),
-      choice<S, partition::Assignment>(
+      choice<S, hdb::TreeKind>("tree", &S::tree, {"bsp", "octree"}, "How space is divided."),
+      choice<S, hdb::Assignment>(
           "assign", &S::assign, {"A", "B", "C"},
           "A triangle across a plane is cut (A), goes to both sides (B) or to the side with most of it (C)."),
       count<S>("threshold", &S::threshold, 1, 100'000'000, "A leaf holds at most so many triangles."),
       number<S>("hdb_fraction", &S::hdb_fraction, above(0, 100),
                 "Edge of the haptic detecting box as a share of the longest edge of the body."),
       number<S>("hdb_edge_mm", &S::hdb_edge_mm, between(0, kLongestMm), "Edge of that box; 0 is by hdb_fraction."),
-      choice<S, contact::HdbQuery>("query", &S::query, {"leaves", "triangles", "coherent"},
-                                   "What may be touched: all triangles of the leaves that the box meets, those that it "
-                                   "meets itself, or a list of these that is made anew only when the box leaves it."),
+      choice<S, hdb::HdbQuery>("query", &S::query, {"leaves", "triangles", "coherent"},
+                               "What may be touched: all triangles of the leaves that the box meets, those that it "
+                               "meets itself, or a list of these that is made anew only when the box leaves it."),
       choice<S, Traversal>("traversal", &S::traversal, traversalWords(),
                            "How the leaves are found: all of them, or as printed, with its gaps; where it says "
                            "\"tight\", fidelity may still ask for a printed one (E4, E5, E10)."),

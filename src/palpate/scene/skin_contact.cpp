@@ -1,6 +1,6 @@
 #include "palpate/scene/skin_contact.h"
 
-#include "palpate/contact/literal_anchor.h"
+#include "palpate/contact/friction.h"
 #include "palpate/deform/finger_contact.h"
 
 namespace palpate::scene {

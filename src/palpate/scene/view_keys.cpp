@@ -1,4 +1,4 @@
-#include "palpate/scene/view_keys.h"
+#include "palpate/scene/section_keys.h"
 
 namespace palpate::scene {
 

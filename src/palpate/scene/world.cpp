@@ -91,7 +91,7 @@ std::shared_ptr<const World> withBody(const Scene& scene, BodyParts body, deform
   report(progress, "building the contact surface", 0.0);
   auto deformable = std::async([&] { return deform::buildSkin(body.skin); });  // beside it: a quarter of its time
   contact::Surface surface = contact::buildSurface(body.skin, stiffness, {forceLaw(scene), body.self_intersecting});
-  std::shared_ptr<const contact::HdbSurface> hdb;
+  std::shared_ptr<const hdb::HdbSurface> hdb;
   if (scene.contact.source == ContactSource::hdb) hdb = buildHdbSource(scene, body.skin, surface, progress);
   report(progress, "preparing the deformation", 0.0);
   deform::Skin deformable_skin = deformable.get();

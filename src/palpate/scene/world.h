@@ -11,9 +11,9 @@
 
 #include "palpate/base/progress.h"
 #include "palpate/contact/finger.h"
-#include "palpate/contact/hdb_candidates.h"
 #include "palpate/deform/skin.h"
-#include "palpate/maps/any_ellipse_map.h"
+#include "palpate/hdb/hdb_candidates.h"
+#include "palpate/maps/literal_ellipse_map.h"
 #include "palpate/scene/scene.h"
 
 namespace palpate::scene {
@@ -41,7 +41,7 @@ struct World {
   std::optional<maps::PolarContourMap> contours;  ///< for the shape "contour"
   Anatomy anatomy;
   std::vector<std::string> notes;                        ///< what the user should know: repairs, a doubtful unit
-  std::shared_ptr<const contact::HdbSurface> hdb;        ///< for the contact source "hdb", otherwise null
+  std::shared_ptr<const hdb::HdbSurface> hdb;            ///< for the contact source "hdb", otherwise null
   std::shared_ptr<const SkinTexture> texture = nullptr;  ///< a picture on the skin (skin_texture.h), or null
 };
 

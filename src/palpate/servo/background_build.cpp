@@ -27,7 +27,7 @@ BackgroundBuild::~BackgroundBuild() {
 }
 
 std::uint64_t BackgroundBuild::request(std::shared_ptr<const mesh::TriangleMesh> mesh,
-                                       const partition::BuildSettings& settings) {
+                                       const hdb::BuildSettings& settings) {
   std::optional<BuildResult> unwanted;  // freed after the lock
   const std::lock_guard lock(mutex_);
   const std::uint64_t number = latest_.load(std::memory_order_relaxed) + 1;
@@ -83,8 +83,8 @@ BuildResult BackgroundBuild::build(const Request& request) {
     };
     report_or_stop({}, 0.0);
     if (!request.mesh) throw Error("partition: no mesh was given");
-    result.partition = std::make_shared<const partition::Partition>(
-        partition::buildPartition(*request.mesh, request.settings, report_or_stop));
+    result.partition =
+        std::make_shared<const hdb::Partition>(hdb::buildPartition(*request.mesh, request.settings, report_or_stop));
   } catch (const std::exception& error) {
     result.error = error.what();
   }

@@ -15,14 +15,14 @@
 #include <thread>
 #include <vector>
 
-#include "palpate/partition/partition.h"
+#include "palpate/hdb/partition.h"
 
 namespace palpate::servo {
 
 /// How a request ended: with a partition or with the text of an error.
 struct BuildResult {
   std::uint64_t request = 0;
-  std::shared_ptr<const partition::Partition> partition;
+  std::shared_ptr<const hdb::Partition> partition;
   std::string error;
 };
 
@@ -36,7 +36,7 @@ class BackgroundBuild {
 
   /// Replaces whatever was asked before, also a result that nobody took. Returns the request's number. Any thread but
   /// the haptic one: it locks, and it may free a result.
-  std::uint64_t request(std::shared_ptr<const mesh::TriangleMesh> mesh, const partition::BuildSettings& settings);
+  std::uint64_t request(std::shared_ptr<const mesh::TriangleMesh> mesh, const hdb::BuildSettings& settings);
 
   /// Forgets the latest request: no result will come.
   void cancel();
@@ -52,7 +52,7 @@ class BackgroundBuild {
   struct Request {
     std::uint64_t number = 0;
     std::shared_ptr<const mesh::TriangleMesh> mesh;
-    partition::BuildSettings settings;
+    hdb::BuildSettings settings;
   };
 
   void work();
@@ -70,8 +70,8 @@ class BackgroundBuild {
   std::optional<BuildResult> result_;  // guarded by mutex_
   bool stop_ = false;                  // guarded by mutex_
 
-  std::vector<std::shared_ptr<const partition::Partition>> handed_over_;  // the builder's thread only
-  std::thread thread_;                                                    // last: it uses all of the above
+  std::vector<std::shared_ptr<const hdb::Partition>> handed_over_;  // the builder's thread only
+  std::thread thread_;                                              // last: it uses all of the above
 };
 
 }  // namespace palpate::servo

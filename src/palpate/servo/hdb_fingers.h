@@ -10,15 +10,15 @@
 #include <memory>
 #include <vector>
 
-#include "palpate/contact/hdb_finger.h"
-#include "palpate/servo/handover.h"
+#include "palpate/base/handover.h"
+#include "palpate/hdb/hdb_finger.h"
 
 namespace palpate::servo {
 
 /// One box a finger of the rig, in its order.
-using HdbFingers = std::vector<contact::HdbCandidates>;
+using HdbFingers = std::vector<hdb::HdbCandidates>;
 
-inline std::unique_ptr<HdbFingers> makeHdbFingers(const std::shared_ptr<const contact::HdbSurface>& surface,
+inline std::unique_ptr<HdbFingers> makeHdbFingers(const std::shared_ptr<const hdb::HdbSurface>& surface,
                                                   std::size_t fingers) {
   auto boxes = std::make_unique<HdbFingers>();
   boxes->reserve(fingers);

@@ -12,11 +12,11 @@
 #include <vector>
 
 #include "palpate/base/progress.h"
+#include "palpate/base/ring_buffer.h"
+#include "palpate/base/triple_buffer.h"
 #include "palpate/servo/histogram.h"
 #include "palpate/servo/pacing.h"
-#include "palpate/servo/ring_buffer.h"
 #include "palpate/servo/tick.h"
-#include "palpate/servo/triple_buffer.h"
 
 namespace palpate::servo {
 

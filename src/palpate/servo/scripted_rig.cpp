@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "palpate/device/scripted_device.h"
+#include "palpate/device/device.h"
 
 namespace palpate::servo {
 

@@ -4,14 +4,13 @@ namespace palpate::servo {
 
 namespace {
 
-void runFinger(const contact::Surface& surface, contact::HdbCandidates* candidates, FingerChain& finger,
-               LoopEvent event, trace::Sample& sample) noexcept {
+void runFinger(const contact::Surface& surface, hdb::HdbCandidates* candidates, FingerChain& finger, LoopEvent event,
+               trace::Sample& sample) noexcept {
   const Vec3 measured = finger.device.read_tip(sample.tick);
   const Vec3 tip = guardTip(finger.limiter_settings, finger.limiter, measured);
   if (event == LoopEvent::stalled) restartRamp(finger.limiter, kStalled);
-  sample.contact = candidates == nullptr
-                       ? contact::step(surface, finger.contact_settings, finger.contact, tip)
-                       : contact::stepHdb(surface, finger.contact_settings, *candidates, finger.hdb, tip);
+  sample.contact = candidates == nullptr ? contact::step(surface, finger.contact_settings, finger.contact, tip)
+                                         : hdb::stepHdb(surface, finger.contact_settings, *candidates, finger.hdb, tip);
   sample.device_force = limitForce(finger.limiter_settings, finger.limiter, sample.contact.force);
   sample.safety = finger.limiter.status;
   if (finger.device.write_force) finger.device.write_force(sample.device_force);

@@ -21,7 +21,7 @@ struct FingerChain {
   LimiterSettings limiter_settings;
   device::Device device;
   contact::FingerState contact;
-  contact::HdbFingerState hdb;  ///< in place of `contact` where the rig has HDB fingers
+  hdb::HdbFingerState hdb;  ///< in place of `contact` where the rig has HDB fingers
   LimiterState limiter;
 };
 

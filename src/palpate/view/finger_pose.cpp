@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "palpate/partition/triangle_tree.h"
+#include "palpate/tree/triangle_tree.h"
 
 namespace palpate::view {
 
@@ -16,7 +16,7 @@ using Corners = std::array<Vec3, 3>;
 /// cannot come near it.
 constexpr double kReachMm = 25.0;
 
-Corners deformedCorners(const DrawnSkin& skin, const partition::TriangleRecord& record) {
+Corners deformedCorners(const DrawnSkin& skin, const tree::TriangleRecord& record) {
   return {skin.at(record.vertices[0]), skin.at(record.vertices[1]), skin.at(record.vertices[2])};
 }
 
@@ -31,15 +31,15 @@ Vec3 deformedAnchor(const scene::World& world, const DrawnSkin& skin, const cont
   const Triangle& corners = world.skin.triangles[contact.anchor_triangle];
   Corners rest;
   for (int i = 0; i < 3; ++i) rest[i] = world.skin.positions[corners[i]];
-  const Vec3 weights = partition::barycentricWeights(rest, contact.anchor);
+  const Vec3 weights = tree::barycentricWeights(rest, contact.anchor);
   Vec3 place = Vec3::Zero();
   for (int i = 0; i < 3; ++i) place += weights[i] * skin.at(corners[i]);
   return place;
 }
 
 Vec3 smoothNormal(const contact::Surface& surface, Index record_index, const Vec3& place) {
-  const partition::TriangleRecord& record = surface.tree.records[record_index];
-  const Vec3 weights = partition::barycentricWeights(record.corners, place);
+  const tree::TriangleRecord& record = surface.tree.records[record_index];
+  const Vec3 weights = tree::barycentricWeights(record.corners, place);
   Vec3 normal = Vec3::Zero();
   for (int i = 0; i < 3; ++i) normal += weights[i] * surface.vertex_normals[record.vertices[i]];
   return normal.norm() > 0.0 ? Vec3(normal.normalized()) : Vec3(Vec3::UnitZ());
@@ -50,7 +50,7 @@ Support supportOf(const scene::World& world, const DrawnSkin& skin, const Finger
   if (contact.touch != contact::Touch::free && contact.anchor_triangle < world.skin.triangles.size()) {
     return {deformedAnchor(world, skin, contact), contact.normal, contact.anchor};
   }
-  const auto nearest = partition::nearestPoint(world.surface.tree, contact.tip, std::numeric_limits<double>::max());
+  const auto nearest = tree::nearestPoint(world.surface.tree, contact.tip, std::numeric_limits<double>::max());
   if (nearest.triangle == kNoIndex) return {contact.tip, Vec3::UnitZ(), contact.tip};
   const Vec3 normal = smoothNormal(world.surface, nearest.triangle, nearest.closest.point);
   return {contact.tip - finger.haptic_radius_mm * normal, normal, nearest.closest.point};
@@ -58,7 +58,7 @@ Support supportOf(const scene::World& world, const DrawnSkin& skin, const Finger
 
 std::vector<Corners> skinAround(const scene::World& world, const DrawnSkin& skin, const Vec3& rest, double reach) {
   std::vector<Corners> triangles;
-  partition::visitNearTriangles(world.surface.tree, rest, reach * reach, [&](Index record, const auto&) {
+  tree::visitNearTriangles(world.surface.tree, rest, reach * reach, [&](Index record, const auto&) {
     triangles.push_back(deformedCorners(skin, world.surface.tree.records[record]));
     return reach * reach;
   });
@@ -68,7 +68,7 @@ std::vector<Corners> skinAround(const scene::World& world, const DrawnSkin& skin
 /// How far the ball must move along its normal so that this triangle no longer reaches into it; a first guess when the
 /// triangle is at its side, so the caller asks again.
 double liftOver(const FingerPose& pose, const Corners& triangle) {
-  const auto closest = partition::closestOnTriangle(triangle, pose.centre);
+  const auto closest = tree::closestOnTriangle(triangle, pose.centre);
   const double distance = std::sqrt(closest.squared_distance);
   if (distance >= pose.radius_mm) return 0.0;
   constexpr double kLeastCosine = 0.3;  // below, the step would overshoot by far

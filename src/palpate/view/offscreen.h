@@ -5,7 +5,31 @@
 #include <memory>
 #include <string>
 
+#include "palpate/view/image.h"
+#include "palpate/view/layers/gl_objects.h"
+
 namespace palpate::view {
+
+// A framebuffer to draw a picture into, and the way back to memory.
+
+/// Colour (8 bits, sRGB values) and depth.
+class Target {
+ public:
+  Target(int width, int height);
+  void bind() const;  ///< and sets the viewport
+  int width() const { return width_; }
+  int height() const { return height_; }
+  GLuint texture() const { return colour_.get(); }
+  GLuint framebuffer() const { return framebuffer_.get(); }
+  Image read() const;
+
+ private:
+  int width_;
+  int height_;
+  GlTexture colour_;
+  GlTexture depth_;
+  GlFramebuffer framebuffer_;
+};
 
 /// Core is what the renderer draws with; compatibility also has the pipeline of OpenGL 2.1 (immediate_drawing.h).
 enum class Profile : std::uint8_t { core, compatibility };

@@ -9,8 +9,8 @@
 #include <memory>
 #include <string>
 
-#include "palpate/view/drawing.h"
-#include "palpate/view/labels.h"
+#include "palpate/view/layers/drawing.h"
+#include "palpate/view/overlays/labels.h"
 #include "palpate/view/renderer.h"
 #include "palpate/view/stereo_composer.h"
 

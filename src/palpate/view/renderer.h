@@ -14,10 +14,10 @@
 #include "palpate/scene/world.h"
 #include "palpate/view/camera.h"
 #include "palpate/view/finger_pose.h"
-#include "palpate/view/lines.h"
 #include "palpate/view/look.h"
+#include "palpate/view/overlays/lines.h"
 
-namespace palpate::partition {
+namespace palpate::hdb {
 struct Partition;
 }
 
@@ -51,7 +51,7 @@ class Renderer {
   /// The field of a colouring when it is no longer the world's: a value a vertex.
   void setField(Colouring colouring, std::span<const float> values);
   /// The partition that overlays show; null brings back the world's own, which is built when first shown.
-  void setPartition(std::shared_ptr<const partition::Partition> partition, const Vec3& box_edges_mm);
+  void setPartition(std::shared_ptr<const hdb::Partition> partition, const Vec3& box_edges_mm);
 
   /// Draws into the bound framebuffer's viewport of `width` x `height` pixels: background, bones, skin, fingers,
   /// overlays. Text and legends are the business of labels.h.

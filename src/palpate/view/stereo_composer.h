@@ -8,8 +8,8 @@
 
 #include <memory>
 
+#include "palpate/view/offscreen.h"
 #include "palpate/view/stereo.h"
-#include "palpate/view/target.h"
 
 namespace palpate::view {
 

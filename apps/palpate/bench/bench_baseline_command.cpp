@@ -1,0 +1,179 @@
+// `palpate bench --baseline FILE`: which kernel got slower since the file was written, and by how much.
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "apps/palpate/bench/bench_report.h"
+#include "apps/palpate/common/progress_line.h"
+#include "bench/kernels/kernel_times.h"
+#include "palpate/base/error.h"
+#include "palpate/base/text.h"
+
+namespace palpate::app {
+
+namespace {
+
+// The file of `palpate bench --baseline`: ratios of kernels to fixed reference loops, measured on some machine.
+
+struct Baseline {
+  std::size_t triangles = 0;  ///< of the back that the kernels ran on
+  std::vector<bench::KernelTime> kernels;
+};
+
+/// Throws Error (file: cause) for a file that is no baseline or holds a ratio that is not above 0.
+Baseline readBaseline(const std::filesystem::path& file);
+
+/// With the machine it was measured on, for people. Throws Error if it cannot.
+void writeBaseline(const std::filesystem::path& file, const Baseline& baseline);
+
+namespace {
+
+constexpr std::size_t kMostBytes = std::size_t{1} << 20;
+constexpr std::size_t kLeastTriangles = 1000, kMostTriangles = 4000000;
+
+bench::KernelTime kernelFrom(const nlohmann::json& json) {
+  bench::KernelTime time;
+  time.name = json.at("name").get<std::string>();
+  time.item = json.value("item", "");
+  time.ns = json.value("ns", 0.0);
+  time.ratio = json.at("ratio").get<double>();
+  if (!(time.ratio > 0.0) || !std::isfinite(time.ratio)) throw Error("the ratio of " + time.name + " is not above 0");
+  return time;
+}
+
+}  // namespace
+
+Baseline readBaseline(const std::filesystem::path& file) {
+  const std::string text = readFile(file, kMostBytes);
+  try {
+    const nlohmann::json json = nlohmann::json::parse(text);
+    Baseline baseline;
+    baseline.triangles = json.at("triangles").get<std::size_t>();
+    if (baseline.triangles < kLeastTriangles || baseline.triangles > kMostTriangles) {
+      throw Error("the number of triangles is not one of a benchmark's back");
+    }
+    for (const nlohmann::json& kernel : json.at("kernels")) baseline.kernels.push_back(kernelFrom(kernel));
+    if (baseline.kernels.empty()) throw Error("there are no kernels in it");
+    return baseline;
+  } catch (const nlohmann::json::exception& error) {
+    throw Error::inFile(file.string(), std::string("not a baseline of `palpate bench`: ") + error.what());
+  } catch (const Error& error) {
+    throw Error::inFile(file.string(), error.what());
+  }
+}
+
+void writeBaseline(const std::filesystem::path& file, const Baseline& baseline) {
+  nlohmann::ordered_json json;
+  json["triangles"] = baseline.triangles;
+  for (const bench::KernelTime& time : baseline.kernels) {
+    json["kernels"].push_back({{"name", time.name}, {"ratio", time.ratio}, {"ns", time.ns}, {"item", time.item}});
+  }
+  json["machine"] = machineJson();
+  writeFile(file, json.dump(2) + "\n");
+}
+
+}  // namespace
+
+namespace {
+
+constexpr int kSlower = 1;  // exit code: the answer is "no"
+
+struct Arguments {
+  std::string baseline, write;
+  std::size_t triangles = 41582;
+  double tolerance = 0.3;
+  double seconds = 4.0;
+  bool json = false;
+};
+
+nlohmann::ordered_json ratioJson(const std::optional<double>& ratio) {
+  return ratio ? nlohmann::ordered_json(*ratio) : nlohmann::ordered_json(nullptr);
+}
+
+std::string ratioText(const std::optional<double>& ratio) { return ratio ? fmt::format("{:.3f}", *ratio) : "-"; }
+
+std::string verdict(const bench::Comparison& c) {
+  if (!c.before) return "not in the file";
+  if (!c.now) return "no such kernel any more";
+  return fmt::format("{:.2f} x{}", c.change(), c.slower ? "  SLOWER" : "");
+}
+
+nlohmann::ordered_json jsonOf(const std::vector<bench::Comparison>& all, double tolerance) {
+  nlohmann::ordered_json json;
+  json["tolerance"] = tolerance;
+  json["slower"] = nlohmann::ordered_json::array();
+  for (const bench::Comparison& c : all) {
+    if (c.slower) json["slower"].push_back(c.name);
+    json["kernels"].push_back({{"name", c.name},
+                               {"before", ratioJson(c.before)},
+                               {"now", ratioJson(c.now)},
+                               {"change", c.before && c.now ? ratioJson(c.change()) : nullptr},
+                               {"slower", c.slower}});
+  }
+  return json;
+}
+
+std::string textOf(const std::vector<bench::Comparison>& all, double tolerance) {
+  std::string text =
+      fmt::format("{:<22} {:>9} {:>9}   now / before, both as ratios to a fixed loop\n", "kernel", "before", "now");
+  for (const bench::Comparison& c : all) {
+    text += fmt::format("{:<22} {:>9} {:>9}   {}\n", c.name, ratioText(c.before), ratioText(c.now), verdict(c));
+  }
+  const auto slower = std::count_if(all.begin(), all.end(), [](const bench::Comparison& c) { return c.slower; });
+  return text + fmt::format("{} of {} kernels slower by more than {:.0f} %\n", slower, all.size(), 100.0 * tolerance);
+}
+
+Baseline measure(std::size_t triangles, double seconds) {
+  ProgressLine progress;
+  progress.show("preparing the kernels", 0.0);
+  const std::vector<bench::Kernel> kernels = bench::makeKernels(triangles);
+  progress.show("measuring the kernels", 0.5);
+  return {triangles, bench::timeKernels(kernels, seconds)};
+}
+
+void compareWith(const Arguments& arguments) {
+  const Baseline before = readBaseline(arguments.baseline);
+  const Baseline now = measure(before.triangles, arguments.seconds);
+  const auto all = bench::compared(before.kernels, now.kernels, arguments.tolerance);
+  printReport(jsonOf(all, arguments.tolerance), textOf(all, arguments.tolerance), arguments.json);
+  if (std::any_of(all.begin(), all.end(), [](const bench::Comparison& c) { return c.slower; })) {
+    throw CLI::RuntimeError(kSlower);
+  }
+}
+
+void run(const CLI::App& bench, const Arguments& arguments) {
+  if (!bench.get_subcommands().empty()) return;
+  if (!arguments.write.empty()) writeBaseline(arguments.write, measure(arguments.triangles, arguments.seconds));
+  if (!arguments.baseline.empty()) compareWith(arguments);
+  if (arguments.baseline.empty() && arguments.write.empty()) throw CLI::RequiredError::Subcommand(1);
+}
+
+}  // namespace
+
+void addBenchBaseline(CLI::App& bench) {
+  auto arguments = std::make_shared<Arguments>();
+  const auto option = [&](const char* name, auto& value, const char* help) {
+    return bench.add_option(name, value, help)->group("Regression guard (without a subcommand)");
+  };
+  option("--baseline", arguments->baseline, "Compare with the ratios in this file; exit 1 if a kernel got slower");
+  option("--write-baseline", arguments->write, "Measure and write such a file");
+  option("--tolerance", arguments->tolerance, "How much a ratio may grow: 0.3 is 30 %")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 100.0));
+  option("--guard-seconds", arguments->seconds, "How long to measure all kernels together, s")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 600.0));
+  option("--guard-triangles", arguments->triangles, "Triangles of the back, for --write-baseline")
+      ->capture_default_str()
+      ->check(CLI::Range(1000, 4000000));
+  bench.add_flag("--json", arguments->json, "Print the comparison as one JSON object")
+      ->group("Regression guard (without a subcommand)");
+  bench.callback([&bench, arguments] { run(bench, *arguments); });
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,128 @@
+// `palpate bench contact`: one finger along one trajectory over one mesh.
+#include <CLI/CLI.hpp>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "apps/palpate/bench/bench_report.h"
+#include "apps/palpate/bench/contact_report.h"
+#include "apps/palpate/bench/named_mesh.h"
+#include "apps/palpate/bench/peers_report.h"
+#include "apps/palpate/common/choice_option.h"
+#include "apps/palpate/common/commands.h"
+#include "apps/palpate/partition/partition_names.h"
+#include "bench/peers/contact_comparison.h"
+#include "bench/peers/peer.h"
+#include "palpate/base/error.h"
+
+namespace palpate::app {
+namespace {
+
+struct Arguments {
+  std::string mesh, trajectory;
+  double scale = 1.0;
+  double stiffness_n_per_mm = 0.5;
+  contact::FingerSettings finger;
+  bench::Window window;
+  bool by_hdb = false;
+  bench::HdbRunSettings hdb;
+  PeersOption peers;
+  bool json = false;
+};
+
+template <class Figures>
+void print(const Arguments& arguments, const Figures& figures) {
+  printReport(jsonOf(figures), textOf(figures), arguments.json);
+}
+
+void runHdb(const Arguments& arguments) {
+  if (arguments.scale != 1.0 || arguments.finger.radius_mm != 0.0 || arguments.finger.force_shading) {
+    throw Error("--source hdb touches with a point, without scale and shading");
+  }
+  if (arguments.peers.wanted) throw Error("--peers are compared with --source surface");
+  bench::ContactWorld world = bench::buildContactWorld(meshFrom(arguments.mesh), 1.0, arguments.stiffness_n_per_mm);
+  print(arguments, bench::measureHdb(world, trajectoryFrom(arguments.trajectory), arguments.finger, arguments.hdb,
+                                     arguments.window));
+}
+
+void runWithPeers(const Arguments& arguments, bench::ContactWorld& world) {
+  const bench::ContactComparison comparison =
+      bench::compareContact(world, trajectoryFrom(arguments.trajectory), arguments.finger, arguments.window,
+                            arguments.peers.peers, arguments.peers.seconds);
+  const double p50 = comparison.ours.tick_us.p50;
+  nlohmann::ordered_json json = jsonOf(comparison.ours);
+  json["peer_queries"] = {{"segments", comparison.queries}, {"nearest", comparison.nearest_asked}};
+  addPeers(json, comparison.peers, PeerTask::contact, p50);
+  printReport(std::move(json), textOf(comparison.ours) + peersText(comparison.peers, PeerTask::contact, p50),
+              arguments.json);
+}
+
+void runContact(const Arguments& arguments) {
+  if (arguments.peers.wanted) handOverToPeersProgram(arguments.peers);
+  if (arguments.by_hdb) return runHdb(arguments);
+  bench::ContactWorld world =
+      bench::buildContactWorld(meshFrom(arguments.mesh), arguments.scale, arguments.stiffness_n_per_mm);
+  if (arguments.peers.wanted) return runWithPeers(arguments, world);
+  print(arguments,
+        bench::measureContact(world, trajectoryFrom(arguments.trajectory), arguments.finger, arguments.window));
+}
+
+void addFingerOptions(CLI::App& command, Arguments& arguments) {
+  const auto number = [&](const char* name, double& value, const char* help, double low) {
+    command.add_option(name, value, help)->capture_default_str()->check(CLI::Range(low, 1e9));
+  };
+  number("--scale", arguments.scale, "Multiplies mesh, trajectory and finger lengths; results stay in mm", 1e-9);
+  number("--radius-mm", arguments.finger.radius_mm, "Radius of the fingertip (mm); 0 is a point", 0.0);
+  number("--mu-static", arguments.finger.mu_static, "Static friction coefficient", 0.0);
+  number("--mu-dynamic", arguments.finger.mu_dynamic, "Dynamic friction coefficient", 0.0);
+  number("--stiffness", arguments.stiffness_n_per_mm, "Stiffness of the skin (N/mm), the same everywhere", 1e-9);
+  number("--stiffness-ratio", arguments.finger.stiffness_ratio, "Tangential over normal stiffness", 1e-9);
+  command.add_option("--from", arguments.window.from_s, "Measure ticks from this time on (s); falls always whole run");
+  command.add_option("--to", arguments.window.until_s, "Measure ticks before this time (s)");
+  command.add_flag("--force-shading", arguments.finger.force_shading, "Smooth the force across triangles");
+}
+
+void addHdbOptions(CLI::App& command, Arguments& arguments) {
+  using hdb::HdbQuery;
+  bench::HdbRunSettings& settings = arguments.hdb;
+  addChoice<bool>(
+      command, "--source", arguments.by_hdb, {{"surface", false}, {"hdb", true}},
+      "What is touched: the whole surface, or what the detecting box (HDB) finds, as the options below say");
+  addPartitionSettings(command, settings.build);
+  addChoice<HdbQuery>(
+      command, "--query", settings.hdb.query,
+      {{"leaves", HdbQuery::leaves}, {"triangles", HdbQuery::triangles}, {"coherent", HdbQuery::coherent}},
+      "HDB: what the box gives");
+  addChoice(command, "--traversal", settings.hdb.literal, traversalChoices(),
+            "HDB: how leaves are found; all but the first as printed");
+  command.add_option("--hdb-edge-mm", settings.edge_mm, "HDB: edge of the box; 0 is a quarter of the longest edge")
+      ->capture_default_str();
+  command
+      .add_option("--refresh-ticks", settings.hdb.ticks_per_refresh,
+                  "HDB: the box follows the proxy every so many ticks")
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void addBenchContactCommand(CLI::App& parent, std::vector<bench::Peer> peers) {
+  auto arguments = std::make_shared<Arguments>();
+  arguments->peers.peers = std::move(peers);
+  CLI::App& command = *parent.add_subcommand("contact", "Run one finger along a trajectory and report what it felt");
+  command.add_option("--mesh", arguments->mesh, kMeshNamesHelp)->required();
+  command.add_option("--trajectory", arguments->trajectory, "CSV file t_s,x_mm,y_mm,z_mm, or a benchmark's name")
+      ->required();
+  addFingerOptions(command, *arguments);
+  addHdbOptions(command, *arguments);
+  addPeersOption(command, arguments->peers);
+  command.add_flag("--json", arguments->json, "Print one JSON object");
+  command.callback([arguments] { runContact(*arguments); });
+}
+
+void addBenchContactCommand(CLI::App& parent) { addBenchContactCommand(parent, bench::peersWithoutLibraries()); }
+
+}  // namespace palpate::app

@@ -1,0 +1,104 @@
+// `palpate bench deform`: how long the deformation of the skin takes, here and as the dissertation has it.
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "apps/palpate/bench/bench_report.h"
+#include "apps/palpate/common/commands.h"
+#include "bench/runs/deform_run.h"
+
+namespace palpate::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json jsonOf(const std::optional<double>& number) { return number ? Json(*number) : Json(nullptr); }
+
+void addTo(Json& json, const bench::ApplyFigures& f) {
+  json["vertices"] = f.vertices;
+  json["ns_per_vertex"] = f.ns_per_vertex;
+  json["us_per_frame"] = f.us_per_frame;
+  json["apply_us"] = percentilesJson(f.apply_us);
+  json["hash"] = fmt::format("{:016x}", f.hash);
+}
+
+Json jsonOf(const bench::DeformFigures& f, const bench::DeformRun& run, bool peers) {
+  Json json;
+  json["triangles"] = f.triangles;
+  json["fingers"] = run.fingers;
+  addTo(json, f.ours);
+  json["region_ns_per_vertex"] = f.region_ns_per_vertex;
+  json["speedup_over_literal"] = jsonOf(f.speedup_over_literal);
+  json["copy_floor_ns_per_vertex"] = f.copy_floor_ns_per_vertex;
+  json["ratio_to_copy_floor"] = f.ratio_to_copy_floor;
+  json["allocations"] = countJson(f.allocations);
+  if (!peers || !f.literal) return json;
+  addTo(json["peers"]["literal"], *f.literal);
+  json["ratio_to"]["literal"] = f.ours.ns_per_vertex / f.literal->ns_per_vertex;
+  return json;
+}
+
+std::string textOf(const char* who, const bench::ApplyFigures& f) {
+  return fmt::format("{:<21} {:.3f} ns/vertex, {:.1f} us for {:.0f} vertices, {}, hash {:016x}\n", who, f.ns_per_vertex,
+                     f.us_per_frame, f.vertices, percentilesText(f.apply_us), f.hash);
+}
+
+std::string textOf(const bench::DeformFigures& f, const bench::DeformRun& run, bool peers) {
+  std::string text =
+      fmt::format("triangles             {}, {} finger{}\n", f.triangles, run.fingers, run.fingers == 1 ? "" : "s");
+  text += textOf("whole apply", f.ours);
+  text += fmt::format("of it region search   {:.3f} ns/vertex\n", f.region_ns_per_vertex);
+  text += fmt::format("copying 24 B/vertex   {:.3f} ns/vertex, ratio {:.1f}\n", f.copy_floor_ns_per_vertex,
+                      f.ratio_to_copy_floor);
+  if (peers && f.literal) text += textOf("literal dissertation", *f.literal);
+  if (f.speedup_over_literal) text += fmt::format("speed-up over literal {:.1f}\n", *f.speedup_over_literal);
+  return text + fmt::format("heap allocations      {}\n", countText(f.allocations));
+}
+
+void addNumbers(CLI::App& command, bench::DeformRun& run) {
+  const auto number = [&](const char* name, double& value, const char* help, double low, double high) {
+    command.add_option(name, value, help)->capture_default_str()->check(CLI::Range(low, high));
+  };
+  command.add_option("--triangles", run.triangles, "Triangles of the back")
+      ->capture_default_str()
+      ->check(CLI::Range(8, 20000000));
+  command.add_option("--fingers", run.fingers, "Fingers, 40 mm apart")->capture_default_str()->check(CLI::Range(1, 8));
+  number("--half-major-mm", run.half_major_mm, "Half major axis of the regions (mm)", 0.001, 1000.0);
+  number("--aspect", run.aspect, "Minor over major axis", 0.01, 1.0);
+  number("--depth-mm", run.depth_mm, "Depth of the fingers (mm)", 0.0, 100.0);
+  number("--drag-mm", run.drag_mm, "Drag of the skin along x (mm); 0 presses only", 0.0, 100.0);
+  number("--seconds", run.seconds, "How long to repeat (s); the best round counts", 0.0, 600.0);
+}
+
+}  // namespace
+
+void addBenchDeformCommand(CLI::App& parent) {
+  struct Arguments {
+    bench::DeformRun run;
+    bool peers = false;
+    bool skip_literal = false;
+    bool json = false;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  bench::DeformRun& run = arguments->run;
+  CLI::App& command = *parent.add_subcommand("deform", "Time the deformation of the benchmark's back under fingers");
+  addNumbers(command, run);
+  command.add_flag("--recompute-normals", run.recompute, "Recomputed instead of analytic normals");
+  command.add_flag("--incremental-normals", run.incremental, "Normals from the list of changed triangles");
+  command.add_flag("--strain", run.strain, "Also write the strain");
+  command.add_flag("--principal-strain", run.principal, "Also write the principal strain");
+  command.add_flag("--general", run.general, "The deformer of every form, even where the fast one would do");
+  command.add_flag("--peers", arguments->peers, "Also print the dissertation's own deformation, timed in the same run");
+  command.add_flag("--skip-literal", arguments->skip_literal,
+                   "Leave the dissertation's deformation out: it takes 500 bytes of memory a vertex");
+  command.add_flag("--json", arguments->json, "Print one JSON object");
+  command.callback([arguments] {
+    arguments->run.literal = !arguments->skip_literal;
+    const auto figures = bench::measureDeform(arguments->run);
+    printReport(jsonOf(figures, arguments->run, arguments->peers), textOf(figures, arguments->run, arguments->peers),
+                arguments->json);
+  });
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,91 @@
+// `palpate bench frame`: how long a picture takes, from the contact to the last pixel.
+#include <fmt/format.h>
+
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "apps/palpate/bench/bench_report.h"
+#include "apps/palpate/bench/frame_run.h"
+#include "apps/palpate/common/commands.h"
+
+namespace palpate::app {
+namespace {
+
+nlohmann::ordered_json jsonOf(const FrameFigures& f) {
+  nlohmann::ordered_json json;
+  json["triangles"] = f.triangles;
+  json["bone_triangles"] = f.bone_triangles;
+  json["renderer"] = f.renderer;
+  json["deform_ms"] = f.deform_ms;
+  json["upload_ms"] = f.upload_ms;
+  json["draw_ms"] = f.draw_ms;
+  json["frame_ms"] = f.frameMs();
+  json["fps"] = f.fps;
+  json["uploaded_vertices"] = f.uploaded_vertices;
+  json["covered"] = f.covered;
+  json["first_frame_ms"] = f.first_frame_ms;
+  return json;
+}
+
+std::string textOf(const FrameFigures& f) {
+  std::string text = fmt::format("triangles      {} of the skin, {} of bones\n", f.triangles, f.bone_triangles);
+  text += fmt::format("drawn by       {}\n", f.renderer);
+  text += fmt::format("deform         {:.3f} ms\n", f.deform_ms);
+  text += fmt::format("upload         {:.3f} ms, {:.0f} vertices\n", f.upload_ms, f.uploaded_vertices);
+  text += fmt::format("draw           {:.2f} ms, skin on {:.0f} % of the picture\n", f.draw_ms, 100.0 * f.covered);
+  text += fmt::format("pictures       {:.1f} a second\n", f.fps);
+  return text + fmt::format("first picture  {:.0f} ms after the world was built\n", f.first_frame_ms);
+}
+
+}  // namespace
+
+void addBenchFrameCommand(CLI::App& parent) {
+  struct Arguments {
+    FrameRun run;
+    std::string stereo = "mono";
+    bool no_labels = false;
+    bool peers = false;
+    bool json = false;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  FrameRun& run = arguments->run;
+  CLI::App& command =
+      *parent.add_subcommand("frame", "Time pictures without a window: deformation, upload and drawing");
+  command.add_option("--triangles", run.triangles, "Triangles of the skin; 18,296 of bones come on top")
+      ->capture_default_str()
+      ->check(CLI::Range(1000, 4000000));
+  const std::map<std::string, view::Shading> shadings{
+      {"gouraud", view::Shading::gouraud}, {"skin", view::Shading::skin}, {"pbr", view::Shading::skin}};
+  command.add_option("--shading", run.shading, "gouraud, or skin (also called pbr)")
+      ->transform(CLI::CheckedTransformer(shadings));
+  command.add_option("--stereo", arguments->stereo, "Stereo mode: mono, sbs-half, sbs-full, anaglyph-dubois, ...")
+      ->capture_default_str();
+  command.add_option("--width", run.width, "Width of the picture, pixels")
+      ->capture_default_str()
+      ->check(CLI::Range(16, 8192));
+  command.add_option("--height", run.height, "Height, pixels")->capture_default_str()->check(CLI::Range(16, 8192));
+  command.add_option("--skin-opacity", run.skin_opacity, "Below 1 the bones show through")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1.0));
+  command.add_option("--seconds", run.seconds, "How long to repeat, s; the best picture of each place counts")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 600.0));
+  command.add_flag("--no-labels", arguments->no_labels, "Without scale, orientation and numbers");
+  command.add_flag("--peers", arguments->peers, "As in the other benchmarks; no other library draws this picture");
+  command.add_flag("--json", arguments->json, "Print one JSON object");
+  command.callback([arguments] {
+    arguments->run.stereo = view::stereoModeNamed(arguments->stereo);
+    arguments->run.labels = !arguments->no_labels;
+    const FrameFigures figures = measureFrames(arguments->run);
+    nlohmann::ordered_json json = jsonOf(figures);
+    std::string text = textOf(figures);
+    if (arguments->peers) {
+      json["peers"] = nlohmann::ordered_json::object();
+      text += "peers          none: no other library draws this picture\n";
+    }
+    printReport(json, text, arguments->json);
+  });
+}
+
+}  // namespace palpate::app

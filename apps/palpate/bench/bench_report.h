@@ -1,0 +1,40 @@
+// What every `palpate bench` command prints in the same way: percentiles, counts and the machine.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "lab/counters/statistics.h"
+
+namespace CLI {
+class App;
+}
+
+namespace palpate::app {
+
+/// {p50, p99, p99_9, max}
+nlohmann::ordered_json percentilesJson(const lab::Percentiles& p);
+
+/// "p50 0.12  p99 0.34  p99.9 0.56  max 7.8 us"
+std::string percentilesText(const lab::Percentiles& p, const char* unit = "us");
+
+/// A count, or null (text: "not counted") where it could not be counted.
+nlohmann::ordered_json countJson(const std::optional<std::uint64_t>& count);
+std::string countText(const std::optional<std::uint64_t>& count);
+
+/// {cpu, cores, memory_gb, kernel, compiler, build, simd, palpate}
+nlohmann::ordered_json machineJson();
+
+/// Prints the JSON object with the machine as its last key, or the text with the machine as its last line.
+void printReport(nlohmann::ordered_json json, const std::string& text, bool as_json);
+
+// The subcommands of `palpate bench` that measure the whole program rather than one room, and its regression guard.
+
+// `bench` is the bench command.
+void addBenchBaseline(CLI::App& bench);  ///< no subcommand: `palpate bench --baseline FILE`
+void addBenchLoadCommand(CLI::App& bench);
+void addBenchServoCommand(CLI::App& bench);
+
+}  // namespace palpate::app

@@ -1,0 +1,109 @@
+// `palpate bench servo`: how punctual the servo loop is, and how long its ticks take, in real time.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "apps/palpate/bench/bench_report.h"
+#include "apps/palpate/bench/servo_run.h"
+#include "apps/palpate/common/progress_line.h"
+#include "apps/palpate/simulate/simulate_options.h"
+
+namespace palpate::app {
+namespace {
+
+constexpr const char* kNaive = "sleep_until";
+
+struct Arguments {
+  SimulateOptions input;
+  bool peers = false;
+  bool json = false;
+};
+
+lab::Percentiles percentilesOf(const servo::DurationPercentiles& p) {
+  return {p.p50_us, p.p99_us, p.p99_9_us, p.max_us};
+}
+
+nlohmann::ordered_json jsonOf(const servo::LoopReport& loop) {
+  nlohmann::ordered_json json;
+  json["ticks"] = loop.ticks;
+  json["seconds"] = loop.wall_s;
+  json["lateness_us"] = percentilesJson(percentilesOf(loop.lateness));
+  json["compute_us"] = percentilesJson(percentilesOf(loop.compute));
+  json["overruns"] = loop.overruns;
+  json["slow_ticks"] = loop.slow_ticks;
+  json["stalls"] = loop.stalls;
+  json["scheduler"] = schedulerOf(loop.grant);
+  json["memory_locked"] = loop.grant.memory_locked;
+  json["exact_timers"] = loop.grant.exact_timers;
+  json["fallback"] = loop.grant.note;
+  return json;
+}
+
+nlohmann::ordered_json jsonOf(const RealtimeReport& report) {
+  nlohmann::ordered_json json = jsonOf(report.loop);
+  json["dropped_samples"] = report.loop.dropped_samples;
+  json["display"] = {{"frames", report.display.frames},
+                     {"deform_us", percentilesJson(percentilesOf(report.display.deform))}};
+  return json;
+}
+
+std::string textOf(const servo::LoopReport& loop) {
+  std::string text = fmt::format("ticks          {} in {:.2f} s\n", loop.ticks, loop.wall_s);
+  text += fmt::format("lateness       {}\n", percentilesText(percentilesOf(loop.lateness)));
+  text += fmt::format("compute        {}\n", percentilesText(percentilesOf(loop.compute)));
+  text += fmt::format("overruns       {} deadlines without a tick; {} ticks longer than a period, {} stalls\n",
+                      loop.overruns, loop.slow_ticks, loop.stalls);
+  text += fmt::format("scheduler      {}, memory {}, timers {}\n", schedulerOf(loop.grant),
+                      loop.grant.memory_locked ? "locked" : "not locked",
+                      loop.grant.exact_timers ? "exact" : "with default slack");
+  if (!loop.grant.note.empty()) text += fmt::format("               {}\n", loop.grant.note);
+  return text;
+}
+
+/// Ours over theirs at p50 of the lateness; null for a clock too coarse to tell.
+nlohmann::ordered_json ratio(const servo::LoopReport& ours, const servo::LoopReport& theirs) {
+  if (theirs.lateness.p50_us <= 0.0) return nullptr;
+  return ours.lateness.p50_us / theirs.lateness.p50_us;
+}
+
+void runBench(const Arguments& arguments) {
+  ProgressLine progress;
+  SimulateOptions input = arguments.input;
+  input.seconds = 0.0;  // here it is how long to measure, not how long the scene lasts
+  const auto world = scene::build(sceneFor(input), progress.callback());
+  const RealtimeReport ours = measureServo(*world, arguments.input.seconds, progress.callback());
+  nlohmann::ordered_json json = jsonOf(ours);
+  std::string text = textOf(ours.loop);
+  if (arguments.peers) {
+    const auto naive = measureServo(*world, arguments.input.seconds, progress.callback(), runSleepUntil).loop;
+    json["peers"][kNaive] = jsonOf(naive);
+    json["ratio_to"][kNaive] = ratio(ours.loop, naive);
+    text += fmt::format("\n{}\n{}", kNaive, textOf(naive));
+  }
+  progress.clear();
+  printReport(std::move(json), text, arguments.json);
+}
+
+}  // namespace
+
+void addBenchServoCommand(CLI::App& parent) {
+  auto arguments = std::make_shared<Arguments>();
+  arguments->input.seconds = 20.0;
+  CLI::App& command = *parent.add_subcommand("servo", "Run the servo loop in real time: lateness and compute time");
+  addInputOptions(command, arguments->input);
+  command.get_option("--seconds")
+      ->description("How long to measure, s; paths repeat")
+      ->capture_default_str()
+      ->check(CLI::Range(0.01, 3600.0));
+  command.add_flag("--peers", arguments->peers, "Also the naive loop: sleep_until, default scheduling");
+  command.add_flag("--json", arguments->json, "Print one JSON object");
+  command.callback([arguments, &command] {
+    arguments->input.radius_given = command.count("--radius-mm") > 0;
+    runBench(*arguments);
+  });
+}
+
+}  // namespace palpate::app

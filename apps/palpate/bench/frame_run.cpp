@@ -1,0 +1,165 @@
+#include "apps/palpate/bench/frame_run.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "palpate/deform/any_deformer.h"
+#include "palpate/scene/skin_contact.h"
+#include "palpate/tree/triangle_tree.h"
+#include "palpate/view/offscreen.h"
+#include "palpate/view/painter.h"
+
+namespace palpate::app {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kPlaces = 16;
+/// The finger's places lie on a circle of this radius round T6: a few millimetres apart, as between two pictures of a
+/// moving hand.
+constexpr double kWanderMm = 10.0;
+constexpr double kMiddleX = 30.0;
+constexpr double kMiddleY = 38.0;
+constexpr double kDepthMm = 8.0;
+/// As many bone triangles as the torso of 41,582 triangles has.
+constexpr std::size_t kBoneTriangles = 18296;
+
+double millisecondsSince(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+std::shared_ptr<const scene::World> backOf(std::size_t triangles) {
+  scene::Scene scene;
+  scene.body.torso.triangles = triangles + kBoneTriangles;
+  scene.body.torso.bone_triangles = kBoneTriangles;
+  return scene::build(scene);
+}
+
+/// A point finger pressed straight down at a place of the back.
+view::FingerMark fingerAt(const scene::World& world, double x, double y) {
+  constexpr double kAbove = 500.0;
+  const auto skin = tree::firstFrontCrossing(world.surface.tree, Vec3(x, y, kAbove), Vec3(x, y, -kAbove)).point;
+  contact::FingerState state;
+  view::FingerMark mark;
+  for (double height = 2.0; height >= -kDepthMm; height -= 0.1) {
+    mark.contact = contact::step(world.surface, {}, state, skin + height * Vec3::UnitZ());
+  }
+  return mark;
+}
+
+std::vector<view::FingerMark> wanderingFinger(const scene::World& world) {
+  std::vector<view::FingerMark> marks;
+  for (int i = 0; i < kPlaces; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kPlaces;
+    marks.push_back(fingerAt(world, kMiddleX + kWanderMm * std::cos(angle), kMiddleY + kWanderMm * std::sin(angle)));
+  }
+  return marks;
+}
+
+/// The whole chain from a contact to a picture, and its shortest times at each place.
+class Bench {
+ public:
+  Bench(const FrameRun& run, std::shared_ptr<const scene::World> world)
+      : world_(std::move(world)),
+        target_(run.width, run.height),
+        painter_(world_),
+        deformer_(world_->deformable, world_->deformation),
+        surface_(world_->deformable) {
+    const double aspect = static_cast<double>(run.width) / run.height;
+    settings_.camera = view::fitted(mesh::boundingBox(world_->skin), aspect);
+    settings_.look.shading = run.shading;
+    settings_.look.skin_opacity = run.skin_opacity;
+    settings_.stereo.mode = run.stereo;
+    if (!run.labels) settings_.labels = {"", false, false, false, false, false, {}};
+    canvas_.framebuffer = target_.framebuffer();
+    canvas_.width = run.width;
+    canvas_.height = run.height;
+    for (auto& times : best_) times.fill(1e300);
+  }
+
+  void frame(const view::FingerMark& mark, std::size_t place) {
+    const auto contact = scene::contactOf(*world_, mark.contact);
+    const auto start = Clock::now();
+    if (contact) deformer_.apply({&*contact, 1}, surface_);
+    note(0, place, start);
+    const auto upload = Clock::now();
+    uploaded_ += painter_.renderer().update(surface_);
+    note(1, place, upload);
+    const auto draw = Clock::now();
+    painter_.paint({{&mark, 1}, 0.0}, surface_, settings_, canvas_);
+    glFinish();
+    note(2, place, draw);
+    ++frames_;
+  }
+
+  double mean(int step) const {
+    double sum = 0.0;
+    for (const double time : best_[step]) sum += time;
+    return sum / kPlaces;
+  }
+  double uploadedVertices() const { return static_cast<double>(uploaded_) / frames_; }
+  const view::Target& target() const { return target_; }
+
+  /// Pixels of the picture that differ from the one without skin.
+  double covered(const view::FingerMark& mark) {
+    const view::Image with = target_.read();
+    view::PictureSettings bare = settings_;
+    bare.look.skin_opacity = 0.0;
+    painter_.paint({{&mark, 1}, 0.0}, surface_, bare, canvas_);
+    const view::Image without = target_.read();
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < with.pixels.size(); ++i) different += with.pixels[i] != without.pixels[i] ? 1 : 0;
+    return static_cast<double>(different) / static_cast<double>(with.pixels.size());
+  }
+
+ private:
+  void note(int step, std::size_t place, Clock::time_point start) {
+    best_[step][place] = std::min(best_[step][place], millisecondsSince(start));
+  }
+
+  std::shared_ptr<const scene::World> world_;
+  view::Target target_;
+  view::Painter painter_;
+  deform::AnyDeformer deformer_;
+  deform::DeformedSurface surface_;
+  view::PictureSettings settings_;
+  view::Canvas canvas_;
+  std::array<std::array<double, kPlaces>, 3> best_{};
+  std::size_t uploaded_ = 0;
+  std::size_t frames_ = 0;
+};
+
+}  // namespace
+
+FrameFigures measureFrames(const FrameRun& run) {
+  const auto world = backOf(run.triangles);
+  const std::vector<view::FingerMark> marks = wanderingFinger(*world);
+  const auto start = Clock::now();
+  const view::OffscreenContext context;
+  Bench bench(run, world);
+  bench.frame(marks.front(), 0);
+  (void)bench.target().read();
+  FrameFigures figures;
+  figures.first_frame_ms = millisecondsSince(start);
+  const auto end = Clock::now() + std::chrono::duration<double>(run.seconds);
+  do {
+    for (std::size_t place = 0; place < marks.size(); ++place) bench.frame(marks[place], place);
+  } while (Clock::now() < end);
+  figures.triangles = world->skin.triangles.size();
+  for (const body::Bone& bone : world->anatomy.bones) figures.bone_triangles += bone.mesh.triangles.size();
+  figures.renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  figures.deform_ms = bench.mean(0);
+  figures.upload_ms = bench.mean(1);
+  figures.draw_ms = bench.mean(2);
+  figures.fps = 1000.0 / figures.frameMs();
+  figures.uploaded_vertices = bench.uploadedVertices();
+  figures.covered = bench.covered(marks.back());
+  return figures;
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,47 @@
+#include "apps/palpate/common/progress_line.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace palpate::app {
+
+namespace {
+
+/// A terminal is rewritten ten times a second; a log gets a line only when work takes longer than two seconds.
+constexpr std::chrono::milliseconds kTerminalPause{100};
+constexpr std::chrono::seconds kLogPause{2};
+
+}  // namespace
+
+ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) != 0), next_(Clock::now()) {
+  if (!terminal_) next_ += kLogPause;
+}
+
+ProgressLine::~ProgressLine() { clear(); }
+
+Progress ProgressLine::callback() {
+  return [this](std::string_view stage, double done) { show(stage, done); };
+}
+
+void ProgressLine::show(std::string_view stage, double done) {
+  const bool new_stage = terminal_ && stage != stage_;
+  if (!new_stage && Clock::now() < next_) return;
+  stage_ = stage;
+  next_ = Clock::now();
+  next_ += terminal_ ? std::chrono::duration_cast<Clock::duration>(kTerminalPause) : kLogPause;
+  const std::string percent = done > 0.0 ? fmt::format(" {:.0f} %", 100.0 * done) : " ...";
+  const std::string line = fmt::format("{}{}", stage, percent);
+  fmt::print(stderr, "{}", terminal_ ? "\r\x1b[K" + line : line + "\n");
+  std::fflush(stderr);
+  visible_ = terminal_;
+}
+
+void ProgressLine::clear() {
+  if (visible_) fmt::print(stderr, "\r\x1b[K");
+  std::fflush(stderr);
+  visible_ = false;
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,216 @@
+// `palpate map ellipses|contours|stiffness`: the maps over a skin as numbers, coloured surface and picture.
+#include <fmt/format.h>
+
+#include <array>
+#include <functional>
+#include <map>
+#include <memory>
+
+#include "apps/palpate/common/commands.h"
+#include "apps/palpate/map/map_output.h"
+#include "apps/palpate/map/map_sources.h"
+#include "palpate/base/error.h"
+#include "palpate/scene/errata.h"
+
+namespace palpate::app {
+
+namespace {
+
+struct MapArguments {
+  MapSource source;
+  MapOutput output;
+  MeshArguments mesh;
+  std::string body = "torso";
+  std::size_t triangles = 0;
+  std::string fidelity = "corrected";
+  std::string interpolation;
+  std::string directions;
+  std::string data = "up";
+  std::string averaging = "plain";
+  std::vector<double> range;
+  std::vector<std::string> files;
+  bool json = false;
+};
+
+MapSkin skinOf(const MapArguments& arguments) {
+  if (!arguments.mesh.file.empty()) return skinOfFile(arguments.mesh);
+  if (arguments.body == "back") return builtInBack(arguments.triangles > 0 ? arguments.triangles : 15815);
+  return builtInTorso(arguments.triangles > 0 ? arguments.triangles : 20389);
+}
+
+/// The words of the options as settings. CLI11 has checked them.
+MapSource sourceOf(const MapArguments& arguments) {
+  static const std::map<std::string, std::optional<maps::LiteralWeights>> weight_words{
+      {"", {}},
+      {"gri", {}},
+      {"products", maps::LiteralWeights::products},
+      {"printed-products", maps::LiteralWeights::printed_products},
+      {"single-effects", maps::LiteralWeights::single_effects}};
+  static const std::map<std::string, maps::DirectionBlend> direction_words{
+      {"tensor", maps::DirectionBlend::tensor},
+      {"double-angle", maps::DirectionBlend::double_angle},
+      {"raw-degrees", maps::DirectionBlend::raw_degrees}};
+  static const std::map<std::string, maps::StiffnessInterpolation> stiffness_words{
+      {"gri", maps::StiffnessInterpolation::gri},
+      {"thin-plate", maps::StiffnessInterpolation::thin_plate},
+      {"polynomial", maps::StiffnessInterpolation::polynomial}};
+  MapSource source = arguments.source;
+  source.fidelity = scene::parseFidelity(arguments.fidelity);
+  source.measured.force = arguments.data == "down" ? maps::ForceDirection::down : maps::ForceDirection::up;
+  source.measured.averaging = arguments.averaging == "tensorial" ? maps::Averaging::tensorial : maps::Averaging::plain;
+  const auto stiffness = stiffness_words.find(arguments.interpolation);
+  if (stiffness != stiffness_words.end()) source.stiffness.interpolation = stiffness->second;
+  source.interpolate_depth = !arguments.interpolation.empty();
+  const auto weights = weight_words.find(arguments.interpolation);
+  if (weights != weight_words.end()) source.weights = weights->second;
+  const auto directions = direction_words.find(arguments.directions);
+  if (directions != direction_words.end()) source.directions = directions->second;
+  return source;
+}
+
+nlohmann::ordered_json summaryOf(const MapArguments& arguments, const MapSkin& skin, const SkinMap& map) {
+  const std::pair<double, double> range = shownRange(map);
+  nlohmann::ordered_json summary = map.summary;
+  summary["skin"] = skin.name;
+  summary["vertices"] = skin.mesh.positions.size();
+  summary["quantity"] = map.shown.column;
+  summary["range"] = {range.first, range.second};
+  if (!arguments.interpolation.empty()) summary["interpolation"] = arguments.interpolation;
+  summary["fidelity"] = arguments.fidelity;
+  summary["files"] = arguments.files;
+  return summary;
+}
+
+void print(const MapArguments& arguments, const nlohmann::ordered_json& summary) {
+  if (arguments.json) return fmt::print("{}\n", summary.dump(2));
+  fmt::print("{} over {}: {} {:.4g} to {:.4g}", summary["map"].get<std::string>(), summary["skin"].get<std::string>(),
+             summary["quantity"].get<std::string>(), summary["range"][0].get<double>(),
+             summary["range"][1].get<double>());
+  for (const char* key : {"fit_error", "fit_error_n_per_mm"}) {
+    if (summary.contains(key)) fmt::print("; {} at the key points {}", key, summary[key].dump());
+  }
+  fmt::print(" -> {}\n", fmt::join(arguments.files, ", "));
+}
+
+using Make = SkinMap (*)(const MapSkin&, const MapSource&);
+
+void run(const MapArguments& arguments, Make make) {
+  for (const std::string& file : arguments.files) requireMapFile(file);
+  const MapSource source = sourceOf(arguments);
+  const MapSkin skin = skinOf(arguments);
+  SkinMap map = make(skin, source);
+  if (!arguments.range.empty()) {
+    if (!(arguments.range[0] < arguments.range[1])) throw Error("map: --range needs two rising numbers");
+    map.shown.range = {arguments.range[0], arguments.range[1]};
+  }
+  for (const std::string& file : arguments.files) writeMap(file, skin, map, arguments.output);
+  print(arguments, summaryOf(arguments, skin, map));
+}
+
+void addCommonOptions(CLI::App& command, MapArguments& a) {
+  command.add_option("-o,--output", a.files, "File to write by its extension, repeatable: .csv .ply .png .svg")
+      ->required()
+      ->allow_extra_args(false);
+  addMeshArguments(command, a.mesh);
+  command.get_option("mesh")->required(false);
+  command.add_option("--body", a.body, "Without a mesh: the built-in skin")
+      ->check(CLI::IsMember({"torso", "back"}))
+      ->capture_default_str();
+  command.add_option("--triangles", a.triangles, "Of the built-in skin; 0: 20389 (torso, with bones), 15815 (back)")
+      ->capture_default_str();
+  command.add_option("--keys", a.source.key_file, "Table of key points (docs/maps.md); left out: the dissertation's");
+  command
+      .add_option("--range", a.range, "Values of the two ends of the colours, LOW,HIGH; left out: those of the data")
+      ->delimiter(',')
+      ->expected(2);
+  command.add_option("--grid-mm", a.output.grid_mm, "CSV: a row every so many mm of the map plane; 0: a row a vertex")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  command.add_option("--png-scale", a.output.png_scale, "PNG: pixels a CSS pixel; 2 suits screens and paper")
+      ->check(CLI::Range(0.2, 8.0))
+      ->capture_default_str();
+  command.add_flag("--json", a.json, "Print the summary as one JSON object, with fit errors at the key points");
+}
+
+void addBoundaryOptions(CLI::App& command, MapArguments& a) {
+  command.add_option("--data", a.data, "Built-in key points: the skin was dragged up or down")
+      ->check(CLI::IsMember({"up", "down"}))
+      ->capture_default_str();
+  command.add_option("--averaging", a.averaging, "Built-in key points: means as printed, or of the ellipses")
+      ->check(CLI::IsMember({"plain", "tensorial"}))
+      ->capture_default_str();
+  command.add_option("--effect-radius-mm", a.source.ellipses.effect_radius_mm, "How far a key point reaches, mm")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command.add_option("--basic-radius-mm", a.source.ellipses.basic_radius_mm, "Circle where none reaches, mm")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+}
+
+void addEllipses(CLI::App& parent) {
+  auto arguments = std::make_shared<MapArguments>();
+  MapArguments& a = *arguments;
+  CLI::App& command = *parent.add_subcommand("ellipses", "The deformation ellipse of every place");
+  addCommonOptions(command, a);
+  addBoundaryOptions(command, a);
+  command.add_option("--quantity", a.source.quantity, "What is coloured")
+      ->check(CLI::IsMember({"half-major", "aspect", "direction"}))
+      ->capture_default_str();
+  command
+      .add_option("--interpolation", a.interpolation,
+                  "gri, or a form of the dissertation: (5.16) with E26, "
+                  "(5.16) as printed, (5.7); left out: as --fidelity says")
+      ->check(CLI::IsMember({"gri", "products", "printed-products", "single-effects"}));
+  command.add_option("--directions", a.directions, "How directions are blended; left out: as --fidelity says")
+      ->check(CLI::IsMember({"tensor", "double-angle", "raw-degrees"}));
+  command.add_option("--fidelity", a.fidelity, "Errata taken literally: corrected, literal, or a list such as E28,E29")
+      ->capture_default_str();
+  command.callback([arguments] { run(*arguments, ellipsesOver); });
+}
+
+void addContours(CLI::App& parent) {
+  auto arguments = std::make_shared<MapArguments>();
+  CLI::App& command = *parent.add_subcommand(
+      "contours", "Irregular boundaries: n radii a key point, from a table or from the built-in ellipses");
+  addCommonOptions(command, *arguments);
+  addBoundaryOptions(command, *arguments);
+  command.add_option("--radii", arguments->source.contour_radii, "Built-in ellipses: radii a contour")
+      ->check(CLI::Range(maps::kMinContourRadii, maps::kMaxContourRadii))
+      ->capture_default_str();
+  command.callback([arguments] { run(*arguments, contoursOver); });
+}
+
+void addStiffness(CLI::App& parent) {
+  auto arguments = std::make_shared<MapArguments>();
+  maps::MeasuredStiffness& s = arguments->source.stiffness;
+  CLI::App& command = *parent.add_subcommand(
+      "stiffness", "How hard the body pushes back: from key points with a stiffness, else from the torso's bones");
+  addCommonOptions(command, *arguments);
+  command
+      .add_option("--interpolation", arguments->interpolation,
+                  "Between key points: gri (default), thin-plate or polynomial. Without --keys: the torso measured "
+                  "at the seven places")
+      ->check(CLI::IsMember({"gri", "thin-plate", "polynomial"}));
+  command.add_option("--degree", s.polynomial_degree, "Of the polynomial")
+      ->check(CLI::Range(std::size_t{0}, maps::kMaxPolynomialDegree))
+      ->capture_default_str();
+  command.add_option("--effect-radius-mm", s.effect_radius_mm, "gri: how far a key point reaches, mm")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command.add_option("--basic-n-per-mm", s.basic_n_per_mm, "gri: stiffness where none reaches")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command.callback([arguments] { run(*arguments, stiffnessOver); });
+}
+
+}  // namespace
+
+void addMapCommand(CLI::App& app) {
+  CLI::App& map = *app.add_subcommand("map", "Write the ellipse, contour or stiffness map of a skin");
+  map.require_subcommand(1);
+  addEllipses(map);
+  addContours(map);
+  addStiffness(map);
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,299 @@
+// `palpate model back|torso|bones|hand`: writes a part of the built-in human to a mesh file.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "apps/palpate/common/commands.h"
+#include "palpate/body/back.h"
+#include "palpate/body/bones.h"
+#include "palpate/body/hand.h"
+#include "palpate/body/torso.h"
+#include "palpate/mesh/files/save.h"
+
+namespace palpate::app {
+
+namespace {
+
+struct ModelOptions {
+  std::string output;
+  std::string skin_output;
+  std::string bones_output;
+  std::size_t triangles = 0;
+  std::size_t bone_triangles = 0;
+  body::SkinSettings shape;
+  double hand_length_mm = body::HandSettings{}.length_mm;
+  std::string side = "right";
+  bool json = false;
+};
+
+/// What is written: one surface, and per vertex what PLY can carry. Empty channels are left out.
+struct Model {
+  mesh::TriangleMesh mesh;
+  std::vector<Vec3> normals;
+  std::vector<float> depth_mm;  ///< to the nearest bone; 0 on a bone
+  std::vector<float> part;      ///< 0 skin, 1.. the bones in the order of the summary
+  std::vector<float> bone;      ///< on the skin: the part number of the nearest bone; on a bone its own
+};
+
+void append(const mesh::TriangleMesh& from, mesh::TriangleMesh& to) {
+  const auto offset = static_cast<Index>(to.positions.size());
+  to.positions.insert(to.positions.end(), from.positions.begin(), from.positions.end());
+  for (const Triangle& t : from.triangles) to.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
+}
+
+mesh::VertexChannels channelsOf(const Model& model) {
+  mesh::VertexChannels channels;
+  for (int axis = 0; axis < 3 && !model.normals.empty(); ++axis) {
+    mesh::VertexScalar column{std::string("n") + "xyz" [axis], {}};
+    for (const Vec3& normal : model.normals) column.values.push_back(static_cast<float>(normal[axis]));
+    channels.scalars.push_back(std::move(column));
+  }
+  if (!model.depth_mm.empty()) channels.scalars.push_back({"depth_mm", model.depth_mm});
+  if (!model.part.empty()) channels.scalars.push_back({"part", model.part});
+  if (!model.bone.empty()) channels.scalars.push_back({"bone", model.bone});
+  return channels;
+}
+
+void write(const std::string& file, const Model& model) {
+  const bool carries_values = std::filesystem::path(file).extension() == ".ply";
+  mesh::save(file, model.mesh, carries_values ? channelsOf(model) : mesh::VertexChannels{});
+}
+
+Model skinModel(const body::Torso& torso) {
+  Model model{torso.skin.mesh, torso.skin.normals, {}, {}, {}};
+  model.depth_mm.assign(torso.depth_mm.begin(), torso.depth_mm.end());
+  model.part.assign(torso.depth_mm.size(), 0);
+  for (const Index bone : torso.nearest_bone) model.bone.push_back(static_cast<float>(bone + 1));
+  return model;
+}
+
+/// Appends the bones; values are kept only if the model has them already or is empty.
+void appendBones(const std::vector<body::Bone>& bones, Model& model) {
+  model.normals.clear();
+  for (std::size_t i = 0; i < bones.size(); ++i) {
+    append(bones[i].mesh, model.mesh);
+    model.part.resize(model.mesh.positions.size(), static_cast<float>(i + 1));
+    model.bone.resize(model.mesh.positions.size(), static_cast<float>(i + 1));
+  }
+  if (!model.depth_mm.empty()) model.depth_mm.resize(model.mesh.positions.size(), 0);
+}
+
+nlohmann::json partsOf(const std::vector<body::Bone>& bones) {
+  nlohmann::json parts = nlohmann::json::array();
+  for (std::size_t i = 0; i < bones.size(); ++i) {
+    parts.push_back({{"part", i + 1}, {"name", bones[i].name}, {"triangles", bones[i].mesh.triangles.size()}});
+  }
+  return parts;
+}
+
+nlohmann::json jsonOf(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+nlohmann::json landmarksOf(const body::Torso& torso) {
+  nlohmann::json landmarks = nlohmann::json::array();
+  for (const body::SkinLandmark& point : torso.landmarks) {
+    landmarks.push_back({{"name", point.name},
+                         {"bone", point.bone},
+                         {"skin_mm", jsonOf(point.position)},
+                         {"normal", jsonOf(point.normal)},
+                         {"bone_mm", jsonOf(point.bone_position)}});
+  }
+  return landmarks;
+}
+
+/// A measure of the shape of the triangles: near 60 is regular, near 0 a sliver.
+double smallestAngleDeg(const mesh::TriangleMesh& mesh) {
+  double largest_cosine = -1;
+  for (const Triangle& t : mesh.triangles) {
+    for (int i = 0; i < 3; ++i) {
+      const Vec3& corner = mesh.positions[t[i]];
+      const Vec3 u = mesh.positions[t[(i + 1) % 3]] - corner;
+      const Vec3 v = mesh.positions[t[(i + 2) % 3]] - corner;
+      largest_cosine = std::max(largest_cosine, u.dot(v) / std::sqrt(u.squaredNorm() * v.squaredNorm()));
+    }
+  }
+  return std::acos(std::min(1.0, largest_cosine)) * 180 / std::numbers::pi;
+}
+
+/// Writes the model and prints what was written, in words or as one JSON object.
+void finish(const char* name, const ModelOptions& options, const Model& model, double seconds, nlohmann::json extra) {
+  write(options.output, model);
+  const Vec3 box = mesh::boundingBox(model.mesh).sizes();
+  if (!options.json) {
+    fmt::print("{}: {} triangles, {} vertices, {:.1f} x {:.1f} x {:.1f} mm, made in {:.2f} s -> {}\n", name,
+               model.mesh.triangles.size(), model.mesh.positions.size(), box.x(), box.y(), box.z(), seconds,
+               options.output);
+    return;
+  }
+  extra["model"] = name;
+  extra["file"] = options.output;
+  extra["triangles"] = model.mesh.triangles.size();
+  extra["vertices"] = model.mesh.positions.size();
+  extra["box_mm"] = jsonOf(box);
+  extra["smallest_angle_deg"] = smallestAngleDeg(model.mesh);
+  extra["seconds"] = seconds;
+  fmt::print("{}\n", extra.dump(2));
+}
+
+class Stopwatch {
+ public:
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+void makeBackModel(const ModelOptions& options) {
+  const Stopwatch watch;
+  body::Skin skin = body::makeBackSkin({options.triangles, options.shape});
+  finish("back", options, {std::move(skin.mesh), std::move(skin.normals), {}, {}, {}}, watch.seconds(),
+         {{"stature_mm", options.shape.stature_mm}});
+}
+
+void makeTorsoModel(const ModelOptions& options) {
+  const Stopwatch watch;
+  const body::Torso torso = body::makeTorso({options.triangles, options.bone_triangles, options.shape});
+  const double seconds = watch.seconds();
+  Model whole = skinModel(torso);
+  if (!options.skin_output.empty()) write(options.skin_output, whole);
+  appendBones(torso.bones, whole);
+  if (!options.bones_output.empty()) {
+    Model bones;
+    appendBones(torso.bones, bones);
+    write(options.bones_output, bones);
+  }
+  finish("torso", options, whole, seconds,
+         {{"stature_mm", options.shape.stature_mm},
+          {"skin_triangles", torso.skin.mesh.triangles.size()},
+          {"parts", partsOf(torso.bones)},
+          {"landmarks", landmarksOf(torso)}});
+}
+
+void makeBonesModel(const ModelOptions& options) {
+  const Stopwatch watch;
+  const std::vector<body::Bone> bones =
+      body::makeBones({.stature_mm = options.shape.stature_mm, .triangles = options.triangles, .warp = {}});
+  Model model;
+  appendBones(bones, model);
+  finish("bones", options, model, watch.seconds(),
+         {{"stature_mm", options.shape.stature_mm}, {"parts", partsOf(bones)}});
+}
+
+void makeHandModel(const ModelOptions& options) {
+  const Stopwatch watch;
+  body::HandSettings settings;
+  settings.side = options.side == "left" ? body::Side::left : body::Side::right;
+  settings.triangles = options.triangles;
+  settings.length_mm = options.hand_length_mm;
+  Model model;
+  model.mesh = body::makeHand(settings);
+  const Vec3 tip = body::indexTip(settings);
+  finish("hand", options, model, watch.seconds(), {{"side", options.side}, {"index_tip_mm", jsonOf(tip)}});
+}
+
+/// One model's subcommand with what all of them have. Options live as long as the command line does.
+CLI::App* addModel(CLI::App& parent, const char* name, const char* what, ModelOptions defaults,
+                   const std::function<void(const ModelOptions&)>& make, std::shared_ptr<ModelOptions>& options) {
+  options = std::make_shared<ModelOptions>(std::move(defaults));
+  CLI::App* command = parent.add_subcommand(name, what);
+  command->add_option("-o,--output", options->output, "Mesh file to write: .obj, .stl or .ply")->required();
+  command->add_option("--triangles", options->triangles, "Triangles, exactly")->capture_default_str();
+  command->add_flag("--json", options->json, "Print the summary as one JSON object");
+  command->callback([make, options] { make(*options); });
+  return command;
+}
+
+void addStature(CLI::App& command, ModelOptions& options) {
+  command.add_option("--stature-mm", options.shape.stature_mm, "Height of the person, mm; everything scales with it")
+      ->capture_default_str();
+}
+
+void addShape(CLI::App& command, ModelOptions& options) {
+  addStature(command, options);
+  body::SkinSettings& shape = options.shape;
+  constexpr const char* kGroup = "Shape of the skin";
+  const auto add = [&](const char* name, double& value, const char* help) {
+    command.add_option(name, value, help)->capture_default_str()->group(kGroup);
+  };
+  add("--spine-relief", shape.relief.spine, "Spinous processes: 0 none, 1 a lean man, 2 emaciated");
+  add("--rib-relief", shape.relief.ribs, "Ribs: 0 none, 1 a lean man, 2 emaciated");
+  add("--scapula-relief", shape.relief.scapulae, "Shoulder blades: 0 none, 1 a lean man, 2 emaciated");
+  add("--asymmetry", shape.asymmetry, "0 symmetric, 1 naturally uneven");
+  const auto add_levels = [&](const char* name, body::LevelWeights& value) {
+    command.add_option(name, value, "Weights of that relief at T1-T2, T3-T9, T10-L2, L3-L5")
+        ->delimiter(',')
+        ->capture_default_str()
+        ->group(kGroup);
+  };
+  add_levels("--spine-levels", shape.relief.spine_level);
+  add_levels("--rib-levels", shape.relief.rib_level);
+  add_levels("--scapula-levels", shape.relief.scapula_level);
+}
+
+void addBack(CLI::App& model) {
+  ModelOptions defaults;
+  defaults.triangles = body::BackSettings{}.triangles;
+  std::shared_ptr<ModelOptions> options;
+  CLI::App* command = addModel(model, "back", "The back, 350 x 400 x 120 mm, 500 to 4,000,000 triangles", defaults,
+                               makeBackModel, options);
+  addShape(*command, *options);
+}
+
+void addTorso(CLI::App& model) {
+  ModelOptions defaults;
+  defaults.triangles = body::TorsoSettings{}.triangles;
+  defaults.shape = body::TorsoSettings{}.shape;
+  std::shared_ptr<ModelOptions> options;
+  CLI::App* command = addModel(
+      model, "torso", "Skin down to the sacrum over its bones; the dissertation's sizes are 8163, 20389 and 41582",
+      defaults, makeTorsoModel, options);
+  addShape(*command, *options);
+  command->add_option("--bone-triangles", options->bone_triangles, "Triangles of the bones among them; 0 chooses")
+      ->capture_default_str();
+  command->add_option("--skin-output", options->skin_output, "Also write the skin alone to this file");
+  command->add_option("--bones-output", options->bones_output, "Also write the bones alone to this file");
+}
+
+void addBones(CLI::App& model) {
+  ModelOptions defaults;
+  defaults.triangles = body::BonesSettings{}.triangles;
+  std::shared_ptr<ModelOptions> options;
+  CLI::App* command =
+      addModel(model, "bones", "T1-T12, L1-L5, 24 ribs and two shoulder blades", defaults, makeBonesModel, options);
+  addStature(*command, *options);
+}
+
+void addHand(CLI::App& model) {
+  ModelOptions defaults;
+  defaults.triangles = body::HandSettings{}.triangles;
+  std::shared_ptr<ModelOptions> options;
+  CLI::App* command =
+      addModel(model, "hand", "An open hand with the index finger stretched out", defaults, makeHandModel, options);
+  command->add_option("--side", options->side, "Which hand")
+      ->check(CLI::IsMember({"right", "left"}))
+      ->capture_default_str();
+  command->add_option("--length-mm", options->hand_length_mm, "From the wrist's cut to the tip of the index finger")
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void addModelCommand(CLI::App& app) {
+  CLI::App* model = app.add_subcommand("model", "Write a part of the built-in human to a mesh file (mm)");
+  model->require_subcommand(1);
+  addBack(*model);
+  addTorso(*model);
+  addBones(*model);
+  addHand(*model);
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,88 @@
+// `palpate repair MESH -o OUT`: makes a mesh fit to be felt and says what was done.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "apps/palpate/common/commands.h"
+#include "apps/palpate/common/mesh_arguments.h"
+#include "apps/palpate/common/progress_line.h"
+#include "apps/palpate/model/mesh_report.h"
+#include "palpate/base/error.h"
+#include "palpate/mesh/files/save.h"
+#include "palpate/mesh/repair.h"
+
+namespace palpate::app {
+
+namespace {
+
+struct RepairArguments {
+  MeshArguments mesh;
+  std::string output;
+  double weld_distance_mm = 0.0;
+  bool no_weld = false;
+  bool keep_orientation = false;
+  bool json = false;
+};
+
+mesh::RepairResult repairFile(const RepairArguments& arguments) {
+  ProgressLine progress;
+  mesh::LoadOptions load_options = arguments.mesh.options;
+  load_options.keep_wrong_indices = true;
+  mesh::TriangleMesh surface = mesh::load(arguments.mesh.file, load_options, progress.callback());
+  try {
+    const mesh::RepairOptions options{.weld = !arguments.no_weld,
+                                      .weld_distance_mm = arguments.weld_distance_mm,
+                                      .orient_outwards = !arguments.keep_orientation};
+    return mesh::repair(std::move(surface), options, progress.callback());
+  } catch (const Error& error) {
+    throw Error::inFile(arguments.mesh.file, error.what());
+  }
+}
+
+std::string textOf(const mesh::RepairResult& result) {
+  std::string text;
+  for (const auto& action : result.actions) text += fmt::format("{:>9}  {}\n", action.count, action.what);
+  if (result.actions.empty()) text = "nothing to repair\n";
+  return text + fmt::format("{} triangles, {} vertices, {} component{}, {}{}\n", result.mesh.triangles.size(),
+                            result.mesh.positions.size(), result.components, result.components == 1 ? "" : "s",
+                            result.closed ? "closed" : "open", result.self_intersecting ? ", intersects itself" : "");
+}
+
+nlohmann::ordered_json jsonOf(const mesh::RepairResult& result) {
+  nlohmann::ordered_json json;
+  json["triangles"] = result.mesh.triangles.size();
+  json["vertices"] = result.mesh.positions.size();
+  json["components"] = result.components;
+  json["closed"] = result.closed;
+  json["self_intersecting"] = result.self_intersecting;
+  json["actions"] = nlohmann::ordered_json::array();
+  for (const auto& action : result.actions) json["actions"].push_back({{"what", action.what}, {"count", action.count}});
+  return json;
+}
+
+void runRepair(const RepairArguments& arguments) {
+  const mesh::RepairResult result = repairFile(arguments);
+  mesh::save(arguments.output, result.mesh);
+  fmt::print("{}", arguments.json ? jsonOf(result).dump(2) + "\n" : textOf(result));
+}
+
+}  // namespace
+
+void addRepairCommand(CLI::App& app) {
+  auto arguments = std::make_shared<RepairArguments>();
+  CLI::App& command = *app.add_subcommand("repair", "Make a mesh fit to be felt and say what was done");
+  addMeshArguments(command, arguments->mesh);
+  command.add_option("-o,--output", arguments->output, "File to write: obj, stl or ply (mm)")->required();
+  command.add_flag("--no-weld", arguments->no_weld, "Leave vertices at the same place apart");
+  command
+      .add_option("--weld-distance-mm", arguments->weld_distance_mm,
+                  "Weld also vertices nearer than this (mm); 0: the same place only")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1e9));
+  command.add_flag("--keep-orientation", arguments->keep_orientation,
+                   "Do not turn closed parts outside out that face inwards");
+  command.add_flag("--json", arguments->json, "Print one JSON object");
+  command.callback([arguments] { runRepair(*arguments); });
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,183 @@
+// `palpate partition MESH`: builds the dissertation's partition of a mesh, says what it looks like, and asks it for the
+// triangles in a haptic detecting box.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/palpate/bench/named_mesh.h"
+#include "apps/palpate/common/choice_option.h"
+#include "apps/palpate/common/commands.h"
+#include "apps/palpate/common/mesh_arguments.h"
+#include "apps/palpate/common/progress_line.h"
+#include "apps/palpate/partition/partition_names.h"
+#include "apps/palpate/partition/partition_pictures.h"
+#include "apps/palpate/partition/partition_report.h"
+#include "palpate/base/error.h"
+#include "palpate/base/text.h"
+#include "palpate/hdb/literal_octree.h"
+
+namespace palpate::app {
+
+namespace {
+
+using hdb::HdbSize;
+
+struct Arguments {
+  MeshArguments mesh;
+  hdb::BuildSettings settings;
+  bool two_of_three = false;
+  std::string box;
+  HdbSize box_size = HdbSize::QuarterOfLongestEdge;
+  LeafSearch traversal;
+  std::string leaves_file, selection_file;
+  bool json = false;
+};
+
+const Choices<LeafSearch>& traversals() {
+  static const Choices<LeafSearch> all = [] {
+    Choices<LeafSearch> choices;
+    for (const auto& [word, literal] : traversalChoices()) choices.push_back({word, {false, literal}});
+    choices.insert(choices.begin() + 1, {"sphere", {true, {}}});
+    return choices;
+  }();
+  return all;
+}
+
+std::string nameOf(const LeafSearch& search) {
+  for (const auto& [name, choice] : traversals()) {
+    if (choice == search) return name;
+  }
+  return {};
+}
+
+struct BoxArgument {
+  Vec3 centre;
+  std::optional<double> edge_mm;
+};
+
+/// x,y,z or x,y,z,edge
+BoxArgument parseBox(const std::string& text) {
+  std::vector<double> numbers;
+  for (const std::string_view field : split(text, ',')) {
+    const auto number = parseNumber(field);
+    if (!number || !std::isfinite(*number)) throw Error("--box: \"" + text + "\" is not x,y,z or x,y,z,edge in mm");
+    numbers.push_back(*number);
+  }
+  if (numbers.size() != 3 && numbers.size() != 4) throw Error("--box: expected x,y,z or x,y,z,edge in mm");
+  BoxArgument box{{numbers[0], numbers[1], numbers[2]}, {}};
+  if (numbers.size() == 4) box.edge_mm = numbers[3];
+  if (box.edge_mm && !(*box.edge_mm > 0.0)) throw Error("--box: the edge must be larger than 0 mm");
+  return box;
+}
+
+/// What can be known to be wrong before a large mesh is loaded.
+void checkChoices(const Arguments& arguments) {
+  const bool octree = arguments.settings.tree == hdb::TreeKind::Octree;
+  const bool majority = arguments.settings.assignment == hdb::Assignment::Majority;
+  if (arguments.two_of_three && !(octree && majority)) {
+    throw Error("--octree-rule two-of-three is a rule of the octree with assignment C");
+  }
+  const LeafSearch& search = arguments.traversal;
+  if (search.literal && !suits(*search.literal, arguments.settings.tree)) {
+    throw Error("--traversal " + nameOf(search) + " needs the planes of --tree bsp");
+  }
+  if (arguments.box.empty()) {
+    if (!arguments.selection_file.empty()) throw Error("--selection needs a --box");
+    return;
+  }
+  parseBox(arguments.box);
+}
+
+struct Built {
+  hdb::Partition partition;
+  std::optional<std::size_t> lost;
+  double seconds = 0.0;
+};
+
+Built build(const mesh::TriangleMesh& mesh, const Arguments& arguments, const Progress& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  Built built;
+  if (arguments.two_of_three) {
+    hdb::LiteralOctree literal = hdb::buildLiteralOctree(mesh, arguments.settings, progress);
+    built.partition = std::move(literal.partition);
+    built.lost = literal.lost.size();
+  } else {
+    built.partition = hdb::buildPartition(mesh, arguments.settings, progress);
+  }
+  built.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return built;
+}
+
+PartitionReport::Box askBox(const mesh::TriangleMesh& mesh, const hdb::Partition& partition,
+                            const Arguments& arguments) {
+  const BoxArgument wanted = parseBox(arguments.box);
+  PartitionReport::Box box;
+  box.centre_mm = wanted.centre;
+  box.edges_mm =
+      wanted.edge_mm ? Vec3(Vec3::Constant(*wanted.edge_mm)) : hdb::hdbEdges(partition.bounds, arguments.box_size);
+  box.traversal = nameOf(arguments.traversal);
+  box.query = askPartition(mesh, partition, hdb::hapticBox(box.centre_mm, box.edges_mm), arguments.traversal);
+  return box;
+}
+
+void runPartition(const Arguments& arguments) {
+  checkChoices(arguments);
+  ProgressLine progress;
+  const mesh::TriangleMesh mesh = meshFrom(arguments.mesh.file, arguments.mesh.options, progress.callback());
+  const Built built = build(mesh, arguments, progress.callback());
+  PartitionReport report{arguments.mesh.file,
+                         mesh.triangles.size(),
+                         arguments.settings,
+                         hdb::statisticsOf(built.partition),
+                         built.seconds,
+                         built.lost,
+                         {}};
+  if (!arguments.box.empty()) report.box = askBox(mesh, built.partition, arguments);
+  if (!arguments.leaves_file.empty()) writeLeafColours(arguments.leaves_file, mesh, built.partition);
+  if (!arguments.selection_file.empty()) {
+    const PartitionQuery& query = report.box->query;
+    writeSelection(arguments.selection_file, mesh, built.partition, query.leaves.leaves, query.exact);
+  }
+  progress.clear();
+  fmt::print("{}", arguments.json ? jsonOf(report).dump(2) + "\n" : textOf(report));
+}
+
+void addBoxOptions(CLI::App& command, Arguments& arguments) {
+  command
+      .add_option("--box", arguments.box,
+                  "Haptic detecting box to ask for: centre and edge in mm; without an edge a quarter of the model")
+      ->type_name("X,Y,Z[,EDGE]");
+  addChoice<HdbSize>(command, "--box-size", arguments.box_size,
+                     {{"longest-edge", HdbSize::QuarterOfLongestEdge}, {"box", HdbSize::QuarterOfBox}},
+                     "What the quarter is of: the model's longest edge, for a cube, or its box (E12)");
+  addChoice<LeafSearch>(command, "--traversal", arguments.traversal, traversals(),
+                        "How leaves are found: by tight boxes, which misses nothing; by a sphere in the box; or as "
+                        "printed: else-if (E4), half-space (E10), cell-box (E5), sphere-corners (E11)");
+}
+
+}  // namespace
+
+void addPartitionCommand(CLI::App& app) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App& command =
+      *app.add_subcommand("partition", "Divide a mesh by a BSP tree or an octree and ask for the triangles in a box");
+  addMeshArguments(command, arguments->mesh);
+  command.get_option("mesh")->description(kMeshNamesHelp);
+  addPartitionSettings(command, arguments->settings);
+  addChoice<bool>(command, "--octree-rule", arguments->two_of_three, {{"majority", false}, {"two-of-three", true}},
+                  "Assignment C in the octree: majority by axes, or two of three vertices in an octant as printed, "
+                  "which loses triangles (E6)");
+  addBoxOptions(command, *arguments);
+  command.add_option("--leaf-colours", arguments->leaves_file, "Write a PLY with each leaf in a colour of its own");
+  command.add_option("--selection", arguments->selection_file,
+                     "Write a PLY with the box's leaves in green and its exact triangles in orange");
+  command.add_flag("--json", arguments->json, "Print one JSON object");
+  command.callback([arguments] { runPartition(*arguments); });
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,212 @@
+#include "apps/palpate/partition/partition_report.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <chrono>
+
+#include "apps/palpate/partition/partition_names.h"
+
+namespace palpate::app {
+
+using hdb::LeafHits;
+using hdb::Partition;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kRounds = 1000;
+constexpr double kMostSeconds = 0.5;  // for each of the two queries
+
+/// The times of up to kRounds calls in us.
+template <class Call>
+lab::Percentiles timesOf(const Call& call) {
+  call();  // warm
+  std::vector<double> times;
+  const auto end = Clock::now() + std::chrono::duration<double>(kMostSeconds);
+  while (times.size() < kRounds && (times.empty() || Clock::now() < end)) {
+    const auto start = Clock::now();
+    call();
+    times.push_back(std::chrono::duration<double, std::micro>(Clock::now() - start).count());
+  }
+  return lab::percentilesOf(std::move(times));
+}
+
+double radiusIn(const Box3& box) { return 0.5 * box.sizes().x(); }
+
+void findLeavesBy(const LeafSearch& search, const Partition& partition, const Box3& box, LeafHits& hits) {
+  if (search.literal) return findLeavesLiterally(partition, *search.literal, box, hits);
+  if (search.sphere) return findLeavesInSphere(partition, box.center(), radiusIn(box), hits);
+  findLeaves(partition, box, hits);
+}
+
+bool mustBeFound(const Box3& triangle, const Box3& box, bool by_sphere) {
+  if (by_sphere) return triangle.squaredExteriorDistance(box.center()) <= radiusIn(box) * radiusIn(box);
+  return (triangle.min().array() <= box.max().array()).all() && (box.min().array() <= triangle.max().array()).all();
+}
+
+std::vector<bool> foundIn(const Partition& partition, const std::vector<Index>& leaves) {
+  std::vector<bool> found(partition.triangle_count, false);
+  for (const Index leaf : leaves) {
+    for (const Index triangle : trianglesOf(partition, partition.nodes[leaf])) found[triangle] = true;
+  }
+  return found;
+}
+
+/// From the mesh itself, so that nothing of the partition takes part in the verdict.
+void judge(const mesh::TriangleMesh& mesh, const Box3& box, bool by_sphere, const std::vector<bool>& found,
+           PartitionQuery& query) {
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    Box3 triangle;
+    for (const Index vertex : mesh.triangles[t]) triangle.extend(mesh.positions[vertex]);
+    if (!mustBeFound(triangle, box, by_sphere)) continue;
+    ++query.must;
+    if (!found[t]) ++query.missed;
+  }
+}
+
+}  // namespace
+
+PartitionQuery askPartition(const mesh::TriangleMesh& mesh, const Partition& partition, const Box3& box,
+                            const LeafSearch& search) {
+  PartitionQuery query;
+  query.leaves.prepareFor(partition);
+  query.leaves_us = timesOf([&] { findLeavesBy(search, partition, box, query.leaves); });
+  query.rendered = entriesIn(partition, query.leaves.leaves);
+
+  hdb::TriangleHits exact;
+  exact.prepareFor(partition);
+  query.exact_us = timesOf([&] {
+    findTriangles(partition, box, exact);
+    listTriangles(partition, exact);
+  });
+  query.exact = std::move(exact.triangles);
+  std::sort(query.exact.begin(), query.exact.end());
+
+  const std::vector<bool> found = foundIn(partition, query.leaves.leaves);
+  query.rendered_triangles = static_cast<std::size_t>(std::count(found.begin(), found.end(), true));
+  judge(mesh, box, search.bySphere(), found, query);
+  return query;
+}
+
+using nlohmann::ordered_json;
+
+namespace {
+
+double perTriangle(double amount, const PartitionReport& report) {
+  return amount / static_cast<double>(std::max<std::size_t>(report.triangles, 1));
+}
+
+double nsPerTriangle(const PartitionReport& report) { return perTriangle(1e9 * report.build_seconds, report); }
+
+double bytesPerTriangle(const PartitionReport& report) {
+  return perTriangle(static_cast<double>(report.statistics.bytes), report);
+}
+
+std::string sizeRange(const hdb::LeafSizeBin& bin) {
+  return bin.first == bin.last ? fmt::to_string(bin.first) : fmt::format("{}-{}", bin.first, bin.last);
+}
+
+std::string histogramText(const hdb::LeafSizes& sizes) {
+  std::string text;
+  for (const auto& bin : sizes.histogram) {
+    if (bin.leaves > 0) text += fmt::format("    {:>17} triangles  {} leaves\n", sizeRange(bin), bin.leaves);
+  }
+  return text;
+}
+
+std::string boxText(const PartitionReport::Box& box) {
+  const PartitionQuery& q = box.query;
+  std::string text = fmt::format("box                   {:.6g} x {:.6g} x {:.6g} mm at ({:.6g}, {:.6g}, {:.6g}), {}\n",
+                                 box.edges_mm.x(), box.edges_mm.y(), box.edges_mm.z(), box.centre_mm.x(),
+                                 box.centre_mm.y(), box.centre_mm.z(), box.traversal);
+  text += fmt::format("  leaves              {} with {} triangles to render ({} different)\n", q.leaves.leaves.size(),
+                      q.rendered, q.rendered_triangles);
+  text += fmt::format("  nodes               {} tested, {} entered\n", q.leaves.cost.nodes_tested,
+                      q.leaves.cost.nodes_entered);
+  text += fmt::format("  must be found       {}, missed {}\n", q.must, q.missed);
+  text += fmt::format("  exact triangles     {}\n", q.exact.size());
+  text += fmt::format("  time, leaves        p50 {:.2f}  p99 {:.2f} us\n", q.leaves_us.p50, q.leaves_us.p99);
+  return text + fmt::format("  time, exact         p50 {:.2f}  p99 {:.2f} us\n", q.exact_us.p50, q.exact_us.p99);
+}
+
+ordered_json jsonOf(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+ordered_json jsonOf(const hdb::LeafSizes& sizes) {
+  ordered_json bins = ordered_json::array();
+  for (const auto& bin : sizes.histogram) {
+    bins.push_back({{"first", bin.first}, {"last", bin.last}, {"leaves", bin.leaves}});
+  }
+  return {{"min", sizes.least}, {"mean", sizes.mean}, {"max", sizes.most}, {"histogram", bins}};
+}
+
+ordered_json jsonOf(const PartitionReport::Box& box) {
+  const PartitionQuery& q = box.query;
+  ordered_json json;
+  json["center_mm"] = jsonOf(box.centre_mm);
+  json["edges_mm"] = jsonOf(box.edges_mm);
+  json["traversal"] = box.traversal;
+  json["leaves"] = q.leaves.leaves.size();
+  json["rendered"] = q.rendered;
+  json["rendered_triangles"] = q.rendered_triangles;
+  json["must"] = q.must;
+  json["missed"] = q.missed;
+  json["exact_triangles"] = q.exact.size();
+  json["nodes_tested"] = q.leaves.cost.nodes_tested;
+  json["nodes_entered"] = q.leaves.cost.nodes_entered;
+  json["leaf_query_us"] = {{"p50", q.leaves_us.p50}, {"p99", q.leaves_us.p99}};
+  json["exact_query_us"] = {{"p50", q.exact_us.p50}, {"p99", q.exact_us.p99}};
+  return json;
+}
+
+}  // namespace
+
+std::string textOf(const PartitionReport& report) {
+  const hdb::PartitionStatistics& s = report.statistics;
+  std::string text = fmt::format("partition             {}, assignment {}, threshold {}{}\n",
+                                 nameOf(report.settings.tree), nameOf(report.settings.assignment),
+                                 report.settings.threshold, report.settings.leaf_below_threshold ? " (below)" : "");
+  text += fmt::format("triangles             {}\n", report.triangles);
+  if (report.lost) text += fmt::format("lost triangles        {}\n", *report.lost);
+  text += fmt::format("height                {}\n", s.height);
+  text +=
+      fmt::format("nodes                 {}, of them {} leaves; {} empty ones dropped; {} blocks below the leaves\n",
+                  s.nodes, s.leaves, s.empty_nodes, s.blocks);
+  text += fmt::format("triangles per leaf    min {}  mean {:.1f}  max {}\n", s.leaf_sizes.least, s.leaf_sizes.mean,
+                      s.leaf_sizes.most);
+  text += histogramText(s.leaf_sizes);
+  text += fmt::format("a triangle is stored  {:.4f} times\n", s.entries_per_triangle);
+  text += fmt::format("a point is in         {:.4f} leaf boxes\n", s.leaves_per_point);
+  text += fmt::format("memory                {:.1f} bytes a triangle\n", bytesPerTriangle(report));
+  text += fmt::format("build                 {:.1f} ms, {:.0f} ns a triangle\n", 1e3 * report.build_seconds,
+                      nsPerTriangle(report));
+  return report.box ? text + boxText(*report.box) : text;
+}
+
+ordered_json jsonOf(const PartitionReport& report) {
+  const hdb::PartitionStatistics& s = report.statistics;
+  ordered_json json;
+  json["mesh"] = report.mesh;
+  json["triangles"] = report.triangles;
+  json["tree"] = nameOf(report.settings.tree);
+  json["assign"] = nameOf(report.settings.assignment);
+  json["threshold"] = report.settings.threshold;
+  json["leaf_rule"] = report.settings.leaf_below_threshold ? "below" : "at-most";
+  if (report.lost) json["lost_triangles"] = *report.lost;
+  json["height"] = s.height;
+  json["nodes"] = s.nodes;
+  json["leaves"] = s.leaves;
+  json["empty_nodes"] = s.empty_nodes;
+  json["blocks"] = s.blocks;
+  json["entries"] = s.entries;
+  json["triangles_per_leaf"] = jsonOf(s.leaf_sizes);
+  json["entries_per_triangle"] = s.entries_per_triangle;
+  json["leaf_boxes_per_point"] = s.leaves_per_point;
+  json["bytes_per_triangle"] = bytesPerTriangle(report);
+  json["build_ms"] = 1e3 * report.build_seconds;
+  json["build_ns_per_triangle"] = nsPerTriangle(report);
+  if (report.box) json["box"] = jsonOf(*report.box);
+  return json;
+}
+
+}  // namespace palpate::app

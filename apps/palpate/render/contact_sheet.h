@@ -1,0 +1,21 @@
+// What a run looked like, on one sheet: the body at rest, pressed, dragged, its strain, the triangles that are felt,
+// the cut through the contact.
+#pragma once
+
+#include "apps/palpate/simulate/surface_files.h"
+#include "palpate/base/progress.h"
+#include "palpate/view/image.h"
+
+namespace palpate::app {
+
+/// The moments that the sheet shows; empty ones leave their pictures out.
+struct SheetMoments {
+  Frame pressed;  ///< where the fingers were deepest
+  Frame dragged;  ///< where they pulled the skin farthest
+};
+
+/// Throws Error where nothing can be drawn.
+view::Image contactSheet(std::shared_ptr<const scene::World> world, const SheetMoments& moments,
+                         const Progress& progress);
+
+}  // namespace palpate::app

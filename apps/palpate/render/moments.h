@@ -1,0 +1,24 @@
+// The fingers of a scene at chosen moments: runs it without a device, as fast as it goes, and keeps what is asked for.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "apps/palpate/simulate/surface_files.h"
+#include "palpate/base/progress.h"
+#include "palpate/device/finger_path.h"
+
+namespace palpate::app {
+
+/// One frame a time; times count from the first tick and must not fall. Throws Error for a time after the run's end.
+std::vector<Frame> framesAt(const scene::World& world, const device::FingerPaths& paths,
+                            std::span<const double> times_s, const Progress& progress);
+
+/// Puts one finger a pose into the scene, in place of its own. A pose is a list of places "x,y,z[,x,y,z...]", mm: the
+/// finger's tip goes to the first and on to the others. Throws Error for what is not that.
+void useFingersAt(std::span<const std::string> poses, double radius_mm, scene::Scene& scene);
+
+/// The paths of these fingers: from outside the skin, square to it, to the first place, and on.
+device::FingerPaths pathsToPoses(const scene::World& world, std::span<const std::string> poses);
+
+}  // namespace palpate::app

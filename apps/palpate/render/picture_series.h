@@ -1,0 +1,36 @@
+// Pictures of one world, one after the other: fingers in, deformed skin drawn.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/palpate/simulate/surface_files.h"
+#include "palpate/view/finger_pose.h"
+#include "palpate/view/picture.h"
+
+namespace palpate::app {
+
+// The fingers of a scene as they are drawn: their colours, sizes and names.
+
+/// One a finger of the scene, in its order: the first is the left hand's (blue), the second the right hand's (red).
+std::vector<view::FingerMark> marksOf(const scene::World& world, const Frame& frame);
+
+std::vector<std::string> fingerNames(const scene::World& world);
+
+class PictureSeries {
+ public:
+  /// Throws Error where nothing can be drawn.
+  PictureSeries(std::shared_ptr<const scene::World> world, const view::PictureSize& size);
+
+  /// The skin as these fingers deform it, and the fingers on it; none: the body at rest.
+  view::TakenPicture take(const Frame& frame, double time_s, const view::PictureSettings& settings);
+
+ private:
+  std::shared_ptr<const scene::World> world_;
+  view::PictureSize size_;
+  deform::AnyDeformer deformer_;
+  deform::DeformedSurface surface_;
+  view::Studio studio_;
+};
+
+}  // namespace palpate::app

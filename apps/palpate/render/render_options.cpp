@@ -1,0 +1,112 @@
+#include "apps/palpate/render/render_options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "palpate/base/error.h"
+#include "palpate/base/text.h"
+#include "palpate/view/look.h"
+
+namespace palpate::app {
+
+namespace {
+
+constexpr double kLargestSide = 16384;
+
+/// --show's word for the colouring whose own name is also an overlay's.
+constexpr std::string_view kEllipseMap = "ellipse-map";
+
+int sideOf(std::string_view text, const std::string& size) {
+  const auto number = parseNumber(text);
+  if (!number || *number < 1 || *number > kLargestSide || std::floor(*number) != *number) {
+    throw Error(fmt::format("--size {}: must be WIDTHxHEIGHT in pixels, e.g. 1280x720", size));
+  }
+  return static_cast<int>(*number);
+}
+
+Vec3 placeOf(const std::string& text, std::string_view option) {
+  const auto fields = split(text, ',');
+  Vec3 place;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto number = fields.size() == 3 ? parseNumber(fields[i]) : std::nullopt;
+    if (!number || !std::isfinite(*number)) throw Error(fmt::format("{} {}: needs x,y,z in mm", option, text));
+    place[static_cast<Eigen::Index>(i)] = *number;
+  }
+  return place;
+}
+
+template <class Names>
+bool contains(const Names& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool isColouring(std::string_view name) {
+  return name == kEllipseMap || (contains(view::kColouringNames, name) && !contains(view::kOverlayNames, name));
+}
+
+void useShow(const std::string& list, scene::ViewSettings& settings) {
+  settings.show.clear();
+  for (const std::string_view name : split(list, ',')) {
+    if (isColouring(name)) {
+      settings.colours = name == kEllipseMap ? "ellipses" : name;
+    } else if (contains(view::kOverlayNames, name)) {
+      settings.show.emplace_back(name);
+    } else if (!name.empty()) {
+      throw Error(fmt::format("--show {}: '{}' must be one of plain, strain, stiffness, {}, {}", list, name,
+                              kEllipseMap, fmt::join(view::kOverlayNames, ", ")));
+    }
+  }
+}
+
+template <class T>
+void replace(T& setting, const std::optional<T>& by) {
+  if (by) setting = *by;
+}
+
+}  // namespace
+
+view::PictureSize sizeOf(const RenderOptions& options) {
+  const auto sides = split(options.size, 'x');
+  if (sides.size() != 2) sideOf("", options.size);
+  return {sideOf(sides[0], options.size), sideOf(sides[1], options.size), options.supersampling};
+}
+
+scene::ViewSettings viewOf(const RenderOptions& options, const scene::ViewSettings& of_scene) {
+  scene::ViewSettings settings = of_scene;
+  replace(settings.side, options.side);
+  replace(settings.shading, options.shading);
+  replace(settings.finger, options.finger);
+  replace(settings.stereo, options.stereo);
+  replace(settings.yaw_deg, options.yaw_deg);
+  replace(settings.pitch_deg, options.pitch_deg);
+  replace(settings.zoom, options.zoom);
+  replace(settings.opacity, options.opacity);
+  replace(settings.eye_distance_mm, options.eye_distance_mm);
+  replace(settings.convergence_mm, options.convergence_mm);
+  replace(settings.screen_height_mm, options.screen_height_mm);
+  if (options.look_at) settings.look_at_mm = placeOf(*options.look_at, "--look-at");
+  if (options.head) settings.head_mm = placeOf(*options.head, "--head-mm");
+  if (options.show) useShow(*options.show, settings);
+  settings.swap_eyes = settings.swap_eyes || options.swap_eyes;
+  settings.white_background = settings.white_background || options.white;
+  settings.texture = settings.texture && options.texture;
+  settings.detail = settings.detail && options.detail;
+  return settings;
+}
+
+std::vector<std::filesystem::path> filesOf(const RenderOptions& options) {
+  if (options.output.extension() != ".png") {
+    throw Error::inFile(options.output.string(), "must be named *.png: pictures are written as PNG");
+  }
+  if (options.frames == 1) return {options.output};
+  std::vector<std::filesystem::path> files;
+  const std::string stem = options.output.stem().string();
+  for (int i = 1; i <= options.frames; ++i) {
+    files.push_back(options.output.parent_path() / fmt::format("{}_{:04d}.png", stem, i));
+  }
+  return files;
+}
+
+}  // namespace palpate::app

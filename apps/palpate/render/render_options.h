@@ -1,0 +1,48 @@
+// What `palpate render` was asked for.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/palpate/simulate/simulate_options.h"
+#include "palpate/scene/view_settings.h"
+#include "palpate/view/overlays/labels.h"
+#include "palpate/view/picture.h"
+
+namespace palpate::app {
+
+struct RenderOptions {
+  SimulateOptions scene;
+  std::optional<double> at_s;
+  std::vector<std::string> poses;
+  std::filesystem::path output = "picture.png";
+  std::string size = "1280x720";
+  int supersampling = 2;
+  int frames = 1;
+  double frames_per_s = 25.0;
+  std::string title;
+  bool labels = true;
+  bool json = false;
+  // What replaces the scene's [view]; empty = as the scene says.
+  std::optional<std::string> side, look_at, show, shading, finger, stereo, head;
+  std::optional<double> yaw_deg, pitch_deg, zoom, opacity, eye_distance_mm, convergence_mm, screen_height_mm;
+  bool swap_eyes = false;
+  bool white = false;
+  bool texture = true;
+  bool detail = true;
+};
+
+/// "1280x720" and the supersampling. Throws Error.
+view::PictureSize sizeOf(const RenderOptions& options);
+
+/// The scene's view with what the options replace. Throws Error for a place that is none, or an unknown name in
+/// --show, which takes overlays and the words strain, stiffness, ellipse-map and plain for the colours of the skin.
+scene::ViewSettings viewOf(const RenderOptions& options, const scene::ViewSettings& of_scene);
+
+/// The files of the pictures in their order: FILE.png alone, else FILE_0001.png and so on. Throws Error for a name
+/// that does not end in .png.
+std::vector<std::filesystem::path> filesOf(const RenderOptions& options);
+
+}  // namespace palpate::app

@@ -1,0 +1,207 @@
+// `palpate run`: opens the window on a scene, to be touched with the mouse.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <future>
+#include <memory>
+
+#include "apps/palpate/common/commands.h"
+#include "apps/palpate/common/default_scene.h"
+#include "apps/viewer/files/input_script.h"
+#include "apps/viewer/files/state_file.h"
+#include "apps/viewer/viewer.h"
+#include "palpate/base/error.h"
+#include "palpate/scene/scene_file.h"
+#include "palpate/window/window.h"
+
+namespace palpate::app {
+
+namespace {
+
+struct RunOptions {
+  std::string scene;
+  std::string play;
+  std::string out = ".";
+  std::string replay;
+  std::string stereo;
+  int width = 0;
+  int height = 0;
+  std::uint64_t frames = 0;
+  bool no_intro = false;
+  bool no_shortcuts = false;
+  bool no_state = false;
+  bool full_screen = false;
+  bool verbose = false;
+  bool keys = false;
+};
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+viewer::StateReading remembered(const RunOptions& options) {
+  return options.no_state ? viewer::StateReading{} : viewer::readState(viewer::stateFile());
+}
+
+window::WindowSettings windowFor(const RunOptions& options, const viewer::StateReading& state) {
+  window::WindowSettings settings = state.remembered ? state.remembered->window : window::WindowSettings{};
+  if (options.width > 0) settings.width = options.width;
+  if (options.height > 0) settings.height = options.height;
+  settings.full_screen = settings.full_screen || options.full_screen;
+  settings.quad_buffer =
+      !options.stereo.empty() && view::stereoModeNamed(options.stereo) == view::StereoMode::quad_buffer;
+  return settings;
+}
+
+/// A script's events come when their time has come, as if a hand made them.
+class Playback {
+ public:
+  explicit Playback(const std::string& file) {
+    if (!file.empty()) script_ = viewer::readInputScript(file);
+  }
+
+  bool finished() const { return next_ == script_.size(); }
+
+  /// True when the script closes the window.
+  bool play(double now_s, window::Window& window, viewer::Viewer& viewer, std::vector<window::InputEvent>& events) {
+    for (; !finished() && script_[next_].time_s <= now_s; ++next_) {
+      const viewer::ScriptEvent& event = script_[next_];
+      if (event.kind == viewer::ScriptEvent::Kind::close) return true;
+      if (event.kind == viewer::ScriptEvent::Kind::size) {
+        window.setSize(event.width, event.height);
+      } else if (event.kind == viewer::ScriptEvent::Kind::head) {
+        viewer.headAt(event.head_mm, now_s);
+      } else {
+        events.push_back(event.input);
+      }
+    }
+    return false;
+  }
+
+ private:
+  std::vector<viewer::ScriptEvent> script_;
+  std::size_t next_ = 0;
+};
+
+/// One line a frame: what tests and bug reports look at.
+void tellFrame(std::uint64_t number, double now_s, viewer::Viewer& viewer) {
+  const viewer::Session& s = viewer.session();
+  const contact::FingerOutput& finger = s.fingers[s.active_finger];
+  const viewer::Message* message = s.messages.all().empty() ? nullptr : &s.messages.all().back();
+  fmt::print(
+      "frame {} t={:.3f} size={}x{} finger={} pressed={} depth={:.2f} force={:.2f} drag={:.2f} wish={:.2f} "
+      "distance={:.0f} yaw={:.3f} body={} building={} panel={} overlays={} row={} recording={} message={}\n",
+      number, now_s, viewer.target().width(), viewer.target().height(), s.active_finger,
+      viewer.pointer().pressed(s.active_finger) ? 1 : 0, finger.depth_mm, finger.force.norm(),
+      (finger.proxy - finger.anchor).norm(), s.state.touch.depth_mm, s.camera.distance_mm, s.camera.yaw_rad,
+      s.world.triangles, s.building ? 1 : 0, s.state.shown.panel ? 1 : 0, s.state.look.overlays.to_string(),
+      s.state.stereo.monitor_row, s.recording.forces ? 1 : 0, message == nullptr ? "-" : message->text);
+  std::fflush(stdout);
+}
+
+void tellServo(const servo::LoopReport& report) {
+  fmt::print(
+      "servo: {} ticks in {:.1f} s, {} overruns, {} slow, {} stalls; tick p50 {:.1f} p99 {:.1f} us; late p50 "
+      "{:.1f} p99 {:.1f} p99.9 {:.1f} max {:.0f} us\n",
+      report.ticks, report.wall_s, report.overruns, report.slow_ticks, report.stalls, report.compute.p50_us,
+      report.compute.p99_us, report.lateness.p50_us, report.lateness.p99_us, report.lateness.p99_9_us,
+      report.lateness.max_us);
+}
+
+viewer::ViewerHost hostOf(window::Window& window) {
+  return {[&window] { window.setFullScreen(!window.fullScreen()); },
+          [&window](const std::string& text) { window.setClipboard(text); }, [&window] { return window.clipboard(); },
+          [&window](bool shown) { window.showCursor(shown); }, window.quadBuffered()};
+}
+
+scene::Scene sceneToRun(const RunOptions& options) {
+  const scene::Scene standard = scene::parse(defaultScene(), "default.toml");
+  if (options.scene.empty()) return standard;
+  return viewer::sceneFromFile(options.scene, standard);
+}
+
+void keepState(const RunOptions& options, viewer::Viewer& viewer, const window::Window& window) {
+  if (!options.no_state) viewer::writeState(viewer::stateFile(), {viewer.session().state, window.placement()});
+}
+
+void loop(const RunOptions& options, Playback& playback, window::Window& window, viewer::Viewer& viewer,
+          Clock::time_point started) {
+  double shown_s = 0.0;
+  for (std::uint64_t frame = 1;; ++frame) {
+    std::vector<window::InputEvent> events = window.events();
+    const double now_s = frame == 1 ? 0.0 : secondsSince(started) - shown_s;  // a script begins at the first picture
+    const bool close = playback.play(now_s, window, viewer, events);
+    if (close || window.closing() || viewer.wantsToQuit()) return;
+    viewer.session().state.stereo.monitor_row = window.top();
+    viewer.frame(window.width(), window.height(), window.contentScale(), now_s, events);
+    viewer.drawsItself() ? window.swap() : window.present(viewer.target());
+    if (frame == 1) {
+      shown_s = secondsSince(started);
+      if (options.verbose) fmt::print("first frame after {:.3f} s\n", shown_s);
+    }
+    if (options.verbose) tellFrame(frame, now_s, viewer);
+    if (options.frames > 0 && frame >= options.frames) return;
+  }
+}
+
+void runWindow(const RunOptions& options) {
+  const auto started = Clock::now();
+  Playback playback(options.play);
+  // The body is built while the window opens; without a display there is nothing to build it for.
+  std::future<std::shared_ptr<const scene::World>> world;
+  if (window::displayOffered()) {
+    world = std::async(std::launch::async, [scene = sceneToRun(options)] { return scene::build(scene); });
+  }
+  const viewer::StateReading state = remembered(options);
+  window::Window window(windowFor(options, state));
+  viewer::ViewerSettings settings;
+  settings.intro = !options.no_intro && !state.remembered && options.play.empty();
+  settings.output_folder = options.out;
+  settings.default_scene = scene::parse(defaultScene(), "default.toml");
+  viewer::ViewState view_state = state.remembered ? state.remembered->state : viewer::ViewState{};
+  view_state.input.shortcuts = !options.no_shortcuts;
+  if (!options.stereo.empty()) view_state.stereo.mode = view::stereoModeNamed(options.stereo);
+  viewer::Viewer viewer(world.get(), std::move(view_state), std::move(settings), hostOf(window));
+  if (!state.note.empty()) viewer.session().report(viewer::Severity::warning, state.note);
+  if (!options.replay.empty()) viewer.session().wish(viewer::Wish::Kind::open, options.replay);
+  loop(options, playback, window, viewer, started);
+  keepState(options, viewer, window);
+  const servo::LoopReport report = viewer.finish();
+  if (options.verbose) tellServo(report);
+}
+
+}  // namespace
+
+void addRunCommand(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("run", "Open a window and touch a body with the mouse");
+  const auto options = std::make_shared<RunOptions>();
+  command->add_option("SCENE", options->scene, "Scene (TOML) or mesh file; without one: the built-in torso");
+  command->add_option("--play", options->play, "Play an input script (docs/viewer.md): time_s, event, values");
+  command->add_option("--replay", options->replay,
+                      "Press the same places again as a recorded table of forces (CSV), to be stepped tick by tick");
+  command
+      ->add_option("--stereo", options->stereo,
+                   "Stereo mode instead of the remembered one; quad-buffer asks for a window for shutter glasses")
+      ->check(CLI::IsMember(std::vector<std::string>(view::kStereoModeNames.begin(), view::kStereoModeNames.end())));
+  command->add_option("--frames", options->frames, "Close after so many frames");
+  command->add_option("--out", options->out, "Folder for pictures and tables that are saved")->capture_default_str();
+  command->add_option("--width", options->width, "Of the window, instead of the remembered one")
+      ->check(CLI::Range(320, 16384));
+  command->add_option("--height", options->height, "Of the window")->check(CLI::Range(240, 16384));
+  command->add_flag("--full-screen", options->full_screen, "Fill the screen");
+  command->add_flag("--no-intro", options->no_intro, "Do not show how to press in the first seconds");
+  command->add_flag("--no-shortcuts", options->no_shortcuts, "Keys do nothing, but for F1 and Esc");
+  command->add_flag("--no-state", options->no_state, "Neither read nor write what is remembered between runs");
+  command->add_flag("--verbose", options->verbose, "Print a line for every frame, and the servo's report at the end");
+  command->add_flag("--keys", options->keys, "Print the table of keys (Markdown) and stop");
+  command->callback([=] {
+    if (options->keys) {
+      fmt::print("{}", window::keysAsMarkdown());
+    } else {
+      runWindow(*options);
+    }
+  });
+}
+
+}  // namespace palpate::app

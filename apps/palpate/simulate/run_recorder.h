@@ -1,0 +1,102 @@
+// Listens to a run, headless or paced, and keeps what is to be kept: the table of forces, the statistics, and the
+// moments whose surfaces are written afterwards.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/palpate/simulate/surface_files.h"
+#include "palpate/base/hash.h"
+#include "palpate/device/finger_path.h"
+#include "palpate/trace/forces_csv.h"
+#include "palpate/trace/sample.h"
+
+namespace palpate::app {
+
+// What a run was like, collected sample by sample: how hard and how deep each finger pressed, how it stuck and slipped.
+
+/// Of one finger. Means are over the ticks in contact.
+struct FingerStatistics {
+  std::uint64_t ticks = 0;
+  std::uint64_t touching = 0;
+  std::uint64_t sticking = 0;
+  std::uint64_t slipping = 0;
+  std::uint64_t limited = 0;  ///< touching ticks in which the device got less, or later, than the contact's force
+  double peak_force_n = 0.0;
+  double sum_force_n = 0.0;
+  double peak_device_force_n = 0.0;
+  double peak_depth_mm = 0.0;
+  double sum_depth_mm = 0.0;
+  std::size_t triangles = 0;  ///< different ones under the proxy
+
+  double meanForceN() const { return touching == 0 ? 0.0 : sum_force_n / static_cast<double>(touching); }
+  double meanDepthMm() const { return touching == 0 ? 0.0 : sum_depth_mm / static_cast<double>(touching); }
+};
+
+class RunStatistics {
+ public:
+  RunStatistics(std::size_t fingers, std::size_t triangles);
+  void add(const trace::Sample& sample);
+
+  const std::vector<FingerStatistics>& fingers() const { return fingers_; }
+  /// Names the run: equal for two runs with the same contact forces in every tick.
+  std::uint64_t hash() const { return hash_.value(); }
+  bool anyTouch() const;
+
+ private:
+  std::vector<FingerStatistics> fingers_;
+  std::vector<std::vector<bool>> visited_;  ///< a finger each, a triangle each
+  Hash hash_;
+};
+
+class RunRecorder {
+ public:
+  /// Starts `forces.csv` in the folder when the scene wants it.
+  RunRecorder(const scene::World& world, const device::FingerPaths& paths, const std::filesystem::path& folder);
+
+  /// Samples in order; the fingers of a tick follow each other.
+  void add(const trace::Sample& sample);
+
+  /// Finishes forces.csv and writes the surfaces: at the times the scene asks for, and where the fingers pressed
+  /// deepest.
+  void finish(const Progress& progress);
+
+  const RunStatistics& statistics() const { return statistics_; }
+  /// Names of the files written, in the folder.
+  const std::vector<std::string>& files() const { return files_; }
+  /// The frame in which the fingers pressed deepest, and the one in which they pulled the skin farthest; empty when
+  /// they never did.
+  const Frame& deepest() const { return deepest_.frame; }
+  const Frame& farthest() const { return farthest_; }
+  /// What could not be kept, in words.
+  const std::vector<std::string>& notes() const { return notes_; }
+
+ private:
+  /// A moment to keep: the first frame at or after its tick.
+  struct Moment {
+    std::string file;
+    std::uint64_t tick = 0;
+    Frame frame;
+  };
+
+  void addFrame();
+  void write(const Moment& moment);
+
+  const scene::World& world_;
+  std::filesystem::path folder_;
+  std::optional<trace::ForcesCsvWriter> forces_;
+  RunStatistics statistics_;
+  std::vector<Moment> moments_;
+  Moment deepest_;
+  double deepest_mm_ = 0.0;
+  Frame farthest_;
+  double farthest_mm_ = 0.0;
+  Frame frame_;
+  std::vector<std::string> files_;
+  std::vector<std::string> notes_;
+};
+
+}  // namespace palpate::app

@@ -1,0 +1,63 @@
+// `palpate simulate`: palpates a scene without a device and writes what was felt.
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "apps/palpate/common/commands.h"
+#include "apps/palpate/common/progress_line.h"
+#include "apps/palpate/simulate/simulate_options.h"
+#include "apps/palpate/simulate/simulate_report.h"
+#include "palpate/base/output_file.h"
+#include "palpate/scene/scene_file.h"
+
+namespace palpate::app {
+
+namespace {
+
+void writeReport(const SimulationResult& result, const std::string& json) {
+  OutputFile file(result.folder / "report.json");
+  file.write(json);
+  file.commit();
+}
+
+void runSimulate(const SimulateOptions& options) {
+  ProgressLine progress;
+  SimulationResult result =
+      simulate(sceneFor(options), {options.out, options.realtime, options.pictures}, progress.callback());
+  progress.clear();
+  result.files.emplace_back("report.json");
+  const std::string json = reportOf(result).dump(2) + "\n";
+  writeReport(result, json);
+  fmt::print("{}", options.json ? json : summaryOf(result));
+}
+
+void addOutputOptions(CLI::App& command, SimulateOptions& options) {
+  command.add_option("--out", options.out, "Folder for forces.csv, surfaces (PLY), pictures.png and report.json")
+      ->capture_default_str();
+  command.add_flag("--realtime", options.realtime,
+                   "Pace the servo loop by the clock, deform at 60 Hz beside it, and report how late it woke");
+  command.add_flag("--pictures,!--no-pictures", options.pictures, "Leave pictures.png, what it looked like (default)");
+  command.add_flag("--json", options.json, "Print the report as JSON instead of the summary");
+}
+
+}  // namespace
+
+void addSimulateCommand(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("simulate", "Palpate a body without a device and write what was felt");
+  const auto options = std::make_shared<SimulateOptions>();
+  const auto keys = std::make_shared<bool>(false);
+  addInputOptions(*command, *options);
+  addOutputOptions(*command, *options);
+  command->add_flag("--keys", *keys, "Print every key of scene files (Markdown) and stop");
+  command->callback([=] {
+    options->radius_given = command->count("--radius-mm") > 0;
+    if (*keys) {
+      fmt::print("{}", scene::keysAsMarkdown());
+    } else {
+      runSimulate(*options);
+    }
+  });
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,161 @@
+#include "apps/palpate/simulate/simulate_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace palpate::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double share(std::uint64_t part, std::uint64_t whole) {
+  return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
+}
+
+Json percentilesJson(const servo::DurationPercentiles& p) {
+  return {{"p50", p.p50_us}, {"p99", p.p99_us}, {"p99_9", p.p99_9_us}, {"max", p.max_us}};
+}
+
+Json fingerJson(const std::string& name, const FingerStatistics& finger) {
+  return {{"name", name},
+          {"touching_share", share(finger.touching, finger.ticks)},
+          {"stick_share", share(finger.sticking, finger.touching)},
+          {"slip_share", share(finger.slipping, finger.touching)},
+          {"force_n", {{"mean", finger.meanForceN()}, {"peak", finger.peak_force_n}}},
+          {"depth_mm", {{"mean", finger.meanDepthMm()}, {"peak", finger.peak_depth_mm}}},
+          {"device_force_peak_n", finger.peak_device_force_n},
+          {"device_limited_share", share(finger.limited, finger.touching)},
+          {"triangles_touched", finger.triangles}};
+}
+
+Json bodyJson(const scene::World& world) {
+  const auto [soft, stiff] = std::minmax_element(world.stiffness_n_per_mm.begin(), world.stiffness_n_per_mm.end());
+  return {{"name", world.body_name},
+          {"skin_triangles", world.skin.triangles.size()},
+          {"skin_vertices", world.skin.positions.size()},
+          {"closed", world.closed},
+          {"self_intersecting", world.surface.self_intersecting},
+          {"bones", world.anatomy.bones.size()},
+          {"stiffness_n_per_mm", {{"min", *soft}, {"max", *stiff}}}};
+}
+
+Json pacingJson(const servo::LoopReport& loop, const DisplayReport& display) {
+  return {{"lateness_us", percentilesJson(loop.lateness)},
+          {"stalls", loop.stalls},
+          {"dropped_samples", loop.dropped_samples},
+          {"fifo", loop.grant.fifo},
+          {"memory_locked", loop.grant.memory_locked},
+          {"refused", loop.grant.note},
+          {"display",
+           {{"frames", display.frames},
+            {"deform_us", percentilesJson(display.deform)},
+            {"contact_age_us", percentilesJson(display.staleness)}}}};
+}
+
+std::string percentilesLine(const servo::DurationPercentiles& p) {
+  return fmt::format("p50 {:.2f}   p99 {:.2f}   p99.9 {:.2f}   max {:.2f} us", p.p50_us, p.p99_us, p.p99_9_us,
+                     p.max_us);
+}
+
+std::string bodyLine(const scene::World& world) {
+  const auto [soft, stiff] = std::minmax_element(world.stiffness_n_per_mm.begin(), world.stiffness_n_per_mm.end());
+  const std::string stiffness =
+      *soft == *stiff ? fmt::format("{:.2f}", *soft) : fmt::format("{:.2f} to {:.2f}", *soft, *stiff);
+  return fmt::format("{}; skin of {} triangles, {} N/mm", world.body_name, world.skin.triangles.size(), stiffness);
+}
+
+std::string runLine(const SimulationResult& result) {
+  const std::string how = result.display ? "in real time"
+                                         : fmt::format("{:.0f} times as fast as real time",
+                                                       result.duration_s / std::max(result.loop.wall_s, 1e-9));
+  return fmt::format("{:.3f} s, {} ticks, {}", result.duration_s, result.loop.ticks, how);
+}
+
+std::string fingerLine(const std::string& name, const FingerStatistics& finger) {
+  return fmt::format("  {:<12} {:>6.1f} % {:>7.1f} % {:>6.1f} % {:>8.2f} {:>6.2f} {:>8.2f} {:>6.2f} {:>10}\n", name,
+                     100.0 * share(finger.touching, finger.ticks), 100.0 * share(finger.sticking, finger.touching),
+                     100.0 * share(finger.slipping, finger.touching), finger.meanForceN(), finger.peak_force_n,
+                     finger.meanDepthMm(), finger.peak_depth_mm, finger.triangles);
+}
+
+std::string fingerTable(const SimulationResult& result) {
+  std::string text = fmt::format("\n  {:<12} {:>8} {:>9} {:>8} {:>15} {:>15} {:>10}\n", "finger", "touching",
+                                 "sticking", "slipping", "mean  peak N", "mean  peak mm", "triangles");
+  for (std::size_t i = 0; i < result.fingers.size(); ++i) {
+    text += fingerLine(result.world->scene.fingers[i].name, result.fingers[i]);
+  }
+  return text + "\n";
+}
+
+std::string realtimeLines(const SimulationResult& result) {
+  if (!result.display) return {};
+  const servo::LoopReport& loop = result.loop;
+  std::string text =
+      fmt::format("  late       {}   ({} scheduling{})\n", percentilesLine(loop.lateness),
+                  loop.grant.fifo ? "real-time" : "ordinary", loop.grant.note.empty() ? "" : ": " + loop.grant.note);
+  text += fmt::format("  display    {} frames; deformation {}\n", result.display->frames,
+                      percentilesLine(result.display->deform));
+  if (loop.dropped_samples > 0) text += fmt::format("  lost       {} samples were not written\n", loop.dropped_samples);
+  return text;
+}
+
+std::string safetyLine(const SimulationResult& result) {
+  std::uint64_t limited = 0;
+  std::uint64_t touching = 0;
+  for (const FingerStatistics& finger : result.fingers) {
+    limited += finger.limited;
+    touching += finger.touching;
+  }
+  return fmt::format("  device     force kept within {:.1f} N; softened in {:.1f} % of the touching ticks\n",
+                     result.world->scene.safety.nominal_force_n, 100.0 * share(limited, touching));
+}
+
+std::string filesLines(const SimulationResult& result) {
+  std::string text = fmt::format("\n  results in {}:", result.folder.string());
+  for (const std::string& file : result.files) text += " " + file;
+  return text + "\n";
+}
+
+}  // namespace
+
+nlohmann::ordered_json reportOf(const SimulationResult& result) {
+  Json fingers = Json::array();
+  for (std::size_t i = 0; i < result.fingers.size(); ++i) {
+    fingers.push_back(fingerJson(result.world->scene.fingers[i].name, result.fingers[i]));
+  }
+  Json report = {{"title", result.world->scene.title},
+                 {"mode", result.display ? "realtime" : "headless"},
+                 {"body", bodyJson(*result.world)},
+                 {"build_s", result.build_s},
+                 {"pictures_s", result.pictures_s},
+                 {"duration_s", result.duration_s},
+                 {"wall_s", result.loop.wall_s},
+                 {"ticks", result.loop.ticks},
+                 {"tick_us", percentilesJson(result.loop.compute)},
+                 {"overruns", result.loop.overruns},
+                 {"slow_ticks", result.loop.slow_ticks},
+                 {"fingers", fingers},
+                 {"hash", fmt::format("{:016x}", result.hash)},
+                 {"files", result.files},
+                 {"notes", result.notes}};
+  if (result.display) report["realtime"] = pacingJson(result.loop, *result.display);
+  return report;
+}
+
+std::string summaryOf(const SimulationResult& result) {
+  std::string text = fmt::format("{}\n", result.world->scene.title);
+  text += fmt::format("  body       {}\n", bodyLine(*result.world));
+  text += fmt::format("  run        {}\n", runLine(result));
+  text += fingerTable(result);
+  text += fmt::format("  tick       {}   overruns {}\n", percentilesLine(result.loop.compute), result.loop.overruns);
+  text += realtimeLines(result);
+  text += safetyLine(result);
+  if (result.pictures_s > 0.0) text += fmt::format("  pictures   drawn in {:.1f} s\n", result.pictures_s);
+  for (const std::string& note : result.notes) text += fmt::format("  note       {}\n", note);
+  return text + filesLines(result);
+}
+
+}  // namespace palpate::app

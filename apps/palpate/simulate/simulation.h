@@ -1,0 +1,50 @@
+// One simulated palpation from its settings to its files: what `palpate simulate` does between reading its options and
+// printing its summary.
+//
+//   scene ─ build ─► world ─ paths ─► rig ─ headless │ realtime ─► recorder ─► forces.csv, surfaces, pictures
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/palpate/simulate/run_recorder.h"
+#include "palpate/scene/world.h"
+#include "palpate/servo/loop.h"
+
+namespace palpate::app {
+
+/// The 60 Hz side of a realtime run.
+struct DisplayReport {
+  std::uint64_t frames = 0;
+  double period_ms = 0.0;                ///< between two frames that were asked for
+  servo::DurationPercentiles deform;     ///< one frame's deformation, strain included
+  servo::DurationPercentiles staleness;  ///< age of the newest contact when a frame took it
+};
+
+struct SimulationResult {
+  std::shared_ptr<const scene::World> world;
+  std::filesystem::path folder;
+  double build_s = 0.0;
+  double pictures_s = 0.0;  ///< spent on drawing pictures.png; 0 when none was drawn
+  double duration_s = 0.0;  ///< of what was simulated
+  servo::LoopReport loop;
+  std::optional<DisplayReport> display;  ///< of a realtime run
+  std::vector<FingerStatistics> fingers;
+  std::uint64_t hash = 0;  ///< of all contact forces
+  std::vector<std::string> files;
+  std::vector<std::string> notes;
+};
+
+struct SimulationSettings {
+  std::filesystem::path folder = "results";
+  bool realtime = false;
+  bool pictures = true;  ///< leave a contact sheet, where pictures can be drawn
+};
+
+/// Builds the scene, runs it and writes its files into the folder, which is made if needed. Throws Error.
+SimulationResult simulate(const scene::Scene& scene, const SimulationSettings& settings, const Progress& progress);
+
+}  // namespace palpate::app

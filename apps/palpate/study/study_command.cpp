@@ -1,0 +1,201 @@
+// `palpate study`: the dissertation's numbers and figures, computed and drawn by the engine.
+//
+// Each study is a subcommand with a file of its own in study/; those that write a page are added by
+// study_page_command.cpp.
+#include <fmt/format.h>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "apps/palpate/common/commands.h"
+#include "apps/palpate/common/default_scene.h"
+#include "apps/palpate/common/progress_line.h"
+#include "palpate/base/error.h"
+#include "palpate/scene/scene_file.h"
+#include "study/errata/errata_report.h"
+#include "study/numbers/numbers_study.h"
+#include "study/page/figure_study.h"
+#include "study/page/folder.h"
+#include "study/page/report.h"
+#include "study/page/report_chapters.h"
+#include "study/studies.h"
+
+namespace palpate::app {
+
+// `palpate study NAME --out DIR` for every study that writes a page (study/studies.h).
+
+namespace {
+
+struct Arguments {
+  std::string folder;
+  bool quick = false;
+  bool json = false;
+};
+
+void run(const study::Study& study, const Arguments& arguments) {
+  if (!arguments.folder.empty()) study::makeFolder(arguments.folder);  // a folder that cannot be is refused at once
+  ProgressLine progress;
+  const study::StudyPage page = study::runStudy(study, {.quick = arguments.quick, .progress = progress.callback()});
+  if (!arguments.folder.empty()) study::writePage(page, arguments.folder, progress.callback());
+  progress.clear();
+  fmt::print("{}", arguments.json ? study::jsonOf(page) : study::textOf(page));
+  if (!arguments.json && !arguments.folder.empty()) fmt::print("\n{}/{}.md\n", arguments.folder, page.name);
+}
+
+void addPage(CLI::App& parent, const study::Study& study) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App& command = *parent.add_subcommand(study.name, study.what);
+  command.add_option("--out", arguments->folder,
+                     "Write the page (" + study.name +
+                         ".md) with its figures (PNG, SVG) and tables (CSV) into this folder; made when missing");
+  command.add_flag("--quick", arguments->quick,
+                   "Small models and few repetitions: a look at the page, not a measurement");
+  command.add_flag("--json", arguments->json, "Print the findings and main numbers as one JSON object");
+  command.callback([arguments, study] { run(study, *arguments); });
+}
+
+}  // namespace
+
+void addStudyPages(CLI::App& parent) {
+  for (const study::Study& study : study::studies()) addPage(parent, study);
+}
+
+// `palpate study all`: every study, one page each, and report.html.
+
+namespace {
+
+struct AllArguments {
+  std::string folder;
+  bool quick = false;
+};
+
+void runAll(const AllArguments& arguments) {
+  const scene::Scene scene = scene::parse(defaultScene(), "default.toml");
+  ProgressLine progress;
+  const auto tell = [&](const study::ChapterDone& chapter) {
+    progress.clear();
+    fmt::print("{:>2} of {}  {:<14} {:6.1f} s\n", chapter.number, chapter.of, chapter.name, chapter.seconds);
+    std::fflush(stdout);
+  };
+  study::writeReport(study::reportChapters(scene), {.quick = arguments.quick, .progress = progress.callback()},
+                     arguments.folder, tell);
+  progress.clear();
+  fmt::print("{}/report.html\n", arguments.folder);
+}
+
+}  // namespace
+
+void addStudyAll(CLI::App& parent) {
+  auto arguments = std::make_shared<AllArguments>();
+  CLI::App& command = *parent.add_subcommand(
+      "all", "Every study, a page each, and one readable report.html with all figures; some minutes on two cores");
+  command.add_option("--out", arguments->folder, "Folder to write into; made when missing")->required();
+  command.add_flag("--quick", arguments->quick,
+                   "Small models and few repetitions: a look at the report, not a measurement");
+  command.callback([arguments] { runAll(*arguments); });
+}
+
+namespace {
+
+// A number that differs without an erratum that says why.
+constexpr int kNotReproduced = 1;
+
+struct NumbersArguments {
+  std::string folder;
+  bool json = false;
+};
+
+void runNumbers(const NumbersArguments& arguments) {
+  const auto rows = study::studyNumbers();
+  fmt::print("{}", arguments.json ? study::jsonOf(rows) : study::textOf(rows));
+  if (!arguments.folder.empty()) study::writeNumbers(rows, arguments.folder);
+  if (!study::studyHolds(rows)) throw CLI::RuntimeError(kNotReproduced);
+}
+
+void addNumbers(CLI::App& study) {
+  auto arguments = std::make_shared<NumbersArguments>();
+  CLI::App& command = *study.add_subcommand(
+      "numbers",
+      "Every number of the dissertation that can be computed, beside ours. Exit code 0 when each is reproduced or is a "
+      "misprint named by its erratum, 1 otherwise");
+  command.add_option("--out", arguments->folder,
+                     "Also write numbers.md, numbers.csv and numbers.json into this folder");
+  command.add_flag("--json", arguments->json, "Print one JSON object");
+  command.callback([arguments] { runNumbers(*arguments); });
+}
+
+struct FiguresArguments {
+  std::string folder;
+  std::vector<std::string> only;
+  double scale = figures::kPngScale;
+  bool list = false;
+};
+
+void runFigures(const FiguresArguments& arguments) {
+  const auto chosen = study::chosenFigures(arguments.only);
+  if (arguments.list) {
+    for (const auto& figure : chosen) fmt::print("{:<6} {}\n", figure.number, figure.caption);
+    return;
+  }
+  if (arguments.folder.empty()) throw Error("study figures: --out DIR is needed");
+  ProgressLine progress;
+  study::writeFigures(chosen, arguments.folder, arguments.scale, progress.callback());
+  progress.clear();
+  fmt::print("{} figures in {}\n", chosen.size(), arguments.folder);
+}
+
+void addFigures(CLI::App& study) {
+  auto arguments = std::make_shared<FiguresArguments>();
+  CLI::App& command = *study.add_subcommand(
+      "figures", "Draw the figures of the dissertation: PNG, SVG, the curves as CSV, and index.md with the captions");
+  command.add_option("--out", arguments->folder, "Folder to write into; made when missing");
+  command.add_option("--only", arguments->only, "Only these, for example 4.8,5.11")->delimiter(',');
+  command.add_option("--scale", arguments->scale, "Pixels of the PNG for 1/96 inch")
+      ->capture_default_str()
+      ->check(CLI::Range(0.25, 8.0));
+  command.add_flag("--list", arguments->list, "Only list what can be drawn");
+  command.callback([arguments] { runFigures(*arguments); });
+}
+
+struct ErrataArguments {
+  std::string scene;
+  std::string folder;
+  bool json = false;
+};
+
+void runErrata(const ErrataArguments& arguments) {
+  const scene::Scene scene =
+      arguments.scene.empty() ? scene::parse(defaultScene(), "default.toml") : scene::load(arguments.scene);
+  ProgressLine progress;
+  const auto effects = study::studyErrata(scene, progress.callback());
+  progress.clear();
+  fmt::print("{}", arguments.json ? study::errataJson(effects) : study::errataText(effects));
+  if (!arguments.folder.empty()) study::writeErrata(effects, arguments.folder);
+}
+
+void addErrata(CLI::App& study) {
+  auto arguments = std::make_shared<ErrataArguments>();
+  CLI::App& command = *study.add_subcommand("errata",
+                                            "What each erratum of the dissertation changes on a scene: forces (N), "
+                                            "proxies (mm), skin (mm), strain (%), against "
+                                            "the corrected engine");
+  command.add_option("scene", arguments->scene, "Scene file (TOML); the built-in scene when left out");
+  command.add_option("--out", arguments->folder, "Also write errata.md, errata.csv and errata.json into this folder");
+  command.add_flag("--json", arguments->json, "Print one JSON object");
+  command.callback([arguments] { runErrata(*arguments); });
+}
+
+}  // namespace
+
+void addStudyCommand(CLI::App& app) {
+  CLI::App& study = *app.add_subcommand("study", "The dissertation's numbers and figures, reproduced");
+  study.require_subcommand(1);
+  addNumbers(study);
+  addFigures(study);
+  addErrata(study);
+  addStudyPages(study);
+  addStudyAll(study);
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,130 @@
+#include "apps/viewer/editing/acts.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "apps/viewer/editing/dysfunction_editor.h"
+#include "apps/viewer/files/replay.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+using window::Action;
+
+/// The switch of an action, in a session that may be constant; null for actions that are no switches.
+template <class S>
+auto* switchOf(Action action, S& session) {
+  auto& shown = session.state.shown;
+  switch (action) {
+    case Action::help:
+      return &shown.help;
+    case Action::numbers:
+      return &shown.numbers;
+    case Action::performance:
+      return &shown.performance;
+    case Action::plots:
+      return &shown.plots;
+    case Action::panel:
+      return &shown.panel;
+    case Action::freeze:
+      return &session.frozen;
+    case Action::swap_eyes:
+      return &session.state.stereo.swap_eyes;
+    default:
+      return static_cast<decltype(&session.frozen)>(nullptr);
+  }
+}
+
+void nextStereoMode(Session& session) {
+  auto& mode = session.state.stereo.mode;
+  auto next = (static_cast<std::size_t>(mode) + 1) % view::kStereoModeNames.size();
+  const bool quad_buffer = static_cast<view::StereoMode>(next) == view::StereoMode::quad_buffer;
+  if (quad_buffer && !session.quad_buffer_offered) next = 0;
+  mode = static_cast<view::StereoMode>(next);
+  session.report(Severity::info, fmt::format("Stereo: {}", view::kStereoModeNames[next]));
+}
+
+/// Escape leaves the innermost thing: a dialog, a page, then the editor. It never quits.
+void cancel(Session& session) {
+  Shown& shown = session.state.shown;
+  if (shown.open_dialog) {
+    shown.open_dialog = false;
+  } else if (shown.help) {
+    shown.help = false;
+  } else if (shown.messages) {
+    shown.messages = false;
+  } else if (session.editor.active) {
+    stopEditing(session);
+  } else if (session.building) {
+    session.wish(Wish::Kind::cancel_build);
+  }
+}
+
+}  // namespace
+
+double nextOpacity(double opacity) {
+  static constexpr std::array<double, 4> kSteps = {1.0, 0.6, 0.3, 0.0};
+  for (const double step : kSteps) {
+    if (step < opacity - 1e-6) return step;
+  }
+  return 1.0;
+}
+
+void perform(Action action, Session& session) {
+  view::Look& look = session.state.look;
+  if (const auto overlay = window::overlayOf(action)) return look.show(*overlay, !look.shows(*overlay));
+  if (const auto colouring = window::colouringOf(action)) {
+    look.colouring = look.colouring == *colouring ? view::Colouring::plain : *colouring;
+    return;
+  }
+  if (action == Action::freeze) return freeze(session, !session.frozen);
+  if (bool* on = switchOf(action, session)) {
+    *on = !*on;
+    return;
+  }
+  switch (action) {
+    case Action::skin_opacity:
+      look.skin_opacity = nextOpacity(look.skin_opacity);
+      return;
+    case Action::stereo_mode:
+      return nextStereoMode(session);
+    case Action::full_screen:
+      return session.wish(Wish::Kind::full_screen);
+    case Action::screenshot:
+      return session.wish(Wish::Kind::screenshot);
+    case Action::record:
+      return session.wish(Wish::Kind::record);
+    case Action::open:
+      session.state.shown.open_dialog = true;
+      return;
+    case Action::save:
+      return session.wish(Wish::Kind::save);
+    case Action::undo:
+      return undo(session);
+    case Action::redo:
+      return redo(session);
+    case Action::delete_selected:
+      return deleteSelected(session);
+    case Action::cancel:
+      return cancel(session);
+    case Action::quit:
+      return session.wish(Wish::Kind::quit);
+    case Action::home:
+      return session.wish(Wish::Kind::home);
+    default:
+      return;
+  }
+}
+
+bool isOn(Action action, const Session& session) {
+  const view::Look& look = session.state.look;
+  if (const auto overlay = window::overlayOf(action)) return look.shows(*overlay);
+  if (const auto colouring = window::colouringOf(action)) return look.colouring == *colouring;
+  if (action == Action::record) return session.recording.forces;
+  const bool* on = switchOf(action, session);
+  return on != nullptr && *on;
+}
+
+}  // namespace palpate::viewer

@@ -1,0 +1,220 @@
+#include "apps/viewer/files/outputs.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <utility>
+
+#include "palpate/base/error.h"
+#include "palpate/base/text.h"
+#include "palpate/scene/scene_writer.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+/// Pictures that may wait; a picture of 1280 x 800 takes 3 MB.
+constexpr std::size_t kMostWaiting = 16;
+constexpr int kPatience = 5;
+
+}  // namespace
+
+std::filesystem::path freshName(const std::filesystem::path& folder, const std::string& stem, const std::string& kind) {
+  std::filesystem::path file = folder / (stem + kind);
+  for (int i = 2; std::filesystem::exists(file); ++i) file = folder / fmt::format("{}-{}{}", stem, i, kind);
+  return file;
+}
+
+void ForceRecorder::start(const std::filesystem::path& file, double ticks_per_s) {
+  trace::ForcesCsvSettings settings;
+  settings.finger_names = {"left", "right"};
+  settings.ticks_per_s = ticks_per_s;
+  writer_ = std::make_unique<trace::ForcesCsvWriter>(file, settings);
+  first_tick_.reset();
+}
+
+void ForceRecorder::add(const trace::Sample& sample) {
+  if (!writer_) return;
+  if (!first_tick_) first_tick_ = sample.tick;
+  trace::Sample shifted = sample;  // a recording begins at time 0
+  shifted.tick -= *first_tick_;
+  writer_->add(shifted);
+}
+
+void ForceRecorder::stop() {
+  if (!writer_) return;
+  const auto writer = std::move(writer_);
+  writer->commit();
+}
+
+PictureWriter::PictureWriter() : thread_([this] { run(); }) {}
+
+PictureWriter::~PictureWriter() {
+  {
+    const std::lock_guard lock(mutex_);
+    quit_ = true;
+  }
+  change_.notify_all();
+  thread_.join();
+}
+
+void PictureWriter::write(std::filesystem::path file, view::Image image) {
+  std::unique_lock lock(mutex_);
+  change_.wait(lock, [this] { return jobs_.size() < kMostWaiting; });
+  jobs_.push_back({std::move(file), std::move(image)});
+  change_.notify_all();
+}
+
+std::string PictureWriter::takeError() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(error_, {});
+}
+
+void PictureWriter::finish() {
+  std::unique_lock lock(mutex_);
+  change_.wait(lock, [this] { return jobs_.empty() && !working_; });
+}
+
+void PictureWriter::run() {
+  setpriority(PRIO_PROCESS, 0, kPatience);  // of this thread, on Linux
+  std::unique_lock lock(mutex_);
+  while (true) {
+    change_.wait(lock, [this] { return quit_ || !jobs_.empty(); });
+    if (jobs_.empty()) return;
+    const Job job = std::move(jobs_.front());
+    jobs_.pop_front();
+    working_ = true;
+    lock.unlock();
+    std::string error;
+    try {
+      view::writePng(job.file, job.image);
+    } catch (const std::exception& failure) {
+      error = failure.what();
+    }
+    lock.lock();
+    working_ = false;
+    if (!error.empty()) error_ = std::move(error);
+    change_.notify_all();
+  }
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kProfileStem = "profile";
+
+/// A fresh name in a folder that is made when it is first needed; that it cannot be is told by the writing.
+fs::path fresh(const fs::path& folder, const std::string& stem, const std::string& kind) {
+  std::error_code ignored;
+  fs::create_directories(folder, ignored);
+  return freshName(folder, stem, kind);
+}
+
+/// Does something with files; what goes wrong becomes a message.
+template <class Action>
+bool attempt(Session& session, const Action& action) {
+  try {
+    action();
+  } catch (const std::exception& error) {
+    session.report(Severity::error, error.what());
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Outputs::~Outputs() {
+  try {
+    forces_.stop();
+  } catch (const std::exception&) {
+    // Nobody is left to be told; `finish` tells when somebody is.
+  }
+}
+
+void Outputs::toggleForces(Session& session) {
+  Recording& recording = session.recording;
+  if (recording.forces) {
+    recording.forces = false;
+    if (attempt(session, [&] { forces_.stop(); })) {
+      session.report(Severity::info, fmt::format("Forces are in {}", recording.forces_file));
+    }
+    return;
+  }
+  const fs::path file = fresh(folder_, "forces", ".csv");
+  if (!attempt(session, [&] { forces_.start(file, session.scene.ticks_per_s); })) return;
+  recording.forces = true;
+  recording.forces_file = file.string();
+  recording.since_s = session.now_s;
+}
+
+void Outputs::toggleSequence(Session& session) {
+  Recording& recording = session.recording;
+  if (recording.sequence) {
+    recording.sequence = false;
+    session.report(Severity::info, fmt::format("{} pictures are in {}", recording.pictures, recording.sequence_folder));
+    return;
+  }
+  const fs::path folder = fresh(folder_, "pictures", "");
+  if (!attempt(session, [&] { fs::create_directories(folder); })) return;
+  recording.sequence = true;
+  recording.sequence_folder = folder.string();
+  recording.pictures = 0;
+}
+
+void Outputs::savePlots(Session& session) {
+  const double end_s = session.plots_paused ? session.plot_end_s : session.plots[0].newestTime();
+  const fs::path file = fresh(folder_, "plots", ".csv");
+  const auto write = [&] { writeFile(file, historyAsCsv(session.plots, end_s, session.plot_window_s)); };
+  if (attempt(session, write)) session.report(Severity::info, fmt::format("The plots are in {}", file.string()));
+}
+
+void Outputs::saveScene(Session& session, const std::string& file) {
+  fs::path target = !file.empty() ? fs::path(file) : fs::path(session.scene_file);
+  if (target.empty()) target = fresh(folder_, "scene", ".toml");
+  if (!attempt(session, [&] { scene::save(session.scene, target); })) return;
+  session.scene_file = target.string();
+  session.report(Severity::info, fmt::format("The scene is saved as {}", target.string()));
+}
+
+void Outputs::useProfile(Session& session) {
+  fs::path& file = session.scene.deformation.profile_file;
+  const bool ours = file.filename().string().starts_with(kProfileStem) && file.parent_path() == folder_;
+  const fs::path target = ours ? file : fresh(folder_, kProfileStem, ".csv");
+  std::string table = "q,value\n";
+  for (const tissue::ProfileKnot& knot : session.profile_knots) table += fmt::format("{},{}\n", knot.q, knot.value);
+  if (!attempt(session, [&] { writeFile(target, table); })) return;
+  file = target;
+  session.scene.deformation.forms.normal_profile.kind = tissue::ProfileKind::user;
+  session.changed |= kMapChange;
+}
+
+void Outputs::keepFrame(Session& session, view::Image image) {
+  Recording& recording = session.recording;
+  if (screenshot_) {
+    screenshot_ = false;
+    const fs::path file = fresh(folder_, "palpate", ".png");
+    pictures_.write(file, image);
+    // The next fresh name must not be the same one.
+    pictures_.finish();
+    session.report(Severity::info, fmt::format("The picture is saved as {}", file.string()));
+  }
+  if (!recording.sequence) return;
+  const fs::path file = fs::path(recording.sequence_folder) / fmt::format("frame_{:05d}.png", recording.pictures++);
+  pictures_.write(file, std::move(image));
+}
+
+void Outputs::tellErrors(Session& session) {
+  const std::string error = pictures_.takeError();
+  if (error.empty()) return;
+  session.recording.sequence = false;
+  session.report(Severity::error, error);
+}
+
+void Outputs::finish(Session& session) {
+  if (session.recording.forces) toggleForces(session);
+  if (session.recording.sequence) toggleSequence(session);
+  pictures_.finish();
+}
+
+}  // namespace palpate::viewer

@@ -1,0 +1,104 @@
+#include "apps/viewer/files/recorded_touch.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "palpate/base/error.h"
+#include "palpate/servo/tick.h"
+#include "palpate/trace/forces_table.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+/// No hand moves so far in a tick, mm: the finger was put elsewhere, and forgets what it touched.
+constexpr double kJumpMm = 40.0;
+
+/// By the shortest step: a tick that came too late was left out, and leaves a longer one.
+double ticksPerS(const trace::RecordedFinger& finger, double fallback) {
+  double shortest_s = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < finger.time_s.size(); ++i) {
+    shortest_s = std::min(shortest_s, finger.time_s[i] - finger.time_s[i - 1]);
+  }
+  return std::isfinite(shortest_s) ? std::max(1.0, std::round(1.0 / shortest_s)) : fallback;
+}
+
+/// Reads the row that is at work; ticks that were left out have none.
+servo::Rig rigFor(RigPlan& plan, const std::vector<trace::RecordedFinger>& fingers, double ticks_per_s,
+                  const std::size_t& row) {
+  servo::Rig rig;
+  rig.surface = &plan.world->surface;
+  rig.tick_s = 1.0 / ticks_per_s;
+  rig.hdb = std::move(plan.hdb);
+  for (std::size_t i = 0; i < fingers.size(); ++i) {
+    servo::FingerChain chain;
+    chain.contact_settings = plan.fingers[i];
+    chain.contact_settings.tick_s = rig.tick_s;
+    chain.limiter_settings = plan.limiter;
+    const std::vector<Vec3>& tips = fingers[i].tip;
+    chain.device = {fingers[i].name, [&tips, &row](std::uint64_t) { return tips[std::min(row, tips.size() - 1)]; }, {}};
+    rig.fingers.push_back(std::move(chain));
+  }
+  return rig;
+}
+
+bool jumps(const trace::RecordedFinger& finger, std::size_t row) {
+  return row > 0 && row < finger.tip.size() && (finger.tip[row] - finger.tip[row - 1]).norm() > kJumpMm;
+}
+
+void touch(RigPlan& plan, const std::vector<trace::RecordedFinger>& fingers, RecordedTouch& recorded) {
+  std::size_t row = 0;
+  servo::Rig rig = rigFor(plan, fingers, recorded.ticks_per_s, row);
+  std::vector<trace::Sample> samples(fingers.size());
+  const trace::RecordedFinger& clock = fingers.front();
+  for (; row < clock.tip.size(); ++row) {
+    for (std::size_t f = 0; f < fingers.size(); ++f) {
+      if (jumps(fingers[f], row)) forgetTouch(rig.fingers[f]);
+    }
+    servo::runTick(rig, row, servo::LoopEvent::none, samples);
+    const double since_s = clock.time_s[row] - clock.time_s.front();
+    for (trace::Sample& sample : samples) {
+      sample.tick = static_cast<std::uint64_t>(std::llround(since_s * recorded.ticks_per_s));
+      recorded.history.add(sample);
+    }
+  }
+}
+
+}  // namespace
+
+RecordedTouch touchedAgain(const std::shared_ptr<const scene::World>& world, const scene::Scene& scene,
+                           const std::filesystem::path& table) {
+  std::vector<trace::RecordedFinger> fingers = trace::readForcesTable(table);
+  if (fingers.size() > kFingers) fingers.resize(kFingers);
+  RecordedTouch recorded;
+  recorded.file = table.string();
+  recorded.ticks_per_s = ticksPerS(fingers.front(), scene.ticks_per_s);
+  const double seconds = static_cast<double>(fingers.front().tip.size()) / recorded.ticks_per_s;
+  recorded.history = TouchHistory(recorded.ticks_per_s, std::min(seconds, kLongestReplayS));
+  RigPlan plan = planFor(world, scene, true);
+  touch(plan, fingers, recorded);
+  return recorded;
+}
+
+bool ReplayLoader::load(std::shared_ptr<const scene::World> world, scene::Scene scene, std::string file) {
+  if (pending_.valid()) return false;
+  pending_ = std::async(std::launch::async, [world = std::move(world), scene = std::move(scene), file] {
+    Result result;
+    try {
+      result.touch = touchedAgain(world, scene, file);
+    } catch (const std::exception& error) {
+      result.error = error.what();
+    }
+    return result;
+  });
+  return true;
+}
+
+std::optional<ReplayLoader::Result> ReplayLoader::take() {
+  if (!pending_.valid() || pending_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
+  return pending_.get();
+}
+
+}  // namespace palpate::viewer

@@ -1,0 +1,45 @@
+// A recorded table of forces, felt once more: its tips are pressed into the body at hand, tick by tick, as fast as the
+// machine can. On the body and with the settings it was recorded with, every force comes out as it was.
+#pragma once
+
+#include <filesystem>
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "apps/viewer/plots/touch_history.h"
+#include "palpate/scene/world.h"
+
+namespace palpate::viewer {
+
+/// Longer tables are cut: the newest part of this length is kept, s.
+inline constexpr double kLongestReplayS = 600.0;
+
+struct RecordedTouch {
+  std::string file;
+  TouchHistory history;
+  double ticks_per_s = 1000.0;
+};
+
+/// The first two fingers of the table. Throws Error when it cannot be read.
+RecordedTouch touchedAgain(const std::shared_ptr<const scene::World>& world, const scene::Scene& scene,
+                           const std::filesystem::path& table);
+
+/// Does it beside the display, one table at a time.
+class ReplayLoader {
+ public:
+  /// False, with nothing done, while another table is at work.
+  bool load(std::shared_ptr<const scene::World> world, scene::Scene scene, std::string file);
+  struct Result {
+    std::optional<RecordedTouch> touch;
+    std::string error;
+  };
+  /// What became of it, once.
+  std::optional<Result> take();
+
+ private:
+  std::future<Result> pending_;
+};
+
+}  // namespace palpate::viewer

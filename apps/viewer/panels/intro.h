@@ -1,0 +1,30 @@
+// The first seconds: a finger comes from the side and presses, so that one sees what the mouse can do. Any movement of
+// the mouse ends it.
+#pragma once
+
+#include "apps/viewer/editing/pointer.h"
+#include "apps/viewer/session.h"
+#include "palpate/window/input.h"
+
+namespace palpate::viewer {
+
+// Hints follow each other: one is shown until what it says was done.
+
+/// Goes to the next hint when the command is what the present one asks for.
+void countHint(const window::Command& command, Session& session);
+
+class Intro {
+ public:
+  /// Where it presses: on the torso near T6, elsewhere in the middle of what faces the camera.
+  void begin(const scene::World& world, double now_s);
+  void end(Pointer& pointer);
+  bool running() const { return running_; }
+  void advance(Pointer& pointer, const scene::World& world, double now_s);
+
+ private:
+  Vec3 goal_ = Vec3::Zero();
+  double began_s_ = 0.0;
+  bool running_ = false;
+};
+
+}  // namespace palpate::viewer

@@ -1,0 +1,126 @@
+// What the program says over the picture: hints, messages, progress, that one is editing.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "apps/viewer/panels/panels.h"
+#include "apps/viewer/panels/widgets.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+constexpr auto kNotice = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                         ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing |
+                         ImGuiWindowFlags_NoNav;
+/// Work that takes less than this is not worth a word.
+constexpr double kProgressAfterS = 0.15;
+
+constexpr std::string_view kHints[] = {
+    "Hold the left button on the back to press it",
+    "Scroll while holding: deeper or lighter",
+    "Move while holding: pull the skin",
+    "Drag beside the body, or with the right button: turn",
+    "F1: everything else",
+};
+
+float middleOf(const FreeArea& free) { return 0.5f * (free.left + free.right); }
+
+/// On a light window the same hues, darker.
+ImVec4 colourOf(Severity severity) {
+  const ImVec4 text = ImGui::GetStyleColorVec4(ImGuiCol_Text);
+  const bool light_window = text.y < 0.5f;
+  if (severity == Severity::error)
+    return light_window ? ImVec4{0.70f, 0.10f, 0.08f, 1.0f} : ImVec4{0.98f, 0.45f, 0.40f, 1.0f};
+  if (severity == Severity::warning)
+    return light_window ? ImVec4{0.55f, 0.36f, 0.0f, 1.0f} : ImVec4{0.98f, 0.80f, 0.40f, 1.0f};
+  return text;
+}
+
+const char* wordFor(Severity severity) {
+  if (severity == Severity::error) return "Error: ";
+  return severity == Severity::warning ? "Warning: " : "";
+}
+
+}  // namespace
+
+std::string_view hintText(int i) {
+  return i >= 0 && i < static_cast<int>(std::size(kHints)) ? kHints[i] : std::string_view();
+}
+
+void hint(Session& session, const FreeArea& free) {
+  const std::string_view words = hintText(session.hint);
+  if (!session.state.hints || words.empty() || session.editor.active) return;
+  ImGui::SetNextWindowPos({middleOf(free), free.below - 16.0f}, ImGuiCond_Always, {0.5f, 1.0f});
+  ImGui::SetNextWindowBgAlpha(0.72f);
+  if (ImGui::Begin("hint", nullptr, kNotice | ImGuiWindowFlags_NoInputs)) {
+    ImGui::TextUnformatted(words.data(), words.data() + words.size());
+  }
+  ImGui::End();
+}
+
+void toast(Session& session, const FreeArea& free) {
+  const Message* message = session.messages.toast(session.now_s);
+  if (message == nullptr) return;
+  constexpr float kWidth = 460.0f;
+  ImGui::SetNextWindowPos({middleOf(free), free.top + 12.0f}, ImGuiCond_Always, {0.5f, 0.0f});
+  ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {kWidth, 400.0f});
+  ImGui::SetNextWindowBgAlpha(0.92f);
+  if (ImGui::Begin("toast", nullptr, kNotice)) {
+    ImGui::PushTextWrapPos(kWidth - 20.0f);
+    ImGui::TextColored(colourOf(message->severity), "%s%s", wordFor(message->severity), message->text.c_str());
+    ImGui::PopTextWrapPos();
+    if (message->severity != Severity::info && buttonWidget("toast/dismiss", "Dismiss")) session.messages.dismiss();
+  }
+  ImGui::End();
+}
+
+void buildProgress(Session& session, const FreeArea& free) {
+  if (!session.building || session.building->since_s < kProgressAfterS) return;
+  ImGui::SetNextWindowPos({middleOf(free), free.below - 64.0f}, ImGuiCond_Always, {0.5f, 1.0f});
+  ImGui::SetNextWindowBgAlpha(0.9f);
+  if (ImGui::Begin("building", nullptr, kNotice)) {
+    ImGui::TextUnformatted(session.building->stage.c_str());
+    ImGui::ProgressBar(static_cast<float>(session.building->done), {260.0f, 0.0f});
+    ImGui::SameLine();
+    if (buttonWidget("building/cancel", "Cancel")) session.wish(Wish::Kind::cancel_build);
+  }
+  ImGui::End();
+}
+
+void editingFrame(Session&, const FreeArea& free) {
+  constexpr ImU32 kColour = IM_COL32(240, 170, 60, 255);
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  list.AddRect({free.left + 2.0f, free.top + 2.0f}, {free.right - 2.0f, free.below - 2.0f}, kColour, 0.0f, 0, 3.0f);
+  ImGui::SetNextWindowPos({middleOf(free), free.below - 16.0f}, ImGuiCond_Always, {0.5f, 1.0f});
+  if (ImGui::Begin("editing", nullptr, kNotice | ImGuiWindowFlags_NoInputs)) {
+    ImGui::TextUnformatted("Editing: click places, drag moves, wheel sizes, Shift and wheel strengthens, Esc leaves");
+  }
+  ImGui::End();
+}
+
+void messageList(Session& session) {
+  session.messages.markRead();
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0.5f * size.x, 0.5f * size.y}, ImGuiCond_FirstUseEver, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({560.0f, 320.0f}, ImGuiCond_FirstUseEver);
+  if (ImGui::Begin("Messages", &session.state.shown.messages, ImGuiWindowFlags_NoSavedSettings)) {
+    if (buttonWidget("messages/copy", "Copy all")) {
+      std::string all;
+      for (const Message& message : session.messages.all()) {
+        all += fmt::format("{}{}\n", wordFor(message.severity), message.text);
+      }
+      ImGui::SetClipboardText(all.c_str());
+    }
+    if (session.messages.all().empty()) remark("Nothing has been said yet.");
+    for (const Message& message : session.messages.all()) {
+      ImGui::TextColored(colourOf(message.severity), "%.1f s  %s", message.at_s, wordFor(message.severity));
+      ImGui::SameLine(0.0f, 0.0f);
+      ImGui::TextWrapped("%s", message.text.c_str());
+    }
+  }
+  ImGui::End();
+}
+
+}  // namespace palpate::viewer

@@ -1,0 +1,97 @@
+// How the picture looks and what is drawn over it.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "apps/viewer/editing/acts.h"
+#include "apps/viewer/panels/panels.h"
+#include "apps/viewer/panels/widgets.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+constexpr std::array<std::string_view, 2> kShadings = {"smooth (Gouraud)", "skin"};
+constexpr std::array<std::string_view, 3> kFingerShapes = {"none", "ball", "hand"};
+
+void lookWidgets(Session& session) {
+  view::Look& look = session.state.look;
+  auto shading = static_cast<std::size_t>(look.shading);
+  if (choiceWidget("show/shading", "shading", shading, kShadings,
+                   "Light at the corners, as in the dissertation and fastest, or at each pixel, as skin takes it.")) {
+    look.shading = static_cast<view::Shading>(shading);
+    session.state.simpler_when_slow = false;  // who chooses gets what he chose
+  }
+  flagWidget("show/simpler", "smooth while it is slow", session.state.simpler_when_slow,
+             "Below 30 pictures a second the skin is drawn smooth, until there is time to spare.");
+  if (session.simple_shading) {
+    remark("Drawn smooth for now: pictures came too slowly.");
+    if (buttonWidget("show/all_the_same", "Draw skin all the same")) session.state.simpler_when_slow = false;
+  }
+  auto finger = static_cast<std::size_t>(look.finger);
+  if (choiceWidget("show/finger", "finger", finger, kFingerShapes, "What is drawn where the finger is.")) {
+    look.finger = static_cast<view::FingerShape>(finger);
+  }
+  numberWidget(look.skin_opacity,
+               {"show/opacity", "skin opacity", "%.2f", 0.0, 1.0, 1.0, "Below 1 the bones show through (key O)."});
+  if (session.world.has_picture) {
+    flagWidget("show/picture", "picture on the skin", look.texture, "The one that the scene names.");
+  }
+  flagWidget("show/white", "white background", look.white_background, "For papers.");
+}
+
+view::ColourRange& rangeOf(view::Look& look) {
+  if (look.colouring == view::Colouring::stiffness) return look.stiffness_n_per_mm;
+  return look.colouring == view::Colouring::ellipses ? look.half_major_mm : look.strain_percent;
+}
+
+/// The range stays as the user set it until he asks for another: colours must mean the same before and after.
+void rangeWidgets(Session& session) {
+  view::Look& look = session.state.look;
+  if (look.colouring == view::Colouring::plain) return;
+  view::ColourRange& range = rangeOf(look);
+  const bool strain = look.colouring == view::Colouring::strain;
+  if (strain) {
+    double end = range.high;
+    if (numberWidget(end, {"show/range", "to", "%.1f %%", 0.5, 100.0, 20.0, "Symmetric about no strain."})) {
+      range = {-end, end};
+    }
+    return;
+  }
+  const bool stiffness = look.colouring == view::Colouring::stiffness;
+  const char* format = stiffness ? "%.2f N/mm" : "%.0f mm";
+  const double most = stiffness ? 5.0 : 400.0;
+  numberWidget(range.low, {"show/low", "from", format, 0.0, most, stiffness ? 0.3 : 100.0, "The lower end's colour."});
+  numberWidget(range.high, {"show/high", "to", format, 0.0, most, stiffness ? 1.2 : 200.0, "The upper end's colour."});
+  if (stiffness && buttonWidget("show/fit", "Fit to the body")) {
+    range = {session.world.softest_n_per_mm, session.world.stiffest_n_per_mm};
+  }
+  range.high = std::max(range.high, range.low + 1e-3);
+}
+
+void overlayWidget(Session& session, view::Overlay overlay) {
+  const window::KeyBinding& binding = window::bindingOf(window::actionFor(overlay));
+  bool on = session.state.look.shows(overlay);
+  const std::string path = fmt::format("show/{}", view::kOverlayNames[static_cast<std::size_t>(overlay)]);
+  const std::string label = fmt::format("{}  ({})", binding.name, window::nameOf(binding.chord));
+  if (flagWidget(path.c_str(), label.c_str(), on, std::string(binding.does).c_str())) {
+    session.state.look.show(overlay, on);
+  }
+}
+
+}  // namespace
+
+void showPanel(Session& session) {
+  lookWidgets(session);
+  ImGui::Separator();
+  auto colouring = static_cast<std::size_t>(session.state.look.colouring);
+  if (choiceWidget("show/colour", "colour by", colouring, view::kColouringNames, "What the skin's colour says.")) {
+    session.state.look.colouring = static_cast<view::Colouring>(colouring);
+  }
+  rangeWidgets(session);
+  ImGui::Separator();
+  for (std::size_t i = 0; i < view::kOverlays; ++i) overlayWidget(session, static_cast<view::Overlay>(i));
+}
+
+}  // namespace palpate::viewer

@@ -1,0 +1,89 @@
+// How the finger presses and how the skin holds it.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "apps/viewer/editing/pointer.h"
+#include "apps/viewer/panels/panels.h"
+#include "apps/viewer/panels/widgets.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+constexpr std::array<std::string_view, 2> kPressBy = {"depth", "force"};
+constexpr std::array<std::string_view, kFingers> kFingerNames = {"left (blue)", "right (red)"};
+
+void pressWidgets(Session& session) {
+  TouchSettings& touch = session.state.touch;
+  auto by = static_cast<std::size_t>(touch.by);
+  if (choiceWidget("touch/by", "press by", by, kPressBy,
+                   "By depth a stiff place pushes back harder; by force it gives way less, so that it shows as a "
+                   "shallower dent: better for comparing places.")) {
+    touch.by = static_cast<device::PressBy>(by);
+  }
+  if (touch.by == device::PressBy::depth) {
+    numberWidget(touch.depth_mm,
+                 {"touch/depth", "depth", "%.1f mm", 0.0, kMostDepthMm, 6.0,
+                  "How deep the finger presses. Wheel while pressing: 0.5 mm a notch, with Shift 0.1."});
+  } else {
+    numberWidget(touch.force_n, {"touch/force", "force", "%.2f N", 0.0, kMostForceN, 3.0,
+                                 "How hard the finger presses. Wheel while pressing: 0.25 N a notch."});
+  }
+  flagWidget(
+      "touch/resisting", "resisting cursor", touch.resisting_cursor,
+      "Pressing with both buttons moves slower the harder the skin pushes back: the eye reads it as resistance.");
+}
+
+void radiusWidget(Session& session) {
+  double radius = fingerRadius(session, session.active_finger);
+  if (!numberWidget(radius, {"touch/radius", "finger radius", "%.1f mm", 0.5, 30.0, 8.0,
+                             "Of the finger that is used now; 8 mm is a fingertip."})) {
+    return;
+  }
+  while (session.scene.fingers.size() <= session.active_finger) {
+    scene::Finger finger;
+    finger.name = fmt::format("finger_{}", session.scene.fingers.size() + 1);
+    finger.steps = {{}, {}};  // a scene file wants to know what a finger does: nothing
+    session.scene.fingers.push_back(finger);
+  }
+  session.scene.fingers[session.active_finger].radius_mm = radius;
+  session.changed |= kFingerChange;
+}
+
+/// The skin never holds a sliding finger better than a still one: each slider pushes the other along.
+void gripWidgets(Session& session) {
+  scene::FrictionSettings& friction = session.scene.friction;
+  if (numberWidget(friction.mu_static, {"friction/static", "grip", "%.2f", 0.0, 2.0, 0.46,
+                                        "Friction up to which the skin sticks to the finger (static coefficient)."})) {
+    friction.mu_dynamic = std::min(friction.mu_dynamic, friction.mu_static);
+    session.changed |= kFingerChange;
+  }
+  if (numberWidget(friction.mu_dynamic, {"friction/dynamic", "grip, sliding", "%.2f", 0.0, 2.0, 0.44,
+                                         "Friction while the finger slips (dynamic coefficient)."})) {
+    friction.mu_static = std::max(friction.mu_static, friction.mu_dynamic);
+    session.changed |= kFingerChange;
+  }
+}
+
+}  // namespace
+
+void touchPanel(Session& session) {
+  std::size_t active = session.active_finger;
+  if (choiceWidget("touch/finger", "finger", active, kFingerNames,
+                   "Which finger the mouse moves; the other stays where it is (keys 1 and 2).")) {
+    session.active_finger = active;
+  }
+  pressWidgets(session);
+  radiusWidget(session);
+  ImGui::Separator();
+  gripWidgets(session);
+  keyWidget(session, {"friction", "stiffness_ratio", "sideways stiffness", 0.05, 3.0});
+  ImGui::Separator();
+  keyWidget(session, {"contact", "source", "feels through"});
+  keyWidget(session, {"contact", "max_depth_mm", "deepest", 1.0, 100.0, "%.0f mm"});
+  keyWidget(session, {"contact", "force_shading", "smooth over triangles"});
+}
+
+}  // namespace palpate::viewer

@@ -1,0 +1,64 @@
+// The bar under a frozen picture: which moment it shows, and buttons that step it back and forth.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <filesystem>
+
+#include "apps/viewer/files/replay.h"
+#include "apps/viewer/panels/panels.h"
+#include "apps/viewer/panels/widgets.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+constexpr float kWidth = 460.0f;
+
+std::string wordsFor(const Replay& replay) {
+  if (replay.table.empty()) return fmt::format("Frozen, {:.3f} s ago", replay.to_s - replay.at_s);
+  return fmt::format("{}: {:.3f} of {:.3f} s", std::filesystem::path(replay.table).filename().string(),
+                     replay.at_s - replay.from_s, replay.to_s - replay.from_s);
+}
+
+void stepButtons(Session& session) {
+  Replay& replay = session.replay;
+  if (buttonWidget("replay/back", "<<", "A picture back (1/60 s): Left.")) stepReplay(session, -kReplayStepS);
+  ImGui::SameLine();
+  if (buttonWidget("replay/tick_back", "<", "A tick of the servo back: Shift and Left.")) stepTick(session, false);
+  ImGui::SameLine();
+  if (buttonWidget("replay/play", replay.playing ? "stop" : "play", "As fast as it was.")) {
+    replay.playing = !replay.playing;
+    if (replay.playing && replay.at_s >= replay.to_s) replay.at_s = replay.from_s;
+  }
+  ImGui::SameLine();
+  if (buttonWidget("replay/tick", ">", "A tick of the servo forth: Shift and Right.")) stepTick(session, true);
+  ImGui::SameLine();
+  if (buttonWidget("replay/forth", ">>", "A picture forth (1/60 s): Right.")) stepReplay(session, kReplayStepS);
+  ImGui::SameLine();
+  if (buttonWidget("replay/live", "live", "Back to what is touched now: Space.")) freeze(session, false);
+}
+
+}  // namespace
+
+void replayBar(Session& session, const FreeArea& free) {
+  Replay& replay = session.replay;
+  ImGui::SetNextWindowPos({0.5f * (free.left + free.right), free.below - 16.0f}, ImGuiCond_Always, {0.5f, 1.0f});
+  ImGui::SetNextWindowSize({kWidth, 0.0f});
+  ImGui::SetNextWindowBgAlpha(0.9f);
+  constexpr auto kBar = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                        ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+  if (ImGui::Begin("replay", nullptr, kBar)) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(wordsFor(replay).c_str());
+    ImGui::SameLine(kWidth - 214.0f);
+    stepButtons(session);
+    ImGui::SetNextItemWidth(-1.0f);
+    if (ImGui::SliderScalar("##moment", ImGuiDataType_Double, &replay.at_s, &replay.from_s, &replay.to_s, "")) {
+      replay.playing = false;
+    }
+    notePlace("replay/moment");
+  }
+  ImGui::End();
+}
+
+}  // namespace palpate::viewer

@@ -1,0 +1,236 @@
+// Force, depth and speed of the last seconds in three strips over one time axis; the newest sample is at the right.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "apps/viewer/panels/panels.h"
+#include "apps/viewer/panels/widgets.h"
+#include "apps/viewer/plots/plot_drawing.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+constexpr float kTitle = 20.0f;    ///< above each strip
+constexpr float kTimes = 18.0f;    ///< below it
+constexpr float kLegend = 18.0f;   ///< below all
+constexpr float kPadding = 16.0f;  ///< of the window, above and below together
+constexpr std::array<double, 5> kWindows = {2.0, 5.0, 10.0, 30.0, 60.0};
+
+struct Strip {
+  const char* title;
+  const char* unit;
+  PlotValue value;
+  double least;  ///< the axis never ends below this
+};
+constexpr std::array<Strip, 3> kStrips = {{{"force", "N", PlotValue::normal_force, 1.0},
+                                           {"depth", "mm", PlotValue::depth, 5.0},
+                                           {"speed", "mm/s", PlotValue::speed, 50.0}}};
+
+/// One look at both fingers: the columns of one frame, the same in every strip.
+struct Columns {
+  double end_s = 0.0;
+  double window_s = 10.0;
+  std::size_t count = 1;
+  std::array<std::vector<ColumnMarks>, 2> marks;
+};
+
+/// Where the axes end now: they grow at once and shrink after three seconds of less.
+double steadyEnd(std::size_t strip, double wanted, double now_s) {
+  struct Axis {
+    double end = 0.0;
+    double since_s = 0.0;
+  };
+  static std::array<Axis, kStrips.size()> axes;  // of the display's thread
+  constexpr double kPatienceS = 3.0;
+  Axis& axis = axes[strip];
+  if (wanted >= axis.end || now_s < axis.since_s) {
+    axis = {wanted, now_s};
+  } else if (now_s - axis.since_s > kPatienceS) {
+    axis = {wanted, now_s};
+  }
+  return axis.end;
+}
+
+double greatest(const std::vector<Extent>& extents) {
+  double most = 0.0;
+  for (const Extent& extent : extents) most = std::max(most, extent.any ? static_cast<double>(extent.high) : 0.0);
+  return most;
+}
+
+double endOfTime(const Session& session) {
+  return session.plots_paused ? session.plot_end_s
+                              : std::max(session.plots[0].newestTime(), session.plots[1].newestTime());
+}
+
+Columns columnsOf(const Session& session, float width) {
+  Columns columns{endOfTime(session), session.plot_window_s, static_cast<std::size_t>(std::max(1.0f, width)), {}};
+  for (std::size_t f = 0; f < 2; ++f) {
+    columns.marks[f] = session.plots[f].marks(columns.end_s, columns.window_s, columns.count);
+  }
+  return columns;
+}
+
+void drawTitle(const PlotArea& area, const Strip& strip, const PlotSample* sample) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const std::string title = fmt::format("{}, {}", strip.title, strip.unit);
+  list.AddText({area.low.x, area.low.y - kTitle}, plotInk(), title.c_str());
+  if (sample == nullptr) return;
+  const std::string value = fmt::format("{:.2f}", valueOf(*sample, strip.value));
+  const float width = ImGui::CalcTextSize(value.c_str()).x;
+  list.AddText({area.high.x - width, area.low.y - kTitle}, plotInk(), value.c_str());
+}
+
+/// A strip's curve of each finger.
+using Curves = std::array<std::vector<Extent>, 2>;
+
+Curves curvesOf(const Session& session, PlotValue value, const Columns& columns) {
+  Curves curves;
+  for (std::size_t f = 0; f < 2; ++f) {
+    curves[f] = session.plots[f].columns(value, columns.end_s, columns.window_s, columns.count);
+  }
+  return curves;
+}
+
+void drawCurves(const Session& session, const Curves& curves, const std::array<ImU32, 2>& inks, const PlotArea& area,
+                double end) {
+  for (std::size_t f = 0; f < 2; ++f) {
+    if (session.finger_present[f]) drawExtents(curves[f], area, end, inks[f]);
+  }
+}
+
+void drawStrip(const Session& session, std::size_t index, const Columns& columns, const PlotArea& area) {
+  const Strip& strip = kStrips[index];
+  const bool force = strip.value == PlotValue::normal_force;
+  const Curves main = curvesOf(session, strip.value, columns);
+  const Curves sideways = force ? curvesOf(session, PlotValue::tangential_force, columns) : Curves{};
+  double most = 0.0;
+  for (const auto* curves : {&main, &sideways}) {
+    for (const auto& curve : *curves) most = std::max(most, greatest(curve));
+  }
+  const double end = steadyEnd(index, axisEnd(1.05 * most, strip.least), session.now_s);
+  for (const auto& marks : columns.marks) shadeTouching(marks, area);
+  drawPlotAxes(area, end, columns.window_s);
+  if (force) {
+    drawCurves(session, sideways, kFingerPaleInk, area, end);
+    drawPlotLimit(area, session.device_limit_n, end);
+    for (std::size_t f = 0; f < 2; ++f) drawEvents(columns.marks[f], area, f);
+  }
+  drawCurves(session, main, kFingerInk, area, end);
+}
+
+void pausePlots(Session& session, bool pause) {
+  session.plot_end_s = endOfTime(session);
+  session.plots_paused = pause;
+}
+
+/// A click pauses or goes on; dragging scrolls back; the wheel takes a longer or a shorter time into view.
+void useMouse(Session& session, const PlotArea& area) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
+    if (!session.plots_paused) pausePlots(session, true);
+    session.plot_end_s -= io.MouseDelta.x / area.width() * session.plot_window_s;
+  } else if (ImGui::IsMouseReleased(ImGuiMouseButton_Left) && ImGui::GetMouseDragDelta().x == 0.0f &&
+             area.holds(io.MouseClickedPos[ImGuiMouseButton_Left])) {
+    pausePlots(session, !session.plots_paused);
+  }
+  if (io.MouseWheel == 0.0f) return;
+  const auto* now = std::find(kWindows.begin(), kWindows.end(), session.plot_window_s);
+  const auto* last = std::prev(kWindows.end());
+  if (io.MouseWheel > 0.0f && now != kWindows.begin()) session.plot_window_s = *std::prev(now);
+  if (io.MouseWheel < 0.0f && now < last) session.plot_window_s = *std::next(now);
+}
+
+/// The time that is read: under the cursor, else of the frozen picture, else the newest.
+double timeRead(const Session& session, std::span<const PlotArea> areas) {
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  for (const PlotArea& area : areas) {
+    if (!area.holds(mouse)) continue;
+    const double share = (mouse.x - area.low.x) / area.width();
+    return endOfTime(session) - (1.0 - share) * session.plot_window_s;
+  }
+  return session.frozen ? session.replay.at_s : endOfTime(session);
+}
+
+/// One line through all strips.
+void drawCursor(const Session& session, std::span<const PlotArea> areas, double time_s) {
+  const double ago_s = endOfTime(session) - time_s;
+  if (ago_s <= 0.0 || ago_s > session.plot_window_s) return;
+  for (const PlotArea& area : areas) {
+    const float x = area.high.x - static_cast<float>(ago_s / session.plot_window_s) * area.width();
+    ImGui::GetWindowDrawList()->AddLine({x, area.low.y}, {x, area.high.y}, plotInk());
+  }
+}
+
+void windowChoice(Session& session) {
+  const std::string now = fmt::format("{:g} s", session.plot_window_s);
+  ImGui::SetNextItemWidth(66.0f);
+  if (ImGui::BeginCombo("##window", now.c_str())) {
+    for (const double seconds : kWindows) {
+      if (ImGui::Selectable(fmt::format("{:g} s", seconds).c_str(), seconds == session.plot_window_s)) {
+        session.plot_window_s = seconds;
+      }
+    }
+    ImGui::EndCombo();
+  }
+  notePlace("plots/window");
+}
+
+void buttons(Session& session) {
+  windowChoice(session);
+  if (buttonWidget("plots/pause", session.plots_paused ? "live" : "pause",
+                   "A click into a plot does the same; dragging there scrolls back, the wheel zooms.")) {
+    pausePlots(session, !session.plots_paused);
+  }
+  if (buttonWidget("plots/csv", "CSV", "Save what the plots show as a table.")) session.wish(Wish::Kind::plots_csv);
+}
+
+std::array<PlotArea, kStrips.size()> areasIn(const ImVec2& corner, float width, float gap) {
+  std::array<PlotArea, kStrips.size()> areas;
+  const float foot = corner.y + kPlotsHeight - kPadding - kTimes - kLegend;
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    const float left = corner.x + static_cast<float>(i) * (width + gap);
+    areas[i] = {{left, corner.y + kTitle}, {left + width, foot}};
+  }
+  return areas;
+}
+
+void strips(Session& session, std::span<const PlotArea> areas) {
+  for (const PlotArea& area : areas) {
+    if (ImGui::IsWindowHovered() && area.holds(ImGui::GetIO().MousePos)) useMouse(session, area);
+  }
+  const Columns columns = columnsOf(session, areas.front().width());
+  const double time_s = timeRead(session, areas);
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    drawStrip(session, i, columns, areas[i]);
+    drawTitle(areas[i], kStrips[i], session.plots[session.active_finger].near(time_s));
+  }
+  drawCursor(session, areas, time_s);
+}
+
+}  // namespace
+
+void plotStrips(Session& session, const FreeArea& free) {
+  ImGui::SetNextWindowPos({free.left, free.below});
+  ImGui::SetNextWindowSize({free.right - free.left, kPlotsHeight});
+  constexpr auto kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                          ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing |
+                          ImGuiWindowFlags_NoScrollWithMouse;
+  if (ImGui::Begin("plots", nullptr, kFixed)) {
+    constexpr float kButtons = 78.0f;
+    constexpr float kGap = 14.0f;
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    const float all = ImGui::GetContentRegionAvail().x - kButtons - kGap;
+    const float width = (all - 2.0f * kGap) / 3.0f;
+    strips(session, areasIn(from, width, kGap));
+    drawPlotLegend({from.x, from.y + kPlotsHeight - kPadding - 0.8f * kLegend}, all, session.finger_present[1]);
+    ImGui::SetCursorScreenPos({from.x + all + kGap, from.y});
+    ImGui::BeginGroup();
+    buttons(session);
+    ImGui::EndGroup();
+  }
+  ImGui::End();
+}
+
+}  // namespace palpate::viewer

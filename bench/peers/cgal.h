@@ -1,9 +1,0 @@
-#pragma once
-
-#include "bench/peers/peer.h"
-
-namespace palpate::bench {
-
-Peer cgalPeer();
-
-}  // namespace palpate::bench

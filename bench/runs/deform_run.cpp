@@ -1,0 +1,260 @@
+#include "bench/runs/deform_run.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <vector>
+
+#include "bench/literal/deformation.h"
+#include "lab/counters/allocation_count.h"
+#include "lab/workloads/workload_meshes.h"
+#include "palpate/base/hash.h"
+#include "palpate/deform/form_deformer.h"
+#include "palpate/mesh/reorder.h"
+
+namespace palpate::bench {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kPlaces = 16;
+/// The finger's places lie on a circle of this radius around the middle of the back: a few millimetres apart, as
+/// between two frames of a moving hand.
+constexpr double kWanderMm = 10.0;
+constexpr double kMiddleX = 175.0;
+constexpr double kMiddleY = 200.0;
+/// Between neighbouring fingers: regions of the default size overlap, the fingers do not touch.
+constexpr double kFingersApartMm = 40.0;
+/// The literal deformation takes a thousand times as long as a frame may: every fourth place must do.
+constexpr int kLiteralStride = 4;
+/// Of applies whose time is kept for the percentiles.
+constexpr std::size_t kMostSamples = 100000;
+
+Index triangleAt(const mesh::TriangleMesh& mesh, double x, double y) {
+  Index best = 0;
+  double nearest = 1e300;
+  for (Index t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    const Vec3 centre = (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3.0;
+    const double distance = (centre.head<2>() - Vec2(x, y)).squaredNorm();
+    if (distance < nearest) {
+      nearest = distance;
+      best = t;
+    }
+  }
+  return best;
+}
+
+deform::Contact contactAt(const mesh::TriangleMesh& mesh, Index triangle, const DeformRun& run) {
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  deform::Contact contact;
+  contact.anchor = (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3.0;
+  contact.anchor_triangle = triangle;
+  contact.normal = mesh::areaVector2(mesh.positions[a], mesh.positions[b], mesh.positions[c]).normalized();
+  contact.depth_mm = run.depth_mm;
+  contact.drag_mm = {run.drag_mm, 0.0, 0.0};
+  contact.normal_region = maps::liftedOntoSurface({run.half_major_mm, run.aspect}, contact.normal);
+  contact.tangential_region = contact.normal_region;
+  return contact;
+}
+
+using Contacts = std::vector<deform::Contact>;
+
+/// For each place of a round its fingers.
+std::vector<Contacts> wanderingContacts(const mesh::TriangleMesh& mesh, const DeformRun& run) {
+  std::vector<Contacts> places;
+  for (int i = 0; i < kPlaces; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kPlaces;
+    Contacts& contacts = places.emplace_back();
+    for (int finger = 0; finger < run.fingers; ++finger) {
+      const double beside = kFingersApartMm * (finger - 0.5 * (run.fingers - 1));
+      const double x = kMiddleX + kWanderMm * std::cos(angle) + beside;
+      const double y = kMiddleY + kWanderMm * std::sin(angle);
+      contacts.push_back(contactAt(mesh, triangleAt(mesh, x, y), run));
+    }
+  }
+  return places;
+}
+
+literal::Touch touchOf(const deform::Contact& contact) {
+  const maps::SurfaceEllipse& ellipse = contact.normal_region;
+  const auto triangle = static_cast<int>(contact.anchor_triangle);
+  return {contact.anchor,  triangle,           contact.normal, contact.depth_mm,
+          contact.drag_mm, ellipse.half_major, ellipse.aspect};
+}
+
+/// The times of a step at each place: the shortest, in ns, and all of them as far as there is room, in us.
+struct Timings {
+  std::array<double, kPlaces> best_ns;  // on the stack: allocations are being counted
+  std::vector<double> all_us;
+  explicit Timings(std::size_t room) {
+    best_ns.fill(1e300);
+    all_us.reserve(room);
+  }
+  void note(std::size_t place, double ns) {
+    best_ns[place] = std::min(best_ns[place], ns);
+    if (all_us.size() < all_us.capacity()) all_us.push_back(1e-3 * ns);
+  }
+  /// Of one round.
+  double bestRoundNs(std::size_t places) const {
+    return std::accumulate(best_ns.begin(), best_ns.begin() + static_cast<std::ptrdiff_t>(places), 0.0);
+  }
+};
+
+/// Calls `step(place)` for each of at most kPlaces places, round after round for `seconds`, at least once.
+template <class Step>
+void repeat(std::size_t places, double seconds, Timings& timings, const Step& step) {
+  const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+  do {
+    for (std::size_t i = 0; i < places; ++i) {
+      const auto start = Clock::now();
+      step(i);
+      timings.note(i, std::chrono::duration<double, std::nano>(Clock::now() - start).count());
+    }
+  } while (Clock::now() < end);
+}
+
+ApplyFigures figuresOf(Timings timings, std::size_t places, double moved) {
+  ApplyFigures figures;
+  const double round_ns = timings.bestRoundNs(places);
+  figures.vertices = moved / static_cast<double>(places);
+  figures.ns_per_vertex = round_ns / moved;
+  figures.us_per_frame = 1e-3 * round_ns / static_cast<double>(places);
+  figures.apply_us = lab::percentilesOf(std::move(timings.all_us));
+  return figures;
+}
+
+std::uint64_t hashOf(const deform::DeformedSurface& surface) {
+  Hash hash;
+  for (Index v = 0; v < surface.vertices(); ++v) {
+    hash.add(Vec3(surface.positionAt(v).cast<double>()));
+    hash.add(Vec3(surface.normalAt(v).cast<double>()));
+  }
+  return hash.value();
+}
+
+std::uint64_t hashOf(const literal::Mesh& mesh) {
+  Hash hash;
+  for (const literal::Vertex& vertex : mesh.vertices) {
+    hash.add(vertex.position);
+    hash.add(vertex.normal);
+  }
+  return hash.value();
+}
+
+deform::FormSettings formsOf(const DeformRun& run) {
+  deform::FormSettings forms;
+  forms.common.strain = run.strain || run.principal;
+  if (run.recompute) forms.common.normals = deform::Normals::recomputed;
+  if (run.incremental) forms.common.normals = deform::Normals::incremental;
+  if (run.principal) forms.strain_kind = deform::StrainKind::principal;
+  return forms;
+}
+
+double copyFloor(std::size_t vertices, double seconds) {
+  deform::FloatStreams streams(6, vertices, 0);
+  Timings timings(0);
+  repeat(1, seconds, timings, [&](std::size_t) {
+    for (std::size_t stream = 0; stream < 6; ++stream) {
+      float* values = streams[stream];
+      for (std::size_t v = 0; v < vertices; ++v) values[v] += 1.0f;
+    }
+  });
+  return timings.best_ns[0] / static_cast<double>(vertices);
+}
+
+/// The engine's deformer for this run, fast or general.
+class Engine {
+ public:
+  Engine(const deform::Skin& skin, const deform::FormSettings& forms, bool general) : surface_(skin) {
+    if (general || deform::needsForms(forms)) {
+      general_.emplace(skin, forms);
+    } else {
+      fast_.emplace(skin, forms.common);
+    }
+  }
+  Index apply(const Contacts& contacts) {
+    return (fast_ ? fast_->apply(contacts, surface_) : general_->apply(contacts, surface_)).moved_vertices;
+  }
+  const deform::DeformedSurface& surface() const { return surface_; }
+
+ private:
+  std::optional<deform::Deformer> fast_;
+  std::optional<deform::FormDeformer> general_;
+  deform::DeformedSurface surface_;
+};
+
+void timeEngine(const deform::Skin& skin, const std::vector<Contacts>& places, const DeformRun& run,
+                DeformFigures& figures) {
+  Engine engine(skin, formsOf(run), run.general);
+  double moved = 0.0;
+  for (const Contacts& contacts : places) moved += engine.apply(contacts);
+  Timings timings(kMostSamples);
+  const auto before = lab::allocationsOfThisThread();
+  repeat(kPlaces, run.seconds, timings, [&](std::size_t place) { engine.apply(places[place]); });
+  if (before) figures.allocations = *lab::allocationsOfThisThread() - *before;
+  figures.ours = figuresOf(std::move(timings), kPlaces, moved);
+  engine.apply(places[0]);
+  figures.ours.hash = hashOf(engine.surface());
+}
+
+double searchNs(const deform::Skin& skin, const std::vector<Contacts>& places, const DeformRun& run) {
+  deform::RegionSearch search(skin);
+  const deform::TissueSettings tissue = formsOf(run).common.tissue;
+  Timings timings(0);
+  repeat(kPlaces, run.seconds / 2, timings, [&](std::size_t place) {
+    for (const deform::Contact& contact : places[place]) {
+      const auto lanes = deform::lanesOf(deform::frameOf(contact, tissue), 0.0, Vec3::Zero());
+      search.find(skin, lanes, skin.triangles[contact.anchor_triangle]);
+    }
+  });
+  return timings.bestRoundNs(kPlaces);
+}
+
+/// On the mesh as it was made: linked lists gain nothing from the order that the engine sorts it into.
+ApplyFigures timeLiteral(const DeformRun& run) {
+  const mesh::TriangleMesh mesh = lab::backMesh(run.triangles);
+  const auto places = wanderingContacts(mesh, run);
+  literal::Deformation deformation(mesh);
+  std::vector<std::vector<literal::Touch>> touches;
+  for (std::size_t i = 0; i < places.size(); i += kLiteralStride) {
+    std::transform(places[i].begin(), places[i].end(), std::back_inserter(touches.emplace_back()), touchOf);
+  }
+  double moved = 0.0;
+  for (const auto& fingers : touches) {
+    deformation.apply(fingers);
+    moved += deformation.movedNodes();
+  }
+  Timings timings(kMostSamples);
+  repeat(touches.size(), run.seconds, timings, [&](std::size_t place) { deformation.apply(touches[place]); });
+  ApplyFigures figures = figuresOf(std::move(timings), touches.size(), moved);
+  deformation.apply(touches[0]);
+  figures.hash = hashOf(deformation.mesh());
+  return figures;
+}
+
+}  // namespace
+
+DeformFigures measureDeform(const DeformRun& run) {
+  mesh::TriangleMesh mesh = lab::backMesh(run.triangles);
+  mesh::reorderSpatially(mesh);
+  const auto places = wanderingContacts(mesh, run);
+  const deform::Skin skin = deform::buildSkin(mesh);
+  DeformFigures figures;
+  figures.triangles = mesh.triangles.size();
+  timeEngine(skin, places, run, figures);
+  const double moved = figures.ours.vertices;
+  figures.region_ns_per_vertex = searchNs(skin, places, run) / (kPlaces * moved);
+  figures.copy_floor_ns_per_vertex = copyFloor(static_cast<std::size_t>(moved) + 1, run.seconds / 4);
+  figures.ratio_to_copy_floor = figures.ours.ns_per_vertex / figures.copy_floor_ns_per_vertex;
+  if (!run.literal) return figures;
+  figures.literal = timeLiteral(run);
+  figures.speedup_over_literal = figures.literal->ns_per_vertex / figures.ours.ns_per_vertex;
+  return figures;
+}
+
+}  // namespace palpate::bench

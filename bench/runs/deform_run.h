@@ -1,0 +1,57 @@
+// Times the deformation of the benchmark's back under fingers that wander: the numbers of `palpate bench deform`.
+//
+// The literal deformation of the dissertation (literal/deformation.h) is timed on the same mesh and the same places in
+// the same run, so that a ratio is always between neighbours in time.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "lab/counters/statistics.h"
+
+namespace palpate::bench {
+
+struct DeformRun {
+  std::size_t triangles = 1000000;  ///< of the back
+  int fingers = 1;                  ///< side by side, 40 mm apart
+  double half_major_mm = 60.0;      ///< of the normal and the tangential region
+  double aspect = 0.8;              ///< minor/major
+  double depth_mm = 8.0;
+  double drag_mm = 0.0;      ///< along x; 0 presses only
+  bool recompute = false;    ///< recomputed instead of analytic normals
+  bool incremental = false;  ///< incremental normals (of the general deformer)
+  bool strain = false;
+  bool principal = false;  ///< principal strain (of the general deformer)
+  bool general = false;    ///< the general deformer even where the fast one would do
+  bool literal = true;     ///< also time the dissertation's: some 500 bytes of memory a vertex
+  double seconds = 1.0;    ///< how long to repeat
+};
+
+/// What one implementation needs for an apply: whole, from the contacts to the surface with its normals.
+struct ApplyFigures {
+  double vertices = 0.0;       ///< moved by one apply, mean over the places of the fingers
+  double ns_per_vertex = 0.0;  ///< per moved vertex, best round
+  double us_per_frame = 0.0;   ///< of the best round
+  lab::Percentiles apply_us;   ///< over all rounds
+  std::uint64_t hash = 0;      ///< of the positions and normals at the first place
+};
+
+struct DeformFigures {
+  std::size_t triangles = 0;
+  ApplyFigures ours;                  ///< search, displacement, normals, restore
+  double region_ns_per_vertex = 0.0;  ///< the search for the regions alone
+  /// In-place read and write of 24 bytes (position and normal as floats) a vertex, as many vertices, the same moment.
+  double copy_floor_ns_per_vertex = 0.0;
+  double ratio_to_copy_floor = 0.0;
+  std::optional<std::uint64_t> allocations;  ///< during all applies
+  std::optional<ApplyFigures> literal;
+  std::optional<double> speedup_over_literal;  ///< ratio of the two ns_per_vertex
+};
+
+/// The mesh is sorted spatially first. A round visits 16 places around the middle of the back (the literal one four of
+/// them); the shortest time of each place counts, because other load only ever adds. Throws Error for a count the mesh
+/// cannot have.
+DeformFigures measureDeform(const DeformRun& run);
+
+}  // namespace palpate::bench

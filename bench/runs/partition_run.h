@@ -1,0 +1,46 @@
+// Times the haptic detecting box on a partition: the numbers of `palpate bench partition`.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "lab/counters/statistics.h"
+#include "palpate/hdb/coherent_list.h"
+
+namespace palpate::bench {
+
+struct PartitionRun {
+  hdb::BuildSettings settings;
+  double speed_mm_s = 200.0;  ///< of the finger that slides over the surface at 1 kHz
+  double margin = hdb::kCoherentMargin;
+  int ticks = 5000;
+};
+
+struct PartitionFigures {
+  std::size_t triangles = 0;
+  double edge_mm = 0.0;           ///< of the box: a quarter of the model's longest edge
+  lab::Percentiles hdb_query_us;  ///< the exact triangles, found and written out one by one
+  lab::Percentiles ranges_us;     ///< found only, as ranges of entries
+  lab::Percentiles leaves_us;     ///< the leaves only
+  double mean_triangles = 0.0;
+  double mean_ranges = 0.0;
+  double mean_rendered = 0.0;  ///< entries of the leaves
+  double hybrid_us_per_tick = 0.0;
+  double hybrid_worst_us = 0.0;
+  std::uint64_t hybrid_refreshes = 0;
+  double bytes_per_triangle = 0.0;
+  double build_ns_per_triangle = 0.0;
+  std::optional<std::uint64_t> allocations;  ///< during all queries
+  std::uint64_t hash = 0;                    ///< of everything that the queries found
+};
+
+/// The finger slides between random vertices of the surface, held to it; every tick asks. Throws Error for a mesh
+/// without triangles and as buildPartition does.
+PartitionFigures measurePartition(const mesh::TriangleMesh& mesh, const PartitionRun& run);
+
+/// The boxes of a quarter of the longest edge that measurePartition asks for, one a tick.
+std::vector<Box3> slidingBoxes(const mesh::TriangleMesh& mesh, const PartitionRun& run);
+
+}  // namespace palpate::bench

@@ -1,0 +1,25 @@
+// What a result was measured on, so that a number is never shown without it.
+#pragma once
+
+#include <string>
+
+namespace palpate::lab {
+
+struct Machine {
+  std::string cpu;         ///< as the processor calls itself; "unknown" where the system does not say
+  unsigned cores = 0;      ///< that this process may run on
+  double memory_gb = 0.0;  ///< of the machine, 1e9 bytes
+  std::string kernel;      ///< name, release and processor family of the system
+  std::string compiler;    ///< name and version of what built the benchmark kit
+  std::string build;       ///< build type and compiler flags
+  std::string simd;        ///< widest instruction set that the kernels chose on this processor, as Highway calls it
+  std::string palpate;     ///< version of this project
+};
+
+/// Asks system and build each time; some microseconds. Any thread.
+Machine thisMachine();
+
+/// One line without a line end.
+std::string lineOf(const Machine& machine);
+
+}  // namespace palpate::lab

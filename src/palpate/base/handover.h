@@ -1,0 +1,54 @@
+// Gives a running loop something new to work with without stopping it: one thread makes it, the loop takes it between
+// two ticks, and what the loop puts down is destroyed by the thread that made it, never by the loop.
+//
+// Two slots that change by atomic exchange: one for what is offered, one for what was put down. The loop takes only
+// while the second is empty, so it never has to wait nor to free.
+#pragma once
+
+#include <atomic>
+#include <memory>
+
+namespace palpate {
+
+/// One offering thread, one taking thread.
+template <class T>
+class Handover {
+ public:
+  Handover() = default;
+  ~Handover() {
+    delete offered_.load();
+    delete put_down_.load();
+  }
+  Handover(const Handover&) = delete;
+  Handover& operator=(const Handover&) = delete;
+
+  /// Offering thread: the next thing to be taken, in place of an older one that was not taken yet.
+  void offer(std::unique_ptr<T> next) {
+    collect();
+    delete offered_.exchange(next.release(), std::memory_order_acq_rel);
+  }
+
+  /// Offering thread: destroys what the loop has put down. True when there was something. Call it now and then, or the
+  /// loop takes no further.
+  bool collect() {
+    const std::unique_ptr<T> old(put_down_.exchange(nullptr, std::memory_order_acq_rel));
+    return old != nullptr;
+  }
+
+  /// Taking thread: replaces `current` by what was offered. False when there is nothing, or when what was put down
+  /// last time has not been collected. Never waits, allocates or frees.
+  bool take(std::unique_ptr<T>& current) noexcept {
+    if (offered_.load(std::memory_order_relaxed) == nullptr) return false;
+    if (put_down_.load(std::memory_order_acquire) != nullptr) return false;
+    T* const next = offered_.exchange(nullptr, std::memory_order_acq_rel);
+    put_down_.store(current.release(), std::memory_order_release);
+    current.reset(next);
+    return true;
+  }
+
+ private:
+  std::atomic<T*> offered_{nullptr};
+  std::atomic<T*> put_down_{nullptr};
+};
+
+}  // namespace palpate

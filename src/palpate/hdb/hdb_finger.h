@@ -1,0 +1,26 @@
+// The dissertation's haptic process as a source of contact: a finger that collides only with the triangles that the
+// haptic detecting box (HDB) found around its proxy.
+//
+// The default finger (finger.h) walks on the whole surface; this one sees a loose list of triangles, as the haptic
+// toolkit of the dissertation did, and has the weaknesses of that: a finger that moves farther than half an edge of the
+// box before the box follows passes the skin unseen (E12). Its answer means the same as the default finger's.
+#pragma once
+
+#include "palpate/contact/finger.h"
+#include "palpate/hdb/hdb_candidates.h"
+
+namespace palpate::hdb {
+
+/// All that such a finger remembers between two ticks besides its box. Plain data; value-initialised it has never
+/// touched anything.
+struct HdbFingerState {
+  contact::FingerState finger;  ///< `proxy` is the skin's point under the god object
+  Vec3 place = Vec3::Zero();    ///< of the god object while it touches
+};
+
+/// One tick. Radius 0 only; force shading and the too-deep search of the default finger do not exist here. noexcept,
+/// no allocation, no lock. Any thread, one at a time per state and candidates.
+contact::FingerOutput stepHdb(const contact::Surface& surface, const contact::FingerSettings& settings,
+                              HdbCandidates& candidates, HdbFingerState& state, const Vec3& tip) noexcept;
+
+}  // namespace palpate::hdb

@@ -1,0 +1,163 @@
+#include "palpate/mesh/files/load.h"
+
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <fmt/format.h>
+#include <algorithm>
+#include <assimp/Importer.hpp>
+#include <cctype>
+#include <limits>
+
+#include "palpate/base/error.h"
+#include "palpate/base/text.h"
+#include "palpate/mesh/files/readers.h"
+#include "palpate/mesh/weld.h"
+
+namespace palpate::mesh {
+
+namespace {
+
+constexpr double kMillimetresPerMetre = 1000.0;
+
+std::string lowerCase(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+/// With its dot, in lower case; "." when there is none.
+std::string extensionOf(const std::filesystem::path& file) {
+  const std::string ending = lowerCase(file.extension().string());
+  return ending.empty() ? "." : ending;
+}
+
+std::optional<Format> formatByContent(std::string_view bytes) {
+  if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return Format::ply;
+  if (bytes.starts_with("glTF")) return Format::glb;
+  for (std::string_view magic : {"OFF", "COFF", "NOFF", "CNOFF", "STOFF"}) {
+    const bool word_ends =
+        bytes.size() > magic.size() && std::string_view(" \t\r\n#").find(bytes[magic.size()]) != std::string_view::npos;
+    if (bytes.starts_with(magic) && word_ends) return Format::off;
+  }
+  return std::nullopt;
+}
+
+std::optional<Format> formatByExtension(const std::filesystem::path& file) {
+  const std::string extension = extensionOf(file);
+  if (extension == ".obj") return Format::obj;
+  if (extension == ".stl") return Format::stl;
+  if (extension == ".ply") return Format::ply;
+  if (extension == ".off") return Format::off;
+  if (extension == ".gltf") return Format::gltf;
+  if (extension == ".glb") return Format::glb;
+  return std::nullopt;
+}
+
+TriangleMesh read(const MeshFile& file, Format format) {
+  switch (format) {
+    case Format::obj:
+      return readObj(file);
+    case Format::stl:
+      return readStl(file);
+    case Format::ply:
+      return readPly(file);
+    case Format::off:
+      return readOff(file);
+    case Format::gltf:
+    case Format::glb:
+      return readGltf(file);
+    case Format::foreign:
+      return readForeign(file, extensionOf(std::string(file.name)).substr(1));
+  }
+  return {};
+}
+
+bool isGltf(Format format) { return format == Format::gltf || format == Format::glb; }
+
+TriangleMesh loadChecked(const MeshFile& file, Format format) {
+  if (file.bytes.empty()) throw Error::inFile(file.name, "the file is empty");
+  TriangleMesh mesh = read(file, format);
+  if (mesh.triangles.empty()) throw Error::inFile(file.name, "no triangles in it");
+  // STL welds while it reads.
+  const bool repeats_vertices = isGltf(format) || format == Format::foreign;
+  if (format != Format::stl && file.options.weld.value_or(repeats_vertices)) {
+    mergeVertices(mesh, equalVertices(mesh.positions));
+  }
+  if (!file.options.group.empty()) removeUnusedVertices(mesh);
+  toMillimetres(mesh, format, file.options.unit_mm);
+  report(file.progress, "reading", 1.0);
+  return mesh;
+}
+
+}  // namespace
+
+Format formatOf(const std::filesystem::path& file, std::string_view bytes, bool allow_foreign) {
+  if (const auto format = formatByContent(bytes)) return *format;
+  if (const auto format = formatByExtension(file)) return *format;
+  if (allow_foreign) return Format::foreign;
+  throw Error::inFile(file.string(), "not a mesh file that can be read; these can: obj, stl, ply, off, gltf, glb");
+}
+
+void toMillimetres(TriangleMesh& mesh, Format format, double unit_mm) {
+  if (unit_mm == 0.0) unit_mm = isGltf(format) ? kMillimetresPerMetre : 1.0;
+  if (unit_mm == 1.0) return;
+  for (Vec3& position : mesh.positions) position *= unit_mm;
+}
+
+void checkTriangleCount(std::size_t triangles, std::string_view name) {
+  constexpr std::size_t kMost = std::numeric_limits<Index>::max() / 3;
+  if (triangles >= kMost) throw Error::inFile(name, fmt::format("more than {} triangles", kMost));
+}
+
+TriangleMesh load(const std::filesystem::path& file, const LoadOptions& options, const Progress& progress) {
+  report(progress, "reading", 0.0);
+  const std::string bytes = readFile(file, options.max_bytes);
+  const std::string name = file.string();
+  return loadChecked({bytes, name, options, progress, file.parent_path() / "."},
+                     formatOf(file, bytes, options.allow_foreign));
+}
+
+TriangleMesh loadFromMemory(std::string_view bytes, Format format, std::string_view name, const LoadOptions& options,
+                            const Progress& progress) {
+  return loadChecked({bytes, name, options, progress, {}}, format);
+}
+
+// Every other format (3mf, dae, fbx, ...) through assimp. Off by default: its readers are not hardened against hostile
+// files the way ours are, and an error of theirs names no place.
+
+namespace {
+
+/// Polygons cut, points and lines apart from triangles, nodes' transforms applied.
+constexpr unsigned kSteps = aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_PreTransformVertices;
+
+std::string oneLine(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+void addTriangles(const aiMesh& part, TriangleMesh& mesh) {
+  const auto first = static_cast<Index>(mesh.positions.size());
+  for (unsigned v = 0; v < part.mNumVertices; ++v) {
+    const aiVector3D& p = part.mVertices[v];
+    mesh.positions.emplace_back(p.x, p.y, p.z);
+  }
+  for (unsigned f = 0; f < part.mNumFaces; ++f) {
+    const aiFace& face = part.mFaces[f];
+    if (face.mNumIndices != 3) continue;
+    mesh.triangles.push_back({first + face.mIndices[0], first + face.mIndices[1], first + face.mIndices[2]});
+  }
+}
+
+}  // namespace
+
+TriangleMesh readForeign(const MeshFile& file, const std::string& extension) {
+  Assimp::Importer importer;
+  const aiScene* scene = importer.ReadFileFromMemory(file.bytes.data(), file.bytes.size(), kSteps, extension.c_str());
+  if (scene == nullptr) throw Error::inFile(file.name, oneLine(importer.GetErrorString()));
+  TriangleMesh mesh;
+  for (unsigned m = 0; m < scene->mNumMeshes; ++m) addTriangles(*scene->mMeshes[m], mesh);
+  checkTriangleCount(mesh.triangles.size(), file.name);
+  return mesh;
+}
+
+}  // namespace palpate::mesh

@@ -1,0 +1,61 @@
+// The textured triangles of a file, through the readers of `load`.
+#include <algorithm>
+
+#include "palpate/base/text.h"
+#include "palpate/mesh/files/gltf_data.h"
+#include "palpate/mesh/files/readers.h"
+
+namespace palpate::mesh {
+
+namespace {
+
+TriangleMesh readWithPlaces(const MeshFile& file, Format format, TexturePlaces& places) {
+  if (format == Format::obj) return readObj(file, &places);
+  if (format == Format::gltf || format == Format::glb) return readGltf(file, &places);
+  return {};
+}
+
+void keepTextured(TexturedMesh& textured) {
+  const std::vector<Vec3>& at = textured.mesh.positions;
+  const auto unusable = [&](Index v) {
+    return v >= textured.places.size() || !textured.places[v].allFinite() || !isUsable(at[v]);
+  };
+  std::erase_if(textured.mesh.triangles, [&](const Triangle& t) {
+    return std::any_of(t.begin(), t.end(), unusable) || areaVector2(at[t[0]], at[t[1]], at[t[2]]).isZero(0.0);
+  });
+}
+
+TexturedMesh loadFrom(const MeshFile& file, Format format) {
+  TexturedMesh textured;
+  textured.mesh = readWithPlaces(file, format, textured.places);
+  keepTextured(textured);
+  toMillimetres(textured.mesh, format, file.options.unit_mm);
+  return textured;
+}
+
+}  // namespace
+
+TexturedMesh loadTextured(const std::filesystem::path& file, const LoadOptions& options, const Progress& progress) {
+  report(progress, "reading the texture coordinates", 0.0);
+  const std::string bytes = readFile(file, options.max_bytes);
+  const std::string name = file.string();
+  return loadFrom({bytes, name, options, progress, file.parent_path() / "."},
+                  formatOf(file, bytes, options.allow_foreign));
+}
+
+TexturedMesh loadTexturedFromMemory(std::string_view bytes, Format format, std::string_view name,
+                                    const LoadOptions& options, const Progress& progress) {
+  return loadFrom({bytes, name, options, progress, {}}, format);
+}
+
+std::string basePictureOf(const std::filesystem::path& file) {
+  const LoadOptions options;
+  const Progress silent;
+  const std::string bytes = readFile(file, options.max_bytes);
+  const std::string name = file.string();
+  const Format format = formatOf(file, bytes, true);
+  if (format != Format::gltf && format != Format::glb) return {};
+  return readGltfPicture({bytes, name, options, silent, file.parent_path() / "."});
+}
+
+}  // namespace palpate::mesh

@@ -1,0 +1,300 @@
+// PLY, text and binary in both byte orders: x, y, z of the element `vertex`, the index list of the element `face`.
+//
+// Everything else in the file (colours, normals, other elements) is passed over as its header declares it. The header's
+// counts are never trusted: memory is taken for what the bytes that are left can hold.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "palpate/mesh/files/byte_reader.h"
+#include "palpate/mesh/files/polygons.h"
+#include "palpate/mesh/files/readers.h"
+#include "palpate/mesh/files/text_reader.h"
+
+namespace palpate::mesh {
+
+namespace {
+
+enum class Type : std::uint8_t { i8, u8, i16, u16, i32, u32, f32, f64 };
+
+struct TypeName {
+  std::string_view name;
+  Type type;
+};
+/// Both families of names that are in use.
+constexpr auto kTypeNames = std::to_array<TypeName>({{"char", Type::i8},
+                                                     {"uchar", Type::u8},
+                                                     {"short", Type::i16},
+                                                     {"ushort", Type::u16},
+                                                     {"int", Type::i32},
+                                                     {"uint", Type::u32},
+                                                     {"float", Type::f32},
+                                                     {"double", Type::f64},
+                                                     {"int8", Type::i8},
+                                                     {"uint8", Type::u8},
+                                                     {"int16", Type::i16},
+                                                     {"uint16", Type::u16},
+                                                     {"int32", Type::i32},
+                                                     {"uint32", Type::u32},
+                                                     {"float32", Type::f32},
+                                                     {"float64", Type::f64}});
+
+struct Property {
+  std::string_view name;
+  Type type = Type::f32;
+  bool is_list = false;
+  Type count_type = Type::u8;
+};
+
+struct Element {
+  std::string_view name;
+  std::size_t count = 0;
+  std::vector<Property> properties;
+};
+
+enum class Encoding : std::uint8_t { text, little, big };
+
+struct Header {
+  Encoding encoding = Encoding::text;
+  std::vector<Element> elements;
+};
+
+// --- header ---
+
+Type readType(TextReader& text) {
+  const auto word = text.word();
+  const auto found = std::find_if(kTypeNames.begin(), kTypeNames.end(), [&](const auto& t) { return t.name == word; });
+  if (found == kTypeNames.end()) text.fail(fmt::format("'{}' is not a PLY type", shown(word)));
+  return found->type;
+}
+
+Encoding readEncoding(TextReader& text) {
+  const auto word = text.word();
+  if (word == "ascii") return Encoding::text;
+  if (word == "binary_little_endian") return Encoding::little;
+  if (word == "binary_big_endian") return Encoding::big;
+  text.fail(fmt::format("'{}' is not a PLY format", shown(word)));
+}
+
+Property readProperty(TextReader& text) {
+  Property property;
+  property.is_list = text.restOfLine().starts_with("list ");
+  if (property.is_list) {
+    text.word();
+    property.count_type = readType(text);
+    if (property.count_type >= Type::f32) text.fail("the length of a list cannot be a fraction");
+  }
+  property.type = readType(text);
+  property.name = text.word();
+  return property;
+}
+
+Element readElement(TextReader& text) {
+  constexpr long long kHighest = 1LL << 62;
+  const auto name = text.word();
+  return {name, static_cast<std::size_t>(text.whole(text.word(), "the number of elements", 0, kHighest)), {}};
+}
+
+/// Leaves the reader at the end of the line "end_header".
+Header readHeader(TextReader& text) {
+  Header header;
+  if (text.word() != "ply") text.fail("not a PLY file: it does not start with 'ply'");
+  while (text.nextLine()) {
+    const auto keyword = text.word();
+    if (keyword == "end_header") return header;
+    if (keyword == "format") header.encoding = readEncoding(text);
+    if (keyword == "element") header.elements.push_back(readElement(text));
+    if (keyword == "property") {
+      if (header.elements.empty()) text.fail("a property before the first element");
+      header.elements.back().properties.push_back(readProperty(text));
+    } else if (keyword != "format" && keyword != "element" && keyword != "comment" && keyword != "obj_info" &&
+               !keyword.empty()) {
+      text.fail(fmt::format("'{}' is not a keyword of a PLY header", shown(keyword)));
+    }
+  }
+  text.fail("the file ends before 'end_header'");
+}
+
+// --- values ---
+
+/// Values of a text file: one number a word.
+class TextValues {
+ public:
+  static constexpr FileCounting::Place kPlace = FileCounting::Place::line;
+  TextValues(TextReader& text, Encoding) : text_(text) {}
+
+  double value(Type) {
+    const auto word = text_.wordAnywhere();
+    if (word.empty()) fail("the file ends before all its elements are there");
+    return text_.number(word, "a value");
+  }
+  static std::size_t leastBytes(Type) { return 2; }
+  std::size_t bytesLeft() const { return text_.bytesLeft() + 1; }
+  std::size_t place() const { return text_.line(); }
+  [[noreturn]] void fail(std::string_view cause) const { text_.fail(cause); }
+
+ private:
+  TextReader& text_;
+};
+
+class BinaryValues {
+ public:
+  static constexpr FileCounting::Place kPlace = FileCounting::Place::byte;
+  BinaryValues(ByteReader bytes, Encoding encoding)
+      : bytes_(bytes), order_(encoding == Encoding::big ? std::endian::big : std::endian::little) {}
+
+  double value(Type type) {
+    switch (type) {
+      case Type::i8:
+        return bytes_.number<std::int8_t>(order_);
+      case Type::u8:
+        return bytes_.number<std::uint8_t>(order_);
+      case Type::i16:
+        return bytes_.number<std::int16_t>(order_);
+      case Type::u16:
+        return bytes_.number<std::uint16_t>(order_);
+      case Type::i32:
+        return bytes_.number<std::int32_t>(order_);
+      case Type::u32:
+        return bytes_.number<std::uint32_t>(order_);
+      case Type::f32:
+        return bytes_.number<float>(order_);
+      case Type::f64:
+        return bytes_.number<double>(order_);
+    }
+    return 0.0;
+  }
+  static std::size_t leastBytes(Type type) {
+    constexpr std::array<std::size_t, 8> kBytes = {1, 1, 2, 2, 4, 4, 4, 8};
+    return kBytes[static_cast<std::size_t>(type)];
+  }
+  std::size_t bytesLeft() const { return bytes_.bytesLeft(); }
+  std::size_t place() const { return bytes_.position(); }
+  [[noreturn]] void fail(std::string_view cause) const { bytes_.fail(cause); }
+
+ private:
+  ByteReader bytes_;
+  std::endian order_;
+};
+
+// --- body ---
+
+template <class Values>
+class BodyReader {
+ public:
+  BodyReader(Values values, const MeshFile& file) : values_(values), file_(file) {}
+
+  TriangleMesh read(const Header& header) {
+    for (const Element& element : header.elements) {
+      checkCount(element);
+      if (element.name == "vertex") {
+        readVertices(element);
+      } else {
+        readOthers(element);
+      }
+    }
+    polygons_.cut(mesh_, {file_.name, Values::kPlace, 0}, file_.options.keep_wrong_indices);
+    return std::move(mesh_);
+  }
+
+ private:
+  /// An element takes at least these bytes, so a header that lies is found before anything is read.
+  void checkCount(const Element& element) const {
+    std::size_t least = 0;
+    for (const Property& p : element.properties) least += Values::leastBytes(p.is_list ? p.count_type : p.type);
+    if (least == 0 || element.count <= values_.bytesLeft() / least) return;
+    values_.fail(fmt::format("the header promises {} of '{}', the file holds {} at most", element.count,
+                             shown(element.name), values_.bytesLeft() / least));
+  }
+
+  void readVertices(const Element& element) {
+    std::array<std::size_t, 3> columns{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      columns[axis] = columnOf(element, std::string_view("xyz").substr(axis, 1));
+    if (element.count >= kNoIndex) values_.fail("more vertices than 32-bit indices can name");
+    mesh_.positions.reserve(element.count);
+    std::vector<double> row(element.properties.size());
+    for (std::size_t v = 0; v < element.count; ++v) {
+      for (std::size_t p = 0; p < row.size(); ++p) row[p] = readOrPassOver(element.properties[p]);
+      mesh_.positions.emplace_back(row[columns[0]], row[columns[1]], row[columns[2]]);
+      reportProgress(v);
+    }
+  }
+
+  std::size_t columnOf(const Element& element, std::string_view name) const {
+    for (std::size_t p = 0; p < element.properties.size(); ++p) {
+      if (element.properties[p].name == name && !element.properties[p].is_list) return p;
+    }
+    values_.fail(fmt::format("the vertices have no '{}'", name));
+  }
+
+  void readOthers(const Element& element) {
+    if (element.properties.empty()) return;
+    for (std::size_t row = 0; row < element.count; ++row) {
+      for (const Property& property : element.properties) {
+        if (element.name == "face" && isIndexList(property)) {
+          readPolygon(property);
+        } else {
+          readOrPassOver(property);
+        }
+      }
+      reportProgress(row);
+    }
+  }
+
+  static bool isIndexList(const Property& property) {
+    return property.is_list && (property.name == "vertex_indices" || property.name == "vertex_index");
+  }
+
+  void readPolygon(const Property& property) {
+    const std::size_t place = values_.place();
+    const std::size_t count = readLength(property);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double index = values_.value(property.type);
+      const bool possible = index >= 0.0 && index < kNoIndex && index == std::floor(index);
+      polygons_.addCorner(possible ? static_cast<Index>(index) : kNoIndex);
+    }
+    polygons_.close(place);
+  }
+
+  /// The value of a scalar; 0 for a list.
+  double readOrPassOver(const Property& property) {
+    if (!property.is_list) return values_.value(property.type);
+    const std::size_t count = readLength(property);
+    for (std::size_t i = 0; i < count; ++i) values_.value(property.type);
+    return 0.0;
+  }
+
+  std::size_t readLength(const Property& property) {
+    const double length = values_.value(property.count_type);
+    const auto most = values_.bytesLeft() / Values::leastBytes(property.type);
+    if (length >= 0.0 && length <= static_cast<double>(most)) return static_cast<std::size_t>(length);
+    values_.fail(fmt::format("a list of {} values, the file holds {} more at most", length, most));
+  }
+
+  void reportProgress(std::size_t row) {
+    constexpr std::size_t kRowsPerReport = std::size_t{1} << 17;
+    if (row % kRowsPerReport != 0) return;
+    report(file_.progress, "reading", 1.0 - static_cast<double>(values_.bytesLeft()) / file_.bytes.size());
+  }
+
+  Values values_;
+  const MeshFile& file_;
+  TriangleMesh mesh_;
+  PolygonList polygons_;
+};
+
+}  // namespace
+
+TriangleMesh readPly(const MeshFile& file) {
+  TextReader text(file.bytes, file.name, file.progress);
+  const Header header = readHeader(text);
+  text.nextLine();
+  if (header.encoding == Encoding::text) return BodyReader(TextValues(text, header.encoding), file).read(header);
+  ByteReader bytes(file.bytes, file.name, text.position());
+  return BodyReader(BinaryValues(bytes, header.encoding), file).read(header);
+}
+
+}  // namespace palpate::mesh

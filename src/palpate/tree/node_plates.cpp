@@ -1,0 +1,171 @@
+// A place of the surface is a local minimum of the distance to a point only if the way to the point lies within the
+// cone of the normals around that place: round an edge or a corner the surface is a height field over the plane across
+// the cone's axis, as steep as the cone is wide, and a way outside the cone leaves some direction downhill. So a child
+// whose cone misses the point holds no foot. The normals around a place are those of all triangles at its corners,
+// within the child or beside it; they are gathered per vertex first.
+//
+// Where the surface ends, folds over by more than 45 degrees or has triangles without area, nothing is excluded.
+//
+// Based on: Johnson and Cohen, "Spatialized normal cone hierarchies" (2001); Ericson (2005), 4.6 for slabs.
+#include "palpate/tree/node_plates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace palpate::tree {
+
+namespace {
+
+/// Larger children have a box only: seen from a finger they are no plate.
+constexpr Index kMostTriangles = 1024;
+/// Added to the sine of a spread: above the rounding of normals kept as floats, below half a step.
+constexpr double kSineSlack = 1e-3;
+/// Twice the squared area below this share of (longest edge)^4 gives no normal.
+constexpr double kSliverShare = 1e-20;
+/// Added to the top of a plate, in its steps: above the rounding of a query's floats.
+constexpr double kTopSlack = 1e-3;
+
+/// The normals of the triangles at a vertex: all within an angle of `axis`, told by its cosine; -1 for any.
+struct NormalCone {
+  Vec3f axis = Vec3f::Zero();
+  float cosine = 1.0f;
+};
+
+Vec3 unitNormal(const TriangleRecord& record) {
+  const auto& [a, b, c] = record.corners;
+  const Vec3 normal = mesh::areaVector2(a, b, c);
+  const double longest2 = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  if (!(normal.squaredNorm() > kSliverShare * longest2 * longest2)) return Vec3::Zero();
+  return normal.stableNormalized();
+}
+
+std::vector<NormalCone> conesOfVertices(const TriangleTree& tree) {
+  Index vertices = 0;
+  for (const TriangleRecord& record : tree.records) {
+    for (const Index v : record.vertices) vertices = std::max(vertices, v + 1);
+  }
+  std::vector<NormalCone> cones(vertices);
+  for (const TriangleRecord& record : tree.records) {
+    const Vec3f normal = unitNormal(record).cast<float>();
+    for (const Index v : record.vertices) cones[v].axis += normal;
+  }
+  for (NormalCone& cone : cones) cone.axis.stableNormalize();
+  for (const TriangleRecord& record : tree.records) {
+    const Vec3f normal = unitNormal(record).cast<float>();
+    for (int i = 0; i < 3; ++i) {
+      NormalCone& cone = cones[record.vertices[i]];
+      cone.cosine = std::min(cone.cosine, cone.axis.dot(normal));
+      if (record.neighbours[i] != kNoIndex) continue;
+      cone.cosine = cones[record.vertices[(i + 1) % 3]].cosine = -1.0f;
+    }
+    if (!normal.isZero()) continue;
+    for (const Index v : record.vertices) cones[v].cosine = -1.0f;
+  }
+  return cones;
+}
+
+double sineOf(double cosine) { return std::sqrt(std::max(0.0, 1.0 - cosine * cosine)); }
+
+std::int8_t rounded(double value) { return static_cast<std::int8_t>(std::lround(value)); }
+
+/// The two bytes of facingVector nearest to a direction (not zero).
+std::array<std::int8_t, 2> facingBytes(const Vec3& direction) {
+  const Vec3 on_octahedron = direction * (kFacingLength / direction.lpNorm<1>());
+  double u = on_octahedron.x();
+  double v = on_octahedron.y();
+  if (on_octahedron.z() < 0.0) {
+    u = std::copysign(kFacingLength - std::abs(on_octahedron.y()), on_octahedron.x());
+    v = std::copysign(kFacingLength - std::abs(on_octahedron.x()), on_octahedron.y());
+  }
+  return {rounded(u), rounded(v)};
+}
+
+class PlateFiller {
+ public:
+  explicit PlateFiller(TriangleTree& tree) : tree_(tree), cones_(conesOfVertices(tree)) {}
+
+  /// Returns the records below the node.
+  struct Range {
+    Index begin;
+    Index end;
+  };
+  Range fill(std::uint32_t index) {
+    Range all{kNoIndex, 0};
+    for (int i = 0; i < kNodeWidth; ++i) {
+      WideNode& node = tree_.nodes[index];
+      setNoPlate(node, i);
+      if (!(node.low[0][i] <= node.high[0][i])) continue;
+      const ChildLink link = node.children[i];
+      const Range range =
+          link.isLeaf() ? Range{link.firstTriangle(), link.firstTriangle() + link.triangleCount()} : fill(link.node());
+      if (range.end - range.begin <= kMostTriangles) setPlate(node, i, range);
+      all = {std::min(all.begin, range.begin), std::max(all.end, range.end)};
+    }
+    return all;
+  }
+
+ private:
+  static void setNoPlate(WideNode& node, int slot) {
+    node.facing[0][slot] = node.facing[1][slot] = 0;
+    node.top[slot] = kMostTop;
+    node.spread[slot] = kAnySpread;
+  }
+
+  void setPlate(WideNode& node, int slot, const Range& range) const {
+    Vec3 sum = Vec3::Zero();
+    for (Index t = range.begin; t < range.end; ++t) {
+      const auto& [a, b, c] = tree_.records[t].corners;
+      sum += mesh::areaVector2(a, b, c);
+    }
+    sum.stableNormalize();
+    if (!(sum.squaredNorm() > 0.5)) return;
+    const auto [u, v] = facingBytes(sum);
+    const auto facing = facingVector(u, v);
+    const Vec3 axis = Vec3(facing[0], facing[1], facing[2]).normalized();
+    const Vec3 low(node.low[0][slot], node.low[1][slot], node.low[2][slot]);
+    const Vec3 high(node.high[0][slot], node.high[1][slot], node.high[2][slot]);
+    const Vec3 middle = tree_.center + (0.5 / tree_.to_unit) * (low + high);
+    double top = -std::numeric_limits<double>::infinity();  // mm
+    double widest = 1.0;                                    // as a cosine
+    for (Index t = range.begin; t < range.end; ++t) {
+      const TriangleRecord& record = tree_.records[t];
+      for (int i = 0; i < 3; ++i) {
+        top = std::max(top, axis.dot(record.corners[i] - middle));
+        widest = std::min(widest, cosineOfSpread(axis, cones_[record.vertices[i]]));
+      }
+    }
+    node.facing[0][slot] = u;
+    node.facing[1][slot] = v;
+    node.top[slot] = topSteps(top * tree_.to_unit / (0.5 * (high - low).norm()));
+    node.spread[slot] = spreadOf(widest);
+  }
+
+  static std::int8_t topSteps(double share) {
+    const double steps = std::ceil(kMostTop * share + kTopSlack);
+    return static_cast<std::int8_t>(std::clamp(steps, -1.0 * kMostTop, 1.0 * kMostTop));
+  }
+
+  /// Cosine of the widest angle from `axis` to a normal of the cone; -1 for any.
+  static double cosineOfSpread(const Vec3& axis, const NormalCone& cone) {
+    const double cosine = cone.cosine;
+    const double between = axis.dot(cone.axis.cast<double>());
+    if (cosine <= 0.0 || between <= 0.0) return -1.0;
+    return cosine * between - sineOf(cosine) * sineOf(between);
+  }
+
+  static std::uint8_t spreadOf(double cosine) {
+    if (cosine <= 0.0) return kAnySpread;
+    const double steps = std::ceil((sineOf(cosine) + kSineSlack) / kSpreadStep);
+    return steps < kAnySpread ? static_cast<std::uint8_t>(steps) : kAnySpread;
+  }
+
+  TriangleTree& tree_;
+  std::vector<NormalCone> cones_;
+};
+
+}  // namespace
+
+void fillPlates(TriangleTree& tree) { PlateFiller(tree).fill(0); }
+
+}  // namespace palpate::tree

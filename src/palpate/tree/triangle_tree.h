@@ -1,0 +1,195 @@
+// The bounding volume tree over a triangle surface: nearest point, first crossing of a segment, triangles within a
+// radius.
+//
+// Built once at load from a mesh (triangle_tree_build.cpp). Triangles are stored in leaf order as 96-byte records that
+// hold everything a walk over the surface needs, so a query and the walk that follows it read the same cache lines.
+// Queries are noexcept, allocate nothing, use a stack of fixed size and may run from any number of threads at once.
+//
+// All three queries visit nodes nearest first; boxes are floats that err on the safe side, triangles are doubles.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <vector>
+
+#include "palpate/base/aligned.h"
+#include "palpate/mesh/triangle_mesh.h"
+#include "palpate/tree/closest_on_triangle.h"
+#include "palpate/tree/wide_node.h"
+
+namespace palpate::tree {
+
+/// A triangle as a walk over the surface needs it. Triangles are named by their record's index ("leaf order")
+/// everywhere in `partition` and `contact`; `TriangleTree::source_triangle` leads back to the mesh.
+struct alignas(32) TriangleRecord {
+  std::array<Vec3, 3> corners;      ///< mm
+  std::array<Index, 3> neighbours;  ///< record across edge i = (corner i, corner i + 1); kNoIndex at a border
+  std::array<Index, 3> vertices;    ///< vertex of the mesh at each corner
+};
+
+struct TriangleTree {
+  AlignedVector<WideNode> nodes;  ///< nodes[0] is the root
+  AlignedVector<TriangleRecord> records;
+  std::vector<Index> source_triangle;  ///< record -> triangle of the mesh
+  // The unit frame of the boxes: (position - center) * to_unit, about 1 across. to_unit is a power of two, so the
+  // change of frame costs one rounding and the tree behaves the same at every scale and far from the origin.
+  Vec3 center = Vec3::Zero();
+  double to_unit = 1.0;
+  double diagonal = 0.0;  ///< of the mesh's box, mm: what tolerances are relative to
+};
+
+/// Throws Error for a mesh without triangles, with more than ChildLink::kMostTriangles, with an index out of range or a
+/// coordinate that is not finite. About 0.5 us and 127 bytes a triangle.
+TriangleTree buildTriangleTree(const mesh::TriangleMesh& mesh);
+
+/// The tree's nodes cannot nest deeper than this (the builder sees to it), which bounds the stack of every query.
+inline constexpr int kMostTreeLevels = 64;
+
+struct NearestPoint {
+  ClosestOnTriangle closest;
+  Index triangle = kNoIndex;  ///< record
+};
+
+struct Crossing {
+  Vec3 point;                 ///< on the triangle, to rounding
+  double fraction = 0.0;      ///< of the segment, [0, 1]
+  Index triangle = kNoIndex;  ///< record
+};
+
+/// The nearest point of the surface closer than `max_distance`, or triangle kNoIndex.
+NearestPoint nearestPoint(const TriangleTree& tree, const Vec3& point, double max_distance) noexcept;
+
+/// Where the segment first passes a triangle from its front to its back (exactly, see exact_predicates.h), or triangle
+/// kNoIndex.
+Crossing firstFrontCrossing(const TriangleTree& tree, const Vec3& from, const Vec3& to) noexcept;
+
+/// How many times a closed surface winds round a point: 0 outside, 1 inside, more where sheets overlap. Counted along
+/// one ray, so a ray that meets an edge exactly may miscount; not for borders.
+int windingNumber(const TriangleTree& tree, const Vec3& point) noexcept;
+
+// ------------------------------------------------------------------------------------------------------------------
+// The same queries with the caller's own test, for those who need one (contact). Templates, so that it is inlined.
+
+namespace detail {
+
+struct PendingChild {
+  float bound;
+  ChildLink child;
+};
+
+inline constexpr int kMostPending = kMostTreeLevels * (kNodeWidth - 1) + 1;
+
+PointQuery pointQuery(const TriangleTree& tree, const Vec3& point) noexcept;
+SegmentQuery segmentQuery(const TriangleTree& tree, const Vec3& from, const Vec3& to) noexcept;
+/// A squared distance in mm^2 as a float of the unit frame, rounded up.
+float unitSquaredDistance(const TriangleTree& tree, double squared_distance) noexcept;
+
+/// Puts the children within `limit` on the stack, the nearest on top. Returns the new stack size.
+int pushNearestLast(const WideNode& node, const float* bounds, float limit, PendingChild* stack, int size) noexcept;
+
+/// True for a crossing, with its fraction and place.
+bool crossingOf(const TriangleRecord& record, const Vec3& from, const Vec3& to, Crossing& crossing) noexcept;
+
+}  // namespace detail
+
+namespace detail {
+
+/// Branch and bound; `bounds_of(node, query, bounds)` fills the lower bounds of the squared distances to the children.
+template <class Bounds, class Visit>
+void visitNearestFirst(const TriangleTree& tree, const Vec3& point, double squared_limit, Bounds&& bounds_of,
+                       Visit&& visit) noexcept {
+  const PointQuery query = pointQuery(tree, point);
+  PendingChild stack[kMostPending];
+  stack[0] = {0.0f, ChildLink::toNode(0)};
+  float unit_limit = unitSquaredDistance(tree, squared_limit);
+  for (int size = 1; size > 0;) {
+    const PendingChild next = stack[--size];
+    if (next.bound > unit_limit) continue;
+    if (!next.child.isLeaf()) {
+      const WideNode& node = tree.nodes[next.child.node()];
+      float bounds[kNodeWidth];
+      bounds_of(node, query, bounds);
+      size = pushNearestLast(node, bounds, unit_limit, stack, size);
+      continue;
+    }
+    const Index first = next.child.firstTriangle();
+    const Index end = first + next.child.triangleCount();
+    for (Index t = first; t < end; ++t) {
+      const ClosestOnTriangle closest = closestOnTriangle(tree.records[t].corners, point);
+      if (!(closest.squared_distance < squared_limit)) continue;
+      squared_limit = visit(t, closest);
+      if (squared_limit <= 0.0) return;
+    }
+    unit_limit = unitSquaredDistance(tree, squared_limit);
+  }
+}
+
+}  // namespace detail
+
+/// Calls visit(record, ClosestOnTriangle) for triangles nearer than the square root of `squared_limit`, roughly nearest
+/// first. `visit` returns the new limit, smaller or equal; 0 ends the search.
+template <class Visit>
+void visitNearTriangles(const TriangleTree& tree, const Vec3& point, double squared_limit, Visit&& visit) noexcept {
+  detail::visitNearestFirst(tree, point, squared_limit, squaredDistanceBounds, visit);
+}
+
+/// The same, but leaves out many triangles (not all) that hold no local minimum of the distance that has the point in
+/// front of it.
+template <class Visit>
+void visitNearMinima(const TriangleTree& tree, const Vec3& point, double squared_limit, Visit&& visit) noexcept {
+  detail::visitNearestFirst(tree, point, squared_limit, squaredDistanceBoundsOfMinima, visit);
+}
+
+/// Nearest point among those that accept(record, ClosestOnTriangle) is true for.
+template <class Accept>
+NearestPoint nearestPointIf(const TriangleTree& tree, const Vec3& point, double max_distance,
+                            Accept&& accept) noexcept {
+  NearestPoint best;
+  double squared_limit = max_distance * max_distance;
+  visitNearTriangles(tree, point, squared_limit, [&](Index triangle, const ClosestOnTriangle& closest) {
+    if (accept(triangle, closest)) {
+      best = {closest, triangle};
+      squared_limit = closest.squared_distance;
+    }
+    return squared_limit;
+  });
+  return best;
+}
+
+/// Calls visit(record) for every triangle whose box the segment may touch.
+template <class Visit>
+void visitTrianglesAlong(const TriangleTree& tree, const Vec3& from, const Vec3& to, Visit&& visit) noexcept {
+  const SegmentQuery query = detail::segmentQuery(tree, from, to);
+  ChildLink stack[detail::kMostPending];
+  stack[0] = ChildLink::toNode(0);
+  for (int size = 1; size > 0;) {
+    const ChildLink next = stack[--size];
+    if (next.isLeaf()) {
+      const Index end = next.firstTriangle() + next.triangleCount();
+      for (Index t = next.firstTriangle(); t < end; ++t) visit(t);
+      continue;
+    }
+    const WideNode& node = tree.nodes[next.node()];
+    for (std::uint32_t hits = segmentMayTouch(node, query); hits != 0; hits &= hits - 1) {
+      stack[size++] = node.children[std::countr_zero(hits)];
+    }
+  }
+}
+
+/// First front-to-back crossing of a triangle that accept(record) is true for. Of crossings at the same fraction the
+/// one with the lower record wins.
+template <class Accept>
+Crossing firstFrontCrossingIf(const TriangleTree& tree, const Vec3& from, const Vec3& to, Accept&& accept) noexcept {
+  Crossing first;
+  visitTrianglesAlong(tree, from, to, [&](Index t) {
+    Crossing crossing;
+    if (!detail::crossingOf(tree.records[t], from, to, crossing) || !accept(t)) return;
+    crossing.triangle = t;
+    const bool earlier = first.triangle == kNoIndex || crossing.fraction < first.fraction ||
+                         (crossing.fraction == first.fraction && t < first.triangle);
+    if (earlier) first = crossing;
+  });
+  return first;
+}
+
+}  // namespace palpate::tree

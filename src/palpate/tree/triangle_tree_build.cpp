@@ -1,0 +1,300 @@
+// Builds the triangle tree: ranges of triangles are cut by the surface area heuristic until eight of them fill a node.
+//
+// Instead of a binary tree that is collapsed afterwards, each node cuts its own range: of the parts so far, the one
+// with the largest surface is cut next. A leaf is a part of at most kLeafTriangles.
+//
+// Based on: Wald, "On fast construction of SAH-based bounding volume hierarchies" (2007) for the binned heuristic.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "palpate/base/error.h"
+#include "palpate/mesh/topology.h"
+#include "palpate/tree/node_plates.h"
+#include "palpate/tree/triangle_tree.h"
+
+namespace palpate::tree {
+
+namespace {
+
+constexpr std::size_t kLeafTriangles = 4;  // fewer cost nodes, more cost triangle tests
+constexpr int kBins = 16;
+/// Below this level ranges are halved by count, so that no input can nest deeper than kMostTreeLevels: 28 bits of
+/// triangles are used up after 28 more levels.
+constexpr int kHeuristicLevels = 32;
+static_assert(kHeuristicLevels + 28 < kMostTreeLevels);
+
+struct Box {
+  std::array<float, 3> low = {INFINITY, INFINITY, INFINITY};
+  std::array<float, 3> high = {-INFINITY, -INFINITY, -INFINITY};
+
+  void extend(const Box& other) {
+    for (int i = 0; i < 3; ++i) {
+      low[i] = std::min(low[i], other.low[i]);
+      high[i] = std::max(high[i], other.high[i]);
+    }
+  }
+  float halfArea() const {
+    const float x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
+    return x * y + y * z + z * x;
+  }
+  /// Twice the middle: where a triangle counts as lying when a range is cut.
+  float doubleMiddle(int axis) const { return low[axis] + high[axis]; }
+};
+
+struct Item {
+  Box box;
+  Index triangle;
+};
+
+struct Range {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+  Box box;
+  std::size_t size() const { return end - begin; }
+};
+
+float nextDown(double value) {
+  const auto rounded = static_cast<float>(value);
+  return std::nextafterf(static_cast<double>(rounded) > value ? std::nextafterf(rounded, -INFINITY) : rounded,
+                         -INFINITY);
+}
+
+float nextUp(double value) { return -nextDown(-value); }
+
+class Builder {
+ public:
+  Builder(const mesh::TriangleMesh& mesh, TriangleTree& tree) : tree_(tree) {
+    items_.reserve(mesh.triangles.size());
+    for (Index t = 0; t < mesh.triangles.size(); ++t) items_.push_back({unitBox(mesh, mesh.triangles[t]), t});
+  }
+
+  void build() {
+    Range all{0, items_.size(), {}};
+    for (const Item& item : items_) all.box.extend(item.box);
+    tree_.nodes.reserve(items_.size() / 12 + 1);  // about one node for 16 triangles
+    buildNode(all, 0);
+  }
+
+  const std::vector<Item>& items() const { return items_; }
+
+ private:
+  Box unitBox(const mesh::TriangleMesh& mesh, const Triangle& triangle) const {
+    Box box;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double a = mesh.positions[triangle[0]][axis];
+      const double b = mesh.positions[triangle[1]][axis];
+      const double c = mesh.positions[triangle[2]][axis];
+      box.low[axis] = nextDown((std::min({a, b, c}) - tree_.center[axis]) * tree_.to_unit);
+      box.high[axis] = nextUp((std::max({a, b, c}) - tree_.center[axis]) * tree_.to_unit);
+    }
+    return box;
+  }
+
+  std::uint32_t buildNode(const Range& range, int level) {
+    std::array<Range, kNodeWidth> parts;
+    const int count = cutIntoParts(range, level, parts);
+    const auto index = static_cast<std::uint32_t>(tree_.nodes.size());
+    tree_.nodes.emplace_back();
+    for (int i = 0; i < kNodeWidth; ++i) setBox(index, i, i < count ? parts[i].box : Box{});
+    for (int i = 0; i < count; ++i) {
+      const ChildLink link =
+          isLeaf(parts[i]) ? ChildLink::toLeaf(static_cast<Index>(parts[i].begin), static_cast<Index>(parts[i].size()))
+                           : ChildLink::toNode(buildNode(parts[i], level + 1));
+      tree_.nodes[index].children[i] = link;
+    }
+    return index;
+  }
+
+  static bool isLeaf(const Range& range) { return range.size() <= kLeafTriangles; }
+
+  void setBox(std::uint32_t node, int slot, const Box& box) {
+    for (int axis = 0; axis < 3; ++axis) {
+      tree_.nodes[node].low[axis][slot] = box.low[axis];
+      tree_.nodes[node].high[axis][slot] = box.high[axis];
+    }
+  }
+
+  /// Cuts the range into up to eight parts, the one with the largest surface first. Returns how many.
+  int cutIntoParts(const Range& range, int level, std::array<Range, kNodeWidth>& parts) {
+    parts[0] = range;
+    int count = 1;
+    while (count < kNodeWidth) {
+      int largest = -1;
+      for (int i = 0; i < count; ++i) {
+        if (isLeaf(parts[i])) continue;
+        if (largest < 0 || parts[i].box.halfArea() > parts[largest].box.halfArea()) largest = i;
+      }
+      if (largest < 0) break;
+      // Keep the parts in the order of their triangles: neighbours in space stay neighbours in memory.
+      for (int i = count; i > largest + 1; --i) parts[i] = parts[i - 1];
+      const Range whole = parts[largest];
+      cut(whole, level, parts[largest], parts[largest + 1]);
+      ++count;
+    }
+    return count;
+  }
+
+  void cut(const Range& range, int level, Range& left, Range& right) {
+    const auto [axis, low, high] = widestAxis(range);
+    std::size_t middle = range.begin;
+    if (level < kHeuristicLevels && high > low) middle = partitionByHeuristic(range, axis, low, high, left, right);
+    if (middle == range.begin || middle == range.end) halve(range, axis, left, right);
+  }
+
+  struct Extent {
+    int axis;
+    float low;
+    float high;
+  };
+
+  Extent widestAxis(const Range& range) const {
+    Box middles;
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      for (int axis = 0; axis < 3; ++axis) {
+        const float middle = items_[i].box.doubleMiddle(axis);
+        middles.low[axis] = std::min(middles.low[axis], middle);
+        middles.high[axis] = std::max(middles.high[axis], middle);
+      }
+    }
+    int widest = 0;
+    for (int axis = 1; axis < 3; ++axis) {
+      if (middles.high[axis] - middles.low[axis] > middles.high[widest] - middles.low[widest]) widest = axis;
+    }
+    return {widest, middles.low[widest], middles.high[widest]};
+  }
+
+  struct Bin {
+    Box box;
+    std::size_t count = 0;
+    void add(const Bin& other) {
+      box.extend(other.box);
+      count += other.count;
+    }
+    float cost() const { return count == 0 ? 0.0f : box.halfArea() * static_cast<float>(count); }
+  };
+
+  /// Returns where the right part begins; range.begin or range.end when the triangles could not be told apart.
+  std::size_t partitionByHeuristic(const Range& range, int axis, float low, float high, Range& left, Range& right) {
+    const float scale = static_cast<float>(kBins) / (high - low);
+    const auto bin_of = [&](const Item& item) {
+      return std::clamp(static_cast<int>((item.box.doubleMiddle(axis) - low) * scale), 0, kBins - 1);
+    };
+    std::array<Bin, kBins> bins;
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      Bin& bin = bins[bin_of(items_[i])];
+      bin.box.extend(items_[i].box);
+      ++bin.count;
+    }
+    const int first_right = bestCut(bins);
+    const auto middle = std::partition(items_.begin() + static_cast<std::ptrdiff_t>(range.begin),
+                                       items_.begin() + static_cast<std::ptrdiff_t>(range.end),
+                                       [&](const Item& item) { return bin_of(item) < first_right; });
+    Bin left_bin, right_bin;
+    for (int i = 0; i < kBins; ++i) (i < first_right ? left_bin : right_bin).add(bins[i]);
+    const auto split = static_cast<std::size_t>(middle - items_.begin());
+    left = {range.begin, split, left_bin.box};
+    right = {split, range.end, right_bin.box};
+    return split;
+  }
+
+  static int bestCut(const std::array<Bin, kBins>& bins) {
+    std::array<float, kBins> right_cost{};
+    Bin right;
+    for (int i = kBins - 1; i > 0; --i) {
+      right.add(bins[i]);
+      right_cost[i] = right.cost();
+    }
+    int best = 1;
+    float best_cost = INFINITY;
+    Bin left;
+    for (int i = 1; i < kBins; ++i) {
+      left.add(bins[i - 1]);
+      const float cost = left.cost() + right_cost[i];
+      if (cost < best_cost) {
+        best_cost = cost;
+        best = i;
+      }
+    }
+    return best;
+  }
+
+  void halve(const Range& range, int axis, Range& left, Range& right) {
+    const std::size_t middle = range.begin + range.size() / 2;
+    const auto at = [&](std::size_t i) { return items_.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::nth_element(at(range.begin), at(middle), at(range.end), [&](const Item& l, const Item& r) {
+      const float lm = l.box.doubleMiddle(axis), rm = r.box.doubleMiddle(axis);
+      return lm != rm ? lm < rm : l.triangle < r.triangle;
+    });
+    left = {range.begin, middle, {}};
+    right = {middle, range.end, {}};
+    for (std::size_t i = left.begin; i < left.end; ++i) left.box.extend(items_[i].box);
+    for (std::size_t i = right.begin; i < right.end; ++i) right.box.extend(items_[i].box);
+  }
+
+  TriangleTree& tree_;
+  std::vector<Item> items_;
+};
+
+void check(const mesh::TriangleMesh& mesh) {
+  if (mesh.triangles.empty()) throw Error("triangle tree: the mesh has no triangles");
+  if (mesh.triangles.size() > ChildLink::kMostTriangles) {
+    throw Error("triangle tree: more than " + std::to_string(ChildLink::kMostTriangles) + " triangles");
+  }
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (const Index vertex : mesh.triangles[t]) {
+      if (vertex >= mesh.positions.size()) {
+        throw Error("triangle tree: triangle " + std::to_string(t) + " names a vertex that does not exist");
+      }
+    }
+  }
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    if (!mesh.positions[v].allFinite()) {
+      throw Error("triangle tree: vertex " + std::to_string(v) + " is not finite");
+    }
+  }
+}
+
+void setUnitFrame(const mesh::TriangleMesh& mesh, TriangleTree& tree) {
+  const Eigen::AlignedBox3d box = mesh::boundingBox(mesh);
+  tree.center = box.center();
+  tree.diagonal = box.diagonal().norm();
+  const double longest = box.sizes().maxCoeff();
+  tree.to_unit = longest > 0.0 ? std::exp2(-std::ceil(std::log2(longest))) : 1.0;
+}
+
+void fillRecords(const mesh::TriangleMesh& mesh, const std::vector<Item>& items, TriangleTree& tree) {
+  const auto neighbours = mesh::neighboursOfTriangles(mesh);
+  std::vector<Index> record_of(items.size());
+  for (Index r = 0; r < items.size(); ++r) record_of[items[r].triangle] = r;
+  tree.records.resize(items.size());
+  tree.source_triangle.resize(items.size());
+  for (Index r = 0; r < items.size(); ++r) {
+    const Index t = items[r].triangle;
+    tree.source_triangle[r] = t;
+    TriangleRecord& record = tree.records[r];
+    record.vertices = mesh.triangles[t];
+    for (int i = 0; i < 3; ++i) {
+      record.corners[i] = mesh.positions[record.vertices[i]];
+      const Index neighbour = neighbours[t][i];
+      record.neighbours[i] = neighbour == kNoIndex ? kNoIndex : record_of[neighbour];
+    }
+  }
+}
+
+}  // namespace
+
+TriangleTree buildTriangleTree(const mesh::TriangleMesh& mesh) {
+  check(mesh);
+  TriangleTree tree;
+  setUnitFrame(mesh, tree);
+  Builder builder(mesh, tree);
+  builder.build();
+  tree.nodes.shrink_to_fit();
+  fillRecords(mesh, builder.items(), tree);
+  fillPlates(tree);
+  return tree;
+}
+
+}  // namespace palpate::tree

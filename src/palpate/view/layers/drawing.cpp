@@ -1,0 +1,190 @@
+#include "palpate/view/layers/drawing.h"
+
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+#include <array>
+#include <cmath>
+
+#include "palpate/base/error.h"
+
+// The assembler copies the file into the read-only data; PALPATE_FONT_FILE is found by CMake.
+asm(".pushsection .rodata\n"
+    ".balign 16\n"
+    "palpate_font_begin:\n"
+    ".incbin \"" PALPATE_FONT_FILE
+    "\"\n"
+    "palpate_font_end:\n"
+    ".byte 0\n"
+    ".popsection\n");
+extern "C" {
+extern const unsigned char palpate_font_begin[];
+extern const unsigned char palpate_font_end[];
+}
+
+namespace palpate::view {
+
+std::span<const unsigned char> embeddedFont() { return {palpate_font_begin, palpate_font_end}; }
+
+const std::uint16_t* fontRanges() {
+  // Latin 1; dashes and minus; arrows; the Greek capital delta.
+  static constexpr std::uint16_t kRanges[] = {0x0020, 0x00FF, 0x2013, 0x2014, 0x2026, 0x2026, 0x2190,
+                                              0x2193, 0x2212, 0x2212, 0x0394, 0x0394, 0};
+  return kRanges;
+}
+
+namespace {
+
+/// Heights of the lines of text, points. The order is that of TextSize.
+constexpr std::array<float, 3> kTextPoints = {12.0f, 14.0f, 18.0f};
+
+ImVec2 at(const Vec2f& v) { return {v.x(), v.y()}; }
+
+ImU32 packed(const Ink& ink) {
+  return IM_COL32(ink.colour[0], ink.colour[1], ink.colour[2], std::lround(255.0 * ink.opacity));
+}
+
+const char* endOf(std::string_view words) { return words.data() + words.size(); }
+
+/// Makes a context current for as long as it lives.
+class Inside {
+ public:
+  explicit Inside(ImGuiContext* context) : before_(ImGui::GetCurrentContext()) { ImGui::SetCurrentContext(context); }
+  ~Inside() { ImGui::SetCurrentContext(before_); }
+  Inside(const Inside&) = delete;
+  Inside& operator=(const Inside&) = delete;
+
+ private:
+  ImGuiContext* before_;
+};
+
+}  // namespace
+
+struct Drawing::Parts {
+  ImGuiContext* context = nullptr;
+  ImDrawList* list = nullptr;
+  std::array<ImFont*, kTextPoints.size()> fonts{};
+  double scale = 0.0;
+
+  Parts();
+  ~Parts();
+  Parts(const Parts&) = delete;
+  Parts& operator=(const Parts&) = delete;
+  void makeLetters(double pixels_per_point);
+  ImFont* font(TextSize size) const { return fonts[static_cast<std::size_t>(size)]; }
+};
+
+Drawing::Parts::Parts() {
+  const Inside inside(ImGui::GetCurrentContext());  // making a context may make it current
+  context = ImGui::CreateContext();
+  ImGui::SetCurrentContext(context);
+  ImGui::GetIO().IniFilename = nullptr;
+  if (!ImGui_ImplOpenGL3_Init("#version 330 core")) {
+    ImGui::DestroyContext(context);
+    throw Error("cannot draw text: the OpenGL functions cannot be loaded");
+  }
+}
+
+Drawing::Parts::~Parts() {
+  const Inside inside(context);
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui::DestroyContext(context);
+}
+
+void Drawing::Parts::makeLetters(double pixels_per_point) {
+  if (pixels_per_point == scale) return;
+  scale = pixels_per_point;
+  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  atlas.Clear();
+  const auto file = embeddedFont();
+  ImFontConfig config;
+  config.FontDataOwnedByAtlas = false;
+  for (std::size_t i = 0; i < fonts.size(); ++i) {
+    // The atlas only reads the file, although it asks for memory that it might own.
+    fonts[i] = atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(file.data()), static_cast<int>(file.size()),
+                                          kTextPoints[i] * static_cast<float>(scale), &config, fontRanges());
+  }
+  atlas.Build();
+  ImGui_ImplOpenGL3_DestroyFontsTexture();
+  ImGui_ImplOpenGL3_CreateFontsTexture();
+}
+
+Drawing::Drawing() : parts_(std::make_unique<Parts>()) {}
+Drawing::~Drawing() = default;
+
+void Drawing::begin(const Vec2f& size, double scale) {
+  const Inside inside(parts_->context);
+  size_ = size;
+  parts_->makeLetters(scale);
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = at(size);
+  io.DeltaTime = 1.0f / 60.0f;  // nothing here moves by itself
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui::NewFrame();
+  parts_->list = ImGui::GetBackgroundDrawList();
+  // Edges are softened over a pixel, not over a point.
+  parts_->list->_FringeScale = 1.0f / static_cast<float>(scale);
+}
+
+void Drawing::end() {
+  const Inside inside(parts_->context);
+  ImGui::Render();
+  parts_->list = nullptr;
+}
+
+void Drawing::present(int width, int height) const { present(width, height, Vec2f::Zero(), size_); }
+
+void Drawing::present(int width, int height, const Vec2f& corner, const Vec2f& whole) const {
+  const Inside inside(parts_->context);
+  ImDrawData& data = *ImGui::GetDrawData();
+  data.DisplayPos = at(-corner);
+  data.DisplaySize = at(whole);
+  data.FramebufferScale = {static_cast<float>(width) / whole.x(), static_cast<float>(height) / whole.y()};
+  ImGui_ImplOpenGL3_RenderDrawData(&data);
+}
+
+void Drawing::line(const Vec2f& from, const Vec2f& to, const Ink& ink, float thickness) {
+  parts_->list->AddLine(at(from), at(to), packed(ink), thickness);
+}
+
+void Drawing::curve(std::span<const Vec2f> points, const Ink& ink, float thickness) {
+  static_assert(sizeof(Vec2f) == sizeof(ImVec2));
+  parts_->list->AddPolyline(reinterpret_cast<const ImVec2*>(points.data()), static_cast<int>(points.size()),
+                            packed(ink), ImDrawFlags_None, thickness);
+}
+
+void Drawing::box(const Vec2f& corner, const Vec2f& opposite, const Ink& ink, float rounding) {
+  parts_->list->AddRectFilled(at(corner), at(opposite), packed(ink), rounding);
+}
+
+void Drawing::frame(const Vec2f& corner, const Vec2f& opposite, const Ink& ink, float rounding) {
+  parts_->list->AddRect(at(corner), at(opposite), packed(ink), rounding);
+}
+
+void Drawing::triangle(const Vec2f& a, const Vec2f& b, const Vec2f& c, const Ink& ink) {
+  parts_->list->AddTriangleFilled(at(a), at(b), at(c), packed(ink));
+}
+
+void Drawing::disc(const Vec2f& middle, float radius, const Ink& ink) {
+  parts_->list->AddCircleFilled(at(middle), radius, packed(ink));
+}
+
+void Drawing::ring(const Vec2f& middle, float radius, const Ink& ink, float thickness) {
+  parts_->list->AddCircle(at(middle), radius, packed(ink), 0, thickness);
+}
+
+void Drawing::text(const Vec2f& place, std::string_view words, const Ink& ink, Align align, TextSize size) {
+  const float width = measure(words, size).x();
+  const float left = align == Align::left ? 0.0f : align == Align::centre ? 0.5f * width : width;
+  // Letters start on whole points: those of a supersampled picture are then reduced alike.
+  const ImVec2 start{std::round(place.x() - left), std::round(place.y())};
+  parts_->list->AddText(parts_->font(size), kTextPoints[static_cast<std::size_t>(size)], start, packed(ink),
+                        words.data(), endOf(words));
+}
+
+Vec2f Drawing::measure(std::string_view words, TextSize size) const {
+  const float points = kTextPoints[static_cast<std::size_t>(size)];
+  const ImVec2 extent = parts_->font(size)->CalcTextSizeA(points, INFINITY, 0.0f, words.data(), endOf(words));
+  return {extent.x, extent.y};
+}
+
+}  // namespace palpate::view

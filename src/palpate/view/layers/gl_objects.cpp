@@ -1,0 +1,46 @@
+#include "palpate/view/layers/gl_objects.h"
+
+#include <fmt/format.h>
+
+#include "palpate/base/error.h"
+
+namespace palpate::view {
+
+namespace {
+
+GLuint compiled(GLenum stage, std::string_view name, std::string_view shared, std::string_view source) {
+  const GLuint shader = glCreateShader(stage);
+  const std::string text = fmt::format("#version 330 core\n{}{}", shared, source);
+  const char* lines = text.c_str();
+  glShaderSource(shader, 1, &lines, nullptr);
+  glCompileShader(shader);
+  GLint good = 0;
+  glGetShaderiv(shader, GL_COMPILE_STATUS, &good);
+  if (good == GL_TRUE) return shader;
+  std::string log(4096, '\0');
+  GLsizei length = 0;
+  glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), &length, log.data());
+  log.resize(static_cast<std::size_t>(length));
+  glDeleteShader(shader);
+  throw Error(fmt::format("shader '{}' does not compile: {}", name, log));
+}
+
+}  // namespace
+
+Program::Program(std::string_view name, std::string_view shared, std::string_view vertex, std::string_view fragment,
+                 std::string_view geometry) {
+  const auto attach = [&](GLenum stage, std::string_view source) {
+    const GLuint shader = compiled(stage, name, shared, source);
+    glAttachShader(program_.get(), shader);
+    glDeleteShader(shader);  // lives as long as the program
+  };
+  attach(GL_VERTEX_SHADER, vertex);
+  attach(GL_FRAGMENT_SHADER, fragment);
+  if (!geometry.empty()) attach(GL_GEOMETRY_SHADER, geometry);
+  glLinkProgram(program_.get());
+  GLint good = 0;
+  glGetProgramiv(program_.get(), GL_LINK_STATUS, &good);
+  if (good != GL_TRUE) throw Error(fmt::format("shader '{}' does not link", name));
+}
+
+}  // namespace palpate::view

@@ -1,0 +1,42 @@
+// Lines and patches over the skin: wide, with soft edges, and what the skin hides thin and dashed.
+//
+// Every line becomes a quad on the screen in the geometry shader, so that any vertex buffer can be drawn as lines: the
+// overlays' own, and the edges of the skin straight from the deformed vertices. Costs no texture and no multisampling.
+#pragma once
+
+#include "palpate/view/camera.h"
+#include "palpate/view/overlays/lines.h"
+
+namespace palpate::view {
+
+/// Lines that lie on the skin are drawn this share of their distance nearer to the eye: 1 mm at arm's length.
+inline constexpr float kNearerShare = 0.0015f;
+
+class LineLayer {
+ public:
+  LineLayer();
+  /// Skin and bones must have left their depth.
+  void draw(const Lines& lines, const Viewpoint& viewpoint, double pixels_per_point);
+  void draw(const Patches& patches, const Viewpoint& viewpoint);
+
+  /// Draws the edges in the bound vertex array (positions at locations 0 to 2) that `draw` issues, in one colour,
+  /// without the hidden ones.
+  template <class Draw>
+  void drawEdges(const Viewpoint& viewpoint, double width_px, Paint paint, const Draw& draw) {
+    beginEdges(viewpoint, width_px, paint);
+    draw();
+    end();
+  }
+
+ private:
+  void upload(std::span<const PaintedPoint> points);
+  void begin(const Program& program, const Viewpoint& viewpoint);
+  void beginEdges(const Viewpoint& viewpoint, double width_px, Paint paint);
+  static void end();
+
+  Program lines_, edges_, patches_;
+  GlVertexArray vertex_array_;
+  GlBuffer points_;
+};
+
+}  // namespace palpate::view

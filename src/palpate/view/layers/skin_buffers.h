@@ -1,0 +1,76 @@
+// One world's skin on the graphics card: static arrays once, and of the deformation only what changed.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "palpate/deform/surface.h"
+#include "palpate/scene/world.h"
+#include "palpate/view/camera.h"
+#include "palpate/view/layers/gl_objects.h"
+#include "palpate/view/layers/skin_chunks.h"
+#include "palpate/view/layers/skin_seams.h"
+#include "palpate/view/look.h"
+
+namespace palpate::view {
+
+class SkinBuffers {
+ public:
+  /// The world must outlive the buffers.
+  explicit SkinBuffers(const scene::World& world);
+
+  /// Goes over to a world with the same body: only its maps are new.
+  void setMapsOf(const scene::World& world);
+
+  /// Uploads the ranges that the last apply changed; the number of vertices.
+  Index update(const deform::DeformedSurface& surface);
+  void updateAll(const deform::DeformedSurface& surface);
+
+  /// The field of the colourings `stiffness` and `ellipses`, a vertex each.
+  void setField(Colouring colouring, std::span<const float> values);
+  /// Makes a field the one that programs see; strain always is there.
+  void showField(Colouring colouring);
+
+  /// Binds vertices and triangles as fine as this viewpoint needs them; which of them may be seen. Valid until the next
+  /// call.
+  const SplitRuns& bind(const Viewpoint& viewpoint, std::span<const Influence> influences);
+
+  /// Binds the skin's vertices with the edges of its triangles, for a program that draws lines; then drawEdges.
+  void bindEdges();
+  void drawEdges() const;
+
+  /// At rest.
+  const Eigen::AlignedBox3f& box() const { return box_; }
+
+ private:
+  /// A set of triangles over the drawn vertices.
+  struct Density {
+    SkinChunks chunks;
+    GlVertexArray vertex_array;
+    GlBuffer triangles;
+    Density(std::span<const Vec3f> places, std::span<const Triangle> kept) : chunks(places, kept) {}
+  };
+  std::unique_ptr<Density> uploaded(std::span<const Vec3f> places, std::span<const Triangle> triangles) const;
+  void makeCoarse(const std::vector<Vec3f>& places);
+  Density& densityFor(const Viewpoint& viewpoint);
+  /// Where an array of the deformation begins in its buffer, bytes.
+  std::size_t offsetOf(int array) const { return std::size_t{drawn_.count()} * sizeof(float) * array; }
+  void upload(const deform::DeformedSurface& surface, deform::VertexRange range);
+  void uploadCopies(std::span<const float> values, int array, deform::VertexRange copies);
+
+  const scene::World* world_;
+  DrawnVertices drawn_;
+  std::unique_ptr<Density> whole_;
+  std::unique_ptr<Density> coarse_;  // for a skin of very many triangles that is seen small
+  GlVertexArray edge_array_;
+  GlBuffer deformed_;  // x.. y.. z.. nx.. ny.. nz.. strain..: as the deformation keeps them, each with its copies
+  GlBuffer rest_, tint_, field_values_, texture_places_, edges_;
+  std::vector<float> stiffness_;
+  std::vector<float> half_major_;  // made when first shown, empty before
+  std::vector<float> copies_;      // values on their way
+  Colouring shown_field_ = Colouring::plain;
+  Index edge_indices_ = 0;  // made when first shown
+  Eigen::AlignedBox3f box_;
+};
+
+}  // namespace palpate::view

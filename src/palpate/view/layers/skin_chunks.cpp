@@ -1,0 +1,148 @@
+#include "palpate/view/layers/skin_chunks.h"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+namespace palpate::view {
+
+namespace {
+
+/// About a fingertip across on a back of 40,000 triangles.
+constexpr Index kChunkTriangles = 64;
+constexpr Index kChunkIndices = 3 * kChunkTriangles;
+/// Skin moves no farther (the default caps of 10 and 20 mm together).
+constexpr float kMostDisplacementMm = 25.0f;
+/// Skin that moves farther than this lies so near the finger that it counts as touched where it was.
+constexpr float kTouchedDisplacementMm = 12.0f;
+
+using Planes = std::array<Eigen::Vector4f, 6>;
+
+/// Inside is positive; lengths in mm.
+Planes planesOf(const Mat4f& clip) {
+  Planes planes;
+  for (int axis = 0; axis < 3; ++axis) {
+    planes[2 * axis] = clip.row(3) + clip.row(axis);
+    planes[2 * axis + 1] = clip.row(3) - clip.row(axis);
+  }
+  for (Eigen::Vector4f& plane : planes) plane /= plane.head<3>().norm();
+  return planes;
+}
+
+bool mayBeSeen(const Planes& planes, const Vec3f& centre, float radius) {
+  return std::all_of(planes.begin(), planes.end(),
+                     [&](const auto& plane) { return plane.dot(centre.homogeneous()) > -radius; });
+}
+
+bool isNear(const Influence& influence, const Vec3f& centre, float radius) {
+  const Vec3f along = influence.to - influence.from;
+  const float squared = along.squaredNorm();
+  const float t = squared > 0.0f ? std::clamp((centre - influence.from).dot(along) / squared, 0.0f, 1.0f) : 0.0f;
+  return (influence.from + t * along - centre).norm() < radius + influence.radius_mm;
+}
+
+void append(std::vector<IndexRun>& runs, Index first, Index count) {
+  if (!runs.empty() && runs.back().first + runs.back().count == first) {
+    runs.back().count += count;
+  } else {
+    runs.push_back({first, count});
+  }
+}
+
+/// A cube, and which way the skin faces in it: the two sides of a thin part stay apart.
+using Cell = std::array<int, 4>;
+
+Cell cellOf(const DrawnShape& shape, Index v, float cell_mm) {
+  const Vec3f cell = (shape.places[v] / cell_mm).array().floor();
+  const Vec3f normal = shape.normals[v];
+  const int octant = (normal.x() > 0.0f ? 1 : 0) + (normal.y() > 0.0f ? 2 : 0) + (normal.z() > 0.0f ? 4 : 0);
+  return {static_cast<int>(cell.x()), static_cast<int>(cell.y()), static_cast<int>(cell.z()), octant};
+}
+
+struct CellMember {
+  Cell cell;
+  float from_middle;
+  Index vertex;
+  friend bool operator<(const CellMember& a, const CellMember& b) {
+    return std::tie(a.cell, a.from_middle, a.vertex) < std::tie(b.cell, b.from_middle, b.vertex);
+  }
+};
+
+/// All vertices by their cells, in each the nearest to its middle first.
+std::vector<CellMember> membersOf(const DrawnShape& shape, float cell_mm) {
+  std::vector<CellMember> members;
+  members.reserve(shape.places.size());
+  for (Index v = 0; v < shape.places.size(); ++v) {
+    const Vec3f place = shape.places[v] / cell_mm;
+    const Vec3f middle = place.array().floor() + 0.5f;
+    members.push_back({cellOf(shape, v, cell_mm), (place - middle).squaredNorm(), v});
+  }
+  std::sort(members.begin(), members.end());
+  return members;
+}
+
+/// For each vertex the one that stands for it: the nearest to the middle of its cell, or itself when it stays.
+std::vector<Index> keptVertices(const DrawnShape& shape, std::span<const Stays> stays, float cell_mm) {
+  const std::vector<CellMember> members = membersOf(shape, cell_mm);
+  std::vector<Index> kept(shape.places.size());
+  for (auto first = members.begin(); first != members.end();) {
+    const auto end = std::find_if(first, members.end(), [&](const CellMember& m) { return m.cell != first->cell; });
+    const bool all = std::any_of(first, end, [&](const CellMember& m) { return stays[m.vertex] == Stays::cell; });
+    const Index keeper = first->vertex;
+    for (; first != end; ++first) {
+      kept[first->vertex] = all || stays[first->vertex] == Stays::vertex ? first->vertex : keeper;
+    }
+  }
+  return kept;
+}
+
+/// Still seen from the side that its corners face; folds are not, and what is beside them covers their place.
+bool facesOut(const DrawnShape& shape, const Triangle& t) {
+  const Vec3f a = shape.places[t[0]];
+  const Vec3f area = (shape.places[t[1]] - a).cross(shape.places[t[2]] - a);
+  const Vec3f normals = shape.normals[t[0]] + shape.normals[t[1]] + shape.normals[t[2]];
+  constexpr float kLeastCosine = 0.3f;  // steeper against its corners it is a fold too
+  return area.dot(normals) > kLeastCosine * area.norm() * normals.norm();
+}
+
+}  // namespace
+
+std::vector<Triangle> coarserTriangles(const DrawnShape& shape, std::span<const Stays> stays, float cell_mm) {
+  const std::vector<Index> kept = keptVertices(shape, stays, cell_mm);
+  std::vector<Triangle> triangles;
+  for (const Triangle& t : shape.triangles) {
+    const Triangle coarse = {kept[t[0]], kept[t[1]], kept[t[2]]};
+    if (facesOut(shape, coarse)) triangles.push_back(coarse);
+  }
+  return triangles;
+}
+
+SkinChunks::SkinChunks(std::span<const Vec3f> places, std::span<const Triangle> triangles)
+    : indices_(static_cast<Index>(3 * triangles.size())) {
+  for (std::size_t first = 0; first < triangles.size(); first += kChunkTriangles) {
+    const std::size_t end = std::min(first + kChunkTriangles, triangles.size());
+    Eigen::AlignedBox3f box;
+    for (std::size_t t = first; t < end; ++t) {
+      for (const Index v : triangles[t]) box.extend(places[v]);
+    }
+    chunks_.push_back({box.center(), 0.5f * box.diagonal().norm()});
+  }
+}
+
+const SplitRuns& SkinChunks::split(const Mat4f& clip, std::span<const Influence> influences) {
+  const Planes planes = planesOf(clip);
+  runs_.touched.clear();
+  runs_.plain.clear();
+  for (std::size_t i = 0; i < chunks_.size(); ++i) {
+    const Chunk& chunk = chunks_[i];
+    if (!mayBeSeen(planes, chunk.centre, chunk.radius_mm + kMostDisplacementMm)) continue;
+    const bool touched = std::any_of(influences.begin(), influences.end(), [&](const Influence& influence) {
+      return isNear(influence, chunk.centre, chunk.radius_mm + kTouchedDisplacementMm);
+    });
+    const Index first = static_cast<Index>(i) * kChunkIndices;
+    append(touched ? runs_.touched : runs_.plain, first, std::min(kChunkIndices, indices_ - first));
+  }
+  return runs_;
+}
+
+}  // namespace palpate::view

@@ -1,0 +1,208 @@
+#include "palpate/view/layers/skin_paint.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "palpate/view/layers/shared_shader.h"
+#include "palpate/view/layers/skin_shader.h"
+
+namespace palpate::view {
+
+namespace {
+
+/// Blood is gone at this depth.
+constexpr double kFullyPaleMm = 4.0;
+/// A sliding finger leaves a mark behind each time it has gone this share of its radius.
+constexpr double kSpacing = 0.5;
+
+PressMark markOf(const Press& press) {
+  return {press.anchor.cast<float>(), static_cast<float>(press.radius_mm),
+          static_cast<float>(std::min(1.0, press.depth_mm / kFullyPaleMm))};
+}
+
+}  // namespace
+
+std::span<const PressMark> Blanching::at(double time_s, std::span<const Press> presses) {
+  if (time_s < time_s_) traces_.clear();
+  time_s_ = time_s;
+  for (const Press& p : presses) press(p, time_s);
+  std::erase_if(traces_, [&](const Trace& trace) { return time_s - trace.last_pressed_s >= kRefillS; });
+  marks_.clear();
+  for (const Press& p : presses) {
+    if (p.depth_mm > 0.0) marks_.push_back(markOf(p));
+  }
+  for (const Trace& trace : traces_) {
+    const double refilled = (time_s - trace.last_pressed_s) / kRefillS;
+    marks_.push_back(trace.mark);
+    marks_.back().strength *= static_cast<float>((1.0 - refilled) * (1.0 - refilled));
+  }
+  std::stable_sort(marks_.begin(), marks_.end(), [](const auto& a, const auto& b) { return a.strength > b.strength; });
+  if (marks_.size() > kMostMarks) marks_.resize(kMostMarks);
+  return marks_;
+}
+
+void Blanching::press(const Press& press, double time_s) {
+  if (!(press.depth_mm > 0.0)) return;
+  const PressMark mark = markOf(press);
+  const auto near = std::find_if(traces_.begin(), traces_.end(), [&](const Trace& trace) {
+    return (trace.mark.place - mark.place).norm() < kSpacing * press.radius_mm;
+  });
+  if (near == traces_.end()) {
+    traces_.push_back({mark, time_s});
+  } else {
+    near->mark.strength = mark.strength;
+    near->last_pressed_s = time_s;
+  }
+}
+
+namespace {
+
+constexpr int kMapTexels = 1024;
+constexpr std::size_t kMostFingers = 4;  // as in the shader
+/// How far a finger darkens the skin round it, in its radii; how far away its shadow is followed, and how wide it gets
+/// on the way (lightLeftByFingers() in the shader fades both to nothing).
+constexpr double kShadeRadii = 4.0;
+constexpr float kShadowMm = 100.0f;
+constexpr double kShadowRadii = 2.2;
+/// The rim of a mark, in its radii (blanched() in the shader).
+constexpr float kMarkRadii = 2.3f;
+
+std::string vertexSource(std::string_view main) {
+  return std::string(kSkinAttributes).append(kSkinOpacity).append(main);
+}
+std::string fragmentSource(std::string_view main) { return std::string(kSkinOpacity).append(main); }
+
+Program program(std::string_view name, std::string_view vertex, std::string_view fragment,
+                std::string_view defines = {}) {
+  return {name, std::string(defines).append(kSharedShader), vertexSource(vertex), fragmentSource(fragment)};
+}
+
+/// A variant for each need: software GL runs both sides of a condition, and a loop at least once.
+std::string definesOf(const SkinNeeds& needs, bool touched) {
+  std::string defines;
+  if (needs.pores) defines += "#define PORES\n";
+  if (needs.picture) defines += "#define PICTURE\n";
+  if (touched) defines += "#define TOUCHED\n";
+  return defines;
+}
+
+void start(const Program& program, const Look& look, const Viewpoint& viewpoint) {
+  program.use();
+  setViewpoint(program, viewpoint);
+  program.set("skin_colour", look.skin_colour);
+  program.set("skin_opacity", static_cast<float>(std::min(1.0, look.skin_opacity)));
+  program.set("picture", 0);
+}
+
+void uploadColourMap(GLuint texture, ColourMap map) {
+  std::vector<ColourBytes> texels(kMapTexels);
+  for (int i = 0; i < kMapTexels; ++i) texels[i] = bytesOf(colourOf(map, static_cast<double>(i) / (kMapTexels - 1)));
+  glBindTexture(GL_TEXTURE_2D, texture);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, kMapTexels, 1, 0, GL_RGB, GL_UNSIGNED_BYTE, texels.data());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+}
+
+void setFingers(const Program& program, std::span<const FingerPose> fingers) {
+  fingers = fingers.first(std::min(kMostFingers, fingers.size()));
+  std::array<Eigen::Vector4f, kMostFingers> balls;
+  std::array<Vec3f, kMostFingers> tails;
+  for (std::size_t i = 0; i < fingers.size(); ++i) {
+    const Vec3f centre = fingers[i].centre.cast<float>();
+    balls[i] = {centre.x(), centre.y(), centre.z(), static_cast<float>(fingers[i].radius_mm)};
+    tails[i] = fingers[i].tail.cast<float>();
+  }
+  program.set("ball_count", static_cast<int>(fingers.size()));
+  program.set("ball", std::span<const Eigen::Vector4f>(balls).first(fingers.size()));
+  program.set("ball_tail", std::span<const Vec3f>(tails).first(fingers.size()));
+}
+
+void setMarks(const Program& program, std::span<const PressMark> marks) {
+  std::array<Eigen::Vector4f, kMostMarks> places;
+  std::array<float, kMostMarks> strengths{};
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    const Vec3f& place = marks[i].place;
+    places[i] = {place.x(), place.y(), place.z(), marks[i].radius_mm};
+    strengths[i] = marks[i].strength;
+  }
+  program.set("mark_count", static_cast<int>(marks.size()));
+  program.set("mark", std::span<const Eigen::Vector4f>(places).first(marks.size()));
+  program.set("mark_strength", std::span<const float>(strengths).first(marks.size()));
+}
+
+}  // namespace
+
+std::vector<Influence> influencesOf(const SkinTouch& touch, const Lights& lights) {
+  std::vector<Influence> influences;
+  for (const FingerPose& finger : touch.fingers) {
+    const Vec3f centre = finger.centre.cast<float>();
+    const Vec3f tail = finger.tail.cast<float>();
+    const auto radius = static_cast<float>(kShadeRadii * finger.radius_mm);
+    influences.push_back({centre, tail, radius});
+    for (const Vec3f& end : {centre, tail}) {
+      influences.push_back({end, end - kShadowMm * lights.key, static_cast<float>(kShadowRadii * finger.radius_mm)});
+    }
+  }
+  for (const PressMark& mark : touch.marks) influences.push_back({mark.place, mark.place, kMarkRadii * mark.radius_mm});
+  return influences;
+}
+
+SkinPaint::SkinPaint()
+    : field_(program("field", kFieldVertex, kFieldFragment)), depth_(program("depth", kDepthVertex, kDepthFragment)) {}
+
+void SkinPaint::useDepth(const Viewpoint& viewpoint) const {
+  depth_.use();
+  setViewpoint(depth_, viewpoint);
+}
+
+const Program& SkinPaint::gouraudProgram(const SkinNeeds& needs) {
+  std::optional<Program>& variant = gouraud_[needs.picture ? 1 : 0];
+  if (!variant) variant.emplace(program("gouraud", kGouraudVertex, kGouraudFragment, definesOf(needs, false)));
+  return *variant;
+}
+
+void SkinPaint::useGouraud(const Look& look, const Viewpoint& viewpoint, const SkinNeeds& needs) {
+  start(gouraudProgram(needs), look, viewpoint);
+}
+
+void SkinPaint::showMap(Colouring colouring) {
+  if (shown_map_ != colouring) uploadColourMap(colour_map_.get(), colourMapOf(colouring));
+  shown_map_ = colouring;
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, colour_map_.get());
+}
+
+void SkinPaint::useField(const Look& look, const Viewpoint& viewpoint) {
+  start(field_, look, viewpoint);
+  showMap(look.colouring);
+  const ColourRange& range = look.range();
+  const double width = range.high - range.low;
+  field_.set("low", static_cast<float>(range.low));
+  field_.set("per_unit", static_cast<float>(width != 0.0 ? 1.0 / width : 0.0));
+  field_.set("strain_percent", look.colouring == Colouring::strain ? 1.0f : 0.0f);
+  field_.set("texels", static_cast<float>(kMapTexels));
+  field_.set("no_value", Vec3f(Vec3f::Constant(static_cast<float>(kNoColour.red))));
+  field_.set("colour_map", 0);
+}
+
+const Program& SkinPaint::skinProgram(const SkinNeeds& needs, bool touched) {
+  std::optional<Program>& variant = skin_[(needs.pores ? 1 : 0) + (touched ? 2 : 0) + (needs.picture ? 4 : 0)];
+  if (!variant) variant.emplace(program("skin", kSkinVertex, kSkinFragment, definesOf(needs, touched)));
+  return *variant;
+}
+
+void SkinPaint::useSkin(const Look& look, const Viewpoint& viewpoint, const SkinNeeds& needs) {
+  start(skinProgram(needs, false), look, viewpoint);
+}
+
+void SkinPaint::useTouchedSkin(const Look& look, const Viewpoint& viewpoint, const SkinNeeds& needs,
+                               const SkinTouch& touch) {
+  const Program& program = skinProgram(needs, true);
+  start(program, look, viewpoint);
+  setFingers(program, touch.fingers);
+  setMarks(program, touch.marks);
+}
+
+}  // namespace palpate::view

@@ -1,0 +1,99 @@
+// The programs that colour the skin, and what they want to know.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "palpate/base/vec.h"
+#include "palpate/view/camera.h"
+#include "palpate/view/finger_pose.h"
+#include "palpate/view/layers/skin_chunks.h"
+#include "palpate/view/look.h"
+
+namespace palpate::view {
+
+// Where the skin is pale because a finger pressed the blood away, and for how long.
+//
+// A finger that presses makes a mark where its anchor is and leaves marks behind as it slides; each refills after the
+// finger has gone. No GL: numbers in, numbers out.
+
+/// In coordinates of the skin at rest.
+struct PressMark {
+  Vec3f place = Vec3f::Zero();
+  float radius_mm = 8.0f;
+  float strength = 0.0f;  ///< 0 to 1
+};
+
+/// A finger that presses now.
+struct Press {
+  Vec3 anchor = Vec3::Zero();  ///< on the skin at rest
+  double radius_mm = 8.0;
+  double depth_mm = 0.0;
+};
+
+inline constexpr std::size_t kMostMarks = 8;
+/// Skin of a healthy back has its colour again after this time.
+inline constexpr double kRefillS = 1.5;
+
+class Blanching {
+ public:
+  /// The marks at this time, the strongest first, at most kMostMarks. The same presses and time again change nothing;
+  /// a time before the last one forgets everything (a replay that was wound back).
+  std::span<const PressMark> at(double time_s, std::span<const Press> presses);
+
+ private:
+  struct Trace {
+    PressMark mark;
+    double last_pressed_s = 0.0;
+  };
+  void press(const Press& press, double time_s);
+
+  std::vector<Trace> traces_;
+  std::vector<PressMark> marks_;
+  double time_s_ = 0.0;
+};
+
+/// What touches the skin's colour.
+struct SkinTouch {
+  std::span<const FingerPose> fingers;
+  std::span<const PressMark> marks;
+};
+
+/// The places whose colour it changes: near a finger, in its shadow, where it pressed.
+std::vector<Influence> influencesOf(const SkinTouch& touch, const Lights& lights);
+
+/// What a picture needs of the skin's programs.
+struct SkinNeeds {
+  bool pores = false;
+  bool picture = false;  ///< the user's, bound as texture unit 0, in the place of the skin's own colour
+};
+
+class SkinPaint {
+ public:
+  SkinPaint();
+
+  /// Makes the program current that writes depth alone.
+  void useDepth(const Viewpoint& viewpoint) const;
+  void useGouraud(const Look& look, const Viewpoint& viewpoint, const SkinNeeds& needs);
+  /// The field of the look's colouring.
+  void useField(const Look& look, const Viewpoint& viewpoint);
+  void useSkin(const Look& look, const Viewpoint& viewpoint, const SkinNeeds& needs);
+  /// The same for places that something touches.
+  void useTouchedSkin(const Look& look, const Viewpoint& viewpoint, const SkinNeeds& needs, const SkinTouch& touch);
+
+ private:
+  const Program& gouraudProgram(const SkinNeeds& needs);
+  const Program& skinProgram(const SkinNeeds& needs, bool touched);
+  void showMap(Colouring colouring);
+
+  Program field_, depth_;
+  // By what is needed; compiled when first used.
+  std::array<std::optional<Program>, 2> gouraud_;
+  std::array<std::optional<Program>, 8> skin_;
+  GlTexture colour_map_;
+  Colouring shown_map_ = Colouring::plain;
+};
+
+}  // namespace palpate::view

@@ -1,0 +1,61 @@
+#include "palpate/view/layers/skin_picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace palpate::view {
+
+namespace {
+
+/// As large as the graphics card takes it.
+Image fitting(Image image) {
+  GLint most = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+  while (image.width > most || image.height > most) image = reduced(image, 2);
+  return image;
+}
+
+/// Rows from bottom to top, as places in the picture count; averaged as light, not as bytes (sRGB).
+void upload(GLuint name, Image image) {
+  for (int y = 0; y < image.height / 2; ++y) {
+    const auto upper = image.pixels.begin() + static_cast<std::ptrdiff_t>(y) * image.width;
+    const auto lower = image.pixels.begin() + static_cast<std::ptrdiff_t>(image.height - 1 - y) * image.width;
+    std::swap_ranges(upper, upper + image.width, lower);
+  }
+  glBindTexture(GL_TEXTURE_2D, name);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8, image.width, image.height, 0, GL_RGB, GL_UNSIGNED_BYTE, image.pixels.data());
+  glGenerateMipmap(GL_TEXTURE_2D);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
+}
+
+}  // namespace
+
+Image decodedPicture(const scene::SkinTexture& texture) {
+  const std::string file = texture.source.file.string();
+  const ImageSize size = imageSizeOf(texture.picture);
+  if (std::max(size.width, size.height) > kMostPictureSide) {
+    scene::failForTexture(texture.source, fmt::format("{}: has {} x {} pixels; the most are {} along a side", file,
+                                                      size.width, size.height, kMostPictureSide));
+  }
+  Image image = decodeImage(texture.picture);
+  if (image.pixels.empty()) scene::failForTexture(texture.source, file + ": is a broken picture");
+  return image;
+}
+
+void SkinPicture::show(std::shared_ptr<const scene::SkinTexture> texture) {
+  if (texture == texture_) return;
+  if (texture) upload(picture_.get(), fitting(decodedPicture(*texture)));
+  texture_ = std::move(texture);
+}
+
+void SkinPicture::bind() const {
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, picture_.get());
+}
+
+}  // namespace palpate::view

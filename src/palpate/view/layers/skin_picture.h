@@ -1,0 +1,31 @@
+// The user's picture on the skin, on the graphics card.
+#pragma once
+
+#include <memory>
+
+#include "palpate/scene/skin_texture.h"
+#include "palpate/view/image.h"
+#include "palpate/view/layers/gl_objects.h"
+
+namespace palpate::view {
+
+/// The pixels of a texture. Needs no GL; any thread. Throws Error naming the scene file for a broken picture, and for
+/// one of more than kMostPictureSide pixels along a side.
+Image decodedPicture(const scene::SkinTexture& texture);
+inline constexpr int kMostPictureSide = 16384;
+
+class SkinPicture {
+ public:
+  /// Decodes and uploads the picture, unless it is the one that is there; null: none. Halved until the graphics card
+  /// takes it. Throws Error as decodedPicture, and keeps what there was.
+  void show(std::shared_ptr<const scene::SkinTexture> texture);
+  bool isThere() const { return texture_ != nullptr; }
+  /// For the program in use, as unit 0.
+  void bind() const;
+
+ private:
+  std::shared_ptr<const scene::SkinTexture> texture_;
+  GlTexture picture_;
+};
+
+}  // namespace palpate::view

@@ -1,0 +1,300 @@
+#include "palpate/view/overlays/labels.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "palpate/view/overlays/legend.h"
+#include "palpate/view/overlays/section_inset.h"
+
+namespace palpate::view {
+
+namespace {
+
+/// Between the finger and its plate, points: the drawn ball stays free.
+constexpr float kBeside = 34.0f;
+constexpr float kAbove = 30.0f;
+
+/// Where the plate may lie, seen from the tip; the first ones are liked best.
+struct Direction {
+  float x, y;     ///< of the plate from the tip: -1, 0 or 1
+  float farther;  ///< times the usual distance
+};
+// clang-format off
+constexpr std::array<Direction, 14> kDirections = {{
+    {1, -1, 1}, {1, 1, 1}, {-1, -1, 1}, {-1, 1, 1},
+    {1, 0, 1}, {-1, 0, 1}, {0, -1, 1}, {0, 1, 1},
+    {1, -1, 3}, {1, 1, 3}, {-1, -1, 3}, {-1, 1, 3}, {0, -1, 4}, {0, 1, 4},
+}};
+// clang-format on
+
+/// From the tip to the plate's upper or left edge, along one axis.
+float startOf(float direction, float away, float extent) {
+  if (direction > 0.0f) return away;
+  return direction < 0.0f ? -away - extent : -0.5f * extent;
+}
+
+LabelBox movedOnto(const LabelBox& page, const Vec2f& wanted, const Vec2f& size) {
+  const Vec2f last = (page.opposite - size).cwiseMax(page.corner);
+  const Vec2f corner = wanted.cwiseMax(page.corner).cwiseMin(last).array().round();
+  return {corner, corner + size};
+}
+
+}  // namespace
+
+float overlapOf(const LabelBox& a, const LabelBox& b) {
+  const Vec2f shared = a.opposite.cwiseMin(b.opposite) - a.corner.cwiseMax(b.corner);
+  return std::max(0.0f, shared.x()) * std::max(0.0f, shared.y());
+}
+
+LabelBox placePlate(const Vec2f& tip, const Vec2f& size, const LabelBox& page, std::span<const LabelBox> taken) {
+  LabelBox best;
+  float least = std::numeric_limits<float>::infinity();
+  for (const Direction& direction : kDirections) {
+    const Vec2f wanted = tip + Vec2f(startOf(direction.x, direction.farther * kBeside, size.x()),
+                                     startOf(direction.y, direction.farther * kAbove, size.y()));
+    const LabelBox plate = movedOnto(page, wanted, size);
+    float hidden = 0.0f;
+    for (const LabelBox& box : taken) hidden += overlapOf(plate, box);
+    if (hidden >= least) continue;
+    least = hidden;
+    best = plate;
+    if (hidden == 0.0f) break;
+  }
+  return best;
+}
+
+Vec2f nearestCorner(const LabelBox& plate, const Vec2f& place) {
+  const Vec2f middle = 0.5f * (plate.corner + plate.opposite);
+  return {place.x() < middle.x() ? plate.corner.x() : plate.opposite.x(),
+          place.y() < middle.y() ? plate.corner.y() : plate.opposite.y()};
+}
+
+ColourBytes encodedColour(const Vec3f& linear) {
+  ColourBytes bytes;
+  for (int i = 0; i < 3; ++i) {
+    const double c = std::clamp<double>(linear[i], 0.0, 1.0);
+    const double encoded = c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;
+    bytes[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(std::lround(255.0 * encoded));
+  }
+  return bytes;
+}
+
+void writeLabel(Drawing& page, const Vec2f& place, std::string_view words, Align align, TextSize size) {
+  for (const auto& [x, y] : {std::pair{-1.0f, 0.0f}, {1.0f, 0.0f}, {0.0f, -1.0f}, {0.0f, 1.0f}}) {
+    page.text(place + Vec2f(x, y), words, kShadeInk, align, size);
+  }
+  page.text(place, words, kLightInk, align, size);
+}
+
+namespace {
+
+constexpr float kMargin = 14.0f;
+/// What is drawn and wants to be read: later labels keep out of it.
+using Taken = std::vector<LabelBox>;
+
+// ---- title
+
+void drawTitle(Drawing& page, const std::string& title, Taken& taken) {
+  if (title.empty()) return;
+  const Vec2f corner(kMargin, kMargin - 3.0f);
+  writeLabel(page, corner, title, Align::left, TextSize::title);
+  taken.push_back({corner, corner + page.measure(title, TextSize::title)});
+}
+
+// ---- colours
+
+std::string lowWord(Colouring colouring) { return colouring == Colouring::strain ? "compression" : ""; }
+std::string highWord(Colouring colouring) { return colouring == Colouring::strain ? "tension" : ""; }
+
+Legend legendOf(const LabelScene& scene, const ColourScale& scale) {
+  const Look& look = scene.look;
+  Legend legend{std::string(scale.title),
+                std::string(scale.unit),
+                lowWord(look.colouring),
+                highWord(look.colouring),
+                look.range(),
+                scale.map,
+                {}};
+  for (const FingerMark& finger : scene.frame.fingers) {
+    const auto value = valueUnder(scene.world, scene.surface, look, finger.contact);
+    if (value) legend.marks.push_back({*value, encodedColour(finger.colour)});
+  }
+  return legend;
+}
+
+void drawColours(Drawing& page, const LabelScene& scene, Taken& taken) {
+  const auto scale = scaleOf(scene.look.colouring);
+  if (!scale) return;
+  LegendPlace place;
+  constexpr float kRoomForWords = 52.0f;
+  constexpr float kRoomForNumbers = 46.0f;
+  constexpr float kRoomBelow = 128.0f;  // the lower end's word, and the figure of directions
+  const float free_height = page.size().y() - kMargin - kRoomForWords - kRoomBelow;
+  place.size.y() = std::round(std::clamp(std::min(0.45f * page.size().y(), free_height), 60.0f, 260.0f));
+  place.corner = {std::round(page.size().x() - kMargin - kRoomForNumbers - place.size.x()), kMargin + kRoomForWords};
+  drawLegend(page, legendOf(scene, *scale), place);
+  constexpr float kRoomForMarks = 22.0f;  // the wedges at its left, and the words that are wider than the bar
+  constexpr float kRoomForLowWord = 34.0f;
+  taken.push_back({{place.corner.x() - kRoomForMarks, 0.0f},
+                   {page.size().x(), place.corner.y() + place.size.y() + kRoomForLowWord}});
+}
+
+// ---- size and direction
+
+void drawScaleBar(Drawing& page, const Eyes& eyes, Taken& taken) {
+  const double screen_mm = (eyes.screen.upper_left - eyes.screen.lower_left).norm();
+  const double points_per_mm = page.size().y() / screen_mm;
+  constexpr double kShareOfPage = 0.2;
+  const double length_mm = roundStepDown(kShareOfPage * page.size().x() / points_per_mm);
+  const auto length = static_cast<float>(length_mm * points_per_mm);
+  const float y = page.size().y() - kMargin - 2.0f;
+  constexpr float kEnd = 5.0f;
+  for (const auto& [ink, thickness] : {std::pair{kShadeInk, 4.0f}, {kLightInk, 2.0f}}) {
+    page.line({kMargin, y}, {kMargin + length, y}, ink, thickness);
+    page.line({kMargin, y - kEnd}, {kMargin, y + kEnd}, ink, thickness);
+    page.line({kMargin + length, y - kEnd}, {kMargin + length, y + kEnd}, ink, thickness);
+  }
+  const std::string words = length_mm >= 1.0 ? fmt::format("{:.0f} mm", length_mm) : fmt::format("{} mm", length_mm);
+  writeLabel(page, {kMargin + 0.5f * length, y - kEnd - 18.0f}, words, Align::centre);
+  taken.push_back({{kMargin, y - kEnd - 18.0f}, {kMargin + length, page.size().y()}});
+}
+
+/// An axis of the patient as the camera sees it: half of the figure's width and its letter at the end.
+void drawAxis(Drawing& page, const Vec2f& middle, const Vec2f& end, std::string_view letter) {
+  constexpr float kShortest = 7.0f;  ///< points: an axis that looks at the eye says nothing
+  if (end.norm() < kShortest) return;
+  page.line(middle, middle + end, kShadeInk, 3.5f);
+  page.line(middle, middle + end, kLightInk, 1.5f);
+  const Vec2f letter_place = middle + end + 9.0f * end.normalized();
+  writeLabel(page, {letter_place.x(), letter_place.y() - 8.0f}, letter, Align::centre);
+}
+
+void drawOrientation(Drawing& page, const Camera& camera, Taken& taken) {
+  constexpr float kRadius = 24.0f;
+  const Vec2f middle = page.size() - Vec2f(kMargin + kRadius + 20.0f, kMargin + kRadius - 4.0f);
+  const auto seen = [&](const Vec3& direction) {
+    return Vec2f(kRadius * static_cast<float>(direction.dot(camera.right())),
+                 -kRadius * static_cast<float>(direction.dot(camera.up())));
+  };
+  drawAxis(page, middle, seen(Vec3::UnitX()), "R");
+  drawAxis(page, middle, seen(-Vec3::UnitX()), "L");
+  drawAxis(page, middle, seen(Vec3::UnitY()), "cranial");
+  constexpr float kWithLetters = kRadius + 18.0f;
+  taken.push_back({middle - Vec2f::Constant(kWithLetters), page.size()});
+}
+
+// ---- fingers
+
+std::string nameOf(const LabelSettings& settings, std::size_t finger) {
+  return finger < settings.finger_names.size() ? settings.finger_names[finger] : std::string();
+}
+
+/// Where a place of the world is on the page, seen from between the eyes.
+Vec2f placeOnPage(const Drawing& page, const Eyes& eyes, const Vec3& place) {
+  constexpr double kNearMm = 1.0;
+  constexpr double kFarMm = 1e5;
+  const Vec2 seen = seenAt(frustumOf(eyes.screen, eyes.middle, kNearMm, kFarMm), place);
+  return seen.cast<float>().cwiseProduct(page.size());
+}
+
+/// Of now, or of the press that just ended.
+std::vector<std::string> numbersOf(const FingerMark& finger, const std::string& name) {
+  std::vector<std::string> lines;
+  if (!name.empty()) lines.push_back(name);
+  const contact::FingerOutput& contact = finger.contact;
+  const Peak now{contact.depth_mm, contact.force.norm()};
+  const Peak& said = finger.lifted ? *finger.lifted : now;
+  const std::string_view most = finger.lifted ? "most " : "";
+  lines.push_back(fmt::format("{}depth {:.1f} mm", most, said.depth_mm));
+  lines.push_back(fmt::format("{}force {:.2f} N", most, said.force_n));
+  return lines;
+}
+
+Vec2f extentOf(const Drawing& page, const std::vector<std::string>& lines) {
+  Vec2f extent = Vec2f::Zero();
+  for (const std::string& line : lines) {
+    const Vec2f size = page.measure(line, TextSize::small);
+    extent = {std::max(extent.x(), size.x()), extent.y() + size.y() + 1.0f};
+  }
+  return extent;
+}
+
+/// A plate beside the finger, never under it nor under another label, with a line to it; never off the page.
+void drawNumbers(Drawing& page, const Vec2f& tip, const FingerMark& finger, const std::string& name, Taken& taken) {
+  const std::vector<std::string> lines = numbersOf(finger, name);
+  constexpr float kPad = 6.0f;
+  constexpr float kStripe = 3.0f;
+  const Vec2f size = extentOf(page, lines) + Vec2f(2.0f * kPad + kStripe, 2.0f * kPad);
+  const Vec2f margin = Vec2f::Constant(kMargin);
+  const LabelBox plate = placePlate(tip, size, {margin, page.size() - margin}, taken);
+  taken.push_back(plate);
+  const Vec2f corner = plate.corner;
+  page.line(tip, nearestCorner(plate, tip), kLightInk, 1.2f);
+  page.box(corner, corner + size, kShadeInk, 4.0f);
+  page.box(corner, corner + Vec2f(kStripe, size.y()), Ink{encodedColour(finger.colour)});
+  float y = corner.y() + kPad;
+  for (const std::string& line : lines) {
+    page.text({corner.x() + kPad + kStripe, y}, line, kLightInk, Align::left, TextSize::small);
+    y += page.measure(line, TextSize::small).y() + 1.0f;
+  }
+}
+
+/// No plate lies on any finger, so all of them are noted first.
+void drawFingers(Drawing& page, const LabelScene& scene, const LabelSettings& settings, Taken& taken) {
+  constexpr float kBall = 14.0f;
+  std::vector<Vec2f> tips;
+  for (const FingerMark& finger : scene.frame.fingers) {
+    tips.push_back(placeOnPage(page, scene.eyes, finger.contact.proxy));
+    if (tips.back().allFinite()) {
+      taken.push_back({tips.back() - Vec2f::Constant(kBall), tips.back() + Vec2f::Constant(kBall)});
+    }
+  }
+  for (std::size_t i = 0; i < tips.size(); ++i) {
+    const FingerMark& finger = scene.frame.fingers[i];
+    const bool speaks = finger.contact.touch != contact::Touch::free || finger.lifted;
+    if (!speaks || !tips[i].allFinite()) continue;
+    drawNumbers(page, tips[i], finger, nameOf(settings, i), taken);
+  }
+}
+
+// ---- the cut through the deepest contact
+
+const FingerMark* deepest(const Frame& frame) {
+  const FingerMark* found = nullptr;
+  for (const FingerMark& finger : frame.fingers) {
+    if (finger.contact.touch == contact::Touch::free) continue;
+    if (found == nullptr || finger.contact.depth_mm > found->contact.depth_mm) found = &finger;
+  }
+  return found;
+}
+
+/// Above the scale bar: fingers are mostly in the middle.
+void drawCut(Drawing& page, const LabelScene& scene, Taken& taken) {
+  const FingerMark* finger = deepest(scene.frame);
+  if (finger == nullptr) return;
+  const SectionPlane plane = sectionPlane(scene.world, finger->contact);
+  SectionChart chart;
+  chart.size = {std::round(std::clamp(0.32f * page.size().x(), 150.0f, 320.0f)),
+                std::round(std::clamp(0.34f * page.size().y(), 92.0f, 180.0f))};
+  constexpr float kScaleBarHeight = 46.0f;
+  chart.corner = {kMargin, page.size().y() - chart.size.y() - kScaleBarHeight};
+  drawSection(page, sectionCurve(scene.world, scene.surface, plane, kSectionHalfWidthMm), chart);
+  taken.push_back({chart.corner, chart.corner + chart.size});
+}
+
+}  // namespace
+
+void drawLabels(Drawing& page, const LabelScene& scene, const LabelSettings& settings) {
+  Taken taken;
+  if (settings.scale_bar) drawScaleBar(page, scene.eyes, taken);
+  if (settings.orientation) drawOrientation(page, scene.camera, taken);
+  if (settings.legend) drawColours(page, scene, taken);
+  drawTitle(page, settings.title, taken);
+  if (settings.section && scene.look.shows(Overlay::section)) drawCut(page, scene, taken);
+  if (settings.numbers) drawFingers(page, scene, settings, taken);
+}
+
+}  // namespace palpate::view

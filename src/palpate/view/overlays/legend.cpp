@@ -1,0 +1,184 @@
+#include "palpate/view/overlays/legend.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+
+#include "palpate/view/overlays/labels.h"
+
+namespace palpate::view {
+
+namespace {
+
+/// Forgives the rounding of logarithms and of multiples.
+constexpr double kSlack = 1e-9;
+
+}  // namespace
+
+double roundStepUp(double least) {
+  const double power = std::pow(10.0, std::floor(std::log10(least)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power >= least * (1.0 - kSlack)) return factor * power;
+  }
+  return 10.0 * power;
+}
+
+double roundStepDown(double most) {
+  const double power = std::pow(10.0, std::floor(std::log10(most)));
+  for (const double factor : {10.0, 5.0, 2.0}) {
+    if (factor * power <= most * (1.0 + kSlack)) return factor * power;
+  }
+  return power;
+}
+
+std::vector<double> roundMarks(double low, double high, int most) {
+  if (!(high > low)) return {low};
+  for (double step = roundStepUp((high - low) / most);; step = roundStepUp(step * 1.5)) {
+    const double first = std::ceil(low / step - kSlack);
+    const double last = std::floor(high / step + kSlack);
+    const int count = static_cast<int>(last - first) + 1;
+    if (count > most) continue;
+    if (count < 2) return {low, high};
+    std::vector<double> marks;
+    for (int i = 0; i < count; ++i) marks.push_back((first + i) * step);
+    return marks;
+  }
+}
+
+std::string markText(double value, double step) {
+  const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - kSlack)), 0, 6);
+  const double rounded = std::abs(value) < 0.5 * step * kSlack ? 0.0 : value;
+  std::string text = fmt::format("{:.{}f}", rounded, decimals);
+  if (text.front() == '-') text.replace(0, 1, "\u2212");
+  return text;
+}
+
+namespace {
+
+double valueAtVertex(const scene::World& world, const deform::DeformedSurface& surface, Colouring colouring, Index v) {
+  if (colouring == Colouring::strain) return 100.0 * surface.strain()[v];
+  if (colouring == Colouring::stiffness) return world.stiffness_n_per_mm[v];
+  const Vec3& place = world.skin.positions[v];
+  return world.ellipses.at(place.x(), place.y()).half_major_mm;
+}
+
+/// Shares of a triangle's corners in a place on it.
+Vec3 cornerShares(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& place) {
+  const Vec3 normal = (b - a).cross(c - a);
+  const double area = normal.squaredNorm();
+  if (!(area > 0.0)) return Vec3::Constant(1.0 / 3.0);
+  const double at_b = (place - a).cross(c - a).dot(normal) / area;
+  const double at_c = (b - a).cross(place - a).dot(normal) / area;
+  return {1.0 - at_b - at_c, at_b, at_c};
+}
+
+}  // namespace
+
+std::optional<ColourScale> scaleOf(Colouring colouring) {
+  switch (colouring) {
+    case Colouring::strain:
+      return ColourScale{colourMapOf(colouring), "strain", "%"};
+    case Colouring::stiffness:
+      return ColourScale{colourMapOf(colouring), "stiffness", "N/mm"};
+    case Colouring::ellipses:
+      return ColourScale{colourMapOf(colouring), "half-major", "mm"};
+    case Colouring::plain:
+      break;
+  }
+  return std::nullopt;
+}
+
+ColourBytes colourOfValue(const Look& look, double value) {
+  const auto scale = scaleOf(look.colouring);
+  return bytesOf(scale ? colourOf(scale->map, shareOf(look.range(), value)) : kNoColour);
+}
+
+std::optional<double> valueUnder(const scene::World& world, const deform::DeformedSurface& surface, const Look& look,
+                                 const contact::FingerOutput& finger) {
+  const bool touches = finger.touch != contact::Touch::free && finger.triangle < world.skin.triangles.size();
+  if (look.colouring == Colouring::plain || !touches) return std::nullopt;
+  const auto& corners = world.skin.triangles[finger.triangle];
+  const auto& places = world.skin.positions;
+  const Vec3 shares = cornerShares(places[corners[0]], places[corners[1]], places[corners[2]], finger.proxy);
+  double value = 0.0;
+  for (int i = 0; i < 3; ++i) value += shares[i] * valueAtVertex(world, surface, look.colouring, corners[i]);
+  return value;
+}
+
+namespace {
+
+constexpr int kMostNumbers = 5;
+constexpr float kPoint = 9.0f;  ///< height of a pointed end
+constexpr float kTick = 4.0f;
+
+ColourBytes colourAt(const Legend& legend, double share) { return bytesOf(colourOf(legend.map, share)); }
+
+/// Strips so thin that no step is seen.
+void drawBar(Drawing& page, const Legend& legend, const LegendPlace& place) {
+  const int strips = std::max(1, static_cast<int>(std::lround(place.size.y())));
+  for (int i = 0; i < strips; ++i) {
+    const float top = place.corner.y() + place.size.y() * static_cast<float>(i) / static_cast<float>(strips);
+    const float below = place.corner.y() + place.size.y() * static_cast<float>(i + 1) / static_cast<float>(strips);
+    const Ink ink{colourAt(legend, 1.0 - (i + 0.5) / strips)};
+    page.box({place.corner.x(), top}, {place.corner.x() + place.size.x(), below}, ink);
+  }
+}
+
+void drawPointedEnds(Drawing& page, const Legend& legend, const LegendPlace& place) {
+  const float left = place.corner.x();
+  const float right = left + place.size.x();
+  const float middle = 0.5f * (left + right);
+  const float top = place.corner.y() - 1.0f;
+  const float below = place.corner.y() + place.size.y() + 1.0f;
+  page.triangle({left, top}, {middle, top - kPoint}, {right, top}, {colourAt(legend, 1.0)});
+  page.triangle({left, below}, {right, below}, {middle, below + kPoint}, {colourAt(legend, 0.0)});
+}
+
+float heightOf(const Legend& legend, const LegendPlace& place, double value) {
+  return place.corner.y() + place.size.y() * static_cast<float>(1.0 - heightOnBar(legend, value));
+}
+
+void drawNumbers(Drawing& page, const Legend& legend, const LegendPlace& place) {
+  const std::vector<double> values = roundMarks(legend.range.low, legend.range.high, kMostNumbers);
+  const double step = values.size() > 1 ? values[1] - values[0] : 1.0;
+  const float right = place.corner.x() + place.size.x();
+  const float half_line = 0.5f * page.measure("0", TextSize::small).y();
+  for (const double value : values) {
+    const float y = heightOf(legend, place, value);
+    page.line({right, y}, {right + kTick, y}, kLightInk);
+    writeLabel(page, {right + kTick + 3.0f, y - half_line}, markText(value, step), Align::left, TextSize::small);
+  }
+}
+
+void drawWords(Drawing& page, const Legend& legend, const LegendPlace& place) {
+  const float middle = place.corner.x() + 0.5f * place.size.x();
+  const float line = page.measure("0", TextSize::small).y();
+  const float above = place.corner.y() - kPoint - line - 4.0f;
+  const float below = place.corner.y() + place.size.y() + kPoint + 3.0f;
+  if (!legend.high_word.empty()) writeLabel(page, {middle, above}, legend.high_word, Align::centre, TextSize::small);
+  if (!legend.low_word.empty()) writeLabel(page, {middle, below}, legend.low_word, Align::centre, TextSize::small);
+  const float title = above - (legend.high_word.empty() ? 0.0f : line + 3.0f) - 2.0f;
+  writeLabel(page, {middle, title}, legend.title + ", " + legend.unit, Align::centre);
+}
+
+/// A wedge at the bar's left that points at the value under a finger.
+void drawMark(Drawing& page, const Legend& legend, const LegendPlace& place, const Legend::Mark& mark) {
+  const float y = heightOf(legend, place, mark.value);
+  const float tip = place.corner.x() - 1.0f;
+  page.triangle({tip + 1.5f, y}, {tip - 11.0f, y + 6.5f}, {tip - 11.0f, y - 6.5f}, kLightInk);
+  page.triangle({tip, y}, {tip - 9.5f, y + 5.0f}, {tip - 9.5f, y - 5.0f}, {mark.colour});
+}
+
+}  // namespace
+
+double heightOnBar(const Legend& legend, double value) { return std::clamp(shareOf(legend.range, value), 0.0, 1.0); }
+
+void drawLegend(Drawing& page, const Legend& legend, const LegendPlace& place) {
+  drawPointedEnds(page, legend, place);
+  drawBar(page, legend, place);
+  drawNumbers(page, legend, place);
+  drawWords(page, legend, place);
+  for (const Legend::Mark& mark : legend.marks) drawMark(page, legend, place, mark);
+}
+
+}  // namespace palpate::view

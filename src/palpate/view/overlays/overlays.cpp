@@ -1,0 +1,67 @@
+#include "palpate/view/overlays/overlays.h"
+
+#include "palpate/view/overlays/contact_marks.h"
+#include "palpate/view/overlays/skin_marks.h"
+
+namespace palpate::view {
+
+namespace {
+
+constexpr double kArrowSpacingMm = 6.0;
+constexpr Index kMostNormals = 6000;
+constexpr int kRings = 8;
+
+void clear(OverlayShapes& shapes) {
+  shapes.patches.points.clear();
+  shapes.thin.points.clear();
+  shapes.bold.points.clear();
+}
+
+}  // namespace
+
+const OverlayShapes& Overlays::shapes(const Look& look, const DrawnSkin& skin, std::span<const FingerMark> fingers) {
+  clear(shapes_);
+  if (look.overlays.none()) return shapes_;
+  addPartition(look);
+  addBody(look, skin);
+  for (const FingerMark& finger : fingers) addFinger(look, skin, finger.contact);
+  return shapes_;
+}
+
+void Overlays::addPartition(const Look& look) {
+  if (look.shows(Overlay::leaf_boxes)) addLeafBoxes(*partition().partition, shapes_.thin);
+  if (look.shows(Overlay::planes)) addPlanes(*partition().partition, shapes_.thin, shapes_.patches);
+}
+
+void Overlays::addBody(const Look& look, const DrawnSkin& skin) {
+  if (look.shows(Overlay::arrows)) addDisplacements(world_, skin, kArrowSpacingMm, shapes_.thin);
+  if (look.shows(Overlay::normals)) addNormals(skin, kMostNormals, shapes_.thin);
+  if (look.shows(Overlay::ellipses)) {
+    for (const Outline& outline : keyEllipses()) addOutline(outline, skin, kKeyEllipsePaint, shapes_.thin);
+  }
+}
+
+void Overlays::addFinger(const Look& look, const DrawnSkin& skin, const contact::FingerOutput& contact) {
+  if (look.shows(Overlay::detecting_box)) addDetectingBox(partition(), contact, shapes_.bold);
+  if (look.shows(Overlay::haptic_triangles)) addHapticTriangles(partition(), world_, skin, contact, shapes_.patches);
+  if (look.shows(Overlay::section)) addSection(world_, skin, contact, shapes_.bold);
+  if (look.shows(Overlay::contact)) addContactMarks(contact, shapes_.bold);
+  if (contact.touch != contact::Touch::free) addTouch(look, skin, contact);
+}
+
+void Overlays::addTouch(const Look& look, const DrawnSkin& skin, const contact::FingerOutput& contact) {
+  if (look.shows(Overlay::ellipses)) addContactEllipses(world_, contact, skin, shapes_.bold);
+  if (look.shows(Overlay::rings)) addRings(world_, skin, contact.anchor_triangle, kRings, shapes_.thin);
+}
+
+const ShownPartition& Overlays::partition() {
+  if (!partition_) partition_ = partitionOf(world_);
+  return *partition_;
+}
+
+const std::vector<Outline>& Overlays::keyEllipses() {
+  if (!key_ellipses_) key_ellipses_ = keyOutlines(world_);
+  return *key_ellipses_;
+}
+
+}  // namespace palpate::view

@@ -1,0 +1,142 @@
+#include "palpate/view/overlays/section.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "palpate/tree/triangle_tree.h"
+
+namespace palpate::view {
+
+namespace {
+
+using tree::TriangleRecord;
+using Deformed = std::function<Vec3(Index)>;
+
+/// A drag shorter than this (mm) says nothing about where the finger wants to go.
+constexpr double kLeastDragMm = 0.2;
+
+Vec3 acrossThe(const Vec3& normal) {
+  const Vec3 side = Vec3::UnitX() - normal.x() * normal;
+  constexpr double kLeastSide = 1e-3;  // the skin faces along x: go along the body instead
+  return side.norm() > kLeastSide ? Vec3(side.normalized()) : Vec3((Vec3::UnitY() - normal.y() * normal).normalized());
+}
+
+/// Points on the plane count as above it, so that every triangle is crossed at two edges or none.
+class Side {
+ public:
+  explicit Side(const SectionPlane& plane) : origin_(plane.origin), normal_(plane.along.cross(plane.upward)) {}
+  double distance(const Vec3& p) const { return (p - origin_).dot(normal_); }
+  bool crosses(const Vec3& a, const Vec3& b) const { return (distance(a) >= 0.0) != (distance(b) >= 0.0); }
+  double fraction(const Vec3& a, const Vec3& b) const { return distance(a) / (distance(a) - distance(b)); }
+
+ private:
+  Vec3 origin_, normal_;
+};
+
+Vec2 inPlane(const SectionPlane& plane, const Vec3& p) {
+  return {(p - plane.origin).dot(plane.along), (p - plane.origin).dot(plane.upward)};
+}
+
+SectionPoint crossingAt(const TriangleRecord& record, int edge, const Deformed& deformed, const SectionPlane& plane,
+                        const Side& side) {
+  const int next = (edge + 1) % 3;
+  const double t = side.fraction(record.corners[edge], record.corners[next]);
+  const auto between = [&](const Vec3& a, const Vec3& b) { return inPlane(plane, a + t * (b - a)); };
+  return {between(record.corners[edge], record.corners[next]),
+          between(deformed(record.vertices[edge]), deformed(record.vertices[next]))};
+}
+
+bool isCrossed(const TriangleRecord& record, int edge, const Side& side) {
+  return side.crosses(record.corners[edge], record.corners[(edge + 1) % 3]);
+}
+
+/// The two crossed edges of a triangle, the one farther along the plane second.
+struct CrossedEdges {
+  int backward = 0;
+  int forward = 0;
+};
+
+std::optional<CrossedEdges> crossedEdges(const TriangleRecord& record, const Deformed& deformed,
+                                         const SectionPlane& plane, const Side& side) {
+  int edges[3];
+  int count = 0;
+  for (int edge = 0; edge < 3; ++edge) {
+    if (isCrossed(record, edge, side)) edges[count++] = edge;
+  }
+  if (count != 2) return std::nullopt;
+  const auto placeOf = [&](int edge) { return crossingAt(record, edge, deformed, plane, side).rest.x(); };
+  if (placeOf(edges[0]) > placeOf(edges[1])) std::swap(edges[0], edges[1]);
+  return CrossedEdges{edges[0], edges[1]};
+}
+
+/// The crossed triangle nearest to the plane's origin.
+Index startOf(const tree::TriangleTree& tree, const SectionPlane& plane, const Side& side) {
+  constexpr double kReachMm = 5.0;  // the origin lies on the skin; a corner's own triangles may all lie to one side
+  const auto found = tree::nearestPointIf(tree, plane.origin, kReachMm, [&](Index record, const auto&) {
+    const TriangleRecord& r = tree.records[record];
+    return isCrossed(r, 0, side) || isCrossed(r, 1, side) || isCrossed(r, 2, side);
+  });
+  return found.triangle;
+}
+
+/// Walks over the surface from a triangle's edge on, as far as the width, a border, or round a closed body.
+std::vector<SectionPoint> walked(const tree::TriangleTree& tree, const Deformed& deformed, const SectionPlane& plane,
+                                 const Side& side, Index record, int edge, double width) {
+  std::vector<SectionPoint> points;
+  const Index start = record;
+  while (true) {
+    points.push_back(crossingAt(tree.records[record], edge, deformed, plane, side));
+    if (std::abs(points.back().rest.x()) > width) break;
+    const Index next = tree.records[record].neighbours[edge];
+    if (next == kNoIndex || next == start) break;
+    const auto& back = tree.records[next].neighbours;
+    const int came_through = static_cast<int>(std::find(back.begin(), back.end(), record) - back.begin());
+    edge = (came_through + 1) % 3;
+    if (!isCrossed(tree.records[next], edge, side)) edge = (came_through + 2) % 3;
+    record = next;
+  }
+  return points;
+}
+
+}  // namespace
+
+SectionPlane sectionPlane(const scene::World& world, const contact::FingerOutput& contact) {
+  SectionPlane plane;
+  plane.origin = contact.anchor;
+  plane.upward = contact.normal;
+  if (contact.touch == contact::Touch::free) {
+    const auto nearest = tree::nearestPoint(world.surface.tree, contact.tip, std::numeric_limits<double>::max());
+    if (nearest.triangle == kNoIndex) return plane;
+    const auto& c = world.surface.tree.records[nearest.triangle].corners;
+    plane.origin = nearest.closest.point;
+    plane.upward = mesh::areaVector2(c[0], c[1], c[2]).normalized();
+  }
+  const Vec3 drag = contact.proxy - contact.anchor;
+  const Vec3 in_skin = drag - drag.dot(plane.upward) * plane.upward;
+  plane.along = in_skin.norm() > kLeastDragMm ? Vec3(in_skin.normalized()) : acrossThe(plane.upward);
+  return plane;
+}
+
+std::vector<SectionPoint> sectionCurve(const scene::World& world, const Deformed& deformed, const SectionPlane& plane,
+                                       double half_width_mm) {
+  const tree::TriangleTree& tree = world.surface.tree;
+  const Side side(plane);
+  const Index start = startOf(tree, plane, side);
+  if (start == kNoIndex) return {};
+  const auto edges = crossedEdges(tree.records[start], deformed, plane, side);
+  if (!edges) return {};
+  std::vector<SectionPoint> curve = walked(tree, deformed, plane, side, start, edges->backward, half_width_mm);
+  std::reverse(curve.begin(), curve.end());
+  const auto forward = walked(tree, deformed, plane, side, start, edges->forward, half_width_mm);
+  curve.insert(curve.end(), forward.begin(), forward.end());
+  return curve;
+}
+
+std::vector<SectionPoint> sectionCurve(const scene::World& world, const deform::DeformedSurface& surface,
+                                       const SectionPlane& plane, double half_width_mm) {
+  return sectionCurve(
+      world, [&](Index v) { return Vec3(surface.positionAt(v).cast<double>()); }, plane, half_width_mm);
+}
+
+}  // namespace palpate::view

@@ -1,0 +1,103 @@
+#include "palpate/view/overlays/section_inset.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "palpate/view/overlays/labels.h"
+#include "palpate/view/overlays/legend.h"
+
+namespace palpate::view {
+
+namespace {
+
+constexpr Ink kRest{{150, 155, 165}};
+constexpr Ink kDeformed{{255, 176, 112}};
+constexpr Ink kGrid{{255, 255, 255}, 0.14};
+constexpr float kLeft = 34.0f;   ///< room for the numbers of the heights
+constexpr float kBelow = 30.0f;  ///< and for those of the widths, with their unit
+constexpr float kAbove = 24.0f;  ///< and for the words
+constexpr float kRight = 12.0f;
+
+/// From mm to the page.
+struct Axes {
+  Vec2 low, high;        ///< mm
+  Vec2f corner, extent;  ///< upper left and size of the field, points
+
+  Vec2f at(const Vec2& mm) const {
+    const Vec2 share = (mm - low).cwiseQuotient(high - low);
+    return corner + Vec2f(static_cast<float>(share.x()) * extent.x(), static_cast<float>(1.0 - share.y()) * extent.y());
+  }
+};
+
+Axes axesFor(std::span<const SectionPoint> curve, const SectionChart& chart) {
+  Axes axes;
+  axes.low = {-kSectionHalfWidthMm, 0.0};
+  axes.high = {kSectionHalfWidthMm, 0.0};
+  for (const SectionPoint& point : curve) {
+    axes.low.y() = std::min({axes.low.y(), point.rest.y(), point.deformed.y()});
+    axes.high.y() = std::max({axes.high.y(), point.rest.y(), point.deformed.y()});
+  }
+  // A flat skin at rest still gets a scale.
+  constexpr double kLeastMm = 2.0;
+  const double room = 0.08 * std::max(axes.high.y() - axes.low.y(), kLeastMm);
+  axes.low.y() -= room;
+  axes.high.y() += room;
+  axes.corner = chart.corner + Vec2f(kLeft, kAbove);
+  axes.extent = chart.size - Vec2f(kLeft + kRight, kAbove + kBelow);
+  return axes;
+}
+
+void drawGrid(Drawing& page, const Axes& axes) {
+  const float half_line = 0.5f * page.measure("0", TextSize::small).y();
+  const auto heights = roundMarks(axes.low.y(), axes.high.y(), 4);
+  const double height_step = heights.size() > 1 ? heights[1] - heights[0] : 1.0;
+  for (const double height : heights) {
+    const Vec2f left = axes.at({axes.low.x(), height});
+    page.line(left, axes.at({axes.high.x(), height}), kGrid);
+    page.text({left.x() - 5.0f, left.y() - half_line}, markText(height, height_step), kLightInk, Align::right,
+              TextSize::small);
+  }
+  const auto widths = roundMarks(axes.low.x(), axes.high.x(), 5);
+  for (const double width : widths) {
+    const Vec2f foot = axes.at({width, axes.low.y()});
+    page.line(foot, axes.at({width, axes.high.y()}), kGrid);
+    page.text({foot.x(), foot.y() + 2.0f}, markText(width, 1.0), kLightInk, Align::centre, TextSize::small);
+  }
+  const Vec2f end = axes.at({axes.high.x(), axes.low.y()});
+  page.text({end.x(), end.y() + 15.0f}, "mm", kLightInk, Align::right, TextSize::small);
+}
+
+/// The part of a line of points that lies within the field.
+void drawCurve(Drawing& page, const Axes& axes, std::span<const SectionPoint> curve, Vec2 SectionPoint::*place,
+               const Ink& ink, float thickness) {
+  std::vector<Vec2f> line;
+  for (const SectionPoint& point : curve) {
+    const Vec2& mm = point.*place;
+    if (mm.x() >= axes.low.x() && mm.x() <= axes.high.x()) line.push_back(axes.at(mm));
+  }
+  page.curve(line, ink, thickness);
+}
+
+void drawWords(Drawing& page, const SectionChart& chart) {
+  const float y = chart.corner.y() + 6.0f;
+  float x = chart.corner.x() + 8.0f;
+  for (const auto& [words, ink] :
+       {std::pair<std::string_view, Ink>{"section", kLightInk}, {"rest", kRest}, {"deformed", kDeformed}}) {
+    page.text({x, y}, words, ink, Align::left, TextSize::small);
+    x += page.measure(words, TextSize::small).x() + 12.0f;
+  }
+}
+
+}  // namespace
+
+void drawSection(Drawing& page, std::span<const SectionPoint> curve, const SectionChart& chart) {
+  if (curve.empty()) return;
+  page.box(chart.corner, chart.corner + chart.size, kShadeInk, 5.0f);
+  const Axes axes = axesFor(curve, chart);
+  drawGrid(page, axes);
+  drawCurve(page, axes, curve, &SectionPoint::rest, kRest, 1.5f);
+  drawCurve(page, axes, curve, &SectionPoint::deformed, kDeformed, 2.2f);
+  drawWords(page, chart);
+}
+
+}  // namespace palpate::view

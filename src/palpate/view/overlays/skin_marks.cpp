@@ -1,0 +1,109 @@
+#include "palpate/view/overlays/skin_marks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "palpate/view/overlays/overlays.h"
+
+namespace palpate::view {
+
+namespace {
+
+using Cell = std::array<int, 3>;
+
+struct Moved {
+  Cell cell;
+  Index vertex;
+};
+
+Cell cellOf(const Vec3& place, double size) {
+  const Vec3 cell = (place / size).array().floor();
+  return {static_cast<int>(cell.x()), static_cast<int>(cell.y()), static_cast<int>(cell.z())};
+}
+
+std::vector<Moved> movedVertices(const deform::Skin& rest, const DrawnSkin& skin, double spacing) {
+  constexpr double kLeastMm = 0.3;
+  std::vector<Moved> moved;
+  for (const deform::VertexRange& range : skin.changed()) {
+    for (Index v = range.first; v < range.end; ++v) {
+      const Vec3 place = rest.restPosition(v).cast<double>();
+      if ((skin.at(v) - place).norm() > kLeastMm) moved.push_back({cellOf(place, spacing), v});
+    }
+  }
+  return moved;
+}
+
+/// The vertices joined to `ring` that lie in neither of the two rings; all sorted.
+std::vector<Index> nextRing(const mesh::IndexRows& neighbours, const std::vector<Index>& ring,
+                            const std::vector<Index>& inner) {
+  std::vector<Index> next;
+  for (const Index v : ring) {
+    for (const Index other : neighbours[v]) {
+      const bool known =
+          std::binary_search(ring.begin(), ring.end(), other) || std::binary_search(inner.begin(), inner.end(), other);
+      if (!known) next.push_back(other);
+    }
+  }
+  std::sort(next.begin(), next.end());
+  next.erase(std::unique(next.begin(), next.end()), next.end());
+  return next;
+}
+
+void addEdgesWithin(const std::vector<Index>& ring, const mesh::IndexRows& neighbours, const DrawnSkin& skin,
+                    Paint paint, Lines& lines) {
+  for (const Index v : ring) {
+    for (const Index other : neighbours[v]) {
+      if (other > v && std::binary_search(ring.begin(), ring.end(), other)) {
+        lines.add(skin.at(v), skin.at(other), paint);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void addDisplacements(const scene::World& world, const DrawnSkin& skin, double spacing_mm, Lines& lines) {
+  std::vector<Moved> moved = movedVertices(world.deformable, skin, spacing_mm);
+  std::stable_sort(moved.begin(), moved.end(), [](const Moved& a, const Moved& b) { return a.cell < b.cell; });
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    if (i > 0 && moved[i].cell == moved[i - 1].cell) continue;
+    const Index v = moved[i].vertex;
+    lines.addArrow(world.deformable.restPosition(v).cast<double>(), skin.at(v), kDisplacementPaint);
+  }
+}
+
+void addNormals(const DrawnSkin& skin, Index most, Lines& lines) {
+  constexpr double kLengthMm = 5.0;
+  const Index step = std::max<Index>(1, (skin.vertices() + most - 1) / most);
+  for (Index v = 0; v < skin.vertices(); v += step) {
+    lines.add(skin.at(v), skin.at(v) + kLengthMm * skin.normalAt(v), kNormalPaint);
+  }
+}
+
+void addRings(const scene::World& world, const DrawnSkin& skin, Index triangle, int rings, Lines& lines) {
+  if (triangle >= world.skin.triangles.size()) return;
+  const mesh::IndexRows& neighbours = world.deformable.neighbours;
+  const Triangle& corners = world.skin.triangles[triangle];
+  std::vector<Index> inner;
+  std::vector<Index> ring(corners.begin(), corners.end());
+  std::sort(ring.begin(), ring.end());
+  for (int i = 0; i <= rings; ++i) {
+    addEdgesWithin(ring, neighbours, skin, kRingPaints[static_cast<std::size_t>(i) % kRingPaints.size()], lines);
+    std::vector<Index> next = nextRing(neighbours, ring, inner);
+    inner = std::exchange(ring, std::move(next));
+  }
+}
+
+void addSection(const scene::World& world, const DrawnSkin& skin, const contact::FingerOutput& contact, Lines& lines) {
+  const SectionPlane plane = sectionPlane(world, contact);
+  const auto curve = sectionCurve(
+      world, [&](Index v) { return skin.at(v); }, plane);
+  for (std::size_t i = 1; i < curve.size(); ++i) {
+    lines.add(onPlane(plane, curve[i - 1].rest), onPlane(plane, curve[i].rest), kRestSectionPaint);
+    lines.add(onPlane(plane, curve[i - 1].deformed), onPlane(plane, curve[i].deformed), kDeformedSectionPaint);
+  }
+}
+
+}  // namespace palpate::view

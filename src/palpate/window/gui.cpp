@@ -1,0 +1,220 @@
+#include "palpate/window/gui.h"
+
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "palpate/base/error.h"
+#include "palpate/view/layers/drawing.h"
+
+namespace palpate::window {
+
+namespace {
+
+constexpr float kTextPoints = 15.0f;
+
+/// Neutral greys: a tinted frame would change how the colours of a map look.
+void useDark(ImGuiStyle& style) {
+  ImGui::StyleColorsDark(&style);
+  ImVec4* c = style.Colors;
+  c[ImGuiCol_WindowBg] = {0.13f, 0.13f, 0.14f, 0.94f};
+  c[ImGuiCol_PopupBg] = {0.11f, 0.11f, 0.12f, 0.98f};
+  c[ImGuiCol_Text] = {0.92f, 0.92f, 0.92f, 1.0f};
+  c[ImGuiCol_FrameBg] = {0.22f, 0.22f, 0.23f, 1.0f};
+  c[ImGuiCol_FrameBgHovered] = {0.30f, 0.30f, 0.31f, 1.0f};
+  c[ImGuiCol_FrameBgActive] = {0.36f, 0.36f, 0.37f, 1.0f};
+  c[ImGuiCol_Header] = {0.24f, 0.24f, 0.25f, 1.0f};
+  c[ImGuiCol_HeaderHovered] = {0.32f, 0.32f, 0.33f, 1.0f};
+  c[ImGuiCol_HeaderActive] = {0.38f, 0.38f, 0.39f, 1.0f};
+  c[ImGuiCol_Button] = {0.28f, 0.28f, 0.29f, 1.0f};
+  c[ImGuiCol_ButtonHovered] = {0.38f, 0.38f, 0.39f, 1.0f};
+  c[ImGuiCol_ButtonActive] = {0.45f, 0.45f, 0.46f, 1.0f};
+  // Dark enough to read the number that is written over it.
+  c[ImGuiCol_SliderGrab] = {0.44f, 0.44f, 0.45f, 1.0f};
+  c[ImGuiCol_SliderGrabActive] = {0.54f, 0.54f, 0.55f, 1.0f};
+  c[ImGuiCol_CheckMark] = {0.95f, 0.72f, 0.36f, 1.0f};
+  c[ImGuiCol_MenuBarBg] = {0.10f, 0.10f, 0.11f, 1.0f};
+  c[ImGuiCol_TitleBgActive] = {0.18f, 0.18f, 0.19f, 1.0f};
+  c[ImGuiCol_PlotHistogram] = {0.95f, 0.72f, 0.36f, 1.0f};
+}
+
+void useContrast(ImGuiStyle& style) {
+  ImGui::StyleColorsDark(&style);
+  ImVec4* c = style.Colors;
+  c[ImGuiCol_WindowBg] = c[ImGuiCol_PopupBg] = c[ImGuiCol_MenuBarBg] = {0.0f, 0.0f, 0.0f, 1.0f};
+  c[ImGuiCol_Text] = {1.0f, 1.0f, 1.0f, 1.0f};
+  c[ImGuiCol_Border] = {1.0f, 1.0f, 1.0f, 1.0f};
+  c[ImGuiCol_FrameBg] = {0.0f, 0.0f, 0.0f, 1.0f};
+  c[ImGuiCol_CheckMark] = {1.0f, 1.0f, 0.0f, 1.0f};
+  c[ImGuiCol_SliderGrab] = c[ImGuiCol_SliderGrabActive] = {0.0f, 0.35f, 0.85f, 1.0f};  // under a white number
+  style.FrameBorderSize = 1.0f;
+}
+
+void shape(ImGuiStyle& style) {
+  style.WindowRounding = 4.0f;
+  style.FrameRounding = 3.0f;
+  style.GrabRounding = 3.0f;
+  style.ScrollbarSize = 12.0f;
+  style.WindowBorderSize = 0.0f;
+  style.ItemSpacing = {8.0f, 5.0f};
+}
+
+/// Which of our keys ImGui's text fields ask for.
+void mapKeys(ImGuiIO& io) {
+  const auto map = [&](ImGuiKey theirs, Key ours) { io.KeyMap[theirs] = static_cast<int>(ours); };
+  map(ImGuiKey_Tab, Key::tab);
+  map(ImGuiKey_LeftArrow, Key::left);
+  map(ImGuiKey_RightArrow, Key::right);
+  map(ImGuiKey_UpArrow, Key::up);
+  map(ImGuiKey_DownArrow, Key::down);
+  map(ImGuiKey_PageUp, Key::page_up);
+  map(ImGuiKey_PageDown, Key::page_down);
+  map(ImGuiKey_Home, Key::home);
+  map(ImGuiKey_End, Key::end);
+  map(ImGuiKey_Delete, Key::delete_key);
+  map(ImGuiKey_Backspace, Key::backspace);
+  map(ImGuiKey_Space, Key::space);
+  map(ImGuiKey_Enter, Key::enter);
+  map(ImGuiKey_KeyPadEnter, Key::pad_enter);
+  map(ImGuiKey_Escape, Key::escape);
+  for (const auto& [theirs, letter] :
+       {std::pair{ImGuiKey_A, 'A'}, std::pair{ImGuiKey_C, 'C'}, std::pair{ImGuiKey_V, 'V'}, std::pair{ImGuiKey_X, 'X'},
+        std::pair{ImGuiKey_Y, 'Y'}, std::pair{ImGuiKey_Z, 'Z'}}) {
+    map(theirs, key(letter));
+  }
+}
+
+}  // namespace
+
+struct Gui::Parts {
+  ImGuiContext* context = nullptr;
+  double scale = 0.0;
+  std::array<bool, kButtons> down{};
+
+  Parts();
+  ~Parts();
+  Parts(const Parts&) = delete;
+  Parts& operator=(const Parts&) = delete;
+  void makeLetters(double pixels_per_point);
+  void feed(std::span<const InputEvent> events);
+  void feed(const InputEvent& event);
+};
+
+Gui::Parts::Parts() {
+  context = ImGui::CreateContext();
+  ImGui::SetCurrentContext(context);
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.ConfigWindowsMoveFromTitleBarOnly = true;
+  mapKeys(io);
+  if (!ImGui_ImplOpenGL3_Init("#version 330 core")) {
+    ImGui::DestroyContext(context);
+    throw Error("cannot draw panels: the OpenGL functions cannot be loaded");
+  }
+}
+
+Gui::Parts::~Parts() {
+  ImGui::SetCurrentContext(context);
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui::DestroyContext(context);
+}
+
+void Gui::Parts::makeLetters(double pixels_per_point) {
+  if (pixels_per_point == scale) return;
+  scale = pixels_per_point;
+  ImGuiIO& io = ImGui::GetIO();
+  io.Fonts->Clear();
+  ImFontConfig config;
+  config.FontDataOwnedByAtlas = false;
+  const auto file = view::embeddedFont();
+  io.Fonts->AddFontFromMemoryTTF(const_cast<unsigned char*>(file.data()), static_cast<int>(file.size()),
+                                 kTextPoints * static_cast<float>(scale), &config, view::fontRanges());
+  io.Fonts->Build();
+  io.FontGlobalScale = 1.0f / static_cast<float>(scale);
+  ImGui_ImplOpenGL3_DestroyFontsTexture();
+  ImGui_ImplOpenGL3_CreateFontsTexture();
+}
+
+/// This version of ImGui sees one state a frame: a button that went down and up between two frames still counts as
+/// down in this one.
+void Gui::Parts::feed(std::span<const InputEvent> events) {
+  ImGuiIO& io = ImGui::GetIO();
+  std::array<bool, kButtons> went_down{};
+  for (const InputEvent& event : events) {
+    feed(event);
+    if (event.kind == InputEvent::Kind::button && event.down) went_down[static_cast<std::size_t>(event.button)] = true;
+  }
+  for (std::size_t b = 0; b < kButtons; ++b) io.MouseDown[b] = down[b] || went_down[b];
+}
+
+void Gui::Parts::feed(const InputEvent& event) {
+  using Kind = InputEvent::Kind;
+  ImGuiIO& io = ImGui::GetIO();
+  const bool has_place = event.kind == Kind::move || event.kind == Kind::button || event.kind == Kind::scroll;
+  if (has_place) io.MousePos = {static_cast<float>(event.at.x() / scale), static_cast<float>(event.at.y() / scale)};
+  if (event.kind == Kind::button) down[static_cast<std::size_t>(event.button)] = event.down;
+  if (event.kind == Kind::scroll) io.MouseWheel += static_cast<float>(event.notches);
+  if (event.kind == Kind::text) io.AddInputCharactersUTF8(event.text.c_str());
+  if (event.kind == Kind::key) {
+    const auto code = static_cast<std::size_t>(event.key);
+    if (code < std::size(io.KeysDown)) io.KeysDown[code] = event.down;
+    io.KeyCtrl = event.modifiers.ctrl;
+    io.KeyShift = event.modifiers.shift;
+  }
+  if (event.kind == Kind::focus && !event.down) {
+    down.fill(false);
+    std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
+  }
+}
+
+Gui::Gui() : parts_(std::make_unique<Parts>()) { setTheme(Theme::dark); }
+Gui::~Gui() = default;
+
+void Gui::begin(const Vec2& size_points, double scale, double elapsed_s, std::span<const InputEvent> events) {
+  ImGui::SetCurrentContext(parts_->context);
+  parts_->makeLetters(scale);
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = {static_cast<float>(size_points.x()), static_cast<float>(size_points.y())};
+  io.DeltaTime = static_cast<float>(std::max(elapsed_s, 1e-4));
+  parts_->feed(events);
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui::NewFrame();
+}
+
+void Gui::end() {
+  ImGui::SetCurrentContext(parts_->context);
+  ImGui::Render();
+}
+
+void Gui::present(int width, int height) const {
+  ImGuiContext* before = ImGui::GetCurrentContext();
+  ImGui::SetCurrentContext(parts_->context);
+  ImDrawData& data = *ImGui::GetDrawData();
+  data.FramebufferScale = {static_cast<float>(width) / data.DisplaySize.x,
+                           static_cast<float>(height) / data.DisplaySize.y};
+  ImGui_ImplOpenGL3_RenderDrawData(&data);
+  ImGui::SetCurrentContext(before);
+}
+
+void Gui::setTheme(Theme theme) {
+  ImGui::SetCurrentContext(parts_->context);
+  ImGuiStyle& style = ImGui::GetStyle();
+  style = ImGuiStyle();  // themes start from the same shapes
+  shape(style);
+  if (theme == Theme::dark) useDark(style);
+  if (theme == Theme::light) ImGui::StyleColorsLight(&style);
+  if (theme == Theme::contrast) useContrast(style);
+}
+
+bool Gui::wantsMouse() const {
+  ImGui::SetCurrentContext(parts_->context);
+  return ImGui::GetIO().WantCaptureMouse;
+}
+
+bool Gui::wantsText() const {
+  ImGui::SetCurrentContext(parts_->context);
+  return ImGui::GetIO().WantTextInput;
+}
+
+}  // namespace palpate::window

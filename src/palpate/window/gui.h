@@ -1,0 +1,45 @@
+// Panels over the picture: a Dear ImGui context that is fed with InputEvents and drawn into any framebuffer.
+//
+// It knows nothing of the window, so panels can be used and pictured without one. Everything is measured in points; a
+// point has as many pixels as the screen's content scale times the user's factor says.
+//
+//   begin (events, size) ─► the caller's ImGui calls ─► end ─► present (once for each eye)
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "palpate/window/input.h"
+
+namespace palpate::window {
+
+enum class Theme : std::uint8_t { dark, light, contrast };
+inline constexpr std::array<std::string_view, 3> kThemeNames = {"dark", "light", "high contrast"};
+
+/// Belongs to the thread of the GL context that is current when it is made.
+class Gui {
+ public:
+  /// Throws Error when OpenGL's functions cannot be loaded.
+  Gui();
+  ~Gui();
+  Gui(const Gui&) = delete;
+  Gui& operator=(const Gui&) = delete;
+
+  /// Letters are made anew when the scale (pixels a point) changes.
+  void begin(const Vec2& size_points, double scale, double elapsed_s, std::span<const InputEvent> events);
+  void end();
+  /// Draws the panels into the bound framebuffer, stretched to its pixels.
+  void present(int width, int height) const;
+
+  void setTheme(Theme theme);
+  /// Of the last frame: a panel, menu or popup is under the cursor or holds the mouse.
+  bool wantsMouse() const;
+  /// A text field takes the keys.
+  bool wantsText() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace palpate::window

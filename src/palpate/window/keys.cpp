@@ -1,0 +1,161 @@
+#include "palpate/window/keys.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace palpate::window {
+
+namespace {
+
+constexpr Modifiers kPlain{};
+constexpr Modifiers kCtrl{true, false};
+constexpr Modifiers kShift{false, true};
+constexpr Chord kNone{};
+constexpr Chord plain(Key k) { return {k, kPlain}; }
+constexpr Chord plain(char c) { return {key(c), kPlain}; }
+constexpr Chord ctrl(char c) { return {key(c), kCtrl}; }
+constexpr Chord shift(char c) { return {key(c), kShift}; }
+constexpr Chord f(int n) { return {functionKey(n), kPlain}; }
+
+using A = Action;
+using G = KeyGroup;
+
+// clang-format off
+constexpr KeyBinding kTable[] = {
+    {A::hold, G::touch, plain(Key::enter), plain(Key::pad_enter), false, "Hold", "Keep the finger pressed without the button; again: lift it."},
+    {A::deeper, G::touch, plain(Key::page_down), plain(Key::right_bracket), true, "Deeper", "Press 0.5 mm deeper, or with 0.25 N more."},
+    {A::lighter, G::touch, plain(Key::page_up), plain(Key::left_bracket), true, "Lighter", "Press 0.5 mm less deep, or with 0.25 N less."},
+    {A::ring_left, G::touch, plain(Key::left), kNone, true, "Finger left", "Move the finger 2 mm to the left; pressed, it drags the skin."},
+    {A::ring_right, G::touch, plain(Key::right), kNone, true, "Finger right", "Move the finger 2 mm to the right."},
+    {A::ring_up, G::touch, plain(Key::up), kNone, true, "Finger up", "Move the finger 2 mm up."},
+    {A::ring_down, G::touch, plain(Key::down), kNone, true, "Finger down", "Move the finger 2 mm down."},
+    {A::take_left_finger, G::touch, plain('1'), kNone, false, "Take the left finger", "Move the left (blue) finger; the other stays where it is."},
+    {A::take_right_finger, G::touch, plain('2'), kNone, false, "Take the right finger", "Move the right (red) finger; the other stays where it is."},
+    {A::lift_all, G::touch, plain(Key::backspace), kNone, false, "Lift all fingers", "Lift every finger."},
+    {A::home, G::view, plain(Key::home), kNone, false, "Whole body", "See the whole body again."},
+    {A::centre_on_finger, G::view, plain('F'), kNone, false, "Centre on the finger", "Turn about the place under the finger."},
+    {A::next_view, G::view, plain('V'), kNone, false, "Next standard view", "Go round the standard views."},
+    {A::previous_view, G::view, shift('V'), kNone, false, "Previous standard view", "Go round the standard views the other way."},
+    {A::view_back, G::view, plain(Key::pad_1), kNone, false, "From behind", "See the back."},
+    {A::view_right, G::view, plain(Key::pad_3), kNone, false, "From the right", "See the patient's right side."},
+    {A::view_above, G::view, plain(Key::pad_7), kNone, false, "From above", "Look down along the spine."},
+    {A::show_wireframe, G::overlays, plain('W'), kNone, false, "Wireframe", "Show the edges of the mesh."},
+    {A::show_haptic_triangles, G::overlays, plain('T'), kNone, false, "Haptic triangles", "Show the triangles that the finger looks at, in green."},
+    {A::show_leaf_boxes, G::overlays, plain('B'), kNone, false, "Leaf boxes", "Show the leaves of the partition, in blue."},
+    {A::show_planes, G::overlays, plain('P'), kNone, false, "Splitting planes", "Show the planes that split space: x green, y red, z yellow."},
+    {A::show_detecting_box, G::overlays, plain('H'), kNone, false, "Detecting box", "Show the haptic detecting box."},
+    {A::show_ellipses, G::overlays, plain('E'), kNone, false, "Ellipses", "Show how far the skin follows, here and at the key points."},
+    {A::show_rings, G::overlays, plain('G'), kNone, false, "Neighbour rings", "Show the rings of neighbours round the finger."},
+    {A::show_arrows, G::overlays, plain('A'), kNone, false, "Displacement", "Show how far the skin has moved, as arrows."},
+    {A::show_contact, G::overlays, plain('C'), kNone, false, "Contact", "Show friction anchor, proxy, tip and force."},
+    {A::show_normals, G::overlays, plain('N'), kNone, false, "Normals", "Show the directions out of the skin."},
+    {A::show_section, G::overlays, plain('X'), kNone, false, "Cross section", "Show a cut through the contact, in mm."},
+    {A::skin_opacity, G::overlays, plain('O'), kNone, false, "Skin opacity", "Make the skin 100, 60, 30 and 0 % opaque in turn."},
+    {A::colour_strain, G::overlays, plain('S'), kNone, false, "Strain", "Colour the skin by strain; again: off."},
+    {A::colour_stiffness, G::overlays, plain('M'), kNone, false, "Stiffness", "Colour the skin by stiffness; again: off."},
+    {A::colour_ellipses, G::overlays, plain('L'), kNone, false, "Ellipse map", "Colour the skin by the size of its ellipse; again: off."},
+    {A::freeze, G::window, plain(Key::space), kNone, false, "Freeze", "Freeze picture and plots, for Left and Right to step; the touch goes on."},
+    {A::help, G::window, f(1), kNone, false, "Keys", "Show this list."},
+    {A::numbers, G::window, f(2), kNone, false, "Numbers", "Show depth and force beside the finger."},
+    {A::performance, G::window, f(3), kNone, false, "Performance", "Show how fast and how punctual everything is."},
+    {A::plots, G::window, f(4), kNone, false, "Plots", "Show force, depth and speed over time."},
+    {A::full_screen, G::window, f(11), kNone, false, "Full screen", "Fill the screen, or go back to a window."},
+    {A::screenshot, G::window, f(12), kNone, false, "Save a picture", "Save what is shown as a PNG file."},
+    {A::panel, G::window, plain(Key::tab), kNone, false, "Side panel", "Show or hide the panel."},
+    {A::record, G::window, plain('R'), kNone, false, "Record", "Start or stop recording forces to a CSV file."},
+    {A::stereo_mode, G::window, plain('K'), kNone, false, "Stereo mode", "Go through the stereo modes."},
+    {A::swap_eyes, G::window, shift('K'), kNone, false, "Swap the eyes", "Give each eye the other one's picture."},
+    {A::open, G::file, ctrl('O'), kNone, false, "Open ...", "Open a scene or a mesh."},
+    {A::save, G::file, ctrl('S'), kNone, false, "Save scene", "Save the scene with all that was changed."},
+    {A::undo, G::file, ctrl('Z'), kNone, false, "Undo", "Take back the last change of a dysfunction."},
+    {A::redo, G::file, {key('Z'), {true, true}}, kNone, false, "Redo", "Do it again."},
+    {A::delete_selected, G::file, plain(Key::delete_key), kNone, false, "Delete", "Delete the selected dysfunction."},
+    {A::cancel, G::file, plain(Key::escape), kNone, false, "Cancel", "Leave the drag, tool or dialog; never quits."},
+    {A::quit, G::file, ctrl('Q'), kNone, false, "Quit", "Close the window."},
+};
+// clang-format on
+static_assert(std::size(kTable) == kActions);
+
+std::string nameOf(Key k) {
+  static constexpr std::pair<Key, std::string_view> kNames[] = {
+      {Key::space, "Space"},         {Key::escape, "Esc"},
+      {Key::enter, "Enter"},         {Key::tab, "Tab"},
+      {Key::backspace, "Backspace"}, {Key::delete_key, "Delete"},
+      {Key::right, "Right"},         {Key::left, "Left"},
+      {Key::down, "Down"},           {Key::up, "Up"},
+      {Key::page_up, "PgUp"},        {Key::page_down, "PgDn"},
+      {Key::home, "Home"},           {Key::end, "End"},
+      {Key::left_bracket, "["},      {Key::right_bracket, "]"},
+      {Key::pad_1, "Keypad 1"},      {Key::pad_3, "Keypad 3"},
+      {Key::pad_7, "Keypad 7"},      {Key::pad_enter, "Keypad Enter"},
+  };
+  for (const auto& [key, name] : kNames) {
+    if (key == k) return std::string(name);
+  }
+  if (k >= Key::f1 && k <= Key::f12) return fmt::format("F{}", static_cast<int>(k) - static_cast<int>(Key::f1) + 1);
+  return {static_cast<char>(k)};
+}
+
+bool isOverlay(Action action) { return action >= Action::show_wireframe && action <= Action::show_section; }
+
+}  // namespace
+
+std::span<const KeyBinding> keyTable() { return kTable; }
+
+const KeyBinding& bindingOf(Action action) {
+  return *std::find_if(std::begin(kTable), std::end(kTable), [&](const auto& row) { return row.action == action; });
+}
+
+std::optional<PressedKey> actionOf(const Chord& chord) {
+  if (chord.key == Key::none) return std::nullopt;
+  for (const KeyBinding& row : kTable) {
+    if (row.chord == chord || row.also == chord) return PressedKey{row.action, false};
+  }
+  if (!chord.modifiers.shift) return std::nullopt;
+  const Chord coarse{chord.key, {chord.modifiers.ctrl, false}};
+  for (const KeyBinding& row : kTable) {
+    if (row.fine_with_shift && (row.chord == coarse || row.also == coarse)) return PressedKey{row.action, true};
+  }
+  return std::nullopt;
+}
+
+std::string nameOf(const Chord& chord) {
+  if (chord.key == Key::none) return {};
+  return fmt::format("{}{}{}", chord.modifiers.ctrl ? "Ctrl+" : "", chord.modifiers.shift ? "Shift+" : "",
+                     nameOf(chord.key));
+}
+
+std::string keysOf(const KeyBinding& binding) {
+  const std::string second = nameOf(binding.also);
+  return nameOf(binding.chord) + (second.empty() ? "" : " or " + second);
+}
+
+std::optional<view::Overlay> overlayOf(Action action) {
+  if (!isOverlay(action)) return std::nullopt;
+  return static_cast<view::Overlay>(static_cast<int>(action) - static_cast<int>(Action::show_wireframe));
+}
+
+std::optional<view::Colouring> colouringOf(Action action) {
+  if (action < Action::colour_strain || action > Action::colour_ellipses) return std::nullopt;
+  return static_cast<view::Colouring>(static_cast<int>(action) - static_cast<int>(Action::colour_strain) + 1);
+}
+
+Action actionFor(view::Overlay overlay) {
+  return static_cast<Action>(static_cast<int>(Action::show_wireframe) + static_cast<int>(overlay));
+}
+
+std::string keysAsMarkdown() {
+  std::string text;
+  for (std::size_t group = 0; group < kKeyGroupNames.size(); ++group) {
+    text += fmt::format("\n### {}\n\n| key | does |\n|---|---|\n", kKeyGroupNames[group]);
+    for (const KeyBinding& row : kTable) {
+      if (static_cast<std::size_t>(row.group) != group) continue;
+      text += fmt::format("| {} | {}{} |\n", keysOf(row), row.does,
+                          row.fine_with_shift ? " With Shift: a finer step." : "");
+    }
+  }
+  return text;
+}
+
+}  // namespace palpate::window

@@ -1,0 +1,266 @@
+#include "study/errata/errata_study.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <optional>
+
+#include "palpate/deform/any_deformer.h"
+#include "palpate/device/finger_path.h"
+#include "palpate/scene/skin_contact.h"
+#include "palpate/scene/world.h"
+#include "palpate/servo/loop.h"
+#include "palpate/servo/scripted_rig.h"
+
+namespace palpate::study {
+
+namespace {
+
+/// 20 pictures a second of a 1 kHz scene show every move of a finger.
+constexpr std::size_t kTicksAPicture = 50;
+
+/// Another reading of one erratum.
+struct Reading {
+  Erratum erratum;
+  std::string_view words;
+  std::function<void(scene::Scene&)> apply;
+};
+
+/// Readings that are settings rather than switches of fidelity.
+const std::vector<Reading>& settingReadings() {
+  static const std::vector<Reading> readings = {
+      {2, "friction.stiffness_ratio = 0.23", [](scene::Scene& s) { s.friction.stiffness_ratio = 0.23; }},
+      {20, "deformation.boundary = \"two_mm\"",
+       [](scene::Scene& s) { s.deformation.forms.boundary = deform::Boundary::two_mm; }},
+      {24, "strain.kind = \"principal\"", [](scene::Scene& s) { s.strain.kind = deform::StrainKind::principal; }},
+      {25, "deformation.together = \"summed\"",
+       [](scene::Scene& s) { s.deformation.forms.together = deform::Together::summed; }},
+      {30, "ellipses.averaging = \"tensorial\"",
+       [](scene::Scene& s) { s.ellipses.measured.averaging = maps::Averaging::tensorial; }},
+      {31, "ellipses.data = \"down\"", [](scene::Scene& s) { s.ellipses.measured.force = maps::ForceDirection::down; }},
+  };
+  return readings;
+}
+
+/// The kind of tree that an erratum of the partition speaks of; nothing for the others.
+std::optional<hdb::TreeKind> treeOf(Erratum erratum) {
+  switch (erratum) {
+    case 4:
+    case 5:
+    case 7:
+    case 10:
+    case 12:
+      return hdb::TreeKind::Bsp;
+    case 6:
+    case 11:
+      return hdb::TreeKind::Octree;
+    default:
+      return std::nullopt;
+  }
+}
+
+/// What a reading is compared with: the scene corrected, and for the partition with the source that has one.
+scene::Scene corrected(scene::Scene scene, std::optional<hdb::TreeKind> tree) {
+  scene.fidelity = {};
+  if (!tree) return scene;
+  scene.contact.source = scene::ContactSource::hdb;
+  scene.partition.tree = *tree;
+  for (scene::Finger& finger : scene.fingers) finger.radius_mm = 0.0;
+  return scene;
+}
+
+/// A whole run: every finger at every tick.
+struct Track {
+  std::shared_ptr<const scene::World> world;
+  std::vector<contact::FingerOutput> outputs;  // ticks x fingers
+  std::size_t fingers = 0;
+  std::span<const contact::FingerOutput> tick(std::size_t i) const { return {&outputs[i * fingers], fingers}; }
+  std::size_t ticks() const { return fingers == 0 ? 0 : outputs.size() / fingers; }
+};
+
+Track trackOf(const scene::Scene& scene) {
+  Track track;
+  track.world = scene::build(scene);
+  track.fingers = scene.fingers.size();
+  const device::FingerPaths paths = device::pathsOf(*track.world);
+  servo::Rig rig = servo::scriptedRig(*track.world, paths);
+  servo::runHeadless(rig, paths.ticks, [&](std::span<const trace::Sample> samples) {
+    for (const trace::Sample& sample : samples) track.outputs.push_back(sample.contact);
+  });
+  return track;
+}
+
+/// The skin of a run, picture by picture.
+class Pictures {
+ public:
+  explicit Pictures(const Track& track)
+      : track_(track),
+        deformer_(track.world->deformable, withStrain(*track.world)),
+        surface_(track.world->deformable) {}
+
+  const deform::DeformedSurface& at(std::size_t tick) {
+    contacts_.clear();
+    for (const contact::FingerOutput& finger : track_.tick(tick)) {
+      if (const auto contact = scene::contactOf(*track_.world, finger)) contacts_.push_back(*contact);
+    }
+    moved_ += deformer_.apply(contacts_, surface_).moved_vertices;
+    return surface_;
+  }
+  std::size_t moved() const { return moved_; }
+
+ private:
+  static deform::FormSettings withStrain(const scene::World& world) {
+    deform::FormSettings forms = world.deformation;
+    forms.common.strain = true;
+    return forms;
+  }
+
+  const Track& track_;
+  deform::AnyDeformer deformer_;
+  deform::DeformedSurface surface_;
+  std::vector<deform::Contact> contacts_;
+  std::size_t moved_ = 0;
+};
+
+void compareFingers(const Track& ours, const Track& theirs, ErratumEffect& effect) {
+  for (std::size_t i = 0; i < std::min(ours.outputs.size(), theirs.outputs.size()); ++i) {
+    const contact::FingerOutput& a = ours.outputs[i];
+    const contact::FingerOutput& b = theirs.outputs[i];
+    effect.force_n = std::max(effect.force_n, (a.force - b.force).norm());
+    effect.proxy_mm = std::max(effect.proxy_mm, (a.proxy - b.proxy).norm());
+    const bool touches[] = {a.touch != contact::Touch::free, b.touch != contact::Touch::free};
+    if (touches[0] != touches[1]) ++effect.lost_ticks;
+  }
+}
+
+/// Triangles in the box round a proxy, ascending.
+std::vector<Index> inTheBox(hdb::HdbCandidates& candidates, const Box3& box) {
+  candidates.refresh(box.center());
+  std::vector<Index> triangles = candidates.near(box);
+  std::sort(triangles.begin(), triangles.end());
+  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+  return triangles;
+}
+
+void compareBoxes(const Track& ours, const Track& theirs, ErratumEffect& effect) {
+  if (!ours.world->hdb || !theirs.world->hdb) return;
+  hdb::HdbCandidates all(ours.world->hdb);
+  hdb::HdbCandidates some(theirs.world->hdb);
+  const Vec3 half = 0.5 * ours.world->hdb->settings.edges_mm;
+  for (std::size_t tick = 0; tick < ours.ticks(); tick += kTicksAPicture) {
+    for (const contact::FingerOutput& finger : ours.tick(tick)) {
+      const Box3 box(finger.proxy - half, finger.proxy + half);
+      const auto wanted = inTheBox(all, box);
+      const auto found = inTheBox(some, box);
+      std::vector<Index> missed;
+      std::set_difference(wanted.begin(), wanted.end(), found.begin(), found.end(), std::back_inserter(missed));
+      if (missed.empty()) continue;
+      effect.missed_percent = std::max(effect.missed_percent,
+                                       100.0 * static_cast<double>(missed.size()) / static_cast<double>(wanted.size()));
+    }
+  }
+}
+
+/// Sums over the vertices that move in one of the two.
+struct SkinSums {
+  double squares = 0.0;
+  double count = 0.0;
+};
+
+void compareSkins(const deform::DeformedSurface& a, const deform::DeformedSurface& b, SkinSums& sums,
+                  ErratumEffect& effect) {
+  for (Index v = 0; v < a.vertices(); ++v) {
+    const Vec3f of_a = a.displacementAt(v);
+    const Vec3f of_b = b.displacementAt(v);
+    if (of_a.isZero(0.0f) && of_b.isZero(0.0f)) continue;
+    const double apart = (of_a - of_b).norm();
+    effect.skin_mm = std::max(effect.skin_mm, apart);
+    sums.squares += apart * apart;
+    sums.count += 1.0;
+    effect.strain_percent =
+        std::max(effect.strain_percent, 100.0 * std::abs(static_cast<double>(a.strain()[v]) - b.strain()[v]));
+  }
+}
+
+ErratumEffect compared(const Track& ours, const Track& theirs) {
+  ErratumEffect effect;
+  compareFingers(ours, theirs, effect);
+  compareBoxes(ours, theirs, effect);
+  Pictures our_pictures(ours);
+  Pictures their_pictures(theirs);
+  SkinSums sums;
+  for (std::size_t tick = 0; tick < std::min(ours.ticks(), theirs.ticks()); tick += kTicksAPicture) {
+    compareSkins(our_pictures.at(tick), their_pictures.at(tick), sums, effect);
+  }
+  effect.skin_rms_mm = sums.count > 0.0 ? std::sqrt(sums.squares / sums.count) : 0.0;
+  const auto moved = static_cast<double>(our_pictures.moved());
+  if (moved > 0.0) effect.moved_ratio = static_cast<double>(their_pictures.moved()) / moved;
+  return effect;
+}
+
+/// The runs that readings are compared with; each is made when it is first needed.
+class Baselines {
+ public:
+  explicit Baselines(const scene::Scene& scene) : scene_(scene) {}
+  const Track& track(std::optional<hdb::TreeKind> tree) {
+    Track& track = tracks_[tree ? 1 + static_cast<std::size_t>(*tree) : 0];
+    if (!track.world) track = trackOf(corrected(scene_, tree));
+    return track;
+  }
+
+ private:
+  const scene::Scene& scene_;
+  std::array<Track, 3> tracks_;  // without a partition, and with either tree
+};
+
+ErratumEffect effectOf(const scene::Scene& scene, Baselines& baselines, const Reading& reading) {
+  const auto tree = treeOf(reading.erratum);
+  scene::Scene other = corrected(scene, tree);
+  reading.apply(other);
+  ErratumEffect effect = compared(baselines.track(tree), trackOf(other));
+  effect.reading = reading.words;
+  return effect;
+}
+
+Reading switchOf(Erratum erratum) {
+  return {erratum, "", [erratum](scene::Scene& s) { s.fidelity.setLiteral(erratum); }};
+}
+
+ErratumEffect effectOf(const scene::Scene& scene, Baselines& baselines, const scene::ErratumText& text) {
+  ErratumEffect effect;
+  if (text.form == scene::LiteralForm::switchable) {
+    effect = effectOf(scene, baselines, switchOf(text.number));
+    effect.reading = fmt::format("fidelity.{} = \"literal\"", scene::nameOf(text.number));
+  }
+  for (const Reading& reading : settingReadings()) {
+    if (reading.erratum == text.number) effect = effectOf(scene, baselines, reading);
+  }
+  effect.text = text;
+  return effect;
+}
+
+ErratumEffect effectOfAll(const scene::Scene& scene, Baselines& baselines) {
+  const Reading all{0, "fidelity = \"literal\"", [](scene::Scene& s) { s.fidelity.setAll(true); }};
+  ErratumEffect effect = effectOf(scene, baselines, all);
+  effect.text.ours = "all switches together";
+  return effect;
+}
+
+}  // namespace
+
+std::vector<ErratumEffect> studyErrata(const scene::Scene& scene, const Progress& progress) {
+  Baselines baselines(scene);
+  std::vector<ErratumEffect> effects;
+  report(progress, "measuring errata", 0.0);
+  effects.push_back(effectOfAll(scene, baselines));
+  for (const scene::ErratumText& text : scene::errata()) {
+    effects.push_back(effectOf(scene, baselines, text));
+    report(progress, "measuring errata", static_cast<double>(text.number) / kLastErratum);
+  }
+  return effects;
+}
+
+}  // namespace palpate::study

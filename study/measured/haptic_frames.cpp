@@ -1,0 +1,167 @@
+#include "study/measured/haptic_frames.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "lab/workloads/workload_meshes.h"
+#include "palpate/base/error.h"
+#include "palpate/base/random.h"
+#include "palpate/contact/finger.h"
+#include "study/measured/finger_strokes.h"
+#include "study/measured/literal_process.h"
+#include "study/stopwatch.h"
+
+namespace palpate::study {
+
+namespace {
+
+std::array<Vec3, 3> cornersOf(const mesh::TriangleMesh& mesh, std::size_t triangle) {
+  const Triangle& t = mesh.triangles[triangle];
+  return {mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]};
+}
+
+// Evenly spread over the triangle: the square root keeps points from crowding at the first corner.
+SkinPlace placeIn(const std::array<Vec3, 3>& corners, Random& random) {
+  const double from_first = std::sqrt(random.uniform());
+  const double towards_third = random.uniform();
+  const Vec3 opposite = (1.0 - towards_third) * corners[1] + towards_third * corners[2];
+  return {(1.0 - from_first) * corners[0] + from_first * opposite,
+          mesh::areaVector2(corners[0], corners[1], corners[2]).normalized()};
+}
+
+}  // namespace
+
+std::vector<SkinPlace> skinPlaces(const mesh::TriangleMesh& mesh, int count, std::uint64_t seed) {
+  std::vector<double> area_up_to;
+  double area = 0.0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto corners = cornersOf(mesh, t);
+    area += mesh::areaVector2(corners[0], corners[1], corners[2]).norm();
+    area_up_to.push_back(area);
+  }
+  if (!(area > 0.0)) throw Error("study: the model has no area to put a finger on");
+  Random random(seed);
+  std::vector<SkinPlace> places;
+  for (int i = 0; i < count; ++i) {
+    const auto at = std::upper_bound(area_up_to.begin(), area_up_to.end(), random.uniform(0.0, area));
+    const auto triangle = static_cast<std::size_t>(std::min(at, area_up_to.end() - 1) - area_up_to.begin());
+    places.push_back(placeIn(cornersOf(mesh, triangle), random));
+  }
+  return places;
+}
+
+double longestTriangleEdge(const mesh::TriangleMesh& mesh) {
+  double longest = 0.0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto corners = cornersOf(mesh, t);
+    for (int i = 0; i < 3; ++i) longest = std::max(longest, (corners[(i + 1) % 3] - corners[i]).norm());
+  }
+  return longest;
+}
+
+namespace {
+
+constexpr double kAboveMm = 1.0;
+constexpr double kDepthMm = 5.0;
+constexpr double kStiffness = 0.5;  // N/mm
+constexpr int kStrokes = 6;
+
+/// Keeps a result alive that is computed for its time only.
+template <class T>
+void keep(const T& value) {
+  volatile auto kept = value;
+  (void)kept;
+}
+
+std::vector<Index> allTriangles(const mesh::TriangleMesh& mesh) {
+  std::vector<Index> all(mesh.triangles.size());
+  std::iota(all.begin(), all.end(), Index{0});
+  return all;
+}
+
+}  // namespace
+
+HapticModel hapticModel(std::size_t triangles, int places) {
+  HapticModel model;
+  model.mesh = lab::backMesh(triangles);
+  model.literal = bench::literal::meshOf(model.mesh);
+  model.places = skinPlaces(model.mesh, places);
+  model.longest_edge = mesh::boundingBox(model.mesh).sizes().maxCoeff();
+  return model;
+}
+
+FrameTimes literalFrame(const HapticModel& model, const hdb::Partition* partition, double edge_mm,
+                        const SkinPlace& place, int runs) {
+  FrameTimes times;
+  RenderedLeaves leaves;
+  std::vector<Index> all;
+  if (partition == nullptr) {
+    all = allTriangles(model.mesh);
+    leaves = wholeModel(all);
+  } else {
+    hdb::LeafHits hits;
+    hits.prepareFor(*partition);
+    times.find_us = shortestMicroseconds(runs, [&] {
+      hdb::findLeaves(*partition, hdb::hapticBox(place.point, edge_mm), hits);
+      leaves = leavesOf(*partition, hits);
+    });
+  }
+  const Vec3 above = place.point + kAboveMm * place.outward;
+  const Vec3 tip = place.point - kDepthMm * place.outward;
+  times.triangles = static_cast<double>(countOf(leaves));
+  times.collide_us = shortestMicroseconds(runs, [&] { keep(collide(model.literal, leaves, above, tip).fraction); });
+  times.force_us = shortestMicroseconds(runs, [&] { keep(touchForce(model.literal, leaves, tip, place.point).x()); });
+  return times;
+}
+
+FrameTimes meanLiteralFrame(const HapticModel& model, const hdb::Partition* partition, double edge_mm, int runs) {
+  FrameTimes mean;
+  const double share = 1.0 / static_cast<double>(model.places.size());
+  for (const SkinPlace& place : model.places) {
+    const FrameTimes frame = literalFrame(model, partition, edge_mm, place, runs);
+    mean.triangles += share * frame.triangles;
+    mean.find_us += share * frame.find_us;
+    mean.collide_us += share * frame.collide_us;
+    mean.force_us += share * frame.force_us;
+  }
+  return mean;
+}
+
+ExactFrame meanExactFrame(const HapticModel& model, const hdb::Partition& partition, double edge_mm, int runs) {
+  ExactFrame mean;
+  const double share = 1.0 / static_cast<double>(model.places.size());
+  hdb::TriangleHits hits;
+  hits.prepareFor(partition);
+  for (const SkinPlace& place : model.places) {
+    mean.find_us += share * shortestMicroseconds(runs, [&] {
+                      hdb::findTriangles(partition, hdb::hapticBox(place.point, edge_mm), hits);
+                      hdb::listTriangles(partition, hits);
+                    });
+    mean.triangles += share * static_cast<double>(hits.triangles.size());
+  }
+  return mean;
+}
+
+double meanTickMicroseconds(const contact::Surface& surface, int runs) {
+  const auto strokes = fingerStrokes({.count = kStrokes});
+  double ticks = 0.0;
+  for (const auto& stroke : strokes) ticks += static_cast<double>(stroke.size());
+  const double all = shortestMicroseconds(runs, [&] {
+    for (const auto& stroke : strokes) {
+      contact::FingerState state;
+      for (const Vec3& tip : stroke) keep(contact::step(surface, {}, state, tip).depth_mm);
+    }
+  });
+  return all / ticks;
+}
+
+contact::Surface contactSurface(const mesh::TriangleMesh& mesh) {
+  contact::SurfaceOptions options;
+  options.self_intersecting = false;  // height fields are not
+  return contact::buildSurface(mesh, std::vector<double>(mesh.positions.size(), kStiffness), options);
+}
+
+}  // namespace palpate::study

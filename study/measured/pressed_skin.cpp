@@ -1,0 +1,96 @@
+#include "study/measured/pressed_skin.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "palpate/base/error.h"
+#include "palpate/deform/form_deformer.h"
+#include "palpate/mesh/triangle_mesh.h"
+
+namespace palpate::study {
+
+namespace {
+
+// Barycentric coordinates of a place in a triangle seen along z; not finite for one seen on edge.
+Vec3 barycentric(const std::array<Vec3, 3>& corners, const Vec2& at) {
+  const Vec2 u = (corners[1] - corners[0]).head<2>();
+  const Vec2 v = (corners[2] - corners[0]).head<2>();
+  const Vec2 w = at - corners[0].head<2>();
+  const double area = u.x() * v.y() - u.y() * v.x();
+  const double b = (w.x() * v.y() - w.y() * v.x()) / area;
+  const double c = (u.x() * w.y() - u.y() * w.x()) / area;
+  return {1.0 - b - c, b, c};
+}
+
+std::array<Vec3, 3> cornersOf(const std::vector<Vec3>& positions, const Triangle& triangle) {
+  return {positions[triangle[0]], positions[triangle[1]], positions[triangle[2]]};
+}
+
+Vec3 inTangentPlane(const Vec2& seen, const Vec3& normal) {
+  const Vec3 flat(seen.x(), seen.y(), 0.0);
+  const Vec3 tangent = flat - normal.dot(flat) * normal;
+  const double length = tangent.norm();
+  return length > 0.0 ? Vec3(tangent * (seen.norm() / length)) : Vec3::Zero();
+}
+
+}  // namespace
+
+SkinPlace placeOn(const mesh::TriangleMesh& mesh, const Vec2& at) {
+  const std::vector<Vec3> normals = mesh::triangleNormals(mesh);
+  SkinPlace found;
+  for (Index t = 0; t < mesh.triangles.size(); ++t) {
+    const auto corners = cornersOf(mesh.positions, mesh.triangles[t]);
+    const Vec3 weights = barycentric(corners, at);
+    if (!(weights.minCoeff() >= 0.0)) continue;
+    const Vec3 position = weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
+    if (found.triangle != kNoIndex && position.z() <= found.position.z()) continue;
+    found = {position, normals[t], t};
+  }
+  if (found.triangle == kNoIndex) throw Error(fmt::format("no skin at ({:g}, {:g}) mm", at.x(), at.y()));
+  return found;
+}
+
+deform::Contact contactOf(const mesh::TriangleMesh& mesh, const Press& press, const deform::FormSettings& forms) {
+  const SkinPlace place = placeOn(mesh, press.at);
+  deform::Contact contact;
+  contact.anchor = place.position;
+  contact.anchor_triangle = place.triangle;
+  contact.normal = place.normal;
+  contact.depth_mm = press.depth_mm;
+  contact.drag_mm = inTangentPlane(press.drag_mm, place.normal);
+  contact.tangential_region =
+      maps::liftedOntoSurface({press.half_major_mm, press.aspect, press.direction_rad}, place.normal);
+  contact.normal_region = deform::normalRegion(place.normal, press.depth_mm, forms.common.tissue);
+  return deform::formedRegions(contact, forms);
+}
+
+PressedSkin pressed(const mesh::TriangleMesh& mesh, const Press& press, const deform::FormSettings& forms) {
+  const deform::Skin skin = deform::buildSkin(mesh);
+  deform::FormDeformer deformer(skin, forms);
+  deform::DeformedSurface surface(skin);
+  const deform::Contact contact = contactOf(mesh, press, forms);
+  deformer.apply({&contact, 1}, surface);
+  PressedSkin result;
+  for (Index v = 0; v < surface.vertices(); ++v) result.positions.push_back(surface.positionAt(v).cast<double>());
+  result.strain.assign(surface.strain().begin(), surface.strain().end());
+  return result;
+}
+
+std::vector<Vec2> crossSection(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles, double y) {
+  std::vector<Vec2> cut;
+  for (const Triangle& triangle : triangles) {
+    const auto corners = cornersOf(positions, triangle);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3& a = corners[i];
+      const Vec3& b = corners[(i + 1) % 3];
+      if ((a.y() < y) == (b.y() < y)) continue;
+      const Vec3 at = a + (y - a.y()) / (b.y() - a.y()) * (b - a);
+      cut.emplace_back(at.x(), at.z());
+    }
+  }
+  std::sort(cut.begin(), cut.end(), [](const Vec2& a, const Vec2& b) { return a.x() < b.x(); });
+  return cut;
+}
+
+}  // namespace palpate::study

@@ -1,0 +1,123 @@
+#include "study/numbers/numbers_study.h"
+
+#include <fmt/format.h>
+#include <array>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "palpate/base/text.h"
+#include "study/page/folder.h"
+#include "study/page/text_table.h"
+
+namespace palpate::study {
+
+std::vector<NumberRow> studyNumbers(const PrintedNumbers& printed) {
+  Rows rows;
+  addHaptics(printed, rows);
+  addPartitionComplexity(printed, rows);
+  addMeasuredRates(printed, rows);
+  addProfile(printed, rows);
+  addInterpolation(printed, rows);
+  addMeasuredEllipses(printed, rows);
+  addStatements(printed, rows);
+  return rows;
+}
+
+namespace {
+
+constexpr std::array kVerdicts{Verdict::reproduced, Verdict::misprint, Verdict::not_reproduced, Verdict::inconsistent,
+                               Verdict::not_computable};
+
+std::string verdictText(const NumberRow& row) {
+  const std::string_view name = nameOf(row.verdict);
+  return row.erratum > 0 ? fmt::format("{} (E{})", name, row.erratum) : std::string(name);
+}
+
+std::vector<std::string> cellsOf(const NumberRow& row) {
+  return {row.where, row.what, row.printed, row.ours, verdictText(row), row.reason};
+}
+
+std::string closingLine(const std::vector<NumberRow>& rows) {
+  std::string line;
+  for (const Verdict verdict : kVerdicts) {
+    line += fmt::format("{}{} {}", line.empty() ? "" : ", ", countOf(rows, verdict), nameOf(verdict));
+  }
+  return line;
+}
+
+nlohmann::ordered_json objectOf(const NumberRow& row) {
+  nlohmann::ordered_json json = {{"where", row.where},
+                                 {"what", row.what},
+                                 {"printed", row.printed},
+                                 {"ours", row.ours},
+                                 {"verdict", nameOf(row.verdict)}};
+  if (row.erratum > 0) json["erratum"] = fmt::format("E{}", row.erratum);
+  json["reason"] = row.reason;
+  return json;
+}
+
+nlohmann::ordered_json listOf(const std::vector<NumberRow>& rows, bool deciding) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const NumberRow& row : rows) {
+    if (decides(row.verdict) == deciding) list.push_back(objectOf(row));
+  }
+  return list;
+}
+
+TextTable tableWhere(const std::vector<NumberRow>& rows, const std::function<bool(const NumberRow&)>& wanted) {
+  TextTable table{{"where", "number", "printed", "ours", "verdict", "how or why"}, {}};
+  for (const NumberRow& row : rows) {
+    if (wanted(row)) table.rows.push_back(cellsOf(row));
+  }
+  return table;
+}
+
+TextTable wholeTable(const std::vector<NumberRow>& rows) {
+  return tableWhere(rows, [](const NumberRow&) { return true; });
+}
+
+}  // namespace
+
+TextTable tableOf(const std::vector<NumberRow>& rows, bool deciding) {
+  return tableWhere(rows, [=](const NumberRow& row) { return decides(row.verdict) == deciding; });
+}
+
+std::string textOf(const std::vector<NumberRow>& rows) {
+  return plainText(wholeTable(rows)) + "\n" + closingLine(rows) + "\n";
+}
+
+std::string jsonOf(const std::vector<NumberRow>& rows) {
+  nlohmann::ordered_json counts;
+  for (const Verdict verdict : kVerdicts) counts[nameOf(verdict)] = countOf(rows, verdict);
+  const nlohmann::ordered_json json = {{"holds", studyHolds(rows)},
+                                       {"counts", counts},
+                                       {"rows", listOf(rows, true)},
+                                       {"statements", listOf(rows, false)}};
+  return json.dump(2) + "\n";
+}
+
+std::string markdownOf(const std::vector<NumberRow>& rows) {
+  return "# The dissertation's numbers beside ours\n\n" + closingLine(rows) +
+         ".\n\n## Numbers that can be computed\n\n" + markdownOf(tableOf(rows, true)) +
+         "\n## Statements that contradict themselves, and numbers that nobody can compute today\n\n" +
+         markdownOf(tableOf(rows, false));
+}
+
+std::string csvOf(const std::vector<NumberRow>& rows) {
+  TextTable table{{"where", "number", "printed", "ours", "verdict", "erratum", "reason"}, {}};
+  for (const NumberRow& row : rows) {
+    const std::string erratum = row.erratum > 0 ? fmt::format("E{}", row.erratum) : "";
+    table.rows.push_back(
+        {row.where, row.what, row.printed, row.ours, std::string(nameOf(row.verdict)), erratum, row.reason});
+  }
+  return csvOf(table);
+}
+
+void writeNumbers(const std::vector<NumberRow>& rows, const std::filesystem::path& folder) {
+  makeFolder(folder);
+  writeFile(folder / "numbers.md", markdownOf(rows));
+  writeFile(folder / "numbers.csv", csvOf(rows));
+  writeFile(folder / "numbers.json", jsonOf(rows));
+}
+
+}  // namespace palpate::study

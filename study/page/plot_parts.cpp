@@ -1,0 +1,48 @@
+#include "study/page/plot_parts.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+namespace palpate::study {
+
+figures::Shape verticalLine(const std::string& name, double x, double from, double to) {
+  return {.name = name,
+          .paths = {{Vec2(x, from), Vec2(x, to)}},
+          .closed = false,
+          .stroke = figures::Stroke::dotted,
+          .width_px = 1.6};
+}
+
+figures::Series measuredSeries(const std::string& name, std::vector<double> x, std::vector<double> y,
+                               figures::Marker marker) {
+  return {.name = name, .x = std::move(x), .y = std::move(y), .marker = marker};
+}
+
+figures::Series printedSeries(const std::string& name, std::vector<double> x, std::vector<double> y,
+                              figures::Marker marker) {
+  figures::Series series = measuredSeries(name, std::move(x), std::move(y), marker);
+  series.stroke = figures::Stroke::dashed;
+  return series;
+}
+
+std::vector<figures::Tick> ticksAt(const std::vector<double>& values) {
+  std::vector<figures::Tick> ticks;
+  for (const double value : values) {
+    ticks.push_back({value, value >= 1.0 ? fmt::format("{:.0f}", value) : fmt::format("{:g}", value)});
+  }
+  return ticks;
+}
+
+std::vector<figures::Tick> fractionTicksAt(const std::vector<double>& shares) {
+  std::vector<figures::Tick> ticks;
+  for (const double share : shares) {
+    const double inverse = 1.0 / share;
+    const bool is_unit_fraction = inverse > 1.5 && std::abs(inverse - std::round(inverse)) < 1e-9;
+    ticks.push_back({share, is_unit_fraction ? fmt::format("1/{:.0f}", inverse) : fmt::format("{:g}", share)});
+  }
+  return ticks;
+}
+
+}  // namespace palpate::study

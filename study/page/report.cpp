@@ -1,0 +1,66 @@
+#include "study/page/report.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "palpate/base/text.h"
+#include "study/page/folder.h"
+#include "study/page/report_html.h"
+
+namespace palpate::study {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+// "3 of 11, 42 s: hdb: small boxes", its share that of the chapters done.
+Progress stepProgress(const Progress& progress, std::size_t step, std::size_t steps, const std::string& name,
+                      Clock::time_point start) {
+  if (!progress) return {};
+  return [=](std::string_view stage, double done) {
+    const double share = (static_cast<double>(step) + done) / static_cast<double>(steps);
+    progress(fmt::format("{} of {}, {:.0f} s: {}: {}", step + 1, steps, secondsSince(start), name, stage), share);
+  };
+}
+
+ReportHead headOf(const std::vector<StudyPage>& pages, bool quick, double seconds) {
+  ReportHead head;
+  head.title = "The dissertation, studied";
+  head.about =
+      "W. Ji's dissertation \"Spatial Partitioning and Functional Shape Matched Deformation Algorithm for Interactive "
+      "Haptic Modeling\" (Ohio University, 2008) asked how a haptic model can be divided, deformed and mapped. Each "
+      "chapter "
+      "here takes one of its questions, measures it again with Palpate and sets the printed answer beside ours. E1 to "
+      "E34 are "
+      "its checked errata (`docs/dissertation.md`).";
+  if (quick)
+    head.about += " This was a quick run: small models and few repetitions, for a look and not for its numbers.";
+  head.command = fmt::format("palpate study all{} --out DIR", quick ? " --quick" : "");
+  head.machine = pages.empty() ? "" : pages.front().machine;
+  head.seconds = seconds;
+  return head;
+}
+
+}  // namespace
+
+std::vector<StudyPage> writeReport(const std::vector<Study>& chapters, const StudySettings& settings,
+                                   const std::filesystem::path& folder,
+                                   const std::function<void(const ChapterDone&)>& done) {
+  makeFolder(folder);
+  const auto start = Clock::now();
+  std::vector<StudyPage> pages;
+  for (std::size_t i = 0; i < chapters.size(); ++i) {
+    const auto chapter_start = Clock::now();
+    const Progress progress = stepProgress(settings.progress, i, chapters.size(), chapters[i].name, start);
+    pages.push_back(runStudy(chapters[i], {.quick = settings.quick, .progress = progress}));
+    writePage(pages.back(), folder, progress);
+    if (done) done({i + 1, chapters.size(), chapters[i].name, secondsSince(chapter_start)});
+  }
+  writeFile(folder / "report.html", reportHtml(headOf(pages, settings.quick, secondsSince(start)), pages, folder));
+  return pages;
+}
+
+}  // namespace palpate::study

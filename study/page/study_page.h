@@ -1,0 +1,73 @@
+// What a study hands back: one page of findings, with its tables and figures as data.
+//
+// A study computes a StudyPage and writes nothing; the page is then written as Markdown, CSV, PNG and SVG (writePage)
+// or becomes a chapter of a report. Whatever a finding says in numbers comes from the run.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "figures/figure.h"
+#include "palpate/base/progress.h"
+#include "study/page/text_table.h"
+
+namespace palpate::study {
+
+struct StudySettings {
+  bool quick = false;  ///< smaller models, fewer repetitions: below 3 s, for tests; its times mean little
+  Progress progress{};
+};
+
+struct StudyFigure {
+  std::string stem;     ///< file name without extension, for example "hdb_punctures"
+  std::string caption;  ///< one or two sentences: what is seen
+  figures::Figure figure;
+};
+
+struct StudyTable {
+  std::string stem;   ///< file name without extension
+  std::string title;  ///< a sentence above the table
+  TextTable table;
+  bool shown = true;  ///< false: long, so a CSV file only
+};
+
+struct StudyPage {
+  std::string name;  ///< of the subcommand and of the Markdown file
+  std::string title;
+  std::string question;               ///< what was asked, one paragraph
+  std::vector<std::string> findings;  ///< a paragraph each, most important first
+  std::vector<std::string> method;    ///< how it was measured and what stands in for what; a paragraph each
+  std::vector<StudyTable> tables;
+  std::vector<StudyFigure> figures;
+  std::vector<std::pair<std::string, double>> numbers;  ///< the main results by name, with the unit in it, for programs
+  std::string command;                                  ///< that makes this page again
+  std::string machine;                                  ///< that it ran on
+  double seconds = 0.0;                                 ///< that it took
+};
+
+/// Findings, figures (as PNG in the same folder), tables, method, command and machine.
+std::string markdownOf(const StudyPage& page);
+
+/// study, title, findings, numbers, figures and tables (names of files), command, machine, seconds. One JSON object.
+std::string jsonOf(const StudyPage& page);
+
+/// The findings as people read them on a terminal, wrapped.
+std::string textOf(const StudyPage& page);
+
+/// DIR/<name>.md, and for every figure PNG, SVG and its curves as CSV, for every table CSV. The folder is made when
+/// missing. Throws Error naming a file that cannot be written.
+void writePage(const StudyPage& page, const std::filesystem::path& folder, const Progress& progress = {});
+
+// Writing numbers into findings and tables.
+
+/// 41582 as "41,582".
+std::string counted(double number);
+/// To `digits` significant digits, never with an exponent: 0.01234 -> "0.012", 1234 -> "1200" for 2.
+std::string rounded(double number, int digits = 2);
+/// 0.1234 -> "12 %", 0.0123 -> "1.2 %".
+std::string percent(double share);
+
+}  // namespace palpate::study

@@ -1,0 +1,53 @@
+// What a stored half Gaussian does to pressed skin, and what a look-up in it costs (Figure 4.9).
+//
+// A section of the skin from the finger to the rim is pressed once with the array and once with the curve itself; what
+// the array adds in steps and in turns of the surface normal is what an eye or a light can notice.
+// Based on: Ji (2008), section 4.2.1, (4.3).
+#pragma once
+
+#include <span>
+
+#include "palpate/tissue/profile_curve.h"
+
+namespace palpate::study {
+
+// How far the stored half Gaussian is from the curve (Figure 4.9).
+
+/// The largest error in mm at the dissertation's deepest press of 10 mm.
+double worstArrayError(int entries, tissue::TableLookup lookup);
+
+/// The array of (4.3), with the step at the rim that the text has.
+tissue::ProfileCurve arrayProfile(int entries, tissue::TableLookup lookup);
+/// The closed form of the same curve.
+tissue::ProfileCurve closedProfile();
+
+/// A press of the skin in which a vertex stands every `spacing_mm` along the radius.
+struct SkinSection {
+  double radius_mm = 150.0;  ///< of the region; the measured half axes of the dissertation are about this long
+  double depth_mm = 10.0;    ///< (4.15)
+  double spacing_mm = 1.0;
+};
+
+struct ArrayQuality {
+  int entries = 0;
+  double error_mm = 0.0;              ///< largest distance from the curve
+  double step_mm = 0.0;               ///< largest that two neighbouring vertices differ beyond the curve's own slope
+  double second_difference_mm = 0.0;  ///< largest z(i+1) - 2 z(i) + z(i-1), the curve's own included
+  double turn_deg = 0.0;              ///< largest turn of the normal from facet to facet beyond the curve's own
+};
+
+/// The worst over several places of the vertices relative to the finger.
+ArrayQuality arrayQuality(int entries, tissue::TableLookup lookup, const SkinSection& section);
+
+/// The second difference and the turn that the exact curve has on the same vertices; error and step are 0.
+ArrayQuality curveQuality(const SkinSection& section);
+
+/// Slope of log(error) over log(entries), least squares: -1 for errors that halve with twice the entries.
+double orderOf(std::span<const ArrayQuality> sweep);
+
+/// Nanoseconds for one bare look-up of (4.3) at scattered location ratios, best of several runs.
+double lookupNanoseconds(int entries, tissue::TableLookup lookup, bool quick);
+/// The same for the closed form that the engine takes (tissue/profile.h).
+double closedFormNanoseconds(bool quick);
+
+}  // namespace palpate::study

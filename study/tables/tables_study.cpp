@@ -1,0 +1,397 @@
+#include "study/studies.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "study/numbers/number_row.h"
+#include "study/numbers/rate_comparison.h"
+#include "study/page/plot_parts.h"
+#include "study/tables/rendering_rates.h"
+
+namespace palpate::study {
+
+namespace {
+
+using figures::Colour;
+using figures::Figure;
+using figures::Marker;
+using figures::Plot;
+using figures::Scale;
+using figures::Series;
+
+/// x and y of a curve.
+struct Curve {
+  std::vector<double> x{};
+  std::vector<double> y{};
+
+  void add(double at, double value) {
+    x.push_back(at);
+    y.push_back(value);
+  }
+};
+
+Curve inverse(Curve milliseconds) {
+  for (double& y : milliseconds.y) y = 1000.0 / y;
+  return milliseconds;
+}
+
+Curve printedCurve(const std::vector<PrintedTiming>& timings) {
+  Curve curve;
+  for (const PrintedTiming& timing : timings) curve.add(timing.triangles, parsePrinted(timing.ms).value);
+  return curve;
+}
+
+// ms; frames without a value are left out.
+Curve measuredCurve(const std::vector<FrameRow>& rows,
+                    const std::function<std::optional<double>(const FrameRow&)>& us) {
+  Curve curve;
+  for (const FrameRow& row : rows) {
+    if (const auto time = us(row)) curve.add(row.triangles, 1e-3 * *time);
+  }
+  return curve;
+}
+
+/// The three kinds of frame that the tables tell apart.
+struct Kind {
+  const char* name;
+  std::vector<PrintedTiming> PrintedTimings::*printed;
+  std::vector<FrameRow> TreeRates::*measured;
+  std::optional<double> (*us)(const FrameRow& row);
+  Colour colour;
+  Marker marker;
+};
+
+const Kind kKinds[] = {
+    {"drawing", &PrintedTimings::drawing, &TreeRates::drawing, [](const FrameRow& row) { return row.draw_us; },
+     figures::kBlue, Marker::circle},
+    {"untouched", &PrintedTimings::untouched, &TreeRates::untouched,
+     [](const FrameRow& row) { return std::optional(row.untouchedMicroseconds()); }, figures::kVermilion,
+     Marker::square},
+    {"touched", &PrintedTimings::touched, &TreeRates::touched,
+     [](const FrameRow& row) { return std::optional(row.touchedMicroseconds()); }, figures::kGreen, Marker::triangle}};
+
+Curve measuredCurve(const TreeRates& rates, const Kind& kind) { return measuredCurve(rates.*kind.measured, kind.us); }
+
+// ------------------------------------------------------------------------------------------------------------ plots
+
+const std::vector<double> kRateTicks{1, 10, 100, 1000, 10000, 100000, 1000000, 10000000};
+const std::vector<double> kTimeTicks{0.0001, 0.001, 0.01, 0.1, 1, 10, 100};  // ms
+
+void add(Plot& plot, const std::string& name, const Curve& curve, const Colour& colour, Marker marker, bool printed) {
+  if (curve.x.empty()) return;
+  Series series =
+      printed ? printedSeries(name, curve.x, curve.y, marker) : measuredSeries(name, curve.x, curve.y, marker);
+  series.colour = colour;
+  plot.series.push_back(series);
+}
+
+Plot wholePlot(const RatesMeasurement& found, bool as_rate) {
+  Curve printed_haptic, printed_graphic, haptic, picture, tick;  // ms
+  for (const PrintedRate& rate : printedNumbers().table_3_1) {
+    printed_haptic.add(rate.triangles, 1000.0 / rate.haptic_fps);
+    printed_graphic.add(rate.triangles, 1000.0 / rate.graphic_fps);
+  }
+  for (const WholeModelRow& row : found.whole) {
+    const auto triangles = static_cast<double>(row.triangles);
+    haptic.add(triangles, 1e-3 * row.touchedMicroseconds());
+    tick.add(triangles, 1e-3 * row.tick_us);
+    if (row.picture_us) picture.add(triangles, 1e-3 * *row.picture_us);
+  }
+  const auto shown = [&](const Curve& curve) { return as_rate ? inverse(curve) : curve; };
+  Plot plot{.title = as_rate ? "Rates, whole models" : "Time of a frame, whole models"};
+  plot.x = {.label = "triangles",
+            .scale = Scale::logarithmic,
+            .from = 2000.0,
+            .to = 50000.0,
+            .ticks = ticksAt({2000, 5000, 10000, 20000, 50000})};
+  plot.y = {.label = as_rate ? "rate" : "time", .unit = as_rate ? "1/s" : "ms", .scale = Scale::logarithmic};
+  plot.y.from = as_rate ? 1.0 : 5e-5;
+  plot.y.to = as_rate ? 2e7 : 500.0;
+  plot.y.ticks = as_rate ? ticksAt(kRateTicks) : ticksAt(kTimeTicks);
+  add(plot, "haptic, touched (printed)", shown(printed_haptic), figures::kGreen, Marker::triangle, true);
+  add(plot, "graphic (printed)", shown(printed_graphic), figures::kPurple, Marker::diamond, true);
+  add(plot, "haptic, dissertation's way here", shown(haptic), figures::kGreen, Marker::triangle, false);
+  add(plot, "graphic, dissertation's way here", shown(picture), figures::kPurple, Marker::diamond, false);
+  add(plot, "our tick", shown(tick), figures::kInk, Marker::cross, false);
+  return plot;
+}
+
+figures::Axis renderedAxis(const RatesMeasurement& found) {
+  return {.label = "triangles rendered", .from = 0.0, .to = 0.4 * static_cast<double>(found.plan.partitioned)};
+}
+
+Curve tickCurve(const RatesMeasurement& found) {
+  const double ms = 1e-3 * found.tick_us;
+  return {{0.0, *renderedAxis(found).to}, {ms, ms}};
+}
+
+Plot treePlot(const RatesMeasurement& found, const TreeRates& rates, const PrintedTimings& printed, bool as_rate) {
+  const auto shown = [&](const Curve& curve) { return as_rate ? inverse(curve) : curve; };
+  Plot plot{.title = as_rate ? "Rate against triangles rendered" : "Time against triangles rendered"};
+  plot.x = renderedAxis(found);
+  plot.y = {.label = as_rate ? "rate" : "time", .unit = as_rate ? "1/s" : "ms", .scale = Scale::logarithmic};
+  plot.y.from = as_rate ? 1.0 : 5e-5;
+  plot.y.to = as_rate ? 2e7 : 500.0;
+  plot.y.ticks = as_rate ? ticksAt(kRateTicks) : ticksAt(kTimeTicks);
+  for (const Kind& kind : kKinds) {
+    add(plot, fmt::format("{} (printed)", kind.name), shown(printedCurve(printed.*kind.printed)), kind.colour,
+        kind.marker, true);
+  }
+  for (const Kind& kind : kKinds) {
+    add(plot, fmt::format("{} (here)", kind.name), shown(measuredCurve(rates, kind)), kind.colour, kind.marker, false);
+  }
+  add(plot, "our tick", shown(tickCurve(found)), figures::kInk, Marker::none, false);
+  return plot;
+}
+
+Plot comparedPlot(const RatesMeasurement& found, const Kind& kind) {
+  const PrintedNumbers printed = printedNumbers();
+  Plot plot{.title = fmt::format("{}{}", static_cast<char>(std::toupper(kind.name[0])), kind.name + 1)};
+  plot.x = renderedAxis(found);
+  plot.y = {.label = "time", .unit = "ms", .scale = Scale::logarithmic, .from = 0.01, .to = 1000.0};
+  add(plot, "BSP (printed)", printedCurve(printed.table_3_2.*kind.printed), figures::kBlue, Marker::circle, true);
+  add(plot, "octree (printed)", printedCurve(printed.appendix_b.*kind.printed), figures::kVermilion, Marker::square,
+      true);
+  add(plot, "BSP (here)", measuredCurve(found.bsp, kind), figures::kBlue, Marker::circle, false);
+  add(plot, "octree (here)", measuredCurve(found.octree, kind), figures::kVermilion, Marker::square, false);
+  return plot;
+}
+
+Figure treeFigure(const RatesMeasurement& found, const TreeRates& rates, const PrintedTimings& printed) {
+  return {.panels = {treePlot(found, rates, printed, false), treePlot(found, rates, printed, true)}, .columns = 2};
+}
+
+std::vector<StudyFigure> figuresOf(const RatesMeasurement& found) {
+  const PrintedNumbers printed = printedNumbers();
+  Figure trees{.columns = 3};
+  trees.panel_width_px = 380.0;
+  for (const Kind& kind : kKinds) {
+    Plot plot = comparedPlot(found, kind);
+    if (!plot.series.empty()) trees.panels.emplace_back(plot);
+  }
+  return {{"tables_3_1", "Figure 3.1: whole models without a partition. Dashed: printed, 2008.",
+           Figure{.panels = {wholePlot(found, true), wholePlot(found, false)}, .columns = 2}},
+          {"tables_3_10", "Figure 3.10: a BSP tree on 41,582 triangles. Dashed: printed, 2008; solid: here.",
+           treeFigure(found, found.bsp, printed.table_3_2)},
+          {"tables_appendix_b", "The same with an octree (Appendix B).",
+           treeFigure(found, found.octree, printed.appendix_b)},
+          {"tables_3_16_to_18", "Figures 3.16 to 3.18: BSP tree against octree at equal numbers of triangles.", trees}};
+}
+
+// ----------------------------------------------------------------------------------------------------------- tables
+
+std::string optionalRate(const std::optional<double>& us) { return us ? rounded(1e6 / *us, 3) : "-"; }
+
+TextTable wholeTable(const RatesMeasurement& found) {
+  TextTable table{{"triangles", "haptic printed (1/s)", "haptic here (1/s)", "graphic printed (1/s)",
+                   "graphic here (1/s)", "haptic / graphic printed", "here", "our tick (us)", "ticks (1/s)"},
+                  {}};
+  const auto printed = printedNumbers().table_3_1;
+  for (std::size_t i = 0; i < found.whole.size(); ++i) {
+    const WholeModelRow& row = found.whole[i];
+    const std::string ratio = row.picture_us ? rounded(*row.picture_us / row.touchedMicroseconds()) : "-";
+    table.rows.push_back({counted(static_cast<double>(row.triangles)), rounded(printed[i].haptic_fps, 3),
+                          rounded(1e6 / row.touchedMicroseconds(), 3), rounded(printed[i].graphic_fps, 3),
+                          optionalRate(row.picture_us), rounded(printed[i].haptic_fps / printed[i].graphic_fps), ratio,
+                          rounded(row.tick_us), rounded(1e6 / row.tick_us)});
+  }
+  return table;
+}
+
+TextTable treeTable(const TreeRates& rates, const PrintedTimings& printed) {
+  TextTable table{{"frame", "triangles printed", "ms printed", "triangles here", "box (mm)", "ms here", "1/s printed",
+                   "1/s here", "our list (us)"},
+                  {}};
+  for (const Kind& kind : kKinds) {
+    const auto& timings = printed.*kind.printed;
+    const auto& rows = rates.*kind.measured;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const std::optional<double> us = kind.us(rows[i]);
+      table.rows.push_back({kind.name, fmt::format("{}", timings[i].triangles), timings[i].ms,
+                            counted(rows[i].triangles), rounded(rows[i].edge_mm), us ? rounded(1e-3 * *us, 3) : "-",
+                            timings[i].fps, optionalRate(us), rounded(rows[i].exact_us)});
+    }
+  }
+  return table;
+}
+
+// --------------------------------------------------------------------------------------------------------- findings
+
+// Of time = cost x triangles, us a triangle, by least squares.
+double costPerTriangle(const Curve& milliseconds) {
+  double products = 0.0;
+  double squares = 0.0;
+  for (std::size_t i = 0; i < milliseconds.x.size(); ++i) {
+    products += 1e3 * milliseconds.x[i] * milliseconds.y[i];
+    squares += milliseconds.x[i] * milliseconds.x[i];
+  }
+  return squares > 0.0 ? products / squares : 0.0;
+}
+
+// The p of rate ~ triangles^-p between the first and the last model.
+double exponent(double first_triangles, double first_rate, double last_triangles, double last_rate) {
+  return std::log(first_rate / last_rate) / std::log(last_triangles / first_triangles);
+}
+
+std::string shapeFinding(const RatesMeasurement& found) {
+  const auto printed = printedNumbers().table_3_1;
+  const WholeModelRow& first = found.whole.front();
+  const WholeModelRow& last = found.whole.back();
+  const double here = exponent(static_cast<double>(first.triangles), 1.0 / first.touchedMicroseconds(),
+                               static_cast<double>(last.triangles), 1.0 / last.touchedMicroseconds());
+  return fmt::format(
+      "Table 3.1 in the dissertation's way: the rate falls with the number of triangles to the power {} (printed {}), "
+      "from {} to {} frames a second between {} and {} triangles (printed {:g} to {:g}). The computer is faster, the "
+      "law is the same. Our tick takes {} us and {} us on the same two models.",
+      rounded(-here),
+      rounded(-exponent(printed.front().triangles, printed.front().haptic_fps, printed.back().triangles,
+                        printed.back().haptic_fps)),
+      rounded(1e6 / first.touchedMicroseconds()), rounded(1e6 / last.touchedMicroseconds()),
+      counted(static_cast<double>(first.triangles)), counted(static_cast<double>(last.triangles)),
+      printed.front().haptic_fps, printed[found.whole.size() - 1].haptic_fps, rounded(first.tick_us),
+      rounded(last.tick_us));
+}
+
+std::string tickFinding(const RatesMeasurement& found) {
+  const FrameRow& smallest = found.bsp.touched.front();
+  const FrameRow& largest = found.bsp.touched.back();
+  return fmt::format(
+      "Ours renders nothing for haptics: a tick walks from triangle to triangle and takes {} us, whatever lies round "
+      "the finger. A touched frame in the dissertation's way with a BSP tree takes {} us with {} triangles and {} us "
+      "with {}: {} and {} times as long.",
+      rounded(found.tick_us), rounded(smallest.touchedMicroseconds()), counted(smallest.triangles),
+      rounded(largest.touchedMicroseconds()), counted(largest.triangles),
+      rounded(smallest.touchedMicroseconds() / found.tick_us), rounded(largest.touchedMicroseconds() / found.tick_us));
+}
+
+// " Drawing is ..." where it was measured.
+std::string drawingShare(const RatesMeasurement& found) {
+  if (found.renderer.empty()) return "";
+  const PrintedTimings printed = printedNumbers().table_3_2;
+  const double here =
+      costPerTriangle(measuredCurve(found.bsp, kKinds[0])) / costPerTriangle(measuredCurve(found.bsp, kKinds[2]));
+  const double then = costPerTriangle(printedCurve(printed.drawing)) / costPerTriangle(printedCurve(printed.touched));
+  return fmt::format(
+      " Drawing is {} of a touched frame here, where every corner still goes through the feedback buffer; in 2008 it "
+      "was {}, and the rest was the haptic library's.",
+      percent(here), percent(then));
+}
+
+std::string costFinding(const RatesMeasurement& found) {
+  const PrintedNumbers printed = printedNumbers();
+  std::string costs;
+  for (const Kind& kind : kKinds) {
+    const double here = costPerTriangle(measuredCurve(found.bsp, kind));
+    if (here == 0.0) continue;
+    const double then = costPerTriangle(printedCurve(printed.table_3_2.*kind.printed));
+    costs += fmt::format("{}{} {} ns (printed {} us, {} times as much)", costs.empty() ? "" : ", ", kind.name,
+                         rounded(1e3 * here), rounded(then), rounded(then / here));
+  }
+  const double touched = costPerTriangle(measuredCurve(found.bsp, kKinds[2]));
+  return fmt::format(
+      "Table 3.2: a triangle rendered costs {}.{} A haptic loop of 1 kHz would have time for {} triangles a frame.",
+      costs, drawingShare(found), rounded(1e3 / touched));
+}
+
+std::string treesFinding(const RatesMeasurement& found) {
+  const PrintedNumbers printed = printedNumbers();
+  const Gain gain = rateGain(printed.appendix_b.touched, printed.table_3_2.touched);
+  const Kind& touched = kKinds[2];
+  const double bsp = costPerTriangle(measuredCurve(found.bsp, touched));
+  const double octree = costPerTriangle(measuredCurve(found.octree, touched));
+  return fmt::format(
+      "Figures 3.16 to 3.18: at equal numbers of triangles the octree is printed as {} to {} faster when touched. Here "
+      "a triangle costs {} ns with the BSP tree and {} ns with the octree, because it is the same work whichever leaf "
+      "it is in, and finding the leaves takes {} us of a frame at most. What the octree really gains is that its "
+      "smaller leaves render fewer triangles for the same box (`palpate study hdb`); the printed gain must come from "
+      "elsewhere in the program or the library of 2008.",
+      percent(gain.least), percent(gain.most), rounded(1e3 * bsp), rounded(1e3 * octree),
+      rounded(std::max_element(found.bsp.touched.begin(), found.bsp.touched.end(),
+                               [](const FrameRow& a, const FrameRow& b) { return a.find_us < b.find_us; })
+                  ->find_us));
+}
+
+std::string graphicFinding(const RatesMeasurement& found) {
+  if (found.renderer.empty()) return "Pictures could not be measured: " + found.no_renderer + ".";
+  double least = 1e300;
+  double most = 0.0;
+  for (const WholeModelRow& row : found.whole) {
+    const double ratio = *row.picture_us / row.touchedMicroseconds();
+    least = std::min(least, ratio);
+    most = std::max(most, ratio);
+  }
+  return fmt::format(
+      "\"The haptic rendering rate is almost half of the graphic\" (Table 3.1: 0.48 to 0.55) depends on the two "
+      "computers inside one: with {} as the renderer, a program that also fills the pixels, it is {} to {} here. Our "
+      "own pictures are another matter: `palpate bench frame`.",
+      found.renderer, rounded(least), rounded(most));
+}
+
+std::vector<std::string> methodOf(const RatesMeasurement& found) {
+  const RatesPlan& plan = found.plan;
+  const std::string drawing =
+      found.renderer.empty()
+          ? "Drawing is left out, because this machine offers no such OpenGL (" + found.no_renderer + ")."
+          : fmt::format(
+                "Drawing is what OpenHaptics had its programs do: every triangle of the leaves goes vertex by vertex, "
+                "each with its normal, through glBegin and glEnd into the feedback buffer of OpenGL 2.1 "
+                "(`src/palpate/view/layers/immediate_drawing.h`), here offscreen by {}. \"Graphic\" is the whole "
+                "model, lit, "
+                "into a picture of {} x {} pixels in the same way.",
+                found.renderer, plan.width_px, plan.height_px);
+  return {
+      drawing,
+      "Untouched adds finding the leaves and testing every triangle rendered against the tip's way; touched adds the "
+      "nearest point of every triangle, spring and friction (`study/measured/literal_process.h`). What the haptic "
+      "library of "
+      "2008 did inside is not known; this is the least that it had to do, so times in the dissertation's way are lower "
+      "bounds.",
+      fmt::format(
+          "Models: the benchmark's back in the sizes of Appendix A, because none of the author's was published. Table "
+          "3.2 and Appendix B: {} triangles, case C, threshold 1024; for each printed number of triangles the place "
+          "(of {}) and box (2 to 100 % of the model) whose leaves hold about as many. Each time is the fastest of {} "
+          "runs. Our tick: the mean over strokes at 0.2 m/s.",
+          counted(static_cast<double>(plan.partitioned)), plan.places, plan.runs)};
+}
+
+std::vector<std::pair<std::string, double>> numbersOf(const RatesMeasurement& found) {
+  std::vector<std::pair<std::string, double>> numbers{{"tick_us", found.tick_us}};
+  for (const Kind& kind : kKinds) {
+    numbers.emplace_back(fmt::format("bsp_{}_ns_per_triangle", kind.name),
+                         1e3 * costPerTriangle(measuredCurve(found.bsp, kind)));
+    numbers.emplace_back(fmt::format("octree_{}_ns_per_triangle", kind.name),
+                         1e3 * costPerTriangle(measuredCurve(found.octree, kind)));
+  }
+  for (const WholeModelRow& row : found.whole) {
+    numbers.emplace_back(fmt::format("touched_us_{}", row.triangles), row.touchedMicroseconds());
+    numbers.emplace_back(fmt::format("tick_us_{}", row.triangles), row.tick_us);
+  }
+  return numbers;
+}
+
+}  // namespace
+
+StudyPage studyTables(const StudySettings& settings) {
+  const RatesMeasurement found = measureRates(ratesPlan(settings.quick), settings.progress);
+  const PrintedNumbers printed = printedNumbers();
+  StudyPage page;
+  page.title = "Tables 3.1, 3.2 and Appendix B";
+  page.question =
+      "In 2008 haptics slowed down with the model: 104 frames a second with 2,915 triangles, 6 with 41,582 (Table "
+      "3.1); a partition brought it back to 7 to 91 (Table 3.2), an octree a little further (Appendix B). What becomes "
+      "of these tables on a computer of today, in the dissertation's way and in ours?";
+  page.findings = {shapeFinding(found), tickFinding(found), costFinding(found), treesFinding(found),
+                   graphicFinding(found)};
+  page.method = methodOf(found);
+  page.tables = {{"tables_3_1_table", "Table 3.1.", wholeTable(found)},
+                 {"tables_3_2_table", "Table 3.2: BSP tree.", treeTable(found.bsp, printed.table_3_2)},
+                 {"tables_appendix_b_table", "Appendix B: octree.", treeTable(found.octree, printed.appendix_b)}};
+  page.figures = figuresOf(found);
+  page.numbers = numbersOf(found);
+  return page;
+}
+
+}  // namespace palpate::study

@@ -1,0 +1,345 @@
+#include "palpate/hdb/hdb_finger.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "bench/runs/contact_run.h"
+#include "hdb/hdb_track.h"
+#include "lab/counters/allocation_count.h"
+#include "lab/workloads/workload_meshes.h"
+#include "lab/workloads/workload_paths.h"
+#include "palpate/base/random.h"
+#include "support/error_message.h"
+#include "support/mesh_zoo.h"
+
+namespace palpate::hdb {
+namespace {
+
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+
+double ratioOf(const FingerOutput& output) {
+  const double normal = output.force.dot(output.normal);
+  return (output.force - normal * output.normal).norm() / normal;
+}
+
+FingerSettings frictionless() {
+  FingerSettings settings;
+  settings.mu_static = settings.mu_dynamic = 0.0;
+  return settings;
+}
+
+/// A sheet over z = height(x, y), 100 mm wide.
+template <class Height>
+mesh::TriangleMesh sheetOver(Height height, int cells = 16) {
+  mesh::TriangleMesh mesh = zoo::grid(cells, 100.0);
+  for (Vec3& p : mesh.positions) p.z() = height(p.x() - 50.0, p.y() - 50.0);
+  return mesh;
+}
+
+/// Figures of a benchmark path, felt through the detecting box.
+bench::ContactFigures figures(bench::ContactWorld& world, const std::string& path,
+                              const std::shared_ptr<const HdbSurface>& hdb, const bench::Window& window = {}) {
+  const device::Trajectory trajectory = lab::workloadPath(path);
+  HdbCandidates candidates(hdb);
+  HdbFingerState state;
+  bench::FingerRun run;
+  for (const Vec3& tip : trajectory.tip_mm) {
+    run.outputs.push_back(stepHdb(world.surface, {}, candidates, state, tip));
+    run.tick_us.push_back(0.0);
+  }
+  return bench::figuresOf(world, run, {}, trajectory.time_s, window);
+}
+
+/// The quarter of the longest edge, as in the dissertation.
+HdbSettings usualBox(const hdb::Partition& partition, HdbQuery query) {
+  HdbSettings settings;
+  settings.edges_mm = hdb::hdbEdges(partition.bounds);
+  settings.query = query;
+  return settings;
+}
+
+}  // namespace
+
+// ---- one finger on small bodies -------------------------------------------------------------------------------------
+
+TEST(HdbFinger, FirstContactHasItsForceInTheSameTick) {
+  const HdbBody plate(zoo::grid());
+  HdbTrack finger(plate);
+  EXPECT_FALSE(touches(finger.to({51.3, 48.7, 5})));
+  const FingerOutput output = finger.to({51.3, 48.7, -4});
+  EXPECT_NEAR((output.force - Vec3(0, 0, 4 * kTestStiffness)).norm(), 0, 1e-9);
+  EXPECT_NEAR((output.proxy - Vec3(51.3, 48.7, 0)).norm(), 0, 1e-9);
+  EXPECT_EQ(output.touch, Touch::stick);
+  EXPECT_NE(output.triangle, kNoIndex);
+}
+
+TEST(HdbFinger, EntersThroughVerticesAndEdgesAndAfterAStopOnTheSurface) {
+  const HdbBody plate(zoo::grid(8, 100.0));
+  for (const Vec3& aim : {Vec3(50, 50, 0), Vec3(37.5, 62.5, 0), Vec3(43.75, 50, 0), Vec3(40, 40, 0)}) {
+    HdbTrack straight(plate);
+    straight.to(aim + Vec3(0, 0, 1));
+    EXPECT_TRUE(touches(straight.to(aim - Vec3(0, 0, 1)))) << aim.transpose();
+    HdbTrack in_two_moves(plate);
+    in_two_moves.to(aim + Vec3(0, 0, 1));
+    in_two_moves.to(aim);
+    EXPECT_TRUE(touches(in_two_moves.to(aim - Vec3(0, 0, 1)))) << aim.transpose();
+  }
+}
+
+TEST(HdbFinger, ComesInFromTheFrontOnlyAndLetsGoThere) {
+  const HdbBody plate(zoo::grid());
+  HdbTrack finger(plate);
+  finger.to({50, 50, -5});
+  EXPECT_FALSE(touches(finger.to({50, 50, 5}))) << "from behind";
+  for (int press = 0; press < 3; ++press) {
+    EXPECT_TRUE(touches(finger.to({50, 50, -2})));
+    EXPECT_FALSE(touches(finger.to({50, 50, 1e-9})));
+  }
+}
+
+TEST(HdbFinger, ATipThatIsNoNumberIsLostAndChangesNothing) {
+  const HdbBody plate(zoo::grid());
+  HdbTrack finger(plate);
+  finger.to({50, 50, 1});
+  finger.to({50, 50, -3});
+  const FingerOutput lost = finger.to(Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
+  EXPECT_EQ(lost.status, static_cast<std::uint32_t>(kTipLost));
+  EXPECT_TRUE(lost.force.isZero());
+  EXPECT_NEAR(finger.to({50, 50, -3}).depth_mm, 3.0, 1e-9);
+}
+
+TEST(HdbFinger, WithoutTrianglesInItsBoxItIsFree) {
+  const HdbBody plate(zoo::grid(), boxOf(4.0));
+  HdbTrack finger(plate);
+  EXPECT_FALSE(touches(finger.to({50, 50, 500})));
+  EXPECT_FALSE(touches(finger.slide({50, 50, 20}, 1.0)));
+  EXPECT_EQ(finger.candidates().size(), 0u);
+  EXPECT_TRUE(touches(finger.slide({50, 50, -1}, 1.0)));
+}
+
+TEST(HdbFinger, KineticFrictionIsItsCoefficientAtAnySpeedUnderEveryForceLaw) {
+  HdbBody plate(zoo::grid());
+  for (const auto kind :
+       {tissue::ForceLaw::Kind::linear, tissue::ForceLaw::Kind::power, tissue::ForceLaw::Kind::stiffening}) {
+    plate.surface.force_law.kind = kind;
+    for (const double step : {0.02, 0.1, 0.5}) {
+      HdbTrack finger(plate);
+      finger.to({30, 50.3, 2});
+      finger.slide({30, 50.3, -5}, 0.05);
+      double highest = 0.0;
+      for (double x = 30 + step; x <= 60; x += step) {
+        const FingerOutput output = finger.to({x, 50.3, -5});
+        highest = std::max(highest, ratioOf(output));
+        if (output.touch == Touch::slip) {
+          ASSERT_NEAR(ratioOf(output), 0.44, 1e-9) << step;
+        }
+      }
+      EXPECT_LE(highest, 0.46 + 1e-9);
+    }
+  }
+}
+
+TEST(HdbFinger, RestsAtALocalMinimumOfTheDistanceAlsoAtEdgesAndCorners) {
+  // A roof, a gutter, a tent and a saddle.
+  using Height = double (*)(double, double);
+  const std::initializer_list<Height> heights = {[](double x, double) { return -std::abs(x); },
+                                                 [](double x, double) { return std::abs(x); },
+                                                 [](double x, double y) { return -std::abs(x) - std::abs(y); },
+                                                 [](double x, double y) { return 0.02 * (x * x - y * y); }};
+  Random random(3);
+  for (const Height height : heights) {
+    const HdbBody body(sheetOver(height));
+    HdbTrack finger(body, frictionless());
+    double x = 0.0;
+    double y = 0.0;
+    for (int i = 0; i < 400; ++i) {
+      x = std::clamp(x + random.uniform(-0.5, 0.5), -20.0, 20.0);
+      y = std::clamp(y + random.uniform(-0.5, 0.5), -20.0, 20.0);
+      const Vec3 tip(50 + x, 50 + y, height(x, y) + (i == 0 ? 5.0 : -4.0));
+      FingerOutput output = finger.to(tip);
+      for (int more = 0; more < 300 && (output.status & kCatchingUp) != 0; ++more) output = finger.to(tip);
+      if (i == 0) continue;
+      ASSERT_TRUE(touches(output)) << tip.transpose();
+      const WalkResult walk = walkToNearest(body.surface, finger.state().finger.proxy, tip, kUnbounded);
+      ASSERT_NEAR((walk.at.position - tip).norm(), output.depth_mm, 1e-5) << "the walk finds nothing nearer";
+    }
+  }
+}
+
+TEST(HdbFinger, SlidesRoundAnEdgeWithoutLeavingTheSkin) {
+  const HdbBody roof(sheetOver([](double x, double) { return -std::abs(x); }));
+  HdbTrack finger(roof, frictionless());
+  finger.to({35, 50, -5});
+  for (double x = 35; x <= 65; x += 0.1) {
+    const FingerOutput output = finger.to({x, 50, -std::abs(x - 50) - 3});
+    ASSERT_TRUE(touches(output)) << x;
+    ASSERT_NEAR(output.proxy.z(), -std::abs(output.proxy.x() - 50), 1e-6) << "on the roof";
+  }
+}
+
+TEST(HdbFinger, BeyondABorderTheForceFadesAndTheFingerComesFree) {
+  const HdbBody plate(zoo::grid(8, 100.0));
+  HdbTrack finger(plate, frictionless());
+  finger.to({90, 50, 5});
+  FingerOutput last = finger.to({90, 50, -5});
+  const double most = kTestStiffness * (2 * 0.1 + 0.1 + 0.1);  // path bound, and the tip's own motion
+  int ticks_beyond = 0;
+  for (double x = 90.1; x <= 110; x += 0.1) {
+    const FingerOutput now = finger.to({x, 50, -5});
+    EXPECT_LE((now.force - last.force).norm(), most) << x;
+    if (x > 100 && touches(now)) ++ticks_beyond;
+    last = now;
+  }
+  EXPECT_FALSE(touches(last));
+  EXPECT_GT(ticks_beyond, 5) << "not at once";
+  EXPECT_FALSE(touches(finger.slide({50, 50, -5}, 0.5))) << "back below the sheet";
+}
+
+TEST(HdbFinger, DoesNotAllocate) {
+  const HdbBody plate(zoo::grid(), boxOf(30.0, HdbQuery::coherent));
+  HdbTrack finger(plate);
+  finger.to({30, 50, 5});
+  const auto before = lab::allocationsOfThisThread();
+  if (!before) GTEST_SKIP() << "allocations cannot be counted here";
+  finger.slide({30, 50, -5}, 0.1);
+  finger.slide({80, 60, -5}, 0.5);
+  finger.slide({80, 60, 5}, 2.0);
+  EXPECT_EQ(lab::allocationsOfThisThread(), before);
+}
+
+// ---- ordinary use: like the default finger --------------------------------------------------------------------------
+
+TEST(HdbFinger, SlidesOverTheBackAsTheDefaultFingerDoes) {
+  bench::ContactWorld world = bench::buildContactWorld(lab::workloadMesh("back_8163"));
+  const auto partition = partitionOf(lab::workloadMesh("back_8163"));
+  const bench::Window window{lab::kSlideFromSeconds, lab::kSlideUntilSeconds};
+  const auto reference = bench::measureContact(world, lab::workloadPath("back_slide"), {}, window);
+  for (const HdbQuery query : {HdbQuery::leaves, HdbQuery::triangles, HdbQuery::coherent}) {
+    const auto found =
+        figures(world, "back_slide", makeHdbSurface(world.surface, partition, usualBox(*partition, query)), window);
+    EXPECT_EQ(found.falls.ticks, 0u);
+    EXPECT_EQ(found.falls.first_contact_delay_ticks, 0u);
+    EXPECT_EQ(found.contact_ticks, reference.contact_ticks);
+    EXPECT_NEAR(found.lag_mm.p99, reference.lag_mm.p99, 0.05);
+    EXPECT_NEAR(found.lag_mm.max, reference.lag_mm.max, 0.5);
+    EXPECT_NEAR(found.peak_force_n, reference.peak_force_n, 0.05);
+    EXPECT_LT(found.max_force_step_n, 0.45);
+    EXPECT_NEAR(found.friction.kinetic, 0.44, 1e-9);
+  }
+}
+
+TEST(HdbFinger, DoesNotFallInStabsJumpsGroovesAndPits) {
+  for (const auto& [mesh, path] :
+       {std::pair{"back_2962", "back_stab5mps"}, std::pair{"back_2962", "back_jump20mm"},
+        std::pair{"groove60", "groove60"}, std::pair{"pit", "pit"}, std::pair{"eggcrate", "eggcrate_0.1mps"}}) {
+    bench::ContactWorld world = bench::buildContactWorld(lab::workloadMesh(mesh));
+    const auto partition = partitionOf(lab::workloadMesh(mesh));
+    const auto found =
+        figures(world, path, makeHdbSurface(world.surface, partition, usualBox(*partition, HdbQuery::coherent)));
+    EXPECT_EQ(found.falls.ticks, 0u) << path;
+    EXPECT_GT(found.contact_ticks, 1000u) << path;
+  }
+}
+
+TEST(HdbFinger, TreesAndAssignmentsGiveTheSameForces) {
+  bench::ContactWorld world = bench::buildContactWorld(lab::workloadMesh("back_2962"));
+  const auto lag = [&](hdb::TreeKind tree, hdb::Assignment assignment) {
+    hdb::BuildSettings build;
+    build.tree = tree;
+    build.assignment = assignment;
+    build.threshold = 100;
+    const auto partition = partitionOf(lab::workloadMesh("back_2962"), build);
+    return figures(world, "back_slide",
+                   makeHdbSurface(world.surface, partition, usualBox(*partition, HdbQuery::leaves)))
+        .lag_mm.max;
+  };
+  const double reference = lag(hdb::TreeKind::Octree, hdb::Assignment::Majority);
+  for (const auto tree : {hdb::TreeKind::Bsp, hdb::TreeKind::Octree}) {
+    for (const auto assignment : {hdb::Assignment::Cut, hdb::Assignment::BothSides, hdb::Assignment::Majority}) {
+      EXPECT_NEAR(lag(tree, assignment), reference, 1e-6);
+    }
+  }
+}
+
+// ---- what is known to be weak ---------------------------------------------------------------------------------------
+
+namespace {
+
+/// Whether a finger that drops on a plate from some height passes it, in any of `phases` positions of the box's clock.
+bool punctures(double edge_mm, double mm_per_tick, std::uint32_t ticks_per_refresh) {
+  HdbSettings settings = boxOf(edge_mm);
+  settings.ticks_per_refresh = ticks_per_refresh;
+  const HdbBody plate(zoo::grid(40, 100.0), settings);
+  for (int phase = 0; phase < 20; ++phase) {
+    HdbTrack finger(plate);
+    bool touched = false;
+    const double start = 3 * edge_mm + mm_per_tick * ticks_per_refresh * phase / 20.0;
+    for (double z = start; z > -2 * mm_per_tick * ticks_per_refresh; z -= mm_per_tick) {
+      touched = touched || touches(finger.to({50.5, 49.5, z}));
+    }
+    if (!touched) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+// E12: half an edge >= speed x refresh delay.
+TEST(HdbFingerWeakness, AFingerFasterThanHalfAnEdgePerRefreshPunctures) {
+  for (const auto& [edge_mm, ticks] : {std::pair{20.0, 1u}, std::pair{20.0, 10u}, std::pair{50.0, 33u}}) {
+    const double limit_mm_per_tick = 0.5 * edge_mm / ticks;
+    EXPECT_FALSE(punctures(edge_mm, 0.95 * limit_mm_per_tick, ticks)) << edge_mm << " mm, " << ticks << " ticks";
+    EXPECT_TRUE(punctures(edge_mm, 1.3 * limit_mm_per_tick, ticks)) << edge_mm << " mm, " << ticks << " ticks";
+  }
+}
+
+TEST(HdbFingerWeakness, SlidingOutOfTheBoxLosesTheSkin) {
+  HdbSettings settings = boxOf(10.0);
+  settings.ticks_per_refresh = 33;  // 33 ms
+  const HdbBody plate(zoo::grid(40, 100.0), settings);
+  const auto lost = [&](double mm_per_tick) {
+    HdbTrack finger(plate, frictionless());
+    finger.to({10, 50, 0.5});
+    finger.slide({10, 50, -2}, 0.05);
+    return !touches(finger.slide({90, 50, -2}, mm_per_tick));
+  };
+  EXPECT_FALSE(lost(0.1)) << "100 mm/s: 3.3 mm a refresh";
+  EXPECT_TRUE(lost(0.5)) << "500 mm/s: 16.5 mm a refresh, more than half an edge";
+}
+
+// E4, E10 and E5 on a fine BSP tree: the printed pseudocode goes into one child of two, and the skin has holes.
+TEST(HdbFingerWeakness, ThePrintedTraversalLosesTheSkin) {
+  bench::ContactWorld world = bench::buildContactWorld(lab::workloadMesh("back_2962"));
+  hdb::BuildSettings build;
+  build.tree = hdb::TreeKind::Bsp;
+  build.threshold = 64;
+  const auto partition = partitionOf(lab::workloadMesh("back_2962"), build);
+  HdbSettings settings = usualBox(*partition, HdbQuery::leaves);
+  const auto corrected = figures(world, "back_slide", makeHdbSurface(world.surface, partition, settings));
+  settings.literal = hdb::LiteralTraversal::ElseIf;
+  const auto printed = figures(world, "back_slide", makeHdbSurface(world.surface, partition, settings));
+  EXPECT_EQ(corrected.falls.ticks, 0u);
+  EXPECT_GT(printed.falls.ticks, 100u);
+  EXPECT_LT(printed.contact_ticks, corrected.contact_ticks);
+}
+
+TEST(HdbSurface, RefusesWhatCannotWork) {
+  const Surface plate = surfaceOf(zoo::grid());
+  const auto message = [&](std::shared_ptr<const hdb::Partition> partition, const HdbSettings& settings) {
+    return support::messageOf([&] { makeHdbSurface(plate, std::move(partition), settings); });
+  };
+  const auto octree = partitionOf(zoo::grid());
+  EXPECT_EQ(message(octree, boxOf(10.0)), "no error");
+  EXPECT_EQ(message(nullptr, boxOf(10.0)), "hdb source: has no partition");
+  EXPECT_EQ(message(octree, boxOf(0.0)), "hdb source: the box needs edges above 0");
+  EXPECT_EQ(message(partitionOf(zoo::grid(2, 100.0)), boxOf(10.0)), "hdb source: the partition is not of this mesh");
+  HdbSettings literal = boxOf(10.0, HdbQuery::leaves);
+  literal.literal = hdb::LiteralTraversal::ElseIf;
+  EXPECT_EQ(message(octree, literal), "hdb source: this traversal needs the planes of a BSP tree");
+  literal.query = HdbQuery::coherent;
+  EXPECT_EQ(message(octree, literal), "hdb source: a literal traversal finds leaves only");
+}
+
+}  // namespace palpate::hdb
