@@ -16,6 +16,9 @@ endif()
 add_library(palpate_build INTERFACE)
 target_link_libraries(palpate_build INTERFACE palpate_options)
 target_include_directories(palpate_build INTERFACE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR})
+# A precompiled header fits only where the same macros are defined as where it was made.
+target_compile_definitions(palpate_build INTERFACE $<TARGET_PROPERTY:hwy::hwy,INTERFACE_COMPILE_DEFINITIONS>
+                                                   $<TARGET_PROPERTY:fmt::fmt,INTERFACE_COMPILE_DEFINITIONS>)
 
 # palpate_precompile(<target> <owner>): the target compiles with the precompiled header of `owner`, which is made when the
 # owner itself comes by. All targets of one owner must have the same flags; GCC ignores a header that does not fit.
