@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "palpate/deform/pedal_ellipse.h"
+#include "palpate/deform/region_frame.h"
 #include "study/figures/dissertation_figures.h"
 #include "study/measured/model_meshes.h"
 #include "study/measured/pressed_skin.h"

@@ -1,4 +1,4 @@
-#include "palpate/deform/block_bounds.h"
+#include "palpate/deform/kernels.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "palpate/deform/incremental_normals.h"
+#include "palpate/deform/normals.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "palpate/deform/principal_strain.h"
+#include "palpate/deform/strain.h"
 
 #include <gtest/gtest.h>
 

@@ -13,7 +13,6 @@
 
 #include "palpate/deform/frame.h"
 #include "palpate/deform/region.h"
-#include "palpate/deform/report.h"
 #include "palpate/deform/surface.h"
 
 namespace palpate::deform {
@@ -22,7 +21,7 @@ namespace palpate::deform {
 enum class Normals : std::uint8_t {
   analytic,    ///< of the smooth deformation, in the same pass as the displacement (default)
   recomputed,  ///< area-weighted from the deformed triangles: the reference, several times slower
-  /// The same normals by subtracting and adding only the triangles that changed (incremental_normals.h): a matter of
+  /// The same normals by subtracting and adding only the triangles that changed (normals.h): a matter of
   /// FormDeformer; Deformer recomputes.
   incremental,
 };
@@ -33,6 +32,27 @@ struct Settings {
   bool strain = false;            ///< also write the strain of (4.20)
   std::size_t max_contacts = 16;  ///< contacts beyond are ignored and reported
 };
+
+/// Why a contact had no (full) effect; bits of Report::status.
+enum Status : std::uint32_t {
+  kIgnoredNotFinite = 1,     ///< NaN, infinity or a normal without direction
+  kIgnoredNoTriangle = 2,    ///< the anchor's triangle is not one of the skin's
+  kIgnoredOverCapacity = 4,  ///< more contacts than Settings::max_contacts
+  kDegenerateRegion = 8,     ///< an ellipse without area: its part moves nothing
+  kNoVertexInRegion = 16,    ///< wants to move, but no vertex lies inside (ellipse smaller than the triangles)
+};
+
+struct Report {
+  std::uint32_t status = 0;
+  Index moved_vertices = 0;    ///< in the region of at least one contact
+  Index visited_vertices = 0;  ///< looked at by the region searches, in whole blocks
+};
+
+/// Status bits of a contact that cannot be framed on a skin of so many triangles; 0 for one that can.
+inline std::uint32_t whyIgnored(const Contact& contact, std::size_t triangles) noexcept {
+  if (!isUsable(contact)) return kIgnoredNotFinite;
+  return contact.anchor_triangle < triangles ? 0u : std::uint32_t{kIgnoredNoTriangle};
+}
 
 class Deformer {
  public:

@@ -11,8 +11,20 @@ namespace palpate::deform {
 
 /// The contact of a finger that touches; nothing for one in free space. The normal region is the circle of the tissue.
 /// No allocation.
-std::optional<Contact> contactOf(const contact::FingerOutput& finger, const maps::SurfaceEllipse& tangential_region,
-                                 const TissueSettings& tissue) noexcept;
+inline std::optional<Contact> contactOf(const contact::FingerOutput& finger,
+                                        const maps::SurfaceEllipse& tangential_region,
+                                        const TissueSettings& tissue) noexcept {
+  if (finger.touch == contact::Touch::free) return std::nullopt;
+  Contact contact;
+  contact.anchor = finger.anchor;
+  contact.anchor_triangle = finger.anchor_triangle;
+  contact.normal = finger.normal;
+  contact.depth_mm = finger.depth_mm;
+  contact.drag_mm = finger.proxy - finger.anchor;
+  contact.normal_region = normalRegion(finger.normal, finger.depth_mm, tissue);
+  contact.tangential_region = tangential_region;
+  return contact;
+}
 
 /// The same with the tangential region that a map has at the friction anchor: maps::EllipseMap or one asked like it.
 template <class Map>

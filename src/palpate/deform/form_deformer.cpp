@@ -3,9 +3,7 @@
 #include <algorithm>
 
 #include "palpate/deform/frame.h"
-#include "palpate/deform/literal_caps.h"
 #include "palpate/deform/normals.h"
-#include "palpate/deform/principal_strain.h"
 #include "palpate/deform/strain.h"
 #include "palpate/deform/together.h"
 

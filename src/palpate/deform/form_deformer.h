@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "palpate/deform/form_frame.h"
-#include "palpate/deform/incremental_normals.h"
+#include "palpate/deform/normals.h"
 #include "palpate/deform/ring_search.h"
 
 namespace palpate::deform {

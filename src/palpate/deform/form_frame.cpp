@@ -1,6 +1,5 @@
 #include "palpate/deform/form_frame.h"
 
-#include "palpate/deform/literal_caps.h"
 #include "palpate/tissue/profile_forms.h"
 
 namespace palpate::deform {

@@ -6,7 +6,6 @@
 // (mesh/reorder.h): any order gives the same surface, a bad one makes the blocks wide and the work slow.
 #pragma once
 
-#include "palpate/deform/float_streams.h"
 #include "palpate/deform/group_graph.h"
 
 namespace palpate::deform {
@@ -22,7 +21,9 @@ struct Skin {
   GroupGraph vertex_graph;                      ///< vertices in blocks
   GroupGraph block_graph;                       ///< blocks in tiles
   std::vector<std::uint64_t> connected_blocks;  ///< per tile: blocks whose vertices all hang together within the block
-  FloatStreams bounds;                          ///< boxes of the blocks (block_bounds.h)
+  /// Per block the centre and half size (x, y, z) of the box of its positions, then of its normals: 12 streams, padded
+  /// to whole tiles.
+  FloatStreams bounds;
 
   std::span<const GroupLink> linksOf(Index block) const { return vertex_graph.linksOf(block); }
   TileBounds tileBounds(Index tile) const {

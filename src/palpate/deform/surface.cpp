@@ -13,7 +13,7 @@ constexpr int kRestStreams = 6;
 constexpr int kNormal = 3;
 constexpr int kDisplacement = 6;
 constexpr int kStrain = 9;
-/// The rest shape's arrays take the phases before (float_streams.h).
+/// The rest shape's arrays take the phases before (FloatStreams).
 constexpr std::size_t kFirstPhase = kRestStreams;
 
 }  // namespace
