@@ -23,11 +23,10 @@ servo::LimiterSettings withoutLimits(const scene::World& world) {
 
 servo::Rig rigFor(RigPlan& plan, std::array<device::MouseLink, kFingers>& links) {
   servo::Rig rig;
-  rig.surface = &plan.world->surface;
   rig.tick_s = plan.fingers[0].tick_s;
-  rig.hdb = std::move(plan.hdb);
   for (std::size_t i = 0; i < kFingers; ++i) {
     servo::FingerChain chain;
+    chain.solver = std::move(plan.solvers[i]);
     chain.contact_settings = plan.fingers[i];
     chain.limiter_settings = plan.limiter;
     chain.device = device::mouseDevice(i == 0 ? "left" : "right", links[i]);
@@ -38,10 +37,7 @@ servo::Rig rigFor(RigPlan& plan, std::array<device::MouseLink, kFingers>& links)
 
 }  // namespace
 
-void forgetTouch(servo::FingerChain& finger) noexcept {
-  finger.contact = {};
-  finger.hdb = {};
-}
+void forgetTouch(servo::FingerChain& finger) noexcept { finger.contact = {}; }
 
 double radiusOf(const scene::Scene& scene, std::size_t finger) {
   if (scene.contact.source == scene::ContactSource::hdb) return 0.0;  // it knows points only
@@ -58,7 +54,7 @@ RigPlan planFor(std::shared_ptr<const scene::World> world, const scene::Scene& s
     contact::check(plan.fingers[i]);
   }
   plan.limiter = withoutLimits(*world);
-  if (world->hdb) plan.hdb = servo::makeHdbFingers(world->hdb, kFingers);
+  plan.solvers = servo::makeSolvers(world->surface, world->hdb, kFingers);
   plan.other_body = other_body;
   plan.world = std::move(world);
   return plan;
@@ -86,14 +82,13 @@ servo::LoopReport LiveServo::stop() {
 
 void LiveServo::beforeTick(servo::Rig& rig) noexcept {
   if (RigPlan* plan = offered_.load(std::memory_order_acquire); plan != nullptr) {
-    rig.surface = &plan->world->surface;
     for (std::size_t i = 0; i < kFingers; ++i) {
       servo::FingerChain& finger = rig.fingers[i];
+      servo::exchange(finger.solver, plan->solvers[i], finger.contact);
       std::swap(finger.contact_settings, plan->fingers[i]);
       finger.limiter_settings = plan->limiter;
       if (plan->other_body) forgetTouch(finger);
     }
-    std::swap(rig.hdb, plan->hdb);
     // From here on nothing of the plan before is looked at.
     offered_.store(nullptr, std::memory_order_release);
   }

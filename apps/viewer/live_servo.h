@@ -29,7 +29,7 @@ struct RigPlan {
   std::shared_ptr<const scene::World> world;
   std::array<contact::FingerSettings, kFingers> fingers;
   servo::LimiterSettings limiter;
-  std::unique_ptr<servo::HdbFingers> hdb;  ///< for a world that is felt through the detecting box
+  servo::FingerSolvers solvers;
   bool other_body = false;  ///< the triangles are not those of the plan before: fingers forget what they touched
 };
 

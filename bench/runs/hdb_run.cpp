@@ -16,7 +16,7 @@ namespace {
 void warmUp(const contact::Surface& surface, const contact::FingerSettings& finger,
             const std::shared_ptr<const hdb::HdbSurface>& hdb, const std::vector<Vec3>& tips) {
   hdb::HdbCandidates candidates(hdb);
-  hdb::HdbFingerState state;
+  contact::FingerState state;
   for (const Vec3& tip : tips) (void)hdb::stepHdb(surface, finger, candidates, state, tip);
 }
 
@@ -36,7 +36,7 @@ HdbFigures measureHdb(ContactWorld& world, const device::Trajectory& trajectory,
   const device::Trajectory ticks = device::resampled(trajectory, finger.tick_s);
   warmUp(world.surface, finger, surface, ticks.tip_mm);
   hdb::HdbCandidates candidates(surface);
-  hdb::HdbFingerState state;
+  contact::FingerState state;
   const FingerRun run = timedRun(std::span(ticks.tip_mm), [&](const Vec3& tip) {
     contact::FingerOutput output = hdb::stepHdb(world.surface, finger, candidates, state, tip);
     figures.most_listed = std::max(figures.most_listed, candidates.size());

@@ -53,10 +53,10 @@ struct Listed {
 
 bool isPunctured(const contact::Surface& surface, const contact::FingerSettings& finger, hdb::HdbCandidates& candidates,
                  const std::vector<Vec3>& stroke, Listed& listed) {
-  hdb::HdbFingerState state;
+  contact::FingerState state;
   for (const Vec3& tip : stroke) {
     const contact::FingerOutput output = hdb::stepHdb(surface, finger, candidates, state, tip);
-    if (state.finger.touching) {
+    if (state.touching) {
       listed.sum += static_cast<double>(candidates.size());
       listed.ticks += 1.0;
     } else if (isUnderSkin(surface, output.tip)) {

@@ -8,6 +8,8 @@
 
 namespace palpate::hdb {
 
+using namespace contact;  // NOLINT(google-build-using-namespace): tests of a finger read as those of contact do
+
 inline std::shared_ptr<const hdb::Partition> partitionOf(const mesh::TriangleMesh& mesh,
                                                          const hdb::BuildSettings& settings = {}) {
   return std::make_shared<const hdb::Partition>(hdb::buildPartition(mesh::repair(mesh).mesh, settings));
@@ -40,21 +42,21 @@ class HdbTrack {
 
   /// Straight from the last tip to `end` in steps of at most `step_mm`; the last output.
   FingerOutput slide(const Vec3& end, double step_mm) {
-    const Vec3 start = state_.finger.tip;
+    const Vec3 start = state_.tip;
     const int ticks = std::max(1, static_cast<int>(std::ceil((end - start).norm() / step_mm)));
     FingerOutput output;
     for (int i = 1; i <= ticks; ++i) output = to(start + (end - start) * (static_cast<double>(i) / ticks));
     return output;
   }
 
-  const HdbFingerState& state() const { return state_; }
+  const FingerState& state() const { return state_; }
   const HdbCandidates& candidates() const { return candidates_; }
 
  private:
   const Surface& surface_;
   FingerSettings settings_;
   HdbCandidates candidates_;
-  HdbFingerState state_;
+  FingerState state_;
 };
 
 }  // namespace palpate::hdb

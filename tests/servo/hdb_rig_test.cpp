@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "lab/counters/allocation_count.h"
+#include "palpate/base/handover.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/scene/world.h"
 #include "palpate/servo/background_build.h"
@@ -36,7 +37,8 @@ std::vector<contact::FingerOutput> felt(const scene::World& world,
                                         const std::shared_ptr<const hdb::HdbSurface>& source) {
   const device::FingerPaths paths = device::pathsOf(world);
   Rig rig = scriptedRig(world, paths);
-  rig.hdb = source ? makeHdbFingers(source, rig.fingers.size()) : nullptr;
+  FingerSolvers solvers = makeSolvers(world.surface, source, rig.fingers.size());
+  for (std::size_t i = 0; i < solvers.size(); ++i) rig.fingers[i].solver = std::move(solvers[i]);
   std::vector<contact::FingerOutput> outputs;
   runHeadless(rig, paths.ticks, [&](std::span<const trace::Sample> samples) {
     for (const trace::Sample& sample : samples) outputs.push_back(sample.contact);
@@ -79,9 +81,18 @@ TEST(HdbRig, GivesTheSameBitsTwice) {
 }
 
 /// Other settings for the same body, ready for a running rig.
-std::unique_ptr<HdbFingers> rebuilt(const scene::World& world, std::shared_ptr<const hdb::Partition> partition,
-                                    std::size_t fingers) {
-  return makeHdbFingers(hdb::makeHdbSurface(world.surface, std::move(partition), world.hdb->settings), fingers);
+std::unique_ptr<FingerSolvers> rebuilt(const scene::World& world, std::shared_ptr<const hdb::Partition> partition,
+                                       std::size_t fingers) {
+  return std::make_unique<FingerSolvers>(makeSolvers(
+      world.surface, hdb::makeHdbSurface(world.surface, std::move(partition), world.hdb->settings), fingers));
+}
+
+/// Takes what was offered, if anything, into the rig; `last` keeps what the rig put down until the next time.
+void takeOffered(Handover<FingerSolvers>& handover, std::unique_ptr<FingerSolvers>& last, Rig& rig) noexcept {
+  if (!handover.take(last)) return;
+  for (std::size_t i = 0; i < rig.fingers.size(); ++i) {
+    exchange(rig.fingers[i].solver, (*last)[i], rig.fingers[i].contact);
+  }
 }
 
 std::shared_ptr<const hdb::Partition> takeWhenReady(BackgroundBuild& builder) {
@@ -102,9 +113,9 @@ TEST(HdbRig, ARebuiltPartitionChangesNoForceAndAllocatesNothingInTheTick) {
   const auto reference = felt(*world, world->hdb);
   const auto mesh = std::make_shared<const mesh::TriangleMesh>(world->skin);
   BackgroundBuild builder;
-  Handover<HdbFingers> handover;
+  Handover<FingerSolvers> handover;
+  std::unique_ptr<FingerSolvers> last;
   Rig rig = scriptedRig(*world, paths);
-  rig.new_hdb = &handover;
   ContactFrame samples(rig.fingers.size());
   std::uint64_t allocations = 0;
   std::size_t replaced = 0;
@@ -119,6 +130,7 @@ TEST(HdbRig, ARebuiltPartitionChangesNoForceAndAllocatesNothingInTheTick) {
       ++replaced;
     }
     const auto before = lab::allocationsOfThisThread();
+    takeOffered(handover, last, rig);
     runTick(rig, tick, LoopEvent::none, samples);
     allocations += lab::allocationsOfThisThread().value_or(0) - before.value_or(0);
     for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -130,17 +142,40 @@ TEST(HdbRig, ARebuiltPartitionChangesNoForceAndAllocatesNothingInTheTick) {
   EXPECT_TRUE(handover.collect()) << "the last one put down";
 }
 
+TEST(FingerSolver, AnExchangeKeepsTheTouchUnlessTheFingerLooksForTheSkinInAnotherWay) {
+  const auto world = torso(kHdb);
+  FingerSolvers at_work = makeSolvers(world->surface, nullptr, 1);
+  FingerSolvers walk = makeSolvers(world->surface, nullptr, 1);
+  FingerSolvers box = makeSolvers(world->surface, world->hdb, 1);
+  const Vec3 above = device::pathsOf(*world).tips[0]->front();
+  const Vec3 below = above - Vec3(0.0, 0.0, 60.0);
+  contact::FingerState state;
+  touch(at_work[0], {}, state, above);
+  ASSERT_GT(touch(at_work[0], {}, state, below).depth_mm, 0.0);
+
+  exchange(at_work[0], walk[0], state);
+  EXPECT_TRUE(state.touching);
+
+  exchange(at_work[0], box[0], state);
+  EXPECT_FALSE(state.touching);
+  EXPECT_FALSE(state.knows_tip);
+  EXPECT_FALSE(box[0].box.has_value()) << "the one that was at work is given back";
+  touch(at_work[0], {}, state, above);
+  EXPECT_GT(touch(at_work[0], {}, state, below).depth_mm, 0.0) << "felt through the box";
+}
+
 // Also the test that ThreadSanitizer watches: the loop runs while another thread builds and hands over.
 TEST(HdbRig, ThePacedLoopGoesOnWhilePartitionsAreReplaced) {
   const auto world = torso(kHdb);
   const device::FingerPaths paths = device::pathsOf(*world);
   const auto mesh = std::make_shared<const mesh::TriangleMesh>(world->skin);
-  Handover<HdbFingers> handover;
+  Handover<FingerSolvers> handover;
+  std::unique_ptr<FingerSolvers> last;
   Rig rig = scriptedRig(*world, paths);
-  rig.new_hdb = &handover;
   LoopLinks links(rig.fingers.size());
   PacedSettings settings;
   settings.pacing.realtime = false;
+  settings.before_tick = [&](Rig& ours) { takeOffered(handover, last, ours); };
   LoopReport report;
   constexpr std::uint64_t kTicks = 1500;
   std::thread servo([&] { report = runPaced(rig, kTicks, settings, links); });

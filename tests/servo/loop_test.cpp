@@ -34,9 +34,10 @@ std::shared_ptr<const std::vector<Vec3>> pressAndSlide(std::size_t ticks, double
 
 Rig rigOn(const contact::Surface& surface, std::size_t ticks) {
   Rig rig;
-  rig.surface = &surface;
+  FingerSolvers solvers = makeSolvers(surface, nullptr, 2);
   for (const double y_mm : {-30.0, 30.0}) {
     FingerChain finger;
+    finger.solver = std::move(solvers[rig.fingers.size()]);
     finger.device = device::scriptedDevice("scripted", pressAndSlide(ticks, y_mm));
     rig.fingers.push_back(std::move(finger));
   }
@@ -179,11 +180,11 @@ TEST(PacedLoop, LetsTheServoThreadExchangeItsSurfaceBetweenTicks) {
   PacedSettings settings = quick();
   std::uint64_t calls = 0;
   settings.before_tick = [&](Rig& ours) {
-    if (++calls == 50) ours.surface = &other;
+    if (++calls == 50) ours.fingers[0].solver.surface = &other;
   };
   const LoopReport report = runPaced(rig, 100, settings, links);
   EXPECT_EQ(calls, report.ticks);
-  EXPECT_EQ(rig.surface, calls >= 50 ? &other : &surface);
+  EXPECT_EQ(rig.fingers[0].solver.surface, calls >= 50 ? &other : &surface);
 }
 
 TEST(PacedLoop, PublishesItsVitalsEveryThousandTicks) {

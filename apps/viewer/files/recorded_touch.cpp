@@ -29,11 +29,10 @@ double ticksPerS(const trace::RecordedFinger& finger, double fallback) {
 servo::Rig rigFor(RigPlan& plan, const std::vector<trace::RecordedFinger>& fingers, double ticks_per_s,
                   const std::size_t& row) {
   servo::Rig rig;
-  rig.surface = &plan.world->surface;
   rig.tick_s = 1.0 / ticks_per_s;
-  rig.hdb = std::move(plan.hdb);
   for (std::size_t i = 0; i < fingers.size(); ++i) {
     servo::FingerChain chain;
+    chain.solver = std::move(plan.solvers[i]);
     chain.contact_settings = plan.fingers[i];
     chain.contact_settings.tick_s = rig.tick_s;
     chain.limiter_settings = plan.limiter;

@@ -63,7 +63,7 @@ struct FingerState {
   Vec3 tip = Vec3::Zero();     ///< of the last usable tick
   SurfacePoint proxy;          ///< point: P. Sphere: where it touches
   SurfacePoint anchor;         ///< on the skin
-  Vec3 centre = Vec3::Zero();  ///< sphere only: C, where the sphere rests on the skin
+  Vec3 centre = Vec3::Zero();  ///< sphere: C, where it rests on the skin; detecting box: the god object
   bool fits = false;           ///< sphere only: at C it does not sink into the skin
   Vec3 hold = Vec3::Zero();    ///< A as a point in space
 };

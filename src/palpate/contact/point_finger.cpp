@@ -63,28 +63,17 @@ bool released(const Surface& surface, const WalkResult& walk, const Vec3& tip, F
   return true;
 }
 
-Press pressAt(const Surface& surface, const FingerSettings& settings, const SurfacePoint& proxy, const Vec3& tip,
-              std::uint32_t status) {
+Press pressAt(const Surface& surface, const FingerSettings& settings, const SurfacePoint& proxy, const Vec3& tip) {
+  const Vec3 normal = normalAt(surface, proxy);
+  const double beyond = beyondBorder(surface, proxy, tip);
+  if (!(beyond > 0.0)) return pressTowards(surface, settings, proxy.position, normal, tip);
   Press press;
   press.touching = true;
   press.proxy = proxy.position;
-  press.normal = normalAt(surface, proxy);
-  press.status = status;
-  const double beyond = beyondBorder(surface, proxy, tip);
-  if (beyond > 0.0) {
-    press.status |= kAtBorder;
-    press.depth_mm = std::max(0.0, (proxy.position - tip).dot(press.normal));
-    press.felt_depth_mm =
-        std::min(depthAtBorder(proxy.position, press.normal, tip, 0.0, beyond), settings.max_depth_mm);
-    return press;
-  }
-  const Vec3 out = proxy.position - tip;
-  const double depth = out.norm();
-  if (depth > directionlessDepth(surface)) {
-    press.normal = out / depth;
-    press.depth_mm = depth;
-  }
-  press.felt_depth_mm = std::min(press.depth_mm, settings.max_depth_mm);
+  press.normal = normal;
+  press.depth_mm = std::max(0.0, (proxy.position - tip).dot(normal));
+  press.felt_depth_mm = std::min(depthAtBorder(proxy.position, normal, tip, 0.0, beyond), settings.max_depth_mm);
+  press.status = kAtBorder;
   return press;
 }
 
@@ -115,6 +104,22 @@ bool landsElsewhere(const Surface& surface, const Vec3& tip, FingerState& state)
 
 }  // namespace
 
+Press pressTowards(const Surface& surface, const FingerSettings& settings, const Vec3& proxy, const Vec3& normal,
+                   const Vec3& tip) noexcept {
+  Press press;
+  press.touching = true;
+  press.proxy = proxy;
+  press.normal = normal;
+  const Vec3 out = proxy - tip;
+  const double depth = out.norm();
+  if (depth > directionlessDepth(surface)) {
+    press.normal = out / depth;
+    press.depth_mm = depth;
+  }
+  press.felt_depth_mm = std::min(press.depth_mm, settings.max_depth_mm);
+  return press;
+}
+
 Press pressPoint(const Surface& surface, const FingerSettings& settings, FingerState& state, const Vec3& tip) noexcept {
   if (!state.touching) {
     const tree::Crossing entry = tree::firstFrontCrossing(surface.tree, state.tip, tip);
@@ -131,7 +136,8 @@ Press pressPoint(const Surface& surface, const FingerSettings& settings, FingerS
     const double lag = (walk.at.position - tip).norm();
     if (!leaves && lag > settings.max_depth_mm) leaves = escapesTooDeep(surface, tip, lag, state, status);
     if (!leaves) {
-      press = pressAt(surface, settings, state.proxy, tip, status);
+      press = pressAt(surface, settings, state.proxy, tip);
+      press.status |= status;
       shade(surface, settings, state.proxy, tip, press);
       if (!(press.status & kAtBorder) || press.felt_depth_mm > 0.0) return press;
     }

@@ -26,6 +26,11 @@ inline double directionlessDepth(const Surface& surface) { return 1e-11 * surfac
 /// would start its next segment behind it and fall through without an event.
 inline double releaseSlack(const Surface& surface) { return 1e-12 * surface.tree.diagonal; }
 
+/// The press of a tip that the skin holds at `proxy`: along the line between the two, or along `normal` and of no depth
+/// where that line is only rounding.
+Press pressTowards(const Surface& surface, const FingerSettings& settings, const Vec3& proxy, const Vec3& normal,
+                   const Vec3& tip) noexcept;
+
 // The finger of radius 0: a point whose proxy is the local minimum of the distance on the skin.
 
 /// Moves the proxy in `state` (whose tip is still the last tick's) for a new tip. On first contact the anchor starts

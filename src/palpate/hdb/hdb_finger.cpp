@@ -8,8 +8,6 @@
 // Based on: Ji, dissertation 2008, 2.2 and 3.3.3: the haptic process sees the triangles near the proxy and no others.
 #include "palpate/hdb/hdb_finger.h"
 
-#include <algorithm>
-
 #include "palpate/contact/felt_force.h"
 #include "palpate/contact/surface_walk.h"
 #include "palpate/hdb/god_object.h"
@@ -21,63 +19,48 @@ namespace {
 /// In standoffs: a god object this near to the skin is on it; at the bottom of a sharp crease it stands a few off.
 constexpr double kOnSkin = 64.0;
 
-bool enters(const contact::Surface& surface, HdbCandidates& candidates, const Vec3& tip, HdbFingerState& state) {
-  const Vec3 from = state.finger.tip;
+bool enters(const contact::Surface& surface, HdbCandidates& candidates, const Vec3& tip, contact::FingerState& state) {
+  const Vec3 from = state.tip;
   const auto& near = candidates.near(Box3(from.cwiseMin(tip), from.cwiseMax(tip)));
   const tree::Crossing entry = firstFrontCrossing(surface, near, from, tip);
   if (entry.triangle == kNoIndex) return false;
-  state.finger.touching = true;
-  state.finger.slipping = false;
-  state.finger.proxy = {entry.point, entry.triangle, tree::Feature::face};
-  state.finger.anchor = state.finger.proxy;  // what the tip slides further within this tick is friction already
-  state.place = from;
+  state.touching = true;
+  state.slipping = false;
+  state.proxy = {entry.point, entry.triangle, tree::Feature::face};
+  state.anchor = state.proxy;  // what the tip slides further within this tick is friction already
+  state.centre = from;
   return true;
 }
 
 /// The skin's point nearest to the god object becomes the proxy. True when the god object is on the skin.
-bool findSkinUnder(const contact::Surface& surface, const std::vector<Index>& near, HdbFingerState& state) {
+bool findSkinUnder(const contact::Surface& surface, const std::vector<Index>& near, contact::FingerState& state) {
   const double farthest = kOnSkin * standoff(surface);
   double nearest = farthest * farthest;
   bool found = false;
   for (const Index t : near) {
-    const auto closest = tree::closestOnTriangle(surface.tree.records[t].corners, state.place);
+    const auto closest = tree::closestOnTriangle(surface.tree.records[t].corners, state.centre);
     if (!(closest.squared_distance < nearest)) continue;
     nearest = closest.squared_distance;
-    state.finger.proxy = {closest.point, t, closest.feature};
+    state.proxy = {closest.point, t, closest.feature};
     found = true;
   }
   return found;
 }
 
-contact::Press pressAt(const contact::Surface& surface, const contact::FingerSettings& settings, bool on_skin,
-                       const HdbFingerState& state, const Vec3& tip) {
-  contact::Press press;
-  press.touching = true;
-  press.proxy = on_skin ? state.finger.proxy.position : state.place;
-  press.normal = contact::normalAt(surface, state.finger.proxy);
-  const Vec3 out = press.proxy - tip;
-  const double depth = out.norm();
-  if (depth > directionlessDepth(surface)) {
-    press.normal = out / depth;
-    press.depth_mm = depth;
-  }
-  press.felt_depth_mm = std::min(press.depth_mm, settings.max_depth_mm);
-  if (press.depth_mm > settings.max_depth_mm) press.status |= contact::kTooDeep;
-  return press;
-}
-
 contact::Press pressHdb(const contact::Surface& surface, const contact::FingerSettings& settings,
-                        HdbCandidates& candidates, HdbFingerState& state, const Vec3& tip) {
-  candidates.refresh(state.finger.touching ? state.place : state.finger.tip);
-  if (!state.finger.touching && !enters(surface, candidates, tip, state)) return {};
-  const double path = contact::pathBound(settings, (tip - state.finger.tip).norm());
+                        HdbCandidates& candidates, contact::FingerState& state, const Vec3& tip) {
+  candidates.refresh(state.touching ? state.centre : state.tip);
+  if (!state.touching && !enters(surface, candidates, tip, state)) return {};
+  const double path = contact::pathBound(settings, (tip - state.tip).norm());
   const Vec3 reach = Vec3::Constant(path + kOnSkin * standoff(surface));
-  const auto& near = candidates.near(Box3(state.place - reach, state.place + reach));
-  const Arrival arrival = moveTowards(surface, near, tip, path, state.place);
-  state.finger.touching = arrival != Arrival::reached;
-  if (!state.finger.touching) return {};
+  const auto& near = candidates.near(Box3(state.centre - reach, state.centre + reach));
+  const Arrival arrival = moveTowards(surface, near, tip, path, state.centre);
+  state.touching = arrival != Arrival::reached;
+  if (!state.touching) return {};
   const bool on_skin = findSkinUnder(surface, near, state);
-  contact::Press press = pressAt(surface, settings, on_skin, state, tip);
+  const Vec3& proxy = on_skin ? state.proxy.position : state.centre;
+  contact::Press press = contact::pressTowards(surface, settings, proxy, contact::normalAt(surface, state.proxy), tip);
+  if (press.depth_mm > settings.max_depth_mm) press.status |= contact::kTooDeep;
   if (arrival == Arrival::under_way) press.status |= contact::kCatchingUp;
   return press;
 }
@@ -85,14 +68,14 @@ contact::Press pressHdb(const contact::Surface& surface, const contact::FingerSe
 }  // namespace
 
 contact::FingerOutput stepHdb(const contact::Surface& surface, const contact::FingerSettings& settings,
-                              HdbCandidates& candidates, HdbFingerState& state, const Vec3& tip) noexcept {
-  if (!contact::usableTip(surface, tip)) return contact::lostOutput(state.finger);
-  if (!state.finger.knows_tip) state.finger.tip = tip;
+                              HdbCandidates& candidates, contact::FingerState& state, const Vec3& tip) noexcept {
+  if (!contact::usableTip(surface, tip)) return contact::lostOutput(state);
+  if (!state.knows_tip) state.tip = tip;
   const contact::Press press = pressHdb(surface, settings, candidates, state, tip);
-  state.finger.knows_tip = true;
-  state.finger.tip = tip;
+  state.knows_tip = true;
+  state.tip = tip;
   if (!press.touching) return contact::freeOutput(tip);
-  return contact::pressedOutput(surface, settings, press, tip, contact::holdOnSkin, state.finger);
+  return contact::pressedOutput(surface, settings, press, tip, contact::holdOnSkin, state);
 }
 
 }  // namespace palpate::hdb

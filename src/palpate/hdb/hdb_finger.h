@@ -11,16 +11,10 @@
 
 namespace palpate::hdb {
 
-/// All that such a finger remembers between two ticks besides its box. Plain data; value-initialised it has never
-/// touched anything.
-struct HdbFingerState {
-  contact::FingerState finger;  ///< `proxy` is the skin's point under the god object
-  Vec3 place = Vec3::Zero();    ///< of the god object while it touches
-};
-
-/// One tick. Radius 0 only; force shading and the too-deep search of the default finger do not exist here. noexcept,
-/// no allocation, no lock. Any thread, one at a time per state and candidates.
+/// One tick. In `state`, `centre` is the god object while it touches and `proxy` the skin's point under it; a state of
+/// contact::step does not serve here. Radius 0 only; force shading and the too-deep search of the default finger do not
+/// exist here. noexcept, no allocation, no lock. Any thread, one at a time per state and candidates.
 contact::FingerOutput stepHdb(const contact::Surface& surface, const contact::FingerSettings& settings,
-                              HdbCandidates& candidates, HdbFingerState& state, const Vec3& tip) noexcept;
+                              HdbCandidates& candidates, contact::FingerState& state, const Vec3& tip) noexcept;
 
 }  // namespace palpate::hdb

@@ -1,6 +1,7 @@
 #include "palpate/servo/scripted_rig.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "palpate/device/device.h"
 
@@ -17,18 +18,18 @@ LimiterSettings limiterSettings(const scene::World& world) {
 
 Rig scriptedRig(const scene::World& world, const device::FingerPaths& paths) {
   Rig rig;
-  rig.surface = &world.surface;
   rig.tick_s = 1.0 / world.scene.ticks_per_s;
+  FingerSolvers solvers = makeSolvers(world.surface, world.hdb, world.scene.fingers.size());
   for (std::size_t i = 0; i < world.scene.fingers.size(); ++i) {
     const scene::Finger& finger = world.scene.fingers[i];
     FingerChain chain;
+    chain.solver = std::move(solvers[i]);
     chain.contact_settings = scene::contactSettings(world.scene, finger);
     contact::check(chain.contact_settings);
     chain.limiter_settings = limiterSettings(world);
     chain.device = device::scriptedDevice(finger.name, paths.tips[i]);
     rig.fingers.push_back(std::move(chain));
   }
-  if (world.hdb) rig.hdb = makeHdbFingers(world.hdb, rig.fingers.size());
   return rig;
 }
 

@@ -4,13 +4,11 @@ namespace palpate::servo {
 
 namespace {
 
-void runFinger(const contact::Surface& surface, hdb::HdbCandidates* candidates, FingerChain& finger, LoopEvent event,
-               trace::Sample& sample) noexcept {
+void runFinger(FingerChain& finger, LoopEvent event, trace::Sample& sample) noexcept {
   const Vec3 measured = finger.device.read_tip(sample.tick);
   const Vec3 tip = guardTip(finger.limiter_settings, finger.limiter, measured);
   if (event == LoopEvent::stalled) restartRamp(finger.limiter, kStalled);
-  sample.contact = candidates == nullptr ? contact::step(surface, finger.contact_settings, finger.contact, tip)
-                                         : hdb::stepHdb(surface, finger.contact_settings, *candidates, finger.hdb, tip);
+  sample.contact = touch(finger.solver, finger.contact_settings, finger.contact, tip);
   sample.device_force = limitForce(finger.limiter_settings, finger.limiter, sample.contact.force);
   sample.safety = finger.limiter.status;
   if (finger.device.write_force) finger.device.write_force(sample.device_force);
@@ -19,11 +17,10 @@ void runFinger(const contact::Surface& surface, hdb::HdbCandidates* candidates, 
 }  // namespace
 
 void runTick(Rig& rig, std::uint64_t tick, LoopEvent event, std::span<trace::Sample> samples) noexcept {
-  if (rig.new_hdb != nullptr) rig.new_hdb->take(rig.hdb);
   for (std::size_t i = 0; i < rig.fingers.size(); ++i) {
     samples[i].tick = tick;
     samples[i].finger = static_cast<std::uint32_t>(i);
-    runFinger(*rig.surface, rig.hdb ? &(*rig.hdb)[i] : nullptr, rig.fingers[i], event, samples[i]);
+    runFinger(rig.fingers[i], event, samples[i]);
   }
 }
 
