@@ -13,7 +13,7 @@ namespace palpate::study {
 namespace {
 
 std::string nameOf(const ErratumEffect& effect) {
-  return effect.text.number == 0 ? "all" : scene::nameOf(effect.text.number);
+  return effect.text.erratum == Erratum::none ? "all" : scene::nameOf(effect.text.erratum);
 }
 
 std::string number(const ErratumEffect& effect, double value, int digits) {
@@ -79,7 +79,7 @@ std::string errataText(const std::vector<ErratumEffect>& effects) {
 std::string errataJson(const std::vector<ErratumEffect>& effects) {
   nlohmann::ordered_json json;
   for (const ErratumEffect& effect : effects) {
-    if (effect.text.number == 0) {
+    if (effect.text.erratum == Erratum::none) {
       json["all_literal"] = objectOf(effect);
     } else {
       json["errata"].push_back(objectOf(effect));

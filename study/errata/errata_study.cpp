@@ -32,15 +32,18 @@ struct Reading {
 /// Readings that are settings rather than switches of fidelity.
 const std::vector<Reading>& settingReadings() {
   static const std::vector<Reading> readings = {
-      {2, "friction.stiffness_ratio = 0.23", [](scene::Scene& s) { s.friction.stiffness_ratio = 0.23; }},
-      {20, "deformation.boundary = \"two_mm\"",
+      {Erratum::E2_drag_spring, "friction.stiffness_ratio = 0.23",
+       [](scene::Scene& s) { s.friction.stiffness_ratio = 0.23; }},
+      {Erratum::E20_zero_boundary, "deformation.boundary = \"two_mm\"",
        [](scene::Scene& s) { s.deformation.forms.boundary = deform::Boundary::two_mm; }},
-      {24, "strain.kind = \"principal\"", [](scene::Scene& s) { s.strain.kind = deform::StrainKind::principal; }},
-      {25, "deformation.together = \"summed\"",
+      {Erratum::E24_pure_shear, "strain.kind = \"principal\"",
+       [](scene::Scene& s) { s.strain.kind = deform::StrainKind::principal; }},
+      {Erratum::E25_two_fingers, "deformation.together = \"summed\"",
        [](scene::Scene& s) { s.deformation.forms.together = deform::Together::summed; }},
-      {30, "ellipses.averaging = \"tensorial\"",
+      {Erratum::E30_key_averages, "ellipses.averaging = \"tensorial\"",
        [](scene::Scene& s) { s.ellipses.measured.averaging = maps::Averaging::tensorial; }},
-      {31, "ellipses.data = \"down\"", [](scene::Scene& s) { s.ellipses.measured.force = maps::ForceDirection::down; }},
+      {Erratum::E31_down_like_up, "ellipses.data = \"down\"",
+       [](scene::Scene& s) { s.ellipses.measured.force = maps::ForceDirection::down; }},
   };
   return readings;
 }
@@ -48,14 +51,14 @@ const std::vector<Reading>& settingReadings() {
 /// The kind of tree that an erratum of the partition speaks of; nothing for the others.
 std::optional<hdb::TreeKind> treeOf(Erratum erratum) {
   switch (erratum) {
-    case 4:
-    case 5:
-    case 7:
-    case 10:
-    case 12:
+    case Erratum::E4_else_if:
+    case Erratum::E5_cell_box:
+    case Erratum::E7_leaf_threshold:
+    case Erratum::E10_half_spaces:
+    case Erratum::E12_box_edges:
       return hdb::TreeKind::Bsp;
-    case 6:
-    case 11:
+    case Erratum::E6_three_octants:
+    case Erratum::E11_sphere_corners:
       return hdb::TreeKind::Octree;
     default:
       return std::nullopt;
@@ -232,18 +235,18 @@ Reading switchOf(Erratum erratum) {
 ErratumEffect effectOf(const scene::Scene& scene, Baselines& baselines, const scene::ErratumText& text) {
   ErratumEffect effect;
   if (text.form == scene::LiteralForm::switchable) {
-    effect = effectOf(scene, baselines, switchOf(text.number));
-    effect.reading = fmt::format("fidelity.{} = \"literal\"", scene::nameOf(text.number));
+    effect = effectOf(scene, baselines, switchOf(text.erratum));
+    effect.reading = fmt::format("fidelity.{} = \"literal\"", scene::nameOf(text.erratum));
   }
   for (const Reading& reading : settingReadings()) {
-    if (reading.erratum == text.number) effect = effectOf(scene, baselines, reading);
+    if (reading.erratum == text.erratum) effect = effectOf(scene, baselines, reading);
   }
   effect.text = text;
   return effect;
 }
 
 ErratumEffect effectOfAll(const scene::Scene& scene, Baselines& baselines) {
-  const Reading all{0, "fidelity = \"literal\"", [](scene::Scene& s) { s.fidelity.setAll(true); }};
+  const Reading all{Erratum::none, "fidelity = \"literal\"", [](scene::Scene& s) { s.fidelity.setAll(true); }};
   ErratumEffect effect = effectOf(scene, baselines, all);
   effect.text.ours = "all switches together";
   return effect;
@@ -258,7 +261,7 @@ std::vector<ErratumEffect> studyErrata(const scene::Scene& scene, const Progress
   effects.push_back(effectOfAll(scene, baselines));
   for (const scene::ErratumText& text : scene::errata()) {
     effects.push_back(effectOf(scene, baselines, text));
-    report(progress, "measuring errata", static_cast<double>(text.number) / kLastErratum);
+    report(progress, "measuring errata", static_cast<double>(numberOf(text.erratum)) / kErrata);
   }
   return effects;
 }

@@ -30,13 +30,14 @@ std::span<const Misprint> misprints();
 namespace {
 
 constexpr std::array kMisprints{
-    Misprint{"Table 3.3, height 5", "w", "3.04", 13, "6/63 over 1/32 is 3.0476: cut off instead of rounded"},
-    Misprint{"Table 3.3, height 9", "w", "5.01", 13, "10/1023 over 1/512 is 5.0049"},
-    Misprint{"5.2.2, (5.10) at P1", "R for the levels 1, 0.26, 0.18", "112", 28,
+    Misprint{"Table 3.3, height 5", "w", "3.04", Erratum::E13_misprints,
+             "6/63 over 1/32 is 3.0476: cut off instead of rounded"},
+    Misprint{"Table 3.3, height 9", "w", "5.01", Erratum::E13_misprints, "10/1023 over 1/512 is 5.0049"},
+    Misprint{"5.2.2, (5.10) at P1", "R for the levels 1, 0.26, 0.18", "112", Erratum::E28_effect_radius,
              "112.92 was cut off; with the levels of any one effect radius Table 5.1 gives neither"},
-    Misprint{"Figure 5.9, e = 400 as radius", "R(E1)", "115", 28,
+    Misprint{"Figure 5.9, e = 400 as radius", "R(E1)", "115", Erratum::E28_effect_radius,
              "115 and 112 need the radius 200: 400 is the diameter"},
-    Misprint{"Figure 5.9, e = 400 as radius", "R(E2)", "112", 28,
+    Misprint{"Figure 5.9, e = 400 as radius", "R(E2)", "112", Erratum::E28_effect_radius,
              "115 and 112 need the radius 200: 400 is the diameter"},
 };
 
@@ -111,8 +112,8 @@ bool agrees(std::string_view printed, double ours) {
 }
 
 NumberRow judged(std::string where, std::string what, const std::string& printed, double ours, std::string reason) {
-  NumberRow row{std::move(where), std::move(what), printed, oursText(printed, ours), Verdict::reproduced, 0,
-                std::move(reason)};
+  NumberRow row{std::move(where),    std::move(what), printed,          oursText(printed, ours),
+                Verdict::reproduced, Erratum::none,   std::move(reason)};
   if (agrees(printed, ours)) return row;
   row.verdict = Verdict::not_reproduced;
   if (const Misprint* misprint = misprintOf(row)) {

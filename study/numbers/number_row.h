@@ -25,8 +25,8 @@ struct NumberRow {
   std::string printed;  ///< as printed
   std::string ours;     ///< with two digits more; empty where there is nothing to compute
   Verdict verdict = Verdict::reproduced;
-  Erratum erratum = 0;  ///< that explains it; 0 for none
-  std::string reason;   ///< how ours is computed, or why it differs
+  Erratum erratum = Erratum::none;  ///< that explains it
+  std::string reason;               ///< how ours is computed, or why it differs
 };
 
 /// True for the verdicts about numbers that can be computed: these decide whether the study holds.

@@ -28,7 +28,7 @@ NumberRow notComputable(const std::string& where, const std::string& what, const
 NumberRow gridRow() {
   constexpr double kArea = 350.0 * 400.0;  // mm^2, of the box seen from behind
   const double step = std::sqrt(2.0 * kArea / static_cast<double>(kBackTriangles));
-  return inconsistent("2.1, 5.1", "grid of the back, mm", "5", fmt::format("{:.1f}", step), 0,
+  return inconsistent("2.1, 5.1", "grid of the back, mm", "5", fmt::format("{:.1f}", step), Erratum::none,
                       fmt::format("350 x 400 mm in 2962 triangles; 5 mm would need {:.0f}", 2.0 * kArea / 25.0));
 }
 
@@ -59,15 +59,17 @@ void addBackRows(Rows& rows) {
   settings.tree = hdb::TreeKind::Bsp;
   const hdb::Partition tree = hdb::buildPartition(back, settings);
   const LeafShare share = leafShare(back, tree);
-  rows.push_back(inconsistent("3.3.1", "best threshold", "1024", fmt::format("{} leaves", tree.leaves.size()), 13,
+  rows.push_back(inconsistent("3.3.1", "best threshold", "1024", fmt::format("{} leaves", tree.leaves.size()),
+                              Erratum::E13_misprints,
                               "leaves of our back of 2962 triangles: too few for a tree to matter"));
   rows.push_back(inconsistent("3.3.4", "triangles rendered while touching", "1/3",
-                              fmt::format("{:.2f} mean, {:.2f} most", share.mean, share.most), 12,
+                              fmt::format("{:.2f} mean, {:.2f} most", share.mean, share.most), Erratum::E12_box_edges,
                               "our back, BSP tree, 1024, HDB 1/4; against r = 0.1 in the same section"));
   const Vec3 box = tree.bounds.sizes();
   const double quarter_edge = 0.25 * box.maxCoeff();
   rows.push_back(inconsistent("3.3.4", "HDB volume over the model's box", "0.1 to 0.02",
-                              fmt::format("{:.4f} or {:.4f}", std::pow(quarter_edge, 3.0) / box.prod(), 1.0 / 64.0), 12,
+                              fmt::format("{:.4f} or {:.4f}", std::pow(quarter_edge, 3.0) / box.prod(), 1.0 / 64.0),
+                              Erratum::E12_box_edges,
                               "a quarter of the longest edge, or of each edge: an order of magnitude only"));
 }
 
@@ -80,11 +82,14 @@ void addGains(const PrintedNumbers& printed, Rows& rows) {
   const PrintedTimings& bsp = printed.table_3_2;
   const std::string reason = "rates of Appendix B over Table 3.2 at equal triangle counts";
   rows.push_back(inconsistent("3.4.2", "octree faster than BSP, touched", "10 to 20 %",
-                              percentRange(rateGain(octree.touched, bsp.touched)), 0, reason + ": understated"));
+                              percentRange(rateGain(octree.touched, bsp.touched)), Erratum::none,
+                              reason + ": understated"));
   rows.push_back(inconsistent("3.4.2", "octree faster than BSP, untouched", "10 to 20 %",
-                              percentRange(rateGain(octree.untouched, bsp.untouched)), 0, reason + ": understated"));
+                              percentRange(rateGain(octree.untouched, bsp.untouched)), Erratum::none,
+                              reason + ": understated"));
   rows.push_back(inconsistent("3.4.2", "octree against BSP, drawing", "almost the same",
-                              percentRange(rateGain(octree.drawing, bsp.drawing)), 0, reason + ": mostly slower"));
+                              percentRange(rateGain(octree.drawing, bsp.drawing)), Erratum::none,
+                              reason + ": mostly slower"));
 }
 
 // How far the means of "down" are from those of "up" (E31).
@@ -95,25 +100,27 @@ void addDown(Rows& rows) {
     rows.push_back(inconsistent(fmt::format("Appendix C, P{}", point), "down against up", "similar",
                                 fmt::format("{:+.0f} %, {:+.0f} degree", 100.0 * (down.major_cm / up.major_cm - 1.0),
                                             down.direction_deg - up.direction_deg),
-                                31, "major axis and direction; down has three subjects only"));
+                                Erratum::E31_down_like_up, "major axis and direction; down has three subjects only"));
   }
 }
 
 void addUnknown(Rows& rows) {
   const std::string computer = "needs the computer, driver and haptic library of 2008";
-  rows.push_back(notComputable("Table 3.1", "frames a second of five models", "198 to 6", 0, computer));
-  rows.push_back(notComputable("Table 3.2, Appendix B", "milliseconds", "2.6 to 142.9", 0, computer));
-  rows.push_back(inconsistent("3.3.3", "bunny without BSP, FPS", "28", "104", 0,
+  rows.push_back(notComputable("Table 3.1", "frames a second of five models", "198 to 6", Erratum::none, computer));
+  rows.push_back(notComputable("Table 3.2, Appendix B", "milliseconds", "2.6 to 142.9", Erratum::none, computer));
+  rows.push_back(inconsistent("3.3.3", "bunny without BSP, FPS", "28", "104", Erratum::none,
                               "Table 3.1 gives 104 for its 2915 triangles: another setup"));
-  rows.push_back(notComputable("3.3.3", "FPS with 35 and 650 triangles of the bunny", "955 and 49", 0, computer));
-  rows.push_back(notComputable("6.1", "average FPS of 20389 triangles", "26", 0, computer));
-  rows.push_back(notComputable("2.1", "vertices of the back", "1588", 0, "the scan was not published"));
-  rows.push_back(inconsistent("4.5, Appendix A", "triangles of the hand", "2814", "2818", 13,
+  rows.push_back(
+      notComputable("3.3.3", "FPS with 35 and 650 triangles of the bunny", "955 and 49", Erratum::none, computer));
+  rows.push_back(notComputable("6.1", "average FPS of 20389 triangles", "26", Erratum::none, computer));
+  rows.push_back(notComputable("2.1", "vertices of the back", "1588", Erratum::none, "the scan was not published"));
+  rows.push_back(inconsistent("4.5, Appendix A", "triangles of the hand", "2814", "2818", Erratum::E13_misprints,
                               "Appendix A counts 2818 with the same 1418 vertices"));
-  rows.push_back(notComputable("4.1", "largest displacement, normal and tangential, mm", "10 and 20", 0,
+  rows.push_back(notComputable("4.1", "largest displacement, normal and tangential, mm", "10 and 20", Erratum::none,
                                "measured on people; taken as (4.15) and (4.17)"));
-  rows.push_back(notComputable("2.4", "coefficients of friction", "0.46 and 0.44", 0, "quoted; taken as they are"));
-  rows.push_back(notComputable("Figure 5.11", "map of the half major axis", "colours only", 33,
+  rows.push_back(
+      notComputable("2.4", "coefficients of friction", "0.46 and 0.44", Erratum::none, "quoted; taken as they are"));
+  rows.push_back(notComputable("Figure 5.11", "map of the half major axis", "colours only", Erratum::E33_unnamed_radii,
                                "basic circle, effect radius and places on the real back are never given"));
 }
 

@@ -30,7 +30,7 @@ constexpr std::array kVerdicts{Verdict::reproduced, Verdict::misprint, Verdict::
 
 std::string verdictText(const NumberRow& row) {
   const std::string_view name = nameOf(row.verdict);
-  return row.erratum > 0 ? fmt::format("{} (E{})", name, row.erratum) : std::string(name);
+  return row.erratum != Erratum::none ? fmt::format("{} (E{})", name, numberOf(row.erratum)) : std::string(name);
 }
 
 std::vector<std::string> cellsOf(const NumberRow& row) {
@@ -51,7 +51,7 @@ nlohmann::ordered_json objectOf(const NumberRow& row) {
                                  {"printed", row.printed},
                                  {"ours", row.ours},
                                  {"verdict", nameOf(row.verdict)}};
-  if (row.erratum > 0) json["erratum"] = fmt::format("E{}", row.erratum);
+  if (row.erratum != Erratum::none) json["erratum"] = fmt::format("E{}", numberOf(row.erratum));
   json["reason"] = row.reason;
   return json;
 }
@@ -106,7 +106,7 @@ std::string markdownOf(const std::vector<NumberRow>& rows) {
 std::string csvOf(const std::vector<NumberRow>& rows) {
   TextTable table{{"where", "number", "printed", "ours", "verdict", "erratum", "reason"}, {}};
   for (const NumberRow& row : rows) {
-    const std::string erratum = row.erratum > 0 ? fmt::format("E{}", row.erratum) : "";
+    const std::string erratum = row.erratum != Erratum::none ? fmt::format("E{}", numberOf(row.erratum)) : "";
     table.rows.push_back(
         {row.where, row.what, row.printed, row.ours, std::string(nameOf(row.verdict)), erratum, row.reason});
   }

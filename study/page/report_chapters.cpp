@@ -18,7 +18,7 @@ std::vector<std::string> misprintFindings(const std::vector<NumberRow>& rows) {
   for (const NumberRow& row : rows) {
     if (row.verdict != Verdict::misprint && row.verdict != Verdict::not_reproduced) continue;
     findings.push_back(fmt::format("{}, {}: printed {}, ours {}{}.", row.where, row.what, row.printed, row.ours,
-                                   row.erratum > 0 ? fmt::format(" (E{})", row.erratum) : ""));
+                                   row.erratum != Erratum::none ? fmt::format(" (E{})", numberOf(row.erratum)) : ""));
   }
   return findings;
 }
@@ -83,7 +83,7 @@ StudyPage figuresPage(const StudySettings& settings) {
 const ErratumEffect* largest(const std::vector<ErratumEffect>& effects, double ErratumEffect::*value) {
   const ErratumEffect* most = nullptr;
   for (const ErratumEffect& effect : effects) {
-    if (effect.text.number != 0 && (most == nullptr || effect.*value > most->*value)) most = &effect;
+    if (effect.text.erratum != Erratum::none && (most == nullptr || effect.*value > most->*value)) most = &effect;
   }
   return most;
 }
@@ -102,11 +102,11 @@ std::vector<std::string> errataFindings(const std::vector<ErratumEffect>& effect
                       force_of_all),
           fmt::format("Taken singly, the reading that is seen most is that of E{} ({:.1f} mm of skin); felt most is "
                       "E{} ({:.1f} N).",
-                      skin.text.number, skin.skin_mm, force.text.number, force.force_n),
+                      numberOf(skin.text.erratum), skin.skin_mm, numberOf(force.text.erratum), force.force_n),
           fmt::format(
               "The printed traversal (E{}) misses up to {:.0f} % of the triangles in the detecting box, so the finger "
               "loses contact for {} ticks.",
-              lost.text.number, lost.missed_percent, counted(static_cast<double>(lost.lost_ticks))),
+              numberOf(lost.text.erratum), lost.missed_percent, counted(static_cast<double>(lost.lost_ticks))),
           fmt::format("{} readings change nothing at all on this scene.", inert)};
 }
 

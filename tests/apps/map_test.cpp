@@ -104,8 +104,8 @@ TEST_F(Map, PrintedFormsAreThoseOfTheLibrary) {
   EXPECT_GT(misses["fit_error"]["half_major_mm"]["max"], 3.0);  // (5.7) misses its keys
   summaryOf("ellipses hill.obj -o l.csv --fidelity E28,E29");
   Fidelity fidelity;
-  fidelity.setLiteral(28);
-  fidelity.setLiteral(29);
+  fidelity.setLiteral(Erratum::E28_effect_radius);
+  fidelity.setLiteral(Erratum::E29_mean_of_angles);
   const maps::LiteralEllipseMap literal(maps::dissertationKeyPoints(), {}, fidelity);
   const Table table = tableOf(folder_ / "l.csv");
   for (std::size_t v = 0; v < 441; ++v) {

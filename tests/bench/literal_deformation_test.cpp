@@ -9,7 +9,9 @@ namespace palpate::bench {
 
 deform::FormSettings literalForms() {
   deform::FormSettings forms;
-  for (const Erratum erratum : {14, 18, 21, 23}) forms.fidelity.setLiteral(erratum);
+  for (const Erratum erratum :
+       {Erratum::E14_location_ratio, Erratum::E18_profile_rim, Erratum::E21_press_region, Erratum::E23_region_search})
+    forms.fidelity.setLiteral(erratum);
   forms.together = deform::Together::summed;
   forms.common.normals = deform::Normals::recomputed;
   return forms;

@@ -48,7 +48,8 @@ TEST(FormDeformer, DeformsTheReferenceGrid) {
 
 // (4.13), 700 entries with nearest lookup, rings as printed; the reference caps the drag's length (E19).
 TEST(FormDeformer, DeformsTheReferenceGridAsTheDissertationDoes) {
-  FormStage stage(test::goldenGrid(), literally({14, 18, 21, 23}));
+  FormStage stage(test::goldenGrid(), literally({Erratum::E14_location_ratio, Erratum::E18_profile_rim,
+                                                 Erratum::E21_press_region, Erratum::E23_region_search}));
   expectGoldenGrid(stage, "dissertation");
 }
 
@@ -65,11 +66,11 @@ TEST(FormDeformer, EachErratumAloneMissesTheDissertationsGrid) {
     }
     return distance;
   };
-  EXPECT_LT(worst(literally({14, 18})), 1e-5);
-  EXPECT_GT(worst(literally({14})), 0.03);
-  EXPECT_GT(worst(literally({18})), 0.1);
-  EXPECT_GT(worst(literally({14, 15, 18})), 1.0);
-  EXPECT_GT(worst(literally({14, 18, 19})), 1.0);
+  EXPECT_LT(worst(literally({Erratum::E14_location_ratio, Erratum::E18_profile_rim})), 1e-5);
+  EXPECT_GT(worst(literally({Erratum::E14_location_ratio})), 0.03);
+  EXPECT_GT(worst(literally({Erratum::E18_profile_rim})), 0.1);
+  EXPECT_GT(worst(literally({Erratum::E14_location_ratio, Erratum::E15_aspect, Erratum::E18_profile_rim})), 1.0);
+  EXPECT_GT(worst(literally({Erratum::E14_location_ratio, Erratum::E18_profile_rim, Erratum::E19_drag_cap})), 1.0);
 }
 
 // The general deformer and the kernels are two programs for one definition.
@@ -331,7 +332,7 @@ TEST(FormDeformer, PlainSumSinksTooDeep) {
 }
 
 TEST(FormDeformer, LiteralCapsActOnComponents) {  // E19
-  Sheet sheet(literally({19}));
+  Sheet sheet(literally({Erratum::E19_drag_cap}));
   const Index centre = sheet.mesh.triangles[sheet.contact.anchor_triangle][0];
   sheet.apply({drag(sheet.contact, {18, 24, 0})});
   EXPECT_LT((sheet.moved(centre) - Vec3(18, 20, -6)).norm(), 1e-4);
@@ -341,7 +342,7 @@ TEST(FormDeformer, LiteralCapsActOnComponents) {  // E19
 }
 
 TEST(FormDeformer, LiteralNegativeDepthPullsOut) {  // E19
-  Sheet sheet(literally({19}));
+  Sheet sheet(literally({Erratum::E19_drag_cap}));
   sheet.contact.depth_mm = -3.0;
   sheet.apply({sheet.contact});
   EXPECT_NEAR(sheet.moved(sheet.mesh.triangles[sheet.contact.anchor_triangle][0]).z(), 3.0, 1e-5);
@@ -364,7 +365,7 @@ TEST(FormDeformer, LiteralRingsReachTheFarSide) {
     return far;
   };
   EXPECT_EQ(far_moves({}), 0u);
-  EXPECT_GT(far_moves(literally({23})), 500u);
+  EXPECT_GT(far_moves(literally({Erratum::E23_region_search})), 500u);
 }
 
 // All corners of the anchor's triangle outside: printed, the search is over; the vertex beyond them is never seen.
@@ -377,7 +378,7 @@ TEST(FormDeformer, LiteralRingsStopEarlyOnCoarseMeshes) {
     return stage.apply({contact}).moved_vertices;
   };
   EXPECT_EQ(moved({}), 1u);
-  EXPECT_EQ(moved(literally({23})), 0u);
+  EXPECT_EQ(moved(literally({Erratum::E23_region_search})), 0u);
 }
 
 TEST(FormDeformer, SearchIsTheOneOfTheFastPath) {
@@ -400,7 +401,7 @@ TEST(FormDeformer, SearchIsTheOneOfTheFastPath) {
 TEST(FormDeformer, AnalyticNormalsAreThoseOfTheSurface) {
   std::vector<FormSettings> all = test::manyForms();
   for (FormSettings& forms : all) {
-    if (forms.fidelity.literal(18)) continue;  // the stored table is a staircase
+    if (forms.fidelity.literal(Erratum::E18_profile_rim)) continue;  // the stored table is a staircase
     forms.common.normals = Normals::analytic;
     FormStage stage(zoo::grid(200, 100.0), forms);
     Contact contact = press(stage.mesh, triangleNear(stage.mesh, {50, 50, 0}), 5.0);
@@ -432,7 +433,7 @@ TEST(AnyDeformer, IsTheFastOneUnlessAFormNeedsTheGeneralOne) {
   regions.boundary = Boundary::two_mm;
   regions.common.strain = true;
   regions.common.normals = Normals::recomputed;
-  regions.fidelity.setLiteral(21);
+  regions.fidelity.setLiteral(Erratum::E21_press_region);
   EXPECT_TRUE(AnyDeformer(skin, regions).isFast()) << "regions come with the contacts";
   const auto all = test::manyForms();
   for (std::size_t i = 1; i < all.size(); ++i) {

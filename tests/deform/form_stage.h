@@ -45,8 +45,8 @@ inline std::vector<FormSettings> manyForms() {
   all[4].region = NormalRegion::shared;
   all[5].together = Together::summed;
   all[6].fidelity = literalFidelity();
-  all[7] = literally({14, 15});
-  all[8] = literally({23});
+  all[7] = literally({Erratum::E14_location_ratio, Erratum::E15_aspect});
+  all[8] = literally({Erratum::E23_region_search});
   all[9].common.normals = Normals::recomputed;
   all[10].common.normals = Normals::incremental;
   all[11].strain_kind = StrainKind::principal;

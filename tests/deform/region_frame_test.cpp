@@ -28,7 +28,7 @@ TEST(RegionFrame, TrueEllipseOfTheReference) {
 
 TEST(RegionFrame, PrintedRatioOfTheReference) {  // E14
   for (const auto& c : test::goldenRows("ellipse_q", "cases")) {
-    const RegionFrame frame = ellipseFrame(ellipseOfRow(c), Vec3::UnitZ(), literally({14}));
+    const RegionFrame frame = ellipseFrame(ellipseOfRow(c), Vec3::UnitZ(), literally({Erratum::E14_location_ratio}));
     EXPECT_NEAR(ratioOf(frame, vec3(c["OD"])), c["q_printed_4_13"], 1e-12) << c;
   }
 }
@@ -45,7 +45,8 @@ TEST(RegionFrame, ProjectsAlongTheNormal) {
 // The measured ratio (major/minor) put where (4.13) wants minor/major: the long side turns by 90 degrees.
 TEST(RegionFrame, RatioTheWrongWayRoundTurnsTheLongSide) {  // E15
   const maps::SurfaceEllipse ellipse{Vec3(100, 0, 0), 0.5};
-  for (const FormSettings& forms : {literally({15}), literally({14, 15})}) {
+  for (const FormSettings& forms :
+       {literally({Erratum::E15_aspect}), literally({Erratum::E14_location_ratio, Erratum::E15_aspect})}) {
     const RegionFrame frame = ellipseFrame(ellipse, Vec3::UnitZ(), forms);
     EXPECT_NEAR(ratioOf(frame, Vec3(100, 0, 0)), 1.0, 1e-12);
     EXPECT_NEAR(ratioOf(frame, Vec3(0, 200, 0)), 1.0, 1e-12) << "4 times the area";
@@ -55,7 +56,7 @@ TEST(RegionFrame, RatioTheWrongWayRoundTurnsTheLongSide) {  // E15
 TEST(RegionFrame, PedalCurveReachesBeyondTheEllipse) {  // E14
   const maps::SurfaceEllipse ellipse{Vec3(100, 0, 0), 1.0 / 1.357};
   const RegionFrame exact = ellipseFrame(ellipse, Vec3::UnitZ(), {});
-  const RegionFrame printed = ellipseFrame(ellipse, Vec3::UnitZ(), literally({14}));
+  const RegionFrame printed = ellipseFrame(ellipse, Vec3::UnitZ(), literally({Erratum::E14_location_ratio}));
   double reach = 0.0;
   for (double angle = 0.0; angle < 6.3; angle += 0.01) {
     const Vec3 offset(std::cos(angle), std::sin(angle), 0.0);
@@ -67,7 +68,7 @@ TEST(RegionFrame, PedalCurveReachesBeyondTheEllipse) {  // E14
 TEST(RegionFrame, CentreIsZeroInEveryShape) {
   const maps::SurfaceEllipse ellipse{Vec3(100, 0, 0), 0.5};
   EXPECT_EQ(ratioOf(ellipseFrame(ellipse, Vec3::UnitZ(), {}), Vec3::Zero()), 0.0);
-  EXPECT_EQ(ratioOf(ellipseFrame(ellipse, Vec3::UnitZ(), literally({14})), Vec3::Zero()), 0.0);
+  EXPECT_EQ(ratioOf(ellipseFrame(ellipse, Vec3::UnitZ(), literally({Erratum::E14_location_ratio})), Vec3::Zero()), 0.0);
   const auto contour = maps::contourOf(std::vector<double>{10, 20, 30});
   EXPECT_EQ(ratioOf(contourFrame({contour, Vec3::UnitX(), Vec3::UnitY()}, Vec3::UnitZ()), Vec3::Zero()), 0.0);
 }
@@ -88,10 +89,11 @@ TEST(RegionFrame, ContourIsThatOfTheMaps) {
 TEST(RegionFrame, SlopeIsTheDerivativeInEveryShape) {
   const maps::SurfaceEllipse ellipse{Vec3(40, 10, 0), 0.6};
   const auto contour = maps::contourOf(std::vector<double>{30, 20, 35, 25, 28, 40, 22, 31});
-  const RegionFrame frames[] = {ellipseFrame(ellipse, Vec3::UnitZ(), {}),
-                                ellipseFrame(ellipse, Vec3::UnitZ(), literally({14})),
-                                ellipseFrame(ellipse, Vec3::UnitZ(), literally({14, 15})),
-                                contourFrame({contour, Vec3::UnitX(), Vec3::UnitY()}, Vec3::UnitZ())};
+  const RegionFrame frames[] = {
+      ellipseFrame(ellipse, Vec3::UnitZ(), {}),
+      ellipseFrame(ellipse, Vec3::UnitZ(), literally({Erratum::E14_location_ratio})),
+      ellipseFrame(ellipse, Vec3::UnitZ(), literally({Erratum::E14_location_ratio, Erratum::E15_aspect})),
+      contourFrame({contour, Vec3::UnitX(), Vec3::UnitY()}, Vec3::UnitZ())};
   Random random(8);
   constexpr double kStep = 1e-5;
   for (const RegionFrame& frame : frames) {
@@ -138,7 +140,7 @@ TEST(FormedRegions, ConstantDoesNotGrowWithDepth) {
 TEST(FormedRegions, OneEllipseForBothPartsByChoiceOrAsPrinted) {  // E21
   FormSettings shared;
   shared.region = NormalRegion::shared;
-  for (const FormSettings& forms : {shared, literally({21})}) {
+  for (const FormSettings& forms : {shared, literally({Erratum::E21_press_region})}) {
     const Contact contact = formedRegions(contactWithEllipse(), forms);
     EXPECT_EQ(contact.normal_region.half_major, Vec3(100, 0, 0));
     EXPECT_EQ(contact.normal_region.aspect, 0.7);

@@ -87,11 +87,11 @@ TEST(LiteralTraversal, EachErratumAsksForItsOwnForm) {
     return fidelity;
   };
   EXPECT_EQ(literalTraversal({}, TreeKind::Bsp), std::nullopt);
-  EXPECT_EQ(literalTraversal(with(4), TreeKind::Bsp), LiteralTraversal::ElseIf);
-  EXPECT_EQ(literalTraversal(with(4), TreeKind::Octree), std::nullopt);
-  EXPECT_EQ(literalTraversal(with(10), TreeKind::Bsp), LiteralTraversal::HalfSpace);
-  EXPECT_EQ(literalTraversal(with(5), TreeKind::Octree), LiteralTraversal::CellBox);
-  EXPECT_EQ(literalTraversal(with(11), TreeKind::Octree), LiteralTraversal::SphereCorners);
+  EXPECT_EQ(literalTraversal(with(Erratum::E4_else_if), TreeKind::Bsp), LiteralTraversal::ElseIf);
+  EXPECT_EQ(literalTraversal(with(Erratum::E4_else_if), TreeKind::Octree), std::nullopt);
+  EXPECT_EQ(literalTraversal(with(Erratum::E10_half_spaces), TreeKind::Bsp), LiteralTraversal::HalfSpace);
+  EXPECT_EQ(literalTraversal(with(Erratum::E5_cell_box), TreeKind::Octree), LiteralTraversal::CellBox);
+  EXPECT_EQ(literalTraversal(with(Erratum::E11_sphere_corners), TreeKind::Octree), LiteralTraversal::SphereCorners);
   EXPECT_EQ(literalTraversal(literalFidelity(), TreeKind::Bsp), LiteralTraversal::ElseIf);
   EXPECT_EQ(literalTraversal(literalFidelity(), TreeKind::Octree), LiteralTraversal::CellBox);
 }

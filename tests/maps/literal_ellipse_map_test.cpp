@@ -69,7 +69,7 @@ TEST(LiteralEllipseMap, SevenKeyPointsGiveThePrintedField) {
   const auto data = golden("direction_interp")["seven_keys"];
   const auto keys = sevenKeys(data);
   for (const double radius : {150.0, 200.0, 400.0}) {
-    const LiteralEllipseMap map(keys, {radius, data["r_c"]}, taking({29}));
+    const LiteralEllipseMap map(keys, {radius, data["r_c"]}, taking({Erratum::E29_mean_of_angles}));
     for (const auto& place : data["field"]) {
       const auto& expected = place[fmt::format("e{}", radius)]["literal"];
       const Ellipse e = map.at(place["p"][0], place["p"][1]);
@@ -84,7 +84,7 @@ TEST(LiteralEllipseMap, DirectionsAsNumbersAndByDoubleAngle) {
   for (const auto& c : goldenRows("direction_interp", "cases")) {
     const auto keys = keysWithLevels(c["a"], c["deg"], 200.0);
     const EllipseMapSettings settings{200.0, 90.0};
-    const Ellipse raw = LiteralEllipseMap(keys, settings, taking({29})).at(0, 0);
+    const Ellipse raw = LiteralEllipseMap(keys, settings, taking({Erratum::E29_mean_of_angles})).at(0, 0);
     const bool has_zero = std::find(c["deg"].begin(), c["deg"].end(), 0) != c["deg"].end();  // the map says 180
     if (!has_zero) {
       EXPECT_NEAR(apart(raw.direction_rad, c["literal_5_17_dc90"]), 0.0, 1e-6) << c;
@@ -100,7 +100,7 @@ TEST(LiteralEllipseMap, DirectionsAsNumbersAndByDoubleAngle) {
 // From P3 (180 degree) the printed direction turns the same way on both sides of the spine.
 TEST(LiteralEllipseMap, PrintedDirectionsAreNoMirrorImages) {
   const auto keys = sevenKeys(golden("direction_interp")["seven_keys"]);
-  const LiteralEllipseMap literal(keys, {200.0, 150.0}, taking({29}));
+  const LiteralEllipseMap literal(keys, {200.0, 150.0}, taking({Erratum::E29_mean_of_angles}));
   const LiteralEllipseMap corrected(keys, {200.0, 150.0}, Fidelity{});
   const auto sum = [](const LiteralEllipseMap& map) {
     return (map.at(30, 31.25).direction_rad + map.at(-30, 31.25).direction_rad) / kRadPerDeg;
@@ -133,12 +133,13 @@ TEST(LiteralEllipseMap, EachErratumSwitchesAlone) {
   const Vec3 place(-60, -90, 0);
   const Vec3 normal(0.5, 0.2, 0.8);
   const SurfaceEllipse corrected = LiteralEllipseMap(keys, {}, Fidelity{}).on(place, normal);
-  for (const Erratum e : {15, 16, 26, 28, 29, 32}) {
+  for (const Erratum e : {Erratum::E15_aspect, Erratum::E16_full_axes, Erratum::E26_weight_formulae,
+                          Erratum::E28_effect_radius, Erratum::E29_mean_of_angles, Erratum::E32_vertical_skin}) {
     const SurfaceEllipse literal = LiteralEllipseMap(keys, {}, taking({e})).on(place, normal);
     const double change =
         (literal.half_major - corrected.half_major).norm() + std::abs(literal.aspect - corrected.aspect);
-    EXPECT_GT(change, 1e-3) << "E" << e;
-    EXPECT_TRUE(literal.half_major.allFinite()) << "E" << e;
+    EXPECT_GT(change, 1e-3) << "E" << numberOf(e);
+    EXPECT_TRUE(literal.half_major.allFinite()) << "E" << numberOf(e);
   }
 }
 
@@ -148,23 +149,24 @@ TEST(LiteralEllipseMap, SizesAndAspectsAsMisread) {
   const auto at_p4 = [&](Erratum e) {
     return LiteralEllipseMap(keys, {}, taking({e})).at(p4.position_mm.x(), p4.position_mm.y());
   };
-  EXPECT_NEAR(at_p4(15).aspect, 1.357, 1e-9);                                                // E15
-  EXPECT_NEAR(at_p4(16).half_major_mm, 358.0, 1e-9);                                         // E16
-  EXPECT_NEAR(at_p4(28).half_major_mm, 179.0, 1e-9);                                         // a key stays a key
-  EXPECT_NEAR(LiteralEllipseMap({}, {}, taking({16})).at(0, 0).half_major_mm, 150.0, 1e-9);  // the base is a radius
+  EXPECT_NEAR(at_p4(Erratum::E15_aspect).aspect, 1.357, 1e-9);
+  EXPECT_NEAR(at_p4(Erratum::E16_full_axes).half_major_mm, 358.0, 1e-9);
+  EXPECT_NEAR(at_p4(Erratum::E28_effect_radius).half_major_mm, 179.0, 1e-9);  // a key stays a key
+  EXPECT_NEAR(LiteralEllipseMap({}, {}, taking({Erratum::E16_full_axes})).at(0, 0).half_major_mm, 150.0,
+              1e-9);  // the base is a radius
 }
 
 TEST(LiteralEllipseMap, DiameterAsRadiusReachesTwiceAsFar) {
   const std::vector<KeyPoint> one{{"K", {0, 0}, {100.0, 0.5, 0.0}, {}}};
   const EllipseMap wide(one, {400.0, 150.0});
-  const LiteralEllipseMap literal(one, {200.0, 150.0}, taking({28}));
+  const LiteralEllipseMap literal(one, {200.0, 150.0}, taking({Erratum::E28_effect_radius}));
   EXPECT_EQ(literal.at(300, 0).half_major_mm, wide.at(300, 0).half_major_mm);
   EXPECT_NE(literal.at(300, 0).half_major_mm, 150.0);
 }
 
 TEST(LiteralEllipseMap, PrintedProductsLeaveNoEllipseOnTheKeysButTheFirst) {
   const auto keys = dissertationKeyPoints();
-  const LiteralEllipseMap map(keys, {}, taking({26}));
+  const LiteralEllipseMap map(keys, {}, taking({Erratum::E26_weight_formulae}));
   EXPECT_GT(map.at(keys[0].position_mm.x(), keys[0].position_mm.y()).half_major_mm, 179.0);
   for (std::size_t i = 1; i < keys.size(); ++i) {
     EXPECT_EQ(map.at(keys[i].position_mm.x(), keys[i].position_mm.y()).half_major_mm, 0.0) << keys[i].name;
@@ -177,7 +179,7 @@ TEST(LiteralEllipseMap, WithoutAValueItIsTheBasicCircle) {
   keys.push_back(keys.front());  // coincident: 0/0
   keys.back().ellipse = {100.0, 0.5, 0.3};
   const Vec2 place = keys.front().position_mm;
-  for (const Fidelity& fidelity : {taking({27}), literalFidelity()}) {
+  for (const Fidelity& fidelity : {taking({Erratum::E27_weight_zero_by_zero}), literalFidelity()}) {
     const Ellipse e = LiteralEllipseMap(keys, {}, fidelity).at(place.x(), place.y());
     EXPECT_NEAR(e.half_major_mm, 150.0, 1e-9);
     EXPECT_NEAR(e.aspect, 1.0, 1e-12);
@@ -185,7 +187,7 @@ TEST(LiteralEllipseMap, WithoutAValueItIsTheBasicCircle) {
     EXPECT_NEAR(far.half_major_mm, 150.0, 1e-9);
   }
   // Corrected, coincident keys are averaged.
-  const Ellipse mean = LiteralEllipseMap(keys, {}, taking({29})).at(place.x(), place.y());
+  const Ellipse mean = LiteralEllipseMap(keys, {}, taking({Erratum::E29_mean_of_angles})).at(place.x(), place.y());
   EXPECT_NEAR(mean.half_major_mm, 0.5 * (179.0 + 100.0), 1e-9);
 }
 

@@ -62,7 +62,7 @@ TEST(DeformationKeys, NothingSaidIsTheFastPath) { EXPECT_FALSE(deform::needsForm
 
 TEST(DeformationKeys, FidelityReachesTheForms) {
   const Scene scene = parse("fidelity.E14 = \"literal\"\n" + kFinger, "s.toml");
-  EXPECT_TRUE(formsOf(scene).fidelity.literal(14));
+  EXPECT_TRUE(formsOf(scene).fidelity.literal(Erratum::E14_location_ratio));
   EXPECT_TRUE(deform::needsForms(formsOf(scene)));
 }
 

@@ -20,19 +20,19 @@ Fidelity only(std::initializer_list<Erratum> literal) {
 }
 
 TEST(Errata, AreNumberedFromOneWithoutGaps) {
-  ASSERT_EQ(errata().size(), static_cast<std::size_t>(kLastErratum));
-  for (Erratum e = 1; e <= kLastErratum; ++e) {
-    const ErratumText& text = errata()[static_cast<std::size_t>(e - 1)];
-    EXPECT_EQ(text.number, e);
-    EXPECT_FALSE(text.printed.empty() || text.ours.empty() || text.choice.empty()) << nameOf(e);
+  ASSERT_EQ(errata().size(), static_cast<std::size_t>(kErrata));
+  for (int number = 1; number <= kErrata; ++number) {
+    const ErratumText& text = errata()[static_cast<std::size_t>(number - 1)];
+    EXPECT_EQ(text.erratum, erratumOf(number));
+    EXPECT_FALSE(text.printed.empty() || text.ours.empty() || text.choice.empty()) << number;
   }
 }
 
 TEST(Errata, AreNamedWithALetterAndANumber) {
-  EXPECT_EQ(erratumNamed("E14"), 14);
-  EXPECT_EQ(erratumNamed("e1"), 1);
+  EXPECT_EQ(erratumNamed("E14"), Erratum::E14_location_ratio);
+  EXPECT_EQ(erratumNamed("e1"), Erratum::E1_anchor);
   for (const char* name : {"", "E", "E0", "E35", "E1x", "14", "F3", "E-1", "E99999999999"}) {
-    EXPECT_EQ(erratumNamed(name), 0) << name;
+    EXPECT_EQ(erratumNamed(name), Erratum::none) << name;
   }
 }
 
@@ -44,10 +44,11 @@ TEST(Fidelity, IsCorrectedUnlessSaidOtherwise) {
 
 TEST(Fidelity, SwitchesAllErrataAtOnceOrSingleOnes) {
   EXPECT_EQ(fidelityOf("fidelity = \"literal\""), literalFidelity());
-  EXPECT_EQ(fidelityOf("fidelity.E14 = \"literal\"\nfidelity.E29 = \"literal\""), only({14, 29}));
-  EXPECT_EQ(parseFidelity("E14, E29"), only({14, 29}));
+  EXPECT_EQ(fidelityOf("fidelity.E14 = \"literal\"\nfidelity.E29 = \"literal\""),
+            only({Erratum::E14_location_ratio, Erratum::E29_mean_of_angles}));
+  EXPECT_EQ(parseFidelity("E14, E29"), only({Erratum::E14_location_ratio, Erratum::E29_mean_of_angles}));
   Fidelity all_but_one = literalFidelity();
-  all_but_one.setLiteral(14, false);
+  all_but_one.setLiteral(Erratum::E14_location_ratio, false);
   EXPECT_EQ(fidelityOf("[fidelity]\nE14 = \"corrected\"\nall = \"literal\""), all_but_one);
 }
 

@@ -37,13 +37,13 @@ TEST_F(HdbSource, ErrataOfChapterThreeAreSwitchedByTheirNumbers) {
   Scene scene;
   scene.partition.tree = hdb::TreeKind::Bsp;
   EXPECT_FALSE(sourceOf(scene)->settings.literal.has_value());
-  scene.fidelity.setLiteral(4);
+  scene.fidelity.setLiteral(Erratum::E4_else_if);
   EXPECT_EQ(sourceOf(scene)->settings.literal, hdb::LiteralTraversal::ElseIf);
   scene.fidelity = {};
-  scene.fidelity.setLiteral(10);
+  scene.fidelity.setLiteral(Erratum::E10_half_spaces);
   EXPECT_EQ(sourceOf(scene)->settings.literal, hdb::LiteralTraversal::HalfSpace);
   scene.fidelity = {};
-  scene.fidelity.setLiteral(5);
+  scene.fidelity.setLiteral(Erratum::E5_cell_box);
   EXPECT_EQ(sourceOf(scene)->settings.literal, hdb::LiteralTraversal::CellBox);
   scene.partition.query = hdb::HdbQuery::coherent;
   EXPECT_FALSE(sourceOf(scene)->settings.literal.has_value()) << "the text knows leaves only";
@@ -54,7 +54,7 @@ TEST_F(HdbSource, TheOctreeAsPrintedLosesTriangles) {
   scene.partition.threshold = 16;
   const auto listed = [&] { return sourceOf(scene)->partition->triangles.size(); };
   EXPECT_EQ(listed(), plate_.triangles.size());
-  scene.fidelity.setLiteral(6);  // E6
+  scene.fidelity.setLiteral(Erratum::E6_three_octants);
   EXPECT_LE(listed(), plate_.triangles.size());
 }
 

@@ -42,40 +42,47 @@ const std::vector<ErratumEffect>& effects() {
 const ErratumEffect& effect(Erratum erratum) { return effects().at(static_cast<std::size_t>(erratum)); }
 
 TEST(Errata, HaveOneRowEachAndOneForAllTogether) {
-  ASSERT_EQ(effects().size(), static_cast<std::size_t>(kLastErratum) + 1);
-  for (Erratum e = 0; e <= kLastErratum; ++e) EXPECT_EQ(effect(e).text.number, e);
+  ASSERT_EQ(effects().size(), static_cast<std::size_t>(kErrata) + 1);
+  for (int number = 0; number <= kErrata; ++number) {
+    EXPECT_EQ(effect(static_cast<Erratum>(number)).text.erratum, static_cast<Erratum>(number));
+  }
 }
 
 TEST(Errata, ThatCanBeReadOtherwiseAreMeasuredAndTheOthersSayWhyNot) {
   for (const ErratumEffect& row : effects()) {
-    EXPECT_EQ(row.reading.empty(), row.text.form == scene::LiteralForm::none && row.text.number != 0)
-        << row.text.number;
+    EXPECT_EQ(row.reading.empty(), row.text.form == scene::LiteralForm::none && row.text.erratum != Erratum::none)
+        << numberOf(row.text.erratum);
   }
 }
 
 TEST(Errata, OfTheRegionsMoveTheSkinAndLeaveTheForceAlone) {
-  for (const Erratum e : {1, 14, 15, 18, 20, 21, 25, 28, 29}) {
-    EXPECT_GT(effect(e).skin_mm, 1e-3) << "E" << e;
-    EXPECT_EQ(effect(e).force_n, 0.0) << "E" << e;
+  for (const Erratum e : {Erratum::E1_anchor, Erratum::E14_location_ratio, Erratum::E15_aspect,
+                          Erratum::E18_profile_rim, Erratum::E20_zero_boundary, Erratum::E21_press_region,
+                          Erratum::E25_two_fingers, Erratum::E28_effect_radius, Erratum::E29_mean_of_angles}) {
+    EXPECT_GT(effect(e).skin_mm, 1e-3) << scene::nameOf(e);
+    EXPECT_EQ(effect(e).force_n, 0.0) << scene::nameOf(e);
   }
 }
 
 TEST(Errata, OfThePartitionMissTriangles) {
-  EXPECT_GT(effect(4).missed_percent, 50.0);
-  EXPECT_GT(effect(4).lost_ticks, 0u) << "with ELSEIF the finger falls through";
-  EXPECT_GT(effect(5).missed_percent + effect(6).missed_percent + effect(11).missed_percent, 0.0);
-  EXPECT_EQ(effect(7).missed_percent, 0.0) << "another leaf rule makes other leaves, not fewer triangles";
+  EXPECT_GT(effect(Erratum::E4_else_if).missed_percent, 50.0);
+  EXPECT_GT(effect(Erratum::E4_else_if).lost_ticks, 0u) << "with ELSEIF the finger falls through";
+  EXPECT_GT(effect(Erratum::E5_cell_box).missed_percent + effect(Erratum::E6_three_octants).missed_percent +
+                effect(Erratum::E11_sphere_corners).missed_percent,
+            0.0);
+  EXPECT_EQ(effect(Erratum::E7_leaf_threshold).missed_percent, 0.0)
+      << "another leaf rule makes other leaves, not fewer triangles";
 }
 
 TEST(Errata, WithoutAPlaceInTheSceneChangeNothing) {
-  EXPECT_EQ(effect(31).skin_mm, 0.0) << "the key points are the scene's own";
-  EXPECT_LT(effect(24).skin_mm, 1e-4) << "principal strain is seen, not felt";
-  EXPECT_GT(effect(24).strain_percent, 0.1);
+  EXPECT_EQ(effect(Erratum::E31_down_like_up).skin_mm, 0.0) << "the key points are the scene's own";
+  EXPECT_LT(effect(Erratum::E24_pure_shear).skin_mm, 1e-4) << "principal strain is seen, not felt";
+  EXPECT_GT(effect(Erratum::E24_pure_shear).strain_percent, 0.1);
 }
 
 TEST(Errata, AreReportedForPeopleAndForMachines) {
   const auto json = nlohmann::json::parse(errataJson(effects()));
-  EXPECT_EQ(json["errata"].size(), static_cast<std::size_t>(kLastErratum));
+  EXPECT_EQ(json["errata"].size(), static_cast<std::size_t>(kErrata));
   EXPECT_EQ(json["errata"][13]["reading"], "fidelity.E14 = \"literal\"");
   EXPECT_EQ(json["errata"][21]["not_measured"], "nothing to switch");
   EXPECT_TRUE(json["all_literal"].contains("skin_mm"));

@@ -44,7 +44,7 @@ TEST(Numbers, EveryComputableNumberIsReproducedOrANamedMisprint) {
   EXPECT_TRUE(studyHolds(rows));
   for (const NumberRow& row : rows) {
     EXPECT_NE(row.verdict, Verdict::not_reproduced) << row.where << " " << row.what << " " << row.ours;
-    EXPECT_TRUE(row.verdict != Verdict::misprint || row.erratum > 0) << row.where;
+    EXPECT_TRUE(row.verdict != Verdict::misprint || row.erratum != Erratum::none) << row.where;
     EXPECT_FALSE(row.reason.empty()) << row.where;
   }
   EXPECT_EQ(countOf(rows, Verdict::misprint), 5);
@@ -54,8 +54,8 @@ TEST(Numbers, EveryComputableNumberIsReproducedOrANamedMisprint) {
 TEST(Numbers, MisprintsAreTheOnesOfTheErrata) {
   const auto rows = studyNumbers();
   EXPECT_EQ(rowAt(rows, "Table 3.3, height 5", "w").verdict, Verdict::misprint);
-  EXPECT_EQ(rowAt(rows, "Table 3.3, height 9", "w").erratum, 13);
-  EXPECT_EQ(rowAt(rows, "Figure 5.9, e = 400 as radius", "R(E1)").erratum, 28);
+  EXPECT_EQ(rowAt(rows, "Table 3.3, height 9", "w").erratum, Erratum::E13_misprints);
+  EXPECT_EQ(rowAt(rows, "Figure 5.9, e = 400 as radius", "R(E1)").erratum, Erratum::E28_effect_radius);
   EXPECT_EQ(rowAt(rows, "Figure 5.9, e = 400 as diameter", "R(E1)").verdict, Verdict::reproduced);
 }
 

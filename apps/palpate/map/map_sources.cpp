@@ -20,7 +20,7 @@ constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 std::vector<maps::KeyPoint> keyPointsOf(const MapSource& source) {
   if (!source.key_file.empty()) return maps::readKeyPoints(source.key_file);
   maps::MeasuredDataChoice measured = source.measured;
-  if (source.fidelity.literal(30)) measured.averaging = maps::Averaging::plain;  // E30
+  if (source.fidelity.literal(Erratum::E30_key_averages)) measured.averaging = maps::Averaging::plain;
   return maps::dissertationKeyPoints(measured);
 }
 

@@ -77,7 +77,7 @@ void FormDeformer::frameContacts(std::span<const Contact> contacts, Report& repo
 
 void FormDeformer::findRegions(Report& report) noexcept {
   parts_.clear();
-  const bool as_printed = forms_.fidelity.literal(23);  // E23
+  const bool as_printed = forms_.fidelity.literal(Erratum::E23_region_search);
   for (Index i = 0; i < frames_.size(); ++i) {
     const FormFrame& frame = frames_[i];
     const auto is_inside = [&](Index v) {
@@ -127,7 +127,7 @@ void FormDeformer::solveTogether() noexcept {
   std::copy_n(shifts_.begin(), n, drags_.begin());
   for (std::size_t i = 0; i < n; ++i) depths_[i] = std::max(0.0, amplitudes_[i]);
   const double cap = forms_.common.tissue.tangential_cap_mm;
-  const double reach = forms_.fidelity.literal(19) ? literalDragReach(cap) : cap;
+  const double reach = forms_.fidelity.literal(Erratum::E19_drag_cap) ? literalDragReach(cap) : cap;
   solveDepths({press_coupling_, n}, {depths_.data(), n}, {amplitudes_.data(), n});
   solveDrags({drag_coupling_, n}, {drags_.data(), n}, reach, {shifts_.data(), n});
   for (std::size_t i = 0; i < n; ++i) {

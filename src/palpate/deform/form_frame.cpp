@@ -9,7 +9,7 @@ namespace {
 void setCapped(const Contact& contact, const FormSettings& forms, FormFrame& frame) noexcept {
   const TissueSettings& tissue = forms.common.tissue;
   const Vec3 drag = tissue.f_adj * contact.drag_mm;
-  if (forms.fidelity.literal(19)) {  // E19
+  if (forms.fidelity.literal(Erratum::E19_drag_cap)) {
     frame.depth_mm = literallyCappedDepth(contact.depth_mm, tissue.normal_cap_mm);
     frame.drag_mm = literallyCappedDrag(drag, tissue.tangential_cap_mm);
   } else {

@@ -8,7 +8,8 @@ namespace palpate::deform {
 namespace {
 
 /// Errata whose printed form changes what a deformer does with its contacts.
-constexpr Erratum kDeformerErrata[] = {14, 15, 18, 19, 23};
+constexpr Erratum kDeformerErrata[] = {Erratum::E14_location_ratio, Erratum::E15_aspect, Erratum::E18_profile_rim,
+                                       Erratum::E19_drag_cap, Erratum::E23_region_search};
 
 bool isDefault(const tissue::ProfileSettings& profile) {
   return profile.kind == tissue::ProfileKind::half_gaussian && profile.rim == tissue::ProfileRim::lowered;

@@ -60,7 +60,7 @@ struct FormSettings {
 
 /// True if both parts of a contact have one region, by choice or as printed.
 inline bool sharesRegion(const FormSettings& forms) {
-  return forms.region == NormalRegion::shared || forms.fidelity.literal(21);  // E21
+  return forms.region == NormalRegion::shared || forms.fidelity.literal(Erratum::E21_press_region);
 }
 
 /// True if Deformer cannot do it. Forms of regions alone (constant, shared, two_mm) do not count: they are in the

@@ -40,12 +40,13 @@ RegionFrame ellipseFrame(const maps::SurfaceEllipse& ellipse, const Vec3& unit_n
   const PartFrame part = partFrameOf(ellipse, unit_normal);
   if (!part.acts) return {};
   RegionFrame frame;
-  frame.kind = forms.fidelity.literal(14) ? RegionFrame::Kind::pedal : RegionFrame::Kind::ellipse;  // E14
+  frame.kind =
+      forms.fidelity.literal(Erratum::E14_location_ratio) ? RegionFrame::Kind::pedal : RegionFrame::Kind::ellipse;
   frame.along = part.along.normalized();
   frame.across = part.across.normalized();
   frame.half_along_mm = 1.0 / part.along.norm();
   frame.half_across_mm = 1.0 / part.across.norm();
-  if (forms.fidelity.literal(15)) frame.half_across_mm = frame.half_along_mm / ellipse.aspect;  // E15
+  if (forms.fidelity.literal(Erratum::E15_aspect)) frame.half_across_mm = frame.half_along_mm / ellipse.aspect;
   if (forms.shape == Shape::circle) {
     frame.half_along_mm = frame.half_across_mm = std::sqrt(frame.half_along_mm * frame.half_across_mm);
   }

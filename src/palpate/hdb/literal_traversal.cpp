@@ -1,3 +1,7 @@
+// The traversals as printed: by the sides of planes, by the boxes of cells, by the corners of cells.
+//
+// Data flow: Partition + detecting box -> here, in the tick -> leaves, some of them missing or too many.
+// Based on: Ji, dissertation 2008, 3.3.3 and 3.4.1 to the letter (E4, E5, E10, E11).
 #include "palpate/hdb/literal_traversal.h"
 
 namespace palpate::hdb {
@@ -90,13 +94,13 @@ bool suits(LiteralTraversal traversal, TreeKind tree) {
 
 std::optional<LiteralTraversal> literalTraversal(const Fidelity& fidelity, TreeKind tree) {
   if (tree == TreeKind::Bsp) {
-    if (fidelity.literal(4)) return LiteralTraversal::ElseIf;
-    if (fidelity.literal(10)) return LiteralTraversal::HalfSpace;
-    if (fidelity.literal(5)) return LiteralTraversal::CellBox;
+    if (fidelity.literal(Erratum::E4_else_if)) return LiteralTraversal::ElseIf;
+    if (fidelity.literal(Erratum::E10_half_spaces)) return LiteralTraversal::HalfSpace;
+    if (fidelity.literal(Erratum::E5_cell_box)) return LiteralTraversal::CellBox;
     return std::nullopt;
   }
-  if (fidelity.literal(5)) return LiteralTraversal::CellBox;
-  if (fidelity.literal(11)) return LiteralTraversal::SphereCorners;
+  if (fidelity.literal(Erratum::E5_cell_box)) return LiteralTraversal::CellBox;
+  if (fidelity.literal(Erratum::E11_sphere_corners)) return LiteralTraversal::SphereCorners;
   return std::nullopt;
 }
 

@@ -27,17 +27,17 @@ Ellipse ellipseOfNumbers(double half_major_mm, double ratio, double direction_ra
 
 LiteralForms literalForms(const Fidelity& fidelity) {
   LiteralForms forms;
-  if (fidelity.literal(27)) forms.weights = LiteralWeights::products;
-  if (fidelity.literal(26)) {
+  if (fidelity.literal(Erratum::E27_weight_zero_by_zero)) forms.weights = LiteralWeights::products;
+  if (fidelity.literal(Erratum::E26_weight_formulae)) {
     forms.weights = LiteralWeights::printed_products;
     forms.direction = DirectionBlend::double_angle;
   }
-  if (fidelity.literal(29)) forms.direction = DirectionBlend::raw_degrees;
-  forms.table_levels = forms.base_without_value = fidelity.literal(27);
-  forms.diameter_as_radius = fidelity.literal(28);
-  forms.ratio_as_aspect = fidelity.literal(15);
-  forms.full_axes_as_half = fidelity.literal(16);
-  forms.projected_length = fidelity.literal(32);
+  if (fidelity.literal(Erratum::E29_mean_of_angles)) forms.direction = DirectionBlend::raw_degrees;
+  forms.table_levels = forms.base_without_value = fidelity.literal(Erratum::E27_weight_zero_by_zero);
+  forms.diameter_as_radius = fidelity.literal(Erratum::E28_effect_radius);
+  forms.ratio_as_aspect = fidelity.literal(Erratum::E15_aspect);
+  forms.full_axes_as_half = fidelity.literal(Erratum::E16_full_axes);
+  forms.projected_length = fidelity.literal(Erratum::E32_vertical_skin);
   return forms;
 }
 

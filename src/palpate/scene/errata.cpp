@@ -18,77 +18,89 @@ constexpr auto kSwitch = LiteralForm::switchable;
 constexpr auto kSetting = LiteralForm::setting;
 constexpr auto kNone = LiteralForm::none;
 
-constexpr std::array<ErratumText, kLastErratum> kErrata = {{
-    {1, kWrong, kSwitch, "(2.5), (2.6): the anchor as P - (F_t/F_n) P_d with vectors lies on the normal line",
+constexpr std::array<ErratumText, kErrata> kTexts = {{
+    {Erratum::E1_anchor, kWrong, kSwitch,
+     "(2.5), (2.6): the anchor as P - (F_t/F_n) P_d with vectors lies on the normal line",
      "A = P + (depth / F_n) F_t, tangential; the engine keeps the anchor as state",
      "the centre and the drag of the deformation"},
-    {2, kAmbiguous, kSetting, "20 mm of drag at 10 mm depth are beyond the friction cone",
+    {Erratum::E2_drag_spring, kAmbiguous, kSetting, "20 mm of drag at 10 mm depth are beyond the friction cone",
      "the tangential spring has a stiffness of its own", "friction.stiffness_ratio"},
-    {3, kCosmetic, kNone, "1.3.1 sums springs at three nodes, 2.2 says F = k d",
+    {Erratum::E3_stiffness_place, kCosmetic, kNone, "1.3.1 sums springs at three nodes, 2.2 says F = k d",
      "2.2, with k interpolated in the triangle", "1.3.1 describes other systems"},
-    {4, kWrong, kSwitch, "the traversal's ELSEIF never visits both children", "two independent ifs",
+    {Erratum::E4_else_if, kWrong, kSwitch, "the traversal's ELSEIF never visits both children", "two independent ifs",
      "the partition's traversal (contact.source = \"hdb\")"},
-    {5, kWrong, kSwitch, "a triangle may stick out of its leaf's box, which is what the query tests",
+    {Erratum::E5_cell_box, kWrong, kSwitch, "a triangle may stick out of its leaf's box, which is what the query tests",
      "every node stores the tight box of its triangles", "the partition's traversal (contact.source = \"hdb\")"},
-    {6, kWrong, kSwitch, "a triangle with vertices in three octants belongs to none", "majority axis by axis",
-     "the octree's assignment C (contact.source = \"hdb\")"},
-    {7, kAmbiguous, kSwitch, "the text stops below the threshold, the code at it",
+    {Erratum::E6_three_octants, kWrong, kSwitch, "a triangle with vertices in three octants belongs to none",
+     "majority axis by axis", "the octree's assignment C (contact.source = \"hdb\")"},
+    {Erratum::E7_leaf_threshold, kAmbiguous, kSwitch, "the text stops below the threshold, the code at it",
      "a leaf holds at most the threshold; depth limit and a stop without progress",
      "the partition's leaf rule (contact.source = \"hdb\")"},
-    {8, kWrong, kNone, "mod(level/3); a child is read after it was set to empty", "level mod 3; empty children dropped",
-     "the printed code reads a null pointer"},
-    {9, kAmbiguous, kNone, "which side a vertex on the plane belongs to", "the positive side, in build and query alike",
-     "the text does not say"},
-    {10, kWrong, kSwitch, "the BSP query asks infinite half spaces and renders far leaves", "the tight box (E5)",
-     "the partition's traversal (contact.source = \"hdb\")"},
-    {11, kWrong, kSwitch, "a sphere meets a box when a corner of the box lies in it", "nearest-point distance",
-     "the octree's traversal (contact.source = \"hdb\")"},
-    {12, kAmbiguous, kSwitch, "the detecting box is a quarter of the model's box, or of its longest edge",
+    {Erratum::E8_empty_child, kWrong, kNone, "mod(level/3); a child is read after it was set to empty",
+     "level mod 3; empty children dropped", "the printed code reads a null pointer"},
+    {Erratum::E9_vertex_on_plane, kAmbiguous, kNone, "which side a vertex on the plane belongs to",
+     "the positive side, in build and query alike", "the text does not say"},
+    {Erratum::E10_half_spaces, kWrong, kSwitch, "the BSP query asks infinite half spaces and renders far leaves",
+     "the tight box (E5)", "the partition's traversal (contact.source = \"hdb\")"},
+    {Erratum::E11_sphere_corners, kWrong, kSwitch, "a sphere meets a box when a corner of the box lies in it",
+     "nearest-point distance", "the octree's traversal (contact.source = \"hdb\")"},
+    {Erratum::E12_box_edges, kAmbiguous, kSwitch,
+     "the detecting box is a quarter of the model's box, or of its longest edge",
      "a cube of a quarter of the longest edge", "the shape of the detecting box (contact.source = \"hdb\")"},
-    {13, kCosmetic, kNone, "misprints in Table 3.3 and in figure numbers", "computed values", "nothing to switch"},
-    {14, kWrong, kSwitch, "(4.13) uses the eccentric angle as the polar angle: a pedal curve, not the ellipse",
-     "q = hypot(u/a, v/b)", "the shape of the deformation regions"},
-    {15, kWrong, kSwitch, "t is minor/major in chapter 4 and major/minor in chapter 5",
+    {Erratum::E13_misprints, kCosmetic, kNone, "misprints in Table 3.3 and in figure numbers", "computed values",
+     "nothing to switch"},
+    {Erratum::E14_location_ratio, kWrong, kSwitch,
+     "(4.13) uses the eccentric angle as the polar angle: a pedal curve, not the ellipse", "q = hypot(u/a, v/b)",
+     "the shape of the deformation regions"},
+    {Erratum::E15_aspect, kWrong, kSwitch, "t is minor/major in chapter 4 and major/minor in chapter 5",
      "aspect = minor/major inside, major_over_minor in files", "the aspect of the ellipse map"},
-    {16, kWrong, kSwitch, "half axes in chapter 4, full axes in Fig 5.3 and Appendix C", "half axes in mm",
-     "the size of the built-in key ellipses"},
-    {17, kAmbiguous, kNone, "P_n is a depth and a force, P_t a direction, a force and a displacement",
+    {Erratum::E16_full_axes, kWrong, kSwitch, "half axes in chapter 4, full axes in Fig 5.3 and Appendix C",
+     "half axes in mm", "the size of the built-in key ellipses"},
+    {Erratum::E17_depth_or_force, kAmbiguous, kNone,
+     "P_n is a depth and a force, P_t a direction, a force and a displacement",
      "displacements: d_n = -M depth n, d_t = M f_adj (P - A)", "(4.5) cannot be evaluated as printed"},
-    {18, kAmbiguous, kSwitch, "the table ends at 0.0021 and jumps to 0 at the rim",
+    {Erratum::E18_profile_rim, kAmbiguous, kSwitch, "the table ends at 0.0021 and jumps to 0 at the rim",
      "the curve lowered and stretched to end at 0", "the half-Gaussian profile: 700 entries, nearest, not lowered"},
-    {19, kWrong, kSwitch, "(4.18) is lost; a cap on each component fits the text as well",
+    {Erratum::E19_drag_cap, kWrong, kSwitch, "(4.18) is lost; a cap on each component fits the text as well",
      "the vector's length is capped, a negative depth is none", "the cap on the drag"},
-    {20, kAmbiguous, kSetting, "the measured \"zero\" boundary is the 2 mm contour",
+    {Erratum::E20_zero_boundary, kAmbiguous, kSetting, "the measured \"zero\" boundary is the 2 mm contour",
      "as measured; or the axes times 1.635, which puts 2 mm where it was measured", "deformation.boundary"},
-    {21, kAmbiguous, kSwitch, "the press has a boundary \"linear in P_n\", the same ellipse, or a smaller one",
-     "its own circle R0 + c depth", "the region of the press: the map's ellipse"},
-    {22, kAmbiguous, kNone, "one measured ellipse covers 63 % of the back", "as measured", "nothing to switch"},
-    {23, kAmbiguous, kSwitch, "the ring search may stop early and has no test of the facing side",
+    {Erratum::E21_press_region, kAmbiguous, kSwitch,
+     "the press has a boundary \"linear in P_n\", the same ellipse, or a smaller one", "its own circle R0 + c depth",
+     "the region of the press: the map's ellipse"},
+    {Erratum::E22_one_ellipse, kAmbiguous, kNone, "one measured ellipse covers 63 % of the back", "as measured",
+     "nothing to switch"},
+    {Erratum::E23_region_search, kAmbiguous, kSwitch,
+     "the ring search may stop early and has no test of the facing side",
      "a connected region that faces the finger, from the anchor's triangle", "the search for the region"},
-    {24, kAmbiguous, kSetting, "(4.20) averages edge strains, which hides pure shear",
+    {Erratum::E24_pure_shear, kAmbiguous, kSetting, "(4.20) averages edge strains, which hides pure shear",
      "(4.20); principal strain beside it", "strain.kind"},
-    {25, kCosmetic, kSetting, "how two fingers combine is not said", "solved together, so that each depth holds",
-     "deformation.together"},
-    {26, kWrong, kSwitch, "wrong indices and factors in (5.12), (5.14) to (5.16)",
+    {Erratum::E25_two_fingers, kCosmetic, kSetting, "how two fingers combine is not said",
+     "solved together, so that each depth holds", "deformation.together"},
+    {Erratum::E26_weight_formulae, kWrong, kSwitch, "wrong indices and factors in (5.12), (5.14) to (5.16)",
      "the products that make the keys exact", "the weights of the ellipse map"},
-    {27, kWrong, kSwitch, "(5.16) is 0/0 out of all reach and where two keys coincide",
+    {Erratum::E27_weight_zero_by_zero, kWrong, kSwitch, "(5.16) is 0/0 out of all reach and where two keys coincide",
      "w = a/(1 - a): the base, or the mean of the keys",
      "the weights of the ellipse map: the printed products, and the basic circle where they are 0/0"},
-    {28, kAmbiguous, kSwitch, "e = 400 is called a radius, but only as a diameter gives Table 5.1",
-     "an effect radius of 200 mm", "the reach of the key points: twice as far"},
-    {29, kWrong, kSwitch, "angles are averaged as numbers, though 0 and 180 degree are the same axis",
-     "log-Euclidean tensors", "the blend of the ellipse map"},
-    {30, kAmbiguous, kSwitch, "rows with major < minor; plain means of angles",
+    {Erratum::E28_effect_radius, kAmbiguous, kSwitch,
+     "e = 400 is called a radius, but only as a diameter gives Table 5.1", "an effect radius of 200 mm",
+     "the reach of the key points: twice as far"},
+    {Erratum::E29_mean_of_angles, kWrong, kSwitch,
+     "angles are averaged as numbers, though 0 and 180 degree are the same axis", "log-Euclidean tensors",
+     "the blend of the ellipse map"},
+    {Erratum::E30_key_averages, kAmbiguous, kSwitch, "rows with major < minor; plain means of angles",
      "axes swapped where needed; the printed means by default, tensorial ones beside them (ellipses.averaging)",
      "the built-in key points: the printed means, whatever ellipses.averaging says"},
-    {31, kAmbiguous, kSetting, "\"down\" is said to be similar to \"up\", and is not", "both are built in",
-     "ellipses.data"},
-    {32, kAmbiguous, kSwitch, "(5.3) lengthens the axis by 1/cos and fails on a vertical surface",
-     "the direction kept, the length restored", "the ellipse on the surface"},
-    {33, kAmbiguous, kNone, "base radius, effect radius and key coordinates of the real back are not given",
+    {Erratum::E31_down_like_up, kAmbiguous, kSetting, "\"down\" is said to be similar to \"up\", and is not",
+     "both are built in", "ellipses.data"},
+    {Erratum::E32_vertical_skin, kAmbiguous, kSwitch,
+     "(5.3) lengthens the axis by 1/cos and fails on a vertical surface", "the direction kept, the length restored",
+     "the ellipse on the surface"},
+    {Erratum::E33_unnamed_radii, kAmbiguous, kNone,
+     "base radius, effect radius and key coordinates of the real back are not given",
      "assumed, and said so (docs/maps.md)", "nothing is printed"},
-    {34, kAmbiguous, kNone, "the direction of the drag is confounded with the ellipse", "as measured",
-     "the data cannot separate them"},
+    {Erratum::E34_drag_direction, kAmbiguous, kNone, "the direction of the drag is confounded with the ellipse",
+     "as measured", "the data cannot separate them"},
 }};
 
 constexpr std::string_view trimmed(std::string_view text) {
@@ -99,24 +111,24 @@ constexpr std::string_view trimmed(std::string_view text) {
 
 }  // namespace
 
-std::span<const ErratumText> errata() { return kErrata; }
+std::span<const ErratumText> errata() { return kTexts; }
 
-std::string nameOf(Erratum erratum) { return fmt::format("E{}", erratum); }
+std::string nameOf(Erratum erratum) { return fmt::format("E{}", numberOf(erratum)); }
 
 Erratum erratumNamed(std::string_view name) {
-  if (name.size() < 2 || (name[0] != 'E' && name[0] != 'e')) return 0;
-  Erratum number = 0;
+  if (name.size() < 2 || (name[0] != 'E' && name[0] != 'e')) return Erratum::none;
+  int number = 0;
   const char* end = name.data() + name.size();
   const auto [stop, error] = std::from_chars(name.data() + 1, end, number);
-  return error == std::errc() && stop == end && number >= 1 && number <= kLastErratum ? number : 0;
+  return error == std::errc() && stop == end ? erratumOf(number) : Erratum::none;
 }
 
 void requireSwitchable(Erratum erratum) {
-  const ErratumText& text = kErrata[static_cast<std::size_t>(erratum - 1)];
+  const ErratumText& text = kTexts[static_cast<std::size_t>(numberOf(erratum) - 1)];
   if (text.form == LiteralForm::switchable) return;
   throw Error(text.form == LiteralForm::setting
-                  ? fmt::format("E{} is not a switch of fidelity; see {}", erratum, text.choice)
-                  : fmt::format("E{} has no literal form: {}", erratum, text.choice));
+                  ? fmt::format("{} is not a switch of fidelity; see {}", nameOf(erratum), text.choice)
+                  : fmt::format("{} has no literal form: {}", nameOf(erratum), text.choice));
 }
 
 Fidelity parseFidelity(std::string_view words) {
@@ -127,7 +139,7 @@ Fidelity parseFidelity(std::string_view words) {
     const std::size_t comma = std::min(words.find(',', from), words.size());
     const std::string_view name = trimmed(words.substr(from, comma - from));
     const Erratum erratum = erratumNamed(name);
-    if (erratum == 0) {
+    if (erratum == Erratum::none) {
       throw Error(fmt::format("fidelity is \"corrected\", \"literal\" or errata such as E14,E29; not '{}'", words));
     }
     requireSwitchable(erratum);
@@ -141,8 +153,8 @@ std::string wordsOf(const Fidelity& fidelity) {
   if (!fidelity.anyLiteral()) return "corrected";
   if (fidelity == literalFidelity()) return "literal";
   std::string words;
-  for (Erratum e = 1; e <= kLastErratum; ++e) {
-    if (fidelity.literal(e)) words += fmt::format("{}E{}", words.empty() ? "" : ",", e);
+  for (const ErratumText& text : errata()) {
+    if (fidelity.literal(text.erratum)) words += (words.empty() ? "" : ",") + nameOf(text.erratum);
   }
   return words;
 }

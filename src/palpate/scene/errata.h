@@ -27,7 +27,7 @@ enum class LiteralForm : std::uint8_t {
 };
 
 struct ErratumText {
-  Erratum number = 0;
+  Erratum erratum = Erratum::none;
   Severity severity = Severity::cosmetic;
   LiteralForm form = LiteralForm::none;
   std::string_view printed;  ///< what the text says or leaves open
@@ -41,7 +41,7 @@ std::span<const ErratumText> errata();
 /// "E14"
 std::string nameOf(Erratum erratum);
 
-/// The number in "E14" or "e14"; 0 if it is not an erratum.
+/// The one of "E14" or "e14"; Erratum::none for another text.
 Erratum erratumNamed(std::string_view name);
 
 /// "corrected", "literal", or a list such as "E14,E29" of errata to take literally. Throws Error for anything else,

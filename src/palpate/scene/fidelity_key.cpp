@@ -10,7 +10,7 @@ bool readsLiteral(const Entry& entry) { return readChoice(entry, {"corrected", "
 
 void readErratum(Fidelity& fidelity, const Entry& entry, std::string_view name) {
   const Erratum erratum = erratumNamed(name);
-  if (erratum == 0) entry.fail("is not an erratum; they are E1 to E34, and \"all\"");
+  if (erratum == Erratum::none) entry.fail("is not an erratum; they are E1 to E34, and \"all\"");
   try {
     requireSwitchable(erratum);
   } catch (const Error& error) {
@@ -39,9 +39,9 @@ std::string showFidelity(const Scene& scene) {
   const std::string words = wordsOf(scene.fidelity);
   if (!words.starts_with('E')) return inQuotes(words);
   std::string table;
-  for (const ErratumText& erratum : errata()) {
-    if (!scene.fidelity.literal(erratum.number)) continue;
-    table += fmt::format("{}{} = \"literal\"", table.empty() ? "" : ", ", nameOf(erratum.number));
+  for (const ErratumText& text : errata()) {
+    if (!scene.fidelity.literal(text.erratum)) continue;
+    table += fmt::format("{}{} = \"literal\"", table.empty() ? "" : ", ", nameOf(text.erratum));
   }
   return "{ " + table + " }";
 }

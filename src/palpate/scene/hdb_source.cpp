@@ -20,7 +20,7 @@ hdb::BuildSettings buildSettings(const Scene& scene) {
   settings.tree = scene.partition.tree;
   settings.assignment = scene.partition.assign;
   settings.threshold = static_cast<Index>(scene.partition.threshold);
-  settings.leaf_below_threshold = scene.fidelity.literal(7);  // E7
+  settings.leaf_below_threshold = scene.fidelity.literal(Erratum::E7_leaf_threshold);
   return settings;
 }
 
@@ -28,7 +28,7 @@ hdb::Partition makePartition(const Scene& scene, const mesh::TriangleMesh& skin,
   const hdb::BuildSettings settings = buildSettings(scene);
   const bool octree_by_majority =
       settings.tree == hdb::TreeKind::Octree && settings.assignment == hdb::Assignment::Majority;
-  if (octree_by_majority && scene.fidelity.literal(6)) {  // E6
+  if (octree_by_majority && scene.fidelity.literal(Erratum::E6_three_octants)) {
     return hdb::buildLiteralOctree(skin, settings, progress).partition;
   }
   return hdb::buildPartition(skin, settings, progress);
@@ -52,7 +52,7 @@ std::optional<hdb::LiteralTraversal> literalTraversal(const Scene& scene) {
 Vec3 boxEdges(const Scene& scene, const Box3& model) {
   if (scene.partition.hdb_edge_mm > 0.0) return Vec3::Constant(scene.partition.hdb_edge_mm);
   using hdb::HdbSize;
-  const bool as_the_box = scene.fidelity.literal(12);  // E12
+  const bool as_the_box = scene.fidelity.literal(Erratum::E12_box_edges);
   const Vec3 quarter = hdbEdges(model, as_the_box ? HdbSize::QuarterOfBox : HdbSize::QuarterOfLongestEdge);
   return 4.0 * scene.partition.hdb_fraction * quarter;
 }

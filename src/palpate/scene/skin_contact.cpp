@@ -19,7 +19,7 @@ contact::FingerOutput withLiteralAnchor(contact::FingerOutput finger) noexcept {
 std::optional<deform::Contact> contactOf(const World& world, const contact::FingerOutput& finger) noexcept {
   if (finger.touch == contact::Touch::free) return std::nullopt;
   const deform::FormSettings& forms = world.deformation;
-  const contact::FingerOutput meant = forms.fidelity.literal(1) ? withLiteralAnchor(finger) : finger;
+  const contact::FingerOutput meant = forms.fidelity.literal(Erratum::E1_anchor) ? withLiteralAnchor(finger) : finger;
   std::optional<deform::Contact> contact = deform::contactOf(meant, world.ellipses, forms.common.tissue);
   if (!contact) return contact;
   if (world.contours) contact->tangential_contour = world.contours->on(meant.anchor, meant.normal);

@@ -23,7 +23,7 @@ std::vector<maps::KeyPoint> keyPointsOf(const Scene& scene) {
   if (!scene.ellipses.key_points.empty()) return maps::readKeyPoints(scene.ellipses.key_points);
   if (scene.body.kind != BodyKind::torso) return {};
   maps::MeasuredDataChoice measured = scene.ellipses.measured;
-  if (scene.fidelity.literal(30)) measured.averaging = maps::Averaging::plain;  // E30
+  if (scene.fidelity.literal(Erratum::E30_key_averages)) measured.averaging = maps::Averaging::plain;
   return maps::dissertationKeyPoints(measured);
 }
 

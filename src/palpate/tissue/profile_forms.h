@@ -40,7 +40,7 @@ ProfilePoint fadedOut(const ProfilePoint& point, double q) noexcept;
 
 /// These settings with what the fidelity takes literally. // E18
 inline ProfileSettings withFidelity(ProfileSettings settings, const Fidelity& fidelity) {
-  if (!fidelity.literal(18)) return settings;
+  if (!fidelity.literal(Erratum::E18_profile_rim)) return settings;
   settings.rim = ProfileRim::step;
   if (settings.kind == ProfileKind::half_gaussian) settings.kind = ProfileKind::table;
   return settings;
