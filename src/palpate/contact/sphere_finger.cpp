@@ -1,4 +1,6 @@
-// One tick of a sphere finger.
+// One tick of a sphere finger: when a free sphere first touches, where its centre goes from there, how it presses.
+//
+// Data flow: step (finger.cpp) -> pressSphere (here) -> Press -> friction and force (felt_force.cpp).
 //
 // The centre C is a local minimum of |x - D| over the places where the sphere fits, reached from C of the last tick.
 // Nine ticks of ten on a back are settled directly: the sphere touches in one point, the place where a point finger's
@@ -6,6 +8,10 @@
 // (sphere_descent.h).
 //
 // The contact ends when C reaches D, so the force leaves as continuously as it came.
+//
+// Based on: Ruspini, Kolarov, Khatib, "The haptic display of complex graphical environments" (1997) for the proxy with
+// a radius; Mirtich, "Impulse-based dynamic simulation of rigid body systems" (1996) for the conservative advancement
+// to the first contact.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -21,22 +27,12 @@ namespace palpate::contact {
 
 namespace {
 
-// First contact of a sphere finger.
-
-/// Decides whether a free sphere touches in this tick: when its centre's way crosses the skin, or when it overlaps the
-/// front of the skin at the end. If so, starts the contact in `state` with the centre where it first touched; a sphere
-/// that overlaps from the beginning starts with its centre at the tip, to be pushed out.
-bool landSphere(const Surface& surface, double radius, FingerState& state, const Vec3& tip) noexcept;
-
-// When and where a free sphere first touches.
-//
-// Based on: Mirtich, "Impulse-based dynamic simulation of rigid body systems" (1996) for conservative advancement.
-
-namespace {
-
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+
+// ---- first contact --------------------------------------------------------------------------------------------------
+
+/// Steps of one advance, and the share of the radius that counts as there.
 constexpr int kMostAdvances = 32;
-/// Nearer to the skin than this share of the radius the advance has arrived.
 constexpr double kArrived = 1e-5;
 
 /// Whether the skin lies between the centre and the foot. From inside a body the fronts of other parts may be near, but
@@ -80,9 +76,10 @@ Vec3 advance(const Surface& surface, const Vec3& from, const Vec3& to, double ra
   return centre;
 }
 
-}  // namespace
-
-bool landSphere(const Surface& surface, double radius, FingerState& state, const Vec3& tip) noexcept {
+/// Decides whether a free sphere touches in this tick: when its centre's way crosses the skin, or when it overlaps the
+/// front of the skin at the end. If so, starts the contact in `state` with the centre where it first touched; a sphere
+/// that overlaps from the beginning starts with its centre at the tip, to be pushed out.
+bool landSphere(const Surface& surface, double radius, FingerState& state, const Vec3& tip) {
   const tree::Crossing entry = tree::firstFrontCrossing(surface.tree, state.tip, tip);
   const bool enters = entry.triangle != kNoIndex;
   if (!enters && !overlapsFront(surface, tip, radius)) return false;
@@ -101,9 +98,7 @@ bool landSphere(const Surface& surface, double radius, FingerState& state, const
   return true;
 }
 
-}  // namespace
-
-namespace {
+// ---- the centre in contact ------------------------------------------------------------------------------------------
 
 /// How the centre moved in this tick.
 struct Move {

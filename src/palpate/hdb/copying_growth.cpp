@@ -4,6 +4,9 @@
 // Copies can multiply without end: slivers that cross every plane, coincident triangles, the triangles around a vertex.
 // So each node has an allowance of entries, which its children share by their number; where they would need more,
 // the node stays a leaf.
+//
+// Data flow: mesh -> here -> the tree in a Growth -> finishPartition (partition.cpp). At load time.
+// Based on: Ji, dissertation 2008, 3.3.2; Sutherland, Hodgman, "Reentrant polygon clipping" (1974) for the cut.
 #include "palpate/hdb/copying_growth.h"
 
 #include <array>
@@ -12,6 +15,8 @@
 #include "palpate/hdb/growth.h"
 
 namespace palpate::hdb {
+
+// ---- cutting one triangle -------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -53,6 +58,8 @@ Pieces clip(const std::array<Vec3, 3>& triangle, const AxisPlane& plane, bool po
   }
   return pieces;
 }
+
+// ---- growing the tree -----------------------------------------------------------------------------------------------
 
 namespace {
 

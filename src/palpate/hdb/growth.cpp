@@ -1,3 +1,8 @@
+// What all ways of growing a tree share: how a node gets its children or becomes a leaf, and the blocks below a leaf.
+//
+// Data flow: mesh -> growByMajority, growWithBothSides or growWithCuts -> the tree in a Growth -> addBlocks (here) ->
+// finishPartition (partition.cpp). At load time.
+// Based on: Ji, dissertation 2008, 3.3.1 and 3.4 for the cells; the blocks are not in it.
 #include "palpate/hdb/growth.h"
 
 #include <algorithm>
@@ -66,7 +71,9 @@ void makeLeaf(Growth& growth, Index node, std::size_t first_entry, std::size_t e
   growth.work_done.add(kGrowthShare * share);
 }
 
-// Blocks: below each leaf its entries are divided further, by the middle of their widest extent, until a few neighbours
+// ---- blocks ---------------------------------------------------------------------------------------------------------
+//
+// Below each leaf its entries are divided further, by the middle of their widest extent, until a few neighbours
 // are left. They are not part of the dissertation's tree; they keep the exact query from testing every triangle of a
 // large leaf, whatever threshold was asked for.
 

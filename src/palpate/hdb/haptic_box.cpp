@@ -1,3 +1,8 @@
+// Finds what the detecting box meets: the leaves of the dissertation's tree, and exactly the triangles, by descent with
+// the nodes' tight boxes.
+//
+// Data flow: Partition (load time) + box round the proxy -> here, in the tick -> ranges of entries -> hdb_candidates.
+// Based on: Ji, dissertation 2008, 3.3.3 and 3.4.1, as E4, E5 and E11 correct them.
 #include "palpate/hdb/haptic_box.h"
 
 #include <algorithm>

@@ -1,3 +1,8 @@
+// Asks the partition for the triangles round the proxy when it is the box's turn, and gives out those near a motion.
+//
+// Data flow: proxy of the last tick -> refresh -> ranges of entries -> near -> records of the surface's tree for
+// hdb_finger.cpp. All room is reserved and touched when the candidates are made; a tick allocates nothing.
+// Based on: Ji, dissertation 2008, 3.3.3.
 #include "palpate/hdb/hdb_candidates.h"
 
 #include <string>
@@ -7,10 +12,6 @@
 #include "palpate/base/error.h"
 
 namespace palpate::hdb {
-
-using hdb::EntryRange;
-using hdb::Node;
-using hdb::Partition;
 
 namespace {
 
@@ -33,7 +34,7 @@ void check(const HdbSettings& settings, const Partition& partition) {
   require(settings.ticks_per_refresh >= 1, "ticks_per_refresh must be at least 1");
   if (!settings.literal) return;
   require(settings.query == HdbQuery::leaves, "a literal traversal finds leaves only");
-  require(hdb::suits(*settings.literal, partition.tree), "this traversal needs the planes of a BSP tree");
+  require(suits(*settings.literal, partition.tree), "this traversal needs the planes of a BSP tree");
 }
 
 }  // namespace
@@ -64,7 +65,7 @@ void HdbCandidates::findLeaves(const Box3& box) noexcept {
   const Partition& partition = *surface_->partition;
   const auto& literal = surface_->settings.literal;
   if (literal) {
-    hdb::findLeavesLiterally(partition, *literal, box, leaves_);
+    findLeavesLiterally(partition, *literal, box, leaves_);
   } else {
     hdb::findLeaves(partition, box, leaves_);
   }
@@ -82,17 +83,17 @@ void HdbCandidates::refresh(const Vec3& proxy) noexcept {
   }
   const HdbSettings& settings = surface_->settings;
   ticks_left_ = settings.ticks_per_refresh - 1;
-  const Box3 box = hdb::hapticBox(proxy, settings.edges_mm);
+  const Box3 box = hapticBox(proxy, settings.edges_mm);
   bool asked = true;
   switch (settings.query) {
     case HdbQuery::leaves:
       findLeaves(box);
       break;
     case HdbQuery::triangles:
-      hdb::findTriangles(*surface_->partition, box, list_.hits);
+      findTriangles(*surface_->partition, box, list_.hits);
       break;
     case HdbQuery::coherent:
-      asked = hdb::follow(list_, *surface_->partition, box);
+      asked = follow(list_, *surface_->partition, box);
   }
   queries_ += asked ? 1 : 0;
 }

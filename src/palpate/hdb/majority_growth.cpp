@@ -4,6 +4,9 @@
 // y and middle z. An octree decides axis by axis, which is three case-C tests in a row: the printed rule "at least two
 // vertices in the same octant" loses triangles with vertices in three octants (E6). Items are divided in place and
 // keep their order.
+//
+// Data flow: mesh -> here -> the tree in a Growth -> finishPartition (partition.cpp). At load time.
+// Based on: Ji, dissertation 2008, 3.3.2 (case C) and 3.4, as E6 corrects it.
 #include <algorithm>
 
 #include "palpate/hdb/growth.h"

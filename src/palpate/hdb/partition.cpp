@@ -1,4 +1,7 @@
 // Builds a partition: grow the tree, divide its leaves into blocks, then give every entry and node its box.
+//
+// Data flow: mesh + BuildSettings (scene) -> here, at load time or on the background builder -> Partition ->
+// haptic_box.h. Based on: Ji, dissertation 2008, chapter 3; the tight boxes are E5's correction.
 #include <algorithm>
 #include <string>
 #include <utility>

@@ -1,3 +1,4 @@
+// Chooses per finger between contact::step and hdb::stepHdb: one branch that the processor always guesses right.
 #include "palpate/servo/finger_solver.h"
 
 #include <utility>

@@ -1,3 +1,5 @@
+// Guards, clamps and ramps, in the order of the signal: what the device says -> guardTip -> contact -> limitForce ->
+// what the device gets. Based on: see limiter.h.
 #include "palpate/servo/limiter.h"
 
 #include <algorithm>
