@@ -28,10 +28,9 @@ struct Kernel {
 /// and keep it alive.
 std::vector<Kernel> makeKernels(std::size_t triangles);
 
-/// The parts of makeKernels.
+/// Parts of makeKernels.
 std::vector<Kernel> contactKernels(std::size_t triangles);
 std::vector<Kernel> partitionKernels(std::size_t triangles);
 std::vector<Kernel> deformationKernels(std::size_t triangles);
-std::vector<Kernel> buildingKernels(std::size_t triangles);
 
 }  // namespace palpate::bench

@@ -1,4 +1,8 @@
-// Measures kernels against the reference loops, and compares the ratios with those of another day.
+// Measures kernels against two fixed loops, and compares the ratios with those of another day: the regression guard of
+// `palpate bench --baseline`.
+//
+// A kernel's time divided by a loop's, taken at the same moment, says more about the kernel than its time does: a
+// slower processor, or a busy one, slows both.
 #pragma once
 
 #include <optional>
@@ -10,9 +14,7 @@
 
 namespace palpate::bench {
 
-// Two fixed pieces of work that never change. A kernel's time divided by theirs, taken at the same moment, says more
-// about the kernel than its time does: a slower processor, or a busy one, slows both.
-
+/// Two fixed pieces of work that never change.
 class ReferenceLoops {
  public:
   ReferenceLoops();

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "bench/peers/triangle_box.h"
+#include "bench/peers/triangle_tests.h"
 
 namespace palpate::bench::literal {
 

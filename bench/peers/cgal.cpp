@@ -3,7 +3,6 @@
 //
 // The package is under the GPL, which is why this file is part of the program palpate_peers and of no other.
 // Based on: Alliez, Tayeb, Wormser, "3D fast intersection and distance computation", CGAL 5.5.
-#include "bench/peers/peer_kinds.h"
 
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>

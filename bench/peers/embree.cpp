@@ -4,7 +4,6 @@
 // Its point query finds boxes; the distance to a triangle is the caller's, here the textbook's in floats.
 // Based on: Wald et al., "Embree: a kernel framework for efficient CPU ray tracing" (2014); Ericson, "Real-Time
 // Collision Detection" (2005), 5.1.5; Akenine-Moeller, "Fast 3D triangle-box overlap testing" (2001).
-#include "bench/peers/peer_kinds.h"
 
 #include <embree3/rtcore.h>
 
@@ -14,7 +13,7 @@
 #include <memory>
 
 #include "bench/peers/timed_answers.h"
-#include "bench/peers/triangle_box.h"
+#include "bench/peers/triangle_tests.h"
 #include "palpate/base/error.h"
 
 namespace palpate::bench {

@@ -3,7 +3,6 @@
 // box.
 //
 // Based on: Pan, Chitta, Manocha, "FCL: a general purpose library for collision and proximity queries" (2012).
-#include "bench/peers/peer_kinds.h"
 
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/geometry/shape/box.h>

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/peers/triangle_box.h"
-#include "lab/workloads/workload_meshes.h"
+#include "bench/peers/triangle_tests.h"
 #include "palpate/base/hash.h"
 
 namespace palpate::bench {
@@ -130,7 +129,7 @@ bool missing(const Peer& peer) { return peer.contact == nullptr && peer.boxes ==
 
 std::vector<PeerFigures> comparePeers(std::span<const Peer> peers, const ContactWorld& world,
                                       std::span<const ContactQuery> queries, double seconds_per_peer) {
-  const mesh::TriangleMesh mesh = lab::meshOf(world.surface);
+  const mesh::TriangleMesh mesh = meshOf(world.surface);
   std::vector<PeerFigures> all;
   for (const Peer& peer : peers) {
     if (missing(peer)) all.push_back(notInstalled(peer));
@@ -152,6 +151,22 @@ std::vector<PeerFigures> comparePeers(std::span<const Peer> peers, const mesh::T
     judge(peer, run, mesh, ours, boxes, all.emplace_back(figuresOf(peer, run)));
   }
   return all;
+}
+
+ContactComparison compareContact(ContactWorld& world, const device::Trajectory& trajectory,
+                                 const contact::FingerSettings& real, const Window& window, std::span<const Peer> peers,
+                                 double seconds_per_peer) {
+  contact::check(real);
+  const device::Trajectory ticks = device::resampled(trajectory, real.tick_s);
+  const FingerRun run = runFinger(world.surface, contact::scaled(real, world.scale), scaledTips(ticks, world.scale));
+  ContactComparison comparison;
+  comparison.ours = figuresOf(world, run, real, ticks.time_s, window);
+  const std::vector<ContactQuery> queries = contactQueries(world, run, real, ticks.time_s, window);
+  comparison.queries = queries.size();
+  comparison.nearest_asked = static_cast<std::size_t>(
+      std::count_if(queries.begin(), queries.end(), [](const auto& q) { return q.reach > 0; }));
+  if (!queries.empty()) comparison.peers = comparePeers(peers, world, queries, seconds_per_peer);
+  return comparison;
 }
 
 }  // namespace palpate::bench

@@ -1,4 +1,5 @@
-// Turns what a peer answered into figures, and checks every answer: a fast wrong one must show.
+// Our finger and its peers in one process: what each peer answered becomes figures, and every answer is checked: a fast
+// wrong one must show. The numbers of `palpate bench contact --peers` and `palpate bench partition --peers`.
 #pragma once
 
 #include <cstddef>
@@ -36,5 +37,18 @@ std::vector<PeerFigures> comparePeers(std::span<const Peer> peers, const Contact
                                       std::span<const ContactQuery> queries, double seconds_per_peer);
 std::vector<PeerFigures> comparePeers(std::span<const Peer> peers, const mesh::TriangleMesh& mesh,
                                       std::span<const Box3> boxes, double seconds_per_peer);
+
+struct ContactComparison {
+  ContactFigures ours;
+  std::size_t queries = 0;        ///< ticks of the window
+  std::size_t nearest_asked = 0;  ///< of these, with a nearest point to find; all have a segment
+  std::vector<PeerFigures> peers;
+};
+
+/// Runs our finger, then puts the queries of its run to the peers. `seconds_per_peer` bounds the time of the queries,
+/// not of building.
+ContactComparison compareContact(ContactWorld& world, const device::Trajectory& trajectory,
+                                 const contact::FingerSettings& real, const Window& window, std::span<const Peer> peers,
+                                 double seconds_per_peer);
 
 }  // namespace palpate::bench

@@ -1,11 +1,4 @@
 #include "bench/peers/peer.h"
-#ifdef PALPATE_HAS_EMBREE
-#include "bench/peers/peer_kinds.h"
-#endif
-#ifdef PALPATE_HAS_CGAL
-#endif
-#ifdef PALPATE_HAS_FCL
-#endif
 
 namespace palpate::bench {
 

@@ -1,5 +1,4 @@
-#include "bench/peers/peer_kinds.h"
-
+// The literal dissertation as a peer, answering as the libraries do.
 #include "bench/literal/hdb_contact.h"
 #include "bench/peers/timed_answers.h"
 

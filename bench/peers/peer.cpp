@@ -70,4 +70,8 @@ ContactAnswer exactAnswer(const tree::TriangleTree& tree, const ContactQuery& qu
   return answer;
 }
 
+std::vector<Peer> peersWithoutLibraries() {
+  return {{"embree", "libembree-dev"}, {"cgal", "libcgal-dev"}, {"fcl", "libfcl-dev"}, literalPeer()};
+}
+
 }  // namespace palpate::bench

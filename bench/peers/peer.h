@@ -1,5 +1,8 @@
 // The libraries that `--peers` compares with, as plain data: a name, and functions that build from a mesh and answer
 // queries, timing themselves, so that nothing but the library is between two readings of the clock.
+//
+// A run of our finger is turned into the queries that a finger has to make in each tick (contactQueries); each peer
+// answers the very same ones; judge.h checks the answers.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +17,11 @@
 
 namespace palpate::bench {
 
-// What a finger has to ask of a surface in each tick, recorded from a run of ours, so that other libraries can be timed
-// on the very same questions.
-//
-// Point finger: where it touches, the nearest point of the skin to the tip, and whether the way from the old proxy to
-// the new one is free (lifted off the skin, for both ends lie on it); in free space, whether the way of the tip is
-// free. Sphere: the nearest point to its centre within its radius, and whether the way of the centre is free.
-
+/// What a finger has to ask of a surface in a tick.
+///
+/// Point finger: where it touches, the nearest point of the skin to the tip, and whether the way from the old proxy to
+/// the new one is free (lifted off the skin, for both ends lie on it); in free space, whether the way of the tip is
+/// free. Sphere: the nearest point to its centre within its radius, and whether the way of the centre is free.
 struct ContactQuery {
   Vec3 point = Vec3::Zero();  ///< whose nearest point of the surface is wanted
   double reach = 0.0;         ///< within this distance; 0: not asked
@@ -79,7 +80,13 @@ struct Peer {
   BoxTest box_test = BoxTest::triangle;
 };
 
-// Which peers there are, and which of them this program was built with.
+Peer embreePeer();
+/// The same, but the point query starts with the distance that the last tick's proxy proves. Contact only.
+Peer embreeToldPeer();
+Peer cgalPeer();
+Peer fclPeer();
+/// The dissertation (bench/literal/hdb_contact.h): it needs no library.
+Peer literalPeer();
 
 /// All peers, in the order of reports. Those of libraries that were not found at build time cannot do anything. For
 /// programs that link the target palpate_peer_libraries only.

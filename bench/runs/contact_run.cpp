@@ -11,11 +11,9 @@
 namespace palpate::bench {
 namespace {
 
-/// A step longer than this is a teleport in the file (5 m/s at 1 kHz), not a
-/// movement.
+/// A step longer than this is a teleport in the file (5 m/s at 1 kHz), not a movement.
 constexpr double kTeleportMm = 5.0;
-/// Ratios Ft / Fn are only read above this force: below it they are rounding
-/// over rounding.
+/// Ratios Ft / Fn are only read above this force: below it they are rounding over rounding.
 constexpr double kLeastNormalForceN = 1e-3;
 
 bool inContact(const contact::FingerOutput& output) { return output.touch != contact::Touch::free; }
@@ -95,6 +93,18 @@ class FigureSum {
 };
 
 }  // namespace
+
+mesh::TriangleMesh meshOf(const contact::Surface& surface) {
+  mesh::TriangleMesh mesh;
+  mesh.positions.assign(surface.vertex_normals.size(), Vec3::Zero());
+  mesh.triangles.resize(surface.tree.records.size());
+  for (std::size_t r = 0; r < surface.tree.records.size(); ++r) {
+    const tree::TriangleRecord& record = surface.tree.records[r];
+    mesh.triangles[surface.tree.source_triangle[r]] = record.vertices;
+    for (int corner = 0; corner < 3; ++corner) mesh.positions[record.vertices[corner]] = record.corners[corner];
+  }
+  return mesh;
+}
 
 ContactWorld buildContactWorld(mesh::TriangleMesh mesh_mm, double scale, double stiffness_n_per_mm) {
   if (!(scale > 0.0) || !std::isfinite(scale)) throw Error("the scale must be above 0");

@@ -1,9 +1,7 @@
-// Runs one finger along one trajectory and measures it: the numbers of `palpate
-// bench contact` and of the contact bars.
+// Runs one finger along one trajectory and measures it: the numbers of `palpate bench contact` and of the contact bars.
 //
-// mesh file -> scaled -> repaired -> ContactWorld -> runFinger (timed, nothing
-// else in the loop) -> measure (figures in mm and N, whatever the scale was).
-// The outputs stay available, so that a tick can be looked at.
+// mesh file -> scaled -> repaired -> ContactWorld -> runFinger (timed, nothing else in the loop) -> figuresOf (in mm
+// and N, whatever the scale was). The outputs stay available, so that a tick can be looked at.
 #pragma once
 
 #include <cstdint>
@@ -22,8 +20,7 @@
 
 namespace palpate::bench {
 
-/// A surface ready for a finger, in a world in which 1 mm is `scale` units
-/// long.
+/// A surface ready for a finger, in a world in which 1 mm is `scale` units long.
 struct ContactWorld {
   double scale = 1.0;
   double stiffness_n_per_mm = 0.5;  ///< real, the same everywhere
@@ -32,9 +29,11 @@ struct ContactWorld {
   lab::SurfaceSide side;  ///< the judge's view of the same (repaired) mesh
 };
 
-/// Scales and repairs. Throws Error when the mesh cannot be felt or a number is
-/// not positive.
+/// Scales and repairs. Throws Error when the mesh cannot be felt or a number is not positive.
 ContactWorld buildContactWorld(mesh::TriangleMesh mesh_mm, double scale = 1.0, double stiffness_n_per_mm = 0.5);
+
+/// The repaired mesh that a contact surface was built from, in the surface's units, its triangles in their own order.
+mesh::TriangleMesh meshOf(const contact::Surface& surface);
 
 /// What a run gave, in the world's units (N for forces).
 struct FingerRun {
@@ -76,8 +75,7 @@ struct ContactFigures {
   std::uint64_t hash = 0;     ///< of every bit of every output
 };
 
-/// Runs and measures. `real` holds real lengths; the trajectory is in mm and is
-/// resampled to the finger's tick.
+/// Runs and measures. `real` holds real lengths; the trajectory is in mm and is resampled to the finger's tick.
 ContactFigures measureContact(ContactWorld& world, const device::Trajectory& trajectory,
                               const contact::FingerSettings& real, const Window& window = {});
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bench/literal/deformation.h"
-#include "lab/counters/allocation_count.h"
+#include "lab/counters/thread_counts.h"
 #include "lab/workloads/workload_meshes.h"
 #include "palpate/base/hash.h"
 #include "palpate/deform/form_deformer.h"

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "bench/runs/timed_run.h"
-#include "lab/workloads/workload_meshes.h"
 #include "palpate/hdb/hdb_finger.h"
 
 namespace palpate::bench {
@@ -25,8 +24,7 @@ void warmUp(const contact::Surface& surface, const contact::FingerSettings& fing
 HdbFigures measureHdb(ContactWorld& world, const device::Trajectory& trajectory, const contact::FingerSettings& finger,
                       const HdbRunSettings& settings, const Window& window) {
   contact::check(finger);
-  auto partition =
-      std::make_shared<const hdb::Partition>(hdb::buildPartition(lab::meshOf(world.surface), settings.build));
+  auto partition = std::make_shared<const hdb::Partition>(hdb::buildPartition(meshOf(world.surface), settings.build));
   hdb::HdbSettings hdb = settings.hdb;
   hdb.edges_mm = settings.edge_mm > 0.0 ? Vec3::Constant(settings.edge_mm) : hdb::hdbEdges(partition->bounds);
   HdbFigures figures;

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "lab/counters/allocation_count.h"
+#include "lab/counters/thread_counts.h"
 #include "palpate/base/error.h"
 #include "palpate/base/hash.h"
 #include "palpate/base/random.h"

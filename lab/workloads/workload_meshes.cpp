@@ -1,8 +1,9 @@
 #include "lab/workloads/workload_meshes.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
-#include <fmt/format.h>
 #include <numbers>
 
 #include "palpate/base/error.h"
@@ -190,18 +191,6 @@ std::vector<std::string> workloadMeshNames() {
   return {"back_2962",   "back_6261",    "back_8163",    "back_20389", "back_41582",
           "back_200000", "back_1000000", "back_4000000", "groove60",   "groove90",
           "groove120",   "pit",          "eggcrate",     "flat100",    "lattice100"};
-}
-
-mesh::TriangleMesh meshOf(const contact::Surface& surface) {
-  mesh::TriangleMesh mesh;
-  mesh.positions.assign(surface.vertex_normals.size(), Vec3::Zero());
-  mesh.triangles.resize(surface.tree.records.size());
-  for (std::size_t r = 0; r < surface.tree.records.size(); ++r) {
-    const tree::TriangleRecord& record = surface.tree.records[r];
-    mesh.triangles[surface.tree.source_triangle[r]] = record.vertices;
-    for (int corner = 0; corner < 3; ++corner) mesh.positions[record.vertices[corner]] = record.corners[corner];
-  }
-  return mesh;
 }
 
 }  // namespace palpate::lab

@@ -1,7 +1,7 @@
 // The benchmark meshes: height fields of exact triangle counts, computed instead of stored.
 //
 // They take part in every contact benchmark and in the tests of the contact bars. The formulae are those of the
-// benchmark's reference script, so that the same meshes come out bit by bit (tests/bench checks their SHA-256).
+// benchmark's reference script, so that the same meshes come out bit by bit (tests/lab checks their SHA-256).
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,6 @@
 #include <string_view>
 #include <vector>
 
-#include "palpate/contact/surface.h"
 #include "palpate/mesh/triangle_mesh.h"
 
 namespace palpate::lab {
@@ -52,11 +51,5 @@ mesh::TriangleMesh workloadMesh(std::string_view name);
 
 /// Every name above, with the benchmark's eight sizes of the back.
 std::vector<std::string> workloadMeshNames();
-
-// The mesh that a contact surface was built from.
-
-
-/// The repaired mesh, in the surface's units, its triangles in their own order.
-mesh::TriangleMesh meshOf(const contact::Surface& surface);
 
 }  // namespace palpate::lab

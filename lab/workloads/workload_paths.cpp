@@ -32,6 +32,14 @@ device::Trajectory atOneKilohertz(const Points& points) {
   return path;
 }
 
+/// `place(tick)` for 20 s.
+template <class Place>
+device::Trajectory twentySecondsOf(Place place) {
+  Points points;
+  for (std::size_t k = 0; k < kTwentySeconds; ++k) points.emplace_back(place(k));
+  return atOneKilohertz(points);
+}
+
 double timeOf(std::size_t tick) { return static_cast<double>(tick) * 1e-3; }
 
 /// 0 to 1 with flat ends.
@@ -193,20 +201,13 @@ std::optional<device::Trajectory> pathWithNumber(std::string_view name) {
 device::Trajectory backSlide() {
   const std::vector<double> parameter = slideParameter();
   const Vec3 end = slidePoint(parameter[18000], kSlideUntilSeconds);
-  Points points;
-  for (std::size_t k = 0; k < kTwentySeconds; ++k) {
+  return twentySecondsOf([&](std::size_t k) {
     const double t = timeOf(k);
-    if (t < kPressFrom) {
-      points.push_back(approachPoint(t));
-    } else if (t < kSlideFromSeconds) {
-      points.push_back(pressPoint(t));
-    } else if (t < kSlideUntilSeconds) {
-      points.push_back(slidePoint(parameter[k], t));
-    } else {
-      points.push_back(t < kLiftUntil ? liftPoint(end, t) : departPoint(end, t));
-    }
-  }
-  return atOneKilohertz(points);
+    if (t < kPressFrom) return approachPoint(t);
+    if (t < kSlideFromSeconds) return pressPoint(t);
+    if (t < kSlideUntilSeconds) return slidePoint(parameter[k], t);
+    return t < kLiftUntil ? liftPoint(end, t) : departPoint(end, t);
+  });
 }
 
 device::Trajectory backJumps(double step_mm, std::uint64_t seed) {
@@ -242,50 +243,42 @@ device::Trajectory backStabs(double metres_per_second, std::uint64_t seed) {
 
 device::Trajectory grooveShake(std::uint64_t seed) {
   Random random(seed);
-  Points points;
-  for (std::size_t k = 0; k < kTwentySeconds; ++k) {
+  return twentySecondsOf([&](std::size_t k) {
     const double t = timeOf(k);
     Vec3 tip(100 + 15 * std::sin(2 * pi * 5 * t) + 0.3 * random.normal(),
              10 + 80 * (0.5 - 0.5 * std::cos(2 * pi * 0.2 * t)), -10 + 0.3 * random.normal());
     if (k < 200) tip = Vec3(100, tip.y(), ramp(60, -10, k, 200));
-    points.push_back(tip);
-  }
-  return atOneKilohertz(points);
+    return tip;
+  });
 }
 
 device::Trajectory pitShake(std::uint64_t seed) {
   Random random(seed);
-  Points points;
-  for (std::size_t k = 0; k < kTwentySeconds; ++k) {
+  return twentySecondsOf([&](std::size_t k) {
     const double t = timeOf(k);
     Vec3 tip(100 + 8 * std::sin(2 * pi * 3.1 * t) + 0.3 * random.normal(),
              100 + 8 * std::sin(2 * pi * 4.3 * t) + 0.3 * random.normal(), -10 + 0.3 * random.normal());
     if (k < 200) tip = Vec3(100, 100, ramp(60, -10, k, 200));
-    points.push_back(tip);
-  }
-  return atOneKilohertz(points);
+    return tip;
+  });
 }
 
 device::Trajectory eggcrateSlide(double metres_per_second) {
-  Points points;
-  for (std::size_t k = 0; k < kTwentySeconds; ++k) {
+  return twentySecondsOf([&](std::size_t k) {
     const double s = metres_per_second * static_cast<double>(k);  // mm
     Vec3 tip(reflected(10 + s * 0.8, 10, 110), reflected(10 + s * 0.6, 10, 110), -3.0);
     if (k < 100) tip = Vec3(10, 10, ramp(10, -3, k, 100));
-    points.push_back(tip);
-  }
-  return atOneKilohertz(points);
+    return tip;
+  });
 }
 
 device::Trajectory flatEdge() {
-  Points points;
-  for (std::size_t k = 0; k < kTwentySeconds; ++k) {
+  return twentySecondsOf([&](std::size_t k) {
     const double phase = std::fmod(timeOf(k) * 200 / 70, 2.0);
     Vec3 tip(50 + 70 * (1 - std::abs(phase - 1)), 50.3, -5.0);
     if (k < 100) tip = Vec3(50, 50.3, ramp(10, -5, k, 100));
-    points.push_back(tip);
-  }
-  return atOneKilohertz(points);
+    return tip;
+  });
 }
 
 device::Trajectory flatPress() {
@@ -321,17 +314,15 @@ device::Trajectory latticeGroove(std::uint64_t seed) {
 
 device::Trajectory orbit(const mesh::TriangleMesh& body, const Vec3& centre) {
   constexpr double kRadialStep = 0.2;  // mm in a tick: 0.2 m/s
-  Points points;
   double radius = 0.0;
-  for (std::size_t k = 0; k < kTwentySeconds; ++k) {
+  return twentySecondsOf([&](std::size_t k) {
     const double t = timeOf(k), azimuth = 2 * pi * 0.5 * t, elevation = 0.1 + 0.55 * std::sin(2 * pi * 0.17 * t);
     const Vec3 direction(std::cos(azimuth) * std::cos(elevation), std::sin(azimuth) * std::cos(elevation),
                          std::sin(elevation));
     const double goal = outermostHit(body, centre, direction) - (7.5 - 2.5 * std::cos(2 * pi * 0.7 * t));
     radius = k == 0 ? goal : std::clamp(goal, radius - kRadialStep, radius + kRadialStep);
-    points.emplace_back(centre + direction * (radius + (k < 400 ? ramp(40, 0, k, 400) : 0.0)));
-  }
-  return atOneKilohertz(points);
+    return Vec3(centre + direction * (radius + (k < 400 ? ramp(40, 0, k, 400) : 0.0)));
+  });
 }
 
 Vec3 bunnyCentre(const mesh::TriangleMesh& bunny) {

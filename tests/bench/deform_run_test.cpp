@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/counted.h"
+
 namespace palpate::bench {
 
 TEST(DeformRun, MeasuresWhatItSays) {
@@ -16,9 +18,7 @@ TEST(DeformRun, MeasuresWhatItSays) {
   EXPECT_GT(figures.ratio_to_copy_floor, 1.0);
   EXPECT_NEAR(figures.ours.us_per_frame, 1e-3 * figures.ours.ns_per_vertex * figures.ours.vertices, 1e-6);
   EXPECT_LE(figures.ours.us_per_frame, figures.ours.apply_us.max);
-  if (figures.allocations) {
-    EXPECT_EQ(*figures.allocations, 0u);
-  }
+  support::expectNone(figures.allocations);
 }
 
 TEST(DeformRun, TimesTheLiteralDeformationInTheSameRun) {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "bench/peers/contact_comparison.h"
+#include "bench/peers/judge.h"
 #include "bench/peers/peer.h"
 #include "bench/peers/timed_answers.h"
 #include "palpate/base/random.h"

@@ -15,6 +15,7 @@
 #include "lab/workloads/heldout_meshes.h"
 #include "lab/workloads/workload_meshes.h"
 #include "lab/workloads/workload_paths.h"
+#include "support/counted.h"
 
 namespace palpate::bars {
 

@@ -8,7 +8,7 @@
 #include "deform/golden_grid.h"
 #include "deform/scalar_reference.h"
 #include "deform/shapes.h"
-#include "lab/counters/allocation_count.h"
+#include "lab/counters/thread_counts.h"
 #include "support/golden.h"
 
 namespace palpate::deform {

@@ -7,7 +7,7 @@
 #include "deform/form_stage.h"
 #include "deform/golden_grid.h"
 #include "deform/scalar_reference.h"
-#include "lab/counters/allocation_count.h"
+#include "lab/counters/thread_counts.h"
 #include "palpate/deform/any_deformer.h"
 
 namespace palpate::deform {

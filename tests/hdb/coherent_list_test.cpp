@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "hdb/partition_judges.h"
-#include "lab/counters/allocation_count.h"
+#include "lab/counters/thread_counts.h"
 
 namespace palpate::hdb {
 

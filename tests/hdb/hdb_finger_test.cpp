@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "hdb/hdb_track.h"
-#include "lab/counters/allocation_count.h"
+#include "lab/counters/thread_counts.h"
 #include "palpate/base/random.h"
 #include "support/error_message.h"
 #include "support/mesh_zoo.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <thread>
 
-#include "lab/counters/allocation_count.h"
+#include "lab/counters/thread_counts.h"
 #include "palpate/base/handover.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/scene/world.h"

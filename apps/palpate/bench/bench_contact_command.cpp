@@ -15,7 +15,7 @@
 #include "apps/palpate/common/choice_option.h"
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/partition/partition_names.h"
-#include "bench/peers/contact_comparison.h"
+#include "bench/peers/judge.h"
 #include "bench/peers/peer.h"
 #include "palpate/base/error.h"
 

@@ -1,6 +1,7 @@
-// Whether a triangle itself, not only its box, meets a box around the origin, for float and double: by its box, by its
-// corners, and for what is left by separating axes.
-// Based on: Akenine-Moeller, "Fast 3D triangle-box overlap testing" (2001).
+// The textbook's tests of one triangle, for float and double: what a peer that only finds boxes has to ask of each, and
+// what its judge asks.
+// Based on: Akenine-Moeller, "Fast 3D triangle-box overlap testing" (2001); Ericson, "Real-Time Collision Detection"
+// (2005), 5.1.5.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,7 +12,8 @@
 
 namespace palpate::bench {
 
-/// Corners relative to the box's centre. Closed: touching counts.
+/// Whether a triangle itself, not only its box, meets a box around the origin: by its box, by its corners, and for what
+/// is left by separating axes. Corners relative to the box's centre. Closed: touching counts.
 template <class Real>
 bool triangleMeetsBox(const std::array<Eigen::Matrix<Real, 3, 1>, 3>& corners, const Eigen::Matrix<Real, 3, 1>& half) {
   using Vector = Eigen::Matrix<Real, 3, 1>;
@@ -36,9 +38,7 @@ bool triangleMeetsBox(const std::array<Eigen::Matrix<Real, 3, 1>, 3>& corners, c
   return true;
 }
 
-// The textbook's distance of a point to a triangle, plain and without care for slivers, for float and double.
-// Based on: Ericson, "Real-Time Collision Detection" (2005), 5.1.5.
-
+/// Of a point to a triangle; plain, without care for slivers.
 template <class Real>
 Real squaredDistance(const Eigen::Matrix<Real, 3, 1>& p, const Eigen::Matrix<Real, 3, 1>& a,
                      const Eigen::Matrix<Real, 3, 1>& b, const Eigen::Matrix<Real, 3, 1>& c) {
