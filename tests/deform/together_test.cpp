@@ -87,6 +87,7 @@ TEST(SolveDrags, PullingTheSamePointApartStaysBounded) {
   std::vector<Vec3> shifts(2);
   solveDrags({g, 2}, drags, 20.0, shifts);
   for (const Vec3& shift : shifts) EXPECT_LE(shift.norm(), 20.0 + 1e-12);
+  EXPECT_NEAR((shifts[0] + shifts[1]).norm(), 0.0, 1e-9) << "neither wins";
 }
 
 // Two fingers in one ellipse of 150 mm that drag the skin apart: nowhere on the line through both does it move farther

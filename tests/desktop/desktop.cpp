@@ -10,7 +10,7 @@
 #include <cstring>
 #include <sstream>
 
-namespace palpate::window_test {
+namespace palpate::desktop {
 
 namespace {
 
@@ -213,4 +213,4 @@ std::string Program::rest() {
   return all;
 }
 
-}  // namespace palpate::window_test
+}  // namespace palpate::desktop

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace palpate::window_test {
+namespace palpate::desktop {
 
 /// Whether there is what a desktop needs; the reason if not.
 std::string whyNoDesktop();
@@ -82,4 +82,4 @@ class Program {
   std::map<std::string, std::string> newest_;
 };
 
-}  // namespace palpate::window_test
+}  // namespace palpate::desktop

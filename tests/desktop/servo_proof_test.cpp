@@ -13,7 +13,7 @@
 #include "support/mesh_zoo.h"
 #include "support/temporary_folder.h"
 
-namespace palpate::window_test {
+namespace palpate::desktop {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -59,4 +59,4 @@ TEST(ServoProof, GoesOnWhileTheScreenIsFilledAndLeft) {
 }
 
 }  // namespace
-}  // namespace palpate::window_test
+}  // namespace palpate::desktop

@@ -13,7 +13,7 @@
 #include "support/mesh_zoo.h"
 #include "support/temporary_folder.h"
 
-namespace palpate::window_test {
+namespace palpate::desktop {
 namespace {
 
 namespace fs = std::filesystem;
@@ -273,4 +273,4 @@ TEST_F(Window, AScriptThatMakesNoSenseIsRefusedBeforeTheWindowOpens) {
 }
 
 }  // namespace
-}  // namespace palpate::window_test
+}  // namespace palpate::desktop

@@ -2,18 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "palpate/base/error.h"
+#include "support/error_message.h"
 
 namespace palpate::device {
 namespace {
 
 std::string messageOf(std::string_view text) {
-  try {
-    parseTrajectory(text, "path.csv");
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
+  return support::messageOf([&] { parseTrajectory(text, "path.csv"); });
 }
 
 TEST(Trajectory, ReadsRowsWithAndWithoutHeader) {

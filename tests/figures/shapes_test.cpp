@@ -1,6 +1,7 @@
 // Outlines, bars and boxes have the corners they should have.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "figures/mesh_view.h"
@@ -12,11 +13,16 @@ TEST(Shapes, AnEllipseHasItsHalfAxesInItsDirection) {
   const Vec2 centre(3.0, -2.0);
   const double direction = 0.7;
   const Vec2 along(std::cos(direction), std::sin(direction));
+  double longest = 0.0, shortest = 5.0;
   for (const Vec2& point : ellipseOutline(centre, 5.0, 2.0, direction)) {
+    longest = std::max(longest, (point - centre).norm());
+    shortest = std::min(shortest, (point - centre).norm());
     const double u = (point - centre).dot(along) / 5.0;
     const double v = (point - centre).dot(Vec2(-along.y(), along.x())) / 2.0;
     EXPECT_NEAR(u * u + v * v, 1.0, 1e-12);
   }
+  EXPECT_NEAR(longest, 5.0, 0.01) << "all round";
+  EXPECT_NEAR(shortest, 2.0, 0.01);
 }
 
 TEST(Shapes, BarsStandOnZeroAroundTheirPlaces) {

@@ -108,15 +108,20 @@ TEST_F(WorldOf, MeasuredStiffnessIsInterpolatedAsTheSceneSays) {
 TEST_F(WorldOf, ADysfunctionChangesTheStiffnessWhereItIs) {
   writeDome("dome.obj");
   const auto world = build(meshScene("[[dysfunction]]\nx_mm = 50\nradius_mm = 20\nchange_percent = -40\n"));
+  std::size_t in_the_middle = 0, outside = 0;
   for (std::size_t v = 0; v < world->skin.positions.size(); ++v) {
     const Vec3& p = world->skin.positions[v];
     const double distance = (p.head<2>() - Vec2(50, 0)).norm();
     if (distance < 1e-6) {
       EXPECT_NEAR(world->stiffness_n_per_mm[v], 0.3, 1e-12);
+      ++in_the_middle;
     } else if (distance > 20.0) {
       EXPECT_EQ(world->stiffness_n_per_mm[v], 0.5);
+      ++outside;
     }
   }
+  EXPECT_EQ(in_the_middle, 1u);
+  EXPECT_GT(outside, 10u);
 }
 
 TEST_F(WorldOf, ScriptsFollowTheSkinFromAbove) {

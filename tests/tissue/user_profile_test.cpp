@@ -4,18 +4,13 @@
 
 #include <fstream>
 
-#include "palpate/base/error.h"
+#include "support/error_message.h"
 #include "support/temporary_folder.h"
 
 namespace palpate::tissue {
 
 std::string messageFor(const std::string& text) {
-  try {
-    parseProfileKnots(text, "p.csv");
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
+  return support::messageOf([&] { parseProfileKnots(text, "p.csv"); });
 }
 
 TEST(UserProfile, ReadsRowsWithHeaderAndComments) {

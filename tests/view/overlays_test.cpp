@@ -20,6 +20,7 @@ std::size_t paintedWith(const std::vector<PaintedPoint>& points, Paint paint) {
 TEST(ContactMarks, DrawTenMillimetresAnNewtonAndBreakAtSixty) {
   contact::FingerOutput contact{};
   contact.touch = contact::Touch::stick;
+  contact.tip = contact.proxy = contact.anchor = Vec3::Zero();
   contact.normal = Vec3::UnitZ();
   const auto reachOf = [&](double newton) {
     contact.force = newton * Vec3::UnitZ();

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "palpate/view/offscreen.h"
@@ -238,13 +239,33 @@ TEST(Renderer, KeepsFrontsInFrontInAMirror) {
 
 TEST(Renderer, ShowsAHandForEachFinger) {
   Scene scene;
-  scene.press({50.0, 50.0, 0.0}, 4.0);
+  const FingerMark left = pressedFinger(*scene.world, {20.0, 50.0, 0.0}, 4.0);
+  const FingerMark right = pressedFinger(*scene.world, {80.0, 50.0, 0.0}, 4.0);
   scene.look.finger = FingerShape::none;
   const Image bare = scene.draw();
-  scene.look.finger = FingerShape::sphere;
-  const std::size_t ball = differing(scene.draw(), bare);
-  scene.look.finger = FingerShape::hand;
-  EXPECT_GT(differing(scene.draw(), bare), 2 * ball);
+  const auto covered = [&](FingerShape shape, const std::vector<FingerMark>& fingers) {
+    scene.look.finger = shape;
+    scene.fingers = fingers;
+    const Image drawn = scene.draw();
+    std::vector<bool> differs(drawn.pixels.size());
+    for (std::size_t i = 0; i < differs.size(); ++i) differs[i] = drawn.pixels[i] != bare.pixels[i];
+    return differs;
+  };
+  const auto ball = covered(FingerShape::sphere, {left});
+  const auto ball_size = std::count(ball.begin(), ball.end(), true);
+  const auto both = covered(FingerShape::hand, {left, right});
+  const std::vector<bool> hands[] = {covered(FingerShape::hand, {left}), covered(FingerShape::hand, {right})};
+  for (const int own : {0, 1}) {
+    EXPECT_GT(std::count(hands[own].begin(), hands[own].end(), true), 2 * ball_size);
+    std::size_t alone = 0, shown = 0;  // pixels of this hand where the other is not
+    for (std::size_t i = 0; i < both.size(); ++i) {
+      if (!hands[own][i] || hands[1 - own][i]) continue;
+      ++alone;
+      if (both[i]) ++shown;
+    }
+    EXPECT_GT(alone, 1000u);
+    EXPECT_EQ(shown, alone) << own;
+  }
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "view/small_world.h"
 
 namespace palpate::view {
@@ -53,7 +55,17 @@ TEST(Section, GoesRoundAClosedBodyOnce) {
   const auto surface = deformedBy(*world, {});
   const SectionPlane plane{{0.0, 0.0, 20.0}, Vec3::UnitX(), Vec3::UnitZ()};
   const auto curve = sectionCurve(*world, surface, plane, 1000.0);
-  for (const SectionPoint& point : curve) EXPECT_NEAR(onPlane(plane, point.rest).norm(), 20.0, 0.3);
+  ASSERT_GT(curve.size(), 20u);
+  EXPECT_EQ(curve.front().rest, curve.back().rest) << "closed";
+  double turned_rad = 0.0;
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    const Vec3 here = onPlane(plane, curve[i].rest);
+    EXPECT_NEAR(here.norm(), 20.0, 0.3);
+    if (i == 0) continue;
+    const Vec3 before = onPlane(plane, curve[i - 1].rest);
+    turned_rad += std::atan2(before.cross(here).y(), before.dot(here));
+  }
+  EXPECT_NEAR(std::abs(turned_rad), 2.0 * std::numbers::pi, 1e-9);
 }
 
 TEST(Section, IsEmptyWhereThereIsNoSkin) {

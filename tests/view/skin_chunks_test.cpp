@@ -67,6 +67,7 @@ TEST(SkinChunks, CountAsTouchedAllThatIsNearAFinger) {
   Sheet sheet;
   const Influence finger{{100, 100, 0}, {200, 100, 0}, 20.0f};
   const auto& runs = sheet.chunks.split(sheet.clip(), {&finger, 1});
+  EXPECT_FALSE(runs.plain.empty()) << "and not everything";
   for (const IndexRun& run : runs.plain) {
     for (Index i = run.first; i < run.first + run.count; i += 3) {
       const Vec3 middle = sheet.middleOf(i / 3);

@@ -14,10 +14,6 @@
 namespace palpate::view {
 namespace {
 
-constexpr int kWidth = 320;
-constexpr int kHeight = 240;
-constexpr double kAspect = static_cast<double>(kWidth) / kHeight;
-
 using World = std::shared_ptr<const scene::World>;
 
 std::string jpegBytes(const Image& image) {

@@ -10,6 +10,11 @@
 
 namespace palpate::view {
 
+/// The size of the pictures that are taken of them.
+inline constexpr int kWidth = 320;
+inline constexpr int kHeight = 240;
+inline constexpr double kAspect = static_cast<double>(kWidth) / kHeight;
+
 inline std::string pngBytes(const Image& image) {
   const support::TemporaryFolder folder;
   writePng(folder / "x.png", image);

@@ -11,10 +11,6 @@
 namespace palpate::view {
 namespace {
 
-constexpr int kWidth = 320;
-constexpr int kHeight = 240;
-constexpr double kAspect = static_cast<double>(kWidth) / kHeight;
-
 using World = std::shared_ptr<const scene::World>;
 
 /// Counts calls of a GL function while it lives; `Which` is epoxy's pointer to it.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "palpate/tree/triangle_tree.h"
 
@@ -80,15 +81,21 @@ Index startOf(const tree::TriangleTree& tree, const SectionPlane& plane, const S
   return found.triangle;
 }
 
-/// Walks over the surface from a triangle's edge on, as far as the width, a border, or round a closed body.
-std::vector<SectionPoint> walked(const tree::TriangleTree& tree, const Deformed& deformed, const SectionPlane& plane,
-                                 const Side& side, Index record, int edge, double width) {
+struct Walk {
   std::vector<SectionPoint> points;
+  bool came_round = false;  ///< a closed body, back to the triangle that it began in
+};
+
+/// Walks over the surface from a triangle's edge on, as far as the width, a border, or round a closed body.
+Walk walked(const tree::TriangleTree& tree, const Deformed& deformed, const SectionPlane& plane, const Side& side,
+            Index record, int edge, double width) {
+  Walk walk;
   const Index start = record;
   while (true) {
-    points.push_back(crossingAt(tree.records[record], edge, deformed, plane, side));
-    if (std::abs(points.back().rest.x()) > width) break;
+    walk.points.push_back(crossingAt(tree.records[record], edge, deformed, plane, side));
+    if (std::abs(walk.points.back().rest.x()) > width) break;
     const Index next = tree.records[record].neighbours[edge];
+    walk.came_round = next == start;
     if (next == kNoIndex || next == start) break;
     const auto& back = tree.records[next].neighbours;
     const int came_through = static_cast<int>(std::find(back.begin(), back.end(), record) - back.begin());
@@ -96,7 +103,7 @@ std::vector<SectionPoint> walked(const tree::TriangleTree& tree, const Deformed&
     if (!isCrossed(tree.records[next], edge, side)) edge = (came_through + 2) % 3;
     record = next;
   }
-  return points;
+  return walk;
 }
 
 }  // namespace
@@ -126,10 +133,15 @@ std::vector<SectionPoint> sectionCurve(const scene::World& world, const Deformed
   if (start == kNoIndex) return {};
   const auto edges = crossedEdges(tree.records[start], deformed, plane, side);
   if (!edges) return {};
-  std::vector<SectionPoint> curve = walked(tree, deformed, plane, side, start, edges->backward, half_width_mm);
+  Walk backward = walked(tree, deformed, plane, side, start, edges->backward, half_width_mm);
+  std::vector<SectionPoint> curve = std::move(backward.points);
   std::reverse(curve.begin(), curve.end());
-  const auto forward = walked(tree, deformed, plane, side, start, edges->forward, half_width_mm);
-  curve.insert(curve.end(), forward.begin(), forward.end());
+  if (backward.came_round) {
+    curve.push_back(SectionPoint(curve.front()));
+    return curve;
+  }
+  const Walk forward = walked(tree, deformed, plane, side, start, edges->forward, half_width_mm);
+  curve.insert(curve.end(), forward.points.begin(), forward.points.end());
   return curve;
 }
 

@@ -30,7 +30,8 @@ struct SectionPoint {
 };
 
 /// The skin that hangs together with the origin, as far as `half_width_mm` to either side, in the order of `along`.
-/// Empty where the plane meets no skin at its origin.
+/// Round a closed body that is narrower once, and its first point again. Empty where the plane meets no skin at its
+/// origin.
 std::vector<SectionPoint> sectionCurve(const scene::World& world, const deform::DeformedSurface& surface,
                                        const SectionPlane& plane, double half_width_mm = 60.0);
 
