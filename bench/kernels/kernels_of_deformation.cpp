@@ -8,6 +8,7 @@
 #include "bench/kernels/kernel_list.h"
 #include "lab/workloads/workload_meshes.h"
 #include "palpate/deform/deformer.h"
+#include "palpate/deform/fast_displacement.h"
 #include "palpate/maps/ellipse_map.h"
 #include "palpate/mesh/reorder.h"
 #include "palpate/tree/triangle_tree.h"
@@ -79,7 +80,7 @@ Kernel applyKernel(std::string name, const std::shared_ptr<const Touched>& touch
 }
 
 Kernel regionKernel(const std::shared_ptr<const Touched>& touched) {
-  auto search = std::make_shared<deform::RegionSearch>(touched->skin);
+  auto search = std::make_shared<deform::RegionByBlocks>(touched->skin);
   const auto run = [touched, search] {
     const deform::Contact& contact = touched->contacts[0];
     const auto lanes = deform::lanesOf(deform::frameOf(contact, {}), 0.0, Vec3::Zero());

@@ -12,7 +12,8 @@
 #include "lab/counters/thread_counts.h"
 #include "lab/workloads/workload_meshes.h"
 #include "palpate/base/hash.h"
-#include "palpate/deform/form_deformer.h"
+#include "palpate/deform/deformer.h"
+#include "palpate/deform/fast_displacement.h"
 #include "palpate/mesh/reorder.h"
 
 namespace palpate::bench {
@@ -167,43 +168,23 @@ double copyFloor(std::size_t vertices, double seconds) {
   return timings.best_ns[0] / static_cast<double>(vertices);
 }
 
-/// The engine's deformer for this run, fast or general.
-class Engine {
- public:
-  Engine(const deform::Skin& skin, const deform::FormSettings& forms, bool general) : surface_(skin) {
-    if (general || deform::needsForms(forms)) {
-      general_.emplace(skin, forms);
-    } else {
-      fast_.emplace(skin, forms.common);
-    }
-  }
-  Index apply(const Contacts& contacts) {
-    return (fast_ ? fast_->apply(contacts, surface_) : general_->apply(contacts, surface_)).moved_vertices;
-  }
-  const deform::DeformedSurface& surface() const { return surface_; }
-
- private:
-  std::optional<deform::Deformer> fast_;
-  std::optional<deform::FormDeformer> general_;
-  deform::DeformedSurface surface_;
-};
-
 void timeEngine(const deform::Skin& skin, const std::vector<Contacts>& places, const DeformRun& run,
                 DeformFigures& figures) {
-  Engine engine(skin, formsOf(run), run.general);
+  deform::Deformer deformer(skin, formsOf(run), run.general ? deform::Way::general : deform::Way::chosen);
+  deform::DeformedSurface surface(skin);
   double moved = 0.0;
-  for (const Contacts& contacts : places) moved += engine.apply(contacts);
+  for (const Contacts& contacts : places) moved += deformer.apply(contacts, surface).moved_vertices;
   Timings timings(kMostSamples);
   const auto before = lab::allocationsOfThisThread();
-  repeat(kPlaces, run.seconds, timings, [&](std::size_t place) { engine.apply(places[place]); });
+  repeat(kPlaces, run.seconds, timings, [&](std::size_t place) { deformer.apply(places[place], surface); });
   if (before) figures.allocations = *lab::allocationsOfThisThread() - *before;
   figures.ours = figuresOf(std::move(timings), kPlaces, moved);
-  engine.apply(places[0]);
-  figures.ours.hash = hashOf(engine.surface());
+  deformer.apply(places[0], surface);
+  figures.ours.hash = hashOf(surface);
 }
 
 double searchNs(const deform::Skin& skin, const std::vector<Contacts>& places, const DeformRun& run) {
-  deform::RegionSearch search(skin);
+  deform::RegionByBlocks search(skin);
   const deform::TissueSettings tissue = formsOf(run).common.tissue;
   Timings timings(0);
   repeat(kPlaces, run.seconds / 2, timings, [&](std::size_t place) {

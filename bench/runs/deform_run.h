@@ -20,10 +20,10 @@ struct DeformRun {
   double depth_mm = 8.0;
   double drag_mm = 0.0;      ///< along x; 0 presses only
   bool recompute = false;    ///< recomputed instead of analytic normals
-  bool incremental = false;  ///< incremental normals (of the general deformer)
+  bool incremental = false;  ///< incremental normals (displaced the general way)
   bool strain = false;
-  bool principal = false;  ///< principal strain (of the general deformer)
-  bool general = false;    ///< the general deformer even where the fast one would do
+  bool principal = false;  ///< principal strain (likewise)
+  bool general = false;    ///< displace the general way even where the fast one would do
   bool literal = true;     ///< also time the dissertation's: some 500 bytes of memory a vertex
   double seconds = 1.0;    ///< how long to repeat
 };

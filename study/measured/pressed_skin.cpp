@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "palpate/base/error.h"
-#include "palpate/deform/form_deformer.h"
+#include "palpate/deform/deformer.h"
 #include "palpate/mesh/triangle_mesh.h"
 
 namespace palpate::study {
@@ -67,7 +67,7 @@ deform::Contact contactOf(const mesh::TriangleMesh& mesh, const Press& press, co
 
 PressedSkin pressed(const mesh::TriangleMesh& mesh, const Press& press, const deform::FormSettings& forms) {
   const deform::Skin skin = deform::buildSkin(mesh);
-  deform::FormDeformer deformer(skin, forms);
+  deform::Deformer deformer(skin, forms, deform::Way::general);
   deform::DeformedSurface surface(skin);
   const deform::Contact contact = contactOf(mesh, press, forms);
   deformer.apply({&contact, 1}, surface);

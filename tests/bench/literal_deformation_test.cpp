@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "deform/shapes.h"
-#include "palpate/deform/form_deformer.h"
+#include "palpate/deform/deformer.h"
 
 namespace palpate::bench {
 
@@ -28,7 +28,7 @@ literal::Touch touchOf(const deform::Contact& contact) {
 TEST(LiteralDeformation, MovesTheSkinAsTheEnginesLiteralReadingDoes) {
   const mesh::TriangleMesh back = lab::backMesh(2962);
   const deform::Skin skin = deform::buildSkin(back);
-  deform::FormDeformer engine(skin, literalForms());
+  deform::Deformer engine(skin, literalForms());
   deform::DeformedSurface surface(skin);
   literal::Deformation literally(back);
   Random random(7);

@@ -1,4 +1,4 @@
-#include "palpate/deform/kernels.h"
+#include "palpate/deform/fast_displacement.h"
 
 #include <gtest/gtest.h>
 
@@ -58,7 +58,7 @@ TEST(BlockBounds, WholeRunsAreDisplacedLikeSingleBlocks) {
   Contact contact = test::press(mesh, test::triangleNear(mesh, {175, 200, 0}), 8.0);
   contact.normal_region = maps::liftedOntoSurface({1000.0, 1.0}, contact.normal);
   for (const Vec3& along : {Vec3(0, 0, 0), Vec3(6, 0, 0)}) {
-    const ContactFrame frame = frameOf(test::drag(contact, along), {});
+    const EllipseContact frame = frameOf(test::drag(contact, along), {});
     const ContactLanes lanes = lanesOf(frame, 8.0, frame.drag_mm);
     const Index blocks = 5;
     FloatStreams single(9, std::size_t{blocks} * kBlockVertices, 0);

@@ -112,6 +112,16 @@ TEST(Deformer, RestComesBackBitByBit) {
   }
 }
 
+TEST(Deformer, WithoutStrainClearsWhatAnotherWrote) {
+  Settings with_strain;
+  with_strain.strain = true;
+  Stage stage(lab::backMesh(2962), with_strain);
+  const Contact contact = press(stage.mesh, 1000, 6.0);
+  stage.apply({contact});
+  Deformer(stage.skin, Settings{}).apply({&contact, 1}, stage.surface);
+  for (const float strain : stage.surface.strain()) ASSERT_EQ(strain, 0.0f);
+}
+
 // Minus zero is a coordinate too: adding a displacement of zero would turn it into plus zero.
 TEST(Deformer, RestKeepsTheSignOfZero) {
   auto mesh = zoo::grid(20, 200.0);

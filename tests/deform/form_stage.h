@@ -1,20 +1,20 @@
-// Skin, general deformer and surface of a mesh, as an application holds them.
+// Skin, deformer of the general way and surface of a mesh, as an application holds them.
 #pragma once
 
 #include "deform/shapes.h"
-#include "palpate/deform/form_deformer.h"
+#include "palpate/deform/deformer.h"
 
 namespace palpate::test {
 
 struct FormStage {
   explicit FormStage(mesh::TriangleMesh m, const FormSettings& forms = {})
-      : mesh(std::move(m)), skin(buildSkin(mesh)), deformer(skin, forms), surface(skin) {}
+      : mesh(std::move(m)), skin(buildSkin(mesh)), deformer(skin, forms, Way::general), surface(skin) {}
   Report apply(const std::vector<Contact>& contacts) { return deformer.apply(contacts, surface); }
   Vec3 moved(Index v) const { return surface.displacementAt(v).cast<double>(); }
 
   mesh::TriangleMesh mesh;
   Skin skin;
-  FormDeformer deformer;
+  Deformer deformer;
   DeformedSurface surface;
 };
 

@@ -1,4 +1,4 @@
-#include "palpate/deform/region.h"
+#include "palpate/deform/region_by_blocks.h"
 
 #include <gtest/gtest.h>
 
@@ -7,13 +7,14 @@
 
 #include "deform/scalar_reference.h"
 #include "deform/shapes.h"
+#include "palpate/deform/fast_displacement.h"
 
 namespace palpate::deform {
 
 using test::anyContact;
 using test::press;
 
-std::vector<bool> regionByBlocks(const Skin& skin, RegionSearch& search, const Contact& contact) {
+std::vector<bool> regionByBlocks(const Skin& skin, RegionByBlocks& search, const Contact& contact) {
   const ContactLanes lanes = lanesOf(frameOf(contact, {}), 0.0, Vec3::Zero());
   std::vector<bool> inside(skin.vertices, false);
   for (const BlockPart& part : search.find(skin, lanes, skin.triangles[contact.anchor_triangle])) {
@@ -32,7 +33,7 @@ bool isBorderline(const Skin& skin, const test::ScalarContact& contact, Index v)
 
 void expectSameRegions(const mesh::TriangleMesh& mesh, int contacts, std::uint64_t seed, const std::string& name) {
   const Skin skin = buildSkin(mesh);
-  RegionSearch search(skin);
+  RegionByBlocks search(skin);
   Random random(seed);
   int compared = 0;
   for (int i = 0; i < contacts; ++i) {
@@ -82,7 +83,7 @@ TEST(Region, StopsAtGaps) {
   for (Vec3& p : upper.positions) p.z() += 5.0;
   const auto both = zoo::joined(lower, upper);
   const Skin skin = buildSkin(both);
-  RegionSearch search(skin);
+  RegionByBlocks search(skin);
   const auto region = regionByBlocks(skin, search, press(both, 500, 8.0));
   const auto end_of_lower = region.begin() + static_cast<std::ptrdiff_t>(lower.positions.size());
   EXPECT_GT(std::count(region.begin(), end_of_lower, true), 0);
@@ -93,7 +94,7 @@ TEST(Region, StopsAtGaps) {
 TEST(Region, LooksPastTheCornersOfTheAnchorsTriangle) {
   const mesh::TriangleMesh mesh{{{0, 0, 0}, {100, 0, 0}, {0, 100, 0}, {55, 55, 0}}, {{0, 1, 2}, {1, 3, 2}}};
   const Skin skin = buildSkin(mesh);
-  RegionSearch search(skin);
+  RegionByBlocks search(skin);
   Contact contact = press(mesh, 0, 5.0, Vec3(0.1, 0.45, 0.45));
   contact.normal_region.half_major = Vec3(20, 0, 0);
   EXPECT_EQ(regionByBlocks(skin, search, contact), (std::vector<bool>{false, false, false, true}));
@@ -102,7 +103,7 @@ TEST(Region, LooksPastTheCornersOfTheAnchorsTriangle) {
 TEST(Region, CostsWhatItCovers) {
   const auto mesh = lab::backMesh(200000);
   const Skin skin = buildSkin(mesh);
-  RegionSearch search(skin);
+  RegionByBlocks search(skin);
   const auto region = regionByBlocks(skin, search, press(mesh, 90000, 5.0));
   EXPECT_GT(std::count(region.begin(), region.end(), true), 500);
   EXPECT_LT(search.visitedBlocks(), skin.blocks / 10);

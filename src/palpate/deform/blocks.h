@@ -21,9 +21,28 @@ inline constexpr Index blockOf(Index vertex) { return vertex / kBlockVertices; }
 inline constexpr std::uint64_t bitOf(Index vertex) { return std::uint64_t{1} << (vertex % kBlockVertices); }
 inline constexpr Index blocksFor(Index vertices) { return (vertices + kBlockVertices - 1) / kBlockVertices; }
 
+/// A block and which of its vertices are meant.
+struct BlockPart {
+  Index block;
+  std::uint64_t vertices;
+};
+
+/// A contact, as its way to displace has it, and which vertices of a block belong to its region.
+template <class Mover>
+struct OnBlock {
+  const Mover* mover;
+  std::uint64_t region;
+};
+
 /// Rest positions and normals, x y z nx ny nz, at a block's first vertex.
 struct RestBlock {
   const float* values[6];
+  /// The block so many further on.
+  RestBlock after(Index blocks) const {
+    RestBlock block = *this;
+    for (const float*& first : block.values) first += std::size_t{blocks} * kBlockVertices;
+    return block;
+  }
 };
 
 /// The boxes of a tile's blocks (Skin::bounds) at its first block.
@@ -34,6 +53,11 @@ struct TileBounds {
 /// Deformed positions, normals and displacements, x y z nx ny nz dx dy dz, at a block's first vertex.
 struct DeformedBlock {
   float* values[9];
+  DeformedBlock after(Index blocks) const {
+    DeformedBlock block = *this;
+    for (float*& first : block.values) first += std::size_t{blocks} * kBlockVertices;
+    return block;
+  }
 };
 
 /// Calls `visit(bit index)` for every set bit, ascending.

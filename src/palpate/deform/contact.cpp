@@ -13,6 +13,14 @@ Vec3 cappedLength(const Vec3& displacement_mm, double cap_mm) noexcept {
   return length > cap_mm ? Vec3(displacement_mm * (cap_mm / length)) : displacement_mm;
 }
 
+/// (4.16) says "d = m if m < d_max" without a lower end.
+double literallyCappedDepth(double depth_mm, double cap_mm) noexcept { return depth_mm < cap_mm ? depth_mm : cap_mm; }
+
+/// (4.18) is missing from the text.
+Vec3 literallyCappedDrag(const Vec3& drag_mm, double cap_mm) noexcept {
+  return drag_mm.cwiseMax(-cap_mm).cwiseMin(cap_mm);
+}
+
 maps::SurfaceEllipse normalRegion(const Vec3& normal, double depth_mm, const TissueSettings& settings) noexcept {
   const double depth = cappedDepth(depth_mm, settings.normal_cap_mm);
   const double radius = settings.normal_radius_mm + settings.normal_radius_per_depth * depth;

@@ -1,7 +1,7 @@
 // What the deformation has to know about one finger on the skin.
 //
 // `contact` produces a FingerOutput a tick; finger_contact.h turns it into this. Everything is plain data in millimetre
-// and the body frame. First word of the flow: what comes in is capped here, framed in frame.h.
+// and the body frame. What comes in is capped here and framed in frame.h.
 // Based on: Ji, dissertation 2008, (4.4) to (4.6) and (4.15) to (4.18), with E19 and E21.
 #pragma once
 
@@ -40,15 +40,10 @@ double cappedDepth(double depth_mm, double cap_mm) noexcept;
 /// components).
 Vec3 cappedLength(const Vec3& displacement_mm, double cap_mm) noexcept;
 
-// The caps as the damaged text can be read (E19): each component for itself, and a negative depth let through. (4.16)
-// says "d = m if m < d_max" without a lower end, and (4.18) is missing from the text. A cap on the components turns a
-// long drag towards a diagonal of the body's axes and lets it reach sqrt(3) times the cap.
-inline double literallyCappedDepth(double depth_mm, double cap_mm) noexcept {
-  return depth_mm < cap_mm ? depth_mm : cap_mm;
-}
-inline Vec3 literallyCappedDrag(const Vec3& drag_mm, double cap_mm) noexcept {
-  return drag_mm.cwiseMax(-cap_mm).cwiseMin(cap_mm);
-}
+// The caps as the damaged text can be read (E19): each component for itself, and a negative depth let through. A cap on
+// the components turns a long drag towards a diagonal of the body's axes and lets it reach sqrt(3) times the cap.
+double literallyCappedDepth(double depth_mm, double cap_mm) noexcept;
+Vec3 literallyCappedDrag(const Vec3& drag_mm, double cap_mm) noexcept;
 /// How long the latter can be.
 inline double literalDragReach(double cap_mm) noexcept { return 1.7320508075688772 * cap_mm; }
 

@@ -1,206 +1,317 @@
 #include "palpate/deform/deformer.h"
 
 #include <algorithm>
+#include <optional>
+#include <variant>
 
+#include "palpate/deform/fast_displacement.h"
+#include "palpate/deform/general_displacement.h"
 #include "palpate/deform/normals.h"
+#include "palpate/deform/plan.h"
 #include "palpate/deform/strain.h"
 #include "palpate/deform/together.h"
-#include "palpate/tissue/profile.h"
 
 namespace palpate::deform {
 
 namespace {
 
-/// Share of contact j's displacement that reaches the anchor of contact i.
-double weightAt(const PartFrame& part, const ContactFrame& i, const ContactFrame& j) noexcept {
-  return part.acts ? tissue::profile(part.ratioAt(i.anchor - j.anchor)) : 0.0;
+/// Status bits of a contact that cannot be framed on a skin of so many triangles; 0 for one that can.
+std::uint32_t whyIgnored(const Contact& contact, std::size_t triangles) noexcept {
+  if (!isUsable(contact)) return kIgnoredNotFinite;
+  return contact.anchor_triangle < triangles ? 0u : std::uint32_t{kIgnoredNoTriangle};
 }
 
-bool wantsToMove(const ContactFrame& frame) noexcept { return frame.depth_mm > 0.0 || !frame.drag_mm.isZero(0.0); }
-
-std::uint32_t degenerateParts(const ContactFrame& frame) noexcept {
-  const bool lost_press = frame.depth_mm > 0.0 && !frame.normal_part.acts;
-  const bool lost_drag = !frame.drag_mm.isZero(0.0) && !frame.tangential_part.acts;
+template <class Region>
+std::uint32_t degenerateParts(const FramedContact<Region>& frame) noexcept {
+  const bool lost_press = frame.wantsPress() && !frame.press.acts();
+  const bool lost_drag = frame.wantsDrag() && !frame.drag.acts();
   return lost_press || lost_drag ? std::uint32_t{kDegenerateRegion} : 0;
 }
 
-bool movesAnything(const ContactLanes& lanes) noexcept {
-  const auto moves = [](const PartLanes& part) {
-    return part.outside == 0.0f && (part.shift[0] != 0.0f || part.shift[1] != 0.0f || part.shift[2] != 0.0f);
-  };
-  return moves(lanes.normal) || moves(lanes.tangential);
+FormSettings withDefaultForms(const Settings& settings) {
+  FormSettings forms;
+  forms.common = settings;
+  return forms;
+}
+
+/// How far the caps let a vertex move when all contacts pull it the same way.
+double mostMotion(const Settings& settings) {
+  const double one = std::abs(settings.tissue.normal_cap_mm) + literalDragReach(settings.tissue.tangential_cap_mm);
+  return one * static_cast<double>(settings.max_contacts);
+}
+
+/// The longest shift that a drag may ask for.
+double dragReach(const FormSettings& forms) noexcept {
+  const double cap = forms.common.tissue.tangential_cap_mm;
+  return forms.fidelity.literal(Erratum::E19_drag_cap) ? literalDragReach(cap) : cap;
 }
 
 }  // namespace
 
-Deformer::Deformer(const Skin& skin, const Settings& settings)
-    : skin_(skin),
-      settings_(settings),
-      search_(skin),
-      first_entry_(skin.blocks, kNoIndex),
-      moved_(skin.blocks),
-      affected_(skin.blocks) {
-  const std::size_t n = settings.max_contacts;
-  frames_.reserve(n);
-  lanes_.reserve(n);
-  first_part_.reserve(n + 1);
-  parts_.reserve(n * skin.blocks);
-  entries_.reserve(n * skin.blocks);
-  on_block_.reserve(n);
-  normal_coupling_.resize(n * n);
-  tangential_coupling_.resize(n * n);
-  depths_.resize(n);
-  amplitudes_.resize(n);
-  drags_.resize(n, Vec3::Zero());
-  shifts_.resize(n, Vec3::Zero());
-}
+/// The steps of an apply with one way to displace. Each is handed the plan and fills in its part of it; those that
+/// write the surface only read it.
+template <class Displacement>
+class Deformer::Pipeline {
+ public:
+  using ThePlan = Plan<Displacement>;
 
-Report Deformer::apply(std::span<const Contact> contacts, DeformedSurface& surface) noexcept {
-  Report report;
-  frameContacts(contacts, report);
-  findRegions(report);
-  solveAmplitudes();
-  collectBlocks();
-  displace(surface, report);
-  finishNormalsAndStrain(surface);
-  surface.written_ = affected_;
-  return report;
-}
+  Pipeline(const Skin& skin, const FormSettings& forms)
+      : skin_(skin), forms_(forms), displacement_(skin, forms), plan_(skin, forms.common.max_contacts) {
+    if (forms.common.normals == Normals::incremental) incremental_.emplace(skin, mostMotion(forms.common));
+  }
 
-void Deformer::frameContacts(std::span<const Contact> contacts, Report& report) noexcept {
-  frames_.clear();
+  Report apply(std::span<const Contact> contacts, DeformedSurface& surface) noexcept {
+    Report report;
+    frameContacts(contacts, plan_, report);
+    findRegions(plan_, report);
+    combine(plan_);
+    chainBlocks(plan_);
+    if (!forms_.common.strain) surface.forgetStrain();
+    displace(plan_, surface, report);
+    finishNormals(plan_, surface, report);
+    finishStrain(plan_, surface);
+    surface.written_ = plan_.affected;
+    return report;
+  }
+
+ private:
+  /// Consecutive blocks that lie in the region of one contact as a whole, about to be displaced in one go.
+  struct Run {
+    Index first = 0;
+    Index end = 0;
+    Index contact = 0;
+  };
+
+  void frameContacts(std::span<const Contact> contacts, ThePlan& plan, Report& report) const noexcept;
+  void findRegions(ThePlan& plan, Report& report) noexcept;
+  void noteCoupling(std::size_t source, ThePlan& plan) const noexcept;
+  void combine(ThePlan& plan) const noexcept;
+  void solveTogether(ThePlan& plan) const noexcept;
+  void chainBlocks(ThePlan& plan) const noexcept;
+  void displace(ThePlan& plan, DeformedSurface& surface, Report& report) const noexcept;
+  void displaceBlock(Index block, Run& run, ThePlan& plan, DeformedSurface& surface, Report& report) const noexcept;
+  void displaceRun(const Run& run, const ThePlan& plan, DeformedSurface& surface, Report& report) const noexcept;
+  Index displaceShared(Index block, ThePlan& plan, DeformedSurface& surface) const noexcept;
+  void finishNormals(const ThePlan& plan, DeformedSurface& surface, Report& report) noexcept;
+  void finishStrain(const ThePlan& plan, DeformedSurface& surface) const noexcept;
+  bool needsNeighbours() const noexcept { return forms_.common.strain || forms_.common.normals != Normals::analytic; }
+
+  template <class Visit>
+  void forEachVertex(const BlockSet& blocks, const Visit& visit) const {
+    blocks.forEach([&](Index block) {
+      const Index end = std::min((block + 1) * kBlockVertices, skin_.vertices);
+      for (Index v = block * kBlockVertices; v < end; ++v) visit(v);
+    });
+  }
+
+  const Skin& skin_;
+  FormSettings forms_;
+  Displacement displacement_;
+  std::optional<IncrementalNormals> incremental_;
+  ThePlan plan_;
+};
+
+template <class Displacement>
+void Deformer::Pipeline<Displacement>::frameContacts(std::span<const Contact> contacts, ThePlan& plan,
+                                                     Report& report) const noexcept {
+  plan.frames.clear();
   for (const Contact& contact : contacts) {
     if (const std::uint32_t reason = whyIgnored(contact, skin_.triangles.size()); reason != 0) {
       report.status |= reason;
-    } else if (frames_.size() == settings_.max_contacts) {
+    } else if (plan.frames.size() == forms_.common.max_contacts) {
       report.status |= kIgnoredOverCapacity;
-    } else if (const ContactFrame frame = frameOf(contact, settings_.tissue); wantsToMove(frame)) {
+    } else if (const auto frame = displacement_.frame(contact); frame.wantsPress() || frame.wantsDrag()) {
       report.status |= degenerateParts(frame);
-      frames_.push_back(frame);
+      plan.frames.push_back(frame);
     }
   }
 }
 
-void Deformer::findRegions(Report& report) noexcept {
-  parts_.clear();
-  first_part_.assign(1, 0);
-  for (std::size_t i = 0; i < frames_.size(); ++i) {
-    const ContactLanes lanes = lanesOf(frames_[i], 0.0, Vec3::Zero());
-    const auto region = search_.find(skin_, lanes, skin_.triangles[frames_[i].anchor_triangle]);
-    parts_.insert(parts_.end(), region.begin(), region.end());
-    first_part_.push_back(static_cast<Index>(parts_.size()));
-    report.visited_vertices += search_.visitedBlocks() * kBlockVertices;
+template <class Displacement>
+void Deformer::Pipeline<Displacement>::findRegions(ThePlan& plan, Report& report) noexcept {
+  plan.parts.clear();
+  plan.first_part.assign(1, 0);
+  for (std::size_t i = 0; i < plan.frames.size(); ++i) {
+    const std::span<const BlockPart> region = displacement_.findRegion(plan.frames[i]);
+    plan.parts.insert(plan.parts.end(), region.begin(), region.end());
+    plan.first_part.push_back(static_cast<Index>(plan.parts.size()));
+    report.visited_vertices += displacement_.visitedVertices();
     if (region.empty()) report.status |= kNoVertexInRegion;
-    noteCoupling(i);
+    noteCoupling(i, plan);
   }
 }
 
 /// Fills column `source` while its region is known: an anchor outside it feels nothing, however near it looks.
-void Deformer::noteCoupling(std::size_t source) noexcept {
-  const std::size_t n = frames_.size();
-  const ContactFrame& from = frames_[source];
+template <class Displacement>
+void Deformer::Pipeline<Displacement>::noteCoupling(std::size_t source, ThePlan& plan) const noexcept {
+  const std::size_t n = plan.frames.size();
+  const auto& from = plan.frames[source];
   for (std::size_t i = 0; i < n; ++i) {
-    const ContactFrame& at = frames_[i];
+    const auto& at = plan.frames[i];
     bool feels = false;
-    for (const Index corner : skin_.triangles[at.anchor_triangle]) feels = feels || search_.reached(corner);
+    for (const Index corner : skin_.triangles[at.anchor_triangle]) feels = feels || displacement_.reached(corner);
+    const Vec3 offset = at.anchor - from.anchor;
     const double alignment = std::max(0.0, at.normal.dot(from.normal));
-    normal_coupling_[i * n + source] = feels ? alignment * weightAt(from.normal_part, at, from) : 0.0;
-    tangential_coupling_[i * n + source] = feels ? weightAt(from.tangential_part, at, from) : 0.0;
+    plan.press_coupling[i * n + source] = feels ? alignment * displacement_.pressShare(from, offset) : 0.0;
+    plan.drag_coupling[i * n + source] = feels ? displacement_.dragShare(from, offset) : 0.0;
   }
 }
 
-void Deformer::solveAmplitudes() noexcept {
-  const std::size_t n = frames_.size();
+template <class Displacement>
+void Deformer::Pipeline<Displacement>::combine(ThePlan& plan) const noexcept {
+  const std::size_t n = plan.frames.size();
   for (std::size_t i = 0; i < n; ++i) {
-    depths_[i] = frames_[i].normal_part.acts ? frames_[i].depth_mm : 0.0;
-    drags_[i] = frames_[i].tangential_part.acts ? frames_[i].drag_mm : Vec3::Zero();
+    plan.depths_mm[i] = plan.frames[i].press.acts() ? plan.frames[i].depth_mm : 0.0;
+    plan.drags_mm[i] = plan.frames[i].drag.acts() ? plan.frames[i].drag_mm : Vec3::Zero();
   }
-  solveDepths({normal_coupling_, n}, {depths_.data(), n}, {amplitudes_.data(), n});
-  solveDrags({tangential_coupling_, n}, {drags_.data(), n}, settings_.tissue.tangential_cap_mm, {shifts_.data(), n});
-  lanes_.clear();
-  for (std::size_t i = 0; i < n; ++i) lanes_.push_back(lanesOf(frames_[i], amplitudes_[i], shifts_[i]));
+  if (forms_.together == Together::solved) {  // E25
+    solveTogether(plan);
+  } else {
+    std::copy_n(plan.depths_mm.begin(), n, plan.amplitudes_mm.begin());
+    std::copy_n(plan.drags_mm.begin(), n, plan.shifts_mm.begin());
+  }
+  plan.movers.clear();
+  for (std::size_t i = 0; i < n; ++i) {
+    plan.movers.push_back(displacement_.mover(plan.frames[i], plan.amplitudes_mm[i], plan.shifts_mm[i]));
+  }
+}
+
+template <class Displacement>
+void Deformer::Pipeline<Displacement>::solveTogether(ThePlan& plan) const noexcept {
+  const std::size_t n = plan.frames.size();
+  solveDepths({plan.press_coupling, n}, {plan.depths_mm.data(), n}, {plan.amplitudes_mm.data(), n});
+  solveDrags({plan.drag_coupling, n}, {plan.drags_mm.data(), n}, dragReach(forms_), {plan.shifts_mm.data(), n});
 }
 
 /// Chains the regions of all contacts that still move something block by block.
-void Deformer::collectBlocks() noexcept {
-  moved_.clear();
-  entries_.clear();
-  for (Index contact = 0; contact < lanes_.size(); ++contact) {
-    if (!movesAnything(lanes_[contact])) continue;
-    for (Index p = first_part_[contact]; p < first_part_[contact + 1]; ++p) {
-      const auto [block, region] = parts_[p];
-      const Index next = moved_.contains(block) ? first_entry_[block] : kNoIndex;
-      first_entry_[block] = static_cast<Index>(entries_.size());
-      entries_.push_back({region, contact, next});
-      moved_.insert(block);
+template <class Displacement>
+void Deformer::Pipeline<Displacement>::chainBlocks(ThePlan& plan) const noexcept {
+  plan.moved.clear();
+  plan.entries.clear();
+  for (Index contact = 0; contact < plan.movers.size(); ++contact) {
+    if (!Displacement::moves(plan.movers[contact])) continue;
+    for (Index p = plan.first_part[contact]; p < plan.first_part[contact + 1]; ++p) {
+      const auto [block, region] = plan.parts[p];
+      const Index next = plan.moved.contains(block) ? plan.first_entry[block] : kNoIndex;
+      plan.first_entry[block] = static_cast<Index>(plan.entries.size());
+      plan.entries.push_back({region, contact, next});
+      plan.moved.insert(block);
     }
   }
-  affected_ = moved_;
-  if (!settings_.strain && settings_.normals == Normals::analytic) return;
-  moved_.forEach([&](Index block) {
-    for (const GroupLink& link : skin_.linksOf(block)) affected_.insert(link.group);
+  plan.affected = plan.moved;
+  if (!needsNeighbours()) return;
+  plan.moved.forEach([&](Index block) {
+    for (const GroupLink& link : skin_.linksOf(block)) plan.affected.insert(link.group);
   });
 }
 
-void Deformer::displace(DeformedSurface& surface, Report& report) noexcept {
+template <class Displacement>
+void Deformer::Pipeline<Displacement>::displace(ThePlan& plan, DeformedSurface& surface,
+                                                Report& report) const noexcept {
   surface.changed_.clear();
   Run run;
-  BlockSet::forEachOfBoth(surface.written_, affected_, [&](Index block) {
+  BlockSet::forEachOfBoth(surface.written_, plan.affected, [&](Index block) {
     surface.listChange(block);
-    if (moved_.contains(block)) {
-      displaceBlock(block, run, surface, report);
+    if (plan.moved.contains(block)) {
+      displaceBlock(block, run, plan, surface, report);
     } else {
       surface.restore(skin_, block);
     }
   });
-  displaceRun(run, surface, report);
+  displaceRun(run, plan, surface, report);
 }
 
-void Deformer::displaceBlock(Index block, Run& run, DeformedSurface& surface, Report& report) noexcept {
-  const Entry& entry = entries_[first_entry_[block]];
+template <class Displacement>
+void Deformer::Pipeline<Displacement>::displaceBlock(Index block, Run& run, ThePlan& plan, DeformedSurface& surface,
+                                                     Report& report) const noexcept {
+  const BlockEntry& entry = plan.entries[plan.first_entry[block]];
   if (entry.next != kNoIndex || entry.region != ~std::uint64_t{0}) {
-    report.moved_vertices += displaceParts(block, surface);
+    report.moved_vertices += displaceShared(block, plan, surface);
     return;
   }
   if (block != run.end || entry.contact != run.contact) {
-    displaceRun(run, surface, report);
+    displaceRun(run, plan, surface, report);
     run = {block, block, entry.contact};
   }
   run.end = block + 1;
 }
 
-void Deformer::displaceRun(Run& run, DeformedSurface& surface, Report& report) noexcept {
+template <class Displacement>
+void Deformer::Pipeline<Displacement>::displaceRun(const Run& run, const ThePlan& plan, DeformedSurface& surface,
+                                                   Report& report) const noexcept {
   const Index blocks = run.end - run.first;
   if (blocks == 0) return;
-  displaceWholeBlocks(lanes_[run.contact], blocks, skin_.restBlock(run.first), surface.block(run.first));
+  displacement_.displaceWholeBlocks(plan.movers[run.contact], blocks, skin_.restBlock(run.first),
+                                    surface.block(run.first));
   report.moved_vertices += blocks * kBlockVertices;
 }
 
 /// A block that contacts share, or that lies in a region in part. Returns how many of its vertices moved.
-Index Deformer::displaceParts(Index block, DeformedSurface& surface) noexcept {
-  on_block_.clear();
+template <class Displacement>
+Index Deformer::Pipeline<Displacement>::displaceShared(Index block, ThePlan& plan,
+                                                       DeformedSurface& surface) const noexcept {
+  plan.on_block.clear();
   std::uint64_t moved = 0;
-  for (Index e = first_entry_[block]; e != kNoIndex; e = entries_[e].next) {
-    on_block_.push_back({&lanes_[entries_[e].contact], entries_[e].region});
-    moved |= entries_[e].region;
-  }
-  deform::displaceBlock(on_block_, skin_.restBlock(block), surface.block(block));
+  plan.forEachOnBlock(block, [&](const BlockEntry& entry) {
+    plan.on_block.push_back({&plan.movers[entry.contact], entry.region});
+    moved |= entry.region;
+  });
+  displacement_.displaceBlock(plan.on_block, skin_.restBlock(block), surface.block(block));
   return static_cast<Index>(std::popcount(moved));
 }
 
-void Deformer::finishNormalsAndStrain(DeformedSurface& surface) noexcept {
-  const bool recompute = settings_.normals != Normals::analytic;
-  if (!recompute && !settings_.strain) return;
+template <class Displacement>
+void Deformer::Pipeline<Displacement>::finishNormals(const ThePlan& plan, DeformedSurface& surface,
+                                                     Report& report) noexcept {
+  if (forms_.common.normals == Normals::analytic) return;
   const PositionStreams positions = surface.positions();
+  if (incremental_) {
+    report.changed_triangles = incremental_->follow(skin_, positions, plan.moved);
+    forEachVertex(plan.affected, [&](Index v) { surface.setNormal(v, incremental_->normal(skin_, v)); });
+  } else {
+    forEachVertex(plan.affected, [&](Index v) { surface.setNormal(v, areaWeightedNormal(skin_, positions, v)); });
+  }
+}
+
+template <class Displacement>
+void Deformer::Pipeline<Displacement>::finishStrain(const ThePlan& plan, DeformedSurface& surface) const noexcept {
+  if (!forms_.common.strain) return;
   const PositionStreams displacements = surface.displacements();
-  affected_.forEach([&](Index block) {
-    const Index end = std::min((block + 1) * kBlockVertices, skin_.vertices);
-    for (Index v = block * kBlockVertices; v < end; ++v) {
-      if (recompute) surface.setNormal(v, areaWeightedNormal(skin_, positions, v));
-      if (settings_.strain) surface.setStrain(v, strainOfVertex(skin_, displacements, v));
-    }
+  const bool principal = forms_.strain_kind == StrainKind::principal;
+  forEachVertex(plan.affected, [&](Index v) {
+    const float strain = principal ? static_cast<float>(principalStrains(skin_, displacements, v).dominant())
+                                   : strainOfVertex(skin_, displacements, v);
+    surface.setStrain(v, strain);
   });
 }
+
+struct Deformer::Ways {
+  using Fast = Pipeline<FastDisplacement>;
+  using General = Pipeline<GeneralDisplacement>;
+  using Choice = std::variant<Fast, General>;
+
+  Ways(const Skin& skin, const FormSettings& forms, Way way) : choice(chosen(skin, forms, way)) {}
+  static Choice chosen(const Skin& skin, const FormSettings& forms, Way way) {
+    if (way == Way::general || needsForms(forms)) return Choice(std::in_place_type<General>, skin, forms);
+    return Choice(std::in_place_type<Fast>, skin, forms);
+  }
+
+  Choice choice;
+};
+
+Deformer::Deformer(const Skin& skin, const FormSettings& forms, Way way)
+    : ways_(std::make_unique<Ways>(skin, forms, way)) {}
+Deformer::Deformer(const Skin& skin, const Settings& settings) : Deformer(skin, withDefaultForms(settings)) {}
+Deformer::Deformer(Deformer&&) noexcept = default;
+Deformer& Deformer::operator=(Deformer&&) noexcept = default;
+Deformer::~Deformer() = default;
+
+Report Deformer::apply(std::span<const Contact> contacts, DeformedSurface& surface) noexcept {
+  if (auto* fast = std::get_if<Ways::Fast>(&ways_->choice)) return fast->apply(contacts, surface);
+  return std::get_if<Ways::General>(&ways_->choice)->apply(contacts, surface);
+}
+
+bool Deformer::isFast() const noexcept { return std::holds_alternative<Ways::Fast>(ways_->choice); }
 
 DeformedSurface deformed(const mesh::TriangleMesh& mesh, std::span<const Contact> contacts, const Settings& settings) {
   const Skin skin = buildSkin(mesh);

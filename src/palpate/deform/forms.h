@@ -1,15 +1,30 @@
 // Every form of the deformation that the dissertation describes, as settings: which profile, which region, which way
 // of combining, and which errata as printed.
 //
-// With the defaults all of it is what Deformer does, and any_deformer.h chooses Deformer. Anything else is done by
-// FormDeformer, vertex by vertex. docs/deformation.md has a table of what each form is for.
+// With the defaults all of it is what the fast displacement does; needsForms says what takes the general one.
+// docs/deformation.md has a table of what each form is for.
+// Based on: Ji, dissertation 2008, chapter 4, with E18, E20, E21, E24 and E25.
 #pragma once
 
 #include "palpate/base/fidelity.h"
-#include "palpate/deform/deformer.h"
+#include "palpate/deform/contact.h"
 #include "palpate/tissue/profile_forms.h"
 
 namespace palpate::deform {
+
+/// How the normals of the deformed surface are made.
+enum class Normals : std::uint8_t {
+  analytic,     ///< of the smooth deformation, in the same pass as the displacement (default)
+  recomputed,   ///< area-weighted from the deformed triangles: the reference, several times slower
+  incremental,  ///< the same normals by subtracting and adding only the triangles that changed (normals.h)
+};
+
+struct Settings {
+  TissueSettings tissue;
+  Normals normals = Normals::analytic;
+  bool strain = false;            ///< also write the strain of (4.20)
+  std::size_t max_contacts = 16;  ///< contacts beyond are ignored and reported
+};
 
 /// What the skin follows a drag in. The press has its own circle unless NormalRegion::shared.
 enum class Shape : std::uint8_t {
@@ -46,7 +61,7 @@ enum class StrainKind : std::uint8_t {
 inline constexpr double kTwoMmBoundary = 1.0 / 0.611511842994195;
 
 struct FormSettings {
-  Settings common;  ///< caps, radii, normals, strain or not, capacity: as for Deformer
+  Settings common;  ///< caps, radii, normals, strain or not, capacity
   tissue::ProfileSettings normal_profile;
   tissue::ProfileSettings tangential_profile;
   tissue::RadialTerm radial;
@@ -63,8 +78,8 @@ inline bool sharesRegion(const FormSettings& forms) {
   return forms.region == NormalRegion::shared || forms.fidelity.literal(Erratum::E21_press_region);
 }
 
-/// True if Deformer cannot do it. Forms of regions alone (constant, shared, two_mm) do not count: they are in the
-/// contacts.
+/// True if the fast displacement cannot do it. Forms of regions alone (constant, shared, two_mm) do not count: they are
+/// in the contacts.
 bool needsForms(const FormSettings& forms);
 
 /// The contact with the regions of these forms; it comes with R0 + c depth and the map's boundary as measured.

@@ -260,9 +260,9 @@ HWY_INLINE void moveByMany(std::span<const ContactOnBlock> contacts, const V3& p
   Motion motion{{zero, zero, zero}, {one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
   for (const ContactOnBlock& on : contacts) {
     const M region = maskAt(on.region, lane);
-    const V3 offset = sub(position, broadcast(on.contact->anchor));
-    addPart(on.contact->normal, offset, region, motion);
-    addPart(on.contact->tangential, offset, region, motion);
+    const V3 offset = sub(position, broadcast(on.mover->anchor));
+    addPart(on.mover->normal, offset, region, motion);
+    addPart(on.mover->tangential, offset, region, motion);
   }
   displacement = motion.displacement;
   normal = {dot(cross(motion.row_y, motion.row_z), normal), dot(cross(motion.row_z, motion.row_x), normal),
@@ -320,7 +320,7 @@ HWY_INLINE void overBlock(std::uint64_t touched, const RestBlock& rest, const De
 
 template <bool kDrags>
 void displaceByOne(const ContactOnBlock& on, const RestBlock& rest, const DeformedBlock& out) {
-  const ContactLanes contact = *on.contact;  // a copy that no store can alias
+  const ContactLanes contact = *on.mover;  // a copy that no store can alias
   overBlock(on.region, rest, out, [&](const V3& position, size_t lane, V3& displacement, V3& normal) HWY_ATTR {
     moveByOne<kDrags, false>(contact, position, maskAt(on.region, lane), displacement, normal);
   });
@@ -328,8 +328,8 @@ void displaceByOne(const ContactOnBlock& on, const RestBlock& rest, const Deform
 
 void displaceBlock(std::span<const ContactOnBlock> contacts, const RestBlock& rest, const DeformedBlock& out) {
   if (contacts.size() == 1) {
-    return drags(*contacts[0].contact) ? displaceByOne<true>(contacts[0], rest, out)
-                                       : displaceByOne<false>(contacts[0], rest, out);
+    return drags(*contacts[0].mover) ? displaceByOne<true>(contacts[0], rest, out)
+                                     : displaceByOne<false>(contacts[0], rest, out);
   }
   std::uint64_t touched = 0;
   for (const ContactOnBlock& on : contacts) touched |= on.region;

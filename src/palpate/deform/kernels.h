@@ -1,5 +1,5 @@
-// The inner loops of the deformation over one block of 64 vertices (or one tile of 64 blocks), compiled for several
-// instruction sets; the widest that the machine has is chosen at run time.
+// The inner loops of the fast displacement over one block of 64 vertices (or one tile of 64 blocks), compiled for
+// several instruction sets; the widest that the machine has is chosen at run time.
 //
 // kernels.cpp explains the arithmetic. Every number of a contact is here in float, ready to be broadcast.
 #pragma once
@@ -27,11 +27,7 @@ struct ContactLanes {
   PartLanes tangential;
 };
 
-/// A contact and which vertices of a block belong to its region.
-struct ContactOnBlock {
-  const ContactLanes* contact;
-  std::uint64_t region;
-};
+using ContactOnBlock = OnBlock<ContactLanes>;
 
 /// Blocks of a tile by what their boxes tell; one bit a block. Padding answers like a block.
 struct BlocksInside {

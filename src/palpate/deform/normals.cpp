@@ -46,7 +46,8 @@ IncrementalNormals::IncrementalNormals(const Skin& skin, double most_mm)
     : areas_(skin.triangles.size()),
       sums_(skin.vertices, Fixed{}),
       changed_(0),
-      is_listed_(blocksFor(static_cast<Index>(skin.triangles.size())), 0) {
+      is_listed_(blocksFor(static_cast<Index>(skin.triangles.size())), 0),
+      followed_(skin.blocks) {
   largest_ = kRoom / mostTrianglesOfVertex(skin);
   const double longest = longestEdge(skin) + 2.0 * most_mm;
   // A power of two: the conversion rounds once.
@@ -97,6 +98,18 @@ Index IncrementalNormals::update(const Skin& skin) noexcept {
   const auto count = static_cast<Index>(changed_.size());
   changed_.clear();
   return count;
+}
+
+Index IncrementalNormals::follow(const Skin& skin, const PositionStreams& positions, const BlockSet& moved) noexcept {
+  BlockSet::forEachOfBoth(followed_, moved, [&](Index block) {
+    const bool moves = moved.contains(block);
+    const Index end = std::min((block + 1) * kBlockVertices, skin.vertices);
+    for (Index v = block * kBlockVertices; v < end; ++v) {
+      place(skin, v, moves ? Vec3f(positions.x[v], positions.y[v], positions.z[v]) : skin.restPosition(v));
+    }
+  });
+  followed_ = moved;
+  return update(skin);
 }
 
 Vec3f IncrementalNormals::normal(const Skin& skin, Index vertex) const noexcept {

@@ -38,6 +38,9 @@ class IncrementalNormals {
   void place(const Skin& skin, Index vertex, const Vec3f& position) noexcept;
   /// Brings the sums up to date. Returns how many triangles had changed.
   Index update(const Skin& skin) noexcept;
+  /// Both for every vertex that moves now or moved at the last call: those of the blocks `moved` are where `positions`
+  /// says, all others at rest.
+  Index follow(const Skin& skin, const PositionStreams& positions, const BlockSet& moved) noexcept;
   /// As of the last update: the area-weighted unit normal; at rest the skin's own, bit by bit. Zero without triangles.
   Vec3f normal(const Skin& skin, Index vertex) const noexcept;
 
@@ -54,6 +57,7 @@ class IncrementalNormals {
   std::vector<Fixed> rest_sums_;  // likewise
   std::vector<Index> changed_;
   std::vector<std::uint64_t> is_listed_;  // one bit a triangle
+  BlockSet followed_;                     // moved at the last call of follow
 };
 
 }  // namespace palpate::deform

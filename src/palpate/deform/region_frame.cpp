@@ -37,8 +37,8 @@ Location contourLocation(const RegionFrame& region, const Vec2& offset) noexcept
 
 RegionFrame ellipseFrame(const maps::SurfaceEllipse& ellipse, const Vec3& unit_normal,
                          const FormSettings& forms) noexcept {
-  const PartFrame part = partFrameOf(ellipse, unit_normal);
-  if (!part.acts) return {};
+  const FlatEllipse part = flatEllipse(ellipse, unit_normal);
+  if (!part.acts()) return {};
   RegionFrame frame;
   frame.kind =
       forms.fidelity.literal(Erratum::E14_location_ratio) ? RegionFrame::Kind::pedal : RegionFrame::Kind::ellipse;

@@ -1,7 +1,7 @@
 // A region of any shape, made ready for vertices: location ratio and its slope for an offset from the anchor.
 //
-// FormDeformer makes two per contact, for the press and for the drag. Offsets are projected along the contact's normal
-// (4.9) by taking their parts along the two axes.
+// The general displacement makes two per contact, for the press and for the drag. Offsets are projected along the
+// contact's normal (4.9) by taking their parts along the two axes.
 //
 // The ellipse as printed (E14) takes the eccentric angle for the polar one, so that q = 1 is the pedal curve
 // r^2 = a^2 cos^2 + b^2 sin^2: it touches the ellipse on its axes and reaches beyond it everywhere else, by up to

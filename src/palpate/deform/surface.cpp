@@ -11,7 +11,6 @@ namespace {
 constexpr int kStreams = 10;
 constexpr int kRestStreams = 6;
 constexpr int kNormal = 3;
-constexpr int kDisplacement = 6;
 constexpr int kStrain = 9;
 /// The rest shape's arrays take the phases before (FloatStreams).
 constexpr std::size_t kFirstPhase = kRestStreams;
@@ -36,14 +35,16 @@ void DeformedSurface::setNormal(Index v, const Vec3f& normal) {
   for (int axis = 0; axis < 3; ++axis) streams_[kNormal + axis][v] = normal[axis];
 }
 
-void DeformedSurface::setDisplacement(Index v, const Skin& skin, const Vec3f& displacement) {
-  for (int axis = 0; axis < 3; ++axis) {
-    streams_[axis][v] = skin.rest[static_cast<std::size_t>(axis)][v] + displacement[axis];
-    streams_[kDisplacement + axis][v] = displacement[axis];
-  }
+void DeformedSurface::setStrain(Index v, float strain) {
+  streams_[kStrain][v] = strain;
+  has_strain_ = true;
 }
 
-void DeformedSurface::setStrain(Index v, float strain) { streams_[kStrain][v] = strain; }
+void DeformedSurface::forgetStrain() {
+  if (!has_strain_) return;
+  std::fill_n(streams_[kStrain], vertices_, 0.0f);
+  has_strain_ = false;
+}
 
 void DeformedSurface::restore(const Skin& skin, Index block) {
   restoreBlocks(1, skin.restBlock(block), this->block(block));

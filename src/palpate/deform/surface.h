@@ -13,7 +13,7 @@ struct VertexRange {
   Index end;
 };
 
-/// Made by restSurface, written by Deformer::apply. Several may exist of one skin (double buffering): each remembers
+/// At rest when made, written by Deformer::apply. Several may exist of one skin (double buffering): each remembers
 /// what was done to it. Vertex order is the mesh's. Arrays start on a cache line.
 class DeformedSurface {
  public:
@@ -40,20 +40,21 @@ class DeformedSurface {
 
  private:
   friend class Deformer;
-  friend class FormDeformer;
   std::span<const float> view(int stream) const { return {streams_[stream], vertices_}; }
   DeformedBlock block(Index block);
   PositionStreams positions() const { return {streams_[0], streams_[1], streams_[2]}; }
   PositionStreams displacements() const { return {streams_[6], streams_[7], streams_[8]}; }
   void setNormal(Index v, const Vec3f& normal);
-  void setDisplacement(Index v, const Skin& skin, const Vec3f& displacement);
   void setStrain(Index v, float strain);
+  /// Zero everywhere: for a deformer that writes none.
+  void forgetStrain();
   void restore(const Skin& skin, Index block);
   void listChange(Index block);
 
   Index vertices_ = 0;
   FloatStreams streams_;  // x y z, nx ny nz, dx dy dz, strain
   BlockSet written_;      // blocks that do not hold the rest shape
+  bool has_strain_ = false;
   std::vector<VertexRange> changed_;
 };
 

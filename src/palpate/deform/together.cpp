@@ -19,17 +19,19 @@ constexpr double kSettled = 1e-12;
 void solveDepths(const Coupling& coupling, std::span<const double> depths_mm,
                  std::span<double> amplitudes_mm) noexcept {
   std::fill(amplitudes_mm.begin(), amplitudes_mm.end(), 0.0);
-  for (int sweep = 0; sweep < kSweeps; ++sweep) {
-    double change = 0.0;
+  double change = 1.0;
+  for (int sweep = 0; sweep < kSweeps && !(change < kSettled); ++sweep) {
+    change = 0.0;
     for (std::size_t i = 0; i < coupling.size(); ++i) {
-      double missing = depths_mm[i];
+      const double wanted = std::max(0.0, depths_mm[i]);
+      double missing = wanted;
       for (std::size_t j = 0; j < coupling.size(); ++j) missing -= j == i ? 0.0 : coupling(i, j) * amplitudes_mm[j];
-      missing = std::clamp(missing, 0.0, depths_mm[i]);
+      missing = std::clamp(missing, 0.0, wanted);
       change = std::max(change, std::abs(missing - amplitudes_mm[i]));
       amplitudes_mm[i] = missing;
     }
-    if (change < kSettled) return;
   }
+  for (std::size_t i = 0; i < coupling.size(); ++i) amplitudes_mm[i] += std::min(0.0, depths_mm[i]);  // E19
 }
 
 void solveDrags(const Coupling& coupling, std::span<const Vec3> drags_mm, double cap_mm,

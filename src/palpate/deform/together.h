@@ -26,7 +26,8 @@ class Coupling {
 };
 
 /// Amplitudes >= 0. Each contact ends as deep as it asks for, or deeper with amplitude 0. Two contacts nearer than
-/// about a hundredth of their radius may be left up to 0.01 mm short.
+/// about a hundredth of their radius may be left up to 0.01 mm short. A negative depth (as printed, E19) is its own
+/// amplitude; the others do not feel it.
 void solveDepths(const Coupling& coupling, std::span<const double> depths_mm, std::span<double> amplitudes_mm) noexcept;
 
 /// The same for drags: shift vectors, none longer than the cap or the longest drag. Without the latter two fingers that

@@ -1,7 +1,7 @@
 // Any displacement profile of the dissertation, or the user's own, ready to be evaluated vertex by vertex.
 //
-// `deform`'s fast path does not come here: it has the default profile (profile.h) in its kernels. This is the general
-// one of FormDeformer, and what draws the curves. Made once from ProfileSettings; a value costs 5 to 30 ns.
+// `deform`'s fast path does not come here: it has the default profile (profile.h) in its kernels. This is the one
+// of the general displacement, and what draws the curves. Made once from ProfileSettings; a value costs 5 to 30 ns.
 #pragma once
 
 #include <vector>

@@ -1,13 +1,15 @@
-// Which vertices belong to a contact, ring by ring of neighbour nodes: for regions of any shape, and as printed.
+// Which vertices belong to a contact, ring by ring of neighbour nodes: for regions of any shape, and as printed. Second
+// step of an apply, beside region_by_blocks.h.
 //
-// The search of the dissertation's section 4.5 with the corrections of E23, which finds what RegionSearch finds; or its
-// literal stopping rule: all neighbours of a whole ring make the next one, and the first ring without a vertex inside
-// ends the search. O(vertices looked at). Based on: Ji, dissertation 2008, section 4.5.
+// The search of the dissertation's section 4.5 with the corrections of E23, which finds what RegionByBlocks finds; or
+// its literal stopping rule: all neighbours of a whole ring make the next one, and the first ring without a vertex
+// inside ends the search. O(vertices looked at). Based on: Ji, dissertation 2008, section 4.5.
 #pragma once
 
+#include <span>
 #include <vector>
 
-#include "palpate/deform/region.h"
+#include "palpate/deform/skin.h"
 
 namespace palpate::deform {
 
@@ -17,9 +19,9 @@ enum class RingRule : std::uint8_t {
 };
 
 /// The search and its working memory.
-class RingSearch {
+class RegionByRings {
  public:
-  explicit RingSearch(const Skin& skin) : seen_(skin.blocks, 0), inside_(skin.blocks, 0) {
+  explicit RegionByRings(const Skin& skin) : seen_(skin.blocks, 0), inside_(skin.blocks, 0) {
     order_.reserve(skin.vertices);
     found_.reserve(skin.blocks);
   }

@@ -1,17 +1,17 @@
-#include "palpate/deform/region.h"
+#include "palpate/deform/region_by_blocks.h"
 
 namespace palpate::deform {
 
-RegionSearch::RegionSearch(const Skin& skin)
-    : tiles_(skin.block_graph.groups), rim_(skin.blocks), ring_(std::bit_ceil(std::size_t{skin.blocks} + 1)) {
+RegionByBlocks::RegionByBlocks(const Skin& skin)
+    : tiles_(skin.block_graph.groups), rim_(skin.blocks), queue_(std::bit_ceil(std::size_t{skin.blocks} + 1)) {
   known_tiles_.reserve(tiles_.size());
   open_tiles_.reserve(tiles_.size());
   looked_into_.reserve(skin.blocks);
   found_.reserve(skin.blocks);
 }
 
-std::span<const BlockPart> RegionSearch::find(const Skin& skin, const ContactLanes& contact,
-                                              const Triangle& anchor_triangle) noexcept {
+std::span<const BlockPart> RegionByBlocks::find(const Skin& skin, const ContactLanes& contact,
+                                                const Triangle& anchor_triangle) noexcept {
   const Query query{skin, contact};
   forget();
   for (const Index corner : anchor_triangle) {
@@ -25,20 +25,20 @@ std::span<const BlockPart> RegionSearch::find(const Skin& skin, const ContactLan
       open_tiles_.pop_back();
       growTile(query, tile);
     } else {
-      growBlock(query, ring_[head_++ & (ring_.size() - 1)]);
+      growBlock(query, queue_[head_++ & (queue_.size() - 1)]);
     }
   }
   listFound(skin);
   return found_;
 }
 
-bool RegionSearch::reached(Index vertex) const noexcept {
+bool RegionByBlocks::reached(Index vertex) const noexcept {
   const Index block = blockOf(vertex);
   return (tiles_[blockOf(block)].reached & bitOf(block)) != 0 || (rim_[block].reached & bitOf(vertex)) != 0;
 }
 
 /// The tile, its blocks told apart on the first call.
-RegionSearch::Tile& RegionSearch::tileAt(const Query& query, Index tile) noexcept {
+RegionByBlocks::Tile& RegionByBlocks::tileAt(const Query& query, Index tile) noexcept {
   Tile& here = tiles_[tile];
   if (here.known) return here;
   const BlocksInside blocks = insideBlocks(query.contact, query.skin.tileBounds(tile));
@@ -49,7 +49,7 @@ RegionSearch::Tile& RegionSearch::tileAt(const Query& query, Index tile) noexcep
   return here;
 }
 
-void RegionSearch::seedVertex(const Query& query, Index vertex) noexcept {
+void RegionByBlocks::seedVertex(const Query& query, Index vertex) noexcept {
   const Index block = blockOf(vertex);
   const Tile& tile = tileAt(query, blockOf(block));
   if ((tile.whole & bitOf(block)) != 0) {
@@ -61,7 +61,7 @@ void RegionSearch::seedVertex(const Query& query, Index vertex) noexcept {
 }
 
 /// Some blocks of the tile that lie inside as a whole.
-void RegionSearch::seedWhole(Index tile, std::uint64_t blocks) noexcept {
+void RegionByBlocks::seedWhole(Index tile, std::uint64_t blocks) noexcept {
   Tile& here = tiles_[tile];
   const std::uint64_t fresh = blocks & ~here.reached;
   if (fresh == 0) return;
@@ -69,19 +69,19 @@ void RegionSearch::seedWhole(Index tile, std::uint64_t blocks) noexcept {
   here.pending |= fresh;
 }
 
-void RegionSearch::wake(Index rim_block) noexcept {
+void RegionByBlocks::wake(Index rim_block) noexcept {
   if (rim_[rim_block].waits) return;
   rim_[rim_block].waits = true;
-  ring_[tail_++ & (ring_.size() - 1)] = rim_block;
+  queue_[tail_++ & (queue_.size() - 1)] = rim_block;
 }
 
-void RegionSearch::wakeRim(Index tile, std::uint64_t blocks) noexcept {
+void RegionByBlocks::wakeRim(Index tile, std::uint64_t blocks) noexcept {
   forEachBit(blocks & tiles_[tile].rim, [&](Index bit) { wake(tile * kTileBlocks + bit); });
 }
 
 /// Reaches the pending whole blocks of a tile and those that hang together with them; what is beside them at the rim
 /// is to look for them (besideWholeBlocks).
-void RegionSearch::growTile(const Query& query, Index tile) noexcept {
+void RegionByBlocks::growTile(const Query& query, Index tile) noexcept {
   Tile& here = tiles_[tile];
   const GroupGraph& graph = query.skin.block_graph;
   const std::uint64_t grown = grownWithin(graph, tile, here.pending, here.whole & ~here.reached);
@@ -101,7 +101,7 @@ void RegionSearch::growTile(const Query& query, Index tile) noexcept {
 }
 
 /// Reaches what hangs together with the seeds of a block at the rim, and seeds what is beside it.
-void RegionSearch::growBlock(const Query& query, Index block) noexcept {
+void RegionByBlocks::growBlock(const Query& query, Index block) noexcept {
   RimBlock& here = rim_[block];
   here.waits = false;
   if (!here.looked_into) lookInto(query, block);
@@ -114,7 +114,7 @@ void RegionSearch::growBlock(const Query& query, Index block) noexcept {
   spread(query, block, grown);
 }
 
-void RegionSearch::lookInto(const Query& query, Index block) noexcept {
+void RegionByBlocks::lookInto(const Query& query, Index block) noexcept {
   RimBlock& here = rim_[block];
   const std::uint64_t inside = insideMask(query.contact, query.skin.restBlock(block));
   here.outside = ~(inside & query.skin.vertex_graph.members[block]);
@@ -123,7 +123,7 @@ void RegionSearch::lookInto(const Query& query, Index block) noexcept {
 }
 
 /// The vertices of a block that are joined to a block reached as a whole.
-std::uint64_t RegionSearch::besideWholeBlocks(const Query& query, Index block) const noexcept {
+std::uint64_t RegionByBlocks::besideWholeBlocks(const Query& query, Index block) const noexcept {
   std::uint64_t beside = 0;
   for (const GroupLink& link : query.skin.linksOf(block)) {
     const bool is_reached = (tiles_[blockOf(link.group)].reached & bitOf(link.group)) != 0;
@@ -132,7 +132,7 @@ std::uint64_t RegionSearch::besideWholeBlocks(const Query& query, Index block) c
   return beside;
 }
 
-void RegionSearch::spread(const Query& query, Index block, std::uint64_t from) noexcept {
+void RegionByBlocks::spread(const Query& query, Index block, std::uint64_t from) noexcept {
   for (const GroupLink& link : query.skin.linksOf(block)) {
     if ((from & link.from) == 0) continue;
     const Tile& tile = tileAt(query, blockOf(link.group));
@@ -150,7 +150,7 @@ void RegionSearch::spread(const Query& query, Index block, std::uint64_t from) n
   }
 }
 
-void RegionSearch::listFound(const Skin& skin) noexcept {
+void RegionByBlocks::listFound(const Skin& skin) noexcept {
   for (const Index tile : known_tiles_) {
     forEachBit(tiles_[tile].reached, [&](Index bit) {
       const Index block = tile * kTileBlocks + bit;
@@ -163,7 +163,7 @@ void RegionSearch::listFound(const Skin& skin) noexcept {
   }
 }
 
-void RegionSearch::forget() noexcept {
+void RegionByBlocks::forget() noexcept {
   for (const Index tile : known_tiles_) tiles_[tile] = {};
   for (const Index block : looked_into_) rim_[block] = {};
   known_tiles_.clear();

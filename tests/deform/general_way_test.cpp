@@ -1,5 +1,4 @@
-#include "palpate/deform/form_deformer.h"
-
+// Every form of the dissertation: Deformer where it displaces the general way, and when it does.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,7 +7,6 @@
 #include "deform/golden_grid.h"
 #include "deform/scalar_reference.h"
 #include "lab/counters/thread_counts.h"
-#include "palpate/deform/any_deformer.h"
 
 namespace palpate::deform {
 
@@ -41,19 +39,19 @@ void expectGoldenGrid(FormStage& stage, const std::string& mode) {
   }
 }
 
-TEST(FormDeformer, DeformsTheReferenceGrid) {
+TEST(GeneralWay, DeformsTheReferenceGrid) {
   FormStage stage(test::goldenGrid());
   expectGoldenGrid(stage, "recommended");
 }
 
 // (4.13), 700 entries with nearest lookup, rings as printed; the reference caps the drag's length (E19).
-TEST(FormDeformer, DeformsTheReferenceGridAsTheDissertationDoes) {
+TEST(GeneralWay, DeformsTheReferenceGridAsTheDissertationDoes) {
   FormStage stage(test::goldenGrid(), literally({Erratum::E14_location_ratio, Erratum::E18_profile_rim,
                                                  Erratum::E21_press_region, Erratum::E23_region_search}));
   expectGoldenGrid(stage, "dissertation");
 }
 
-TEST(FormDeformer, EachErratumAloneMissesTheDissertationsGrid) {
+TEST(GeneralWay, EachErratumAloneMissesTheDissertationsGrid) {
   const auto c = test::goldenRows("fsmd_grid", "cases")[4];
   ASSERT_EQ(c["mode"], "dissertation");
   const auto worst = [&](const FormSettings& forms) {
@@ -74,7 +72,7 @@ TEST(FormDeformer, EachErratumAloneMissesTheDissertationsGrid) {
 }
 
 // The general deformer and the kernels are two programs for one definition.
-TEST(FormDeformer, WithDefaultFormsIsTheFastOne) {
+TEST(GeneralWay, WithDefaultFormsIsTheFastOne) {
   for (auto& mesh : {lab::backMesh(6261), test::torso()}) {
     FormSettings forms;
     forms.common.strain = true;
@@ -98,7 +96,7 @@ TEST(FormDeformer, WithDefaultFormsIsTheFastOne) {
   }
 }
 
-TEST(FormDeformer, RestComesBackBitByBitInEveryForm) {
+TEST(GeneralWay, RestComesBackBitByBitInEveryForm) {
   for (const FormSettings& forms : test::manyForms()) {
     FormStage stage(test::torso(), forms);
     const auto rest = bits(stage.surface);
@@ -112,7 +110,7 @@ TEST(FormDeformer, RestComesBackBitByBitInEveryForm) {
   }
 }
 
-TEST(FormDeformer, ResultDoesNotDependOnWhatWasBefore) {
+TEST(GeneralWay, ResultDoesNotDependOnWhatWasBefore) {
   for (const FormSettings& forms : test::manyForms()) {
     FormStage used(test::torso(), forms);
     FormStage fresh(test::torso(), forms);
@@ -129,7 +127,7 @@ TEST(FormDeformer, ResultDoesNotDependOnWhatWasBefore) {
 }
 
 // Double buffering: two surfaces take turns.
-TEST(FormDeformer, ServesSeveralSurfaces) {
+TEST(GeneralWay, ServesSeveralSurfaces) {
   for (const FormSettings& forms : test::manyForms()) {
     FormStage stage(test::torso(), forms);
     DeformedSurface other(stage.skin);
@@ -145,7 +143,7 @@ TEST(FormDeformer, ServesSeveralSurfaces) {
   }
 }
 
-TEST(FormDeformer, ChangedRangesNameEverythingThatChanged) {
+TEST(GeneralWay, ChangedRangesNameEverythingThatChanged) {
   for (const FormSettings& forms : test::manyForms()) {
     FormStage stage(lab::backMesh(8163), forms);
     Random random(31);
@@ -167,7 +165,7 @@ TEST(FormDeformer, ChangedRangesNameEverythingThatChanged) {
   }
 }
 
-TEST(FormDeformer, AppliesWithoutAllocating) {
+TEST(GeneralWay, AppliesWithoutAllocating) {
   if (!lab::allocationsOfThisThread()) GTEST_SKIP() << "allocations cannot be counted here";
   for (const FormSettings& forms : test::manyForms()) {
     FormStage stage(lab::backMesh(8163), forms);
@@ -184,7 +182,7 @@ TEST(FormDeformer, AppliesWithoutAllocating) {
   }
 }
 
-TEST(FormDeformer, NeverMakesANonFiniteNumber) {
+TEST(GeneralWay, NeverMakesANonFiniteNumber) {
   Random random(41);
   for (const auto& specimen : zoo::specimens()) {
     bool sound = true;
@@ -208,12 +206,12 @@ TEST(FormDeformer, NeverMakesANonFiniteNumber) {
   }
 }
 
-TEST(FormDeformer, EmptyMeshIsNothingToDeform) {
+TEST(GeneralWay, EmptyMeshIsNothingToDeform) {
   FormStage stage(mesh::TriangleMesh{});
   EXPECT_EQ(stage.apply({Contact{}}).status, kIgnoredNoTriangle);
 }
 
-TEST(FormDeformer, IgnoresWhatMakesNoSenseAndSaysSo) {
+TEST(GeneralWay, IgnoresWhatMakesNoSenseAndSaysSo) {
   FormStage stage(lab::backMesh(2962));
   const Contact good = press(stage.mesh, 1000, 5.0);
   const auto broken = [&](auto&& change) {
@@ -242,7 +240,7 @@ struct Sheet : FormStage {
   Contact contact;
 };
 
-TEST(FormDeformer, PressesInTheShapeOfTheProfile) {
+TEST(GeneralWay, PressesInTheShapeOfTheProfile) {
   for (const auto kind : {tissue::ProfileKind::table, tissue::ProfileKind::sharp, tissue::ProfileKind::cosine,
                           tissue::ProfileKind::logarithm, tissue::ProfileKind::two_gaussians}) {
     FormSettings forms;
@@ -256,7 +254,7 @@ TEST(FormDeformer, PressesInTheShapeOfTheProfile) {
   }
 }
 
-TEST(FormDeformer, PressAndDragHaveProfilesOfTheirOwn) {
+TEST(GeneralWay, PressAndDragHaveProfilesOfTheirOwn) {
   FormSettings forms;
   forms.tangential_profile.kind = tissue::ProfileKind::power;
   Sheet sheet(forms);
@@ -271,7 +269,7 @@ TEST(FormDeformer, PressAndDragHaveProfilesOfTheirOwn) {
   }
 }
 
-TEST(FormDeformer, RadialTermPullsTowardsTheFinger) {
+TEST(GeneralWay, RadialTermPullsTowardsTheFinger) {
   FormSettings forms;
   forms.radial.share = 0.08;
   Sheet sheet(forms);
@@ -286,7 +284,7 @@ TEST(FormDeformer, RadialTermPullsTowardsTheFinger) {
   EXPECT_NEAR(largest, 0.08 * 6.0, 0.02);
 }
 
-TEST(FormDeformer, ContourBoundsTheDrag) {
+TEST(GeneralWay, ContourBoundsTheDrag) {
   FormSettings forms;
   forms.shape = Shape::contour;
   Sheet sheet(forms);
@@ -302,7 +300,7 @@ TEST(FormDeformer, ContourBoundsTheDrag) {
   }
 }
 
-TEST(FormDeformer, CircleHasTheEllipsesArea) {
+TEST(GeneralWay, CircleHasTheEllipsesArea) {
   FormSettings forms;
   forms.shape = Shape::circle;
   Sheet sheet(forms);
@@ -316,7 +314,7 @@ TEST(FormDeformer, CircleHasTheEllipsesArea) {
 }
 
 // Two fingers 20 mm apart, each 5 mm deep: added up, the skin under each sinks deeper than its finger.
-TEST(FormDeformer, PlainSumSinksTooDeep) {
+TEST(GeneralWay, PlainSumSinksTooDeep) {
   const auto depth = [](Together together) {
     FormSettings forms;
     forms.together = together;
@@ -331,7 +329,7 @@ TEST(FormDeformer, PlainSumSinksTooDeep) {
   EXPECT_NEAR(depth(Together::summed), 6.0 * (1.0 + tissue::profile(0.5)), 1e-4);
 }
 
-TEST(FormDeformer, LiteralCapsActOnComponents) {  // E19
+TEST(GeneralWay, LiteralCapsActOnComponents) {  // E19
   Sheet sheet(literally({Erratum::E19_drag_cap}));
   const Index centre = sheet.mesh.triangles[sheet.contact.anchor_triangle][0];
   sheet.apply({drag(sheet.contact, {18, 24, 0})});
@@ -341,7 +339,7 @@ TEST(FormDeformer, LiteralCapsActOnComponents) {  // E19
   EXPECT_LT((corrected.moved(centre) - Vec3(12, 16, -6)).norm(), 1e-4);
 }
 
-TEST(FormDeformer, LiteralNegativeDepthPullsOut) {  // E19
+TEST(GeneralWay, LiteralNegativeDepthPullsOut) {  // E19
   Sheet sheet(literally({Erratum::E19_drag_cap}));
   sheet.contact.depth_mm = -3.0;
   sheet.apply({sheet.contact});
@@ -352,7 +350,7 @@ TEST(FormDeformer, LiteralNegativeDepthPullsOut) {  // E19
 }
 
 // The printed rings know no facing test: an ellipse as wide as the body drags the belly along (E23).
-TEST(FormDeformer, LiteralRingsReachTheFarSide) {
+TEST(GeneralWay, LiteralRingsReachTheFarSide) {
   const auto far_moves = [](const FormSettings& forms) {
     FormStage stage(test::torso(), forms);
     Contact contact = press(stage.mesh, triangleNear(stage.mesh, {0, 0, 100}), 5.0);
@@ -369,7 +367,7 @@ TEST(FormDeformer, LiteralRingsReachTheFarSide) {
 }
 
 // All corners of the anchor's triangle outside: printed, the search is over; the vertex beyond them is never seen.
-TEST(FormDeformer, LiteralRingsStopEarlyOnCoarseMeshes) {
+TEST(GeneralWay, LiteralRingsStopEarlyOnCoarseMeshes) {
   const mesh::TriangleMesh strip{{{0, 0, 0}, {100, 0, 0}, {0, 100, 0}, {55, 55, 0}}, {{0, 1, 2}, {1, 3, 2}}};
   const auto moved = [&](const FormSettings& forms) {
     FormStage stage(strip, forms);
@@ -381,10 +379,10 @@ TEST(FormDeformer, LiteralRingsStopEarlyOnCoarseMeshes) {
   EXPECT_EQ(moved(literally({Erratum::E23_region_search})), 0u);
 }
 
-TEST(FormDeformer, SearchIsTheOneOfTheFastPath) {
+TEST(GeneralWay, SearchIsTheOneOfTheFastPath) {
   const auto mesh = test::torso();
   const Skin skin = buildSkin(mesh);
-  FormDeformer deformer(skin);
+  Deformer deformer(skin, FormSettings{}, Way::general);
   DeformedSurface surface(skin);
   Random random(19);
   for (int i = 0; i < 40; ++i) {
@@ -398,7 +396,7 @@ TEST(FormDeformer, SearchIsTheOneOfTheFastPath) {
 }
 
 // The surface normal of the deformed smooth sheet, from neighbours half a millimetre apart, in every shape and profile.
-TEST(FormDeformer, AnalyticNormalsAreThoseOfTheSurface) {
+TEST(GeneralWay, AnalyticNormalsAreThoseOfTheSurface) {
   std::vector<FormSettings> all = test::manyForms();
   for (FormSettings& forms : all) {
     if (forms.fidelity.literal(Erratum::E18_profile_rim)) continue;  // the stored table is a staircase
@@ -425,39 +423,37 @@ TEST(FormDeformer, AnalyticNormalsAreThoseOfTheSurface) {
 
 // ---- the choice -------------------------------------------------------------------------------------------------
 
-TEST(AnyDeformer, IsTheFastOneUnlessAFormNeedsTheGeneralOne) {
+TEST(ChosenWay, IsTheFastOneUnlessAFormNeedsTheGeneralOne) {
   const Skin skin = buildSkin(zoo::grid(4, 100.0));
-  EXPECT_TRUE(AnyDeformer(skin, {}).isFast());
+  EXPECT_TRUE(Deformer(skin).isFast());
   FormSettings regions;
   regions.region = NormalRegion::constant;
   regions.boundary = Boundary::two_mm;
   regions.common.strain = true;
   regions.common.normals = Normals::recomputed;
   regions.fidelity.setLiteral(Erratum::E21_press_region);
-  EXPECT_TRUE(AnyDeformer(skin, regions).isFast()) << "regions come with the contacts";
+  EXPECT_TRUE(Deformer(skin, regions).isFast()) << "regions come with the contacts";
   const auto all = test::manyForms();
   for (std::size_t i = 1; i < all.size(); ++i) {
     if (i != 9) {
-      EXPECT_FALSE(AnyDeformer(skin, all[i]).isFast()) << i;
+      EXPECT_FALSE(Deformer(skin, all[i]).isFast()) << i;
     }
   }
 }
 
-TEST(AnyDeformer, DoesWhatItsChoiceDoes) {
+TEST(ChosenWay, DoesWhatItsChoiceDoes) {
   const auto mesh = lab::backMesh(2962);
   const Skin skin = buildSkin(mesh);
   Random random(2);
   const Contact contact = anyFormedContact(mesh, random);
   for (const FormSettings& forms : {test::manyForms()[0], test::manyForms()[1]}) {
-    AnyDeformer any(skin, forms);
+    Deformer any(skin, forms);
     DeformedSurface surface(skin);
     DeformedSurface expected(skin);
     const Report report = any.apply({&contact, 1}, surface);
-    if (any.isFast()) {
-      EXPECT_EQ(Deformer(skin, forms.common).apply({&contact, 1}, expected).moved_vertices, report.moved_vertices);
-    } else {
-      FormDeformer(skin, forms).apply({&contact, 1}, expected);
-    }
+    const bool fast = any.isFast();
+    Deformer same = fast ? Deformer(skin, forms.common) : Deformer(skin, forms, Way::general);
+    EXPECT_EQ(same.apply({&contact, 1}, expected).moved_vertices, report.moved_vertices);
     EXPECT_EQ(bits(surface), bits(expected));
   }
 }

@@ -1,4 +1,5 @@
-// Which vertices belong to a contact: the search that keeps the far side of the body, the other leg and the arm out.
+// Which vertices belong to a contact, by whole blocks: the search that keeps the far side of the body, the other leg
+// and the arm out. Second step of an apply, for ellipses; regions of any shape are found in region_by_rings.h.
 //
 // The region of a contact is the set of vertices that lie in one of its ellipses (seen along the contact's normal),
 // face the contact, and can be reached from the anchor's triangle along edges through such vertices; the three corners
@@ -17,16 +18,10 @@
 
 namespace palpate::deform {
 
-/// A block and which of its vertices are meant.
-struct BlockPart {
-  Index block;
-  std::uint64_t vertices;
-};
-
 /// The search and its working memory.
-class RegionSearch {
+class RegionByBlocks {
  public:
-  explicit RegionSearch(const Skin& skin);
+  explicit RegionByBlocks(const Skin& skin);
 
   /// The region around `anchor_triangle`, in no particular order. Valid until the next call. No allocation.
   std::span<const BlockPart> find(const Skin& skin, const ContactLanes& contact,
@@ -80,8 +75,7 @@ class RegionSearch {
   std::vector<Index> known_tiles_;
   std::vector<Index> open_tiles_;
   std::vector<Index> looked_into_;
-  std::vector<Index>
-      ring_;  // the queue of blocks at the rim: a ring with room for every block, its size a power of two
+  std::vector<Index> queue_;  // of blocks at the rim: a ring with room for every block, its size a power of two
   std::size_t head_ = 0;
   std::size_t tail_ = 0;
   std::vector<BlockPart> found_;

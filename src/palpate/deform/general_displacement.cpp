@@ -1,4 +1,7 @@
-#include "palpate/deform/form_frame.h"
+#include "palpate/deform/general_displacement.h"
+
+#include <algorithm>
+#include <ranges>
 
 #include "palpate/tissue/profile_forms.h"
 
@@ -6,7 +9,7 @@ namespace palpate::deform {
 
 namespace {
 
-void setCapped(const Contact& contact, const FormSettings& forms, FormFrame& frame) noexcept {
+void setCapped(const Contact& contact, const FormSettings& forms, FormedContact& frame) noexcept {
   const TissueSettings& tissue = forms.common.tissue;
   const Vec3 drag = tissue.f_adj * contact.drag_mm;
   if (forms.fidelity.literal(Erratum::E19_drag_cap)) {
@@ -57,20 +60,29 @@ void addRadialPull(const RegionFrame& region, const tissue::RadialTerm& term, do
                                      pull.value / distance * turning * turning.transpose());
 }
 
+/// x, y, z of the three streams from `values` on.
+Vec3 pointAt(const float* const* values, Index bit) noexcept {
+  return {values[0][bit], values[1][bit], values[2][bit]};
+}
+
+void setPoint(float* const* values, Index bit, const Vec3f& point) noexcept {
+  for (int axis = 0; axis < 3; ++axis) values[axis][bit] = point[axis];
+}
+
 }  // namespace
 
-FormFrame formFrameOf(const Contact& contact, const FormSettings& forms) noexcept {
-  FormFrame frame;
+FormedContact formedContact(const Contact& contact, const FormSettings& forms) noexcept {
+  FormedContact frame;
   frame.anchor = contact.anchor;
   frame.normal = contact.normal.normalized();
   frame.anchor_triangle = contact.anchor_triangle;
   setCapped(contact, forms, frame);
-  if (frame.depth_mm != 0.0) frame.press = pressFrame(contact, frame.normal, forms);
-  if (!frame.drag_mm.isZero(0.0)) frame.drag = dragFrame(contact, frame.normal, forms);
+  if (frame.wantsPress()) frame.press = pressFrame(contact, frame.normal, forms);
+  if (frame.wantsDrag()) frame.drag = dragFrame(contact, frame.normal, forms);
   return frame;
 }
 
-bool holds(const FormFrame& frame, const Vec3& place) noexcept {
+bool holds(const FormedContact& frame, const Vec3& place) noexcept {
   const Vec3 offset = place - frame.anchor;
   const auto inside = [&](const RegionFrame& region) { return locate(region, inPlane(region, offset)).q < 1.0; };
   return inside(frame.press) || inside(frame.drag);
@@ -81,7 +93,7 @@ FormCurves::FormCurves(const FormSettings& forms)
       drag(tissue::withFidelity(forms.tangential_profile, forms.fidelity)),
       radial(forms.radial) {}
 
-void addMotion(const FormFrame& frame, const FormCurves& curves, double amplitude_mm, const Vec3& shift_mm,
+void addMotion(const FormedContact& frame, const FormCurves& curves, double amplitude_mm, const Vec3& shift_mm,
                const Vec3& place, Motion& motion) noexcept {
   const Vec3 offset = place - frame.anchor;
   if (frame.press.acts()) {
@@ -98,6 +110,54 @@ Vec3 turnedNormal(const Mat3& gradient, const Vec3& rest_normal) noexcept {
   const Vec3 turned(y.cross(z).dot(rest_normal), z.cross(x).dot(rest_normal), x.cross(y).dot(rest_normal));
   const double length = turned.norm();
   return length > 0.0 ? Vec3(turned / length) : rest_normal;
+}
+
+std::span<const BlockPart> GeneralDisplacement::findRegion(const Frame& frame) noexcept {
+  const bool as_printed = forms_.fidelity.literal(Erratum::E23_region_search);
+  const auto is_inside = [&](Index v) {
+    const bool faces = as_printed || skin_.restNormal(v).cast<double>().dot(frame.normal) > 0.0;
+    return faces && holds(frame, skin_.restPosition(v).cast<double>());
+  };
+  const RingRule rule = as_printed ? RingRule::printed : RingRule::connected;
+  return search_.find(skin_, skin_.triangles[frame.anchor_triangle], rule, is_inside);
+}
+
+double GeneralDisplacement::pressShare(const Frame& from, const Vec3& offset) const noexcept {
+  return curves_.press.at(locate(from.press, inPlane(from.press, offset)).q).value;
+}
+
+double GeneralDisplacement::dragShare(const Frame& from, const Vec3& offset) const noexcept {
+  return curves_.drag.at(locate(from.drag, inPlane(from.drag, offset)).q).value;
+}
+
+void GeneralDisplacement::displaceBlock(std::span<const OnBlock<Mover>> movers, const RestBlock& rest,
+                                        const DeformedBlock& out) const noexcept {
+  restoreBlocks(1, rest, out);
+  std::uint64_t touched = 0;
+  for (const OnBlock<Mover>& on : movers) touched |= on.region;
+  forEachBit(touched, [&](Index bit) { displaceVertex(movers, bit, rest, out); });
+}
+
+void GeneralDisplacement::displaceWholeBlocks(const Mover& mover, Index blocks, const RestBlock& rest,
+                                              const DeformedBlock& out) const noexcept {
+  const OnBlock<Mover> on{&mover, ~std::uint64_t{0}};
+  for (Index b = 0; b < blocks; ++b) displaceBlock({&on, 1}, rest.after(b), out.after(b));
+}
+
+void GeneralDisplacement::displaceVertex(std::span<const OnBlock<Mover>> movers, Index bit, const RestBlock& rest,
+                                         const DeformedBlock& out) const noexcept {
+  const Vec3 place = pointAt(rest.values, bit);
+  Motion motion;
+  // In the order of the contacts; the plan's chains have the last one first.
+  for (const OnBlock<Mover>& on : movers | std::views::reverse) {
+    if ((on.region & bitOf(bit)) == 0) continue;
+    addMotion(*on.mover->frame, curves_, on.mover->amplitude_mm, on.mover->shift_mm, place, motion);
+  }
+  const Vec3f displacement = motion.displacement.cast<float>();
+  for (int axis = 0; axis < 3; ++axis) out.values[axis][bit] = rest.values[axis][bit] + displacement[axis];
+  setPoint(out.values + 6, bit, displacement);
+  if (forms_.common.normals != Normals::analytic) return;
+  setPoint(out.values + 3, bit, turnedNormal(motion.gradient, pointAt(rest.values + 3, bit)).cast<float>());
 }
 
 }  // namespace palpate::deform

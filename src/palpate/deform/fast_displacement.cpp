@@ -1,0 +1,59 @@
+#include "palpate/deform/fast_displacement.h"
+
+#include "palpate/tissue/profile.h"
+
+namespace palpate::deform {
+
+namespace {
+
+void copyTo(float (&out)[3], const Vec3& v) noexcept {
+  for (int i = 0; i < 3; ++i) out[i] = static_cast<float>(v[i]);
+}
+
+PartLanes lanesOf(const FlatEllipse& ellipse, const Vec3& shift_mm) noexcept {
+  PartLanes lanes;
+  if (!ellipse.acts()) return lanes;
+  copyTo(lanes.along, ellipse.along);
+  copyTo(lanes.across, ellipse.across);
+  copyTo(lanes.shift, shift_mm);
+  lanes.outside = 0.0f;
+  return lanes;
+}
+
+bool movesAnything(const PartLanes& part) noexcept {
+  return part.outside == 0.0f && (part.shift[0] != 0.0f || part.shift[1] != 0.0f || part.shift[2] != 0.0f);
+}
+
+}  // namespace
+
+EllipseContact frameOf(const Contact& contact, const TissueSettings& tissue) noexcept {
+  EllipseContact frame;
+  frame.anchor = contact.anchor;
+  frame.normal = contact.normal.normalized();
+  frame.anchor_triangle = contact.anchor_triangle;
+  frame.depth_mm = cappedDepth(contact.depth_mm, tissue.normal_cap_mm);
+  frame.drag_mm = cappedLength(tissue.f_adj * contact.drag_mm, tissue.tangential_cap_mm);
+  if (frame.wantsPress()) frame.press = flatEllipse(contact.normal_region, frame.normal);
+  if (frame.wantsDrag()) frame.drag = flatEllipse(contact.tangential_region, frame.normal);
+  return frame;
+}
+
+ContactLanes lanesOf(const EllipseContact& frame, double amplitude_mm, const Vec3& shift_mm) noexcept {
+  ContactLanes lanes;
+  copyTo(lanes.anchor, frame.anchor);
+  copyTo(lanes.facing, frame.normal);
+  lanes.normal = lanesOf(frame.press, -amplitude_mm * frame.normal);
+  lanes.tangential = lanesOf(frame.drag, shift_mm);
+  return lanes;
+}
+
+/// What a point keeps of the displacement of the ellipse's centre.
+double FastDisplacement::shareOf(const FlatEllipse& ellipse, const Vec3& offset) noexcept {
+  return ellipse.acts() ? tissue::profile(ellipse.ratioAt(offset)) : 0.0;
+}
+
+bool FastDisplacement::moves(const Mover& mover) noexcept {
+  return movesAnything(mover.normal) || movesAnything(mover.tangential);
+}
+
+}  // namespace palpate::deform

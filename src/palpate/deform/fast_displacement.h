@@ -1,0 +1,62 @@
+// The fast way to displace: the half Gaussian in ellipses, every formula as corrected, in the kernels' floats.
+//
+// One of the two things that Deformer's pipeline can be filled with (the other: general_displacement.h): it frames a
+// contact, finds its region, says how far contacts feel each other, and moves blocks of vertices.
+// Based on: Ji, dissertation 2008, chapter 4, with E14, E18, E19 and E23.
+#pragma once
+
+#include "palpate/deform/forms.h"
+#include "palpate/deform/frame.h"
+#include "palpate/deform/region_by_blocks.h"
+
+namespace palpate::deform {
+
+using EllipseContact = FramedContact<FlatEllipse>;
+
+/// The contact must be usable.
+EllipseContact frameOf(const Contact& contact, const TissueSettings& tissue) noexcept;
+
+/// The frame as the kernels take it; `amplitude_mm` and `shift_mm` are what its centre moves by.
+ContactLanes lanesOf(const EllipseContact& frame, double amplitude_mm, const Vec3& shift_mm) noexcept;
+
+class FastDisplacement {
+ public:
+  using Frame = EllipseContact;
+  using Mover = ContactLanes;
+
+  FastDisplacement(const Skin& skin, const FormSettings& forms)
+      : skin_(skin), tissue_(forms.common.tissue), search_(skin) {}
+
+  Frame frame(const Contact& contact) const noexcept { return frameOf(contact, tissue_); }
+
+  std::span<const BlockPart> findRegion(const Frame& frame) noexcept {
+    return search_.find(skin_, lanesOf(frame, 0.0, Vec3::Zero()), skin_.triangles[frame.anchor_triangle]);
+  }
+  bool reached(Index vertex) const noexcept { return search_.reached(vertex); }
+  Index visitedVertices() const noexcept { return search_.visitedBlocks() * kBlockVertices; }
+
+  static double pressShare(const Frame& from, const Vec3& offset) noexcept { return shareOf(from.press, offset); }
+  static double dragShare(const Frame& from, const Vec3& offset) noexcept { return shareOf(from.drag, offset); }
+
+  static Mover mover(const Frame& frame, double amplitude_mm, const Vec3& shift_mm) noexcept {
+    return lanesOf(frame, amplitude_mm, shift_mm);
+  }
+  static bool moves(const Mover& mover) noexcept;
+  static void displaceBlock(std::span<const OnBlock<Mover>> movers, const RestBlock& rest,
+                            const DeformedBlock& out) noexcept {
+    deform::displaceBlock(movers, rest, out);
+  }
+  static void displaceWholeBlocks(const Mover& mover, Index blocks, const RestBlock& rest,
+                                  const DeformedBlock& out) noexcept {
+    deform::displaceWholeBlocks(mover, blocks, rest, out);
+  }
+
+ private:
+  static double shareOf(const FlatEllipse& ellipse, const Vec3& offset) noexcept;
+
+  const Skin& skin_;
+  TissueSettings tissue_;
+  RegionByBlocks search_;
+};
+
+}  // namespace palpate::deform

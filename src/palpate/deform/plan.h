@@ -1,0 +1,73 @@
+// What an apply has worked out about its contacts before it moves a vertex.
+//
+// The value that Deformer's steps hand on: each step reads what the steps before have filled in and fills in its own
+// part. The memory stays from apply to apply, nothing else does.
+#pragma once
+
+#include "palpate/deform/forms.h"
+#include "palpate/deform/skin.h"
+
+namespace palpate::deform {
+
+/// A contact's region in one block; the entries of a block form a chain.
+struct BlockEntry {
+  std::uint64_t region;
+  Index contact;
+  Index next;
+};
+
+/// Vectors whose length is not said have one entry a contact.
+template <class Displacement>
+struct Plan {
+  using Frame = typename Displacement::Frame;
+  using Mover = typename Displacement::Mover;
+
+  Plan(const Skin& skin, std::size_t most_contacts);
+
+  /// The entries of a block, from the last contact to the first.
+  template <class Visit>
+  void forEachOnBlock(Index block, const Visit& visit) const {
+    for (Index e = first_entry[block]; e != kNoIndex; e = entries[e].next) visit(entries[e]);
+  }
+
+  // 1. The contacts that want to move something.
+  std::vector<Frame> frames;
+  // 2. Their regions, contact after contact, and what contact j moves the anchor of contact i by (i n + j).
+  std::vector<BlockPart> parts;
+  std::vector<Index> first_part;  ///< contacts + 1 entries
+  std::vector<double> press_coupling;
+  std::vector<double> drag_coupling;
+  // 3. What each wants at its anchor, and what its centre moves by so that it gets that.
+  std::vector<double> depths_mm;
+  std::vector<Vec3> drags_mm;
+  std::vector<double> amplitudes_mm;
+  std::vector<Vec3> shifts_mm;
+  std::vector<Mover> movers;
+  // 4. The regions once more, block by block.
+  std::vector<BlockEntry> entries;
+  std::vector<Index> first_entry;        ///< a block of `moved` each
+  std::vector<OnBlock<Mover>> on_block;  ///< room for the movers of one block
+  BlockSet moved;                        ///< blocks with vertices of a region
+  BlockSet affected;  ///< these, and where normals or strain come from neighbours the blocks beside them
+};
+
+template <class Displacement>
+Plan<Displacement>::Plan(const Skin& skin, std::size_t n)
+    : press_coupling(n * n),
+      drag_coupling(n * n),
+      depths_mm(n),
+      drags_mm(n, Vec3::Zero()),
+      amplitudes_mm(n),
+      shifts_mm(n, Vec3::Zero()),
+      first_entry(skin.blocks, kNoIndex),
+      moved(skin.blocks),
+      affected(skin.blocks) {
+  frames.reserve(n);
+  parts.reserve(n * skin.blocks);
+  first_part.reserve(n + 1);
+  movers.reserve(n);
+  entries.reserve(n * skin.blocks);
+  on_block.reserve(n);
+}
+
+}  // namespace palpate::deform
