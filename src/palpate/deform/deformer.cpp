@@ -1,3 +1,8 @@
+// The steps of an apply, written once for both ways to displace.
+//
+// Data flow: contacts -> frameContacts -> findRegions -> combine -> chainBlocks, all into the plan (plan.h); plan ->
+// displace -> finishNormals, finishStrain -> surface. 60 times a second and more; allocates nothing.
+// Based on: Ji, dissertation 2008, chapter 4, with E19 and E25.
 #include "palpate/deform/deformer.h"
 
 #include <algorithm>

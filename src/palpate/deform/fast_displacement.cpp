@@ -1,3 +1,7 @@
+// From a contact to the numbers that the kernels broadcast.
+//
+// Data flow: Contact -> frameOf -> findRegion and, with amplitudes from the pipeline, lanesOf -> kernels.cpp.
+// Based on: Ji, dissertation 2008, sections 4.2 to 4.4, with E14, E18 and E19.
 #include "palpate/deform/fast_displacement.h"
 
 #include "palpate/tissue/profile.h"

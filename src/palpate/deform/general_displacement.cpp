@@ -1,3 +1,7 @@
+// What a contact of any form does to a vertex: displacement and gradient as sums over its parts.
+//
+// Data flow: Contact -> formedContact -> findRegion and, with amplitudes from the pipeline, addMotion vertex by vertex.
+// Based on: Ji, dissertation 2008, sections 4.2 to 4.6; the rule for normals is Nanson's formula.
 #include "palpate/deform/general_displacement.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+// Normals from triangles: the sum at one vertex, and sums that are kept and changed triangle by triangle.
+//
+// Data flow: displaced positions -> here, for the blocks of the plan -> normals of the surface.
+// Based on: Ji, dissertation 2008, section 4.5, last page.
 #include "palpate/deform/normals.h"
 
 #include <algorithm>

@@ -1,3 +1,8 @@
+// The flood: tiles of whole blocks as long as there are any, then a block at the rim, whose vertices may wake more.
+//
+// Data flow: ContactLanes -> find -> blocks and their vertices -> plan (plan.h). Boxes and vertices are tested by
+// kernels.cpp, words are flooded by group_graph.cpp.
+// Based on: Ji, dissertation 2008, section 4.5, with E23; the flood by words is not in it.
 #include "palpate/deform/region_by_blocks.h"
 
 namespace palpate::deform {

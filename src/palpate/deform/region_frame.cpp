@@ -1,3 +1,7 @@
+// Location ratio and slope in an ellipse, its printed form, and a contour.
+//
+// Data flow: a contact's ellipse or contour -> RegionFrame -> locate, for regions, coupling and displacement.
+// Based on: Ji, dissertation 2008, section 4.4, (4.7) to (4.14), with E14 and E15.
 #include "palpate/deform/region_frame.h"
 
 #include <cmath>

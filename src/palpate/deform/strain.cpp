@@ -1,3 +1,7 @@
+// Strain at a vertex from the edges around it, as a mean and as a tensor; and the colour of a strain.
+//
+// Data flow: displacements -> here, for the blocks of the plan -> strain of the surface -> colours of files and
+// pictures. Based on: Ji, dissertation 2008, section 4.7, with E24.
 #include "palpate/deform/strain.h"
 
 #include <Eigen/Cholesky>

@@ -1,3 +1,7 @@
+// Projected Gauss-Seidel sweeps over the few contacts there are.
+//
+// Data flow: couplings and wishes of the plan -> here -> its amplitudes and shifts.
+// Based on: Cottle, Pang, Stone, "The linear complementarity problem" (1992); E25.
 #include "palpate/deform/together.h"
 
 #include <algorithm>
