@@ -1,3 +1,6 @@
+// The table of contours, name,x_mm,y_mm and a radius a direction, and the blend of their logarithms at a place.
+//
+// Based on: Ji, dissertation 2008, section 5.2 (GRI); contours in place of ellipses are our own.
 #include "palpate/maps/contour_map.h"
 
 #include <fmt/format.h>
@@ -67,6 +70,9 @@ void appendRow(std::string& text, const ContourPoint& point) {
   text += '\n';
 }
 
+/// All logarithms of a contour at once. Unused ones are carried along: a fixed size needs no allocation.
+using LogRadii = Eigen::Matrix<double, static_cast<int>(kMaxContourRadii), 1>;
+
 }  // namespace
 
 std::vector<ContourPoint> readContourPoints(const std::filesystem::path& file) {
@@ -103,13 +109,6 @@ std::vector<ContourPoint> contourPointsOf(std::span<const KeyPoint> keys, std::s
   }
   return points;
 }
-
-namespace {
-
-/// All logarithms of a contour at once. Unused ones are carried along: a fixed size needs no allocation.
-using LogRadii = Eigen::Matrix<double, static_cast<int>(kMaxContourRadii), 1>;
-
-}  // namespace
 
 PolarContourMap::PolarContourMap(std::span<const ContourPoint> points, const EllipseMapSettings& settings)
     : log_basic_radius_(std::log(settings.basic_radius_mm)), effect_radius_mm_(settings.effect_radius_mm) {

@@ -1,3 +1,7 @@
+// Canonical form, location ratio (E14), the lift from the map to the skin (E32) and the logarithm by which ellipses
+// blend.
+//
+// Based on: Ji, dissertation 2008, section 4.4 and (5.3); Arsigny, Fillard, Pennec, Ayache (2006), see ellipse.h.
 #include "palpate/maps/ellipse.h"
 
 #include <cmath>

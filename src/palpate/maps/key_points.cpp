@@ -1,3 +1,7 @@
+// The table read and written, and the built-in key points: means of what was measured at P1 to P5, put on the built-in
+// body, P6 and P7 their mirror images.
+//
+// Based on: Ji, dissertation 2008, section 5.1 and Appendix C (measured_data.h).
 #include "palpate/maps/key_points.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,7 @@
+// Which erratum is taken literally chooses a form of the weights, of the direction's blend, of sizes and of the lift;
+// the table of that choice is literalForms.
+//
+// Based on: Ji, dissertation 2008, sections 5.2 and 5.3, as printed (E15, E16, E26 to E29, E32).
 #include "palpate/maps/literal_ellipse_map.h"
 
 #include <cmath>

@@ -1,3 +1,8 @@
+// The rows of the dissertation's Appendix C, and their means: arithmetic as printed, or log-Euclidean, and of
+// the axes alone by doubled angles.
+//
+// Based on: Ji, dissertation 2008, section 5.1 and Appendix C; Mardia, Jupp, "Directional statistics" (2000), axial
+// data.
 #include "palpate/maps/measured_data.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// One of three fields through the keys that carry a stiffness, held within what can be believed of it.
+//
+// Based on: Ji, dissertation 2008, section 5.2 (GRI); the limits are our own.
 #include "palpate/maps/measured_stiffness.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Catmull-Rom through the logarithms of the radii round the contour, so that no radius can become negative.
+//
+// Based on: Catmull, Rom, "A class of local interpolating splines" (1974); Ji, dissertation 2008, section 6.2.
 #include "palpate/maps/polar_contour.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,6 @@
+// A row of products of Legendre polynomials a place, solved by least squares; refuses terms that the places leave free.
+//
+// Based on: Golub, Van Loan, "Matrix computations" (2013), section 5.4.
 #include "palpate/maps/polynomial_surface.h"
 
 #include <fmt/format.h>

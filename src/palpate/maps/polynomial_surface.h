@@ -1,8 +1,8 @@
 // A polynomial in x and y that comes nearest to scattered values: the trend of a field, without the single peaks.
 //
-// Serves the stiffness map beside GRI (stiffness_fit.h). Least squares by a column-pivoted QR of products of Legendre
-// polynomials in centred, scaled coordinates: the plain powers of millimetres would lose all digits at degree 5.
-// Based on: Golub, Van Loan, "Matrix computations", 2013, section 5.4 (QR with column pivoting).
+// Serves the stiffness map beside GRI (measured_stiffness.h). Least squares by a column-pivoted QR of products of
+// Legendre polynomials in centred, scaled coordinates: the plain powers of millimetres would lose all digits at
+// degree 5. Based on: Golub, Van Loan, "Matrix computations", 2013, section 5.4 (QR with column pivoting).
 #pragma once
 
 #include <cstddef>

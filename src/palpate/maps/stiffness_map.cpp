@@ -1,3 +1,6 @@
+// Depth of bone -> stiffness that fades exponentially; dysfunctions multiply, with a smoothstep at their edge.
+//
+// Based on: Ji, dissertation 2008, section 2.2 for a stiffness a vertex; the depth law and the edge are our own.
 #include "palpate/maps/stiffness_map.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+// One dense linear system for the weights and the affine part, at most kMaxThinPlatePlaces places, doubles merged
+// first.
+//
+// Based on: Duchon (1977), Bookstein (1989), see thin_plate_spline.h.
 #include "palpate/maps/thin_plate_spline.h"
 
 #include <fmt/format.h>

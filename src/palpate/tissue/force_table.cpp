@@ -1,3 +1,5 @@
+// Rows are checked one by one as they are read, so that a mistake is told with its line; a force at stiffness 1 N/mm is
+// the effective depth of the law (force_law.h). Own.
 #include "palpate/tissue/force_table.h"
 
 #include <fmt/format.h>

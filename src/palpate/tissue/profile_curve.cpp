@@ -1,3 +1,7 @@
+// Settings are checked and tables filled once; a value is the chosen form, then its rim: lowered and stretched (E18),
+// or faded out.
+//
+// Based on: Ji, dissertation 2008, (4.1) to (4.3); the forms name their sources in profile_forms.h.
 #include "palpate/tissue/profile_curve.h"
 
 #include <algorithm>

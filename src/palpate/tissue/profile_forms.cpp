@@ -1,3 +1,7 @@
+// Each form with its derivative by q written out by hand; tests compare them with differences.
+//
+// Based on: Ji, dissertation 2008, (4.1), (4.2), Figure 4.4 and Table 4.2; two Gaussians and the power tail are our
+// fits.
 #include "palpate/tissue/profile_forms.h"
 
 #include <cmath>

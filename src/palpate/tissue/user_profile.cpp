@@ -1,3 +1,6 @@
+// The table is read and checked row by row; between rows runs a cubic Hermite curve whose slopes are harmonic means.
+//
+// Based on: Fritsch, Butland, "A method for constructing local monotone piecewise cubic interpolants" (1984).
 #include "palpate/tissue/user_profile.h"
 
 #include <fmt/format.h>
