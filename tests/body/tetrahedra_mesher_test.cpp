@@ -6,9 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "palpate/body/mesh_improver.h"
 #include "palpate/body/signed_distance.h"
-#include "palpate/body/tube.h"
 #include "palpate/mesh/validate.h"
 
 namespace palpate::body {

@@ -1,3 +1,6 @@
+// The four B-splines of each direction that are not zero at a place, by their recursion; then 16 products.
+//
+// Based on: de Boor, "A Practical Guide to Splines" (1978), the recursion of Cox and de Boor; Greville's abscissae.
 #include "palpate/body/bicubic_spline.h"
 
 #include <algorithm>

@@ -2,8 +2,6 @@
 //
 // The built-in skin's radius and its detail layers are stored in it. Twice continuously differentiable, so triangle
 // meshes of any density drawn from it show no facets of the table.
-//
-// Based on: de Boor, "A Practical Guide to Splines" (Springer, 1978).
 #pragma once
 
 #include <vector>

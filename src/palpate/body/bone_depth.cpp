@@ -1,4 +1,4 @@
-// All bones in one box tree; each search starts with the answer of the point before as its reach.
+// All bones in one box tree (mesh/nearest.h); each search starts with the answer of the point before as its reach. Own.
 #include "palpate/body/bone_depth.h"
 
 #include <algorithm>

@@ -1,16 +1,14 @@
-// Puts the 43 bones together: shape, reduce, place, mirror, warp, scale. Only 12 ribs, one scapula and 17 half
-// vertebrae are ever built and reduced; the rest are mirror images.
+// Puts the 43 bones together: shape (bone_shapes.h), reduce (mesh/decimate.h), place, mirror, warp, scale. Only 12
+// ribs, one scapula and 17 half vertebrae are ever built and reduced; the rest are mirror images. Own.
 #include "palpate/body/bones.h"
 
 #include <cmath>
 #include <utility>
 
 #include "palpate/base/error.h"
-#include "palpate/body/ribs.h"
-#include "palpate/body/scapula.h"
+#include "palpate/body/bone_shapes.h"
 #include "palpate/body/spine_line.h"
-#include "palpate/body/tube.h"
-#include "palpate/body/vertebra.h"
+#include "palpate/body/tetrahedra_mesher.h"
 #include "palpate/mesh/decimate.h"
 
 namespace palpate::body {

@@ -1,3 +1,7 @@
+// The second derivatives at the points solve one linear system; between them the cubic follows in closed form. Places
+// evenly spaced by arc length are read off a fine polygon.
+//
+// Based on: de Boor, "A Practical Guide to Splines" (1978), cubic interpolation, natural and periodic.
 #include "palpate/body/cubic_spline.h"
 
 #include <Eigen/LU>

@@ -1,5 +1,8 @@
-// The right hand as smoothly joined tubes and ellipsoids, meshed once and reduced; the left is its mirror image.
-// All dimensions are our choice for a hand of 190 mm, wrist crease to middle finger, set by eye against photographs.
+// The right hand as smoothly joined tubes and ellipsoids (signed_distance.h), drawn as a surface (tetrahedra_mesher.h)
+// and reduced (mesh/decimate.h); the left is its mirror image. Only drawn: no finger feels it.
+//
+// Own: all dimensions are our choice for a hand of 190 mm, wrist crease to middle finger, set by eye against
+// photographs.
 #include "palpate/body/hand.h"
 
 #include <array>
@@ -8,10 +11,8 @@
 #include <utility>
 
 #include "palpate/base/error.h"
-#include "palpate/body/mesh_improver.h"
 #include "palpate/body/signed_distance.h"
 #include "palpate/body/tetrahedra_mesher.h"
-#include "palpate/body/tube.h"
 #include "palpate/mesh/decimate.h"
 
 namespace palpate::body {
@@ -72,11 +73,7 @@ class Phalanges {
       halves_.push_back({middle, joints[i + 1], waist, to});
     }
   }
-  double distance(const Vec3& p) const {
-    double d = halves_.front().distance(p);
-    for (const Capsule& half : halves_) d = std::min(d, half.distance(p));
-    return d;
-  }
+  double distance(const Vec3& p) const { return nearestDistance(halves_, p); }
 
  private:
   std::vector<Capsule> halves_;
@@ -122,9 +119,7 @@ struct Parts {
     for (std::size_t i = 0; i < fingers.size(); ++i) {
       d = smoothUnion(d, (p - kFingers[i].knuckle).norm() - 0.8 * kFingers[i].radii[0] * kSkinFactor, 5.0);
     }
-    double finger = fingers.front().distance(p);
-    for (const Phalanges& other : fingers) finger = std::min(finger, other.distance(p));
-    d = smoothUnion(d, finger, 5.0);
+    d = smoothUnion(d, nearestDistance(fingers, p), 5.0);
     d = smoothUnion(d, thumb.distance(p), 9.0);
     return roundedIntersection(d, kWristCutY - p.y(), 3.0);
   }

@@ -1,3 +1,7 @@
+// Lattice, border, plan, mesh: the four sections below; the last step, improveBand, is in border_band.cpp.
+//
+// Own: a lattice kept inside the outline and a band that joins it to the border meet an exact count by a search for the
+// cell size; no general mesher promises a count.
 #include "palpate/body/outline_mesher.h"
 
 #include <algorithm>
@@ -8,16 +12,14 @@
 #include <vector>
 
 #include "palpate/base/error.h"
-#include "palpate/body/mesh_improver.h"
 
 namespace palpate::body {
 
 namespace {
 
-// The triangular lattice inside an outline: which of its points are kept, how many triangles they make, and their rim.
+// --- the lattice: which of its points are kept, how many triangles they make, and their rim ---
 //
-// First half of the outline mesher: everything here is counted before a single triangle is made, because the search for
-// the cell size asks many times.
+// All of it is counted before a single triangle is made, because the search for the cell size asks many times.
 
 /// Rows of lattice points at a constant q. Row j holds the half-steps -reach[j], -reach[j] + 2, ..., reach[j]; a
 /// half-step k lies at p = k * cell / 2, and k has the parity of j, so that neighbouring rows are staggered.
@@ -26,7 +28,7 @@ struct Lattice {
   double first_row = 0;  ///< q of row 0
   std::vector<int> reach;
 
-  double rowHeight() const;
+  double rowHeight() const { return cell * std::sqrt(3.0) / 2; }
   Vec2 point(int row, int half_step) const { return {0.5 * cell * half_step, first_row + row * rowHeight()}; }
   int rows() const { return static_cast<int>(reach.size()); }
 };
@@ -36,19 +38,6 @@ struct LatticePoint {
   int row;
   int half_step;
 };
-
-/// The largest lattice of this cell size that stays inside the outline by a margin and is a disc.
-Lattice fitLattice(const FlatOutline& outline, double cell);
-
-/// Triangles between row and row + 1.
-std::size_t trianglesAbove(const Lattice& lattice, int row);
-std::size_t latticeTriangles(const Lattice& lattice);
-
-/// The rim, counter-clockwise from the left end of row 0.
-std::vector<LatticePoint> latticeRim(const Lattice& lattice);
-std::size_t latticeRimLength(const Lattice& lattice);
-
-namespace {
 
 /// Distance of the lattice from the outline in cells: the gap to be filled by the band is then 0.55 to 1.4 cells wide,
 /// which a single strip of triangles fills without slivers.
@@ -112,10 +101,7 @@ void walkRightEnd(const Lattice& lattice, int row, Visit visit) {
   visit(LatticePoint{row + 1, above});
 }
 
-}  // namespace
-
-double Lattice::rowHeight() const { return cell * std::sqrt(3.0) / 2; }
-
+/// The largest lattice of this cell size that stays inside the outline by a margin and is a disc.
 Lattice fitLattice(const FlatOutline& outline, double cell) {
   Lattice lattice;
   lattice.cell = cell;
@@ -133,6 +119,7 @@ Lattice fitLattice(const FlatOutline& outline, double cell) {
   return lattice;
 }
 
+/// Triangles between row and row + 1.
 std::size_t trianglesAbove(const Lattice& lattice, int row) {
   const int here = lattice.reach[row];
   const int above = lattice.reach[row + 1];
@@ -145,6 +132,7 @@ std::size_t latticeTriangles(const Lattice& lattice) {
   return sum;
 }
 
+/// The rim, counter-clockwise from the left end of row 0.
 std::vector<LatticePoint> latticeRim(const Lattice& lattice) {
   std::vector<LatticePoint> right;
   for (int row = 0; row + 1 < lattice.rows(); ++row) {
@@ -168,9 +156,7 @@ std::size_t latticeRimLength(const Lattice& lattice) {
   return 2 * right + lattice.reach.front() + lattice.reach.back();
 }
 
-}  // namespace
-
-namespace {
+// --- the border: vertices on the outline ---
 
 using Line = std::vector<Vec2>;
 
@@ -247,6 +233,8 @@ std::vector<Vec2> borderPoints(const std::vector<Line>& lines, std::size_t count
   return points;
 }
 
+// --- the plan: a cell size that meets the count ---
+
 /// A lattice and the number of border vertices that brings the count to what was asked.
 struct Plan {
   Lattice lattice;
@@ -289,6 +277,8 @@ Plan searchPlan(const FlatOutline& outline, std::size_t triangles, double area, 
   plan.border = triangles - latticeTriangles(plan.lattice) - latticeRimLength(plan.lattice);
   return plan;
 }
+
+// --- the mesh ---
 
 /// Vertex numbers of the lattice: border first, then row by row.
 class LatticeNumbers {

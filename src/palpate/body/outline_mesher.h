@@ -37,4 +37,9 @@ inline constexpr std::size_t kFewestTriangles = 500;
 /// count; deterministic.
 FlatMesh meshOutline(const FlatOutline& outline, std::size_t triangles, const Lift& lift);
 
+/// Its last step (border_band.cpp): flips edges and moves inner vertices within a few rings of the border, judged by
+/// the shape of the lifted triangles. Border vertices stay. Time proportional to the border after one pass over the
+/// mesh.
+void improveBand(FlatMesh& mesh, const Lift& lift);
+
 }  // namespace palpate::body

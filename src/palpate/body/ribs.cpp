@@ -6,7 +6,7 @@
 // [R] recalled. Covers: rib 5 interscapular 27 +- 4 mm, Wada 2025, J Phys Ther Sci 37:84 [A]. The columns are
 // construction values for stature 1750; `angle_z` was measured under the fitted skin, the depths of ribs 1-10
 // shortened to leave 14 mm to the ventral skin of the same (flat) chest.
-#include "palpate/body/ribs.h"
+#include "palpate/body/bone_shapes.h"
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,6 @@
 #include "palpate/body/cubic_spline.h"
 #include "palpate/body/signed_distance.h"
 #include "palpate/body/spine_line.h"
-#include "palpate/body/vertebra.h"
 
 namespace palpate::body {
 namespace {

@@ -7,7 +7,7 @@
 // (length 139, lateral border 8.2, inferior angle 41 degrees) [A]. Rest: level of the spine's root T3, of the inferior
 // angle T8 (mean T8.03, PMC2647093) [A]; 41 degrees internal, 5 upward, 13 tilt, Ludewig 2009, is [R] recalled. The
 // coordinates are construction values of our choice.
-#include "palpate/body/scapula.h"
+#include "palpate/body/bone_shapes.h"
 
 #include <algorithm>
 #include <array>
@@ -16,10 +16,8 @@
 #include <vector>
 
 #include "palpate/body/cubic_spline.h"
-#include "palpate/body/mesh_improver.h"
 #include "palpate/body/signed_distance.h"
 #include "palpate/body/tetrahedra_mesher.h"
-#include "palpate/body/tube.h"
 
 namespace palpate::body {
 namespace {

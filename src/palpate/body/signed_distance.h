@@ -1,17 +1,20 @@
 // Small signed distances that are joined into bones and the hand: negative inside, positive outside, millimetre.
 //
-// Plain structs with one `distance(point)`; a shape is a function that calls a few of them and joins the numbers. The
-// elliptic ones are first-order approximations, exact at the surface and growing by at most about 1.5 per millimetre
-// elsewhere: good enough for a mesher that follows the zero surface, not for measuring.
+// Plain structs with one `distance(point)`; a shape is a function that calls a few of them and joins the numbers, and
+// tetrahedra_mesher.h draws its surface. The elliptic ones are first-order approximations, exact at the surface and
+// growing by at most about 1.5 per millimetre elsewhere: good enough for a mesher that follows the zero surface, not
+// for measuring.
 //
 // Based on: Hart, "Sphere tracing" (1996), distances by parts; Quilez, "Smooth minimum" and "Ellipsoid"
-// (iquilezles.org), the polynomial blend and the two-norm estimate.
+// (iquilezles.org), the polynomial blend and the two-norm estimate. The flat capsules and tubes are our own.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "palpate/base/vec.h"
+#include "palpate/body/cubic_spline.h"
 
 namespace palpate::body {
 
@@ -68,6 +71,8 @@ struct HalfAxes {
 /// A segment with a direction across it: the frame that flat and elliptic capsules share.
 class FlatSegment {
  public:
+  FlatSegment(const Vec3& from, const Vec3& to, const Vec3& wide_direction, HalfAxes axes)
+      : FlatSegment(from, to, wide_direction, axes, axes) {}
   FlatSegment(const Vec3& from, const Vec3& to, const Vec3& wide_direction, HalfAxes at_from, HalfAxes at_to)
       : from_(from), at_from_(at_from), at_to_(at_to), length_((to - from).norm()), along_((to - from) / length_) {
     wide_ = (wide_direction - wide_direction.dot(along_) * along_).normalized();
@@ -96,16 +101,11 @@ class FlatSegment {
 
 /// A capsule whose section is an ellipse: half axes `wide` along the given direction and `thick` across it, both linear
 /// along the segment; the ends are rounded by the smaller of the two.
-struct EllipticCapsule {
-  FlatSegment segment;
-
-  EllipticCapsule(const Vec3& from, const Vec3& to, const Vec3& wide_direction, HalfAxes at_from, HalfAxes at_to)
-      : segment(from, to, wide_direction, at_from, at_to) {}
-  EllipticCapsule(const Vec3& from, const Vec3& to, const Vec3& wide_direction, HalfAxes axes)
-      : EllipticCapsule(from, to, wide_direction, axes, axes) {}
+struct EllipticCapsule : FlatSegment {
+  using FlatSegment::FlatSegment;
 
   double distance(const Vec3& p) const {
-    const FlatSegment::Place at = segment.place(p);
+    const Place at = place(p);
     return ellipsoidDistance(at.offset, {at.axes.wide, at.axes.thick, std::min(at.axes.wide, at.axes.thick)});
   }
 };
@@ -113,16 +113,11 @@ struct EllipticCapsule {
 /// A plate with rounded rims: like the elliptic capsule, but the section is a stadium, whose rim has the radius `thick`
 /// everywhere. An ellipse as flat as a lamina would end in an edge sharper than the mesher can follow. Needs wide >=
 /// thick.
-struct PlateCapsule {
-  FlatSegment segment;
-
-  PlateCapsule(const Vec3& from, const Vec3& to, const Vec3& wide_direction, HalfAxes at_from, HalfAxes at_to)
-      : segment(from, to, wide_direction, at_from, at_to) {}
-  PlateCapsule(const Vec3& from, const Vec3& to, const Vec3& wide_direction, HalfAxes axes)
-      : PlateCapsule(from, to, wide_direction, axes, axes) {}
+struct PlateCapsule : FlatSegment {
+  using FlatSegment::FlatSegment;
 
   double distance(const Vec3& p) const {
-    const FlatSegment::Place at = segment.place(p);
+    const Place at = place(p);
     const double flat = at.axes.wide - at.axes.thick;
     const double beside = std::max(std::abs(at.offset.x()) - flat, 0.0);
     return Vec3(beside, at.offset.y(), at.offset.z()).norm() - at.axes.thick;
@@ -141,5 +136,74 @@ inline double superellipseDistance(double x, double z, double a, double b, doubl
   // Gradient of f: (f / sum) * (un / a, wn / b).
   return (f - 1.0) * sum / (f * std::hypot(un / a, wn / b));
 }
+
+/// To the nearest of a few pieces: their union by the plain minimum.
+template <class Piece>
+double nearestDistance(const std::vector<Piece>& pieces, const Vec3& p) {
+  double d = pieces.front().distance(p);
+  for (const Piece& piece : pieces) d = std::min(d, piece.distance(p));
+  return d;
+}
+
+/// A tube along a spline whose radius changes smoothly (the rims of the scapula): a chain of capsules, joined by the
+/// plain minimum, because a smooth union would bulge at every joint.
+class Tube {
+ public:
+  /// `radii` are spread evenly over the points' parameter and joined linearly; at least two.
+  Tube(const std::vector<Vec3>& points, const std::vector<double>& radii, std::size_t pieces) {
+    const CubicSpline line(points);
+    const auto at = [&](std::size_t i) { return line.length() * static_cast<double>(i) / static_cast<double>(pieces); };
+    const auto radius = [&](double s) {
+      const double place = s / line.length() * static_cast<double>(radii.size() - 1);
+      const auto i = std::min(static_cast<std::size_t>(place), radii.size() - 2);
+      return mix(radii[i], radii[i + 1], place - static_cast<double>(i));
+    };
+    for (std::size_t i = 0; i < pieces; ++i) {
+      capsules_.push_back({line.at(at(i)), line.at(at(i + 1)), radius(at(i)), radius(at(i + 1))});
+    }
+  }
+
+  double distance(const Vec3& p) const { return nearestDistance(capsules_, p); }
+
+ private:
+  std::vector<Capsule> capsules_;
+};
+
+/// A section of a flat tube.
+struct FlatRing {
+  Vec3 centre, wide_direction;
+  HalfAxes axes;
+};
+
+/// The same with flat sections; Piece is PlateCapsule or EllipticCapsule. Sections change linearly from ring to ring.
+template <class Piece>
+class FlatTube {
+ public:
+  FlatTube(const std::vector<FlatRing>& rings, std::size_t pieces_per_ring) {
+    std::vector<Vec3> points;
+    points.reserve(rings.size());
+    for (const FlatRing& ring : rings) points.push_back(ring.centre);
+    const CubicSpline line(points);
+    for (std::size_t i = 0; i + 1 < rings.size(); ++i) addSpan(line, i, rings[i], rings[i + 1], pieces_per_ring);
+  }
+
+  double distance(const Vec3& p) const { return nearestDistance(pieces_, p); }
+
+ private:
+  void addSpan(const CubicSpline& line, std::size_t span, const FlatRing& from, const FlatRing& to, std::size_t count) {
+    const auto place = [&](double t) { return line.at(mix(line.knot(span), line.knot(span + 1), t)); };
+    const auto axes = [&](double t) {
+      return HalfAxes{mix(from.axes.wide, to.axes.wide, t), mix(from.axes.thick, to.axes.thick, t)};
+    };
+    for (std::size_t k = 0; k < count; ++k) {
+      const double start = static_cast<double>(k) / static_cast<double>(count);
+      const double end = static_cast<double>(k + 1) / static_cast<double>(count);
+      const Vec3 wide = from.wide_direction + 0.5 * (start + end) * (to.wide_direction - from.wide_direction);
+      pieces_.emplace_back(place(start), place(end), wide, axes(start), axes(end));
+    }
+  }
+
+  std::vector<Piece> pieces_;
+};
 
 }  // namespace palpate::body

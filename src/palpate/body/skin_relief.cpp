@@ -1,3 +1,8 @@
+// Distance to bone (bone_depth.h) on a grid of 150 x 167 sites over the bare skin -> a bump a group of bones -> two
+// blurs along the arc length, the wider taken off -> coefficients of a spline on the radius.
+//
+// Own; the bump less its wider blur is a difference of Gaussians (Marr and Hildreth, "Theory of edge detection", 1980),
+// and all sizes are our choice.
 #include "palpate/body/skin_relief.h"
 
 #include <algorithm>

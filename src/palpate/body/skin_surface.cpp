@@ -1,3 +1,7 @@
+// Radius = table + detail, both B-splines over (angle, height); position and tangents from it in cylinder coordinates,
+// taken through the warp by its Jacobian, scaled at the end.
+//
+// Own; the table is fitted by tools/fit_skin.py (provenance in skin_table.cpp).
 #include "palpate/body/skin_surface.h"
 
 #include <algorithm>
@@ -12,6 +16,20 @@
 namespace palpate::body {
 
 namespace {
+
+// --- the fitted table ---
+
+BicubicSpline tableSpline() {
+  std::vector<double> coefficients;
+  coefficients.reserve(static_cast<std::size_t>(kSkinAcross) * kSkinAlong);
+  for (int row = 0; row < kSkinAcross; ++row) {
+    const auto& stored = kSkinRadius[static_cast<std::size_t>(std::min(row, kSkinAcross - 1 - row))];
+    coefficients.insert(coefficients.end(), stored.begin(), stored.end());
+  }
+  return {kSkinAcross, kSkinAlong, std::move(coefficients)};
+}
+
+// --- asymmetry ---
 
 // Chosen by eye, all in mm of a man of 1750 mm; no source gives them.
 constexpr double kSwayZero = -60;        // the midline crosses the middle here ...
@@ -61,20 +79,6 @@ Warped warp(const Asymmetry& asymmetry, const Vec3& point) {
   result.jacobian.topLeftCorner<2, 2>() += Mat2{{across * side.dx, across * side.dy}, {down * drop.dx, down * drop.dy}};
   return result;
 }
-
-namespace {
-
-BicubicSpline tableSpline() {
-  std::vector<double> coefficients;
-  coefficients.reserve(static_cast<std::size_t>(kSkinAcross) * kSkinAlong);
-  for (int row = 0; row < kSkinAcross; ++row) {
-    const auto& stored = kSkinRadius[static_cast<std::size_t>(std::min(row, kSkinAcross - 1 - row))];
-    coefficients.insert(coefficients.end(), stored.begin(), stored.end());
-  }
-  return {kSkinAcross, kSkinAlong, std::move(coefficients)};
-}
-
-}  // namespace
 
 SkinPlace placeOfUnit(double u, double v) {
   return {(2 * u - 1) * kSkinHalfAngle, kSkinLow + v * (kSkinHigh - kSkinLow)};

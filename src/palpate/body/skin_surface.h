@@ -10,11 +10,9 @@
 
 namespace palpate::body {
 
-// The slight natural asymmetry of a back: a sway of the midline and a lower right shoulder.
-//
-// A smooth warp of space, so that the skin and the bones under it move together and the covers stay. Bulges of the
-// paraspinal muscles, which move the skin alone, are a part of skin_relief.
-
+/// The slight natural asymmetry of a back: a sway of the midline and a lower right shoulder. A smooth warp of space, so
+/// that the skin and the bones under it move together and the covers stay. Bulges of the paraspinal muscles, which move
+/// the skin alone, are a part of skin_relief.
 struct Asymmetry {
   double amount = 0;            ///< factor on everything below; 0 is a symmetric body, 1 a natural one
   double sway_mm = 2.5;         ///< largest sideways shift of the midline, to the right at the shoulder blades

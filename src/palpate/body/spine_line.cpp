@@ -2,13 +2,11 @@
 // cites it), [R] recalled and not verified: an [R] value guided a construction value and must not be cited as
 // published.
 //
-// - Endplate widths: Panjabi 1992, Spine 17(3):299 (L1-L5) [2]; Panjabi 1991, Spine 16(8):888 (T11, T12 [2]; T1-T10
-// [R]);
-//   Yadav 2020, Int J Spine Surg 14:175, men [2]. Endplate depths: Panjabi [R].
-// - Body heights: thoracic 1.10 x Panjabi 1991 [R] (dry bones of 12 small donors are 10-15 % below CT of living men);
-// lumbar the
-//   mean of male CT: Gilad and Nissan 1985, J Anat 143:115 [2]; Duman 2026, Tomography 12:109 [2]; Busscher 2010, Eur
-//   Spine J 19:1104 [2]; T12: Kunkel 2011, J Anat 219:375 [2].
+// - Endplate widths: Panjabi 1992, Spine 17(3):299 (L1-L5) [2]; Panjabi 1991, Spine 16(8):888 (T11, T12 [2], T1-T10
+//   [R]); Yadav 2020, Int J Spine Surg 14:175, men [2]. Endplate depths: Panjabi [R].
+// - Body heights: thoracic 1.10 x Panjabi 1991 [R] (dry bones of 12 small donors are 10-15 % below CT of living men),
+//   lumbar the mean of male CT: Gilad and Nissan 1985, J Anat 143:115 [2]; Duman 2026, Tomography 12:109 [2]; Busscher
+//   2010, Eur Spine J 19:1104 [2]; T12: Kunkel 2011, J Anat 219:375 [2].
 // - Canal: Panjabi 1992 (L1-L5) [2], 1991 (T11, T12) [2]; upper thoracic interpolated, our choice.
 // - Pedicles: Lien 2007, Eur Spine J 16:1215 [2].
 // - Transverse processes: length Berry 1987 [2]; trend Masharawi 2011, Clin Anat 24:858 [A]; thickness Jones 2023, RAPM

@@ -11,9 +11,8 @@
 
 namespace palpate::body {
 
-// The height of the person whom the tables of this room describe.
-
-/// mm. Skin and bones are built at this stature and scaled as a whole to the one that is asked for.
+/// mm, of the person whom the tables of this room describe. Skin and bones are built at this stature and scaled as a
+/// whole to the one that is asked for.
 inline constexpr double kTableStatureMm = 1750.0;
 
 inline constexpr int kThoracicCount = 12;

@@ -5,8 +5,11 @@
 // Blocks are found by halving the box and dropping parts that are too far from the surface, then by following the
 // surface across block faces, so that a wrong steepness bound cannot tear it.
 //
+// Relaxing is tangential Laplacian smoothing, with one projection by the field's value along the vertex normal a round.
+//
 // Based on: Kuhn, "Some combinatorial lemmas in topology" (1960), the split; Doi and Koide, "An efficient method of
-// triangulating equi-valued surfaces by using tetrahedral cells" (1991).
+// triangulating equi-valued surfaces by using tetrahedral cells" (1991); Ohtake and Belyaev, "Dual/primal mesh
+// optimization for polygonized implicit surfaces" (2002), the idea of alternating a tangential move and a projection.
 #include "palpate/body/tetrahedra_mesher.h"
 
 #include <algorithm>
@@ -202,10 +205,81 @@ class Lattice {
   mesh::TriangleMesh mesh_;
 };
 
+// --- relaxing ---
+
+constexpr double kStep = 0.6;  // share of the way to the neighbours' middle; 1 would overshoot on stretched fans
+
+struct Surroundings {
+  Vec3 corner_sum = Vec3::Zero();  // of the other two corners of each triangle
+  Vec3 area_sum = Vec3::Zero();
+  int corners = 0;
+};
+
+std::vector<Surroundings> gather(const mesh::TriangleMesh& mesh) {
+  std::vector<Surroundings> around(mesh.positions.size());
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3& a = mesh.positions[t[0]];
+    const Vec3& b = mesh.positions[t[1]];
+    const Vec3& c = mesh.positions[t[2]];
+    const Vec3 area = mesh::areaVector2(a, b, c);
+    const Vec3 sum = a + b + c;
+    for (const Index v : t) {
+      around[v].corner_sum += sum - mesh.positions[v];
+      around[v].area_sum += area;
+      around[v].corners += 2;
+    }
+  }
+  return around;
+}
+
+Vec3 moved(const Vec3& p, const Surroundings& around, const Field& field) {
+  const bool in_plane = p.x() == 0.0;
+  Vec3 normal = around.area_sum;
+  Vec3 shift = around.corner_sum / std::max(around.corners, 1) - p;
+  if (in_plane) normal.x() = shift.x() = 0.0;
+  normal = normal.stableNormalized();
+  shift -= normal.dot(shift) * normal;
+  const Vec3 there = p + kStep * shift;
+  // No projection is longer than the move before it could have needed.
+  const double reach = 0.5 * shift.norm() + 0.1;
+  return there - std::clamp(field(there), -reach, reach) * normal;
+}
+
 }  // namespace
 
 mesh::TriangleMesh meshZeroSurface(const Field& field, const MesherSettings& settings) {
   return Lattice(field, settings).run();
+}
+
+void relaxOnSurface(mesh::TriangleMesh& mesh, const Field& field, int rounds) {
+  for (int round = 0; round < rounds; ++round) {
+    const std::vector<Surroundings> around = gather(mesh);
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+      mesh.positions[v] = moved(mesh.positions[v], around[v], field);
+    }
+  }
+}
+
+mesh::TriangleMesh mirrored(mesh::TriangleMesh mesh) {
+  for (Vec3& p : mesh.positions) p.x() = -p.x();
+  for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+  return mesh;
+}
+
+mesh::TriangleMesh withMirrorImage(mesh::TriangleMesh half) {
+  const std::size_t vertices = half.positions.size();
+  const std::size_t triangles = half.triangles.size();
+  std::vector<Index> image(vertices);
+  for (std::size_t v = 0; v < vertices; ++v) {
+    const Vec3 p = half.positions[v];
+    image[v] = p.x() == 0.0 ? static_cast<Index>(v) : static_cast<Index>(half.positions.size());
+    if (p.x() != 0.0) half.positions.emplace_back(-p.x(), p.y(), p.z());
+  }
+  for (std::size_t t = 0; t < triangles; ++t) {
+    const Triangle original = half.triangles[t];
+    half.triangles.push_back({image[original[0]], image[original[2]], image[original[1]]});
+  }
+  return half;
 }
 
 }  // namespace palpate::body

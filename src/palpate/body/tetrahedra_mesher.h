@@ -1,4 +1,7 @@
-// Turns a signed distance into a triangle surface that is closed and manifold whatever the shape.
+// From a signed distance to a finished mesh: a triangle surface that is closed and manifold whatever the shape, its
+// triangles evened out, and its mirror image.
+//
+// Bones and hand are made with it: signed_distance.h -> here -> mesh/decimate.h -> bones.h, hand.h.
 #pragma once
 
 #include <functional>
@@ -23,5 +26,17 @@ struct MesherSettings {
 /// edges, order deterministic. Closed where the surface stays inside the box; where it meets a face of the box it ends
 /// there with vertices exactly on the face.
 mesh::TriangleMesh meshZeroSurface(const Field& field, const MesherSettings& settings);
+
+/// Moves every vertex towards the middle of its neighbours along the surface and back onto the zero of the field,
+/// `rounds` times: the lattice's slivers and the steps they draw along round edges disappear. Vertices with x == 0
+/// exactly stay in that plane, as the border of a half that will be mirrored must.
+void relaxOnSurface(mesh::TriangleMesh& mesh, const Field& field, int rounds);
+
+/// The same mesh with x negated and the winding turned, so that it still faces outwards.
+mesh::TriangleMesh mirrored(mesh::TriangleMesh mesh);
+
+/// The half x >= 0 and its mirror image, joined along the vertices with x == 0 exactly. Closed when the half is closed
+/// but for a border in that plane.
+mesh::TriangleMesh withMirrorImage(mesh::TriangleMesh half);
 
 }  // namespace palpate::body

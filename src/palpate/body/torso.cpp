@@ -1,3 +1,5 @@
+// Bones -> relief on the skin -> both bent and scaled alike -> skin cut into what triangles are left -> depth of the
+// nearest bone under every vertex, from which the stiffness map is made (maps/stiffness_map.h). Own.
 #include "palpate/body/torso.h"
 
 #include <algorithm>

@@ -1,15 +1,13 @@
 // A vertebra is a union of a column, elliptic capsules and their blends, described for the right half; the point is
 // never asked for at x < 0. All sizes follow the row; the few plain numbers are proportions of our choice, set by eye
 // against anatomical plates.
-#include "palpate/body/vertebra.h"
+#include "palpate/body/bone_shapes.h"
 
 #include <cmath>
 #include <numbers>
 
-#include "palpate/body/mesh_improver.h"
 #include "palpate/body/signed_distance.h"
 #include "palpate/body/tetrahedra_mesher.h"
-#include "palpate/body/tube.h"
 
 namespace palpate::body {
 namespace {
