@@ -8,7 +8,6 @@
 #include "palpate/base/error.h"
 #include "palpate/mesh/files/load.h"
 #include "palpate/mesh/repair.h"
-#include "palpate/mesh/textured_mesh.h"
 #include "palpate/mesh/validate.h"
 
 namespace palpate {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "palpate/base/text.h"
+#include "palpate/mesh/files/load.h"
 #include "palpate/mesh/reorder.h"
 #include "palpate/mesh/repair.h"
 #include "support/error_message.h"

@@ -1,3 +1,5 @@
+// Triangles over the same vertices are found by sorting within the row of their lowest vertex; opposite pairs that hang
+// together are one sheet, and how its rim meets the rest of the surface says what becomes of it. Own.
 #include "palpate/mesh/doubled_triangles.h"
 
 #include <algorithm>
@@ -19,15 +21,10 @@ bool hasThreeVertices(const Triangle& t) { return t[0] != t[1] && t[1] != t[2] &
 
 /// Triangles filed under their lowest vertex.
 IndexRows trianglesByLowestVertex(const TriangleMesh& mesh) {
-  IndexRows rows;
-  rows.offsets.assign(mesh.positions.size() + 1, 0);
-  const auto lowest = [&](Index t) { return *std::min_element(mesh.triangles[t].begin(), mesh.triangles[t].end()); };
-  for (Index t = 0; t < mesh.triangles.size(); ++t) ++rows.offsets[lowest(t) + 1];
-  for (std::size_t v = 1; v < rows.offsets.size(); ++v) rows.offsets[v] += rows.offsets[v - 1];
-  rows.entries.resize(mesh.triangles.size());
-  std::vector<Index> next(rows.offsets.begin(), rows.offsets.end() - 1);
-  for (Index t = 0; t < mesh.triangles.size(); ++t) rows.entries[next[lowest(t)]++] = t;
-  return rows;
+  std::vector<Index> lowest;
+  lowest.reserve(mesh.triangles.size());
+  for (const Triangle& t : mesh.triangles) lowest.push_back(*std::min_element(t.begin(), t.end()));
+  return membersOfGroups(lowest, static_cast<Index>(mesh.positions.size()));
 }
 
 void removeMarked(TriangleMesh& mesh, const std::vector<bool>& marked) {

@@ -1,7 +1,9 @@
 // Spatial order: what is near in space becomes near in memory, for vertices and for triangles.
 //
-// Once after load or repair; every later pass (normals, trees, deformation ranges) reads memory in runs.
-// Based on: Morton, "A computer oriented geodetic data base", 1966 (interleaved bits), on a 2^21 lattice per axis.
+// Once after load or repair; every later pass (normals, trees, deformation ranges) reads memory in runs. Triangles
+// follow Morton's curve. Vertices are split at the median into compact groups instead: a space-filling curve leaves a
+// surface and comes back to it elsewhere, so that runs of its order fall into pieces and lie in boxes much wider than
+// the pieces. Groups by the median have boxes about half as wide, nine in ten of them over one connected piece of skin.
 #pragma once
 
 #include <span>
@@ -11,13 +13,6 @@
 #include "palpate/mesh/triangle_mesh.h"
 
 namespace palpate::mesh {
-
-// Points in compact groups: whatever walks the surface in groups finds each group in one small box.
-//
-// Space-filling curves leave a surface and come back to it elsewhere, so that runs of their order fall into pieces and
-// lie in boxes much wider than the pieces. Splitting at the median gives boxes about half as wide, nine in ten of them
-// over one connected piece of skin, for 0.15 us a point. reorderSpatially sorts vertices this way.
-// Based on: Bentley, "Multidimensional binary search trees used for associative searching", 1975.
 
 /// Points in a group. Groups come in groups of as many groups again, as compact: runs of 64 and of 4,096 points.
 inline constexpr Index kCompactGroup = 64;
@@ -32,8 +27,8 @@ struct Reordering {
   std::vector<Index> source_triangle;
 };
 
-/// Sorts triangles by the Morton code of their centre and vertices into compact groups (compact_groups.h); unused
-/// vertices come last. Indices must be within range. The surface and every winding stay the same.
+/// Sorts triangles by the Morton code of their centre and vertices into compact groups; unused vertices come last.
+/// Indices must be within range. The surface and every winding stay the same.
 Reordering reorderSpatially(TriangleMesh& mesh);
 
 /// The mean of the corners of each triangle, mm.

@@ -1,3 +1,4 @@
+// The order of the steps, and what each of them is called in the report. Own; the steps name their sources.
 #include "palpate/mesh/repair.h"
 
 #include <algorithm>

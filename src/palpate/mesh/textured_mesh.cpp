@@ -1,8 +1,8 @@
-// The texture of one mesh on another mesh of the same surface, by nearest places.
-#include <algorithm>
+// The texture of one mesh on another mesh of the same surface: each corner asks for the nearest place of the textured
+// one and takes its barycentric shares there. Load time, after repair and reordering (scene/skin_texture.cpp). Own.
+#include "palpate/mesh/textured_mesh.h"
 
 #include "palpate/mesh/nearest.h"
-#include "palpate/mesh/textured_mesh.h"
 
 namespace palpate::mesh {
 

@@ -7,12 +7,10 @@
 #pragma once
 
 #include <array>
-#include <filesystem>
-#include <string>
-#include <string_view>
 #include <vector>
 
-#include "palpate/mesh/files/load.h"
+#include "palpate/base/progress.h"
+#include "palpate/mesh/triangle_mesh.h"
 
 namespace palpate::mesh {
 
@@ -27,20 +25,6 @@ struct TexturedMesh {
   TriangleMesh mesh;                 ///< mm, every triangle usable
   std::vector<TexturePlace> places;  ///< a vertex each
 };
-
-/// The textured triangles of an OBJ (`vt`), glTF or GLB file (TEXCOORD of the base colour); of other files, or of one
-/// without any, an empty mesh. Triangles without texture or with unusable corners are left out. `options` as for
-/// `load`. Throws Error for a file that is malformed.
-TexturedMesh loadTextured(const std::filesystem::path& file, const LoadOptions& options = {},
-                          const Progress& progress = {});
-
-/// The same for bytes in memory, as loadFromMemory.
-TexturedMesh loadTexturedFromMemory(std::string_view bytes, Format format, std::string_view name,
-                                    const LoadOptions& options = {}, const Progress& progress = {});
-
-/// The picture (the bytes of a PNG or JPEG file) that a glTF or GLB file gives its first triangles with a base colour;
-/// empty when it has none. Throws Error.
-std::string basePictureOf(const std::filesystem::path& file);
 
 /// Where the corners of another mesh of this surface lie in its picture: those of the nearest textured triangle. Each
 /// corner is looked up a little inside its own triangle, so that on a seam it gets its own side. One entry a triangle

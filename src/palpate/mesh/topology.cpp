@@ -1,3 +1,7 @@
+// Rows are counted, summed up and filled: two passes over the triangles, no search.
+//
+// Based on: compressed sparse rows; half-edges named by triangle and side as the "directed edges" of Campagna, Kobbelt
+// and Seidel (1998), grouped by a sort instead of stored with their mates.
 #include "palpate/mesh/topology.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Box and normals. A vertex normal weights its triangles by area, which is what sums of cross products do by
+// themselves; contact weights by angle instead (contact/surface.cpp), because there the sign of a distance hangs on it.
 #include "palpate/mesh/triangle_mesh.h"
 
 namespace palpate::mesh {

@@ -1,3 +1,5 @@
+// One pass a trait, each over the triangles that the passes before it found sound; `repair` mends in the same order.
+// Own; self-intersections, slivers and windings name their sources in their files.
 #include "palpate/mesh/validate.h"
 
 #include <fmt/format.h>
@@ -166,6 +168,13 @@ void checkIntersections(const Sound& sound, const Progress& progress, Validation
   found.self_intersections.count = intersections.piercing_edges;
 }
 
+/// "12 things (first: 3, 4, 9)"; `one` is used for a single thing.
+void addSentence(std::vector<std::string>& sentences, const Trait& trait, const char* one, const char* many) {
+  if (trait.count == 0) return;
+  sentences.push_back(
+      fmt::format("{} {} (first: {})", trait.count, trait.count == 1 ? one : many, fmt::join(trait.first, ", ")));
+}
+
 }  // namespace
 
 bool ValidationReport::fit() const {
@@ -198,17 +207,6 @@ ValidationReport validate(const TriangleMesh& mesh, const ValidateOptions& optio
   if (options.self_intersections) checkIntersections(sound, progress, found);
   return found;
 }
-
-namespace {
-
-/// "12 things (first: 3, 4, 9)"; `one` is used for a single thing.
-void addSentence(std::vector<std::string>& sentences, const Trait& trait, const char* one, const char* many) {
-  if (trait.count == 0) return;
-  sentences.push_back(
-      fmt::format("{} {} (first: {})", trait.count, trait.count == 1 ? one : many, fmt::join(trait.first, ", ")));
-}
-
-}  // namespace
 
 std::vector<std::string> describe(const ValidationReport& found) {
   std::vector<std::string> s;

@@ -1,3 +1,8 @@
+// Equal places through a hash table of positions, near ones through a hash table of cells, in the order of the
+// vertices, so that which one stays does not depend on the table.
+//
+// Based on: Knuth, "The Art of Computer Programming" 3, section 6.4 (open addressing, Fibonacci hashing); Teschner and
+// others, "Optimized spatial hashing for collision detection of deformable objects" (2003), cells by their hash.
 #include "palpate/mesh/weld.h"
 
 #include <algorithm>
@@ -19,6 +24,38 @@ std::uint64_t mixed(std::uint64_t hash, double coordinate) {
 }
 
 std::uint64_t hashOf(const Vec3& p) { return mixed(mixed(mixed(0, p.x()), p.y()), p.z()); }
+
+/// Vertices in cubic cells as wide as the distance: what is near lies in the cell or one of its 26 neighbours.
+class CellLists {
+ public:
+  CellLists(const std::vector<Vec3>& positions, double distance_mm)
+      : positions_(positions), distance_(distance_mm), next_(positions.size(), kNoIndex) {}
+
+  void add(Index v) {
+    auto [entry, is_new] = first_.try_emplace(hashOf(cellOf(positions_[v])), v);
+    if (!is_new) next_[v] = std::exchange(entry->second, v);
+  }
+
+  Index earliestNear(const Vec3& position) const {
+    Index earliest = kNoIndex;
+    for (int i = 0; i < 27; ++i) {
+      const Vec3 cell = cellOf(position) + Eigen::Vector3i(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1).cast<double>();
+      const auto entry = first_.find(hashOf(cell));
+      for (Index v = entry == first_.end() ? kNoIndex : entry->second; v != kNoIndex; v = next_[v]) {
+        if ((positions_[v] - position).norm() < distance_) earliest = std::min(earliest, v);
+      }
+    }
+    return earliest;
+  }
+
+ private:
+  Vec3 cellOf(const Vec3& p) const { return (p / distance_).array().floor(); }
+
+  const std::vector<Vec3>& positions_;
+  double distance_;
+  std::unordered_map<std::uint64_t, Index> first_;  // only looked up, never walked: its order does not matter
+  std::vector<Index> next_;
+};
 
 }  // namespace
 
@@ -66,42 +103,6 @@ std::vector<Index> equalVertices(const std::vector<Vec3>& positions) {
   }
   return same_as;
 }
-
-namespace {
-
-/// Vertices in cubic cells as wide as the distance: what is near lies in the cell or one of its 26 neighbours.
-class CellLists {
- public:
-  CellLists(const std::vector<Vec3>& positions, double distance_mm)
-      : positions_(positions), distance_(distance_mm), next_(positions.size(), kNoIndex) {}
-
-  void add(Index v) {
-    auto [entry, is_new] = first_.try_emplace(hashOf(cellOf(positions_[v])), v);
-    if (!is_new) next_[v] = std::exchange(entry->second, v);
-  }
-
-  Index earliestNear(const Vec3& position) const {
-    Index earliest = kNoIndex;
-    for (int i = 0; i < 27; ++i) {
-      const Vec3 cell = cellOf(position) + Eigen::Vector3i(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1).cast<double>();
-      const auto entry = first_.find(hashOf(cell));
-      for (Index v = entry == first_.end() ? kNoIndex : entry->second; v != kNoIndex; v = next_[v]) {
-        if ((positions_[v] - position).norm() < distance_) earliest = std::min(earliest, v);
-      }
-    }
-    return earliest;
-  }
-
- private:
-  Vec3 cellOf(const Vec3& p) const { return (p / distance_).array().floor(); }
-
-  const std::vector<Vec3>& positions_;
-  double distance_;
-  std::unordered_map<std::uint64_t, Index> first_;  // only looked up, never walked: its order does not matter
-  std::vector<Index> next_;
-};
-
-}  // namespace
 
 std::vector<Index> nearVertices(const std::vector<Vec3>& positions, double distance_mm) {
   CellLists kept(positions, distance_mm);

@@ -1,4 +1,4 @@
-// Vertices at equal (or nearly equal) places become one.
+// Vertices at equal (or nearly equal) places become one, and those that nothing uses go.
 //
 // Used while reading formats that repeat vertices (STL, glTF) and as the first step of `repair`.
 #pragma once

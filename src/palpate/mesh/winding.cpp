@@ -1,3 +1,7 @@
+// Patches grow breadth first across edges; a closed one with a negative volume is turned unless it lies inside another,
+// which the winding number of one of its corners tells. Volumes are sums of tetrahedra, winding numbers of solid
+// angles.
+//
 // Based on: Van Oosterom, Strackee, "The solid angle of a plane triangle", 1983; Jacobson, Kavan, Sorkine-Hornung,
 // "Robust inside-outside segmentation using generalized winding numbers", 2013 (inside = winding number above a half).
 #include "palpate/mesh/winding.h"
@@ -6,6 +10,8 @@
 #include <cmath>
 #include <numbers>
 #include <utility>
+
+#include "palpate/mesh/components.h"
 
 namespace palpate::mesh {
 
@@ -64,18 +70,6 @@ void flip(Triangle& t) { std::swap(t[1], t[2]); }
 
 // --- outwards ---
 
-/// Triangle numbers sorted by patch, with the start of each patch.
-IndexRows trianglesOfPatches(const Patches& patches) {
-  IndexRows rows;
-  rows.offsets.assign(patches.count + 1, 0);
-  for (Index p : patches.of_triangle) ++rows.offsets[p + 1];
-  for (std::size_t p = 1; p < rows.offsets.size(); ++p) rows.offsets[p] += rows.offsets[p - 1];
-  rows.entries.resize(patches.of_triangle.size());
-  std::vector<Index> next(rows.offsets.begin(), rows.offsets.end() - 1);
-  for (Index t = 0; t < patches.of_triangle.size(); ++t) rows.entries[next[patches.of_triangle[t]]++] = t;
-  return rows;
-}
-
 /// A patch is closed when at each of its edges as many of its triangles run one way as the other.
 std::vector<bool> closedPatches(const TriangleMesh& mesh, const EdgeUses& edges, const Patches& patches) {
   std::vector<bool> closed(patches.count, true);
@@ -97,12 +91,14 @@ std::vector<bool> closedPatches(const TriangleMesh& mesh, const EdgeUses& edges,
   return closed;
 }
 
+/// Six times the volume of the tetrahedron between a triangle and the origin.
+double volume6(const TriangleMesh& mesh, const Triangle& t, const Vec3& origin) {
+  return (mesh.positions[t[0]] - origin).dot((mesh.positions[t[1]] - origin).cross(mesh.positions[t[2]] - origin));
+}
+
 double volumeOf(const TriangleMesh& mesh, std::span<const Index> triangles, const Vec3& origin) {
   double six_times = 0.0;
-  for (Index t : triangles) {
-    const auto& [a, b, c] = mesh.triangles[t];
-    six_times += (mesh.positions[a] - origin).dot((mesh.positions[b] - origin).cross(mesh.positions[c] - origin));
-  }
+  for (const Index t : triangles) six_times += volume6(mesh, mesh.triangles[t], origin);
   return six_times / 6.0;
 }
 
@@ -185,7 +181,7 @@ std::size_t makeWindingConsistent(TriangleMesh& mesh, const Patches& patches) {
 
 std::size_t turnOutwards(TriangleMesh& mesh, const EdgeUses& edges, const Patches& patches) {
   const std::vector<bool> closed = closedPatches(mesh, edges, patches);
-  const IndexRows triangles = trianglesOfPatches(patches);
+  const IndexRows triangles = membersOfGroups(patches.of_triangle, patches.count);
   ClosedParts parts(mesh, triangles, closed);
   std::vector<Index> inside_out;
   for (Index p = 0; p < patches.count; ++p) {
@@ -201,9 +197,7 @@ std::size_t turnOutwards(TriangleMesh& mesh, const EdgeUses& edges, const Patche
 double signedVolume(const TriangleMesh& mesh) {
   const Vec3 origin = mesh.positions.empty() ? Vec3::Zero().eval() : mesh.positions[0];
   double six_times = 0.0;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    six_times += (mesh.positions[a] - origin).dot((mesh.positions[b] - origin).cross(mesh.positions[c] - origin));
-  }
+  for (const Triangle& t : mesh.triangles) six_times += volume6(mesh, t, origin);
   return six_times / 6.0;
 }
 

@@ -4,6 +4,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
+#include "palpate/mesh/files/load.h"
 #include "palpate/scene/body_parts.h"
 
 namespace palpate::scene {

@@ -1,6 +1,11 @@
+// GLB chunks, base64 and files beside the glTF, accessors by component type, and the picture of the first base colour.
+//
+// Based on: Khronos Group, glTF 2.0 specification, 3.6 (buffers, accessors), 3.8 (textures), 4 (GLB); RFC 4648
+// (base64).
 #include "palpate/mesh/files/gltf_data.h"
 
 #include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -125,6 +130,30 @@ std::filesystem::path pathBeside(const MeshFile& file, const std::string& uri, J
 constexpr std::string_view kBase64 = ";base64,";
 
 bool isData(std::string_view uri) { return uri.starts_with("data:") && uri.find(kBase64) != std::string_view::npos; }
+
+// --- the picture ---
+
+JsonValue firstBaseColour(JsonValue root) {
+  const std::vector<JsonValue> base_colours = baseColours(root);
+  for (const JsonValue mesh : root["meshes"].items()) {
+    for (const JsonValue primitive : mesh["primitives"].items()) {
+      if (const JsonValue base_colour = baseColourOf(base_colours, primitive)) return base_colour;
+    }
+  }
+  return {};
+}
+
+/// texture -> image
+JsonValue imageOf(JsonValue root, JsonValue base_colour) {
+  const auto textures = root["textures"].items();
+  const auto images = root["images"].items();
+  const JsonValue index = base_colour["index"];
+  if (!index) base_colour.fail("a texture without index");
+  const JsonValue texture = textures[index.index(textures.size(), "texture")];
+  const JsonValue source = texture["source"];
+  if (!source) texture.fail("a texture without an image that can be read");
+  return images[source.index(images.size(), "image")];
+}
 
 }  // namespace
 
@@ -277,32 +306,6 @@ std::vector<Index> GltfAccessors::indices(JsonValue accessor_index) const {
   }
   return result;
 }
-
-namespace {
-
-JsonValue firstBaseColour(JsonValue root) {
-  const std::vector<JsonValue> base_colours = baseColours(root);
-  for (const JsonValue mesh : root["meshes"].items()) {
-    for (const JsonValue primitive : mesh["primitives"].items()) {
-      if (const JsonValue base_colour = baseColourOf(base_colours, primitive)) return base_colour;
-    }
-  }
-  return {};
-}
-
-/// texture -> image
-JsonValue imageOf(JsonValue root, JsonValue base_colour) {
-  const auto textures = root["textures"].items();
-  const auto images = root["images"].items();
-  const JsonValue index = base_colour["index"];
-  if (!index) base_colour.fail("a texture without index");
-  const JsonValue texture = textures[index.index(textures.size(), "texture")];
-  const JsonValue source = texture["source"];
-  if (!source) texture.fail("a texture without an image that can be read");
-  return images[source.index(images.size(), "image")];
-}
-
-}  // namespace
 
 std::vector<JsonValue> baseColours(JsonValue root) {
   std::vector<JsonValue> found;

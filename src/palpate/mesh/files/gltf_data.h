@@ -1,4 +1,5 @@
-// The binary side of glTF: the GLB container, buffers inside and outside of the file, and accessors into them.
+// The binary side of glTF, behind readGltf: the GLB container, buffers inside and outside of the file, accessors into
+// them, and the picture that lies in one.
 //
 // Every offset, stride and length of the JSON is checked against the bytes that are really there before anything is
 // read. Based on: Khronos Group, glTF 2.0 specification, sections 3.6 (buffers, accessors) and 4 (GLB).

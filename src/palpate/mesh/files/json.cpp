@@ -1,3 +1,5 @@
+// Recursive descent into a flat list of nodes in the order of the text, each with the end of all it holds; values are
+// read out of the text when they are asked for.
 #include "palpate/mesh/files/json.h"
 
 #include <fmt/format.h>

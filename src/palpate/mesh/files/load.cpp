@@ -1,10 +1,10 @@
+// The bytes of a file, told apart by their first ones or the file's name, go to the reader of their format; then
+// vertices are welded where the format repeats them, and units become millimetres. Own.
 #include "palpate/mesh/files/load.h"
 
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
 #include <fmt/format.h>
+
 #include <algorithm>
-#include <assimp/Importer.hpp>
 #include <cctype>
 #include <limits>
 
@@ -111,53 +111,12 @@ void checkTriangleCount(std::size_t triangles, std::string_view name) {
 
 TriangleMesh load(const std::filesystem::path& file, const LoadOptions& options, const Progress& progress) {
   report(progress, "reading", 0.0);
-  const std::string bytes = readFile(file, options.max_bytes);
-  const std::string name = file.string();
-  return loadChecked({bytes, name, options, progress, file.parent_path() / "."},
-                     formatOf(file, bytes, options.allow_foreign));
+  return withMeshFile(file, options, progress, loadChecked);
 }
 
 TriangleMesh loadFromMemory(std::string_view bytes, Format format, std::string_view name, const LoadOptions& options,
                             const Progress& progress) {
   return loadChecked({bytes, name, options, progress, {}}, format);
-}
-
-// Every other format (3mf, dae, fbx, ...) through assimp. Off by default: its readers are not hardened against hostile
-// files the way ours are, and an error of theirs names no place.
-
-namespace {
-
-/// Polygons cut, points and lines apart from triangles, nodes' transforms applied.
-constexpr unsigned kSteps = aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_PreTransformVertices;
-
-std::string oneLine(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text;
-}
-
-void addTriangles(const aiMesh& part, TriangleMesh& mesh) {
-  const auto first = static_cast<Index>(mesh.positions.size());
-  for (unsigned v = 0; v < part.mNumVertices; ++v) {
-    const aiVector3D& p = part.mVertices[v];
-    mesh.positions.emplace_back(p.x, p.y, p.z);
-  }
-  for (unsigned f = 0; f < part.mNumFaces; ++f) {
-    const aiFace& face = part.mFaces[f];
-    if (face.mNumIndices != 3) continue;
-    mesh.triangles.push_back({first + face.mIndices[0], first + face.mIndices[1], first + face.mIndices[2]});
-  }
-}
-
-}  // namespace
-
-TriangleMesh readForeign(const MeshFile& file, const std::string& extension) {
-  Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFileFromMemory(file.bytes.data(), file.bytes.size(), kSteps, extension.c_str());
-  if (scene == nullptr) throw Error::inFile(file.name, oneLine(importer.GetErrorString()));
-  TriangleMesh mesh;
-  for (unsigned m = 0; m < scene->mNumMeshes; ++m) addTriangles(*scene->mMeshes[m], mesh);
-  checkTriangleCount(mesh.triangles.size(), file.name);
-  return mesh;
 }
 
 }  // namespace palpate::mesh

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "palpate/base/progress.h"
+#include "palpate/mesh/textured_mesh.h"
 #include "palpate/mesh/triangle_mesh.h"
 
 namespace palpate::mesh {
@@ -46,5 +47,21 @@ TriangleMesh load(const std::filesystem::path& file, const LoadOptions& options 
 /// glTF that refers to other files is refused.
 TriangleMesh loadFromMemory(std::string_view bytes, Format format, std::string_view name,
                             const LoadOptions& options = {}, const Progress& progress = {});
+
+// The picture on a surface: a second reading of the same file, for those who draw.
+
+/// The textured triangles of an OBJ (`vt`), glTF or GLB file (TEXCOORD of the base colour); of other files, or of one
+/// without any, an empty mesh. Triangles without texture or with unusable corners are left out. `options` as for
+/// `load`. Throws Error for a file that is malformed.
+TexturedMesh loadTextured(const std::filesystem::path& file, const LoadOptions& options = {},
+                          const Progress& progress = {});
+
+/// The same for bytes in memory, as loadFromMemory.
+TexturedMesh loadTexturedFromMemory(std::string_view bytes, Format format, std::string_view name,
+                                    const LoadOptions& options = {}, const Progress& progress = {});
+
+/// The picture (the bytes of a PNG or JPEG file) that a glTF or GLB file gives its first triangles with a base colour;
+/// empty when it has none. Throws Error.
+std::string basePictureOf(const std::filesystem::path& file);
 
 }  // namespace palpate::mesh

@@ -1,7 +1,7 @@
-// The textured triangles of a file, through the readers of `load`.
+// The textured triangles of a file, through the readers of `load`: nothing is welded, because a vertex here belongs to
+// one place in the picture.
 #include <algorithm>
 
-#include "palpate/base/text.h"
 #include "palpate/mesh/files/gltf_data.h"
 #include "palpate/mesh/files/readers.h"
 
@@ -37,10 +37,7 @@ TexturedMesh loadFrom(const MeshFile& file, Format format) {
 
 TexturedMesh loadTextured(const std::filesystem::path& file, const LoadOptions& options, const Progress& progress) {
   report(progress, "reading the texture coordinates", 0.0);
-  const std::string bytes = readFile(file, options.max_bytes);
-  const std::string name = file.string();
-  return loadFrom({bytes, name, options, progress, file.parent_path() / "."},
-                  formatOf(file, bytes, options.allow_foreign));
+  return withMeshFile(file, options, progress, loadFrom);
 }
 
 TexturedMesh loadTexturedFromMemory(std::string_view bytes, Format format, std::string_view name,
@@ -49,13 +46,11 @@ TexturedMesh loadTexturedFromMemory(std::string_view bytes, Format format, std::
 }
 
 std::string basePictureOf(const std::filesystem::path& file) {
-  const LoadOptions options;
-  const Progress silent;
-  const std::string bytes = readFile(file, options.max_bytes);
-  const std::string name = file.string();
-  const Format format = formatOf(file, bytes, true);
-  if (format != Format::gltf && format != Format::glb) return {};
-  return readGltfPicture({bytes, name, options, silent, file.parent_path() / "."});
+  LoadOptions options;
+  options.allow_foreign = true;  // nothing of such a file is read: it just has no picture
+  return withMeshFile(file, options, {}, [](const MeshFile& mesh_file, Format format) {
+    return format == Format::gltf || format == Format::glb ? readGltfPicture(mesh_file) : std::string();
+  });
 }
 
 }  // namespace palpate::mesh

@@ -1,3 +1,8 @@
+// Squares by the better diagonal, others by clipping ears on the plane of their mean normal, in the order of their
+// corners.
+//
+// Based on: Meisters, "Polygons have ears" (1975); Newell's normal (Sutherland, Sproull, Schumacker, "A
+// characterization of ten hidden-surface algorithms", 1974).
 #include "palpate/mesh/files/polygons.h"
 
 #include <fmt/format.h>
@@ -89,6 +94,18 @@ class EarClipper {
   Vec3 normal_;
 };
 
+void checkIndices(std::span<const Index> polygon, std::size_t place, std::size_t vertices,
+                  const FileCounting& counting) {
+  for (Index v : polygon) {
+    if (v < vertices) continue;
+    const std::string which =
+        v == kNoIndex ? "a vertex below the first" : fmt::format("vertex {}", std::size_t{v} + counting.first_vertex);
+    const auto cause = fmt::format("the face uses {}, but there are {} vertices", which, vertices);
+    if (counting.place == FileCounting::Place::line) throw Error::atLine(counting.name, place, cause);
+    throw Error::atByte(counting.name, place, cause);
+  }
+}
+
 }  // namespace
 
 void triangulate(const std::vector<Vec3>& positions, std::span<const Index> polygon, std::vector<Triangle>& triangles) {
@@ -103,22 +120,6 @@ void triangulate(const std::vector<Vec3>& positions, std::span<const Index> poly
     EarClipper(positions, polygon).clip(triangles);
   }
 }
-
-namespace {
-
-void checkIndices(std::span<const Index> polygon, std::size_t place, std::size_t vertices,
-                  const FileCounting& counting) {
-  for (Index v : polygon) {
-    if (v < vertices) continue;
-    const std::string which =
-        v == kNoIndex ? "a vertex below the first" : fmt::format("vertex {}", std::size_t{v} + counting.first_vertex);
-    const auto cause = fmt::format("the face uses {}, but there are {} vertices", which, vertices);
-    if (counting.place == FileCounting::Place::line) throw Error::atLine(counting.name, place, cause);
-    throw Error::atByte(counting.name, place, cause);
-  }
-}
-
-}  // namespace
 
 void PolygonList::cut(TriangleMesh& mesh, const FileCounting& counting, bool keep_wrong_indices) const {
   mesh.triangles.reserve(corners_.size() - std::min(corners_.size(), 2 * polygons_.size()));

@@ -1,7 +1,6 @@
 // Polygons of a file -> triangles.
 //
 // The readers of OBJ, PLY and OFF collect faces here, because a face may come before its vertices.
-// Based on: ear clipping (Meisters, "Polygons have ears", 1975), on the plane of Newell's normal.
 #pragma once
 
 #include <cstdint>

@@ -6,7 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "palpate/mesh/textured_mesh.h"
+#include "palpate/base/text.h"
+#include "palpate/mesh/files/load.h"
 
 namespace palpate::mesh {
 
@@ -35,6 +36,15 @@ inline TexturePlace noTexturePlace() { return TexturePlace::Constant(std::numeri
 
 /// The format of a file by its first bytes, else by its extension. Throws Error when it is none that can be read.
 Format formatOf(const std::filesystem::path& file, std::string_view bytes, bool allow_foreign);
+/// Reads the file and calls use(MeshFile, Format); what it gives lives no longer than the call. Throws Error.
+template <class Use>
+auto withMeshFile(const std::filesystem::path& file, const LoadOptions& options, const Progress& progress,
+                  const Use& use) {
+  const std::string bytes = readFile(file, options.max_bytes);
+  const std::string name = file.string();
+  return use(MeshFile{bytes, name, options, progress, file.parent_path() / "."},
+             formatOf(file, bytes, options.allow_foreign));
+}
 /// Moves a mesh from the units of its file to mm (LoadOptions::unit_mm).
 void toMillimetres(TriangleMesh& mesh, Format format, double unit_mm);
 

@@ -1,3 +1,7 @@
+// Each format in one pass over vertices and triangles, into a file that appears when it is complete
+// (base/output_file.h).
+//
+// Based on: the formats as everyone writes them; Turk, "The PLY polygon file format" (1994).
 #include "palpate/mesh/files/save.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// One position in the text and the number of its line; words are views into it, so that reading allocates nothing.
 #include "palpate/mesh/files/text_reader.h"
 
 #include <fmt/format.h>
