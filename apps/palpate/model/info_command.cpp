@@ -2,15 +2,91 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
 
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/mesh_arguments.h"
 #include "apps/palpate/common/progress_line.h"
-#include "apps/palpate/model/mesh_report.h"
+#include "palpate/mesh/validate.h"
 
 namespace palpate::app {
 
 namespace {
+
+// --- the report, for a person and for a script ---
+
+using mesh::ValidationReport;
+
+/// What the surface itself takes; trees and deformation come on top (docs/mesh.md).
+std::size_t memoryBytes(const ValidationReport& report) {
+  return report.vertices * sizeof(Vec3) + report.triangles * sizeof(Triangle);
+}
+
+std::string words(const Vec3& v) { return fmt::format("{:.6g} {:.6g} {:.6g}", v.x(), v.y(), v.z()); }
+
+std::string boxLine(const ValidationReport& report) {
+  if (report.box.isEmpty()) return "none";
+  return fmt::format("{} mm, from {} to {}", words(report.box.sizes()), words(report.box.min()),
+                     words(report.box.max()));
+}
+
+std::string surfaceLine(const ValidationReport& report) {
+  std::string text = report.closed ? fmt::format("closed, {:.6g} mm^3", report.volume_mm3) : "open";
+  if (report.one_sided) text += ", one-sided";
+  return text + fmt::format(", {:.6g} mm^2, {} component{}", report.area_mm2, report.components,
+                            report.components == 1 ? "" : "s");
+}
+
+nlohmann::ordered_json jsonOf(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+nlohmann::ordered_json jsonOf(const mesh::Trait& trait) { return {{"count", trait.count}, {"first", trait.first}}; }
+
+nlohmann::ordered_json traitsOf(const ValidationReport& report) {
+  nlohmann::ordered_json traits;
+  traits["non_finite_vertices"] = jsonOf(report.non_finite_vertices);
+  traits["out_of_range_triangles"] = jsonOf(report.wrong_indices);
+  traits["zero_area_triangles"] = jsonOf(report.zero_area_triangles);
+  traits["duplicate_triangles"] = jsonOf(report.duplicate_triangles);
+  traits["opposite_triangles"] = jsonOf(report.opposite_triangles);
+  traits["non_manifold_edges"] = jsonOf(report.non_manifold_edges);
+  traits["non_manifold_vertices"] = jsonOf(report.non_manifold_vertices);
+  traits["inconsistent_edges"] = jsonOf(report.inconsistent_edges);
+  traits["border_edges"] = jsonOf(report.border_edges);
+  traits["self_intersections"] = jsonOf(report.self_intersections);
+  traits["unused_vertices"] = jsonOf(report.unused_vertices);
+  return traits;
+}
+
+std::string textOf(const ValidationReport& report) {
+  std::string text = fmt::format(
+      "triangles   {}\nvertices    {}\nbox         {}\nsurface     {}\nmemory      {:.1f} MB\n", report.triangles,
+      report.vertices, boxLine(report), surfaceLine(report), 1e-6 * static_cast<double>(memoryBytes(report)));
+  for (const std::string& sentence : mesh::describe(report)) text += "found       " + sentence + "\n";
+  if (!report.self_intersections_checked) text += "not checked self-intersections\n";
+  return text +
+         (report.fit() ? "fit to be felt as it is\n" : "needs repair before it can be felt (done when it is used)\n");
+}
+
+nlohmann::ordered_json jsonOf(const ValidationReport& report) {
+  nlohmann::ordered_json json;
+  json["triangles"] = report.triangles;
+  json["vertices"] = report.vertices;
+  if (!report.box.isEmpty()) json["box"] = {{"min_mm", jsonOf(report.box.min())}, {"max_mm", jsonOf(report.box.max())}};
+  json["area_mm2"] = report.area_mm2;
+  json["volume_mm3"] = report.closed ? nlohmann::ordered_json(report.volume_mm3) : nlohmann::ordered_json(nullptr);
+  json["closed"] = report.closed;
+  json["one_sided"] = report.one_sided;
+  json["components"] = report.components;
+  json["border_loops"] = report.border_loops;
+  json["fit"] = report.fit();
+  json["self_intersections_checked"] = report.self_intersections_checked;
+  json["memory_bytes"] = memoryBytes(report);
+  json["traits"] = traitsOf(report);
+  return json;
+}
+
+// --- the command ---
 
 struct InfoArguments {
   MeshArguments mesh;
@@ -18,7 +94,7 @@ struct InfoArguments {
   bool json = false;
 };
 
-mesh::ValidationReport inspect(const InfoArguments& arguments) {
+ValidationReport inspect(const InfoArguments& arguments) {
   ProgressLine progress;
   mesh::LoadOptions options = arguments.mesh.options;
   options.keep_wrong_indices = true;  // to be counted, not refused
@@ -27,7 +103,7 @@ mesh::ValidationReport inspect(const InfoArguments& arguments) {
 }
 
 void runInfo(const InfoArguments& arguments) {
-  const mesh::ValidationReport report = inspect(arguments);
+  const ValidationReport report = inspect(arguments);
   if (arguments.json) {
     nlohmann::ordered_json json = {{"file", arguments.mesh.file}};
     json.update(jsonOf(report));

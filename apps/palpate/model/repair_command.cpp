@@ -2,11 +2,13 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
 
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/mesh_arguments.h"
 #include "apps/palpate/common/progress_line.h"
-#include "apps/palpate/model/mesh_report.h"
 #include "palpate/base/error.h"
 #include "palpate/mesh/files/save.h"
 #include "palpate/mesh/repair.h"
