@@ -4,10 +4,8 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <vector>
 
-#include "palpate/deform/any_deformer.h"
-#include "palpate/scene/world.h"
+#include "palpate/engine/living_skin.h"
 #include "palpate/servo/loop.h"
 #include "palpate/view/painter.h"
 
@@ -28,15 +26,13 @@ class LiveModel {
   Times follow(std::span<const trace::Sample> contacts);
 
   const scene::World& world() const { return *world_; }
-  const deform::DeformedSurface& surface() const { return surface_; }
+  const deform::DeformedSurface& surface() const { return skin_->surface(); }
   view::Painter& painter() { return painter_; }
 
  private:
   std::shared_ptr<const scene::World> world_;
-  std::optional<deform::AnyDeformer> deformer_;
-  deform::DeformedSurface surface_;
+  std::optional<engine::LivingSkin> skin_;
   view::Painter painter_;
-  std::vector<deform::Contact> touching_;
 };
 
 }  // namespace palpate::viewer

@@ -13,8 +13,8 @@
 #include "apps/viewer/editing/edit_history.h"
 #include "apps/viewer/panels/messages.h"
 #include "apps/viewer/plots/sample_history.h"
-#include "apps/viewer/world_builder.h"
 #include "palpate/device/mouse_finger.h"
+#include "palpate/engine/world_builder.h"
 #include "palpate/scene/scene.h"
 #include "palpate/servo/loop.h"
 #include "palpate/view/camera.h"
@@ -189,7 +189,7 @@ struct Session {
   Vec3 eyes_mm = Vec3::Zero();       ///< of the tracked head in this frame
   window::HeadTracker::State head = window::HeadTracker::State::waiting;
   Recording recording;
-  std::optional<WorldBuilder::Progress> building;
+  std::optional<engine::BuildProgress> building;
   std::array<contact::FingerOutput, 2> fingers{nowhere(), nowhere()};
   std::array<bool, 2> finger_present{};
   std::size_t active_finger = 0;

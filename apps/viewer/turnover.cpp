@@ -1,9 +1,14 @@
 #include "apps/viewer/turnover.h"
 
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
 #include <utility>
 
 #include "apps/viewer/files/state_file.h"
 #include "palpate/base/error.h"
+#include "palpate/scene/scene_file.h"
+#include "palpate/view/layers/skin_picture.h"
 
 namespace palpate::viewer {
 
@@ -11,33 +16,57 @@ namespace {
 
 constexpr const char* kCannotOpen = "cannot open ";
 
+/// A broken picture must not reach the display.
+void decodePicture(const scene::World& world) {
+  if (world.texture) view::decodedPicture(*world.texture);
+}
+
 }  // namespace
 
+scene::Scene sceneFromFile(const std::string& file, const scene::Scene& like) {
+  const std::filesystem::path path(file);
+  std::string kind = path.extension().string();
+  std::transform(kind.begin(), kind.end(), kind.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (kind == ".toml") return scene::load(path);
+  scene::Scene scene = like;
+  scene.title = path.filename().string();
+  scene.file.clear();
+  scene.dysfunctions.clear();  // they belong to the body they were placed on
+  scene.ellipses.key_points.clear();
+  scene.body = {};
+  scene.body.kind = scene::BodyKind::mesh;
+  scene.body.file = path;
+  return scene;
+}
+
+Turnover::Turnover(std::shared_ptr<const scene::World> world) : builder_(decodePicture), shown_(std::move(world)) {}
+
 void Turnover::open(const std::string& file, const Session& session) {
-  opening_ = true;
+  opening_ = file;
   wanted_ = 0;
-  builder_.wish({session.scene, nullptr, file});
+  builder_.wish(
+      {.scene = {}, .body = nullptr, .read = [file, like = session.scene] { return sceneFromFile(file, like); }});
 }
 
 void Turnover::open(const scene::Scene& scene, Session& session) {
   session.scene = scene;
   session.scene_file.clear();
   session.editor = {};
-  opening_ = false;
+  opening_.clear();
   wanted_ = 0;
-  builder_.wish({scene, nullptr, {}});
+  builder_.wish({.scene = scene, .body = nullptr, .read = {}});
 }
 
 void Turnover::cancel(Session& session) {
   builder_.cancel();
   wanted_ = 0;
-  opening_ = false;
+  opening_.clear();
   // What is at work is what is wished again.
   session.scene.body = shown_->scene.body;
   session.report(Severity::info, "Cancelled: the body stays as it was");
 }
 
-void Turnover::advance(Session& session, LiveServo& servo) {
+void Turnover::advance(Session& session, engine::ServoThread& servo) {
   if (session.changed & kFingerChange) changeFingers(session, servo);
   if (const std::uint32_t world = session.changed & (kMapChange | kBodyChange)) {
     wanted_ |= world;
@@ -49,24 +78,24 @@ void Turnover::advance(Session& session, LiveServo& servo) {
 }
 
 void Turnover::wishWhenQuiet(Session& session) {
-  if (wanted_ == 0 || opening_ || session.now_s - wanted_since_s_ < kQuietS) return;
-  BuildWish wish{session.scene, nullptr, {}};
+  if (wanted_ == 0 || !opening_.empty() || session.now_s - wanted_since_s_ < kQuietS) return;
+  engine::BuildWish wish{.scene = session.scene, .body = nullptr, .read = {}};
   if (!(wanted_ & kBodyChange)) wish.body = coming_ ? coming_ : shown_;
   wanted_ = 0;
   builder_.wish(std::move(wish));
 }
 
-void Turnover::takeResult(Session& session, LiveServo& servo) {
+void Turnover::takeResult(Session& session, engine::ServoThread& servo) {
   const auto result = builder_.take();
   if (!result) return;
-  const bool opened = std::exchange(opening_, false) && !result->wish.open.empty();
+  const std::string opened = std::exchange(opening_, {});
   if (!result->world) {
-    session.report(Severity::error, (opened ? kCannotOpen : "") + result->error);
+    session.report(Severity::error, (opened.empty() ? "" : kCannotOpen) + result->error);
     return;
   }
-  if (opened) {
+  if (!opened.empty()) {
     session.messages.clearErrors(kCannotOpen);
-    remember(session.state.recent, result->wish.open);
+    remember(session.state.recent, opened);
     session.scene = result->world->scene;
     session.scene_file = session.scene.body.kind == scene::BodyKind::mesh && session.scene.file.empty()
                              ? std::string()
@@ -76,7 +105,7 @@ void Turnover::takeResult(Session& session, LiveServo& servo) {
   adopt(session, *result, servo);
 }
 
-void Turnover::adopt(Session& session, const BuildResult& result, LiveServo& servo) {
+void Turnover::adopt(Session& session, const engine::BuildResult& result, engine::ServoThread& servo) {
   try {
     servo.change(planFor(result.world, session.scene, result.wish.body == nullptr));
   } catch (const Error& error) {
@@ -87,7 +116,7 @@ void Turnover::adopt(Session& session, const BuildResult& result, LiveServo& ser
   other_body_ = other_body_ || result.wish.body == nullptr;
 }
 
-void Turnover::changeFingers(Session& session, LiveServo& servo) const {
+void Turnover::changeFingers(Session& session, engine::ServoThread& servo) const {
   try {
     servo.change(planFor(coming_ ? coming_ : shown_, session.scene, coming_ && other_body_));
   } catch (const Error& error) {
@@ -95,9 +124,9 @@ void Turnover::changeFingers(Session& session, LiveServo& servo) const {
   }
 }
 
-Turnover::Shown Turnover::takeShown(LiveServo& servo) {
+Turnover::Shown Turnover::takeShown(engine::ServoThread& servo) {
   servo.exchange();
-  if (!coming_ || servo.plan().world != coming_) return {};
+  if (!coming_ || servo.world() != coming_) return {};
   shown_ = std::exchange(coming_, nullptr);
   return {shown_, std::exchange(other_body_, false)};
 }

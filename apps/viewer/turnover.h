@@ -1,7 +1,7 @@
 // From a changed scene to a changed world at work: waits until the user has stopped pulling at a slider, has the world
 // built beside the display, hands it to the servo, and says when it may be shown.
 //
-//   session.changed ─ 250 ms of quiet ─► WorldBuilder ─► LiveServo::change ─ taken between two ticks ─► shown
+//   session.changed ─ 250 ms of quiet ─► WorldBuilder ─► ServoThread::change ─ taken between two ticks ─► shown
 #pragma once
 
 #include <memory>
@@ -9,16 +9,19 @@
 
 #include "apps/viewer/live_servo.h"
 #include "apps/viewer/session.h"
-#include "apps/viewer/world_builder.h"
+#include "palpate/engine/world_builder.h"
 
 namespace palpate::viewer {
 
 /// A slider sends sixty changes a second; only the last of them is built.
 inline constexpr double kQuietS = 0.25;
 
+/// The scene of a scene file, or a scene around a mesh file with the fingers of `like`. Throws Error.
+scene::Scene sceneFromFile(const std::string& file, const scene::Scene& like);
+
 class Turnover {
  public:
-  explicit Turnover(std::shared_ptr<const scene::World> world) : shown_(std::move(world)) {}
+  explicit Turnover(std::shared_ptr<const scene::World> world);
 
   /// A scene or mesh file, or a whole scene, takes the place of what there is.
   void open(const std::string& file, const Session& session);
@@ -26,27 +29,27 @@ class Turnover {
   void cancel(Session& session);
 
   /// Once a frame: acts on session.changed. Settings of the fingers go to the servo at once.
-  void advance(Session& session, LiveServo& servo);
+  void advance(Session& session, engine::ServoThread& servo);
 
   struct Shown {
     std::shared_ptr<const scene::World> world;  ///< null: nothing new
     bool other_body = false;
   };
   /// The world to be shown from now on, once the servo has taken it.
-  Shown takeShown(LiveServo& servo);
+  Shown takeShown(engine::ServoThread& servo);
 
  private:
-  void takeResult(Session& session, LiveServo& servo);
-  void adopt(Session& session, const BuildResult& result, LiveServo& servo);
+  void takeResult(Session& session, engine::ServoThread& servo);
+  void adopt(Session& session, const engine::BuildResult& result, engine::ServoThread& servo);
   void wishWhenQuiet(Session& session);
-  void changeFingers(Session& session, LiveServo& servo) const;
+  void changeFingers(Session& session, engine::ServoThread& servo) const;
 
-  WorldBuilder builder_;
+  engine::WorldBuilder builder_;
   std::shared_ptr<const scene::World> shown_;
   std::shared_ptr<const scene::World> coming_;  ///< given to the servo, not taken yet
   std::uint32_t wanted_ = 0;                    ///< kMapChange, kBodyChange
   double wanted_since_s_ = 0.0;
-  bool opening_ = false;
+  std::string opening_;  ///< the file that the work under way began with; empty: none
   bool other_body_ = false;
 };
 

@@ -76,7 +76,7 @@ Viewer::Viewer(std::shared_ptr<const scene::World> world, ViewState state, Viewe
 Viewer::~Viewer() = default;
 
 servo::LoopReport Viewer::finish() {
-  servo::LoopReport report = servo_.stop();
+  servo::LoopReport report = servo_.thread().stop();
   takeSamples();
   outputs_.finish(session_);
   return report;
@@ -134,7 +134,7 @@ void Viewer::lookAround() {
 }
 
 void Viewer::takeWorld() {
-  const Turnover::Shown shown = turnover_.takeShown(servo_);
+  const Turnover::Shown shown = turnover_.takeShown(servo_.thread());
   if (!shown.world) return;
   const bool other_scene = shown.world->scene.file != world_->scene.file;
   world_ = shown.world;
@@ -159,14 +159,14 @@ void Viewer::takeWorld() {
 void Viewer::followServo(double elapsed_s) {
   takeSamples();
   Performance& performance = session_.performance;
-  performance.servo = servo_.vitals();
-  performance.dropped_samples = servo_.droppedSamples();
+  performance.servo = servo_.thread().vitals();
+  performance.dropped_samples = servo_.thread().droppedSamples();
   if (!session_.frozen && recorded_) leaveReplay();
   advanceReplay(session_, history(), elapsed_s);
   if (session_.frozen && !history().empty()) {
     show(history().at(session_.replay.at_s));
   } else {
-    show(servo_.contacts());
+    show(servo_.thread().contacts());
   }
 }
 
@@ -208,7 +208,7 @@ void Viewer::plot(const trace::Sample& sample) { session_.plots[sample.finger].a
 
 void Viewer::takeSamples() {
   trace::Sample sample;
-  while (servo_.pop(sample)) {
+  while (servo_.thread().pop(sample)) {
     outputs_.addSample(sample);
     if (session_.frozen) continue;  // what is studied stays as it is
     plot(sample);
@@ -286,7 +286,7 @@ void Viewer::setView(view::StandardView side) {
 
 void Viewer::useChanges() {
   for (const Wish& wish : std::exchange(session_.wishes, {})) grant(wish);
-  turnover_.advance(session_, servo_);
+  turnover_.advance(session_, servo_.thread());
   session_.changed = 0;
 }
 

@@ -8,9 +8,8 @@
 #include <functional>
 #include <optional>
 
-#include "palpate/deform/any_deformer.h"
 #include "palpate/device/finger_path.h"
-#include "palpate/scene/skin_contact.h"
+#include "palpate/engine/living_skin.h"
 #include "palpate/scene/world.h"
 #include "palpate/servo/loop.h"
 #include "palpate/servo/scripted_rig.h"
@@ -99,32 +98,17 @@ Track trackOf(const scene::Scene& scene) {
 /// The skin of a run, picture by picture.
 class Pictures {
  public:
-  explicit Pictures(const Track& track)
-      : track_(track),
-        deformer_(track.world->deformable, withStrain(*track.world)),
-        surface_(track.world->deformable) {}
+  explicit Pictures(const Track& track) : track_(track), skin_(*track.world) {}
 
   const deform::DeformedSurface& at(std::size_t tick) {
-    contacts_.clear();
-    for (const contact::FingerOutput& finger : track_.tick(tick)) {
-      if (const auto contact = scene::contactOf(*track_.world, finger)) contacts_.push_back(*contact);
-    }
-    moved_ += deformer_.apply(contacts_, surface_).moved_vertices;
-    return surface_;
+    moved_ += skin_.follow(track_.tick(tick)).moved_vertices;
+    return skin_.surface();
   }
   std::size_t moved() const { return moved_; }
 
  private:
-  static deform::FormSettings withStrain(const scene::World& world) {
-    deform::FormSettings forms = world.deformation;
-    forms.common.strain = true;
-    return forms;
-  }
-
   const Track& track_;
-  deform::AnyDeformer deformer_;
-  deform::DeformedSurface surface_;
-  std::vector<deform::Contact> contacts_;
+  engine::LivingSkin skin_;
   std::size_t moved_ = 0;
 };
 

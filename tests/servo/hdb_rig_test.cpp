@@ -1,13 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <thread>
 
 #include "lab/counters/thread_counts.h"
-#include "palpate/base/handover.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/scene/world.h"
-#include "palpate/servo/background_build.h"
 #include "palpate/servo/loop.h"
 #include "palpate/servo/scripted_rig.h"
 
@@ -81,28 +78,10 @@ TEST(HdbRig, GivesTheSameBitsTwice) {
 }
 
 /// Other settings for the same body, ready for a running rig.
-std::unique_ptr<FingerSolvers> rebuilt(const scene::World& world, std::shared_ptr<const hdb::Partition> partition,
-                                       std::size_t fingers) {
-  return std::make_unique<FingerSolvers>(makeSolvers(
-      world.surface, hdb::makeHdbSurface(world.surface, std::move(partition), world.hdb->settings), fingers));
-}
-
-/// Takes what was offered, if anything, into the rig; `last` keeps what the rig put down until the next time.
-void takeOffered(Handover<FingerSolvers>& handover, std::unique_ptr<FingerSolvers>& last, Rig& rig) noexcept {
-  if (!handover.take(last)) return;
-  for (std::size_t i = 0; i < rig.fingers.size(); ++i) {
-    exchange(rig.fingers[i].solver, (*last)[i], rig.fingers[i].contact);
-  }
-}
-
-std::shared_ptr<const hdb::Partition> takeWhenReady(BackgroundBuild& builder) {
-  for (;;) {
-    if (auto result = builder.take()) {
-      EXPECT_EQ(result->error, "");
-      return result->partition;
-    }
-    std::this_thread::yield();
-  }
+FingerSolvers rebuilt(const scene::World& world, const hdb::BuildSettings& settings, std::size_t fingers) {
+  auto partition = std::make_shared<const hdb::Partition>(hdb::buildPartition(world.skin, settings));
+  return makeSolvers(world.surface, hdb::makeHdbSurface(world.surface, std::move(partition), world.hdb->settings),
+                     fingers);
 }
 
 // Between two ticks of a finger that presses and slides, the partition is replaced again and again: other trees, other
@@ -111,12 +90,9 @@ TEST(HdbRig, ARebuiltPartitionChangesNoForceAndAllocatesNothingInTheTick) {
   const auto world = torso(kHdb);
   const device::FingerPaths paths = device::pathsOf(*world);
   const auto reference = felt(*world, world->hdb);
-  const auto mesh = std::make_shared<const mesh::TriangleMesh>(world->skin);
-  BackgroundBuild builder;
-  Handover<FingerSolvers> handover;
-  std::unique_ptr<FingerSolvers> last;
   Rig rig = scriptedRig(*world, paths);
   ContactFrame samples(rig.fingers.size());
+  FingerSolvers next;
   std::uint64_t allocations = 0;
   std::size_t replaced = 0;
   for (std::uint64_t tick = 0; tick < paths.ticks; ++tick) {
@@ -125,12 +101,13 @@ TEST(HdbRig, ARebuiltPartitionChangesNoForceAndAllocatesNothingInTheTick) {
       settings.tree = tick % 800 == 0 ? hdb::TreeKind::Bsp : hdb::TreeKind::Octree;
       settings.assignment = static_cast<hdb::Assignment>(tick / 400 % 3);
       settings.threshold = 64;
-      builder.request(mesh, settings);
-      handover.offer(rebuilt(*world, takeWhenReady(builder), rig.fingers.size()));
+      next = rebuilt(*world, settings, rig.fingers.size());
       ++replaced;
     }
     const auto before = lab::allocationsOfThisThread();
-    takeOffered(handover, last, rig);
+    for (std::size_t i = 0; i < next.size() && tick % 400 == 0; ++i) {
+      exchange(rig.fingers[i].solver, next[i], rig.fingers[i].contact);
+    }
     runTick(rig, tick, LoopEvent::none, samples);
     allocations += lab::allocationsOfThisThread().value_or(0) - before.value_or(0);
     for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -139,7 +116,6 @@ TEST(HdbRig, ARebuiltPartitionChangesNoForceAndAllocatesNothingInTheTick) {
   }
   EXPECT_EQ(allocations, 0u);
   EXPECT_GE(replaced, 8u);
-  EXPECT_TRUE(handover.collect()) << "the last one put down";
 }
 
 TEST(FingerSolver, AnExchangeKeepsTheTouchUnlessTheFingerLooksForTheSkinInAnotherWay) {
@@ -162,44 +138,6 @@ TEST(FingerSolver, AnExchangeKeepsTheTouchUnlessTheFingerLooksForTheSkinInAnothe
   EXPECT_FALSE(box[0].box.has_value()) << "the one that was at work is given back";
   touch(at_work[0], {}, state, above);
   EXPECT_GT(touch(at_work[0], {}, state, below).depth_mm, 0.0) << "felt through the box";
-}
-
-// Also the test that ThreadSanitizer watches: the loop runs while another thread builds and hands over.
-TEST(HdbRig, ThePacedLoopGoesOnWhilePartitionsAreReplaced) {
-  const auto world = torso(kHdb);
-  const device::FingerPaths paths = device::pathsOf(*world);
-  const auto mesh = std::make_shared<const mesh::TriangleMesh>(world->skin);
-  Handover<FingerSolvers> handover;
-  std::unique_ptr<FingerSolvers> last;
-  Rig rig = scriptedRig(*world, paths);
-  LoopLinks links(rig.fingers.size());
-  PacedSettings settings;
-  settings.pacing.realtime = false;
-  settings.before_tick = [&](Rig& ours) { takeOffered(handover, last, ours); };
-  LoopReport report;
-  constexpr std::uint64_t kTicks = 1500;
-  std::thread servo([&] { report = runPaced(rig, kTicks, settings, links); });
-  BackgroundBuild builder;
-  std::size_t collected = 0;
-  for (Index threshold = 32; !links.finished.load(); threshold = threshold == 32 ? 2048 : 32) {
-    hdb::BuildSettings other;
-    other.threshold = threshold;
-    builder.request(mesh, other);
-    auto next = rebuilt(*world, takeWhenReady(builder), rig.fingers.size());
-    collected += handover.collect() ? 1 : 0;
-    handover.offer(std::move(next));
-  }
-  servo.join();
-  EXPECT_EQ(report.ticks + report.overruns, kTicks);
-  EXPECT_GT(collected, 3u) << "partitions were taken while the loop ran";
-  trace::Sample sample;
-  bool touched = false;
-  while (links.samples.pop(sample)) {
-    EXPECT_TRUE(sample.contact.force.allFinite());
-    EXPECT_LT(sample.contact.force.norm(), 30.0);
-    touched = touched || sample.contact.depth_mm > 3.0;
-  }
-  EXPECT_TRUE(touched);
 }
 
 }  // namespace

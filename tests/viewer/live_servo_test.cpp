@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cmath>
 
 #include "palpate/mesh/files/save.h"
 #include "palpate/scene/scene_file.h"
@@ -36,7 +37,7 @@ template <class Ready>
 bool waitFor(LiveServo& servo, const Ready& ready) {
   const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(10);
   while (std::chrono::steady_clock::now() < until) {
-    servo.exchange();
+    servo.thread().exchange();
     if (ready()) return true;
     std::this_thread::yield();
   }
@@ -48,10 +49,10 @@ TEST(LiveServo, FeelsWhereTheMousePoints) {
   const auto world = sheet(folder, 0.5);
   LiveServo servo(planFor(world, world->scene, true));
   servo.point(1, pressAt({100, 100, 0}, 4.0));
-  EXPECT_TRUE(waitFor(servo, [&] { return servo.contacts()[1].contact.depth_mm > 3.9; }));
-  EXPECT_NEAR(servo.contacts()[1].device_force.z(), 2.0, 0.1) << "the mouse's force is not limited";
-  EXPECT_EQ(servo.contacts()[0].contact.touch, contact::Touch::free) << "the other finger is nowhere";
-  const servo::LoopReport report = servo.stop();
+  EXPECT_TRUE(waitFor(servo, [&] { return servo.thread().contacts()[1].contact.depth_mm > 3.9; }));
+  EXPECT_NEAR(servo.thread().contacts()[1].device_force.z(), 2.0, 0.1) << "the mouse's force is not limited";
+  EXPECT_EQ(servo.thread().contacts()[0].contact.touch, contact::Touch::free) << "the other finger is nowhere";
+  const servo::LoopReport report = servo.thread().stop();
   EXPECT_GT(report.ticks, 50u);
 }
 
@@ -62,26 +63,34 @@ TEST(LiveServo, TakesAnotherWorldBetweenTwoTicksAndGivesTheOldOneBack) {
   std::weak_ptr<const scene::World> watched = soft;
   LiveServo servo(planFor(soft, soft->scene, true));
   servo.point(0, pressAt({100, 100, 0}, 3.0));
-  ASSERT_TRUE(waitFor(servo, [&] { return servo.contacts()[0].contact.depth_mm > 2.9; }));
-  servo.change(planFor(stiff, stiff->scene, false));
+  ASSERT_TRUE(waitFor(servo, [&] { return servo.thread().contacts()[0].contact.depth_mm > 2.9; }));
+  servo.thread().change(planFor(stiff, stiff->scene, false));
   soft.reset();
-  ASSERT_TRUE(waitFor(servo, [&] { return servo.plan().world == stiff; }));
+  ASSERT_TRUE(waitFor(servo, [&] { return servo.thread().world() == stiff; }));
   EXPECT_TRUE(watched.expired()) << "freed on this thread, after the exchange";
-  EXPECT_TRUE(waitFor(servo, [&] { return servo.contacts()[0].contact.force.z() > 5.0; }));
+  EXPECT_TRUE(waitFor(servo, [&] { return servo.thread().contacts()[0].contact.force.z() > 5.0; }));
 }
 
 TEST(LiveServo, OfManyChangesTheNewestWins) {
   const support::TemporaryFolder folder;
   const auto world = sheet(folder, 0.5);
   LiveServo servo(planFor(world, world->scene, true));
+  servo.point(0, pressAt({100, 100, 0}, 9.0));
+  ASSERT_TRUE(waitFor(servo, [&] { return servo.thread().contacts()[0].contact.depth_mm > 8.9; }));
   scene::Scene scene = world->scene;
-  for (int i = 0; i < 50; ++i) {
-    scene.friction.mu_static = 0.5 + 0.01 * i;
-    servo.change(planFor(world, scene, false));
-    servo.exchange();
+  constexpr int kChanges = 50;
+  for (int i = 1; i <= kChanges; ++i) {
+    scene.contact.max_depth_mm = 8.0 - 0.1 * i;  // the deepest that is felt
+    servo.thread().change(planFor(world, scene, false));
+    if (i % 7 == 0) servo.thread().exchange();
   }
-  EXPECT_TRUE(waitFor(servo, [&] { return servo.contacts().size() == kFingers && !servo.exchange(); }));
-  servo.stop();
+  const auto missing_n = [&] {
+    return std::abs(servo.thread().contacts()[0].contact.force.z() - 0.5 * scene.contact.max_depth_mm);
+  };
+  EXPECT_TRUE(waitFor(servo, [&] { return missing_n() < 1e-6; })) << missing_n();
+  const auto later = std::chrono::steady_clock::now() + std::chrono::milliseconds(50);
+  EXPECT_TRUE(waitFor(servo, [&] { return std::chrono::steady_clock::now() > later; }));
+  EXPECT_LT(missing_n(), 1e-6) << "and it stays";
 }
 
 TEST(LiveServo, RefusesSettingsThatMakeNoSense) {

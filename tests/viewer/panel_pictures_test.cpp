@@ -253,7 +253,7 @@ TEST_F(PanelPictures, OfTheMessageList) {
 TEST_F(PanelPictures, OfTheNotices) {
   const FreeArea free{0.0f, 0.0f, 480.0f, 220.0f};
   session.messages.add(Severity::error, "cannot open broken.obj: line 2: 'this' is no element of an OBJ file", 0.0);
-  session.building = WorldBuilder::Progress{"sorting the triangles", 0.4, 1.0};
+  session.building = engine::BuildProgress{"sorting the triangles", 0.4, 1.0};
   expect("notices", 480, 220, [&] {
     toast(session, free);
     buildProgress(session, free);

@@ -123,19 +123,19 @@ TEST(ServoProof, TheServoThreadAllocatesNothing) {
   target.place = place->point;
   target.normal = place->normal;
   servo.point(0, target);
-  while (servo.vitals().ticks < 1000) std::this_thread::yield();
+  while (servo.thread().vitals().ticks < 1000) std::this_thread::yield();
   armed = true;
   int turns = 0;
-  while (servo.vitals().ticks < 3000) {
+  while (servo.thread().vitals().ticks < 3000) {
     target.place.x() = place->point.x() + (++turns % 2 == 0 ? 0.01 : -0.01);
     servo.point(0, target);
-    servo.change(planFor(world, world->scene, false));
-    servo.exchange();
+    servo.thread().change(planFor(world, world->scene, false));
+    servo.thread().exchange();
     std::this_thread::yield();
   }
   armed = false;
   EXPECT_EQ(allocations.load(), 0u);
-  EXPECT_GT(servo.contacts()[0].contact.depth_mm, 1.0);
+  EXPECT_GT(servo.thread().contacts()[0].contact.depth_mm, 1.0);
 }
 
 }  // namespace

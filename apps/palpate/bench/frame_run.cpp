@@ -7,8 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "palpate/deform/any_deformer.h"
-#include "palpate/scene/skin_contact.h"
+#include "palpate/engine/living_skin.h"
 #include "palpate/tree/triangle_tree.h"
 #include "palpate/view/offscreen.h"
 #include "palpate/view/painter.h"
@@ -65,11 +64,7 @@ std::vector<view::FingerMark> wanderingFinger(const scene::World& world) {
 class Bench {
  public:
   Bench(const FrameRun& run, std::shared_ptr<const scene::World> world)
-      : world_(std::move(world)),
-        target_(run.width, run.height),
-        painter_(world_),
-        deformer_(world_->deformable, world_->deformation),
-        surface_(world_->deformable) {
+      : world_(std::move(world)), target_(run.width, run.height), painter_(world_), skin_(*world_, {.strain = false}) {
     const double aspect = static_cast<double>(run.width) / run.height;
     settings_.camera = view::fitted(mesh::boundingBox(world_->skin), aspect);
     settings_.look.shading = run.shading;
@@ -83,15 +78,14 @@ class Bench {
   }
 
   void frame(const view::FingerMark& mark, std::size_t place) {
-    const auto contact = scene::contactOf(*world_, mark.contact);
     const auto start = Clock::now();
-    if (contact) deformer_.apply({&*contact, 1}, surface_);
+    skin_.follow({&mark.contact, 1});
     note(0, place, start);
     const auto upload = Clock::now();
-    uploaded_ += painter_.renderer().update(surface_);
+    uploaded_ += painter_.renderer().update(skin_.surface());
     note(1, place, upload);
     const auto draw = Clock::now();
-    painter_.paint({{&mark, 1}, 0.0}, surface_, settings_, canvas_);
+    painter_.paint({{&mark, 1}, 0.0}, skin_.surface(), settings_, canvas_);
     glFinish();
     note(2, place, draw);
     ++frames_;
@@ -110,7 +104,7 @@ class Bench {
     const view::Image with = target_.read();
     view::PictureSettings bare = settings_;
     bare.look.skin_opacity = 0.0;
-    painter_.paint({{&mark, 1}, 0.0}, surface_, bare, canvas_);
+    painter_.paint({{&mark, 1}, 0.0}, skin_.surface(), bare, canvas_);
     const view::Image without = target_.read();
     std::size_t different = 0;
     for (std::size_t i = 0; i < with.pixels.size(); ++i) different += with.pixels[i] != without.pixels[i] ? 1 : 0;
@@ -125,8 +119,7 @@ class Bench {
   std::shared_ptr<const scene::World> world_;
   view::Target target_;
   view::Painter painter_;
-  deform::AnyDeformer deformer_;
-  deform::DeformedSurface surface_;
+  engine::LivingSkin skin_;
   view::PictureSettings settings_;
   view::Canvas canvas_;
   std::array<std::array<double, kPlaces>, 3> best_{};

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "apps/palpate/simulate/surface_files.h"
+#include "palpate/engine/living_skin.h"
 #include "palpate/view/finger_pose.h"
 #include "palpate/view/picture.h"
 
@@ -28,8 +29,7 @@ class PictureSeries {
  private:
   std::shared_ptr<const scene::World> world_;
   view::PictureSize size_;
-  deform::AnyDeformer deformer_;
-  deform::DeformedSurface surface_;
+  engine::LivingSkin skin_;
   view::Studio studio_;
 };
 

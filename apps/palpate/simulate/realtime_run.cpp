@@ -5,9 +5,7 @@
 #include <csignal>
 #include <thread>
 
-#include "apps/palpate/simulate/surface_files.h"
-#include "palpate/deform/any_deformer.h"
-#include "palpate/scene/skin_contact.h"
+#include "palpate/engine/living_skin.h"
 
 namespace palpate::app {
 
@@ -33,18 +31,14 @@ class InterruptGuard {
 /// The deformation beside the servo: newest contacts in, deformed skin out.
 class Display {
  public:
-  Display(const scene::World& world, servo::LoopLinks& links)
-      : world_(world),
-        links_(links),
-        deformer_(world.deformable, formsForDisplay(world, world.scene.fingers.size())),
-        surface_(world.deformable) {}
+  Display(const scene::World& world, servo::LoopLinks& links) : links_(links), skin_(world) {}
 
   void drawFrame() {
     const std::int64_t before = servo::monotonicNs();
     const servo::ContactFrame& newest = links_.contacts.newest();
     const std::int64_t published = links_.heartbeat_ns.load(std::memory_order_relaxed);
     if (published != 0) staleness_.add(before - published);
-    deformer_.apply(contactsOf(world_, newest), surface_);
+    skin_.follow(newest);
     durations_.add(servo::monotonicNs() - before);
   }
 
@@ -53,10 +47,8 @@ class Display {
   }
 
  private:
-  const scene::World& world_;
   servo::LoopLinks& links_;
-  deform::AnyDeformer deformer_;
-  deform::DeformedSurface surface_;
+  engine::LivingSkin skin_;
   servo::DurationHistogram durations_;
   servo::DurationHistogram staleness_;
 };

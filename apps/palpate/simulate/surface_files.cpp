@@ -1,8 +1,8 @@
 #include "apps/palpate/simulate/surface_files.h"
 
 #include "palpate/deform/strain.h"
+#include "palpate/engine/living_skin.h"
 #include "palpate/mesh/files/save.h"
-#include "palpate/scene/skin_contact.h"
 
 namespace palpate::app {
 
@@ -35,27 +35,10 @@ mesh::VertexChannels channelsOf(const scene::World& world, const deform::Deforme
 
 }  // namespace
 
-std::vector<deform::Contact> contactsOf(const scene::World& world, const Frame& frame) {
-  std::vector<deform::Contact> contacts;
-  for (const trace::Sample& sample : frame) {
-    const auto contact = scene::contactOf(world, sample.contact);
-    if (contact) contacts.push_back(*contact);
-  }
-  return contacts;
-}
-
-deform::FormSettings formsForDisplay(const scene::World& world, std::size_t fingers) {
-  deform::FormSettings forms = world.deformation;
-  forms.common.strain = true;
-  forms.common.max_contacts = std::max(forms.common.max_contacts, fingers);
-  return forms;
-}
-
 void writeSurface(const std::filesystem::path& file, const scene::World& world, const Frame& frame) {
-  deform::AnyDeformer deformer(world.deformable, formsForDisplay(world, frame.size()));
-  deform::DeformedSurface surface(world.deformable);
-  deformer.apply(contactsOf(world, frame), surface);
-  mesh::save(file, deformedMesh(world, surface), channelsOf(world, surface));
+  engine::LivingSkin skin(world);
+  skin.follow(frame);
+  mesh::save(file, deformedMesh(world, skin.surface()), channelsOf(world, skin.surface()));
 }
 
 }  // namespace palpate::app

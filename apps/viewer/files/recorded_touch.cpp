@@ -26,7 +26,7 @@ double ticksPerS(const trace::RecordedFinger& finger, double fallback) {
 }
 
 /// Reads the row that is at work; ticks that were left out have none.
-servo::Rig rigFor(RigPlan& plan, const std::vector<trace::RecordedFinger>& fingers, double ticks_per_s,
+servo::Rig rigFor(engine::ServoPlan& plan, const std::vector<trace::RecordedFinger>& fingers, double ticks_per_s,
                   const std::size_t& row) {
   servo::Rig rig;
   rig.tick_s = 1.0 / ticks_per_s;
@@ -47,14 +47,14 @@ bool jumps(const trace::RecordedFinger& finger, std::size_t row) {
   return row > 0 && row < finger.tip.size() && (finger.tip[row] - finger.tip[row - 1]).norm() > kJumpMm;
 }
 
-void touch(RigPlan& plan, const std::vector<trace::RecordedFinger>& fingers, RecordedTouch& recorded) {
+void touch(engine::ServoPlan& plan, const std::vector<trace::RecordedFinger>& fingers, RecordedTouch& recorded) {
   std::size_t row = 0;
   servo::Rig rig = rigFor(plan, fingers, recorded.ticks_per_s, row);
   std::vector<trace::Sample> samples(fingers.size());
   const trace::RecordedFinger& clock = fingers.front();
   for (; row < clock.tip.size(); ++row) {
     for (std::size_t f = 0; f < fingers.size(); ++f) {
-      if (jumps(fingers[f], row)) forgetTouch(rig.fingers[f]);
+      if (jumps(fingers[f], row)) engine::forgetTouch(rig.fingers[f]);
     }
     servo::runTick(rig, row, servo::LoopEvent::none, samples);
     const double since_s = clock.time_s[row] - clock.time_s.front();
@@ -76,7 +76,7 @@ RecordedTouch touchedAgain(const std::shared_ptr<const scene::World>& world, con
   recorded.ticks_per_s = ticksPerS(fingers.front(), scene.ticks_per_s);
   const double seconds = static_cast<double>(fingers.front().tip.size()) / recorded.ticks_per_s;
   recorded.history = TouchHistory(recorded.ticks_per_s, std::min(seconds, kLongestReplayS));
-  RigPlan plan = planFor(world, scene, true);
+  engine::ServoPlan plan = planFor(world, scene, true);
   touch(plan, fingers, recorded);
   return recorded;
 }

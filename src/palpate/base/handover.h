@@ -35,12 +35,15 @@ class Handover {
     return old != nullptr;
   }
 
-  /// Taking thread: replaces `current` by what was offered. False when there is nothing, or when what was put down
-  /// last time has not been collected. Never waits, allocates or frees.
-  bool take(std::unique_ptr<T>& current) noexcept {
+  /// Taking thread: replaces `current`, which is not null, by what was offered. In between `adopt(current, next)` may
+  /// move things from the one to the other; nothing of the old one may be touched afterwards. False when there is
+  /// nothing, or when what was put down last time has not been collected. Never waits, allocates or frees.
+  template <class Adopt>
+  bool take(std::unique_ptr<T>& current, const Adopt& adopt) noexcept {
     if (offered_.load(std::memory_order_relaxed) == nullptr) return false;
     if (put_down_.load(std::memory_order_acquire) != nullptr) return false;
     T* const next = offered_.exchange(nullptr, std::memory_order_acq_rel);
+    adopt(*current, *next);
     put_down_.store(current.release(), std::memory_order_release);
     current.reset(next);
     return true;

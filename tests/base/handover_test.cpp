@@ -6,7 +6,7 @@
 #include <memory>
 #include <thread>
 
-namespace palpate::servo {
+namespace palpate {
 namespace {
 
 /// Counts its living copies and remembers which thread destroyed the last one.
@@ -24,14 +24,16 @@ struct Thing {
   static inline std::thread::id destroyed_by;
 };
 
+constexpr auto kKeepsNothing = [](Thing&, Thing&) {};
+
 TEST(Handover, GivesTheNewestAndTakesBackTheOld) {
   {
     Handover<Thing> handover;
     auto current = std::make_unique<Thing>(1);
-    EXPECT_FALSE(handover.take(current)) << "nothing was offered";
+    EXPECT_FALSE(handover.take(current, kKeepsNothing)) << "nothing was offered";
     handover.offer(std::make_unique<Thing>(2));
     handover.offer(std::make_unique<Thing>(3));
-    ASSERT_TRUE(handover.take(current));
+    ASSERT_TRUE(handover.take(current, kKeepsNothing));
     EXPECT_EQ(current->number, 3);
     EXPECT_EQ(Thing::alive, 2) << "the old one waits to be collected";
     EXPECT_TRUE(handover.collect());
@@ -45,11 +47,20 @@ TEST(Handover, DoesNotTakeWhileTheLastOneIsNotCollected) {
   Handover<Thing> handover;
   auto current = std::make_unique<Thing>(1);
   handover.offer(std::make_unique<Thing>(2));
-  ASSERT_TRUE(handover.take(current));
+  ASSERT_TRUE(handover.take(current, kKeepsNothing));
   handover.offer(std::make_unique<Thing>(3));  // collects the first
-  ASSERT_TRUE(handover.take(current));
+  ASSERT_TRUE(handover.take(current, kKeepsNothing));
   EXPECT_EQ(current->number, 3);
-  EXPECT_FALSE(handover.take(current));
+  EXPECT_FALSE(handover.take(current, kKeepsNothing));
+}
+
+TEST(Handover, LetsTheTakerMoveThingsOverBeforeTheOldOneIsPutDown) {
+  Handover<Thing> handover;
+  auto current = std::make_unique<Thing>(1);
+  handover.offer(std::make_unique<Thing>(2));
+  ASSERT_TRUE(handover.take(current, [](Thing& before, Thing& next) { std::swap(before.check, next.check); }));
+  EXPECT_EQ(current->number, 2);
+  EXPECT_EQ(current->check, 2) << "of the first";
 }
 
 // Also the test that ThreadSanitizer watches.
@@ -61,7 +72,7 @@ TEST(Handover, BetweenTwoThreadsEverythingArrivesWholeAndIsDestroyedByItsMaker) 
   std::thread loop([&] {
     int last = 0;
     while (!done.load() || last < kThings) {
-      if (handover.take(current)) {
+      if (handover.take(current, kKeepsNothing)) {
         ASSERT_GT(current->number, last);
         ASSERT_EQ(current->check, 2 * current->number);
         last = current->number;
@@ -77,4 +88,4 @@ TEST(Handover, BetweenTwoThreadsEverythingArrivesWholeAndIsDestroyedByItsMaker) 
 }
 
 }  // namespace
-}  // namespace palpate::servo
+}  // namespace palpate

@@ -1,0 +1,55 @@
+#include "palpate/engine/living_skin.h"
+
+#include <algorithm>
+
+#include "palpate/scene/skin_contact.h"
+
+namespace palpate::engine {
+
+namespace {
+
+deform::FormSettings formsOf(const scene::World& world, const LivingSkinSettings& settings) {
+  deform::FormSettings forms = world.deformation;
+  forms.common.strain = settings.strain;
+  forms.common.max_contacts = std::max({forms.common.max_contacts, world.scene.fingers.size(), settings.fingers});
+  return forms;
+}
+
+const contact::FingerOutput& outputOf(const contact::FingerOutput& finger) { return finger; }
+const contact::FingerOutput& outputOf(const trace::Sample& sample) { return sample.contact; }
+
+}  // namespace
+
+LivingSkin::LivingSkin(const scene::World& world, const LivingSkinSettings& settings)
+    : LivingSkin(world, formsOf(world, settings)) {}
+
+LivingSkin::LivingSkin(const scene::World& world, const deform::FormSettings& forms)
+    : world_(world), deformer_(world.deformable, forms), surface_(world.deformable) {
+  touching_.reserve(forms.common.max_contacts);
+}
+
+template <class Finger>
+deform::Report LivingSkin::followAny(std::span<const Finger> fingers) noexcept {
+  touching_.clear();
+  std::uint32_t left_out = 0;
+  for (const Finger& finger : fingers) {
+    const auto contact = scene::contactOf(world_, outputOf(finger));
+    if (!contact) continue;
+    if (touching_.size() < touching_.capacity()) {
+      touching_.push_back(*contact);
+    } else {
+      left_out = deform::kIgnoredOverCapacity;
+    }
+  }
+  deform::Report report = deformer_.apply(touching_, surface_);
+  report.status |= left_out;
+  return report;
+}
+
+deform::Report LivingSkin::follow(std::span<const contact::FingerOutput> fingers) noexcept {
+  return followAny(fingers);
+}
+
+deform::Report LivingSkin::follow(std::span<const trace::Sample> samples) noexcept { return followAny(samples); }
+
+}  // namespace palpate::engine

@@ -1,0 +1,115 @@
+#include "palpate/engine/servo_thread.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <utility>
+
+#include "palpate/base/error.h"
+#include "palpate/engine/fingers.h"
+#include "palpate/servo/scripted_rig.h"
+
+namespace palpate::engine {
+
+namespace {
+
+servo::Rig rigFor(ServoPlan& plan, std::vector<device::Device> devices) {
+  if (devices.size() != plan.fingers.size()) {
+    throw Error(fmt::format("servo: {} devices for {} fingers", devices.size(), plan.fingers.size()));
+  }
+  servo::Rig rig;
+  rig.tick_s = plan.fingers.empty() ? rig.tick_s : plan.fingers.front().tick_s;
+  for (std::size_t i = 0; i < devices.size(); ++i) {
+    servo::FingerChain chain;
+    chain.solver = std::move(plan.solvers[i]);
+    chain.contact_settings = plan.fingers[i];
+    chain.limiter_settings = plan.limiter;
+    chain.device = std::move(devices[i]);
+    rig.fingers.push_back(std::move(chain));
+  }
+  return rig;
+}
+
+/// Puts the next plan into the rig, and what can only be freed elsewhere back into the one before.
+void adopt(servo::Rig& rig, ServoPlan& before, ServoPlan& next) noexcept {
+  for (std::size_t i = 0; i < rig.fingers.size(); ++i) {
+    servo::FingerChain& finger = rig.fingers[i];
+    servo::exchange(finger.solver, next.solvers[i], finger.contact);
+    finger.contact_settings = next.fingers[i];
+    finger.limiter_settings = next.limiter;
+    if (next.other_body) forgetTouch(finger);
+  }
+  std::swap(before.solvers, next.solvers);  // those that were at work
+}
+
+}  // namespace
+
+ServoPlan servoPlan(std::shared_ptr<const scene::World> world, std::vector<contact::FingerSettings> fingers) {
+  checkFingers(*world, fingers);
+  ServoPlan plan;
+  plan.limiter = servo::limiterSettings(*world);
+  plan.solvers = servo::makeSolvers(world->surface, world->hdb, fingers.size());
+  plan.fingers = std::move(fingers);
+  plan.world = std::move(world);
+  return plan;
+}
+
+void forgetTouch(servo::FingerChain& finger) noexcept { finger.contact = {}; }
+
+ServoThread::ServoThread(ServoPlan plan, std::vector<device::Device> devices, Guide guide)
+    : fingers_(plan.fingers.size()),
+      links_(fingers_),
+      guide_(std::move(guide)),
+      at_work_(std::make_unique<ServoPlan>(std::move(plan))) {
+  rig_ = rigFor(*at_work_, std::move(devices));
+  at_work_world_ = at_work_->world;
+  servo::PacedSettings settings;
+  settings.pacing.period_s = rig_.tick_s;
+  settings.before_tick = [this](servo::Rig& rig) { beforeTick(rig); };
+  thread_ = std::thread([this, settings] {
+    report_ = servo::runPaced(rig_, std::numeric_limits<std::uint64_t>::max(), settings, links_);
+  });
+}
+
+ServoThread::~ServoThread() {
+  if (thread_.joinable()) stop();
+}
+
+servo::LoopReport ServoThread::stop() {
+  links_.stop = true;
+  thread_.join();
+  return report_;
+}
+
+void ServoThread::beforeTick(servo::Rig& rig) noexcept {
+  handover_.take(at_work_, [&rig](ServoPlan& before, ServoPlan& next) noexcept { adopt(rig, before, next); });
+  if (guide_) guide_(rig.fingers);
+}
+
+void ServoThread::change(ServoPlan plan) {
+  if (plan.fingers.size() != fingers_) {
+    throw Error(fmt::format("servo: {} fingers instead of {}", plan.fingers.size(), fingers_));
+  }
+  // A plan that was never taken may have been the one with another body.
+  plan.other_body = plan.other_body || (waiting_ && waiting_->other_body);
+  waiting_ = std::move(plan);
+  advance();
+}
+
+bool ServoThread::exchange() {
+  advance();
+  return std::exchange(changed_, false);
+}
+
+void ServoThread::advance() {
+  if (offered_world_ && handover_.collect()) {
+    at_work_world_ = std::exchange(offered_world_, nullptr);
+    changed_ = true;
+  }
+  if (!waiting_ || offered_world_) return;
+  offered_world_ = waiting_->world;
+  handover_.offer(std::make_unique<ServoPlan>(std::move(*waiting_)));
+  waiting_.reset();
+}
+
+}  // namespace palpate::engine

@@ -1,0 +1,90 @@
+// The servo thread: fingers on the present world at 1 kHz, beside whatever the rest of the program does.
+//
+//   devices (read_tip) ─────────────────────►┐            ┌─► samples (ring), newest contacts, vitals ─► any one thread
+//   owner ─ ServoPlan (base/handover.h) ────►│ runPaced   │
+//                                            └────────────┘─► the plan it replaced ─► the owner frees it
+//
+// The thread takes no lock, allocates and frees nothing: a new world is offered by pointer, taken between two ticks,
+// and the old one is handed back to be freed by the owner. So drawing, loading and rebuilding may take as long as they
+// like.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <thread>
+#include <vector>
+
+#include "palpate/base/handover.h"
+#include "palpate/scene/world.h"
+#include "palpate/servo/loop.h"
+
+namespace palpate::engine {
+
+/// What the servo thread is to feel from now on.
+struct ServoPlan {
+  std::shared_ptr<const scene::World> world;
+  std::vector<contact::FingerSettings> fingers;
+  servo::LimiterSettings limiter;
+  servo::FingerSolvers solvers;
+  bool other_body = true;  ///< the triangles are not those of the plan before: fingers forget what they touched
+};
+
+/// The plan for these fingers on a world, with the world's own limits. Throws Error for settings that make no sense.
+ServoPlan servoPlan(std::shared_ptr<const scene::World> world, std::vector<contact::FingerSettings> fingers);
+
+/// The finger was put elsewhere: it forgets what it touched.
+void forgetTouch(servo::FingerChain& finger) noexcept;
+
+/// Belongs to one thread, its owner.
+class ServoThread {
+ public:
+  /// Called on the servo thread before each tick, for devices that put their fingers elsewhere (forgetTouch); keeps a
+  /// device's rules. May be empty.
+  using Guide = std::function<void(std::span<servo::FingerChain>)>;
+
+  /// Starts at once. One device a finger of the plan, in its order. Throws Error for another number.
+  ServoThread(ServoPlan plan, std::vector<device::Device> devices, Guide guide = {});
+  /// Ends the thread.
+  ~ServoThread();
+  ServoThread(const ServoThread&) = delete;
+  ServoThread& operator=(const ServoThread&) = delete;
+
+  /// The newest plan wins; it is taken within a tick or two, of this call or of an exchange. Throws Error for another
+  /// number of fingers.
+  void change(ServoPlan plan);
+  /// Call it now and then, e.g. once a frame: offers what waits, frees what the servo gave back. True when another plan
+  /// came to work since the last call.
+  bool exchange();
+  /// The world at work, as far as this thread knows.
+  const std::shared_ptr<const scene::World>& world() const { return at_work_world_; }
+
+  const servo::ContactFrame& contacts() { return links_.contacts.newest(); }
+  bool pop(trace::Sample& sample) { return links_.samples.pop(sample); }
+  servo::LoopVitals vitals() { return links_.vitals.newest(); }
+  std::size_t droppedSamples() const { return links_.samples.dropped(); }
+
+  /// Ends the thread; the report of the whole run. At most once.
+  servo::LoopReport stop();
+
+ private:
+  void beforeTick(servo::Rig& rig) noexcept;
+  void advance();
+
+  const std::size_t fingers_;
+  servo::LoopLinks links_;
+  Guide guide_;
+  servo::Rig rig_;                      // the servo's, once it runs
+  std::unique_ptr<ServoPlan> at_work_;  // likewise
+  Handover<ServoPlan> handover_;
+  std::shared_ptr<const scene::World> at_work_world_;
+  std::shared_ptr<const scene::World> offered_world_;  // of the plan that was offered and is not known to be taken
+  std::optional<ServoPlan> waiting_;                   // until the one offered is taken
+  bool changed_ = false;
+  servo::LoopReport report_;
+  std::thread thread_;  // last: it uses all of the above
+};
+
+}  // namespace palpate::engine

@@ -1,0 +1,121 @@
+#include "palpate/engine/world_builder.h"
+
+#ifdef __linux__
+#include <sys/resource.h>
+#endif
+
+#include <exception>
+#include <utility>
+
+#include "palpate/servo/pacing.h"
+
+namespace palpate::engine {
+
+namespace {
+
+/// Thrown through the library by its progress reports; nobody else sees it.
+struct GivenUp {};
+
+double nowS() { return static_cast<double>(servo::monotonicNs()) * 1e-9; }
+
+/// Whatever draws or touches goes first. On Linux this is the calling thread's alone; elsewhere it would slow the whole
+/// process.
+void lowerPriority() {
+#ifdef __linux__
+  constexpr int kPatience = 10;
+  setpriority(PRIO_PROCESS, 0, kPatience);
+#endif
+}
+
+}  // namespace
+
+WorldBuilder::WorldBuilder(Check check) : check_(std::move(check)), thread_([this] { run(); }) {}
+
+WorldBuilder::~WorldBuilder() {
+  {
+    const std::lock_guard lock(mutex_);
+    quit_ = true;
+    ++newest_;
+  }
+  wake_.notify_all();
+  thread_.join();
+}
+
+void WorldBuilder::wish(BuildWish wish) {
+  replaceWish(std::move(wish));
+  wake_.notify_all();
+}
+
+void WorldBuilder::cancel() { replaceWish(std::nullopt); }
+
+void WorldBuilder::replaceWish(std::optional<BuildWish> wish) {
+  std::optional<BuildResult> unwanted;  // whole worlds: freed after the lock
+  const std::lock_guard lock(mutex_);
+  std::swap(next_, wish);
+  std::swap(result_, unwanted);
+  ++newest_;
+}
+
+std::optional<BuildResult> WorldBuilder::take() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(result_, std::nullopt);
+}
+
+std::optional<BuildProgress> WorldBuilder::progress() const {
+  const std::lock_guard lock(mutex_);
+  if (!busy_ && !next_) return std::nullopt;
+  BuildProgress progress = progress_;
+  progress.since_s = busy_ ? nowS() - began_s_ : 0.0;
+  return progress;
+}
+
+void WorldBuilder::run() {
+  lowerPriority();
+  std::unique_lock lock(mutex_);
+  while (true) {
+    wake_.wait(lock, [this] { return quit_ || next_; });
+    if (quit_) return;
+    BuildWish wish = *std::exchange(next_, std::nullopt);
+    const std::uint64_t number = newest_;
+    busy_ = true;
+    began_s_ = nowS();
+    progress_ = {"starting", 0.0, 0.0};
+    lock.unlock();
+    std::optional<BuildResult> result;
+    try {
+      result = build(std::move(wish), number);
+    } catch (const GivenUp&) {
+    }
+    lock.lock();
+    busy_ = false;
+    if (number == newest_) result_ = std::move(result);
+    if (!result) continue;
+    lock.unlock();
+    result.reset();  // nobody wants it: freed outside the lock
+    lock.lock();
+  }
+}
+
+BuildResult WorldBuilder::build(BuildWish wish, std::uint64_t number) {
+  BuildResult result{std::move(wish), nullptr, {}};
+  const palpate::Progress listen = [&](std::string_view stage, double done) { note(number, stage, done); };
+  try {
+    scene::Scene& scene = result.wish.scene;
+    if (result.wish.read) scene = result.wish.read();
+    result.world = result.wish.body ? scene::rebuilt(*result.wish.body, scene, listen) : scene::build(scene, listen);
+    if (check_) check_(*result.world);
+  } catch (const std::exception& error) {
+    result.world = nullptr;
+    result.error = error.what();
+  }
+  return result;
+}
+
+void WorldBuilder::note(std::uint64_t number, std::string_view stage, double done) {
+  if (number != newest_) throw GivenUp{};
+  const std::lock_guard lock(mutex_);
+  progress_.stage = stage;
+  progress_.done = done;
+}
+
+}  // namespace palpate::engine

@@ -1,0 +1,82 @@
+// Builds worlds beside everything else: the old body stays touchable until the new one is there, the newest wish wins.
+//
+//   wish ─► worker thread of low priority [ read? ─ scene::build or rebuilt ─ check? ] ─► take ─► ServoThread::change
+//
+// A build is given up at its next sign of life (a progress report) when a newer wish, a cancellation or the end comes.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "palpate/scene/world.h"
+
+namespace palpate::engine {
+
+struct BuildWish {
+  scene::Scene scene;
+  /// Its body is used as it is, when there is one: only what lies on it is built anew.
+  std::shared_ptr<const scene::World> body;
+  /// Makes the scene first, on the worker's thread, in place of the one above: for scenes that must be read from a
+  /// file. May throw. Usually empty.
+  std::function<scene::Scene()> read;
+};
+
+struct BuildResult {
+  BuildWish wish;
+  std::shared_ptr<const scene::World> world;  ///< null if it failed
+  std::string error;                          ///< why, in one line
+};
+
+struct BuildProgress {
+  std::string stage;
+  double done = 0.0;     ///< in [0, 1]
+  double since_s = 0.0;  ///< it began
+};
+
+/// Any thread but the servo's: every call locks for as long as it takes to move some pointers.
+class WorldBuilder {
+ public:
+  /// Looks at a finished world on the worker's thread and throws to refuse it. May be empty.
+  using Check = std::function<void(const scene::World&)>;
+
+  explicit WorldBuilder(Check check = {});
+  /// Gives up the work under way and joins.
+  ~WorldBuilder();
+  WorldBuilder(const WorldBuilder&) = delete;
+  WorldBuilder& operator=(const WorldBuilder&) = delete;
+
+  /// Replaces whatever was wished before, also a result that nobody took.
+  void wish(BuildWish wish);
+  /// Forgets the newest wish: no result will come.
+  void cancel();
+  /// The result of the newest wish once it is there, at most once. Never waits for the work.
+  std::optional<BuildResult> take();
+  /// Of the work under way, if any.
+  std::optional<BuildProgress> progress() const;
+
+ private:
+  void run();
+  void replaceWish(std::optional<BuildWish> wish);
+  BuildResult build(BuildWish wish, std::uint64_t number);
+  void note(std::uint64_t number, std::string_view stage, double done);
+
+  Check check_;
+  mutable std::mutex mutex_;  // guards all but the atomic
+  std::condition_variable wake_;
+  std::optional<BuildWish> next_;
+  std::optional<BuildResult> result_;
+  BuildProgress progress_;
+  double began_s_ = 0.0;
+  bool busy_ = false;
+  bool quit_ = false;
+  std::atomic<std::uint64_t> newest_{0};  // number of the newest wish or cancellation
+  std::thread thread_;                    // last: it uses all of the above
+};
+
+}  // namespace palpate::engine

@@ -1,0 +1,188 @@
+#include "palpate/engine/world_builder.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "palpate/base/error.h"
+#include "palpate/base/random.h"
+#include "palpate/mesh/files/save.h"
+#include "support/mesh_zoo.h"
+#include "support/temporary_folder.h"
+
+namespace palpate::engine {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Balls in files: a small one that is built in milliseconds, and one that takes a good while.
+struct Balls {
+  Balls() {
+    mesh::save(folder / "small.ply", zoo::sphere(40.0, 3));
+    mesh::save(folder / "large.ply", zoo::sphere(40.0, 6));
+  }
+  BuildWish wish(const std::string& name) const {
+    BuildWish wish;
+    wish.scene.body.kind = scene::BodyKind::mesh;
+    wish.scene.body.file = folder / name;
+    return wish;
+  }
+  support::TemporaryFolder folder;
+};
+
+BuildResult resultOf(WorldBuilder& builder) {
+  while (true) {
+    if (auto result = builder.take()) return *std::move(result);
+    std::this_thread::yield();
+  }
+}
+
+void waitUntilIdle(const WorldBuilder& builder) {
+  while (builder.progress()) std::this_thread::yield();
+}
+
+TEST(WorldBuilder, HandsOverWhatWasWishedOnce) {
+  const Balls balls;
+  WorldBuilder builder;
+  EXPECT_FALSE(builder.take());
+  builder.wish(balls.wish("small.ply"));
+  const BuildResult result = resultOf(builder);
+  ASSERT_TRUE(result.world) << result.error;
+  EXPECT_EQ(result.world->body_name, "small.ply");
+  EXPECT_FALSE(builder.progress());
+  EXPECT_FALSE(builder.take());
+}
+
+TEST(WorldBuilder, TellsWhatIsWrongWithAFile) {
+  const Balls balls;
+  WorldBuilder builder;
+  builder.wish(balls.wish("missing.ply"));
+  const BuildResult result = resultOf(builder);
+  EXPECT_FALSE(result.world);
+  EXPECT_NE(result.error.find("missing.ply"), std::string::npos) << result.error;
+}
+
+TEST(WorldBuilder, ReadsTheSceneBesideTheCaller) {
+  const Balls balls;
+  WorldBuilder builder;
+  std::thread::id reader;
+  BuildWish wish;
+  wish.read = [&] {
+    reader = std::this_thread::get_id();
+    return balls.wish("small.ply").scene;
+  };
+  builder.wish(wish);
+  EXPECT_EQ(resultOf(builder).world->body_name, "small.ply");
+  EXPECT_NE(reader, std::this_thread::get_id());
+  wish.read = []() -> scene::Scene { throw Error("no scene today"); };
+  builder.wish(wish);
+  EXPECT_EQ(resultOf(builder).error, "no scene today");
+}
+
+TEST(WorldBuilder, AWorldCanBeRefusedBeforeAnybodySeesIt) {
+  const Balls balls;
+  WorldBuilder builder([](const scene::World& world) { throw Error("not " + world.body_name); });
+  builder.wish(balls.wish("small.ply"));
+  const BuildResult result = resultOf(builder);
+  EXPECT_FALSE(result.world);
+  EXPECT_EQ(result.error, "not small.ply");
+}
+
+TEST(WorldBuilder, OnlyTheNewestWishCounts) {
+  const Balls balls;
+  WorldBuilder builder;
+  for (int i = 0; i < 20; ++i) builder.wish(balls.wish("large.ply"));
+  builder.wish(balls.wish("small.ply"));
+  EXPECT_EQ(resultOf(builder).world->body_name, "small.ply");
+  waitUntilIdle(builder);
+  EXPECT_FALSE(builder.take());
+}
+
+TEST(WorldBuilder, ACancelledWishLeavesNothingEvenWhenItWasDone) {
+  const Balls balls;
+  WorldBuilder builder;
+  builder.wish(balls.wish("large.ply"));
+  builder.cancel();
+  waitUntilIdle(builder);
+  EXPECT_FALSE(builder.take());
+  builder.wish(balls.wish("small.ply"));
+  waitUntilIdle(builder);
+  builder.cancel();
+  EXPECT_FALSE(builder.take());
+}
+
+TEST(WorldBuilder, ReusesABody) {
+  const Balls balls;
+  WorldBuilder builder;
+  builder.wish(balls.wish("small.ply"));
+  const auto first = resultOf(builder).world;
+  BuildWish wish{first->scene, first, {}};
+  wish.scene.stiffness.constant_n_per_mm = 2.0;
+  wish.scene.body.file = "not/looked/at.ply";
+  builder.wish(wish);
+  const auto second = resultOf(builder).world;
+  ASSERT_TRUE(second);
+  EXPECT_EQ(second->stiffness_n_per_mm.at(0), 2.0);
+  EXPECT_EQ(second->skin.triangles, first->skin.triangles);
+}
+
+TEST(WorldBuilder, ReportsProgressWhileItBuilds) {
+  const Balls balls;
+  WorldBuilder builder;
+  builder.wish(balls.wish("large.ply"));
+  std::vector<std::string> stages;
+  std::optional<BuildResult> result;
+  while (!(result = builder.take())) {
+    if (const auto progress = builder.progress()) {
+      EXPECT_GE(progress->done, 0.0);
+      EXPECT_LE(progress->done, 1.0);
+      EXPECT_GE(progress->since_s, 0.0);
+      if (stages.empty() || stages.back() != progress->stage) stages.push_back(progress->stage);
+    }
+    std::this_thread::yield();
+  }
+  EXPECT_TRUE(result->world) << result->error;
+  EXPECT_GE(stages.size(), 2u);
+}
+
+TEST(WorldBuilder, GivesUpSoonWhenItIsDestroyed) {
+  const Balls balls;
+  const auto begin = Clock::now();
+  scene::build(balls.wish("large.ply").scene);
+  const auto whole = Clock::now() - begin;
+  auto start = Clock::now();
+  {
+    WorldBuilder builder;
+    builder.wish(balls.wish("large.ply"));
+    while (builder.progress()->stage == "starting") std::this_thread::yield();
+    start = Clock::now();
+  }
+  EXPECT_LT(Clock::now() - start, whole + std::chrono::milliseconds(100));
+}
+
+// Also the test that ThreadSanitizer watches.
+TEST(WorldBuilder, ManyThreadsWishAndTakeAtOnce) {
+  const Balls balls;
+  WorldBuilder builder;
+  std::vector<std::thread> threads;
+  for (int t = 0; t < 4; ++t) {
+    threads.emplace_back([&, t] {
+      Random random(static_cast<std::uint64_t>(t));
+      for (int i = 0; i < 200; ++i) {
+        if (random.below(8) == 0) builder.wish(balls.wish("small.ply"));
+        if (random.below(40) == 0) builder.cancel();
+        const auto progress = builder.progress();
+        EXPECT_LE(progress ? progress->done : 0.0, 1.0);
+        const auto result = builder.take();
+        EXPECT_TRUE(!result || result->world);
+        if (random.below(4) == 0) std::this_thread::sleep_for(std::chrono::microseconds(300));
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  builder.wish(balls.wish("small.ply"));
+  EXPECT_TRUE(resultOf(builder).world);
+}
+
+}  // namespace
+}  // namespace palpate::engine
