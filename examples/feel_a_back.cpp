@@ -1,32 +1,38 @@
-// Press a finger into the built-in back and drag it: the smallest complete use of the engine from another program.
+// The smallest complete simulator: load a scene, give poses, get forces and a deformed surface, all on one thread.
 //
-// A device loop does the same once a millisecond: hand the tip's place to contact::step, hand its force to the motors.
+//   example_feel_a_back [scene.toml]      without a scene: the built-in torso
+//
+// A device loop does the same once a millisecond: the tip's place goes to feel(), the force to the motors.
 #include <cstdio>
 
-#include "palpate/body/back.h"
-#include "palpate/contact/finger.h"
+#include "palpate/engine/simulator.h"
+#include "palpate/scene/scene_file.h"
 
 using namespace palpate;
 
-int main() {
-  const mesh::TriangleMesh back = body::makeBack({.triangles = 8163, .shape = {}});
-  const contact::Surface surface =
-      contact::buildSurface(back, std::vector<double>(back.positions.size(), 0.5));  // N/mm everywhere
+int main(int argc, char** argv) {
+  const scene::Scene scene = argc > 1 ? scene::load(argv[1]) : scene::Scene();
+  engine::Simulator simulator(scene::build(scene));
+  const Box3 body = mesh::boundingBox(simulator.world().skin);
 
-  const contact::FingerSettings fingertip;  // a point with friction 0.46 / 0.44
-  contact::FingerState state;               // one per finger
   contact::FingerOutput felt;
-  constexpr double kStartHeightMm = 130.0;  // a little above the skin there
-  for (int tick = 0; tick < 2000; ++tick) {
-    const double t = tick * 0.001;
-    const double pressed_mm = t < 1.0 ? 28.0 * t : 28.0;         // down for a second ...
-    const double dragged_mm = t < 1.0 ? 0.0 : 20.0 * (t - 1.0);  // ... then to the head
-    const Vec3 tip(60.0, dragged_mm, kStartHeightMm - pressed_mm);
-    felt = contact::step(surface, fingertip, state, tip);
-    if (tick % 400 == 399) {
-      std::printf("%.1f s  depth %5.2f mm  force %6.2f %6.2f %6.2f N\n", t, felt.depth_mm, felt.force.x(),
-                  felt.force.y(), felt.force.z());
-    }
+  Vec3 tip(60.0, 0.0, body.max().z() + 5.0);
+  for (; felt.depth_mm < 8.0 && tip.z() > body.min().z(); tip.z() -= 0.05) {
+    felt = simulator.feel(0, tip);  // down into the skin ...
   }
-  return felt.touch == contact::Touch::free ? 1 : 0;
+  for (int tick = 0; tick < 1000; ++tick) {
+    tip.y() += 0.02;  // ... and 20 mm towards the head
+    felt = simulator.feel(0, tip);
+    if (tick % 250 != 249) continue;
+    std::printf("depth %5.2f mm  force %6.2f %6.2f %6.2f N\n", felt.depth_mm, felt.force.x(), felt.force.y(),
+                felt.force.z());
+  }
+
+  const deform::DeformedSurface& skin = simulator.skin();  // once a picture
+  double deepest_mm = 0.0;
+  for (Index v = 0; v < skin.vertices(); ++v) {
+    deepest_mm = std::max<double>(deepest_mm, skin.displacementAt(v).norm());
+  }
+  std::printf("the skin gives way by up to %.2f mm\n", deepest_mm);
+  return deepest_mm > 1.0 ? 0 : 1;
 }

@@ -1,0 +1,70 @@
+#include "palpate/engine/simulator.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "palpate/scene/scene_file.h"
+
+namespace palpate::engine {
+
+namespace {
+
+contact::FingerOutput nothing(const Vec3& tip, std::uint32_t status) noexcept {
+  contact::FingerOutput output{};
+  output.tip = output.proxy = output.anchor = output.hold = tip;
+  output.normal = output.force = Vec3::Zero();
+  output.status = status;
+  return output;
+}
+
+}  // namespace
+
+Simulator::Simulator(std::shared_ptr<const scene::World> world, std::vector<contact::FingerSettings> fingers)
+    : world_(std::move(world)) {
+  if (fingers.empty()) fingers = fingerSettings(world_->scene);
+  checkFingers(*world_, fingers);
+  servo::FingerSolvers solvers = servo::makeSolvers(world_->surface, world_->hdb, fingers.size());
+  for (std::size_t i = 0; i < fingers.size(); ++i) fingers_.push_back({std::move(solvers[i]), fingers[i], {}});
+  felt_.assign(fingers.size(), nothing(Vec3::Zero(), 0));
+}
+
+Simulator::Simulator(const std::filesystem::path& scene_file) : Simulator(scene::build(scene::load(scene_file))) {}
+
+contact::FingerOutput Simulator::feel(std::size_t finger, const Vec3& tip) noexcept {
+  if (finger >= fingers_.size()) return nothing(tip, contact::kTipLost);
+  Finger& at_work = fingers_[finger];
+  return felt_[finger] = servo::touch(at_work.solver, at_work.settings, at_work.state, tip);
+}
+
+void Simulator::feel(std::span<const Vec3> tips, std::span<contact::FingerOutput> felt) noexcept {
+  const std::size_t count = std::min(tips.size(), felt.size());
+  for (std::size_t i = 0; i < count; ++i) felt[i] = feel(i, tips[i]);
+}
+
+void Simulator::lift(std::size_t finger) noexcept {
+  if (finger >= fingers_.size()) return;
+  fingers_[finger].state = {};
+  felt_[finger] = nothing(felt_[finger].tip, 0);
+}
+
+const deform::DeformedSurface& Simulator::skin() {
+  if (!skin_) skin_.emplace(*world_, LivingSkinSettings{.fingers = fingers_.size()});
+  skin_->follow(felt_);
+  return skin_->surface();
+}
+
+void Simulator::change(std::shared_ptr<const scene::World> world) {
+  std::vector<contact::FingerSettings> settings;
+  for (const Finger& finger : fingers_) settings.push_back(finger.settings);
+  checkFingers(*world, settings);
+  servo::FingerSolvers solvers = servo::makeSolvers(world->surface, world->hdb, fingers_.size());
+  const bool same_body = sameBody(*world_, *world);
+  skin_.reset();
+  world_ = std::move(world);
+  for (std::size_t i = 0; i < fingers_.size(); ++i) {
+    servo::exchange(fingers_[i].solver, solvers[i], fingers_[i].state);
+    if (!same_body) lift(i);
+  }
+}
+
+}  // namespace palpate::engine
