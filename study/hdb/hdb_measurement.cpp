@@ -268,10 +268,6 @@ HdbPlan hdbPlan(bool quick) {
   return plan;
 }
 
-double recommendedEdge(double speed_mm_s, double delay_s, double depth_mm) {
-  return hdb::leastHdbEdge(speed_mm_s, delay_s, depth_mm);
-}
-
 double safeSpeed(double edge_mm, double delay_s, double depth_mm) {
   return std::max(0.0, 0.5 * edge_mm - depth_mm) / delay_s;
 }

@@ -69,7 +69,7 @@ struct HdbMeasurement {
   std::vector<PunctureRow> leaf_punctures{};  ///< the same with the octree's leaves
   std::vector<PunctureRow> leads{};           ///< all delays, edges chosen by their lead
   std::vector<MarginRow> margins{};           ///< edge = 2 (speed x delay + margin)
-  std::vector<PunctureRow> recommended{};     ///< all delays, edges by recommendedEdge, strokes never seen before
+  std::vector<PunctureRow> recommended{};     ///< all delays, edges by hdb::leastHdbEdge, strokes never seen before
   double fine_triangle_edge = 0.0;            ///< the longest edge of any triangle of the fine model, mm
   std::vector<PunctureRow> fine_e12{};        ///< the same on the fine model with E12's rule: the longest triangle edge
   std::vector<PunctureRow> fine_recommended{};  ///< and with ours: the depth
@@ -79,9 +79,8 @@ struct HdbMeasurement {
 /// Sizes of box that the printed traversal is tried with, over the model's longest edge.
 inline constexpr double kElseIfShares[] = {1.0 / 16.0, 1.0 / 4.0, 1.0};
 
-/// Our rule in place of 1/4 (E12): 2 (speed x delay + depth).
-double recommendedEdge(double speed_mm_s, double delay_s, double depth_mm);
-/// The fastest finger, mm/s, for which a box of this edge is large enough by the same rule; 0 when it is for none.
+/// The fastest finger, mm/s, for which a box of this edge is large enough by hdb::leastHdbEdge, our rule in place of
+/// 1/4 (E12); 0 when it is for none.
 double safeSpeed(double edge_mm, double delay_s, double depth_mm);
 
 /// The row of the dissertation's size, or of the nearest one.

@@ -20,7 +20,8 @@ std::size_t trianglesOf(const Torso& torso) {
 }
 
 TEST(Torso, PresetsHaveTheirTrianglesInAll) {
-  for (const std::size_t preset : kTorsoPresets) EXPECT_EQ(trianglesOf(makeTorso({.triangles = preset})), preset);
+  for (const std::size_t preset : {8163, 20389, 41582})
+    EXPECT_EQ(trianglesOf(makeTorso({.triangles = preset})), preset);
 }
 
 TEST(Torso, EveryVertexKnowsTheNearestBone) {

@@ -15,6 +15,15 @@ double ratioOf(const FingerOutput& output) {
   return (output.force - normal * output.normal).norm() / normal;
 }
 
+/// The anchor of a force that was measured rather than computed, (2.5) and (2.6) as E1 corrects them:
+/// A = P + (p / F_n) F_t, P when nothing presses.
+Vec3 anchorOfForce(const Vec3& proxy, const Vec3& tip, const Vec3& normal, const Vec3& force) {
+  const double depth = (proxy - tip).dot(normal);
+  const double normal_force = force.dot(normal);
+  if (!(depth > 0.0) || !(normal_force > 1e-9 * force.norm())) return proxy;
+  return proxy + (depth / normal_force) * (force - normal_force * normal);
+}
+
 }  // namespace
 
 TEST(Friction, AnchorOfAForceAgreesWithTheGoldenFile) {

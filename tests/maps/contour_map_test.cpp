@@ -96,16 +96,14 @@ TEST(ContourMap, RefusesWhatDoesNotFit) {
   EXPECT_EQ(messageOf([] { PolarContourMap({}, {200.0, 0.0}); }), "contour map: the basic radius must be above 0 mm");
 }
 
-TEST(ContourPoints, TableComesBack) {
-  const auto points = raggedPoints(3, 6);
-  const auto back = parseContourPoints(formatContourPoints(points), "t");
-  ASSERT_EQ(back.size(), 3u);
-  for (std::size_t p = 0; p < 3; ++p) {
-    EXPECT_EQ(back[p].position_mm, points[p].position_mm);
-    for (std::size_t i = 0; i < 6; ++i) {
-      EXPECT_NEAR(back[p].contour.log_radii[i], points[p].contour.log_radii[i], 1e-15);
-    }
-  }
+TEST(ContourPoints, AreReadWithTheirPlaceAndRadii) {
+  const auto points = parseContourPoints("name,x_mm,y_mm,r0_mm,r1_mm,r2_mm\nA,1,-2.5,30,40,50\nB,0,7,3,4,5\n", "t");
+  ASSERT_EQ(points.size(), 2u);
+  EXPECT_EQ(points[0].name, "A");
+  EXPECT_EQ(points[0].position_mm, Vec2(1, -2.5));
+  ASSERT_EQ(points[0].contour.count, 3u);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(std::exp(points[0].contour.log_radii[i]), 30.0 + 10.0 * i, 1e-12);
+  EXPECT_EQ(points[1].position_mm, Vec2(0, 7));
 }
 
 TEST(ContourPoints, HeaderIsOptionalAndEmptyIsFine) {

@@ -138,7 +138,7 @@ TEST(MeasuredStiffness, PointsAreMetAndFadeToTheBasicValue) {
   keys[1].stiffness_n_per_mm = 0.4;
   keys[2].position_mm = {25, 0};  // an ellipse only: no say in stiffness
   const std::vector<Vec3> positions{{0, 0, 5}, {50, 0, -7}, {1000, 0, 0}, {25, 0, 0}};
-  const auto k = stiffnessFromKeyPoints(positions, keys, {100.0, 0.5});
+  const auto k = measuredStiffness(positions, keys, {100.0, 0.5}).n_per_mm;
   EXPECT_DOUBLE_EQ(k[0], 0.9);
   EXPECT_DOUBLE_EQ(k[1], 0.4);
   EXPECT_DOUBLE_EQ(k[2], 0.5);

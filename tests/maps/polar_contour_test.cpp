@@ -78,24 +78,12 @@ TEST(PolarContour, IsSmoothAndPositiveAllRound) {
   }
 }
 
-TEST(PolarContour, ReachIsABoundOfEveryRadiusAndNotFarOff) {
-  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
-    const PolarContour contour = raggedContour(3 + seed, seed);
-    double longest = 0.0;
-    for (int i = 0; i < 2000; ++i) longest = std::max(longest, radiusAt(contour, i * kPi / 1000));
-    EXPECT_LE(longest, reachMm(contour) * (1 + 1e-12));
-    EXPECT_GT(longest, 0.85 * reachMm(contour));
-  }
-  EXPECT_NEAR(reachMm(contourOf(Ellipse{80.0, 1.0})), 80.0, 1e-9);
-}
-
 TEST(PolarContour, EmptyContourHoldsNothingButItsCentre) {
   const PolarContour empty = contourOf(Ellipse{});
   EXPECT_EQ(empty.count, 0u);
   EXPECT_EQ(locationRatio(empty, Vec2(0, 0)), 0.0);
   EXPECT_EQ(locationRatio(empty, Vec2(1e-9, 0)), std::numeric_limits<double>::infinity());
   EXPECT_EQ(radiusAt(empty, 1.0), 0.0);
-  EXPECT_EQ(reachMm(empty), 0.0);
 }
 
 TEST(PolarContour, RefusesWhatIsNoContour) {

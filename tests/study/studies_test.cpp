@@ -8,6 +8,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
+#include "palpate/hdb/haptic_box.h"
 #include "study/assignment/assignment_measurement.h"
 #include "study/hdb/hdb_measurement.h"
 #include "study/tables/rendering_rates.h"
@@ -98,7 +99,7 @@ TEST(HdbStudy, LargerBoxesRenderMoreAndLetFewerStrokesThrough) {
 }
 
 TEST(HdbStudy, TheRuleAndItsSafeSpeedAreInverse) {
-  const double edge = recommendedEdge(500.0, 0.010, 8.0);
+  const double edge = hdb::leastHdbEdge(500.0, 0.010, 8.0);
   EXPECT_DOUBLE_EQ(edge, 2.0 * (5.0 + 8.0));
   EXPECT_DOUBLE_EQ(safeSpeed(edge, 0.010, 8.0), 500.0);
   EXPECT_EQ(safeSpeed(10.0, 0.010, 8.0), 0.0);

@@ -32,13 +32,4 @@ TEST(Profile, RunsFromOneToZeroWithoutAStep) {
   for (double q = 0.0; q < 1.0; q += 0.01) EXPECT_GT(profile(q), profile(q + 0.01));
 }
 
-TEST(Profile, SlopeIsItsDerivative) {
-  constexpr double kStep = 1e-6;
-  for (double q = 0.05; q < 0.99; q += 0.05) {
-    EXPECT_NEAR(profileSlope(q), (profile(q + kStep) - profile(q - kStep)) / (2 * kStep), 1e-8);
-  }
-  EXPECT_EQ(profileSlope(0.0), 0.0);
-  EXPECT_EQ(profileSlope(1.0), 0.0);
-}
-
 }  // namespace palpate::tissue

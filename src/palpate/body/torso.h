@@ -11,10 +11,6 @@
 
 namespace palpate::body {
 
-/// Triangles in all of the three back models that the dissertation measured (its tables of the octree and of the
-/// rates).
-inline constexpr std::size_t kTorsoPresets[] = {8163, 20389, 41582};
-
 struct TorsoSettings {
   std::size_t triangles = 20389;    ///< skin and bones together, exact; at least kFewestTorsoTriangles
   std::size_t bone_triangles = 0;   ///< of them for bones, even; 0 gives the bones the larger of 44 % and their least

@@ -66,11 +66,4 @@ Vec3 holdInSpace(const Surface& surface, const Press& press, const GripLimits& l
   return grip.pull;
 }
 
-Vec3 anchorOfForce(const Vec3& proxy, const Vec3& tip, const Vec3& normal, const Vec3& force) noexcept {
-  const double depth = (proxy - tip).dot(normal);
-  const double normal_force = force.dot(normal);
-  if (!(depth > 0.0) || !(normal_force > 1e-9 * force.norm())) return proxy;
-  return proxy + (depth / normal_force) * (force - normal_force * normal);
-}
-
 }  // namespace palpate::contact

@@ -28,15 +28,11 @@ Vec3 holdOnSkin(const Surface& surface, const Press& press, const GripLimits& li
 /// Sphere: the same with the anchor as a point in space, FingerState::hold; the anchor on the skin follows it.
 Vec3 holdInSpace(const Surface& surface, const Press& press, const GripLimits& limits, FingerState& state) noexcept;
 
-/// The anchor of a force that was measured rather than computed: A = P + (p / F_n) F_t, P when nothing presses.
-/// Based on: Ji, dissertation 2008, (2.5) and (2.6) as E1 corrects them.
-Vec3 anchorOfForce(const Vec3& proxy, const Vec3& tip, const Vec3& normal, const Vec3& force) noexcept;
-
 // The friction anchor as (2.6) prints it, kept to show what it does.
 //
 // "A = P - (F_t / F_n) P_d" with every symbol a vector: P_d, from the proxy to the tip, is normal to the skin, so that
 // A slides along the normal instead of along the skin, out of the body by depth |F_t| / F_n. The corrected anchor of
-// the same force is anchorOfForce (friction.h). Based on: Ji, dissertation 2008, (2.5), (2.6); E1.
+// the same force is A = P + (p / F_n) F_t. Based on: Ji, dissertation 2008, (2.5), (2.6); E1.
 
 /// The proxy itself when nothing presses. `normal` is the unit outward normal, `force` what the user feels.
 inline Vec3 literalAnchorOfForce(const Vec3& proxy, const Vec3& tip, const Vec3& normal, const Vec3& force) noexcept {

@@ -57,11 +57,6 @@ inline constexpr double kWorstLeafRatio = 0.1;
 inline constexpr int kBspWorstHeight = 7;
 inline constexpr int kOctreeWorstHeight = 3;
 
-/// c = r w nodes(n): the nodes visited at worst among n leaves. (3.4), (3.5), (3.9)
-inline double visitedNodes(int arity, double leaf_ratio, double w, double leaves) {
-  return leaf_ratio * w * nodesOfCompleteTree(arity, leaves);
-}
-
 /// c / n for many leaves: 0.804 for the BSP tree with w = 4.02, 0.400 for the octree with w = 3.50. (3.5), (3.9)
 inline double visitedPerLeaf(int arity, double leaf_ratio, double w) { return leaf_ratio * w * arity / (arity - 1.0); }
 

@@ -62,14 +62,6 @@ ContourPoint contourPointOf(const CsvRow& row, std::size_t radii) {
   return {std::string(row.fields[0]), {csvNumber(row, 1, "x_mm"), csvNumber(row, 2, "y_mm")}, contourOf(radii_mm)};
 }
 
-void appendRow(std::string& text, const ContourPoint& point) {
-  fmt::format_to(std::back_inserter(text), "{},{},{}", point.name, point.position_mm.x(), point.position_mm.y());
-  for (std::size_t i = 0; i < point.contour.count; ++i) {
-    fmt::format_to(std::back_inserter(text), ",{}", std::exp(point.contour.log_radii[i]));
-  }
-  text += '\n';
-}
-
 /// All logarithms of a contour at once. Unused ones are carried along: a fixed size needs no allocation.
 using LogRadii = Eigen::Matrix<double, static_cast<int>(kMaxContourRadii), 1>;
 
@@ -89,17 +81,6 @@ std::vector<ContourPoint> parseContourPoints(std::string_view text, std::string_
     points.push_back(contourPointOf(row, radii));
   });
   return points;
-}
-
-std::string formatContourPoints(std::span<const ContourPoint> points) {
-  const std::size_t radii = points.empty() ? kMinContourRadii : points.front().contour.count;
-  std::string text = header(radii) + '\n';
-  for (const ContourPoint& point : points) {
-    requireTableName(point.name);
-    if (point.contour.count != radii) throw Error("contour points: every row needs the same number of radii");
-    appendRow(text, point);
-  }
-  return text;
 }
 
 std::vector<ContourPoint> contourPointsOf(std::span<const KeyPoint> keys, std::size_t radii) {

@@ -34,10 +34,6 @@ struct ContourPoint {
 std::vector<ContourPoint> readContourPoints(const std::filesystem::path& file);
 std::vector<ContourPoint> parseContourPoints(std::string_view text, std::string_view file);
 
-/// The table that parseContourPoints reads back; numbers keep every digit. Throws Error for a name that a table cannot
-/// hold and for points whose numbers of radii differ.
-std::string formatContourPoints(std::span<const ContourPoint> points);
-
 /// The ellipses of key points as contours; key points without an ellipse are left out.
 std::vector<ContourPoint> contourPointsOf(std::span<const KeyPoint> keys, std::size_t radii = kMaxContourRadii);
 

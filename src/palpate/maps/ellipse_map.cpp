@@ -32,13 +32,4 @@ SurfaceEllipse EllipseMap::on(const Vec3& point, const Vec3& normal) const noexc
   return liftedOntoSurface(at(point.x(), point.y()), normal);
 }
 
-std::vector<SurfaceEllipse> ellipsesOfVertices(const EllipseMap& map, std::span<const Vec3> positions,
-                                               std::span<const Vec3> normals) {
-  if (normals.size() != positions.size()) throw Error("ellipse map: one normal a vertex is needed");
-  std::vector<SurfaceEllipse> ellipses;
-  ellipses.reserve(positions.size());
-  for (std::size_t v = 0; v < positions.size(); ++v) ellipses.push_back(map.on(positions[v], normals[v]));
-  return ellipses;
-}
-
 }  // namespace palpate::maps

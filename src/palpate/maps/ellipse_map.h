@@ -43,8 +43,4 @@ class EllipseMap {
   double effect_radius_mm_;
 };
 
-/// One ellipse a vertex, lifted onto the surface. O(vertices x key points).
-std::vector<SurfaceEllipse> ellipsesOfVertices(const EllipseMap& map, std::span<const Vec3> positions,
-                                               std::span<const Vec3> normals);
-
 }  // namespace palpate::maps

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <numbers>
 
 #include "palpate/base/csv.h"
@@ -76,11 +75,6 @@ Ellipse mirrored(const Ellipse& e) {
 
 }  // namespace
 
-void requireTableName(const std::string& name) {
-  if (name.find_first_of(",#\r\n") == std::string::npos && name != "name") return;
-  throw Error(fmt::format("key point name '{}' cannot stand in a table", name));
-}
-
 std::vector<KeyPoint> readKeyPoints(const std::filesystem::path& file) {
   return parseKeyPoints(readFile(file, kMaxFileBytes), file.string());
 }
@@ -95,22 +89,6 @@ std::vector<KeyPoint> parseKeyPoints(std::string_view text, std::string_view fil
     keys.push_back(keyPointOf(row));
   });
   return keys;
-}
-
-std::string formatKeyPoints(const std::vector<KeyPoint>& keys) {
-  std::string text = fmt::format("{},{}\n", kHeader, kStiffnessColumn);
-  for (const KeyPoint& key : keys) {
-    requireTableName(key.name);
-    const std::string stiffness = key.stiffness_n_per_mm ? fmt::format("{}", *key.stiffness_n_per_mm) : std::string();
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{}\n", key.name, key.position_mm.x(),
-                   key.position_mm.y(), key.ellipse.half_major_mm, 1.0 / key.ellipse.aspect,
-                   key.ellipse.direction_rad / kRadPerDeg, stiffness);
-  }
-  return text;
-}
-
-void writeKeyPoints(const std::filesystem::path& file, const std::vector<KeyPoint>& keys) {
-  writeFile(file, formatKeyPoints(keys));
 }
 
 std::vector<KeyPoint> dissertationKeyPoints(const MeasuredDataChoice& choice) {

@@ -29,14 +29,6 @@ struct KeyPoint {
 std::vector<KeyPoint> readKeyPoints(const std::filesystem::path& file);
 std::vector<KeyPoint> parseKeyPoints(std::string_view text, std::string_view file);
 
-/// The table that parseKeyPoints reads back; numbers keep every digit. Throws Error for a name that a table cannot hold
-/// (comma, '#', line break).
-std::string formatKeyPoints(const std::vector<KeyPoint>& keys);
-void writeKeyPoints(const std::filesystem::path& file, const std::vector<KeyPoint>& keys);
-
-/// Throws Error for a name that a table of measurements cannot hold.
-void requireTableName(const std::string& name);
-
 /// Which of the measured data make the built-in key points.
 struct MeasuredDataChoice {
   ForceDirection force = ForceDirection::up;

@@ -104,9 +104,4 @@ StiffnessOfPositions measuredStiffness(std::span<const Vec3> positions, std::spa
   return stiffness;
 }
 
-std::vector<double> stiffnessFromKeyPoints(std::span<const Vec3> positions, std::span<const KeyPoint> keys,
-                                           const MeasuredStiffness& settings) {
-  return measuredStiffness(positions, keys, settings).n_per_mm;
-}
-
 }  // namespace palpate::maps

@@ -79,8 +79,4 @@ struct StiffnessOfPositions {
 StiffnessOfPositions measuredStiffness(std::span<const Vec3> positions, std::span<const KeyPoint> keys,
                                        const MeasuredStiffness& settings = {});
 
-/// The values alone.
-std::vector<double> stiffnessFromKeyPoints(std::span<const Vec3> positions, std::span<const KeyPoint> keys,
-                                           const MeasuredStiffness& settings = {});
-
 }  // namespace palpate::maps

@@ -78,13 +78,6 @@ double radiusAt(const PolarContour& contour, double angle_rad) noexcept {
   return std::exp(catmullRom(at(0), at(1), at(2), at(3), position - static_cast<double>(before)));
 }
 
-double reachMm(const PolarContour& contour) noexcept {
-  if (contour.count == 0) return 0.0;
-  const auto [least, most] = std::minmax_element(contour.log_radii.begin(), contour.log_radii.begin() + contour.count);
-  // The two outer weights of the curve sum to no less than -1/8 (in the middle), so it rises at most this far.
-  return std::exp(*most + (*most - *least) / 8.0);
-}
-
 double locationRatio(const PolarContour& contour, const Vec2& offset) noexcept {
   return ratioOf(offset.norm(), radiusAt(contour, std::atan2(offset.y(), offset.x())));
 }

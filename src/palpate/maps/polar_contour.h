@@ -38,9 +38,6 @@ PolarContour contourOf(const Ellipse& ellipse, std::size_t radii = kMaxContourRa
 /// periodic Catmull-Rom curve through the logarithms: smooth (C1) all round, always above 0. 0 for an empty contour.
 double radiusAt(const PolarContour& contour, double angle_rad) noexcept;
 
-/// No radius is longer: how far a search for touched vertices must go. At most (largest / smallest)^(1/8) too far.
-double reachMm(const PolarContour& contour) noexcept;
-
 /// Location ratio q of an offset: distance / radius in that direction. An empty contour gives 0 at its centre and
 /// infinity elsewhere, like an empty ellipse.
 double locationRatio(const PolarContour& contour, const Vec2& offset) noexcept;

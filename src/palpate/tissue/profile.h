@@ -20,9 +20,4 @@ inline constexpr double kProfileOffset = kProfileRim * kProfileScale;
 /// Share of the finger's displacement at location ratio q >= 0, in [0, 1]; continuous (E18). NaN gives 0.
 inline double profile(double q) noexcept { return q < 1.0 ? kProfileScale * halfGaussian(q) - kProfileOffset : 0.0; }
 
-/// Its derivative by q, <= 0: 0 at the centre, -0.026 just inside the rim, 0 outside.
-inline double profileSlope(double q) noexcept {
-  return q < 1.0 ? -2.0 * kGaussianRate * q * kProfileScale * halfGaussian(q) : 0.0;
-}
-
 }  // namespace palpate::tissue

@@ -62,7 +62,6 @@ class JsonValue {
   std::vector<JsonValue> items() const;
 
   double number() const;
-  double numberOr(double fallback) const { return *this ? number() : fallback; }
   /// A whole number within [0, below).
   std::size_t index(std::size_t below, std::string_view what) const;
   std::size_t indexOr(std::size_t fallback, std::size_t below, std::string_view what) const {
