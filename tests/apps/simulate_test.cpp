@@ -207,8 +207,8 @@ TEST_F(Simulate, RunsTheDefaultSceneFromAnyFolder) {
 }
 
 TEST_F(Simulate, AnUnoptimisedBuildGivesTheSameForcesBitByBit) {
-  const auto twin = std::filesystem::path(PALPATE_BINARY_DIR) / "palpate_unoptimised";
-  if (!std::filesystem::exists(twin)) GTEST_SKIP() << "built without PALPATE_DETERMINISM_BUILD";
+  const auto twin = std::filesystem::path(PALPATE_BINARY_DIR) / "twin/scene_unoptimised";
+  if (!std::filesystem::exists(twin)) GTEST_SKIP() << "built without PALPATE_DETERMINISM_BUILD (tools/test-heavy)";
   // Not the torso: without optimisation its bones take minutes.
   write("dome.toml",
         "[body]\nkind = \"mesh\"\nfile = \"dome.obj\"\n[[finger]]\nname = \"a\"\ntrajectory = \"path.csv\"\n");

@@ -1,7 +1,7 @@
-// The unoptimised twin: the engine and nothing else, compiled without optimisation, from a scene file to forces.csv.
-// Tests compare its file with the one that `palpate simulate` writes.
+// The whole twin: the engine and nothing else, compiled without optimisation, from a scene file to forces.csv. Tests
+// compare its file with the one that `palpate simulate` writes. Built where PALPATE_DETERMINISM_BUILD is on.
 //
-// Usage: palpate_unoptimised SCENE.toml FORCES.csv
+// Usage: scene_unoptimised SCENE.toml FORCES.csv
 #include <cstdio>
 #include <exception>
 
