@@ -52,7 +52,7 @@ NumberRow rateRow(const std::string& where, const PrintedTiming& timing) {
                 timing.fps,
                 fmt::format("{:.1f}", 1000.0 / parsePrinted(timing.ms).value),
                 Verdict::reproduced,
-                0,
+                Erratum::none,
                 fmt::format("1000 over {} ms, both rounded as printed", timing.ms)};
   if (!isReciprocal(timing)) row.verdict = Verdict::not_reproduced;
   return row;
@@ -75,7 +75,7 @@ void addHalfRate(const PrintedNumbers& printed, Rows& rows) {
   }
   const bool holds = least > 0.5 - kNear && most < 0.5 + kNear;
   rows.push_back({"Table 3.1", "haptic over graphic rate", "almost half", fmt::format("{:.3f} to {:.3f}", least, most),
-                  holds ? Verdict::reproduced : Verdict::not_reproduced, 0, "of the five models"});
+                  holds ? Verdict::reproduced : Verdict::not_reproduced, Erratum::none, "of the five models"});
 }
 
 void addTouchedRange(const PrintedNumbers& printed, Rows& rows) {

@@ -19,7 +19,7 @@ NumberRow claimed(const std::string& what, const std::string& claim, double ours
           claim,
           fmt::format("{:.4f} mm", ours),
           holds ? Verdict::reproduced : Verdict::not_reproduced,
-          0,
+          Erratum::none,
           reason};
 }
 
