@@ -11,23 +11,31 @@ if(PALPATE_SANITIZE)
                                                    -fno-sanitize-recover=undefined)
   target_link_options(palpate_options INTERFACE -fsanitize=${PALPATE_SANITIZE})
 endif()
+if(PALPATE_BUILD_FUZZERS) # the engine counts its branches for the fuzzers; other programs of that tree need the counters too
+  target_compile_options(palpate_options INTERFACE -fsanitize=fuzzer-no-link)
+  target_link_options(palpate_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()
 
 # The same for what is compiled inside this source tree: headers by their place in it.
 add_library(palpate_build INTERFACE)
 target_link_libraries(palpate_build INTERFACE palpate_options)
 target_include_directories(palpate_build INTERFACE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR})
-# A precompiled header fits only where the same macros are defined as where it was made.
+# A precompiled header fits only where every macro is defined that was defined where it was made; more do no harm.
 target_compile_definitions(palpate_build INTERFACE $<TARGET_PROPERTY:hwy::hwy,INTERFACE_COMPILE_DEFINITIONS>
                                                    $<TARGET_PROPERTY:fmt::fmt,INTERFACE_COMPILE_DEFINITIONS>)
 
-# palpate_precompile(<target> <owner>): the target compiles with the precompiled header of `owner`, which is made when the
-# owner itself comes by. All targets of one owner must have the same flags; GCC ignores a header that does not fit.
+# What is not measured need not be fast, it must compile fast: commands, panels, tests.
+set(PALPATE_LIGHTLY_OPTIMISED $<$<CONFIG:Release>:-O1>)
+
+# palpate_precompile(<target> <owner> [<header>...]): the target compiles with the precompiled header of `owner`, which is
+# made, with more headers where these are named, when the owner itself comes by. All targets of one owner must agree in
+# -fPIC, in -O0 or not, and in macros; GCC warns of a header that does not fit, and reads the text instead.
 function(palpate_precompile target owner)
   if(NOT PALPATE_PRECOMPILE)
     return()
   endif()
   if(target STREQUAL owner)
-    target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src/precompiled.h)
+    target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src/precompiled.h ${ARGN})
   else()
     target_precompile_headers(${target} REUSE_FROM ${owner})
   endif()

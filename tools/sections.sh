@@ -1,0 +1,18 @@
+# Sourced by .ci/run and tools/check-all: `section TITLE COMMAND...` runs a command under a heading with the seconds it took;
+# the first that fails ends the script. `sections_done` repeats the headings and what ctest said.
+section_lines=()
+section() {
+  local title=$1 before=$SECONDS log status=0
+  shift
+  log=$(mktemp)
+  printf '\n======== %s\n' "$title"
+  "$@" 2>&1 | tee "$log" || status=$?
+  section_lines+=("$(printf '%5d s  %s%s' $((SECONDS - before)) "$title" "$(grep -E 'tests (passed|failed)' "$log" | sed 's/^/: /' | tail -n 1)")")
+  rm -f "$log"
+  printf '======== %s: %d s\n' "$title" $((SECONDS - before))
+  [ $status -eq 0 ] || { sections_done; printf '\nFAILED: %s\n' "$title"; exit 1; }
+}
+sections_done() {
+  printf '\n======== all so far, %d s\n' "$SECONDS"
+  printf '%s\n' "${section_lines[@]}"
+}
