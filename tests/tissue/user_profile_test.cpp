@@ -31,6 +31,7 @@ TEST(UserProfile, NamesTheLineOfEveryMistake) {
   EXPECT_EQ(messageFor("0,1\n"), "p.csv: a profile needs at least two rows q,value");
   EXPECT_EQ(messageFor(""), "p.csv: a profile needs at least two rows q,value");
   EXPECT_EQ(messageFor("0,1\n0.5,many\n1,0\n").substr(0, 8), "p.csv:2:");
+  EXPECT_EQ(messageFor("0,1\nq,value\n1,0\n").substr(0, 8), "p.csv:2:") << "a header stands in front only";
   EXPECT_EQ(messageFor("0,1\n0.5,nan\n1,0\n").substr(0, 8), "p.csv:2:");
 }
 
