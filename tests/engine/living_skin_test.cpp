@@ -51,7 +51,7 @@ TEST(LivingSkin, IsWhatTheDeformerMakesOfTheContacts) {
   ASSERT_EQ(contacts.size(), 2u);
   deform::FormSettings forms = world->deformation;
   forms.common.strain = true;
-  deform::AnyDeformer deformer(world->deformable, forms);
+  deform::Deformer deformer(world->deformable, forms);
   deform::DeformedSurface expected(world->deformable);
   const deform::Report report = deformer.apply(contacts, expected);
 

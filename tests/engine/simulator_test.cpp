@@ -90,7 +90,7 @@ TEST(Simulator, ShowsTheSkinThatItsFingersLeave) {
   for (const auto& finger : felt) contacts.push_back(scene::contactOf(*world, finger).value());
   deform::FormSettings forms = world->deformation;
   forms.common.strain = true;
-  deform::AnyDeformer deformer(world->deformable, forms);
+  deform::Deformer deformer(world->deformable, forms);
   deform::DeformedSurface expected(world->deformable);
   deformer.apply(contacts, expected);
   const deform::DeformedSurface& skin = simulator.skin();

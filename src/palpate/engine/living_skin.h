@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "palpate/contact/finger.h"
-#include "palpate/deform/any_deformer.h"
+#include "palpate/deform/deformer.h"
 #include "palpate/scene/world.h"
 #include "palpate/trace/sample.h"
 
@@ -42,7 +42,7 @@ class LivingSkin {
   deform::Report followAny(std::span<const Finger> fingers) noexcept;
 
   const scene::World& world_;
-  deform::AnyDeformer deformer_;
+  deform::Deformer deformer_;
   deform::DeformedSurface surface_;
   std::vector<deform::Contact> touching_;
 };
