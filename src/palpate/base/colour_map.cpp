@@ -1,3 +1,9 @@
+// Colour maps as a few knots (viridis, cividis), as a path through CIELAB (cool to warm) or round a circle of Oklab
+// (cyclic). Used by pictures, figures and written surfaces; all cold paths.
+//
+// Based on: Nunez, Anderton, Renslow, "Optimizing colormaps with consideration for color vision deficiency", 2018
+// (cividis); Moreland, "Diverging color maps for scientific visualization", 2009; Ottosson, "A perceptual color space
+// for image processing" (Oklab), 2020.
 #include "palpate/base/colour_map.h"
 
 #include <algorithm>

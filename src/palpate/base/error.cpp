@@ -4,14 +4,16 @@
 
 namespace palpate {
 
-Error Error::inFile(std::string_view file, std::string_view cause) { return Error(fmt::format("{}: {}", file, cause)); }
-
-Error Error::atLine(std::string_view file, std::size_t line, std::string_view cause) {
-  return Error(fmt::format("{}:{}: {}", file, line, cause));
+Error Error::inFile(std::string_view file, std::string_view cause) {
+  return {fmt::format("{}: {}", file, cause), file, 0, cause};
 }
 
-Error Error::atByte(std::string_view file, std::size_t offset, std::string_view cause) {
-  return Error(fmt::format("{}: byte {}: {}", file, offset, cause));
+Error Error::atLine(std::string_view file, std::size_t line, std::string_view cause) {
+  return {fmt::format("{}:{}: {}", file, line, cause), file, line, cause};
+}
+
+Error Error::atByte(std::string_view file, std::uint64_t offset, std::string_view cause) {
+  return inFile(file, fmt::format("byte {}: {}", offset, cause));
 }
 
 }  // namespace palpate

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <fstream>
+#include <limits>
 
 #include "palpate/base/error.h"
 
@@ -13,22 +15,23 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t\r\n\v\f";
 
-std::size_t sizeOfReadableFile(const std::filesystem::path& file, std::size_t max_bytes) {
+std::size_t sizeOfReadableFile(const std::filesystem::path& file, std::uint64_t max_bytes) {
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
   if (!std::filesystem::exists(status)) throw Error::inFile(file.string(), "no such file");
   if (!std::filesystem::is_regular_file(status)) throw Error::inFile(file.string(), "not a file");
-  const auto size = std::filesystem::file_size(file, error);
+  const std::uint64_t size = std::filesystem::file_size(file, error);
   if (error) throw Error::inFile(file.string(), error.message());
-  if (size > max_bytes) {
-    throw Error::inFile(file.string(), fmt::format("{} bytes is more than the limit of {}", size, max_bytes));
+  const std::uint64_t limit = std::min<std::uint64_t>(max_bytes, std::numeric_limits<std::size_t>::max());
+  if (size > limit) {
+    throw Error::inFile(file.string(), fmt::format("{} bytes is more than the limit of {}", size, limit));
   }
-  return size;
+  return static_cast<std::size_t>(size);
 }
 
 }  // namespace
 
-std::string readFile(const std::filesystem::path& file, std::size_t max_bytes) {
+std::string readFile(const std::filesystem::path& file, std::uint64_t max_bytes) {
   std::string content(sizeOfReadableFile(file, max_bytes), '\0');
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw Error::inFile(file.string(), "cannot be opened for reading");

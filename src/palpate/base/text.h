@@ -1,7 +1,7 @@
 // Reading text that a stranger wrote: whole files with a size limit, numbers without a locale.
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -10,8 +10,9 @@
 
 namespace palpate {
 
-/// The whole file. Throws Error naming the file when it is missing, a folder, unreadable or longer than `max_bytes`.
-std::string readFile(const std::filesystem::path& file, std::size_t max_bytes);
+/// The whole file. Throws Error naming the file when it is missing, a folder, unreadable, or longer than `max_bytes` or
+/// than memory can be addressed.
+std::string readFile(const std::filesystem::path& file, std::uint64_t max_bytes);
 
 /// Writes the whole file, replacing what was there. Throws Error naming the file when it cannot.
 void writeFile(const std::filesystem::path& file, std::string_view content);

@@ -12,12 +12,11 @@
 #include <atomic>
 #include <bit>
 #include <cmath>
-#include <future>
 #include <limits>
 #include <mutex>
 #include <optional>
-#include <thread>
 
+#include "palpate/base/background.h"
 #include "palpate/mesh/reorder.h"
 
 namespace palpate::mesh {
@@ -251,21 +250,18 @@ class SelfSearch {
     if (mesh_.triangles.empty()) return finished();
     tree_.emplace(mesh_);
     tasks_ = makeTasks(*tree_);
-    std::vector<std::future<void>> helpers;
-    for (std::size_t i = 1; i < threads(); ++i) {
-      helpers.push_back(std::async([this] { work({}); }));  // this policy does without a thread where none is left
-    }
+    std::vector<Background> helpers;
+    for (std::size_t i = 1; i < workers(); ++i) helpers.emplace_back([this] { work({}); });
     work(progress_);
-    for (std::future<void>& helper : helpers) helper.get();
+    for (Background& helper : helpers) helper.join();
     return finished();
   }
 
  private:
   /// Starting a thread costs some tasks of a small mesh.
-  std::size_t threads() const {
+  std::size_t workers() const {
     constexpr std::size_t kLeastTriangles = 20000;
-    const std::size_t processors = std::thread::hardware_concurrency();
-    return tree_->order.size() < kLeastTriangles ? 1 : std::min(processors, tasks_.size());
+    return tree_->order.size() < kLeastTriangles ? 1 : std::min(processors(), tasks_.size());
   }
 
   void work(const Progress& progress) {

@@ -25,7 +25,8 @@ constexpr std::size_t kGlbHeaderBytes = 12;
 constexpr std::uint32_t kJsonChunk = 0x4e4f534a;
 constexpr std::uint32_t kBinaryChunk = 0x004e4942;
 /// Any size or offset of a file is below this; doubles hold it exactly.
-constexpr std::size_t kAnySize = std::size_t{1} << 53;
+constexpr std::uint64_t kExactInADouble = std::uint64_t{1} << 53;
+constexpr std::size_t kAnySize = std::min<std::uint64_t>(kExactInADouble, std::numeric_limits<std::size_t>::max());
 
 // --- component types of accessors ---
 
@@ -181,7 +182,7 @@ GltfParts splitGltf(const MeshFile& file) {
   return parts;
 }
 
-std::string bytesOfUri(const MeshFile& file, JsonValue uri, std::size_t max_bytes) {
+std::string bytesOfUri(const MeshFile& file, JsonValue uri, std::uint64_t max_bytes) {
   const std::string text = uri.text();
   if (!isData(text)) return readFile(pathBeside(file, text, uri), max_bytes);
   return decodeBase64(std::string_view(text).substr(text.find(kBase64) + kBase64.size()), uri);

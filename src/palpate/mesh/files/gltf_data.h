@@ -26,7 +26,7 @@ struct GltfParts {
 GltfParts splitGltf(const MeshFile& file);
 
 /// What a URI stands for: base64 in the file, or a file beside it. Throws Error.
-std::string bytesOfUri(const MeshFile& file, JsonValue uri, std::size_t max_bytes);
+std::string bytesOfUri(const MeshFile& file, JsonValue uri, std::uint64_t max_bytes);
 
 class GltfAccessors {
  public:

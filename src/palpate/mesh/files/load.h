@@ -35,7 +35,7 @@ struct LoadOptions {
   /// it.
   bool allow_foreign = false;
   /// Longer files are refused before they are read.
-  std::size_t max_bytes = std::size_t{8} << 30;
+  std::uint64_t max_bytes = std::uint64_t{8} << 30;
 };
 
 /// The mesh of a file, polygons cut into triangles, units in millimetre. The format follows the first bytes where they

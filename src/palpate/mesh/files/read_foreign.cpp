@@ -1,15 +1,20 @@
-// Every other format (3mf, dae, fbx, ...) through assimp: the only file that knows it. Off by default: its readers are
-// not hardened against hostile files the way ours are, and an error of theirs names no place.
+// Every other format (3mf, dae, fbx, ...) through assimp. Off by default: its readers are not hardened against hostile
+// files the way ours are, and an error of theirs names no place. The only file that knows assimp; a build without it
+// (PALPATE_ASSIMP=OFF) refuses these formats.
+#include "palpate/base/error.h"
+#include "palpate/mesh/files/readers.h"
+
+#ifdef PALPATE_ASSIMP
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
 #include <algorithm>
 #include <assimp/Importer.hpp>
-
-#include "palpate/base/error.h"
-#include "palpate/mesh/files/readers.h"
+#endif
 
 namespace palpate::mesh {
+
+#ifdef PALPATE_ASSIMP
 
 namespace {
 
@@ -45,5 +50,13 @@ TriangleMesh readForeign(const MeshFile& file, const std::string& extension) {
   checkTriangleCount(mesh.triangles.size(), file.name);
   return mesh;
 }
+
+#else
+
+TriangleMesh readForeign(const MeshFile& file, const std::string&) {
+  throw Error::inFile(file.name, "this format would need assimp, and palpate was built without assimp");
+}
+
+#endif
 
 }  // namespace palpate::mesh

@@ -1,0 +1,35 @@
+#include "palpate/base/background.h"
+
+#include <algorithm>
+#include <thread>
+#include <utility>
+
+namespace palpate {
+
+#ifdef PALPATE_NO_THREADS
+
+Background::Background(std::function<void()> work) {
+  std::packaged_task<void()> task(std::move(work));
+  done_ = task.get_future();
+  task();
+}
+
+std::size_t processors() { return 1; }
+
+#else
+
+// This policy falls back on doing the work in `join` where the system refuses a thread.
+Background::Background(std::function<void()> work)
+    : done_(std::async(std::launch::async | std::launch::deferred, std::move(work))) {}
+
+std::size_t processors() { return std::max(1u, std::thread::hardware_concurrency()); }
+
+#endif
+
+Background::~Background() {
+  if (done_.valid()) done_.wait();
+}
+
+void Background::join() { done_.get(); }
+
+}  // namespace palpate

@@ -1,0 +1,65 @@
+// What people write for the values of an enumeration: one table a type, from which scene files, commands, panels and
+// writers all read.
+//
+// A room that gives words to a type specialises WordsOf for it (scene/words.h, scene/view_settings.h):
+//
+//   template <>
+//   struct WordsOf<Shading> {
+//     static constexpr std::array kAll = {Word{"gouraud", Shading::gouraud}, Word{"skin", Shading::skin}};
+//   };
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace palpate {
+
+template <class Value>
+struct Word {
+  std::string_view word;
+  Value value;
+};
+template <class Value>
+Word(const char*, Value) -> Word<Value>;
+
+/// `kAll` holds each value once, in the order in which menus and documents list them.
+template <class Value>
+struct WordsOf;
+
+/// Empty for a value without a word.
+template <class Value>
+constexpr std::string_view wordFor(const Value& value) {
+  for (const auto& [word, named] : WordsOf<Value>::kAll) {
+    if (named == value) return word;
+  }
+  return {};
+}
+
+template <class Value>
+constexpr std::optional<Value> valueNamed(std::string_view wanted) {
+  for (const auto& [word, value] : WordsOf<Value>::kAll) {
+    if (word == wanted) return value;
+  }
+  return std::nullopt;
+}
+
+/// The words alone, in the table's order.
+template <class Value>
+constexpr auto allWords() {
+  std::array<std::string_view, WordsOf<Value>::kAll.size()> words;
+  for (std::size_t i = 0; i < words.size(); ++i) words[i] = WordsOf<Value>::kAll[i].word;
+  return words;
+}
+
+/// The same for those who keep or change them.
+template <class Value>
+std::vector<std::string> wordList() {
+  constexpr auto kWords = allWords<Value>();
+  return {kWords.begin(), kWords.end()};
+}
+
+}  // namespace palpate
