@@ -1,3 +1,4 @@
+// The sheet on cairo: image surfaces for PNG, SVG surfaces for SVG, one path through both.
 #include "figures/canvas.h"
 
 #include <cairo-svg.h>
@@ -8,7 +9,6 @@
 #include <numbers>
 #include <utility>
 
-#include "figures/svg_text.h"
 #include "palpate/base/error.h"
 
 namespace palpate::figures {
@@ -267,7 +267,7 @@ std::string Canvas::finish() {
   cairo_surface_finish(sheet_->surface.get());
   check(cairo_surface_status(sheet_->surface.get()));
   sheet_->surface.reset();
-  return tidiedSvg(std::move(sheet_->bytes), sheet_->texts);
+  return tidiedSvg(sheet_->bytes, sheet_->texts);
 }
 
 void drawMarker(Canvas& canvas, const Vec2& at, Marker marker, const Colour& colour, double size_px) {

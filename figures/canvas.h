@@ -86,4 +86,9 @@ void drawMarker(Canvas& canvas, const Vec2& at, Marker marker, const Colour& col
 /// Premultiplied 0xAARRGGBB.
 std::uint32_t pixelOf(const Colour& colour);
 
+/// Finishing touches on the SVG that cairo writes, which draws letters as outlines and numbers its elements by a
+/// counter of the process. Adds the drawn texts as the picture's description, so that it can be searched and read
+/// aloud, and counts the elements from 1, so that equal drawings give equal files.
+std::string tidiedSvg(const std::string& svg, const std::vector<DrawnText>& texts);
+
 }  // namespace palpate::figures

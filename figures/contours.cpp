@@ -1,4 +1,9 @@
-#include "figures/contours.h"
+// Lines of equal value through a field.
+//
+// Marching squares with linear interpolation along the grid's edges, the pieces joined into lines; a cell with a corner
+// outside (NaN) has none.
+// Based on: Lorensen and Cline, "Marching cubes", 1987, in two dimensions.
+#include "figures/field.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,5 @@
-#include "figures/draw_field.h"
+// A field as an image of colours, bilinear between its values, with its contour lines and their numbers over it.
+#include "figures/field.h"
 
 #include <fmt/format.h>
 
@@ -6,8 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "figures/contours.h"
-#include "figures/legend.h"
+#include "figures/lettering.h"
 
 namespace palpate::figures {
 

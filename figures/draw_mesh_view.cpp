@@ -2,7 +2,6 @@
 // depth of their middle and painted from back to front. Long lines and sheets are cut so that the order holds along
 // them; where pieces cross each other it is approximate.
 // Based on: Newell, Newell, Sancha, "A solution to the hidden surface problem", 1972 (without its splitting).
-#include "figures/draw_mesh_view.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +9,9 @@
 #include <cmath>
 #include <limits>
 
+#include "figures/drawing.h"
 #include "figures/legend.h"
+#include "figures/lettering.h"
 #include "figures/plot_layout.h"
 #include "figures/ticks.h"
 

@@ -1,9 +1,10 @@
-#include "figures/draw_plot.h"
 
 #include <cmath>
 
-#include "figures/draw_field.h"
+#include "figures/drawing.h"
+#include "figures/field.h"
 #include "figures/legend.h"
+#include "figures/lettering.h"
 #include "figures/plot_layout.h"
 
 namespace palpate::figures {

@@ -4,9 +4,8 @@
 #include <sstream>
 
 #include "figures/canvas.h"
-#include "figures/draw_mesh_view.h"
-#include "figures/draw_plot.h"
-#include "figures/plot_layout.h"
+#include "figures/drawing.h"
+#include "figures/lettering.h"
 #include "palpate/base/output_file.h"
 
 namespace palpate::figures {

@@ -1,51 +1,11 @@
-// The legend: samples of lines, markers and patches with their names, in centred rows.
 #include "figures/legend.h"
 
 #include <algorithm>
-#include <array>
 
+#include "figures/lettering.h"
 #include "figures/plot_layout.h"
 
 namespace palpate::figures {
-
-bool isFree(const Canvas& canvas, const Rect& box, const Rect& bounds) {
-  constexpr double kMargin = 1.0;
-  if (box.left < bounds.left || box.right > bounds.right || box.top < bounds.top || box.bottom > bounds.bottom) {
-    return false;
-  }
-  for (const DrawnText& other : canvas.texts()) {
-    if (box.left < other.right + kMargin && other.left < box.right + kMargin && box.top < other.bottom + kMargin &&
-        other.top < box.bottom + kMargin) {
-      return false;
-    }
-  }
-  return true;
-}
-
-void drawBeside(Canvas& canvas, const Vec2& at, const std::string& text, const Colour& colour, const Rect& bounds) {
-  struct Spot {
-    Vec2 offset;
-    Align across;
-    Align down;
-  };
-  const std::array spots{
-      Spot{{7.0, 0.0}, Align::start, Align::middle},   Spot{{-7.0, 0.0}, Align::end, Align::middle},
-      Spot{{0.0, -6.0}, Align::middle, Align::end},    Spot{{0.0, 6.0}, Align::middle, Align::start},
-      Spot{{7.0, -10.0}, Align::start, Align::middle}, Spot{{7.0, 10.0}, Align::start, Align::middle},
-      Spot{{-7.0, -10.0}, Align::end, Align::middle},  Spot{{-7.0, 10.0}, Align::end, Align::middle},
-      Spot{{9.0, -24.0}, Align::start, Align::middle}, Spot{{9.0, 24.0}, Align::start, Align::middle},
-  };
-  const auto style_at = [&](const Spot& spot) {
-    return TextStyle{.size_px = 11.0, .colour = colour, .across = spot.across, .down = spot.down, .halo = true};
-  };
-  const Spot* chosen = spots.data();
-  for (const Spot& spot : spots) {
-    if (!isFree(canvas, canvas.textBox(at + spot.offset, text, style_at(spot)), bounds)) continue;
-    chosen = &spot;
-    break;
-  }
-  canvas.text(at + chosen->offset, text, style_at(*chosen));
-}
 
 namespace {
 
@@ -120,6 +80,27 @@ void drawLegend(Canvas& canvas, const std::vector<LegendEntry>& entries, const R
     }
     middle += kLineHeight;
   }
+}
+
+void drawColourBar(Canvas& canvas, const Rect& bar, ColourMap colours, const Range& range,
+                   const std::vector<Tick>& ticks, const std::string& label) {
+  constexpr int kSteps = 256;
+  std::vector<std::uint32_t> pixels;
+  pixels.reserve(kSteps);
+  for (int i = 0; i < kSteps; ++i) pixels.push_back(pixelOf(mapColour(colours, 1.0 - (i + 0.5) / kSteps)));
+  canvas.image(bar, 1, kSteps, pixels);
+  canvas.rectangle(bar, Pen{kInk, 0.8}, std::nullopt);
+  const AxisMapping place{range, Scale::linear, bar.bottom, bar.top};
+  double right = bar.right;
+  for (const Tick& tick : ticks) {
+    const double y = place(tick.value);
+    canvas.line({bar.right, y}, {bar.right + 4.0, y}, {kInk, 0.8});
+    const Vec2 at(bar.right + 4.0 + kGap, y);
+    canvas.text(at, tick.text, {});
+    right = std::max(right, canvas.textBox(at, tick.text, {}).right);
+  }
+  canvas.text({right + kGap, 0.5 * (bar.top + bar.bottom)}, label,
+              {.across = Align::middle, .down = Align::start, .upwards = true});
 }
 
 }  // namespace palpate::figures

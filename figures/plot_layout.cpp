@@ -1,8 +1,12 @@
+// Where the parts of a plot lie: legend and titles take their rows first, then ticks are chosen for what is left, and
+// their texts decide how wide the margins are.
 #include "figures/plot_layout.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "figures/lettering.h"
 
 namespace palpate::figures {
 
@@ -153,10 +157,6 @@ double AxisMapping::operator()(double value) const {
   return from_px + share * (to_px - from_px);
 }
 
-std::string withUnit(const std::string& label, const std::string& unit) {
-  return unit.empty() ? label : label + " (" + unit + ")";
-}
-
 PlotLayout layoutOf(const Plot& plot, const Rect& panel, const Canvas& canvas) {
   PlotLayout layout{.panel = panel};
   if (plot.legend) layout.legend = legendOf(plot);
@@ -172,27 +172,6 @@ PlotLayout layoutOf(const Plot& plot, const Rect& panel, const Canvas& canvas) {
   layout.legend_top = layout.frame.bottom + bottomMargin(plot) + kGap;
   if (plot.field) layoutColourBar(layout);
   return layout;
-}
-
-void drawColourBar(Canvas& canvas, const Rect& bar, ColourMap colours, const Range& range,
-                   const std::vector<Tick>& ticks, const std::string& label) {
-  constexpr int kSteps = 256;
-  std::vector<std::uint32_t> pixels;
-  pixels.reserve(kSteps);
-  for (int i = 0; i < kSteps; ++i) pixels.push_back(pixelOf(mapColour(colours, 1.0 - (i + 0.5) / kSteps)));
-  canvas.image(bar, 1, kSteps, pixels);
-  canvas.rectangle(bar, Pen{kInk, 0.8}, std::nullopt);
-  const AxisMapping place{range, Scale::linear, bar.bottom, bar.top};
-  double right = bar.right;
-  for (const Tick& tick : ticks) {
-    const double y = place(tick.value);
-    canvas.line({bar.right, y}, {bar.right + 4.0, y}, {kInk, 0.8});
-    const Vec2 at(bar.right + 4.0 + kGap, y);
-    canvas.text(at, tick.text, {});
-    right = std::max(right, canvas.textBox(at, tick.text, {}).right);
-  }
-  canvas.text({right + kGap, 0.5 * (bar.top + bar.bottom)}, label,
-              {.across = Align::middle, .down = Align::start, .upwards = true});
 }
 
 }  // namespace palpate::figures

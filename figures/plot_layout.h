@@ -1,10 +1,10 @@
 // Where the parts of a plot lie within its panel: frame, axes, ticks, colour bar, legend.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "figures/canvas.h"
+#include "figures/legend.h"
 #include "figures/plot.h"
 #include "figures/ticks.h"
 
@@ -19,15 +19,6 @@ struct AxisMapping {
 
   /// Not finite where the value is not, or where a logarithmic axis has no place for it.
   double operator()(double value) const;
-};
-
-struct LegendEntry {
-  std::string name{};
-  Stroke stroke = Stroke::none;
-  Marker marker = Marker::none;
-  Colour colour{};
-  bool filled = false;  ///< a patch of colour instead of a line
-  double width_px = 1.8;
 };
 
 struct PlotLayout {
@@ -47,32 +38,5 @@ struct PlotLayout {
 };
 
 PlotLayout layoutOf(const Plot& plot, const Rect& panel, const Canvas& canvas);
-
-/// "label (unit)".
-std::string withUnit(const std::string& label, const std::string& unit);
-
-inline constexpr double kTextSize = 12.0;
-inline constexpr double kTitleSize = 13.0;
-inline constexpr double kLineHeight = 1.35 * kTextSize;
-inline constexpr double kGap = 6.0;
-
-inline constexpr TextStyle kPanelTitle{
-    .size_px = kTitleSize, .bold = true, .across = Align::middle, .down = Align::start};
-
-/// The entries of a plot: its series and shapes that have a name.
-std::vector<LegendEntry> legendOf(const Plot& plot);
-/// The colour a series is drawn in.
-Colour colourOf(const Plot& plot, std::size_t series);
-
-/// Rows that the entries take when set from left to right within the width.
-int legendRows(const Canvas& canvas, const std::vector<LegendEntry>& entries, double width);
-/// Centred rows from `top` downwards.
-void drawLegend(Canvas& canvas, const std::vector<LegendEntry>& entries, const Rect& panel, double top);
-
-// The colour bar beside a map: which colour means which value.
-
-/// A vertical bar with ticks and a label on its right.
-void drawColourBar(Canvas& canvas, const Rect& bar, ColourMap colours, const Range& range,
-                   const std::vector<Tick>& ticks, const std::string& label);
 
 }  // namespace palpate::figures

@@ -1,70 +1,92 @@
-#include "figures/svg_text.h"
+// What cairo's SVG lacks: words, and names that do not depend on what was drawn before. Read and written by pugixml.
+#include <pugixml.hpp>
 
 #include <array>
-#include <cctype>
+#include <cstddef>
 #include <map>
 #include <string_view>
+
+#include "figures/canvas.h"
+#include "palpate/base/error.h"
 
 namespace palpate::figures {
 
 namespace {
 
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&') {
-      result += "&amp;";
-    } else if (c == '<') {
-      result += "&lt;";
-    } else if (c == '>') {
-      result += "&gt;";
-    } else {
-      result += c;
+void describe(pugi::xml_node svg, const std::vector<DrawnText>& texts) {
+  std::string description;
+  for (const DrawnText& drawn : texts) description += drawn.text + "\n";
+  svg.prepend_child("desc").text().set(description.c_str());
+}
+
+/// cairo's own names, "surface123" and "image45", numbered anew in the order in which they appear.
+class Renumbering {
+ public:
+  /// `text` with every such name in it replaced: alone (an id), behind # (a reference), or in url(#...).
+  std::string renamed(std::string_view text) {
+    std::string result;
+    for (std::size_t at = 0; at < text.size();) {
+      const std::string_view word = wordAt(text, at);
+      if (word.empty()) {
+        result += text[at++];
+        continue;
+      }
+      at += word.size();
+      const std::string_view number = text.substr(at, text.find_first_not_of("0123456789", at) - at);
+      at += number.size();
+      result.append(word).append(number.empty() ? "" : std::to_string(numberFor(word, number)));
     }
+    return result;
   }
-  return result;
-}
 
-std::string descriptionOf(const std::vector<DrawnText>& texts) {
-  std::string description = "\n<desc>";
-  for (const DrawnText& drawn : texts) description += escaped(drawn.text) + "\n";
-  return description + "</desc>\n";
-}
+ private:
+  static constexpr std::array<std::string_view, 2> kCounted{"surface", "image"};
 
-void describe(std::string& svg, const std::vector<DrawnText>& texts) {
-  const std::size_t opening = svg.find("<svg");
-  if (opening == std::string::npos) return;
-  const std::size_t inside = svg.find('>', opening) + 1;
-  svg.insert(inside, descriptionOf(texts));
-}
-
-// Names that cairo numbers by a counter of the whole process. References look the same as names and change alike.
-constexpr std::array<std::string_view, 2> kCounted{"surface", "image"};
-
-bool startsName(const std::string& svg, std::size_t at) { return at > 0 && (svg[at - 1] == '"' || svg[at - 1] == '#'); }
-
-void countFromOne(std::string& svg, std::string_view name) {
-  std::map<std::string, int> numbers;
-  std::string result;
-  std::size_t done = 0;
-  for (std::size_t at = svg.find(name); at != std::string::npos; at = svg.find(name, at + 1)) {
-    const std::size_t first = at + name.size();
-    std::size_t last = first;
-    while (last < svg.size() && std::isdigit(static_cast<unsigned char>(svg[last])) != 0) ++last;
-    if (last == first || !startsName(svg, at)) continue;
-    const auto [entry, added] = numbers.emplace(svg.substr(first, last - first), static_cast<int>(numbers.size()) + 1);
-    result.append(svg, done, first - done).append(std::to_string(entry->second));
-    done = last;
+  /// The counted word that begins here as a name does.
+  static std::string_view wordAt(std::string_view text, std::size_t at) {
+    if (at > 0 && text[at - 1] != '#') return {};
+    for (const std::string_view word : kCounted) {
+      if (text.substr(at).starts_with(word)) return word;
+    }
+    return {};
   }
-  svg = result.append(svg, done, std::string::npos);
+
+  int numberFor(std::string_view word, std::string_view number) {
+    std::map<std::string, int, std::less<>>& numbers = numbers_[word == kCounted[0] ? 0 : 1];
+    const int next = static_cast<int>(numbers.size()) + 1;
+    return numbers.emplace(number, next).first->second;
+  }
+
+  std::array<std::map<std::string, int, std::less<>>, 2> numbers_;
+};
+
+/// Data of a picture may look like anything.
+bool mayName(const pugi::xml_attribute& attribute) { return !std::string_view(attribute.value()).starts_with("data:"); }
+
+void renumber(pugi::xml_node node, Renumbering& renumbering) {
+  for (pugi::xml_attribute attribute : node.attributes()) {
+    if (mayName(attribute)) attribute.set_value(renumbering.renamed(attribute.value()).c_str());
+  }
+  for (const pugi::xml_node child : node.children()) renumber(child, renumbering);
 }
+
+struct StringWriter : pugi::xml_writer {
+  std::string text;
+  void write(const void* bytes, std::size_t count) override { text.append(static_cast<const char*>(bytes), count); }
+};
 
 }  // namespace
 
-std::string tidiedSvg(std::string svg, const std::vector<DrawnText>& texts) {
-  for (const std::string_view name : kCounted) countFromOne(svg, name);
-  describe(svg, texts);
-  return svg;
+std::string tidiedSvg(const std::string& svg, const std::vector<DrawnText>& texts) {
+  pugi::xml_document document;
+  const pugi::xml_parse_result parsed = document.load_buffer(svg.data(), svg.size(), pugi::parse_full);
+  if (!parsed) throw Error(std::string("drawing failed: ") + parsed.description());
+  Renumbering renumbering;
+  renumber(document.document_element(), renumbering);
+  describe(document.document_element(), texts);
+  StringWriter writer;
+  document.save(writer, "", pugi::format_raw | pugi::format_no_declaration);
+  return std::move(writer.text);
 }
 
 }  // namespace palpate::figures

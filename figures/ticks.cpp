@@ -1,3 +1,6 @@
+// Steps of 1, 2 or 5 times a power of ten, the largest number of ticks that an axis has room for.
+//
+// Based on: Heckbert, "Nice numbers for graph labels", Graphics Gems, 1990.
 #include "figures/ticks.h"
 
 #include <fmt/format.h>

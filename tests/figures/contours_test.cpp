@@ -1,5 +1,5 @@
 // Contour lines lie where a known function has their level.
-#include "figures/contours.h"
+#include "figures/field.h"
 
 #include <gtest/gtest.h>
 

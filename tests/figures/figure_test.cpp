@@ -6,8 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "figures/draw_mesh_view.h"
-#include "figures/draw_plot.h"
+#include "figures/drawing.h"
 #include "figures/plot_layout.h"
 #include "figures/png_pixels.h"
 #include "palpate/base/text.h"

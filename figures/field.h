@@ -1,9 +1,15 @@
-// The layers of a field: its colours and its lines of equal value.
+// A field of values within a plot: its value at a place, its colours, its lines of equal value.
 #pragma once
+
+#include <vector>
 
 #include "figures/plot_layout.h"
 
 namespace palpate::figures {
+
+/// The lines of one level, in the field's coordinates; a closed line ends where it began. A value equal to the level
+/// counts as above it.
+std::vector<std::vector<Vec2>> contourLines(const Field& field, double level);
 
 /// The value at a place, bilinear between those of the four values around it that are not outside (NaN); NaN where the
 /// outside ones outweigh them, and outside the grid.
