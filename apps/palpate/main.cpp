@@ -1,5 +1,4 @@
 // `palpate`: reads the command line and hands over to the chosen subcommand.
-#include "apps/palpate/common/command_line.h"
 #include "apps/palpate/common/commands.h"
 
 int main(int argc, char** argv) {

@@ -1,7 +1,7 @@
 // `palpate_peers`: the benchmark commands of `palpate` that know --peers, linked with the libraries that are compared.
 // `palpate bench ... --peers` runs this program; why it is one of its own says apps/palpate/bench/peers_report.h.
 #include "apps/palpate/bench/peers_report.h"
-#include "apps/palpate/common/command_line.h"
+#include "apps/palpate/common/commands.h"
 #include "bench/peers/peer.h"
 
 int main(int argc, char** argv) {

@@ -32,7 +32,7 @@ struct Reading {
 const std::vector<Reading>& settingReadings() {
   static const std::vector<Reading> readings = {
       {Erratum::E2_drag_spring, "friction.stiffness_ratio = 0.23",
-       [](scene::Scene& s) { s.friction.stiffness_ratio = 0.23; }},
+       [](scene::Scene& s) { s.contact.finger.stiffness_ratio = 0.23; }},
       {Erratum::E20_zero_boundary, "deformation.boundary = \"two_mm\"",
        [](scene::Scene& s) { s.deformation.forms.boundary = deform::Boundary::two_mm; }},
       {Erratum::E24_pure_shear, "strain.kind = \"principal\"",
@@ -69,7 +69,7 @@ scene::Scene corrected(scene::Scene scene, std::optional<hdb::TreeKind> tree) {
   scene.fidelity = {};
   if (!tree) return scene;
   scene.contact.source = scene::ContactSource::hdb;
-  scene.partition.tree = *tree;
+  scene.partition.build.tree = *tree;
   for (scene::Finger& finger : scene.fingers) finger.radius_mm = 0.0;
   return scene;
 }

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "palpate/contact/finger.h"
-#include "palpate/view/orbit.h"
 #include "support/mesh_zoo.h"
 
 namespace palpate::device {
@@ -134,30 +133,6 @@ TEST(MouseDevice, FeelsTheSkinThroughTheContact) {
   }
   EXPECT_NEAR(output.depth_mm, 4.0, 0.05);
   EXPECT_NEAR(output.force.z(), 2.0, 0.05);
-}
-
-TEST(Picking, MeetsTheFrontOfTheSkinAndNothingBesideIt) {
-  const mesh::TriangleMesh sheet = zoo::grid(20, 200.0);
-  const contact::Surface surface = contact::buildSurface(sheet, std::vector<double>(sheet.positions.size(), 0.5));
-  const auto hit = skinAlong(surface, {Vec3(50, 60, 300), Vec3(0, 0, -1)});
-  ASSERT_TRUE(hit);
-  EXPECT_LT((hit->point - Vec3(50, 60, 0)).norm(), 1e-9);
-  EXPECT_LT((hit->normal - Vec3::UnitZ()).norm(), 1e-9);
-  EXPECT_FALSE(skinAlong(surface, {Vec3(250, 60, 300), Vec3(0, 0, -1)}));
-  EXPECT_FALSE(skinAlong(surface, {Vec3(50, 60, -300), Vec3(0, 0, 1)})) << "from behind";
-  ASSERT_TRUE(skinNear(surface, {50, 60, 3}, 5.0));
-  EXPECT_FALSE(skinNear(surface, {50, 60, 9}, 5.0));
-}
-
-TEST(Picking, SmoothsTheNormalOverAFingertip) {
-  const mesh::TriangleMesh ball = zoo::sphere(50.0, 3);
-  const contact::Surface surface = contact::buildSurface(ball, std::vector<double>(ball.positions.size(), 0.5));
-  for (const Vec3& direction : {Vec3(0.3, 0.5, 1), Vec3(-1, 0.2, 0.1), Vec3(0.11, -0.7, 0.2)}) {
-    const Vec3 out = direction.normalized();
-    const auto place = skinAlong(surface, {100.0 * out, -out});
-    ASSERT_TRUE(place);
-    EXPECT_GT(place->normal.dot(out), std::cos(0.04));
-  }
 }
 
 }  // namespace

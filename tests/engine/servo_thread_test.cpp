@@ -150,7 +150,7 @@ TEST(ServoThread, RefusesWhatDoesNotFit) {
 
 TEST(ServoThread, FingersBeyondTheScenesArePointsWithItsFriction) {
   scene::Scene scene;
-  scene.friction.mu_static = 0.9;
+  scene.contact.finger.mu_static = 0.9;
   scene.fingers.resize(1);
   scene.fingers[0].radius_mm = 7.0;
   const auto fingers = fingerSettings(scene, 3);
@@ -232,15 +232,15 @@ TEST(ServoThread, APartitionCanBeReplacedUnderAFinger) {
   scene::Scene scene;
   scene.contact.source = scene::ContactSource::hdb;
   scene.partition.hdb_edge_mm = 60.0;
-  scene.partition.threshold = 64;
+  scene.partition.build.threshold = 64;
   const auto world = sheet(0.5, scene);
   auto servo = threadWith(planOf(world, 40.0, true), held);
   ASSERT_TRUE(waitFor(servo, [&] { return servo.contacts()[0].contact.depth_mm > 2.99; }));
   WorldBuilder builder;
   for (const std::size_t threshold : {16, 512, 32}) {
     BuildWish wish{world->scene, world, {}};
-    wish.scene.partition.threshold = threshold;
-    wish.scene.partition.tree = threshold == 512 ? hdb::TreeKind::Bsp : hdb::TreeKind::Octree;
+    wish.scene.partition.build.threshold = threshold;
+    wish.scene.partition.build.tree = threshold == 512 ? hdb::TreeKind::Bsp : hdb::TreeKind::Octree;
     builder.wish(wish);
     std::optional<BuildResult> result;
     while (!(result = builder.take())) std::this_thread::yield();

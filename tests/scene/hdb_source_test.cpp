@@ -35,7 +35,7 @@ TEST_F(HdbSource, TheBoxIsACubeOfAQuarterOfTheLongestEdge) {
 
 TEST_F(HdbSource, ErrataOfChapterThreeAreSwitchedByTheirNumbers) {
   Scene scene;
-  scene.partition.tree = hdb::TreeKind::Bsp;
+  scene.partition.build.tree = hdb::TreeKind::Bsp;
   EXPECT_FALSE(sourceOf(scene)->settings.literal.has_value());
   scene.fidelity.setLiteral(Erratum::E4_else_if);
   EXPECT_EQ(sourceOf(scene)->settings.literal, hdb::LiteralTraversal::ElseIf);
@@ -51,7 +51,7 @@ TEST_F(HdbSource, ErrataOfChapterThreeAreSwitchedByTheirNumbers) {
 
 TEST_F(HdbSource, TheOctreeAsPrintedLosesTriangles) {
   Scene scene;
-  scene.partition.threshold = 16;
+  scene.partition.build.threshold = 16;
   const auto listed = [&] { return sourceOf(scene)->partition->triangles.size(); };
   EXPECT_EQ(listed(), plate_.triangles.size());
   scene.fidelity.setLiteral(Erratum::E6_three_octants);
@@ -60,9 +60,9 @@ TEST_F(HdbSource, TheOctreeAsPrintedLosesTriangles) {
 
 TEST_F(HdbSource, ANamedTraversalNeedsItsTree) {
   Scene scene;
-  scene.partition.traversal = Traversal::else_if;
+  scene.partition.traversal = hdb::LiteralTraversal::ElseIf;
   EXPECT_EQ(messageOf(scene), "hdb source: this traversal needs the planes of a BSP tree");
-  scene.partition.tree = hdb::TreeKind::Bsp;
+  scene.partition.build.tree = hdb::TreeKind::Bsp;
   EXPECT_EQ(messageOf(scene), "no error");
 }
 
@@ -74,7 +74,7 @@ TEST_F(HdbSource, RefusesFingersThatItCannotServe) {
             "contact source \"hdb\" touches with a point: finger 'thumb' must have radius_mm = 0, not 8");
   scene.fingers[0].radius_mm = 0.0;
   EXPECT_EQ(messageOf(scene), "no error");
-  scene.contact.force_shading = true;
+  scene.contact.finger.force_shading = true;
   EXPECT_EQ(messageOf(scene), "contact source \"hdb\" has no force_shading");
 }
 

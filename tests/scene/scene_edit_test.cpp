@@ -11,7 +11,7 @@ namespace {
 TEST(SceneEdit, ReadsAndChangesAKeyByItsName) {
   Scene scene;
   setKey(scene, "friction", "static", "0.8");
-  EXPECT_EQ(scene.friction.mu_static, 0.8);
+  EXPECT_EQ(scene.contact.finger.mu_static, 0.8);
   EXPECT_EQ(keyOf(scene, "friction", "static")->fallback, "0.8");
   EXPECT_EQ(defaultOf("friction", "static"), "0.46");
   setKey(scene, "", "title", "\"a back\"");

@@ -15,7 +15,7 @@ namespace {
 TEST(SceneFile, TheSmallestSceneIsOneFingerWithAScript) {
   const Scene scene = parse(kFinger, "s.toml");
   EXPECT_EQ(scene.body.kind, BodyKind::torso);
-  EXPECT_EQ(scene.friction.mu_static, 0.46);
+  EXPECT_EQ(scene.contact.finger.mu_static, 0.46);
   ASSERT_EQ(scene.fingers.size(), 1u);
   EXPECT_EQ(scene.fingers[0].steps[0].depth_mm, 8.0);
 }
@@ -97,12 +97,12 @@ refresh_s = 0.03
 )" + kFinger,
                             "s.toml");
   EXPECT_EQ(scene.contact.source, ContactSource::hdb);
-  EXPECT_EQ(scene.partition.tree, hdb::TreeKind::Bsp);
-  EXPECT_EQ(scene.partition.assign, hdb::Assignment::Cut);
-  EXPECT_EQ(scene.partition.threshold, 200u);
+  EXPECT_EQ(scene.partition.build.tree, hdb::TreeKind::Bsp);
+  EXPECT_EQ(scene.partition.build.assignment, hdb::Assignment::Cut);
+  EXPECT_EQ(scene.partition.build.threshold, 200u);
   EXPECT_EQ(scene.partition.hdb_edge_mm, 80.0);
   EXPECT_EQ(scene.partition.query, hdb::HdbQuery::coherent);
-  EXPECT_EQ(scene.partition.traversal, Traversal::half_space);
+  EXPECT_EQ(scene.partition.traversal, hdb::LiteralTraversal::HalfSpace);
   EXPECT_EQ(scene.partition.refresh_s, 0.03);
 }
 

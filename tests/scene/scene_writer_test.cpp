@@ -35,12 +35,12 @@ TEST(SceneWriter, WhatWasWrittenReadsBackTheSame) {
 TEST(SceneWriter, KeepsEveryDigitAndEveryLetter) {
   Scene scene = load(fs::path(PALPATE_SOURCE_DIR) / "scenes/default.toml");
   scene.title = "a \"quoted\" back\\slash, \xc3\xa4";
-  scene.friction.mu_static = 0.1 + 0.2;
-  scene.friction.mu_dynamic = 0.1;
+  scene.contact.finger.mu_static = 0.1 + 0.2;
+  scene.contact.finger.mu_dynamic = 0.1;
   scene.dysfunctions.push_back({-1.0 / 3.0, 1e-9, 12.5, -100, 0});
   const Scene read = parse(sceneAsToml(scene), "again.toml");
   EXPECT_EQ(read.title, scene.title);
-  EXPECT_EQ(read.friction.mu_static, 0.1 + 0.2);
+  EXPECT_EQ(read.contact.finger.mu_static, 0.1 + 0.2);
   EXPECT_EQ(read.dysfunctions.at(1).x_mm, -1.0 / 3.0);
   EXPECT_EQ(read.dysfunctions.at(1).y_mm, 1e-9);
 }

@@ -2,57 +2,18 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-
-#include "palpate/base/error.h"
-#include "palpate/device/finger_path.h"
-#include "palpate/mesh/files/save.h"
 #include "palpate/scene/errata.h"
-#include "palpate/scene/scene_file.h"
-#include "support/temporary_folder.h"
+#include "scene/dome_scene.h"
+#include "support/error_message.h"
 
 namespace palpate::scene {
 namespace {
 
-/// A folder with what a scene needs.
-class WorldOf : public ::testing::Test {
+class WorldOf : public DomeScene {
  protected:
-  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
-  /// A dome 200 mm wide and 20 mm high, as an OBJ file.
-  void writeDome(const std::string& name) const {
-    mesh::TriangleMesh dome;
-    constexpr int kCells = 20;
-    for (int j = 0; j <= kCells; ++j) {
-      for (int i = 0; i <= kCells; ++i) {
-        const double x = -100.0 + 10.0 * i;
-        const double y = -100.0 + 10.0 * j;
-        dome.positions.emplace_back(x, y, 20.0 - 0.001 * (x * x + y * y));
-      }
-    }
-    for (Index j = 0; j < kCells; ++j) {
-      for (Index i = 0; i < kCells; ++i) {
-        const Index a = j * (kCells + 1) + i;
-        dome.triangles.push_back({a, a + 1, a + kCells + 2});
-        dome.triangles.push_back({a, a + kCells + 2, a + kCells + 1});
-      }
-    }
-    mesh::save(folder_ / name, dome);
-  }
-  Scene meshScene(const std::string& more = "") const {
-    return parse("[body]\nkind = \"mesh\"\nfile = \"dome.obj\"\n" + more +
-                     "[[finger]]\nname = \"a\"\nat_mm = [5, 5]\nscript = [{ do = \"press\", depth_mm = 3 }]\n",
-                 (folder_ / "s.toml").string());
-  }
   std::string messageOfBuild(const Scene& scene) const {
-    try {
-      device::pathsOf(*build(scene));
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "no error";
+    return support::messageOf([&] { build(scene); });
   }
-
-  support::TemporaryFolder folder_;
 };
 
 TEST_F(WorldOf, ItsForceLawComesWithTheTableOfItsFile) {
@@ -124,39 +85,6 @@ TEST_F(WorldOf, ADysfunctionChangesTheStiffnessWhereItIs) {
   EXPECT_GT(outside, 10u);
 }
 
-TEST_F(WorldOf, ScriptsFollowTheSkinFromAbove) {
-  writeDome("dome.obj");
-  const auto world = build(meshScene());
-  const device::FingerPaths paths = device::pathsOf(*world);
-  ASSERT_EQ(paths.ticks, 1001u);
-  EXPECT_NEAR(paths.tips[0]->front().z(), 19.95 + 10.0, 0.2);
-  EXPECT_NEAR(paths.tips[0]->back().z(), 19.95 - 3.0, 0.2);
-}
-
-TEST_F(WorldOf, FingersShareOneClock) {
-  writeDome("dome.obj");
-  write("early.csv", "1.0,0,0,30\n1.1,0,0,20\n");
-  write("late.csv", "1.5,0,0,30\n2.0,0,0,20\n");
-  Scene scene = meshScene();
-  scene.fingers = {{"early", 0.0, folder_ / "early.csv", Vec2::Zero(), 10.0, {}},
-                   {"late", 0.0, folder_ / "late.csv", Vec2::Zero(), 10.0, {}}};
-  const device::FingerPaths paths = device::pathsOf(*build(scene));
-  EXPECT_EQ(paths.start_s, 1.0);
-  EXPECT_EQ(paths.ticks, 1001u);
-  EXPECT_EQ((*paths.tips[1])[500], Vec3(0, 0, 30));
-  EXPECT_LT((*paths.tips[1])[501].z(), 30.0);
-}
-
-TEST_F(WorldOf, AnyMeshGetsAPathOverItsTop) {
-  writeDome("dome.obj");
-  const auto world = build(meshScene());
-  const device::Trajectory path = device::automaticPath(*world);
-  EXPECT_NEAR(path.tip_mm.front().z(), 20.0 + 10.0 * world->surface.tree.diagonal / 400.0, 0.5);
-  double lowest = 1e9;
-  for (const Vec3& tip : path.tip_mm) lowest = std::min(lowest, tip.z());
-  EXPECT_LT(lowest, 16.0);
-}
-
 TEST_F(WorldOf, NamesWhatCannotBeBuilt) {
   EXPECT_EQ(messageOfBuild(meshScene()), (folder_ / "dome.obj").string() + ": no such file");
   write("dome.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
@@ -165,9 +93,6 @@ TEST_F(WorldOf, NamesWhatCannotBeBuilt) {
   EXPECT_NE(messageOfBuild(meshScene("[stiffness]\nsource = \"depth\"\n")).find("needs bones"), std::string::npos);
   EXPECT_NE(messageOfBuild(meshScene("[stiffness]\nsource = \"points\"\n")).find("needs key points"),
             std::string::npos);
-  Scene beside = meshScene();
-  beside.fingers[0].at_mm = Vec2(500, 0);
-  EXPECT_EQ(messageOfBuild(beside), "finger 'a': there is no skin at at_mm = [500, 0]");
 }
 
 TEST_F(WorldOf, RefusesAnUnfitMeshWhenRepairIsOff) {

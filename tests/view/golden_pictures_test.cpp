@@ -43,13 +43,13 @@ class GoldenPictures : public testing::Test {
     scene::ViewSettings view;
     view.look_at_mm = skinAt(*world_, 8.0, 25.0);
     view.zoom = 4.0;
-    view.shading = "gouraud";
+    view.shading = Shading::gouraud;
     PictureSettings settings = pictureSettings(*world_, view, 16.0 / 9.0);
     settings.labels.finger_names = {"left", "right"};
     return settings;
   }
 
-  PictureSettings whole(const std::string& shading) const {
+  PictureSettings whole(Shading shading) const {
     scene::ViewSettings view;
     view.shading = shading;
     return pictureSettings(*world_, view, 16.0 / 9.0);
@@ -67,13 +67,13 @@ class GoldenPictures : public testing::Test {
 };
 
 TEST_F(GoldenPictures, OfTheBodyInBothShadings) {
-  for (const std::string_view shading : kShadingNames) {
-    expect(fmt::format("shading_{}", shading), whole(std::string(shading)));
+  for (const auto& [name, shading] : WordsOf<Shading>::kAll) {
+    expect(fmt::format("shading_{}", name), whole(shading));
   }
 }
 
 TEST_F(GoldenPictures, OfBonesUnderTheSkin) {
-  PictureSettings settings = whole("skin");
+  PictureSettings settings = whole(Shading::skin);
   settings.look.skin_opacity = 0.35;
   expect("opacity", settings);
 }

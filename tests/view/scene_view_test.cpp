@@ -71,10 +71,9 @@ TEST(SceneView, RefusesAHeadBehindItsScreen) {
 
 TEST(SceneView, RefusesWhatItDoesNotKnow) {
   EXPECT_NE(support::messageOf([] { parsed("show = [\"wirefame\"]"); }).find("\"wireframe\""), std::string::npos);
-  scene::ViewSettings view;
-  view.side = "inside";
-  EXPECT_EQ(support::messageOf([&] { pictureSettings(smallWorld(), view, 1.0); }),
-            "side 'inside': must be one of back, left, right, above, front");
+  EXPECT_EQ(
+      support::messageOf([] { parsed("side = \"inside\""); }),
+      "test.toml:2: [view] side must be \"back\" or \"left\" or \"right\" or \"above\" or \"front\", not \"inside\"");
 }
 
 }  // namespace

@@ -80,12 +80,12 @@ TEST(LiveServo, OfManyChangesTheNewestWins) {
   scene::Scene scene = world->scene;
   constexpr int kChanges = 50;
   for (int i = 1; i <= kChanges; ++i) {
-    scene.contact.max_depth_mm = 8.0 - 0.1 * i;  // the deepest that is felt
+    scene.contact.finger.max_depth_mm = 8.0 - 0.1 * i;  // the deepest that is felt
     servo.thread().change(planFor(world, scene, false));
     if (i % 7 == 0) servo.thread().exchange();
   }
   const auto missing_n = [&] {
-    return std::abs(servo.thread().contacts()[0].contact.force.z() - 0.5 * scene.contact.max_depth_mm);
+    return std::abs(servo.thread().contacts()[0].contact.force.z() - 0.5 * scene.contact.finger.max_depth_mm);
   };
   EXPECT_TRUE(waitFor(servo, [&] { return missing_n() < 1e-6; })) << missing_n();
   const auto later = std::chrono::steady_clock::now() + std::chrono::milliseconds(50);
@@ -97,7 +97,7 @@ TEST(LiveServo, RefusesSettingsThatMakeNoSense) {
   const support::TemporaryFolder folder;
   const auto world = sheet(folder, 0.5);
   scene::Scene scene = world->scene;
-  scene.friction.mu_static = -1.0;
+  scene.contact.finger.mu_static = -1.0;
   EXPECT_ANY_THROW(planFor(world, scene, false));
 }
 

@@ -57,11 +57,11 @@ TEST(Panels, ASliderOfTheSceneReachesTheServoAndTheFile) {
   stage.frame();
   ASSERT_TRUE(widgetPlaces().contains("friction/static"));
   const auto [left, top, right, below] = widgetPlaces().at("friction/static");
-  const double before = stage.session().scene.friction.mu_static;
+  const double before = stage.session().scene.contact.finger.mu_static;
   stage.move(Vec2(left + 0.75 * (right - left) * 0.5, 0.5 * (top + below)));
   stage.button(true);
   stage.button(false);
-  EXPECT_NE(stage.session().scene.friction.mu_static, before);
+  EXPECT_NE(stage.session().scene.contact.finger.mu_static, before);
 }
 
 TEST(Panels, ThemesAndTextSizesDraw) {

@@ -147,11 +147,11 @@ TEST(Viewer, TurningTheWheelInTheEditorSizesWhatIsSelected) {
 
 TEST(Viewer, AChangedSceneIsSavedAndReadsBack) {
   Stage stage;
-  stage.session().scene.friction.mu_static = 0.9;
+  stage.session().scene.contact.finger.mu_static = 0.9;
   stage.key(window::key('S'), {true, false});
   const fs::path file = stage.session().scene_file;
   ASSERT_TRUE(fs::exists(file)) << stage.lastMessage();
-  EXPECT_EQ(scene::load(file).friction.mu_static, 0.9);
+  EXPECT_EQ(scene::load(file).contact.finger.mu_static, 0.9);
 }
 
 TEST(Viewer, WhatIsRecordedIsCompleteEvenWhenTheViewerIsClosed) {

@@ -14,7 +14,7 @@
 #include "apps/palpate/bench/peers_report.h"
 #include "apps/palpate/common/choice_option.h"
 #include "apps/palpate/common/commands.h"
-#include "apps/palpate/partition/partition_names.h"
+#include "apps/palpate/partition/partition_options.h"
 #include "bench/peers/judge.h"
 #include "bench/peers/peer.h"
 #include "palpate/base/error.h"
@@ -87,18 +87,13 @@ void addFingerOptions(CLI::App& command, Arguments& arguments) {
 }
 
 void addHdbOptions(CLI::App& command, Arguments& arguments) {
-  using hdb::HdbQuery;
   bench::HdbRunSettings& settings = arguments.hdb;
   addChoice<bool>(
       command, "--source", arguments.by_hdb, {{"surface", false}, {"hdb", true}},
       "What is touched: the whole surface, or what the detecting box (HDB) finds, as the options below say");
   addPartitionSettings(command, settings.build);
-  addChoice<HdbQuery>(
-      command, "--query", settings.hdb.query,
-      {{"leaves", HdbQuery::leaves}, {"triangles", HdbQuery::triangles}, {"coherent", HdbQuery::coherent}},
-      "HDB: what the box gives");
-  addChoice(command, "--traversal", settings.hdb.literal, traversalChoices(),
-            "HDB: how leaves are found; all but the first as printed");
+  addChoice(command, "--query", settings.hdb.query, "HDB: what the box gives");
+  addChoice(command, "--traversal", settings.hdb.literal, "HDB: how leaves are found; all but the first as printed");
   command.add_option("--hdb-edge-mm", settings.edge_mm, "HDB: edge of the box; 0 is a quarter of the longest edge")
       ->capture_default_str();
   command

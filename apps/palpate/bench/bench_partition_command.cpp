@@ -11,7 +11,7 @@
 #include "apps/palpate/bench/peers_report.h"
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/progress_line.h"
-#include "apps/palpate/partition/partition_names.h"
+#include "apps/palpate/partition/partition_options.h"
 #include "bench/peers/judge.h"
 #include "bench/peers/peer.h"
 #include "bench/runs/partition_run.h"
@@ -30,8 +30,8 @@ nlohmann::ordered_json jsonOf(const Arguments& arguments, const bench::Partition
   nlohmann::ordered_json json;
   json["mesh"] = arguments.mesh;
   json["triangles"] = f.triangles;
-  json["tree"] = nameOf(arguments.run.settings.tree);
-  json["assign"] = nameOf(arguments.run.settings.assignment);
+  json["tree"] = wordFor(arguments.run.settings.tree);
+  json["assign"] = wordFor(arguments.run.settings.assignment);
   json["threshold"] = arguments.run.settings.threshold;
   json["edge_mm"] = f.edge_mm;
   json["hdb_query_us"] = percentilesJson(f.hdb_query_us);

@@ -2,14 +2,28 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "palpate/base/words.h"
 
 namespace palpate::app {
 
 template <class Value>
 using Choices = std::vector<std::pair<std::string, Value>>;  ///< in the order of the help text
+
+/// The words of an enumeration, which a command spells with hyphens.
+template <class Value>
+Choices<Value> choicesOf() {
+  Choices<Value> choices;
+  for (const auto& [word, value] : WordsOf<Value>::kAll) {
+    choices.emplace_back(word, value);
+    std::replace(choices.back().first.begin(), choices.back().first.end(), '_', '-');
+  }
+  return choices;
+}
 
 /// The names with bars between them.
 template <class Value>
@@ -37,6 +51,12 @@ CLI::Option* addChoice(CLI::App& command, const std::string& option, Value& valu
     throw CLI::ValidationError(option, "\"" + wanted + "\" is not one of " + namesOf(choices));
   };
   return command.add_option_function<std::string>(option, choose, help + standard)->type_name(namesOf(choices));
+}
+
+/// The same with all words of the enumeration.
+template <class Value>
+CLI::Option* addChoice(CLI::App& command, const std::string& option, Value& value, const std::string& help) {
+  return addChoice(command, option, value, choicesOf<Value>(), help);
 }
 
 }  // namespace palpate::app

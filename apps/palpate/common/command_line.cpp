@@ -1,4 +1,4 @@
-#include "apps/palpate/common/command_line.h"
+#include "apps/palpate/common/commands.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,15 @@
-// The subcommands of `palpate`. Each lives in a file of its own, adds itself to the command line and runs when chosen.
+// The command line of `palpate` (and of palpate_peers): how it is run, and its subcommands. Each of these lives in a
+// file of its own, adds itself to the command line and runs when chosen.
 #pragma once
 
 #include <CLI/CLI.hpp>
 
 namespace palpate::app {
+
+/// Parses a command line, runs what was chosen, and turns every error into one line and an exit code.
+/// 0: done; 1: the command ran and its answer is "no" (a check that failed); 2: wrong input or usage, said in one line
+/// on the standard error.
+int runCommandLine(CLI::App& app, int argc, char** argv);
 
 void addBenchCommand(CLI::App& app);
 // `parent` is the bench command.

@@ -6,11 +6,13 @@
 #include <map>
 #include <memory>
 
+#include "apps/palpate/common/choice_option.h"
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/map/map_output.h"
 #include "apps/palpate/map/map_sources.h"
 #include "palpate/base/error.h"
 #include "palpate/scene/errata.h"
+#include "palpate/scene/words.h"
 
 namespace palpate::app {
 
@@ -25,8 +27,6 @@ struct MapArguments {
   std::string fidelity = "corrected";
   std::string interpolation;
   std::string directions;
-  std::string data = "up";
-  std::string averaging = "plain";
   std::vector<double> range;
   std::vector<std::string> files;
   bool json = false;
@@ -50,16 +50,11 @@ MapSource sourceOf(const MapArguments& arguments) {
       {"tensor", maps::DirectionBlend::tensor},
       {"double-angle", maps::DirectionBlend::double_angle},
       {"raw-degrees", maps::DirectionBlend::raw_degrees}};
-  static const std::map<std::string, maps::StiffnessInterpolation> stiffness_words{
-      {"gri", maps::StiffnessInterpolation::gri},
-      {"thin-plate", maps::StiffnessInterpolation::thin_plate},
-      {"polynomial", maps::StiffnessInterpolation::polynomial}};
   MapSource source = arguments.source;
   source.fidelity = scene::parseFidelity(arguments.fidelity);
-  source.measured.force = arguments.data == "down" ? maps::ForceDirection::down : maps::ForceDirection::up;
-  source.measured.averaging = arguments.averaging == "tensorial" ? maps::Averaging::tensorial : maps::Averaging::plain;
-  const auto stiffness = stiffness_words.find(arguments.interpolation);
-  if (stiffness != stiffness_words.end()) source.stiffness.interpolation = stiffness->second;
+  for (const auto& [word, interpolation] : choicesOf<maps::StiffnessInterpolation>()) {
+    if (word == arguments.interpolation) source.stiffness.interpolation = interpolation;
+  }
   source.interpolate_depth = !arguments.interpolation.empty();
   const auto weights = weight_words.find(arguments.interpolation);
   if (weights != weight_words.end()) source.weights = weights->second;
@@ -133,12 +128,9 @@ void addCommonOptions(CLI::App& command, MapArguments& a) {
 }
 
 void addBoundaryOptions(CLI::App& command, MapArguments& a) {
-  command.add_option("--data", a.data, "Built-in key points: the skin was dragged up or down")
-      ->check(CLI::IsMember({"up", "down"}))
-      ->capture_default_str();
-  command.add_option("--averaging", a.averaging, "Built-in key points: means as printed, or of the ellipses")
-      ->check(CLI::IsMember({"plain", "tensorial"}))
-      ->capture_default_str();
+  addChoice(command, "--data", a.source.measured.force, "Built-in key points: the skin was dragged up or down");
+  addChoice(command, "--averaging", a.source.measured.averaging,
+            "Built-in key points: means as printed, or of the ellipses");
   command.add_option("--effect-radius-mm", a.source.ellipses.effect_radius_mm, "How far a key point reaches, mm")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();

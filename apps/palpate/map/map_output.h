@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "apps/palpate/map/map_skin.h"
+#include "apps/palpate/map/map_sources.h"
 
 namespace palpate::app {
 

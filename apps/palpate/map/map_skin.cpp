@@ -1,3 +1,5 @@
+// Skins to draw a map over, and the skin as it looks from behind: its triangles rasterised into a grid, the uppermost
+// kept at every node (a depth buffer).
 #include "apps/palpate/map/map_skin.h"
 
 #include <algorithm>

@@ -14,8 +14,7 @@
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/mesh_arguments.h"
 #include "apps/palpate/common/progress_line.h"
-#include "apps/palpate/partition/partition_names.h"
-#include "apps/palpate/partition/partition_pictures.h"
+#include "apps/palpate/partition/partition_options.h"
 #include "apps/palpate/partition/partition_report.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
@@ -41,7 +40,9 @@ struct Arguments {
 const Choices<LeafSearch>& traversals() {
   static const Choices<LeafSearch> all = [] {
     Choices<LeafSearch> choices;
-    for (const auto& [word, literal] : traversalChoices()) choices.push_back({word, {false, literal}});
+    for (const auto& [word, literal] : choicesOf<std::optional<hdb::LiteralTraversal>>()) {
+      choices.push_back({word, {false, literal}});
+    }
     choices.insert(choices.begin() + 1, {"sphere", {true, {}}});
     return choices;
   }();

@@ -1,9 +1,10 @@
-#include "apps/palpate/partition/partition_pictures.h"
+// A partition as coloured PLY files: each leaf in a colour of its own, and what a box finds.
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "apps/palpate/partition/partition_report.h"
 #include "palpate/mesh/files/save.h"
 
 namespace palpate::app {

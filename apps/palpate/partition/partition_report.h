@@ -1,44 +1,16 @@
-// What `palpate partition` prints: as a person reads it and as a script reads it.
+// What `palpate partition` gives out: a report as a person reads it and as a script reads it, and coloured surfaces.
 #pragma once
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "lab/counters/statistics.h"
-#include "palpate/hdb/haptic_box.h"
-#include "palpate/hdb/literal_traversal.h"
+#include "apps/palpate/partition/partition_query.h"
 #include "palpate/hdb/statistics.h"
 
 namespace palpate::app {
-
-// One haptic detecting box asked of a partition and judged by brute force: the numbers of `palpate partition --box`.
-
-/// How leaves are found: as the engine does, by the sphere within the box (tested properly), or as printed.
-struct LeafSearch {
-  bool sphere = false;
-  std::optional<hdb::LiteralTraversal> literal;
-
-  friend bool operator==(const LeafSearch&, const LeafSearch&) = default;
-
-  bool bySphere() const { return sphere || literal == hdb::LiteralTraversal::SphereCorners; }
-};
-
-struct PartitionQuery {
-  hdb::LeafHits leaves;
-  std::size_t rendered = 0;            ///< entries of the leaves: what the dissertation's haptic process draws
-  std::size_t rendered_triangles = 0;  ///< different ones
-  std::vector<Index> exact;            ///< triangles whose box meets the detecting box, ascending
-  std::size_t must = 0;                ///< how many brute force says the leaves must have
-  std::size_t missed = 0;              ///< of these, not in any leaf found
-  lab::Percentiles leaves_us;
-  lab::Percentiles exact_us;
-};
-
-/// With a sphere `must` counts the triangles whose box reaches into it.
-PartitionQuery askPartition(const mesh::TriangleMesh& mesh, const hdb::Partition& partition, const Box3& box,
-                            const LeafSearch& search);
 
 struct PartitionReport {
   std::string mesh;
@@ -59,5 +31,17 @@ struct PartitionReport {
 
 std::string textOf(const PartitionReport& report);
 nlohmann::ordered_json jsonOf(const PartitionReport& report);
+
+// As PLY files: partition_pictures.cpp.
+
+/// Every entry - with the cut every piece - in the colour of its leaf; neighbours in the tree differ clearly. Throws
+/// Error.
+void writeLeafColours(const std::filesystem::path& file, const mesh::TriangleMesh& mesh,
+                      const hdb::Partition& partition);
+
+/// The mesh in grey, the triangles of the leaves in green (as Figures 3.8 and 3.9 have them), those that really meet
+/// the box in orange; `exact` is ascending. Throws Error.
+void writeSelection(const std::filesystem::path& file, const mesh::TriangleMesh& mesh, const hdb::Partition& partition,
+                    const std::vector<Index>& leaves, const std::vector<Index>& exact);
 
 }  // namespace palpate::app

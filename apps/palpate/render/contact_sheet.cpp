@@ -41,9 +41,9 @@ std::optional<Vec3> middleOf(const Frame& frame) {
 
 view::PictureSettings settingsFor(const scene::World& world, const Frame& frame, const std::string& title) {
   scene::ViewSettings view = world.scene.view;
-  view.stereo = "mono";
+  view.stereo = scene::StereoMode::mono;
   view.show.clear();
-  view.colours = "plain";
+  view.colours = scene::Colouring::plain;
   if (!frame.empty() && !view.look_at_mm) {
     view.look_at_mm = middleOf(frame);
     view.zoom *= kCloser;

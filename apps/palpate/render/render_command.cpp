@@ -72,7 +72,7 @@ std::vector<Frame> framesFor(const RenderOptions& options, const scene::World& w
 
 view::PictureSettings settingsFor(const RenderOptions& options, const scene::World& world,
                                   const view::PictureSize& size) {
-  const auto mode = view::stereoModeNamed(world.scene.view.stereo);
+  const auto mode = world.scene.view.stereo;
   const double aspect = view::eyePictureIn(mode, size.width, size.height).aspect();
   view::PictureSettings settings = view::pictureSettings(world, aspect);
   settings.labels.title = options.title;
@@ -147,27 +147,25 @@ void addMomentOptions(CLI::App& command, RenderOptions& options) {
       ->capture_default_str();
 }
 
+template <class Value>
+CLI::IsMember oneOf() {
+  return CLI::IsMember(wordList<Value>());
+}
+
 void addCameraOptions(CLI::App& command, RenderOptions& options) {
-  command.add_option("--view", options.side, "Side to look from")
-      ->check(CLI::IsMember(
-          std::vector<std::string>(std::begin(view::kStandardViewNames), std::end(view::kStandardViewNames))));
+  command.add_option("--view", options.side, "Side to look from")->check(oneOf<scene::StandardView>());
   command.add_option("--yaw-deg", options.yaw_deg, "Turned from that side; positive sees more of the right");
   command.add_option("--pitch-deg", options.pitch_deg, "Turned from that side; positive looks from above");
   command.add_option("--zoom", options.zoom, "1 shows the whole body")->check(CLI::Range(0.01, 1000.0));
   command.add_option("--look-at", options.look_at, "Place x,y,z in the middle of the picture, mm");
 }
 
-template <class Names>
-CLI::IsMember oneOf(const Names& names) {
-  return CLI::IsMember(std::vector<std::string>(names.begin(), names.end()));
-}
-
 void addLookOptions(CLI::App& command, RenderOptions& options) {
   command.add_option("--show", options.show,
                      "Names with commas: overlays (wireframe, triangles, leaves, planes, box, ellipses, rings, arrows, "
                      "contact, normals, section) and colours (plain, strain, stiffness, ellipse-map)");
-  command.add_option("--shading", options.shading, "Light")->check(oneOf(view::kShadingNames));
-  command.add_option("--finger", options.finger, "What a finger looks like")->check(oneOf(view::kFingerShapeNames));
+  command.add_option("--shading", options.shading, "Light")->check(oneOf<scene::Shading>());
+  command.add_option("--finger", options.finger, "What a finger looks like")->check(oneOf<scene::FingerShape>());
   command.add_option("--opacity", options.opacity, "Of the skin; below 1 the bones show")->check(CLI::Range(0.0, 1.0));
   command.add_flag("--white", options.white, "White background");
   command.add_flag("--texture,!--no-texture", options.texture,
@@ -178,8 +176,7 @@ void addLookOptions(CLI::App& command, RenderOptions& options) {
 }
 
 void addStereoOptions(CLI::App& command, RenderOptions& options) {
-  command.add_option("--stereo", options.stereo, "How two eyes share the picture")
-      ->check(oneOf(view::kStereoModeNames));
+  command.add_option("--stereo", options.stereo, "How two eyes share the picture")->check(oneOf<scene::StereoMode>());
   command.add_option("--eye-distance-mm", options.eye_distance_mm, "Between the eyes; 0 is as good as mono")
       ->check(CLI::Range(0.0, 200.0));
   command

@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
-#include "palpate/view/look.h"
 
 namespace palpate::app {
 
@@ -37,25 +35,22 @@ Vec3 placeOf(const std::string& text, std::string_view option) {
   return place;
 }
 
-template <class Names>
-bool contains(const Names& names, std::string_view name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-bool isColouring(std::string_view name) {
-  return name == kEllipseMap || (contains(view::kColouringNames, name) && !contains(view::kOverlayNames, name));
+/// The colouring that the word of --show means; a word that overlays have too means the overlay.
+std::optional<scene::Colouring> colouringNamed(std::string_view name) {
+  if (name == kEllipseMap) return scene::Colouring::ellipses;
+  return valueNamed<scene::Overlay>(name) ? std::nullopt : valueNamed<scene::Colouring>(name);
 }
 
 void useShow(const std::string& list, scene::ViewSettings& settings) {
   settings.show.clear();
   for (const std::string_view name : split(list, ',')) {
-    if (isColouring(name)) {
-      settings.colours = name == kEllipseMap ? "ellipses" : name;
-    } else if (contains(view::kOverlayNames, name)) {
-      settings.show.emplace_back(name);
+    if (const auto colouring = colouringNamed(name)) {
+      settings.colours = *colouring;
+    } else if (const auto overlay = valueNamed<scene::Overlay>(name)) {
+      settings.show.push_back(*overlay);
     } else if (!name.empty()) {
       throw Error(fmt::format("--show {}: '{}' must be one of plain, strain, stiffness, {}, {}", list, name,
-                              kEllipseMap, fmt::join(view::kOverlayNames, ", ")));
+                              kEllipseMap, fmt::join(allWords<scene::Overlay>(), ", ")));
     }
   }
 }
@@ -63,6 +58,12 @@ void useShow(const std::string& list, scene::ViewSettings& settings) {
 template <class T>
 void replace(T& setting, const std::optional<T>& by) {
   if (by) setting = *by;
+}
+
+/// By a word that the command line has checked.
+template <class T>
+void replace(T& setting, const std::optional<std::string>& by) {
+  if (by) setting = valueNamed<T>(*by).value_or(setting);
 }
 
 }  // namespace

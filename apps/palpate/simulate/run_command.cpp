@@ -183,7 +183,7 @@ void addRunCommand(CLI::App& app) {
   command
       ->add_option("--stereo", options->stereo,
                    "Stereo mode instead of the remembered one; quad-buffer asks for a window for shutter glasses")
-      ->check(CLI::IsMember(std::vector<std::string>(view::kStereoModeNames.begin(), view::kStereoModeNames.end())));
+      ->check(CLI::IsMember(wordList<view::StereoMode>()));
   command->add_option("--frames", options->frames, "Close after so many frames");
   command->add_option("--out", options->out, "Folder for pictures and tables that are saved")->capture_default_str();
   command->add_option("--width", options->width, "Of the window, instead of the remembered one")

@@ -9,19 +9,15 @@
 #include "apps/palpate/common/default_scene.h"
 #include "palpate/base/error.h"
 #include "palpate/scene/scene_file.h"
+#include "palpate/scene/words.h"
 
 namespace palpate::app {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> kUnitNames = {"auto", "mm", "cm", "dm", "m", "in"};
-
 scene::Unit unitNamed(const std::string& name) {
-  const auto found = std::find(kUnitNames.begin(), kUnitNames.end(), name);
-  if (found == kUnitNames.end()) {
-    throw Error(fmt::format("--mesh-unit {}: must be one of {}", name, fmt::join(kUnitNames, ", ")));
-  }
-  return static_cast<scene::Unit>(found - kUnitNames.begin());
+  if (const auto unit = valueNamed<scene::Unit>(name)) return *unit;
+  throw Error(fmt::format("--mesh-unit {}: must be one of {}", name, fmt::join(allWords<scene::Unit>(), ", ")));
 }
 
 scene::Scene startingScene(const SimulateOptions& options) {

@@ -170,7 +170,7 @@ device::FingerTarget Pointer::target(std::size_t finger, const Session& session)
   target.by = touch.by;
   target.depth_mm = active ? touch.depth_mm : from.depth_mm;
   target.force_n = active ? touch.force_n : from.force_n;
-  target.max_depth_mm = std::min(kMostDepthMm, session.scene.contact.max_depth_mm);
+  target.max_depth_mm = std::min(kMostDepthMm, session.scene.contact.finger.max_depth_mm);
   target.radius_mm = fingerRadius(session, finger);
   if (from.place) {
     target.place = from.place->point;

@@ -54,7 +54,7 @@ void radiusWidget(Session& session) {
 
 /// The skin never holds a sliding finger better than a still one: each slider pushes the other along.
 void gripWidgets(Session& session) {
-  scene::FrictionSettings& friction = session.scene.friction;
+  contact::FingerSettings& friction = session.scene.contact.finger;
   if (numberWidget(friction.mu_static, {"friction/static", "grip", "%.2f", 0.0, 2.0, 0.46,
                                         "Friction up to which the skin sticks to the finger (static coefficient)."})) {
     friction.mu_dynamic = std::min(friction.mu_dynamic, friction.mu_static);

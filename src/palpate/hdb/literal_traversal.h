@@ -2,7 +2,6 @@
 // misses nothing. Each is named after what it does; the erratum says what is wrong with it.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -29,21 +28,5 @@ std::optional<LiteralTraversal> literalTraversal(const Fidelity& fidelity, TreeK
 /// edge.
 void findLeavesLiterally(const Partition& partition, LiteralTraversal traversal, const Box3& box,
                          LeafHits& hits) noexcept;
-
-// What scene files and commands call the ways to find the leaves that the detecting box meets. The only place that
-// knows: everybody else looks words and traversals up here.
-
-struct TraversalWord {
-  const char* word;
-  std::optional<LiteralTraversal> literal;  ///< none: findLeaves, which misses nothing
-};
-
-inline constexpr std::array<TraversalWord, 5> kTraversalWords = {{
-    {"tight", std::nullopt},
-    {"else-if", LiteralTraversal::ElseIf},
-    {"half-space", LiteralTraversal::HalfSpace},
-    {"cell-box", LiteralTraversal::CellBox},
-    {"sphere-corners", LiteralTraversal::SphereCorners},
-}};
 
 }  // namespace palpate::hdb

@@ -1,3 +1,4 @@
+// The list of errata itself, and the words in which files and commands choose among them.
 #include "palpate/scene/errata.h"
 
 #include <fmt/format.h>
@@ -6,6 +7,7 @@
 #include <charconv>
 
 #include "palpate/base/error.h"
+#include "palpate/base/text.h"
 
 namespace palpate::scene {
 
@@ -18,6 +20,8 @@ constexpr auto kSwitch = LiteralForm::switchable;
 constexpr auto kSetting = LiteralForm::setting;
 constexpr auto kNone = LiteralForm::none;
 
+// A row: which, how bad, what brings the printed form back; what is printed, what the engine does instead; and last
+// what the switch acts on, the name of the setting, or why there is no switch (ErratumText::choice).
 constexpr std::array<ErratumText, kErrata> kTexts = {{
     {Erratum::E1_anchor, kWrong, kSwitch,
      "(2.5), (2.6): the anchor as P - (F_t/F_n) P_d with vectors lies on the normal line",
@@ -103,10 +107,13 @@ constexpr std::array<ErratumText, kErrata> kTexts = {{
      "as measured", "the data cannot separate them"},
 }};
 
-constexpr std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  return text;
+const ErratumText& textOf(Erratum erratum) { return kTexts[static_cast<std::size_t>(numberOf(erratum) - 1)]; }
+
+/// The whole of `words` is quoted to a user who misspelled one of them.
+Erratum requireErratum(std::string_view name, std::string_view words) {
+  const Erratum erratum = erratumNamed(name);
+  if (erratum != Erratum::none) return erratum;
+  throw Error(fmt::format("fidelity is \"corrected\", \"literal\" or errata such as E14,E29; not '{}'", words));
 }
 
 }  // namespace
@@ -124,27 +131,25 @@ Erratum erratumNamed(std::string_view name) {
 }
 
 void requireSwitchable(Erratum erratum) {
-  const ErratumText& text = kTexts[static_cast<std::size_t>(numberOf(erratum) - 1)];
-  if (text.form == LiteralForm::switchable) return;
-  throw Error(text.form == LiteralForm::setting
-                  ? fmt::format("{} is not a switch of fidelity; see {}", nameOf(erratum), text.choice)
-                  : fmt::format("{} has no literal form: {}", nameOf(erratum), text.choice));
+  const ErratumText& text = textOf(erratum);
+  switch (text.form) {
+    case LiteralForm::switchable:
+      return;
+    case LiteralForm::setting:
+      throw Error(fmt::format("{} is not a switch of fidelity; see {}", nameOf(erratum), text.choice));
+    case LiteralForm::none:
+      throw Error(fmt::format("{} has no literal form: {}", nameOf(erratum), text.choice));
+  }
 }
 
 Fidelity parseFidelity(std::string_view words) {
-  Fidelity fidelity;
-  if (trimmed(words) == "corrected") return fidelity;
+  if (trimmed(words) == "corrected") return {};
   if (trimmed(words) == "literal") return literalFidelity();
-  for (std::size_t from = 0; from <= words.size();) {
-    const std::size_t comma = std::min(words.find(',', from), words.size());
-    const std::string_view name = trimmed(words.substr(from, comma - from));
-    const Erratum erratum = erratumNamed(name);
-    if (erratum == Erratum::none) {
-      throw Error(fmt::format("fidelity is \"corrected\", \"literal\" or errata such as E14,E29; not '{}'", words));
-    }
+  Fidelity fidelity;
+  for (const std::string_view name : split(words, ',')) {
+    const Erratum erratum = requireErratum(name, words);
     requireSwitchable(erratum);
     fidelity.setLiteral(erratum);
-    from = comma + 1;
   }
   return fidelity;
 }

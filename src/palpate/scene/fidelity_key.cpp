@@ -1,12 +1,12 @@
-#include "palpate/scene/section_keys.h"
-
+// The key `fidelity` of a scene file: one word for all errata, or a table with an entry each.
 #include "palpate/scene/errata.h"
+#include "palpate/scene/section_keys.h"
 
 namespace palpate::scene {
 
 namespace {
 
-bool readsLiteral(const Entry& entry) { return readChoice(entry, {"corrected", "literal"}) == 1; }
+bool readsLiteral(const Entry& entry) { return readWord(entry, {"corrected", "literal"}) == "literal"; }
 
 void readErratum(Fidelity& fidelity, const Entry& entry, std::string_view name) {
   const Erratum erratum = erratumNamed(name);
@@ -14,7 +14,7 @@ void readErratum(Fidelity& fidelity, const Entry& entry, std::string_view name) 
   try {
     requireSwitchable(erratum);
   } catch (const Error& error) {
-    throw Error::atLine(entry.file, entry.line(), error.what());
+    throw Error::atLine(entry.file, entry.line(), error.cause());
   }
   fidelity.setLiteral(erratum, readsLiteral(entry));
 }

@@ -1,3 +1,6 @@
+// From the scene's [partition] and its errata to the museum's surface: which partition, which box, which traversal.
+//
+// Based on: Ji, dissertation 2008, chapter 3, with E4 to E7 and E10 to E12.
 #include "palpate/scene/hdb_source.h"
 
 #include <fmt/format.h>
@@ -16,10 +19,7 @@ namespace palpate::scene {
 namespace {
 
 hdb::BuildSettings buildSettings(const Scene& scene) {
-  hdb::BuildSettings settings;
-  settings.tree = scene.partition.tree;
-  settings.assignment = scene.partition.assign;
-  settings.threshold = static_cast<Index>(scene.partition.threshold);
+  hdb::BuildSettings settings = scene.partition.build;
   settings.leaf_below_threshold = scene.fidelity.literal(Erratum::E7_leaf_threshold);
   return settings;
 }
@@ -34,19 +34,11 @@ hdb::Partition makePartition(const Scene& scene, const mesh::TriangleMesh& skin,
   return hdb::buildPartition(skin, settings, progress);
 }
 
-constexpr std::optional<hdb::LiteralTraversal> named(Traversal traversal) {
-  return hdb::kTraversalWords[static_cast<std::size_t>(traversal)].literal;
-}
-static_assert(!named(Traversal::corrected) && named(Traversal::else_if) == hdb::LiteralTraversal::ElseIf &&
-              named(Traversal::half_space) == hdb::LiteralTraversal::HalfSpace &&
-              named(Traversal::cell_box) == hdb::LiteralTraversal::CellBox &&
-              named(Traversal::sphere_corners) == hdb::LiteralTraversal::SphereCorners);
-
 /// What the scene names; where it names none, what its errata ask for.
 std::optional<hdb::LiteralTraversal> literalTraversal(const Scene& scene) {
-  if (const auto traversal = named(scene.partition.traversal)) return traversal;
+  if (scene.partition.traversal) return scene.partition.traversal;
   if (scene.partition.query != hdb::HdbQuery::leaves) return std::nullopt;  // the text knows leaves only
-  return hdb::literalTraversal(scene.fidelity, scene.partition.tree);
+  return hdb::literalTraversal(scene.fidelity, scene.partition.build.tree);
 }
 
 Vec3 boxEdges(const Scene& scene, const Box3& model) {
@@ -66,7 +58,7 @@ void checkContactSource(const Scene& scene) {
     throw Error(fmt::format("contact source \"hdb\" touches with a point: finger '{}' must have radius_mm = 0, not {}",
                             finger.name, finger.radius_mm));
   }
-  if (scene.contact.force_shading) throw Error("contact source \"hdb\" has no force_shading");
+  if (scene.contact.finger.force_shading) throw Error("contact source \"hdb\" has no force_shading");
 }
 
 std::shared_ptr<const hdb::HdbSurface> buildHdbSource(const Scene& scene, const mesh::TriangleMesh& skin,

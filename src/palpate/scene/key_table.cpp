@@ -1,3 +1,7 @@
+// Values of a scene file: read with their ranges, shown as they would stand there, and for a misspelled name the
+// nearest one that exists.
+//
+// Based on: Levenshtein, "Binary codes capable of correcting deletions, insertions, and reversals", 1966.
 #include "palpate/scene/key_table.h"
 
 #include <algorithm>
@@ -127,11 +131,10 @@ std::vector<double> readPoint(const Entry& entry, std::size_t count) {
   return values;
 }
 
-std::size_t readChoice(const Entry& entry, const std::vector<std::string>& choices) {
-  const std::string value = readText(entry);
-  const auto found = std::find(choices.begin(), choices.end(), value);
-  if (found == choices.end()) entry.fail(fmt::format("must be {}, not \"{}\"", choiceWords(choices), oneLine(value)));
-  return static_cast<std::size_t>(found - choices.begin());
+std::string readWord(const Entry& entry, const std::vector<std::string>& choices) {
+  std::string word = readText(entry);
+  if (std::find(choices.begin(), choices.end(), word) != choices.end()) return word;
+  entry.fail(fmt::format("must be {}, not \"{}\"", choiceWords(choices), oneLine(word)));
 }
 
 std::string inQuotes(std::string_view text) {

@@ -1,7 +1,7 @@
 // One table says everything about the keys of a scene file: how each is read, which values it takes, what it is when it
 // is left out and what it means. The reader, its error messages and docs/scene-files.md all come from it.
 //
-// Used by scene_keys.cpp (the tables) and scene_file.cpp (the reader) only; it includes the TOML parser.
+// Used by the tables (key_section.h) and by who reads or writes whole files; it includes the TOML parser.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,10 +13,12 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "palpate/base/error.h"
 #include "palpate/base/vec.h"
+#include "palpate/base/words.h"
 #include "palpate/scene/scene_file.h"
 
 namespace palpate::scene {
@@ -73,8 +75,12 @@ bool readFlag(const Entry& entry);
 std::vector<double> readNumbers(const Entry& entry, const Range& range);
 /// Exactly `count` numbers.
 std::vector<double> readPoint(const Entry& entry, std::size_t count);
-/// Index of the text among the choices.
-std::size_t readChoice(const Entry& entry, const std::vector<std::string>& choices);
+/// Throws Error, naming all choices, for a text that is none of them.
+std::string readWord(const Entry& entry, const std::vector<std::string>& choices);
+template <class E>
+E readChoice(const Entry& entry) {
+  return *valueNamed<E>(readWord(entry, wordList<E>()));
+}
 
 /// As a text stands in a file: in quotes, with what would end or break it written as escapes.
 std::string inQuotes(std::string_view text);
@@ -86,6 +92,12 @@ std::string choiceWords(const std::vector<std::string>& choices);
 /// A way from the settings to one number, text, ... of them; lets a key reach into a nested struct.
 template <class S, class T>
 using Access = std::function<T&(S&)>;
+
+/// The way to a member of a member: way(&BodySettings::torso, &body::TorsoSettings::triangles).
+template <class... Members>
+auto way(Members... members) {
+  return [=](auto& settings) -> decltype(auto) { return (settings.*....*members); };
+}
 
 template <class S, class T>
 T valueOf(const Access<S, T>& access, const S& settings) {
@@ -103,14 +115,15 @@ Key<S> number(std::string name, Access<S, double> at, Range range, std::string m
           {KeyForm::Kind::number, range.low, range.high}};
 }
 
-/// A whole number.
-template <class S>
-Key<S> count(std::string name, Access<S, std::size_t> at, std::size_t low, std::size_t high, std::string meaning) {
+/// A whole number of the unsigned type N, which must hold `high`.
+template <class S, class N = std::size_t>
+Key<S> count(std::string name, std::type_identity_t<Access<S, N>> at, std::type_identity_t<N> low,
+             std::type_identity_t<N> high, std::string meaning) {
   return {std::move(name),
           fmt::format("whole number, {} to {}", low, high),
           std::move(meaning),
-          [=](S& s, const Entry& e) { at(s) = readCount(e, low, high); },
-          [at](const S& s) { return fmt::format("{}", valueOf<S, std::size_t>(at, s)); },
+          [=](S& s, const Entry& e) { at(s) = static_cast<N>(readCount(e, low, high)); },
+          [at](const S& s) { return fmt::format("{}", valueOf<S, N>(at, s)); },
           {KeyForm::Kind::whole, static_cast<double>(low), static_cast<double>(high)}};
 }
 
@@ -152,17 +165,15 @@ Key<S> file(std::string name, Access<S, std::filesystem::path> at, std::string m
           {KeyForm::Kind::file}};
 }
 
-/// One of a few words, each standing for the enumerator of the same place.
+/// One of the words of an enumeration (WordsOf).
 template <class S, class E>
-Key<S> choice(std::string name, Access<S, E> at, const std::vector<std::string>& choices, std::string meaning) {
+Key<S> choice(std::string name, Access<S, E> at, std::string meaning) {
   return {std::move(name),
-          choiceWords(choices),
+          choiceWords(wordList<E>()),
           std::move(meaning),
-          [at, choices](S& s, const Entry& e) { at(s) = static_cast<E>(readChoice(e, choices)); },
-          [at, choices](const S& s) {
-            return fmt::format("\"{}\"", choices[static_cast<std::size_t>(valueOf<S, E>(at, s))]);
-          },
-          {KeyForm::Kind::choice, 0.0, 0.0, choices}};
+          [at](S& s, const Entry& e) { at(s) = readChoice<E>(e); },
+          [at](const S& s) { return fmt::format("\"{}\"", wordFor(valueOf<S, E>(at, s))); },
+          {KeyForm::Kind::choice, 0.0, 0.0, wordList<E>()}};
 }
 
 template <class S>

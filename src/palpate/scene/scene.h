@@ -3,12 +3,14 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "palpate/base/fidelity.h"
 #include "palpate/base/vec.h"
 #include "palpate/body/torso.h"
+#include "palpate/contact/finger.h"
 #include "palpate/hdb/hdb_candidates.h"
 #include "palpate/maps/ellipse_map.h"
 #include "palpate/maps/measured_stiffness.h"
@@ -22,7 +24,7 @@ namespace palpate::scene {
 
 enum class BodyKind : std::uint8_t { torso, mesh };
 
-/// Length of one unit of a mesh file. The order is that of kUnitNames.
+/// Length of one unit of a mesh file.
 enum class Unit : std::uint8_t { from_file, millimetre, centimetre, decimetre, metre, inch };
 
 /// Millimetres of a unit; 0 for from_file: the mesh reader knows what its formats say.
@@ -63,38 +65,26 @@ struct EllipseSettings {
   double basic_radius_mm = 0.0;  ///< 0: 150 mm on the torso, on a mesh at most 15 % of its diagonal
 };
 
-struct FrictionSettings {
-  double mu_static = 0.46;
-  double mu_dynamic = 0.44;
-  double stiffness_ratio = 1.0;  ///< k_t / k_n
-};
-
-/// What a finger collides with. The order is that of the scene file's words.
+/// What a finger collides with.
 enum class ContactSource : std::uint8_t {
   surface,  ///< the whole skin, by walking on it
   hdb       ///< the triangles that the haptic detecting box found: the dissertation's haptic process
 };
 
+/// The tables [contact] and [friction].
 struct ContactSettings {
   ContactSource source = ContactSource::surface;
-  double max_depth_mm = 40.0;
-  double catch_up_mm_per_s = 100.0;
-  bool force_shading = false;
+  contact::FingerSettings finger;  ///< of every finger; radius and tick are filled in by contactSettings (world.h)
 };
-
-/// How the leaves around the proxy are found: exactly, or as printed. Places in hdb::kTraversalWords.
-enum class Traversal : std::uint8_t { corrected, else_if, half_space, cell_box, sphere_corners };
 
 /// For the contact source "hdb".
 struct PartitionSettings {
-  hdb::TreeKind tree = hdb::TreeKind::Octree;
-  hdb::Assignment assign = hdb::Assignment::Majority;
-  std::size_t threshold = 1024;
+  hdb::BuildSettings build;    ///< the leaf rule is a matter of fidelity (E7)
   double hdb_fraction = 0.25;  ///< edge of the box over the longest edge of the body
   double hdb_edge_mm = 0.0;    ///< edge of the box; 0: by the fraction
   hdb::HdbQuery query = hdb::HdbQuery::leaves;
-  Traversal traversal = Traversal::corrected;
-  double refresh_s = 0.0;  ///< the box stays where it is for this long; 0: a tick
+  std::optional<hdb::LiteralTraversal> traversal;  ///< nothing: exactly, unless fidelity asks for a printed one
+  double refresh_s = 0.0;                          ///< the box stays where it is for this long; 0: a tick
 };
 
 struct TissueSettings {
@@ -102,7 +92,7 @@ struct TissueSettings {
   std::filesystem::path force_table;  ///< for the law of that kind
 };
 
-/// What one stretch of a finger's script does. The order is that of kMoveNames.
+/// What one stretch of a finger's script does.
 enum class Move : std::uint8_t { press, hold, drag, circle, lift };
 
 struct Step {
@@ -147,7 +137,6 @@ struct Scene {
   StiffnessSettings stiffness;
   std::vector<maps::Dysfunction> dysfunctions;
   EllipseSettings ellipses;
-  FrictionSettings friction;
   ContactSettings contact;
   PartitionSettings partition;
   TissueSettings tissue;

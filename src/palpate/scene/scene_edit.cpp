@@ -41,11 +41,7 @@ toml::table parsed(std::string_view text) {
 }  // namespace
 
 std::optional<KeyRow> keyOf(const Scene& scene, std::string_view table, std::string_view key) {
-  if (table.empty()) {
-    const Key<Scene>* top = topKeyOf(key);
-    if (top == nullptr) return std::nullopt;
-    return KeyRow{"", top->name, top->takes, top->show(scene), top->meaning, top->form};
-  }
+  if (table.empty()) return rowNamed(topRows(scene), key);
   const Section* section = sectionOf(table);
   return section == nullptr ? std::nullopt : rowNamed(section->values(scene).front(), key);
 }

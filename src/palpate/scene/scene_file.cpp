@@ -46,8 +46,21 @@ void requireFingers(const Scene& scene, std::string_view name) {
 }  // namespace
 
 double millimetresOf(Unit unit) {
-  constexpr std::array<double, 6> kMillimetres = {0.0, 1.0, 10.0, 100.0, 1000.0, 25.4};
-  return kMillimetres[static_cast<std::size_t>(unit)];
+  switch (unit) {
+    case Unit::from_file:
+      break;
+    case Unit::millimetre:
+      return 1.0;
+    case Unit::centimetre:
+      return 10.0;
+    case Unit::decimetre:
+      return 100.0;
+    case Unit::metre:
+      return 1000.0;
+    case Unit::inch:
+      return 25.4;
+  }
+  return 0.0;
 }
 
 Scene parse(std::string_view toml_text, std::string_view name) {
@@ -63,9 +76,7 @@ Scene parse(std::string_view toml_text, std::string_view name) {
 Scene load(const std::filesystem::path& file) { return parse(readFile(file, kMaxSceneBytes), file.string()); }
 
 std::vector<KeyRow> describeKeys() {
-  std::vector<KeyRow> rows;
-  for (const Key<Scene>& key : topKeys())
-    rows.push_back({"", key.name, key.takes, key.show({}), key.meaning, key.form});
+  std::vector<KeyRow> rows = topRows({});
   for (const Section& section : sections()) {
     for (KeyRow& row : section.describe()) rows.push_back(std::move(row));
   }

@@ -36,13 +36,6 @@ std::string linesOf(const std::vector<KeyRow>& rows, const std::vector<KeyRow>& 
   return lines;
 }
 
-std::vector<KeyRow> topRows(const Scene& scene) {
-  std::vector<KeyRow> rows;
-  for (const Key<Scene>& key : topKeys())
-    rows.push_back({"", key.name, key.takes, key.show(scene), key.meaning, key.form});
-  return rows;
-}
-
 }  // namespace
 
 std::string sceneAsToml(const Scene& scene, const fs::path& folder) {

@@ -1,26 +1,35 @@
-// The keys of the table [view] of a scene file.
+// The tables that a scene file may hold, one function each; everything there is to say about a key is said there.
 #pragma once
 
-#include "palpate/scene/key_table.h"
-#include "palpate/scene/scene.h"
-#include "palpate/scene/view_settings.h"
+#include "palpate/scene/key_section.h"
 
 namespace palpate::scene {
 
-// The keys of the tables [deformation] and [strain] of a scene file; scene_keys.cpp puts them among the others.
+// What is touched: body_keys.cpp.
+Section bodySection();
+Section stiffnessSection();
+Section dysfunctionSection();
+Section ellipsesSection();
 
-std::vector<Key<DeformationSettings>> deformationKeys();
+// How it is felt: touch_keys.cpp.
+Section frictionSection();
+Section contactSection();
+Section partitionSection();
+Section tissueSection();
+Section safetySection();
 
-/// Throws Error for keys that do not go together: a file without the profile that reads it, or the other way round.
-void checkDeformation(const DeformationSettings& settings, const Entry& entry);
+// How it gives way: deformation_keys.cpp.
+Section deformationSection();
+Section strainSection();
 
-std::vector<Key<StrainSettings>> strainKeys();
+// How pictures look: view_keys.cpp.
+Section viewSection();
 
-// The key `fidelity` of a scene file: a word for all errata, or a table with one entry each.
+// Who touches it: finger_keys.cpp.
+Section fingerSection();
 
-/// fidelity = "literal", or fidelity.E14 = "literal" for single ones; fidelity.all comes before the single ones.
+/// `fidelity = "literal"`, or `fidelity.E14 = "literal"` for single errata; fidelity.all comes before the single ones.
+/// fidelity_key.cpp.
 Key<Scene> fidelityKey();
-
-std::vector<Key<ViewSettings>> viewKeys();
 
 }  // namespace palpate::scene

@@ -1,3 +1,4 @@
+// The table [view] of a scene file: how pictures look.
 #include "palpate/scene/section_keys.h"
 
 namespace palpate::scene {
@@ -5,39 +6,20 @@ namespace palpate::scene {
 namespace {
 
 using S = ViewSettings;
-using Words = std::vector<std::string>;
-
-// The names of palpate/view (camera.h, look.h, stereo.h), which this room must not include; a test there compares them.
-const Words kSides = {"back", "left", "right", "above", "front"};
-const Words kShadings = {"gouraud", "skin"};
-const Words kColours = {"plain", "strain", "stiffness", "ellipses"};
-const Words kOverlays = {"wireframe", "triangles", "leaves",  "planes",  "box",    "ellipses",
-                         "rings",     "arrows",    "contact", "normals", "section"};
-const Words kFingers = {"none", "sphere", "hand"};
-const Words kStereoModes = {"mono",          "sbs-half",        "sbs-full",      "sbs-cross",  "tb-half",    "tb-full",
-                            "anaglyph-grey", "anaglyph-dubois", "anaglyph-half", "interlaced", "quad-buffer"};
-
-/// One of a few words, kept as it is written.
-Key<S> word(std::string name, std::string S::*member, const Words& choices, std::string meaning) {
-  return {std::move(name), choiceWords(choices), std::move(meaning),
-          [=](S& s, const Entry& e) { s.*member = choices[readChoice(e, choices)]; },
-          [=](const S& s) { return fmt::format("\"{}\"", s.*member); }};
-}
-
-Key<S> wordList(std::string name, Words S::*member, const Words& choices, std::string meaning) {
+Key<S> overlayList(std::string name, std::vector<Overlay> S::*member, std::string meaning) {
   const auto read = [=](S& s, const Entry& entry) {
     const toml::array* list = entry.node.as_array();
     if (list == nullptr) entry.fail("must be a list of names");
     for (const toml::node& node : *list) {
-      (s.*member).push_back(choices[readChoice({node, entry.file, entry.name}, choices)]);
+      (s.*member).push_back(readChoice<Overlay>({node, entry.file, entry.name}));
     }
   };
   const auto show = [=](const S& s) {
-    Words quoted;
-    for (const std::string& one : s.*member) quoted.push_back(fmt::format("\"{}\"", one));
+    std::vector<std::string> quoted;
+    for (const Overlay overlay : s.*member) quoted.push_back(fmt::format("\"{}\"", wordFor(overlay)));
     return quoted.empty() ? std::string() : fmt::format("[{}]", fmt::join(quoted, ", "));
   };
-  return {std::move(name), "list of " + choiceWords(choices), std::move(meaning), read, show};
+  return {std::move(name), "list of " + choiceWords(wordList<Overlay>()), std::move(meaning), read, show};
 }
 
 /// A place that need not be given.
@@ -55,27 +37,27 @@ Key<S> place(std::string name, std::optional<Vec3> S::*member, std::string meani
 
 }  // namespace
 
-std::vector<Key<ViewSettings>> viewKeys() {
+Section viewSection() {
   constexpr double kAround = 180.0;
   constexpr double kAlmostAbove = 89.0;
   constexpr double kFarthestMm = 1e5;
-  return {
-      word("side", &S::side, kSides, "From where one looks."),
+  std::vector<Key<S>> keys = {
+      choice<S, StandardView>("side", &S::side, "From where one looks."),
       number<S>("yaw_deg", &S::yaw_deg, between(-kAround, kAround),
                 "Turned from that side; positive sees more of the patient's right."),
       number<S>("pitch_deg", &S::pitch_deg, between(-kAlmostAbove, kAlmostAbove),
                 "Turned from that side; positive looks from above."),
       number<S>("zoom", &S::zoom, between(0.01, 1000), "1 shows the whole body; larger is nearer."),
       place("look_at_mm", &S::look_at_mm, "Place in the middle of the picture; left out: the middle of the body."),
-      word("shading", &S::shading, kShadings, "Light at the vertices, or skin."),
-      word("colours", &S::colours, kColours, "What the colour of the skin says."),
-      wordList("show", &S::show, kOverlays, "What is drawn over the skin (docs/pictures.md)."),
+      choice<S, Shading>("shading", &S::shading, "Light at the vertices, or skin."),
+      choice<S, Colouring>("colours", &S::colours, "What the colour of the skin says."),
+      overlayList("show", &S::show, "What is drawn over the skin (docs/pictures.md)."),
       number<S>("opacity", &S::opacity, between(0, 1), "Of the skin; below 1 the bones show through."),
-      word("finger", &S::finger, kFingers, "What a finger looks like."),
+      choice<S, FingerShape>("finger", &S::finger, "What a finger looks like."),
       flag<S>("white_background", &S::white_background, "White paper instead of grey."),
       flag<S>("texture", &S::texture, "The picture that [body] texture names, on the skin."),
       flag<S>("detail", &S::detail, "Pores, where skin is seen from near by."),
-      word("stereo", &S::stereo, kStereoModes, "How two eyes share one picture."),
+      choice<S, StereoMode>("stereo", &S::stereo, "How two eyes share one picture."),
       number<S>("eye_distance_mm", &S::eye_distance_mm, between(0, 200), "Between the eyes; 0 is as good as mono."),
       number<S>("convergence_mm", &S::convergence_mm, between(0, kFarthestMm),
                 "From the eyes to what appears in the plane of the screen; 0 is the middle of the picture."),
@@ -85,6 +67,12 @@ std::vector<Key<ViewSettings>> viewKeys() {
       number<S>("screen_height_mm", &S::screen_height_mm, above(0, kFarthestMm),
                 "With head_mm: height of that screen, which then shows the body at true size."),
   };
+  const auto check = [](const S& view, const Entry& entry) {
+    if (view.head_mm && !(view.head_mm->z() > 0.0)) {
+      entry.fail("head_mm must be in front of the screen: third number > 0");
+    }
+  };
+  return section<S>("view", "How pictures of it look.", &Scene::view, std::move(keys), check);
 }
 
 }  // namespace palpate::scene

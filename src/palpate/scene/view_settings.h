@@ -1,32 +1,77 @@
 // How pictures of a scene look unless the user says otherwise: where from, in which light, which colours, one eye or
-// two. Words are those of the rooms that draw; palpate/view/scene_view.h turns these settings into theirs.
+// two. The rooms that draw use these enumerations as their own; palpate/view/scene_view.h makes a picture's settings of
+// them.
 #pragma once
 
+#include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "palpate/base/vec.h"
+#include "palpate/base/words.h"
 
 namespace palpate::scene {
 
+enum class StandardView : std::uint8_t { back, left, right, above, front };
+
+enum class Shading : std::uint8_t {
+  gouraud,  ///< light at the vertices, as in the dissertation
+  skin,     ///< light at the pixels, with what makes skin look like skin
+};
+
+/// What the colour of the skin says; one at a time.
+enum class Colouring : std::uint8_t { plain, strain, stiffness, ellipses };
+
+/// Things drawn over the skin; any number at once.
+enum class Overlay : std::uint8_t {
+  wireframe,
+  haptic_triangles,  ///< of the leaves that meet the detecting box, green
+  leaf_boxes,        ///< blue
+  planes,            ///< splitting planes: x green, y red, z yellow (Fig 3.6)
+  detecting_box,
+  ellipses,  ///< of the contact, and of the key points
+  rings,     ///< of neighbours round the anchor's triangle
+  arrows,    ///< displacement
+  contact,   ///< friction anchor, proxy, tip, force
+  normals,
+  section,  ///< cut through the contact, rest against deformed, as a curve in mm (Fig 4.7)
+};
+
+enum class FingerShape : std::uint8_t { none, sphere, hand };
+
+/// Side by side and top-bottom put the left eye left and on top, cross the other way round, for eyes that squint.
+/// "half" squeezes each eye's picture, as televisions want it; "full" does not.
+enum class StereoMode : std::uint8_t {
+  mono,
+  sbs_half,
+  sbs_full,
+  sbs_cross,
+  tb_half,
+  tb_full,
+  anaglyph_grey,    ///< red-cyan, no colours: the least rivalry between the eyes
+  anaglyph_dubois,  ///< red-cyan, colours as near as glasses let them be
+  anaglyph_half,    ///< red-cyan, left eye grey, right eye keeps green and blue
+  interlaced,       ///< left eye on even rows of the monitor, for line-polarised screens
+  quad_buffer,      ///< the graphics card keeps one picture an eye, for shutter glasses
+};
+
 struct ViewSettings {
-  std::string side = "back";
+  StandardView side = StandardView::back;
   double yaw_deg = 0.0;    ///< turned from that side; positive sees more of the patient's right
   double pitch_deg = 0.0;  ///< positive looks from above
   double zoom = 1.0;       ///< 1 shows the whole body
   std::optional<Vec3> look_at_mm;
 
-  std::string shading = "skin";
-  std::string colours = "plain";
-  std::vector<std::string> show;  ///< overlays
-  double opacity = 1.0;           ///< of the skin
-  std::string finger = "sphere";
+  Shading shading = Shading::skin;
+  Colouring colours = Colouring::plain;
+  std::vector<Overlay> show;
+  double opacity = 1.0;  ///< of the skin
+  FingerShape finger = FingerShape::sphere;
   bool white_background = false;
   bool texture = true;  ///< of the body, where it has one
   bool detail = true;   ///< pores
 
-  std::string stereo = "mono";
+  StereoMode stereo = StereoMode::mono;
   double eye_distance_mm = 63.0;
   double convergence_mm = 0.0;
   bool swap_eyes = false;
@@ -35,3 +80,62 @@ struct ViewSettings {
 };
 
 }  // namespace palpate::scene
+
+namespace palpate {
+
+template <>
+struct WordsOf<scene::StandardView> {
+  using V = scene::StandardView;
+  static constexpr std::array kAll = {Word{"back", V::back}, Word{"left", V::left}, Word{"right", V::right},
+                                      Word{"above", V::above}, Word{"front", V::front}};
+};
+
+template <>
+struct WordsOf<scene::Shading> {
+  using V = scene::Shading;
+  static constexpr std::array kAll = {Word{"gouraud", V::gouraud}, Word{"skin", V::skin}};
+};
+
+template <>
+struct WordsOf<scene::Colouring> {
+  using V = scene::Colouring;
+  static constexpr std::array kAll = {Word{"plain", V::plain}, Word{"strain", V::strain},
+                                      Word{"stiffness", V::stiffness}, Word{"ellipses", V::ellipses}};
+};
+
+template <>
+struct WordsOf<scene::Overlay> {
+  using V = scene::Overlay;
+  static constexpr std::array kAll = {Word{"wireframe", V::wireframe}, Word{"triangles", V::haptic_triangles},
+                                      Word{"leaves", V::leaf_boxes},   Word{"planes", V::planes},
+                                      Word{"box", V::detecting_box},   Word{"ellipses", V::ellipses},
+                                      Word{"rings", V::rings},         Word{"arrows", V::arrows},
+                                      Word{"contact", V::contact},     Word{"normals", V::normals},
+                                      Word{"section", V::section}};
+};
+
+template <>
+struct WordsOf<scene::FingerShape> {
+  using V = scene::FingerShape;
+  static constexpr std::array kAll = {Word{"none", V::none}, Word{"sphere", V::sphere}, Word{"hand", V::hand}};
+};
+
+template <>
+struct WordsOf<scene::StereoMode> {
+  using V = scene::StereoMode;
+  static constexpr std::array kAll = {
+      Word{"mono", V::mono},
+      Word{"sbs-half", V::sbs_half},
+      Word{"sbs-full", V::sbs_full},
+      Word{"sbs-cross", V::sbs_cross},
+      Word{"tb-half", V::tb_half},
+      Word{"tb-full", V::tb_full},
+      Word{"anaglyph-grey", V::anaglyph_grey},
+      Word{"anaglyph-dubois", V::anaglyph_dubois},
+      Word{"anaglyph-half", V::anaglyph_half},
+      Word{"interlaced", V::interlaced},
+      Word{"quad-buffer", V::quad_buffer},
+  };
+};
+
+}  // namespace palpate

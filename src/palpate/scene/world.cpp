@@ -1,10 +1,18 @@
+// Builds a world in the order in which its parts need each other:
+//
+//   scene ─ forms (their files first) ─► body ─ key points ─► stiffness ─► contact surface ─► detecting box, if asked
+//   for
+//                                          └─► deformable skin, beside them ──┐
+//                                                     key points ─► ellipses, contours ─► World
+//
+// `rebuilt` starts behind the body: nothing it may change moves a vertex.
 #include "palpate/scene/world.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <future>
 
+#include "palpate/base/background.h"
 #include "palpate/base/error.h"
 #include "palpate/scene/body_parts.h"
 #include "palpate/scene/hdb_source.h"
@@ -14,12 +22,17 @@ namespace palpate::scene {
 
 namespace {
 
+using KeyPoints = std::vector<maps::KeyPoint>;
+
+// ---- ellipses
+
 /// Radius of the basic circle where the scene says none: the dissertation's 150 mm on a back, and on other bodies no
 /// more than this share of their diagonal.
 constexpr double kBackRadiusMm = 150.0;
 constexpr double kRadiusOfDiagonal = 0.15;
 
-std::vector<maps::KeyPoint> keyPointsOf(const Scene& scene) {
+/// The user's, or on the torso the dissertation's; a mesh has none of its own.
+KeyPoints keyPointsOf(const Scene& scene) {
   if (!scene.ellipses.key_points.empty()) return maps::readKeyPoints(scene.ellipses.key_points);
   if (scene.body.kind != BodyKind::torso) return {};
   maps::MeasuredDataChoice measured = scene.ellipses.measured;
@@ -44,13 +57,15 @@ maps::LiteralForms literalMapForms(const Scene& scene) {
   return forms;
 }
 
+// ---- stiffness
+
 StiffnessSource resolvedSource(const Scene& scene) {
   if (scene.stiffness.source != StiffnessSource::automatic) return scene.stiffness.source;
   return scene.body.kind == BodyKind::torso ? StiffnessSource::depth : StiffnessSource::constant;
 }
 
-std::vector<double> stiffnessFromPoints(const Scene& scene, const std::vector<Vec3>& positions,
-                                        const std::vector<maps::KeyPoint>& keys, std::vector<std::string>& notes) {
+std::vector<double> stiffnessFromPoints(const Scene& scene, const std::vector<Vec3>& positions, const KeyPoints& keys,
+                                        std::vector<std::string>& notes) {
   const bool any = std::any_of(keys.begin(), keys.end(), [](const auto& key) { return key.stiffness_n_per_mm; });
   if (!any) throw Error("stiffness source \"points\" needs key points with a stiffness ([ellipses] key_points)");
   maps::StiffnessOfPositions stiffness = maps::measuredStiffness(positions, keys, scene.stiffness.points);
@@ -61,7 +76,7 @@ std::vector<double> stiffnessFromPoints(const Scene& scene, const std::vector<Ve
   return std::move(stiffness.n_per_mm);
 }
 
-std::vector<double> basicStiffness(const Scene& scene, BodyParts& body, const std::vector<maps::KeyPoint>& keys) {
+std::vector<double> healthyStiffness(const Scene& scene, BodyParts& body, const KeyPoints& keys) {
   switch (resolvedSource(scene)) {
     case StiffnessSource::depth:
       if (body.anatomy.depth_mm.empty()) throw Error("stiffness source \"depth\" needs bones: the torso has them");
@@ -73,6 +88,15 @@ std::vector<double> basicStiffness(const Scene& scene, BodyParts& body, const st
   }
 }
 
+/// A vertex each; what the body has by nature, then what is wrong with it.
+std::vector<double> stiffnessOf(const Scene& scene, BodyParts& body, const KeyPoints& keys) {
+  std::vector<double> stiffness = healthyStiffness(scene, body, keys);
+  maps::applyDysfunctions(body.skin.positions, scene.dysfunctions, stiffness);
+  return stiffness;
+}
+
+// ---- what is felt
+
 tissue::ForceLaw forceLaw(const Scene& scene) {
   tissue::ForceLaw law = scene.tissue.force_law;
   if (law.kind == tissue::ForceLaw::Kind::table && !scene.tissue.force_table.empty()) {
@@ -82,25 +106,46 @@ tissue::ForceLaw forceLaw(const Scene& scene) {
   return law;
 }
 
+std::shared_ptr<const hdb::HdbSurface> detectingBoxIfAsked(const Scene& scene, const mesh::TriangleMesh& skin,
+                                                           const contact::Surface& surface, const Progress& progress) {
+  if (scene.contact.source != ContactSource::hdb) return nullptr;
+  return buildHdbSource(scene, skin, surface, progress);
+}
+
+// ---- all together
+
 std::shared_ptr<const World> withBody(const Scene& scene, BodyParts body, deform::FormSettings forms,
                                       const Progress& progress) {
-  const std::vector<maps::KeyPoint> keys = keyPointsOf(scene);
+  const KeyPoints keys = keyPointsOf(scene);
   report(progress, "mapping stiffness", 0.0);
-  std::vector<double> stiffness = basicStiffness(scene, body, keys);
-  maps::applyDysfunctions(body.skin.positions, scene.dysfunctions, stiffness);
+  std::vector<double> stiffness = stiffnessOf(scene, body, keys);
+
   report(progress, "building the contact surface", 0.0);
-  auto deformable = std::async([&] { return deform::buildSkin(body.skin); });  // beside it: a quarter of its time
+  deform::Skin deformable;  // made beside the surface, which takes four times as long
+  Background making_deformable([&] { deformable = deform::buildSkin(body.skin); });
   contact::Surface surface = contact::buildSurface(body.skin, stiffness, {forceLaw(scene), body.self_intersecting});
-  std::shared_ptr<const hdb::HdbSurface> hdb;
-  if (scene.contact.source == ContactSource::hdb) hdb = buildHdbSource(scene, body.skin, surface, progress);
+  auto hdb = detectingBoxIfAsked(scene, body.skin, surface, progress);
+
   report(progress, "preparing the deformation", 0.0);
-  deform::Skin deformable_skin = deformable.get();
-  maps::AnyEllipseMap ellipses(keys, ellipseMapSettings(scene, body.skin), literalMapForms(scene));
-  auto contours = contoursOf(scene, keys, ellipseMapSettings(scene, body.skin));
-  return std::make_shared<const World>(
-      World{scene, std::move(body.name), std::move(body.skin), body.closed, std::move(stiffness), std::move(surface),
-            std::move(deformable_skin), std::move(ellipses), std::move(forms), std::move(contours),
-            std::move(body.anatomy), std::move(body.notes), std::move(hdb), std::move(body.texture)});
+  making_deformable.join();
+  const maps::EllipseMapSettings map_settings = ellipseMapSettings(scene, body.skin);
+  maps::AnyEllipseMap ellipses(keys, map_settings, literalMapForms(scene));
+  auto contours = contoursOf(scene, keys, map_settings);
+
+  return std::make_shared<const World>(World{.scene = scene,
+                                             .body_name = std::move(body.name),
+                                             .skin = std::move(body.skin),
+                                             .closed = body.closed,
+                                             .stiffness_n_per_mm = std::move(stiffness),
+                                             .surface = std::move(surface),
+                                             .deformable = std::move(deformable),
+                                             .ellipses = std::move(ellipses),
+                                             .deformation = std::move(forms),
+                                             .contours = std::move(contours),
+                                             .anatomy = std::move(body.anatomy),
+                                             .notes = std::move(body.notes),
+                                             .hdb = std::move(hdb),
+                                             .texture = std::move(body.texture)});
 }
 
 }  // namespace
@@ -112,20 +157,19 @@ std::shared_ptr<const World> build(const Scene& scene, const Progress& progress)
 }
 
 std::shared_ptr<const World> rebuilt(const World& world, const Scene& scene, const Progress& progress) {
-  BodyParts body{world.body_name, world.skin,  world.closed, world.surface.self_intersecting,
-                 world.anatomy,   world.notes, world.texture};
+  BodyParts body{.name = world.body_name,
+                 .skin = world.skin,
+                 .closed = world.closed,
+                 .self_intersecting = world.surface.self_intersecting,
+                 .anatomy = world.anatomy,
+                 .notes = world.notes,
+                 .texture = world.texture};
   return withBody(scene, std::move(body), formsOf(scene), progress);
 }
 
 contact::FingerSettings contactSettings(const Scene& scene, const Finger& finger) {
-  contact::FingerSettings settings;
+  contact::FingerSettings settings = scene.contact.finger;
   settings.radius_mm = finger.radius_mm;
-  settings.stiffness_ratio = scene.friction.stiffness_ratio;
-  settings.mu_static = scene.friction.mu_static;
-  settings.mu_dynamic = scene.friction.mu_dynamic;
-  settings.max_depth_mm = scene.contact.max_depth_mm;
-  settings.catch_up_mm_per_s = scene.contact.catch_up_mm_per_s;
-  settings.force_shading = scene.contact.force_shading;
   settings.tick_s = 1.0 / scene.ticks_per_s;
   return settings;
 }

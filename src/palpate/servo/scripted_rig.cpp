@@ -10,8 +10,9 @@ namespace palpate::servo {
 LimiterSettings limiterSettings(const scene::World& world) {
   LimiterSettings settings;
   settings.safety = world.scene.safety;
-  settings.stiffness_n_per_mm = *std::max_element(world.stiffness_n_per_mm.begin(), world.stiffness_n_per_mm.end()) *
-                                tissue::steepestFactor(world.surface.force_law, world.scene.contact.max_depth_mm);
+  settings.stiffness_n_per_mm =
+      *std::max_element(world.stiffness_n_per_mm.begin(), world.stiffness_n_per_mm.end()) *
+      tissue::steepestFactor(world.surface.force_law, world.scene.contact.finger.max_depth_mm);
   settings.tick_s = 1.0 / world.scene.ticks_per_s;
   return settings;
 }

@@ -11,14 +11,15 @@
 #include <string_view>
 
 #include "palpate/base/vec.h"
+#include "palpate/scene/view_settings.h"
 #include "palpate/view/layers/gl_objects.h"
 
 namespace palpate::view {
 
 using Mat4f = Eigen::Matrix4f;
 
-enum class StandardView : std::uint8_t { back, left, right, above, front };
-inline constexpr std::string_view kStandardViewNames[] = {"back", "left", "right", "above", "front"};
+using scene::StandardView;
+inline constexpr auto kStandardViewNames = allWords<StandardView>();
 
 /// Looks at `centre` from a distance; at yaw 0 and pitch 0 from behind the patient (along -z), cranial up.
 struct Camera {

@@ -8,19 +8,20 @@
 
 #include "palpate/base/colour_map.h"
 #include "palpate/base/vec.h"
+#include "palpate/scene/view_settings.h"
 
 namespace palpate::view {
 
-enum class Shading : std::uint8_t {
-  gouraud,  ///< light at the vertices, as in the dissertation
-  skin,     ///< light at the pixels, with what makes skin look like skin
-};
-
-inline constexpr std::array<std::string_view, 2> kShadingNames = {"gouraud", "skin"};
-
-/// What the colour of the skin says; one at a time.
-enum class Colouring : std::uint8_t { plain, strain, stiffness, ellipses };
-inline constexpr std::array<std::string_view, 4> kColouringNames = {"plain", "strain", "stiffness", "ellipses"};
+// What a scene file can say of a look has its types and words there.
+using scene::Colouring;
+using scene::FingerShape;
+using scene::Overlay;
+using scene::Shading;
+inline constexpr auto kShadingNames = allWords<Shading>();
+inline constexpr auto kColouringNames = allWords<Colouring>();
+inline constexpr auto kOverlayNames = allWords<Overlay>();
+inline constexpr auto kFingerShapeNames = allWords<FingerShape>();
+inline constexpr std::size_t kOverlays = kOverlayNames.size();
 
 /// Each field has a colour map of its own, so that two pictures cannot be mistaken for each other. Strain: blue is
 /// compression, red tension.
@@ -28,28 +29,6 @@ constexpr ColourMap colourMapOf(Colouring colouring) {
   if (colouring == Colouring::stiffness) return ColourMap::viridis;
   return colouring == Colouring::ellipses ? ColourMap::cividis : ColourMap::cool_warm;
 }
-
-/// Things drawn over the skin; any number at once.
-enum class Overlay : std::uint8_t {
-  wireframe,
-  haptic_triangles,  ///< of the leaves that meet the detecting box, green
-  leaf_boxes,        ///< blue
-  planes,            ///< splitting planes: x green, y red, z yellow (Fig 3.6)
-  detecting_box,
-  ellipses,  ///< of the contact, and of the key points
-  rings,     ///< of neighbours round the anchor's triangle
-  arrows,    ///< displacement
-  contact,   ///< friction anchor, proxy, tip, force
-  normals,
-  section,  ///< cut through the contact, rest against deformed, as a curve in mm (Fig 4.7)
-};
-inline constexpr std::size_t kOverlays = 11;
-inline constexpr std::array<std::string_view, kOverlays> kOverlayNames = {"wireframe", "triangles", "leaves", "planes",
-                                                                          "box",       "ellipses",  "rings",  "arrows",
-                                                                          "contact",   "normals",   "section"};
-
-enum class FingerShape : std::uint8_t { none, sphere, hand };
-inline constexpr std::array<std::string_view, 3> kFingerShapeNames = {"none", "sphere", "hand"};
 
 /// Ends of a colour map, in the unit of what is coloured (strain: per cent).
 struct ColourRange {

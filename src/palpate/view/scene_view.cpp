@@ -1,13 +1,8 @@
 #include "palpate/view/scene_view.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <span>
-
-#include "palpate/base/error.h"
 
 namespace palpate::view {
 
@@ -15,17 +10,8 @@ namespace {
 
 constexpr double kRadians = std::numbers::pi / 180.0;
 
-/// The enumerator of the same place as the name. The scene's reader knows the names too; this is for other callers.
-template <class E>
-E named(std::span<const std::string_view> names, std::string_view name, std::string_view what) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) throw Error(fmt::format("{} '{}': must be one of {}", what, name, fmt::join(names, ", ")));
-  return static_cast<E>(found - names.begin());
-}
-
 Camera cameraOf(const scene::World& world, const scene::ViewSettings& view, double aspect) {
-  const auto side = named<StandardView>(kStandardViewNames, view.side, "side");
-  Camera camera = fitted(mesh::boundingBox(world.skin), aspect, side);
+  Camera camera = fitted(mesh::boundingBox(world.skin), aspect, view.side);
   camera.yaw_rad += kRadians * view.yaw_deg;
   camera.pitch_rad = std::clamp(camera.pitch_rad + kRadians * view.pitch_deg, -kRadians * 89.9, kRadians * 89.9);
   // A longer lens from the same place: it never enters the body.
@@ -51,11 +37,11 @@ std::vector<double> halfMajors(const scene::World& world) {
 
 Look lookOf(const scene::World& world, const scene::ViewSettings& view) {
   Look look;
-  look.shading = named<Shading>(kShadingNames, view.shading, "shading");
-  look.colouring = named<Colouring>(kColouringNames, view.colours, "colours");
-  for (const std::string& name : view.show) look.show(named<Overlay>(kOverlayNames, name, "overlay"));
+  look.shading = view.shading;
+  look.colouring = view.colours;
+  for (const Overlay overlay : view.show) look.show(overlay);
   look.skin_opacity = view.opacity;
-  look.finger = named<FingerShape>(kFingerShapeNames, view.finger, "finger");
+  look.finger = view.finger;
   look.white_background = view.white_background;
   look.texture = view.texture;
   look.detail = view.detail;
@@ -67,7 +53,7 @@ Look lookOf(const scene::World& world, const scene::ViewSettings& view) {
 
 StereoSettings stereoOf(const scene::ViewSettings& view) {
   StereoSettings stereo;
-  stereo.mode = stereoModeNamed(view.stereo);
+  stereo.mode = view.stereo;
   stereo.eye_distance_mm = view.eye_distance_mm;
   stereo.convergence_mm = view.convergence_mm;
   stereo.swap_eyes = view.swap_eyes;

@@ -70,11 +70,8 @@ bool isStereo(StereoMode mode) { return mode != StereoMode::mono; }
 bool hasTwoParts(StereoMode mode) { return isSideBySide(mode) || isTopBottom(mode); }
 
 StereoMode stereoModeNamed(std::string_view name) {
-  const auto* found = std::find(kStereoModeNames.begin(), kStereoModeNames.end(), name);
-  if (found == kStereoModeNames.end()) {
-    throw Error(fmt::format("stereo mode '{}': must be one of {}", name, fmt::join(kStereoModeNames, ", ")));
-  }
-  return static_cast<StereoMode>(found - kStereoModeNames.begin());
+  if (const auto mode = valueNamed<StereoMode>(name)) return *mode;
+  throw Error(fmt::format("stereo mode '{}': must be one of {}", name, fmt::join(kStereoModeNames, ", ")));
 }
 
 Eyes eyesOf(const Camera& camera, const StereoSettings& settings, double aspect) {
@@ -160,7 +157,7 @@ UsableMode usableMode(StereoMode wanted, bool quad_buffer_offered, StereoMode ot
   if (wanted != StereoMode::quad_buffer || quad_buffer_offered) return {wanted, {}};
   return {otherwise, fmt::format("quad-buffer stereo is not offered here (it needs a window on a stereo visual); "
                                  "drawing {} instead",
-                                 kStereoModeNames[static_cast<std::size_t>(otherwise)])};
+                                 wordFor(otherwise))};
 }
 
 }  // namespace palpate::view

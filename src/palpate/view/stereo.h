@@ -19,24 +19,8 @@
 
 namespace palpate::view {
 
-/// The order is that of kStereoModeNames. Side by side and top-bottom put the left eye left and on top, cross the other
-/// way round, for eyes that squint. "half" squeezes each eye's picture, as televisions want it; "full" does not.
-enum class StereoMode : std::uint8_t {
-  mono,
-  sbs_half,
-  sbs_full,
-  sbs_cross,
-  tb_half,
-  tb_full,
-  anaglyph_grey,    ///< red-cyan, no colours: the least rivalry between the eyes
-  anaglyph_dubois,  ///< red-cyan, colours as near as glasses let them be
-  anaglyph_half,    ///< red-cyan, left eye grey, right eye keeps green and blue
-  interlaced,       ///< left eye on even rows of the monitor, for line-polarised screens
-  quad_buffer,      ///< the graphics card keeps one picture an eye, for shutter glasses
-};
-inline constexpr std::array<std::string_view, 11> kStereoModeNames = {
-    "mono",          "sbs-half",        "sbs-full",      "sbs-cross",  "tb-half",    "tb-full",
-    "anaglyph-grey", "anaglyph-dubois", "anaglyph-half", "interlaced", "quad-buffer"};
+using scene::StereoMode;
+inline constexpr auto kStereoModeNames = allWords<StereoMode>();
 
 /// A head before a real screen of known size, for displays that share their place with the hand. The camera then says
 /// where that screen stands in the world: its middle at the centre, its axes those of the camera, at true size.

@@ -1,0 +1,114 @@
+// The tables [friction], [contact], [partition], [tissue] and [safety] of a scene file: how the body is felt.
+#include "palpate/scene/section_keys.h"
+#include "palpate/scene/words.h"
+
+namespace palpate::scene {
+
+Section frictionSection() {
+  using S = contact::FingerSettings;
+  std::vector<Key<S>> keys = {
+      number<S>("static", &S::mu_static, between(0, 5), "Coefficient up to which the skin sticks to the finger."),
+      number<S>("dynamic", &S::mu_dynamic, between(0, 5), "Coefficient while the finger slips; not above static."),
+      number<S>("stiffness_ratio", &S::stiffness_ratio, above(0, 100),
+                "Tangential over normal stiffness; 0.23 lets the skin follow 20 mm at 10 mm depth."),
+  };
+  return section<S>("friction", "How the skin holds the finger.", way(&Scene::contact, &ContactSettings::finger),
+                    std::move(keys), [](const S& friction, const Entry& entry) {
+                      if (friction.mu_dynamic > friction.mu_static) entry.fail("dynamic must not be above static");
+                    });
+}
+
+Section contactSection() {
+  using S = ContactSettings;
+  using F = contact::FingerSettings;
+  const auto finger = [](auto F::*member) { return way(&S::finger, member); };
+  std::vector<Key<S>> keys = {
+      choice<S, ContactSource>("source", &S::source,
+                               "What a finger collides with: the whole skin, or only the triangles near the proxy that "
+                               "the [partition] gives, as in the dissertation (docs/contact.md)."),
+      number<S>("max_depth_mm", finger(&F::max_depth_mm), above(0, kLongestMm),
+                "A finger deeper than this looks for a nearer piece of skin; the force grows no further."),
+      number<S>(
+          "catch_up_mm_per_s", finger(&F::catch_up_mm_per_s), above(0, 1e6),
+          "The proxy moves at most twice as far as the tip plus this speed; bounds the change of force at ridges."),
+      flag<S>("force_shading", finger(&F::force_shading), "Smooth the force over coarse triangles."),
+  };
+  return section<S>("contact", "How the finger meets the surface.", &Scene::contact, std::move(keys));
+}
+
+Section partitionSection() {
+  using S = PartitionSettings;
+  using B = hdb::BuildSettings;
+  const auto build = [](auto B::*member) { return way(&S::build, member); };
+  std::vector<Key<S>> keys = {
+      choice<S, hdb::TreeKind>("tree", build(&B::tree), "How space is divided."),
+      choice<S, hdb::Assignment>(
+          "assign", build(&B::assignment),
+          "A triangle across a plane is cut (A), goes to both sides (B) or to the side with most of it (C)."),
+      count<S, Index>("threshold", build(&B::threshold), 1, 100'000'000, "A leaf holds at most so many triangles."),
+      number<S>("hdb_fraction", &S::hdb_fraction, above(0, 100),
+                "Edge of the haptic detecting box as a share of the longest edge of the body."),
+      number<S>("hdb_edge_mm", &S::hdb_edge_mm, between(0, kLongestMm), "Edge of that box; 0 is by hdb_fraction."),
+      choice<S, hdb::HdbQuery>("query", &S::query,
+                               "What may be touched: all triangles of the leaves that the box meets, those that it "
+                               "meets itself, or a list of these that is made anew only when the box leaves it."),
+      choice<S, std::optional<hdb::LiteralTraversal>>(
+          "traversal", &S::traversal,
+          "How the leaves are found: all of them, or as printed, with its gaps; where it says "
+          "\"tight\", fidelity may still ask for a printed one (E4, E5, E10)."),
+      number<S>("refresh_s", &S::refresh_s, between(0, 60),
+                "The box follows the proxy every so many seconds; 0 is every tick."),
+  };
+  return section<S>("partition", "Where a finger of the contact source \"hdb\" finds its triangles.", &Scene::partition,
+                    std::move(keys));
+}
+
+Section tissueSection() {
+  using S = TissueSettings;
+  using L = tissue::ForceLaw;
+  const auto law = [](auto L::*member) { return way(&S::force_law, member); };
+  std::vector<Key<S>> keys = {
+      choice<S, L::Kind>(
+          "force_law", law(&L::kind),
+          "Normal force by depth (docs/force-laws.md): stiffness times depth; a power of the depth; a stiffness that "
+          "grows along a Gaussian; measured."),
+      number<S>("exponent", law(&L::exponent), between(1, 3), "Power: of the depth; layered tissue has 1.5 to 1.8."),
+      number<S>("reference_depth_mm", law(&L::reference_depth_mm), above(0, 1000),
+                "Power: the depth at which it pushes as hard as the linear law."),
+      number<S>("stiffening_ratio", law(&L::stiffening_ratio), above(0, 100),
+                "Stiffening: the stiffness deep down over that of the map, which is how a light touch feels."),
+      number<S>("stiffening_depth_mm", law(&L::stiffening_depth_mm), above(0, 1000),
+                "Stiffening: the depth at which that stiffness is reached."),
+      file<S>("force_table", &S::force_table,
+              "Table: rows depth_mm,force_n, the force being that where the map says 1 N/mm."),
+  };
+  return section<S>("tissue", "How force grows with depth.", &Scene::tissue, std::move(keys),
+                    [](const S& tissue, const Entry& entry) {
+                      const bool wants_table = tissue.force_law.kind == L::Kind::table;
+                      if (wants_table && tissue.force_table.empty()) entry.fail("law \"table\" needs a force_table");
+                      if (!wants_table && !tissue.force_table.empty()) {
+                        entry.fail("has a force_table but its force_law is not \"table\"");
+                      }
+                    });
+}
+
+Section safetySection() {
+  using S = SafetySettings;
+  std::vector<Key<S>> keys = {
+      number<S>("nominal_force_n", &S::nominal_force_n, above(0, 100), "Largest force sent to the device."),
+      number<S>("ramp_s", &S::ramp_s, between(0, 60),
+                "Forces grow from nothing over this time after a start or a fault."),
+      number<S>("slew_per_motion", &S::slew_per_motion, between(0, 1000),
+                "The force may change per tick by stiffness times this times the motion of the tip ..."),
+      number<S>("slew_mm", &S::slew_mm, above(0, 1000), "... plus stiffness times this, per millisecond."),
+      number<S>("max_tip_speed_mm_per_s", &S::max_tip_speed_mm_per_s, above(0, 1e9),
+                "A faster tip is a fault of the device: forces ramp up again."),
+      flag<S>("passivity", &S::passivity, "Take away push when the skin gives back more energy than it got."),
+      number<S>("passivity_allowance_n_mm", &S::passivity_allowance_n_mm, between(0, 1e6),
+                "Energy that may be given back before that."),
+  };
+  return section<S>("safety", "What a device may do to a hand; never changes forces.csv's contact force.",
+                    &Scene::safety, std::move(keys));
+}
+
+}  // namespace palpate::scene

@@ -1,0 +1,179 @@
+// The words that scene files, commands and panels have for the engine's enumerations: one table a type (base/words.h).
+// Those of pictures stand beside their types in view_settings.h.
+//
+// A new enumerator needs its word here and nowhere else: the reader, its error messages, the writer, the panels' lists
+// and docs/scene-files.md follow.
+#pragma once
+
+#include "palpate/base/words.h"
+#include "palpate/scene/scene.h"
+
+namespace palpate {
+
+// ---- the body
+
+template <>
+struct WordsOf<scene::BodyKind> {
+  using V = scene::BodyKind;
+  static constexpr std::array kAll = {Word{"torso", V::torso}, Word{"mesh", V::mesh}};
+};
+
+template <>
+struct WordsOf<scene::Unit> {
+  using V = scene::Unit;
+  static constexpr std::array kAll = {Word{"auto", V::from_file}, Word{"mm", V::millimetre}, Word{"cm", V::centimetre},
+                                      Word{"dm", V::decimetre},   Word{"m", V::metre},       Word{"in", V::inch}};
+};
+
+// ---- maps
+
+template <>
+struct WordsOf<scene::StiffnessSource> {
+  using V = scene::StiffnessSource;
+  static constexpr std::array kAll = {Word{"auto", V::automatic}, Word{"depth", V::depth}, Word{"points", V::points},
+                                      Word{"constant", V::constant}};
+};
+
+template <>
+struct WordsOf<maps::StiffnessInterpolation> {
+  using V = maps::StiffnessInterpolation;
+  static constexpr std::array kAll = {Word{"gri", V::gri}, Word{"thin_plate", V::thin_plate},
+                                      Word{"polynomial", V::polynomial}};
+};
+
+template <>
+struct WordsOf<maps::ForceDirection> {
+  using V = maps::ForceDirection;
+  static constexpr std::array kAll = {Word{"up", V::up}, Word{"down", V::down}};
+};
+
+template <>
+struct WordsOf<maps::Averaging> {
+  using V = maps::Averaging;
+  static constexpr std::array kAll = {Word{"plain", V::plain}, Word{"tensorial", V::tensorial}};
+};
+
+// ---- touch
+
+template <>
+struct WordsOf<scene::ContactSource> {
+  using V = scene::ContactSource;
+  static constexpr std::array kAll = {Word{"surface", V::surface}, Word{"hdb", V::hdb}};
+};
+
+template <>
+struct WordsOf<tissue::ForceLaw::Kind> {
+  using V = tissue::ForceLaw::Kind;
+  static constexpr std::array kAll = {Word{"linear", V::linear}, Word{"power", V::power},
+                                      Word{"stiffening", V::stiffening}, Word{"table", V::table}};
+};
+
+template <>
+struct WordsOf<hdb::TreeKind> {
+  using V = hdb::TreeKind;
+  static constexpr std::array kAll = {Word{"bsp", V::Bsp}, Word{"octree", V::Octree}};
+};
+
+template <>
+struct WordsOf<hdb::Assignment> {
+  using V = hdb::Assignment;
+  static constexpr std::array kAll = {Word{"A", V::Cut}, Word{"B", V::BothSides}, Word{"C", V::Majority}};
+};
+
+template <>
+struct WordsOf<hdb::HdbQuery> {
+  using V = hdb::HdbQuery;
+  static constexpr std::array kAll = {Word{"leaves", V::leaves}, Word{"triangles", V::triangles},
+                                      Word{"coherent", V::coherent}};
+};
+
+/// How leaves are found: nothing is findLeaves, which misses none.
+template <>
+struct WordsOf<std::optional<hdb::LiteralTraversal>> {
+  using V = hdb::LiteralTraversal;
+  using Choice = Word<std::optional<V>>;
+  static constexpr std::array kAll = {Choice{"tight", std::nullopt}, Choice{"else-if", V::ElseIf},
+                                      Choice{"half-space", V::HalfSpace}, Choice{"cell-box", V::CellBox},
+                                      Choice{"sphere-corners", V::SphereCorners}};
+};
+
+template <>
+struct WordsOf<scene::Move> {
+  using V = scene::Move;
+  static constexpr std::array kAll = {Word{"press", V::press}, Word{"hold", V::hold}, Word{"drag", V::drag},
+                                      Word{"circle", V::circle}, Word{"lift", V::lift}};
+};
+
+// ---- deformation
+
+template <>
+struct WordsOf<deform::NormalRegion> {
+  using V = deform::NormalRegion;
+  static constexpr std::array kAll = {Word{"linear", V::linear}, Word{"constant", V::constant},
+                                      Word{"shared", V::shared}};
+};
+
+template <>
+struct WordsOf<deform::Shape> {
+  using V = deform::Shape;
+  static constexpr std::array kAll = {Word{"ellipse", V::ellipse}, Word{"circle", V::circle},
+                                      Word{"contour", V::contour}};
+};
+
+template <>
+struct WordsOf<deform::Boundary> {
+  using V = deform::Boundary;
+  static constexpr std::array kAll = {Word{"zero", V::zero}, Word{"two_mm", V::two_mm}};
+};
+
+template <>
+struct WordsOf<deform::Together> {
+  using V = deform::Together;
+  static constexpr std::array kAll = {Word{"solved", V::solved}, Word{"summed", V::summed}};
+};
+
+template <>
+struct WordsOf<deform::Normals> {
+  using V = deform::Normals;
+  static constexpr std::array kAll = {Word{"analytic", V::analytic}, Word{"recomputed", V::recomputed},
+                                      Word{"incremental", V::incremental}};
+};
+
+template <>
+struct WordsOf<deform::StrainKind> {
+  using V = deform::StrainKind;
+  static constexpr std::array kAll = {Word{"edges", V::edges}, Word{"principal", V::principal}};
+};
+
+template <>
+struct WordsOf<tissue::ProfileKind> {
+  using V = tissue::ProfileKind;
+  static constexpr std::array kAll = {Word{"half_gaussian", V::half_gaussian},
+                                      Word{"table", V::table},
+                                      Word{"sharp", V::sharp},
+                                      Word{"cosine", V::cosine},
+                                      Word{"logarithm", V::logarithm},
+                                      Word{"two_gaussians", V::two_gaussians},
+                                      Word{"power", V::power},
+                                      Word{"user", V::user}};
+};
+
+template <>
+struct WordsOf<tissue::ProfileRim> {
+  using V = tissue::ProfileRim;
+  static constexpr std::array kAll = {Word{"lowered", V::lowered}, Word{"step", V::step}, Word{"smooth", V::smooth}};
+};
+
+template <>
+struct WordsOf<tissue::TableLookup> {
+  using V = tissue::TableLookup;
+  static constexpr std::array kAll = {Word{"nearest", V::nearest}, Word{"linear", V::linear}};
+};
+
+template <>
+struct WordsOf<tissue::UserInterpolation> {
+  using V = tissue::UserInterpolation;
+  static constexpr std::array kAll = {Word{"cubic", V::monotone_cubic}, Word{"linear", V::linear}};
+};
+
+}  // namespace palpate
