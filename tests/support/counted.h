@@ -1,5 +1,5 @@
-// What must not have been asked of the system, where that can be counted. An empty count is no zero: a build that counts
-// and says nothing fails.
+// What must not have been asked of the system, where that can be counted. An empty count is no zero: a build that
+// counts and says nothing fails.
 #pragma once
 
 #include <gtest/gtest.h>
