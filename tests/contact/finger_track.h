@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "palpate/contact/finger.h"
@@ -21,6 +23,15 @@ inline Surface surfaceOf(const mesh::TriangleMesh& mesh, double stiffness = kTes
   return buildSurface(fit.mesh, std::vector<double>(fit.mesh.positions.size(), stiffness), options);
 }
 
+/// A finger of any source straight from `start` to `end` in steps of at most `step_mm`; the last output.
+template <class Track>
+FingerOutput slideFrom(const Vec3& start, const Vec3& end, double step_mm, Track& finger) {
+  const int ticks = std::max(1, static_cast<int>(std::ceil((end - start).norm() / step_mm)));
+  FingerOutput output;
+  for (int i = 1; i <= ticks; ++i) output = finger.to(start + (end - start) * (static_cast<double>(i) / ticks));
+  return output;
+}
+
 /// One finger and its memory.
 class FingerTrack {
  public:
@@ -29,13 +40,7 @@ class FingerTrack {
   FingerOutput to(const Vec3& tip) { return step(surface_, settings_, state_, tip); }
 
   /// Straight from the last tip to `end` in steps of at most `step_mm`; the last output.
-  FingerOutput slide(const Vec3& end, double step_mm) {
-    const Vec3 start = state_.tip;
-    const int ticks = std::max(1, static_cast<int>(std::ceil((end - start).norm() / step_mm)));
-    FingerOutput output;
-    for (int i = 1; i <= ticks; ++i) output = to(start + (end - start) * (static_cast<double>(i) / ticks));
-    return output;
-  }
+  FingerOutput slide(const Vec3& end, double step_mm) { return slideFrom(state_.tip, end, step_mm, *this); }
 
   const FingerState& state() const { return state_; }
 
@@ -46,6 +51,43 @@ class FingerTrack {
 };
 
 inline bool touches(const FingerOutput& output) { return output.touch != Touch::free; }
+
+/// Tangential over normal force.
+inline double ratioOf(const FingerOutput& output) {
+  const double normal = output.force.dot(output.normal);
+  return (output.force - normal * output.normal).norm() / normal;
+}
+
+/// Presses a flat plate 5 mm deep and drags 30 mm in steps: each tick that slips has the dynamic coefficient. The
+/// highest ratio of all ticks.
+template <class Track>
+double highestRatioOfADrag(Track& finger, double radius_mm, double step_mm) {
+  finger.to({30, 50.3, radius_mm + 2});
+  finger.slide({30, 50.3, -5}, 0.05);
+  double highest = 0.0;
+  for (double x = 30 + step_mm; x <= 60; x += step_mm) {
+    const FingerOutput output = finger.to({x, 50.3, -5});
+    highest = std::max(highest, ratioOf(output));
+    if (output.touch == Touch::slip) {
+      EXPECT_NEAR(ratioOf(output), 0.44, 1e-9) << step_mm;
+    }
+  }
+  return highest;
+}
+
+/// A plate of 8 x 8 cells over 100 x 100 mm is entered wherever the tip comes down, also by way of a stop on it.
+template <class Track, class Plate>
+void expectEntranceEverywhere(const Plate& plate) {
+  for (const Vec3& aim : {Vec3(50, 50, 0), Vec3(37.5, 62.5, 0), Vec3(43.75, 50, 0), Vec3(40, 40, 0)}) {
+    Track straight(plate);
+    straight.to(aim + Vec3(0, 0, 1));
+    EXPECT_TRUE(touches(straight.to(aim - Vec3(0, 0, 1)))) << aim.transpose();
+    Track in_two_moves(plate);
+    in_two_moves.to(aim + Vec3(0, 0, 1));
+    in_two_moves.to(aim);
+    EXPECT_TRUE(touches(in_two_moves.to(aim - Vec3(0, 0, 1)))) << aim.transpose();
+  }
+}
 
 inline FingerSettings sphereOf(double radius_mm) {
   FingerSettings settings;

@@ -10,11 +10,6 @@ namespace palpate::contact {
 
 namespace {
 
-double ratioOf(const FingerOutput& output) {
-  const double normal = output.force.dot(output.normal);
-  return (output.force - normal * output.normal).norm() / normal;
-}
-
 /// The anchor of a force that was measured rather than computed, (2.5) and (2.6) as E1 corrects them:
 /// A = P + (p / F_n) F_t, P when nothing presses.
 Vec3 anchorOfForce(const Vec3& proxy, const Vec3& tip, const Vec3& normal, const Vec3& force) {
@@ -50,16 +45,7 @@ TEST(Friction, SticksThenSlipsAtItsTwoCoefficients) {
   for (const double radius : {0.0, 5.0}) {
     for (const double step : {0.02, 0.05, 0.1, 0.2, 0.5}) {
       FingerTrack finger(plate, sphereOf(radius));
-      finger.to({30, 50.3, radius + 2});
-      finger.slide({30, 50.3, -5}, 0.05);
-      double highest = 0.0;
-      for (double x = 30 + step; x <= 60; x += step) {
-        const FingerOutput output = finger.to({x, 50.3, -5});
-        highest = std::max(highest, ratioOf(output));
-        if (output.touch == Touch::slip) {
-          ASSERT_NEAR(ratioOf(output), 0.44, 1e-9) << step;
-        }
-      }
+      const double highest = highestRatioOfADrag(finger, radius, step);
       EXPECT_LE(highest, 0.46 + 1e-9);
       if (step <= 0.02) {
         EXPECT_GE(highest, 0.455);

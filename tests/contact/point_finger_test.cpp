@@ -31,15 +31,7 @@ TEST(PointFinger, FirstContactHasItsForceInTheSameTick) {
 
 TEST(PointFinger, EntersThroughVerticesAndEdgesAndAfterAStopOnTheSurface) {
   const Surface plate = surfaceOf(zoo::grid(8, 100.0));
-  for (const Vec3& aim : {Vec3(50, 50, 0), Vec3(37.5, 62.5, 0), Vec3(43.75, 50, 0), Vec3(40, 40, 0)}) {
-    FingerTrack straight(plate);
-    straight.to(aim + Vec3(0, 0, 1));
-    EXPECT_TRUE(touches(straight.to(aim - Vec3(0, 0, 1)))) << aim.transpose();
-    FingerTrack in_two_moves(plate);
-    in_two_moves.to(aim + Vec3(0, 0, 1));
-    in_two_moves.to(aim);
-    EXPECT_TRUE(touches(in_two_moves.to(aim - Vec3(0, 0, 1)))) << aim.transpose();
-  }
+  expectEntranceEverywhere<FingerTrack>(plate);
 }
 
 TEST(PointFinger, ComesInFromTheFrontOnly) {

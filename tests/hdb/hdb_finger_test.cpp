@@ -16,11 +16,6 @@ namespace {
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
-double ratioOf(const FingerOutput& output) {
-  const double normal = output.force.dot(output.normal);
-  return (output.force - normal * output.normal).norm() / normal;
-}
-
 FingerSettings frictionless() {
   FingerSettings settings;
   settings.mu_static = settings.mu_dynamic = 0.0;
@@ -52,15 +47,7 @@ TEST(HdbFinger, FirstContactHasItsForceInTheSameTick) {
 
 TEST(HdbFinger, EntersThroughVerticesAndEdgesAndAfterAStopOnTheSurface) {
   const HdbBody plate(zoo::grid(8, 100.0));
-  for (const Vec3& aim : {Vec3(50, 50, 0), Vec3(37.5, 62.5, 0), Vec3(43.75, 50, 0), Vec3(40, 40, 0)}) {
-    HdbTrack straight(plate);
-    straight.to(aim + Vec3(0, 0, 1));
-    EXPECT_TRUE(touches(straight.to(aim - Vec3(0, 0, 1)))) << aim.transpose();
-    HdbTrack in_two_moves(plate);
-    in_two_moves.to(aim + Vec3(0, 0, 1));
-    in_two_moves.to(aim);
-    EXPECT_TRUE(touches(in_two_moves.to(aim - Vec3(0, 0, 1)))) << aim.transpose();
-  }
+  expectEntranceEverywhere<HdbTrack>(plate);
 }
 
 TEST(HdbFinger, ComesInFromTheFrontOnlyAndLetsGoThere) {
@@ -101,16 +88,7 @@ TEST(HdbFinger, KineticFrictionIsItsCoefficientAtAnySpeedUnderEveryForceLaw) {
     plate.surface.force_law.kind = kind;
     for (const double step : {0.02, 0.1, 0.5}) {
       HdbTrack finger(plate);
-      finger.to({30, 50.3, 2});
-      finger.slide({30, 50.3, -5}, 0.05);
-      double highest = 0.0;
-      for (double x = 30 + step; x <= 60; x += step) {
-        const FingerOutput output = finger.to({x, 50.3, -5});
-        highest = std::max(highest, ratioOf(output));
-        if (output.touch == Touch::slip) {
-          ASSERT_NEAR(ratioOf(output), 0.44, 1e-9) << step;
-        }
-      }
+      const double highest = highestRatioOfADrag(finger, 0.0, step);
       EXPECT_LE(highest, 0.46 + 1e-9);
     }
   }

@@ -41,13 +41,7 @@ class HdbTrack {
   FingerOutput to(const Vec3& tip) { return stepHdb(surface_, settings_, candidates_, state_, tip); }
 
   /// Straight from the last tip to `end` in steps of at most `step_mm`; the last output.
-  FingerOutput slide(const Vec3& end, double step_mm) {
-    const Vec3 start = state_.tip;
-    const int ticks = std::max(1, static_cast<int>(std::ceil((end - start).norm() / step_mm)));
-    FingerOutput output;
-    for (int i = 1; i <= ticks; ++i) output = to(start + (end - start) * (static_cast<double>(i) / ticks));
-    return output;
-  }
+  FingerOutput slide(const Vec3& end, double step_mm) { return slideFrom(state_.tip, end, step_mm, *this); }
 
   const FingerState& state() const { return state_; }
   const HdbCandidates& candidates() const { return candidates_; }
