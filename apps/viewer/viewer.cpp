@@ -69,8 +69,7 @@ Viewer::Viewer(std::shared_ptr<const scene::World> world, ViewState state, Viewe
   session_.profile_knots = world->deformation.normal_profile.knots;
   for (SampleHistory& plot : session_.plots) plot = SampleHistory(world->scene.ticks_per_s);
   input_.settings = session_.state.input;
-  const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  session_.performance.graphics = renderer == nullptr ? "" : renderer;
+  session_.performance.graphics = view::rendererWords();
 }
 
 Viewer::~Viewer() = default;

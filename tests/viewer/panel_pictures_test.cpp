@@ -1,5 +1,6 @@
 // Every panel, the plots, the pages and the notices against pictures that a person has looked at (image_compare.h).
 // What they show is made up, so that no clock and no thread has a say in it.
+#include <epoxy/gl.h>
 #include <gtest/gtest.h>
 #include <imgui.h>
 

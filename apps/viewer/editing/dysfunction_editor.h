@@ -5,7 +5,7 @@
 
 #include "apps/viewer/editing/pointer.h"
 #include "apps/viewer/session.h"
-#include "palpate/view/overlays/lines.h"
+#include "palpate/view/lines.h"
 #include "palpate/window/input.h"
 
 namespace palpate::viewer {

@@ -15,7 +15,7 @@
 #include "palpate/view/camera.h"
 #include "palpate/view/finger_pose.h"
 #include "palpate/view/look.h"
-#include "palpate/view/overlays/lines.h"
+#include "palpate/view/lines.h"
 
 namespace palpate::hdb {
 struct Partition;

@@ -28,8 +28,6 @@ std::span<const unsigned char> embeddedFont();
 /// Ranges of characters that the pictures use, as ImGui wants them: pairs of first and last, ended by 0.
 const std::uint16_t* fontRanges();
 
-using Vec2f = Eigen::Vector2f;
-
 /// sRGB, opacity from 0 to 1.
 struct Ink {
   ColourBytes colour = {255, 255, 255};

@@ -7,7 +7,8 @@
 
 #include "palpate/body/hand.h"
 #include "palpate/scene/world.h"
-#include "palpate/view/camera.h"
+#include "palpate/view/layers/gl_objects.h"
+#include "palpate/view/layers/viewpoint.h"
 #include "palpate/view/finger_pose.h"
 
 namespace palpate::view {

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "palpate/view/layers/shared_shader.h"
 #include "palpate/view/layers/skin_shader.h"
 
 namespace palpate::view {

@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "palpate/base/vec.h"
-#include "palpate/view/camera.h"
+#include "palpate/view/layers/gl_objects.h"
+#include "palpate/view/layers/viewpoint.h"
 #include "palpate/view/finger_pose.h"
 #include "palpate/view/layers/skin_chunks.h"
 #include "palpate/view/look.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "palpate/contact/finger.h"
-#include "palpate/view/overlays/lines.h"
+#include "palpate/view/lines.h"
 
 namespace palpate::view {
 

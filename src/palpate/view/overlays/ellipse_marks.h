@@ -7,7 +7,7 @@
 #include "palpate/contact/surface.h"
 #include "palpate/scene/world.h"
 #include "palpate/view/layers/drawn_skin.h"
-#include "palpate/view/overlays/lines.h"
+#include "palpate/view/lines.h"
 
 namespace palpate::view {
 

@@ -43,16 +43,6 @@ ColourBytes encodedColour(const Vec3f& linear);
 void writeLabel(Drawing& page, const Vec2f& place, std::string_view words, Align align = Align::left,
                 TextSize size = TextSize::normal);
 
-struct LabelSettings {
-  std::string title;                      ///< upper left; empty = none
-  bool legend = true;                     ///< of the colours of the skin, when they mean something
-  bool scale_bar = true;                  ///< true in the plane of the screen
-  bool orientation = true;                ///< the patient's left and right, and where the head is
-  bool numbers = true;                    ///< depth and force beside each finger that touches
-  bool section = true;                    ///< the cut through the contact, when the look shows it
-  std::vector<std::string> finger_names;  ///< in the order of the fingers; empty = without names
-};
-
 /// What the labels speak of.
 struct LabelScene {
   const scene::World& world;

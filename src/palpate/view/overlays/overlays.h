@@ -7,7 +7,7 @@
 #include "palpate/view/finger_pose.h"
 #include "palpate/view/look.h"
 #include "palpate/view/overlays/ellipse_marks.h"
-#include "palpate/view/overlays/lines.h"
+#include "palpate/view/lines.h"
 #include "palpate/view/overlays/partition_marks.h"
 
 namespace palpate::view {

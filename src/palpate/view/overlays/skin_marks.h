@@ -3,7 +3,7 @@
 
 #include "palpate/scene/world.h"
 #include "palpate/view/layers/drawn_skin.h"
-#include "palpate/view/overlays/lines.h"
+#include "palpate/view/lines.h"
 #include "palpate/view/overlays/section.h"
 
 namespace palpate::view {
