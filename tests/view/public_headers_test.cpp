@@ -43,8 +43,8 @@ TEST_P(PublicHeaders, BringNoOpenGlAndNothingInternal) {
     std::set<std::string> names;
     collectIncludes(entry.path(), names);
     for (const std::string& name : names) {
-      for (const std::string_view unwanted : {"epoxy/", "imgui", "GLFW/", "fmt/", "toml++/", "palpate/view/layers/",
-                                              "palpate/view/overlays/"}) {
+      for (const std::string_view unwanted :
+           {"epoxy/", "imgui", "GLFW/", "fmt/", "toml++/", "palpate/view/layers/", "palpate/view/overlays/"}) {
         EXPECT_FALSE(name.starts_with(unwanted)) << entry.path().filename() << " includes " << name;
       }
     }

@@ -27,7 +27,7 @@ struct PictureSettings {
 /// Where a picture goes.
 struct Canvas {
   GlId framebuffer = 0;  ///< 0 = the window's
-  int width = 0;           ///< pixels
+  int width = 0;         ///< pixels
   int height = 0;
   double pixels_per_point = 1.0;  ///< size of letters and thin lines: the screen's content scale, the supersampling
   int supersampling = 1;          ///< pixels that one pixel of the final picture is made of, along each side

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 
-
 namespace palpate::view {
 
 namespace {

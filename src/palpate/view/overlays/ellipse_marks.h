@@ -11,8 +11,7 @@
 
 namespace palpate::view {
 
-// A place of the skin that moves with it: a triangle and the weights of its corners.
-
+/// A place of the skin that moves with it: a triangle and the weights of its corners.
 struct SkinSpot {
   Triangle vertices{};
   Vec3f weights = Vec3f::Zero();
