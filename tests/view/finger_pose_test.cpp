@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "palpate/body/hand.h"
 #include "palpate/tree/closest_on_triangle.h"
 #include "palpate/view/layers/drawn_skin.h"
 #include "palpate/view/layers/hand_pose.h"

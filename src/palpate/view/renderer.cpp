@@ -13,6 +13,7 @@
 #include "palpate/view/layers/line_layer.h"
 #include "palpate/view/layers/skin_layer.h"
 #include "palpate/view/layers/skin_paint.h"
+#include "palpate/view/overlays/marks.h"
 #include "palpate/view/overlays/overlays.h"
 
 namespace palpate::view {
