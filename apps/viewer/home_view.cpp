@@ -1,25 +1,20 @@
 #include "apps/viewer/home_view.h"
 
-#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <span>
-#include <vector>
 
 #include "apps/viewer/panels/panels.h"
-#include "palpate/base/text.h"
 #include "palpate/scene/scene_edit.h"
 #include "palpate/view/scene_view.h"
 
 namespace palpate::viewer {
 
-view::Camera homeView(const scene::World& world, const Session& session, view::StandardView side,
-                      const Vec2& size_points) {
+view::Camera homeView(const scene::World& world, const Shown& shown, view::StandardView side, const Vec2& size_points) {
   const auto width = static_cast<float>(size_points.x());
   const auto height = static_cast<float>(size_points.y());
-  const FreeArea free = freeArea(session, width, height);
+  const FreeArea free = freeArea(shown, width, height);
   const double free_width = std::max(50.0f, free.right - free.left);
   const double free_height = std::max(50.0f, free.below - free.top);
   view::Camera camera = view::fitted(mesh::boundingBox(world.skin), free_width / free_height, side);
@@ -63,38 +58,6 @@ bool takeSceneLook(const scene::World& world, Session& session, double aspect) {
   if (!says(world.scene, kCameraKeys)) return false;
   session.camera = said.camera;
   return true;
-}
-
-namespace {
-
-constexpr std::string_view kWord = "palpate-view";
-constexpr double kDegree = std::numbers::pi / 180.0;
-
-}  // namespace
-
-std::string viewAsText(const view::Camera& camera) {
-  return fmt::format("{} {:.3f} {:.3f} {:.3f} {:.4f} {:.4f} {:.3f} {:.4f}", kWord, camera.centre.x(), camera.centre.y(),
-                     camera.centre.z(), camera.yaw_rad / kDegree, camera.pitch_rad / kDegree, camera.distance_mm,
-                     camera.height_rad / kDegree);
-}
-
-std::optional<view::Camera> viewFromText(std::string_view text) {
-  const auto fields = split(trimmed(text), ' ');
-  if (fields.size() != 8 || fields[0] != kWord) return std::nullopt;
-  std::vector<double> v;
-  for (std::size_t i = 1; i < fields.size(); ++i) {
-    const auto number = parseNumber(fields[i]);
-    if (!number || !std::isfinite(*number)) return std::nullopt;
-    v.push_back(*number);
-  }
-  if (!(v[5] > 0.0) || !(v[6] > 0.0 && v[6] < 170.0) || !(std::abs(v[4]) < 90.0)) return std::nullopt;
-  view::Camera camera;
-  camera.centre = Vec3(v[0], v[1], v[2]);
-  camera.yaw_rad = v[3] * kDegree;
-  camera.pitch_rad = v[4] * kDegree;
-  camera.distance_mm = v[5];
-  camera.height_rad = v[6] * kDegree;
-  return camera;
 }
 
 }  // namespace palpate::viewer

@@ -67,8 +67,8 @@ void Turnover::cancel(Session& session) {
 }
 
 void Turnover::advance(Session& session, engine::ServoThread& servo) {
-  if (session.changed & kFingerChange) changeFingers(session, servo);
-  if (const std::uint32_t world = session.changed & (kMapChange | kBodyChange)) {
+  if (session.asks.changed & kFingerChange) changeFingers(session, servo);
+  if (const std::uint32_t world = session.asks.changed & (kMapChange | kBodyChange)) {
     wanted_ |= world;
     wanted_since_s_ = session.now_s;
   }

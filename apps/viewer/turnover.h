@@ -1,7 +1,7 @@
 // From a changed scene to a changed world at work: waits until the user has stopped pulling at a slider, has the world
 // built beside the display, hands it to the servo, and says when it may be shown.
 //
-//   session.changed ─ 250 ms of quiet ─► WorldBuilder ─► ServoThread::change ─ taken between two ticks ─► shown
+//   session.asks.changed ─ 250 ms of quiet ─► WorldBuilder ─► ServoThread::change ─ taken between two ticks ─► shown
 #pragma once
 
 #include <memory>
@@ -28,7 +28,7 @@ class Turnover {
   void open(const scene::Scene& scene, Session& session);
   void cancel(Session& session);
 
-  /// Once a frame: acts on session.changed. Settings of the fingers go to the servo at once.
+  /// Once a frame: acts on session.asks.changed. Settings of the fingers go to the servo at once.
   void advance(Session& session, engine::ServoThread& servo);
 
   struct Shown {

@@ -10,9 +10,10 @@
 
 #include "apps/viewer/editing/acts.h"
 #include "apps/viewer/editing/dysfunction_editor.h"
-#include "apps/viewer/files/replay.h"
+#include "apps/viewer/editing/rings.h"
+#include "apps/viewer/files/view_text.h"
 #include "apps/viewer/home_view.h"
-#include "apps/viewer/panels/intro.h"
+#include "apps/viewer/panels/hints.h"
 #include "apps/viewer/panels/panels.h"
 #include "palpate/base/error.h"
 
@@ -35,18 +36,18 @@ double sinceMs(std::int64_t start_ns) { return static_cast<double>(servo::monoto
 WorldFacts factsOf(const scene::World& world) {
   const Vec3 size = mesh::boundingBox(world.skin).sizes();
   const auto [soft, stiff] = std::minmax_element(world.stiffness_n_per_mm.begin(), world.stiffness_n_per_mm.end());
-  return {world.body_name,
-          world.skin.triangles.size(),
-          world.skin.positions.size(),
-          size.x(),
-          size.y(),
-          size.z(),
-          world.closed,
-          !world.anatomy.bones.empty(),
-          *soft,
-          *stiff,
-          world.notes,
-          world.texture != nullptr};
+  return {.name = world.body_name,
+          .triangles = world.skin.triangles.size(),
+          .vertices = world.skin.positions.size(),
+          .width_mm = size.x(),
+          .height_mm = size.y(),
+          .depth_mm = size.z(),
+          .closed = world.closed,
+          .has_bones = !world.anatomy.bones.empty(),
+          .softest_n_per_mm = *soft,
+          .stiffest_n_per_mm = *stiff,
+          .notes = world.notes,
+          .has_picture = world.texture != nullptr};
 }
 
 }  // namespace
@@ -66,11 +67,10 @@ Viewer::Viewer(std::shared_ptr<const scene::World> world, ViewState state, Viewe
   session_.scene_file = world->scene.file.string();
   session_.world = factsOf(*world);
   session_.device_limit_n = world->scene.safety.nominal_force_n;
-  session_.profile_knots = world->deformation.normal_profile.knots;
-  for (SampleHistory& plot : session_.plots) plot = SampleHistory(world->scene.ticks_per_s);
+  session_.profile.knots = world->deformation.normal_profile.knots;
+  for (SampleHistory& plot : session_.plots.fingers) plot = SampleHistory(world->scene.ticks_per_s);
   input_.settings = session_.state.input;
-  const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  session_.performance.graphics = renderer == nullptr ? "" : renderer;
+  session_.performance.graphics = view::rendererWords();
 }
 
 Viewer::~Viewer() = default;
@@ -124,7 +124,7 @@ void Viewer::makeTarget(int width, int height) {
 void Viewer::lookAround() {
   if (!seen_) {
     if (size_points_.x() < kNarrowPoints) session_.state.shown.panel = false;
-    session_.camera = homeView(*world_, session_, view::StandardView::back, size_points_);
+    session_.camera = homeView(*world_, session_.state.shown, view::StandardView::back, size_points_);
     takeSceneLook(*world_, session_, size_points_.x() / size_points_.y());
     if (settings_.intro && !session_.state.reduced_motion) intro_.begin(*world_, session_.now_s);
   }
@@ -141,10 +141,10 @@ void Viewer::takeWorld() {
   model_->setWorld(world_);
   session_.world = factsOf(*world_);
   session_.device_limit_n = session_.scene.safety.nominal_force_n;
-  if (session_.profile_handle < 0) session_.profile_knots = world_->deformation.normal_profile.knots;
+  if (session_.profile.handle < 0) session_.profile.knots = world_->deformation.normal_profile.knots;
   if (!shown.other_body) return;
   history_.clear();
-  freeze(session_, false);
+  freeze(session_.replay, false);
   pointer_.reset();
   std::vector<window::Command> lifted;
   input_.handle({.kind = window::InputEvent::Kind::focus}, {}, lifted);
@@ -161,9 +161,9 @@ void Viewer::followServo(double elapsed_s) {
   Performance& performance = session_.performance;
   performance.servo = servo_.thread().vitals();
   performance.dropped_samples = servo_.thread().droppedSamples();
-  if (!session_.frozen && recorded_) leaveReplay();
-  advanceReplay(session_, history(), elapsed_s);
-  if (session_.frozen && !history().empty()) {
+  if (!session_.replay.frozen && recorded_) leaveReplay();
+  advanceReplay(session_.replay, history(), elapsed_s);
+  if (session_.replay.frozen && !history().empty()) {
     show(history().at(session_.replay.at_s));
   } else {
     show(servo_.thread().contacts());
@@ -185,11 +185,15 @@ void Viewer::takeReplay() {
   session_.messages.clearErrors("cannot replay ");
   recorded_ = std::move(result->touch);
   const TouchHistory& history = recorded_->history;
-  for (SampleHistory& plot : session_.plots) plot = SampleHistory(recorded_->ticks_per_s, kLongestReplayS);
+  for (SampleHistory& plot : session_.plots.fingers) plot = SampleHistory(recorded_->ticks_per_s, kLongestReplayS);
   history.forEach([this](const trace::Sample& sample) { plot(sample); });
-  session_.replay = {history.oldestTime(), history.oldestTime(), history.newestTime(), false, recorded_->file};
-  session_.frozen = true;
-  session_.plots_paused = false;
+  session_.replay = {.at_s = history.oldestTime(),
+                     .from_s = history.oldestTime(),
+                     .to_s = history.newestTime(),
+                     .table = recorded_->file,
+                     .tick_s = history.tick(),
+                     .frozen = true};
+  session_.plots.paused = false;
 }
 
 void Viewer::replay(const std::string& table) {
@@ -201,16 +205,18 @@ void Viewer::replay(const std::string& table) {
 void Viewer::leaveReplay() {
   recorded_.reset();
   session_.replay = {};
-  for (SampleHistory& plot : session_.plots) plot = SampleHistory(session_.scene.ticks_per_s);
+  for (SampleHistory& plot : session_.plots.fingers) plot = SampleHistory(session_.scene.ticks_per_s);
 }
 
-void Viewer::plot(const trace::Sample& sample) { session_.plots[sample.finger].add(sample, session_.device_limit_n); }
+void Viewer::plot(const trace::Sample& sample) {
+  session_.plots.fingers[sample.finger].add(sample, session_.device_limit_n);
+}
 
 void Viewer::takeSamples() {
   trace::Sample sample;
   while (servo_.thread().pop(sample)) {
     outputs_.addSample(sample);
-    if (session_.frozen) continue;  // what is studied stays as it is
+    if (session_.replay.frozen) continue;  // what is studied stays as it is
     plot(sample);
     history_.add(sample);
   }
@@ -235,7 +241,7 @@ void Viewer::handle(std::span<const window::InputEvent> events) {
 }
 
 void Viewer::obey(const window::Command& command) {
-  countHint(command, session_);
+  countHint(command, session_.hint, session_.state.hints);
   if (command.kind == Kind::act) return actOn(command);
   // With nothing selected the wheel has nothing to size, so it zooms.
   if (command.kind == Kind::edit_size && session_.editor.selected < 0) {
@@ -248,13 +254,13 @@ void Viewer::obey(const window::Command& command) {
   const auto place = pointer_.skinAt(command.at);
   std::optional<Vec2> on_map;
   if (place) on_map = Vec2(place->point.x(), place->point.y());
-  applyEdit(command, on_map, session_);
+  applyEdit(command, on_map, session_.dysfunctions());
 }
 
 void Viewer::actOn(const window::Command& command) {
   using view::StandardView;
   using window::Action;
-  if (replayKey(command.action, command.fine, session_)) return;
+  if (replayKey(command.action, command.fine, session_.replay)) return;
   if (pointer_.step(command.action, command.fine, session_)) return;
   switch (command.action) {
     case Action::centre_on_finger:
@@ -281,13 +287,13 @@ void Viewer::actOn(const window::Command& command) {
 
 void Viewer::setView(view::StandardView side) {
   standard_view_ = static_cast<int>(side);
-  pointer_.fly(homeView(*world_, session_, side, size_points_), session_, kFlightS);
+  pointer_.fly(homeView(*world_, session_.state.shown, side, size_points_), session_, kFlightS);
 }
 
 void Viewer::useChanges() {
-  for (const Wish& wish : std::exchange(session_.wishes, {})) grant(wish);
+  for (const Wish& wish : std::exchange(session_.asks.wishes, {})) grant(wish);
   turnover_.advance(session_, servo_.thread());
-  session_.changed = 0;
+  session_.asks.changed = kNothing;
 }
 
 void Viewer::grant(const Wish& wish) {
@@ -311,10 +317,6 @@ void Viewer::grant(const Wish& wish) {
       return outputs_.toggleSequence(session_);
     case Wish::Kind::use_profile:
       return outputs_.useProfile(session_);
-    case Wish::Kind::undo:
-      return undo(session_);
-    case Wish::Kind::redo:
-      return redo(session_);
     case Wish::Kind::home:
       return setView(view::StandardView::back);
     case Wish::Kind::full_screen:
@@ -375,7 +377,7 @@ std::vector<view::FingerMark> Viewer::fingerMarks() {
   for (std::size_t i = 0; i < kFingers; ++i) {
     peaks_[i].follow(session_.fingers[i], session_.now_s);
     if (!session_.finger_present[i] || session_.fingers[i].tip.z() > 0.5 * device::kNowhere.z()) continue;
-    const double radius = fingerRadius(session_, i);
+    const double radius = fingerRadius(session_.scene, i);
     const bool left = i == 0;
     const double outline = i == session_.active_finger ? 0.0 : kOutline;
     marks.push_back({session_.fingers[i], radius, left ? view::kLeftFinger : view::kRightFinger, radius, left, outline,
@@ -387,7 +389,7 @@ std::vector<view::FingerMark> Viewer::fingerMarks() {
 /// None while the past is looked at: they are where the fingers are now.
 std::vector<view::Lines> Viewer::rings() const {
   if (session_.editor.active) return dysfunctionRings(session_, pointer_, *world_);
-  return session_.frozen ? std::vector<view::Lines>() : fingerRings(session_, pointer_);
+  return session_.replay.frozen ? std::vector<view::Lines>() : fingerRings(session_, pointer_);
 }
 
 void Viewer::paint(double scale) {
@@ -406,7 +408,7 @@ void Viewer::paint(double scale) {
   canvas.pixels_per_point = scale;
   const auto width = static_cast<float>(size_points_.x());
   const auto height = static_cast<float>(size_points_.y());
-  const FreeArea free = freeArea(session_, width, height);
+  const FreeArea free = freeArea(session_.state.shown, width, height);
   canvas.covered = {free.left, free.top, width - free.right, height - free.below};
   const auto over = [this](const view::EyePicture& eye) { gui_.present(eye.width, eye.height); };
   const std::vector<view::FingerMark> fingers = fingerMarks();

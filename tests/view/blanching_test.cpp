@@ -1,4 +1,4 @@
-#include "palpate/view/layers/skin_paint.h"
+#include "palpate/view/layers/blanching.h"
 
 #include <gtest/gtest.h>
 

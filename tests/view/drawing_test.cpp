@@ -1,5 +1,6 @@
 #include "palpate/view/layers/drawing.h"
 
+#include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "palpate/body/hand.h"
 #include "palpate/tree/closest_on_triangle.h"
-#include "palpate/view/layers/finger_layer.h"
+#include "palpate/view/layers/drawn_skin.h"
+#include "palpate/view/layers/hand_pose.h"
 #include "view/small_world.h"
 
 namespace palpate::view {

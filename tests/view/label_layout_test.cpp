@@ -1,4 +1,4 @@
-#include "palpate/view/overlays/labels.h"
+#include "palpate/view/overlays/plates.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,7 @@
 
 #include <set>
 
-#include "palpate/view/overlays/contact_marks.h"
-#include "palpate/view/overlays/skin_marks.h"
+#include "palpate/view/overlays/marks.h"
 #include "view/small_world.h"
 
 namespace palpate::view {

@@ -1,6 +1,7 @@
 // Oracles that need no stored picture: what is drawn is compared with what must be true of it.
 #include "palpate/view/renderer.h"
 
+#include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

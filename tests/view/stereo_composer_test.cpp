@@ -1,5 +1,6 @@
-#include "palpate/view/stereo_composer.h"
+#include "palpate/view/layers/stereo_composer.h"
 
+#include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,6 @@
 #include "palpate/view/offscreen.h"
 
+#include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
 #include "support/temporary_folder.h"

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "apps/viewer/panels/intro.h"
-#include "apps/viewer/panels/panels.h"
+#include "apps/viewer/panels/hints.h"
 
 namespace palpate::viewer {
 namespace {
@@ -64,7 +63,7 @@ TEST(Acts, EscapeClosesOneThingAtATime) {
   perform(Action::cancel, session);
   EXPECT_FALSE(session.editor.active);
   perform(Action::cancel, session);
-  EXPECT_TRUE(session.wishes.empty());
+  EXPECT_TRUE(session.asks.wishes.empty());
 }
 
 TEST(Hints, ComeOneAfterTheOtherAndThenNoMore) {
@@ -72,17 +71,17 @@ TEST(Hints, ComeOneAfterTheOtherAndThenNoMore) {
   window::Command command;
   using Kind = window::Command::Kind;
   command.kind = Kind::orbit;
-  countHint(command, session);
+  countHint(command, session.hint, session.state.hints);
   EXPECT_EQ(session.hint, 0) << "that was not asked for yet";
   for (const Kind kind : {Kind::press, Kind::deepen, Kind::slide, Kind::orbit}) {
     EXPECT_FALSE(hintText(session.hint).empty());
     command.kind = kind;
-    countHint(command, session);
+    countHint(command, session.hint, session.state.hints);
   }
   EXPECT_EQ(hintText(session.hint), "F1: everything else");
   command.kind = Kind::act;
   command.action = Action::help;
-  countHint(command, session);
+  countHint(command, session.hint, session.state.hints);
   EXPECT_TRUE(hintText(session.hint).empty());
   EXPECT_FALSE(session.state.hints);
 }

@@ -60,8 +60,8 @@ TEST(Eyesight, TheHeadMovesThePictureOnlyWhenItIsSwitchedOn) {
     stage.viewer->headAt({200.0, 100.0, 500.0}, stage.now_s);
     stage.frame();
   }
-  EXPECT_NEAR(stage.session().eyes_mm.x(), 200.0, 1.0);
-  EXPECT_EQ(stage.session().head, window::HeadTracker::State::tracking);
+  EXPECT_NEAR(stage.session().head.eyes_mm.x(), 200.0, 1.0);
+  EXPECT_EQ(stage.session().head.state, window::HeadTracker::State::tracking);
   EXPECT_NE(bodyIn(stage.viewer->target().read()), before);
   stage.session().state.head.on = false;
   stage.frame();

@@ -1,5 +1,6 @@
 // Every panel, the plots, the pages and the notices against pictures that a person has looked at (image_compare.h).
 // What they show is made up, so that no clock and no thread has a say in it.
+#include <epoxy/gl.h>
 #include <gtest/gtest.h>
 #include <imgui.h>
 
@@ -7,8 +8,9 @@
 #include <filesystem>
 #include <functional>
 #include <numbers>
+#include <optional>
 
-#include "apps/viewer/panels/open_dialog.h"
+#include "apps/viewer/panels/hints.h"
 #include "apps/viewer/panels/panels.h"
 #include "apps/viewer/panels/widgets.h"
 #include "palpate/base/text.h"
@@ -40,25 +42,21 @@ void addPress(SampleHistory& history, double from_s, double most_mm) {
   }
 }
 
-Session someSession() {
-  Session session;
-  session.world = {"torso", 20389, 10199, 352.0, 512.0, 214.0, true, true, 0.30, 1.20, {}};
-  session.performance.servo = {123456, 7, 2, 0, {}, {}, 1000.0};
-  session.performance.servo.compute.p50_us = 4.1;
-  session.performance.servo.compute.p99_us = 9.7;
-  session.performance.servo.lateness.p50_us = 12.5;
-  session.performance.servo.lateness.p99_us = 80.3;
-  session.performance.servo.lateness.max_us = 412.0;
-  session.performance.deform_ms = 0.84;
-  session.performance.upload_ms = 0.21;
-  session.performance.draw_ms = 5.35;
-  session.performance.frame_ms = 7.02;
-  session.performance.frames_per_s = 60.0;
-  session.performance.graphics = "a renderer with a rather long name (and its version, 256 bits)";
-  for (SampleHistory& plot : session.plots) plot = SampleHistory(kTicksPerS);
-  session.finger_present = {true, true};
-  session.camera.distance_mm = 600.0;
-  return session;
+Performance somePerformance() {
+  Performance p;
+  p.servo = {123456, 7, 2, 0, {}, {}, 1000.0};
+  p.servo.compute.p50_us = 4.1;
+  p.servo.compute.p99_us = 9.7;
+  p.servo.lateness.p50_us = 12.5;
+  p.servo.lateness.p99_us = 80.3;
+  p.servo.lateness.max_us = 412.0;
+  p.deform_ms = 0.84;
+  p.upload_ms = 0.21;
+  p.draw_ms = 5.35;
+  p.frame_ms = 7.02;
+  p.frames_per_s = 60.0;
+  p.graphics = "a renderer with a rather long name (and its version, 256 bits)";
+  return p;
 }
 
 std::vector<maps::Dysfunction> someDysfunctions() {
@@ -75,18 +73,18 @@ std::vector<maps::Dysfunction> someDysfunctions() {
 class PanelPictures : public testing::Test {
  protected:
   /// In a window as the side panel is.
-  void expectPanel(const std::string& name, int height, PanelFunction panel) {
+  void expectPanel(const std::string& name, int height, const std::function<void()>& panel) {
     expect("panel_" + name, static_cast<int>(kPanelWidth), height, [&] {
       ImGui::SetNextWindowPos({0.0f, 0.0f});
       ImGui::SetNextWindowSize({kPanelWidth, static_cast<float>(height)});
-      if (ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoDecoration)) panel(session);
+      if (ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoDecoration)) panel();
       ImGui::End();
     });
   }
 
   /// Width and height in points; over the grey that stands for the body.
   void expect(const std::string& name, int width, int height, const std::function<void()>& draw) {
-    gui_.setTheme(session.state.theme);
+    gui_.setTheme(theme);
     const view::Target target(static_cast<int>(width * pixels_per_point), static_cast<int>(height * pixels_per_point));
     for (int frame = 0; frame < kFramesToSettle; ++frame) {
       gui_.begin(Vec2(width, height), pixels_per_point, 1.0 / 60.0, {});
@@ -104,30 +102,36 @@ class PanelPictures : public testing::Test {
   }
 
   void pressTwice() {
-    addPress(session.plots[0], 1.0, 7.0);
-    addPress(session.plots[0], 5.0, 9.0);
-    addPress(session.plots[1], 6.0, 4.0);
+    addPress(plots.fingers[0], 1.0, 7.0);
+    addPress(plots.fingers[0], 5.0, 9.0);
+    addPress(plots.fingers[1], 6.0, 4.0);
   }
 
-  void expectPlots(const std::string& name) {
-    session.now_s = 1000.0;
+  void expectPlots(const std::string& name, std::optional<double> frozen_at_s = {}) {
+    const std::array<bool, 2> present = {true, true};
+    double now_s = 1000.0;
     expect(name, 700, 162, [&] {
-      session.now_s += 10.0;  // an axis shrinks after some seconds: to this test's own, whatever was drawn before
-      plotStrips(session, {0.0f, 0.0f, 700.0f, 12.0f});
+      now_s += 10.0;  // an axis shrinks after some seconds: to this test's own, whatever was drawn before
+      plotStrips({plots, present, 0, kDeviceLimitN, now_s, frozen_at_s}, {0.0f, 0.0f, 700.0f, 12.0f}, asks);
     });
   }
 
   void saySomething() {
-    session.messages.add(Severity::info, "Saved stage.toml", 2.0);
-    session.messages.add(Severity::warning, "The clipboard holds no view", 14.5);
-    session.messages.add(
-        Severity::error,
-        "cannot open broken.obj: line 2: 'this' is no element of an OBJ file; the body stays as it was", 21.25);
+    messages.add(Severity::info, "Saved stage.toml", 2.0);
+    messages.add(Severity::warning, "The clipboard holds no view", 14.5);
+    messages.add(Severity::error,
+                 "cannot open broken.obj: line 2: 'this' is no element of an OBJ file; the body stays as it was",
+                 21.25);
   }
 
   static constexpr int kFramesToSettle = 3;  // windows that fit their contents know them after a frame
   static constexpr double kLetter = 0.03;    ///< of a block: what a lost letter leaves, also in a large picture
-  Session session = someSession();
+  scene::Scene scene;
+  WorldFacts world{"torso", 20389, 10199, 352.0, 512.0, 214.0, true, true, 0.30, 1.20, {}};
+  Plots plots{{SampleHistory(kTicksPerS), SampleHistory(kTicksPerS)}};
+  Messages messages;
+  Asks asks;
+  window::Theme theme = window::Theme::dark;
   double pixels_per_point = 1.0;
 
  private:
@@ -135,104 +139,129 @@ class PanelPictures : public testing::Test {
   window::Gui gui_;
 };
 
-TEST_F(PanelPictures, OfTouch) { expectPanel("touch", 310, touchPanel); }
-
-TEST_F(PanelPictures, OfTouchByForce) {
-  session.state.touch.by = device::PressBy::force;
-  session.active_finger = 1;
-  expectPanel("touch_force", 160, touchPanel);
+TEST_F(PanelPictures, OfTouch) {
+  TouchSettings touch;
+  std::size_t active = 0;
+  expectPanel("touch", 310, [&] { touchPanel({touch, active, scene}, asks); });
 }
 
-TEST_F(PanelPictures, OfTissue) { expectPanel("tissue", 595, tissuePanel); }
+TEST_F(PanelPictures, OfTouchByForce) {
+  TouchSettings touch;
+  touch.by = device::PressBy::force;
+  std::size_t active = 1;
+  expectPanel("touch_force", 160, [&] { touchPanel({touch, active, scene}, asks); });
+}
+
+TEST_F(PanelPictures, OfTissue) {
+  ProfileEdit profile;
+  expectPanel("tissue", 595, [&] { tissuePanel({scene, profile, true}, asks); });
+}
 
 TEST_F(PanelPictures, OfTheProfileEditor) {
-  session.scene.deformation.forms.normal_profile.kind = tissue::ProfileKind::user;
-  session.profile_knots = {{0.0, 1.0}, {0.3, 0.85}, {0.5, 0.3}, {0.75, -0.2}, {1.0, 0.0}};
-  expectPanel("profile", 160, profileCurve);
+  tissue::ProfileSettings of_scene;
+  of_scene.kind = tissue::ProfileKind::user;
+  ProfileEdit profile{{{0.0, 1.0}, {0.3, 0.85}, {0.5, 0.3}, {0.75, -0.2}, {1.0, 0.0}}};
+  expectPanel("profile", 160, [&] { profileCurve(of_scene, profile, asks); });
 }
 
 TEST_F(PanelPictures, OfDysfunctions) {
-  session.scene.dysfunctions = someDysfunctions();
-  session.editor.active = true;
-  session.editor.selected = 1;
-  expectPanel("dysfunctions", 235, dysfunctionPanel);
+  std::vector<maps::Dysfunction> items = someDysfunctions();
+  Editor editor{.active = true, .selected = 1};
+  expectPanel("dysfunctions", 235, [&] { dysfunctionPanel({items, editor, asks}); });
 }
 
 TEST_F(PanelPictures, OfTheModel) {
-  session.world.notes = {"2 holes of the skin were closed"};
-  expectPanel("model", 500, modelPanel);
+  world.notes = {"2 holes of the skin were closed"};
+  bool dialog = false;
+  expectPanel("model", 500, [&] { modelPanel({scene, world, dialog}, asks); });
 }
 
 TEST_F(PanelPictures, OfTheModelOfAMeshFile) {
-  session.scene.body.kind = scene::BodyKind::mesh;
-  session.scene.body.file = "scan.ply";
-  session.world = {"scan.ply", 81664, 40834, 310.0, 455.0, 180.0, false, false, 0.50, 0.50, {}};
-  session.world.notes = {"3 triangles without an area were left out", "it has a border: fingers slide off there"};
-  expectPanel("model_mesh", 500, modelPanel);
+  scene.body.kind = scene::BodyKind::mesh;
+  scene.body.file = "scan.ply";
+  world = {"scan.ply", 81664, 40834, 310.0, 455.0, 180.0, false, false, 0.50, 0.50, {}};
+  world.notes = {"3 triangles without an area were left out", "it has a border: fingers slide off there"};
+  bool dialog = false;
+  expectPanel("model_mesh", 500, [&] { modelPanel({scene, world, dialog}, asks); });
 }
 
 TEST_F(PanelPictures, OfWhatIsShown) {
-  session.state.look.colouring = view::Colouring::stiffness;
-  session.state.look.show(view::Overlay::rings, true);
-  expectPanel("show", 545, showPanel);
+  view::Look look;
+  look.colouring = view::Colouring::stiffness;
+  look.show(view::Overlay::rings, true);
+  bool simpler = true;
+  expectPanel("show", 545, [&] { showPanel({look, simpler, false, world}); });
 }
 
 TEST_F(PanelPictures, OfASkinThatIsDrawnSmoothForNow) {
-  session.simple_shading = true;
-  expectPanel("show_slow", 200, showPanel);
+  view::Look look;
+  bool simpler = true;
+  expectPanel("show_slow", 200, [&] { showPanel({look, simpler, true, world}); });
 }
 
-TEST_F(PanelPictures, OfATrackedHead) {
-  session.state.stereo.mode = view::StereoMode::interlaced;
-  session.state.head.on = true;
-  session.state.head.offset_mm = {0.0, 170.0, -10.0};
-  session.eyes_mm = {112.0, 38.0, 547.0};
-  session.head = window::HeadTracker::State::standing_still;
-  session.camera.distance_mm = 600.0;
-  expectPanel("stereo_head", 470, stereoPanel);
+class StereoPanelPictures : public PanelPictures {
+ protected:
+  StereoPanelPictures() { camera.distance_mm = 600.0; }
+  void expectStereo(const std::string& name, int height) {
+    expectPanel(name, height, [&] { stereoPanel({stereo, head, seen, camera, world}); });
+  }
+
+  view::StereoSettings stereo;
+  HeadSettings head;
+  SeenHead seen;
+  view::Camera camera;
+};
+
+TEST_F(StereoPanelPictures, OfATrackedHead) {
+  stereo.mode = view::StereoMode::interlaced;
+  head.on = true;
+  head.offset_mm = {0.0, 170.0, -10.0};
+  seen.eyes_mm = {112.0, 38.0, 547.0};
+  seen.state = window::HeadTracker::State::standing_still;
+  expectStereo("stereo_head", 470);
 }
 
-TEST_F(PanelPictures, OfStereo) {
-  session.state.stereo.mode = view::StereoMode::anaglyph_dubois;
-  expectPanel("stereo", 215, stereoPanel);
+TEST_F(StereoPanelPictures, OfStereo) {
+  stereo.mode = view::StereoMode::anaglyph_dubois;
+  expectStereo("stereo", 215);
 }
 
 TEST_F(PanelPictures, OfARecording) {
-  session.now_s = 14.2;
-  session.recording = {true, "forces.csv", 2.0, true, "pictures", 37};
-  expectPanel("record", 185, recordPanel);
+  const Recording recording{true, "forces.csv", 2.0, true, "pictures", 37};
+  expectPanel("record", 185, [&] { recordPanel(recording, 14.2, asks); });
 }
 
-TEST_F(PanelPictures, OfPerformance) { expectPanel("performance", 370, performancePanel); }
+TEST_F(PanelPictures, OfPerformance) {
+  const Performance performance = somePerformance();
+  expectPanel("performance", 370, [&] { performancePanel(performance); });
+}
 
 TEST_F(PanelPictures, OfTheReplayBar) {
-  session.frozen = true;
-  session.replay = {6.4, 0.0, 9.1, false, {}};
-  expect("replay", 500, 90, [&] { replayBar(session, {0.0f, 0.0f, 500.0f, 90.0f}); });
-  session.replay = {3.2, 0.0, 9.1, true, "somewhere/forces.csv"};
-  expect("replay_table", 500, 90, [&] { replayBar(session, {0.0f, 0.0f, 500.0f, 90.0f}); });
+  const FreeArea free{0.0f, 0.0f, 500.0f, 90.0f};
+  Replay replay{.at_s = 6.4, .to_s = 9.1};
+  expect("replay", 500, 90, [&] { replayBar(replay, free, asks); });
+  replay = {.at_s = 3.2, .to_s = 9.1, .playing = true, .table = "somewhere/forces.csv"};
+  expect("replay_table", 500, 90, [&] { replayBar(replay, free, asks); });
 }
 
 TEST_F(PanelPictures, OfPlotsAtAFrozenMoment) {
   pressTwice();
-  session.frozen = true;
-  session.replay.at_s = 6.4;
-  expectPlots("plots_frozen");
+  expectPlots("plots_frozen", 6.4);
 }
 
 TEST_F(PanelPictures, OfTheOpenDialog) {
   const std::filesystem::path folder = "/tmp/palpate-pictures";
   std::filesystem::create_directories(folder / "people");
   for (const char* name : {"back.toml", "scan.ply", "forces.csv", "notes.txt"}) writeFile(folder / name, "");
-  session.state.recent = {"/home/somebody/back.toml", "/home/somebody/scans/torso.obj"};
+  const std::vector<std::string> recent = {"/home/somebody/back.toml", "/home/somebody/scans/torso.obj"};
   showFolder(folder);
-  expect("open", 600, 420, [&] { openDialog(session); });
+  bool open = true;
+  expect("open", 600, 420, [&] { openDialog(recent, open, asks); });
   std::filesystem::remove_all(folder);
 }
 
 TEST_F(PanelPictures, OfTheEditorsFrame) {
-  const FreeArea free{0.0f, 0.0f, 640.0f, 160.0f};
-  expect("editing", 640, 160, [&] { editingFrame(session, free); });
+  expect("editing", 640, 160, [&] { editingFrame({0.0f, 0.0f, 640.0f, 160.0f}); });
 }
 
 TEST_F(PanelPictures, OfThePlots) {
@@ -242,41 +271,50 @@ TEST_F(PanelPictures, OfThePlots) {
 
 TEST_F(PanelPictures, OfTheHelpPage) {
   pixels_per_point = 0.75;  // it is large
-  expect("help", 1140, 800, [&] { helpPage(session); });
+  bool open = true;
+  expect("help", 1140, 800, [&] { helpPage(open); });
 }
 
 TEST_F(PanelPictures, OfTheMessageList) {
   saySomething();
-  expect("messages", 580, 160, [&] { messageList(session); });
+  bool open = true;
+  expect("messages", 580, 160, [&] { messageList(messages, open); });
 }
 
 TEST_F(PanelPictures, OfTheNotices) {
   const FreeArea free{0.0f, 0.0f, 480.0f, 220.0f};
-  session.messages.add(Severity::error, "cannot open broken.obj: line 2: 'this' is no element of an OBJ file", 0.0);
-  session.building = engine::BuildProgress{"sorting the triangles", 0.4, 1.0};
+  messages.add(Severity::error, "cannot open broken.obj: line 2: 'this' is no element of an OBJ file", 0.0);
+  const engine::BuildProgress building{"sorting the triangles", 0.4, 1.0};
   expect("notices", 480, 220, [&] {
-    toast(session, free);
-    buildProgress(session, free);
-    hint(session, free);
+    toast(messages, 0.0, free);
+    buildProgress(building, free, asks);
+    hint(hintText(0), free);
   });
 }
 
 TEST_F(PanelPictures, OfTheMenu) {
-  expect("menu", 480, 40, [&] { menuBar(session); });
+  ViewState state;
+  int hint = 0;
+  expect("menu", 480, 40, [&] { menuBar({state, hint, {}, 0, "torso     mouse   1000 Hz   60 fps"}, asks); });
 }
 
 TEST_F(PanelPictures, OfTheLightTheme) {
-  session.state.theme = window::Theme::light;
+  theme = window::Theme::light;
   pressTwice();
   saySomething();
-  expectPanel("touch_light", 160, touchPanel);
+  TouchSettings touch;
+  std::size_t active = 0;
+  expectPanel("touch_light", 160, [&] { touchPanel({touch, active, scene}, asks); });
   expectPlots("plots_light");
-  expect("messages_light", 580, 160, [&] { messageList(session); });
+  bool open = true;
+  expect("messages_light", 580, 160, [&] { messageList(messages, open); });
 }
 
 TEST_F(PanelPictures, OfTheThemeOfHighContrast) {
-  session.state.theme = window::Theme::contrast;
-  expectPanel("touch_contrast", 160, touchPanel);
+  theme = window::Theme::contrast;
+  TouchSettings touch;
+  std::size_t active = 0;
+  expectPanel("touch_contrast", 160, [&] { touchPanel({touch, active, scene}, asks); });
 }
 
 }  // namespace

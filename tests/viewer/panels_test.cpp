@@ -20,7 +20,7 @@ TEST(Panels, EveryOneOpensAndDrawsItsControls) {
     const std::size_t before = widgetPlaces().size();
     const view::Image closed = stage.viewer->target().read();
     stage.click(std::string("panel/") + panel.name);
-    EXPECT_TRUE(widgetPlaces().size() > before || panel.draw == performancePanel) << panel.name;
+    EXPECT_TRUE(widgetPlaces().size() > before || panel.name == std::string_view("Performance")) << panel.name;
     EXPECT_GT(changed(closed, stage.viewer->target().read()), 0.003) << panel.name;
   }
 }

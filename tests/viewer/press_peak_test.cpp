@@ -1,4 +1,4 @@
-#include "apps/viewer/plots/touch_history.h"
+#include "apps/viewer/plots/press_peak.h"
 
 #include <gtest/gtest.h>
 

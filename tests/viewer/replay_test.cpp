@@ -42,31 +42,31 @@ TEST(TouchHistory, ForgetsTheOldestAndStaysInOrder) {
 }
 
 TEST(Replay, StepsAPictureOrATickAndStaysWithinWhatThereIs) {
-  Session session;
+  Replay replay;
   TouchHistory history;
   for (std::uint64_t tick = 0; tick < 1000; ++tick) history.add(sampleAt(tick, 0, 0.0));
-  advanceReplay(session, history, 0.1);
-  freeze(session, true);
-  EXPECT_DOUBLE_EQ(session.replay.at_s, 0.999);
-  EXPECT_TRUE(replayKey(window::Action::ring_left, false, session));
-  EXPECT_NEAR(session.replay.at_s, 0.999 - 1.0 / 60.0, 1e-12);
-  EXPECT_TRUE(replayKey(window::Action::ring_right, true, session));
-  EXPECT_NEAR(session.replay.at_s, 1.0 - 1.0 / 60.0, 1e-12);
-  for (int i = 0; i < 100; ++i) stepReplay(session, -kReplayStepS);
-  EXPECT_EQ(session.replay.at_s, 0.0);
-  session.replay.playing = true;
-  advanceReplay(session, history, 0.25);
-  EXPECT_DOUBLE_EQ(session.replay.at_s, 0.25);
-  advanceReplay(session, history, 9.0);
-  EXPECT_DOUBLE_EQ(session.replay.at_s, 0.999);
-  EXPECT_FALSE(session.replay.playing) << "at its end";
+  advanceReplay(replay, history, 0.1);
+  freeze(replay, true);
+  EXPECT_DOUBLE_EQ(replay.at_s, 0.999);
+  EXPECT_TRUE(replayKey(window::Action::ring_left, false, replay));
+  EXPECT_NEAR(replay.at_s, 0.999 - 1.0 / 60.0, 1e-12);
+  EXPECT_TRUE(replayKey(window::Action::ring_right, true, replay));
+  EXPECT_NEAR(replay.at_s, 1.0 - 1.0 / 60.0, 1e-12);
+  for (int i = 0; i < 100; ++i) stepReplay(replay, -kReplayStepS);
+  EXPECT_EQ(replay.at_s, 0.0);
+  replay.playing = true;
+  advanceReplay(replay, history, 0.25);
+  EXPECT_DOUBLE_EQ(replay.at_s, 0.25);
+  advanceReplay(replay, history, 9.0);
+  EXPECT_DOUBLE_EQ(replay.at_s, 0.999);
+  EXPECT_FALSE(replay.playing) << "at its end";
 }
 
 TEST(Replay, LeavesTheArrowsToTheFingerUnlessFrozen) {
-  Session session;
-  EXPECT_FALSE(replayKey(window::Action::ring_left, false, session));
-  session.frozen = true;
-  EXPECT_FALSE(replayKey(window::Action::ring_up, false, session));
+  Replay replay;
+  EXPECT_FALSE(replayKey(window::Action::ring_left, false, replay));
+  replay.frozen = true;
+  EXPECT_FALSE(replayKey(window::Action::ring_up, false, replay));
 }
 
 TEST(Replay, AFrozenPictureStepsBackToBeforeThePress) {
@@ -106,7 +106,7 @@ TEST(Replay, ARecordedTableIsFeltAgainToTheLastBit) {
   const auto recorded = trace::readForcesTable(table);
   stage.drop(table);
   ASSERT_TRUE(stage.until([&] { return !stage.session().replay.table.empty(); })) << stage.lastMessage();
-  EXPECT_TRUE(stage.session().frozen);
+  EXPECT_TRUE(stage.session().replay.frozen);
   for (std::size_t i = 0; i < recorded[0].force.size(); i += 37) {
     stage.session().replay.at_s = recorded[0].time_s[i];
     stage.frame();
@@ -123,7 +123,7 @@ TEST(Replay, ATableThatIsNoneBecomesAMessage) {
   stage.drop(stage.folder / "prices.csv");
   ASSERT_TRUE(stage.until([&] { return !stage.session().messages.all().empty(); }));
   EXPECT_TRUE(stage.lastMessage().starts_with("cannot replay ")) << stage.lastMessage();
-  EXPECT_FALSE(stage.session().frozen);
+  EXPECT_FALSE(stage.session().replay.frozen);
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ std::vector<Phase> phases(const std::filesystem::path& big) {
       {"rebuild loop",
        [](Stage& stage, int i) {
          stage.session().scene.stiffness.constant_n_per_mm = 0.4 + 0.01 * (i % 50);
-         if (i % 30 == 0) stage.session().changed |= kMapChange;
+         if (i % 30 == 0) stage.session().asks.changed |= kMapChange;
          stage.frame();
        }},
       {"PNG sequence",
@@ -102,12 +102,12 @@ TEST(ServoProof, GoesOnWhateverTheDisplayDoes) {
 TEST(ServoProof, TicksGoOnWhileAFrameIsStuck) {
   Stage stage;
   ASSERT_TRUE(stage.until([&] { return stage.session().performance.servo.ticks >= 1000; }));
-  const std::size_t before = stage.session().plots[0].size();
+  const std::size_t before = stage.session().plots.fingers[0].size();
   const double end_s = nowS() + 0.5;
   while (nowS() < end_s) {
   }  // a display that does nothing at all
   stage.frame();
-  EXPECT_GT(stage.session().plots[0].size(), before + 200);
+  EXPECT_GT(stage.session().plots.fingers[0].size(), before + 200);
 }
 
 TEST(ServoProof, TheServoThreadAllocatesNothing) {

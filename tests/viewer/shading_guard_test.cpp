@@ -1,4 +1,4 @@
-#include "apps/viewer/eyesight.h"
+#include "apps/viewer/shading_guard.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "apps/viewer/home_view.h"
+#include "apps/viewer/files/view_text.h"
 
 #include <gtest/gtest.h>
 

@@ -86,7 +86,7 @@ class Bench {
     note(1, place, upload);
     const auto draw = Clock::now();
     painter_.paint({{&mark, 1}, 0.0}, skin_.surface(), settings_, canvas_);
-    glFinish();
+    view::waitUntilDrawn();
     note(2, place, draw);
     ++frames_;
   }
@@ -145,7 +145,7 @@ FrameFigures measureFrames(const FrameRun& run) {
   } while (Clock::now() < end);
   figures.triangles = world->skin.triangles.size();
   for (const body::Bone& bone : world->anatomy.bones) figures.bone_triangles += bone.mesh.triangles.size();
-  figures.renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  figures.renderer = view::rendererWords();
   figures.deform_ms = bench.mean(0);
   figures.upload_ms = bench.mean(1);
   figures.draw_ms = bench.mean(2);

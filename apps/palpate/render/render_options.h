@@ -8,7 +8,6 @@
 
 #include "apps/palpate/simulate/simulate_options.h"
 #include "palpate/scene/view_settings.h"
-#include "palpate/view/overlays/labels.h"
 #include "palpate/view/picture.h"
 
 namespace palpate::app {

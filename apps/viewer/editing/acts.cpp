@@ -29,11 +29,11 @@ auto* switchOf(Action action, S& session) {
     case Action::panel:
       return &shown.panel;
     case Action::freeze:
-      return &session.frozen;
+      return &session.replay.frozen;
     case Action::swap_eyes:
       return &session.state.stereo.swap_eyes;
     default:
-      return static_cast<decltype(&session.frozen)>(nullptr);
+      return static_cast<decltype(&session.replay.frozen)>(nullptr);
   }
 }
 
@@ -56,7 +56,7 @@ void cancel(Session& session) {
   } else if (shown.messages) {
     shown.messages = false;
   } else if (session.editor.active) {
-    stopEditing(session);
+    stopEditing(session.dysfunctions());
   } else if (session.building) {
     session.wish(Wish::Kind::cancel_build);
   }
@@ -79,7 +79,7 @@ void perform(Action action, Session& session) {
     look.colouring = look.colouring == *colouring ? view::Colouring::plain : *colouring;
     return;
   }
-  if (action == Action::freeze) return freeze(session, !session.frozen);
+  if (action == Action::freeze) return freeze(session.replay, !session.replay.frozen);
   if (bool* on = switchOf(action, session)) {
     *on = !*on;
     return;
@@ -102,11 +102,11 @@ void perform(Action action, Session& session) {
     case Action::save:
       return session.wish(Wish::Kind::save);
     case Action::undo:
-      return undo(session);
+      return undo(session.dysfunctions());
     case Action::redo:
-      return redo(session);
+      return redo(session.dysfunctions());
     case Action::delete_selected:
-      return deleteSelected(session);
+      return deleteSelected(session.dysfunctions());
     case Action::cancel:
       return cancel(session);
     case Action::quit:

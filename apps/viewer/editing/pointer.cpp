@@ -19,7 +19,7 @@ constexpr double kHalfSpeedN = 8.0;
 
 }  // namespace
 
-double fingerRadius(const Session& session, std::size_t finger) { return radiusOf(session.scene, finger); }
+double fingerRadius(const scene::Scene& scene, std::size_t finger) { return radiusOf(scene, finger); }
 
 void Pointer::look(const PickScreen& screen, std::shared_ptr<const scene::World> world) {
   screen_ = screen;
@@ -171,7 +171,7 @@ device::FingerTarget Pointer::target(std::size_t finger, const Session& session)
   target.depth_mm = active ? touch.depth_mm : from.depth_mm;
   target.force_n = active ? touch.force_n : from.force_n;
   target.max_depth_mm = std::min(kMostDepthMm, session.scene.contact.finger.max_depth_mm);
-  target.radius_mm = fingerRadius(session, finger);
+  target.radius_mm = fingerRadius(session.scene, finger);
   if (from.place) {
     target.place = from.place->point;
     target.normal = from.place->normal;

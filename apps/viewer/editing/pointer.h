@@ -70,7 +70,7 @@ class Pointer {
   std::optional<Flight> flight_;
 };
 
-/// The radius of the finger as it is drawn and felt by this session.
-double fingerRadius(const Session& session, std::size_t finger);
+/// The radius of a finger as it is drawn and felt, mm.
+double fingerRadius(const scene::Scene& scene, std::size_t finger);
 
 }  // namespace palpate::viewer

@@ -1,7 +1,7 @@
 #include "apps/viewer/files/outputs.h"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
+
 #include <utility>
 
 #include "palpate/base/error.h"
@@ -12,102 +12,18 @@ namespace palpate::viewer {
 
 namespace {
 
-/// Pictures that may wait; a picture of 1280 x 800 takes 3 MB.
-constexpr std::size_t kMostWaiting = 16;
-constexpr int kPatience = 5;
-
-}  // namespace
-
-std::filesystem::path freshName(const std::filesystem::path& folder, const std::string& stem, const std::string& kind) {
-  std::filesystem::path file = folder / (stem + kind);
-  for (int i = 2; std::filesystem::exists(file); ++i) file = folder / fmt::format("{}-{}{}", stem, i, kind);
-  return file;
-}
-
-void ForceRecorder::start(const std::filesystem::path& file, double ticks_per_s) {
-  trace::ForcesCsvSettings settings;
-  settings.finger_names = {"left", "right"};
-  settings.ticks_per_s = ticks_per_s;
-  writer_ = std::make_unique<trace::ForcesCsvWriter>(file, settings);
-  first_tick_.reset();
-}
-
-void ForceRecorder::add(const trace::Sample& sample) {
-  if (!writer_) return;
-  if (!first_tick_) first_tick_ = sample.tick;
-  trace::Sample shifted = sample;  // a recording begins at time 0
-  shifted.tick -= *first_tick_;
-  writer_->add(shifted);
-}
-
-void ForceRecorder::stop() {
-  if (!writer_) return;
-  const auto writer = std::move(writer_);
-  writer->commit();
-}
-
-PictureWriter::PictureWriter() : thread_([this] { run(); }) {}
-
-PictureWriter::~PictureWriter() {
-  {
-    const std::lock_guard lock(mutex_);
-    quit_ = true;
-  }
-  change_.notify_all();
-  thread_.join();
-}
-
-void PictureWriter::write(std::filesystem::path file, view::Image image) {
-  std::unique_lock lock(mutex_);
-  change_.wait(lock, [this] { return jobs_.size() < kMostWaiting; });
-  jobs_.push_back({std::move(file), std::move(image)});
-  change_.notify_all();
-}
-
-std::string PictureWriter::takeError() {
-  const std::lock_guard lock(mutex_);
-  return std::exchange(error_, {});
-}
-
-void PictureWriter::finish() {
-  std::unique_lock lock(mutex_);
-  change_.wait(lock, [this] { return jobs_.empty() && !working_; });
-}
-
-void PictureWriter::run() {
-  setpriority(PRIO_PROCESS, 0, kPatience);  // of this thread, on Linux
-  std::unique_lock lock(mutex_);
-  while (true) {
-    change_.wait(lock, [this] { return quit_ || !jobs_.empty(); });
-    if (jobs_.empty()) return;
-    const Job job = std::move(jobs_.front());
-    jobs_.pop_front();
-    working_ = true;
-    lock.unlock();
-    std::string error;
-    try {
-      view::writePng(job.file, job.image);
-    } catch (const std::exception& failure) {
-      error = failure.what();
-    }
-    lock.lock();
-    working_ = false;
-    if (!error.empty()) error_ = std::move(error);
-    change_.notify_all();
-  }
-}
-
-namespace {
-
 namespace fs = std::filesystem;
 
 constexpr const char* kProfileStem = "profile";
 
-/// A fresh name in a folder that is made when it is first needed; that it cannot be is told by the writing.
+/// A file that does not exist yet: "palpate.png", "palpate-2.png", ... in a folder that is made when it is first
+/// needed; that it cannot be is told by the writing.
 fs::path fresh(const fs::path& folder, const std::string& stem, const std::string& kind) {
   std::error_code ignored;
   fs::create_directories(folder, ignored);
-  return freshName(folder, stem, kind);
+  fs::path file = folder / (stem + kind);
+  for (int i = 2; fs::exists(file); ++i) file = folder / fmt::format("{}-{}{}", stem, i, kind);
+  return file;
 }
 
 /// Does something with files; what goes wrong becomes a message.
@@ -163,9 +79,9 @@ void Outputs::toggleSequence(Session& session) {
 }
 
 void Outputs::savePlots(Session& session) {
-  const double end_s = session.plots_paused ? session.plot_end_s : session.plots[0].newestTime();
+  const Plots& plots = session.plots;
   const fs::path file = fresh(folder_, "plots", ".csv");
-  const auto write = [&] { writeFile(file, historyAsCsv(session.plots, end_s, session.plot_window_s)); };
+  const auto write = [&] { writeFile(file, historyAsCsv(plots.fingers, plots.shownEnd(), plots.window_s)); };
   if (attempt(session, write)) session.report(Severity::info, fmt::format("The plots are in {}", file.string()));
 }
 
@@ -182,11 +98,11 @@ void Outputs::useProfile(Session& session) {
   const bool ours = file.filename().string().starts_with(kProfileStem) && file.parent_path() == folder_;
   const fs::path target = ours ? file : fresh(folder_, kProfileStem, ".csv");
   std::string table = "q,value\n";
-  for (const tissue::ProfileKnot& knot : session.profile_knots) table += fmt::format("{},{}\n", knot.q, knot.value);
+  for (const tissue::ProfileKnot& knot : session.profile.knots) table += fmt::format("{},{}\n", knot.q, knot.value);
   if (!attempt(session, [&] { writeFile(target, table); })) return;
   file = target;
   session.scene.deformation.forms.normal_profile.kind = tissue::ProfileKind::user;
-  session.changed |= kMapChange;
+  session.asks.changed |= kMapChange;
 }
 
 void Outputs::keepFrame(Session& session, view::Image image) {

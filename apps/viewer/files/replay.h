@@ -1,25 +1,36 @@
 // Stepping through what was touched while the picture is frozen: a picture or a tick back or forth, or as it was. Pure.
 #pragma once
 
+#include <string>
+
 #include "apps/viewer/plots/touch_history.h"
-#include "apps/viewer/session.h"
+#include "palpate/window/keys.h"
 
 namespace palpate::viewer {
 
 /// A step of the arrow keys and of the buttons: one picture at sixty a second.
 inline constexpr double kReplayStepS = 1.0 / 60.0;
 
+/// Looking again at what was; times are those of the plots.
+struct Replay {
+  double at_s = 0.0;  ///< the moment that is shown
+  double from_s = 0.0;
+  double to_s = 0.0;  ///< what there is to look at
+  bool playing = false;
+  std::string table;  ///< the recorded table that is looked at; empty: the last minute of this run
+  double tick_s = 0.001;
+  bool frozen = false;  ///< else the present is shown
+};
+
 /// Freezes or goes on. Frozen, the newest moment is shown.
-void freeze(Session& session, bool frozen);
+void freeze(Replay& replay, bool frozen);
 
 /// Moves what is shown, within what there is; playing stops.
-void stepReplay(Session& session, double seconds);
-/// One tick, forth or back.
-void stepTick(Session& session, bool forth);
-/// True if the action is a step of a frozen session; then it was done.
-bool replayKey(window::Action action, bool fine, Session& session);
+void stepReplay(Replay& replay, double seconds);
+/// True if the action is a step of a frozen picture; then it was done. `fine` steps by a tick.
+bool replayKey(window::Action action, bool fine, Replay& replay);
 
 /// Once a frame: notes what there is to look at and lets time pass when it plays.
-void advanceReplay(Session& session, const TouchHistory& history, double elapsed_s);
+void advanceReplay(Replay& replay, const TouchHistory& history, double elapsed_s);
 
 }  // namespace palpate::viewer

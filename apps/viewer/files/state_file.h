@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "apps/viewer/session.h"
+#include "apps/viewer/view_state.h"
 #include "palpate/window/window.h"
 
 namespace palpate::viewer {

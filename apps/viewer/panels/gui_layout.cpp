@@ -1,8 +1,11 @@
 // The frame around the panels: where what stands on the screen, and the side panel with its sections.
+#include <fmt/format.h>
 #include <imgui.h>
 
-#include <algorithm>
+#include <utility>
 
+#include "apps/viewer/editing/acts.h"
+#include "apps/viewer/panels/hints.h"
 #include "apps/viewer/panels/panels.h"
 #include "apps/viewer/panels/widgets.h"
 
@@ -13,23 +16,63 @@ namespace {
 constexpr float kPanelWidth = 300.0f;
 constexpr float kMenuHeight = 24.0f;
 
+constexpr const char* kPerformance = "Performance";
+
+/// Each section with the parts of the session that it is about.
 constexpr PanelEntry kPanels[] = {
-    {"Touch", touchPanel},
-    {"Tissue", tissuePanel},
-    {"Dysfunctions", dysfunctionPanel},
-    {"Model", modelPanel},
-    {"Show", showPanel},
-    {"Stereo", stereoPanel},
-    {"Record", recordPanel},
-    {"Performance", performancePanel},
+    {"Touch",
+     [](Session& s) {
+       touchPanel({s.state.touch, s.active_finger, s.scene}, s.asks);
+     },
+     true},
+    {"Tissue",
+     [](Session& s) {
+       tissuePanel({s.scene, s.profile, s.world.has_bones}, s.asks);
+     }},
+    {"Dysfunctions", [](Session& s) { dysfunctionPanel(s.dysfunctions()); }},
+    {"Model",
+     [](Session& s) {
+       modelPanel({s.scene, s.world, s.state.shown.open_dialog}, s.asks);
+     }},
+    {"Show",
+     [](Session& s) {
+       showPanel({s.state.look, s.state.simpler_when_slow, s.simple_shading, s.world});
+     }},
+    {"Stereo",
+     [](Session& s) {
+       stereoPanel({s.state.stereo, s.state.head, s.head, s.camera, s.world});
+     }},
+    {"Record", [](Session& s) { recordPanel(s.recording, s.now_s, s.asks); }},
+    {kPerformance, [](Session& s) { performancePanel(s.performance); }},
 };
+
+MenuBar menuOf(Session& session) {
+  MenuBar menu{session.state, session.hint, {}, session.messages.unread(), {}};
+  for (std::size_t i = 0; i < window::kActions; ++i) menu.on[i] = isOn(static_cast<window::Action>(i), session);
+  menu.status = fmt::format("{}     mouse   {:.0f} Hz   {:.0f} fps", session.world.name,
+                            session.performance.servo.ticks_per_s, session.performance.frames_per_s);
+  return menu;
+}
+
+PlotStrips plotsOf(Session& session) {
+  const Replay& replay = session.replay;
+  return {session.plots,          session.finger_present, session.active_finger,
+          session.device_limit_n, session.now_s,          replay.frozen ? std::optional(replay.at_s) : std::nullopt};
+}
+
+/// Does what was asked for as of a key and says what was told.
+void grantActions(Session& session) {
+  for (const window::Action action : std::exchange(session.asks.actions, {})) perform(action, session);
+  for (Asks::Words& words : std::exchange(session.asks.words, {})) {
+    session.report(words.severity, std::move(words.text));
+  }
+}
 
 }  // namespace
 
 std::span<const PanelEntry> panelList() { return kPanels; }
 
-FreeArea freeArea(const Session& session, float width, float height) {
-  const Shown& shown = session.state.shown;
+FreeArea freeArea(const Shown& shown, float width, float height) {
   FreeArea free{0.0f, kMenuHeight, width, height};
   if (shown.panel) (shown.panel_right ? free.right : free.left) += shown.panel_right ? -kPanelWidth : kPanelWidth;
   if (shown.plots) free.below -= kPlotsHeight;
@@ -45,9 +88,9 @@ void sidePanel(Session& session, float width, const FreeArea& free) {
   if (ImGui::Begin("panel", nullptr, kFixed)) {
     for (const PanelEntry& panel : kPanels) {
       // F3 asks for this section from the keyboard.
-      const bool asked = session.state.shown.performance && panel.draw == performancePanel;
+      const bool asked = session.state.shown.performance && panel.name == kPerformance;
       if (asked) ImGui::SetNextItemOpen(true);
-      const auto flags = panel.draw == touchPanel ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None;
+      const auto flags = panel.open_at_first ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None;
       const bool open = ImGui::CollapsingHeader(panel.name, flags);
       notePlace(std::string("panel/") + panel.name);
       if (!open) continue;
@@ -62,22 +105,25 @@ void sidePanel(Session& session, float width, const FreeArea& free) {
 
 FreeArea drawGui(Session& session) {
   widgetPlaces().clear();
+  Shown& shown = session.state.shown;
   const ImVec2 size = ImGui::GetIO().DisplaySize;
-  const FreeArea free = freeArea(session, size.x, size.y);
-  menuBar(session);
-  if (session.state.shown.panel) sidePanel(session, size.x, free);
-  if (session.state.shown.plots) plotStrips(session, free);
-  if (session.editor.active) editingFrame(session, free);
-  buildProgress(session, free);
-  if (session.frozen) {
-    replayBar(session, free);
-  } else {
-    hint(session, free);
+  const FreeArea free = freeArea(shown, size.x, size.y);
+  menuBar(menuOf(session), session.asks);
+  grantActions(session);
+  if (shown.panel) sidePanel(session, size.x, free);
+  if (shown.plots) plotStrips(plotsOf(session), free, session.asks);
+  if (session.editor.active) editingFrame(free);
+  buildProgress(session.building, free, session.asks);
+  if (session.replay.frozen) {
+    replayBar(session.replay, free, session.asks);
+  } else if (session.state.hints && !session.editor.active) {
+    hint(hintText(session.hint), free);
   }
-  toast(session, free);
-  if (session.state.shown.help) helpPage(session);
-  if (session.state.shown.messages) messageList(session);
-  if (session.state.shown.open_dialog) openDialog(session);
+  grantActions(session);
+  toast(session.messages, session.now_s, free);
+  if (shown.help) helpPage(shown.help);
+  if (shown.messages) messageList(session.messages, shown.messages);
+  if (shown.open_dialog) openDialog(session.state.recent, shown.open_dialog, session.asks);
   return free;
 }
 

@@ -61,12 +61,12 @@ void mouseRules() {
 
 }  // namespace
 
-void helpPage(Session& session) {
+void helpPage(bool& open) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0.5f * size.x, 0.5f * size.y}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowBgAlpha(1.0f);
   ImGui::SetNextWindowSize({std::min(1100.0f, size.x - 40.0f), std::min(760.0f, size.y - 40.0f)});
-  if (ImGui::Begin("Keys and mouse (F1 or Esc closes)", &session.state.shown.help,
+  if (ImGui::Begin("Keys and mouse (F1 or Esc closes)", &open,
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                        ImGuiWindowFlags_NoSavedSettings)) {
     if (ImGui::BeginTable("columns", 2)) {

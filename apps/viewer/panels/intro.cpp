@@ -1,19 +1,10 @@
 #include "apps/viewer/panels/intro.h"
 
 #include <algorithm>
-#include <array>
+
+#include "palpate/view/orbit.h"
 
 namespace palpate::viewer {
-
-void countHint(const window::Command& command, Session& session) {
-  using Kind = window::Command::Kind;
-  // In the order of hintText.
-  static constexpr std::array<Kind, 5> kActs = {Kind::press, Kind::deepen, Kind::slide, Kind::orbit, Kind::act};
-  const auto hint = static_cast<std::size_t>(session.hint);
-  if (hint >= kActs.size() || command.kind != kActs[hint]) return;
-  if (command.kind == Kind::act && command.action != window::Action::help) return;
-  if (++session.hint == static_cast<int>(kActs.size())) session.state.hints = false;
-}
 
 namespace {
 

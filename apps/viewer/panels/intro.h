@@ -3,15 +3,8 @@
 #pragma once
 
 #include "apps/viewer/editing/pointer.h"
-#include "apps/viewer/session.h"
-#include "palpate/window/input.h"
 
 namespace palpate::viewer {
-
-// Hints follow each other: one is shown until what it says was done.
-
-/// Goes to the next hint when the command is what the present one asks for.
-void countHint(const window::Command& command, Session& session);
 
 class Intro {
  public:

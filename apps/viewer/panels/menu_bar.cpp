@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "apps/viewer/editing/acts.h"
-#include "apps/viewer/editing/dysfunction_editor.h"
 #include "apps/viewer/panels/panels.h"
 #include "apps/viewer/panels/widgets.h"
 
@@ -16,61 +14,62 @@ namespace {
 
 using window::Action;
 
-void item(Session& session, Action action) {
+/// The menus' parts together, and what they ask for.
+struct Menus {
+  const MenuBar& bar;
+  ViewState& state;
+  Asks& asks;
+};
+
+void item(const Menus& menus, Action action) {
   const window::KeyBinding& binding = window::bindingOf(action);
-  if (ImGui::MenuItem(std::string(binding.name).c_str(), window::keysOf(binding).c_str(), isOn(action, session))) {
-    perform(action, session);
-  }
+  const bool on = menus.bar.on[static_cast<std::size_t>(action)];
+  if (ImGui::MenuItem(std::string(binding.name).c_str(), window::keysOf(binding).c_str(), on)) menus.asks.act(action);
   notePlace(fmt::format("menu/{}", binding.name));
 }
 
-void recentFiles(Session& session) {
-  if (!ImGui::BeginMenu("Recent", !session.state.recent.empty())) return;
-  for (const std::string& file : session.state.recent) {
-    if (ImGui::MenuItem(file.c_str())) session.wish(Wish::Kind::open, file);
+void recentFiles(const Menus& menus) {
+  if (!ImGui::BeginMenu("Recent", !menus.state.recent.empty())) return;
+  for (const std::string& file : menus.state.recent) {
+    if (ImGui::MenuItem(file.c_str())) menus.asks.wish(Wish::Kind::open, file);
   }
   ImGui::EndMenu();
 }
 
-void fileMenu(Session& session) {
-  item(session, Action::open);
-  recentFiles(session);
-  if (ImGui::MenuItem("Built-in torso")) session.wish(Wish::Kind::default_scene);
-  item(session, Action::save);
+void fileMenu(const Menus& menus) {
+  item(menus, Action::open);
+  recentFiles(menus);
+  if (ImGui::MenuItem("Built-in torso")) menus.asks.wish(Wish::Kind::default_scene);
+  item(menus, Action::save);
   ImGui::Separator();
-  item(session, Action::undo);
-  item(session, Action::redo);
+  item(menus, Action::undo);
+  item(menus, Action::redo);
   ImGui::Separator();
-  item(session, Action::screenshot);
-  item(session, Action::record);
+  item(menus, Action::screenshot);
+  item(menus, Action::record);
   ImGui::Separator();
-  item(session, Action::quit);
+  item(menus, Action::quit);
 }
 
-void themeMenu(Session& session) {
+void themeMenu(window::Theme& theme) {
   if (!ImGui::BeginMenu("Theme")) return;
   for (std::size_t i = 0; i < window::kThemeNames.size(); ++i) {
-    const auto theme = static_cast<window::Theme>(i);
-    if (ImGui::MenuItem(std::string(window::kThemeNames[i]).c_str(), nullptr, session.state.theme == theme)) {
-      session.state.theme = theme;
-    }
+    const auto offered = static_cast<window::Theme>(i);
+    if (ImGui::MenuItem(std::string(window::kThemeNames[i]).c_str(), nullptr, theme == offered)) theme = offered;
   }
   ImGui::EndMenu();
 }
 
-void textSizeMenu(Session& session) {
+void textSizeMenu(double& text_size) {
   if (!ImGui::BeginMenu("Text size")) return;
   for (const double size : {0.75, 1.0, 1.25, 1.5, 2.0, 2.5}) {
-    if (ImGui::MenuItem(fmt::format("{:.0f} %", 100.0 * size).c_str(), nullptr, session.state.text_size == size)) {
-      session.state.text_size = size;
-    }
+    if (ImGui::MenuItem(fmt::format("{:.0f} %", 100.0 * size).c_str(), nullptr, text_size == size)) text_size = size;
   }
   ImGui::EndMenu();
 }
 
-void mouseMenu(Session& session) {
+void mouseMenu(window::InputSettings& input) {
   if (!ImGui::BeginMenu("Mouse")) return;
-  window::InputSettings& input = session.state.input;
   for (std::size_t i = 0; i < window::kMousePresetNames.size(); ++i) {
     const auto preset = static_cast<window::MousePreset>(i);
     if (ImGui::MenuItem(std::string(window::kMousePresetNames[i]).c_str(), nullptr, input.preset == preset)) {
@@ -86,63 +85,60 @@ void mouseMenu(Session& session) {
   ImGui::EndMenu();
 }
 
-void viewMenu(Session& session) {
+void viewMenu(const Menus& menus) {
   for (const Action action : {Action::home, Action::full_screen, Action::panel, Action::plots, Action::numbers,
                               Action::performance, Action::freeze}) {
-    item(session, action);
+    item(menus, action);
   }
-  ImGui::MenuItem("Panel on the right", nullptr, &session.state.shown.panel_right);
+  ImGui::MenuItem("Panel on the right", nullptr, &menus.state.shown.panel_right);
   ImGui::Separator();
-  if (ImGui::MenuItem("Copy the view")) session.wish(Wish::Kind::copy_view);
-  if (ImGui::MenuItem("Paste the view")) session.wish(Wish::Kind::paste_view);
+  if (ImGui::MenuItem("Copy the view")) menus.asks.wish(Wish::Kind::copy_view);
+  if (ImGui::MenuItem("Paste the view")) menus.asks.wish(Wish::Kind::paste_view);
   ImGui::Separator();
-  themeMenu(session);
-  textSizeMenu(session);
-  mouseMenu(session);
-  ImGui::MenuItem("Reduced motion", nullptr, &session.state.reduced_motion);
+  themeMenu(menus.state.theme);
+  textSizeMenu(menus.state.text_size);
+  mouseMenu(menus.state.input);
+  ImGui::MenuItem("Reduced motion", nullptr, &menus.state.reduced_motion);
   if (ImGui::MenuItem("Reset the layout")) {
-    session.state.shown = {};
-    session.state.text_size = 1.0;
+    menus.state.shown = {};
+    menus.state.text_size = 1.0;
   }
 }
 
-void showMenu(Session& session) {
-  for (std::size_t i = 0; i < view::kOverlays; ++i) item(session, window::actionFor(static_cast<view::Overlay>(i)));
-  item(session, Action::skin_opacity);
+void showMenu(const Menus& menus) {
+  for (std::size_t i = 0; i < view::kOverlays; ++i) item(menus, window::actionFor(static_cast<view::Overlay>(i)));
+  item(menus, Action::skin_opacity);
   ImGui::Separator();
   for (const Action action : {Action::colour_strain, Action::colour_stiffness, Action::colour_ellipses}) {
-    item(session, action);
+    item(menus, action);
   }
   ImGui::Separator();
-  item(session, Action::stereo_mode);
-  item(session, Action::swap_eyes);
+  item(menus, Action::stereo_mode);
+  item(menus, Action::swap_eyes);
 }
 
-void helpMenu(Session& session) {
-  item(session, Action::help);
+void helpMenu(const Menus& menus) {
+  item(menus, Action::help);
   if (ImGui::MenuItem("Show the hints again")) {
-    session.state.hints = true;
-    session.hint = 0;
+    menus.state.hints = true;
+    menus.bar.hint = 0;
   }
-  const std::string messages = session.messages.unread() == 0
-                                   ? std::string("Messages")
-                                   : fmt::format("Messages ({} new)", session.messages.unread());
-  if (ImGui::MenuItem(messages.c_str())) session.state.shown.messages = true;
+  const std::size_t unread = menus.bar.unread_messages;
+  const std::string messages = unread == 0 ? std::string("Messages") : fmt::format("Messages ({} new)", unread);
+  if (ImGui::MenuItem(messages.c_str())) menus.state.shown.messages = true;
 }
 
 template <class Draw>
-void menu(Session& session, const char* name, const Draw& draw) {
+void menu(const Menus& menus, const char* name, const Draw& draw) {
   const bool open = ImGui::BeginMenu(name);
   notePlace(fmt::format("menu/{}", name));
   if (!open) return;
-  draw(session);
+  draw(menus);
   ImGui::EndMenu();
 }
 
 /// At the right end: what is touched, by what, how fast.
-void statusLine(const Session& session) {
-  const std::string words = fmt::format("{}     mouse   {:.0f} Hz   {:.0f} fps", session.world.name,
-                                        session.performance.servo.ticks_per_s, session.performance.frames_per_s);
+void statusLine(const std::string& words) {
   const float left = ImGui::GetWindowWidth() - ImGui::CalcTextSize(words.c_str()).x - 16.0f;
   if (left > ImGui::GetCursorPosX()) ImGui::SameLine(left);
   ImGui::TextUnformatted(words.c_str());
@@ -150,13 +146,14 @@ void statusLine(const Session& session) {
 
 }  // namespace
 
-void menuBar(Session& session) {
+void menuBar(const MenuBar& bar, Asks& asks) {
   if (!ImGui::BeginMainMenuBar()) return;
-  menu(session, "File", fileMenu);
-  menu(session, "View", viewMenu);
-  menu(session, "Show", showMenu);
-  menu(session, "Help", helpMenu);
-  statusLine(session);
+  const Menus menus{bar, bar.state, asks};
+  menu(menus, "File", fileMenu);
+  menu(menus, "View", viewMenu);
+  menu(menus, "Show", showMenu);
+  menu(menus, "Help", helpMenu);
+  statusLine(bar.status);
   ImGui::EndMainMenuBar();
 }
 

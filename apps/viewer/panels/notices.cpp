@@ -17,14 +17,6 @@ constexpr auto kNotice = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove
 /// Work that takes less than this is not worth a word.
 constexpr double kProgressAfterS = 0.15;
 
-constexpr std::string_view kHints[] = {
-    "Hold the left button on the back to press it",
-    "Scroll while holding: deeper or lighter",
-    "Move while holding: pull the skin",
-    "Drag beside the body, or with the right button: turn",
-    "F1: everything else",
-};
-
 float middleOf(const FreeArea& free) { return 0.5f * (free.left + free.right); }
 
 /// On a light window the same hues, darker.
@@ -45,13 +37,8 @@ const char* wordFor(Severity severity) {
 
 }  // namespace
 
-std::string_view hintText(int i) {
-  return i >= 0 && i < static_cast<int>(std::size(kHints)) ? kHints[i] : std::string_view();
-}
-
-void hint(Session& session, const FreeArea& free) {
-  const std::string_view words = hintText(session.hint);
-  if (!session.state.hints || words.empty() || session.editor.active) return;
+void hint(std::string_view words, const FreeArea& free) {
+  if (words.empty()) return;
   ImGui::SetNextWindowPos({middleOf(free), free.below - 16.0f}, ImGuiCond_Always, {0.5f, 1.0f});
   ImGui::SetNextWindowBgAlpha(0.72f);
   if (ImGui::Begin("hint", nullptr, kNotice | ImGuiWindowFlags_NoInputs)) {
@@ -60,8 +47,8 @@ void hint(Session& session, const FreeArea& free) {
   ImGui::End();
 }
 
-void toast(Session& session, const FreeArea& free) {
-  const Message* message = session.messages.toast(session.now_s);
+void toast(Messages& messages, double now_s, const FreeArea& free) {
+  const Message* message = messages.toast(now_s);
   if (message == nullptr) return;
   constexpr float kWidth = 460.0f;
   ImGui::SetNextWindowPos({middleOf(free), free.top + 12.0f}, ImGuiCond_Always, {0.5f, 0.0f});
@@ -71,25 +58,25 @@ void toast(Session& session, const FreeArea& free) {
     ImGui::PushTextWrapPos(kWidth - 20.0f);
     ImGui::TextColored(colourOf(message->severity), "%s%s", wordFor(message->severity), message->text.c_str());
     ImGui::PopTextWrapPos();
-    if (message->severity != Severity::info && buttonWidget("toast/dismiss", "Dismiss")) session.messages.dismiss();
+    if (message->severity != Severity::info && buttonWidget("toast/dismiss", "Dismiss")) messages.dismiss();
   }
   ImGui::End();
 }
 
-void buildProgress(Session& session, const FreeArea& free) {
-  if (!session.building || session.building->since_s < kProgressAfterS) return;
+void buildProgress(const std::optional<engine::BuildProgress>& building, const FreeArea& free, Asks& asks) {
+  if (!building || building->since_s < kProgressAfterS) return;
   ImGui::SetNextWindowPos({middleOf(free), free.below - 64.0f}, ImGuiCond_Always, {0.5f, 1.0f});
   ImGui::SetNextWindowBgAlpha(0.9f);
   if (ImGui::Begin("building", nullptr, kNotice)) {
-    ImGui::TextUnformatted(session.building->stage.c_str());
-    ImGui::ProgressBar(static_cast<float>(session.building->done), {260.0f, 0.0f});
+    ImGui::TextUnformatted(building->stage.c_str());
+    ImGui::ProgressBar(static_cast<float>(building->done), {260.0f, 0.0f});
     ImGui::SameLine();
-    if (buttonWidget("building/cancel", "Cancel")) session.wish(Wish::Kind::cancel_build);
+    if (buttonWidget("building/cancel", "Cancel")) asks.wish(Wish::Kind::cancel_build);
   }
   ImGui::End();
 }
 
-void editingFrame(Session&, const FreeArea& free) {
+void editingFrame(const FreeArea& free) {
   constexpr ImU32 kColour = IM_COL32(240, 170, 60, 255);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.AddRect({free.left + 2.0f, free.top + 2.0f}, {free.right - 2.0f, free.below - 2.0f}, kColour, 0.0f, 0, 3.0f);
@@ -100,21 +87,21 @@ void editingFrame(Session&, const FreeArea& free) {
   ImGui::End();
 }
 
-void messageList(Session& session) {
-  session.messages.markRead();
+void messageList(Messages& messages, bool& open) {
+  messages.markRead();
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0.5f * size.x, 0.5f * size.y}, ImGuiCond_FirstUseEver, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({560.0f, 320.0f}, ImGuiCond_FirstUseEver);
-  if (ImGui::Begin("Messages", &session.state.shown.messages, ImGuiWindowFlags_NoSavedSettings)) {
+  if (ImGui::Begin("Messages", &open, ImGuiWindowFlags_NoSavedSettings)) {
     if (buttonWidget("messages/copy", "Copy all")) {
       std::string all;
-      for (const Message& message : session.messages.all()) {
+      for (const Message& message : messages.all()) {
         all += fmt::format("{}{}\n", wordFor(message.severity), message.text);
       }
       ImGui::SetClipboardText(all.c_str());
     }
-    if (session.messages.all().empty()) remark("Nothing has been said yet.");
-    for (const Message& message : session.messages.all()) {
+    if (messages.all().empty()) remark("Nothing has been said yet.");
+    for (const Message& message : messages.all()) {
       ImGui::TextColored(colourOf(message.severity), "%.1f s  %s", message.at_s, wordFor(message.severity));
       ImGui::SameLine(0.0f, 0.0f);
       ImGui::TextWrapped("%s", message.text.c_str());

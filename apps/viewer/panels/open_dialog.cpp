@@ -7,7 +7,6 @@
 #include <cctype>
 #include <filesystem>
 
-#include "apps/viewer/panels/open_dialog.h"
 #include "apps/viewer/panels/panels.h"
 #include "apps/viewer/panels/widgets.h"
 
@@ -55,13 +54,9 @@ Listing& shownListing() {
   return listing;
 }
 
-void choose(Session& session, const std::string& file) {
-  session.wish(Wish::Kind::open, file);
-  session.state.shown.open_dialog = false;
-}
-
-/// A listing is read when the folder changes, not in every frame.
-void walk(Session& session, Listing& listing) {
+/// The file that was clicked, or none. A listing is read when the folder changes, not in every frame.
+std::string walk(Listing& listing) {
+  std::string chosen;
   ImGui::TextDisabled("%s", listing.folder.c_str());
   fs::path next;
   if (ImGui::BeginChild("files", {0.0f, 240.0f}, true)) {
@@ -70,39 +65,45 @@ void walk(Session& session, Listing& listing) {
       if (ImGui::Selectable((folder.filename().string() + "/").c_str())) next = folder;
     }
     for (const fs::path& file : listing.files) {
-      if (ImGui::Selectable(file.filename().c_str())) choose(session, file.string());
+      if (ImGui::Selectable(file.filename().c_str())) chosen = file.string();
     }
     if (listing.folders.empty() && listing.files.empty()) remark("no scenes or meshes here");
   }
   ImGui::EndChild();
   if (!next.empty()) listing = listingOf(next);
+  return chosen;
 }
 
 }  // namespace
 
 void showFolder(const fs::path& folder) { shownListing() = listingOf(folder); }
 
-void openDialog(Session& session) {
+void openDialog(std::span<const std::string> recent, bool& open, Asks& asks) {
   Listing& listing = shownListing();
   static std::string typed;
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0.5f * size.x, 0.5f * size.y}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({std::min(560.0f, size.x - 40.0f), 0.0f});
-  if (ImGui::Begin("Open a scene or a mesh", &session.state.shown.open_dialog,
+  if (ImGui::Begin("Open a scene or a mesh", &open,
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings)) {
     // Files may have come since it was last open.
     if (ImGui::IsWindowAppearing()) listing = listingOf(listing.folder);
-    for (const std::string& file : session.state.recent) {
-      if (ImGui::Selectable(file.c_str())) choose(session, file);
+    std::string chosen;
+    for (const std::string& file : recent) {
+      if (ImGui::Selectable(file.c_str())) chosen = file;
     }
-    walk(session, listing);
+    if (const std::string walked = walk(listing); !walked.empty()) chosen = walked;
     ImGui::SetNextItemWidth(-80.0f);
     const bool entered = ImGui::InputText("##file", &typed, ImGuiInputTextFlags_EnterReturnsTrue);
     notePlace("open/file");
     ImGui::SameLine();
-    if ((buttonWidget("open/open", "Open") || entered) && !typed.empty()) choose(session, typed);
+    if ((buttonWidget("open/open", "Open") || entered) && !typed.empty()) chosen = typed;
     remark(
         "TOML scenes, OBJ, STL, PLY, OFF, glTF and GLB meshes, recorded forces (CSV); or drop a file on the window.");
+    if (!chosen.empty()) {
+      asks.wish(Wish::Kind::open, chosen);
+      open = false;
+    }
   }
   ImGui::End();
 }

@@ -17,44 +17,45 @@ void factsOf(const WorldFacts& world) {
   for (const std::string& note : world.notes) remark(note);
 }
 
-void bodyWidgets(Session& session) {
-  if (session.scene.body.kind == scene::BodyKind::torso) {
-    keyWidget(session, {"body", "triangles", "triangles"});
-    keyWidget(session, {"body", "stature_mm", "stature", 500.0, 2500.0, "%.0f mm"});
-    keyWidget(session, {"body", "spine_relief", "spine shows", 0.0, 3.0});
-    keyWidget(session, {"body", "rib_relief", "ribs show", 0.0, 3.0});
-    keyWidget(session, {"body", "scapula_relief", "scapulae show", 0.0, 3.0});
-    keyWidget(session, {"body", "asymmetry", "asymmetry", 0.0, 3.0});
+void bodyWidgets(const SceneKeys& keys) {
+  if (keys.scene.body.kind == scene::BodyKind::torso) {
+    keyWidget(keys, {"body", "triangles", "triangles"});
+    keyWidget(keys, {"body", "stature_mm", "stature", 500.0, 2500.0, "%.0f mm"});
+    keyWidget(keys, {"body", "spine_relief", "spine shows", 0.0, 3.0});
+    keyWidget(keys, {"body", "rib_relief", "ribs show", 0.0, 3.0});
+    keyWidget(keys, {"body", "scapula_relief", "scapulae show", 0.0, 3.0});
+    keyWidget(keys, {"body", "asymmetry", "asymmetry", 0.0, 3.0});
   } else {
-    keyWidget(session, {"body", "unit", "unit of the file"});
-    keyWidget(session, {"body", "scale", "scale"});
-    keyWidget(session, {"body", "repair", "mend the mesh"});
+    keyWidget(keys, {"body", "unit", "unit of the file"});
+    keyWidget(keys, {"body", "scale", "scale"});
+    keyWidget(keys, {"body", "repair", "mend the mesh"});
   }
 }
 
-void partitionWidgets(Session& session) {
-  keyWidget(session, {"partition", "tree", "tree"});
-  keyWidget(session, {"partition", "assign", "cut triangles"});
-  keyWidget(session, {"partition", "threshold", "triangles a leaf"});
-  keyWidget(session, {"partition", "hdb_fraction", "detecting box", 0.01, 1.0});
-  keyWidget(session, {"partition", "hdb_edge_mm", "its edge", 0.0, 400.0, "%.0f mm"});
-  keyWidget(session, {"partition", "query", "asks for"});
-  otherKeys(session, "partition");
+void partitionWidgets(const SceneKeys& keys) {
+  keyWidget(keys, {"partition", "tree", "tree"});
+  keyWidget(keys, {"partition", "assign", "cut triangles"});
+  keyWidget(keys, {"partition", "threshold", "triangles a leaf"});
+  keyWidget(keys, {"partition", "hdb_fraction", "detecting box", 0.01, 1.0});
+  keyWidget(keys, {"partition", "hdb_edge_mm", "its edge", 0.0, 400.0, "%.0f mm"});
+  keyWidget(keys, {"partition", "query", "asks for"});
+  otherKeys(keys, "partition");
 }
 
 }  // namespace
 
-void modelPanel(Session& session) {
-  factsOf(session.world);
+void modelPanel(const ModelPanel& panel, Asks& asks) {
+  const SceneKeys keys{panel.scene, asks};
+  factsOf(panel.world);
   if (buttonWidget("model/open", "Open ...", "A scene or a mesh; or drop a file on the window.")) {
-    session.state.shown.open_dialog = true;
+    panel.open_dialog = true;
   }
   ImGui::SameLine();
-  if (buttonWidget("model/default", "Built-in torso")) session.wish(Wish::Kind::default_scene);
+  if (buttonWidget("model/default", "Built-in torso")) asks.wish(Wish::Kind::default_scene);
   ImGui::Separator();
-  bodyWidgets(session);
+  bodyWidgets(keys);
   ImGui::Separator();
-  partitionWidgets(session);
+  partitionWidgets(keys);
 }
 
 }  // namespace palpate::viewer

@@ -7,8 +7,7 @@
 
 namespace palpate::viewer {
 
-void performancePanel(Session& session) {
-  const Performance& p = session.performance;
+void performancePanel(const Performance& p) {
   ImGui::TextUnformatted("Haptic (last second)");
   valueLine("rate", fmt::format("{:.0f} Hz", p.servo.ticks_per_s));
   valueLine("tick, median", fmt::format("{:.1f} us", p.servo.compute.p50_us));

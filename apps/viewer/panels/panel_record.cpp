@@ -7,29 +7,28 @@
 
 namespace palpate::viewer {
 
-void recordPanel(Session& session) {
-  const Recording& recording = session.recording;
+void recordPanel(const Recording& recording, double now_s, Asks& asks) {
   if (buttonWidget("record/forces", recording.forces ? "Stop recording (R)" : "Record forces (R)",
                    "Every finger in every tick, as a CSV table.")) {
-    session.wish(Wish::Kind::record);
+    asks.wish(Wish::Kind::record);
   }
   if (recording.forces) {
-    remark(fmt::format("{:.1f} s into {}", session.now_s - recording.since_s, recording.forces_file));
+    remark(fmt::format("{:.1f} s into {}", now_s - recording.since_s, recording.forces_file));
   }
   if (!recording.forces && !recording.forces_file.empty() &&
       buttonWidget(
           "record/replay", "Replay what was recorded",
           "Presses the same places again, to be stepped tick by tick. Other tables: Open, or drop them here.")) {
-    session.wish(Wish::Kind::open, recording.forces_file);
+    asks.wish(Wish::Kind::open, recording.forces_file);
   }
   if (buttonWidget("record/sequence", recording.sequence ? "Stop the pictures" : "Record pictures",
                    "Every frame as a PNG file, in a folder of their own.")) {
-    session.wish(Wish::Kind::sequence);
+    asks.wish(Wish::Kind::sequence);
   }
   if (recording.sequence) remark(fmt::format("{} pictures in {}", recording.pictures, recording.sequence_folder));
-  if (buttonWidget("record/picture", "Save a picture (F12)")) session.wish(Wish::Kind::screenshot);
-  if (buttonWidget("record/csv", "Save the plots as CSV")) session.wish(Wish::Kind::plots_csv);
-  if (buttonWidget("record/scene", "Save the scene (Ctrl+S)")) session.wish(Wish::Kind::save);
+  if (buttonWidget("record/picture", "Save a picture (F12)")) asks.wish(Wish::Kind::screenshot);
+  if (buttonWidget("record/csv", "Save the plots as CSV")) asks.wish(Wish::Kind::plots_csv);
+  if (buttonWidget("record/scene", "Save the scene (Ctrl+S)")) asks.wish(Wish::Kind::save);
 }
 
 }  // namespace palpate::viewer

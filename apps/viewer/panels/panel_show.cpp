@@ -15,19 +15,19 @@ namespace {
 constexpr std::array<std::string_view, 2> kShadings = {"smooth (Gouraud)", "skin"};
 constexpr std::array<std::string_view, 3> kFingerShapes = {"none", "ball", "hand"};
 
-void lookWidgets(Session& session) {
-  view::Look& look = session.state.look;
+void lookWidgets(const ShowPanel& panel) {
+  view::Look& look = panel.look;
   auto shading = static_cast<std::size_t>(look.shading);
   if (choiceWidget("show/shading", "shading", shading, kShadings,
                    "Light at the corners, as in the dissertation and fastest, or at each pixel, as skin takes it.")) {
     look.shading = static_cast<view::Shading>(shading);
-    session.state.simpler_when_slow = false;  // who chooses gets what he chose
+    panel.simpler_when_slow = false;  // who chooses gets what he chose
   }
-  flagWidget("show/simpler", "smooth while it is slow", session.state.simpler_when_slow,
+  flagWidget("show/simpler", "smooth while it is slow", panel.simpler_when_slow,
              "Below 30 pictures a second the skin is drawn smooth, until there is time to spare.");
-  if (session.simple_shading) {
+  if (panel.simple_now) {
     remark("Drawn smooth for now: pictures came too slowly.");
-    if (buttonWidget("show/all_the_same", "Draw skin all the same")) session.state.simpler_when_slow = false;
+    if (buttonWidget("show/all_the_same", "Draw skin all the same")) panel.simpler_when_slow = false;
   }
   auto finger = static_cast<std::size_t>(look.finger);
   if (choiceWidget("show/finger", "finger", finger, kFingerShapes, "What is drawn where the finger is.")) {
@@ -35,7 +35,7 @@ void lookWidgets(Session& session) {
   }
   numberWidget(look.skin_opacity,
                {"show/opacity", "skin opacity", "%.2f", 0.0, 1.0, 1.0, "Below 1 the bones show through (key O)."});
-  if (session.world.has_picture) {
+  if (panel.world.has_picture) {
     flagWidget("show/picture", "picture on the skin", look.texture, "The one that the scene names.");
   }
   flagWidget("show/white", "white background", look.white_background, "For papers.");
@@ -47,8 +47,7 @@ view::ColourRange& rangeOf(view::Look& look) {
 }
 
 /// The range stays as the user set it until he asks for another: colours must mean the same before and after.
-void rangeWidgets(Session& session) {
-  view::Look& look = session.state.look;
+void rangeWidgets(view::Look& look, const WorldFacts& world) {
   if (look.colouring == view::Colouring::plain) return;
   view::ColourRange& range = rangeOf(look);
   const bool strain = look.colouring == view::Colouring::strain;
@@ -65,33 +64,33 @@ void rangeWidgets(Session& session) {
   numberWidget(range.low, {"show/low", "from", format, 0.0, most, stiffness ? 0.3 : 100.0, "The lower end's colour."});
   numberWidget(range.high, {"show/high", "to", format, 0.0, most, stiffness ? 1.2 : 200.0, "The upper end's colour."});
   if (stiffness && buttonWidget("show/fit", "Fit to the body")) {
-    range = {session.world.softest_n_per_mm, session.world.stiffest_n_per_mm};
+    range = {world.softest_n_per_mm, world.stiffest_n_per_mm};
   }
   range.high = std::max(range.high, range.low + 1e-3);
 }
 
-void overlayWidget(Session& session, view::Overlay overlay) {
+void overlayWidget(view::Look& look, view::Overlay overlay) {
   const window::KeyBinding& binding = window::bindingOf(window::actionFor(overlay));
-  bool on = session.state.look.shows(overlay);
+  bool on = look.shows(overlay);
   const std::string path = fmt::format("show/{}", view::kOverlayNames[static_cast<std::size_t>(overlay)]);
   const std::string label = fmt::format("{}  ({})", binding.name, window::nameOf(binding.chord));
   if (flagWidget(path.c_str(), label.c_str(), on, std::string(binding.does).c_str())) {
-    session.state.look.show(overlay, on);
+    look.show(overlay, on);
   }
 }
 
 }  // namespace
 
-void showPanel(Session& session) {
-  lookWidgets(session);
+void showPanel(const ShowPanel& panel) {
+  lookWidgets(panel);
   ImGui::Separator();
-  auto colouring = static_cast<std::size_t>(session.state.look.colouring);
+  auto colouring = static_cast<std::size_t>(panel.look.colouring);
   if (choiceWidget("show/colour", "colour by", colouring, view::kColouringNames, "What the skin's colour says.")) {
-    session.state.look.colouring = static_cast<view::Colouring>(colouring);
+    panel.look.colouring = static_cast<view::Colouring>(colouring);
   }
-  rangeWidgets(session);
+  rangeWidgets(panel.look, panel.world);
   ImGui::Separator();
-  for (std::size_t i = 0; i < view::kOverlays; ++i) overlayWidget(session, static_cast<view::Overlay>(i));
+  for (std::size_t i = 0; i < view::kOverlays; ++i) overlayWidget(panel.look, static_cast<view::Overlay>(i));
 }
 
 }  // namespace palpate::viewer

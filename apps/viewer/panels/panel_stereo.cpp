@@ -28,17 +28,15 @@ void placeWidgets(Vec3& place, const std::array<const char*, 3>& paths, const Ve
 }
 
 /// For displays that share their place with the hand: the body behind a window of true size.
-void headWidgets(Session& session) {
-  HeadSettings& head = session.state.head;
+void headWidgets(HeadSettings& head, const SeenHead& seen) {
   ImGui::Separator();
   flagWidget("stereo/head", "head before a real screen", head.on,
              "The screen is a window onto a body of true size, seen from where the eyes are.");
   if (!head.on) return;
   numberWidget(head.screen_height_mm, {"stereo/screen", "screen height", "%.0f mm", kLeastScreenMm, kMostScreenMm,
                                        300.0, "Of the lit part of the screen."});
-  valueLine("eyes",
-            fmt::format("{:.0f}, {:.0f}, {:.0f} mm", session.eyes_mm.x(), session.eyes_mm.y(), session.eyes_mm.z()));
-  remark(wordsFor(session.head));
+  valueLine("eyes", fmt::format("{:.0f}, {:.0f}, {:.0f} mm", seen.eyes_mm.x(), seen.eyes_mm.y(), seen.eyes_mm.z()));
+  remark(wordsFor(seen.state));
   ImGui::TextUnformatted("eyes while none are measured");
   placeWidgets(head.expected_mm, {"stereo/head_x", "stereo/head_y", "stereo/head_z"}, {0.0, 0.0, 600.0},
                "Between the eyes, from the middle of the screen.");
@@ -50,8 +48,8 @@ void headWidgets(Session& session) {
 
 }  // namespace
 
-void stereoPanel(Session& session) {
-  view::StereoSettings& stereo = session.state.stereo;
+void stereoPanel(const StereoPanel& panel) {
+  view::StereoSettings& stereo = panel.stereo;
   auto mode = static_cast<std::size_t>(stereo.mode);
   if (choiceWidget("stereo/mode", "mode", mode, view::kStereoModeNames,
                    "How the two pictures share the screen (key K). \"half\" squeezes each as televisions expect it.")) {
@@ -64,13 +62,12 @@ void stereoPanel(Session& session) {
                {"stereo/convergence", "screen plane at", "%.0f mm", 0.0, 5000.0, 0.0,
                 "From the eyes to the plane that appears in the screen; 0 is the place that the camera turns about."});
   flagWidget("stereo/swap", "swap the eyes", stereo.swap_eyes, "When near looks far (Shift+K).");
-  headWidgets(session);
-  const double aspect = 1.6;
-  const view::Eyes eyes = view::eyesOf(session.camera, stereo, aspect);
-  const Eigen::AlignedBox3d box(
-      session.camera.centre - 0.5 * Vec3(session.world.width_mm, session.world.height_mm, session.world.depth_mm),
-      session.camera.centre + 0.5 * Vec3(session.world.width_mm, session.world.height_mm, session.world.depth_mm));
+  headWidgets(panel.head, panel.seen);
   if (!view::isStereo(stereo.mode)) return;
+  const double aspect = 1.6;
+  const view::Eyes eyes = view::eyesOf(panel.camera, stereo, aspect);
+  const Vec3 half = 0.5 * Vec3(panel.world.width_mm, panel.world.height_mm, panel.world.depth_mm);
+  const Eigen::AlignedBox3d box(panel.camera.centre - half, panel.camera.centre + half);
   const double worst = view::comfortOf(eyes, stereo.eye_distance_mm, box).worst();
   valueLine("squint", fmt::format("{:.2f} deg", worst));
   if (worst > view::kComfortableDeg)

@@ -15,8 +15,7 @@ namespace {
 constexpr std::array<std::string_view, 2> kPressBy = {"depth", "force"};
 constexpr std::array<std::string_view, kFingers> kFingerNames = {"left (blue)", "right (red)"};
 
-void pressWidgets(Session& session) {
-  TouchSettings& touch = session.state.touch;
+void pressWidgets(TouchSettings& touch) {
   auto by = static_cast<std::size_t>(touch.by);
   if (choiceWidget("touch/by", "press by", by, kPressBy,
                    "By depth a stiff place pushes back harder; by force it gives way less, so that it shows as a "
@@ -36,54 +35,51 @@ void pressWidgets(Session& session) {
       "Pressing with both buttons moves slower the harder the skin pushes back: the eye reads it as resistance.");
 }
 
-void radiusWidget(Session& session) {
-  double radius = fingerRadius(session, session.active_finger);
+void radiusWidget(scene::Scene& scene, std::size_t active, Asks& asks) {
+  double radius = fingerRadius(scene, active);
   if (!numberWidget(radius, {"touch/radius", "finger radius", "%.1f mm", 0.5, 30.0, 8.0,
                              "Of the finger that is used now; 8 mm is a fingertip."})) {
     return;
   }
-  while (session.scene.fingers.size() <= session.active_finger) {
+  while (scene.fingers.size() <= active) {
     scene::Finger finger;
-    finger.name = fmt::format("finger_{}", session.scene.fingers.size() + 1);
+    finger.name = fmt::format("finger_{}", scene.fingers.size() + 1);
     finger.steps = {{}, {}};  // a scene file wants to know what a finger does: nothing
-    session.scene.fingers.push_back(finger);
+    scene.fingers.push_back(finger);
   }
-  session.scene.fingers[session.active_finger].radius_mm = radius;
-  session.changed |= kFingerChange;
+  scene.fingers[active].radius_mm = radius;
+  asks.changed |= kFingerChange;
 }
 
 /// The skin never holds a sliding finger better than a still one: each slider pushes the other along.
-void gripWidgets(Session& session) {
-  contact::FingerSettings& friction = session.scene.contact.finger;
+void gripWidgets(contact::FingerSettings& friction, Asks& asks) {
   if (numberWidget(friction.mu_static, {"friction/static", "grip", "%.2f", 0.0, 2.0, 0.46,
                                         "Friction up to which the skin sticks to the finger (static coefficient)."})) {
     friction.mu_dynamic = std::min(friction.mu_dynamic, friction.mu_static);
-    session.changed |= kFingerChange;
+    asks.changed |= kFingerChange;
   }
   if (numberWidget(friction.mu_dynamic, {"friction/dynamic", "grip, sliding", "%.2f", 0.0, 2.0, 0.44,
                                          "Friction while the finger slips (dynamic coefficient)."})) {
     friction.mu_static = std::max(friction.mu_static, friction.mu_dynamic);
-    session.changed |= kFingerChange;
+    asks.changed |= kFingerChange;
   }
 }
 
 }  // namespace
 
-void touchPanel(Session& session) {
-  std::size_t active = session.active_finger;
-  if (choiceWidget("touch/finger", "finger", active, kFingerNames,
-                   "Which finger the mouse moves; the other stays where it is (keys 1 and 2).")) {
-    session.active_finger = active;
-  }
-  pressWidgets(session);
-  radiusWidget(session);
+void touchPanel(const TouchPanel& panel, Asks& asks) {
+  const SceneKeys keys{panel.scene, asks};
+  choiceWidget("touch/finger", "finger", panel.active_finger, kFingerNames,
+               "Which finger the mouse moves; the other stays where it is (keys 1 and 2).");
+  pressWidgets(panel.touch);
+  radiusWidget(panel.scene, panel.active_finger, asks);
   ImGui::Separator();
-  gripWidgets(session);
-  keyWidget(session, {"friction", "stiffness_ratio", "sideways stiffness", 0.05, 3.0});
+  gripWidgets(panel.scene.contact.finger, asks);
+  keyWidget(keys, {"friction", "stiffness_ratio", "sideways stiffness", 0.05, 3.0});
   ImGui::Separator();
-  keyWidget(session, {"contact", "source", "feels through"});
-  keyWidget(session, {"contact", "max_depth_mm", "deepest", 1.0, 100.0, "%.0f mm"});
-  keyWidget(session, {"contact", "force_shading", "smooth over triangles"});
+  keyWidget(keys, {"contact", "source", "feels through"});
+  keyWidget(keys, {"contact", "max_depth_mm", "deepest", 1.0, 100.0, "%.0f mm"});
+  keyWidget(keys, {"contact", "force_shading", "smooth over triangles"});
 }
 
 }  // namespace palpate::viewer

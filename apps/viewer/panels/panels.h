@@ -1,8 +1,17 @@
 // The panels, each in a file of its own (panel_<name>.cpp), and what puts them on the screen.
 //
-// A panel is a function that draws the controls of one section and edits the session; the frame around it is drawn by
-// sidePanel. All need a Gui frame that has begun.
+//   Session ─ drawGui ─► each panel: the parts it shows and may change, by reference ─► Asks, for everything else
+//
+// A panel is a function that draws the controls of one section; the frame around it is drawn by sidePanel. It knows no
+// Session: what its struct does not hold, it neither sees nor changes. All need a Gui frame that has begun.
 #pragma once
+
+#include <bitset>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
 
 #include "apps/viewer/session.h"
 
@@ -18,45 +27,102 @@ struct FreeArea {
 
 inline constexpr float kPlotsHeight = 150.0f;  ///< of the strips below the picture
 
-/// Draws everything over the picture: menu, side panel, plots, hint, message, dialogs. Returns the area left free.
+/// Draws everything over the picture: menu, side panel, plots, hint, message, dialogs. Does the actions that were asked
+/// for and passes the words on; wishes and notes of changes stay in session.asks. Returns the area left free.
 FreeArea drawGui(Session& session);
 /// Where the picture will be free before anything was drawn.
-FreeArea freeArea(const Session& session, float width, float height);
+FreeArea freeArea(const Shown& shown, float width, float height);
 
-void menuBar(Session& session);
-void touchPanel(Session& session);
-void tissuePanel(Session& session);
-void dysfunctionPanel(Session& session);
-void modelPanel(Session& session);
-void showPanel(Session& session);
-void stereoPanel(Session& session);
-void recordPanel(Session& session);
-void performancePanel(Session& session);
+// ---- sections of the side panel
 
 using PanelFunction = void (*)(Session&);
 struct PanelEntry {
   const char* name;
   PanelFunction draw;
+  bool open_at_first = false;
 };
 /// From top to bottom.
 std::span<const PanelEntry> panelList();
 /// All sections in one narrow window at an edge of the screen.
 void sidePanel(Session& session, float width, const FreeArea& free);
 
-void plotStrips(Session& session, const FreeArea& free);
-void helpPage(Session& session);
-void openDialog(Session& session);
-void messageList(Session& session);
-void toast(Session& session, const FreeArea& free);
-void buildProgress(Session& session, const FreeArea& free);
-void hint(Session& session, const FreeArea& free);
-void editingFrame(Session& session, const FreeArea& free);
-void replayBar(Session& session, const FreeArea& free);
+struct TouchPanel {
+  TouchSettings& touch;
+  std::size_t& active_finger;
+  scene::Scene& scene;
+};
+void touchPanel(const TouchPanel& panel, Asks& asks);
+
+struct TissuePanel {
+  scene::Scene& scene;
+  ProfileEdit& profile;
+  bool has_bones;
+};
+void tissuePanel(const TissuePanel& panel, Asks& asks);
+
+void dysfunctionPanel(const DysfunctionEdit& edit);
+
+struct ModelPanel {
+  scene::Scene& scene;
+  const WorldFacts& world;
+  bool& open_dialog;
+};
+void modelPanel(const ModelPanel& panel, Asks& asks);
+
+struct ShowPanel {
+  view::Look& look;
+  bool& simpler_when_slow;
+  bool simple_now;  ///< it is drawn smooth because it was slow
+  const WorldFacts& world;
+};
+void showPanel(const ShowPanel& panel);
+
+struct StereoPanel {
+  view::StereoSettings& stereo;
+  HeadSettings& head;
+  const SeenHead& seen;
+  const view::Camera& camera;
+  const WorldFacts& world;
+};
+void stereoPanel(const StereoPanel& panel);
+
+void recordPanel(const Recording& recording, double now_s, Asks& asks);
+void performancePanel(const Performance& performance);
 
 /// A curve of the scene's displacement profile, with handles when it is the user's own.
-void profileCurve(Session& session);
+void profileCurve(const tissue::ProfileSettings& of_scene, ProfileEdit& profile, Asks& asks);
 
-/// The words of hint number `i`, from 0; empty after the last.
-std::string_view hintText(int i);
+// ---- around the picture
+
+struct MenuBar {
+  ViewState& state;
+  int& hint;
+  std::bitset<window::kActions> on;  ///< switches that get a check mark
+  std::size_t unread_messages;
+  std::string status;  ///< at the right end
+};
+void menuBar(const MenuBar& menu, Asks& asks);
+
+struct PlotStrips {
+  Plots& plots;
+  const std::array<bool, 2>& present;
+  std::size_t active_finger;
+  double device_limit_n;
+  double now_s;
+  std::optional<double> frozen_at_s;  ///< the moment that a frozen picture shows
+};
+void plotStrips(const PlotStrips& panel, const FreeArea& free, Asks& asks);
+
+void replayBar(Replay& replay, const FreeArea& free, Asks& asks);
+void helpPage(bool& open);
+/// Files opened before, a folder to walk through, a line to type into.
+void openDialog(std::span<const std::string> recent, bool& open, Asks& asks);
+/// Where the dialog looks from now on; else where it looked last, in the beginning the working folder.
+void showFolder(const std::filesystem::path& folder);
+void messageList(Messages& messages, bool& open);
+void toast(Messages& messages, double now_s, const FreeArea& free);
+void buildProgress(const std::optional<engine::BuildProgress>& building, const FreeArea& free, Asks& asks);
+void hint(std::string_view words, const FreeArea& free);
+void editingFrame(const FreeArea& free);
 
 }  // namespace palpate::viewer

@@ -38,9 +38,9 @@ struct Sheet {
   }
 };
 
-ProfileSettings shownProfile(const Session& session) {
-  ProfileSettings settings = session.scene.deformation.forms.normal_profile;
-  if (settings.kind == ProfileKind::user) settings.knots = session.profile_knots;
+ProfileSettings shownProfile(const ProfileSettings& of_scene, const ProfileEdit& profile) {
+  ProfileSettings settings = of_scene;
+  if (settings.kind == ProfileKind::user) settings.knots = profile.knots;
   return settings;
 }
 
@@ -86,10 +86,10 @@ void addHandle(std::vector<ProfileKnot>& knots, const ProfileKnot& knot) {
 }
 
 /// True when a gesture has come to its end and the curve is to be used.
-bool editHandles(Session& session, const Sheet& sheet) {
-  std::vector<ProfileKnot>& knots = session.profile_knots;
+bool editHandles(ProfileEdit& profile, const Sheet& sheet) {
+  std::vector<ProfileKnot>& knots = profile.knots;
   const ImVec2 mouse = ImGui::GetIO().MousePos;
-  int& taken = session.profile_handle;
+  int& taken = profile.handle;
   bool done = false;
   if (ImGui::IsItemActivated()) taken = handleAt(sheet, knots, mouse);
   if (ImGui::IsItemActive() && taken >= 0) moveHandle(knots, taken, sheet.knotAt(mouse));
@@ -112,30 +112,30 @@ bool editHandles(Session& session, const Sheet& sheet) {
   return done;
 }
 
-void drawHandles(const Session& session, const Sheet& sheet) {
-  for (const ProfileKnot& knot : session.profile_knots) {
+void drawHandles(std::span<const ProfileKnot> knots, const Sheet& sheet) {
+  for (const ProfileKnot& knot : knots) {
     ImGui::GetWindowDrawList()->AddCircleFilled(sheet.at(knot.q, knot.value), kHandle,
                                                 ImGui::GetColorU32(ImGuiCol_Text));
   }
 }
 
 /// The user's curve starts as the one there is.
-void startOwnCurve(Session& session) {
-  const tissue::ProfileCurve curve(shownProfile(session));
-  session.profile_knots.clear();
+std::vector<ProfileKnot> firstHandles(const ProfileSettings& shown) {
+  const tissue::ProfileCurve curve(shown);
+  std::vector<ProfileKnot> knots;
   for (int i = 0; i < kFirstHandles; ++i) {
     const double q = static_cast<double>(i) / (kFirstHandles - 1);
-    session.profile_knots.push_back({q, curve.at(q).value});
+    knots.push_back({q, curve.at(q).value});
   }
-  session.profile_knots.front().value = 1.0;
-  session.profile_knots.back().value = 0.0;
-  session.wish(Wish::Kind::use_profile);
+  knots.front().value = 1.0;
+  knots.back().value = 0.0;
+  return knots;
 }
 
 }  // namespace
 
-void profileCurve(Session& session) {
-  const ProfileSettings settings = shownProfile(session);
+void profileCurve(const ProfileSettings& of_scene, ProfileEdit& profile, Asks& asks) {
+  const ProfileSettings settings = shownProfile(of_scene, profile);
   const bool own = settings.kind == ProfileKind::user;
   if (own && settings.knots.size() < 2) return remark("The curve is being read ...");
   const Sheet sheet{ImGui::GetCursorScreenPos(), {ImGui::GetContentRegionAvail().x, kHeight}};
@@ -147,11 +147,12 @@ void profileCurve(Session& session) {
     remark(error.what());
   }
   if (own) {
-    if (editHandles(session, sheet)) session.wish(Wish::Kind::use_profile);
-    drawHandles(session, sheet);
+    if (editHandles(profile, sheet)) asks.wish(Wish::Kind::use_profile);
+    drawHandles(profile.knots, sheet);
     remark("Drag the handles; double click adds one, right click takes one away.");
   } else if (buttonWidget("tissue/own", "Draw my own curve", "Starts with this one and gives it handles.")) {
-    startOwnCurve(session);
+    profile.knots = firstHandles(settings);
+    asks.wish(Wish::Kind::use_profile);
   }
 }
 

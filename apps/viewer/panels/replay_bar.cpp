@@ -20,28 +20,30 @@ std::string wordsFor(const Replay& replay) {
                      replay.at_s - replay.from_s, replay.to_s - replay.from_s);
 }
 
-void stepButtons(Session& session) {
-  Replay& replay = session.replay;
-  if (buttonWidget("replay/back", "<<", "A picture back (1/60 s): Left.")) stepReplay(session, -kReplayStepS);
+void stepButtons(Replay& replay, Asks& asks) {
+  if (buttonWidget("replay/back", "<<", "A picture back (1/60 s): Left.")) stepReplay(replay, -kReplayStepS);
   ImGui::SameLine();
-  if (buttonWidget("replay/tick_back", "<", "A tick of the servo back: Shift and Left.")) stepTick(session, false);
+  if (buttonWidget("replay/tick_back", "<", "A tick of the servo back: Shift and Left.")) {
+    stepReplay(replay, -replay.tick_s);
+  }
   ImGui::SameLine();
   if (buttonWidget("replay/play", replay.playing ? "stop" : "play", "As fast as it was.")) {
     replay.playing = !replay.playing;
     if (replay.playing && replay.at_s >= replay.to_s) replay.at_s = replay.from_s;
   }
   ImGui::SameLine();
-  if (buttonWidget("replay/tick", ">", "A tick of the servo forth: Shift and Right.")) stepTick(session, true);
+  if (buttonWidget("replay/tick", ">", "A tick of the servo forth: Shift and Right.")) {
+    stepReplay(replay, replay.tick_s);
+  }
   ImGui::SameLine();
-  if (buttonWidget("replay/forth", ">>", "A picture forth (1/60 s): Right.")) stepReplay(session, kReplayStepS);
+  if (buttonWidget("replay/forth", ">>", "A picture forth (1/60 s): Right.")) stepReplay(replay, kReplayStepS);
   ImGui::SameLine();
-  if (buttonWidget("replay/live", "live", "Back to what is touched now: Space.")) freeze(session, false);
+  if (buttonWidget("replay/live", "live", "Back to what is touched now: Space.")) asks.act(window::Action::freeze);
 }
 
 }  // namespace
 
-void replayBar(Session& session, const FreeArea& free) {
-  Replay& replay = session.replay;
+void replayBar(Replay& replay, const FreeArea& free, Asks& asks) {
   ImGui::SetNextWindowPos({0.5f * (free.left + free.right), free.below - 16.0f}, ImGuiCond_Always, {0.5f, 1.0f});
   ImGui::SetNextWindowSize({kWidth, 0.0f});
   ImGui::SetNextWindowBgAlpha(0.9f);
@@ -51,7 +53,7 @@ void replayBar(Session& session, const FreeArea& free) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(wordsFor(replay).c_str());
     ImGui::SameLine(kWidth - 214.0f);
-    stepButtons(session);
+    stepButtons(replay, asks);
     ImGui::SetNextItemWidth(-1.0f);
     if (ImGui::SliderScalar("##moment", ImGuiDataType_Double, &replay.at_s, &replay.from_s, &replay.to_s, "")) {
       replay.playing = false;

@@ -109,18 +109,26 @@ std::string edit(const KeyRow& row, const KeyWidget& widget) {
   }
 }
 
-bool setTo(Session& session, const KeyWidget& widget, const std::string& value) {
+bool setTo(const SceneKeys& keys, const KeyWidget& widget, const std::string& value) {
   try {
-    scene::setKey(session.scene, widget.table, widget.key, value);
+    scene::setKey(keys.scene, widget.table, widget.key, value);
   } catch (const Error& error) {
-    session.report(Severity::warning, error.what());
+    keys.asks.tell(Severity::warning, error.what());
     return false;
   }
-  session.changed |= consequenceOf(widget.table);
+  keys.asks.changed |= consequenceOf(widget.table);
   return true;
 }
 
 }  // namespace
+
+std::uint32_t consequenceOf(std::string_view table) {
+  if (table == "body") return kBodyChange;
+  if (table == "friction") return kFingerChange;
+  if (table == "contact") return kFingerChange | kMapChange;  // the source of the contact is built with the maps
+  if (table == "output" || table == "safety") return kNothing;
+  return kMapChange;
+}
 
 WidgetPlaces& widgetPlaces() {
   static WidgetPlaces places;  // of the display's thread, like ImGui's own state
@@ -133,8 +141,8 @@ void notePlace(const std::string& path) {
   widgetPlaces()[path] = {low.x, low.y, high.x, high.y};
 }
 
-bool keyWidget(Session& session, const KeyWidget& widget) {
-  const auto row = scene::keyOf(session.scene, widget.table, widget.key);
+bool keyWidget(const SceneKeys& keys, const KeyWidget& widget) {
+  const auto row = scene::keyOf(keys.scene, widget.table, widget.key);
   if (!row) return false;
   ImGui::PushID(widget.key.data());
   beginControl();
@@ -144,19 +152,19 @@ bool keyWidget(Session& session, const KeyWidget& widget) {
   if (!fallback.empty() && resetMenu(fallback)) value = fallback;
   tooltip(wordsOf(*row, widget));
   ImGui::PopID();
-  return !value.empty() && setTo(session, widget, value);
+  return !value.empty() && setTo(keys, widget, value);
 }
 
-void otherKeys(Session& session, const char* table) {
+void otherKeys(const SceneKeys& keys, const char* table) {
   std::vector<KeyRow> rest;
-  for (const KeyRow& row : scene::keysOf(session.scene, table)) {
+  for (const KeyRow& row : scene::keysOf(keys.scene, table)) {
     const bool editable = row.form.kind != KeyForm::Kind::other;
     if (editable && !widgetPlaces().contains(fmt::format("{}/{}", table, row.key))) rest.push_back(row);
   }
   if (rest.empty()) return;
   ImGui::PushID(table);
   if (ImGui::TreeNode("more", "more of [%s]", table)) {
-    for (const KeyRow& row : rest) keyWidget(session, {table, row.key, row.key.c_str()});
+    for (const KeyRow& row : rest) keyWidget(keys, {table, row.key, row.key.c_str()});
     // They are to be found here again in the next frame.
     for (const KeyRow& row : rest) widgetPlaces().erase(fmt::format("{}/{}", table, row.key));
     ImGui::TreePop();

@@ -8,7 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include "apps/viewer/session.h"
+#include "apps/viewer/panels/asks.h"
+#include "palpate/scene/scene.h"
 
 namespace palpate::viewer {
 
@@ -20,6 +21,15 @@ WidgetPlaces& widgetPlaces();
 /// Notes the control that was drawn last.
 void notePlace(const std::string& path);
 
+/// What a change of a key of this table of the scene file has consequences for (asks.h).
+std::uint32_t consequenceOf(std::string_view table);
+
+/// The scene that controls change, and where they say so.
+struct SceneKeys {
+  scene::Scene& scene;
+  Asks& asks;
+};
+
 /// A control for one key of the scene file.
 struct KeyWidget {
   std::string_view table;
@@ -29,12 +39,12 @@ struct KeyWidget {
   double high = 0.0;
   const char* format = "%.2f";
 };
-/// Draws it and changes session.scene; nothing where the scene file has no such key. True when it was changed.
-bool keyWidget(Session& session, const KeyWidget& widget);
+/// Draws it and changes the scene; nothing where the scene file has no such key. True when it was changed.
+bool keyWidget(const SceneKeys& keys, const KeyWidget& widget);
 
 /// All keys of a table that no keyWidget of this frame has shown, under a heading "more": what the scene file can say
 /// and no panel has words for.
-void otherKeys(Session& session, const char* table);
+void otherKeys(const SceneKeys& keys, const char* table);
 
 struct NumberWidget {
   const char* path;  ///< "touch/depth"

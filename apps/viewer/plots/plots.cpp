@@ -59,15 +59,10 @@ double greatest(const std::vector<Extent>& extents) {
   return most;
 }
 
-double endOfTime(const Session& session) {
-  return session.plots_paused ? session.plot_end_s
-                              : std::max(session.plots[0].newestTime(), session.plots[1].newestTime());
-}
-
-Columns columnsOf(const Session& session, float width) {
-  Columns columns{endOfTime(session), session.plot_window_s, static_cast<std::size_t>(std::max(1.0f, width)), {}};
+Columns columnsOf(const PlotStrips& panel, float width) {
+  Columns columns{panel.plots.shownEnd(), panel.plots.window_s, static_cast<std::size_t>(std::max(1.0f, width)), {}};
   for (std::size_t f = 0; f < 2; ++f) {
-    columns.marks[f] = session.plots[f].marks(columns.end_s, columns.window_s, columns.count);
+    columns.marks[f] = panel.plots.fingers[f].marks(columns.end_s, columns.window_s, columns.count);
   }
   return columns;
 }
@@ -85,91 +80,91 @@ void drawTitle(const PlotArea& area, const Strip& strip, const PlotSample* sampl
 /// A strip's curve of each finger.
 using Curves = std::array<std::vector<Extent>, 2>;
 
-Curves curvesOf(const Session& session, PlotValue value, const Columns& columns) {
+Curves curvesOf(const PlotStrips& panel, PlotValue value, const Columns& columns) {
   Curves curves;
   for (std::size_t f = 0; f < 2; ++f) {
-    curves[f] = session.plots[f].columns(value, columns.end_s, columns.window_s, columns.count);
+    curves[f] = panel.plots.fingers[f].columns(value, columns.end_s, columns.window_s, columns.count);
   }
   return curves;
 }
 
-void drawCurves(const Session& session, const Curves& curves, const std::array<ImU32, 2>& inks, const PlotArea& area,
+void drawCurves(const PlotStrips& panel, const Curves& curves, const std::array<ImU32, 2>& inks, const PlotArea& area,
                 double end) {
   for (std::size_t f = 0; f < 2; ++f) {
-    if (session.finger_present[f]) drawExtents(curves[f], area, end, inks[f]);
+    if (panel.present[f]) drawExtents(curves[f], area, end, inks[f]);
   }
 }
 
-void drawStrip(const Session& session, std::size_t index, const Columns& columns, const PlotArea& area) {
+void drawStrip(const PlotStrips& panel, std::size_t index, const Columns& columns, const PlotArea& area) {
   const Strip& strip = kStrips[index];
   const bool force = strip.value == PlotValue::normal_force;
-  const Curves main = curvesOf(session, strip.value, columns);
-  const Curves sideways = force ? curvesOf(session, PlotValue::tangential_force, columns) : Curves{};
+  const Curves main = curvesOf(panel, strip.value, columns);
+  const Curves sideways = force ? curvesOf(panel, PlotValue::tangential_force, columns) : Curves{};
   double most = 0.0;
   for (const auto* curves : {&main, &sideways}) {
     for (const auto& curve : *curves) most = std::max(most, greatest(curve));
   }
-  const double end = steadyEnd(index, axisEnd(1.05 * most, strip.least), session.now_s);
+  const double end = steadyEnd(index, axisEnd(1.05 * most, strip.least), panel.now_s);
   for (const auto& marks : columns.marks) shadeTouching(marks, area);
   drawPlotAxes(area, end, columns.window_s);
   if (force) {
-    drawCurves(session, sideways, kFingerPaleInk, area, end);
-    drawPlotLimit(area, session.device_limit_n, end);
+    drawCurves(panel, sideways, kFingerPaleInk, area, end);
+    drawPlotLimit(area, panel.device_limit_n, end);
     for (std::size_t f = 0; f < 2; ++f) drawEvents(columns.marks[f], area, f);
   }
-  drawCurves(session, main, kFingerInk, area, end);
+  drawCurves(panel, main, kFingerInk, area, end);
 }
 
-void pausePlots(Session& session, bool pause) {
-  session.plot_end_s = endOfTime(session);
-  session.plots_paused = pause;
+void pausePlots(Plots& plots, bool pause) {
+  plots.end_s = plots.shownEnd();
+  plots.paused = pause;
 }
 
 /// A click pauses or goes on; dragging scrolls back; the wheel takes a longer or a shorter time into view.
-void useMouse(Session& session, const PlotArea& area) {
+void useMouse(const PlotStrips& panel, const PlotArea& area) {
   const ImGuiIO& io = ImGui::GetIO();
   if (ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
-    if (!session.plots_paused) pausePlots(session, true);
-    session.plot_end_s -= io.MouseDelta.x / area.width() * session.plot_window_s;
+    if (!panel.plots.paused) pausePlots(panel.plots, true);
+    panel.plots.end_s -= io.MouseDelta.x / area.width() * panel.plots.window_s;
   } else if (ImGui::IsMouseReleased(ImGuiMouseButton_Left) && ImGui::GetMouseDragDelta().x == 0.0f &&
              area.holds(io.MouseClickedPos[ImGuiMouseButton_Left])) {
-    pausePlots(session, !session.plots_paused);
+    pausePlots(panel.plots, !panel.plots.paused);
   }
   if (io.MouseWheel == 0.0f) return;
-  const auto* now = std::find(kWindows.begin(), kWindows.end(), session.plot_window_s);
+  const auto* now = std::find(kWindows.begin(), kWindows.end(), panel.plots.window_s);
   const auto* last = std::prev(kWindows.end());
-  if (io.MouseWheel > 0.0f && now != kWindows.begin()) session.plot_window_s = *std::prev(now);
-  if (io.MouseWheel < 0.0f && now < last) session.plot_window_s = *std::next(now);
+  if (io.MouseWheel > 0.0f && now != kWindows.begin()) panel.plots.window_s = *std::prev(now);
+  if (io.MouseWheel < 0.0f && now < last) panel.plots.window_s = *std::next(now);
 }
 
 /// The time that is read: under the cursor, else of the frozen picture, else the newest.
-double timeRead(const Session& session, std::span<const PlotArea> areas) {
+double timeRead(const PlotStrips& panel, std::span<const PlotArea> areas) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   for (const PlotArea& area : areas) {
     if (!area.holds(mouse)) continue;
     const double share = (mouse.x - area.low.x) / area.width();
-    return endOfTime(session) - (1.0 - share) * session.plot_window_s;
+    return panel.plots.shownEnd() - (1.0 - share) * panel.plots.window_s;
   }
-  return session.frozen ? session.replay.at_s : endOfTime(session);
+  return panel.frozen_at_s ? *panel.frozen_at_s : panel.plots.shownEnd();
 }
 
 /// One line through all strips.
-void drawCursor(const Session& session, std::span<const PlotArea> areas, double time_s) {
-  const double ago_s = endOfTime(session) - time_s;
-  if (ago_s <= 0.0 || ago_s > session.plot_window_s) return;
+void drawCursor(const PlotStrips& panel, std::span<const PlotArea> areas, double time_s) {
+  const double ago_s = panel.plots.shownEnd() - time_s;
+  if (ago_s <= 0.0 || ago_s > panel.plots.window_s) return;
   for (const PlotArea& area : areas) {
-    const float x = area.high.x - static_cast<float>(ago_s / session.plot_window_s) * area.width();
+    const float x = area.high.x - static_cast<float>(ago_s / panel.plots.window_s) * area.width();
     ImGui::GetWindowDrawList()->AddLine({x, area.low.y}, {x, area.high.y}, plotInk());
   }
 }
 
-void windowChoice(Session& session) {
-  const std::string now = fmt::format("{:g} s", session.plot_window_s);
+void windowChoice(Plots& plots) {
+  const std::string now = fmt::format("{:g} s", plots.window_s);
   ImGui::SetNextItemWidth(66.0f);
   if (ImGui::BeginCombo("##window", now.c_str())) {
     for (const double seconds : kWindows) {
-      if (ImGui::Selectable(fmt::format("{:g} s", seconds).c_str(), seconds == session.plot_window_s)) {
-        session.plot_window_s = seconds;
+      if (ImGui::Selectable(fmt::format("{:g} s", seconds).c_str(), seconds == plots.window_s)) {
+        plots.window_s = seconds;
       }
     }
     ImGui::EndCombo();
@@ -177,13 +172,13 @@ void windowChoice(Session& session) {
   notePlace("plots/window");
 }
 
-void buttons(Session& session) {
-  windowChoice(session);
-  if (buttonWidget("plots/pause", session.plots_paused ? "live" : "pause",
+void buttons(const PlotStrips& panel, Asks& asks) {
+  windowChoice(panel.plots);
+  if (buttonWidget("plots/pause", panel.plots.paused ? "live" : "pause",
                    "A click into a plot does the same; dragging there scrolls back, the wheel zooms.")) {
-    pausePlots(session, !session.plots_paused);
+    pausePlots(panel.plots, !panel.plots.paused);
   }
-  if (buttonWidget("plots/csv", "CSV", "Save what the plots show as a table.")) session.wish(Wish::Kind::plots_csv);
+  if (buttonWidget("plots/csv", "CSV", "Save what the plots show as a table.")) asks.wish(Wish::Kind::plots_csv);
 }
 
 std::array<PlotArea, kStrips.size()> areasIn(const ImVec2& corner, float width, float gap) {
@@ -196,22 +191,22 @@ std::array<PlotArea, kStrips.size()> areasIn(const ImVec2& corner, float width, 
   return areas;
 }
 
-void strips(Session& session, std::span<const PlotArea> areas) {
+void strips(const PlotStrips& panel, std::span<const PlotArea> areas) {
   for (const PlotArea& area : areas) {
-    if (ImGui::IsWindowHovered() && area.holds(ImGui::GetIO().MousePos)) useMouse(session, area);
+    if (ImGui::IsWindowHovered() && area.holds(ImGui::GetIO().MousePos)) useMouse(panel, area);
   }
-  const Columns columns = columnsOf(session, areas.front().width());
-  const double time_s = timeRead(session, areas);
+  const Columns columns = columnsOf(panel, areas.front().width());
+  const double time_s = timeRead(panel, areas);
   for (std::size_t i = 0; i < areas.size(); ++i) {
-    drawStrip(session, i, columns, areas[i]);
-    drawTitle(areas[i], kStrips[i], session.plots[session.active_finger].near(time_s));
+    drawStrip(panel, i, columns, areas[i]);
+    drawTitle(areas[i], kStrips[i], panel.plots.fingers[panel.active_finger].near(time_s));
   }
-  drawCursor(session, areas, time_s);
+  drawCursor(panel, areas, time_s);
 }
 
 }  // namespace
 
-void plotStrips(Session& session, const FreeArea& free) {
+void plotStrips(const PlotStrips& panel, const FreeArea& free, Asks& asks) {
   ImGui::SetNextWindowPos({free.left, free.below});
   ImGui::SetNextWindowSize({free.right - free.left, kPlotsHeight});
   constexpr auto kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
@@ -223,11 +218,11 @@ void plotStrips(Session& session, const FreeArea& free) {
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const float all = ImGui::GetContentRegionAvail().x - kButtons - kGap;
     const float width = (all - 2.0f * kGap) / 3.0f;
-    strips(session, areasIn(from, width, kGap));
-    drawPlotLegend({from.x, from.y + kPlotsHeight - kPadding - 0.8f * kLegend}, all, session.finger_present[1]);
+    strips(panel, areasIn(from, width, kGap));
+    drawPlotLegend({from.x, from.y + kPlotsHeight - kPadding - 0.8f * kLegend}, all, panel.present[1]);
     ImGui::SetCursorScreenPos({from.x + all + kGap, from.y});
     ImGui::BeginGroup();
-    buttons(session);
+    buttons(panel, asks);
     ImGui::EndGroup();
   }
   ImGui::End();

@@ -2,6 +2,8 @@
 // the greatest value of each pixel column so that no spike is lost. Pure; one thread.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -78,6 +80,17 @@ float valueOf(const PlotSample& sample, PlotValue value);
 
 /// The upper end of an axis: the smallest of 1, 2, 5, 10, 20, ... that holds `value`, at least `least`.
 double axisEnd(double value, double least);
+
+/// Both fingers' histories, and which stretch of them the strips show.
+struct Plots {
+  std::array<SampleHistory, 2> fingers;
+  double window_s = 10.0;
+  double end_s = 0.0;  ///< of the stretch, while paused
+  bool paused = false;
+
+  /// Where the strips end: the newest sample, or where they were stopped.
+  double shownEnd() const { return paused ? end_s : std::max(fingers[0].newestTime(), fingers[1].newestTime()); }
+};
 
 /// The window of both fingers as a table: t_s, then normal_n, tangential_n, depth_mm, speed_mm_per_s of each.
 std::string historyAsCsv(std::span<const SampleHistory> fingers, double end_s, double window_s);

@@ -3,12 +3,10 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <vector>
 
 #include "apps/viewer/live_servo.h"
 #include "palpate/trace/sample.h"
-#include "palpate/view/finger_pose.h"
 
 namespace palpate::viewer {
 
@@ -45,21 +43,6 @@ class TouchHistory {
   std::size_t most_;
   std::vector<Moment> moments_;  // a ring once it is full
   std::size_t first_ = 0;
-};
-
-// The most that a press came to, kept readable for a moment after the finger was lifted. Pure.
-
-class PressPeak {
- public:
-  /// Once a frame.
-  void follow(const contact::FingerOutput& contact, double now_s);
-  /// Nothing while the finger touches, and when the press is long over.
-  std::optional<view::Peak> shown(double now_s) const;
-
- private:
-  view::Peak most_;
-  std::optional<double> lifted_s_;
-  bool touching_ = false;
 };
 
 }  // namespace palpate::viewer

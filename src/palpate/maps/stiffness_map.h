@@ -34,6 +34,7 @@ struct Dysfunction {
   double change_percent = 50.0;  ///< at the centre; -100 makes it weightless, never below
   /// Share of the radius over which the change fades out (smoothstep): 0 a hard edge, 1 from the centre on.
   double edge_softness = 0.5;
+  friend bool operator==(const Dysfunction&, const Dysfunction&) = default;
 };
 
 /// Factor on the stiffness at a place of the map plane, >= 0; 1 outside, and for a dysfunction that is not finite.

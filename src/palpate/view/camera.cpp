@@ -96,42 +96,4 @@ Vec2 seenAt(const Frustum& frustum, const Vec3& point) {
   return {0.5 + 0.5 * clip.x() / clip.w(), 0.5 - 0.5 * clip.y() / clip.w()};
 }
 
-namespace {
-
-// x to the right, y up, z to the eye of a level camera.
-const Vec3f kKey = Vec3f(-0.58f, 0.60f, 0.55f).normalized();
-const Vec3f kFill = Vec3f(0.80f, -0.10f, 0.59f).normalized();
-
-}  // namespace
-
-Lights lightsFor(const Frustum& frustum) {
-  const Vec3f right = frustum.view.block<1, 3>(0, 0).transpose();
-  const Vec3f level(right.x(), 0.0f, right.z());
-  constexpr float kLeastLevel = 1e-3f;  // a camera rolled onto its side has no level right: any yaw will do
-  Eigen::Matrix3f axes;
-  axes.col(0) = level.norm() > kLeastLevel ? Vec3f(level.normalized()) : Vec3f(Vec3f::UnitX());
-  axes.col(1) = Vec3f::UnitY();
-  axes.col(2) = axes.col(0).cross(axes.col(1));
-  return {axes * kKey, axes * kFill};
-}
-
-Viewpoint viewpointOf(const Frustum& frustum, int width, int height) {
-  Viewpoint viewpoint;
-  viewpoint.clip = frustum.clip();
-  viewpoint.eye = frustum.eye.cast<float>();
-  viewpoint.backward = frustum.view.block<1, 3>(2, 0).transpose();
-  viewpoint.lights = lightsFor(frustum);
-  viewpoint.pixels = {static_cast<float>(width), static_cast<float>(height)};
-  viewpoint.pixels_per_radian = 0.5f * viewpoint.pixels.y() * frustum.projection(1, 1);
-  return viewpoint;
-}
-
-void setViewpoint(const Program& program, const Viewpoint& viewpoint) {
-  program.set("clip_from_body", viewpoint.clip);
-  program.set("eye", viewpoint.eye);
-  program.set("backward", viewpoint.backward);
-  program.set("to_key", viewpoint.lights.key);
-  program.set("to_fill", viewpoint.lights.fill);
-}
-
 }  // namespace palpate::view

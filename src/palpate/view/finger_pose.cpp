@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "palpate/tree/triangle_tree.h"
+#include "palpate/view/layers/drawn_skin.h"
 
 namespace palpate::view {
 

@@ -8,9 +8,10 @@
 
 #include "palpate/contact/finger.h"
 #include "palpate/scene/world.h"
-#include "palpate/view/layers/drawn_skin.h"
 
 namespace palpate::view {
+
+class DrawnSkin;
 
 /// Linear colours of the two hands; the third finger and on take the neutral one.
 inline const Vec3f kLeftFinger{0.10f, 0.26f, 0.78f};

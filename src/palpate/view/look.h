@@ -4,7 +4,9 @@
 #include <array>
 #include <bitset>
 #include <cstdint>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "palpate/base/colour_map.h"
 #include "palpate/base/vec.h"
@@ -66,6 +68,17 @@ struct Look {
     if (colouring == Colouring::stiffness) return stiffness_n_per_mm;
     return colouring == Colouring::ellipses ? half_major_mm : strain_percent;
   }
+};
+
+/// What is written over it.
+struct LabelSettings {
+  std::string title;                      ///< upper left; empty = none
+  bool legend = true;                     ///< of the colours of the skin, when they mean something
+  bool scale_bar = true;                  ///< true in the plane of the screen
+  bool orientation = true;                ///< the patient's left and right, and where the head is
+  bool numbers = true;                    ///< depth and force beside each finger that touches
+  bool section = true;                    ///< the cut through the contact, when the look shows it
+  std::vector<std::string> finger_names;  ///< in the order of the fingers; empty = without names
 };
 
 }  // namespace palpate::view

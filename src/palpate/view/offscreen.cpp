@@ -9,49 +9,6 @@
 
 namespace palpate::view {
 
-namespace {
-
-void makeTexture(GLuint texture, GLint format, GLenum layout, GLenum type, int width, int height) {
-  glBindTexture(GL_TEXTURE_2D, texture);
-  glTexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, layout, type, nullptr);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-}
-
-}  // namespace
-
-Target::Target(int width, int height) : width_(width), height_(height) {
-  if (width < 1 || height < 1) throw Error("a picture needs at least one pixel");
-  makeTexture(colour_.get(), GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width, height);
-  makeTexture(depth_.get(), GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, width, height);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour_.get(), 0);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.get(), 0);
-  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    throw Error("the picture is too large for this machine's OpenGL");
-  }
-}
-
-void Target::bind() const {
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
-  glViewport(0, 0, width_, height_);
-}
-
-Image Target::read() const {
-  Image image(width_, height_);
-  Image upside_down(width_, height_);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, width_, height_, GL_RGB, GL_UNSIGNED_BYTE, upside_down.pixels.data());
-  for (int y = 0; y < height_; ++y) {
-    const auto* row = &upside_down.at(0, height_ - 1 - y);
-    std::copy(row, row + width_, &image.at(0, y));
-  }
-  return image;
-}
-
 struct OffscreenContext::Handles {
   EGLDisplay display = EGL_NO_DISPLAY;
   EGLContext context = EGL_NO_CONTEXT;
@@ -68,6 +25,12 @@ struct OffscreenContext::Handles {
 };
 
 namespace {
+
+/// Empty where the driver says nothing.
+std::string glWords(GLenum name) {
+  const auto* words = reinterpret_cast<const char*>(glGetString(name));
+  return words == nullptr ? "" : words;
+}
 
 EGLDisplay surfacelessDisplay() {
   const EGLDisplay display = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
@@ -88,8 +51,8 @@ std::string versionOffered(EGLDisplay display) {
   const EGLContext context = madeContext(display, any);
   if (context == EGL_NO_CONTEXT) return "none";
   eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context);
-  const auto* text = reinterpret_cast<const char*>(glGetString(GL_VERSION));
-  std::string version = text == nullptr ? "unknown" : text;
+  std::string version = glWords(GL_VERSION);
+  if (version.empty()) version = "unknown";
   eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   eglDestroyContext(display, context);
   return version;
@@ -121,9 +84,67 @@ OffscreenContext::OffscreenContext(Profile profile) : handles_(std::make_unique<
 
 OffscreenContext::~OffscreenContext() = default;
 
+namespace {
+
+void makeTexture(GLuint texture, GLint format, GLenum layout, GLenum type, int width, int height) {
+  glBindTexture(GL_TEXTURE_2D, texture);
+  glTexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, layout, type, nullptr);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+}  // namespace
+
+struct Target::Objects {
+  GlTexture colour, depth;
+  GlFramebuffer framebuffer;
+};
+
+Target::Target(int width, int height) : width_(width), height_(height) {
+  if (width < 1 || height < 1) throw Error("a picture needs at least one pixel");
+  objects_ = std::make_unique<Objects>();
+  makeTexture(texture(), GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width, height);
+  makeTexture(objects_->depth.get(), GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, width, height);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer());
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture(), 0);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, objects_->depth.get(), 0);
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+    throw Error("the picture is too large for this machine's OpenGL");
+  }
+}
+
+Target::~Target() = default;
+
+GlId Target::texture() const { return objects_->colour.get(); }
+GlId Target::framebuffer() const { return objects_->framebuffer.get(); }
+
+void Target::bind() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer());
+  glViewport(0, 0, width_, height_);
+}
+
+Image Target::read() const {
+  Image image(width_, height_);
+  Image upside_down(width_, height_);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer());
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, width_, height_, GL_RGB, GL_UNSIGNED_BYTE, upside_down.pixels.data());
+  for (int y = 0; y < height_; ++y) {
+    const auto* row = &upside_down.at(0, height_ - 1 - y);
+    std::copy(row, row + width_, &image.at(0, y));
+  }
+  return image;
+}
+
+void waitUntilDrawn() { glFinish(); }
+
+std::string rendererWords() { return glWords(GL_RENDERER); }
+
 std::string rendererName() {
-  const std::string renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  const std::string version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
+  const std::string renderer = rendererWords();
+  const std::string version = glWords(GL_VERSION);
   constexpr std::string_view kMesa = "Mesa ";
   const std::size_t mesa = version.find(kMesa);
   const std::string number = mesa == std::string::npos ? version : version.substr(mesa + kMesa.size());

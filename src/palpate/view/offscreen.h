@@ -1,4 +1,9 @@
-// An OpenGL context without a window or a display: EGL on no surface at all. For pictures, tests and servers.
+// Where pictures are drawn without a window or a display: an OpenGL context (EGL on no surface at all), a framebuffer
+// to draw into, and the way back to memory. For pictures, tests and servers; the window draws into the same targets.
+//
+//   OffscreenContext (once a thread) ─► Target::bind ─► Renderer or Painter ─► Target::read ─► Image
+//
+// No OpenGL header is needed to include this one: an embedding program draws with it and picture.h alone.
 #pragma once
 
 #include <cstdint>
@@ -6,30 +11,8 @@
 #include <string>
 
 #include "palpate/view/image.h"
-#include "palpate/view/layers/gl_objects.h"
 
 namespace palpate::view {
-
-// A framebuffer to draw a picture into, and the way back to memory.
-
-/// Colour (8 bits, sRGB values) and depth.
-class Target {
- public:
-  Target(int width, int height);
-  void bind() const;  ///< and sets the viewport
-  int width() const { return width_; }
-  int height() const { return height_; }
-  GLuint texture() const { return colour_.get(); }
-  GLuint framebuffer() const { return framebuffer_.get(); }
-  Image read() const;
-
- private:
-  int width_;
-  int height_;
-  GlTexture colour_;
-  GlTexture depth_;
-  GlFramebuffer framebuffer_;
-};
 
 /// Core is what the renderer draws with; compatibility also has the pipeline of OpenGL 2.1 (immediate_drawing.h).
 enum class Profile : std::uint8_t { core, compatibility };
@@ -48,8 +31,40 @@ class OffscreenContext {
   std::unique_ptr<Handles> handles_;
 };
 
+/// The number by which OpenGL knows a framebuffer or a texture (its GLuint).
+using GlId = std::uint32_t;
+
+/// A framebuffer: colour (8 bits, sRGB values) and depth. Belongs to the thread of the context that is current when it
+/// is made.
+class Target {
+ public:
+  /// Throws Error for less than one pixel, and for more than this machine's OpenGL takes.
+  Target(int width, int height);
+  ~Target();
+  Target(const Target&) = delete;
+  Target& operator=(const Target&) = delete;
+
+  void bind() const;  ///< and sets the viewport
+  int width() const { return width_; }
+  int height() const { return height_; }
+  GlId texture() const;
+  GlId framebuffer() const;
+  Image read() const;
+
+ private:
+  struct Objects;
+  int width_;
+  int height_;
+  std::unique_ptr<Objects> objects_;
+};
+
+/// Returns when all that was asked of the current context has been drawn: for measuring, never needed for a picture.
+void waitUntilDrawn();
+
 /// Who draws in the current context, short enough for a folder's name: "llvmpipe-22" for Mesa 22's renderer of that
 /// name. Pictures of different ones differ in single pixels.
 std::string rendererName();
+/// The same in the driver's own words, for reports.
+std::string rendererWords();
 
 }  // namespace palpate::view

@@ -1,22 +1,26 @@
 #include "palpate/view/painter.h"
 
 #include "palpate/mesh/triangle_mesh.h"
+#include "palpate/view/layers/drawing.h"
+#include "palpate/view/layers/gl_objects.h"
+#include "palpate/view/layers/stereo_composer.h"
+#include "palpate/view/overlays/labels.h"
 
 namespace palpate::view {
 
+namespace {
+
 /// One picture on its way.
-struct Painter::Job {
+struct Job {
   const Frame& frame;
   const deform::DeformedSurface& surface;
   const PictureSettings& settings;
   const Canvas& canvas;
-  const DrawOver& draw_over;
+  const Painter::DrawOver& draw_over;
   StereoSettings stereo;
   EyePicture picture;
   Eyes eyes;
 };
-
-namespace {
 
 /// A rectangle of the page, points.
 struct Part {
@@ -48,63 +52,78 @@ Screen partOf(const Screen& screen, const Part& part, const Vec2f& whole) {
 
 }  // namespace
 
-Painter::Painter(std::shared_ptr<const scene::World> world)
-    : world_(std::move(world)), box_(mesh::boundingBox(world_->skin)), renderer_(world_) {}
+struct Painter::Parts {
+  std::shared_ptr<const scene::World> world;
+  Eigen::AlignedBox3d box;
+  Renderer renderer;
+  StereoComposer composer;
+  Drawing page;
+
+  explicit Parts(std::shared_ptr<const scene::World> shown)
+      : world(std::move(shown)), box(mesh::boundingBox(world->skin)), renderer(world) {}
+
+  void preparePage(const Job& job) {
+    page.begin(labelledPart(job.picture, job.canvas).size, job.canvas.pixels_per_point);
+    Eyes eyes = job.eyes;
+    eyes.screen = partOf(eyes.screen, labelledPart(job.picture, job.canvas), wholePage(job.picture, job.canvas));
+    drawLabels(page, {*world, job.surface, job.frame, job.settings.look, job.settings.camera, eyes},
+               job.settings.labels);
+    page.end();
+  }
+
+  void paintEye(const Job& job, Eye eye) {
+    const Frustum frustum = frustumOf(job.eyes, eye, depthRangeOf(job.eyes, box));
+    Frame frame = job.frame;
+    frame.pixels_per_point = job.canvas.pixels_per_point;
+    renderer.draw(frame, job.settings.look, frustum, job.picture.width, job.picture.height);
+    page.present(job.picture.width, job.picture.height, labelledPart(job.picture, job.canvas).corner,
+                 wholePage(job.picture, job.canvas));
+    if (job.draw_over) job.draw_over(job.picture);
+  }
+
+  void paintEyes(const Job& job) {
+    const Canvas& canvas = job.canvas;
+    if (isStereo(job.stereo.mode)) {
+      for (const Eye eye : {Eye::left, Eye::right}) {
+        composer.eye(eye, job.picture).bind();
+        paintEye(job, eye);
+      }
+      composer.compose(job.stereo, canvas.framebuffer, canvas.width, canvas.height, canvas.supersampling);
+    } else {
+      glBindFramebuffer(GL_FRAMEBUFFER, canvas.framebuffer);
+      glViewport(0, 0, canvas.width, canvas.height);
+      paintEye(job, Eye::left);
+    }
+  }
+};
+
+Painter::Painter(std::shared_ptr<const scene::World> world) : parts_(std::make_unique<Parts>(std::move(world))) {}
+Painter::~Painter() = default;
+
+Renderer& Painter::renderer() { return parts_->renderer; }
 
 void Painter::setWorld(std::shared_ptr<const scene::World> world) {
-  renderer_.setWorld(world);
-  box_ = mesh::boundingBox(world->skin);
-  world_ = std::move(world);
+  parts_->renderer.setWorld(world);
+  parts_->box = mesh::boundingBox(world->skin);
+  parts_->world = std::move(world);
 }
 
 Painted Painter::paint(const Frame& frame, const deform::DeformedSurface& surface, const PictureSettings& settings,
                        const Canvas& canvas, const DrawOver& draw_over) {
-  Painted painted;
   Job job{frame, surface, settings, canvas, draw_over, settings.stereo, {}, {}};
   const UsableMode usable = usableMode(job.stereo.mode, canvas.quad_buffer);
   job.stereo.mode = usable.mode;
   job.picture = eyePictureIn(usable.mode, canvas.width, canvas.height);
-  const ComfortableStereo calm = comfortable(settings.camera, job.stereo, job.picture.aspect(), box_);
+  const ComfortableStereo calm = comfortable(settings.camera, job.stereo, job.picture.aspect(), parts_->box);
   job.stereo = calm.settings;
   job.eyes = eyesOf(settings.camera, job.stereo, job.picture.aspect());
+  parts_->preparePage(job);
+  parts_->paintEyes(job);
+  Painted painted{job.eyes, usable.mode, {}};
   for (const std::string& note : {usable.note, calm.note}) {
     if (!note.empty()) painted.notes.push_back(note);
   }
-  preparePage(job);
-  if (isStereo(usable.mode)) {
-    for (const Eye eye : {Eye::left, Eye::right}) {
-      composer_.eye(eye, job.picture).bind();
-      paintEye(job, eye);
-    }
-    composer_.compose(job.stereo, canvas.framebuffer, canvas.width, canvas.height, canvas.supersampling);
-  } else {
-    glBindFramebuffer(GL_FRAMEBUFFER, canvas.framebuffer);
-    glViewport(0, 0, canvas.width, canvas.height);
-    paintEye(job, Eye::left);
-  }
-  painted.eyes = job.eyes;
-  painted.mode = usable.mode;
   return painted;
-}
-
-void Painter::preparePage(const Job& job) {
-  const double scale = job.canvas.pixels_per_point;
-  page_.begin(labelledPart(job.picture, job.canvas).size, scale);
-  Eyes eyes = job.eyes;
-  eyes.screen = partOf(eyes.screen, labelledPart(job.picture, job.canvas), wholePage(job.picture, job.canvas));
-  drawLabels(page_, {*world_, job.surface, job.frame, job.settings.look, job.settings.camera, eyes},
-             job.settings.labels);
-  page_.end();
-}
-
-void Painter::paintEye(const Job& job, Eye eye) {
-  const Frustum frustum = frustumOf(job.eyes, eye, depthRangeOf(job.eyes, box_));
-  Frame frame = job.frame;
-  frame.pixels_per_point = job.canvas.pixels_per_point;
-  renderer_.draw(frame, job.settings.look, frustum, job.picture.width, job.picture.height);
-  page_.present(job.picture.width, job.picture.height, labelledPart(job.picture, job.canvas).corner,
-                wholePage(job.picture, job.canvas));
-  if (job.draw_over) job.draw_over(job.picture);
 }
 
 }  // namespace palpate::view

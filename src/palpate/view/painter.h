@@ -8,11 +8,11 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
-#include "palpate/view/layers/drawing.h"
-#include "palpate/view/overlays/labels.h"
+#include "palpate/view/offscreen.h"
 #include "palpate/view/renderer.h"
-#include "palpate/view/stereo_composer.h"
+#include "palpate/view/stereo.h"
 
 namespace palpate::view {
 
@@ -26,8 +26,8 @@ struct PictureSettings {
 
 /// Where a picture goes.
 struct Canvas {
-  GLuint framebuffer = 0;  ///< 0 = the window's
-  int width = 0;           ///< pixels
+  GlId framebuffer = 0;  ///< 0 = the window's
+  int width = 0;         ///< pixels
   int height = 0;
   double pixels_per_point = 1.0;  ///< size of letters and thin lines: the screen's content scale, the supersampling
   int supersampling = 1;          ///< pixels that one pixel of the final picture is made of, along each side
@@ -47,10 +47,14 @@ struct Painted {
 class Painter {
  public:
   explicit Painter(std::shared_ptr<const scene::World> world);
+  ~Painter();
+  Painter(const Painter&) = delete;
+  Painter& operator=(const Painter&) = delete;
+
   /// As Renderer::setWorld.
   void setWorld(std::shared_ptr<const scene::World> world);
 
-  Renderer& renderer() { return renderer_; }
+  Renderer& renderer();
 
   /// Draws with the eye's target bound, `width` x `height` pixels; the page it stands for is `seen_width` x
   /// `seen_height` (a squeezed picture has fewer pixels). Called once for each eye.
@@ -61,15 +65,8 @@ class Painter {
                 const Canvas& canvas, const DrawOver& draw_over = {});
 
  private:
-  struct Job;
-  void preparePage(const Job& job);
-  void paintEye(const Job& job, Eye eye);
-
-  std::shared_ptr<const scene::World> world_;
-  Eigen::AlignedBox3d box_;
-  Renderer renderer_;
-  StereoComposer composer_;
-  Drawing page_;
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
 };
 
 }  // namespace palpate::view

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "palpate/scene/world.h"
+#include "palpate/view/layers/background.h"
 #include "palpate/view/layers/bone_layer.h"
 #include "palpate/view/layers/drawn_skin.h"
 #include "palpate/view/layers/finger_layer.h"
@@ -12,17 +13,10 @@
 #include "palpate/view/layers/line_layer.h"
 #include "palpate/view/layers/skin_layer.h"
 #include "palpate/view/layers/skin_paint.h"
+#include "palpate/view/overlays/marks.h"
 #include "palpate/view/overlays/overlays.h"
 
 namespace palpate::view {
-
-namespace {
-
-// Whether two worlds differ only in what lies on the body: stiffness, ellipses, force law, deformation.
-
-/// The same skin, bones and texture, vertex by vertex, as scene::rebuilt leaves them. A few ms for a million
-/// triangles.
-bool haveSameBody(const scene::World& a, const scene::World& b);
 
 namespace {
 
@@ -30,83 +24,14 @@ bool areSame(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b) {
   return a.triangles == b.triangles && a.positions == b.positions;
 }
 
-}  // namespace
-
+/// Whether two worlds differ only in what lies on the body (stiffness, ellipses, force law, deformation): the same
+/// skin, bones and texture, vertex by vertex, as scene::rebuilt leaves them. A few ms for a million triangles.
 bool haveSameBody(const scene::World& a, const scene::World& b) {
   const auto same_bone = [](const body::Bone& p, const body::Bone& q) { return areSame(p.mesh, q.mesh); };
   return a.texture == b.texture && areSame(a.skin, b.skin) &&
          std::equal(a.anatomy.bones.begin(), a.anatomy.bones.end(), b.anatomy.bones.begin(), b.anatomy.bones.end(),
                     same_bone);
 }
-
-}  // namespace
-
-namespace {
-
-// What lies behind the body: a soft grey gradient, or white paper.
-
-class Background {
- public:
-  Background();
-  /// Fills what is still empty of the viewport: where the depth is that of the far plane.
-  void draw(bool white) const;
-
- private:
-  Program program_;
-  GlVertexArray
-      nothing_;  // a core context draws nothing without a vertex array, not even vertices made of their number
-};
-
-namespace {
-
-// Rows of quads that cover the picture; the colour is worked out at their corners, neutral grey so that colours read
-// true, a little lighter behind the body.
-constexpr std::string_view kVertex = R"(
-uniform float white;
-out vec3 corner_grey;
-const int columns = 16;
-void main() {
-  int quad = gl_VertexID / 6, corner = gl_VertexID % 6;
-  ivec2 at = ivec2(quad % columns, quad / columns);
-  at += ivec2(corner == 1 || corner == 2 || corner == 4, corner == 2 || corner >= 4);
-  vec2 place = vec2(at) * (2.0 / float(columns)) - 1.0;
-  vec3 grey = mix(vec3(0.285, 0.290, 0.300), vec3(0.125, 0.130, 0.142), 0.5 + 0.5 * place.y);
-  grey += 0.045 * exp(-1.2 * dot(place, place));
-  corner_grey = mix(grey, vec3(1.0), white);
-  gl_Position = vec4(place, 1.0, 1.0);
-}
-)";
-constexpr GLsizei kVertices = 6 * 16 * 16;
-
-// A fixed pattern hides the steps of 8 bits.
-constexpr std::string_view kFragment = R"(
-in vec3 corner_grey;
-out vec4 colour;
-void main() {
-  float noise = fract(dot(gl_FragCoord.xy, vec2(0.7548777, 0.5698403)));
-  colour = vec4(corner_grey + (noise - 0.5) * (1.0 / 255.0), 1.0);
-}
-)";
-
-}  // namespace
-
-Background::Background() : program_("background", "", kVertex, kFragment) {}
-
-void Background::draw(bool white) const {
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LEQUAL);  // it lies on the far plane
-  glDisable(GL_BLEND);
-  glDisable(GL_CULL_FACE);
-  program_.use();
-  program_.set("white", white ? 1.0f : 0.0f);
-  glBindVertexArray(nothing_.get());
-  glDrawArrays(GL_TRIANGLES, 0, kVertices);
-  glDepthFunc(GL_LESS);
-}
-
-}  // namespace
-
-namespace {
 
 constexpr double kWireframePx = 0.8;
 

@@ -14,8 +14,8 @@
 #include "palpate/scene/world.h"
 #include "palpate/view/camera.h"
 #include "palpate/view/finger_pose.h"
+#include "palpate/view/lines.h"
 #include "palpate/view/look.h"
-#include "palpate/view/overlays/lines.h"
 
 namespace palpate::hdb {
 struct Partition;

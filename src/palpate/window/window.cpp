@@ -9,6 +9,7 @@
 #include <cstdlib>
 
 #include "palpate/base/error.h"
+#include "palpate/view/layers/gl_objects.h"
 
 namespace palpate::window {
 

@@ -5,7 +5,6 @@
 
 #include "palpate/mesh/triangle_mesh.h"
 #include "palpate/tree/triangle_tree.h"
-#include "palpate/view/layers/shared_shader.h"
 
 namespace palpate::view {
 

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "palpate/scene/world.h"
-#include "palpate/view/camera.h"
+#include "palpate/view/layers/gl_objects.h"
+#include "palpate/view/layers/viewpoint.h"
 #include "palpate/view/look.h"
 
 namespace palpate::view {

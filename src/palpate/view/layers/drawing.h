@@ -17,19 +17,6 @@
 
 namespace palpate::view {
 
-// The typeface of all pictures and panels, built into the program: no font file is needed where it runs.
-//
-// DejaVu Sans (https://dejavu-fonts.github.io), free to embed under the Bitstream Vera licence; its changes are in the
-// public domain.
-
-/// A TrueType file in memory, for the program's life.
-std::span<const unsigned char> embeddedFont();
-
-/// Ranges of characters that the pictures use, as ImGui wants them: pairs of first and last, ended by 0.
-const std::uint16_t* fontRanges();
-
-using Vec2f = Eigen::Vector2f;
-
 /// sRGB, opacity from 0 to 1.
 struct Ink {
   ColourBytes colour = {255, 255, 255};
@@ -74,5 +61,16 @@ class Drawing {
   std::unique_ptr<Parts> parts_;
   Vec2f size_ = Vec2f::Zero();
 };
+
+// ---- the typeface of all pictures and panels, built into the program: no font file is needed where it runs.
+//
+// DejaVu Sans (https://dejavu-fonts.github.io), free to embed under the Bitstream Vera licence; its changes are in the
+// public domain.
+
+/// A TrueType file in memory, for the program's life.
+std::span<const unsigned char> embeddedFont();
+
+/// Ranges of characters that the pictures use, as ImGui wants them: pairs of first and last, ended by 0.
+const std::uint16_t* fontRanges();
 
 }  // namespace palpate::view

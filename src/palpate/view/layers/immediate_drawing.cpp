@@ -1,5 +1,7 @@
 #include "palpate/view/layers/immediate_drawing.h"
 
+#include <epoxy/gl.h>
+
 #include <algorithm>
 #include <vector>
 

@@ -2,8 +2,6 @@
 
 #include <cstddef>
 
-#include "palpate/view/layers/shared_shader.h"
-
 namespace palpate::view {
 
 namespace {

@@ -4,8 +4,9 @@
 // overlays' own, and the edges of the skin straight from the deformed vertices. Costs no texture and no multisampling.
 #pragma once
 
-#include "palpate/view/camera.h"
-#include "palpate/view/overlays/lines.h"
+#include "palpate/view/layers/gl_objects.h"
+#include "palpate/view/layers/viewpoint.h"
+#include "palpate/view/lines.h"
 
 namespace palpate::view {
 

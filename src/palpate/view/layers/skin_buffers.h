@@ -6,10 +6,10 @@
 
 #include "palpate/deform/surface.h"
 #include "palpate/scene/world.h"
-#include "palpate/view/camera.h"
 #include "palpate/view/layers/gl_objects.h"
 #include "palpate/view/layers/skin_chunks.h"
 #include "palpate/view/layers/skin_seams.h"
+#include "palpate/view/layers/viewpoint.h"
 #include "palpate/view/look.h"
 
 namespace palpate::view {

@@ -1,6 +1,4 @@
-#include "palpate/view/overlays/contact_marks.h"
-
-#include "palpate/view/overlays/overlays.h"
+#include "palpate/view/overlays/marks.h"
 
 namespace palpate::view {
 

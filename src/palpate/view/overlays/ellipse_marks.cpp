@@ -5,16 +5,9 @@
 
 #include "palpate/scene/skin_contact.h"
 #include "palpate/tree/triangle_tree.h"
-#include "palpate/view/overlays/overlays.h"
+#include "palpate/view/overlays/marks.h"
 
 namespace palpate::view {
-
-std::optional<SkinSpot> spotBetween(const contact::Surface& surface, const Vec3& from, const Vec3& to) {
-  const auto crossing = tree::firstFrontCrossing(surface.tree, from, to);
-  if (crossing.triangle == kNoIndex) return std::nullopt;
-  const tree::TriangleRecord& record = surface.tree.records[crossing.triangle];
-  return SkinSpot{record.vertices, tree::barycentricWeights(record.corners, crossing.point).cast<float>()};
-}
 
 namespace {
 
@@ -23,6 +16,13 @@ constexpr int kSamples = 96;
 constexpr double kReachMm = 150.0;
 
 }  // namespace
+
+std::optional<SkinSpot> spotBetween(const contact::Surface& surface, const Vec3& from, const Vec3& to) {
+  const auto crossing = tree::firstFrontCrossing(surface.tree, from, to);
+  if (crossing.triangle == kNoIndex) return std::nullopt;
+  const tree::TriangleRecord& record = surface.tree.records[crossing.triangle];
+  return SkinSpot{record.vertices, tree::barycentricWeights(record.corners, crossing.point).cast<float>()};
+}
 
 Outline outlineOf(const scene::World& world, const maps::SurfaceEllipse& ellipse, const Vec3& centre,
                   const Vec3& normal) {

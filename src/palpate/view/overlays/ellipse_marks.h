@@ -7,12 +7,11 @@
 #include "palpate/contact/surface.h"
 #include "palpate/scene/world.h"
 #include "palpate/view/layers/drawn_skin.h"
-#include "palpate/view/overlays/lines.h"
+#include "palpate/view/lines.h"
 
 namespace palpate::view {
 
-// A place of the skin that moves with it: a triangle and the weights of its corners.
-
+/// A place of the skin that moves with it: a triangle and the weights of its corners.
 struct SkinSpot {
   Triangle vertices{};
   Vec3f weights = Vec3f::Zero();

@@ -13,46 +13,6 @@
 
 namespace palpate::view {
 
-// Where plates of words go on a page: beside what they speak of, over nothing that is already there. Pure.
-
-/// A rectangle of the page, points.
-struct LabelBox {
-  Vec2f corner = Vec2f::Zero();    ///< upper left
-  Vec2f opposite = Vec2f::Zero();  ///< lower right
-};
-
-/// What two boxes share, square points.
-float overlapOf(const LabelBox& a, const LabelBox& b);
-
-/// A plate of this size for something at `tip`: to the right and above if there is room, else the nearest place round
-/// it that lies on the page and on nothing that is `taken`; where there is none, the one that hides least.
-LabelBox placePlate(const Vec2f& tip, const Vec2f& size, const LabelBox& page, std::span<const LabelBox> taken);
-
-/// The corner of the plate that is nearest to a place: where the line to it begins.
-Vec2f nearestCorner(const LabelBox& plate, const Vec2f& place);
-
-// The few colours of labels, and text that is readable on skin, on grey and on white paper alike.
-
-inline constexpr Ink kLightInk{{250, 250, 250}};
-inline constexpr Ink kShadeInk{{20, 20, 24}, 0.72};
-
-/// sRGB bytes of a linear colour.
-ColourBytes encodedColour(const Vec3f& linear);
-
-/// Light letters with a dark rim.
-void writeLabel(Drawing& page, const Vec2f& place, std::string_view words, Align align = Align::left,
-                TextSize size = TextSize::normal);
-
-struct LabelSettings {
-  std::string title;                      ///< upper left; empty = none
-  bool legend = true;                     ///< of the colours of the skin, when they mean something
-  bool scale_bar = true;                  ///< true in the plane of the screen
-  bool orientation = true;                ///< the patient's left and right, and where the head is
-  bool numbers = true;                    ///< depth and force beside each finger that touches
-  bool section = true;                    ///< the cut through the contact, when the look shows it
-  std::vector<std::string> finger_names;  ///< in the order of the fingers; empty = without names
-};
-
 /// What the labels speak of.
 struct LabelScene {
   const scene::World& world;

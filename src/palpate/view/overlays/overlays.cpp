@@ -1,7 +1,6 @@
 #include "palpate/view/overlays/overlays.h"
 
-#include "palpate/view/overlays/contact_marks.h"
-#include "palpate/view/overlays/skin_marks.h"
+#include "palpate/view/overlays/marks.h"
 
 namespace palpate::view {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "palpate/scene/hdb_source.h"
-#include "palpate/view/overlays/overlays.h"
+#include "palpate/view/overlays/marks.h"
 
 namespace palpate::view {
 

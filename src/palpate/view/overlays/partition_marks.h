@@ -9,7 +9,7 @@
 #include "palpate/hdb/partition.h"
 #include "palpate/scene/world.h"
 #include "palpate/view/layers/drawn_skin.h"
-#include "palpate/view/overlays/lines.h"
+#include "palpate/view/lines.h"
 
 namespace palpate::view {
 

@@ -2,7 +2,7 @@
 //
 // The plane holds the contact's normal and the direction the finger drags in (across the body when it does not), so
 // that what presses and what pulls both lie in it. The curve is the cut of the skin at rest; its points are then
-// followed to where the deformation takes them. No GL.
+// followed to where the deformation takes them. No GL but in drawSection (section_inset.cpp).
 #pragma once
 
 #include <functional>
@@ -13,6 +13,8 @@
 #include "palpate/scene/world.h"
 
 namespace palpate::view {
+
+class Drawing;
 
 struct SectionPlane {
   Vec3 origin = Vec3::Zero();   ///< the friction anchor
@@ -43,5 +45,18 @@ std::vector<SectionPoint> sectionCurve(const scene::World& world, const std::fun
 inline Vec3 onPlane(const SectionPlane& plane, const Vec2& point) {
   return plane.origin + point.x() * plane.along + point.y() * plane.upward;
 }
+
+/// Where the section is drawn as a small chart, points.
+struct SectionChart {
+  Vec2f corner = Vec2f::Zero();  ///< upper left
+  Vec2f size = {240.0f, 120.0f};
+};
+
+/// How far the chart reaches to either side of the contact, mm.
+inline constexpr double kSectionHalfWidthMm = 40.0;
+
+/// Draws it with both axes in mm. Heights are drawn larger than widths: the numbers at the axes tell by how much.
+/// Nothing for an empty curve.
+void drawSection(Drawing& page, std::span<const SectionPoint> curve, const SectionChart& chart);
 
 }  // namespace palpate::view

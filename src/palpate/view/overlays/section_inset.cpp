@@ -1,10 +1,11 @@
-#include "palpate/view/overlays/section_inset.h"
+#include "palpate/view/overlays/section.h"
 
 #include <algorithm>
 #include <vector>
 
-#include "palpate/view/overlays/labels.h"
-#include "palpate/view/overlays/legend.h"
+#include "palpate/view/layers/drawing.h"
+#include "palpate/view/overlays/plates.h"
+#include "palpate/view/overlays/round_steps.h"
 
 namespace palpate::view {
 

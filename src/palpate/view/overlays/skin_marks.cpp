@@ -1,11 +1,11 @@
-#include "palpate/view/overlays/skin_marks.h"
+#include "palpate/view/overlays/marks.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
-#include "palpate/view/overlays/overlays.h"
+#include "palpate/view/overlays/section.h"
 
 namespace palpate::view {
 

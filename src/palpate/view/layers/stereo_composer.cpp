@@ -1,4 +1,4 @@
-#include "palpate/view/stereo_composer.h"
+#include "palpate/view/layers/stereo_composer.h"
 
 namespace palpate::view {
 

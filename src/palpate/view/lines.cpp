@@ -1,4 +1,4 @@
-#include "palpate/view/overlays/lines.h"
+#include "palpate/view/lines.h"
 
 #include <algorithm>
 

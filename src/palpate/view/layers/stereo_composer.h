@@ -8,6 +8,7 @@
 
 #include <memory>
 
+#include "palpate/view/layers/gl_objects.h"
 #include "palpate/view/offscreen.h"
 #include "palpate/view/stereo.h"
 

@@ -1,0 +1,103 @@
+#include "palpate/view/layers/skin_tint.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "palpate/base/random.h"
+
+namespace palpate::view {
+
+namespace {
+
+/// Mottling: sizes of the blotches (mm), and how much all of them change the colour.
+constexpr double kBlotchMm[] = {60.0, 30.0, 15.0};
+constexpr double kBlotchShare[] = {0.5, 0.3, 0.2};
+constexpr double kMottling = 0.08;
+/// Bone shows through skin that is not much thicker than this.
+constexpr double kThinSkinMm = 9.0;
+/// A sphere of this radius counts as fully curved: a fingertip.
+constexpr double kFullCurvatureMm = 8.0;
+
+double latticeValue(std::int64_t x, std::int64_t y, std::int64_t z) {
+  const auto mixed = static_cast<std::uint64_t>(x) * 0x9e3779b97f4a7c15ull +
+                     static_cast<std::uint64_t>(y) * 0xc2b2ae3d27d4eb4full +
+                     static_cast<std::uint64_t>(z) * 0x165667b19e3779f9ull;
+  return Random(mixed).uniform(-1.0, 1.0);
+}
+
+/// Smooth noise in [-1, 1], one value a unit cell (Perlin's value noise).
+double noiseAt(const Vec3& p) {
+  const Vec3 cell = p.array().floor();
+  const Vec3 t = p - cell;
+  const Vec3 s = t.array().square() * (3.0 - 2.0 * t.array());
+  double sum = 0.0;
+  for (int corner = 0; corner < 8; ++corner) {
+    double weight = 1.0;
+    std::array<std::int64_t, 3> at{};
+    for (int axis = 0; axis < 3; ++axis) {
+      const int high = (corner >> axis) & 1;
+      weight *= high == 1 ? s[axis] : 1.0 - s[axis];
+      at[axis] = static_cast<std::int64_t>(cell[axis]) + high;
+    }
+    sum += weight * latticeValue(at[0], at[1], at[2]);
+  }
+  return sum;
+}
+
+double mottlingAt(const Vec3& p) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < std::size(kBlotchMm); ++i) sum += kBlotchShare[i] * noiseAt(p / kBlotchMm[i]);
+  // The sum of smooth noises seldom comes near its bounds: spread it.
+  return std::clamp(1.8 * sum, -1.0, 1.0);
+}
+
+/// 0 far from bone, 1 right over it; and the wider red halo of skin that is rubbed: spine and shoulder blades.
+struct BoneInfluence {
+  double thin = 0.0;
+  double red = 0.0;
+};
+
+BoneInfluence boneInfluence(const scene::Anatomy& anatomy, Index vertex) {
+  if (anatomy.depth_mm.empty()) return {};
+  const double depth = anatomy.depth_mm[vertex];
+  const bool rubbed = anatomy.bones[anatomy.nearest_bone[vertex]].kind != body::BoneKind::rib;
+  constexpr double kRedReachMm = 22.0;
+  return {std::exp(-(depth * depth) / (kThinSkinMm * kThinSkinMm)), rubbed ? std::exp(-depth / kRedReachMm) : 0.0};
+}
+
+double curvatureAt(const deform::Skin& skin, Index vertex) {
+  double largest = 0.0;
+  const Vec3f place = skin.restPosition(vertex);
+  const Vec3f normal = skin.restNormal(vertex);
+  for (const Index other : skin.neighbours[vertex]) {
+    const double length = (skin.restPosition(other) - place).norm();
+    if (length > 0.0) largest = std::max<double>(largest, (skin.restNormal(other) - normal).norm() / length);
+  }
+  return std::min(1.0, largest * kFullCurvatureMm);
+}
+
+std::uint8_t byteOf(double value) { return static_cast<std::uint8_t>(std::clamp(value + 0.5, 0.0, 255.0)); }
+
+TintBytes tintAt(const scene::World& world, Index vertex) {
+  const Vec3& place = world.skin.positions[vertex];
+  const BoneInfluence bone = boneInfluence(world.anatomy, vertex);
+  // Blood varies more than pigment: the red channel least in value, so blotches read as warmer and cooler.
+  const double blood = 0.6 * mottlingAt(place) + 1.1 * (bone.red - 0.35) * (bone.red > 0.0 ? 1.0 : 0.0);
+  const double pigment = mottlingAt(place + Vec3(311.0, 173.0, 59.0));
+  const double light = 1.0 + kMottling * 0.6 * pigment + 0.05 * bone.thin;
+  const double red = light * (1.0 + 0.15 * kMottling * blood);
+  const double green = light * (1.0 - kMottling * blood + 0.03 * bone.thin);
+  const double blue = light * (1.0 - 0.8 * kMottling * blood + 0.05 * bone.thin);
+  return {byteOf(kTintUnit * red), byteOf(kTintUnit * green), byteOf(kTintUnit * blue),
+          byteOf(255.0 * curvatureAt(world.deformable, vertex))};
+}
+
+}  // namespace
+
+std::vector<TintBytes> skinTints(const scene::World& world) {
+  std::vector<TintBytes> tints(world.deformable.vertices);
+  for (Index v = 0; v < world.deformable.vertices; ++v) tints[v] = tintAt(world, v);
+  return tints;
+}
+
+}  // namespace palpate::view

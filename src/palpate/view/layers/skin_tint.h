@@ -1,0 +1,25 @@
+// What makes one place of the skin look different from the next, a vertex each: mottling, redness, thin skin over bone.
+//
+// Computed once at load in rest coordinates, so that it moves with the skin. The shader multiplies it with the colour
+// of the whole skin; finer detail is the shader's own (skin_shader.h).
+//
+// Based on: Perlin, "An image synthesizer", 1985 (noise as sums of smooth lattice values).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "palpate/scene/world.h"
+
+namespace palpate::view {
+
+/// Red, green and blue: a factor on the colour of the skin, kTintUnit is 1. Fourth: curvature, 255 = a fingertip's.
+using TintBytes = std::array<std::uint8_t, 4>;
+
+inline constexpr double kTintUnit = 128.0;
+
+/// One a vertex of the skin.
+std::vector<TintBytes> skinTints(const scene::World& world);
+
+}  // namespace palpate::view

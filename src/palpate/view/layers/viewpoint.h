@@ -1,0 +1,91 @@
+// What every shader wants to know of the eye: where it is, what it sees, where the light comes from, and the way from
+// light to a pixel's value.
+//
+//   Frustum ─ viewpointOf ─► Viewpoint ─ setViewpoint ─► the uniforms of kSharedShader, once a layer
+//
+// Based on: Narkowicz, "ACES filmic tone mapping curve", 2015; Kelemen and Szirmay-Kalos, "A microfacet based coupled
+// specular-matte BRDF model with importance sampling", 2001 (the visibility of the gloss).
+#pragma once
+
+#include <string_view>
+
+#include "palpate/view/camera.h"
+
+namespace palpate::view {
+
+class Program;
+
+/// Directions to the lights, unit vectors of the body frame. They follow the camera's yaw and nothing else: turning the
+/// body keeps its relief lit from the side, and looking from above does not flatten it.
+struct Lights {
+  Vec3f key = Vec3f::UnitZ();   ///< warm, from the cranial left and 57 degrees off the axis: raking light shows dents
+  Vec3f fill = Vec3f::UnitZ();  ///< cool and weak, from the other side
+};
+
+/// Of a body frame whose y axis points up.
+Lights lightsFor(const Frustum& frustum);
+
+struct Viewpoint {
+  Mat4f clip = Mat4f::Identity();  ///< body frame -> clip
+  Vec3f eye = Vec3f::Zero();
+  Vec3f backward = Vec3f::UnitZ();  ///< unit, from the picture to the eye
+  Lights lights;
+  Vec2f pixels = Vec2f::Ones();    ///< of the viewport
+  float pixels_per_radian = 1.0f;  ///< in the middle of the picture: pixels of 1 mm at 1 mm, divide by the distance
+
+  /// At the nearest place of a box; infinite within it.
+  float pixelsPerMm(const Eigen::AlignedBox3f& box) const { return pixels_per_radian / box.exteriorDistance(eye); }
+};
+
+Viewpoint viewpointOf(const Frustum& frustum, int width, int height);
+
+/// GLSL that every shader starts with. Lengths in mm of the body frame, colours linear unless their name says encoded.
+inline constexpr std::string_view kSharedShader = R"(
+uniform mat4 clip_from_body;
+uniform vec3 eye;
+uniform vec3 backward;
+uniform vec3 to_key;
+uniform vec3 to_fill;
+
+// A warm key, a cool fill at a quarter of it, and the sky: cool above, warm from the skin and the couch below.
+const vec3 key_light = vec3(2.35, 2.15, 1.86);
+const vec3 fill_light = vec3(0.33, 0.39, 0.47);
+const vec3 sky_light = vec3(0.25, 0.27, 0.31);
+const vec3 ground_light = vec3(0.15, 0.12, 0.10);
+
+float saturate(float x) { return clamp(x, 0.0, 1.0); }
+vec3 saturate(vec3 x) { return clamp(x, 0.0, 1.0); }
+
+vec3 ambientFrom(vec3 normal) { return mix(ground_light, sky_light, 0.5 + 0.5 * normal.y); }
+
+vec3 toned(vec3 light) { return saturate((light * (2.51 * light + 0.03)) / (light * (2.43 * light + 0.59) + 0.14)); }
+
+// sRGB by square roots, within 0.002 of the true curve; powers cost several times as much.
+vec3 encoded(vec3 linear) {
+  vec3 r2 = sqrt(linear), r4 = sqrt(r2), r8 = sqrt(r4);
+  return saturate(0.662002687 * r2 + 0.684122060 * r4 - 0.323583601 * r8 - 0.0225411470 * linear);
+}
+
+// Matte light on a plain surface (bones, fingers).
+vec3 matteLight(vec3 normal, float key_share) {
+  return key_light * (key_share * saturate(dot(normal, to_key))) + fill_light * saturate(dot(normal, to_fill)) +
+         ambientFrom(normal);
+}
+
+// One GGX lobe without the colour of the light; visibility as Kelemen and Szirmay-Kalos approximate it.
+float gloss(vec3 normal, vec3 to_light, vec3 to_eye, float roughness, float f0) {
+  vec3 half_way = normalize(to_light + to_eye);
+  float nh = saturate(dot(normal, half_way));
+  float lh = saturate(dot(to_light, half_way));
+  float a2 = roughness * roughness * roughness * roughness;
+  float d = nh * nh * (a2 - 1.0) + 1.0;
+  float grazing = (1.0 - lh) * (1.0 - lh);
+  float fresnel = f0 + (1.0 - f0) * grazing * grazing * (1.0 - lh);
+  return fresnel * a2 / (12.566371 * d * d * max(lh * lh, 0.1)) * saturate(dot(normal, to_light) * 4.0);
+}
+)";
+
+/// Sets the uniforms of kSharedShader; the program must be in use.
+void setViewpoint(const Program& program, const Viewpoint& viewpoint);
+
+}  // namespace palpate::view
