@@ -113,7 +113,7 @@ TEST(Arrays, StiffnessGoesWithItsVertexAndStaysWhenTheWorldIsRebuilt) {
   for (const Vec3& p : soup.positions) stiffness.push_back(1.0 + 0.01 * p.z());
   const WorldFromArrays built = worldFromMesh(soup, stiffness);
   scene::Scene other = built.world->scene;
-  other.friction.mu_static = 0.9;
+  other.contact.finger.mu_static = 0.9;
   for (const auto& world : {built.world, scene::rebuilt(*built.world, other)}) {
     for (Index v = 0; v < world->skin.positions.size(); ++v) {
       ASSERT_EQ(world->stiffness_n_per_mm[v], 1.0 + 0.01 * world->skin.positions[v].z()) << v;
