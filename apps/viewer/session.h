@@ -164,12 +164,6 @@ struct WorldFacts {
   bool has_picture = false;
 };
 
-/// A finger that has not been anywhere yet.
-inline contact::FingerOutput nowhere() {
-  const Vec3 zero = Vec3::Zero();
-  return {zero, zero, zero, zero, zero, zero};
-}
-
 struct Session {
   scene::Scene scene;  ///< as wished; the world at work may lag behind
   ViewState state;
@@ -190,7 +184,7 @@ struct Session {
   window::HeadTracker::State head = window::HeadTracker::State::waiting;
   Recording recording;
   std::optional<engine::BuildProgress> building;
-  std::array<contact::FingerOutput, 2> fingers{nowhere(), nowhere()};
+  std::array<contact::FingerOutput, 2> fingers;
   std::array<bool, 2> finger_present{};
   std::size_t active_finger = 0;
   double device_limit_n = 3.3;

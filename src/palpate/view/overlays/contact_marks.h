@@ -1,7 +1,7 @@
 // What the haptic finger knows, drawn: friction anchor, proxy, tip and force.
 #pragma once
 
-#include "palpate/contact/finger.h"
+#include "palpate/contact/finger_state.h"
 #include "palpate/view/overlays/lines.h"
 
 namespace palpate::view {
