@@ -2,20 +2,20 @@
 #pragma once
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
+
+#include "palpate/base/stopwatch.h"
 
 namespace palpate::study {
 
 /// Microseconds of the fastest of `runs` calls.
 template <class Work>
 double shortestMicroseconds(int runs, Work&& work) {
-  using Clock = std::chrono::steady_clock;
   double shortest = std::numeric_limits<double>::infinity();
   for (int run = 0; run < runs; ++run) {
     const Clock::time_point start = Clock::now();
     work();
-    shortest = std::min(shortest, std::chrono::duration<double, std::micro>(Clock::now() - start).count());
+    shortest = std::min(shortest, microsecondsSince(start));
   }
   return shortest;
 }

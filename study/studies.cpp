@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
-
 #include "lab/counters/machine.h"
+#include "palpate/base/stopwatch.h"
 
 namespace palpate::study {
 
@@ -24,9 +23,9 @@ const std::vector<Study>& studies() {
 }
 
 StudyPage runStudy(const Study& study, const StudySettings& settings) {
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = Clock::now();
   StudyPage page = study.run(settings);
-  page.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  page.seconds = secondsSince(start);
   page.name = study.name;
   page.machine = lab::lineOf(lab::thisMachine());
   if (page.command.empty()) {

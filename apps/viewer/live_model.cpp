@@ -1,10 +1,12 @@
 #include "apps/viewer/live_model.h"
 
+#include "palpate/base/stopwatch.h"
+
 namespace palpate::viewer {
 
 namespace {
 
-double sinceMs(std::int64_t start_ns) { return static_cast<double>(servo::monotonicNs() - start_ns) * 1e-6; }
+double sinceMs(std::int64_t start_ns) { return static_cast<double>(monotonicNs() - start_ns) * 1e-6; }
 
 }  // namespace
 
@@ -19,10 +21,10 @@ void LiveModel::setWorld(std::shared_ptr<const scene::World> world) {
 
 LiveModel::Times LiveModel::follow(std::span<const trace::Sample> contacts) {
   Times times;
-  const std::int64_t start = servo::monotonicNs();
+  const std::int64_t start = monotonicNs();
   skin_->follow(contacts);
   times.deform_ms = sinceMs(start);
-  const std::int64_t uploading = servo::monotonicNs();
+  const std::int64_t uploading = monotonicNs();
   painter_.renderer().update(skin_->surface());
   times.upload_ms = sinceMs(uploading);
   return times;

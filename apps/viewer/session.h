@@ -57,24 +57,6 @@ struct WorldFacts {
   bool has_picture = false;
 };
 
-/// The tracked head in this frame.
-struct SeenHead {
-  Vec3 eyes_mm = Vec3::Zero();
-  window::HeadTracker::State state = window::HeadTracker::State::waiting;
-};
-
-/// The user's displacement profile while it is drawn.
-struct ProfileEdit {
-  std::vector<tissue::ProfileKnot> knots;
-  int handle = -1;  ///< the one that is being dragged
-};
-
-/// A finger that has not been anywhere yet.
-inline contact::FingerOutput nowhere() {
-  const Vec3 zero = Vec3::Zero();
-  return {zero, zero, zero, zero, zero, zero};
-}
-
 struct Session {
   // What is wished.
   scene::Scene scene;  ///< the world at work may lag behind
@@ -93,7 +75,7 @@ struct Session {
   double now_s = 0.0;
   WorldFacts world;
   std::optional<engine::BuildProgress> building;
-  std::array<contact::FingerOutput, 2> fingers{nowhere(), nowhere()};
+  std::array<contact::FingerOutput, 2> fingers;
   std::array<bool, 2> finger_present{};
   double device_limit_n = 3.3;
   SeenHead head;

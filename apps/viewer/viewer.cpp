@@ -16,6 +16,7 @@
 #include "apps/viewer/panels/hints.h"
 #include "apps/viewer/panels/panels.h"
 #include "palpate/base/error.h"
+#include "palpate/base/stopwatch.h"
 
 namespace palpate::viewer {
 
@@ -31,7 +32,7 @@ constexpr double kNarrowPoints = 1000.0;
 /// Of the finger that stays where it was put, points.
 constexpr double kOutline = 1.5;
 
-double sinceMs(std::int64_t start_ns) { return static_cast<double>(servo::monotonicNs() - start_ns) * 1e-6; }
+double sinceMs(std::int64_t start_ns) { return static_cast<double>(monotonicNs() - start_ns) * 1e-6; }
 
 WorldFacts factsOf(const scene::World& world) {
   const Vec3 size = mesh::boundingBox(world.skin).sizes();
@@ -83,7 +84,7 @@ servo::LoopReport Viewer::finish() {
 }
 
 void Viewer::frame(int width, int height, double scale, double now_s, std::span<const window::InputEvent> events) {
-  const std::int64_t started = servo::monotonicNs();
+  const std::int64_t started = monotonicNs();
   const double elapsed_s = seen_ ? std::max(1e-4, now_s - session_.now_s) : 1.0 / 60.0;
   session_.now_s = now_s;
   makeTarget(width, height);
@@ -393,7 +394,7 @@ std::vector<view::Lines> Viewer::rings() const {
 }
 
 void Viewer::paint(double scale) {
-  const std::int64_t started = servo::monotonicNs();
+  const std::int64_t started = monotonicNs();
   view::PictureSettings picture;
   picture.camera = session_.camera;
   picture.look = session_.state.look;

@@ -7,11 +7,11 @@
 #include <time.h>
 #endif
 
+#include "palpate/base/stopwatch.h"
+
 namespace palpate::bench {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr int kLeastRounds = 3;
 /// A sample lasts at least this long, so that what it finds in the caches is its own.

@@ -6,6 +6,7 @@
 
 #include "bench/peers/peer.h"
 #include "bench/runs/timed_run.h"
+#include "palpate/base/stopwatch.h"
 
 namespace palpate::bench {
 
@@ -33,9 +34,9 @@ template <class Answer, class Ask, class Note>
 void timeAnswers(std::size_t count, double seconds, PeerRun<Answer>& run, Ask&& ask, Note&& note) {
   const double empty_us = detail::emptyTimerMicroseconds();
   const auto microsecondsFor = [&](std::size_t query) {
-    const detail::Clock::time_point start = detail::Clock::now();
+    const Clock::time_point start = Clock::now();
     ask(query);
-    return std::max(0.0, detail::microseconds(detail::Clock::now() - start) - empty_us);
+    return std::max(0.0, microsecondsSince(start) - empty_us);
   };
   std::vector<double> trials;
   for (std::size_t i = count / 2; i < std::min(count, count / 2 + 5); ++i) trials.push_back(microsecondsFor(i));

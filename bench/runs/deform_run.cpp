@@ -12,6 +12,7 @@
 #include "lab/counters/thread_counts.h"
 #include "lab/workloads/workload_meshes.h"
 #include "palpate/base/hash.h"
+#include "palpate/base/stopwatch.h"
 #include "palpate/deform/deformer.h"
 #include "palpate/deform/fast_displacement.h"
 #include "palpate/mesh/reorder.h"
@@ -19,8 +20,6 @@
 namespace palpate::bench {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr int kPlaces = 16;
 /// The finger's places lie on a circle of this radius around the middle of the back: a few millimetres apart, as
@@ -114,7 +113,7 @@ void repeat(std::size_t places, double seconds, Timings& timings, const Step& st
     for (std::size_t i = 0; i < places; ++i) {
       const auto start = Clock::now();
       step(i);
-      timings.note(i, std::chrono::duration<double, std::nano>(Clock::now() - start).count());
+      timings.note(i, nanosecondsSince(start));
     }
   } while (Clock::now() < end);
 }

@@ -1,7 +1,6 @@
 #include "bench/runs/partition_run.h"
 
 #include <algorithm>
-#include <chrono>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "palpate/base/error.h"
 #include "palpate/base/hash.h"
 #include "palpate/base/random.h"
+#include "palpate/base/stopwatch.h"
 #include "palpate/hdb/haptic_box.h"
 #include "palpate/hdb/statistics.h"
 #include "palpate/tree/triangle_tree.h"
@@ -19,16 +19,11 @@ namespace palpate::bench {
 namespace {
 
 using hdb::Partition;
-using Clock = std::chrono::steady_clock;
 
 constexpr double kTickS = 1e-3;
 // The fastest counts: other load only ever adds.
 constexpr int kBuilds = 3;
 constexpr int kSlides = 3;
-
-double microsecondsSince(Clock::time_point start) {
-  return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
-}
 
 Vec3 randomVertex(const mesh::TriangleMesh& mesh, Random& random) {
   return mesh.positions[mesh.triangles[random.below(mesh.triangles.size())][0]];

@@ -2,27 +2,23 @@
 #pragma once
 
 #include <algorithm>
-#include <chrono>
 #include <span>
 #include <vector>
 
 #include "bench/runs/contact_run.h"
 #include "lab/counters/thread_counts.h"
+#include "palpate/base/stopwatch.h"
 
 namespace palpate::bench {
 
 namespace detail {
-
-using Clock = std::chrono::steady_clock;
-
-inline double microseconds(Clock::duration d) { return std::chrono::duration<double, std::micro>(d).count(); }
 
 /// What two readings of the clock cost when nothing is between them.
 inline double emptyTimerMicroseconds() {
   std::vector<double> samples(2000);
   for (double& sample : samples) {
     const Clock::time_point start = Clock::now();
-    sample = microseconds(Clock::now() - start);
+    sample = microsecondsSince(start);
   }
   return lab::percentilesOf(std::move(samples)).p50;
 }
@@ -38,9 +34,9 @@ FingerRun timedRun(std::span<const Vec3> tips, Step&& step) {
   run.tick_us.resize(tips.size());
   const lab::ThreadCounts before = lab::countsOfThisThread();
   for (std::size_t k = 0; k < tips.size(); ++k) {
-    const detail::Clock::time_point start = detail::Clock::now();
+    const Clock::time_point start = Clock::now();
     run.outputs[k] = step(tips[k]);
-    run.tick_us[k] = std::max(0.0, detail::microseconds(detail::Clock::now() - start) - empty_us);
+    run.tick_us[k] = std::max(0.0, microsecondsSince(start) - empty_us);
   }
   run.counts = lab::countsSince(before);
   return run;

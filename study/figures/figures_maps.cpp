@@ -136,7 +136,7 @@ MeshView backView(const maps::EllipseMap& map, double basic) {
     view.colours.push_back(figures::mapColour(ColourMap::cool_warm, share));
   }
   for (const maps::KeyPoint& key : maps::dissertationKeyPoints()) {
-    view.places.push_back({placeOn(back, key.position_mm).position, key.name});
+    view.places.push_back({placeOn(back, key.position_mm).point, key.name});
   }
   return view;
 }
@@ -177,7 +177,7 @@ Placed placedOnMap(const maps::Ellipse& ellipse, const Vec3& centre) {
 
 Placed placedOnSkin(const maps::Ellipse& ellipse, const SkinPlace& place) {
   const maps::SurfaceEllipse lifted = maps::liftedOntoSurface(ellipse, place.normal);
-  return {place.position, lifted.half_major, lifted.aspect * place.normal.cross(lifted.half_major)};
+  return {place.point, lifted.half_major, lifted.aspect * place.normal.cross(lifted.half_major)};
 }
 
 std::vector<figures::Segments> projectionLines(const Placed& map, const Placed& skin) {
@@ -201,7 +201,7 @@ Figure figure512() {
   const SkinPlace place = placeOn(back, {100.0, -20.0});
   const maps::Ellipse ellipse{60.0, 0.7, 2.3};  // small, so that both are seen whole
   const Placed skin = placedOnSkin(ellipse, place);
-  const Placed map = placedOnMap(ellipse, {place.position.x(), place.position.y(), kMapDistance});
+  const Placed map = placedOnMap(ellipse, {place.point.x(), place.point.y(), kMapDistance});
   MeshView view;
   view.positions = back.positions;
   view.triangles = back.triangles;

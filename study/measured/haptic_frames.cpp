@@ -49,6 +49,7 @@ std::vector<SkinPlace> skinPlaces(const mesh::TriangleMesh& mesh, int count, std
     const auto at = std::upper_bound(area_up_to.begin(), area_up_to.end(), random.uniform(0.0, area));
     const auto triangle = static_cast<std::size_t>(std::min(at, area_up_to.end() - 1) - area_up_to.begin());
     places.push_back(placeIn(cornersOf(mesh, triangle), random));
+    places.back().triangle = static_cast<Index>(triangle);
   }
   return places;
 }
@@ -109,8 +110,8 @@ FrameTimes literalFrame(const HapticModel& model, const hdb::Partition* partitio
       leaves = leavesOf(*partition, hits);
     });
   }
-  const Vec3 above = place.point + kAboveMm * place.outward;
-  const Vec3 tip = place.point - kDepthMm * place.outward;
+  const Vec3 above = place.point + kAboveMm * place.normal;
+  const Vec3 tip = place.point - kDepthMm * place.normal;
   times.triangles = static_cast<double>(countOf(leaves));
   times.collide_us = shortestMicroseconds(runs, [&] { keep(collide(model.literal, leaves, above, tip).fraction); });
   times.force_us = shortestMicroseconds(runs, [&] { keep(touchForce(model.literal, leaves, tip, place.point).x()); });

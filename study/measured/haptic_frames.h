@@ -4,20 +4,15 @@
 #include <vector>
 
 #include "bench/literal/mesh.h"
+#include "palpate/base/skin_place.h"
 #include "palpate/contact/surface.h"
 #include "palpate/hdb/haptic_box.h"
 #include "palpate/mesh/triangle_mesh.h"
 
 namespace palpate::study {
 
-// Places of a model where a study puts its finger.
-
-struct SkinPlace {
-  Vec3 point = Vec3::Zero();    ///< on the skin
-  Vec3 outward = Vec3::Zero();  ///< unit normal of its triangle
-};
-
-/// Spread over the surface by area; the same for the same mesh and seed. Throws Error for a mesh without area.
+/// Places of a model where a study puts its finger, spread over the surface by area; the same for the same mesh and
+/// seed. The normal is that of the triangle. Throws Error for a mesh without area.
 std::vector<SkinPlace> skinPlaces(const mesh::TriangleMesh& mesh, int count, std::uint64_t seed = 1);
 
 /// The longest edge of any triangle, mm.

@@ -44,7 +44,7 @@ SkinPlace placeOn(const mesh::TriangleMesh& mesh, const Vec2& at) {
     const Vec3 weights = barycentric(corners, at);
     if (!(weights.minCoeff() >= 0.0)) continue;
     const Vec3 position = weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
-    if (found.triangle != kNoIndex && position.z() <= found.position.z()) continue;
+    if (found.triangle != kNoIndex && position.z() <= found.point.z()) continue;
     found = {position, normals[t], t};
   }
   if (found.triangle == kNoIndex) throw Error(fmt::format("no skin at ({:g}, {:g}) mm", at.x(), at.y()));
@@ -54,7 +54,7 @@ SkinPlace placeOn(const mesh::TriangleMesh& mesh, const Vec2& at) {
 deform::Contact contactOf(const mesh::TriangleMesh& mesh, const Press& press, const deform::FormSettings& forms) {
   const SkinPlace place = placeOn(mesh, press.at);
   deform::Contact contact;
-  contact.anchor = place.position;
+  contact.anchor = place.point;
   contact.anchor_triangle = place.triangle;
   contact.normal = place.normal;
   contact.depth_mm = press.depth_mm;

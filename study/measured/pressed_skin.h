@@ -3,20 +3,14 @@
 
 #include <vector>
 
+#include "palpate/base/skin_place.h"
 #include "palpate/deform/forms.h"
 #include "palpate/deform/surface.h"
 #include "palpate/mesh/triangle_mesh.h"
 
 namespace palpate::study {
 
-/// A place on a surface seen along z: the triangle there nearest to the viewer.
-struct SkinPlace {
-  Vec3 position = Vec3::Zero();
-  Vec3 normal = Vec3::UnitZ();
-  Index triangle = kNoIndex;
-};
-
-/// Throws Error where the surface is not.
+/// The place there on the triangle nearest to a viewer who looks along -z. Throws Error where the surface is not.
 SkinPlace placeOn(const mesh::TriangleMesh& mesh, const Vec2& at);
 
 struct Press {

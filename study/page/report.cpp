@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
-
+#include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
 #include "study/page/folder.h"
 #include "study/page/report_html.h"
@@ -11,10 +10,6 @@
 namespace palpate::study {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 // "3 of 11, 42 s: hdb: small boxes", its share that of the chapters done.
 Progress stepProgress(const Progress& progress, std::size_t step, std::size_t steps, const std::string& name,

@@ -1,13 +1,13 @@
 #include "study/profile/array_quality.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <vector>
 
 #include "palpate/base/random.h"
+#include "palpate/base/stopwatch.h"
 #include "palpate/tissue/profile.h"
 
 namespace palpate::study {
@@ -88,14 +88,14 @@ double bestNanoseconds(const Curve& curve, bool quick) {
   double best = std::numeric_limits<double>::infinity();
   for (int run = 0; run < runs; ++run) {
     double sum = 0.0;
-    const auto start = std::chrono::steady_clock::now();
+    const auto start = Clock::now();
     for (int pass = 0; pass < passes; ++pass) {
       for (const double q : ratios) sum += curve(q);
     }
-    const std::chrono::duration<double, std::nano> spent = std::chrono::steady_clock::now() - start;
+    const double spent_ns = nanosecondsSince(start);
     volatile double keep = sum;  // the work must not be left out
     static_cast<void>(keep);
-    best = std::min(best, spent.count() / static_cast<double>(passes * ratios.size()));
+    best = std::min(best, spent_ns / static_cast<double>(passes * ratios.size()));
   }
   return best;
 }

@@ -230,6 +230,38 @@ TEST(PointFinger, SlidesOverTwoSpheresThatPierceEachOther) {
   EXPECT_GE(held, ticks * 97 / 100);
 }
 
+TEST(StepAll, GivesEveryFingerTheBitsOfItsOwnStep) {
+  const Surface plate = surfaceOf(zoo::wavyGrid(20, 100.0, 3.0));
+  std::vector<FingerSettings> settings(6);
+  for (std::size_t i = 0; i < settings.size(); ++i)
+    settings[i].radius_mm = i % 2 == 0 ? 0.0 : 2.0 * static_cast<double>(i);
+  settings[2].force_shading = true;
+  std::vector<FingerState> states(settings.size());
+  std::vector<FingerState> single_states(settings.size());
+  std::vector<Vec3> tips(settings.size());
+  std::vector<FingerOutput> outputs(settings.size());
+  int touching = 0;
+  for (int tick = 0; tick < 400; ++tick) {
+    for (std::size_t i = 0; i < tips.size(); ++i) {
+      const double along = 10.0 + 0.2 * tick;
+      tips[i] = {along, 15.0 + 12.0 * static_cast<double>(i), 8.0 - 0.05 * tick + settings[i].radius_mm};
+    }
+    stepAll(plate, settings, states, tips, outputs);
+    for (std::size_t i = 0; i < tips.size(); ++i) {
+      const FingerOutput single = step(plate, settings[i], single_states[i], tips[i]);
+      ASSERT_EQ(outputs[i].force, single.force) << tick << ", " << i;
+      ASSERT_EQ(outputs[i].proxy, single.proxy) << tick << ", " << i;
+      ASSERT_EQ(outputs[i].anchor, single.anchor) << tick << ", " << i;
+      ASSERT_EQ(outputs[i].hold, single.hold) << tick << ", " << i;
+      ASSERT_EQ(outputs[i].depth_mm, single.depth_mm) << tick << ", " << i;
+      ASSERT_EQ(outputs[i].triangle, single.triangle) << tick << ", " << i;
+      ASSERT_EQ(outputs[i].status, single.status) << tick << ", " << i;
+      touching += touches(single) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(touching, 600);
+}
+
 TEST(FingerSettings, ScaleChangesLengthsOnly) {
   const FingerSettings small = scaled(sphereOf(8.0), 0.001);
   EXPECT_DOUBLE_EQ(small.radius_mm, 0.008);

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "desktop.h"
+#include "palpate/base/stopwatch.h"
 #include "palpate/mesh/files/save.h"
 #include "support/mesh_zoo.h"
 #include "support/temporary_folder.h"
@@ -16,7 +17,6 @@
 namespace palpate::desktop {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 constexpr auto kPhase = std::chrono::seconds(5);
 constexpr const char* kFilled = "1400x900";
 

@@ -7,11 +7,10 @@
 
 #include "engine/small_worlds.h"
 #include "palpate/base/error.h"
+#include "palpate/base/stopwatch.h"
 
 namespace palpate::engine {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 template <class Ready>
 bool waitFor(const Ready& ready) {

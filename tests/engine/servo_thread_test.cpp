@@ -10,13 +10,12 @@
 #include "lab/counters/thread_counts.h"
 #include "palpate/base/error.h"
 #include "palpate/base/random.h"
+#include "palpate/base/stopwatch.h"
 #include "palpate/engine/fingers.h"
 #include "palpate/engine/world_builder.h"
 
 namespace palpate::engine {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// A finger that is where the test puts it. It comes from above, once or in every other tick.
 struct Held {

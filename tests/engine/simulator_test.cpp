@@ -7,6 +7,7 @@
 #include "engine/small_worlds.h"
 #include "lab/counters/thread_counts.h"
 #include "palpate/base/error.h"
+#include "palpate/contact/finger.h"
 #include "palpate/scene/skin_contact.h"
 
 namespace palpate::engine {

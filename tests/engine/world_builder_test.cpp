@@ -6,14 +6,13 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/random.h"
+#include "palpate/base/stopwatch.h"
 #include "palpate/mesh/files/save.h"
 #include "support/mesh_zoo.h"
 #include "support/temporary_folder.h"
 
 namespace palpate::engine {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// Balls in files: a small one that is built in milliseconds, and one that takes a good while.
 struct Balls {

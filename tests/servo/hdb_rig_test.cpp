@@ -91,7 +91,7 @@ TEST(HdbRig, ARebuiltPartitionChangesNoForceAndAllocatesNothingInTheTick) {
   const device::FingerPaths paths = device::pathsOf(*world);
   const auto reference = felt(*world, world->hdb);
   Rig rig = scriptedRig(*world, paths);
-  ContactFrame samples(rig.fingers.size());
+  TickSamples samples(rig.fingers.size());
   FingerSolvers next;
   std::uint64_t allocations = 0;
   std::size_t replaced = 0;

@@ -121,7 +121,7 @@ TEST(PacedLoop, FeedsWriterAndDisplayBesideTheServo) {
   std::thread servo([&] { report = runPaced(rig, kTicks, quick(), links); });
   std::uint64_t newest = 0;
   while (!links.finished.load()) {
-    const ContactFrame& frame = links.contacts.newest();
+    const TickSamples& frame = links.contacts.newest();
     EXPECT_EQ(frame[0].tick, frame[1].tick) << "a frame is one tick of all fingers";
     EXPECT_GE(frame[0].tick, newest);
     newest = frame[0].tick;

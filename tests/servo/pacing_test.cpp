@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "palpate/base/random.h"
+#include "palpate/base/stopwatch.h"
 #include "palpate/servo/histogram.h"
 
 namespace palpate::servo {

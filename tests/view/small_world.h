@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "palpate/contact/finger.h"
 #include "palpate/deform/deformer.h"
 #include "palpate/deform/finger_contact.h"
 #include "palpate/scene/world.h"

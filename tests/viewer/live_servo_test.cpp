@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "palpate/base/stopwatch.h"
 #include "palpate/mesh/files/save.h"
 #include "palpate/scene/scene_file.h"
 #include "support/mesh_zoo.h"
@@ -35,8 +36,8 @@ device::FingerTarget pressAt(const Vec3& place, double depth_mm) {
 /// Looks at the servo until `ready`, at most ten seconds.
 template <class Ready>
 bool waitFor(LiveServo& servo, const Ready& ready) {
-  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(10);
-  while (std::chrono::steady_clock::now() < until) {
+  const auto until = Clock::now() + std::chrono::seconds(10);
+  while (Clock::now() < until) {
     servo.thread().exchange();
     if (ready()) return true;
     std::this_thread::yield();
@@ -88,8 +89,8 @@ TEST(LiveServo, OfManyChangesTheNewestWins) {
     return std::abs(servo.thread().contacts()[0].contact.force.z() - 0.5 * scene.contact.finger.max_depth_mm);
   };
   EXPECT_TRUE(waitFor(servo, [&] { return missing_n() < 1e-6; })) << missing_n();
-  const auto later = std::chrono::steady_clock::now() + std::chrono::milliseconds(50);
-  EXPECT_TRUE(waitFor(servo, [&] { return std::chrono::steady_clock::now() > later; }));
+  const auto later = Clock::now() + std::chrono::milliseconds(50);
+  EXPECT_TRUE(waitFor(servo, [&] { return Clock::now() > later; }));
   EXPECT_LT(missing_n(), 1e-6) << "and it stays";
 }
 

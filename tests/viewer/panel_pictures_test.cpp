@@ -31,7 +31,6 @@ void addPress(SampleHistory& history, double from_s, double most_mm) {
     const double share = static_cast<double>(i) / kTicks;
     trace::Sample sample;
     sample.tick = static_cast<std::uint64_t>(from_s * kTicksPerS) + static_cast<std::uint64_t>(i);
-    sample.contact = nowhere();
     sample.contact.depth_mm = most_mm * std::sin(std::numbers::pi * share);
     sample.contact.tip = Vec3(60.0 * share * share, 0.0, -sample.contact.depth_mm);
     sample.contact.hold = sample.contact.tip;

@@ -13,7 +13,6 @@ trace::Sample sampleAt(std::uint64_t tick, std::uint32_t finger, double depth_mm
   trace::Sample sample;
   sample.tick = tick;
   sample.finger = finger;
-  sample.contact = nowhere();
   sample.contact.depth_mm = depth_mm;
   return sample;
 }

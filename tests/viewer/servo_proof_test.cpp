@@ -8,6 +8,7 @@
 #include <iostream>
 #include <new>
 
+#include "palpate/base/stopwatch.h"
 #include "stage.h"
 
 namespace {
@@ -34,7 +35,7 @@ namespace {
 bool heavy() { return std::getenv("PALPATE_HEAVY") != nullptr; }
 double phaseS() { return heavy() ? 5.0 : 1.0; }
 
-double nowS() { return static_cast<double>(servo::monotonicNs()) * 1e-9; }
+double nowS() { return static_cast<double>(monotonicNs()) * 1e-9; }
 
 /// Presses, so that ticks have work to do, and disturbs for a while.
 servo::LoopReport disturbed(const std::function<void(Stage&, int)>& disturb) {

@@ -9,6 +9,7 @@
 
 #include "apps/viewer/panels/widgets.h"
 #include "apps/viewer/viewer.h"
+#include "palpate/base/stopwatch.h"
 #include "palpate/mesh/files/save.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/view/offscreen.h"
@@ -59,9 +60,9 @@ class Stage {
   /// Frames until it is so, for at most twenty seconds.
   template <class Ready>
   bool until(const Ready& ready) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    const auto end = Clock::now() + std::chrono::seconds(20);
     while (!ready()) {
-      if (std::chrono::steady_clock::now() > end) return false;
+      if (Clock::now() > end) return false;
       frame();
     }
     return true;

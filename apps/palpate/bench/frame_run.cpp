@@ -7,6 +7,8 @@
 #include <numbers>
 #include <vector>
 
+#include "palpate/base/stopwatch.h"
+#include "palpate/contact/finger.h"
 #include "palpate/engine/living_skin.h"
 #include "palpate/tree/triangle_tree.h"
 #include "palpate/view/offscreen.h"
@@ -15,8 +17,6 @@
 namespace palpate::app {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr int kPlaces = 16;
 /// The finger's places lie on a circle of this radius round T6: a few millimetres apart, as between two pictures of a
@@ -27,10 +27,6 @@ constexpr double kMiddleY = 38.0;
 constexpr double kDepthMm = 8.0;
 /// As many bone triangles as the torso of 41,582 triangles has.
 constexpr std::size_t kBoneTriangles = 18296;
-
-double millisecondsSince(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 std::shared_ptr<const scene::World> backOf(std::size_t triangles) {
   scene::Scene scene;

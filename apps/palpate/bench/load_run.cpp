@@ -5,11 +5,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 #include <algorithm>
-#include <chrono>
 
 #include "apps/palpate/bench/named_mesh.h"
 #include "palpate/base/error.h"
 #include "palpate/base/hash.h"
+#include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
 #include "palpate/contact/finger.h"
 #include "palpate/mesh/files/load.h"
@@ -55,10 +55,6 @@ WrittenMesh::~WrittenMesh() {
 }
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// Reads the clock whenever the progress names another stage.
 class StageClock {

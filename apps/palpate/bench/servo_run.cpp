@@ -6,6 +6,7 @@
 #include <cmath>
 #include <thread>
 
+#include "palpate/base/stopwatch.h"
 #include "palpate/device/finger_path.h"
 #include "palpate/servo/scripted_rig.h"
 
@@ -42,9 +43,8 @@ RealtimeReport measureServo(const scene::World& world, double seconds, const Pro
 
 servo::LoopReport runSleepUntil(servo::Rig& rig, std::uint64_t ticks, const servo::PacedSettings& settings,
                                 servo::LoopLinks& links) {
-  using Clock = std::chrono::steady_clock;
   const auto period = std::chrono::nanoseconds(std::llround(settings.pacing.period_s * 1e9));
-  servo::ContactFrame samples(rig.fingers.size());
+  servo::TickSamples samples(rig.fingers.size());
   servo::DurationHistogram lateness, compute;
   servo::LoopReport report;
   report.grant.note = "nothing asked for";
@@ -63,7 +63,7 @@ servo::LoopReport runSleepUntil(servo::Rig& rig, std::uint64_t ticks, const serv
   links.finished.store(true, std::memory_order_release);
   report.compute = compute.percentiles();
   report.lateness = lateness.percentiles();
-  report.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
+  report.wall_s = secondsSince(start);
   return report;
 }
 

@@ -1,10 +1,10 @@
 // Progress of long work for the person who waits: one line that is rewritten on a terminal, a few plain lines in a log.
 #pragma once
 
-#include <chrono>
 #include <string>
 
 #include "palpate/base/progress.h"
+#include "palpate/base/stopwatch.h"
 
 namespace palpate::app {
 
@@ -23,8 +23,6 @@ class ProgressLine {
   void clear();
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   bool terminal_;
   bool visible_ = false;
   std::string stage_;

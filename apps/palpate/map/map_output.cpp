@@ -51,14 +51,14 @@ std::string csvOfVertices(const MapSkin& skin, const SkinMap& map) {
 /// The map's numbers at a node on the skin.
 std::vector<double> rowAt(const MapSkin& skin, const SkinMap& map, const SkinGrid& grid, std::size_t node) {
   if (map.plane) return map.plane(grid.node(node));
-  return {valueAt(skin.mesh, grid.places[node], columnOf(map, map.shown.column))};
+  return {valueAt(skin.mesh, grid.spots[node], columnOf(map, map.shown.column))};
 }
 
 std::string csvOfGrid(const MapSkin& skin, const SkinMap& map, double step_mm) {
   const SkinGrid grid = gridOver(skin.mesh, step_mm);
   std::string text = fmt::format("x_mm,y_mm,{}\n", fmt::join(map.plane_columns, ","));
-  for (std::size_t i = 0; i < grid.places.size(); ++i) {
-    if (grid.places[i].triangle == kNoIndex) continue;
+  for (std::size_t i = 0; i < grid.spots.size(); ++i) {
+    if (grid.spots[i].triangle == kNoIndex) continue;
     const Vec2 place = grid.node(i);
     std::vector<double> row = rowAt(skin, map, grid, i);
     row.insert(row.begin(), {place.x(), place.y()});
@@ -111,8 +111,8 @@ figures::Field fieldOf(const MapSkin& skin, const SkinMap& map) {
   field.to = range.second;
   field.colours = map.shown.colours;
   if (!map.shown.directions) field.contour_levels = contourLevels(range);
-  for (std::size_t i = 0; i < grid.places.size(); ++i) {
-    const bool beside = grid.places[i].triangle == kNoIndex;
+  for (std::size_t i = 0; i < grid.spots.size(); ++i) {
+    const bool beside = grid.spots[i].triangle == kNoIndex;
     field.values.push_back(beside ? std::numeric_limits<double>::quiet_NaN() : rowAt(skin, map, grid, i)[column]);
   }
   return field;

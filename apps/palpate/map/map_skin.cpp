@@ -51,7 +51,7 @@ void enter(const mesh::TriangleMesh& mesh, Index triangle, SkinGrid& grid, std::
       const double z = u * a.z() + v * b.z() + w * c.z();
       if (std::min({u, v, w}) < kEdge || z <= height[i]) continue;
       height[i] = z;
-      grid.places[i] = {triangle, {u, v, w}};
+      grid.spots[i] = {triangle, {u, v, w}};
     }
   }
 }
@@ -86,17 +86,17 @@ SkinGrid gridOver(const mesh::TriangleMesh& mesh, double step_mm) {
   const Vec2 nodes = box.sizes().head<2>() / step_mm + Vec2::Ones();
   if (!(step_mm > 0.0) || !(nodes.prod() <= kMostNodes)) throw Error("map: the grid's step is too small");
   SkinGrid grid{box.min().head<2>(), step_mm, static_cast<int>(nodes.x()), static_cast<int>(nodes.y()), {}};
-  grid.places.resize(static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows));
-  std::vector<double> height(grid.places.size(), -std::numeric_limits<double>::infinity());
+  grid.spots.resize(static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows));
+  std::vector<double> height(grid.spots.size(), -std::numeric_limits<double>::infinity());
   for (Index t = 0; t < mesh.triangles.size(); ++t) enter(mesh, t, grid, height);
   return grid;
 }
 
-double valueAt(const mesh::TriangleMesh& mesh, const SkinPlace& place, const std::vector<double>& of_vertices) {
-  if (place.triangle == kNoIndex) return std::numeric_limits<double>::quiet_NaN();
-  const Triangle& t = mesh.triangles[place.triangle];
+double valueAt(const mesh::TriangleMesh& mesh, const GridSpot& spot, const std::vector<double>& of_vertices) {
+  if (spot.triangle == kNoIndex) return std::numeric_limits<double>::quiet_NaN();
+  const Triangle& t = mesh.triangles[spot.triangle];
   double value = 0.0;
-  for (std::size_t corner = 0; corner < 3; ++corner) value += place.weights[corner] * of_vertices[t[corner]];
+  for (std::size_t corner = 0; corner < 3; ++corner) value += spot.weights[corner] * of_vertices[t[corner]];
   return value;
 }
 

@@ -24,7 +24,7 @@ MapSkin builtInBack(std::size_t triangles);
 MapSkin skinOfFile(const MeshArguments& arguments);
 
 /// Where the skin is met when looking along -z at one node of the grid.
-struct SkinPlace {
+struct GridSpot {
   Index triangle = kNoIndex;        ///< kNoIndex beside the skin
   std::array<double, 3> weights{};  ///< barycentric
 };
@@ -35,7 +35,7 @@ struct SkinGrid {
   double step_mm = 1.0;
   int columns = 0;
   int rows = 0;
-  std::vector<SkinPlace> places;  ///< columns x rows
+  std::vector<GridSpot> spots;  ///< columns x rows
 
   Vec2 node(std::size_t i) const {
     const auto width = static_cast<std::size_t>(columns);
@@ -49,6 +49,6 @@ struct SkinGrid {
 SkinGrid gridOver(const mesh::TriangleMesh& mesh, double step_mm);
 
 /// A value a vertex, interpolated at a place on the skin; NaN beside it.
-double valueAt(const mesh::TriangleMesh& mesh, const SkinPlace& place, const std::vector<double>& of_vertices);
+double valueAt(const mesh::TriangleMesh& mesh, const GridSpot& spot, const std::vector<double>& of_vertices);
 
 }  // namespace palpate::app

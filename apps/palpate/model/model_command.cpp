@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <functional>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "apps/palpate/common/commands.h"
+#include "palpate/base/stopwatch.h"
 #include "palpate/body/back.h"
 #include "palpate/body/bones.h"
 #include "palpate/body/hand.h"
@@ -144,25 +144,17 @@ void finish(const char* name, const ModelOptions& options, const Model& model, d
   fmt::print("{}\n", extra.dump(2));
 }
 
-class Stopwatch {
- public:
-  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
 void makeBackModel(const ModelOptions& options) {
-  const Stopwatch watch;
+  const auto start = Clock::now();
   body::Skin skin = body::makeBackSkin({options.triangles, options.shape});
-  finish("back", options, {std::move(skin.mesh), std::move(skin.normals), {}, {}, {}}, watch.seconds(),
+  finish("back", options, {std::move(skin.mesh), std::move(skin.normals), {}, {}, {}}, secondsSince(start),
          {{"stature_mm", options.shape.stature_mm}});
 }
 
 void makeTorsoModel(const ModelOptions& options) {
-  const Stopwatch watch;
+  const auto start = Clock::now();
   const body::Torso torso = body::makeTorso({options.triangles, options.bone_triangles, options.shape});
-  const double seconds = watch.seconds();
+  const double seconds = secondsSince(start);
   Model whole = skinModel(torso);
   if (!options.skin_output.empty()) write(options.skin_output, whole);
   appendBones(torso.bones, whole);
@@ -179,17 +171,17 @@ void makeTorsoModel(const ModelOptions& options) {
 }
 
 void makeBonesModel(const ModelOptions& options) {
-  const Stopwatch watch;
+  const auto start = Clock::now();
   const std::vector<body::Bone> bones =
       body::makeBones({.stature_mm = options.shape.stature_mm, .triangles = options.triangles, .warp = {}});
   Model model;
   appendBones(bones, model);
-  finish("bones", options, model, watch.seconds(),
+  finish("bones", options, model, secondsSince(start),
          {{"stature_mm", options.shape.stature_mm}, {"parts", partsOf(bones)}});
 }
 
 void makeHandModel(const ModelOptions& options) {
-  const Stopwatch watch;
+  const auto start = Clock::now();
   body::HandSettings settings;
   settings.side = options.side == "left" ? body::Side::left : body::Side::right;
   settings.triangles = options.triangles;
@@ -197,7 +189,7 @@ void makeHandModel(const ModelOptions& options) {
   Model model;
   model.mesh = body::makeHand(settings);
   const Vec3 tip = body::indexTip(settings);
-  finish("hand", options, model, watch.seconds(), {{"side", options.side}, {"index_tip_mm", jsonOf(tip)}});
+  finish("hand", options, model, secondsSince(start), {{"side", options.side}, {"index_tip_mm", jsonOf(tip)}});
 }
 
 /// One model's subcommand with what all of them have. Options live as long as the command line does.

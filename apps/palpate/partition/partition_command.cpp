@@ -2,7 +2,6 @@
 // triangles in a haptic detecting box.
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -17,6 +16,7 @@
 #include "apps/palpate/partition/partition_options.h"
 #include "apps/palpate/partition/partition_report.h"
 #include "palpate/base/error.h"
+#include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
 #include "palpate/hdb/literal_octree.h"
 
@@ -101,7 +101,7 @@ struct Built {
 };
 
 Built build(const mesh::TriangleMesh& mesh, const Arguments& arguments, const Progress& progress) {
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = Clock::now();
   Built built;
   if (arguments.two_of_three) {
     hdb::LiteralOctree literal = hdb::buildLiteralOctree(mesh, arguments.settings, progress);
@@ -110,7 +110,7 @@ Built build(const mesh::TriangleMesh& mesh, const Arguments& arguments, const Pr
   } else {
     built.partition = hdb::buildPartition(mesh, arguments.settings, progress);
   }
-  built.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  built.seconds = secondsSince(start);
   return built;
 }
 

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <chrono>
 
+#include "palpate/base/stopwatch.h"
+
 namespace palpate::app {
 
 using hdb::LeafHits;
 using hdb::Partition;
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr int kRounds = 1000;
 constexpr double kMostSeconds = 0.5;  // for each of the two queries
@@ -24,7 +24,7 @@ lab::Percentiles timesOf(const Call& call) {
   while (times.size() < kRounds && (times.empty() || Clock::now() < end)) {
     const auto start = Clock::now();
     call();
-    times.push_back(std::chrono::duration<double, std::micro>(Clock::now() - start).count());
+    times.push_back(microsecondsSince(start));
   }
   return lab::percentilesOf(std::move(times));
 }

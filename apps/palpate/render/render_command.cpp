@@ -3,7 +3,6 @@
 //   scene ─ build ─► world ─ run to the moment ─► fingers ─ deform ─► surface ─► Studio ─► PNG, one or a sequence
 #include <fmt/format.h>
 
-#include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -13,6 +12,7 @@
 #include "apps/palpate/render/picture_series.h"
 #include "apps/palpate/render/render_options.h"
 #include "palpate/base/error.h"
+#include "palpate/base/stopwatch.h"
 #include "palpate/view/scene_view.h"
 
 namespace palpate::app {
@@ -20,10 +20,6 @@ namespace palpate::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
 /// What was drawn: one file, the moment and the fingers in it.
 struct DrawnPicture {
   std::string file;

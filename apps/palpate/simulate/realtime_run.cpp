@@ -5,6 +5,7 @@
 #include <csignal>
 #include <thread>
 
+#include "palpate/base/stopwatch.h"
 #include "palpate/engine/living_skin.h"
 
 namespace palpate::app {
@@ -34,12 +35,12 @@ class Display {
   Display(const scene::World& world, servo::LoopLinks& links) : links_(links), skin_(world) {}
 
   void drawFrame() {
-    const std::int64_t before = servo::monotonicNs();
-    const servo::ContactFrame& newest = links_.contacts.newest();
+    const std::int64_t before = monotonicNs();
+    const servo::TickSamples& newest = links_.contacts.newest();
     const std::int64_t published = links_.heartbeat_ns.load(std::memory_order_relaxed);
     if (published != 0) staleness_.add(before - published);
     skin_.follow(newest);
-    durations_.add(servo::monotonicNs() - before);
+    durations_.add(monotonicNs() - before);
   }
 
   DisplayReport report() const {
@@ -54,13 +55,13 @@ class Display {
 };
 
 void displayUntilFinished(Display& display, servo::LoopLinks& links, double duration_s, const Progress& progress) {
-  const auto started = std::chrono::steady_clock::now();
+  const auto started = Clock::now();
   const auto period = std::chrono::duration<double>(1.0 / kFramesPerS);
   for (int frame = 1; !links.finished.load(std::memory_order_acquire); ++frame) {
     if (interrupted) links.stop = true;
     display.drawFrame();
-    const auto due = started + std::chrono::duration_cast<std::chrono::steady_clock::duration>(frame * period);
-    const double elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+    const auto due = started + std::chrono::duration_cast<Clock::duration>(frame * period);
+    const double elapsed_s = secondsSince(started);
     report(progress, "palpating in real time", std::min(1.0, elapsed_s / duration_s));
     std::this_thread::sleep_until(due);
   }

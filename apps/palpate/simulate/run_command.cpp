@@ -1,7 +1,6 @@
 // `palpate run`: opens the window on a scene, to be touched with the mouse.
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cstdio>
 #include <future>
 #include <memory>
@@ -12,6 +11,7 @@
 #include "apps/viewer/files/state_file.h"
 #include "apps/viewer/viewer.h"
 #include "palpate/base/error.h"
+#include "palpate/base/stopwatch.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/window/window.h"
 
@@ -35,10 +35,6 @@ struct RunOptions {
   bool verbose = false;
   bool keys = false;
 };
-
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 viewer::StateReading remembered(const RunOptions& options) {
   return options.no_state ? viewer::StateReading{} : viewer::readState(viewer::stateFile());

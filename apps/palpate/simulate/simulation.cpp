@@ -6,6 +6,7 @@
 #include "apps/palpate/simulate/realtime_run.h"
 #include "apps/palpate/simulate/run_recorder.h"
 #include "palpate/base/error.h"
+#include "palpate/base/stopwatch.h"
 #include "palpate/scene/hdb_source.h"
 #include "palpate/servo/scripted_rig.h"
 
@@ -63,12 +64,12 @@ void noteUntouched(const scene::World& world, const RunStatistics& statistics, s
 
 /// A machine that cannot draw still palpates.
 void leavePictures(const RunRecorder& recorder, SimulationResult& result, const Progress& progress) {
-  const std::int64_t started_ns = servo::monotonicNs();
+  const std::int64_t started_ns = monotonicNs();
   try {
     const view::Image sheet = contactSheet(result.world, {recorder.deepest(), recorder.farthest()}, progress);
     view::writePng(result.folder / kPicturesFile, sheet);
     result.files.emplace_back(kPicturesFile);
-    result.pictures_s = static_cast<double>(servo::monotonicNs() - started_ns) * 1e-9;
+    result.pictures_s = static_cast<double>(monotonicNs() - started_ns) * 1e-9;
   } catch (const Error& error) {
     result.notes.push_back(fmt::format("no {}: {}", kPicturesFile, error.what()));
   }
@@ -84,11 +85,11 @@ void append(std::vector<T>& to, const std::vector<T>& from) {
 SimulationResult simulate(const scene::Scene& scene, const SimulationSettings& settings, const Progress& progress) {
   SimulationResult result;
   result.folder = settings.folder;
-  const std::int64_t started_ns = servo::monotonicNs();
+  const std::int64_t started_ns = monotonicNs();
   result.world = scene::build(scene, progress);
   const scene::World& world = *result.world;
   const device::FingerPaths paths = device::pathsOf(world);
-  result.build_s = static_cast<double>(servo::monotonicNs() - started_ns) * 1e-9;
+  result.build_s = static_cast<double>(monotonicNs() - started_ns) * 1e-9;
   result.duration_s = static_cast<double>(paths.ticks) / scene.ticks_per_s;
   makeFolder(settings.folder);
   saveAutomaticPaths(world, paths, result);

@@ -35,7 +35,7 @@ view::Ray Pointer::rayAt(const Vec2& pixel) const {
   return view::rayThrough(screen_.screen, screen_.eye, place.x(), place.y());
 }
 
-std::optional<view::SkinPlace> Pointer::skinAt(const Vec2& pixel) const {
+std::optional<SkinPlace> Pointer::skinAt(const Vec2& pixel) const {
   if (!world_) return std::nullopt;
   return view::skinAlong(world_->surface, rayAt(pixel));
 }
@@ -155,7 +155,7 @@ bool Pointer::step(window::Action action, bool fine, Session& session) {
   return true;
 }
 
-void Pointer::demonstrate(std::size_t finger, const view::SkinPlace& place, bool pressed) {
+void Pointer::demonstrate(std::size_t finger, const SkinPlace& place, bool pressed) {
   fingers_[finger].place = place;
   fingers_[finger].pressed = pressed;
 }

@@ -25,7 +25,7 @@ class Pointer {
  public:
   /// Pixels to a ray through the scene; the cursor in a half of a stereo picture is folded back.
   view::Ray rayAt(const Vec2& pixel) const;
-  std::optional<view::SkinPlace> skinAt(const Vec2& pixel) const;
+  std::optional<SkinPlace> skinAt(const Vec2& pixel) const;
 
   /// What is looked at; once a frame.
   void look(const PickScreen& screen, std::shared_ptr<const scene::World> world);
@@ -37,11 +37,11 @@ class Pointer {
   /// A ring step of the keyboard.
   bool step(window::Action action, bool fine, Session& session);
   /// A press by nobody's hand: the first seconds' demonstration.
-  void demonstrate(std::size_t finger, const view::SkinPlace& place, bool pressed);
+  void demonstrate(std::size_t finger, const SkinPlace& place, bool pressed);
 
   /// To be sent to the servo. Depth, force and radius come from the settings.
   device::FingerTarget target(std::size_t finger, const Session& session) const;
-  const std::optional<view::SkinPlace>& placeOf(std::size_t finger) const { return fingers_[finger].place; }
+  const std::optional<SkinPlace>& placeOf(std::size_t finger) const { return fingers_[finger].place; }
   bool pressed(std::size_t finger) const { return fingers_[finger].pressed; }
   /// The camera on its way to another view, if it is.
   void fly(const view::Camera& to, const Session& session, double seconds);
@@ -49,7 +49,7 @@ class Pointer {
 
  private:
   struct Finger {
-    std::optional<view::SkinPlace> place;
+    std::optional<SkinPlace> place;
     bool pressed = false;
     double depth_mm = 6.0;
     double force_n = 3.0;

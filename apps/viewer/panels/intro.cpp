@@ -16,7 +16,7 @@ constexpr double kComesFromMm = 90.0;  ///< to the right
 /// Beside the spinous process of T6, in the map plane.
 const Vec2 kBesideT6(24.0, 38.0);
 
-std::optional<view::SkinPlace> skinOver(const scene::World& world, const Vec2& place) {
+std::optional<SkinPlace> skinOver(const scene::World& world, const Vec2& place) {
   const double top = mesh::boundingBox(world.skin).max().z() + 1.0;
   return view::skinAlong(world.surface, {Vec3(place.x(), place.y(), top), -Vec3::UnitZ()});
 }

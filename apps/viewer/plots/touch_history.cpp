@@ -13,7 +13,6 @@ TouchHistory::Moment momentOf(const trace::Sample& sample) {
   for (std::size_t f = 0; f < kFingers; ++f) {
     moment[f].tick = sample.tick;
     moment[f].finger = static_cast<std::uint32_t>(f);
-    moment[f].contact = nowhere();
     moment[f].contact.tip = device::kNowhere;
   }
   return moment;

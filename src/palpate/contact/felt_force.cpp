@@ -30,7 +30,6 @@ bool usableTip(const Surface& surface, const Vec3& tip) noexcept {
 FingerOutput freeOutput(const Vec3& tip) noexcept {
   FingerOutput output;
   output.tip = output.proxy = output.anchor = output.hold = tip;
-  output.normal = output.force = Vec3::Zero();
   return output;
 }
 

@@ -64,4 +64,9 @@ FingerOutput step(const Surface& surface, const FingerSettings& settings, Finger
   return pressedOutput(surface, settings, press, tip, radius > 0.0 ? holdInSpace : holdOnSkin, state);
 }
 
+void stepAll(const Surface& surface, std::span<const FingerSettings> settings, std::span<FingerState> states,
+             std::span<const Vec3> tips, std::span<FingerOutput> outputs) noexcept {
+  for (std::size_t i = 0; i < tips.size(); ++i) outputs[i] = step(surface, settings[i], states[i], tips[i]);
+}
+
 }  // namespace palpate::contact

@@ -7,26 +7,12 @@
 // `step` is noexcept, takes no lock, allocates nothing and does no I/O. Fingers share a Surface and nothing else.
 #pragma once
 
-#include <cstdint>
+#include <span>
 
+#include "palpate/contact/finger_state.h"
 #include "palpate/contact/surface.h"
-#include "palpate/tree/closest_on_triangle.h"
 
 namespace palpate::contact {
-
-struct FingerSettings {
-  double radius_mm = 0.0;        ///< 0 is a point, 8 a fingertip
-  double stiffness_ratio = 1.0;  ///< k_t / k_n; 0.23 lets the skin follow 20 mm at 10 mm depth (E2)
-  double mu_static = 0.46;
-  double mu_dynamic = 0.44;
-  /// Beyond this depth the proxy may be given up for a nearer place of the skin; also the deepest depth that is felt.
-  double max_depth_mm = 40.0;
-  double tick_s = 0.001;
-  /// The proxy moves at most twice as far as the tip plus this speed's share of a tick. It bounds the force step where
-  /// a ridge lets the proxy go (100 mm/s: 0.1 mm a tick, 0.05 N at 0.5 N/mm).
-  double catch_up_mm_per_s = 100.0;
-  bool force_shading = false;  ///< round off facets: for coarse meshes of smooth bodies; a point finger only
-};
 
 /// The same finger in a world `factor` times as large: every length, nothing else.
 FingerSettings scaled(FingerSettings settings, double factor);
@@ -34,57 +20,12 @@ FingerSettings scaled(FingerSettings settings, double factor);
 /// Throws Error naming the first setting that makes no sense (negative, not finite, mu_dynamic > mu_static).
 void check(const FingerSettings& settings);
 
-enum class Touch : std::uint8_t { free, stick, slip };
-
-/// Bits of FingerOutput::status.
-enum StatusBit : std::uint32_t {
-  kTipLost = 1u << 0,        ///< tip not finite or absurdly far: no force, state kept as it was
-  kCatchingUp = 1u << 1,     ///< the proxy used up its path in this tick
-  kTooDeep = 1u << 2,        ///< deeper than max_depth_mm: the force no longer grows
-  kReseeded = 1u << 3,       ///< the proxy was moved to a nearer place of the skin
-  kAtBorder = 1u << 4,       ///< the force fades because the sheet ends here
-  kStartedInside = 1u << 5,  ///< a sphere that overlaps the skin is being pushed out
-  kUnsettled = 1u << 6,      ///< a sphere used up its rounds; it goes on in the next tick
-  kShadingFailed = 1u << 7,  ///< force shading fell back to the facets
-};
-
-/// A place on the skin, on a triangle (record of the tree).
-struct SurfacePoint {
-  Vec3 position = Vec3::Zero();
-  Index triangle = kNoIndex;
-  tree::Feature feature = tree::Feature::face;
-};
-
-/// All that a finger remembers between two ticks. Plain data; value-initialised it has never touched anything.
-struct FingerState {
-  bool knows_tip = false;  ///< false until the first usable tip
-  bool touching = false;
-  bool slipping = false;
-  Vec3 tip = Vec3::Zero();     ///< of the last usable tick
-  SurfacePoint proxy;          ///< point: P. Sphere: where it touches
-  SurfacePoint anchor;         ///< on the skin
-  Vec3 centre = Vec3::Zero();  ///< sphere: C, where it rests on the skin; detecting box: the god object
-  bool fits = false;           ///< sphere only: at C it does not sink into the skin
-  Vec3 hold = Vec3::Zero();    ///< A as a point in space
-};
-
-struct FingerOutput {
-  Vec3 tip;
-  Vec3 proxy;   ///< P, on the skin (a sphere in a valley: on the sphere, between its feet); the tip when free
-  Vec3 anchor;  ///< A, on the skin; the tip when free
-  /// Where friction holds the tip; the tip when free. The anchor for a point finger. For a sphere a point in space, in
-  /// the plane that touches it at P, and the anchor is the skin nearest to it.
-  Vec3 hold;
-  Vec3 normal;  ///< unit, out of the skin; zero when free
-  Vec3 force;   ///< on the tip, N
-  double depth_mm = 0.0;
-  Touch touch = Touch::free;
-  Index triangle = kNoIndex;         ///< of the mesh, under the proxy
-  Index anchor_triangle = kNoIndex;  ///< of the mesh, under the anchor
-  std::uint32_t status = 0;
-};
-
 /// One tick of one finger. Any thread, but one thread at a time per state.
 FingerOutput step(const Surface& surface, const FingerSettings& settings, FingerState& state, const Vec3& tip) noexcept;
+
+/// One tick of many fingers on one surface, each as `step` does it; all spans have one length. For a hand of many
+/// points or many simulated hands: fingers are independent, so a caller with several threads may give each a part.
+void stepAll(const Surface& surface, std::span<const FingerSettings> settings, std::span<FingerState> states,
+             std::span<const Vec3> tips, std::span<FingerOutput> outputs) noexcept;
 
 }  // namespace palpate::contact

@@ -1,7 +1,8 @@
 // What a finger's contact solver hands on to friction and force: how the tip presses the skin in this tick.
 #pragma once
 
-#include "palpate/contact/finger.h"
+#include "palpate/contact/finger_state.h"
+#include "palpate/contact/surface.h"
 
 namespace palpate::contact {
 

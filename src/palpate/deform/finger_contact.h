@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "palpate/contact/finger.h"
+#include "palpate/contact/finger_state.h"
 #include "palpate/deform/contact.h"
 #include "palpate/maps/ellipse_map.h"
 

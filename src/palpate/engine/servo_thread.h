@@ -61,7 +61,7 @@ class ServoThread {
   /// The world at work, as far as this thread knows.
   const std::shared_ptr<const scene::World>& world() const { return at_work_world_; }
 
-  const servo::ContactFrame& contacts() { return links_.contacts.newest(); }
+  const servo::TickSamples& contacts() { return links_.contacts.newest(); }
   bool pop(trace::Sample& sample) { return links_.samples.pop(sample); }
   servo::LoopVitals vitals() { return links_.vitals.newest(); }
   std::size_t droppedSamples() const { return links_.samples.dropped(); }

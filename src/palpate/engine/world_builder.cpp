@@ -7,6 +7,7 @@
 #include <exception>
 #include <utility>
 
+#include "palpate/base/stopwatch.h"
 #include "palpate/servo/pacing.h"
 
 namespace palpate::engine {
@@ -16,7 +17,7 @@ namespace {
 /// Thrown through the library by its progress reports; nobody else sees it.
 struct GivenUp {};
 
-double nowS() { return static_cast<double>(servo::monotonicNs()) * 1e-9; }
+double nowS() { return static_cast<double>(monotonicNs()) * 1e-9; }
 
 /// Whatever draws or touches goes first. On Linux this is the calling thread's alone; elsewhere it would slow the whole
 /// process.

@@ -10,7 +10,7 @@
 #include "palpate/base/fidelity.h"
 #include "palpate/base/vec.h"
 #include "palpate/body/torso.h"
-#include "palpate/contact/finger.h"
+#include "palpate/contact/finger_state.h"
 #include "palpate/hdb/hdb_candidates.h"
 #include "palpate/maps/ellipse_map.h"
 #include "palpate/maps/measured_stiffness.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "palpate/base/progress.h"
-#include "palpate/contact/finger.h"
+#include "palpate/contact/finger_state.h"
 #include "palpate/deform/skin.h"
 #include "palpate/hdb/hdb_candidates.h"
 #include "palpate/maps/literal_ellipse_map.h"

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/base/stopwatch.h"
+
 namespace palpate::servo {
 
 namespace {
@@ -47,7 +49,7 @@ struct Meter {
   }
 };
 
-void measuredTick(Rig& rig, std::uint64_t tick, LoopEvent event, ContactFrame& samples, Meter& meter) {
+void measuredTick(Rig& rig, std::uint64_t tick, LoopEvent event, TickSamples& samples, Meter& meter) {
   const std::int64_t before = monotonicNs();
   runTick(rig, tick, event, samples);
   const std::int64_t took = monotonicNs() - before;
@@ -65,7 +67,7 @@ LoopEvent eventOf(const Pacer::Wake& wake, const PacedSettings& settings, Meter&
   return LoopEvent::stalled;
 }
 
-void handOver(const ContactFrame& samples, LoopLinks& links) {
+void handOver(const TickSamples& samples, LoopLinks& links) {
   for (const trace::Sample& sample : samples) links.samples.push(sample);
   links.contacts.publish(samples);
   links.heartbeat_ns.store(monotonicNs(), std::memory_order_relaxed);
@@ -87,7 +89,7 @@ void releaseForces(Rig& rig) {
 
 LoopReport runHeadless(Rig& rig, std::uint64_t ticks, const std::function<void(std::span<const trace::Sample>)>& sink,
                        const Progress& progress) {
-  ContactFrame samples(rig.fingers.size());
+  TickSamples samples(rig.fingers.size());
   Meter meter;
   for (std::uint64_t tick = 0; tick < ticks; ++tick) {
     measuredTick(rig, tick, LoopEvent::none, samples, meter);
@@ -100,7 +102,7 @@ LoopReport runHeadless(Rig& rig, std::uint64_t ticks, const std::function<void(s
 }
 
 LoopReport runPaced(Rig& rig, std::uint64_t ticks, const PacedSettings& settings, LoopLinks& links) {
-  ContactFrame samples(rig.fingers.size());
+  TickSamples samples(rig.fingers.size());
   Meter meter;
   meter.report.grant = prepareServoThread(settings.pacing);
   Pacer pacer(settings.pacing);

@@ -47,15 +47,15 @@ struct LoopVitals {
   double ticks_per_s = 0.0;
 };
 
-/// The newest contact of every finger, in the scene's order.
-using ContactFrame = std::vector<trace::Sample>;
+/// What one tick gave, a sample for every finger in the scene's order.
+using TickSamples = std::vector<trace::Sample>;
 
 /// What a paced loop shares with other threads.
 struct LoopLinks {
   explicit LoopLinks(std::size_t fingers, std::size_t ring_capacity = std::size_t{1} << 16)
-      : samples(ring_capacity), contacts(ContactFrame(fingers)) {}
+      : samples(ring_capacity), contacts(TickSamples(fingers)) {}
   RingBuffer<trace::Sample> samples;
-  TripleBuffer<ContactFrame> contacts;
+  TripleBuffer<TickSamples> contacts;
   TripleBuffer<LoopVitals> vitals;
   std::atomic<bool> stop{false};              ///< set by anybody: the loop ends after the tick at hand
   std::atomic<bool> finished{false};          ///< set by the loop when no more samples will come

@@ -16,6 +16,8 @@
 
 #include <cerrno>
 
+#include "palpate/base/stopwatch.h"
+
 namespace palpate::servo {
 
 namespace {
@@ -33,7 +35,7 @@ void sleepUntil(std::int64_t ns) noexcept {
   while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &when, nullptr) == EINTR) {
   }
 #else
-  std::this_thread::sleep_until(std::chrono::steady_clock::time_point(std::chrono::nanoseconds(ns)));
+  std::this_thread::sleep_until(Clock::time_point(std::chrono::nanoseconds(ns)));
 #endif
 }
 
@@ -76,11 +78,6 @@ PacingGrant prepareServoThread(const PacingSettings&) {
 void releaseServoMemory(const PacingGrant&) {}
 
 #endif
-
-std::int64_t monotonicNs() noexcept {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch())
-      .count();
-}
 
 Pacer::Pacer(const PacingSettings& settings)
     : period_ns_(std::max<std::int64_t>(1, std::llround(settings.period_s * 1e9))),

@@ -32,9 +32,6 @@ PacingGrant prepareServoThread(const PacingSettings& settings);
 /// Undoes the process-wide part of prepareServoThread.
 void releaseServoMemory(const PacingGrant& grant);
 
-/// Nanoseconds of the monotonic clock.
-std::int64_t monotonicNs() noexcept;
-
 /// One paced thread. Tick k is due at start + k periods; whole periods that were slept through are skipped, not made
 /// up.
 class Pacer {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "palpate/contact/finger.h"
+#include "palpate/contact/finger_state.h"
 
 namespace palpate::trace {
 

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-#include "palpate/contact/finger.h"
+#include "palpate/contact/finger_state.h"
 #include "palpate/scene/world.h"
 
 namespace palpate::view {

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "palpate/base/skin_place.h"
 #include "palpate/contact/surface.h"
 #include "palpate/view/camera.h"
 
@@ -33,12 +34,6 @@ Camera between(const Camera& from, const Camera& to, double share);
 
 // What of the skin lies under the cursor: always on the surface at rest, because a finger picked on its own dent would
 // slide into the hole it makes.
-
-struct SkinPlace {
-  Vec3 point = Vec3::Zero();    ///< on the skin at rest, mm
-  Vec3 normal = Vec3::UnitZ();  ///< unit, smoothed over a fingertip
-  Index triangle = kNoIndex;    ///< record of the surface's tree
-};
 
 /// The normal is the mean of the skin within this of the point, mm: about a fingertip, so that a single facet or bump
 /// does not tilt the finger.

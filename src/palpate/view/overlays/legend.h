@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "palpate/base/colour_map.h"
-#include "palpate/contact/finger.h"
+#include "palpate/contact/finger_state.h"
 #include "palpate/deform/surface.h"
 #include "palpate/scene/world.h"
 #include "palpate/view/layers/drawing.h"

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "palpate/contact/finger.h"
+#include "palpate/contact/finger_state.h"
 #include "palpate/hdb/haptic_box.h"
 #include "palpate/hdb/partition.h"
 #include "palpate/scene/world.h"

@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-#include "palpate/contact/finger.h"
+#include "palpate/contact/finger_state.h"
 #include "palpate/deform/surface.h"
 #include "palpate/scene/world.h"
 

@@ -1,0 +1,22 @@
+// A place on the skin at rest: the one word for it outside the tick, whoever draws, edits, measures or demonstrates.
+//
+// What the index of the triangle means is said by whoever gives the place: a record of the contact surface's tree, or a
+// triangle of the mesh. Inside the tick it is contact::SurfacePoint, which knows on what feature of its triangle it
+// lies and asks for the normal only where it is needed.
+#pragma once
+
+#include "palpate/base/vec.h"
+
+namespace palpate {
+
+/// Plain data. Value-initialised it is nowhere.
+struct SkinPlace {
+  /// On the skin, mm.
+  Vec3 point = Vec3::Zero();
+  /// Unit, towards the outside; of the triangle or smoothed, as the giver says.
+  Vec3 normal = Vec3::UnitZ();
+  /// kNoIndex where the giver knows of none.
+  Index triangle = kNoIndex;
+};
+
+}  // namespace palpate
