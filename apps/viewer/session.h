@@ -57,6 +57,18 @@ struct WorldFacts {
   bool has_picture = false;
 };
 
+/// The tracked head in this frame.
+struct SeenHead {
+  Vec3 eyes_mm = Vec3::Zero();
+  window::HeadTracker::State state = window::HeadTracker::State::waiting;
+};
+
+/// The user's displacement profile while it is drawn.
+struct ProfileEdit {
+  std::vector<tissue::ProfileKnot> knots;
+  int handle = -1;  ///< the one that is being dragged
+};
+
 struct Session {
   // What is wished.
   scene::Scene scene;  ///< the world at work may lag behind
