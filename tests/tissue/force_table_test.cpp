@@ -21,6 +21,8 @@ TEST(ForceTable, ReadsRowsAfterAHeader) {
   EXPECT_EQ(table.effective_mm[0], 0.9);
 }
 
+TEST(ForceTable, MayBeginBelowAMillimetre) { EXPECT_EQ(parseForceTable("0.3,0.1\n2,1\n", "f.csv").rows, 2u); }
+
 TEST(ForceTable, IsReadFromAFile) {
   const support::TemporaryFolder folder;
   std::ofstream(folder / "f.csv") << "5,4\n";

@@ -60,6 +60,12 @@ TEST(UserProfile, PassesThroughItsRows) {
   }
 }
 
+TEST(UserProfile, CubicIsLevelWhereItsRowsTurn) {
+  const ProfileCurve curve = curveOf({{0, 1}, {0.3, 0.2}, {0.6, 0.5}, {1, 0}}, UserInterpolation::monotone_cubic);
+  EXPECT_NEAR(curve.at(0.3).slope, 0.0, 1e-12);
+  EXPECT_NEAR(curve.at(0.6).slope, 0.0, 1e-12);
+}
+
 TEST(UserProfile, LinearIsStraightBetweenRows) {
   const ProfileCurve curve = curveOf(kUneven, UserInterpolation::linear);
   EXPECT_NEAR(curve.at(0.75).value, 0.28, 1e-12);
