@@ -8,6 +8,7 @@
 
 #include "palpate/base/error.h"
 #include "scene/scene_text.h"
+#include "support/error_message.h"
 
 namespace palpate::scene {
 namespace {
@@ -143,8 +144,15 @@ TEST(SceneFile, NamesWrongTypesAndRanges) {
             "s.toml:1: [[dysfunction]] must be written with two brackets");
 }
 
+TEST(SceneFile, NeedsNoFingersForAWorldButForARun) {
+  const Scene scene = parse("title = \"nobody\"\n", "s.toml");
+  EXPECT_TRUE(scene.fingers.empty());
+  EXPECT_EQ(support::messageOf([&] { requireFingers(scene); }),
+            "s.toml: has no [[finger]]: nobody would touch anything");
+  EXPECT_NO_THROW(requireFingers(parse(kFinger, "s.toml")));
+}
+
 TEST(SceneFile, NamesWhatIsMissingOrContradicts) {
-  EXPECT_EQ(messageFor("title = \"nobody\"\n"), "s.toml: has no [[finger]]: nobody would touch anything");
   EXPECT_EQ(messageFor("[body]\nkind = \"mesh\"\n" + kFinger), "s.toml:1: [body] of kind \"mesh\" needs a file");
   EXPECT_EQ(messageFor("[body]\nfile = \"a.obj\"\n" + kFinger),
             "s.toml:1: [body] has a file but is not of kind \"mesh\"");

@@ -21,7 +21,11 @@ scene::Unit unitNamed(const std::string& name) {
 }
 
 scene::Scene startingScene(const SimulateOptions& options) {
-  if (!options.scene.empty()) return scene::load(options.scene);
+  if (!options.scene.empty()) {
+    scene::Scene scene = scene::load(options.scene);
+    if (options.trajectories.empty()) scene::requireFingers(scene);
+    return scene;
+  }
   if (options.mesh.empty() && options.trajectories.empty()) return scene::parse(defaultScene(), "default.toml");
   return {};
 }

@@ -167,6 +167,7 @@ struct ErrataArguments {
 void runErrata(const ErrataArguments& arguments) {
   const scene::Scene scene =
       arguments.scene.empty() ? scene::parse(defaultScene(), "default.toml") : scene::load(arguments.scene);
+  scene::requireFingers(scene);
   ProgressLine progress;
   const auto effects = study::studyErrata(scene, progress.callback());
   progress.clear();

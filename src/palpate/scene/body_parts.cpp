@@ -56,8 +56,28 @@ void requireFit(const mesh::TriangleMesh& mesh, const Progress& progress) {
   throw Error("is not fit for contact and repair is off: " + traits);
 }
 
-void mend(mesh::TriangleMesh mesh, BodyParts& parts, const Progress& progress) {
+BodyParts makeMeshParts(const BodySettings& settings, const Progress& progress) {
+  mesh::TriangleMesh mesh = mesh::load(settings.file, loadOptionsOf(settings), progress);
+  scale(mesh, settings.scale);
+  BodyParts parts;
+  try {
+    if (!settings.repair) requireFit(mesh, progress);
+    std::vector<Index> source_vertex;
+    parts = mendedBody(std::move(mesh), settings.file.filename().string(), progress, source_vertex);
+  } catch (const Error& error) {
+    throw Error::inFile(settings.file.string(), error.what());
+  }
+  parts.texture = loadSkinTexture(settings, parts.skin, progress);
+  return parts;
+}
+
+}  // namespace
+
+BodyParts mendedBody(mesh::TriangleMesh mesh, std::string name, const Progress& progress,
+                     std::vector<Index>& source_vertex) {
   mesh::RepairResult repaired = mesh::repair(std::move(mesh), {}, progress);
+  BodyParts parts;
+  parts.name = std::move(name);
   parts.skin = std::move(repaired.mesh);
   parts.closed = repaired.closed;
   parts.self_intersecting = repaired.self_intersecting;
@@ -66,27 +86,11 @@ void mend(mesh::TriangleMesh mesh, BodyParts& parts, const Progress& progress) {
   }
   if (parts.self_intersecting)
     parts.notes.emplace_back("the surface intersects itself: fingers feel it as tiny spheres");
-}
-
-BodyParts makeMeshParts(const BodySettings& settings, const Progress& progress) {
-  mesh::TriangleMesh mesh = mesh::load(settings.file, loadOptionsOf(settings), progress);
-  scale(mesh, settings.scale);
-  BodyParts parts;
-  parts.name = settings.file.filename().string();
-  try {
-    if (!settings.repair) requireFit(mesh, progress);
-    mend(std::move(mesh), parts, progress);
-  } catch (const Error& error) {
-    throw Error::inFile(settings.file.string(), error.what());
-  }
   report(progress, "ordering the triangles", 0.0);
-  mesh::reorderSpatially(parts.skin);
+  source_vertex = permuted(repaired.source_vertex, mesh::reorderSpatially(parts.skin).source_vertex);
   noteDoubtfulUnit(parts.skin, parts.notes);
-  parts.texture = loadSkinTexture(settings, parts.skin, progress);
   return parts;
 }
-
-}  // namespace
 
 mesh::LoadOptions loadOptionsOf(const BodySettings& settings) {
   mesh::LoadOptions options;

@@ -15,10 +15,19 @@ struct BodyParts {
   Anatomy anatomy;
   std::vector<std::string> notes;
   std::shared_ptr<const SkinTexture> texture;
+  std::vector<double> given_stiffness_n_per_mm = {};  ///< a skin vertex each, in place of the scene's; or empty
 };
 
 /// How the body's mesh file is read.
 mesh::LoadOptions loadOptionsOf(const BodySettings& settings);
+
+/// Any mesh, made fit for contact and ordered in space. `source_vertex` gets for each vertex of the skin the one of
+/// `mesh` that it is. Throws Error when nothing is left to feel.
+BodyParts mendedBody(mesh::TriangleMesh mesh, std::string name, const Progress& progress,
+                     std::vector<Index>& source_vertex);
+
+/// build on a body that is there already; `scene.body` says only of which kind it is.
+std::shared_ptr<const World> buildOn(const Scene& scene, BodyParts body, const Progress& progress = {});
 
 /// Throws Error naming the file when there is one.
 BodyParts makeBody(const BodySettings& settings, const Progress& progress);

@@ -33,8 +33,7 @@ void readSections(const toml::table& root, std::string_view file, Scene& scene) 
   }
 }
 
-void requireFingers(const Scene& scene, std::string_view name) {
-  if (scene.fingers.empty()) throw Error::inFile(name, "has no [[finger]]: nobody would touch anything");
+void requireNamesApart(const Scene& scene, std::string_view name) {
   std::set<std::string> names;
   for (const Finger& finger : scene.fingers) {
     if (!names.insert(finger.name).second) {
@@ -69,8 +68,13 @@ Scene parse(std::string_view toml_text, std::string_view name) {
   scene.file = name;
   readTable(root, "", name, topKeys(), scene, sectionNames());
   readSections(root, name, scene);
-  requireFingers(scene, name);
+  requireNamesApart(scene, name);
   return scene;
+}
+
+void requireFingers(const Scene& scene) {
+  if (!scene.fingers.empty()) return;
+  throw Error::inFile(scene.file.string(), "has no [[finger]]: nobody would touch anything");
 }
 
 Scene load(const std::filesystem::path& file) { return parse(readFile(file, kMaxSceneBytes), file.string()); }

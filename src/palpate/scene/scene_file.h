@@ -22,6 +22,9 @@ Scene load(const std::filesystem::path& file);
 /// The same from text; `name` stands for the file in messages and its folder for relative names.
 Scene parse(std::string_view toml, std::string_view name);
 
+/// Throws Error for a scene that nobody touches: a world is built from it, a run needs somebody.
+void requireFingers(const Scene& scene);
+
 /// What a key takes, for programs that offer it to be changed.
 struct KeyForm {
   enum class Kind : std::uint8_t { other, number, whole, flag, choice, text, file };

@@ -77,6 +77,7 @@ std::vector<double> stiffnessFromPoints(const Scene& scene, const std::vector<Ve
 }
 
 std::vector<double> healthyStiffness(const Scene& scene, BodyParts& body, const KeyPoints& keys) {
+  if (!body.given_stiffness_n_per_mm.empty()) return body.given_stiffness_n_per_mm;
   switch (resolvedSource(scene)) {
     case StiffnessSource::depth:
       if (body.anatomy.depth_mm.empty()) throw Error("stiffness source \"depth\" needs bones: the torso has them");
@@ -145,7 +146,8 @@ std::shared_ptr<const World> withBody(const Scene& scene, BodyParts body, deform
                                              .anatomy = std::move(body.anatomy),
                                              .notes = std::move(body.notes),
                                              .hdb = std::move(hdb),
-                                             .texture = std::move(body.texture)});
+                                             .texture = std::move(body.texture),
+                                             .given_stiffness_n_per_mm = std::move(body.given_stiffness_n_per_mm)});
 }
 
 }  // namespace
@@ -156,6 +158,12 @@ std::shared_ptr<const World> build(const Scene& scene, const Progress& progress)
   return withBody(scene, makeBody(scene.body, progress), std::move(forms), progress);
 }
 
+std::shared_ptr<const World> buildOn(const Scene& scene, BodyParts body, const Progress& progress) {
+  checkContactSource(scene);
+  deform::FormSettings forms = formsOf(scene);
+  return withBody(scene, std::move(body), std::move(forms), progress);
+}
+
 std::shared_ptr<const World> rebuilt(const World& world, const Scene& scene, const Progress& progress) {
   BodyParts body{.name = world.body_name,
                  .skin = world.skin,
@@ -163,7 +171,8 @@ std::shared_ptr<const World> rebuilt(const World& world, const Scene& scene, con
                  .self_intersecting = world.surface.self_intersecting,
                  .anatomy = world.anatomy,
                  .notes = world.notes,
-                 .texture = world.texture};
+                 .texture = world.texture,
+                 .given_stiffness_n_per_mm = world.given_stiffness_n_per_mm};
   return withBody(scene, std::move(body), formsOf(scene), progress);
 }
 

@@ -43,6 +43,8 @@ struct World {
   std::vector<std::string> notes;                        ///< what the user should know: repairs, a doubtful unit
   std::shared_ptr<const hdb::HdbSurface> hdb;            ///< for the contact source "hdb", otherwise null
   std::shared_ptr<const SkinTexture> texture = nullptr;  ///< a picture on the skin (skin_texture.h), or null
+  /// What the body itself says, a skin vertex each, before dysfunctions; empty: the scene says (buildOn).
+  std::vector<double> given_stiffness_n_per_mm = {};
 };
 
 /// Loads or makes the body, mends and orders it, and builds what the run needs. Throws Error: a file that cannot be
