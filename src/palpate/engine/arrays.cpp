@@ -46,6 +46,15 @@ std::vector<Index> firstOf(const std::vector<Index>& sources, std::size_t count)
   return first;
 }
 
+/// The sources without those of vertices that mending put in the middle of an edge: these have one end of it as theirs.
+std::vector<Index> whereUnmoved(const mesh::TriangleMesh& given, const mesh::TriangleMesh& built,
+                                std::vector<Index> sources) {
+  for (Index v = 0; v < sources.size(); ++v) {
+    if (built.positions[v] != given.positions[sources[v]]) sources[v] = kNoIndex;
+  }
+  return sources;
+}
+
 /// A triangle by its corners, whichever comes first and whichever way it is wound.
 Triangle byCorners(const Triangle& triangle, const std::vector<Index>& names) {
   Triangle corners = {names[triangle[0]], names[triangle[1]], names[triangle[2]]};
@@ -103,8 +112,9 @@ WorldFromArrays worldFromMesh(const mesh::TriangleMesh& mesh, std::span<const do
   scene::BodyParts body = scene::mendedBody(mesh, "arrays", progress, built.source_vertex);
   if (!stiffness_n_per_mm.empty()) body.given_stiffness_n_per_mm = inOrder(stiffness_n_per_mm, built.source_vertex);
   const std::vector<Index> first_at_place = mesh::equalVertices(mesh.positions);
-  built.source_triangle = sourcesOfTriangles(mesh, first_at_place, body.skin, built.source_vertex);
-  const std::vector<Index> built_of_first = firstOf(built.source_vertex, mesh.positions.size());
+  const std::vector<Index> unmoved = whereUnmoved(mesh, body.skin, built.source_vertex);
+  built.source_triangle = sourcesOfTriangles(mesh, first_at_place, body.skin, unmoved);
+  const std::vector<Index> built_of_first = firstOf(unmoved, mesh.positions.size());
   built.built_vertex = inOrder(std::span(built_of_first), first_at_place);
   built.built_triangle = firstOf(built.source_triangle, mesh.triangles.size());
   scene::Scene described = scene;

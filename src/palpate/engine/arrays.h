@@ -26,7 +26,8 @@ mesh::TriangleMesh meshFromArrays(std::span<const Real> coordinates_mm, std::spa
 
 struct WorldFromArrays {
   std::shared_ptr<const scene::World> world;
-  /// A vertex of world->skin each: the given one it is. Where several were given at one place, the first of them.
+  /// A vertex of world->skin each: the given one it is. Where several were given at one place, the first of them; for
+  /// one that mending put in the middle of an edge (rare), an end of that edge.
   std::vector<Index> source_vertex;
   /// A triangle of world->skin each: the given one with these corners; kNoIndex for one that mending made.
   std::vector<Index> source_triangle;
