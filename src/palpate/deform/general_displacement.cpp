@@ -5,7 +5,6 @@
 #include "palpate/deform/general_displacement.h"
 
 #include <algorithm>
-#include <ranges>
 
 #include "palpate/tissue/profile_forms.h"
 
@@ -153,9 +152,9 @@ void GeneralDisplacement::displaceVertex(std::span<const OnBlock<Mover>> movers,
   const Vec3 place = pointAt(rest.values, bit);
   Motion motion;
   // In the order of the contacts; the plan's chains have the last one first.
-  for (const OnBlock<Mover>& on : movers | std::views::reverse) {
-    if ((on.region & bitOf(bit)) == 0) continue;
-    addMotion(*on.mover->frame, curves_, on.mover->amplitude_mm, on.mover->shift_mm, place, motion);
+  for (auto on = movers.rbegin(); on != movers.rend(); ++on) {
+    if ((on->region & bitOf(bit)) == 0) continue;
+    addMotion(*on->mover->frame, curves_, on->mover->amplitude_mm, on->mover->shift_mm, place, motion);
   }
   const Vec3f displacement = motion.displacement.cast<float>();
   for (int axis = 0; axis < 3; ++axis) out.values[axis][bit] = rest.values[axis][bit] + displacement[axis];
