@@ -1,3 +1,5 @@
+// Camera -> virtual screen through its centre -> frustum of an eye before it: a skewed pyramid by similar triangles,
+// then a turn into the screen's axes (Kooima 2008; camera.h).
 #include "palpate/view/camera.h"
 
 #include <cmath>

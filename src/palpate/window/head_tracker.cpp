@@ -1,3 +1,5 @@
+// Measured eyes -> shown eyes: a first-order low-pass, its own speed as the prediction, and a glide back by the same
+// filter when nothing is heard (head_tracker.h).
 #include "palpate/window/head_tracker.h"
 
 #include <algorithm>

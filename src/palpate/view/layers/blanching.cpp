@@ -1,3 +1,5 @@
+// A press leaves a trace where its anchor is, and another each half radius it slides; a trace fades with the square of
+// the time left until the skin has refilled.
 #include "palpate/view/layers/blanching.h"
 
 #include <algorithm>

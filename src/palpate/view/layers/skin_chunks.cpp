@@ -1,3 +1,8 @@
+// Which triangles a picture needs. Chunks of 64 triangles in spatial order have a sphere each: outside a plane of the
+// frustum they are left out, near an influence they count as touched. The coarser set is vertex clustering: each cube
+// keeps one vertex a facing, and triangles that fold over go.
+//
+// Based on: Rossignac and Borrel, "Multi-resolution 3D approximations for rendering complex scenes", 1993 (clustering).
 #include "palpate/view/layers/skin_chunks.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Look, eye and touches -> the uniforms of the skin's programs, and the places whose colour a finger changes.
 #include "palpate/view/layers/skin_paint.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Three octaves of value noise in rest coordinates for blood and for pigment, the depth to bone, and the curvature from
+// the normals of neighbours become four bytes a vertex.
 #include "palpate/view/layers/skin_tint.h"
 
 #include <algorithm>
