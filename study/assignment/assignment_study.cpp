@@ -11,19 +11,13 @@ namespace palpate::study {
 
 namespace {
 
-using figures::Figure;
-using figures::Marker;
-using figures::Plot;
-using figures::Scale;
-using figures::Series;
 using hdb::Assignment;
 using hdb::TreeKind;
 
-constexpr TreeKind kTrees[] = {TreeKind::Bsp, TreeKind::Octree};
 constexpr Marker kMarkers[] = {Marker::circle, Marker::square, Marker::triangle};
 constexpr Index kPrinted = 1024;
 
-const char* nameOf(TreeKind tree) { return tree == TreeKind::Bsp ? "BSP tree" : "octree"; }
+using study::nameOf;  // of a tree, beside that of a case
 
 const char* nameOf(Assignment assignment) {
   switch (assignment) {
@@ -39,18 +33,10 @@ const char* nameOf(Assignment assignment) {
 
 // ------------------------------------------------------------------------------------------------------------ plots
 
-figures::Axis thresholdAxis(const AssignmentPlan& plan) {
-  return {.label = "threshold: most triangles of a leaf",
-          .scale = Scale::logarithmic,
-          .from = plan.thresholds.front(),
-          .to = plan.thresholds.back(),
-          .ticks = ticksAt({64, 256, 1024, 4096})};
-}
-
 Plot casesPlot(const AssignmentMeasurement& found, TreeKind tree, const std::string& title, figures::Axis y,
                double AssignmentRow::*value) {
   Plot plot{.title = title};
-  plot.x = thresholdAxis(found.plan);
+  plot.x = thresholdAxis(found.plan.thresholds, {64, 256, 1024, 4096});
   plot.y = std::move(y);
   for (std::size_t i = 0; i < kAssignments.size(); ++i) {
     const auto rows = rowsOf(found, tree, kAssignments[i]);
@@ -88,7 +74,7 @@ Series missSeries(const std::string& name, const std::vector<AssignmentRow>& row
 
 Plot missPlot(const AssignmentMeasurement& found) {
   Plot plot{.title = "Case C, searched as printed"};
-  plot.x = thresholdAxis(found.plan);
+  plot.x = thresholdAxis(found.plan.thresholds, {64, 256, 1024, 4096});
   plot.y = {
       .label = "missed of the box's triangles", .unit = "%", .scale = Scale::logarithmic, .from = 0.01, .to = 100.0};
   const auto bsp = rowsOf(found, TreeKind::Bsp, Assignment::Majority);
@@ -241,8 +227,7 @@ std::vector<std::string> methodOf(const AssignmentPlan& plan) {
                       counted(static_cast<double>(plan.triangles)), plan.places, plan.runs),
           "The frame finds the leaves by tight boxes and tests every entry of them as a whole triangle "
           "(`study/measured/literal_process.h`), without drawing. Overlap is the mean number of leaf boxes round the "
-          "middle of "
-          "an entry."};
+          "middle of an entry."};
 }
 
 std::vector<std::pair<std::string, double>> numbersOf(const AssignmentMeasurement& found) {

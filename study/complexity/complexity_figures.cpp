@@ -5,17 +5,12 @@
 
 #include "palpate/hdb/complexity.h"
 #include "study/complexity/complexity_results.h"
+#include "study/page/plot_parts.h"
 
 namespace palpate::study {
 
 namespace {
 
-using figures::Figure;
-using figures::Marker;
-using figures::Plot;
-using figures::Scale;
-using figures::Series;
-using figures::Stroke;
 using hdb::TreeKind;
 
 Series worstSeries(const ComplexityResults& results, TreeKind tree, const std::string& name,
@@ -33,7 +28,7 @@ Plot worstPlot(const ComplexityResults& results) {
   Plot plot{.title = "w on complete trees, one leaf found"};
   plot.x = {.label = "height of the tree", .from = 1.0, .to = 11.0};
   plot.y = {.label = "w", .from = 0.0};
-  for (const TreeKind tree : kStudiedTrees) {
+  for (const TreeKind tree : kTrees) {
     const bool bsp = tree == TreeKind::Bsp;
     Series counted = worstSeries(results, tree, fmt::format("{}, counted", nameOf(tree)), &WorstColumn::counted);
     counted.marker = bsp ? Marker::circle : Marker::square;

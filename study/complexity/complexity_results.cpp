@@ -53,7 +53,7 @@ std::vector<Model> models(bool quick) {
 }
 
 void sweepModel(const Model& model, std::size_t most_places, std::vector<SearchCase>& cases) {
-  for (const TreeKind tree : kStudiedTrees) {
+  for (const TreeKind tree : kTrees) {
     for (const int threshold : kStudiedThresholds) {
       if (static_cast<std::size_t>(threshold) >= model.mesh.triangles.size()) continue;
       const auto most = static_cast<Index>(threshold);
@@ -67,10 +67,6 @@ void sweepModel(const Model& model, std::size_t most_places, std::vector<SearchC
 }
 
 }  // namespace
-
-const char* nameOf(TreeKind tree) { return tree == TreeKind::Bsp ? "BSP tree" : "octree"; }
-
-int arityOf(TreeKind tree) { return tree == TreeKind::Bsp ? hdb::kBspArity : hdb::kOctreeArity; }
 
 double printedCost(TreeKind tree) { return tree == TreeKind::Bsp ? 0.8 : 0.4; }
 

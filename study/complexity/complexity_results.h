@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "study/complexity/search_cost.h"
+#include "study/page/plot_parts.h"
 #include "study/page/study_page.h"
 
 namespace palpate::study {
 
-inline constexpr std::array kStudiedTrees{hdb::TreeKind::Bsp, hdb::TreeKind::Octree};
 inline constexpr std::array kStudiedThresholds{64, 128, 256, 512, 1024, 2048, 4096};
 inline constexpr Index kPrintedThreshold = 1024;
 /// Edges of the detecting box as parts of the model's longest edge; a quarter is the dissertation's.
@@ -21,9 +21,6 @@ inline constexpr int kPrintedPart = 4;
 /// In smaller trees a single leaf is too large a share of all for shares to mean something.
 inline constexpr double kFewestLeaves = 30.0;
 
-/// "BSP tree", "octree".
-const char* nameOf(hdb::TreeKind tree);
-int arityOf(hdb::TreeKind tree);
 /// What (3.5) and (3.9) print for c over n.
 double printedCost(hdb::TreeKind tree);
 

@@ -159,8 +159,8 @@ std::string costFinding(const ComplexityResults& results) {
   const SearchSweep& octree = printedCase(results, results.largest_model, TreeKind::Octree).sweep;
   return fmt::format(
       "0.8 n and 0.4 n are no worst cases at the dissertation's own threshold. On the {} triangles (1024, box of 1/4) "
-      "the "
-      "nodes on the ways come to {:.2f} n at most in the BSP tree and {:.2f} n in the octree. A program must also test "
+      "the nodes on the ways come to {:.2f} n at most in the BSP tree and {:.2f} n in the octree. A program must also "
+      "test "
       "the other children of every node that it enters: up to {:.2f} n and {:.2f} n boxes, {:.2f} n and {:.2f} n on "
       "average. With smaller leaves the estimates do hold for the boxes tested, {} and {}.",
       results.largest_model, bsp.worst.on_paths / bsp.leaves, octree.worst.on_paths / octree.leaves,
@@ -173,8 +173,7 @@ std::string shareFinding(const ComplexityResults& results) {
   const SearchSweep& small = printedCase(results, results.cases.front().model, TreeKind::Octree).sweep;
   return fmt::format(
       "The estimates assume that at most a tenth of the leaves meet the detecting box. With a box of 1/4 and leaves of "
-      "1024 it "
-      "is "
+      "1024 it is "
       "{:.2f} of them on average and {:.2f} at most in the octree of the {} triangles, {:.2f} and {:.2f} for the {}. A "
       "back is a sheet, and leaves are as large as the box itself while there are few of them.",
       large.mean.leaves_found / large.leaves, large.worst.leaves_found / large.leaves, results.largest_model,
@@ -184,12 +183,9 @@ std::string shareFinding(const ComplexityResults& results) {
 std::string linearFinding(const ComplexityResults& results) {
   return fmt::format(
       "\"Better than the n of linear searching\": on average until {} of the leaves are found in the BSP tree and {} "
-      "in the "
-      "octree; beyond, a list of the leaves would test fewer boxes. But no box is tested twice, so a search can never "
-      "cost "
-      "more than the tree has nodes (up to {:.2f} n and {:.2f} n here). It stays O(n); the worst case \"over O(n)\" of "
-      "which "
-      "3.4.2 warns cannot happen.",
+      "in the octree; beyond, a list of the leaves would test fewer boxes. But no box is tested twice, so a search can "
+      "never cost more than the tree has nodes (up to {:.2f} n and {:.2f} n here). It stays O(n); the worst case "
+      "\"over O(n)\" of which 3.4.2 warns cannot happen.",
       percent(shareWhereListWins(results, TreeKind::Bsp)), percent(shareWhereListWins(results, TreeKind::Octree)),
       mostNodesPerLeaf(results, TreeKind::Bsp), mostNodesPerLeaf(results, TreeKind::Octree));
 }
@@ -199,8 +195,7 @@ std::string treesFinding(const ComplexityResults& results) {
   const SearchSweep& octree = printedCase(results, results.largest_model, TreeKind::Octree).sweep;
   return fmt::format(
       "\"0.4 n is better than 0.8 n\" compares different n: at the same threshold the octree of the {} triangles has "
-      "{:.0f} "
-      "leaves and the BSP tree {:.0f}, and a search tests {:.0f} boxes in the one and {:.0f} in the other.",
+      "{:.0f} leaves and the BSP tree {:.0f}, and a search tests {:.0f} boxes in the one and {:.0f} in the other.",
       results.largest_model, octree.leaves, bsp.leaves, octree.mean.tested, bsp.mean.tested);
 }
 
@@ -229,7 +224,7 @@ std::vector<std::string> findingsOf(const ComplexityResults& results) {
 
 std::vector<std::pair<std::string, double>> numbersOf(const ComplexityResults& results) {
   std::vector<std::pair<std::string, double>> numbers;
-  for (const TreeKind tree : kStudiedTrees) {
+  for (const TreeKind tree : kTrees) {
     const SearchSweep& sweep = printedCase(results, results.largest_model, tree).sweep;
     const std::string name = tree == TreeKind::Bsp ? "bsp" : "octree";
     numbers.emplace_back(name + "_leaf_ratio_mean", sweep.mean.leaves_found / sweep.leaves);
@@ -250,8 +245,8 @@ StudyPage studyComplexity(const StudySettings& settings) {
   page.title = "What a search for the leaves costs";
   page.question =
       "Sections 3.3.4 and 3.4.2 estimate the cost of finding the leaves around the proxy as 0.8 n boxes for the BSP "
-      "tree "
-      "and 0.4 n for the octree, n being the leaves, from a worst case w (Tables 3.3 and 3.4) and a share r = 0.1 of "
+      "tree and 0.4 n for the octree, n being the leaves, from a worst case w (Tables 3.3 and 3.4) and a share r = 0.1 "
+      "of "
       "leaves found. What do searches really visit, and where do the claims stand?";
   page.findings = findingsOf(results);
   page.method = {

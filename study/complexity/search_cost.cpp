@@ -7,9 +7,9 @@
 
 namespace palpate::study {
 
-namespace {
-
 int arityOf(hdb::TreeKind tree) { return tree == hdb::TreeKind::Bsp ? hdb::kBspArity : hdb::kOctreeArity; }
+
+namespace {
 
 void addTriangle(const Vec3& centre, mesh::TriangleMesh& mesh) {
   constexpr double kSize = 1e-3;  // of a cell

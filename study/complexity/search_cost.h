@@ -13,6 +13,9 @@
 
 namespace palpate::study {
 
+/// Children of a node: 2 or 8.
+int arityOf(hdb::TreeKind tree);
+
 /// One query, or the worst or mean of many.
 struct SearchCount {
   double leaves_found = 0.0;  ///< m

@@ -7,18 +7,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "study/directions/axis_means.h"
 #include "study/directions/direction_fields.h"
 #include "study/measured/back_map.h"
+#include "study/page/plot_parts.h"
 
 namespace palpate::study {
 
 namespace {
 
-using figures::Figure;
-using figures::Marker;
-using figures::Plot;
-using figures::Series;
-using figures::Stroke;
 using maps::DirectionBlend;
 
 constexpr std::array<const char*, 3> kMeanNames{"degrees as numbers (printed)", "double angle", "tensor (ours)"};
@@ -295,13 +292,12 @@ StudyPage studyDirections(const StudySettings& settings) {
   page.question =
       "The dissertation averages the directions of ellipses as numbers, between subjects (Appendix C) and between key "
       "points (5.17). An axis has no sense, so 0 and 180 degree are the same, and a circle has no direction at all "
-      "(E29, "
-      "E30). Where does this matter, and by how much?";
+      "(E29, E30). Where does this matter, and by how much?";
   page.findings = findingsOf(results);
   page.method = {
       "The fields are the engine's ellipse map over the seven key points (radius of effect 200 mm, basic circle 150 "
-      "mm), "
-      "with the printed, the double-angle and the tensor blend and nothing else changed. Where the points lie on the "
+      "mm), with the printed, the double-angle and the tensor blend and nothing else changed. Where the points lie on "
+      "the "
       "back is assumed (E33).",
       "Known axes: five ellipses with the mean size and ratio of Appendix C, turned by normal noise, or with normal "
       "noise on the logarithms of their radii; 4000 trials a point. The degrees are written in [0, 180) as in "

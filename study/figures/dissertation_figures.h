@@ -20,7 +20,8 @@ std::vector<DissertationFigure> dissertationFigures();
 
 // The figures of each chapter's files.
 std::vector<DissertationFigure> rateFigures();      ///< 3.1, 3.10, 3.16 to 3.18: printed measurements
-std::vector<DissertationFigure> treeFigures();      ///< 3.4, 3.6 to 3.9, 3.13 to 3.15: partitions of meshes
+std::vector<DissertationFigure> treeFigures();      ///< 3.4, 3.6, 3.8, 3.9, 3.13, 3.15: partitions of meshes
+std::vector<DissertationFigure> splitFigures();     ///< 3.7, 3.14: where the triangles go that a split crosses
 std::vector<DissertationFigure> searchFigures();    ///< 3.11: the worst search
 std::vector<DissertationFigure> profileFigures();   ///< 4.3, 4.4, Table 4.2, 4.8, 4.9
 std::vector<DissertationFigure> regionFigures();    ///< 4.13 to 4.15

@@ -7,14 +7,13 @@
 #include "study/figures/dissertation_figures.h"
 #include "study/measured/model_meshes.h"
 #include "study/measured/pressed_skin.h"
+#include "study/page/plot_parts.h"
 
 namespace palpate::study {
 
 namespace {
 
-using figures::Figure;
 using figures::MeshView;
-using figures::Plot;
 
 constexpr std::size_t kFine = 20389;  // triangles of the model that the text timed
 

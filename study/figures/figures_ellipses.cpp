@@ -11,13 +11,12 @@
 #include "study/figures/dissertation_figures.h"
 #include "study/measured/model_meshes.h"
 #include "study/numbers/table_5_1.h"
+#include "study/page/plot_parts.h"
 
 namespace palpate::study {
 
 namespace {
 
-using figures::Figure;
-using figures::Plot;
 using figures::Shape;
 
 constexpr double kDegPerRad = 180.0 / std::numbers::pi;

@@ -10,15 +10,13 @@
 #include "study/measured/model_meshes.h"
 #include "study/measured/pressed_skin.h"
 #include "study/numbers/table_5_1.h"
+#include "study/page/plot_parts.h"
 
 namespace palpate::study {
 
 namespace {
 
-using figures::Figure;
 using figures::MeshView;
-using figures::Plot;
-using figures::Series;
 
 constexpr double kHalfSquare = 0.5 * kTable51Square;
 

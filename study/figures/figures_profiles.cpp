@@ -6,15 +6,12 @@
 #include "palpate/base/gaussian.h"
 #include "palpate/tissue/profile_forms.h"
 #include "study/figures/dissertation_figures.h"
+#include "study/page/plot_parts.h"
 #include "study/profile/array_quality.h"
 
 namespace palpate::study {
 
 namespace {
-
-using figures::Figure;
-using figures::Plot;
-using figures::Series;
 
 constexpr int kSamples = 400;
 

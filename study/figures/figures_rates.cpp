@@ -2,15 +2,11 @@
 #include "study/figures/dissertation_figures.h"
 #include "study/numbers/number_row.h"
 #include "study/numbers/printed_numbers.h"
+#include "study/page/plot_parts.h"
 
 namespace palpate::study {
 
 namespace {
-
-using figures::Figure;
-using figures::Marker;
-using figures::Plot;
-using figures::Series;
 
 constexpr const char* kOwnRates = "Measured in 2008 on the author's computer; `palpate bench` measures this engine.";
 

@@ -8,14 +8,13 @@
 #include "study/figures/dissertation_figures.h"
 #include "study/measured/model_meshes.h"
 #include "study/measured/pressed_skin.h"
+#include "study/page/plot_parts.h"
 
 namespace palpate::study {
 
 namespace {
 
-using figures::Figure;
 using figures::MeshView;
-using figures::Plot;
 
 // A dome of 60 mm radius, cut off: a skin whose points lie off the tangent plane.
 MeshView dome() {

@@ -3,13 +3,11 @@
 
 #include "palpate/hdb/complexity.h"
 #include "study/figures/dissertation_figures.h"
+#include "study/page/plot_parts.h"
 
 namespace palpate::study {
 
 namespace {
-
-using figures::Figure;
-using figures::Plot;
 
 constexpr int kHeight = 3;
 

@@ -1,4 +1,4 @@
-#include "study/hdb/hdb_figures.h"
+#include "study/hdb/hdb_measurement.h"
 
 #include <fmt/format.h>
 
@@ -9,12 +9,6 @@
 namespace palpate::study {
 
 namespace {
-
-using figures::Figure;
-using figures::Marker;
-using figures::Plot;
-using figures::Scale;
-using figures::Series;
 
 constexpr Marker kMarkers[] = {Marker::circle,  Marker::square, Marker::triangle,
                                Marker::diamond, Marker::cross,  Marker::none};

@@ -88,4 +88,7 @@ const HdbSizeRow& quarterRow(const HdbMeasurement& found);
 
 HdbMeasurement measureHdbSizes(const HdbPlan& plan, const Progress& progress);
 
+/// What was measured, drawn (hdb_figures.cpp).
+std::vector<StudyFigure> hdbFigures(const HdbMeasurement& found);
+
 }  // namespace palpate::study

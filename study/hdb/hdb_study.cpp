@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "study/hdb/hdb_figures.h"
 #include "study/hdb/hdb_measurement.h"
 #include "study/numbers/number_row.h"
 #include "study/numbers/printed_numbers.h"

@@ -10,17 +10,13 @@
 #include "study/interpolation/left_out.h"
 #include "study/measured/back_map.h"
 #include "study/numbers/table_5_1.h"
+#include "study/page/plot_parts.h"
 
 namespace palpate::study {
 
 namespace {
 
-using figures::Figure;
-using figures::Marker;
 using figures::MeshView;
-using figures::Plot;
-using figures::Series;
-using figures::Stroke;
 
 using HalfMajor = double (*)(const Vec2& place, double effect_radius_mm);
 

@@ -12,16 +12,12 @@
 #include "study/interpolation/left_out.h"
 #include "study/measured/back_map.h"
 #include "study/numbers/table_5_1.h"
+#include "study/page/plot_parts.h"
 
 namespace palpate::study {
 
 namespace {
 
-using figures::Figure;
-using figures::Marker;
-using figures::Plot;
-using figures::Series;
-using figures::Stroke;
 using maps::ForceDirection;
 
 constexpr double kEffectRadius = 200.0;  // the engine's (E28)
@@ -308,23 +304,18 @@ StudyPage studyInterpolation(const StudySettings& settings) {
   page.title = "Interpolating measured ellipses";
   page.question =
       "Chapter 5 interpolates the ellipses of a few measured points by Gaussian radial interpolation (GRI), first as "
-      "(5.7), "
-      "which misses the points, then as (5.16), which does not (Figures 5.9 to 5.11). How does it depend on its width, "
-      "and "
-      "does it foresee the ellipse at a place where nobody measured better than other interpolations do?";
+      "(5.7), which misses the points, then as (5.16), which does not (Figures 5.9 to 5.11). How does it depend on its "
+      "width, and does it foresee the ellipse at a place where nobody measured better than other interpolations do?";
   page.findings = findingsOf(results);
   page.method = {
       "Ellipses are interpolated as log-Euclidean tensors by every method alike. The error of a foretold ellipse is "
-      "the "
-      "distance between the two boundaries, root mean square over all directions. P4 and P5 are left out together with "
+      "the distance between the two boundaries, root mean square over all directions. P4 and P5 are left out together "
+      "with "
       "their mirror images P6 and P7. Subjects: the 40 rows of Appendix C, five people dragged up and three down. GRI "
-      "has "
-      "an effect radius of 200 mm where nothing else is said. The basic circle of 150 mm was chosen from all seven "
-      "means, "
-      "which flatters it a little; \"over the mean\" takes only what is left.",
+      "has an effect radius of 200 mm where nothing else is said. The basic circle of 150 mm was chosen from all seven "
+      "means, which flatters it a little; \"over the mean\" takes only what is left.",
       "Where the points lie on our back is assumed (E33). Figure 5.11 prints neither values nor parameters, so it can "
-      "be "
-      "compared by its look only: large at the shoulders, small at the waist."};
+      "be compared by its look only: large at the shoulders, small at the waist."};
   page.figures = figuresOf(results, settings.quick);
   page.tables = {leftOutTable(results), keysTable()};
   page.numbers = {{"radius_of_figure_5_9_from_mm", results.figure_5_9.from},

@@ -7,16 +7,9 @@
 #include "palpate/base/skin_place.h"
 #include "palpate/contact/surface.h"
 #include "palpate/hdb/haptic_box.h"
-#include "palpate/mesh/triangle_mesh.h"
+#include "study/measured/skin_places.h"
 
 namespace palpate::study {
-
-/// Places of a model where a study puts its finger, spread over the surface by area; the same for the same mesh and
-/// seed. The normal is that of the triangle. Throws Error for a mesh without area.
-std::vector<SkinPlace> skinPlaces(const mesh::TriangleMesh& mesh, int count, std::uint64_t seed = 1);
-
-/// The longest edge of any triangle, mm.
-double longestTriangleEdge(const mesh::TriangleMesh& mesh);
 
 /// The benchmark's back of a size, and where it is touched.
 struct HapticModel {

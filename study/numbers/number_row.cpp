@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
 #include <string_view>
 
 #include "palpate/base/error.h"
@@ -15,8 +14,7 @@ namespace palpate::study {
 
 namespace {
 
-// Printed numbers that are known to be wrong, each with the erratum that says so.
-
+/// A printed number that is known to be wrong, with the erratum that says so.
 struct Misprint {
   std::string_view where;
   std::string_view what;
@@ -24,10 +22,6 @@ struct Misprint {
   Erratum erratum;
   std::string_view reason;
 };
-
-std::span<const Misprint> misprints();
-
-namespace {
 
 constexpr std::array kMisprints{
     Misprint{"Table 3.3, height 5", "w", "3.04", Erratum::E13_misprints,
@@ -41,14 +35,6 @@ constexpr std::array kMisprints{
              "115 and 112 need the radius 200: 400 is the diameter"},
 };
 
-}  // namespace
-
-std::span<const Misprint> misprints() { return kMisprints; }
-
-}  // namespace
-
-namespace {
-
 // Ours may lie on the very edge of rounding and miss it by the last bit.
 constexpr double kSlack = 1e-9;
 
@@ -59,7 +45,7 @@ double numberOf(std::string_view text) {
 }
 
 const Misprint* misprintOf(const NumberRow& row) {
-  for (const Misprint& misprint : misprints()) {
+  for (const Misprint& misprint : kMisprints) {
     if (misprint.where == row.where && misprint.what == row.what && misprint.printed == row.printed) return &misprint;
   }
   return nullptr;

@@ -51,7 +51,7 @@ PrintedNumber parsePrinted(std::string_view text);
 bool agrees(std::string_view printed, double ours);
 
 /// The row of a number that can be computed. One that does not agree is a misprint when the list of misprints
-/// (misprints.h) has this printed number at this place, and not reproduced otherwise.
+/// (number_row.cpp) has this printed number at this place, and not reproduced otherwise.
 NumberRow judged(std::string where, std::string what, const std::string& printed, double ours, std::string reason);
 
 }  // namespace palpate::study

@@ -9,7 +9,7 @@
 #include "palpate/maps/measured_data.h"
 #include "study/measured/model_meshes.h"
 #include "study/numbers/numbers_study.h"
-#include "study/numbers/rate_comparison.h"
+#include "study/numbers/printed_numbers.h"
 
 namespace palpate::study {
 

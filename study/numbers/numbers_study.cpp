@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "palpate/base/text.h"
-#include "study/page/folder.h"
+#include "study/page/study_page.h"
 #include "study/page/text_table.h"
 
 namespace palpate::study {

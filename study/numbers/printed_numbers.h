@@ -88,4 +88,17 @@ struct PrintedNumbers {
 
 PrintedNumbers printedNumbers();
 
+// ---- measured rates compared at equal numbers of triangles
+
+/// ms at that many triangles, linear between the measured ones; beyond them NaN.
+double timeAt(const std::vector<PrintedTiming>& timings, double triangles);
+
+struct Gain {
+  double least = 0.0;
+  double most = 0.0;
+};
+
+/// By what share the rate of `fast` exceeds that of `slow` at the triangle counts where both are known.
+Gain rateGain(const std::vector<PrintedTiming>& fast, const std::vector<PrintedTiming>& slow);
+
 }  // namespace palpate::study

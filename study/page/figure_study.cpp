@@ -7,7 +7,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
-#include "study/page/folder.h"
+#include "study/page/study_page.h"
 
 namespace palpate::study {
 

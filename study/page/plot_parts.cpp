@@ -7,6 +7,16 @@
 
 namespace palpate::study {
 
+const char* nameOf(hdb::TreeKind tree) { return tree == hdb::TreeKind::Bsp ? "BSP tree" : "octree"; }
+
+figures::Axis thresholdAxis(const std::vector<Index>& thresholds, const std::vector<double>& ticks) {
+  return {.label = "threshold: most triangles of a leaf",
+          .scale = Scale::logarithmic,
+          .from = static_cast<double>(thresholds.front()),
+          .to = static_cast<double>(thresholds.back()),
+          .ticks = ticksAt(ticks)};
+}
+
 figures::Shape verticalLine(const std::string& name, double x, double from, double to) {
   return {.name = name,
           .paths = {{Vec2(x, from), Vec2(x, to)}},

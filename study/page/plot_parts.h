@@ -1,12 +1,31 @@
 // Parts that plots of several studies share.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
+#include "figures/figure.h"
 #include "figures/plot.h"
+#include "palpate/hdb/partition.h"
 
 namespace palpate::study {
+
+// Every study draws with these.
+using figures::Figure;
+using figures::Marker;
+using figures::Plot;
+using figures::Scale;
+using figures::Series;
+using figures::Stroke;
+
+/// The dissertation's two trees, in the order of every comparison.
+inline constexpr std::array kTrees{hdb::TreeKind::Bsp, hdb::TreeKind::Octree};
+/// "BSP tree", "octree".
+const char* nameOf(hdb::TreeKind tree);
+
+/// From the least to the greatest of these thresholds, ascending, logarithmic.
+figures::Axis thresholdAxis(const std::vector<Index>& thresholds, const std::vector<double>& ticks);
 
 /// A dotted line from the bottom to the top of a plot whose y axis has this range.
 figures::Shape verticalLine(const std::string& name, double x, double from, double to);

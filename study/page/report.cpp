@@ -4,8 +4,8 @@
 
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
-#include "study/page/folder.h"
 #include "study/page/report_html.h"
+#include "study/page/study_page.h"
 
 namespace palpate::study {
 
@@ -27,10 +27,8 @@ ReportHead headOf(const std::vector<StudyPage>& pages, bool quick, double second
   head.about =
       "W. Ji's dissertation \"Spatial Partitioning and Functional Shape Matched Deformation Algorithm for Interactive "
       "Haptic Modeling\" (Ohio University, 2008) asked how a haptic model can be divided, deformed and mapped. Each "
-      "chapter "
-      "here takes one of its questions, measures it again with Palpate and sets the printed answer beside ours. E1 to "
-      "E34 are "
-      "its checked errata (`docs/dissertation.md`).";
+      "chapter here takes one of its questions, measures it again with Palpate and sets the printed answer beside "
+      "ours. E1 to E34 are its checked errata (`docs/dissertation.md`).";
   if (quick)
     head.about += " This was a quick run: small models and few repetitions, for a look and not for its numbers.";
   head.command = fmt::format("palpate study all{} --out DIR", quick ? " --quick" : "");

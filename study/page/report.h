@@ -6,9 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "palpate/scene/scene.h"
 #include "study/studies.h"
 
 namespace palpate::study {
+
+/// The chapters in order: the studies of numbers, figures and errata, which have commands of their own, as pages like
+/// all others, and the pages of studies.h behind them. The errata are measured on this scene.
+std::vector<Study> reportChapters(const scene::Scene& scene);
 
 /// A chapter that is done, for a line of progress.
 struct ChapterDone {

@@ -1,4 +1,4 @@
-#include "study/page/report_chapters.h"
+#include "study/page/report.h"
 
 #include <fmt/format.h>
 
@@ -116,8 +116,7 @@ StudyPage errataPage(const scene::Scene& scene, const StudySettings& settings) {
   page.command = "palpate study errata --out DIR";
   page.question =
       "Where the dissertation's text is wrong or says two things, the engine takes a corrected form. What does the "
-      "other "
-      "reading change on a scene, one at a time?";
+      "other reading change on a scene, one at a time?";
   page.method = {fmt::format("The scene \"{}\" runs once as it is and once more for every other reading.", scene.title),
                  errataLegend()};
   if (settings.quick) {

@@ -12,11 +12,9 @@ namespace palpate::study {
 
 namespace {
 
-// The look of the report: its style sheet.
-
-/// Screen: contents beside the text where there is room, figures as wide as the column. Paper: no contents, a chapter a
-/// page, nothing torn apart. System fonts only.
-inline constexpr std::string_view kReportStyle = R"css(
+/// The look of the report, its style sheet. Screen: contents beside the text where there is room, figures as wide as
+/// the column. Paper: no contents, a chapter a page, nothing torn apart. System fonts only.
+constexpr std::string_view kReportStyle = R"css(
 :root { --ink: #222; --quiet: #5d6470; --line: #dfe3e8; --paper: #fff; --wash: #f5f7f9; --accent: #0072b2; }
 * { box-sizing: border-box; }
 html { scroll-behavior: smooth; }
@@ -83,10 +81,6 @@ pre {
   a { color: inherit; }
 }
 )css";
-
-}  // namespace
-
-namespace {
 
 namespace fs = std::filesystem;
 

@@ -2,13 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <system_error>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "palpate/base/error.h"
 #include "palpate/base/text.h"
 #include "study/page/figure_study.h"
-#include "study/page/folder.h"
 
 namespace palpate::study {
 
@@ -119,5 +121,12 @@ std::string rounded(double number, int digits) {
 }
 
 std::string percent(double share) { return rounded(100.0 * share) + " %"; }
+
+void makeFolder(const std::filesystem::path& folder) {
+  std::error_code trouble;
+  std::filesystem::create_directories(folder, trouble);
+  if (trouble) throw Error::inFile(folder.string(), "cannot be made: " + trouble.message());
+  if (!std::filesystem::is_directory(folder)) throw Error::inFile(folder.string(), "is not a folder");
+}
 
 }  // namespace palpate::study

@@ -61,7 +61,10 @@ std::string textOf(const StudyPage& page);
 /// missing. Throws Error naming a file that cannot be written.
 void writePage(const StudyPage& page, const std::filesystem::path& folder, const Progress& progress = {});
 
-// Writing numbers into findings and tables.
+/// Makes a folder and its parents where they are missing. Throws Error naming it.
+void makeFolder(const std::filesystem::path& folder);
+
+// ---- writing numbers into findings and tables
 
 /// 41582 as "41,582".
 std::string counted(double number);

@@ -11,8 +11,6 @@
 
 namespace palpate::study {
 
-// How far the stored half Gaussian is from the curve (Figure 4.9).
-
 /// The largest error in mm at the dissertation's deepest press of 10 mm.
 double worstArrayError(int entries, tissue::TableLookup lookup);
 

@@ -8,17 +8,13 @@
 #include <cmath>
 #include <limits>
 
+#include "study/page/plot_parts.h"
 #include "study/profile/array_quality.h"
 
 namespace palpate::study {
 
 namespace {
 
-using figures::Figure;
-using figures::Marker;
-using figures::Plot;
-using figures::Series;
-using figures::Stroke;
 using tissue::TableLookup;
 
 constexpr std::array kPrintedSizes{20, 130, 700};
@@ -345,8 +341,7 @@ StudyPage studyProfile(const StudySettings& settings) {
   page.title = "The array of the half Gaussian";
   page.question =
       "The dissertation stores the half Gaussian in an array and takes the nearest entry (4.3). Figure 4.9 compares "
-      "20, "
-      "130 and 700 entries by eye and chooses 700. How large must the array be, and is the nearest entry the right "
+      "20, 130 and 700 entries by eye and chooses 700. How large must the array be, and is the nearest entry the right "
       "one?";
   page.findings = findingsOf(results);
   page.method = {

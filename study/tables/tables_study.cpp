@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "study/numbers/number_row.h"
-#include "study/numbers/rate_comparison.h"
+#include "study/numbers/printed_numbers.h"
 #include "study/page/plot_parts.h"
 #include "study/tables/rendering_rates.h"
 
@@ -16,11 +16,6 @@ namespace palpate::study {
 namespace {
 
 using figures::Colour;
-using figures::Figure;
-using figures::Marker;
-using figures::Plot;
-using figures::Scale;
-using figures::Series;
 
 /// x and y of a curve.
 struct Curve {
@@ -339,15 +334,14 @@ std::vector<std::string> methodOf(const RatesMeasurement& found) {
                 "Drawing is what OpenHaptics had its programs do: every triangle of the leaves goes vertex by vertex, "
                 "each with its normal, through glBegin and glEnd into the feedback buffer of OpenGL 2.1 "
                 "(`src/palpate/view/layers/immediate_drawing.h`), here offscreen by {}. \"Graphic\" is the whole "
-                "model, lit, "
-                "into a picture of {} x {} pixels in the same way.",
+                "model, lit, into a picture of {} x {} pixels in the same way.",
                 found.renderer, plan.width_px, plan.height_px);
   return {
       drawing,
       "Untouched adds finding the leaves and testing every triangle rendered against the tip's way; touched adds the "
       "nearest point of every triangle, spring and friction (`study/measured/literal_process.h`). What the haptic "
-      "library of "
-      "2008 did inside is not known; this is the least that it had to do, so times in the dissertation's way are lower "
+      "library of 2008 did inside is not known; this is the least that it had to do, so times in the dissertation's "
+      "way are lower "
       "bounds.",
       fmt::format(
           "Models: the benchmark's back in the sizes of Appendix A, because none of the author's was published. Table "

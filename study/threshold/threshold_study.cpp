@@ -11,21 +11,13 @@ namespace palpate::study {
 
 namespace {
 
-using figures::Figure;
-using figures::Marker;
-using figures::Plot;
-using figures::Scale;
-using figures::Series;
 using hdb::TreeKind;
 
 constexpr Index kPrinted = 1024;  // 3.3.1: "proved as the best value in our experiments"
-constexpr TreeKind kTrees[] = {TreeKind::Bsp, TreeKind::Octree};
 constexpr Marker kMarkers[] = {Marker::circle, Marker::square, Marker::triangle, Marker::diamond, Marker::cross};
 // Times this near to the fastest are as good.
 constexpr double kAsGood = 1.10;
 constexpr double kNearlyAsGood = 1.25;
-
-const char* nameOf(TreeKind tree) { return tree == TreeKind::Bsp ? "BSP tree" : "octree"; }
 
 double lossAtPrinted(const std::vector<ThresholdRow>& rows) {
   return rowAt(rows, kPrinted).touched_us / fastest(rows).touched_us;
@@ -33,17 +25,9 @@ double lossAtPrinted(const std::vector<ThresholdRow>& rows) {
 
 // ------------------------------------------------------------------------------------------------------------ plots
 
-figures::Axis thresholdAxis(const ThresholdPlan& plan) {
-  return {.label = "threshold: most triangles of a leaf",
-          .scale = Scale::logarithmic,
-          .from = plan.thresholds.front(),
-          .to = plan.thresholds.back(),
-          .ticks = ticksAt({16, 64, 256, 1024, 4096, 16384})};
-}
-
 Plot timePlot(const ThresholdMeasurement& found, TreeKind tree) {
   Plot plot{.title = fmt::format("Dissertation's way, {}", nameOf(tree))};
-  plot.x = thresholdAxis(found.plan);
+  plot.x = thresholdAxis(found.plan.thresholds, {16, 64, 256, 1024, 4096, 16384});
   plot.x.from = std::min(16.0, *plot.x.from);
   plot.y = {.label = "time of a touched frame", .unit = "us", .scale = Scale::logarithmic, .from = 4.0, .to = 10000.0};
   Series best = measuredSeries("fastest", {}, {}, Marker::circle);
@@ -83,7 +67,7 @@ Plot bestPlot(const ThresholdMeasurement& found) {
 
 Plot ownPlot(const ThresholdMeasurement& found) {
   Plot plot{.title = "Ours: list of the box's triangles, octree"};
-  plot.x = thresholdAxis(found.plan);
+  plot.x = thresholdAxis(found.plan.thresholds, {16, 64, 256, 1024, 4096, 16384});
   plot.y = {.label = "time", .unit = "us", .scale = Scale::logarithmic, .from = 0.1, .to = 1000.0};
   std::size_t next = 0;
   for (const std::size_t size : found.plan.sizes) {
@@ -253,8 +237,7 @@ std::vector<std::string> methodOf(const ThresholdPlan& plan) {
           plan.places, plan.runs),
       "The dissertation's way: find the leaves by their tight boxes, test every triangle of them against the tip's way "
       "and for its nearest point (`study/measured/literal_process.h`), without drawing. Ours: the triangles whose own "
-      "boxes "
-      "meet the detecting box, written out one by one; and the default finger on strokes at 0.2 m/s."};
+      "boxes meet the detecting box, written out one by one; and the default finger on strokes at 0.2 m/s."};
 }
 
 std::vector<std::pair<std::string, double>> numbersOf(const ThresholdMeasurement& found) {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "palpate/base/text.h"
-#include "study/numbers/rate_comparison.h"
+#include "study/numbers/printed_numbers.h"
 #include "study/numbers/table_5_1.h"
 #include "study/profile/array_quality.h"
 #include "support/error_message.h"

@@ -8,7 +8,6 @@
 #include <stack>
 
 #include "palpate/base/text.h"
-#include "study/page/report_chapters.h"
 #include "study/page/report_html.h"
 #include "support/error_message.h"
 #include "support/temporary_folder.h"

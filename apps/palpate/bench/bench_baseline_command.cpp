@@ -18,20 +18,11 @@ namespace palpate::app {
 
 namespace {
 
-// The file of `palpate bench --baseline`: ratios of kernels to fixed reference loops, measured on some machine.
-
+/// What the file holds: ratios of kernels to fixed reference loops, measured on some machine.
 struct Baseline {
   std::size_t triangles = 0;  ///< of the back that the kernels ran on
   std::vector<bench::KernelTime> kernels;
 };
-
-/// Throws Error (file: cause) for a file that is no baseline or holds a ratio that is not above 0.
-Baseline readBaseline(const std::filesystem::path& file);
-
-/// With the machine it was measured on, for people. Throws Error if it cannot.
-void writeBaseline(const std::filesystem::path& file, const Baseline& baseline);
-
-namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{1} << 20;
 constexpr std::size_t kLeastTriangles = 1000, kMostTriangles = 4000000;
@@ -46,8 +37,7 @@ bench::KernelTime kernelFrom(const nlohmann::json& json) {
   return time;
 }
 
-}  // namespace
-
+/// Throws Error (file: cause) for a file that is no baseline or holds a ratio that is not above 0.
 Baseline readBaseline(const std::filesystem::path& file) {
   const std::string text = readFile(file, kMostBytes);
   try {
@@ -67,6 +57,7 @@ Baseline readBaseline(const std::filesystem::path& file) {
   }
 }
 
+/// With the machine it was measured on, for people. Throws Error if it cannot.
 void writeBaseline(const std::filesystem::path& file, const Baseline& baseline) {
   nlohmann::ordered_json json;
   json["triangles"] = baseline.triangles;
@@ -76,10 +67,6 @@ void writeBaseline(const std::filesystem::path& file, const Baseline& baseline) 
   json["machine"] = machineJson();
   writeFile(file, json.dump(2) + "\n");
 }
-
-}  // namespace
-
-namespace {
 
 constexpr int kSlower = 1;  // exit code: the answer is "no"
 

@@ -13,25 +13,6 @@
 
 namespace palpate::app {
 
-// A mesh file for a command that must start from one: the file itself, or a benchmark mesh written for the occasion.
-
-class WrittenMesh {
- public:
-  /// For a name (see meshFrom) the mesh is made and written as binary STL into the folder for temporary files, by a
-  /// child process: neither its time nor its memory are this process's. Throws Error.
-  explicit WrittenMesh(const std::string& file_or_name);
-  /// Removes what was written.
-  ~WrittenMesh();
-  WrittenMesh(const WrittenMesh&) = delete;
-  WrittenMesh& operator=(const WrittenMesh&) = delete;
-
-  const std::filesystem::path& file() const { return file_; }
-
- private:
-  std::filesystem::path file_;
-  bool written_ = false;
-};
-
 struct LoadStep {
   std::string name;             ///< as the progress line calls it
   double seconds = 0.0;         ///< all stretches of that name together

@@ -1,5 +1,9 @@
 #include "apps/palpate/bench/named_mesh.h"
 
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <optional>
@@ -10,6 +14,7 @@
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
 #include "palpate/body/torso.h"
+#include "palpate/mesh/files/save.h"
 
 namespace palpate::app {
 
@@ -45,6 +50,16 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+int writeInChild(const std::string& name, const std::filesystem::path& file) {
+  try {
+    mesh::save(file, meshFrom(name));
+    return 0;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "palpate: {}\n", error.what());
+    return 1;
+  }
+}
+
 }  // namespace
 
 bool isMeshFile(const std::string& name) {
@@ -64,6 +79,25 @@ mesh::TriangleMesh meshFrom(const std::string& name, const mesh::LoadOptions& op
 device::Trajectory trajectoryFrom(const std::string& name) {
   if (std::filesystem::exists(name) || name.ends_with(".csv")) return device::readTrajectory(name);
   return lab::workloadPath(name);
+}
+
+WrittenMesh::WrittenMesh(const std::string& file_or_name) : file_(file_or_name) {
+  if (isMeshFile(file_or_name)) return;
+  file_ = std::filesystem::temp_directory_path() / fmt::format("palpate_{}_{}.stl", file_or_name, getpid());
+  const pid_t child = fork();
+  if (child == 0) _exit(writeInChild(file_or_name, file_));
+  int status = 0;
+  const bool ended = child > 0 && waitpid(child, &status, 0) == child;
+  written_ = true;
+  if (ended && WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
+  std::error_code ignored;
+  std::filesystem::remove(file_, ignored);
+  throw Error(file_or_name + ": could not be made and written to a temporary file");
+}
+
+WrittenMesh::~WrittenMesh() {
+  std::error_code ignored;
+  if (written_) std::filesystem::remove(file_, ignored);
 }
 
 }  // namespace palpate::app

@@ -16,9 +16,7 @@
 #include "study/errata/errata_report.h"
 #include "study/numbers/numbers_study.h"
 #include "study/page/figure_study.h"
-#include "study/page/folder.h"
 #include "study/page/report.h"
-#include "study/page/report_chapters.h"
 #include "study/studies.h"
 
 namespace palpate::app {

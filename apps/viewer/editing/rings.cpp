@@ -25,7 +25,7 @@ Vec2 onCircle(int i) {
   return {std::cos(angle), std::sin(angle)};
 }
 
-view::Lines ringOn(const view::SkinPlace& place, double radius, double width_px, view::Paint paint) {
+view::Lines ringOn(const SkinPlace& place, double radius, double width_px, view::Paint paint) {
   const Vec3 u = place.normal.unitOrthogonal();
   const Vec3 v = place.normal.cross(u);
   std::vector<Vec3> path;
