@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "palpate/base/random.h"
+#include "study/directions/axis_means.h"
 #include "study/directions/direction_fields.h"
 #include "study/measured/back_map.h"
 #include "tests/study/page_numbers.h"
