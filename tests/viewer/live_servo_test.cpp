@@ -76,17 +76,19 @@ TEST(LiveServo, OfManyChangesTheNewestWins) {
   const support::TemporaryFolder folder;
   const auto world = sheet(folder, 0.5);
   LiveServo servo(planFor(world, world->scene, true));
-  servo.point(0, pressAt({100, 100, 0}, 9.0));
-  ASSERT_TRUE(waitFor(servo, [&] { return servo.thread().contacts()[0].contact.depth_mm > 8.9; }));
+  servo.point(0, pressAt({100, 100, 0}, 14.0));
+  ASSERT_TRUE(waitFor(servo, [&] { return servo.thread().contacts()[0].contact.depth_mm > 13.9; }));
   scene::Scene scene = world->scene;
+  const double radius_mm = radiusOf(scene, 0);
   constexpr int kChanges = 50;
   for (int i = 1; i <= kChanges; ++i) {
-    scene.contact.finger.max_depth_mm = 8.0 - 0.1 * i;  // the deepest that is felt
+    scene.contact.finger.max_depth_mm = 8.0 - 0.1 * i;  // with the radius, the deepest that is felt
     servo.thread().change(planFor(world, scene, false));
     if (i % 7 == 0) servo.thread().exchange();
   }
   const auto missing_n = [&] {
-    return std::abs(servo.thread().contacts()[0].contact.force.z() - 0.5 * scene.contact.finger.max_depth_mm);
+    const double felt_mm = scene.contact.finger.max_depth_mm + radius_mm;
+    return std::abs(servo.thread().contacts()[0].contact.force.z() - 0.5 * felt_mm);
   };
   EXPECT_TRUE(waitFor(servo, [&] { return missing_n() < 1e-6; })) << missing_n();
   const auto later = Clock::now() + std::chrono::milliseconds(50);
