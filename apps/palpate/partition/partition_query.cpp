@@ -1,4 +1,4 @@
-#include "apps/palpate/partition/partition_query.h"
+#include "apps/palpate/partition/partition_report.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,4 +1,5 @@
-// What `palpate partition` gives out: a report as a person reads it and as a script reads it, and coloured surfaces.
+// What `palpate partition` finds out and gives out: one detecting box asked of a partition and judged by brute force, a
+// report as a person reads it and as a script reads it, and coloured surfaces.
 #pragma once
 
 #include <filesystem>
@@ -7,10 +8,41 @@
 #include <string>
 #include <vector>
 
-#include "apps/palpate/partition/partition_query.h"
+#include "lab/counters/statistics.h"
+#include "palpate/hdb/haptic_box.h"
+#include "palpate/hdb/literal_traversal.h"
 #include "palpate/hdb/statistics.h"
 
 namespace palpate::app {
+
+// One box, for --box: partition_query.cpp.
+
+/// How leaves are found: as the engine does, by the sphere within the box (tested properly), or as printed.
+struct LeafSearch {
+  bool sphere = false;
+  std::optional<hdb::LiteralTraversal> literal;
+
+  friend bool operator==(const LeafSearch&, const LeafSearch&) = default;
+
+  bool bySphere() const { return sphere || literal == hdb::LiteralTraversal::SphereCorners; }
+};
+
+struct PartitionQuery {
+  hdb::LeafHits leaves;
+  std::size_t rendered = 0;            ///< entries of the leaves: what the dissertation's haptic process draws
+  std::size_t rendered_triangles = 0;  ///< different ones
+  std::vector<Index> exact;            ///< triangles whose box meets the detecting box, ascending
+  std::size_t must = 0;                ///< how many brute force says the leaves must have
+  std::size_t missed = 0;              ///< of these, not in any leaf found
+  lab::Percentiles leaves_us;
+  lab::Percentiles exact_us;
+};
+
+/// With a sphere `must` counts the triangles whose box reaches into it.
+PartitionQuery askPartition(const mesh::TriangleMesh& mesh, const hdb::Partition& partition, const Box3& box,
+                            const LeafSearch& search);
+
+// The report: partition_report.cpp.
 
 struct PartitionReport {
   std::string mesh;

@@ -1,4 +1,4 @@
-#include "apps/palpate/simulate/simulate_report.h"
+#include "apps/palpate/simulate/simulation.h"
 
 #include <fmt/format.h>
 

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,5 +47,13 @@ struct SimulationSettings {
 
 /// Builds the scene, runs it and writes its files into the folder, which is made if needed. Throws Error.
 SimulationResult simulate(const scene::Scene& scene, const SimulationSettings& settings, const Progress& progress);
+
+// What it tells its user: simulate_report.cpp.
+
+/// Keys carry their units; docs/simulate.md lists them.
+nlohmann::ordered_json reportOf(const SimulationResult& result);
+
+/// Some twenty lines, fit for a terminal of 100 columns.
+std::string summaryOf(const SimulationResult& result);
 
 }  // namespace palpate::app
