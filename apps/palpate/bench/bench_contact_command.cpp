@@ -90,6 +90,7 @@ std::string textOf(const bench::HdbFigures& f) {
 }
 
 // ---- the command
+
 struct Arguments {
   std::string mesh, trajectory;
   double scale = 1.0;
