@@ -68,7 +68,7 @@ contact::FingerOutput firstForce(const scene::World& world) {
     const Vec3 inwards = -mesh::areaVector2(a, b, c).stableNormalized() * depth;
     contact::FingerState state;
     (void)contact::step(world.surface, {}, state, middle - inwards);
-    const contact::FingerOutput output = contact::step(world.surface, {}, state, middle + inwards);
+    contact::FingerOutput output = contact::step(world.surface, {}, state, middle + inwards);
     if (output.force.squaredNorm() > 0.0) return output;
   }
   throw Error("the body gives no force anywhere");
