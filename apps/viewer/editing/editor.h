@@ -13,7 +13,7 @@ namespace palpate::viewer {
 struct Editor {
   bool active = false;
   int selected = -1;  ///< index of a dysfunction, or none
-  EditHistory<std::vector<maps::Dysfunction>> history;
+  EditHistory<std::vector<maps::Dysfunction>> history = {};
 };
 
 /// All that an edit touches: the scene's dysfunctions, the editor, and the way to say what changed.

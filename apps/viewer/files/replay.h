@@ -17,7 +17,7 @@ struct Replay {
   double from_s = 0.0;
   double to_s = 0.0;  ///< what there is to look at
   bool playing = false;
-  std::string table;  ///< the recorded table that is looked at; empty: the last minute of this run
+  std::string table = {};  ///< the recorded table that is looked at; empty: the last minute of this run
   double tick_s = 0.001;
   bool frozen = false;  ///< else the present is shown
 };
