@@ -4,12 +4,6 @@
 
 namespace palpate::viewer {
 
-namespace {
-
-double sinceMs(std::int64_t start_ns) { return static_cast<double>(monotonicNs() - start_ns) * 1e-6; }
-
-}  // namespace
-
 LiveModel::LiveModel(std::shared_ptr<const scene::World> world)
     : world_(std::move(world)), skin_(std::in_place, *world_), painter_(world_) {}
 
@@ -21,12 +15,12 @@ void LiveModel::setWorld(std::shared_ptr<const scene::World> world) {
 
 LiveModel::Times LiveModel::follow(std::span<const trace::Sample> contacts) {
   Times times;
-  const std::int64_t start = monotonicNs();
+  const Clock::time_point start = Clock::now();
   skin_->follow(contacts);
-  times.deform_ms = sinceMs(start);
-  const std::int64_t uploading = monotonicNs();
+  times.deform_ms = millisecondsSince(start);
+  const Clock::time_point uploading = Clock::now();
   painter_.renderer().update(skin_->surface());
-  times.upload_ms = sinceMs(uploading);
+  times.upload_ms = millisecondsSince(uploading);
   return times;
 }
 

@@ -32,8 +32,6 @@ constexpr double kNarrowPoints = 1000.0;
 /// Of the finger that stays where it was put, points.
 constexpr double kOutline = 1.5;
 
-double sinceMs(std::int64_t start_ns) { return static_cast<double>(monotonicNs() - start_ns) * 1e-6; }
-
 WorldFacts factsOf(const scene::World& world) {
   const Vec3 size = mesh::boundingBox(world.skin).sizes();
   const auto [soft, stiff] = std::minmax_element(world.stiffness_n_per_mm.begin(), world.stiffness_n_per_mm.end());
@@ -84,7 +82,7 @@ servo::LoopReport Viewer::finish() {
 }
 
 void Viewer::frame(int width, int height, double scale, double now_s, std::span<const window::InputEvent> events) {
-  const std::int64_t started = monotonicNs();
+  const Clock::time_point started = Clock::now();
   const double elapsed_s = seen_ ? std::max(1e-4, now_s - session_.now_s) : 1.0 / 60.0;
   session_.now_s = now_s;
   makeTarget(width, height);
@@ -109,7 +107,7 @@ void Viewer::frame(int width, int height, double scale, double now_s, std::span<
   paint(points);
   outputs_.frameDrawn(session_, [this] { return target_->read(); });
   Performance& performance = session_.performance;
-  performance.frame_ms = sinceMs(started);
+  performance.frame_ms = millisecondsSince(started);
   frame_s_ += kRateSmoothing * (elapsed_s - frame_s_);
   performance.frames_per_s = 1.0 / frame_s_;
   guardShading(elapsed_s);
@@ -394,7 +392,7 @@ std::vector<view::Lines> Viewer::rings() const {
 }
 
 void Viewer::paint(double scale) {
-  const std::int64_t started = monotonicNs();
+  const Clock::time_point started = Clock::now();
   view::PictureSettings picture;
   picture.camera = session_.camera;
   picture.look = session_.state.look;
@@ -415,7 +413,7 @@ void Viewer::paint(double scale) {
   const std::vector<view::FingerMark> fingers = fingerMarks();
   const std::vector<view::Lines> shown_rings = rings();
   model_->painter().paint({fingers, session_.now_s, shown_rings}, model_->surface(), picture, canvas, over);
-  session_.performance.draw_ms = sinceMs(started);
+  session_.performance.draw_ms = millisecondsSince(started);
 }
 
 }  // namespace palpate::viewer

@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <utility>
 
+#include "palpate/contact/felt_force.h"
 #include "palpate/scene/scene_file.h"
 
 namespace palpate::engine {
 
 namespace {
 
-contact::FingerOutput nothing(const Vec3& tip, std::uint32_t status) noexcept {
-  contact::FingerOutput output{};
-  output.tip = output.proxy = output.anchor = output.hold = tip;
-  output.normal = output.force = Vec3::Zero();
-  output.status = status;
+/// The answer for a finger that there is not.
+contact::FingerOutput nobodysOutput(const Vec3& tip) noexcept {
+  contact::FingerOutput output = contact::freeOutput(tip);
+  output.status = contact::kTipLost;
   return output;
 }
 
@@ -25,13 +25,13 @@ Simulator::Simulator(std::shared_ptr<const scene::World> world, std::vector<cont
   checkFingers(*world_, fingers);
   servo::FingerSolvers solvers = servo::makeSolvers(world_->surface, world_->hdb, fingers.size());
   for (std::size_t i = 0; i < fingers.size(); ++i) fingers_.push_back({std::move(solvers[i]), fingers[i], {}});
-  felt_.assign(fingers.size(), nothing(Vec3::Zero(), 0));
+  felt_.resize(fingers.size());
 }
 
 Simulator::Simulator(const std::filesystem::path& scene_file) : Simulator(scene::build(scene::load(scene_file))) {}
 
 contact::FingerOutput Simulator::feel(std::size_t finger, const Vec3& tip) noexcept {
-  if (finger >= fingers_.size()) return nothing(tip, contact::kTipLost);
+  if (finger >= fingers_.size()) return nobodysOutput(tip);
   Finger& at_work = fingers_[finger];
   return felt_[finger] = servo::touch(at_work.solver, at_work.settings, at_work.state, tip);
 }
@@ -44,7 +44,7 @@ void Simulator::feel(std::span<const Vec3> tips, std::span<contact::FingerOutput
 void Simulator::lift(std::size_t finger) noexcept {
   if (finger >= fingers_.size()) return;
   fingers_[finger].state = {};
-  felt_[finger] = nothing(felt_[finger].tip, 0);
+  felt_[finger] = contact::freeOutput(felt_[finger].tip);
 }
 
 const deform::DeformedSurface& Simulator::skin() {

@@ -196,19 +196,6 @@ Key<S> point2(std::string name, Access<S, Vec2> at, std::string meaning) {
           }};
 }
 
-template <class S>
-Key<S> point3(std::string name, Access<S, Vec3> at, std::string meaning) {
-  return {std::move(name), "three numbers", std::move(meaning),
-          [at](S& s, const Entry& e) {
-            const auto v = readPoint(e, 3);
-            at(s) = Vec3(v[0], v[1], v[2]);
-          },
-          [at](const S& s) {
-            const Vec3 v = valueOf<S, Vec3>(at, s);
-            return showNumbers({v.x(), v.y(), v.z()});
-          }};
-}
-
 /// The name nearest to what was written, or nothing when none is near. A name that differs in its unit only is near.
 std::string nearestName(std::string_view written, const std::vector<std::string>& names);
 

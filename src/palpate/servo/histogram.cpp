@@ -26,7 +26,6 @@ void DurationHistogram::add(std::int64_t nanoseconds) noexcept {
   ++bins_[binOf(value)];
   ++count_;
   max_ns_ = std::max(max_ns_, value);
-  sum_ns_ += static_cast<double>(value);
 }
 
 double DurationHistogram::percentileUs(double share) const {

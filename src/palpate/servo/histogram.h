@@ -21,7 +21,6 @@ class DurationHistogram {
   /// Nearest-rank percentiles (upper edge of the bin, never above the maximum); all zero without samples.
   DurationPercentiles percentiles() const;
   std::uint64_t count() const { return count_; }
-  double meanUs() const { return count_ == 0 ? 0.0 : sum_ns_ / static_cast<double>(count_) * 1e-3; }
 
  private:
   static constexpr int kSubBits = 6;
@@ -34,7 +33,6 @@ class DurationHistogram {
   std::array<std::uint64_t, kBins> bins_{};
   std::uint64_t count_ = 0;
   std::uint64_t max_ns_ = 0;
-  double sum_ns_ = 0.0;
 };
 
 }  // namespace palpate::servo

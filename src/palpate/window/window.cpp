@@ -267,7 +267,6 @@ double Window::contentScale() const {
 }
 
 bool Window::closing() const { return glfwWindowShouldClose(handles_->window) == GLFW_TRUE; }
-void Window::keepOpen() { glfwSetWindowShouldClose(handles_->window, GLFW_FALSE); }
 bool Window::focused() const { return glfwGetWindowAttrib(handles_->window, GLFW_FOCUSED) == GLFW_TRUE; }
 bool Window::fullScreen() const { return glfwGetWindowMonitor(handles_->window) != nullptr; }
 
@@ -286,7 +285,6 @@ void Window::setFullScreen(bool on) {
 }
 
 void Window::setSize(int width, int height) { glfwSetWindowSize(handles_->window, width, height); }
-void Window::setTitle(const std::string& title) { glfwSetWindowTitle(handles_->window, title.c_str()); }
 void Window::setClipboard(const std::string& text) { glfwSetClipboardString(handles_->window, text.c_str()); }
 
 std::string Window::clipboard() const {

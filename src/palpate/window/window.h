@@ -41,7 +41,6 @@ class Window {
   int height() const;
   double contentScale() const;  ///< pixels of a point; within [1, 3] whatever the system says
   bool closing() const;
-  void keepOpen();
   bool focused() const;
   bool fullScreen() const;
   void setFullScreen(bool on);
@@ -50,7 +49,6 @@ class Window {
   void swap();
   void showCursor(bool shown);
   void setSize(int width, int height);
-  void setTitle(const std::string& title);
   void setClipboard(const std::string& text);
   std::string clipboard() const;
   WindowSettings placement() const;  ///< to be remembered
