@@ -51,7 +51,8 @@ WorldFacts factsOf(const scene::World& world) {
 
 }  // namespace
 
-Viewer::Viewer(std::shared_ptr<const scene::World> world, ViewState state, ViewerSettings settings, ViewerHost host)
+Viewer::Viewer(const std::shared_ptr<const scene::World>& world, ViewState state, ViewerSettings settings,
+               ViewerHost host)
     : settings_(std::move(settings)),
       host_(std::move(host)),
       world_(world),

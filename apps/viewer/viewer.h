@@ -49,7 +49,8 @@ struct ViewerHost {
 /// Needs a current GL context; belongs to its thread. Throws Error where the world cannot be drawn or felt.
 class Viewer {
  public:
-  Viewer(std::shared_ptr<const scene::World> world, ViewState state, ViewerSettings settings, ViewerHost host = {});
+  Viewer(const std::shared_ptr<const scene::World>& world, ViewState state, ViewerSettings settings,
+         ViewerHost host = {});
   /// Ends the servo thread and completes files that are being recorded.
   ~Viewer();
   Viewer(const Viewer&) = delete;
