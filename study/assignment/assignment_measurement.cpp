@@ -19,10 +19,8 @@ using hdb::LiteralTraversal;
 using hdb::Partition;
 using hdb::TreeKind;
 
-constexpr double kBoxShare = 0.25;  // the dissertation's box
-
 Box3 boxAt(const HapticModel& model, const SkinPlace& place) {
-  return hdb::hapticBox(place.point, kBoxShare * model.longest_edge);
+  return hdb::hapticBox(place.point, kPrintedBoxShare * model.longest_edge);
 }
 
 // By brute force, so that no partition judges itself.
@@ -99,7 +97,7 @@ AssignmentRow measured(const HapticModel& model, const std::vector<std::vector<I
   const double build_us = shortestMicroseconds(runs, [&] { tree = hdb::buildPartition(model.mesh, settings); });
   const auto statistics = hdb::statisticsOf(tree);
   const auto triangles = static_cast<double>(model.mesh.triangles.size());
-  const double edge = kBoxShare * model.longest_edge;
+  const double edge = kPrintedBoxShare * model.longest_edge;
   const FrameTimes frame = meanLiteralFrame(model, &tree, edge, runs);
   const ExactFrame exact = meanExactFrame(model, tree, edge, runs);
   AssignmentRow row{.tree = settings.tree, .assignment = settings.assignment, .threshold = settings.threshold};

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "study/assignment/assignment_measurement.h"
+#include "study/measured/haptic_frames.h"
 #include "study/page/plot_parts.h"
 
 namespace palpate::study {
@@ -14,8 +15,7 @@ namespace {
 using hdb::Assignment;
 using hdb::TreeKind;
 
-constexpr Marker kMarkers[] = {Marker::circle, Marker::square, Marker::triangle};
-constexpr Index kPrinted = 1024;
+constexpr Marker kAssignmentMarkers[] = {Marker::circle, Marker::square, Marker::triangle};
 
 using study::nameOf;  // of a tree, beside that of a case
 
@@ -41,7 +41,7 @@ Plot casesPlot(const AssignmentMeasurement& found, TreeKind tree, const std::str
   for (std::size_t i = 0; i < kAssignments.size(); ++i) {
     const auto rows = rowsOf(found, tree, kAssignments[i]);
     plot.series.push_back(measuredSeries(nameOf(kAssignments[i]), column(rows, &AssignmentRow::threshold),
-                                         column(rows, value), kMarkers[i]));
+                                         column(rows, value), kAssignmentMarkers[i]));
   }
   return plot;
 }
@@ -87,7 +87,7 @@ Plot missPlot(const AssignmentMeasurement& found) {
       missSeries("BSP: half-space (E5, E10)", bsp, &AssignmentRow::missed_half_space, Marker::square),
       missSeries("octree: box of the node's space (E5)", octree, &AssignmentRow::missed_cell_box, Marker::triangle),
       lost};
-  plot.shapes = {verticalLine("1024, the dissertation's", kPrinted, 0.01, 100.0)};
+  plot.shapes = {verticalLine("1024, the dissertation's", kPrintedThreshold, 0.01, 100.0)};
   return plot;
 }
 
@@ -123,7 +123,7 @@ TextTable rowTable(const std::vector<AssignmentRow>& rows) {
 std::vector<AssignmentRow> printedRows(const AssignmentMeasurement& found) {
   std::vector<AssignmentRow> rows;
   std::copy_if(found.rows.begin(), found.rows.end(), std::back_inserter(rows),
-               [](const AssignmentRow& row) { return row.threshold == kPrinted; });
+               [](const AssignmentRow& row) { return row.threshold == kPrintedThreshold; });
   return rows;
 }
 
@@ -135,19 +135,12 @@ const AssignmentRow& at(const AssignmentMeasurement& found, TreeKind tree, Assig
   });
 }
 
-struct Extent {
-  double least = 1e300;
-  double most = 0.0;
-};
-
 /// Of a case's value over C's at the same tree and threshold.
 Extent againstMajority(const AssignmentMeasurement& found, Assignment assignment, double AssignmentRow::*value) {
   Extent extent;
   for (const AssignmentRow& row : found.rows) {
     if (row.assignment != assignment) continue;
-    const double ratio = row.*value / (at(found, row.tree, Assignment::Majority, row.threshold).*value);
-    extent.least = std::min(extent.least, ratio);
-    extent.most = std::max(extent.most, ratio);
+    extent.add(row.*value / (at(found, row.tree, Assignment::Majority, row.threshold).*value));
   }
   return extent;
 }
@@ -182,12 +175,12 @@ std::string smallLeavesFinding(const AssignmentMeasurement& found) {
   const Index small = found.plan.thresholds.front();
   const auto change = [&](Assignment assignment) {
     return at(found, TreeKind::Octree, assignment, small).rendered /
-           at(found, TreeKind::Octree, assignment, kPrinted).rendered;
+           at(found, TreeKind::Octree, assignment, kPrintedThreshold).rendered;
   };
   return fmt::format(
       "Small leaves pay with C only: from a threshold of {} down to {} the triangles rendered (octree) change by a "
       "factor of {} with C, {} with B and {} with A, because every plane cuts or copies more of them.",
-      kPrinted, small, rounded(change(Assignment::Majority)), rounded(change(Assignment::BothSides)),
+      kPrintedThreshold, small, rounded(change(Assignment::Majority)), rounded(change(Assignment::BothSides)),
       rounded(change(Assignment::Cut)));
 }
 
@@ -210,11 +203,11 @@ std::string missFinding(const AssignmentMeasurement& found) {
 }
 
 std::string buildFinding(const AssignmentMeasurement& found) {
-  const AssignmentRow& c = at(found, TreeKind::Octree, Assignment::Majority, kPrinted);
+  const AssignmentRow& c = at(found, TreeKind::Octree, Assignment::Majority, kPrintedThreshold);
   return fmt::format(
       "Building takes {} ns and {} bytes a triangle with C (octree, {}); A takes {} the time, B {}. Cutting is exact "
       "to rounding: the pieces' area differs from the model's by {:.1g} of it.",
-      rounded(c.build_ns), rounded(c.bytes), kPrinted,
+      rounded(c.build_ns), rounded(c.bytes), kPrintedThreshold,
       times(againstMajority(found, Assignment::Cut, &AssignmentRow::build_ns)),
       times(againstMajority(found, Assignment::BothSides, &AssignmentRow::build_ns)), found.cut_area_error);
 }
@@ -235,7 +228,7 @@ std::vector<std::pair<std::string, double>> numbersOf(const AssignmentMeasuremen
   constexpr const char* kNames[] = {"a", "b", "c"};
   for (const TreeKind tree : kTrees) {
     for (std::size_t i = 0; i < kAssignments.size(); ++i) {
-      const AssignmentRow& row = at(found, tree, kAssignments[i], kPrinted);
+      const AssignmentRow& row = at(found, tree, kAssignments[i], kPrintedThreshold);
       const std::string stem = fmt::format("{}_{}_1024_", tree == TreeKind::Bsp ? "bsp" : "octree", kNames[i]);
       numbers.emplace_back(stem + "stored", row.stored);
       numbers.emplace_back(stem + "overlap", row.overlap);

@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "study/complexity/search_cost.h"
+#include "study/measured/haptic_frames.h"
 #include "study/page/plot_parts.h"
 #include "study/page/study_page.h"
 
 namespace palpate::study {
 
 inline constexpr std::array kStudiedThresholds{64, 128, 256, 512, 1024, 2048, 4096};
-inline constexpr Index kPrintedThreshold = 1024;
 /// Edges of the detecting box as parts of the model's longest edge; a quarter is the dissertation's.
 inline constexpr std::array kBoxParts{16, 8, 4, 2};
 inline constexpr int kPrintedPart = 4;

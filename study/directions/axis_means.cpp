@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "palpate/base/random.h"
 #include "palpate/maps/ellipse.h"
@@ -11,7 +10,6 @@ namespace palpate::study {
 
 namespace {
 
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 constexpr double kMmPerHalfCm = 5.0;  // half axis in mm of a full axis in cm (E16)
 
 double foldedDeg(double degree) {

@@ -10,7 +10,6 @@ namespace palpate::study {
 
 namespace {
 
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 constexpr double kNoticeableDeg = 10.0;
 
 double radiusAt(const maps::Ellipse& ellipse, double angle_rad) {

@@ -72,7 +72,7 @@ Curve curveOver(const std::vector<double>& x, const AxisScatter& scatter, double
 
 constexpr double kStudiedSpread = 20.0;
 
-struct Results {
+struct DirectionResults {
   std::vector<PointMeans> means;
   std::array<double, 3> flip{};
   FieldComparison printed_up;  // raw degrees, the printed means
@@ -94,11 +94,11 @@ std::vector<maps::KeyPoint> keysOf(maps::ForceDirection force) {
   return maps::dissertationKeyPoints({force, maps::Averaging::plain});
 }
 
-Results measured(const StudySettings& settings) {
+DirectionResults measuredDirections(const StudySettings& settings) {
   const auto places = placesOnBack(settings.quick ? 25.0 : 5.0);
   const int trials = settings.quick ? 100 : 4000;
   const int count = settings.quick ? 5 : 13;
-  Results results{meansOfAppendixC(), turnByOneFlip(), {}, {}, {}, {}, {}, {}, {}};
+  DirectionResults results{meansOfAppendixC(), turnByOneFlip(), {}, {}, {}, {}, {}, {}, {}};
   report(settings.progress, "directions over the back", 0.1);
   const auto up = keysOf(maps::ForceDirection::up);
   results.printed_up = compareFields(up, DirectionBlend::raw_degrees, places);
@@ -174,7 +174,7 @@ Plot errorPlot(const std::string& title, const std::string& label, const std::st
   return plot;
 }
 
-Figure meansFigure(const Results& results) {
+Figure meansFigure(const DirectionResults& results) {
   Plot spread = errorPlot("Five axes that spread", "standard deviation of the angles", "degree");
   spread.series = {seriesOf("numbers, true axis at 90 degree", results.spread_away, 0),
                    seriesOf("numbers, true axis at 0 degree", results.spread_seam, 0),
@@ -221,7 +221,7 @@ StudyTable meansTable(const std::vector<PointMeans>& all) {
   return table;
 }
 
-StudyTable fieldTable(const Results& results) {
+StudyTable fieldTable(const DirectionResults& results) {
   StudyTable table{"directions_fields", "Blended over the back, against the tensor field:", {}};
   table.table.headings = {"blend",           "mean difference",   "largest",
                           "above 10 degree", "boundary moves by", "breach of the mirror symmetry"};
@@ -243,7 +243,7 @@ const PointMeans& worstOf(const std::vector<PointMeans>& all) {
   });
 }
 
-std::vector<std::string> findingsOf(const Results& results) {
+std::vector<std::string> findingsOf(const DirectionResults& results) {
   const PointMeans& worst = worstOf(results.means);
   const FieldComparison& up = results.printed_up;
   const auto last = results.spread_seam.x.size() - 1;
@@ -286,7 +286,7 @@ std::vector<std::string> findingsOf(const Results& results) {
 }  // namespace
 
 StudyPage studyDirections(const StudySettings& settings) {
-  const Results results = measured(settings);
+  const DirectionResults results = measuredDirections(settings);
   StudyPage page;
   page.title = "Directions of ellipses: numbers or tensors";
   page.question =

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "palpate/maps/ellipse_map.h"
 #include "palpate/maps/gaussian_interpolation.h"
@@ -18,8 +17,6 @@ namespace palpate::study {
 namespace {
 
 using figures::Shape;
-
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 
 Plot mapPlane(const std::string& title) {
   Plot plot{.title = title};
@@ -61,20 +58,20 @@ Figure figure53() {
 }
 
 // The example of Figures 5.4 and 5.5: C between the near key A and the far key B.
-struct Example {
+struct EllipseExample {
   Vec2 c = Vec2(0.0, 0.0);
   double basic = 45.0;
   double effect_radius = 200.0;
   std::vector<maps::KeyPoint> keys;
 };
 
-Example example() {
-  Example made;
+EllipseExample example() {
+  EllipseExample made;
   made.keys = {{"A", Vec2(-55.0, 32.0), {75.0, 0.6, 2.1}, {}}, {"B", Vec2(225.0, -30.0), {60.0, 0.55, 0.5}, {}}};
   return made;
 }
 
-Plot keyPlot(const std::string& title, const Example& shown) {
+Plot keyPlot(const std::string& title, const EllipseExample& shown) {
   Plot plot = mapPlane(title);
   const maps::Ellipse circle{shown.basic, 1.0};
   plot.shapes = {ellipseShape("basic circle at C", shown.c, circle, figures::kBlue)};
@@ -92,7 +89,7 @@ Plot keyPlot(const std::string& title, const Example& shown) {
 Figure figure54() { return {.panels = {keyPlot("Key ellipses over the basic circle", example())}}; }
 
 Figure figure55() {
-  const Example shown = example();
+  const EllipseExample shown = example();
   Plot plot = keyPlot("The ellipse at C takes after A; B is too far", shown);
   const maps::EllipseMap map(shown.keys, {.effect_radius_mm = shown.effect_radius, .basic_radius_mm = shown.basic});
   const maps::Ellipse result = map.at(shown.c.x(), shown.c.y());

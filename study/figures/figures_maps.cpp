@@ -18,13 +18,11 @@ namespace {
 
 using figures::MeshView;
 
-constexpr double kHalfSquare = 0.5 * kTable51Square;
-
 Plot squarePlot(const std::string& title) {
   Plot plot{.title = title};
   plot.equal_aspect = true;
-  plot.x = {.label = "x", .unit = "mm", .from = -kHalfSquare, .to = kHalfSquare};
-  plot.y = {.label = "y", .unit = "mm", .from = -kHalfSquare, .to = kHalfSquare};
+  plot.x = {.label = "x", .unit = "mm", .from = -kTable51Half, .to = kTable51Half};
+  plot.y = {.label = "y", .unit = "mm", .from = -kTable51Half, .to = kTable51Half};
   for (const maps::KeyPoint& key : table51Keys())
     plot.places.push_back({key.position_mm, fmt::format("O{}", key.name.substr(1))});
   return plot;
@@ -50,7 +48,7 @@ using HalfMajor = double (*)(const Vec2& place, double effect_radius_mm);
 
 Plot surfacePlot(const std::string& title, HalfMajor at) {
   Plot plot = squarePlot(title);
-  figures::Field field{.origin = Vec2::Constant(-kHalfSquare),
+  figures::Field field{.origin = Vec2::Constant(-kTable51Half),
                        .step = Vec2::Constant(5.0),
                        .columns = 101,
                        .rows = 101,
@@ -66,7 +64,7 @@ Plot surfacePlot(const std::string& title, HalfMajor at) {
 
 Series sectionSeries(const std::string& name, HalfMajor at, double effect_radius) {
   Series series{.name = name};
-  for (double y = -kHalfSquare; y <= kHalfSquare; y += 2.5) {
+  for (double y = -kTable51Half; y <= kTable51Half; y += 2.5) {
     series.x.push_back(y);
     series.y.push_back(at({0.0, y}, effect_radius));
   }
@@ -75,7 +73,7 @@ Series sectionSeries(const std::string& name, HalfMajor at, double effect_radius
 
 Figure surfaceFigure(const std::string& formula, HalfMajor at, const std::vector<double>& printed) {
   Plot section{.title = "Seen along x"};
-  section.x = {.label = "y", .unit = "mm", .from = -kHalfSquare, .to = kHalfSquare};
+  section.x = {.label = "y", .unit = "mm", .from = -kTable51Half, .to = kTable51Half};
   section.y = {.label = "half major axis on the y axis", .unit = "mm", .from = 85.0, .to = 125.0};
   section.series = {sectionSeries("effect radius 200 mm", at, 0.5 * kTable51Diameter),
                     sectionSeries("effect radius 400 mm", at, kTable51Diameter)};

@@ -109,7 +109,7 @@ Plot casePlot(const std::string& title, hdb::Assignment assignment) {
   return plot;
 }
 
-struct Example {
+struct SplitExample {
   std::string text;
   Colour fill;
   std::vector<Vec2> corners;
@@ -123,10 +123,10 @@ Figure splitCasesFigure() {
 }
 
 Figure octantFigure() {
-  const std::vector<Example> examples{{"3 in the box", kFirst, {{14, 14}, {34, 18}, {20, 34}}},
-                                      {"2 in the box", kFirst, {{34, 30}, {62, 36}, {40, 46}}},
-                                      {"1 in the box", kSecond, {{44, 10}, {70, 4}, {74, 22}}},
-                                      {"1 in each of 3 octants (E6)", kBoth, {{42, 50}, {68, 62}, {34, 74}}}};
+  const std::vector<SplitExample> examples{{"3 in the box", kFirst, {{14, 14}, {34, 18}, {20, 34}}},
+                                           {"2 in the box", kFirst, {{34, 30}, {62, 36}, {40, 46}}},
+                                           {"1 in the box", kSecond, {{44, 10}, {70, 4}, {74, 22}}},
+                                           {"1 in each of 3 octants (E6)", kBoth, {{42, 50}, {68, 62}, {34, 74}}}};
   Plot plot;
   plot.equal_aspect = true;
   plot.x = {.from = 0.0, .to = 150.0, .hidden = true};
@@ -139,7 +139,7 @@ Figure octantFigure() {
                          .paths = {figures::rectangleOutline({2, 2}, {106, 106})},
                          .stroke = figures::Stroke::dashed,
                          .colour = figures::kBlue});
-  for (const Example& example : examples) {
+  for (const SplitExample& example : examples) {
     plot.shapes.push_back({.paths = {example.corners}, .fill = example.fill});
     plot.places.push_back({example.corners[1], example.text, figures::Marker::none});
   }

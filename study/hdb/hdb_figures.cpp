@@ -10,12 +10,10 @@ namespace palpate::study {
 
 namespace {
 
-constexpr Marker kMarkers[] = {Marker::circle,  Marker::square, Marker::triangle,
-                               Marker::diamond, Marker::cross,  Marker::none};
+constexpr Marker kCurveMarkers[] = {Marker::circle,  Marker::square, Marker::triangle,
+                                    Marker::diamond, Marker::cross,  Marker::none};
 // 3.3.4: "1/3 triangles (tested in experiments)", and r = 0.1 a page later.
 constexpr double kPrintedShares[] = {1.0 / 3.0, 0.1};
-
-double metresPerSecond(double mm_s) { return 1e-3 * mm_s; }
 
 figures::Axis shareAxis() {
   return {.label = "edge of the box / longest edge of the model",
@@ -36,10 +34,10 @@ Plot trianglesPlot(const HdbMeasurement& found) {
                                 Marker::square),
                  measuredSeries("triangles of the box", shares, column(found.sizes, &HdbSizeRow::exact_triangles),
                                 Marker::triangle),
-                 printedSeries("printed: a third, a tenth of all", {kQuarter, kQuarter},
+                 printedSeries("printed: a third, a tenth of all", {kPrintedBoxShare, kPrintedBoxShare},
                                {kPrintedShares[0] * all, kPrintedShares[1] * all}, Marker::cross)};
   plot.series.back().stroke = figures::Stroke::none;
-  plot.shapes = {verticalLine("1/4, the dissertation's", kQuarter, 100.0, 100000.0)};
+  plot.shapes = {verticalLine("1/4, the dissertation's", kPrintedBoxShare, 100.0, 100000.0)};
   return plot;
 }
 
@@ -55,7 +53,7 @@ Plot timesPlot(const HdbMeasurement& found) {
                      Marker::triangle),
       measuredSeries("our tick, without a box", shares, std::vector<double>(shares.size(), found.tick_us),
                      Marker::none)};
-  plot.shapes = {verticalLine("", kQuarter, 0.05, 2000.0)};
+  plot.shapes = {verticalLine("", kPrintedBoxShare, 0.05, 2000.0)};
   return plot;
 }
 
@@ -72,7 +70,7 @@ Plot puncturesPlot(const HdbMeasurement& found, const std::vector<PunctureRow>& 
   plot.y = {.label = "strokes that get through the skin", .unit = "%", .from = 0.0, .to = 100.0};
   std::size_t next = 0;
   for (const double speed : found.plan.speeds_mm_s) {
-    Series series = measuredSeries(speedName(speed), {}, {}, kMarkers[next++ % std::size(kMarkers)]);
+    Series series = measuredSeries(speedName(speed), {}, {}, kCurveMarkers[next++ % std::size(kCurveMarkers)]);
     for (const PunctureRow& row : rows) {
       if (row.speed_mm_s != speed) continue;
       series.x.push_back(row.edge_mm);
@@ -81,7 +79,7 @@ Plot puncturesPlot(const HdbMeasurement& found, const std::vector<PunctureRow>& 
     plot.series.push_back(series);
   }
   plot.shapes = {verticalLine("1/10", kTenth * found.longest_edge, 0.0, 100.0),
-                 verticalLine("1/4 of the model", kQuarter * found.longest_edge, 0.0, 100.0)};
+                 verticalLine("1/4 of the model", kPrintedBoxShare * found.longest_edge, 0.0, 100.0)};
   plot.shapes.front().stroke = figures::Stroke::dashed;
   return plot;
 }
@@ -96,8 +94,8 @@ Plot leadPlot(const HdbMeasurement& found) {
   plot.y = {.label = "strokes that get through the skin", .unit = "%", .from = 0.0, .to = 100.0};
   std::size_t next = 0;
   for (const int delay : found.plan.delays_ticks) {
-    Series series =
-        measuredSeries(fmt::format("box follows every {} ms", delay), {}, {}, kMarkers[next++ % std::size(kMarkers)]);
+    Series series = measuredSeries(fmt::format("box follows every {} ms", delay), {}, {},
+                                   kCurveMarkers[next++ % std::size(kCurveMarkers)]);
     series.stroke = figures::Stroke::none;
     for (const PunctureRow& row : found.leads) {
       if (row.delay_ticks != delay) continue;
@@ -116,7 +114,8 @@ Plot recommendedPlot(const HdbMeasurement& found) {
   plot.y = {.label = "triangles", .scale = Scale::logarithmic};
   std::size_t next = 0;
   for (const int delay : found.plan.delays_ticks) {
-    Series series = measuredSeries(fmt::format("rule, {} ms", delay), {}, {}, kMarkers[next++ % std::size(kMarkers)]);
+    Series series =
+        measuredSeries(fmt::format("rule, {} ms", delay), {}, {}, kCurveMarkers[next++ % std::size(kCurveMarkers)]);
     for (const PunctureRow& row : found.recommended) {
       if (row.delay_ticks != delay) continue;
       series.x.push_back(metresPerSecond(row.speed_mm_s));
@@ -142,7 +141,8 @@ Plot marginPlot(const HdbMeasurement& found) {
   plot.y = {.label = "strokes that get through the skin", .unit = "%", .from = 0.0, .to = 100.0};
   std::size_t next = 0;
   for (const double depth : found.plan.depths_mm) {
-    Series series = measuredSeries(fmt::format("{:g} mm deep", depth), {}, {}, kMarkers[next++ % std::size(kMarkers)]);
+    Series series =
+        measuredSeries(fmt::format("{:g} mm deep", depth), {}, {}, kCurveMarkers[next++ % std::size(kCurveMarkers)]);
     for (const MarginRow& row : found.margins) {
       if (row.depth_mm != depth) continue;
       series.x.push_back(row.share);

@@ -199,7 +199,7 @@ double safeSpeed(double edge_mm, double delay_s, double depth_mm) {
 
 const HdbSizeRow& quarterRow(const HdbMeasurement& found) {
   return *std::min_element(found.sizes.begin(), found.sizes.end(), [](const HdbSizeRow& a, const HdbSizeRow& b) {
-    return std::abs(a.share - kQuarter) < std::abs(b.share - kQuarter);
+    return std::abs(a.share - kPrintedBoxShare) < std::abs(b.share - kPrintedBoxShare);
   });
 }
 

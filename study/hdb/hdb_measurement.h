@@ -3,12 +3,12 @@
 
 #include <vector>
 
+#include "study/measured/haptic_frames.h"
 #include "study/page/study_page.h"
 
 namespace palpate::study {
 
-inline constexpr double kQuarter = 0.25;  ///< the dissertation's choice, over the model's longest edge
-inline constexpr double kTenth = 0.1;     ///< its example of a box that is too small
+inline constexpr double kTenth = 0.1;  ///< the dissertation's example of a box that is too small
 
 struct HdbPlan {
   std::size_t triangles = 41582;
@@ -26,6 +26,8 @@ struct HdbPlan {
 };
 
 HdbPlan hdbPlan(bool quick);
+
+inline double metresPerSecond(double mm_s) { return 1e-3 * mm_s; }
 
 /// One size of box.
 struct HdbSizeRow {

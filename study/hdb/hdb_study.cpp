@@ -15,8 +15,6 @@ namespace palpate::study {
 
 namespace {
 
-double metresPerSecond(double mm_s) { return 1e-3 * mm_s; }
-
 // ----------------------------------------------------------------------------------------------------------- tables
 
 TextTable sizeTable(const HdbMeasurement& found) {
@@ -179,9 +177,10 @@ std::string quarterFinding(const HdbMeasurement& found) {
       "\"the proxy might get through the model surface frequently\". It is no property of the model: with a collision "
       "thread of 100 Hz, 1/4 is safe up to {} m/s, more than any finger needs, and on a model twice as long 1/4 would "
       "be twice as wide for nothing.",
-      rounded(1e3 * printed.shortest, 3), rounded(1e3 * printed.longest, 3), rounded(kQuarter * found.longest_edge, 3),
-      safe(kQuarter, printed.shortest), safe(kQuarter, printed.longest), safe(kTenth, printed.shortest),
-      safe(kTenth, printed.longest), safe(kQuarter, 0.01));
+      rounded(1e3 * printed.shortest, 3), rounded(1e3 * printed.longest, 3),
+      rounded(kPrintedBoxShare * found.longest_edge, 3), safe(kPrintedBoxShare, printed.shortest),
+      safe(kPrintedBoxShare, printed.longest), safe(kTenth, printed.shortest), safe(kTenth, printed.longest),
+      safe(kPrintedBoxShare, 0.01));
 }
 
 std::string costFinding(const HdbMeasurement& found) {

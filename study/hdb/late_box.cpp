@@ -7,11 +7,11 @@ namespace palpate::study {
 namespace {
 
 // Above any skin of the benchmark's back, mm.
-constexpr double kAboveMm = 1000.0;
+constexpr double kSkyMm = 1000.0;
 
 // The skin is a height field: the tip is inside where a line from above meets skin before it.
 bool isUnderSkin(const contact::Surface& surface, const Vec3& tip) {
-  const Vec3 above(tip.x(), tip.y(), kAboveMm);
+  const Vec3 above(tip.x(), tip.y(), kSkyMm);
   return tree::firstFrontCrossing(surface.tree, above, tip).triangle != kNoIndex;
 }
 

@@ -20,7 +20,6 @@ using figures::MeshView;
 
 using HalfMajor = double (*)(const Vec2& place, double effect_radius_mm);
 
-constexpr double kHalfSquare = 0.5 * kTable51Square;
 constexpr std::array kRadii{100.0, 200.0, 400.0};  // the printed 400 as diameter is the one in the middle (E28)
 // (5.7) at E1 and E2 as printed.
 constexpr double kPrintedE1 = 115.0;
@@ -37,7 +36,7 @@ MeshView surfaceView(const std::string& title, HalfMajor at, double radius, int 
   const double step = kTable51Square / cells;
   for (int row = 0; row <= cells; ++row) {
     for (int column = 0; column <= cells; ++column) {
-      const Vec2 place(column * step - kHalfSquare, row * step - kHalfSquare);
+      const Vec2 place(column * step - kTable51Half, row * step - kTable51Half);
       view.positions.emplace_back(place.x(), place.y(), kStretch * (at(place, radius) - kTable51Basic));
     }
   }
@@ -62,12 +61,12 @@ MeshView surfaceView(const std::string& title, HalfMajor at, double radius, int 
 
 Plot sectionPlot(const std::string& title, HalfMajor at) {
   Plot plot{.title = title};
-  plot.x = {.label = "y", .unit = "mm", .from = -kHalfSquare, .to = kHalfSquare};
+  plot.x = {.label = "y", .unit = "mm", .from = -kTable51Half, .to = kTable51Half};
   plot.y = {.label = "half major axis at x = 0", .unit = "mm", .from = 85.0, .to = 125.0};
   for (const double radius : {100.0, 150.0, 200.0, 300.0, 400.0}) {
     Series series{.name = fmt::format("e = {} mm", radius)};
     if (radius == 200.0) series.width_px = 3.0;
-    for (double y = -kHalfSquare; y <= kHalfSquare; y += 2.5) {
+    for (double y = -kTable51Half; y <= kTable51Half; y += 2.5) {
       series.x.push_back(y);
       series.y.push_back(at({0.0, y}, radius));
     }
@@ -118,8 +117,8 @@ Plot radiusPlot() {
   return plot;
 }
 
-constexpr double kBasic = 150.0;       // mm, of the back (E33)
-constexpr double kShownAround = 30.0;  // mm to both sides
+constexpr double kBasic = 150.0;         // mm, of the back (E33)
+constexpr double kColoursAround = 30.0;  // mm to both sides
 // Thin plates and planes run away.
 constexpr double kShownFarAround = 90.0;
 
@@ -135,7 +134,7 @@ MapLook halfMajorLook(double around) {
   return look;
 }
 
-Plot halfMajorMap(const std::string& title, const TensorField& field, double step_mm, double around = kShownAround) {
+Plot halfMajorMap(const std::string& title, const TensorField& field, double step_mm, double around = kColoursAround) {
   return backMap(
       title, [&](const Vec2& place) { return maps::ellipseOf(field(place)).half_major_mm; }, halfMajorLook(around),
       maps::dissertationKeyPoints(), step_mm);

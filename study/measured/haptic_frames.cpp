@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kAboveMm = 1.0;
 constexpr double kDepthMm = 5.0;
-constexpr double kStiffness = 0.5;  // N/mm
+constexpr double kAnyStiffness = 0.5;  // N/mm
 constexpr int kStrokes = 6;
 
 /// Keeps a result alive that is computed for its time only.
@@ -109,7 +109,7 @@ double meanTickMicroseconds(const contact::Surface& surface, int runs) {
 contact::Surface contactSurface(const mesh::TriangleMesh& mesh) {
   contact::SurfaceOptions options;
   options.self_intersecting = false;  // height fields are not
-  return contact::buildSurface(mesh, std::vector<double>(mesh.positions.size(), kStiffness), options);
+  return contact::buildSurface(mesh, std::vector<double>(mesh.positions.size(), kAnyStiffness), options);
 }
 
 }  // namespace palpate::study

@@ -11,6 +11,11 @@
 
 namespace palpate::study {
 
+/// What the dissertation chose: at most so many triangles a leaf ("proved as the best value in our
+/// experiments", 3.3.1), and a box whose edge is this share of the model's longest (3.3.4).
+inline constexpr Index kPrintedThreshold = 1024;
+inline constexpr double kPrintedBoxShare = 0.25;
+
 /// The benchmark's back of a size, and where it is touched.
 struct HapticModel {
   mesh::TriangleMesh mesh;

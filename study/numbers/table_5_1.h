@@ -8,10 +8,11 @@
 
 namespace palpate::study {
 
-inline constexpr double kTable51HalfMajor = 120.0;                     ///< mm
-inline constexpr double kTable51Basic = 90.0;                          ///< mm
-inline constexpr double kTable51Diameter = 400.0;                      ///< mm; the text calls it a radius (E28)
-inline constexpr double kTable51Square = 500.0;                        ///< mm, side of the area
+inline constexpr double kTable51HalfMajor = 120.0;  ///< mm
+inline constexpr double kTable51Basic = 90.0;       ///< mm
+inline constexpr double kTable51Diameter = 400.0;   ///< mm; the text calls it a radius (E28)
+inline constexpr double kTable51Square = 500.0;     ///< mm, side of the area
+inline constexpr double kTable51Half = 0.5 * kTable51Square;
 inline constexpr std::array<double, 3> kTable51Y{150.0, 60.0, -30.0};  ///< mm
 
 std::vector<maps::KeyPoint> table51Keys();

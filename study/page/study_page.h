@@ -4,7 +4,9 @@
 // or becomes a chapter of a report. Whatever a finding says in numbers comes from the run.
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -72,5 +74,15 @@ std::string counted(double number);
 std::string rounded(double number, int digits = 2);
 /// 0.1234 -> "12 %", 0.0123 -> "1.2 %".
 std::string percent(double share);
+
+/// The least and the most of some positive numbers.
+struct Extent {
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0.0;  ///< of ratios and sizes, which are positive
+  void add(double value) {
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+};
 
 }  // namespace palpate::study

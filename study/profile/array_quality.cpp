@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 #include "palpate/base/random.h"
 #include "palpate/base/stopwatch.h"
+#include "palpate/base/vec.h"
 #include "palpate/tissue/profile.h"
 
 namespace palpate::study {
@@ -42,7 +42,6 @@ double worstArrayError(int entries, tissue::TableLookup lookup) {
 
 namespace {
 
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 // Where the vertices stand relative to the finger, as shares of their spacing: steps of an array may fall between them.
 constexpr int kPhases = 8;
 

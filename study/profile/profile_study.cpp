@@ -56,14 +56,14 @@ Timing timings(bool quick) {
   return timing;
 }
 
-struct Results {
+struct ProfileResults {
   std::array<Sweep, kSpacings.size()> nearest;  // one a spacing
   std::array<Sweep, kSpacings.size()> linear;
   Timing timing;
 };
 
-Results measured(const StudySettings& settings) {
-  Results results;
+ProfileResults measured(const StudySettings& settings) {
+  ProfileResults results;
   for (std::size_t i = 0; i < kSpacings.size(); ++i) {
     report(settings.progress, "pressing skin through arrays", static_cast<double>(i) / kSpacings.size());
     results.nearest[i] = sweep(TableLookup::nearest, kSpacings[i]);
@@ -196,7 +196,7 @@ Series printedSizes(const Sweep& all) {
   return printed;
 }
 
-Plot errorPlot(const Results& results) {
+Plot errorPlot(const ProfileResults& results) {
   const auto error = [](const ArrayQuality& one) { return one.error_mm; };
   Plot plot = sizePlot("Largest error, pressed 10 mm deep", "error", "mm");
   plot.series = {sweepSeries("nearest (4.3)", results.nearest[0], Marker::circle, error),
@@ -205,7 +205,7 @@ Plot errorPlot(const Results& results) {
   return plot;
 }
 
-Plot turnPlot(const Results& results) {
+Plot turnPlot(const ProfileResults& results) {
   const auto turn = [](const ArrayQuality& one) { return one.turn_deg; };
   Plot plot = sizePlot("Turn of the normal that the array adds", "turn", "degree");
   for (std::size_t i = 0; i < kSpacings.size(); ++i) {
@@ -232,7 +232,7 @@ Plot timePlot(const Timing& timing) {
   return plot;
 }
 
-Figure sweepFigure(const Results& results) {
+Figure sweepFigure(const ProfileResults& results) {
   return {.panels = {errorPlot(results), turnPlot(results), timePlot(results.timing)},
           .columns = 3,
           .panel_width_px = 400.0,
@@ -241,7 +241,7 @@ Figure sweepFigure(const Results& results) {
 
 // --- words
 
-StudyTable qualityTable(const Results& results) {
+StudyTable qualityTable(const ProfileResults& results) {
   StudyTable table{"profile_arrays", "What each array does to skin pressed 10 mm deep over a radius of 150 mm:", {}};
   table.table.headings = {"entries",
                           "look-up",
@@ -281,7 +281,7 @@ std::string smallestText(const Sweep& all) {
   return entries == 0 ? fmt::format("more than {}", kSizes.back()) : fmt::format("{}", entries);
 }
 
-std::vector<std::string> findingsOf(const Results& results) {
+std::vector<std::string> findingsOf(const ProfileResults& results) {
   const auto error = [&](int entries) { return rounded(ofSize(results.nearest[0], entries).error_mm); };
   const auto turn = [&](std::size_t spacing, int entries) {
     return rounded(ofSize(results.nearest[spacing], entries).turn_deg);
@@ -316,7 +316,7 @@ std::vector<std::string> findingsOf(const Results& results) {
                   timing.nearest[indexOf(700)], timing.linear[indexOf(700)], timing.closed)};
 }
 
-std::vector<std::pair<std::string, double>> numbersOf(const Results& results) {
+std::vector<std::pair<std::string, double>> numbersOf(const ProfileResults& results) {
   std::vector<std::pair<std::string, double>> numbers;
   for (const int entries : kPrintedSizes) {
     const std::string size = fmt::format("{}", entries);
@@ -336,7 +336,7 @@ std::vector<std::pair<std::string, double>> numbersOf(const Results& results) {
 }  // namespace
 
 StudyPage studyProfile(const StudySettings& settings) {
-  const Results results = measured(settings);
+  const ProfileResults results = measured(settings);
   StudyPage page;
   page.title = "The array of the half Gaussian";
   page.question =

@@ -18,7 +18,7 @@ namespace {
 using figures::Colour;
 
 /// x and y of a curve.
-struct Curve {
+struct RateCurve {
   std::vector<double> x{};
   std::vector<double> y{};
 
@@ -28,21 +28,21 @@ struct Curve {
   }
 };
 
-Curve inverse(Curve milliseconds) {
+RateCurve inverse(RateCurve milliseconds) {
   for (double& y : milliseconds.y) y = 1000.0 / y;
   return milliseconds;
 }
 
-Curve printedCurve(const std::vector<PrintedTiming>& timings) {
-  Curve curve;
+RateCurve printedCurve(const std::vector<PrintedTiming>& timings) {
+  RateCurve curve;
   for (const PrintedTiming& timing : timings) curve.add(timing.triangles, parsePrinted(timing.ms).value);
   return curve;
 }
 
 // ms; frames without a value are left out.
-Curve measuredCurve(const std::vector<FrameRow>& rows,
-                    const std::function<std::optional<double>(const FrameRow&)>& us) {
-  Curve curve;
+RateCurve measuredCurve(const std::vector<FrameRow>& rows,
+                        const std::function<std::optional<double>(const FrameRow&)>& us) {
+  RateCurve curve;
   for (const FrameRow& row : rows) {
     if (const auto time = us(row)) curve.add(row.triangles, 1e-3 * *time);
   }
@@ -68,14 +68,17 @@ const Kind kKinds[] = {
     {"touched", &PrintedTimings::touched, &TreeRates::touched,
      [](const FrameRow& row) { return std::optional(row.touchedMicroseconds()); }, figures::kGreen, Marker::triangle}};
 
-Curve measuredCurve(const TreeRates& rates, const Kind& kind) { return measuredCurve(rates.*kind.measured, kind.us); }
+RateCurve measuredCurve(const TreeRates& rates, const Kind& kind) {
+  return measuredCurve(rates.*kind.measured, kind.us);
+}
 
 // ------------------------------------------------------------------------------------------------------------ plots
 
 const std::vector<double> kRateTicks{1, 10, 100, 1000, 10000, 100000, 1000000, 10000000};
 const std::vector<double> kTimeTicks{0.0001, 0.001, 0.01, 0.1, 1, 10, 100};  // ms
 
-void add(Plot& plot, const std::string& name, const Curve& curve, const Colour& colour, Marker marker, bool printed) {
+void add(Plot& plot, const std::string& name, const RateCurve& curve, const Colour& colour, Marker marker,
+         bool printed) {
   if (curve.x.empty()) return;
   Series series =
       printed ? printedSeries(name, curve.x, curve.y, marker) : measuredSeries(name, curve.x, curve.y, marker);
@@ -84,7 +87,7 @@ void add(Plot& plot, const std::string& name, const Curve& curve, const Colour& 
 }
 
 Plot wholePlot(const RatesMeasurement& found, bool as_rate) {
-  Curve printed_haptic, printed_graphic, haptic, picture, tick;  // ms
+  RateCurve printed_haptic, printed_graphic, haptic, picture, tick;  // ms
   for (const PrintedRate& rate : printedNumbers().table_3_1) {
     printed_haptic.add(rate.triangles, 1000.0 / rate.haptic_fps);
     printed_graphic.add(rate.triangles, 1000.0 / rate.graphic_fps);
@@ -95,7 +98,7 @@ Plot wholePlot(const RatesMeasurement& found, bool as_rate) {
     tick.add(triangles, 1e-3 * row.tick_us);
     if (row.picture_us) picture.add(triangles, 1e-3 * *row.picture_us);
   }
-  const auto shown = [&](const Curve& curve) { return as_rate ? inverse(curve) : curve; };
+  const auto shown = [&](const RateCurve& curve) { return as_rate ? inverse(curve) : curve; };
   Plot plot{.title = as_rate ? "Rates, whole models" : "Time of a frame, whole models"};
   plot.x = {.label = "triangles",
             .scale = Scale::logarithmic,
@@ -118,13 +121,13 @@ figures::Axis renderedAxis(const RatesMeasurement& found) {
   return {.label = "triangles rendered", .from = 0.0, .to = 0.4 * static_cast<double>(found.plan.partitioned)};
 }
 
-Curve tickCurve(const RatesMeasurement& found) {
+RateCurve tickCurve(const RatesMeasurement& found) {
   const double ms = 1e-3 * found.tick_us;
   return {{0.0, *renderedAxis(found).to}, {ms, ms}};
 }
 
 Plot treePlot(const RatesMeasurement& found, const TreeRates& rates, const PrintedTimings& printed, bool as_rate) {
-  const auto shown = [&](const Curve& curve) { return as_rate ? inverse(curve) : curve; };
+  const auto shown = [&](const RateCurve& curve) { return as_rate ? inverse(curve) : curve; };
   Plot plot{.title = as_rate ? "Rate against triangles rendered" : "Time against triangles rendered"};
   plot.x = renderedAxis(found);
   plot.y = {.label = as_rate ? "rate" : "time", .unit = as_rate ? "1/s" : "ms", .scale = Scale::logarithmic};
@@ -216,7 +219,7 @@ TextTable treeTable(const TreeRates& rates, const PrintedTimings& printed) {
 // --------------------------------------------------------------------------------------------------------- findings
 
 // Of time = cost x triangles, us a triangle, by least squares.
-double costPerTriangle(const Curve& milliseconds) {
+double costPerTriangle(const RateCurve& milliseconds) {
   double products = 0.0;
   double squares = 0.0;
   for (std::size_t i = 0; i < milliseconds.x.size(); ++i) {

@@ -14,13 +14,11 @@ namespace {
 
 using hdb::TreeKind;
 
-constexpr double kBoxShare = 0.25;  // the dissertation's box
-
 ThresholdRow measured(const HapticModel& model, TreeKind tree, Index threshold, const ThresholdPlan& plan,
                       double& exact_triangles) {
   const auto built = hdb::buildPartition(model.mesh, {.tree = tree, .threshold = threshold});
   const auto statistics = hdb::statisticsOf(built);
-  const double edge = kBoxShare * model.longest_edge;
+  const double edge = kPrintedBoxShare * model.longest_edge;
   const FrameTimes frame = meanLiteralFrame(model, &built, edge, plan.runs);
   const ExactFrame exact = meanExactFrame(model, built, edge, plan.runs);
   exact_triangles = exact.triangles;

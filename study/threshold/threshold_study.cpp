@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "study/measured/haptic_frames.h"
 #include "study/page/plot_parts.h"
 #include "study/threshold/threshold_measurement.h"
 
@@ -13,14 +14,14 @@ namespace {
 
 using hdb::TreeKind;
 
-constexpr Index kPrinted = 1024;  // 3.3.1: "proved as the best value in our experiments"
-constexpr Marker kMarkers[] = {Marker::circle, Marker::square, Marker::triangle, Marker::diamond, Marker::cross};
+constexpr Marker kThresholdMarkers[] = {Marker::circle, Marker::square, Marker::triangle, Marker::diamond,
+                                        Marker::cross};
 // Times this near to the fastest are as good.
 constexpr double kAsGood = 1.10;
 constexpr double kNearlyAsGood = 1.25;
 
 double lossAtPrinted(const std::vector<ThresholdRow>& rows) {
-  return rowAt(rows, kPrinted).touched_us / fastest(rows).touched_us;
+  return rowAt(rows, kPrintedThreshold).touched_us / fastest(rows).touched_us;
 }
 
 // ------------------------------------------------------------------------------------------------------------ plots
@@ -35,14 +36,14 @@ Plot timePlot(const ThresholdMeasurement& found, TreeKind tree) {
   for (const std::size_t size : found.plan.sizes) {
     const auto rows = rowsOf(found, size, tree);
     plot.series.push_back(measuredSeries(counted(static_cast<double>(size)), column(rows, &ThresholdRow::threshold),
-                                         column(rows, &ThresholdRow::touched_us), kMarkers[next++ % 5]));
+                                         column(rows, &ThresholdRow::touched_us), kThresholdMarkers[next++ % 5]));
     best.x.push_back(fastest(rows).threshold);
     best.y.push_back(fastest(rows).touched_us);
   }
   best.stroke = figures::Stroke::none;
   best.colour = figures::kInk;
   plot.series.push_back(best);
-  plot.shapes = {verticalLine("1024, printed", kPrinted, 4.0, 10000.0)};
+  plot.shapes = {verticalLine("1024, printed", kPrintedThreshold, 4.0, 10000.0)};
   return plot;
 }
 
@@ -60,7 +61,7 @@ Plot bestPlot(const ThresholdMeasurement& found) {
         measuredSeries(nameOf(tree), sizes, best, tree == TreeKind::Bsp ? Marker::circle : Marker::square));
   }
   plot.series.push_back(
-      printedSeries("printed: 1024", sizes, std::vector<double>(sizes.size(), kPrinted), Marker::none));
+      printedSeries("printed: 1024", sizes, std::vector<double>(sizes.size(), kPrintedThreshold), Marker::none));
   plot.series.back().colour = figures::kInk;
   return plot;
 }
@@ -73,7 +74,7 @@ Plot ownPlot(const ThresholdMeasurement& found) {
   for (const std::size_t size : found.plan.sizes) {
     const auto rows = rowsOf(found, size, TreeKind::Octree);
     plot.series.push_back(measuredSeries(counted(static_cast<double>(size)), column(rows, &ThresholdRow::threshold),
-                                         column(rows, &ThresholdRow::exact_us), kMarkers[next++ % 5]));
+                                         column(rows, &ThresholdRow::exact_us), kThresholdMarkers[next++ % 5]));
   }
   return plot;
 }
@@ -111,7 +112,7 @@ TextTable bestTable(const ThresholdMeasurement& found) {
     for (const TreeKind tree : kTrees) {
       const auto rows = rowsOf(found, found.plan.sizes[i], tree);
       const ThresholdRow best = fastest(rows);
-      const ThresholdRow printed = rowAt(rows, kPrinted);
+      const ThresholdRow printed = rowAt(rows, kPrintedThreshold);
       table.rows.push_back({counted(static_cast<double>(best.model)), nameOf(tree), fmt::format("{}", best.threshold),
                             asGood(rows), rounded(best.touched_us), rounded(printed.touched_us),
                             "x " + rounded(lossAtPrinted(rows)), counted(static_cast<double>(printed.leaves)),
@@ -136,15 +137,6 @@ TextTable allTable(const ThresholdMeasurement& found) {
 }
 
 // --------------------------------------------------------------------------------------------------------- findings
-
-struct Extent {
-  double least = 1e300;
-  double most = 0.0;
-  void add(double value) {
-    least = std::min(least, value);
-    most = std::max(most, value);
-  }
-};
 
 /// Of something over all models and trees.
 template <class Function>
@@ -189,7 +181,7 @@ std::string sizeFinding(const ThresholdMeasurement& found) {
 std::string reasonFinding(const ThresholdMeasurement& found) {
   const auto rows = rowsOf(found, found.plan.sizes.back(), TreeKind::Bsp);
   const ThresholdRow best = fastest(rows);
-  const ThresholdRow printed = rowAt(rows, kPrinted);
+  const ThresholdRow printed = rowAt(rows, kPrintedThreshold);
   return fmt::format(
       "The text fears that small leaves make \"traversing the tree more complex\". Finding the leaves is never what "
       "costs: on {} triangles it takes {} us of {} with leaves of {}, and {} us of {} with leaves of 1024. What counts "
@@ -200,8 +192,8 @@ std::string reasonFinding(const ThresholdMeasurement& found) {
 
 std::string smallModelFinding(const ThresholdMeasurement& found) {
   const std::size_t size = found.plan.sizes.front();
-  const ThresholdRow bsp = rowAt(rowsOf(found, size, TreeKind::Bsp), kPrinted);
-  const ThresholdRow octree = rowAt(rowsOf(found, size, TreeKind::Octree), kPrinted);
+  const ThresholdRow bsp = rowAt(rowsOf(found, size, TreeKind::Bsp), kPrintedThreshold);
+  const ThresholdRow octree = rowAt(rowsOf(found, size, TreeKind::Octree), kPrintedThreshold);
   return fmt::format(
       "On the dissertation's own back of {} triangles, 1024 makes {} leaves (BSP tree) and {} (octree), and a touching "
       "finger renders {} and {} of all triangles (E13): hardly a partition.",

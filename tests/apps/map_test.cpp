@@ -5,7 +5,6 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "palpate/base/csv.h"
 #include "palpate/maps/contour_map.h"
@@ -67,8 +66,6 @@ class Map : public ::testing::Test {
 
   support::TemporaryFolder folder_;
 };
-
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 
 TEST_F(Map, EllipsesAsATableAreThoseOfTheLibrary) {
   summaryOf("ellipses hill.obj -o e.csv");

@@ -12,11 +12,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kRoot = PALPATE_SOURCE_DIR;
+const fs::path kRepository = PALPATE_SOURCE_DIR;
 
 std::vector<fs::path> pages() {
   std::vector<fs::path> found;
-  for (const fs::path& folder : {kRoot, kRoot / "docs"}) {
+  for (const fs::path& folder : {kRepository, kRepository / "docs"}) {
     for (const auto& entry : fs::directory_iterator(folder)) {
       if (entry.path().extension() == ".md") found.push_back(entry.path());
     }
@@ -46,8 +46,8 @@ TEST(Docs, EveryRelativeLinkLeadsSomewhere) {
 }
 
 TEST(Docs, EveryConceptPageIsReachedFromTheReadme) {
-  const std::string readme = textOf(kRoot / "README.md");
-  for (const auto& entry : fs::directory_iterator(kRoot / "docs")) {
+  const std::string readme = textOf(kRepository / "README.md");
+  for (const auto& entry : fs::directory_iterator(kRepository / "docs")) {
     if (entry.path().extension() != ".md") continue;
     const std::string name = "docs/" + entry.path().filename().string();
     EXPECT_NE(readme.find(name), std::string::npos) << name << " is not linked from README.md";

@@ -13,14 +13,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kEngine = fs::path(PALPATE_SOURCE_DIR) / "src/palpate";
+const fs::path kEngineFolder = fs::path(PALPATE_SOURCE_DIR) / "src/palpate";
 
 /// "room/file:line" of every line of code that matches, in rooms and files that are not named in `except`.
 std::vector<std::string> placesOf(const std::string& pattern, const std::vector<std::string>& except = {}) {
   const std::regex regex(pattern);
   std::vector<std::string> places;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kEngine)) {
-    const std::string name = entry.path().lexically_relative(kEngine).string();
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kEngineFolder)) {
+    const std::string name = entry.path().lexically_relative(kEngineFolder).string();
     const auto excepted = [&](const std::string& prefix) { return name.starts_with(prefix); };
     if (!entry.is_regular_file() || std::any_of(except.begin(), except.end(), excepted)) continue;
     std::ifstream stream(entry.path());

@@ -11,31 +11,32 @@
 namespace palpate::lab {
 namespace {
 
-struct Published {
+struct PathSum {
   const char* name;
   const char* sha256;
 };
 
 /// Check sums published with the benchmark, of its CSV files that hold no random numbers.
-const Published kPublished[] = {{"back_slide", "8a531d99196fee5bf84bb9f9f894745ff55ecdc020c89939e94350df0952adc1"},
-                                {"eggcrate_0.1mps", "0091acb8d6504d4d522af0275b976f0e392046f66ac9befdcb86fbe9d6d49b47"},
-                                {"eggcrate_0.5mps", "73e9eaa616219e461e34ace2ba6eba69565b0a2a2fcf388f0892d619542aecf4"},
-                                {"eggcrate_1.0mps", "8b377d5162d543ee9ad59a6f3e92b91b703cf34a942226d174bc280f5f3b1f7c"},
-                                {"eggcrate_2.0mps", "2828361a79894ff620fda3fccb18ac97a35d7782831e9b58060c7d8c3a514f44"},
-                                {"flat_edge", "43effafb60e1bd975b7b9d86a310644ad9bced8b69b7ece0bc6f6368f93c588f"},
-                                {"flat_fric_20", "77537108f9b1f3f9e73aa585a8a09b399c31a4c8574ed3505c37c1accc71c5c8"},
-                                {"flat_fric_50", "f2016a3bcc2c0a66e59aa1ebae6ec9424e3e1fd570e2d786528b7d89b135e603"},
-                                {"flat_fric_100", "d7bc5f23f07c3f9abf792d5de31841d2f35513698f816120ec776bfcd7d1569a"},
-                                {"flat_fric_200", "167ed163b2ab2a3e4429a8853783ff97ae68a892b7e991dc8d1594ad1c54c50b"},
-                                {"flat_fric_500", "dd30a638d935277eb381127f2377a789d6a72fe9f1cac1ebaee083bad571e5be"}};
+const PathSum kPublishedPaths[] = {
+    {"back_slide", "8a531d99196fee5bf84bb9f9f894745ff55ecdc020c89939e94350df0952adc1"},
+    {"eggcrate_0.1mps", "0091acb8d6504d4d522af0275b976f0e392046f66ac9befdcb86fbe9d6d49b47"},
+    {"eggcrate_0.5mps", "73e9eaa616219e461e34ace2ba6eba69565b0a2a2fcf388f0892d619542aecf4"},
+    {"eggcrate_1.0mps", "8b377d5162d543ee9ad59a6f3e92b91b703cf34a942226d174bc280f5f3b1f7c"},
+    {"eggcrate_2.0mps", "2828361a79894ff620fda3fccb18ac97a35d7782831e9b58060c7d8c3a514f44"},
+    {"flat_edge", "43effafb60e1bd975b7b9d86a310644ad9bced8b69b7ece0bc6f6368f93c588f"},
+    {"flat_fric_20", "77537108f9b1f3f9e73aa585a8a09b399c31a4c8574ed3505c37c1accc71c5c8"},
+    {"flat_fric_50", "f2016a3bcc2c0a66e59aa1ebae6ec9424e3e1fd570e2d786528b7d89b135e603"},
+    {"flat_fric_100", "d7bc5f23f07c3f9abf792d5de31841d2f35513698f816120ec776bfcd7d1569a"},
+    {"flat_fric_200", "167ed163b2ab2a3e4429a8853783ff97ae68a892b7e991dc8d1594ad1c54c50b"},
+    {"flat_fric_500", "dd30a638d935277eb381127f2377a789d6a72fe9f1cac1ebaee083bad571e5be"}};
 
-class PublishedPath : public testing::TestWithParam<Published> {};
+class PublishedPath : public testing::TestWithParam<PathSum> {};
 
 TEST_P(PublishedPath, IsGeneratedToTheLastDigitOfItsFile) {
   EXPECT_EQ(test::sha256(device::formatTrajectory(lab::workloadPath(GetParam().name))), GetParam().sha256);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, PublishedPath, testing::ValuesIn(kPublished), [](const auto& published) {
+INSTANTIATE_TEST_SUITE_P(All, PublishedPath, testing::ValuesIn(kPublishedPaths), [](const auto& published) {
   std::string name = published.param.name;
   std::replace(name.begin(), name.end(), '.', '_');
   return name;

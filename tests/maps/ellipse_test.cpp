@@ -13,8 +13,6 @@ namespace palpate::maps {
 using test::goldenRows;
 using test::vec3;
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-
 /// Angle between two undirected axes, in degree.
 double axisDifference(double a_deg, double b_deg) {
   const double folded = std::fmod(std::abs(a_deg - b_deg), 180.0);
@@ -46,7 +44,7 @@ TEST(Ellipse, FullAxesInCentimetreBecomeCanonical) {
     const Ellipse e = ellipseFromFullAxesCm(c["in_major_cm"], c["in_minor_cm"], c["in_deg"]);
     EXPECT_NEAR(e.half_major_mm, c["half_major_mm"], 1e-12) << c;
     EXPECT_NEAR(e.aspect, c["aspect"], 1e-12) << c;
-    EXPECT_NEAR(axisDifference(e.direction_rad / kDegree, c["deg"]), 0.0, 1e-9) << c;
+    EXPECT_NEAR(axisDifference(e.direction_rad / kRadPerDeg, c["deg"]), 0.0, 1e-9) << c;
     EXPECT_GE(e.direction_rad, 0.0);
     EXPECT_LT(e.direction_rad, std::numbers::pi);
   }
@@ -63,11 +61,11 @@ TEST(Ellipse, RatioAboveOneIsNotMistakenForTheAspect) {
 
 TEST(Ellipse, LogTensorComesBack) {
   for (const double degree : {0.0, 1e-9, 30.0, 90.0, 121.0, 179.999}) {
-    const Ellipse e{130.0, 0.73, degree * kDegree};
+    const Ellipse e{130.0, 0.73, degree * kRadPerDeg};
     const Ellipse back = ellipseOf(logTensor(e));
     EXPECT_NEAR(back.half_major_mm, 130.0, 1e-10);
     EXPECT_NEAR(back.aspect, 0.73, 1e-13);
-    EXPECT_NEAR(axisDifference(back.direction_rad / kDegree, degree), 0.0, 1e-9);
+    EXPECT_NEAR(axisDifference(back.direction_rad / kRadPerDeg, degree), 0.0, 1e-9);
   }
 }
 
@@ -90,7 +88,7 @@ TEST(Lift, KeepsDirectionSeenAlongZAndRestoresLength) {
   for (const auto& c : goldenRows("ellipse_lift", "cases")) {
     const auto& expected = c["recommended_same_direction_length_R"];
     if (expected.is_null()) continue;
-    const Ellipse flat{c["half_major"], 0.8, c["deg"].get<double>() * kDegree};
+    const Ellipse flat{c["half_major"], 0.8, c["deg"].get<double>() * kRadPerDeg};
     const SurfaceEllipse lifted = liftedOntoSurface(flat, vec3(c["normal"]));
     EXPECT_LT((lifted.half_major - vec3(expected)).norm(), 1e-9) << c;
     EXPECT_EQ(lifted.aspect, 0.8);
@@ -100,7 +98,7 @@ TEST(Lift, KeepsDirectionSeenAlongZAndRestoresLength) {
 TEST(Lift, VerticalSurfaceGetsAnAxisOfFullLengthInItsPlane) {
   for (const Vec3& normal : {Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(0.6, 0.8, 0)}) {
     for (const double degree : {0.0, 30.0, 53.130102354155978, 90.0}) {
-      const SurfaceEllipse lifted = liftedOntoSurface({100.0, 0.5, degree * kDegree}, normal);
+      const SurfaceEllipse lifted = liftedOntoSurface({100.0, 0.5, degree * kRadPerDeg}, normal);
       EXPECT_NEAR(lifted.half_major.norm(), 100.0, 1e-9) << degree;
       EXPECT_NEAR(lifted.half_major.dot(normal), 0.0, 1e-9) << degree;
     }

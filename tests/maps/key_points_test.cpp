@@ -8,7 +8,7 @@
 
 namespace palpate::maps {
 
-std::string messageOf(std::string_view table) {
+std::string messageForTable(std::string_view table) {
   return support::messageOf([&] { parseKeyPoints(table, "keys.csv"); });
 }
 
@@ -37,15 +37,15 @@ TEST(KeyPoints, RatioBelowOneSwapsTheAxes) {
 TEST(KeyPoints, EmptyTableHasNoKeyPoints) { EXPECT_TRUE(parseKeyPoints("# nothing measured\n", "keys.csv").empty()); }
 
 TEST(KeyPoints, ErrorsNameTheLineAndTheCause) {
-  EXPECT_EQ(messageOf("P1,0,0,100,1.2,90\nP2,0,0,100,1.2\n"),
+  EXPECT_EQ(messageForTable("P1,0,0,100,1.2,90\nP2,0,0,100,1.2\n"),
             "keys.csv:2: expected 6 or 7 fields "
             "(name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg[,stiffness_n_per_mm]), found 5");
-  EXPECT_EQ(messageOf("P1,0,abc,100,1.2,90\n"), "keys.csv:1: y_mm is not a number: 'abc'");
-  EXPECT_EQ(messageOf("P1,0,0,-3,1.2,90\n"), "keys.csv:1: half_major_mm = -3 is not between 0.001 and 10000");
-  EXPECT_EQ(messageOf("P1,0,0,100,0,90\n"), "keys.csv:1: major_over_minor = 0 is not between 0.001 and 1000");
-  EXPECT_EQ(messageOf("P1,0,0,100,1,nan\n"), "keys.csv:1: direction_deg is nan");
-  EXPECT_EQ(messageOf("P1,0,0,100,1,0,-1\n"), "keys.csv:1: stiffness_n_per_mm = -1 is negative");
-  EXPECT_EQ(messageOf("name,x_cm,y_mm,half_major_mm,major_over_minor,direction_deg\n"),
+  EXPECT_EQ(messageForTable("P1,0,abc,100,1.2,90\n"), "keys.csv:1: y_mm is not a number: 'abc'");
+  EXPECT_EQ(messageForTable("P1,0,0,-3,1.2,90\n"), "keys.csv:1: half_major_mm = -3 is not between 0.001 and 10000");
+  EXPECT_EQ(messageForTable("P1,0,0,100,0,90\n"), "keys.csv:1: major_over_minor = 0 is not between 0.001 and 1000");
+  EXPECT_EQ(messageForTable("P1,0,0,100,1,nan\n"), "keys.csv:1: direction_deg is nan");
+  EXPECT_EQ(messageForTable("P1,0,0,100,1,0,-1\n"), "keys.csv:1: stiffness_n_per_mm = -1 is negative");
+  EXPECT_EQ(messageForTable("name,x_cm,y_mm,half_major_mm,major_over_minor,direction_deg\n"),
             "keys.csv:1: expected the header "
             "name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg[,stiffness_n_per_mm]");
 }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "palpate/base/error.h"
 #include "palpate/base/random.h"
@@ -16,8 +15,6 @@ namespace palpate::maps {
 
 using test::golden;
 using test::goldenRows;
-
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 
 Fidelity taking(std::initializer_list<Erratum> errata) {
   Fidelity fidelity;

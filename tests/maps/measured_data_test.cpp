@@ -12,8 +12,6 @@
 
 namespace palpate::maps {
 
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
-
 /// Angle between two undirected axes, in degree.
 double axesApart(double a_deg, double b_deg) {
   const double folded = std::fmod(std::abs(a_deg - b_deg), 180.0);

@@ -7,7 +7,7 @@
 namespace palpate::view {
 namespace {
 
-constexpr double kAspect = 16.0 / 9.0;
+constexpr double kWideAspect = 16.0 / 9.0;
 
 TEST(Camera, SeesTheBackFromBehindWithTheHeadUp) {
   const Camera camera;
@@ -20,8 +20,8 @@ TEST(Camera, FitsABoxFromEverySide) {
   const Eigen::AlignedBox3d box(Vec3(-200, -300, -100), Vec3(200, 260, 130));
   for (const auto side :
        {StandardView::back, StandardView::left, StandardView::right, StandardView::above, StandardView::front}) {
-    const Camera camera = fitted(box, kAspect, side);
-    const Frustum frustum = frustumOf(screenOf(camera, kAspect), camera.eye(), 1.0, 5000.0);
+    const Camera camera = fitted(box, kWideAspect, side);
+    const Frustum frustum = frustumOf(screenOf(camera, kWideAspect), camera.eye(), 1.0, 5000.0);
     for (int corner = 0; corner < 8; ++corner) {
       const Vec2 seen = seenAt(frustum, box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)));
       EXPECT_TRUE((seen.array() >= 0.0).all() && (seen.array() <= 1.0).all())
@@ -33,16 +33,16 @@ TEST(Camera, FitsABoxFromEverySide) {
 TEST(Frustum, OfAnEyeBeforeTheMiddleOfTheScreenIsThePlainPerspective) {
   Camera camera;
   camera.distance_mm = 600.0;
-  const Frustum frustum = frustumOf(screenOf(camera, kAspect), camera.eye(), 10.0, 2000.0);
+  const Frustum frustum = frustumOf(screenOf(camera, kWideAspect), camera.eye(), 10.0, 2000.0);
   const float cotangent = static_cast<float>(1.0 / std::tan(0.5 * camera.height_rad));
   EXPECT_NEAR(frustum.projection(1, 1), cotangent, 1e-5);
-  EXPECT_NEAR(frustum.projection(0, 0), cotangent / kAspect, 1e-5);
+  EXPECT_NEAR(frustum.projection(0, 0), cotangent / kWideAspect, 1e-5);
   EXPECT_NEAR(frustum.projection(0, 2), 0.0, 1e-6);
 }
 
 TEST(Frustum, OfAnEyeAsideKeepsTheScreenWhereItIs) {
   const Camera camera;
-  const Screen screen = screenOf(camera, kAspect);
+  const Screen screen = screenOf(camera, kWideAspect);
   for (const double aside : {-31.5, 0.0, 31.5}) {
     const Frustum frustum = frustumOf(screen, camera.eye() + aside * camera.right(), 10.0, 5000.0);
     EXPECT_TRUE(seenAt(frustum, screen.lower_left).isApprox(Vec2(0.0, 1.0), 1e-4) ||
@@ -55,7 +55,7 @@ TEST(Frustum, OfAnEyeAsideKeepsTheScreenWhereItIs) {
 TEST(Frustum, ShiftsAPointByTheParallaxOfItsDistance) {
   Camera camera;
   camera.distance_mm = 600.0;
-  const Screen screen = screenOf(camera, kAspect);
+  const Screen screen = screenOf(camera, kWideAspect);
   const double width = (screen.lower_right - screen.lower_left).norm();
   constexpr double kEyes = 63.0;
   const Vec3 half = 0.5 * kEyes * camera.right();
@@ -79,7 +79,7 @@ TEST(Ray, ThroughAPlaceOfTheScreenMeetsWhatIsSeenThere) {
   Camera camera;
   camera.yaw_rad = 0.4;
   camera.pitch_rad = 0.2;
-  const Screen screen = screenOf(camera, kAspect);
+  const Screen screen = screenOf(camera, kWideAspect);
   const Frustum frustum = frustumOf(screen, camera.eye(), 10.0, 5000.0);
   const Ray ray = rayThrough(screen, camera.eye(), 0.3, 0.8);
   EXPECT_LT((seenAt(frustum, ray.origin + 700.0 * ray.direction) - Vec2(0.3, 0.8)).norm(), 1e-5);

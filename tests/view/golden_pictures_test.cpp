@@ -11,7 +11,7 @@
 namespace palpate::view {
 namespace {
 
-constexpr PictureSize kSize{480, 270, 2};
+constexpr PictureSize kGoldenSize{480, 270, 2};
 
 std::shared_ptr<const scene::World> torso() {
   scene::Scene scene;
@@ -56,7 +56,7 @@ class GoldenPictures : public testing::Test {
   }
 
   void expect(const std::string& name, const PictureSettings& settings) {
-    const TakenPicture taken = studio_.take(surface_, {fingers_, 0.0}, settings, kSize);
+    const TakenPicture taken = studio_.take(surface_, {fingers_, 0.0}, settings, kGoldenSize);
     support::expectPicture(name, taken.image, taken.drawn_by);
   }
 

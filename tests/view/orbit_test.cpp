@@ -8,11 +8,11 @@
 namespace palpate::view {
 namespace {
 
-constexpr double kAspect = 1.6;
-constexpr double kHeight = 800.0;
+constexpr double kWindowAspect = 1.6;
+constexpr double kWindowHeight = 800.0;
 
 Vec2 seen(const Camera& camera, const Vec3& point) {
-  return seenAt(frustumOf(screenOf(camera, kAspect), camera.eye(), 1.0, 1e5), point);
+  return seenAt(frustumOf(screenOf(camera, kWindowAspect), camera.eye(), 1.0, 1e5), point);
 }
 
 Camera randomCamera(Random& random) {
@@ -35,20 +35,21 @@ TEST(Orbit, KeepsThePivotWhereItAppears) {
     const Camera camera = randomCamera(random);
     const Vec3 pivot = pointBefore(camera, random);
     const Vec2 by(random.uniform(-300, 300), random.uniform(-50, 50));
-    EXPECT_LT((seen(orbited(camera, pivot, by, kHeight), pivot) - seen(camera, pivot)).norm(), 1e-4);
+    EXPECT_LT((seen(orbited(camera, pivot, by, kWindowHeight), pivot) - seen(camera, pivot)).norm(), 1e-4);
   }
 }
 
 TEST(Orbit, DraggingToTheRightBringsThePatientsLeftSideForward) {
   const Camera camera;
-  const Camera turned = orbited(camera, camera.centre, Vec2(100, 0), kHeight);
+  const Camera turned = orbited(camera, camera.centre, Vec2(100, 0), kWindowHeight);
   EXPECT_GT(seen(turned, camera.centre + 100.0 * Vec3::UnitZ()).x(), 0.5) << "what is nearest follows the hand";
-  EXPECT_GT(seen(orbited(camera, camera.centre, Vec2(0, 100), kHeight), camera.centre + 100.0 * Vec3::UnitZ()).y(),
-            0.5);
+  EXPECT_GT(
+      seen(orbited(camera, camera.centre, Vec2(0, 100), kWindowHeight), camera.centre + 100.0 * Vec3::UnitZ()).y(),
+      0.5);
 }
 
 TEST(Orbit, NeverTipsOver) {
-  const Camera steep = orbited({}, Vec3::Zero(), Vec2(0, 1e5), kHeight);
+  const Camera steep = orbited({}, Vec3::Zero(), Vec2(0, 1e5), kWindowHeight);
   EXPECT_LE(steep.pitch_rad, kSteepestRad);
 }
 
@@ -58,8 +59,9 @@ TEST(Pan, TheGrabbedPointFollowsTheCursor) {
     const Camera camera = randomCamera(random);
     const Vec3 grabbed = pointBefore(camera, random);
     const Vec2 by(random.uniform(-100, 100), random.uniform(-100, 100));
-    const Vec2 expected = seen(camera, grabbed) + Vec2(by.x() / (kHeight * kAspect), by.y() / kHeight);
-    EXPECT_LT((seen(panned(camera, grabbed, by, kHeight), grabbed) - expected).norm(), 1e-4);
+    const Vec2 expected =
+        seen(camera, grabbed) + Vec2(by.x() / (kWindowHeight * kWindowAspect), by.y() / kWindowHeight);
+    EXPECT_LT((seen(panned(camera, grabbed, by, kWindowHeight), grabbed) - expected).norm(), 1e-4);
   }
 }
 

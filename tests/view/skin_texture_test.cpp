@@ -25,16 +25,17 @@ std::string jpegBytes(const Image& image) {
   return bytes;
 }
 
-constexpr Pixel kRed{200, 40, 30};
-constexpr Pixel kBlue{30, 60, 190};
-constexpr Pixel kGreen{40, 160, 50};
-constexpr Pixel kSand{210, 190, 120};
+constexpr Pixel kRedPaint{200, 40, 30};
+constexpr Pixel kBluePaint{30, 60, 190};
+constexpr Pixel kGreenPaint{40, 160, 50};
+constexpr Pixel kSandPaint{210, 190, 120};
 
 /// Red and green above, sand and blue below.
 Image fourColours() {
   Image image(64, 64);
   for (int y = 0; y < 64; ++y) {
-    for (int x = 0; x < 64; ++x) image.at(x, y) = y < 32 ? (x < 32 ? kRed : kGreen) : (x < 32 ? kSand : kBlue);
+    for (int x = 0; x < 64; ++x)
+      image.at(x, y) = y < 32 ? (x < 32 ? kRedPaint : kGreenPaint) : (x < 32 ? kSandPaint : kBluePaint);
   }
   return image;
 }
@@ -43,7 +44,7 @@ Image fourColours() {
 Image twoColours() {
   Image image(64, 4);
   for (int y = 0; y < 4; ++y) {
-    for (int x = 0; x < 64; ++x) image.at(x, y) = x < 32 ? kRed : kBlue;
+    for (int x = 0; x < 64; ++x) image.at(x, y) = x < 32 ? kRedPaint : kBluePaint;
   }
   return image;
 }
@@ -53,25 +54,25 @@ class TexturedSkin : public testing::Test {
   TexturedSkin() { look_.finger = FingerShape::none; }
 
   Frustum frustumFor(const scene::World& world) const {
-    Camera camera = fitted(mesh::boundingBox(world.skin), kAspect);
+    Camera camera = fitted(mesh::boundingBox(world.skin), kTexturedAspect);
     camera.yaw_rad = yaw_rad_;
-    return frustumOf(screenOf(camera, kAspect), camera.eye(), 10.0, 2000.0);
+    return frustumOf(screenOf(camera, kTexturedAspect), camera.eye(), 10.0, 2000.0);
   }
   Image draw(const World& world, const std::vector<FingerMark>& fingers = {}) {
     Renderer renderer(world);
     renderer.updateAll(deformedBy(*world, fingers));
     target_.bind();
-    renderer.draw({}, look_, frustumFor(*world), kWidth, kHeight);
+    renderer.draw({}, look_, frustumFor(*world), kTexturedWidth, kTexturedHeight);
     return target_.read();
   }
   /// Of the flat sheet, at a place on it.
   Pixel seen(const Image& image, const scene::World& world, const Vec3& place) const {
-    const Vec2 pixel = seenAt(frustumFor(world), place).cwiseProduct(Vec2(kWidth, kHeight));
+    const Vec2 pixel = seenAt(frustumFor(world), place).cwiseProduct(Vec2(kTexturedWidth, kTexturedHeight));
     return image.at(static_cast<int>(pixel.x()), static_cast<int>(pixel.y()));
   }
 
   OffscreenContext context_;
-  Target target_{kWidth, kHeight};
+  Target target_{kTexturedWidth, kTexturedHeight};
   Look look_;
   double yaw_rad_ = 0.0;
 };
@@ -82,12 +83,12 @@ TEST_F(TexturedSkin, ShowsEachPlaceOfThePictureInItsColour) {
   for (const Shading shading : {Shading::gouraud, Shading::skin}) {
     look_.shading = shading;
     const Image image = draw(world);
-    for (const auto& [x, y, colour] : {std::tuple{25.0, 75.0, kRed},
-                                       {75.0, 75.0, kGreen},
-                                       {25.0, 25.0, kSand},
-                                       {75.0, 25.0, kBlue},
-                                       {46.0, 54.0, kRed},
-                                       {54.0, 46.0, kBlue}}) {
+    for (const auto& [x, y, colour] : {std::tuple{25.0, 75.0, kRedPaint},
+                                       {75.0, 75.0, kGreenPaint},
+                                       {25.0, 25.0, kSandPaint},
+                                       {75.0, 25.0, kBluePaint},
+                                       {46.0, 54.0, kRedPaint},
+                                       {54.0, 46.0, kBluePaint}}) {
       // As if all of the picture were of that colour.
       const Image plain = draw(texturedWorld(sheet, support::onSheet, pngBytes(Image(4, 4, colour))));
       const Vec3 place(x, y, 0.0);
@@ -125,7 +126,7 @@ TEST_F(TexturedSkin, DoesNotSmearAtASeam) {
         if (std::abs(angle) < 0.03) continue;
         const double radius = std::sqrt(400.0 - z * z);
         const Vec3 place(-radius * std::cos(angle), -radius * std::sin(angle), z);
-        const Vec2 pixel = seenAt(frustum, place).cwiseProduct(Vec2(kWidth, kHeight));
+        const Vec2 pixel = seenAt(frustum, place).cwiseProduct(Vec2(kTexturedWidth, kTexturedHeight));
         const Pixel colour = image.at(static_cast<int>(pixel.x()), static_cast<int>(pixel.y()));
         EXPECT_EQ(colour[0] > colour[2], angle > 0.0) << "at " << place.transpose();
       }
@@ -160,7 +161,7 @@ TEST_F(TexturedSkin, FollowsADeformationRangeByRange) {
   deformer.apply({&*contact, 1}, surface);
   renderer.update(surface);
   target_.bind();
-  renderer.draw({}, look_, frustumFor(*world), kWidth, kHeight);
+  renderer.draw({}, look_, frustumFor(*world), kTexturedWidth, kTexturedHeight);
   EXPECT_EQ(target_.read().pixels, expected.pixels);
 }
 
@@ -178,8 +179,8 @@ TEST_F(TexturedSkin, MovesItsPictureWithTheSkin) {
 
 TEST_F(TexturedSkin, MayBeJpeg) {
   const mesh::TriangleMesh sheet = zoo::grid(10, 100.0);
-  const Image png = draw(texturedWorld(sheet, support::onSheet, pngBytes(Image(16, 16, kSand))));
-  const Image jpeg = draw(texturedWorld(sheet, support::onSheet, jpegBytes(Image(16, 16, kSand))));
+  const Image png = draw(texturedWorld(sheet, support::onSheet, pngBytes(Image(16, 16, kSandPaint))));
+  const Image jpeg = draw(texturedWorld(sheet, support::onSheet, jpegBytes(Image(16, 16, kSandPaint))));
   EXPECT_LE(largestDifference(png, jpeg), 3);
 }
 

@@ -7,7 +7,7 @@
 namespace palpate::view {
 namespace {
 
-constexpr double kAspect = 16.0 / 9.0;
+constexpr double kScreenAspect = 16.0 / 9.0;
 
 Camera cameraAt(double distance_mm) {
   Camera camera;
@@ -23,7 +23,7 @@ StereoSettings settingsOf(StereoMode mode) {
 
 /// Horizontal shift from the left eye's picture to the right eye's, mm on the screen.
 double parallaxOf(const Camera& camera, const StereoSettings& settings, const Vec3& place) {
-  const Eyes eyes = eyesOf(camera, settings, kAspect);
+  const Eyes eyes = eyesOf(camera, settings, kScreenAspect);
   const double width_mm = (eyes.screen.lower_right - eyes.screen.lower_left).norm();
   const DepthRange range{1.0, 1e5};
   return width_mm *
@@ -47,8 +47,9 @@ TEST(Eyes, SeeEachPlaceWithTheParallaxOfItsDistance) {
 TEST(Eyes, CoincideInMonoAndAtNoEyeDistance) {
   StereoSettings settings = settingsOf(StereoMode::tb_half);
   settings.eye_distance_mm = 0.0;
-  EXPECT_EQ(eyesOf(cameraAt(700.0), settings, kAspect).left, eyesOf(cameraAt(700.0), settings, kAspect).right);
-  const Eyes mono = eyesOf(cameraAt(700.0), settingsOf(StereoMode::mono), kAspect);
+  EXPECT_EQ(eyesOf(cameraAt(700.0), settings, kScreenAspect).left,
+            eyesOf(cameraAt(700.0), settings, kScreenAspect).right);
+  const Eyes mono = eyesOf(cameraAt(700.0), settingsOf(StereoMode::mono), kScreenAspect);
   EXPECT_EQ(mono.left, mono.right);
 }
 
@@ -57,7 +58,7 @@ TEST(Eyes, OfATrackedHeadStandBeforeAScreenOfTrueSize) {
   settings.head = TrackedHead{{120.0, 80.0, 500.0}, 290.0};
   Camera camera;
   camera.centre = {10.0, 20.0, 90.0};
-  const Eyes eyes = eyesOf(camera, settings, kAspect);
+  const Eyes eyes = eyesOf(camera, settings, kScreenAspect);
   EXPECT_NEAR((eyes.screen.upper_left - eyes.screen.lower_left).norm(), 290.0, 1e-9);
   EXPECT_TRUE(eyes.middle.isApprox(camera.centre + Vec3(120.0, 80.0, 500.0)));
   EXPECT_TRUE(eyes.right.isApprox(eyes.middle + Vec3(31.5, 0.0, 0.0)));
@@ -70,17 +71,17 @@ TEST(Eyes, OfATrackedHeadStandBeforeAScreenOfTrueSize) {
 TEST(Eyes, OfATrackedHeadMustBeBeforeTheScreen) {
   StereoSettings settings;
   settings.head = TrackedHead{{0.0, 0.0, -10.0}, 290.0};
-  EXPECT_EQ(support::messageOf([&] { eyesOf(Camera{}, settings, kAspect); }),
+  EXPECT_EQ(support::messageOf([&] { eyesOf(Camera{}, settings, kScreenAspect); }),
             "the tracked head is not in front of its screen");
 }
 
 TEST(DepthRange, HoldsTheBoxAndNothingTooNear) {
   const Eigen::AlignedBox3d box(Vec3(-200, -300, -100), Vec3(200, 300, 120));
-  const Eyes eyes = eyesOf(cameraAt(1200.0), {}, kAspect);
+  const Eyes eyes = eyesOf(cameraAt(1200.0), {}, kScreenAspect);
   const DepthRange range = depthRangeOf(eyes, box);
   EXPECT_LT(range.near_mm, 1080.0);
   EXPECT_GT(range.far_mm, 1300.0);
-  EXPECT_DOUBLE_EQ(depthRangeOf(eyesOf(cameraAt(150.0), {}, kAspect), box).near_mm, 45.0);
+  EXPECT_DOUBLE_EQ(depthRangeOf(eyesOf(cameraAt(150.0), {}, kScreenAspect), box).near_mm, 45.0);
 }
 
 TEST(EyePicture, KeepsTheShapeOfTheWindowWhereItIsSqueezed) {
@@ -118,7 +119,7 @@ TEST(StereoMode, IsKnownByItsName) {
 
 TEST(Comfort, IsTheClosedFormAtTheReadingDistance) {
   // At 600 mm one degree is reached 120 mm behind the screen and 86 mm before it.
-  const Eyes eyes = eyesOf(cameraAt(600.0), settingsOf(StereoMode::sbs_full), kAspect);
+  const Eyes eyes = eyesOf(cameraAt(600.0), settingsOf(StereoMode::sbs_full), kScreenAspect);
   const Eigen::AlignedBox3d box(Vec3(-10, -10, -120), Vec3(10, 10, 86));
   const Comfort comfort = comfortOf(eyes, 63.0, box);
   EXPECT_NEAR(comfort.behind_deg, 1.0, 0.01);
@@ -128,7 +129,7 @@ TEST(Comfort, IsTheClosedFormAtTheReadingDistance) {
 TEST(Comfort, WarnsAboveOneDegreeAndHoldsTheEyesWithinTwo) {
   const auto notesFor = [](double depth_mm) {
     const Eigen::AlignedBox3d box(Vec3(-10, -10, -depth_mm), Vec3(10, 10, 0));
-    return comfortable(cameraAt(600.0), settingsOf(StereoMode::sbs_full), kAspect, box);
+    return comfortable(cameraAt(600.0), settingsOf(StereoMode::sbs_full), kScreenAspect, box);
   };
   EXPECT_EQ(notesFor(100.0).note, "");
   EXPECT_NE(notesFor(200.0).note.find("tires the eyes"), std::string::npos);

@@ -11,9 +11,9 @@
 namespace palpate::view {
 
 /// The size of the pictures that are taken of them.
-inline constexpr int kWidth = 320;
-inline constexpr int kHeight = 240;
-inline constexpr double kAspect = static_cast<double>(kWidth) / kHeight;
+inline constexpr int kTexturedWidth = 320;
+inline constexpr int kTexturedHeight = 240;
+inline constexpr double kTexturedAspect = static_cast<double>(kTexturedWidth) / kTexturedHeight;
 
 inline std::string pngBytes(const Image& image) {
   const support::TemporaryFolder folder;

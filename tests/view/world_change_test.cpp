@@ -42,11 +42,12 @@ using PictureCount = CallCount<&epoxy_glGenerateMipmap, GLenum>;
 class ChangeOfWorld : public testing::Test {
  protected:
   Image draw(Renderer& renderer, const World& world, const std::vector<FingerMark>& fingers = {}) {
-    const Camera camera = fitted(mesh::boundingBox(world->skin), kAspect);
+    const Camera camera = fitted(mesh::boundingBox(world->skin), kTexturedAspect);
     target_.bind();
     Frame frame;
     frame.fingers = fingers;
-    renderer.draw(frame, look_, frustumOf(screenOf(camera, kAspect), camera.eye(), 10.0, 2000.0), kWidth, kHeight);
+    renderer.draw(frame, look_, frustumOf(screenOf(camera, kTexturedAspect), camera.eye(), 10.0, 2000.0),
+                  kTexturedWidth, kTexturedHeight);
     return target_.read();
   }
   Image drawNew(const World& world) {
@@ -55,7 +56,7 @@ class ChangeOfWorld : public testing::Test {
   }
 
   OffscreenContext context_;
-  Target target_{kWidth, kHeight};
+  Target target_{kTexturedWidth, kTexturedHeight};
   Look look_;
   World sheet_ = flatWorld();
   World ball_ = worldOf(zoo::sphere(30.0, 4));

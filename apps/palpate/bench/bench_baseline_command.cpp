@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "apps/palpate/bench/bench_report.h"
+#include "apps/palpate/common/json.h"
 #include "apps/palpate/common/progress_line.h"
 #include "bench/kernels/kernel_times.h"
 #include "palpate/base/error.h"
@@ -17,6 +18,8 @@
 namespace palpate::app {
 
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 /// What the file holds: ratios of kernels to fixed reference loops, measured on some machine.
 struct Baseline {
@@ -59,7 +62,7 @@ Baseline readBaseline(const std::filesystem::path& file) {
 
 /// With the machine it was measured on, for people. Throws Error if it cannot.
 void writeBaseline(const std::filesystem::path& file, const Baseline& baseline) {
-  nlohmann::ordered_json json;
+  Json json;
   json["triangles"] = baseline.triangles;
   for (const bench::KernelTime& time : baseline.kernels) {
     json["kernels"].push_back({{"name", time.name}, {"ratio", time.ratio}, {"ns", time.ns}, {"item", time.item}});
@@ -70,17 +73,13 @@ void writeBaseline(const std::filesystem::path& file, const Baseline& baseline) 
 
 constexpr int kSlower = 1;  // exit code: the answer is "no"
 
-struct Arguments {
+struct BaselineArguments {
   std::string baseline, write;
   std::size_t triangles = 41582;
   double tolerance = 0.3;
   double seconds = 4.0;
   bool json = false;
 };
-
-nlohmann::ordered_json ratioJson(const std::optional<double>& ratio) {
-  return ratio ? nlohmann::ordered_json(*ratio) : nlohmann::ordered_json(nullptr);
-}
 
 std::string ratioText(const std::optional<double>& ratio) { return ratio ? fmt::format("{:.3f}", *ratio) : "-"; }
 
@@ -90,16 +89,16 @@ std::string verdict(const bench::Comparison& c) {
   return fmt::format("{:.2f} x{}", c.change(), c.slower ? "  SLOWER" : "");
 }
 
-nlohmann::ordered_json jsonOf(const std::vector<bench::Comparison>& all, double tolerance) {
-  nlohmann::ordered_json json;
+Json jsonOf(const std::vector<bench::Comparison>& all, double tolerance) {
+  Json json;
   json["tolerance"] = tolerance;
-  json["slower"] = nlohmann::ordered_json::array();
+  json["slower"] = Json::array();
   for (const bench::Comparison& c : all) {
     if (c.slower) json["slower"].push_back(c.name);
     json["kernels"].push_back({{"name", c.name},
-                               {"before", ratioJson(c.before)},
-                               {"now", ratioJson(c.now)},
-                               {"change", c.before && c.now ? ratioJson(c.change()) : nullptr},
+                               {"before", orNull(c.before)},
+                               {"now", orNull(c.now)},
+                               {"change", c.before && c.now ? Json(c.change()) : Json(nullptr)},
                                {"slower", c.slower}});
   }
   return json;
@@ -123,7 +122,7 @@ Baseline measure(std::size_t triangles, double seconds) {
   return {triangles, bench::timeKernels(kernels, seconds)};
 }
 
-void compareWith(const Arguments& arguments) {
+void compareWith(const BaselineArguments& arguments) {
   const Baseline before = readBaseline(arguments.baseline);
   const Baseline now = measure(before.triangles, arguments.seconds);
   const auto all = bench::compared(before.kernels, now.kernels, arguments.tolerance);
@@ -133,7 +132,7 @@ void compareWith(const Arguments& arguments) {
   }
 }
 
-void run(const CLI::App& bench, const Arguments& arguments) {
+void run(const CLI::App& bench, const BaselineArguments& arguments) {
   if (!bench.get_subcommands().empty()) return;
   if (!arguments.write.empty()) writeBaseline(arguments.write, measure(arguments.triangles, arguments.seconds));
   if (!arguments.baseline.empty()) compareWith(arguments);
@@ -143,7 +142,7 @@ void run(const CLI::App& bench, const Arguments& arguments) {
 }  // namespace
 
 void addBenchBaseline(CLI::App& bench) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<BaselineArguments>();
   const auto option = [&](const char* name, auto& value, const char* help) {
     return bench.add_option(name, value, help)->group("Regression guard (without a subcommand)");
   };

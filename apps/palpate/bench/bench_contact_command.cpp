@@ -14,6 +14,7 @@
 #include "apps/palpate/bench/peers_report.h"
 #include "apps/palpate/common/choice_option.h"
 #include "apps/palpate/common/commands.h"
+#include "apps/palpate/common/json.h"
 #include "apps/palpate/partition/partition_options.h"
 #include "bench/peers/judge.h"
 #include "bench/peers/peer.h"
@@ -41,9 +42,9 @@ nlohmann::ordered_json jsonOf(const bench::ContactFigures& f) {
                       {"kinetic_max", f.friction.kinetic_max}};
   json["peak_force_n"] = f.peak_force_n;
   json["max_force_step_n"] = f.max_force_step_n;
-  json["allocations"] = countJson(f.counts.allocations);
-  json["locks"] = countJson(f.counts.locks);
-  json["page_faults"] = countJson(f.counts.page_faults);
+  json["allocations"] = orNull(f.counts.allocations);
+  json["locks"] = orNull(f.counts.locks);
+  json["page_faults"] = orNull(f.counts.page_faults);
   json["hash"] = fmt::format("{:016x}", f.hash);
   json["contact_ticks"] = f.contact_ticks;
   json["stick_ticks"] = f.friction.stick_ticks;
@@ -91,7 +92,7 @@ std::string textOf(const bench::HdbFigures& f) {
 
 // ---- the command
 
-struct Arguments {
+struct BenchContactArguments {
   std::string mesh, trajectory;
   double scale = 1.0;
   double stiffness_n_per_mm = 0.5;
@@ -104,11 +105,11 @@ struct Arguments {
 };
 
 template <class Figures>
-void print(const Arguments& arguments, const Figures& figures) {
+void print(const BenchContactArguments& arguments, const Figures& figures) {
   printReport(jsonOf(figures), textOf(figures), arguments.json);
 }
 
-void runHdb(const Arguments& arguments) {
+void runHdb(const BenchContactArguments& arguments) {
   if (arguments.scale != 1.0 || arguments.finger.radius_mm != 0.0 || arguments.finger.force_shading) {
     throw Error("--source hdb touches with a point, without scale and shading");
   }
@@ -118,7 +119,7 @@ void runHdb(const Arguments& arguments) {
                                      arguments.window));
 }
 
-void runWithPeers(const Arguments& arguments, bench::ContactWorld& world) {
+void runWithPeers(const BenchContactArguments& arguments, bench::ContactWorld& world) {
   const bench::ContactComparison comparison =
       bench::compareContact(world, trajectoryFrom(arguments.trajectory), arguments.finger, arguments.window,
                             arguments.peers.peers, arguments.peers.seconds);
@@ -130,7 +131,7 @@ void runWithPeers(const Arguments& arguments, bench::ContactWorld& world) {
               arguments.json);
 }
 
-void runContact(const Arguments& arguments) {
+void runContact(const BenchContactArguments& arguments) {
   if (arguments.peers.wanted) handOverToPeersProgram(arguments.peers);
   if (arguments.by_hdb) return runHdb(arguments);
   bench::ContactWorld world =
@@ -140,7 +141,7 @@ void runContact(const Arguments& arguments) {
         bench::measureContact(world, trajectoryFrom(arguments.trajectory), arguments.finger, arguments.window));
 }
 
-void addFingerOptions(CLI::App& command, Arguments& arguments) {
+void addFingerOptions(CLI::App& command, BenchContactArguments& arguments) {
   const auto number = [&](const char* name, double& value, const char* help, double low) {
     command.add_option(name, value, help)->capture_default_str()->check(CLI::Range(low, 1e9));
   };
@@ -155,7 +156,7 @@ void addFingerOptions(CLI::App& command, Arguments& arguments) {
   command.add_flag("--force-shading", arguments.finger.force_shading, "Smooth the force across triangles");
 }
 
-void addHdbOptions(CLI::App& command, Arguments& arguments) {
+void addHdbOptions(CLI::App& command, BenchContactArguments& arguments) {
   bench::HdbRunSettings& settings = arguments.hdb;
   addChoice<bool>(
       command, "--source", arguments.by_hdb, {{"surface", false}, {"hdb", true}},
@@ -174,7 +175,7 @@ void addHdbOptions(CLI::App& command, Arguments& arguments) {
 }  // namespace
 
 void addBenchContactCommand(CLI::App& parent, std::vector<bench::Peer> peers) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<BenchContactArguments>();
   arguments->peers.peers = std::move(peers);
   CLI::App& command = *parent.add_subcommand("contact", "Run one finger along a trajectory and report what it felt");
   command.add_option("--mesh", arguments->mesh, kMeshNamesHelp)->required();

@@ -6,14 +6,13 @@
 
 #include "apps/palpate/bench/bench_report.h"
 #include "apps/palpate/common/commands.h"
+#include "apps/palpate/common/json.h"
 #include "bench/runs/deform_run.h"
 
 namespace palpate::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json jsonOf(const std::optional<double>& number) { return number ? Json(*number) : Json(nullptr); }
 
 void addTo(Json& json, const bench::ApplyFigures& f) {
   json["vertices"] = f.vertices;
@@ -29,10 +28,10 @@ Json jsonOf(const bench::DeformFigures& f, const bench::DeformRun& run, bool pee
   json["fingers"] = run.fingers;
   addTo(json, f.ours);
   json["region_ns_per_vertex"] = f.region_ns_per_vertex;
-  json["speedup_over_literal"] = jsonOf(f.speedup_over_literal);
+  json["speedup_over_literal"] = orNull(f.speedup_over_literal);
   json["copy_floor_ns_per_vertex"] = f.copy_floor_ns_per_vertex;
   json["ratio_to_copy_floor"] = f.ratio_to_copy_floor;
-  json["allocations"] = countJson(f.allocations);
+  json["allocations"] = orNull(f.allocations);
   if (!peers || !f.literal) return json;
   addTo(json["peers"]["literal"], *f.literal);
   json["ratio_to"]["literal"] = f.ours.ns_per_vertex / f.literal->ns_per_vertex;

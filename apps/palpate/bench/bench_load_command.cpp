@@ -16,7 +16,7 @@
 namespace palpate::app {
 namespace {
 
-struct Arguments {
+struct LoadArguments {
   std::string file;
   bool peers = false;
   bool json = false;
@@ -79,7 +79,7 @@ void addAssimp(const std::filesystem::path& file, const LoadFigures& f, nlohmann
   }
 }
 
-void runBench(const Arguments& arguments) {
+void runLoadBench(const LoadArguments& arguments) {
   ProgressLine progress;
   const WrittenMesh mesh(arguments.file);
   const LoadFigures figures = measureLoad(mesh.file(), progress.callback());
@@ -93,12 +93,12 @@ void runBench(const Arguments& arguments) {
 }  // namespace
 
 void addBenchLoadCommand(CLI::App& parent) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<LoadArguments>();
   CLI::App& command = *parent.add_subcommand("load", "Time everything from a mesh file to the first force felt");
   command.add_option("FILE", arguments->file, kMeshNamesHelp)->required();
   command.add_flag("--peers", arguments->peers, "Also how long assimp reads the same file");
   command.add_flag("--json", arguments->json, "Print one JSON object");
-  command.callback([arguments] { runBench(*arguments); });
+  command.callback([arguments] { runLoadBench(*arguments); });
 }
 
 }  // namespace palpate::app

@@ -10,6 +10,7 @@
 #include "apps/palpate/bench/named_mesh.h"
 #include "apps/palpate/bench/peers_report.h"
 #include "apps/palpate/common/commands.h"
+#include "apps/palpate/common/json.h"
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/partition/partition_options.h"
 #include "bench/peers/judge.h"
@@ -19,14 +20,14 @@
 namespace palpate::app {
 namespace {
 
-struct Arguments {
+struct BenchPartitionArguments {
   std::string mesh;
   bench::PartitionRun run;
   PeersOption peers;
   bool json = false;
 };
 
-nlohmann::ordered_json jsonOf(const Arguments& arguments, const bench::PartitionFigures& f) {
+nlohmann::ordered_json jsonOf(const BenchPartitionArguments& arguments, const bench::PartitionFigures& f) {
   nlohmann::ordered_json json;
   json["mesh"] = arguments.mesh;
   json["triangles"] = f.triangles;
@@ -45,7 +46,7 @@ nlohmann::ordered_json jsonOf(const Arguments& arguments, const bench::Partition
   json["hybrid_refreshes"] = f.hybrid_refreshes;
   json["bytes_per_triangle"] = f.bytes_per_triangle;
   json["build_ns_per_triangle"] = f.build_ns_per_triangle;
-  json["allocations"] = countJson(f.allocations);
+  json["allocations"] = orNull(f.allocations);
   json["hash"] = fmt::format("{:016x}", f.hash);
   return json;
 }
@@ -68,13 +69,13 @@ std::string textOf(const bench::PartitionFigures& f) {
          fmt::format("heap allocations      {}\nhash                  {:016x}\n", countText(f.allocations), f.hash);
 }
 
-std::vector<bench::PeerFigures> measurePeers(const Arguments& arguments, const mesh::TriangleMesh& mesh) {
+std::vector<bench::PeerFigures> measurePeers(const BenchPartitionArguments& arguments, const mesh::TriangleMesh& mesh) {
   if (!arguments.peers.wanted) return {};
   const std::vector<Box3> boxes = bench::slidingBoxes(mesh, arguments.run);
   return bench::comparePeers(arguments.peers.peers, mesh, boxes, arguments.peers.seconds);
 }
 
-void runBench(const Arguments& arguments) {
+void runPartitionBench(const BenchPartitionArguments& arguments) {
   if (arguments.peers.wanted) handOverToPeersProgram(arguments.peers);
   ProgressLine progress;
   const mesh::TriangleMesh mesh = meshFrom(arguments.mesh, {}, progress.callback());
@@ -91,7 +92,7 @@ void runBench(const Arguments& arguments) {
 }  // namespace
 
 void addBenchPartitionCommand(CLI::App& parent, std::vector<bench::Peer> peers) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<BenchPartitionArguments>();
   arguments->peers.peers = std::move(peers);
   bench::PartitionRun& run = arguments->run;
   CLI::App& command = *parent.add_subcommand("partition", "Time the haptic detecting box of a finger that slides");
@@ -108,7 +109,7 @@ void addBenchPartitionCommand(CLI::App& parent, std::vector<bench::Peer> peers) 
       ->check(CLI::Range(1, 1000000));
   addPeersOption(command, arguments->peers);
   command.add_flag("--json", arguments->json, "Print one JSON object");
-  command.callback([arguments] { runBench(*arguments); });
+  command.callback([arguments] { runPartitionBench(*arguments); });
 }
 
 void addBenchPartitionCommand(CLI::App& parent) { addBenchPartitionCommand(parent, bench::peersWithoutLibraries()); }

@@ -16,10 +16,6 @@ std::string percentilesText(const lab::Percentiles& p, const char* unit) {
   return fmt::format("p50 {:.2f}  p99 {:.2f}  p99.9 {:.2f}  max {:.1f} {}", p.p50, p.p99, p.p99_9, p.max, unit);
 }
 
-nlohmann::ordered_json countJson(const std::optional<std::uint64_t>& count) {
-  return count ? nlohmann::ordered_json(*count) : nlohmann::ordered_json(nullptr);
-}
-
 std::string countText(const std::optional<std::uint64_t>& count) {
   return count ? fmt::to_string(*count) : "not counted";
 }

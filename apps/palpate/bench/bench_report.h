@@ -20,8 +20,7 @@ nlohmann::ordered_json percentilesJson(const lab::Percentiles& p);
 /// "p50 0.12  p99 0.34  p99.9 0.56  max 7.8 us"
 std::string percentilesText(const lab::Percentiles& p, const char* unit = "us");
 
-/// A count, or null (text: "not counted") where it could not be counted.
-nlohmann::ordered_json countJson(const std::optional<std::uint64_t>& count);
+/// "not counted" where it could not be counted.
 std::string countText(const std::optional<std::uint64_t>& count);
 
 /// {cpu, cores, memory_gb, kernel, compiler, build, simd, palpate}

@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* kNaive = "sleep_until";
 
-struct Arguments {
+struct ServoArguments {
   SimulateOptions input;
   bool peers = false;
   bool json = false;
@@ -69,7 +69,7 @@ nlohmann::ordered_json ratio(const servo::LoopReport& ours, const servo::LoopRep
   return ours.lateness.p50_us / theirs.lateness.p50_us;
 }
 
-void runBench(const Arguments& arguments) {
+void runServoBench(const ServoArguments& arguments) {
   ProgressLine progress;
   SimulateOptions input = arguments.input;
   input.seconds = 0.0;  // here it is how long to measure, not how long the scene lasts
@@ -90,7 +90,7 @@ void runBench(const Arguments& arguments) {
 }  // namespace
 
 void addBenchServoCommand(CLI::App& parent) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ServoArguments>();
   arguments->input.seconds = 20.0;
   CLI::App& command = *parent.add_subcommand("servo", "Run the servo loop in real time: lateness and compute time");
   addInputOptions(command, arguments->input);
@@ -102,7 +102,7 @@ void addBenchServoCommand(CLI::App& parent) {
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.callback([arguments, &command] {
     arguments->input.radius_given = command.count("--radius-mm") > 0;
-    runBench(*arguments);
+    runServoBench(*arguments);
   });
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "apps/palpate/bench/bench_report.h"
+#include "apps/palpate/common/json.h"
 
 namespace palpate::app {
 
@@ -71,8 +72,7 @@ nlohmann::ordered_json jsonOf(const PeerFigures& f, PeerTask task) {
     json["mean_triangles"] = f.mean_triangles;
   }
   json["disagreements"] = f.disagreements;
-  json["bytes_per_triangle"] =
-      f.bytes_per_triangle ? nlohmann::ordered_json(*f.bytes_per_triangle) : nlohmann::ordered_json(nullptr);
+  json["bytes_per_triangle"] = orNull(f.bytes_per_triangle);
   json["build_ns_per_triangle"] = f.build_ns_per_triangle;
   json["hash"] = fmt::format("{:016x}", f.hash);
   return json;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
 
 #include "figures/plot.h"
 #include "palpate/base/error.h"
@@ -14,8 +13,6 @@
 namespace palpate::app {
 
 namespace {
-
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 
 std::vector<maps::KeyPoint> keyPointsOf(const MapSource& source) {
   if (!source.key_file.empty()) return maps::readKeyPoints(source.key_file);

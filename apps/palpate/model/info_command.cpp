@@ -6,6 +6,7 @@
 #include <string>
 
 #include "apps/palpate/common/commands.h"
+#include "apps/palpate/common/json.h"
 #include "apps/palpate/common/mesh_arguments.h"
 #include "apps/palpate/common/progress_line.h"
 #include "palpate/mesh/validate.h"
@@ -37,8 +38,6 @@ std::string surfaceLine(const ValidationReport& report) {
   return text + fmt::format(", {:.6g} mm^2, {} component{}", report.area_mm2, report.components,
                             report.components == 1 ? "" : "s");
 }
-
-nlohmann::ordered_json jsonOf(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 nlohmann::ordered_json jsonOf(const mesh::Trait& trait) { return {{"count", trait.count}, {"first", trait.first}}; }
 
@@ -72,7 +71,8 @@ nlohmann::ordered_json jsonOf(const ValidationReport& report) {
   nlohmann::ordered_json json;
   json["triangles"] = report.triangles;
   json["vertices"] = report.vertices;
-  if (!report.box.isEmpty()) json["box"] = {{"min_mm", jsonOf(report.box.min())}, {"max_mm", jsonOf(report.box.max())}};
+  if (!report.box.isEmpty())
+    json["box"] = {{"min_mm", vectorJson(report.box.min())}, {"max_mm", vectorJson(report.box.max())}};
   json["area_mm2"] = report.area_mm2;
   json["volume_mm3"] = report.closed ? nlohmann::ordered_json(report.volume_mm3) : nlohmann::ordered_json(nullptr);
   json["closed"] = report.closed;

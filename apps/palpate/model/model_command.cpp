@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "apps/palpate/common/commands.h"
+#include "apps/palpate/common/json.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/body/back.h"
 #include "palpate/body/bones.h"
@@ -96,16 +97,14 @@ nlohmann::json partsOf(const std::vector<body::Bone>& bones) {
   return parts;
 }
 
-nlohmann::json jsonOf(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
-
 nlohmann::json landmarksOf(const body::Torso& torso) {
   nlohmann::json landmarks = nlohmann::json::array();
   for (const body::SkinLandmark& point : torso.landmarks) {
     landmarks.push_back({{"name", point.name},
                          {"bone", point.bone},
-                         {"skin_mm", jsonOf(point.position)},
-                         {"normal", jsonOf(point.normal)},
-                         {"bone_mm", jsonOf(point.bone_position)}});
+                         {"skin_mm", vectorJson(point.position)},
+                         {"normal", vectorJson(point.normal)},
+                         {"bone_mm", vectorJson(point.bone_position)}});
   }
   return landmarks;
 }
@@ -138,7 +137,7 @@ void finish(const char* name, const ModelOptions& options, const Model& model, d
   extra["file"] = options.output;
   extra["triangles"] = model.mesh.triangles.size();
   extra["vertices"] = model.mesh.positions.size();
-  extra["box_mm"] = jsonOf(box);
+  extra["box_mm"] = vectorJson(box);
   extra["smallest_angle_deg"] = smallestAngleDeg(model.mesh);
   extra["seconds"] = seconds;
   fmt::print("{}\n", extra.dump(2));
@@ -189,7 +188,7 @@ void makeHandModel(const ModelOptions& options) {
   Model model;
   model.mesh = body::makeHand(settings);
   const Vec3 tip = body::indexTip(settings);
-  finish("hand", options, model, secondsSince(start), {{"side", options.side}, {"index_tip_mm", jsonOf(tip)}});
+  finish("hand", options, model, secondsSince(start), {{"side", options.side}, {"index_tip_mm", vectorJson(tip)}});
 }
 
 /// One model's subcommand with what all of them have. Options live as long as the command line does.

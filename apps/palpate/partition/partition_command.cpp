@@ -26,7 +26,7 @@ namespace {
 
 using hdb::HdbSize;
 
-struct Arguments {
+struct PartitionArguments {
   MeshArguments mesh;
   hdb::BuildSettings settings;
   bool two_of_three = false;
@@ -77,7 +77,7 @@ BoxArgument parseBox(const std::string& text) {
 }
 
 /// What can be known to be wrong before a large mesh is loaded.
-void checkChoices(const Arguments& arguments) {
+void checkChoices(const PartitionArguments& arguments) {
   const bool octree = arguments.settings.tree == hdb::TreeKind::Octree;
   const bool majority = arguments.settings.assignment == hdb::Assignment::Majority;
   if (arguments.two_of_three && !(octree && majority)) {
@@ -100,7 +100,7 @@ struct Built {
   double seconds = 0.0;
 };
 
-Built build(const mesh::TriangleMesh& mesh, const Arguments& arguments, const Progress& progress) {
+Built build(const mesh::TriangleMesh& mesh, const PartitionArguments& arguments, const Progress& progress) {
   const auto start = Clock::now();
   Built built;
   if (arguments.two_of_three) {
@@ -115,7 +115,7 @@ Built build(const mesh::TriangleMesh& mesh, const Arguments& arguments, const Pr
 }
 
 PartitionReport::Box askBox(const mesh::TriangleMesh& mesh, const hdb::Partition& partition,
-                            const Arguments& arguments) {
+                            const PartitionArguments& arguments) {
   const BoxArgument wanted = parseBox(arguments.box);
   PartitionReport::Box box;
   box.centre_mm = wanted.centre;
@@ -126,7 +126,7 @@ PartitionReport::Box askBox(const mesh::TriangleMesh& mesh, const hdb::Partition
   return box;
 }
 
-void runPartition(const Arguments& arguments) {
+void runPartition(const PartitionArguments& arguments) {
   checkChoices(arguments);
   ProgressLine progress;
   const mesh::TriangleMesh mesh = meshFrom(arguments.mesh.file, arguments.mesh.options, progress.callback());
@@ -148,7 +148,7 @@ void runPartition(const Arguments& arguments) {
   fmt::print("{}", arguments.json ? jsonOf(report).dump(2) + "\n" : textOf(report));
 }
 
-void addBoxOptions(CLI::App& command, Arguments& arguments) {
+void addBoxOptions(CLI::App& command, PartitionArguments& arguments) {
   command
       .add_option("--box", arguments.box,
                   "Haptic detecting box to ask for: centre and edge in mm; without an edge a quarter of the model")
@@ -164,7 +164,7 @@ void addBoxOptions(CLI::App& command, Arguments& arguments) {
 }  // namespace
 
 void addPartitionCommand(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<PartitionArguments>();
   CLI::App& command =
       *app.add_subcommand("partition", "Divide a mesh by a BSP tree or an octree and ask for the triangles in a box");
   addMeshArguments(command, arguments->mesh);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "apps/palpate/common/json.h"
 #include "apps/palpate/partition/partition_options.h"
 
 namespace palpate::app {
@@ -49,8 +50,6 @@ std::string boxText(const PartitionReport::Box& box) {
   return text + fmt::format("  time, exact         p50 {:.2f}  p99 {:.2f} us\n", q.exact_us.p50, q.exact_us.p99);
 }
 
-ordered_json jsonOf(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
-
 ordered_json jsonOf(const hdb::LeafSizes& sizes) {
   ordered_json bins = ordered_json::array();
   for (const auto& bin : sizes.histogram) {
@@ -62,8 +61,8 @@ ordered_json jsonOf(const hdb::LeafSizes& sizes) {
 ordered_json jsonOf(const PartitionReport::Box& box) {
   const PartitionQuery& q = box.query;
   ordered_json json;
-  json["center_mm"] = jsonOf(box.centre_mm);
-  json["edges_mm"] = jsonOf(box.edges_mm);
+  json["center_mm"] = vectorJson(box.centre_mm);
+  json["edges_mm"] = vectorJson(box.edges_mm);
   json["traversal"] = box.traversal;
   json["leaves"] = q.leaves.leaves.size();
   json["rendered"] = q.rendered;

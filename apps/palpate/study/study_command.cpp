@@ -25,13 +25,13 @@ namespace palpate::app {
 
 namespace {
 
-struct Arguments {
+struct StudyArguments {
   std::string folder;
   bool quick = false;
   bool json = false;
 };
 
-void run(const study::Study& study, const Arguments& arguments) {
+void run(const study::Study& study, const StudyArguments& arguments) {
   if (!arguments.folder.empty()) study::makeFolder(arguments.folder);  // a folder that cannot be is refused at once
   ProgressLine progress;
   const study::StudyPage page = study::runStudy(study, {.quick = arguments.quick, .progress = progress.callback()});
@@ -42,7 +42,7 @@ void run(const study::Study& study, const Arguments& arguments) {
 }
 
 void addPage(CLI::App& parent, const study::Study& study) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<StudyArguments>();
   CLI::App& command = *parent.add_subcommand(study.name, study.what);
   command.add_option("--out", arguments->folder,
                      "Write the page (" + study.name +

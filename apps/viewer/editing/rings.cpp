@@ -12,7 +12,7 @@ namespace palpate::viewer {
 
 namespace {
 
-constexpr int kPoints = 48;
+constexpr int kRingPoints = 48;
 /// Above the skin, so that it does not seem to sink in, mm.
 constexpr double kLiftMm = 0.5;
 constexpr double kPointRadiusMm = 2.0;  ///< of the ring of a finger without size
@@ -21,7 +21,7 @@ constexpr view::Paint kDysfunctionPaint{240, 170, 60, 255};
 constexpr view::Paint kGhostPaint{240, 170, 60, 150};
 
 Vec2 onCircle(int i) {
-  const double angle = 2.0 * std::numbers::pi * i / kPoints;
+  const double angle = 2.0 * std::numbers::pi * i / kRingPoints;
   return {std::cos(angle), std::sin(angle)};
 }
 
@@ -29,7 +29,7 @@ view::Lines ringOn(const SkinPlace& place, double radius, double width_px, view:
   const Vec3 u = place.normal.unitOrthogonal();
   const Vec3 v = place.normal.cross(u);
   std::vector<Vec3> path;
-  for (int i = 0; i <= kPoints; ++i) {
+  for (int i = 0; i <= kRingPoints; ++i) {
     const Vec2 rim = radius * onCircle(i);
     path.emplace_back(place.point + kLiftMm * place.normal + rim.x() * u + rim.y() * v);
   }
@@ -47,7 +47,7 @@ view::Lines ringOver(const scene::World& world, const maps::Dysfunction& item, d
     return view::skinAlong(world.surface, {Vec3(rim.x(), rim.y(), top), -Vec3::UnitZ()});
   };
   view::Lines ring{width_px, {}};
-  for (int i = 0; i < kPoints; ++i) {
+  for (int i = 0; i < kRingPoints; ++i) {
     if (dashed && i % 2 == 1) continue;
     const auto from = at(i);
     const auto to = at(i + 1);

@@ -72,7 +72,7 @@ constexpr int countOf(window::MousePreset) { return static_cast<int>(window::kMo
 constexpr int countOf(view::StereoMode) { return static_cast<int>(view::kStereoModeNames.size()); }
 
 /// A value out of range or of another type is as good as none: the default stays.
-struct Reader {
+struct StateReader {
   const toml::table& table;
   void operator()(const char* name, bool& value) const { value = table[name].value_or(value); }
   void operator()(const char* name, double& value) const {
@@ -145,7 +145,7 @@ Remembered parseState(std::string_view text, std::string_view name) {
   }
   if (table["version"].value_or<std::int64_t>(0) != kStateVersion) throw Error::inFile(name, "is of another version");
   Remembered remembered;
-  forEachValue(remembered, Reader{table});
+  forEachValue(remembered, StateReader{table});
   if (const toml::array* recent = table["recent"].as_array()) {
     for (const toml::node& node : *recent) {
       if (const auto file = node.value<std::string>()) remembered.state.recent.push_back(*file);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "palpate/base/text.h"
@@ -13,14 +12,13 @@ namespace palpate::viewer {
 namespace {
 
 constexpr std::string_view kWord = "palpate-view";
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 }  // namespace
 
 std::string viewAsText(const view::Camera& camera) {
   return fmt::format("{} {:.3f} {:.3f} {:.3f} {:.4f} {:.4f} {:.3f} {:.4f}", kWord, camera.centre.x(), camera.centre.y(),
-                     camera.centre.z(), camera.yaw_rad / kDegree, camera.pitch_rad / kDegree, camera.distance_mm,
-                     camera.height_rad / kDegree);
+                     camera.centre.z(), camera.yaw_rad / kRadPerDeg, camera.pitch_rad / kRadPerDeg, camera.distance_mm,
+                     camera.height_rad / kRadPerDeg);
 }
 
 std::optional<view::Camera> viewFromText(std::string_view text) {
@@ -35,10 +33,10 @@ std::optional<view::Camera> viewFromText(std::string_view text) {
   if (!(v[5] > 0.0) || !(v[6] > 0.0 && v[6] < 170.0) || !(std::abs(v[4]) < 90.0)) return std::nullopt;
   view::Camera camera;
   camera.centre = Vec3(v[0], v[1], v[2]);
-  camera.yaw_rad = v[3] * kDegree;
-  camera.pitch_rad = v[4] * kDegree;
+  camera.yaw_rad = v[3] * kRadPerDeg;
+  camera.pitch_rad = v[4] * kRadPerDeg;
   camera.distance_mm = v[5];
-  camera.height_rad = v[6] * kDegree;
+  camera.height_rad = v[6] * kRadPerDeg;
   return camera;
 }
 

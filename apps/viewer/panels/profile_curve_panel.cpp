@@ -17,7 +17,7 @@ namespace {
 constexpr float kHeight = 110.0f;
 constexpr float kHandle = 5.0f;
 constexpr double kLowest = -0.4;  ///< of the values shown and allowed: a bulge around the finger
-constexpr int kPoints = 96;
+constexpr int kCurvePoints = 96;
 constexpr int kFirstHandles = 7;
 constexpr double kLeastGap = 0.01;  ///< between two handles
 
@@ -50,12 +50,12 @@ void drawCurve(const Sheet& sheet, const ProfileSettings& settings) {
                      ImGui::GetColorU32(ImGuiCol_FrameBg), 3.0f);
   list.AddLine(sheet.at(0.0, 0.0), sheet.at(1.0, 0.0), ImGui::GetColorU32(ImGuiCol_TextDisabled));
   const tissue::ProfileCurve curve(settings);
-  std::array<ImVec2, kPoints + 1> points;
-  for (int i = 0; i <= kPoints; ++i) {
-    const double q = static_cast<double>(i) / kPoints;
+  std::array<ImVec2, kCurvePoints + 1> points;
+  for (int i = 0; i <= kCurvePoints; ++i) {
+    const double q = static_cast<double>(i) / kCurvePoints;
     points[static_cast<std::size_t>(i)] = sheet.at(q, curve.at(q).value);
   }
-  list.AddPolyline(points.data(), kPoints + 1, ImGui::GetColorU32(ImGuiCol_CheckMark), 0, 2.0f);
+  list.AddPolyline(points.data(), kCurvePoints + 1, ImGui::GetColorU32(ImGuiCol_CheckMark), 0, 2.0f);
 }
 
 int handleAt(const Sheet& sheet, const std::vector<ProfileKnot>& knots, const ImVec2& mouse) {

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
+#include <numbers>
 
 namespace palpate {
 
@@ -22,6 +23,10 @@ using Box3 = Eigen::AlignedBox3d;  ///< mm; empty: low > high
 /// Index of a vertex or a triangle. 32 bit: four billion elements are beyond any mesh this engine is meant for.
 using Index = std::uint32_t;
 inline constexpr Index kNoIndex = 0xffffffffu;
+
+/// Files and people speak in degrees, the engine in radians.
+inline constexpr double kRadPerDeg = std::numbers::pi / 180.0;
+inline constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 
 /// Three vertex indices, counter-clockwise seen from outside (from the side a finger comes from).
 using Triangle = std::array<Index, 3>;

@@ -2,7 +2,6 @@
 #include "palpate/body/skin_outline.h"
 
 #include <algorithm>
-#include <numbers>
 #include <span>
 
 #include "palpate/body/skin_table.h"
@@ -11,9 +10,7 @@ namespace palpate::body {
 
 namespace {
 
-constexpr double kRadian = std::numbers::pi / 180;
-
-Vec2 flat(const OutlinePoint& point) { return {kFlatRadius * kRadian * point.angle_deg, point.y_mm}; }
+Vec2 flat(const OutlinePoint& point) { return {kFlatRadius * kRadPerDeg * point.angle_deg, point.y_mm}; }
 
 /// The point of the flank at height y.
 Vec2 flankAt(double y) {

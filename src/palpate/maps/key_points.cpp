@@ -25,7 +25,6 @@ constexpr std::size_t kMaxFileBytes = std::size_t{64} << 20;
 constexpr double kMinHalfMajorMm = 1e-3;  // a micrometre: smaller is a wrong unit
 constexpr double kMaxHalfMajorMm = 1e4;   // ten metres: no body is larger
 constexpr double kMaxRatio = 1e3;         // longer ellipses are a wrong unit
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 
 /// A size or ratio whose logarithm and inverse stay ordinary numbers.
 double within(const CsvRow& row, std::size_t column, std::string_view name, double low, double high) {

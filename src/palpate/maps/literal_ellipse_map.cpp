@@ -14,7 +14,6 @@ namespace palpate::maps {
 
 namespace {
 
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 /// d_c of (5.2).
 constexpr double kBasicDirectionDeg = 90.0;
 

@@ -9,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 
 namespace palpate::maps {
 
@@ -17,7 +16,6 @@ namespace {
 
 constexpr ForceDirection kUp = ForceDirection::up;
 constexpr ForceDirection kDown = ForceDirection::down;
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 
 /// Force, point, subject, "major" cm, "minor" cm, degree.
 constexpr std::array<MeasuredEllipse, 40> kAppendixC{{

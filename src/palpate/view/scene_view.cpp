@@ -2,18 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace palpate::view {
 
 namespace {
 
-constexpr double kRadians = std::numbers::pi / 180.0;
-
 Camera cameraOf(const scene::World& world, const scene::ViewSettings& view, double aspect) {
   Camera camera = fitted(mesh::boundingBox(world.skin), aspect, view.side);
-  camera.yaw_rad += kRadians * view.yaw_deg;
-  camera.pitch_rad = std::clamp(camera.pitch_rad + kRadians * view.pitch_deg, -kRadians * 89.9, kRadians * 89.9);
+  camera.yaw_rad += kRadPerDeg * view.yaw_deg;
+  camera.pitch_rad = std::clamp(camera.pitch_rad + kRadPerDeg * view.pitch_deg, -kRadPerDeg * 89.9, kRadPerDeg * 89.9);
   // A longer lens from the same place: it never enters the body.
   camera.height_rad = 2.0 * std::atan(std::tan(0.5 * camera.height_rad) / view.zoom);
   if (view.look_at_mm) camera.centre = *view.look_at_mm;

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "palpate/base/error.h"
 
@@ -127,13 +126,12 @@ Vec2 placeInEye(StereoMode mode, const Vec2& place) {
 }
 
 Comfort comfortOf(const Eyes& eyes, double eye_distance_mm, const Eigen::AlignedBox3d& box) {
-  constexpr double kDegrees = 180.0 / std::numbers::pi;
   const Span span = spanOf(eyes, box);
   const double nearest = std::max(span.nearest, kNearShare * eyes.distance_mm);
   const double screen = 1.0 / eyes.distance_mm;
   Comfort comfort;
-  comfort.front_deg = kDegrees * eye_distance_mm * std::max(0.0, 1.0 / nearest - screen);
-  comfort.behind_deg = kDegrees * eye_distance_mm * std::max(0.0, screen - 1.0 / std::max(span.farthest, nearest));
+  comfort.front_deg = kDegPerRad * eye_distance_mm * std::max(0.0, 1.0 / nearest - screen);
+  comfort.behind_deg = kDegPerRad * eye_distance_mm * std::max(0.0, screen - 1.0 / std::max(span.farthest, nearest));
   return comfort;
 }
 
