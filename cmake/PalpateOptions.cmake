@@ -2,7 +2,10 @@
 add_library(palpate_options INTERFACE)
 # Bit-identical forces: a fused multiply-add rounds once instead of twice, which breaks both reproducibility and the exact
 # predicates (docs/contact.md). Never -ffast-math, never -march=native in a released build.
-target_compile_options(palpate_options INTERFACE -ffp-contract=off -Wall -Wextra -Wshadow -Wnon-virtual-dtor)
+target_compile_options(palpate_options INTERFACE -ffp-contract=off -Wall -Wextra -Wnon-virtual-dtor)
+# Not where files are compiled together: a local may bear the name of a neighbour's helper. There lint, which reads each file
+# alone, has the warning.
+target_compile_options(palpate_options INTERFACE $<$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wshadow>)
 if(PALPATE_WERROR)
   # But not those that depend on what the optimiser could see.
   target_compile_options(palpate_options INTERFACE -Werror
@@ -41,4 +44,13 @@ function(palpate_precompile target owner)
   else()
     target_precompile_headers(${target} REUSE_FROM ${owner})
   endif()
+endfunction()
+
+# palpate_unite(<target>...): neighbours of these targets are compiled together, so that what they include is read and its
+# templates made once. They then share their anonymous namespaces: a name in one must not stand in another of the target.
+function(palpate_unite)
+  if(NOT PALPATE_UNITY)
+    return()
+  endif()
+  set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${PALPATE_UNITY_BATCH})
 endfunction()
