@@ -1,3 +1,5 @@
+// Each piece of work is one std::async, whose future carries what it threw; there is no pool, so a piece must be worth
+// the making of a thread. Without threads the work is done in the constructor. Cold paths only. Own.
 #include "palpate/base/background.h"
 
 #include <algorithm>

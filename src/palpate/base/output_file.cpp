@@ -1,3 +1,6 @@
+// The partial file lies beside its target, so that the rename stays within one file system. Flush, then rename, then
+// close: a full disk is told by the flush, while the old file is still there. No fsync: after a power cut the new file
+// may be short. Cold path. Own.
 #include "palpate/base/output_file.h"
 
 #include <cerrno>

@@ -1,3 +1,5 @@
+// Numbers by std::from_chars, which knows no locale but takes no leading plus either: that is cut off first. A file's
+// size is asked before memory is taken for it; one that shrinks meanwhile is read as far as it goes. Cold path. Own.
 #include "palpate/base/text.h"
 
 #include <fmt/format.h>
