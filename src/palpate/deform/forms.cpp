@@ -1,3 +1,6 @@
+// Which settings the fast displacement cannot do, asked once a deformer, and what forms do to a contact's regions, done
+// once a contact. A form that needsForms does not know of has no effect: the fast displacement never looks at it.
+// Based on: Ji, dissertation 2008, chapter 4, with E20 and E21.
 #include "palpate/deform/forms.h"
 
 #include <algorithm>
