@@ -1,3 +1,4 @@
+// A path in memory as a device: the tick is the index. The path is shared, not copied, and read without a lock. Own.
 #include "palpate/device/device.h"
 
 #include <algorithm>

@@ -1,3 +1,8 @@
+// A finger's path from its trajectory file, or from its script, which is walked over the heights of the skin at rest,
+// or from nothing: then the highest place with room for a standard script is looked for. All run on one clock.
+// Data flow: World + trajectory files -> here, before the first tick -> one tip a tick -> scriptedDevice. A height
+// costs a segment through the tree.
+// Based on: Flash and Hogan (1985), see finger_path.h, for the time course of a motion; the rest is our own.
 #include "palpate/device/finger_path.h"
 
 #include <fmt/format.h>

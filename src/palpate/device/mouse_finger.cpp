@@ -1,3 +1,6 @@
+// Place and depth follow by the closed form of critical damping, so any tick length is stable; the direction turns by a
+// first-order lag. Press by force goes deeper by the missing force over the secant stiffness felt so far.
+// Data flow: FingerTarget (60 Hz) and the force of the last tick -> here, at 1 kHz before the contact -> tip. Own.
 #include "palpate/device/mouse_finger.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Rows are checked as they come; resampling walks both time axes once. Times are written in decimals, so a row within a
+// millionth of a tick of one counts as on it, and comes back bit by bit. Cold path. Own.
 #include "palpate/device/trajectory.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// Rows are collected as text and written in blocks of 256 KiB; fmt's plain {} is the shortest decimal that reads back.
+// Data flow: samples of the servo -> here, between ticks or on a thread beside them -> forces.csv. Own.
 #include "palpate/trace/forces_csv.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,6 @@
+// Columns are taken by their number, so the header must be the writer's word for word: a table of another version is
+// refused, not misread.
+// Data flow: forces.csv -> here, at load time -> a replay in the window. Own.
 #include "palpate/trace/forces_table.h"
 
 #include <fmt/format.h>
