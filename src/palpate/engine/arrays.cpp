@@ -1,3 +1,6 @@
+// Follows every vertex and triangle through mending and sorting. Vertices are followed by scene::mendedBody; triangles
+// leave no trace and are found again by their corners, of which mending keeps the names: a sorted list and a search
+// each. Load time. Own.
 #include "palpate/engine/arrays.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,6 @@
+// One worker, one wish at a time, under one lock that is never held while a world is built or freed. Wishes are
+// numbered; a build that is not the newest any more throws GivenUp out of its own progress report. That is no
+// std::exception, so no handler on its way takes it for a failure. Own.
 #include "palpate/engine/world_builder.h"
 
 #ifdef __linux__
