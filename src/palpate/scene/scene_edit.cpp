@@ -1,3 +1,5 @@
+// A value becomes a file of one key and is read by the file's own reader, into a copy of the scene that takes its place
+// when all went well. A parse and a copy a change: cold path. Own.
 #include "palpate/scene/scene_edit.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Text -> TOML tree -> the keys before the first table -> each table by its own reader (scene_keys.h) -> Scene. What no
+// single table can see, two fingers of one name, is checked last. The documentation is made of the same tables. Own.
 #include "palpate/scene/scene_file.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Each key shows its value as text; what reads like the default's text is left out.
+// Data flow: Scene -> rows of scene_keys.h -> lines, file names made relative -> OutputFile. Cold path. Own.
 #include "palpate/scene/scene_writer.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// In this order: the anchor, the regions of press and drag there, the scene's contour there, and last the forms, which
+// may change any of the regions. Each finger of each frame; a finger in free space costs nothing.
+// Based on: Ji, dissertation 2008, (2.6), for the anchor as printed (E1).
 #include "palpate/scene/skin_contact.h"
 
 #include "palpate/contact/friction.h"

@@ -1,3 +1,6 @@
+// The mesh file is read a second time, with coordinates, because the skin keeps places and triangles only; then each
+// corner of the skin looks its coordinates up by place (mesh/textured_mesh.h). The picture stays as its file's
+// bytes; only the first are looked at, so that a wrong file is told already here. Load time. Own.
 #include "palpate/scene/skin_texture.h"
 
 #include <fmt/format.h>
