@@ -1,3 +1,7 @@
+// Bins: values below 2^6 have one each; above, the six bits after the leading one choose among 64 in an octave. That is
+// a shift and no logarithm, cheap enough for the tick; percentiles count through all bins.
+//
+// Own; HdrHistogram (Tene) has the same bins.
 #include "palpate/servo/histogram.h"
 
 #include <algorithm>
@@ -6,7 +10,6 @@
 
 namespace palpate::servo {
 
-// Bins: values below 2^6 have one each; above, the six bits after the leading one choose among 64 in an octave.
 std::size_t DurationHistogram::binOf(std::uint64_t nanoseconds) {
   if (nanoseconds < (1u << kSubBits)) return nanoseconds;
   const int shift = std::bit_width(nanoseconds) - 1 - kSubBits;

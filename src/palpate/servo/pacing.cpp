@@ -1,3 +1,5 @@
+// Deadline k is start + k periods in whole nanoseconds: nothing adds up. Sleep on the monotonic clock to an absolute
+// time, so a sleep that was interrupted is just asked for again; the rest by reading the clock. Own.
 #include "palpate/servo/pacing.h"
 
 #include <algorithm>

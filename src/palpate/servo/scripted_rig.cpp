@@ -1,3 +1,5 @@
+// World + paths -> a chain a finger. The limiter's stiffness is the stiffest vertex times the steepest that the force
+// law can get within the deepest press: ordinary contact never meets its slew limit. Load time. Own.
 #include "palpate/servo/scripted_rig.h"
 
 #include <algorithm>
