@@ -1,11 +1,12 @@
+// 16 x 16 squares made of vertex numbers, without a buffer: the gradient is worked out at their corners and not at each
+// pixel. Each picture. Own.
 #include "palpate/view/layers/background.h"
 
 namespace palpate::view {
 
 namespace {
 
-// Rows of quads that cover the picture; the colour is worked out at their corners, neutral grey so that colours read
-// true, a little lighter behind the body.
+// Neutral grey, so that colours read true, and a little lighter behind the body.
 constexpr std::string_view kVertex = R"(
 uniform float white;
 out vec3 corner_grey;

@@ -1,3 +1,5 @@
+// ImGui's draw lists in a context of its own, current only while a page is begun, ended or shown. One atlas holds the
+// letters of all three sizes at the scale of the page; the font's file is put into the program by the assembler. Own.
 #include "palpate/view/layers/drawing.h"
 
 #include <backends/imgui_impl_opengl3.h>

@@ -1,3 +1,6 @@
+// The same corners go to the picture or to the feedback buffer, whichever mode is set. What comes back is a token, a
+// number of corners and their places for each polygon; clipping adds corners, so there is room for more than three.
+// Based on: Segal and Akeley, see immediate_drawing.h.
 #include "palpate/view/layers/immediate_drawing.h"
 
 #include <epoxy/gl.h>

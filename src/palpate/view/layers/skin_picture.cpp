@@ -1,3 +1,5 @@
+// Decoded by the processor, halved until it fits, turned over (OpenGL counts rows from below) and uploaded as sRGB, so
+// that filters and mipmaps average light. At a change of world; the picture that is there already stays. Own.
 #include "palpate/view/layers/skin_picture.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,6 @@
+// Modes that keep the eyes apart copy rectangles; those that mix them draw one triangle over the screen that reads
+// both. Eyes are swapped outside the shader. Each picture.
+// Based on: Dubois (2001), Rec. 709, see stereo_composer.h.
 #include "palpate/view/layers/stereo_composer.h"
 
 namespace palpate::view {
