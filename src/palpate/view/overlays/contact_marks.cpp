@@ -1,3 +1,5 @@
+// Crosses, ties and an arrow of a length in proportion to the force, broken where it would be too long.
+// Data flow: FingerOutput -> here -> Lines -> line_layer.h, each picture that asks for it. Own.
 #include "palpate/view/overlays/marks.h"
 
 namespace palpate::view {

@@ -1,3 +1,5 @@
+// What has its place comes first (scale bar, directions, legend, title, section) and notes where it lies; the numbers
+// of the fingers come last and look for a place that is free (plates.h). Worked out anew for each picture. Own.
 #include "palpate/view/overlays/labels.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// The bar is drawn in strips by the function that colours the skin. A finger's value is taken between the corners of
+// its triangle at rest, as a pixel's is. Each picture. Own.
 #include "palpate/view/overlays/legend.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// Asks for what the look shows. Shapes keep their memory from picture to picture; key ellipses and partition, which
+// cost more than a picture may, are made when first shown and kept. Own.
 #include "palpate/view/overlays/overlays.h"
 
 #include "palpate/view/overlays/marks.h"

@@ -1,3 +1,6 @@
+// A plane is the rectangle that it cuts out of a node's cell: one in a BSP tree's node, three in an octree's.
+// Data flow: Partition, proxy -> here -> Lines, Patches -> line_layer.h.
+// Based on: Ji, dissertation 2008, chapter 3, Fig 3.6.
 #include "palpate/view/overlays/partition_marks.h"
 
 #include <cmath>

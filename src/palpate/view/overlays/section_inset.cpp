@@ -1,3 +1,4 @@
+// The curve of section.h as a chart: axes that fit it, a grid in round steps, rest, deformed. Each picture. Own.
 #include "palpate/view/overlays/section.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+// Arrows: moved vertices sorted by the cube they lie in, the first of each cube gets one. Rings grow over sorted lists
+// and not over a mark a vertex: a ring is small, the skin is not.
+// Data flow: DrawnSkin -> here -> Lines -> line_layer.h, each picture that asks for it.
+// Based on: Ji, dissertation 2008, section 4.5, for the rings.
 #include "palpate/view/overlays/marks.h"
 
 #include <algorithm>
