@@ -1,3 +1,5 @@
+// The one file that compiles stb's reader and writer, for PNG and JPEG alone. Pixels are copied out of stb's memory
+// into an Image. Cold path. Own.
 #include "palpate/view/image.h"
 
 #ifndef __clang_analyzer__  // what it finds in there is not ours

@@ -1,3 +1,5 @@
+// EGL on Mesa's platform without surfaces, else on the default display; no surface is ever made, so drawing goes to
+// framebuffers only. OpenGL counts rows from below: reading turns them over. Own.
 #include "palpate/view/offscreen.h"
 
 #include <epoxy/egl.h>

@@ -1,3 +1,5 @@
+// The mode that the canvas can show -> eyes moved together where the parallax would tire -> one page of labels -> each
+// eye drawn, the page over it -> both composed. The page lies in the screen, so it is laid out once for both. Own.
 #include "palpate/view/painter.h"
 
 #include "palpate/mesh/triangle_mesh.h"

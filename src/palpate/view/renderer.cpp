@@ -1,3 +1,5 @@
+// The layers and the order they are drawn in (docs/rendering.md). Of OpenGL's state it sets depth and winding; the rest
+// each layer sets and puts back. A world with the same body exchanges maps and keeps its buffers. Each picture. Own.
 #include "palpate/view/renderer.h"
 
 #include <algorithm>
