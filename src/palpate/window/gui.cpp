@@ -1,3 +1,6 @@
+// Events become the one state a frame that this ImGui wants; its text fields get keys by a map from our numbers.
+// Letters are made in pixels and laid out in points.
+// Data flow: InputEvent -> here -> the caller's panels -> triangles -> any framebuffer. 60 Hz. Own.
 #include "palpate/window/gui.h"
 
 #include <backends/imgui_impl_opengl3.h>

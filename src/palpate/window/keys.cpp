@@ -1,3 +1,5 @@
+// The table, looked up row by row: some fifty rows, once a key. The order of overlays and colourings is that of their
+// enumerators, so an action becomes one by subtraction. Own.
 #include "palpate/window/keys.h"
 
 #include <fmt/format.h>

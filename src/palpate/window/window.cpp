@@ -1,3 +1,6 @@
+// GLFW's callbacks fill a list of events with time, place and modifiers as they were then; pixels, not GLFW's screen
+// coordinates. A finished picture comes by one blit, so the window asks for no depth buffer.
+// Data flow: GLFW -> events -> input.h; Target -> here -> screen. Main thread. Own.
 #include "palpate/window/window.h"
 
 #include <fmt/format.h>
