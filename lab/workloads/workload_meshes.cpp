@@ -1,3 +1,5 @@
+// A jittered grid of cells, split at the border until the count is exact, then lifted onto a height and rounded to
+// float. The order of operations is part of the contract: another order rounds differently and makes another mesh. Own.
 #include "lab/workloads/workload_meshes.h"
 
 #include <fmt/format.h>
@@ -8,8 +10,6 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
-
-// The order of operations below is part of the contract: another order rounds differently and makes another mesh.
 
 namespace palpate::lab {
 
