@@ -1,3 +1,4 @@
+// Two kernels of loading, welding and the triangle tree, and all of them in one list. Own.
 #include "bench/kernels/kernel_list.h"
 
 #include <iterator>

@@ -1,3 +1,5 @@
+// Follows the pseudocode of section 4.5 list by list; comments in quotes are its words. Equations are marked where they
+// are used. Based on: Ji, dissertation 2008, chapter 4, see deformation.h.
 #include "bench/literal/deformation.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// No list is kept from tick to tick. Leaves come from the museum's own search, with its correction (E5).
+// Based on: Ji, dissertation 2008, 3.3; Sunday (2003), see hdb_contact.h.
 #include "bench/literal/hdb_contact.h"
 
 #include <Eigen/Geometry>

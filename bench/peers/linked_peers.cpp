@@ -1,3 +1,4 @@
+// The libraries that were found at build time, in the places of those of their name. Own.
 #include "bench/peers/peer.h"
 
 namespace palpate::bench {

@@ -1,3 +1,4 @@
+// contact_run.h with the detecting box as the source of contact: same tips, same figures, and what the box did. Own.
 #include "bench/runs/hdb_run.h"
 
 #include <algorithm>
