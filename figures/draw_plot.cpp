@@ -1,4 +1,5 @@
-
+// A plot's layers from back to front, in the order of plot.h; series and shapes are clipped to the frame, whole markers
+// and labelled places are not. Own.
 #include <cmath>
 
 #include "figures/drawing.h"

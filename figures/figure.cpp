@@ -1,3 +1,5 @@
+// Lays panels, titles and the note out first, because the note's lines are wrapped by measuring, then draws once on the
+// sheet that was asked for: PNG, SVG, or one whose texts a test reads. Own.
 #include "figures/figure.h"
 
 #include <cmath>

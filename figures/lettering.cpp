@@ -1,3 +1,4 @@
+// A label tries ten spots round its place, the nearer ones first; where none is free it stays at the first. Own.
 #include "figures/lettering.h"
 
 #include <array>

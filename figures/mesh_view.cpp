@@ -1,3 +1,4 @@
+// Corners of a box are numbered by bits, one an axis: an edge changes one bit. Own.
 #include "figures/mesh_view.h"
 
 namespace palpate::figures {

@@ -1,3 +1,4 @@
+// Outlines as polygons: an ellipse has 128 corners. Own.
 #include "figures/plot.h"
 
 #include <cmath>
