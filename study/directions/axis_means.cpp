@@ -1,3 +1,5 @@
+// Random ellipses about a known axis, of the mean measured size, are averaged in each of the three ways. Seeds are the
+// trials' numbers, so all ways see the same people. Based on: see axis_means.h.
 #include "study/directions/axis_means.h"
 
 #include <algorithm>

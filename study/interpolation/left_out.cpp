@@ -1,3 +1,6 @@
+// Every method works on the three parts of the log-tensor, so that none can foretell an ellipse that is none. A point
+// goes with its mirror image: left in, the image would tell what was left out.
+// Based on: Ji, dissertation 2008, 5.2 (GRI); Duchon (1977) for thin plates, see maps/thin_plate_spline.h.
 #include "study/interpolation/left_out.h"
 
 #include <algorithm>

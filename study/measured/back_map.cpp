@@ -1,3 +1,5 @@
+// A grid over the outline's box, empty outside; places come in pairs of mirror images, or symmetry could not be judged.
+// Own.
 #include "study/measured/back_map.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// The built-in back without relief and asymmetry, and the built-in hand, at the printed numbers of triangles. Own.
 #include "study/measured/model_meshes.h"
 
 #include "palpate/body/back.h"

@@ -1,3 +1,4 @@
+// Presses by the general displacement whatever the forms are: pictures compare forms, not ways. Own.
 #include "study/measured/pressed_skin.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// Triangles are drawn by area, by search in its running sum; then a place within one.
+// Based on: Turk, "Generating random points in triangles", Graphics Gems, 1990.
 #include "study/measured/skin_places.h"
 
 #include <Eigen/Geometry>

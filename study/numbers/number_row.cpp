@@ -1,3 +1,5 @@
+// A printed number is right when ours, rounded to as many digits, is it; misprints are a list of their own, found by
+// place, quantity and number, so that none can excuse another row. Own.
 #include "study/numbers/number_row.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// Three circles, by (5.7) as printed and by the engine. Based on: Ji, dissertation 2008, 5.2, with E28.
 #include "study/numbers/table_5_1.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// Section, steps and turns are taken at eight phases of the vertices: a step of the array may fall between them.
+// Look-ups are timed on scattered ratios that stay in the first cache beside the array. Based on: see array_quality.h.
 #include "study/profile/array_quality.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// For each model, tree and threshold: build, then one frame at each place, of the dissertation's way and of ours.
+// Based on: Ji, dissertation 2008, 3.3.1, with E7.
 #include "study/threshold/threshold_measurement.h"
 
 #include <fmt/format.h>
