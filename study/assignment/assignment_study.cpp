@@ -1,3 +1,4 @@
+// The study of cases A, B and C: plots, tables and findings out of one measurement.
 #include "study/studies.h"
 
 #include <fmt/format.h>

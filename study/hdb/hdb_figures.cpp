@@ -1,3 +1,4 @@
+// The pictures of the study of the detecting box.
 #include "study/hdb/hdb_measurement.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// The study of the detecting box: what each size costs, which sizes a fast finger gets through, and the rule that
+// follows.
 #include "study/studies.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// Tables 3.1, 3.2 and Appendix B: rates measured today beside the printed ones; their shapes are compared, not their
+// sizes.
 #include "study/studies.h"
 
 #include <fmt/format.h>
