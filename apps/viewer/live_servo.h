@@ -1,7 +1,6 @@
 // The mouse's fingers on the present world: engine::ServoThread with two mouse devices.
 //
-//   display ─ FingerTarget (triple buffer) ─► MouseLink ─ tip ─► servo tick          display ◄─ contacts, samples,
-//   vitals
+//   display ─ FingerTarget (triple buffer) ─► MouseLink ─ tip ─► servo tick ─ contacts, samples, vitals ─► display
 #pragma once
 
 #include <array>

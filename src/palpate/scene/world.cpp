@@ -1,9 +1,10 @@
 // Builds a world in the order in which its parts need each other:
 //
-//   scene ─ forms (their files first) ─► body ─ key points ─► stiffness ─► contact surface ─► detecting box, if asked
-//   for
-//                                          └─► deformable skin, beside them ──┐
-//                                                     key points ─► ellipses, contours ─► World
+//   scene ─ forms (their files first) ─► body ─ key points ─► stiffness ─► contact surface ─► detecting box ─► World
+//                                          ├─► deformable skin, beside them ──────────────────────────────────────▲
+//                                          └─ key points ─► ellipses, contours ───────────────────────────────────┘
+//
+// The detecting box is built where it is asked for.
 //
 // `rebuilt` starts behind the body: nothing it may change moves a vertex.
 #include "palpate/scene/world.h"
