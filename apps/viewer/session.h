@@ -80,7 +80,7 @@ struct Session {
   Plots plots;
   Replay replay;
   int hint = 0;            ///< how many hints have been followed
-  std::string scene_file;  ///< where save goes; empty: ask
+  std::string scene_file;  ///< where save goes; empty: to a fresh name (files/outputs.h)
   Asks asks;
 
   // What is.

@@ -1,7 +1,6 @@
 // `palpate study`: the dissertation's numbers and figures, computed and drawn by the engine.
 //
-// Each study is a subcommand with a file of its own in study/; those that write a page are added by
-// study_page_command.cpp.
+// Each study is a subcommand with a file of its own in study/; those that write a page are listed in study/studies.cpp.
 #include <fmt/format.h>
 #include <cstdio>
 #include <memory>

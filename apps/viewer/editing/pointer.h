@@ -32,7 +32,7 @@ class Pointer {
   /// Another body: no finger is on it yet.
   void reset();
 
-  /// True if the command was one of these: hover, press, slide, lift, deepen, orbit, pan, zoom, centre, ring steps.
+  /// True if the command was about a finger or the camera, and then it was done; false for actions and the editor's.
   bool apply(const window::Command& command, Session& session);
   /// A ring step of the keyboard.
   bool step(window::Action action, bool fine, Session& session);
@@ -43,8 +43,9 @@ class Pointer {
   device::FingerTarget target(std::size_t finger, const Session& session) const;
   const std::optional<SkinPlace>& placeOf(std::size_t finger) const { return fingers_[finger].place; }
   bool pressed(std::size_t finger) const { return fingers_[finger].pressed; }
-  /// The camera on its way to another view, if it is.
+  /// Sends the camera to another view; at once with reduced motion.
   void fly(const view::Camera& to, const Session& session, double seconds);
+  /// Once a frame: the camera's flight goes on.
   void advance(Session& session);
 
  private:

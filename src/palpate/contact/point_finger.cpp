@@ -1,6 +1,6 @@
 // One tick of a point finger: exact entry, bounded walk to the local minimum, too-deep rule, border, exact release.
 //
-// The tip is free until its path crosses the skin from front to back, exactly (partition/exact_predicates.h). From then
+// The tip is free until its path crosses the skin from front to back, exactly (tree/exact_predicates.h). From then
 // on the proxy walks on the skin towards the tip, no further in a tick than the path bound, and the tip is let go when
 // it is in front of the proxy's tangent plane by more than rounding. Nothing here has an absolute length except the
 // settings.
