@@ -1,7 +1,5 @@
 #include "apps/viewer/eyesight.h"
 
-#include <algorithm>
-
 namespace palpate::viewer {
 
 void Eyesight::keepUsable(Session& session) {

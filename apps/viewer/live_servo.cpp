@@ -1,7 +1,5 @@
 #include "apps/viewer/live_servo.h"
 
-#include "palpate/servo/scripted_rig.h"
-
 namespace palpate::viewer {
 
 namespace {

@@ -4,8 +4,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <utility>
 
 #include "apps/viewer/editing/acts.h"
@@ -15,7 +13,6 @@
 #include "apps/viewer/home_view.h"
 #include "apps/viewer/panels/hints.h"
 #include "apps/viewer/panels/panels.h"
-#include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
 
 namespace palpate::viewer {

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "palpate/base/csv.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"

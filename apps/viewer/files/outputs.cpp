@@ -4,7 +4,6 @@
 
 #include <utility>
 
-#include "palpate/base/error.h"
 #include "palpate/base/text.h"
 #include "palpate/scene/scene_writer.h"
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "palpate/base/error.h"
 #include "palpate/servo/tick.h"
 #include "palpate/trace/forces_table.h"
 

@@ -2,8 +2,6 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include <algorithm>
-
 #include "apps/viewer/panels/panels.h"
 #include "apps/viewer/panels/widgets.h"
 

@@ -1,5 +1,4 @@
 // Choosing a file: recent ones, a folder to walk through, and a line to type into.
-#include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
 

@@ -1,6 +1,5 @@
 // What is written while one palpates: forces, pictures, the scene.
 #include <fmt/format.h>
-#include <imgui.h>
 
 #include "apps/viewer/panels/panels.h"
 #include "apps/viewer/panels/widgets.h"

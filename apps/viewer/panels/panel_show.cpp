@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "apps/viewer/editing/acts.h"
 #include "apps/viewer/panels/panels.h"
 #include "apps/viewer/panels/widgets.h"
 

@@ -1,6 +1,5 @@
 // The displacement profile as a curve: how far the skin follows, from under the finger to the rim of the region. The
 // user's own curve has handles: drag them, double click for a new one, right click to take one away.
-#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>

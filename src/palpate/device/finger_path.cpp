@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
-#include <numeric>
 
 #include "palpate/base/error.h"
 #include "palpate/tree/triangle_tree.h"

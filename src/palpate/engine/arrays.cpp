@@ -10,8 +10,6 @@
 #include <limits>
 
 #include "palpate/base/error.h"
-#include "palpate/mesh/reorder.h"
-#include "palpate/mesh/repair.h"
 #include "palpate/mesh/weld.h"
 #include "palpate/scene/body_parts.h"
 

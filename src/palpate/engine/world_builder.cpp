@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "palpate/base/stopwatch.h"
-#include "palpate/servo/pacing.h"
 
 namespace palpate::engine {
 

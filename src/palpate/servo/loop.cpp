@@ -4,7 +4,6 @@
 #include "palpate/servo/loop.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "palpate/base/stopwatch.h"
 

@@ -3,7 +3,6 @@
 // Data flow: FingerPose, HandPose -> here -> framebuffer, each picture. Own.
 #include "palpate/view/layers/finger_layer.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>

@@ -2,9 +2,6 @@
 // the last apply wrote go up, each followed by its copies on seams of the texture.
 #include "palpate/view/layers/skin_buffers.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdint>
 #include <vector>
 

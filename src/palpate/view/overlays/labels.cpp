@@ -4,9 +4,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 
 #include "palpate/view/overlays/legend.h"
 #include "palpate/view/overlays/plates.h"

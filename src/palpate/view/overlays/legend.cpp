@@ -2,7 +2,6 @@
 // its triangle at rest, as a pixel's is. Each picture. Own.
 #include "palpate/view/overlays/legend.h"
 
-#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 

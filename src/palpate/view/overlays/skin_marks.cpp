@@ -5,7 +5,6 @@
 #include "palpate/view/overlays/marks.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
