@@ -29,7 +29,7 @@ engine::ServoThread::Guide guideOf(std::array<device::MouseLink, kFingers>& link
 
 }  // namespace
 
-double radiusOf(const scene::Scene& scene, std::size_t finger) {
+double fingerRadius(const scene::Scene& scene, std::size_t finger) {
   if (scene.contact.source == scene::ContactSource::hdb) return 0.0;  // it knows points only
   if (finger >= scene.fingers.size() || scene.fingers[finger].radius_mm <= 0.0) return kFingertipMm;
   return scene.fingers[finger].radius_mm;
@@ -39,7 +39,7 @@ engine::ServoPlan planFor(std::shared_ptr<const scene::World> world, const scene
   std::vector<contact::FingerSettings> fingers;
   for (std::size_t i = 0; i < kFingers; ++i) {
     scene::Finger finger;
-    finger.radius_mm = radiusOf(scene, i);
+    finger.radius_mm = fingerRadius(scene, i);
     fingers.push_back(scene::contactSettings(scene, finger));
   }
   engine::ServoPlan plan = engine::servoPlan(std::move(world), std::move(fingers));

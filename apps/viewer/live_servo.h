@@ -17,8 +17,8 @@ inline constexpr std::size_t kFingers = 2;
 /// Throws Error for settings that make no sense.
 engine::ServoPlan planFor(std::shared_ptr<const scene::World> world, const scene::Scene& scene, bool other_body);
 
-/// Radius of a mouse finger of a scene, mm.
-double radiusOf(const scene::Scene& scene, std::size_t finger);
+/// The radius of a mouse finger of a scene as it is drawn and felt, mm.
+double fingerRadius(const scene::Scene& scene, std::size_t finger);
 
 /// Belongs to the display's thread.
 class LiveServo {

@@ -79,7 +79,7 @@ TEST(LiveServo, OfManyChangesTheNewestWins) {
   servo.point(0, pressAt({100, 100, 0}, 14.0));
   ASSERT_TRUE(waitFor(servo, [&] { return servo.thread().contacts()[0].contact.depth_mm > 13.9; }));
   scene::Scene scene = world->scene;
-  const double radius_mm = radiusOf(scene, 0);
+  const double radius_mm = fingerRadius(scene, 0);
   constexpr int kChanges = 50;
   for (int i = 1; i <= kChanges; ++i) {
     scene.contact.finger.max_depth_mm = 8.0 - 0.1 * i;  // with the radius, the deepest that is felt

@@ -19,8 +19,6 @@ constexpr double kHalfSpeedN = 8.0;
 
 }  // namespace
 
-double fingerRadius(const scene::Scene& scene, std::size_t finger) { return radiusOf(scene, finger); }
-
 void Pointer::look(const PickScreen& screen, std::shared_ptr<const scene::World> world) {
   screen_ = screen;
   world_ = std::move(world);

@@ -71,7 +71,4 @@ class Pointer {
   std::optional<Flight> flight_;
 };
 
-/// The radius of a finger as it is drawn and felt, mm.
-double fingerRadius(const scene::Scene& scene, std::size_t finger);
-
 }  // namespace palpate::viewer
