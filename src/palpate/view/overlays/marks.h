@@ -13,7 +13,6 @@ namespace palpate::view {
 /// sRGB and opacity. The finger's own colours are in finger_pose.h.
 inline constexpr Paint kWireframePaint{20, 22, 28, 110};
 inline constexpr Paint kHapticTrianglePaint{40, 220, 70, 90};
-inline constexpr Paint kHapticEdgePaint{60, 255, 95, 200};
 inline constexpr Paint kLeafBoxPaint{70, 140, 255, 200};
 /// Splitting planes square to x, y, z (Fig 3.6).
 inline constexpr std::array<Paint, 3> kPlanePaints{{{60, 220, 80, 220}, {240, 70, 60, 220}, {245, 215, 50, 220}}};
