@@ -78,7 +78,7 @@ Button Input::meant(Button button) const {
 }
 
 Input::Drag Input::dragFor(Button button, const Modifiers& modifiers, const Situation& situation) const {
-  const bool classic = settings.preset == MousePreset::palpate;
+  const bool middle_pans = settings.preset == MousePreset::palpate;
   switch (button) {
     case Button::left:
       if (modifiers.ctrl) return Drag::orbit;
@@ -88,7 +88,7 @@ Input::Drag Input::dragFor(Button button, const Modifiers& modifiers, const Situ
     case Button::right:
       return modifiers.shift || settings.preset == MousePreset::cad ? Drag::pan : Drag::orbit;
     default:
-      return classic || modifiers.shift ? Drag::pan : Drag::orbit;
+      return middle_pans || modifiers.shift ? Drag::pan : Drag::orbit;
   }
 }
 

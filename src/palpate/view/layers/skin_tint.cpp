@@ -27,7 +27,7 @@ double latticeValue(std::int64_t x, std::int64_t y, std::int64_t z) {
   return Random(mixed).uniform(-1.0, 1.0);
 }
 
-/// Smooth noise in [-1, 1], one value a unit cell (Perlin's value noise).
+/// Smooth noise in [-1, 1] between values at the corners of a unit lattice (value noise).
 double noiseAt(const Vec3& p) {
   const Vec3 cell = p.array().floor();
   const Vec3 t = p - cell;
