@@ -250,20 +250,20 @@ std::vector<std::pair<std::string, double>> numbersOf(const AssignmentMeasuremen
 
 StudyPage studyAssignment(const StudySettings& settings) {
   const AssignmentMeasurement found = measureAssignments(assignmentPlan(settings.quick), settings.progress);
-  StudyPage page;
-  page.title = "Triangles that a splitting plane crosses";
-  page.question =
-      "A plane of the partition crosses triangles. Case A cuts them, case B gives them to both sides, case C to the "
-      "side of two of their vertices; the dissertation takes C as \"the most efficient for rendering\" (3.3.2). How "
-      "many triangles does each store and render, how far do leaves overlap, what is missed, and what does it cost?";
-  page.findings = {bestFinding(found), smallLeavesFinding(found), missFinding(found), overlapFinding(found),
-                   buildFinding(found)};
-  page.method = methodOf(found.plan);
-  page.tables = {{"assignment_1024_table", "At the dissertation's threshold of 1024.", rowTable(printedRows(found))},
-                 {"assignment_table", "Every threshold.", rowTable(found.rows), false}};
-  page.figures = figuresOf(found);
-  page.numbers = numbersOf(found);
-  return page;
+  return {
+      .title = "Triangles that a splitting plane crosses",
+      .question =
+          "A plane of the partition crosses triangles. Case A cuts them, case B gives them to both sides, case C to "
+          "the side of two of their vertices; the dissertation takes C as \"the most efficient for rendering\" "
+          "(3.3.2). How many triangles does each store and render, how far do leaves overlap, what is missed, and what "
+          "does it cost?",
+      .findings = {bestFinding(found), smallLeavesFinding(found), missFinding(found), overlapFinding(found),
+                   buildFinding(found)},
+      .method = methodOf(found.plan),
+      .tables = {{"assignment_1024_table", "At the dissertation's threshold of 1024.", rowTable(printedRows(found))},
+                 {"assignment_table", "Every threshold.", rowTable(found.rows), false}},
+      .figures = figuresOf(found),
+      .numbers = numbersOf(found)};
 }
 
 }  // namespace palpate::study

@@ -241,24 +241,20 @@ std::vector<std::pair<std::string, double>> numbersOf(const ComplexityResults& r
 
 StudyPage studyComplexity(const StudySettings& settings) {
   const ComplexityResults results = measureComplexity(settings);
-  StudyPage page;
-  page.title = "What a search for the leaves costs";
-  page.question =
-      "Sections 3.3.4 and 3.4.2 estimate the cost of finding the leaves around the proxy as 0.8 n boxes for the BSP "
-      "tree and 0.4 n for the octree, n being the leaves, from a worst case w (Tables 3.3 and 3.4) and a share r = 0.1 "
-      "of "
-      "leaves found. What do searches really visit, and where do the claims stand?";
-  page.findings = findingsOf(results);
-  page.method = {
-      "Complete trees are made from small triangles in the cells of a regular division. Real models are the built-in "
-      "back and hand, which stand in for the unpublished ones, with case C; the proxy stands on up to 1500 vertices "
-      "each. A search enters a node whose tight box meets the detecting box. Counted are the nodes on the ways to the "
-      "leaves found (the text's c) and the boxes tested (what a program does). Only trees of 30 leaves or more count "
-      "where a list is compared."};
-  page.figures = complexityFigures(results);
-  page.tables = {wTable(results), quarterTable(results), casesTable(results)};
-  page.numbers = numbersOf(results);
-  return page;
+  return {.title = "What a search for the leaves costs",
+          .question =
+              "Sections 3.3.4 and 3.4.2 estimate the cost of finding the leaves around the proxy as 0.8 n boxes for "
+              "the BSP tree and 0.4 n for the octree, n being the leaves, from a worst case w (Tables 3.3 and 3.4) and "
+              "a share r = 0.1 of leaves found. What do searches really visit, and where do the claims stand?",
+          .findings = findingsOf(results),
+          .method = {"Complete trees are made from small triangles in the cells of a regular division. Real models are "
+                     "the built-in back and hand, which stand in for the unpublished ones, with case C; the proxy "
+                     "stands on up to 1500 vertices each. A search enters a node whose tight box meets the detecting "
+                     "box. Counted are the nodes on the ways to the leaves found (the text's c) and the boxes tested "
+                     "(what a program does). Only trees of 30 leaves or more count where a list is compared."},
+          .tables = {wTable(results), quarterTable(results), casesTable(results)},
+          .figures = complexityFigures(results),
+          .numbers = numbersOf(results)};
 }
 
 }  // namespace palpate::study

@@ -287,38 +287,35 @@ std::vector<std::string> findingsOf(const DirectionResults& results) {
 
 StudyPage studyDirections(const StudySettings& settings) {
   const DirectionResults results = measuredDirections(settings);
-  StudyPage page;
-  page.title = "Directions of ellipses: numbers or tensors";
-  page.question =
-      "The dissertation averages the directions of ellipses as numbers, between subjects (Appendix C) and between key "
-      "points (5.17). An axis has no sense, so 0 and 180 degree are the same, and a circle has no direction at all "
-      "(E29, E30). Where does this matter, and by how much?";
-  page.findings = findingsOf(results);
-  page.method = {
-      "The fields are the engine's ellipse map over the seven key points (radius of effect 200 mm, basic circle 150 "
-      "mm), with the printed, the double-angle and the tensor blend and nothing else changed. Where the points lie on "
-      "the "
-      "back is assumed (E33).",
-      "Known axes: five ellipses with the mean size and ratio of Appendix C, turned by normal noise, or with normal "
-      "noise on the logarithms of their radii; 4000 trials a point. The degrees are written in [0, 180) as in "
-      "Appendix C."};
-  page.figures = {{"directions_up",
-                   "The field of directions, dragged up: printed, ours, and the angle between the two. "
-                   "Short strokes are near-circles.",
+  return {
+      .title = "Directions of ellipses: numbers or tensors",
+      .question =
+          "The dissertation averages the directions of ellipses as numbers, between subjects (Appendix C) and between "
+          "key points (5.17). An axis has no sense, so 0 and 180 degree are the same, and a circle has no direction at "
+          "all (E29, E30). Where does this matter, and by how much?",
+      .findings = findingsOf(results),
+      .method = {"The fields are the engine's ellipse map over the seven key points (radius of effect 200 mm, basic "
+                 "circle 150 mm), with the printed, the double-angle and the tensor blend and nothing else changed. "
+                 "Where the points lie on the back is assumed (E33).",
+                 "Known axes: five ellipses with the mean size and ratio of Appendix C, turned by normal noise, or "
+                 "with normal noise on the logarithms of their radii; 4000 trials a point. The degrees are written in "
+                 "[0, 180) as in Appendix C."},
+      .tables = {meansTable(results.means), fieldTable(results)},
+      .figures = {{"directions_up",
+                   "The field of directions, dragged up: printed, ours, and the angle between the two. Short strokes "
+                   "are near-circles.",
                    fieldFigure(maps::ForceDirection::up)},
                   {"directions_down", "The same with the data of the three subjects dragged down.",
                    fieldFigure(maps::ForceDirection::down)},
-                  {"directions_means", "Error of the mean of five axes whose truth is known.", meansFigure(results)}};
-  page.tables = {meansTable(results.means), fieldTable(results)};
-  page.numbers = {{"field_mean_deg_up", results.printed_up.mean_deg},
+                  {"directions_means", "Error of the mean of five axes whose truth is known.", meansFigure(results)}},
+      .numbers = {{"field_mean_deg_up", results.printed_up.mean_deg},
                   {"field_max_deg_up", results.printed_up.most_deg},
                   {"field_share_above_10_deg_up", results.printed_up.share_above_10_deg},
                   {"boundary_max_mm_up", results.printed_up.most_boundary_mm},
                   {"mirror_breach_deg_up", results.printed_up.mirror_deg},
                   {"field_max_deg_down", results.printed_down.most_deg},
                   {"p5_up_printed_deg", results.means[4].deg[0]},
-                  {"p5_up_tensor_deg", results.means[4].deg[2]}};
-  return page;
+                  {"p5_up_tensor_deg", results.means[4].deg[2]}}};
 }
 
 }  // namespace palpate::study

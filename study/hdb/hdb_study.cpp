@@ -262,20 +262,18 @@ std::vector<std::pair<std::string, double>> numbersOf(const HdbMeasurement& foun
 
 StudyPage studyHdb(const StudySettings& settings) {
   const HdbMeasurement found = measureHdbSizes(hdbPlan(settings.quick), settings.progress);
-  StudyPage page;
-  page.title = "The size of the haptic detecting box";
-  page.question =
-      "The haptic process sees only triangles near the proxy: those that a box around it meets. Too small a box lets a "
-      "fast finger through the skin, because the box follows late; too large a box costs time. The dissertation "
-      "settles on a quarter of the model \"after several experiments\" (3.3.3). Is that right, and what should replace "
-      "the guess (E12)?";
-  page.findings = {ruleFinding(found), marginFinding(found), leadFinding(found),  quarterFinding(found),
-                   costFinding(found), leavesFinding(found), elseIfFinding(found)};
-  page.method = methodOf(found);
-  page.tables = tablesOf(found);
-  page.figures = hdbFigures(found);
-  page.numbers = numbersOf(found);
-  return page;
+  return {.title = "The size of the haptic detecting box",
+          .question =
+              "The haptic process sees only triangles near the proxy: those that a box around it meets. Too small a "
+              "box lets a fast finger through the skin, because the box follows late; too large a box costs time. The "
+              "dissertation settles on a quarter of the model \"after several experiments\" (3.3.3). Is that right, "
+              "and what should replace the guess (E12)?",
+          .findings = {ruleFinding(found), marginFinding(found), leadFinding(found), quarterFinding(found),
+                       costFinding(found), leavesFinding(found), elseIfFinding(found)},
+          .method = methodOf(found),
+          .tables = tablesOf(found),
+          .figures = hdbFigures(found),
+          .numbers = numbersOf(found)};
 }
 
 }  // namespace palpate::study

@@ -299,25 +299,25 @@ std::vector<std::string> findingsOf(const InterpolationErrors& results) {
 
 StudyPage studyInterpolation(const StudySettings& settings) {
   const InterpolationErrors results = measuredErrors(settings);
-  StudyPage page;
-  page.title = "Interpolating measured ellipses";
-  page.question =
-      "Chapter 5 interpolates the ellipses of a few measured points by Gaussian radial interpolation (GRI), first as "
-      "(5.7), which misses the points, then as (5.16), which does not (Figures 5.9 to 5.11). How does it depend on its "
-      "width, and does it foresee the ellipse at a place where nobody measured better than other interpolations do?";
-  page.findings = findingsOf(results);
-  page.method = {
-      "Ellipses are interpolated as log-Euclidean tensors by every method alike. The error of a foretold ellipse is "
-      "the distance between the two boundaries, root mean square over all directions. P4 and P5 are left out together "
-      "with "
-      "their mirror images P6 and P7. Subjects: the 40 rows of Appendix C, five people dragged up and three down. GRI "
-      "has an effect radius of 200 mm where nothing else is said. The basic circle of 150 mm was chosen from all seven "
-      "means, which flatters it a little; \"over the mean\" takes only what is left.",
-      "Where the points lie on our back is assumed (E33). Figure 5.11 prints neither values nor parameters, so it can "
-      "be compared by its look only: large at the shoulders, small at the waist."};
-  page.figures = figuresOf(results, settings.quick);
-  page.tables = {leftOutTable(results), keysTable()};
-  page.numbers = {{"radius_of_figure_5_9_from_mm", results.figure_5_9.from},
+  return {
+      .title = "Interpolating measured ellipses",
+      .question =
+          "Chapter 5 interpolates the ellipses of a few measured points by Gaussian radial interpolation (GRI), first "
+          "as (5.7), which misses the points, then as (5.16), which does not (Figures 5.9 to 5.11). How does it depend "
+          "on its width, and does it foresee the ellipse at a place where nobody measured better than other "
+          "interpolations do?",
+      .findings = findingsOf(results),
+      .method =
+          {"Ellipses are interpolated as log-Euclidean tensors by every method alike. The error of a foretold ellipse "
+           "is the distance between the two boundaries, root mean square over all directions. P4 and P5 are left out "
+           "together with their mirror images P6 and P7. Subjects: the 40 rows of Appendix C, five people dragged up "
+           "and three down. GRI has an effect radius of 200 mm where nothing else is said. The basic circle of 150 mm "
+           "was chosen from all seven means, which flatters it a little; \"over the mean\" takes only what is left.",
+           "Where the points lie on our back is assumed (E33). Figure 5.11 prints neither values nor parameters, so it "
+           "can be compared by its look only: large at the shoulders, small at the waist."},
+      .tables = {leftOutTable(results), keysTable()},
+      .figures = figuresOf(results, settings.quick),
+      .numbers = {{"radius_of_figure_5_9_from_mm", results.figure_5_9.from},
                   {"radius_of_figure_5_9_to_mm", results.figure_5_9.to},
                   {"left_out_mean_rms_mm", results.subjects[0].rms_mm},
                   {"left_out_gri_rms_mm", results.subjects[1].rms_mm},
@@ -326,8 +326,7 @@ StudyPage studyInterpolation(const StudySettings& settings) {
                   {"left_out_plane_rms_mm", results.subjects[4].rms_mm},
                   {"subject_scatter_mm", results.scatter_mm},
                   {"best_effect_radius_mm", bestRadius(results)},
-                  {"up_down_rms_mm", results.up_down_mm}};
-  return page;
+                  {"up_down_rms_mm", results.up_down_mm}}};
 }
 
 }  // namespace palpate::study

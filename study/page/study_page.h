@@ -37,7 +37,7 @@ struct StudyTable {
 };
 
 struct StudyPage {
-  std::string name;  ///< of the subcommand and of the Markdown file
+  std::string name{};  ///< of the subcommand and of the Markdown file
   std::string title;
   std::string question;               ///< what was asked, one paragraph
   std::vector<std::string> findings;  ///< a paragraph each, most important first
@@ -45,8 +45,8 @@ struct StudyPage {
   std::vector<StudyTable> tables;
   std::vector<StudyFigure> figures;
   std::vector<std::pair<std::string, double>> numbers;  ///< the main results by name, with the unit in it, for programs
-  std::string command;                                  ///< that makes this page again
-  std::string machine;                                  ///< that it ran on
+  std::string command{};                                ///< that makes this page again
+  std::string machine{};                                ///< that it ran on
   double seconds = 0.0;                                 ///< that it took
 };
 

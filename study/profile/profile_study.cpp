@@ -337,30 +337,28 @@ std::vector<std::pair<std::string, double>> numbersOf(const ProfileResults& resu
 
 StudyPage studyProfile(const StudySettings& settings) {
   const ProfileResults results = measured(settings);
-  StudyPage page;
-  page.title = "The array of the half Gaussian";
-  page.question =
-      "The dissertation stores the half Gaussian in an array and takes the nearest entry (4.3). Figure 4.9 compares "
-      "20, 130 and 700 entries by eye and chooses 700. How large must the array be, and is the nearest entry the right "
-      "one?";
-  page.findings = findingsOf(results);
-  page.method = {
-      "A section of skin from the finger to the rim, 150 mm long as the measured half axes are, is pressed 10 mm deep "
-      "with the array and with the curve itself. The error is the largest distance between the two; the step is what "
-      "two neighbouring vertices differ beyond the curve's own slope; the turn is the change of the normal from facet "
-      "to facet beyond the curve's own. The vertices are shifted by eighths of their distance and the worst counts.",
-      "Times are of a bare look-up at 4096 scattered places, best of nine runs; they vary with the machine. Figure 4.9 "
-      "prints no numbers: its sizes are marked on our curves."};
-  page.figures = {
-      {"profile_sweep", "Error, turn of the normal and time over the size of the array.", sweepFigure(results)},
-      {"profile_surfaces",
-       "Figure 4.9 again: pressed skin through the three arrays, and through 130 entries "
-       "read between them.",
-       surfaceFigure(settings.quick)},
-      {"profile_sections", "Sections of the same skin: what a step is.", sectionFigure()}};
-  page.tables = {qualityTable(results)};
-  page.numbers = numbersOf(results);
-  return page;
+  return {
+      .title = "The array of the half Gaussian",
+      .question =
+          "The dissertation stores the half Gaussian in an array and takes the nearest entry (4.3). Figure 4.9 "
+          "compares 20, 130 and 700 entries by eye and chooses 700. How large must the array be, and is the nearest "
+          "entry the right one?",
+      .findings = findingsOf(results),
+      .method = {"A section of skin from the finger to the rim, 150 mm long as the measured half axes are, is pressed "
+                 "10 mm deep with the array and with the curve itself. The error is the largest distance between the "
+                 "two; the step is what two neighbouring vertices differ beyond the curve's own slope; the turn is the "
+                 "change of the normal from facet to facet beyond the curve's own. The vertices are shifted by eighths "
+                 "of their distance and the worst counts.",
+                 "Times are of a bare look-up at 4096 scattered places, best of nine runs; they vary with the machine. "
+                 "Figure 4.9 prints no numbers: its sizes are marked on our curves."},
+      .tables = {qualityTable(results)},
+      .figures =
+          {{"profile_sweep", "Error, turn of the normal and time over the size of the array.", sweepFigure(results)},
+           {"profile_surfaces",
+            "Figure 4.9 again: pressed skin through the three arrays, and through 130 entries read between them.",
+            surfaceFigure(settings.quick)},
+           {"profile_sections", "Sections of the same skin: what a step is.", sectionFigure()}},
+      .numbers = numbersOf(results)};
 }
 
 }  // namespace palpate::study

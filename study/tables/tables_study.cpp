@@ -376,21 +376,19 @@ std::vector<std::pair<std::string, double>> numbersOf(const RatesMeasurement& fo
 StudyPage studyTables(const StudySettings& settings) {
   const RatesMeasurement found = measureRates(ratesPlan(settings.quick), settings.progress);
   const PrintedNumbers printed = printedNumbers();
-  StudyPage page;
-  page.title = "Tables 3.1, 3.2 and Appendix B";
-  page.question =
-      "In 2008 haptics slowed down with the model: 104 frames a second with 2,915 triangles, 6 with 41,582 (Table "
-      "3.1); a partition brought it back to 7 to 91 (Table 3.2), an octree a little further (Appendix B). What becomes "
-      "of these tables on a computer of today, in the dissertation's way and in ours?";
-  page.findings = {shapeFinding(found), tickFinding(found), costFinding(found), treesFinding(found),
-                   graphicFinding(found)};
-  page.method = methodOf(found);
-  page.tables = {{"tables_3_1_table", "Table 3.1.", wholeTable(found)},
-                 {"tables_3_2_table", "Table 3.2: BSP tree.", treeTable(found.bsp, printed.table_3_2)},
-                 {"tables_appendix_b_table", "Appendix B: octree.", treeTable(found.octree, printed.appendix_b)}};
-  page.figures = figuresOf(found);
-  page.numbers = numbersOf(found);
-  return page;
+  return {.title = "Tables 3.1, 3.2 and Appendix B",
+          .question =
+              "In 2008 haptics slowed down with the model: 104 frames a second with 2,915 triangles, 6 with 41,582 "
+              "(Table 3.1); a partition brought it back to 7 to 91 (Table 3.2), an octree a little further (Appendix "
+              "B). What becomes of these tables on a computer of today, in the dissertation's way and in ours?",
+          .findings = {shapeFinding(found), tickFinding(found), costFinding(found), treesFinding(found),
+                       graphicFinding(found)},
+          .method = methodOf(found),
+          .tables = {{"tables_3_1_table", "Table 3.1.", wholeTable(found)},
+                     {"tables_3_2_table", "Table 3.2: BSP tree.", treeTable(found.bsp, printed.table_3_2)},
+                     {"tables_appendix_b_table", "Appendix B: octree.", treeTable(found.octree, printed.appendix_b)}},
+          .figures = figuresOf(found),
+          .numbers = numbersOf(found)};
 }
 
 }  // namespace palpate::study

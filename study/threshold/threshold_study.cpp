@@ -250,20 +250,18 @@ std::vector<std::pair<std::string, double>> numbersOf(const ThresholdMeasurement
 
 StudyPage studyThreshold(const StudySettings& settings) {
   const ThresholdMeasurement found = measureThresholds(thresholdPlan(settings.quick), settings.progress);
-  StudyPage page;
-  page.title = "The threshold of the partition";
-  page.question =
-      "A node of the partition with at most t triangles is a leaf. \"Smaller t leads to larger tree height and "
-      "traversing the tree becomes more complex. Larger t causes less partition benefits. Finally, 1024 was proved as "
-      "the best value\" (3.3.1). Is it, and for which size of model?";
-  page.findings = {bestFinding(found),       sizeFinding(found), reasonFinding(found),
-                   smallModelFinding(found), ownFinding(found),  drawingFinding()};
-  page.method = methodOf(found.plan);
-  page.tables = {{"threshold_best_table", "The fastest threshold of every model.", bestTable(found)},
-                 {"threshold_table", "Every threshold.", allTable(found), false}};
-  page.figures = figuresOf(found);
-  page.numbers = numbersOf(found);
-  return page;
+  return {.title = "The threshold of the partition",
+          .question =
+              "A node of the partition with at most t triangles is a leaf. \"Smaller t leads to larger tree height and "
+              "traversing the tree becomes more complex. Larger t causes less partition benefits. Finally, 1024 was "
+              "proved as the best value\" (3.3.1). Is it, and for which size of model?",
+          .findings = {bestFinding(found), sizeFinding(found), reasonFinding(found), smallModelFinding(found),
+                       ownFinding(found), drawingFinding()},
+          .method = methodOf(found.plan),
+          .tables = {{"threshold_best_table", "The fastest threshold of every model.", bestTable(found)},
+                     {"threshold_table", "Every threshold.", allTable(found), false}},
+          .figures = figuresOf(found),
+          .numbers = numbersOf(found)};
 }
 
 }  // namespace palpate::study
