@@ -9,20 +9,10 @@
 
 namespace palpate::deform {
 
-namespace {
-
-constexpr int kStreams = 10;
-constexpr int kRestStreams = 6;
-constexpr int kNormal = 3;
-constexpr int kStrain = 9;
-/// The rest shape's arrays take the phases before (FloatStreams).
-constexpr std::size_t kFirstPhase = kRestStreams;
-
-}  // namespace
-
 DeformedSurface::DeformedSurface(const Skin& skin)
     : vertices_(skin.vertices),
-      streams_(kStreams, std::size_t{skin.blocks} * kBlockVertices, kFirstPhase),
+      // the rest shape's six arrays take the phases before (FloatStreams)
+      streams_(kStreams, std::size_t{skin.blocks} * kBlockVertices, 6),
       written_(skin.blocks) {
   changed_.reserve(skin.blocks);
   for (Index b = 0; b < skin.blocks; ++b) restore(skin, b);

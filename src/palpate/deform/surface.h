@@ -22,28 +22,33 @@ class DeformedSurface {
 
   Index vertices() const { return vertices_; }
   /// Axis 0, 1, 2 = x, y, z; mm. Vertices that no contact touches hold the rest shape bit by bit.
-  std::span<const float> position(int axis) const { return view(axis); }
+  std::span<const float> position(int axis) const { return view(kPosition + axis); }
   /// Unit normals.
-  std::span<const float> normal(int axis) const { return view(3 + axis); }
+  std::span<const float> normal(int axis) const { return view(kNormal + axis); }
   /// mm; exactly 0 outside the regions.
-  std::span<const float> displacement(int axis) const { return view(6 + axis); }
+  std::span<const float> displacement(int axis) const { return view(kDisplacement + axis); }
   /// Strain of the skin around the vertex, > 0 is tension: mean of its edges (4.20), or principal (StrainKind); 0
   /// unless the deformer was asked for strain.
-  std::span<const float> strain() const { return view(9); }
+  std::span<const float> strain() const { return view(kStrain); }
 
-  Vec3f positionAt(Index v) const { return {streams_[0][v], streams_[1][v], streams_[2][v]}; }
-  Vec3f normalAt(Index v) const { return {streams_[3][v], streams_[4][v], streams_[5][v]}; }
-  Vec3f displacementAt(Index v) const { return {streams_[6][v], streams_[7][v], streams_[8][v]}; }
+  Vec3f positionAt(Index v) const { return at(kPosition, v); }
+  Vec3f normalAt(Index v) const { return at(kNormal, v); }
+  Vec3f displacementAt(Index v) const { return at(kDisplacement, v); }
 
   /// What the last apply wrote, in whole blocks of 64 vertices: ascending, disjoint, not adjacent. Upload these.
   std::span<const VertexRange> changed() const { return changed_; }
 
  private:
   friend class Deformer;
+  /// Where the arrays of a quantity begin in streams_.
+  enum Stream { kPosition = 0, kNormal = 3, kDisplacement = 6, kStrain = 9, kStreams = 10 };
+
   std::span<const float> view(int stream) const { return {streams_[stream], vertices_}; }
+  Vec3f at(Stream first, Index v) const { return {streams_[first][v], streams_[first + 1][v], streams_[first + 2][v]}; }
+  PositionStreams axes(Stream first) const { return {streams_[first], streams_[first + 1], streams_[first + 2]}; }
   DeformedBlock block(Index block);
-  PositionStreams positions() const { return {streams_[0], streams_[1], streams_[2]}; }
-  PositionStreams displacements() const { return {streams_[6], streams_[7], streams_[8]}; }
+  PositionStreams positions() const { return axes(kPosition); }
+  PositionStreams displacements() const { return axes(kDisplacement); }
   void setNormal(Index v, const Vec3f& normal);
   void setStrain(Index v, float strain);
   /// Zero everywhere: for a deformer that writes none.

@@ -13,12 +13,9 @@ namespace palpate::view {
 
 namespace {
 
-/// Locations in kSkinAttributes.
-constexpr GLuint kRest = 7;
-constexpr GLuint kTint = 8;
-constexpr GLuint kValue = 9;
-constexpr GLuint kTexturePlace = 10;
+/// The arrays that follow the deformation have the first locations in kSkinAttributes, these the next.
 constexpr int kDeformedArrays = 7;
+enum Location : GLuint { kRest = kDeformedArrays, kTint, kValue, kTexturePlace };
 /// Skins of so many triangles have a coarser set (skin_chunks.h), drawn where its cells are smaller than these pixels.
 constexpr std::size_t kManyTriangles = 200000;
 constexpr float kCoarseCellMm = 2.0f;
