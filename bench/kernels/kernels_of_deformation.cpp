@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "bench/kernels/kernel_list.h"
+#include "bench/runs/deform_run.h"
 #include "lab/workloads/workload_meshes.h"
 #include "palpate/deform/deformer.h"
 #include "palpate/deform/fast_displacement.h"
@@ -17,10 +18,6 @@ namespace palpate::bench {
 
 namespace {
 
-constexpr double kHalfMajorMm = 60.0;
-constexpr double kAspect = 0.8;
-constexpr double kDepthMm = 8.0;
-constexpr double kDragMm = 5.0;
 constexpr int kMapPlaces = 1000;
 
 struct Touched {
@@ -29,18 +26,9 @@ struct Touched {
   std::array<deform::Contact, 2> contacts;
 };
 
-deform::Contact contactAt(const tree::TriangleTree& tree, const Vec3& above) {
+deform::Contact contactBelow(const Vec3& above, const mesh::TriangleMesh& mesh, const tree::TriangleTree& tree) {
   const tree::NearestPoint place = tree::nearestPoint(tree, above, tree.diagonal);
-  const auto& [a, b, c] = tree.records[place.triangle].corners;
-  deform::Contact contact;
-  contact.anchor = place.closest.point;
-  contact.anchor_triangle = tree.source_triangle[place.triangle];
-  contact.normal = mesh::areaVector2(a, b, c).normalized();
-  contact.depth_mm = kDepthMm;
-  contact.drag_mm = {kDragMm, 0.0, 0.0};
-  contact.normal_region = maps::liftedOntoSurface({kHalfMajorMm, kAspect}, contact.normal);
-  contact.tangential_region = contact.normal_region;
-  return contact;
+  return contactAt(mesh, tree.source_triangle[place.triangle], place.closest.point, {.drag_mm = 5.0});
 }
 
 std::shared_ptr<const Touched> touchedBack(std::size_t triangles) {
@@ -50,8 +38,9 @@ std::shared_ptr<const Touched> touchedBack(std::size_t triangles) {
   touched->skin = deform::buildSkin(touched->mesh);
   const tree::TriangleTree tree = tree::buildTriangleTree(touched->mesh);
   const Vec3 middle = mesh::boundingBox(touched->mesh).center();
-  const Vec3 above(0.0, 0.0, 0.5 * tree.diagonal);
-  touched->contacts = {contactAt(tree, middle + above), contactAt(tree, middle + above + Vec3(4.0, 3.0, 0.0))};
+  const Vec3 above = middle + Vec3(0.0, 0.0, 0.5 * tree.diagonal);
+  touched->contacts = {contactBelow(above, touched->mesh, tree),
+                       contactBelow(above + Vec3(4.0, 3.0, 0.0), touched->mesh, tree)};
   return touched;
 }
 

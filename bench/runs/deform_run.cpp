@@ -24,12 +24,6 @@ namespace palpate::bench {
 
 namespace {
 
-constexpr int kPlaces = 16;
-/// The finger's places lie on a circle of this radius around the middle of the back: a few millimetres apart, as
-/// between two frames of a moving hand.
-constexpr double kWanderMm = 10.0;
-constexpr double kMiddleX = 175.0;
-constexpr double kMiddleY = 200.0;
 /// Between neighbouring fingers: regions of the default size overlap, the fingers do not touch.
 constexpr double kFingersApartMm = 40.0;
 /// The literal deformation takes a thousand times as long as a frame may: every fourth place must do.
@@ -37,13 +31,16 @@ constexpr int kLiteralStride = 4;
 /// Of applies whose time is kept for the percentiles.
 constexpr std::size_t kMostSamples = 100000;
 
-Index triangleAt(const mesh::TriangleMesh& mesh, double x, double y) {
+Vec3 centreOf(const mesh::TriangleMesh& mesh, Index triangle) {
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  return (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3.0;
+}
+
+Index triangleAt(const mesh::TriangleMesh& mesh, const Vec2& place) {
   Index best = 0;
   double nearest = 1e300;
   for (Index t = 0; t < mesh.triangles.size(); ++t) {
-    const auto& [a, b, c] = mesh.triangles[t];
-    const Vec3 centre = (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3.0;
-    const double distance = (centre.head<2>() - Vec2(x, y)).squaredNorm();
+    const double distance = (centreOf(mesh, t).head<2>() - place).squaredNorm();
     if (distance < nearest) {
       nearest = distance;
       best = t;
@@ -52,32 +49,17 @@ Index triangleAt(const mesh::TriangleMesh& mesh, double x, double y) {
   return best;
 }
 
-deform::Contact contactAt(const mesh::TriangleMesh& mesh, Index triangle, const DeformRun& run) {
-  const auto& [a, b, c] = mesh.triangles[triangle];
-  deform::Contact contact;
-  contact.anchor = (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3.0;
-  contact.anchor_triangle = triangle;
-  contact.normal = mesh::areaVector2(mesh.positions[a], mesh.positions[b], mesh.positions[c]).normalized();
-  contact.depth_mm = run.depth_mm;
-  contact.drag_mm = {run.drag_mm, 0.0, 0.0};
-  contact.normal_region = maps::liftedOntoSurface({run.half_major_mm, run.aspect}, contact.normal);
-  contact.tangential_region = contact.normal_region;
-  return contact;
-}
-
 using Contacts = std::vector<deform::Contact>;
 
 /// For each place of a round its fingers.
 std::vector<Contacts> wanderingContacts(const mesh::TriangleMesh& mesh, const DeformRun& run) {
   std::vector<Contacts> places;
-  for (int i = 0; i < kPlaces; ++i) {
-    const double angle = 2.0 * std::numbers::pi * i / kPlaces;
+  for (const Vec2& place : placesAround({0.5 * lab::kBackWidthMm, 0.5 * lab::kBackLengthMm})) {
     Contacts& contacts = places.emplace_back();
     for (int finger = 0; finger < run.fingers; ++finger) {
       const double beside = kFingersApartMm * (finger - 0.5 * (run.fingers - 1));
-      const double x = kMiddleX + kWanderMm * std::cos(angle) + beside;
-      const double y = kMiddleY + kWanderMm * std::sin(angle);
-      contacts.push_back(contactAt(mesh, triangleAt(mesh, x, y), run));
+      const Index triangle = triangleAt(mesh, place + Vec2(beside, 0.0));
+      contacts.push_back(contactAt(mesh, triangle, centreOf(mesh, triangle), run));
     }
   }
   return places;
@@ -221,6 +203,29 @@ ApplyFigures timeLiteral(const DeformRun& run) {
 }
 
 }  // namespace
+
+deform::Contact contactAt(const mesh::TriangleMesh& mesh, Index triangle, const Vec3& place, const DeformRun& run) {
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  deform::Contact contact;
+  contact.anchor = place;
+  contact.anchor_triangle = triangle;
+  contact.normal = mesh::areaVector2(mesh.positions[a], mesh.positions[b], mesh.positions[c]).normalized();
+  contact.depth_mm = run.depth_mm;
+  contact.drag_mm = {run.drag_mm, 0.0, 0.0};
+  contact.normal_region = maps::liftedOntoSurface({run.half_major_mm, run.aspect}, contact.normal);
+  contact.tangential_region = contact.normal_region;
+  return contact;
+}
+
+std::array<Vec2, kPlaces> placesAround(const Vec2& middle) {
+  constexpr double kWanderMm = 10.0;
+  std::array<Vec2, kPlaces> places;
+  for (int i = 0; i < kPlaces; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kPlaces;
+    places[i] = middle + kWanderMm * Vec2(std::cos(angle), std::sin(angle));
+  }
+  return places;
+}
 
 DeformFigures measureDeform(const DeformRun& run) {
   mesh::TriangleMesh mesh = lab::backMesh(run.triangles);

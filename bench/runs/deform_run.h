@@ -4,11 +4,14 @@
 // the same run, so that a ratio is always between neighbours in time.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 
 #include "lab/counters/statistics.h"
+#include "palpate/deform/contact.h"
+#include "palpate/mesh/triangle_mesh.h"
 
 namespace palpate::bench {
 
@@ -27,6 +30,13 @@ struct DeformRun {
   bool literal = true;     ///< also time the dissertation's: some 500 bytes of memory a vertex
   double seconds = 1.0;    ///< how long to repeat
 };
+
+/// A finger at a place of a triangle, pressed and dragged as the run says.
+deform::Contact contactAt(const mesh::TriangleMesh& mesh, Index triangle, const Vec3& place, const DeformRun& run);
+
+/// Where a finger wanders: a few millimetres apart on a circle of 10 mm, as between two frames of a moving hand.
+inline constexpr int kPlaces = 16;
+std::array<Vec2, kPlaces> placesAround(const Vec2& middle);
 
 /// What one implementation needs for an apply: whole, from the contacts to the surface with its normals.
 struct ApplyFigures {
@@ -49,7 +59,7 @@ struct DeformFigures {
   std::optional<double> speedup_over_literal;  ///< ratio of the two ns_per_vertex
 };
 
-/// The mesh is sorted spatially first. A round visits 16 places around the middle of the back (the literal one four of
+/// The mesh is sorted spatially first. A round visits kPlaces around the middle of the back (the literal one four of
 /// them); the shortest time of each place counts, because other load only ever adds. Throws Error for a count the mesh
 /// cannot have.
 DeformFigures measureDeform(const DeformRun& run);

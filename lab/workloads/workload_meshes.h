@@ -17,18 +17,22 @@ namespace palpate::lab {
 /// z(x, y), all in mm.
 using HeightField = std::function<double(double, double)>;
 
+/// The benchmark's back lies over this, from (0, 0) on.
+inline constexpr double kBackWidthMm = 350.0;
+inline constexpr double kBackLengthMm = 400.0;
+
 struct SheetSize {
-  std::size_t triangles = 0;  ///< exact count; at least 8
-  double width_mm = 350.0;    ///< along x, from 0
-  double length_mm = 400.0;   ///< along y, from 0
-  double jitter = 0.3;        ///< interior vertices move by up to half this share of a cell; 0 is a regular grid
+  std::size_t triangles = 0;         ///< exact count; at least 8
+  double width_mm = kBackWidthMm;    ///< along x, from 0
+  double length_mm = kBackLengthMm;  ///< along y, from 0
+  double jitter = 0.3;               ///< interior vertices move by up to half this share of a cell; 0 is a regular grid
 };
 
 /// An open sheet over a height field, counter-clockwise seen from +z, with coordinates rounded to float as a binary STL
 /// stores them. The count is made exact by splitting border edges. Throws Error when it cannot be reached.
 mesh::TriangleMesh sheet(const SheetSize& size, const HeightField& height);
 
-/// The height of the benchmark's back at any (x, y) of its 350 mm x 400 mm, about 0 to 120 mm: a round torso, the long
+/// The height of the benchmark's back at any (x, y), about 0 to 120 mm: a round torso, the long
 /// curvature, spinal furrow, two scapulae and spinous processes.
 double backHeight(double x, double y);
 

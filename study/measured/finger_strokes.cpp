@@ -12,16 +12,17 @@ namespace palpate::study {
 
 namespace {
 
-// The sheet is 350 mm x 400 mm; strokes stay this far from its border.
+using lab::kBackLengthMm;
+using lab::kBackWidthMm;
+
+// Strokes stay this far from the border of the back.
 constexpr double kBorderMm = 40.0;
-constexpr double kWidthMm = 350.0;
-constexpr double kLengthMm = 400.0;
 // Of the way that is then walked at constant speed.
 constexpr double kWayStepMm = 0.5;
 
 bool isInside(const Vec2& place) {
-  return place.x() > kBorderMm && place.x() < kWidthMm - kBorderMm && place.y() > kBorderMm &&
-         place.y() < kLengthMm - kBorderMm;
+  return place.x() > kBorderMm && place.x() < kBackWidthMm - kBorderMm && place.y() > kBorderMm &&
+         place.y() < kBackLengthMm - kBorderMm;
 }
 
 Vec3 skinAt(const Vec2& place) { return {place.x(), place.y(), lab::backHeight(place.x(), place.y())}; }
@@ -33,7 +34,7 @@ std::vector<Vec3> strokeWay(const StrokeSettings& settings, Random& random) {
   Vec2 from = Vec2::Zero();
   Vec2 direction = Vec2::Zero();
   do {
-    from = Vec2(random.uniform(0.0, kWidthMm), random.uniform(0.0, kLengthMm));
+    from = Vec2(random.uniform(0.0, kBackWidthMm), random.uniform(0.0, kBackLengthMm));
     direction = directionOf(random.uniform(0.0, 2.0 * std::numbers::pi));
   } while (!isInside(from) || !isInside(from + settings.slide_mm * direction));
   const double tilt = random.uniform(0.0, std::numbers::pi / 4.0);

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cmath>
-#include <numbers>
 #include <vector>
 
+#include "bench/runs/deform_run.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/contact/finger.h"
 #include "palpate/engine/living_skin.h"
@@ -18,12 +17,8 @@ namespace palpate::app {
 
 namespace {
 
-constexpr int kPlaces = 16;
-/// The finger's places lie on a circle of this radius round T6: a few millimetres apart, as between two pictures of a
-/// moving hand.
-constexpr double kWanderMm = 10.0;
-constexpr double kMiddleX = 30.0;
-constexpr double kMiddleY = 38.0;
+using bench::kPlaces;
+
 constexpr double kDepthMm = 8.0;
 /// As many bone triangles as the torso of 41,582 triangles has.
 constexpr std::size_t kBoneTriangles = 18296;
@@ -36,9 +31,10 @@ std::shared_ptr<const scene::World> backOf(std::size_t triangles) {
 }
 
 /// A point finger pressed straight down at a place of the back.
-view::FingerMark fingerAt(const scene::World& world, double x, double y) {
+view::FingerMark fingerAt(const scene::World& world, const Vec2& place) {
   constexpr double kAbove = 500.0;
-  const auto skin = tree::firstFrontCrossing(world.surface.tree, Vec3(x, y, kAbove), Vec3(x, y, -kAbove)).point;
+  const Vec3 above(place.x(), place.y(), kAbove), below(place.x(), place.y(), -kAbove);
+  const auto skin = tree::firstFrontCrossing(world.surface.tree, above, below).point;
   contact::FingerState state;
   view::FingerMark mark;
   for (double height = 2.0; height >= -kDepthMm; height -= 0.1) {
@@ -48,11 +44,9 @@ view::FingerMark fingerAt(const scene::World& world, double x, double y) {
 }
 
 std::vector<view::FingerMark> wanderingFinger(const scene::World& world) {
+  const Vec2 beside_t6(30.0, 38.0);
   std::vector<view::FingerMark> marks;
-  for (int i = 0; i < kPlaces; ++i) {
-    const double angle = 2.0 * std::numbers::pi * i / kPlaces;
-    marks.push_back(fingerAt(world, kMiddleX + kWanderMm * std::cos(angle), kMiddleY + kWanderMm * std::sin(angle)));
-  }
+  for (const Vec2& place : bench::placesAround(beside_t6)) marks.push_back(fingerAt(world, place));
   return marks;
 }
 
