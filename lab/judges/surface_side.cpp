@@ -102,18 +102,6 @@ std::size_t cellOf(double position, double origin, double size, std::size_t cell
 
 }  // namespace
 
-const char* nameOf(SurfaceKind kind) {
-  switch (kind) {
-    case SurfaceKind::height_field:
-      return "height field";
-    case SurfaceKind::closed:
-      return "closed";
-    case SurfaceKind::open:
-      return "open";
-  }
-  return "unknown";
-}
-
 double windingNumber(const mesh::TriangleMesh& mesh, const Vec3& point) {
   double sum = 0.0;
   for (const Triangle& t : mesh.triangles) {

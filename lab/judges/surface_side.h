@@ -21,7 +21,6 @@
 namespace palpate::lab {
 
 enum class SurfaceKind { height_field, closed, open };
-const char* nameOf(SurfaceKind kind);
 
 enum class Side { outside, on_surface, inside, unknown };
 

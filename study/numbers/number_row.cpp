@@ -63,22 +63,6 @@ std::string oursText(std::string_view printed, double ours) {
 
 }  // namespace
 
-std::string_view nameOf(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::reproduced:
-      return "reproduced";
-    case Verdict::misprint:
-      return "misprint";
-    case Verdict::not_reproduced:
-      return "NOT REPRODUCED";
-    case Verdict::inconsistent:
-      return "inconsistent";
-    case Verdict::not_computable:
-      return "not computable";
-  }
-  return "";
-}
-
 bool studyHolds(const std::vector<NumberRow>& rows) { return countOf(rows, Verdict::not_reproduced) == 0; }
 
 int countOf(const std::vector<NumberRow>& rows, Verdict verdict) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "palpate/base/fidelity.h"
+#include "palpate/base/words.h"
 
 namespace palpate::study {
 
@@ -16,8 +17,6 @@ enum class Verdict {
   inconsistent,    ///< a statement that the text's own numbers contradict
   not_computable,  ///< needs the author's computer, scan or subjects
 };
-
-std::string_view nameOf(Verdict verdict);
 
 struct NumberRow {
   std::string where;    ///< section, table or figure, and the place in it
@@ -55,3 +54,15 @@ bool agrees(std::string_view printed, double ours);
 NumberRow judged(std::string where, std::string what, const std::string& printed, double ours, std::string reason);
 
 }  // namespace palpate::study
+
+namespace palpate {
+
+template <>
+struct WordsOf<study::Verdict> {
+  using V = study::Verdict;
+  static constexpr std::array kAll = {Word{"reproduced", V::reproduced}, Word{"misprint", V::misprint},
+                                      Word{"NOT REPRODUCED", V::not_reproduced}, Word{"inconsistent", V::inconsistent},
+                                      Word{"not computable", V::not_computable}};
+};
+
+}  // namespace palpate

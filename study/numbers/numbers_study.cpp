@@ -1,7 +1,6 @@
 #include "study/numbers/numbers_study.h"
 
 #include <fmt/format.h>
-#include <array>
 #include <functional>
 #include <nlohmann/json.hpp>
 
@@ -25,11 +24,8 @@ std::vector<NumberRow> studyNumbers(const PrintedNumbers& printed) {
 
 namespace {
 
-constexpr std::array kVerdicts{Verdict::reproduced, Verdict::misprint, Verdict::not_reproduced, Verdict::inconsistent,
-                               Verdict::not_computable};
-
 std::string verdictText(const NumberRow& row) {
-  const std::string_view name = nameOf(row.verdict);
+  const std::string_view name = wordFor(row.verdict);
   return row.erratum != Erratum::none ? fmt::format("{} (E{})", name, numberOf(row.erratum)) : std::string(name);
 }
 
@@ -39,8 +35,8 @@ std::vector<std::string> cellsOf(const NumberRow& row) {
 
 std::string closingLine(const std::vector<NumberRow>& rows) {
   std::string line;
-  for (const Verdict verdict : kVerdicts) {
-    line += fmt::format("{}{} {}", line.empty() ? "" : ", ", countOf(rows, verdict), nameOf(verdict));
+  for (const auto& [word, verdict] : WordsOf<Verdict>::kAll) {
+    line += fmt::format("{}{} {}", line.empty() ? "" : ", ", countOf(rows, verdict), word);
   }
   return line;
 }
@@ -50,7 +46,7 @@ nlohmann::ordered_json objectOf(const NumberRow& row) {
                                  {"what", row.what},
                                  {"printed", row.printed},
                                  {"ours", row.ours},
-                                 {"verdict", nameOf(row.verdict)}};
+                                 {"verdict", wordFor(row.verdict)}};
   if (row.erratum != Erratum::none) json["erratum"] = fmt::format("E{}", numberOf(row.erratum));
   json["reason"] = row.reason;
   return json;
@@ -88,7 +84,7 @@ std::string textOf(const std::vector<NumberRow>& rows) {
 
 std::string jsonOf(const std::vector<NumberRow>& rows) {
   nlohmann::ordered_json counts;
-  for (const Verdict verdict : kVerdicts) counts[nameOf(verdict)] = countOf(rows, verdict);
+  for (const auto& [word, verdict] : WordsOf<Verdict>::kAll) counts[word] = countOf(rows, verdict);
   const nlohmann::ordered_json json = {{"holds", studyHolds(rows)},
                                        {"counts", counts},
                                        {"rows", listOf(rows, true)},
@@ -108,7 +104,7 @@ std::string csvOf(const std::vector<NumberRow>& rows) {
   for (const NumberRow& row : rows) {
     const std::string erratum = row.erratum != Erratum::none ? fmt::format("E{}", numberOf(row.erratum)) : "";
     table.rows.push_back(
-        {row.where, row.what, row.printed, row.ours, std::string(nameOf(row.verdict)), erratum, row.reason});
+        {row.where, row.what, row.printed, row.ours, std::string(wordFor(row.verdict)), erratum, row.reason});
   }
   return csvOf(table);
 }
