@@ -32,47 +32,25 @@ class GlName {
   GLuint name_;
 };
 
-struct BufferKind {
+/// Kinds whose names OpenGL makes and deletes many at a time.
+template <auto& kGenerate, auto& kDelete>
+struct GeneratedKind {
   static GLuint make() {
     GLuint name = 0;
-    glGenBuffers(1, &name);
+    kGenerate(1, &name);
     return name;
   }
-  static void destroy(GLuint name) { glDeleteBuffers(1, &name); }
-};
-struct VertexArrayKind {
-  static GLuint make() {
-    GLuint name = 0;
-    glGenVertexArrays(1, &name);
-    return name;
-  }
-  static void destroy(GLuint name) { glDeleteVertexArrays(1, &name); }
-};
-struct TextureKind {
-  static GLuint make() {
-    GLuint name = 0;
-    glGenTextures(1, &name);
-    return name;
-  }
-  static void destroy(GLuint name) { glDeleteTextures(1, &name); }
-};
-struct FramebufferKind {
-  static GLuint make() {
-    GLuint name = 0;
-    glGenFramebuffers(1, &name);
-    return name;
-  }
-  static void destroy(GLuint name) { glDeleteFramebuffers(1, &name); }
+  static void destroy(GLuint name) { kDelete(1, &name); }
 };
 struct ProgramKind {
   static GLuint make() { return glCreateProgram(); }
   static void destroy(GLuint name) { glDeleteProgram(name); }
 };
 
-using GlBuffer = GlName<BufferKind>;
-using GlVertexArray = GlName<VertexArrayKind>;
-using GlTexture = GlName<TextureKind>;
-using GlFramebuffer = GlName<FramebufferKind>;
+using GlBuffer = GlName<GeneratedKind<glGenBuffers, glDeleteBuffers>>;
+using GlVertexArray = GlName<GeneratedKind<glGenVertexArrays, glDeleteVertexArrays>>;
+using GlTexture = GlName<GeneratedKind<glGenTextures, glDeleteTextures>>;
+using GlFramebuffer = GlName<GeneratedKind<glGenFramebuffers, glDeleteFramebuffers>>;
 
 /// Binds a buffer and gives it these values for good.
 template <class T>
