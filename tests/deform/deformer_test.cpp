@@ -3,12 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <optional>
 
 #include "deform/golden_grid.h"
 #include "deform/scalar_reference.h"
-#include "deform/shapes.h"
-#include "lab/counters/thread_counts.h"
+#include "deform/stage.h"
 #include "support/golden.h"
 
 namespace palpate::deform {
@@ -17,19 +15,8 @@ using test::anyContact;
 using test::bits;
 using test::drag;
 using test::press;
+using test::Stage;
 using test::triangleNear;
-
-/// Skin, deformer and surface of a mesh, as an application holds them.
-struct Stage {
-  explicit Stage(mesh::TriangleMesh m, const Settings& settings = {})
-      : mesh(std::move(m)), skin(buildSkin(mesh)), deformer(skin, settings), surface(skin) {}
-  Report apply(const std::vector<Contact>& contacts) { return deformer.apply(contacts, surface); }
-
-  mesh::TriangleMesh mesh;
-  Skin skin;
-  Deformer deformer;
-  DeformedSurface surface;
-};
 
 TEST(Deformer, DeformsTheReferenceGrid) {
   Stage stage(test::goldenGrid());
@@ -95,26 +82,9 @@ TEST(Deformer, NothingMovesOutsideTheRegion) {
   }
 }
 
-TEST(Deformer, RestComesBackBitByBit) {
-  for (const Normals normals : {Normals::analytic, Normals::recomputed}) {
-    Settings settings;
-    settings.normals = normals;
-    settings.strain = true;
-    Stage stage(test::torso(), settings);
-    const auto rest = bits(stage.surface);
-    Random random(7);
-    for (int i = 0; i < 30; ++i) {
-      stage.apply({anyContact(stage.mesh, random), anyContact(stage.mesh, random)});
-      EXPECT_NE(bits(stage.surface), rest);
-      stage.apply({});
-      ASSERT_EQ(bits(stage.surface), rest);
-    }
-  }
-}
-
 TEST(Deformer, WithoutStrainClearsWhatAnotherWrote) {
-  Settings with_strain;
-  with_strain.strain = true;
+  FormSettings with_strain;
+  with_strain.common.strain = true;
   Stage stage(lab::backMesh(2962), with_strain);
   const Contact contact = press(stage.mesh, 1000, 6.0);
   stage.apply({contact});
@@ -138,20 +108,6 @@ TEST(Deformer, RestKeepsTheSignOfZero) {
   EXPECT_EQ(bits(stage.surface), rest);
 }
 
-TEST(Deformer, ResultDoesNotDependOnWhatWasBefore) {
-  Stage fresh(test::torso());
-  Stage used(test::torso());
-  Random random(13);
-  for (int i = 0; i < 30; ++i) {
-    used.apply({anyContact(used.mesh, random), anyContact(used.mesh, random), anyContact(used.mesh, random)});
-    const std::vector<Contact> contacts{anyContact(used.mesh, random), anyContact(used.mesh, random)};
-    used.apply(contacts);
-    fresh.apply({});
-    fresh.apply(contacts);
-    ASSERT_EQ(bits(used.surface), bits(fresh.surface));
-  }
-}
-
 TEST(Deformer, ResultDoesNotDependOnTheOrderOfVertices) {
   const auto mesh = test::torso();
   const auto n = static_cast<Index>(mesh.positions.size());
@@ -169,29 +125,6 @@ TEST(Deformer, ResultDoesNotDependOnTheOrderOfVertices) {
       ASSERT_EQ(a.surface.positionAt(v), b.surface.positionAt(n - 1 - v));
       ASSERT_EQ(a.surface.displacementAt(v), b.surface.displacementAt(n - 1 - v));
     }
-  }
-}
-
-TEST(Deformer, ChangedRangesNameEverythingThatChanged) {
-  Stage stage(lab::backMesh(20389));
-  Random random(31);
-  auto before = bits(stage.surface);
-  for (int i = 0; i < 30; ++i) {
-    stage.apply({anyContact(stage.mesh, random)});
-    std::vector<bool> named(stage.skin.vertices, false);
-    Index last = 0;
-    for (const auto [first, end] : stage.surface.changed()) {
-      EXPECT_TRUE(last == 0 || first > last) << "ranges must ascend and not touch";
-      for (Index v = first; v < end; ++v) named[v] = true;
-      last = end;
-    }
-    const auto after = bits(stage.surface);
-    for (std::size_t k = 0; k < after.size(); ++k) {
-      if (after[k] != before[k]) {
-        ASSERT_TRUE(named[k % stage.skin.vertices]);
-      }
-    }
-    before = after;
   }
 }
 
@@ -263,54 +196,6 @@ TEST(Deformer, PinchingAPlateDentsBothSides) {
   }
 }
 
-TEST(Deformer, AppliesWithoutAllocating) {
-  if (!lab::allocationsOfThisThread()) GTEST_SKIP() << "allocations cannot be counted here";
-  Settings settings;
-  settings.strain = true;
-  for (const Normals normals : {Normals::analytic, Normals::recomputed}) {
-    settings.normals = normals;
-    Stage stage(lab::backMesh(8163), settings);
-    Random random(3);
-    std::vector<std::vector<Contact>> frames;
-    for (int i = 0; i < 100; ++i) {
-      std::vector<Contact> contacts;
-      for (std::uint64_t n = random.below(20); n > 0; --n) contacts.push_back(anyContact(stage.mesh, random));
-      frames.push_back(contacts);
-    }
-    const auto before = *lab::allocationsOfThisThread();
-    for (const auto& contacts : frames) stage.apply(contacts);
-    EXPECT_EQ(*lab::allocationsOfThisThread() - before, 0u);
-  }
-}
-
-TEST(Deformer, IgnoresWhatMakesNoSenseAndSaysSo) {
-  Stage stage(lab::backMesh(2962));
-  const auto rest = bits(stage.surface);
-  const Contact good = press(stage.mesh, 1000, 5.0);
-  const auto broken = [&](auto&& change) {
-    Contact contact = drag(good, {2, 1, 0});
-    change(contact);
-    const Report report = stage.apply({contact});
-    EXPECT_EQ(bits(stage.surface), rest);
-    return report.status;
-  };
-  EXPECT_EQ(broken([](Contact& c) { c.anchor.x() = NAN; }), kIgnoredNotFinite);
-  EXPECT_EQ(broken([](Contact& c) { c.depth_mm = INFINITY; }), kIgnoredNotFinite);
-  EXPECT_EQ(broken([](Contact& c) { c.drag_mm.y() = NAN; }), kIgnoredNotFinite);
-  EXPECT_EQ(broken([](Contact& c) { c.normal.setZero(); }), kIgnoredNotFinite);
-  EXPECT_EQ(broken([](Contact& c) { c.tangential_region.aspect = NAN; }), kIgnoredNotFinite);
-  EXPECT_EQ(broken([](Contact& c) { c.anchor_triangle = kNoIndex; }), kIgnoredNoTriangle);
-  EXPECT_EQ(broken([](Contact& c) { c.depth_mm = -1.0, c.drag_mm.setZero(); }), 0u);
-  EXPECT_EQ(broken([](Contact& c) {
-              c.normal_region.half_major.setZero();
-              c.tangential_region.aspect = 0.0;
-            }),
-            kDegenerateRegion | kNoVertexInRegion);
-  EXPECT_EQ(broken([](Contact& c) { c.anchor.z() += 1e6, c.anchor.x() += 1e6; }), kNoVertexInRegion);
-  const Report report = stage.apply(std::vector<Contact>(17, good));
-  EXPECT_EQ(report.status, kIgnoredOverCapacity);
-}
-
 TEST(Deformer, OneDegenerateEllipseLeavesTheOtherPartWorking) {
   Stage stage(lab::backMesh(2962));
   Contact contact = drag(press(stage.mesh, 1000, 5.0), {4, 0, 0});
@@ -328,36 +213,6 @@ TEST(Deformer, CoarseMeshMovesTheCornersThatLieInside) {
   Contact small = press(stage.mesh, 0, 5.0);
   small.normal_region.half_major *= 0.001;
   EXPECT_EQ(stage.apply({small}).status, kNoVertexInRegion);
-}
-
-TEST(Deformer, NeverMakesANonFiniteNumber) {
-  Random random(41);
-  for (const auto& specimen : zoo::specimens()) {
-    bool sound = true;
-    for (const Triangle& t : specimen.mesh.triangles) {
-      for (const Index v : t) {
-        sound = sound && v < specimen.mesh.positions.size() && specimen.mesh.positions[v].allFinite();
-      }
-    }
-    if (!sound) continue;
-    Settings settings;
-    settings.strain = true;
-    Stage stage(specimen.mesh, settings);
-    for (int i = 0; i < 20; ++i) {
-      stage.apply({anyContact(stage.mesh, random), anyContact(stage.mesh, random)});
-      for (Index v = 0; v < stage.skin.vertices; ++v) {
-        ASSERT_TRUE(stage.surface.positionAt(v).allFinite()) << specimen.name;
-        ASSERT_TRUE(stage.surface.normalAt(v).allFinite()) << specimen.name;
-        ASSERT_TRUE(std::isfinite(stage.surface.strain()[v])) << specimen.name;
-      }
-    }
-  }
-}
-
-TEST(Deformer, EmptyMeshIsNothingToDeform) {
-  Stage stage(mesh::TriangleMesh{});
-  EXPECT_EQ(stage.apply({Contact{}}).status, kIgnoredNoTriangle);
-  EXPECT_TRUE(stage.surface.changed().empty());
 }
 
 TEST(Deformer, OneCallDoesTheSameAsTheParts) {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "deform/form_stage.h"
+#include "deform/stage.h"
 
 namespace palpate::deform {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "deform/form_stage.h"
+#include "deform/stage.h"
 #include "palpate/base/gaussian.h"
 #include "support/golden.h"
 

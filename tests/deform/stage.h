@@ -1,4 +1,4 @@
-// Skin, deformer of the general way and surface of a mesh, as an application holds them.
+// Skin, deformer and surface of a mesh, as an application holds them; and forms to try it in.
 #pragma once
 
 #include "deform/shapes.h"
@@ -6,9 +6,9 @@
 
 namespace palpate::test {
 
-struct FormStage {
-  explicit FormStage(mesh::TriangleMesh m, const FormSettings& forms = {})
-      : mesh(std::move(m)), skin(buildSkin(mesh)), deformer(skin, forms, Way::general), surface(skin) {}
+struct Stage {
+  explicit Stage(mesh::TriangleMesh m, const FormSettings& forms = {}, Way way = Way::chosen)
+      : mesh(std::move(m)), skin(buildSkin(mesh)), deformer(skin, forms, way), surface(skin) {}
   Report apply(const std::vector<Contact>& contacts) { return deformer.apply(contacts, surface); }
   Vec3 moved(Index v) const { return surface.displacementAt(v).cast<double>(); }
 
@@ -16,6 +16,11 @@ struct FormStage {
   Skin skin;
   Deformer deformer;
   DeformedSurface surface;
+};
+
+/// Displaced the general way whatever the forms.
+struct FormStage : Stage {
+  explicit FormStage(mesh::TriangleMesh m, const FormSettings& forms = {}) : Stage(std::move(m), forms, Way::general) {}
 };
 
 inline FormSettings literally(std::initializer_list<Erratum> errata) {
