@@ -61,7 +61,7 @@ std::vector<Vec3> jointsOf(const FingerRow& finger) {
 }
 
 // A chain of capsules through the joints with a waist in every phalanx.
-class Phalanges {
+class Phalanges : public Chain<Capsule> {
  public:
   Phalanges(const std::vector<Vec3>& joints, const std::array<double, 4>& radii) {
     for (std::size_t i = 0; i + 1 < joints.size(); ++i) {
@@ -69,14 +69,10 @@ class Phalanges {
       const double to = kSkinFactor * radii[i + 1];
       const Vec3 middle = 0.5 * (joints[i] + joints[i + 1]);
       const double waist = kWaist * 0.5 * (from + to);
-      halves_.push_back({joints[i], middle, from, waist});
-      halves_.push_back({middle, joints[i + 1], waist, to});
+      pieces_.push_back({joints[i], middle, from, waist});
+      pieces_.push_back({middle, joints[i + 1], waist, to});
     }
   }
-  double distance(const Vec3& p) const { return nearestDistance(halves_, p); }
-
- private:
-  std::vector<Capsule> halves_;
 };
 
 // An ellipsoid turned about the dorsal axis.

@@ -145,9 +145,19 @@ double nearestDistance(const std::vector<Piece>& pieces, const Vec3& p) {
   return d;
 }
 
+/// What is made of pieces one after the other, joined so.
+template <class Piece>
+class Chain {
+ public:
+  double distance(const Vec3& p) const { return nearestDistance(pieces_, p); }
+
+ protected:
+  std::vector<Piece> pieces_;
+};
+
 /// A tube along a spline whose radius changes smoothly (the rims of the scapula): a chain of capsules, joined by the
 /// plain minimum, because a smooth union would bulge at every joint.
-class Tube {
+class Tube : public Chain<Capsule> {
  public:
   /// `radii` are spread evenly over the points' parameter and joined linearly; at least two.
   Tube(const std::vector<Vec3>& points, const std::vector<double>& radii, std::size_t pieces) {
@@ -159,14 +169,9 @@ class Tube {
       return mix(radii[i], radii[i + 1], place - static_cast<double>(i));
     };
     for (std::size_t i = 0; i < pieces; ++i) {
-      capsules_.push_back({line.at(at(i)), line.at(at(i + 1)), radius(at(i)), radius(at(i + 1))});
+      pieces_.push_back({line.at(at(i)), line.at(at(i + 1)), radius(at(i)), radius(at(i + 1))});
     }
   }
-
-  double distance(const Vec3& p) const { return nearestDistance(capsules_, p); }
-
- private:
-  std::vector<Capsule> capsules_;
 };
 
 /// A section of a flat tube.
@@ -177,7 +182,7 @@ struct FlatRing {
 
 /// The same with flat sections; Piece is PlateCapsule or EllipticCapsule. Sections change linearly from ring to ring.
 template <class Piece>
-class FlatTube {
+class FlatTube : public Chain<Piece> {
  public:
   FlatTube(const std::vector<FlatRing>& rings, std::size_t pieces_per_ring) {
     std::vector<Vec3> points;
@@ -186,8 +191,6 @@ class FlatTube {
     const CubicSpline line(points);
     for (std::size_t i = 0; i + 1 < rings.size(); ++i) addSpan(line, i, rings[i], rings[i + 1], pieces_per_ring);
   }
-
-  double distance(const Vec3& p) const { return nearestDistance(pieces_, p); }
 
  private:
   void addSpan(const CubicSpline& line, std::size_t span, const FlatRing& from, const FlatRing& to, std::size_t count) {
@@ -199,11 +202,9 @@ class FlatTube {
       const double start = static_cast<double>(k) / static_cast<double>(count);
       const double end = static_cast<double>(k + 1) / static_cast<double>(count);
       const Vec3 wide = from.wide_direction + 0.5 * (start + end) * (to.wide_direction - from.wide_direction);
-      pieces_.emplace_back(place(start), place(end), wide, axes(start), axes(end));
+      this->pieces_.emplace_back(place(start), place(end), wide, axes(start), axes(end));
     }
   }
-
-  std::vector<Piece> pieces_;
 };
 
 }  // namespace palpate::body
