@@ -37,13 +37,8 @@ struct Ball {
   Colour colour = kVermilion;
 };
 
-/// A place with a text beside it, painted over everything.
-struct Place3 {
-  Vec3 at = Vec3::Zero();
-  std::string text{};
-  Marker marker = Marker::circle;
-  Colour colour = kInk;
-};
+/// Painted over everything.
+using Place3 = PlaceAt<Vec3>;
 
 struct LegendColour {
   std::string name{};

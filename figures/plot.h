@@ -64,13 +64,16 @@ struct Arrow {
   double width_px = 1.2;
 };
 
-/// A marked place with a text beside it; the text looks for a free spot around it.
-struct Place {
-  Vec2 at = Vec2::Zero();
+/// A marked place with a text beside it.
+template <class Point>
+struct PlaceAt {
+  Point at = Point::Zero();
   std::string text{};
   Marker marker = Marker::circle;
   Colour colour = kInk;
 };
+/// The text looks for a free spot around it.
+using Place = PlaceAt<Vec2>;
 
 /// Values over a regular grid, shown as colours; NaN is outside and stays empty.
 struct Field {
