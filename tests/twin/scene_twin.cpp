@@ -14,18 +14,10 @@ namespace {
 
 using namespace palpate;
 
-trace::ForcesCsvSettings settingsOf(const scene::World& world, const device::FingerPaths& paths) {
-  trace::ForcesCsvSettings settings;
-  for (const scene::Finger& finger : world.scene.fingers) settings.finger_names.push_back(finger.name);
-  settings.start_s = paths.start_s;
-  settings.ticks_per_s = world.scene.ticks_per_s;
-  return settings;
-}
-
 void writeForces(const char* scene_file, const char* forces_file) {
   const auto world = scene::build(scene::load(scene_file), {});
   const device::FingerPaths paths = device::pathsOf(*world);
-  trace::ForcesCsvWriter forces(forces_file, settingsOf(*world, paths));
+  trace::ForcesCsvWriter forces(forces_file, servo::forcesSettings(*world, paths));
   servo::Rig rig = servo::scriptedRig(*world, paths);
   servo::runHeadless(rig, paths.ticks, [&](std::span<const trace::Sample> samples) {
     for (const trace::Sample& sample : samples) forces.add(sample);

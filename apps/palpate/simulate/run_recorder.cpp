@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/servo/scripted_rig.h"
+
 namespace palpate::app {
 
 RunStatistics::RunStatistics(std::size_t fingers, std::size_t triangles)
@@ -37,14 +39,6 @@ bool RunStatistics::anyTouch() const {
 
 namespace {
 
-trace::ForcesCsvSettings forcesSettings(const scene::World& world, const device::FingerPaths& paths) {
-  trace::ForcesCsvSettings settings;
-  for (const scene::Finger& finger : world.scene.fingers) settings.finger_names.push_back(finger.name);
-  settings.start_s = paths.start_s;
-  settings.ticks_per_s = world.scene.ticks_per_s;
-  return settings;
-}
-
 double totalDepth(const Frame& frame) {
   double depth = 0.0;
   for (const trace::Sample& sample : frame) depth += sample.contact.depth_mm;
@@ -65,7 +59,7 @@ RunRecorder::RunRecorder(const scene::World& world, const device::FingerPaths& p
     : world_(world), folder_(folder), statistics_(world.scene.fingers.size(), world.skin.triangles.size()) {
   const scene::OutputSettings& output = world.scene.output;
   if (output.forces) {
-    forces_.emplace(folder / "forces.csv", forcesSettings(world, paths));
+    forces_.emplace(folder / "forces.csv", servo::forcesSettings(world, paths));
     files_.emplace_back("forces.csv");
   }
   for (const double seconds : output.surfaces_at_s) {

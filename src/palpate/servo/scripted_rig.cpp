@@ -36,4 +36,12 @@ Rig scriptedRig(const scene::World& world, const device::FingerPaths& paths) {
   return rig;
 }
 
+trace::ForcesCsvSettings forcesSettings(const scene::World& world, const device::FingerPaths& paths) {
+  trace::ForcesCsvSettings settings;
+  for (const scene::Finger& finger : world.scene.fingers) settings.finger_names.push_back(finger.name);
+  settings.start_s = paths.start_s;
+  settings.ticks_per_s = world.scene.ticks_per_s;
+  return settings;
+}
+
 }  // namespace palpate::servo

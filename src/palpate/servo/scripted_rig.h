@@ -4,6 +4,7 @@
 #include "palpate/device/finger_path.h"
 #include "palpate/scene/world.h"
 #include "palpate/servo/tick.h"
+#include "palpate/trace/forces_csv.h"
 
 namespace palpate::servo {
 
@@ -13,5 +14,8 @@ LimiterSettings limiterSettings(const scene::World& world);
 /// One chain a finger of the scene, in its order. The world must outlive the rig. Throws Error for contact settings
 /// that make no sense.
 Rig scriptedRig(const scene::World& world, const device::FingerPaths& paths);
+
+/// What forces.csv says of a run of that rig.
+trace::ForcesCsvSettings forcesSettings(const scene::World& world, const device::FingerPaths& paths);
 
 }  // namespace palpate::servo
