@@ -191,16 +191,23 @@ void makeHandModel(const ModelOptions& options) {
   finish("hand", options, model, secondsSince(start), {{"side", options.side}, {"index_tip_mm", vectorJson(tip)}});
 }
 
-/// One model's subcommand with what all of them have. Options live as long as the command line does.
-CLI::App* addModel(CLI::App& parent, const char* name, const char* what, ModelOptions defaults,
-                   const std::function<void(const ModelOptions&)>& make, std::shared_ptr<ModelOptions>& options) {
-  options = std::make_shared<ModelOptions>(std::move(defaults));
+/// A model's subcommand. Its options live as long as the command line does.
+struct ModelCommand {
+  CLI::App* command;
+  std::shared_ptr<ModelOptions> options;
+};
+
+/// With what all of them have.
+ModelCommand addModel(CLI::App& parent, const char* name, const char* what, std::size_t triangles,
+                      const std::function<void(const ModelOptions&)>& make) {
+  auto options = std::make_shared<ModelOptions>();
+  options->triangles = triangles;
   CLI::App* command = parent.add_subcommand(name, what);
   command->add_option("-o,--output", options->output, "Mesh file to write: .obj, .stl or .ply")->required();
   command->add_option("--triangles", options->triangles, "Triangles, exactly")->capture_default_str();
   command->add_flag("--json", options->json, "Print the summary as one JSON object");
   command->callback([make, options] { make(*options); });
-  return command;
+  return {command, options};
 }
 
 void addStature(CLI::App& command, ModelOptions& options) {
@@ -231,22 +238,16 @@ void addShape(CLI::App& command, ModelOptions& options) {
 }
 
 void addBack(CLI::App& model) {
-  ModelOptions defaults;
-  defaults.triangles = body::BackSettings{}.triangles;
-  std::shared_ptr<ModelOptions> options;
-  CLI::App* command = addModel(model, "back", "The back, 350 x 400 x 120 mm, 500 to 4,000,000 triangles", defaults,
-                               makeBackModel, options);
+  const auto [command, options] = addModel(model, "back", "The back, 350 x 400 x 120 mm, 500 to 4,000,000 triangles",
+                                           body::BackSettings{}.triangles, makeBackModel);
   addShape(*command, *options);
 }
 
 void addTorso(CLI::App& model) {
-  ModelOptions defaults;
-  defaults.triangles = body::TorsoSettings{}.triangles;
-  defaults.shape = body::TorsoSettings{}.shape;
-  std::shared_ptr<ModelOptions> options;
-  CLI::App* command = addModel(
+  const auto [command, options] = addModel(
       model, "torso", "Skin down to the sacrum over its bones; the dissertation's sizes are 8163, 20389 and 41582",
-      defaults, makeTorsoModel, options);
+      body::TorsoSettings{}.triangles, makeTorsoModel);
+  options->shape = body::TorsoSettings{}.shape;
   addShape(*command, *options);
   command->add_option("--bone-triangles", options->bone_triangles, "Triangles of the bones among them; 0 chooses")
       ->capture_default_str();
@@ -255,20 +256,14 @@ void addTorso(CLI::App& model) {
 }
 
 void addBones(CLI::App& model) {
-  ModelOptions defaults;
-  defaults.triangles = body::BonesSettings{}.triangles;
-  std::shared_ptr<ModelOptions> options;
-  CLI::App* command =
-      addModel(model, "bones", "T1-T12, L1-L5, 24 ribs and two shoulder blades", defaults, makeBonesModel, options);
+  const auto [command, options] = addModel(model, "bones", "T1-T12, L1-L5, 24 ribs and two shoulder blades",
+                                           body::BonesSettings{}.triangles, makeBonesModel);
   addStature(*command, *options);
 }
 
 void addHand(CLI::App& model) {
-  ModelOptions defaults;
-  defaults.triangles = body::HandSettings{}.triangles;
-  std::shared_ptr<ModelOptions> options;
-  CLI::App* command =
-      addModel(model, "hand", "An open hand with the index finger stretched out", defaults, makeHandModel, options);
+  const auto [command, options] = addModel(model, "hand", "An open hand with the index finger stretched out",
+                                           body::HandSettings{}.triangles, makeHandModel);
   command->add_option("--side", options->side, "Which hand")
       ->check(CLI::IsMember({"right", "left"}))
       ->capture_default_str();
