@@ -10,6 +10,8 @@
 namespace palpate::lab {
 namespace {
 
+using test::Published;
+
 void append(std::string& bytes, const void* data, std::size_t size) {
   bytes.append(static_cast<const char*>(data), size);
 }
@@ -40,11 +42,6 @@ std::string referenceStl(const mesh::TriangleMesh& mesh) {
   }
   return bytes;
 }
-
-struct Published {
-  const char* name;
-  const char* sha256;
-};
 
 /// Check sums published with the benchmark, of its binary STL files.
 const Published kPublished[] = {{"back_2962", "c5b8b67924fd11e57307e868b95d7c9f874be81e3cf2f5caaf8cb5217504fd0f"},

@@ -11,13 +11,10 @@
 namespace palpate::lab {
 namespace {
 
-struct PathSum {
-  const char* name;
-  const char* sha256;
-};
+using test::Published;
 
 /// Check sums published with the benchmark, of its CSV files that hold no random numbers.
-const PathSum kPublishedPaths[] = {
+const Published kPublishedPaths[] = {
     {"back_slide", "8a531d99196fee5bf84bb9f9f894745ff55ecdc020c89939e94350df0952adc1"},
     {"eggcrate_0.1mps", "0091acb8d6504d4d522af0275b976f0e392046f66ac9befdcb86fbe9d6d49b47"},
     {"eggcrate_0.5mps", "73e9eaa616219e461e34ace2ba6eba69565b0a2a2fcf388f0892d619542aecf4"},
@@ -30,7 +27,7 @@ const PathSum kPublishedPaths[] = {
     {"flat_fric_200", "167ed163b2ab2a3e4429a8853783ff97ae68a892b7e991dc8d1594ad1c54c50b"},
     {"flat_fric_500", "dd30a638d935277eb381127f2377a789d6a72fe9f1cac1ebaee083bad571e5be"}};
 
-class PublishedPath : public testing::TestWithParam<PathSum> {};
+class PublishedPath : public testing::TestWithParam<Published> {};
 
 TEST_P(PublishedPath, IsGeneratedToTheLastDigitOfItsFile) {
   EXPECT_EQ(test::sha256(device::formatTrajectory(lab::workloadPath(GetParam().name))), GetParam().sha256);

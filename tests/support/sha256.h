@@ -9,4 +9,10 @@ namespace palpate::test {
 /// 64 lower-case hexadecimal digits.
 std::string sha256(std::string_view bytes);
 
+/// A check sum that was published.
+struct Published {
+  const char* name;
+  const char* sha256;
+};
+
 }  // namespace palpate::test
