@@ -62,7 +62,7 @@ struct ProfileResults {
   Timing timing;
 };
 
-ProfileResults measured(const StudySettings& settings) {
+ProfileResults measuredProfiles(const StudySettings& settings) {
   ProfileResults results;
   for (std::size_t i = 0; i < kSpacings.size(); ++i) {
     report(settings.progress, "pressing skin through arrays", static_cast<double>(i) / kSpacings.size());
@@ -336,7 +336,7 @@ std::vector<std::pair<std::string, double>> numbersOf(const ProfileResults& resu
 }  // namespace
 
 StudyPage studyProfile(const StudySettings& settings) {
-  const ProfileResults results = measured(settings);
+  const ProfileResults results = measuredProfiles(settings);
   return {
       .title = "The array of the half Gaussian",
       .question =

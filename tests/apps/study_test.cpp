@@ -11,38 +11,36 @@ namespace palpate {
 
 namespace fs = std::filesystem;
 
-namespace {
+class StudyCommand : public testing::Test {
+ protected:
+  support::CommandResult study(const std::string& arguments) const {
+    return support::runProgram(fs::path(PALPATE_BINARY_DIR) / "palpate", "study " + arguments, folder.path());
+  }
 
-support::CommandResult study(const std::string& arguments, const fs::path& folder) {
-  return support::runProgram(fs::path(PALPATE_BINARY_DIR) / "palpate", "study " + arguments, folder);
-}
-
-}  // namespace
-
-TEST(StudyCommand, NumbersHoldAndSayEachVerdict) {
   const support::TemporaryFolder folder;
-  const auto run = study("numbers --json --out report", folder.path());
+};
+
+TEST_F(StudyCommand, NumbersHoldAndSayEachVerdict) {
+  const auto run = study("numbers --json --out report");
   EXPECT_EQ(run.exit_code, 0) << run.err;
   const auto json = nlohmann::json::parse(run.out);
   EXPECT_TRUE(json.at("holds").get<bool>());
   EXPECT_GT(json.at("rows").size(), 200u);
   EXPECT_TRUE(fs::exists(folder.path() / "report/numbers.md"));
-  EXPECT_NE(study("numbers", folder.path()).out.find("misprint (E13)"), std::string::npos);
+  EXPECT_NE(study("numbers").out.find("misprint (E13)"), std::string::npos);
 }
 
-TEST(StudyCommand, DrawsTheFiguresThatAreAskedFor) {
-  const support::TemporaryFolder folder;
-  const auto run = study("figures --only 3.11,4.8 --scale 1 --out drawn", folder.path());
+TEST_F(StudyCommand, DrawsTheFiguresThatAreAskedFor) {
+  const auto run = study("figures --only 3.11,4.8 --scale 1 --out drawn");
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_TRUE(fs::exists(folder.path() / "drawn/figure_3_11.svg"));
   EXPECT_TRUE(fs::exists(folder.path() / "drawn/figure_4_8.png"));
   EXPECT_FALSE(fs::exists(folder.path() / "drawn/figure_4_9.png"));
-  EXPECT_NE(study("figures --list", folder.path()).out.find("5.11"), std::string::npos);
+  EXPECT_NE(study("figures --list").out.find("5.11"), std::string::npos);
 }
 
-TEST(StudyCommand, APageGoesIntoTheFolderAndItsNumbersToPrograms) {
-  const support::TemporaryFolder folder;
-  const auto run = study("complexity --quick --json --out page", folder.path());
+TEST_F(StudyCommand, APageGoesIntoTheFolderAndItsNumbersToPrograms) {
+  const auto run = study("complexity --quick --json --out page");
   EXPECT_EQ(run.exit_code, 0) << run.err;
   const auto json = nlohmann::json::parse(run.out);
   EXPECT_EQ(json.at("study"), "complexity");
@@ -54,11 +52,10 @@ TEST(StudyCommand, APageGoesIntoTheFolderAndItsNumbersToPrograms) {
   EXPECT_TRUE(fs::exists(folder.path() / "page/complexity.md"));
 }
 
-TEST(StudyCommand, WrongUseIsOneLineAndExitCodeTwo) {
-  const support::TemporaryFolder folder;
+TEST_F(StudyCommand, WrongUseIsOneLineAndExitCodeTwo) {
   for (const std::string wrong : {"figures --only 9.9 --out x", "figures", "", "numbers --out /proc/nowhere", "all",
                                   "all --quick --out /proc/nowhere", "profile --quick --out /proc/nowhere"}) {
-    const auto run = study(wrong, folder.path());
+    const auto run = study(wrong);
     EXPECT_EQ(run.exit_code, 2) << wrong;
     EXPECT_EQ(run.err.substr(0, 9), "palpate: ") << wrong;
     EXPECT_EQ(run.err.find('\n'), run.err.size() - 1) << run.err;

@@ -29,14 +29,21 @@ Vec3 pointBefore(const Camera& camera, Random& random) {
          random.uniform(-100, 100) * camera.backward();
 }
 
-TEST(Orbit, KeepsThePivotWhereItAppears) {
-  Random random(1);
+/// Calls check(camera, a point before it, a way of the mouse) for many.
+template <class Check>
+void forAnyView(std::uint64_t seed, const Check& check) {
+  Random random(seed);
   for (int i = 0; i < 500; ++i) {
     const Camera camera = randomCamera(random);
-    const Vec3 pivot = pointBefore(camera, random);
-    const Vec2 by(random.uniform(-300, 300), random.uniform(-50, 50));
-    EXPECT_LT((seen(orbited(camera, pivot, by, kWindowHeight), pivot) - seen(camera, pivot)).norm(), 1e-4);
+    const Vec3 point = pointBefore(camera, random);
+    check(camera, point, Vec2(random.uniform(-300, 300), random.uniform(-50, 50)));
   }
+}
+
+TEST(Orbit, KeepsThePivotWhereItAppears) {
+  forAnyView(1, [](const Camera& camera, const Vec3& pivot, const Vec2& by) {
+    EXPECT_LT((seen(orbited(camera, pivot, by, kWindowHeight), pivot) - seen(camera, pivot)).norm(), 1e-4);
+  });
 }
 
 TEST(Orbit, DraggingToTheRightBringsThePatientsLeftSideForward) {
@@ -54,26 +61,19 @@ TEST(Orbit, NeverTipsOver) {
 }
 
 TEST(Pan, TheGrabbedPointFollowsTheCursor) {
-  Random random(2);
-  for (int i = 0; i < 200; ++i) {
-    const Camera camera = randomCamera(random);
-    const Vec3 grabbed = pointBefore(camera, random);
-    const Vec2 by(random.uniform(-100, 100), random.uniform(-100, 100));
+  forAnyView(2, [](const Camera& camera, const Vec3& grabbed, const Vec2& by) {
     const Vec2 expected =
         seen(camera, grabbed) + Vec2(by.x() / (kWindowHeight * kWindowAspect), by.y() / kWindowHeight);
     EXPECT_LT((seen(panned(camera, grabbed, by, kWindowHeight), grabbed) - expected).norm(), 1e-4);
-  }
+  });
 }
 
 TEST(Zoom, KeepsThePivotWhereItAppearsAndComesNearer) {
-  Random random(3);
-  for (int i = 0; i < 200; ++i) {
-    const Camera camera = randomCamera(random);
-    const Vec3 pivot = pointBefore(camera, random);
+  forAnyView(3, [](const Camera& camera, const Vec3& pivot, const Vec2&) {
     const Camera nearer = zoomed(camera, pivot, 2.0);
     EXPECT_LT(nearer.distance_mm, camera.distance_mm);
     EXPECT_LT((seen(nearer, pivot) - seen(camera, pivot)).norm(), 1e-4);
-  }
+  });
 }
 
 TEST(Zoom, StopsNearTheSkinAndFarAway) {
