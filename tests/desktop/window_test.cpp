@@ -56,6 +56,12 @@ Desktop* Window::desktop_ = nullptr;
 constexpr const char* kOnSkin = "mousemove 790 380";
 constexpr const char* kBeside = "mousemove 330 60";
 
+/// What the mouse or the keyboard does over the sheet presses a finger into it.
+bool isFelt(Program& program, const std::string& act) {
+  return program.hand(std::string(kOnSkin) + " " + act) &&
+         program.until([](const Values& v) { return numberIn(v, "depth") > 5.0; });
+}
+
 TEST_F(Window, ShowsAFrameAndQuitsWhenAskedTo) {
   const auto program = start({"--frames", "5"});
   const std::string said = program->rest();
@@ -67,8 +73,7 @@ TEST_F(Window, ShowsAFrameAndQuitsWhenAskedTo) {
 
 TEST_F(Window, APressWithTheLeftButtonIsFeltAndEnds) {
   const auto program = start();
-  ASSERT_TRUE(program->hand(std::string(kOnSkin) + " mousedown 1"));
-  EXPECT_TRUE(program->until([](const Values& v) { return numberIn(v, "depth") > 5.0; }));
+  ASSERT_TRUE(isFelt(*program, "mousedown 1"));
   EXPECT_GT(program->number("force"), 1.0);
   ASSERT_TRUE(program->hand("mouseup 1"));
   EXPECT_TRUE(program->until([](const Values& v) { return v.at("pressed") == "0" && numberIn(v, "depth") == 0.0; }));
@@ -76,8 +81,7 @@ TEST_F(Window, APressWithTheLeftButtonIsFeltAndEnds) {
 
 TEST_F(Window, MovingWhilePressingPullsTheSkin) {
   const auto program = start();
-  ASSERT_TRUE(program->hand(std::string(kOnSkin) + " mousedown 1"));
-  ASSERT_TRUE(program->until([](const Values& v) { return numberIn(v, "depth") > 5.0; }));
+  ASSERT_TRUE(isFelt(*program, "mousedown 1"));
   ASSERT_TRUE(program->hand("mousemove_relative -- 25 0"));
   EXPECT_TRUE(program->until([](const Values& v) { return numberIn(v, "drag") > 1.0; }));
   program->hand("mouseup 1");
@@ -117,8 +121,7 @@ TEST_F(Window, KeysSwitch) {
 
 TEST_F(Window, EnterHoldsTheFingerUntilTheFocusIsLost) {
   const auto program = start();
-  ASSERT_TRUE(program->hand(std::string(kOnSkin) + " key Return"));
-  ASSERT_TRUE(program->until([](const Values& v) { return numberIn(v, "depth") > 5.0; }));
+  ASSERT_TRUE(isFelt(*program, "key Return"));
   // To another window: the X server's own.
   ASSERT_TRUE(program->hand("search --maxdepth 0 '' windowfocus"));
   EXPECT_TRUE(program->until([](const Values& v) { return v.at("pressed") == "0"; }));
@@ -126,8 +129,7 @@ TEST_F(Window, EnterHoldsTheFingerUntilTheFocusIsLost) {
 
 TEST_F(Window, IsResizedWhileItPresses) {
   const auto program = start();
-  ASSERT_TRUE(program->hand(std::string(kOnSkin) + " mousedown 1"));
-  ASSERT_TRUE(program->until([](const Values& v) { return numberIn(v, "depth") > 5.0; }));
+  ASSERT_TRUE(isFelt(*program, "mousedown 1"));
   for (const char* size : {"900 700", "1100 640", "1000 720"}) {
     ASSERT_TRUE(program->hand(std::string("search --onlyvisible --name Palpate windowsize ") + size));
   }
@@ -162,8 +164,7 @@ double longestPauseS(const std::string& table) {
 TEST_F(Window, TheServoGoesOnWhileTheScreenIsFilledAndLeft) {
   const auto program = start();
   const std::string before = program->word("size");
-  ASSERT_TRUE(program->hand(std::string(kOnSkin) + " mousedown 1"));
-  ASSERT_TRUE(program->until([](const Values& v) { return numberIn(v, "depth") > 5.0; }));
+  ASSERT_TRUE(isFelt(*program, "mousedown 1"));
   ASSERT_TRUE(program->hand("key r"));
   ASSERT_TRUE(program->until([](const Values& v) { return v.at("recording") == "1"; }));
   for (int round = 0; round < 3; ++round) {

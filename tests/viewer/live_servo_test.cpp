@@ -45,12 +45,17 @@ bool waitFor(LiveServo& servo, const Ready& ready) {
   return false;
 }
 
+/// A finger pressed into the middle of the sheet so deep; false if it does not get there.
+bool pressed(LiveServo& servo, std::size_t finger, double depth_mm) {
+  servo.point(finger, pressAt({100, 100, 0}, depth_mm));
+  return waitFor(servo, [&] { return servo.thread().contacts()[finger].contact.depth_mm > depth_mm - 0.1; });
+}
+
 TEST(LiveServo, FeelsWhereTheMousePoints) {
   const support::TemporaryFolder folder;
   const auto world = sheet(folder, 0.5);
   LiveServo servo(planFor(world, world->scene, true));
-  servo.point(1, pressAt({100, 100, 0}, 4.0));
-  EXPECT_TRUE(waitFor(servo, [&] { return servo.thread().contacts()[1].contact.depth_mm > 3.9; }));
+  EXPECT_TRUE(pressed(servo, 1, 4.0));
   EXPECT_NEAR(servo.thread().contacts()[1].device_force.z(), 2.0, 0.1) << "the mouse's force is not limited";
   EXPECT_EQ(servo.thread().contacts()[0].contact.touch, contact::Touch::free) << "the other finger is nowhere";
   const servo::LoopReport report = servo.thread().stop();
@@ -63,8 +68,7 @@ TEST(LiveServo, TakesAnotherWorldBetweenTwoTicksAndGivesTheOldOneBack) {
   const auto stiff = sheet(folder, 2.0);
   std::weak_ptr<const scene::World> watched = soft;
   LiveServo servo(planFor(soft, soft->scene, true));
-  servo.point(0, pressAt({100, 100, 0}, 3.0));
-  ASSERT_TRUE(waitFor(servo, [&] { return servo.thread().contacts()[0].contact.depth_mm > 2.9; }));
+  ASSERT_TRUE(pressed(servo, 0, 3.0));
   servo.thread().change(planFor(stiff, stiff->scene, false));
   soft.reset();
   ASSERT_TRUE(waitFor(servo, [&] { return servo.thread().world() == stiff; }));
@@ -76,8 +80,7 @@ TEST(LiveServo, OfManyChangesTheNewestWins) {
   const support::TemporaryFolder folder;
   const auto world = sheet(folder, 0.5);
   LiveServo servo(planFor(world, world->scene, true));
-  servo.point(0, pressAt({100, 100, 0}, 14.0));
-  ASSERT_TRUE(waitFor(servo, [&] { return servo.thread().contacts()[0].contact.depth_mm > 13.9; }));
+  ASSERT_TRUE(pressed(servo, 0, 14.0));
   scene::Scene scene = world->scene;
   const double radius_mm = fingerRadius(scene, 0);
   constexpr int kChanges = 50;
