@@ -37,8 +37,6 @@ class PictureWriter {
   PictureWriter();
   /// Finishes what is waiting.
   ~PictureWriter();
-  PictureWriter(const PictureWriter&) = delete;
-  PictureWriter& operator=(const PictureWriter&) = delete;
 
   void write(std::filesystem::path file, view::Image image);
   /// What went wrong since the last call, or empty.

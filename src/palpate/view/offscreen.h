@@ -23,8 +23,6 @@ class OffscreenContext {
   /// was found and which is needed.
   explicit OffscreenContext(Profile profile = Profile::core);
   ~OffscreenContext();
-  OffscreenContext(const OffscreenContext&) = delete;
-  OffscreenContext& operator=(const OffscreenContext&) = delete;
 
  private:
   struct Handles;
@@ -41,8 +39,6 @@ class Target {
   /// Throws Error for less than one pixel, and for more than this machine's OpenGL takes.
   Target(int width, int height);
   ~Target();
-  Target(const Target&) = delete;
-  Target& operator=(const Target&) = delete;
 
   void bind() const;  ///< and sets the viewport
   int width() const { return width_; }

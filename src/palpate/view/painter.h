@@ -48,8 +48,6 @@ class Painter {
  public:
   explicit Painter(std::shared_ptr<const scene::World> world);
   ~Painter();
-  Painter(const Painter&) = delete;
-  Painter& operator=(const Painter&) = delete;
 
   /// As Renderer::setWorld.
   void setWorld(std::shared_ptr<const scene::World> world);

@@ -36,8 +36,6 @@ class Renderer {
   /// Shows the skin at rest. Throws Error for a texture that cannot be shown, naming the scene file.
   explicit Renderer(std::shared_ptr<const scene::World> world);
   ~Renderer();
-  Renderer(const Renderer&) = delete;
-  Renderer& operator=(const Renderer&) = delete;
 
   /// Shows another world, at rest; programs and hands stay, and all of a body that both have. Forgets what setField and
   /// setPartition were given. Throws Error as the constructor does, and then still shows the world before.

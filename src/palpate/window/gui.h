@@ -22,8 +22,6 @@ class Gui {
   /// Throws Error when OpenGL's functions cannot be loaded.
   Gui();
   ~Gui();
-  Gui(const Gui&) = delete;
-  Gui& operator=(const Gui&) = delete;
 
   /// Letters are made anew when the scale (pixels a point) changes.
   void begin(const Vec2& size_points, double scale, double elapsed_s, std::span<const InputEvent> events);

@@ -28,8 +28,6 @@ class Window {
   /// Throws Error: no display (and what to do instead), or which OpenGL was found and which is needed.
   explicit Window(const WindowSettings& settings);
   ~Window();
-  Window(const Window&) = delete;
-  Window& operator=(const Window&) = delete;
 
   /// What happened since the last call, in order. Waits at most `wait_s` for something to happen.
   std::vector<InputEvent> events(double wait_s = 0.0);

@@ -32,8 +32,6 @@ class Drawing {
   /// Needs a current context, of whose thread it is; throws Error when the renderer of shapes cannot be made.
   Drawing();
   ~Drawing();
-  Drawing(const Drawing&) = delete;
-  Drawing& operator=(const Drawing&) = delete;
 
   /// Starts a page. Letters are made anew when the scale (pixels a point) changes, which takes some 30 ms.
   void begin(const Vec2f& size, double scale);

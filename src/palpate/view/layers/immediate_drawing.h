@@ -24,8 +24,6 @@ class ImmediateDrawing {
   /// on the calling thread, to which the object belongs. Throws Error when this machine's OpenGL has no such pipeline.
   ImmediateDrawing(const Eigen::AlignedBox3d& model, int width, int height);
   ~ImmediateDrawing();
-  ImmediateDrawing(const ImmediateDrawing&) = delete;
-  ImmediateDrawing& operator=(const ImmediateDrawing&) = delete;
 
   /// One corner of a triangle; only while drawing.
   static void corner(const Vec3& normal, const Vec3& position);
