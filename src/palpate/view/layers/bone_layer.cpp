@@ -72,20 +72,15 @@ void append(const body::Bone& bone, const scene::World& world, std::vector<BoneV
   for (const Triangle& t : bone.mesh.triangles) triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
 }
 
-void pointAt(GLuint location, GLint size, std::size_t offset) {
-  glEnableVertexAttribArray(location);
-  glVertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, sizeof(BoneVertex), bufferOffset(offset));
-}
-
 }  // namespace
 
 BoneLayer::BoneLayer() : program_("bones", kSharedShader, kVertex, kFragment) {
   glBindVertexArray(vertex_array_.get());
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles_.get());
   glBindBuffer(GL_ARRAY_BUFFER, vertices_.get());
-  pointAt(0, 3, offsetof(BoneVertex, place));
-  pointAt(1, 3, offsetof(BoneVertex, normal));
-  pointAt(2, 3, offsetof(BoneVertex, to_skin));
+  readAt(0, 3, GL_FLOAT, sizeof(BoneVertex), offsetof(BoneVertex, place));
+  readAt(1, 3, GL_FLOAT, sizeof(BoneVertex), offsetof(BoneVertex, normal));
+  readAt(2, 3, GL_FLOAT, sizeof(BoneVertex), offsetof(BoneVertex, to_skin));
   glBindVertexArray(0);
 }
 

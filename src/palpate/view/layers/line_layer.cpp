@@ -103,11 +103,8 @@ LineLayer::LineLayer()
       patches_("patches", kSharedShader, kPointVertex, kPatchFragment) {
   glBindVertexArray(vertex_array_.get());
   glBindBuffer(GL_ARRAY_BUFFER, points_.get());
-  glEnableVertexAttribArray(0);
-  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(PaintedPoint), nullptr);
-  glEnableVertexAttribArray(1);
-  glVertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(PaintedPoint),
-                        bufferOffset(offsetof(PaintedPoint, paint)));
+  readAt(0, 3, GL_FLOAT, sizeof(PaintedPoint));
+  readAt(1, 4, GL_UNSIGNED_BYTE, sizeof(PaintedPoint), offsetof(PaintedPoint, paint));
   glBindVertexArray(0);
 }
 

@@ -28,8 +28,7 @@ std::span<const float> streamOf(const deform::DeformedSurface& surface, int arra
 
 void pointAt(GLuint location, GLuint buffer, GLint size, GLenum type, std::size_t offset) {
   glBindBuffer(GL_ARRAY_BUFFER, buffer);
-  glEnableVertexAttribArray(location);
-  glVertexAttribPointer(location, size, type, type == GL_UNSIGNED_BYTE ? GL_TRUE : GL_FALSE, 0, bufferOffset(offset));
+  readAt(location, size, type, 0, offset);
 }
 
 /// Into the array buffer that is bound.
