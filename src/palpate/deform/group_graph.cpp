@@ -1,4 +1,4 @@
-// Adjacency turned into words of 64: made when a skin is built, moved through by region_by_blocks.cpp.
+// Adjacency turned into words of 64: made when a skin is built, moved through by region_by_blocks.cpp. Own.
 #include "palpate/deform/group_graph.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Builds a skin at load time: rest shape in streams, who is joined to whom, boxes around blocks.
+// Builds a skin at load time: rest shape in streams, who is joined to whom, boxes around blocks. Own.
 #include "palpate/deform/skin.h"
 
 #include <fmt/format.h>

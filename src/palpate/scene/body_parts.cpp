@@ -1,5 +1,6 @@
 // The body: the torso is made, a mesh file is read, mended and judged; both are ordered along a space-filling curve, so
 // that triangles near each other lie near each other in memory. Whatever belongs to a vertex or a triangle follows.
+// Own.
 #include "palpate/scene/body_parts.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Chooses per finger between contact::step and hdb::stepHdb: one branch that the processor always guesses right.
+// Chooses per finger between contact::step and hdb::stepHdb: one branch that the processor always guesses right. Own.
 #include "palpate/servo/finger_solver.h"
 
 #include <utility>

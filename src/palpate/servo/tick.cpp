@@ -1,4 +1,4 @@
-// device pose -> guardTip -> touch -> limitForce -> device force, for one finger after the other.
+// device pose -> guardTip -> touch -> limitForce -> device force, for one finger after the other. Own.
 #include "palpate/servo/tick.h"
 
 namespace palpate::servo {

@@ -1,5 +1,5 @@
 // A finger's contact -> the ball that is drawn: laid on the deformed anchor along the contact's normal, then lifted in
-// rounds, each by the most that a triangle round it asks for, until none reaches into it.
+// rounds, each by the most that a triangle round it asks for, until none reaches into it. Own.
 #include "palpate/view/finger_pose.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // Eyes before one screen, and where each one's picture lies in the whole. Comfort is judged by the parallax of the
 // box's nearest and farthest corner, p = e (1/z - 1/D) as an angle; too much of it shortens the distance of the eyes.
+// Based on: see stereo.h.
 #include "palpate/view/stereo.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // A press leaves a trace where its anchor is, and another each half radius it slides; a trace fades with the square of
-// the time left until the skin has refilled.
+// the time left until the skin has refilled. Own.
 #include "palpate/view/layers/blanching.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // A ball on the skin -> the hand that holds it: the flattest angle at which no other part of the hand is in the skin at
-// rest, found by halving and asked of the tree at every third vertex; what still sinks in lifts the whole hand.
+// rest, found by halving and asked of the tree at every third vertex; what still sinks in lifts the whole hand. Own.
 #include "palpate/view/layers/hand_pose.h"
 
 #include <algorithm>

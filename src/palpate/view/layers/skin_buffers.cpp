@@ -1,5 +1,5 @@
 // World and DeformedSurface -> vertex buffers. Static arrays are filled once; of the deformation only the ranges that
-// the last apply wrote go up, each followed by its copies on seams of the texture.
+// the last apply wrote go up, each followed by its copies on seams of the texture. Own.
 #include "palpate/view/layers/skin_buffers.h"
 
 #include <cstdint>

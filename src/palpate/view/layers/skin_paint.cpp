@@ -1,4 +1,4 @@
-// Look, eye and touches -> the uniforms of the skin's programs, and the places whose colour a finger changes.
+// Look, eye and touches -> the uniforms of the skin's programs, and the places whose colour a finger changes. Own.
 #include "palpate/view/layers/skin_paint.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // The cut by walking: from the crossed triangle nearest to the origin over shared edges, backward and forward, until
 // the width, a border or the start. A point on the plane counts as above it, so every triangle is crossed twice or
-// never.
+// never. Own.
 #include "palpate/view/overlays/section.h"
 
 #include <algorithm>
