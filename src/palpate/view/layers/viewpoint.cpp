@@ -1,6 +1,5 @@
 // The frame of the lights is made of the camera's right, laid level, and the body's up: that is its yaw without pitch
-// and roll. Frustum -> here, once a picture -> uniforms of every program. Own; for
-// the shader see viewpoint.h.
+// and roll. Frustum -> here, once a picture -> uniforms of every program. Own; of the shader see viewpoint.h.
 #include "palpate/view/layers/viewpoint.h"
 
 #include "palpate/view/layers/gl_objects.h"
