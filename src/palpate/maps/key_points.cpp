@@ -21,7 +21,7 @@ constexpr std::string_view kHeader = "name,x_mm,y_mm,half_major_mm,major_over_mi
 constexpr std::string_view kStiffnessColumn = "stiffness_n_per_mm";
 constexpr std::size_t kFields = 6;
 /// 64 MiB: more than a million rows; anything longer is not a table of measurements.
-constexpr std::size_t kMaxFileBytes = std::size_t{64} << 20;
+constexpr std::size_t kMaxKeyFileBytes = std::size_t{64} << 20;
 constexpr double kMinHalfMajorMm = 1e-3;  // a micrometre: smaller is a wrong unit
 constexpr double kMaxHalfMajorMm = 1e4;   // ten metres: no body is larger
 constexpr double kMaxRatio = 1e3;         // longer ellipses are a wrong unit
@@ -75,7 +75,7 @@ Ellipse mirrored(const Ellipse& e) {
 }  // namespace
 
 std::vector<KeyPoint> readKeyPoints(const std::filesystem::path& file) {
-  return parseKeyPoints(readFile(file, kMaxFileBytes), file.string());
+  return parseKeyPoints(readFile(file, kMaxKeyFileBytes), file.string());
 }
 
 std::vector<KeyPoint> parseKeyPoints(std::string_view text, std::string_view file) {

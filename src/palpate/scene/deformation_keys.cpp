@@ -12,41 +12,41 @@ namespace palpate::scene {
 
 namespace {
 
-using S = DeformationSettings;
+using D = DeformationSettings;
 using F = deform::FormSettings;
-using Keys = std::vector<Key<S>>;
+using Keys = std::vector<Key<D>>;
 
 void append(Keys& keys, Keys more) { std::move(more.begin(), more.end(), std::back_inserter(keys)); }
 
 Keys tissueKeys() {
   using T = deform::TissueSettings;
-  const auto tissue = [](double T::*member) { return way(&S::forms, &F::common, &deform::Settings::tissue, member); };
+  const auto tissue = [](double T::*member) { return way(&D::forms, &F::common, &deform::Settings::tissue, member); };
   return {
-      number<S>("normal_cap_mm", tissue(&T::normal_cap_mm), between(0, 1000),
+      number<D>("normal_cap_mm", tissue(&T::normal_cap_mm), between(0, 1000),
                 "The skin is pressed in no deeper than this."),
-      number<S>("tangential_cap_mm", tissue(&T::tangential_cap_mm), between(0, 1000),
+      number<D>("tangential_cap_mm", tissue(&T::tangential_cap_mm), between(0, 1000),
                 "The skin is dragged no farther than this."),
-      number<S>("f_adj", tissue(&T::f_adj), between(0, 10),
+      number<D>("f_adj", tissue(&T::f_adj), between(0, 10),
                 "Factor on how far the skin follows a drag: 1.3 for loose skin, 0.7 for tight skin."),
-      number<S>("normal_radius_mm", tissue(&T::normal_radius_mm), above(0, 10000),
+      number<D>("normal_radius_mm", tissue(&T::normal_radius_mm), above(0, 10000),
                 "Radius of the dent at no depth ..."),
-      number<S>("normal_radius_per_depth", tissue(&T::normal_radius_per_depth), between(0, 1000),
+      number<D>("normal_radius_per_depth", tissue(&T::normal_radius_per_depth), between(0, 1000),
                 "... and how much it grows per mm of depth."),
   };
 }
 
 Keys regionKeys() {
   return {
-      choice<S, deform::NormalRegion>(
-          "region", way(&S::forms, &F::region),
+      choice<D, deform::NormalRegion>(
+          "region", way(&D::forms, &F::region),
           "Of the press: growing with the depth, of normal_radius_mm always, or the same as the drag's (E21)."),
-      choice<S, deform::Shape>(
-          "shape", way(&S::forms, &F::shape),
+      choice<D, deform::Shape>(
+          "shape", way(&D::forms, &F::shape),
           "Of the drag's region: the map's ellipse, the circle of its area, or an irregular contour."),
-      file<S>("contours", &S::contours,
+      file<D>("contours", &D::contours,
               "Shape \"contour\": table of measured contours (docs/maps.md); left out: the key ellipses."),
-      choice<S, deform::Boundary>(
-          "boundary", way(&S::forms, &F::boundary),
+      choice<D, deform::Boundary>(
+          "boundary", way(&D::forms, &F::boundary),
           "What was measured as the drag's boundary: where the skin is still, or its 2 mm contour; that makes the "
           "regions 1.635 times as large (E20)."),
   };
@@ -57,38 +57,38 @@ struct ProfilePlace {
   std::string prefix;
   std::string of;
   tissue::ProfileSettings F::*settings;
-  std::filesystem::path S::*file;
+  std::filesystem::path D::*file;
 };
-const ProfilePlace kPress = {"profile", "Press", &F::normal_profile, &S::profile_file};
-const ProfilePlace kDrag = {"tangential_profile", "Drag", &F::tangential_profile, &S::tangential_profile_file};
+const ProfilePlace kPress = {"profile", "Press", &F::normal_profile, &D::profile_file};
+const ProfilePlace kDrag = {"tangential_profile", "Drag", &F::tangential_profile, &D::tangential_profile_file};
 
 Keys profileKeys(const ProfilePlace& place) {
   using P = tissue::ProfileSettings;
   using G = tissue::TwoGaussians;
   using T = tissue::PowerTail;
   const auto& [prefix, of, settings, profile_file] = place;
-  const auto profile = [&](auto... members) { return way(&S::forms, place.settings, members...); };
+  const auto profile = [&](auto... members) { return way(&D::forms, place.settings, members...); };
   return {
-      choice<S, tissue::ProfileKind>(prefix, profile(&P::kind),
+      choice<D, tissue::ProfileKind>(prefix, profile(&P::kind),
                                      of + ": the curve from the finger to the rim (docs/profiles.md)."),
-      choice<S, tissue::ProfileRim>(prefix + "_rim", profile(&P::rim),
+      choice<D, tissue::ProfileRim>(prefix + "_rim", profile(&P::rim),
                                     of + ": what becomes of the curve's rest at the rim (E18)."),
-      count<S>(prefix + "_entries", profile(&P::table_entries), 2, 1'000'000,
+      count<D>(prefix + "_entries", profile(&P::table_entries), 2, 1'000'000,
                of + ", \"table\": entries; 700 is the dissertation's choice."),
-      choice<S, tissue::TableLookup>(prefix + "_lookup", profile(&P::lookup),
+      choice<D, tissue::TableLookup>(prefix + "_lookup", profile(&P::lookup),
                                      of + ", \"table\": the nearest entry, or between two."),
-      number<S>(prefix + "_narrow", profile(&P::two_gaussians, &G::narrow), above(0, 10),
+      number<D>(prefix + "_narrow", profile(&P::two_gaussians, &G::narrow), above(0, 10),
                 of + ", \"two_gaussians\": width of the dent, as a share of the region."),
-      number<S>(prefix + "_wide", profile(&P::two_gaussians, &G::wide), above(0, 10),
+      number<D>(prefix + "_wide", profile(&P::two_gaussians, &G::wide), above(0, 10),
                 of + ", \"two_gaussians\": width of the bulge or foot."),
-      number<S>(prefix + "_wide_weight", profile(&P::two_gaussians, &G::wide_weight), between(-1, 1),
+      number<D>(prefix + "_wide_weight", profile(&P::two_gaussians, &G::wide_weight), between(-1, 1),
                 of + ", \"two_gaussians\": weight of the wide one; below 0 is a bulge."),
-      number<S>(prefix + "_tail_width", profile(&P::power, &T::width), above(0, 10),
+      number<D>(prefix + "_tail_width", profile(&P::power, &T::width), above(0, 10),
                 of + ", \"power\": width, as a share of the region."),
-      number<S>(prefix + "_tail_exponent", profile(&P::power, &T::exponent), above(0, 10),
+      number<D>(prefix + "_tail_exponent", profile(&P::power, &T::exponent), above(0, 10),
                 of + ", \"power\": how fast the tail falls."),
-      file<S>(prefix + "_file", profile_file, of + ", \"user\": table q,value (docs/profiles.md)."),
-      choice<S, tissue::UserInterpolation>(prefix + "_interpolation", profile(&P::interpolation),
+      file<D>(prefix + "_file", profile_file, of + ", \"user\": table q,value (docs/profiles.md)."),
+      choice<D, tissue::UserInterpolation>(prefix + "_interpolation", profile(&P::interpolation),
                                            of + ", \"user\": smooth without overshoot, or straight."),
   };
 }
@@ -96,29 +96,29 @@ Keys profileKeys(const ProfilePlace& place) {
 Keys otherKeys() {
   using R = tissue::RadialTerm;
   return {
-      number<S>(
-          "radial_share", way(&S::forms, &F::radial, &R::share), between(-1, 1),
+      number<D>(
+          "radial_share", way(&D::forms, &F::radial, &R::share), between(-1, 1),
           "How far pressed skin is also drawn in sideways, as a share of the depth; layered tissue shows 0.05 to 0.1."),
-      number<S>("radial_width", way(&S::forms, &F::radial, &R::width), above(0, 1),
+      number<D>("radial_width", way(&D::forms, &F::radial, &R::width), above(0, 1),
                 "Where that is largest, as a share of the region."),
-      choice<S, deform::Together>(
-          "together", way(&S::forms, &F::together),
+      choice<D, deform::Together>(
+          "together", way(&D::forms, &F::together),
           "Several fingers: each gets its own depth, or their displacements simply add up (E25)."),
-      choice<S, deform::Normals>(
-          "normals", way(&S::forms, &F::common, &deform::Settings::normals),
+      choice<D, deform::Normals>(
+          "normals", way(&D::forms, &F::common, &deform::Settings::normals),
           "Of the deformed skin: from the formulae (fast), from its triangles, or from those that changed."),
   };
 }
 
 /// A file goes with the profile "user" and with no other.
-void checkProfileFile(const ProfilePlace& place, const S& settings, const Entry& entry) {
+void checkProfileFile(const ProfilePlace& place, const D& settings, const Entry& entry) {
   const bool is_user = (settings.forms.*place.settings).kind == tissue::ProfileKind::user;
   const bool has_file = !(settings.*place.file).empty();
   if (is_user && !has_file) entry.fail(fmt::format("{0} = \"user\" needs {0}_file", place.prefix));
   if (!is_user && has_file) entry.fail(fmt::format("{0}_file is read only with {0} = \"user\"", place.prefix));
 }
 
-void checkFiles(const S& settings, const Entry& entry) {
+void checkFiles(const D& settings, const Entry& entry) {
   checkProfileFile(kPress, settings, entry);
   checkProfileFile(kDrag, settings, entry);
   if (!settings.contours.empty() && settings.forms.shape != deform::Shape::contour) {
@@ -134,7 +134,7 @@ Section deformationSection() {
   append(keys, profileKeys(kPress));
   append(keys, profileKeys(kDrag));
   append(keys, otherKeys());
-  return section<S>("deformation", "How the skin gives way (functional shape matched deformation).",
+  return section<D>("deformation", "How the skin gives way (functional shape matched deformation).",
                     &Scene::deformation, std::move(keys), checkFiles);
 }
 

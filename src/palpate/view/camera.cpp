@@ -12,13 +12,6 @@ namespace palpate::view {
 
 namespace {
 
-Eigen::Matrix3d axesOf(const Camera& camera) {
-  using Eigen::AngleAxisd;
-  return (AngleAxisd(camera.yaw_rad, Vec3::UnitY()) * AngleAxisd(-camera.pitch_rad, Vec3::UnitX()) *
-          AngleAxisd(camera.roll_rad, Vec3::UnitZ()))
-      .toRotationMatrix();
-}
-
 Mat4f frustumMatrix(double left, double right, double bottom, double top, double near, double far) {
   Eigen::Matrix4d m = Eigen::Matrix4d::Zero();
   m(0, 0) = 2.0 * near / (right - left);
@@ -33,9 +26,12 @@ Mat4f frustumMatrix(double left, double right, double bottom, double top, double
 
 }  // namespace
 
-Vec3 Camera::right() const { return axesOf(*this).col(0); }
-Vec3 Camera::up() const { return axesOf(*this).col(1); }
-Vec3 Camera::backward() const { return axesOf(*this).col(2); }
+Mat3 Camera::axes() const {
+  using Eigen::AngleAxisd;
+  return (AngleAxisd(yaw_rad, Vec3::UnitY()) * AngleAxisd(-pitch_rad, Vec3::UnitX()) *
+          AngleAxisd(roll_rad, Vec3::UnitZ()))
+      .toRotationMatrix();
+}
 
 Camera fitted(const Eigen::AlignedBox3d& box, double aspect, StandardView side) {
   constexpr double kQuarter = std::numbers::pi / 2.0;

@@ -29,9 +29,10 @@ struct Camera {
   double height_rad = 0.5;      ///< full vertical angle of view
   double roll_rad = 0.0;
 
-  Vec3 right() const;
-  Vec3 up() const;
-  Vec3 backward() const;  ///< from the centre to the eye
+  Mat3 axes() const;  ///< columns: to the right, up, backward
+  Vec3 right() const { return axes().col(0); }
+  Vec3 up() const { return axes().col(1); }
+  Vec3 backward() const { return axes().col(2); }  ///< from the centre to the eye
   Vec3 eye() const { return centre + distance_mm * backward(); }
 };
 

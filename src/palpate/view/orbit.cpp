@@ -8,22 +8,12 @@
 
 namespace palpate::view {
 
-namespace {
-
-Mat3 axesOf(const Camera& camera) {
-  Mat3 axes;
-  axes << camera.right(), camera.up(), camera.backward();
-  return axes;
-}
-
-}  // namespace
-
 Camera orbited(const Camera& camera, const Vec3& pivot, const Vec2& by, double height) {
   Camera turned = camera;
   const double radians = kTurnPerHeightRad / std::max(1.0, height);
   turned.yaw_rad = std::remainder(camera.yaw_rad - radians * by.x(), 2.0 * kTurnPerHeightRad);
   turned.pitch_rad = std::clamp(camera.pitch_rad + radians * by.y(), -kSteepestRad, kSteepestRad);
-  turned.centre = pivot + axesOf(turned) * (axesOf(camera).transpose() * (camera.centre - pivot));
+  turned.centre = pivot + turned.axes() * (camera.axes().transpose() * (camera.centre - pivot));
   return turned;
 }
 

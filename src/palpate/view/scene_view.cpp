@@ -25,7 +25,7 @@ ColourRange rangeOf(const Values& values, const ColourRange& fallback) {
   return low != values.end() && *low < *high ? ColourRange{*low, *high} : fallback;
 }
 
-std::vector<double> halfMajors(const scene::World& world) {
+std::vector<double> skinHalfMajors(const scene::World& world) {
   std::vector<double> lengths;
   lengths.reserve(world.skin.positions.size());
   for (const Vec3& place : world.skin.positions) {
@@ -46,7 +46,7 @@ Look lookOf(const scene::World& world, const scene::ViewSettings& view) {
   look.detail = view.detail;
   look.strain_percent = {-world.scene.strain.range_percent, world.scene.strain.range_percent};
   look.stiffness_n_per_mm = rangeOf(world.stiffness_n_per_mm, look.stiffness_n_per_mm);
-  if (look.colouring == Colouring::ellipses) look.half_major_mm = rangeOf(halfMajors(world), look.half_major_mm);
+  if (look.colouring == Colouring::ellipses) look.half_major_mm = rangeOf(skinHalfMajors(world), look.half_major_mm);
   return look;
 }
 

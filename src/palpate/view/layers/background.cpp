@@ -7,7 +7,7 @@ namespace palpate::view {
 namespace {
 
 // Neutral grey, so that colours read true, and a little lighter behind the body.
-constexpr std::string_view kVertex = R"(
+constexpr std::string_view kBackgroundVertex = R"(
 uniform float white;
 out vec3 corner_grey;
 const int columns = 16;
@@ -25,7 +25,7 @@ void main() {
 constexpr GLsizei kVertices = 6 * 16 * 16;
 
 // A fixed pattern hides the steps of 8 bits.
-constexpr std::string_view kFragment = R"(
+constexpr std::string_view kBackgroundFragment = R"(
 in vec3 corner_grey;
 out vec4 colour;
 void main() {
@@ -36,7 +36,7 @@ void main() {
 
 }  // namespace
 
-Background::Background() : program_("background", "", kVertex, kFragment) {}
+Background::Background() : program_("background", "", kBackgroundVertex, kBackgroundFragment) {}
 
 void Background::draw(bool white) const {
   glEnable(GL_DEPTH_TEST);

@@ -21,7 +21,7 @@ struct BoneVertex {
 /// Bones farther from any skin than this look as if there were none.
 constexpr double kDeepestMm = 150.0;
 
-constexpr std::string_view kVertex = R"(
+constexpr std::string_view kBoneVertex = R"(
 layout(location = 0) in vec3 place_in;
 layout(location = 1) in vec3 normal_in;
 layout(location = 2) in vec3 to_skin;
@@ -39,7 +39,7 @@ void main() {
 )";
 
 // Flesh takes blue and green first (per mm of the way through it).
-constexpr std::string_view kFragment = R"(
+constexpr std::string_view kBoneFragment = R"(
 in vec3 place;
 in vec3 normal;
 in float depth;
@@ -74,7 +74,7 @@ void append(const body::Bone& bone, const scene::World& world, std::vector<BoneV
 
 }  // namespace
 
-BoneLayer::BoneLayer() : program_("bones", kSharedShader, kVertex, kFragment) {
+BoneLayer::BoneLayer() : program_("bones", kSharedShader, kBoneVertex, kBoneFragment) {
   glBindVertexArray(vertex_array_.get());
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles_.get());
   glBindBuffer(GL_ARRAY_BUFFER, vertices_.get());

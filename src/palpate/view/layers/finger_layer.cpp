@@ -13,7 +13,7 @@ namespace palpate::view {
 
 namespace {
 
-constexpr std::string_view kVertex = R"(
+constexpr std::string_view kFingerVertex = R"(
 layout(location = 0) in vec3 point;
 layout(location = 1) in vec3 point_normal;
 uniform mat3 axes;  // a turn, and a size
@@ -28,7 +28,7 @@ void main() {
 }
 )";
 
-constexpr std::string_view kFragment = R"(
+constexpr std::string_view kFingerFragment = R"(
 in vec3 place;
 in vec3 normal;
 uniform vec3 finger_colour;
@@ -54,20 +54,20 @@ void main() {
 /// Linear: light, so that it is seen on skin of every tone and on both fingers.
 const Vec3f kRim{0.95f, 0.93f, 0.80f};
 
-constexpr Index kRings = 24;
+constexpr Index kBallRings = 24;
 constexpr Index kSectors = 48;
 
 mesh::TriangleMesh unitSphere() {
   mesh::TriangleMesh sphere;
-  for (Index ring = 0; ring <= kRings; ++ring) {
-    const double polar = std::numbers::pi * ring / kRings;
+  for (Index ring = 0; ring <= kBallRings; ++ring) {
+    const double polar = std::numbers::pi * ring / kBallRings;
     for (Index sector = 0; sector < kSectors; ++sector) {
       const double around = 2.0 * std::numbers::pi * sector / kSectors;
       sphere.positions.emplace_back(std::sin(polar) * std::cos(around), std::cos(polar),
                                     std::sin(polar) * std::sin(around));
     }
   }
-  for (Index ring = 0; ring < kRings; ++ring) {
+  for (Index ring = 0; ring < kBallRings; ++ring) {
     for (Index sector = 0; sector < kSectors; ++sector) {
       const Index next = (sector + 1) % kSectors;
       const Index row = ring * kSectors;
@@ -93,7 +93,8 @@ void pointAt(GLuint location, GLuint buffer, const std::vector<Vec3f>& values) {
 
 }  // namespace
 
-FingerLayer::FingerLayer() : program_("finger", kSharedShader, kVertex, kFragment), ball_(uploaded(unitSphere())) {}
+FingerLayer::FingerLayer()
+    : program_("finger", kSharedShader, kFingerVertex, kFingerFragment), ball_(uploaded(unitSphere())) {}
 
 FingerLayer::Shape FingerLayer::uploaded(const mesh::TriangleMesh& mesh) {
   Shape shape;

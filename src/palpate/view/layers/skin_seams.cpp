@@ -9,20 +9,20 @@ namespace palpate::view {
 namespace {
 
 /// A corner of a triangle: the skin's vertex there and its place in the picture.
-struct Corner {
+struct SkinCorner {
   Index vertex;
   Index corner;  // 3 * triangle + 0, 1 or 2
 };
 
 /// All corners of the skin, those of one vertex together, in the order of the triangles.
-std::vector<Corner> cornersByVertex(std::span<const Triangle> triangles) {
-  std::vector<Corner> corners;
+std::vector<SkinCorner> cornersByVertex(std::span<const Triangle> triangles) {
+  std::vector<SkinCorner> corners;
   corners.reserve(3 * triangles.size());
   for (Index t = 0; t < triangles.size(); ++t) {
     for (Index i = 0; i < 3; ++i) corners.push_back({triangles[t][i], 3 * t + i});
   }
   std::stable_sort(corners.begin(), corners.end(),
-                   [](const Corner& a, const Corner& b) { return a.vertex < b.vertex; });
+                   [](const SkinCorner& a, const SkinCorner& b) { return a.vertex < b.vertex; });
   return corners;
 }
 
@@ -36,9 +36,9 @@ class VertexSplitter {
   VertexSplitter(std::span<const mesh::TextureCorners> corners, DrawnVertices& drawn)
       : corners_(corners), drawn_(drawn), has_place_(drawn.of_skin, false) {}
 
-  void split(std::span<const Corner> corners) {
+  void split(std::span<const SkinCorner> corners) {
     const auto first_copy = drawn_.copied.size();
-    for (const Corner& corner : corners) {
+    for (const SkinCorner& corner : corners) {
       const mesh::TexturePlace& place = corners_[corner.corner / 3][corner.corner % 3];
       drawn_.triangles[corner.corner / 3][corner.corner % 3] = drawnFor(corner.vertex, place, first_copy);
     }
@@ -76,10 +76,10 @@ DrawnVertices drawnVertices(Index vertices, std::span<const Triangle> triangles,
                             std::span<const mesh::TextureCorners> corners) {
   DrawnVertices drawn = drawnVertices(vertices, triangles);
   drawn.places.assign(vertices, mesh::TexturePlace::Zero());
-  const std::vector<Corner> sorted = cornersByVertex(triangles);
+  const std::vector<SkinCorner> sorted = cornersByVertex(triangles);
   VertexSplitter splitter(corners, drawn);
   for (auto first = sorted.begin(); first != sorted.end();) {
-    const auto other = [&](const Corner& corner) { return corner.vertex != first->vertex; };
+    const auto other = [&](const SkinCorner& corner) { return corner.vertex != first->vertex; };
     const auto end = std::find_if(first, sorted.end(), other);
     splitter.split({first, end});
     first = end;

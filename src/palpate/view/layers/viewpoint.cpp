@@ -9,8 +9,8 @@ namespace palpate::view {
 namespace {
 
 // x to the right, y up, z to the eye of a level camera.
-const Vec3f kKey = Vec3f(-0.58f, 0.60f, 0.55f).normalized();
-const Vec3f kFill = Vec3f(0.80f, -0.10f, 0.59f).normalized();
+const Vec3f kKeyLight = Vec3f(-0.58f, 0.60f, 0.55f).normalized();
+const Vec3f kFillLight = Vec3f(0.80f, -0.10f, 0.59f).normalized();
 
 }  // namespace
 
@@ -22,7 +22,7 @@ Lights lightsFor(const Frustum& frustum) {
   axes.col(0) = level.norm() > kLeastLevel ? Vec3f(level.normalized()) : Vec3f(Vec3f::UnitX());
   axes.col(1) = Vec3f::UnitY();
   axes.col(2) = axes.col(0).cross(axes.col(1));
-  return {axes * kKey, axes * kFill};
+  return {axes * kKeyLight, axes * kFillLight};
 }
 
 Viewpoint viewpointOf(const Frustum& frustum, int width, int height) {

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kSamples = 96;
 /// The skin is looked for this far (mm) above and below the ellipse's plane: a back curves less over its ellipses.
-constexpr double kReachMm = 150.0;
+constexpr double kMarkReachMm = 150.0;
 
 }  // namespace
 
@@ -35,7 +35,7 @@ Outline outlineOf(const scene::World& world, const maps::SurfaceEllipse& ellipse
   for (int i = 0; i <= kSamples; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / kSamples;
     const Vec3 place = centre + std::cos(angle) * ellipse.half_major + std::sin(angle) * minor;
-    const auto spot = spotBetween(world.surface, place + kReachMm * normal, place - kReachMm * normal);
+    const auto spot = spotBetween(world.surface, place + kMarkReachMm * normal, place - kMarkReachMm * normal);
     if (spot) {
       outline.back().push_back(*spot);
     } else if (!outline.back().empty()) {

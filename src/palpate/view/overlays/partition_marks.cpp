@@ -15,7 +15,7 @@ namespace {
 /// Each level is drawn with this share of the one above; fainter than the least is left out.
 constexpr double kLevelShare = 0.8;
 constexpr double kLeastShare = 0.1;
-constexpr double kFill = 0.04;
+constexpr double kBoxFill = 0.04;
 
 /// The rectangle that the plane square to `axis` cuts out of a cell.
 std::array<Vec3, 4> rectangleIn(const Box3& cell, int axis) {
@@ -34,7 +34,7 @@ void addPlane(const Box3& cell, int axis, double share, Lines& lines, Patches& p
   const std::array<Vec3, 4> corners = rectangleIn(cell, axis);
   const Paint paint = faded(kPlanePaints[axis], share);
   for (int i = 0; i < 4; ++i) lines.add(corners[i], corners[(i + 1) % 4], paint);
-  patches.addQuad(corners, faded(paint, kFill));
+  patches.addQuad(corners, faded(paint, kBoxFill));
 }
 
 }  // namespace

@@ -12,12 +12,12 @@ namespace palpate::view {
 
 namespace {
 
-constexpr Ink kRest{{150, 155, 165}};
+constexpr Ink kRestInk{{150, 155, 165}};
 constexpr Ink kDeformed{{255, 176, 112}};
 constexpr Ink kGrid{{255, 255, 255}, 0.14};
-constexpr float kLeft = 34.0f;   ///< room for the numbers of the heights
-constexpr float kBelow = 30.0f;  ///< and for those of the widths, with their unit
-constexpr float kAbove = 24.0f;  ///< and for the words
+constexpr float kLeft = 34.0f;        ///< room for the numbers of the heights
+constexpr float kBelow = 30.0f;       ///< and for those of the widths, with their unit
+constexpr float kWordsAbove = 24.0f;  ///< and for the words
 constexpr float kRight = 12.0f;
 
 /// From mm to the page.
@@ -44,8 +44,8 @@ Axes axesFor(std::span<const SectionPoint> curve, const SectionChart& chart) {
   const double room = 0.08 * std::max(axes.high.y() - axes.low.y(), kLeastMm);
   axes.low.y() -= room;
   axes.high.y() += room;
-  axes.corner = chart.corner + Vec2f(kLeft, kAbove);
-  axes.extent = chart.size - Vec2f(kLeft + kRight, kAbove + kBelow);
+  axes.corner = chart.corner + Vec2f(kLeft, kWordsAbove);
+  axes.extent = chart.size - Vec2f(kLeft + kRight, kWordsAbove + kBelow);
   return axes;
 }
 
@@ -84,7 +84,7 @@ void drawWords(Drawing& page, const SectionChart& chart) {
   const float y = chart.corner.y() + 6.0f;
   float x = chart.corner.x() + 8.0f;
   for (const auto& [words, ink] :
-       {std::pair<std::string_view, Ink>{"section", kLightInk}, {"rest", kRest}, {"deformed", kDeformed}}) {
+       {std::pair<std::string_view, Ink>{"section", kLightInk}, {"rest", kRestInk}, {"deformed", kDeformed}}) {
     page.text({x, y}, words, ink, Align::left, TextSize::small);
     x += page.measure(words, TextSize::small).x() + 12.0f;
   }
@@ -97,7 +97,7 @@ void drawSection(Drawing& page, std::span<const SectionPoint> curve, const Secti
   page.box(chart.corner, chart.corner + chart.size, kShadeInk, 5.0f);
   const Axes axes = axesFor(curve, chart);
   drawGrid(page, axes);
-  drawCurve(page, axes, curve, &SectionPoint::rest, kRest, 1.5f);
+  drawCurve(page, axes, curve, &SectionPoint::rest, kRestInk, 1.5f);
   drawCurve(page, axes, curve, &SectionPoint::deformed, kDeformed, 2.2f);
   drawWords(page, chart);
 }

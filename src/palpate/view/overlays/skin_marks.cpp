@@ -14,14 +14,14 @@ namespace palpate::view {
 
 namespace {
 
-using Cell = std::array<int, 3>;
+using MarkCell = std::array<int, 3>;
 
 struct Moved {
-  Cell cell;
+  MarkCell cell;
   Index vertex;
 };
 
-Cell cellOf(const Vec3& place, double size) {
+MarkCell cellOf(const Vec3& place, double size) {
   const Vec3 cell = (place / size).array().floor();
   return {static_cast<int>(cell.x()), static_cast<int>(cell.y()), static_cast<int>(cell.z())};
 }
