@@ -31,16 +31,11 @@ constexpr int kLiteralStride = 4;
 /// Of applies whose time is kept for the percentiles.
 constexpr std::size_t kMostSamples = 100000;
 
-Vec3 centreOf(const mesh::TriangleMesh& mesh, Index triangle) {
-  const auto& [a, b, c] = mesh.triangles[triangle];
-  return (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3.0;
-}
-
 Index triangleAt(const mesh::TriangleMesh& mesh, const Vec2& place) {
   Index best = 0;
   double nearest = 1e300;
   for (Index t = 0; t < mesh.triangles.size(); ++t) {
-    const double distance = (centreOf(mesh, t).head<2>() - place).squaredNorm();
+    const double distance = (centreOf(mesh, mesh.triangles[t]).head<2>() - place).squaredNorm();
     if (distance < nearest) {
       nearest = distance;
       best = t;
@@ -59,7 +54,7 @@ std::vector<Contacts> wanderingContacts(const mesh::TriangleMesh& mesh, const De
     for (int finger = 0; finger < run.fingers; ++finger) {
       const double beside = kFingersApartMm * (finger - 0.5 * (run.fingers - 1));
       const Index triangle = triangleAt(mesh, place + Vec2(beside, 0.0));
-      contacts.push_back(contactAt(mesh, triangle, centreOf(mesh, triangle), run));
+      contacts.push_back(contactAt(mesh, triangle, centreOf(mesh, mesh.triangles[triangle]), run));
     }
   }
   return places;

@@ -100,10 +100,9 @@ mesh::TriangleMesh boxMesh(const Vec3& step, const std::array<int, 3>& cells) {
   return welded(soup);
 }
 
-void append(const mesh::TriangleMesh& more, const Vec3& shift, mesh::TriangleMesh& to) {
-  const auto first = static_cast<Index>(to.positions.size());
-  for (const Vec3& p : more.positions) to.positions.emplace_back(p + shift);
-  for (const Triangle& t : more.triangles) to.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+void append(mesh::TriangleMesh more, const Vec3& shift, mesh::TriangleMesh& to) {
+  for (Vec3& p : more.positions) p += shift;
+  append(more, to);
 }
 
 double saddleHeight(double x, double y) { return ((x - 100) * (x - 100) - (y - 100) * (y - 100)) / 120.0; }

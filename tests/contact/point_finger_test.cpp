@@ -119,10 +119,9 @@ TEST(PointFinger, AThinPlateHoldsUntilTheTipIsFarTooDeep) {
 TEST(PointFinger, InAFoldEachSheetKeepsItsOwnProxy) {
   // Two sheets that touch, back to back nowhere: the upper faces up, the lower faces up too, 1 mm below.
   mesh::TriangleMesh sheets = zoo::grid(4, 100.0);
-  const auto count = static_cast<Index>(sheets.positions.size());
-  const mesh::TriangleMesh upper = sheets;
-  for (const Vec3& p : upper.positions) sheets.positions.emplace_back(p - Vec3(0, 0, 1));
-  for (const Triangle& t : upper.triangles) sheets.triangles.push_back({t[0] + count, t[1] + count, t[2] + count});
+  mesh::TriangleMesh lower = sheets;
+  for (Vec3& p : lower.positions) p -= Vec3(0, 0, 1);
+  append(lower, sheets);
   const Surface surface = surfaceOf(sheets);
   FingerTrack finger(surface);
   finger.to({51, 52, 3});

@@ -25,8 +25,7 @@ inline Index triangleNear(const mesh::TriangleMesh& mesh, const Vec3& point) {
   Index best = 0;
   double distance = INFINITY;
   for (Index t = 0; t < mesh.triangles.size(); ++t) {
-    const auto& [a, b, c] = mesh.triangles[t];
-    const double d = ((mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3 - point).norm();
+    const double d = (centreOf(mesh, mesh.triangles[t]) - point).norm();
     if (d < distance) {
       distance = d;
       best = t;

@@ -62,10 +62,7 @@ void expectTrueMaps(const mesh::TriangleMesh& given, const WorldFromArrays& buil
     if (built.built_vertex[v] == kNoIndex) continue;
     ASSERT_EQ(skin.positions[built.built_vertex[v]], given.positions[v]) << v;
   }
-  const auto centre = [](const mesh::TriangleMesh& mesh, Index t) {
-    const Triangle& c = mesh.triangles[t];
-    return Vec3((mesh.positions[c[0]] + mesh.positions[c[1]] + mesh.positions[c[2]]) / 3.0);
-  };
+  const auto centre = [](const mesh::TriangleMesh& mesh, Index t) { return centreOf(mesh, mesh.triangles[t]); };
   for (Index t = 0; t < skin.triangles.size(); ++t) {
     if (built.source_triangle[t] == kNoIndex) continue;
     ASSERT_LT((centre(skin, t) - centre(given, built.source_triangle[t])).norm(), 1e-9) << t;

@@ -30,7 +30,7 @@ contact::FingerOutput dragging(const World& world) {
   const Vec3 normal = mesh::areaVector2(world.skin.positions[a], world.skin.positions[b], world.skin.positions[c]);
   finger.normal = normal.normalized();
   const Vec3 along = finger.normal.unitOrthogonal();
-  finger.anchor = (world.skin.positions[a] + world.skin.positions[b] + world.skin.positions[c]) / 3.0;
+  finger.anchor = centreOf(world.skin, world.skin.triangles[triangle]);
   finger.proxy = finger.anchor + 2.0 * along;
   finger.tip = finger.proxy - 6.0 * finger.normal;
   finger.force = 3.0 * finger.normal - 1.0 * along;

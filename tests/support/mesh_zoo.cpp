@@ -328,12 +328,7 @@ TriangleMesh flipped(TriangleMesh mesh) {
 }
 
 TriangleMesh joined(TriangleMesh first, const TriangleMesh& second) {
-  const auto shift = static_cast<Index>(first.positions.size());
-  first.positions.insert(first.positions.end(), second.positions.begin(), second.positions.end());
-  for (Triangle triangle : second.triangles) {
-    for (Index& v : triangle) v += shift;
-    first.triangles.push_back(triangle);
-  }
+  append(second, first);
   return first;
 }
 

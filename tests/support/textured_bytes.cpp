@@ -7,14 +7,6 @@
 
 namespace palpate::support {
 
-namespace {
-
-Vec3 middleOf(const mesh::TriangleMesh& mesh, const Triangle& t) {
-  return (mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) / 3.0;
-}
-
-}  // namespace
-
 mesh::TexturePlace onSheet(const Vec3& place, const Vec3& /*middle*/) {
   return (place.head<2>() / 100.0).cast<float>();
 }
@@ -41,7 +33,7 @@ mesh::TexturePlace onSphere(const Vec3& place, const Vec3& middle) {
 std::vector<mesh::TextureCorners> cornersBy(const TextureLaw& law, const mesh::TriangleMesh& mesh) {
   std::vector<mesh::TextureCorners> corners;
   for (const Triangle& t : mesh.triangles) {
-    const Vec3 middle = middleOf(mesh, t);
+    const Vec3 middle = centreOf(mesh, t);
     corners.push_back(
         {law(mesh.positions[t[0]], middle), law(mesh.positions[t[1]], middle), law(mesh.positions[t[2]], middle)});
   }

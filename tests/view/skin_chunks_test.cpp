@@ -48,10 +48,7 @@ struct Sheet {
   SkinChunks chunks{placesOf(deform::buildSkin(mesh)), mesh.triangles};
   Camera camera = fitted(mesh::boundingBox(mesh), 1.5);
   Mat4f clip() const { return frustumOf(screenOf(camera, 1.5), camera.eye(), 10.0, 5000.0).clip(); }
-  Vec3 middleOf(Index triangle) const {
-    const auto& [a, b, c] = mesh.triangles[triangle];
-    return (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3.0;
-  }
+  Vec3 middleOf(Index triangle) const { return centreOf(mesh, mesh.triangles[triangle]); }
 };
 
 TEST(SkinChunks, DrawEveryTriangleOnceWhenAllIsSeen) {

@@ -27,11 +27,7 @@ constexpr double kMostTorsoTriangles = 2e7;
 mesh::TriangleMesh torsoMesh(std::size_t triangles) {
   const body::Torso torso = body::makeTorso({.triangles = triangles});
   mesh::TriangleMesh all = torso.skin.mesh;
-  for (const body::Bone& bone : torso.bones) {
-    const auto offset = static_cast<Index>(all.positions.size());
-    all.positions.insert(all.positions.end(), bone.mesh.positions.begin(), bone.mesh.positions.end());
-    for (const auto& [a, b, c] : bone.mesh.triangles) all.triangles.push_back({a + offset, b + offset, c + offset});
-  }
+  for (const body::Bone& bone : torso.bones) append(bone.mesh, all);
   return all;
 }
 

@@ -46,12 +46,6 @@ struct Model {
   std::vector<float> bone;      ///< on the skin: the part number of the nearest bone; on a bone its own
 };
 
-void append(const mesh::TriangleMesh& from, mesh::TriangleMesh& to) {
-  const auto offset = static_cast<Index>(to.positions.size());
-  to.positions.insert(to.positions.end(), from.positions.begin(), from.positions.end());
-  for (const Triangle& t : from.triangles) to.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
-}
-
 mesh::VertexChannels channelsOf(const Model& model) {
   mesh::VertexChannels channels;
   for (int axis = 0; axis < 3 && !model.normals.empty(); ++axis) {

@@ -17,13 +17,8 @@ struct JoinedBones {
 JoinedBones joined(std::span<const Bone> bones) {
   JoinedBones all;
   for (Index b = 0; b < bones.size(); ++b) {
-    const auto offset = static_cast<Index>(all.mesh.positions.size());
-    const mesh::TriangleMesh& part = bones[b].mesh;
-    all.mesh.positions.insert(all.mesh.positions.end(), part.positions.begin(), part.positions.end());
-    for (const Triangle& t : part.triangles) {
-      all.mesh.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
-      all.bone_of_triangle.push_back(b);
-    }
+    append(bones[b].mesh, all.mesh);
+    all.bone_of_triangle.resize(all.mesh.triangles.size(), b);
   }
   return all;
 }

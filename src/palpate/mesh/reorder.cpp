@@ -188,9 +188,7 @@ std::vector<Index> mortonOrder(std::span<const Vec3> points) {
 std::vector<Vec3> triangleCentres(const TriangleMesh& mesh) {
   std::vector<Vec3> centres;
   centres.reserve(mesh.triangles.size());
-  for (const auto& [a, b, c] : mesh.triangles) {
-    centres.push_back((mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3.0);
-  }
+  for (const Triangle& triangle : mesh.triangles) centres.push_back(centreOf(mesh, triangle));
   return centres;
 }
 

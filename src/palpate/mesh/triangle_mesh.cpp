@@ -1,4 +1,4 @@
-// Box and normals. A vertex normal weights its triangles by area, which is what sums of cross products do by
+// Boxes, sums and normals. A vertex normal weights its triangles by area, which is what sums of cross products do by
 // themselves; contact weights by angle instead (contact/surface.cpp), because there the sign of a distance hangs on it.
 #include "palpate/mesh/triangle_mesh.h"
 
@@ -8,6 +8,12 @@ Eigen::AlignedBox3d boundingBox(const TriangleMesh& mesh) {
   Eigen::AlignedBox3d box;
   for (const Vec3& position : mesh.positions) box.extend(position);
   return box;
+}
+
+void append(const TriangleMesh& more, TriangleMesh& to) {
+  const auto first = static_cast<Index>(to.positions.size());
+  to.positions.insert(to.positions.end(), more.positions.begin(), more.positions.end());
+  for (const auto& [a, b, c] : more.triangles) to.triangles.push_back({a + first, b + first, c + first});
 }
 
 std::vector<Vec3> triangleNormals(const TriangleMesh& mesh) {

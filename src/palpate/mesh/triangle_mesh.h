@@ -17,6 +17,9 @@ struct TriangleMesh {
 /// The axis-aligned box of all vertices; empty (min > max) for a mesh without vertices.
 Eigen::AlignedBox3d boundingBox(const TriangleMesh& mesh);
 
+/// Adds all vertices and triangles of another mesh behind those of `to`.
+void append(const TriangleMesh& more, TriangleMesh& to);
+
 /// Farther out than this (mm) a coordinate is as good as infinite: products of three still fit a double.
 inline constexpr double kFarthestCoordinate = 1e100;
 
@@ -25,6 +28,12 @@ inline bool isUsable(const Vec3& position) { return (position.array().abs() <= k
 
 /// Twice the area vector of a triangle: its direction is the outward normal, its length twice the area (mm^2).
 inline Vec3 areaVector2(const Vec3& a, const Vec3& b, const Vec3& c) { return (b - a).cross(c - a); }
+
+/// The middle of a triangle.
+inline Vec3 centreOf(const TriangleMesh& mesh, const Triangle& triangle) {
+  const auto& [a, b, c] = triangle;
+  return (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3.0;
+}
 
 // Area-weighted normals.
 
