@@ -262,17 +262,10 @@ TEST(Bones, AreBuiltQuicklyEnoughForEveryStart) {
 }
 
 TEST(Bones, RefuseWhatCannotBeBuilt) {
-  BonesSettings settings;
-  settings.triangles = 20001;
-  EXPECT_THROW(makeBones(settings), Error);
-  settings.triangles = 200;
-  EXPECT_THROW(makeBones(settings), Error);
-  settings = {};
-  settings.stature_mm = 0.0;
-  EXPECT_THROW(makeBones(settings), Error);
-  settings = {};
-  settings.cell_mm = std::nan("");
-  EXPECT_THROW(makeBones(settings), Error);
+  EXPECT_THROW(makeBones({.triangles = 20001}), Error);
+  EXPECT_THROW(makeBones({.triangles = 200}), Error);
+  EXPECT_THROW(makeBones({.stature_mm = 0.0}), Error);
+  EXPECT_THROW(makeBones({.cell_mm = std::nan("")}), Error);
 }
 
 TEST(BoneLandmarks, LieOnTheirBones) {

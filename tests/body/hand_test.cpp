@@ -69,16 +69,10 @@ TEST(Hand, FewTrianglesStayNearTheFullShape) {
 }
 
 TEST(Hand, RefusesWhatCannotBeBuilt) {
-  HandSettings settings;
-  settings.triangles = 2801;
-  EXPECT_THROW(makeHand(settings), Error);
-  settings.triangles = 100;
-  EXPECT_THROW(makeHand(settings), Error);
-  settings.triangles = 4000000;
-  EXPECT_THROW(makeHand(settings), Error);
-  settings = {};
-  settings.length_mm = std::nan("");
-  EXPECT_THROW(makeHand(settings), Error);
+  EXPECT_THROW(makeHand({.triangles = 2801}), Error);
+  EXPECT_THROW(makeHand({.triangles = 100}), Error);
+  EXPECT_THROW(makeHand({.triangles = 4000000}), Error);
+  EXPECT_THROW(makeHand({.length_mm = std::nan("")}), Error);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ struct BonesSettings {
   double stature_mm = 1750.0;     ///< everything scales linearly with it
   std::size_t triangles = 60000;  ///< of all bones together, exact; even; at least kFewestBoneTriangles
   double cell_mm = 0.0;           ///< grid of the mesher before the reduction, for 1750; 0: fits the triangles
-  Warp warp;                      ///< applied before the scaling, e.g. the skin's asymmetry; none when empty
+  Warp warp{};                    ///< applied before the scaling, e.g. the skin's asymmetry; none when empty
 };
 
 /// Fewest triangles of all bones together that still read as bones.

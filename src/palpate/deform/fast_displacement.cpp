@@ -31,10 +31,7 @@ bool movesAnything(const PartLanes& part) noexcept {
 }  // namespace
 
 EllipseContact frameOf(const Contact& contact, const TissueSettings& tissue) noexcept {
-  EllipseContact frame;
-  frame.anchor = contact.anchor;
-  frame.normal = contact.normal.normalized();
-  frame.anchor_triangle = contact.anchor_triangle;
+  EllipseContact frame(contact);
   frame.depth_mm = cappedDepth(contact.depth_mm, tissue.normal_cap_mm);
   frame.drag_mm = cappedLength(tissue.f_adj * contact.drag_mm, tissue.tangential_cap_mm);
   if (frame.wantsPress()) frame.press = flatEllipse(contact.normal_region, frame.normal);

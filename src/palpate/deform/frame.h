@@ -18,6 +18,10 @@ struct FramedContact {
   Region press;                 ///< acts if there is something to press and an area to press it in
   Region drag;                  ///< likewise
 
+  FramedContact() = default;
+  /// Its place; what it wants and where is left to be said.
+  explicit FramedContact(const Contact& contact)
+      : anchor(contact.anchor), normal(contact.normal.normalized()), anchor_triangle(contact.anchor_triangle) {}
   bool wantsPress() const { return depth_mm != 0.0; }
   bool wantsDrag() const { return !drag_mm.isZero(0.0); }
 };

@@ -75,10 +75,7 @@ void setPoint(float* const* values, Index bit, const Vec3f& point) noexcept {
 }  // namespace
 
 FormedContact formedContact(const Contact& contact, const FormSettings& forms) noexcept {
-  FormedContact frame;
-  frame.anchor = contact.anchor;
-  frame.normal = contact.normal.normalized();
-  frame.anchor_triangle = contact.anchor_triangle;
+  FormedContact frame(contact);
   setCapped(contact, forms, frame);
   if (frame.wantsPress()) frame.press = pressFrame(contact, frame.normal, forms);
   if (frame.wantsDrag()) frame.drag = dragFrame(contact, frame.normal, forms);
