@@ -111,8 +111,7 @@ Plot growthPlot(const ComplexityResults& results, TreeKind tree) {
                                  tree == TreeKind::Bsp ? "BSP tree" : "Octree", results.largest_model)};
   plot.x = {.label = "leaves of the tree, n", .scale = Scale::logarithmic};
   plot.y = {.label = "boxes tested", .scale = Scale::logarithmic};
-  double most = 1.0;
-  double least = 1e9;
+  Extent leaves;
   for (const int part : kBoxParts) {
     Series series{.name = fmt::format("HDB 1/{}", part), .marker = Marker::circle};
     for (const SearchCase* one : casesWhere(results, [&](const SearchCase& a) {
@@ -120,11 +119,11 @@ Plot growthPlot(const ComplexityResults& results, TreeKind tree) {
          })) {
       series.x.push_back(one->sweep.leaves);
       series.y.push_back(one->sweep.worst.tested);
-      most = std::max(most, one->sweep.leaves);
-      least = std::min(least, one->sweep.leaves);
+      leaves.add(one->sweep.leaves);
     }
     plot.series.push_back(series);
   }
+  const auto [least, most] = leaves;
   plot.series.push_back(straight("list of leaves: n", {least, least}, {most, most}));
   const double printed = printedCost(tree);
   plot.series.push_back(straight(tree == TreeKind::Bsp ? "(3.5): 0.8 n" : "(3.9): 0.4 n", {least, printed * least},

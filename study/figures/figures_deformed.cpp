@@ -58,7 +58,7 @@ MeshView patchView(const std::string& title, const std::vector<Vec3>& positions,
   view.edges = true;
   view.ambient = 0.75;
   for (const Triangle& triangle : mesh.triangles) {
-    const Vec3 middle = (mesh.positions[triangle[0]] + mesh.positions[triangle[1]] + mesh.positions[triangle[2]]) / 3.0;
+    const Vec3 middle = centreOf(mesh, triangle);
     if ((middle.head<2>() - centre).cwiseAbs().maxCoeff() < half) view.triangles.push_back(triangle);
   }
   return view;

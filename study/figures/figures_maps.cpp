@@ -127,7 +127,7 @@ MeshView backView(const maps::EllipseMap& map, double basic) {
   view.towards_viewer = Vec3(0.25, -0.3, 1.0);
   view.ambient = 0.65;
   for (const Triangle& t : back.triangles) {
-    const Vec3 middle = (back.positions[t[0]] + back.positions[t[1]] + back.positions[t[2]]) / 3.0;
+    const Vec3 middle = centreOf(back, t);
     const double share = 0.5 + 0.5 * (map.at(middle.x(), middle.y()).half_major_mm - basic) / kShownAround;
     view.colours.push_back(figures::mapColour(ColourMap::cool_warm, share));
   }

@@ -8,6 +8,7 @@
 #include "palpate/hdb/complexity.h"
 #include "palpate/tissue/force_law.h"
 #include "study/numbers/numbers_study.h"
+#include "study/page/study_page.h"
 
 namespace palpate::study {
 
@@ -67,14 +68,11 @@ void addTimings(const std::string& table, const PrintedTimings& timings, Rows& r
 // "The haptic rendering rate is almost half of the graphic rendering".
 void addHalfRate(const PrintedNumbers& printed, Rows& rows) {
   constexpr double kNear = 0.06;
-  double least = 1.0;
-  double most = 0.0;
-  for (const PrintedRate& rate : printed.table_3_1) {
-    least = std::min(least, rate.haptic_fps / rate.graphic_fps);
-    most = std::max(most, rate.haptic_fps / rate.graphic_fps);
-  }
-  const bool holds = least > 0.5 - kNear && most < 0.5 + kNear;
-  rows.push_back({"Table 3.1", "haptic over graphic rate", "almost half", fmt::format("{:.3f} to {:.3f}", least, most),
+  Extent share;
+  for (const PrintedRate& rate : printed.table_3_1) share.add(rate.haptic_fps / rate.graphic_fps);
+  const bool holds = share.least > 0.5 - kNear && share.most < 0.5 + kNear;
+  rows.push_back({"Table 3.1", "haptic over graphic rate", "almost half",
+                  fmt::format("{:.3f} to {:.3f}", share.least, share.most),
                   holds ? Verdict::reproduced : Verdict::not_reproduced, Erratum::none, "of the five models"});
 }
 

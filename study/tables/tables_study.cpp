@@ -316,18 +316,13 @@ std::string treesFinding(const RatesMeasurement& found) {
 
 std::string graphicFinding(const RatesMeasurement& found) {
   if (found.renderer.empty()) return "Pictures could not be measured: " + found.no_renderer + ".";
-  double least = 1e300;
-  double most = 0.0;
-  for (const WholeModelRow& row : found.whole) {
-    const double ratio = *row.picture_us / row.touchedMicroseconds();
-    least = std::min(least, ratio);
-    most = std::max(most, ratio);
-  }
+  Extent ratio;
+  for (const WholeModelRow& row : found.whole) ratio.add(*row.picture_us / row.touchedMicroseconds());
   return fmt::format(
       "\"The haptic rendering rate is almost half of the graphic\" (Table 3.1: 0.48 to 0.55) depends on the two "
       "computers inside one: with {} as the renderer, a program that also fills the pixels, it is {} to {} here. Our "
       "own pictures are another matter: `palpate bench frame`.",
-      found.renderer, rounded(least), rounded(most));
+      found.renderer, rounded(ratio.least), rounded(ratio.most));
 }
 
 std::vector<std::string> methodOf(const RatesMeasurement& found) {
