@@ -24,6 +24,28 @@ figures::Axis shareAxis() {
           .ticks = fractionTicksAt({1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0})};
 }
 
+figures::Axis throughAxis() {
+  return {.label = "strokes that get through the skin", .unit = "%", .from = 0.0, .to = 100.0};
+}
+
+/// A curve for each of the values through the places of the rows that have it, with markers in turn.
+template <class Value, class Row, class Name, class Place>
+std::vector<Series> curvesOf(const std::vector<Value>& values, Value Row::*member, const std::vector<Row>& rows,
+                             const Name& name, const Place& place) {
+  std::vector<Series> curves;
+  for (const Value value : values) {
+    const Marker marker = kCurveMarkers[curves.size() % std::size(kCurveMarkers)];
+    Series& curve = curves.emplace_back(measuredSeries(name(value), {}, {}, marker));
+    for (const Row& row : rows) {
+      if (row.*member != value) continue;
+      const Vec2 at = place(row);
+      curve.x.push_back(at.x());
+      curve.y.push_back(at.y());
+    }
+  }
+  return curves;
+}
+
 Plot trianglesPlot(const HdbMeasurement& found) {
   Plot plot{.title = "What is rendered"};
   plot.x = shareAxis();
@@ -68,17 +90,9 @@ Plot puncturesPlot(const HdbMeasurement& found, const std::vector<PunctureRow>& 
             .from = 2.0,
             .to = 200.0,
             .ticks = ticksAt({2, 5, 10, 20, 50, 100, 200})};
-  plot.y = {.label = "strokes that get through the skin", .unit = "%", .from = 0.0, .to = 100.0};
-  std::size_t next = 0;
-  for (const double speed : found.plan.speeds_mm_s) {
-    Series series = measuredSeries(speedName(speed), {}, {}, kCurveMarkers[next++ % std::size(kCurveMarkers)]);
-    for (const PunctureRow& row : rows) {
-      if (row.speed_mm_s != speed) continue;
-      series.x.push_back(row.edge_mm);
-      series.y.push_back(100.0 * row.punctured);
-    }
-    plot.series.push_back(series);
-  }
+  plot.y = throughAxis();
+  plot.series = curvesOf(found.plan.speeds_mm_s, &PunctureRow::speed_mm_s, rows, speedName,
+                         [](const PunctureRow& row) { return Vec2(row.edge_mm, 100.0 * row.punctured); });
   plot.shapes = {verticalLine("1/10", kTenth * found.longest_edge, 0.0, 100.0),
                  verticalLine("1/4 of the model", kPrintedBoxShare * found.longest_edge, 0.0, 100.0)};
   plot.shapes.front().stroke = figures::Stroke::dashed;
@@ -92,19 +106,12 @@ Plot leadPlot(const HdbMeasurement& found) {
             .from = 0.25,
             .to = 4.0,
             .ticks = {{0.25, "0.25"}, {0.5, "0.5"}, {1.0, "1"}, {2.0, "2"}, {4.0, "4"}}};
-  plot.y = {.label = "strokes that get through the skin", .unit = "%", .from = 0.0, .to = 100.0};
-  std::size_t next = 0;
-  for (const int delay : found.plan.delays_ticks) {
-    Series series = measuredSeries(fmt::format("box follows every {} ms", delay), {}, {},
-                                   kCurveMarkers[next++ % std::size(kCurveMarkers)]);
-    series.stroke = figures::Stroke::none;
-    for (const PunctureRow& row : found.leads) {
-      if (row.delay_ticks != delay) continue;
-      series.x.push_back(row.lead());
-      series.y.push_back(100.0 * row.punctured);
-    }
-    plot.series.push_back(series);
-  }
+  plot.y = throughAxis();
+  plot.series = curvesOf(
+      found.plan.delays_ticks, &PunctureRow::delay_ticks, found.leads,
+      [](int delay) { return fmt::format("box follows every {} ms", delay); },
+      [](const PunctureRow& row) { return Vec2(row.lead(), 100.0 * row.punctured); });
+  for (Series& series : plot.series) series.stroke = figures::Stroke::none;
   plot.shapes = {verticalLine("half the edge = way of the finger", 1.0, 0.0, 100.0)};
   return plot;
 }
@@ -113,17 +120,10 @@ Plot recommendedPlot(const HdbMeasurement& found) {
   Plot plot{.title = "Triangles in the box that the rule asks for"};
   plot.x = {.label = "speed of the finger", .unit = "m/s", .scale = Scale::logarithmic, .from = 0.1, .to = 2.0};
   plot.y = {.label = "triangles", .scale = Scale::logarithmic};
-  std::size_t next = 0;
-  for (const int delay : found.plan.delays_ticks) {
-    Series series =
-        measuredSeries(fmt::format("rule, {} ms", delay), {}, {}, kCurveMarkers[next++ % std::size(kCurveMarkers)]);
-    for (const PunctureRow& row : found.recommended) {
-      if (row.delay_ticks != delay) continue;
-      series.x.push_back(metresPerSecond(row.speed_mm_s));
-      series.y.push_back(row.triangles);
-    }
-    plot.series.push_back(series);
-  }
+  plot.series = curvesOf(
+      found.plan.delays_ticks, &PunctureRow::delay_ticks, found.recommended,
+      [](int delay) { return fmt::format("rule, {} ms", delay); },
+      [](const PunctureRow& row) { return Vec2(metresPerSecond(row.speed_mm_s), row.triangles); });
   const HdbSizeRow& quarter = quarterRow(found);
   const std::vector<double> ends{metresPerSecond(found.plan.speeds_mm_s.front()),
                                  metresPerSecond(found.plan.speeds_mm_s.back())};
@@ -139,18 +139,11 @@ Plot recommendedPlot(const HdbMeasurement& found) {
 Plot marginPlot(const HdbMeasurement& found) {
   Plot plot{.title = "Edge = 2 (speed x delay + margin)"};
   plot.x = {.label = "margin / depth of the finger", .from = 0.0, .to = 1.0};
-  plot.y = {.label = "strokes that get through the skin", .unit = "%", .from = 0.0, .to = 100.0};
-  std::size_t next = 0;
-  for (const double depth : found.plan.depths_mm) {
-    Series series =
-        measuredSeries(fmt::format("{:g} mm deep", depth), {}, {}, kCurveMarkers[next++ % std::size(kCurveMarkers)]);
-    for (const MarginRow& row : found.margins) {
-      if (row.depth_mm != depth) continue;
-      series.x.push_back(row.share);
-      series.y.push_back(100.0 * row.punctured);
-    }
-    plot.series.push_back(series);
-  }
+  plot.y = throughAxis();
+  plot.series = curvesOf(
+      found.plan.depths_mm, &MarginRow::depth_mm, found.margins,
+      [](double depth) { return fmt::format("{:g} mm deep", depth); },
+      [](const MarginRow& row) { return Vec2(row.share, 100.0 * row.punctured); });
   return plot;
 }
 
