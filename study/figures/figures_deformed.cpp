@@ -162,10 +162,7 @@ Figure figure417() {
   forms.common.strain = true;
   const Press press{.at = Vec2(-9.0, -4.0), .drag_mm = Vec2(9.0, 5.0), .half_major_mm = 32.0};
   const PressedSkin skin = pressed(patch, press, forms);
-  Plot plot{.title = "Displacements and the mean strain (4.20) of four vertices"};
-  plot.equal_aspect = true;
-  plot.x = {.label = "x", .unit = "mm"};
-  plot.y = {.label = "y", .unit = "mm"};
+  Plot plot = mapPlane("Displacements and the mean strain (4.20) of four vertices");
   plot.shapes = {wires("deformed", skin.positions, patch), wires("at rest", patch.positions, patch)};
   plot.shapes[0].colour = figures::kVermilion;
   plot.shapes[0].width_px = 1.8;

@@ -18,14 +18,6 @@ namespace {
 
 using figures::Shape;
 
-Plot mapPlane(const std::string& title) {
-  Plot plot{.title = title};
-  plot.equal_aspect = true;
-  plot.x = {.label = "x", .unit = "mm"};
-  plot.y = {.label = "y", .unit = "mm"};
-  return plot;
-}
-
 Shape ellipseShape(const std::string& name, const Vec2& centre, const maps::Ellipse& ellipse,
                    const figures::Colour& colour) {
   return {.name = name,

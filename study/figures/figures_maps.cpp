@@ -19,10 +19,9 @@ namespace {
 using figures::MeshView;
 
 Plot squarePlot(const std::string& title) {
-  Plot plot{.title = title};
-  plot.equal_aspect = true;
-  plot.x = {.label = "x", .unit = "mm", .from = -kTable51Half, .to = kTable51Half};
-  plot.y = {.label = "y", .unit = "mm", .from = -kTable51Half, .to = kTable51Half};
+  Plot plot = mapPlane(title);
+  plot.x.from = plot.y.from = -kTable51Half;
+  plot.x.to = plot.y.to = kTable51Half;
   for (const maps::KeyPoint& key : table51Keys())
     plot.places.push_back({key.position_mm, fmt::format("O{}", key.name.substr(1))});
   return plot;
@@ -96,10 +95,7 @@ constexpr double kShownAround = 30.0;  // mm to both sides of the basic circle
 
 Plot backMap(const maps::EllipseMap& map, double basic) {
   const std::vector<Vec2> outline = backOutline();
-  Plot plot{.title = "Map with contour lines"};
-  plot.equal_aspect = true;
-  plot.x = {.label = "x", .unit = "mm"};
-  plot.y = {.label = "y", .unit = "mm"};
+  Plot plot = mapPlane("Map with contour lines");
   figures::Field field{.origin = Vec2(-176.0, -208.0),
                        .step = Vec2::Constant(4.0),
                        .columns = 89,

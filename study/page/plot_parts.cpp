@@ -9,6 +9,14 @@ namespace palpate::study {
 
 const char* nameOf(hdb::TreeKind tree) { return tree == hdb::TreeKind::Bsp ? "BSP tree" : "octree"; }
 
+Plot mapPlane(const std::string& title) {
+  Plot plot{.title = title};
+  plot.equal_aspect = true;
+  plot.x = {.label = "x", .unit = "mm"};
+  plot.y = {.label = "y", .unit = "mm"};
+  return plot;
+}
+
 figures::Axis thresholdAxis(const std::vector<Index>& thresholds, const std::vector<double>& ticks) {
   return {.label = "threshold: most triangles of a leaf",
           .scale = Scale::logarithmic,

@@ -24,6 +24,9 @@ inline constexpr std::array kTrees{hdb::TreeKind::Bsp, hdb::TreeKind::Octree};
 /// "BSP tree", "octree".
 const char* nameOf(hdb::TreeKind tree);
 
+/// Empty, in mm, one as long on both axes.
+Plot mapPlane(const std::string& title);
+
 /// From the least to the greatest of these thresholds, ascending, logarithmic.
 figures::Axis thresholdAxis(const std::vector<Index>& thresholds, const std::vector<double>& ticks);
 
