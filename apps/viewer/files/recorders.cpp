@@ -1,9 +1,8 @@
 #include "apps/viewer/files/recorders.h"
 
-#include <sys/resource.h>
-
 #include <utility>
 
+#include "palpate/base/background.h"
 #include "palpate/view/image.h"
 
 namespace palpate::viewer {
@@ -12,7 +11,6 @@ namespace {
 
 /// Pictures that may wait; a picture of 1280 x 800 takes 3 MB.
 constexpr std::size_t kMostWaiting = 16;
-constexpr int kPatience = 5;
 
 }  // namespace
 
@@ -67,7 +65,7 @@ void PictureWriter::finish() {
 }
 
 void PictureWriter::run() {
-  setpriority(PRIO_PROCESS, 0, kPatience);  // of this thread, on Linux
+  lowerPriority();
   std::unique_lock lock(mutex_);
   while (true) {
     change_.wait(lock, [this] { return quit_ || !jobs_.empty(); });

@@ -26,7 +26,7 @@ void stiffnessWidgets(const SceneKeys& keys, bool has_bones) {
 }
 
 /// Keys of the force law and of the profile that belong to the chosen kind only are refused by the scene when they do
-/// not fit; they are offered all the same, under one heading.
+/// not fit; they are offered all the same.
 void lawWidgets(const SceneKeys& keys) {
   keyWidget(keys, {"tissue", "force_law", "force law"});
   keyWidget(keys, {"tissue", "exponent", "exponent", 0.5, 4.0});

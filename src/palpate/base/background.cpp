@@ -2,6 +2,10 @@
 // the making of a thread. Without threads the work is done in the constructor. Cold paths only. Own.
 #include "palpate/base/background.h"
 
+#ifdef __linux__
+#include <sys/resource.h>
+#endif
+
 #include <algorithm>
 #include <thread>
 #include <utility>
@@ -33,5 +37,12 @@ Background::~Background() {
 }
 
 void Background::join() { done_.get(); }
+
+void lowerPriority() {
+#ifdef __linux__
+  constexpr int kPatience = 10;  // the nice value, at most 19: well behind, but not starved
+  setpriority(PRIO_PROCESS, 0, kPatience);
+#endif
+}
 
 }  // namespace palpate

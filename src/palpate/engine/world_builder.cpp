@@ -3,13 +3,10 @@
 // std::exception, so no handler on its way takes it for a failure. Own.
 #include "palpate/engine/world_builder.h"
 
-#ifdef __linux__
-#include <sys/resource.h>
-#endif
-
 #include <exception>
 #include <utility>
 
+#include "palpate/base/background.h"
 #include "palpate/base/stopwatch.h"
 
 namespace palpate::engine {
@@ -20,15 +17,6 @@ namespace {
 struct GivenUp {};
 
 double nowS() { return static_cast<double>(monotonicNs()) * 1e-9; }
-
-/// Whatever draws or touches goes first. On Linux this is the calling thread's alone; elsewhere it would slow the whole
-/// process.
-void lowerPriority() {
-#ifdef __linux__
-  constexpr int kPatience = 10;
-  setpriority(PRIO_PROCESS, 0, kPatience);
-#endif
-}
 
 }  // namespace
 

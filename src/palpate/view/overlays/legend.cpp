@@ -1,5 +1,5 @@
-// The bar is drawn in strips by the function that colours the skin. A finger's value is taken between the corners of
-// its triangle at rest, as a pixel's is. Each picture. Own.
+// The bar is drawn in strips by the colour map that the skin is drawn by. A finger's value is taken between the corners
+// of its triangle at rest, as a pixel's is. Each picture. Own.
 #include "palpate/view/overlays/legend.h"
 
 #include <algorithm>
@@ -43,11 +43,6 @@ std::optional<ColourScale> scaleOf(Colouring colouring) {
       break;
   }
   return std::nullopt;
-}
-
-ColourBytes colourOfValue(const Look& look, double value) {
-  const auto scale = scaleOf(look.colouring);
-  return bytesOf(scale ? colourOf(scale->map, shareOf(look.range(), value)) : kNoColour);
 }
 
 std::optional<double> valueUnder(const scene::World& world, const deform::DeformedSurface& surface, const Look& look,
