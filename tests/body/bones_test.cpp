@@ -19,8 +19,27 @@
 namespace palpate::body {
 namespace {
 
-const std::vector<Bone>& defaultBones() {
-  static const std::vector<Bone> bones = makeBones();
+// Bones take half a second to make, so tests share them.
+struct MadeBones {
+  std::vector<Bone> bones;
+  double seconds;  ///< of processor time: tests share the machine
+};
+
+MadeBones madeBones(const BonesSettings& settings) {
+  const std::clock_t start = std::clock();
+  std::vector<Bone> bones = makeBones(settings);
+  return {std::move(bones), static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC};
+}
+
+const MadeBones& defaultMade() {
+  static const MadeBones made = madeBones({});
+  return made;
+}
+
+const std::vector<Bone>& defaultBones() { return defaultMade().bones; }
+
+const std::vector<Bone>& fewestBones() {
+  static const std::vector<Bone> bones = makeBones({.triangles = kFewestBoneTriangles});
   return bones;
 }
 
@@ -108,13 +127,12 @@ TEST(Bones, HaveTheSizeOfBones) {
 
 TEST(Bones, HaveTheAskedNumberOfTrianglesExactly) {
   EXPECT_EQ(totalTriangles(defaultBones()), 60000u);
-  for (const std::size_t total : {kFewestBoneTriangles, std::size_t{5002}, std::size_t{12344}}) {
-    BonesSettings settings;
-    settings.triangles = total;
-    const std::vector<Bone> bones = makeBones(settings);
+  const auto check = [](const std::vector<Bone>& bones, std::size_t total) {
     EXPECT_EQ(totalTriangles(bones), total);
     for (const Bone& b : bones) EXPECT_TRUE(mesh::validate(b.mesh, {false}).closed) << b.name;
-  }
+  };
+  check(fewestBones(), kFewestBoneTriangles);
+  for (const std::size_t total : {5002, 12344}) check(makeBones({.triangles = total}), total);
 }
 
 TEST(Bones, ShareTrianglesExactlyAndAlikeOnBothSides) {
@@ -235,29 +253,22 @@ TEST(Bones, ScaleWithStature) {
 TEST(Bones, FollowAWarpBeforeTheScaling) {
   BonesSettings settings;
   settings.triangles = kFewestBoneTriangles;
-  const std::vector<Bone> straight = makeBones(settings);
   settings.stature_mm = 3500.0 / 2;
   settings.warp = [](const Vec3& p) { return Vec3(p + Vec3(2.0, 0.0, 0.0)); };
   const std::vector<Bone> bent = makeBones(settings);
-  EXPECT_TRUE(bent[3].mesh.positions[0].isApprox(straight[3].mesh.positions[0] + Vec3(2.0, 0.0, 0.0), 1e-12));
+  EXPECT_TRUE(bent[3].mesh.positions[0].isApprox(fewestBones()[3].mesh.positions[0] + Vec3(2.0, 0.0, 0.0), 1e-12));
 }
 
 TEST(Bones, AreTheSameEveryTime) {
-  BonesSettings settings;
-  settings.triangles = kFewestBoneTriangles;
-  const auto first = makeBones(settings);
-  const auto second = makeBones(settings);
-  for (std::size_t b = 0; b < kBoneCount; ++b) EXPECT_EQ(first[b].mesh.positions, second[b].mesh.positions);
+  const auto again = makeBones({.triangles = kFewestBoneTriangles});
+  for (std::size_t b = 0; b < kBoneCount; ++b) EXPECT_EQ(again[b].mesh.positions, fewestBones()[b].mesh.positions);
 }
 
 TEST(Bones, AreBuiltQuicklyEnoughForEveryStart) {
-  const std::clock_t start = std::clock();  // processor time: tests share the machine
-  makeBones();
-  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 #ifdef NDEBUG
-  EXPECT_LT(seconds, 4.0);  // about 1 s on a quiet core
+  EXPECT_LT(defaultMade().seconds, 4.0);  // about 1 s on a quiet core
 #else
-  EXPECT_LT(seconds, 200.0);
+  EXPECT_LT(defaultMade().seconds, 200.0);
 #endif
 }
 

@@ -12,8 +12,13 @@
 namespace palpate::body {
 namespace {
 
+const mesh::TriangleMesh& defaultHand() {
+  static const mesh::TriangleMesh hand = makeHand();
+  return hand;
+}
+
 TEST(Hand, IsAClosedManifoldInOnePiece) {
-  const mesh::ValidationReport report = mesh::validate(makeHand());
+  const mesh::ValidationReport report = mesh::validate(defaultHand());
   EXPECT_TRUE(report.closed);
   EXPECT_TRUE(report.fit());
   EXPECT_EQ(report.components, 1u);
@@ -22,7 +27,8 @@ TEST(Hand, IsAClosedManifoldInOnePiece) {
 }
 
 TEST(Hand, HasTheAskedNumberOfTriangles) {
-  for (const std::size_t count : {std::size_t{200}, std::size_t{2800}, std::size_t{20000}}) {
+  EXPECT_EQ(defaultHand().triangles.size(), HandSettings{}.triangles);
+  for (const std::size_t count : {std::size_t{200}, std::size_t{20000}}) {
     HandSettings settings;
     settings.triangles = count;
     EXPECT_EQ(makeHand(settings).triangles.size(), count);
@@ -44,7 +50,7 @@ TEST(Hand, HasTheAskedLengthAndPointsWithItsIndexFinger) {
 
 TEST(Hand, LeftIsTheMirrorImageOfRight) {
   HandSettings settings;
-  const auto right = makeHand(settings).positions;
+  const auto& right = defaultHand().positions;
   settings.side = Side::left;
   const auto left = makeHand(settings).positions;
   ASSERT_EQ(left.size(), right.size());
@@ -56,7 +62,7 @@ TEST(Hand, FewTrianglesStayNearTheFullShape) {
   HandSettings settings;
   settings.triangles = 30000;
   const mesh::TriangleMesh fine = makeHand(settings);
-  const mesh::NearestTriangle few(makeHand());
+  const mesh::NearestTriangle few(defaultHand());
   double squares = 0.0;
   double worst = 0.0;
   for (const Vec3& p : fine.positions) {
