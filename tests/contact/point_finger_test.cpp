@@ -152,9 +152,15 @@ TEST(PointFinger, LandsOnTheNextSheetInTheTickInWhichItLeavesTheFirst) {
 TEST(PointFinger, GivesUpAPlaceThatIsFarTooDeepForOneMuchNearer) {
   const Surface box = surfaceOf(zoo::cube(100.0, {0, 0, 0}));
   FingerTrack finger(box);
-  finger.to({50, 60, 110});
-  const FingerOutput deep = finger.slide({50, 60, 20}, 1.0);  // 80 mm below the top, 20 above the bottom
+  FingerOutput deep = finger.to({50, 60, 110});
+  std::uint32_t status = 0;
+  for (double z = 109; z >= 20; --z) {  // 80 mm below the top, 20 above the bottom
+    deep = finger.to({50, 60, z});
+    status |= deep.status;
+  }
   EXPECT_TRUE(touches(deep));
+  EXPECT_NE(status & kTooDeep, 0u);
+  EXPECT_NE(status & kReseeded, 0u);
   EXPECT_LE((deep.proxy - deep.tip).norm(), 40.0 + 1e-9);
   EXPECT_LE(deep.force.norm(), 40.0 * kTestStiffness * 1.2);
 }
@@ -190,6 +196,14 @@ TEST(PointFinger, ALostTipGivesNoForceAndForgetsNothing) {
     EXPECT_TRUE(lost.tip.allFinite() && lost.proxy.allFinite() && lost.anchor.allFinite());
   }
   EXPECT_EQ(finger.to({50, 50, -3}).force, before.force);
+}
+
+TEST(PointFinger, IsNotLostFarAwayFromTheBody) {
+  const Surface plate = surfaceOf(zoo::grid());
+  FingerTrack finger(plate);
+  const FingerOutput far = finger.to({50, 50, 1e6});
+  EXPECT_EQ(far.status & kTipLost, 0u);
+  EXPECT_EQ(far.proxy, far.tip);
 }
 
 TEST(PointFinger, IsLostFromTheVeryFirstTickToo) {

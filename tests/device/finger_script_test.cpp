@@ -42,7 +42,9 @@ TEST(FingerScript, CirclesRoundItsPlaceAndComesBack) {
   double largest = 0.0;
   for (const Vec3& tip : tips) largest = std::max(largest, tip.head<2>().norm());
   EXPECT_NEAR(largest, 12.0, 1e-9);
-  EXPECT_NEAR(tips[2000].head<2>().norm(), 12.0, 1e-9) << "round in the middle of the step";
+  EXPECT_LT((tips[2000].head<2>() - Vec2(12, 0)).norm(), 1e-9) << "one turn of two, in the middle of the step";
+  const auto many = walkScript(fingerThat({circle(12, 4, 8)}), {}, flat, 0.001);
+  EXPECT_LT((many[1000].head<2>() - Vec2(-12, 0)).norm(), 1e-9) << "the spiral lasts half a turn";
 }
 
 TEST(FingerScript, MovesWithoutJerks) {

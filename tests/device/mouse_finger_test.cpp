@@ -70,6 +70,15 @@ TEST(MouseFinger, FliesToANearPlaceAndJumpsToAFarOneOnlyInTheAir) {
   EXPECT_FALSE(finger.step(pressed, Vec3::Zero()).jumped) << "a pressed finger drags the skin";
 }
 
+TEST(MouseFinger, AppearsBesideTheSkinThatItIsOver) {
+  device::MouseFinger finger;
+  device::FingerTarget target = over({40, 2, 3});
+  target.normal = Vec3::UnitX();
+  const Vec3 tip = finger.step(target, Vec3::Zero()).tip;
+  EXPECT_GT(tip.x(), 40.0 + kRadius);
+  EXPECT_LT((tip.tail<2>() - Vec2(2, 3)).norm(), 0.01);
+}
+
 TEST(MouseFinger, TurnsSlowlyWhilePressed) {
   device::MouseFinger finger;
   device::FingerTarget target = over(Vec3::Zero());

@@ -68,6 +68,8 @@ TEST(LiteralTraversal, SphereCornersMissABoxAroundTheProxyAndOneThatComesInThrou
   }
   findLeavesLiterally(partition, LiteralTraversal::SphereCorners, hapticBox(Vec3(11, 11, 11), 6.0), literal);
   EXPECT_EQ(literal.leaves.size(), 1u);
+  findLeavesLiterally(partition, LiteralTraversal::SphereCorners, hapticBox(Vec3(12, 12, 12), 6.0), literal);
+  EXPECT_TRUE(literal.leaves.empty()) << "the corner is 3.5 from the centre, the radius 3";
 }
 
 TEST(LiteralTraversal, PlanesSuitTheBspTreeOnly) {

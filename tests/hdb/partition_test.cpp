@@ -168,6 +168,7 @@ TEST(Partition, TheTextsLeafRuleWantsFewerThanTheThreshold) {  // E7
   const mesh::TriangleMesh mesh = test::goldenBack();
   const auto count = static_cast<Index>(mesh.triangles.size());
   EXPECT_EQ(buildPartition(mesh, {.threshold = count}).leaves.size(), 1u);
+  EXPECT_EQ(buildPartition(mesh, {.threshold = count + 1, .leaf_below_threshold = true}).leaves.size(), 1u);
   EXPECT_GT(buildPartition(mesh, {.threshold = count, .leaf_below_threshold = true}).leaves.size(), 1u);
   EXPECT_EQ(buildPartition(zoo::oneTriangle(), {.threshold = 1, .leaf_below_threshold = true}).leaves.size(), 1u);
 }

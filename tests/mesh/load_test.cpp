@@ -174,6 +174,21 @@ TEST(LoadGltf, RefusesLoopsOfNodes) {
   EXPECT_EQ(refusal(loop, Format::gltf), "x:1: the node is shown twice: nodes must form a tree");
 }
 
+TEST(LoadGltf, ReadsIndicesOfOneByte) {
+  const support::TemporaryFolder folder;
+  const TriangleMesh triangle = zoo::oneTriangle();
+  const std::string places = support::gltfBuffer(triangle).substr(0, 36);
+  writeFile(folder / "bytes.bin", places + std::string("\2\0\1\0\0\0", 6));
+  std::string json = support::gltfBytes(triangle);
+  const auto start = json.find("data:");
+  json.replace(start, json.find('"', start) - start, "bytes.bin");
+  json.replace(json.find("5123"), 4, "5121");
+  writeFile(folder / "bytes.gltf", json);
+  const auto loaded = load(folder / "bytes.gltf");
+  ASSERT_EQ(loaded.triangles.size(), 1u);
+  EXPECT_EQ(loaded.triangles[0], (Triangle{2, 0, 1}));
+}
+
 TEST(LoadGltf, ReadsBuffersBesideTheFileAndNowhereElse) {
   const support::TemporaryFolder folder;
   std::filesystem::create_directory(folder / "parts");

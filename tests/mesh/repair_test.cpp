@@ -135,6 +135,19 @@ TEST(Repair, CubesSharingAnEdgeAreJoinedOnTheirFrontSides) {
   EXPECT_EQ(result.mesh.positions.back(), Vec3(10, 10, 5));
 }
 
+TEST(Repair, CubesSharingAnEdgeAreJoinedWhereverTheyLieAndHoweverManyThereAre) {
+  TriangleMesh both = zoo::cubesSharingAnEdge();
+  TriangleMesh far = both;
+  for (Vec3& place : far.positions) place += Vec3(700, -300, 900);
+  append(far, both);
+  const auto result = repair(both);
+  EXPECT_EQ(countOf(result, "split in the middle"), 2u);
+  EXPECT_EQ(result.components, 2u);
+  EXPECT_TRUE(result.closed);
+  EXPECT_NEAR(signedVolume(result.mesh), 4000.0, 1e-6);
+  EXPECT_EQ(result.mesh.triangles.size(), 52u);
+}
+
 TEST(Repair, CubesSharingAVertexGetOneEach) {
   const auto result = repair(zoo::cubesSharingAVertex());
   EXPECT_EQ(result.mesh.positions.size(), 16u);

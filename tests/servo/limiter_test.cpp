@@ -113,27 +113,42 @@ TEST(Limiter, RampsAgainAfterATipFasterThanAHand) {
   EXPECT_NEAR(after, 1.0 - 0.05, 1e-12) << "a jump must not be a licence to change the force at once";
 }
 
-TEST(Limiter, TakesPushFromASpringThatGivesBackMoreThanItTook) {
-  // Pressed at 0.2 N/mm, lifted at 0.5 N/mm: an engine of 0.15 d^2 a stroke.
+/// Energy that a hand gains (N mm) which presses 10 mm into a spring of one stiffness, leaves it by another, and rests
+/// in free air.
+double energyOfAStroke(const LimiterSettings& settings, LimiterState& state, double down_n_per_mm, double up_n_per_mm) {
+  double gained = 0.0;
+  for (int i = 0; i <= 2000; ++i) {
+    const double depth = i <= 1000 ? 0.01 * i : 0.01 * (2000 - i);
+    const double stiffness = i <= 1000 ? down_n_per_mm : up_n_per_mm;
+    gained += state.force.z() * (-depth - state.tip.z());
+    tick(settings, state, Vec3(0, 0, -depth), Vec3(0, 0, stiffness * depth));
+  }
+  for (int i = 0; i < 100; ++i) tick(settings, state, Vec3::Zero(), Vec3::Zero());
+  return gained;
+}
+
+LimiterSettings ofStrokes(bool passivity) {
   LimiterSettings settings = withoutRamp();
   settings.safety.nominal_force_n = 100.0;
-  const auto energyGained = [&](bool passivity) {
-    settings.safety.passivity = passivity;
+  settings.safety.passivity = passivity;
+  return settings;
+}
+
+TEST(Limiter, TakesPushFromASpringThatGivesBackMoreThanItTook) {
+  const auto energyGained = [](bool passivity) {
     LimiterState state;
-    double gained = 0.0;
-    for (int stroke = 0; stroke < 5; ++stroke) {
-      for (int i = 0; i <= 2000; ++i) {
-        const double depth = i <= 1000 ? 0.01 * i : 0.01 * (2000 - i);
-        const double stiffness = i <= 1000 ? 0.2 : 0.5;
-        gained += state.force.z() * (-depth - state.tip.z());
-        tick(settings, state, Vec3(0, 0, -depth), Vec3(0, 0, stiffness * depth));
-      }
-      for (int i = 0; i < 100; ++i) tick(settings, state, Vec3::Zero(), Vec3::Zero());
-    }
+    double gained = 0.0;  // an engine of 0.15 d^2 a stroke
+    for (int stroke = 0; stroke < 5; ++stroke) gained += energyOfAStroke(ofStrokes(passivity), state, 0.2, 0.5);
     return gained / 5.0;
   };
   EXPECT_GT(energyGained(false), 10.0);
   EXPECT_LT(energyGained(true), 2.5) << "allowance of 1 N mm, and one tick's delay";
+}
+
+TEST(Limiter, ForgetsInFreeAirWhatATouchTook) {
+  LimiterState state;
+  EXPECT_LT(energyOfAStroke(ofStrokes(true), state, 0.5, 0.2), -10.0) << "a brake";
+  EXPECT_LT(energyOfAStroke(ofStrokes(true), state, 0.2, 0.5), 2.5) << "a credit does not pay for the next touch";
 }
 
 RC_GTEST_PROP(Limiter, IsAlwaysFiniteBoundedAndGradual, (std::uint64_t seed)) {

@@ -198,7 +198,8 @@ TEST(PacedLoop, PublishesItsVitalsEveryThousandTicks) {
   runPaced(rig, 100'000, settings, links);
   const LoopVitals vitals = links.vitals.newest();
   EXPECT_EQ(vitals.ticks, 1000u);
-  EXPECT_GT(vitals.ticks_per_s, 100.0);
+  EXPECT_GT(vitals.ticks_per_s, 100.0);  // as slow as a busy machine, but no tick comes before its time
+  EXPECT_LT(vitals.ticks_per_s, 1020.0);
   EXPECT_GT(vitals.compute.p50_us, 0.0);
   EXPECT_GE(vitals.lateness.max_us, vitals.lateness.p99_us);
 }
