@@ -61,6 +61,16 @@ TEST(Replay, StepsAPictureOrATickAndStaysWithinWhatThereIs) {
   EXPECT_FALSE(replay.playing) << "at its end";
 }
 
+TEST(Replay, StepsByTheTicksOfWhatWasRecorded) {
+  Replay replay;
+  TouchHistory history(400.0, 10.0);
+  for (std::uint64_t tick = 0; tick < 400; ++tick) history.add(sampleAt(tick, 0, 0.0));
+  advanceReplay(replay, history, 0.1);
+  freeze(replay, true);
+  EXPECT_TRUE(replayKey(window::Action::ring_left, true, replay));
+  EXPECT_DOUBLE_EQ(replay.at_s, 0.995) << "2.5 ms before the last of 400 a second";
+}
+
 TEST(Replay, LeavesTheArrowsToTheFingerUnlessFrozen) {
   Replay replay;
   EXPECT_FALSE(replayKey(window::Action::ring_left, false, replay));
