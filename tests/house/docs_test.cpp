@@ -1,4 +1,4 @@
-// The documents stay true to the tree: every relative link leads somewhere, and no page names a machine's own paths.
+// The documents stay true to the tree: every relative link leads somewhere.
 #include <gtest/gtest.h>
 
 #include <filesystem>

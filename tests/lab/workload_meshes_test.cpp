@@ -43,7 +43,7 @@ std::string referenceStl(const mesh::TriangleMesh& mesh) {
   return bytes;
 }
 
-/// Check sums published with the benchmark, of its binary STL files.
+/// Check sums of the binary STL files that an independent generator in NumPy writes.
 const Published kPublished[] = {{"back_2962", "c5b8b67924fd11e57307e868b95d7c9f874be81e3cf2f5caaf8cb5217504fd0f"},
                                 {"back_6261", "dd9f86775062e0c99fe04a9d8cd86886352a47d83e2dc8b6d312c7635fc9845c"},
                                 {"back_8163", "cecd80c626c11b875629b041fa5d9b187f270a534caa289f1b70fa36700bac41"},

@@ -13,7 +13,7 @@ namespace {
 
 using test::Published;
 
-/// Check sums published with the benchmark, of its CSV files that hold no random numbers.
+/// Check sums of the CSV files that an independent generator in NumPy writes, of those that hold no random numbers.
 const Published kPublishedPaths[] = {
     {"back_slide", "8a531d99196fee5bf84bb9f9f894745ff55ecdc020c89939e94350df0952adc1"},
     {"eggcrate_0.1mps", "0091acb8d6504d4d522af0275b976f0e392046f66ac9befdcb86fbe9d6d49b47"},
