@@ -85,6 +85,7 @@ struct Session {
 
   // What is.
   double now_s = 0.0;
+  double ticks_per_s = 1000.0;  ///< of the servo: those of the scene that the window began with
   WorldFacts world;
   std::optional<engine::BuildProgress> building;
   std::array<contact::FingerOutput, 2> fingers;

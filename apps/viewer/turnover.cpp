@@ -1,7 +1,10 @@
 #include "apps/viewer/turnover.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -19,6 +22,13 @@ constexpr const char* kCannotOpen = "cannot open ";
 /// A broken picture must not reach the display.
 void decodePicture(const scene::World& world) {
   if (world.texture) view::decodedPicture(*world.texture);
+}
+
+void tellRate(Session& session) {
+  if (std::abs(session.scene.ticks_per_s - session.ticks_per_s) < 0.5) return;
+  session.report(Severity::info,
+                 fmt::format("Felt at {:.0f} ticks a second, as this window began; the scene says {:.0f}",
+                             session.ticks_per_s, session.scene.ticks_per_s));
 }
 
 }  // namespace
@@ -44,6 +54,7 @@ Turnover::Turnover(std::shared_ptr<const scene::World> world) : builder_(decodeP
 void Turnover::open(const std::string& file, const Session& session) {
   opening_ = file;
   wanted_ = 0;
+  body_wished_ = true;
   builder_.wish(
       {.scene = {}, .body = nullptr, .read = [file, like = session.scene] { return sceneFromFile(file, like); }});
 }
@@ -54,12 +65,14 @@ void Turnover::open(const scene::Scene& scene, Session& session) {
   session.editor = {};
   opening_.clear();
   wanted_ = 0;
+  body_wished_ = true;
   builder_.wish({.scene = scene, .body = nullptr, .read = {}});
 }
 
 void Turnover::cancel(Session& session) {
   builder_.cancel();
   wanted_ = 0;
+  body_wished_ = false;
   opening_.clear();
   // What is at work is what is wished again.
   session.scene.body = shown_->scene.body;
@@ -80,7 +93,8 @@ void Turnover::advance(Session& session, engine::ServoThread& servo) {
 void Turnover::wishWhenQuiet(Session& session) {
   if (wanted_ == 0 || !opening_.empty() || session.now_s - wanted_since_s_ < kQuietS) return;
   engine::BuildWish wish{.scene = session.scene, .body = nullptr, .read = {}};
-  if (!(wanted_ & kBodyChange)) wish.body = coming_ ? coming_ : shown_;
+  body_wished_ = body_wished_ || (wanted_ & kBodyChange);
+  if (!body_wished_) wish.body = coming_ ? coming_ : shown_;
   wanted_ = 0;
   builder_.wish(std::move(wish));
 }
@@ -89,6 +103,7 @@ void Turnover::takeResult(Session& session, engine::ServoThread& servo) {
   const auto result = builder_.take();
   if (!result) return;
   const std::string opened = std::exchange(opening_, {});
+  body_wished_ = body_wished_ && !result->world && opened.empty();  // one that failed is tried again with the next wish
   if (!result->world) {
     session.report(Severity::error, (opened.empty() ? "" : kCannotOpen) + result->error);
     return;
@@ -101,6 +116,7 @@ void Turnover::takeResult(Session& session, engine::ServoThread& servo) {
                              ? std::string()
                              : session.scene.file.string();
     session.editor = {};
+    tellRate(session);
   }
   adopt(session, *result, servo);
 }

@@ -49,7 +49,8 @@ class Turnover {
   std::shared_ptr<const scene::World> coming_;  ///< given to the servo, not taken yet
   std::uint32_t wanted_ = 0;                    ///< kMapChange, kBodyChange
   double wanted_since_s_ = 0.0;
-  std::string opening_;  ///< the file that the work under way began with; empty: none
+  bool body_wished_ = false;  ///< the newest wish makes another body: a wish in its place must make it too
+  std::string opening_;       ///< the file that the work under way began with; empty: none
   bool other_body_ = false;
 };
 

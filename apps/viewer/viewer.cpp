@@ -56,7 +56,7 @@ Viewer::Viewer(const std::shared_ptr<const scene::World>& world, ViewState state
       servo_(planFor(world, world->scene, true)),
       model_(std::make_unique<LiveModel>(world)),
       turnover_(world),
-      history_(world->scene.ticks_per_s),
+      history_(servo_.thread().ticksPerS()),
       outputs_(settings_.output_folder),
       eyesight_(host_.quad_buffer) {
   session_.state = std::move(state);
@@ -65,7 +65,8 @@ Viewer::Viewer(const std::shared_ptr<const scene::World>& world, ViewState state
   session_.world = factsOf(*world);
   session_.device_limit_n = world->scene.safety.nominal_force_n;
   session_.profile.knots = world->deformation.normal_profile.knots;
-  for (SampleHistory& plot : session_.plots.fingers) plot = SampleHistory(world->scene.ticks_per_s);
+  session_.ticks_per_s = servo_.thread().ticksPerS();
+  for (SampleHistory& plot : session_.plots.fingers) plot = SampleHistory(session_.ticks_per_s);
   input_.settings = session_.state.input;
   session_.performance.graphics = view::rendererWords();
 }
@@ -202,7 +203,7 @@ void Viewer::replay(const std::string& table) {
 void Viewer::leaveReplay() {
   recorded_.reset();
   session_.replay = {};
-  for (SampleHistory& plot : session_.plots.fingers) plot = SampleHistory(session_.scene.ticks_per_s);
+  for (SampleHistory& plot : session_.plots.fingers) plot = SampleHistory(session_.ticks_per_s);
 }
 
 void Viewer::plot(const trace::Sample& sample) {

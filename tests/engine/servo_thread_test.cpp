@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "engine/small_worlds.h"
 #include "lab/counters/thread_counts.h"
@@ -69,6 +70,25 @@ TEST(ServoThread, FeelsWhereTheDeviceIs) {
   trace::Sample sample;
   EXPECT_TRUE(servo.pop(sample));
   EXPECT_GT(servo.stop().ticks, 1u);
+}
+
+// Else what is so much a second, the catch-up of a finger or the ramp of the limiter, would mean another second.
+TEST(ServoThread, GoesOnAtItsOwnRateWhateverTheNextSceneSays) {
+  Held held;
+  std::atomic<double> tick_s{0.0};
+  std::vector<device::Device> devices;
+  devices.push_back(held.device());
+  ServoThread servo(planOf(sheet(0.5), 40.0, true), std::move(devices), [&](std::span<servo::FingerChain> fingers) {
+    tick_s = fingers[0].contact_settings.tick_s == fingers[0].limiter_settings.tick_s
+                 ? fingers[0].limiter_settings.tick_s
+                 : std::numeric_limits<double>::quiet_NaN();
+  });
+  EXPECT_TRUE(waitFor(servo, [&] { return tick_s == 0.00025; })) << "of the finger, not of the scene";
+  const auto slower = sheet(2.0);
+  servo.change(servoPlan(slower, fingerSettings(slower->scene, 1)));
+  ASSERT_TRUE(waitFor(servo, [&] { return servo.world() == slower; }));
+  EXPECT_EQ(tick_s, 0.00025);
+  EXPECT_EQ(servo.ticksPerS(), 4000.0);
 }
 
 TEST(ServoThread, GivesTheOldWorldBackToItsOwner) {

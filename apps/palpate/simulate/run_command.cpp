@@ -2,14 +2,15 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <future>
 #include <memory>
+#include <optional>
 
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/default_scene.h"
 #include "apps/viewer/files/input_script.h"
 #include "apps/viewer/files/state_file.h"
 #include "apps/viewer/viewer.h"
+#include "palpate/base/background.h"
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/scene/scene_file.h"
@@ -145,9 +146,10 @@ void runWindow(const RunOptions& options) {
   const auto started = Clock::now();
   Playback playback(options.play);
   // The body is built while the window opens; without a display there is nothing to build it for.
-  std::future<std::shared_ptr<const scene::World>> world;
+  std::shared_ptr<const scene::World> world;
+  std::optional<Background> building;
   if (window::displayOffered()) {
-    world = std::async(std::launch::async, [scene = sceneToRun(options)] { return scene::build(scene); });
+    building.emplace([&world, scene = sceneToRun(options)] { world = scene::build(scene); });
   }
   const viewer::StateReading state = remembered(options);
   window::Window window(windowFor(options, state));
@@ -158,7 +160,8 @@ void runWindow(const RunOptions& options) {
   viewer::ViewState view_state = state.remembered ? state.remembered->state : viewer::ViewState{};
   view_state.input.shortcuts = !options.no_shortcuts;
   if (!options.stereo.empty()) view_state.stereo.mode = view::stereoModeNamed(options.stereo);
-  viewer::Viewer viewer(world.get(), std::move(view_state), std::move(settings), hostOf(window));
+  building->join();  // without a display the window has thrown
+  viewer::Viewer viewer(world, std::move(view_state), std::move(settings), hostOf(window));
   if (!state.note.empty()) viewer.session().report(viewer::Severity::warning, state.note);
   if (!options.replay.empty()) viewer.session().wish(viewer::Wish::Kind::open, options.replay);
   loop(options, playback, window, viewer, started);

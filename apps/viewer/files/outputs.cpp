@@ -57,7 +57,7 @@ void Outputs::toggleForces(Session& session) {
     return;
   }
   const fs::path file = fresh(folder_, "forces", ".csv");
-  if (!attempt(session, [&] { forces_.start(file, session.scene.ticks_per_s); })) return;
+  if (!attempt(session, [&] { forces_.start(file, session.ticks_per_s); })) return;
   recording.forces = true;
   recording.forces_file = file.string();
   recording.since_s = session.now_s;

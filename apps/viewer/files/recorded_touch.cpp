@@ -1,7 +1,6 @@
 #include "apps/viewer/files/recorded_touch.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -81,22 +80,23 @@ RecordedTouch touchedAgain(const std::shared_ptr<const scene::World>& world, con
 }
 
 bool ReplayLoader::load(std::shared_ptr<const scene::World> world, scene::Scene scene, std::string file) {
-  if (pending_.valid()) return false;
-  pending_ = std::async(std::launch::async, [world = std::move(world), scene = std::move(scene), file] {
-    Result result;
+  if (work_) return false;
+  result_ = {};
+  work_.emplace([this, world = std::move(world), scene = std::move(scene), file] {
     try {
-      result.touch = touchedAgain(world, scene, file);
+      result_.touch = touchedAgain(world, scene, file);
     } catch (const std::exception& error) {
-      result.error = error.what();
+      result_.error = error.what();
     }
-    return result;
   });
   return true;
 }
 
 std::optional<ReplayLoader::Result> ReplayLoader::take() {
-  if (!pending_.valid() || pending_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
-  return pending_.get();
+  if (!work_ || !work_->done()) return std::nullopt;
+  work_->join();
+  work_.reset();
+  return std::move(result_);
 }
 
 }  // namespace palpate::viewer

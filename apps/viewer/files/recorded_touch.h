@@ -3,12 +3,12 @@
 #pragma once
 
 #include <filesystem>
-#include <future>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "apps/viewer/plots/touch_history.h"
+#include "palpate/base/background.h"
 #include "palpate/scene/world.h"
 
 namespace palpate::viewer {
@@ -39,7 +39,8 @@ class ReplayLoader {
   std::optional<Result> take();
 
  private:
-  std::future<Result> pending_;
+  Result result_;                   // the work's, until it is done
+  std::optional<Background> work_;  // last: it uses the result
 };
 
 }  // namespace palpate::viewer

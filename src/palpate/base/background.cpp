@@ -7,6 +7,7 @@
 #endif
 
 #include <algorithm>
+#include <chrono>
 #include <thread>
 #include <utility>
 
@@ -16,7 +17,7 @@ namespace palpate {
 
 Background::Background(std::function<void()> work) {
   std::packaged_task<void()> task(std::move(work));
-  done_ = task.get_future();
+  future_ = task.get_future();
   task();
 }
 
@@ -26,17 +27,20 @@ std::size_t processors() { return 1; }
 
 // This policy falls back on doing the work in `join` where the system refuses a thread.
 Background::Background(std::function<void()> work)
-    : done_(std::async(std::launch::async | std::launch::deferred, std::move(work))) {}
+    : future_(std::async(std::launch::async | std::launch::deferred, std::move(work))) {}
 
 std::size_t processors() { return std::max(1u, std::thread::hardware_concurrency()); }
 
 #endif
 
 Background::~Background() {
-  if (done_.valid()) done_.wait();
+  if (future_.valid()) future_.wait();
 }
 
-void Background::join() { done_.get(); }
+// A deferred piece is never `ready`: it is done by the one who joins, so there is nothing to wait for.
+bool Background::done() const { return future_.wait_for(std::chrono::seconds(0)) != std::future_status::timeout; }
+
+void Background::join() { future_.get(); }
 
 void lowerPriority() {
 #ifdef __linux__

@@ -20,11 +20,13 @@ class Background {
   Background(Background&&) noexcept = default;
   Background& operator=(Background&&) = delete;
 
+  /// `join` would not wait for long.
+  bool done() const;
   /// Waits until it is done and throws what it threw. Call it once.
   void join();
 
  private:
-  std::future<void> done_;
+  std::future<void> future_;
 };
 
 /// How many pieces of work are worth starting at once, the caller's own among them; at least 1.

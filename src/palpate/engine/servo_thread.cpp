@@ -16,12 +16,12 @@ namespace palpate::engine {
 
 namespace {
 
-servo::Rig rigFor(ServoPlan& plan, std::vector<device::Device> devices) {
+servo::Rig rigFor(ServoPlan& plan, std::vector<device::Device> devices, double tick_s) {
   if (devices.size() != plan.fingers.size()) {
     throw Error(fmt::format("servo: {} devices for {} fingers", devices.size(), plan.fingers.size()));
   }
   servo::Rig rig;
-  rig.tick_s = plan.fingers.empty() ? rig.tick_s : plan.fingers.front().tick_s;
+  rig.tick_s = tick_s;
   for (std::size_t i = 0; i < devices.size(); ++i) {
     servo::FingerChain chain;
     chain.solver = std::move(plan.solvers[i]);
@@ -31,6 +31,16 @@ servo::Rig rigFor(ServoPlan& plan, std::vector<device::Device> devices) {
     rig.fingers.push_back(std::move(chain));
   }
   return rig;
+}
+
+double tickOf(const ServoPlan& plan) {
+  return plan.fingers.empty() ? servo::Rig{}.tick_s : plan.fingers.front().tick_s;
+}
+
+/// Catch-up, ramps and limits of speed are so much a second: all must mean the same second.
+void keepRate(ServoPlan& plan, double tick_s) {
+  for (contact::FingerSettings& finger : plan.fingers) finger.tick_s = tick_s;
+  plan.limiter.tick_s = tick_s;
 }
 
 /// Puts the next plan into the rig, and what can only be freed elsewhere back into the one before.
@@ -61,13 +71,15 @@ void forgetTouch(servo::FingerChain& finger) noexcept { finger.contact = {}; }
 
 ServoThread::ServoThread(ServoPlan plan, std::vector<device::Device> devices, Guide guide)
     : fingers_(plan.fingers.size()),
+      tick_s_(tickOf(plan)),
       links_(fingers_),
       guide_(std::move(guide)),
       at_work_(std::make_unique<ServoPlan>(std::move(plan))) {
-  rig_ = rigFor(*at_work_, std::move(devices));
+  keepRate(*at_work_, tick_s_);
+  rig_ = rigFor(*at_work_, std::move(devices), tick_s_);
   at_work_world_ = at_work_->world;
   servo::PacedSettings settings;
-  settings.pacing.period_s = rig_.tick_s;
+  settings.pacing.period_s = tick_s_;
   settings.before_tick = [this](servo::Rig& rig) { beforeTick(rig); };
   thread_ = std::thread([this, settings] {
     report_ = servo::runPaced(rig_, std::numeric_limits<std::uint64_t>::max(), settings, links_);
@@ -93,6 +105,7 @@ void ServoThread::change(ServoPlan plan) {
   if (plan.fingers.size() != fingers_) {
     throw Error(fmt::format("servo: {} fingers instead of {}", plan.fingers.size(), fingers_));
   }
+  keepRate(plan, tick_s_);
   // A plan that was never taken may have been the one with another body.
   plan.other_body = plan.other_body || (waiting_ && waiting_->other_body);
   waiting_ = std::move(plan);

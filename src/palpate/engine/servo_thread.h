@@ -45,19 +45,21 @@ class ServoThread {
   /// device's rules. May be empty.
   using Guide = std::function<void(std::span<servo::FingerChain>)>;
 
-  /// Starts at once. One device a finger of the plan, in its order. Throws Error for another number.
+  /// Starts at once, a tick every `tick_s` of the first finger. One device a finger of the plan, in its order. Throws
+  /// Error for another number.
   ServoThread(ServoPlan plan, std::vector<device::Device> devices, Guide guide = {});
   /// Ends the thread.
   ~ServoThread();
   ServoThread(const ServoThread&) = delete;
   ServoThread& operator=(const ServoThread&) = delete;
 
-  /// The newest plan wins; it is taken within a tick or two, of this call or of an exchange. Throws Error for another
-  /// number of fingers.
+  /// The newest plan wins; it is taken within a tick or two, of this call or of an exchange. The rate stays that of the
+  /// start, whatever tick the plan's settings were made for. Throws Error for another number of fingers.
   void change(ServoPlan plan);
   /// Call it now and then, e.g. once a frame: offers what waits, frees what the servo gave back. True when another plan
   /// came to work since the last call.
   bool exchange();
+  double ticksPerS() const noexcept { return 1.0 / tick_s_; }
   /// The world at work, as far as this thread knows.
   const std::shared_ptr<const scene::World>& world() const { return at_work_world_; }
 
@@ -74,6 +76,7 @@ class ServoThread {
   void advance();
 
   const std::size_t fingers_;
+  const double tick_s_;
   servo::LoopLinks links_;
   Guide guide_;
   servo::Rig rig_;                      // the servo's, once it runs

@@ -103,9 +103,7 @@ Vec3 hdbEdges(const Box3& model, HdbSize size) {
   return size == HdbSize::QuarterOfBox ? edges : Vec3::Constant(edges.maxCoeff());
 }
 
-double leastHdbEdge(double speed, double delay_s, double margin_mm) {
-  return 2.0 * (speed * delay_s + margin_mm);
-}
+double leastHdbEdge(double speed, double delay_s, double margin_mm) { return 2.0 * (speed * delay_s + margin_mm); }
 
 void TriangleHits::prepareFor(const Partition& partition) {
   reserveTouched(ranges, partition.triangles.size() / 2 + 1);

@@ -31,8 +31,8 @@ inline Box3 hapticBox(const Vec3& proxy, const Vec3& edges) { return {proxy - 0.
 inline Box3 hapticBox(const Vec3& proxy, double edge_mm) { return hapticBox(proxy, Vec3::Constant(edge_mm)); }
 
 /// The smallest edge that a finger cannot outrun, in place of the quarter (E12): it may move `speed` mm/s for `delay_s`
-/// before the box follows, and its proxy may be `margin_mm` from the tip: the depth. (E12 takes the largest triangle for
-/// the margin, which lets fingers through on fine models: `palpate study hdb`.)
+/// before the box follows, and its proxy may be `margin_mm` from the tip: the depth. (E12 takes the largest triangle
+/// for the margin, which lets fingers through on fine models: `palpate study hdb`.)
 double leastHdbEdge(double speed, double delay_s, double margin_mm);
 
 /// Entries [begin, end) of a partition.

@@ -77,22 +77,24 @@ std::vector<double> stiffnessFromPoints(const Scene& scene, const std::vector<Ve
   return std::move(stiffness.n_per_mm);
 }
 
-std::vector<double> healthyStiffness(const Scene& scene, BodyParts& body, const KeyPoints& keys) {
+std::vector<double> healthyStiffness(const Scene& scene, const BodyParts& body, const KeyPoints& keys,
+                                     std::vector<std::string>& notes) {
   if (!body.given_stiffness_n_per_mm.empty()) return body.given_stiffness_n_per_mm;
   switch (resolvedSource(scene)) {
     case StiffnessSource::depth:
       if (body.anatomy.depth_mm.empty()) throw Error("stiffness source \"depth\" needs bones: the torso has them");
       return maps::stiffnessFromDepth(body.anatomy.depth_mm, scene.stiffness.depth);
     case StiffnessSource::points:
-      return stiffnessFromPoints(scene, body.skin.positions, keys, body.notes);
+      return stiffnessFromPoints(scene, body.skin.positions, keys, notes);
     default:
       return std::vector<double>(body.skin.positions.size(), scene.stiffness.constant_n_per_mm);
   }
 }
 
 /// A vertex each; what the body has by nature, then what is wrong with it.
-std::vector<double> stiffnessOf(const Scene& scene, BodyParts& body, const KeyPoints& keys) {
-  std::vector<double> stiffness = healthyStiffness(scene, body, keys);
+std::vector<double> stiffnessOf(const Scene& scene, const BodyParts& body, const KeyPoints& keys,
+                                std::vector<std::string>& notes) {
+  std::vector<double> stiffness = healthyStiffness(scene, body, keys, notes);
   maps::applyDysfunctions(body.skin.positions, scene.dysfunctions, stiffness);
   return stiffness;
 }
@@ -120,7 +122,8 @@ std::shared_ptr<const World> withBody(const Scene& scene, BodyParts body, deform
                                       const Progress& progress) {
   const KeyPoints keys = keyPointsOf(scene);
   report(progress, "mapping stiffness", 0.0);
-  std::vector<double> stiffness = stiffnessOf(scene, body, keys);
+  std::vector<std::string> notes = body.notes;
+  std::vector<double> stiffness = stiffnessOf(scene, body, keys, notes);
 
   report(progress, "building the contact surface", 0.0);
   deform::Skin deformable;  // made beside the surface, which takes four times as long
@@ -145,7 +148,8 @@ std::shared_ptr<const World> withBody(const Scene& scene, BodyParts body, deform
                                              .deformation = std::move(forms),
                                              .contours = std::move(contours),
                                              .anatomy = std::move(body.anatomy),
-                                             .notes = std::move(body.notes),
+                                             .notes = std::move(notes),
+                                             .body_notes = std::move(body.notes),
                                              .hdb = std::move(hdb),
                                              .texture = std::move(body.texture),
                                              .given_stiffness_n_per_mm = std::move(body.given_stiffness_n_per_mm)});
@@ -171,7 +175,7 @@ std::shared_ptr<const World> rebuilt(const World& world, const Scene& scene, con
                  .closed = world.closed,
                  .self_intersecting = world.surface.self_intersecting,
                  .anatomy = world.anatomy,
-                 .notes = world.notes,
+                 .notes = world.body_notes,
                  .texture = world.texture,
                  .given_stiffness_n_per_mm = world.given_stiffness_n_per_mm};
   return withBody(scene, std::move(body), formsOf(scene), progress);

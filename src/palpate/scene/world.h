@@ -41,6 +41,7 @@ struct World {
   std::optional<maps::PolarContourMap> contours;  ///< for the shape "contour"
   Anatomy anatomy;
   std::vector<std::string> notes;                        ///< what the user should know: repairs, a doubtful unit
+  std::vector<std::string> body_notes = {};              ///< those of them that are about the body
   std::shared_ptr<const hdb::HdbSurface> hdb;            ///< for the contact source "hdb", otherwise null
   std::shared_ptr<const SkinTexture> texture = nullptr;  ///< a picture on the skin (skin_texture.h), or null
   /// What the body itself says, a skin vertex each, before dysfunctions; empty: the scene says (buildOn).
