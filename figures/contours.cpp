@@ -19,7 +19,7 @@ namespace {
 
 // A grid edge, numbered by its lower left value: twice the value's index, plus one for the edge upwards.
 using Edge = std::int64_t;
-using Piece = std::array<Edge, 2>;
+using EdgePair = std::array<Edge, 2>;  // that a piece of the contour joins
 
 struct Corner {
   int column;
@@ -30,8 +30,8 @@ class Tracer {
  public:
   Tracer(const Field& field, double level) : field_(field), level_(level) {}
 
-  std::vector<Piece> pieces() const {
-    std::vector<Piece> found;
+  std::vector<EdgePair> pieces() const {
+    std::vector<EdgePair> found;
     for (int row = 0; row + 1 < field_.rows; ++row) {
       for (int column = 0; column + 1 < field_.columns; ++column) addCell(column, row, found);
     }
@@ -54,7 +54,7 @@ class Tracer {
     return 2 * (static_cast<Edge>(c.row) * field_.columns + c.column) + (upwards ? 1 : 0);
   }
 
-  void addCell(int column, int row, std::vector<Piece>& found) const {
+  void addCell(int column, int row, std::vector<EdgePair>& found) const {
     const std::array corners{Corner{column, row}, Corner{column + 1, row}, Corner{column + 1, row + 1},
                              Corner{column, row + 1}};
     for (const Corner c : corners) {
@@ -73,7 +73,7 @@ class Tracer {
 
   // Two lines through one cell: the mean of the corners decides which corners belong together.
   void addSaddle(const std::array<Corner, 4>& corners, const std::vector<Edge>& sides,
-                 std::vector<Piece>& found) const {
+                 std::vector<EdgePair>& found) const {
     double mean = 0.0;
     for (const Corner c : corners) mean += 0.25 * value(c);
     const bool joined = (mean >= level_) == isAbove(corners[0]);
@@ -93,7 +93,7 @@ class Tracer {
 // Pieces that share an edge follow each other.
 class Joiner {
  public:
-  explicit Joiner(std::vector<Piece> pieces) : pieces_(std::move(pieces)), used_(pieces_.size(), false) {
+  explicit Joiner(std::vector<EdgePair> pieces) : pieces_(std::move(pieces)), used_(pieces_.size(), false) {
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       for (const Edge edge : pieces_[i]) at_edge_.emplace(edge, i);
     }
@@ -119,13 +119,13 @@ class Joiner {
     for (auto entry = first; entry != last; ++entry) {
       if (used_[entry->second]) continue;
       used_[entry->second] = true;
-      const Piece& piece = pieces_[entry->second];
+      const EdgePair& piece = pieces_[entry->second];
       return piece[0] == end ? &piece[1] : &piece[0];
     }
     return nullptr;
   }
 
-  std::vector<Piece> pieces_;
+  std::vector<EdgePair> pieces_;
   std::vector<bool> used_;
   std::multimap<Edge, std::size_t> at_edge_;
 };

@@ -10,13 +10,13 @@ std::string withUnit(const std::string& label, const std::string& unit) {
 }
 
 bool isFree(const Canvas& canvas, const Rect& box, const Rect& bounds) {
-  constexpr double kMargin = 1.0;
+  constexpr double kApartPx = 1.0;
   if (box.left < bounds.left || box.right > bounds.right || box.top < bounds.top || box.bottom > bounds.bottom) {
     return false;
   }
   for (const DrawnText& other : canvas.texts()) {
-    if (box.left < other.right + kMargin && other.left < box.right + kMargin && box.top < other.bottom + kMargin &&
-        other.top < box.bottom + kMargin) {
+    if (box.left < other.right + kApartPx && other.left < box.right + kApartPx && box.top < other.bottom + kApartPx &&
+        other.top < box.bottom + kApartPx) {
       return false;
     }
   }

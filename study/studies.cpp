@@ -8,7 +8,7 @@
 namespace palpate::study {
 
 const std::vector<Study>& studies() {
-  static const std::vector<Study> kStudies{
+  static const std::vector<Study> all{
       {"tables", "Tables 3.1, 3.2, Appendix B: drawing, untouched, touched against triangles rendered", studyTables},
       {"hdb", "Size of the haptic detecting box: triangles, time, and when a fast finger gets through", studyHdb},
       {"assignment", "Triangles that a plane crosses, cases A, B, C: count, overlap, misses, time", studyAssignment},
@@ -19,7 +19,7 @@ const std::vector<Study>& studies() {
        studyInterpolation},
       {"complexity", "What a search for leaves visits, against w and 0.8 n, 0.4 n (Tables 3.3, 3.4)", studyComplexity},
       {"directions", "Directions of ellipses averaged as numbers and as tensors (E29, E30)", studyDirections}};
-  return kStudies;
+  return all;
 }
 
 StudyPage runStudy(const Study& study, const StudySettings& settings) {

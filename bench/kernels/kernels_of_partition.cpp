@@ -12,7 +12,8 @@ namespace palpate::bench {
 namespace {
 
 constexpr std::size_t kTicks = 2000;
-constexpr std::size_t kTicksPerQuery = 40;  // 50 boxes all over the back
+constexpr std::size_t kTicksPerQuery = 40;
+constexpr std::size_t kQueries = kTicks / kTicksPerQuery;  // boxes all over the back
 
 struct BoxScene {
   hdb::Partition built;
@@ -56,7 +57,7 @@ std::vector<Kernel> partitionKernels(std::size_t triangles) {
     }
     return static_cast<double>(ranges);
   };
-  return {{"hdb_query", "query", kTicks / kTicksPerQuery, Burden::arithmetic, query},
+  return {{"hdb_query", "query", kQueries, Burden::arithmetic, query},
           {"coherent_list", "tick", kTicks, Burden::arithmetic, follow}};
 }
 

@@ -34,7 +34,7 @@ std::size_t takeTriangles(int& count, char** arguments) {
 }
 
 void run(benchmark::State& state, const Kernel& kernel) {
-  for (auto _ : state) benchmark::DoNotOptimize(kernel.run());
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(kernel.run());
   state.counters["per_" + kernel.item] = benchmark::Counter(kernel.items * static_cast<double>(state.iterations()),
                                                             benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }

@@ -6,7 +6,7 @@ namespace palpate::bench {
 namespace {
 
 /// In the place of the one of its name, which can do nothing.
-[[maybe_unused]] void put(Peer peer, std::vector<Peer>& peers) {
+[[maybe_unused]] void put(const Peer& peer, std::vector<Peer>& peers) {
   for (Peer& place : peers) {
     if (place.name == peer.name) place = peer;
   }

@@ -33,13 +33,13 @@ auto timedBuild(std::size_t triangles, PeerRun<Answer>& run, Build&& build) {
 template <class Answer, class Ask, class Note>
 void timeAnswers(std::size_t count, double seconds, PeerRun<Answer>& run, Ask&& ask, Note&& note) {
   const double empty_us = detail::emptyTimerMicroseconds();
-  const auto microsecondsFor = [&](std::size_t query) {
+  const auto microseconds_for = [&](std::size_t query) {
     const Clock::time_point start = Clock::now();
     ask(query);
     return std::max(0.0, microsecondsSince(start) - empty_us);
   };
   std::vector<double> trials;
-  for (std::size_t i = count / 2; i < std::min(count, count / 2 + 5); ++i) trials.push_back(microsecondsFor(i));
+  for (std::size_t i = count / 2; i < std::min(count, count / 2 + 5); ++i) trials.push_back(microseconds_for(i));
   run.asked = affordableQueries(count, lab::percentilesOf(trials).p50, seconds);
   run.answers.resize(run.asked.size());
   run.query_us.resize(run.asked.size());
@@ -47,7 +47,7 @@ void timeAnswers(std::size_t count, double seconds, PeerRun<Answer>& run, Ask&& 
     // A block begins as if the queries before it had been asked: with caches and hints of the place.
     const bool begins_block = k == 0 || run.asked[k] != run.asked[k - 1] + 1;
     if (begins_block) ask(run.asked[k] > 0 ? run.asked[k] - 1 : 0);
-    run.query_us[k] = microsecondsFor(run.asked[k]);
+    run.query_us[k] = microseconds_for(run.asked[k]);
     run.answers[k] = note(run.asked[k]);
   }
 }

@@ -83,7 +83,7 @@ Figure figure48() {
 }
 
 Plot arrayPlot(int entries) {
-  constexpr double kDepth = 10.0;
+  constexpr double kDepthMm = 10.0;
   constexpr int kFine = 4000;  // steps of 700 entries are to be seen
   Plot plot{.title = fmt::format("Array of {}: {:.3f} mm off at most", entries,
                                  worstArrayError(entries, tissue::TableLookup::nearest))};
@@ -94,7 +94,7 @@ Plot arrayPlot(int entries) {
   for (int i = 0; i <= kFine; ++i) {
     const double q = 0.1 + 0.4 * i / kFine;
     steps.x.push_back(q);
-    steps.y.push_back(kDepth * array.at(q).value);
+    steps.y.push_back(kDepthMm * array.at(q).value);
   }
   plot.series = {steps};
   return plot;

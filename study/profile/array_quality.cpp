@@ -140,6 +140,7 @@ double lookupNanoseconds(int entries, tissue::TableLookup lookup, bool quick) {
   const std::vector<double> table = storedCurve(entries);
   const double last = entries - 1.0;
   if (lookup == tissue::TableLookup::nearest) {
+    // NOLINTNEXTLINE(bugprone-incorrect-roundings): q >= 0, and std::lround is no part of what is timed
     return bestNanoseconds([&](double q) { return table[static_cast<std::size_t>(last * q + 0.5)]; }, quick);
   }
   return bestNanoseconds(

@@ -77,23 +77,23 @@ TEST(PartitionCommand, WritesColouredMeshes) {
 }
 
 TEST(PartitionCommand, NamesWhatIsWrong) {
-  const auto expectWrong = [](const std::string& arguments, const std::string& cause) {
+  const auto expect_wrong = [](const std::string& arguments, const std::string& cause) {
     const support::CommandResult result = runPalpate("partition " + arguments);
     EXPECT_EQ(result.exit_code, 2) << arguments;
     EXPECT_NE(result.err.find(cause), std::string::npos) << result.err;
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
   };
-  expectWrong("nowhere.ply", "nowhere.ply");
-  expectWrong("no_such_name", "no_such_name");
-  expectWrong("back_2962 --tree quad", "bsp|octree");
-  expectWrong("back_2962 --threshold 0", "--threshold");
-  expectWrong("back_2962 --box 1,2", "x,y,z");
-  expectWrong("back_2962 --box 1,2,x", "x,y,z");
-  expectWrong("back_2962 --box 1,2,3,-4", "edge");
-  expectWrong("back_2962 --traversal else-if", "--tree bsp");
-  expectWrong("back_2962 --tree bsp --octree-rule two-of-three", "octree");
-  expectWrong("back_2962 --selection found.ply", "--box");
-  expectWrong("torso_many", "torso_N");
+  expect_wrong("nowhere.ply", "nowhere.ply");
+  expect_wrong("no_such_name", "no_such_name");
+  expect_wrong("back_2962 --tree quad", "bsp|octree");
+  expect_wrong("back_2962 --threshold 0", "--threshold");
+  expect_wrong("back_2962 --box 1,2", "x,y,z");
+  expect_wrong("back_2962 --box 1,2,x", "x,y,z");
+  expect_wrong("back_2962 --box 1,2,3,-4", "edge");
+  expect_wrong("back_2962 --traversal else-if", "--tree bsp");
+  expect_wrong("back_2962 --tree bsp --octree-rule two-of-three", "octree");
+  expect_wrong("back_2962 --selection found.ply", "--box");
+  expect_wrong("torso_many", "torso_N");
 }
 
 TEST(BenchPartitionCommand, PrintsTheFiguresOfTheBox) {

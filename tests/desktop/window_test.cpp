@@ -25,20 +25,20 @@ double numberIn(const Values& values, const char* name) { return std::atof(value
 class Window : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    if (whyNoDesktop().empty()) desktop_ = new Desktop();
+    if (whyNoDesktop().empty()) desktop = new Desktop();
   }
   static void TearDownTestSuite() {
-    delete desktop_;
-    desktop_ = nullptr;
+    delete desktop;
+    desktop = nullptr;
   }
   void SetUp() override {
-    if (desktop_ == nullptr) GTEST_SKIP() << whyNoDesktop();
+    if (desktop == nullptr) GTEST_SKIP() << whyNoDesktop();
     mesh::save(folder / "sheet.ply", zoo::wavyGrid(40, 200.0, 3.0));
   }
 
   std::unique_ptr<Program> start(std::vector<std::string> arguments = {}) {
     arguments.insert(arguments.begin(), "sheet.ply");
-    return std::make_unique<Program>(*desktop_, folder.path(), arguments);
+    return std::make_unique<Program>(*desktop, folder.path(), arguments);
   }
   /// Plays events and quits by itself.
   std::unique_ptr<Program> play(const std::string& script, std::vector<std::string> arguments = {}) {
@@ -48,9 +48,9 @@ class Window : public testing::Test {
   }
 
   const support::TemporaryFolder folder;
-  static Desktop* desktop_;
+  static Desktop* desktop;
 };
-Desktop* Window::desktop_ = nullptr;
+Desktop* Window::desktop = nullptr;
 
 /// A place over the sheet, and one beside it.
 constexpr const char* kOnSkin = "mousemove 790 380";
@@ -257,7 +257,7 @@ TEST(WindowFailure, ADisplayThatIsNotThereIsTheSame) {
 }
 
 TEST_F(Window, AnOpenGlThatIsTooOldIsNamed) {
-  auto environment = desktop_->environment();
+  auto environment = desktop->environment();
   environment["MESA_GL_VERSION_OVERRIDE"] = "2.1";
   Child child({PALPATE_BINARY_DIR "/palpate", "run", "--no-state"}, environment, {"WAYLAND_DISPLAY"});
   EXPECT_EQ(child.exitCode(), 2);
@@ -267,7 +267,7 @@ TEST_F(Window, AnOpenGlThatIsTooOldIsNamed) {
 
 TEST_F(Window, AScriptThatMakesNoSenseIsRefusedBeforeTheWindowOpens) {
   writeFile(folder / "bad.csv", "0, wave\n");
-  Child child({PALPATE_BINARY_DIR "/palpate", "run", "--no-state", "--play", "bad.csv"}, desktop_->environment(),
+  Child child({PALPATE_BINARY_DIR "/palpate", "run", "--no-state", "--play", "bad.csv"}, desktop->environment(),
               {"WAYLAND_DISPLAY"}, folder.path());
   EXPECT_EQ(child.exitCode(), 2);
   EXPECT_EQ(child.errors(), "palpate: bad.csv:1: there is no event 'wave'\n");

@@ -12,7 +12,7 @@ namespace {
 
 scene::Step press(double depth_mm, double seconds) { return {scene::Move::press, seconds, depth_mm}; }
 scene::Step lift(double height_mm, double seconds) { return {scene::Move::lift, seconds, 0, height_mm}; }
-scene::Step drag(Vec2 by_mm, double seconds) { return {scene::Move::drag, seconds, 0, 0, by_mm}; }
+scene::Step drag(const Vec2& by_mm, double seconds) { return {scene::Move::drag, seconds, 0, 0, by_mm}; }
 scene::Step circle(double radius_mm, double turns, double seconds) {
   return {scene::Move::circle, seconds, 0, 0, Vec2::Zero(), radius_mm, turns};
 }

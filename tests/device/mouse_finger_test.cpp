@@ -50,7 +50,7 @@ TEST(MouseFinger, MakesASmoothPathOfSixtyPositionsASecond) {
   for (int tick = 0; tick < 500; ++tick) last = finger.step(target, Vec3::Zero()).tip;
   double longest = 0.0;
   for (int tick = 0; tick < 1000; ++tick) {
-    target.place.x() = 3.0 * (tick / 16);  // 3 mm a frame, 190 mm/s
+    target.place.x() = 3.0 * std::floor(tick / 16.0);  // 3 mm a frame, 190 mm/s
     const Vec3 tip = finger.step(target, Vec3::Zero()).tip;
     longest = std::max(longest, (tip - last).norm());
     last = tip;

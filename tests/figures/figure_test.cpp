@@ -179,9 +179,9 @@ TEST(Figure, PointsThatCannotBeShownInterruptACurve) {
   plot.series.push_back({.name = "gap", .x = {0, 1, 2, 3, 4}, .y = {1, 1, std::nan(""), 1, 1}});
   const PlotLayout layout = layoutOf(plot);
   const Pixels pixels = drawn(plot);
-  const auto colourAt = [&](double x) { return pixels.at(layout({x, 1.0}).x(), layout({x, 1.0}).y()); };
-  EXPECT_LE(distance(colourAt(0.5), pixelOf(kBlue) & 0xffffffu), 40);
-  EXPECT_GT(distance(colourAt(1.6), pixelOf(kBlue) & 0xffffffu), 100);
+  const auto colour_at = [&](double x) { return pixels.at(layout({x, 1.0}).x(), layout({x, 1.0}).y()); };
+  EXPECT_LE(distance(colour_at(0.5), pixelOf(kBlue) & 0xffffffu), 40);
+  EXPECT_GT(distance(colour_at(1.6), pixelOf(kBlue) & 0xffffffu), 100);
 }
 
 TEST(Figure, ATriangleIsShownInItsColourWithTheNearOneInFront) {

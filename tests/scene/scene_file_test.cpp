@@ -65,14 +65,14 @@ script = [{ do = "drag", by_mm = [30, 0], seconds = 2 }, { do = "circle", radius
 }
 
 TEST(SceneFile, ReadsForceLaws) {
-  const auto lawOf = [](const std::string& keys) { return parse("[tissue]\n" + keys + kFinger, "f/s.toml").tissue; };
+  const auto law_of = [](const std::string& keys) { return parse("[tissue]\n" + keys + kFinger, "f/s.toml").tissue; };
   EXPECT_EQ(parse(kFinger, "s.toml").tissue.force_law.kind, tissue::ForceLaw::Kind::linear);
-  const TissueSettings power = lawOf("force_law = \"power\"\nexponent = 1.5\nreference_depth_mm = 6\n");
+  const TissueSettings power = law_of("force_law = \"power\"\nexponent = 1.5\nreference_depth_mm = 6\n");
   EXPECT_EQ(power.force_law.kind, tissue::ForceLaw::Kind::power);
   EXPECT_EQ(power.force_law.exponent, 1.5);
   EXPECT_EQ(power.force_law.reference_depth_mm, 6.0);
-  EXPECT_EQ(lawOf("force_law = \"stiffening\"\nstiffening_ratio = 3\n").force_law.stiffening_ratio, 3.0);
-  EXPECT_EQ(lawOf("force_law = \"table\"\nforce_table = \"t.csv\"\n").force_table, std::filesystem::path("f/t.csv"));
+  EXPECT_EQ(law_of("force_law = \"stiffening\"\nstiffening_ratio = 3\n").force_law.stiffening_ratio, 3.0);
+  EXPECT_EQ(law_of("force_law = \"table\"\nforce_table = \"t.csv\"\n").force_table, std::filesystem::path("f/t.csv"));
 }
 
 TEST(SceneFile, AForceTableAndItsLawNeedEachOther) {

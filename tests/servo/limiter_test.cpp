@@ -135,14 +135,14 @@ LimiterSettings ofStrokes(bool passivity) {
 }
 
 TEST(Limiter, TakesPushFromASpringThatGivesBackMoreThanItTook) {
-  const auto energyGained = [](bool passivity) {
+  const auto energy_gained = [](bool passivity) {
     LimiterState state;
     double gained = 0.0;  // an engine of 0.15 d^2 a stroke
     for (int stroke = 0; stroke < 5; ++stroke) gained += energyOfAStroke(ofStrokes(passivity), state, 0.2, 0.5);
     return gained / 5.0;
   };
-  EXPECT_GT(energyGained(false), 10.0);
-  EXPECT_LT(energyGained(true), 2.5) << "allowance of 1 N mm, and one tick's delay";
+  EXPECT_GT(energy_gained(false), 10.0);
+  EXPECT_LT(energy_gained(true), 2.5) << "allowance of 1 N mm, and one tick's delay";
 }
 
 TEST(Limiter, ForgetsInFreeAirWhatATouchTook) {

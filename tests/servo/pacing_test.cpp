@@ -23,14 +23,14 @@ TEST(DurationHistogram, AgreesWithSortingToOneBin) {
     sorted.push_back(ns);
   }
   std::sort(sorted.begin(), sorted.end());
-  const auto nearestRankUs = [&](double share) {
+  const auto nearest_rank_us = [&](double share) {
     return 1e-3 * static_cast<double>(sorted[static_cast<std::size_t>(std::ceil(share * 20000.0)) - 1]);
   };
   const DurationPercentiles p = histogram.percentiles();
-  EXPECT_GE(p.p50_us, nearestRankUs(0.5));
-  EXPECT_LE(p.p50_us, nearestRankUs(0.5) * 1.016);
-  EXPECT_GE(p.p99_9_us, nearestRankUs(0.999));
-  EXPECT_LE(p.p99_9_us, nearestRankUs(0.999) * 1.016);
+  EXPECT_GE(p.p50_us, nearest_rank_us(0.5));
+  EXPECT_LE(p.p50_us, nearest_rank_us(0.5) * 1.016);
+  EXPECT_GE(p.p99_9_us, nearest_rank_us(0.999));
+  EXPECT_LE(p.p99_9_us, nearest_rank_us(0.999) * 1.016);
   EXPECT_EQ(p.max_us, 1e-3 * static_cast<double>(sorted.back()));
 }
 

@@ -88,7 +88,7 @@ TEST(PressedSkin, FollowsTheFingerAtTheContactAndRestsFarAway) {
   const auto rest = crossSection(back.positions, back.triangles, 0.0);
   const auto deformed = crossSection(skin.positions, back.triangles, 0.0);
   ASSERT_GT(rest.size(), 50u);
-  const auto heightAt = [](const std::vector<Vec2>& cut, double x) {
+  const auto height_at = [](const std::vector<Vec2>& cut, double x) {
     double height = 0.0;
     double nearest = 1e9;
     for (const Vec2& point : cut) {
@@ -97,8 +97,8 @@ TEST(PressedSkin, FollowsTheFingerAtTheContactAndRestsFarAway) {
     }
     return height;
   };
-  EXPECT_NEAR(heightAt(rest, 40.0) - heightAt(deformed, 40.0), 8.0, 1.5);  // one triangle is 5 mm
-  EXPECT_NEAR(heightAt(rest, -60.0), heightAt(deformed, -60.0), 1e-3);
+  EXPECT_NEAR(height_at(rest, 40.0) - height_at(deformed, 40.0), 8.0, 1.5);  // one triangle is 5 mm
+  EXPECT_NEAR(height_at(rest, -60.0), height_at(deformed, -60.0), 1e-3);
   EXPECT_NE(support::messageOf([&] { placeOn(back, {900.0, 0.0}); }), "no error");
 }
 

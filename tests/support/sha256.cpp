@@ -82,12 +82,12 @@ std::string padded(std::string_view tail, std::uint64_t total_bytes) {
 }  // namespace
 
 std::string sha256(std::string_view bytes) {
-  static const RoundConstants kRounds = roundConstants();
+  static const RoundConstants rounds = roundConstants();
   State state = initialState();
   const std::size_t whole = bytes.size() / 64 * 64;
-  for (std::size_t i = 0; i < whole; i += 64) addBlock(bytes.data() + i, kRounds, state);
+  for (std::size_t i = 0; i < whole; i += 64) addBlock(bytes.data() + i, rounds, state);
   const std::string end = padded(bytes.substr(whole), bytes.size());
-  for (std::size_t i = 0; i < end.size(); i += 64) addBlock(end.data() + i, kRounds, state);
+  for (std::size_t i = 0; i < end.size(); i += 64) addBlock(end.data() + i, rounds, state);
   std::string digits;
   for (const std::uint32_t word : state) digits += fmt::format("{:08x}", word);
   return digits;

@@ -16,7 +16,7 @@ Image grey() { return {480, 270, kGrey}; }
 
 TEST(ImageCompare, ForgivesAFewLevelsInSomePixels) {
   Image other = grey();
-  for (int i = 0; i < 5000; ++i) other.pixels[static_cast<std::size_t>(20 * i)] = {103, 97, 100};
+  for (std::size_t i = 0; i < 5000; ++i) other.pixels[20 * i] = {103, 97, 100};
   EXPECT_TRUE(compare(grey(), other, kSmooth).same);
 }
 

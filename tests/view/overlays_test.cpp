@@ -21,7 +21,7 @@ TEST(ContactMarks, DrawTenMillimetresAnNewtonAndBreakAtSixty) {
   contact.touch = contact::Touch::stick;
   contact.tip = contact.proxy = contact.anchor = Vec3::Zero();
   contact.normal = Vec3::UnitZ();
-  const auto reachOf = [&](double newton) {
+  const auto reach_of = [&](double newton) {
     contact.force = newton * Vec3::UnitZ();
     Lines lines;
     addContactMarks(contact, lines);
@@ -31,9 +31,9 @@ TEST(ContactMarks, DrawTenMillimetresAnNewtonAndBreakAtSixty) {
     }
     return std::pair{highest, paintedWith(lines.points, kForcePaint)};
   };
-  EXPECT_NEAR(reachOf(2.5).first, 25.0, 1e-4);
-  EXPECT_NEAR(reachOf(30.0).first, 60.0, 1e-4);
-  EXPECT_GT(reachOf(30.0).second, reachOf(2.5).second) << "the cap is drawn as a break";
+  EXPECT_NEAR(reach_of(2.5).first, 25.0, 1e-4);
+  EXPECT_NEAR(reach_of(30.0).first, 60.0, 1e-4);
+  EXPECT_GT(reach_of(30.0).second, reach_of(2.5).second) << "the cap is drawn as a break";
 }
 
 TEST(EllipseMarks, LieOnFlatSkinAtTheEllipsesOwnSize) {

@@ -127,14 +127,14 @@ TEST(Comfort, IsTheClosedFormAtTheReadingDistance) {
 }
 
 TEST(Comfort, WarnsAboveOneDegreeAndHoldsTheEyesWithinTwo) {
-  const auto notesFor = [](double depth_mm) {
+  const auto notes_for = [](double depth_mm) {
     const Eigen::AlignedBox3d box(Vec3(-10, -10, -depth_mm), Vec3(10, 10, 0));
     return comfortable(cameraAt(600.0), settingsOf(StereoMode::sbs_full), kScreenAspect, box);
   };
-  EXPECT_EQ(notesFor(100.0).note, "");
-  EXPECT_NE(notesFor(200.0).note.find("tires the eyes"), std::string::npos);
-  EXPECT_EQ(notesFor(200.0).settings.eye_distance_mm, 63.0);
-  const ComfortableStereo reduced = notesFor(400.0);
+  EXPECT_EQ(notes_for(100.0).note, "");
+  EXPECT_NE(notes_for(200.0).note.find("tires the eyes"), std::string::npos);
+  EXPECT_EQ(notes_for(200.0).settings.eye_distance_mm, 63.0);
+  const ComfortableStereo reduced = notes_for(400.0);
   EXPECT_NE(reduced.note.find("eye distance reduced from 63 to "), std::string::npos);
   EXPECT_NEAR(63.0 / 600.0 * 0.4 * (reduced.settings.eye_distance_mm / 63.0) * 180.0 / M_PI, kFusibleDeg, 1e-9);
 }

@@ -87,16 +87,16 @@ TEST_F(PointerOn, DepthAndForceStayWithinTheirLimits) {
 }
 
 TEST_F(PointerOn, AResistingCursorGoesSlowerTheHarderTheSkinPushes) {
-  const auto depthAfterDrag = [&](double force) {
+  const auto depth_after_drag = [&](double force) {
     session.state.touch.depth_mm = 5.0;
     session.fingers[0].force = Vec3(0, 0, force);
     send(Kind::deepen, 0.5 * kSize, 1.5);
     return session.state.touch.depth_mm;
   };
-  EXPECT_GT(depthAfterDrag(0.0), depthAfterDrag(4.0));
-  EXPECT_GT(depthAfterDrag(4.0), depthAfterDrag(12.0));
+  EXPECT_GT(depth_after_drag(0.0), depth_after_drag(4.0));
+  EXPECT_GT(depth_after_drag(4.0), depth_after_drag(12.0));
   session.state.touch.resisting_cursor = false;
-  EXPECT_EQ(depthAfterDrag(0.0), depthAfterDrag(12.0));
+  EXPECT_EQ(depth_after_drag(0.0), depth_after_drag(12.0));
 }
 
 TEST_F(PointerOn, TheKeyboardMovesTheFingerByTwoMillimetres) {

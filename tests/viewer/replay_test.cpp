@@ -88,11 +88,11 @@ TEST(Replay, AFrozenPictureStepsBackToBeforeThePress) {
   stage.frame();
   const view::Image pressed = stage.viewer->target().read();
   EXPECT_GT(stage.finger().depth_mm, 5.0);
-  const auto inTheAir = [&] { return stage.finger().touch == contact::Touch::free; };
-  for (int i = 0; i < 900 && !inTheAir(); ++i) stage.key(window::Key::left);
-  ASSERT_TRUE(inTheAir()) << "back before the press";
+  const auto in_the_air = [&] { return stage.finger().touch == contact::Touch::free; };
+  for (int i = 0; i < 900 && !in_the_air(); ++i) stage.key(window::Key::left);
+  ASSERT_TRUE(in_the_air()) << "back before the press";
   int ticks = 0;
-  for (; ticks < 20 && inTheAir(); ++ticks) stage.key(window::Key::right, {false, true});
+  for (; ticks < 20 && in_the_air(); ++ticks) stage.key(window::Key::right, {false, true});
   EXPECT_LE(ticks, 18) << "a picture is 17 ticks";
   EXPECT_LT(stage.finger().depth_mm, 1.0) << "the first tick of the touch";
   EXPECT_NE(stage.viewer->target().read().pixels, pressed.pixels);

@@ -15,10 +15,10 @@ namespace {
 
 std::atomic<bool> armed{false};
 std::atomic<std::size_t> allocations{0};
-const std::thread::id main_thread = std::this_thread::get_id();
+const std::thread::id kMainThread = std::this_thread::get_id();
 
 void* counted(std::size_t bytes) {
-  if (armed.load(std::memory_order_relaxed) && std::this_thread::get_id() != main_thread) ++allocations;
+  if (armed.load(std::memory_order_relaxed) && std::this_thread::get_id() != kMainThread) ++allocations;
   if (void* memory = std::malloc(bytes)) return memory;
   throw std::bad_alloc();
 }

@@ -69,7 +69,7 @@ class Stage {
   }
 
   void move(const Vec2& to) {
-    at = to;
+    at_ = to;
     frame({event(window::InputEvent::Kind::move)});
   }
   void button(bool down, window::Button which = window::Button::left) {
@@ -128,11 +128,11 @@ class Stage {
   window::InputEvent event(window::InputEvent::Kind kind) const {
     window::InputEvent e;
     e.kind = kind;
-    e.at = at;
+    e.at = at_;
     e.time_s = now_s;
     return e;
   }
-  Vec2 at = Vec2::Zero();
+  Vec2 at_ = Vec2::Zero();
 };
 
 }  // namespace palpate::viewer

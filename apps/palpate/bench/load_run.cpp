@@ -59,11 +59,11 @@ class StageClock {
 
 /// Presses at some triangles in turn until one pushes back: a thin place or a pocket may not.
 contact::FingerOutput firstForce(const scene::World& world) {
-  constexpr std::size_t kPlaces = 64;
+  constexpr std::size_t kMostPlaces = 64;
   const double depth = 1e-3 * world.surface.tree.diagonal;  // 0.5 mm on a back
   const auto& records = world.surface.tree.records;
-  for (std::size_t place = 0; place < kPlaces; ++place) {
-    const auto& [a, b, c] = records[place * records.size() / kPlaces].corners;
+  for (std::size_t place = 0; place < kMostPlaces; ++place) {
+    const auto& [a, b, c] = records[place * records.size() / kMostPlaces].corners;
     const Vec3 middle = (a + b + c) / 3.0;
     const Vec3 inwards = -mesh::areaVector2(a, b, c).stableNormalized() * depth;
     contact::FingerState state;

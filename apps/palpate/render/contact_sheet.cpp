@@ -55,13 +55,13 @@ view::PictureSettings settingsFor(const scene::World& world, const Frame& frame,
 }
 
 std::vector<Tile> tilesOf(const scene::World& world, const SheetMoments& moments) {
-  static const Frame kNobody;
+  static const Frame nobody;
   std::vector<Tile> tiles;
   const auto add = [&](const Frame& frame, const std::string& title, const std::function<void(view::Look&)>& change) {
     tiles.push_back({&frame, settingsFor(world, frame, title)});
     change(tiles.back().settings.look);
   };
-  add(kNobody, "at rest", [](view::Look&) {});
+  add(nobody, "at rest", [](view::Look&) {});
   if (moments.pressed.empty()) return tiles;
   const Frame& dragged = moments.dragged.empty() ? moments.pressed : moments.dragged;
   add(moments.pressed, "pressed deepest", [](view::Look&) {});
@@ -84,7 +84,7 @@ void paste(const view::Image& tile, int column, int row, view::Image& sheet) {
 
 }  // namespace
 
-view::Image contactSheet(std::shared_ptr<const scene::World> world, const SheetMoments& moments,
+view::Image contactSheet(const std::shared_ptr<const scene::World>& world, const SheetMoments& moments,
                          const Progress& progress) {
   const std::vector<Tile> tiles = tilesOf(*world, moments);
   const int count = static_cast<int>(tiles.size());

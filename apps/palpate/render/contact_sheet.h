@@ -15,7 +15,7 @@ struct SheetMoments {
 };
 
 /// Throws Error where nothing can be drawn.
-view::Image contactSheet(std::shared_ptr<const scene::World> world, const SheetMoments& moments,
+view::Image contactSheet(const std::shared_ptr<const scene::World>& world, const SheetMoments& moments,
                          const Progress& progress);
 
 }  // namespace palpate::app

@@ -79,7 +79,7 @@ RecordedTouch touchedAgain(const std::shared_ptr<const scene::World>& world, con
   return recorded;
 }
 
-bool ReplayLoader::load(std::shared_ptr<const scene::World> world, scene::Scene scene, std::string file) {
+bool ReplayLoader::load(std::shared_ptr<const scene::World> world, scene::Scene scene, const std::string& file) {
   if (work_) return false;
   result_ = {};
   work_.emplace([this, world = std::move(world), scene = std::move(scene), file] {

@@ -30,7 +30,7 @@ RecordedTouch touchedAgain(const std::shared_ptr<const scene::World>& world, con
 class ReplayLoader {
  public:
   /// False, with nothing done, while another table is at work.
-  bool load(std::shared_ptr<const scene::World> world, scene::Scene scene, std::string file);
+  bool load(std::shared_ptr<const scene::World> world, scene::Scene scene, const std::string& file);
   struct Result {
     std::optional<RecordedTouch> touch;
     std::string error;

@@ -45,11 +45,7 @@ double steadyEnd(std::size_t strip, double wanted, double now_s) {
   static std::array<Axis, kStrips.size()> axes;  // of the display's thread
   constexpr double kPatienceS = 3.0;
   Axis& axis = axes[strip];
-  if (wanted >= axis.end || now_s < axis.since_s) {
-    axis = {wanted, now_s};
-  } else if (now_s - axis.since_s > kPatienceS) {
-    axis = {wanted, now_s};
-  }
+  if (wanted >= axis.end || now_s < axis.since_s || now_s > axis.since_s + kPatienceS) axis = {wanted, now_s};
   return axis.end;
 }
 

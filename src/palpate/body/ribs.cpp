@@ -28,7 +28,7 @@ struct RibRow {
   double roll_deg;                               // how far the outer face looks up: the first rib lies flat
 };
 
-constexpr std::array<RibRow, kRibCount> kRows = {{
+constexpr std::array<RibRow, kRibCount> kRibRows = {{
     {50, -4, 19.8, 58, 24, -16.8, 38, 53, -34.7, 11, 6, 55},
     {52, -6, 36.3, 88, 29, -19.9, 42, 65, -53.9, 12, 6.5, 38},
     {58, -5, 55.1, 110, 37, -30.5, 50, 69, -75.5, 13, 7, 22},
@@ -78,12 +78,12 @@ Vec3 headPoint(int number) {
 // The tubercle lies in front of the transverse process, clear of it.
 Vec3 tuberclePoint(int number) {
   const VertebraRow& v = vertebraOf(number);
-  const double ventral = v.transverse_radius + kRows[number - 1].thickness / 2 + kTubercleGap[number - 1];
+  const double ventral = v.transverse_radius + kRibRows[number - 1].thickness / 2 + kTubercleGap[number - 1];
   return vertebraFrame(v) * (transverseTip(v) + Vec3(2.0, 1.5, -ventral));
 }
 
 Vec3 anglePoint(int number) {
-  const RibRow& r = kRows[number - 1];
+  const RibRow& r = kRibRows[number - 1];
   return {r.angle_x, headPoint(number).y() - r.angle_drop, r.angle_z};
 }
 
@@ -100,7 +100,7 @@ void addQuarter(std::vector<Vec3>& line, const Vec3& from, const Vec3& to, bool 
 }
 
 std::vector<Vec3> controlPoints(int number) {
-  const RibRow& r = kRows[number - 1];
+  const RibRow& r = kRibRows[number - 1];
   const Vec3 head = headPoint(number);
   const Vec3 lateral(r.half_width - r.thickness / 2, head.y() - r.lateral_drop, head.z() + r.lateral_z);
   const Vec3 anterior(r.anterior_x, head.y() - r.anterior_drop, head.z() + r.anterior_z);
@@ -142,7 +142,7 @@ struct Station {
 };
 
 std::vector<Station> stationsOf(int number, double edge_mm) {
-  const RibRow& row = kRows[number - 1];
+  const RibRow& row = kRibRows[number - 1];
   const CubicSpline spline(controlPoints(number));
   const auto count = static_cast<std::size_t>(std::ceil(spline.length() / edge_mm)) + 1;
   std::vector<Vec3> line = spline.evenly(count);
@@ -217,13 +217,13 @@ mesh::TriangleMesh sweep(const std::vector<Station>& stations, Index corners) {
 }  // namespace
 
 mesh::TriangleMesh makeRightRib(int number, double edge_mm) {
-  const RibRow& row = kRows[number - 1];
+  const RibRow& row = kRibRows[number - 1];
   // Ramanujan's girth of the section, first term.
   const double girth = std::numbers::pi * 0.75 * (row.height + row.thickness);
   const Index corners = std::max<Index>(8, 2 * static_cast<Index>(std::ceil(0.5 * girth / edge_mm)));
   return sweep(stationsOf(number, edge_mm), corners);
 }
 
-Vec3 rightRibAngle(int number) { return anglePoint(number) + Vec3(0.0, 0.0, kRows[number - 1].thickness / 2); }
+Vec3 rightRibAngle(int number) { return anglePoint(number) + Vec3(0.0, 0.0, kRibRows[number - 1].thickness / 2); }
 
 }  // namespace palpate::body

@@ -28,7 +28,7 @@
 namespace palpate::body {
 namespace {
 
-constexpr std::array<VertebraRow, kVertebraCount> kRows = {{
+constexpr std::array<VertebraRow, kVertebraCount> kVertebraRows = {{
     // name  body              canal       pedicle     spinous process    transverse      disc  centre y, z, pitch
     {"T1", 15.5, 26.5, 19.1, 21.8, 16.4, 9.0, 9.2, 34.4, 29, 8.5, 5.5, 75, 35, 5.4, 4.0, 165, -4, 26.2},
     {"T2", 17.2, 26.5, 20.6, 19.5, 16.1, 7.5, 10.3, 31.7, 30, 8, 5, 70, 38, 5.2, 3.5, 146, 5, 23.3},
@@ -51,7 +51,7 @@ constexpr std::array<VertebraRow, kVertebraCount> kRows = {{
 
 }  // namespace
 
-std::span<const VertebraRow, kVertebraCount> spineRows() { return kRows; }
+std::span<const VertebraRow, kVertebraCount> spineRows() { return kVertebraRows; }
 
 Eigen::Isometry3d vertebraFrame(const VertebraRow& row) {
   // A positive pitch tips the upper side forwards (ventral, -z), a turn of -pitch about x.

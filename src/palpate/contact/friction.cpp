@@ -9,15 +9,12 @@
 #include "palpate/contact/friction.h"
 
 #include <cmath>
-#include <limits>
 
 #include "palpate/contact/surface_walk.h"
 
 namespace palpate::contact {
 
 namespace {
-
-constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 /// An offset whose tangential share is smaller points along the normal: what is left of it is rounding.
 constexpr double kDirectionless = 1e-12;

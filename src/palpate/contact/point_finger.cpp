@@ -11,7 +11,6 @@
 #include "palpate/contact/press.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 #include "palpate/contact/border.h"
@@ -22,7 +21,6 @@ namespace palpate::contact {
 
 namespace {
 
-constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 /// Sheets that one tick can land on one after the other, each left at once. Beyond it the last contact is kept: safe.
 constexpr int kMostSheets = 8;
 

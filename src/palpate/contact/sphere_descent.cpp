@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "palpate/contact/border.h"
 #include "palpate/contact/press.h"
@@ -25,8 +24,6 @@
 namespace palpate::contact {
 
 namespace {
-
-constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 // Shares of the radius.
 constexpr double kSettled = 1e-5;   ///< a centre that would move less than this stays

@@ -14,7 +14,6 @@
 // to the first contact.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "palpate/contact/border.h"
 #include "palpate/contact/finger.h"
@@ -26,8 +25,6 @@
 namespace palpate::contact {
 
 namespace {
-
-constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 // ---- first contact --------------------------------------------------------------------------------------------------
 

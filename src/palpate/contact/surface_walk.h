@@ -1,12 +1,16 @@
 // Moving over the skin: from a point of the surface downhill to the place nearest to a target.
 #pragma once
 
+#include <limits>
 #include <type_traits>
 
 #include "palpate/contact/finger.h"
 #include "palpate/contact/surface.h"
 
 namespace palpate::contact {
+
+/// A path, or a reach, without a bound, mm.
+inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 struct WalkResult {
   SurfacePoint at;

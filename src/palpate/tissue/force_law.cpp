@@ -70,20 +70,21 @@ double tangentFactor(const ForceLaw& law, double depth) noexcept {
   return 1.0;
 }
 
-void require(bool holds, const char* what) {
+void requireLaw(bool holds, const char* what) {
   if (!holds) throw Error(std::string("force law: ") + what);
 }
 
 bool within(double value, double above, double most) { return value > above && value <= most; }
 
 void checkTable(const ForceTable& table) {
-  require(table.rows >= 1 && table.rows <= ForceTable::kMostRows, "the table needs 1 to 64 rows");
+  requireLaw(table.rows >= 1 && table.rows <= ForceTable::kMostRows, "the table needs 1 to 64 rows");
   double depth = 0.0;
   double effective = 0.0;
   for (std::uint32_t i = 0; i < table.rows; ++i) {
-    require(std::isfinite(table.depth_mm[i]) && table.depth_mm[i] > depth, "the table's depths must increase from 0");
-    require(std::isfinite(table.effective_mm[i]) && table.effective_mm[i] >= effective,
-            "the table's forces must not decrease");
+    requireLaw(std::isfinite(table.depth_mm[i]) && table.depth_mm[i] > depth,
+               "the table's depths must increase from 0");
+    requireLaw(std::isfinite(table.effective_mm[i]) && table.effective_mm[i] >= effective,
+               "the table's forces must not decrease");
     depth = table.depth_mm[i];
     effective = table.effective_mm[i];
   }
@@ -96,12 +97,12 @@ void check(const ForceLaw& law) {
     case ForceLaw::Kind::linear:
       return;
     case ForceLaw::Kind::power:
-      require(law.exponent >= 1.0 && law.exponent <= 3.0, "exponent must be 1 to 3");
-      require(within(law.reference_depth_mm, 0.0, 1e3), "reference_depth_mm must be above 0 and at most 1000");
+      requireLaw(law.exponent >= 1.0 && law.exponent <= 3.0, "exponent must be 1 to 3");
+      requireLaw(within(law.reference_depth_mm, 0.0, 1e3), "reference_depth_mm must be above 0 and at most 1000");
       return;
     case ForceLaw::Kind::stiffening:
-      require(within(law.stiffening_ratio, 0.0, 100.0), "stiffening_ratio must be above 0 and at most 100");
-      require(within(law.stiffening_depth_mm, 0.0, 1e3), "stiffening_depth_mm must be above 0 and at most 1000");
+      requireLaw(within(law.stiffening_ratio, 0.0, 100.0), "stiffening_ratio must be above 0 and at most 100");
+      requireLaw(within(law.stiffening_depth_mm, 0.0, 1e3), "stiffening_depth_mm must be above 0 and at most 1000");
       return;
     case ForceLaw::Kind::table:
       checkTable(law.table);

@@ -18,20 +18,20 @@ namespace {
 /// More would only cost memory: nearest entries of a million are 4e-6 apart.
 constexpr std::size_t kMostTableEntries = 1'000'000;
 
-void require(bool holds, const char* message) {
+void requireProfile(bool holds, const char* message) {
   if (!holds) throw Error(message);
 }
 
 bool isPositive(double value) { return value > 0.0 && std::isfinite(value); }
 
 void check(const ProfileSettings& settings) {
-  require(settings.table_entries >= 2 && settings.table_entries <= kMostTableEntries,
-          "profile: a table needs 2 to 1000000 entries");
-  require(isPositive(settings.two_gaussians.narrow) && isPositive(settings.two_gaussians.wide) &&
-              std::isfinite(settings.two_gaussians.wide_weight),
-          "profile: the widths of two Gaussians must be above 0");
-  require(isPositive(settings.power.width) && isPositive(settings.power.exponent),
-          "profile: width and exponent of the power tail must be above 0");
+  requireProfile(settings.table_entries >= 2 && settings.table_entries <= kMostTableEntries,
+                 "profile: a table needs 2 to 1000000 entries");
+  requireProfile(isPositive(settings.two_gaussians.narrow) && isPositive(settings.two_gaussians.wide) &&
+                     std::isfinite(settings.two_gaussians.wide_weight),
+                 "profile: the widths of two Gaussians must be above 0");
+  requireProfile(isPositive(settings.power.width) && isPositive(settings.power.exponent),
+                 "profile: width and exponent of the power tail must be above 0");
   if (settings.kind == ProfileKind::user) checkProfileKnots(settings.knots);
 }
 

@@ -9,10 +9,6 @@ namespace palpate::tree {
 
 namespace {
 
-/// (2 area)^2 below this share of (longest edge)^4 is noise of doubles: the face's normal means nothing there, the
-/// edges still do. A relative bound, so the unit of length does not matter.
-constexpr double kSliverShare = 1e-20;
-
 ClosestOnTriangle resultAt(const Vec3& closest, Feature feature, const Vec3& point) {
   return {closest, feature, (closest - point).squaredNorm()};
 }

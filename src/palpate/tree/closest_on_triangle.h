@@ -18,6 +18,10 @@ inline int indexOf(Feature feature) { return (static_cast<int>(feature) - 1) % 3
 inline Feature edgeFeature(int edge) { return static_cast<Feature>(1 + edge); }
 inline Feature cornerFeature(int corner) { return static_cast<Feature>(4 + corner); }
 
+/// (2 area)^2 below this share of (longest edge)^4 is noise of doubles: the face's normal means nothing there, the
+/// edges still do. A relative bound, so the unit of length does not matter.
+inline constexpr double kSliverShare = 1e-20;
+
 struct ClosestOnTriangle {
   Vec3 point;
   Feature feature;

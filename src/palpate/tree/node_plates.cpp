@@ -13,6 +13,8 @@
 #include <cmath>
 #include <limits>
 
+#include "palpate/tree/closest_on_triangle.h"
+
 namespace palpate::tree {
 
 namespace {
@@ -21,8 +23,6 @@ namespace {
 constexpr Index kMostTriangles = 1024;
 /// Added to the sine of a spread: above the rounding of normals kept as floats, below half a step.
 constexpr double kSineSlack = 1e-3;
-/// Twice the squared area below this share of (longest edge)^4 gives no normal.
-constexpr double kSliverShare = 1e-20;
 /// Added to the top of a plate, in its steps: above the rounding of a query's floats.
 constexpr double kTopSlack = 1e-3;
 

@@ -3,6 +3,7 @@
 #include "palpate/view/lines.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace palpate::view {
 
@@ -56,7 +57,7 @@ void Patches::addQuad(const std::array<Vec3, 4>& corners, Paint paint) {
 }
 
 Paint faded(Paint paint, double share) {
-  paint[3] = static_cast<std::uint8_t>(std::clamp(share, 0.0, 1.0) * paint[3] + 0.5);
+  paint[3] = static_cast<std::uint8_t>(std::lround(std::clamp(share, 0.0, 1.0) * paint[3]));
   return paint;
 }
 

@@ -69,8 +69,8 @@ std::optional<CrossedEdges> crossedEdges(const TriangleRecord& record, const Def
     if (isCrossed(record, edge, side)) edges[count++] = edge;
   }
   if (count != 2) return std::nullopt;
-  const auto placeOf = [&](int edge) { return crossingAt(record, edge, deformed, plane, side).rest.x(); };
-  if (placeOf(edges[0]) > placeOf(edges[1])) std::swap(edges[0], edges[1]);
+  const auto place_of = [&](int edge) { return crossingAt(record, edge, deformed, plane, side).rest.x(); };
+  if (place_of(edges[0]) > place_of(edges[1])) std::swap(edges[0], edges[1]);
   return CrossedEdges{edges[0], edges[1]};
 }
 
