@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "palpate/scene/words.h"
 #include "study/assignment/assignment_measurement.h"
 #include "study/measured/haptic_frames.h"
 #include "study/page/plot_parts.h"
@@ -17,8 +18,6 @@ using hdb::Assignment;
 using hdb::TreeKind;
 
 constexpr Marker kAssignmentMarkers[] = {Marker::circle, Marker::square, Marker::triangle};
-
-using study::nameOf;  // of a tree, beside that of a case
 
 const char* nameOf(Assignment assignment) {
   switch (assignment) {
@@ -54,7 +53,7 @@ Figure casesFigure(const AssignmentMeasurement& found, TreeKind tree) {
   const figures::Axis build{.label = "time", .unit = "ns a triangle", .scale = Scale::logarithmic};
   const figures::Axis frame{.label = "time", .unit = "us", .from = 0.0};
   const figures::Axis list{.label = "time", .unit = "us", .from = 0.0};
-  Figure figure{.title = fmt::format("Cases A, B, C: {}", nameOf(tree)), .columns = 3};
+  Figure figure{.title = fmt::format("Cases A, B, C: {}", titleOf(tree)), .columns = 3};
   figure.panel_width_px = 360.0;
   figure.panel_height_px = 320.0;
   figure.panels = {casesPlot(found, tree, "How often a triangle is stored", share, &AssignmentRow::stored),
@@ -112,7 +111,7 @@ TextTable rowTable(const std::vector<AssignmentRow>& rows) {
        "rendered", "in the box", "frame (us)", "our list (us)", "missed, ours (%)", "missed, node's box (%)"},
       {}};
   for (const AssignmentRow& row : rows) {
-    table.rows.push_back({nameOf(row.tree), nameOf(row.assignment), fmt::format("{}", row.threshold),
+    table.rows.push_back({titleOf(row.tree), nameOf(row.assignment), fmt::format("{}", row.threshold),
                           counted(static_cast<double>(row.leaves)), rounded(row.stored, 3), rounded(row.overlap, 3),
                           rounded(row.bytes, 3), rounded(row.build_ns), counted(row.rendered), counted(row.wanted),
                           rounded(row.frame_us), rounded(row.exact_us), rounded(100.0 * row.missed),
@@ -230,7 +229,7 @@ std::vector<std::pair<std::string, double>> numbersOf(const AssignmentMeasuremen
   for (const TreeKind tree : kTrees) {
     for (std::size_t i = 0; i < kAssignments.size(); ++i) {
       const AssignmentRow& row = at(found, tree, kAssignments[i], kPrintedThreshold);
-      const std::string stem = fmt::format("{}_{}_1024_", tree == TreeKind::Bsp ? "bsp" : "octree", kNames[i]);
+      const std::string stem = fmt::format("{}_{}_1024_", wordFor(tree), kNames[i]);
       numbers.emplace_back(stem + "stored", row.stored);
       numbers.emplace_back(stem + "overlap", row.overlap);
       numbers.emplace_back(stem + "rendered", row.rendered);

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <string>
 
 #include "palpate/hdb/complexity.h"
 #include "study/complexity/complexity_results.h"
@@ -30,7 +32,7 @@ Plot worstPlot(const ComplexityResults& results) {
   plot.y = {.label = "w", .from = 0.0};
   for (const TreeKind tree : kTrees) {
     const bool bsp = tree == TreeKind::Bsp;
-    Series counted = worstSeries(results, tree, fmt::format("{}, counted", nameOf(tree)), &WorstColumn::counted);
+    Series counted = worstSeries(results, tree, fmt::format("{}, counted", titleOf(tree)), &WorstColumn::counted);
     counted.marker = bsp ? Marker::circle : Marker::square;
     Series printed = worstSeries(results, tree, bsp ? "Table 3.3" : "Table 3.4", &WorstColumn::printed);
     printed.stroke = Stroke::none;
@@ -69,7 +71,7 @@ Series straight(const std::string& name, const Vec2& from, const Vec2& to) {
 Plot sharePlot(const ComplexityResults& results, TreeKind tree) {
   const int height = tree == TreeKind::Bsp ? hdb::kBspWorstHeight : hdb::kOctreeWorstHeight;
   const double steepness = printedCost(tree) / hdb::kWorstLeafRatio;
-  Plot plot{.title = fmt::format("The {}: cost over the leaves found", nameOf(tree))};
+  Plot plot{.title = fmt::format("The {}: cost over the leaves found", titleOf(tree))};
   plot.x = {.label = "leaves found over all leaves, m / n", .from = 0.0, .to = 1.0};
   plot.y = {.label = "cost over all leaves, c / n", .from = 0.0, .to = 2.2};
   Series paths{.name = "real models: nodes on the ways",
@@ -107,8 +109,9 @@ Plot sharePlot(const ComplexityResults& results, TreeKind tree) {
 
 // How the cost grows with the number of leaves, for every size of the detecting box.
 Plot growthPlot(const ComplexityResults& results, TreeKind tree) {
-  Plot plot{.title = fmt::format("{}, {} triangles: boxes tested at worst",
-                                 tree == TreeKind::Bsp ? "BSP tree" : "Octree", results.largest_model)};
+  std::string name = titleOf(tree);
+  name[0] = static_cast<char>(std::toupper(name[0]));
+  Plot plot{.title = fmt::format("{}, {} triangles: boxes tested at worst", name, results.largest_model)};
   plot.x = {.label = "leaves of the tree, n", .scale = Scale::logarithmic};
   plot.y = {.label = "boxes tested", .scale = Scale::logarithmic};
   Extent leaves;

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "palpate/hdb/complexity.h"
+#include "palpate/scene/words.h"
 #include "study/complexity/complexity_results.h"
 
 namespace palpate::study {
@@ -22,7 +23,7 @@ StudyTable wTable(const ComplexityResults& results) {
   table.table.headings = {"tree", "height", "printed", "closed form", "counted", "verdict"};
   for (const WorstColumn& column : results.columns) {
     const bool same = fmt::format("{:.2f}", column.counted) == fmt::format("{:.2f}", column.printed);
-    table.table.rows.push_back({nameOf(column.tree), fmt::format("{}", column.height),
+    table.table.rows.push_back({titleOf(column.tree), fmt::format("{}", column.height),
                                 fmt::format("{:.2f}", column.printed), fmt::format("{:.4f}", column.closed),
                                 fmt::format("{:.4f}", column.counted), same ? "reproduced" : "misprint (E13)"});
   }
@@ -37,7 +38,7 @@ StudyTable casesTable(const ComplexityResults& results) {
   const auto number = [](double value) { return fmt::format("{:.6g}", value); };
   for (const SearchCase& one : results.cases) {
     const SearchSweep& sweep = one.sweep;
-    table.table.rows.push_back({one.model, nameOf(one.tree), fmt::format("{}", one.threshold),
+    table.table.rows.push_back({one.model, titleOf(one.tree), fmt::format("{}", one.threshold),
                                 fmt::format("1/{}", one.part), fmt::format("{}", sweep.height), number(sweep.leaves),
                                 number(sweep.nodes), number(sweep.mean.leaves_found), number(sweep.worst.leaves_found),
                                 number(sweep.mean.on_paths), number(sweep.worst.on_paths), number(sweep.mean.entered),
@@ -65,7 +66,7 @@ StudyTable quarterTable(const ComplexityResults& results) {
            results, [](const SearchCase& a) { return a.threshold == kPrintedThreshold && a.part == kPrintedPart; })) {
     const SearchSweep& sweep = one->sweep;
     const auto share = [&](double count) { return fmt::format("{:.2f} n", count / sweep.leaves); };
-    table.table.rows.push_back({one->model, nameOf(one->tree), fmt::format("{}", sweep.height),
+    table.table.rows.push_back({one->model, titleOf(one->tree), fmt::format("{}", sweep.height),
                                 fmt::format("{:.0f}", sweep.leaves), share(sweep.mean.leaves_found),
                                 share(sweep.worst.leaves_found), share(sweep.worst.on_paths), share(sweep.mean.tested),
                                 share(sweep.worst.tested)});
@@ -150,8 +151,8 @@ std::size_t reproducedColumns(const ComplexityResults& results) {
 
 std::string holdsFrom(const ComplexityResults& results, TreeKind tree) {
   const double leaves = leavesFromWhichPrintedHolds(results, tree);
-  return leaves == 0.0 ? fmt::format("not even in the largest {}", nameOf(tree))
-                       : fmt::format("from {:.0f} leaves on in the {}", leaves, nameOf(tree));
+  return leaves == 0.0 ? fmt::format("not even in the largest {}", titleOf(tree))
+                       : fmt::format("from {:.0f} leaves on in the {}", leaves, titleOf(tree));
 }
 
 std::string costFinding(const ComplexityResults& results) {
@@ -226,7 +227,7 @@ std::vector<std::pair<std::string, double>> numbersOf(const ComplexityResults& r
   std::vector<std::pair<std::string, double>> numbers;
   for (const TreeKind tree : kTrees) {
     const SearchSweep& sweep = printedCase(results, results.largest_model, tree).sweep;
-    const std::string name = tree == TreeKind::Bsp ? "bsp" : "octree";
+    const std::string name(wordFor(tree));
     numbers.emplace_back(name + "_leaf_ratio_mean", sweep.mean.leaves_found / sweep.leaves);
     numbers.emplace_back(name + "_leaf_ratio_max", sweep.worst.leaves_found / sweep.leaves);
     numbers.emplace_back(name + "_ways_over_n_max", sweep.worst.on_paths / sweep.leaves);

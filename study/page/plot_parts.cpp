@@ -7,8 +7,6 @@
 
 namespace palpate::study {
 
-const char* nameOf(hdb::TreeKind tree) { return tree == hdb::TreeKind::Bsp ? "BSP tree" : "octree"; }
-
 Plot mapPlane(const std::string& title) {
   Plot plot{.title = title};
   plot.equal_aspect = true;

@@ -21,8 +21,6 @@ using figures::Stroke;
 
 /// The dissertation's two trees, in the order of every comparison.
 inline constexpr std::array kTrees{hdb::TreeKind::Bsp, hdb::TreeKind::Octree};
-/// "BSP tree", "octree".
-const char* nameOf(hdb::TreeKind tree);
 
 /// Empty, in mm, one as long on both axes.
 Plot mapPlane(const std::string& title);

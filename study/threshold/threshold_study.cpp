@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "palpate/scene/words.h"
 #include "study/measured/haptic_frames.h"
 #include "study/page/plot_parts.h"
 #include "study/threshold/threshold_measurement.h"
@@ -28,7 +29,7 @@ double lossAtPrinted(const std::vector<ThresholdRow>& rows) {
 // ------------------------------------------------------------------------------------------------------------ plots
 
 Plot timePlot(const ThresholdMeasurement& found, TreeKind tree) {
-  Plot plot{.title = fmt::format("Dissertation's way, {}", nameOf(tree))};
+  Plot plot{.title = fmt::format("Dissertation's way, {}", titleOf(tree))};
   plot.x = thresholdAxis(found.plan.thresholds, {16, 64, 256, 1024, 4096, 16384});
   plot.x.from = std::min(16.0, *plot.x.from);
   plot.y = {.label = "time of a touched frame", .unit = "us", .scale = Scale::logarithmic, .from = 4.0, .to = 10000.0};
@@ -59,7 +60,7 @@ Plot bestPlot(const ThresholdMeasurement& found) {
     std::vector<double> best;
     for (const std::size_t size : found.plan.sizes) best.push_back(fastest(rowsOf(found, size, tree)).threshold);
     plot.series.push_back(
-        measuredSeries(nameOf(tree), sizes, best, tree == TreeKind::Bsp ? Marker::circle : Marker::square));
+        measuredSeries(titleOf(tree), sizes, best, tree == TreeKind::Bsp ? Marker::circle : Marker::square));
   }
   plot.series.push_back(
       printedSeries("printed: 1024", sizes, std::vector<double>(sizes.size(), kPrintedThreshold), Marker::none));
@@ -114,7 +115,7 @@ TextTable bestTable(const ThresholdMeasurement& found) {
       const auto rows = rowsOf(found, found.plan.sizes[i], tree);
       const ThresholdRow best = fastest(rows);
       const ThresholdRow printed = rowAt(rows, kPrintedThreshold);
-      table.rows.push_back({counted(static_cast<double>(best.model)), nameOf(tree), fmt::format("{}", best.threshold),
+      table.rows.push_back({counted(static_cast<double>(best.model)), titleOf(tree), fmt::format("{}", best.threshold),
                             asGood(rows), rounded(best.touched_us), rounded(printed.touched_us),
                             "x " + rounded(lossAtPrinted(rows)), counted(static_cast<double>(printed.leaves)),
                             counted(best.rendered), counted(printed.rendered), counted(found.exact_triangles[i]),
@@ -129,7 +130,7 @@ TextTable allTable(const ThresholdMeasurement& found) {
                    "our list (us)"},
                   {}};
   for (const ThresholdRow& row : found.rows) {
-    table.rows.push_back({fmt::format("{}", row.model), nameOf(row.tree), fmt::format("{}", row.threshold),
+    table.rows.push_back({fmt::format("{}", row.model), titleOf(row.tree), fmt::format("{}", row.threshold),
                           fmt::format("{}", row.leaves), fmt::format("{}", row.height),
                           fmt::format("{:.0f}", row.rendered), fmt::format("{:.3f}", row.find_us),
                           fmt::format("{:.2f}", row.touched_us), fmt::format("{:.2f}", row.exact_us)});
@@ -239,7 +240,7 @@ std::vector<std::pair<std::string, double>> numbersOf(const ThresholdMeasurement
                                                       {"most_cost_of_1024", loss.most}};
   for (const std::size_t size : found.plan.sizes) {
     for (const TreeKind tree : kTrees) {
-      numbers.emplace_back(fmt::format("fastest_threshold_{}_{}", tree == TreeKind::Bsp ? "bsp" : "octree", size),
+      numbers.emplace_back(fmt::format("fastest_threshold_{}_{}", wordFor(tree), size),
                            fastest(rowsOf(found, size, tree)).threshold);
     }
   }

@@ -24,6 +24,9 @@ enum class TreeKind : std::uint8_t {
   Octree  ///< eighths (3.4)
 };
 
+/// What people call it, in a sentence; files and commands have words for it (scene/words.h).
+constexpr const char* titleOf(TreeKind tree) { return tree == TreeKind::Bsp ? "BSP tree" : "octree"; }
+
 /// What becomes of a triangle that a splitting plane crosses (3.3.2).
 enum class Assignment : std::uint8_t {
   Cut,        ///< case A: it is cut; each side keeps its pieces

@@ -78,7 +78,7 @@ std::shared_ptr<const hdb::HdbSurface> buildHdbSource(const Scene& scene, const 
 std::string describe(const hdb::HdbSurface& source) {
   const hdb::Partition& partition = *source.partition;
   return fmt::format("touched through a detecting box of {:.0f} mm: {} of {} leaves", source.settings.edges_mm.x(),
-                     partition.tree == hdb::TreeKind::Bsp ? "BSP tree" : "octree", partition.leaves.size());
+                     titleOf(partition.tree), partition.leaves.size());
 }
 
 }  // namespace palpate::scene
