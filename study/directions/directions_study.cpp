@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "palpate/scene/words.h"
 #include "study/directions/axis_means.h"
 #include "study/directions/direction_fields.h"
 #include "study/measured/back_map.h"
@@ -201,8 +202,6 @@ Figure meansFigure(const DirectionResults& results) {
 
 // --- words
 
-const char* nameOf(maps::ForceDirection force) { return force == maps::ForceDirection::up ? "up" : "down"; }
-
 StudyTable meansTable(const std::vector<PointMeans>& all) {
   StudyTable table{"directions_points", "Mean direction of the subjects at every point (degree):", {}};
   table.table.headings = {"dragged",
@@ -213,7 +212,7 @@ StudyTable meansTable(const std::vector<PointMeans>& all) {
                           "printed against tensor",
                           "agreement of the subjects, 1 = all alike"};
   for (const PointMeans& means : all) {
-    table.table.rows.push_back({nameOf(means.force), fmt::format("P{}", means.point),
+    table.table.rows.push_back({std::string(wordFor(means.force)), fmt::format("P{}", means.point),
                                 fmt::format("{:.1f}", means.deg[0]), fmt::format("{:.1f}", means.deg[1]),
                                 fmt::format("{:.1f}", means.deg[2]), fmt::format("{:.1f}", printedAgainstTensor(means)),
                                 fmt::format("{:.2f}", means.resultant)});
@@ -267,7 +266,7 @@ std::vector<std::string> findingsOf(const DirectionResults& results) {
           results.flip[0], results.flip[1], results.flip[2]),
       fmt::format("Means of the five subjects differ most at P{} ({}): {:.1f} degree as printed, {:.1f} as a tensor. "
                   "There the subjects agree by {:.2f} of 1 only, so neither number means much.",
-                  worst.point, nameOf(worst.force), worst.deg[0], worst.deg[2], worst.resultant),
+                  worst.point, wordFor(worst.force), worst.deg[0], worst.deg[2], worst.resultant),
       fmt::format(
           "With axes whose truth is known: five of them that spread by {:.0f} degree around 90 give an error of "
           "{:.0f} degree as numbers and {:.0f} as tensors; around 0 it is {:.0f} against {:.0f}, because half of "

@@ -6,6 +6,7 @@
 #include "palpate/base/error.h"
 #include "palpate/maps/literal_interpolation.h"
 #include "palpate/maps/measured_data.h"
+#include "palpate/scene/words.h"
 #include "study/numbers/numbers_study.h"
 #include "study/numbers/table_5_1.h"
 
@@ -46,8 +47,7 @@ void addRatios(const PrintedNumbers& printed, Rows& rows) {
   for (std::size_t i = 0; i < measured.size(); ++i) {
     const maps::MeasuredEllipse& row = measured[i];
     const bool swapped = row.major_cm < row.minor_cm;
-    rows.push_back(judged(fmt::format("Appendix C, {} P{} subject {}",
-                                      row.force == maps::ForceDirection::up ? "up" : "down", row.point, row.subject),
+    rows.push_back(judged(fmt::format("Appendix C, {} P{} subject {}", wordFor(row.force), row.point, row.subject),
                           "ratio", printed.appendix_c_ratios[i], row.majorOverMinor(),
                           swapped ? "the \"major\" axis is the shorter one (E30)" : "major over minor"));
   }
@@ -64,8 +64,7 @@ void addMeans(const PrintedNumbers& printed, Rows& rows) {
   std::size_t i = 0;
   for (const auto force : {maps::ForceDirection::up, maps::ForceDirection::down}) {
     for (int point = 1; point <= maps::kMeasuredPoints; ++point) {
-      const std::string where =
-          fmt::format("Appendix C, {} P{} Ave", force == maps::ForceDirection::up ? "up" : "down", point);
+      const std::string where = fmt::format("Appendix C, {} P{} Ave", wordFor(force), point);
       addMean(where, printed.appendix_c_means.at(i++), maps::plainMean(maps::measuredAt(force, point)), rows);
     }
   }

@@ -11,12 +11,14 @@ namespace {
 template <class Value>
 class WordsOfAType : public testing::Test {};
 
-using Types = testing::Types<BodyKind, Unit, StiffnessSource, ContactSource, Move, maps::StiffnessInterpolation,
-                             maps::ForceDirection, maps::Averaging, tissue::ForceLaw::Kind, hdb::TreeKind,
-                             hdb::Assignment, hdb::HdbQuery, std::optional<hdb::LiteralTraversal>, deform::NormalRegion,
-                             deform::Shape, deform::Boundary, deform::Together, deform::Normals, deform::StrainKind,
-                             tissue::ProfileKind, tissue::ProfileRim, tissue::TableLookup, tissue::UserInterpolation,
-                             StandardView, Shading, Colouring, Overlay, FingerShape, StereoMode>;
+using Types =
+    testing::Types<Reading, BodyKind, Unit, body::Side, StiffnessSource, ContactSource, Move,
+                   maps::StiffnessInterpolation, maps::ForceDirection, maps::Averaging,
+                   std::optional<maps::LiteralWeights>, maps::DirectionBlend, tissue::ForceLaw::Kind, hdb::TreeKind,
+                   hdb::Assignment, hdb::HdbQuery, std::optional<hdb::LiteralTraversal>, deform::NormalRegion,
+                   deform::Shape, deform::Boundary, deform::Together, deform::Normals, deform::StrainKind,
+                   tissue::ProfileKind, tissue::ProfileRim, tissue::TableLookup, tissue::UserInterpolation,
+                   StandardView, Shading, Colouring, Overlay, FingerShape, StereoMode>;
 TYPED_TEST_SUITE(WordsOfAType, Types);
 
 /// Two enumerators with one word, or one with two, would read back as something else than was written.

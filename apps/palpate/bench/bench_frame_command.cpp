@@ -8,6 +8,7 @@
 #include "apps/palpate/bench/bench_report.h"
 #include "apps/palpate/bench/frame_run.h"
 #include "apps/palpate/common/commands.h"
+#include "palpate/base/words.h"
 
 namespace palpate::app {
 namespace {
@@ -43,7 +44,7 @@ std::string textOf(const FrameFigures& f) {
 void addBenchFrameCommand(CLI::App& parent) {
   struct Arguments {
     FrameRun run;
-    std::string stereo = "mono";
+    std::string stereo{wordFor(view::StereoMode::mono)};
     bool no_labels = false;
     bool peers = false;
     bool json = false;
@@ -55,8 +56,8 @@ void addBenchFrameCommand(CLI::App& parent) {
   command.add_option("--triangles", run.triangles, "Triangles of the skin; 18,296 of bones come on top")
       ->capture_default_str()
       ->check(CLI::Range(1000, 4000000));
-  const std::map<std::string, view::Shading> shadings{
-      {"gouraud", view::Shading::gouraud}, {"skin", view::Shading::skin}, {"pbr", view::Shading::skin}};
+  std::map<std::string, view::Shading> shadings{{"pbr", view::Shading::skin}};
+  for (const auto& [word, shading] : WordsOf<view::Shading>::kAll) shadings.emplace(word, shading);
   command.add_option("--shading", run.shading, "gouraud, or skin (also called pbr)")
       ->transform(CLI::CheckedTransformer(shadings));
   command.add_option("--stereo", arguments->stereo, "Stereo mode: mono, sbs-half, sbs-full, anaglyph-dubois, ...")

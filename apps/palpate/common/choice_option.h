@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,6 +24,23 @@ Choices<Value> choicesOf() {
     std::replace(choices.back().first.begin(), choices.back().first.end(), '_', '-');
   }
   return choices;
+}
+
+/// The value of one of these names.
+template <class Value>
+std::optional<Value> choiceNamed(const std::string& wanted) {
+  for (const auto& [name, value] : choicesOf<Value>()) {
+    if (name == wanted) return value;
+  }
+  return std::nullopt;
+}
+
+/// For an option that keeps the name itself: it is one of these.
+template <class Value>
+CLI::IsMember oneChoiceOf() {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : choicesOf<Value>()) names.push_back(name);
+  return CLI::IsMember(names);
 }
 
 /// The names with bars between them.

@@ -3,8 +3,8 @@
 
 #include <array>
 #include <functional>
-#include <map>
 #include <memory>
+#include <optional>
 
 #include "apps/palpate/common/choice_option.h"
 #include "apps/palpate/common/commands.h"
@@ -18,13 +18,16 @@ namespace palpate::app {
 
 namespace {
 
+/// (5.7) or a form of (5.16); nothing is GRI.
+using Weights = std::optional<maps::LiteralWeights>;
+
 struct MapArguments {
   MapSource source;
   MapOutput output;
   MeshArguments mesh;
   std::string body = "torso";
   std::size_t triangles = 0;
-  std::string fidelity = "corrected";
+  std::string fidelity = scene::wordsOf({});
   std::string interpolation;
   std::string directions;
   std::vector<double> range;
@@ -40,26 +43,14 @@ MapSkin skinOf(const MapArguments& arguments) {
 
 /// The words of the options as settings. CLI11 has checked them.
 MapSource sourceOf(const MapArguments& arguments) {
-  static const std::map<std::string, std::optional<maps::LiteralWeights>> weight_words{
-      {"", {}},
-      {"gri", {}},
-      {"products", maps::LiteralWeights::products},
-      {"printed-products", maps::LiteralWeights::printed_products},
-      {"single-effects", maps::LiteralWeights::single_effects}};
-  static const std::map<std::string, maps::DirectionBlend> direction_words{
-      {"tensor", maps::DirectionBlend::tensor},
-      {"double-angle", maps::DirectionBlend::double_angle},
-      {"raw-degrees", maps::DirectionBlend::raw_degrees}};
   MapSource source = arguments.source;
   source.fidelity = scene::parseFidelity(arguments.fidelity);
-  for (const auto& [word, interpolation] : choicesOf<maps::StiffnessInterpolation>()) {
-    if (word == arguments.interpolation) source.stiffness.interpolation = interpolation;
+  if (const auto stiffness = choiceNamed<maps::StiffnessInterpolation>(arguments.interpolation)) {
+    source.stiffness.interpolation = *stiffness;
   }
   source.interpolate_depth = !arguments.interpolation.empty();
-  const auto weights = weight_words.find(arguments.interpolation);
-  if (weights != weight_words.end()) source.weights = weights->second;
-  const auto directions = direction_words.find(arguments.directions);
-  if (directions != direction_words.end()) source.directions = directions->second;
+  if (const auto weights = choiceNamed<Weights>(arguments.interpolation)) source.weights = *weights;
+  source.directions = choiceNamed<maps::DirectionBlend>(arguments.directions);
   return source;
 }
 
@@ -152,9 +143,9 @@ void addEllipses(CLI::App& parent) {
       .add_option("--interpolation", a.interpolation,
                   "gri, or a form of the dissertation: (5.16) with E26, "
                   "(5.16) as printed, (5.7); left out: as --fidelity says")
-      ->check(CLI::IsMember({"gri", "products", "printed-products", "single-effects"}));
+      ->check(oneChoiceOf<Weights>());
   command.add_option("--directions", a.directions, "How directions are blended; left out: as --fidelity says")
-      ->check(CLI::IsMember({"tensor", "double-angle", "raw-degrees"}));
+      ->check(oneChoiceOf<maps::DirectionBlend>());
   command.add_option("--fidelity", a.fidelity, "Errata taken literally: corrected, literal, or a list such as E28,E29")
       ->capture_default_str();
   command.callback([arguments] { run(*arguments, ellipsesOver); });
@@ -182,7 +173,7 @@ void addStiffness(CLI::App& parent) {
       .add_option("--interpolation", arguments->interpolation,
                   "Between key points: gri (default), thin-plate or polynomial. Without --keys: the torso measured "
                   "at the seven places")
-      ->check(CLI::IsMember({"gri", "thin-plate", "polynomial"}));
+      ->check(oneChoiceOf<maps::StiffnessInterpolation>());
   command.add_option("--degree", s.polynomial_degree, "Of the polynomial")
       ->check(CLI::Range(std::size_t{0}, maps::kMaxPolynomialDegree))
       ->capture_default_str();

@@ -20,6 +20,7 @@
 #include "palpate/body/hand.h"
 #include "palpate/body/torso.h"
 #include "palpate/mesh/files/save.h"
+#include "palpate/scene/words.h"
 
 namespace palpate::app {
 
@@ -33,7 +34,7 @@ struct ModelOptions {
   std::size_t bone_triangles = 0;
   body::SkinSettings shape;
   double hand_length_mm = body::HandSettings{}.length_mm;
-  std::string side = "right";
+  std::string side{wordFor(body::HandSettings{}.side)};
   bool json = false;
 };
 
@@ -176,7 +177,7 @@ void makeBonesModel(const ModelOptions& options) {
 void makeHandModel(const ModelOptions& options) {
   const auto start = Clock::now();
   body::HandSettings settings;
-  settings.side = options.side == "left" ? body::Side::left : body::Side::right;
+  settings.side = *valueNamed<body::Side>(options.side);
   settings.triangles = options.triangles;
   settings.length_mm = options.hand_length_mm;
   Model model;
@@ -259,7 +260,7 @@ void addHand(CLI::App& model) {
   const auto [command, options] = addModel(model, "hand", "An open hand with the index finger stretched out",
                                            body::HandSettings{}.triangles, makeHandModel);
   command->add_option("--side", options->side, "Which hand")
-      ->check(CLI::IsMember({"right", "left"}))
+      ->check(CLI::IsMember(wordList<body::Side>()))
       ->capture_default_str();
   command->add_option("--length-mm", options->hand_length_mm, "From the wrist's cut to the tip of the index finger")
       ->capture_default_str();

@@ -2,12 +2,14 @@
 #include "palpate/scene/errata.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <charconv>
 
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
+#include "palpate/scene/words.h"
 
 namespace palpate::scene {
 
@@ -113,7 +115,8 @@ const ErratumText& textOf(Erratum erratum) { return kTexts[static_cast<std::size
 Erratum requireErratum(std::string_view name, std::string_view words) {
   const Erratum erratum = erratumNamed(name);
   if (erratum != Erratum::none) return erratum;
-  throw Error(fmt::format("fidelity is \"corrected\", \"literal\" or errata such as E14,E29; not '{}'", words));
+  throw Error(fmt::format("fidelity is \"{}\" or errata such as E14,E29; not '{}'",
+                          fmt::join(allWords<Reading>(), "\", \""), words));
 }
 
 }  // namespace
@@ -143,9 +146,11 @@ void requireSwitchable(Erratum erratum) {
 }
 
 Fidelity parseFidelity(std::string_view words) {
-  if (trimmed(words) == "corrected") return {};
-  if (trimmed(words) == "literal") return literalFidelity();
   Fidelity fidelity;
+  if (const auto all = valueNamed<Reading>(trimmed(words))) {
+    fidelity.setAll(*all == Reading::literal);
+    return fidelity;
+  }
   for (const std::string_view name : split(words, ',')) {
     const Erratum erratum = requireErratum(name, words);
     requireSwitchable(erratum);
@@ -155,8 +160,8 @@ Fidelity parseFidelity(std::string_view words) {
 }
 
 std::string wordsOf(const Fidelity& fidelity) {
-  if (!fidelity.anyLiteral()) return "corrected";
-  if (fidelity == literalFidelity()) return "literal";
+  if (!fidelity.anyLiteral()) return std::string(wordFor(Reading::corrected));
+  if (fidelity == literalFidelity()) return std::string(wordFor(Reading::literal));
   std::string words;
   for (const ErratumText& text : errata()) {
     if (fidelity.literal(text.erratum)) words += (words.empty() ? "" : ",") + nameOf(text.erratum);

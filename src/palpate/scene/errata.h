@@ -26,6 +26,9 @@ enum class LiteralForm : std::uint8_t {
   none,        ///< no printed form that could be computed, or nothing to compute
 };
 
+/// How a formula is taken: what `fidelity` says of all errata or of one.
+enum class Reading : std::uint8_t { corrected, literal };
+
 struct ErratumText {
   Erratum erratum = Erratum::none;
   Severity severity = Severity::cosmetic;

@@ -1,16 +1,20 @@
 // The key `fidelity` of a scene file: one word for all errata, or a table with an entry each.
 #include "palpate/scene/errata.h"
 #include "palpate/scene/section_keys.h"
+#include "palpate/scene/words.h"
 
 namespace palpate::scene {
 
 namespace {
 
-bool readsLiteral(const Entry& entry) { return readWord(entry, {"corrected", "literal"}) == "literal"; }
+bool readsLiteral(const Entry& entry) { return readChoice<Reading>(entry) == Reading::literal; }
 
 void readErratum(Fidelity& fidelity, const Entry& entry, std::string_view name) {
   const Erratum erratum = erratumNamed(name);
-  if (erratum == Erratum::none) entry.fail("is not an erratum; they are E1 to E34, and \"all\"");
+  if (erratum == Erratum::none) {
+    entry.fail(fmt::format("is not an erratum; they are {} to {}, and \"all\"", nameOf(erratumOf(1)),
+                           nameOf(erratumOf(kErrata))));
+  }
   try {
     requireSwitchable(erratum);
   } catch (const Error& error) {
@@ -41,7 +45,7 @@ std::string showFidelity(const Scene& scene) {
   std::string table;
   for (const ErratumText& text : errata()) {
     if (!scene.fidelity.literal(text.erratum)) continue;
-    table += fmt::format("{}{} = \"literal\"", table.empty() ? "" : ", ", nameOf(text.erratum));
+    table += fmt::format("{}{} = \"{}\"", table.empty() ? "" : ", ", nameOf(text.erratum), wordFor(Reading::literal));
   }
   return "{ " + table + " }";
 }
@@ -49,7 +53,7 @@ std::string showFidelity(const Scene& scene) {
 }  // namespace
 
 Key<Scene> fidelityKey() {
-  return {"fidelity", "\"corrected\" or \"literal\", or one word for each erratum: `fidelity.E14 = \"literal\"`",
+  return {"fidelity", choiceWords(wordList<Reading>()) + ", or one word for each erratum: `fidelity.E14 = \"literal\"`",
           "The dissertation's formulae with their errata corrected, or as printed (docs/dissertation.md).",
           [](Scene& scene, const Entry& entry) { readFidelity(scene.fidelity, entry); }, showFidelity};
 }

@@ -1,14 +1,25 @@
 // The words that scene files, commands and panels have for the engine's enumerations: one table a type (base/words.h).
-// Those of pictures stand beside their types in view_settings.h.
+// Those of pictures stand beside their types in view_settings.h. Words that neither scene files nor commands know stand
+// with who uses them: the states of forces.csv in trace/forces_csv.cpp, how the mouse presses in the viewer.
 //
-// A new enumerator needs its word here and nowhere else: the reader, its error messages, the writer, the panels' lists
-// and docs/scene-files.md follow.
+// A new enumerator needs its word in its table and nowhere else: the reader, its error messages, the writer, the
+// panels' lists, the commands' choices and docs/scene-files.md follow. Where people read other words than files have, a
+// titleOf says them.
 #pragma once
 
 #include "palpate/base/words.h"
+#include "palpate/body/hand.h"
+#include "palpate/maps/literal_ellipse_map.h"
+#include "palpate/scene/errata.h"
 #include "palpate/scene/scene.h"
 
 namespace palpate {
+
+template <>
+struct WordsOf<scene::Reading> {
+  using V = scene::Reading;
+  static constexpr std::array kAll = {Word{"corrected", V::corrected}, Word{"literal", V::literal}};
+};
 
 // ---- the body
 
@@ -23,6 +34,12 @@ struct WordsOf<scene::Unit> {
   using V = scene::Unit;
   static constexpr std::array kAll = {Word{"auto", V::from_file}, Word{"mm", V::millimetre}, Word{"cm", V::centimetre},
                                       Word{"dm", V::decimetre},   Word{"m", V::metre},       Word{"in", V::inch}};
+};
+
+template <>
+struct WordsOf<body::Side> {
+  using V = body::Side;
+  static constexpr std::array kAll = {Word{"right", V::right}, Word{"left", V::left}};
 };
 
 // ---- maps
@@ -51,6 +68,23 @@ template <>
 struct WordsOf<maps::Averaging> {
   using V = maps::Averaging;
   static constexpr std::array kAll = {Word{"plain", V::plain}, Word{"tensorial", V::tensorial}};
+};
+
+/// What the ellipse map weighs its key points with: nothing is GRI, the engine's own.
+template <>
+struct WordsOf<std::optional<maps::LiteralWeights>> {
+  using V = maps::LiteralWeights;
+  using Choice = Word<std::optional<V>>;
+  static constexpr std::array kAll = {Choice{"gri", std::nullopt}, Choice{"products", V::products},
+                                      Choice{"printed_products", V::printed_products},
+                                      Choice{"single_effects", V::single_effects}};
+};
+
+template <>
+struct WordsOf<maps::DirectionBlend> {
+  using V = maps::DirectionBlend;
+  static constexpr std::array kAll = {Word{"tensor", V::tensor}, Word{"double_angle", V::double_angle},
+                                      Word{"raw_degrees", V::raw_degrees}};
 };
 
 // ---- touch
