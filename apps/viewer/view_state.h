@@ -5,11 +5,22 @@
 #include <string>
 #include <vector>
 
+#include "palpate/base/words.h"
 #include "palpate/device/mouse_finger.h"
 #include "palpate/view/look.h"
 #include "palpate/view/stereo.h"
 #include "palpate/window/gui.h"
 #include "palpate/window/input.h"
+
+namespace palpate {
+
+template <>
+struct WordsOf<device::PressBy> {
+  using V = device::PressBy;
+  static constexpr std::array kAll = {Word{"depth", V::depth}, Word{"force", V::force}};
+};
+
+}  // namespace palpate
 
 namespace palpate::viewer {
 

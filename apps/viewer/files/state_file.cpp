@@ -11,6 +11,7 @@
 #include "palpate/base/error.h"
 #include "palpate/base/output_file.h"
 #include "palpate/base/text.h"
+#include "palpate/base/words.h"
 #include "palpate/scene/key_table.h"
 
 namespace palpate::viewer {
@@ -64,12 +65,12 @@ void forEachValue(Remembered& r, const Visitor& visit) {
 }
 
 /// How many enumerators an enumeration has that a file may name by number.
+template <class E>
+constexpr int countOf(E) {
+  return static_cast<int>(WordsOf<E>::kAll.size());
+}
 constexpr int countOf(window::Theme) { return static_cast<int>(window::kThemeNames.size()); }
-constexpr int countOf(view::Shading) { return 2; }
-constexpr int countOf(view::FingerShape) { return 3; }
-constexpr int countOf(device::PressBy) { return 2; }
 constexpr int countOf(window::MousePreset) { return static_cast<int>(window::kMousePresetNames.size()); }
-constexpr int countOf(view::StereoMode) { return static_cast<int>(view::kStereoModeNames.size()); }
 
 /// A value out of range or of another type is as good as none: the default stays.
 struct StateReader {

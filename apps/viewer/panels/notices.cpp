@@ -28,7 +28,7 @@ ImVec4 colourOf(Severity severity) {
   return text;
 }
 
-const char* wordFor(Severity severity) {
+const char* prefixOf(Severity severity) {
   if (severity == Severity::error) return "Error: ";
   return severity == Severity::warning ? "Warning: " : "";
 }
@@ -54,7 +54,7 @@ void toast(Messages& messages, double now_s, const FreeArea& free) {
   ImGui::SetNextWindowBgAlpha(0.92f);
   if (ImGui::Begin("toast", nullptr, kNotice)) {
     ImGui::PushTextWrapPos(kWidth - 20.0f);
-    ImGui::TextColored(colourOf(message->severity), "%s%s", wordFor(message->severity), message->text.c_str());
+    ImGui::TextColored(colourOf(message->severity), "%s%s", prefixOf(message->severity), message->text.c_str());
     ImGui::PopTextWrapPos();
     if (message->severity != Severity::info && buttonWidget("toast/dismiss", "Dismiss")) messages.dismiss();
   }
@@ -94,13 +94,13 @@ void messageList(Messages& messages, bool& open) {
     if (buttonWidget("messages/copy", "Copy all")) {
       std::string all;
       for (const Message& message : messages.all()) {
-        all += fmt::format("{}{}\n", wordFor(message.severity), message.text);
+        all += fmt::format("{}{}\n", prefixOf(message.severity), message.text);
       }
       ImGui::SetClipboardText(all.c_str());
     }
     if (messages.all().empty()) remark("Nothing has been said yet.");
     for (const Message& message : messages.all()) {
-      ImGui::TextColored(colourOf(message.severity), "%.1f s  %s", message.at_s, wordFor(message.severity));
+      ImGui::TextColored(colourOf(message.severity), "%.1f s  %s", message.at_s, prefixOf(message.severity));
       ImGui::SameLine(0.0f, 0.0f);
       ImGui::TextWrapped("%s", message.text.c_str());
     }

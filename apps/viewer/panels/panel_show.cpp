@@ -3,6 +3,8 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "apps/viewer/panels/panels.h"
 #include "apps/viewer/panels/widgets.h"
@@ -11,8 +13,23 @@ namespace palpate::viewer {
 
 namespace {
 
-constexpr std::array<std::string_view, 2> kShadings = {"smooth (Gouraud)", "skin"};
-constexpr std::array<std::string_view, 3> kFingerShapes = {"none", "ball", "hand"};
+/// What is read here in place of the words of scene files.
+constexpr std::string_view titleOf(view::Shading shading) {
+  return shading == view::Shading::gouraud ? "smooth (Gouraud)" : wordFor(shading);
+}
+constexpr std::string_view titleOf(view::FingerShape shape) {
+  return shape == view::FingerShape::sphere ? "ball" : wordFor(shape);
+}
+
+/// In the order of the words, which is that of the enumerators.
+template <class E>
+constexpr auto allTitles() {
+  std::array<std::string_view, WordsOf<E>::kAll.size()> titles;
+  for (std::size_t i = 0; i < titles.size(); ++i) titles[i] = titleOf(WordsOf<E>::kAll[i].value);
+  return titles;
+}
+constexpr auto kShadings = allTitles<view::Shading>();
+constexpr auto kFingerShapes = allTitles<view::FingerShape>();
 
 void lookWidgets(const ShowPanel& panel) {
   view::Look& look = panel.look;

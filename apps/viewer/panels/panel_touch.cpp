@@ -12,7 +12,7 @@ namespace palpate::viewer {
 
 namespace {
 
-constexpr std::array<std::string_view, 2> kPressBy = {"depth", "force"};
+constexpr auto kPressBy = allWords<device::PressBy>();
 constexpr std::array<std::string_view, kFingers> kFingerNames = {"left (blue)", "right (red)"};
 
 void pressWidgets(TouchSettings& touch) {
