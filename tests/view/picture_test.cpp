@@ -12,7 +12,6 @@ namespace palpate::view {
 namespace {
 
 constexpr PictureSize kSize{480, 270, 1};
-const LabelSettings kNoLabels{"", false, false, false, false, false, {}};
 
 /// Straight at the flat skin's middle, from 600 mm.
 PictureSettings settingsFor(StereoMode mode) {
@@ -21,7 +20,7 @@ PictureSettings settingsFor(StereoMode mode) {
   settings.camera.distance_mm = 600.0;
   settings.camera.height_rad = 0.3;
   settings.stereo.mode = mode;
-  settings.labels = kNoLabels;
+  settings.labels = LabelSettings::none();
   settings.look.shading = Shading::gouraud;
   return settings;
 }

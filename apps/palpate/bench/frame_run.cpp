@@ -60,7 +60,7 @@ class Bench {
     settings_.look.shading = run.shading;
     settings_.look.skin_opacity = run.skin_opacity;
     settings_.stereo.mode = run.stereo;
-    if (!run.labels) settings_.labels = {"", false, false, false, false, false, {}};
+    if (!run.labels) settings_.labels = view::LabelSettings::none();
     canvas_.framebuffer = target_.framebuffer();
     canvas_.width = run.width;
     canvas_.height = run.height;

@@ -73,7 +73,7 @@ view::PictureSettings settingsFor(const RenderOptions& options, const scene::Wor
   view::PictureSettings settings = view::pictureSettings(world, aspect);
   settings.labels.title = options.title;
   settings.labels.finger_names = fingerNames(world);
-  if (!options.labels) settings.labels = {"", false, false, false, false, false, {}};
+  if (!options.labels) settings.labels = view::LabelSettings::none();
   return settings;
 }
 

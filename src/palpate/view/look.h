@@ -79,6 +79,16 @@ struct LabelSettings {
   bool numbers = true;                    ///< depth and force beside each finger that touches
   bool section = true;                    ///< the cut through the contact, when the look shows it
   std::vector<std::string> finger_names;  ///< in the order of the fingers; empty = without names
+
+  static LabelSettings none() {
+    return {.title = {},
+            .legend = false,
+            .scale_bar = false,
+            .orientation = false,
+            .numbers = false,
+            .section = false,
+            .finger_names = {}};
+  }
 };
 
 }  // namespace palpate::view
