@@ -378,8 +378,13 @@ std::vector<view::FingerMark> Viewer::fingerMarks() {
     const double radius = fingerRadius(session_.scene, i);
     const bool left = i == 0;
     const double outline = i == session_.active_finger ? 0.0 : kOutline;
-    marks.push_back({session_.fingers[i], radius, left ? view::kLeftFinger : view::kRightFinger, radius, left, outline,
-                     peaks_[i].shown(session_.now_s)});
+    marks.push_back({.contact = session_.fingers[i],
+                     .radius_mm = radius,
+                     .colour = left ? view::kLeftFinger : view::kRightFinger,
+                     .haptic_radius_mm = radius,
+                     .left = left,
+                     .outline = outline,
+                     .lifted = peaks_[i].shown(session_.now_s)});
   }
   return marks;
 }

@@ -62,9 +62,13 @@ std::vector<Contacts> wanderingContacts(const mesh::TriangleMesh& mesh, const De
 
 literal::Touch touchOf(const deform::Contact& contact) {
   const maps::SurfaceEllipse& ellipse = contact.normal_region;
-  const auto triangle = static_cast<int>(contact.anchor_triangle);
-  return {contact.anchor,  triangle,           contact.normal, contact.depth_mm,
-          contact.drag_mm, ellipse.half_major, ellipse.aspect};
+  return {.anchor = contact.anchor,
+          .anchor_triangle = static_cast<int>(contact.anchor_triangle),
+          .normal = contact.normal,
+          .depth_mm = contact.depth_mm,
+          .drag_mm = contact.drag_mm,
+          .half_major_mm = ellipse.half_major,
+          .aspect = ellipse.aspect};
 }
 
 /// The times of a step at each place: the shortest, in ns, and all of them as far as there is room, in us.

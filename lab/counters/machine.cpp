@@ -76,8 +76,14 @@ std::string kernelName() { return "unknown"; }
 }  // namespace
 
 Machine thisMachine() {
-  return {fieldOf("/proc/cpuinfo", "model name"),    usableCores(), memoryGb(),     kernelName(), compilerName(),
-          std::string(trimmed(PALPATE_BUILD_FLAGS)), simdName(),    PALPATE_VERSION};
+  return {.cpu = fieldOf("/proc/cpuinfo", "model name"),
+          .cores = usableCores(),
+          .memory_gb = memoryGb(),
+          .kernel = kernelName(),
+          .compiler = compilerName(),
+          .build = std::string(trimmed(PALPATE_BUILD_FLAGS)),
+          .simd = simdName(),
+          .palpate = PALPATE_VERSION};
 }
 
 std::string lineOf(const Machine& m) {

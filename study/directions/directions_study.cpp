@@ -99,7 +99,9 @@ DirectionResults measuredDirections(const StudySettings& settings) {
   const auto places = placesOnBack(settings.quick ? 25.0 : 5.0);
   const int trials = settings.quick ? 100 : 4000;
   const int count = settings.quick ? 5 : 13;
-  DirectionResults results{meansOfAppendixC(), turnByOneFlip(), {}, {}, {}, {}, {}, {}, {}};
+  DirectionResults results;
+  results.means = meansOfAppendixC();
+  results.flip = turnByOneFlip();
   report(settings.progress, "directions over the back", 0.1);
   const auto up = keysOf(maps::ForceDirection::up);
   results.printed_up = compareFields(up, DirectionBlend::raw_degrees, places);

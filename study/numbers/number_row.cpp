@@ -84,8 +84,13 @@ bool agrees(std::string_view printed, double ours) {
 }
 
 NumberRow judged(std::string where, std::string what, const std::string& printed, double ours, std::string reason) {
-  NumberRow row{std::move(where),    std::move(what), printed,          oursText(printed, ours),
-                Verdict::reproduced, Erratum::none,   std::move(reason)};
+  NumberRow row{.where = std::move(where),
+                .what = std::move(what),
+                .printed = printed,
+                .ours = oursText(printed, ours),
+                .verdict = Verdict::reproduced,
+                .erratum = Erratum::none,
+                .reason = std::move(reason)};
   if (agrees(printed, ours)) return row;
   row.verdict = Verdict::not_reproduced;
   if (const Misprint* misprint = misprintOf(row)) {

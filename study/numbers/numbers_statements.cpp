@@ -17,12 +17,24 @@ namespace {
 
 NumberRow inconsistent(const std::string& where, const std::string& what, const std::string& printed,
                        const std::string& ours, Erratum erratum, const std::string& reason) {
-  return {where, what, printed, ours, Verdict::inconsistent, erratum, reason};
+  return {.where = where,
+          .what = what,
+          .printed = printed,
+          .ours = ours,
+          .verdict = Verdict::inconsistent,
+          .erratum = erratum,
+          .reason = reason};
 }
 
 NumberRow notComputable(const std::string& where, const std::string& what, const std::string& printed, Erratum erratum,
                         const std::string& reason) {
-  return {where, what, printed, "", Verdict::not_computable, erratum, reason};
+  return {.where = where,
+          .what = what,
+          .printed = printed,
+          .ours = "",
+          .verdict = Verdict::not_computable,
+          .erratum = erratum,
+          .reason = reason};
 }
 
 NumberRow gridRow() {

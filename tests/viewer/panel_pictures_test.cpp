@@ -126,7 +126,17 @@ class PanelPictures : public testing::Test {
   static constexpr int kFramesToSettle = 3;  // windows that fit their contents know them after a frame
   static constexpr double kLetter = 0.03;    ///< of a block: what a lost letter leaves, also in a large picture
   scene::Scene scene;
-  WorldFacts world{"torso", 20389, 10199, 352.0, 512.0, 214.0, true, true, 0.30, 1.20, {}};
+  WorldFacts world{.name = "torso",
+                   .triangles = 20389,
+                   .vertices = 10199,
+                   .width_mm = 352.0,
+                   .height_mm = 512.0,
+                   .depth_mm = 214.0,
+                   .closed = true,
+                   .has_bones = true,
+                   .softest_n_per_mm = 0.30,
+                   .stiffest_n_per_mm = 1.20,
+                   .notes = {}};
   Plots plots{{SampleHistory(kTicksPerS), SampleHistory(kTicksPerS)}};
   Messages messages;
   Asks asks;

@@ -58,13 +58,21 @@ void appendRow(std::vector<MapColumn>& columns, std::size_t first, const std::ve
 
 ShownQuantity shownOfEllipses(const MapSource& source) {
   if (source.quantity == "aspect") {
-    return {"aspect", "aspect, minor / major axis", "", ColourMap::cividis, {}, {}, false};
+    return {.column = "aspect", .label = "aspect, minor / major axis", .unit = "", .colours = ColourMap::cividis};
   }
   if (source.quantity == "direction") {
-    return {
-        "direction_deg", "direction of the major axis", "degree", ColourMap::cyclic, {}, std::pair{0.0, 180.0}, true};
+    return {.column = "direction_deg",
+            .label = "direction of the major axis",
+            .unit = "degree",
+            .colours = ColourMap::cyclic,
+            .range = std::pair{0.0, 180.0},
+            .directions = true};
   }
-  return {"half_major_mm", "half-major axis", "mm", ColourMap::cool_warm, source.ellipses.basic_radius_mm, {}, false};
+  return {.column = "half_major_mm",
+          .label = "half-major axis",
+          .unit = "mm",
+          .colours = ColourMap::cool_warm,
+          .middle = source.ellipses.basic_radius_mm};
 }
 
 nlohmann::ordered_json errorsAtKeys(const std::vector<maps::KeyPoint>& keys, const maps::LiteralEllipseMap& map) {
@@ -173,7 +181,7 @@ std::vector<maps::KeyPoint> measuredOn(const MapSkin& skin, const std::vector<do
 SkinMap emptyStiffnessMap() {
   SkinMap map;
   map.title = "Stiffness of the body";
-  map.shown = {"stiffness_n_per_mm", "stiffness", "N/mm", ColourMap::viridis, {}, {}, false};
+  map.shown = {.column = "stiffness_n_per_mm", .label = "stiffness", .unit = "N/mm", .colours = ColourMap::viridis};
   map.summary = {{"map", "stiffness"}};
   return map;
 }
@@ -225,13 +233,11 @@ SkinMap contoursOver(const MapSkin& skin, const MapSource& source) {
   const auto contours = std::make_shared<const maps::PolarContourMap>(points, source.ellipses);
   SkinMap map;
   map.title = "Deformation contours: mean radius";
-  map.shown = {"mean_radius_mm",
-               "mean radius of the contour",
-               "mm",
-               ColourMap::cool_warm,
-               source.ellipses.basic_radius_mm,
-               {},
-               false};
+  map.shown = {.column = "mean_radius_mm",
+               .label = "mean radius of the contour",
+               .unit = "mm",
+               .colours = ColourMap::cool_warm,
+               .middle = source.ellipses.basic_radius_mm};
   map.plane_columns = {"mean_radius_mm"};
   for (std::size_t i = 0; i < contours->radii(); ++i) map.plane_columns.push_back(fmt::format("r{}_mm", i));
   map.plane = [contours](const Vec2& place) { return numbersOf(contours->at(place.x(), place.y())); };

@@ -52,9 +52,9 @@ struct ShownQuantity {
   std::string label;
   std::string unit;
   ColourMap colours = ColourMap::viridis;
-  std::optional<double> middle;                    ///< of a diverging map: the value that is grey
-  std::optional<std::pair<double, double>> range;  ///< where it is not that of the data
-  bool directions = false;                         ///< degrees of undirected axes: strokes instead of contour lines
+  std::optional<double> middle = {};                    ///< of a diverging map: the value that is grey
+  std::optional<std::pair<double, double>> range = {};  ///< where it is not that of the data
+  bool directions = false;  ///< degrees of undirected axes: strokes instead of contour lines
 };
 
 /// A map over a skin, ready to be written (map_output.h).

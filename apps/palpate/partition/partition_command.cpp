@@ -131,13 +131,13 @@ void runPartition(const PartitionArguments& arguments) {
   ProgressLine progress;
   const mesh::TriangleMesh mesh = meshFrom(arguments.mesh.file, arguments.mesh.options, progress.callback());
   const Built built = build(mesh, arguments, progress.callback());
-  PartitionReport report{arguments.mesh.file,
-                         mesh.triangles.size(),
-                         arguments.settings,
-                         hdb::statisticsOf(built.partition),
-                         built.seconds,
-                         built.lost,
-                         {}};
+  PartitionReport report{.mesh = arguments.mesh.file,
+                         .triangles = mesh.triangles.size(),
+                         .settings = arguments.settings,
+                         .statistics = hdb::statisticsOf(built.partition),
+                         .build_seconds = built.seconds,
+                         .lost = built.lost,
+                         .box = {}};
   if (!arguments.box.empty()) report.box = askBox(mesh, built.partition, arguments);
   if (!arguments.leaves_file.empty()) writeLeafColours(arguments.leaves_file, mesh, built.partition);
   if (!arguments.selection_file.empty()) {

@@ -108,8 +108,14 @@ Quad quadAt(const Band& band, std::span<const std::array<Index, 3>> neighbours, 
   const int other_edge = edgeFacing(neighbours[other], t);
   const Triangle& here = band.lifted.triangles[t];
   const Triangle& there = band.lifted.triangles[other];
-  return {
-      t, other, edge, other_edge, here[edge], here[(edge + 1) % 3], here[(edge + 2) % 3], there[(other_edge + 2) % 3]};
+  return {.t = t,
+          .other = other,
+          .edge = edge,
+          .other_edge = other_edge,
+          .a = here[edge],
+          .b = here[(edge + 1) % 3],
+          .c = here[(edge + 2) % 3],
+          .d = there[(other_edge + 2) % 3]};
 }
 
 /// True when the other diagonal gives rounder triangles: the angles facing the shared edge sum to more than pi.

@@ -112,7 +112,14 @@ void Painter::setWorld(std::shared_ptr<const scene::World> world) {
 
 Painted Painter::paint(const Frame& frame, const deform::DeformedSurface& surface, const PictureSettings& settings,
                        const Canvas& canvas, const DrawOver& draw_over) {
-  Job job{frame, surface, settings, canvas, draw_over, settings.stereo, {}, {}};
+  Job job{.frame = frame,
+          .surface = surface,
+          .settings = settings,
+          .canvas = canvas,
+          .draw_over = draw_over,
+          .stereo = settings.stereo,
+          .picture = {},
+          .eyes = {}};
   const UsableMode usable = usableMode(job.stereo.mode, canvas.quad_buffer);
   job.stereo.mode = usable.mode;
   job.picture = eyePictureIn(usable.mode, canvas.width, canvas.height);

@@ -229,14 +229,14 @@ GltfAccessors::View GltfAccessors::readView(JsonValue view) const {
 
 /// What is missing or wrong is only said when the accessor is used: animations may hold what meshes may not.
 GltfAccessors::Accessor GltfAccessors::outlineOf(JsonValue accessor) {
-  return {accessor,
-          accessor["bufferView"],
-          accessor["type"],
-          accessor["componentType"],
-          accessor["count"],
-          accessor["byteOffset"],
-          accessor["normalized"].isTrue(),
-          static_cast<bool>(accessor["sparse"])};
+  return {.where = accessor,
+          .view = accessor["bufferView"],
+          .type = accessor["type"],
+          .component_type = accessor["componentType"],
+          .count = accessor["count"],
+          .offset = accessor["byteOffset"],
+          .normalised = accessor["normalized"].isTrue(),
+          .sparse = static_cast<bool>(accessor["sparse"])};
 }
 
 GltfAccessors::Elements GltfAccessors::elements(JsonValue accessor_index, std::string_view type,

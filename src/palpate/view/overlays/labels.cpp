@@ -35,13 +35,13 @@ std::string highWord(Colouring colouring) { return colouring == Colouring::strai
 
 Legend legendOf(const LabelScene& scene, const ColourScale& scale) {
   const Look& look = scene.look;
-  Legend legend{std::string(scale.title),
-                std::string(scale.unit),
-                lowWord(look.colouring),
-                highWord(look.colouring),
-                look.range(),
-                scale.map,
-                {}};
+  Legend legend{.title = std::string(scale.title),
+                .unit = std::string(scale.unit),
+                .low_word = lowWord(look.colouring),
+                .high_word = highWord(look.colouring),
+                .range = look.range(),
+                .map = scale.map,
+                .marks = {}};
   for (const FingerMark& finger : scene.frame.fingers) {
     const auto value = valueUnder(scene.world, scene.surface, look, finger.contact);
     if (value) legend.marks.push_back({*value, encodedColour(finger.colour)});
