@@ -87,7 +87,7 @@ TEST(SkinSurface, NormalIsPerpendicularToTheSurfaceAlsoWhenItIsBent) {
 TEST(SkinSurface, GrowsWithStature) {
   const SkinSurface man;
   const SkinSurface child(1400);
-  const SkinPlace place{0.4, -50};
+  const SkinAngle place{0.4, -50};
   EXPECT_NEAR((child.at(place).position - 0.8 * man.at(place).position).norm(), 0, 1e-9);
 }
 

@@ -22,6 +22,6 @@ FlatOutline skinOutline(SkinExtent extent);
 /// The angle (rad) of the right border at a height of the table's man.
 double borderAngle(double y);
 
-inline SkinPlace placeOfFlat(const Vec2& flat) { return {flat.x() / kFlatRadius, flat.y()}; }
+inline SkinAngle placeOfFlat(const Vec2& flat) { return {flat.x() / kFlatRadius, flat.y()}; }
 
 }  // namespace palpate::body

@@ -49,15 +49,15 @@ struct Grid {
 };
 
 /// Outside the outline the fitted surface is extrapolation: those sites repeat the place at the border.
-SkinPlace placeOfSite(int across, int along) {
-  SkinPlace place = placeOfUnit(splineSite(kAcross, across), splineSite(kAlong, along));
+SkinAngle placeOfSite(int across, int along) {
+  SkinAngle place = placeOfUnit(splineSite(kAcross, across), splineSite(kAlong, along));
   const double limit = borderAngle(place.y);
   place.angle = std::clamp(place.angle, -limit, limit);
   return place;
 }
 
 /// Grows smoothly from the side border inwards.
-double insideBorder(const SkinPlace& place) {
+double insideBorder(const SkinAngle& place) {
   constexpr double kMargin = 4;  // mm, so that the spline's own smoothing does not reach the border
   constexpr double kFade = 45;   // mm; shorter, and the tip of the shoulder shows a dent
   const double distance = kFlatRadius * (borderAngle(place.y) - std::abs(place.angle));
@@ -70,7 +70,7 @@ Grid makeGrid() {
   Grid grid;
   for (int j = 0; j < kAlong; ++j) {
     for (int i = 0; i < kAcross; ++i) {
-      const SkinPlace place = placeOfSite(i, j);
+      const SkinAngle place = placeOfSite(i, j);
       const SkinPoint point = bare.at(place);
       grid.position.push_back(point.position);
       grid.inside.push_back(insideBorder(place));

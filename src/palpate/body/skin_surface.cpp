@@ -80,11 +80,11 @@ Warped warp(const Asymmetry& asymmetry, const Vec3& point) {
   return result;
 }
 
-SkinPlace placeOfUnit(double u, double v) {
+SkinAngle placeOfUnit(double u, double v) {
   return {(2 * u - 1) * kSkinHalfAngle, kSkinLow + v * (kSkinHigh - kSkinLow)};
 }
 
-Vec2 unitOfPlace(const SkinPlace& place) {
+Vec2 unitOfPlace(const SkinAngle& place) {
   return {(place.angle / kSkinHalfAngle + 1) / 2, (place.y - kSkinLow) / (kSkinHigh - kSkinLow)};
 }
 
@@ -95,7 +95,7 @@ SkinSurface::SkinSurface(double stature_mm, BicubicSpline detail, const Asymmetr
   asymmetry_.stature_scale = 1;  // the warp is applied before the scaling
 }
 
-SplineValue SkinSurface::radius(const SkinPlace& place) const {
+SplineValue SkinSurface::radius(const SkinAngle& place) const {
   const Vec2 unit = unitOfPlace(place);
   const SplineValue base = base_.at(unit.x(), unit.y());
   const SplineValue detail = detail_.at(unit.x(), unit.y());
@@ -103,7 +103,7 @@ SplineValue SkinSurface::radius(const SkinPlace& place) const {
           (base.dv + detail.dv) / (kSkinHigh - kSkinLow)};
 }
 
-SkinPoint SkinSurface::at(const SkinPlace& place) const {
+SkinPoint SkinSurface::at(const SkinAngle& place) const {
   const SplineValue r = radius(place);
   const double s = std::sin(place.angle);
   const double c = std::cos(place.angle);

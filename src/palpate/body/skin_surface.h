@@ -30,7 +30,7 @@ Warped warp(const Asymmetry& asymmetry, const Vec3& point);
 
 /// Where a point of the skin is: angle about the axis (rad, positive to the right) and height (mm), both of the table's
 /// man of 1750 mm whatever the stature.
-struct SkinPlace {
+struct SkinAngle {
   double angle = 0;
   double y = 0;
 };
@@ -47,7 +47,7 @@ class SkinSurface {
   /// `detail` is added to the radius, mm over the spline's unit square (see unitPlace); `asymmetry` bends the result.
   SkinSurface(double stature_mm, BicubicSpline detail, const Asymmetry& asymmetry);
 
-  SkinPoint at(const SkinPlace& place) const;
+  SkinPoint at(const SkinAngle& place) const;
   /// z of the symmetric, unbent skin over (x, y) in mm of this stature; found by walking the angle. x within +-135 mm
   /// and y within [-292, 200] mm of a man of 1750 mm, where the skin is a height field.
   double heightOver(double x, double y) const;
@@ -55,7 +55,7 @@ class SkinSurface {
   double scale() const { return scale_; }
 
  private:
-  SplineValue radius(const SkinPlace& place) const;
+  SplineValue radius(const SkinAngle& place) const;
 
   double scale_;
   BicubicSpline base_;
@@ -64,7 +64,7 @@ class SkinSurface {
 };
 
 /// The place of a unit-square coordinate of the skin's splines, and back.
-SkinPlace placeOfUnit(double u, double v);
-Vec2 unitOfPlace(const SkinPlace& place);
+SkinAngle placeOfUnit(double u, double v);
+Vec2 unitOfPlace(const SkinAngle& place);
 
 }  // namespace palpate::body
