@@ -78,9 +78,9 @@ BoneLayer::BoneLayer() : program_("bones", kSharedShader, kBoneVertex, kBoneFrag
   glBindVertexArray(vertex_array_.get());
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles_.get());
   glBindBuffer(GL_ARRAY_BUFFER, vertices_.get());
-  readAt(0, 3, GL_FLOAT, sizeof(BoneVertex), offsetof(BoneVertex, place));
-  readAt(1, 3, GL_FLOAT, sizeof(BoneVertex), offsetof(BoneVertex, normal));
-  readAt(2, 3, GL_FLOAT, sizeof(BoneVertex), offsetof(BoneVertex, to_skin));
+  attributeAt(0, 3, GL_FLOAT, sizeof(BoneVertex), offsetof(BoneVertex, place));
+  attributeAt(1, 3, GL_FLOAT, sizeof(BoneVertex), offsetof(BoneVertex, normal));
+  attributeAt(2, 3, GL_FLOAT, sizeof(BoneVertex), offsetof(BoneVertex, to_skin));
   glBindVertexArray(0);
 }
 

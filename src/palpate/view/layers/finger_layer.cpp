@@ -88,7 +88,7 @@ std::vector<Vec3f> floatsOf(const std::vector<Vec3>& values) {
 
 void pointAt(GLuint location, GLuint buffer, const std::vector<Vec3f>& values) {
   fillBuffer<Vec3f>(GL_ARRAY_BUFFER, buffer, values);
-  readAt(location, 3, GL_FLOAT);
+  attributeAt(location, 3, GL_FLOAT);
 }
 
 }  // namespace

@@ -103,8 +103,8 @@ LineLayer::LineLayer()
       patches_("patches", kSharedShader, kPointVertex, kPatchFragment) {
   glBindVertexArray(vertex_array_.get());
   glBindBuffer(GL_ARRAY_BUFFER, points_.get());
-  readAt(0, 3, GL_FLOAT, sizeof(PaintedPoint));
-  readAt(1, 4, GL_UNSIGNED_BYTE, sizeof(PaintedPoint), offsetof(PaintedPoint, paint));
+  attributeAt(0, 3, GL_FLOAT, sizeof(PaintedPoint));
+  attributeAt(1, 4, GL_UNSIGNED_BYTE, sizeof(PaintedPoint), offsetof(PaintedPoint, paint));
   glBindVertexArray(0);
 }
 

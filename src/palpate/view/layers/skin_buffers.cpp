@@ -28,7 +28,7 @@ std::span<const float> streamOf(const deform::DeformedSurface& surface, int arra
 
 void pointAt(GLuint location, GLuint buffer, GLint size, GLenum type, std::size_t offset) {
   glBindBuffer(GL_ARRAY_BUFFER, buffer);
-  readAt(location, size, type, 0, offset);
+  attributeAt(location, size, type, 0, offset);
 }
 
 /// Into the array buffer that is bound.
