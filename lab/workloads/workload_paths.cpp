@@ -328,18 +328,6 @@ device::Trajectory orbit(const mesh::TriangleMesh& body, const Vec3& centre) {
   });
 }
 
-Vec3 bunnyCentre(const mesh::TriangleMesh& bunny) {
-  Vec3 sum = Vec3::Zero();
-  double count = 0;
-  for (const Vec3& p : bunny.positions) {
-    if (p.z() >= 60) continue;
-    sum += p;
-    ++count;
-  }
-  if (count == 0) throw Error("the bunny has no vertex below z = 60 mm");
-  return {sum.x() / count, sum.y() / count, 35.0};
-}
-
 device::Trajectory workloadPath(std::string_view name) {
   if (name == "back_slide") return backSlide();
   if (name == "pit") return pitShake(400);

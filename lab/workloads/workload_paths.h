@@ -54,7 +54,5 @@ device::Trajectory latticeGroove(std::uint64_t seed);
 
 /// Around a body, 5 to 10 mm below the outermost skin seen from `centre`, at up to 0.2 m/s radially. 20 s.
 device::Trajectory orbit(const mesh::TriangleMesh& body, const Vec3& centre);
-/// The centre that the benchmark takes for its bunny (feet at z = 0).
-Vec3 bunnyCentre(const mesh::TriangleMesh& bunny);
 
 }  // namespace palpate::lab
