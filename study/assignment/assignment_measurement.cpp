@@ -10,7 +10,7 @@
 #include "palpate/hdb/literal_traversal.h"
 #include "palpate/hdb/statistics.h"
 #include "study/measured/haptic_frames.h"
-#include "study/stopwatch.h"
+#include "study/measured/stopwatch.h"
 
 namespace palpate::study {
 

@@ -8,7 +8,7 @@
 #include "palpate/contact/finger.h"
 #include "study/measured/finger_strokes.h"
 #include "study/measured/literal_process.h"
-#include "study/stopwatch.h"
+#include "study/measured/stopwatch.h"
 
 namespace palpate::study {
 

@@ -11,7 +11,7 @@
 #include "palpate/view/layers/immediate_drawing.h"
 #include "study/measured/haptic_frames.h"
 #include "study/measured/literal_process.h"
-#include "study/stopwatch.h"
+#include "study/measured/stopwatch.h"
 
 namespace palpate::study {
 
