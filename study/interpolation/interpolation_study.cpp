@@ -27,7 +27,7 @@ constexpr std::array<const char*, kInterpolators.size()> kNames{"mean of the oth
 
 using Errors = std::array<LeftOutErrors, kInterpolators.size()>;
 
-struct InterpolationErrors {
+struct InterpolationResults {
   Errors means;           // the two sets of means: up and down
   Errors subjects;        // every subject by itself
   double scatter_mm = 0;  // between subjects at the same point
@@ -76,7 +76,7 @@ std::pair<double, double> rangeOverBack(Interpolator interpolator, const std::ve
   return range;
 }
 
-void compareUpAndDown(const std::vector<Vec2>& places, InterpolationErrors& results) {
+void compareUpAndDown(const std::vector<Vec2>& places, InterpolationResults& results) {
   const TensorField up = *fieldThrough(meanSet(ForceDirection::up), Interpolator::gri, kEffectRadius);
   const TensorField down = *fieldThrough(meanSet(ForceDirection::down), Interpolator::gri, kEffectRadius);
   for (const Vec2& place : places) {
@@ -87,7 +87,7 @@ void compareUpAndDown(const std::vector<Vec2>& places, InterpolationErrors& resu
   results.up_down_mm = std::sqrt(results.up_down_mm);
 }
 
-void sweepRadii(bool quick, InterpolationErrors& results) {
+void sweepRadii(bool quick, InterpolationResults& results) {
   const auto sets = allSubjects();
   for (double radius = 50.0; radius <= 600.0; radius += quick ? 150.0 : 25.0) {
     results.radii.push_back(radius);
@@ -96,8 +96,8 @@ void sweepRadii(bool quick, InterpolationErrors& results) {
   }
 }
 
-InterpolationErrors measuredErrors(const StudySettings& settings) {
-  InterpolationErrors results;
+InterpolationResults measuredResults(const StudySettings& settings) {
+  InterpolationResults results;
   report(settings.progress, "leaving points out", 0.1);
   results.means = errorsOf({meanSet(ForceDirection::up), meanSet(ForceDirection::down)});
   results.subjects = errorsOf(allSubjects());
@@ -117,7 +117,7 @@ InterpolationErrors measuredErrors(const StudySettings& settings) {
 // --- figures
 
 // Degree 2 runs away by more than the others differ: the table has it.
-Plot methodPlot(const InterpolationErrors& results) {
+Plot methodPlot(const InterpolationResults& results) {
   constexpr std::array kShort{"mean", "GRI, 150", "GRI, mean", "thin plate", "degree 1"};
   const double right = kShort.size() + 1.0;
   Plot plot{.title = "A point left out, foretold from the others"};
@@ -143,7 +143,7 @@ Plot methodPlot(const InterpolationErrors& results) {
   return plot;
 }
 
-Plot widthPlot(const InterpolationErrors& results) {
+Plot widthPlot(const InterpolationResults& results) {
   Plot plot{.title = "GRI over its effect radius, each subject by itself"};
   plot.x = {.label = "effect radius", .unit = "mm", .from = 0.0, .to = 600.0};
   plot.y = {.label = "error of the boundary, rms", .unit = "mm", .from = 0.0, .to = 35.0};
@@ -167,7 +167,7 @@ Plot widthPlot(const InterpolationErrors& results) {
   return plot;
 }
 
-std::vector<StudyFigure> figuresOf(const InterpolationErrors& results, bool quick) {
+std::vector<StudyFigure> figuresOf(const InterpolationResults& results, bool quick) {
   const double step = quick ? 25.0 : 4.0;
   const Figure left_out{.panels = {methodPlot(results), widthPlot(results)}, .columns = 2, .panel_width_px = 560.0};
   return {
@@ -194,7 +194,7 @@ std::vector<StudyFigure> figuresOf(const InterpolationErrors& results, bool quic
 
 // --- words
 
-StudyTable leftOutTable(const InterpolationErrors& results) {
+StudyTable leftOutTable(const InterpolationResults& results) {
   StudyTable table{
       "interpolation_errors",
       fmt::format("A point left out and foretold from the others; the scatter between subjects at one point is "
@@ -252,12 +252,12 @@ std::size_t bestInterpolator(const Errors& errors) {
   return best;
 }
 
-double bestRadius(const InterpolationErrors& results) {
+double bestRadius(const InterpolationResults& results) {
   const auto best = std::min_element(results.subject_error_mm.begin(), results.subject_error_mm.end());
   return results.radii[static_cast<std::size_t>(best - results.subject_error_mm.begin())];
 }
 
-std::vector<std::string> findingsOf(const InterpolationErrors& results) {
+std::vector<std::string> findingsOf(const InterpolationResults& results) {
   const Errors& subjects = results.subjects;
   const double engine = subjects[1].rms_mm;
   const auto best_width = *std::min_element(results.subject_error_mm.begin(), results.subject_error_mm.end());
@@ -298,7 +298,7 @@ std::vector<std::string> findingsOf(const InterpolationErrors& results) {
 }  // namespace
 
 StudyPage studyInterpolation(const StudySettings& settings) {
-  const InterpolationErrors results = measuredErrors(settings);
+  const InterpolationResults results = measuredResults(settings);
   return {
       .title = "Interpolating measured ellipses",
       .question =
