@@ -23,7 +23,7 @@ void requireVerticesOfTriangles(const mesh::TriangleMesh& mesh) {
 }
 
 void storeRestPositions(const mesh::TriangleMesh& mesh, Skin& skin) {
-  skin.rest = FloatStreams(6, std::size_t{skin.blocks} * kBlockVertices, 0);
+  skin.rest = FloatStreams(kRestStreams, std::size_t{skin.blocks} * kBlockVertices, 0);
   for (Index v = 0; v < skin.vertices; ++v) {
     for (int axis = 0; axis < 3; ++axis) skin.rest[axis][v] = static_cast<float>(mesh.positions[v][axis]);
   }

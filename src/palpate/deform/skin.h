@@ -10,10 +10,13 @@
 
 namespace palpate::deform {
 
+/// Of the rest shape: x, y, z, nx, ny, nz.
+inline constexpr std::size_t kRestStreams = 6;
+
 struct Skin {
   Index vertices = 0;
   Index blocks = 0;
-  FloatStreams rest;  ///< x, y, z, nx, ny, nz; padded to whole blocks with zeros
+  FloatStreams rest;  ///< kRestStreams, padded to whole blocks with zeros
   std::vector<Triangle> triangles;
   mesh::IndexRows neighbours;
   mesh::IndexRows triangles_of_vertex;

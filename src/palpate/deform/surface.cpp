@@ -11,8 +11,8 @@ namespace palpate::deform {
 
 DeformedSurface::DeformedSurface(const Skin& skin)
     : vertices_(skin.vertices),
-      // the rest shape's six arrays take the phases before (FloatStreams)
-      streams_(kStreams, std::size_t{skin.blocks} * kBlockVertices, 6),
+      // the rest shape's arrays take the phases before (FloatStreams)
+      streams_(kStreams, std::size_t{skin.blocks} * kBlockVertices, kRestStreams),
       written_(skin.blocks) {
   changed_.reserve(skin.blocks);
   for (Index b = 0; b < skin.blocks; ++b) restore(skin, b);
