@@ -3,6 +3,7 @@
 //   example_feel_a_back [scene.toml]      without a scene: the built-in torso
 //
 // A device loop does the same once a millisecond: the tip's place goes to feel(), the force to the motors.
+#include <algorithm>
 #include <cstdio>
 
 #include "palpate/engine/simulator.h"

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include "palpate/view/offscreen.h"
 #include "palpate/view/renderer.h"

@@ -2,6 +2,7 @@
 #include "palpate/device/device.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "palpate/base/error.h"
 
