@@ -1,5 +1,5 @@
-// What must hold in every tick of a finger, whatever the surface and the
-// trajectory: checked from its outputs with the judge's own geometry.
+// What must hold in every tick of a finger, whatever the surface and the trajectory: checked from its outputs with the
+// judge's own geometry.
 #pragma once
 
 #include <array>

@@ -32,8 +32,8 @@ struct SheetSize {
 /// stores them. The count is made exact by splitting border edges. Throws Error when it cannot be reached.
 mesh::TriangleMesh sheet(const SheetSize& size, const HeightField& height);
 
-/// The height of the benchmark's back at any (x, y), about 0 to 120 mm: a round torso, the long
-/// curvature, spinal furrow, two scapulae and spinous processes.
+/// The height of the benchmark's back at any (x, y), about 0 to 120 mm: a round torso, the long curvature, spinal
+/// furrow, two scapulae and spinous processes.
 double backHeight(double x, double y);
 
 mesh::TriangleMesh backMesh(std::size_t triangles);

@@ -1,7 +1,7 @@
 // A contact made ready: checked, capped, with the regions of its two parts turned into its tangent plane.
 //
 // First step of an apply. Both displacements work on framed contacts; what a region is differs: a plain ellipse here,
-// any shape in region_frame.h. In double. Based on: Ji, dissertation 2008, sections 4.3 and 4.4, with E14.
+// any shape in region_frame.h. In double. Based on: Ji, dissertation 2008, sections 4.3 and 4.4, with E14 and E32.
 #pragma once
 
 #include "palpate/deform/contact.h"

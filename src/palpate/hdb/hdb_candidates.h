@@ -19,8 +19,6 @@
 
 namespace palpate::hdb {
 
-// How a finger of the HDB source looks for the triangles that it may touch (hdb_candidates.h).
-
 /// What the detecting box gives.
 enum class HdbQuery : std::uint8_t {
   leaves,     ///< all triangles of the leaves that it meets: the dissertation's haptic process
@@ -31,7 +29,7 @@ enum class HdbQuery : std::uint8_t {
 struct HdbSettings {
   Vec3 edges_mm = Vec3::Zero();  ///< of the detecting box
   HdbQuery query = HdbQuery::leaves;
-  std::optional<hdb::LiteralTraversal> literal;  ///< for HdbQuery::leaves only
+  std::optional<LiteralTraversal> literal;  ///< for HdbQuery::leaves only
   /// Ticks that the box stays where it is before it follows the proxy; the dissertation's box moved once a frame of the
   /// haptic scene, some 20 to 100 ticks.
   std::uint32_t ticks_per_refresh = 1;
@@ -39,7 +37,7 @@ struct HdbSettings {
 
 /// What fingers of this source share. Immutable once made; a rebuilt partition makes another.
 struct HdbSurface {
-  std::shared_ptr<const hdb::Partition> partition;
+  std::shared_ptr<const Partition> partition;
   std::vector<Index> record_of_triangle;  ///< triangle of the mesh -> record of the surface's tree; kNoIndex: none
   HdbSettings settings;
 };
@@ -47,7 +45,7 @@ struct HdbSurface {
 /// `partition` must be built from the mesh of `surface`. Throws Error for another mesh, for edges that are not
 /// positive, and for a literal traversal that does not suit the tree or the query.
 std::shared_ptr<const HdbSurface> makeHdbSurface(const contact::Surface& surface,
-                                                 std::shared_ptr<const hdb::Partition> partition,
+                                                 std::shared_ptr<const Partition> partition,
                                                  const HdbSettings& settings);
 
 /// The memory of one finger's box; every finger has its own. Made for one HdbSurface, after which nothing allocates.
@@ -66,18 +64,18 @@ class HdbCandidates {
   const std::vector<Index>& near(const Box3& box) noexcept;
 
   /// Triangles in the list: an upper bound where the partition repeats them.
-  std::size_t size() const noexcept { return hdb::entriesIn(ranges()); }
+  std::size_t size() const noexcept { return entriesIn(ranges()); }
   /// Times that the partition was asked.
   std::uint64_t queries() const { return queries_; }
 
  private:
-  const std::vector<hdb::EntryRange>& ranges() const;
+  const std::vector<EntryRange>& ranges() const;
   void findLeaves(const Box3& box) noexcept;
 
   std::shared_ptr<const HdbSurface> surface_;
-  hdb::LeafHits leaves_;
-  std::vector<hdb::EntryRange> leaf_ranges_;
-  hdb::CoherentList list_;  ///< also of HdbQuery::triangles: its hits alone
+  LeafHits leaves_;
+  std::vector<EntryRange> leaf_ranges_;
+  CoherentList list_;  ///< also of HdbQuery::triangles: its hits alone
   std::vector<Index> near_;
   std::uint32_t ticks_left_ = 0;
   std::uint64_t queries_ = 0;

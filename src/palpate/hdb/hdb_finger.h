@@ -1,9 +1,9 @@
 // The dissertation's haptic process as a source of contact: a finger that collides only with the triangles that the
 // haptic detecting box (HDB) found around its proxy.
 //
-// The default finger (finger.h) walks on the whole surface; this one sees a loose list of triangles, as the haptic
-// toolkit of the dissertation did, and has the weaknesses of that: a finger that moves farther than half an edge of the
-// box before the box follows passes the skin unseen (E12). Its answer means the same as the default finger's.
+// The default finger (contact/finger.h) walks on the whole surface; this one sees a loose list of triangles, as the
+// haptic toolkit of the dissertation did, and has the weaknesses of that: a finger that moves farther than half an edge
+// of the box before the box follows passes the skin unseen (E12). Its answer means the same as the default finger's.
 #pragma once
 
 #include "palpate/contact/finger.h"

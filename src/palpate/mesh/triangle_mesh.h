@@ -17,7 +17,7 @@ struct TriangleMesh {
 /// The axis-aligned box of all vertices; empty (min > max) for a mesh without vertices.
 Eigen::AlignedBox3d boundingBox(const TriangleMesh& mesh);
 
-/// Adds all vertices and triangles of another mesh behind those of `to`.
+/// Adds all vertices and triangles of another mesh than `to` itself behind those of `to`.
 void append(const TriangleMesh& more, TriangleMesh& to);
 
 /// Farther out than this (mm) a coordinate is as good as infinite: products of three still fit a double.

@@ -20,7 +20,7 @@
 namespace palpate::tree {
 
 /// A triangle as a walk over the surface needs it. Triangles are named by their record's index ("leaf order")
-/// everywhere in `partition` and `contact`; `TriangleTree::source_triangle` leads back to the mesh.
+/// everywhere in `tree` and `contact`; `TriangleTree::source_triangle` leads back to the mesh.
 struct alignas(32) TriangleRecord {
   std::array<Vec3, 3> corners;      ///< mm
   std::array<Index, 3> neighbours;  ///< record across edge i = (corner i, corner i + 1); kNoIndex at a border

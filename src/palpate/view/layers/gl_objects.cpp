@@ -1,4 +1,4 @@
-// Compiles and links one program when it is first wanted; what the compiler says goes into the Error. Own.
+// A program compiles and links as it is constructed; what the compiler says goes into the Error. Own.
 #include "palpate/view/layers/gl_objects.h"
 
 #include <fmt/format.h>
