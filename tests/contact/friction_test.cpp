@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "contact/finger_track.h"
+#include "palpate/contact/felt_force.h"
 #include "support/golden.h"
 #include "support/mesh_zoo.h"
 
@@ -21,13 +22,27 @@ Vec3 anchorOfForce(const Vec3& proxy, const Vec3& tip, const Vec3& normal, const
 
 }  // namespace
 
-TEST(Friction, AnchorOfAForceAgreesWithTheGoldenFile) {
-  const auto golden = test::golden("friction_anchor");
-  for (const auto& test : golden["cases"]) {
-    const Vec3 anchor =
-        anchorOfForce(test::vec3(test["P"]), test::vec3(test["D"]), test::vec3(test["n"]), test::vec3(test["F"]));
-    EXPECT_NEAR((anchor - test::vec3(test["expected_A"])).norm(), 0, 1e-9) << test.dump();
+TEST(Friction, HeldAtTheGoldenFilesAnchorsAFingerFeelsItsForces) {
+  FingerSettings settings;
+  settings.mu_static = settings.mu_dynamic = 1e9;  // the file's forces know no slip
+  int pressing = 0;
+  for (const auto& c : test::goldenRows("friction_anchor", "cases")) {
+    const Vec3 proxy = test::vec3(c["P"]), tip = test::vec3(c["D"]), normal = test::vec3(c["n"]);
+    const Vec3 force = test::vec3(c["F"]);
+    const double depth = (proxy - tip).dot(normal);
+    const double normal_force = force.dot(normal);
+    if (!(depth > 0.0) || !(normal_force > 0.0)) continue;  // without contact there is no anchor to be held at
+    const Surface plate = surfaceOf(zoo::oneTriangle(), normal_force / depth);
+    FingerState state;
+    state.proxy = {plate.tree.records[0].corners[0], 0, tree::Feature::face};
+    state.anchor = {test::vec3(c["expected_A"]), 0, tree::Feature::face};
+    const Press press{true, proxy, normal, depth, depth, 0};
+    const FingerOutput output = pressedOutput(plate, settings, press, tip, holdOnSkin, state);
+    EXPECT_EQ(output.touch, Touch::stick) << c;
+    EXPECT_NEAR((output.force - force).norm(), 0, 1e-9) << c;
+    ++pressing;
   }
+  EXPECT_EQ(pressing, 5);
 }
 
 TEST(Friction, TheFingersOwnForceLeadsBackToItsAnchor) {
