@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "deform/golden_grid.h"
@@ -20,8 +21,10 @@ using test::triangleNear;
 
 TEST(Deformer, DeformsTheReferenceGrid) {
   Stage stage(test::goldenGrid());
+  int cases = 0;
   for (const auto& c : test::goldenRows("fsmd_grid", "cases")) {
     if (c["mode"] != "recommended") continue;
+    ++cases;
     const Contact contact = test::goldenContact(stage.mesh, c);
     stage.apply({contact});
 
@@ -37,6 +40,7 @@ TEST(Deformer, DeformsTheReferenceGrid) {
       }
     }
   }
+  EXPECT_EQ(cases, 4);
 }
 
 TEST(Deformer, AgreesWithTheScalarReferenceForAnyContact) {
@@ -88,6 +92,8 @@ TEST(Deformer, WithoutStrainClearsWhatAnotherWrote) {
   Stage stage(lab::backMesh(2962), with_strain);
   const Contact contact = press(stage.mesh, 1000, 6.0);
   stage.apply({contact});
+  const auto strain_before = stage.surface.strain();
+  ASSERT_TRUE(std::any_of(strain_before.begin(), strain_before.end(), [](float strain) { return strain != 0.0f; }));
   Deformer(stage.skin, Settings{}).apply({&contact, 1}, stage.surface);
   for (const float strain : stage.surface.strain()) ASSERT_EQ(strain, 0.0f);
 }
