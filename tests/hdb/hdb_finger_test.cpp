@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "hdb/hdb_track.h"
-#include "lab/counters/thread_counts.h"
 #include "palpate/base/random.h"
+#include "support/counted.h"
 #include "support/error_message.h"
 #include "support/mesh_zoo.h"
 
@@ -90,6 +90,7 @@ TEST(HdbFinger, KineticFrictionIsItsCoefficientAtAnySpeedUnderEveryForceLaw) {
       HdbTrack finger(plate);
       const double highest = highestRatioOfADrag(finger, 0.0, step);
       EXPECT_LE(highest, 0.46 + 1e-9);
+      EXPECT_GE(highest, 0.44 - 1e-9) << "it slips: 5 mm deep after 2.3 mm, under every law";
     }
   }
 }
@@ -154,12 +155,11 @@ TEST(HdbFinger, DoesNotAllocate) {
   const HdbBody plate(zoo::grid(), boxOf(30.0, HdbQuery::coherent));
   HdbTrack finger(plate);
   finger.to({30, 50, 5});
-  const auto before = lab::allocationsOfThisThread();
-  if (!before) GTEST_SKIP() << "allocations cannot be counted here";
-  finger.slide({30, 50, -5}, 0.1);
-  finger.slide({80, 60, -5}, 0.5);
-  finger.slide({80, 60, 5}, 2.0);
-  EXPECT_EQ(lab::allocationsOfThisThread(), before);
+  support::expectNoAllocation([&] {
+    finger.slide({30, 50, -5}, 0.1);
+    finger.slide({80, 60, -5}, 0.5);
+    finger.slide({80, 60, 5}, 2.0);
+  });
 }
 
 // ---- what is known to be weak ---------------------------------------------------------------------------------------
