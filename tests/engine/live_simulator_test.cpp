@@ -8,19 +8,10 @@
 #include "engine/small_worlds.h"
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
+#include "support/wait_for.h"
 
 namespace palpate::engine {
 namespace {
-
-template <class Ready>
-bool waitFor(const Ready& ready) {
-  const auto until = Clock::now() + std::chrono::seconds(20);
-  while (Clock::now() < until) {
-    if (ready()) return true;
-    std::this_thread::yield();
-  }
-  return false;
-}
 
 const contact::FingerOutput& felt(LiveSimulator& simulator, std::size_t finger = 0) {
   return simulator.felt()[finger].contact;
@@ -29,9 +20,9 @@ const contact::FingerOutput& felt(LiveSimulator& simulator, std::size_t finger =
 /// From above, so that the skin stops it.
 void press(LiveSimulator& simulator, std::size_t finger, double depth_mm) {
   simulator.move(finger, under(-1.0));
-  ASSERT_TRUE(waitFor([&] { return felt(simulator, finger).tip == under(-1.0); }));
+  ASSERT_TRUE(support::waitFor([&] { return felt(simulator, finger).tip == under(-1.0); }));
   simulator.move(finger, under(depth_mm));
-  ASSERT_TRUE(waitFor([&] { return felt(simulator, finger).depth_mm == depth_mm; }));
+  ASSERT_TRUE(support::waitFor([&] { return felt(simulator, finger).depth_mm == depth_mm; }));
 }
 
 TEST(LiveSimulator, FeelsWhereItsFingersAreMoved) {
@@ -51,9 +42,9 @@ TEST(LiveSimulator, ALiftedFingerComesBackFromAnywhereWithoutTouchingTheWay) {
   LiveSimulator simulator(sheet(0.5));
   press(simulator, 0, 3.0);
   simulator.lift(0);
-  ASSERT_TRUE(waitFor([&] { return felt(simulator).touch == contact::Touch::free; }));
+  ASSERT_TRUE(support::waitFor([&] { return felt(simulator).touch == contact::Touch::free; }));
   simulator.move(0, under(5.0));
-  ASSERT_TRUE(waitFor([&] { return felt(simulator).tip == under(5.0); }));
+  ASSERT_TRUE(support::waitFor([&] { return felt(simulator).tip == under(5.0); }));
   EXPECT_EQ(felt(simulator).touch, contact::Touch::free) << "it came from below";
 }
 
@@ -65,8 +56,8 @@ TEST(LiveSimulator, GoesOnTouchingAWorldWithTheSameBody) {
   stiffer.stiffness.constant_n_per_mm = 2.0;
   const auto other = scene::rebuilt(*world, stiffer);
   simulator.change(other);
-  EXPECT_TRUE(waitFor([&] { return std::abs(felt(simulator).force.z() - 6.0) < 1e-9; }));
-  EXPECT_TRUE(waitFor([&] { return &simulator.world() == other.get(); }));
+  EXPECT_TRUE(support::waitFor([&] { return std::abs(felt(simulator).force.z() - 6.0) < 1e-9; }));
+  EXPECT_TRUE(support::waitFor([&] { return &simulator.world() == other.get(); }));
 }
 
 TEST(LiveSimulator, ForgetsTheTouchOnAnotherBodyAndShowsItsSkin) {
@@ -74,8 +65,8 @@ TEST(LiveSimulator, ForgetsTheTouchOnAnotherBodyAndShowsItsSkin) {
   press(simulator, 0, 3.0);
   EXPECT_EQ(simulator.skin().vertices(), 21u * 21u);
   simulator.change(sheet(0.5, {}, 30));
-  EXPECT_TRUE(waitFor([&] { return felt(simulator).touch == contact::Touch::free; }));
-  EXPECT_TRUE(waitFor([&] { return simulator.skin().vertices() == 31u * 31u; }));
+  EXPECT_TRUE(support::waitFor([&] { return felt(simulator).touch == contact::Touch::free; }));
+  EXPECT_TRUE(support::waitFor([&] { return simulator.skin().vertices() == 31u * 31u; }));
 }
 
 TEST(LiveSimulator, RefusesAWorldThatDoesNotSuitItsFingers) {

@@ -14,6 +14,7 @@
 #include "palpate/base/stopwatch.h"
 #include "palpate/engine/fingers.h"
 #include "palpate/engine/world_builder.h"
+#include "support/wait_for.h"
 
 namespace palpate::engine {
 namespace {
@@ -53,13 +54,10 @@ ServoThread threadWith(ServoPlan plan, Held& held) {
 
 template <class Ready>
 bool waitFor(ServoThread& servo, const Ready& ready) {
-  const auto until = Clock::now() + std::chrono::seconds(20);
-  while (Clock::now() < until) {
+  return support::waitFor([&] {
     servo.exchange();
-    if (ready()) return true;
-    std::this_thread::yield();
-  }
-  return false;
+    return ready();
+  });
 }
 
 TEST(ServoThread, FeelsWhereTheDeviceIs) {
@@ -100,14 +98,11 @@ TEST(ServoThread, GivesTheOldWorldBackToItsOwner) {
   EXPECT_FALSE(servo.exchange());
   servo.change(planOf(stiff, 40.0, false));
   soft.reset();
-  bool told = false;
   ASSERT_TRUE(waitFor(servo, [&] { return servo.world() == stiff; }));
   EXPECT_TRUE(watched.expired()) << "freed on this thread, in the exchange";
   EXPECT_TRUE(waitFor(servo, [&] { return std::abs(servo.contacts()[0].contact.force.z() - 6.0) < 1e-9; }));
   servo.change(planOf(stiff, 40.0, false));
-  const auto until = Clock::now() + std::chrono::seconds(20);
-  while (!told && Clock::now() < until) told = servo.exchange();
-  EXPECT_TRUE(told);
+  EXPECT_TRUE(support::waitFor([&] { return servo.exchange(); }));
   EXPECT_FALSE(servo.exchange()) << "told once";
 }
 
@@ -214,24 +209,20 @@ TEST(ServoThread, NoTickSeesHalfAPlan) {
 
 TEST(ServoThread, AllocatesAndLocksNothingAlsoWhereWorldsAreExchanged) {
   if (!lab::kCountsCalls) GTEST_SKIP() << "nothing is counted here";
+  constexpr std::uint64_t kNotCounted = ~std::uint64_t{0};
   Held held;
   held.taps = true;
-  std::atomic<std::uint64_t> allocations{0};
-  std::atomic<std::uint64_t> locks{0};
+  std::atomic<std::uint64_t> allocations{kNotCounted};
+  std::atomic<std::uint64_t> locks{kNotCounted};
   std::vector<device::Device> devices;
   devices.push_back(held.device());
   // Counts from the second tick on, on the servo's thread.
-  devices[0].write_force = [&, first = std::uint64_t{0}, first_locks = std::uint64_t{0},
-                            ticks = 0](const Vec3&) mutable {
-    const std::uint64_t now = lab::allocationsOfThisThread().value_or(0);
-    const std::uint64_t locks_now = lab::locksOfThisThread().value_or(0);
-    if (++ticks == 2) {
-      first = now;
-      first_locks = locks_now;
-    }
-    if (ticks < 2) return;
-    allocations = now - first;
-    locks = locks_now - first_locks;
+  devices[0].write_force = [&, before = lab::ThreadCounts(), ticks = 0](const Vec3&) mutable {
+    if (++ticks == 2) before = lab::countsOfThisThread();
+    if (ticks <= 2) return;
+    const lab::ThreadCounts asked = lab::countsSince(before);
+    allocations = asked.allocations.value_or(kNotCounted);
+    locks = asked.locks.value_or(kNotCounted);
   };
   const std::shared_ptr<const scene::World> worlds[] = {sheet(0.5), sheet(2.0)};
   ServoThread servo(planOf(worlds[0], 40.0, true), std::move(devices));

@@ -10,6 +10,7 @@
 #include "palpate/scene/scene_file.h"
 #include "support/mesh_zoo.h"
 #include "support/temporary_folder.h"
+#include "support/wait_for.h"
 
 namespace palpate::viewer {
 namespace {
@@ -33,16 +34,12 @@ device::FingerTarget pressAt(const Vec3& place, double depth_mm) {
   return target;
 }
 
-/// Looks at the servo until `ready`, at most ten seconds.
 template <class Ready>
 bool waitFor(LiveServo& servo, const Ready& ready) {
-  const auto until = Clock::now() + std::chrono::seconds(10);
-  while (Clock::now() < until) {
+  return support::waitFor([&] {
     servo.thread().exchange();
-    if (ready()) return true;
-    std::this_thread::yield();
-  }
-  return false;
+    return ready();
+  });
 }
 
 /// A finger pressed into the middle of the sheet so deep; false if it does not get there.
