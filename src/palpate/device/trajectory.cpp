@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 
 #include "palpate/base/csv.h"
@@ -98,10 +97,7 @@ std::string formatTrajectory(const Trajectory& trajectory) {
 }
 
 void writeTrajectory(const std::filesystem::path& file, const Trajectory& trajectory) {
-  std::ofstream out(file, std::ios::binary);
-  out << formatTrajectory(trajectory);
-  out.close();
-  if (!out) throw Error::inFile(file.string(), "cannot be written");
+  writeFile(file, formatTrajectory(trajectory));
 }
 
 Trajectory resampled(const Trajectory& trajectory, double tick_s) {
