@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "palpate/view/image.h"
+#include "pictures/read_png.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
 
@@ -29,7 +29,7 @@ class Render : public ::testing::Test {
     EXPECT_TRUE(!result.err.empty() && result.err.find('\n') == result.err.size() - 1) << "one line: " << result.err;
     return result.err;
   }
-  view::Image image(const std::string& name) const { return view::readPng(folder_ / name); }
+  view::Image image(const std::string& name) const { return support::readPng(folder_ / name); }
 
   support::TemporaryFolder folder_;
 

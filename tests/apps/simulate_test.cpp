@@ -9,7 +9,7 @@
 #include "palpate/base/text.h"
 #include "palpate/mesh/files/load.h"
 #include "palpate/mesh/files/save.h"
-#include "palpate/view/image.h"
+#include "pictures/read_png.h"
 #include "support/mesh_zoo.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
@@ -72,7 +72,7 @@ TEST_F(Simulate, LeavesPicturesOfWhatItDid) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_NE(result.out.find("results in results: forces.csv surface_deepest.ply pictures.png report.json"),
             std::string::npos);
-  const view::Image sheet = view::readPng(folder_ / "results/pictures.png");
+  const view::Image sheet = support::readPng(folder_ / "results/pictures.png");
   EXPECT_EQ(sheet.width, 3 * 480);
   EXPECT_EQ(sheet.height, 2 * 360);
   EXPECT_GT(report()["pictures_s"], 0.0);

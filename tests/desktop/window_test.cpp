@@ -9,7 +9,7 @@
 #include "desktop.h"
 #include "palpate/base/text.h"
 #include "palpate/mesh/files/save.h"
-#include "palpate/view/image.h"
+#include "pictures/read_png.h"
 #include "support/mesh_zoo.h"
 #include "support/temporary_folder.h"
 
@@ -209,7 +209,7 @@ TEST_F(Window, ClosedWhileRecordingItLeavesACompleteTable) {
 TEST_F(Window, SavesThePictureThatItShows) {
   const auto program = play("0.2, key, F12\n0.5, close\n");
   program->rest();
-  const view::Image picture = view::readPng(folder / "palpate.png");
+  const view::Image picture = support::readPng(folder / "palpate.png");
   EXPECT_EQ(std::to_string(picture.width) + "x" + std::to_string(picture.height), program->word("size"));
 }
 

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "palpate/base/text.h"
+#include "pictures/read_png.h"
 
 namespace palpate::support {
 
@@ -103,7 +104,7 @@ bool isToBeBlessed(const std::string& name) {
 
 void bless(const fs::path& file, const Image& actual) {
   const std::string change =
-      fs::exists(file) ? "changes: " + compare(view::readPng(file), actual).words() : std::string("is new");
+      fs::exists(file) ? "changes: " + compare(support::readPng(file), actual).words() : std::string("is new");
   fs::create_directories(file.parent_path());
   view::writePng(file, actual);
   fmt::print("kept {}: {}\n", file.string(), change);
@@ -171,7 +172,7 @@ void expectPicture(const std::string& name, const Image& actual, const std::stri
     return;
   }
   if (!known) fmt::print("no pictures of {} are kept: comparing with {} generously\n", drawn_by, kReferenceRenderer);
-  const Image expected = view::readPng(file);
+  const Image expected = support::readPng(file);
   const Comparison result = compare(expected, actual, known ? tolerance : tolerance.times(kUnknownRendererFactor));
   if (!result.same)
     ADD_FAILURE() << name << ": " << result.words() << "; see " << leaveEvidence(name, expected, actual);

@@ -3,6 +3,7 @@
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
+#include "pictures/read_png.h"
 #include "support/temporary_folder.h"
 
 namespace palpate::view {
@@ -30,7 +31,7 @@ TEST(Image, SurvivesAPngFile) {
     image.pixels[i] = {static_cast<std::uint8_t>(40 * i), 7, static_cast<std::uint8_t>(255 - i)};
   }
   writePng(folder / "a.png", image);
-  EXPECT_EQ(readPng(folder / "a.png").pixels, image.pixels);
+  EXPECT_EQ(support::readPng(folder / "a.png").pixels, image.pixels);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "stage.h"
 
 #include "palpate/base/text.h"
+#include "pictures/read_png.h"
 
 namespace palpate::viewer {
 namespace {
@@ -172,7 +173,7 @@ TEST(Viewer, SavesPicturesAndSequences) {
   stage.key(window::functionKey(12));
   stage.frame();
   ASSERT_TRUE(fs::exists(stage.folder / "palpate.png"));
-  const view::Image picture = view::readPng(stage.folder / "palpate.png");
+  const view::Image picture = support::readPng(stage.folder / "palpate.png");
   EXPECT_EQ(picture.width, kStageWidth);
   EXPECT_EQ(picture.height, kStageHeight);
   stage.session().wish(Wish::Kind::sequence);

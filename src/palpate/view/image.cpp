@@ -15,12 +15,14 @@
 #include <memory>
 
 #include "palpate/base/error.h"
+#include "palpate/base/text.h"
 
 namespace palpate::view {
 
 namespace {
 
 constexpr int kChannels = 3;
+constexpr std::uint64_t kMostPngBytes = std::uint64_t{1} << 30;  // stb counts in ints
 
 using StbPixels = std::unique_ptr<stbi_uc, void (*)(void*)>;
 
@@ -56,10 +58,15 @@ Image reduced(const Image& image, int factor) {
 }
 
 void writePng(const std::filesystem::path& file, const Image& image) {
-  if (stbi_write_png(file.c_str(), image.width, image.height, kChannels, image.pixels.data(),
-                     image.width * kChannels) == 0) {
+  std::string bytes;
+  const auto append = [](void* to, void* data, int size) {
+    static_cast<std::string*>(to)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
+  };
+  if (stbi_write_png_to_func(append, &bytes, image.width, image.height, kChannels, image.pixels.data(),
+                             image.width * kChannels) == 0) {
     throw Error::inFile(file.string(), "cannot be written");
   }
+  writeFile(file, bytes);
 }
 
 ImageSize imageSizeOf(std::string_view bytes) {
@@ -79,10 +86,9 @@ Image decodeImage(std::string_view bytes) {
 }
 
 Image readPng(const std::filesystem::path& file) {
-  Image image;
-  const StbPixels pixels(stbi_load(file.c_str(), &image.width, &image.height, nullptr, kChannels), stbi_image_free);
-  if (!pixels) throw Error::inFile(file.string(), "is not a PNG file that can be read");
-  return copied(pixels, std::move(image));
+  Image image = decodeImage(readFile(file, kMostPngBytes));
+  if (image.pixels.empty()) throw Error::inFile(file.string(), "is not a PNG file that can be read");
+  return image;
 }
 
 }  // namespace palpate::view

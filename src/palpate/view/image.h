@@ -38,6 +38,6 @@ Image decodeImage(std::string_view bytes);
 
 /// Throws Error naming the file.
 void writePng(const std::filesystem::path& file, const Image& image);
-Image readPng(const std::filesystem::path& file);
+[[deprecated("use decodeImage instead")]] Image readPng(const std::filesystem::path& file);
 
 }  // namespace palpate::view
