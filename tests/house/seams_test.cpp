@@ -1,5 +1,5 @@
 // What the engine's libraries leave to others: printing and exiting to programs, threads for cold work to
-// base/background.h, foreign mesh formats to read_foreign.cpp.
+// base/background.h, opening files to base/text.h and base/output_file.h, foreign mesh formats to read_foreign.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,20 +15,23 @@ namespace fs = std::filesystem;
 
 const fs::path kEngineFolder = fs::path(PALPATE_SOURCE_DIR) / "src/palpate";
 
-/// "room/file:line" of every line of code that matches, in rooms and files that are not named in `except`.
-std::vector<std::string> placesOf(const std::string& pattern, const std::vector<std::string>& except = {}) {
-  const std::regex regex(pattern);
+/// Whether a line matches, its comment apart.
+bool matches(const std::string& line, const std::regex& pattern) {
+  return std::regex_search(line.substr(0, line.find("//")), pattern);
+}
+
+/// "room/file:line" of every line of code that matches, but for files whose names begin as one of `except`.
+std::vector<std::string> placesOf(const std::regex& pattern, const std::vector<std::string>& except = {}) {
   std::vector<std::string> places;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kEngineFolder)) {
     const std::string name = entry.path().lexically_relative(kEngineFolder).string();
-    const auto excepted = [&](const std::string& prefix) { return name.starts_with(prefix); };
+    const auto excepted = [&](const std::string& beginning) { return name.starts_with(beginning); };
     if (!entry.is_regular_file() || std::any_of(except.begin(), except.end(), excepted)) continue;
     std::ifstream stream(entry.path());
     std::size_t number = 0;
     for (std::string line; std::getline(stream, line);) {
       ++number;
-      const std::string code = line.substr(0, line.find("//"));
-      if (std::regex_search(code, regex)) places.push_back(name + ":" + std::to_string(number) + ": " + line);
+      if (matches(line, pattern)) places.push_back(name + ":" + std::to_string(number) + ": " + line);
     }
   }
   return places;
@@ -36,21 +39,59 @@ std::vector<std::string> placesOf(const std::string& pattern, const std::vector<
 
 const std::vector<std::string> kNowhere;
 
+/// Nobody matches but these, and each of them does: a name that is no longer needed goes.
+void expectOnlyIn(const std::vector<std::string>& owners, const std::regex& pattern) {
+  EXPECT_EQ(placesOf(pattern, owners), kNowhere);
+  const std::vector<std::string> places = placesOf(pattern);
+  for (const std::string& owner : owners) {
+    const auto of_owner = [&](const std::string& place) { return place.starts_with(owner); };
+    EXPECT_TRUE(std::any_of(places.begin(), places.end(), of_owner)) << owner;
+  }
+}
+
+const std::regex kPrints(R"(std::c(out|err|log)\b|\bf?printf\(|\b(fputs|puts|perror)\(|fmt::print)");
+const std::regex kExits(R"(\b(exit|_Exit|quick_exit|abort|terminate)\()");
+const std::regex kThreads(R"(std::(async|thread|jthread|packaged_task)\b|hardware_concurrency)");
+const std::regex kOpens(R"(\b[io]?fstream\b|\bfilebuf\b|\b(f|fd|fre|p)open\()"
+                        R"(|\bstbi_(load|info|write_[a-z]+)\(|\b(parse_file|load_file|ReadFile)\()");
+
 TEST(Seams, LibrariesNeitherPrintNorExit) {
-  EXPECT_EQ(placesOf(R"(std::c(out|err|log)\b|\bf?printf\(|\b(fputs|puts|perror)\(|fmt::print)"), kNowhere);
-  EXPECT_EQ(placesOf(R"(\b(exit|_Exit|quick_exit|abort|terminate)\()"), kNowhere);
+  EXPECT_EQ(placesOf(kPrints), kNowhere);
+  EXPECT_EQ(placesOf(kExits), kNowhere);
 }
 
-/// The servo loop and the hand-over of worlds are threads themselves.
+TEST(Seams, APrintOrAnExitWouldBeSeen) {
+  for (const char* line : {"  std::cout << force;", "std::cerr << name;", "std::clog << 1;", R"(printf("%f", force);)",
+                           R"(  std::fprintf(stderr, "no");)", "fputs(text, stdout);", "std::puts(text);",
+                           R"(perror("open");)", R"(fmt::print("{}", force);)"}) {
+    EXPECT_TRUE(matches(line, kPrints)) << line;
+  }
+  for (const char* line : {"std::exit(1);", "  exit(2);", "_Exit(1);", "std::quick_exit(0);", "if (bad) std::abort();",
+                           "std::terminate();"}) {
+    EXPECT_TRUE(matches(line, kExits)) << line;
+  }
+  EXPECT_FALSE(matches("std::snprintf(text, size, format);", kPrints));
+  EXPECT_FALSE(matches("force += more;  // a printf( in a comment", kPrints));
+  EXPECT_FALSE(matches("if (!exits(name)) return;", kExits));
+}
+
+/// The servo loop, the drain of its samples and the builder of worlds are threads themselves.
 TEST(Seams, ColdWorkAsksOnePlaceForThreads) {
-  const std::string threads = R"(std::(async|thread|jthread|packaged_task)\b|hardware_concurrency)";
-  EXPECT_EQ(placesOf(threads, {"base/background.", "servo/", "engine/", "window/"}), kNowhere);
-  EXPECT_FALSE(placesOf(threads).empty());  // the pattern finds something
+  expectOnlyIn({"base/background.cpp", "engine/servo_thread.", "engine/world_builder.", "servo/sample_drain."},
+               kThreads);
 }
 
-TEST(Seams, OneFileKnowsAssimp) {
-  EXPECT_EQ(placesOf("<assimp/|Assimp::", {"mesh/files/read_foreign.cpp"}), kNowhere);
-  EXPECT_FALSE(placesOf("<assimp/").empty());
+/// One place reads whole files; of the two that write, one writes them whole and one bit by bit, to appear at the end.
+TEST(Seams, FilesAreOpenedInOnePlace) {
+  expectOnlyIn({"base/text.cpp", "base/output_file.cpp"}, kOpens);
+  for (const char* line : {"#include <fstream>", "std::ifstream stream(file);", "std::ofstream out(file);",
+                           R"(std::FILE* file = std::fopen(name, "rb");)", "stbi_load(file.c_str(), &w, &h, &n, 3);",
+                           "stbi_write_png(name, w, h, 3, pixels, 3 * w);", "toml::parse_file(name);"}) {
+    EXPECT_TRUE(matches(line, kOpens)) << line;
+  }
+  EXPECT_FALSE(matches("stbi_load_from_memory(data, size, &w, &h, &n, 3);", kOpens));
 }
+
+TEST(Seams, OneFileKnowsAssimp) { expectOnlyIn({"mesh/files/read_foreign.cpp"}, std::regex("<assimp/|Assimp::")); }
 
 }  // namespace
