@@ -48,7 +48,7 @@ TEST(HeadTracker, TakesTremblingAway) {
 
 TEST(HeadTracker, PredictionTakesBackSomeOfTheDelay) {
   const auto moving = [](double t) { return Vec3(200.0 * t, 0, 600); };
-  const auto lagWith = [&](double prediction_s) {
+  const auto lag_with = [&](double prediction_s) {
     window::HeadTrackerSettings settings;
     settings.prediction_s = prediction_s;
     window::HeadTracker tracker(settings);
@@ -56,8 +56,8 @@ TEST(HeadTracker, PredictionTakesBackSomeOfTheDelay) {
     for (double t = 0.0; t < 2.0; t += kPicture) last = t;
     return moving(last).x() - track(tracker, 0.0, 2.0, moving).x();
   };
-  EXPECT_GT(lagWith(0.0), 5.0);
-  EXPECT_NEAR(lagWith(0.0) - lagWith(kPicture), 200.0 * kPicture, 0.1) << "one picture's worth";
+  EXPECT_GT(lag_with(0.0), 5.0);
+  EXPECT_NEAR(lag_with(0.0) - lag_with(kPicture), 200.0 * kPicture, 0.1) << "one picture's worth";
 }
 
 TEST(HeadTracker, StandsStillWhenTheHeadIsLostThenGlidesWithoutAJump) {

@@ -23,21 +23,21 @@ class Hand {
   }
   Hand& up(window::Button button = window::Button::left) { return click(button, false, {}); }
   Hand& scroll(double notches, window::Modifiers modifiers = {}) {
-    return send({.kind = window::InputEvent::Kind::scroll, .at = at, .modifiers = modifiers, .notches = notches});
+    return send({.kind = window::InputEvent::Kind::scroll, .at = at_, .modifiers = modifiers, .notches = notches});
   }
   Hand& type(window::Key k, window::Modifiers modifiers = {}) {
-    send({.kind = window::InputEvent::Kind::key, .at = at, .down = true, .key = k, .modifiers = modifiers});
-    return send({.kind = window::InputEvent::Kind::key, .at = at, .down = false, .key = k, .modifiers = modifiers});
+    send({.kind = window::InputEvent::Kind::key, .at = at_, .down = true, .key = k, .modifiers = modifiers});
+    return send({.kind = window::InputEvent::Kind::key, .at = at_, .down = false, .key = k, .modifiers = modifiers});
   }
   Hand& loseFocus() { return send({.kind = window::InputEvent::Kind::focus, .down = false}); }
   Hand& leave() { return send({.kind = window::InputEvent::Kind::leave}); }
   Hand& wait(double seconds) {
-    now += seconds;
+    now_ += seconds;
     return *this;
   }
   Hand& send(window::InputEvent event) {
-    event.time_s = now += 0.01;
-    if (event.kind == window::InputEvent::Kind::move) at = event.at;
+    event.time_s = now_ += 0.01;
+    if (event.kind == window::InputEvent::Kind::move) at_ = event.at;
     input.handle(event, situation, commands);
     return *this;
   }
@@ -53,13 +53,13 @@ class Hand {
  private:
   Hand& click(window::Button button, bool pressed, window::Modifiers modifiers) {
     return send({.kind = window::InputEvent::Kind::button,
-                 .at = at,
+                 .at = at_,
                  .button = button,
                  .down = pressed,
                  .modifiers = modifiers});
   }
-  Vec2 at = Vec2::Zero();
-  double now = 0.0;
+  Vec2 at_ = Vec2::Zero();
+  double now_ = 0.0;
 };
 
 TEST(Input, LeftOnSkinPressesSlidesAndLifts) {
