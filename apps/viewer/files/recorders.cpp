@@ -65,7 +65,7 @@ void PictureWriter::finish() {
 }
 
 void PictureWriter::run() {
-  lowerPriority();
+  lowerPriority(5);  // behind what draws; not far, or the queue fills and drawing waits after all
   std::unique_lock lock(mutex_);
   while (true) {
     change_.wait(lock, [this] { return quit_ || !jobs_.empty(); });

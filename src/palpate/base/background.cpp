@@ -42,10 +42,9 @@ bool Background::done() const { return future_.wait_for(std::chrono::seconds(0))
 
 void Background::join() { future_.get(); }
 
-void lowerPriority() {
+void lowerPriority([[maybe_unused]] int nice) {
 #ifdef __linux__
-  constexpr int kPatience = 10;  // the nice value, at most 19: well behind, but not starved
-  setpriority(PRIO_PROCESS, 0, kPatience);
+  setpriority(PRIO_PROCESS, 0, nice);
 #endif
 }
 

@@ -32,8 +32,8 @@ class Background {
 /// How many pieces of work are worth starting at once, the caller's own among them; at least 1.
 std::size_t processors();
 
-/// Whatever draws or touches goes before the calling thread from now on. Nothing happens where a thread has no priority
-/// of its own and the whole process would be slowed (all but Linux).
-void lowerPriority();
+/// Whatever draws or touches goes before the calling thread from now on: its nice value becomes `nice`, 1 to 19.
+/// Nothing happens where a thread has no priority of its own and the whole process would be slowed (all but Linux).
+void lowerPriority(int nice);
 
 }  // namespace palpate

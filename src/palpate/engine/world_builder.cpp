@@ -16,6 +16,9 @@ namespace {
 /// Thrown through the library by its progress reports; nobody else sees it.
 struct GivenUp {};
 
+/// Well behind what draws, but not starved.
+constexpr int kPatience = 10;
+
 double nowS() { return static_cast<double>(monotonicNs()) * 1e-9; }
 
 }  // namespace
@@ -61,7 +64,7 @@ std::optional<BuildProgress> WorldBuilder::progress() const {
 }
 
 void WorldBuilder::run() {
-  lowerPriority();
+  lowerPriority(kPatience);
   std::unique_lock lock(mutex_);
   while (true) {
     wake_.wait(lock, [this] { return quit_ || next_; });
