@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <string_view>
 #include <type_traits>
 
 namespace palpate {
@@ -36,6 +37,13 @@ TEST(Error, MayBeInNoFile) {
   EXPECT_EQ(error.file(), "");
   EXPECT_EQ(error.line(), 0u);
   EXPECT_EQ(error.cause(), "nobody: touches anything");
+}
+
+TEST(Error, SurvivesAZeroByteInAFilesName) {
+  const Error error = Error::inFile(std::string_view("skin\0.bin", 9), "no such file");
+  EXPECT_STREQ(error.what(), "skin");
+  EXPECT_EQ(error.file(), "skin");
+  EXPECT_EQ(error.cause(), "");
 }
 
 TEST(Error, KeepsItsPartsWhenCopied) {

@@ -203,6 +203,8 @@ TEST(LoadGltf, ReadsBuffersBesideTheFileAndNowhereElse) {
     writeFile(folder / "bad.gltf", with_uri(uri));
     EXPECT_NE(messageOf([&] { load(folder / "bad.gltf"); }).find("same folder or below"), std::string::npos) << uri;
   }
+  writeFile(folder / "bad.gltf", with_uri("parts/a b.bin%00.png"));
+  EXPECT_NE(messageOf([&] { load(folder / "bad.gltf"); }).find("cannot hold a zero byte"), std::string::npos);
   EXPECT_NE(refusal(with_uri("parts/a b.bin"), Format::gltf).find("no folder to look in"), std::string::npos);
   writeFile(folder / "missing.gltf", with_uri("gone.bin"));
   EXPECT_NE(messageOf([&] { load(folder / "missing.gltf"); }).find("gone.bin: no such file"), std::string::npos);

@@ -30,8 +30,12 @@ class Error : public std::runtime_error {
   std::string_view file() const noexcept { return std::string_view(what()).substr(0, file_length_); }
   /// Counted from 1; 0: not known.
   std::size_t line() const noexcept { return line_; }
-  /// what() without file and line. A byte's offset is part of the cause.
-  std::string_view cause() const noexcept { return std::string_view(what()).substr(cause_begin_); }
+  /// what() without file and line. A byte's offset is part of the cause. Empty where a zero byte in the file's name cut
+  /// what() short.
+  std::string_view cause() const noexcept {
+    const std::string_view all = what();
+    return cause_begin_ < all.size() ? all.substr(cause_begin_) : std::string_view();
+  }
 
  private:
   Error(const std::string& message, std::string_view file, std::size_t line, std::string_view cause)

@@ -119,12 +119,14 @@ std::string decodePercent(std::string_view uri) {
 
 /// Files beside the glTF file or in folders below it; a stranger's file does not get to read anything else.
 std::filesystem::path pathBeside(const MeshFile& file, const std::string& uri, JsonValue where) {
-  const std::filesystem::path relative(decodePercent(uri));
+  const std::string name = decodePercent(uri);
+  const std::filesystem::path relative(name);
   const bool leaves_folder = std::find(relative.begin(), relative.end(), "..") != relative.end();
   if (file.folder.empty()) where.fail("it refers to another file, and there is no folder to look in");
   if (relative.is_absolute() || leaves_folder || uri.find(':') != std::string::npos) {
     where.fail("a buffer may only be a file in the same folder or below");
   }
+  if (name.find('\0') != std::string::npos) where.fail("a file's name cannot hold a zero byte");
   return file.folder / relative;
 }
 
