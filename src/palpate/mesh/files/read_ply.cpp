@@ -50,7 +50,7 @@ struct Property {
 
 struct Element {
   std::string_view name;
-  std::size_t count = 0;
+  std::uint64_t count = 0;  // as the header says; checkCount compares it with what the file can hold
   std::vector<Property> properties;
 };
 
@@ -94,7 +94,7 @@ Property readProperty(TextReader& text) {
 Element readElement(TextReader& text) {
   constexpr long long kHighest = 1LL << 62;
   const auto name = text.word();
-  return {name, static_cast<std::size_t>(text.whole(text.word(), "the number of elements", 0, kHighest)), {}};
+  return {name, static_cast<std::uint64_t>(text.whole(text.word(), "the number of elements", 0, kHighest)), {}};
 }
 
 /// Leaves the reader at the end of the line "end_header".
@@ -214,7 +214,7 @@ class BodyReader {
     for (std::size_t axis = 0; axis < 3; ++axis)
       columns[axis] = columnOf(element, std::string_view("xyz").substr(axis, 1));
     if (element.count >= kNoIndex) values_.fail("more vertices than 32-bit indices can name");
-    mesh_.positions.reserve(element.count);
+    mesh_.positions.reserve(static_cast<std::size_t>(element.count));
     std::vector<double> row(element.properties.size());
     for (std::size_t v = 0; v < element.count; ++v) {
       for (std::size_t p = 0; p < row.size(); ++p) row[p] = readOrPassOver(element.properties[p]);

@@ -29,8 +29,9 @@ bool startsWithSolid(std::string_view bytes) {
   return start != std::string_view::npos && bytes.substr(start, 5) == "solid";
 }
 
-std::size_t promisedBytes(std::string_view bytes) {
-  return kHeaderBytes + kTriangleBytes * std::size_t{numberFromBytes<std::uint32_t>(bytes.data() + kCountOffset)};
+/// More than 32 bits hold, when the count is a lie.
+std::uint64_t promisedBytes(std::string_view bytes) {
+  return kHeaderBytes + kTriangleBytes * std::uint64_t{numberFromBytes<std::uint32_t>(bytes.data() + kCountOffset)};
 }
 
 bool isBinary(std::string_view bytes) {
@@ -62,7 +63,7 @@ void checkBinarySize(const MeshFile& file) {
   if (file.bytes.size() < kHeaderBytes) {
     throw Error::atByte(file.name, file.bytes.size(), "the file ends within the 84 bytes of an STL header");
   }
-  const std::size_t promised = promisedBytes(file.bytes);
+  const std::uint64_t promised = promisedBytes(file.bytes);
   if (promised == file.bytes.size()) return;
   const auto count = (promised - kHeaderBytes) / kTriangleBytes;
   throw Error::atByte(file.name, kCountOffset,
