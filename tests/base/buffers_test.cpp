@@ -5,7 +5,7 @@
 #include "palpate/base/ring_buffer.h"
 #include "palpate/base/triple_buffer.h"
 
-namespace palpate::servo {
+namespace palpate {
 namespace {
 
 /// A value whose parts must belong together: a torn read shows.
@@ -76,4 +76,4 @@ TEST(RingBuffer, KeepsOrderBetweenThreads) {
 }
 
 }  // namespace
-}  // namespace palpate::servo
+}  // namespace palpate
