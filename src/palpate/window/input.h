@@ -98,10 +98,7 @@ class Input {
 
   std::size_t activeFinger() const { return active_; }
   bool pressed(std::size_t finger) const { return pressed_[finger]; }
-  bool anyPressed() const { return pressed_[0] || pressed_[1]; }
   bool held(std::size_t finger) const { return held_[finger]; }
-  /// A button that began something in the view is still down.
-  bool dragging() const { return drag_ != Drag::none; }
 
  private:
   enum class Drag : std::uint8_t { none, touch, orbit, pan, edit };
