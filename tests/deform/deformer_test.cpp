@@ -86,6 +86,16 @@ TEST(Deformer, NothingMovesOutsideTheRegion) {
   }
 }
 
+TEST(Deformer, LooksAtAllThatItMovesAndAtRestAtNothing) {
+  for (const Way way : {Way::chosen, Way::general}) {
+    Stage stage(lab::backMesh(8163), {}, way);
+    const Report report = stage.apply({press(stage.mesh, 1000, 6.0)});
+    EXPECT_GT(report.moved_vertices, 0u);
+    EXPECT_GE(report.visited_vertices, report.moved_vertices);
+    EXPECT_EQ(stage.apply({}).visited_vertices, 0u);
+  }
+}
+
 TEST(Deformer, WithoutStrainClearsWhatAnotherWrote) {
   FormSettings with_strain;
   with_strain.common.strain = true;
