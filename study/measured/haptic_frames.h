@@ -11,8 +11,8 @@
 
 namespace palpate::study {
 
-/// What the dissertation chose: at most so many triangles a leaf ("proved as the best value in our
-/// experiments", 3.3.1), and a box whose edge is this share of the model's longest (3.3.3).
+/// What the dissertation chose: at most so many triangles a leaf (3.3.1: "proved as the best value in our experiments")
+/// and a box whose edge is this share of the model's longest (3.3.3).
 inline constexpr Index kPrintedThreshold = 1024;
 inline constexpr double kPrintedBoxShare = 0.25;
 
