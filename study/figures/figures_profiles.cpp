@@ -84,15 +84,15 @@ Figure figure48() {
 
 Plot arrayPlot(int entries) {
   constexpr double kDepthMm = 10.0;
-  constexpr int kFine = 4000;  // steps of 700 entries are to be seen
+  constexpr int kFineSteps = 4000;  // steps of 700 entries are to be seen
   Plot plot{.title = fmt::format("Array of {}: {:.3f} mm off at most", entries,
                                  worstArrayError(entries, tissue::TableLookup::nearest))};
   plot.x = {.label = "location ratio q", .from = 0.1, .to = 0.5};
   plot.y = {.label = "displacement", .unit = "mm", .from = 2.0, .to = 10.0};
   const auto array = arrayProfile(entries, tissue::TableLookup::nearest);
   Series steps{.name = "nearest entry", .width_px = 1.2};
-  for (int i = 0; i <= kFine; ++i) {
-    const double q = 0.1 + 0.4 * i / kFine;
+  for (int i = 0; i <= kFineSteps; ++i) {
+    const double q = 0.1 + 0.4 * i / kFineSteps;
     steps.x.push_back(q);
     steps.y.push_back(kDepthMm * array.at(q).value);
   }

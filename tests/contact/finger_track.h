@@ -26,7 +26,7 @@ inline Surface surfaceOf(const mesh::TriangleMesh& mesh, double stiffness = kTes
 /// A finger of any source straight from `start` to `end` in steps of at most `step_mm`; the last output. `start` by
 /// value: the finger moves what it may refer to.
 template <class Track>
-FingerOutput slideFrom(const Vec3& start, const Vec3& end, double step_mm, Track& finger) {
+FingerOutput slideFrom(Vec3 start, const Vec3& end, double step_mm, Track& finger) {
   const int ticks = std::max(1, static_cast<int>(std::ceil((end - start).norm() / step_mm)));
   FingerOutput output;
   for (int i = 1; i <= ticks; ++i) output = finger.to(start + (end - start) * (static_cast<double>(i) / ticks));
