@@ -5,7 +5,7 @@
 #include <cmath>
 #include <span>
 
-#include "apps/viewer/panels/panels.h"
+#include "apps/viewer/panels/gui_layout.h"
 #include "palpate/scene/scene_edit.h"
 #include "palpate/view/scene_view.h"
 

@@ -8,66 +8,18 @@
 #include <array>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "apps/viewer/editing/editor.h"
 #include "apps/viewer/files/replay.h"
 #include "apps/viewer/panels/asks.h"
 #include "apps/viewer/plots/sample_history.h"
+#include "apps/viewer/session_parts.h"
 #include "apps/viewer/view_state.h"
 #include "palpate/engine/world_builder.h"
 #include "palpate/scene/scene.h"
-#include "palpate/servo/loop.h"
 #include "palpate/view/camera.h"
-#include "palpate/window/head_tracker.h"
 
 namespace palpate::viewer {
-
-/// What is known about how fast everything is; a frame's times in ms.
-struct Performance {
-  servo::LoopVitals servo;
-  std::size_t dropped_samples = 0;
-  double deform_ms = 0.0;
-  double upload_ms = 0.0;
-  double draw_ms = 0.0;
-  double frame_ms = 0.0;
-  double frames_per_s = 0.0;
-  std::string graphics;  ///< name of the GL renderer
-};
-
-struct Recording {
-  bool forces = false;
-  std::string forces_file;
-  double since_s = 0.0;
-  bool sequence = false;
-  std::string sequence_folder;
-  std::size_t pictures = 0;
-};
-
-/// The world as the panels may know it.
-struct WorldFacts {
-  std::string name;
-  std::size_t triangles = 0;
-  std::size_t vertices = 0;
-  double width_mm = 0.0, height_mm = 0.0, depth_mm = 0.0;
-  bool closed = false;
-  bool has_bones = false;
-  double softest_n_per_mm = 0.0, stiffest_n_per_mm = 0.0;
-  std::vector<std::string> notes;
-  bool has_picture = false;
-};
-
-/// The tracked head in this frame.
-struct SeenHead {
-  Vec3 eyes_mm = Vec3::Zero();
-  window::HeadTracker::State state = window::HeadTracker::State::waiting;
-};
-
-/// The user's displacement profile while it is drawn.
-struct ProfileEdit {
-  std::vector<tissue::ProfileKnot> knots;
-  int handle = -1;  ///< the one that is being dragged
-};
 
 struct Session {
   // What is wished.

@@ -11,8 +11,8 @@
 #include "apps/viewer/editing/rings.h"
 #include "apps/viewer/files/view_text.h"
 #include "apps/viewer/home_view.h"
+#include "apps/viewer/panels/gui_layout.h"
 #include "apps/viewer/panels/hints.h"
-#include "apps/viewer/panels/panels.h"
 #include "palpate/base/stopwatch.h"
 
 namespace palpate::viewer {

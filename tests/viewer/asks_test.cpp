@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
-#include "apps/viewer/panels/panels.h"
+#include "apps/viewer/panels/gui_layout.h"
 #include "apps/viewer/panels/widgets.h"
 #include "palpate/view/offscreen.h"
 

@@ -10,8 +10,8 @@
 #include <numbers>
 #include <optional>
 
+#include "apps/viewer/panels/gui_layout.h"
 #include "apps/viewer/panels/hints.h"
-#include "apps/viewer/panels/panels.h"
 #include "apps/viewer/panels/widgets.h"
 #include "palpate/base/text.h"
 #include "palpate/view/offscreen.h"

@@ -1,7 +1,7 @@
 // Every panel, drawn without a window, and used by the names of its controls.
 #include "stage.h"
 
-#include "apps/viewer/panels/panels.h"
+#include "apps/viewer/panels/gui_layout.h"
 
 namespace palpate::viewer {
 namespace {

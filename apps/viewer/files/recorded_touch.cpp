@@ -26,19 +26,17 @@ double ticksPerS(const trace::RecordedFinger& finger, double fallback) {
 /// Reads the row that is at work; ticks that were left out have none.
 servo::Rig rigFor(engine::ServoPlan& plan, const std::vector<trace::RecordedFinger>& fingers, double ticks_per_s,
                   const std::size_t& row) {
-  servo::Rig rig;
-  rig.tick_s = 1.0 / ticks_per_s;
-  for (std::size_t i = 0; i < fingers.size(); ++i) {
-    servo::FingerChain chain;
-    chain.solver = std::move(plan.solvers[i]);
-    chain.contact_settings = plan.fingers[i];
-    chain.contact_settings.tick_s = rig.tick_s;
-    chain.limiter_settings = plan.limiter;
-    const std::vector<Vec3>& tips = fingers[i].tip;
-    chain.device = {fingers[i].name, [&tips, &row](std::uint64_t) { return tips[std::min(row, tips.size() - 1)]; }, {}};
-    rig.fingers.push_back(std::move(chain));
+  servo::RigParts parts{.solvers = std::move(plan.solvers),
+                        .fingers = std::move(plan.fingers),
+                        .devices = {},
+                        .limiter = plan.limiter,
+                        .tick_s = 1.0 / ticks_per_s};
+  parts.fingers.resize(fingers.size());
+  for (const trace::RecordedFinger& finger : fingers) {
+    const auto tip = [&tips = finger.tip, &row](std::uint64_t) { return tips[std::min(row, tips.size() - 1)]; };
+    parts.devices.push_back({finger.name, tip, {}});
   }
-  return rig;
+  return servo::rigOf(std::move(parts));
 }
 
 bool jumps(const trace::RecordedFinger& finger, std::size_t row) {

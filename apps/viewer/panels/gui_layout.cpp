@@ -1,4 +1,5 @@
-// The frame around the panels: where what stands on the screen, and the side panel with its sections.
+#include "apps/viewer/panels/gui_layout.h"
+
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -6,7 +7,6 @@
 
 #include "apps/viewer/editing/acts.h"
 #include "apps/viewer/panels/hints.h"
-#include "apps/viewer/panels/panels.h"
 #include "apps/viewer/panels/widgets.h"
 
 namespace palpate::viewer {

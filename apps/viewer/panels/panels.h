@@ -1,11 +1,12 @@
 // The panels, each in a file of its own (panel_<name>.cpp), and what puts them on the screen.
 //
-//   Session ─ drawGui ─► each panel: the parts it shows and may change, by reference ─► Asks, for everything else
+//   drawGui (gui_layout.h) ─► a panel: the parts it shows and may change, by reference ─► Asks, for everything else
 //
 // A panel is a function that draws the controls of one section; the frame around it is drawn by sidePanel. It knows no
 // Session: what its struct does not hold, it neither sees nor changes. All need a Gui frame that has begun.
 #pragma once
 
+#include <array>
 #include <bitset>
 #include <filesystem>
 #include <optional>
@@ -13,7 +14,16 @@
 #include <string>
 #include <string_view>
 
-#include "apps/viewer/session.h"
+#include "apps/viewer/editing/editor.h"
+#include "apps/viewer/files/replay.h"
+#include "apps/viewer/panels/asks.h"
+#include "apps/viewer/panels/messages.h"
+#include "apps/viewer/plots/sample_history.h"
+#include "apps/viewer/session_parts.h"
+#include "apps/viewer/view_state.h"
+#include "palpate/engine/world_builder.h"
+#include "palpate/scene/scene.h"
+#include "palpate/view/camera.h"
 
 namespace palpate::viewer {
 
@@ -27,24 +37,7 @@ struct FreeArea {
 
 inline constexpr float kPlotsHeight = 150.0f;  ///< of the strips below the picture
 
-/// Draws everything over the picture: menu, side panel, plots, hint, message, dialogs. Does the actions that were asked
-/// for and passes the words on; wishes and notes of changes stay in session.asks. Returns the area left free.
-FreeArea drawGui(Session& session);
-/// Where the picture will be free before anything was drawn.
-FreeArea freeArea(const Shown& shown, float width, float height);
-
 // ---- sections of the side panel
-
-using PanelFunction = void (*)(Session&);
-struct PanelEntry {
-  const char* name;
-  PanelFunction draw;
-  bool open_at_first = false;
-};
-/// From top to bottom.
-std::span<const PanelEntry> panelList();
-/// All sections in one narrow window at an edge of the screen.
-void sidePanel(Session& session, float width, const FreeArea& free);
 
 struct TouchPanel {
   TouchSettings& touch;

@@ -146,8 +146,8 @@ void Deformer::Pipeline<Displacement>::findRegions(ThePlan& plan, Report& report
   }
 }
 
-/// Fills column `source`; asks the displacement what its newest search reached, so it comes right behind that search. An
-/// anchor outside the region feels nothing, however near it looks.
+/// Fills column `source`; asks the displacement what its newest search reached, so it comes right behind that search.
+/// An anchor outside the region feels nothing, however near it looks.
 template <class Displacement>
 void Deformer::Pipeline<Displacement>::noteCoupling(std::size_t source, ThePlan& plan) const noexcept {
   const std::size_t n = plan.frames.size();

@@ -20,17 +20,11 @@ servo::Rig rigFor(ServoPlan& plan, std::vector<device::Device> devices, double t
   if (devices.size() != plan.fingers.size()) {
     throw Error(fmt::format("servo: {} devices for {} fingers", devices.size(), plan.fingers.size()));
   }
-  servo::Rig rig;
-  rig.tick_s = tick_s;
-  for (std::size_t i = 0; i < devices.size(); ++i) {
-    servo::FingerChain chain;
-    chain.solver = std::move(plan.solvers[i]);
-    chain.contact_settings = plan.fingers[i];
-    chain.limiter_settings = plan.limiter;
-    chain.device = std::move(devices[i]);
-    rig.fingers.push_back(std::move(chain));
-  }
-  return rig;
+  return servo::rigOf({.solvers = std::exchange(plan.solvers, servo::FingerSolvers(devices.size())),
+                       .fingers = plan.fingers,
+                       .devices = std::move(devices),
+                       .limiter = plan.limiter,
+                       .tick_s = tick_s});
 }
 
 double tickOf(const ServoPlan& plan) {
@@ -75,7 +69,6 @@ ServoThread::ServoThread(ServoPlan plan, std::vector<device::Device> devices, Gu
       links_(fingers_),
       guide_(std::move(guide)),
       at_work_(std::make_unique<ServoPlan>(std::move(plan))) {
-  keepRate(*at_work_, tick_s_);
   rig_ = rigFor(*at_work_, std::move(devices), tick_s_);
   at_work_world_ = at_work_->world;
   servo::PacedSettings settings;

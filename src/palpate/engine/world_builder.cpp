@@ -19,8 +19,6 @@ struct GivenUp {};
 /// Well behind what draws, but not starved.
 constexpr int kPatience = 10;
 
-double nowS() { return static_cast<double>(monotonicNs()) * 1e-9; }
-
 }  // namespace
 
 WorldBuilder::WorldBuilder(Check check) : check_(std::move(check)), thread_([this] { run(); }) {}
@@ -59,7 +57,7 @@ std::optional<BuildProgress> WorldBuilder::progress() const {
   const std::lock_guard lock(mutex_);
   if (!busy_ && !next_) return std::nullopt;
   BuildProgress progress = progress_;
-  progress.since_s = busy_ ? nowS() - began_s_ : 0.0;
+  progress.since_s = busy_ ? secondsSince(began_) : 0.0;
   return progress;
 }
 
@@ -72,7 +70,7 @@ void WorldBuilder::run() {
     BuildWish wish = *std::exchange(next_, std::nullopt);
     const std::uint64_t number = newest_;
     busy_ = true;
-    began_s_ = nowS();
+    began_ = Clock::now();
     progress_ = {"starting", 0.0, 0.0};
     lock.unlock();
     std::optional<BuildResult> result;

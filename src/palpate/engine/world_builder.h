@@ -14,6 +14,7 @@
 #include <string>
 #include <thread>
 
+#include "palpate/base/stopwatch.h"
 #include "palpate/scene/world.h"
 
 namespace palpate::engine {
@@ -72,7 +73,7 @@ class WorldBuilder {
   std::optional<BuildWish> next_;
   std::optional<BuildResult> result_;
   BuildProgress progress_;
-  double began_s_ = 0.0;
+  Clock::time_point began_;
   bool busy_ = false;
   bool quit_ = false;
   std::atomic<std::uint64_t> newest_{0};  // number of the newest wish or cancellation

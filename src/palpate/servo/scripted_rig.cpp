@@ -20,20 +20,16 @@ LimiterSettings limiterSettings(const scene::World& world) {
 }
 
 Rig scriptedRig(const scene::World& world, const device::FingerPaths& paths) {
-  Rig rig;
-  rig.tick_s = 1.0 / world.scene.ticks_per_s;
-  FingerSolvers solvers = makeSolvers(world.surface, world.hdb, world.scene.fingers.size());
-  for (std::size_t i = 0; i < world.scene.fingers.size(); ++i) {
-    const scene::Finger& finger = world.scene.fingers[i];
-    FingerChain chain;
-    chain.solver = std::move(solvers[i]);
-    chain.contact_settings = scene::contactSettings(world.scene, finger);
-    contact::check(chain.contact_settings);
-    chain.limiter_settings = limiterSettings(world);
-    chain.device = device::scriptedDevice(finger.name, paths.tips[i]);
-    rig.fingers.push_back(std::move(chain));
+  RigParts parts;
+  parts.tick_s = 1.0 / world.scene.ticks_per_s;
+  parts.limiter = limiterSettings(world);
+  parts.solvers = makeSolvers(world.surface, world.hdb, world.scene.fingers.size());
+  for (const scene::Finger& finger : world.scene.fingers) {
+    parts.devices.push_back(device::scriptedDevice(finger.name, paths.tips[parts.fingers.size()]));
+    parts.fingers.push_back(scene::contactSettings(world.scene, finger));
+    contact::check(parts.fingers.back());
   }
-  return rig;
+  return rigOf(std::move(parts));
 }
 
 trace::ForcesCsvSettings forcesSettings(const scene::World& world, const device::FingerPaths& paths) {

@@ -1,6 +1,8 @@
 // device pose -> guardTip -> touch -> limitForce -> device force, for one finger after the other. Own.
 #include "palpate/servo/tick.h"
 
+#include <utility>
+
 namespace palpate::servo {
 
 namespace {
@@ -16,6 +18,22 @@ void runFinger(FingerChain& finger, LoopEvent event, trace::Sample& sample) noex
 }
 
 }  // namespace
+
+Rig rigOf(RigParts parts) {
+  Rig rig;
+  rig.tick_s = parts.tick_s;
+  parts.limiter.tick_s = parts.tick_s;
+  for (std::size_t i = 0; i < parts.fingers.size(); ++i) {
+    FingerChain chain;
+    chain.solver = std::move(parts.solvers[i]);
+    chain.contact_settings = parts.fingers[i];
+    chain.contact_settings.tick_s = parts.tick_s;
+    chain.limiter_settings = parts.limiter;
+    chain.device = std::move(parts.devices[i]);
+    rig.fingers.push_back(std::move(chain));
+  }
+  return rig;
+}
 
 void runTick(Rig& rig, std::uint64_t tick, LoopEvent event, std::span<trace::Sample> samples) noexcept {
   for (std::size_t i = 0; i < rig.fingers.size(); ++i) {

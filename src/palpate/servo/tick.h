@@ -29,6 +29,17 @@ struct Rig {
   std::vector<FingerChain> fingers;
 };
 
+/// What a rig is made of; each vector has an entry a finger.
+struct RigParts {
+  FingerSolvers solvers;
+  std::vector<contact::FingerSettings> fingers;
+  std::vector<device::Device> devices;
+  LimiterSettings limiter;
+  double tick_s = 0.001;  ///< in place of the settings' own: catch-up, ramps and limits are so much a second
+};
+
+Rig rigOf(RigParts parts);
+
 /// What happened to the loop before this tick.
 enum class LoopEvent : std::uint8_t { none, stalled };
 

@@ -18,10 +18,10 @@ asm(".pushsection .rodata\n"
     "palpate_font_end:\n"
     ".byte 0\n"
     ".popsection\n");
-extern "C" {
+extern "C" {  // NOLINTBEGIN(readability-identifier-naming): the assembler's, above
 extern const unsigned char palpate_font_begin[];
 extern const unsigned char palpate_font_end[];
-}
+}  // NOLINTEND(readability-identifier-naming)
 
 namespace palpate::view {
 
