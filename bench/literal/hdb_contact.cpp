@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "bench/peers/triangle_tests.h"
+#include "bench/literal/triangle_tests.h"
 
 namespace palpate::bench::literal {
 

@@ -12,8 +12,8 @@
 #include <limits>
 #include <memory>
 
+#include "bench/literal/triangle_tests.h"
 #include "bench/peers/timed_answers.h"
-#include "bench/peers/triangle_tests.h"
 #include "palpate/base/error.h"
 
 namespace palpate::bench {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/peers/triangle_tests.h"
+#include "bench/literal/triangle_tests.h"
 #include "palpate/base/hash.h"
 
 namespace palpate::bench {

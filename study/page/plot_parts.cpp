@@ -2,10 +2,41 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
+#include <variant>
 
 namespace palpate::study {
+
+namespace {
+
+std::string csvCell(std::string text) {
+  std::replace(text.begin(), text.end(), ',', ';');
+  return text;
+}
+
+void addCurves(const figures::Plot& plot, int panel, std::string& csv) {
+  for (const figures::Series& series : plot.series) {
+    for (std::size_t i = 0; i < series.x.size(); ++i) {
+      csv += fmt::format("{},{},{:.9g},{:.9g},\n", panel, csvCell(series.name), series.x[i], series.y[i]);
+    }
+  }
+}
+
+void addField(const figures::Field& field, int panel, std::string& csv) {
+  std::size_t next = 0;
+  for (int row = 0; row < field.rows; ++row) {
+    for (int column = 0; column < field.columns; ++column) {
+      const double value = field.values[next++];
+      if (!std::isfinite(value)) continue;
+      csv += fmt::format("{},{},{:.9g},{:.9g},{:.9g}\n", panel, csvCell(field.label),
+                         field.origin.x() + column * field.step.x(), field.origin.y() + row * field.step.y(), value);
+    }
+  }
+}
+
+}  // namespace
 
 Plot mapPlane(const std::string& title) {
   Plot plot{.title = title};
@@ -59,6 +90,19 @@ std::vector<figures::Tick> fractionTicksAt(const std::vector<double>& shares) {
     ticks.push_back({share, is_unit_fraction ? fmt::format("1/{:.0f}", inverse) : fmt::format("{:g}", share)});
   }
   return ticks;
+}
+
+std::string csvOf(const figures::Figure& figure) {
+  std::string csv;
+  int panel = 0;
+  for (const figures::Panel& content : figure.panels) {
+    ++panel;
+    const auto* plot = std::get_if<figures::Plot>(&content);
+    if (plot == nullptr) continue;
+    addCurves(*plot, panel, csv);
+    if (plot->field) addField(*plot->field, panel, csv);
+  }
+  return csv.empty() ? csv : std::string("panel,series,x,y,value\n").append(csv);
 }
 
 }  // namespace palpate::study

@@ -50,4 +50,7 @@ std::vector<double> column(const std::vector<Row>& rows, Value Row::*value) {
   return values;
 }
 
+/// The data of every curve and field: columns panel,series,x,y,value.
+std::string csvOf(const figures::Figure& figure);
+
 }  // namespace palpate::study

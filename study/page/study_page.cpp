@@ -10,7 +10,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
-#include "study/page/figure_study.h"
+#include "study/page/plot_parts.h"
 
 namespace palpate::study {
 

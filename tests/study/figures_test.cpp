@@ -1,5 +1,5 @@
 // Every figure can be drawn, is named in the index, and shows what the formulae say.
-#include "study/page/figure_study.h"
+#include "study/figures/figure_study.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The report is one well-formed file with every figure of every chapter in it.
-#include "study/page/report.h"
+#include "study/report/report.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <stack>
 
 #include "palpate/base/text.h"
-#include "study/page/report_html.h"
+#include "study/report/report_html.h"
 #include "support/error_message.h"
 #include "support/temporary_folder.h"
 

@@ -9,7 +9,7 @@
 #include "apps/palpate/bench/bench_report.h"
 #include "apps/palpate/bench/servo_run.h"
 #include "apps/palpate/common/progress_line.h"
-#include "apps/palpate/simulate/simulate_options.h"
+#include "apps/palpate/common/simulate_options.h"
 
 namespace palpate::app {
 namespace {

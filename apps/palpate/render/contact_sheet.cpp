@@ -19,16 +19,16 @@ constexpr double kCloser = 2.4;
 
 /// One picture of the sheet.
 struct Tile {
-  const Frame* frame;
+  const servo::TickSamples* frame;
   view::PictureSettings settings;
 };
 
-double secondsOf(const scene::World& world, const Frame& frame) {
+double secondsOf(const scene::World& world, const servo::TickSamples& frame) {
   return static_cast<double>(frame.front().tick) / world.scene.ticks_per_s;
 }
 
 /// Between the fingers that touch.
-std::optional<Vec3> middleOf(const Frame& frame) {
+std::optional<Vec3> middleOf(const servo::TickSamples& frame) {
   Vec3 sum = Vec3::Zero();
   int count = 0;
   for (const trace::Sample& sample : frame) {
@@ -39,7 +39,8 @@ std::optional<Vec3> middleOf(const Frame& frame) {
   return count == 0 ? std::nullopt : std::optional<Vec3>(sum / count);
 }
 
-view::PictureSettings settingsFor(const scene::World& world, const Frame& frame, const std::string& title) {
+view::PictureSettings settingsFor(const scene::World& world, const servo::TickSamples& frame,
+                                  const std::string& title) {
   scene::ViewSettings view = world.scene.view;
   view.stereo = scene::StereoMode::mono;
   view.show.clear();
@@ -55,15 +56,16 @@ view::PictureSettings settingsFor(const scene::World& world, const Frame& frame,
 }
 
 std::vector<Tile> tilesOf(const scene::World& world, const SheetMoments& moments) {
-  static const Frame nobody;
+  static const servo::TickSamples nobody;
   std::vector<Tile> tiles;
-  const auto add = [&](const Frame& frame, const std::string& title, const std::function<void(view::Look&)>& change) {
+  const auto add = [&](const servo::TickSamples& frame, const std::string& title,
+                       const std::function<void(view::Look&)>& change) {
     tiles.push_back({&frame, settingsFor(world, frame, title)});
     change(tiles.back().settings.look);
   };
   add(nobody, "at rest", [](view::Look&) {});
   if (moments.pressed.empty()) return tiles;
-  const Frame& dragged = moments.dragged.empty() ? moments.pressed : moments.dragged;
+  const servo::TickSamples& dragged = moments.dragged.empty() ? moments.pressed : moments.dragged;
   add(moments.pressed, "pressed deepest", [](view::Look&) {});
   add(dragged, "dragged farthest", [](view::Look& look) { look.show(view::Overlay::contact); });
   add(dragged, "strain", [](view::Look& look) { look.colouring = view::Colouring::strain; });

@@ -2,16 +2,17 @@
 // the cut through the contact.
 #pragma once
 
-#include "apps/palpate/simulate/surface_files.h"
 #include "palpate/base/progress.h"
+#include "palpate/scene/world.h"
+#include "palpate/servo/loop.h"
 #include "palpate/view/image.h"
 
 namespace palpate::app {
 
 /// The moments that the sheet shows; empty ones leave their pictures out.
 struct SheetMoments {
-  Frame pressed;  ///< where the fingers were deepest
-  Frame dragged;  ///< where they pulled the skin farthest
+  servo::TickSamples pressed;  ///< where the fingers were deepest
+  servo::TickSamples dragged;  ///< where they pulled the skin farthest
 };
 
 /// Throws Error where nothing can be drawn.

@@ -55,13 +55,13 @@ void walkTo(const Vec3& goal, double step_mm, std::vector<Vec3>& tips) {
 
 }  // namespace
 
-std::vector<Frame> framesAt(const scene::World& world, const device::FingerPaths& paths,
-                            std::span<const double> times_s, const Progress& progress) {
+std::vector<servo::TickSamples> framesAt(const scene::World& world, const device::FingerPaths& paths,
+                                         std::span<const double> times_s, const Progress& progress) {
   const double end_s = static_cast<double>(paths.ticks - 1) / world.scene.ticks_per_s;
   if (times_s.back() > end_s + 1e-9) {
     throw Error(fmt::format("there is no moment {} s: the run ends at {:.3f} s", times_s.back(), end_s));
   }
-  std::vector<Frame> frames;
+  std::vector<servo::TickSamples> frames;
   const auto keep = [&](std::span<const trace::Sample> samples) {
     while (frames.size() < times_s.size() && samples.front().tick >= tickAt(world, times_s[frames.size()])) {
       frames.emplace_back(samples.begin(), samples.end());

@@ -4,15 +4,16 @@
 #include <span>
 #include <vector>
 
-#include "apps/palpate/simulate/surface_files.h"
 #include "palpate/base/progress.h"
 #include "palpate/device/finger_path.h"
+#include "palpate/scene/world.h"
+#include "palpate/servo/loop.h"
 
 namespace palpate::app {
 
 /// One frame a time; times count from the first tick and must not fall. Throws Error for a time after the run's end.
-std::vector<Frame> framesAt(const scene::World& world, const device::FingerPaths& paths,
-                            std::span<const double> times_s, const Progress& progress);
+std::vector<servo::TickSamples> framesAt(const scene::World& world, const device::FingerPaths& paths,
+                                         std::span<const double> times_s, const Progress& progress);
 
 /// Puts one finger a pose into the scene, in place of its own. A pose is a list of places "x,y,z[,x,y,z...]", mm: the
 /// finger's tip goes to the first and on to the others. Throws Error for what is not that.

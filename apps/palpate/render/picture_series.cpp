@@ -24,7 +24,7 @@ view::FingerMark markOf(const scene::World& world, const trace::Sample& sample) 
 
 }  // namespace
 
-std::vector<view::FingerMark> marksOf(const scene::World& world, const Frame& frame) {
+std::vector<view::FingerMark> marksOf(const scene::World& world, const servo::TickSamples& frame) {
   std::vector<view::FingerMark> marks;
   for (const trace::Sample& sample : frame) marks.push_back(markOf(world, sample));
   return marks;
@@ -39,7 +39,8 @@ std::vector<std::string> fingerNames(const scene::World& world) {
 PictureSeries::PictureSeries(std::shared_ptr<const scene::World> world, const view::PictureSize& size)
     : world_(std::move(world)), size_(size), skin_(*world_), studio_(world_) {}
 
-view::TakenPicture PictureSeries::take(const Frame& frame, double time_s, const view::PictureSettings& settings) {
+view::TakenPicture PictureSeries::take(const servo::TickSamples& frame, double time_s,
+                                       const view::PictureSettings& settings) {
   skin_.follow(frame);
   const std::vector<view::FingerMark> marks = marksOf(*world_, frame);
   return studio_.take(skin_.surface(), {marks, time_s}, settings, size_);

@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "apps/palpate/simulate/surface_files.h"
 #include "palpate/engine/living_skin.h"
+#include "palpate/scene/world.h"
+#include "palpate/servo/loop.h"
 #include "palpate/view/finger_pose.h"
 #include "palpate/view/picture.h"
 
@@ -14,7 +15,7 @@ namespace palpate::app {
 // The fingers of a scene as they are drawn: their colours, sizes and names.
 
 /// One a finger of the scene, in its order: the first is the left hand's (blue), the second the right hand's (red).
-std::vector<view::FingerMark> marksOf(const scene::World& world, const Frame& frame);
+std::vector<view::FingerMark> marksOf(const scene::World& world, const servo::TickSamples& frame);
 
 std::vector<std::string> fingerNames(const scene::World& world);
 
@@ -24,7 +25,7 @@ class PictureSeries {
   PictureSeries(std::shared_ptr<const scene::World> world, const view::PictureSize& size);
 
   /// The skin as these fingers deform it, and the fingers on it; none: the body at rest.
-  view::TakenPicture take(const Frame& frame, double time_s, const view::PictureSettings& settings);
+  view::TakenPicture take(const servo::TickSamples& frame, double time_s, const view::PictureSettings& settings);
 
  private:
   std::shared_ptr<const scene::World> world_;

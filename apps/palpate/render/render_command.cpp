@@ -24,7 +24,7 @@ using Json = nlohmann::ordered_json;
 struct DrawnPicture {
   std::string file;
   double time_s = 0.0;
-  Frame frame;
+  servo::TickSamples frame;
 };
 
 struct RenderReport {
@@ -55,11 +55,11 @@ std::vector<double> timesOf(const RenderOptions& options, const scene::World& wo
 /// Without a moment or a pose: the body at rest, alone.
 bool isAtRest(const RenderOptions& options) { return !options.at_s && options.poses.empty() && options.frames == 1; }
 
-std::vector<Frame> framesFor(const RenderOptions& options, const scene::World& world, std::vector<double>& times,
-                             const Progress& progress) {
+std::vector<servo::TickSamples> framesFor(const RenderOptions& options, const scene::World& world,
+                                          std::vector<double>& times, const Progress& progress) {
   if (isAtRest(options)) {
     times = {0.0};
-    return {Frame{}};
+    return {servo::TickSamples{}};
   }
   const device::FingerPaths paths = options.poses.empty() ? device::pathsOf(world) : pathsToPoses(world, options.poses);
   times = timesOf(options, world, paths);
@@ -86,7 +86,7 @@ RenderReport render(const RenderOptions& options, const Progress& progress) {
   result.notes = world->notes;
   result.build_s = secondsSince(started);
   std::vector<double> times;
-  const std::vector<Frame> frames = framesFor(options, *world, times, progress);
+  const std::vector<servo::TickSamples> frames = framesFor(options, *world, times, progress);
   const auto drawing = Clock::now();
   const view::PictureSettings settings = settingsFor(options, *world, result.size);
   PictureSeries series(world, result.size);
@@ -101,7 +101,7 @@ RenderReport render(const RenderOptions& options, const Progress& progress) {
   return result;
 }
 
-Json fingersJson(const Frame& frame) {
+Json fingersJson(const servo::TickSamples& frame) {
   Json fingers = Json::array();
   for (const trace::Sample& sample : frame) {
     fingers.push_back({{"touching", sample.contact.touch != contact::Touch::free},

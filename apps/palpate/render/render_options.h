@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/palpate/simulate/simulate_options.h"
+#include "apps/palpate/common/simulate_options.h"
 #include "palpate/scene/view_settings.h"
 #include "palpate/view/picture.h"
 

@@ -39,14 +39,14 @@ bool RunStatistics::anyTouch() const {
 
 namespace {
 
-double totalDepth(const Frame& frame) {
+double totalDepth(const servo::TickSamples& frame) {
   double depth = 0.0;
   for (const trace::Sample& sample : frame) depth += sample.contact.depth_mm;
   return depth;
 }
 
 /// How far friction holds the skin behind or before the fingers.
-double totalDrag(const Frame& frame) {
+double totalDrag(const servo::TickSamples& frame) {
   double drag = 0.0;
   for (const trace::Sample& sample : frame) drag += (sample.contact.proxy - sample.contact.hold).norm();
   return drag;

@@ -69,8 +69,8 @@ class RunRecorder {
   const std::vector<std::string>& files() const { return files_; }
   /// The frame in which the fingers pressed deepest, and the one in which they pulled the skin farthest; empty when
   /// they never did.
-  const Frame& deepest() const { return deepest_.frame; }
-  const Frame& farthest() const { return farthest_; }
+  const servo::TickSamples& deepest() const { return deepest_.frame; }
+  const servo::TickSamples& farthest() const { return farthest_; }
   /// What could not be kept, in words.
   const std::vector<std::string>& notes() const { return notes_; }
 
@@ -79,7 +79,7 @@ class RunRecorder {
   struct Moment {
     std::string file;
     std::uint64_t tick = 0;
-    Frame frame;
+    servo::TickSamples frame;
   };
 
   void addFrame();
@@ -92,9 +92,9 @@ class RunRecorder {
   std::vector<Moment> moments_;
   Moment deepest_;
   double deepest_mm_ = 0.0;
-  Frame farthest_;
+  servo::TickSamples farthest_;
   double farthest_mm_ = 0.0;
-  Frame frame_;
+  servo::TickSamples frame_;
   std::vector<std::string> files_;
   std::vector<std::string> notes_;
 };

@@ -6,7 +6,7 @@
 
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/progress_line.h"
-#include "apps/palpate/simulate/simulate_options.h"
+#include "apps/palpate/common/simulate_options.h"
 #include "apps/palpate/simulate/simulation.h"
 #include "palpate/base/output_file.h"
 #include "palpate/scene/scene_file.h"

@@ -35,7 +35,7 @@ mesh::VertexChannels channelsOf(const scene::World& world, const deform::Deforme
 
 }  // namespace
 
-void writeSurface(const std::filesystem::path& file, const scene::World& world, const Frame& frame) {
+void writeSurface(const std::filesystem::path& file, const scene::World& world, const servo::TickSamples& frame) {
   engine::LivingSkin skin(world);
   skin.follow(frame);
   mesh::save(file, deformedMesh(world, skin.surface()), channelsOf(world, skin.surface()));

@@ -2,19 +2,14 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
-#include <vector>
 
 #include "palpate/scene/world.h"
-#include "palpate/trace/sample.h"
+#include "palpate/servo/loop.h"
 
 namespace palpate::app {
 
-/// All fingers in one tick.
-using Frame = std::vector<trace::Sample>;
-
 /// Writes the skin deformed by these fingers: positions, displacement and its parts, strain, stiffness, and the strain
 /// as colours. Throws Error.
-void writeSurface(const std::filesystem::path& file, const scene::World& world, const Frame& frame);
+void writeSurface(const std::filesystem::path& file, const scene::World& world, const servo::TickSamples& frame);
 
 }  // namespace palpate::app

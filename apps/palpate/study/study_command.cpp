@@ -13,9 +13,9 @@
 #include "palpate/base/error.h"
 #include "palpate/scene/scene_file.h"
 #include "study/errata/errata_report.h"
+#include "study/figures/figure_study.h"
 #include "study/numbers/numbers_study.h"
-#include "study/page/figure_study.h"
-#include "study/page/report.h"
+#include "study/report/report.h"
 #include "study/studies.h"
 
 namespace palpate::app {

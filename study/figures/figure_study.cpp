@@ -1,12 +1,12 @@
-#include "study/page/figure_study.h"
+#include "study/figures/figure_study.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
+#include "study/page/plot_parts.h"
 #include "study/page/study_page.h"
 
 namespace palpate::study {
@@ -14,31 +14,6 @@ namespace palpate::study {
 namespace {
 
 bool isTable(const DissertationFigure& figure) { return figure.number.starts_with('T'); }
-
-std::string csvCell(std::string text) {
-  std::replace(text.begin(), text.end(), ',', ';');
-  return text;
-}
-
-void addCurves(const figures::Plot& plot, int panel, std::string& csv) {
-  for (const figures::Series& series : plot.series) {
-    for (std::size_t i = 0; i < series.x.size(); ++i) {
-      csv += fmt::format("{},{},{:.9g},{:.9g},\n", panel, csvCell(series.name), series.x[i], series.y[i]);
-    }
-  }
-}
-
-void addField(const figures::Field& field, int panel, std::string& csv) {
-  std::size_t next = 0;
-  for (int row = 0; row < field.rows; ++row) {
-    for (int column = 0; column < field.columns; ++column) {
-      const double value = field.values[next++];
-      if (!std::isfinite(value)) continue;
-      csv += fmt::format("{},{},{:.9g},{:.9g},{:.9g}\n", panel, csvCell(field.label),
-                         field.origin.x() + column * field.step.x(), field.origin.y() + row * field.step.y(), value);
-    }
-  }
-}
 
 std::string indexEntry(const DissertationFigure& figure, bool has_data) {
   const std::string stem = fileStem(figure);
@@ -74,19 +49,6 @@ std::vector<DissertationFigure> chosenFigures(const std::vector<std::string>& nu
     return std::find(numbers.begin(), numbers.end(), figure.number) != numbers.end();
   });
   return chosen;
-}
-
-std::string csvOf(const figures::Figure& figure) {
-  std::string csv;
-  int panel = 0;
-  for (const figures::Panel& content : figure.panels) {
-    ++panel;
-    const auto* plot = std::get_if<figures::Plot>(&content);
-    if (plot == nullptr) continue;
-    addCurves(*plot, panel, csv);
-    if (plot->field) addField(*plot->field, panel, csv);
-  }
-  return csv.empty() ? csv : std::string("panel,series,x,y,value\n").append(csv);
 }
 
 void writeFigures(const std::vector<DissertationFigure>& chosen, const std::filesystem::path& folder, double png_scale,

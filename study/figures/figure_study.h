@@ -19,9 +19,6 @@ std::string fileStem(const DissertationFigure& figure);
 /// "Figure 4.8"; "Table 4.2" for T4.2.
 std::string titleOf(const DissertationFigure& figure);
 
-/// The data of every curve and field: columns panel,series,x,y,value.
-std::string csvOf(const figures::Figure& figure);
-
 /// Draws them into the folder, which is made when missing, and writes index.md. `png_scale` is pixels of the PNG a CSS
 /// pixel. Throws Error naming a file that cannot be written.
 void writeFigures(const std::vector<DissertationFigure>& chosen, const std::filesystem::path& folder,

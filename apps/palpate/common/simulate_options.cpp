@@ -1,4 +1,4 @@
-#include "apps/palpate/simulate/simulate_options.h"
+#include "apps/palpate/common/simulate_options.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "study/page/report.h"
+#include "study/report/report.h"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 
 #include "study/errata/errata_report.h"
 #include "study/errata/errata_study.h"
+#include "study/figures/figure_study.h"
 #include "study/numbers/numbers_study.h"
-#include "study/page/figure_study.h"
 
 namespace palpate::study {
 

@@ -1,11 +1,11 @@
-#include "study/page/report.h"
+#include "study/report/report.h"
 
 #include <fmt/format.h>
 
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
-#include "study/page/report_html.h"
 #include "study/page/study_page.h"
+#include "study/report/report_html.h"
 
 namespace palpate::study {
 
