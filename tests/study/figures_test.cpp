@@ -71,14 +71,19 @@ TEST(DissertationFigures, AnUnknownNumberOrAFolderThatCannotBeIsRefusedByName) {
 
 TEST(DissertationFigures, ShowTheNumbersOfTheText) {
   // Figure 4.8: the last entry of the array is 0.0021.
-  EXPECT_NEAR(seriesOf(drawn("4.8"), 1, 0).y.back(), 0.0021, 0.0001);
+  const figures::Figure profile = drawn("4.8");
+  EXPECT_NEAR(seriesOf(profile, 1, 0).y.back(), 0.0021, 0.0001);
   // Figure 5.10: 120 at every key.
-  const figures::Series& exact = seriesOf(drawn("5.10"), 1, 0);
+  const figures::Figure interpolated = drawn("5.10");
+  const figures::Series& exact = seriesOf(interpolated, 1, 0);
+  int keys = 0;
   for (std::size_t i = 0; i < exact.x.size(); ++i) {
     if (exact.x[i] == 150.0 || exact.x[i] == 60.0 || exact.x[i] == -30.0) {
       EXPECT_NEAR(exact.y[i], 120.0, 1e-9);
+      ++keys;
     }
   }
+  EXPECT_EQ(keys, 3);
 }
 
 TEST(PressedSkin, FollowsTheFingerAtTheContactAndRestsFarAway) {

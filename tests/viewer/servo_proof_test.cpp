@@ -17,17 +17,22 @@ std::atomic<bool> armed{false};
 std::atomic<std::size_t> allocations{0};
 const std::thread::id kMainThread = std::this_thread::get_id();
 
-void* counted(std::size_t bytes) {
+void* counted(std::size_t bytes) noexcept {
   if (armed.load(std::memory_order_relaxed) && std::this_thread::get_id() != kMainThread) ++allocations;
-  if (void* memory = std::malloc(bytes)) return memory;
-  throw std::bad_alloc();
+  return std::malloc(bytes);
 }
 
 }  // namespace
 
-void* operator new(std::size_t bytes) { return counted(bytes); }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void* operator new(std::size_t bytes) {
+  if (void* memory = counted(bytes)) return memory;
+  throw std::bad_alloc();
+}
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept { return counted(bytes); }
+// Not in line: the compiler would see free() beside a `new` that it did not look into, and warn.
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
 
 namespace palpate::viewer {
 namespace {
