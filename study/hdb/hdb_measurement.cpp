@@ -12,6 +12,7 @@
 #include "study/hdb/late_box.h"
 #include "study/measured/finger_strokes.h"
 #include "study/measured/haptic_frames.h"
+#include "study/measured/skin_places.h"
 
 namespace palpate::study {
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/palpate/simulate/surface_files.h"
 #include "palpate/servo/scripted_rig.h"
 
 namespace palpate::app {

@@ -8,9 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "apps/palpate/simulate/surface_files.h"
 #include "palpate/base/hash.h"
 #include "palpate/device/finger_path.h"
+#include "palpate/scene/world.h"
+#include "palpate/servo/loop.h"
 #include "palpate/trace/forces_csv.h"
 #include "palpate/trace/sample.h"
 
