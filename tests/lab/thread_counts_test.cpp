@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
+
 #include <chrono>
 #include <condition_variable>
 #include <memory>
