@@ -16,6 +16,16 @@ TEST(Camera, SeesTheBackFromBehindWithTheHeadUp) {
   EXPECT_TRUE(camera.right().isApprox(Vec3::UnitX())) << "the patient's right is on the right";
 }
 
+TEST(Camera, AStandardViewLooksFromItsSide) {
+  const Eigen::AlignedBox3d box(Vec3(-200, -300, -100), Vec3(200, 260, 130));
+  const auto from = [&](StandardView side) { return fitted(box, kWideAspect, side).backward(); };
+  EXPECT_TRUE(from(StandardView::back).isApprox(Vec3::UnitZ()));
+  EXPECT_TRUE(from(StandardView::left).isApprox(-Vec3::UnitX()));
+  EXPECT_TRUE(from(StandardView::right).isApprox(Vec3::UnitX()));
+  EXPECT_TRUE(from(StandardView::front).isApprox(-Vec3::UnitZ()));
+  EXPECT_TRUE(from(StandardView::above).isApprox(Vec3::UnitY(), 2e-3)) << "a hair beside it";
+}
+
 TEST(Camera, FitsABoxFromEverySide) {
   const Eigen::AlignedBox3d box(Vec3(-200, -300, -100), Vec3(200, 260, 130));
   for (const auto side :
