@@ -29,6 +29,9 @@ RecordedTouch touchedAgain(const std::shared_ptr<const scene::World>& world, con
 /// Does it beside the display, one table at a time.
 class ReplayLoader {
  public:
+  ReplayLoader() = default;
+  ReplayLoader(const ReplayLoader&) = delete;  // the work writes into this one
+  ReplayLoader& operator=(const ReplayLoader&) = delete;
   /// False, with nothing done, while another table is at work.
   bool load(std::shared_ptr<const scene::World> world, scene::Scene scene, const std::string& file);
   struct Result {
