@@ -27,6 +27,9 @@ endif()
 add_library(palpate_build INTERFACE)
 target_link_libraries(palpate_build INTERFACE palpate_options)
 target_include_directories(palpate_build INTERFACE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR})
+# One order of arithmetic everywhere: with Eigen's packets a sum of three is added in another order where there is SSE than
+# where there is none. Three-vectors are no slower without.
+target_compile_definitions(palpate_build INTERFACE EIGEN_DONT_VECTORIZE)
 # A precompiled header fits only where every macro is defined that was defined where it was made; more do no harm.
 target_compile_definitions(palpate_build INTERFACE $<TARGET_PROPERTY:hwy::hwy,INTERFACE_COMPILE_DEFINITIONS>
                                                    $<TARGET_PROPERTY:fmt::fmt,INTERFACE_COMPILE_DEFINITIONS>)

@@ -33,12 +33,25 @@ FingerOutput slideFrom(Vec3 start, const Vec3& end, double step_mm, Track& finge
   return output;
 }
 
-/// One finger and its memory.
+/// One finger and its memory. Every tick is asked whether the force changed by more than tip and proxy can move apart.
 class FingerTrack {
  public:
-  explicit FingerTrack(const Surface& surface, FingerSettings settings = {}) : surface_(surface), settings_(settings) {}
+  explicit FingerTrack(const Surface& surface, FingerSettings settings = {})
+      : surface_(surface),
+        settings_(settings),
+        stiffness_(*std::max_element(surface.stiffness_n_per_mm.begin(), surface.stiffness_n_per_mm.end())) {}
 
-  FingerOutput to(const Vec3& tip) { return step(surface_, settings_, state_, tip); }
+  FingerOutput to(const Vec3& tip) {
+    const Vec3 force_before = state_.force;
+    const double moved_mm = state_.knows_tip ? (tip - state_.tip).norm() : 0.0;
+    const FingerOutput output = step(surface_, settings_, state_, tip);
+    const double most_mm = 3.0 * moved_mm + settings_.catch_up_mm_per_s * settings_.tick_s;
+    const bool hooke = surface_.force_law.kind == tissue::ForceLaw::Kind::linear;
+    if (hooke && tip.allFinite()) {
+      EXPECT_LE((state_.force - force_before).norm(), 1.1 * stiffness_ * most_mm) << tip.transpose();
+    }
+    return output;
+  }
 
   /// Straight from the last tip to `end` in steps of at most `step_mm`; the last output.
   FingerOutput slide(const Vec3& end, double step_mm) { return slideFrom(state_.tip, end, step_mm, *this); }
@@ -48,6 +61,7 @@ class FingerTrack {
  private:
   const Surface& surface_;
   FingerSettings settings_;
+  double stiffness_;
   FingerState state_;
 };
 

@@ -36,8 +36,10 @@ TEST(Friction, HeldAtTheGoldenFilesAnchorsAFingerFeelsItsForces) {
     FingerState state;
     state.proxy = {plate.tree.records[0].corners[0], 0, tree::Feature::face};
     state.anchor = {test::vec3(c["expected_A"]), 0, tree::Feature::face};
+    state.hold = state.anchor.position;
     const Press press{true, proxy, normal, depth, depth, 0};
-    const FingerOutput output = pressedOutput(plate, settings, press, tip, holdOnSkin, state);
+    const double far_mm = 1000.0;  // as if the tip had come from there: the force may be anything
+    const FingerOutput output = feltOutput(plate, settings, press, tip, far_mm, state);
     EXPECT_EQ(output.touch, Touch::stick) << c;
     EXPECT_NEAR((output.force - force).norm(), 0, 1e-9) << c;
     ++pressing;
@@ -164,6 +166,25 @@ TEST(Friction, StretchesThePullToTheWholeOffset) {
   EXPECT_NEAR((grip.pull - Vec3(5, 0, 0)).norm(), 0, 1e-12);
   EXPECT_FALSE(grip.slipping);
   EXPECT_EQ(gripOf({0, 0, 0}, Vec3::UnitZ(), {0, 0, -4}, {10.0, 10.0}, false).pull, Vec3(0, 0, 0));
+  // Of an offset along the normal nothing is tangential but rounding, which must not give the pull its direction.
+  EXPECT_LT(gripOf({0, 0, 0}, Vec3::UnitZ(), {1e-9, 0, -4}, {10.0, 10.0}, false).pull.norm(), 1e-8);
+}
+
+TEST(Friction, FromSlipToStickThePullDoesNotJump) {
+  // Over a coarse egg-crate the skin next to where the pull ends is often elsewhere; FingerTrack asks for the step.
+  mesh::TriangleMesh bumps = zoo::wavyGrid(24, 100.0, 6.0);
+  for (const double step_mm : {0.02, 0.1, 0.5}) {
+    const Surface surface = surfaceOf(bumps);
+    FingerTrack finger(surface);
+    finger.to({20, 50, 12});
+    finger.slide({20, 50, -4}, step_mm);
+    for (int lap = 0; lap < 3; ++lap) {
+      finger.slide({30, 47.0 + lap, -4}, step_mm);
+      finger.slide({28, 50, -5}, step_mm);
+      finger.slide({32, 52, -3}, step_mm);
+      finger.slide({20, 50, -4}, step_mm);
+    }
+  }
 }
 
 }  // namespace palpate::contact

@@ -103,7 +103,7 @@ TEST(PointFinger, FadesRoundACornerOfTheBorder) {
   EXPECT_FALSE(touches(last));
 }
 
-TEST(PointFinger, AThinPlateHoldsUntilTheTipIsFarTooDeep) {
+TEST(PointFinger, AThinPlateHoldsUntilTheTipIsFarTooDeepAndThenLetsGoSoftly) {
   const Surface plate = surfaceOf(zoo::plate(200.0, 2.0));
   const double top = 2.0;
   FingerTrack finger(plate);
@@ -113,7 +113,25 @@ TEST(PointFinger, AThinPlateHoldsUntilTheTipIsFarTooDeep) {
     ASSERT_TRUE(touches(output)) << depth;
     EXPECT_NEAR(output.force.z(), kTestStiffness * depth, 1e-9);
   }
-  EXPECT_FALSE(touches(finger.to({100, 100, top - 41}))) << "outside on the other side";
+  const FingerOutput let_go = finger.to({100, 100, top - 41});
+  EXPECT_NE(let_go.status & kLettingGo, 0u) << "outside on the other side";
+  EXPECT_GT(let_go.force.z(), 0.85 * kTestStiffness * 40.0);
+  int ticks = 0;
+  while (touches(finger.to({100, 100, top - 41})) && ticks < 1000) ++ticks;
+  EXPECT_NEAR(ticks, 349, 2) << "34.9 mm, 0.1 a tick";
+  finger.to({100, 100, -1});
+  EXPECT_NEAR(finger.to({100, 100, 1}).force.z(), -kTestStiffness, 1e-9) << "and is felt from below";
+}
+
+TEST(PointFinger, ATipThatIsLetGoAndEntersElsewhereIsHeldThere) {
+  const Surface plate = surfaceOf(zoo::plate(200.0, 2.0));
+  FingerTrack finger(plate);
+  finger.to({100, 100, 7});
+  finger.slide({100, 100, -39}, 0.5);
+  FingerOutput output = finger.slide({100, 100, 1}, 0.5);  // back and into the plate from below, the force still fading
+  EXPECT_TRUE(touches(output));
+  for (int i = 0; i < 500; ++i) output = finger.to({100, 100, 1});
+  EXPECT_NEAR(output.force.z(), -kTestStiffness, 1e-9);
 }
 
 TEST(PointFinger, InAFoldEachSheetKeepsItsOwnProxy) {
@@ -149,20 +167,21 @@ TEST(PointFinger, LandsOnTheNextSheetInTheTickInWhichItLeavesTheFirst) {
   EXPECT_NEAR(output.proxy.z(), 0.0, 1e-12);
 }
 
-TEST(PointFinger, GivesUpAPlaceThatIsFarTooDeepForOneMuchNearer) {
+TEST(PointFinger, IsNeverThrownToTheFarSideOfABody) {
   const Surface box = surfaceOf(zoo::cube(100.0, {0, 0, 0}));
   FingerTrack finger(box);
-  FingerOutput deep = finger.to({50, 60, 110});
-  std::uint32_t status = 0;
-  for (double z = 109; z >= 20; --z) {  // 80 mm below the top, 20 above the bottom
-    deep = finger.to({50, 60, z});
-    status |= deep.status;
+  finger.to({50, 60, 110});
+  for (double z = 109; z >= 1; --z) {  // 99 mm below the top, 1 above the bottom
+    const FingerOutput output = finger.to({50, 60, z});
+    const double depth = std::max(0.0, 100.0 - z);
+    ASSERT_NEAR(output.force.z(), kTestStiffness * std::min(depth, 40.0), 1e-9) << z;
+    ASSERT_EQ((output.status & kTooDeep) != 0, depth > 40.0) << z;
   }
-  EXPECT_TRUE(touches(deep));
-  EXPECT_NE(status & kTooDeep, 0u);
-  EXPECT_NE(status & kReseeded, 0u);
-  EXPECT_LE((deep.proxy - deep.tip).norm(), 40.0 + 1e-9);
-  EXPECT_LE(deep.force.norm(), 40.0 * kTestStiffness * 1.2);
+  FingerOutput output = finger.to({50, 60, -1});  // out of the bottom
+  EXPECT_NE(output.status & kLettingGo, 0u);
+  for (int i = 0; i < 500; ++i) output = finger.to({50, 60, -1});
+  EXPECT_FALSE(touches(output));
+  EXPECT_NEAR(finger.to({50, 60, 2}).force.z(), -2 * kTestStiffness, 1e-9);
 }
 
 TEST(PointFinger, FeelsRepairedNonManifoldAndOneSidedMeshes) {

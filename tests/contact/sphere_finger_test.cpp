@@ -138,15 +138,17 @@ TEST(SphereFinger, PressedNearABorderItDoesNotSlipUnderTheSheet) {
   EXPECT_NEAR(output.depth_mm, 23.0, 0.01);
 }
 
-TEST(SphereFinger, GivesUpAPlaceThatIsFarTooDeepForOneMuchNearer) {
+TEST(SphereFinger, IsNeverThrownToTheFarSideOfABody) {
   const Surface box = surfaceOf(zoo::cube(100.0, {0, 0, 0}));
   FingerTrack finger(box, sphereOf(8.0));
   finger.to({50, 60, 120});
-  finger.slide({50, 60, 15}, 1.0);  // 85 mm below the top, 15 above the bottom
-  const Vec3 centre = finger.state().centre;
-  EXPECT_NEAR(centre.z(), -8.0, 0.01) << "moved to the bottom";
-  const FingerOutput output = finger.to({50, 60, 15});
-  EXPECT_LE(output.depth_mm, 24.0);
+  FingerOutput output = finger.slide({50, 60, 1}, 1.0);  // 99 mm below the top, 1 above the bottom
+  EXPECT_NEAR(finger.state().centre.z(), 108.0, 0.01);
+  EXPECT_NEAR(output.force.z(), 48.0 * kTestStiffness, 1e-9) << "the deepest that is felt, and the radius";
+  finger.slide({50, 60, -20}, 0.1);  // out of the bottom
+  for (int i = 0; i < 500; ++i) output = finger.to({50, 60, -20});
+  EXPECT_FALSE(touches(output));
+  EXPECT_NEAR(finger.to({50, 60, -5}).force.z(), -3 * kTestStiffness, 1e-6);
 }
 
 TEST(SphereFinger, ALostTipGivesNoForceAndForgetsNothing) {

@@ -181,16 +181,6 @@ TEST(TriangleTree, FirstCrossingAgreesWithBruteForce) {
   }
 }
 
-TEST(TriangleTree, WindingNumberCountsTheSheetsAroundAPoint) {
-  const TriangleTree tree = buildTriangleTree(zoo::overlappingSpheres());
-  const Vec3 middle = tree.center;
-  EXPECT_EQ(windingNumber(tree, middle), 2);
-  EXPECT_EQ(windingNumber(tree, middle + Vec3(20, 0, 0)), 1);
-  EXPECT_EQ(windingNumber(tree, middle - Vec3(20, 0, 0)), 1);
-  EXPECT_EQ(windingNumber(tree, middle + Vec3(0, 19, 0)), 0);
-  EXPECT_EQ(windingNumber(tree, middle + Vec3(0, 0, -40)), 0);
-}
-
 TEST(TriangleTree, CoincidentTrianglesDoNotNestWithoutEnd) {
   mesh::TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}};
   mesh.triangles.assign(5000, {0, 1, 2});

@@ -3,8 +3,15 @@
 // The tangential spring is `stiffness_ratio` of the *secant* stiffness F_n / p. So the force points from the tip to the
 // anchor when the ratio is 1, A = P + (p / F_n) F_t (E1), under every force law, and the friction limits
 // mu F_n / k_t = mu p / ratio are lengths that do not depend on the law.
+//
+// What is felt is continuous by construction. Tip and proxy move apart by at most feltBound in a tick, so the depth as a
+// vector does not change faster either, and where it would (the contact ended far from its proxy) it follows at that
+// pace; friction takes of its own change what the normal force leaves of the step.
 #include "palpate/contact/felt_force.h"
 
+#include <algorithm>
+
+#include "palpate/contact/friction.h"
 #include "palpate/contact/surface_walk.h"
 
 namespace palpate::contact {
@@ -14,11 +21,49 @@ namespace {
 /// A tip this many diagonals away is a broken device, and would overflow the exact predicates in the end.
 constexpr double kFarthestTip = 1e6;
 
+/// A step within this share of its bound is within it: rounding of two norms.
+constexpr double kStepRounding = 1e-9;
+
 GripLimits gripLimits(const FingerSettings& settings, const tissue::Response& tissue) {
   const double tangential_stiffness = settings.stiffness_ratio * tissue.secant_n_per_mm;
   if (!(tangential_stiffness > 0.0)) return {};
   return {settings.mu_static * tissue.force_n / tangential_stiffness,
           settings.mu_dynamic * tissue.force_n / tangential_stiffness};
+}
+
+/// The most that the force grows with the depth here, N/mm: the chord's slope or the tangent's.
+double tangentOf(const Surface& surface, double stiffness, double depth_mm, const tissue::Response& tissue) {
+  if (surface.force_law.kind == tissue::ForceLaw::Kind::linear) return stiffness;
+  return std::max(tissue.secant_n_per_mm, tissue::tangentStiffness(surface.force_law, stiffness, depth_mm));
+}
+
+/// A press that the skin no longer gives: the tip is out of the body and what it felt fades.
+Press fadingPress(const Surface& surface, const Vec3& tip, FingerState& state) {
+  state.proxy = walkToNearest(surface, state.proxy, tip, kUnbounded).at;
+  Press press;
+  press.proxy = state.proxy.position;
+  press.status = kLettingGo;
+  return press;
+}
+
+/// Lets what is felt follow the press, at most `most_mm` in this tick, and puts it in place of the press's own depth.
+/// Almost always that changes nothing: tip and proxy cannot move apart faster. It does where the press itself leaps:
+/// a tip that comes out of the far side of a limb, a proxy that finds its way round a rim. False when nothing is felt.
+bool followPress(const Surface& surface, double most_mm, const Vec3& tip, Press& press, FingerState& state) {
+  const Vec3 wish = press.touching ? Vec3(press.felt_depth_mm * press.normal) : Vec3::Zero();
+  const Vec3 change = wish - state.felt;
+  const double size = change.norm();
+  if (size <= most_mm * (1.0 + kStepRounding) + directionlessDepth(surface)) {
+    state.felt = wish;
+    return press.touching;
+  }
+  state.felt += (most_mm / size) * change;
+  if (!press.touching) press = fadingPress(surface, tip, state);
+  press.felt_depth_mm = state.felt.norm();
+  if (press.felt_depth_mm > directionlessDepth(surface)) press.normal = state.felt / press.felt_depth_mm;
+  if (!press.touching) press.depth_mm = press.felt_depth_mm;
+  press.status |= kCatchingUp;
+  return press.felt_depth_mm > 0.0;
 }
 
 }  // namespace
@@ -39,23 +84,30 @@ FingerOutput lostOutput(const FingerState& state) noexcept {
   return output;
 }
 
-FingerOutput pressedOutput(const Surface& surface, const FingerSettings& settings, const Press& press, const Vec3& tip,
-                           Hold hold, FingerState& state) noexcept {
+FingerOutput feltOutput(const Surface& surface, const FingerSettings& settings, Press press, const Vec3& tip,
+                        double tip_moved_mm, FingerState& state) noexcept {
+  const double most_mm = feltBound(settings, tip_moved_mm);
+  if (!followPress(surface, most_mm, tip, press, state)) {
+    state.force = Vec3::Zero();
+    return freeOutput(tip);
+  }
   const double stiffness = stiffnessAt(surface, state.proxy);
   const tissue::Response tissue = tissue::respond(surface.force_law, stiffness, press.felt_depth_mm);
-  const Vec3 pull = hold(surface, press, gripLimits(settings, tissue), state);
+  const Pressure pressure{press.proxy, press.normal, tissue.force_n, settings.stiffness_ratio * tissue.secant_n_per_mm};
+  const double most_n = most_mm * tangentOf(surface, stiffness, press.felt_depth_mm, tissue);
+  const Hold hold = holdOf(surface, pressure, gripLimits(settings, tissue), most_n, state);
   FingerOutput output;
   output.tip = tip;
   output.proxy = press.proxy;
   output.anchor = state.anchor.position;
   output.hold = state.hold;
   output.normal = press.normal;
-  output.force = tissue.force_n * press.normal + settings.stiffness_ratio * tissue.secant_n_per_mm * pull;
+  output.force = state.force = tissue.force_n * press.normal + pressure.tangential_n_per_mm * hold.pull;
   output.depth_mm = press.depth_mm;
-  output.touch = state.slipping ? Touch::slip : Touch::stick;
+  output.touch = state.slipping && hold.settled ? Touch::slip : Touch::stick;
   output.triangle = surface.tree.source_triangle[state.proxy.triangle];
   output.anchor_triangle = surface.tree.source_triangle[state.anchor.triangle];
-  output.status = press.status;
+  output.status = press.status | (hold.settled ? 0u : kCatchingUp);
   return output;
 }
 

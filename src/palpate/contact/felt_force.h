@@ -1,7 +1,7 @@
 // The last step of a tick: from how the tip presses the skin to what the finger reports and the force on the tip.
 #pragma once
 
-#include "palpate/contact/friction.h"
+#include "palpate/contact/press.h"
 
 namespace palpate::contact {
 
@@ -14,11 +14,10 @@ FingerOutput freeOutput(const Vec3& tip) noexcept;
 /// The answer to a tip that is not usable: no force, the state as it was.
 FingerOutput lostOutput(const FingerState& state) noexcept;
 
-/// How friction holds: holdOnSkin or holdInSpace.
-using Hold = Vec3 (*)(const Surface&, const Press&, const GripLimits&, FingerState&) noexcept;
-
-/// Normal force by the surface's force law, friction by `hold`, both together in newton. Moves the anchor in `state`.
-FingerOutput pressedOutput(const Surface& surface, const FingerSettings& settings, const Press& press, const Vec3& tip,
-                           Hold hold, FingerState& state) noexcept;
+/// What a finger that moved by `tip_moved_mm` to `tip` and presses so reports: normal force by the surface's force law
+/// and friction, together in newton. Moves the anchor in `state`. No tick changes the force by more than stiffness
+/// times feltBound: a press that has ended at once (the tip came out on another side) fades.
+FingerOutput feltOutput(const Surface& surface, const FingerSettings& settings, Press press, const Vec3& tip,
+                        double tip_moved_mm, FingerState& state) noexcept;
 
 }  // namespace palpate::contact

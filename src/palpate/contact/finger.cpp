@@ -9,7 +9,6 @@
 
 #include "palpate/base/error.h"
 #include "palpate/contact/felt_force.h"
-#include "palpate/contact/friction.h"
 #include "palpate/contact/press.h"
 #include "palpate/contact/surface_walk.h"
 
@@ -57,11 +56,11 @@ FingerOutput step(const Surface& surface, const FingerSettings& settings, Finger
   const Index triangle_before = state.proxy.triangle;
   const Press press =
       radius > 0.0 ? pressSphere(surface, settings, radius, state, tip) : pressPoint(surface, settings, state, tip);
+  const double tip_moved_mm = (tip - state.tip).norm();
   state.knows_tip = true;
   state.tip = tip;
-  if (!press.touching) return freeOutput(tip);
-  prefetchNeighbours(surface, state.proxy.triangle, state.proxy.triangle != triangle_before);
-  return pressedOutput(surface, settings, press, tip, radius > 0.0 ? holdInSpace : holdOnSkin, state);
+  if (press.touching) prefetchNeighbours(surface, state.proxy.triangle, state.proxy.triangle != triangle_before);
+  return feltOutput(surface, settings, press, tip, tip_moved_mm, state);
 }
 
 void stepAll(const Surface& surface, std::span<const FingerSettings> settings, std::span<FingerState> states,

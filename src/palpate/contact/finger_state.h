@@ -16,11 +16,12 @@ struct FingerSettings {
   double stiffness_ratio = 1.0;  ///< k_t / k_n; 0.23 lets the skin follow 20 mm at 10 mm depth (E2)
   double mu_static = 0.46;
   double mu_dynamic = 0.44;
-  /// Beyond this depth the proxy may be given up for a nearer place of the skin; also the deepest depth that is felt.
+  /// The deepest depth that is felt; a tip that is outside the body and farther than this from its proxy is let go.
   double max_depth_mm = 40.0;
   double tick_s = 0.001;
   /// The proxy moves at most twice as far as the tip plus this speed's share of a tick. It bounds the force step where
-  /// a ridge lets the proxy go (100 mm/s: 0.1 mm a tick, 0.05 N at 0.5 N/mm).
+  /// a ridge lets the proxy go (100 mm/s: 0.1 mm a tick, 0.05 N at 0.5 N/mm), and how fast a force fades that has lost
+  /// its reason.
   double catch_up_mm_per_s = 100.0;
   bool force_shading = false;  ///< round off facets: for coarse meshes of smooth bodies; a point finger only
 };
@@ -30,9 +31,9 @@ enum class Touch : std::uint8_t { free, stick, slip };
 /// Bits of FingerOutput::status.
 enum StatusBit : std::uint32_t {
   kTipLost = 1u << 0,        ///< tip not finite or absurdly far: no force, state kept as it was
-  kCatchingUp = 1u << 1,     ///< the proxy used up its path in this tick
+  kCatchingUp = 1u << 1,     ///< the proxy used up its path in this tick, or the force its step
   kTooDeep = 1u << 2,        ///< deeper than max_depth_mm: the force no longer grows
-  kReseeded = 1u << 3,       ///< the proxy was moved to a nearer place of the skin
+  kLettingGo = 1u << 3,      ///< the tip is out of the body again; what it felt fades
   kAtBorder = 1u << 4,       ///< the force fades because the sheet ends here
   kStartedInside = 1u << 5,  ///< a sphere that overlaps the skin is being pushed out
   kUnsettled = 1u << 6,      ///< a sphere used up its rounds; it goes on in the next tick
@@ -56,7 +57,9 @@ struct FingerState {
   SurfacePoint anchor;         ///< on the skin
   Vec3 centre = Vec3::Zero();  ///< sphere: C, where it rests on the skin; detecting box: the god object
   bool fits = false;           ///< sphere only: at C it does not sink into the skin
-  Vec3 hold = Vec3::Zero();    ///< A as a point in space
+  Vec3 hold = Vec3::Zero();    ///< A as a point in space: where the pull of friction ends
+  Vec3 felt = Vec3::Zero();    ///< the depth that was felt along its normal, mm; fades after the skin was left
+  Vec3 force = Vec3::Zero();   ///< on the tip, N
 };
 
 /// What one finger felt in one tick; value-initialised it touches nothing, at the origin.
@@ -65,8 +68,8 @@ struct FingerOutput {
   Vec3 proxy =
       Vec3::Zero();  ///< P, on the skin (a sphere in a valley: on the sphere, between its feet); the tip when free
   Vec3 anchor = Vec3::Zero();  ///< A, on the skin; the tip when free
-  /// Where friction holds the tip; the tip when free. The anchor for a point finger. For a sphere a point in space, in
-  /// the plane that touches it at P, and the anchor is the skin nearest to it.
+  /// Where friction holds the tip, a point in space; the tip when free. While it slips it lies in the plane that touches
+  /// the finger at P. The anchor is the skin nearest to it.
   Vec3 hold = Vec3::Zero();
   Vec3 normal = Vec3::Zero();  ///< unit, out of the skin; zero when free
   Vec3 force = Vec3::Zero();   ///< on the tip, N

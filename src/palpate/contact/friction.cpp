@@ -4,10 +4,14 @@
 // limit is the dynamic one until the pull falls below it by itself, so kinetic friction is exactly its coefficient at
 // any speed; without the flag the ratio would saw between the two coefficients.
 //
+// What pulls is a point in space. An anchor that must lie on the skin cannot always lie where the pull ended, and the
+// next tick would see another pull: steps of newtons while the tip hardly moves.
+//
 // Based on: Coulomb's law; Hayward and Armstrong, "A new computational model of friction applied to haptic rendering"
 // (2000) for friction by displacement; Ji (2008), 2.2 for the anchor.
 #include "palpate/contact/friction.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "palpate/contact/surface_walk.h"
@@ -16,8 +20,8 @@ namespace palpate::contact {
 
 namespace {
 
-/// An offset whose tangential share is smaller points along the normal: what is left of it is rounding.
-constexpr double kDirectionless = 1e-12;
+/// Of an offset's tangential part: an offset up to 60 degrees off the skin counts whole.
+constexpr double kMostStretch = 2.0;
 
 /// The place of the skin nearest to `target`, found from where the anchor was; from the proxy when the proxy has moved
 /// somewhere else (the anchor would be left behind on another part of the skin).
@@ -30,6 +34,27 @@ SurfacePoint dragged(const Surface& surface, const FingerState& state, const Vec
   return walkToNearest(surface, state.proxy, target, pull_mm).at;
 }
 
+/// Of the pulls between the wished one and the one that would change the force least, the first that keeps the step.
+/// The latter lies in the friction cone too (`longest_mm`), which comes before the step.
+Vec3 withinStep(const Pressure& press, const Vec3& wish, double longest_mm, double most_n, const Vec3& force_before) {
+  const double stiffness = press.tangential_n_per_mm;
+  const Vec3 change = press.force_n * press.normal + stiffness * wish - force_before;
+  const double too_much = change.squaredNorm() - most_n * most_n;
+  if (!(too_much > 0.0) || !(stiffness > 0.0)) return wish;
+  const Vec3 left = force_before / stiffness;
+  Vec3 gentlest = left - left.dot(press.normal) * press.normal;
+  const double length = gentlest.norm();
+  if (length > longest_mm) gentlest *= longest_mm / length;
+  // |change + share way| = most_n
+  const Vec3 way = stiffness * (gentlest - wish);
+  const double a = way.squaredNorm();
+  const double b = change.dot(way);
+  if (!(a > 0.0)) return wish;
+  const double root2 = b * b - a * too_much;
+  const double share = root2 > 0.0 ? (-b - std::sqrt(root2)) / a : -b / a;
+  return wish + std::clamp(share, 0.0, 1.0) * (gentlest - wish);
+}
+
 }  // namespace
 
 Grip gripOf(const Vec3& proxy, const Vec3& normal, const Vec3& anchor, const GripLimits& limits,
@@ -38,29 +63,24 @@ Grip gripOf(const Vec3& proxy, const Vec3& normal, const Vec3& anchor, const Gri
   const Vec3 rough = offset - offset.dot(normal) * normal;
   const Vec3 tangential = rough - rough.dot(normal) * normal;  // twice: an offset along the normal leaves rounding
   const double length = tangential.norm();
-  // As long as the whole offset: wrapping around a bump does not hide displacement. Unless there is no direction.
-  const double whole = offset.norm();
-  const double stretched = length > kDirectionless * whole ? whole : 0.0;
+  // As long as the whole offset: wrapping around a bump does not hide displacement. But never much longer than what is
+  // tangential, or an offset that points along the normal would pull in the direction of its rounding.
+  const double stretched = std::min(offset.norm(), kMostStretch * length);
   const bool slips = stretched > (slipped_before ? limits.slipping_mm : limits.sticking_mm);
   const double kept = slips ? limits.slipping_mm : stretched;
-  if (stretched == 0.0 || kept == 0.0) return {Vec3::Zero(), slips};
+  if (length == 0.0 || kept == 0.0) return {Vec3::Zero(), slips};
   return {(kept / length) * tangential, slips};
 }
 
-Vec3 holdOnSkin(const Surface& surface, const Press& press, const GripLimits& limits, FingerState& state) noexcept {
-  const Grip grip = gripOf(press.proxy, press.normal, state.anchor.position, limits, state.slipping);
-  state.slipping = grip.slipping;
-  if (grip.slipping) state.anchor = dragged(surface, state, press.proxy + grip.pull, grip.pull.norm());
-  state.hold = state.anchor.position;
-  return grip.pull;
-}
-
-Vec3 holdInSpace(const Surface& surface, const Press& press, const GripLimits& limits, FingerState& state) noexcept {
+Hold holdOf(const Surface& surface, const Pressure& press, const GripLimits& limits, double most_n,
+            FingerState& state) noexcept {
   const Grip grip = gripOf(press.proxy, press.normal, state.hold, limits, state.slipping);
+  const Vec3 pull = withinStep(press, grip.pull, limits.sticking_mm, most_n, state.force);
+  const bool settled = pull == grip.pull;
   state.slipping = grip.slipping;
-  if (grip.slipping) state.hold = press.proxy + grip.pull;
+  if (grip.slipping || !settled) state.hold = press.proxy + pull;
   state.anchor = dragged(surface, state, state.hold, (state.hold - press.proxy).norm());
-  return grip.pull;
+  return {pull, settled};
 }
 
 }  // namespace palpate::contact

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "palpate/base/vec.h"
-#include "palpate/contact/press.h"
+#include "palpate/contact/finger_state.h"
+#include "palpate/contact/surface.h"
 
 namespace palpate::contact {
 
@@ -21,12 +22,25 @@ struct GripLimits {
 Grip gripOf(const Vec3& proxy, const Vec3& normal, const Vec3& anchor, const GripLimits& limits,
             bool slipped_before) noexcept;
 
-/// Point finger: updates the anchor and the slip flag in `state` for this press, and returns the pull. While it slips
-/// the anchor walks on the skin to where the pull ends.
-Vec3 holdOnSkin(const Surface& surface, const Press& press, const GripLimits& limits, FingerState& state) noexcept;
+/// How the finger presses, as friction sees it.
+struct Pressure {
+  Vec3 proxy;
+  Vec3 normal;                 ///< unit
+  double force_n;              ///< along the normal
+  double tangential_n_per_mm;  ///< k_t
+};
 
-/// Sphere: the same with the anchor as a point in space, FingerState::hold; the anchor on the skin follows it.
-Vec3 holdInSpace(const Surface& surface, const Press& press, const GripLimits& limits, FingerState& state) noexcept;
+/// What holds the tip in this tick.
+struct Hold {
+  Vec3 pull = Vec3::Zero();
+  bool settled = true;  ///< false: on its way to the pull of gripOf, which would have been too large a step
+};
+
+/// Updates the slip flag, the point in space that holds the finger (FingerState::hold) and the anchor on the skin for
+/// this press. The whole force leaves FingerState::force by at most `most_n` as far as the friction cone allows it: the
+/// drop of a break-away is spread over ticks, and so is whatever turns the pull round.
+Hold holdOf(const Surface& surface, const Pressure& press, const GripLimits& limits, double most_n,
+            FingerState& state) noexcept;
 
 // The friction anchor as (2.6) prints it, kept to show what it does.
 //

@@ -1,4 +1,4 @@
-// One tick of a point finger: exact entry, bounded walk to the local minimum, too-deep rule, border, exact release.
+// One tick of a point finger: exact entry, bounded walk to the local minimum, border, exact release.
 //
 // The tip is free until its path crosses the skin from front to back, exactly (tree/exact_predicates.h). From then
 // on the proxy walks on the skin towards the tip, no further in a tick than the path bound, and the tip is let go when
@@ -7,7 +7,9 @@
 //
 // Based on: Zilles and Salisbury, "A constraint-based god-object method for haptic display" (1995); Ho et al. (1999)
 // for the walk. The walk's proof of not falling through: the proxy never leaves the surface, so only a wrong release
-// could free a tip inside; release asks an exact normal and then the segment from proxy to tip.
+// could free a tip inside; release asks an exact normal and then the segment from proxy to tip. A proxy that is held in
+// a pocket, or by the near side of a limb that the tip has passed, needs no rescue: it stays, the depth that is felt
+// stays at its most, and the tip is let go when it is both too deep for its proxy and out of the body (sides.h).
 #include "palpate/contact/press.h"
 
 #include <algorithm>
@@ -15,6 +17,7 @@
 
 #include "palpate/contact/border.h"
 #include "palpate/contact/force_shading.h"
+#include "palpate/contact/sides.h"
 #include "palpate/contact/surface_walk.h"
 
 namespace palpate::contact {
@@ -28,26 +31,12 @@ void land(const tree::Crossing& crossing, FingerState& state) {
   state.touching = true;
   state.slipping = false;
   state.proxy = {crossing.point, crossing.triangle, tree::Feature::face};
-  state.anchor = state.proxy;  // what the tip slides further within this tick is friction already
+  state.anchor = state.proxy;
+  state.hold = crossing.point;  // what the tip slides further within this tick is friction already
 }
 
 bool inFrontOf(const Surface& surface, const SurfacePoint& place, const Vec3& tip) {
   return (tip - place.position).dot(normalAt(surface, place)) > releaseSlack(surface);
-}
-
-/// The proxy is given up only for a place that is much nearer, or when the tip is outside. Returns true for outside.
-bool escapesTooDeep(const Surface& surface, const Vec3& tip, double lag, FingerState& state, std::uint32_t& status) {
-  status |= kTooDeep;
-  const tree::NearestPoint nearest = nearestPoint(surface.tree, tip, lag);
-  if (nearest.triangle == kNoIndex) return false;
-  const SurfacePoint place{nearest.closest.point, nearest.triangle, nearest.closest.feature};
-  if (!onBorder(surface, place) && inFrontOf(surface, place, tip)) return true;
-  if ((place.position - tip).norm() < 0.5 * lag) {
-    state.proxy = state.anchor = place;
-    state.slipping = false;
-    status |= kReseeded;
-  }
-  return false;
 }
 
 /// True when the tip has left the skin at the proxy. A proxy that is still on its way is no judge: then the end of the
@@ -132,7 +121,13 @@ Press pressPoint(const Surface& surface, const FingerSettings& settings, FingerS
     std::uint32_t status = walk.finished ? 0u : kCatchingUp;
     bool leaves = released(surface, walk, tip, state);
     const double lag = (walk.at.position - tip).norm();
-    if (!leaves && lag > settings.max_depth_mm) leaves = escapesTooDeep(surface, tip, lag, state, status);
+    if (!leaves && lag > settings.max_depth_mm) {
+      status |= kTooDeep;
+      if (isOutside(surface, tip, lag)) {
+        state.touching = false;
+        return {};
+      }
+    }
     if (!leaves) {
       press = pressAt(surface, settings, state.proxy, tip);
       press.status |= status;

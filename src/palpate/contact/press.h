@@ -20,6 +20,12 @@ inline double pathBound(const FingerSettings& settings, double tip_moved_mm) {
   return 2.0 * tip_moved_mm + settings.catch_up_mm_per_s * settings.tick_s;
 }
 
+/// How far what is felt (the depth along its normal, as a vector) may change in a tick, mm: as far as tip and proxy can
+/// move apart.
+inline double feltBound(const FingerSettings& settings, double tip_moved_mm) {
+  return tip_moved_mm + pathBound(settings, tip_moved_mm);
+}
+
 /// Below this depth the direction from tip to proxy is rounding, and the skin's own normal is used.
 inline double directionlessDepth(const Surface& surface) { return 1e-11 * surface.tree.diagonal; }
 

@@ -172,7 +172,7 @@ bool pushOut(const SphereTask& task, Vec3& centre) noexcept {
   Feet feet;
   for (int i = 0; i < kMostPushes; ++i) {
     findFeet(task.surface, centre, task.radius, feet);
-    if (feet.count == 0) return true;
+    if (feet.count == 0) break;
     const Foot& foot = feet.feet[feet.lowest()];
     if (foot.height >= task.radius * (1.0 - kFit)) return true;
     const Vec3 next = withinPath(task, centre + (task.radius - foot.height) * foot.normal);

@@ -30,6 +30,8 @@ bool isLocalMinimum(const Surface& surface, Index triangle, const ClosestOnTrian
   if (closest.feature == tree::Feature::face) return true;
   const auto& records = surface.tree.records;
   const Vec3 to_centre = centre - closest.point;
+  // A centre on the skin is as near as can be; what is left of the direction is rounding.
+  if (to_centre.norm() <= directionlessDepth(surface)) return true;
   const auto leads_nearer = [&](const Vec3& corner) {
     const Vec3 towards = corner - closest.point;
     const double slope = to_centre.dot(towards);

@@ -18,6 +18,7 @@
 #include "palpate/contact/border.h"
 #include "palpate/contact/finger.h"
 #include "palpate/contact/press.h"
+#include "palpate/contact/sides.h"
 #include "palpate/contact/sphere_descent.h"
 #include "palpate/contact/sphere_feet.h"
 #include "palpate/contact/surface_walk.h"
@@ -38,12 +39,6 @@ bool isHidden(const Surface& surface, const SurfacePoint& foot, const Vec3& cent
   return firstFrontCrossingIf(surface.tree, foot.position, centre, [&](Index t) {
            return !touchesFeature(surface, t, foot);
          }).triangle != kNoIndex;
-}
-
-/// Whether a place in front of one sheet is inside a body: sheets that pierce each other are buried in part, and a tip
-/// that starts a session inside must not be held by them.
-bool isBuried(const Surface& surface, const Vec3& place) {
-  return surface.self_intersecting && surface.closed && windingNumber(surface.tree, place) > 0;
 }
 
 bool overlapsFront(const Surface& surface, const Vec3& centre, double radius) {
@@ -150,27 +145,6 @@ Move moveCentre(const SphereTask& task, bool fits) {
   return move;
 }
 
-/// Gives the centre up for a place much nearer to the tip, or for the tip when that is outside.
-void escapeTooDeep(const SphereTask& task, Move& move, FingerState& state) {
-  move.status |= kTooDeep;
-  const double lag = (move.centre - task.tip).norm() - task.radius;
-  const tree::NearestPoint nearest = nearestPoint(task.surface.tree, task.tip, lag);
-  if (nearest.triangle == kNoIndex) return;
-  const SurfacePoint place{nearest.closest.point, nearest.triangle, nearest.closest.feature};
-  const bool outside =
-      !onBorder(task.surface, place) && (task.tip - place.position).dot(normalAt(task.surface, place)) > 0.0;
-  if (!outside && std::sqrt(nearest.closest.squared_distance) >= 0.5 * lag) return;
-  const SphereTask anywhere{task.surface, task.radius, task.tip, task.tip, kUnbounded, place};
-  // Pushed out from the skin itself, so that every piece of the way is asked: in a valley narrower than the sphere a
-  // radius off one wall would be behind the other.
-  Vec3 centre = outside ? task.tip : place.position;
-  if (!pushOut(anywhere, centre)) return;
-  move = {centre, place, place, move.status | kReseeded};
-  state.proxy = state.anchor = place;
-  state.hold = place.position;
-  state.slipping = false;
-}
-
 Press pressWith(const FingerSettings& settings, const SphereTask& task, const Move& move, FingerState& state) {
   Press press;
   press.touching = true;
@@ -204,14 +178,16 @@ Press pressSphere(const Surface& surface, const FingerSettings& settings, double
   const double path = pathBound(settings, (tip - state.tip).norm());
   const SphereTask task{surface, radius, tip, state.centre, path, state.proxy};
   Move move = moveCentre(task, state.fits);
-  if ((move.centre - tip).norm() - radius > settings.max_depth_mm) escapeTooDeep(task, move, state);
+  const double lag = (move.centre - tip).norm();
+  const bool too_deep = lag - radius > settings.max_depth_mm;
+  if (too_deep) move.status |= kTooDeep;
   state.centre = move.centre;
   state.fits = (move.status & kStartedInside) == 0;
   const bool reached = move.centre == tip && state.fits;
   Press press;
   if (!reached) press = pressWith(settings, task, move, state);
   const bool faded = (press.status & kAtBorder) != 0 && press.felt_depth_mm <= 0.0;
-  state.touching = !reached && !faded;
+  state.touching = !reached && !faded && !(too_deep && isOutside(surface, tip, lag));
   return state.touching ? press : Press{};
 }
 

@@ -72,10 +72,10 @@ contact::FingerOutput stepHdb(const contact::Surface& surface, const contact::Fi
   if (!contact::usableTip(surface, tip)) return contact::lostOutput(state);
   if (!state.knows_tip) state.tip = tip;
   const contact::Press press = pressHdb(surface, settings, candidates, state, tip);
+  const double tip_moved_mm = (tip - state.tip).norm();
   state.knows_tip = true;
   state.tip = tip;
-  if (!press.touching) return contact::freeOutput(tip);
-  return contact::pressedOutput(surface, settings, press, tip, contact::holdOnSkin, state);
+  return contact::feltOutput(surface, settings, press, tip, tip_moved_mm, state);
 }
 
 }  // namespace palpate::hdb

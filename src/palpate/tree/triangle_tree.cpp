@@ -102,15 +102,4 @@ Crossing firstFrontCrossing(const TriangleTree& tree, const Vec3& from, const Ve
   return firstFrontCrossingIf(tree, from, to, [](Index) { return true; });
 }
 
-int windingNumber(const TriangleTree& tree, const Vec3& point) noexcept {
-  // In no plane that people build with; long enough to leave the box from anywhere inside it.
-  const Vec3 far = point + 2.0 * tree.diagonal * Vec3(0.4821, 0.2937, 0.8254);
-  int winding = 0;
-  visitTrianglesAlong(tree, point, far, [&](Index t) {
-    const auto& [a, b, c] = tree.records[t].corners;
-    winding += (crossesFrontToBack(a, b, c, far, point) ? 1 : 0) - (crossesFrontToBack(a, b, c, point, far) ? 1 : 0);
-  });
-  return winding;
-}
-
 }  // namespace palpate::tree

@@ -27,8 +27,16 @@ struct alignas(32) TriangleRecord {
   std::array<Index, 3> vertices;    ///< vertex of the mesh at each corner
 };
 
+/// A part of the surface as one small plate: what a far point sees of it (winding_number.h). In the unit frame.
+struct FarPlate {
+  std::array<float, 3> middle{};
+  std::array<float, 3> area{};  ///< sum of its area vectors
+  float far2 = 0.0f;            ///< squared distance from the middle from which on the plate is exact enough
+};
+
 struct TriangleTree {
   AlignedVector<WideNode> nodes;  ///< nodes[0] is the root
+  std::vector<std::array<FarPlate, kNodeWidth>> far_plates;  ///< of each node's children
   AlignedVector<TriangleRecord> records;
   std::vector<Index> source_triangle;  ///< record -> triangle of the mesh
   // The unit frame of the boxes: (position - center) * to_unit, about 1 across. to_unit is a power of two, so the
@@ -39,7 +47,7 @@ struct TriangleTree {
 };
 
 /// Throws Error for a mesh without triangles, with more than ChildLink::kMostTriangles, with an index out of range or a
-/// coordinate that is not finite. About 0.5 us and 127 bytes a triangle.
+/// coordinate that is not finite. About 0.5 us and 150 bytes a triangle.
 TriangleTree buildTriangleTree(const mesh::TriangleMesh& mesh);
 
 /// The tree's nodes cannot nest deeper than this (the builder sees to it), which bounds the stack of every query.
@@ -62,10 +70,6 @@ NearestPoint nearestPoint(const TriangleTree& tree, const Vec3& point, double ma
 /// Where the segment first passes a triangle from its front to its back (exactly, see exact_predicates.h), or triangle
 /// kNoIndex.
 Crossing firstFrontCrossing(const TriangleTree& tree, const Vec3& from, const Vec3& to) noexcept;
-
-/// How many times a closed surface winds round a point: 0 outside, 1 inside, more where sheets overlap. Counted along
-/// one ray, so a ray that meets an edge exactly may miscount; not for borders.
-int windingNumber(const TriangleTree& tree, const Vec3& point) noexcept;
 
 // ------------------------------------------------------------------------------------------------------------------
 // The same queries with the caller's own test, for those who need one (contact). Templates, so that it is inlined.

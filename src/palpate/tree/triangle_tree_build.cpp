@@ -12,6 +12,7 @@
 #include "palpate/base/error.h"
 #include "palpate/mesh/topology.h"
 #include "palpate/tree/node_plates.h"
+#include "palpate/tree/winding_number.h"
 #include "palpate/tree/triangle_tree.h"
 
 namespace palpate::tree {
@@ -294,6 +295,7 @@ TriangleTree buildTriangleTree(const mesh::TriangleMesh& mesh) {
   tree.nodes.shrink_to_fit();
   fillRecords(mesh, builder.items(), tree);
   fillPlates(tree);
+  fillFarPlates(tree);
   return tree;
 }
 

@@ -1,0 +1,32 @@
+// Own; the winding number names its sources.
+#include "palpate/contact/sides.h"
+
+#include <cmath>
+
+#include "palpate/contact/press.h"
+#include "palpate/contact/surface_walk.h"
+#include "palpate/tree/winding_number.h"
+
+namespace palpate::contact {
+
+namespace {
+
+/// Winding numbers of a closed surface are whole but for 0.05; in doubt the finger stays held.
+constexpr double kSurelyOutside = 0.25;
+constexpr double kInside = 0.5;
+
+}  // namespace
+
+bool isOutside(const Surface& surface, const Vec3& tip, double lag) noexcept {
+  if (surface.closed) return std::abs(tree::windingNumber(surface.tree, tip)) < kSurelyOutside;
+  const tree::NearestPoint nearest = nearestPoint(surface.tree, tip, lag);
+  if (nearest.triangle == kNoIndex) return false;
+  const SurfacePoint place{nearest.closest.point, nearest.triangle, nearest.closest.feature};
+  return !onBorder(surface, place) && (tip - place.position).dot(normalAt(surface, place)) > releaseSlack(surface);
+}
+
+bool isBuried(const Surface& surface, const Vec3& place) noexcept {
+  return surface.self_intersecting && surface.closed && tree::windingNumber(surface.tree, place) > kInside;
+}
+
+}  // namespace palpate::contact
