@@ -6,6 +6,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", PALPATE_VERSION);
   app.require_subcommand(1);
   palpate::app::addBenchCommand(app);
+  palpate::app::addHuntCommand(app);
   palpate::app::addInfoCommand(app);
   palpate::app::addMapCommand(app);
   palpate::app::addModelCommand(app);

@@ -17,6 +17,7 @@ void addBenchContactCommand(CLI::App& parent);
 void addBenchDeformCommand(CLI::App& parent);
 void addBenchFrameCommand(CLI::App& parent);
 void addBenchPartitionCommand(CLI::App& parent);
+void addHuntCommand(CLI::App& app);
 void addInfoCommand(CLI::App& app);
 void addMapCommand(CLI::App& app);
 void addModelCommand(CLI::App& app);

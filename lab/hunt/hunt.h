@@ -1,0 +1,62 @@
+// The hunt: random bodies, random paths, every radius, judged tick by tick, on as many threads as are wanted.
+//
+// plan -> jobs (a body and a portion of the ticks) -> paths -> hunt_world.h -> HuntResult. The same plan gives the same
+// result whatever the number of threads, unless it is limited by time.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lab/hunt/hunt_world.h"
+#include "palpate/base/progress.h"
+
+namespace palpate::lab {
+
+/// A body from outside, in mm, unrepaired.
+struct NamedBody {
+  std::string name;
+  mesh::TriangleMesh mesh;
+};
+
+struct HuntPlan {
+  std::size_t ticks = 1000000;
+  std::optional<double> seconds;  ///< this long instead of so many ticks
+  std::uint64_t seed = 1;
+  std::vector<double> radii_mm{0.0, 0.5, 2.0, 5.0, 8.0};
+  std::vector<NamedBody> meshes;
+  bool generated = true;    ///< bodies of hunted_bodies.h
+  std::size_t bodies = 0;   ///< generated ones; 0: one for every 20,000 ticks
+  double scale = 1.0;       ///< a millimetre is so many units
+  std::size_t threads = 0;  ///< 0: as many as there are processors
+};
+
+/// A path with a fault. Body, seed and radius make it again.
+struct FailingPath {
+  std::string body;        ///< "kind#seed" or the name of a mesh
+  std::uint64_t seed = 0;  ///< of the path
+  double radius_mm = 0.0;
+  std::size_t ticks = 0;  ///< of the path
+  Fault fault = Fault::fall;
+  Finding finding;  ///< lengths and forces in the scaled world
+};
+
+struct HuntResult {
+  std::size_t ticks = 0, touching_ticks = 0, events = 0, paths = 0;
+  std::size_t bodies = 0;
+  std::array<std::size_t, kFaults> fault_ticks{};
+  std::vector<FailingPath> failing;
+  double seconds = 0.0;  ///< of the wall
+};
+
+/// Throws Error for a plan without bodies, radii or ticks, and naming a body that cannot be felt.
+HuntResult hunt(const HuntPlan& plan, const Progress& progress = {});
+
+/// The body of that name in the plan's scale: a mesh of the plan, or a generated "kind#seed". Throws Error.
+mesh::TriangleMesh huntedMesh(const HuntPlan& plan, const std::string& name);
+
+/// The path of that seed on a body: 500 to 3,000 ticks, of any kind.
+std::vector<Vec3> huntedTips(JudgedBody& body, std::uint64_t seed, double radius_mm, double mm);
+
+}  // namespace palpate::lab

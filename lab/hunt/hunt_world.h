@@ -1,0 +1,29 @@
+// A body that is hunted on: a mesh as `palpate simulate` would build it, and the judge's own view of the same.
+#pragma once
+
+#include <span>
+
+#include "lab/judges/hunt_judge.h"
+#include "palpate/contact/finger.h"
+#include "palpate/contact/surface.h"
+
+namespace palpate::lab {
+
+/// Of every hunted body, everywhere, by Hooke's law: N per unit of length, whatever the unit.
+inline constexpr double kHuntedStiffness = 0.5;
+
+struct HuntWorld {
+  contact::Surface surface;
+  JudgedBody body;
+};
+
+/// Repaired, put in spatial order, and built as scene::build does it. Throws Error when nothing can be felt.
+HuntWorld buildHuntWorld(mesh::TriangleMesh mesh);
+
+/// The finger of every hunt: default settings but its radius, in a world whose millimetre is `mm` units long.
+contact::FingerSettings huntedFinger(double radius_mm, double mm);
+
+/// A new finger along the tips, judged.
+HuntReport huntAlong(HuntWorld& world, const contact::FingerSettings& finger, std::span<const Vec3> tips);
+
+}  // namespace palpate::lab

@@ -1,0 +1,121 @@
+// Numbers are written with all their digits: a fault on a sliver is gone when a tip is rounded to a nanometre.
+// Data flow: hunt.h, minimise.h -> here -> a folder -> tests/contact_bars, `palpate hunt --replay`. Own.
+#include "lab/hunt/kept_case.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+
+#include "lab/hunt/hunt.h"
+#include "lab/hunt/hunt_world.h"
+#include "palpate/base/error.h"
+#include "palpate/base/text.h"
+#include "palpate/device/trajectory.h"
+#include "palpate/mesh/files/load.h"
+#include "palpate/mesh/files/save.h"
+
+namespace palpate::lab {
+namespace {
+
+constexpr std::uint64_t kMostNoteBytes = 1 << 20;
+constexpr double kTickS = 0.001;
+
+std::string pathText(const KeptCase& kept) {
+  std::string text(device::kTrajectoryHeader);
+  for (std::size_t k = 0; k < kept.tips.size(); ++k) {
+    const Vec3& p = kept.tips[k];
+    text += fmt::format("\n{:.3f},{},{},{}", static_cast<double>(k) * kTickS, p.x(), p.y(), p.z());
+  }
+  return text + "\n";
+}
+
+std::string sceneText(const KeptCase& kept) {
+  const contact::FingerSettings finger = huntedFinger(kept.radius_mm, kept.scale);
+  return fmt::format(
+      "title = \"{} on {}\"\n[body]\nkind = \"mesh\"\nfile = \"body.ply\"\nunit = \"mm\"\n[stiffness]\nsource = "
+      "\"constant\"\nconstant_n_per_mm = {}\n[contact]\nmax_depth_mm = {}\ncatch_up_mm_per_s = {}\n[[finger]]\nname = "
+      "\"hunted\"\nradius_mm = {}\ntrajectory = \"path.csv\"\n",
+      nameOf(kept.fault), kept.body, kHuntedStiffness, finger.max_depth_mm, finger.catch_up_mm_per_s, finger.radius_mm);
+}
+
+std::string noteText(const KeptCase& kept) {
+  const Finding& f = kept.finding;
+  return fmt::format(
+      "body: {}\nseed: {}\nradius_mm: {}\nscale: {}\nfault: {}\ntick: {}\nmeasured: {}\nbound: {}\nseen: {}\n",
+      kept.body, kept.seed, kept.radius_mm, kept.scale, nameOf(kept.fault), f.first_tick, f.measured, f.bound, f.what);
+}
+
+/// "key: value" lines of a note.
+class Note {
+ public:
+  explicit Note(const std::filesystem::path& file) : file_(file.string()), text_(readFile(file, kMostNoteBytes)) {}
+
+  std::string word(std::string_view key) const {
+    for (const std::string_view line : split(text_, '\n')) {
+      if (line.starts_with(key) && line.substr(key.size()).starts_with(":"))
+        return std::string(trimmed(line.substr(key.size() + 1)));
+    }
+    throw Error::inFile(file_, fmt::format("has no line '{}: ...'", key));
+  }
+  double number(std::string_view key) const {
+    const std::optional<double> value = parseNumber(word(key));
+    if (!value) throw Error::inFile(file_, fmt::format("'{}' is not a number", key));
+    return *value;
+  }
+  Fault fault() const {
+    const std::optional<Fault> fault = faultNamed(word("fault"));
+    if (!fault) throw Error::inFile(file_, fmt::format("'{}' is no fault", word("fault")));
+    return *fault;
+  }
+
+ private:
+  std::string file_, text_;
+};
+
+}  // namespace
+
+std::string folderNameOf(const KeptCase& kept) {
+  std::string name = fmt::format("{}_{}_r{}_s{}", nameOf(kept.fault), kept.body, kept.radius_mm, kept.seed);
+  for (char& c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '.') c = '_';
+  }
+  return name;
+}
+
+void writeCase(const std::filesystem::path& folder, const KeptCase& kept) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw Error::inFile(folder.string(), "the folder cannot be made: " + error.message());
+  mesh::save(folder / "body.ply", kept.mesh);
+  writeFile(folder / "path.csv", pathText(kept));
+  writeFile(folder / "scene.toml", sceneText(kept));
+  writeFile(folder / "note.txt", noteText(kept));
+}
+
+KeptCase readCase(const std::filesystem::path& folder) {
+  const Note note(folder / "note.txt");
+  KeptCase kept;
+  kept.body = note.word("body");
+  kept.seed = static_cast<std::uint64_t>(note.number("seed"));
+  kept.radius_mm = note.number("radius_mm");
+  kept.scale = note.number("scale");
+  kept.fault = note.fault();
+  kept.finding.first_tick = static_cast<std::size_t>(note.number("tick"));
+  kept.finding.measured = note.number("measured");
+  kept.finding.bound = note.number("bound");
+  kept.tips = device::readTrajectory(folder / "path.csv").tip_mm;
+  mesh::LoadOptions options;
+  options.keep_wrong_indices = true;
+  HuntPlan plan;
+  plan.scale = kept.scale;
+  kept.mesh = std::filesystem::exists(folder / "body.ply") ? mesh::load(folder / "body.ply", options)
+                                                           : huntedMesh(plan, kept.body);
+  return kept;
+}
+
+HuntReport replay(const KeptCase& kept) {
+  HuntWorld world = buildHuntWorld(kept.mesh);
+  return huntAlong(world, huntedFinger(kept.radius_mm, kept.scale), kept.tips);
+}
+
+}  // namespace palpate::lab

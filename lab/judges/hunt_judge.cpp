@@ -1,0 +1,276 @@
+// An automaton over ticks, unknown -> outside -> held -> fallen, with the geometry asked as rarely as it can be.
+// Data flow: contact::FingerOutput of a run, tick by tick -> here -> HuntReport. Definitions: docs/hunt.md. Own.
+#include "lab/judges/hunt_judge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "palpate/base/error.h"
+#include "palpate/mesh/topology.h"
+
+namespace palpate::lab {
+namespace {
+
+/// A free sphere may overlap the skin by this share of its radius: rounding of a contact that is just ending.
+constexpr double kOverlapShare = 1e-3;
+/// A touching sphere may sink by this share of its radius.
+constexpr double kSinkShare = 1e-2;
+/// A point on a self-intersecting surface is felt as a sphere of 1e-4 of its diagonal (docs/contact.md), and its proxy
+/// may lie on that sphere.
+constexpr double kTinySphereShare = 2e-4;
+/// Friction's cone, and the share by which a force step may pass its bound.
+constexpr double kConeRounding = 1e-9;
+constexpr double kStepShare = 1.1;
+/// The proxy moves at most twice as far as the tip, which moves once itself.
+constexpr double kProxyAndTip = 3.0;
+/// Beside a border a force fades and a finger may be let go: within this share of the diagonal nothing is said.
+constexpr double kBorderShare = 0.02;
+
+bool touches(const contact::FingerOutput& o) { return o.touch != contact::Touch::free; }
+
+/// Contact was given up for another place of the skin: counted, and not held to the bound on steps.
+bool isEvent(std::uint32_t status) { return (status & contact::kReseeded) != 0; }
+
+/// The proxy is still on its way, or a sphere still on its way out: its geometry may be wrong for now.
+bool isOnItsWay(std::uint32_t status) { return (status & (contact::kCatchingUp | contact::kStartedInside)) != 0; }
+
+bool isClosed(const mesh::TriangleMesh& mesh) {
+  for (const auto& row : mesh::neighboursOfTriangles(mesh)) {
+    if (std::find(row.begin(), row.end(), kNoIndex) != row.end()) return false;
+  }
+  return true;
+}
+
+mesh::TriangleMesh notEmpty(mesh::TriangleMesh mesh) {
+  if (mesh.triangles.empty()) throw Error("the mesh has no triangle that can be judged");
+  return mesh;
+}
+
+}  // namespace
+
+const char* nameOf(Fault fault) {
+  constexpr std::array<const char*, kFaults> kNames{"fall", "missed_contact", "wrong_force", "step_over_bound"};
+  return kNames[static_cast<std::size_t>(fault)];
+}
+
+std::optional<Fault> faultNamed(std::string_view name) {
+  for (std::size_t i = 0; i < kFaults; ++i) {
+    if (name == nameOf(static_cast<Fault>(i))) return static_cast<Fault>(i);
+  }
+  return std::nullopt;
+}
+
+bool HuntReport::clean() const {
+  return std::all_of(findings.begin(), findings.end(), [](const Finding& f) { return f.ticks == 0; });
+}
+
+// ---- the body -----------------------------------------------------------------------------------------------------
+
+JudgedBody::JudgedBody(mesh::TriangleMesh mesh, bool self_intersecting)
+    : mesh_(notEmpty(std::move(mesh))),
+      self_intersecting_(self_intersecting),
+      tree_(mesh_),
+      winding_(tree_),
+      slow_(mesh_),
+      closed_(isClosed(mesh_)),
+      diagonal_(mesh::boundingBox(mesh_).diagonal().norm()),
+      middle_(mesh::boundingBox(mesh_).center()) {}
+
+Vec3 JudgedBody::normalOf(Index triangle) const {
+  const Triangle& t = mesh_.triangles[triangle];
+  return mesh::areaVector2(mesh_.positions[t[0]], mesh_.positions[t[1]], mesh_.positions[t[2]]).normalized();
+}
+
+// ---- a run --------------------------------------------------------------------------------------------------------
+
+HuntJudge::HuntJudge(JudgedBody& body, const contact::FingerSettings& settings, double stiffness)
+    : body_(body),
+      settings_(settings),
+      stiffness_(stiffness),
+      force_tolerance_(1e-9 * stiffness * (settings.max_depth_mm + settings.radius_mm)) {}
+
+void HuntJudge::add(const contact::FingerOutput& o) {
+  if ((o.status & contact::kTipLost) == 0) {
+    if (first_ && body_.closed()) let_be_ = body_.inside(o.tip);
+    if (!first_) judgeStep(o);
+    if (touches(o)) {
+      ++report_.touching_ticks;
+      judgeTouching(o);
+    } else if (body_.closed()) {
+      judgeFree(o);
+    } else {
+      judgeFreeBesideBorder(o);
+    }
+    first_ = false;
+    last_tip_ = o.tip;
+    last_force_ = o.force;
+    last_proxy_ = o.proxy;
+  }
+  ++tick_;
+  ++report_.ticks;
+}
+
+void HuntJudge::judgeStep(const contact::FingerOutput& o) {
+  if (isEvent(o.status)) {
+    ++report_.events;
+    return;
+  }
+  const double motion = (o.tip - last_tip_).norm();
+  const double bound =
+      kStepShare * stiffness_ * (kProxyAndTip * motion + settings_.catch_up_mm_per_s * settings_.tick_s);
+  const double step = (o.force - last_force_).norm();
+  if (step > bound + force_tolerance_) found(Fault::step, "force step, N", step, bound);
+}
+
+/// Inside from the side of a ball's centre, where the ball still holds the point; else asked anew.
+bool HuntJudge::insideBall(const Vec3& point, double distance, ClearBall& ball) {
+  const double moved = (point - ball.centre).norm();
+  const bool known = moved < std::max(ball.radius, distance - body_.tolerance());  // the segment meets no surface
+  const bool inside = known && ball.radius > 0.0 ? ball.inside : body_.inside(point);
+  ball = {point, distance - body_.tolerance(), inside};
+  return inside;
+}
+
+void HuntJudge::judgeFree(const contact::FingerOutput& o) {
+  const double moved = (o.tip - tip_ball_.centre).norm();
+  if (moved + settings_.radius_mm < tip_ball_.radius && !tip_ball_.inside && past_ == Past::outside) return;
+  const double distance = body_.nearest(o.tip).distance;
+  if (distance <= body_.tolerance()) return;  // on the surface: what it was
+  const bool inside = insideBall(o.tip, distance, tip_ball_);
+  if (!inside) {
+    judgeOverlap(distance, !let_be_);
+    if (distance >= settings_.radius_mm) let_be_ = false;
+    past_ = Past::outside;
+    return;
+  }
+  if (let_be_) return;
+  if (past_ == Past::outside)
+    found(Fault::missed_contact, "depth of a tip that came in without force, mm", distance, 0.0);
+  if (past_ != Past::unknown) {
+    found(Fault::fall, "depth of a free tip inside, mm", distance, 0.0);
+    past_ = Past::fallen;
+  }
+}
+
+void HuntJudge::judgeOverlap(double distance, bool from_outside) {
+  const double least = settings_.radius_mm * (1.0 - kOverlapShare);
+  if (from_outside && distance < least)
+    found(Fault::missed_contact, "distance of a free sphere's centre from the skin, mm", distance, least);
+}
+
+/// Where there is a border a tip may come in round it: only what passes through the skin itself is a fault.
+void HuntJudge::judgeFreeBesideBorder(const contact::FingerOutput& o) {
+  const double far_off = kBorderShare * body_.diagonal() + settings_.radius_mm;
+  if (!first_ && past_ == Past::outside && settings_.radius_mm == 0.0) {
+    const BoxTree::Crossing crossing = body_.tree().crossing(last_tip_, o.tip);
+    const double depth = crossing.inwards > 0 ? (o.tip - *crossing.entry).norm() : 0.0;
+    if (depth > body_.tolerance() && body_.slow().distanceToBorder(*crossing.entry) > far_off + depth)
+      found(Fault::missed_contact, "way of a tip that came through the skin without force, mm", depth, 0.0);
+  }
+  if (settings_.radius_mm > 0.0) {
+    const double least = settings_.radius_mm * (1.0 - kOverlapShare);
+    const NearPoint near = body_.tree().nearest(o.tip, least);
+    if (near.triangle != kNoIndex && body_.slow().distanceToBorder(near.point) > far_off) {
+      const NearestPoint nearest = body_.slow().nearestTo(o.tip);
+      const bool from_front = nearest.pseudo_normal.dot(o.tip - nearest.point) > body_.tolerance();
+      judgeOverlap(near.distance, from_front && past_ == Past::outside);
+    }
+  }
+  if (past_ != Past::fallen) past_ = Past::outside;
+}
+
+void HuntJudge::judgeTouching(const contact::FingerOutput& o) {
+  const bool has_force = !o.force.isZero(0.0);
+  if (past_ == Past::outside && body_.closed() && settings_.radius_mm == 0.0 && !has_force) {
+    const double depth = body_.nearest(o.tip).distance;
+    if (depth > body_.tolerance() && body_.inside(o.tip))
+      found(Fault::missed_contact, "depth of a tip that came in without force, mm", depth, 0.0);
+  }
+  if (let_be_ && !isOnItsWay(o.status) && !body_.inside(o.tip)) let_be_ = false;
+  past_ = Past::held;
+  if (!std::isfinite(o.force.sum() + o.proxy.sum() + o.normal.sum() + o.depth_mm)) {
+    found(Fault::wrong_force, "a number that is not finite", 0.0, 0.0);
+    return;
+  }
+  if (isOnItsWay(o.status)) return;
+  judgeForce(o);
+  if (settings_.radius_mm > 0.0) {
+    judgeSphere(o);
+  } else {
+    judgePoint(o);
+  }
+}
+
+void HuntJudge::judgeForce(const contact::FingerOutput& o) {
+  const double normal = o.force.dot(o.normal);
+  const double tangential = (o.force - normal * o.normal).norm();
+  const double most = settings_.mu_static * std::max(normal, 0.0) * (1.0 + kConeRounding) + force_tolerance_;
+  if (normal < -force_tolerance_)
+    found(Fault::wrong_force, "force along the finger's normal, N", normal, 0.0);
+  else if (tangential > most)
+    found(Fault::wrong_force, "friction, N", tangential, most);
+}
+
+void HuntJudge::judgePoint(const contact::FingerOutput& o) {
+  const double tolerance = body_.selfIntersecting() ? kTinySphereShare * body_.diagonal() : body_.tolerance();
+  const BoxTree& tree = body_.tree();
+  const bool named = o.triangle < tree.triangles();
+  const double off =
+      named ? (nearestOnTriangle(tree.corners(tree.slotOf(o.triangle)), o.proxy) - o.proxy).norm() : body_.diagonal();
+  if (off > tolerance) {
+    const double distance = body_.nearest(o.proxy).distance;
+    if (distance > tolerance) found(Fault::wrong_force, "distance of the proxy from the skin, mm", distance, tolerance);
+  }
+  if (body_.selfIntersecting()) return;
+  if (named && o.force.dot(body_.normalOf(o.triangle)) >= -force_tolerance_) return;
+  if (pullsFromAll(o.force, o.proxy, 10.0 * tolerance, true))
+    found(Fault::wrong_force, "force into every triangle at the proxy, N", o.force.norm(), 0.0);
+}
+
+void HuntJudge::judgeSphere(const contact::FingerOutput& o) {
+  const double radius = settings_.radius_mm, least = radius * (1.0 - kSinkShare);
+  const Vec3 centre = o.proxy + radius * o.normal;
+  const NearPoint near = body_.nearest(centre);
+  if (near.distance <= body_.tolerance()) {
+    found(Fault::wrong_force, "distance of a touching sphere's centre from the skin, mm", near.distance, least);
+    return;
+  }
+  if (body_.closed()) {
+    if (insideBall(centre, near.distance, centre_ball_) && !let_be_) {
+      found(Fault::wrong_force, "depth of a touching sphere's centre inside, mm", near.distance, 0.0);
+      return;
+    }
+    if (let_be_) return;
+  } else if (near.distance < least) {
+    const NearestPoint nearest = body_.slow().nearestTo(centre);
+    if (nearest.on_border || nearest.pseudo_normal.dot(centre - nearest.point) < 0.0) return;
+  }
+  if (near.distance < least)
+    found(Fault::wrong_force, "distance of a touching sphere's centre from the skin, mm", near.distance, least);
+  else if (o.force.dot(centre - near.point) < 0.0 && pullsFromAll(o.force, centre, radius * (1.0 + kSinkShare), false))
+    found(Fault::wrong_force, "force towards every foot of the sphere, N", o.force.norm(), 0.0);
+}
+
+bool HuntJudge::pullsFromAll(const Vec3& force, const Vec3& place, double reach, bool by_normal) {
+  body_.tree().collectWithin(place, reach, nearby_);
+  for (const Index triangle : nearby_) {
+    const auto& corners = body_.tree().corners(body_.tree().slotOf(triangle));
+    const Vec3 out = by_normal ? body_.normalOf(triangle) : (place - nearestOnTriangle(corners, place)).normalized();
+    if (force.dot(out) >= -force_tolerance_) return false;
+  }
+  return !nearby_.empty();
+}
+
+void HuntJudge::found(Fault fault, const char* what, double measured, double bound) {
+  const auto kind = static_cast<std::size_t>(fault);
+  if (std::exchange(last_found_[kind], tick_ + 1) == tick_ + 1) return;
+  Finding& finding = report_.findings[kind];
+  if (finding.ticks++ > 0) return;
+  finding.first_tick = tick_;
+  finding.what = what;
+  finding.measured = measured;
+  finding.bound = bound;
+}
+
+}  // namespace palpate::lab

@@ -1,0 +1,133 @@
+// What a finger did wrong along a path, tick by tick, in a microsecond or two each: the judge of `palpate hunt`.
+//
+// It sees outputs and a mesh and has its own geometry; nothing of `contact` but the plain data of finger_state.h, and
+// nothing of `tree`. docs/hunt.md says in words what each fault is. Unlike the other judges it keeps up with a run of
+// ten million ticks: a free tip is only asked for its side when it has left the ball round the last place that is known
+// to hold no surface.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "lab/judges/box_tree.h"
+#include "lab/judges/fast_winding.h"
+#include "lab/judges/surface_side.h"
+#include "palpate/contact/finger_state.h"
+
+namespace palpate::lab {
+
+enum class Fault {
+  fall,            ///< the finger is free, the tip is inside, and was outside or held before
+  missed_contact,  ///< the tip went in without a force; a free sphere overlaps the skin from outside
+  wrong_force,     ///< not finite, pulling, out of the friction cone, of a sphere sunk in, of a proxy off the skin
+  step             ///< the force changed by more than the tip's motion and the catch-up allow
+};
+inline constexpr std::size_t kFaults = 4;
+/// "fall", "missed_contact", "wrong_force", "step_over_bound".
+const char* nameOf(Fault fault);
+std::optional<Fault> faultNamed(std::string_view name);
+
+/// Ticks with a fault, and the first of them.
+struct Finding {
+  std::size_t ticks = 0;
+  std::size_t first_tick = 0;
+  const char* what = "";               ///< in words, of the first
+  double measured = 0.0, bound = 0.0;  ///< of the first, in the unit that `what` names
+};
+
+struct HuntReport {
+  std::size_t ticks = 0;
+  std::size_t touching_ticks = 0;
+  std::size_t events = 0;  ///< ticks whose status says that contact was given up for another place
+  std::array<Finding, kFaults> findings;
+
+  const Finding& of(Fault fault) const { return findings[static_cast<std::size_t>(fault)]; }
+  bool clean() const;
+};
+
+/// The judge's view of a body; immutable but for open bodies, whose `SurfaceSide` remembers: one thread at a time.
+class JudgedBody {
+ public:
+  /// `mesh` as repair left it. Throws Error for one without a triangle.
+  JudgedBody(mesh::TriangleMesh mesh, bool self_intersecting);
+  JudgedBody(const JudgedBody&) = delete;  // its winding number looks at its tree
+  JudgedBody& operator=(const JudgedBody&) = delete;
+
+  const mesh::TriangleMesh& mesh() const { return mesh_; }
+  const BoxTree& tree() const { return tree_; }
+  bool closed() const { return closed_; }
+  bool selfIntersecting() const { return self_intersecting_; }
+  double diagonal() const { return diagonal_; }
+  /// Rounding of finger and judge together: nearer than this is on the surface.
+  double tolerance() const { return 1e-9 * diagonal_; }
+  double winding(const Vec3& point) const { return winding_.at(point); }
+  /// Of a closed body.
+  bool inside(const Vec3& point) const { return winding(point) > 0.5; }
+  NearPoint nearest(const Vec3& point) const { return tree_.nearest(point, 1e3 * diagonal_ + 2.0 * far(point)); }
+  /// Unit; zero for a triangle without area.
+  Vec3 normalOf(Index triangle) const;
+  /// The slow judge, for sides at and beyond a border.
+  SurfaceSide& slow() { return slow_; }
+
+ private:
+  double far(const Vec3& point) const { return (point - middle_).norm(); }
+
+  mesh::TriangleMesh mesh_;
+  bool self_intersecting_;
+  BoxTree tree_;
+  FastWinding winding_;
+  SurfaceSide slow_;
+  bool closed_;
+  double diagonal_;
+  Vec3 middle_;
+};
+
+/// One finger along one path: a judge is made anew for each. Settings and stiffness (the same everywhere, Hooke's law)
+/// in the body's units.
+class HuntJudge {
+ public:
+  HuntJudge(JudgedBody& body, const contact::FingerSettings& settings, double stiffness);
+
+  /// The next tick.
+  void add(const contact::FingerOutput& output);
+  const HuntReport& report() const { return report_; }
+
+ private:
+  enum class Past { unknown, outside, held, fallen };
+  /// Round `centre` no surface is nearer than `radius`.
+  struct ClearBall {
+    Vec3 centre = Vec3::Zero();
+    double radius = -1.0;
+    bool inside = false;
+  };
+
+  void judgeStep(const contact::FingerOutput& o);
+  void judgeFree(const contact::FingerOutput& o);
+  void judgeFreeBesideBorder(const contact::FingerOutput& o);
+  void judgeOverlap(double distance, bool from_outside);
+  void judgeTouching(const contact::FingerOutput& o);
+  void judgeForce(const contact::FingerOutput& o);
+  void judgePoint(const contact::FingerOutput& o);
+  void judgeSphere(const contact::FingerOutput& o);
+  /// A push out of any of the surface's nearest features is right.
+  bool pullsFromAll(const Vec3& force, const Vec3& place, double reach, bool by_normal);
+  bool insideBall(const Vec3& point, double distance, ClearBall& ball);
+  void found(Fault fault, const char* what, double measured, double bound);
+
+  JudgedBody& body_;
+  contact::FingerSettings settings_;
+  double stiffness_, force_tolerance_;
+  std::size_t tick_ = 0;
+  bool first_ = true, let_be_ = false;  ///< inside from the start
+  Past past_ = Past::unknown;
+  Vec3 last_tip_ = Vec3::Zero(), last_force_ = Vec3::Zero(), last_proxy_ = Vec3::Zero();
+  ClearBall tip_ball_, centre_ball_;
+  std::vector<Index> nearby_;
+  std::array<std::size_t, kFaults> last_found_{};  ///< tick + 1: a tick counts once a fault
+  HuntReport report_;
+};
+
+}  // namespace palpate::lab

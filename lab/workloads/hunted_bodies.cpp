@@ -1,0 +1,207 @@
+// Kinds beyond the embedded shapes are made from them, or from the held-out meshes, by damage and by gluing.
+// Data flow: kind and seed -> here -> mesh::repair, hunt/hunt_world.h. Own.
+#include "lab/workloads/hunted_bodies.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "lab/workloads/heldout_meshes.h"
+#include "lab/workloads/hunted_damage.h"
+#include "lab/workloads/hunted_shapes.h"
+#include "lab/workloads/workload_meshes.h"
+#include "palpate/base/error.h"
+#include "palpate/mesh/decimate.h"
+
+namespace palpate::lab {
+namespace {
+
+Vec3 anyDirection(Random& random) { return Vec3(random.normal(), random.normal(), random.normal()).normalized(); }
+
+mesh::TriangleMesh someShape(Random& random) {
+  const std::vector<std::string> names = huntedShapeNames();
+  return huntedShape(names[random.below(names.size())], random);
+}
+
+/// A small closed part: balls, rings and plates of few triangles.
+mesh::TriangleMesh somePart(Random& random, double size) {
+  switch (random.below(4)) {
+    case 0:
+      return bumpyBallMesh(size, random.uniform(0, 0.1), random.uniform(2, 8), 4);
+    case 1:
+      return torusMesh(size, random.uniform(0.2, 0.6) * size, 40, 16);
+    case 2: {
+      mesh::TriangleMesh plate = plateMesh(2 * size, random.uniform(0.05, 1.0) * size, 12);
+      for (Vec3& p : plate.positions) p -= size * Vec3(1, 1, 0);
+      return plate;
+    }
+    default: {
+      mesh::TriangleMesh limb = bumpyBallMesh(size, 0, 0, 4);
+      squeeze(limb, Vec3::UnitZ(), random.uniform(2, 4));
+      return limb;
+    }
+  }
+}
+
+// ---- slivers, coarse, noise ---------------------------------------------------------------------------------------
+
+mesh::TriangleMesh leaf(Random& random) {
+  mesh::TriangleMesh mesh = bumpyBallMesh(70, random.uniform(0, 0.08), random.uniform(3, 9), 5);
+  squeeze(mesh, anyDirection(random), random.uniform(0.02, 0.2));
+  return mesh;
+}
+
+mesh::TriangleMesh coarse(Random& random) {
+  const auto triangles = static_cast<std::size_t>(2 * (20 + random.below(300)));
+  return mesh::decimate(bumpyBallMesh(60, random.uniform(0.02, 0.2), random.uniform(3, 9), 4), triangles);
+}
+
+mesh::TriangleMesh slivers(Random& random) {
+  mesh::TriangleMesh mesh = someShape(random);
+  splitIntoSlivers(mesh, random.uniform(0.05, 0.8), random);
+  return mesh;
+}
+
+mesh::TriangleMesh noisy(Random& random) {
+  mesh::TriangleMesh mesh = someShape(random);
+  shake(mesh, std::pow(10.0, random.uniform(-2.5, -0.3)), random);
+  return mesh;
+}
+
+mesh::TriangleMesh octahedra(Random& random) {
+  mesh::TriangleMesh mesh = bumpyBallMesh(random.uniform(30, 70), 0, 0, static_cast<int>(random.below(3)));
+  squeeze(mesh, anyDirection(random), random.uniform(0.2, 1.0));
+  return mesh;
+}
+
+mesh::TriangleMesh narrowTorus(Random& random) {
+  return torusMesh(45, random.uniform(6, 30), 300, 8 + static_cast<int>(random.below(12)));
+}
+
+mesh::TriangleMesh thinPlate(Random& random) { return plateMesh(90, random.uniform(0.05, 4.0), 24); }
+
+// ---- self-intersecting --------------------------------------------------------------------------------------------
+
+mesh::TriangleMesh parts(Random& random, std::size_t count, double size, double apart) {
+  mesh::TriangleMesh mesh;
+  for (std::size_t i = 0; i < count; ++i) {
+    mesh::TriangleMesh part = somePart(random, random.uniform(0.4, 1.0) * size);
+    place(part, random.uniform(0.2, 1.0) * apart * anyDirection(random), random);
+    mesh::append(part, mesh);
+  }
+  return mesh;
+}
+
+mesh::TriangleMesh limbThroughBody(Random& random) {
+  mesh::TriangleMesh mesh = someShape(random);
+  mesh::TriangleMesh limb = bumpyBallMesh(random.uniform(6, 16), 0, 0, 4);
+  squeeze(limb, Vec3::UnitX(), random.uniform(2, 6));
+  place(limb, random.uniform(0, 30) * anyDirection(random), random);
+  mesh::append(limb, mesh);
+  return mesh;
+}
+
+/// One sheet through another that almost lies in it.
+mesh::TriangleMesh grazingBalls(Random& random) {
+  mesh::TriangleMesh mesh = bumpyBallMesh(45, 0, 0, 4), other = bumpyBallMesh(45, random.uniform(0.002, 0.03), 6, 4);
+  place(other, random.uniform(0, 1.0) * anyDirection(random), random);
+  mesh::append(other, mesh);
+  return mesh;
+}
+
+/// A tube that is narrow or turned over where it is twisted: sheets meet themselves.
+mesh::TriangleMesh pinchedTube(Random& random) {
+  mesh::TriangleMesh mesh = torusMesh(38, random.uniform(30, 50), 60, 40);  // wider than its hole: a spindle
+  shake(mesh, random.uniform(0, 0.2), random);
+  return mesh;
+}
+
+// ---- torn, doubled, open ------------------------------------------------------------------------------------------
+
+mesh::TriangleMesh pierced(Random& random) {
+  mesh::TriangleMesh mesh = someShape(random);
+  pierce(mesh, 1 + random.below(6), random);
+  return mesh;
+}
+
+mesh::TriangleMesh slitted(Random& random) {
+  mesh::TriangleMesh mesh = someShape(random);
+  slit(mesh, 1 + random.below(5), std::pow(10.0, random.uniform(-6, -1)), random);
+  return mesh;
+}
+
+mesh::TriangleMesh doubled(Random& random) {
+  mesh::TriangleMesh mesh = someShape(random);
+  repeatTriangles(mesh, 1 + random.below(200), random);
+  return mesh;
+}
+
+mesh::TriangleMesh openSheet(Random& random) {
+  const double height = random.uniform(0, 14), wave = 2 * std::numbers::pi / random.uniform(12, 90),
+               turn = random.uniform(0, 3);
+  return sheet(
+      {.triangles = 5000 + 2 * random.below(5000), .width_mm = 150, .length_mm = 150, .jitter = random.uniform(0, 0.9)},
+      [=](double x, double y) {
+        return height * std::sin(wave * (x * std::cos(turn) + y * std::sin(turn))) * std::sin(0.61 * wave * y + turn);
+      });
+}
+
+mesh::TriangleMesh ridge(Random& random) {
+  const double slope = random.uniform(0.2, 4.0);
+  const double sign = random.below(2) == 0 ? 1.0 : -1.0;
+  return sheet({.triangles = 6400, .width_mm = 150, .length_mm = 150, .jitter = 0.0},
+               [=](double x, double) { return sign * slope * std::abs(x - 75); });
+}
+
+struct BodyKind {
+  const char* name;
+  mesh::TriangleMesh (*make)(Random& random);
+};
+
+constexpr std::array<BodyKind, 20> kMade{{
+    {"leaf", leaf},
+    {"coarse", coarse},
+    {"slivers", slivers},
+    {"noisy", noisy},
+    {"octahedra", octahedra},
+    {"narrow_torus", narrowTorus},
+    {"thin_plate", thinPlate},
+    {"two_parts", [](Random& r) { return parts(r, 2, 40, 30); }},
+    {"many_parts", [](Random& r) { return parts(r, 8, 25, 45); }},
+    {"limb_through_body", limbThroughBody},
+    {"grazing_balls", grazingBalls},
+    {"pinched_tube", pinchedTube},
+    {"overlapping_balls", [](Random&) { return overlappingBallsMesh(); }},
+    {"touching_boxes", [](Random&) { return touchingBoxesMesh(); }},
+    {"pierced", pierced},
+    {"slitted", slitted},
+    {"doubled", doubled},
+    {"open_sheet", openSheet},
+    {"ridge", ridge},
+    {"slivers_of_leaf",
+     [](Random& r) {
+       auto mesh = leaf(r);
+       splitIntoSlivers(mesh, 0.5, r);
+       return mesh;
+     }},
+}};
+
+}  // namespace
+
+std::vector<std::string> huntedBodyKinds() {
+  std::vector<std::string> kinds = huntedShapeNames();
+  for (const BodyKind& kind : kMade) kinds.emplace_back(kind.name);
+  return kinds;
+}
+
+mesh::TriangleMesh huntedBody(std::string_view kind, std::uint64_t seed) {
+  Random random(seed);
+  const auto* const made =
+      std::find_if(kMade.begin(), kMade.end(), [&](const BodyKind& body) { return kind == body.name; });
+  return made == kMade.end() ? huntedShape(kind, random) : made->make(random);
+}
+
+}  // namespace palpate::lab

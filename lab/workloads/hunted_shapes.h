@@ -1,0 +1,22 @@
+// Random embedded bodies with what is hard to feel: pockets, crevices, limbs, thin plates, horns, walls, tunnels.
+//
+// Each shape is a signed distance, a union of primitives with others cut out, whose zero surface is meshed: closed,
+// manifold and free of self-intersections whatever the random numbers are. About 50 to 250 mm long.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "palpate/base/random.h"
+#include "palpate/mesh/triangle_mesh.h"
+
+namespace palpate::lab {
+
+/// Names of the shapes, in an order that stays.
+std::vector<std::string> huntedShapeNames();
+
+/// One of that shape, all its measures from `random`: 2,000 to 25,000 triangles. Throws Error for another name.
+mesh::TriangleMesh huntedShape(std::string_view name, Random& random);
+
+}  // namespace palpate::lab
