@@ -29,8 +29,8 @@ constexpr double kBorderShare = 0.02;
 
 bool touches(const contact::FingerOutput& o) { return o.touch != contact::Touch::free; }
 
-/// Contact was given up for another place of the skin: counted, and not held to the bound on steps.
-bool isEvent(std::uint32_t status) { return (status & contact::kReseeded) != 0; }
+/// The device said nothing that makes sense, so there is no force: counted, and not held to the bound on steps.
+bool isEvent(std::uint32_t status) { return (status & contact::kTipLost) != 0; }
 
 /// The proxy is still on its way, or a sphere still on its way out: its geometry may be wrong for now.
 bool isOnItsWay(std::uint32_t status) { return (status & (contact::kCatchingUp | contact::kStartedInside)) != 0; }
@@ -242,7 +242,9 @@ void HuntJudge::judgeSphere(const contact::FingerOutput& o) {
       return;
     }
     if (let_be_) return;
-  } else if (near.distance < least) {
+  }
+  // A sheet is felt from its front. Where there is a border, or a fold that is inside out, its back may be nearer.
+  if (near.distance < least && (!body_.closed() || body_.selfIntersecting())) {
     const NearestPoint nearest = body_.slow().nearestTo(centre);
     if (nearest.on_border || nearest.pseudo_normal.dot(centre - nearest.point) < 0.0) return;
   }

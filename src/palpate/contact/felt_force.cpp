@@ -10,6 +10,7 @@
 #include "palpate/contact/felt_force.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "palpate/contact/friction.h"
 #include "palpate/contact/surface_walk.h"
@@ -20,6 +21,10 @@ namespace {
 
 /// A tip this many diagonals away is a broken device, and would overflow the exact predicates in the end.
 constexpr double kFarthestTip = 1e6;
+
+/// What friction may take of the step. More (a mu_static above 2.3) would keep a first contact from being felt whole, for
+/// which the step has to reach as far as the tip moved; friction's own steps may then pass the bound.
+constexpr double kMostFriction = 2.5;
 
 /// A step within this share of its bound is within it: rounding of two norms.
 constexpr double kStepRounding = 1e-9;
@@ -87,7 +92,9 @@ FingerOutput lostOutput(const FingerState& state) noexcept {
 FingerOutput feltOutput(const Surface& surface, const FingerSettings& settings, Press press, const Vec3& tip,
                         double tip_moved_mm, FingerState& state) noexcept {
   const double most_mm = feltBound(settings, tip_moved_mm);
-  if (!followPress(surface, most_mm, tip, press, state)) {
+  // Friction at its most turns and shrinks with the normal force, which it makes longer by this factor.
+  const double with_friction = std::min(std::hypot(1.0, settings.mu_static), kMostFriction);
+  if (!followPress(surface, most_mm / with_friction, tip, press, state)) {
     state.force = Vec3::Zero();
     return freeOutput(tip);
   }

@@ -36,7 +36,7 @@ enum StatusBit : std::uint32_t {
   kLettingGo = 1u << 3,      ///< the tip is out of the body again; what it felt fades
   kAtBorder = 1u << 4,       ///< the force fades because the sheet ends here
   kStartedInside = 1u << 5,  ///< a sphere that overlaps the skin is being pushed out
-  kUnsettled = 1u << 6,      ///< a sphere used up its rounds; it goes on in the next tick
+  kUnsettled = 1u << 6,      ///< a sphere used up its rounds; it goes on in the next tick (kCatchingUp is set too)
   kShadingFailed = 1u << 7,  ///< force shading fell back to the facets
 };
 

@@ -11,9 +11,10 @@ namespace palpate::contact {
 
 namespace {
 
-/// Winding numbers of a closed surface are whole but for 0.05; in doubt the finger stays held.
+/// Winding numbers of a closed surface are whole but for 0.05, except on the surface itself, where they are the share of
+/// directions that lead inside. In doubt the finger stays held, or is.
 constexpr double kSurelyOutside = 0.25;
-constexpr double kInside = 0.5;
+constexpr double kSurelyInside = 0.9;
 
 }  // namespace
 
@@ -26,7 +27,7 @@ bool isOutside(const Surface& surface, const Vec3& tip, double lag) noexcept {
 }
 
 bool isBuried(const Surface& surface, const Vec3& place) noexcept {
-  return surface.self_intersecting && surface.closed && tree::windingNumber(surface.tree, place) > kInside;
+  return surface.self_intersecting && surface.closed && tree::windingNumber(surface.tree, place) > kSurelyInside;
 }
 
 }  // namespace palpate::contact

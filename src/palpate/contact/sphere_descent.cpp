@@ -183,30 +183,45 @@ bool pushOut(const SphereTask& task, Vec3& centre) noexcept {
 }
 
 bool descend(const SphereTask& task, Vec3& centre, SurfacePoint& foot) noexcept {
+  const double settled = kSettled * task.radius;
   Feet feet;
   HalfSpaces planes;
+  int failures = 0;
+  double longest = kUnbounded;
   const auto settle_at = [&](const Vec3& place) {
     centre = place;
     planFrom(task, centre, feet, planes);
     if (feet.count > 0) foot = feet.feet[feet.lowest()].at;
+    failures = 0;
+    longest = kUnbounded;
   };
   findFeet(task.surface, centre, task.radius * (1.0 + kOutlook), feet);
   settle_at(centre);
-  int failures = 0;
+  double tried = 0.0;
   for (int round = 0; round < kMostRounds; ++round) {
     Vec3 goal = centre;
-    if (!nextGoal(task, planes, goal)) return false;
+    const bool any = nextGoal(task, planes, goal);
+    const double length = (goal - centre).norm();
+    if (!any || length <= settled) {
+      if (failures == 0 || 0.5 * tried <= settled) return any;
+      // The planes of what is in the way farther on leave no way at all: as much of the way as is open, then.
+      longest = 0.5 * tried;
+      failures = 0;
+      findFeet(task.surface, centre, task.radius * (1.0 + kOutlook), feet);
+      planFrom(task, centre, feet, planes);
+      continue;
+    }
     if (failures > kFullTrials) goal = centre + std::exp2(kFullTrials - failures) * (goal - centre);
-    if ((goal - centre).norm() <= kSettled * task.radius) return true;
+    if (length > longest) goal = centre + (longest / length) * (goal - centre);
     const bool nearer = isNearer(task, goal, centre);
     if (!nearer && failures == 0) return true;
-    if (failures == 0) goal = lookAhead(task, feet, goal);
+    if (failures == 0 && longest == kUnbounded) goal = lookAhead(task, feet, goal);
+    tried = (goal - centre).norm();
     if (!nearer || addObstacles(task, centre, goal, planes, feet)) {
       ++failures;
       continue;
     }
     settle_at(goal);
-    failures = 0;
   }
   return false;
 }

@@ -139,7 +139,7 @@ Move moveCentre(const SphereTask& task, bool fits) {
     return move;
   }
   if (standsOnOnePlace(task, move)) return move;
-  if (!descend(task, move.centre, move.foot)) move.status |= kUnsettled;
+  if (!descend(task, move.centre, move.foot)) move.status |= kUnsettled | kCatchingUp;
   constexpr double kUsedUp = 0.999;
   if ((move.centre - task.start).norm() >= kUsedUp * task.path) move.status |= kCatchingUp;
   return move;
@@ -183,11 +183,12 @@ Press pressSphere(const Surface& surface, const FingerSettings& settings, double
   if (too_deep) move.status |= kTooDeep;
   state.centre = move.centre;
   state.fits = (move.status & kStartedInside) == 0;
-  const bool reached = move.centre == tip && state.fits;
+  const bool reached = lag <= directionlessDepth(surface) && state.fits;
   Press press;
   if (!reached) press = pressWith(settings, task, move, state);
   const bool faded = (press.status & kAtBorder) != 0 && press.felt_depth_mm <= 0.0;
-  state.touching = !reached && !faded && !(too_deep && isOutside(surface, tip, lag));
+  const bool let_go = too_deep && isOutside(surface, tip, lag) && !overlapsFront(surface, tip, radius);
+  state.touching = !reached && !faded && !let_go;
   return state.touching ? press : Press{};
 }
 
