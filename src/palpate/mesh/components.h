@@ -67,6 +67,21 @@ inline Components findComponents(const TriangleMesh& mesh) {
   return components;
 }
 
+/// Parts that hang together across edges, of however many triangles; touching in a vertex does not join.
+inline Components partsAcrossEdges(const TriangleMesh& mesh, const EdgeUses& edges) {
+  DisjointSets triangles(mesh.triangles.size());
+  forEachEdge(edges, [&](Index, Index, std::span<const EdgeUse> uses) {
+    for (const EdgeUse& use : uses) triangles.unite(uses[0].half_edge / 3, use.half_edge / 3);
+  });
+  Components parts;
+  parts.of_triangle.resize(mesh.triangles.size());
+  for (Index t = 0; t < mesh.triangles.size(); ++t) {
+    const Index root = triangles.root(t);  // the lowest: numbered before
+    parts.of_triangle[t] = root == t ? parts.count++ : parts.of_triangle[root];
+  }
+  return parts;
+}
+
 /// The members of each group, ascending, where thing i belongs to group `of_thing[i]` < groups.
 inline IndexRows membersOfGroups(std::span<const Index> of_thing, Index groups) {
   IndexRows members;

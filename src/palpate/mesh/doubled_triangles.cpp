@@ -1,5 +1,9 @@
-// Triangles over the same vertices are found by sorting within the row of their lowest vertex; opposite pairs that hang
-// together are one sheet, and how its rim meets the rest of the surface says what becomes of it. Own.
+// Triangles over the same vertices are found by sorting within the row of their lowest vertex and cancel each other, one
+// way against the other; opposite pairs that are left and hang together are one sheet, and how its rim meets the rest of
+// the surface says what becomes of it.
+//
+// Own; a mesh whose every edge is used as often one way as the other is a cycle of simplicial homology, and taking away
+// a triangle together with its opposite leaves it one.
 #include "palpate/mesh/doubled_triangles.h"
 
 #include <algorithm>
@@ -35,22 +39,112 @@ void removeMarked(TriangleMesh& mesh, const std::vector<bool>& marked) {
   mesh.triangles.resize(kept);
 }
 
-std::size_t removeDuplicates(TriangleMesh& mesh) {
-  std::vector<bool> marked(mesh.triangles.size(), false);
-  std::size_t count = 0;
-  for (const TwinGroup& group : twinGroups(mesh)) {
-    std::array<bool, 2> seen{};
-    for (Index t : group) {
-      bool& same_winding_seen = seen[runsUp(mesh.triangles[t]) ? 1 : 0];
-      if (same_winding_seen) {
-        marked[t] = true;
-        ++count;
-      }
-      same_winding_seen = true;
+/// The triangles over three vertices, counted with their sign.
+struct TwinCount {
+  std::array<std::vector<Index>, 2> wound;  // [1] runs up
+  /// How many are left over one way, and which way.
+  std::size_t surplus() const {
+    return std::max(wound[0].size(), wound[1].size()) - std::min(wound[0].size(), wound[1].size());
+  }
+  std::size_t side() const { return wound[1].size() > wound[0].size() ? 1 : 0; }
+};
+
+TwinCount countTwins(const TriangleMesh& mesh, const TwinGroup& group) {
+  TwinCount count;
+  for (const Index t : group) count.wound[runsUp(mesh.triangles[t]) ? 1 : 0].push_back(t);
+  return count;
+}
+
+/// Several equal triangles that nothing cancels: wound more than once, or where bodies share a part of their skin.
+/// Those that hang together across edges are cut down to one each, or stay, whichever leaves fewer edges unbalanced.
+class Multiples {
+ public:
+  /// `multiples`: each two triangles or more, with the same winding. Marked triangles are gone already.
+  Multiples(const TriangleMesh& mesh, const std::vector<TwinGroup>& multiples, const std::vector<bool>& marked)
+      : multiples_(multiples), multiple_of_(mesh.triangles.size(), kNoIndex), clusters_(multiples.size()) {
+    for (Index m = 0; m < multiples.size(); ++m) {
+      for (const Index t : multiples[m]) multiple_of_[t] = m;
+    }
+    const EdgeUses edges = edgeUses(mesh);
+    forEachEdge(edges, [&](Index, Index, std::span<const EdgeUse> uses) { uniteAt(uses); });
+    worse_by_.assign(multiples.size(), 0);
+    forEachEdge(edges, [&](Index low, Index, std::span<const EdgeUse> uses) { weigh(mesh, low, uses, marked); });
+  }
+
+  /// Marks what goes; returns how many.
+  std::size_t markSurplus(std::vector<bool>& marked) {
+    std::size_t count = 0;
+    for (Index m = 0; m < multiples_.size(); ++m) {
+      if (worse_by_[clusters_.root(m)] > 0) continue;
+      for (std::size_t i = 1; i < multiples_[m].size(); ++i) marked[multiples_[m][i]] = true;
+      count += multiples_[m].size() - 1;
+    }
+    return count;
+  }
+
+ private:
+  Index multipleAt(const EdgeUse& use) const { return multiple_of_[use.half_edge / 3]; }
+
+  void uniteAt(std::span<const EdgeUse> uses) {
+    Index first = kNoIndex;
+    for (const EdgeUse& use : uses) {
+      if (multipleAt(use) == kNoIndex) continue;
+      if (first == kNoIndex) first = multipleAt(use);
+      clusters_.unite(first, multipleAt(use));
     }
   }
-  if (count > 0) removeMarked(mesh, marked);
-  return count;
+
+  /// Adds to the cluster at an edge, if there is one, how much the edge's balance suffers from cutting it down.
+  void weigh(const TriangleMesh& mesh, Index low, std::span<const EdgeUse> uses, const std::vector<bool>& marked) {
+    Index cluster = kNoIndex;
+    int whole = 0;
+    int cut_down = 0;
+    for (const EdgeUse& use : uses) {
+      const Index t = use.half_edge / 3;
+      if (marked[t]) continue;
+      const int direction = halfEdgeStart(mesh, use.half_edge) == low ? 1 : -1;
+      whole += direction;
+      if (multiple_of_[t] != kNoIndex) cluster = clusters_.root(multiple_of_[t]);
+      if (multiple_of_[t] == kNoIndex || multiples_[multiple_of_[t]].front() == t) cut_down += direction;
+    }
+    if (cluster != kNoIndex) worse_by_[cluster] += (cut_down != 0 ? 1 : 0) - (whole != 0 ? 1 : 0);
+  }
+
+  const std::vector<TwinGroup>& multiples_;
+  std::vector<Index> multiple_of_;
+  DisjointSets clusters_;
+  std::vector<int> worse_by_;  // per cluster (its root): edges that only stay balanced uncut, less those the other way
+};
+
+/// Leaves each group its surplus, or one opposite pair when there is none.
+void cancelTwins(TriangleMesh& mesh, const std::vector<TwinGroup>& groups, DoubledRemoved& removed) {
+  std::vector<bool> marked(mesh.triangles.size(), false);
+  std::vector<TwinGroup> multiples;
+  for (const TwinGroup& group : groups) {
+    const TwinCount count = countTwins(mesh, group);
+    const std::size_t surplus = count.surplus();
+    if (surplus == 0) {
+      for (const auto& wound : count.wound) {
+        for (std::size_t i = 1; i < wound.size(); ++i) marked[wound[i]] = true;
+        removed.duplicates += wound.size() - 1;
+      }
+      continue;
+    }
+    const auto& more = count.wound[count.side()];
+    const auto& fewer = count.wound[1 - count.side()];
+    for (const Index t : fewer) marked[t] = true;
+    for (std::size_t i = surplus; i < more.size(); ++i) marked[more[i]] = true;
+    removed.cancelled += fewer.size();
+    if (surplus > 1) multiples.emplace_back(more.begin(), more.begin() + static_cast<std::ptrdiff_t>(surplus));
+  }
+  if (!multiples.empty()) removed.duplicates += Multiples(mesh, multiples, marked).markSurplus(marked);
+  removeMarked(mesh, marked);
+}
+
+std::vector<TwinGroup> oppositePairs(const TriangleMesh& mesh) {
+  std::vector<TwinGroup> pairs = twinGroups(mesh);
+  std::erase_if(pairs, [&](const TwinGroup& group) { return countTwins(mesh, group).surplus() > 0; });
+  return pairs;
 }
 
 /// How a connected sheet of opposite pairs meets the rest of the surface.
@@ -70,10 +164,9 @@ class OppositePairs {
   }
 
   /// Marks what goes and counts it.
-  DoubledRemoved choose(std::vector<bool>& marked) {
+  void choose(std::vector<bool>& marked, DoubledRemoved& removed) {
     const bool all_doubled = 2 * pairs_.size() == mesh_.triangles.size();
     const std::vector<Rim> rims = rimsOfSheets();
-    DoubledRemoved removed;
     for (Index p = 0; p < pairs_.size(); ++p) {
       const Rim& rim = rims[sheets_.root(p)];
       const bool is_needed = all_doubled || (rim.fills_hole && !rim.on_surface && !rim.has_free_edge);
@@ -81,7 +174,6 @@ class OppositePairs {
       marked[pairs_[p][1]] = true;
       ++(is_needed ? removed.sides : removed.opposite_pairs);
     }
-    return removed;
   }
 
  private:
@@ -149,15 +241,15 @@ std::vector<TwinGroup> twinGroups(const TriangleMesh& mesh) {
 }
 
 DoubledRemoved removeDoubled(TriangleMesh& mesh) {
-  const std::size_t duplicates = removeDuplicates(mesh);
-  auto pairs = twinGroups(mesh);
   DoubledRemoved removed;
-  if (!pairs.empty()) {
-    std::vector<bool> marked(mesh.triangles.size(), false);
-    removed = OppositePairs(mesh, std::move(pairs)).choose(marked);
-    removeMarked(mesh, marked);
-  }
-  removed.duplicates = duplicates;
+  const std::vector<TwinGroup> groups = twinGroups(mesh);
+  if (groups.empty()) return removed;
+  cancelTwins(mesh, groups, removed);
+  auto pairs = oppositePairs(mesh);
+  if (pairs.empty()) return removed;
+  std::vector<bool> marked(mesh.triangles.size(), false);
+  OppositePairs(mesh, std::move(pairs)).choose(marked, removed);
+  removeMarked(mesh, marked);
   return removed;
 }
 

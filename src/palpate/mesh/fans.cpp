@@ -91,6 +91,25 @@ class Joints {
       const Page& next = pages[(i + 1) % pages.size()];
       if (pages[i].rises && !next.rises) join(pages[i].half_edge, next.half_edge);
     }
+    joinAroundJoined(pages);
+  }
+
+  /// Bodies that overlap leave sectors within sectors: what is free yet is joined as brackets are, around what is
+  /// joined, so that an edge that as many triangles use one way as the other has no border.
+  void joinAroundJoined(std::vector<Page>& pages) {
+    std::erase_if(pages, [&](const Page& page) { return across_[page.half_edge] != kNoIndex; });
+    std::vector<Index> open;
+    for (std::size_t round = 0; round < 2; ++round) {  // twice: a sector may lie across the angle where they begin
+      for (const Page& page : pages) {
+        if (across_[page.half_edge] != kNoIndex) continue;
+        if (page.rises) {
+          if (round == 0) open.push_back(page.half_edge);
+        } else if (!open.empty()) {
+          join(open.back(), page.half_edge);
+          open.pop_back();
+        }
+      }
+    }
   }
 
   void join(Index a, Index b) {

@@ -15,6 +15,7 @@
 #include <limits>
 #include <mutex>
 #include <optional>
+#include <tuple>
 
 #include "palpate/base/background.h"
 #include "palpate/mesh/reorder.h"
@@ -79,13 +80,16 @@ int side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return volume > bound ? 1 : volume < -bound ? -1 : 0;
 }
 
+enum class Meeting : std::uint8_t { none, touches, pierces };
+
 /// Sharing vertices is the caller's concern. The ends must lie clearly on both sides; the crossing point may lie on the
-/// border of the triangle, which is where the lattices of cubes and grids like to meet.
-bool pierces(const Vec3& p, const Vec3& q, const std::array<const Vec3*, 3>& t) {
-  if (side(*t[0], *t[1], *t[2], p) * side(*t[0], *t[1], *t[2], q) >= 0) return false;
+/// border of the triangle, which is where the lattices of cubes and grids like to meet: then it touches.
+Meeting meetingOf(const Vec3& p, const Vec3& q, const std::array<const Vec3*, 3>& t) {
+  if (side(*t[0], *t[1], *t[2], p) * side(*t[0], *t[1], *t[2], q) >= 0) return Meeting::none;
   const std::array<int, 3> turns = {side(p, q, *t[0], *t[1]), side(p, q, *t[1], *t[2]), side(p, q, *t[2], *t[0])};
   const auto [low, high] = std::minmax_element(turns.begin(), turns.end());
-  return *low >= 0 || *high <= 0;
+  if (*low < 0 && *high > 0) return Meeting::none;
+  return *low > 0 || *high < 0 ? Meeting::pierces : Meeting::touches;
 }
 
 bool uses(const Triangle& t, Index v) { return t[0] == v || t[1] == v || t[2] == v; }
@@ -144,8 +148,7 @@ class PairSearch {
   }
 
   bool complete() const { return work_left_ > 0; }
-  const std::vector<std::uint64_t>& edges() const { return edges_; }
-  const std::vector<Index>& triangles() const { return triangles_; }
+  const std::vector<Crossing>& crossings() const { return crossings_; }
 
  private:
   void searchWithin(std::size_t node) {
@@ -201,17 +204,17 @@ class PairSearch {
     for (std::size_t i = 0; i < 3; ++i) {
       const Index p = edges[i];
       const Index q = edges[(i + 1) % 3];
-      if (uses(target, p) || uses(target, q) || !pierces(mesh_.positions[p], mesh_.positions[q], corners)) continue;
-      edges_.push_back(std::uint64_t{std::min(p, q)} << 32 | std::max(p, q));
-      triangles_.push_back(pierced);
+      if (uses(target, p) || uses(target, q)) continue;
+      const Meeting meeting = meetingOf(mesh_.positions[p], mesh_.positions[q], corners);
+      if (meeting == Meeting::none) continue;
+      crossings_.push_back({std::min(p, q), std::max(p, q), pierced, meeting == Meeting::touches});
     }
   }
 
   const TriangleMesh& mesh_;
   const BoxTree& tree_;
   std::size_t work_left_;
-  std::vector<std::uint64_t> edges_;
-  std::vector<Index> triangles_;
+  std::vector<Crossing> crossings_;
 };
 
 // --- tasks and threads ---
@@ -233,11 +236,36 @@ std::vector<Task> makeTasks(const BoxTree& tree) {
   return tasks;
 }
 
-template <class T>
-std::size_t sortAndCountUnique(std::vector<T>& values) {
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-  return values.size();
+// --- the answer ---
+
+bool isBefore(const Crossing& l, const Crossing& r) {
+  return std::tie(l.low, l.high, l.triangle) < std::tie(r.low, r.high, r.triangle);
+}
+
+void sortUnique(std::vector<Index>& triangles) {
+  std::sort(triangles.begin(), triangles.end());
+  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+}
+
+/// An edge that pierces one triangle and touches another is one that pierces. Both its triangles find it: once counts.
+void countEdges(Intersections& found) {
+  auto& all = found.crossings;
+  std::sort(all.begin(), all.end(), isBefore);
+  const auto same = [](const Crossing& l, const Crossing& r) { return !isBefore(l, r) && !isBefore(r, l); };
+  all.erase(std::unique(all.begin(), all.end(), same), all.end());
+  for (auto first = all.begin(); first != all.end();) {
+    const auto end = std::find_if(
+        first, all.end(), [&](const Crossing& c) { return c.low != first->low || c.high != first->high; });
+    const bool only_touches = std::all_of(first, end, [](const Crossing& c) { return c.touches; });
+    ++found.piercing_edges;
+    found.touching_edges += only_touches ? 1 : 0;
+    for (; first != end; ++first) {
+      if (only_touches) found.touched_triangles.push_back(first->triangle);
+      if (!first->touches) found.pierced_triangles.push_back(first->triangle);
+    }
+  }
+  sortUnique(found.pierced_triangles);
+  sortUnique(found.touched_triangles);
 }
 
 class SelfSearch {
@@ -274,16 +302,14 @@ class SelfSearch {
 
   void add(const PairSearch& search) {
     const std::lock_guard lock(mutex_);
-    edges_.insert(edges_.end(), search.edges().begin(), search.edges().end());
-    triangles_.insert(triangles_.end(), search.triangles().begin(), search.triangles().end());
+    crossings_.insert(crossings_.end(), search.crossings().begin(), search.crossings().end());
     complete_ = complete_ && search.complete();
   }
 
   Intersections finished() {
     Intersections result;
-    result.piercing_edges = sortAndCountUnique(edges_);
-    sortAndCountUnique(triangles_);
-    result.pierced_triangles = std::move(triangles_);
+    result.crossings = std::move(crossings_);
+    countEdges(result);
     result.complete = complete_;
     return result;
   }
@@ -294,8 +320,7 @@ class SelfSearch {
   std::vector<Task> tasks_;
   std::atomic<std::size_t> next_{0};
   std::mutex mutex_;  // guards what follows
-  std::vector<std::uint64_t> edges_;
-  std::vector<Index> triangles_;
+  std::vector<Crossing> crossings_;
   bool complete_ = true;
 };
 

@@ -11,14 +11,25 @@
 
 namespace palpate::mesh {
 
+/// An edge that crosses a triangle which shares no vertex with it.
+struct Crossing {
+  Index low;  ///< the edge's vertices
+  Index high;
+  Index triangle;
+  bool touches;  ///< it meets the triangle's border, an edge or a corner, and not its inside
+};
+
 struct Intersections {
-  std::size_t piercing_edges = 0;
-  std::vector<Index> pierced_triangles;  ///< ascending, each once
+  std::size_t piercing_edges = 0;        ///< pass through a triangle
+  std::size_t touching_edges = 0;        ///< those of them that meet edges and corners only, the inside of no triangle
+  std::vector<Index> pierced_triangles;  ///< whose inside is met; ascending, each once
+  std::vector<Index> touched_triangles;  ///< that edges meet which only touch; the same
+  std::vector<Crossing> crossings;       ///< by edge, then by triangle
   bool complete = true;  ///< false: so much overlaps that the search was given up; what was found until then is real
 };
 
-/// Edges that cross a triangle which shares no vertex with them. Touching and lying in one plane do not count. Indices
-/// must be within range and coordinates finite. About 1 us a triangle; memory 60 bytes a triangle.
+/// Edges whose ends lie clearly on both sides of a triangle that they cross. Ending on it and lying in its plane do not
+/// count. Indices must be within range and coordinates finite. About 1 us a triangle; memory 60 bytes a triangle.
 Intersections findIntersections(const TriangleMesh& mesh, const Progress& progress = {});
 
 }  // namespace palpate::mesh

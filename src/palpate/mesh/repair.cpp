@@ -1,6 +1,8 @@
 // The order of the steps, and what each of them is called in the report. Own; the steps name their sources.
 #include "palpate/mesh/repair.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -8,6 +10,7 @@
 #include "palpate/mesh/components.h"
 #include "palpate/mesh/doubled_triangles.h"
 #include "palpate/mesh/fans.h"
+#include "palpate/mesh/holes.h"
 #include "palpate/mesh/intersections.h"
 #include "palpate/mesh/slivers.h"
 #include "palpate/mesh/topology.h"
@@ -31,13 +34,19 @@ class Repairing {
   void dropUnusable() {
     const auto& positions = result_.mesh.positions;
     auto& triangles = result_.mesh.triangles;
-    note("triangles dropped that name a vertex which does not exist", std::erase_if(triangles, [&](const Triangle& t) {
-           return std::any_of(t.begin(), t.end(), [&](Index v) { return v >= positions.size(); });
-         }));
-    note("triangles dropped that use a vertex which is not finite", std::erase_if(triangles, [&](const Triangle& t) {
-           return std::any_of(t.begin(), t.end(), [&](Index v) { return !isUsable(positions[v]); });
-         }));
+    const std::size_t given = triangles.size();
+    noteDropped("triangles dropped that name a vertex which does not exist",
+                std::erase_if(triangles, [&](const Triangle& t) {
+                  return std::any_of(t.begin(), t.end(), [&](Index v) { return v >= positions.size(); });
+                }));
+    noteDropped("triangles dropped that use a vertex which is not finite",
+                std::erase_if(triangles, [&](const Triangle& t) {
+                  return std::any_of(t.begin(), t.end(), [&](Index v) { return !isUsable(positions[v]); });
+                }));
     note("vertices dropped that no triangle used", countUnused());
+    result_.before = currentState();
+    result_.before.triangles = given;
+    open_length_mm_ = result_.before.open_length_mm;
   }
 
   void weld() {
@@ -48,45 +57,72 @@ class Repairing {
         options_.weld_distance_mm > 0.0 ? nearVertices(positions, options_.weld_distance_mm) : equalVertices(positions);
     std::size_t welded = 0;
     for (Index v = 0; v < same_as.size(); ++v) welded += same_as[v] != v ? 1 : 0;
+    if (welded == 0) return;
     for (Triangle& triangle : result_.mesh.triangles) {
       for (Index& v : triangle) v = same_as[v];
     }
     note("vertices welded to another at the same place", welded);
+    open_length_mm_ = surfaceState(result_.mesh, edgeUses(result_.mesh), {}).open_length_mm;
   }
 
   void collapseSlivers() {
     report(progress_, "repairing", 0.2);
+    const auto given = triangleCount();
     const SliversRemoved removed = removeSlivers(result_.mesh);
-    note("triangles without area collapsed along a short edge", removed.collapsed);
-    note("triangles without height sewn to the neighbour across their long edge", removed.sewn);
-    note("triangles without area dropped", removed.dropped);
+    noteDropped("triangles without area collapsed along a short edge", removed.collapsed);
+    note("triangles without height sewn to the neighbour across their long edge", removed.sewn,
+         triangleCount() - given + countOf(removed.collapsed + removed.dropped));
+    noteDropped("triangles without area dropped", removed.dropped);
   }
 
   void removeTwins() {
     report(progress_, "repairing", 0.3);
     const DoubledRemoved removed = removeDoubled(result_.mesh);
-    note("duplicate triangles dropped", removed.duplicates);
-    note("opposite pairs of triangles removed (fins without thickness)", removed.opposite_pairs);
-    note("triangles given from both sides, one side kept", removed.sides);
+    noteDropped("duplicate triangles dropped", removed.duplicates);
+    note("opposite pairs of triangles cancelled beside the one that is left over", removed.cancelled,
+         -2 * countOf(removed.cancelled));
+    note("opposite pairs of triangles removed (fins without thickness)", removed.opposite_pairs,
+         -2 * countOf(removed.opposite_pairs));
+    noteDropped("triangles given from both sides, one side kept", removed.sides);
   }
 
   void unifyWinding() {
     report(progress_, "repairing", 0.4);
-    const EdgeUses edges = edgeUses(result_.mesh);
-    const Patches patches = findPatches(result_.mesh, edges);
-    note("triangles flipped to face the way of their neighbours", makeWindingConsistent(result_.mesh, patches));
-    if (options_.orient_outwards) {
-      note("closed parts turned outside out", turnOutwards(result_.mesh, edges, patches));
-    }
+    edges_ = edgeUses(result_.mesh);
+    patches_ = findPatches(result_.mesh, edges_);
+    const std::size_t flipped = makeWindingConsistent(result_.mesh, patches_);
+    note("triangles flipped to face the way of their neighbours", flipped);
+    if (flipped > 0) edges_ = edgeUses(result_.mesh);  // half-edges are named by the order of the corners
+  }
+
+  void closeHoles() {
+    if (!options_.fill_holes) return;
+    report(progress_, "repairing", 0.5);
+    const Holes holes = findHoles(result_.mesh, edges_, progress_);
+    warnOfHolesLeft(holes);
+    if (holes.count(HoleFate::fillable) == 0) return;
+    const auto given = triangleCount();
+    const std::size_t filled = fillHoles(result_.mesh, holes);
+    note("small holes of nearly closed parts filled or sewn up", filled, triangleCount() - given);
+    collapseSlivers();  // of the fillings
+    removeTwins();
+    edges_ = edgeUses(result_.mesh);
+    patches_ = findPatches(result_.mesh, edges_);
+  }
+
+  void faceOutwards() {
+    if (!options_.orient_outwards) return;
+    note("closed parts turned outside out", turnOutwards(result_.mesh, edges_, patches_));
   }
 
   void separateFans() {
     report(progress_, "repairing", 0.6);
+    const auto given = triangleCount();
     const FansMade made = makeFans(result_.mesh, result_.source_vertex);
     note("edges of a one-sided part cut open along a seam", made.seam_edges);
     note("edges of more than two triangles taken apart, faces joined by angle", made.non_manifold_edges);
     note("vertices copied so that every fan of triangles has its own", made.copied_vertices);
-    note("edges split in the middle to tell them apart", made.split_edges);
+    note("edges split in the middle to tell them apart", made.split_edges, triangleCount() - given);
   }
 
   void removeLeftovers() {
@@ -99,10 +135,9 @@ class Repairing {
   void describeResult() {
     report(progress_, "repairing", 0.9);
     result_.components = findComponents(result_.mesh).count;
-    result_.closed = true;
-    forEachEdge(edgeUses(result_.mesh), [&](Index, Index, std::span<const EdgeUse> uses) {
-      if (uses.size() != 2) result_.closed = false;
-    });
+    result_.after = currentState();
+    result_.closed = result_.after.closure == Closure::closed;
+    warnOfWhatOpened();
     if (options_.find_self_intersections) {
       const Intersections found = findIntersections(result_.mesh, progress_);
       // What could not be searched to the end is dense with overlaps: treat it as intersecting, which is the safe side.
@@ -118,8 +153,50 @@ class Repairing {
   RepairResult takeResult() { return std::move(result_); }
 
  private:
-  void note(std::string what, std::size_t count) {
-    if (count > 0) result_.actions.push_back({std::move(what), count});
+  static std::ptrdiff_t countOf(std::size_t count) { return static_cast<std::ptrdiff_t>(count); }
+  std::ptrdiff_t triangleCount() const { return countOf(result_.mesh.triangles.size()); }
+
+  /// What is done a second time, after holes were filled, adds to its first line.
+  void note(std::string what, std::size_t count, std::ptrdiff_t triangles = 0) {
+    if (count == 0 && triangles == 0) return;
+    const auto same = std::find_if(result_.actions.begin(), result_.actions.end(),
+                                   [&](const RepairAction& action) { return action.what == what; });
+    if (same == result_.actions.end()) {
+      result_.actions.push_back({std::move(what), count, triangles});
+    } else {
+      same->count += count;
+      same->triangles += triangles;
+    }
+  }
+  void noteDropped(std::string what, std::size_t count) { note(std::move(what), count, -countOf(count)); }
+
+  SurfaceState currentState() const {
+    const EdgeUses edges = edgeUses(result_.mesh);
+    return surfaceState(result_.mesh, edges, findHoles(result_.mesh, edges, progress_));
+  }
+
+  void warnOfHolesLeft(const Holes& holes) {
+    if (const std::size_t count = holes.count(HoleFate::too_long); count > 0) {
+      result_.warnings.push_back(fmt::format(
+          "{} left open in a nearly closed part: more than {} border edges", holesOf(count), kMostHoleEdges));
+    }
+    if (const std::size_t count = holes.count(HoleFate::no_room); count > 0) {
+      result_.warnings.push_back(fmt::format(
+          "{} left open in a nearly closed part: a filling would overlap the surface", holesOf(count)));
+    }
+  }
+
+  static std::string holesOf(std::size_t count) {
+    return fmt::format("{} small hole{}", count, count == 1 ? "" : "s");
+  }
+
+  /// Lengths are compared, because a border edge that is split is no new border.
+  void warnOfWhatOpened() {
+    constexpr double kRounding = 1e-9;  // of a sum of lengths
+    const double opened_mm = result_.after.open_length_mm - open_length_mm_;
+    if (!(opened_mm > kRounding * result_.after.open_length_mm)) return;
+    result_.warnings.push_back(fmt::format("{} was closed and is open now: {:.3g} mm of border that was none",
+                                           open_length_mm_ == 0.0 ? "the surface" : "a part", opened_mm));
   }
 
   std::size_t countUnused() const {
@@ -133,6 +210,9 @@ class Repairing {
   const RepairOptions& options_;
   const Progress& progress_;
   RepairResult result_;
+  EdgeUses edges_;  // of the mesh as unifyWinding and closeHoles leave it
+  Patches patches_;
+  double open_length_mm_ = 0.0;  // welded, before anything else is done
 };
 
 }  // namespace
@@ -145,6 +225,8 @@ RepairResult repair(TriangleMesh mesh, const RepairOptions& options, const Progr
   repairing.removeTwins();
   repairing.checkSomethingIsLeft();
   repairing.unifyWinding();
+  repairing.closeHoles();
+  repairing.faceOutwards();
   repairing.separateFans();
   repairing.removeLeftovers();
   repairing.describeResult();

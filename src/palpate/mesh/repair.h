@@ -2,7 +2,8 @@
 // load.
 //
 // Afterwards every edge has 0 or 1 neighbour of opposite direction, every vertex one fan of triangles, no triangle is
-// without height, no vertex unused. Borders, several components and self-intersections stay and are flagged.
+// without height, no vertex unused. What was watertight still is, small holes of nearly closed bodies are filled. Other
+// borders, several components and self-intersections stay and are flagged.
 #pragma once
 
 #include <cstddef>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "palpate/base/progress.h"
+#include "palpate/mesh/closure.h"
 #include "palpate/mesh/triangle_mesh.h"
 
 namespace palpate::mesh {
@@ -21,6 +23,8 @@ struct RepairOptions {
   double weld_distance_mm = 0.0;
   /// Turn closed parts outside out.
   bool orient_outwards = true;
+  /// Fill the small holes of nearly closed parts (holes.h).
+  bool fill_holes = true;
   /// Look for self-intersections of the result (costs more than all the rest).
   bool find_self_intersections = true;
 };
@@ -29,6 +33,8 @@ struct RepairOptions {
 struct RepairAction {
   std::string what;
   std::size_t count = 0;
+  /// How many triangles more there are for it; negative: fewer. They sum up to after.triangles - before.triangles.
+  std::ptrdiff_t triangles = 0;
 };
 
 struct RepairResult {
@@ -37,6 +43,11 @@ struct RepairResult {
   /// of an edge (rare) has one end of it.
   std::vector<Index> source_vertex;
   std::vector<RepairAction> actions;
+  /// What one should know before one trusts the result, e.g. that something closed was opened.
+  std::vector<std::string> warnings;
+  /// As given (without what cannot be used at all, but for the number of triangles and vertices), and as it is now.
+  SurfaceState before;
+  SurfaceState after;
   std::size_t components = 0;
   bool closed = false;
   bool self_intersecting = false;

@@ -34,13 +34,20 @@ std::size_t longestEdge(const TriangleMesh& mesh, const Triangle& t) {
   return longest;
 }
 
-std::size_t dropRepeatedCorners(TriangleMesh& mesh) { return std::erase_if(mesh.triangles, hasRepeatedCorner); }
+/// `first` keeps naming the same triangle.
+std::size_t dropRepeatedCorners(TriangleMesh& mesh, Index& first) {
+  const auto middle = mesh.triangles.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto dropped_before = std::count_if(mesh.triangles.begin(), middle, hasRepeatedCorner);
+  first -= static_cast<Index>(dropped_before);
+  return std::erase_if(mesh.triangles, hasRepeatedCorner);
+}
 
-/// Slivers with an edge shorter than `height`: the ends of that edge become the lower one of them.
-std::size_t collapseShortEdges(TriangleMesh& mesh, double height) {
+/// Slivers from `first` on with an edge shorter than `height`: the ends of that edge become the lower one of them.
+std::size_t collapseShortEdges(TriangleMesh& mesh, double height, Index& first) {
   DisjointSets merged(mesh.positions.size());
   bool any = false;
-  for (const Triangle& t : mesh.triangles) {
+  for (Index i = first; i < mesh.triangles.size(); ++i) {
+    const Triangle& t = mesh.triangles[i];
     if (!isSliver(mesh, t, height)) continue;
     for (std::size_t edge = 0; edge < 3; ++edge) {
       if (edgeLength(mesh, t, edge) <= height) any |= merged.unite(t[edge], t[(edge + 1) % 3]);
@@ -51,7 +58,7 @@ std::size_t collapseShortEdges(TriangleMesh& mesh, double height) {
       for (Index& v : t) v = merged.root(v);
     }
   }
-  return dropRepeatedCorners(mesh);
+  return dropRepeatedCorners(mesh, first);
 }
 
 /// Takes out flat slivers: each other triangle at the long edge is split at the sliver's third corner, which lies on
@@ -63,13 +70,14 @@ class Sewing {
     touched_.assign(mesh.triangles.size(), false);
   }
 
-  std::size_t run() {
+  /// Those from `first` on.
+  std::size_t run(Index& first) {
     std::size_t sewn = 0;
     const std::size_t count = mesh_.triangles.size();
-    for (Index t = 0; t < count && mesh_.triangles.size() < most_triangles_; ++t) {
+    for (Index t = first; t < count && mesh_.triangles.size() < most_triangles_; ++t) {
       if (!touched_[t] && isSliver(mesh_, mesh_.triangles[t], height_) && sew(t)) ++sewn;
     }
-    dropRepeatedCorners(mesh_);
+    dropRepeatedCorners(mesh_, first);
     return sewn;
   }
 
@@ -122,9 +130,17 @@ class Sewing {
   std::vector<bool> touched_;
 };
 
-bool anySliver(const TriangleMesh& mesh, double height) {
-  return std::any_of(mesh.triangles.begin(), mesh.triangles.end(),
+bool anySliver(const TriangleMesh& mesh, double height, Index first) {
+  return std::any_of(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(first), mesh.triangles.end(),
                      [&](const Triangle& t) { return isSliver(mesh, t, height); });
+}
+
+void takeOut(TriangleMesh& mesh, double height, Index first, SliversRemoved& removed) {
+  const std::size_t most_triangles = mesh.triangles.size() * kMaxGrowth + 1000;
+  for (int pass = 0; pass < kMaxPasses && anySliver(mesh, height, first); ++pass) {
+    removed.collapsed += collapseShortEdges(mesh, height, first);
+    removed.sewn += Sewing(mesh, height, most_triangles).run(first);
+  }
 }
 
 }  // namespace
@@ -147,13 +163,14 @@ bool isSliver(const TriangleMesh& mesh, const Triangle& t, double height) {
 SliversRemoved removeSlivers(TriangleMesh& mesh) {
   SliversRemoved removed;
   const double height = sliverHeight(mesh);
-  const std::size_t most_triangles = mesh.triangles.size() * kMaxGrowth + 1000;
-  for (int pass = 0; pass < kMaxPasses && anySliver(mesh, height); ++pass) {
-    removed.collapsed += collapseShortEdges(mesh, height);
-    removed.sewn += Sewing(mesh, height, most_triangles).run();
-  }
+  takeOut(mesh, height, 0, removed);
   removed.dropped = std::erase_if(mesh.triangles, [&](const Triangle& t) { return isSliver(mesh, t, height); });
   return removed;
+}
+
+void sewCracks(TriangleMesh& mesh, Index first, double height) {
+  SliversRemoved removed;
+  takeOut(mesh, height, first, removed);
 }
 
 }  // namespace palpate::mesh

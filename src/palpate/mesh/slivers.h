@@ -29,4 +29,8 @@ struct SliversRemoved {
 /// Takes out every sliver. No vertex moves, some are merged; positions stay as they are (unused ones too).
 SliversRemoved removeSlivers(TriangleMesh& mesh);
 
+/// Takes out triangles from `first` on that are lower than `height` mm, the same way, and what is cut off their
+/// neighbours. Those that cannot be taken out stay.
+void sewCracks(TriangleMesh& mesh, Index first, double height);
+
 }  // namespace palpate::mesh

@@ -9,9 +9,11 @@
 
 #include "palpate/mesh/components.h"
 #include "palpate/mesh/doubled_triangles.h"
+#include "palpate/mesh/holes.h"
 #include "palpate/mesh/intersections.h"
 #include "palpate/mesh/slivers.h"
 #include "palpate/mesh/topology.h"
+#include "palpate/mesh/weld.h"
 #include "palpate/mesh/winding.h"
 
 namespace palpate::mesh {
@@ -45,6 +47,10 @@ void checkVertices(const TriangleMesh& mesh, ValidationReport& found) {
   for (Index v = 0; v < mesh.positions.size(); ++v) {
     if (!isUsable(mesh.positions[v])) found.non_finite_vertices.add(v);
     if (!used[v]) found.unused_vertices.add(v);
+  }
+  const std::vector<Index> same_as = equalVertices(mesh.positions);
+  for (Index v = 0; v < same_as.size(); ++v) {
+    if (same_as[v] != v && used[v]) found.coincident_vertices.add(v);
   }
 }
 
@@ -101,27 +107,28 @@ void addSorted(Trait& trait, std::vector<Index>& triangles) {
 }
 
 void checkEdges(const Sound& sound, const EdgeUses& edges, ValidationReport& found) {
-  found.closed = !sound.mesh.triangles.empty();
-  DisjointSets borders(sound.mesh.positions.size());
-  std::size_t joined = 0;
   std::vector<Index> at_border;
   std::vector<Index> non_manifold;
   std::vector<Index> inconsistent;
-  std::vector<bool> on_border(sound.mesh.positions.size(), false);
-  forEachEdge(edges, [&](Index low, Index high, std::span<const EdgeUse> uses) {
+  forEachEdge(edges, [&](Index low, Index, std::span<const EdgeUse> uses) {
     const Index triangle = sound.original[uses[0].half_edge / 3];
-    if (balance(sound.mesh, low, uses) != 0) found.closed = false;
+    if (uses.size() == 1) at_border.push_back(triangle);
     if (uses.size() > 2) non_manifold.push_back(triangle);
     if (uses.size() == 2 && balance(sound.mesh, low, uses) != 0) inconsistent.push_back(triangle);
-    if (uses.size() != 1) return;
-    at_border.push_back(triangle);
-    on_border[low] = on_border[high] = true;
-    joined += borders.unite(low, high) ? 1 : 0;
   });
   addSorted(found.border_edges, at_border);
   addSorted(found.non_manifold_edges, non_manifold);
   addSorted(found.inconsistent_edges, inconsistent);
-  found.border_loops = static_cast<std::size_t>(std::count(on_border.begin(), on_border.end(), true)) - joined;
+}
+
+void checkClosure(const Sound& sound, const EdgeUses& edges, const Progress& progress, ValidationReport& found) {
+  const Holes holes = findHoles(sound.mesh, edges, progress);
+  const SurfaceState state = surfaceState(sound.mesh, edges, holes);
+  found.border_loops = state.border_loops;
+  found.closure = state.closure;
+  found.closed = state.closure == Closure::closed;
+  found.fillable_holes = holes.count(HoleFate::fillable);
+  found.small_holes = found.fillable_holes + holes.count(HoleFate::too_long) + holes.count(HoleFate::no_room);
 }
 
 /// Whether the triangles around a vertex hang together across edges at that vertex.
@@ -165,7 +172,9 @@ void checkIntersections(const Sound& sound, const Progress& progress, Validation
   const Intersections intersections = findIntersections(sound.mesh, progress);
   found.self_intersections_checked = intersections.complete;
   for (Index t : intersections.pierced_triangles) found.self_intersections.add(sound.original[t]);
-  found.self_intersections.count = intersections.piercing_edges;
+  found.self_intersections.count = intersections.piercing_edges - intersections.touching_edges;
+  for (Index t : intersections.touched_triangles) found.touching_edges.add(sound.original[t]);
+  found.touching_edges.count = intersections.touching_edges;
 }
 
 /// "12 things (first: 3, 4, 9)"; `one` is used for a single thing.
@@ -177,7 +186,13 @@ void addSentence(std::vector<std::string>& sentences, const Trait& trait, const 
 
 }  // namespace
 
-bool ValidationReport::fit() const {
+bool hasDoubtfulSize(const Eigen::AlignedBox3d& box) {
+  if (box.isEmpty()) return false;
+  const double length = box.diagonal().norm();
+  return !(length >= kShortestBodyMm && length <= kLongestBodyMm);
+}
+
+bool ValidationReport::sound() const {
   for (const Trait* trait :
        {&non_finite_vertices, &unused_vertices, &non_manifold_vertices, &wrong_indices, &zero_area_triangles,
         &duplicate_triangles, &opposite_triangles, &non_manifold_edges, &inconsistent_edges}) {
@@ -198,6 +213,7 @@ ValidationReport validate(const TriangleMesh& mesh, const ValidateOptions& optio
   report(progress, "checking", 0.3);
   const EdgeUses edges = edgeUses(sound.mesh);
   checkEdges(sound, edges, found);
+  checkClosure(sound, edges, progress, found);
   found.one_sided = found.inconsistent_edges.count > 0 && findPatches(sound.mesh, edges).seam_edges > 0;
   report(progress, "checking", 0.6);
   checkFans(sound, found);
@@ -212,6 +228,8 @@ std::vector<std::string> describe(const ValidationReport& found) {
   std::vector<std::string> s;
   addSentence(s, found.non_finite_vertices, "non-finite vertex", "non-finite vertices");
   addSentence(s, found.unused_vertices, "unused vertex", "unused vertices");
+  addSentence(s, found.coincident_vertices, "vertex at the place of an earlier one",
+              "vertices at the place of an earlier one");
   addSentence(s, found.wrong_indices, "triangle with out-of-range indices", "triangles with out-of-range indices");
   addSentence(s, found.zero_area_triangles, "zero-area triangle", "zero-area triangles");
   addSentence(s, found.duplicate_triangles, "duplicate triangle", "duplicate triangles");
@@ -225,9 +243,15 @@ std::vector<std::string> describe(const ValidationReport& found) {
   if (found.volume_mm3 < 0.0) s.emplace_back("closed, but inside out: its volume is negative");
   addSentence(s, found.self_intersections, "edge that pierces the mesh itself, at triangle",
               "edges that pierce the mesh itself, at triangles");
+  addSentence(s, found.touching_edges, "edge that only touches the mesh itself, at triangle",
+              "edges that only touch the mesh itself, at triangles");
   addSentence(s, found.border_edges, "border edge, at triangle", "border edges, at triangles");
   if (found.border_loops > 0) {
     s.push_back(fmt::format("{} border loop{}", found.border_loops, found.border_loops == 1 ? "" : "s"));
+  }
+  if (found.small_holes > 0) {
+    s.push_back(fmt::format("{} small hole{} in a part that is closed otherwise", found.small_holes,
+                            found.small_holes == 1 ? "" : "s"));
   }
   if (found.components > 1) s.push_back(fmt::format("{} components that share no vertex", found.components));
   return s;

@@ -8,19 +8,30 @@
 #include <vector>
 
 #include "palpate/base/progress.h"
+#include "palpate/mesh/closure.h"
 #include "palpate/mesh/triangle_mesh.h"
 
 namespace palpate::mesh {
 
-/// How often a trait was found and where first: up to kMaxFirst vertex or triangle indices, ascending.
+/// How often a trait was found and where first: up to kMaxFirst different vertex or triangle indices, ascending.
 struct Trait {
   static constexpr std::size_t kMaxFirst = 5;
   std::size_t count = 0;
   std::vector<Index> first;
+  /// Places must come in ascending order; one may come again.
   void add(Index where) {
-    if (count++ < kMaxFirst) first.push_back(where);
+    ++count;
+    if (first.size() < kMaxFirst && (first.empty() || first.back() != where)) first.push_back(where);
   }
 };
+
+/// A body outside these lengths from corner to corner (mm) was probably written in another unit: a thumb's tip, a tall man
+/// and half again.
+inline constexpr double kShortestBodyMm = 15.0;
+inline constexpr double kLongestBodyMm = 3000.0;
+
+/// Empty boxes are not doubtful.
+bool hasDoubtfulSize(const Eigen::AlignedBox3d& box);
 
 struct ValidateOptions {
   /// Look for edges that pierce triangles. About half of the whole time.
@@ -34,6 +45,7 @@ struct ValidationReport {
   // Traits of vertices.
   Trait non_finite_vertices;
   Trait unused_vertices;
+  Trait coincident_vertices;    ///< at the very place of an earlier one: a seam, or fans that touch
   Trait non_manifold_vertices;  ///< triangles around it form more than one fan
   // Traits of triangles. Those with wrong indices are left out of everything below this line.
   Trait wrong_indices;                      ///< names a vertex that does not exist
@@ -41,6 +53,7 @@ struct ValidationReport {
   Trait duplicate_triangles;                ///< has an earlier twin with the same winding
   Trait opposite_triangles;                 ///< has an earlier twin with the opposite winding: a fin without thickness
   Trait self_intersections;                 ///< edges that pierce a triangle; `first` names triangles that are pierced
+  Trait touching_edges;                     ///< edges that cross only at edges and corners of triangles; `first` these
   bool self_intersections_checked = false;  ///< false: not asked for, or too many candidates
   // Traits of edges; `first` names a triangle at the edge.
   Trait non_manifold_edges;      ///< more than two triangles
@@ -49,14 +62,20 @@ struct ValidationReport {
   std::size_t border_loops = 0;  ///< connected runs of border edges
 
   std::size_t components = 0;  ///< parts that share no vertex
-  bool closed = false;         ///< every edge has two triangles of opposite direction (and there is a triangle)
+  Closure closure = Closure::open;
+  std::size_t fillable_holes = 0;  ///< small holes of nearly closed parts, that `repair` fills
+  std::size_t small_holes = 0;     ///< all of them: it may have to leave some
+  bool closed = false;  ///< closure == Closure::closed: a cycle; it may still have edges of more than two triangles
   bool one_sided = false;      ///< cannot be wound consistently (a Moebius strip is inside)
   Eigen::AlignedBox3d box;     ///< of the finite vertices that triangles use, mm
   double area_mm2 = 0.0;
   double volume_mm3 = 0.0;  ///< 0 when not closed; negative when inside out
 
-  /// Nothing that `repair` would change (borders, components and self-intersections are no faults).
-  bool fit() const;
+  /// What contact and deformation take for granted holds.
+  bool sound() const;
+  /// Sound, and no hole to fill: nothing that `repair` would change (other borders, components, self-intersections and
+  /// vertices at one place are no faults).
+  bool fit() const { return sound() && fillable_holes == 0; }
 };
 
 ValidationReport validate(const TriangleMesh& mesh, const ValidateOptions& options = {}, const Progress& progress = {});

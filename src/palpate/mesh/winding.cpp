@@ -1,5 +1,5 @@
 // Patches grow breadth first across edges; a closed one with a negative volume is turned unless it lies inside another,
-// which the winding number of one of its corners tells. Volumes are sums of tetrahedra, winding numbers of solid
+// which the winding number at one of its corners tells. Volumes are sums of tetrahedra, winding numbers of solid
 // angles.
 //
 // Based on: Van Oosterom, Strackee, "The solid angle of a plane triangle", 1983; Jacobson, Kavan, Sorkine-Hornung,
@@ -70,25 +70,58 @@ void flip(Triangle& t) { std::swap(t[1], t[2]); }
 
 // --- outwards ---
 
-/// A patch is closed when at each of its edges as many of its triangles run one way as the other.
-std::vector<bool> closedPatches(const TriangleMesh& mesh, const EdgeUses& edges, const Patches& patches) {
-  std::vector<bool> closed(patches.count, true);
+/// Which triangles are turned together, and whether each of these units is closed: a closed patch, or what is left of a
+/// closed part without its closed patches.
+struct Units {
+  std::vector<Index> of_triangle;
+  Index count = 0;
+  std::vector<bool> closed;
+};
+
+/// A group is closed when at each of its edges as many of its triangles run one way as the other.
+std::vector<bool> closedGroups(const TriangleMesh& mesh, const EdgeUses& edges, std::span<const Index> group_of,
+                               Index groups) {
+  std::vector<bool> closed(groups, true);
   std::vector<std::pair<Index, int>> directions;
   forEachEdge(edges, [&](Index low, Index, std::span<const EdgeUse> uses) {
     directions.clear();
     for (const EdgeUse& use : uses) {
       const int direction = halfEdgeStart(mesh, use.half_edge) == low ? 1 : -1;
-      directions.emplace_back(patches.of_triangle[use.half_edge / 3], direction);
+      directions.emplace_back(group_of[use.half_edge / 3], direction);
     }
     std::sort(directions.begin(), directions.end());
     for (std::size_t i = 0; i < directions.size();) {
-      const Index patch = directions[i].first;
+      const Index group = directions[i].first;
       int balance = 0;
-      for (; i < directions.size() && directions[i].first == patch; ++i) balance += directions[i].second;
-      if (balance != 0) closed[patch] = false;
+      for (; i < directions.size() && directions[i].first == group; ++i) balance += directions[i].second;
+      if (balance != 0) closed[group] = false;
     }
   });
   return closed;
+}
+
+bool anyNonManifoldEdge(const EdgeUses& edges) {
+  bool any = false;
+  forEachEdge(edges, [&](Index, Index, std::span<const EdgeUse> uses) { any |= uses.size() > 2; });
+  return any;
+}
+
+/// Patches that only a whole part closes are one unit: each of them alone has no inside, and turning one would open the
+/// part.
+Units findUnits(const TriangleMesh& mesh, const EdgeUses& edges, const Patches& patches) {
+  Units units{patches.of_triangle, patches.count, closedGroups(mesh, edges, patches.of_triangle, patches.count)};
+  if (!anyNonManifoldEdge(edges)) return units;
+  const Components parts = partsAcrossEdges(mesh, edges);
+  const std::vector<bool> part_closed = closedGroups(mesh, edges, parts.of_triangle, parts.count);
+  std::vector<Index> rest_of_part(parts.count, kNoIndex);
+  for (Index t = 0; t < mesh.triangles.size(); ++t) {
+    const Index part = parts.of_triangle[t];
+    if (!part_closed[part] || units.closed[patches.of_triangle[t]]) continue;
+    if (rest_of_part[part] == kNoIndex) rest_of_part[part] = units.count++;
+    units.of_triangle[t] = rest_of_part[part];
+  }
+  units.closed.resize(units.count, true);
+  return units;
 }
 
 /// Six times the volume of the tetrahedron between a triangle and the origin.
@@ -102,7 +135,7 @@ double volumeOf(const TriangleMesh& mesh, std::span<const Index> triangles, cons
   return six_times / 6.0;
 }
 
-/// How often the patch winds around the point: near 0 outside, near +-1 inside.
+/// How often the triangles wind around the point: near 0 outside, near +-1 inside.
 double windingNumber(const TriangleMesh& mesh, std::span<const Index> triangles, const Vec3& point) {
   double half_angles = 0.0;
   for (Index t : triangles) {
@@ -117,37 +150,57 @@ double windingNumber(const TriangleMesh& mesh, std::span<const Index> triangles,
   return half_angles / (2.0 * std::numbers::pi);
 }
 
-/// Closed patches with their boxes: who lies inside whom.
+/// Closed units with their boxes: who lies inside whom.
 class ClosedParts {
  public:
   ClosedParts(const TriangleMesh& mesh, const IndexRows& triangles, const std::vector<bool>& closed)
       : mesh_(mesh), triangles_(triangles), closed_(closed), boxes_(triangles.rows()) {
-    for (Index p = 0; p < triangles.rows(); ++p) {
-      for (Index t : triangles[p]) {
-        for (Index v : mesh.triangles[t]) boxes_[p].extend(mesh.positions[v]);
+    unit_of_vertex_.assign(mesh.positions.size(), kNoIndex);
+    for (Index u = 0; u < triangles.rows(); ++u) {
+      for (Index t : triangles[u]) {
+        for (Index v : mesh.triangles[t]) add(v, u);
       }
     }
     work_left_ = 64 * mesh.triangles.size() + 1'000'000;
   }
 
-  const Eigen::AlignedBox3d& box(Index patch) const { return boxes_[patch]; }
+  const Eigen::AlignedBox3d& box(Index unit) const { return boxes_[unit]; }
 
-  bool isInsideAnother(Index patch) {
+  bool isInsideAnother(Index unit) {
+    const Vec3 point = ownPoint(unit);
     for (Index other = 0; other < triangles_.rows() && work_left_ > 0; ++other) {
       --work_left_;
-      if (other == patch || !closed_[other] || !boxes_[other].contains(boxes_[patch])) continue;
+      if (other == unit || !closed_[other] || !boxes_[other].contains(boxes_[unit])) continue;
       work_left_ -= std::min(work_left_, triangles_[other].size());
-      const Vec3& point = mesh_.positions[mesh_.triangles[triangles_[patch][0]][0]];
       if (std::abs(windingNumber(mesh_, triangles_[other], point)) > 0.5) return true;
     }
     return false;
   }
 
  private:
+  static constexpr Index kSeveral = kNoIndex - 1;
+
+  void add(Index vertex, Index unit) {
+    boxes_[unit].extend(mesh_.positions[vertex]);
+    Index& owner = unit_of_vertex_[vertex];
+    owner = owner == kNoIndex || owner == unit ? unit : kSeveral;
+  }
+
+  /// A corner that no other unit has: where units touch, a winding number has no value.
+  Vec3 ownPoint(Index unit) const {
+    for (Index t : triangles_[unit]) {
+      for (Index v : mesh_.triangles[t]) {
+        if (unit_of_vertex_[v] == unit) return mesh_.positions[v];
+      }
+    }
+    return centreOf(mesh_, mesh_.triangles[triangles_[unit][0]]);
+  }
+
   const TriangleMesh& mesh_;
   const IndexRows& triangles_;
   const std::vector<bool>& closed_;
   std::vector<Eigen::AlignedBox3d> boxes_;
+  std::vector<Index> unit_of_vertex_;  // kSeveral: units touch there
   /// Thousands of nested shells would cost the square of their number; beyond this the rest counts as not nested.
   std::size_t work_left_ = 0;
 };
@@ -180,16 +233,17 @@ std::size_t makeWindingConsistent(TriangleMesh& mesh, const Patches& patches) {
 }
 
 std::size_t turnOutwards(TriangleMesh& mesh, const EdgeUses& edges, const Patches& patches) {
-  const std::vector<bool> closed = closedPatches(mesh, edges, patches);
-  const IndexRows triangles = membersOfGroups(patches.of_triangle, patches.count);
-  ClosedParts parts(mesh, triangles, closed);
+  const Units units = findUnits(mesh, edges, patches);
+  const IndexRows triangles = membersOfGroups(units.of_triangle, units.count);
+  ClosedParts parts(mesh, triangles, units.closed);
   std::vector<Index> inside_out;
-  for (Index p = 0; p < patches.count; ++p) {
-    if (!closed[p] || volumeOf(mesh, triangles[p], parts.box(p).center()) >= 0.0) continue;
-    if (!parts.isInsideAnother(p)) inside_out.push_back(p);
+  for (Index u = 0; u < units.count; ++u) {
+    if (!units.closed[u] || triangles[u].empty()) continue;
+    if (volumeOf(mesh, triangles[u], parts.box(u).center()) >= 0.0 || parts.isInsideAnother(u)) continue;
+    inside_out.push_back(u);
   }
-  for (Index p : inside_out) {
-    for (Index t : triangles[p]) flip(mesh.triangles[t]);
+  for (Index u : inside_out) {
+    for (Index t : triangles[u]) flip(mesh.triangles[t]);
   }
   return inside_out.size();
 }

@@ -24,8 +24,9 @@ Patches findPatches(const TriangleMesh& mesh, const EdgeUses& edges);
 /// Flips every triangle that disagrees with its patch; returns how many.
 std::size_t makeWindingConsistent(TriangleMesh& mesh, const Patches& patches);
 
-/// Turns closed patches outside out that enclose a negative volume; returns how many. Those that lie inside another
-/// closed patch stay: they are the wall of a hollow. Winding must be consistent.
+/// Turns closed patches outside out that enclose a negative volume, and closed parts of patches that meet in edges of
+/// more than two triangles; returns how many. Those that lie inside another stay: they are the wall of a hollow. What
+/// was closed stays closed. Winding must be consistent; `edges` and `patches` must be those of the mesh as it is wound.
 std::size_t turnOutwards(TriangleMesh& mesh, const EdgeUses& edges, const Patches& patches);
 
 /// Volume under the triangles, mm^3: enclosed when they are closed, positive when they face outwards.

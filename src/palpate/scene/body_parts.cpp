@@ -15,10 +15,6 @@ namespace palpate::scene {
 
 namespace {
 
-/// A body outside these lengths (mm) was probably written in another unit: a thumb's tip, a tall man and half again.
-constexpr double kShortestBodyMm = 15.0;
-constexpr double kLongestBodyMm = 3000.0;
-
 template <class T>
 std::vector<T> permuted(const std::vector<T>& values, const std::vector<Index>& source) {
   std::vector<T> result(source.size());
@@ -44,14 +40,15 @@ void scale(mesh::TriangleMesh& mesh, double factor) {
 }
 
 void noteDoubtfulUnit(const mesh::TriangleMesh& skin, std::vector<std::string>& notes) {
-  const double length = mesh::boundingBox(skin).diagonal().norm();
-  if (length >= kShortestBodyMm && length <= kLongestBodyMm) return;
+  const Eigen::AlignedBox3d box = mesh::boundingBox(skin);
+  if (!mesh::hasDoubtfulSize(box)) return;
+  const double length = box.diagonal().norm();
   notes.push_back(fmt::format("the body is {:.3g} mm from corner to corner: is its unit right? (unit, scale)", length));
 }
 
 void requireFit(const mesh::TriangleMesh& mesh, const Progress& progress) {
   const mesh::ValidationReport found = mesh::validate(mesh, {}, progress);
-  if (found.fit()) return;
+  if (found.sound()) return;
   std::string traits;
   for (const std::string& trait : mesh::describe(found)) traits += (traits.empty() ? "" : "; ") + trait;
   throw Error("is not fit for contact and repair is off: " + traits);
@@ -85,6 +82,7 @@ BodyParts mendedBody(mesh::TriangleMesh mesh, std::string name, const Progress& 
   for (const mesh::RepairAction& action : repaired.actions) {
     parts.notes.push_back(fmt::format("repaired: {} ({})", action.what, action.count));
   }
+  parts.notes.insert(parts.notes.end(), repaired.warnings.begin(), repaired.warnings.end());
   if (parts.self_intersecting)
     parts.notes.emplace_back("the surface intersects itself: fingers feel it as tiny spheres");
   report(progress, "ordering the triangles", 0.0);

@@ -1,0 +1,65 @@
+// Small holes of bodies that are closed but for them: cracks between patches that were never joined, T-junctions, lost
+// triangles.
+//
+// A finger that slides over such a border falls through it into a body that everybody calls closed. `repair` fills
+// them; `validate` names them. What is open on purpose, a sheet or a body that was cut, keeps its border.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "palpate/base/progress.h"
+#include "palpate/mesh/border_loops.h"
+#include "palpate/mesh/topology.h"
+#include "palpate/mesh/triangle_mesh.h"
+
+namespace palpate::mesh {
+
+/// A part is nearly closed when all its holes together have at most this share of its area: a round hole in a ball is
+/// then as wide as a fifth of the ball at most. A hand that ends at the wrist has 4 %, a sheet about 100 %.
+inline constexpr double kNearlyClosedShare = 0.01;
+/// Holes up to this share of the diagonal of their part's box are filled. The width is twice the area over the length
+/// of the border: a slit's own width however long it is, a round hole's radius.
+inline constexpr double kWidestHoleShare = 0.02;
+/// Longer borders stay open: the time to fill grows with the cube (30 ms for this many).
+inline constexpr std::size_t kMostHoleEdges = 200;
+/// Fillings flatter than this share of the diagonal are cracks: their sides are sewn together instead. A hundred times
+/// the rounding of single precision, and 20 um of a man: nothing that can be felt.
+inline constexpr double kCrackShare = 1e-5;
+
+enum class HoleFate : std::uint8_t {
+  fillable,
+  part_open,  ///< a border of something that is open
+  too_wide,
+  too_long,  ///< more than kMostHoleEdges, or more of them than there is time for
+  no_room    ///< every filling would cross the surface, fold back on it or use an edge that two triangles have
+};
+
+struct Hole {
+  BorderLoop loop;
+  Index part = 0;
+  double area_mm2 = 0.0;  ///< of its filling; the least there can be when it has none
+  double width_mm = 0.0;
+  HoleFate fate = HoleFate::part_open;
+  std::vector<Triangle> filling;  ///< empty unless fillable
+};
+
+struct Holes {
+  std::vector<Hole> all;
+  /// Edges at which the directions of the triangles do not cancel, but those of `all`: no filling closes them.
+  std::size_t other_open_edges = 0;
+
+  std::size_t count(HoleFate fate) const;
+  /// There are holes, and none but small ones.
+  bool nearlyClosed() const;
+};
+
+/// Changes nothing. Winding should be consistent, indices within range, coordinates finite. Costs a search for
+/// self-intersections when there is a hole to fill.
+Holes findHoles(const TriangleMesh& mesh, const EdgeUses& edges, const Progress& progress = {});
+
+/// Fills what `findHoles` found fillable, sews cracks up; no vertex is added or moved. Returns how many holes.
+std::size_t fillHoles(TriangleMesh& mesh, const Holes& holes);
+
+}  // namespace palpate::mesh
