@@ -139,7 +139,7 @@ void HuntJudge::judgeFree(const contact::FingerOutput& o) {
   if (distance <= body_.tolerance()) return;  // on the surface: what it was
   const bool inside = insideBall(o.tip, distance, tip_ball_);
   if (!inside) {
-    judgeOverlap(distance, !let_be_);
+    judgeOverlap(o.tip, distance, !let_be_);
     if (distance >= settings_.radius_mm) let_be_ = false;
     past_ = Past::outside;
     return;
@@ -153,9 +153,16 @@ void HuntJudge::judgeFree(const contact::FingerOutput& o) {
   }
 }
 
-void HuntJudge::judgeOverlap(double distance, bool from_outside) {
+/// Folds that are inside out, where parts overlap, have their backs outside; a sheet is felt from its front.
+bool HuntJudge::isBackOfFold(const Vec3& point) {
+  if (!body_.selfIntersecting()) return false;
+  const NearestPoint nearest = body_.slow().nearestTo(point);
+  return nearest.pseudo_normal.dot(point - nearest.point) < 0.0;
+}
+
+void HuntJudge::judgeOverlap(const Vec3& tip, double distance, bool from_outside) {
   const double least = settings_.radius_mm * (1.0 - kOverlapShare);
-  if (from_outside && distance < least)
+  if (from_outside && distance < least && !isBackOfFold(tip))
     found(Fault::missed_contact, "distance of a free sphere's centre from the skin, mm", distance, least);
 }
 
@@ -174,7 +181,7 @@ void HuntJudge::judgeFreeBesideBorder(const contact::FingerOutput& o) {
     if (near.triangle != kNoIndex && body_.slow().distanceToBorder(near.point) > far_off) {
       const NearestPoint nearest = body_.slow().nearestTo(o.tip);
       const bool from_front = nearest.pseudo_normal.dot(o.tip - nearest.point) > body_.tolerance();
-      judgeOverlap(near.distance, from_front && past_ == Past::outside);
+      judgeOverlap(o.tip, near.distance, from_front && past_ == Past::outside);
     }
   }
   if (past_ != Past::fallen) past_ = Past::outside;
@@ -215,6 +222,7 @@ void HuntJudge::judgeForce(const contact::FingerOutput& o) {
 void HuntJudge::judgePoint(const contact::FingerOutput& o) {
   const double tolerance = body_.selfIntersecting() ? kTinySphereShare * body_.diagonal() : body_.tolerance();
   const BoxTree& tree = body_.tree();
+  if ((o.status & contact::kAtBorder) != 0) return;  // beside the sheet, continued flat
   const bool named = o.triangle < tree.triangles();
   const double off =
       named ? (nearestOnTriangle(tree.corners(tree.slotOf(o.triangle)), o.proxy) - o.proxy).norm() : body_.diagonal();
@@ -243,11 +251,12 @@ void HuntJudge::judgeSphere(const contact::FingerOutput& o) {
     }
     if (let_be_) return;
   }
-  // A sheet is felt from its front. Where there is a border, or a fold that is inside out, its back may be nearer.
-  if (near.distance < least && (!body_.closed() || body_.selfIntersecting())) {
+  // A sheet is felt from its front. Where there is a border its back may be nearer.
+  if (near.distance < least && !body_.closed()) {
     const NearestPoint nearest = body_.slow().nearestTo(centre);
     if (nearest.on_border || nearest.pseudo_normal.dot(centre - nearest.point) < 0.0) return;
   }
+  if (near.distance < least && isBackOfFold(centre)) return;
   if (near.distance < least)
     found(Fault::wrong_force, "distance of a touching sphere's centre from the skin, mm", near.distance, least);
   else if (o.force.dot(centre - near.point) < 0.0 && pullsFromAll(o.force, centre, radius * (1.0 + kSinkShare), false))

@@ -107,7 +107,8 @@ class HuntJudge {
   void judgeStep(const contact::FingerOutput& o);
   void judgeFree(const contact::FingerOutput& o);
   void judgeFreeBesideBorder(const contact::FingerOutput& o);
-  void judgeOverlap(double distance, bool from_outside);
+  bool isBackOfFold(const Vec3& point);
+  void judgeOverlap(const Vec3& tip, double distance, bool from_outside);
   void judgeTouching(const contact::FingerOutput& o);
   void judgeForce(const contact::FingerOutput& o);
   void judgePoint(const contact::FingerOutput& o);

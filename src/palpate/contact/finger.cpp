@@ -10,17 +10,17 @@
 #include "palpate/base/error.h"
 #include "palpate/contact/felt_force.h"
 #include "palpate/contact/press.h"
+#include "palpate/contact/sides.h"
 #include "palpate/contact/surface_walk.h"
 
 namespace palpate::contact {
 
 namespace {
 
-/// A point on a surface whose sheets pierce each other is felt as a sphere of 1e-4 of its diagonal (0.05 mm on a back):
-/// the walk of a point would slide along one sheet into the inside of the other, a sphere asks all of them.
-double solvedRadius(const Surface& surface, const FingerSettings& settings) {
-  if (settings.radius_mm > 0.0 || !surface.self_intersecting) return settings.radius_mm;
-  return 1e-4 * surface.tree.diagonal;
+Press pressOf(const Surface& surface, const FingerSettings& settings, FingerState& state, const Vec3& tip) {
+  if (settings.radius_mm > 0.0) return pressSphere(surface, settings, settings.radius_mm, state, tip);
+  if (!surface.entangled.empty()) return pressGuardedPoint(surface, settings, state, tip);
+  return pressPoint(surface, settings, state, tip);
 }
 
 void require(bool holds, const char* what) {
@@ -51,14 +51,16 @@ void check(const FingerSettings& settings) {
 FingerOutput step(const Surface& surface, const FingerSettings& settings, FingerState& state,
                   const Vec3& tip) noexcept {
   if (!usableTip(surface, tip)) return lostOutput(state);
-  if (!state.knows_tip) state.tip = tip;
-  const double radius = solvedRadius(surface, settings);
+  if (!state.knows_tip) {
+    state.tip = tip;
+    state.from_inside = isBuried(surface, tip);
+  }
   const Index triangle_before = state.proxy.triangle;
-  const Press press =
-      radius > 0.0 ? pressSphere(surface, settings, radius, state, tip) : pressPoint(surface, settings, state, tip);
+  const Press press = pressOf(surface, settings, state, tip);
   const double tip_moved_mm = (tip - state.tip).norm();
   state.knows_tip = true;
   state.tip = tip;
+  if (press.touching) state.from_inside = false;
   if (press.touching) prefetchNeighbours(surface, state.proxy.triangle, state.proxy.triangle != triangle_before);
   return feltOutput(surface, settings, press, tip, tip_moved_mm, state);
 }

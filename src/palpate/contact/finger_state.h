@@ -52,11 +52,13 @@ struct FingerState {
   bool knows_tip = false;  ///< false until the first usable tip
   bool touching = false;
   bool slipping = false;
+  bool from_inside = false;    ///< the session began inside of overlapping parts, and nothing was felt since
   Vec3 tip = Vec3::Zero();     ///< of the last usable tick
   SurfacePoint proxy;          ///< point: P. Sphere: where it touches
   SurfacePoint anchor;         ///< on the skin
   Vec3 centre = Vec3::Zero();  ///< sphere: C, where it rests on the skin; detecting box: the god object
   bool fits = false;           ///< sphere only: at C it does not sink into the skin
+  bool guarded = false;        ///< a point that is felt as a very small sphere: sheets pierce each other here
   Vec3 hold = Vec3::Zero();    ///< A as a point in space: where the pull of friction ends
   Vec3 felt = Vec3::Zero();    ///< the depth that was felt along its normal, mm; fades after the skin was left
   Vec3 force = Vec3::Zero();   ///< on the tip, N

@@ -44,7 +44,7 @@ bool inFrontOf(const Surface& surface, const SurfacePoint& place, const Vec3& ti
 bool released(const Surface& surface, const WalkResult& walk, const Vec3& tip, FingerState& state) {
   if (!inFrontOf(surface, walk.at, tip)) return false;
   if (walk.finished) return true;
-  const WalkResult end = walkToNearest(surface, walk.at, tip, kUnbounded);
+  const WalkResult end = walkOnOneSheet(surface, walk.at, tip, kUnbounded);
   if (!end.finished || !inFrontOf(surface, end.at, tip)) return false;
   state.proxy = end.at;
   return true;
@@ -89,6 +89,14 @@ bool landsElsewhere(const Surface& surface, const Vec3& tip, FingerState& state)
   return state.touching;
 }
 
+/// In a crease a proxy may be off the edge by rounding only, and the crossing to the other sheet then begins behind it.
+/// The tip is inside all the same: it is held by what is nearest.
+void holdInside(const Surface& surface, const Vec3& tip, double path_mm, FingerState& state) {
+  state.touching = true;
+  const tree::NearestPoint nearest = nearestPoint(surface.tree, tip, path_mm);
+  if (nearest.triangle != kNoIndex) state.proxy = {nearest.closest.point, nearest.triangle, nearest.closest.feature};
+}
+
 }  // namespace
 
 Press pressTowards(const Surface& surface, const FingerSettings& settings, const Vec3& proxy, const Vec3& normal,
@@ -116,8 +124,9 @@ Press pressPoint(const Surface& surface, const FingerSettings& settings, FingerS
   const double path = pathBound(settings, (tip - state.tip).norm());
   Press press;
   for (int sheet = 0; sheet < kMostSheets; ++sheet) {
-    const WalkResult walk = walkToNearest(surface, state.proxy, tip, path);
+    const WalkResult walk = walkOnOneSheet(surface, state.proxy, tip, path);
     state.proxy = walk.at;
+    state.guarded = walk.entangled;
     std::uint32_t status = walk.finished ? 0u : kCatchingUp;
     bool leaves = released(surface, walk, tip, state);
     const double lag = (walk.at.position - tip).norm();
@@ -134,7 +143,10 @@ Press pressPoint(const Surface& surface, const FingerSettings& settings, FingerS
       shade(surface, settings, state.proxy, tip, press);
       if (!(press.status & kAtBorder) || press.felt_depth_mm > 0.0) return press;
     }
-    if (!landsElsewhere(surface, tip, state)) return {};
+    if (landsElsewhere(surface, tip, state)) continue;
+    if (!isInside(surface, tip)) return {};
+    holdInside(surface, tip, path, state);
+    return pressAt(surface, settings, state.proxy, tip);
   }
   return press;
 }

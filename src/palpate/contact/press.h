@@ -41,8 +41,14 @@ Press pressTowards(const Surface& surface, const FingerSettings& settings, const
 // The finger of radius 0: a point whose proxy is the local minimum of the distance on the skin.
 
 /// Moves the proxy in `state` (whose tip is still the last tick's) for a new tip. On first contact the anchor starts
-/// where the tip came through the skin.
+/// where the tip came through the skin. Sets FingerState::guarded where sheets that pierce each other begin.
 Press pressPoint(const Surface& surface, const FingerSettings& settings, FingerState& state, const Vec3& tip) noexcept;
+
+/// The same on a surface whose sheets pierce each other: next to where they do the point is a sphere of 1e-4 of the
+/// diagonal (0.05 mm on a back). The walk of a point would slide along one sheet into the inside of the other; a sphere
+/// asks all of them, and costs more.
+Press pressGuardedPoint(const Surface& surface, const FingerSettings& settings, FingerState& state,
+                        const Vec3& tip) noexcept;
 
 // The finger with a radius: a sphere that rests on the skin with its centre as near to the tip as it can get.
 

@@ -14,6 +14,7 @@ namespace {
 /// Winding numbers of a closed surface are whole but for 0.05, except on the surface itself, where they are the share of
 /// directions that lead inside. In doubt the finger stays held, or is.
 constexpr double kSurelyOutside = 0.25;
+constexpr double kInside = 0.5;
 constexpr double kSurelyInside = 0.9;
 
 }  // namespace
@@ -24,6 +25,10 @@ bool isOutside(const Surface& surface, const Vec3& tip, double lag) noexcept {
   if (nearest.triangle == kNoIndex) return false;
   const SurfacePoint place{nearest.closest.point, nearest.triangle, nearest.closest.feature};
   return !onBorder(surface, place) && (tip - place.position).dot(normalAt(surface, place)) > releaseSlack(surface);
+}
+
+bool isInside(const Surface& surface, const Vec3& tip) noexcept {
+  return surface.closed && tree::windingNumber(surface.tree, tip) > kInside;
 }
 
 bool isBuried(const Surface& surface, const Vec3& place) noexcept {

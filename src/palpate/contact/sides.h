@@ -11,8 +11,12 @@ namespace palpate::contact {
 /// the nearest place and that is not the border. About 1 us (tree/winding_number.h).
 bool isOutside(const Surface& surface, const Vec3& tip, double lag) noexcept;
 
+/// Whether a tip that is about to be let go is inside a closed body. False for an open sheet.
+bool isInside(const Surface& surface, const Vec3& tip) noexcept;
+
 /// Whether a place in front of one sheet is inside a body: sheets that pierce each other are buried in part, and a tip
-/// that starts a session inside must not be held by them. False for all other surfaces.
+/// that starts a session inside must not be held by them. False for all other surfaces, and on the surface itself
+/// mostly; who has been outside knows better and does not ask.
 bool isBuried(const Surface& surface, const Vec3& place) noexcept;
 
 }  // namespace palpate::contact

@@ -80,7 +80,7 @@ bool landSphere(const Surface& surface, double radius, FingerState& state, const
   const Vec3 outside = exit.triangle == kNoIndex ? state.tip : (enters ? exit.point : tip);
   const Vec3 centre = advance(surface, outside, tip, radius);
   const SurfacePoint foot = nearestFront(surface, centre, kUnbounded);
-  if (foot.triangle == kNoIndex || isBuried(surface, centre)) return false;
+  if (foot.triangle == kNoIndex || (state.from_inside && isBuried(surface, centre))) return false;
   state.touching = true;
   state.slipping = false;
   state.fits = false;  // to be seen
@@ -140,7 +140,7 @@ Move moveCentre(const SphereTask& task, bool fits) {
   }
   if (standsOnOnePlace(task, move)) return move;
   if (!descend(task, move.centre, move.foot)) move.status |= kUnsettled | kCatchingUp;
-  constexpr double kUsedUp = 0.999;
+  constexpr double kUsedUp = 0.9;  // planes across the path's ball may leave a little of it
   if ((move.centre - task.start).norm() >= kUsedUp * task.path) move.status |= kCatchingUp;
   return move;
 }

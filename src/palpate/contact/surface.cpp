@@ -79,6 +79,24 @@ void checkFans(const Surface& surface) {
   }
 }
 
+/// Marks what has a vertex in common with an edge that pierces or with a triangle that is pierced: a ring more than where
+/// sheets meet, so that a small sphere fits wherever a walk arrives there.
+void findEntangled(const mesh::TriangleMesh& mesh, Surface& surface) {
+  const mesh::Intersections found = mesh::findIntersections(mesh);
+  // What could not be searched to the end is dense with overlaps: everything counts.
+  std::vector<std::uint8_t> at_crossing(mesh.positions.size(), found.complete ? 0 : 1);
+  for (const mesh::Crossing& crossing : found.crossings) {
+    at_crossing[crossing.low] = at_crossing[crossing.high] = 1;
+    for (const Index vertex : mesh.triangles[crossing.triangle]) at_crossing[vertex] = 1;
+  }
+  if (found.complete && found.crossings.empty()) return;
+  surface.entangled.reserve(surface.tree.records.size());
+  for (const TriangleRecord& record : surface.tree.records) {
+    const auto [a, b, c] = record.vertices;
+    surface.entangled.push_back(at_crossing[a] | at_crossing[b] | at_crossing[c]);
+  }
+}
+
 }  // namespace
 
 Surface buildSurface(const mesh::TriangleMesh& mesh, std::vector<double> stiffness_n_per_mm,
@@ -92,8 +110,8 @@ Surface buildSurface(const mesh::TriangleMesh& mesh, std::vector<double> stiffne
   checkFans(surface);
   const auto& on_border = surface.vertex_on_border;
   surface.closed = std::find(on_border.begin(), on_border.end(), 1) == on_border.end();
-  surface.self_intersecting =
-      options.self_intersecting ? *options.self_intersecting : mesh::findIntersections(mesh).piercing_edges > 0;
+  if (options.self_intersecting.value_or(true)) findEntangled(mesh, surface);
+  surface.self_intersecting = options.self_intersecting.value_or(!surface.entangled.empty());
   return surface;
 }
 

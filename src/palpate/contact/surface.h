@@ -12,8 +12,8 @@ namespace palpate::contact {
 
 struct SurfaceOptions {
   tissue::ForceLaw force_law;
-  /// Whether sheets of the surface pierce each other. Asked of the mesh (about 0.4 us a triangle) when nothing is
-  /// given.
+  /// False: no sheets of the surface pierce each other, as somebody knows already. Else the mesh is asked, and where
+  /// (about 1 us a triangle).
   std::optional<bool> self_intersecting;
 };
 
@@ -24,8 +24,10 @@ struct Surface {
   std::vector<std::uint8_t> vertex_on_border;  ///< 1 where the sheet ends
   std::vector<double> stiffness_n_per_mm;      ///< per vertex
   tissue::ForceLaw force_law;
-  /// A point on such a surface is felt as a very small sphere (docs/contact.md).
   bool self_intersecting = false;
+  /// Per record: 1 in and next to the sheets that pierce each other, where a point is felt as a very small sphere
+  /// (docs/contact.md). Empty where none do.
+  std::vector<std::uint8_t> entangled;
   bool closed = false;  ///< no border anywhere
 };
 

@@ -59,10 +59,10 @@ Vec3 faceNormal(const TriangleRecord& record) {
   return mesh::areaVector2(record.corners[0], record.corners[1], record.corners[2]).stableNormalized();
 }
 
-}  // namespace
-
-WalkResult walkToNearest(const Surface& surface, const SurfacePoint& from, const Vec3& target,
-                         double path_mm) noexcept {
+template <class Stop>
+WalkResult walk(const Surface& surface, const SurfacePoint& from, const Vec3& target, double path_mm,
+                Stop&& stops_at) noexcept {
+  if (stops_at(from.triangle)) return {from, false, true};
   SurfacePoint here = from;
   Candidate next = closestIn(surface, from.triangle, target);
   for (int moves = 0; moves < kMostMoves; ++moves) {
@@ -75,8 +75,22 @@ WalkResult walkToNearest(const Surface& surface, const SurfacePoint& from, const
     here = {next.closest.point, next.triangle, next.closest.feature};
     next = betterNeighbour(surface, next, target);
     if (next.triangle == kNoIndex) return {here, true};
+    if (stops_at(next.triangle)) return {here, false, true};
   }
   return {here, false};
+}
+
+}  // namespace
+
+WalkResult walkToNearest(const Surface& surface, const SurfacePoint& from, const Vec3& target,
+                         double path_mm) noexcept {
+  return walk(surface, from, target, path_mm, [](Index) { return false; });
+}
+
+WalkResult walkOnOneSheet(const Surface& surface, const SurfacePoint& from, const Vec3& target,
+                          double path_mm) noexcept {
+  if (surface.entangled.empty()) return walkToNearest(surface, from, target, path_mm);
+  return walk(surface, from, target, path_mm, [&](Index triangle) { return surface.entangled[triangle] != 0; });
 }
 
 Vec3 normalAt(const Surface& surface, const SurfacePoint& point) noexcept {

@@ -15,12 +15,17 @@ inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 struct WalkResult {
   SurfacePoint at;
   bool finished = false;  ///< false: the path or the moves were used up on the way
+  bool entangled = false;  ///< it ended where sheets that pierce each other begin
 };
 
 /// Walks from triangle to triangle while that brings the target strictly nearer, at most `path_mm` far. Each piece of
 /// the way lies inside one triangle, so it is a path on the skin and not a jump, and it ends at a local minimum of the
 /// distance to `target`.
 WalkResult walkToNearest(const Surface& surface, const SurfacePoint& from, const Vec3& target, double path_mm) noexcept;
+
+/// The same, but it goes no farther than to the triangles marked in Surface::entangled, nor within them.
+WalkResult walkOnOneSheet(const Surface& surface, const SurfacePoint& from, const Vec3& target,
+                          double path_mm) noexcept;
 
 /// The unit normal whose side test is exact at that place: of the face, of both faces of the edge, of the vertex.
 Vec3 normalAt(const Surface& surface, const SurfacePoint& point) noexcept;

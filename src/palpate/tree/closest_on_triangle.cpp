@@ -13,15 +13,23 @@ ClosestOnTriangle resultAt(const Vec3& closest, Feature feature, const Vec3& poi
   return {closest, feature, (closest - point).squaredNorm()};
 }
 
-ClosestOnTriangle closestOnEdge(const std::array<Vec3, 3>& corners, int edge, const Vec3& point) {
+/// A place this near to an edge or a corner, as a share of the triangle, is on it. What is there only by rounding must
+/// not count as the middle of a face: a walk would not look at the neighbours, which may be nearer.
+constexpr double kOnBorder = 1e-12;
+
+/// The place `t` of the way along an edge, or the corner there.
+ClosestOnTriangle resultOnEdge(const std::array<Vec3, 3>& corners, int edge, double t, const Vec3& point) {
   const Vec3& start = corners[edge];
   const Vec3& end = corners[(edge + 1) % 3];
-  const Vec3 along = end - start;
+  if (t <= kOnBorder) return resultAt(start, cornerFeature(edge), point);
+  if (t >= 1.0 - kOnBorder) return resultAt(end, cornerFeature((edge + 1) % 3), point);
+  return resultAt(start + t * (end - start), edgeFeature(edge), point);
+}
+
+ClosestOnTriangle closestOnEdge(const std::array<Vec3, 3>& corners, int edge, const Vec3& point) {
+  const Vec3 along = corners[(edge + 1) % 3] - corners[edge];
   const double length2 = along.squaredNorm();
-  const double t = length2 > 0.0 ? (point - start).dot(along) / length2 : 0.0;
-  if (t <= 0.0) return resultAt(start, cornerFeature(edge), point);
-  if (t >= 1.0) return resultAt(end, cornerFeature((edge + 1) % 3), point);
-  return resultAt(start + t * along, edgeFeature(edge), point);
+  return resultOnEdge(corners, edge, length2 > 0.0 ? (point - corners[edge]).dot(along) / length2 : 0.0, point);
 }
 
 ClosestOnTriangle closestOnEdges(const std::array<Vec3, 3>& corners, const Vec3& point) {
@@ -63,19 +71,18 @@ ClosestOnTriangle closestOnTriangle(const std::array<Vec3, 3>& corners, const Ve
   const double longest2 = std::max({ab_ab, ac_ac, bc.squaredNorm()});
   if (area2_squared <= kSliverShare * longest2 * longest2) return closestOnEdges(corners, point);
 
+  const double on_border = kOnBorder * area2_squared;
   const double weight_c = normal.dot(ab.cross(ap));
-  if (weight_c <= 0.0 && ab_ap >= 0.0 && ab_bp <= 0.0) {
-    return resultAt(a + (ab_ap / ab_ab) * ab, Feature::edge0, point);
-  }
+  if (weight_c <= on_border && ab_ap >= 0.0 && ab_bp <= 0.0) return resultOnEdge(corners, 0, ab_ap / ab_ab, point);
   const double weight_b = normal.dot(ap.cross(ac));
-  if (weight_b <= 0.0 && ac_ap >= 0.0 && ac_cp <= 0.0) {
-    return resultAt(a + (ac_ap / ac_ac) * ac, Feature::edge2, point);
+  if (weight_b <= on_border && ac_ap >= 0.0 && ac_cp <= 0.0) {
+    return resultOnEdge(corners, 2, 1.0 - ac_ap / ac_ac, point);
   }
   const double weight_a = normal.dot(bc.cross(point - b));
   const double towards_c = ac_bp - ab_bp;
   const double towards_b = ab_cp - ac_cp;
-  if (weight_a <= 0.0 && towards_c >= 0.0 && towards_b >= 0.0) {
-    return resultAt(b + (towards_c / (towards_c + towards_b)) * bc, Feature::edge1, point);
+  if (weight_a <= on_border && towards_c >= 0.0 && towards_b >= 0.0) {
+    return resultOnEdge(corners, 1, towards_c / (towards_c + towards_b), point);
   }
   // Rounding may leave a point in no region at all, just outside a corner.
   if (!(weight_a > 0.0 && weight_b > 0.0 && weight_c > 0.0)) return closestOnEdges(corners, point);
