@@ -108,14 +108,73 @@ TEST(Validate, CountsTheEdgesOfALargeSheetThatAPlaneCuts) {
   EXPECT_EQ(validate(mesh).self_intersections.count, cut.size());
 }
 
+/// Edges that cross the mesh, through the inside of a triangle or not.
+std::size_t crossingEdges(const TriangleMesh& mesh) {
+  const auto report = validate(mesh);
+  return report.self_intersections.count + report.touching_edges.count;
+}
+
 TEST(Validate, FindsSelfIntersections) {
-  EXPECT_GT(validate(zoo::overlappingSpheres()).self_intersections.count, 20u);
-  EXPECT_GT(validate(zoo::kleinBottle()).self_intersections.count, 10u);
-  // Edges that meet the other cube's faces exactly on a diagonal count too.
-  EXPECT_GT(validate(zoo::joined(zoo::cube(), zoo::cube(10, {5, 5, 5}))).self_intersections.count, 0u);
-  const auto touching = zoo::joined(zoo::cube(), zoo::cube(10, {10, 0, 0}));
-  EXPECT_EQ(validate(touching).self_intersections.count, 0u);
-  EXPECT_EQ(validate(zoo::hollowSphere()).self_intersections.count, 0u);
+  EXPECT_GT(crossingEdges(zoo::overlappingSpheres()), 20u);
+  EXPECT_GT(crossingEdges(zoo::kleinBottle()), 10u);
+  const auto beside = zoo::joined(zoo::cube(), zoo::cube(10, {10, 0, 0}));
+  EXPECT_EQ(crossingEdges(beside), 0u);
+  EXPECT_EQ(crossingEdges(zoo::hollowSphere()), 0u);
+}
+
+TEST(Validate, CountsEdgesThatPierceAndEdgesThatTouchApart) {
+  // One edge through the inside of a square's triangle, one through the diagonal of the square, one ends on it.
+  TriangleMesh mesh = zoo::grid(1, 10);
+  const auto addPost = [&](double x, double y, double bottom) {
+    const auto first = static_cast<Index>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), {{x, y, bottom}, {x, y, 10}, {x + 30, y, 5}});
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  };
+  addPost(7, 2, -0.5);
+  addPost(5, 5, -0.5);
+  addPost(2, 7, 0);
+  const auto report = validate(mesh);
+  EXPECT_EQ(report.self_intersections.count, 1u);
+  EXPECT_EQ(report.self_intersections.first.size(), 1u);
+  EXPECT_EQ(report.touching_edges.count, 1u);
+  EXPECT_EQ(report.touching_edges.first, (std::vector<Index>{0, 1}));
+  // Cubes that meet exactly on diagonals only touch; repair takes them for intersecting all the same.
+  const auto cubes = validate(zoo::joined(zoo::cube(), zoo::cube(10, {5, 5, 5})));
+  EXPECT_EQ(cubes.self_intersections.count, 0u);
+  EXPECT_GT(cubes.touching_edges.count, 0u);
+}
+
+TEST(Validate, CountsVerticesAtThePlaceOfOthers) {
+  EXPECT_EQ(validate(zoo::soup(zoo::cube())).coincident_vertices.count, 28u);
+  EXPECT_EQ(validate(zoo::coincidentTriangles()).coincident_vertices.first, (std::vector<Index>{3, 4, 5}));
+  EXPECT_EQ(validate(zoo::cube()).coincident_vertices.count, 0u);
+}
+
+TEST(Validate, NamesNoTriangleTwice) {
+  const auto report = validate(zoo::soup(zoo::cube()));
+  EXPECT_EQ(report.border_edges.count, 36u);
+  EXPECT_EQ(report.border_edges.first, (std::vector<Index>{0, 1, 2, 3, 4}));
+}
+
+TEST(Validate, TellsClosedNearlyClosedAndOpenApart) {
+  EXPECT_EQ(validate(zoo::sphere()).closure, Closure::closed);
+  EXPECT_EQ(validate(zoo::cubesSharingAnEdge()).closure, Closure::closed);
+  EXPECT_EQ(validate(zoo::grid()).closure, Closure::open);
+  TriangleMesh torn = zoo::sphere(20, 3);
+  torn.triangles.pop_back();
+  const auto report = validate(torn);
+  EXPECT_EQ(report.closure, Closure::nearly_closed);
+  EXPECT_FALSE(report.closed);
+  EXPECT_EQ(report.fillable_holes, 1u);
+  EXPECT_TRUE(report.sound());
+  EXPECT_FALSE(report.fit()) << "repair would fill its hole";
+}
+
+TEST(Validate, DoubtsBodiesOfNoBodysSize) {
+  EXPECT_TRUE(hasDoubtfulSize(validate(zoo::cube(0.2)).box));
+  EXPECT_FALSE(hasDoubtfulSize(validate(zoo::cube(10)).box));
+  EXPECT_TRUE(hasDoubtfulSize(validate(zoo::cube(30000)).box));
+  EXPECT_FALSE(hasDoubtfulSize(validate(zoo::empty()).box));
 }
 
 TEST(Validate, SaysWhatItFindsInPlainWords) {

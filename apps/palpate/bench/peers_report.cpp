@@ -14,6 +14,8 @@ namespace palpate::app {
 
 namespace {
 
+using bench::PeerFigures;
+
 /// This process's own arguments, as Linux keeps them: each ends with a zero byte.
 std::vector<std::string> ownArguments() {
   std::ifstream file("/proc/self/cmdline", std::ios::binary);
@@ -22,11 +24,25 @@ std::vector<std::string> ownArguments() {
   return arguments;
 }
 
+constexpr const char* kPeersProgram = "palpate_peers";
+
+std::filesystem::path ownFile() {
+  std::error_code none;
+  return std::filesystem::read_symlink("/proc/self/exe", none);
+}
+
 bool linksLibraries(const PeersOption& option) {
   for (const bench::Peer& peer : option.peers) {
     if (!peer.package.empty() && peer.contact != nullptr) return true;
   }
   return false;
+}
+
+bool isPeersProgram() { return ownFile().filename() == kPeersProgram; }
+
+/// This program has none of the libraries by design: whether they are installed, only the peers' own program can know.
+bool lacksPeersProgram(const PeerFigures& figures) {
+  return !figures.skipped.empty() && !figures.package.empty() && !isPeersProgram();
 }
 
 }  // namespace
@@ -41,10 +57,8 @@ void addPeersOption(CLI::App& command, PeersOption& option) {
 
 void handOverToPeersProgram(const PeersOption& option) {
   std::error_code none;
-  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", none);
-  const std::filesystem::path program = self.parent_path() / "palpate_peers";
-  if (linksLibraries(option) || self.filename() == program.filename() || !std::filesystem::exists(program, none))
-    return;
+  const std::filesystem::path program = ownFile().parent_path() / kPeersProgram;
+  if (linksLibraries(option) || isPeersProgram() || !std::filesystem::exists(program, none)) return;
   std::vector<std::string> arguments = ownArguments();
   std::vector<char*> pointers;
   for (std::string& argument : arguments) pointers.push_back(argument.data());
@@ -54,12 +68,15 @@ void handOverToPeersProgram(const PeersOption& option) {
 
 namespace {
 
-using bench::PeerFigures;
+/// Why there are no figures.
+std::string reasonOf(const PeerFigures& f) {
+  return lacksPeersProgram(f) ? fmt::format("not asked, {} is not beside this program", kPeersProgram) : f.skipped;
+}
 
 nlohmann::ordered_json jsonOf(const PeerFigures& f, PeerTask task) {
   nlohmann::ordered_json json;
   if (!f.skipped.empty()) {
-    json["skipped"] = f.skipped;
+    json["skipped"] = reasonOf(f);
     json["package"] = f.package;
     return json;
   }
@@ -84,6 +101,7 @@ std::string answersText(const PeerFigures& f, PeerTask task) {
 }
 
 std::string textOf(const PeerFigures& f, PeerTask task, double ours_p50) {
+  if (lacksPeersProgram(f)) return fmt::format("{:<25}{}\n", f.name + ":", reasonOf(f));
   if (!f.skipped.empty()) return fmt::format("{:<25}{} ({})\n", f.name + ":", f.skipped, f.package);
   std::string text = fmt::format("{:<25}{}", f.name, percentilesText(f.query_us));
   if (f.query_us.p50 > 0.0) text += fmt::format(", ours takes 1/{:.1f}", f.query_us.p50 / ours_p50);

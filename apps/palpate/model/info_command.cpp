@@ -1,9 +1,12 @@
 // `palpate info MESH`: what a mesh file holds and what is wrong with it.
 #include <fmt/format.h>
 
+#include <array>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/json.h"
@@ -33,11 +36,50 @@ std::string boxLine(const ValidationReport& report) {
 }
 
 std::string surfaceLine(const ValidationReport& report) {
-  std::string text = report.closed ? fmt::format("closed, {:.6g} mm^3", report.volume_mm3) : "open";
+  std::string text(mesh::wordsFor(report.closure));
+  if (report.closed) text += fmt::format(", {:.6g} mm^3", report.volume_mm3);
+  if (report.closed && report.non_manifold_edges.count > 0) text += ", sheets meet in edges";
   if (report.one_sided) text += ", one-sided";
   return text + fmt::format(", {:.6g} mm^2, {} component{}", report.area_mm2, report.components,
                             report.components == 1 ? "" : "s");
 }
+
+// --- what is probably wrong with the unit ---
+
+struct Unit {
+  double factor;
+  const char* name;
+};
+/// Those that meshes come in, the likeliest first.
+constexpr std::array<Unit, 5> kUnits = {
+    {{1000.0, "metres"}, {10.0, "centimetres"}, {100.0, "decimetres"}, {25.4, "inches"}, {0.001, "micrometres"}}};
+
+/// Empty when the size is one of a body or a part of one.
+std::string sizeWarning(const ValidationReport& report) {
+  if (!mesh::hasDoubtfulSize(report.box)) return "";
+  const std::string text = fmt::format("{} mm is {} for a body: is the unit right? ", words(report.box.sizes()),
+                                       report.box.diagonal().norm() < mesh::kShortestBodyMm ? "small" : "large");
+  for (const Unit& unit : kUnits) {
+    const Eigen::AlignedBox3d box(unit.factor * report.box.min(), unit.factor * report.box.max());
+    if (mesh::hasDoubtfulSize(box)) continue;
+    return text + fmt::format("If these are {}, say --unit-mm {:g}", unit.name, unit.factor);
+  }
+  return text + "--unit-mm says how many millimetres a unit of the file is";
+}
+
+std::vector<std::string> warningsOf(const ValidationReport& report) {
+  std::vector<std::string> warnings;
+  if (std::string size = sizeWarning(report); !size.empty()) warnings.push_back(std::move(size));
+  return warnings;
+}
+
+const char* verdictOn(const ValidationReport& report) {
+  if (report.fit()) return "fit to be felt as it is\n";
+  return report.sound() ? "fit to be felt but for its small holes, which repair fills (done when it is used)\n"
+                        : "needs repair before it can be felt (done when it is used)\n";
+}
+
+// --- in words, in JSON ---
 
 nlohmann::ordered_json jsonOf(const mesh::Trait& trait) { return {{"count", trait.count}, {"first", trait.first}}; }
 
@@ -53,7 +95,9 @@ nlohmann::ordered_json traitsOf(const ValidationReport& report) {
   traits["inconsistent_edges"] = jsonOf(report.inconsistent_edges);
   traits["border_edges"] = jsonOf(report.border_edges);
   traits["self_intersections"] = jsonOf(report.self_intersections);
+  traits["touching_edges"] = jsonOf(report.touching_edges);
   traits["unused_vertices"] = jsonOf(report.unused_vertices);
+  traits["coincident_vertices"] = jsonOf(report.coincident_vertices);
   return traits;
 }
 
@@ -63,8 +107,8 @@ std::string textOf(const ValidationReport& report) {
       report.vertices, boxLine(report), surfaceLine(report), 1e-6 * static_cast<double>(memoryBytes(report)));
   for (const std::string& sentence : mesh::describe(report)) text += "found       " + sentence + "\n";
   if (!report.self_intersections_checked) text += "not checked self-intersections\n";
-  return text +
-         (report.fit() ? "fit to be felt as it is\n" : "needs repair before it can be felt (done when it is used)\n");
+  for (const std::string& warning : warningsOf(report)) text += "warning     " + warning + "\n";
+  return text + verdictOn(report);
 }
 
 nlohmann::ordered_json jsonOf(const ValidationReport& report) {
@@ -76,10 +120,15 @@ nlohmann::ordered_json jsonOf(const ValidationReport& report) {
   json["area_mm2"] = report.area_mm2;
   json["volume_mm3"] = report.closed ? nlohmann::ordered_json(report.volume_mm3) : nlohmann::ordered_json(nullptr);
   json["closed"] = report.closed;
+  json["closure"] = mesh::wordsFor(report.closure);
   json["one_sided"] = report.one_sided;
   json["components"] = report.components;
   json["border_loops"] = report.border_loops;
+  json["small_holes"] = report.small_holes;
+  json["fillable_holes"] = report.fillable_holes;
   json["fit"] = report.fit();
+  json["sound"] = report.sound();
+  json["warnings"] = warningsOf(report);
   json["self_intersections_checked"] = report.self_intersections_checked;
   json["memory_bytes"] = memoryBytes(report);
   json["traits"] = traitsOf(report);

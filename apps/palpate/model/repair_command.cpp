@@ -1,6 +1,7 @@
 // `palpate repair MESH -o OUT`: makes a mesh fit to be felt and says what was done.
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -23,6 +24,7 @@ struct RepairArguments {
   double weld_distance_mm = 0.0;
   bool no_weld = false;
   bool keep_orientation = false;
+  bool keep_holes = false;
   bool json = false;
 };
 
@@ -34,20 +36,54 @@ mesh::RepairResult repairFile(const RepairArguments& arguments) {
   try {
     const mesh::RepairOptions options{.weld = !arguments.no_weld,
                                       .weld_distance_mm = arguments.weld_distance_mm,
-                                      .orient_outwards = !arguments.keep_orientation};
+                                      .orient_outwards = !arguments.keep_orientation,
+                                      .fill_holes = !arguments.keep_holes};
     return mesh::repair(std::move(surface), options, progress.callback());
   } catch (const Error& error) {
     throw Error::inFile(arguments.mesh.file, error.what());
   }
 }
 
+struct TriangleCount {
+  std::size_t added = 0;
+  std::size_t dropped = 0;
+};
+
+TriangleCount trianglesOf(const mesh::RepairResult& result) {
+  TriangleCount count;
+  for (const auto& action : result.actions) {
+    (action.triangles > 0 ? count.added : count.dropped) += static_cast<std::size_t>(std::abs(action.triangles));
+  }
+  return count;
+}
+
+std::string textOf(const mesh::SurfaceState& state) {
+  return fmt::format("{}; {} border edges in {} loops, {} edges of more than two triangles",
+                     mesh::wordsFor(state.closure), state.border_edges, state.border_loops, state.non_manifold_edges);
+}
+
 std::string textOf(const mesh::RepairResult& result) {
   std::string text;
   for (const auto& action : result.actions) text += fmt::format("{:>9}  {}\n", action.count, action.what);
   if (result.actions.empty()) text = "nothing to repair\n";
+  const TriangleCount triangles = trianglesOf(result);
+  text += fmt::format("before     {}\nafter      {}\n", textOf(result.before), textOf(result.after));
+  text += fmt::format("triangles  {} - {} dropped + {} added = {}\n", result.before.triangles, triangles.dropped,
+                      triangles.added, result.after.triangles);
+  for (const std::string& warning : result.warnings) text += "warning    " + warning + "\n";
   return text + fmt::format("{} triangles, {} vertices, {} component{}, {}{}\n", result.mesh.triangles.size(),
                             result.mesh.positions.size(), result.components, result.components == 1 ? "" : "s",
-                            result.closed ? "closed" : "open", result.self_intersecting ? ", intersects itself" : "");
+                            mesh::wordsFor(result.after.closure),
+                            result.self_intersecting ? ", intersects itself" : "");
+}
+
+nlohmann::ordered_json jsonOf(const mesh::SurfaceState& state) {
+  return {{"triangles", state.triangles},
+          {"vertices", state.vertices},
+          {"closure", mesh::wordsFor(state.closure)},
+          {"border_edges", state.border_edges},
+          {"border_loops", state.border_loops},
+          {"non_manifold_edges", state.non_manifold_edges}};
 }
 
 nlohmann::ordered_json jsonOf(const mesh::RepairResult& result) {
@@ -57,8 +93,16 @@ nlohmann::ordered_json jsonOf(const mesh::RepairResult& result) {
   json["components"] = result.components;
   json["closed"] = result.closed;
   json["self_intersecting"] = result.self_intersecting;
+  json["before"] = jsonOf(result.before);
+  json["after"] = jsonOf(result.after);
+  const TriangleCount triangles = trianglesOf(result);
+  json["triangles_dropped"] = triangles.dropped;
+  json["triangles_added"] = triangles.added;
+  json["warnings"] = result.warnings;
   json["actions"] = nlohmann::ordered_json::array();
-  for (const auto& action : result.actions) json["actions"].push_back({{"what", action.what}, {"count", action.count}});
+  for (const auto& action : result.actions) {
+    json["actions"].push_back({{"what", action.what}, {"count", action.count}, {"triangles", action.triangles}});
+  }
   return json;
 }
 
@@ -83,6 +127,7 @@ void addRepairCommand(CLI::App& app) {
       ->check(CLI::Range(0.0, 1e9));
   command.add_flag("--keep-orientation", arguments->keep_orientation,
                    "Do not turn closed parts outside out that face inwards");
+  command.add_flag("--keep-holes", arguments->keep_holes, "Leave the small holes of nearly closed parts open");
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.callback([arguments] { runRepair(*arguments); });
 }

@@ -1,5 +1,5 @@
-// From each border half-edge a walk around the fan of triangles at its start leads to the next one; runs of them are cut
-// into loops wherever they come back to a vertex. Own.
+// From each border half-edge a walk around the fan of triangles at its start leads to the next one; runs of them are
+// cut into loops wherever they come back to a vertex. Own.
 #include "palpate/mesh/border_loops.h"
 
 #include <algorithm>

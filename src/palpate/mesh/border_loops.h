@@ -20,9 +20,9 @@ struct BorderLoop {
 };
 
 struct Borders {
-  std::size_t edges = 0;         ///< of exactly one triangle
+  std::size_t edges = 0;  ///< of exactly one triangle
   std::vector<BorderLoop> loops;
-  std::vector<Index> unclosed;   ///< half-edges whose run ends at an edge that is no border and no ordinary edge
+  std::vector<Index> unclosed;  ///< half-edges whose run ends at an edge that is no border and no ordinary edge
 };
 
 /// Runs go around each fan of triangles; one that comes back to a vertex is cut there into two loops, so that a crack

@@ -1,5 +1,5 @@
-// One pass over the edges. Own; closed in the sense of a cycle of simplicial homology, which self-intersections and edges of
-// many triangles may be in.
+// One pass over the edges. Own; closed in the sense of a cycle of simplicial homology, which self-intersections and
+// edges of many triangles may be in.
 #include "palpate/mesh/closure.h"
 
 #include <algorithm>
@@ -12,9 +12,12 @@ namespace palpate::mesh {
 
 std::string_view wordsFor(Closure closure) {
   switch (closure) {
-    case Closure::closed: return "closed";
-    case Closure::nearly_closed: return "nearly closed";
-    case Closure::open: break;
+    case Closure::closed:
+      return "closed";
+    case Closure::nearly_closed:
+      return "nearly closed";
+    case Closure::open:
+      break;
   }
   return "open";
 }

@@ -1,6 +1,6 @@
-// Triangles over the same vertices are found by sorting within the row of their lowest vertex and cancel each other, one
-// way against the other; opposite pairs that are left and hang together are one sheet, and how its rim meets the rest of
-// the surface says what becomes of it.
+// Triangles over the same vertices are found by sorting within the row of their lowest vertex and cancel each other,
+// one way against the other; opposite pairs that are left and hang together are one sheet, and how its rim meets the
+// rest of the surface says what becomes of it.
 //
 // Own; a mesh whose every edge is used as often one way as the other is a cycle of simplicial homology, and taking away
 // a triangle together with its opposite leaves it one.

@@ -254,8 +254,8 @@ void countEdges(Intersections& found) {
   const auto same = [](const Crossing& l, const Crossing& r) { return !isBefore(l, r) && !isBefore(r, l); };
   all.erase(std::unique(all.begin(), all.end(), same), all.end());
   for (auto first = all.begin(); first != all.end();) {
-    const auto end = std::find_if(
-        first, all.end(), [&](const Crossing& c) { return c.low != first->low || c.high != first->high; });
+    const auto end =
+        std::find_if(first, all.end(), [&](const Crossing& c) { return c.low != first->low || c.high != first->high; });
     const bool only_touches = std::all_of(first, end, [](const Crossing& c) { return c.touches; });
     ++found.piercing_edges;
     found.touching_edges += only_touches ? 1 : 0;

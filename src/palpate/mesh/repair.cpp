@@ -34,7 +34,6 @@ class Repairing {
   void dropUnusable() {
     const auto& positions = result_.mesh.positions;
     auto& triangles = result_.mesh.triangles;
-    const std::size_t given = triangles.size();
     noteDropped("triangles dropped that name a vertex which does not exist",
                 std::erase_if(triangles, [&](const Triangle& t) {
                   return std::any_of(t.begin(), t.end(), [&](Index v) { return v >= positions.size(); });
@@ -44,8 +43,15 @@ class Repairing {
                   return std::any_of(t.begin(), t.end(), [&](Index v) { return !isUsable(positions[v]); });
                 }));
     note("vertices dropped that no triangle used", countUnused());
-    result_.before = currentState();
-    result_.before.triangles = given;
+  }
+
+  void measureGiven() {
+    edges_ = edgeUses(result_.mesh);
+    holes_ = findHoles(result_.mesh, edges_, progress_);
+    result_.before = surfaceState(result_.mesh, edges_, holes_);
+    for (const RepairAction& action : result_.actions) {
+      result_.before.triangles += static_cast<std::size_t>(-action.triangles);  // only dropped ones until now
+    }
     open_length_mm_ = result_.before.open_length_mm;
   }
 
@@ -88,7 +94,7 @@ class Repairing {
 
   void unifyWinding() {
     report(progress_, "repairing", 0.4);
-    edges_ = edgeUses(result_.mesh);
+    if (!untouched()) edges_ = edgeUses(result_.mesh);
     patches_ = findPatches(result_.mesh, edges_);
     const std::size_t flipped = makeWindingConsistent(result_.mesh, patches_);
     note("triangles flipped to face the way of their neighbours", flipped);
@@ -98,11 +104,11 @@ class Repairing {
   void closeHoles() {
     if (!options_.fill_holes) return;
     report(progress_, "repairing", 0.5);
-    const Holes holes = findHoles(result_.mesh, edges_, progress_);
-    warnOfHolesLeft(holes);
-    if (holes.count(HoleFate::fillable) == 0) return;
+    if (!untouched()) holes_ = findHoles(result_.mesh, edges_, progress_);
+    warnOfHolesLeft();
+    if (holes_.count(HoleFate::fillable) == 0) return;
     const auto given = triangleCount();
-    const std::size_t filled = fillHoles(result_.mesh, holes);
+    const std::size_t filled = fillHoles(result_.mesh, holes_);
     note("small holes of nearly closed parts filled or sewn up", filled, triangleCount() - given);
     collapseSlivers();  // of the fillings
     removeTwins();
@@ -135,7 +141,7 @@ class Repairing {
   void describeResult() {
     report(progress_, "repairing", 0.9);
     result_.components = findComponents(result_.mesh).count;
-    result_.after = currentState();
+    result_.after = finalState();
     result_.closed = result_.after.closure == Closure::closed;
     warnOfWhatOpened();
     if (options_.find_self_intersections) {
@@ -170,25 +176,27 @@ class Repairing {
   }
   void noteDropped(std::string what, std::size_t count) { note(std::move(what), count, -countOf(count)); }
 
-  SurfaceState currentState() const {
+  /// Then what was measured of the mesh as given still holds; that spares a sound mesh a third of the time.
+  bool untouched() const { return result_.actions.empty(); }
+
+  SurfaceState finalState() const {
+    if (untouched()) return result_.before;
     const EdgeUses edges = edgeUses(result_.mesh);
     return surfaceState(result_.mesh, edges, findHoles(result_.mesh, edges, progress_));
   }
 
-  void warnOfHolesLeft(const Holes& holes) {
-    if (const std::size_t count = holes.count(HoleFate::too_long); count > 0) {
-      result_.warnings.push_back(fmt::format(
-          "{} left open in a nearly closed part: more than {} border edges", holesOf(count), kMostHoleEdges));
+  void warnOfHolesLeft() {
+    if (const std::size_t count = holes_.count(HoleFate::too_long); count > 0) {
+      result_.warnings.push_back(fmt::format("{} left open in a nearly closed part: more than {} border edges",
+                                             holesOf(count), kMostHoleEdges));
     }
-    if (const std::size_t count = holes.count(HoleFate::no_room); count > 0) {
-      result_.warnings.push_back(fmt::format(
-          "{} left open in a nearly closed part: a filling would overlap the surface", holesOf(count)));
+    if (const std::size_t count = holes_.count(HoleFate::no_room); count > 0) {
+      result_.warnings.push_back(
+          fmt::format("{} left open in a nearly closed part: a filling would overlap the surface", holesOf(count)));
     }
   }
 
-  static std::string holesOf(std::size_t count) {
-    return fmt::format("{} small hole{}", count, count == 1 ? "" : "s");
-  }
+  static std::string holesOf(std::size_t count) { return fmt::format("{} small hole{}", count, count == 1 ? "" : "s"); }
 
   /// Lengths are compared, because a border edge that is split is no new border.
   void warnOfWhatOpened() {
@@ -210,7 +218,8 @@ class Repairing {
   const RepairOptions& options_;
   const Progress& progress_;
   RepairResult result_;
-  EdgeUses edges_;  // of the mesh as unifyWinding and closeHoles leave it
+  EdgeUses edges_;  // of the mesh as given, then as unifyWinding and closeHoles leave it
+  Holes holes_;     // of the mesh as given, then of the mesh that closeHoles finds
   Patches patches_;
   double open_length_mm_ = 0.0;  // welded, before anything else is done
 };
@@ -220,6 +229,7 @@ class Repairing {
 RepairResult repair(TriangleMesh mesh, const RepairOptions& options, const Progress& progress) {
   Repairing repairing(std::move(mesh), options, progress);
   repairing.dropUnusable();
+  repairing.measureGiven();
   repairing.weld();
   repairing.collapseSlivers();
   repairing.removeTwins();

@@ -25,8 +25,8 @@ struct Trait {
   }
 };
 
-/// A body outside these lengths from corner to corner (mm) was probably written in another unit: a thumb's tip, a tall man
-/// and half again.
+/// A body outside these lengths from corner to corner (mm) was probably written in another unit: a thumb's tip, a tall
+/// man and half again.
 inline constexpr double kShortestBodyMm = 15.0;
 inline constexpr double kLongestBodyMm = 3000.0;
 
@@ -65,9 +65,9 @@ struct ValidationReport {
   Closure closure = Closure::open;
   std::size_t fillable_holes = 0;  ///< small holes of nearly closed parts, that `repair` fills
   std::size_t small_holes = 0;     ///< all of them: it may have to leave some
-  bool closed = false;  ///< closure == Closure::closed: a cycle; it may still have edges of more than two triangles
-  bool one_sided = false;      ///< cannot be wound consistently (a Moebius strip is inside)
-  Eigen::AlignedBox3d box;     ///< of the finite vertices that triangles use, mm
+  bool closed = false;      ///< closure == Closure::closed: a cycle; it may still have edges of more than two triangles
+  bool one_sided = false;   ///< cannot be wound consistently (a Moebius strip is inside)
+  Eigen::AlignedBox3d box;  ///< of the finite vertices that triangles use, mm
   double area_mm2 = 0.0;
   double volume_mm3 = 0.0;  ///< 0 when not closed; negative when inside out
 
