@@ -133,9 +133,22 @@ TEST(Holes, CracksAsWideAsRoundingAreSewnUpToo) {
 }
 
 TEST(Holes, AWideCrackIsFilled) {
-  const auto result = repair(withTJunctions(ball(), 5, 3, 0.05));
-  EXPECT_EQ(result.after.closure, Closure::closed);
-  EXPECT_TRUE(validate(result.mesh).fit());
+  TriangleMesh cracked = withTJunctions(ball(), 5, 3);
+  const std::size_t first = ball().positions.size();
+  const Vec3 middle = cracked.positions.back();
+  for (std::size_t v = first; v + 1 < cracked.positions.size(); ++v) {
+    cracked.positions[v] += 0.05 * (middle - cracked.positions[v]);
+  }
+  const auto result = repair(cracked);
+  expectClosed(result, "ball");
+  EXPECT_EQ(result.mesh.positions, cracked.positions);
+}
+
+TEST(Holes, WhatLapsOverTheSurfaceBesideItStays) {
+  const auto result = repair(withTJunctions(ball(), 5, 3, 0.3));
+  EXPECT_EQ(result.after.closure, Closure::nearly_closed);
+  ASSERT_EQ(result.warnings.size(), 1u);
+  EXPECT_NE(result.warnings[0].find("would overlap"), std::string::npos);
 }
 
 TEST(Holes, ABodyThatFacesInwardsIsTurnedWhenItIsClosed) {

@@ -127,17 +127,17 @@ TEST(Validate, CountsEdgesThatPierceAndEdgesThatTouchApart) {
   TriangleMesh mesh = zoo::grid(1, 10);
   const auto addPost = [&](double x, double y, double bottom) {
     const auto first = static_cast<Index>(mesh.positions.size());
-    mesh.positions.insert(mesh.positions.end(), {{x, y, bottom}, {x, y, 10}, {x + 30, y, 5}});
+    mesh.positions.insert(mesh.positions.end(), {{x, y, bottom}, {x, y, 10}, {x, y + 0.5, 0}});
     mesh.triangles.push_back({first, first + 1, first + 2});
   };
-  addPost(7, 2, -0.5);
-  addPost(5, 5, -0.5);
+  addPost(7, 2, -1);
+  addPost(5, 5, -1);
   addPost(2, 7, 0);
   const auto report = validate(mesh);
   EXPECT_EQ(report.self_intersections.count, 1u);
   EXPECT_EQ(report.self_intersections.first.size(), 1u);
-  EXPECT_EQ(report.touching_edges.count, 1u);
-  EXPECT_EQ(report.touching_edges.first, (std::vector<Index>{0, 1}));
+  EXPECT_EQ(report.touching_edges.count, 2u) << "the post's and the diagonal";
+  EXPECT_EQ(report.touching_edges.first, (std::vector<Index>{0, 1, 3}));
   // Cubes that meet exactly on diagonals only touch; repair takes them for intersecting all the same.
   const auto cubes = validate(zoo::joined(zoo::cube(), zoo::cube(10, {5, 5, 5})));
   EXPECT_EQ(cubes.self_intersections.count, 0u);

@@ -3,39 +3,111 @@
 #include "palpate/mesh/border_loops.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+#include <tuple>
 #include <utility>
 
 namespace palpate::mesh {
 
 namespace {
 
-constexpr Index kBorder = kNoIndex;           // no triangle across
-constexpr Index kNotOrdinary = kNoIndex - 1;  // several, or one that runs the same way
+/// Gaps up to this (radian) the wrong way count as none: the sides of a crack overlap a little.
+constexpr double kOverlapAngle = 0.3;
+/// More fans in one vertex are a fault of another kind.
+constexpr std::size_t kMostFans = 16;
 
-Index previousInTriangle(Index half_edge) { return half_edge % 3 == 0 ? half_edge + 2 : half_edge - 1; }
+/// Border half-edges, which run against the border: the border arrives where one starts and leaves from where one ends.
+struct BorderVertex {
+  std::vector<Index> arriving;
+  std::vector<Index> leaving;
+};
 
-/// What is across each half-edge: the other half-edge, kBorder or kNotOrdinary.
-std::vector<Index> oppositeHalfEdges(const TriangleMesh& mesh, const EdgeUses& edges, std::size_t& border_edges) {
-  std::vector<Index> across(mesh.triangles.size() * 3, kNotOrdinary);
-  forEachEdge(edges, [&](Index, Index, std::span<const EdgeUse> uses) {
-    const Index first = uses[0].half_edge;
-    if (uses.size() == 1) {
-      across[first] = kBorder;
-      ++border_edges;
-    } else if (uses.size() == 2 && halfEdgeStart(mesh, first) != halfEdgeStart(mesh, uses[1].half_edge)) {
-      across[first] = uses[1].half_edge;
-      across[uses[1].half_edge] = first;
+/// The border half-edge after each one.
+class Pairing {
+ public:
+  Pairing(const TriangleMesh& mesh, const EdgeUses& edges) : mesh_(mesh) {
+    std::vector<bool> is_ambiguous(mesh.positions.size(), false);
+    forEachEdge(edges, [&](Index low, Index high, std::span<const EdgeUse> uses) {
+      if (uses.size() == 1) {
+        border_.push_back(uses[0].half_edge);
+      } else if (uses.size() > 2 || halfEdgeStart(mesh, uses[0].half_edge) == halfEdgeStart(mesh, uses[1].half_edge)) {
+        is_ambiguous[low] = is_ambiguous[high] = true;
+      }
+    });
+    std::sort(border_.begin(), border_.end());
+    for (const Index h : border_) {
+      vertices_[halfEdgeStart(mesh, h)].arriving.push_back(h);
+      vertices_[halfEdgeEnd(mesh, h)].leaving.push_back(h);
     }
-  });
-  return across;
-}
+    for (const auto& [vertex, at] : vertices_) {
+      if (!is_ambiguous[vertex] && at.arriving.size() == at.leaving.size()) pair(vertex, at);
+    }
+  }
 
-/// The border half-edge that ends where this one starts, in the same fan; kNotOrdinary where the fan has no such end.
-Index nextAtBorder(const std::vector<Index>& across, Index half_edge) {
-  Index next = previousInTriangle(half_edge);
-  while (across[next] < kNotOrdinary) next = previousInTriangle(across[next]);
-  return across[next] == kBorder ? next : kNotOrdinary;
-}
+  /// Ascending.
+  const std::vector<Index>& border() const { return border_; }
+
+  /// kNoIndex: not clear.
+  Index after(Index half_edge) const {
+    const auto found = next_.find(half_edge);
+    return found == next_.end() ? kNoIndex : found->second;
+  }
+
+ private:
+  void pair(Index vertex, const BorderVertex& at) {
+    if (at.arriving.size() == 1) {
+      next_[at.arriving[0]] = at.leaving[0];
+    } else if (at.arriving.size() <= kMostFans) {
+      pairAcrossGaps(vertex, at);
+    }
+  }
+
+  void pairAcrossGaps(Index vertex, const BorderVertex& at) {
+    const Vec3 normal = normalAt(at);
+    std::vector<std::tuple<double, Index, Index>> gaps;
+    for (const Index in : at.arriving) {
+      for (const Index out : at.leaving) {
+        gaps.emplace_back(gapBetween(vertex, halfEdgeStart(mesh_, out), halfEdgeEnd(mesh_, in), normal), in, out);
+      }
+    }
+    std::sort(gaps.begin(), gaps.end());
+    std::vector<Index> taken;
+    for (const auto& [angle, in, out] : gaps) {
+      if (next_.contains(in) || std::count(taken.begin(), taken.end(), out) > 0) continue;
+      next_[in] = out;
+      taken.push_back(out);
+    }
+  }
+
+  /// Of the triangles at the border here; those between them hardly change it.
+  Vec3 normalAt(const BorderVertex& at) const {
+    Vec3 sum = Vec3::Zero();
+    for (const auto& side : {at.arriving, at.leaving}) {
+      for (const Index h : side) {
+        const auto& [a, b, c] = mesh_.triangles[h / 3];
+        sum += areaVector2(mesh_.positions[a], mesh_.positions[b], mesh_.positions[c]);
+      }
+    }
+    return sum.stableNormalized();
+  }
+
+  /// How far to turn around the normal from the edge that leaves to the one that arrived: what is between them is
+  /// empty.
+  double gapBetween(Index vertex, Index to, Index from, const Vec3& normal) const {
+    const Vec3 u = mesh_.positions[to] - mesh_.positions[vertex];
+    const Vec3 w = mesh_.positions[from] - mesh_.positions[vertex];
+    const double angle = std::atan2(normal.dot(u.cross(w)), u.dot(w) - normal.dot(u) * normal.dot(w));
+    return angle < -kOverlapAngle ? angle + 2.0 * std::numbers::pi : std::abs(angle);
+  }
+
+  const TriangleMesh& mesh_;
+  std::vector<Index> border_;
+  std::map<Index, BorderVertex> vertices_;
+  std::map<Index, Index> next_;
+};
 
 /// Cuts closed runs into loops.
 class LoopCutter {
@@ -76,20 +148,17 @@ class LoopCutter {
 
 Borders findBorders(const TriangleMesh& mesh, const EdgeUses& edges) {
   Borders borders;
-  const std::vector<Index> across = oppositeHalfEdges(mesh, edges, borders.edges);
+  const Pairing pairing(mesh, edges);
+  borders.edges = pairing.border().size();
   if (borders.edges == 0) return borders;
   LoopCutter cutter(mesh, borders);
-  std::vector<bool> done(across.size(), false);
+  std::set<Index> done;
   std::vector<Index> run;
-  for (Index h = 0; h < across.size(); ++h) {
-    if (across[h] != kBorder || done[h]) continue;
+  for (const Index first : pairing.border()) {
     run.clear();
-    Index next = h;
-    for (; next != kNotOrdinary && !done[next]; next = nextAtBorder(across, next)) {
-      done[next] = true;
-      run.push_back(next);
-    }
-    if (next == h) {
+    Index next = first;
+    for (; next != kNoIndex && done.insert(next).second; next = pairing.after(next)) run.push_back(next);
+    if (next == first && !run.empty()) {
       cutter.cut(run);
     } else {
       borders.unclosed.insert(borders.unclosed.end(), run.begin(), run.end());

@@ -22,11 +22,12 @@ struct BorderLoop {
 struct Borders {
   std::size_t edges = 0;  ///< of exactly one triangle
   std::vector<BorderLoop> loops;
-  std::vector<Index> unclosed;  ///< half-edges whose run ends at an edge that is no border and no ordinary edge
+  std::vector<Index> unclosed;  ///< half-edges whose run ends where it is not clear which one is next
 };
 
-/// Runs go around each fan of triangles; one that comes back to a vertex is cut there into two loops, so that a crack
-/// that touches the next one is a loop of its own. Indices must be within range.
+/// Where several fans of triangles meet in a border vertex, a run leads across the gap to the next fan: cracks around a
+/// patch that hangs on its corners are loops of their own. A run that comes back to a vertex is cut there into two
+/// loops. Indices must be within range.
 Borders findBorders(const TriangleMesh& mesh, const EdgeUses& edges);
 
 /// Half the length of the sum of cross products, mm^2: no surface with this border is smaller.

@@ -71,8 +71,20 @@ class HoleSearch {
     return count;
   }
 
+  /// What a loop runs along is one part: a patch may hang on the rest by the ends of cracks alone.
+  void joinAlongLoops(const Borders& borders) {
+    DisjointSets joined(part_of_.count);
+    for (const BorderLoop& loop : borders.loops) {
+      for (const Index h : loop.half_edges) {
+        joined.unite(part_of_.of_triangle[loop.half_edges[0] / 3], part_of_.of_triangle[h / 3]);
+      }
+    }
+    for (Index& part : part_of_.of_triangle) part = joined.root(part);
+  }
+
   void measureParts(const Borders& borders) {
     part_of_ = partsAcrossEdges(mesh_, edges_);
+    joinAlongLoops(borders);
     parts_.resize(part_of_.count);
     for (Index t = 0; t < mesh_.triangles.size(); ++t) {
       Part& part = parts_[part_of_.of_triangle[t]];
