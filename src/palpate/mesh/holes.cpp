@@ -55,7 +55,9 @@ class HoleSearch {
     refuseFolds();
     refuseCrossings();
     for (Hole& hole : found_.all) {
-      if (hole.fate != HoleFate::fillable) hole.filling.clear();
+      if (hole.fate == HoleFate::fillable) continue;
+      hole.filling.clear();
+      hole.splits.clear();
     }
     return std::move(found_);
   }
@@ -117,7 +119,7 @@ class HoleSearch {
     for (const Index i : order) {
       Hole& hole = found_.all[i];
       Part& part = parts_[hole.part];
-      if (!part.nearlyClosed()) continue;
+      if (!part.nearlyClosed() || joinSides(hole)) continue;
       const auto n = static_cast<double>(sizeOf(i));
       work += n * n * n / 6.0;
       hole.fate = sizeOf(i) > kMostHoleEdges || work > kMostFillingWork ? HoleFate::too_long : HoleFate::fillable;
@@ -125,6 +127,14 @@ class HoleSearch {
       fill(hole, triangles);
       part.hole_area_mm2 += hole.area_mm2 - leastArea(mesh_, hole.loop);
     }
+  }
+
+  bool joinSides(Hole& hole) const {
+    auto splits = planCrack(mesh_, hole.loop, kCrackShare * parts_[hole.part].diagonal());
+    if (!splits) return false;
+    hole.fate = HoleFate::fillable;
+    hole.splits = std::move(*splits);
+    return true;
   }
 
   std::size_t sizeOf(Index hole) const { return found_.all[hole].loop.vertices.size(); }
@@ -257,6 +267,9 @@ Holes findHoles(const TriangleMesh& mesh, const EdgeUses& edges, const Progress&
 }
 
 std::size_t fillHoles(TriangleMesh& mesh, const Holes& holes) {
+  std::vector<SideSplit> splits;
+  for (const Hole& hole : holes.all) splits.insert(splits.end(), hole.splits.begin(), hole.splits.end());
+  splitSides(mesh, std::move(splits));
   const auto first = static_cast<Index>(mesh.triangles.size());
   for (const Hole& hole : holes.all) {
     mesh.triangles.insert(mesh.triangles.end(), hole.filling.begin(), hole.filling.end());

@@ -11,6 +11,7 @@
 
 #include "palpate/base/progress.h"
 #include "palpate/mesh/border_loops.h"
+#include "palpate/mesh/cracks.h"
 #include "palpate/mesh/topology.h"
 #include "palpate/mesh/triangle_mesh.h"
 
@@ -24,7 +25,7 @@ inline constexpr double kNearlyClosedShare = 0.01;
 inline constexpr double kWidestHoleShare = 0.02;
 /// Longer borders stay open: the time to fill grows with the cube (30 ms for this many).
 inline constexpr std::size_t kMostHoleEdges = 200;
-/// Fillings flatter than this share of the diagonal are cracks: their sides are sewn together instead. A hundred times
+/// Loops narrower than this share of the diagonal are cracks: their sides are joined instead of filled. A hundred times
 /// the rounding of single precision, and 20 um of a man: nothing that can be felt.
 inline constexpr double kCrackShare = 1e-5;
 
@@ -43,6 +44,7 @@ struct Hole {
   double width_mm = 0.0;
   HoleFate fate = HoleFate::part_open;
   std::vector<Triangle> filling;  ///< empty unless fillable
+  std::vector<SideSplit> splits;  ///< of the sides of a crack, in place of a filling
 };
 
 struct Holes {
