@@ -49,6 +49,58 @@ TEST_F(MeshCommands, RepairWritesAFitMeshAndSaysWhatItDid) {
   EXPECT_TRUE(mesh::validate(mesh::load(folder / "fit.ply")).fit());
 }
 
+TEST_F(MeshCommands, InfoDoubtsTheSizeAndNamesTheUnitThatWouldFit) {
+  mesh::save(folder / "small.obj", zoo::cube(0.3));
+  const auto small = palpate("info small.obj");
+  EXPECT_NE(small.out.find("warning     0.3 0.3 0.3 mm is small for a body"), std::string::npos) << small.out;
+  EXPECT_NE(small.out.find("If these are metres, say --unit-mm 1000"), std::string::npos) << small.out;
+  const auto in_metres = nlohmann::json::parse(palpate("info small.obj --unit-mm 1000 --json").out);
+  EXPECT_TRUE(in_metres["warnings"].empty());
+  mesh::save(folder / "large.obj", zoo::cube(30000));
+  EXPECT_NE(palpate("info large.obj").out.find("is large for a body"), std::string::npos);
+}
+
+TEST_F(MeshCommands, InfoNamesVerticesAtOnePlaceAndNoTriangleTwice) {
+  mesh::save(folder / "soup.obj", zoo::soup(zoo::cube()));
+  const auto text = palpate("info soup.obj");
+  EXPECT_NE(text.out.find("28 vertices at the place of an earlier one"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("36 border edges, at triangles (first: 0, 1, 2, 3, 4)"), std::string::npos) << text.out;
+  const auto json = nlohmann::json::parse(palpate("info soup.obj --json").out);
+  EXPECT_EQ(json["traits"]["coincident_vertices"]["count"], 28);
+  EXPECT_EQ(json["closure"], "open");
+}
+
+TEST_F(MeshCommands, RepairSaysHowClosedItWasAndIs) {
+  mesh::TriangleMesh torn = zoo::sphere(20, 3);
+  torn.triangles.pop_back();
+  mesh::save(folder / "torn.obj", torn);
+  const auto info = palpate("info torn.obj");
+  EXPECT_NE(info.out.find("surface     nearly closed"), std::string::npos) << info.out;
+  EXPECT_NE(info.out.find("but for its small holes"), std::string::npos) << info.out;
+  const auto text = palpate("repair torn.obj -o whole.ply");
+  EXPECT_NE(text.out.find("before     nearly closed; 3 border edges in 1 loop,"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("after      closed; 0 border edges"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("triangles  1279 - 0 dropped + 1 added = 1280"), std::string::npos) << text.out;
+  const auto kept = nlohmann::json::parse(palpate("repair torn.obj -o torn.ply --keep-holes --json").out);
+  EXPECT_EQ(kept["after"]["closure"], "nearly closed");
+  EXPECT_EQ(kept["after"]["border_edges"], 3);
+}
+
+TEST_F(MeshCommands, RepairCountsAddUpAndWhatItOpensIsAWarning) {
+  mesh::save(folder / "fin.obj", zoo::cubeWithFin());
+  const auto fin = nlohmann::json::parse(palpate("repair fin.obj -o fit.ply --json").out);
+  EXPECT_EQ(fin["before"]["triangles"], 16);
+  EXPECT_EQ(fin["before"]["closure"], "closed");
+  EXPECT_GT(fin["before"]["non_manifold_edges"], 0);
+  EXPECT_EQ(fin["triangles_dropped"], 4);
+  EXPECT_EQ(fin["after"]["triangles"], 12);
+  EXPECT_EQ(fin["actions"][0]["triangles"], -4);
+  EXPECT_TRUE(fin["warnings"].empty());
+  mesh::save(folder / "sheet.obj", zoo::doubleSidedGrid(4));
+  EXPECT_NE(palpate("repair sheet.obj -o sheet.ply").out.find("warning    the surface was closed and is open now"),
+            std::string::npos);
+}
+
 TEST_F(MeshCommands, BadInputIsOneLineAndExitCodeTwo) {
   writeFile(folder / "flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
   writeFile(folder / "bad.obj", "v 0 0 zero\n");

@@ -57,9 +57,14 @@ TriangleCount trianglesOf(const mesh::RepairResult& result) {
   return count;
 }
 
+std::string counted(std::size_t count, const char* one) {
+  return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
+}
+
 std::string textOf(const mesh::SurfaceState& state) {
-  return fmt::format("{}; {} border edges in {} loops, {} edges of more than two triangles",
-                     mesh::wordsFor(state.closure), state.border_edges, state.border_loops, state.non_manifold_edges);
+  return fmt::format("{}; {} in {}, {} of more than two triangles", mesh::wordsFor(state.closure),
+                     counted(state.border_edges, "border edge"), counted(state.border_loops, "loop"),
+                     counted(state.non_manifold_edges, "edge"));
 }
 
 std::string textOf(const mesh::RepairResult& result) {
@@ -71,8 +76,8 @@ std::string textOf(const mesh::RepairResult& result) {
   text += fmt::format("triangles  {} - {} dropped + {} added = {}\n", result.before.triangles, triangles.dropped,
                       triangles.added, result.after.triangles);
   for (const std::string& warning : result.warnings) text += "warning    " + warning + "\n";
-  return text + fmt::format("{} triangles, {} vertices, {} component{}, {}{}\n", result.mesh.triangles.size(),
-                            result.mesh.positions.size(), result.components, result.components == 1 ? "" : "s",
+  return text + fmt::format("{} triangles, {} vertices, {}, {}{}\n", result.mesh.triangles.size(),
+                            result.mesh.positions.size(), counted(result.components, "component"),
                             mesh::wordsFor(result.after.closure),
                             result.self_intersecting ? ", intersects itself" : "");
 }
