@@ -1,6 +1,6 @@
-// A shorter path is kept when it shows a fault of the same kind, be it at another tick. Later starts are tried in a
-// bisection and the runs that are left out get shorter and shorter.
-// Based on: Zeller and Hildebrandt, "Simplifying and isolating failure-inducing input" (2002), without its complements.
+// A new finger starts each path. A shorter one is kept when it shows a fault of the same kind, be it at another tick.
+// Later starts are tried in a bisection and the runs that are left out get shorter and shorter. Based on: Zeller and
+// Hildebrandt, "Simplifying and isolating failure-inducing input" (2002), without its complements.
 #include "lab/hunt/minimise.h"
 
 #include <algorithm>
@@ -12,16 +12,15 @@ namespace {
 
 class Minimiser {
  public:
-  Minimiser(HuntWorld& world, const contact::FingerSettings& finger, Fault fault, std::size_t most_ticks)
-      : world_(world), finger_(finger), fault_(fault), left_(most_ticks) {}
+  Minimiser(const FirstFault& first_fault, std::size_t most_ticks) : first_fault_(first_fault), left_(most_ticks) {}
 
   /// Keeps the path up to its fault, if it has it.
   bool take(std::vector<Vec3> tips) {
     if (tips.empty() || tips.size() > left_) return false;
     left_ -= tips.size();
-    const HuntReport report = huntAlong(world_, finger_, tips);
-    if (report.of(fault_).ticks == 0) return false;
-    tips.resize(report.of(fault_).first_tick + 1);
+    const std::optional<std::size_t> tick = first_fault_(tips);
+    if (!tick) return false;
+    tips.resize(*tick + 1);
     best_ = std::move(tips);
     return true;
   }
@@ -49,22 +48,27 @@ class Minimiser {
   std::vector<Vec3> best() && { return std::move(best_); }
 
  private:
-  HuntWorld& world_;
-  const contact::FingerSettings& finger_;
-  Fault fault_;
+  const FirstFault& first_fault_;
   std::size_t left_;
   std::vector<Vec3> best_;
 };
 
 }  // namespace
 
-std::vector<Vec3> minimised(HuntWorld& world, const contact::FingerSettings& finger, std::vector<Vec3> tips,
-                            Fault fault, std::size_t most_ticks) {
-  Minimiser minimiser(world, finger, fault, std::max(most_ticks, tips.size()));
+std::vector<Vec3> minimised(std::vector<Vec3> tips, const FirstFault& first_fault, std::size_t most_ticks) {
+  Minimiser minimiser(first_fault, std::max(most_ticks, tips.size()));
   if (!minimiser.take(tips)) return tips;
   minimiser.cutFront();
   minimiser.thinOut();
   return std::move(minimiser).best();
+}
+
+std::vector<Vec3> minimised(HuntWorld& world, const contact::FingerSettings& finger, std::vector<Vec3> tips,
+                            Fault fault) {
+  return minimised(std::move(tips), [&](std::span<const Vec3> path) -> std::optional<std::size_t> {
+    const Finding finding = huntAlong(world, finger, path).of(fault);
+    return finding.ticks > 0 ? std::optional(finding.first_tick) : std::nullopt;
+  });
 }
 
 }  // namespace palpate::lab

@@ -1,5 +1,5 @@
-// One function a shape gives its distance and its box; one mesher for all. Thin parts are kept above a cell and a half,
-// thinner ones would be lost.
+// One function a shape gives its distance and its box; one mesher for all. What is thinner than a cell gets holes or is
+// lost: that too is a body.
 // Data flow: name and random numbers -> Field -> body::meshZeroSurface -> hunted_bodies.h. Own; the distances are those
 // of body/signed_distance.h.
 #include "lab/workloads/hunted_shapes.h"
@@ -15,6 +15,8 @@
 #include "palpate/base/error.h"
 #include "palpate/body/signed_distance.h"
 #include "palpate/body/tetrahedra_mesher.h"
+#include "palpate/mesh/decimate.h"
+#include "palpate/mesh/repair.h"
 
 namespace palpate::lab {
 namespace {
@@ -193,7 +195,7 @@ Shape bowl(Random& random) {
 
 /// A hollow ball: the wall of the hollow is a part of its own that faces inwards.
 Shape hollow(Random& random) {
-  const double wall = random.uniform(2.5, 12);
+  const double wall = random.uniform(5.5, 14);
   const Vec3 off = random.uniform(0, 0.4) * wall * randomDirection(random);
   return {[=](const Vec3& p) { return std::max(ball(p, 40), -ball(p - off, 40 - wall)); }, 45, 2.8};
 }
@@ -343,6 +345,42 @@ constexpr std::array<NamedShape, 26> kShapes{{
     {"wide_pocket", [](Random& r) { return pockets(r, 2, 10, 20); }},
 }};
 
+/// As it comes out of repair, which mends triangles without height.
+bool piercesItself(const mesh::TriangleMesh& mesh) { return mesh::repair(mesh).self_intersecting; }
+
+/// As the lattice leaves it. Where a sharp edge runs along a plane of the lattice its triangles can lose their height
+/// and fold over: then the lattice is moved.
+mesh::TriangleMesh latticeSurface(const Shape& shape, double cell, Random& random) {
+  constexpr int kTries = 5;
+  for (int i = 0;; ++i) {
+    const Vec3 off = cell * Vec3(random.uniform(), random.uniform(), random.uniform());
+    mesh::TriangleMesh mesh = body::meshZeroSurface(shape.field, {.low = Vec3::Constant(-shape.reach_mm) - off,
+                                                                  .high = Vec3::Constant(shape.reach_mm + cell),
+                                                                  .cell_mm = cell,
+                                                                  .steepest = 2.5});
+    if (i == kTries || !piercesItself(mesh)) return mesh;
+  }
+}
+
+/// Meshed, and then left as the lattice made it, evened out, or made coarser where it is flat. The last two may fold at
+/// a sharp edge: then the first is taken.
+mesh::TriangleMesh finished(const Shape& shape, Random& random) {
+  const mesh::TriangleMesh plain = latticeSurface(shape, shape.cell_mm * random.uniform(1.15, 1.8), random);
+  const auto triangles = static_cast<double>(plain.triangles.size());
+  mesh::TriangleMesh mesh = plain;
+  switch (random.below(3)) {
+    case 0:
+      return plain;
+    case 1:
+      body::relaxOnSurface(mesh, shape.field, 2);
+      break;
+    default:
+      mesh =
+          mesh::decimate(std::move(mesh), 2 * static_cast<std::size_t>(random.uniform(0.1, 0.5) * triangles / 2) + 500);
+  }
+  return piercesItself(mesh) ? plain : mesh;
+}
+
 }  // namespace
 
 std::vector<std::string> huntedShapeNames() {
@@ -355,16 +393,7 @@ mesh::TriangleMesh huntedShape(std::string_view name, Random& random) {
   const auto* const found =
       std::find_if(kShapes.begin(), kShapes.end(), [&](const NamedShape& shape) { return name == shape.name; });
   if (found == kShapes.end()) throw Error(fmt::format("no hunted shape is called '{}'", name));
-  const Shape shape = found->make(random);
-  // Off the origin, so that no plane of a shape is a plane of the lattice.
-  const Vec3 off(0.137 * shape.cell_mm, 0.291 * shape.cell_mm, 0.443 * shape.cell_mm);
-  const body::MesherSettings settings{.low = Vec3::Constant(-shape.reach_mm) - off,
-                                      .high = Vec3::Constant(shape.reach_mm) + shape.cell_mm * Vec3::Ones(),
-                                      .cell_mm = shape.cell_mm,
-                                      .steepest = 2.5};
-  mesh::TriangleMesh mesh = body::meshZeroSurface(shape.field, settings);
-  if (random.below(2) == 0) body::relaxOnSurface(mesh, shape.field, 2);  // else the lattice's slivers stay
-  return mesh;
+  return finished(found->make(random), random);
 }
 
 }  // namespace palpate::lab

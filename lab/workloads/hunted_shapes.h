@@ -1,7 +1,8 @@
 // Random embedded bodies with what is hard to feel: pockets, crevices, limbs, thin plates, horns, walls, tunnels.
 //
-// Each shape is a signed distance, a union of primitives with others cut out, whose zero surface is meshed: closed,
-// manifold and free of self-intersections whatever the random numbers are. About 50 to 250 mm long.
+// Each shape is a signed distance, a union of primitives with others cut out, whose zero surface is meshed: closed and
+// manifold whatever the random numbers are, and free of self-intersections but for a few whose flat triangles at a sharp
+// edge repair mends. About 50 to 250 mm long.
 #pragma once
 
 #include <string>
@@ -16,7 +17,7 @@ namespace palpate::lab {
 /// Names of the shapes, in an order that stays.
 std::vector<std::string> huntedShapeNames();
 
-/// One of that shape, all its measures from `random`: 2,000 to 25,000 triangles. Throws Error for another name.
+/// One of that shape, all its measures from `random`: 1,000 to 40,000 triangles. Throws Error for another name.
 mesh::TriangleMesh huntedShape(std::string_view name, Random& random);
 
 }  // namespace palpate::lab

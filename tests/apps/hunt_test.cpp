@@ -1,0 +1,103 @@
+// `palpate hunt` as a user calls it: its numbers, its cases, its exit codes and its errors.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "palpate/base/text.h"
+#include "palpate/mesh/files/save.h"
+#include "support/mesh_zoo.h"
+#include "support/run_command.h"
+#include "support/temporary_folder.h"
+
+namespace palpate {
+namespace {
+
+class HuntCommand : public testing::Test {
+ protected:
+  support::CommandResult palpate(const std::string& arguments) const {
+    return support::runPalpate(arguments, folder.path());
+  }
+
+  support::TemporaryFolder folder;
+};
+
+TEST_F(HuntCommand, CountsWhatItFindsAndSaysSoByItsExitCode) {
+  const auto end = palpate("hunt --ticks 20000 --bodies 3 --seed 4 --json");
+  const auto json = nlohmann::json::parse(end.out);
+  EXPECT_EQ(json["ticks"], 20000);
+  EXPECT_EQ(json["bodies"], 3);
+  for (const char* key : {"falls", "missed_contacts", "wrong_forces", "steps_over_bound", "events"})
+    EXPECT_TRUE(json[key].is_number_unsigned()) << key;
+  EXPECT_EQ(end.exit_code, json["failing_paths"].empty() ? 0 : 1);
+  for (const auto& path : json["failing_paths"]) {
+    for (const char* key : {"body", "seed", "radius_mm", "tick", "kind", "file"})
+      EXPECT_TRUE(path.contains(key)) << key;
+  }
+  EXPECT_EQ(json["radii_mm"], nlohmann::json({0.0, 0.5, 2.0, 5.0, 8.0}));
+}
+
+TEST_F(HuntCommand, IsRepeatableWithAnyNumberOfThreads) {
+  const auto found = [&](const std::string& arguments) {
+    auto json = nlohmann::json::parse(palpate("hunt --ticks 20000 --bodies 3 --json " + arguments).out);
+    json.erase("seconds");
+    json.erase("ticks_per_s");
+    return json;
+  };
+  EXPECT_EQ(found("--seed 4 --threads 1"), found("--seed 4 --threads 3"));
+  EXPECT_NE(found("--seed 4"), found("--seed 5"));
+}
+
+TEST_F(HuntCommand, TakesMeshesAloneOrBesideTheGenerated) {
+  mesh::save(folder / "cube.obj", zoo::cube());
+  const std::string start = "hunt --mesh cube.obj --fit-mm 100 --ticks 4000 --radius-mm 2 --json";
+  const auto alone = nlohmann::json::parse(palpate(start).out);
+  EXPECT_EQ(alone["bodies"], 1);
+  EXPECT_EQ(alone["ticks"], 4000);
+  EXPECT_EQ(nlohmann::json::parse(palpate(start + " --generated --bodies 2").out)["bodies"], 3);
+  EXPECT_EQ(nlohmann::json::parse(palpate(start + " --scale 0.001").out)["scale"], 0.001);
+  const auto fitted = palpate("hunt --mesh cube.obj --ticks 2000");
+  EXPECT_NE(fitted.err.find("cube.obj: 1.73 mm across"), std::string::npos) << fitted.err;
+}
+
+TEST_F(HuntCommand, EndsByTheClockToo) {
+  const auto json = nlohmann::json::parse(palpate("hunt --seconds 0.5 --json").out);
+  EXPECT_GT(json["ticks"], 0);
+  EXPECT_LT(json["seconds"], 30.0);
+}
+
+TEST_F(HuntCommand, WritesCasesThatSimulateRunsAndItselfReplays) {
+  const auto end = palpate("hunt --ticks 100000 --bodies 6 --seed 1 --out found --keep 1 --json");
+  const auto json = nlohmann::json::parse(end.out);
+  for (const auto& path : json["failing_paths"]) {
+    if (path["file"].is_null()) continue;
+    const std::string file = path["file"];
+    for (const char* name : {"body.ply", "path.csv", "scene.toml", "note.txt"})
+      EXPECT_TRUE(std::filesystem::exists(folder / file / name)) << name;
+    const auto simulated = palpate("simulate " + file + "/scene.toml --out simulated");
+    EXPECT_EQ(simulated.exit_code, 0) << simulated.err;
+    const auto replayed = palpate("hunt --replay " + file);
+    EXPECT_EQ(replayed.exit_code, 1) << replayed.out;
+    EXPECT_NE(replayed.out.find(path["kind"]), std::string::npos) << replayed.out;
+  }
+}
+
+TEST_F(HuntCommand, WrongUsageIsOneLineAndExitCodeTwo) {
+  writeFile(folder / "flat.obj", "v 0 0 0\nv 100 0 0\nv 200 0 0\nf 1 2 3\n");
+  writeFile(folder / "torn.ply", "ply\nformat ascii 1.0\nelement vertex\n");
+  for (const auto& [arguments, message] :
+       {std::pair("--mesh gone.stl", "gone.stl: no such file"), std::pair("--mesh torn.ply", "torn.ply"),
+        std::pair("--mesh flat.obj", "flat.obj: the mesh has no triangle that can be felt"),
+        std::pair("--ticks 0", "--ticks"), std::pair("--radius-mm -1", "--radius-mm"),
+        std::pair("--scale 0", "--scale"), std::pair("--ticks 5 --seconds 5", "--seconds"),
+        std::pair("--replay gone", "gone/note.txt")}) {
+    const auto end = palpate(std::string("hunt ") + arguments);
+    EXPECT_EQ(end.exit_code, 2) << arguments;
+    EXPECT_NE(end.err.find(message), std::string::npos) << end.err;
+    EXPECT_EQ(std::count(end.err.begin(), end.err.end(), '\n'), 1) << end.err;
+    EXPECT_EQ(end.out, "");
+  }
+}
+
+}  // namespace
+}  // namespace palpate

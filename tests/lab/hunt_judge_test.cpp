@@ -1,0 +1,164 @@
+// The judge of the hunt is fed with fingers that are made to fail in known ways, and with one that does not.
+#include "lab/judges/hunt_judge.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "lab/workloads/heldout_meshes.h"
+#include "lab/workloads/workload_meshes.h"
+
+namespace palpate::lab {
+namespace {
+
+constexpr double kStiffness = 0.5;
+
+contact::FingerOutput freeOutputAt(const Vec3& tip) {
+  contact::FingerOutput o;
+  o.tip = o.proxy = o.anchor = o.hold = tip;
+  return o;
+}
+
+/// On a plate that is 100 x 100 mm and 30 mm thick, felt on its top at z = 30.
+class HuntJudgement : public testing::Test {
+ protected:
+  static constexpr double kTop = 30.0;
+
+  /// What a right finger says of a tip at that depth below the top.
+  contact::FingerOutput pressed(double depth, double x = 51.0) {
+    contact::FingerOutput o = freeOutputAt({x, 47.0, kTop - depth});
+    o.proxy = o.anchor = o.hold = {x, 47.0, kTop};
+    o.normal = Vec3::UnitZ();
+    o.depth_mm = depth;
+    o.force = kStiffness * depth * Vec3::UnitZ();
+    o.touch = contact::Touch::stick;
+    o.triangle = o.anchor_triangle = plate.nearest(o.proxy).triangle;
+    return o;
+  }
+  /// A right sphere of 5 mm: its centre 5 mm over the top, pressed down by that much.
+  contact::FingerOutput pressedSphere(double depth) {
+    contact::FingerOutput o = pressed(depth);
+    o.tip.z() += 5.0;
+    return o;
+  }
+  static contact::FingerOutput above(double height) { return freeOutputAt({51.0, 47.0, kTop + height}); }
+
+  HuntReport judged(const std::vector<contact::FingerOutput>& outputs, double radius = 0.0) {
+    contact::FingerSettings finger;
+    finger.radius_mm = radius;
+    HuntJudge judge(plate, finger, kStiffness);
+    for (const contact::FingerOutput& o : outputs) judge.add(o);
+    return judge.report();
+  }
+  static std::size_t ticksOf(const HuntReport& report, Fault fault) { return report.of(fault).ticks; }
+
+  JudgedBody plate{plateMesh(100, kTop, 12), false};
+};
+
+TEST_F(HuntJudgement, ARightFingerIsRight) {
+  EXPECT_TRUE(plate.closed());
+  const HuntReport point =
+      judged({above(1), above(0.2), pressed(0.3), pressed(0.9), pressed(0.4), above(0.1), above(2)});
+  EXPECT_TRUE(point.clean()) << point.of(Fault::step).measured;
+  EXPECT_EQ(point.ticks, 7u);
+  EXPECT_EQ(point.touching_ticks, 3u);
+  EXPECT_TRUE(judged({above(9), above(5.2), pressedSphere(0.1), pressedSphere(3), above(5.1)}, 5.0).clean());
+}
+
+TEST_F(HuntJudgement, AFreeTipInsideIsAFallFromItsFirstTickOn) {
+  const HuntReport report = judged({above(1), pressed(2), pressed(3), freeOutputAt({51, 47, 26}),
+                                    freeOutputAt({51, 47, 25}), freeOutputAt({51, 47, 15}), above(1), above(2)});
+  EXPECT_EQ(ticksOf(report, Fault::fall), 3u);
+  EXPECT_EQ(report.of(Fault::fall).first_tick, 3u);
+  EXPECT_DOUBLE_EQ(report.of(Fault::fall).measured, 4.0);
+  EXPECT_EQ(ticksOf(report, Fault::missed_contact), 0u) << "it was held";
+}
+
+TEST_F(HuntJudgement, ATipThatComesInUnfeltIsAMissedContactAndAFall) {
+  const HuntReport report = judged({above(1), freeOutputAt({51, 47, 29}), freeOutputAt({51, 47, 28})});
+  EXPECT_EQ(ticksOf(report, Fault::missed_contact), 1u);
+  EXPECT_EQ(ticksOf(report, Fault::fall), 2u);
+  contact::FingerOutput unfelt = pressed(1);
+  unfelt.force.setZero();
+  EXPECT_EQ(ticksOf(judged({above(1), unfelt}), Fault::missed_contact), 1u) << "touching, but without a force";
+}
+
+TEST_F(HuntJudgement, ATipThatBeginsInsideIsLetBeUntilItWasOutside) {
+  const std::vector<contact::FingerOutput> inside{freeOutputAt({51, 47, 20}), freeOutputAt({51, 47, 25}), above(1)};
+  EXPECT_TRUE(judged(inside).clean());
+  std::vector<contact::FingerOutput> again = inside;
+  again.push_back(freeOutputAt({51, 47, 29}));
+  EXPECT_EQ(ticksOf(judged(again), Fault::fall), 1u);
+}
+
+TEST_F(HuntJudgement, ATipThatWentRightThroughIsOutsideAgain) {
+  EXPECT_TRUE(judged({above(1), pressed(2), freeOutputAt({51, 47, -1})}).of(Fault::fall).ticks == 0);
+}
+
+TEST_F(HuntJudgement, AFreeSphereMayNotOverlapTheSkin) {
+  EXPECT_EQ(ticksOf(judged({above(9), above(4.9)}, 5.0), Fault::missed_contact), 1u);
+  EXPECT_TRUE(judged({above(9), above(4.9999)}, 5.0).clean()) << "less than a thousandth of the radius";
+}
+
+TEST_F(HuntJudgement, ForcesThatAreNotFinitePullOrLeaveTheConeAreWrong) {
+  contact::FingerOutput endless = pressed(1), pulling = pressed(1), dragging = pressed(1);
+  endless.force.x() = std::numeric_limits<double>::quiet_NaN();
+  pulling.force = -pulling.force;
+  dragging.force.x() = 0.461 * dragging.force.z();
+  for (const auto& wrong : {endless, pulling, dragging})
+    EXPECT_EQ(ticksOf(judged({above(1), wrong}), Fault::wrong_force), 1u);
+  dragging.force.x() = 0.4599 * dragging.force.z();
+  EXPECT_EQ(ticksOf(judged({above(1), dragging}), Fault::wrong_force), 0u);
+}
+
+TEST_F(HuntJudgement, AForceIntoTheSkinIsWrongWhateverNormalTheFingerClaims) {
+  contact::FingerOutput turned = pressed(1);
+  turned.normal = -turned.normal;
+  turned.force = -turned.force;
+  EXPECT_EQ(ticksOf(judged({above(1), turned}), Fault::wrong_force), 1u);
+  turned.status = contact::kCatchingUp;
+  EXPECT_EQ(ticksOf(judged({above(1), turned}), Fault::wrong_force), 0u) << "on its way";
+}
+
+TEST_F(HuntJudgement, AProxyOffTheSkinAndASunkenSphereAreWrong) {
+  contact::FingerOutput off = pressed(1);
+  off.proxy.z() += 1e-5;
+  EXPECT_EQ(ticksOf(judged({above(1), off}), Fault::wrong_force), 1u);
+  contact::FingerOutput sunk = pressedSphere(1);
+  sunk.proxy.z() -= 0.06;
+  EXPECT_EQ(ticksOf(judged({above(9), sunk}, 5.0), Fault::wrong_force), 1u);
+  sunk.status = contact::kStartedInside;
+  EXPECT_EQ(ticksOf(judged({above(9), sunk}, 5.0), Fault::wrong_force), 0u);
+  contact::FingerOutput swallowed = pressedSphere(1);
+  swallowed.proxy.z() -= 15.0;
+  EXPECT_EQ(ticksOf(judged({above(9), swallowed}, 5.0), Fault::wrong_force), 1u);
+}
+
+TEST_F(HuntJudgement, AForceStepIsHeldToTheTipsMotion) {
+  contact::FingerOutput jumped = pressed(2.0), dragged = pressed(2.001);
+  dragged.force.x() = 0.06;  // the bound is 1.1 * 0.5 N/mm * (3 * 0.001 + 0.1) mm
+  const HuntReport report = judged({above(1), jumped, dragged});
+  EXPECT_EQ(ticksOf(report, Fault::step), 1u);
+  EXPECT_EQ(report.of(Fault::step).first_tick, 2u);
+  EXPECT_NEAR(report.of(Fault::step).bound, 1.1 * 0.5 * 0.103, 1e-9);
+  dragged.status = contact::kReseeded;
+  const HuntReport event = judged({above(1), jumped, dragged});
+  EXPECT_EQ(ticksOf(event, Fault::step), 0u);
+  EXPECT_EQ(event.events, 1u);
+}
+
+TEST(HuntJudgementOfSheets, WhatComesThroughTheSkinIsMissedAndWhatComesRoundItIsNot) {
+  JudgedBody sheet(flatMesh(), false);
+  contact::FingerSettings finger;
+  const auto missed = [&](const std::vector<Vec3>& tips) {
+    HuntJudge judge(sheet, finger, kStiffness);
+    for (const Vec3& tip : tips) judge.add(freeOutputAt(tip));
+    return judge.report().of(Fault::missed_contact).ticks;
+  };
+  EXPECT_EQ(missed({{50, 50, 1}, {50, 50, -1}}), 1u);
+  EXPECT_EQ(missed({{50, 50, -1}, {50, 50, 1}}), 0u) << "from behind";
+  EXPECT_EQ(missed({{90, 50, 1}, {120, 50, 1}, {120, 50, -1}, {50, 50, -1}}), 0u) << "round the border";
+}
+
+}  // namespace
+}  // namespace palpate::lab
