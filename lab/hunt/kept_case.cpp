@@ -6,7 +6,6 @@
 
 #include <cctype>
 
-#include "lab/hunt/hunt.h"
 #include "lab/hunt/hunt_world.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
@@ -106,10 +105,7 @@ KeptCase readCase(const std::filesystem::path& folder) {
   kept.tips = device::readTrajectory(folder / "path.csv").tip_mm;
   mesh::LoadOptions options;
   options.keep_wrong_indices = true;
-  HuntPlan plan;
-  plan.scale = kept.scale;
-  kept.mesh = std::filesystem::exists(folder / "body.ply") ? mesh::load(folder / "body.ply", options)
-                                                           : huntedMesh(plan, kept.body);
+  kept.mesh = mesh::load(folder / "body.ply", options);
   return kept;
 }
 

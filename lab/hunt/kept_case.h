@@ -1,6 +1,6 @@
 // A failing path as a folder: what someone needs to see the fault, and what a test replays for ever after.
 //
-//   body.ply    the mesh as it was before repair, in mm (absent: the body is made again from its name)
+//   body.ply    the mesh, as it was before repair or reduced, in mm
 //   path.csv    the tips, every digit
 //   scene.toml  `palpate simulate scene.toml` shows it
 //   note.txt    what was seen, and the numbers that a replay needs

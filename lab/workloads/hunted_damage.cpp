@@ -74,12 +74,18 @@ void slit(mesh::TriangleMesh& mesh, std::size_t cuts, double gap_mm, Random& ran
 }
 
 void repeatTriangles(mesh::TriangleMesh& mesh, std::size_t count, Random& random) {
-  for (std::size_t n = 0; n < count; ++n) {
-    Triangle t = mesh.triangles[random.below(mesh.triangles.size())];
-    mesh.triangles.push_back(t);
-    if (random.below(2) == 0) continue;
-    std::swap(t[1], t[2]);
-    mesh.triangles.push_back(t);
+  const std::size_t triangles = mesh.triangles.size();
+  for (std::size_t n = 0; n < count;) {
+    const bool both_ways = random.below(2) == 0;
+    // Generators number neighbours one after the other: now and then some side by side.
+    for (std::size_t at = random.below(triangles), run = 1 + random.below(4); run > 0 && at < triangles;
+         --run, ++at, ++n) {
+      Triangle t = mesh.triangles[at];
+      mesh.triangles.push_back(t);
+      if (!both_ways) continue;
+      std::swap(t[1], t[2]);
+      mesh.triangles.push_back(t);
+    }
   }
 }
 

@@ -18,8 +18,9 @@ namespace {
 
 using std::numbers::pi;
 
-/// A share of the surface normal that is as good as the whole: a sheet's other side is not nearer than this.
 constexpr int kTriesForAPlace = 20;
+/// In one tick.
+constexpr double kLongestJumpMm = 30.0;
 
 /// Evenly over orders of magnitude.
 double anySize(Random& random, double low, double high) { return low * std::pow(high / low, random.uniform()); }
@@ -46,8 +47,9 @@ class PathWriter {
   void endAt(std::size_t tick) { until_ = std::min(tick, ticks_); }
   const Vec3& tip() const { return tip_; }
   void put(const Vec3& tip) {
+    if (done()) return;
     tip_ = tip;
-    if (!done()) tips_.push_back(tip);
+    tips_.push_back(tip);
   }
   void hold(std::size_t ticks) {
     for (std::size_t i = 0; i < ticks; ++i) put(tip_);
@@ -101,10 +103,12 @@ class PathWriter {
   }
   /// 0.05 to 5 m/s as a way a tick.
   double anySpeed() { return mm * anySize(random, 0.05, 5.0); }
-  /// Through the air to a height above a place, in jumps that no finger makes while it touches.
+  /// To a height above another place, straight, through whatever is between, as quick as a jump.
   Place start(double height) {
     const Place place = openPlace(height);
-    put(place.point + height * place.normal);
+    const Vec3 target = place.point + height * place.normal;
+    if (tips_.empty()) put(target);
+    go(target, kLongestJumpMm * mm);
     return place;
   }
   std::vector<Vec3> take() { return std::move(tips_); }
@@ -184,7 +188,7 @@ void jump(PathWriter& w) {
   for (std::size_t k = 0, n = 30 + w.random.below(200); k < n && !w.done(); ++k) {
     if (w.random.below(20) == 0) around = w.placeNear(around, 10).point;
     const Vec3 aim = around + w.mm * anySize(w.random, 0.5, 20) * w.direction() - w.tip();
-    w.put(w.tip() + aim * std::min(1.0, 30.0 * w.mm / std::max(aim.norm(), 1e-300)));
+    w.put(w.tip() + aim * std::min(1.0, kLongestJumpMm * w.mm / std::max(aim.norm(), 1e-300)));
     if (w.random.below(4) == 0) w.hold(w.random.below(5));
   }
 }

@@ -57,7 +57,7 @@ TEST_F(HuntCommand, TakesMeshesAloneOrBesideTheGenerated) {
   EXPECT_EQ(nlohmann::json::parse(palpate(start + " --generated --bodies 2").out)["bodies"], 3);
   EXPECT_EQ(nlohmann::json::parse(palpate(start + " --scale 0.001").out)["scale"], 0.001);
   const auto fitted = palpate("hunt --mesh cube.obj --ticks 2000");
-  EXPECT_NE(fitted.err.find("cube.obj: 1.73 mm across"), std::string::npos) << fitted.err;
+  EXPECT_NE(fitted.err.find("cube.obj: 17.3 mm across"), std::string::npos) << fitted.err;
 }
 
 TEST_F(HuntCommand, EndsByTheClockToo) {

@@ -63,14 +63,18 @@ std::vector<std::size_t> chosen(const lab::HuntResult& result, std::size_t keep)
 }
 
 lab::KeptCase caseOf(const lab::HuntPlan& plan, const lab::FailingPath& path) {
-  lab::KeptCase kept{path.body, path.seed, path.radius_mm, plan.scale, path.fault, path.finding, {}, {}};
-  kept.mesh = lab::huntedMesh(plan, path.body);
-  lab::HuntWorld world = lab::buildHuntWorld(kept.mesh);
+  const mesh::TriangleMesh mesh = lab::huntedMesh(plan, path.body);
   const contact::FingerSettings finger = lab::huntedFinger(path.radius_mm, plan.scale);
-  std::vector<Vec3> tips = lab::huntedTips(world.body, path.seed, path.radius_mm, plan.scale);
+  std::vector<Vec3> tips;
+  {
+    lab::HuntWorld world = lab::buildHuntWorld(mesh);
+    tips = lab::huntedTips(world.body, path.seed, path.radius_mm, plan.scale);
+  }
   tips.resize(std::min(tips.size(), path.ticks));
-  kept.tips = lab::minimised(world, finger, std::move(tips), path.fault);
-  kept.finding = lab::huntAlong(world, finger, kept.tips).of(path.fault);
+  lab::SmallCase small = lab::minimised(mesh, finger, tips, path.fault);
+  lab::KeptCase kept{path.body,  path.seed,    path.radius_mm,        plan.scale,
+                     path.fault, path.finding, std::move(small.tips), std::move(small.mesh)};
+  kept.finding = lab::replay(kept).of(path.fault);
   return kept;
 }
 
