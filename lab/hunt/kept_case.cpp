@@ -12,6 +12,8 @@
 #include "palpate/device/trajectory.h"
 #include "palpate/mesh/files/load.h"
 #include "palpate/mesh/files/save.h"
+#include "palpate/scene/body_parts.h"
+#include "palpate/scene/scene_file.h"
 
 namespace palpate::lab {
 namespace {
@@ -71,6 +73,19 @@ class Note {
   std::string file_, text_;
 };
 
+KeptCase caseOfScene(const std::filesystem::path& file) {
+  const scene::Scene scene = scene::load(file);
+  if (scene.body.kind != scene::BodyKind::mesh || scene.fingers.empty() || scene.fingers[0].trajectory.empty())
+    throw Error::inFile(file.string(), "a scene of a mesh and a finger with a trajectory is wanted");
+  KeptCase kept;
+  kept.body = scene.body.file.filename().string();
+  kept.radius_mm = scene.fingers[0].radius_mm;
+  kept.tips = device::readTrajectory(scene.fingers[0].trajectory).tip_mm;
+  kept.mesh = mesh::load(scene.body.file, scene::loadOptionsOf(scene.body));
+  for (Vec3& p : kept.mesh.positions) p *= scene.body.scale;
+  return kept;
+}
+
 }  // namespace
 
 std::string folderNameOf(const KeptCase& kept) {
@@ -92,6 +107,8 @@ void writeCase(const std::filesystem::path& folder, const KeptCase& kept) {
 }
 
 KeptCase readCase(const std::filesystem::path& folder) {
+  if (!std::filesystem::exists(folder / "note.txt") && std::filesystem::exists(folder / "scene.toml"))
+    return caseOfScene(folder / "scene.toml");
   const Note note(folder / "note.txt");
   KeptCase kept;
   kept.body = note.word("body");

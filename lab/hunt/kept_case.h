@@ -33,7 +33,8 @@ std::string folderNameOf(const KeptCase& kept);
 /// Makes the folder. Throws Error naming the file that cannot be written.
 void writeCase(const std::filesystem::path& folder, const KeptCase& kept);
 
-/// Throws Error naming the file that cannot be read or understood.
+/// Where there is no note, the scene's own body and its first finger's radius and trajectory, as somebody else wrote
+/// them. Throws Error naming the file that cannot be read or understood.
 KeptCase readCase(const std::filesystem::path& folder);
 
 /// A new finger along the case.

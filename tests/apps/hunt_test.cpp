@@ -82,6 +82,16 @@ TEST_F(HuntCommand, WritesCasesThatSimulateRunsAndItselfReplays) {
   }
 }
 
+TEST_F(HuntCommand, ReplaysScenesOfOthers) {
+  mesh::save(folder / "cube.obj", zoo::cube(100.0));
+  writeFile(folder / "path.csv", "0.000,50,50,101\n0.001,50,50,100.2\n0.002,50,50,99.5\n");
+  writeFile(folder / "scene.toml",
+            "[body]\nkind = \"mesh\"\nfile = \"cube.obj\"\n[[finger]]\nname = \"f\"\ntrajectory = \"path.csv\"\n");
+  const auto end = palpate("hunt --replay .");
+  EXPECT_EQ(end.exit_code, 0) << end.err;
+  EXPECT_NE(end.out.find("3 ticks on cube.obj, radius 0 mm: nothing wrong"), std::string::npos) << end.out;
+}
+
 TEST_F(HuntCommand, WrongUsageIsOneLineAndExitCodeTwo) {
   writeFile(folder / "flat.obj", "v 0 0 0\nv 100 0 0\nv 200 0 0\nf 1 2 3\n");
   writeFile(folder / "torn.ply", "ply\nformat ascii 1.0\nelement vertex\n");

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdlib>
 #include <filesystem>
+#include <string>
 
 #include "contact_bars/bars.h"
 #include "lab/hunt/hunt.h"
@@ -88,7 +89,21 @@ TEST(KeptCases, OfMendedFaultsStayMended) {
     if (!isMended(kept.fault)) continue;
     EXPECT_TRUE(report.clean()) << entry.path();
   }
-  EXPECT_GE(cases, 6u);
+  EXPECT_GE(cases, 15u);
+}
+
+TEST(KeptCases, OfAFolderOfScenesStayMended) {
+  const char* folder = std::getenv("PALPATE_HUNT_SCENES");
+  if (folder == nullptr) GTEST_SKIP() << "PALPATE_HUNT_SCENES names no folder";
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (!fs::exists(entry.path() / "scene.toml")) continue;
+    const lab::HuntReport report = lab::replay(lab::readCase(entry.path()));
+    for (const lab::Fault fault : kMended) {
+      const lab::Finding& finding = report.of(fault);
+      EXPECT_EQ(finding.ticks, 0u) << entry.path() << ", tick " << finding.first_tick << ": " << finding.what << " "
+                                   << finding.measured;
+    }
+  }
 }
 
 }  // namespace
