@@ -166,25 +166,43 @@ void HuntJudge::judgeOverlap(const Vec3& tip, double distance, bool from_outside
     found(Fault::missed_contact, "distance of a free sphere's centre from the skin, mm", distance, least);
 }
 
-/// Where there is a border a tip may come in round it: only what passes through the skin itself is a fault.
+bool HuntJudge::isFarFromBorder(const Vec3& place, double reach) {
+  return body_.slow().distanceToBorder(place) > kBorderShare * body_.diagonal() + settings_.radius_mm + reach;
+}
+
+bool HuntJudge::cameThroughSkin(const Vec3& tip) {
+  const BoxTree::Crossing crossing = body_.tree().crossing(last_tip_, tip);
+  if (crossing.inwards <= 0) return false;
+  const double way = (tip - *crossing.entry).norm();
+  return way > body_.tolerance() && isFarFromBorder(*crossing.entry, way);
+}
+
+/// Where there is a border a tip may come in round it, and may be let go at it: only what passes through the skin
+/// itself, and what is let go far from any border, is a fault.
 void HuntJudge::judgeFreeBesideBorder(const contact::FingerOutput& o) {
-  const double far_off = kBorderShare * body_.diagonal() + settings_.radius_mm;
-  if (!first_ && past_ == Past::outside && settings_.radius_mm == 0.0) {
-    const BoxTree::Crossing crossing = body_.tree().crossing(last_tip_, o.tip);
-    const double depth = crossing.inwards > 0 ? (o.tip - *crossing.entry).norm() : 0.0;
-    if (depth > body_.tolerance() && body_.slow().distanceToBorder(*crossing.entry) > far_off + depth)
-      found(Fault::missed_contact, "way of a tip that came through the skin without force, mm", depth, 0.0);
+  const double moved = (o.tip - tip_ball_.centre).norm();
+  if (moved + settings_.radius_mm < tip_ball_.radius && !tip_ball_.inside && past_ == Past::outside) return;
+  const double distance = body_.nearest(o.tip).distance;
+  if (distance <= body_.tolerance()) return;
+  const bool inside = insideBall(o.tip, distance, tip_ball_);
+  const bool came_through = !first_ && past_ == Past::outside && cameThroughSkin(o.tip);
+  if (came_through && (inside || settings_.radius_mm == 0.0))
+    found(Fault::missed_contact, "depth of a tip that came in without force, mm", distance, 0.0);
+  if (!inside) {
+    judgeOverlapBesideBorder(o, distance);
+    past_ = Past::outside;
+    return;
   }
-  if (settings_.radius_mm > 0.0) {
-    const double least = settings_.radius_mm * (1.0 - kOverlapShare);
-    const NearPoint near = body_.tree().nearest(o.tip, least);
-    if (near.triangle != kNoIndex && body_.slow().distanceToBorder(near.point) > far_off) {
-      const NearestPoint nearest = body_.slow().nearestTo(o.tip);
-      const bool from_front = nearest.pseudo_normal.dot(o.tip - nearest.point) > body_.tolerance();
-      judgeOverlap(o.tip, near.distance, from_front && past_ == Past::outside);
-    }
-  }
-  if (past_ != Past::fallen) past_ = Past::outside;
+  const bool let_go = past_ == Past::held && isFarFromBorder(last_proxy_, (o.tip - last_tip_).norm());
+  past_ = came_through || let_go || past_ == Past::fallen ? Past::fallen : Past::unknown;
+  if (past_ == Past::fallen) found(Fault::fall, "depth of a free tip inside, mm", distance, 0.0);
+}
+
+void HuntJudge::judgeOverlapBesideBorder(const contact::FingerOutput& o, double distance) {
+  if (past_ != Past::outside || distance >= settings_.radius_mm) return;
+  const NearestPoint nearest = body_.slow().nearestTo(o.tip);
+  const bool from_front = nearest.pseudo_normal.dot(o.tip - nearest.point) > body_.tolerance();
+  judgeOverlap(o.tip, distance, from_front && isFarFromBorder(nearest.point, 0.0));
 }
 
 void HuntJudge::judgeTouching(const contact::FingerOutput& o) {

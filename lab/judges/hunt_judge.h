@@ -64,8 +64,8 @@ class JudgedBody {
   /// Rounding of finger and judge together: nearer than this is on the surface.
   double tolerance() const { return 1e-9 * diagonal_; }
   double winding(const Vec3& point) const { return winding_.at(point); }
-  /// Of a closed body.
-  bool inside(const Vec3& point) const { return winding(point) > 0.5; }
+  /// On a torn body beyond doubt only; never on an open sheet, where half a turn is the most there is.
+  bool inside(const Vec3& point) const { return winding(point) > (closed_ ? 0.5 : 0.75); }
   NearPoint nearest(const Vec3& point) const { return tree_.nearest(point, 1e3 * diagonal_ + 2.0 * far(point)); }
   /// Unit; zero for a triangle without area.
   Vec3 normalOf(Index triangle) const;
@@ -109,6 +109,10 @@ class HuntJudge {
   void judgeFreeBesideBorder(const contact::FingerOutput& o);
   bool isBackOfFold(const Vec3& point);
   void judgeOverlap(const Vec3& tip, double distance, bool from_outside);
+  void judgeOverlapBesideBorder(const contact::FingerOutput& o, double distance);
+  /// The tip went through the skin itself since the last tick, not round a border.
+  bool cameThroughSkin(const Vec3& tip);
+  bool isFarFromBorder(const Vec3& place, double reach);
   void judgeTouching(const contact::FingerOutput& o);
   void judgeForce(const contact::FingerOutput& o);
   void judgePoint(const contact::FingerOutput& o);

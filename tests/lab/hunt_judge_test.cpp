@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "lab/workloads/heldout_meshes.h"
@@ -158,6 +159,32 @@ TEST(HuntJudgementOfSheets, WhatComesThroughTheSkinIsMissedAndWhatComesRoundItIs
   EXPECT_EQ(missed({{50, 50, 1}, {50, 50, -1}}), 1u);
   EXPECT_EQ(missed({{50, 50, -1}, {50, 50, 1}}), 0u) << "from behind";
   EXPECT_EQ(missed({{90, 50, 1}, {120, 50, 1}, {120, 50, -1}, {50, 50, -1}}), 0u) << "round the border";
+}
+
+TEST(HuntJudgementOfTornBodies, WhatIsLetGoInsideFarFromTheHoleHasFallenAndWhatComesThroughItHasNot) {
+  mesh::TriangleMesh torn = bumpyBallMesh(60, 0, 0, 4);
+  const auto up = std::max_element(torn.triangles.begin(), torn.triangles.end(), [&](const auto& a, const auto& b) {
+    return mesh::centreOf(torn, a).z() < mesh::centreOf(torn, b).z();
+  });
+  const Vec3 hole = mesh::centreOf(torn, *up);
+  torn.triangles.erase(up);
+  JudgedBody ball(torn, false);
+  ASSERT_FALSE(ball.closed());
+  const auto falls = [&](const std::vector<contact::FingerOutput>& outputs) {
+    HuntJudge judge(ball, {}, kStiffness);
+    for (const contact::FingerOutput& o : outputs) judge.add(o);
+    return judge.report().of(Fault::fall).ticks;
+  };
+  contact::FingerOutput held = freeOutputAt({0, 0, -50});
+  held.touch = contact::Touch::stick;
+  held.status = contact::kCatchingUp;  // its force is not what is judged here
+  held.proxy = ball.nearest({0, 0, -50}).point;
+  held.force = {0, 0, -5};
+  EXPECT_EQ(falls({freeOutputAt({0, 0, -70}), held, freeOutputAt({0, 0, -45}), freeOutputAt({0, 0, -40})}), 2u);
+  EXPECT_EQ(falls({freeOutputAt({0, 0, -70}), freeOutputAt({0, 0, -45})}), 1u);
+  EXPECT_EQ(falls({freeOutputAt(hole + Vec3(0, 0, 9)), freeOutputAt(0.5 * hole), freeOutputAt({0, 0, -40})}), 0u);
+  held.proxy = hole;
+  EXPECT_EQ(falls({freeOutputAt({0, 0, 70}), held, freeOutputAt({0, 0, -49})}), 0u) << "let go at the hole";
 }
 
 }  // namespace
