@@ -1,5 +1,4 @@
-// A writer that knows where the tip is, and one function a kind that moves it until its share of the ticks is used up.
-// Places are found on random triangles, not on random area: small triangles are where trouble is.
+// One function a kind moves a PathWriter's tip until its share of the ticks is used up; then comes another kind.
 // Data flow: judged body and seed -> here -> hunt/hunt_world.h. Own.
 #include "lab/workloads/hunted_paths.h"
 
@@ -10,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "lab/workloads/path_writer.h"
 #include "palpate/base/error.h"
 #include "palpate/base/random.h"
 
@@ -18,122 +18,17 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr int kTriesForAPlace = 20;
-/// In one tick.
-constexpr double kLongestJumpMm = 30.0;
-
-/// Evenly over orders of magnitude.
-double anySize(Random& random, double low, double high) { return low * std::pow(high / low, random.uniform()); }
-
-struct Place {
-  Vec3 point, normal;
-  Index triangle;
-};
-
-/// Writes ticks of one path.
-class PathWriter {
- public:
-  PathWriter(JudgedBody& on, const HuntedPathSettings& settings)
-      : body(on),
-        random(settings.seed),
-        mm(settings.mm),
-        radius(settings.radius_mm * settings.mm),
-        ticks_(settings.ticks) {
-    until_ = ticks_;
-  }
-
-  bool done() const { return tips_.size() >= until_; }
-  std::size_t left() const { return until_ > tips_.size() ? until_ - tips_.size() : 0; }
-  void endAt(std::size_t tick) { until_ = std::min(tick, ticks_); }
-  const Vec3& tip() const { return tip_; }
-  void put(const Vec3& tip) {
-    if (done()) return;
-    tip_ = tip;
-    tips_.push_back(tip);
-  }
-  void hold(std::size_t ticks) {
-    for (std::size_t i = 0; i < ticks; ++i) put(tip_);
-  }
-  /// Straight on in steps of that length; the last step ends at the target exactly.
-  void go(const Vec3& target, double step) {
-    const Vec3 from = tip_;
-    const double length = (target - from).norm();
-    const auto steps = static_cast<std::size_t>(std::min(1e6, std::ceil(length / step)));
-    for (std::size_t i = 1; i < steps && !done(); ++i)
-      put(from + static_cast<double>(i) / static_cast<double>(steps) * (target - from));
-    put(target);
-  }
-
-  Vec3 direction() {
-    const Vec3 v(random.normal(), random.normal(), random.normal());
-    return v.norm() > 1e-9 ? Vec3(v.normalized()) : Vec3(Vec3::UnitZ());
-  }
-  Vec3 tangent(const Vec3& normal) {
-    const Vec3 t = normal.cross(direction());
-    return t.norm() > 1e-9 ? Vec3(t.normalized()) : Vec3(normal.unitOrthogonal());
-  }
-  Place anyPlace() {
-    const auto& m = body.mesh();
-    const auto triangle = static_cast<Index>(random.below(m.triangles.size()));
-    const Triangle& t = m.triangles[triangle];
-    double u = random.uniform(), v = random.uniform();
-    if (u + v > 1.0) u = 1.0 - u, v = 1.0 - v;
-    return {(1.0 - u - v) * m.positions[t[0]] + u * m.positions[t[1]] + v * m.positions[t[2]], body.normalOf(triangle),
-            triangle};
-  }
-  /// So high above a place that the finger is free there; not every place has such a height.
-  bool isClear(const Vec3& tip) {
-    if (body.nearest(tip).distance <= 1.001 * radius + 1e-6 * body.diagonal()) return false;
-    return !body.closed() || !body.inside(tip);
-  }
-  /// A place whose normal leads out of the body.
-  Place openPlace(double height) {
-    Place place = anyPlace();
-    for (int i = 0; i < kTriesForAPlace && !isClear(place.point + height * place.normal); ++i) place = anyPlace();
-    return place;
-  }
-  /// The nearest of a few random places.
-  Place placeNear(const Vec3& from, int tries) {
-    Place best = anyPlace();
-    for (int i = 0; i < tries; ++i) {
-      const Place other = anyPlace();
-      if ((other.point - from).norm() < (best.point - from).norm()) best = other;
-    }
-    return best;
-  }
-  /// 0.05 to 5 m/s as a way a tick.
-  double anySpeed() { return mm * anySize(random, 0.05, 5.0); }
-  /// To a height above another place, straight, through whatever is between, as quick as a jump.
-  Place start(double height) {
-    const Place place = openPlace(height);
-    const Vec3 target = place.point + height * place.normal;
-    if (tips_.empty()) put(target);
-    go(target, kLongestJumpMm * mm);
-    return place;
-  }
-  std::vector<Vec3> take() { return std::move(tips_); }
-
-  JudgedBody& body;
-  Random random;
-  const double mm, radius;
-
- private:
-  std::size_t ticks_, until_;
-  Vec3 tip_ = Vec3::Zero();
-  std::vector<Vec3> tips_;
-};
-
 /// Free of the finger's reach, and some more.
 double height(PathWriter& w) { return 1.01 * w.radius + w.mm * anySize(w.random, 0.5, 15); }
 
 /// Into the skin, mostly along the normal, now and then far off it.
-Vec3 inwards(PathWriter& w, const Place& place) {
+Vec3 inwards(PathWriter& w, const SkinSpot& place) {
   const double tilt = w.random.below(2) == 0 ? 0.0 : std::tan(w.random.uniform(0.0, 1.2));
   return (-place.normal + tilt * w.tangent(place.normal)).normalized();
 }
 
 void press(PathWriter& w) {
-  const Place place = w.start(height(w));
+  const SkinSpot place = w.start(height(w));
   const double step = w.anySpeed();
   const Vec3 out = w.tip();
   w.go(place.point + w.mm * anySize(w.random, 1, 80) * inwards(w, place), step);
@@ -144,7 +39,7 @@ void press(PathWriter& w) {
 
 /// Along the skin at a depth that swings.
 void rubAt(PathWriter& w, double least, double most, double step) {
-  const Place place = w.start(height(w));
+  const SkinSpot place = w.start(height(w));
   Vec3 under = place.point, normal = place.normal, heading = w.tangent(normal);
   const double depth = w.mm * anySize(w.random, least, most);
   w.go(under - depth * normal, w.anySpeed());
@@ -162,7 +57,7 @@ void rubAt(PathWriter& w, double least, double most, double step) {
 void drag(PathWriter& w) { rubAt(w, 0.5, 20, w.mm * anySize(w.random, 0.02, 2)); }
 void slow(PathWriter& w) { rubAt(w, 2, 15, w.mm * anySize(w.random, 0.001, 0.3)); }
 void graze(PathWriter& w) {
-  const Place place = w.start(height(w));
+  const SkinSpot place = w.start(height(w));
   const double depth = w.mm * w.random.normal() * anySize(w.random, 1e-6, 0.1) - w.radius;
   const double step = w.mm * anySize(w.random, 0.01, 1);
   Vec3 under = place.point, normal = place.normal, heading = w.tangent(normal);
@@ -176,14 +71,14 @@ void graze(PathWriter& w) {
 }
 
 void stab(PathWriter& w) {
-  const Place place = w.start(height(w));
+  const SkinSpot place = w.start(height(w));
   const Vec3 above = w.tip(), below = place.point + w.mm * anySize(w.random, 1, 60) * inwards(w, place);
   const double step = w.anySpeed();
   for (int i = 0; i < 4; ++i) w.go(below, step), w.go(above, step);
 }
 
 void jump(PathWriter& w) {
-  const Place place = w.start(height(w));
+  const SkinSpot place = w.start(height(w));
   Vec3 around = place.point;
   for (std::size_t k = 0, n = 30 + w.random.below(200); k < n && !w.done(); ++k) {
     if (w.random.below(20) == 0) around = w.placeNear(around, 10).point;
@@ -195,7 +90,7 @@ void jump(PathWriter& w) {
 
 /// Right through the body and out on the other side, past limbs and plates.
 void cross(PathWriter& w) {
-  const Place place = w.start(height(w));
+  const SkinSpot place = w.start(height(w));
   const Vec3 out = w.tip();
   const double way = std::min(0.9 * w.body.diagonal(), w.mm * anySize(w.random, 10, 250));
   w.go(out + way * inwards(w, place), w.anySpeed());
@@ -206,14 +101,14 @@ void tour(PathWriter& w) {
   w.start(height(w));
   const double step = w.anySpeed(), most = w.mm * anySize(w.random, 0.5, 30);
   for (int i = 0; i < 12 && !w.done(); ++i) {
-    const Place next = w.placeNear(w.tip(), w.random.below(5) == 0 ? 0 : 20);
+    const SkinSpot next = w.placeNear(w.tip(), w.random.below(5) == 0 ? 0 : 20);
     w.go(next.point + w.random.uniform(-1, 1) * most * next.normal, step);
   }
 }
 
 /// From vertex to vertex, at a depth, by edges of the mesh: each kept on while it goes on straight.
 void crease(PathWriter& w) {
-  const Place place = w.start(height(w));
+  const SkinSpot place = w.start(height(w));
   const double depth = w.mm * anySize(w.random, 1e-4, 10), step = w.mm * anySize(w.random, 0.01, 2);
   const auto& m = w.body.mesh();
   Index triangle = place.triangle;
@@ -254,7 +149,7 @@ void sheets(PathWriter& w) {
 }
 
 void circle(PathWriter& w) {
-  const Place place = w.start(height(w));
+  const SkinSpot place = w.start(height(w));
   const Vec3 u = w.tangent(place.normal), v = place.normal.cross(u);
   const Vec3 middle = place.point - w.mm * anySize(w.random, 0.2, 20) * place.normal;
   const double radius = w.mm * anySize(w.random, 0.5, 30), step = w.mm * anySize(w.random, 0.05, 3);
@@ -267,7 +162,7 @@ void circle(PathWriter& w) {
 }
 
 void walk(PathWriter& w) {
-  const Place place = w.start(height(w));
+  const SkinSpot place = w.start(height(w));
   w.go(place.point + w.mm * anySize(w.random, 1, 40) * inwards(w, place), w.anySpeed());
   const double step = w.mm * anySize(w.random, 0.01, 5);
   Vec3 heading = w.direction();
@@ -279,7 +174,7 @@ void walk(PathWriter& w) {
 }
 
 void tremble(PathWriter& w) {
-  const Place place = w.start(height(w));
+  const SkinSpot place = w.start(height(w));
   const double depth = w.random.below(2) == 0 ? -w.radius : w.mm * anySize(w.random, 0.01, 10);
   w.go(place.point - depth * place.normal, w.anySpeed());
   const Vec3 middle = w.tip();
@@ -290,7 +185,7 @@ void tremble(PathWriter& w) {
 
 /// Ticks that end on a vertex, an edge's middle, a corner's coordinates or a triangle's plane, bit by bit.
 void exact(PathWriter& w) {
-  Place place = w.start(height(w));
+  SkinSpot place = w.start(height(w));
   const double step = w.anySpeed();
   const auto& m = w.body.mesh();
   for (int i = 0; i < 15 && !w.done(); ++i) {
@@ -310,7 +205,7 @@ void exact(PathWriter& w) {
 
 /// Deeper and deeper along a wall, pulled back a little now and then, as a finger works its way into a pocket.
 void burrow(PathWriter& w) {
-  const Place place = w.start(height(w));
+  const SkinSpot place = w.start(height(w));
   const Vec3 in = inwards(w, place);
   const double step = w.mm * anySize(w.random, 0.05, 1.5);
   w.go(place.point, step);

@@ -1,8 +1,8 @@
 // Random embedded bodies with what is hard to feel: pockets, crevices, limbs, thin plates, horns, walls, tunnels.
 //
 // Each shape is a signed distance, a union of primitives with others cut out, whose zero surface is meshed: closed and
-// manifold whatever the random numbers are, and free of self-intersections but for a few whose flat triangles at a sharp
-// edge repair mends. About 50 to 250 mm long.
+// manifold whatever the random numbers are, and free of self-intersections but for a few whose flat triangles at a
+// sharp edge repair mends. About 50 to 250 mm long.
 #pragma once
 
 #include <string>

@@ -145,7 +145,12 @@ TEST(KeptCase, ComesBackBitByBit) {
   EXPECT_EQ(read.tips, kept.tips);
   EXPECT_EQ(read.mesh.positions, kept.mesh.positions);
   EXPECT_EQ(replay(read).ticks, 3u);
-  std::filesystem::remove(folder / "case/note.txt");
+  std::filesystem::remove(folder / "case/note.txt");  // then it is a scene as anybody may have written it
+  const KeptCase scene = readCase(folder / "case");
+  EXPECT_EQ(scene.tips, kept.tips);
+  EXPECT_EQ(scene.mesh.positions, kept.mesh.positions);
+  EXPECT_DOUBLE_EQ(scene.radius_mm, 0.5 * 0.001);
+  std::filesystem::remove(folder / "case/path.csv");
   EXPECT_THROW(readCase(folder / "case"), Error);
 }
 
