@@ -33,10 +33,10 @@ std::string pathText(const KeptCase& kept) {
 std::string sceneText(const KeptCase& kept) {
   const contact::FingerSettings finger = huntedFinger(kept.radius_mm, kept.scale);
   return fmt::format(
-      "title = \"{} on {}\"\n[body]\nkind = \"mesh\"\nfile = \"body.ply\"\nunit = \"mm\"\n[stiffness]\nsource = "
+      "title = \"{}\"\n[body]\nkind = \"mesh\"\nfile = \"body.ply\"\nunit = \"mm\"\n[stiffness]\nsource = "
       "\"constant\"\nconstant_n_per_mm = {}\n[contact]\nmax_depth_mm = {}\ncatch_up_mm_per_s = {}\n[[finger]]\nname = "
       "\"hunted\"\nradius_mm = {}\ntrajectory = \"path.csv\"\n",
-      nameOf(kept.fault), kept.body, kHuntedStiffness, finger.max_depth_mm, finger.catch_up_mm_per_s, finger.radius_mm);
+      nameOf(kept.fault), kHuntedStiffness, finger.max_depth_mm, finger.catch_up_mm_per_s, finger.radius_mm);
 }
 
 std::string noteText(const KeptCase& kept) {
