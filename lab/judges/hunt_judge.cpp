@@ -91,7 +91,9 @@ HuntJudge::HuntJudge(JudgedBody& body, const contact::FingerSettings& settings, 
       force_tolerance_(1e-9 * stiffness * (settings.max_depth_mm + settings.radius_mm)) {}
 
 void HuntJudge::add(const contact::FingerOutput& o) {
-  if ((o.status & contact::kTipLost) == 0) {
+  if (isEvent(o.status)) {
+    ++report_.events;
+  } else {
     if (first_ && body_.closed()) let_be_ = body_.inside(o.tip);
     if (!first_) judgeStep(o);
     if (touches(o)) {
@@ -112,10 +114,6 @@ void HuntJudge::add(const contact::FingerOutput& o) {
 }
 
 void HuntJudge::judgeStep(const contact::FingerOutput& o) {
-  if (isEvent(o.status)) {
-    ++report_.events;
-    return;
-  }
   const double motion = (o.tip - last_tip_).norm();
   const double bound =
       kStepShare * stiffness_ * (kProxyAndTip * motion + settings_.catch_up_mm_per_s * settings_.tick_s);

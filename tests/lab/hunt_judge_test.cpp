@@ -142,7 +142,7 @@ TEST_F(HuntJudgement, AForceStepIsHeldToTheTipsMotion) {
   EXPECT_EQ(ticksOf(report, Fault::step), 1u);
   EXPECT_EQ(report.of(Fault::step).first_tick, 2u);
   EXPECT_NEAR(report.of(Fault::step).bound, 1.1 * 0.5 * 0.103, 1e-9);
-  dragged.status = contact::kReseeded;
+  dragged.status = contact::kTipLost;
   const HuntReport event = judged({above(1), jumped, dragged});
   EXPECT_EQ(ticksOf(event, Fault::step), 0u);
   EXPECT_EQ(event.events, 1u);

@@ -47,7 +47,6 @@ Press fadingPress(const Surface& surface, const Vec3& tip, FingerState& state) {
   state.proxy = walkToNearest(surface, state.proxy, tip, kUnbounded).at;
   Press press;
   press.proxy = state.proxy.position;
-  press.status = kLettingGo;
   return press;
 }
 
@@ -67,7 +66,7 @@ bool followPress(const Surface& surface, double most_mm, const Vec3& tip, Press&
   press.felt_depth_mm = state.felt.norm();
   if (press.felt_depth_mm > directionlessDepth(surface)) press.normal = state.felt / press.felt_depth_mm;
   if (!press.touching) press.depth_mm = press.felt_depth_mm;
-  press.status |= kCatchingUp;
+  press.status |= kCatchingUp | kLettingGo;
   return press.felt_depth_mm > 0.0;
 }
 

@@ -41,6 +41,17 @@ bool isHidden(const Surface& surface, const SurfacePoint& foot, const Vec3& cent
          }).triangle != kNoIndex;
 }
 
+/// Whether a sphere is beside an open sheet and reaches into its edge: it comes from the side, where there is nothing to
+/// stand on. A contact that began there could not be pushed out of the skin and would hang at the edge.
+bool reachesIntoEdge(const Surface& surface, const Vec3& centre, double radius) {
+  if (surface.closed) return false;
+  const tree::NearestPoint nearest = nearestPoint(surface.tree, centre, radius * (1.0 - kFit));
+  if (nearest.triangle == kNoIndex) return false;
+  const SurfacePoint edge{nearest.closest.point, nearest.triangle, nearest.closest.feature};
+  if (!onBorder(surface, edge)) return false;
+  return beyondBorder(surface, edge, centre) > 0.0 || (centre - edge.position).dot(normalAt(surface, edge)) < 0.0;
+}
+
 bool overlapsFront(const Surface& surface, const Vec3& centre, double radius) {
   Feet feet;
   findFeet(surface, centre, radius, feet);
@@ -79,6 +90,7 @@ bool landSphere(const Surface& surface, double radius, FingerState& state, const
   const tree::Crossing exit = tree::firstFrontCrossing(surface.tree, enters ? entry.point : tip, state.tip);
   const Vec3 outside = exit.triangle == kNoIndex ? state.tip : (enters ? exit.point : tip);
   const Vec3 centre = advance(surface, outside, tip, radius);
+  if (reachesIntoEdge(surface, centre, radius)) return false;
   const SurfacePoint foot = nearestFront(surface, centre, kUnbounded);
   if (foot.triangle == kNoIndex || (state.from_inside && isBuried(surface, centre))) return false;
   state.touching = true;

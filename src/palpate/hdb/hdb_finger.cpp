@@ -27,7 +27,8 @@ bool enters(const contact::Surface& surface, HdbCandidates& candidates, const Ve
   state.touching = true;
   state.slipping = false;
   state.proxy = {entry.point, entry.triangle, tree::Feature::face};
-  state.anchor = state.proxy;  // what the tip slides further within this tick is friction already
+  state.anchor = state.proxy;
+  state.hold = entry.point;  // what the tip slides further within this tick is friction already
   state.centre = from;
   return true;
 }
