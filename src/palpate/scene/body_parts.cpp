@@ -84,7 +84,7 @@ BodyParts mendedBody(mesh::TriangleMesh mesh, std::string name, const Progress& 
   }
   parts.notes.insert(parts.notes.end(), repaired.warnings.begin(), repaired.warnings.end());
   if (parts.self_intersecting)
-    parts.notes.emplace_back("the surface intersects itself: fingers feel it as tiny spheres");
+    parts.notes.emplace_back("the surface intersects itself: where it does a point finger is a tiny sphere");
   report(progress, "ordering the triangles", 0.0);
   source_vertex = permuted(repaired.source_vertex, mesh::reorderSpatially(parts.skin).source_vertex);
   noteDoubtfulUnit(parts.skin, parts.notes);
