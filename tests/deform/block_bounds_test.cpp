@@ -24,14 +24,15 @@ TEST(BlockBounds, SayNothingThatTheVerticesDeny) {
       for (Index block = 0; block < skin.blocks; ++block) {
         const BlocksInside inside = insideBlocks(lanes, skin.tileBounds(blockOf(block)));
         const std::uint64_t members = skin.vertex_graph.members[block];
-        const std::uint64_t vertices = insideMask(lanes, skin.restBlock(block)) & members;
+        const VerticesInside places = verticesInside(lanes, skin.restBlock(block));
+        const std::uint64_t vertices = places.facing & members;
         if ((inside.whole & bitOf(block)) != 0) {
           ++whole;
           EXPECT_EQ(vertices, members);
         }
         if ((inside.touched & bitOf(block)) == 0) {
           ++left_alone;
-          EXPECT_EQ(vertices, 0u);
+          EXPECT_EQ((places.facing | places.steep) & members, 0u);
         }
       }
     }
@@ -69,7 +70,7 @@ TEST(BlockBounds, WholeRunsAreDisplacedLikeSingleBlocks) {
       return out;
     };
     for (Index block = 0; block < blocks; ++block) {
-      const ContactOnBlock on{&lanes, ~std::uint64_t{0}};
+      const ContactOnBlock on{&lanes, ~std::uint64_t{0}, true};
       displaceBlock({&on, 1}, skin.restBlock(block), at(single, block));
     }
     displaceWholeBlocks(lanes, blocks, skin.restBlock(0), at(run, 0));

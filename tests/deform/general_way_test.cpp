@@ -74,7 +74,7 @@ TEST(GeneralWay, EachErratumAloneMissesTheDissertationsGrid) {
 // The general deformer and the kernels are two programs for one definition.
 TEST(GeneralWay, WithDefaultFormsIsTheFastOne) {
   for (auto& mesh : {lab::backMesh(6261), test::torso()}) {
-    FormSettings forms;
+    FormSettings forms = test::formulaeAlone();
     forms.common.strain = true;
     FormStage general(mesh, forms);
     Deformer fast(general.skin, forms.common);
@@ -251,7 +251,7 @@ TEST(GeneralWay, LiteralRingsStopEarlyOnCoarseMeshes) {
 TEST(GeneralWay, SearchIsTheOneOfTheFastPath) {
   const auto mesh = test::torso();
   const Skin skin = buildSkin(mesh);
-  Deformer deformer(skin, FormSettings{}, Way::general);
+  Deformer deformer(skin, test::formulaeAlone(), Way::general);
   DeformedSurface surface(skin);
   Random random(19);
   for (int i = 0; i < 40; ++i) {

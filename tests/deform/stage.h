@@ -23,6 +23,13 @@ struct FormStage : Stage {
   explicit FormStage(mesh::TriangleMesh m, const FormSettings& forms = {}) : Stage(std::move(m), forms, Way::general) {}
 };
 
+/// Nothing is held back: what the formulae say, vertex by vertex.
+inline FormSettings formulaeAlone() {
+  FormSettings forms;
+  forms.common.limit_shear = false;
+  return forms;
+}
+
 inline FormSettings literally(std::initializer_list<Erratum> errata) {
   FormSettings forms;
   for (const Erratum e : errata) forms.fidelity.setLiteral(e);

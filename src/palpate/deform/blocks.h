@@ -24,6 +24,7 @@ inline constexpr Index blocksFor(Index vertices) { return (vertices + kBlockVert
 /// A block and which of its vertices are meant.
 struct BlockPart {
   Index block;
+  bool is_level;  ///< known to lie where the height over the contact's plane does not matter (kernels.h)
   std::uint64_t vertices;
 };
 
@@ -32,6 +33,7 @@ template <class Mover>
 struct OnBlock {
   const Mover* mover;
   std::uint64_t region;
+  bool is_level = false;  ///< as in BlockPart
 };
 
 /// Rest positions and normals, x y z nx ny nz, at a block's first vertex.

@@ -1,7 +1,7 @@
 // The steps of an apply, written once for both ways to displace.
 //
 // Data flow: contacts -> frameContacts -> findRegions -> combine -> chainBlocks, all into the plan (plan.h); plan ->
-// displace -> finishNormals, finishStrain -> surface. 60 times a second and more; allocates nothing.
+// displace -> holdShear -> finishNormals, finishStrain -> surface. 60 times a second and more; allocates nothing.
 // Based on: Ji, dissertation 2008, chapter 4, with E19 and E25.
 #include "palpate/deform/deformer.h"
 
@@ -39,6 +39,10 @@ FormSettings withDefaultForms(const Settings& settings) {
   return forms;
 }
 
+/// A drag that falls off by so much per mm along itself leaves a tenth of the length of what it pushes together; at 1
+/// skin turns over.
+constexpr double kMostDragSlope = 0.9;
+
 /// How far the caps let a vertex move when all contacts pull it the same way.
 double mostMotion(const Settings& settings) {
   const double one = std::abs(settings.tissue.normal_cap_mm) + literalDragReach(settings.tissue.tangential_cap_mm);
@@ -62,6 +66,7 @@ class Deformer::Pipeline {
 
   Pipeline(const Skin& skin, const FormSettings& forms)
       : skin_(skin), forms_(forms), displacement_(skin, forms), plan_(skin, forms.common.max_contacts) {
+    if (limitsShear(forms)) shear_.emplace(skin, forms.common.max_contacts);
     if (forms.common.normals == Normals::incremental) incremental_.emplace(skin, mostMotion(forms.common));
   }
 
@@ -73,6 +78,7 @@ class Deformer::Pipeline {
     chainBlocks(plan_);
     if (!forms_.common.strain) surface.forgetStrain();
     displace(plan_, surface, report);
+    holdShear(plan_, surface, report);
     finishNormals(plan_, surface, report);
     finishStrain(plan_, surface);
     surface.written_ = plan_.affected;
@@ -91,12 +97,18 @@ class Deformer::Pipeline {
   void findRegions(ThePlan& plan, Report& report) noexcept;
   void noteCoupling(std::size_t source, ThePlan& plan) const noexcept;
   void combine(ThePlan& plan) const noexcept;
+  Vec3 withoutFold(const typename Displacement::Frame& frame, const Vec3& shift_mm) const noexcept;
   void solveTogether(ThePlan& plan) const noexcept;
   void chainBlocks(ThePlan& plan) const noexcept;
   void displace(ThePlan& plan, DeformedSurface& surface, Report& report) const noexcept;
   void displaceBlock(Index block, Run& run, ThePlan& plan, DeformedSurface& surface, Report& report) const noexcept;
   void displaceRun(const Run& run, const ThePlan& plan, DeformedSurface& surface, Report& report) const noexcept;
   Index displaceShared(Index block, ThePlan& plan, DeformedSurface& surface) const noexcept;
+  void holdShear(ThePlan& plan, DeformedSurface& surface, Report& report) noexcept;
+  ShearBound shearBound(const ThePlan& plan) const noexcept;
+  bool findDoubtful(const ShearBound& shear, ThePlan& plan) const noexcept;
+  void listPulls(ThePlan& plan) const noexcept;
+  void setHeldNormals(DeformedSurface& surface) const noexcept;
   void finishNormals(const ThePlan& plan, DeformedSurface& surface, Report& report) noexcept;
   void finishStrain(const ThePlan& plan, DeformedSurface& surface) const noexcept;
   bool needsNeighbours() const noexcept { return forms_.common.strain || forms_.common.normals != Normals::analytic; }
@@ -113,6 +125,7 @@ class Deformer::Pipeline {
   FormSettings forms_;
   Displacement displacement_;
   std::optional<IncrementalNormals> incremental_;
+  std::optional<ShearLimit> shear_;
   ThePlan plan_;
 };
 
@@ -136,10 +149,15 @@ template <class Displacement>
 void Deformer::Pipeline<Displacement>::findRegions(ThePlan& plan, Report& report) noexcept {
   plan.parts.clear();
   plan.first_part.assign(1, 0);
+  plan.edges.clear();
+  plan.first_edge.assign(1, 0);
   for (std::size_t i = 0; i < plan.frames.size(); ++i) {
     const std::span<const BlockPart> region = displacement_.findRegion(plan.frames[i]);
     plan.parts.insert(plan.parts.end(), region.begin(), region.end());
     plan.first_part.push_back(static_cast<Index>(plan.parts.size()));
+    const std::span<const BlockPart> edges = displacement_.edges();
+    plan.edges.insert(plan.edges.end(), edges.begin(), edges.end());
+    plan.first_edge.push_back(static_cast<Index>(plan.edges.size()));
     report.visited_vertices += displacement_.visitedVertices();
     if (region.empty()) report.status |= kNoVertexInRegion;
     noteCoupling(i, plan);
@@ -176,10 +194,21 @@ void Deformer::Pipeline<Displacement>::combine(ThePlan& plan) const noexcept {
     std::copy_n(plan.depths_mm.begin(), n, plan.amplitudes_mm.begin());
     std::copy_n(plan.drags_mm.begin(), n, plan.shifts_mm.begin());
   }
+  if (shear_) {
+    for (std::size_t i = 0; i < n; ++i) plan.shifts_mm[i] = withoutFold(plan.frames[i], plan.shifts_mm[i]);
+  }
   plan.movers.clear();
   for (std::size_t i = 0; i < n; ++i) {
     plan.movers.push_back(displacement_.mover(plan.frames[i], plan.amplitudes_mm[i], plan.shifts_mm[i]));
   }
+}
+
+/// The shift, shortened where a drag so long would turn flat skin over in a region so narrow.
+template <class Displacement>
+Vec3 Deformer::Pipeline<Displacement>::withoutFold(const typename Displacement::Frame& frame,
+                                                   const Vec3& shift_mm) const noexcept {
+  const double slope = displacement_.dragSlope(frame, shift_mm);
+  return slope > kMostDragSlope ? Vec3(shift_mm * (kMostDragSlope / slope)) : shift_mm;
 }
 
 template <class Displacement>
@@ -197,10 +226,10 @@ void Deformer::Pipeline<Displacement>::chainBlocks(ThePlan& plan) const noexcept
   for (Index contact = 0; contact < plan.movers.size(); ++contact) {
     if (!Displacement::moves(plan.movers[contact])) continue;
     for (Index p = plan.first_part[contact]; p < plan.first_part[contact + 1]; ++p) {
-      const auto [block, region] = plan.parts[p];
+      const auto [block, is_level, region] = plan.parts[p];
       const Index next = plan.moved.contains(block) ? plan.first_entry[block] : kNoIndex;
       plan.first_entry[block] = static_cast<Index>(plan.entries.size());
-      plan.entries.push_back({region, contact, next});
+      plan.entries.push_back({region, contact, next, is_level});
       plan.moved.insert(block);
     }
   }
@@ -231,7 +260,7 @@ template <class Displacement>
 void Deformer::Pipeline<Displacement>::displaceBlock(Index block, Run& run, ThePlan& plan, DeformedSurface& surface,
                                                      Report& report) const noexcept {
   const BlockEntry& entry = plan.entries[plan.first_entry[block]];
-  if (entry.next != kNoIndex || entry.region != ~std::uint64_t{0}) {
+  if (entry.next != kNoIndex || entry.region != ~std::uint64_t{0} || !entry.is_level) {
     report.moved_vertices += displaceShared(block, plan, surface);
     return;
   }
@@ -259,11 +288,92 @@ Index Deformer::Pipeline<Displacement>::displaceShared(Index block, ThePlan& pla
   plan.on_block.clear();
   std::uint64_t moved = 0;
   plan.forEachOnBlock(block, [&](const BlockEntry& entry) {
-    plan.on_block.push_back({&plan.movers[entry.contact], entry.region});
+    plan.on_block.push_back({&plan.movers[entry.contact], entry.region, entry.is_level});
     moved |= entry.region;
   });
   displacement_.displaceBlock(plan.on_block, skin_.restBlock(block), surface.block(block));
   return static_cast<Index>(std::popcount(moved));
+}
+
+/// Skin that would tear beside skin that stays, or fold, is held back.
+template <class Displacement>
+void Deformer::Pipeline<Displacement>::holdShear(ThePlan& plan, DeformedSurface& surface, Report& report) noexcept {
+  if (!shear_) return;
+  shear_->start();
+  const ShearBound shear = shearBound(plan);
+  const bool may_fold = findDoubtful(shear, plan);
+  const bool may_tear = !plan.edges.empty();
+  if (!may_fold && !may_tear) return;
+  listPulls(plan);
+  shear_->setPulls(plan.pulls);
+  const DeformedBlock all = surface.block(0);
+  if (may_tear) {
+    shear_->taper(
+        all, shear.press + shear.drag, [&](double q) { return displacement_.pressRoom(q); },
+        [&](double q) { return displacement_.dragRoom(q); });
+  }
+  shear_->unfold(all, plan.doubtful);
+  report.held_vertices = static_cast<Index>(shear_->held().size());
+  if (forms_.common.normals == Normals::analytic) setHeldNormals(surface);
+}
+
+template <class Displacement>
+ShearBound Deformer::Pipeline<Displacement>::shearBound(const ThePlan& plan) const noexcept {
+  ShearBound shear;
+  for (std::size_t i = 0; i < plan.movers.size(); ++i) {
+    if (Displacement::moves(plan.movers[i])) displacement_.addShear(plan.frames[i], plan.movers[i], shear);
+  }
+  return shear;
+}
+
+/// Blocks of which it is not certain that they keep all their triangles up. False if there is none.
+template <class Displacement>
+bool Deformer::Pipeline<Displacement>::findDoubtful(const ShearBound& shear, ThePlan& plan) const noexcept {
+  plan.doubtful.clear();
+  bool any = false;
+  plan.moved.forEach([&](Index block) {
+    if (!mayFold(skin_.fold_bounds[block], shear)) return;
+    plan.doubtful.insert(block);
+    any = true;
+  });
+  return any;
+}
+
+template <class Displacement>
+void Deformer::Pipeline<Displacement>::listPulls(ThePlan& plan) const noexcept {
+  plan.pulls.clear();
+  const std::span<const BlockPart> parts = plan.parts;
+  const std::span<const BlockPart> edges = plan.edges;
+  for (std::size_t i = 0; i < plan.movers.size(); ++i) {
+    if (!Displacement::moves(plan.movers[i])) continue;
+    const auto& frame = plan.frames[i];
+    Pull pull;
+    pull.anchor = frame.anchor;
+    pull.anchor_triangle = frame.anchor_triangle;
+    pull.region = parts.subspan(plan.first_part[i], plan.first_part[i + 1] - plan.first_part[i]);
+    pull.edges = edges.subspan(plan.first_edge[i], plan.first_edge[i + 1] - plan.first_edge[i]);
+    if (frame.press.acts()) {
+      pull.press_mm = Displacement::pressOf(plan.movers[i]);
+      pull.press_reach_mm = Displacement::halfMajor(frame.press);
+    }
+    if (frame.drag.acts()) {
+      pull.drag_mm = Displacement::dragOf(plan.movers[i]);
+      pull.drag_reach_mm = Displacement::halfMajor(frame.drag);
+    }
+    plan.pulls.push_back(pull);
+  }
+}
+
+/// The formulae know nothing of what was held back: normals there come from the triangles.
+template <class Displacement>
+void Deformer::Pipeline<Displacement>::setHeldNormals(DeformedSurface& surface) const noexcept {
+  const PositionStreams positions = surface.positions();
+  for (const Index v : shear_->held()) {
+    surface.setNormal(v, areaWeightedNormal(skin_, positions, v));
+    for (const Index w : skin_.neighbours[v]) {
+      if (shear_->moves(w)) surface.setNormal(w, areaWeightedNormal(skin_, positions, w));
+    }
+  }
 }
 
 template <class Displacement>

@@ -1,6 +1,6 @@
 // Functional shape matched deformation (FSMD): contacts in, deformed skin out.
 //
-//   contacts ─ frame, find ─► regions ─ combine ─► amplitudes ─ chain ─► blocks ─ displace, finish ─► surface
+//   contacts ─ frame, find ─► regions ─ combine ─► amplitudes ─ chain ─► blocks ─ displace, hold, finish ─► surface
 //
 // A vertex in the region moves by  -profile(q_n) depth n + profile(q_t) f_adj (P - A),  depth and drag capped, q_n and
 // q_t its location ratios in the regions of the normal and the tangential part, centred at the friction anchor A. With
@@ -33,6 +33,7 @@ struct Report {
   std::uint32_t status = 0;
   Index moved_vertices = 0;     ///< in the region of at least one contact
   Index visited_vertices = 0;   ///< looked at by the region searches; in whole blocks by the fast one
+  Index held_vertices = 0;      ///< of moved_vertices: held back so that the skin neither tears nor folds
   Index changed_triangles = 0;  ///< whose normals were computed again; 0 unless Normals::incremental
 };
 

@@ -32,11 +32,22 @@ class FastDisplacement {
   std::span<const BlockPart> findRegion(const Frame& frame) noexcept {
     return search_.find(skin_, lanesOf(frame, 0.0, Vec3::Zero()), skin_.triangles[frame.anchor_triangle]);
   }
+  std::span<const BlockPart> edges() const noexcept { return search_.edges(); }
   bool reached(Index vertex) const noexcept { return search_.reached(vertex); }
   Index visitedVertices() const noexcept { return search_.visitedBlocks() * kBlockVertices; }
 
   static double pressShare(const Frame& from, const Vec3& offset) noexcept { return shareOf(from.press, offset); }
   static double dragShare(const Frame& from, const Vec3& offset) noexcept { return shareOf(from.drag, offset); }
+
+  // What shear_limit.h has to know: the shares that the skin has from q on, the slope of a drag along itself, what the
+  // contacts may shear at most, half axes of a region, what the centre moves by.
+  static double pressRoom(double q) noexcept;
+  static double dragRoom(double q) noexcept { return pressRoom(q); }
+  static double dragSlope(const Frame& frame, const Vec3& shift_mm) noexcept;
+  static void addShear(const Frame& frame, const Mover& mover, ShearBound& shear) noexcept;
+  static double halfMajor(const FlatEllipse& ellipse) noexcept { return ellipse.halfMajor(); }
+  static double pressOf(const Mover& mover) noexcept;
+  static double dragOf(const Mover& mover) noexcept;
 
   static Mover mover(const Frame& frame, double amplitude_mm, const Vec3& shift_mm) noexcept {
     return lanesOf(frame, amplitude_mm, shift_mm);

@@ -15,6 +15,11 @@ namespace {
 constexpr Erratum kDeformerErrata[] = {Erratum::E14_location_ratio, Erratum::E15_aspect, Erratum::E18_profile_rim,
                                        Erratum::E19_drag_cap, Erratum::E23_region_search};
 
+bool isAsPrinted(const FormSettings& forms) {
+  return std::any_of(std::begin(kDeformerErrata), std::end(kDeformerErrata),
+                     [&](Erratum erratum) { return forms.fidelity.literal(erratum); });
+}
+
 bool isDefault(const tissue::ProfileSettings& profile) {
   return profile.kind == tissue::ProfileKind::half_gaussian && profile.rim == tissue::ProfileRim::lowered;
 }
@@ -25,12 +30,12 @@ void scale(maps::SurfaceContour& contour, double factor) noexcept {
 
 }  // namespace
 
+bool limitsShear(const FormSettings& forms) { return forms.common.limit_shear && !isAsPrinted(forms); }
+
 bool needsForms(const FormSettings& forms) {
-  const bool as_printed = std::any_of(std::begin(kDeformerErrata), std::end(kDeformerErrata),
-                                      [&](Erratum erratum) { return forms.fidelity.literal(erratum); });
   const bool profiles = !isDefault(forms.normal_profile) || !isDefault(forms.tangential_profile);
   const bool principal = forms.common.strain && forms.strain_kind == StrainKind::principal;
-  return as_printed || profiles || principal || forms.radial.share != 0.0 || forms.shape != Shape::ellipse ||
+  return isAsPrinted(forms) || profiles || principal || forms.radial.share != 0.0 || forms.shape != Shape::ellipse ||
          forms.together != Together::solved || forms.common.normals == Normals::incremental;
 }
 

@@ -23,6 +23,7 @@ struct Settings {
   TissueSettings tissue;
   Normals normals = Normals::analytic;
   bool strain = false;            ///< also write the strain of (4.20)
+  bool limit_shear = true;        ///< hold skin back where it would tear or fold (shear_limit.h)
   std::size_t max_contacts = 16;  ///< contacts beyond are ignored and reported
 };
 
@@ -77,6 +78,9 @@ struct FormSettings {
 inline bool sharesRegion(const FormSettings& forms) {
   return forms.region == NormalRegion::shared || forms.fidelity.literal(Erratum::E21_press_region);
 }
+
+/// True if skin is held back where it would tear or fold: not by choice, and not where the displacement is as printed.
+bool limitsShear(const FormSettings& forms);
 
 /// True if the fast displacement cannot do it. Forms of regions alone (constant, shared, two_mm) do not count: they are
 /// in the contacts.

@@ -26,7 +26,7 @@ FlatEllipse flatEllipse(const maps::SurfaceEllipse& ellipse, const Vec3& unit_no
   const bool has_size = ellipse.aspect > 0.0 && ellipse.aspect <= 1.0 && length * ellipse.aspect > kSmallestAxis;
   if (!is_flat || !has_size) return {};
   const Vec3 axis = in_plane.normalized();
-  return {axis / length, unit_normal.cross(axis) / (length * ellipse.aspect), true};
+  return {axis / length, unit_normal.cross(axis) / (length * ellipse.aspect), {unit_normal, length}, true};
 }
 
 bool isUsable(const Contact& contact) noexcept {

@@ -4,6 +4,8 @@
 // any shape in region_frame.h. In double. Based on: Ji, dissertation 2008, sections 4.3 and 4.4, with E14 and E32.
 #pragma once
 
+#include <cmath>
+
 #include "palpate/deform/contact.h"
 
 namespace palpate::deform {
@@ -26,15 +28,37 @@ struct FramedContact {
   bool wantsDrag() const { return !drag_mm.isZero(0.0); }
 };
 
+/// How far a region reaches above and below the tangent plane: within `level_mm` as seen along the normal, then the
+/// location ratio grows as in an ellipsoid, so that nothing moves beyond twice that. A ball of any size keeps its whole
+/// facing half: none of it lies lower than its own radius, nor than the axis that holds it.
+struct Rise {
+  Vec3 normal = Vec3::Zero();  ///< unit
+  double level_mm = 0.0;       ///< infinite where the normal is no bound (as printed, E23)
+
+  /// Of an offset from the anchor; 0 up to level_mm either way, 1 at twice that.
+  double at(const Vec3& offset) const noexcept {
+    const double beyond = std::abs(normal.dot(offset)) - level_mm;
+    return beyond > 0.0 ? beyond / level_mm : 0.0;
+  }
+};
+
 /// An ellipse in the tangent plane of its contact.
 struct FlatEllipse {
   Vec3 along = Vec3::Zero();   ///< unit major axis / half major, 1/mm
   Vec3 across = Vec3::Zero();  ///< unit minor axis / half minor, 1/mm
+  Rise rise;                   ///< by the half major axis
   bool has_area = false;
 
   bool acts() const { return has_area; }
-  /// Location ratio of a point seen along the contact's normal (E14).
-  double ratioAt(const Vec3& offset) const { return std::hypot(along.dot(offset), across.dot(offset)); }
+  double halfMajor() const { return rise.level_mm; }
+  /// Location ratio of a point (E14).
+  double ratioAt(const Vec3& offset) const {
+    const double flat = std::hypot(along.dot(offset), across.dot(offset));
+    const double up = rise.at(offset);
+    return up > 0.0 ? std::hypot(flat, up) : flat;
+  }
+  /// The largest slope of the ratio, 1/mm.
+  double steepest() const { return across.norm(); }
 };
 
 /// The ellipse turned into the tangent plane of a unit normal. Without area where it is degenerate: no length, aspect

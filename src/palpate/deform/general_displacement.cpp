@@ -5,6 +5,7 @@
 #include "palpate/deform/general_displacement.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "palpate/tissue/profile_forms.h"
 
@@ -26,7 +27,7 @@ void setCapped(const Contact& contact, const FormSettings& forms, FormedContact&
 
 RegionFrame dragFrame(const Contact& contact, const Vec3& normal, const FormSettings& forms) noexcept {
   if (forms.shape == Shape::contour) {
-    RegionFrame contour = contourFrame(contact.tangential_contour, normal);
+    RegionFrame contour = contourFrame(contact.tangential_contour, normal, forms);
     if (contour.acts()) return contour;
   }
   return ellipseFrame(contact.tangential_region, normal, forms);
@@ -41,10 +42,10 @@ Vec3 inSpace(const RegionFrame& region, const Vec2& v) noexcept { return v.x() *
 
 void addPart(const RegionFrame& region, const tissue::ProfileCurve& curve, const Vec3& shift_mm, const Vec3& offset,
              Motion& motion) noexcept {
-  const Location at = locate(region, inPlane(region, offset));
+  const SpatialLocation at = locateInSpace(region, offset);
   const tissue::ProfilePoint profile = curve.at(at.q);
   motion.displacement += profile.value * shift_mm;
-  motion.gradient += shift_mm * (profile.slope * inSpace(region, at.slope)).transpose();
+  motion.gradient += shift_mm * (profile.slope * at.slope).transpose();
 }
 
 /// Towards the anchor in the tangent plane. With e = offset / distance the field -pull e has the gradient
@@ -54,13 +55,32 @@ void addRadialPull(const RegionFrame& region, const tissue::RadialTerm& term, do
   const Vec2 in_plane = inPlane(region, offset);
   const double distance = in_plane.norm();
   if (!(distance > 0.0)) return;
-  const Location at = locate(region, in_plane);
+  const SpatialLocation at = locateInSpace(region, offset);
   const tissue::ProfilePoint pull = tissue::radialPull(term, at.q);
   const Vec3 outward = inSpace(region, in_plane / distance);
   const Vec3 turning = inSpace(region, Vec2(-in_plane.y(), in_plane.x()) / distance);
   motion.displacement -= amplitude_mm * pull.value * outward;
-  motion.gradient -= amplitude_mm * (pull.slope * outward * inSpace(region, at.slope).transpose() +
+  motion.gradient -= amplitude_mm * (pull.slope * outward * at.slope.transpose() +
                                      pull.value / distance * turning * turning.transpose());
+}
+
+/// The largest slope of a curve: as far as it is not a corner, which the default has none of.
+double steepestSlope(const tissue::ProfileCurve& curve) noexcept {
+  constexpr int kSamples = 512;
+  double steepest = 0.0;
+  for (int i = 0; i < kSamples; ++i) steepest = std::max(steepest, std::abs(curve.at((i + 0.5) / kSamples).slope));
+  return steepest;
+}
+
+/// The largest share from q on, a bulge included.
+template <class Share>
+double mostFrom(double q, const Share& share_at) noexcept {
+  constexpr int kSamples = 16;
+  double most = 0.0;
+  for (int i = 0; i < kSamples && q < 1.0; ++i) {
+    most = std::max(most, std::abs(share_at(q + (1.0 - q) * i / kSamples)));
+  }
+  return most;
 }
 
 /// x, y, z of the three streams from `values` on.
@@ -84,7 +104,7 @@ FormedContact formedContact(const Contact& contact, const FormSettings& forms) n
 
 bool holds(const FormedContact& frame, const Vec3& place) noexcept {
   const Vec3 offset = place - frame.anchor;
-  const auto inside = [&](const RegionFrame& region) { return locate(region, inPlane(region, offset)).q < 1.0; };
+  const auto inside = [&](const RegionFrame& region) { return locateInSpace(region, offset).q < 1.0; };
   return inside(frame.press) || inside(frame.drag);
 }
 
@@ -112,22 +132,46 @@ Vec3 turnedNormal(const Mat3& gradient, const Vec3& rest_normal) noexcept {
   return length > 0.0 ? Vec3(turned / length) : rest_normal;
 }
 
+GeneralDisplacement::GeneralDisplacement(const Skin& skin, const FormSettings& forms)
+    : skin_(skin), forms_(forms), curves_(forms), drag_slope_(steepestSlope(curves_.drag)), search_(skin) {}
+
 std::span<const BlockPart> GeneralDisplacement::findRegion(const Frame& frame) noexcept {
   const bool as_printed = forms_.fidelity.literal(Erratum::E23_region_search);
-  const auto is_inside = [&](Index v) {
-    const bool faces = as_printed || skin_.restNormal(v).cast<double>().dot(frame.normal) > 0.0;
-    return faces && holds(frame, skin_.restPosition(v).cast<double>());
+  const auto place_of = [&](Index v) {
+    if (!holds(frame, skin_.restPosition(v).cast<double>())) return Place::outside;
+    const double facing = skin_.restNormal(v).cast<double>().dot(frame.normal);
+    if (as_printed || facing > kSteepFacing) return Place::inside;
+    return facing > 0.0 ? Place::steep : Place::staying;
   };
   const RingRule rule = as_printed ? RingRule::printed : RingRule::connected;
-  return search_.find(skin_, skin_.triangles[frame.anchor_triangle], rule, is_inside);
+  return search_.find(skin_, skin_.triangles[frame.anchor_triangle], rule, place_of);
 }
 
 double GeneralDisplacement::pressShare(const Frame& from, const Vec3& offset) const noexcept {
-  return curves_.press.at(locate(from.press, inPlane(from.press, offset)).q).value;
+  return curves_.press.at(locateInSpace(from.press, offset).q).value;
 }
 
 double GeneralDisplacement::dragShare(const Frame& from, const Vec3& offset) const noexcept {
-  return curves_.drag.at(locate(from.drag, inPlane(from.drag, offset)).q).value;
+  return curves_.drag.at(locateInSpace(from.drag, offset).q).value;
+}
+
+double GeneralDisplacement::pressRoom(double q) const noexcept {
+  return mostFrom(q, [&](double at) {
+    const double pressed = curves_.press.at(at).value;
+    return curves_.radial.share == 0.0 ? pressed : std::hypot(pressed, tissue::radialPull(curves_.radial, at).value);
+  });
+}
+
+double GeneralDisplacement::dragRoom(double q) const noexcept {
+  return mostFrom(q, [&](double at) { return curves_.drag.at(at).value; });
+}
+
+double GeneralDisplacement::dragSlope(const Frame& frame, const Vec3& shift_mm) const noexcept {
+  if (!frame.drag.acts()) return 0.0;
+  const RegionFrame& region = frame.drag;
+  if (region.kind == RegionFrame::Kind::contour) return drag_slope_ * shift_mm.norm() / shortestRadius(region);
+  return drag_slope_ * std::hypot(region.along.dot(shift_mm) / region.half_along_mm,
+                                  region.across.dot(shift_mm) / region.half_across_mm);
 }
 
 void GeneralDisplacement::displaceBlock(std::span<const OnBlock<Mover>> movers, const RestBlock& rest,

@@ -7,6 +7,8 @@
 // and E23 in both readings.
 #pragma once
 
+#include <limits>
+
 #include "palpate/deform/forms.h"
 #include "palpate/deform/frame.h"
 #include "palpate/deform/kernels.h"
@@ -56,17 +58,29 @@ class GeneralDisplacement {
   };
 
   /// Throws Error for a profile that is none.
-  GeneralDisplacement(const Skin& skin, const FormSettings& forms)
-      : skin_(skin), forms_(forms), curves_(forms), search_(skin) {}
+  GeneralDisplacement(const Skin& skin, const FormSettings& forms);
 
   Frame frame(const Contact& contact) const noexcept { return formedContact(contact, forms_); }
 
   std::span<const BlockPart> findRegion(const Frame& frame) noexcept;
+  std::span<const BlockPart> edges() const noexcept { return search_.edges(); }
   bool reached(Index vertex) const noexcept { return search_.reached(vertex); }
   Index visitedVertices() const noexcept { return search_.visited(); }
 
   double pressShare(const Frame& from, const Vec3& offset) const noexcept;
   double dragShare(const Frame& from, const Vec3& offset) const noexcept;
+
+  // What shear_limit.h has to know: the shares that the skin has from q on, the slope of a drag along itself, what the
+  // contacts may shear at most (any form may shear without bound), half axes of a region.
+  double pressRoom(double q) const noexcept;
+  double dragRoom(double q) const noexcept;
+  double dragSlope(const Frame& frame, const Vec3& shift_mm) const noexcept;
+  static void addShear(const Frame&, const Mover&, ShearBound& shear) noexcept {
+    shear.press = std::numeric_limits<double>::infinity();
+  }
+  static double halfMajor(const RegionFrame& region) noexcept { return longestRadius(region); }
+  static double pressOf(const Mover& mover) noexcept { return std::abs(mover.amplitude_mm); }
+  static double dragOf(const Mover& mover) noexcept { return mover.shift_mm.norm(); }
 
   static Mover mover(const Frame& frame, double amplitude_mm, const Vec3& shift_mm) noexcept {
     return {&frame, amplitude_mm, shift_mm};
@@ -85,6 +99,7 @@ class GeneralDisplacement {
   const Skin& skin_;
   FormSettings forms_;
   FormCurves curves_;
+  double drag_slope_ = 0.0;  // the largest of its curve
   RegionByRings search_;
 };
 

@@ -2,9 +2,10 @@
 //
 // Displacement: u = sum over contacts and parts of profile(q) shift, profile = scale exp(-rate q^2) - offset (E18), q
 // of the true ellipse (E14): a quadratic form, no root. Normal: the deformation x -> x + u(x) has the gradient F = I +
-// sum shift (x) grad profile; a surface normal n becomes cof(F) n, normalised. The profile's gradient lies in the
-// contact's tangent plane: grad profile = -2 rate scale exp(-rate q^2) (s along + t across), with s = along . d and t =
-// across . d. Everything is exact for the smooth surface; against the facets of a mesh it differs by what the facets
+// sum shift (x) grad profile; a surface normal n becomes cof(F) n, normalised. On level blocks the profile's gradient
+// lies in the contact's tangent plane: grad profile = -2 rate scale exp(-rate q^2) (s along + t across), with s = along
+// . d and t = across . d; where the skin rises farther off that plane a part along the normal joins it, and the general
+// sum is taken. Everything is exact for the smooth surface; against the facets of a mesh it differs by what the facets
 // differ from the surface (docs/deformation.md). Based on: Ji, dissertation 2008, sections 4.2 to 4.4; the rule for
 // normals is Nanson's formula.
 
@@ -89,6 +90,12 @@ HWY_INLINE Location locate(const PartLanes& part, const V3& offset) {
   return {s, t, hn::MulAdd(s, s, hn::MulAdd(t, t, hn::Set(Lanes(), part.outside)))};
 }
 
+/// Of heights without their sign.
+HWY_INLINE V riseAt(const PartLanes& part, V height) {
+  const Lanes d;
+  return hn::Mul(hn::Max(hn::Sub(height, hn::Set(d, part.level)), hn::Zero(d)), hn::Set(d, part.slope));
+}
+
 /// The bits of a mask at `lane` of a word of 64.
 HWY_INLINE std::uint64_t bitsOf(M mask, size_t lane) {
   std::uint8_t bytes[8] = {};
@@ -102,14 +109,16 @@ HWY_INLINE bool drags(const ContactLanes& contact) { return contact.tangential.o
 
 HWY_INLINE V3 absolute(const V3& v) { return {hn::Abs(v.x), hn::Abs(v.y), hn::Abs(v.z)}; }
 
-/// Bounds of q^2 over boxes.
+/// Bounds over boxes.
 struct Reach {
   V least, most;
 };
 
-HWY_INLINE Reach reachOf(const PartLanes& part, const V3& centre, const V3& half) {
+HWY_INLINE Reach reachOf(const PartLanes& part, const V3& centre, const V3& half, const Reach& height) {
   const Lanes d;
   const V outside = hn::Set(d, part.outside);
+  const V rise_least = riseAt(part, height.least);
+  const V rise_most = riseAt(part, height.most);
   const V3 along = broadcast(part.along);
   const V3 across = broadcast(part.across);
   const V s = hn::Abs(dot(along, centre));
@@ -120,8 +129,14 @@ HWY_INLINE Reach reachOf(const PartLanes& part, const V3& centre, const V3& half
   const V t_least = hn::Max(hn::Sub(t, t_half), hn::Zero(d));
   const V s_most = hn::Add(s, s_half);
   const V t_most = hn::Add(t, t_half);
-  return {hn::MulAdd(s_least, s_least, hn::MulAdd(t_least, t_least, outside)),
-          hn::MulAdd(s_most, s_most, hn::MulAdd(t_most, t_most, outside))};
+  return {hn::MulAdd(s_least, s_least, hn::MulAdd(t_least, t_least, hn::MulAdd(rise_least, rise_least, outside))),
+          hn::MulAdd(s_most, s_most, hn::MulAdd(t_most, t_most, hn::MulAdd(rise_most, rise_most, outside)))};
+}
+
+/// Boxes whose vertices do not rise in this part, or that it does not move.
+HWY_INLINE M isLevel(const PartLanes& part, const Reach& reach, const Reach& height) {
+  const Lanes d;
+  return hn::Or(hn::Le(height.most, hn::Set(d, part.level)), hn::Ge(reach.least, hn::Set(d, 1.0f)));
 }
 
 BlocksInside insideBlocks(const ContactLanes& contact, const TileBounds& bounds) {
@@ -129,34 +144,44 @@ BlocksInside insideBlocks(const ContactLanes& contact, const TileBounds& bounds)
   const V one = hn::Set(d, 1.0f);
   const V rounding = hn::Set(d, 1e-6f);
   const V3 facing = broadcast(contact.facing);
-  BlocksInside blocks{0, 0};
+  BlocksInside blocks{0, 0, 0};
   for (size_t lane = 0; lane < kTileBlocks; lane += hn::Lanes(d)) {
     const V3 centre = sub(load(bounds.values, lane), broadcast(contact.anchor));
     const V3 half = mulAdd(rounding, absolute(centre), load(bounds.values + 3, lane));
-    const Reach normal = reachOf(contact.normal, centre, half);
-    const Reach tangential = reachOf(contact.tangential, centre, half);
+    const V height_middle = hn::Abs(dot(facing, centre));
+    const V height_half = dot(absolute(facing), half);
+    const Reach height{hn::Max(hn::Sub(height_middle, height_half), hn::Zero(d)), hn::Add(height_middle, height_half)};
+    const Reach normal = reachOf(contact.normal, centre, half, height);
+    const Reach tangential = reachOf(contact.tangential, centre, half, height);
     const V face = dot(load(bounds.values + 6, lane), facing);
     const V face_half = hn::Add(dot(load(bounds.values + 9, lane), absolute(facing)), rounding);
     // Written so that boxes of NaN are touched but not whole.
     const M near = hn::Or(hn::Lt(normal.most, one), hn::Lt(tangential.most, one));
     const M far = hn::And(hn::Ge(normal.least, one), hn::Ge(tangential.least, one));
-    const M away = hn::Or(far, hn::Le(hn::Add(face, face_half), hn::Zero(d)));
-    blocks.whole |= bitsOf(hn::And(near, hn::Gt(hn::Sub(face, face_half), hn::Zero(d))), lane);
-    blocks.touched |= bitsOf(hn::Not(away), lane);
+    const M level = hn::And(isLevel(contact.normal, normal, height), isLevel(contact.tangential, tangential, height));
+    const M faces = hn::Gt(hn::Sub(face, face_half), hn::Set(d, kSteepFacing));
+    blocks.whole |= bitsOf(hn::And(hn::And(near, faces), level), lane);
+    blocks.touched |= bitsOf(hn::Not(far), lane);
+    blocks.level |= bitsOf(level, lane);
   }
   return blocks;
 }
 
-std::uint64_t insideMask(const ContactLanes& contact, const RestBlock& rest) {
+HWY_INLINE M isNear(const PartLanes& part, const V3& offset, V height) {
+  const V rise = riseAt(part, height);
+  return hn::Lt(hn::MulAdd(rise, rise, locate(part, offset).q2), hn::Set(Lanes(), 1.0f));
+}
+
+VerticesInside verticesInside(const ContactLanes& contact, const RestBlock& rest) {
   const Lanes d;
-  const V one = hn::Set(d, 1.0f);
-  std::uint64_t inside = 0;
+  VerticesInside inside{0, 0};
   for (size_t lane = 0; lane < kBlockVertices; lane += hn::Lanes(d)) {
     const V3 offset = sub(load(rest.values, lane), broadcast(contact.anchor));
-    const M facing = hn::Gt(dot(load(rest.values + 3, lane), broadcast(contact.facing)), hn::Zero(d));
-    const M near =
-        hn::Or(hn::Lt(locate(contact.normal, offset).q2, one), hn::Lt(locate(contact.tangential, offset).q2, one));
-    inside |= bitsOf(hn::And(facing, near), lane);
+    const V facing = dot(load(rest.values + 3, lane), broadcast(contact.facing));
+    const V height = hn::Abs(dot(broadcast(contact.facing), offset));
+    const M near = hn::Or(isNear(contact.normal, offset, height), isNear(contact.tangential, offset, height));
+    inside.facing |= bitsOf(hn::And(near, hn::Gt(facing, hn::Zero(d))), lane);
+    inside.steep |= bitsOf(hn::AndNot(hn::Gt(facing, hn::Set(d, kSteepFacing)), near), lane);
   }
   return inside;
 }
@@ -242,9 +267,35 @@ struct Motion {
   V3 row_x, row_y, row_z;
 };
 
-HWY_INLINE void addPart(const PartLanes& part, const V3& offset, M region, Motion& motion) {
+/// profileOf where the height over the contact's plane matters; its slope along the normal joins the gradient.
+HWY_INLINE Profile risingProfileOf(const PartLanes& part, const V3& facing, const V3& offset, M region) {
+  const Lanes d;
+  const V height = dot(facing, offset);
+  const V rise = riseAt(part, hn::Abs(height));
+  const Location at = locate(part, offset);
+  const V q2 = hn::MulAdd(rise, rise, at.q2);
+  const M acts = hn::And(region, hn::Lt(q2, hn::Set(d, 1.0f)));
+  const V gauss = gaussian(q2);
+  const V weight = hn::MulSub(hn::Set(d, static_cast<float>(tissue::kProfileScale)), gauss,
+                              hn::Set(d, static_cast<float>(tissue::kProfileOffset)));
+  constexpr double kSlope = -2.0 * kGaussianRate * tissue::kProfileScale;
+  const V slope = hn::IfThenElseZero(acts, hn::Mul(hn::Set(d, static_cast<float>(kSlope)), gauss));
+  const V up = hn::CopySign(hn::Mul(rise, hn::Set(d, part.slope)), height);
+  const V3 across = scaled(hn::Mul(slope, at.t), broadcast(part.across));
+  const V3 flat = mulAdd(hn::Mul(slope, at.s), broadcast(part.along), across);
+  return {hn::IfThenElseZero(acts, weight), mulAdd(hn::Mul(slope, up), facing, flat)};
+}
+
+template <bool kLevel>
+HWY_INLINE void addPart(const ContactLanes& contact, const PartLanes& part, const V3& offset, M region,
+                        Motion& motion) {
   if (part.outside != 0.0f) return;  // does not act
-  const Profile profile = profileOf<false>(part, offset, region);
+  Profile profile;
+  if constexpr (kLevel) {
+    profile = profileOf<false>(part, offset, region);
+  } else {
+    profile = risingProfileOf(part, broadcast(contact.facing), offset, region);
+  }
   const V3 shift = broadcast(part.shift);
   motion.displacement = mulAdd(profile.weight, shift, motion.displacement);
   motion.row_x = mulAdd(shift.x, profile.gradient, motion.row_x);
@@ -252,6 +303,7 @@ HWY_INLINE void addPart(const PartLanes& part, const V3& offset, M region, Motio
   motion.row_z = mulAdd(shift.z, profile.gradient, motion.row_z);
 }
 
+template <bool kLevel>
 HWY_INLINE void moveByMany(std::span<const ContactOnBlock> contacts, const V3& position, size_t lane, V3& displacement,
                            V3& normal) {
   const Lanes d;
@@ -261,8 +313,8 @@ HWY_INLINE void moveByMany(std::span<const ContactOnBlock> contacts, const V3& p
   for (const ContactOnBlock& on : contacts) {
     const M region = maskAt(on.region, lane);
     const V3 offset = sub(position, broadcast(on.mover->anchor));
-    addPart(on.mover->normal, offset, region, motion);
-    addPart(on.mover->tangential, offset, region, motion);
+    addPart<kLevel>(*on.mover, on.mover->normal, offset, region, motion);
+    addPart<kLevel>(*on.mover, on.mover->tangential, offset, region, motion);
   }
   displacement = motion.displacement;
   normal = {dot(cross(motion.row_y, motion.row_z), normal), dot(cross(motion.row_z, motion.row_x), normal),
@@ -326,16 +378,24 @@ void displaceByOne(const ContactOnBlock& on, const RestBlock& rest, const Deform
   });
 }
 
+template <bool kLevel>
+void displaceByMany(std::span<const ContactOnBlock> contacts, const RestBlock& rest, const DeformedBlock& out) {
+  std::uint64_t touched = 0;
+  for (const ContactOnBlock& on : contacts) touched |= on.region;
+  overBlock(touched, rest, out, [&](const V3& position, size_t lane, V3& displacement, V3& normal) HWY_ATTR {
+    moveByMany<kLevel>(contacts, position, lane, displacement, normal);
+  });
+}
+
 void displaceBlock(std::span<const ContactOnBlock> contacts, const RestBlock& rest, const DeformedBlock& out) {
+  bool is_level = true;
+  for (const ContactOnBlock& on : contacts) is_level = is_level && on.is_level;
+  if (!is_level) return displaceByMany<false>(contacts, rest, out);
   if (contacts.size() == 1) {
     return drags(*contacts[0].mover) ? displaceByOne<true>(contacts[0], rest, out)
                                      : displaceByOne<false>(contacts[0], rest, out);
   }
-  std::uint64_t touched = 0;
-  for (const ContactOnBlock& on : contacts) touched |= on.region;
-  overBlock(touched, rest, out, [&](const V3& position, size_t lane, V3& displacement, V3& normal) HWY_ATTR {
-    moveByMany(contacts, position, lane, displacement, normal);
-  });
+  displaceByMany<true>(contacts, rest, out);
 }
 
 template <bool kDrags>
@@ -375,7 +435,7 @@ HWY_AFTER_NAMESPACE();
 namespace palpate::deform {
 
 HWY_EXPORT(insideBlocks);
-HWY_EXPORT(insideMask);
+HWY_EXPORT(verticesInside);
 HWY_EXPORT(displaceBlock);
 HWY_EXPORT(displaceWholeBlocks);
 HWY_EXPORT(restoreBlocks);
@@ -384,8 +444,8 @@ BlocksInside insideBlocks(const ContactLanes& contact, const TileBounds& bounds)
   return HWY_DYNAMIC_DISPATCH(insideBlocks)(contact, bounds);
 }
 
-std::uint64_t insideMask(const ContactLanes& contact, const RestBlock& rest) noexcept {
-  return HWY_DYNAMIC_DISPATCH(insideMask)(contact, rest);
+VerticesInside verticesInside(const ContactLanes& contact, const RestBlock& rest) noexcept {
+  return HWY_DYNAMIC_DISPATCH(verticesInside)(contact, rest);
 }
 
 void displaceBlock(std::span<const ContactOnBlock> contacts, const RestBlock& rest, const DeformedBlock& out) noexcept {

@@ -12,11 +12,14 @@
 namespace palpate::deform {
 
 /// One of the two parts of a contact (normal or tangential): displacement = profile(q) shift with
-/// q^2 = (along . d)^2 + (across . d)^2 + outside, d = rest position - anchor.
+/// q^2 = (along . d)^2 + (across . d)^2 + rise^2 + outside, d = rest position - anchor. The rise ends a region along
+/// the normal: 0 up to the height `level`, then it grows by `slope` a mm.
 struct PartLanes {
   float along[3] = {};   ///< unit major axis / half major
   float across[3] = {};  ///< unit minor axis / half minor
   float shift[3] = {};   ///< what the centre moves by, mm
+  float level = 0.0f;    ///< mm above and below the plane
+  float slope = 0.0f;    ///< 1/mm
   float outside = 2.0f;  ///< 0 for a part that acts, 2 (no vertex has q < 1) for one that does not
 };
 
@@ -31,13 +34,22 @@ using ContactOnBlock = OnBlock<ContactLanes>;
 
 /// Blocks of a tile by what their boxes tell; one bit a block. Padding answers like a block.
 struct BlocksInside {
-  std::uint64_t whole;    ///< every vertex is inside (as insideMask has it)
-  std::uint64_t touched;  ///< some vertices may be
+  std::uint64_t whole;    ///< every vertex is inside (as verticesInside has it), none steep, and the block is level
+  std::uint64_t touched;  ///< some vertices may be inside but for the side they face
+  std::uint64_t level;    ///< no vertex rises in a part that moves it
 };
 BlocksInside insideBlocks(const ContactLanes& contact, const TileBounds& bounds) noexcept;
 
-/// Bit i is set if vertex i faces the contact and has q < 1 for one of its parts. Padding answers like a vertex.
-std::uint64_t insideMask(const ContactLanes& contact, const RestBlock& rest) noexcept;
+/// The cosine between a vertex' normal and the contact's below which skin there is steep, a wall seen from above: 84
+/// degrees. Below 0 it faces away.
+inline constexpr float kSteepFacing = 0.1f;
+
+/// Vertices with q < 1 for one of the parts, by the side they face; one bit a vertex. Padding answers like a vertex.
+struct VerticesInside {
+  std::uint64_t facing;  ///< the contact
+  std::uint64_t steep;   ///< or turned away
+};
+VerticesInside verticesInside(const ContactLanes& contact, const RestBlock& rest) noexcept;
 
 /// Writes all 64 vertices: displacement as the sum over the contacts, the analytic normal of the sum. Vertices in no
 /// region get their rest values bit by bit.

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "palpate/deform/forms.h"
+#include "palpate/deform/shear_limit.h"
 #include "palpate/deform/skin.h"
 
 namespace palpate::deform {
@@ -14,6 +15,7 @@ struct BlockEntry {
   std::uint64_t region;
   Index contact;
   Index next;
+  bool is_level;  ///< as in BlockPart
 };
 
 /// Vectors whose length is not said have one entry a contact.
@@ -35,6 +37,8 @@ struct Plan {
   // 2. Their regions, contact after contact, and what contact j moves the anchor of contact i by (i n + j).
   std::vector<BlockPart> parts;
   std::vector<Index> first_part;  ///< contacts + 1 entries
+  std::vector<BlockPart> edges;   ///< where the regions end within their ellipses (Pull::edges)
+  std::vector<Index> first_edge;  ///< contacts + 1 entries
   std::vector<double> press_coupling;
   std::vector<double> drag_coupling;
   // 3. What each wants at its anchor, and what its centre moves by so that it gets that.
@@ -48,6 +52,8 @@ struct Plan {
   std::vector<Index> first_entry;        ///< a block of `moved` each
   std::vector<OnBlock<Mover>> on_block;  ///< room for the movers of one block
   BlockSet moved;                        ///< blocks with vertices of a region
+  BlockSet doubtful;                     ///< of `moved`: triangles may fold there
+  std::vector<Pull> pulls;               ///< the contacts that move something
   BlockSet affected;  ///< these, and where normals or strain come from neighbours the blocks beside them
 };
 
@@ -61,10 +67,14 @@ Plan<Displacement>::Plan(const Skin& skin, std::size_t n)
       shifts_mm(n, Vec3::Zero()),
       first_entry(skin.blocks, kNoIndex),
       moved(skin.blocks),
+      doubtful(skin.blocks),
       affected(skin.blocks) {
   frames.reserve(n);
   parts.reserve(n * skin.blocks);
   first_part.reserve(n + 1);
+  edges.reserve(n * skin.blocks);
+  first_edge.reserve(n + 1);
+  pulls.reserve(n);
   movers.reserve(n);
   entries.reserve(n * skin.blocks);
   on_block.reserve(n);

@@ -13,6 +13,7 @@ RegionByBlocks::RegionByBlocks(const Skin& skin)
   open_tiles_.reserve(tiles_.size());
   looked_into_.reserve(skin.blocks);
   found_.reserve(skin.blocks);
+  edges_.reserve(skin.blocks);
 }
 
 std::span<const BlockPart> RegionByBlocks::find(const Skin& skin, const ContactLanes& contact,
@@ -49,6 +50,7 @@ RegionByBlocks::Tile& RegionByBlocks::tileAt(const Query& query, Index tile) noe
   const BlocksInside blocks = insideBlocks(query.contact, query.skin.tileBounds(tile));
   here.whole = blocks.whole & query.skin.connected_blocks[tile];
   here.rim = blocks.touched & query.skin.block_graph.members[tile] & ~here.whole;
+  here.level = blocks.level;
   here.known = true;
   known_tiles_.push_back(tile);
   return here;
@@ -121,8 +123,10 @@ void RegionByBlocks::growBlock(const Query& query, Index block) noexcept {
 
 void RegionByBlocks::lookInto(const Query& query, Index block) noexcept {
   RimBlock& here = rim_[block];
-  const std::uint64_t inside = insideMask(query.contact, query.skin.restBlock(block));
-  here.outside = ~(inside & query.skin.vertex_graph.members[block]);
+  const VerticesInside inside = verticesInside(query.contact, query.skin.restBlock(block));
+  const std::uint64_t members = query.skin.vertex_graph.members[block];
+  here.outside = ~(inside.facing & members);
+  if ((inside.steep & members) != 0) edges_.push_back({block, false, inside.steep & members});
   here.looked_into = true;
   looked_into_.push_back(block);
 }
@@ -159,12 +163,14 @@ void RegionByBlocks::listFound(const Skin& skin) noexcept {
   for (const Index tile : known_tiles_) {
     forEachBit(tiles_[tile].reached, [&](Index bit) {
       const Index block = tile * kTileBlocks + bit;
-      found_.push_back({block, skin.vertex_graph.members[block]});
+      found_.push_back({block, true, skin.vertex_graph.members[block]});
     });
   }
   visited_blocks_ = static_cast<Index>(found_.size() + looked_into_.size());
   for (const Index block : looked_into_) {
-    if (rim_[block].reached != 0) found_.push_back({block, rim_[block].reached});
+    if (rim_[block].reached == 0) continue;
+    const bool is_level = (tiles_[blockOf(block)].level & bitOf(block)) != 0;
+    found_.push_back({block, is_level, rim_[block].reached});
   }
 }
 
@@ -174,6 +180,7 @@ void RegionByBlocks::forget() noexcept {
   known_tiles_.clear();
   looked_into_.clear();
   found_.clear();
+  edges_.clear();
   head_ = tail_ = 0;
 }
 

@@ -1,9 +1,10 @@
 // Which vertices belong to a contact, by whole blocks: the search that keeps the far side of the body, the other leg
 // and the arm out. Second step of an apply, for ellipses; regions of any shape are found in region_by_rings.h.
 //
-// The region of a contact is the set of vertices that lie in one of its ellipses (seen along the contact's normal),
-// face the contact, and can be reached from the anchor's triangle along edges through such vertices; the three corners
-// of that triangle always count as reached (E23: an ellipse smaller than a triangle must not end the search).
+// The region of a contact is the set of vertices that lie in one of its ellipses (seen along the contact's normal, and
+// not too far above or below its plane: kernels.h), face the contact, and can be reached from the anchor's triangle
+// along edges through such vertices; the three corners of that triangle always count as reached (E23: an ellipse
+// smaller than a triangle must not end the search).
 //
 // The search gives exactly that set, and decides most of it without looking at a vertex. Boxes tell which blocks of a
 // tile lie inside as a whole; those are flooded by words of blocks. The others at the rim are flooded by words of
@@ -27,6 +28,9 @@ class RegionByBlocks {
   std::span<const BlockPart> find(const Skin& skin, const ContactLanes& contact,
                                   const Triangle& anchor_triangle) noexcept;
 
+  /// Where the region has an edge or a wall: vertices in it that are steep (kernels.h), and vertices beside it that lie
+  /// in an ellipse and stay because they face away; some more of that kind. Valid until the next call of find.
+  std::span<const BlockPart> edges() const noexcept { return edges_; }
   /// True if the last search reached this vertex.
   bool reached(Index vertex) const noexcept;
   /// Blocks that the last search reached as a whole or looked into.
@@ -38,6 +42,7 @@ class RegionByBlocks {
   struct Tile {
     std::uint64_t whole = 0;
     std::uint64_t rim = 0;
+    std::uint64_t level = 0;    // where the height over the contact's plane does not matter
     std::uint64_t reached = 0;  // of `whole`
     std::uint64_t pending = 0;  // of `whole`, about to be reached; not 0 means the tile waits in open_tiles_
     bool known = false;
@@ -79,6 +84,7 @@ class RegionByBlocks {
   std::size_t head_ = 0;
   std::size_t tail_ = 0;
   std::vector<BlockPart> found_;
+  std::vector<BlockPart> edges_;
   Index visited_blocks_ = 0;
 };
 

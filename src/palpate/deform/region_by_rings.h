@@ -13,6 +13,14 @@
 
 namespace palpate::deform {
 
+/// Where a vertex lies.
+enum class Place : std::uint8_t {
+  outside,
+  staying,  ///< in an ellipse, but it faces away
+  inside,
+  steep,  ///< inside, on a wall (kernels.h)
+};
+
 enum class RingRule : std::uint8_t {
   connected,  ///< only vertices of the region lead on; the anchor's corners always do
   printed,    ///< every vertex of a ring leads on, until a ring has none inside (E23)
@@ -21,22 +29,23 @@ enum class RingRule : std::uint8_t {
 /// The search and its working memory.
 class RegionByRings {
  public:
-  explicit RegionByRings(const Skin& skin) : seen_(skin.blocks, 0), inside_(skin.blocks, 0) {
+  explicit RegionByRings(const Skin& skin) : seen_(skin.blocks, 0), inside_(skin.blocks, 0), at_edge_(skin.blocks, 0) {
     order_.reserve(skin.vertices);
     found_.reserve(skin.blocks);
+    edges_.reserve(skin.blocks);
   }
 
-  /// The region around the anchor's triangle, where `isInside(vertex)` says who lies in it. Blocks in the order of
+  /// The region around the anchor's triangle, where `placeOf(vertex)` says who lies in it. Blocks in the order of
   /// discovery; valid until the next call. No allocation.
-  template <class IsInside>
+  template <class PlaceOf>
   std::span<const BlockPart> find(const Skin& skin, const Triangle& anchor_triangle, RingRule rule,
-                                  const IsInside& is_inside) noexcept {
+                                  const PlaceOf& place_of) noexcept {
     forget();
     for (const Index corner : anchor_triangle) see(corner);
     std::size_t first = 0;
     for (bool corners = true; first < order_.size(); corners = false) {
       const std::size_t end = order_.size();
-      const bool any = judge(first, end, is_inside);
+      const bool any = judge(first, end, place_of);
       if (rule == RingRule::printed && !any) break;
       for (std::size_t i = first; i < end; ++i) {
         const bool leads_on = corners || rule == RingRule::printed || reached(order_[i]);
@@ -45,8 +54,13 @@ class RegionByRings {
       first = end;
     }
     for (BlockPart& part : found_) part.vertices = inside_[part.block];
+    for (BlockPart& part : edges_) part.vertices = at_edge_[part.block];
     return found_;
   }
+
+  /// Vertices beside the region that lie in an ellipse and stay, and those in it that are steep. Valid until the next
+  /// call of find.
+  std::span<const BlockPart> edges() const noexcept { return edges_; }
 
   /// True if the last search found this vertex inside.
   bool reached(Index vertex) const noexcept { return (inside_[blockOf(vertex)] & bitOf(vertex)) != 0; }
@@ -65,29 +79,39 @@ class RegionByRings {
     for (const Index neighbour : skin.neighbours[vertex]) see(neighbour);
   }
 
-  template <class IsInside>
-  bool judge(std::size_t first, std::size_t end, const IsInside& is_inside) noexcept {
+  template <class PlaceOf>
+  bool judge(std::size_t first, std::size_t end, const PlaceOf& place_of) noexcept {
     bool any = false;
     for (std::size_t i = first; i < end; ++i) {
-      if (!is_inside(order_[i])) continue;
+      const Place place = place_of(order_[i]);
+      if (place == Place::outside) continue;
+      if (place != Place::inside) note(order_[i], at_edge_, edges_);
+      if (place == Place::staying) continue;
+      note(order_[i], inside_, found_);
       any = true;
-      std::uint64_t& inside = inside_[blockOf(order_[i])];
-      if (inside == 0) found_.push_back({blockOf(order_[i]), 0});
-      inside |= bitOf(order_[i]);
     }
     return any;
   }
 
-  void forget() noexcept {
-    for (const Index vertex : order_) seen_[blockOf(vertex)] = inside_[blockOf(vertex)] = 0;
-    order_.clear();
-    found_.clear();
+  static void note(Index vertex, std::vector<std::uint64_t>& words, std::vector<BlockPart>& parts) noexcept {
+    std::uint64_t& word = words[blockOf(vertex)];
+    if (word == 0) parts.push_back({blockOf(vertex), false, 0});
+    word |= bitOf(vertex);
   }
 
-  std::vector<std::uint64_t> seen_;    // one bit a vertex
-  std::vector<std::uint64_t> inside_;  // likewise
-  std::vector<Index> order_;           // all that were seen, ring by ring
+  void forget() noexcept {
+    for (const Index vertex : order_) seen_[blockOf(vertex)] = inside_[blockOf(vertex)] = at_edge_[blockOf(vertex)] = 0;
+    order_.clear();
+    found_.clear();
+    edges_.clear();
+  }
+
+  std::vector<std::uint64_t> seen_;     // one bit a vertex
+  std::vector<std::uint64_t> inside_;   // likewise
+  std::vector<std::uint64_t> at_edge_;  // likewise
+  std::vector<Index> order_;            // all that were seen, ring by ring
   std::vector<BlockPart> found_;
+  std::vector<BlockPart> edges_;
 };
 
 }  // namespace palpate::deform

@@ -4,7 +4,10 @@
 // Based on: Ji, dissertation 2008, section 4.4, (4.7) to (4.14), with E14 and E15.
 #include "palpate/deform/region_frame.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "palpate/deform/frame.h"
 
@@ -37,6 +40,18 @@ Location contourLocation(const RegionFrame& region, const Vec2& offset) noexcept
   return {distance / radius, radial / radius - growth / (radius * radius) * turning};
 }
 
+Rise riseOf(const RegionFrame& region, const Vec3& unit_normal, const FormSettings& forms) noexcept {
+  if (forms.fidelity.literal(Erratum::E23_region_search)) return {unit_normal, std::numeric_limits<double>::infinity()};
+  return {unit_normal, longestRadius(region)};
+}
+
+/// The smallest and the largest of a contour's radii.
+std::pair<double, double> radiiOf(const maps::PolarContour& contour) noexcept {
+  const auto end = contour.log_radii.begin() + static_cast<std::ptrdiff_t>(contour.count);
+  const auto [least, most] = std::minmax_element(contour.log_radii.begin(), end);
+  return {std::exp(*least), std::exp(*most)};
+}
+
 }  // namespace
 
 RegionFrame ellipseFrame(const maps::SurfaceEllipse& ellipse, const Vec3& unit_normal,
@@ -54,10 +69,12 @@ RegionFrame ellipseFrame(const maps::SurfaceEllipse& ellipse, const Vec3& unit_n
   if (forms.shape == Shape::circle) {
     frame.half_along_mm = frame.half_across_mm = std::sqrt(frame.half_along_mm * frame.half_across_mm);
   }
+  frame.rise = riseOf(frame, unit_normal, forms);
   return frame;
 }
 
-RegionFrame contourFrame(const maps::SurfaceContour& contour, const Vec3& unit_normal) noexcept {
+RegionFrame contourFrame(const maps::SurfaceContour& contour, const Vec3& unit_normal,
+                         const FormSettings& forms) noexcept {
   const Vec3 flat = contour.axis_x - contour.axis_x.dot(unit_normal) * unit_normal;
   if (contour.contour.count < maps::kMinContourRadii || !(flat.norm() > 1e-6)) return {};
   RegionFrame frame;
@@ -66,6 +83,7 @@ RegionFrame contourFrame(const maps::SurfaceContour& contour, const Vec3& unit_n
   const Vec3 across = unit_normal.cross(frame.along);
   frame.across = across.dot(contour.axis_y) < 0.0 ? Vec3(-across) : across;
   frame.contour = contour.contour;
+  frame.rise = riseOf(frame, unit_normal, forms);
   return frame;
 }
 
@@ -81,6 +99,26 @@ Location locate(const RegionFrame& region, const Vec2& offset) noexcept {
       break;
   }
   return {2.0, Vec2::Zero()};
+}
+
+SpatialLocation locateInSpace(const RegionFrame& region, const Vec3& offset) noexcept {
+  const Location flat = locate(region, inPlane(region, offset));
+  const Vec3 slope = flat.slope.x() * region.along + flat.slope.y() * region.across;
+  const double up = region.rise.at(offset);
+  if (!(up > 0.0)) return {flat.q, slope};
+  const double q = std::hypot(flat.q, up);
+  const double up_slope = std::copysign(1.0 / region.rise.level_mm, region.rise.normal.dot(offset));
+  return {q, (flat.q * slope + up * up_slope * region.rise.normal) / q};
+}
+
+double longestRadius(const RegionFrame& region) noexcept {
+  if (region.kind == RegionFrame::Kind::contour) return radiiOf(region.contour).second;
+  return std::max(region.half_along_mm, region.half_across_mm);
+}
+
+double shortestRadius(const RegionFrame& region) noexcept {
+  if (region.kind == RegionFrame::Kind::contour) return radiiOf(region.contour).first;
+  return std::min(region.half_along_mm, region.half_across_mm);
 }
 
 }  // namespace palpate::deform

@@ -1,7 +1,8 @@
 // A region of any shape, made ready for vertices: location ratio and its slope for an offset from the anchor.
 //
 // The general displacement makes two per contact, for the press and for the drag. Offsets are projected along the
-// contact's normal (4.9) by taking their parts along the two axes.
+// contact's normal (4.9) by taking their parts along the two axes; far off the plane the ratio grows with the height
+// (Rise), except as printed (E23).
 //
 // The ellipse as printed (E14) takes the eccentric angle for the polar one, so that q = 1 is the pedal curve
 // r^2 = a^2 cos^2 + b^2 sin^2: it touches the ellipse on its axes and reaches beyond it everywhere else, by up to
@@ -12,6 +13,7 @@
 #include <cmath>
 
 #include "palpate/deform/forms.h"
+#include "palpate/deform/frame.h"
 
 namespace palpate::deform {
 
@@ -39,6 +41,7 @@ struct RegionFrame {
   Vec3 across = Vec3::Zero();   ///< unit, in the tangent plane too
   double half_along_mm = 0.0;   ///< of ellipse and pedal
   double half_across_mm = 0.0;  ///< longer than half_along where the ratio is taken the wrong way round (E15)
+  Rise rise;                    ///< by its longest radius
   maps::PolarContour contour;
 
   bool acts() const { return kind != Kind::none; }
@@ -49,14 +52,28 @@ RegionFrame ellipseFrame(const maps::SurfaceEllipse& ellipse, const Vec3& unit_n
                          const FormSettings& forms) noexcept;
 
 /// The contour; kind none for an empty one.
-RegionFrame contourFrame(const maps::SurfaceContour& contour, const Vec3& unit_normal) noexcept;
+RegionFrame contourFrame(const maps::SurfaceContour& contour, const Vec3& unit_normal,
+                         const FormSettings& forms = {}) noexcept;
 
 /// Parts of an offset along the region's axes, mm.
 inline Vec2 inPlane(const RegionFrame& region, const Vec3& offset) noexcept {
   return {region.along.dot(offset), region.across.dot(offset)};
 }
 
-/// Where a point lies. A region that does not act has everything outside. No allocation.
+/// Where a point lies, seen along the normal. A region that does not act has everything outside. No allocation.
 Location locate(const RegionFrame& region, const Vec2& offset) noexcept;
+
+/// A location ratio and how it grows per mm in space.
+struct SpatialLocation {
+  double q = 0.0;
+  Vec3 slope = Vec3::Zero();
+};
+
+/// Where a point lies, its height over the plane included. No allocation.
+SpatialLocation locateInSpace(const RegionFrame& region, const Vec3& offset) noexcept;
+
+/// The longest and the shortest radius, mm.
+double longestRadius(const RegionFrame& region) noexcept;
+double shortestRadius(const RegionFrame& region) noexcept;
 
 }  // namespace palpate::deform

@@ -102,6 +102,7 @@ Skin buildSkin(const mesh::TriangleMesh& mesh) {
   storeRestNormals(skin);
   joinBlocks(skin);
   skin.bounds = boundsOfBlocks(skin);
+  skin.fold_bounds = foldBounds(skin);
   return skin;
 }
 

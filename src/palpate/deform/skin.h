@@ -6,6 +6,7 @@
 // (mesh/reorder.h): any order gives the same surface, a bad one makes the blocks wide and the work slow.
 #pragma once
 
+#include "palpate/deform/fold_bounds.h"
 #include "palpate/deform/group_graph.h"
 
 namespace palpate::deform {
@@ -27,6 +28,7 @@ struct Skin {
   /// Per block the centre and half size (x, y, z) of the box of its positions, then of its normals: 12 streams, padded
   /// to whole tiles.
   FloatStreams bounds;
+  std::vector<FoldBound> fold_bounds;  ///< per block
 
   std::span<const GroupLink> linksOf(Index block) const { return vertex_graph.linksOf(block); }
   TileBounds tileBounds(Index tile) const {

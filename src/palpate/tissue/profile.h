@@ -16,6 +16,8 @@ inline constexpr double kProfileRim = 0.0021174947706328428;
 /// profile = kProfileScale exp(-kGaussianRate q^2) - kProfileOffset.
 inline constexpr double kProfileScale = 1.0 / (1.0 - kProfileRim);
 inline constexpr double kProfileOffset = kProfileRim * kProfileScale;
+/// The largest slope of the profile, at q = 1 / sqrt(2 kGaussianRate): sqrt(2 kGaussianRate / e) kProfileScale.
+inline constexpr double kProfileSteepest = 2.1330022826720994;
 
 /// Share of the finger's displacement at location ratio q >= 0, in [0, 1]; continuous (E18). NaN gives 0.
 inline double profile(double q) noexcept { return q < 1.0 ? kProfileScale * halfGaussian(q) - kProfileOffset : 0.0; }

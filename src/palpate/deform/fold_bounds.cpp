@@ -1,0 +1,107 @@
+// Cones of normals and widest angles, block by block when a skin is built, and the test against them.
+//
+// Data flow: triangles of the rest shape -> Skin::fold_bounds; these and the contacts' slopes -> mayFold, for each
+// block that moves, 60 times a second -> which blocks shear_limit.cpp looks into. Own.
+#include "palpate/deform/fold_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "palpate/deform/skin.h"
+
+namespace palpate::deform {
+
+namespace {
+
+/// Of 1, the slope at which a triangle has no area left: room for rounding.
+constexpr double kCertain = 0.95;
+/// The profile's slope at q = 1, over its largest: 0.0262 / 2.133.
+constexpr double kSlopeAtRim = 0.0123;
+
+struct TriangleShape {
+  Vec3 normal = Vec3::Zero();  ///< unit; zero for a triangle without area
+  double spread = 0.0;
+  double radius_mm = 0.0;
+};
+
+TriangleShape shapeOf(const Skin& skin, const Triangle& triangle) {
+  Vec3 corner[3];
+  for (std::size_t i = 0; i < 3; ++i) corner[i] = skin.restPosition(triangle[i]).cast<double>();
+  const Vec3 area = mesh::areaVector2(corner[0], corner[1], corner[2]);
+  if (!area.allFinite() || !(area.norm() > 0.0)) return {};
+  double widest_cosine = 1.0;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 a = corner[(i + 1) % 3] - corner[i];
+    const Vec3 b = corner[(i + 2) % 3] - corner[i];
+    widest_cosine = std::min(widest_cosine, a.dot(b) / (a.norm() * b.norm()));
+  }
+  const double sides = (corner[1] - corner[0]).norm() * (corner[2] - corner[1]).norm() * (corner[0] - corner[2]).norm();
+  // cos(w / 2) by the half angle; at least what a float can tell from a flat triangle
+  const double spread = 1.0 / std::sqrt(std::max(0.5 * (1.0 + widest_cosine), 1e-12));
+  return {area.normalized(), spread, 0.5 * sides / area.norm()};
+}
+
+template <class Visit>
+void forEachTriangleAt(const Skin& skin, Index block, const Visit& visit) {
+  const Index end = std::min((block + 1) * kBlockVertices, skin.vertices);
+  for (Index v = block * kBlockVertices; v < end; ++v) {
+    for (const Index t : skin.triangles_of_vertex[v]) visit(t);
+  }
+}
+
+FoldBound boundOf(const Skin& skin, const std::vector<TriangleShape>& shapes, Index block) {
+  FoldBound bound;
+  Vec3 sum = Vec3::Zero();
+  forEachTriangleAt(skin, block, [&](Index t) { sum += shapes[t].normal; });
+  if (sum.norm() > 0.0) bound.axis = sum.normalized().cast<float>();
+  double cos_cone = 1.0;
+  forEachTriangleAt(skin, block, [&](Index t) {
+    if (shapes[t].spread == 0.0) return;
+    cos_cone = std::min(cos_cone, shapes[t].normal.dot(bound.axis.cast<double>()));
+    bound.spread = std::max(bound.spread, static_cast<float>(shapes[t].spread));
+    bound.radius_mm = std::max(bound.radius_mm, static_cast<float>(shapes[t].radius_mm));
+  });
+  bound.cos_cone = static_cast<float>(cos_cone) - 1e-6f;  // rounding
+  return bound;
+}
+
+/// The largest sine between a direction and the normals of a cone.
+double largestSine(const FoldBound& block, const Vec3& direction) noexcept {
+  const double cone = block.cos_cone;
+  const double towards = block.axis.cast<double>().dot(direction);
+  // Beyond 90 degrees from the direction, or in a cone wider than that, nothing is known.
+  const double sin_towards = std::sqrt(std::max(0.0, 1.0 - towards * towards));
+  const double sin_cone = std::sqrt(std::max(0.0, 1.0 - cone * cone));
+  const double cosine = towards * cone - sin_towards * sin_cone;
+  if (!(towards > 0.0) || !(cone > 0.0) || !(cosine > 0.0)) return 1.0;
+  return std::min(1.0, sin_towards * cone + towards * sin_cone);
+}
+
+/// What is left of a triangle's area is at least 1 - (slopes) - (the product of each two).
+bool keepsItsArea(double press, double drag, bool is_one) noexcept {
+  const double both = press + drag;
+  return both + (is_one ? press * drag : 0.5 * both * both) < kCertain;
+}
+
+}  // namespace
+
+std::vector<FoldBound> foldBounds(const Skin& skin) {
+  std::vector<TriangleShape> shapes;
+  shapes.reserve(skin.triangles.size());
+  for (const Triangle& triangle : skin.triangles) shapes.push_back(shapeOf(skin, triangle));
+  std::vector<FoldBound> bounds;
+  bounds.reserve(skin.blocks);
+  for (Index block = 0; block < skin.blocks; ++block) bounds.push_back(boundOf(skin, shapes, block));
+  return bounds;
+}
+
+bool mayFold(const FoldBound& block, const ShearBound& shear) noexcept {
+  // The second bound holds within a region; where it ends the slope drops by kSlopeAtRim of the largest at once.
+  const double curved = 1.0 + block.radius_mm * shear.bend + kSlopeAtRim * block.spread;
+  const double spread = std::min<double>(block.spread, curved);
+  if (keepsItsArea(spread * shear.press, spread * shear.drag, shear.is_one)) return false;
+  const double press = spread * shear.press * largestSine(block, shear.towards);
+  return !keepsItsArea(press, spread * shear.drag, shear.is_one);
+}
+
+}  // namespace palpate::deform

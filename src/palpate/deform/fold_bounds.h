@@ -1,0 +1,43 @@
+// How much a block of skin can be sheared before one of its triangles folds: asked of whole blocks, so that triangles
+// are looked at only where one might.
+//
+// A displacement u = p(x) b, p no steeper than s per mm, makes the corners of a triangle follow a plane whose slope is
+// at most s / cos(w / 2), w the widest angle, since each edge keeps to s; and at most s + m r, m the largest second
+// derivative of p and r the radius through the corners. The triangle turns over no sooner than that slope times the
+// part of b in its plane reaches 1. A press has no part in the plane of a triangle that it meets head on: hence the
+// cone of normals. Based on: Waldron, "The error in linear interpolation at the vertices of a simplex", 1998; the rest
+// own.
+#pragma once
+
+#include <vector>
+
+#include "palpate/base/vec.h"
+
+namespace palpate::deform {
+
+struct Skin;
+
+/// Of all triangles at the vertices of a block.
+struct FoldBound {
+  Vec3f axis = Vec3f::Zero();  ///< the mean of their normals; zero where there is none
+  float cos_cone = -1.0f;      ///< of the angle that no normal leaves the axis by
+  float radius_mm = 0.0f;      ///< the largest through the corners of a triangle
+  float spread = 0.0f;         ///< the largest 1 / cos(widest angle / 2): 1.15 for equal sides, 1.41 for a right angle
+};
+
+/// A bound a block. Triangles without area do not count: they cannot fold.
+std::vector<FoldBound> foldBounds(const Skin& skin);
+
+/// What contacts may shear at most: sums over them of the largest displacement per mm of skin.
+struct ShearBound {
+  double press = 0.0;
+  double drag = 0.0;
+  double bend = 0.0;            ///< the largest second derivative over the largest slope, of any part, 1/mm
+  Vec3 towards = Vec3::Zero();  ///< the direction of the press; zero for several
+  bool is_one = true;           ///< of one contact
+};
+
+/// True unless it is certain that no triangle of the block folds.
+bool mayFold(const FoldBound& block, const ShearBound& shear) noexcept;
+
+}  // namespace palpate::deform

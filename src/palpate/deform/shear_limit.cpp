@@ -1,0 +1,289 @@
+// The three steps: room beside skin that stays, room along the surface, triangles that would fold.
+//
+// Data flow: regions and amplitudes of the plan, displaced surface -> here, behind every displacement -> positions and
+// displacements of the surface; which vertices were held back -> their normals. Costs about 0.1 us a vertex of a region
+// with an edge, about 10 ns a triangle of a doubtful block, and nothing else.
+// Own; the projection after Mueller, Heidelberger, Hennix, Ratcliff, "Position based dynamics", 2007.
+#include "palpate/deform/shear_limit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate::deform {
+
+namespace {
+
+/// Shares of a triangle's area at rest, seen along its rest normal: below the first it counts as folded, and is brought
+/// to the second, so that rounding does not fold it again.
+constexpr double kFolded = 1e-3;
+constexpr double kUnfolded = 0.03;
+/// Of the share of its displacement that a triangle may keep, what it is left: room for its neighbours. Without it one
+/// contact in three hundred on scanned bodies did not come to an end.
+constexpr double kReserve = 0.8;
+/// Turns of drawing triangles together: on scanned bodies one to five, a hundred at most.
+constexpr int kTurns = 200;
+/// Triangles in one turn, two hundred times what scanned bodies need; more are no matter of single triangles.
+constexpr std::size_t kMostFolds = 4096;
+/// Of shortening everything. Each leaves at most nine tenths.
+constexpr int kShortenings = 60;
+/// A vertex is held back if it goes beyond its room by more than rounding.
+constexpr float kBeyondRounding = 1.0f + 1e-5f;
+/// Height of a triangle over its longest side, as a share of the largest coordinate, below which floats do not tell one
+/// side of it from the other: sixteen roundings.
+constexpr double kThinnest = 1e-6;
+
+Vec3 pointOf(const DeformedBlock& surface, int first, Index v) noexcept {
+  return {surface.values[first][v], surface.values[first + 1][v], surface.values[first + 2][v]};
+}
+
+Vec3 displacementOf(const DeformedBlock& surface, Index v) noexcept { return pointOf(surface, 6, v); }
+
+/// Whether a thing is not yet in a set of bits, in which it is then.
+bool isNew(Index thing, std::vector<std::uint64_t>& bits) noexcept {
+  std::uint64_t& word = bits[blockOf(thing)];
+  if ((word & bitOf(thing)) != 0) return false;
+  word |= bitOf(thing);
+  return true;
+}
+
+/// The share of the least root of a + b s + c s^2 in (0, 1]; 1 where there is none. `a` is positive.
+double leastRoot(double a, double b, double c) noexcept {
+  const double root2 = b * b - 4.0 * a * c;
+  if (root2 < 0.0) return 1.0;
+  // Both roots without cancellation.
+  const double t = -0.5 * (b + std::copysign(std::sqrt(root2), b));
+  double least = 1.0;
+  if (t != 0.0 && a / t > 0.0) least = std::min(least, a / t);
+  if (c != 0.0 && t / c > 0.0) least = std::min(least, t / c);
+  return least;
+}
+
+}  // namespace
+
+/// A triangle's area along its rest normal as its displacement grows by a share s: area + linear s + square s^2.
+struct ShearLimit::Fold {
+  double area = 0.0;  ///< squared, at rest
+  double linear = 0.0;
+  double square = 0.0;
+  bool has_sides = false;  ///< false if it is too thin to fold, or has numbers that are none
+
+  Fold(const Skin& skin, const Triangle& triangle, const DeformedBlock& surface) noexcept {
+    Vec3 rest[3];
+    Vec3 moved[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+      rest[i] = skin.restPosition(triangle[i]).cast<double>();
+      moved[i] = pointOf(surface, 0, triangle[i]) - rest[i];
+    }
+    const Vec3 a = rest[1] - rest[0];
+    const Vec3 b = rest[2] - rest[0];
+    const Vec3 u = moved[1] - moved[0];
+    const Vec3 v = moved[2] - moved[0];
+    const Vec3 normal = a.cross(b);
+    const double longest2 = std::max({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()});
+    const double largest = std::max(
+        {rest[0].lpNorm<Eigen::Infinity>(), rest[1].lpNorm<Eigen::Infinity>(), rest[2].lpNorm<Eigen::Infinity>()});
+    area = normal.squaredNorm();
+    has_sides = area > kThinnest * kThinnest * largest * largest * longest2;
+    linear = (a.cross(v) + u.cross(b)).dot(normal);
+    square = u.cross(v).dot(normal);
+  }
+  bool isFolded() const noexcept { return has_sides && area + linear + square < kFolded * area; }
+  /// The largest share up to which it never folds.
+  double share() const noexcept { return leastRoot(area * (1.0 - kUnfolded), linear, square); }
+};
+
+ShearLimit::ShearLimit(const Skin& skin, std::size_t most_pulls)
+    : skin_(skin),
+      from_staying_(skin),
+      from_anchor_(skin),
+      regions_(skin.blocks, 0),
+      region_(skin.blocks, 0),
+      room_(skin.vertices, 0.0f),
+      is_pinning_(skin.blocks, 0),
+      is_held_(skin.blocks, 0),
+      is_listed_(blocksFor(static_cast<Index>(skin.triangles.size())), 0) {
+  blocks_.reserve(skin.blocks);
+  held_.reserve(skin.vertices);
+  pinning_.reserve(skin.vertices);
+  torn_.reserve(most_pulls);
+  folds_.reserve(kMostFolds);
+  next_folds_.reserve(kMostFolds);
+}
+
+void ShearLimit::start() noexcept {
+  for (const Index v : held_) is_held_[blockOf(v)] = 0;
+  held_.clear();
+}
+
+void ShearLimit::setPulls(std::span<const Pull> pulls) noexcept {
+  pulls_ = pulls;
+  for (const Index v : pinning_) is_pinning_[blockOf(v)] = 0;
+  pinning_.clear();
+  for (const Index block : blocks_) regions_[block] = 0;
+  blocks_.clear();
+  for (const Pull& pull : pulls) {
+    for (const BlockPart& part : pull.region) {
+      if (regions_[part.block] == 0 && part.vertices != 0) blocks_.push_back(part.block);
+      regions_[part.block] |= part.vertices;
+    }
+  }
+}
+
+/// The distances from the anchor along the pull's region.
+void ShearLimit::measureAlongSurface(const Pull& pull) noexcept {
+  for (const BlockPart& part : pull.region) region_[part.block] = part.vertices;
+  from_anchor_.start();
+  for (const Index corner : skin_.triangles[pull.anchor_triangle]) {
+    from_anchor_.seed(corner, static_cast<float>((skin_.restPosition(corner).cast<double>() - pull.anchor).norm()));
+  }
+  const double reach = kRoundabout * std::max(pull.press_reach_mm, pull.drag_reach_mm);
+  from_anchor_.spread(skin_, static_cast<float>(reach),
+                      [&](Index v, float) { return (region_[blockOf(v)] & bitOf(v)) != 0; });
+  for (const BlockPart& part : pull.region) region_[part.block] = 0;
+}
+
+/// Where skin stays it pins what is joined to it. Returns how far the farthest of those moves, or of the walls.
+double ShearLimit::seedAtEdges(const Pull& pull, const DeformedBlock& surface) noexcept {
+  double farthest2 = 0.0;
+  const auto note = [&](Index v) { farthest2 = std::max(farthest2, displacementOf(surface, v).squaredNorm()); };
+  for (const BlockPart& part : pull.edges) {
+    const Index first = part.block * kBlockVertices;
+    forEachBit(part.vertices & regions_[part.block], [&](Index bit) { note(first + bit); });
+    forEachBit(part.vertices & ~regions_[part.block], [&](Index bit) {
+      const Index stays = first + bit;
+      bool pins = false;
+      for (const Index v : skin_.neighbours[stays]) {
+        if (!moves(v)) continue;
+        pins = true;
+        note(v);
+        from_staying_.seed(v, (skin_.restPosition(v) - skin_.restPosition(stays)).norm());
+      }
+      if (pins) notePinning(stays);
+    });
+  }
+  return std::sqrt(farthest2);
+}
+
+/// From there on as long as it may matter. Skin less steep than kSteepest is held back farther on only through vertices
+/// that are held back too; steeper skin is followed to where it moves by a quarter of its room.
+void ShearLimit::taperBesideStaying(double most_mm, double slope, const DeformedBlock& surface) noexcept {
+  const float matters = slope < kSteepest ? kSteepest : 0.25f * kSteepest;
+  from_staying_.spread(skin_, static_cast<float>(most_mm / kSteepest),
+                       [&](Index v, float mm) { return moves(v) && displacementOf(surface, v).norm() > matters * mm; });
+}
+
+void ShearLimit::holdWithin(Index vertex, float room_mm, const DeformedBlock& surface) noexcept {
+  const auto far = static_cast<float>(displacementOf(surface, vertex).norm());
+  if (far > room_mm * kBeyondRounding) hold(vertex, room_mm / far, surface);
+}
+
+void ShearLimit::noteHeld(Index vertex) noexcept {
+  if (isNew(vertex, is_held_)) held_.push_back(vertex);
+}
+
+void ShearLimit::notePinning(Index vertex) noexcept {
+  if (isNew(vertex, is_pinning_)) pinning_.push_back(vertex);
+}
+
+/// Leaves a vertex that share of its displacement.
+void ShearLimit::hold(Index vertex, float share, const DeformedBlock& surface) noexcept {
+  const Vec3f rest = skin_.restPosition(vertex);
+  for (int axis = 0; axis < 3; ++axis) {
+    float& displacement = surface.values[6 + axis][vertex];
+    displacement *= share;
+    surface.values[axis][vertex] = rest[axis] + displacement;
+  }
+  noteHeld(vertex);
+}
+
+void ShearLimit::unfold(const DeformedBlock& surface, const BlockSet& doubtful) noexcept {
+  const bool is_few = findFolds(surface, doubtful);
+  if (folds_.empty()) return;
+  if (!is_few || !drawAllTogether(surface)) shorten(surface);
+  for (const Index t : folds_) is_listed_[blockOf(t)] &= ~bitOf(t);
+  folds_.clear();
+}
+
+/// Lists the folded triangles. False if there is no room for all.
+bool ShearLimit::findFolds(const DeformedBlock& surface, const BlockSet& doubtful) noexcept {
+  doubtful.forEach([&](Index block) {
+    forEachBit(regions_[block], [&](Index bit) { findFoldsAt(surface, block * kBlockVertices + bit); });
+  });
+  for (const Index v : pinning_) findFoldsAt(surface, v);
+  for (const Index v : held_) findFoldsAt(surface, v);
+  return folds_.size() < kMostFolds;
+}
+
+void ShearLimit::findFoldsAt(const DeformedBlock& surface, Index vertex) noexcept {
+  for (const Index t : skin_.triangles_of_vertex[vertex]) {
+    if (folds_.size() < kMostFolds && Fold(skin_, skin_.triangles[t], surface).isFolded()) listFold(t);
+  }
+}
+
+void ShearLimit::listFold(Index triangle) noexcept {
+  if (isNew(triangle, is_listed_)) folds_.push_back(triangle);
+}
+
+/// Triangle after triangle until none is folded. False if that does not come to an end.
+bool ShearLimit::drawAllTogether(const DeformedBlock& surface) noexcept {
+  for (int turn = 0; turn < kTurns && !folds_.empty(); ++turn) {
+    std::swap(folds_, next_folds_);
+    folds_.clear();
+    for (const Index t : next_folds_) is_listed_[blockOf(t)] &= ~bitOf(t);
+    for (const Index t : next_folds_) {
+      if (Fold(skin_, skin_.triangles[t], surface).isFolded()) drawTogether(t, surface);
+    }
+    for (const Index t : next_folds_) {
+      for (const Index corner : skin_.triangles[t]) {
+        for (const Index beside : skin_.triangles_of_vertex[corner]) {
+          if (folds_.size() == kMostFolds) return false;
+          if (Fold(skin_, skin_.triangles[beside], surface).isFolded()) listFold(beside);
+        }
+      }
+    }
+  }
+  return folds_.empty();
+}
+
+/// Shortens what moves the corners apart; towards their mean, or to rest where one of them stays.
+void ShearLimit::drawTogether(Index triangle, const DeformedBlock& surface) noexcept {
+  const Triangle& corners = skin_.triangles[triangle];
+  const double share = kReserve * Fold(skin_, corners, surface).share();
+  Vec3 mean = Vec3::Zero();
+  for (const Index v : corners) mean += displacementOf(surface, v) / 3.0;
+  if (!std::all_of(corners.begin(), corners.end(), [&](Index v) { return moves(v); })) mean.setZero();
+  for (const Index v : corners) {
+    if (!moves(v)) continue;
+    const Vec3f displacement = (mean + share * (displacementOf(surface, v) - mean)).cast<float>();
+    const Vec3f place = skin_.restPosition(v) + displacement;
+    for (int axis = 0; axis < 3; ++axis) {
+      surface.values[6 + axis][v] = displacement[axis];
+      surface.values[axis][v] = place[axis];
+    }
+    noteHeld(v);
+  }
+}
+
+/// The last resort: everything that moves moves less.
+void ShearLimit::shorten(const DeformedBlock& surface) noexcept {
+  for (int i = 0; i < kShortenings; ++i) {
+    const float share = shareWithoutFolds(surface);
+    if (share == 1.0f) return;
+    forEachMoved([&](Index v) { hold(v, share, surface); });
+  }
+  forEachMoved([&](Index v) { hold(v, 0.0f, surface); });
+}
+
+/// 1 if nothing is folded.
+float ShearLimit::shareWithoutFolds(const DeformedBlock& surface) const noexcept {
+  double share = 1.0;
+  forEachMoved([&](Index v) {
+    for (const Index t : skin_.triangles_of_vertex[v]) {
+      const Fold fold(skin_, skin_.triangles[t], surface);
+      if (fold.isFolded()) share = std::min({share, 0.9, fold.share()});
+    }
+  });
+  return static_cast<float>(share);
+}
+
+}  // namespace palpate::deform

@@ -1,0 +1,167 @@
+// Holds the displaced skin back where it would tear or fold.
+//
+// The formulae of a press and a drag know the place of a vertex, not the surface: next to skin that stays behind
+// because it faces away (between toes, at the rim of a narrow limb) a vertex may be told to go farther than its
+// triangle is long, and in a steep or thin triangle neighbours may be told to pass each other. Three steps, each of
+// which leaves alone what needs no help, bit by bit:
+//   1. beside skin that stays behind, a vertex moves by at most kSteepest mm per mm of surface between the two;
+//   2. a region that has such an edge, or a wall, ends along the surface too: what a contact moves falls off with the
+//      way along the edges as in the profile stretched by kRoundabout, so that what is near only through the air stays;
+//   3. triangles that may fold are looked at, and where one does its corners are drawn together just enough; if that
+//      does not end, the whole displacement is shortened until none folds.
+// 1 and 2 change steadily with the contact and do not depend on the order of vertices; 3 is exact. Costs nothing where
+// no region has an edge and no block may fold (fold_bounds.h). Own; the projection of single triangles after Mueller et
+// al., "Position based dynamics", 2007.
+#pragma once
+
+#include <algorithm>
+#include <span>
+
+#include "palpate/deform/edge_distances.h"
+
+namespace palpate::deform {
+
+/// What one contact moves, as far as its skin can be held back.
+struct Pull {
+  Vec3 anchor = Vec3::Zero();
+  Index anchor_triangle = kNoIndex;
+  std::span<const BlockPart> region;
+  /// Vertices beside the region that lie within its ellipses and yet stay, those in it that are steep, and some more.
+  std::span<const BlockPart> edges;
+  double press_mm = 0.0;        ///< of its centre, not below 0
+  double drag_mm = 0.0;         ///< likewise
+  double press_reach_mm = 1.0;  ///< half major axis
+  double drag_reach_mm = 1.0;
+};
+
+class ShearLimit {
+ public:
+  ShearLimit(const Skin& skin, std::size_t most_pulls);
+
+  /// Steps 1 and 2. `press_profile(q)` and `drag_profile(q)` are the curves that the displacement was made with,
+  /// `slope` is how much it differs per mm at most.
+  template <class PressProfile, class DragProfile>
+  void taper(const DeformedBlock& surface, double slope, const PressProfile& press_profile,
+             const DragProfile& drag_profile) noexcept;
+
+  /// Step 3, for the triangles at moved vertices of `doubtful` blocks, at vertices held back and at skin that stays.
+  void unfold(const DeformedBlock& surface, const BlockSet& doubtful) noexcept;
+
+  /// Vertices that were held back since `start`, in no particular order.
+  std::span<const Index> held() const noexcept { return held_; }
+  /// Forgets them.
+  void start() noexcept;
+  /// The contacts that taper and unfold are about; their spans must stay.
+  void setPulls(std::span<const Pull> pulls) noexcept;
+  /// True if one of the pulls moves it.
+  bool moves(Index vertex) const noexcept { return (regions_[blockOf(vertex)] & bitOf(vertex)) != 0; }
+
+ private:
+  /// How far a vertex may move per mm of surface between it and skin that stays. Below 0.7 a wall of right-angled
+  /// triangles cannot turn over; half of that again is room for the widest angles of scanned skin.
+  static constexpr float kSteepest = 0.6f;
+  /// On a sphere the way along the surface is at most pi/2 times that seen along the normal, and the way along edges at
+  /// most sqrt(2) times that: round skin is never cut short.
+  static constexpr double kRoundabout = 2.25;
+  /// Shares of what a contact moves. Where at most the first arrives at every edge of its region (the flanks of a
+  /// trunk), what lies behind them moves little anyway and is not measured; from the second on the measure counts in
+  /// full.
+  static constexpr double kFaint = 0.2;
+  static constexpr double kPlain = 0.4;
+
+  struct Fold;
+  /// A pull whose region has an edge worth measuring, and how much the measure counts.
+  struct Torn {
+    const Pull* pull;
+    double share;
+  };
+  static double shareMeasured(double at_edge) noexcept {
+    return std::clamp((at_edge - kFaint) / (kPlain - kFaint), 0.0, 1.0);
+  }
+
+  double seedAtEdges(const Pull& pull, const DeformedBlock& surface) noexcept;
+  void taperBesideStaying(double most_mm, double slope, const DeformedBlock& surface) noexcept;
+  void measureAlongSurface(const Pull& pull) noexcept;
+  template <class PressProfile, class DragProfile>
+  void roomAlongSurface(const PressProfile& press_profile, const DragProfile& drag_profile) noexcept;
+  void holdWithin(Index vertex, float room_mm, const DeformedBlock& surface) noexcept;
+  void hold(Index vertex, float share, const DeformedBlock& surface) noexcept;
+  void noteHeld(Index vertex) noexcept;
+  void notePinning(Index vertex) noexcept;
+  bool findFolds(const DeformedBlock& surface, const BlockSet& blocks) noexcept;
+  void listFold(Index triangle) noexcept;
+  void drawTogether(Index triangle, const DeformedBlock& surface) noexcept;
+  bool drawAllTogether(const DeformedBlock& surface) noexcept;
+  void findFoldsAt(const DeformedBlock& surface, Index vertex) noexcept;
+  void shorten(const DeformedBlock& surface) noexcept;
+  float shareWithoutFolds(const DeformedBlock& surface) const noexcept;
+
+  template <class Visit>
+  void forEachMoved(const Visit& visit) const noexcept {
+    for (const Index block : blocks_) {
+      forEachBit(regions_[block], [&](Index bit) { visit(block * kBlockVertices + bit); });
+    }
+  }
+
+  const Skin& skin_;
+  std::span<const Pull> pulls_;
+  EdgeDistances from_staying_;
+  EdgeDistances from_anchor_;
+  std::vector<std::uint64_t> regions_;  // of all pulls; one bit a vertex
+  std::vector<Index> blocks_;           // where that is not 0
+  std::vector<std::uint64_t> region_;   // of one pull
+  std::vector<float> room_;             // how far a moved vertex may go along the surface, by all pulls
+  std::vector<Torn> torn_;
+  std::vector<Index> pinning_;  // vertices that stay beside some that move
+  std::vector<std::uint64_t> is_pinning_;
+  std::vector<Index> held_;
+  std::vector<std::uint64_t> is_held_;
+  std::vector<Index> folds_;              // triangles
+  std::vector<Index> next_folds_;         // likewise
+  std::vector<std::uint64_t> is_listed_;  // one bit a triangle
+};
+
+template <class PressProfile, class DragProfile>
+void ShearLimit::taper(const DeformedBlock& surface, double slope, const PressProfile& press_profile,
+                       const DragProfile& drag_profile) noexcept {
+  from_staying_.start();
+  torn_.clear();
+  double most = 0.0;
+  for (const Pull& pull : pulls_) {
+    const double own = pull.press_mm + pull.drag_mm;
+    const double at_edge = seedAtEdges(pull, surface);
+    if (at_edge > kFaint * own) torn_.push_back({&pull, shareMeasured(at_edge / own)});
+    most += own;
+  }
+  taperBesideStaying(most, slope, surface);
+  if (!torn_.empty()) {
+    roomAlongSurface(press_profile, drag_profile);
+    forEachMoved([&](Index v) { holdWithin(v, room_[v], surface); });
+  }
+  for (const Index v : from_staying_.reached()) holdWithin(v, kSteepest * from_staying_.at(v), surface);
+}
+
+template <class PressProfile, class DragProfile>
+void ShearLimit::roomAlongSurface(const PressProfile& press_profile, const DragProfile& drag_profile) noexcept {
+  forEachMoved([&](Index v) { room_[v] = 0.0f; });
+  for (const Pull& pull : pulls_) {
+    const auto torn = std::find_if(torn_.begin(), torn_.end(), [&](const Torn& t) { return t.pull == &pull; });
+    const double measured = torn == torn_.end() ? 0.0 : torn->share;
+    if (measured > 0.0) measureAlongSurface(pull);
+    for (const BlockPart& part : pull.region) {
+      forEachBit(part.vertices, [&](Index bit) {
+        const Index v = part.block * kBlockVertices + bit;
+        double room = pull.press_mm + pull.drag_mm;
+        if (measured > 0.0) {
+          const double away = from_anchor_.at(v) / kRoundabout;
+          const double along = pull.press_mm * press_profile(away / pull.press_reach_mm) +
+                               pull.drag_mm * drag_profile(away / pull.drag_reach_mm);
+          room += measured * (along - room);
+        }
+        room_[v] += static_cast<float>(room);
+      });
+    }
+  }
+}
+
+}  // namespace palpate::deform

@@ -1,0 +1,107 @@
+// The bounds that let a block be passed over: where they say that nothing folds, nothing does.
+#include "palpate/deform/fold_bounds.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "deform/folded_shapes.h"
+#include "deform/stage.h"
+#include "palpate/deform/edge_distances.h"
+#include "palpate/deform/fast_displacement.h"
+#include "palpate/mesh/reorder.h"
+#include "palpate/tissue/profile.h"
+
+namespace palpate::deform {
+
+using test::press;
+using test::Stage;
+
+TEST(FoldBounds, TheProfileIsNowhereSteeper) {
+  double steepest = 0.0;
+  for (int i = 1; i < 100000; ++i) {
+    steepest = std::max(steepest, 1e5 * (tissue::profile(1e-5 * (i - 1)) - tissue::profile(1e-5 * i)));
+  }
+  EXPECT_LE(steepest, tissue::kProfileSteepest);
+  EXPECT_NEAR(steepest, tissue::kProfileSteepest, 1e-6);
+}
+
+TEST(FoldBounds, NameTheWidestAngleAndTheCone) {
+  const FoldBound flat = buildSkin(zoo::grid(4, 40.0)).fold_bounds[0];
+  EXPECT_NEAR(flat.spread, std::sqrt(2.0), 1e-6);
+  EXPECT_NEAR(flat.radius_mm, 5.0 * std::sqrt(2.0), 1e-5);
+  EXPECT_NEAR(flat.cos_cone, 1.0, 1e-5);
+  EXPECT_LT((flat.axis - Vec3f::UnitZ()).norm(), 1e-6f);
+  EXPECT_LT(buildSkin(zoo::sphere(20.0, 0)).fold_bounds[0].cos_cone, 0.0f);
+}
+
+/// Area of a deformed triangle along its rest normal, as a share of its rest area.
+double areaLeft(const Stage& stage, Index triangle) {
+  const auto& [a, b, c] = stage.skin.triangles[triangle];
+  const auto rest = [&](Index v) { return stage.skin.restPosition(v).cast<double>().eval(); };
+  const auto now = [&](Index v) { return stage.surface.positionAt(v).cast<double>().eval(); };
+  const Vec3 normal = mesh::areaVector2(rest(a), rest(b), rest(c));
+  return mesh::areaVector2(now(a), now(b), now(c)).dot(normal) / normal.squaredNorm();
+}
+
+// Whole regions only: where skin stays inside an ellipse the bounds say nothing.
+TEST(FoldBounds, SayNothingThatTheTrianglesDeny) {
+  Random random(5);
+  Index certain = 0;
+  Index folded_elsewhere = 0;
+  for (int body = 0; body < 20; ++body) {
+    mesh::TriangleMesh mesh = body % 2 == 0 ? zoo::wavyGrid(90, 100.0, random.uniform(0.0, 4.0)) : zoo::grid(60, 100.0);
+    const double shake = random.uniform(0.0, 0.45) * 100.0 / (body % 2 == 0 ? 90 : 60);
+    for (Vec3& p : mesh.positions) p += shake * Vec3(random.uniform(-1, 1), random.uniform(-1, 1), 0.0);
+    mesh::reorderSpatially(mesh);
+    Stage stage(mesh, test::formulaeAlone());
+    for (int i = 0; i < 10; ++i) {
+      Contact contact = press(mesh, test::triangleNear(mesh, {50, 50, 0}), random.uniform(0, 10));
+      const double half = random.uniform(10, 40);
+      contact.tangential_region = maps::liftedOntoSurface({half, random.uniform(0.5, 1)}, contact.normal);
+      contact = test::drag(contact, {random.uniform(-20, 20), random.uniform(-20, 20), 0.0});
+      stage.apply({contact});
+      const EllipseContact frame = frameOf(contact, {});
+      ShearBound shear;
+      FastDisplacement::addShear(frame, lanesOf(frame, frame.depth_mm, frame.drag_mm), shear);
+      for (Index block = 0; block < stage.skin.blocks; ++block) {
+        const bool may_fold = mayFold(stage.skin.fold_bounds[block], shear);
+        const Index end = std::min((block + 1) * kBlockVertices, stage.skin.vertices);
+        for (Index v = block * kBlockVertices; v < end; ++v) {
+          for (const Index t : stage.skin.triangles_of_vertex[v]) {
+            const bool folded = areaLeft(stage, t) <= 0.0;
+            EXPECT_TRUE(!folded || may_fold) << body << " " << i << " " << areaLeft(stage, t);
+            certain += may_fold ? 0 : 1;
+            folded_elsewhere += folded ? 1 : 0;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(certain, 100000u);
+  EXPECT_GT(folded_elsewhere, 1000u) << "the cases show nothing";
+}
+
+// On a right-angled grid the way along edges is known.
+TEST(EdgeDistances, GoAroundWhatIsNotAllowed) {
+  const Skin skin = buildSkin(zoo::grid(20, 100.0));
+  const auto at = [](Index i, Index j) { return 21 * j + i; };
+  EdgeDistances distances(skin);
+  for (const bool is_walled : {false, true, false}) {
+    distances.start();
+    distances.seed(at(5, 10), 0.0f);
+    distances.spread(skin, 1000.0f, [&](Index v, float) { return !is_walled || v % 21 != 10 || v / 21 == 0; });
+    // Back to the gap at j = 0 along the lines, on from there by five diagonals of the cells and five sides.
+    EXPECT_NEAR(distances.at(at(15, 10)), is_walled ? 75.0 + 25.0 * std::sqrt(2.0) + 25.0 : 50.0, 1e-3);
+    EXPECT_EQ(distances.at(at(10, 10)) < 1e9f, !is_walled);
+    EXPECT_EQ(distances.reached().size(), is_walled ? 21u * 20u + 1u : 21u * 21u);
+  }
+  distances.start();
+  distances.seed(at(0, 0), 0.0f);
+  distances.spread(skin, 26.0f, [](Index, float) { return true; });
+  EXPECT_EQ(distances.at(at(5, 0)), 25.0f);
+  EXPECT_GT(distances.at(at(6, 0)), 1e9f);
+}
+
+}  // namespace palpate::deform
