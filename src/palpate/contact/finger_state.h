@@ -4,6 +4,7 @@
 // Lengths in mm, forces in N, in the body's frame.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "palpate/base/vec.h"
@@ -47,6 +48,14 @@ struct SurfacePoint {
   tree::Feature feature = tree::Feature::face;
 };
 
+/// Where a sphere stood on the skin when its centre came to rest: its next tick need not ask the whole skin again. Holds
+/// only where the centre has not moved since; never changes what is felt.
+struct StandingPlaces {
+  static constexpr int kMost = 8;  ///< a sphere that stands on more asks anew
+  std::array<SurfacePoint, kMost> places;
+  int count = -1;  ///< -1: not known
+};
+
 /// All that a finger remembers between two ticks. Plain data; value-initialised it has never touched anything.
 struct FingerState {
   bool knows_tip = false;  ///< false until the first usable tip
@@ -58,6 +67,7 @@ struct FingerState {
   SurfacePoint anchor;         ///< on the skin
   Vec3 centre = Vec3::Zero();  ///< sphere: C, where it rests on the skin; detecting box: the god object
   bool fits = false;           ///< sphere only: at C it does not sink into the skin
+  StandingPlaces standing;     ///< sphere only: at C
   bool guarded = false;        ///< a point that is felt as a very small sphere: sheets pierce each other here
   Vec3 hold = Vec3::Zero();    ///< A as a point in space: where the pull of friction ends
   Vec3 felt = Vec3::Zero();    ///< the depth that was felt along its normal, mm; fades after the skin was left

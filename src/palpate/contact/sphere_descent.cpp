@@ -27,7 +27,7 @@ namespace {
 
 // Shares of the radius.
 constexpr double kSettled = 1e-5;   ///< a centre that would move less than this stays
-constexpr double kOutlook = 0.005;  ///< skin within this of the sphere takes part in the first plan
+constexpr double kOutlook = 0.001;  ///< skin within this of the sphere takes part in the first plan
 constexpr double kSlack = 1e-9;     ///< of the planes: far above rounding, far below kTight
 
 constexpr int kMostRounds = 24;  ///< trials in a tick, about 1 us each at 40,000 triangles
@@ -162,6 +162,23 @@ Vec3 lookAhead(const SphereTask& task, Feet feet, Vec3 place) {
   return place;
 }
 
+// ---- feet that are known from the last tick ---------------------------------------------------------------------------
+
+/// The feet at `centre` that the next step has to respect.
+void feetAt(const SphereTask& task, const Vec3& centre, const StandingPlaces& standing, Feet& feet) {
+  if (standing.count < 0) {
+    findFeet(task.surface, centre, task.radius * (1.0 + kOutlook), feet);
+    return;
+  }
+  feet.count = standing.count;
+  for (int i = 0; i < feet.count; ++i) standsOn(task.surface, standing.places[i], centre, feet.feet[i]);
+}
+
+void remember(const Feet& feet, StandingPlaces& standing) {
+  standing.count = feet.count <= StandingPlaces::kMost ? feet.count : -1;
+  for (int i = 0; i < standing.count; ++i) standing.places[i] = feet.feet[i].at;
+}
+
 }  // namespace
 
 bool isFreeWay(const SphereTask& task, const Vec3& from, const Vec3& to) noexcept {
@@ -182,7 +199,7 @@ bool pushOut(const SphereTask& task, Vec3& centre) noexcept {
   return !anyFootLower(task.surface, centre, task.radius * (1.0 - kFit));
 }
 
-bool descend(const SphereTask& task, Vec3& centre, SurfacePoint& foot) noexcept {
+bool descend(const SphereTask& task, Vec3& centre, SurfacePoint& foot, StandingPlaces& standing) noexcept {
   const double settled = kSettled * task.radius;
   Feet feet;
   HalfSpaces planes;
@@ -192,10 +209,11 @@ bool descend(const SphereTask& task, Vec3& centre, SurfacePoint& foot) noexcept 
     centre = place;
     planFrom(task, centre, feet, planes);
     if (feet.count > 0) foot = feet.feet[feet.lowest()].at;
+    remember(feet, standing);
     failures = 0;
     longest = kUnbounded;
   };
-  findFeet(task.surface, centre, task.radius * (1.0 + kOutlook), feet);
+  feetAt(task, centre, standing, feet);
   settle_at(centre);
   double tried = 0.0;
   for (int round = 0; round < kMostRounds; ++round) {
@@ -207,7 +225,7 @@ bool descend(const SphereTask& task, Vec3& centre, SurfacePoint& foot) noexcept 
       // The planes of what is in the way farther on leave no way at all: as much of the way as is open, then.
       longest = 0.5 * tried;
       failures = 0;
-      findFeet(task.surface, centre, task.radius * (1.0 + kOutlook), feet);
+      feetAt(task, centre, standing, feet);
       planFrom(task, centre, feet, planes);
       continue;
     }

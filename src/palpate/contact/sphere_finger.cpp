@@ -89,8 +89,11 @@ bool landSphere(const Surface& surface, double radius, FingerState& state, const
   // A tip that was inside comes out first: then the contact starts where it is out.
   const tree::Crossing exit = tree::firstFrontCrossing(surface.tree, enters ? entry.point : tip, state.tip);
   const Vec3 outside = exit.triangle == kNoIndex ? state.tip : (enters ? exit.point : tip);
-  const Vec3 centre = advance(surface, outside, tip, radius);
-  if (reachesIntoEdge(surface, centre, radius)) return false;
+  Vec3 centre = advance(surface, outside, tip, radius);
+  if (reachesIntoEdge(surface, centre, radius)) {  // then from where it is over the sheet, if anywhere
+    centre = enters ? entry.point : tip;
+    if (reachesIntoEdge(surface, centre, radius)) return false;
+  }
   const SurfacePoint foot = nearestFront(surface, centre, kUnbounded);
   if (foot.triangle == kNoIndex || (state.from_inside && isBuried(surface, centre))) return false;
   state.touching = true;
@@ -139,8 +142,9 @@ bool standsOnOnePlace(const SphereTask& task, Move& move) {
 }
 
 /// A sphere that fitted in the last tick still does: the skin does not move.
-Move moveCentre(const SphereTask& task, bool fits) {
+Move moveCentre(const SphereTask& task, bool fits, StandingPlaces& standing) {
   Move move{task.start, task.last, task.last, 0u};
+  if (!fits) standing.count = -1;
   if (!fits && !pushOut(task, move.centre)) {
     const SurfacePoint foot = nearestFront(task.surface, move.centre, task.radius);
     if (foot.triangle != kNoIndex) move.foot = foot;
@@ -150,8 +154,11 @@ Move moveCentre(const SphereTask& task, bool fits) {
     if (pulls_inwards && isFreeWay(task, move.centre, task.tip)) move.centre = task.tip;
     return move;
   }
-  if (standsOnOnePlace(task, move)) return move;
-  if (!descend(task, move.centre, move.foot)) move.status |= kUnsettled | kCatchingUp;
+  if (standsOnOnePlace(task, move)) {
+    standing.count = -1;
+    return move;
+  }
+  if (!descend(task, move.centre, move.foot, standing)) move.status |= kUnsettled | kCatchingUp;
   constexpr double kUsedUp = 0.9;  // planes across the path's ball may leave a little of it
   if ((move.centre - task.start).norm() >= kUsedUp * task.path) move.status |= kCatchingUp;
   return move;
@@ -189,7 +196,7 @@ Press pressSphere(const Surface& surface, const FingerSettings& settings, double
   if (!state.touching && !landSphere(surface, radius, state, tip)) return {};
   const double path = pathBound(settings, (tip - state.tip).norm());
   const SphereTask task{surface, radius, tip, state.centre, path, state.proxy};
-  Move move = moveCentre(task, state.fits);
+  Move move = moveCentre(task, state.fits, state.standing);
   const double lag = (move.centre - tip).norm();
   const bool too_deep = lag - radius > settings.max_depth_mm;
   if (too_deep) move.status |= kTooDeep;
