@@ -26,9 +26,13 @@ bool landsAsSphere(const Surface& surface, const tree::Crossing& entry, bool fro
   return isBuried(surface, entry.point + 0.01 * smallRadius(surface) * normal);
 }
 
-/// The sphere over the place where the point stopped.
+/// The sphere over the place where the point stopped, or on it where another sheet is too near.
 void becomeSphere(const Surface& surface, FingerState& state) {
-  state.centre = state.proxy.position + smallRadius(surface) * normalAt(surface, state.proxy);
+  const SurfacePoint& place = state.proxy;
+  const Vec3 above = place.position + smallRadius(surface) * normalAt(surface, place);
+  const auto other_sheet = firstFrontCrossingIf(surface.tree, place.position, above,
+                                                [&](Index t) { return !touchesFeature(surface, t, place); });
+  state.centre = other_sheet.triangle == kNoIndex ? above : place.position;
   state.fits = false;  // to be seen
 }
 

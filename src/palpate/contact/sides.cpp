@@ -1,8 +1,6 @@
 // Own; the winding number names its sources.
 #include "palpate/contact/sides.h"
 
-#include <cmath>
-
 #include "palpate/contact/press.h"
 #include "palpate/contact/surface_walk.h"
 #include "palpate/tree/winding_number.h"
@@ -20,7 +18,8 @@ constexpr double kSurelyInside = 0.9;
 }  // namespace
 
 bool isOutside(const Surface& surface, const Vec3& tip, double lag) noexcept {
-  if (surface.closed) return std::abs(tree::windingNumber(surface.tree, tip)) < kSurelyOutside;
+  if (!(tree::windingNumber(surface.tree, tip) < kSurelyOutside)) return false;
+  if (surface.closed) return true;
   const tree::NearestPoint nearest = nearestPoint(surface.tree, tip, lag);
   if (nearest.triangle == kNoIndex) return false;
   const SurfacePoint place{nearest.closest.point, nearest.triangle, nearest.closest.feature};
