@@ -64,7 +64,8 @@ TEST(BenchPeers, WithoutTheirProgramAreSkippedAndNoPackageIsBlamed) {
   const support::TemporaryFolder folder;
   const auto copy = folder.path() / "palpate";
   std::filesystem::copy_file(std::filesystem::path(PALPATE_BINARY_DIR) / "palpate", copy);
-  const std::string run = "bench contact --mesh back_2962 --trajectory back_slide --from 2.2 --to 3 --peers --peer-seconds 0.2";
+  const std::string run =
+      "bench contact --mesh back_2962 --trajectory back_slide --from 2.2 --to 3 --peers --peer-seconds 0.2";
   const support::CommandResult text = support::runProgram(copy, run);
   EXPECT_EQ(text.exit_code, 0) << text.err;
   EXPECT_NE(text.out.find("embree:"), std::string::npos);

@@ -1,7 +1,8 @@
 // The hunt as a bar: half a minute of random bodies and paths in every run, ten million ticks in the long one, and
 // every fault that was ever kept.
 //
-// The kept cases of tests/data/hunt were faults of earlier versions. PALPATE_HUNT_MESHES=FOLDER adds the meshes of a folder.
+// The kept cases of tests/data/hunt were faults of earlier versions. PALPATE_HUNT_MESHES=FOLDER adds the meshes of a
+// folder.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>

@@ -38,14 +38,10 @@ TEST(WindingNumber, IsThatOfTheExactSumOverAllTriangles) {
     std::string name;
     mesh::TriangleMesh mesh;
   };
-  const Case cases[] = {{"sphere", zoo::sphere(20.0, 5)},
-                        {"torus", zoo::torus(20.0, 6.0, 96, 48)},
-                        {"thin plate", zoo::plate(50.0, 0.1)},
-                        {"open tube", zoo::openTube()},
-                        {"cube with a fin", zoo::cubeWithFin()},
-                        {"hollow sphere", zoo::hollowSphere(4)},
-                        {"inside out", zoo::insideOut()},
-                        {"far away", zoo::sphere(0.02, 4, {4e4, 1e5, -3e4})}};
+  const Case cases[] = {{"sphere", zoo::sphere(20.0, 5)},        {"torus", zoo::torus(20.0, 6.0, 96, 48)},
+                        {"thin plate", zoo::plate(50.0, 0.1)},   {"open tube", zoo::openTube()},
+                        {"cube with a fin", zoo::cubeWithFin()}, {"hollow sphere", zoo::hollowSphere(4)},
+                        {"inside out", zoo::insideOut()},        {"far away", zoo::sphere(0.02, 4, {4e4, 1e5, -3e4})}};
   for (const auto& [name, mesh] : cases) {
     const TriangleTree tree = buildTriangleTree(mesh);
     double worst = 0.0;

@@ -4,8 +4,8 @@
 // anchor when the ratio is 1, A = P + (p / F_n) F_t (E1), under every force law, and the friction limits
 // mu F_n / k_t = mu p / ratio are lengths that do not depend on the law.
 //
-// What is felt is continuous by construction. Tip and proxy move apart by at most feltBound in a tick, so the depth as a
-// vector does not change faster either, and where it would (the contact ended far from its proxy) it follows at that
+// What is felt is continuous by construction. Tip and proxy move apart by at most feltBound in a tick, so the depth as
+// a vector does not change faster either, and where it would (the contact ended far from its proxy) it follows at that
 // pace; friction takes of its own change what the normal force leaves of the step.
 #include "palpate/contact/felt_force.h"
 
@@ -22,8 +22,8 @@ namespace {
 /// A tip this many diagonals away is a broken device, and would overflow the exact predicates in the end.
 constexpr double kFarthestTip = 1e6;
 
-/// What friction may take of the step. More (a mu_static above 2.3) would keep a first contact from being felt whole, for
-/// which the step has to reach as far as the tip moved; friction's own steps may then pass the bound.
+/// What friction may take of the step. More (a mu_static above 2.3) would keep a first contact from being felt whole,
+/// for which the step has to reach as far as the tip moved; friction's own steps may then pass the bound.
 constexpr double kMostFriction = 2.5;
 
 /// A step within this share of its bound is within it: rounding of two norms.

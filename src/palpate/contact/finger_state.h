@@ -48,8 +48,8 @@ struct SurfacePoint {
   tree::Feature feature = tree::Feature::face;
 };
 
-/// Where a sphere stood on the skin when its centre came to rest: its next tick need not ask the whole skin again. Holds
-/// only where the centre has not moved since; never changes what is felt.
+/// Where a sphere stood on the skin when its centre came to rest: its next tick need not ask the whole skin again.
+/// Holds only where the centre has not moved since; never changes what is felt.
 struct StandingPlaces {
   static constexpr int kMost = 8;  ///< a sphere that stands on more asks anew
   std::array<SurfacePoint, kMost> places;
@@ -80,8 +80,8 @@ struct FingerOutput {
   Vec3 proxy =
       Vec3::Zero();  ///< P, on the skin (a sphere in a valley: on the sphere, between its feet); the tip when free
   Vec3 anchor = Vec3::Zero();  ///< A, on the skin; the tip when free
-  /// Where friction holds the tip, a point in space; the tip when free. While it slips it lies in the plane that touches
-  /// the finger at P. The anchor is the skin nearest to it.
+  /// Where friction holds the tip, a point in space; the tip when free. While it slips it lies in the plane that
+  /// touches the finger at P. The anchor is the skin nearest to it.
   Vec3 hold = Vec3::Zero();
   Vec3 normal = Vec3::Zero();  ///< unit, out of the skin; zero when free
   Vec3 force = Vec3::Zero();   ///< on the tip, N

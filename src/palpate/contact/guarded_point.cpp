@@ -1,5 +1,5 @@
-// A point finger on a surface whose sheets pierce each other: a point where there is one sheet, a very small sphere where
-// there are more (Surface::entangled), with the hand-over between the two.
+// A point finger on a surface whose sheets pierce each other: a point where there is one sheet, a very small sphere
+// where there are more (Surface::entangled), with the hand-over between the two.
 //
 // The walk of a point stops where the entangled triangles begin, so it cannot slide through another sheet; from there
 // the sphere goes on, and where the sphere stands on a triangle that is not entangled the point goes on again. The two

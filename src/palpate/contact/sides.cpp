@@ -9,8 +9,8 @@ namespace palpate::contact {
 
 namespace {
 
-/// Winding numbers of a closed surface are whole but for 0.05, except on the surface itself, where they are the share of
-/// directions that lead inside. In doubt the finger stays held, or is.
+/// Winding numbers of a closed surface are whole but for 0.05, except on the surface itself, where they are the share
+/// of directions that lead inside. In doubt the finger stays held, or is.
 constexpr double kSurelyOutside = 0.25;
 constexpr double kInside = 0.5;
 constexpr double kSurelyInside = 0.9;

@@ -41,8 +41,8 @@ bool isHidden(const Surface& surface, const SurfacePoint& foot, const Vec3& cent
          }).triangle != kNoIndex;
 }
 
-/// Whether a sphere is beside an open sheet and reaches into its edge: it comes from the side, where there is nothing to
-/// stand on. A contact that began there could not be pushed out of the skin and would hang at the edge.
+/// Whether a sphere is beside an open sheet and reaches into its edge: it comes from the side, where there is nothing
+/// to stand on. A contact that began there could not be pushed out of the skin and would hang at the edge.
 bool reachesIntoEdge(const Surface& surface, const Vec3& centre, double radius) {
   if (surface.closed) return false;
   const tree::NearestPoint nearest = nearestPoint(surface.tree, centre, radius * (1.0 - kFit));

@@ -79,8 +79,8 @@ void checkFans(const Surface& surface) {
   }
 }
 
-/// Marks what has a vertex in common with an edge that pierces or with a triangle that is pierced: a ring more than where
-/// sheets meet, so that a small sphere fits wherever a walk arrives there.
+/// Marks what has a vertex in common with an edge that pierces or with a triangle that is pierced: a ring more than
+/// where sheets meet, so that a small sphere fits wherever a walk arrives there.
 void findEntangled(const mesh::TriangleMesh& mesh, Surface& surface) {
   const mesh::Intersections found = mesh::findIntersections(mesh);
   // What could not be searched to the end is dense with overlaps: everything counts.

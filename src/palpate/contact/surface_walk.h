@@ -14,7 +14,7 @@ inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 struct WalkResult {
   SurfacePoint at;
-  bool finished = false;  ///< false: the path or the moves were used up on the way
+  bool finished = false;   ///< false: the path or the moves were used up on the way
   bool entangled = false;  ///< it ended where sheets that pierce each other begin
 };
 

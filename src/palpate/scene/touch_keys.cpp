@@ -26,8 +26,9 @@ Section contactSection() {
       choice<S, ContactSource>("source", &S::source,
                                "What a finger collides with: the whole skin, or only the triangles near the proxy that "
                                "the [partition] gives, as in the dissertation (docs/contact.md)."),
-      number<S>("max_depth_mm", finger(&F::max_depth_mm), above(0, kLongestMm),
-                "The deepest that is felt; a tip that is out of the body and farther than this from its proxy is let go."),
+      number<S>(
+          "max_depth_mm", finger(&F::max_depth_mm), above(0, kLongestMm),
+          "The deepest that is felt; a tip that is out of the body and farther than this from its proxy is let go."),
       number<S>(
           "catch_up_mm_per_s", finger(&F::catch_up_mm_per_s), above(0, 1e6),
           "The proxy moves at most twice as far as the tip plus this speed; bounds the change of force at ridges."),

@@ -35,7 +35,7 @@ struct FarPlate {
 };
 
 struct TriangleTree {
-  AlignedVector<WideNode> nodes;  ///< nodes[0] is the root
+  AlignedVector<WideNode> nodes;                             ///< nodes[0] is the root
   std::vector<std::array<FarPlate, kNodeWidth>> far_plates;  ///< of each node's children
   AlignedVector<TriangleRecord> records;
   std::vector<Index> source_triangle;  ///< record -> triangle of the mesh

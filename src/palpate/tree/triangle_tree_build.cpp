@@ -12,8 +12,8 @@
 #include "palpate/base/error.h"
 #include "palpate/mesh/topology.h"
 #include "palpate/tree/node_plates.h"
-#include "palpate/tree/winding_number.h"
 #include "palpate/tree/triangle_tree.h"
+#include "palpate/tree/winding_number.h"
 
 namespace palpate::tree {
 

@@ -22,9 +22,9 @@ constexpr double kFar = 3.0;
 
 /// Sums over triangles, and how far they reach from their middle once that is known.
 struct Part {
-  Vec3 area = Vec3::Zero();           ///< sum of the area vectors, mm^2
+  Vec3 area = Vec3::Zero();             ///< sum of the area vectors, mm^2
   Vec3 weighted_middle = Vec3::Zero();  ///< sum of area times middle, mm^3
-  double weight = 0.0;                ///< sum of the areas, mm^2
+  double weight = 0.0;                  ///< sum of the areas, mm^2
 
   void add(const TriangleRecord& record) {
     const auto& [a, b, c] = record.corners;
