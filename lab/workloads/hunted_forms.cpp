@@ -19,7 +19,7 @@ using body::Capsule;
 using body::Field;
 using std::numbers::pi;
 
-Vec3 randomDirection(Random& random) {
+Vec3 someDirection(Random& random) {
   const Vec3 v(random.normal(), random.normal(), random.normal());
   return v.norm() > 1e-6 ? Vec3(v.normalized()) : Vec3(Vec3::UnitX());
 }
@@ -66,7 +66,7 @@ HuntedForm bumps(Random& random) {
 HuntedForm potato(Random& random) {
   Capsules lumps;
   for (int i = 0; i < 5; ++i)
-    lumps.push_back({30.0 * randomDirection(random), 20.0 * randomDirection(random), random.uniform(10, 30),
+    lumps.push_back({30.0 * someDirection(random), 20.0 * someDirection(random), random.uniform(10, 30),
                      random.uniform(10, 30)});
   const double k = random.uniform(2, 20);
   return {[=](const Vec3& p) { return joined(1e9, lumps, p, k); }, 70, 3.5};
@@ -76,7 +76,7 @@ HuntedForm potato(Random& random) {
 HuntedForm pockets(Random& random, std::size_t count, double narrow, double wide) {
   Capsules bores;
   for (std::size_t i = 0; i < count; ++i) {
-    const Vec3 d = randomDirection(random), aside = 8.0 * randomDirection(random);
+    const Vec3 d = someDirection(random), aside = 8.0 * someDirection(random);
     const double mouth = random.uniform(narrow, wide);
     bores.push_back({60.0 * d + aside, random.uniform(-20, 25) * d, mouth, mouth * random.uniform(0.7, 1.3)});
   }
@@ -109,7 +109,7 @@ HuntedForm crevices(Random& random, int count) {
 HuntedForm limbs(Random& random) {
   Capsules parts;
   for (int i = 0; i < 6; ++i) {
-    const Vec3 d = randomDirection(random), bend = d + 0.6 * randomDirection(random);
+    const Vec3 d = someDirection(random), bend = d + 0.6 * someDirection(random);
     const double thick = random.uniform(5, 12), mid = random.uniform(0.7, 1.0) * thick;
     parts.push_back({15.0 * d, 55.0 * d, thick, mid});
     parts.push_back({55.0 * d, 55.0 * d + 40.0 * bend.normalized(), mid, 0.6 * mid});
@@ -140,7 +140,7 @@ HuntedForm fingers(Random& random) {
 HuntedForm horns(Random& random) {
   Capsules cones;
   for (std::size_t i = 0, n = 3 + random.below(12); i < n; ++i) {
-    const Vec3 d = randomDirection(random);
+    const Vec3 d = someDirection(random);
     cones.push_back({20.0 * d, random.uniform(45, 75) * d, random.uniform(5, 12), 3.2});
   }
   return {[=](const Vec3& p) { return joined(ball(p, 28), cones, p, 0.0); }, 82, 2.8};
@@ -183,13 +183,13 @@ HuntedForm bowl(Random& random) {
 /// A hollow ball: the wall of the hollow is a part of its own that faces inwards.
 HuntedForm hollow(Random& random) {
   const double wall = random.uniform(5.5, 14);
-  const Vec3 off = random.uniform(0, 0.4) * wall * randomDirection(random);
+  const Vec3 off = random.uniform(0, 0.4) * wall * someDirection(random);
   return {[=](const Vec3& p) { return std::max(ball(p, 40), -ball(p - off, 40 - wall)); }, 45, 2.8};
 }
 
 HuntedForm tunnel(Random& random) {
   const double bore = random.uniform(3.5, 14), k = someBlend(random, 5.0);
-  const Vec3 d = randomDirection(random), off = random.uniform(0, 18) * randomDirection(random);
+  const Vec3 d = someDirection(random), off = random.uniform(0, 18) * someDirection(random);
   const Capsules cut{{off - 90.0 * d, off + 90.0 * d, bore, bore}};
   return {[=](const Vec3& p) { return without(ball(p, 40), cut, p, k); }, 45, 2.6};
 }
@@ -285,7 +285,7 @@ HuntedForm everything(Random& random) {
   const HuntedForm lumps = potato(random);
   Capsules arms, bores;
   for (int i = 0; i < 4; ++i) {
-    const Vec3 d = randomDirection(random), e = randomDirection(random);
+    const Vec3 d = someDirection(random), e = someDirection(random);
     arms.push_back({20.0 * d, 70.0 * d, random.uniform(5, 9), random.uniform(3.5, 6)});
     bores.push_back({70.0 * e, random.uniform(-10, 20) * e, random.uniform(3.5, 8), random.uniform(3.5, 8)});
   }
