@@ -46,16 +46,16 @@ inline mesh::TriangleMesh twoFingers(double gap_mm = 3.0, int cells = 150) {
   constexpr double kDeep = 40.0;
   const double middle = kRadius + 0.5 * gap_mm;
   std::vector<Vec2> line{{-middle - kRadius, -kDeep}};
-  const auto addArc = [&](const Vec2& centre, double from, double to) {
+  const auto add_arc = [&](const Vec2& centre, double from, double to) {
     for (int i = 0; i <= 24; ++i) {
       const double angle = from + (to - from) * i / 24;
       line.emplace_back(centre + kRadius * Vec2(std::cos(angle), std::sin(angle)));
     }
   };
-  addArc({-middle, 0.0}, std::numbers::pi, 0.0);
+  add_arc({-middle, 0.0}, std::numbers::pi, 0.0);
   line.emplace_back(-0.5 * gap_mm, -kDeep);
   line.emplace_back(0.5 * gap_mm, -kDeep);
-  addArc({middle, 0.0}, std::numbers::pi, 0.0);
+  add_arc({middle, 0.0}, std::numbers::pi, 0.0);
   line.emplace_back(middle + kRadius, -kDeep);
   return sheetOf(cells, 60, [&](double s, double t) {
     const Vec2 place = alongLine(line, s);

@@ -125,14 +125,14 @@ TEST(Validate, FindsSelfIntersections) {
 TEST(Validate, CountsEdgesThatPierceAndEdgesThatTouchApart) {
   // One edge through the inside of a square's triangle, one through the diagonal of the square, one ends on it.
   TriangleMesh mesh = zoo::grid(1, 10);
-  const auto addPost = [&](double x, double y, double bottom) {
+  const auto add_post = [&](double x, double y, double bottom) {
     const auto first = static_cast<Index>(mesh.positions.size());
     mesh.positions.insert(mesh.positions.end(), {{x, y, bottom}, {x, y, 10}, {x, y + 0.5, 0}});
     mesh.triangles.push_back({first, first + 1, first + 2});
   };
-  addPost(7, 2, -1);
-  addPost(5, 5, -1);
-  addPost(2, 7, 0);
+  add_post(7, 2, -1);
+  add_post(5, 5, -1);
+  add_post(2, 7, 0);
   const auto report = validate(mesh);
   EXPECT_EQ(report.self_intersections.count, 1u);
   EXPECT_EQ(report.self_intersections.first.size(), 1u);
