@@ -66,8 +66,8 @@ HuntedForm bumps(Random& random) {
 HuntedForm potato(Random& random) {
   Capsules lumps;
   for (int i = 0; i < 5; ++i)
-    lumps.push_back({30.0 * someDirection(random), 20.0 * someDirection(random), random.uniform(10, 30),
-                     random.uniform(10, 30)});
+    lumps.push_back(
+        {30.0 * someDirection(random), 20.0 * someDirection(random), random.uniform(10, 30), random.uniform(10, 30)});
   const double k = random.uniform(2, 20);
   return {[=](const Vec3& p) { return joined(1e9, lumps, p, k); }, 70, 3.5};
 }
