@@ -253,6 +253,7 @@ void HuntJudge::judgePoint(const contact::FingerOutput& o) {
 }
 
 void HuntJudge::judgeSphere(const contact::FingerOutput& o) {
+  if ((o.status & contact::kAtBorder) != 0) return;  // beside the sheet, continued flat
   const double radius = settings_.radius_mm, least = radius * (1.0 - kSinkShare);
   const Vec3 centre = o.proxy + radius * o.normal;
   const NearPoint near = body_.nearest(centre);
