@@ -36,6 +36,25 @@ int crossingOf(const std::array<Vec3, 3>& c, const Vec3& from, const Vec3& to, d
   return above > 0.0 ? 1 : -1;
 }
 
+/// Calls visit(slot) for the triangles in the leaves whose boxes, and those above them, are met.
+template <class Meets, class Visit>
+void visitSlots(const std::vector<BoxNode>& nodes, Meets&& meets, Visit&& visit) {
+  std::array<Index, 2 * kMostDepth> open;
+  std::size_t size = 0;
+  open[size++] = 0;
+  while (size > 0) {
+    const Index at = open[--size];
+    const BoxNode& node = nodes[at];
+    if (!meets(node)) continue;
+    if (node.right != 0) {
+      open[size++] = node.right;
+      open[size++] = at + 1;
+      continue;
+    }
+    for (Index slot = node.first; slot < node.last; ++slot) visit(slot);
+  }
+}
+
 }  // namespace
 
 BoxTree::BoxTree(const mesh::TriangleMesh& mesh) : order_(mesh.triangles.size()), slots_(mesh.triangles.size()) {
@@ -109,46 +128,24 @@ NearPoint BoxTree::nearest(const Vec3& place, double bound) const {
 
 void BoxTree::collectWithin(const Vec3& place, double reach, std::vector<Index>& triangles) const {
   triangles.clear();
-  std::array<Index, 2 * kMostDepth> open;
-  std::size_t size = 0;
-  open[size++] = 0;
-  while (size > 0) {
-    const Index at = open[--size];
-    const BoxNode& node = nodes_[at];
-    if (distance2(node, place) > reach * reach) continue;
-    if (node.right != 0) {
-      open[size++] = node.right;
-      open[size++] = at + 1;
-      continue;
-    }
-    for (Index slot = node.first; slot < node.last; ++slot) {
-      if ((nearestOnTriangle(corners_[slot], place) - place).norm() <= reach) triangles.push_back(order_[slot]);
-    }
-  }
+  visitSlots(
+      nodes_, [&](const BoxNode& node) { return distance2(node, place) <= reach * reach; },
+      [&](Index slot) {
+        if ((nearestOnTriangle(corners_[slot], place) - place).norm() <= reach) triangles.push_back(order_[slot]);
+      });
 }
 
 BoxTree::Crossing BoxTree::crossing(const Vec3& from, const Vec3& to) const {
   Crossing result;
   double first_share = std::numeric_limits<double>::infinity();
-  std::array<Index, 2 * kMostDepth> open;
-  std::size_t size = 0;
-  open[size++] = 0;
-  while (size > 0) {
-    const Index at = open[--size];
-    const BoxNode& node = nodes_[at];
-    if (!segmentMeetsBox(node, from, to)) continue;
-    if (node.right != 0) {
-      open[size++] = node.right;
-      open[size++] = at + 1;
-      continue;
-    }
-    for (Index slot = node.first; slot < node.last; ++slot) {
-      double share = 0.0;
-      const int way = crossingOf(corners_[slot], from, to, share);
-      result.inwards += way;
-      if (way > 0 && share < first_share) first_share = share;
-    }
-  }
+  visitSlots(
+      nodes_, [&](const BoxNode& node) { return segmentMeetsBox(node, from, to); },
+      [&](Index slot) {
+        double share = 0.0;
+        const int way = crossingOf(corners_[slot], from, to, share);
+        result.inwards += way;
+        if (way > 0 && share < first_share) first_share = share;
+      });
   if (first_share <= 1.0) result.entry = from + first_share * (to - from);
   return result;
 }

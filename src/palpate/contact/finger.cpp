@@ -60,8 +60,10 @@ FingerOutput step(const Surface& surface, const FingerSettings& settings, Finger
   const double tip_moved_mm = (tip - state.tip).norm();
   state.knows_tip = true;
   state.tip = tip;
-  if (press.touching) state.from_inside = false;
-  if (press.touching) prefetchNeighbours(surface, state.proxy.triangle, state.proxy.triangle != triangle_before);
+  if (press.touching) {
+    state.from_inside = false;
+    prefetchNeighbours(surface, state.proxy.triangle, state.proxy.triangle != triangle_before);
+  }
   return feltOutput(surface, settings, press, tip, tip_moved_mm, state);
 }
 

@@ -162,9 +162,6 @@ Vec3 lookAhead(const SphereTask& task, Feet feet, Vec3 place) {
   return place;
 }
 
-// ---- feet that are known from the last tick
-// ---------------------------------------------------------------------------
-
 /// The feet at `centre` that the next step has to respect.
 void feetAt(const SphereTask& task, const Vec3& centre, const StandingPlaces& standing, Feet& feet) {
   if (standing.count < 0) {
