@@ -3,22 +3,22 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "study/errata/errata_study.h"
 #include "study/page/text_table.h"
 
 namespace palpate::study {
 
-/// A row an erratum, as all reports show it.
-TextTable tableOf(const std::vector<ErratumEffect>& effects);
+/// The corrected runs, all switches together, then a row an erratum, as all reports show it.
+TextTable tableOf(const ErrataEffects& effects);
 /// What its columns mean.
 std::string errataLegend();
 
-std::string errataText(const std::vector<ErratumEffect>& effects);
-/// One object: "errata", a list with one object each; "all_literal", the effect of every switch together.
-std::string errataJson(const std::vector<ErratumEffect>& effects);
+std::string errataText(const ErrataEffects& effects);
+/// One object of three lists: "corrected" and "all_literal" with an object for each contact source and tree, "errata"
+/// with one for each erratum.
+std::string errataJson(const ErrataEffects& effects);
 /// errata.md, errata.csv and errata.json. Throws Error naming the file.
-void writeErrata(const std::vector<ErratumEffect>& effects, const std::filesystem::path& folder);
+void writeErrata(const ErrataEffects& effects, const std::filesystem::path& folder);
 
 }  // namespace palpate::study

@@ -11,8 +11,11 @@
 #include <functional>
 #include <optional>
 
+#include "palpate/deform/contact.h"
 #include "palpate/device/finger_path.h"
 #include "palpate/engine/living_skin.h"
+#include "palpate/scene/skin_contact.h"
+#include "palpate/scene/words.h"
 #include "palpate/scene/world.h"
 #include "palpate/servo/loop.h"
 #include "palpate/servo/scripted_rig.h"
@@ -50,8 +53,12 @@ const std::vector<Reading>& settingReadings() {
   return readings;
 }
 
-/// The kind of tree that an erratum of the partition speaks of; nothing for the others.
-std::optional<hdb::TreeKind> treeOf(Erratum erratum) {
+/// What a finger collides with: the whole skin, or the triangles that a tree gives.
+using Base = std::optional<hdb::TreeKind>;
+const std::array<Base, 3> kBases{std::nullopt, hdb::TreeKind::Bsp, hdb::TreeKind::Octree};
+
+/// Where an erratum of the partition acts alone; nothing for the others, which any base shows.
+Base baseOf(Erratum erratum) {
   switch (erratum) {
     case Erratum::E4_else_if:
     case Erratum::E5_cell_box:
@@ -67,12 +74,29 @@ std::optional<hdb::TreeKind> treeOf(Erratum erratum) {
   }
 }
 
+/// The errata whose switch has no place under these options. Each tree has one printed search at a time: ELSEIF goes
+/// before the other forms of the BSP tree, the node's box before the sphere of the octree (hdb/literal_traversal.h).
+std::string inertOf(const Base& base) {
+  if (!base) return "E4, E5, E6, E7, E10, E11, E12";
+  return *base == hdb::TreeKind::Bsp ? "E5, E6, E10, E11" : "E4, E10, E11";
+}
+
+std::string optionsOf(const Base& base) {
+  if (!base) return "contact.source = \"surface\"";
+  return fmt::format("contact.source = \"hdb\", partition.tree = \"{}\", radius_mm = 0", wordFor(*base));
+}
+
+void name(ErratumEffect& effect, const Base& base) {
+  effect.base = base ? wordFor(*base) : wordFor(scene::ContactSource::surface);
+  effect.active = optionsOf(base);
+}
+
 /// What a reading is compared with: the scene corrected, and for the partition with the source that has one.
-scene::Scene corrected(scene::Scene scene, std::optional<hdb::TreeKind> tree) {
+scene::Scene corrected(scene::Scene scene, const Base& base) {
   scene.fidelity = {};
-  if (!tree) return scene;
-  scene.contact.source = scene::ContactSource::hdb;
-  scene.partition.build.tree = *tree;
+  scene.contact.source = base ? scene::ContactSource::hdb : scene::ContactSource::surface;
+  if (!base) return scene;
+  scene.partition.build.tree = *base;
   for (scene::Finger& finger : scene.fingers) finger.radius_mm = 0.0;
   return scene;
 }
@@ -126,6 +150,31 @@ void compareFingers(const Track& ours, const Track& theirs, ErratumEffect& effec
   }
 }
 
+double dragOf(const scene::World& world, const contact::FingerOutput& finger) {
+  const std::optional<deform::Contact> contact = scene::contactOf(world, finger);
+  if (!contact) return 0.0;
+  const deform::TissueSettings& tissue = world.deformation.common.tissue;
+  const Vec3 along_the_skin = contact->drag_mm - contact->drag_mm.dot(finger.normal) * finger.normal;
+  return deform::cappedLength(tissue.f_adj * along_the_skin, tissue.tangential_cap_mm).norm();
+}
+
+RunLook lookOf(const Track& track) {
+  RunLook look;
+  double touching = 0.0;
+  for (const contact::FingerOutput& finger : track.outputs) {
+    if (finger.touch == contact::Touch::free) continue;
+    touching += 1.0;
+    look.peak_force_n = std::max(look.peak_force_n, finger.force.norm());
+  }
+  if (!track.outputs.empty()) look.touching_percent = 100.0 * touching / static_cast<double>(track.outputs.size());
+  for (std::size_t tick = 0; tick < track.ticks(); tick += kTicksAPicture) {
+    for (const contact::FingerOutput& finger : track.tick(tick)) {
+      look.drag_mm = std::max(look.drag_mm, dragOf(*track.world, finger));
+    }
+  }
+  return look;
+}
+
 /// Triangles in the box round a proxy, ascending.
 std::vector<Index> inTheBox(hdb::HdbCandidates& candidates, const Box3& box) {
   candidates.refresh(box.center());
@@ -177,6 +226,7 @@ void compareSkins(const deform::DeformedSurface& a, const deform::DeformedSurfac
 
 ErratumEffect compared(const Track& ours, const Track& theirs) {
   ErratumEffect effect;
+  effect.look = lookOf(theirs);
   compareFingers(ours, theirs, effect);
   compareBoxes(ours, theirs, effect);
   Pictures our_pictures(ours);
@@ -195,23 +245,23 @@ ErratumEffect compared(const Track& ours, const Track& theirs) {
 class Baselines {
  public:
   explicit Baselines(const scene::Scene& scene) : scene_(scene) {}
-  const Track& track(std::optional<hdb::TreeKind> tree) {
-    Track& track = tracks_[tree ? 1 + static_cast<std::size_t>(*tree) : 0];
-    if (!track.world) track = trackOf(corrected(scene_, tree));
+  const Track& track(const Base& base) {
+    Track& track = tracks_[base ? 1 + static_cast<std::size_t>(*base) : 0];
+    if (!track.world) track = trackOf(corrected(scene_, base));
     return track;
   }
 
  private:
   const scene::Scene& scene_;
-  std::array<Track, 3> tracks_;  // without a partition, and with either tree
+  std::array<Track, kBases.size()> tracks_;
 };
 
-ErratumEffect effectOf(const scene::Scene& scene, Baselines& baselines, const Reading& reading) {
-  const auto tree = treeOf(reading.erratum);
-  scene::Scene other = corrected(scene, tree);
+ErratumEffect effectOf(const scene::Scene& scene, Baselines& baselines, const Base& base, const Reading& reading) {
+  scene::Scene other = corrected(scene, base);
   reading.apply(other);
-  ErratumEffect effect = compared(baselines.track(tree), trackOf(other));
+  ErratumEffect effect = compared(baselines.track(base), trackOf(other));
   effect.reading = reading.words;
+  name(effect, base);
   return effect;
 }
 
@@ -221,33 +271,47 @@ Reading switchOf(Erratum erratum) {
 
 ErratumEffect effectOf(const scene::Scene& scene, Baselines& baselines, const scene::ErratumText& text) {
   ErratumEffect effect;
+  const Base base = baseOf(text.erratum);
   if (text.form == scene::LiteralForm::switchable) {
-    effect = effectOf(scene, baselines, switchOf(text.erratum));
+    effect = effectOf(scene, baselines, base, switchOf(text.erratum));
     effect.reading = fmt::format("fidelity.{} = \"literal\"", scene::nameOf(text.erratum));
   }
   for (const Reading& reading : settingReadings()) {
-    if (reading.erratum == text.erratum) effect = effectOf(scene, baselines, reading);
+    if (reading.erratum == text.erratum) effect = effectOf(scene, baselines, base, reading);
   }
   effect.text = text;
   return effect;
 }
 
-ErratumEffect effectOfAll(const scene::Scene& scene, Baselines& baselines) {
+ErratumEffect effectOfNone(Baselines& baselines, const Base& base) {
+  ErratumEffect effect;
+  effect.look = lookOf(baselines.track(base));
+  effect.reading = "fidelity = \"corrected\"";
+  name(effect, base);
+  effect.text.ours = "what the rows below with these options are compared with";
+  return effect;
+}
+
+ErratumEffect effectOfAll(const scene::Scene& scene, Baselines& baselines, const Base& base) {
   const Reading all{Erratum::none, "fidelity = \"literal\"", [](scene::Scene& s) { s.fidelity.setAll(true); }};
-  ErratumEffect effect = effectOf(scene, baselines, all);
+  ErratumEffect effect = effectOf(scene, baselines, base, all);
   effect.text.ours = "all switches together";
+  effect.inert = inertOf(base);
   return effect;
 }
 
 }  // namespace
 
-std::vector<ErratumEffect> studyErrata(const scene::Scene& scene, const Progress& progress) {
+ErrataEffects studyErrata(const scene::Scene& scene, const Progress& progress) {
   Baselines baselines(scene);
-  std::vector<ErratumEffect> effects;
+  ErrataEffects effects;
   report(progress, "measuring errata", 0.0);
-  effects.push_back(effectOfAll(scene, baselines));
+  for (const Base& base : kBases) {
+    effects.corrected.push_back(effectOfNone(baselines, base));
+    effects.all_literal.push_back(effectOfAll(scene, baselines, base));
+  }
   for (const scene::ErratumText& text : scene::errata()) {
-    effects.push_back(effectOf(scene, baselines, text));
+    effects.errata.push_back(effectOf(scene, baselines, text));
     report(progress, "measuring errata", static_cast<double>(numberOf(text.erratum)) / kErrata);
   }
   return effects;

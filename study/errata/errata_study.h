@@ -1,7 +1,8 @@
 // `palpate study errata`: what each erratum changes on a scene, in numbers.
 //
-// The scene runs once as it is (corrected) and once more for every other reading, with that reading alone; forces,
-// proxies and deformed skins are compared tick by tick and picture by picture.
+// The scene runs corrected and once more for every other reading, with that reading alone; forces, proxies and deformed
+// skins are compared tick by tick and picture by picture. What the text says of partitions acts only where a finger
+// touches through one, so the scene runs with contact.source = "surface" and through both trees.
 #pragma once
 
 #include <string>
@@ -13,9 +14,20 @@
 
 namespace palpate::study {
 
+/// What the fingers did in one run, whatever it is compared with.
+struct RunLook {
+  double touching_percent = 0.0;  ///< of the ticks of all fingers
+  double peak_force_n = 0.0;
+  double drag_mm = 0.0;  ///< the longest that a finger pulls the skin along, after f_adj and the cap
+};
+
 struct ErratumEffect {
   scene::ErratumText text;
   std::string reading;    ///< what was set, as it stands in a scene file; empty: nothing to switch, nothing measured
+  std::string base;       ///< "surface", "bsp" or "octree": what the fingers collide with
+  std::string active;     ///< options that were active on both sides, as they stand in a scene file
+  std::string inert;      ///< errata of the reading that cannot act under these options; empty: none
+  RunLook look;           ///< of the run with the reading
   double force_n = 0.0;   ///< largest difference of a finger's force
   double proxy_mm = 0.0;  ///< largest difference of a proxy
   std::size_t lost_ticks = 0;  ///< ticks of a finger that touches in one of the two runs only
@@ -25,11 +37,23 @@ struct ErratumEffect {
   double skin_rms_mm = 0.0;     ///< over all vertices that move in one of the two, all pictures together
   double strain_percent = 0.0;  ///< largest difference
   double moved_ratio = 1.0;     ///< moved vertices of this reading over those of the corrected one
+
+  bool isMeasured() const { return !reading.empty(); }
+  bool changesNothing() const {
+    return force_n == 0.0 && proxy_mm == 0.0 && missed_percent == 0.0 && skin_mm == 0.0 && strain_percent == 0.0;
+  }
 };
 
-/// The effect of every erratum, E1 first, and of all switches together as number 0 in front. Takes a few seconds a
-/// row. Errata of the partition are measured with the contact source "hdb" (and point fingers) on both sides, in the
-/// tree they speak of. Throws Error for a scene that cannot be built.
-std::vector<ErratumEffect> studyErrata(const scene::Scene& scene, const Progress& progress = {});
+/// What a scene was measured with: the whole skin, or the detecting box over either tree. In this order each list below
+/// that has one row for each.
+struct ErrataEffects {
+  std::vector<ErratumEffect> corrected;    ///< the runs to compare with, each with itself
+  std::vector<ErratumEffect> all_literal;  ///< every switch of fidelity together
+  std::vector<ErratumEffect> errata;       ///< E1 first, each alone under the options where it can act
+};
+
+/// Takes a few seconds a row. Errata of the partition are measured with the contact source "hdb" (and point fingers) on
+/// both sides, in the tree they speak of. Throws Error for a scene that cannot be built.
+ErrataEffects studyErrata(const scene::Scene& scene, const Progress& progress = {});
 
 }  // namespace palpate::study

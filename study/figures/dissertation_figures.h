@@ -1,18 +1,29 @@
 // Every figure of the dissertation that can be drawn from the text alone, drawn by the engine.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "figures/figure.h"
+#include "palpate/base/words.h"
 
 namespace palpate::study {
+
+/// What a figure is drawn from.
+enum class FigureBasis : std::uint8_t {
+  computed,     ///< by the engine, from the text's formulae and numbers, or its trees on our models
+  printed,      ///< numbers that the text prints, plotted again: nothing is computed
+  own_example,  ///< by the engine, but with places, axes, sizes or drags that are ours
+};
 
 struct DissertationFigure {
   std::string number;      ///< as in the text: "4.8"; "T4.2" for the curves of Table 4.2
   std::string caption;     ///< what is shown
   std::string difference;  ///< what differs from the printed picture
   figures::Figure (*draw)() = nullptr;
+  FigureBasis basis = FigureBasis::computed;
 };
 
 /// In the order of the text.
@@ -30,3 +41,15 @@ std::vector<DissertationFigure> ellipseFigures();   ///< 5.3 to 5.7
 std::vector<DissertationFigure> mapFigures();       ///< 5.8 to 5.12
 
 }  // namespace palpate::study
+
+namespace palpate {
+
+template <>
+struct WordsOf<study::FigureBasis> {
+  using B = study::FigureBasis;
+  static constexpr std::array kAll = {Word{"computed by the engine", B::computed},
+                                      Word{"printed numbers plotted again", B::printed},
+                                      Word{"computed for an example of our own", B::own_example}};
+};
+
+}  // namespace palpate

@@ -19,6 +19,7 @@ std::string indexEntry(const DissertationFigure& figure, bool has_data) {
   const std::string stem = fileStem(figure);
   std::string entry =
       fmt::format("## {}\n\n{}.\n\n![{}]({}.png)\n\n", titleOf(figure), figure.caption, titleOf(figure), stem);
+  entry += fmt::format("Basis: {}.\n\n", wordFor(figure.basis));
   if (!figure.difference.empty()) entry += fmt::format("What differs from the printed one: {}\n\n", figure.difference);
   entry += fmt::format("[SVG]({}.svg)", stem);
   if (has_data) entry += fmt::format(", [CSV]({}.csv)", stem);

@@ -209,12 +209,15 @@ std::vector<DissertationFigure> deformedFigures() {
   const std::string ours = "Our back instead of the author's scan.";
   return {
       {"4.7", "Cross-section of the back, at rest and pressed", ours + " Both regions of the press are shown (E21).",
-       figure47},
-      {"4.12", "Tangential deformation of the back's mesh, seen along its normal", ours, figure412},
-      {"4.16", "Normal and tangential components together", ours + " No texture and no hand.", figure416},
-      {"4.17", "Displacements of neighbouring points, and the strain made of them", "A patch of our own.", figure417},
+       figure47, FigureBasis::own_example},
+      {"4.12", "Tangential deformation of the back's mesh, seen along its normal", ours, figure412,
+       FigureBasis::own_example},
+      {"4.16", "Normal and tangential components together", ours + " No texture and no hand.", figure416,
+       FigureBasis::own_example},
+      {"4.17", "Displacements of neighbouring points, and the strain made of them", "A patch of our own.", figure417,
+       FigureBasis::own_example},
       {"4.18", "Strain of the deformed surface: red is tension, blue compression",
-       ours + " The right panel is added: a mean over edges hides shear (E24).", figure418}};
+       ours + " The right panel is added: a mean over edges hides shear (E24).", figure418, FigureBasis::own_example}};
 }
 
 }  // namespace palpate::study

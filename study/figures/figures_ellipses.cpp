@@ -140,10 +140,11 @@ Figure figure57() {
 std::vector<DissertationFigure> ellipseFigures() {
   return {{"5.3", "Deformation ellipses at the key points",
            "Our back's outline; where the points lie on it is assumed (E33). An axis of 180 degree is one of 0 (E29).",
-           figure53},
-          {"5.4", "Key deformation ellipses in the uniform deformation area", "Places and sizes are ours.", figure54},
+           figure53, FigureBasis::printed},
+          {"5.4", "Key deformation ellipses in the uniform deformation area", "Places and sizes are ours.", figure54,
+           FigureBasis::own_example},
           {"5.5", "Effect region and the interpolated ellipse",
-           "Places and sizes are ours; computed by the ellipse map.", figure55},
+           "Places and sizes are ours; computed by the ellipse map.", figure55, FigureBasis::own_example},
           {"5.6", "The effect depends on the distance", "", figure56},
           {"5.7", "Gaussian curve mapping for the effect level", "", figure57}};
 }

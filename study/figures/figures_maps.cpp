@@ -219,9 +219,9 @@ std::vector<DissertationFigure> mapFigures() {
       {"5.11", "Map of the half major axis on the back, from seven key points",
        "Our back; key places, basic circle (150 mm) and effect radius (200 mm) are assumed (E33). Blended as tensors "
        "(E29).",
-       figure511},
+       figure511, FigureBasis::own_example},
       {"5.12", "Projection from the model to the map plane and back",
-       "The length of the axis is restored on the skin (E32).", figure512}};
+       "The length of the axis is restored on the skin (E32).", figure512, FigureBasis::own_example}};
 }
 
 }  // namespace palpate::study

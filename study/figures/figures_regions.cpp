@@ -175,12 +175,13 @@ Figure figure415() {
 }  // namespace
 
 std::vector<DissertationFigure> regionFigures() {
-  return {{"4.13", "A vertex J of the skin and its foot D on the plane of the deformation ellipse", "", figure413},
+  return {{"4.13", "A vertex J of the skin and its foot D on the plane of the deformation ellipse", "", figure413,
+           FigureBasis::own_example},
           {"4.14", "Location ratio in the deformation ellipse: lines of q = 1/4, 1/2, 3/4 and 1",
            "The printed figure shows one ellipse; here the true ratio and (4.13), which is its pedal curve (E14).",
-           figure414},
+           figure414, FigureBasis::own_example},
           {"4.15", "Rings of neighbour nodes around the contact, and the ellipse", "On our back of 2962 triangles.",
-           figure415}};
+           figure415, FigureBasis::own_example}};
 }
 
 }  // namespace palpate::study

@@ -150,9 +150,10 @@ Figure octantFigure() {
 
 std::vector<DissertationFigure> splitFigures() {
   return {{"3.7", "Three cases of a splitting plane that crosses triangles: A cut, B both sides, C majority",
-           "The plane stands upright.", splitCasesFigure},
+           "The plane stands upright.", splitCasesFigure, FigureBasis::own_example},
           {"3.14", "Triangles that cross the box of an octree's node",
-           "The triangle in three octants is added: the printed rule loses it (E6).", octantFigure}};
+           "The triangle in three octants is added: the printed rule loses it (E6).", octantFigure,
+           FigureBasis::own_example}};
 }
 
 }  // namespace palpate::study

@@ -1,5 +1,6 @@
 // A printed number is right when ours, rounded to as many digits, is it; misprints are a list of their own, found by
-// place, quantity and number, so that none can excuse another row. Own.
+// place, quantity and number and with the right number beside it, so that none can excuse another row or another fault
+// of ours. Own.
 #include "study/numbers/number_row.h"
 
 #include <fmt/format.h>
@@ -21,19 +22,20 @@ struct Misprint {
   std::string_view where;
   std::string_view what;
   std::string_view printed;
+  std::string_view right;  ///< what should stand there; ours must round to it
   Erratum erratum;
   std::string_view reason;
 };
 
 constexpr std::array kMisprints{
-    Misprint{"Table 3.3, height 5", "w", "3.04", Erratum::E13_misprints,
+    Misprint{"Table 3.3, height 5", "w", "3.04", "3.05", Erratum::E13_misprints,
              "6/63 over 1/32 is 3.0476: cut off instead of rounded"},
-    Misprint{"Table 3.3, height 9", "w", "5.01", Erratum::E13_misprints, "10/1023 over 1/512 is 5.0049"},
-    Misprint{"5.2.2, (5.10) at P1", "R for the levels 1, 0.26, 0.18", "112", Erratum::E28_effect_radius,
+    Misprint{"Table 3.3, height 9", "w", "5.01", "5.00", Erratum::E13_misprints, "10/1023 over 1/512 is 5.0049"},
+    Misprint{"5.2.2, (5.10) at P1", "R for the levels 1, 0.26, 0.18", "112", "113", Erratum::E28_effect_radius,
              "112.92 was cut off; with the levels of any one effect radius Table 5.1 gives neither"},
-    Misprint{"Figure 5.9, e = 400 as radius", "R(E1)", "115", Erratum::E28_effect_radius,
+    Misprint{"Figure 5.9, e = 400 as radius", "R(E1)", "115", "114", Erratum::E28_effect_radius,
              "115 and 112 need the radius 200: 400 is the diameter"},
-    Misprint{"Figure 5.9, e = 400 as radius", "R(E2)", "112", Erratum::E28_effect_radius,
+    Misprint{"Figure 5.9, e = 400 as radius", "R(E2)", "112", "115", Erratum::E28_effect_radius,
              "115 and 112 need the radius 200: 400 is the diameter"},
 };
 
@@ -46,9 +48,10 @@ double numberOf(std::string_view text) {
   return *number;
 }
 
-const Misprint* misprintOf(const NumberRow& row) {
+const Misprint* misprintOf(const NumberRow& row, double ours) {
   for (const Misprint& misprint : kMisprints) {
-    if (misprint.where == row.where && misprint.what == row.what && misprint.printed == row.printed) return &misprint;
+    const bool is_here = misprint.where == row.where && misprint.what == row.what && misprint.printed == row.printed;
+    if (is_here && agrees(misprint.right, ours)) return &misprint;
   }
   return nullptr;
 }
@@ -59,6 +62,10 @@ std::string oursText(std::string_view printed, double ours) {
   const bool is_fraction = printed.find('/') != std::string_view::npos;
   return is_fraction ? fmt::format("{:.6g}", ours)
                      : fmt::format("{:.{}f}", ours, parsePrinted(printed).decimals + kMore);
+}
+
+std::string toleranceText(const PrintedNumber& printed) {
+  return printed.tolerance > 0.0 ? fmt::format("{:g}", printed.tolerance) : "rounding of the computer";
 }
 
 }  // namespace
@@ -83,17 +90,26 @@ bool agrees(std::string_view printed, double ours) {
   return std::abs(ours - number.value) <= number.tolerance + kSlack * std::max(1.0, std::abs(number.value));
 }
 
-NumberRow judged(std::string where, std::string what, const std::string& printed, double ours, std::string reason) {
+std::optional<double> offPercent(double printed, double ours) {
+  if (printed == 0.0) return std::nullopt;
+  return 100.0 * (ours / printed - 1.0);
+}
+
+NumberRow judged(std::string where, std::string what, const std::string& printed, double ours, std::string reason,
+                 Source source) {
+  const PrintedNumber number = parsePrinted(printed);
   NumberRow row{.where = std::move(where),
                 .what = std::move(what),
                 .printed = printed,
                 .ours = oursText(printed, ours),
-                .verdict = Verdict::reproduced,
+                .verdict = reproducedFrom(source),
                 .erratum = Erratum::none,
-                .reason = std::move(reason)};
+                .reason = std::move(reason),
+                .tolerance = toleranceText(number),
+                .off_percent = offPercent(number.value, ours)};
   if (agrees(printed, ours)) return row;
   row.verdict = Verdict::not_reproduced;
-  if (const Misprint* misprint = misprintOf(row)) {
+  if (const Misprint* misprint = misprintOf(row, ours)) {
     row.verdict = Verdict::misprint;
     row.erratum = misprint->erratum;
     row.reason = misprint->reason;

@@ -1,6 +1,8 @@
-// One number of the dissertation beside ours, and what is to be said about it.
+// One number of the dissertation beside ours, how near the two are, and what is to be said about it.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,9 +12,16 @@
 
 namespace palpate::study {
 
-enum class Verdict {
-  reproduced,      ///< ours, rounded as the text does, is the printed number
-  misprint,        ///< ours differs, and an erratum says why
+/// What ours is computed from.
+enum class Source : std::uint8_t {
+  engine,   ///< the engine's own code: a formula, a tree, a map
+  printed,  ///< other numbers of the text alone (a reciprocal, a ratio, a mean): whether the text agrees with itself
+};
+
+enum class Verdict : std::uint8_t {
+  from_engine,     ///< reproduced by the engine: ours lies within the row's tolerance
+  arithmetic,      ///< follows from other printed numbers, within the row's tolerance
+  misprint,        ///< ours is not the printed number but the one that an erratum names in its place
   not_reproduced,  ///< ours differs and nothing explains it: the study fails
   inconsistent,    ///< a statement that the text's own numbers contradict
   not_computable,  ///< needs the author's computer, scan or subjects
@@ -23,14 +32,19 @@ struct NumberRow {
   std::string what;     ///< the quantity
   std::string printed;  ///< as printed
   std::string ours;     ///< with two digits more; empty where there is nothing to compute
-  Verdict verdict = Verdict::reproduced;
-  Erratum erratum = Erratum::none;  ///< that explains it
-  std::string reason;               ///< how ours is computed, or why it differs
+  Verdict verdict = Verdict::from_engine;
+  Erratum erratum = Erratum::none;                   ///< that explains it
+  std::string reason;                                ///< how ours is computed, or why it differs
+  std::string tolerance;                             ///< how near ours must be; empty where there is nothing to compute
+  std::optional<double> off_percent = std::nullopt;  ///< ours over the printed number, where both are one number
 };
 
 /// True for the verdicts about numbers that can be computed: these decide whether the study holds.
-inline bool decides(Verdict verdict) {
-  return verdict == Verdict::reproduced || verdict == Verdict::misprint || verdict == Verdict::not_reproduced;
+inline bool decides(Verdict verdict) { return verdict != Verdict::inconsistent && verdict != Verdict::not_computable; }
+
+/// What a row is that comes out.
+inline Verdict reproducedFrom(Source source) {
+  return source == Source::engine ? Verdict::from_engine : Verdict::arithmetic;
 }
 
 /// True when no number that can be computed differs without an erratum that names why.
@@ -49,9 +63,14 @@ PrintedNumber parsePrinted(std::string_view text);
 /// True when `ours` rounds to the printed number.
 bool agrees(std::string_view printed, double ours);
 
-/// The row of a number that can be computed. One that does not agree is a misprint when the list of misprints
-/// (number_row.cpp) has this printed number at this place, and not reproduced otherwise.
-NumberRow judged(std::string where, std::string what, const std::string& printed, double ours, std::string reason);
+/// 100 (ours / printed - 1); nothing for a printed 0.
+std::optional<double> offPercent(double printed, double ours);
+
+/// The row of a number that can be computed; its tolerance is half of the last printed digit. One that does not agree
+/// is a misprint when the list of misprints (number_row.cpp) has this printed number at this place and ours rounds to
+/// the number that the list has instead; it is not reproduced otherwise.
+NumberRow judged(std::string where, std::string what, const std::string& printed, double ours, std::string reason,
+                 Source source = Source::engine);
 
 }  // namespace palpate::study
 
@@ -60,9 +79,10 @@ namespace palpate {
 template <>
 struct WordsOf<study::Verdict> {
   using V = study::Verdict;
-  static constexpr std::array kAll = {Word{"reproduced", V::reproduced}, Word{"misprint", V::misprint},
-                                      Word{"NOT REPRODUCED", V::not_reproduced}, Word{"inconsistent", V::inconsistent},
-                                      Word{"not computable", V::not_computable}};
+  static constexpr std::array kAll = {
+      Word{"from our engine", V::from_engine}, Word{"arithmetic of printed numbers", V::arithmetic},
+      Word{"misprint", V::misprint},           Word{"NOT REPRODUCED", V::not_reproduced},
+      Word{"inconsistent", V::inconsistent},   Word{"not computable", V::not_computable}};
 };
 
 }  // namespace palpate

@@ -38,25 +38,23 @@ double costOverLeaves(const PrintedNumbers& printed, int arity, const std::strin
 
 double heightNeeded(int arity) { return std::ceil(hdb::heightOfCompleteTree(arity, kMostTriangles / kThreshold)); }
 
-// True when a printed time and a printed rate can be the same measurement, each rounded as printed.
-bool isReciprocal(const PrintedTiming& timing) {
+// A printed time and a printed rate can be the same measurement when the rate lies within what both roundings allow.
+NumberRow rateRow(const std::string& where, const PrintedTiming& timing) {
   const PrintedNumber ms = parsePrinted(timing.ms);
   const PrintedNumber fps = parsePrinted(timing.fps);
-  const double slowest = 1000.0 / (ms.value + ms.tolerance);
-  const double fastest = 1000.0 / (ms.value - ms.tolerance);
-  return fps.value + fps.tolerance >= slowest && fps.value - fps.tolerance <= fastest;
-}
-
-NumberRow rateRow(const std::string& where, const PrintedTiming& timing) {
-  NumberRow row{where,
-                fmt::format("FPS at {} triangles", timing.triangles),
-                timing.fps,
-                fmt::format("{:.1f}", 1000.0 / parsePrinted(timing.ms).value),
-                Verdict::reproduced,
-                Erratum::none,
-                fmt::format("1000 over {} ms, both rounded as printed", timing.ms)};
-  if (!isReciprocal(timing)) row.verdict = Verdict::not_reproduced;
-  return row;
+  const double least = 1000.0 / (ms.value + ms.tolerance) - fps.tolerance;
+  const double most = 1000.0 / (ms.value - ms.tolerance) + fps.tolerance;
+  const double ours = 1000.0 / ms.value;
+  const bool agree = fps.value >= least && fps.value <= most;
+  return {.where = where,
+          .what = fmt::format("FPS at {} triangles", timing.triangles),
+          .printed = timing.fps,
+          .ours = fmt::format("{:.1f}", ours),
+          .verdict = agree ? Verdict::arithmetic : Verdict::not_reproduced,
+          .erratum = Erratum::none,
+          .reason = fmt::format("1000 over {} ms", timing.ms),
+          .tolerance = fmt::format("{:.1f} to {:.1f}: both roundings", least, most),
+          .off_percent = offPercent(fps.value, ours)};
 }
 
 void addTimings(const std::string& table, const PrintedTimings& timings, Rows& rows) {
@@ -71,9 +69,14 @@ void addHalfRate(const PrintedNumbers& printed, Rows& rows) {
   Extent share;
   for (const PrintedRate& rate : printed.table_3_1) share.add(rate.haptic_fps / rate.graphic_fps);
   const bool holds = share.least > 0.5 - kNear && share.most < 0.5 + kNear;
-  rows.push_back({"Table 3.1", "haptic over graphic rate", "almost half",
-                  fmt::format("{:.3f} to {:.3f}", share.least, share.most),
-                  holds ? Verdict::reproduced : Verdict::not_reproduced, Erratum::none, "of the five models"});
+  rows.push_back({.where = "Table 3.1",
+                  .what = "haptic over graphic rate",
+                  .printed = "almost half",
+                  .ours = fmt::format("{:.3f} to {:.3f}", share.least, share.most),
+                  .verdict = holds ? Verdict::arithmetic : Verdict::not_reproduced,
+                  .erratum = Erratum::none,
+                  .reason = "of the five models",
+                  .tolerance = fmt::format("{:.2f} to {:.2f}", 0.5 - kNear, 0.5 + kNear)});
 }
 
 void addTouchedRange(const PrintedNumbers& printed, Rows& rows) {
@@ -84,10 +87,11 @@ void addTouchedRange(const PrintedNumbers& printed, Rows& rows) {
   const auto [least, most] = std::minmax_element(touched.begin(), touched.end(), slower);
   if (least == touched.end()) return;
   const std::string reason = "of the column \"touched\" of Table 3.2; without a partition 6 FPS";
-  rows.push_back(
-      judged("3.3.4", "slowest touched rate, FPS", printed.fewest_touched_fps, parsePrinted(least->fps).value, reason));
-  rows.push_back(
-      judged("3.3.4", "fastest touched rate, FPS", printed.most_touched_fps, parsePrinted(most->fps).value, reason));
+  const auto add = [&](const std::string& what, const std::string& number, const PrintedTiming& timing) {
+    rows.push_back(judged("3.3.4", what, number, parsePrinted(timing.fps).value, reason, Source::printed));
+  };
+  add("slowest touched rate, FPS", printed.fewest_touched_fps, *least);
+  add("fastest touched rate, FPS", printed.most_touched_fps, *most);
 }
 
 }  // namespace

@@ -13,14 +13,15 @@ namespace {
 
 // A claim in words about ours.
 NumberRow claimed(const std::string& what, const std::string& claim, double ours, bool holds,
-                  const std::string& reason) {
-  return {"Figure 4.9",
-          what,
-          claim,
-          fmt::format("{:.4f} mm", ours),
-          holds ? Verdict::reproduced : Verdict::not_reproduced,
-          Erratum::none,
-          reason};
+                  const std::string& tolerance, const std::string& reason) {
+  return {.where = "Figure 4.9",
+          .what = what,
+          .printed = claim,
+          .ours = fmt::format("{:.4f} mm", ours),
+          .verdict = holds ? Verdict::from_engine : Verdict::not_reproduced,
+          .erratum = Erratum::none,
+          .reason = reason,
+          .tolerance = tolerance};
 }
 
 // 4.2.1 judges the arrays by eye: "(a) is significantly different from (b)", "(b) is not obviously different from (c)",
@@ -32,11 +33,13 @@ void addArrays(const PrintedNumbers& printed, Rows& rows) {
   const double error_middle = worstArrayError(middle, tissue::TableLookup::nearest);
   const double error_large = worstArrayError(large, tissue::TableLookup::nearest);
   const std::string reason = "worst error of the nearest entry, 10 mm deep";
+  const std::string pixel = fmt::format("{:g} mm, a pixel of a life-size view", kVisible);
   rows.push_back(claimed(fmt::format("array of {}", small), "significantly different", error_small,
-                         error_small > kVisible, reason + ": more than a pixel (0.28 mm) of a life-size view"));
+                         error_small > kVisible, "more than " + pixel, reason));
   rows.push_back(claimed(fmt::format("array of {}", middle), "not obviously different", error_middle,
-                         error_middle < kVisible, reason + ": less than a pixel"));
+                         error_middle < kVisible, "less than " + pixel, reason));
   rows.push_back(claimed(fmt::format("array of {}", large), "slightly better", error_large, error_large < error_middle,
+                         fmt::format("less than {}'s", middle),
                          fmt::format("{}; {} entries with linear lookup: {:.4f} mm", reason, middle,
                                      worstArrayError(middle, tissue::TableLookup::linear))));
 }

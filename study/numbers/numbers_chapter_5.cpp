@@ -49,15 +49,22 @@ void addRatios(const PrintedNumbers& printed, Rows& rows) {
     const bool swapped = row.major_cm < row.minor_cm;
     rows.push_back(judged(fmt::format("Appendix C, {} P{} subject {}", wordFor(row.force), row.point, row.subject),
                           "ratio", printed.appendix_c_ratios[i], row.majorOverMinor(),
-                          swapped ? "the \"major\" axis is the shorter one (E30)" : "major over minor"));
+                          swapped ? "the \"major\" axis is the shorter one (E30)" : "major over minor",
+                          Source::printed));
   }
 }
 
+// The subjects' rows are printed as well: a mean of them is the text's own, though it is the engine that takes it.
+void addOwn(const std::string& where, const std::string& what, const std::string& printed, double ours,
+            const std::string& reason, Rows& rows) {
+  rows.push_back(judged(where, what, printed, ours, reason, Source::printed));
+}
+
 void addMean(const std::string& where, const PrintedMean& printed, const maps::PlainMean& ours, Rows& rows) {
-  rows.push_back(judged(where, "major axis, cm", printed.major_cm, ours.major_cm, "mean of the subjects"));
-  rows.push_back(judged(where, "minor axis, cm", printed.minor_cm, ours.minor_cm, "mean of the subjects"));
-  rows.push_back(judged(where, "ratio", printed.ratio, ours.major_over_minor, "mean of the unrounded ratios"));
-  rows.push_back(judged(where, "degree", printed.degree, ours.direction_deg, "arithmetic mean (E30)"));
+  addOwn(where, "major axis, cm", printed.major_cm, ours.major_cm, "mean of the subjects", rows);
+  addOwn(where, "minor axis, cm", printed.minor_cm, ours.minor_cm, "mean of the subjects", rows);
+  addOwn(where, "ratio", printed.ratio, ours.major_over_minor, "mean of the unrounded ratios", rows);
+  addOwn(where, "degree", printed.degree, ours.direction_deg, "arithmetic mean (E30)", rows);
 }
 
 void addMeans(const PrintedNumbers& printed, Rows& rows) {
@@ -75,13 +82,14 @@ void addKeys(const PrintedNumbers& printed, Rows& rows) {
     const PrintedKey& key = printed.keys.at(static_cast<std::size_t>(point - 1));
     const maps::PlainMean mean = maps::plainMean(maps::measuredAt(maps::ForceDirection::up, point));
     const std::string figure = fmt::format("Figure 5.3, P{}", point);
-    rows.push_back(judged(figure, "2l, cm", key.figure_major_cm, mean.major_cm, "full axis (E16), mean of \"up\""));
-    rows.push_back(judged(figure, "r", key.figure_ratio, mean.major_over_minor, "mean of \"up\""));
-    rows.push_back(judged(figure, "d, degree", key.figure_degree, mean.direction_deg, "mean of \"up\""));
+    const std::string of_up = "mean of \"up\"";
+    addOwn(figure, "2l, cm", key.figure_major_cm, mean.major_cm, "full axis (E16), " + of_up, rows);
+    addOwn(figure, "r", key.figure_ratio, mean.major_over_minor, of_up, rows);
+    addOwn(figure, "d, degree", key.figure_degree, mean.direction_deg, of_up, rows);
     const std::string table = fmt::format("Appendix C, last table, P{}", point);
-    rows.push_back(judged(table, "major axis, mm", key.table_major_mm, kMmPerCm * mean.major_cm, "full axis (E16)"));
-    rows.push_back(judged(table, "ratio", key.table_ratio, mean.major_over_minor, "mean of \"up\""));
-    rows.push_back(judged(table, "degree", key.table_degree, mean.direction_deg, "mean of \"up\""));
+    addOwn(table, "major axis, mm", key.table_major_mm, kMmPerCm * mean.major_cm, "full axis (E16)", rows);
+    addOwn(table, "ratio", key.table_ratio, mean.major_over_minor, of_up, rows);
+    addOwn(table, "degree", key.table_degree, mean.direction_deg, of_up, rows);
   }
 }
 

@@ -29,16 +29,10 @@ std::string verdictText(const NumberRow& row) {
   return row.erratum != Erratum::none ? fmt::format("{} (E{})", name, numberOf(row.erratum)) : std::string(name);
 }
 
-std::vector<std::string> cellsOf(const NumberRow& row) {
-  return {row.where, row.what, row.printed, row.ours, verdictText(row), row.reason};
-}
+std::string offText(const NumberRow& row) { return row.off_percent ? fmt::format("{:+.2g} %", *row.off_percent) : ""; }
 
-std::string closingLine(const std::vector<NumberRow>& rows) {
-  std::string line;
-  for (const auto& [word, verdict] : WordsOf<Verdict>::kAll) {
-    line += fmt::format("{}{} {}", line.empty() ? "" : ", ", countOf(rows, verdict), word);
-  }
-  return line;
+std::vector<std::string> cellsOf(const NumberRow& row) {
+  return {row.where, row.what, row.printed, row.ours, offText(row), row.tolerance, verdictText(row), row.reason};
 }
 
 nlohmann::ordered_json objectOf(const NumberRow& row) {
@@ -46,7 +40,9 @@ nlohmann::ordered_json objectOf(const NumberRow& row) {
                                  {"what", row.what},
                                  {"printed", row.printed},
                                  {"ours", row.ours},
-                                 {"verdict", wordFor(row.verdict)}};
+                                 {"verdict", wordFor(row.verdict)},
+                                 {"tolerance", row.tolerance}};
+  if (row.off_percent) json["off_percent"] = *row.off_percent;
   if (row.erratum != Erratum::none) json["erratum"] = fmt::format("E{}", numberOf(row.erratum));
   json["reason"] = row.reason;
   return json;
@@ -60,8 +56,14 @@ nlohmann::ordered_json listOf(const std::vector<NumberRow>& rows, bool deciding)
   return list;
 }
 
+constexpr const char* kNumbersLegend =
+    "off: ours over the printed number. tolerance: how far ours may be from it, half of the last printed digit where\n"
+    "nothing else is said. from our engine: computed by the engine's code. arithmetic of printed numbers: a "
+    "reciprocal,\n"
+    "a ratio, a mean or a comparison of other printed numbers, which shows that the text agrees with itself.\n";
+
 TextTable tableWhere(const std::vector<NumberRow>& rows, const std::function<bool(const NumberRow&)>& wanted) {
-  TextTable table{{"where", "number", "printed", "ours", "verdict", "how or why"}, {}};
+  TextTable table{{"where", "number", "printed", "ours", "off", "tolerance", "verdict", "how or why"}, {}};
   for (const NumberRow& row : rows) {
     if (wanted(row)) table.rows.push_back(cellsOf(row));
   }
@@ -78,8 +80,18 @@ TextTable tableOf(const std::vector<NumberRow>& rows, bool deciding) {
   return tableWhere(rows, [=](const NumberRow& row) { return decides(row.verdict) == deciding; });
 }
 
+std::string countsLine(const std::vector<NumberRow>& rows) {
+  std::string line;
+  for (const auto& [word, verdict] : WordsOf<Verdict>::kAll) {
+    line += fmt::format("{}{} {}", line.empty() ? "" : ", ", countOf(rows, verdict), word);
+  }
+  return line;
+}
+
+std::string numbersLegend() { return kNumbersLegend; }
+
 std::string textOf(const std::vector<NumberRow>& rows) {
-  return plainText(wholeTable(rows)) + "\n" + closingLine(rows) + "\n";
+  return plainText(wholeTable(rows)) + "\n" + kNumbersLegend + "\n" + countsLine(rows) + "\n";
 }
 
 std::string jsonOf(const std::vector<NumberRow>& rows) {
@@ -93,18 +105,20 @@ std::string jsonOf(const std::vector<NumberRow>& rows) {
 }
 
 std::string markdownOf(const std::vector<NumberRow>& rows) {
-  return "# The dissertation's numbers beside ours\n\n" + closingLine(rows) +
-         ".\n\n## Numbers that can be computed\n\n" + markdownOf(tableOf(rows, true)) +
+  return "# The dissertation's numbers beside ours\n\n" + countsLine(rows) + ".\n\n" + kNumbersLegend +
+         "\n## Numbers that can be computed\n\n" + markdownOf(tableOf(rows, true)) +
          "\n## Statements that contradict themselves, and numbers that nobody can compute today\n\n" +
          markdownOf(tableOf(rows, false));
 }
 
 std::string csvOf(const std::vector<NumberRow>& rows) {
-  TextTable table{{"where", "number", "printed", "ours", "verdict", "erratum", "reason"}, {}};
+  TextTable table{{"where", "number", "printed", "ours", "off_percent", "tolerance", "verdict", "erratum", "reason"},
+                  {}};
   for (const NumberRow& row : rows) {
     const std::string erratum = row.erratum != Erratum::none ? fmt::format("E{}", numberOf(row.erratum)) : "";
-    table.rows.push_back(
-        {row.where, row.what, row.printed, row.ours, std::string(wordFor(row.verdict)), erratum, row.reason});
+    const std::string off = row.off_percent ? fmt::format("{:.4g}", *row.off_percent) : "";
+    table.rows.push_back({row.where, row.what, row.printed, row.ours, off, row.tolerance,
+                          std::string(wordFor(row.verdict)), erratum, row.reason});
   }
   return csvOf(table);
 }

@@ -19,9 +19,14 @@ std::vector<NumberRow> studyNumbers(const PrintedNumbers& printed = printedNumbe
 /// The rows whose verdicts decide whether the study holds, or the others.
 TextTable tableOf(const std::vector<NumberRow>& rows, bool deciding);
 
+/// What the columns and the verdicts mean.
+std::string numbersLegend();
+
 /// A table for the terminal and a closing line with the counts.
 std::string textOf(const std::vector<NumberRow>& rows);
-/// One object: {"holds", "counts", "rows", "statements"}; rows decide, statements inform.
+/// How many rows have each verdict: "52 from our engine, ...".
+std::string countsLine(const std::vector<NumberRow>& rows);
+/// One object: {"holds", "counts", "rows", "statements"}; counts has every verdict, rows decide, statements inform.
 std::string jsonOf(const std::vector<NumberRow>& rows);
 std::string markdownOf(const std::vector<NumberRow>& rows);
 std::string csvOf(const std::vector<NumberRow>& rows);
@@ -46,7 +51,7 @@ void addProfile(const PrintedNumbers& printed, Rows& rows);
 void addInterpolation(const PrintedNumbers& printed, Rows& rows);
 /// Figure 5.3 and Appendix C: the measured ellipses.
 void addMeasuredEllipses(const PrintedNumbers& printed, Rows& rows);
-/// Statements that the text's own numbers contradict, and what nobody can compute today.
+/// Statements in words or ranges, most of which do not hold, and what nobody can compute today.
 void addStatements(const PrintedNumbers& printed, Rows& rows);
 
 }  // namespace palpate::study

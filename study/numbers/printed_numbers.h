@@ -67,9 +67,13 @@ struct PrintedNumbers {
   std::string bsp_cost_over_n = "0.8";          ///< (3.5)
   std::string octree_cost_over_n = "0.4";       ///< (3.9)
   std::string largest_share_of_leaves = "0.1";  ///< 3.3.4, the r of (3.5) and (3.9)
-  std::string bsp_height = "7";                 ///< 3.3.4: of 100k triangles
-  std::string octree_height = "3";              ///< 3.4.2
-  std::string fewest_touched_fps = "7";         ///< 3.3.4, of Table 3.2
+  std::string back_grid_mm = "5";               ///< 2.1, 5.1: "about 5 x 5 mm"
+  std::string bunny_fps = "28";                 ///< 3.3.3: without a partition
+  std::string hand_triangles = "2814";          ///< 4.5
+  double hand_triangles_appendix_a = 2818.0;
+  std::string bsp_height = "7";          ///< 3.3.4: of 100k triangles
+  std::string octree_height = "3";       ///< 3.4.2
+  std::string fewest_touched_fps = "7";  ///< 3.3.4, of Table 3.2
   std::string most_touched_fps = "91";
   std::string gaussian_variance = "0.1592";  ///< 4.2.1
   std::string gaussian_sigma = "0.4";

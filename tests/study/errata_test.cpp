@@ -1,12 +1,17 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "palpate/base/error.h"
+#include "palpate/hdb/literal_traversal.h"
 #include "palpate/mesh/files/save.h"
 #include "palpate/scene/scene_file.h"
 #include "study/errata/errata_report.h"
 #include "study/errata/errata_study.h"
+#include "study/report/report_findings.h"
 #include "support/mesh_zoo.h"
 #include "support/temporary_folder.h"
 
@@ -14,7 +19,7 @@ namespace palpate::study {
 namespace {
 
 /// Two fingers press and drag on a hilly sheet of 400 x 400 mm with two key points, in a second.
-std::vector<ErratumEffect> measured() {
+ErrataEffects measured() {
   const support::TemporaryFolder folder;
   mesh::save(folder / "sheet.obj", zoo::wavyGrid(40, 400.0, 12.0));
   std::ofstream(folder / "keys.csv") << "a,170,190,60,1.5,170\nb,300,280,90,1.3,10\n";
@@ -34,24 +39,68 @@ script = [{ do = "press", depth_mm = 8, seconds = 1 }]
   return studyErrata(scene::load(folder / "s.toml"));
 }
 
-const std::vector<ErratumEffect>& effects() {
-  static const std::vector<ErratumEffect> once = measured();
+const ErrataEffects& effects() {
+  static const ErrataEffects once = measured();
   return once;
 }
 
-const ErratumEffect& effect(Erratum erratum) { return effects().at(static_cast<std::size_t>(erratum)); }
+const ErratumEffect& effect(Erratum erratum) { return effects().errata.at(static_cast<std::size_t>(erratum) - 1); }
 
-TEST(Errata, HaveOneRowEachAndOneForAllTogether) {
-  ASSERT_EQ(effects().size(), static_cast<std::size_t>(kErrata) + 1);
-  for (int number = 0; number <= kErrata; ++number) {
-    EXPECT_EQ(effect(static_cast<Erratum>(number)).text.erratum, static_cast<Erratum>(number));
+const ErratumEffect& allWith(const std::string& base) {
+  for (const ErratumEffect& row : effects().all_literal) {
+    if (row.base == base) return row;
   }
+  throw Error("no row for " + base);
+}
+
+Fidelity without(const std::string& inert) {
+  Fidelity fidelity = literalFidelity();
+  for (const ErratumEffect& row : effects().errata) {
+    if (scene::parseFidelity(inert).literal(row.text.erratum)) fidelity.setLiteral(row.text.erratum, false);
+  }
+  return fidelity;
+}
+
+TEST(Errata, HaveOneRowEachAndAllTogetherOneForEachSourceOfContact) {
+  ASSERT_EQ(effects().errata.size(), static_cast<std::size_t>(kErrata));
+  for (int number = 1; number <= kErrata; ++number) {
+    EXPECT_EQ(effect(erratumOf(number)).text.erratum, erratumOf(number));
+  }
+  ASSERT_EQ(effects().all_literal.size(), 3u);
+  ASSERT_EQ(effects().corrected.size(), 3u);
+}
+
+TEST(Errata, SayInEachRowWhatWasActive) {
+  EXPECT_EQ(effect(Erratum::E14_location_ratio).active, "contact.source = \"surface\"");
+  EXPECT_EQ(effect(Erratum::E4_else_if).active, "contact.source = \"hdb\", partition.tree = \"bsp\", radius_mm = 0");
+  EXPECT_EQ(effect(Erratum::E6_three_octants).base, "octree");
+  EXPECT_NE(errataText(effects()).find("inert: E4, E5, E6, E7, E10, E11, E12"), std::string::npos);
+}
+
+TEST(Errata, TogetherTakeTheFingerAwayWhereItTouchesThroughThePrintedSearchOfTheBspTree) {
+  EXPECT_EQ(allWith("surface").force_n, 0.0) << "without a partition no printed search is asked";
+  EXPECT_GT(allWith("surface").skin_mm, 1.0);
+  EXPECT_LT(allWith("bsp").look.touching_percent, 0.5 * effects().corrected[1].look.touching_percent);
+  EXPECT_GT(allWith("bsp").force_n, 0.5);
+}
+
+TEST(Errata, CalledInertChangeNoSearch) {
+  EXPECT_EQ(hdb::literalTraversal(without(allWith("bsp").inert), hdb::TreeKind::Bsp),
+            hdb::literalTraversal(literalFidelity(), hdb::TreeKind::Bsp));
+  EXPECT_EQ(hdb::literalTraversal(without(allWith("octree").inert), hdb::TreeKind::Octree),
+            hdb::literalTraversal(literalFidelity(), hdb::TreeKind::Octree));
+  EXPECT_NE(hdb::literalTraversal(without("E4,E5,E10"), hdb::TreeKind::Bsp), hdb::LiteralTraversal::ElseIf);
+}
+
+TEST(Errata, OfTheDragSpringLetTheSkinFollowFarther) {
+  const double ours = effects().corrected[0].look.drag_mm;
+  EXPECT_GT(ours, 1.0);
+  EXPECT_NEAR(effect(Erratum::E2_drag_spring).look.drag_mm / ours, 1.0 / 0.23, 0.7);
 }
 
 TEST(Errata, ThatCanBeReadOtherwiseAreMeasuredAndTheOthersSayWhyNot) {
-  for (const ErratumEffect& row : effects()) {
-    EXPECT_EQ(row.reading.empty(), row.text.form == scene::LiteralForm::none && row.text.erratum != Erratum::none)
-        << numberOf(row.text.erratum);
+  for (const ErratumEffect& row : effects().errata) {
+    EXPECT_EQ(row.isMeasured(), row.text.form != scene::LiteralForm::none) << numberOf(row.text.erratum);
   }
 }
 
@@ -85,11 +134,44 @@ TEST(Errata, AreReportedForPeopleAndForMachines) {
   EXPECT_EQ(json["errata"].size(), static_cast<std::size_t>(kErrata));
   EXPECT_EQ(json["errata"][13]["reading"], "fidelity.E14 = \"literal\"");
   EXPECT_EQ(json["errata"][21]["not_measured"], "nothing to switch");
-  EXPECT_TRUE(json["all_literal"].contains("skin_mm"));
+  EXPECT_EQ(json["errata"][3]["active"], effect(Erratum::E4_else_if).active);
+  EXPECT_TRUE(json["all_literal"][0].contains("skin_mm"));
+  EXPECT_EQ(json["all_literal"][1]["inert"], allWith("bsp").inert);
   EXPECT_NE(errataText(effects()).find("E29"), std::string::npos);
   const support::TemporaryFolder folder;
   writeErrata(effects(), folder / "out");
   EXPECT_TRUE(std::filesystem::exists(folder / "out/errata.csv"));
+}
+
+// A verdict is made of the numbers beside it: another number, another sentence.
+
+std::string findingsFor(const ErrataEffects& changed) {
+  return fmt::format("{}", fmt::join(errataFindings(changed), "\n"));
+}
+
+TEST(ErrataFindings, FollowTheNumbers) {
+  ErrataEffects changed = effects();
+  EXPECT_NE(findingsFor(changed).find("no force changes"), std::string::npos);
+  changed.all_literal[0].force_n = 1.5;
+  EXPECT_EQ(findingsFor(changed).find("no force changes"), std::string::npos);
+  EXPECT_NE(findingsFor(changed).find("forces change by up to 1.50 N"), std::string::npos);
+  changed.all_literal[1].look.touching_percent = 40.0;
+  EXPECT_EQ(findingsFor(changed).find("nothing is felt at all"), std::string::npos);
+  changed.all_literal[1].look.touching_percent = 0.0;
+  EXPECT_NE(findingsFor(changed).find("nothing is felt at all"), std::string::npos);
+}
+
+TEST(ErrataFindings, NameTheOneThatChangesMostAndThoseThatChangeNothing) {
+  ErrataEffects changed = effects();
+  changed.errata[28].skin_mm = 99.0;
+  changed.errata[3].lost_ticks = 0;
+  EXPECT_NE(findingsFor(changed).find("seen most is that of E29 (99.0"), std::string::npos);
+  EXPECT_NE(findingsFor(changed).find("no finger loses contact by it"), std::string::npos);
+  for (ErratumEffect& row : changed.errata) {
+    row.force_n = row.proxy_mm = row.missed_percent = row.skin_mm = row.strain_percent = 1.0;
+  }
+  EXPECT_NE(findingsFor(changed).find("each of them changed something"), std::string::npos);
+  EXPECT_NE(findingsFor(changed).find("26 of 34 errata"), std::string::npos);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // Every figure can be drawn, is named in the index, and shows what the formulae say.
 #include "study/figures/figure_study.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <set>
@@ -8,6 +10,7 @@
 #include "palpate/base/text.h"
 #include "study/measured/model_meshes.h"
 #include "study/measured/pressed_skin.h"
+#include "study/report/report_findings.h"
 #include "study/texts_apart.h"
 #include "support/error_message.h"
 #include "support/temporary_folder.h"
@@ -84,6 +87,19 @@ TEST(DissertationFigures, ShowTheNumbersOfTheText) {
     }
   }
   EXPECT_EQ(keys, 3);
+}
+
+TEST(DissertationFigures, SayWhatTheyAreDrawnFrom) {
+  std::vector<DissertationFigure> figures = dissertationFigures();
+  const auto said = [&] { return fmt::format("{}", fmt::join(figuresFindings(figures), "\n")); };
+  EXPECT_NE(said().find("plot printed numbers again and compute nothing: 3.1, 3.10, 3.16, 3.17, 3.18, 5.3."),
+            std::string::npos);
+  for (const char* number : {"4.7", "4.12", "4.16", "4.18"}) {
+    EXPECT_EQ(chosenFigures({number}).at(0).basis, FigureBasis::own_example) << number;
+  }
+  for (DissertationFigure& figure : figures) figure.basis = FigureBasis::computed;
+  EXPECT_EQ(said().find("plot printed numbers again"), std::string::npos);
+  EXPECT_NE(said().find(fmt::format("{0} figures are drawn: {0} are computed", figures.size())), std::string::npos);
 }
 
 TEST(PressedSkin, FollowsTheFingerAtTheContactAndRestsFarAway) {

@@ -132,7 +132,9 @@ struct FiguresArguments {
 void runFigures(const FiguresArguments& arguments) {
   const auto chosen = study::chosenFigures(arguments.only);
   if (arguments.list) {
-    for (const auto& figure : chosen) fmt::print("{:<6} {}\n", figure.number, figure.caption);
+    for (const auto& figure : chosen) {
+      fmt::print("{:<6} {} ({})\n", figure.number, figure.caption, wordFor(figure.basis));
+    }
     return;
   }
   if (arguments.folder.empty()) throw Error("study figures: --out DIR is needed");
