@@ -11,20 +11,36 @@
 
 namespace palpate::viewer {
 
-view::Camera homeView(const scene::World& world, const Shown& shown, view::StandardView side, const Vec2& size_points) {
+namespace {
+
+/// The part of the window that shows the picture alone, points.
+struct FreePart {
+  Vec2 size;
+  Vec2 aside;  ///< of its middle from the window's, to the right and down
+  double window_height;
+};
+
+FreePart freePart(const Shown& shown, const Vec2& size_points) {
   const auto width = static_cast<float>(size_points.x());
   const auto height = static_cast<float>(size_points.y());
   const FreeArea free = freeArea(shown, width, height);
-  const double free_width = std::max(50.0f, free.right - free.left);
-  const double free_height = std::max(50.0f, free.below - free.top);
-  view::Camera camera = view::fitted(mesh::boundingBox(world.skin), free_width / free_height, side);
-  // Fitted for the free part alone; the window shows more, so the same size there needs a camera further away.
-  camera.distance_mm *= height / free_height;
-  const double mm_per_pixel = 2.0 * camera.distance_mm * std::tan(0.5 * camera.height_rad) / height;
-  const double right = 0.5 * (free.left + free.right - width);
-  const double below = 0.5 * (free.top + free.below - height);
-  camera.centre += mm_per_pixel * (below * camera.up() - right * camera.right());
+  return {Vec2(std::max(50.0f, free.right - free.left), std::max(50.0f, free.below - free.top)),
+          0.5 * Vec2(free.left + free.right - width, free.top + free.below - height), height};
+}
+
+/// A camera made for the free part alone; the window shows more, so the same size there needs a camera further away.
+view::Camera intoPart(view::Camera camera, const FreePart& part) {
+  camera.distance_mm *= part.window_height / part.size.y();
+  const double mm_per_pixel = 2.0 * camera.distance_mm * std::tan(0.5 * camera.height_rad) / part.window_height;
+  camera.centre += mm_per_pixel * (part.aside.y() * camera.up() - part.aside.x() * camera.right());
   return camera;
+}
+
+}  // namespace
+
+view::Camera homeView(const scene::World& world, const Shown& shown, view::StandardView side, const Vec2& size_points) {
+  const FreePart part = freePart(shown, size_points);
+  return intoPart(view::fitted(mesh::boundingBox(world.skin), part.size.x() / part.size.y(), side), part);
 }
 
 namespace {
@@ -44,9 +60,10 @@ bool says(const scene::Scene& scene, std::span<const std::string_view> keys) {
 
 }  // namespace
 
-bool takeSceneLook(const scene::World& world, Session& session, double aspect) {
-  const view::PictureSettings said = view::pictureSettings(world, aspect);
+bool takeSceneLook(const scene::World& world, Session& session, const Vec2& size_points) {
   ViewState& state = session.state;
+  const FreePart part = freePart(state.shown, size_points);
+  const view::PictureSettings said = view::pictureSettings(world, part.size.x() / part.size.y());
   if (says(world.scene, kLookKeys)) state.look = said.look;
   if (says(world.scene, kStereoKeys)) state.stereo = said.stereo;
   state.stereo.head.reset();  // HeadSettings speaks for it
@@ -56,7 +73,8 @@ bool takeSceneLook(const scene::World& world, Session& session, double aspect) {
     state.head.screen_height_mm = said.stereo.head->screen_height_mm;
   }
   if (!says(world.scene, kCameraKeys)) return false;
-  session.camera = said.camera;
+  // Before a screen of true size the camera says where that screen stands.
+  session.camera = said.stereo.head ? said.camera : intoPart(said.camera, part);
   return true;
 }
 

@@ -123,7 +123,7 @@ void Viewer::lookAround() {
   if (!seen_) {
     if (size_points_.x() < kNarrowPoints) session_.state.shown.panel = false;
     session_.camera = homeView(*world_, session_.state.shown, view::StandardView::back, size_points_);
-    takeSceneLook(*world_, session_, size_points_.x() / size_points_.y());
+    takeSceneLook(*world_, session_, size_points_);
     if (settings_.intro && !session_.state.reduced_motion) intro_.begin(*world_, session_.now_s);
   }
   const view::EyePicture eye = view::eyePictureIn(stereo_.mode, target_->width(), target_->height());
@@ -148,7 +148,7 @@ void Viewer::takeWorld() {
   input_.handle({.kind = window::InputEvent::Kind::focus}, {}, lifted);
   if (!seen_) return;
   const view::Camera before = session_.camera;
-  if (!other_scene || !takeSceneLook(*world_, session_, size_points_.x() / size_points_.y())) {
+  if (!other_scene || !takeSceneLook(*world_, session_, size_points_)) {
     return setView(view::StandardView::back);
   }
   pointer_.fly(std::exchange(session_.camera, before), session_, kFlightS);

@@ -40,6 +40,23 @@ TEST(Camera, FitsABoxFromEverySide) {
   }
 }
 
+TEST(Camera, FitsABoxHoweverItIsTurned) {
+  const Eigen::AlignedBox3d box(Vec3(-180.0, -260.0, -110.0), Vec3(170.0, 250.0, 100.0));
+  for (const double aspect : {0.6, 1.0, kWideAspect}) {
+    for (const double yaw : {0.0, 0.5, 1.2, 2.5}) {
+      for (const double pitch : {-1.0, 0.0, 0.7}) {
+        const Camera camera = fitted(box, aspect, Camera{.yaw_rad = yaw, .pitch_rad = pitch, .height_rad = 0.3});
+        const Frustum frustum = frustumOf(screenOf(camera, aspect), camera.eye(), 1.0, 9000.0);
+        for (int corner = 0; corner < 8; ++corner) {
+          const Vec2 seen = seenAt(frustum, box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)));
+          EXPECT_TRUE((seen.array() >= 0.0).all() && (seen.array() <= 1.0).all())
+              << aspect << " " << yaw << " " << pitch << ": " << seen.transpose();
+        }
+      }
+    }
+  }
+}
+
 TEST(Frustum, OfAnEyeBeforeTheMiddleOfTheScreenIsThePlainPerspective) {
   Camera camera;
   camera.distance_mm = 600.0;

@@ -1,8 +1,15 @@
-#include "palpate/view/overlays/plates.h"
-
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <string>
+#include <tuple>
 #include <vector>
+
+#include "palpate/view/overlays/labels.h"
+#include "palpate/view/overlays/plates.h"
+#include "view/small_world.h"
 
 namespace palpate::view {
 namespace {
@@ -47,6 +54,64 @@ TEST(LabelLayout, ALineStartsAtTheNearestCorner) {
   const LabelBox plate{{100.0f, 100.0f}, {180.0f, 140.0f}};
   EXPECT_EQ(nearestCorner(plate, {50.0f, 300.0f}), Vec2f(100.0f, 140.0f));
   EXPECT_EQ(nearestCorner(plate, {500.0f, 0.0f}), Vec2f(180.0f, 100.0f));
+}
+
+/// Contrast as the Web Content Accessibility Guidelines 2.1 define it: 1 to 21; 4.5 is wanted of text.
+double contrastOf(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  const auto luminance = [](const std::array<double, 3>& colour) {
+    const std::array<double, 3> share = {0.2126, 0.7152, 0.0722};
+    double sum = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double c = colour[i] / 255.0;
+      sum += share[i] * (c <= 0.03928 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+    }
+    return sum;
+  };
+  const auto [low, high] = std::minmax({luminance(a), luminance(b)});
+  return (high + 0.05) / (low + 0.05);
+}
+
+std::array<double, 3> over(const std::array<double, 3>& ground, const Ink& ink) {
+  std::array<double, 3> seen{};
+  for (std::size_t i = 0; i < 3; ++i) seen[i] = ground[i] + ink.opacity * (ink.colour[i] - ground[i]);
+  return seen;
+}
+
+TEST(LabelInks, AreReadOnTheirGroundAndOnTheirPlatesWhateverLiesBehind) {
+  constexpr std::array<double, 3> kDark{40, 41, 44}, kLight{215, 216, 218}, kPaper{255, 255, 255};
+  constexpr std::array<double, 3> kSkin{190, 150, 120}, kShade{95, 60, 48};
+  for (const auto& [ground, white, light] :
+       {std::tuple{kDark, false, false}, {kLight, false, true}, {kPaper, true, false}}) {
+    Look look;
+    look.white_background = white;
+    look.light_background = light;
+    const LabelInks& inks = inksFor(look);
+    EXPECT_GT(contrastOf(over(ground, inks.letter), ground), 10.0);
+    for (const auto& behind : {ground, kSkin, kShade}) {
+      const auto plate = over(behind, inks.plate);
+      EXPECT_GT(contrastOf(over(plate, inks.letter), plate), 5.5);
+      EXPECT_GT(contrastOf(over(plate, inks.deformed), plate), 3.0) << "a curve";
+      EXPECT_GT(contrastOf(over(plate, inks.rest), plate), 3.0) << "a curve";
+      const auto rim = over(behind, inks.rim);
+      EXPECT_GT(contrastOf(over(rim, inks.letter), rim), 5.5) << "letters on the picture have a rim";
+    }
+  }
+}
+
+TEST(FingerWords, SayHowDeepTheSkinIsDrawnWhereTheFingerIsDeeper) {
+  const auto world = flatWorld();
+  using Lines = std::vector<std::string>;
+  FingerMark finger = pressedFinger(*world, {50.0, 50.0, 0.0}, 6.0);
+  EXPECT_EQ(fingerWords(*world, finger, "left"), (Lines{"left", "depth 6.0 mm", "force 3.00 N"}));
+  finger = pressedFinger(*world, {50.0, 50.0, 0.0}, 14.4);
+  EXPECT_EQ(fingerWords(*world, finger, ""), (Lines{"depth 14.4 mm", "force 7.20 N", "skin drawn 10 mm deep"}));
+}
+
+TEST(FingerWords, TellTheWholeForceNotItsNormalPart) {
+  const auto world = flatWorld();
+  const FingerMark finger = pressedFinger(*world, {50.0, 50.0, 0.0}, 6.0, {2.0, 0.0, 0.0});
+  EXPECT_GT(finger.contact.force.norm(), finger.contact.force.z() + 0.05) << "it pulls";
+  EXPECT_EQ(fingerWords(*world, finger, "").back(), fmt::format("force {:.2f} N", finger.contact.force.norm()));
 }
 
 }  // namespace

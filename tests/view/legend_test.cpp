@@ -38,7 +38,7 @@ TEST(Legend, ShowsEachValueInTheColourOfTheSkin) {
   look.colouring = Colouring::strain;
   const LegendPlace place{{40.0f, 40.0f}, {16.0f, 160.0f}};
   const Legend legend{"strain", "%", "", "", look.range(), ColourMap::cool_warm, {}};
-  drawLegend(page, legend, place);
+  drawLegend(page, legend, place, inksFor(look));
   page.end();
   target.bind();
   page.present(120, 240);

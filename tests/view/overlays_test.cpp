@@ -6,6 +6,8 @@
 #include <set>
 
 #include "palpate/view/overlays/marks.h"
+#include "palpate/view/overlays/overlay_key.h"
+#include "palpate/view/overlays/section.h"
 #include "view/small_world.h"
 
 namespace palpate::view {
@@ -105,6 +107,97 @@ TEST(SkinMarks, DrawOneArrowInEachCubeThatMoved) {
   skin.copyAll(deformedBy(*world, {}));
   addDisplacements(*world, skin, 4.0, none);
   EXPECT_TRUE(none.points.empty()) << "nothing moved";
+}
+
+TEST(SkinMarks, ShowTheArrowsOfAStraightPressToAnEyeThatLooksAlongThem) {
+  const auto world = flatWorld();
+  const FingerMark finger = pressedFinger(*world, {50.0, 50.0, 0.0}, 8.0);
+  DrawnSkin skin;
+  skin.copyAll(deformedBy(*world, {&finger, 1}));
+  Lines arrows;
+  addDisplacements(*world, skin, 6.0, arrows);
+  ASSERT_FALSE(arrows.points.empty());
+  // Every stroke of the largest arrow, seen along z: how far it reaches from the arrow's middle.
+  float widest = 0.0f;
+  for (std::size_t i = 0; i < arrows.points.size(); i += 2) {
+    const Vec3f stroke = arrows.points[i + 1].place - arrows.points[i].place;
+    widest = std::max(widest, stroke.head<2>().norm());
+  }
+  EXPECT_GT(widest, 4.0f) << "mm across; the barbs alone have less than 2";
+}
+
+/// Of the deformed and of the resting curve of a cut, as drawn.
+std::array<Lines, 2> cutLines(const scene::World& world, const FingerMark& finger) {
+  DrawnSkin skin;
+  skin.copyAll(deformedBy(world, {&finger, 1}));
+  Lines both;
+  addSection(world, skin, finger.contact, both);
+  std::array<Lines, 2> lines;
+  for (const PaintedPoint& point : both.points) {
+    lines[point.paint == kDeformedSectionPaint ? 0 : 1].points.push_back(point);
+  }
+  return lines;
+}
+
+TEST(SectionMarks, DrawNoLineInTheSkinNorTwoInOnePlace) {
+  const auto world = flatWorld();
+  const auto [deformed, rest] = cutLines(*world, pressedFinger(*world, {51.0, 49.0, 0.0}, 6.0));
+  ASSERT_FALSE(deformed.points.empty());
+  ASSERT_FALSE(rest.points.empty());
+  float farthest = 0.0f;
+  for (const PaintedPoint& point : rest.points) farthest = std::max(farthest, std::abs(point.place.x() - 51.0f));
+  EXPECT_LT(farthest, 30.0f) << "at rest only over the dent, not where both lines are one";
+  for (const PaintedPoint& point : deformed.points) {
+    if (std::abs(point.place.x() - 51.0f) < 30.0f) continue;
+    EXPECT_NEAR(point.place.z(), 0.5f, 1e-3f) << "out of the skin";
+  }
+}
+
+TEST(SectionMarks, ReachAsFarAsTheirChartAndShowTheDeepestFingerAlone) {
+  const auto world = flatWorld();
+  const std::array fingers = {pressedFinger(*world, {30.0, 20.0, 0.0}, 3.0),
+                              pressedFinger(*world, {50.0, 70.0, 0.0}, 8.0)};
+  EXPECT_EQ(sectionFinger(fingers), &fingers[1]);
+  EXPECT_EQ(sectionFinger({}), nullptr);
+  DrawnSkin skin;
+  skin.copyAll(deformedBy(*world, fingers));
+  Look look;
+  look.show(Overlay::section);
+  Overlays overlays(*world);
+  const OverlayShapes& shapes = overlays.shapes(look, skin, fingers);
+  float low = 100.0f, high = 0.0f;
+  for (const PaintedPoint& point : shapes.bold.points) {
+    EXPECT_NEAR(point.place.y(), 70.0f, 1.0f);
+    low = std::min(low, point.place.x());
+    high = std::max(high, point.place.x());
+  }
+  EXPECT_NEAR(low, 10.0f, 2.5f);
+  EXPECT_NEAR(high, 90.0f, 2.5f);
+}
+
+TEST(OverlayKey, ExplainsEveryColourThatAnOverlayDraws) {
+  const auto world = flatWorld();
+  const FingerMark finger = pressedFinger(*world, {50.0, 50.0, 0.0}, 6.0, {4.0, 0.0, 0.0});
+  DrawnSkin skin;
+  skin.copyAll(deformedBy(*world, {&finger, 1}));
+  for (std::size_t i = 0; i < kOverlays; ++i) {
+    Look look;
+    look.overlays.set(i);
+    std::set<std::array<std::uint8_t, 3>> explained;
+    for (const KeyEntry& entry : overlayKey(look)) {
+      explained.insert({entry.paint[0], entry.paint[1], entry.paint[2]});
+      EXPECT_FALSE(entry.words.empty());
+    }
+    EXPECT_FALSE(explained.empty()) << kOverlayNames[i];
+    Overlays overlays(*world);
+    const OverlayShapes& shapes = overlays.shapes(look, skin, {&finger, 1});
+    for (const auto* points : {&shapes.patches.points, &shapes.thin.points, &shapes.bold.points}) {
+      for (const PaintedPoint& point : *points) {
+        EXPECT_TRUE(explained.contains({point.paint[0], point.paint[1], point.paint[2]})) << kOverlayNames[i];
+      }
+    }
+  }
+  EXPECT_TRUE(overlayKey({}).empty());
 }
 
 /// Steps along edges from the nearest corner of a triangle, for every vertex.

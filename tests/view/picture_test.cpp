@@ -126,6 +126,30 @@ TEST(Picture, MarksTheFingersValueOnTheLegend) {
   EXPECT_FALSE(valueUnder(*world, deformedBy(*world, {}), look, away.contact));
 }
 
+TEST(Picture, HasDarkLettersOnPaperAndOnALightGround) {
+  const auto world = flatWorld();
+  Studio studio(world);
+  const auto surface = deformedBy(*world, {});
+  for (const bool white : {true, false}) {
+    PictureSettings settings = settingsFor(StereoMode::mono);
+    settings.camera.centre = {1e4, 1e4, 0.0};  // nothing but the ground
+    settings.look.white_background = white;
+    settings.look.light_background = true;
+    const Image bare = studio.take(surface, {}, settings, kSize).image;
+    settings.labels.title = "Title";
+    settings.labels.orientation = settings.labels.scale_bar = true;
+    const Image lettered = studio.take(surface, {}, settings, kSize).image;
+    int letters = 0;
+    for (int y = 0; y < kSize.height; ++y) {
+      for (int x = 0; x < kSize.width; ++x) {
+        EXPECT_GT(bare.at(x, y)[0], 170) << "a light ground";
+        letters += lettered.at(x, y)[0] < 80 ? 1 : 0;
+      }
+    }
+    EXPECT_GT(letters, 300) << "dark pixels of letters and lines";
+  }
+}
+
 TEST(Picture, ChangesWithEveryOverlay) {
   const auto world = flatWorld();
   const FingerMark fingers[] = {pressedFinger(*world, {50, 50, 0}, 6.0, {3, 0, 0})};

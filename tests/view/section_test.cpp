@@ -40,6 +40,18 @@ TEST(Section, LiesAlongTheDrag) {
   EXPECT_NEAR(pulled, 2.0, 0.2);
 }
 
+TEST(Section, TellsItsEndsApartByLettersAndThePatientsSides) {
+  const auto ends_of = [](const Vec3& along) {
+    const SectionEnds ends = sectionEnds({Vec3::Zero(), along.normalized(), Vec3::UnitZ()});
+    return ends.low + ", " + ends.high;
+  };
+  EXPECT_EQ(ends_of(Vec3::UnitX()), "A left, B right");
+  EXPECT_EQ(ends_of(-Vec3::UnitX()), "A right, B left");
+  EXPECT_EQ(ends_of({0.3, 1.0, 0.0}), "A caudal, B cranial");
+  EXPECT_EQ(ends_of(-Vec3::UnitY()), "A cranial, B caudal");
+  EXPECT_EQ(ends_of({1.0, 1.0, 0.0}), "A, B") << "between the sides";
+}
+
 TEST(Section, ThroughACornerOfTheMeshIsWholeToo) {
   const auto world = flatWorld();
   const auto surface = deformedBy(*world, {});

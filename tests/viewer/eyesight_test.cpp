@@ -1,7 +1,12 @@
 // Two eyes before the window: what is not offered, the tracked head, the cursor in halves of a picture.
 #include "apps/viewer/eyesight.h"
 
+#include <fmt/format.h>
+
+#include "apps/viewer/home_view.h"
+#include "apps/viewer/panels/gui_layout.h"
 #include "palpate/base/text.h"
+#include "palpate/scene/scene_file.h"
 #include "stage.h"
 
 namespace palpate::viewer {
@@ -108,6 +113,30 @@ TEST(SceneLook, AScenesOwnViewIsTakenWhenItIsOpened) {
   EXPECT_EQ(state.head.expected_mm, Vec3(50, 20, 450));
   EXPECT_EQ(state.head.screen_height_mm, 240.0);
   EXPECT_TRUE(stage.until([&] { return std::abs(stage.session().camera.yaw_rad - 0.5236) < 1e-3; }));
+}
+
+TEST(SceneLook, AScenesOwnViewShowsTheWholeBodyBesidePanelAndPlots) {
+  Stage stage;
+  for (const char* words : {"yaw_deg = 40", "yaw_deg = -30\npitch_deg = 50", "side = \"above\""}) {
+    writeFile(stage.folder / "turned.toml",
+              fmt::format("[body]\nkind = \"mesh\"\nfile = \"sheet.ply\"\n[view]\n{}\n[[finger]]\nname = \"a\"\n"
+                          "script = [{{ do = \"lift\" }}]\n",
+                          words));
+    const auto world = scene::build(scene::load(stage.folder / "turned.toml"));
+    Session session;
+    for (const bool panel : {true, false}) {
+      session.state.shown.panel = panel;
+      ASSERT_TRUE(takeSceneLook(*world, session, Vec2(kStageWidth, kStageHeight)));
+      const FreeArea free = freeArea(session.state.shown, kStageWidth, kStageHeight);
+      const view::Screen screen = view::screenOf(session.camera, double{kStageWidth} / kStageHeight);
+      const view::Frustum frustum = view::frustumOf(screen, session.camera.eye(), 1.0, 1e5);
+      for (const Vec3& place : world->skin.positions) {
+        const Vec2 seen = view::seenAt(frustum, place).cwiseProduct(Vec2(kStageWidth, kStageHeight));
+        ASSERT_TRUE(seen.x() >= free.left && seen.x() <= free.right && seen.y() >= free.top && seen.y() <= free.below)
+            << words << ": " << seen.transpose();
+      }
+    }
+  }
 }
 
 TEST(SceneLook, WhatASceneDoesNotSayStaysTheUsers) {

@@ -42,6 +42,10 @@ Camera fitted(const Eigen::AlignedBox3d& box, double aspect, StandardView side) 
   if (side == StandardView::right) camera.yaw_rad = kQuarter;
   if (side == StandardView::front) camera.yaw_rad = 2.0 * kQuarter;
   if (side == StandardView::above) camera.pitch_rad = kAlmostAbove;
+  return fitted(box, aspect, camera);
+}
+
+Camera fitted(const Eigen::AlignedBox3d& box, double aspect, Camera camera) {
   if (box.isEmpty()) return camera;
   camera.centre = box.center();
   const Vec3 half = 0.5 * box.diagonal();

@@ -38,6 +38,8 @@ struct Camera {
 
 /// A camera that sees the whole box from one side, with a margin of a twentieth.
 Camera fitted(const Eigen::AlignedBox3d& box, double aspect, StandardView side = StandardView::back);
+/// The same from the angles and with the lens of a camera.
+Camera fitted(const Eigen::AlignedBox3d& box, double aspect, Camera camera);
 
 /// A screen in the world: lower left, lower right and upper left corner, mm.
 struct Screen {

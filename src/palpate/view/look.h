@@ -58,10 +58,12 @@ struct Look {
   bool detail = true;   ///< pores (Shading::skin)
   bool texture = true;  ///< the user's picture, on a skin that has one (Colouring::plain)
   bool white_background = false;
+  bool light_background = false;  ///< light grey, for a window of light panels; white goes before it
   ColourRange strain_percent = {-20.0, 20.0};
   ColourRange stiffness_n_per_mm = {0.3, 1.2};
   ColourRange half_major_mm = {100.0, 200.0};
 
+  bool hasLightGround() const { return white_background || light_background; }
   bool shows(Overlay overlay) const { return overlays[static_cast<std::size_t>(overlay)]; }
   void show(Overlay overlay, bool on = true) { overlays[static_cast<std::size_t>(overlay)] = on; }
   const ColourRange& range() const {
@@ -73,7 +75,7 @@ struct Look {
 /// What is written over it.
 struct LabelSettings {
   std::string title;                      ///< upper left; empty = none
-  bool legend = true;                     ///< of the colours of the skin, when they mean something
+  bool legend = true;                     ///< of the colours of the skin and of overlays, when they mean something
   bool scale_bar = true;                  ///< true in the plane of the screen
   bool orientation = true;                ///< the patient's left and right, and where the head is
   bool numbers = true;                    ///< depth and force beside each finger that touches

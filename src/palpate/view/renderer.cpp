@@ -108,7 +108,7 @@ struct Renderer::Parts {
     if (opaque) skin.draw(look, viewpoint, {poses, marks});
     drawFingers(look, viewpoint);
     bones.draw(look, viewpoint);
-    background.draw(look.white_background);
+    background.draw(look);
     if (!opaque) skin.draw(look, viewpoint, {poses, marks});
   }
 

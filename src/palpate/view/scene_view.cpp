@@ -13,6 +13,7 @@ Camera cameraOf(const scene::World& world, const scene::ViewSettings& view, doub
   Camera camera = fitted(mesh::boundingBox(world.skin), aspect, view.side);
   camera.yaw_rad += kRadPerDeg * view.yaw_deg;
   camera.pitch_rad = std::clamp(camera.pitch_rad + kRadPerDeg * view.pitch_deg, -kRadPerDeg * 89.9, kRadPerDeg * 89.9);
+  camera = fitted(mesh::boundingBox(world.skin), aspect, camera);
   // A longer lens from the same place: it never enters the body.
   camera.height_rad = 2.0 * std::atan(std::tan(0.5 * camera.height_rad) / view.zoom);
   if (view.look_at_mm) camera.centre = *view.look_at_mm;

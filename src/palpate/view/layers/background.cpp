@@ -38,13 +38,14 @@ void main() {
 
 Background::Background() : program_("background", "", kBackgroundVertex, kBackgroundFragment) {}
 
-void Background::draw(bool white) const {
+void Background::draw(const Look& look) const {
+  constexpr float kLight = 0.8f;  // of the way from the dark gradient to white
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);  // it lies on the far plane
   glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
   program_.use();
-  program_.set("white", white ? 1.0f : 0.0f);
+  program_.set("white", look.white_background ? 1.0f : look.light_background ? kLight : 0.0f);
   glBindVertexArray(nothing_.get());
   glDrawArrays(GL_TRIANGLES, 0, kVertices);
   glDepthFunc(GL_LESS);

@@ -1,8 +1,9 @@
-// What lies behind the body: a soft grey gradient, or white paper. Drawn after the opaque things, on the far plane, so
-// that no pixel is shaded twice.
+// What lies behind the body: a soft dark or light gradient, or white paper. Drawn after the opaque things, on the far
+// plane, so that no pixel is shaded twice.
 #pragma once
 
 #include "palpate/view/layers/gl_objects.h"
+#include "palpate/view/look.h"
 
 namespace palpate::view {
 
@@ -10,7 +11,7 @@ class Background {
  public:
   Background();
   /// Fills what is still empty of the viewport: where the depth is that of the far plane.
-  void draw(bool white) const;
+  void draw(const Look& look) const;
 
  private:
   Program program_;

@@ -1,4 +1,4 @@
-// What has its place comes first (scale bar, directions, legend, title, section) and notes where it lies; the numbers
+// What has its place comes first (scale bar, directions, legends, title, section) and notes where it lies; the numbers
 // of the fingers come last and look for a place that is free (plates.h). Worked out anew for each picture. Own.
 #include "palpate/view/overlays/labels.h"
 
@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "palpate/view/overlays/legend.h"
+#include "palpate/view/overlays/overlay_key.h"
 #include "palpate/view/overlays/plates.h"
 #include "palpate/view/overlays/round_steps.h"
 #include "palpate/view/overlays/section.h"
@@ -21,10 +22,10 @@ using Taken = std::vector<LabelBox>;
 
 // ---- title
 
-void drawTitle(Drawing& page, const std::string& title, Taken& taken) {
+void drawTitle(Drawing& page, const std::string& title, const LabelInks& inks, Taken& taken) {
   if (title.empty()) return;
   const Vec2f corner(kMargin, kMargin - 3.0f);
-  writeLabel(page, corner, title, Align::left, TextSize::title);
+  writeLabel(page, corner, title, inks, Align::left, TextSize::title);
   taken.push_back({corner, corner + page.measure(title, TextSize::title)});
 }
 
@@ -59,7 +60,7 @@ void drawColours(Drawing& page, const LabelScene& scene, Taken& taken) {
   const float free_height = page.size().y() - kMargin - kRoomForWords - kRoomBelow;
   place.size.y() = std::round(std::clamp(std::min(0.45f * page.size().y(), free_height), 60.0f, 260.0f));
   place.corner = {std::round(page.size().x() - kMargin - kRoomForNumbers - place.size.x()), kMargin + kRoomForWords};
-  drawLegend(page, legendOf(scene, *scale), place);
+  drawLegend(page, legendOf(scene, *scale), place, inksFor(scene.look));
   constexpr float kRoomForMarks = 22.0f;  // the wedges at its left, and the words that are wider than the bar
   constexpr float kRoomForLowWord = 34.0f;
   taken.push_back({{place.corner.x() - kRoomForMarks, 0.0f},
@@ -68,7 +69,7 @@ void drawColours(Drawing& page, const LabelScene& scene, Taken& taken) {
 
 // ---- size and direction
 
-void drawScaleBar(Drawing& page, const Eyes& eyes, Taken& taken) {
+void drawScaleBar(Drawing& page, const Eyes& eyes, const LabelInks& inks, Taken& taken) {
   const double screen_mm = (eyes.screen.upper_left - eyes.screen.lower_left).norm();
   const double points_per_mm = page.size().y() / screen_mm;
   constexpr double kShareOfPage = 0.2;
@@ -76,36 +77,36 @@ void drawScaleBar(Drawing& page, const Eyes& eyes, Taken& taken) {
   const auto length = static_cast<float>(length_mm * points_per_mm);
   const float y = page.size().y() - kMargin - 2.0f;
   constexpr float kEnd = 5.0f;
-  for (const auto& [ink, thickness] : {std::pair{kShadeInk, 4.0f}, {kLightInk, 2.0f}}) {
+  for (const auto& [ink, thickness] : {std::pair{inks.rim, 4.0f}, {inks.letter, 2.0f}}) {
     page.line({kMargin, y}, {kMargin + length, y}, ink, thickness);
     page.line({kMargin, y - kEnd}, {kMargin, y + kEnd}, ink, thickness);
     page.line({kMargin + length, y - kEnd}, {kMargin + length, y + kEnd}, ink, thickness);
   }
   const std::string words = length_mm >= 1.0 ? fmt::format("{:.0f} mm", length_mm) : fmt::format("{} mm", length_mm);
-  writeLabel(page, {kMargin + 0.5f * length, y - kEnd - 18.0f}, words, Align::centre);
+  writeLabel(page, {kMargin + 0.5f * length, y - kEnd - 18.0f}, words, inks, Align::centre);
   taken.push_back({{kMargin, y - kEnd - 18.0f}, {kMargin + length, page.size().y()}});
 }
 
 /// An axis of the patient as the camera sees it: half of the figure's width and its letter at the end.
-void drawAxis(Drawing& page, const Vec2f& middle, const Vec2f& end, std::string_view letter) {
+void drawAxis(Drawing& page, const Vec2f& middle, const Vec2f& end, std::string_view letter, const LabelInks& inks) {
   constexpr float kShortest = 7.0f;  ///< points: an axis that looks at the eye says nothing
   if (end.norm() < kShortest) return;
-  page.line(middle, middle + end, kShadeInk, 3.5f);
-  page.line(middle, middle + end, kLightInk, 1.5f);
+  page.line(middle, middle + end, inks.rim, 3.5f);
+  page.line(middle, middle + end, inks.letter, 1.5f);
   const Vec2f letter_place = middle + end + 9.0f * end.normalized();
-  writeLabel(page, {letter_place.x(), letter_place.y() - 8.0f}, letter, Align::centre);
+  writeLabel(page, {letter_place.x(), letter_place.y() - 8.0f}, letter, inks, Align::centre);
 }
 
-void drawOrientation(Drawing& page, const Camera& camera, Taken& taken) {
+void drawOrientation(Drawing& page, const Camera& camera, const LabelInks& inks, Taken& taken) {
   constexpr float kRadius = 24.0f;
   const Vec2f middle = page.size() - Vec2f(kMargin + kRadius + 20.0f, kMargin + kRadius - 4.0f);
   const auto seen = [&](const Vec3& direction) {
     return Vec2f(kRadius * static_cast<float>(direction.dot(camera.right())),
                  -kRadius * static_cast<float>(direction.dot(camera.up())));
   };
-  drawAxis(page, middle, seen(Vec3::UnitX()), "R");
-  drawAxis(page, middle, seen(-Vec3::UnitX()), "L");
-  drawAxis(page, middle, seen(Vec3::UnitY()), "cranial");
+  drawAxis(page, middle, seen(Vec3::UnitX()), "R", inks);
+  drawAxis(page, middle, seen(-Vec3::UnitX()), "L", inks);
+  drawAxis(page, middle, seen(Vec3::UnitY()), "cranial", inks);
   constexpr float kWithLetters = kRadius + 18.0f;
   taken.push_back({middle - Vec2f::Constant(kWithLetters), page.size()});
 }
@@ -124,18 +125,8 @@ Vec2f placeOnPage(const Drawing& page, const Eyes& eyes, const Vec3& place) {
   return seen.cast<float>().cwiseProduct(page.size());
 }
 
-/// Of now, or of the press that just ended.
-std::vector<std::string> numbersOf(const FingerMark& finger, const std::string& name) {
-  std::vector<std::string> lines;
-  if (!name.empty()) lines.push_back(name);
-  const contact::FingerOutput& contact = finger.contact;
-  const Peak now{contact.depth_mm, contact.force.norm()};
-  const Peak& said = finger.lifted ? *finger.lifted : now;
-  const std::string_view most = finger.lifted ? "most " : "";
-  lines.push_back(fmt::format("{}depth {:.1f} mm", most, said.depth_mm));
-  lines.push_back(fmt::format("{}force {:.2f} N", most, said.force_n));
-  return lines;
-}
+/// Skin is not drawn to give way farther than this, mm.
+double capOf(const scene::World& world) { return world.deformation.common.tissue.normal_cap_mm; }
 
 Vec2f extentOf(const Drawing& page, const std::vector<std::string>& lines) {
   Vec2f extent = Vec2f::Zero();
@@ -147,8 +138,8 @@ Vec2f extentOf(const Drawing& page, const std::vector<std::string>& lines) {
 }
 
 /// A plate beside the finger, never under it nor under another label, with a line to it; never off the page.
-void drawNumbers(Drawing& page, const Vec2f& tip, const FingerMark& finger, const std::string& name, Taken& taken) {
-  const std::vector<std::string> lines = numbersOf(finger, name);
+void drawNumbers(Drawing& page, const Vec2f& tip, const FingerMark& finger, const std::vector<std::string>& lines,
+                 const LabelInks& inks, Taken& taken) {
   constexpr float kPad = 6.0f;
   constexpr float kStripe = 3.0f;
   const Vec2f size = extentOf(page, lines) + Vec2f(2.0f * kPad + kStripe, 2.0f * kPad);
@@ -156,12 +147,12 @@ void drawNumbers(Drawing& page, const Vec2f& tip, const FingerMark& finger, cons
   const LabelBox plate = placePlate(tip, size, {margin, page.size() - margin}, taken);
   taken.push_back(plate);
   const Vec2f corner = plate.corner;
-  page.line(tip, nearestCorner(plate, tip), kLightInk, 1.2f);
-  page.box(corner, corner + size, kShadeInk, 4.0f);
+  page.line(tip, nearestCorner(plate, tip), inks.letter, 1.2f);
+  page.box(corner, corner + size, inks.plate, 4.0f);
   page.box(corner, corner + Vec2f(kStripe, size.y()), Ink{encodedColour(finger.colour)});
   float y = corner.y() + kPad;
   for (const std::string& line : lines) {
-    page.text({corner.x() + kPad + kStripe, y}, line, kLightInk, Align::left, TextSize::small);
+    page.text({corner.x() + kPad + kStripe, y}, line, inks.letter, Align::left, TextSize::small);
     y += page.measure(line, TextSize::small).y() + 1.0f;
   }
 }
@@ -180,43 +171,79 @@ void drawFingers(Drawing& page, const LabelScene& scene, const LabelSettings& se
     const FingerMark& finger = scene.frame.fingers[i];
     const bool speaks = finger.contact.touch != contact::Touch::free || finger.lifted;
     if (!speaks || !tips[i].allFinite()) continue;
-    drawNumbers(page, tips[i], finger, nameOf(settings, i), taken);
+    drawNumbers(page, tips[i], finger, fingerWords(scene.world, finger, nameOf(settings, i)), inksFor(scene.look),
+                taken);
   }
+}
+
+// ---- what overlays mean
+
+constexpr float kScaleBarHeight = 46.0f;
+
+/// Below the title, down to the scale bar.
+void drawKey(Drawing& page, const LabelScene& scene, const LabelSettings& settings, Taken& taken) {
+  const float above = settings.title.empty() ? 0.0f : page.measure(settings.title, TextSize::title).y();
+  KeyPlace place;
+  place.corner = {kMargin, kMargin + above};
+  place.room = page.size() - place.corner - Vec2f(kMargin, kScaleBarHeight);
+  const LabelBox covered = drawOverlayKey(page, overlayKey(scene.look), place, inksFor(scene.look));
+  if (covered.opposite != covered.corner) taken.push_back(covered);
 }
 
 // ---- the cut through the deepest contact
 
-const FingerMark* deepest(const Frame& frame) {
-  const FingerMark* found = nullptr;
-  for (const FingerMark& finger : frame.fingers) {
-    if (finger.contact.touch == contact::Touch::free) continue;
-    if (found == nullptr || finger.contact.depth_mm > found->contact.depth_mm) found = &finger;
-  }
-  return found;
+/// The letter of an end, where the line on the skin ends.
+void drawEnd(Drawing& page, const LabelScene& scene, const Vec3& place, const std::string& name, Taken& taken) {
+  const Vec2f at = placeOnPage(page, scene.eyes, place);
+  if (!at.allFinite()) return;
+  const std::string letter = name.substr(0, 1);
+  const Vec2f half = 0.5f * page.measure(letter, TextSize::normal);
+  writeLabel(page, at - half, letter, inksFor(scene.look), Align::left, TextSize::normal);
+  taken.push_back({at - half, at + half});
 }
 
 /// Above the scale bar: fingers are mostly in the middle.
 void drawCut(Drawing& page, const LabelScene& scene, Taken& taken) {
-  const FingerMark* finger = deepest(scene.frame);
-  if (finger == nullptr) return;
+  const FingerMark* finger = sectionFinger(scene.frame.fingers);
+  if (finger == nullptr || finger->contact.touch == contact::Touch::free) return;
   const SectionPlane plane = sectionPlane(scene.world, finger->contact);
+  const auto curve = sectionCurve(scene.world, scene.surface, plane, kSectionHalfWidthMm);
+  if (curve.empty()) return;
   SectionChart chart;
   chart.size = {std::round(std::clamp(0.32f * page.size().x(), 150.0f, 320.0f)),
                 std::round(std::clamp(0.34f * page.size().y(), 92.0f, 180.0f))};
-  constexpr float kScaleBarHeight = 46.0f;
   chart.corner = {kMargin, page.size().y() - chart.size.y() - kScaleBarHeight};
-  drawSection(page, sectionCurve(scene.world, scene.surface, plane, kSectionHalfWidthMm), chart);
+  chart.ends = sectionEnds(plane);
+  if (finger->contact.depth_mm > capOf(scene.world)) chart.cap_mm = capOf(scene.world);
+  drawSection(page, curve, chart, inksFor(scene.look));
   taken.push_back({chart.corner, chart.corner + chart.size});
+  drawEnd(page, scene, onPlane(plane, curve.front().deformed), chart.ends.low, taken);
+  drawEnd(page, scene, onPlane(plane, curve.back().deformed), chart.ends.high, taken);
 }
 
 }  // namespace
 
+std::vector<std::string> fingerWords(const scene::World& world, const FingerMark& finger, const std::string& name) {
+  std::vector<std::string> lines;
+  if (!name.empty()) lines.push_back(name);
+  const contact::FingerOutput& contact = finger.contact;
+  const Peak now{contact.depth_mm, contact.force.norm()};
+  const Peak& said = finger.lifted ? *finger.lifted : now;
+  const std::string_view most = finger.lifted ? "most " : "";
+  lines.push_back(fmt::format("{}depth {:.1f} mm", most, said.depth_mm));
+  lines.push_back(fmt::format("{}force {:.2f} N", most, said.force_n));
+  if (now.depth_mm > capOf(world)) lines.push_back(fmt::format("skin drawn {:g} mm deep", capOf(world)));
+  return lines;
+}
+
 void drawLabels(Drawing& page, const LabelScene& scene, const LabelSettings& settings) {
   Taken taken;
-  if (settings.scale_bar) drawScaleBar(page, scene.eyes, taken);
-  if (settings.orientation) drawOrientation(page, scene.camera, taken);
+  const LabelInks& inks = inksFor(scene.look);
+  if (settings.scale_bar) drawScaleBar(page, scene.eyes, inks, taken);
+  if (settings.orientation) drawOrientation(page, scene.camera, inks, taken);
   if (settings.legend) drawColours(page, scene, taken);
-  drawTitle(page, settings.title, taken);
+  drawTitle(page, settings.title, inks, taken);
+  if (settings.legend) drawKey(page, scene, settings, taken);
   if (settings.section && scene.look.shows(Overlay::section)) drawCut(page, scene, taken);
   if (settings.numbers) drawFingers(page, scene, settings, taken);
 }

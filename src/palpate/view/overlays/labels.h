@@ -23,6 +23,10 @@ struct LabelScene {
   const Eyes& eyes;
 };
 
+/// What stands beside a finger, line by line: its name, the depth and the whole force of now, or the most of the press
+/// that just ended; and, where the finger is deeper than skin is drawn to give way, how deep it is drawn.
+std::vector<std::string> fingerWords(const scene::World& world, const FingerMark& finger, const std::string& name);
+
 /// Draws all labels that the settings ask for, on a page that has begun.
 void drawLabels(Drawing& page, const LabelScene& scene, const LabelSettings& settings);
 

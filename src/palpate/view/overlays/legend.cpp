@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "palpate/view/overlays/plates.h"
 #include "palpate/view/overlays/round_steps.h"
 
 namespace palpate::view {
@@ -90,34 +89,37 @@ float heightOf(const Legend& legend, const LegendPlace& place, double value) {
   return place.corner.y() + place.size.y() * static_cast<float>(1.0 - heightOnBar(legend, value));
 }
 
-void drawNumbers(Drawing& page, const Legend& legend, const LegendPlace& place) {
+void drawNumbers(Drawing& page, const Legend& legend, const LegendPlace& place, const LabelInks& inks) {
   const std::vector<double> values = roundMarks(legend.range.low, legend.range.high, kMostNumbers);
   const double step = values.size() > 1 ? values[1] - values[0] : 1.0;
   const float right = place.corner.x() + place.size.x();
   const float half_line = 0.5f * page.measure("0", TextSize::small).y();
   for (const double value : values) {
     const float y = heightOf(legend, place, value);
-    page.line({right, y}, {right + kTick, y}, kLightInk);
-    writeLabel(page, {right + kTick + 3.0f, y - half_line}, markText(value, step), Align::left, TextSize::small);
+    page.line({right, y}, {right + kTick, y}, inks.letter);
+    writeLabel(page, {right + kTick + 3.0f, y - half_line}, markText(value, step), inks, Align::left, TextSize::small);
   }
 }
 
-void drawWords(Drawing& page, const Legend& legend, const LegendPlace& place) {
+void drawWords(Drawing& page, const Legend& legend, const LegendPlace& place, const LabelInks& inks) {
   const float middle = place.corner.x() + 0.5f * place.size.x();
   const float line = page.measure("0", TextSize::small).y();
   const float above = place.corner.y() - kPoint - line - 4.0f;
   const float below = place.corner.y() + place.size.y() + kPoint + 3.0f;
-  if (!legend.high_word.empty()) writeLabel(page, {middle, above}, legend.high_word, Align::centre, TextSize::small);
-  if (!legend.low_word.empty()) writeLabel(page, {middle, below}, legend.low_word, Align::centre, TextSize::small);
+  if (!legend.high_word.empty())
+    writeLabel(page, {middle, above}, legend.high_word, inks, Align::centre, TextSize::small);
+  if (!legend.low_word.empty())
+    writeLabel(page, {middle, below}, legend.low_word, inks, Align::centre, TextSize::small);
   const float title = above - (legend.high_word.empty() ? 0.0f : line + 3.0f) - 2.0f;
-  writeLabel(page, {middle, title}, legend.title + ", " + legend.unit, Align::centre);
+  writeLabel(page, {middle, title}, legend.title + ", " + legend.unit, inks, Align::centre);
 }
 
 /// A wedge at the bar's left that points at the value under a finger.
-void drawMark(Drawing& page, const Legend& legend, const LegendPlace& place, const Legend::Mark& mark) {
+void drawMark(Drawing& page, const Legend& legend, const LegendPlace& place, const Legend::Mark& mark,
+              const LabelInks& inks) {
   const float y = heightOf(legend, place, mark.value);
   const float tip = place.corner.x() - 1.0f;
-  page.triangle({tip + 1.5f, y}, {tip - 11.0f, y + 6.5f}, {tip - 11.0f, y - 6.5f}, kLightInk);
+  page.triangle({tip + 1.5f, y}, {tip - 11.0f, y + 6.5f}, {tip - 11.0f, y - 6.5f}, inks.letter);
   page.triangle({tip, y}, {tip - 9.5f, y + 5.0f}, {tip - 9.5f, y - 5.0f}, {mark.colour});
 }
 
@@ -125,12 +127,12 @@ void drawMark(Drawing& page, const Legend& legend, const LegendPlace& place, con
 
 double heightOnBar(const Legend& legend, double value) { return std::clamp(shareOf(legend.range, value), 0.0, 1.0); }
 
-void drawLegend(Drawing& page, const Legend& legend, const LegendPlace& place) {
+void drawLegend(Drawing& page, const Legend& legend, const LegendPlace& place, const LabelInks& inks) {
   drawPointedEnds(page, legend, place);
   drawBar(page, legend, place);
-  drawNumbers(page, legend, place);
-  drawWords(page, legend, place);
-  for (const Legend::Mark& mark : legend.marks) drawMark(page, legend, place, mark);
+  drawNumbers(page, legend, place, inks);
+  drawWords(page, legend, place, inks);
+  for (const Legend::Mark& mark : legend.marks) drawMark(page, legend, place, mark, inks);
 }
 
 }  // namespace palpate::view

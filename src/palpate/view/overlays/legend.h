@@ -12,6 +12,7 @@
 #include "palpate/scene/world.h"
 #include "palpate/view/layers/drawing.h"
 #include "palpate/view/look.h"
+#include "palpate/view/overlays/plates.h"
 
 namespace palpate::view {
 
@@ -57,6 +58,6 @@ struct LegendPlace {
 double heightOnBar(const Legend& legend, double value);
 
 /// Bar, numbers, title with unit, pointed ends (values beyond have the colour of the end), marks of the fingers.
-void drawLegend(Drawing& page, const Legend& legend, const LegendPlace& place);
+void drawLegend(Drawing& page, const Legend& legend, const LegendPlace& place, const LabelInks& inks);
 
 }  // namespace palpate::view

@@ -41,7 +41,8 @@ void addContactMarks(const contact::FingerOutput& contact, Lines& lines);
 
 // ---- of the skin (skin_marks.cpp)
 
-/// Arrows from rest to where the skin is, one in each cube of `spacing_mm` that moved.
+/// Arrows from rest to where the skin is, one in each cube of `spacing_mm` that moved; a ring at their beginning shows
+/// them to an eye that looks along them.
 void addDisplacements(const scene::World& world, const DrawnSkin& skin, double spacing_mm, Lines& lines);
 
 /// Normals of 5 mm, of at most about `most` vertices, evenly spread over the skin.
@@ -50,7 +51,7 @@ void addNormals(const DrawnSkin& skin, Index most, Lines& lines);
 /// The edges within each of the first `rings` rings of neighbour nodes round a triangle; the triangle is ring 0.
 void addRings(const scene::World& world, const DrawnSkin& skin, Index triangle, int rings, Lines& lines);
 
-/// The cut through a finger's contact, rest and deformed.
+/// The cut through a finger's contact as far as its chart shows it: deformed, and at rest where the skin has moved.
 void addSection(const scene::World& world, const DrawnSkin& skin, const contact::FingerOutput& contact, Lines& lines);
 
 }  // namespace palpate::view

@@ -3,6 +3,7 @@
 #include "palpate/view/overlays/overlays.h"
 
 #include "palpate/view/overlays/marks.h"
+#include "palpate/view/overlays/section.h"
 
 namespace palpate::view {
 
@@ -26,6 +27,8 @@ const OverlayShapes& Overlays::shapes(const Look& look, const DrawnSkin& skin, s
   addPartition(look);
   addBody(look, skin);
   for (const FingerMark& finger : fingers) addFinger(look, skin, finger.contact);
+  const FingerMark* cut = look.shows(Overlay::section) ? sectionFinger(fingers) : nullptr;
+  if (cut != nullptr) addSection(world_, skin, cut->contact, shapes_.bold);
   return shapes_;
 }
 
@@ -45,7 +48,6 @@ void Overlays::addBody(const Look& look, const DrawnSkin& skin) {
 void Overlays::addFinger(const Look& look, const DrawnSkin& skin, const contact::FingerOutput& contact) {
   if (look.shows(Overlay::detecting_box)) addDetectingBox(partition(), contact, shapes_.bold);
   if (look.shows(Overlay::haptic_triangles)) addHapticTriangles(partition(), world_, skin, contact, shapes_.patches);
-  if (look.shows(Overlay::section)) addSection(world_, skin, contact, shapes_.bold);
   if (look.shows(Overlay::contact)) addContactMarks(contact, shapes_.bold);
   if (contact.touch != contact::Touch::free) addTouch(look, skin, contact);
 }

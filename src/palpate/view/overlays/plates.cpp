@@ -35,6 +35,11 @@ float startOf(float direction, float away, float extent) {
   return direction < 0.0f ? -away - extent : -0.5f * extent;
 }
 
+constexpr LabelInks kOnDark{{{250, 250, 250}},       {{20, 20, 24}, 0.72},   {{20, 20, 24}, 0.72},
+                            {{255, 255, 255}, 0.14}, {{160, 165, 175}, 1.0}, {{255, 176, 112}}};
+constexpr LabelInks kOnLight{{{22, 22, 26}},    {{255, 255, 255}, 0.8}, {{250, 250, 250}, 0.88},
+                             {{0, 0, 0}, 0.16}, {{92, 97, 108}, 1.0},   {{170, 66, 0}}};
+
 LabelBox movedOnto(const LabelBox& page, const Vec2f& wanted, const Vec2f& size) {
   const Vec2f last = (page.opposite - size).cwiseMax(page.corner);
   const Vec2f corner = wanted.cwiseMax(page.corner).cwiseMin(last).array().round();
@@ -42,6 +47,8 @@ LabelBox movedOnto(const LabelBox& page, const Vec2f& wanted, const Vec2f& size)
 }
 
 }  // namespace
+
+const LabelInks& inksFor(const Look& look) { return look.hasLightGround() ? kOnLight : kOnDark; }
 
 float overlapOf(const LabelBox& a, const LabelBox& b) {
   const Vec2f shared = a.opposite.cwiseMin(b.opposite) - a.corner.cwiseMax(b.corner);
@@ -81,11 +88,12 @@ ColourBytes encodedColour(const Vec3f& linear) {
   return bytes;
 }
 
-void writeLabel(Drawing& page, const Vec2f& place, std::string_view words, Align align, TextSize size) {
+void writeLabel(Drawing& page, const Vec2f& place, std::string_view words, const LabelInks& inks, Align align,
+                TextSize size) {
   for (const auto& [x, y] : {std::pair{-1.0f, 0.0f}, {1.0f, 0.0f}, {0.0f, -1.0f}, {0.0f, 1.0f}}) {
-    page.text(place + Vec2f(x, y), words, kShadeInk, align, size);
+    page.text(place + Vec2f(x, y), words, inks.rim, align, size);
   }
-  page.text(place, words, kLightInk, align, size);
+  page.text(place, words, inks.letter, align, size);
 }
 
 }  // namespace palpate::view

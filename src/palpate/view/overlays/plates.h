@@ -1,5 +1,5 @@
 // What labels are made of: places on a page for plates of words, beside what they speak of and over nothing that is
-// already there, and words that are readable on skin, on grey and on white paper alike. Placing is greedy: label after
+// already there, and words that are readable on skin, on a dark ground and on paper. Placing is greedy: label after
 // label, each at the first of a few liked places round its point that is free.
 #pragma once
 
@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "palpate/view/layers/drawing.h"
+#include "palpate/view/look.h"
 
 namespace palpate::view {
 
@@ -26,14 +27,22 @@ LabelBox placePlate(const Vec2f& tip, const Vec2f& size, const LabelBox& page, s
 /// The corner of the plate that is nearest to a place: where the line to it begins.
 Vec2f nearestCorner(const LabelBox& plate, const Vec2f& place);
 
-inline constexpr Ink kLightInk{{250, 250, 250}};
-inline constexpr Ink kShadeInk{{20, 20, 24}, 0.72};
+/// What words, plates and charts are drawn with: light letters on a dark ground, dark ones on a light ground.
+struct LabelInks {
+  Ink letter;
+  Ink rim;    ///< round letters and lines that lie on the picture itself
+  Ink plate;  ///< behind letters that do not
+  Ink grid;   ///< of a chart on a plate
+  Ink rest;   ///< and its curves
+  Ink deformed;
+};
+const LabelInks& inksFor(const Look& look);
 
 /// sRGB bytes of a linear colour.
 ColourBytes encodedColour(const Vec3f& linear);
 
-/// Light letters with a dark rim.
-void writeLabel(Drawing& page, const Vec2f& place, std::string_view words, Align align = Align::left,
-                TextSize size = TextSize::normal);
+/// Letters with a rim, readable on skin and ground alike.
+void writeLabel(Drawing& page, const Vec2f& place, std::string_view words, const LabelInks& inks,
+                Align align = Align::left, TextSize size = TextSize::normal);
 
 }  // namespace palpate::view

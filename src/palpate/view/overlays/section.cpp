@@ -4,6 +4,7 @@
 #include "palpate/view/overlays/section.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -110,6 +111,26 @@ Walk walked(const tree::TriangleTree& tree, const Deformed& deformed, const Sect
 }
 
 }  // namespace
+
+const FingerMark* sectionFinger(std::span<const FingerMark> fingers) {
+  const FingerMark* found = nullptr;
+  for (const FingerMark& finger : fingers) {
+    if (finger.contact.touch == contact::Touch::free) continue;
+    if (found == nullptr || finger.contact.depth_mm > found->contact.depth_mm) found = &finger;
+  }
+  return found != nullptr || fingers.empty() ? found : &fingers.front();
+}
+
+SectionEnds sectionEnds(const SectionPlane& plane) {
+  constexpr double kClearly = 0.8;  // within 37 degrees of the axis
+  if (std::abs(plane.along.x()) > kClearly) {
+    return plane.along.x() > 0.0 ? SectionEnds{"A left", "B right"} : SectionEnds{"A right", "B left"};
+  }
+  if (std::abs(plane.along.y()) > kClearly) {
+    return plane.along.y() > 0.0 ? SectionEnds{"A caudal", "B cranial"} : SectionEnds{"A cranial", "B caudal"};
+  }
+  return {"A", "B"};
+}
 
 SectionPlane sectionPlane(const scene::World& world, const contact::FingerOutput& contact) {
   SectionPlane plane;

@@ -6,15 +6,23 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "palpate/contact/finger_state.h"
 #include "palpate/deform/surface.h"
 #include "palpate/scene/world.h"
+#include "palpate/view/finger_pose.h"
 
 namespace palpate::view {
 
 class Drawing;
+struct LabelInks;
+
+/// The finger whose cut is shown: the one that presses deepest, where none touches the first; null without fingers.
+const FingerMark* sectionFinger(std::span<const FingerMark> fingers);
 
 struct SectionPlane {
   Vec3 origin = Vec3::Zero();   ///< the friction anchor
@@ -46,10 +54,20 @@ inline Vec3 onPlane(const SectionPlane& plane, const Vec2& point) {
   return plane.origin + point.x() * plane.along + point.y() * plane.upward;
 }
 
-/// Where the section is drawn as a small chart, points.
+/// What the two ends of a cut are called, in the picture and in the chart: letters, and the patient's side towards
+/// which an end lies where there is one: "A left", "B right".
+struct SectionEnds {
+  std::string low, high;
+};
+SectionEnds sectionEnds(const SectionPlane& plane);
+
+/// Where the section is drawn as a small chart, points; and what is written on it.
 struct SectionChart {
   Vec2f corner = Vec2f::Zero();  ///< upper left
   Vec2f size = {240.0f, 120.0f};
+  SectionEnds ends = {};
+  /// How far the skin is drawn to give way at most, when the finger is deeper than that, mm.
+  std::optional<double> cap_mm = {};
 };
 
 /// How far the chart reaches to either side of the contact, mm.
@@ -57,6 +75,6 @@ inline constexpr double kSectionHalfWidthMm = 40.0;
 
 /// Draws it with both axes in mm. Heights are drawn larger than widths: the numbers at the axes tell by how much.
 /// Nothing for an empty curve.
-void drawSection(Drawing& page, std::span<const SectionPoint> curve, const SectionChart& chart);
+void drawSection(Drawing& page, std::span<const SectionPoint> curve, const SectionChart& chart, const LabelInks& inks);
 
 }  // namespace palpate::view

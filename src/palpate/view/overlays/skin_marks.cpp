@@ -5,6 +5,8 @@
 #include "palpate/view/overlays/marks.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -65,6 +67,34 @@ void addEdgesWithin(const std::vector<Index>& ring, const mesh::IndexRows& neigh
   }
 }
 
+/// A point of the deformed curve, a little out of the skin, which it would else be drawn in.
+Vec3 liftedAt(const SectionPlane& plane, std::span<const SectionPoint> curve, std::size_t i) {
+  constexpr double kLiftMm = 0.5;
+  const Vec2 along = curve[std::min(i + 1, curve.size() - 1)].deformed - curve[i > 0 ? i - 1 : 0].deformed;
+  const Vec2 outward = along.norm() > 0.0 ? Vec2(Vec2(-along.y(), along.x()).normalized()) : Vec2(Vec2::UnitY());
+  return onPlane(plane, curve[i].deformed + kLiftMm * outward);
+}
+
+/// From where the skin was to where it is. Seen from behind or from before it is a ring with a cross in it, as an arrow
+/// of paper shows its feathers: a straight press points away from the eye.
+void addDisplacement(const Vec3& from, const Vec3& to, Lines& lines) {
+  constexpr double kRingShare = 0.3;  // of the length
+  constexpr double kLargestRingMm = 2.4;
+  constexpr int kCorners = 10;
+  lines.addArrow(from, to, kDisplacementPaint);
+  const Vec3 along = to - from;
+  const double radius = std::min(kRingShare * along.norm(), kLargestRingMm);
+  const Vec3 side = radius * along.unitOrthogonal();
+  const Vec3 other = along.normalized().cross(side);
+  const auto corner = [&](int i) {
+    const double angle = 2.0 * std::numbers::pi * i / kCorners;
+    return Vec3(from + std::cos(angle) * side + std::sin(angle) * other);
+  };
+  for (int i = 0; i < kCorners; ++i) lines.add(corner(i), corner(i + 1), kDisplacementPaint);
+  lines.add(from - side, from + side, kDisplacementPaint);
+  lines.add(from - other, from + other, kDisplacementPaint);
+}
+
 }  // namespace
 
 void addDisplacements(const scene::World& world, const DrawnSkin& skin, double spacing_mm, Lines& lines) {
@@ -73,7 +103,7 @@ void addDisplacements(const scene::World& world, const DrawnSkin& skin, double s
   for (std::size_t i = 0; i < moved.size(); ++i) {
     if (i > 0 && moved[i].cell == moved[i - 1].cell) continue;
     const Index v = moved[i].vertex;
-    lines.addArrow(world.deformable.restPosition(v).cast<double>(), skin.at(v), kDisplacementPaint);
+    addDisplacement(world.deformable.restPosition(v).cast<double>(), skin.at(v), lines);
   }
 }
 
@@ -100,12 +130,17 @@ void addRings(const scene::World& world, const DrawnSkin& skin, Index triangle, 
 }
 
 void addSection(const scene::World& world, const DrawnSkin& skin, const contact::FingerOutput& contact, Lines& lines) {
+  constexpr double kApartMm = 0.3;  // nearer to each other the two lines would flicker through each other
   const SectionPlane plane = sectionPlane(world, contact);
   const auto curve = sectionCurve(
-      world, [&](Index v) { return skin.at(v); }, plane);
+      world, [&](Index v) { return skin.at(v); }, plane, kSectionHalfWidthMm);
+  const auto moved = [&](std::size_t i) { return (curve[i].deformed - curve[i].rest).norm() > kApartMm; };
   for (std::size_t i = 1; i < curve.size(); ++i) {
+    if (!moved(i - 1) && !moved(i)) continue;
     lines.add(onPlane(plane, curve[i - 1].rest), onPlane(plane, curve[i].rest), kRestSectionPaint);
-    lines.add(onPlane(plane, curve[i - 1].deformed), onPlane(plane, curve[i].deformed), kDeformedSectionPaint);
+  }
+  for (std::size_t i = 1; i < curve.size(); ++i) {
+    lines.add(liftedAt(plane, curve, i - 1), liftedAt(plane, curve, i), kDeformedSectionPaint);
   }
 }
 
