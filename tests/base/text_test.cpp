@@ -12,6 +12,9 @@ TEST(ParseNumber, ReadsWholeTextOrNothing) {
   EXPECT_EQ(parseNumber(" 1.5e3 "), 1500.0);
   EXPECT_EQ(parseNumber("+2"), 2.0);
   EXPECT_FALSE(parseNumber("1.5mm"));
+  EXPECT_FALSE(parseNumber("+-5"));
+  EXPECT_FALSE(parseNumber("++5"));
+  EXPECT_FALSE(parseNumber("+"));
   EXPECT_FALSE(parseNumber(""));
   EXPECT_TRUE(std::isnan(*parseNumber("nan")));
 }

@@ -28,7 +28,9 @@ TEST(Trajectory, NamesTheLineAndTheCause) {
   EXPECT_EQ(messageOf("0,1,2,inf\n"), "path.csv:1: z_mm is inf");
   EXPECT_EQ(messageOf("0,1,2,3\n\n0,1,2,3\n"), "path.csv:3: time does not increase: 0 s after 0 s");
   EXPECT_EQ(messageOf("t_ms,x,y,z\n0,1,2,3\n"), "path.csv:1: expected the header t_s,x_mm,y_mm,z_mm or numbers");
-  EXPECT_EQ(messageOf("0,1,2,2e9\n"), "path.csv:1: z_mm = 2000000000 is farther than 1000000000 mm");
+  EXPECT_EQ(messageOf("0,1,2,2e9\n"), "path.csv:1: z_mm = 2000000000 is out of range: -1,000,000,000 to 1,000,000,000");
+  EXPECT_EQ(messageOf("5,1,2,3\n60005,1,2,3\n"),
+            "path.csv:2: t_s = 60005 is 60000 s after the first row: a trajectory lasts at most 50,000 s");
   EXPECT_EQ(messageOf(std::string_view("0,1,2,3\n\0\1\2,,,\n", 15)), "path.csv:2: not a text table (byte 0x00)");
   EXPECT_EQ(messageOf("t_s,x_mm,y_mm,z_mm\n"), "path.csv: empty trajectory: no rows");
   EXPECT_EQ(messageOf(""), "path.csv: empty trajectory: no rows");

@@ -76,7 +76,7 @@ TEST(DeformationKeys, NamesWhatDoesNotGoTogether) {
   EXPECT_TRUE(messageFor("[deformation]\nprofile = \"gauss\"\n" + kFinger)
                   .starts_with("s.toml:2: [deformation] profile must be \"half_gaussian\" or"));
   EXPECT_EQ(messageFor("[deformation]\nprofile_entries = 1\n" + kFinger),
-            "s.toml:2: [deformation] profile_entries = 1 must be 2 to 1000000");
+            "s.toml:2: [deformation] profile_entries = 1 is out of range: 2 to 1,000,000");
   EXPECT_EQ(messageFor("[strain]\nkind = \"shear\"\n" + kFinger),
             "s.toml:2: [strain] kind must be \"edges\" or \"principal\", not \"shear\"");
 }

@@ -124,15 +124,15 @@ TEST(SceneFile, NamesWrongTypesAndRanges) {
   EXPECT_EQ(messageFor("[friction]\nstatic = \"0.46\"\n" + kFinger),
             "s.toml:2: [friction] static must be a number, not a text");
   EXPECT_EQ(messageFor("[friction]\nstatic = -1\n" + kFinger),
-            "s.toml:2: [friction] static = -1 must be at least 0 and at most 5");
+            "s.toml:2: [friction] static = -1 is out of range: 0 to 5");
   EXPECT_EQ(messageFor("[stiffness]\nconstant_n_per_mm = 0\n" + kFinger),
-            "s.toml:2: [stiffness] constant_n_per_mm = 0 must be above 0 and at most 100");
+            "s.toml:2: [stiffness] constant_n_per_mm = 0 is out of range: above 0 and at most 100");
   EXPECT_EQ(messageFor("[stiffness]\nconstant_n_per_mm = nan\n" + kFinger),
             "s.toml:2: [stiffness] constant_n_per_mm must be finite");
   EXPECT_EQ(messageFor("[contact]\nforce_shading = 1\n" + kFinger),
             "s.toml:2: [contact] force_shading must be true or false, not a number");
   EXPECT_EQ(messageFor("[body]\nkind = \"tors\"\n" + kFinger),
-            "s.toml:2: [body] kind must be \"torso\" or \"mesh\", not \"tors\"");
+            "s.toml:2: [body] kind must be \"torso\" or \"mesh\", not \"tors\"; did you mean \"torso\"?");
   EXPECT_EQ(messageFor("title = 5\n" + kFinger), "s.toml:1: title must be a text in quotes, not a number");
   EXPECT_EQ(messageFor("[output]\nsurfaces_at_s = 3\n" + kFinger),
             "s.toml:2: [output] surfaces_at_s must be a list of numbers, not a number");
@@ -161,7 +161,7 @@ TEST(SceneFile, NamesWhatIsMissingOrContradicts) {
   EXPECT_EQ(messageFor("[[finger]]\nname = \"a\"\n"), "s.toml:1: [[finger]] needs either a trajectory or a script");
   EXPECT_EQ(messageFor("[[finger]]\nname = \"a,b\"\nscript = [{ do = \"hold\" }]\n"),
             "s.toml:1: [[finger]] name may hold letters, digits, '-' and '_' only");
-  EXPECT_EQ(messageFor(kFinger + kFinger), "s.toml: has two fingers of the name 'index'");
+  EXPECT_EQ(messageFor(kFinger + kFinger), "s.toml:4: is the second [[finger]] of the name 'index'");
   EXPECT_EQ(messageFor("[[finger]]\nname = \"a\"\nscript = [{ seconds = 1 }]\n"),
             "s.toml:3: [[finger]] script needs do = \"press\" or \"hold\" or \"drag\" or \"circle\" or \"lift\"");
 }
@@ -197,7 +197,7 @@ TEST(SceneFile, EveryKeyWithARangeRefusesWhatIsFarOutside) {
     if (row.table.starts_with("script") || !row.takes.starts_with("number,")) continue;
     const std::string header = row.table.empty() ? "#" : row.table;
     const std::string message = messageFor(header + "\n" + row.key + " = -1e200\n");
-    EXPECT_NE(message.find(row.key + " = -1e+200 must be"), std::string::npos) << message;
+    EXPECT_NE(message.find(row.key + " = -1e+200 is out of range: "), std::string::npos) << message;
   }
 }
 

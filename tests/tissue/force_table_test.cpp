@@ -35,7 +35,7 @@ TEST(ForceTable, NamesTheLineThatIsWrong) {
   EXPECT_EQ(messageFor("2,1\n3,0.5\n"), "f.csv:2: force_n must not decrease, but 0.5 follows 1");
   EXPECT_EQ(messageFor("\n2\n"), "f.csv:2: needs depth_mm,force_n but has 1 fields");
   EXPECT_EQ(messageFor("0,1\n"), "f.csv:1: force_n must be 0 at depth 0");
-  EXPECT_EQ(messageFor("-2,1\n"), "f.csv:1: depth_mm must be at least 0 and at most 1000000");
+  EXPECT_EQ(messageFor("-2,1\n"), "f.csv:1: depth_mm = -2 is out of range: 0 to 1,000,000");
   EXPECT_EQ(messageFor("2,x\n"), "f.csv:1: force_n is not a number: 'x'");
   EXPECT_EQ(messageFor("2,inf\n"), "f.csv:1: force_n is inf");
   EXPECT_EQ(messageFor("depth_mm,force_n\n"), "f.csv: has no row with a depth above 0");

@@ -45,7 +45,7 @@ TEST(InputScript, NamesTheLineOfWhatItDoesNotUnderstand) {
   EXPECT_EQ(error("0, down, thumb\n"), "s.csv:1: 'thumb' is no button: left, right or middle");
   EXPECT_EQ(error("0, key, F77\n"), "s.csv:1: there is no key 'F77' (the F1 page lists them)");
   EXPECT_EQ(error("1, close\n0, close\n"), "s.csv:2: times must not go back");
-  EXPECT_EQ(error("0, size, 3, 3\n"), "s.csv:1: a size is 16 to 16384 pixels");
+  EXPECT_EQ(error("0, size, 3, 3\n"), "s.csv:1: pixels = 3 is out of range: 16 to 16,384");
 }
 
 }  // namespace

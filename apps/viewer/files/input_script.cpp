@@ -14,6 +14,12 @@ using window::InputEvent;
 
 constexpr std::size_t kMostScriptBytes = std::size_t{1} << 22;
 
+constexpr NumberRange kScriptTimesS{0.0, 1e5};
+constexpr NumberRange kPixels{-1e5, 1e5};
+constexpr NumberRange kSides{16.0, 16384.0};
+constexpr NumberRange kNotches{-1000.0, 1000.0};
+constexpr NumberRange kHeadMm{-1e5, 1e5};
+
 [[noreturn]] void fail(const CsvRow& row, std::string_view cause) { throw Error::atLine(row.file, row.line, cause); }
 
 std::string_view field(const CsvRow& row, std::size_t i, std::string_view what) {
@@ -78,7 +84,7 @@ class Reader {
   explicit Reader(std::string_view file) : folder_(std::filesystem::path(file).parent_path()) {}
 
   void read(const CsvRow& row) {
-    const double time = csvNumber(row, 0, "time");
+    const double time = csvNumber(row, 0, "time", kScriptTimesS);
     if (time < last_time_) fail(row, "times must not go back");
     last_time_ = time;
     now_ = time;
@@ -89,7 +95,7 @@ class Reader {
  private:
   void readEvent(const CsvRow& row, std::string_view name) {
     if (name == "move") {
-      cursor_ = Vec2(csvNumber(row, 2, "x"), csvNumber(row, 3, "y"));
+      cursor_ = Vec2(csvNumber(row, 2, "x", kPixels), csvNumber(row, 3, "y", kPixels));
       add(inputOf(InputEvent::Kind::move, cursor_));
     } else if (name == "down" || name == "up") {
       InputEvent event = inputOf(InputEvent::Kind::button, cursor_);
@@ -99,7 +105,7 @@ class Reader {
       add(event);
     } else if (name == "scroll") {
       InputEvent event = inputOf(InputEvent::Kind::scroll, cursor_);
-      event.notches = csvNumber(row, 2, "notches");
+      event.notches = csvNumber(row, 2, "notches", kNotches);
       event.modifiers = modifiersFrom(row, 3);
       add(event);
     } else if (name == "key") {
@@ -135,7 +141,8 @@ class Reader {
     } else if (name == "head") {
       ScriptEvent& event = events.emplace_back();
       event.kind = ScriptEvent::Kind::head;
-      event.head_mm = {csvNumber(row, 2, "x"), csvNumber(row, 3, "y"), csvNumber(row, 4, "z")};
+      event.head_mm = {csvNumber(row, 2, "x", kHeadMm), csvNumber(row, 3, "y", kHeadMm),
+                       csvNumber(row, 4, "z", kHeadMm)};
       event.time_s = now_;
     } else if (name == "close") {
       events.emplace_back().kind = ScriptEvent::Kind::close;
@@ -146,9 +153,7 @@ class Reader {
   }
 
   int sizeFrom(const CsvRow& row, std::size_t column) const {
-    const double pixels = csvNumber(row, column, "pixels");
-    if (!(pixels >= 16.0 && pixels <= 16384.0)) fail(row, "a size is 16 to 16384 pixels");
-    return static_cast<int>(pixels);
+    return static_cast<int>(csvNumber(row, column, "pixels", kSides));
   }
 
   void add(InputEvent event) {

@@ -9,6 +9,7 @@
 #include <cstdlib>
 
 #include "palpate/base/error.h"
+#include "palpate/base/nearest_name.h"
 #include "palpate/base/output_file.h"
 #include "palpate/base/text.h"
 #include "palpate/base/words.h"
@@ -142,7 +143,7 @@ Remembered parseState(std::string_view text, std::string_view name) {
   try {
     table = toml::parse(text, name);
   } catch (const toml::parse_error& error) {
-    throw Error::atLine(name, error.source().begin.line, scene::oneLine(error.description()));
+    throw Error::atLine(name, error.source().begin.line, oneLine(error.description()));
   }
   if (table["version"].value_or<std::int64_t>(0) != kStateVersion) throw Error::inFile(name, "is of another version");
   Remembered remembered;

@@ -68,6 +68,13 @@ double csvNumber(const CsvRow& row, std::size_t column, std::string_view column_
   return *value;
 }
 
+double csvNumber(const CsvRow& row, std::size_t column, std::string_view column_name, const NumberRange& range) {
+  const double value = csvNumber(row, column, column_name);
+  if (range.holds(value)) return value;
+  throw Error::atLine(row.file, row.line,
+                      fmt::format("{} = {}", column_name, outOfRange(fmt::format("{}", value), range)));
+}
+
 bool looksLikeCsvHeader(const CsvRow& row) { return !parseNumber(row.fields.front()).has_value(); }
 
 }  // namespace palpate

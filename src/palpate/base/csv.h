@@ -11,6 +11,8 @@
 #include <span>
 #include <string_view>
 
+#include "palpate/base/number_range.h"
+
 namespace palpate {
 
 struct CsvRow {
@@ -24,6 +26,9 @@ void forEachCsvRow(std::string_view text, std::string_view file, const std::func
 
 /// The finite number in `column`. Throws Error naming the line and the column otherwise.
 double csvNumber(const CsvRow& row, std::size_t column, std::string_view column_name);
+
+/// The same for a number that must be in a range.
+double csvNumber(const CsvRow& row, std::size_t column, std::string_view column_name, const NumberRange& range);
 
 /// True when the row names columns instead of holding values, that is when its first field is not a number.
 bool looksLikeCsvHeader(const CsvRow& row);

@@ -12,6 +12,7 @@
 #include <numbers>
 
 #include "palpate/base/error.h"
+#include "palpate/base/number_range.h"
 #include "palpate/tree/triangle_tree.h"
 
 namespace palpate::device {
@@ -62,11 +63,18 @@ Stand during(const scene::Step& step, const Stand& from, double t) {
   return now;
 }
 
+/// With the place of the finger's table where there is one.
+[[noreturn]] void failFinger(const scene::Finger& finger, const std::string& cause) {
+  const std::string message = fmt::format("finger '{}': {}", finger.name, cause);
+  if (finger.line > 0) throw Error::atLine(finger.scene_file, finger.line, message);
+  throw Error(message);
+}
+
 void requireReasonableLength(const scene::Finger& finger) {
   double seconds = 0.0;
   for (const scene::Step& step : finger.steps) seconds += step.seconds;
   if (seconds > kMaxScriptS) {
-    throw Error(fmt::format("finger '{}': the script lasts {} s, more than {} s", finger.name, seconds, kMaxScriptS));
+    failFinger(finger, fmt::format("the script lasts {} s, more than {} s", seconds, readableNumber(kMaxScriptS)));
   }
 }
 
@@ -88,7 +96,7 @@ std::vector<double> skinHeights(const scene::Finger& finger, const std::vector<S
   const Vec2 start = stands.front().place;
   const auto first = height(start.x(), start.y());
   if (!first) {
-    throw Error(fmt::format("finger '{}': there is no skin at at_mm = [{}, {}]", finger.name, start.x(), start.y()));
+    failFinger(finger, fmt::format("there is no skin at at_mm = [{}, {}]", start.x(), start.y()));
   }
   std::vector<double> heights;
   heights.reserve(stands.size());
@@ -175,15 +183,23 @@ double earliestStart(const std::vector<Trajectory>& trajectories) {
   return std::isfinite(start) ? start : 0.0;
 }
 
+Trajectory onTicks(const scene::Finger& finger, const Trajectory& trajectory, double ticks_per_s) {
+  try {
+    return resampled(trajectory, 1.0 / ticks_per_s);
+  } catch (const Error& error) {
+    throw Error::inFile(finger.trajectory.string(), error.what());
+  }
+}
+
 std::vector<Vec3> tipsOf(const scene::World& world, const scene::Finger& finger, const Trajectory& trajectory,
                          double start_s) {
   const double ticks_per_s = world.scene.ticks_per_s;
   if (finger.findsItsOwnWay()) return automaticPath(world, finger.radius_mm).tip_mm;
   if (trajectory.size() == 0) return walkScript(finger, {}, heightOver(world, {}), 1.0 / ticks_per_s);
-  const Trajectory on_ticks = resampled(trajectory, 1.0 / ticks_per_s);
+  const Trajectory on_ticks = onTicks(finger, trajectory, ticks_per_s);
   const double delay_s = trajectory.time_s.front() - start_s;
   if (delay_s > kMaxScriptS) {
-    throw Error(fmt::format("finger '{}' would start {} s after the first one: one clock?", finger.name, delay_s));
+    failFinger(finger, fmt::format("it would start {} s after the first one: one clock?", delay_s));
   }
   return delayed(on_ticks.tip_mm, ticksIn(delay_s, ticks_per_s));
 }

@@ -22,21 +22,24 @@ constexpr double kMaxTicks = 5e7;
 /// Rows this close to a tick, in ticks, are on it: times are written in decimal and so are off by rounding.
 constexpr double kOnTick = 1e-6;
 
-double readCoordinate(const CsvRow& row, std::size_t column, std::string_view name) {
-  const double value = csvNumber(row, column, name);
-  if (std::abs(value) <= kMaxCoordinateMm) return value;
-  throw Error::atLine(row.file, row.line, fmt::format("{} = {} is farther than {} mm", name, value, kMaxCoordinateMm));
-}
+/// Finer clocks than a nanosecond's are no longer told apart beyond this.
+constexpr NumberRange kTimesS{-1e9, 1e9};
+constexpr NumberRange kCoordinatesMm{-kMaxCoordinateMm, kMaxCoordinateMm};
 
 void appendRow(const CsvRow& row, Trajectory& trajectory) {
-  const double time = csvNumber(row, 0, "t_s");
+  const double time = csvNumber(row, 0, "t_s", kTimesS);
   if (!trajectory.time_s.empty() && time <= trajectory.time_s.back()) {
     throw Error::atLine(row.file, row.line,
                         fmt::format("time does not increase: {} s after {} s", time, trajectory.time_s.back()));
   }
+  if (!trajectory.time_s.empty() && time - trajectory.time_s.front() > kLongestTrajectoryS) {
+    throw Error::atLine(row.file, row.line,
+                        fmt::format("t_s = {} is {} s after the first row: a trajectory lasts at most {} s", time,
+                                    time - trajectory.time_s.front(), readableNumber(kLongestTrajectoryS)));
+  }
   trajectory.time_s.push_back(time);
-  trajectory.tip_mm.emplace_back(readCoordinate(row, 1, "x_mm"), readCoordinate(row, 2, "y_mm"),
-                                 readCoordinate(row, 3, "z_mm"));
+  trajectory.tip_mm.emplace_back(csvNumber(row, 1, "x_mm", kCoordinatesMm), csvNumber(row, 2, "y_mm", kCoordinatesMm),
+                                 csvNumber(row, 3, "z_mm", kCoordinatesMm));
 }
 
 void requireFields(const CsvRow& row) {
@@ -105,7 +108,9 @@ Trajectory resampled(const Trajectory& trajectory, double tick_s) {
   if (trajectory.time_s.empty()) throw Error("a trajectory without rows cannot be resampled");
   const double start = trajectory.time_s.front();
   const double ticks = std::floor((trajectory.time_s.back() - start) / tick_s + kOnTick);
-  if (!(ticks < kMaxTicks)) throw Error(fmt::format("a trajectory of {:.3g} ticks is too long", ticks));
+  if (!(ticks < kMaxTicks))
+    throw Error(fmt::format("a trajectory of {} ticks is too long: at most {}", readableNumber(ticks),
+                            readableNumber(kMaxTicks)));
 
   Trajectory result;
   std::size_t before = 0;

@@ -18,6 +18,9 @@ inline constexpr std::string_view kTrajectoryHeader = "t_s,x_mm,y_mm,z_mm";
 /// Largest coordinate in a file, mm: a body is 10^3 mm long, and the sixth power of this still fits a double.
 inline constexpr double kMaxCoordinateMm = 1e9;
 
+/// Longest time from the first row of a file to its last: 14 hours. More is a mistake in the time column.
+inline constexpr double kLongestTrajectoryS = 5e4;
+
 struct Trajectory {
   std::vector<double> time_s;  ///< strictly increasing, finite
   std::vector<Vec3> tip_mm;    ///< as many as `time_s`, finite
@@ -26,7 +29,8 @@ struct Trajectory {
 
 /// Reads `t_s,x_mm,y_mm,z_mm` rows. Blank lines and `#` comments are skipped. Throws Error (file:line: cause) for a
 /// wrong header, a wrong number of fields, a field that is no finite number, a coordinate beyond kMaxCoordinateMm, time
-/// that does not increase, binary content, and a file without rows or larger than 1 GiB.
+/// that does not increase or lasts longer than kLongestTrajectoryS, binary content, and a file without rows or larger
+/// than 1 GiB.
 Trajectory readTrajectory(const std::filesystem::path& file);
 
 /// The same from text; `name` stands for the file in messages.

@@ -20,8 +20,8 @@ namespace {
 constexpr std::size_t kColumnsBefore = 3;  // name, x_mm, y_mm
 /// 64 MiB: more than a hundred thousand rows; anything longer is not a table of measurements.
 constexpr std::size_t kMaxFileBytes = std::size_t{64} << 20;
-constexpr double kMinRadiusMm = 1e-3;  // a micrometre: smaller is a wrong unit
-constexpr double kMaxRadiusMm = 1e4;   // ten metres: no body is larger
+constexpr NumberRange kRadiiMm{1e-3, 1e4};  // a micrometre to ten metres; what is beyond is a wrong unit
+constexpr NumberRange kContourPlacesMm{-1e5, 1e5};
 
 std::string header(std::size_t radii) {
   std::string text = "name,x_mm,y_mm";
@@ -49,17 +49,15 @@ void requireHeader(const CsvRow& row, std::size_t radii) {
 }
 
 double radiusOf(const CsvRow& row, std::size_t i) {
-  const std::string name = fmt::format("r{}_mm", i);
-  const double radius = csvNumber(row, kColumnsBefore + i, name);
-  if (radius >= kMinRadiusMm && radius <= kMaxRadiusMm) return radius;
-  throw Error::atLine(row.file, row.line,
-                      fmt::format("{} = {} is not between {} and {}", name, radius, kMinRadiusMm, kMaxRadiusMm));
+  return csvNumber(row, kColumnsBefore + i, fmt::format("r{}_mm", i), kRadiiMm);
 }
 
 ContourPoint contourPointOf(const CsvRow& row, std::size_t radii) {
   std::vector<double> radii_mm;
   for (std::size_t i = 0; i < radii; ++i) radii_mm.push_back(radiusOf(row, i));
-  return {std::string(row.fields[0]), {csvNumber(row, 1, "x_mm"), csvNumber(row, 2, "y_mm")}, contourOf(radii_mm)};
+  return {std::string(row.fields[0]),
+          {csvNumber(row, 1, "x_mm", kContourPlacesMm), csvNumber(row, 2, "y_mm", kContourPlacesMm)},
+          contourOf(radii_mm)};
 }
 
 /// All logarithms of a contour at once. Unused ones are carried along: a fixed size needs no allocation.

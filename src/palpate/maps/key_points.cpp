@@ -22,22 +22,12 @@ constexpr std::string_view kStiffnessColumn = "stiffness_n_per_mm";
 constexpr std::size_t kFields = 6;
 /// 64 MiB: more than a million rows; anything longer is not a table of measurements.
 constexpr std::size_t kMaxKeyFileBytes = std::size_t{64} << 20;
-constexpr double kMinHalfMajorMm = 1e-3;  // a micrometre: smaller is a wrong unit
-constexpr double kMaxHalfMajorMm = 1e4;   // ten metres: no body is larger
-constexpr double kMaxRatio = 1e3;         // longer ellipses are a wrong unit
-
-/// A size or ratio whose logarithm and inverse stay ordinary numbers.
-double within(const CsvRow& row, std::size_t column, std::string_view name, double low, double high) {
-  const double value = csvNumber(row, column, name);
-  if (value >= low && value <= high) return value;
-  throw Error::atLine(row.file, row.line, fmt::format("{} = {} is not between {} and {}", name, value, low, high));
-}
-
-double stiffnessOf(const CsvRow& row) {
-  const double value = csvNumber(row, kFields, kStiffnessColumn);
-  if (value >= 0.0) return value;
-  throw Error::atLine(row.file, row.line, fmt::format("{} = {} is negative", kStiffnessColumn, value));
-}
+// Sizes and ratios have logarithms and inverses that are ordinary numbers; what is beyond them is a wrong unit.
+constexpr NumberRange kPlacesMm{-1e5, 1e5};
+constexpr NumberRange kHalfMajorsMm{1e-3, 1e4};  // a micrometre to ten metres
+constexpr NumberRange kRatios{1e-3, 1e3};
+constexpr NumberRange kDirectionsDeg{-360.0, 360.0};
+constexpr NumberRange kStiffnesses{0.0, 1000.0};
 
 void requireFields(const CsvRow& row) {
   if (row.fields.size() == kFields || row.fields.size() == kFields + 1) return;
@@ -58,12 +48,13 @@ KeyPoint keyPointOf(const CsvRow& row) {
   requireFields(row);
   KeyPoint key;
   key.name = row.fields[0];
-  key.position_mm = {csvNumber(row, 1, "x_mm"), csvNumber(row, 2, "y_mm")};
-  const double half_major_mm = within(row, 3, "half_major_mm", kMinHalfMajorMm, kMaxHalfMajorMm);
-  const double ratio = within(row, 4, "major_over_minor", 1.0 / kMaxRatio, kMaxRatio);
-  key.ellipse = canonicalEllipse(half_major_mm, half_major_mm / ratio, csvNumber(row, 5, "direction_deg") * kRadPerDeg);
+  key.position_mm = {csvNumber(row, 1, "x_mm", kPlacesMm), csvNumber(row, 2, "y_mm", kPlacesMm)};
+  const double half_major_mm = csvNumber(row, 3, "half_major_mm", kHalfMajorsMm);
+  const double ratio = csvNumber(row, 4, "major_over_minor", kRatios);
+  const double direction_deg = csvNumber(row, 5, "direction_deg", kDirectionsDeg);
+  key.ellipse = canonicalEllipse(half_major_mm, half_major_mm / ratio, direction_deg * kRadPerDeg);
   const bool has_stiffness = row.fields.size() > kFields && !row.fields[kFields].empty();
-  if (has_stiffness) key.stiffness_n_per_mm = stiffnessOf(row);
+  if (has_stiffness) key.stiffness_n_per_mm = csvNumber(row, kFields, kStiffnessColumn, kStiffnesses);
   return key;
 }
 

@@ -21,7 +21,7 @@ std::vector<Key<Step>> stepKeys(Move move) {
     keys.push_back(number<S>("depth_mm", &S::depth_mm, length, "Down to this depth in the skin."));
   if (move == Move::lift)
     keys.push_back(number<S>("height_mm", &S::height_mm, length, "Up to this height above the skin."));
-  if (move == Move::drag) keys.push_back(point2<S>("by_mm", &S::by_mm, "By this much along x and y."));
+  if (move == Move::drag) keys.push_back(point2<S>("by_mm", &S::by_mm, length, "By this much along x and y."));
   if (move == Move::circle) {
     keys.push_back(number<S>("radius_mm", &S::radius_mm, above(0, kLongestMm), "Round the present place."));
     keys.push_back(number<S>("turns", &S::turns, between(-1000, 1000), "Counter-clockwise; negative is clockwise."));
@@ -73,7 +73,8 @@ std::vector<Key<Finger>> fingerKeys() {
       text<S>("name", &S::name, "Letters, digits, '-' and '_'; different for each finger."),
       number<S>("radius_mm", &S::radius_mm, between(0, 1000), "0 is a point, 8 a fingertip."),
       file<S>("trajectory", &S::trajectory, "Table t_s,x_mm,y_mm,z_mm; instead of a script."),
-      point2<S>("at_mm", &S::at_mm, "Script: the place it starts over, seen along z."),
+      point2<S>("at_mm", &S::at_mm, between(-kLongestMm, kLongestMm),
+                "Script: the place it starts over, seen along z."),
       number<S>("start_height_mm", &S::start_height_mm, between(-kLongestMm, kLongestMm),
                 "Script: height above the skin it starts from."),
       scriptKey(),
@@ -107,6 +108,8 @@ std::vector<KeyRow> describeFinger() {
 Section fingerSection() {
   const auto read = [](const toml::table& table, const Entry& entry) {
     Finger finger;
+    finger.scene_file = entry.file;
+    finger.line = entry.line();
     readTable(table, entry.name, entry.file, fingerKeys(), finger);
     checkFinger(finger, entry);
     return finger;

@@ -17,17 +17,13 @@
 #include <vector>
 
 #include "palpate/base/error.h"
+#include "palpate/base/nearest_name.h"
+#include "palpate/base/number_range.h"
 #include "palpate/base/vec.h"
 #include "palpate/base/words.h"
 #include "palpate/scene/scene_file.h"
 
 namespace palpate::scene {
-
-/// Nothing that people type by mistake is longer, and comparing names costs the product of their lengths.
-inline constexpr std::size_t kLongestName = 64;
-
-/// What a stranger wrote, fit for a message: no line breaks or other control bytes, not too long.
-std::string oneLine(std::string_view text, std::size_t most = kLongestName);
 
 /// A value in the file and where it stands.
 struct Entry {
@@ -41,16 +37,7 @@ struct Entry {
   }
 };
 
-/// The numbers a key takes, both ends included unless `above_low`.
-struct Range {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-  bool above_low = false;
-
-  bool holds(double value) const { return value <= high && (above_low ? value > low : value >= low); }
-  /// "> 0, at most 100"; empty without limits.
-  std::string words() const;
-};
+using Range = NumberRange;
 inline constexpr Range atLeast(double low) { return {low}; }
 inline constexpr Range between(double low, double high) { return {low, high}; }
 inline constexpr Range above(double low, double high = std::numeric_limits<double>::infinity()) {
@@ -74,7 +61,7 @@ std::string readText(const Entry& entry);
 bool readFlag(const Entry& entry);
 std::vector<double> readNumbers(const Entry& entry, const Range& range);
 /// Exactly `count` numbers.
-std::vector<double> readPoint(const Entry& entry, std::size_t count);
+std::vector<double> readPoint(const Entry& entry, std::size_t count, const Range& range);
 /// Throws Error, naming all choices, for a text that is none of them.
 std::string readWord(const Entry& entry, const std::vector<std::string>& choices);
 template <class E>
@@ -120,7 +107,7 @@ template <class S, class N = std::size_t>
 Key<S> count(std::string name, std::type_identity_t<Access<S, N>> at, std::type_identity_t<N> low,
              std::type_identity_t<N> high, std::string meaning) {
   return {std::move(name),
-          fmt::format("whole number, {} to {}", low, high),
+          "whole number" + rangeSuffix(between(static_cast<double>(low), static_cast<double>(high))),
           std::move(meaning),
           [=](S& s, const Entry& e) { at(s) = static_cast<N>(readCount(e, low, high)); },
           [at](const S& s) { return fmt::format("{}", valueOf<S, N>(at, s)); },
@@ -184,10 +171,10 @@ Key<S> numbers(std::string name, Access<S, std::vector<double>> at, Range range,
 }
 
 template <class S>
-Key<S> point2(std::string name, Access<S, Vec2> at, std::string meaning) {
-  return {std::move(name), "two numbers", std::move(meaning),
-          [at](S& s, const Entry& e) {
-            const auto v = readPoint(e, 2);
+Key<S> point2(std::string name, Access<S, Vec2> at, Range range, std::string meaning) {
+  return {std::move(name), "two numbers" + rangeSuffix(range), std::move(meaning),
+          [at, range](S& s, const Entry& e) {
+            const auto v = readPoint(e, 2, range);
             at(s) = Vec2(v[0], v[1]);
           },
           [at](const S& s) {
@@ -195,13 +182,6 @@ Key<S> point2(std::string name, Access<S, Vec2> at, std::string meaning) {
             return showNumbers({v.x(), v.y()});
           }};
 }
-
-/// The name nearest to what was written, or nothing when none is near. A name that differs in its unit only is near.
-std::string nearestName(std::string_view written, const std::vector<std::string>& names);
-
-/// "unknown key 'radius_cm' in [[finger]]; did you mean 'radius_mm'?"
-std::string unknownName(std::string_view kind, std::string_view written, std::string_view table,
-                        const std::vector<std::string>& names);
 
 /// Reads every key of `table` into the settings; `title` is the table's header as it stands in a file.
 template <class S>

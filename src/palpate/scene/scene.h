@@ -112,6 +112,9 @@ struct Finger {
   Vec2 at_mm = Vec2::Zero();         ///< place the script starts over
   double start_height_mm = 10.0;
   std::vector<Step> steps;
+  // Where its table stands, for messages; line 0: not from a scene file.
+  std::string scene_file = {};
+  std::size_t line = 0;
 
   /// Neither path nor script: it gets a path that suits the body. Scene files must say what they want.
   bool findsItsOwnWay() const { return trajectory.empty() && steps.empty(); }

@@ -39,7 +39,7 @@ void requireNamesApart(const Scene& scene, std::string_view name) {
   std::set<std::string> names;
   for (const Finger& finger : scene.fingers) {
     if (!names.insert(finger.name).second) {
-      throw Error::inFile(name, fmt::format("has two fingers of the name '{}'", finger.name));
+      throw Error::atLine(name, finger.line, fmt::format("is the second [[finger]] of the name '{}'", finger.name));
     }
   }
 }

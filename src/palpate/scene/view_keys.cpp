@@ -22,17 +22,20 @@ Key<V> overlayList(std::string name, std::vector<Overlay> V::*member, std::strin
   return {std::move(name), "list of " + choiceWords(wordList<Overlay>()), std::move(meaning), read, show};
 }
 
+constexpr double kFarthestMm = 1e5;
+constexpr Range kPlaces = between(-kFarthestMm, kFarthestMm);
+
 /// A place that need not be given.
 Key<V> place(std::string name, std::optional<Vec3> V::*member, std::string meaning) {
   const auto read = [=](V& s, const Entry& entry) {
-    const std::vector<double> v = readPoint(entry, 3);
+    const std::vector<double> v = readPoint(entry, 3, kPlaces);
     s.*member = Vec3(v[0], v[1], v[2]);
   };
   const auto show = [=](const V& s) {
     const std::optional<Vec3>& v = s.*member;
     return v ? showNumbers({v->x(), v->y(), v->z()}) : std::string();
   };
-  return {std::move(name), "three numbers", std::move(meaning), read, show};
+  return {std::move(name), "three numbers" + rangeSuffix(kPlaces), std::move(meaning), read, show};
 }
 
 }  // namespace
@@ -40,7 +43,6 @@ Key<V> place(std::string name, std::optional<Vec3> V::*member, std::string meani
 Section viewSection() {
   constexpr double kAround = 180.0;
   constexpr double kAlmostAbove = 89.0;
-  constexpr double kFarthestMm = 1e5;
   std::vector<Key<V>> keys = {
       choice<V, StandardView>("side", &V::side, "From where one looks."),
       number<V>("yaw_deg", &V::yaw_deg, between(-kAround, kAround),

@@ -12,6 +12,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "palpate/base/background.h"
 #include "palpate/base/error.h"
@@ -91,11 +93,29 @@ std::vector<double> healthyStiffness(const Scene& scene, const BodyParts& body, 
   }
 }
 
+/// Off the body, or between its vertices: a slip of the pen that nobody would feel.
+void noteUnfelt(const std::vector<maps::Dysfunction>& dysfunctions, const std::vector<Vec3>& positions,
+                std::vector<std::string>& notes) {
+  for (std::size_t i = 0; i < dysfunctions.size(); ++i) {
+    const maps::Dysfunction& d = dysfunctions[i];
+    const Vec2 centre(d.x_mm, d.y_mm);
+    double nearest_mm2 = std::numeric_limits<double>::infinity();
+    for (const Vec3& p : positions) nearest_mm2 = std::min(nearest_mm2, (p.head<2>() - centre).squaredNorm());
+    const double nearest_mm = std::sqrt(nearest_mm2);
+    if (nearest_mm < d.radius_mm) continue;
+    notes.push_back(fmt::format(
+        "dysfunction {} at ({}, {}) mm changes nothing: it reaches {} mm, the nearest vertex of the skin is "
+        "{:.3g} mm away",
+        i + 1, d.x_mm, d.y_mm, d.radius_mm, nearest_mm));
+  }
+}
+
 /// A vertex each; what the body has by nature, then what is wrong with it.
 std::vector<double> stiffnessOf(const Scene& scene, const BodyParts& body, const KeyPoints& keys,
                                 std::vector<std::string>& notes) {
   std::vector<double> stiffness = healthyStiffness(scene, body, keys, notes);
   maps::applyDysfunctions(body.skin.positions, scene.dysfunctions, stiffness);
+  noteUnfelt(scene.dysfunctions, body.skin.positions, notes);
   return stiffness;
 }
 

@@ -17,20 +17,14 @@ namespace {
 /// 64 rows take 2 KiB; comments may take the rest.
 constexpr std::size_t kMaxBytes = std::size_t{1} << 16;
 /// Deeper than any body, stiffer than any tissue: a number beyond it is a slip of the pen.
-constexpr double kLargest = 1e6;
+constexpr NumberRange kDepthsAndForces{0.0, 1e6};
 
 [[noreturn]] void fail(const CsvRow& row, std::string_view cause) { throw Error::atLine(row.file, row.line, cause); }
 
-double readNumber(const CsvRow& row, std::size_t column, std::string_view name) {
-  const double value = csvNumber(row, column, name);
-  if (value < 0.0 || value > kLargest) fail(row, fmt::format("{} must be at least 0 and at most {}", name, kLargest));
-  return value;
-}
-
 void append(ForceTable& table, const CsvRow& row) {
   if (row.fields.size() != 2) fail(row, fmt::format("needs depth_mm,force_n but has {} fields", row.fields.size()));
-  const double depth = readNumber(row, 0, "depth_mm");
-  const double force = readNumber(row, 1, "force_n");
+  const double depth = csvNumber(row, 0, "depth_mm", kDepthsAndForces);
+  const double force = csvNumber(row, 1, "force_n", kDepthsAndForces);
   if (table.rows == 0 && depth == 0.0) {
     if (force != 0.0) fail(row, "force_n must be 0 at depth 0");
     return;

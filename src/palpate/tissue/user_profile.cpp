@@ -21,9 +21,13 @@ namespace {
 /// A hundred thousand rows fit.
 constexpr std::size_t kMostBytes = 1'000'000;
 
+/// A profile is 1 in the middle and 0 at the rim; a bulge or a dent between them is no larger than this.
+constexpr NumberRange kKnotValues{-100.0, 100.0};
+
 /// What is wrong with a row, seen with the one before it; nothing when it is fine.
 std::optional<std::string> faultOf(const ProfileKnot& knot, const ProfileKnot* before) {
   if (!std::isfinite(knot.q) || !std::isfinite(knot.value)) return "q and value must be finite";
+  if (!kKnotValues.holds(knot.value)) return "value = " + outOfRange(fmt::format("{}", knot.value), kKnotValues);
   if (before == nullptr) {
     if (knot.q != 0.0) return fmt::format("the first q must be 0, not {}", knot.q);
     if (knot.value != 1.0) return fmt::format("the value at q = 0 must be 1, not {}", knot.value);
@@ -42,7 +46,7 @@ std::optional<std::string> faultOfLast(const ProfileKnot& last) {
 
 ProfileKnot knotOf(const CsvRow& row) {
   if (row.fields.size() != 2) throw Error::atLine(row.file, row.line, "a row is q,value");
-  return {csvNumber(row, 0, "q"), csvNumber(row, 1, "value")};
+  return {csvNumber(row, 0, "q"), csvNumber(row, 1, "value", kKnotValues)};
 }
 
 double widthOf(std::span<const ProfileKnot> knots, std::size_t interval) {

@@ -26,7 +26,10 @@ constexpr std::size_t kTip = 2;
 constexpr std::size_t kForce = 11;
 
 Vec3 vectorFrom(const CsvRow& row, std::size_t column, std::string_view name) {
-  return {csvNumber(row, column, name), csvNumber(row, column + 1, name), csvNumber(row, column + 2, name)};
+  // What writes these tables writes places and forces of a body's size; larger ones are no record of a touch.
+  constexpr NumberRange kRecorded{-1e9, 1e9};
+  return {csvNumber(row, column, name, kRecorded), csvNumber(row, column + 1, name, kRecorded),
+          csvNumber(row, column + 2, name, kRecorded)};
 }
 
 RecordedFinger& fingerNamed(std::vector<RecordedFinger>& fingers, std::string_view name) {
@@ -38,7 +41,7 @@ RecordedFinger& fingerNamed(std::vector<RecordedFinger>& fingers, std::string_vi
 
 void addRow(const CsvRow& row, std::vector<RecordedFinger>& fingers) {
   RecordedFinger& finger = fingerNamed(fingers, row.fields[kFinger]);
-  const double time_s = csvNumber(row, kTime, "t_s");
+  const double time_s = csvNumber(row, kTime, "t_s", {-1e9, 1e9});
   if (!finger.time_s.empty() && time_s <= finger.time_s.back()) {
     throw Error::atLine(row.file, row.line,
                         fmt::format("time does not increase: {} s after {} s", time_s, finger.time_s.back()));
