@@ -2,8 +2,11 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include <csignal>
 
 #include "palpate/base/text.h"
 #include "support/error_message.h"
@@ -35,6 +38,62 @@ TEST(OutputFile, WithoutACommitLeavesWhatWasThere) {
   EXPECT_FALSE(fs::exists(folder / "a.csv.partial"));
 }
 
+TEST(OutputFile, WhatAnInterruptedRunLeftIsNotOverwritten) {
+  const support::TemporaryFolder folder;
+  writeFile(folder / "a.csv.partial", "left by a crash");
+  OutputFile file(folder / "a.csv");
+  EXPECT_EQ(file.partial(), folder / "a.csv.2.partial");
+  file.write("whole");
+  file.commit();
+  EXPECT_EQ(readFile(folder / "a.csv", 100), "whole");
+  EXPECT_EQ(readFile(folder / "a.csv.partial", 100), "left by a crash");
+  EXPECT_FALSE(fs::exists(folder / "a.csv.2.partial"));
+}
+
+TEST(OutputFile, ARecordingKeepsWhatWasWritten) {
+  const support::TemporaryFolder folder;
+  { OutputFile(folder / "a.csv", OutputFile::Unfinished::keep).write("a row\n"); }
+  EXPECT_EQ(readFile(folder / "a.csv.partial", 100), "a row\n");
+  EXPECT_FALSE(fs::exists(folder / "a.csv"));
+}
+
+TEST(OutputFile, FollowsALinkAndKeepsThePermissions) {
+  const support::TemporaryFolder folder;
+  writeFile(folder / "real.csv", "old");
+  fs::permissions(folder / "real.csv", fs::perms::owner_read | fs::perms::owner_write);
+  fs::create_symlink("real.csv", folder / "link.csv");
+  writeFile(folder / "link.csv", "new");
+  EXPECT_TRUE(fs::is_symlink(folder / "link.csv"));
+  EXPECT_EQ(readFile(folder / "real.csv", 100), "new");
+  EXPECT_EQ(fs::status(folder / "real.csv").permissions(), fs::perms::owner_read | fs::perms::owner_write);
+}
+
+TEST(OutputFile, TellsThatItsFileWasDeleted) {
+  const support::TemporaryFolder folder;
+  fs::create_directories(folder / "disk");
+  OutputFile file(folder / "disk/a.csv");
+  fs::remove_all(folder / "disk");
+  EXPECT_EQ(support::messageOf([&] { file.write("a row\n"); }),
+            (folder / "disk/a.csv").string() + ": cannot be written: No such file or directory");
+}
+
+/// A limit on the size of files fails in the middle, as a full disk does.
+TEST(OutputFile, AFailureInTheMiddleLeavesTheEarlierFileWhole) {
+  const support::TemporaryFolder folder;
+  writeFile(folder / "a.csv", "old");
+  rlimit before = {};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const auto previous = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small = {1000, before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &small);
+  const std::string message = support::messageOf([&] { writeFile(folder / "a.csv", std::string(5000, 'x')); });
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, previous);
+  EXPECT_EQ(message, (folder / "a.csv").string() + ": cannot be written: File too large");
+  EXPECT_EQ(readFile(folder / "a.csv", 100), "old");
+  EXPECT_FALSE(fs::exists(folder / "a.csv.partial"));
+}
+
 TEST(OutputFile, WritesAPipeDirectly) {
   const support::TemporaryFolder folder;
   const fs::path pipe = folder / "pipe";
@@ -58,8 +117,8 @@ TEST(OutputFile, SaysWhatCannotBeWrittenAndWhy) {
             nowhere.string() + ": cannot be written: No such file or directory");
   fs::create_symlink("/dev/full", full);
   OutputFile file(full);
-  file.write("a row that stays in the buffer\n");
-  EXPECT_EQ(support::messageOf([&] { file.commit(); }), full.string() + ": cannot be written: No space left on device");
+  EXPECT_EQ(support::messageOf([&] { file.write("a row\n"); }),
+            full.string() + ": cannot be written: No space left on device");
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // What the engine's libraries leave to others: printing and exiting to programs, threads for cold work to
-// base/background.h, opening files to base/text.h and base/output_file.h, foreign mesh formats to read_foreign.cpp.
+// base/background.h, opening files to base/text.h and base/output_file.h, foreign mesh formats to read_foreign.cpp. And
+// what the whole product leaves to one place: writing files.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kEngineFolder = fs::path(PALPATE_SOURCE_DIR) / "src/palpate";
+const fs::path kSourceFolder = PALPATE_SOURCE_DIR;
+const fs::path kEngineFolder = kSourceFolder / "src/palpate";
 
 /// Whether a line matches, its comment apart.
 bool matches(const std::string& line, const std::regex& pattern) {
@@ -21,10 +23,11 @@ bool matches(const std::string& line, const std::regex& pattern) {
 }
 
 /// "room/file:line" of every line of code that matches, but for files whose names begin as one of `except`.
-std::vector<std::string> placesOf(const std::regex& pattern, const std::vector<std::string>& except = {}) {
+std::vector<std::string> placesOf(const std::regex& pattern, const std::vector<std::string>& except = {},
+                                  const fs::path& folder = kEngineFolder) {
   std::vector<std::string> places;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kEngineFolder)) {
-    const std::string name = entry.path().lexically_relative(kEngineFolder).string();
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string name = entry.path().lexically_relative(folder).string();
     const auto excepted = [&](const std::string& beginning) { return name.starts_with(beginning); };
     if (!entry.is_regular_file() || std::any_of(except.begin(), except.end(), excepted)) continue;
     std::ifstream stream(entry.path());
@@ -52,8 +55,12 @@ void expectOnlyIn(const std::vector<std::string>& owners, const std::regex& patt
 const std::regex kPrints(R"(std::c(out|err|log)\b|\bf?printf\(|\b(fputs|puts|perror)\(|fmt::print)");
 const std::regex kExits(R"(\b(exit|_Exit|quick_exit|abort|terminate)\()");
 const std::regex kThreads(R"(std::(async|thread|jthread|packaged_task)\b|hardware_concurrency)");
-const std::regex kOpens(R"(\b[io]?fstream\b|\bfilebuf\b|\b(f|fd|fre|p)open\()"
+const std::regex kOpens(R"(\b[io]?fstream\b|\bfilebuf\b|\b(f|fd|fre|p)open\(|(^|[^A-Za-z0-9_])::open\()"
                         R"(|\bstbi_(load|info|write_[a-z]+)\(|\b(parse_file|load_file|ReadFile)\()");
+const std::regex kWrites(
+    R"(std::(basic_)?o?fstream\b|\b(f|fd|fre|p)open\(|(^|[^A-Za-z0-9_])::open\(|\bopenat\(|\bcreat\()"
+    R"(|\b(rename|copy_file)\(|\bstbi_write_(png|jpg|bmp|tga|hdr)\()"
+    R"(|\bcairo_(surface_write_to_png|(svg|pdf|ps)_surface_create)\(|\b(save_file|SaveFile)\()");
 
 TEST(Seams, LibrariesNeitherPrintNorExit) {
   EXPECT_EQ(placesOf(kPrints), kNowhere);
@@ -81,7 +88,7 @@ TEST(Seams, ColdWorkAsksOnePlaceForThreads) {
                kThreads);
 }
 
-/// One place reads whole files; of the two that write, one writes them whole and one bit by bit, to appear at the end.
+/// One place reads whole files, one writes them.
 TEST(Seams, FilesAreOpenedInOnePlace) {
   expectOnlyIn({"base/text.cpp", "base/output_file.cpp"}, kOpens);
   for (const char* line : {"#include <fstream>", "std::ifstream stream(file);", "std::ofstream out(file);",
@@ -90,6 +97,25 @@ TEST(Seams, FilesAreOpenedInOnePlace) {
     EXPECT_TRUE(matches(line, kOpens)) << line;
   }
   EXPECT_FALSE(matches("stbi_load_from_memory(data, size, &w, &h, &n, 3);", kOpens));
+}
+
+/// Whatever the product writes appears whole or not at all: through OutputFile. The window's broken state is put aside.
+TEST(Seams, TheWholeProductWritesFilesInOnePlace) {
+  const std::vector<std::string> owners = {"base/output_file.cpp", "viewer/files/state_file.cpp"};
+  for (const char* folder : {"src/palpate", "apps", "bench", "examples", "figures", "lab", "study"}) {
+    EXPECT_EQ(placesOf(kWrites, owners, kSourceFolder / folder), kNowhere) << folder;
+  }
+  for (const char* line :
+       {"std::ofstream out(file);", "std::fstream both(file);", R"(std::fopen(name, "w");)", "::open(name, O_WRONLY);",
+        "creat(name, 0666);", "fs::rename(a, b);", "std::rename(a, b);", "fs::copy_file(a, b);",
+        "stbi_write_png(name, w, h, 3, pixels, 3 * w);", "cairo_surface_write_to_png(surface, name);",
+        "cairo_svg_surface_create(name, w, h);", "document.save_file(name);", "scene.SaveFile(name);"}) {
+    EXPECT_TRUE(matches(line, kWrites)) << line;
+  }
+  for (const char* line : {"std::ifstream in(file);", "stbi_write_png_to_func(append, &bytes, w, h, 3, pixels, 3 * w);",
+                           "cairo_svg_surface_create_for_stream(append, &bytes, w, h);", "outputs.open(name);"}) {
+    EXPECT_FALSE(matches(line, kWrites)) << line;
+  }
 }
 
 TEST(Seams, OneFileKnowsAssimp) { expectOnlyIn({"mesh/files/read_foreign.cpp"}, std::regex("<assimp/|Assimp::")); }

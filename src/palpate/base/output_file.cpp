@@ -1,8 +1,15 @@
-// The partial file lies beside its target, so that the rename stays within one file system. Flush, then rename, then
-// close: a full disk is told by the flush, while the old file is still there. No fsync: after a power cut the new file
-// may be short. Cold path. Own.
+// The partial file lies beside its target, so that the rename stays within one file system. Order: write, fsync, close,
+// rename, fsync of the folder; a full disk is told by one of the first three, while the old file is still there, and
+// after a power cut there is the old file or the new one, whole. The system's own calls instead of a stream: each write
+// tells at once, and a program that is killed leaves what it has written. Cold path. Own.
 #include "palpate/base/output_file.h"
 
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
 #include <cerrno>
 #include <system_error>
 #include <utility>
@@ -13,39 +20,118 @@ namespace palpate {
 
 namespace {
 
-std::filesystem::path placeToWrite(const std::filesystem::path& target) {
-  const auto status = std::filesystem::status(target);
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) return target;
-  return target.string() + ".partial";
+namespace fs = std::filesystem;
+
+constexpr int kMostLinks = 40;
+constexpr mode_t kNewFileMode = 0666;  // less the umask
+
+/// The file that a chain of links means: renaming onto a link would replace the link.
+fs::path withoutLinks(fs::path target) {
+  std::error_code error;
+  for (int i = 0; i < kMostLinks && fs::is_symlink(fs::symlink_status(target, error)); ++i) {
+    const fs::path next = fs::read_symlink(target, error);
+    if (error) break;
+    target = target.parent_path() / next;  // an absolute one replaces all
+  }
+  return target;
 }
+
+bool isWrittenDirectly(const fs::path& target) {
+  std::error_code error;
+  const fs::file_status status = fs::status(target, error);
+  return fs::exists(status) && !fs::is_regular_file(status);
+}
+
+int create(const fs::path& file, mode_t mode) {
+  return ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+}
+
+/// Creates the first partial file beside the target that is not there yet.
+int createPartial(const fs::path& target, mode_t mode, fs::path& partial) {
+  partial = target.string() + std::string(kPartialExtension);
+  int descriptor = create(partial, mode);
+  for (int i = 2; descriptor < 0 && errno == EEXIST; ++i) {
+    partial = fmt::format("{}.{}{}", target.string(), i, kPartialExtension);
+    descriptor = create(partial, mode);
+  }
+  return descriptor;
+}
+
+/// Some file systems cannot, and say so with one of these; a disk that failed says another.
+bool synced(int descriptor) {
+  return ::fsync(descriptor) == 0 || errno == EINVAL || errno == ENOTSUP || errno == EROFS;
+}
+
+/// The new name. That it cannot be made safe is not told: the file is there, and whole.
+void syncFolderOf(const fs::path& file) {
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);
+  ::close(descriptor);
+}
+
+std::atomic<int> files_under_way{0};
+static_assert(std::atomic<int>::is_always_lock_free);
 
 }  // namespace
 
-OutputFile::OutputFile(std::filesystem::path target) : target_(std::move(target)), written_(placeToWrite(target_)) {
-  stream_ = std::fopen(written_.c_str(), "wb");
-  if (stream_ == nullptr) fail();
+int filesUnderWay() noexcept { return files_under_way.load(); }
+
+OutputFile::UnderWay::UnderWay() { ++files_under_way; }
+OutputFile::UnderWay::~UnderWay() { --files_under_way; }
+
+OutputFile::OutputFile(fs::path target, Unfinished unfinished) : target_(std::move(target)) {
+  if (isWrittenDirectly(target_)) {
+    written_ = target_;
+    descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+    check(descriptor_ >= 0);
+    return;
+  }
+  place_ = withoutLinks(target_);
+  struct stat old = {};
+  const bool replaces = ::stat(place_.c_str(), &old) == 0;
+  // A rename asks only the folder: a file that its owner protected stays protected.
+  if (replaces) check(::access(place_.c_str(), W_OK) == 0);
+  descriptor_ = createPartial(place_, kNewFileMode, written_);
+  check(descriptor_ >= 0);
+  removes_ = unfinished == Unfinished::remove;
+  if (replaces) ::fchmod(descriptor_, old.st_mode & 07777);  // where it cannot be kept, the usual one is as good
 }
 
 OutputFile::~OutputFile() {
-  if (stream_ == nullptr) return;
-  std::fclose(stream_);
+  if (descriptor_ >= 0) ::close(descriptor_);
   std::error_code ignored;  // a destructor has nobody to tell
-  if (written_ != target_) std::filesystem::remove(written_, ignored);
+  if (place_.empty()) return;
+  if (removes_ || (!committed_ && fs::file_size(written_, ignored) == 0)) fs::remove(written_, ignored);
 }
 
 void OutputFile::write(std::string_view bytes) {
-  if (std::fwrite(bytes.data(), 1, bytes.size(), stream_) != bytes.size()) fail();
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    check(count >= 0);
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+  struct stat now = {};
+  if (!place_.empty() && ::fstat(descriptor_, &now) == 0 && now.st_nlink == 0) fail(ENOENT);
 }
 
 void OutputFile::commit() {
-  if (std::fflush(stream_) != 0) fail();
-  if (written_ != target_ && std::rename(written_.c_str(), target_.c_str()) != 0) fail();
-  std::FILE* stream = std::exchange(stream_, nullptr);
-  if (std::fclose(stream) != 0) fail();
+  check(place_.empty() || synced(descriptor_));
+  check(::close(std::exchange(descriptor_, -1)) == 0 || errno == EINTR);
+  if (place_.empty()) return;
+  check(::rename(written_.c_str(), place_.c_str()) == 0);
+  removes_ = false;
+  committed_ = true;
+  syncFolderOf(place_);
 }
 
-void OutputFile::fail() const {
-  const int reason = errno;
+void OutputFile::check(bool done) const {
+  if (!done) fail(errno);
+}
+
+void OutputFile::fail(int reason) const {
   throw Error::inFile(target_.string(), "cannot be written: " + std::generic_category().message(reason));
 }
 

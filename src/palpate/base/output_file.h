@@ -1,31 +1,57 @@
-// Writing a file that appears complete or not at all.
+// The one way in which the product writes a file: it appears complete or not at all.
 #pragma once
 
-#include <cstdio>
 #include <filesystem>
 #include <string_view>
 
 namespace palpate {
 
-/// Writes to `<target>.partial` and renames it on `commit`; without a commit nothing is left behind. A target that is
-/// no regular file (a pipe, a device) is written directly. Every failure throws Error with the target's name.
+/// Writes beside the target, to `<target>.partial` (or `.2.partial`, ...: what an interrupted run left is never
+/// overwritten), and gives it the target's name on `commit`, when it is safe on the disk. Until then what was there
+/// stays as it was; without a commit nothing new is left. A target that is no regular file (a pipe, a device) is
+/// written directly, a link is followed. Every failure throws Error with the target's name and the system's reason.
 class OutputFile {
  public:
-  explicit OutputFile(std::filesystem::path target);
+  /// What becomes of the partial file when there is no commit.
+  enum class Unfinished { remove, keep };  // kept: what was written, if anything
+
+  explicit OutputFile(std::filesystem::path target, Unfinished unfinished = Unfinished::remove);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
+  /// Hands the bytes to the system at once: collect small ones. Fails also when the file was deleted meanwhile.
   void write(std::string_view bytes);
-  /// Flushes, closes and gives the file its name: the moment at which a full disk is noticed at the latest.
+  /// Nothing may be written afterwards.
   void commit();
 
- private:
-  [[noreturn]] void fail() const;
+  /// Where the bytes are until the commit.
+  const std::filesystem::path& partial() const { return written_; }
 
-  std::filesystem::path target_;
+ private:
+  /// One of filesUnderWay().
+  struct UnderWay {
+    UnderWay();
+    ~UnderWay();
+    UnderWay(const UnderWay&) = delete;
+    UnderWay& operator=(const UnderWay&) = delete;
+  };
+  [[noreturn]] void fail(int reason) const;
+  void check(bool done) const;
+
+  UnderWay under_way_;
+  std::filesystem::path target_;   // as the caller named it
+  std::filesystem::path place_;    // the file that becomes of it; empty: the target is written directly
   std::filesystem::path written_;  // where the bytes go until the commit
-  std::FILE* stream_ = nullptr;
+  bool removes_ = false;           // what is written, when there is no commit
+  bool committed_ = false;
+  int descriptor_ = -1;
 };
+
+/// How many files the process is writing at this moment; may be asked in a signal's handler.
+int filesUnderWay() noexcept;
+
+/// The extension of a file that was not finished.
+inline constexpr std::string_view kPartialExtension = ".partial";
 
 }  // namespace palpate

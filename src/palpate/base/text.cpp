@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "palpate/base/error.h"
+#include "palpate/base/output_file.h"
 
 namespace palpate {
 
@@ -43,10 +44,9 @@ std::string readFile(const std::filesystem::path& file, std::uint64_t max_bytes)
 }
 
 void writeFile(const std::filesystem::path& file, std::string_view content) {
-  std::ofstream stream(file, std::ios::binary);
-  stream.write(content.data(), static_cast<std::streamsize>(content.size()));
-  stream.flush();
-  if (!stream) throw Error::inFile(file.string(), "cannot be written");
+  OutputFile output(file);
+  output.write(content);
+  output.commit();
 }
 
 std::optional<double> parseNumber(std::string_view text) {
