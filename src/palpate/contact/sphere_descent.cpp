@@ -140,23 +140,24 @@ bool followFeet(const SphereTask& task, const Vec3& place, const Feet& feet, Fee
 
 /// Goes on from `place`, a step away from where the feet are, as long as the feet that are known allow it. Returns
 /// where that ends.
-Vec3 lookAhead(const SphereTask& task, Feet feet, Vec3 place) {
+Vec3 lookAhead(const SphereTask& task, const Feet& feet, Vec3 place) {
+  Feet here = feet;
   Feet followed;
   HalfSpaces planes;
-  if (!followFeet(task, place, feet, followed, planes)) return place;
+  if (!followFeet(task, place, here, followed, planes)) return place;
   Vec3 goal = place;
   bool taken = true;
   for (int step = 0; step < kStepsAhead; ++step) {
     if (taken) {
       place = goal;
-      std::swap(feet, followed);
-      planFrom(task, place, feet, planes);
+      here = followed;
+      planFrom(task, place, here, planes);
     }
     goal = place;
     if (!nextGoal(task, planes, goal)) break;
     if ((goal - place).norm() <= kSettled * task.radius || !isNearer(task, goal, place)) break;
     const int planes_before = planes.size();
-    taken = followFeet(task, goal, feet, followed, planes);
+    taken = followFeet(task, goal, here, followed, planes);
     if (!taken && planes.size() == planes_before) break;  // a foot is lost
   }
   return place;

@@ -56,6 +56,14 @@ bool isLocalMinimum(const Surface& surface, Index triangle, const ClosestOnTrian
   return minimum;
 }
 
+/// Whether a way from the place leads to the front of the skin. On a face its normal's length does not matter, and is
+/// what costs.
+bool isInFront(const Surface& surface, const SurfacePoint& place, const Vec3& way) {
+  if (place.feature != tree::Feature::face) return way.dot(normalAt(surface, place)) > 0.0;
+  const auto& [a, b, c] = surface.tree.records[place.triangle].corners;
+  return way.dot(mesh::areaVector2(a, b, c)) > 0.0;
+}
+
 bool isKnown(const Feet& feet, const SurfacePoint& place, double distance) {
   const double same = kSameFoot * distance;
   for (int i = 0; i < feet.count; ++i) {
@@ -76,6 +84,12 @@ void keep(const Foot& foot, Feet& feet) {
 
 }  // namespace
 
+Feet& Feet::operator=(const Feet& other) {
+  count = other.count;
+  std::copy_n(other.feet.begin(), count, feet.begin());
+  return *this;
+}
+
 int Feet::lowest() const {
   int best = 0;
   for (int i = 1; i < count; ++i) {
@@ -86,19 +100,18 @@ int Feet::lowest() const {
 
 bool standsOn(const Surface& surface, const SurfacePoint& place, const Vec3& centre, Foot& foot) noexcept {
   const Vec3 to_centre = centre - place.position;
-  const Vec3 skin_normal = normalAt(surface, place);
   const double distance = to_centre.norm();
-  const double above = to_centre.dot(skin_normal);
   foot.at = place;
   const bool on_skin = distance <= directionlessDepth(surface);
   if (on_skin || beyondBorder(surface, place, centre) > 0.0) {
-    foot.normal = skin_normal;
+    foot.normal = normalAt(surface, place);
+    const double above = to_centre.dot(foot.normal);
     foot.height = std::max(above, 0.0);
-  } else {
-    foot.normal = to_centre / distance;
-    foot.height = distance;
+    return on_skin || above > 0.0;
   }
-  return on_skin || above > 0.0;
+  foot.normal = to_centre / distance;
+  foot.height = distance;
+  return isInFront(surface, place, to_centre);
 }
 
 void findFeet(const Surface& surface, const Vec3& centre, double reach, Feet& feet) noexcept {

@@ -18,11 +18,16 @@ struct Foot {
   double height = 0.0;         ///< of the centre above the foot along `normal`, mm: where it fits, at least the radius
 };
 
-/// The lowest feet; when there are more than kMost, the highest are left out.
+/// The lowest feet; when there are more than kMost, the highest are left out. A copy copies those that are there: a
+/// few, where the array is 2.5 kB.
 struct Feet {
   static constexpr int kMost = 32;
   std::array<Foot, kMost> feet;
   int count = 0;
+
+  Feet() = default;
+  Feet(const Feet& other) { *this = other; }
+  Feet& operator=(const Feet& other);
 
   /// Index of the one with the smallest height; only if count > 0.
   int lowest() const;

@@ -29,7 +29,7 @@ constexpr float kWayRounding = 2e-6f;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 template <class D>
-hn::Vec<D> gap(D d, const WideNode& node, const PointQuery& query, int axis, int lane) {
+HWY_INLINE hn::Vec<D> gap(D d, const WideNode& node, const PointQuery& query, int axis, int lane) {
   const auto below = hn::Sub(hn::Load(d, node.low[axis] + lane), hn::Set(d, query.high[axis]));
   const auto above = hn::Sub(hn::Set(d, query.low[axis]), hn::Load(d, node.high[axis] + lane));
   return hn::Max(hn::Max(below, above), hn::Zero(d));
@@ -41,19 +41,19 @@ struct Vector {
 };
 
 template <class D>
-hn::Vec<D> dot(const Vector<D>& a, const Vector<D>& b) {
+HWY_INLINE hn::Vec<D> dot(const Vector<D>& a, const Vector<D>& b) {
   return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
 }
 
 template <class D>
-hn::Vec<D> fromBytes(D d, const std::int8_t* bytes) {
+HWY_INLINE hn::Vec<D> fromBytes(D d, const std::int8_t* bytes) {
   const hn::Rebind<std::int8_t, D> bytes_tag;
   const hn::RebindToSigned<D> wide_tag;
   return hn::ConvertTo(d, hn::PromoteTo(wide_tag, hn::LoadU(bytes_tag, bytes)));
 }
 
 template <class D>
-hn::Vec<D> fromBytes(D d, const std::uint8_t* bytes) {
+HWY_INLINE hn::Vec<D> fromBytes(D d, const std::uint8_t* bytes) {
   const hn::Rebind<std::uint8_t, D> bytes_tag;
   const hn::RebindToSigned<D> wide_tag;
   return hn::ConvertTo(d, hn::PromoteTo(wide_tag, hn::LoadU(bytes_tag, bytes)));
@@ -71,7 +71,7 @@ struct Sight {
 
 /// facingVector, eight at once.
 template <class D>
-Vector<D> facingOf(D d, const WideNode& node, int lane) {
+HWY_INLINE Vector<D> facingOf(D d, const WideNode& node, int lane) {
   const auto u = fromBytes(d, node.facing[0] + lane);
   const auto v = fromBytes(d, node.facing[1] + lane);
   const auto length = hn::Set(d, static_cast<float>(kFacingLength));
@@ -81,7 +81,7 @@ Vector<D> facingOf(D d, const WideNode& node, int lane) {
 }
 
 template <class D>
-Sight<D> sightOf(D d, const WideNode& node, const PointQuery& query, int lane) {
+HWY_INLINE Sight<D> sightOf(D d, const WideNode& node, const PointQuery& query, int lane) {
   Sight<D> sight;
   sight.facing = facingOf(d, node, lane);
   sight.facing2 = dot<D>(sight.facing, sight.facing);
@@ -105,7 +105,8 @@ Sight<D> sightOf(D d, const WideNode& node, const PointQuery& query, int lane) {
 /// Squared distance to what lies below the plate's plane and in the ball round the box: above the one, beside the
 /// other.
 template <class D>
-hn::Vec<D> plateDistance2(D d, const WideNode& node, const PointQuery& query, int lane, const Sight<D>& sight) {
+HWY_INLINE hn::Vec<D> plateDistance2(D d, const WideNode& node, const PointQuery& query, int lane,
+                                     const Sight<D>& sight) {
   const auto zero = hn::Zero(d);
   const auto radius = hn::Sqrt(sight.radius2);
   const auto height = dot<D>(sight.facing, sight.way);
@@ -124,7 +125,8 @@ hn::Vec<D> plateDistance2(D d, const WideNode& node, const PointQuery& query, in
 
 /// Of the distances to the box and to the plate, the larger.
 template <class D>
-hn::Vec<D> distanceBound(D d, const WideNode& node, const PointQuery& query, int lane, const Sight<D>& sight) {
+HWY_INLINE hn::Vec<D> distanceBound(D d, const WideNode& node, const PointQuery& query, int lane,
+                                    const Sight<D>& sight) {
   const Vector<D> gaps{gap(d, node, query, 0, lane), gap(d, node, query, 1, lane), gap(d, node, query, 2, lane)};
   const auto plate = plateDistance2(d, node, query, lane, sight);
   return hn::Mul(hn::Max(dot<D>(gaps, gaps), plate), hn::Set(d, kRoundDown));
@@ -137,7 +139,7 @@ hn::Vec<D> distanceBound(D d, const WideNode& node, const PointQuery& query, int
 /// distance; its normals within an angle s of its facing. So the facing must lie within b + s of that direction:
 /// facing . way >= distance cos(b + s) = cos s sqrt(distance^2 - radius^2) - radius sin s.
 template <class D>
-hn::Mask<D> mayFace(D d, const WideNode& node, const PointQuery& query, int lane, const Sight<D>& sight) {
+HWY_INLINE hn::Mask<D> mayFace(D d, const WideNode& node, const PointQuery& query, int lane, const Sight<D>& sight) {
   const auto zero = hn::Zero(d);
   const auto clear2 = hn::Sub(sight.way2, sight.radius2);
   const auto spread = fromBytes(d, node.spread + lane);
@@ -175,7 +177,7 @@ struct Slab {
 };
 
 template <class D>
-Slab<D> slabOf(D d, const WideNode& node, const SegmentQuery& query, int axis, int lane) {
+HWY_INLINE Slab<D> slabOf(D d, const WideNode& node, const SegmentQuery& query, int axis, int lane) {
   const auto low = hn::Load(d, node.low[axis] + lane);
   const auto high = hn::Load(d, node.high[axis] + lane);
   const auto one_half = hn::Set(d, 0.5f);
@@ -186,7 +188,7 @@ Slab<D> slabOf(D d, const WideNode& node, const SegmentQuery& query, int axis, i
 
 /// Whether the axis (box axis i) x (segment) does not separate; a and b are the two other box axes.
 template <class D>
-hn::Mask<D> notSeparated(D d, const Slab<D>& a, const Slab<D>& b, float half_a, float half_b) {
+HWY_INLINE hn::Mask<D> notSeparated(D d, const Slab<D>& a, const Slab<D>& b, float half_a, float half_b) {
   const auto da = hn::Set(d, half_a);
   const auto db = hn::Set(d, half_b);
   const auto distance = hn::Abs(hn::Sub(hn::Mul(a.offset, db), hn::Mul(b.offset, da)));
@@ -195,7 +197,7 @@ hn::Mask<D> notSeparated(D d, const Slab<D>& a, const Slab<D>& b, float half_a, 
 }
 
 template <class D>
-hn::Mask<D> boxesOverlap(D d, const WideNode& node, const SegmentQuery& query, int axis, int lane) {
+HWY_INLINE hn::Mask<D> boxesOverlap(D d, const WideNode& node, const SegmentQuery& query, int axis, int lane) {
   const auto starts_before = hn::Le(hn::Load(d, node.low[axis] + lane), hn::Set(d, query.high[axis]));
   const auto ends_after = hn::Ge(hn::Load(d, node.high[axis] + lane), hn::Set(d, query.low[axis]));
   return hn::And(starts_before, ends_after);
