@@ -18,6 +18,8 @@ const std::vector<Study>& studies() {
        "Gaussian radial interpolation: its width, and points left out and foretold (Figures 5.9 to 5.11)",
        studyInterpolation},
       {"complexity", "What a search for leaves visits, against w and 0.8 n, 0.4 n (Tables 3.3, 3.4)", studyComplexity},
+      {"rivals", "FSMD beside free form, masses and springs, finite elements: error, time, memory (Table 4.1)",
+       studyRivals},
       {"directions", "Directions of ellipses averaged as numbers and as tensors (E29, E30)", studyDirections}};
   return all;
 }

@@ -47,6 +47,10 @@ StudyPage studyInterpolation(const StudySettings& settings);
 
 StudyPage studyProfile(const StudySettings& settings);
 
+// `palpate study rivals`: Table 4.1's other ways to deform on the same press of the same body, against a finer truth.
+
+StudyPage studyRivals(const StudySettings& settings);
+
 // `palpate study tables`: Tables 3.1, 3.2 and Appendix B on this machine, in the dissertation's way and in ours.
 
 StudyPage studyTables(const StudySettings& settings);
