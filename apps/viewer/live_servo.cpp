@@ -16,7 +16,8 @@ void removeLimits(servo::LimiterSettings& settings) {
 }
 
 std::vector<device::Device> devicesOf(std::array<device::MouseLink, kFingers>& links) {
-  return {device::mouseDevice("left", links[0]), device::mouseDevice("right", links[1])};
+  return {device::mouseDevice(std::string(kFingerNames[0]), links[0]),
+          device::mouseDevice(std::string(kFingerNames[1]), links[1])};
 }
 
 engine::ServoThread::Guide guideOf(std::array<device::MouseLink, kFingers>& links) {

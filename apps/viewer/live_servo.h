@@ -5,6 +5,7 @@
 
 #include <array>
 #include <memory>
+#include <string_view>
 
 #include "palpate/device/mouse_finger.h"
 #include "palpate/engine/servo_thread.h"
@@ -12,6 +13,8 @@
 namespace palpate::viewer {
 
 inline constexpr std::size_t kFingers = 2;
+/// In recordings.
+inline constexpr std::array<std::string_view, kFingers> kFingerNames = {"left", "right"};
 
 /// The plan for a world with the settings of a scene: the first two fingers' radii, a fingertip where there are fewer.
 /// Throws Error for settings that make no sense.

@@ -14,6 +14,7 @@
 #include "apps/viewer/panels/gui_layout.h"
 #include "apps/viewer/panels/hints.h"
 #include "palpate/base/stopwatch.h"
+#include "palpate/trace/forces_table.h"
 
 namespace palpate::viewer {
 
@@ -192,6 +193,11 @@ void Viewer::takeReplay() {
                      .tick_s = history.tick(),
                      .frozen = true};
   session_.plots.paused = false;
+  if (trace::isUnfinished(recorded_->file)) {
+    session_.report(Severity::warning,
+                    fmt::format("{} was not finished: its {:.1f} s are what was written before the end",
+                                recorded_->file, session_.replay.to_s - session_.replay.from_s));
+  }
 }
 
 void Viewer::replay(const std::string& table) {
@@ -213,7 +219,7 @@ void Viewer::plot(const trace::Sample& sample) {
 void Viewer::takeSamples() {
   trace::Sample sample;
   while (servo_.thread().pop(sample)) {
-    outputs_.addSample(sample);
+    outputs_.addSample(session_, sample);
     if (session_.replay.frozen) continue;  // what is studied stays as it is
     plot(sample);
     history_.add(sample);
@@ -297,7 +303,7 @@ void Viewer::useChanges() {
 void Viewer::grant(const Wish& wish) {
   switch (wish.kind) {
     case Wish::Kind::open:
-      if (std::filesystem::path(wish.file).extension() == ".csv") return replay(wish.file);
+      if (trace::isForcesTable(wish.file)) return replay(wish.file);
       return turnover_.open(wish.file, session_);
     case Wish::Kind::default_scene:
       return turnover_.open(settings_.default_scene, session_);

@@ -130,7 +130,9 @@ class Hunt {
       }
     }
   }
+  bool isStopped() const { return plan_.stop && plan_.stop(); }
   bool isOver(std::size_t number) const {
+    if (isStopped()) return true;
     return plan_.seconds ? number >= (std::size_t{1} << 60) || secondsSince(begun_) >= *plan_.seconds
                          : number >= jobs_.size();
   }
@@ -145,8 +147,8 @@ class Hunt {
   void run(const Job& job, HuntResult& sum, const Progress& progress) {
     const std::string name = bodyName(plan_, job.body);
     HuntWorld world = buildHuntWorld(huntedMesh(plan_, name));
-    for (std::size_t path = 0; sum.ticks < job.ticks && !(plan_.seconds && secondsSince(begun_) >= *plan_.seconds);
-         ++path) {
+    const auto in_time = [&] { return !plan_.seconds || secondsSince(begun_) < *plan_.seconds; };
+    for (std::size_t path = 0; sum.ticks < job.ticks && in_time() && !isStopped(); ++path) {
       FailingPath now;
       now.body = name;
       now.seed = mixed(plan_.seed, mixed(job.body, job.portion, 2), path);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,6 +31,8 @@ struct HuntPlan {
   std::size_t bodies = 0;   ///< generated ones; 0: one for every 20,000 ticks
   double scale = 1.0;       ///< a millimetre is so many units
   std::size_t threads = 0;  ///< 0: as many as there are processors
+  /// Asked before every path, by any thread: ends the hunt with what it has. May be empty.
+  std::function<bool()> stop;
 };
 
 /// A path with a fault. Body, seed and radius make it again.

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+#include <utility>
+
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
 #include "study/page/study_page.h"
@@ -21,7 +24,7 @@ Progress stepProgress(const Progress& progress, std::size_t step, std::size_t st
   };
 }
 
-ReportHead headOf(const std::vector<StudyPage>& pages, bool quick, double seconds) {
+ReportHead headOf(const std::vector<StudyPage>& pages, std::size_t chapters, bool quick, double seconds) {
   ReportHead head;
   head.title = "The dissertation, studied";
   head.about =
@@ -31,28 +34,47 @@ ReportHead headOf(const std::vector<StudyPage>& pages, bool quick, double second
       "ours. E1 to E34 are its checked errata (`docs/dissertation.md`).";
   if (quick)
     head.about += " This was a quick run: small models and few repetitions, for a look and not for its numbers.";
+  if (pages.size() < chapters)
+    head.about += fmt::format(" This run was ended early: {} of {} chapters.", pages.size(), chapters);
   head.command = fmt::format("palpate study all{} --out DIR", quick ? " --quick" : "");
   head.machine = pages.empty() ? "" : pages.front().machine;
   head.seconds = seconds;
   return head;
 }
 
+/// The page of a chapter, or nothing when the end was asked for: then the study ends by what its progress throws.
+std::optional<StudyPage> pageOf(const Study& chapter, const StudySettings& settings,
+                                const std::function<bool()>& stop) {
+  const auto stopped = [&] { return stop && stop(); };
+  if (stopped()) return std::nullopt;
+  try {
+    return runStudy(chapter, settings);
+  } catch (...) {
+    if (stopped()) return std::nullopt;
+    throw;
+  }
+}
+
 }  // namespace
 
 std::vector<StudyPage> writeReport(const std::vector<Study>& chapters, const StudySettings& settings,
                                    const std::filesystem::path& folder,
-                                   const std::function<void(const ChapterDone&)>& done) {
+                                   const std::function<void(const ChapterDone&)>& done,
+                                   const std::function<bool()>& stop) {
   makeFolder(folder);
   const auto start = Clock::now();
   std::vector<StudyPage> pages;
   for (std::size_t i = 0; i < chapters.size(); ++i) {
     const auto chapter_start = Clock::now();
     const Progress progress = stepProgress(settings.progress, i, chapters.size(), chapters[i].name, start);
-    pages.push_back(runStudy(chapters[i], {.quick = settings.quick, .progress = progress}));
-    writePage(pages.back(), folder, progress);
+    auto page = pageOf(chapters[i], {.quick = settings.quick, .progress = progress}, stop);
+    if (!page) break;
+    pages.push_back(std::move(*page));
+    writePage(pages.back(), folder);
     if (done) done({i + 1, chapters.size(), chapters[i].name, secondsSince(chapter_start)});
   }
-  writeFile(folder / "report.html", reportHtml(headOf(pages, settings.quick, secondsSince(start)), pages, folder));
+  writeFile(folder / "report.html",
+            reportHtml(headOf(pages, chapters.size(), settings.quick, secondsSince(start)), pages, folder));
   return pages;
 }
 

@@ -74,7 +74,7 @@ TEST_F(HuntCommand, WritesCasesThatSimulateRunsAndItselfReplays) {
     const std::string file = path["file"];
     for (const char* name : {"body.ply", "path.csv", "scene.toml", "note.txt"})
       EXPECT_TRUE(std::filesystem::exists(folder / file / name)) << name;
-    const auto simulated = palpate("simulate " + file + "/scene.toml --out simulated");
+    const auto simulated = palpate("simulate " + file + "/scene.toml --overwrite --out simulated");
     EXPECT_EQ(simulated.exit_code, 0) << simulated.err;
     const auto replayed = palpate("hunt --replay " + file);
     EXPECT_EQ(replayed.exit_code, 1) << replayed.out;

@@ -8,6 +8,7 @@
 
 #include "apps/palpate/bench/bench_report.h"
 #include "apps/palpate/bench/servo_run.h"
+#include "apps/palpate/common/interruption.h"
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/common/simulate_options.h"
 
@@ -74,11 +75,13 @@ void runServoBench(const ServoArguments& arguments) {
   SimulateOptions input = arguments.input;
   input.seconds = 0.0;  // here it is how long to measure, not how long the scene lasts
   const auto world = scene::build(sceneFor(input), progress.callback());
-  const RealtimeReport ours = measureServo(*world, arguments.input.seconds, progress.callback());
+  const RealtimeReport ours = measureServo(*world, arguments.input.seconds, progress.display());
+  endIfAsked();  // a part of it is no measurement
   nlohmann::ordered_json json = jsonOf(ours);
   std::string text = textOf(ours.loop);
   if (arguments.peers) {
-    const auto naive = measureServo(*world, arguments.input.seconds, progress.callback(), runSleepUntil).loop;
+    const auto naive = measureServo(*world, arguments.input.seconds, progress.display(), runSleepUntil).loop;
+    endIfAsked();
     json["peers"][kNaive] = jsonOf(naive);
     json["ratio_to"][kNaive] = ratio(ours.loop, naive);
     text += fmt::format("\n{}\n{}", kNaive, textOf(naive));

@@ -8,7 +8,8 @@ namespace palpate::app {
 
 /// Parses a command line, runs what was chosen, and turns every error into one line and an exit code.
 /// 0: done; 1: the command ran and its answer is "no" (a check that failed); 2: wrong input or usage, said in one line
-/// on the standard error.
+/// on the standard error, also when the standard output cannot be written; 128 and the signal's number when a signal
+/// asked for the end (interruption.h).
 int runCommandLine(CLI::App& app, int argc, char** argv);
 
 void addBenchCommand(CLI::App& app);

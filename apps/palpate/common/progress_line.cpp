@@ -5,6 +5,8 @@
 
 #include <cstdio>
 
+#include "apps/palpate/common/interruption.h"
+
 namespace palpate::app {
 
 namespace {
@@ -15,13 +17,20 @@ constexpr std::chrono::seconds kLogPause{2};
 
 }  // namespace
 
+void say(std::string_view text) {
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  std::fflush(stderr);
+}
+
 ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) != 0), next_(Clock::now()) {
   if (!terminal_) next_ += kLogPause;
 }
 
 ProgressLine::~ProgressLine() { clear(); }
 
-Progress ProgressLine::callback() {
+Progress ProgressLine::callback() { return endingWhenAsked(display()); }
+
+Progress ProgressLine::display() {
   return [this](std::string_view stage, double done) { show(stage, done); };
 }
 
@@ -33,14 +42,12 @@ void ProgressLine::show(std::string_view stage, double done) {
   next_ += terminal_ ? std::chrono::duration_cast<Clock::duration>(kTerminalPause) : kLogPause;
   const std::string percent = done > 0.0 ? fmt::format(" {:.0f} %", 100.0 * done) : " ...";
   const std::string line = fmt::format("{}{}", stage, percent);
-  fmt::print(stderr, "{}", terminal_ ? "\r\x1b[K" + line : line + "\n");
-  std::fflush(stderr);
+  say(terminal_ ? "\r\x1b[K" + line : line + "\n");
   visible_ = terminal_;
 }
 
 void ProgressLine::clear() {
-  if (visible_) fmt::print(stderr, "\r\x1b[K");
-  std::fflush(stderr);
+  if (visible_) say("\r\x1b[K");
   visible_ = false;
 }
 

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "palpate/base/progress.h"
 #include "palpate/base/stopwatch.h"
 
 namespace palpate::app {
+
+/// Prints to stderr. Where nobody can read it (a closed pipe, a full disk), work goes on all the same.
+void say(std::string_view text);
 
 /// Prints to stderr, so that results on stdout stay clean. One thread.
 class ProgressLine {
@@ -17,8 +21,10 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// For the library; valid as long as this object.
+  /// For the library; valid as long as this object. Work that reports ends (interruption.h) when a signal asked for it.
   Progress callback();
+  /// The same without an end: for work that asks by itself, because it has something to finish.
+  Progress display();
   void show(std::string_view stage, double done);
   void clear();
 

@@ -1,7 +1,7 @@
 // What `palpate simulate` was asked for, and the scene that comes of it.
 #pragma once
 
-#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,7 +23,8 @@ struct SimulateOptions {
   double radius_mm = 0.0;
   bool radius_given = false;
   double seconds = 0.0;
-  std::filesystem::path out = "results";
+  std::optional<std::string> out;  ///< empty: results_folder.h finds a fresh name
+  bool overwrite = false;
   bool realtime = false;
   bool pictures = true;
   bool json = false;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "apps/palpate/common/commands.h"
+#include "apps/palpate/common/interruption.h"
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/hunt/hunt_options.h"
 #include "apps/palpate/hunt/hunt_report.h"
@@ -33,10 +34,12 @@ void runReplay(const HuntArguments& arguments) {
 
 void runHunt(const HuntArguments& arguments) {
   ProgressLine progress;
-  const lab::HuntPlan plan = planOf(arguments, progress.callback());
-  const lab::HuntResult result = lab::hunt(plan, progress.callback());
+  lab::HuntPlan plan = planOf(arguments, progress.callback());
+  const FinishesInOrder in_order;
+  plan.stop = [] { return endAskedBy() != 0; };
+  const lab::HuntResult result = lab::hunt(plan, progress.display());
   std::vector<std::string> files(result.failing.size());
-  if (!arguments.out.empty()) files = writeCases(plan, result, arguments, progress.callback());
+  if (!arguments.out.empty()) files = writeCases(plan, result, arguments, progress.display());
   progress.clear();
   fmt::print("{}", arguments.json ? huntJson(plan, result, files).dump(2) + "\n" : huntText(result, files));
   if (!result.failing.empty()) endWithFindings();

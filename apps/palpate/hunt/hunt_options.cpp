@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdio>
 
 #include "apps/palpate/common/named_mesh.h"
+#include "apps/palpate/common/progress_line.h"
 #include "palpate/base/error.h"
 
 namespace palpate::app {
@@ -23,8 +23,8 @@ void fit(lab::NamedBody& body, double fit_mm) {
   const double factor = (fit_mm > 0.0 ? fit_mm : kFittedDiagonalMm) / diagonal;
   for (Vec3& p : body.mesh.positions) p *= factor;
   if (fit_mm < 0.0)
-    fmt::print(stderr, "palpate: {}: {:.3g} mm across, taken {:.6g} times as large (--fit-mm, --unit-mm)\n", body.name,
-               diagonal, factor);
+    say(fmt::format("palpate: {}: {:.3g} mm across, taken {:.6g} times as large (--fit-mm, --unit-mm)\n", body.name,
+                    diagonal, factor));
 }
 
 lab::NamedBody outsideBody(const std::string& name, const HuntArguments& arguments, const Progress& progress) {

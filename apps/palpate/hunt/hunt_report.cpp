@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <set>
 
+#include "apps/palpate/common/interruption.h"
 #include "lab/hunt/minimise.h"
 
 namespace palpate::app {
@@ -71,7 +72,9 @@ lab::KeptCase caseOf(const lab::HuntPlan& plan, const lab::FailingPath& path) {
     tips = lab::huntedTips(world.body, path.seed, path.radius_mm, plan.scale);
   }
   tips.resize(std::min(tips.size(), path.ticks));
-  lab::SmallCase small = lab::minimised(mesh, finger, tips, path.fault);
+  // Making it short takes long: after a signal a case is kept as it was found.
+  lab::SmallCase small =
+      endAskedBy() == 0 ? lab::minimised(mesh, finger, tips, path.fault) : lab::SmallCase{mesh, tips};
   lab::KeptCase kept{path.body,  path.seed,    path.radius_mm,        plan.scale,
                      path.fault, path.finding, std::move(small.tips), std::move(small.mesh)};
   kept.finding = lab::replay(kept).of(path.fault);
@@ -83,6 +86,9 @@ lab::KeptCase caseOf(const lab::HuntPlan& plan, const lab::FailingPath& path) {
 nlohmann::ordered_json huntJson(const lab::HuntPlan& plan, const lab::HuntResult& result,
                                 const std::vector<std::string>& files) {
   nlohmann::ordered_json json;
+  json["complete"] = endAskedBy() == 0;
+  json["ended_by"] =
+      endAskedBy() == 0 ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(nameOfSignal(endAskedBy()));
   json["ticks"] = result.ticks;
   json["bodies"] = result.bodies;
   json["falls"] = ticksOf(result, lab::Fault::fall);
@@ -107,6 +113,7 @@ std::string huntText(const lab::HuntResult& result, const std::vector<std::strin
   std::string text =
       fmt::format("ticks             {} ({} in contact) on {} bodies along {} paths, {:.0f} ticks/s\n", result.ticks,
                   result.touching_ticks, result.bodies, result.paths, ticksPerSecond(result));
+  if (endAskedBy() != 0) text += fmt::format("ended by {}, before it was done\n", nameOfSignal(endAskedBy()));
   text += fmt::format("falls             {}\n", ticksOf(result, lab::Fault::fall));
   text += fmt::format("missed contacts   {}\n", ticksOf(result, lab::Fault::missed_contact));
   text += fmt::format("wrong forces      {}\n", ticksOf(result, lab::Fault::wrong_force));

@@ -12,6 +12,7 @@
 #include "apps/palpate/common/json.h"
 #include "apps/palpate/common/mesh_arguments.h"
 #include "apps/palpate/common/progress_line.h"
+#include "apps/palpate/model/table_info.h"
 #include "palpate/mesh/validate.h"
 
 namespace palpate::app {
@@ -152,6 +153,11 @@ ValidationReport inspect(const InfoArguments& arguments) {
 }
 
 void runInfo(const InfoArguments& arguments) {
+  if (isTableOrUnfinished(arguments.mesh.file)) {
+    fmt::print("{}",
+               arguments.json ? tableInfoJson(arguments.mesh.file).dump(2) + "\n" : tableInfo(arguments.mesh.file));
+    return;
+  }
   const ValidationReport report = inspect(arguments);
   if (arguments.json) {
     nlohmann::ordered_json json = {{"file", arguments.mesh.file}};
@@ -166,7 +172,8 @@ void runInfo(const InfoArguments& arguments) {
 
 void addInfoCommand(CLI::App& app) {
   auto arguments = std::make_shared<InfoArguments>();
-  CLI::App& command = *app.add_subcommand("info", "Report what a mesh file holds and what is wrong with it");
+  CLI::App& command = *app.add_subcommand(
+      "info", "Report what a mesh file holds and what is wrong with it, or a recorded table of forces");
   addMeshArguments(command, arguments->mesh);
   command.add_flag("--no-self-intersections", arguments->quick,
                    "Do not look for self-intersections (the slowest check)");

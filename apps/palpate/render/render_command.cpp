@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/palpate/common/commands.h"
+#include "apps/palpate/common/interruption.h"
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/render/moments.h"
 #include "apps/palpate/render/picture_series.h"
@@ -77,6 +78,19 @@ view::PictureSettings settingsFor(const RenderOptions& options, const scene::Wor
   return settings;
 }
 
+/// Pictures of an earlier, longer series would be taken for parts of this one; those that a signal left out are missed.
+void noteTheOthers(const RenderOptions& options, RenderReport& result) {
+  const auto count = static_cast<int>(result.pictures.size());
+  if (count < options.frames) {
+    result.notes.push_back(
+        fmt::format("ended by {} after {} of {} pictures", nameOfSignal(endAskedBy()), count, options.frames));
+  }
+  const std::filesystem::path next = fileOfSeries(options, count + 1);
+  if (options.frames > 1 && std::filesystem::exists(next)) {
+    result.notes.push_back(fmt::format("{} and what follows is of an earlier series", next.string()));
+  }
+}
+
 RenderReport render(const RenderOptions& options, const Progress& progress) {
   RenderReport result;
   result.size = sizeOf(options);
@@ -90,14 +104,17 @@ RenderReport render(const RenderOptions& options, const Progress& progress) {
   const auto drawing = Clock::now();
   const view::PictureSettings settings = settingsFor(options, *world, result.size);
   PictureSeries series(world, result.size);
-  for (std::size_t i = 0; i < files.size(); ++i) {
+  const FinishesInOrder in_order;
+  for (std::size_t i = 0; i < files.size() && endAskedBy() == 0; ++i) {
     report(progress, "drawing", static_cast<double>(i) / static_cast<double>(files.size()));
     const view::TakenPicture taken = series.take(frames[i], times[i], settings);
     view::writePng(files[i], taken.image);
     result.pictures.push_back({files[i].string(), times[i], frames[i]});
     if (i == 0) result.notes.insert(result.notes.end(), taken.notes.begin(), taken.notes.end());
   }
+  if (result.pictures.empty()) endIfAsked();
   result.draw_s = secondsSince(drawing);
+  noteTheOthers(options, result);
   return result;
 }
 
@@ -117,8 +134,8 @@ Json jsonOf(const RenderReport& result) {
     pictures.push_back({{"file", picture.file}, {"time_s", picture.time_s}, {"fingers", fingersJson(picture.frame)}});
   }
   return {{"width", result.size.width}, {"height", result.size.height}, {"supersampling", result.size.supersampling},
-          {"build_s", result.build_s},  {"draw_s", result.draw_s},      {"pictures", pictures},
-          {"notes", result.notes}};
+          {"build_s", result.build_s},  {"draw_s", result.draw_s},      {"complete", endAskedBy() == 0},
+          {"pictures", pictures},       {"notes", result.notes}};
 }
 
 std::string summaryOf(const RenderReport& result) {
@@ -209,7 +226,7 @@ void addRenderCommand(CLI::App& app) {
   command->callback([=] {
     options->scene.radius_given = command->count("--radius-mm") > 0;
     ProgressLine progress;
-    const RenderReport result = render(*options, progress.callback());
+    const RenderReport result = render(*options, progress.display());
     progress.clear();
     fmt::print("{}", options->json ? jsonOf(result).dump(2) + "\n" : summaryOf(result));
   });

@@ -103,11 +103,12 @@ std::vector<std::filesystem::path> filesOf(const RenderOptions& options) {
   }
   if (options.frames == 1) return {options.output};
   std::vector<std::filesystem::path> files;
-  const std::string stem = options.output.stem().string();
-  for (int i = 1; i <= options.frames; ++i) {
-    files.push_back(options.output.parent_path() / fmt::format("{}_{:04d}.png", stem, i));
-  }
+  for (int i = 1; i <= options.frames; ++i) files.push_back(fileOfSeries(options, i));
   return files;
+}
+
+std::filesystem::path fileOfSeries(const RenderOptions& options, int number) {
+  return options.output.parent_path() / fmt::format("{}_{:04d}.png", options.output.stem().string(), number);
 }
 
 }  // namespace palpate::app

@@ -43,5 +43,7 @@ scene::ViewSettings viewOf(const RenderOptions& options, const scene::ViewSettin
 /// The files of the pictures in their order: FILE.png alone, else FILE_0001.png and so on. Throws Error for a name
 /// that does not end in .png.
 std::vector<std::filesystem::path> filesOf(const RenderOptions& options);
+/// One of a series, counted from 1.
+std::filesystem::path fileOfSeries(const RenderOptions& options, int number);
 
 }  // namespace palpate::app

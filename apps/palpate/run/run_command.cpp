@@ -7,6 +7,7 @@
 
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/default_scene.h"
+#include "apps/palpate/common/interruption.h"
 #include "apps/viewer/files/input_script.h"
 #include "apps/viewer/files/state_file.h"
 #include "apps/viewer/viewer.h"
@@ -14,6 +15,7 @@
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/scene/scene_file.h"
+#include "palpate/trace/forces_table.h"
 #include "palpate/window/window.h"
 
 namespace palpate::app {
@@ -82,28 +84,32 @@ class Playback {
 };
 
 /// One line a frame: what tests and bug reports look at.
+void tell(const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), stdout);  // a reader that has left must not end the window
+  std::fflush(stdout);
+}
+
 void tellFrame(std::uint64_t number, double now_s, viewer::Viewer& viewer) {
   const viewer::Session& s = viewer.session();
   const contact::FingerOutput& finger = s.fingers[s.active_finger];
   const viewer::Message* message = s.messages.all().empty() ? nullptr : &s.messages.all().back();
-  fmt::print(
+  tell(fmt::format(
       "frame {} t={:.3f} size={}x{} finger={} pressed={} depth={:.2f} force={:.2f} drag={:.2f} wish={:.2f} "
       "distance={:.0f} yaw={:.3f} body={} building={} panel={} overlays={} row={} recording={} message={}\n",
       number, now_s, viewer.target().width(), viewer.target().height(), s.active_finger,
       viewer.pointer().pressed(s.active_finger) ? 1 : 0, finger.depth_mm, finger.force.norm(),
       (finger.proxy - finger.anchor).norm(), s.state.touch.depth_mm, s.camera.distance_mm, s.camera.yaw_rad,
       s.world.triangles, s.building ? 1 : 0, s.state.shown.panel ? 1 : 0, s.state.look.overlays.to_string(),
-      s.state.stereo.monitor_row, s.recording.forces ? 1 : 0, message == nullptr ? "-" : message->text);
-  std::fflush(stdout);
+      s.state.stereo.monitor_row, s.recording.forces ? 1 : 0, message == nullptr ? "-" : message->text));
 }
 
 void tellServo(const servo::LoopReport& report) {
-  fmt::print(
+  tell(fmt::format(
       "servo: {} ticks in {:.1f} s, {} overruns, {} slow, {} stalls; tick p50 {:.1f} p99 {:.1f} us; late p50 "
       "{:.1f} p99 {:.1f} p99.9 {:.1f} max {:.0f} us\n",
       report.ticks, report.wall_s, report.overruns, report.slow_ticks, report.stalls, report.compute.p50_us,
       report.compute.p99_us, report.lateness.p50_us, report.lateness.p99_us, report.lateness.p99_9_us,
-      report.lateness.max_us);
+      report.lateness.max_us));
 }
 
 viewer::ViewerHost hostOf(window::Window& window) {
@@ -129,22 +135,35 @@ void loop(const RunOptions& options, Playback& playback, window::Window& window,
     std::vector<window::InputEvent> events = window.events();
     const double now_s = frame == 1 ? 0.0 : secondsSince(started) - shown_s;  // a script begins at the first picture
     const bool close = playback.play(now_s, window, viewer, events);
-    if (close || window.closing() || viewer.wantsToQuit()) return;
+    if (close || window.closing() || viewer.wantsToQuit() || endAskedBy() != 0) return;
     viewer.session().state.stereo.monitor_row = window.top();
     viewer.frame(window.width(), window.height(), window.contentScale(), now_s, events);
     viewer.drawsItself() ? window.swap() : window.present(viewer.target());
     if (frame == 1) {
       shown_s = secondsSince(started);
-      if (options.verbose) fmt::print("first frame after {:.3f} s\n", shown_s);
+      if (options.verbose) tell(fmt::format("first frame after {:.3f} s\n", shown_s));
     }
     if (options.verbose) tellFrame(frame, now_s, viewer);
     if (options.frames > 0 && frame >= options.frames) return;
   }
 }
 
+/// What cannot be completed at the end is told where somebody still reads.
+void finishViewer(const RunOptions& options, viewer::Viewer& viewer) {
+  viewer::Messages& messages = viewer.session().messages;
+  messages.markRead();
+  const servo::LoopReport report = viewer.finish();
+  if (options.verbose) tellServo(report);
+  if (messages.unread() == 0) return;
+  for (auto message = messages.all().rbegin(); message != messages.all().rend(); ++message) {
+    if (message->severity == viewer::Severity::error) throw Error(message->text);
+  }
+}
+
 void runWindow(const RunOptions& options) {
   const auto started = Clock::now();
   Playback playback(options.play);
+  if (!options.replay.empty()) trace::readForcesTable(options.replay);  // one that cannot be read opens no window
   // The body is built while the window opens; without a display there is nothing to build it for.
   std::shared_ptr<const scene::World> world;
   std::optional<Background> building;
@@ -164,10 +183,10 @@ void runWindow(const RunOptions& options) {
   viewer::Viewer viewer(world, std::move(view_state), std::move(settings), hostOf(window));
   if (!state.note.empty()) viewer.session().report(viewer::Severity::warning, state.note);
   if (!options.replay.empty()) viewer.session().wish(viewer::Wish::Kind::open, options.replay);
+  const FinishesInOrder in_order;
   loop(options, playback, window, viewer, started);
   keepState(options, viewer, window);
-  const servo::LoopReport report = viewer.finish();
-  if (options.verbose) tellServo(report);
+  finishViewer(options, viewer);
 }
 
 }  // namespace

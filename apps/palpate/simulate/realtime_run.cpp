@@ -1,10 +1,9 @@
 #include "apps/palpate/simulate/realtime_run.h"
 
-#include <atomic>
 #include <chrono>
-#include <csignal>
 #include <thread>
 
+#include "apps/palpate/common/interruption.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/engine/living_skin.h"
 
@@ -14,19 +13,21 @@ namespace {
 
 constexpr double kFramesPerS = 60.0;
 
-/// A lock-free atomic is what a signal handler may write.
-std::atomic<bool> interrupted{false};
-
-/// Turns Ctrl-C into a wish to stop, for as long as it lives.
-class InterruptGuard {
+/// Stops the loop and waits for it, whatever happens beside it.
+class JoinedAtTheEnd {
  public:
-  InterruptGuard() : previous_(std::signal(SIGINT, [](int) { interrupted = true; })) { interrupted = false; }
-  ~InterruptGuard() { std::signal(SIGINT, previous_); }
-  InterruptGuard(const InterruptGuard&) = delete;
-  InterruptGuard& operator=(const InterruptGuard&) = delete;
+  JoinedAtTheEnd(std::thread& thread, servo::LoopLinks& links) : thread_(thread), links_(links) {}
+  ~JoinedAtTheEnd() {
+    if (!thread_.joinable()) return;
+    links_.stop = true;
+    thread_.join();
+  }
+  JoinedAtTheEnd(const JoinedAtTheEnd&) = delete;
+  JoinedAtTheEnd& operator=(const JoinedAtTheEnd&) = delete;
 
  private:
-  void (*previous_)(int);
+  std::thread& thread_;
+  servo::LoopLinks& links_;
 };
 
 /// The deformation beside the servo: newest contacts in, deformed skin out.
@@ -58,7 +59,7 @@ void displayUntilFinished(Display& display, servo::LoopLinks& links, double dura
   const auto started = Clock::now();
   const auto period = std::chrono::duration<double>(1.0 / kFramesPerS);
   for (int frame = 1; !links.finished.load(std::memory_order_acquire); ++frame) {
-    if (interrupted) links.stop = true;
+    if (endAskedBy() != 0) links.stop = true;
     display.drawFrame();
     const auto due = started + std::chrono::duration_cast<Clock::duration>(frame * period);
     const double elapsed_s = secondsSince(started);
@@ -72,13 +73,14 @@ void displayUntilFinished(Display& display, servo::LoopLinks& links, double dura
 RealtimeReport runRealtime(const scene::World& world, servo::Rig& rig, std::uint64_t ticks,
                            const servo::SampleDrain::Sink& sink, const Progress& progress, const ServoLoop& loop) {
   RealtimeReport report;
-  const InterruptGuard guard;
+  const FinishesInOrder in_order;
   servo::LoopLinks links(rig.fingers.size());
   servo::PacedSettings settings;
   settings.pacing.period_s = rig.tick_s;
   Display display(world, links);
   servo::SampleDrain drain(links, sink);
   std::thread servo_thread([&] { report.loop = loop(rig, ticks, settings, links); });
+  const JoinedAtTheEnd joined(servo_thread, links);
   displayUntilFinished(display, links, static_cast<double>(ticks) * rig.tick_s, progress);
   servo_thread.join();
   drain.join();

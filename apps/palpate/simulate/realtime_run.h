@@ -18,7 +18,7 @@ struct RealtimeReport {
   DisplayReport display;
 };
 
-/// `sink` gets every sample, on a thread of its own; it may throw. Ctrl-C ends the run early and properly.
+/// `sink` gets every sample, on a thread of its own; it may throw. A signal ends the run early and properly.
 RealtimeReport runRealtime(const scene::World& world, servo::Rig& rig, std::uint64_t ticks,
                            const servo::SampleDrain::Sink& sink, const Progress& progress,
                            const ServoLoop& loop = servo::runPaced);

@@ -5,36 +5,37 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/palpate/common/commands.h"
+#include "apps/palpate/common/interruption.h"
 #include "apps/palpate/common/progress_line.h"
+#include "apps/palpate/common/results_folder.h"
 #include "apps/palpate/common/simulate_options.h"
 #include "apps/palpate/simulate/simulation.h"
-#include "palpate/base/output_file.h"
+#include "palpate/base/text.h"
 #include "palpate/scene/scene_file.h"
 
 namespace palpate::app {
 
 namespace {
 
-void writeReport(const SimulationResult& result, const std::string& json) {
-  OutputFile file(result.folder / "report.json");
-  file.write(json);
-  file.commit();
-}
-
 void runSimulate(const SimulateOptions& options) {
+  const FinishesInOrder in_order;
   ProgressLine progress;
-  SimulationResult result =
-      simulate(sceneFor(options), {options.out, options.realtime, options.pictures}, progress.callback());
+  const scene::Scene scene = sceneFor(options);
+  const ResultsFolder results = resultsFolder(options.out, options.overwrite);
+  SimulationResult result = simulate(scene, {results.folder, options.realtime, options.pictures}, progress.display());
   progress.clear();
   result.files.emplace_back("report.json");
   const std::string json = reportOf(result).dump(2) + "\n";
-  writeReport(result, json);
+  writeFile(result.folder / "report.json", json);
+  removeEarlier(results, result.files);
   fmt::print("{}", options.json ? json : summaryOf(result));
 }
 
 void addOutputOptions(CLI::App& command, SimulateOptions& options) {
-  command.add_option("--out", options.out, "Folder for forces.csv, surfaces (PLY), pictures.png and report.json")
-      ->capture_default_str();
+  command.add_option("--out", options.out,
+                     "Folder for forces.csv, surfaces (PLY), pictures.png and report.json; left out: results, or "
+                     "results-2, ... where an earlier run is");
+  command.add_flag("--overwrite", options.overwrite, "Replace the run that is in the folder");
   command.add_flag("--realtime", options.realtime,
                    "Pace the servo loop by the clock, deform at 60 Hz beside it, and report how late it woke");
   command.add_flag("--pictures,!--no-pictures", options.pictures, "Leave pictures.png, what it looked like (default)");

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "apps/palpate/common/interruption.h"
+
 namespace palpate::app {
 
 namespace {
@@ -128,10 +130,14 @@ nlohmann::ordered_json reportOf(const SimulationResult& result) {
   }
   Json report = {{"title", result.world->scene.title},
                  {"mode", result.display ? "realtime" : "headless"},
+                 {"complete", result.ended_by == 0},
+                 {"ended_by", result.ended_by == 0 ? Json(nullptr) : Json(nameOfSignal(result.ended_by))},
+                 {"folder", result.folder.string()},
                  {"body", bodyJson(*result.world)},
                  {"build_s", result.build_s},
                  {"pictures_s", result.pictures_s},
                  {"duration_s", result.duration_s},
+                 {"planned_s", result.planned_s},
                  {"wall_s", result.loop.wall_s},
                  {"ticks", result.loop.ticks},
                  {"tick_us", percentilesJson(result.loop.compute)},

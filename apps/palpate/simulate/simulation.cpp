@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
+#include "apps/palpate/common/interruption.h"
 #include "apps/palpate/render/contact_sheet.h"
 #include "apps/palpate/simulate/realtime_run.h"
 #include "apps/palpate/simulate/run_recorder.h"
@@ -50,7 +53,7 @@ void run(const scene::World& world, const device::FingerPaths& paths, bool realt
   const auto record = [&](std::span<const trace::Sample> samples) {
     for (const trace::Sample& sample : samples) recorder.add(sample);
   };
-  result.loop = servo::runHeadless(rig, paths.ticks, record, progress);
+  result.loop = servo::runHeadless(rig, paths.ticks, record, progress, [] { return endAskedBy() != 0; });
 }
 
 void noteUntouched(const scene::World& world, const RunStatistics& statistics, std::vector<std::string>& notes) {
@@ -62,17 +65,35 @@ void noteUntouched(const scene::World& world, const RunStatistics& statistics, s
       box.min().x(), box.min().y(), box.min().z(), box.max().x(), box.max().y(), box.max().z()));
 }
 
-/// A machine that cannot draw still palpates.
-void leavePictures(const RunRecorder& recorder, SimulationResult& result, const Progress& progress) {
-  const std::int64_t started_ns = monotonicNs();
+/// A machine that cannot draw still palpates, and a run that was ended is not drawn.
+std::optional<view::Image> drawnSheet(const RunRecorder& recorder, SimulationResult& result, const Progress& progress) {
   try {
-    const view::Image sheet = contactSheet(result.world, {recorder.deepest(), recorder.farthest()}, progress);
-    view::writePng(result.folder / kPicturesFile, sheet);
-    result.files.emplace_back(kPicturesFile);
-    result.pictures_s = static_cast<double>(monotonicNs() - started_ns) * 1e-9;
+    return contactSheet(result.world, {recorder.deepest(), recorder.farthest()}, endingWhenAsked(progress));
   } catch (const Error& error) {
     result.notes.push_back(fmt::format("no {}: {}", kPicturesFile, error.what()));
+  } catch (const Ended& ended) {
+    result.notes.push_back(fmt::format("no {}: {}", kPicturesFile, ended.what()));
   }
+  return std::nullopt;
+}
+
+void leavePictures(const RunRecorder& recorder, SimulationResult& result, const Progress& progress) {
+  const std::int64_t started_ns = monotonicNs();
+  const std::optional<view::Image> sheet = drawnSheet(recorder, result, progress);
+  if (!sheet) return;
+  view::writePng(result.folder / kPicturesFile, *sheet);
+  result.files.emplace_back(kPicturesFile);
+  result.pictures_s = static_cast<double>(monotonicNs() - started_ns) * 1e-9;
+}
+
+/// Ticks that were left out in real time passed too.
+void noteEnd(const scene::World& world, SimulationResult& result) {
+  const double seconds = static_cast<double>(result.loop.ticks + result.loop.overruns) / world.scene.ticks_per_s;
+  result.ended_by = endAskedBy();
+  if (result.ended_by == 0 || seconds >= result.planned_s) return;
+  result.duration_s = seconds;
+  result.notes.push_back(fmt::format("ended by {} after {:.3f} of {:.3f} s: the results are those of this part",
+                                     nameOfSignal(result.ended_by), seconds, result.planned_s));
 }
 
 template <class T>
@@ -86,11 +107,11 @@ SimulationResult simulate(const scene::Scene& scene, const SimulationSettings& s
   SimulationResult result;
   result.folder = settings.folder;
   const std::int64_t started_ns = monotonicNs();
-  result.world = scene::build(scene, progress);
+  result.world = scene::build(scene, endingWhenAsked(progress));
   const scene::World& world = *result.world;
   const device::FingerPaths paths = device::pathsOf(world);
   result.build_s = static_cast<double>(monotonicNs() - started_ns) * 1e-9;
-  result.duration_s = static_cast<double>(paths.ticks) / scene.ticks_per_s;
+  result.planned_s = result.duration_s = static_cast<double>(paths.ticks) / scene.ticks_per_s;
   makeFolder(settings.folder);
   saveAutomaticPaths(world, paths, result);
 
@@ -101,11 +122,13 @@ SimulationResult simulate(const scene::Scene& scene, const SimulationSettings& s
   result.fingers = recorder.statistics().fingers();
   result.hash = recorder.statistics().hash();
   append(result.files, recorder.files());
+  noteEnd(world, result);
   append(result.notes, world.notes);
   if (world.hdb) result.notes.push_back(scene::describe(*world.hdb));
   append(result.notes, recorder.notes());
   noteUntouched(world, recorder.statistics(), result.notes);
   if (settings.pictures) leavePictures(recorder, result, progress);
+  result.ended_by = endAskedBy();
   return result;
 }
 

@@ -31,6 +31,8 @@ struct SimulationResult {
   double build_s = 0.0;
   double pictures_s = 0.0;  ///< spent on drawing pictures.png; 0 when none was drawn
   double duration_s = 0.0;  ///< of what was simulated
+  double planned_s = 0.0;   ///< of what was asked for
+  int ended_by = 0;         ///< the signal that ended it early, or 0
   servo::LoopReport loop;
   std::optional<DisplayReport> display;  ///< of a realtime run
   std::vector<FingerStatistics> fingers;
@@ -45,7 +47,8 @@ struct SimulationSettings {
   bool pictures = true;  ///< leave a contact sheet, where pictures can be drawn
 };
 
-/// Builds the scene, runs it and writes its files into the folder, which is made if needed. Throws Error.
+/// Builds the scene, runs it and writes its files into the folder, which is made if needed. A signal ends the run,
+/// whose files are finished all the same (interruption.h). Throws Error, and Ended when there is no run yet.
 SimulationResult simulate(const scene::Scene& scene, const SimulationSettings& settings, const Progress& progress);
 
 // What it tells its user: simulate_report.cpp.

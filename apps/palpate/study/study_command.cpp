@@ -3,12 +3,14 @@
 // Each study is a subcommand with a file of its own in study/; those that write a page are listed in study/studies.cpp.
 #include <fmt/format.h>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/default_scene.h"
+#include "apps/palpate/common/interruption.h"
 #include "apps/palpate/common/progress_line.h"
 #include "palpate/base/error.h"
 #include "palpate/scene/scene_file.h"
@@ -24,6 +26,14 @@ namespace palpate::app {
 
 namespace {
 
+/// One folder may hold several studies; that one of them is made again is said.
+void tellOfEarlier(const std::string& folder, const std::string& file) {
+  const std::filesystem::path page = std::filesystem::path(folder) / file;
+  if (folder.empty() || !std::filesystem::exists(page)) return;
+  say(fmt::format("palpate: {} is of an earlier run: it is replaced, and what this run does not write stays\n",
+                  page.string()));
+}
+
 struct StudyArguments {
   std::string folder;
   bool quick = false;
@@ -32,6 +42,7 @@ struct StudyArguments {
 
 void run(const study::Study& study, const StudyArguments& arguments) {
   if (!arguments.folder.empty()) study::makeFolder(arguments.folder);  // a folder that cannot be is refused at once
+  tellOfEarlier(arguments.folder, study.name + ".md");
   ProgressLine progress;
   const study::StudyPage page = study::runStudy(study, {.quick = arguments.quick, .progress = progress.callback()});
   if (!arguments.folder.empty()) study::writePage(page, arguments.folder, progress.callback());
@@ -69,14 +80,16 @@ struct AllArguments {
 
 void runAll(const AllArguments& arguments) {
   const scene::Scene scene = scene::parse(defaultScene(), "default.toml");
+  tellOfEarlier(arguments.folder, "report.html");
   ProgressLine progress;
   const auto tell = [&](const study::ChapterDone& chapter) {
     progress.clear();
     fmt::print("{:>2} of {}  {:<14} {:6.1f} s\n", chapter.number, chapter.of, chapter.name, chapter.seconds);
     std::fflush(stdout);
   };
+  const FinishesInOrder in_order;
   study::writeReport(study::reportChapters(scene), {.quick = arguments.quick, .progress = progress.callback()},
-                     arguments.folder, tell);
+                     arguments.folder, tell, [] { return endAskedBy() != 0; });
   progress.clear();
   fmt::print("{}/report.html\n", arguments.folder);
 }
@@ -104,6 +117,7 @@ struct NumbersArguments {
 };
 
 void runNumbers(const NumbersArguments& arguments) {
+  tellOfEarlier(arguments.folder, "numbers.md");
   const auto rows = study::studyNumbers();
   fmt::print("{}", arguments.json ? study::jsonOf(rows) : study::textOf(rows));
   if (!arguments.folder.empty()) study::writeNumbers(rows, arguments.folder);
@@ -138,6 +152,7 @@ void runFigures(const FiguresArguments& arguments) {
     return;
   }
   if (arguments.folder.empty()) throw Error("study figures: --out DIR is needed");
+  tellOfEarlier(arguments.folder, "index.md");
   ProgressLine progress;
   study::writeFigures(chosen, arguments.folder, arguments.scale, progress.callback());
   progress.clear();
@@ -167,6 +182,7 @@ void runErrata(const ErrataArguments& arguments) {
   const scene::Scene scene =
       arguments.scene.empty() ? scene::parse(defaultScene(), "default.toml") : scene::load(arguments.scene);
   scene::requireFingers(scene);
+  tellOfEarlier(arguments.folder, "errata.md");
   ProgressLine progress;
   const auto effects = study::studyErrata(scene, progress.callback());
   progress.clear();

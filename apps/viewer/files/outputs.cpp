@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "palpate/base/output_file.h"
 #include "palpate/base/text.h"
 #include "palpate/scene/scene_writer.h"
 
@@ -21,7 +22,8 @@ fs::path fresh(const fs::path& folder, const std::string& stem, const std::strin
   std::error_code ignored;
   fs::create_directories(folder, ignored);
   fs::path file = folder / (stem + kind);
-  for (int i = 2; fs::exists(file); ++i) file = folder / fmt::format("{}-{}{}", stem, i, kind);
+  const auto taken = [&] { return fs::exists(file) || fs::exists(file.string() + std::string(kPartialExtension)); };
+  for (int i = 2; taken(); ++i) file = folder / fmt::format("{}-{}{}", stem, i, kind);
   return file;
 }
 
@@ -47,12 +49,32 @@ Outputs::~Outputs() {
   }
 }
 
+void Outputs::addSample(Session& session, const trace::Sample& sample) {
+  try {
+    forces_.add(sample);
+  } catch (const std::exception& error) {
+    endBrokenForces(session, error.what());
+  }
+}
+
+/// The window goes on, and says what is left.
+void Outputs::endBrokenForces(Session& session, const std::string& why) {
+  session.recording.forces = false;
+  const std::string kept = forces_.abandon();
+  const std::string rest =
+      kept.empty() ? std::string("nothing of it could be kept") : fmt::format("what was written is kept in {}", kept);
+  session.report(Severity::error, fmt::format("The recording ended: {}; {}", why, rest));
+}
+
 void Outputs::toggleForces(Session& session) {
   Recording& recording = session.recording;
   if (recording.forces) {
     recording.forces = false;
-    if (attempt(session, [&] { forces_.stop(); })) {
+    try {
+      forces_.stop();
       session.report(Severity::info, fmt::format("Forces are in {}", recording.forces_file));
+    } catch (const std::exception& error) {
+      endBrokenForces(session, error.what());
     }
     return;
   }
@@ -112,7 +134,7 @@ void Outputs::keepFrame(Session& session, view::Image image) {
     pictures_.write(file, image);
     // The next fresh name must not be the same one.
     pictures_.finish();
-    session.report(Severity::info, fmt::format("The picture is saved as {}", file.string()));
+    if (fs::exists(file)) session.report(Severity::info, fmt::format("The picture is saved as {}", file.string()));
   }
   if (!recording.sequence) return;
   const fs::path file = fs::path(recording.sequence_folder) / fmt::format("frame_{:05d}.png", recording.pictures++);
@@ -130,6 +152,7 @@ void Outputs::finish(Session& session) {
   if (session.recording.forces) toggleForces(session);
   if (session.recording.sequence) toggleSequence(session);
   pictures_.finish();
+  tellErrors(session);
 }
 
 }  // namespace palpate::viewer

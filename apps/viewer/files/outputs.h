@@ -17,7 +17,8 @@ class Outputs {
   Outputs(const Outputs&) = delete;
   Outputs& operator=(const Outputs&) = delete;
 
-  void addSample(const trace::Sample& sample) { forces_.add(sample); }
+  /// Into the recording that runs, if any. A disk that is full or gone ends it, with what was recorded kept.
+  void addSample(Session& session, const trace::Sample& sample);
   void toggleForces(Session& session);
   void toggleSequence(Session& session);
   void savePlots(Session& session);
@@ -38,6 +39,7 @@ class Outputs {
   void finish(Session& session);
 
  private:
+  void endBrokenForces(Session& session, const std::string& why);
   void keepFrame(Session& session, view::Image image);
   void tellErrors(Session& session);
 

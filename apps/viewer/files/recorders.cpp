@@ -2,7 +2,10 @@
 
 #include <utility>
 
+#include "apps/viewer/live_servo.h"
 #include "palpate/base/background.h"
+#include "palpate/base/output_file.h"
+#include "palpate/device/mouse_finger.h"
 #include "palpate/view/image.h"
 
 namespace palpate::viewer {
@@ -12,19 +15,23 @@ namespace {
 /// Pictures that may wait; a picture of 1280 x 800 takes 3 MB.
 constexpr std::size_t kMostWaiting = 16;
 
+/// A finger that was not put on the body yet.
+bool isNowhere(const Vec3& tip) { return tip.z() > 0.5 * device::kNowhere.z(); }
+
 }  // namespace
 
 void ForceRecorder::start(const std::filesystem::path& file, double ticks_per_s) {
   trace::ForcesCsvSettings settings;
-  settings.finger_names = {"left", "right"};
+  settings.finger_names.assign(kFingerNames.begin(), kFingerNames.end());
   settings.ticks_per_s = ticks_per_s;
-  writer_ = std::make_unique<trace::ForcesCsvWriter>(file, settings);
+  writer_ = std::make_unique<trace::ForcesCsvWriter>(file, settings, OutputFile::Unfinished::keep);
   first_tick_.reset();
 }
 
 void ForceRecorder::add(const trace::Sample& sample) {
   if (!writer_) return;
   if (!first_tick_) first_tick_ = sample.tick;
+  if (isNowhere(sample.contact.tip)) return;
   trace::Sample shifted = sample;  // a recording begins at time 0
   shifted.tick -= *first_tick_;
   writer_->add(shifted);
@@ -32,8 +39,16 @@ void ForceRecorder::add(const trace::Sample& sample) {
 
 void ForceRecorder::stop() {
   if (!writer_) return;
-  const auto writer = std::move(writer_);
-  writer->commit();
+  writer_->commit();
+  writer_.reset();
+}
+
+std::string ForceRecorder::abandon() {
+  if (!writer_) return {};
+  const std::filesystem::path partial = writer_->partial();
+  writer_.reset();
+  std::error_code error;
+  return std::filesystem::exists(partial, error) ? partial.string() : std::string();
 }
 
 PictureWriter::PictureWriter() : thread_([this] { run(); }) {}

@@ -22,9 +22,12 @@ class ForceRecorder {
  public:
   /// Throws Error when the file cannot be written.
   void start(const std::filesystem::path& file, double ticks_per_s);
+  /// A finger that is nowhere is left out. Throws Error when the disk is full or gone.
   void add(const trace::Sample& sample);
-  /// The file is complete. Throws Error when it cannot be.
+  /// The file is complete. Throws Error when it cannot be: then `abandon` it.
   void stop();
+  /// Ends without completing the file; where its rows are, or empty when there are none.
+  std::string abandon();
   bool running() const { return writer_ != nullptr; }
 
  private:

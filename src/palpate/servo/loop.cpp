@@ -14,6 +14,9 @@ namespace {
 /// Ticks between two progress reports of the headless loop: some milliseconds of work.
 constexpr std::uint64_t kProgressTicks = 10000;
 
+/// Ticks between two questions whether to stop.
+constexpr std::uint64_t kStopTicks = 64;
+
 /// Ticks of one LoopVitals.
 constexpr std::uint64_t kVitalsTicks = 1000;
 
@@ -90,10 +93,11 @@ void releaseForces(Rig& rig) {
 }  // namespace
 
 LoopReport runHeadless(Rig& rig, std::uint64_t ticks, const std::function<void(std::span<const trace::Sample>)>& sink,
-                       const Progress& progress) {
+                       const Progress& progress, const std::function<bool()>& stop) {
   TickSamples samples(rig.fingers.size());
   Meter meter;
   for (std::uint64_t tick = 0; tick < ticks; ++tick) {
+    if (stop && tick % kStopTicks == 0 && stop()) break;
     measuredTick(rig, tick, LoopEvent::none, samples, meter);
     sink(samples);
     if (tick % kProgressTicks == 0) {

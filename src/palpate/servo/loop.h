@@ -32,9 +32,10 @@ struct LoopReport {
   PacingGrant grant;
 };
 
-/// Runs ticks 0 .. ticks-1 back to back; `sink` gets each tick's samples, in order. Deterministic.
+/// Runs ticks 0 .. ticks-1 back to back; `sink` gets each tick's samples, in order. Deterministic. Ends early, with the
+/// ticks so far, when `stop` says so, which is asked every some ticks.
 LoopReport runHeadless(Rig& rig, std::uint64_t ticks, const std::function<void(std::span<const trace::Sample>)>& sink,
-                       const Progress& progress = {});
+                       const Progress& progress = {}, const std::function<bool()>& stop = {});
 
 /// How the loop did lately: published once a second, for a display that is looking on.
 struct LoopVitals {

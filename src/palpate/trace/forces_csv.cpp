@@ -44,8 +44,9 @@ void appendForcesRow(std::string& text, const ForcesCsvSettings& settings, const
   fmt::format_to(std::back_inserter(text), ",{},{}\n", contact.status, sample.safety);
 }
 
-ForcesCsvWriter::ForcesCsvWriter(const std::filesystem::path& file, ForcesCsvSettings settings)
-    : settings_(std::move(settings)), file_(file), block_(forcesCsvHeader()) {
+ForcesCsvWriter::ForcesCsvWriter(const std::filesystem::path& file, ForcesCsvSettings settings,
+                                 OutputFile::Unfinished unfinished)
+    : settings_(std::move(settings)), file_(file, unfinished), block_(forcesCsvHeader()) {
   block_ += '\n';
 }
 

@@ -30,10 +30,14 @@ void appendForcesRow(std::string& text, const ForcesCsvSettings& settings, const
 /// cannot be created or written.
 class ForcesCsvWriter {
  public:
-  ForcesCsvWriter(const std::filesystem::path& file, ForcesCsvSettings settings);
+  /// `unfinished`: what becomes of the rows when there is no commit.
+  ForcesCsvWriter(const std::filesystem::path& file, ForcesCsvSettings settings,
+                  OutputFile::Unfinished unfinished = OutputFile::Unfinished::remove);
   void add(const Sample& sample);
-  /// Writes what is left and gives the file its name. Without it there is no file.
+  /// Writes what is left and gives the file its name.
   void commit();
+  /// Where the rows are until then.
+  const std::filesystem::path& partial() const { return file_.partial(); }
 
  private:
   void flush();

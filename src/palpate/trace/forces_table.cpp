@@ -10,6 +10,7 @@
 
 #include "palpate/base/csv.h"
 #include "palpate/base/error.h"
+#include "palpate/base/output_file.h"
 #include "palpate/base/text.h"
 #include "palpate/trace/forces_csv.h"
 
@@ -73,7 +74,16 @@ std::vector<RecordedFinger> parseForcesTable(std::string_view text, std::string_
 }
 
 std::vector<RecordedFinger> readForcesTable(const std::filesystem::path& file) {
-  return parseForcesTable(readFile(file, kMostBytes), file.string());
+  std::string text = readFile(file, kMostBytes);
+  // Of a table that was not finished the last row may be torn.
+  if (isUnfinished(file)) text.resize(text.rfind('\n') + 1);
+  return parseForcesTable(text, file.string());
+}
+
+bool isUnfinished(const std::filesystem::path& file) { return file.extension() == kPartialExtension; }
+
+bool isForcesTable(const std::filesystem::path& file) {
+  return file.extension() == ".csv" || (isUnfinished(file) && file.string().find(".csv.") != std::string::npos);
 }
 
 }  // namespace palpate::trace

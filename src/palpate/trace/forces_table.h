@@ -20,8 +20,14 @@ struct RecordedFinger {
 
 /// In the order of their first rows. Throws Error (file:line: cause) for another header, a wrong number of fields, a
 /// field that is no finite number, time that does not increase for a finger, and for a table without rows.
+/// Of an unfinished table a torn last row is left out.
 std::vector<RecordedFinger> readForcesTable(const std::filesystem::path& file);
 /// The same from text; `name` stands for the file in messages.
 std::vector<RecordedFinger> parseForcesTable(std::string_view text, std::string_view name);
+
+/// By its name: left by a recording that was not finished (forces.csv.partial).
+bool isUnfinished(const std::filesystem::path& file);
+/// By its name: *.csv, or such a table unfinished.
+bool isForcesTable(const std::filesystem::path& file);
 
 }  // namespace palpate::trace

@@ -1,0 +1,123 @@
+// Every command that writes, on a disk that is too small: it says which file and why, ends with exit code 2 and leaves
+// the earlier file as it was. A tmpfs of some sizes where one may be mounted, and everywhere a limit on a file's size.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "palpate/mesh/files/save.h"
+#include "support/mesh_zoo.h"
+#include "support/run_command.h"
+#include "support/temporary_folder.h"
+
+namespace palpate {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kEarlier = "what was there before\n";
+constexpr int kNoMount = 77;
+
+struct WritingCommand {
+  std::string arguments;  ///< the disk is the folder `disk`
+  std::string file;       ///< in it: what is written first and too large for the smallest disk
+};
+
+/// A row for each command that writes and each way in which it writes.
+const std::vector<WritingCommand> kCommands = {
+    {"render --mesh dome.ply --size 320x240 --supersampling 1 -o disk/picture.png", "picture.png"},
+    {"render --mesh dome.ply --size 320x240 --supersampling 1 --at 0 --frames 2 -o disk/film.png", "film_0001.png"},
+    {"simulate --mesh dome.ply --seconds 0.2 --no-pictures --overwrite --out disk", "forces.csv"},
+    {"simulate quiet.toml --overwrite --out disk", "surface_deepest.ply"},
+    {"map stiffness dome.ply -o disk/map.csv", "map.csv"},
+    {"map stiffness dome.ply -o disk/map.ply", "map.ply"},
+    {"map stiffness dome.ply -o disk/map.png", "map.png"},
+    {"map stiffness dome.ply -o disk/map.svg", "map.svg"},
+    {"model back --triangles 2000 -o disk/back.ply", "back.ply"},
+    {"model back --triangles 2000 -o disk/back.obj", "back.obj"},
+    {"model back --triangles 2000 -o disk/back.stl", "back.stl"},
+    {"repair dome.ply -o disk/mended.ply", "mended.ply"},
+    {"bench workload pit -o disk/path.csv", "path.csv"},
+    {"study numbers --out disk", "numbers.md"},
+    {"study figures --only 4.8 --out disk", "figure_4_8.png"},
+    {"study profile --quick --out disk", "profile_sweep.png"},
+};
+
+class FullDisk : public testing::TestWithParam<WritingCommand> {
+ protected:
+  void SetUp() override {
+    mesh::save(folder_ / "dome.ply", zoo::dome({-100.0, -100.0}, 10.0, 20.0));
+    std::ofstream(folder_ / "quiet.toml") << "[body]\nkind = \"mesh\"\nfile = \"dome.ply\"\n[output]\nforces = false\n"
+                                             "[[finger]]\nname = \"a\"\nat_mm = [0, 0]\n"
+                                             "script = [{ do = \"press\", depth_mm = 4, seconds = 0.1 }]\n";
+  }
+
+  /// Runs the command with `disk` prepared by these lines of shell; its exit code, and what is on the disk afterwards.
+  support::CommandResult runOn(const std::string& prepare, const std::string& limit) const {
+    std::ofstream(folder_ / "script.sh") << "rm -rf disk after; mkdir disk\n"
+                                         << prepare << "printf '" << "what was there before\\n" << "' > disk/"
+                                         << GetParam().file << "\n(" << limit << "exec '" << PALPATE_BINARY_DIR
+                                         << "/palpate' " << GetParam().arguments
+                                         << ")\ncode=$?\ncp -r disk after\nexit $code\n";
+    return support::runProgram("/usr/bin/env", (prepare.empty() ? "" : "unshare -m ") + std::string("sh script.sh"),
+                               folder_.path());
+  }
+
+  void expectACleanFailure(const support::CommandResult& end, const std::string& cause) const {
+    EXPECT_EQ(end.exit_code, 2) << end.out << end.err;
+    EXPECT_NE(end.err.find("disk/" + GetParam().file + ": cannot be written: " + cause + "\n"), std::string::npos)
+        << end.err;
+    EXPECT_EQ(support::contentOf(folder_ / ("after/" + GetParam().file)), kEarlier);
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_ / "after")) {
+      EXPECT_NE(entry.path().extension(), ".partial") << entry.path();
+    }
+  }
+
+  support::TemporaryFolder folder_;
+};
+
+TEST_P(FullDisk, LeavesTheEarlierFileAndSaysSo) {
+  const support::CommandResult nothing =
+      runOn("mount -t tmpfs -o size=4k palpate disk || exit " + std::to_string(kNoMount) + "\n", "");
+  if (nothing.exit_code == kNoMount || nothing.err.find("unshare") != std::string::npos) {
+    GTEST_SKIP() << "no tmpfs may be mounted here: " << nothing.err;
+  }
+  expectACleanFailure(nothing, "No space left on device");
+  for (const char* size : {"64k", "16m"}) {
+    SCOPED_TRACE(size);
+    const auto end = runOn("mount -t tmpfs -o size=" + std::string(size) + " palpate disk\n", "");
+    const std::string now = support::contentOf(folder_ / ("after/" + GetParam().file));
+    if (end.exit_code == 0) {
+      EXPECT_NE(now, kEarlier);
+      return;  // there is room
+    }
+    EXPECT_EQ(end.exit_code, 2) << end.out << end.err;
+    EXPECT_NE(end.err.find("disk/"), std::string::npos) << end.err;
+    EXPECT_NE(end.err.find(": cannot be written: No space left on device\n"), std::string::npos) << end.err;
+    if (end.err.find("/" + GetParam().file + ":") != std::string::npos) {
+      EXPECT_EQ(now, kEarlier);
+    }
+  }
+  ADD_FAILURE() << "does not succeed with 16 MB either";
+}
+
+/// In blocks of 512 bytes, as sh counts.
+TEST_P(FullDisk, SoDoesAFileThatMayNotGrow) { expectACleanFailure(runOn("", "ulimit -f 2; "), "File too large"); }
+
+INSTANTIATE_TEST_SUITE_P(Commands, FullDisk, testing::ValuesIn(kCommands), [](const auto& of) {
+  std::string name = of.param.arguments.substr(0, of.param.arguments.find(' ')) + "_" + of.param.file;
+  std::replace_if(name.begin(), name.end(), [](char c) { return std::isalnum(c) == 0; }, '_');
+  return name;
+});
+
+TEST(StandardOutput, ThatCannotBeWrittenIsToldToo) {
+  const auto end = support::runProgram("/bin/sh", "-c \"'" PALPATE_BINARY_DIR "/palpate' bench list > /dev/full\"");
+  EXPECT_EQ(end.exit_code, 2);
+  EXPECT_EQ(end.err, "palpate: standard output: cannot be written: No space left on device\n");
+}
+
+}  // namespace
+}  // namespace palpate

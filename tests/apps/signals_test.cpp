@@ -1,0 +1,164 @@
+// A signal ends every command in order: recordings are finished, partial results are named as such, and the exit code
+// is the one that a shell expects.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "palpate/mesh/files/save.h"
+#include "palpate/trace/forces_table.h"
+#include "support/mesh_zoo.h"
+#include "support/run_command.h"
+#include "support/temporary_folder.h"
+#include "support/wait_for.h"
+
+namespace palpate {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Signals : public testing::Test {
+ protected:
+  void SetUp() override { mesh::save(folder_ / "dome.ply", zoo::dome({-100.0, -100.0}, 10.0, 20.0)); }
+
+  /// Starts the command in the folder, its output in files there, and sends the signal when it is time.
+  int ended(std::vector<std::string> arguments, int signal, const std::function<bool()>& ready) {
+    const pid_t child = fork();
+    if (child == 0) runInFolder(std::move(arguments));
+    const bool came = support::waitFor(ready);
+    kill(child, signal);
+    int status = 0;
+    waitpid(child, &status, 0);
+    EXPECT_TRUE(came) << support::contentOf(folder_ / "err");
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  }
+
+  [[noreturn]] void runInFolder(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), PALPATE_BINARY_DIR "/palpate");
+    std::vector<char*> words;
+    for (std::string& argument : arguments) words.push_back(argument.data());
+    words.push_back(nullptr);
+    if (chdir(folder_.path().c_str()) != 0) _exit(99);
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) ::signal(number, SIG_DFL);
+    dup2(open("out", O_WRONLY | O_CREAT, 0600), STDOUT_FILENO);
+    dup2(open("err", O_WRONLY | O_CREAT, 0600), STDERR_FILENO);
+    execv(words.front(), words.data());
+    _exit(99);
+  }
+
+  bool hasBytes(const std::string& name) const {
+    std::error_code error;
+    const auto size = fs::file_size(folder_ / name, error);
+    return !error && size > 0;
+  }
+  nlohmann::json report() const {
+    return nlohmann::json::parse(support::contentOf(folder_ / "results/report.json"));
+  }
+
+  support::TemporaryFolder folder_;
+};
+
+TEST_F(Signals, ASimulationKeepsWhatItHasAndSaysThatItIsAPart) {
+  for (const auto& [signal, name, code] :
+       {std::tuple(SIGINT, "SIGINT", 130), std::tuple(SIGTERM, "SIGTERM", 143), std::tuple(SIGHUP, "SIGHUP", 129)}) {
+    SCOPED_TRACE(name);
+    fs::remove_all(folder_ / "results");
+    const int end = ended({"simulate", "--mesh", "dome.ply", "--seconds", "2000", "--out", "results"}, signal,
+                          [&] { return hasBytes("results/forces.csv.partial"); });
+    EXPECT_EQ(end, code) << support::contentOf(folder_ / "err");
+    EXPECT_EQ(report()["complete"], false);
+    EXPECT_EQ(report()["ended_by"], name);
+    EXPECT_LT(report()["duration_s"].get<double>(), 2000.0);
+    EXPECT_EQ(report()["planned_s"], 2000.0);
+    const auto fingers = trace::readForcesTable(folder_ / "results/forces.csv");
+    EXPECT_EQ(fingers.front().time_s.size(), report()["ticks"].get<std::size_t>()) << "every tick has its row";
+    EXPECT_FALSE(fs::exists(folder_ / "results/forces.csv.partial"));
+    EXPECT_FALSE(fs::exists(folder_ / "results/pictures.png")) << "nobody waits for pictures";
+  }
+}
+
+TEST_F(Signals, SoDoesOneAgainstTheClock) {
+  const int end = ended({"simulate", "--mesh", "dome.ply", "--seconds", "100", "--realtime", "--out", "results"},
+                        SIGTERM, [&] { return hasBytes("results/forces.csv.partial"); });
+  EXPECT_EQ(end, 143);
+  EXPECT_EQ(report()["ended_by"], "SIGTERM");
+  EXPECT_GT(trace::readForcesTable(folder_ / "results/forces.csv").front().time_s.size(), 10u);
+}
+
+TEST_F(Signals, ASeriesOfPicturesEndsWithAWholePicture) {
+  const int end = ended({"render", "--mesh", "dome.ply", "--seconds", "200", "--at", "0", "--frames", "4000", "--size",
+                         "64x48", "--json"},
+                        SIGTERM, [&] { return fs::exists(folder_ / "picture_0003.png"); });
+  EXPECT_EQ(end, 143) << support::contentOf(folder_ / "err");
+  const auto json = nlohmann::json::parse(support::contentOf(folder_ / "out"));
+  EXPECT_EQ(json["complete"], false);
+  const std::size_t drawn = json["pictures"].size();
+  EXPECT_GE(drawn, 3u);
+  EXPECT_TRUE(fs::exists(folder_ / json["pictures"].back()["file"].get<std::string>()));
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_.path())) {
+    EXPECT_NE(entry.path().extension(), ".partial") << entry.path();
+  }
+}
+
+TEST_F(Signals, AHuntTellsWhatItHasFoundSoFar) {
+  const int end = ended({"hunt", "--seconds", "1000", "--threads", "2", "--json"}, SIGINT,
+                        [&] { return support::contentOf(folder_ / "err").find("hunting") != std::string::npos; });
+  EXPECT_EQ(end, 130);
+  const auto json = nlohmann::json::parse(support::contentOf(folder_ / "out"));
+  EXPECT_EQ(json["complete"], false);
+  EXPECT_EQ(json["ended_by"], "SIGINT");
+  EXPECT_GT(json["ticks"], 0);
+}
+
+TEST_F(Signals, AStudyOfAllBindsTheChaptersThatAreDone) {
+  const int end = ended({"study", "all", "--quick", "--out", "book"}, SIGTERM,
+                        [&] { return fs::exists(folder_ / "book/numbers.md"); });
+  EXPECT_EQ(end, 143);
+  EXPECT_NE(support::contentOf(folder_ / "book/report.html").find("This run was ended early: "), std::string::npos);
+}
+
+TEST_F(Signals, WhatHasNothingToFinishEndsAtOnce) {
+  const Clock::time_point began = Clock::now();
+  const int end = ended({"bench", "servo", "--mesh", "dome.ply", "--seconds", "300"}, SIGTERM,
+                        [&] { return secondsSince(began) > 0.5; });
+  EXPECT_EQ(end, 143);
+  EXPECT_LT(secondsSince(began), 60.0);
+}
+
+TEST_F(Signals, ARunThatWasKilledLeavesAPartThatIsExplainedAndNeverOverwritten) {
+  const std::vector<std::string> run = {"simulate", "--mesh", "dome.ply", "--seconds", "2000", "--out", "results"};
+  EXPECT_EQ(ended(run, SIGKILL, [&] { return hasBytes("results/forces.csv.partial"); }), -SIGKILL);
+  const std::string part = support::contentOf(folder_ / "results/forces.csv.partial");
+  const auto told = support::runPalpate("info results/forces.csv.partial", folder_.path());
+  EXPECT_EQ(told.exit_code, 0) << told.err;
+  EXPECT_NE(told.out.find("unfinished"), std::string::npos) << told.out;
+  EXPECT_NE(told.out.find("palpate run --replay results/forces.csv.partial"), std::string::npos) << told.out;
+  const auto json =
+      nlohmann::json::parse(support::runPalpate("info --json results/forces.csv.partial", folder_.path()).out);
+  EXPECT_EQ(json["complete"], false);
+  EXPECT_GT(json["fingers"][0]["rows"], 0);
+  const auto again =
+      support::runPalpate("simulate --mesh dome.ply --seconds 0.1 --no-pictures --out results", folder_.path());
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(support::contentOf(folder_ / "results/forces.csv.partial"), part);
+}
+
+TEST_F(Signals, ATableThatCannotBeReplayedOpensNoWindow) {
+  const auto missing = support::runPalpate("run --replay nothing.csv", folder_.path());
+  EXPECT_EQ(missing.exit_code, 2);
+  EXPECT_EQ(missing.err, "palpate: nothing.csv: no such file\n");
+  std::ofstream(folder_ / "other.csv") << "a,b\n1,2\n";
+  const auto other = support::runPalpate("run --replay other.csv", folder_.path());
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_EQ(other.err, "palpate: other.csv:1: is no table of forces: it begins with other columns\n");
+}
+
+}  // namespace
+}  // namespace palpate
