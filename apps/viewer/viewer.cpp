@@ -104,8 +104,7 @@ void Viewer::frame(int width, int height, double scale, double now_s, std::span<
   gui_.end();
   useChanges();
   pointServo();
-  paint(points);
-  outputs_.frameDrawn(session_, [this] { return target_->read(); });
+  paintAndKeep(points);
   Performance& performance = session_.performance;
   performance.frame_ms = millisecondsSince(started);
   frame_s_ += kRateSmoothing * (elapsed_s - frame_s_);
@@ -313,6 +312,8 @@ void Viewer::grant(const Wish& wish) {
       return outputs_.saveScene(session_, wish.file);
     case Wish::Kind::screenshot:
       return outputs_.askForScreenshot();
+    case Wish::Kind::screenshot_with_pop_ups:
+      return outputs_.askForScreenshot(true);
     case Wish::Kind::plots_csv:
       return outputs_.savePlots(session_);
     case Wish::Kind::record:
@@ -365,12 +366,13 @@ void Viewer::guardShading(double elapsed_s) {
     const bool counts = seen_ && !session_.building && !session_.recording.sequence;
     const auto change = shading_guard_.frame(elapsed_s, 1e-3 * session_.performance.frame_ms, counts);
     if (change == ShadingGuard::Change::simpler) {
-      session_.report(Severity::warning,
-                      fmt::format("Pictures came {:.0f} times a second, so the skin is drawn smooth for now; "
-                                  "Show > shading decides for good",
-                                  session_.performance.frames_per_s));
+      // The menu bar says so as long as it lasts; a plate over the picture would hide what is slow already.
+      session_.messages.note(fmt::format("Pictures came {:.0f} times a second, so the skin is drawn smooth for now; "
+                                         "Show > shading decides for good",
+                                         session_.performance.frames_per_s),
+                             session_.now_s);
     } else if (change == ShadingGuard::Change::as_wished) {
-      session_.report(Severity::info, "There is time to spare: the skin is drawn as before");
+      session_.messages.note("There is time to spare: the skin is drawn as before", session_.now_s);
     }
   }
   session_.simple_shading = shading_guard_.simple();
@@ -401,12 +403,21 @@ std::vector<view::Lines> Viewer::rings() const {
   return session_.replay.frozen ? std::vector<view::Lines>() : fingerRings(session_, pointer_);
 }
 
-void Viewer::paint(double scale) {
+/// Pictures are kept without what lies over them for a moment, unless that was asked for too.
+void Viewer::paintAndKeep(double scale) {
+  const bool twice = outputs_.wantsNoPopUps(session_) && gui_.leavesOut(staysInPictures);
+  paint(scale, twice ? staysInPictures : nullptr);
+  outputs_.frameDrawn(session_, [this] { return target_->read(); });
+  if (twice) paint(scale);
+}
+
+void Viewer::paint(double scale, window::Gui::Choice windows) {
   const Clock::time_point started = Clock::now();
   view::PictureSettings picture;
   picture.camera = session_.camera;
   picture.look = session_.state.look;
   if (session_.simple_shading) picture.look.shading = view::Shading::gouraud;
+  picture.look.light_background = session_.state.theme == window::Theme::light;
   picture.stereo = stereo_;
   picture.labels.numbers = session_.state.shown.numbers;
   view::Canvas canvas;
@@ -419,7 +430,7 @@ void Viewer::paint(double scale) {
   const auto height = static_cast<float>(size_points_.y());
   const FreeArea free = freeArea(session_.state.shown, width, height);
   canvas.covered = {free.left, free.top, width - free.right, height - free.below};
-  const auto over = [this](const view::EyePicture& eye) { gui_.present(eye.width, eye.height); };
+  const auto over = [this, windows](const view::EyePicture& eye) { gui_.present(eye.width, eye.height, windows); };
   const std::vector<view::FingerMark> fingers = fingerMarks();
   const std::vector<view::Lines> shown_rings = rings();
   model_->painter().paint({fingers, session_.now_s, shown_rings}, model_->surface(), picture, canvas, over);

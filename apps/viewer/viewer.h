@@ -97,7 +97,8 @@ class Viewer {
   void guardShading(double elapsed_s);
   std::vector<view::FingerMark> fingerMarks();
   std::vector<view::Lines> rings() const;
-  void paint(double scale);
+  void paint(double scale, window::Gui::Choice windows = nullptr);
+  void paintAndKeep(double scale);
 
   ViewerSettings settings_;
   ViewerHost host_;

@@ -2,13 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cmath>
 #include <string>
 #include <tuple>
 #include <vector>
 
 #include "palpate/view/overlays/labels.h"
 #include "palpate/view/overlays/plates.h"
+#include "support/contrast.h"
 #include "view/small_world.h"
 
 namespace palpate::view {
@@ -56,30 +56,16 @@ TEST(LabelLayout, ALineStartsAtTheNearestCorner) {
   EXPECT_EQ(nearestCorner(plate, {500.0f, 0.0f}), Vec2f(180.0f, 100.0f));
 }
 
-/// Contrast as the Web Content Accessibility Guidelines 2.1 define it: 1 to 21; 4.5 is wanted of text.
-double contrastOf(const std::array<double, 3>& a, const std::array<double, 3>& b) {
-  const auto luminance = [](const std::array<double, 3>& colour) {
-    const std::array<double, 3> share = {0.2126, 0.7152, 0.0722};
-    double sum = 0.0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double c = colour[i] / 255.0;
-      sum += share[i] * (c <= 0.03928 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
-    }
-    return sum;
-  };
-  const auto [low, high] = std::minmax({luminance(a), luminance(b)});
-  return (high + 0.05) / (low + 0.05);
-}
+using support::contrastOf;
+using support::SeenColour;
 
-std::array<double, 3> over(const std::array<double, 3>& ground, const Ink& ink) {
-  std::array<double, 3> seen{};
-  for (std::size_t i = 0; i < 3; ++i) seen[i] = ground[i] + ink.opacity * (ink.colour[i] - ground[i]);
-  return seen;
+SeenColour over(const SeenColour& ground, const Ink& ink) {
+  return support::blended(ground, {double(ink.colour[0]), double(ink.colour[1]), double(ink.colour[2])}, ink.opacity);
 }
 
 TEST(LabelInks, AreReadOnTheirGroundAndOnTheirPlatesWhateverLiesBehind) {
-  constexpr std::array<double, 3> kDark{40, 41, 44}, kLight{215, 216, 218}, kPaper{255, 255, 255};
-  constexpr std::array<double, 3> kSkin{190, 150, 120}, kShade{95, 60, 48};
+  constexpr SeenColour kDark{40, 41, 44}, kLight{215, 216, 218}, kPaper{255, 255, 255};
+  constexpr SeenColour kSkin{190, 150, 120}, kShade{95, 60, 48};
   for (const auto& [ground, white, light] :
        {std::tuple{kDark, false, false}, {kLight, false, true}, {kPaper, true, false}}) {
     Look look;

@@ -106,12 +106,12 @@ class PanelPictures : public testing::Test {
     addPress(plots.fingers[1], 6.0, 4.0);
   }
 
-  void expectPlots(const std::string& name, std::optional<double> frozen_at_s = {}) {
+  void expectPlots(const std::string& name, std::optional<double> frozen_at_s = {}, int width = 700) {
     const std::array<bool, 2> present = {true, true};
     double now_s = 1000.0;
-    expect(name, 700, 162, [&] {
+    expect(name, width, 162, [&] {
       now_s += 10.0;  // an axis shrinks after some seconds: to this test's own, whatever was drawn before
-      plotStrips({plots, present, 0, kDeviceLimitN, now_s, frozen_at_s}, {0.0f, 0.0f, 700.0f, 12.0f}, asks);
+      plotStrips({plots, present, kDeviceLimitN, now_s, frozen_at_s}, {0.0f, 0.0f, float(width), 12.0f}, asks);
     });
   }
 
@@ -278,6 +278,19 @@ TEST_F(PanelPictures, OfThePlots) {
   expectPlots("plots");
 }
 
+TEST_F(PanelPictures, OfThePlotsOfANarrowWindow) {
+  pressTwice();
+  expectPlots("plots_narrow", 6.4, 500);
+}
+
+TEST_F(PanelPictures, OfTheMenuWhileRecordingInANarrowWindow) {
+  ViewState state;
+  int hint = 0;
+  const std::vector<std::string> status = {"torso, 20389 triangles with bones", "drawn smooth: slow", "mouse",
+                                           "1000 Hz", "20 fps"};
+  expect("menu_recording", 500, 40, [&] { menuBar({state, hint, {}, 0, status, "recording 1:05"}, asks); });
+}
+
 TEST_F(PanelPictures, OfTheHelpPage) {
   pixels_per_point = 0.75;  // it is large
   bool open = true;
@@ -304,7 +317,7 @@ TEST_F(PanelPictures, OfTheNotices) {
 TEST_F(PanelPictures, OfTheMenu) {
   ViewState state;
   int hint = 0;
-  expect("menu", 480, 40, [&] { menuBar({state, hint, {}, 0, "torso     mouse   1000 Hz   60 fps"}, asks); });
+  expect("menu", 480, 40, [&] { menuBar({state, hint, {}, 0, {"torso", "mouse", "1000 Hz", "60 fps"}, {}}, asks); });
 }
 
 TEST_F(PanelPictures, OfTheLightTheme) {

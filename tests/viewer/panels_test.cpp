@@ -1,7 +1,13 @@
 // Every panel, drawn without a window, and used by the names of its controls.
 #include "stage.h"
 
+#include <imgui.h>
+
+#include <algorithm>
+
 #include "apps/viewer/panels/gui_layout.h"
+#include "apps/viewer/plots/plot_drawing.h"
+#include "support/contrast.h"
 
 namespace palpate::viewer {
 namespace {
@@ -62,6 +68,56 @@ TEST(Panels, ASliderOfTheSceneReachesTheServoAndTheFile) {
   stage.button(true);
   stage.button(false);
   EXPECT_NE(stage.session().scene.contact.finger.mu_static, before);
+}
+
+/// The brightest of a place on the screen; letters of the dark theme have 235.
+int brightestIn(const view::Image& image, const std::array<float, 4>& place) {
+  int most = 0;
+  for (int y = static_cast<int>(place[1]); y < static_cast<int>(place[3]); ++y) {
+    for (int x = static_cast<int>(place[0]); x < static_cast<int>(place[2]); ++x) {
+      most = std::max<int>(most, image.at(x, y)[1]);
+    }
+  }
+  return most;
+}
+
+TEST(Panels, NoDigitLiesUnderTheGrabOfASlider) {
+  Stage stage;
+  for (const double depth : {0.0, 6.0, 12.5, 25.0}) {
+    stage.session().state.touch.depth_mm = depth;
+    stage.frame();
+    std::array<float, 4> track = widgetPlaces().at("touch/depth");
+    const view::Image image = stage.viewer->target().read();
+    EXPECT_LT(brightestIn(image, track), 200) << depth;
+    EXPECT_GT(brightestIn(image, {track[0] - 62.0f, track[1], track[0], track[3]}), 220) << "the number beside it";
+  }
+}
+
+support::SeenColour seen(const ImVec4& colour, const support::SeenColour& below) {
+  return support::blended(below, {255.0 * colour.x, 255.0 * colour.y, 255.0 * colour.z}, colour.w);
+}
+
+TEST(Panels, LettersOfEveryThemeStandOutFromWhatTheyLieOn) {
+  Stage stage;
+  for (const window::Theme theme : {window::Theme::dark, window::Theme::light, window::Theme::contrast}) {
+    stage.session().state.theme = theme;
+    stage.frame();
+    stage.frame();
+    const ImVec4* colours = ImGui::GetStyle().Colors;
+    const support::SeenColour behind = {120.0, 110.0, 105.0};  // the body, behind what is not quite opaque
+    const auto window = seen(colours[ImGuiCol_WindowBg], behind);
+    for (const ImGuiCol ground : {ImGuiCol_WindowBg, ImGuiCol_PopupBg, ImGuiCol_FrameBg, ImGuiCol_Button,
+                                  ImGuiCol_Header, ImGuiCol_MenuBarBg}) {
+      const auto below = seen(colours[ground], window);
+      EXPECT_GT(support::contrastOf(seen(colours[ImGuiCol_Text], below), below), 4.5)
+          << static_cast<int>(theme) << " " << ImGui::GetStyleColorName(ground);
+    }
+    for (const ImVec4& ink :
+         {colours[ImGuiCol_TextDisabled], ImGui::ColorConvertU32ToFloat4(fingerInk(0)),
+          ImGui::ColorConvertU32ToFloat4(fingerInk(1)), ImGui::ColorConvertU32ToFloat4(limitInk())}) {
+      EXPECT_GT(support::contrastOf(seen(ink, window), window), 4.5) << static_cast<int>(theme);
+    }
+  }
 }
 
 TEST(Panels, ThemesAndTextSizesDraw) {

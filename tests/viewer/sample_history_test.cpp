@@ -64,6 +64,7 @@ TEST(SampleHistory, SplitsTheForceAndMeasuresTheSpeed) {
   const PlotSample& newest = history.at(history.size() - 1);
   EXPECT_FLOAT_EQ(newest.normal_n, 2.0f);
   EXPECT_FLOAT_EQ(newest.tangential_n, 0.5f);
+  EXPECT_FLOAT_EQ(newest.force_n, std::hypot(2.0f, 0.5f)) << "the whole, as beside the finger";
   EXPECT_NEAR(newest.speed_mm_per_s, 100.0f, 0.5f);
 }
 
@@ -92,7 +93,7 @@ TEST(PlotCsv, HoldsTheWindowOfEveryFinger) {
   }
   const std::string text = historyAsCsv(fingers, fingers[0].newestTime(), 1.0);
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1001);
-  EXPECT_TRUE(text.starts_with("t_s,normal_1_n,tangential_1_n,depth_1_mm,speed_1_mm_per_s,normal_2_n"));
+  EXPECT_TRUE(text.starts_with("t_s,normal_1_n,tangential_1_n,depth_1_mm,speed_1_mm_per_s,force_1_n,normal_2_n"));
   EXPECT_NE(text.find("\n2.999,1.0000,0.5000,1.0000,"), std::string::npos);
 }
 

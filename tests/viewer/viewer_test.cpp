@@ -1,6 +1,7 @@
 // The viewer as a user meets it, without a window: events in, pictures and numbers out.
 #include "stage.h"
 
+#include "apps/viewer/panels/panels.h"
 #include "palpate/base/text.h"
 #include "pictures/read_png.h"
 
@@ -184,6 +185,85 @@ TEST(Viewer, SavesPicturesAndSequences) {
   EXPECT_TRUE(fs::exists(stage.folder / "pictures" / "frame_00003.png"));
 }
 
+/// Whether two pictures are the same within a place on the screen.
+bool areSameIn(const view::Image& a, const view::Image& b, const std::array<float, 4>& place) {
+  for (int y = static_cast<int>(place[1]); y < static_cast<int>(place[3]); ++y) {
+    for (int x = static_cast<int>(place[0]); x < static_cast<int>(place[2]); ++x) {
+      if (a.at(x, y) != b.at(x, y)) return false;
+    }
+  }
+  return true;
+}
+
+TEST(Viewer, F12SavesNoPopUpsAndShiftF12SavesThem) {
+  Stage stage;
+  const view::Image before = stage.viewer->target().read();
+  stage.session().report(Severity::error, "a plate over the picture");
+  stage.frame();
+  stage.frame();
+  const std::array<float, 4> toast = widgetPlaces().at("toast");
+  const std::array<float, 4> panel = widgetPlaces().at("touch/depth");
+  stage.key(window::functionKey(12));
+  stage.key(window::functionKey(12), {false, true});
+  const view::Image bare = support::readPng(stage.folder / "palpate.png");
+  const view::Image whole = support::readPng(stage.folder / "palpate-2.png");
+  EXPECT_TRUE(areSameIn(bare, before, toast));
+  EXPECT_FALSE(areSameIn(whole, before, toast));
+  EXPECT_TRUE(areSameIn(bare, before, panel)) << "panels are part of the picture";
+  EXPECT_FALSE(areSameIn(stage.viewer->target().read(), before, toast)) << "and the window goes on showing it";
+}
+
+TEST(Viewer, ARecordingHasARedDotATimeAndAMessage) {
+  Stage stage;
+  EXPECT_FALSE(widgetPlaces().contains("menu/recording"));
+  stage.key(window::key('R'));
+  EXPECT_TRUE(stage.lastMessage().starts_with("Recording forces into ")) << stage.lastMessage();
+  stage.frame();
+  const std::array<float, 4> words = widgetPlaces().at("menu/recording");
+  const view::Image picture = stage.viewer->target().read();
+  int red = 0;
+  for (int x = static_cast<int>(words[0]) - 30; x < static_cast<int>(words[0]); ++x) {
+    const view::Pixel& pixel = picture.at(x, static_cast<int>(0.5f * (words[1] + words[3])));
+    red += pixel[0] > 200 && pixel[1] < 90 && pixel[2] < 90 ? 1 : 0;
+  }
+  EXPECT_GE(red, 6);
+  stage.key(window::key('R'));
+  stage.frame();
+  EXPECT_FALSE(widgetPlaces().contains("menu/recording"));
+  Recording recording;
+  EXPECT_EQ(recordingWords(recording, 70.0), "");
+  recording.forces = true;
+  recording.since_s = 5.0;
+  EXPECT_EQ(recordingWords(recording, 70.9), "recording 1:05");
+  recording.sequence = true;
+  recording.pictures = 12;
+  EXPECT_EQ(recordingWords(recording, 70.9), "recording 1:05, 12 pictures");
+}
+
+TEST(Viewer, WordsStayWholeInASmallWindow) {
+  ViewState state = Stage::quiet();
+  state.hints = true;
+  Stage stage(state);
+  constexpr int kWidth = 500, kHeight = 400;
+  const auto small_frames = [&] {
+    for (int i = 0; i < 3; ++i) stage.viewer->frame(kWidth, kHeight, 1.0, stage.now_s += 1.0 / 60.0, {});
+  };
+  const auto expect_inside = [&](const char* path) {
+    ASSERT_TRUE(widgetPlaces().contains(path)) << path;
+    const auto [left, top, right, below] = widgetPlaces().at(path);
+    EXPECT_TRUE(left >= 0.0f && top >= 0.0f && right <= kWidth && below <= kHeight) << path;
+  };
+  stage.session().state.shown.panel = false;
+  stage.session().world.name = "a body with a rather long name, 20389 triangles";
+  stage.session().report(Severity::warning, "words that need more than one line of a window as small as this one is");
+  stage.key(window::key('R'));
+  small_frames();
+  for (const char* path : {"menu/status", "menu/recording", "hint", "toast"}) expect_inside(path);
+  stage.key(window::Key::space);
+  small_frames();
+  expect_inside("replay");
+}
+
 TEST(Outputs, MakesItsFolderWhenItIsFirstNeeded) {
   const support::TemporaryFolder folder;
   Session session;
@@ -216,7 +296,7 @@ TEST(Viewer, DrawsTheSkinSmoothWhilePicturesAreSlowAndSaysSo) {
   slowFrames(stage, 60);
   EXPECT_TRUE(stage.session().simple_shading);
   EXPECT_NE(stage.lastMessage().find("drawn smooth for now"), std::string::npos) << stage.lastMessage();
-  EXPECT_EQ(stage.session().messages.all().back().severity, Severity::warning);
+  EXPECT_EQ(stage.session().messages.toast(stage.now_s), nullptr) << "it does not lie over the body";
   EXPECT_EQ(stage.session().state.look.shading, view::Shading::skin) << "what is remembered is the user's choice";
 }
 

@@ -94,6 +94,8 @@ void perform(Action action, Session& session) {
       return session.wish(Wish::Kind::full_screen);
     case Action::screenshot:
       return session.wish(Wish::Kind::screenshot);
+    case Action::screenshot_with_pop_ups:
+      return session.wish(Wish::Kind::screenshot_with_pop_ups);
     case Action::record:
       return session.wish(Wish::Kind::record);
     case Action::open:

@@ -83,6 +83,7 @@ void Outputs::toggleForces(Session& session) {
   recording.forces = true;
   recording.forces_file = file.string();
   recording.since_s = session.now_s;
+  session.report(Severity::info, fmt::format("Recording forces into {}; R ends it", recording.forces_file));
 }
 
 void Outputs::toggleSequence(Session& session) {
@@ -97,6 +98,7 @@ void Outputs::toggleSequence(Session& session) {
   recording.sequence = true;
   recording.sequence_folder = folder.string();
   recording.pictures = 0;
+  session.report(Severity::info, fmt::format("Recording pictures into {}", recording.sequence_folder));
 }
 
 void Outputs::savePlots(Session& session) {

@@ -26,7 +26,12 @@ class Outputs {
   void saveScene(Session& session, const std::string& file);
   /// Writes the drawn displacement profile to a file and has the scene use it.
   void useProfile(Session& session);
-  void askForScreenshot() { screenshot_ = true; }
+  void askForScreenshot(bool with_pop_ups = false) {
+    screenshot_ = true;
+    with_pop_ups_ = with_pop_ups;
+  }
+  /// The picture of this frame is kept, and pop-ups are no part of it. Pictures of a sequence never have them.
+  bool wantsNoPopUps(const Session& session) const { return screenshot_ ? !with_pop_ups_ : session.recording.sequence; }
 
   /// A frame has been drawn; `read` fetches it when somebody wants it.
   template <class Read>
@@ -47,6 +52,7 @@ class Outputs {
   ForceRecorder forces_;
   PictureWriter pictures_;
   bool screenshot_ = false;
+  bool with_pop_ups_ = false;
 };
 
 }  // namespace palpate::viewer

@@ -25,9 +25,10 @@ enum Consequence : std::uint32_t {
 /// What only the viewer can do.
 struct Wish {
   enum class Kind : std::uint8_t {
-    open,  ///< `file`
-    save,  ///< the scene, to `file` or where it came from
-    screenshot,
+    open,        ///< `file`
+    save,        ///< the scene, to `file` or where it came from
+    screenshot,  ///< without what lies over the picture for a moment
+    screenshot_with_pop_ups,
     plots_csv,
     record,    ///< start or stop
     sequence,  ///< PNG files: start or stop

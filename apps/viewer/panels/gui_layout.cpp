@@ -47,17 +47,19 @@ constexpr PanelEntry kPanels[] = {
 };
 
 MenuBar menuOf(Session& session) {
-  MenuBar menu{session.state, session.hint, {}, session.messages.unread(), {}};
+  MenuBar menu{
+      session.state, session.hint, {}, session.messages.unread(), {}, recordingWords(session.recording, session.now_s)};
   for (std::size_t i = 0; i < window::kActions; ++i) menu.on[i] = isOn(static_cast<window::Action>(i), session);
-  menu.status = fmt::format("{}     mouse   {:.0f} Hz   {:.0f} fps", session.world.name,
-                            session.performance.servo.ticks_per_s, session.performance.frames_per_s);
+  menu.status = {session.world.name, "mouse", fmt::format("{:.0f} Hz", session.performance.servo.ticks_per_s),
+                 fmt::format("{:.0f} fps", session.performance.frames_per_s)};
+  if (session.simple_shading) menu.status.insert(menu.status.begin() + 1, "drawn smooth: slow");
   return menu;
 }
 
 PlotStrips plotsOf(Session& session) {
   const Replay& replay = session.replay;
-  return {session.plots,          session.finger_present, session.active_finger,
-          session.device_limit_n, session.now_s,          replay.frozen ? std::optional(replay.at_s) : std::nullopt};
+  return {session.plots, session.finger_present, session.device_limit_n, session.now_s,
+          replay.frozen ? std::optional(replay.at_s) : std::nullopt};
 }
 
 /// Does what was asked for as of a key and says what was told.
@@ -71,6 +73,10 @@ void grantActions(Session& session) {
 }  // namespace
 
 std::span<const PanelEntry> panelList() { return kPanels; }
+
+bool staysInPictures(std::string_view window) {
+  return window == "##MainMenuBar" || window.starts_with("panel") || window.starts_with("plots");
+}
 
 FreeArea freeArea(const Shown& shown, float width, float height) {
   FreeArea free{0.0f, kMenuHeight, width, height};

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 
 #include "apps/viewer/panels/panels.h"
 #include "apps/viewer/session.h"
@@ -17,6 +18,10 @@ namespace palpate::viewer {
 FreeArea drawGui(Session& session);
 /// Where the picture will be free before anything was drawn.
 FreeArea freeArea(const Shown& shown, float width, float height);
+
+/// Whether a window of this name belongs to a saved picture: menu bar, side panel and plots do, all else lies over it
+/// for a moment.
+bool staysInPictures(std::string_view window);
 
 using PanelFunction = void (*)(Session&);
 struct PanelEntry {

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <span>
+
 #include "apps/viewer/panels/panels.h"
 #include "apps/viewer/panels/widgets.h"
 
@@ -43,6 +45,7 @@ void fileMenu(const Menus& menus) {
   item(menus, Action::redo);
   ImGui::Separator();
   item(menus, Action::screenshot);
+  item(menus, Action::screenshot_with_pop_ups);
   item(menus, Action::record);
   ImGui::Separator();
   item(menus, Action::quit);
@@ -134,11 +137,27 @@ void menu(const Menus& menus, const char* name, const Draw& draw) {
   ImGui::EndMenu();
 }
 
-/// At the right end: what is touched, by what, how fast.
-void statusLine(const std::string& words) {
-  const float left = ImGui::GetWindowWidth() - ImGui::CalcTextSize(words.c_str()).x - 16.0f;
-  if (left > ImGui::GetCursorPosX()) ImGui::SameLine(left);
+void recordingSign(const std::string& words) {
+  if (words.empty()) return;
+  constexpr ImU32 kRed = IM_COL32(226, 44, 38, 255);
+  const float radius = 0.36f * ImGui::GetFontSize();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddCircleFilled({at.x + radius, at.y + 0.5f * ImGui::GetFrameHeight()}, radius, kRed);
+  ImGui::Dummy({2.0f * radius, ImGui::GetFontSize()});
   ImGui::TextUnformatted(words.c_str());
+  notePlace("menu/recording");
+}
+
+/// At the right end: what is touched, by what, how fast; as much of it as there is room for.
+void statusLine(std::span<const std::string> parts) {
+  for (; !parts.empty(); parts = parts.subspan(1)) {
+    const std::string words = fmt::format("{}", fmt::join(parts, "   "));
+    const float left = ImGui::GetWindowWidth() - ImGui::CalcTextSize(words.c_str()).x - 16.0f;
+    if (left <= ImGui::GetCursorPosX()) continue;
+    ImGui::SameLine(left);
+    ImGui::TextUnformatted(words.c_str());
+    return notePlace("menu/status");
+  }
 }
 
 }  // namespace
@@ -150,6 +169,7 @@ void menuBar(const MenuBar& bar, Asks& asks) {
   menu(menus, "View", viewMenu);
   menu(menus, "Show", showMenu);
   menu(menus, "Help", helpMenu);
+  recordingSign(bar.recording);
   statusLine(bar.status);
   ImGui::EndMainMenuBar();
 }

@@ -13,6 +13,11 @@ void Messages::add(Severity severity, std::string text, double now_s) {
   waiting_.push_back(all_.back());
 }
 
+void Messages::note(std::string text, double now_s) {
+  all_.push_back({Severity::info, std::move(text), now_s});
+  if (all_.size() > kKeptMessages) all_.pop_front();
+}
+
 const Message* Messages::toast(double now_s) const {
   for (const Message& message : waiting_) {
     if (message.severity == Severity::error) return &message;

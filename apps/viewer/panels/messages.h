@@ -23,6 +23,8 @@ inline constexpr std::size_t kKeptMessages = 200;
 class Messages {
  public:
   void add(Severity severity, std::string text, double now_s);
+  /// Kept in the list alone: what the window shows in another way.
+  void note(std::string text, double now_s);
   /// What is to be shown now, or nothing.
   const Message* toast(double now_s) const;
   void dismiss();

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "apps/viewer/panels/panels.h"
 #include "apps/viewer/panels/widgets.h"
 
@@ -17,15 +19,26 @@ constexpr double kProgressAfterS = 0.15;
 
 float middleOf(const FreeArea& free) { return 0.5f * (free.left + free.right); }
 
+/// Words break in here, so that a notice fits into a narrow window too.
+float wordsWidth(const FreeArea& free) {
+  constexpr float kMost = 640.0f;
+  return std::clamp(free.right - free.left - 40.0f, 120.0f, kMost);
+}
+
+void wrappedWords(std::string_view words, const FreeArea& free) {
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + wordsWidth(free));
+  ImGui::TextUnformatted(words.data(), words.data() + words.size());
+  ImGui::PopTextWrapPos();
+}
+
 /// On a light window the same hues, darker.
 ImVec4 colourOf(Severity severity) {
-  const ImVec4 text = ImGui::GetStyleColorVec4(ImGuiCol_Text);
-  const bool light_window = text.y < 0.5f;
+  const bool light_window = isLightTheme();
   if (severity == Severity::error)
     return light_window ? ImVec4{0.70f, 0.10f, 0.08f, 1.0f} : ImVec4{0.98f, 0.45f, 0.40f, 1.0f};
   if (severity == Severity::warning)
     return light_window ? ImVec4{0.55f, 0.36f, 0.0f, 1.0f} : ImVec4{0.98f, 0.80f, 0.40f, 1.0f};
-  return text;
+  return ImGui::GetStyleColorVec4(ImGuiCol_Text);
 }
 
 const char* prefixOf(Severity severity) {
@@ -40,24 +53,26 @@ void hint(std::string_view words, const FreeArea& free) {
   ImGui::SetNextWindowPos({middleOf(free), free.below - 16.0f}, ImGuiCond_Always, {0.5f, 1.0f});
   ImGui::SetNextWindowBgAlpha(0.72f);
   if (ImGui::Begin("hint", nullptr, kNotice | ImGuiWindowFlags_NoInputs)) {
-    ImGui::TextUnformatted(words.data(), words.data() + words.size());
+    wrappedWords(words, free);
   }
+  notePlaceOfWindow("hint");
   ImGui::End();
 }
 
 void toast(Messages& messages, double now_s, const FreeArea& free) {
   const Message* message = messages.toast(now_s);
   if (message == nullptr) return;
-  constexpr float kWidth = 460.0f;
+  const float width = std::min(460.0f, wordsWidth(free));
   ImGui::SetNextWindowPos({middleOf(free), free.top + 12.0f}, ImGuiCond_Always, {0.5f, 0.0f});
-  ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {kWidth, 400.0f});
+  ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {width, 400.0f});
   ImGui::SetNextWindowBgAlpha(0.92f);
   if (ImGui::Begin("toast", nullptr, kNotice)) {
-    ImGui::PushTextWrapPos(kWidth - 20.0f);
+    ImGui::PushTextWrapPos(width - 20.0f);
     ImGui::TextColored(colourOf(message->severity), "%s%s", prefixOf(message->severity), message->text.c_str());
     ImGui::PopTextWrapPos();
     if (message->severity != Severity::info && buttonWidget("toast/dismiss", "Dismiss")) messages.dismiss();
   }
+  notePlaceOfWindow("toast");
   ImGui::End();
 }
 
@@ -80,8 +95,9 @@ void editingFrame(const FreeArea& free) {
   list.AddRect({free.left + 2.0f, free.top + 2.0f}, {free.right - 2.0f, free.below - 2.0f}, kColour, 0.0f, 0, 3.0f);
   ImGui::SetNextWindowPos({middleOf(free), free.below - 16.0f}, ImGuiCond_Always, {0.5f, 1.0f});
   if (ImGui::Begin("editing", nullptr, kNotice | ImGuiWindowFlags_NoInputs)) {
-    ImGui::TextUnformatted("Editing: click places, drag moves, wheel sizes, Shift and wheel strengthens, Esc leaves");
+    wrappedWords("Editing: click places, drag moves, wheel sizes, Shift and wheel strengthens, Esc leaves", free);
   }
+  notePlaceOfWindow("editing");
   ImGui::End();
 }
 
@@ -89,7 +105,8 @@ void messageList(Messages& messages, bool& open) {
   messages.markRead();
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0.5f * size.x, 0.5f * size.y}, ImGuiCond_FirstUseEver, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({560.0f, 320.0f}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowSize({std::min(560.0f, size.x - 20.0f), std::min(320.0f, size.y - 60.0f)},
+                           ImGuiCond_FirstUseEver);
   if (ImGui::Begin("Messages", &open, ImGuiWindowFlags_NoSavedSettings)) {
     if (buttonWidget("messages/copy", "Copy all")) {
       std::string all;

@@ -6,6 +6,18 @@
 
 namespace palpate::viewer {
 
+std::string recordingWords(const Recording& recording, double now_s) {
+  std::string words;
+  if (recording.forces) {
+    const int seconds = static_cast<int>(now_s - recording.since_s);
+    words = fmt::format("recording {}:{:02}", seconds / 60, seconds % 60);
+  }
+  if (recording.sequence) {
+    words += fmt::format("{}{} pictures", words.empty() ? "recording " : ", ", recording.pictures);
+  }
+  return words;
+}
+
 void recordPanel(const Recording& recording, double now_s, Asks& asks) {
   if (buttonWidget("record/forces", recording.forces ? "Stop recording (R)" : "Record forces (R)",
                    "Every finger in every tick, as a CSV table.")) {

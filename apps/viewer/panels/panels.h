@@ -13,6 +13,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "apps/viewer/editing/editor.h"
 #include "apps/viewer/files/replay.h"
@@ -79,6 +80,8 @@ struct StereoPanel {
 };
 void stereoPanel(const StereoPanel& panel);
 
+/// What is being recorded and for how long: "recording 0:12, 37 pictures"; empty when nothing is.
+std::string recordingWords(const Recording& recording, double now_s);
 void recordPanel(const Recording& recording, double now_s, Asks& asks);
 void performancePanel(const Performance& performance);
 
@@ -92,14 +95,14 @@ struct MenuBar {
   int& hint;
   std::bitset<window::kActions> on;  ///< switches that get a check mark
   std::size_t unread_messages;
-  std::string status;  ///< at the right end
+  std::vector<std::string> status;  ///< at the right end; where room is short, without the first ones
+  std::string recording;            ///< behind a red dot, while something is recorded
 };
 void menuBar(const MenuBar& menu, Asks& asks);
 
 struct PlotStrips {
   Plots& plots;
   const std::array<bool, 2>& present;
-  std::size_t active_finger;
   double device_limit_n;
   double now_s;
   std::optional<double> frozen_at_s;  ///< the moment that a frozen picture shows

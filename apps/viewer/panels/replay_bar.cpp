@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "apps/viewer/files/replay.h"
@@ -13,6 +14,7 @@ namespace palpate::viewer {
 namespace {
 
 constexpr float kWidth = 460.0f;
+constexpr float kButtonsWidth = 214.0f;
 
 std::string wordsFor(const Replay& replay) {
   if (replay.table.empty()) return fmt::format("Frozen, {:.3f} s ago", replay.to_s - replay.at_s);
@@ -45,20 +47,22 @@ void stepButtons(Replay& replay, Asks& asks) {
 
 void replayBar(Replay& replay, const FreeArea& free, Asks& asks) {
   ImGui::SetNextWindowPos({0.5f * (free.left + free.right), free.below - 16.0f}, ImGuiCond_Always, {0.5f, 1.0f});
-  ImGui::SetNextWindowSize({kWidth, 0.0f});
+  const float width = std::min(kWidth, free.right - free.left - 8.0f);
+  ImGui::SetNextWindowSize({width, 0.0f});
   ImGui::SetNextWindowBgAlpha(0.9f);
   constexpr auto kBar = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                         ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
   if (ImGui::Begin("replay", nullptr, kBar)) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(wordsFor(replay).c_str());
-    ImGui::SameLine(kWidth - 214.0f);
+    if (ImGui::GetItemRectSize().x + kButtonsWidth + 16.0f < width) ImGui::SameLine(width - kButtonsWidth);
     stepButtons(replay, asks);
     ImGui::SetNextItemWidth(-1.0f);
     if (ImGui::SliderScalar("##moment", ImGuiDataType_Double, &replay.at_s, &replay.from_s, &replay.to_s, "")) {
       replay.playing = false;
     }
     notePlace("replay/moment");
+    notePlaceOfWindow("replay");
   }
   ImGui::End();
 }

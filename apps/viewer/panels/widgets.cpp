@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -19,8 +20,8 @@ namespace {
 constexpr float kTooltipWidth = 320.0f;
 constexpr float kControlShare = 0.56f;  ///< of the panel's width; the rest is the label
 
-void tooltip(const std::string& text) {
-  if (text.empty() || !ImGui::IsItemHovered()) return;
+void tooltip(const std::string& text, bool label_hovered = false) {
+  if (text.empty() || (!label_hovered && !ImGui::IsItemHovered())) return;
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(kTooltipWidth);
   ImGui::TextUnformatted(text.c_str());
@@ -40,6 +41,58 @@ bool resetMenu(const std::string& fallback) {
   return reset;
 }
 
+struct SliderLook {
+  const char* label;
+  const char* format;
+  double low;
+  double high;
+};
+struct Slid {
+  bool changed = false;
+  bool label_hovered = false;
+};
+
+/// The label of the item drawn last, without being an item: that one stays the last. True while it is pointed at.
+bool drawLabel(const char* label) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const ImVec2 low(ImGui::GetItemRectMax().x + style.ItemInnerSpacing.x,
+                   ImGui::GetItemRectMin().y + style.FramePadding.y);
+  const ImVec2 size = ImGui::CalcTextSize(label);
+  ImGui::GetWindowDrawList()->AddText(low, ImGui::GetColorU32(ImGuiCol_Text), label);
+  return ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, {low.x + size.x, low.y + size.y});
+}
+
+std::string numberWords(double value, const char* format) {
+  std::array<char, 64> text{};
+  ImGui::DataTypeFormatString(text.data(), static_cast<int>(text.size()), ImGuiDataType_Double, &value, format);
+  return text.data();
+}
+
+/// The number stands before the track, where no grab can cover it. Ctrl and click types it, in place of the track.
+Slid slider(double& value, const SliderLook& look) {
+  constexpr float kNumber = 62.0f;  // room for most of them, so that tracks begin below each other
+  constexpr float kLeastTrack = 40.0f;
+  const std::string words = numberWords(value, look.format);
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float column = std::max({kNumber, ImGui::CalcTextSize(numberWords(look.low, look.format).c_str()).x,
+                                 ImGui::CalcTextSize(numberWords(look.high, look.format).c_str()).x});
+  const float track = std::max(kLeastTrack, ImGui::CalcItemWidth() - column - gap);
+  const float left = ImGui::GetCursorPosX();
+  ImGui::AlignTextToFramePadding();
+  ImGui::SetCursorPosX(left + column - ImGui::CalcTextSize(words.c_str()).x);
+  ImGui::TextUnformatted(words.c_str());
+  ImGui::SameLine(left + column + gap);
+  ImGui::SetNextItemWidth(track);
+  // The format stays, because values are rounded by it; only the number that it would write on the track is unseen.
+  const bool typed = ImGui::TempInputIsActive(ImGui::GetID("##slider"));
+  if (!typed) ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32_BLACK_TRANS);
+  Slid slid;
+  slid.changed = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &look.low, &look.high, look.format);
+  if (!typed) ImGui::PopStyleColor();
+  slid.label_hovered = drawLabel(look.label);
+  return slid;
+}
+
 using scene::KeyForm;
 using scene::KeyRow;
 
@@ -51,15 +104,19 @@ std::string wordsOf(const KeyRow& row, const KeyWidget& widget) {
 }
 
 /// Each draws one form and returns the new value as text, or nothing.
-std::string editNumber(const KeyRow& row, const KeyWidget& widget) {
+std::string editNumber(const KeyRow& row, const KeyWidget& widget, bool& label_hovered) {
   double value = parseNumber(row.fallback).value_or(0.0);
   const bool own = widget.low == widget.high;
   const double low = own ? row.form.low : widget.low;
   const double high = own ? row.form.high : widget.high;
-  const bool changed = std::isfinite(low) && std::isfinite(high)
-                           ? ImGui::SliderScalar(widget.label, ImGuiDataType_Double, &value, &low, &high, widget.format)
-                           : ImGui::InputDouble(widget.label, &value, 0.0, 0.0, widget.format);
-  return changed ? scene::showNumber(value) : std::string();
+  Slid slid;
+  if (std::isfinite(low) && std::isfinite(high)) {
+    slid = slider(value, {widget.label, widget.format, low, high});
+  } else {
+    slid.changed = ImGui::InputDouble(widget.label, &value, 0.0, 0.0, widget.format);
+  }
+  label_hovered = slid.label_hovered;
+  return slid.changed ? scene::showNumber(value) : std::string();
 }
 
 std::string editWhole(const KeyRow& row, const KeyWidget& widget) {
@@ -91,10 +148,10 @@ std::string editText(const KeyRow& row, const KeyWidget& widget) {
   return scene::inQuotes(value);
 }
 
-std::string edit(const KeyRow& row, const KeyWidget& widget) {
+std::string edit(const KeyRow& row, const KeyWidget& widget, bool& label_hovered) {
   switch (row.form.kind) {
     case KeyForm::Kind::number:
-      return editNumber(row, widget);
+      return editNumber(row, widget, label_hovered);
     case KeyForm::Kind::whole:
       return editWhole(row, widget);
     case KeyForm::Kind::flag:
@@ -141,16 +198,23 @@ void notePlace(const std::string& path) {
   widgetPlaces()[path] = {low.x, low.y, high.x, high.y};
 }
 
+void notePlaceOfWindow(const std::string& path) {
+  const ImVec2 low = ImGui::GetWindowPos();
+  const ImVec2 size = ImGui::GetWindowSize();
+  widgetPlaces()[path] = {low.x, low.y, low.x + size.x, low.y + size.y};
+}
+
 bool keyWidget(const SceneKeys& keys, const KeyWidget& widget) {
   const auto row = scene::keyOf(keys.scene, widget.table, widget.key);
   if (!row) return false;
   ImGui::PushID(widget.key.data());
   beginControl();
-  std::string value = edit(*row, widget);
+  bool label_hovered = false;
+  std::string value = edit(*row, widget, label_hovered);
   notePlace(fmt::format("{}/{}", widget.table, widget.key));
   const std::string fallback = scene::defaultOf(widget.table, widget.key);
   if (!fallback.empty() && resetMenu(fallback)) value = fallback;
-  tooltip(wordsOf(*row, widget));
+  tooltip(wordsOf(*row, widget), label_hovered);
   ImGui::PopID();
   return !value.empty() && setTo(keys, widget, value);
 }
@@ -175,14 +239,15 @@ void otherKeys(const SceneKeys& keys, const char* table) {
 bool numberWidget(double& value, const NumberWidget& widget) {
   ImGui::PushID(widget.path);
   beginControl();
-  bool changed =
-      ImGui::SliderScalar(widget.label, ImGuiDataType_Double, &value, &widget.low, &widget.high, widget.format);
+  const Slid slid = slider(value, {widget.label, widget.format, widget.low, widget.high});
+  bool changed = slid.changed;
   notePlace(widget.path);
   if (resetMenu(fmt::format("{:g}", widget.fallback))) {
     value = widget.fallback;
     changed = true;
   }
-  tooltip(fmt::format("{}\n\n{:g} to {:g}; default {:g}", widget.meaning, widget.low, widget.high, widget.fallback));
+  tooltip(fmt::format("{}\n\n{:g} to {:g}; default {:g}", widget.meaning, widget.low, widget.high, widget.fallback),
+          slid.label_hovered);
   ImGui::PopID();
   if (changed) value = std::clamp(value, widget.low, widget.high);  // typed values are not held by the slider
   return changed;
@@ -226,6 +291,8 @@ bool buttonWidget(const char* path, const char* label, const char* meaning) {
   ImGui::PopID();
   return clicked;
 }
+
+bool isLightTheme() { return ImGui::GetStyleColorVec4(ImGuiCol_Text).y < 0.5f; }
 
 void valueLine(const char* label, const std::string& value) {
   ImGui::TextUnformatted(label);

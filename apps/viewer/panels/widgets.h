@@ -20,6 +20,8 @@ WidgetPlaces& widgetPlaces();
 
 /// Notes the control that was drawn last.
 void notePlace(const std::string& path);
+/// Notes the window that is being drawn.
+void notePlaceOfWindow(const std::string& path);
 
 /// What a change of a key of this table of the scene file has consequences for (asks.h).
 std::uint32_t consequenceOf(std::string_view table);
@@ -62,6 +64,9 @@ bool flagWidget(const char* path, const char* label, bool& value, const char* me
 bool choiceWidget(const char* path, const char* label, std::size_t& value, std::span<const std::string_view> names,
                   const char* meaning);
 bool buttonWidget(const char* path, const char* label, const char* meaning = "");
+
+/// Whether the theme has dark letters on light windows.
+bool isLightTheme();
 
 /// A line "label   value", the value right-aligned in digits of equal width.
 void valueLine(const char* label, const std::string& value);

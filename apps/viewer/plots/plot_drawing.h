@@ -4,7 +4,7 @@
 
 #include <imgui.h>
 
-#include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -23,16 +23,21 @@ struct PlotArea {
   }
 };
 
-/// Left blue and right red, as the fingers; the tangential force is paler.
-inline constexpr std::array<ImU32, 2> kFingerInk = {IM_COL32(110, 165, 255, 255), IM_COL32(255, 120, 105, 255)};
-inline constexpr std::array<ImU32, 2> kFingerPaleInk = {IM_COL32(110, 165, 255, 110), IM_COL32(255, 120, 105, 110)};
-inline constexpr ImU32 kLimitInk = IM_COL32(230, 160, 60, 255);
+// Inks of the theme, so that they are seen on light and dark.
 
-/// Of the theme's text, so that it is seen on light and dark.
+/// Left blue and right red, as the fingers.
+ImU32 fingerInk(std::size_t finger, float opacity = 1.0f);
+inline constexpr float kPartOpacity = 0.6f;  ///< of the curves of a force's two parts
+ImU32 limitInk();
+/// Of the text.
 ImU32 plotInk(float opacity = 1.0f);
 
+struct CurveLook {
+  ImU32 ink = 0;
+  bool dotted = false;
+};
 /// A curve by the least and the greatest of each column, from 0 to `end`.
-void drawExtents(std::span<const Extent> extents, const PlotArea& area, double end, ImU32 ink);
+void drawExtents(std::span<const Extent> extents, const PlotArea& area, double end, const CurveLook& look);
 /// The background of the columns in which the finger touched.
 void shadeTouching(std::span<const ColumnMarks> marks, const PlotArea& area);
 /// Short strokes at the foot where the finger slipped, at the top where its force was limited. Those of the second
@@ -42,7 +47,9 @@ void drawEvents(std::span<const ColumnMarks> marks, const PlotArea& area, std::s
 void drawPlotAxes(const PlotArea& area, double end, double window_s);
 /// A horizontal line at a value that lies within the axis.
 void drawPlotLimit(const PlotArea& area, double limit, double end);
-/// One line that explains all the above, as far as there is room.
+/// How many lines of words explain all the above in this width, and how high one is.
+int plotLegendLines(float width, bool both_fingers);
+inline constexpr float kPlotLegendLine = 18.0f;
 void drawPlotLegend(const ImVec2& corner, float width, bool both_fingers);
 
 }  // namespace palpate::viewer

@@ -3,6 +3,8 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
+#include <vector>
 
 #include "apps/viewer/panels/panels.h"
 #include "apps/viewer/panels/widgets.h"
@@ -14,7 +16,6 @@ namespace {
 
 constexpr float kTitle = 20.0f;    ///< above each strip
 constexpr float kTimes = 18.0f;    ///< below it
-constexpr float kLegend = 18.0f;   ///< below all
 constexpr float kPadding = 16.0f;  ///< of the window, above and below together
 constexpr std::array<double, 5> kWindows = {2.0, 5.0, 10.0, 30.0, 60.0};
 
@@ -24,7 +25,7 @@ struct Strip {
   PlotValue value;
   double least;  ///< the axis never ends below this
 };
-constexpr std::array<Strip, 3> kStrips = {{{"force", "N", PlotValue::normal_force, 1.0},
+constexpr std::array<Strip, 3> kStrips = {{{"force", "N", PlotValue::force, 1.0},
                                            {"depth", "mm", PlotValue::depth, 5.0},
                                            {"speed", "mm/s", PlotValue::speed, 50.0}}};
 
@@ -63,14 +64,22 @@ Columns columnsOf(const PlotStrips& panel, float width) {
   return columns;
 }
 
-void drawTitle(const PlotArea& area, const Strip& strip, const PlotSample* sample) {
-  ImDrawList& list = *ImGui::GetWindowDrawList();
+/// What is read, of every finger that is there, in its colour; right-aligned.
+void drawReadouts(const PlotStrips& panel, const PlotArea& area, PlotValue value, double time_s) {
+  float right = area.high.x;
+  for (std::size_t f = panel.present.size(); f-- > 0;) {
+    const PlotSample* sample = panel.plots.fingers[f].near(time_s);
+    if (!panel.present[f] || sample == nullptr) continue;
+    const std::string words = fmt::format("{:.2f}", valueOf(*sample, value));
+    right -= ImGui::CalcTextSize(words.c_str()).x;
+    ImGui::GetWindowDrawList()->AddText({right, area.low.y - kTitle}, fingerInk(f), words.c_str());
+    right -= 10.0f;
+  }
+}
+
+void drawTitle(const PlotArea& area, const Strip& strip) {
   const std::string title = fmt::format("{}, {}", strip.title, strip.unit);
-  list.AddText({area.low.x, area.low.y - kTitle}, plotInk(), title.c_str());
-  if (sample == nullptr) return;
-  const std::string value = fmt::format("{:.2f}", valueOf(*sample, strip.value));
-  const float width = ImGui::CalcTextSize(value.c_str()).x;
-  list.AddText({area.high.x - width, area.low.y - kTitle}, plotInk(), value.c_str());
+  ImGui::GetWindowDrawList()->AddText({area.low.x, area.low.y - kTitle}, plotInk(), title.c_str());
 }
 
 /// A strip's curve of each finger.
@@ -84,31 +93,34 @@ Curves curvesOf(const PlotStrips& panel, PlotValue value, const Columns& columns
   return curves;
 }
 
-void drawCurves(const PlotStrips& panel, const Curves& curves, const std::array<ImU32, 2>& inks, const PlotArea& area,
+struct CurvesLook {
+  float opacity = 1.0f;
+  bool dotted = false;
+};
+
+void drawCurves(const PlotStrips& panel, const Curves& curves, const CurvesLook& look, const PlotArea& area,
                 double end) {
   for (std::size_t f = 0; f < 2; ++f) {
-    if (panel.present[f]) drawExtents(curves[f], area, end, inks[f]);
+    if (panel.present[f]) drawExtents(curves[f], area, end, {fingerInk(f, look.opacity), look.dotted});
   }
 }
 
 void drawStrip(const PlotStrips& panel, std::size_t index, const Columns& columns, const PlotArea& area) {
   const Strip& strip = kStrips[index];
-  const bool force = strip.value == PlotValue::normal_force;
+  const bool force = strip.value == PlotValue::force;
   const Curves main = curvesOf(panel, strip.value, columns);
-  const Curves sideways = force ? curvesOf(panel, PlotValue::tangential_force, columns) : Curves{};
   double most = 0.0;
-  for (const auto* curves : {&main, &sideways}) {
-    for (const auto& curve : *curves) most = std::max(most, greatest(curve));
-  }
+  for (const auto& curve : main) most = std::max(most, greatest(curve));  // a force's parts are no greater
   const double end = steadyEnd(index, axisEnd(1.05 * most, strip.least), panel.now_s);
   for (const auto& marks : columns.marks) shadeTouching(marks, area);
   drawPlotAxes(area, end, columns.window_s);
   if (force) {
-    drawCurves(panel, sideways, kFingerPaleInk, area, end);
+    drawCurves(panel, curvesOf(panel, PlotValue::tangential_force, columns), {kPartOpacity, true}, area, end);
+    drawCurves(panel, curvesOf(panel, PlotValue::normal_force, columns), {kPartOpacity, false}, area, end);
     drawPlotLimit(area, panel.device_limit_n, end);
     for (std::size_t f = 0; f < 2; ++f) drawEvents(columns.marks[f], area, f);
   }
-  drawCurves(panel, main, kFingerInk, area, end);
+  drawCurves(panel, main, {}, area, end);
 }
 
 void pausePlots(Plots& plots, bool pause) {
@@ -177,12 +189,21 @@ void buttons(const PlotStrips& panel, Asks& asks) {
   if (buttonWidget("plots/csv", "CSV", "Save what the plots show as a table.")) asks.wish(Wish::Kind::plots_csv);
 }
 
-std::array<PlotArea, kStrips.size()> areasIn(const ImVec2& corner, float width, float gap) {
-  std::array<PlotArea, kStrips.size()> areas;
-  const float foot = corner.y + kPlotsHeight - kPadding - kTimes - kLegend;
-  for (std::size_t i = 0; i < areas.size(); ++i) {
-    const float left = corner.x + static_cast<float>(i) * (width + gap);
-    areas[i] = {{left, corner.y + kTitle}, {left + width, foot}};
+constexpr float kGap = 14.0f;  ///< between strips
+
+/// Strips side by side, as many as have room: in a narrow window the last ones are left out.
+std::vector<PlotArea> areasIn(const ImVec2& corner, float width, int legend_lines) {
+  constexpr float kLeastStrip = 150.0f;
+  const auto count = static_cast<std::size_t>(
+      std::clamp((width + kGap) / (kLeastStrip + kGap), 1.0f, static_cast<float>(kStrips.size())));
+  const auto gaps = static_cast<float>(count - 1);
+  const float each = (width - gaps * kGap) / static_cast<float>(count);
+  const float legend = static_cast<float>(legend_lines) * kPlotLegendLine;
+  const float foot = corner.y + kPlotsHeight - kPadding - kTimes - legend;
+  std::vector<PlotArea> areas;
+  for (std::size_t i = 0; i < count; ++i) {
+    const float left = corner.x + static_cast<float>(i) * (each + kGap);
+    areas.push_back({{left, corner.y + kTitle}, {left + each, foot}});
   }
   return areas;
 }
@@ -195,7 +216,8 @@ void strips(const PlotStrips& panel, std::span<const PlotArea> areas) {
   const double time_s = timeRead(panel, areas);
   for (std::size_t i = 0; i < areas.size(); ++i) {
     drawStrip(panel, i, columns, areas[i]);
-    drawTitle(areas[i], kStrips[i], panel.plots.fingers[panel.active_finger].near(time_s));
+    drawTitle(areas[i], kStrips[i]);
+    drawReadouts(panel, areas[i], kStrips[i].value, time_s);
   }
   drawCursor(panel, areas, time_s);
 }
@@ -210,16 +232,21 @@ void plotStrips(const PlotStrips& panel, const FreeArea& free, Asks& asks) {
                           ImGuiWindowFlags_NoScrollWithMouse;
   if (ImGui::Begin("plots", nullptr, kFixed)) {
     constexpr float kButtons = 78.0f;
-    constexpr float kGap = 14.0f;
+    constexpr float kLeastWithButtons = 300.0f;  // narrower strips need the place; the mouse does the same in them
     const ImVec2 from = ImGui::GetCursorScreenPos();
-    const float all = ImGui::GetContentRegionAvail().x - kButtons - kGap;
-    const float width = (all - 2.0f * kGap) / 3.0f;
-    strips(panel, areasIn(from, width, kGap));
-    drawPlotLegend({from.x, from.y + kPlotsHeight - kPadding - 0.8f * kLegend}, all, panel.present[1]);
-    ImGui::SetCursorScreenPos({from.x + all + kGap, from.y});
-    ImGui::BeginGroup();
-    buttons(panel, asks);
-    ImGui::EndGroup();
+    const float whole = ImGui::GetContentRegionAvail().x;
+    const bool has_buttons = whole > kLeastWithButtons;
+    const float width = has_buttons ? whole - kButtons - kGap : whole;
+    const int lines = plotLegendLines(whole, panel.present[1]);
+    strips(panel, areasIn(from, width, lines));
+    const float legend = static_cast<float>(lines) * kPlotLegendLine;
+    drawPlotLegend({from.x, from.y + kPlotsHeight - kPadding - legend + 4.0f}, whole, panel.present[1]);
+    if (has_buttons) {
+      ImGui::SetCursorScreenPos({from.x + width + kGap, from.y});
+      ImGui::BeginGroup();
+      buttons(panel, asks);
+      ImGui::EndGroup();
+    }
   }
   ImGui::End();
 }

@@ -46,6 +46,7 @@ void SampleHistory::add(const trace::Sample& sample, double device_limit_n) {
   const double normal = force.dot(sample.contact.normal);
   PlotSample plot;
   plot.time_s = static_cast<double>(sample.tick) * tick_s_;
+  plot.force_n = static_cast<float>(force.norm());
   plot.normal_n = static_cast<float>(normal);
   plot.tangential_n = static_cast<float>((force - normal * sample.contact.normal).norm());
   plot.depth_mm = static_cast<float>(sample.contact.depth_mm);
@@ -64,6 +65,8 @@ void SampleHistory::add(const trace::Sample& sample, double device_limit_n) {
 
 float valueOf(const PlotSample& sample, PlotValue value) {
   switch (value) {
+    case PlotValue::force:
+      return sample.force_n;
     case PlotValue::normal_force:
       return sample.normal_n;
     case PlotValue::tangential_force:
@@ -141,7 +144,7 @@ double axisEnd(double value, double least) {
 std::string historyAsCsv(std::span<const SampleHistory> fingers, double end_s, double window_s) {
   std::string text = "t_s";
   for (std::size_t f = 0; f < fingers.size(); ++f) {
-    text += fmt::format(",normal_{0}_n,tangential_{0}_n,depth_{0}_mm,speed_{0}_mm_per_s", f + 1);
+    text += fmt::format(",normal_{0}_n,tangential_{0}_n,depth_{0}_mm,speed_{0}_mm_per_s,force_{0}_n", f + 1);
   }
   text += '\n';
   if (fingers.empty()) return text;
@@ -153,10 +156,10 @@ std::string historyAsCsv(std::span<const SampleHistory> fingers, double end_s, d
     for (const SampleHistory& finger : fingers) {
       const PlotSample* s = finger.near(t);
       if (s == nullptr) {
-        text += ",,,,";
+        text += ",,,,,";
       } else {
-        text +=
-            fmt::format(",{:.4f},{:.4f},{:.4f},{:.2f}", s->normal_n, s->tangential_n, s->depth_mm, s->speed_mm_per_s);
+        text += fmt::format(",{:.4f},{:.4f},{:.4f},{:.2f},{:.4f}", s->normal_n, s->tangential_n, s->depth_mm,
+                            s->speed_mm_per_s, s->force_n);
       }
     }
     text += '\n';

@@ -16,8 +16,9 @@ namespace palpate::viewer {
 
 struct PlotSample {
   double time_s = 0.0;
-  float normal_n = 0.0f;
-  float tangential_n = 0.0f;
+  float force_n = 0.0f;       ///< the whole
+  float normal_n = 0.0f;      ///< its part along the skin's normal: the normal force
+  float tangential_n = 0.0f;  ///< its part along the skin: the sideways force
   float depth_mm = 0.0f;
   float speed_mm_per_s = 0.0f;
   bool touching = false;
@@ -25,7 +26,7 @@ struct PlotSample {
   bool limited = false;  ///< a device of the scene would not get this force: it is too strong or grows too fast
 };
 
-enum class PlotValue : std::uint8_t { normal_force, tangential_force, depth, speed };
+enum class PlotValue : std::uint8_t { force, normal_force, tangential_force, depth, speed };
 
 struct Extent {
   float low = 0.0f;
@@ -92,7 +93,7 @@ struct Plots {
   double shownEnd() const { return paused ? end_s : std::max(fingers[0].newestTime(), fingers[1].newestTime()); }
 };
 
-/// The window of both fingers as a table: t_s, then normal_n, tangential_n, depth_mm, speed_mm_per_s of each.
+/// The window of both fingers as a table: t_s, then normal_n, tangential_n, depth_mm, speed_mm_per_s, force_n of each.
 std::string historyAsCsv(std::span<const SampleHistory> fingers, double end_s, double window_s);
 
 }  // namespace palpate::viewer

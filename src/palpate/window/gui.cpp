@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "palpate/base/error.h"
 #include "palpate/view/layers/drawing.h"
@@ -24,6 +25,7 @@ void useDark(ImGuiStyle& style) {
   c[ImGuiCol_WindowBg] = {0.13f, 0.13f, 0.14f, 0.94f};
   c[ImGuiCol_PopupBg] = {0.11f, 0.11f, 0.12f, 0.98f};
   c[ImGuiCol_Text] = {0.92f, 0.92f, 0.92f, 1.0f};
+  c[ImGuiCol_TextDisabled] = {0.64f, 0.64f, 0.65f, 1.0f};
   c[ImGuiCol_FrameBg] = {0.22f, 0.22f, 0.23f, 1.0f};
   c[ImGuiCol_FrameBgHovered] = {0.30f, 0.30f, 0.31f, 1.0f};
   c[ImGuiCol_FrameBgActive] = {0.36f, 0.36f, 0.37f, 1.0f};
@@ -42,11 +44,19 @@ void useDark(ImGuiStyle& style) {
   c[ImGuiCol_PlotHistogram] = {0.95f, 0.72f, 0.36f, 1.0f};
 }
 
+/// Grey words as readable as on the dark theme.
+void useLight(ImGuiStyle& style) {
+  ImGui::StyleColorsLight(&style);
+  style.Colors[ImGuiCol_TextDisabled] = {0.36f, 0.36f, 0.37f, 1.0f};
+  style.Colors[ImGuiCol_CheckMark] = {0.05f, 0.33f, 0.75f, 1.0f};
+}
+
 void useContrast(ImGuiStyle& style) {
   ImGui::StyleColorsDark(&style);
   ImVec4* c = style.Colors;
   c[ImGuiCol_WindowBg] = c[ImGuiCol_PopupBg] = c[ImGuiCol_MenuBarBg] = {0.0f, 0.0f, 0.0f, 1.0f};
   c[ImGuiCol_Text] = {1.0f, 1.0f, 1.0f, 1.0f};
+  c[ImGuiCol_TextDisabled] = {0.75f, 0.75f, 0.75f, 1.0f};
   c[ImGuiCol_Border] = {1.0f, 1.0f, 1.0f, 1.0f};
   c[ImGuiCol_FrameBg] = {0.0f, 0.0f, 0.0f, 1.0f};
   c[ImGuiCol_CheckMark] = {1.0f, 1.0f, 0.0f, 1.0f};
@@ -87,6 +97,9 @@ void mapKeys(ImGuiIO& io) {
     map(theirs, key(letter));
   }
 }
+
+/// The name of the window that a list draws.
+std::string_view ownerOf(const ImDrawList& list) { return list._OwnerName == nullptr ? "" : list._OwnerName; }
 
 }  // namespace
 
@@ -190,14 +203,27 @@ void Gui::end() {
   ImGui::Render();
 }
 
-void Gui::present(int width, int height) const {
+void Gui::present(int width, int height, Choice choice) const {
   ImGuiContext* before = ImGui::GetCurrentContext();
   ImGui::SetCurrentContext(parts_->context);
-  ImDrawData& data = *ImGui::GetDrawData();
+  ImDrawData data = *ImGui::GetDrawData();
+  std::vector<ImDrawList*> chosen;
+  for (int i = 0; i < data.CmdListsCount; ++i) {
+    if (choice == nullptr || choice(ownerOf(*data.CmdLists[i]))) chosen.push_back(data.CmdLists[i]);
+  }
+  data.CmdLists = chosen.data();
+  data.CmdListsCount = static_cast<int>(chosen.size());
   data.FramebufferScale = {static_cast<float>(width) / data.DisplaySize.x,
                            static_cast<float>(height) / data.DisplaySize.y};
   ImGui_ImplOpenGL3_RenderDrawData(&data);
   ImGui::SetCurrentContext(before);
+}
+
+bool Gui::leavesOut(Choice choice) const {
+  ImGui::SetCurrentContext(parts_->context);
+  const ImDrawData& data = *ImGui::GetDrawData();
+  return std::any_of(data.CmdLists, data.CmdLists + data.CmdListsCount,
+                     [&](const ImDrawList* list) { return !choice(ownerOf(*list)); });
 }
 
 void Gui::setTheme(Theme theme) {
@@ -206,7 +232,7 @@ void Gui::setTheme(Theme theme) {
   style = ImGuiStyle();  // themes start from the same shapes
   shape(style);
   if (theme == Theme::dark) useDark(style);
-  if (theme == Theme::light) ImGui::StyleColorsLight(&style);
+  if (theme == Theme::light) useLight(style);
   if (theme == Theme::contrast) useContrast(style);
 }
 

@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <span>
+#include <string_view>
 
 #include "palpate/window/input.h"
 
@@ -26,8 +27,12 @@ class Gui {
   /// Letters are made anew when the scale (pixels a point) changes.
   void begin(const Vec2& size_points, double scale, double elapsed_s, std::span<const InputEvent> events);
   void end();
-  /// Draws the panels into the bound framebuffer, stretched to its pixels.
-  void present(int width, int height) const;
+  /// Says of each window of the frame, by its name, whether it is drawn.
+  using Choice = bool (*)(std::string_view window);
+  /// Draws the panels into the bound framebuffer, stretched to its pixels: all, or those chosen.
+  void present(int width, int height, Choice choice = nullptr) const;
+  /// Whether that choice leaves out anything of the last frame.
+  bool leavesOut(Choice choice) const;
 
   void setTheme(Theme theme);
   /// Of the last frame: a panel, menu or popup is under the cursor or holds the mouse.

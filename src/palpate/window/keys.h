@@ -93,6 +93,7 @@ enum class Action : std::uint8_t {
   plots,
   full_screen,
   screenshot,
+  screenshot_with_pop_ups,
   panel,
   record,
   stereo_mode,

@@ -180,12 +180,27 @@ void drawFingers(Drawing& page, const LabelScene& scene, const LabelSettings& se
 
 constexpr float kScaleBarHeight = 46.0f;
 
-/// Below the title, down to the scale bar.
+Vec2f sectionSize(const Drawing& page) {
+  return {std::round(std::clamp(0.32f * page.size().x(), 150.0f, 320.0f)),
+          std::round(std::clamp(0.34f * page.size().y(), 92.0f, 180.0f))};
+}
+
+/// The finger whose cut is drawn as a chart, or null.
+const FingerMark* chartedFinger(const LabelScene& scene, const LabelSettings& settings) {
+  if (!settings.section || !scene.look.shows(Overlay::section)) return nullptr;
+  const FingerMark* finger = sectionFinger(scene.frame.fingers);
+  return finger == nullptr || finger->contact.touch == contact::Touch::free ? nullptr : finger;
+}
+
+/// Below the title, down to the scale bar or the chart over it.
 void drawKey(Drawing& page, const LabelScene& scene, const LabelSettings& settings, Taken& taken) {
   const float above = settings.title.empty() ? 0.0f : page.measure(settings.title, TextSize::title).y();
   KeyPlace place;
   place.corner = {kMargin, kMargin + above};
-  place.room = page.size() - place.corner - Vec2f(kMargin, kScaleBarHeight);
+  constexpr float kColours = 100.0f;  // the bar at the right
+  const float chart = chartedFinger(scene, settings) != nullptr ? sectionSize(page).y() : 0.0f;
+  const float right = scaleOf(scene.look.colouring) ? kColours : kMargin;
+  place.room = page.size() - place.corner - Vec2f(right, kScaleBarHeight + chart);
   const LabelBox covered = drawOverlayKey(page, overlayKey(scene.look), place, inksFor(scene.look));
   if (covered.opposite != covered.corner) taken.push_back(covered);
 }
@@ -203,15 +218,13 @@ void drawEnd(Drawing& page, const LabelScene& scene, const Vec3& place, const st
 }
 
 /// Above the scale bar: fingers are mostly in the middle.
-void drawCut(Drawing& page, const LabelScene& scene, Taken& taken) {
-  const FingerMark* finger = sectionFinger(scene.frame.fingers);
-  if (finger == nullptr || finger->contact.touch == contact::Touch::free) return;
+void drawCut(Drawing& page, const LabelScene& scene, const FingerMark* finger, Taken& taken) {
+  if (finger == nullptr) return;
   const SectionPlane plane = sectionPlane(scene.world, finger->contact);
   const auto curve = sectionCurve(scene.world, scene.surface, plane, kSectionHalfWidthMm);
   if (curve.empty()) return;
   SectionChart chart;
-  chart.size = {std::round(std::clamp(0.32f * page.size().x(), 150.0f, 320.0f)),
-                std::round(std::clamp(0.34f * page.size().y(), 92.0f, 180.0f))};
+  chart.size = sectionSize(page);
   chart.corner = {kMargin, page.size().y() - chart.size.y() - kScaleBarHeight};
   chart.ends = sectionEnds(plane);
   if (finger->contact.depth_mm > capOf(scene.world)) chart.cap_mm = capOf(scene.world);
@@ -244,7 +257,7 @@ void drawLabels(Drawing& page, const LabelScene& scene, const LabelSettings& set
   if (settings.legend) drawColours(page, scene, taken);
   drawTitle(page, settings.title, inks, taken);
   if (settings.legend) drawKey(page, scene, settings, taken);
-  if (settings.section && scene.look.shows(Overlay::section)) drawCut(page, scene, taken);
+  drawCut(page, scene, chartedFinger(scene, settings), taken);
   if (settings.numbers) drawFingers(page, scene, settings, taken);
 }
 

@@ -43,7 +43,7 @@ constexpr KeyRow kOverlayKeyRows[] = {
 // clang-format on
 static_assert(kForceMmPerN == 10.0, "the words say so");
 
-constexpr float kPad = 6.0f;
+constexpr float kKeyPad = 6.0f;
 constexpr float kChip = 18.0f;  ///< length of a sign
 constexpr Ink kChipInk{{128, 104, 90}};
 
@@ -83,7 +83,7 @@ LabelBox drawOverlayKey(Drawing& page, const std::vector<KeyEntry>& entries, con
   LabelBox covered{place.corner, place.corner};
   if (entries.empty()) return covered;
   const float line = page.measure("0", TextSize::small).y() + 3.0f;
-  const auto rows = static_cast<std::size_t>(std::max(1.0f, std::floor((place.room.y() - 2.0f * kPad) / line)));
+  const auto rows = static_cast<std::size_t>(std::max(1.0f, std::floor((place.room.y() - 2.0f * kKeyPad) / line)));
   float left = place.corner.x();
   for (std::size_t first = 0; first < entries.size(); first += rows) {
     const std::size_t end = std::min(entries.size(), first + rows);
@@ -91,17 +91,17 @@ LabelBox drawOverlayKey(Drawing& page, const std::vector<KeyEntry>& entries, con
     for (std::size_t i = first; i < end; ++i) {
       words = std::max(words, page.measure(entries[i].words, TextSize::small).x());
     }
-    const Vec2f size(3.0f * kPad + kChip + words, 2.0f * kPad + static_cast<float>(end - first) * line);
+    const Vec2f size(3.0f * kKeyPad + kChip + words, 2.0f * kKeyPad + static_cast<float>(end - first) * line);
     const Vec2f corner(left, place.corner.y());
     if (first > 0 && left + size.x() > place.corner.x() + place.room.x()) break;
     page.box(corner, corner + size, inks.plate, 4.0f);
     for (std::size_t i = first; i < end; ++i) {
-      const Vec2f row = corner + Vec2f(kPad, kPad + static_cast<float>(i - first) * line);
+      const Vec2f row = corner + Vec2f(kKeyPad, kKeyPad + static_cast<float>(i - first) * line);
       drawSign(page, entries[i], row + Vec2f(0.0f, 1.0f), line - 3.0f);
-      page.text(row + Vec2f(kChip + kPad, 0.0f), entries[i].words, inks.letter, Align::left, TextSize::small);
+      page.text(row + Vec2f(kChip + kKeyPad, 0.0f), entries[i].words, inks.letter, Align::left, TextSize::small);
     }
     covered.opposite = covered.opposite.cwiseMax(corner + size);
-    left += size.x() + kPad;
+    left += size.x() + kKeyPad;
   }
   return covered;
 }
