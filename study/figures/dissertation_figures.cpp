@@ -21,8 +21,8 @@ std::pair<double, double> placeInText(std::string_view number) {
 
 std::vector<DissertationFigure> dissertationFigures() {
   std::vector<DissertationFigure> all;
-  for (auto* chapter : {rateFigures, treeFigures, splitFigures, searchFigures, profileFigures, regionFigures,
-                        deformedFigures, ellipseFigures, mapFigures}) {
+  for (auto* chapter : {rateFigures, modelFigures, sketchFigures, treeFigures, splitFigures, searchFigures,
+                        profileFigures, regionFigures, deformedFigures, ellipseFigures, mapFigures}) {
     std::vector<DissertationFigure> some = chapter();
     std::move(some.begin(), some.end(), std::back_inserter(all));
   }

@@ -32,11 +32,13 @@ std::vector<DissertationFigure> dissertationFigures();
 // The figures of each chapter's files.
 std::vector<DissertationFigure> rateFigures();      ///< 3.1, 3.10, 3.16 to 3.18: printed measurements
 std::vector<DissertationFigure> treeFigures();      ///< 3.4, 3.6, 3.8, 3.9, 3.13, 3.15: partitions of meshes
+std::vector<DissertationFigure> modelFigures();     ///< 3.2, 3.5, 3.12, 5.1, 5.2: model, trees, measured places
+std::vector<DissertationFigure> sketchFigures();    ///< 4.1, 4.2, 4.5, 4.6, 4.10: sketches with the engine's curves
 std::vector<DissertationFigure> splitFigures();     ///< 3.7, 3.14: where the triangles go that a split crosses
 std::vector<DissertationFigure> searchFigures();    ///< 3.11: the worst search
 std::vector<DissertationFigure> profileFigures();   ///< 4.3, 4.4, Table 4.2, 4.8, 4.9
 std::vector<DissertationFigure> regionFigures();    ///< 4.13 to 4.15
-std::vector<DissertationFigure> deformedFigures();  ///< 4.7, 4.12, 4.16 to 4.18
+std::vector<DissertationFigure> deformedFigures();  ///< 4.7, 4.11, 4.12, 4.16 to 4.18
 std::vector<DissertationFigure> ellipseFigures();   ///< 5.3 to 5.7
 std::vector<DissertationFigure> mapFigures();       ///< 5.8 to 5.12
 

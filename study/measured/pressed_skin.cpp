@@ -4,9 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "palpate/base/error.h"
+#include "palpate/contact/finger.h"
 #include "palpate/deform/deformer.h"
+#include "palpate/deform/finger_contact.h"
+#include "palpate/maps/key_points.h"
 #include "palpate/mesh/triangle_mesh.h"
 
 namespace palpate::study {
@@ -66,11 +70,39 @@ deform::Contact contactOf(const mesh::TriangleMesh& mesh, const Press& press, co
   return deform::formedRegions(contact, forms);
 }
 
+deform::Contact feltContact(const mesh::TriangleMesh& mesh, const FeltStroke& stroke,
+                            const deform::FormSettings& forms) {
+  constexpr double kTickMm = 0.2;
+  constexpr double kAboveMm = 2.0;
+  const contact::Surface surface = contact::buildSurface(mesh, std::vector<double>(mesh.positions.size(), 0.5));
+  const contact::FingerSettings settings{.stiffness_ratio = stroke.stiffness_ratio};
+  const SkinPlace start = placeOn(mesh, stroke.at);
+  const Vec3 down = start.point - stroke.depth_mm * start.normal;
+  const Vec3 along = inTangentPlane(stroke.stroke_mm, start.normal);
+  contact::FingerState state{};
+  contact::FingerOutput felt{};
+  const auto walk = [&](const Vec3& from, const Vec3& to) {
+    const int ticks = static_cast<int>(std::ceil((to - from).norm() / kTickMm));
+    for (int tick = 0; tick <= ticks; ++tick) {
+      felt = contact::step(surface, settings, state, from + (to - from) * (ticks > 0 ? 1.0 * tick / ticks : 0.0));
+    }
+  };
+  walk(start.point + kAboveMm * start.normal, down);
+  walk(down, down + along);
+  static const maps::EllipseMap map(maps::dissertationKeyPoints());
+  const auto contact = deform::contactOf(felt, map, forms.common.tissue);
+  if (!contact) throw Error("study: the finger does not touch the skin");
+  return deform::formedRegions(*contact, forms);
+}
+
 PressedSkin pressed(const mesh::TriangleMesh& mesh, const Press& press, const deform::FormSettings& forms) {
+  return pressed(mesh, contactOf(mesh, press, forms), forms);
+}
+
+PressedSkin pressed(const mesh::TriangleMesh& mesh, const deform::Contact& contact, const deform::FormSettings& forms) {
   const deform::Skin skin = deform::buildSkin(mesh);
   deform::Deformer deformer(skin, forms, deform::Way::general);
   deform::DeformedSurface surface(skin);
-  const deform::Contact contact = contactOf(mesh, press, forms);
   deformer.apply({&contact, 1}, surface);
   PressedSkin result;
   for (Index v = 0; v < surface.vertices(); ++v) result.positions.push_back(surface.positionAt(v).cast<double>());

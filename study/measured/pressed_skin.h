@@ -24,12 +24,28 @@ struct Press {
 
 deform::Contact contactOf(const mesh::TriangleMesh& mesh, const Press& press, const deform::FormSettings& forms);
 
+/// A finger of the engine that comes down `depth_mm` and then moves by `stroke_mm`, in steps of a tick at 0.2 m/s.
+struct FeltStroke {
+  Vec2 at = Vec2::Zero();
+  double depth_mm = 10.0;
+  Vec2 stroke_mm = Vec2::Zero();
+  double stiffness_ratio = 1.0;  ///< of the tangential spring; 0.23 reaches (4.17)'s 20 mm at 10 mm depth (E2)
+};
+
+/// What the deformation gets from that finger at the end of its way: anchor, depth and drag as friction gives them, the
+/// ellipse of the dissertation's map at the anchor.
+deform::Contact feltContact(const mesh::TriangleMesh& mesh, const FeltStroke& stroke,
+                            const deform::FormSettings& forms = {});
+
 struct PressedSkin {
   std::vector<Vec3> positions;
   std::vector<double> strain;  ///< (4.20), a vertex each
 };
 
 PressedSkin pressed(const mesh::TriangleMesh& mesh, const Press& press, const deform::FormSettings& forms = {});
+
+PressedSkin pressed(const mesh::TriangleMesh& mesh, const deform::Contact& contact,
+                    const deform::FormSettings& forms = {});
 
 /// Where the plane y = `y` cuts the surface: x and z of the cut, sorted by x.
 std::vector<Vec2> crossSection(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles, double y);

@@ -68,6 +68,36 @@ TEST(SkinContact, PrintedAnchorLiesOnTheNormal) {  // E1
   EXPECT_LT((contact->drag_mm + 2.0 * finger.normal).norm(), 1e-9);
 }
 
+TEST(SkinContact, PressEllipseGrowsInProportionToTheDepth) {  // 4.2
+  const World world = worldWith("[deformation]\nregion = \"scaled\"\n");
+  contact::FingerOutput finger = dragging(world);
+  const auto share = [&](double depth_mm) {
+    finger.depth_mm = depth_mm;
+    const auto contact = contactOf(world, finger);
+    EXPECT_EQ(contact->normal_region.aspect, contact->tangential_region.aspect);
+    return contact->normal_region.half_major.norm() / contact->tangential_region.half_major.norm();
+  };
+  EXPECT_NEAR(share(2.0), 0.2, 1e-12);
+  EXPECT_NEAR(share(6.0), 0.6, 1e-12);
+  EXPECT_NEAR(share(25.0), 1.0, 1e-12) << "the cap is 10 mm";
+  EXPECT_EQ(share(-1.0), 0.0);
+}
+
+TEST(SkinContact, EllipseOfTheNearestVertexAsPrinted) {  // 5.2
+  World world = worldWith("");
+  world.scene.ellipses.place = EllipsePlace::nearest_vertex;
+  contact::FingerOutput finger = dragging(world);
+  const Vec3 corner = world.skin.positions[world.skin.triangles[finger.anchor_triangle][1]];
+  const auto expected = world.ellipses.on(corner, finger.normal);
+  finger.anchor = 0.7 * corner + 0.3 * finger.anchor;
+  const Vec3 near = contactOf(world, finger)->tangential_region.half_major;
+  EXPECT_EQ(near, expected.half_major);
+  finger.anchor = 0.9 * corner + 0.1 * finger.anchor;
+  EXPECT_EQ(contactOf(world, finger)->tangential_region.half_major, near) << "it does not change within the cell";
+  world.scene.ellipses.place = EllipsePlace::anchor;
+  EXPECT_NE(contactOf(world, finger)->tangential_region.half_major, near);
+}
+
 TEST(SkinContact, OneEllipseForBothPartsAsPrinted) {  // E21
   const World world = worldWith("[deformation]\nregion = \"shared\"\nboundary = \"two_mm\"\n");
   const contact::FingerOutput finger = dragging(world);

@@ -16,7 +16,7 @@ using Types =
                    maps::StiffnessInterpolation, maps::ForceDirection, maps::Averaging,
                    std::optional<maps::LiteralWeights>, maps::DirectionBlend, tissue::ForceLaw::Kind, hdb::TreeKind,
                    hdb::Assignment, hdb::HdbQuery, std::optional<hdb::LiteralTraversal>, deform::NormalRegion,
-                   deform::Shape, deform::Boundary, deform::Together, deform::Normals, deform::StrainKind,
+                   EllipsePlace, deform::Shape, deform::Boundary, deform::Together, deform::Normals, deform::StrainKind,
                    tissue::ProfileKind, tissue::ProfileRim, tissue::TableLookup, tissue::UserInterpolation,
                    StandardView, Shading, Colouring, Overlay, FingerShape, StereoMode>;
 TYPED_TEST_SUITE(WordsOfAType, Types);

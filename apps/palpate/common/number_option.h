@@ -86,10 +86,7 @@ void assign(const std::string& option, const CLI::results_t& words, const Limits
 // The default as the help shows it.
 
 template <class T>
-requires std::is_arithmetic_v<T>
-std::string shown(const T& value) {
-  return fmt::format("{}", value);
-}
+requires std::is_arithmetic_v<T> std::string shown(const T& value) { return fmt::format("{}", value); }
 template <class T>
 std::string shown(const std::optional<T>& value) {
   return value ? shown(*value) : std::string();

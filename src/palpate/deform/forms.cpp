@@ -48,6 +48,10 @@ Contact formedRegions(Contact contact, const FormSettings& forms) noexcept {
     contact.normal_region = contact.tangential_region;
   } else if (forms.region == NormalRegion::constant) {
     contact.normal_region = normalRegion(contact.normal, 0.0, forms.common.tissue);
+  } else if (forms.region == NormalRegion::scaled) {
+    const double cap = forms.common.tissue.normal_cap_mm;
+    contact.normal_region = contact.tangential_region;
+    contact.normal_region.half_major *= cap > 0.0 ? cappedDepth(contact.depth_mm, cap) / cap : 0.0;
   }
   return contact;
 }

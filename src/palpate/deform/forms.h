@@ -39,6 +39,7 @@ enum class NormalRegion : std::uint8_t {
   linear,    ///< a circle that grows with the depth, R0 + c depth
   constant,  ///< a circle of R0
   shared,    ///< the region of the drag: one ellipse for both parts
+  scaled,    ///< that ellipse in proportion to the depth, whole at the cap: 4.2's "linear function of P_n", no offset
 };
 
 /// What the measured boundary was (E20).

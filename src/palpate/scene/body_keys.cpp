@@ -123,6 +123,9 @@ Section ellipsesSection() {
       number<S>("basic_radius_mm", &S::basic_radius_mm, between(0, kLongestMm),
                 "Radius of the circle where no key point reaches; 0 is 150 mm on the torso and at most 15 % of its "
                 "diagonal on a mesh."),
+      choice<S, EllipsePlace>("place", &S::place,
+                              "Where the map is asked: at the friction anchor, or at the nearest vertex, as printed "
+                              "(5.2)."),
   };
   return section<S>("ellipses", "How far the skin follows a dragging finger.", &Scene::ellipses, std::move(keys));
 }

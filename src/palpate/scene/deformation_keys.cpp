@@ -37,9 +37,10 @@ Keys tissueKeys() {
 
 Keys regionKeys() {
   return {
-      choice<D, deform::NormalRegion>(
-          "region", way(&D::forms, &F::region),
-          "Of the press: growing with the depth, of normal_radius_mm always, or the same as the drag's (E21)."),
+      choice<D, deform::NormalRegion>("region", way(&D::forms, &F::region),
+                                      "Of the press: growing with the depth, of normal_radius_mm always, the same as "
+                                      "the drag's (E21), or the drag's "
+                                      "in proportion to the depth, whole at the cap (4.2)."),
       choice<D, deform::Shape>(
           "shape", way(&D::forms, &F::shape),
           "Of the drag's region: the map's ellipse, the circle of its area, or an irregular contour."),

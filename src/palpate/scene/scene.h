@@ -58,11 +58,18 @@ struct StiffnessSettings {
   maps::MeasuredStiffness points;
 };
 
+/// Where the ellipse map is asked for the ellipse of a drag.
+enum class EllipsePlace : std::uint8_t {
+  anchor,          ///< at the friction anchor itself
+  nearest_vertex,  ///< at the nearest corner of its triangle: 5.2, where every vertex stores its ellipse
+};
+
 struct EllipseSettings {
   std::filesystem::path key_points;   ///< empty: the dissertation's means on the torso, none on a mesh
   maps::MeasuredDataChoice measured;  ///< which of the dissertation's measurements
   maps::EllipseMapSettings map;
   double basic_radius_mm = 0.0;  ///< 0: 150 mm on the torso, on a mesh at most 15 % of its diagonal
+  EllipsePlace place = EllipsePlace::anchor;
 };
 
 /// What a finger collides with.

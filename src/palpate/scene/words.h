@@ -65,6 +65,12 @@ struct WordsOf<maps::ForceDirection> {
 };
 
 template <>
+struct WordsOf<scene::EllipsePlace> {
+  using V = scene::EllipsePlace;
+  static constexpr std::array kAll = {Word{"anchor", V::anchor}, Word{"nearest_vertex", V::nearest_vertex}};
+};
+
+template <>
 struct WordsOf<maps::Averaging> {
   using V = maps::Averaging;
   static constexpr std::array kAll = {Word{"plain", V::plain}, Word{"tensorial", V::tensorial}};
@@ -144,7 +150,7 @@ template <>
 struct WordsOf<deform::NormalRegion> {
   using V = deform::NormalRegion;
   static constexpr std::array kAll = {Word{"linear", V::linear}, Word{"constant", V::constant},
-                                      Word{"shared", V::shared}};
+                                      Word{"shared", V::shared}, Word{"scaled", V::scaled}};
 };
 
 template <>
