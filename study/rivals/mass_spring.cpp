@@ -2,6 +2,7 @@
 #include "study/rivals/mass_spring.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -29,7 +30,7 @@ MassSpring::MassSpring(const TissueBlock& block) : block_(block), masses_(block.
         const auto corner = [&](int c) { return static_cast<Index>(block.node(i + c % 2, j + c / 2 % 2, k + c / 4)); };
         for (int a = 0; a < 8; ++a) {
           for (int b = a + 1; b < 8; ++b) {
-            const int apart = __builtin_popcount(static_cast<unsigned>(a ^ b));
+            const int apart = std::popcount(static_cast<unsigned>(a ^ b));
             if (apart == 3) continue;
             const double length2 = (block.place(corner(a)) - block.place(corner(b))).squaredNorm();
             stiffness_of[{corner(a), corner(b)}] += (apart == 1 ? kEdgeShare : kFaceShare) * energy / length2;
