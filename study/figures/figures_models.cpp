@@ -120,9 +120,10 @@ Figure figure52() {
     const double q = maps::locationRatio(key.ellipse, place - key.position_mm);
     return q < 1.0 ? kDrag * halfGaussian(q) : 0.0;
   };
-  Plot plot = study::backMap("The skin dragged 20 mm towards the head at P2", moved,
-                      {.label = "displacement", .unit = "mm", .from = 0.0, .to = kDrag, .contour_levels = {2.0, 10.0}},
-                      std::span(&key, 1));
+  Plot plot =
+      study::backMap("The skin dragged 20 mm towards the head at P2", moved,
+                     {.label = "displacement", .unit = "mm", .from = 0.0, .to = kDrag, .contour_levels = {2.0, 10.0}},
+                     std::span(&key, 1));
   Series before{.name = "dots before", .stroke = Stroke::none, .marker = Marker::circle, .colour = figures::kVermilion};
   Series after{.name = "dots after", .stroke = Stroke::none, .marker = Marker::circle, .colour = figures::kInk};
   for (const Vec2& place : placesOnBack(kDots)) {

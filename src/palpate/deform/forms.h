@@ -83,8 +83,8 @@ inline bool sharesRegion(const FormSettings& forms) {
 /// True if skin is held back where it would tear or fold: not by choice, and not where the displacement is as printed.
 bool limitsShear(const FormSettings& forms);
 
-/// True if the fast displacement cannot do it. Forms of regions alone (constant, shared, scaled, two_mm) do not count: they are
-/// in the contacts.
+/// True if the fast displacement cannot do it. Forms of regions alone (constant, shared, scaled, two_mm) do not count:
+/// they are in the contacts.
 bool needsForms(const FormSettings& forms);
 
 /// The contact with the regions of these forms; it comes with R0 + c depth and the map's boundary as measured.
