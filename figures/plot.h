@@ -101,6 +101,8 @@ struct Plot {
   std::vector<Arrow> arrows{};
   std::vector<Place> places{};
   bool legend = true;  ///< below the plot, so that it never hides data
+  /// The frame begins at least so far from the panel's left edge: plots above each other then share their x axis.
+  double least_left_px = 0.0;
 };
 
 /// A closed polygon of an ellipse; the direction of its first half axis against x.

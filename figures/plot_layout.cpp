@@ -114,9 +114,9 @@ void placeAxes(PlotLayout& layout) {
 }
 
 double leftMargin(const Plot& plot, const PlotLayout& layout, const Canvas& canvas) {
-  if (plot.y.hidden) return kGap;
+  if (plot.y.hidden) return std::max(kGap, plot.least_left_px);
   const double label = plot.y.label.empty() ? 0.0 : kLineHeight + kGap;
-  return label + widest(canvas, layout.y_ticks) + kTickLength + kGap;
+  return std::max(label + widest(canvas, layout.y_ticks) + kTickLength + kGap, plot.least_left_px);
 }
 
 double bottomMargin(const Plot& plot) {

@@ -11,6 +11,7 @@ int main(int argc, char** argv) {
   palpate::app::addMapCommand(app);
   palpate::app::addModelCommand(app);
   palpate::app::addPartitionCommand(app);
+  palpate::app::addPlotCommand(app);
   palpate::app::addSimulateCommand(app);
   palpate::app::addRenderCommand(app);
   palpate::app::addRepairCommand(app);

@@ -1,6 +1,7 @@
 // `palpate map` from the outside: what it writes is read back and compared with the library.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -185,6 +186,53 @@ TEST_F(Map, StiffnessOfTheTorsoComesFromItsBones) {
   const nlohmann::json fit = summaryOf("stiffness --triangles 8163 -o s.csv --interpolation thin-plate");
   EXPECT_EQ(fit["keys"].size(), 7u);
   EXPECT_LT(fit["fit_error_n_per_mm"]["max"], 1e-9);
+}
+
+TEST_F(Map, OfASceneHasItsDysfunctionsInIt) {
+  write("scene.toml",
+        "title = \"Monday\"\n[body]\nkind = \"mesh\"\nfile = \"hill.obj\"\n[stiffness]\nconstant_n_per_mm = 0.4\n"
+        "[[dysfunction]]\nx_mm = 40\ny_mm = -50\nradius_mm = 70\nchange_percent = 150\nedge_softness = 0.3\n");
+  const nlohmann::json summary = summaryOf("stiffness --scene scene.toml -o s.csv -o s.svg -o s.ply");
+  EXPECT_EQ(summary["scene"], "Monday");
+  EXPECT_EQ(summary["dysfunctions"][0]["change_percent"], 150.0);
+  EXPECT_NEAR(summary["range"][1], 1.0, 1e-9);  // 0.4 N/mm and 150 % more
+  const maps::Dysfunction hard{.x_mm = 40, .y_mm = -50, .radius_mm = 70, .change_percent = 150, .edge_softness = 0.3};
+  const Table table = tableOf(folder_ / "s.csv");
+  ASSERT_EQ(table.at("x_mm").size(), 441u);
+  for (std::size_t v = 0; v < 441; ++v) {
+    const double factor = maps::stiffnessFactor(hard, {table.at("x_mm")[v], table.at("y_mm")[v]});
+    EXPECT_NEAR(table.at("stiffness_n_per_mm")[v], 0.4 * factor, 1e-12);
+  }
+  const std::string svg = contentOf(folder_ / "s.svg");
+  for (const char* text : {"Stiffness of the body: Monday", "stiffness (N/mm)", "dysfunctions", "+150 %"}) {
+    EXPECT_NE(svg.find(text), std::string::npos) << text;
+  }
+}
+
+TEST_F(Map, OfASceneTakesItsKeyPointsAndBones) {
+  write("keys.csv", "A,-100,-150,90,1.2,80\nB,100,100,120,1.1,100\n");
+  write("hill.toml",
+        "[body]\nkind = \"mesh\"\nfile = \"hill.obj\"\n[ellipses]\nkey_points = \"keys.csv\"\nbasic_radius_mm = 100\n");
+  const nlohmann::json summary = summaryOf("ellipses --scene hill.toml -o e.csv");
+  EXPECT_EQ(summary["basic_radius_mm"], 100.0);
+  const maps::EllipseMap ellipses(maps::readKeyPoints(folder_ / "keys.csv"), {.basic_radius_mm = 100.0});
+  const Table table = tableOf(folder_ / "e.csv");
+  for (std::size_t v = 0; v < 441; ++v) {
+    const double at_vertex = ellipses.at(table.at("x_mm")[v], table.at("y_mm")[v]).half_major_mm;
+    EXPECT_NEAR(table.at("half_major_mm")[v], at_vertex, 1e-9);
+  }
+  write("torso.toml", "[body]\nkind = \"torso\"\ntriangles = 8163\n");
+  summaryOf("depth --scene torso.toml -o d.csv");
+  summaryOf("depth --triangles 8163 -o bare.csv");
+  std::vector<double> of_scene = tableOf(folder_ / "d.csv").at("bone_depth_mm");
+  std::vector<double> bare = tableOf(folder_ / "bare.csv").at("bone_depth_mm");
+  std::ranges::sort(of_scene);  // the scene's skin is ordered in space
+  std::ranges::sort(bare);
+  EXPECT_EQ(of_scene, bare);
+  EXPECT_EQ(errorOf("depth --scene hill.toml -o d.csv"),
+            "palpate: map depth: needs bones, which only the built-in torso has\n");
+  EXPECT_NE(errorOf("stiffness hill.obj --scene hill.toml -o s.csv").find("--scene excludes"), std::string::npos);
+  EXPECT_NE(errorOf("ellipses --keys keys.csv --scene hill.toml -o s.csv").find("--scene excludes"), std::string::npos);
 }
 
 TEST_F(Map, WrongInputIsOneLine) {

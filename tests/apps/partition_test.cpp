@@ -76,6 +76,19 @@ TEST(PartitionCommand, WritesColouredMeshes) {
   }
 }
 
+TEST(PartitionCommand, DrawsLeavesAndWhatTheBoxFinds) {
+  const support::TemporaryFolder folder;
+  const auto result = runPalpate(
+      "partition back_2962 --threshold 256 --box 175,200,90 -o leaves.svg -o leaves.png --view back", folder.path());
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const std::string svg = support::contentOf(folder.path() / "leaves.svg");
+  for (const char* text : {"leaves, a colour each", "boxes of the leaves", "triangles in the box", "meet the box",
+                           "haptic detecting box", "threshold 256"}) {
+    EXPECT_NE(svg.find(text), std::string::npos) << text;
+  }
+  EXPECT_EQ(support::contentOf(folder.path() / "leaves.png").substr(1, 3), "PNG");
+}
+
 TEST(PartitionCommand, NamesWhatIsWrong) {
   const auto expect_wrong = [](const std::string& arguments, const std::string& cause) {
     const support::CommandResult result = runPalpate("partition " + arguments);
@@ -94,6 +107,7 @@ TEST(PartitionCommand, NamesWhatIsWrong) {
   expect_wrong("back_2962 --tree bsp --octree-rule two-of-three", "octree");
   expect_wrong("back_2962 --selection found.ply", "--box");
   expect_wrong("torso_many", "torso_N");
+  expect_wrong("back_2962 -o leaves.jpg", ".png, .svg");
 }
 
 TEST(BenchPartitionCommand, PrintsTheFiguresOfTheBox) {

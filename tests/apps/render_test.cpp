@@ -1,6 +1,7 @@
 // `palpate render` from the outside: which files it writes, what they hold, and what it refuses.
 #include <gtest/gtest.h>
 
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "pictures/read_png.h"
@@ -87,6 +88,67 @@ TEST_F(Render, WritesASequence) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "film.png"));
 }
 
+/// A stand-in on a PATH of its own: what a machine has installed must not matter.
+class RenderFilm : public Render {
+ protected:
+  CommandResult film(const std::string& arguments) const {
+    const std::string line = "PATH=" + (folder_ / "bin").string() +
+                             ":/usr/bin-without-ffmpeg " PALPATE_BINARY_DIR
+                             "/palpate render dome.toml --supersampling 1 --size 160x120 --at 0.5 --fps 10 " +
+                             arguments;
+    return support::runProgram("/usr/bin/env", line, folder_.path());
+  }
+  /// Shell lines as ffmpeg. "$last" is the file that it is to write.
+  void installFfmpeg(const std::string& lines) const {
+    std::filesystem::create_directories(folder_ / "bin");
+    const auto file = folder_ / "bin" / "ffmpeg";
+    std::ofstream(file) << "#!/bin/sh\nfor last in \"$@\"; do :; done\nlast=\"${last#file:}\"\n" << lines << "\n";
+    std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+  }
+  std::size_t filesHere() const {
+    const auto entries = std::filesystem::directory_iterator(folder_.path());
+    return static_cast<std::size_t>(std::distance(begin(entries), end(entries)));
+  }
+};
+
+TEST_F(RenderFilm, GivesFfmpegRawPicturesAndAnArgumentList) {
+  installFfmpeg("echo \"$@\" >said.txt; /bin/cat >\"$last\"");
+  const CommandResult result = film("--frames 3 -o 'a film; $(touch x).mp4' --json");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(nlohmann::json::parse(result.out)["film"], "a film; $(touch x).mp4");
+  EXPECT_EQ(std::filesystem::file_size(folder_ / "a film; $(touch x).mp4"), 3u * 160 * 120 * 3) << "three raw pictures";
+  const std::string said = support::contentOf(folder_ / "said.txt");
+  EXPECT_NE(said.find("-video_size 160x120 -framerate 10 -i pipe:0"), std::string::npos) << said;
+  EXPECT_NE(said.find("-f mp4 file:/"), std::string::npos) << said;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "x"));
+}
+
+TEST_F(RenderFilm, SaysWhenFfmpegFailsAndKeepsTheFilmThatWasThere) {
+  std::ofstream(folder_ / "film.webm") << "before";
+  installFfmpeg("echo 'Unknown encoder' >&2; exit 3");
+  const std::size_t before = filesHere();
+  const CommandResult failed = film("--frames 3 -o film.webm");
+  EXPECT_EQ(failed.exit_code, 2);
+  EXPECT_EQ(failed.err, "palpate: film.webm: ffmpeg made no film of it (exit code 3): Unknown encoder\n");
+  installFfmpeg("/bin/cat >\"$last\"; kill -9 $$");
+  const CommandResult killed = film("--frames 3 -o film.webm");
+  EXPECT_EQ(killed.exit_code, 2);
+  EXPECT_EQ(killed.err, "palpate: film.webm: ffmpeg made no film of it (signal 9)\n");
+  EXPECT_EQ(support::contentOf(folder_ / "film.webm"), "before");
+  EXPECT_EQ(filesHere(), before) << "nothing half done is left";
+}
+
+TEST_F(RenderFilm, LeavesPicturesAndTheCommandWhereThereIsNoFfmpeg) {
+  const CommandResult result = film("--frames 3 -o film.mp4");
+  EXPECT_EQ(result.exit_code, 1) << "no film is not what was asked for";
+  EXPECT_NE(result.out.find("no film.mp4: ffmpeg is not installed; where it is, join the pictures with: "
+                            "ffmpeg -framerate 10 -i film_%04d.png "),
+            std::string::npos)
+      << result.out;
+  EXPECT_NE(image("film_0001.png").pixels, image("film_0003.png").pixels);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "film.mp4"));
+}
+
 TEST_F(Render, IsTheSamePictureEveryTime) {
   ASSERT_EQ(render("--at 0.8 --show strain,wireframe -o a.png").exit_code, 0);
   ASSERT_EQ(render("--at 0.8 --show strain,wireframe -o b.png").exit_code, 0);
@@ -100,7 +162,9 @@ TEST_F(Render, SaysWhatStereoCannotDo) {
 }
 
 TEST_F(Render, RefusesWithOneLine) {
-  EXPECT_EQ(errorOf("-o picture.jpg"), "palpate: picture.jpg: must be named *.png: pictures are written as PNG\n");
+  EXPECT_EQ(errorOf("-o picture.jpg"),
+            "palpate: picture.jpg: must be named *.png: pictures are written as PNG, films as *.mp4 or *.webm\n");
+  EXPECT_EQ(errorOf("-o film.mp4"), "palpate: film.mp4: a film needs --frames above 1\n");
   EXPECT_EQ(errorOf("--at 7"), "palpate: there is no moment 7 s: the run ends at 1.000 s\n");
   EXPECT_EQ(errorOf("--pose 1,2"), "palpate: --pose 1,2: needs x,y,z, or several of them\n");
   EXPECT_EQ(errorOf("--pose 1,2,x"), "palpate: --pose 1,2,x: 'x' is no number\n");

@@ -60,7 +60,8 @@ TEST_F(Simulate, PalpatesAMeshAlongATrajectory) {
   const CommandResult result = simulate("--mesh dome.obj --trajectory path.csv");
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_NE(result.out.find("dome.obj"), std::string::npos);
-  EXPECT_NE(result.out.find("results in results: forces.csv surface_deepest.ply report.json"), std::string::npos);
+  EXPECT_NE(result.out.find("results in results: forces.csv surface_deepest.ply forces.png report.json"),
+            std::string::npos);
   const auto finger = report()["fingers"][0];
   EXPECT_NEAR(finger["depth_mm"]["peak"], 5.6, 0.2);
   EXPECT_NEAR(finger["force_n"]["peak"], 0.5 * double(finger["depth_mm"]["peak"]), 0.3);
@@ -72,12 +73,20 @@ TEST_F(Simulate, PalpatesAMeshAlongATrajectory) {
 TEST_F(Simulate, LeavesPicturesOfWhatItDid) {
   const CommandResult result = runPalpate("simulate --mesh dome.obj --trajectory path.csv", folder_.path());
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_NE(result.out.find("results in results: forces.csv surface_deepest.ply pictures.png report.json"),
+  EXPECT_NE(result.out.find("results in results: forces.csv surface_deepest.ply forces.png pictures.png report.json"),
             std::string::npos);
   const view::Image sheet = support::readPng(folder_ / "results/pictures.png");
   EXPECT_EQ(sheet.width, 3 * 480);
   EXPECT_EQ(sheet.height, 2 * 360);
   EXPECT_GT(report()["pictures_s"], 0.0);
+}
+
+TEST_F(Simulate, LeavesAPlotOfWhatWasFeltUnlessToldNotTo) {
+  ASSERT_EQ(simulate("--mesh dome.obj --trajectory path.csv").exit_code, 0);
+  const view::Image plot = support::readPng(folder_ / "results/forces.png");
+  EXPECT_GT(plot.width, 1000);
+  ASSERT_EQ(simulate("--mesh dome.obj --trajectory path.csv --no-plot --out bare").exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "bare/forces.png"));
 }
 
 TEST_F(Simulate, GoesOnWherePicturesCannotBeDrawn) {

@@ -23,6 +23,7 @@ void addInfoCommand(CLI::App& app);
 void addMapCommand(CLI::App& app);
 void addModelCommand(CLI::App& app);
 void addPartitionCommand(CLI::App& app);
+void addPlotCommand(CLI::App& app);
 void addSimulateCommand(CLI::App& app);
 void addRenderCommand(CLI::App& app);
 void addRepairCommand(CLI::App& app);

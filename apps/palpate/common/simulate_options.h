@@ -27,6 +27,7 @@ struct SimulateOptions {
   bool overwrite = false;
   bool realtime = false;
   bool pictures = true;
+  bool plot = true;
   bool json = false;
 };
 

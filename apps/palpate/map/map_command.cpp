@@ -1,17 +1,20 @@
-// `palpate map ellipses|contours|stiffness`: the maps over a skin as numbers, coloured surface and picture.
+// `palpate map ellipses|contours|stiffness|depth`: the maps over a skin, or those of a scene, as numbers, coloured
+// surface and picture.
 #include <fmt/format.h>
 
-#include <array>
-#include <functional>
+#include <algorithm>
 #include <memory>
 #include <optional>
 
 #include "apps/palpate/common/choice_option.h"
 #include "apps/palpate/common/commands.h"
+#include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/map/map_output.h"
+#include "apps/palpate/map/map_scene.h"
 #include "apps/palpate/map/map_sources.h"
 #include "palpate/base/error.h"
 #include "palpate/scene/errata.h"
+#include "palpate/scene/scene_file.h"
 #include "palpate/scene/words.h"
 
 namespace palpate::app {
@@ -25,6 +28,7 @@ struct MapArguments {
   MapSource source;
   MapOutput output;
   MeshArguments mesh;
+  std::string scene;  ///< a scene file in place of a skin and of everything a map is made from
   std::string body = "torso";
   std::size_t triangles = 0;
   std::string fidelity = scene::wordsOf({});
@@ -62,7 +66,7 @@ nlohmann::ordered_json summaryOf(const MapArguments& arguments, const MapSkin& s
   summary["quantity"] = map.shown.column;
   summary["range"] = {range.first, range.second};
   if (!arguments.interpolation.empty()) summary["interpolation"] = arguments.interpolation;
-  summary["fidelity"] = arguments.fidelity;
+  if (arguments.scene.empty()) summary["fidelity"] = arguments.fidelity;
   summary["files"] = arguments.files;
   return summary;
 }
@@ -76,35 +80,40 @@ void print(const MapArguments& arguments, const nlohmann::ordered_json& summary)
     if (summary.contains(key)) fmt::print("; {} at the key points {}", key, summary[key].dump());
   }
   fmt::print(" -> {}\n", fmt::join(arguments.files, ", "));
+  for (const auto& note : summary.value("notes", nlohmann::ordered_json::array())) {
+    fmt::print("  note: {}\n", note.get<std::string>());
+  }
 }
 
-using Make = SkinMap (*)(const MapSkin&, const MapSource&);
+/// How a kind of map is made: over a bare skin, and of a scene.
+struct Maker {
+  SkinMap (*over_skin)(const MapSkin&, const MapSource&);
+  SkinMap (*of_scene)(const MapSkin&, const scene::World&, const MapSource&);
+};
 
-void run(const MapArguments& arguments, Make make) {
+std::shared_ptr<const scene::World> worldOf(const std::string& file) {
+  ProgressLine progress;
+  return scene::build(scene::load(file), progress.callback());
+}
+
+void run(const MapArguments& arguments, const Maker& make) {
   for (const std::string& file : arguments.files) requireMapFile(file);
-  const MapSource source = sourceOf(arguments);
-  const MapSkin skin = skinOf(arguments);
-  SkinMap map = make(skin, source);
-  if (!arguments.range.empty()) {
-    if (!(arguments.range[0] < arguments.range[1])) throw Error("map: --range needs two rising numbers");
-    map.shown.range = {arguments.range[0], arguments.range[1]};
+  if (!arguments.range.empty() && !(arguments.range[0] < arguments.range[1])) {
+    throw Error("map: --range needs two rising numbers");
   }
+  const MapSource source = sourceOf(arguments);
+  const auto world = arguments.scene.empty() ? nullptr : worldOf(arguments.scene);
+  const MapSkin skin = world ? skinOfScene(*world) : skinOf(arguments);
+  SkinMap map = world ? make.of_scene(skin, *world, source) : make.over_skin(skin, source);
+  if (!arguments.range.empty()) map.shown.range = {arguments.range[0], arguments.range[1]};
   for (const std::string& file : arguments.files) writeMap(file, skin, map, arguments.output);
   print(arguments, summaryOf(arguments, skin, map));
 }
 
-void addCommonOptions(CLI::App& command, MapArguments& a) {
+void addFileOptions(CLI::App& command, MapArguments& a) {
   command.add_option("-o,--output", a.files, "File to write by its extension, repeatable: .csv .ply .png .svg")
       ->required()
       ->allow_extra_args(false);
-  addMeshArguments(command, a.mesh);
-  command.get_option("mesh")->required(false);
-  command.add_option("--body", a.body, "Without a mesh: the built-in skin")
-      ->check(CLI::IsMember({"torso", "back"}))
-      ->capture_default_str();
-  command.add_option("--triangles", a.triangles, "Of the built-in skin; 0: 20389 (torso, with bones), 15815 (back)")
-      ->capture_default_str();
-  command.add_option("--keys", a.source.key_file, "Table of key points (docs/maps.md); left out: the dissertation's");
   command
       .add_option("--range", a.range, "Values of the two ends of the colours, LOW,HIGH; left out: those of the data")
       ->delimiter(',')
@@ -116,6 +125,31 @@ void addCommonOptions(CLI::App& command, MapArguments& a) {
       ->check(CLI::Range(0.2, 8.0))
       ->capture_default_str();
   command.add_flag("--json", a.json, "Print the summary as one JSON object, with fit errors at the key points");
+}
+
+void addSkinOptions(CLI::App& command, MapArguments& a) {
+  addMeshArguments(command, a.mesh);
+  command.get_option("mesh")->required(false);
+  command.add_option("--body", a.body, "Without a mesh: the built-in skin")
+      ->check(CLI::IsMember({"torso", "back"}))
+      ->capture_default_str();
+  command.add_option("--triangles", a.triangles, "Of the built-in skin; 0: 20389 (torso, with bones), 15815 (back)")
+      ->capture_default_str();
+}
+
+void addKeyOption(CLI::App& command, MapArguments& a) {
+  command.add_option("--keys", a.source.key_file, "Table of key points (docs/maps.md); left out: the dissertation's");
+}
+
+/// Last: what the scene says itself cannot be said beside it. `beside` are the options that can.
+void addSceneOption(CLI::App& command, MapArguments& a, std::vector<std::string> beside) {
+  beside.insert(beside.end(), {"--help", "--output", "--range", "--grid-mm", "--png-scale", "--json"});
+  const std::vector<CLI::Option*> others = command.get_options();
+  CLI::Option* scene =
+      command.add_option("--scene", a.scene, "The map of this scene (TOML): its body, key points and dysfunctions");
+  for (CLI::Option* other : others) {
+    if (std::find(beside.begin(), beside.end(), other->get_name()) == beside.end()) scene->excludes(other);
+  }
 }
 
 void addBoundaryOptions(CLI::App& command, MapArguments& a) {
@@ -134,7 +168,9 @@ void addEllipses(CLI::App& parent) {
   auto arguments = std::make_shared<MapArguments>();
   MapArguments& a = *arguments;
   CLI::App& command = *parent.add_subcommand("ellipses", "The deformation ellipse of every place");
-  addCommonOptions(command, a);
+  addFileOptions(command, a);
+  addSkinOptions(command, a);
+  addKeyOption(command, a);
   addBoundaryOptions(command, a);
   command.add_option("--quantity", a.source.quantity, "What is coloured")
       ->check(CLI::IsMember({"half-major", "aspect", "direction"}))
@@ -148,19 +184,26 @@ void addEllipses(CLI::App& parent) {
       ->check(oneChoiceOf<maps::DirectionBlend>());
   command.add_option("--fidelity", a.fidelity, "Errata taken literally: corrected, literal, or a list such as E28,E29")
       ->capture_default_str();
-  command.callback([arguments] { run(*arguments, ellipsesOver); });
+  addSceneOption(command, a, {"--quantity"});
+  constexpr Maker kMaker{[](const MapSkin& skin, const MapSource& source) { return ellipsesOver(skin, source); },
+                         [](const MapSkin& skin, const scene::World& world, const MapSource& source) {
+                           return ellipsesOfScene(skin, world, source.quantity);
+                         }};
+  command.callback([arguments, kMaker] { run(*arguments, kMaker); });
 }
 
 void addContours(CLI::App& parent) {
   auto arguments = std::make_shared<MapArguments>();
   CLI::App& command = *parent.add_subcommand(
       "contours", "Irregular boundaries: n radii a key point, from a table or from the built-in ellipses");
-  addCommonOptions(command, *arguments);
+  addFileOptions(command, *arguments);
+  addSkinOptions(command, *arguments);
+  addKeyOption(command, *arguments);
   addBoundaryOptions(command, *arguments);
   command.add_option("--radii", arguments->source.contour_radii, "Built-in ellipses: radii a contour")
       ->check(CLI::Range(maps::kMinContourRadii, maps::kMaxContourRadii))
       ->capture_default_str();
-  command.callback([arguments] { run(*arguments, contoursOver); });
+  command.callback([arguments] { run(*arguments, Maker{contoursOver, nullptr}); });
 }
 
 void addStiffness(CLI::App& parent) {
@@ -168,7 +211,9 @@ void addStiffness(CLI::App& parent) {
   maps::MeasuredStiffness& s = arguments->source.stiffness;
   CLI::App& command = *parent.add_subcommand(
       "stiffness", "How hard the body pushes back: from key points with a stiffness, else from the torso's bones");
-  addCommonOptions(command, *arguments);
+  addFileOptions(command, *arguments);
+  addSkinOptions(command, *arguments);
+  addKeyOption(command, *arguments);
   command
       .add_option("--interpolation", arguments->interpolation,
                   "Between key points: gri (default), thin-plate or polynomial. Without --keys: the torso measured "
@@ -183,17 +228,35 @@ void addStiffness(CLI::App& parent) {
   command.add_option("--basic-n-per-mm", s.basic_n_per_mm, "gri: stiffness where none reaches")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  command.callback([arguments] { run(*arguments, stiffnessOver); });
+  addSceneOption(command, *arguments, {});
+  constexpr Maker kMaker{
+      [](const MapSkin& skin, const MapSource& source) { return stiffnessOver(skin, source); },
+      [](const MapSkin& skin, const scene::World& world, const MapSource&) { return stiffnessOfScene(skin, world); }};
+  command.callback([arguments, kMaker] { run(*arguments, kMaker); });
+}
+
+void addDepth(CLI::App& parent) {
+  auto arguments = std::make_shared<MapArguments>();
+  CLI::App& command = *parent.add_subcommand("depth", "How far the bones of the torso lie under the skin");
+  addFileOptions(command, *arguments);
+  command.add_option("--triangles", arguments->triangles, "Of the built-in torso; 0: 20389, with bones")
+      ->capture_default_str();
+  addSceneOption(command, *arguments, {});
+  constexpr Maker kMaker{
+      [](const MapSkin& skin, const MapSource&) { return depthOver(skin); },
+      [](const MapSkin& skin, const scene::World& world, const MapSource&) { return depthOfScene(skin, world); }};
+  command.callback([arguments, kMaker] { run(*arguments, kMaker); });
 }
 
 }  // namespace
 
 void addMapCommand(CLI::App& app) {
-  CLI::App& map = *app.add_subcommand("map", "Write the ellipse, contour or stiffness map of a skin");
+  CLI::App& map = *app.add_subcommand("map", "Write the ellipse, contour, stiffness or depth map of a skin or a scene");
   map.require_subcommand(1);
   addEllipses(map);
   addContours(map);
   addStiffness(map);
+  addDepth(map);
 }
 
 }  // namespace palpate::app

@@ -149,6 +149,17 @@ figures::Shape outlinesOf(const std::vector<MapKey>& keys) {
   return outlines;
 }
 
+/// Their outlines in true size, and in the middle of each what it changes.
+void addDysfunctions(const std::vector<MapKey>& dysfunctions, figures::Plot& plot) {
+  if (dysfunctions.empty()) return;
+  figures::Shape rings{.name = "dysfunctions", .stroke = figures::Stroke::dashed, .colour = figures::kVermilion};
+  for (const MapKey& one : dysfunctions) {
+    rings.paths.push_back(one.outline);
+    plot.places.push_back({.at = one.at, .text = one.name, .marker = figures::Marker::cross});
+  }
+  plot.shapes.push_back(std::move(rings));
+}
+
 figures::Figure figureOf(const MapSkin& skin, const SkinMap& map) {
   figures::Plot plot;
   plot.title = map.title;
@@ -161,6 +172,7 @@ figures::Figure figureOf(const MapSkin& skin, const SkinMap& map) {
   figures::Shape outlines = outlinesOf(map.keys);
   if (!outlines.paths.empty()) plot.shapes.push_back(std::move(outlines));
   for (const MapKey& key : map.keys) plot.places.push_back({.at = key.at, .text = key.name});
+  addDysfunctions(map.dysfunctions, plot);
   figures::Figure figure;
   figure.panels.emplace_back(std::move(plot));
   figure.panel_width_px = 560.0;

@@ -56,11 +56,11 @@ void appendRow(std::vector<MapColumn>& columns, std::size_t first, const std::ve
   for (std::size_t c = 0; c < row.size(); ++c) columns[first + c].values.push_back(row[c]);
 }
 
-ShownQuantity shownOfEllipses(const MapSource& source) {
-  if (source.quantity == "aspect") {
+ShownQuantity shownOfEllipses(const std::string& quantity, double basic_radius_mm) {
+  if (quantity == "aspect") {
     return {.column = "aspect", .label = "aspect, minor / major axis", .unit = "", .colours = ColourMap::cividis};
   }
-  if (source.quantity == "direction") {
+  if (quantity == "direction") {
     return {.column = "direction_deg",
             .label = "direction of the major axis",
             .unit = "degree",
@@ -72,14 +72,14 @@ ShownQuantity shownOfEllipses(const MapSource& source) {
           .label = "half-major axis",
           .unit = "mm",
           .colours = ColourMap::cool_warm,
-          .middle = source.ellipses.basic_radius_mm};
+          .middle = basic_radius_mm};
 }
 
-nlohmann::ordered_json errorsAtKeys(const std::vector<maps::KeyPoint>& keys, const maps::LiteralEllipseMap& map) {
+nlohmann::ordered_json errorsAtKeys(const maps::AnyEllipseMap& map) {
   std::vector<double> half_major;
   std::vector<double> aspect;
   std::vector<double> direction;
-  for (const maps::KeyPoint& key : keys) {
+  for (const maps::KeyPoint& key : map.keys()) {
     const maps::Ellipse e = map.at(key.position_mm.x(), key.position_mm.y());
     half_major.push_back(e.half_major_mm - key.ellipse.half_major_mm);
     aspect.push_back(e.aspect - key.ellipse.aspect);
@@ -90,7 +90,7 @@ nlohmann::ordered_json errorsAtKeys(const std::vector<maps::KeyPoint>& keys, con
           {"direction_deg", jsonOf(errorOf(direction))}};
 }
 
-nlohmann::ordered_json jsonOf(const std::vector<maps::KeyPoint>& keys) {
+nlohmann::ordered_json jsonOf(std::span<const maps::KeyPoint> keys) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const maps::KeyPoint& key : keys) {
     nlohmann::ordered_json one{{"name", key.name}, {"x_mm", key.position_mm.x()}, {"y_mm", key.position_mm.y()}};
@@ -103,20 +103,6 @@ nlohmann::ordered_json jsonOf(const std::vector<maps::KeyPoint>& keys) {
     list.push_back(std::move(one));
   }
   return list;
-}
-
-std::vector<MapKey> drawnKeys(const std::vector<maps::KeyPoint>& keys) {
-  std::vector<MapKey> drawn;
-  for (const maps::KeyPoint& key : keys) {
-    const maps::Ellipse& e = key.ellipse;
-    MapKey one{key.name, key.position_mm, {}};
-    if (e.half_major_mm > 0.0) {
-      one.outline =
-          figures::ellipseOutline(key.position_mm, e.half_major_mm, e.half_major_mm * e.aspect, e.direction_rad);
-    }
-    drawn.push_back(std::move(one));
-  }
-  return drawn;
 }
 
 // ---- contours
@@ -202,20 +188,39 @@ SkinMap stiffnessFromKeys(const MapSkin& skin, const std::vector<maps::KeyPoint>
 
 }  // namespace
 
+std::vector<MapKey> drawnKeys(std::span<const maps::KeyPoint> keys) {
+  std::vector<MapKey> drawn;
+  for (const maps::KeyPoint& key : keys) {
+    const maps::Ellipse& e = key.ellipse;
+    MapKey one{key.name, key.position_mm, {}};
+    if (e.half_major_mm > 0.0) {
+      one.outline =
+          figures::ellipseOutline(key.position_mm, e.half_major_mm, e.half_major_mm * e.aspect, e.direction_rad);
+    }
+    drawn.push_back(std::move(one));
+  }
+  return drawn;
+}
+
 SkinMap ellipsesOver(const MapSkin& skin, const MapSource& source) {
-  const std::vector<maps::KeyPoint> keys = keyPointsOf(source);
-  const auto ellipses = std::make_shared<const maps::LiteralEllipseMap>(keys, source.ellipses, formsOf(source));
+  const maps::AnyEllipseMap ellipses(keyPointsOf(source), source.ellipses, formsOf(source));
+  return ellipsesOver(skin, ellipses, source.ellipses, source.quantity);
+}
+
+SkinMap ellipsesOver(const MapSkin& skin, const maps::AnyEllipseMap& of_keys, const maps::EllipseMapSettings& settings,
+                     const std::string& quantity) {
+  const auto ellipses = std::make_shared<const maps::AnyEllipseMap>(of_keys);
   SkinMap map;
-  map.shown = shownOfEllipses(source);
+  map.shown = shownOfEllipses(quantity, settings.basic_radius_mm);
   map.title = "Deformation ellipses: " + map.shown.label;
   map.plane_columns = {"half_major_mm", "aspect", "major_over_minor", "direction_deg"};
   map.plane = [ellipses](const Vec2& place) { return numbersOf(ellipses->at(place.x(), place.y())); };
-  map.keys = drawnKeys(keys);
+  map.keys = drawnKeys(ellipses->keys());
   map.summary = {{"map", "ellipses"},
-                 {"effect_radius_mm", source.ellipses.effect_radius_mm},
-                 {"basic_radius_mm", source.ellipses.basic_radius_mm},
-                 {"keys", jsonOf(keys)},
-                 {"fit_error", errorsAtKeys(keys, *ellipses)}};
+                 {"effect_radius_mm", settings.effect_radius_mm},
+                 {"basic_radius_mm", settings.basic_radius_mm},
+                 {"keys", jsonOf(ellipses->keys())},
+                 {"fit_error", errorsAtKeys(*ellipses)}};
 
   for (const std::string& name : map.plane_columns) map.vertices.push_back({name, {}});
   for (const char* name : {"axis_x_mm", "axis_y_mm", "axis_z_mm"}) map.vertices.push_back({name, {}});
@@ -262,10 +267,27 @@ SkinMap stiffnessOver(const MapSkin& skin, const MapSource& source) {
   if (skin.bone_depth_mm.empty()) throw Error("map stiffness: needs --keys with a stiffness, or the torso's bones");
   std::vector<double> stiffness = maps::stiffnessFromDepth(skin.bone_depth_mm);
   if (source.interpolate_depth) return stiffnessFromKeys(skin, measuredOn(skin, stiffness), source);
-  SkinMap map = emptyStiffnessMap();
+  SkinMap map = stiffnessOver(skin, std::move(stiffness));
   map.summary["source"] = "depth of the bones";
-  map.vertices = {{"stiffness_n_per_mm", std::move(stiffness)}};
+  return map;
+}
+
+SkinMap stiffnessOver(const MapSkin& skin, std::vector<double> n_per_mm) {
+  SkinMap map = emptyStiffnessMap();
+  if (n_per_mm.size() != skin.mesh.positions.size()) throw Error("map stiffness: needs a value for every vertex");
+  map.vertices = {{"stiffness_n_per_mm", std::move(n_per_mm)}};
   map.plane_columns = {"stiffness_n_per_mm"};
+  return map;
+}
+
+SkinMap depthOver(const MapSkin& skin) {
+  if (skin.bone_depth_mm.empty()) throw Error("map depth: needs bones, which only the built-in torso has");
+  SkinMap map;
+  map.title = "Depth of the bones under the skin";
+  map.shown = {.column = "bone_depth_mm", .label = "from skin to bone", .unit = "mm", .colours = ColourMap::cividis};
+  map.vertices = {{"bone_depth_mm", skin.bone_depth_mm}};
+  map.plane_columns = {"bone_depth_mm"};
+  map.summary = {{"map", "depth"}};
   return map;
 }
 

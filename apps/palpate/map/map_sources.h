@@ -1,11 +1,12 @@
-// From key points to the maps that `palpate map` writes - ellipses, irregular contours, stiffness: numbers for every
-// vertex and every place, what is shown of them, and the key points they come from.
+// From key points to the maps that `palpate map` writes - ellipses, irregular contours, stiffness, depth of the bones:
+// numbers for every vertex and every place, what is shown of them, and the key points they come from.
 #pragma once
 
 #include <cstddef>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -66,15 +67,26 @@ struct SkinMap {
   std::function<std::vector<double>(const Vec2&)> plane;
   ShownQuantity shown;
   std::vector<MapKey> keys;
-  nlohmann::ordered_json summary;  ///< settings and fit errors
+  std::vector<MapKey> dysfunctions;  ///< outlined in true size
+  nlohmann::ordered_json summary;    ///< settings and fit errors
 };
 
 /// The vertex column of this name.
 const std::vector<double>& columnOf(const SkinMap& map, const std::string& name);
 
 SkinMap ellipsesOver(const MapSkin& skin, const MapSource& source);
+/// Of a map that is there already. `settings` is what it was made with.
+SkinMap ellipsesOver(const MapSkin& skin, const maps::AnyEllipseMap& ellipses, const maps::EllipseMapSettings& settings,
+                     const std::string& quantity);
 SkinMap contoursOver(const MapSkin& skin, const MapSource& source);
 /// From a key file with a stiffness, or from the depth of the bones of the torso. Throws Error where there is neither.
 SkinMap stiffnessOver(const MapSkin& skin, const MapSource& source);
+/// Of values that are there already, N/mm, a vertex each.
+SkinMap stiffnessOver(const MapSkin& skin, std::vector<double> n_per_mm);
+/// From the skin to the nearest bone. Throws Error for a skin without bones.
+SkinMap depthOver(const MapSkin& skin);
+
+/// Places with their ellipses as outlines.
+std::vector<MapKey> drawnKeys(std::span<const maps::KeyPoint> keys);
 
 }  // namespace palpate::app

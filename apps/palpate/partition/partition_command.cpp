@@ -2,6 +2,7 @@
 // triangles in a haptic detecting box.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -34,6 +35,8 @@ struct PartitionArguments {
   HdbSize box_size = HdbSize::QuarterOfLongestEdge;
   LeafSearch traversal;
   std::string leaves_file, selection_file;
+  std::vector<std::string> pictures;
+  std::string side = "oblique";
   bool json = false;
 };
 
@@ -78,6 +81,7 @@ BoxArgument parseBox(const std::string& text) {
 
 /// What can be known to be wrong before a large mesh is loaded.
 void checkChoices(const PartitionArguments& arguments) {
+  for (const std::string& picture : arguments.pictures) isSvgPicture(picture);
   const bool octree = arguments.settings.tree == hdb::TreeKind::Octree;
   const bool majority = arguments.settings.assignment == hdb::Assignment::Majority;
   if (arguments.two_of_three && !(octree && majority)) {
@@ -126,6 +130,22 @@ PartitionReport::Box askBox(const mesh::TriangleMesh& mesh, const hdb::Partition
   return box;
 }
 
+const Choices<PartitionSight>& sights() {
+  static const Choices<PartitionSight> all = {{"oblique", {}},
+                                              {"back", {Vec3::UnitZ(), Vec3::UnitY()}},
+                                              {"left", {-Vec3::UnitX(), Vec3::UnitY()}},
+                                              {"right", {Vec3::UnitX(), Vec3::UnitY()}},
+                                              {"above", {Vec3::UnitY(), Vec3::UnitZ()}},
+                                              {"front", {-Vec3::UnitZ(), Vec3::UnitY()}}};
+  return all;
+}
+
+void writePictures(const PartitionArguments& arguments, const figures::Figure& figure) {
+  for (const std::string& file : arguments.pictures) {
+    isSvgPicture(file) ? figures::writeSvg(figure, file) : figures::writePng(figure, file);
+  }
+}
+
 void runPartition(const PartitionArguments& arguments) {
   checkChoices(arguments);
   ProgressLine progress;
@@ -143,6 +163,11 @@ void runPartition(const PartitionArguments& arguments) {
   if (!arguments.selection_file.empty()) {
     const PartitionQuery& query = report.box->query;
     writeSelection(arguments.selection_file, mesh, built.partition, query.leaves.leaves, query.exact);
+  }
+  if (!arguments.pictures.empty()) {
+    progress.show("drawing", 0.0);
+    const auto sight = std::ranges::find(sights(), arguments.side, &Choices<PartitionSight>::value_type::first);
+    writePictures(arguments, partitionFigure(mesh, built.partition, report, sight->second));
   }
   progress.clear();
   fmt::print("{}", arguments.json ? jsonOf(report).dump(2) + "\n" : textOf(report));
@@ -174,6 +199,16 @@ void addPartitionCommand(CLI::App& app) {
                   "Assignment C in the octree: majority by axes, or two of three vertices in an octant as printed, "
                   "which loses triangles (E6)");
   addBoxOptions(command, *arguments);
+  command
+      .add_option("-o,--output", arguments->pictures,
+                  "Picture, .png or .svg, repeatable: each leaf in a colour of its own, the leaves' boxes; with --box "
+                  "beside it what the box finds")
+      ->allow_extra_args(false);
+  std::vector<std::string> sides;
+  for (const auto& [name, sight] : sights()) sides.push_back(name);
+  command.add_option("--view", arguments->side, "Side that the picture is seen from")
+      ->check(CLI::IsMember(sides))
+      ->capture_default_str();
   command.add_option("--leaf-colours", arguments->leaves_file, "Write a PLY with each leaf in a colour of its own");
   command.add_option("--selection", arguments->selection_file,
                      "Write a PLY with the box's leaves in green and its exact triangles in orange");

@@ -39,8 +39,10 @@ Piece cornersOf(const mesh::TriangleMesh& mesh, Index triangle) {
   return {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
 }
 
+}  // namespace
+
 /// Hues by the golden angle: whatever the number, those of neighbours in the list lie far apart.
-Colour colourOf(std::size_t number) {
+std::array<std::uint8_t, 3> leafColour(std::size_t number) {
   const double hue = 2.0 * std::numbers::pi * std::fmod(static_cast<double>(number) * std::numbers::phi, 1.0);
   const auto channel = [&](double phase) {
     return static_cast<std::uint8_t>(150.0 + 90.0 * std::cos(hue - phase * 2.0 * std::numbers::pi / 3.0));
@@ -48,14 +50,12 @@ Colour colourOf(std::size_t number) {
   return {channel(0.0), channel(1.0), channel(2.0)};
 }
 
-}  // namespace
-
 void writeLeafColours(const std::filesystem::path& file, const mesh::TriangleMesh& mesh, const Partition& partition) {
   ColouredSoup soup;
   for (std::size_t l = 0; l < partition.leaves.size(); ++l) {
     const Node& leaf = partition.nodes[partition.leaves[l]];
     for (Index e = leaf.first_entry; e < leaf.first_entry + leaf.entry_count; ++e) {
-      soup.add(partition.pieces.empty() ? cornersOf(mesh, partition.triangles[e]) : partition.pieces[e], colourOf(l));
+      soup.add(partition.pieces.empty() ? cornersOf(mesh, partition.triangles[e]) : partition.pieces[e], leafColour(l));
     }
   }
   mesh::save(file, soup.mesh, soup.channels);

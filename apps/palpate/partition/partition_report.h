@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "figures/figure.h"
 #include "lab/counters/statistics.h"
 #include "palpate/hdb/haptic_box.h"
 #include "palpate/hdb/literal_traversal.h"
@@ -64,7 +65,26 @@ struct PartitionReport {
 std::string textOf(const PartitionReport& report);
 nlohmann::ordered_json jsonOf(const PartitionReport& report);
 
+// As a picture: partition_figure.cpp.
+
+/// Where a partition is looked at from.
+struct PartitionSight {
+  Vec3 towards_viewer = Vec3(0.5, 0.35, 1.0);  ///< from behind, a little from above and the patient's right
+  Vec3 up = Vec3::UnitY();
+};
+
+/// The body with each leaf in a colour of its own and the leaves' boxes round them; where a box was asked for, a second
+/// panel shows it, its leaves in green and its exact triangles in orange.
+figures::Figure partitionFigure(const mesh::TriangleMesh& mesh, const hdb::Partition& partition,
+                                const PartitionReport& report, const PartitionSight& sight = {});
+
+/// A picture that this name stands for, .png or .svg. Throws Error for another.
+bool isSvgPicture(const std::filesystem::path& file);
+
 // As PLY files: partition_pictures.cpp.
+
+/// Of the leaf with this number; neighbours in the list differ clearly.
+std::array<std::uint8_t, 3> leafColour(std::size_t number);
 
 /// Every entry - with the cut every piece - in the colour of its leaf; neighbours in the tree differ clearly. Throws
 /// Error.

@@ -1,14 +1,17 @@
 // `palpate render`: pictures of a scene without a window or a display.
 //
-//   scene ─ build ─► world ─ run to the moment ─► fingers ─ deform ─► surface ─► Studio ─► PNG, one or a sequence
+//   scene ─ build ─► world ─ run to the moment ─► fingers ─ deform ─► surface ─► Studio ─► PNG, one or a sequence; a
+//   film
 #include <fmt/format.h>
 
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/interruption.h"
 #include "apps/palpate/common/progress_line.h"
+#include "apps/palpate/render/film.h"
 #include "apps/palpate/render/moments.h"
 #include "apps/palpate/render/picture_series.h"
 #include "apps/palpate/render/render_options.h"
@@ -30,6 +33,8 @@ struct DrawnPicture {
 
 struct RenderReport {
   std::vector<DrawnPicture> pictures;
+  std::string film;          ///< the file that the pictures became; empty: they are files of their own
+  bool film_missed = false;  ///< a film was asked for, but there is no ffmpeg
   std::vector<std::string> notes;
   view::PictureSize size;
   double build_s = 0.0;
@@ -86,9 +91,20 @@ void noteTheOthers(const RenderOptions& options, RenderReport& result) {
         fmt::format("ended by {} after {} of {} pictures", nameOfSignal(endAskedBy()), count, options.frames));
   }
   const std::filesystem::path next = fileOfSeries(options, count + 1);
-  if (options.frames > 1 && std::filesystem::exists(next)) {
+  if (result.film.empty() && options.frames > 1 && std::filesystem::exists(next)) {
     result.notes.push_back(fmt::format("{} and what follows is of an earlier series", next.string()));
   }
+}
+
+/// For a film; without ffmpeg its pictures are left, and a note says how they are joined.
+std::optional<std::filesystem::path> ffmpegFor(const RenderOptions& options, RenderReport& result) {
+  if (!isFilm(options.output)) return std::nullopt;
+  auto ffmpeg = installedFfmpeg();
+  if (ffmpeg) return ffmpeg;
+  result.film_missed = true;
+  result.notes.push_back(fmt::format("no {}: ffmpeg is not installed; where it is, join the pictures with: {}",
+                                     options.output.string(), commandToJoin(options.output, options.frames_per_s)));
+  return std::nullopt;
 }
 
 RenderReport render(const RenderOptions& options, const Progress& progress) {
@@ -104,15 +120,22 @@ RenderReport render(const RenderOptions& options, const Progress& progress) {
   const auto drawing = Clock::now();
   const view::PictureSettings settings = settingsFor(options, *world, result.size);
   PictureSeries series(world, result.size);
+  std::optional<FilmWriter> film;
+  if (const auto ffmpeg = ffmpegFor(options, result)) {
+    const view::ImageSize size{result.size.width, result.size.height};
+    film.emplace(*ffmpeg, options.output, FilmFormat{size, options.frames_per_s});
+    result.film = options.output.string();
+  }
   const FinishesInOrder in_order;
   for (std::size_t i = 0; i < files.size() && endAskedBy() == 0; ++i) {
     report(progress, "drawing", static_cast<double>(i) / static_cast<double>(files.size()));
     const view::TakenPicture taken = series.take(frames[i], times[i], settings);
-    view::writePng(files[i], taken.image);
-    result.pictures.push_back({files[i].string(), times[i], frames[i]});
+    film ? film->add(taken.image) : view::writePng(files[i], taken.image);
+    result.pictures.push_back({film ? result.film : files[i].string(), times[i], frames[i]});
     if (i == 0) result.notes.insert(result.notes.end(), taken.notes.begin(), taken.notes.end());
   }
   if (result.pictures.empty()) endIfAsked();
+  if (film) film->finish();
   result.draw_s = secondsSince(drawing);
   noteTheOthers(options, result);
   return result;
@@ -133,14 +156,18 @@ Json jsonOf(const RenderReport& result) {
   for (const DrawnPicture& picture : result.pictures) {
     pictures.push_back({{"file", picture.file}, {"time_s", picture.time_s}, {"fingers", fingersJson(picture.frame)}});
   }
-  return {{"width", result.size.width}, {"height", result.size.height}, {"supersampling", result.size.supersampling},
-          {"build_s", result.build_s},  {"draw_s", result.draw_s},      {"complete", endAskedBy() == 0},
-          {"pictures", pictures},       {"notes", result.notes}};
+  Json json = {
+      {"width", result.size.width}, {"height", result.size.height}, {"supersampling", result.size.supersampling},
+      {"build_s", result.build_s},  {"draw_s", result.draw_s},      {"complete", endAskedBy() == 0},
+      {"pictures", pictures},       {"notes", result.notes}};
+  if (!result.film.empty()) json["film"] = result.film;
+  return json;
 }
 
 std::string summaryOf(const RenderReport& result) {
   const std::size_t count = result.pictures.size();
-  const std::string last = count == 1 ? "" : fmt::format(" to {}", result.pictures.back().file);
+  std::string last = count == 1 ? "" : fmt::format(" to {}", result.pictures.back().file);
+  if (!result.film.empty()) last = fmt::format(", {} pictures", count);
   std::string text = fmt::format("{}{}: {} x {}, drawn in {:.2f} s\n", result.pictures.front().file, last,
                                  result.size.width, result.size.height, result.draw_s);
   for (const std::string& note : result.notes) text += fmt::format("  note: {}\n", note);
@@ -203,7 +230,10 @@ void addStereoOptions(CLI::App& command, RenderOptions& options) {
 }
 
 void addOutputOptions(CLI::App& command, RenderOptions& options) {
-  command.add_option("-o,--output", options.output, "PNG file; a sequence gets numbers before .png")
+  command
+      .add_option("-o,--output", options.output,
+                  "PNG file; a sequence gets numbers before .png. With --frames also .mp4 or .webm, if ffmpeg is "
+                  "installed; otherwise numbered PNG files and exit code 1")
       ->capture_default_str();
   command.add_option("--size", options.size, "WIDTHxHEIGHT, pixels")->capture_default_str();
   command.add_option("--supersampling", options.supersampling, "Each pixel is the mean of this many squared")
@@ -229,6 +259,7 @@ void addRenderCommand(CLI::App& app) {
     const RenderReport result = render(*options, progress.display());
     progress.clear();
     fmt::print("{}", options->json ? jsonOf(result).dump(2) + "\n" : summaryOf(result));
+    if (result.film_missed) throw CLI::RuntimeError(1);
   });
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "apps/palpate/render/film.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
 
@@ -98,9 +99,12 @@ scene::ViewSettings viewOf(const RenderOptions& options, const scene::ViewSettin
 }
 
 std::vector<std::filesystem::path> filesOf(const RenderOptions& options) {
-  if (options.output.extension() != ".png") {
-    throw Error::inFile(options.output.string(), "must be named *.png: pictures are written as PNG");
+  const bool film = isFilm(options.output);
+  if (!film && options.output.extension() != ".png") {
+    throw Error::inFile(options.output.string(),
+                        "must be named *.png: pictures are written as PNG, films as *.mp4 or *.webm");
   }
+  if (film && options.frames == 1) throw Error::inFile(options.output.string(), "a film needs --frames above 1");
   if (options.frames == 1) return {options.output};
   std::vector<std::filesystem::path> files;
   for (int i = 1; i <= options.frames; ++i) files.push_back(fileOfSeries(options, i));

@@ -40,8 +40,9 @@ view::PictureSize sizeOf(const RenderOptions& options);
 /// --show, which takes overlays and the words strain, stiffness, ellipse-map and plain for the colours of the skin.
 scene::ViewSettings viewOf(const RenderOptions& options, const scene::ViewSettings& of_scene);
 
-/// The files of the pictures in their order: FILE.png alone, else FILE_0001.png and so on. Throws Error for a name
-/// that does not end in .png.
+/// The files of the pictures in their order: FILE.png alone, else FILE_0001.png and so on; of a film those that it is
+/// joined from by hand. Throws Error for a name that ends in none of .png, .mp4 and .webm, and for a film of one
+/// picture.
 std::vector<std::filesystem::path> filesOf(const RenderOptions& options);
 /// One of a series, counted from 1.
 std::filesystem::path fileOfSeries(const RenderOptions& options, int number);

@@ -1,7 +1,7 @@
 // One simulated palpation from its settings to its files: what `palpate simulate` does between reading its options and
 // printing its summary.
 //
-//   scene ─ build ─► world ─ paths ─► rig ─ headless │ realtime ─► recorder ─► forces.csv, surfaces, pictures
+//   scene ─ build ─► world ─ paths ─► rig ─ headless │ realtime ─► recorder ─► forces.csv, surfaces, plot, pictures
 #pragma once
 
 #include <filesystem>
@@ -45,6 +45,7 @@ struct SimulationSettings {
   std::filesystem::path folder = "results";
   bool realtime = false;
   bool pictures = true;  ///< leave a contact sheet, where pictures can be drawn
+  bool plot = true;      ///< leave a plot of what was felt
 };
 
 /// Builds the scene, runs it and writes its files into the folder, which is made if needed. A signal ends the run,

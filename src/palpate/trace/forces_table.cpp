@@ -1,11 +1,12 @@
 // Columns are taken by their number, so the header must be the writer's word for word: a table of another version is
 // refused, not misread.
-// Data flow: forces.csv -> here, at load time -> a replay in the window. Own.
+// Data flow: forces.csv -> here, at load time -> a replay in the window, a plot. Own.
 #include "palpate/trace/forces_table.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "palpate/base/csv.h"
@@ -24,11 +25,18 @@ constexpr std::size_t kMostBytes = std::size_t{2} << 30;
 constexpr std::size_t kTime = 0;
 constexpr std::size_t kFinger = 1;
 constexpr std::size_t kTip = 2;
+constexpr std::size_t kAnchor = 8;
 constexpr std::size_t kForce = 11;
+constexpr std::size_t kDepth = 14;
+constexpr std::size_t kState = 15;
+constexpr std::size_t kDevice = 17;
+constexpr std::size_t kContactStatus = 20;
+constexpr std::size_t kSafetyStatus = 21;
+
+/// What writes these tables writes times, places and forces of a body's size; larger ones are no record of a touch.
+constexpr NumberRange kRecorded{-1e9, 1e9};
 
 Vec3 vectorFrom(const CsvRow& row, std::size_t column, std::string_view name) {
-  // What writes these tables writes places and forces of a body's size; larger ones are no record of a touch.
-  constexpr NumberRange kRecorded{-1e9, 1e9};
   return {csvNumber(row, column, name, kRecorded), csvNumber(row, column + 1, name, kRecorded),
           csvNumber(row, column + 2, name, kRecorded)};
 }
@@ -40,36 +48,101 @@ RecordedFinger& fingerNamed(std::vector<RecordedFinger>& fingers, std::string_vi
   return fingers.back();
 }
 
-void addRow(const CsvRow& row, std::vector<RecordedFinger>& fingers) {
-  RecordedFinger& finger = fingerNamed(fingers, row.fields[kFinger]);
-  const double time_s = csvNumber(row, kTime, "t_s", {-1e9, 1e9});
-  if (!finger.time_s.empty() && time_s <= finger.time_s.back()) {
-    throw Error::atLine(row.file, row.line,
-                        fmt::format("time does not increase: {} s after {} s", time_s, finger.time_s.back()));
+contact::Touch touchFrom(const CsvRow& row) {
+  const std::string_view word = row.fields[kState];
+  if (word == "free") return contact::Touch::free;
+  if (word == "stick") return contact::Touch::stick;
+  if (word == "slip") return contact::Touch::slip;
+  throw Error::atLine(row.file, row.line, fmt::format("state is '{}', not free, stick or slip", word.substr(0, 40)));
+}
+
+std::uint32_t bitsFrom(const CsvRow& row, std::size_t column, std::string_view name) {
+  constexpr double kMost = 4294967295.0;
+  const double bits = csvNumber(row, column, name);
+  if (bits >= 0.0 && bits <= kMost && bits == std::floor(bits)) return static_cast<std::uint32_t>(bits);
+  throw Error::atLine(row.file, row.line, fmt::format("{} is no set of bits: {}", name, row.fields[column]));
+}
+
+ForcesRow rowFrom(const CsvRow& row) {
+  return {.time_s = csvNumber(row, kTime, "t_s", kRecorded),
+          .finger = row.fields[kFinger],
+          .tip = vectorFrom(row, kTip, "tip"),
+          .anchor = vectorFrom(row, kAnchor, "anchor"),
+          .force = vectorFrom(row, kForce, "force"),
+          .depth_mm = csvNumber(row, kDepth, "depth_mm", kRecorded),
+          .touch = touchFrom(row),
+          .device_force = vectorFrom(row, kDevice, "device"),
+          .contact_status = bitsFrom(row, kContactStatus, "contact_status"),
+          .safety_status = bitsFrom(row, kSafetyStatus, "safety_status")};
+}
+
+/// What is wrong with a first row that is not the header of such a table.
+[[noreturn]] void failForHeader(const CsvRow& row, std::span<const std::string_view> header) {
+  const auto different = std::ranges::mismatch(row.fields, header);
+  if (different.in1 == row.fields.begin() || different.in1 == row.fields.end()) {
+    throw Error::atLine(row.file, row.line, "is no table of forces: it begins with other columns");
   }
-  finger.time_s.push_back(time_s);
-  finger.tip.push_back(vectorFrom(row, kTip, "tip"));
-  finger.force.push_back(vectorFrom(row, kForce, "force"));
+  const auto column = different.in1 - row.fields.begin();
+  const std::string_view wanted = different.in2 == header.end() ? "nothing" : *different.in2;
+  throw Error::atLine(row.file, row.line,
+                      fmt::format("is no table of forces: column {} is '{}' instead of {}", column + 1,
+                                  different.in1->substr(0, 40), wanted));
+}
+
+/// A table that was cut off ends in the middle of its last row.
+void requireWholeRow(const CsvRow& row, std::size_t columns, std::string_view text) {
+  if (row.fields.size() == columns) return;
+  const auto behind = static_cast<std::size_t>(row.fields.back().end() - text.begin());
+  if (row.fields.size() < columns && text.find('\n', behind) == std::string_view::npos) {
+    throw Error::atLine(row.file, row.line,
+                        fmt::format("the table breaks off here: {} of {} fields", row.fields.size(), columns));
+  }
+  throw Error::atLine(row.file, row.line, fmt::format("expected {} fields, found {}", columns, row.fields.size()));
+}
+
+void addRow(const ForcesRow& row, std::vector<RecordedFinger>& fingers) {
+  RecordedFinger& finger = fingerNamed(fingers, row.finger);
+  finger.time_s.push_back(row.time_s);
+  finger.tip.push_back(row.tip);
+  finger.force.push_back(row.force);
 }
 
 }  // namespace
 
-std::vector<RecordedFinger> parseForcesTable(std::string_view text, std::string_view name) {
+void forEachForcesRow(std::string_view text, std::string_view name,
+                      const std::function<void(const ForcesRow&)>& visit) {
   const std::vector<std::string_view> header = split(forcesCsvHeader(), ',');
-  std::vector<RecordedFinger> fingers;
+  std::vector<std::pair<std::string, double>> newest;  // time of each finger
   bool first = true;
-  forEachCsvRow(text, name, [&](const CsvRow& row) {
+  forEachCsvRow(text, name, [&](const CsvRow& fields) {
     if (std::exchange(first, false)) {
-      if (std::ranges::equal(row.fields, header)) return;
-      throw Error::atLine(row.file, row.line, "is no table of forces: it begins with other columns");
+      if (!std::ranges::equal(fields.fields, header)) failForHeader(fields, header);
+      return;
     }
-    if (row.fields.size() != header.size()) {
-      throw Error::atLine(row.file, row.line,
-                          fmt::format("expected {} fields, found {}", header.size(), row.fields.size()));
+    requireWholeRow(fields, header.size(), text);
+    const ForcesRow row = rowFrom(fields);
+    auto of_finger = std::ranges::find(newest, row.finger, &std::pair<std::string, double>::first);
+    if (of_finger == newest.end()) {
+      newest.emplace_back(row.finger, row.time_s);
+    } else if (row.time_s <= of_finger->second) {
+      throw Error::atLine(fields.file, fields.line,
+                          fmt::format("time does not increase: {} s after {} s", row.time_s, of_finger->second));
+    } else {
+      of_finger->second = row.time_s;
     }
-    addRow(row, fingers);
+    visit(row);
   });
-  if (fingers.empty()) throw Error::inFile(name, "holds no forces");
+  if (newest.empty()) throw Error::inFile(name, "holds no forces");
+}
+
+void forEachForcesRow(const std::filesystem::path& file, const std::function<void(const ForcesRow&)>& visit) {
+  const std::string text = readFile(file, kMostBytes);
+  forEachForcesRow(text, file.string(), visit);
+}
+
+std::vector<RecordedFinger> parseForcesTable(std::string_view text, std::string_view name) {
+  std::vector<RecordedFinger> fingers;
+  forEachForcesRow(text, name, [&](const ForcesRow& row) { addRow(row, fingers); });
   return fingers;
 }
 
