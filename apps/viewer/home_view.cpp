@@ -46,8 +46,8 @@ view::Camera homeView(const scene::World& world, const Shown& shown, view::Stand
 namespace {
 
 constexpr std::array<std::string_view, 5> kCameraKeys = {"side", "yaw_deg", "pitch_deg", "zoom", "look_at_mm"};
-constexpr std::array<std::string_view, 6> kLookKeys = {"shading", "colours", "show",
-                                                       "opacity", "finger",  "white_background"};
+constexpr std::array<std::string_view, 9> kLookKeys = {
+    "shading", "colours", "show", "opacity", "finger", "white_background", "scalar", "scalar_map", "scalar_range"};
 constexpr std::array<std::string_view, 4> kStereoKeys = {"stereo", "eye_distance_mm", "convergence_mm", "swap_eyes"};
 
 /// Some key has another value than it would have if it were left out.

@@ -14,6 +14,7 @@
 #include "apps/viewer/panels/asks.h"
 #include "apps/viewer/plots/sample_history.h"
 #include "apps/viewer/session_parts.h"
+#include "apps/viewer/vertex_values.h"
 #include "apps/viewer/view_state.h"
 #include "palpate/engine/world_builder.h"
 #include "palpate/scene/scene.h"
@@ -39,6 +40,8 @@ struct Session {
   double now_s = 0.0;
   double ticks_per_s = 1000.0;  ///< of the servo: those of the scene that the window began with
   WorldFacts world;
+  std::optional<VertexReading> reading;  ///< of the vertex that was clicked last
+  bool mark_vertex = false;              ///< its panel is open: a cross shows where it is
   std::optional<engine::BuildProgress> building;
   std::array<contact::FingerOutput, 2> fingers;
   std::array<bool, 2> finger_present{};

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "palpate/base/vec.h"
+#include "palpate/scene/skin_channels.h"
 #include "palpate/servo/loop.h"
 #include "palpate/tissue/profile_settings.h"
 #include "palpate/window/head_tracker.h"
@@ -45,6 +47,7 @@ struct WorldFacts {
   double softest_n_per_mm = 0.0, stiffest_n_per_mm = 0.0;
   std::vector<std::string> notes;
   bool has_picture = false;
+  std::shared_ptr<const scene::SkinChannels> channels = nullptr;  ///< numbers and colours of its file, or null
 };
 
 /// The tracked head in this frame.

@@ -44,7 +44,8 @@ WorldFacts factsOf(const scene::World& world) {
           .softest_n_per_mm = *soft,
           .stiffest_n_per_mm = *stiff,
           .notes = world.notes,
-          .has_picture = world.texture != nullptr};
+          .has_picture = world.texture != nullptr,
+          .channels = world.channels};
 }
 
 }  // namespace
@@ -63,7 +64,7 @@ Viewer::Viewer(const std::shared_ptr<const scene::World>& world, ViewState state
   session_.state = std::move(state);
   session_.scene = world->scene;
   session_.scene_file = world->scene.file.string();
-  session_.world = factsOf(*world);
+  takeFacts();
   session_.device_limit_n = world->scene.safety.nominal_force_n;
   session_.profile.knots = world->deformation.normal_profile.knots;
   session_.ticks_per_s = servo_.thread().ticksPerS();
@@ -73,6 +74,14 @@ Viewer::Viewer(const std::shared_ptr<const scene::World>& world, ViewState state
 }
 
 Viewer::~Viewer() = default;
+
+void Viewer::takeFacts() {
+  const bool other_file = session_.world.channels != world_->channels;
+  session_.world = factsOf(*world_);
+  if (!other_file) return;
+  const std::string words = useChannelsOf(*world_, session_.state.look);
+  if (!words.empty()) session_.report(Severity::info, words);
+}
 
 servo::LoopReport Viewer::finish() {
   servo::LoopReport report = servo_.thread().stop();
@@ -137,10 +146,11 @@ void Viewer::takeWorld() {
   const bool other_scene = shown.world->scene.file != world_->scene.file;
   world_ = shown.world;
   model_->setWorld(world_);
-  session_.world = factsOf(*world_);
+  takeFacts();
   session_.device_limit_n = session_.scene.safety.nominal_force_n;
   if (session_.profile.handle < 0) session_.profile.knots = world_->deformation.normal_profile.knots;
   if (!shown.other_body) return;
+  session_.reading.reset();
   history_.clear();
   freeze(session_.replay, false);
   pointer_.reset();
@@ -252,6 +262,9 @@ void Viewer::obey(const window::Command& command) {
     zoom.kind = Kind::zoom;
     pointer_.apply(zoom, session_);
     return;
+  }
+  if (command.kind == Kind::press) {
+    if (const auto place = pointer_.skinAt(command.at)) session_.reading = readVertex(*world_, place->point);
   }
   if (pointer_.apply(command, session_)) return;
   const auto place = pointer_.skinAt(command.at);
@@ -400,7 +413,12 @@ std::vector<view::FingerMark> Viewer::fingerMarks() {
 /// None while the past is looked at: they are where the fingers are now.
 std::vector<view::Lines> Viewer::rings() const {
   if (session_.editor.active) return dysfunctionRings(session_, pointer_, *world_);
-  return session_.replay.frozen ? std::vector<view::Lines>() : fingerRings(session_, pointer_);
+  std::vector<view::Lines> marks;
+  if (!session_.replay.frozen) marks = fingerRings(session_, pointer_);
+  if (session_.reading && session_.mark_vertex) {
+    marks.push_back(vertexMark(*session_.reading, *world_, model_->surface()));
+  }
+  return marks;
 }
 
 /// Pictures are kept without what lies over them for a moment, unless that was asked for too.

@@ -78,6 +78,7 @@ class Viewer {
   void makeTarget(int width, int height);
   void lookAround();
   void takeWorld();
+  void takeFacts();
   void followServo(double elapsed_s);
   void takeSamples();
   void plot(const trace::Sample& sample);

@@ -204,7 +204,7 @@ TEST_F(Map, OfASceneHasItsDysfunctionsInIt) {
     EXPECT_NEAR(table.at("stiffness_n_per_mm")[v], 0.4 * factor, 1e-12);
   }
   const std::string svg = contentOf(folder_ / "s.svg");
-  for (const char* text : {"Stiffness of the body: Monday", "stiffness (N/mm)", "dysfunctions", "+150 %"}) {
+  for (const char* text : {"Stiffness of the body", "Scene: Monday", "stiffness (N/mm)", "dysfunctions", "+150 %"}) {
     EXPECT_NE(svg.find(text), std::string::npos) << text;
   }
 }

@@ -177,6 +177,7 @@ figures::Figure figureOf(const MapSkin& skin, const SkinMap& map) {
   figure.panels.emplace_back(std::move(plot));
   figure.panel_width_px = 560.0;
   figure.panel_height_px = 640.0;
+  figure.note = map.note;
   return figure;
 }
 

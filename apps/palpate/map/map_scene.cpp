@@ -30,7 +30,7 @@ nlohmann::ordered_json dysfunctionsJson(const scene::Scene& scene) {
 
 /// What every map of a scene says of it.
 SkinMap inScene(SkinMap map, const scene::World& world) {
-  map.title += ": " + world.scene.title;
+  map.note = "Scene: " + world.scene.title;
   map.summary["scene"] = world.scene.title;
   map.summary["dysfunctions"] = dysfunctionsJson(world.scene);
   for (const maps::Dysfunction& one : world.scene.dysfunctions) map.dysfunctions.push_back(drawnDysfunction(one));

@@ -61,6 +61,7 @@ struct ShownQuantity {
 /// A map over a skin, ready to be written (map_output.h).
 struct SkinMap {
   std::string title;
+  std::string note;                 ///< below a picture
   std::vector<MapColumn> vertices;  ///< a value a vertex each
   /// Columns of the map plane and their values at a place; without a function the shown vertex column is interpolated.
   std::vector<std::string> plane_columns;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -28,17 +29,20 @@ struct RepairArguments {
   bool json = false;
 };
 
-mesh::RepairResult repairFile(const RepairArguments& arguments) {
+/// `channels` gets what the file says of each vertex of the result.
+mesh::RepairResult repairFile(const RepairArguments& arguments, mesh::VertexChannels& channels) {
   ProgressLine progress;
   mesh::LoadOptions load_options = arguments.mesh.options;
   load_options.keep_wrong_indices = true;
-  mesh::TriangleMesh surface = mesh::load(arguments.mesh.file, load_options, progress.callback());
+  mesh::MeshWithChannels loaded = mesh::loadWithChannels(arguments.mesh.file, load_options, progress.callback());
   try {
     const mesh::RepairOptions options{.weld = !arguments.no_weld,
                                       .weld_distance_mm = arguments.weld_distance_mm,
                                       .orient_outwards = !arguments.keep_orientation,
                                       .fill_holes = !arguments.keep_holes};
-    return mesh::repair(std::move(surface), options, progress.callback());
+    mesh::RepairResult result = mesh::repair(std::move(loaded.mesh), options, progress.callback());
+    channels = mesh::followed(loaded.channels, result.source_vertex);
+    return result;
   } catch (const Error& error) {
     throw Error::inFile(arguments.mesh.file, error.what());
   }
@@ -112,8 +116,11 @@ nlohmann::ordered_json jsonOf(const mesh::RepairResult& result) {
 }
 
 void runRepair(const RepairArguments& arguments) {
-  const mesh::RepairResult result = repairFile(arguments);
-  mesh::save(arguments.output, result.mesh);
+  mesh::VertexChannels channels;
+  const mesh::RepairResult result = repairFile(arguments, channels);
+  const bool has_room =
+      std::filesystem::path(arguments.output).extension() == ".ply";  // other formats hold places only
+  mesh::save(arguments.output, result.mesh, has_room ? channels : mesh::VertexChannels());
   fmt::print("{}", arguments.json ? jsonOf(result).dump(2) + "\n" : textOf(result));
 }
 
@@ -123,7 +130,10 @@ void addRepairCommand(CLI::App& app) {
   auto arguments = std::make_shared<RepairArguments>();
   CLI::App& command = *app.add_subcommand("repair", "Make a mesh fit to be felt and say what was done");
   addMeshArguments(command, arguments->mesh);
-  command.add_option("-o,--output", arguments->output, "File to write: obj, stl or ply (mm)")->required();
+  command
+      .add_option("-o,--output", arguments->output,
+                  "File to write: obj, stl or ply (mm); a ply keeps the numbers and colours of a ply's vertices")
+      ->required();
   command.add_flag("--no-weld", arguments->no_weld, "Leave vertices at the same place apart");
   command
       .add_option("--weld-distance-mm", arguments->weld_distance_mm,

@@ -17,6 +17,7 @@
 #include "apps/palpate/render/render_options.h"
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
+#include "palpate/scene/skin_channels.h"
 #include "palpate/view/scene_view.h"
 
 namespace palpate::app {
@@ -107,12 +108,20 @@ std::optional<std::filesystem::path> ffmpegFor(const RenderOptions& options, Ren
   return std::nullopt;
 }
 
+/// Who names one on the command line wants that one and no other.
+void requireScalar(const RenderOptions& options, const scene::World& world) {
+  if (!options.scalar || scene::scalarNamed(world.channels.get(), *options.scalar) != nullptr) return;
+  throw Error(fmt::format("--scalar {}: the body's file brings no such number; it brings {}", *options.scalar,
+                          scene::scalarNames(world.channels.get())));
+}
+
 RenderReport render(const RenderOptions& options, const Progress& progress) {
   RenderReport result;
   result.size = sizeOf(options);
   const std::vector<std::filesystem::path> files = filesOf(options);
   const auto started = Clock::now();
   const auto world = scene::build(sceneFor(options), progress);
+  requireScalar(options, *world);
   result.notes = world->notes;
   result.build_s = secondsSince(started);
   std::vector<double> times;
@@ -203,13 +212,21 @@ void addCameraOptions(CLI::App& command, RenderOptions& options) {
 void addLookOptions(CLI::App& command, RenderOptions& options) {
   command.add_option("--show", options.show,
                      "Names with commas: overlays (wireframe, triangles, leaves, planes, box, ellipses, rings, arrows, "
-                     "contact, normals, section) and colours (plain, strain, stiffness, ellipse-map)");
+                     "contact, normals, section) and colours (plain, strain, stiffness, ellipse-map, scalar)");
+  command.add_option("--scalar", options.scalar, "Colour the skin by this number of the vertices of its PLY file");
+  command.add_option("--scalar-map", options.scalar_map, "Its colours")->check(oneOf<ColourMap>());
+  command
+      .add_option("--scalar-range", options.scalar_range,
+                  "Values of the two ends of its colours, LOW,HIGH; left out: "
+                  "its least and greatest")
+      ->delimiter(',')
+      ->expected(2);
   command.add_option("--shading", options.shading, "Light")->check(oneOf<scene::Shading>());
   command.add_option("--finger", options.finger, "What a finger looks like")->check(oneOf<scene::FingerShape>());
   command.add_option("--opacity", options.opacity, "Of the skin; below 1 the bones show")->check(CLI::Range(0.0, 1.0));
   command.add_flag("--white", options.white, "White background");
   command.add_flag("--texture,!--no-texture", options.texture,
-                   "The body's own picture, if the scene names one (default)");
+                   "The body's own picture, if the scene names one, or the colours of its PLY file (default)");
   command.add_flag("--detail,!--no-detail", options.detail, "Pores (default)");
   command.add_option("--title", options.title, "Words in the upper left corner");
   command.add_flag("--labels,!--no-labels", options.labels, "Legend, scale bar, directions and numbers (default)");

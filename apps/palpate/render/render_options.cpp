@@ -50,7 +50,7 @@ void useShow(const std::string& list, scene::ViewSettings& settings) {
     } else if (const auto overlay = valueNamed<scene::Overlay>(name)) {
       settings.show.push_back(*overlay);
     } else if (!name.empty()) {
-      throw Error(fmt::format("--show {}: '{}' must be one of plain, strain, stiffness, {}, {}", list, name,
+      throw Error(fmt::format("--show {}: '{}' must be one of plain, strain, stiffness, scalar, {}, {}", list, name,
                               kEllipseMap, fmt::join(allWords<scene::Overlay>(), ", ")));
     }
   }
@@ -65,6 +65,22 @@ void replace(T& setting, const std::optional<T>& by) {
 template <class T>
 void replace(T& setting, const std::optional<std::string>& by) {
   if (by) setting = valueNamed<T>(*by).value_or(setting);
+}
+
+}  // namespace
+
+namespace {
+
+/// A number of the body's file in place of what --show colours by.
+void useScalar(const RenderOptions& options, scene::ViewSettings& settings) {
+  if (options.scalar) {
+    settings.colours = scene::Colouring::scalar;
+    settings.scalar = *options.scalar;
+  }
+  replace(settings.scalar_map, options.scalar_map);
+  if (options.scalar_range.empty()) return;
+  if (!(options.scalar_range[0] < options.scalar_range[1])) throw Error("--scalar-range needs two rising numbers");
+  settings.scalar_range = Vec2(options.scalar_range[0], options.scalar_range[1]);
 }
 
 }  // namespace
@@ -91,6 +107,7 @@ scene::ViewSettings viewOf(const RenderOptions& options, const scene::ViewSettin
   if (options.look_at) settings.look_at_mm = placeOf(*options.look_at, "--look-at");
   if (options.head) settings.head_mm = placeOf(*options.head, "--head-mm");
   if (options.show) useShow(*options.show, settings);
+  useScalar(options, settings);
   settings.swap_eyes = settings.swap_eyes || options.swap_eyes;
   settings.white_background = settings.white_background || options.white;
   settings.texture = settings.texture && options.texture;

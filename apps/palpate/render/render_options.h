@@ -26,6 +26,8 @@ struct RenderOptions {
   bool json = false;
   // What replaces the scene's [view]; empty = as the scene says.
   std::optional<std::string> side, look_at, show, shading, finger, stereo, head;
+  std::optional<std::string> scalar, scalar_map;
+  std::vector<double> scalar_range;
   std::optional<double> yaw_deg, pitch_deg, zoom, opacity, eye_distance_mm, convergence_mm, screen_height_mm;
   bool swap_eyes = false;
   bool white = false;

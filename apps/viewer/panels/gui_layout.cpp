@@ -38,6 +38,10 @@ constexpr PanelEntry kPanels[] = {
      [](Session& s) {
        showPanel({s.state.look, s.state.simpler_when_slow, s.simple_shading, s.world});
      }},
+    {"Vertex",
+     [](Session& s) {
+       vertexPanel({s.reading, s.mark_vertex});
+     }},
     {"Stereo",
      [](Session& s) {
        stereoPanel({s.state.stereo, s.state.head, s.head, s.camera, s.world});
@@ -91,6 +95,7 @@ void sidePanel(Session& session, float width, const FreeArea& free) {
   ImGui::SetNextWindowSize({kPanelWidth, ImGui::GetIO().DisplaySize.y - free.top});
   constexpr auto kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
+  session.mark_vertex = false;
   if (ImGui::Begin("panel", nullptr, kFixed)) {
     for (const PanelEntry& panel : kPanels) {
       // F3 asks for this section from the keyboard.

@@ -51,8 +51,11 @@ void lookWidgets(const ShowPanel& panel) {
   }
   numberWidget(look.skin_opacity,
                {"show/opacity", "skin opacity", "%.2f", 0.0, 1.0, 1.0, "Below 1 the bones show through (key O)."});
+  const bool has_colours = panel.world.channels && !panel.world.channels->colours.empty();
   if (panel.world.has_picture) {
     flagWidget("show/picture", "picture on the skin", look.texture, "The one that the scene names.");
+  } else if (has_colours) {
+    flagWidget("show/colours", "colours of the file", look.texture, "Those that the mesh file has for its vertices.");
   }
   flagWidget("show/white", "white background", look.white_background, "For papers.");
 }
@@ -65,6 +68,7 @@ view::ColourRange& rangeOf(view::Look& look) {
 /// The range stays as the user set it until he asks for another: colours must mean the same before and after.
 void rangeWidgets(view::Look& look, const WorldFacts& world) {
   if (look.colouring == view::Colouring::plain) return;
+  if (look.colouring == view::Colouring::scalar) return scalarWidgets(look, world);
   view::ColourRange& range = rangeOf(look);
   const bool strain = look.colouring == view::Colouring::strain;
   if (strain) {

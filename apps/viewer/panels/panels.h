@@ -21,6 +21,7 @@
 #include "apps/viewer/panels/messages.h"
 #include "apps/viewer/plots/sample_history.h"
 #include "apps/viewer/session_parts.h"
+#include "apps/viewer/vertex_values.h"
 #include "apps/viewer/view_state.h"
 #include "palpate/engine/world_builder.h"
 #include "palpate/scene/scene.h"
@@ -70,6 +71,15 @@ struct ShowPanel {
   const WorldFacts& world;
 };
 void showPanel(const ShowPanel& panel);
+
+/// Which number of the body's file colours the skin, by which colours, and how its values are spread.
+void scalarWidgets(view::Look& look, const WorldFacts& world);
+
+struct VertexPanel {
+  const std::optional<VertexReading>& reading;
+  bool& marked;  ///< a cross shows it; set while the panel is drawn
+};
+void vertexPanel(const VertexPanel& panel);
 
 struct StereoPanel {
   view::StereoSettings& stereo;

@@ -9,6 +9,7 @@
 #include "palpate/mesh/reorder.h"
 #include "palpate/mesh/repair.h"
 #include "palpate/mesh/validate.h"
+#include "palpate/scene/skin_channels.h"
 #include "palpate/scene/skin_texture.h"
 
 namespace palpate::scene {
@@ -55,13 +56,15 @@ void requireFit(const mesh::TriangleMesh& mesh, const Progress& progress) {
 }
 
 BodyParts makeMeshParts(const BodySettings& settings, const Progress& progress) {
-  mesh::TriangleMesh mesh = mesh::load(settings.file, loadOptionsOf(settings), progress);
+  mesh::MeshWithChannels loaded = mesh::loadWithChannels(settings.file, loadOptionsOf(settings), progress);
+  mesh::TriangleMesh& mesh = loaded.mesh;
   scale(mesh, settings.scale);
   BodyParts parts;
   try {
     if (!settings.repair) requireFit(mesh, progress);
     std::vector<Index> source_vertex;
     parts = mendedBody(std::move(mesh), settings.file.filename().string(), progress, source_vertex);
+    parts.channels = skinChannels(loaded.channels, std::move(source_vertex));
   } catch (const Error& error) {
     throw Error::inFile(settings.file.string(), error.what());
   }

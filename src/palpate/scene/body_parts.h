@@ -15,6 +15,7 @@ struct BodyParts {
   Anatomy anatomy;
   std::vector<std::string> notes;
   std::shared_ptr<const SkinTexture> texture;
+  std::shared_ptr<const SkinChannels> channels = nullptr;
   std::vector<double> given_stiffness_n_per_mm = {};  ///< a skin vertex each, in place of the scene's; or empty
 };
 

@@ -38,6 +38,20 @@ Key<V> place(std::string name, std::optional<Vec3> V::*member, std::string meani
   return {std::move(name), "three numbers" + rangeSuffix(kPlaces), std::move(meaning), read, show};
 }
 
+/// Two rising numbers that need not be given.
+Key<V> range(std::string name, std::optional<Vec2> V::*member, std::string meaning) {
+  const auto read = [=](V& s, const Entry& entry) {
+    const std::vector<double> v = readPoint(entry, 2);
+    if (!(v[0] < v[1])) entry.fail("needs two rising numbers");
+    s.*member = Vec2(v[0], v[1]);
+  };
+  const auto show = [=](const V& s) {
+    const std::optional<Vec2>& v = s.*member;
+    return v ? showNumbers({v->x(), v->y()}) : std::string();
+  };
+  return {std::move(name), "two numbers", std::move(meaning), read, show};
+}
+
 }  // namespace
 
 Section viewSection() {
@@ -53,11 +67,17 @@ Section viewSection() {
       place("look_at_mm", &V::look_at_mm, "Place in the middle of the picture; left out: the middle of the body."),
       choice<V, Shading>("shading", &V::shading, "Light at the vertices, or skin."),
       choice<V, Colouring>("colours", &V::colours, "What the colour of the skin says."),
+      text<V>("scalar", &V::scalar,
+              "With colours = \"scalar\": which number of the body's PLY file; empty: the first."),
+      choice<V, ColourMap>("scalar_map", &V::scalar_map, "The colours of that number."),
+      range("scalar_range", &V::scalar_range,
+            "Values of the two ends of its colours; left out: its least and greatest."),
       overlayList("show", &V::show, "What is drawn over the skin (docs/pictures.md)."),
       number<V>("opacity", &V::opacity, between(0, 1), "Of the skin; below 1 the bones show through."),
       choice<V, FingerShape>("finger", &V::finger, "What a finger looks like."),
       flag<V>("white_background", &V::white_background, "White paper instead of grey."),
-      flag<V>("texture", &V::texture, "The picture that [body] texture names, on the skin."),
+      flag<V>("texture", &V::texture,
+              "The picture that [body] texture names, or the colours of a PLY file, on the skin."),
       flag<V>("detail", &V::detail, "Pores, where skin is seen from near by."),
       choice<V, StereoMode>("stereo", &V::stereo, "How two eyes share one picture."),
       number<V>("eye_distance_mm", &V::eye_distance_mm, between(0, 200), "Between the eyes; 0 is as good as mono."),

@@ -5,8 +5,10 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "palpate/base/colour_map.h"
 #include "palpate/base/vec.h"
 #include "palpate/base/words.h"
 
@@ -20,7 +22,7 @@ enum class Shading : std::uint8_t {
 };
 
 /// What the colour of the skin says; one at a time.
-enum class Colouring : std::uint8_t { plain, strain, stiffness, ellipses };
+enum class Colouring : std::uint8_t { plain, strain, stiffness, ellipses, scalar };
 
 /// Things drawn over the skin; any number at once.
 enum class Overlay : std::uint8_t {
@@ -68,8 +70,12 @@ struct ViewSettings {
   double opacity = 1.0;  ///< of the skin
   FingerShape finger = FingerShape::sphere;
   bool white_background = false;
-  bool texture = true;  ///< of the body, where it has one
-  bool detail = true;   ///< pores
+  bool texture = true;  ///< the body's own picture or colours, where its file has some
+  // The colouring `scalar`: a number that the body's file brings for each vertex.
+  std::string scalar;  ///< its name; empty: the first
+  ColourMap scalar_map = ColourMap::viridis;
+  std::optional<Vec2> scalar_range;  ///< values of the ends; left out: its least and greatest
+  bool detail = true;                ///< pores
 
   StereoMode stereo = StereoMode::mono;
   double eye_distance_mm = 63.0;
@@ -100,7 +106,15 @@ template <>
 struct WordsOf<scene::Colouring> {
   using V = scene::Colouring;
   static constexpr std::array kAll = {Word{"plain", V::plain}, Word{"strain", V::strain},
-                                      Word{"stiffness", V::stiffness}, Word{"ellipses", V::ellipses}};
+                                      Word{"stiffness", V::stiffness}, Word{"ellipses", V::ellipses},
+                                      Word{"scalar", V::scalar}};
+};
+
+template <>
+struct WordsOf<ColourMap> {
+  using V = ColourMap;
+  static constexpr std::array kAll = {Word{"viridis", V::viridis}, Word{"cividis", V::cividis},
+                                      Word{"cool-warm", V::cool_warm}, Word{"cyclic", V::cyclic}};
 };
 
 template <>

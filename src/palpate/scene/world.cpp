@@ -19,6 +19,7 @@
 #include "palpate/base/error.h"
 #include "palpate/scene/body_parts.h"
 #include "palpate/scene/hdb_source.h"
+#include "palpate/scene/skin_channels.h"
 #include "palpate/tissue/force_table.h"
 
 namespace palpate::scene {
@@ -136,6 +137,14 @@ std::shared_ptr<const hdb::HdbSurface> detectingBoxIfAsked(const Scene& scene, c
   return buildHdbSource(scene, skin, surface, progress);
 }
 
+// ---- what is seen
+
+void noteUnknownScalar(const Scene& scene, const SkinChannels* channels, std::vector<std::string>& notes) {
+  if (scene.view.scalar.empty() || scalarNamed(channels, scene.view.scalar) != nullptr) return;
+  notes.push_back(fmt::format("[view] scalar \"{}\": the body's file brings no such number; it brings {}",
+                              scene.view.scalar, scalarNames(channels)));
+}
+
 // ---- all together
 
 std::shared_ptr<const World> withBody(const Scene& scene, BodyParts body, deform::FormSettings forms,
@@ -143,6 +152,7 @@ std::shared_ptr<const World> withBody(const Scene& scene, BodyParts body, deform
   const KeyPoints keys = keyPointsOf(scene);
   report(progress, "mapping stiffness", 0.0);
   std::vector<std::string> notes = body.notes;
+  noteUnknownScalar(scene, body.channels.get(), notes);
   std::vector<double> stiffness = stiffnessOf(scene, body, keys, notes);
 
   report(progress, "building the contact surface", 0.0);
@@ -172,6 +182,7 @@ std::shared_ptr<const World> withBody(const Scene& scene, BodyParts body, deform
                                              .body_notes = std::move(body.notes),
                                              .hdb = std::move(hdb),
                                              .texture = std::move(body.texture),
+                                             .channels = std::move(body.channels),
                                              .given_stiffness_n_per_mm = std::move(body.given_stiffness_n_per_mm)});
 }
 
@@ -197,6 +208,7 @@ std::shared_ptr<const World> rebuilt(const World& world, const Scene& scene, con
                  .anatomy = world.anatomy,
                  .notes = world.body_notes,
                  .texture = world.texture,
+                 .channels = world.channels,
                  .given_stiffness_n_per_mm = world.given_stiffness_n_per_mm};
   return withBody(scene, std::move(body), formsOf(scene), progress);
 }

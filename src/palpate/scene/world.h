@@ -27,6 +27,7 @@ struct Anatomy {
 };
 
 struct SkinTexture;
+struct SkinChannels;
 
 struct World {
   Scene scene;              ///< the settings it was built from
@@ -40,10 +41,11 @@ struct World {
   deform::FormSettings deformation;               ///< complete: files read, fidelity filled in
   std::optional<maps::PolarContourMap> contours;  ///< for the shape "contour"
   Anatomy anatomy;
-  std::vector<std::string> notes;                        ///< what the user should know: repairs, a doubtful unit
-  std::vector<std::string> body_notes = {};              ///< those of them that are about the body
-  std::shared_ptr<const hdb::HdbSurface> hdb;            ///< for the contact source "hdb", otherwise null
-  std::shared_ptr<const SkinTexture> texture = nullptr;  ///< a picture on the skin (skin_texture.h), or null
+  std::vector<std::string> notes;                          ///< what the user should know: repairs, a doubtful unit
+  std::vector<std::string> body_notes = {};                ///< those of them that are about the body
+  std::shared_ptr<const hdb::HdbSurface> hdb;              ///< for the contact source "hdb", otherwise null
+  std::shared_ptr<const SkinTexture> texture = nullptr;    ///< a picture on the skin (skin_texture.h), or null
+  std::shared_ptr<const SkinChannels> channels = nullptr;  ///< of the body's file (skin_channels.h), or null
   /// What the body itself says, a skin vertex each, before dysfunctions; empty: the scene says (buildOn).
   std::vector<double> given_stiffness_n_per_mm = {};
 };

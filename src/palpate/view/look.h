@@ -29,6 +29,7 @@ inline constexpr std::size_t kOverlays = kOverlayNames.size();
 /// compression, red tension.
 constexpr ColourMap colourMapOf(Colouring colouring) {
   if (colouring == Colouring::stiffness) return ColourMap::viridis;
+  if (colouring == Colouring::scalar) return ColourMap::viridis;
   return colouring == Colouring::ellipses ? ColourMap::cividis : ColourMap::cool_warm;
 }
 
@@ -56,17 +57,23 @@ struct Look {
   Vec3f skin_colour = {0.56f, 0.32f, 0.22f};  ///< linear; kSkinTones has some
   FingerShape finger = FingerShape::sphere;
   bool detail = true;   ///< pores (Shading::skin)
-  bool texture = true;  ///< the user's picture, on a skin that has one (Colouring::plain)
+  bool texture = true;  ///< the user's picture or colours, on a skin that has some (Colouring::plain)
   bool white_background = false;
   bool light_background = false;  ///< light grey, for a window of light panels; white goes before it
   ColourRange strain_percent = {-20.0, 20.0};
   ColourRange stiffness_n_per_mm = {0.3, 1.2};
   ColourRange half_major_mm = {100.0, 200.0};
+  // Of Colouring::scalar: a number that the body's file brings (scene/skin_channels.h).
+  std::string scalar = {};
+  ColourMap scalar_map = ColourMap::viridis;
+  ColourRange scalar_range = {0.0, 1.0};
 
   bool hasLightGround() const { return white_background || light_background; }
   bool shows(Overlay overlay) const { return overlays[static_cast<std::size_t>(overlay)]; }
   void show(Overlay overlay, bool on = true) { overlays[static_cast<std::size_t>(overlay)] = on; }
+  ColourMap colourMap() const { return colouring == Colouring::scalar ? scalar_map : colourMapOf(colouring); }
   const ColourRange& range() const {
+    if (colouring == Colouring::scalar) return scalar_range;
     if (colouring == Colouring::stiffness) return stiffness_n_per_mm;
     return colouring == Colouring::ellipses ? half_major_mm : strain_percent;
   }

@@ -31,7 +31,7 @@ bool areSame(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b) {
 /// skin, bones and texture, vertex by vertex, as scene::rebuilt leaves them. A few ms for a million triangles.
 bool haveSameBody(const scene::World& a, const scene::World& b) {
   const auto same_bone = [](const body::Bone& p, const body::Bone& q) { return areSame(p.mesh, q.mesh); };
-  return a.texture == b.texture && areSame(a.skin, b.skin) &&
+  return a.texture == b.texture && a.channels == b.channels && areSame(a.skin, b.skin) &&
          std::equal(a.anatomy.bones.begin(), a.anatomy.bones.end(), b.anatomy.bones.begin(), b.anatomy.bones.end(),
                     same_bone);
 }

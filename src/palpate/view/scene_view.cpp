@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/scene/skin_channels.h"
+
 namespace palpate::view {
 
 namespace {
@@ -47,6 +49,9 @@ Look lookOf(const scene::World& world, const scene::ViewSettings& view) {
   look.detail = view.detail;
   look.strain_percent = {-world.scene.strain.range_percent, world.scene.strain.range_percent};
   look.stiffness_n_per_mm = rangeOf(world.stiffness_n_per_mm, look.stiffness_n_per_mm);
+  showScalar(world, view.scalar, look);
+  look.scalar_map = view.scalar_map;
+  if (view.scalar_range) look.scalar_range = {view.scalar_range->x(), view.scalar_range->y()};
   if (look.colouring == Colouring::ellipses) look.half_major_mm = rangeOf(skinHalfMajors(world), look.half_major_mm);
   return look;
 }
@@ -62,6 +67,14 @@ StereoSettings stereoOf(const scene::ViewSettings& view) {
 }
 
 }  // namespace
+
+void showScalar(const scene::World& world, std::string_view name, Look& look) {
+  const scene::SkinScalar* scalar = scene::scalarNamed(world.channels.get(), name);
+  if (scalar == nullptr) return;
+  look.scalar = scalar->name;
+  const bool varies = scalar->least < scalar->greatest;
+  look.scalar_range = {scalar->least, varies ? scalar->greatest : scalar->least + 1.0};
+}
 
 PictureSettings pictureSettings(const scene::World& world, const scene::ViewSettings& view, double aspect) {
   PictureSettings settings;

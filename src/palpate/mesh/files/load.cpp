@@ -53,14 +53,14 @@ std::optional<Format> formatByExtension(const std::filesystem::path& file) {
   return std::nullopt;
 }
 
-TriangleMesh read(const MeshFile& file, Format format) {
+TriangleMesh read(const MeshFile& file, Format format, VertexChannels* channels) {
   switch (format) {
     case Format::obj:
       return readObj(file);
     case Format::stl:
       return readStl(file);
     case Format::ply:
-      return readPly(file);
+      return readPly(file, channels);
     case Format::off:
       return readOff(file);
     case Format::gltf:
@@ -74,16 +74,20 @@ TriangleMesh read(const MeshFile& file, Format format) {
 
 bool isGltf(Format format) { return format == Format::gltf || format == Format::glb; }
 
-TriangleMesh loadChecked(const MeshFile& file, Format format) {
+void follow(VertexChannels* channels, const std::vector<Index>& source_vertex) {
+  if (channels != nullptr) *channels = followed(*channels, source_vertex);
+}
+
+TriangleMesh loadChecked(const MeshFile& file, Format format, VertexChannels* channels) {
   if (file.bytes.empty()) throw Error::inFile(file.name, "the file is empty");
-  TriangleMesh mesh = read(file, format);
+  TriangleMesh mesh = read(file, format, channels);
   if (mesh.triangles.empty()) throw Error::inFile(file.name, "no triangles in it");
   // STL welds while it reads.
   const bool repeats_vertices = isGltf(format) || format == Format::foreign;
   if (format != Format::stl && file.options.weld.value_or(repeats_vertices)) {
-    mergeVertices(mesh, equalVertices(mesh.positions));
+    follow(channels, mergeVertices(mesh, equalVertices(mesh.positions)));
   }
-  if (!file.options.group.empty()) removeUnusedVertices(mesh);
+  if (!file.options.group.empty()) follow(channels, removeUnusedVertices(mesh));
   toMillimetres(mesh, format, file.options.unit_mm);
   report(file.progress, "reading", 1.0);
   return mesh;
@@ -111,12 +115,30 @@ void checkTriangleCount(std::size_t triangles, std::string_view name) {
 
 TriangleMesh load(const std::filesystem::path& file, const LoadOptions& options, const Progress& progress) {
   report(progress, "reading", 0.0);
-  return withMeshFile(file, options, progress, loadChecked);
+  return withMeshFile(file, options, progress,
+                      [](const MeshFile& mesh_file, Format format) { return loadChecked(mesh_file, format, nullptr); });
 }
 
 TriangleMesh loadFromMemory(std::string_view bytes, Format format, std::string_view name, const LoadOptions& options,
                             const Progress& progress) {
-  return loadChecked({bytes, name, options, progress, {}}, format);
+  return loadChecked({bytes, name, options, progress, {}}, format, nullptr);
+}
+
+MeshWithChannels loadWithChannels(const std::filesystem::path& file, const LoadOptions& options,
+                                  const Progress& progress) {
+  report(progress, "reading", 0.0);
+  MeshWithChannels loaded;
+  loaded.mesh = withMeshFile(file, options, progress, [&](const MeshFile& mesh_file, Format format) {
+    return loadChecked(mesh_file, format, &loaded.channels);
+  });
+  return loaded;
+}
+
+MeshWithChannels loadWithChannelsFromMemory(std::string_view bytes, Format format, std::string_view name,
+                                            const LoadOptions& options, const Progress& progress) {
+  MeshWithChannels loaded;
+  loaded.mesh = loadChecked({bytes, name, options, progress, {}}, format, &loaded.channels);
+  return loaded;
 }
 
 }  // namespace palpate::mesh

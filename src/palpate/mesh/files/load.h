@@ -13,6 +13,7 @@
 #include "palpate/base/progress.h"
 #include "palpate/mesh/textured_mesh.h"
 #include "palpate/mesh/triangle_mesh.h"
+#include "palpate/mesh/vertex_channels.h"
 
 namespace palpate::mesh {
 
@@ -47,6 +48,22 @@ TriangleMesh load(const std::filesystem::path& file, const LoadOptions& options 
 /// glTF that refers to other files is refused.
 TriangleMesh loadFromMemory(std::string_view bytes, Format format, std::string_view name,
                             const LoadOptions& options = {}, const Progress& progress = {});
+
+/// A surface and what its file says of each vertex besides.
+struct MeshWithChannels {
+  TriangleMesh mesh;
+  VertexChannels channels;
+};
+
+/// `load`, with the numbers and colours that a PLY file has for its vertices: colours from red, green, blue (with or
+/// without diffuse_ before them), numbers from every other property but places and normals, at most
+/// kMostVertexScalars. Other formats bring none. Throws Error.
+MeshWithChannels loadWithChannels(const std::filesystem::path& file, const LoadOptions& options = {},
+                                  const Progress& progress = {});
+MeshWithChannels loadWithChannelsFromMemory(std::string_view bytes, Format format, std::string_view name,
+                                            const LoadOptions& options = {}, const Progress& progress = {});
+
+inline constexpr std::size_t kMostVertexScalars = 64;
 
 // The picture on a surface: a second reading of the same file, for those who draw.
 

@@ -1,12 +1,14 @@
-// PLY, text and binary in both byte orders: x, y, z of the element `vertex`, the index list of the element `face`.
+// PLY, text and binary in both byte orders: x, y, z of the element `vertex`, the index list of the element `face`, and
+// where they are asked for the colours and numbers of the vertices.
 //
-// Everything else in the file (colours, normals, other elements) is passed over as its header declares it. The header's
+// Everything else in the file (normals, other elements) is passed over as its header declares it. The header's
 // counts are never trusted: memory is taken for what the bytes that are left can hold.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "palpate/mesh/files/byte_reader.h"
 #include "palpate/mesh/files/polygons.h"
@@ -179,12 +181,85 @@ class BinaryValues {
   std::endian order_;
 };
 
+// --- what else a vertex has ---
+
+/// Where a row of the vertices has its colour, and what full light is.
+struct ColourColumns {
+  std::array<std::size_t, 3> columns{};
+  double full = 255.0;
+};
+
+struct ChannelColumns {
+  std::vector<std::size_t> scalars;  ///< as many as there are in the channels
+  std::optional<ColourColumns> colour;
+};
+
+double fullLightOf(Type type) {
+  if (type == Type::f32 || type == Type::f64) return 1.0;
+  return type == Type::u16 || type == Type::i16 ? 65535.0 : 255.0;
+}
+
+std::optional<std::size_t> scalarColumn(const Element& element, std::string_view name) {
+  for (std::size_t p = 0; p < element.properties.size(); ++p) {
+    if (element.properties[p].name == name && !element.properties[p].is_list) return p;
+  }
+  return std::nullopt;
+}
+
+std::optional<ColourColumns> colourColumns(const Element& element, const std::array<std::string_view, 3>& names) {
+  ColourColumns colour;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto column = scalarColumn(element, names[c]);
+    if (!column) return std::nullopt;
+    colour.columns[c] = *column;
+  }
+  colour.full = fullLightOf(element.properties[colour.columns[0]].type);
+  return colour;
+}
+
+bool isNumberOfItsOwn(std::string_view name) {
+  constexpr auto kOthers =
+      std::to_array<std::string_view>({"x", "y", "z", "nx", "ny", "nz", "red", "green", "blue", "alpha", "diffuse_red",
+                                       "diffuse_green", "diffuse_blue", "diffuse_alpha"});
+  return std::find(kOthers.begin(), kOthers.end(), name) == kOthers.end();
+}
+
+/// Prepares the channels for these vertices.
+ChannelColumns startChannels(const Element& element, VertexChannels& channels) {
+  ChannelColumns columns;
+  columns.colour = colourColumns(element, {"red", "green", "blue"});
+  if (!columns.colour) columns.colour = colourColumns(element, {"diffuse_red", "diffuse_green", "diffuse_blue"});
+  for (std::size_t p = 0; p < element.properties.size(); ++p) {
+    const Property& property = element.properties[p];
+    const bool first_of_its_name = scalarColumn(element, property.name) == p;
+    if (property.is_list || !isNumberOfItsOwn(property.name) || !first_of_its_name) continue;
+    if (channels.scalars.size() == kMostVertexScalars) break;
+    columns.scalars.push_back(p);
+    channels.scalars.push_back({std::string(property.name), {}});
+  }
+  return columns;
+}
+
+void addChannels(const std::vector<double>& row, const ChannelColumns& columns, VertexChannels& channels) {
+  for (std::size_t i = 0; i < columns.scalars.size(); ++i) {
+    channels.scalars[i].values.push_back(static_cast<float>(row[columns.scalars[i]]));
+  }
+  if (!columns.colour) return;
+  std::array<std::uint8_t, 3> colour{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double light = row[columns.colour->columns[c]] / columns.colour->full;
+    colour[c] = light > 0.0 ? static_cast<std::uint8_t>(std::min(light, 1.0) * 255.0 + 0.5) : std::uint8_t{0};
+  }
+  channels.colours.push_back(colour);
+}
+
 // --- body ---
 
 template <class Values>
 class BodyReader {
  public:
-  BodyReader(Values values, const MeshFile& file) : values_(values), file_(file) {}
+  BodyReader(Values values, const MeshFile& file, VertexChannels* channels)
+      : values_(values), file_(file), channels_(channels) {}
 
   TriangleMesh read(const Header& header) {
     for (const Element& element : header.elements) {
@@ -196,6 +271,7 @@ class BodyReader {
       }
     }
     polygons_.cut(mesh_, {file_.name, Values::kPlace, 0}, file_.options.keep_wrong_indices);
+    if (channels_ != nullptr && vertex_elements_ > 1) *channels_ = {};  // they need not have the same properties
     return std::move(mesh_);
   }
 
@@ -210,23 +286,24 @@ class BodyReader {
   }
 
   void readVertices(const Element& element) {
-    std::array<std::size_t, 3> columns{};
+    std::array<std::size_t, 3> place{};
     for (std::size_t axis = 0; axis < 3; ++axis)
-      columns[axis] = columnOf(element, std::string_view("xyz").substr(axis, 1));
+      place[axis] = columnOf(element, std::string_view("xyz").substr(axis, 1));
     if (element.count >= kNoIndex) values_.fail("more vertices than 32-bit indices can name");
     mesh_.positions.reserve(static_cast<std::size_t>(element.count));
     std::vector<double> row(element.properties.size());
+    const bool wanted = channels_ != nullptr && vertex_elements_++ == 0;
+    const ChannelColumns columns = wanted ? startChannels(element, *channels_) : ChannelColumns();
     for (std::size_t v = 0; v < element.count; ++v) {
       for (std::size_t p = 0; p < row.size(); ++p) row[p] = readOrPassOver(element.properties[p]);
-      mesh_.positions.emplace_back(row[columns[0]], row[columns[1]], row[columns[2]]);
+      mesh_.positions.emplace_back(row[place[0]], row[place[1]], row[place[2]]);
+      if (wanted) addChannels(row, columns, *channels_);
       reportProgress(v);
     }
   }
 
   std::size_t columnOf(const Element& element, std::string_view name) const {
-    for (std::size_t p = 0; p < element.properties.size(); ++p) {
-      if (element.properties[p].name == name && !element.properties[p].is_list) return p;
-    }
+    if (const auto column = scalarColumn(element, name)) return *column;
     values_.fail(fmt::format("the vertices have no '{}'", name));
   }
 
@@ -282,19 +359,22 @@ class BodyReader {
 
   Values values_;
   const MeshFile& file_;
+  VertexChannels* channels_;
+  std::size_t vertex_elements_ = 0;
   TriangleMesh mesh_;
   PolygonList polygons_;
 };
 
 }  // namespace
 
-TriangleMesh readPly(const MeshFile& file) {
+TriangleMesh readPly(const MeshFile& file, VertexChannels* channels) {
   TextReader text(file.bytes, file.name, file.progress);
   const Header header = readHeader(text);
   text.nextLine();
-  if (header.encoding == Encoding::text) return BodyReader(TextValues(text, header.encoding), file).read(header);
+  if (header.encoding == Encoding::text)
+    return BodyReader(TextValues(text, header.encoding), file, channels).read(header);
   ByteReader bytes(file.bytes, file.name, text.position());
-  return BodyReader(BinaryValues(bytes, header.encoding), file).read(header);
+  return BodyReader(BinaryValues(bytes, header.encoding), file, channels).read(header);
 }
 
 }  // namespace palpate::mesh

@@ -25,7 +25,8 @@ using TexturePlaces = std::vector<TexturePlace>;
 
 TriangleMesh readObj(const MeshFile& file, TexturePlaces* places = nullptr);
 TriangleMesh readStl(const MeshFile& file);
-TriangleMesh readPly(const MeshFile& file);
+/// Asked for `channels`, it notes numbers and colours, a vertex of the mesh each.
+TriangleMesh readPly(const MeshFile& file, VertexChannels* channels = nullptr);
 TriangleMesh readOff(const MeshFile& file);
 TriangleMesh readGltf(const MeshFile& file, TexturePlaces* places = nullptr);
 /// `extension` without its dot tells the format.

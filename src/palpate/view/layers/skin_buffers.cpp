@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "palpate/scene/skin_channels.h"
 #include "palpate/scene/skin_texture.h"
 #include "palpate/scene/world.h"
 #include "palpate/view/layers/skin_tint.h"
@@ -15,7 +16,7 @@ namespace {
 
 /// The arrays that follow the deformation have the first locations in kSkinAttributes, these the next.
 constexpr int kDeformedArrays = 7;
-enum Location : GLuint { kRest = kDeformedArrays, kTint, kValue, kTexturePlace };
+enum Location : GLuint { kRest = kDeformedArrays, kTint, kValue, kTexturePlace, kColour };
 /// Skins of so many triangles have a coarser set (skin_chunks.h), drawn where its cells are smaller than these pixels.
 constexpr std::size_t kManyTriangles = 200000;
 constexpr float kCoarseCellMm = 2.0f;
@@ -50,6 +51,15 @@ std::vector<float> halfMajors(const scene::World& world) {
     values.push_back(static_cast<float>(world.ellipses.at(p.x(), p.y()).half_major_mm));
   }
   return values;
+}
+
+/// In fours, as graphics cards like them.
+std::vector<std::array<std::uint8_t, 4>> paddedColours(const scene::SkinChannels* channels) {
+  std::vector<std::array<std::uint8_t, 4>> padded;
+  if (channels == nullptr) return padded;
+  padded.reserve(channels->colours.size());
+  for (const auto& [red, green, blue] : channels->colours) padded.push_back({red, green, blue, 255});
+  return padded;
 }
 
 /// Both ends of each edge once.
@@ -99,6 +109,11 @@ SkinBuffers::SkinBuffers(const scene::World& world)
   fillBuffer<TintBytes>(GL_ARRAY_BUFFER, tint_.get(), drawn_.withCopies<TintBytes>(skinTints(world)));
   fillBuffer<float>(GL_ARRAY_BUFFER, field_values_.get(), drawn_.withCopies<float>(stiffness_));
   fillBuffer<mesh::TexturePlace>(GL_ARRAY_BUFFER, texture_places_.get(), drawn_.places);
+  if (const auto colours = paddedColours(world.channels.get()); !colours.empty()) {
+    has_colours_ = true;
+    fillBuffer<std::array<std::uint8_t, 4>>(GL_ARRAY_BUFFER, colours_.get(),
+                                            drawn_.withCopies<std::array<std::uint8_t, 4>>(colours));
+  }
   glBindBuffer(GL_ARRAY_BUFFER, deformed_.get());
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(offsetOf(kDeformedArrays)), nullptr, GL_STREAM_DRAW);
   whole_ = uploaded(places, drawn_.triangles);
@@ -124,6 +139,7 @@ std::unique_ptr<SkinBuffers::Density> SkinBuffers::uploaded(std::span<const Vec3
   pointAt(kTint, tint_.get(), 4, GL_UNSIGNED_BYTE, 0);
   pointAt(kValue, field_values_.get(), 1, GL_FLOAT, 0);
   if (!drawn_.places.empty()) pointAt(kTexturePlace, texture_places_.get(), 2, GL_FLOAT, 0);
+  if (has_colours_) pointAt(kColour, colours_.get(), 4, GL_UNSIGNED_BYTE, 0);
   glBindVertexArray(0);
   return density;
 }
@@ -180,9 +196,22 @@ void SkinBuffers::setField(Colouring colouring, std::span<const float> values) {
   if (shown_field_ == colouring) shown_field_ = Colouring::plain;
 }
 
-void SkinBuffers::showField(Colouring colouring) {
-  if (colouring == Colouring::strain || shown_field_ == colouring) return;  // strain comes with the deformation
+bool SkinBuffers::hasField(const Look& look) const {
+  if (look.colouring == Colouring::scalar) return scene::scalarNamed(world_->channels.get(), look.scalar) != nullptr;
+  return look.colouring != Colouring::plain;
+}
+
+void SkinBuffers::showField(const Look& look) {
+  const Colouring colouring = look.colouring;
+  if (colouring == Colouring::strain) return;  // it comes with the deformation
+  const bool other_scalar = colouring == Colouring::scalar && shown_scalar_ != look.scalar;
+  if (shown_field_ == colouring && !other_scalar) return;
   shown_field_ = colouring;
+  shown_scalar_ = look.scalar;
+  if (colouring == Colouring::scalar) {
+    const std::vector<float>& given = scene::scalarNamed(world_->channels.get(), look.scalar)->values;
+    return fillBuffer<float>(GL_ARRAY_BUFFER, field_values_.get(), drawn_.withCopies<float>(given));
+  }
   if (colouring == Colouring::ellipses && half_major_.empty()) half_major_ = halfMajors(*world_);
   const std::vector<float>& values = colouring == Colouring::stiffness ? stiffness_ : half_major_;
   fillBuffer<float>(GL_ARRAY_BUFFER, field_values_.get(), drawn_.withCopies<float>(values));

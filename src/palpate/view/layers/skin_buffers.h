@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 
 #include "palpate/deform/surface.h"
 #include "palpate/scene/world.h"
@@ -28,8 +29,12 @@ class SkinBuffers {
 
   /// The field of the colourings `stiffness` and `ellipses`, a vertex each.
   void setField(Colouring colouring, std::span<const float> values);
-  /// Makes a field the one that programs see; strain always is there.
-  void showField(Colouring colouring);
+  /// Whether there is something to colour by: plain is none, and not every body has scalars.
+  bool hasField(const Look& look) const;
+  /// Makes the look's field the one that programs see; strain always is there.
+  void showField(const Look& look);
+  /// The body's file brings a colour for each vertex.
+  bool hasColours() const { return has_colours_; }
 
   /// Binds vertices and triangles as fine as this viewpoint needs them; which of them may be seen. Valid until the next
   /// call.
@@ -64,12 +69,14 @@ class SkinBuffers {
   std::unique_ptr<Density> coarse_;  // for a skin of very many triangles that is seen small
   GlVertexArray edge_array_;
   GlBuffer deformed_;  // x.. y.. z.. nx.. ny.. nz.. strain..: as the deformation keeps them, each with its copies
-  GlBuffer rest_, tint_, field_values_, texture_places_, edges_;
+  GlBuffer rest_, tint_, field_values_, texture_places_, colours_, edges_;
+  bool has_colours_ = false;
   std::vector<float> stiffness_;
   std::vector<float> half_major_;  // made when first shown, empty before
   std::vector<float> copies_;      // values on their way
   Colouring shown_field_ = Colouring::plain;
-  Index edge_indices_ = 0;  // made when first shown
+  std::string shown_scalar_;  // of Colouring::scalar
+  Index edge_indices_ = 0;    // made when first shown
   Eigen::AlignedBox3f box_;
 };
 

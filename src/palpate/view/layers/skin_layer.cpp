@@ -40,14 +40,15 @@ void SkinLayer::setWorld(const scene::World& world) {
 
 SkinNeeds SkinLayer::needsOf(const Look& look, const Viewpoint& viewpoint) const {
   const bool pores = look.detail && viewpoint.pixelsPerMm(buffers_->box()) > kFewestPixelsPerMm;
-  return {pores, look.texture && picture_.isThere()};
+  const bool picture = look.texture && picture_.isThere();
+  return {pores, picture, look.texture && !picture && buffers_->hasColours()};
 }
 
 void SkinLayer::drawColours(const Look& look, const Viewpoint& viewpoint, const SkinTouch& touch,
                             const SplitRuns& runs) {
   const SkinNeeds needs = needsOf(look, viewpoint);
-  if (look.colouring != Colouring::plain) {
-    buffers_->showField(look.colouring);
+  if (buffers_->hasField(look)) {
+    buffers_->showField(look);
     paint_.useField(look, viewpoint);
     return drawRuns(runs.plain);
   }
@@ -65,7 +66,7 @@ void SkinLayer::drawColours(const Look& look, const Viewpoint& viewpoint, const 
 void SkinLayer::draw(const Look& look, const Viewpoint& viewpoint, const SkinTouch& touch) {
   if (!(look.skin_opacity > 0.0)) return;
   const bool transparent = look.skin_opacity < 1.0;
-  const bool lit = look.colouring == Colouring::plain && look.shading == Shading::skin;
+  const bool lit = !buffers_->hasField(look) && look.shading == Shading::skin;
   const auto influences = lit ? influencesOf(touch, viewpoint.lights) : std::vector<Influence>();
   const SplitRuns& runs = buffers_->bind(viewpoint, influences);
   glEnable(GL_DEPTH_TEST);

@@ -36,6 +36,7 @@ std::string definesOf(const SkinNeeds& needs, bool touched) {
   std::string defines;
   if (needs.pores) defines += "#define PORES\n";
   if (needs.picture) defines += "#define PICTURE\n";
+  if (needs.colours) defines += "#define COLOURS\n";
   if (touched) defines += "#define TOUCHED\n";
   return defines;
 }
@@ -111,7 +112,7 @@ void SkinPaint::useDepth(const Viewpoint& viewpoint) const {
 }
 
 const Program& SkinPaint::gouraudProgram(const SkinNeeds& needs) {
-  std::optional<Program>& variant = gouraud_[needs.picture ? 1 : 0];
+  std::optional<Program>& variant = gouraud_[(needs.picture ? 1 : 0) + (needs.colours ? 2 : 0)];
   if (!variant) variant.emplace(program("gouraud", kGouraudVertex, kGouraudFragment, definesOf(needs, false)));
   return *variant;
 }
@@ -120,16 +121,16 @@ void SkinPaint::useGouraud(const Look& look, const Viewpoint& viewpoint, const S
   start(gouraudProgram(needs), look, viewpoint);
 }
 
-void SkinPaint::showMap(Colouring colouring) {
-  if (shown_map_ != colouring) uploadColourMap(colour_map_.get(), colourMapOf(colouring));
-  shown_map_ = colouring;
+void SkinPaint::showMap(ColourMap map) {
+  if (shown_map_ != map) uploadColourMap(colour_map_.get(), map);
+  shown_map_ = map;
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, colour_map_.get());
 }
 
 void SkinPaint::useField(const Look& look, const Viewpoint& viewpoint) {
   start(field_, look, viewpoint);
-  showMap(look.colouring);
+  showMap(look.colourMap());
   const ColourRange& range = look.range();
   const double width = range.high - range.low;
   field_.set("low", static_cast<float>(range.low));
@@ -141,7 +142,8 @@ void SkinPaint::useField(const Look& look, const Viewpoint& viewpoint) {
 }
 
 const Program& SkinPaint::skinProgram(const SkinNeeds& needs, bool touched) {
-  std::optional<Program>& variant = skin_[(needs.pores ? 1 : 0) + (touched ? 2 : 0) + (needs.picture ? 4 : 0)];
+  std::optional<Program>& variant =
+      skin_[(needs.pores ? 1 : 0) + (touched ? 2 : 0) + (needs.picture ? 4 : 0) + (needs.colours ? 8 : 0)];
   if (!variant) variant.emplace(program("skin", kSkinVertex, kSkinFragment, definesOf(needs, touched)));
   return *variant;
 }

@@ -31,6 +31,7 @@ std::vector<Influence> influencesOf(const SkinTouch& touch, const Lights& lights
 struct SkinNeeds {
   bool pores = false;
   bool picture = false;  ///< the user's, bound as texture unit 0, in the place of the skin's own colour
+  bool colours = false;  ///< those of the body's file, in that place
 };
 
 class SkinPaint {
@@ -49,14 +50,14 @@ class SkinPaint {
  private:
   const Program& gouraudProgram(const SkinNeeds& needs);
   const Program& skinProgram(const SkinNeeds& needs, bool touched);
-  void showMap(Colouring colouring);
+  void showMap(ColourMap map);
 
   Program field_, depth_;
   // By what is needed; compiled when first used.
-  std::array<std::optional<Program>, 2> gouraud_;
-  std::array<std::optional<Program>, 8> skin_;
+  std::array<std::optional<Program>, 4> gouraud_;
+  std::array<std::optional<Program>, 16> skin_;
   GlTexture colour_map_;
-  Colouring shown_map_ = Colouring::plain;
+  std::optional<ColourMap> shown_map_;
 };
 
 }  // namespace palpate::view

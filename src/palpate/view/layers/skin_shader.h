@@ -22,7 +22,15 @@ layout(location = 10) in vec2 picture_place;  // with PICTURE
 invariant gl_Position;
 uniform vec3 skin_colour;
 uniform float skin_opacity;
-vec3 factorOf(vec4 tint) { return tint.rgb * (255.0 / 128.0); }
+#ifdef COLOURS
+layout(location = 11) in vec4 given_colour;  // sRGB
+vec3 albedoHere() {
+  vec3 c = given_colour.rgb;
+  return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c));
+}
+#else
+vec3 albedoHere() { return skin_colour * tint.rgb * (255.0 / 128.0); }
+#endif
 )";
 
 /// Shared by the fragment shaders: skin seen at a slant hides more than skin seen face on.
@@ -64,7 +72,7 @@ void main() {
   front_shine = shine;
   at = picture_place;
 #else
-  vec3 albedo = skin_colour * factorOf(tint);
+  vec3 albedo = albedoHere();
   front.rgb = encoded(toned(albedo * light + shine));
   back = encoded(toned(albedo * light_behind));
 #endif
@@ -100,7 +108,7 @@ void main() {
   place = vec3(x, y, z);
   normal = vec3(nx, ny, nz);
   rest = rest_place;
-  albedo = vec4(skin_colour * factorOf(tint), tint.a);
+  albedo = vec4(albedoHere(), tint.a);
 #ifdef PICTURE
   at = picture_place;
 #endif

@@ -51,7 +51,7 @@ Legend legendOf(const LabelScene& scene, const ColourScale& scale) {
 }
 
 void drawColours(Drawing& page, const LabelScene& scene, Taken& taken) {
-  const auto scale = scaleOf(scene.look.colouring);
+  const auto scale = scaleOf(scene.look, scene.world);
   if (!scale) return;
   LegendPlace place;
   constexpr float kRoomForWords = 52.0f;

@@ -5,13 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/scene/skin_channels.h"
 #include "palpate/view/overlays/round_steps.h"
 
 namespace palpate::view {
 
 namespace {
 
-double valueAtVertex(const scene::World& world, const deform::DeformedSurface& surface, Colouring colouring, Index v) {
+double valueAtVertex(const scene::World& world, const deform::DeformedSurface& surface, const Look& look, Index v) {
+  const Colouring colouring = look.colouring;
+  if (colouring == Colouring::scalar) return scene::scalarNamed(world.channels.get(), look.scalar)->values[v];
   if (colouring == Colouring::strain) return 100.0 * surface.strain()[v];
   if (colouring == Colouring::stiffness) return world.stiffness_n_per_mm[v];
   const Vec3& place = world.skin.positions[v];
@@ -38,21 +41,30 @@ std::optional<ColourScale> scaleOf(Colouring colouring) {
       return ColourScale{colourMapOf(colouring), "stiffness", "N/mm"};
     case Colouring::ellipses:
       return ColourScale{colourMapOf(colouring), "half-major", "mm"};
+    case Colouring::scalar:
+      return ColourScale{colourMapOf(colouring), "scalar", ""};
     case Colouring::plain:
       break;
   }
   return std::nullopt;
 }
 
+std::optional<ColourScale> scaleOf(const Look& look, const scene::World& world) {
+  if (look.colouring != Colouring::scalar) return scaleOf(look.colouring);
+  const scene::SkinScalar* scalar = scene::scalarNamed(world.channels.get(), look.scalar);
+  if (scalar == nullptr) return std::nullopt;
+  return ColourScale{look.scalar_map, scalar->name, ""};
+}
+
 std::optional<double> valueUnder(const scene::World& world, const deform::DeformedSurface& surface, const Look& look,
                                  const contact::FingerOutput& finger) {
   const bool touches = finger.touch != contact::Touch::free && finger.triangle < world.skin.triangles.size();
-  if (look.colouring == Colouring::plain || !touches) return std::nullopt;
+  if (!touches || !scaleOf(look, world)) return std::nullopt;
   const auto& corners = world.skin.triangles[finger.triangle];
   const auto& places = world.skin.positions;
   const Vec3 shares = cornerShares(places[corners[0]], places[corners[1]], places[corners[2]], finger.proxy);
   double value = 0.0;
-  for (int i = 0; i < 3; ++i) value += shares[i] * valueAtVertex(world, surface, look.colouring, corners[i]);
+  for (int i = 0; i < 3; ++i) value += shares[i] * valueAtVertex(world, surface, look, corners[i]);
   return value;
 }
 
@@ -111,7 +123,8 @@ void drawWords(Drawing& page, const Legend& legend, const LegendPlace& place, co
   if (!legend.low_word.empty())
     writeLabel(page, {middle, below}, legend.low_word, inks, Align::centre, TextSize::small);
   const float title = above - (legend.high_word.empty() ? 0.0f : line + 3.0f) - 2.0f;
-  writeLabel(page, {middle, title}, legend.title + ", " + legend.unit, inks, Align::centre);
+  const std::string words = legend.unit.empty() ? legend.title : legend.title + ", " + legend.unit;
+  writeLabel(page, {middle, title}, words, inks, Align::centre);
 }
 
 /// A wedge at the bar's left that points at the value under a finger.

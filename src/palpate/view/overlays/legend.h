@@ -27,6 +27,9 @@ struct ColourScale {
 
 /// Strain: blue compression, red tension. Colouring::plain has none.
 std::optional<ColourScale> scaleOf(Colouring colouring);
+/// The same for what a look shows of this world: a scalar by its name, which the look keeps. None where the body has no
+/// such scalar.
+std::optional<ColourScale> scaleOf(const Look& look, const scene::World& world);
 
 /// Place of a value in a range, 0 to 1; outside it may be less or more.
 inline double shareOf(const ColourRange& range, double value) { return (value - range.low) / (range.high - range.low); }

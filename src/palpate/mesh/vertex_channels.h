@@ -1,0 +1,29 @@
+// What a mesh file may carry for each vertex besides its place: numbers and a colour. Only PLY files do.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "palpate/base/vec.h"
+
+namespace palpate::mesh {
+
+/// One number per vertex, e.g. {"strain", ...}. The name is one word: it is a PLY property.
+struct VertexScalar {
+  std::string name;
+  std::vector<float> values;
+};
+
+struct VertexChannels {
+  std::vector<VertexScalar> scalars;
+  std::vector<std::array<std::uint8_t, 3>> colours;  ///< red, green, blue per vertex (sRGB); empty = none
+
+  bool empty() const { return scalars.empty() && colours.empty(); }
+};
+
+/// The channels of a mesh whose vertex v was `source_vertex[v]` before: repaired, welded, reordered.
+VertexChannels followed(const VertexChannels& channels, const std::vector<Index>& source_vertex);
+
+}  // namespace palpate::mesh

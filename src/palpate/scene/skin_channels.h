@@ -1,0 +1,43 @@
+// What the body's own file says of each vertex of the skin: numbers and colours of a PLY, carried over to the skin that
+// was mended and reordered, and the vertex of the file that each vertex of the skin was.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "palpate/mesh/vertex_channels.h"
+
+namespace palpate::scene {
+
+/// One number a vertex of the skin.
+struct SkinScalar {
+  static constexpr std::size_t kBins = 48;
+
+  std::string name;
+  std::vector<float> values;
+  // Of the finite ones; 0 and 0 where there are none.
+  double least = 0.0;
+  double greatest = 0.0;
+  std::array<std::size_t, kBins> histogram{};  ///< vertices in equal parts from the least to the greatest
+};
+
+struct SkinChannels {
+  std::vector<SkinScalar> scalars;
+  std::vector<std::array<std::uint8_t, 3>> colours;  ///< sRGB, a vertex each; empty = none
+  std::vector<Index> source_vertex;                  ///< a vertex each: its number in the file, from 0
+};
+
+/// `of_file` has an entry a vertex of the file.
+std::shared_ptr<const SkinChannels> skinChannels(const mesh::VertexChannels& of_file, std::vector<Index> source_vertex);
+
+/// The scalar of this name; with an empty name the first. Null where there is none, or no channels at all.
+const SkinScalar* scalarNamed(const SkinChannels* channels, std::string_view name);
+
+/// "a, b, c", or "none".
+std::string scalarNames(const SkinChannels* channels);
+
+}  // namespace palpate::scene
