@@ -22,7 +22,8 @@ void runSimulate(const SimulateOptions& options) {
   ProgressLine progress;
   const scene::Scene scene = sceneFor(options);
   const ResultsFolder results = resultsFolder(options.out, options.overwrite);
-  SimulationResult result = simulate(scene, {results.folder, options.realtime, options.pictures, options.plot}, progress.display());
+  SimulationResult result =
+      simulate(scene, {results.folder, options.realtime, options.pictures, options.plot}, progress.display());
   progress.clear();
   result.files.emplace_back("report.json");
   const std::string json = reportOf(result).dump(2) + "\n";
@@ -32,9 +33,10 @@ void runSimulate(const SimulateOptions& options) {
 }
 
 void addOutputOptions(CLI::App& command, SimulateOptions& options) {
-  command.add_option("--out", options.out,
-                     "Folder for forces.csv, forces.png, surfaces (PLY), pictures.png and report.json; left out: results, or "
-                     "results-2, ... where an earlier run is");
+  command.add_option(
+      "--out", options.out,
+      "Folder for forces.csv, forces.png, surfaces (PLY), pictures.png and report.json; left out: results, or "
+      "results-2, ... where an earlier run is");
   command.add_flag("--overwrite", options.overwrite, "Replace the run that is in the folder");
   command.add_flag("--realtime", options.realtime,
                    "Pace the servo loop by the clock, deform at 60 Hz beside it, and report how late it woke");

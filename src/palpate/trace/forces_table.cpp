@@ -136,7 +136,9 @@ void forEachForcesRow(std::string_view text, std::string_view name,
 }
 
 void forEachForcesRow(const std::filesystem::path& file, const std::function<void(const ForcesRow&)>& visit) {
-  const std::string text = readFile(file, kMostBytes);
+  std::string text = readFile(file, kMostBytes);
+  // Of a table that was not finished the last row may be torn.
+  if (isUnfinished(file)) text.resize(text.rfind('\n') + 1);
   forEachForcesRow(text, file.string(), visit);
 }
 
@@ -147,10 +149,9 @@ std::vector<RecordedFinger> parseForcesTable(std::string_view text, std::string_
 }
 
 std::vector<RecordedFinger> readForcesTable(const std::filesystem::path& file) {
-  std::string text = readFile(file, kMostBytes);
-  // Of a table that was not finished the last row may be torn.
-  if (isUnfinished(file)) text.resize(text.rfind('\n') + 1);
-  return parseForcesTable(text, file.string());
+  std::vector<RecordedFinger> fingers;
+  forEachForcesRow(file, [&](const ForcesRow& row) { addRow(row, fingers); });
+  return fingers;
 }
 
 bool isUnfinished(const std::filesystem::path& file) { return file.extension() == kPartialExtension; }

@@ -29,6 +29,7 @@ struct ForcesRow {
 
 /// Calls `visit` for every row of the file, in its order. Throws Error (file:line: cause) for another header, a wrong
 /// number of fields, a row that breaks off, a field that is not what its column holds, and for a table without rows.
+/// Of an unfinished table a torn last row is left out.
 void forEachForcesRow(const std::filesystem::path& file, const std::function<void(const ForcesRow&)>& visit);
 /// The same from text; `name` stands for the file in messages.
 void forEachForcesRow(std::string_view text, std::string_view name, const std::function<void(const ForcesRow&)>& visit);
