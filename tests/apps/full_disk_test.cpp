@@ -58,9 +58,10 @@ class FullDisk : public testing::TestWithParam<WritingCommand> {
   /// Runs the command with `disk` prepared by these lines of shell; its exit code, and what is on the disk afterwards.
   support::CommandResult runOn(const std::string& prepare, const std::string& limit) const {
     std::ofstream(folder_ / "script.sh") << "rm -rf disk after; mkdir disk\n"
-                                         << prepare << "printf '" << "what was there before\\n" << "' > disk/"
-                                         << GetParam().file << "\n(" << limit << "exec '" << PALPATE_BINARY_DIR
-                                         << "/palpate' " << GetParam().arguments
+                                         << prepare << "printf '"
+                                         << "what was there before\\n"
+                                         << "' > disk/" << GetParam().file << "\n(" << limit << "exec '"
+                                         << PALPATE_BINARY_DIR << "/palpate' " << GetParam().arguments
                                          << ")\ncode=$?\ncp -r disk after\nexit $code\n";
     return support::runProgram("/usr/bin/env", (prepare.empty() ? "" : "unshare -m ") + std::string("sh script.sh"),
                                folder_.path());
@@ -109,7 +110,8 @@ TEST_P(FullDisk, SoDoesAFileThatMayNotGrow) { expectACleanFailure(runOn("", "uli
 
 INSTANTIATE_TEST_SUITE_P(Commands, FullDisk, testing::ValuesIn(kCommands), [](const auto& of) {
   std::string name = of.param.arguments.substr(0, of.param.arguments.find(' ')) + "_" + of.param.file;
-  std::replace_if(name.begin(), name.end(), [](char c) { return std::isalnum(c) == 0; }, '_');
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return std::isalnum(c) == 0; }, '_');
   return name;
 });
 

@@ -58,9 +58,7 @@ class Signals : public testing::Test {
     const auto size = fs::file_size(folder_ / name, error);
     return !error && size > 0;
   }
-  nlohmann::json report() const {
-    return nlohmann::json::parse(support::contentOf(folder_ / "results/report.json"));
-  }
+  nlohmann::json report() const { return nlohmann::json::parse(support::contentOf(folder_ / "results/report.json")); }
 
   support::TemporaryFolder folder_;
 };

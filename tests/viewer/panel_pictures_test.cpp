@@ -295,6 +295,8 @@ TEST_F(PanelPictures, OfTheHelpPage) {
   pixels_per_point = 0.75;  // it is large
   bool open = true;
   expect("help", 1140, 800, [&] { helpPage(open); });
+  pixels_per_point = 1.0;
+  expect("help_narrow", 500, 400, [&] { helpPage(open); });
 }
 
 TEST_F(PanelPictures, OfTheMessageList) {

@@ -69,7 +69,8 @@ void helpPage(bool& open) {
   if (ImGui::Begin("Keys and mouse (F1 or Esc closes)", &open,
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                        ImGuiWindowFlags_NoSavedSettings)) {
-    if (ImGui::BeginTable("columns", 2)) {
+    constexpr float kLeastForTwo = 760.0f;  // in a narrow window one column, to be scrolled
+    if (ImGui::BeginTable("columns", size.x < kLeastForTwo ? 1 : 2)) {
       ImGui::TableNextColumn();
       mouseRules();
       groupOf(window::KeyGroup::touch, kLeftNames);

@@ -58,7 +58,7 @@ std::string walk(Listing& listing) {
   std::string chosen;
   ImGui::TextDisabled("%s", listing.folder.c_str());
   fs::path next;
-  if (ImGui::BeginChild("files", {0.0f, 240.0f}, true)) {
+  if (ImGui::BeginChild("files", {0.0f, std::min(240.0f, 0.4f * ImGui::GetIO().DisplaySize.y)}, true)) {
     if (listing.folder.has_parent_path() && ImGui::Selectable("..")) next = listing.folder.parent_path();
     for (const fs::path& folder : listing.folders) {
       if (ImGui::Selectable((folder.filename().string() + "/").c_str())) next = folder;
@@ -83,6 +83,7 @@ void openDialog(std::span<const std::string> recent, bool& open, Asks& asks) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0.5f * size.x, 0.5f * size.y}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({std::min(560.0f, size.x - 40.0f), 0.0f});
+  ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {size.x, size.y - 30.0f});
   if (ImGui::Begin("Open a scene or a mesh", &open,
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings)) {
     // Files may have come since it was last open.
