@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "palpate/scene/words.h"
+#include "study/assignment/assignment_findings.h"
 #include "study/assignment/assignment_measurement.h"
 #include "study/measured/haptic_frames.h"
 #include "study/page/plot_parts.h"
@@ -127,91 +128,6 @@ std::vector<AssignmentRow> printedRows(const AssignmentMeasurement& found) {
   return rows;
 }
 
-// --------------------------------------------------------------------------------------------------------- findings
-
-const AssignmentRow& at(const AssignmentMeasurement& found, TreeKind tree, Assignment assignment, Index threshold) {
-  return *std::find_if(found.rows.begin(), found.rows.end(), [&](const AssignmentRow& row) {
-    return row.tree == tree && row.assignment == assignment && row.threshold == threshold;
-  });
-}
-
-/// Of a case's value over C's at the same tree and threshold.
-Extent againstMajority(const AssignmentMeasurement& found, Assignment assignment, double AssignmentRow::*value) {
-  Extent extent;
-  for (const AssignmentRow& row : found.rows) {
-    if (row.assignment != assignment) continue;
-    extent.add(row.*value / (at(found, row.tree, Assignment::Majority, row.threshold).*value));
-  }
-  return extent;
-}
-
-std::string times(const Extent& extent) {
-  return fmt::format("{} to {} times", rounded(extent.least), rounded(extent.most));
-}
-
-std::string bestFinding(const AssignmentMeasurement& found) {
-  return fmt::format(
-      "Case C, the dissertation's choice, is the best in every respect but one. A stores a triangle up to {} times and "
-      "renders {} what C renders, B up to {} times and {}. Frames follow: A takes {} and B {} as long as C, over all "
-      "thresholds and both trees.",
-      rounded(againstMajority(found, Assignment::Cut, &AssignmentRow::stored).most),
-      times(againstMajority(found, Assignment::Cut, &AssignmentRow::rendered)),
-      rounded(againstMajority(found, Assignment::BothSides, &AssignmentRow::stored).most),
-      times(againstMajority(found, Assignment::BothSides, &AssignmentRow::rendered)),
-      times(againstMajority(found, Assignment::Cut, &AssignmentRow::frame_us)),
-      times(againstMajority(found, Assignment::BothSides, &AssignmentRow::frame_us)));
-}
-
-std::string overlapFinding(const AssignmentMeasurement& found) {
-  const AssignmentRow& c = at(found, TreeKind::Octree, Assignment::Majority, found.plan.thresholds.front());
-  const AssignmentRow& b = at(found, TreeKind::Octree, Assignment::BothSides, found.plan.thresholds.front());
-  return fmt::format(
-      "The one: leaves of A do not overlap at all, those of C do where triangles stick out, {} leaf boxes round a "
-      "point of the skin at threshold {} (octree; B has {}). With tight boxes that costs less than what A stores more.",
-      rounded(c.overlap, 3), c.threshold, rounded(b.overlap, 3));
-}
-
-std::string smallLeavesFinding(const AssignmentMeasurement& found) {
-  const Index small = found.plan.thresholds.front();
-  const auto change = [&](Assignment assignment) {
-    return at(found, TreeKind::Octree, assignment, small).rendered /
-           at(found, TreeKind::Octree, assignment, kPrintedThreshold).rendered;
-  };
-  return fmt::format(
-      "Small leaves pay with C only: from a threshold of {} down to {} the triangles rendered (octree) change by a "
-      "factor of {} with C, {} with B and {} with A, because every plane cuts or copies more of them.",
-      kPrintedThreshold, small, rounded(change(Assignment::Majority)), rounded(change(Assignment::BothSides)),
-      rounded(change(Assignment::Cut)));
-}
-
-double worst(const AssignmentMeasurement& found, double AssignmentRow::*value) {
-  double most = 0.0;
-  for (const AssignmentRow& row : found.rows) most = std::max(most, row.*value);
-  return most;
-}
-
-std::string missFinding(const AssignmentMeasurement& found) {
-  const double lost = *std::max_element(found.lost_two_of_three.begin(), found.lost_two_of_three.end());
-  return fmt::format(
-      "Our search misses {} of the box's triangles, judged by brute force, with every case, tree and threshold. The "
-      "printed forms: ELSEIF up to {} (E4); the half-space, or the box of the node's space, up to {} with C, whose "
-      "triangles stick out of it (E5); the octree's two-of-three rule loses up to {} of the model before any search "
-      "(E6).",
-      worst(found, &AssignmentRow::missed) == 0.0 ? "none" : percent(worst(found, &AssignmentRow::missed)),
-      percent(worst(found, &AssignmentRow::missed_else_if)), percent(worst(found, &AssignmentRow::missed_cell_box)),
-      percent(lost));
-}
-
-std::string buildFinding(const AssignmentMeasurement& found) {
-  const AssignmentRow& c = at(found, TreeKind::Octree, Assignment::Majority, kPrintedThreshold);
-  return fmt::format(
-      "Building takes {} ns and {} bytes a triangle with C (octree, {}); A takes {} the time, B {}. Cutting is exact "
-      "to rounding: the pieces' area differs from the model's by {:.1g} of it.",
-      rounded(c.build_ns), rounded(c.bytes), kPrintedThreshold,
-      times(againstMajority(found, Assignment::Cut, &AssignmentRow::build_ns)),
-      times(againstMajority(found, Assignment::BothSides, &AssignmentRow::build_ns)), found.cut_area_error);
-}
-
 std::vector<std::string> methodOf(const AssignmentPlan& plan) {
   return {fmt::format("Model: the benchmark's back with {} triangles. The box is a cube of a quarter of the longest "
                       "edge round {} places of the skin, the tip 5 mm deep; means of the places, at each the fastest "
@@ -228,7 +144,7 @@ std::vector<std::pair<std::string, double>> numbersOf(const AssignmentMeasuremen
   constexpr const char* kNames[] = {"a", "b", "c"};
   for (const TreeKind tree : kTrees) {
     for (std::size_t i = 0; i < kAssignments.size(); ++i) {
-      const AssignmentRow& row = at(found, tree, kAssignments[i], kPrintedThreshold);
+      const AssignmentRow& row = rowOf(found, tree, kAssignments[i], kPrintedThreshold);
       const std::string stem = fmt::format("{}_{}_1024_", wordFor(tree), kNames[i]);
       numbers.emplace_back(stem + "stored", row.stored);
       numbers.emplace_back(stem + "overlap", row.overlap);
@@ -256,8 +172,7 @@ StudyPage studyAssignment(const StudySettings& settings) {
           "the side of two of their vertices; the dissertation takes C as \"the most efficient for rendering\" "
           "(3.3.2). How many triangles does each store and render, how far do leaves overlap, what is missed, and what "
           "does it cost?",
-      .findings = {bestFinding(found), smallLeavesFinding(found), missFinding(found), overlapFinding(found),
-                   buildFinding(found)},
+      .findings = assignmentFindings(found),
       .method = methodOf(found.plan),
       .tables = {{"assignment_1024_table", "At the dissertation's threshold of 1024.", rowTable(printedRows(found))},
                  {"assignment_table", "Every threshold.", rowTable(found.rows), false}},

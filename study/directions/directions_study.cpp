@@ -10,6 +10,7 @@
 #include "palpate/scene/words.h"
 #include "study/directions/axis_means.h"
 #include "study/directions/direction_fields.h"
+#include "study/directions/direction_findings.h"
 #include "study/measured/back_map.h"
 #include "study/page/plot_parts.h"
 
@@ -20,13 +21,6 @@ namespace {
 using maps::DirectionBlend;
 
 constexpr std::array<const char*, 3> kMeanNames{"degrees as numbers (printed)", "double angle", "tensor (ours)"};
-
-struct PointMeans {
-  maps::ForceDirection force = maps::ForceDirection::up;
-  int point = 1;
-  std::array<double, 3> deg{};  // in the order of kAxisMeans
-  double resultant = 0.0;
-};
 
 std::vector<PointMeans> meansOfAppendixC() {
   std::vector<PointMeans> all;
@@ -39,8 +33,6 @@ std::vector<PointMeans> meansOfAppendixC() {
   }
   return all;
 }
-
-double printedAgainstTensor(const PointMeans& means) { return axisDifferenceDeg(means.deg[0], means.deg[2]); }
 
 // P3 of all subjects stands at 180 degree. Written as 0 for one of them it is the same axis; how far each mean turns.
 std::array<double, 3> turnByOneFlip() {
@@ -55,13 +47,8 @@ std::array<double, 3> turnByOneFlip() {
   return turn;
 }
 
-struct Curve {
-  std::vector<double> x;
-  std::array<std::vector<double>, 3> error_deg;
-};
-
-Curve curveOver(const std::vector<double>& x, const AxisScatter& scatter, double AxisScatter::*varied) {
-  Curve curve{x, {}};
+AxisCurve curveOver(const std::vector<double>& x, const AxisScatter& scatter, double AxisScatter::*varied) {
+  AxisCurve curve{x, {}};
   for (const double value : x) {
     AxisScatter one = scatter;
     one.*varied = value;
@@ -70,20 +57,6 @@ Curve curveOver(const std::vector<double>& x, const AxisScatter& scatter, double
   }
   return curve;
 }
-
-constexpr double kStudiedSpread = 20.0;
-
-struct DirectionResults {
-  std::vector<PointMeans> means;
-  std::array<double, 3> flip{};
-  FieldComparison printed_up;  // raw degrees, the printed means
-  FieldComparison doubled_up;  // double angle
-  FieldComparison printed_down;
-  Curve spread_away;  // true axis at 90 degree
-  Curve spread_seam;  // true axis at 0 degree
-  Curve direction;    // over the true axis
-  Curve noise;        // over the noise of the radii, any true axis
-};
 
 std::vector<double> steps(double from, double to, int count) {
   std::vector<double> values;
@@ -94,6 +67,8 @@ std::vector<double> steps(double from, double to, int count) {
 std::vector<maps::KeyPoint> keysOf(maps::ForceDirection force) {
   return maps::dissertationKeyPoints({force, maps::Averaging::plain});
 }
+
+constexpr double kMirrorStep = 25.0;  // mm
 
 DirectionResults measuredDirections(const StudySettings& settings) {
   const auto places = placesOnBack(settings.quick ? 25.0 : 5.0);
@@ -107,6 +82,7 @@ DirectionResults measuredDirections(const StudySettings& settings) {
   results.printed_up = compareFields(up, DirectionBlend::raw_degrees, places);
   results.doubled_up = compareFields(up, DirectionBlend::double_angle, places);
   results.printed_down = compareFields(keysOf(maps::ForceDirection::down), DirectionBlend::raw_degrees, places);
+  results.tensor_mirror_deg = compareFields(up, DirectionBlend::tensor, placesOnBack(kMirrorStep)).mirror_deg;
   report(settings.progress, "means of known axes", 0.5);
   const auto spreads = steps(0.0, 40.0, count);
   results.spread_away = curveOver(spreads, {.true_deg = 90.0, .trials = trials}, &AxisScatter::spread_deg);
@@ -166,7 +142,7 @@ Figure fieldFigure(maps::ForceDirection force) {
           .panel_height_px = 390.0};
 }
 
-Series seriesOf(const std::string& name, const Curve& curve, std::size_t mean) {
+Series seriesOf(const std::string& name, const AxisCurve& curve, std::size_t mean) {
   return {.name = name, .x = curve.x, .y = curve.error_deg[mean], .marker = Marker::circle};
 }
 
@@ -238,52 +214,6 @@ StudyTable fieldTable(const DirectionResults& results) {
   return table;
 }
 
-const PointMeans& worstOf(const std::vector<PointMeans>& all) {
-  return *std::max_element(all.begin(), all.end(), [](const PointMeans& a, const PointMeans& b) {
-    return printedAgainstTensor(a) < printedAgainstTensor(b);
-  });
-}
-
-std::vector<std::string> findingsOf(const DirectionResults& results) {
-  const PointMeans& worst = worstOf(results.means);
-  const FieldComparison& up = results.printed_up;
-  const auto last = results.spread_seam.x.size() - 1;
-  const auto middle = results.direction.x.size() / 2;
-  return {
-      fmt::format(
-          "Over the back the printed blend points elsewhere than the tensors by {:.0f} degree on average and by "
-          "up to {:.0f} degree (where the ellipse is nearly round); on {} of the back by more than 10. The boundary of "
-          "the deformed region moves by "
-          "up to {:.0f} mm with it. Dragged down: {:.0f} on average, up to {:.0f} degree.",
-          up.mean_deg, up.most_deg, percent(up.share_above_10_deg), up.most_boundary_mm, results.printed_down.mean_deg,
-          results.printed_down.most_deg),
-      fmt::format(
-          "The printed blend breaks the symmetry of the body: left and right are mirror images in the data, yet "
-          "its directions miss the mirror image by up to {:.0f} degree, the tensors' by {:.1g}.",
-          up.mirror_deg,
-          compareFields(keysOf(maps::ForceDirection::up), DirectionBlend::tensor, placesOnBack(25.0)).mirror_deg),
-      fmt::format(
-          "An axis at 180 degree is one at 0. If a single subject's 180 at P3 had been written as 0, the printed "
-          "mean would turn by {:.0f} degree, the double angle's and the tensor's by {:.0f} and {:.0f}.",
-          results.flip[0], results.flip[1], results.flip[2]),
-      fmt::format("Means of the five subjects differ most at P{} ({}): {:.1f} degree as printed, {:.1f} as a tensor. "
-                  "There the subjects agree by {:.2f} of 1 only, so neither number means much.",
-                  worst.point, wordFor(worst.force), worst.deg[0], worst.deg[2], worst.resultant),
-      fmt::format(
-          "With axes whose truth is known: five of them that spread by {:.0f} degree around 90 give an error of "
-          "{:.0f} degree as numbers and {:.0f} as tensors; around 0 it is {:.0f} against {:.0f}, because half of "
-          "them are then written as nearly 180.",
-          kStudiedSpread, results.direction.error_deg[0][middle], results.direction.error_deg[2][middle],
-          results.direction.error_deg[0][0], results.direction.error_deg[2][0]),
-      fmt::format(
-          "Where the radii themselves are measured badly (by {:.0f} %), ellipses that come out nearly round point "
-          "anywhere. The tensor gives them hardly a voice, which helps a little: its error is {:.0f} degree, that of "
-          "the double angle "
-          "{:.0f}, that of the numbers {:.0f}.",
-          100.0 * results.noise.x[last], results.noise.error_deg[2][last], results.noise.error_deg[1][last],
-          results.noise.error_deg[0][last])};
-}
-
 }  // namespace
 
 StudyPage studyDirections(const StudySettings& settings) {
@@ -294,7 +224,7 @@ StudyPage studyDirections(const StudySettings& settings) {
           "The dissertation averages the directions of ellipses as numbers, between subjects (Appendix C) and between "
           "key points (5.17). An axis has no sense, so 0 and 180 degree are the same, and a circle has no direction at "
           "all (E29, E30). Where does this matter, and by how much?",
-      .findings = findingsOf(results),
+      .findings = directionFindings(results),
       .method = {"The fields are the engine's ellipse map over the seven key points (radius of effect 200 mm, basic "
                  "circle 150 mm), with the printed, the double-angle and the tensor blend and nothing else changed. "
                  "Where the points lie on the back is assumed (E33).",

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "palpate/base/text.h"
+#include "palpate/scene/words.h"
 #include "study/page/study_page.h"
 #include "study/page/text_table.h"
 
@@ -41,12 +42,14 @@ std::vector<std::string> cellsOf(const ErratumEffect& effect) {
           number(effect, effect.moved_ratio, 2),
           effect.isMeasured() ? effect.reading : fmt::format("- ({})", effect.text.choice),
           activeText(effect),
+          effect.text.erratum == Erratum::none ? "" : std::string(wordFor(effect.text.by_default)),
           fmt::format("{}", effect.text.ours)};
 }
 
 nlohmann::ordered_json objectOf(const ErratumEffect& effect) {
   nlohmann::ordered_json json = {
       {"erratum", rowName(effect)}, {"printed", effect.text.printed}, {"ours", effect.text.ours}};
+  if (effect.text.erratum != Erratum::none) json["by_default"] = wordFor(effect.text.by_default);
   if (!effect.isMeasured()) {
     json["not_measured"] = effect.text.choice;
     return json;
@@ -96,9 +99,10 @@ nlohmann::ordered_json listOf(const std::vector<ErratumEffect>& effects) {
 }  // namespace
 
 TextTable tableOf(const ErrataEffects& effects) {
-  TextTable table{{"erratum", "touching %", "peak N", "drag mm", "force N", "proxy mm", "lost ticks", "missed %",
-                   "skin mm", "rms mm", "strain %", "moved x", "other reading", "active", "what the engine does"},
-                  {}};
+  TextTable table{
+      {"erratum", "touching %", "peak N", "drag mm", "force N", "proxy mm", "lost ticks", "missed %", "skin mm",
+       "rms mm", "strain %", "moved x", "other reading", "active", "by default", "what the engine does"},
+      {}};
   for (const ErratumEffect* effect : allRows(effects)) table.rows.push_back(cellsOf(*effect));
   return table;
 }

@@ -165,13 +165,9 @@ RunLook lookOf(const Track& track) {
     if (finger.touch == contact::Touch::free) continue;
     touching += 1.0;
     look.peak_force_n = std::max(look.peak_force_n, finger.force.norm());
+    look.drag_mm = std::max(look.drag_mm, dragOf(*track.world, finger));
   }
   if (!track.outputs.empty()) look.touching_percent = 100.0 * touching / static_cast<double>(track.outputs.size());
-  for (std::size_t tick = 0; tick < track.ticks(); tick += kTicksAPicture) {
-    for (const contact::FingerOutput& finger : track.tick(tick)) {
-      look.drag_mm = std::max(look.drag_mm, dragOf(*track.world, finger));
-    }
-  }
   return look;
 }
 

@@ -1,4 +1,4 @@
-// Every figure of the dissertation that can be drawn from the text alone, drawn by the engine.
+// The figures of the dissertation that are drawn here, and what each of them is drawn from.
 #pragma once
 
 #include <array>

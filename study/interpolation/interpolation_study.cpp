@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "study/interpolation/interpolation_figures.h"
-#include "study/interpolation/left_out.h"
+#include "study/interpolation/interpolation_findings.h"
 #include "study/measured/back_map.h"
 #include "study/numbers/table_5_1.h"
 #include "study/page/plot_parts.h"
@@ -20,28 +20,8 @@ namespace {
 
 using maps::ForceDirection;
 
-constexpr double kEffectRadius = 200.0;  // the engine's (E28)
-constexpr std::array<const char*, kInterpolators.size()> kNames{"mean of the others",   "GRI over 150 mm (engine)",
-                                                                "GRI over the mean",    "thin plate",
-                                                                "polynomial, degree 1", "polynomial, degree 2"};
-
-using Errors = std::array<LeftOutErrors, kInterpolators.size()>;
-
-struct InterpolationResults {
-  Errors means;           // the two sets of means: up and down
-  Errors subjects;        // every subject by itself
-  double scatter_mm = 0;  // between subjects at the same point
-  std::vector<double> radii;
-  std::vector<double> subject_error_mm;  // of GRI over 150 mm, one a radius
-  std::vector<double> mean_base_error_mm;
-  RadiusRange figure_5_9;
-  std::array<std::pair<double, double>, kInterpolators.size()> range_mm;  // of the half major axis over the back
-  double up_down_mm = 0.0;                                                // rms of the boundary over the back
-  double up_down_most_mm = 0.0;
-};
-
-Errors errorsOf(const std::vector<TensorSet>& sets) {
-  Errors errors;
+InterpolatorErrors errorsOf(const std::vector<TensorSet>& sets) {
+  InterpolatorErrors errors;
   for (std::size_t i = 0; i < kInterpolators.size(); ++i) {
     errors[i] = leftOutErrors(sets, kInterpolators[i], kEffectRadius);
   }
@@ -63,6 +43,29 @@ double scatter() {
   const auto n = static_cast<double>(up.size() + down.size());
   return std::sqrt(
       (static_cast<double>(up.size()) * up_mm * up_mm + static_cast<double>(down.size()) * down_mm * down_mm) / n);
+}
+
+// What the boundaries of two means would be apart by chance alone, from how far subjects scatter. A subject against the
+// mean of the n - 1 others is off by the scatter of one times sqrt(1 + 1 / (n - 1)).
+double expectedUpDown() {
+  double squares = 0.0;
+  for (const ForceDirection force : {ForceDirection::up, ForceDirection::down}) {
+    const auto sets = subjectSets(force);
+    const auto n = static_cast<double>(sets.size());
+    const double seen = subjectScatterMm(sets);
+    squares += seen * seen * (n - 1.0) / n / n;
+  }
+  return std::sqrt(squares);
+}
+
+// The half major axes of the keys and of the basic circle.
+std::pair<double, double> measuredRange() {
+  std::pair range{kBasicCircle, kBasicCircle};
+  for (const PlacedTensor& key : meanSet(ForceDirection::up)) {
+    const double size = maps::ellipseOf(key.tensor).half_major_mm;
+    range = {std::min(range.first, size), std::max(range.second, size)};
+  }
+  return range;
 }
 
 std::pair<double, double> rangeOverBack(Interpolator interpolator, const std::vector<Vec2>& places) {
@@ -102,6 +105,14 @@ InterpolationResults measuredResults(const StudySettings& settings) {
   results.means = errorsOf({meanSet(ForceDirection::up), meanSet(ForceDirection::down)});
   results.subjects = errorsOf(allSubjects());
   results.scatter_mm = scatter();
+  results.expected_up_down_mm = expectedUpDown();
+  results.measured_mm = measuredRange();
+  for (std::size_t i = 0; i < kTable51Y.size(); ++i) {
+    for (const double radius : {100.0, 200.0, 400.0}) {
+      results.furthest_from_key_mm = std::max(
+          results.furthest_from_key_mm, std::abs(exactHalfMajor({0.0, kTable51Y[i]}, radius) - kTable51HalfMajor));
+    }
+  }
   report(settings.progress, "widths of the interpolation", 0.4);
   sweepRadii(settings.quick, results);
   results.figure_5_9 = radiiOfFigure59();
@@ -218,7 +229,7 @@ StudyTable leftOutTable(const InterpolationResults& results) {
     };
     const auto& [least, most] = results.range_mm[i];
     table.table.rows.push_back(
-        {kNames[i], cell(means, means.rms_mm), cell(means, means.most_mm), cell(means, means.size_rms_mm),
+        {kInterpolatorNames[i], cell(means, means.rms_mm), cell(means, means.most_mm), cell(means, means.size_rms_mm),
          cell(subjects, subjects.rms_mm), cell(subjects, subjects.most_mm), cell(subjects, subjects.size_rms_mm),
          fmt::format("{} of {}", subjects.undetermined, subjects.undetermined + subjects.foretold),
          most > 0.0 ? fmt::format("{:.0f} to {:.0f}", least, most) : std::string("-")});
@@ -244,57 +255,6 @@ StudyTable keysTable() {
   return table;
 }
 
-std::size_t bestInterpolator(const Errors& errors) {
-  std::size_t best = 0;
-  for (std::size_t i = 1; i < errors.size(); ++i) {
-    if (errors[i].undetermined == 0 && errors[i].rms_mm < errors[best].rms_mm) best = i;
-  }
-  return best;
-}
-
-double bestRadius(const InterpolationResults& results) {
-  const auto best = std::min_element(results.subject_error_mm.begin(), results.subject_error_mm.end());
-  return results.radii[static_cast<std::size_t>(best - results.subject_error_mm.begin())];
-}
-
-std::vector<std::string> findingsOf(const InterpolationResults& results) {
-  const Errors& subjects = results.subjects;
-  const double engine = subjects[1].rms_mm;
-  const auto best_width = *std::min_element(results.subject_error_mm.begin(), results.subject_error_mm.end());
-  return {
-      fmt::format(
-          "(5.7) misses its keys and gives both printed numbers, 115 and 112, only for effect radii from {:.0f} to "
-          "{:.0f} mm: the printed 400 is the diameter (E28). (5.16) gives 120 at all keys for every width "
-          "(at e = 100, 200 and 400: {:.3f}, {:.3f} and {:.3f} at E2).",
-          results.figure_5_9.from, results.figure_5_9.to, exactHalfMajor({0.0, kTable51Y[1]}, 100.0),
-          exactHalfMajor({0.0, kTable51Y[1]}, 200.0), exactHalfMajor({0.0, kTable51Y[1]}, 400.0)),
-      fmt::format(
-          "To be exact at the keys says nothing about the places between. Left out and foretold from the others, a "
-          "subject's boundary is missed by {:.0f} mm by the engine's GRI, {:.0f} by the thin plate, {:.0f} by a "
-          "plane and {:.0f} by the plain mean. Two subjects at the same point differ by {:.0f} mm. Best here: {}.",
-          engine, subjects[3].rms_mm, subjects[4].rms_mm, subjects[0].rms_mm, results.scatter_mm,
-          kNames[bestInterpolator(subjects)]),
-      fmt::format(
-          "Five points on a back are too few to prefer one interpolation for its accuracy: GRI and the plain mean "
-          "are {:.0f} mm apart. What speaks for GRI is that it never leaves the range of what was measured: over "
-          "the back its half major axis stays within {:.0f} to {:.0f} mm, where the thin plate goes from {:.0f} to "
-          "{:.0f} and the plane from {:.0f} to {:.0f}.",
-          std::abs(engine - subjects[0].rms_mm), results.range_mm[1].first, results.range_mm[1].second,
-          results.range_mm[3].first, results.range_mm[3].second, results.range_mm[4].first, results.range_mm[4].second),
-      fmt::format(
-          "A polynomial of degree 2 has six terms; with a point and its mirror image left out it was not determined "
-          "in {} of {} cases.",
-          subjects[5].undetermined, subjects[5].undetermined + subjects[5].foretold),
-      fmt::format(
-          "The width hardly matters for foretelling: the smallest error, {:.1f} mm, is at {:.0f} mm, and 200 mm gives "
-          "{:.1f} mm. Far smaller widths leave most of the back to the basic circle.",
-          best_width, bestRadius(results), engine),
-      fmt::format(
-          "\"Down is similar to up\" does not hold: over the back the boundaries of the two maps are {:.0f} mm apart "
-          "(rms) and {:.0f} mm at most (E31).",
-          results.up_down_mm, results.up_down_most_mm)};
-}
-
 }  // namespace
 
 StudyPage studyInterpolation(const StudySettings& settings) {
@@ -306,7 +266,7 @@ StudyPage studyInterpolation(const StudySettings& settings) {
           "as (5.7), which misses the points, then as (5.16), which does not (Figures 5.9 to 5.11). How does it depend "
           "on its width, and does it foresee the ellipse at a place where nobody measured better than other "
           "interpolations do?",
-      .findings = findingsOf(results),
+      .findings = interpolationFindings(results),
       .method =
           {"Ellipses are interpolated as log-Euclidean tensors by every method alike. The error of a foretold ellipse "
            "is the distance between the two boundaries, root mean square over all directions. P4 and P5 are left out "
@@ -326,7 +286,8 @@ StudyPage studyInterpolation(const StudySettings& settings) {
                   {"left_out_plane_rms_mm", results.subjects[4].rms_mm},
                   {"subject_scatter_mm", results.scatter_mm},
                   {"best_effect_radius_mm", bestRadius(results)},
-                  {"up_down_rms_mm", results.up_down_mm}}};
+                  {"up_down_rms_mm", results.up_down_mm},
+                  {"up_down_by_chance_mm", results.expected_up_down_mm}}};
 }
 
 }  // namespace palpate::study

@@ -1,5 +1,5 @@
 // The dissertation's haptic process, frame by frame: every triangle of the leaves that the detecting box meets is
-// tested, each by itself, as the haptic library did with whatever was drawn (3.3, 3.3.4).
+// tested, each by itself, as a haptic library has to do with whatever was drawn (3.3, 3.3.4).
 //
 // "Untouched" is collision detection: the way of the tip against every triangle. "Touched" adds the generation of the
 // force: the nearest point of every triangle, then spring and friction. What the library of 2008 really did with its

@@ -1,4 +1,4 @@
-// `palpate study numbers`: every number of the dissertation that can be computed, beside ours.
+// `palpate study numbers`: printed numbers of the dissertation beside ours, by what each is held against.
 #pragma once
 
 #include <filesystem>

@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "study/page/plot_parts.h"
-#include "study/profile/array_quality.h"
+#include "study/profile/profile_findings.h"
 
 namespace palpate::study {
 
@@ -17,38 +17,17 @@ namespace {
 
 using tissue::TableLookup;
 
-constexpr std::array kPrintedSizes{20, 130, 700};
-constexpr std::array kSizes{10, 20, 50, 130, 300, 700, 2000, 7000};
-
-// Vertices 9.7 mm apart are those of the dissertation's back (2962 triangles on 350 x 400 mm).
-constexpr double kPrintedSpacing = 9.7;
-constexpr std::array kSpacings{kPrintedSpacing, 1.0, 0.25};
-
-// A pixel of a life-size view on a monitor of 24 inch and 1920 columns.
-constexpr double kPixelMm = 0.28;
-// A turn of 0.57 degree makes a matte surface lit from 45 degree brighter or darker by 1 %, about the least that an eye
-// tells between areas side by side (Weber fraction of brightness).
-constexpr double kVisibleTurnDeg = 0.57;
-
 SkinSection sectionWith(double spacing_mm) { return {.spacing_mm = spacing_mm}; }
 
-using Sweep = std::vector<ArrayQuality>;
-
-Sweep sweep(TableLookup lookup, double spacing_mm) {
-  Sweep all;
-  for (const int entries : kSizes) all.push_back(arrayQuality(entries, lookup, sectionWith(spacing_mm)));
+ArraySweep sweep(TableLookup lookup, double spacing_mm) {
+  ArraySweep all;
+  for (const int entries : kArraySizes) all.push_back(arrayQuality(entries, lookup, sectionWith(spacing_mm)));
   return all;
 }
 
-struct Timing {
-  std::vector<double> nearest;  // ns, one a size
-  std::vector<double> linear;
-  double closed = 0.0;
-};
-
-Timing timings(bool quick) {
-  Timing timing;
-  for (const int entries : kSizes) {
+LookupTimes timings(bool quick) {
+  LookupTimes timing;
+  for (const int entries : kArraySizes) {
     timing.nearest.push_back(lookupNanoseconds(entries, TableLookup::nearest, quick));
     timing.linear.push_back(lookupNanoseconds(entries, TableLookup::linear, quick));
   }
@@ -56,30 +35,16 @@ Timing timings(bool quick) {
   return timing;
 }
 
-struct ProfileResults {
-  std::array<Sweep, kSpacings.size()> nearest;  // one a spacing
-  std::array<Sweep, kSpacings.size()> linear;
-  Timing timing;
-};
-
 ProfileResults measuredProfiles(const StudySettings& settings) {
   ProfileResults results;
-  for (std::size_t i = 0; i < kSpacings.size(); ++i) {
-    report(settings.progress, "pressing skin through arrays", static_cast<double>(i) / kSpacings.size());
-    results.nearest[i] = sweep(TableLookup::nearest, kSpacings[i]);
-    results.linear[i] = sweep(TableLookup::linear, kSpacings[i]);
+  for (std::size_t i = 0; i < kVertexSpacings.size(); ++i) {
+    report(settings.progress, "pressing skin through arrays", static_cast<double>(i) / kVertexSpacings.size());
+    results.nearest[i] = sweep(TableLookup::nearest, kVertexSpacings[i]);
+    results.linear[i] = sweep(TableLookup::linear, kVertexSpacings[i]);
   }
   report(settings.progress, "timing look-ups", 0.9);
   results.timing = timings(settings.quick);
   return results;
-}
-
-const ArrayQuality& ofSize(const Sweep& all, int entries) {
-  return *std::find_if(all.begin(), all.end(), [=](const ArrayQuality& one) { return one.entries == entries; });
-}
-
-std::size_t indexOf(int entries) {
-  return static_cast<std::size_t>(std::find(kSizes.begin(), kSizes.end(), entries) - kSizes.begin());
 }
 
 // --- figures
@@ -150,7 +115,7 @@ figures::MeshView pressedPatch(const std::string& title, const tissue::ProfileCu
 Figure surfaceFigure(bool quick) {
   const double spacing = quick ? 15.0 : 2.5;
   Figure figure{.columns = 2, .panel_width_px = 460.0, .panel_height_px = 300.0};
-  for (const int entries : kPrintedSizes) {
+  for (const int entries : kPrintedArrays) {
     figure.panels.emplace_back(pressedPatch(fmt::format("{} entries, nearest", entries),
                                             arrayProfile(entries, TableLookup::nearest), spacing));
   }
@@ -160,7 +125,7 @@ Figure surfaceFigure(bool quick) {
 }
 
 template <class Value>
-Series sweepSeries(const std::string& name, const Sweep& all, Marker marker, const Value& value) {
+Series sweepSeries(const std::string& name, const ArraySweep& all, Marker marker, const Value& value) {
   Series series{.name = name, .marker = marker};
   for (const ArrayQuality& one : all) {
     series.x.push_back(one.entries);
@@ -178,7 +143,7 @@ Plot sizePlot(const std::string& title, const std::string& label, const std::str
 
 Series level(const std::string& name, double value) {
   return {.name = name,
-          .x = {static_cast<double>(kSizes.front()), static_cast<double>(kSizes.back())},
+          .x = {static_cast<double>(kArraySizes.front()), static_cast<double>(kArraySizes.back())},
           .y = {value, value},
           .stroke = Stroke::dotted,
           .colour = figures::kInk,
@@ -186,10 +151,10 @@ Series level(const std::string& name, double value) {
 }
 
 // The sizes that the dissertation compares, on a curve.
-Series printedSizes(const Sweep& all) {
+Series printedSizes(const ArraySweep& all) {
   Series printed{.name = "sizes of Figure 4.9", .stroke = Stroke::none, .marker = Marker::diamond};
   printed.colour = figures::kInk;
-  for (const int entries : kPrintedSizes) {
+  for (const int entries : kPrintedArrays) {
     printed.x.push_back(entries);
     printed.y.push_back(ofSize(all, entries).error_mm);
   }
@@ -208,8 +173,8 @@ Plot errorPlot(const ProfileResults& results) {
 Plot turnPlot(const ProfileResults& results) {
   const auto turn = [](const ArrayQuality& one) { return one.turn_deg; };
   Plot plot = sizePlot("Turn of the normal that the array adds", "turn", "degree");
-  for (std::size_t i = 0; i < kSpacings.size(); ++i) {
-    const std::string vertices = fmt::format("vertices every {} mm", kSpacings[i]);
+  for (std::size_t i = 0; i < kVertexSpacings.size(); ++i) {
+    const std::string vertices = fmt::format("vertices every {} mm", kVertexSpacings[i]);
     Series nearest = sweepSeries("nearest, " + vertices, results.nearest[i], Marker::circle, turn);
     Series linear = sweepSeries("linear, " + vertices, results.linear[i], Marker::square, turn);
     nearest.colour = linear.colour = figures::seriesColour(i);
@@ -221,11 +186,11 @@ Plot turnPlot(const ProfileResults& results) {
   return plot;
 }
 
-Plot timePlot(const Timing& timing) {
+Plot timePlot(const LookupTimes& timing) {
   Plot plot = sizePlot("One look-up", "time", "ns");
   plot.y.scale = figures::Scale::linear;
   plot.y.from = 0.0;
-  const std::vector<double> sizes(kSizes.begin(), kSizes.end());
+  const std::vector<double> sizes(kArraySizes.begin(), kArraySizes.end());
   plot.series = {{.name = "nearest (4.3)", .x = sizes, .y = timing.nearest, .marker = Marker::circle},
                  {.name = "linear", .x = sizes, .y = timing.linear, .marker = Marker::square},
                  level("no array: the exponential", timing.closed)};
@@ -255,10 +220,10 @@ StudyTable qualityTable(const ProfileResults& results) {
   for (const bool linear : {false, true}) {
     const auto& sweeps = linear ? results.linear : results.nearest;
     const auto& times = linear ? results.timing.linear : results.timing.nearest;
-    for (std::size_t i = 0; i < kSizes.size(); ++i) {
+    for (std::size_t i = 0; i < kArraySizes.size(); ++i) {
       const ArrayQuality& fine = sweeps[1][i];
       table.table.rows.push_back(
-          {fmt::format("{}", kSizes[i]), linear ? "linear" : "nearest", rounded(fine.error_mm, 3),
+          {fmt::format("{}", kArraySizes[i]), linear ? "linear" : "nearest", rounded(fine.error_mm, 3),
            rounded(fine.step_mm, 3), rounded(fine.second_difference_mm, 3), rounded(sweeps[0][i].turn_deg) + " deg",
            rounded(fine.turn_deg) + " deg", rounded(sweeps[2][i].turn_deg) + " deg", fmt::format("{:.2f}", times[i])});
     }
@@ -269,56 +234,9 @@ StudyTable qualityTable(const ProfileResults& results) {
   return table;
 }
 
-// The smallest of the sizes whose turn stays invisible; 0 where none does.
-int smallestSmooth(const Sweep& all) {
-  const auto found =
-      std::find_if(all.begin(), all.end(), [](const ArrayQuality& one) { return one.turn_deg < kVisibleTurnDeg; });
-  return found == all.end() ? 0 : found->entries;
-}
-
-std::string smallestText(const Sweep& all) {
-  const int entries = smallestSmooth(all);
-  return entries == 0 ? fmt::format("more than {}", kSizes.back()) : fmt::format("{}", entries);
-}
-
-std::vector<std::string> findingsOf(const ProfileResults& results) {
-  const auto error = [&](int entries) { return rounded(ofSize(results.nearest[0], entries).error_mm); };
-  const auto turn = [&](std::size_t spacing, int entries) {
-    return rounded(ofSize(results.nearest[spacing], entries).turn_deg);
-  };
-  const double linear_130 = ofSize(results.linear[0], 130).error_mm;
-  const double nearest_700 = ofSize(results.nearest[0], 700).error_mm;
-  const Timing& timing = results.timing;
-  return {
-      fmt::format(
-          "Arrays of 20, 130 and 700 entries, read at the nearest entry as in (4.3), are off by up to {}, {} and "
-          "{} mm at 10 mm depth. A pixel of a life-size view is {} mm, so the text is right that 20 is seen, "
-          "that 130 is hardly told from 700, and that more than 700 is not needed for the place of the skin.",
-          error(20), error(130), error(700), kPixelMm),
-      fmt::format("The shading is stricter than the place. On the dissertation's own mesh (vertices {} mm apart) the "
-                  "array adds turns of the normal of {}, {} and {} degree; on a mesh of 1 mm they are {}, {} and {} "
-                  "degree, because the same step falls on a shorter triangle. From about {} degree on a turn is seen. "
-                  "So 700 entries suffice for the meshes of 2008 and not for those of today.",
-                  kPrintedSpacing, turn(0, 20), turn(0, 130), turn(0, 700), turn(1, 20), turn(1, 130), turn(1, 700),
-                  kVisibleTurnDeg),
-      fmt::format(
-          "Reading between two entries removes the steps: 130 entries are then off by {} mm, {} times less than "
-          "700 nearest ones. The turn stays invisible from {} (mesh of 9.7 mm), {} (1 mm) and {} entries on "
-          "(0.25 mm); with the nearest entry it takes {}, {} and {}.",
-          rounded(linear_130), rounded(nearest_700 / linear_130), smallestText(results.linear[0]),
-          smallestText(results.linear[1]), smallestText(results.linear[2]), smallestText(results.nearest[0]),
-          smallestText(results.nearest[1]), smallestText(results.nearest[2])),
-      fmt::format("The error falls with the size to the power {:.2f} for the nearest entry and {:.2f} between entries, "
-                  "as theory has it (1 and 2).",
-                  -orderOf(results.nearest[0]), -orderOf(results.linear[0])),
-      fmt::format("A look-up among 700 takes {:.1f} ns nearest and {:.1f} ns linear, the exponential itself {:.1f} ns. "
-                  "The engine's kernels take the exponential for several vertices at once, so it needs no array.",
-                  timing.nearest[indexOf(700)], timing.linear[indexOf(700)], timing.closed)};
-}
-
 std::vector<std::pair<std::string, double>> numbersOf(const ProfileResults& results) {
   std::vector<std::pair<std::string, double>> numbers;
-  for (const int entries : kPrintedSizes) {
+  for (const int entries : kPrintedArrays) {
     const std::string size = fmt::format("{}", entries);
     numbers.emplace_back("error_mm_nearest_" + size, ofSize(results.nearest[0], entries).error_mm);
     numbers.emplace_back("error_mm_linear_" + size, ofSize(results.linear[0], entries).error_mm);
@@ -343,7 +261,7 @@ StudyPage studyProfile(const StudySettings& settings) {
           "The dissertation stores the half Gaussian in an array and takes the nearest entry (4.3). Figure 4.9 "
           "compares 20, 130 and 700 entries by eye and chooses 700. How large must the array be, and is the nearest "
           "entry the right one?",
-      .findings = findingsOf(results),
+      .findings = profileFindings(results),
       .method = {"A section of skin from the finger to the rim, 150 mm long as the measured half axes are, is pressed "
                  "10 mm deep with the array and with the curve itself. The error is the largest distance between the "
                  "two; the step is what two neighbouring vertices differ beyond the curve's own slope; the turn is the "

@@ -46,7 +46,8 @@ StudyPage figuresPage(const StudySettings& settings) {
   StudyPage page;
   page.title = "The printed figures";
   page.command = "palpate study figures --out DIR";
-  page.question = "Which of the dissertation's figures can be drawn from the text alone, and do they look as printed?";
+  page.question =
+      "Which of the dissertation's figures can be drawn, from what, and what differs from the printed ones?";
   for (const DissertationFigure& entry : chosen) {
     report(settings.progress, titleOf(entry),
            static_cast<double>(page.figures.size()) / static_cast<double>(chosen.size()));
@@ -88,11 +89,10 @@ StudyPage errataPage(const scene::Scene& scene, const StudySettings& settings) {
 }  // namespace
 
 std::vector<Study> reportChapters(const scene::Scene& scene) {
-  std::vector<Study> chapters{
-      {"numbers", "Every number of the dissertation that can be computed, beside ours", numbersPage},
-      {"figures", "The figures of the dissertation, drawn by the engine", figuresPage},
-      {"errata", "What each erratum of the dissertation changes on a scene",
-       [scene](const StudySettings& settings) { return errataPage(scene, settings); }}};
+  std::vector<Study> chapters{{"numbers", "Printed numbers of the dissertation beside ours", numbersPage},
+                              {"figures", "The figures of the dissertation, drawn by the engine", figuresPage},
+                              {"errata", "What each erratum of the dissertation changes on a scene",
+                               [scene](const StudySettings& settings) { return errataPage(scene, settings); }}};
   chapters.insert(chapters.end(), studies().begin(), studies().end());
   return chapters;
 }

@@ -4,13 +4,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
+#include <cctype>
 
-#include "study/numbers/number_row.h"
 #include "study/numbers/printed_numbers.h"
 #include "study/page/plot_parts.h"
+#include "study/tables/rate_curves.h"
+#include "study/tables/rates_findings.h"
 #include "study/tables/rendering_rates.h"
 
 namespace palpate::study {
@@ -19,62 +18,19 @@ namespace {
 
 using figures::Colour;
 
-/// x and y of a curve.
-struct RateCurve {
-  std::vector<double> x{};
-  std::vector<double> y{};
+// ------------------------------------------------------------------------------------------------------------ plots
 
-  void add(double at, double value) {
-    x.push_back(at);
-    y.push_back(value);
-  }
-};
-
-RateCurve inverse(RateCurve milliseconds) {
-  for (double& y : milliseconds.y) y = 1000.0 / y;
-  return milliseconds;
-}
-
-RateCurve printedCurve(const std::vector<PrintedTiming>& timings) {
-  RateCurve curve;
-  for (const PrintedTiming& timing : timings) curve.add(timing.triangles, parsePrinted(timing.ms).value);
-  return curve;
-}
-
-// ms; frames without a value are left out.
-RateCurve measuredCurve(const std::vector<FrameRow>& rows,
-                        const std::function<std::optional<double>(const FrameRow&)>& us) {
-  RateCurve curve;
-  for (const FrameRow& row : rows) {
-    if (const auto time = us(row)) curve.add(row.triangles, 1e-3 * *time);
-  }
-  return curve;
-}
-
-/// The three kinds of frame that the tables tell apart.
-struct Kind {
-  const char* name;
-  std::vector<PrintedTiming> PrintedTimings::*printed;
-  std::vector<FrameRow> TreeRates::*measured;
-  std::optional<double> (*us)(const FrameRow& row);
+/// How a kind of frame is drawn.
+struct KindLook {
   Colour colour;
   Marker marker;
 };
 
-const Kind kKinds[] = {
-    {"drawing", &PrintedTimings::drawing, &TreeRates::drawing, [](const FrameRow& row) { return row.draw_us; },
-     figures::kBlue, Marker::circle},
-    {"untouched", &PrintedTimings::untouched, &TreeRates::untouched,
-     [](const FrameRow& row) { return std::optional(row.untouchedMicroseconds()); }, figures::kVermilion,
-     Marker::square},
-    {"touched", &PrintedTimings::touched, &TreeRates::touched,
-     [](const FrameRow& row) { return std::optional(row.touchedMicroseconds()); }, figures::kGreen, Marker::triangle}};
-
-RateCurve measuredCurve(const TreeRates& rates, const Kind& kind) {
-  return measuredCurve(rates.*kind.measured, kind.us);
+KindLook lookOf(const FrameKind& kind) {
+  const KindLook looks[] = {
+      {figures::kBlue, Marker::circle}, {figures::kVermilion, Marker::square}, {figures::kGreen, Marker::triangle}};
+  return looks[static_cast<std::size_t>(&kind - kFrameKinds.data())];
 }
-
-// ------------------------------------------------------------------------------------------------------------ plots
 
 const std::vector<double> kRateTicks{1, 10, 100, 1000, 10000, 100000, 1000000, 10000000};
 const std::vector<double> kTimeTicks{0.0001, 0.001, 0.01, 0.1, 1, 10, 100};  // ms
@@ -136,18 +92,19 @@ Plot treePlot(const RatesMeasurement& found, const TreeRates& rates, const Print
   plot.y.from = as_rate ? 1.0 : 5e-5;
   plot.y.to = as_rate ? 2e7 : 500.0;
   plot.y.ticks = as_rate ? ticksAt(kRateTicks) : ticksAt(kTimeTicks);
-  for (const Kind& kind : kKinds) {
-    add(plot, fmt::format("{} (printed)", kind.name), shown(printedCurve(printed.*kind.printed)), kind.colour,
-        kind.marker, true);
+  for (const FrameKind& kind : kFrameKinds) {
+    add(plot, fmt::format("{} (printed)", kind.name), shown(printedCurve(printed.*kind.printed)), lookOf(kind).colour,
+        lookOf(kind).marker, true);
   }
-  for (const Kind& kind : kKinds) {
-    add(plot, fmt::format("{} (here)", kind.name), shown(measuredCurve(rates, kind)), kind.colour, kind.marker, false);
+  for (const FrameKind& kind : kFrameKinds) {
+    add(plot, fmt::format("{} (here)", kind.name), shown(measuredCurve(rates, kind)), lookOf(kind).colour,
+        lookOf(kind).marker, false);
   }
   add(plot, "our tick", shown(tickCurve(found)), figures::kInk, Marker::none, false);
   return plot;
 }
 
-Plot comparedPlot(const RatesMeasurement& found, const Kind& kind) {
+Plot comparedPlot(const RatesMeasurement& found, const FrameKind& kind) {
   const PrintedNumbers printed = printedNumbers();
   Plot plot{.title = fmt::format("{}{}", static_cast<char>(std::toupper(kind.name[0])), kind.name + 1)};
   plot.x = renderedAxis(found);
@@ -168,7 +125,7 @@ std::vector<StudyFigure> figuresOf(const RatesMeasurement& found) {
   const PrintedNumbers printed = printedNumbers();
   Figure trees{.columns = 3};
   trees.panel_width_px = 380.0;
-  for (const Kind& kind : kKinds) {
+  for (const FrameKind& kind : kFrameKinds) {
     Plot plot = comparedPlot(found, kind);
     if (!plot.series.empty()) trees.panels.emplace_back(plot);
   }
@@ -205,7 +162,7 @@ TextTable treeTable(const TreeRates& rates, const PrintedTimings& printed) {
   TextTable table{{"frame", "triangles printed", "ms printed", "triangles here", "box (mm)", "ms here", "1/s printed",
                    "1/s here", "our list (us)"},
                   {}};
-  for (const Kind& kind : kKinds) {
+  for (const FrameKind& kind : kFrameKinds) {
     const auto& timings = printed.*kind.printed;
     const auto& rows = rates.*kind.measured;
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -216,113 +173,6 @@ TextTable treeTable(const TreeRates& rates, const PrintedTimings& printed) {
     }
   }
   return table;
-}
-
-// --------------------------------------------------------------------------------------------------------- findings
-
-// Of time = cost x triangles, us a triangle, by least squares.
-double costPerTriangle(const RateCurve& milliseconds) {
-  double products = 0.0;
-  double squares = 0.0;
-  for (std::size_t i = 0; i < milliseconds.x.size(); ++i) {
-    products += 1e3 * milliseconds.x[i] * milliseconds.y[i];
-    squares += milliseconds.x[i] * milliseconds.x[i];
-  }
-  return squares > 0.0 ? products / squares : 0.0;
-}
-
-// The p of rate ~ triangles^-p between the first and the last model.
-double exponent(double first_triangles, double first_rate, double last_triangles, double last_rate) {
-  return std::log(first_rate / last_rate) / std::log(last_triangles / first_triangles);
-}
-
-std::string shapeFinding(const RatesMeasurement& found) {
-  const auto printed = printedNumbers().table_3_1;
-  const WholeModelRow& first = found.whole.front();
-  const WholeModelRow& last = found.whole.back();
-  const double here = exponent(static_cast<double>(first.triangles), 1.0 / first.touchedMicroseconds(),
-                               static_cast<double>(last.triangles), 1.0 / last.touchedMicroseconds());
-  return fmt::format(
-      "Table 3.1 in the dissertation's way: the rate falls with the number of triangles to the power {} (printed {}), "
-      "from {} to {} frames a second between {} and {} triangles (printed {:g} to {:g}). The computer is faster, the "
-      "law is the same. Our tick takes {} us and {} us on the same two models.",
-      rounded(-here),
-      rounded(-exponent(printed.front().triangles, printed.front().haptic_fps, printed.back().triangles,
-                        printed.back().haptic_fps)),
-      rounded(1e6 / first.touchedMicroseconds()), rounded(1e6 / last.touchedMicroseconds()),
-      counted(static_cast<double>(first.triangles)), counted(static_cast<double>(last.triangles)),
-      printed.front().haptic_fps, printed[found.whole.size() - 1].haptic_fps, rounded(first.tick_us),
-      rounded(last.tick_us));
-}
-
-std::string tickFinding(const RatesMeasurement& found) {
-  const FrameRow& smallest = found.bsp.touched.front();
-  const FrameRow& largest = found.bsp.touched.back();
-  return fmt::format(
-      "Ours renders nothing for haptics: a tick walks from triangle to triangle and takes {} us, whatever lies round "
-      "the finger. A touched frame in the dissertation's way with a BSP tree takes {} us with {} triangles and {} us "
-      "with {}: {} and {} times as long.",
-      rounded(found.tick_us), rounded(smallest.touchedMicroseconds()), counted(smallest.triangles),
-      rounded(largest.touchedMicroseconds()), counted(largest.triangles),
-      rounded(smallest.touchedMicroseconds() / found.tick_us), rounded(largest.touchedMicroseconds() / found.tick_us));
-}
-
-// " Drawing is ..." where it was measured.
-std::string drawingShare(const RatesMeasurement& found) {
-  if (found.renderer.empty()) return "";
-  const PrintedTimings printed = printedNumbers().table_3_2;
-  const double here =
-      costPerTriangle(measuredCurve(found.bsp, kKinds[0])) / costPerTriangle(measuredCurve(found.bsp, kKinds[2]));
-  const double then = costPerTriangle(printedCurve(printed.drawing)) / costPerTriangle(printedCurve(printed.touched));
-  return fmt::format(
-      " Drawing is {} of a touched frame here, where every corner still goes through the feedback buffer; in 2008 it "
-      "was {}, and the rest was the haptic library's.",
-      percent(here), percent(then));
-}
-
-std::string costFinding(const RatesMeasurement& found) {
-  const PrintedNumbers printed = printedNumbers();
-  std::string costs;
-  for (const Kind& kind : kKinds) {
-    const double here = costPerTriangle(measuredCurve(found.bsp, kind));
-    if (here == 0.0) continue;
-    const double then = costPerTriangle(printedCurve(printed.table_3_2.*kind.printed));
-    costs += fmt::format("{}{} {} ns (printed {} us, {} times as much)", costs.empty() ? "" : ", ", kind.name,
-                         rounded(1e3 * here), rounded(then), rounded(then / here));
-  }
-  const double touched = costPerTriangle(measuredCurve(found.bsp, kKinds[2]));
-  return fmt::format(
-      "Table 3.2: a triangle rendered costs {}.{} A haptic loop of 1 kHz would have time for {} triangles a frame.",
-      costs, drawingShare(found), rounded(1e3 / touched));
-}
-
-std::string treesFinding(const RatesMeasurement& found) {
-  const PrintedNumbers printed = printedNumbers();
-  const Gain gain = rateGain(printed.appendix_b.touched, printed.table_3_2.touched);
-  const Kind& touched = kKinds[2];
-  const double bsp = costPerTriangle(measuredCurve(found.bsp, touched));
-  const double octree = costPerTriangle(measuredCurve(found.octree, touched));
-  return fmt::format(
-      "Figures 3.16 to 3.18: at equal numbers of triangles the octree is printed as {} to {} faster when touched. Here "
-      "a triangle costs {} ns with the BSP tree and {} ns with the octree, because it is the same work whichever leaf "
-      "it is in, and finding the leaves takes {} us of a frame at most. What the octree really gains is that its "
-      "smaller leaves render fewer triangles for the same box (`palpate study hdb`); the printed gain must come from "
-      "elsewhere in the program or the library of 2008.",
-      percent(gain.least), percent(gain.most), rounded(1e3 * bsp), rounded(1e3 * octree),
-      rounded(std::max_element(found.bsp.touched.begin(), found.bsp.touched.end(),
-                               [](const FrameRow& a, const FrameRow& b) { return a.find_us < b.find_us; })
-                  ->find_us));
-}
-
-std::string graphicFinding(const RatesMeasurement& found) {
-  if (found.renderer.empty()) return "Pictures could not be measured: " + found.no_renderer + ".";
-  Extent ratio;
-  for (const WholeModelRow& row : found.whole) ratio.add(*row.picture_us / row.touchedMicroseconds());
-  return fmt::format(
-      "\"The haptic rendering rate is almost half of the graphic\" (Table 3.1: 0.48 to 0.55) depends on the two "
-      "computers inside one: with {} as the renderer, a program that also fills the pixels, it is {} to {} here. Our "
-      "own pictures are another matter: `palpate bench frame`.",
-      found.renderer, rounded(ratio.least), rounded(ratio.most));
 }
 
 std::vector<std::string> methodOf(const RatesMeasurement& found) {
@@ -353,7 +203,7 @@ std::vector<std::string> methodOf(const RatesMeasurement& found) {
 
 std::vector<std::pair<std::string, double>> numbersOf(const RatesMeasurement& found) {
   std::vector<std::pair<std::string, double>> numbers{{"tick_us", found.tick_us}};
-  for (const Kind& kind : kKinds) {
+  for (const FrameKind& kind : kFrameKinds) {
     numbers.emplace_back(fmt::format("bsp_{}_ns_per_triangle", kind.name),
                          1e3 * costPerTriangle(measuredCurve(found.bsp, kind)));
     numbers.emplace_back(fmt::format("octree_{}_ns_per_triangle", kind.name),
@@ -376,8 +226,7 @@ StudyPage studyTables(const StudySettings& settings) {
               "In 2008 haptics slowed down with the model: 104 frames a second with 2,915 triangles, 6 with 41,582 "
               "(Table 3.1); a partition brought it back to 7 to 91 (Table 3.2), an octree a little further (Appendix "
               "B). What becomes of these tables on a computer of today, in the dissertation's way and in ours?",
-          .findings = {shapeFinding(found), tickFinding(found), costFinding(found), treesFinding(found),
-                       graphicFinding(found)},
+          .findings = ratesFindings(found),
           .method = methodOf(found),
           .tables = {{"tables_3_1_table", "Table 3.1.", wholeTable(found)},
                      {"tables_3_2_table", "Table 3.2: BSP tree.", treeTable(found.bsp, printed.table_3_2)},

@@ -8,6 +8,7 @@
 #include "palpate/scene/words.h"
 #include "study/measured/haptic_frames.h"
 #include "study/page/plot_parts.h"
+#include "study/threshold/threshold_findings.h"
 #include "study/threshold/threshold_measurement.h"
 
 namespace palpate::study {
@@ -20,11 +21,6 @@ constexpr Marker kThresholdMarkers[] = {Marker::circle, Marker::square, Marker::
                                         Marker::cross};
 // Times this near to the fastest are as good.
 constexpr double kAsGood = 1.10;
-constexpr double kNearlyAsGood = 1.25;
-
-double lossAtPrinted(const std::vector<ThresholdRow>& rows) {
-  return rowAt(rows, kPrintedThreshold).touched_us / fastest(rows).touched_us;
-}
 
 // ------------------------------------------------------------------------------------------------------------ plots
 
@@ -138,90 +134,6 @@ TextTable allTable(const ThresholdMeasurement& found) {
   return table;
 }
 
-// --------------------------------------------------------------------------------------------------------- findings
-
-/// Of something over all models and trees.
-template <class Function>
-Extent extentOf(const ThresholdMeasurement& found, Function&& value) {
-  Extent extent;
-  for (const std::size_t size : found.plan.sizes) {
-    for (const TreeKind tree : kTrees) extent.add(value(rowsOf(found, size, tree)));
-  }
-  return extent;
-}
-
-std::string bestFinding(const ThresholdMeasurement& found) {
-  const Extent best = extentOf(found, [](const auto& rows) { return static_cast<double>(fastest(rows).threshold); });
-  const Extent loss = extentOf(found, lossAtPrinted);
-  return fmt::format(
-      "{} A frame in the dissertation's way is fastest with leaves of at most {} to {} triangles; 1024 takes {} to {} "
-      "times as long.",
-      loss.least > 1.0 ? "1024 is not the best for any of these models."
-                       : "1024 is the best for some of these models only.",
-      counted(best.least), counted(best.most), rounded(loss.least), rounded(loss.most));
-}
-
-// "41,582 and 200,000" or "none of them".
-std::string modelsFor(const ThresholdMeasurement& found) {
-  std::string models;
-  for (const std::size_t size : found.plan.sizes) {
-    const bool as_good = std::all_of(std::begin(kTrees), std::end(kTrees), [&](TreeKind tree) {
-      return lossAtPrinted(rowsOf(found, size, tree)) <= kNearlyAsGood;
-    });
-    if (as_good) models += (models.empty() ? "" : ", ") + counted(static_cast<double>(size));
-  }
-  return models.empty() ? "none of these models" : "a model of " + models + " triangles";
-}
-
-std::string sizeFinding(const ThresholdMeasurement& found) {
-  return fmt::format(
-      "For which size would it be right? The box meets more triangles in a larger model, and what sticks out of it at "
-      "its rim counts less and less: 1024 is within {} of the fastest for {}.",
-      percent(kNearlyAsGood - 1.0), modelsFor(found));
-}
-
-std::string reasonFinding(const ThresholdMeasurement& found) {
-  const auto rows = rowsOf(found, found.plan.sizes.back(), TreeKind::Bsp);
-  const ThresholdRow best = fastest(rows);
-  const ThresholdRow printed = rowAt(rows, kPrintedThreshold);
-  return fmt::format(
-      "The text fears that small leaves make \"traversing the tree more complex\". Finding the leaves is never what "
-      "costs: on {} triangles it takes {} us of {} with leaves of {}, and {} us of {} with leaves of 1024. What counts "
-      "is how many triangles lie in the leaves without being near the box, and that grows with the leaf.",
-      counted(static_cast<double>(best.model)), rounded(best.find_us), rounded(best.touched_us), best.threshold,
-      rounded(printed.find_us), rounded(printed.touched_us));
-}
-
-std::string smallModelFinding(const ThresholdMeasurement& found) {
-  const std::size_t size = found.plan.sizes.front();
-  const ThresholdRow bsp = rowAt(rowsOf(found, size, TreeKind::Bsp), kPrintedThreshold);
-  const ThresholdRow octree = rowAt(rowsOf(found, size, TreeKind::Octree), kPrintedThreshold);
-  return fmt::format(
-      "On the dissertation's own back of {} triangles, 1024 makes {} leaves (BSP tree) and {} (octree), and a touching "
-      "finger renders {} and {} of all triangles (E13): hardly a partition.",
-      counted(static_cast<double>(size)), bsp.leaves, octree.leaves, percent(bsp.rendered / static_cast<double>(size)),
-      percent(octree.rendered / static_cast<double>(size)));
-}
-
-std::string ownFinding(const ThresholdMeasurement& found) {
-  const Extent spread = extentOf(found, [](const std::vector<ThresholdRow>& rows) {
-    Extent times;
-    for (const ThresholdRow& row : rows) times.add(row.exact_us);
-    return times.most / times.least;
-  });
-  return fmt::format(
-      "Ours needs no such choice: the exact list goes on below the leaves in blocks of 16 triangles, so its time "
-      "changes by a factor of at most {} over all thresholds; the default finger, which has no box, takes {} us on {} "
-      "triangles and {} us on {}.",
-      rounded(spread.most), rounded(found.tick_us.front()), counted(static_cast<double>(found.plan.sizes.front())),
-      rounded(found.tick_us.back()), counted(static_cast<double>(found.plan.sizes.back())));
-}
-
-std::string drawingFinding() {
-  return "Drawing would move the best threshold further down: it adds to the price of every triangle in the leaves and "
-         "nothing to the search (`palpate study tables`).";
-}
-
 std::vector<std::string> methodOf(const ThresholdPlan& plan) {
   return {
       fmt::format(
@@ -235,7 +147,7 @@ std::vector<std::string> methodOf(const ThresholdPlan& plan) {
 }
 
 std::vector<std::pair<std::string, double>> numbersOf(const ThresholdMeasurement& found) {
-  const Extent loss = extentOf(found, lossAtPrinted);
+  const Extent loss = lossesAtPrinted(found);
   std::vector<std::pair<std::string, double>> numbers{{"least_cost_of_1024", loss.least},
                                                       {"most_cost_of_1024", loss.most}};
   for (const std::size_t size : found.plan.sizes) {
@@ -256,8 +168,7 @@ StudyPage studyThreshold(const StudySettings& settings) {
               "A node of the partition with at most t triangles is a leaf. \"Smaller t leads to larger tree height and "
               "traversing the tree becomes more complex. Larger t causes less partition benefits. Finally, 1024 was "
               "proved as the best value\" (3.3.1). Is it, and for which size of model?",
-          .findings = {bestFinding(found), sizeFinding(found), reasonFinding(found), smallModelFinding(found),
-                       ownFinding(found), drawingFinding()},
+          .findings = thresholdFindings(found),
           .method = methodOf(found.plan),
           .tables = {{"threshold_best_table", "The fastest threshold of every model.", bestTable(found)},
                      {"threshold_table", "Every threshold.", allTable(found), false}},

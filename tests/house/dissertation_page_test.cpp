@@ -7,6 +7,7 @@
 
 #include "palpate/base/text.h"
 #include "palpate/scene/errata.h"
+#include "palpate/scene/words.h"
 
 namespace palpate {
 
@@ -36,11 +37,34 @@ TEST(DissertationPage, HasEveryErratumAsTheEngineHasIt) {
   const std::string text = page();
   ASSERT_EQ(scene::errata().size(), static_cast<std::size_t>(kErrata));
   for (const scene::ErratumText& erratum : scene::errata()) {
-    const std::string row = fmt::format("| {} | {} | {} | {} |\n", scene::nameOf(erratum.erratum), erratum.printed,
-                                        erratum.ours, codeOf(erratum.choice, erratum.form));
+    const std::string row =
+        fmt::format("| {} | {} | {} | {} | {} |\n", scene::nameOf(erratum.erratum), erratum.printed, erratum.ours,
+                    wordFor(erratum.by_default), codeOf(erratum.choice, erratum.form));
     EXPECT_NE(text.find(row), std::string::npos) << "docs/dissertation.md, table of errata, should have the row\n"
                                                  << row;
   }
+}
+
+TEST(DissertationPage, SaysHowManyErrataAreCorrectedByDefaultAndWhichAreNot) {
+  const auto listed = [](scene::ByDefault by_default) {
+    std::string list;
+    for (const Erratum erratum : scene::errataByDefault(by_default)) list += ", " + scene::nameOf(erratum);
+    return list.substr(2);
+  };
+  const auto corrected = scene::errataByDefault(scene::ByDefault::corrected).size();
+  const std::string count = fmt::format("{} of the {} errata are corrected by default", corrected, kErrata);
+  EXPECT_NE(page().find(count), std::string::npos) << count;
+  for (const scene::ByDefault other : {scene::ByDefault::as_printed, scene::ByDefault::own_choice}) {
+    const std::string row = fmt::format("{} ({})", wordFor(other), listed(other));
+    EXPECT_NE(page().find(row), std::string::npos) << row;
+    for (const Erratum erratum : scene::errataByDefault(other)) {
+      const std::string told = fmt::format("\n| {} | {} |", scene::nameOf(erratum), wordFor(other));
+      EXPECT_NE(page().find(told), std::string::npos) << "whose default it is and why: " << told;
+    }
+  }
+  const std::string readme = readFile(kRoot / "README.md", 1 << 20);
+  const std::string said = fmt::format("{} of {} checked errata corrected by default", corrected, kErrata);
+  EXPECT_NE(readme.find(said), std::string::npos) << said;
 }
 
 TEST(DissertationPage, ExplainsEveryErratumInItsSection) {

@@ -28,6 +28,35 @@ TEST(Errata, AreNumberedFromOneWithoutGaps) {
   }
 }
 
+/// Whether an empty scene takes the printed form of an erratum that is a setting, or one that a switch cannot show.
+bool emptySceneTakesPrinted(Erratum erratum) {
+  const Scene scene;
+  switch (erratum) {
+    case Erratum::E20_zero_boundary:
+      return scene.deformation.forms.boundary == deform::Boundary::zero;
+    case Erratum::E24_pure_shear:
+      return scene.strain.kind == deform::StrainKind::edges;
+    case Erratum::E25_two_fingers:
+      return scene.deformation.forms.together != deform::Together::solved;
+    case Erratum::E30_key_averages:
+      return scene.ellipses.measured.averaging == maps::Averaging::plain;
+    case Erratum::E31_down_like_up:
+      return scene.ellipses.measured.force == maps::ForceDirection::up;
+    default:
+      return scene.fidelity.literal(erratum);
+  }
+}
+
+TEST(Errata, StandByDefaultAsTheListSays) {
+  for (const ErratumText& text : errata()) {
+    if (text.form == LiteralForm::none || text.by_default == ByDefault::own_choice) continue;
+    EXPECT_EQ(emptySceneTakesPrinted(text.erratum), text.by_default == ByDefault::as_printed) << nameOf(text.erratum);
+  }
+  EXPECT_EQ(Scene().contact.finger.stiffness_ratio, 1.0)
+      << "E2: ours, within the 0.6 to 1.1 of tissue; 0.23 is the text's";
+  EXPECT_EQ(errataByDefault(ByDefault::own_choice), (std::vector{Erratum::E2_drag_spring, Erratum::E33_unnamed_radii}));
+}
+
 TEST(Errata, AreNamedWithALetterAndANumber) {
   EXPECT_EQ(erratumNamed("E14"), Erratum::E14_location_ratio);
   EXPECT_EQ(erratumNamed("e1"), Erratum::E1_anchor);

@@ -128,8 +128,9 @@ void addNumbers(CLI::App& study) {
   auto arguments = std::make_shared<NumbersArguments>();
   CLI::App& command = *study.add_subcommand(
       "numbers",
-      "Every number of the dissertation that can be computed, beside ours. Exit code 0 when each is reproduced or is a "
-      "misprint named by its erratum, 1 otherwise");
+      "Printed numbers of the dissertation beside ours, counted apart: from the engine, arithmetic of printed numbers, "
+      "misprints, inconsistent, not computable. Exit code 0 when none differs without an erratum that names ours, 1 "
+      "otherwise");
   command.add_option("--out", arguments->folder,
                      "Also write numbers.md, numbers.csv and numbers.json into this folder");
   command.add_flag("--json", arguments->json, "Print one JSON object");
@@ -161,8 +162,10 @@ void runFigures(const FiguresArguments& arguments) {
 
 void addFigures(CLI::App& study) {
   auto arguments = std::make_shared<FiguresArguments>();
-  CLI::App& command = *study.add_subcommand(
-      "figures", "Draw the figures of the dissertation: PNG, SVG, the curves as CSV, and index.md with the captions");
+  CLI::App& command = *study.add_subcommand("figures",
+                                            "Draw figures of the dissertation: PNG, SVG, the curves as CSV, and "
+                                            "index.md with captions and what each is drawn "
+                                            "from");
   command.add_option("--out", arguments->folder, "Folder to write into; made when missing");
   command.add_option("--only", arguments->only, "Only these, for example 4.8,5.11")->delimiter(',');
   command.add_option("--scale", arguments->scale, "Pixels of the PNG for 1/96 inch")

@@ -1,8 +1,10 @@
 // Which of the dissertation's formulae are taken as printed and which as corrected.
 //
 // The checked errata E1 to E34 (scene/errata.h has their texts) each name a place where the printed text is wrong,
-// ambiguous or incomplete. Everything is corrected by default; the literal forms live in files of their own, which ask
-// this set which of them are wanted, so that a published result can be reproduced or one erratum studied alone.
+// ambiguous or incomplete. This set is empty by default: no printed form that is a switch is taken. (A few errata are
+// settings of their own or stand as printed all the same; scene::errataByDefault lists them.) The literal forms live in
+// files of their own, which ask this set which of them are wanted, so that a published result can be reproduced or one
+// erratum studied alone.
 #pragma once
 
 #include <bitset>

@@ -13,8 +13,10 @@
 namespace palpate::contact {
 
 struct FingerSettings {
-  double radius_mm = 0.0;        ///< 0 is a point, 8 a fingertip
-  double stiffness_ratio = 1.0;  ///< k_t / k_n; 0.23 lets the skin follow 20 mm at 10 mm depth (E2)
+  double radius_mm = 0.0;  ///< 0 is a point, 8 a fingertip
+  /// k_t / k_n. 1 is this engine's choice: tissue has 0.6 to 1.1. 0.23 is no tissue, but lets the skin follow 20 mm at
+  /// 10 mm depth, as the dissertation has it (E2).
+  double stiffness_ratio = 1.0;
   double mu_static = 0.46;
   double mu_dynamic = 0.44;
   /// The deepest depth that is felt; a tip that is outside the body and farther than this from its proxy is let go.

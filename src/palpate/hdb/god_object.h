@@ -1,7 +1,8 @@
 // A point that follows the tip but never passes the front of a triangle: the god object over a loose list of triangles.
 //
-// It knows no neighbours: every move is tested against every listed triangle, as haptic toolkits of the dissertation's
-// time did. The default finger walks on the surface instead (contact/surface_walk.h); hdb_finger.h uses this one.
+// It knows no neighbours: every move is tested against every listed triangle, as a toolkit must that is handed
+// triangles without their neighbours. The default finger walks on the surface instead (contact/surface_walk.h);
+// hdb_finger.h uses this one.
 #pragma once
 
 #include <span>

@@ -30,9 +30,10 @@ Vec3 hdbEdges(const Box3& model, HdbSize size = HdbSize::QuarterOfLongestEdge);
 inline Box3 hapticBox(const Vec3& proxy, const Vec3& edges) { return {proxy - 0.5 * edges, proxy + 0.5 * edges}; }
 inline Box3 hapticBox(const Vec3& proxy, double edge_mm) { return hapticBox(proxy, Vec3::Constant(edge_mm)); }
 
-/// The smallest edge that a finger cannot outrun, in place of the quarter (E12): it may move `speed` mm/s for `delay_s`
-/// before the box follows, and its proxy may be `margin_mm` from the tip: the depth. (E12 takes the largest triangle
-/// for the margin, which lets fingers through on fine models: `palpate study hdb`.)
+/// The edge that follows from how fast the box can be, in place of the quarter (E12): the finger moves `speed` mm/s for
+/// `delay_s` before the box follows, and its proxy is up to `margin_mm` from the tip. With the depth for the margin
+/// none of the strokes of `palpate study hdb` got through; that is measured, not proved (twice the depth follows from
+/// the triangle inequality). E12's margin, the largest triangle, is outrun on fine models.
 double leastHdbEdge(double speed, double delay_s, double margin_mm);
 
 /// Entries [begin, end) of a partition.

@@ -2,8 +2,9 @@
 // haptic detecting box (HDB) found around its proxy.
 //
 // The default finger (contact/finger.h) walks on the whole surface; this one sees a loose list of triangles, as the
-// haptic toolkit of the dissertation did, and has the weaknesses of that: a finger that moves farther than half an edge
-// of the box before the box follows passes the skin unseen (E12). Its answer means the same as the default finger's.
+// haptic toolkit of the dissertation was handed one, and has the weaknesses of that: a finger that moves farther than
+// half an edge of the box before the box follows passes the skin unseen (E12). Its answer means the same as the default
+// finger's.
 #pragma once
 
 #include "palpate/contact/finger.h"

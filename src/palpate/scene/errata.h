@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "palpate/base/fidelity.h"
 
@@ -26,6 +27,13 @@ enum class LiteralForm : std::uint8_t {
   none,        ///< no printed form that could be computed, or nothing to compute
 };
 
+/// What the engine does where a scene says nothing.
+enum class ByDefault : std::uint8_t {
+  corrected,   ///< what the erratum says instead of the text
+  as_printed,  ///< the text's form, though the erratum doubts it
+  own_choice,  ///< a value of this engine, where the text gives none or one that does not fit what is known of tissue
+};
+
 /// How a formula is taken: what `fidelity` says of all errata or of one.
 enum class Reading : std::uint8_t { corrected, literal };
 
@@ -33,6 +41,7 @@ struct ErratumText {
   Erratum erratum = Erratum::none;
   Severity severity = Severity::cosmetic;
   LiteralForm form = LiteralForm::none;
+  ByDefault by_default = ByDefault::corrected;
   std::string_view printed;  ///< what the text says or leaves open
   std::string_view ours;     ///< what the engine does
   std::string_view choice;   ///< switchable: what the switch acts on. setting: its name. none: why there is no switch
@@ -40,6 +49,9 @@ struct ErratumText {
 
 /// All of them, in order: errata()[0] is E1.
 std::span<const ErratumText> errata();
+
+/// Those that stand so by default, in order.
+std::vector<Erratum> errataByDefault(ByDefault by_default);
 
 /// "E14"
 std::string nameOf(Erratum erratum);

@@ -21,6 +21,13 @@ struct WordsOf<scene::Reading> {
   static constexpr std::array kAll = {Word{"corrected", V::corrected}, Word{"literal", V::literal}};
 };
 
+template <>
+struct WordsOf<scene::ByDefault> {
+  using V = scene::ByDefault;
+  static constexpr std::array kAll = {Word{"corrected", V::corrected}, Word{"as printed", V::as_printed},
+                                      Word{"our choice", V::own_choice}};
+};
+
 // ---- the body
 
 template <>
