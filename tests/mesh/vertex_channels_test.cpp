@@ -1,5 +1,5 @@
 // Numbers and colours of a PLY file's vertices: what is read, and that they stay with their vertices.
-#include "palpate/mesh/vertex_channels.h"
+#include "palpate/mesh/files/vertex_channels.h"
 
 #include <gtest/gtest.h>
 

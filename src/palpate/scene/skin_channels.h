@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "palpate/mesh/vertex_channels.h"
+#include "palpate/mesh/files/vertex_channels.h"
 
 namespace palpate::scene {
 

@@ -11,9 +11,9 @@
 #include <string_view>
 
 #include "palpate/base/progress.h"
+#include "palpate/mesh/files/vertex_channels.h"
 #include "palpate/mesh/textured_mesh.h"
 #include "palpate/mesh/triangle_mesh.h"
-#include "palpate/mesh/vertex_channels.h"
 
 namespace palpate::mesh {
 

@@ -5,8 +5,8 @@
 
 #include <filesystem>
 
+#include "palpate/mesh/files/vertex_channels.h"
 #include "palpate/mesh/triangle_mesh.h"
-#include "palpate/mesh/vertex_channels.h"
 
 namespace palpate::mesh {
 

@@ -29,7 +29,7 @@ vec3 albedoHere() {
   return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c));
 }
 #else
-vec3 albedoHere() { return skin_colour * tint.rgb * (255.0 / 128.0); }
+vec3 albedoHere() { return skin_colour * (tint.rgb * (255.0 / 128.0)); }
 #endif
 )";
 

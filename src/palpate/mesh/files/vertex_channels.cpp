@@ -1,4 +1,4 @@
-#include "palpate/mesh/vertex_channels.h"
+#include "palpate/mesh/files/vertex_channels.h"
 
 namespace palpate::mesh {
 
