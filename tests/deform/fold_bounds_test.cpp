@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "deform/folded_shapes.h"
 #include "deform/stage.h"
@@ -102,6 +103,74 @@ TEST(EdgeDistances, GoAroundWhatIsNotAllowed) {
   distances.spread(skin, 26.0f, [](Index, float) { return true; });
   EXPECT_EQ(distances.at(at(5, 0)), 25.0f);
   EXPECT_GT(distances.at(at(6, 0)), 1e9f);
+}
+
+// Of a block of which only the spread is known.
+TEST(FoldBounds, CertainSpreadIsWhereABlockBecomesDoubtful) {
+  Random random(2);
+  for (int i = 0; i < 200; ++i) {
+    ShearBound shear{.press = random.uniform(0.01, 0.5), .drag = random.uniform(0.0, 0.5), .bend = 1e9};
+    shear.is_one = i % 2 == 0;
+    FoldBound block;
+    block.radius_mm = 1.0f;
+    block.spread = static_cast<float>(0.999 * certainSpread(shear));
+    EXPECT_FALSE(mayFold(block, shear));
+    block.spread = static_cast<float>(1.001 * certainSpread(shear));
+    EXPECT_TRUE(mayFold(block, shear));
+  }
+  const double boundless = certainSpread({.press = std::numeric_limits<double>::infinity()});
+  EXPECT_FALSE(1.0 < boundless);
+}
+
+TEST(FoldBounds, RoomBesideStayingIsAShareOfTheLeastHeight) {
+  const Skin skin = buildSkin(zoo::grid(4, 40.0));
+  for (Index v = 0; v < skin.vertices; ++v) {
+    EXPECT_NEAR(skin.room_beside_staying[v], 0.4 * 5.0 * std::sqrt(2.0), 1e-4);
+  }
+  mesh::TriangleMesh flat = zoo::grid(1, 10.0);
+  flat.positions[flat.triangles[0][1]] =
+      0.5 * (flat.positions[flat.triangles[0][0]] + flat.positions[flat.triangles[0][2]]);
+  EXPECT_EQ(buildSkin(flat).room_beside_staying[flat.triangles[0][0]], 0.0f);
+}
+
+// Formulae alone: no vertex beside one that stays unstrained goes beyond the room, and no triangle there turns over.
+TEST(FoldBounds, BesideSkinThatIsNotStrainedNothingHasToBeHeld) {
+  Random random(8);
+  Index unstrained = 0;
+  Index strained = 0;
+  for (int body = 0; body < 12; ++body) {
+    auto mesh = test::lumpyBody(random, 4);
+    mesh::reorderSpatially(mesh);
+    FormSettings summed = test::formulaeAlone();
+    summed.together = Together::summed;
+    Stage stage(mesh, summed);
+    for (int i = 0; i < 12; ++i) {
+      std::vector<Contact> contacts;
+      std::vector<ContactLanes> movers;
+      for (int n = 0; n <= i % 2; ++n) {
+        Contact contact = press(mesh, static_cast<Index>(random.below(mesh.triangles.size())), random.uniform(0, 10));
+        if (i % 3 == 0) contact = test::drag(contact, {0, 8, 0});
+        const EllipseContact frame = frameOf(contact, {});
+        movers.push_back(lanesOf(frame, frame.depth_mm, frame.drag_mm));
+        contacts.push_back(contact);
+      }
+      stage.apply(contacts);
+      for (Index v = 0; v < stage.skin.vertices; ++v) {
+        if (!stage.moved(v).isZero(0.0)) continue;
+        double farthest = 0.0;
+        for (const Index w : stage.skin.neighbours[v]) farthest = std::max(farthest, stage.moved(w).norm());
+        if (farthest == 0.0) continue;
+        const double most = 1.0;
+        const std::uint64_t bits = strainedVertices(movers, stage.skin.edgeBlock(blockOf(v)), bitOf(v), most);
+        (bits != 0 ? strained : unstrained) += 1;
+        if (bits != 0) continue;
+        EXPECT_LE(farthest, std::min<double>(most, stage.skin.room_beside_staying[v]) + 1e-5);
+        for (const Index t : stage.skin.triangles_of_vertex[v]) EXPECT_GT(areaLeft(stage, t), 0.03);
+      }
+    }
+  }
+  EXPECT_GT(unstrained, 100u);
+  EXPECT_GT(strained, 100u);
 }
 
 }  // namespace palpate::deform

@@ -103,6 +103,25 @@ TEST(ShearLimit, TheArmAlongTheNormalStays) {
   }
 }
 
+// The input that showed it: a shelf 55 mm up lay in the ellipse of the drag, and was pressed although the press ends at
+// 51 mm.
+TEST(ShearLimit, AShelfAboveThePressIsOnlyDragged) {
+  for (const Way way : bothWays()) {
+    Stage stage(test::ramp(55.0), {}, way);
+    const Contact contact = deepest(press(stage.mesh, triangleNear(stage.mesh, {0, 0, 0}), 10.0), {0, 1, 0});
+    const double press_ends = 2.0 * contact.normal_region.half_major.norm();
+    ASSERT_LT(press_ends, 54.0);
+    stage.apply({contact});
+    double dragged = 0.0;
+    for (Index v = 0; v < stage.skin.vertices; ++v) {
+      if (stage.mesh.positions[v].z() < 54.0) continue;
+      EXPECT_NEAR(stage.moved(v).dot(contact.normal), 0.0, 1e-5);
+      dragged = std::max(dragged, stage.moved(v).norm());
+    }
+    EXPECT_GT(dragged, 0.1) << "the case shows nothing";
+  }
+}
+
 TEST(ShearLimit, EachOfSeveralFingersHasItsOwnRegion) {
   Stage stage(test::twoFingers());
   std::vector<Contact> contacts;
@@ -269,6 +288,30 @@ TEST(ShearLimit, RandomPressesAndDragsOnRandomBodiesAreSound) {
     }
     stage.apply({});
     EXPECT_EQ(bits(stage.surface), rest);
+  }
+}
+
+// Held, drawn together or left alone: what came before leaves no trace.
+TEST(ShearLimit, DoesNotDependOnWhatWasHeldBefore) {
+  Random random(31);
+  for (const Way way : bothWays()) {
+    auto mesh = test::lumpyBody(random, 4);
+    mesh::reorderSpatially(mesh);
+    Stage used(mesh, {}, way);
+    Index held = 0;
+    for (int i = 0; i < 12; ++i) {
+      std::vector<Contact> contacts;
+      for (int n = 0; n <= i % 3; ++n) {
+        const auto triangle = static_cast<Index>(random.below(mesh.triangles.size()));
+        const Vec3 along(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+        contacts.push_back(deepest(press(mesh, triangle, 10.0), along));
+      }
+      held += used.apply(contacts).held_vertices;
+      Stage fresh(mesh, {}, way);
+      fresh.apply(contacts);
+      EXPECT_EQ(bits(used.surface), bits(fresh.surface)) << i;
+    }
+    EXPECT_GT(held, 0u) << "the case shows nothing";
   }
 }
 

@@ -47,6 +47,13 @@ struct RestBlock {
   }
 };
 
+/// Skin where a region may have an edge.
+struct EdgeBlock {
+  RestBlock rest;
+  const float* room_mm;  ///< for what is joined to a vertex that stays (roomBesideStaying)
+  float longest_mm;      ///< edge at its vertices
+};
+
 /// The boxes of a tile's blocks (Skin::bounds) at its first block.
 struct TileBounds {
   const float* values[12];
@@ -77,6 +84,15 @@ class BlockSet {
   void clear() { words_.assign(words_.size(), 0); }
   void insert(Index block) { words_[blockOf(block)] |= bitOf(block); }
   bool contains(Index block) const { return (words_[blockOf(block)] & bitOf(block)) != 0; }
+
+  /// Visits the blocks of those tiles that `in_tile(tile)` is true of, ascending.
+  template <class InTile, class Visit>
+  void forEachIn(const InTile& in_tile, const Visit& visit) const {
+    for (std::size_t w = 0; w < words_.size(); ++w) {
+      const auto tile = static_cast<Index>(w);
+      if (words_[w] != 0 && in_tile(tile)) forEachBit(words_[w], [&](Index bit) { visit(tile * kTileBlocks + bit); });
+    }
+  }
 
   /// Visits the blocks of both sets, ascending, each once.
   template <class Visit>

@@ -11,6 +11,7 @@
 
 #include "palpate/deform/fast_displacement.h"
 #include "palpate/deform/general_displacement.h"
+#include "palpate/deform/hold.h"
 #include "palpate/deform/normals.h"
 #include "palpate/deform/plan.h"
 #include "palpate/deform/strain.h"
@@ -66,7 +67,7 @@ class Deformer::Pipeline {
 
   Pipeline(const Skin& skin, const FormSettings& forms)
       : skin_(skin), forms_(forms), displacement_(skin, forms), plan_(skin, forms.common.max_contacts) {
-    if (limitsShear(forms)) shear_.emplace(skin, forms.common.max_contacts);
+    if (limitsShear(forms)) hold_.emplace(skin, forms.common.max_contacts);
     if (forms.common.normals == Normals::incremental) incremental_.emplace(skin, mostMotion(forms.common));
   }
 
@@ -105,10 +106,6 @@ class Deformer::Pipeline {
   void displaceRun(const Run& run, const ThePlan& plan, DeformedSurface& surface, Report& report) const noexcept;
   Index displaceShared(Index block, ThePlan& plan, DeformedSurface& surface) const noexcept;
   void holdShear(ThePlan& plan, DeformedSurface& surface, Report& report) noexcept;
-  ShearBound shearBound(const ThePlan& plan) const noexcept;
-  bool findDoubtful(const ShearBound& shear, ThePlan& plan) const noexcept;
-  void listPulls(ThePlan& plan) const noexcept;
-  void setHeldNormals(DeformedSurface& surface) const noexcept;
   void finishNormals(const ThePlan& plan, DeformedSurface& surface, Report& report) noexcept;
   void finishStrain(const ThePlan& plan, DeformedSurface& surface) const noexcept;
   bool needsNeighbours() const noexcept { return forms_.common.strain || forms_.common.normals != Normals::analytic; }
@@ -125,7 +122,7 @@ class Deformer::Pipeline {
   FormSettings forms_;
   Displacement displacement_;
   std::optional<IncrementalNormals> incremental_;
-  std::optional<ShearLimit> shear_;
+  std::optional<Hold<Displacement>> hold_;
   ThePlan plan_;
 };
 
@@ -194,7 +191,7 @@ void Deformer::Pipeline<Displacement>::combine(ThePlan& plan) const noexcept {
     std::copy_n(plan.depths_mm.begin(), n, plan.amplitudes_mm.begin());
     std::copy_n(plan.drags_mm.begin(), n, plan.shifts_mm.begin());
   }
-  if (shear_) {
+  if (hold_) {
     for (std::size_t i = 0; i < n; ++i) plan.shifts_mm[i] = withoutFold(plan.frames[i], plan.shifts_mm[i]);
   }
   plan.movers.clear();
@@ -298,82 +295,9 @@ Index Deformer::Pipeline<Displacement>::displaceShared(Index block, ThePlan& pla
 /// Skin that would tear beside skin that stays, or fold, is held back.
 template <class Displacement>
 void Deformer::Pipeline<Displacement>::holdShear(ThePlan& plan, DeformedSurface& surface, Report& report) noexcept {
-  if (!shear_) return;
-  shear_->start();
-  const ShearBound shear = shearBound(plan);
-  const bool may_fold = findDoubtful(shear, plan);
-  const bool may_tear = !plan.edges.empty();
-  if (!may_fold && !may_tear) return;
-  listPulls(plan);
-  shear_->setPulls(plan.pulls);
-  const DeformedBlock all = surface.block(0);
-  if (may_tear) {
-    shear_->taper(
-        all, shear.press + shear.drag, [&](double q) { return displacement_.pressRoom(q); },
-        [&](double q) { return displacement_.dragRoom(q); });
-  }
-  shear_->unfold(all, plan.doubtful);
-  report.held_vertices = static_cast<Index>(shear_->held().size());
-  if (forms_.common.normals == Normals::analytic) setHeldNormals(surface);
-}
-
-template <class Displacement>
-ShearBound Deformer::Pipeline<Displacement>::shearBound(const ThePlan& plan) const noexcept {
-  ShearBound shear;
-  for (std::size_t i = 0; i < plan.movers.size(); ++i) {
-    if (Displacement::moves(plan.movers[i])) displacement_.addShear(plan.frames[i], plan.movers[i], shear);
-  }
-  return shear;
-}
-
-/// Blocks of which it is not certain that they keep all their triangles up. False if there is none.
-template <class Displacement>
-bool Deformer::Pipeline<Displacement>::findDoubtful(const ShearBound& shear, ThePlan& plan) const noexcept {
-  plan.doubtful.clear();
-  bool any = false;
-  plan.moved.forEach([&](Index block) {
-    if (!mayFold(skin_.fold_bounds[block], shear)) return;
-    plan.doubtful.insert(block);
-    any = true;
-  });
-  return any;
-}
-
-template <class Displacement>
-void Deformer::Pipeline<Displacement>::listPulls(ThePlan& plan) const noexcept {
-  plan.pulls.clear();
-  const std::span<const BlockPart> parts = plan.parts;
-  const std::span<const BlockPart> edges = plan.edges;
-  for (std::size_t i = 0; i < plan.movers.size(); ++i) {
-    if (!Displacement::moves(plan.movers[i])) continue;
-    const auto& frame = plan.frames[i];
-    Pull pull;
-    pull.anchor = frame.anchor;
-    pull.anchor_triangle = frame.anchor_triangle;
-    pull.region = parts.subspan(plan.first_part[i], plan.first_part[i + 1] - plan.first_part[i]);
-    pull.edges = edges.subspan(plan.first_edge[i], plan.first_edge[i + 1] - plan.first_edge[i]);
-    if (frame.press.acts()) {
-      pull.press_mm = Displacement::pressOf(plan.movers[i]);
-      pull.press_reach_mm = Displacement::halfMajor(frame.press);
-    }
-    if (frame.drag.acts()) {
-      pull.drag_mm = Displacement::dragOf(plan.movers[i]);
-      pull.drag_reach_mm = Displacement::halfMajor(frame.drag);
-    }
-    plan.pulls.push_back(pull);
-  }
-}
-
-/// The formulae know nothing of what was held back: normals there come from the triangles.
-template <class Displacement>
-void Deformer::Pipeline<Displacement>::setHeldNormals(DeformedSurface& surface) const noexcept {
-  const PositionStreams positions = surface.positions();
-  for (const Index v : shear_->held()) {
-    surface.setNormal(v, areaWeightedNormal(skin_, positions, v));
-    for (const Index w : skin_.neighbours[v]) {
-      if (shear_->moves(w)) surface.setNormal(w, areaWeightedNormal(skin_, positions, w));
-    }
-  }
+  if (!hold_) return;
+  report.held_vertices = hold_->apply(displacement_, plan, surface.block(0));
+  if (forms_.common.normals == Normals::analytic) hold_->setNormals(surface.block(0));
 }
 
 template <class Displacement>

@@ -53,6 +53,10 @@ class FastDisplacement {
     return lanesOf(frame, amplitude_mm, shift_mm);
   }
   static bool moves(const Mover& mover) noexcept;
+  static std::uint64_t strainedVertices(std::span<const Mover> movers, const EdgeBlock& edge, std::uint64_t of,
+                                        double most_mm) noexcept {
+    return deform::strainedVertices(movers, edge, of, static_cast<float>(most_mm));
+  }
   static void displaceBlock(std::span<const OnBlock<Mover>> movers, const RestBlock& rest,
                             const DeformedBlock& out) noexcept {
     deform::displaceBlock(movers, rest, out);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "palpate/deform/skin.h"
 
@@ -15,6 +16,11 @@ namespace {
 
 /// Of 1, the slope at which a triangle has no area left: room for rounding.
 constexpr double kCertain = 0.95;
+/// Of the least height h of a triangle of which a corner stays: if no other moves by more, of its area, h times its
+/// longest side, at least 1 - 2 share - share^2 is left.
+constexpr double kUnfoldedShare = 0.4;
+/// Room for the rounding of a float, mm.
+constexpr double kRoundingMm = 1e-5;
 /// The profile's slope at q = 1, over its largest: 0.0262 / 2.133.
 constexpr double kSlopeAtRim = 0.0123;
 
@@ -22,6 +28,7 @@ struct TriangleShape {
   Vec3 normal = Vec3::Zero();  ///< unit; zero for a triangle without area
   double spread = 0.0;
   double radius_mm = 0.0;
+  double longest_mm = 0.0;
 };
 
 TriangleShape shapeOf(const Skin& skin, const Triangle& triangle) {
@@ -35,10 +42,20 @@ TriangleShape shapeOf(const Skin& skin, const Triangle& triangle) {
     const Vec3 b = corner[(i + 2) % 3] - corner[i];
     widest_cosine = std::min(widest_cosine, a.dot(b) / (a.norm() * b.norm()));
   }
-  const double sides = (corner[1] - corner[0]).norm() * (corner[2] - corner[1]).norm() * (corner[0] - corner[2]).norm();
+  const Vec3 sides((corner[1] - corner[0]).norm(), (corner[2] - corner[1]).norm(), (corner[0] - corner[2]).norm());
   // cos(w / 2) by the half angle; at least what a float can tell from a flat triangle
   const double spread = 1.0 / std::sqrt(std::max(0.5 * (1.0 + widest_cosine), 1e-12));
-  return {area.normalized(), spread, 0.5 * sides / area.norm()};
+  return {area.normalized(), spread, 0.5 * sides.prod() / area.norm(), sides.maxCoeff()};
+}
+
+/// Over any of its sides; 0 where it has no area.
+double leastHeight(const Skin& skin, const Triangle& triangle) {
+  Vec3 corner[3];
+  for (std::size_t i = 0; i < 3; ++i) corner[i] = skin.restPosition(triangle[i]).cast<double>();
+  const double area2 = mesh::areaVector2(corner[0], corner[1], corner[2]).norm();
+  const double longest =
+      std::max({(corner[1] - corner[0]).norm(), (corner[2] - corner[1]).norm(), (corner[0] - corner[2]).norm()});
+  return area2 > 0.0 && std::isfinite(area2) ? area2 / longest : 0.0;
 }
 
 template <class Visit>
@@ -56,6 +73,7 @@ FoldBound boundOf(const Skin& skin, const std::vector<TriangleShape>& shapes, In
   if (sum.norm() > 0.0) bound.axis = sum.normalized().cast<float>();
   double cos_cone = 1.0;
   forEachTriangleAt(skin, block, [&](Index t) {
+    bound.longest_mm = std::max(bound.longest_mm, static_cast<float>(shapes[t].longest_mm));
     if (shapes[t].spread == 0.0) return;
     cos_cone = std::min(cos_cone, shapes[t].normal.dot(bound.axis.cast<double>()));
     bound.spread = std::max(bound.spread, static_cast<float>(shapes[t].spread));
@@ -95,6 +113,13 @@ std::vector<FoldBound> foldBounds(const Skin& skin) {
   return bounds;
 }
 
+double certainSpread(const ShearBound& shear) noexcept {
+  // keepsItsArea solved for what stretches both slopes; not a number where a slope has no bound
+  const double both = shear.press + shear.drag;
+  const double product = shear.is_one ? shear.press * shear.drag : 0.5 * both * both;
+  return 2.0 * kCertain / (both + std::sqrt(both * both + 4.0 * kCertain * product));
+}
+
 bool mayFold(const FoldBound& block, const ShearBound& shear) noexcept {
   // The second bound holds within a region; where it ends the slope drops by kSlopeAtRim of the largest at once.
   const double curved = 1.0 + block.radius_mm * shear.bend + kSlopeAtRim * block.spread;
@@ -102,6 +127,15 @@ bool mayFold(const FoldBound& block, const ShearBound& shear) noexcept {
   if (keepsItsArea(spread * shear.press, spread * shear.drag, shear.is_one)) return false;
   const double press = spread * shear.press * largestSine(block, shear.towards);
   return !keepsItsArea(press, spread * shear.drag, shear.is_one);
+}
+
+AlignedVector<float> roomBesideStaying(const Skin& skin) {
+  AlignedVector<float> room(std::size_t{skin.blocks} * kBlockVertices, std::numeric_limits<float>::max());
+  for (const Triangle& triangle : skin.triangles) {
+    const double mm = kUnfoldedShare * leastHeight(skin, triangle) - kRoundingMm;
+    for (const Index v : triangle) room[v] = std::min(room[v], static_cast<float>(std::max(0.0, mm)));
+  }
+  return room;
 }
 
 }  // namespace palpate::deform

@@ -11,6 +11,7 @@
 
 #include <vector>
 
+#include "palpate/base/aligned.h"
 #include "palpate/base/vec.h"
 
 namespace palpate::deform {
@@ -23,6 +24,7 @@ struct FoldBound {
   float cos_cone = -1.0f;      ///< of the angle that no normal leaves the axis by
   float radius_mm = 0.0f;      ///< the largest through the corners of a triangle
   float spread = 0.0f;         ///< the largest 1 / cos(widest angle / 2): 1.15 for equal sides, 1.41 for a right angle
+  float longest_mm = 0.0f;     ///< of their edges
 };
 
 /// A bound a block. Triangles without area do not count: they cannot fold.
@@ -37,7 +39,15 @@ struct ShearBound {
   bool is_one = true;           ///< of one contact
 };
 
+/// Blocks of less spread (FoldBound) keep all their triangles up, whatever these face: a test for whole tiles.
+double certainSpread(const ShearBound& shear) noexcept;
+
 /// True unless it is certain that no triangle of the block folds.
 bool mayFold(const FoldBound& block, const ShearBound& shear) noexcept;
+
+/// For each vertex (padded to whole blocks), should it stay: what the vertices joined to it may move by at most, so
+/// that no triangle at it folds and none of them moves by more than 0.4 of the way to it. 0 where a triangle has no
+/// area.
+AlignedVector<float> roomBesideStaying(const Skin& skin);
 
 }  // namespace palpate::deform

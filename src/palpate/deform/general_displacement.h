@@ -87,6 +87,10 @@ class GeneralDisplacement {
   }
   /// Even a contact that the others press out: its vertices count as moved, by nothing.
   static bool moves(const Mover&) noexcept { return true; }
+  /// Not asked, since no slope is a bound (addShear).
+  static std::uint64_t strainedVertices(std::span<const Mover>, const EdgeBlock&, std::uint64_t of, double) noexcept {
+    return of;
+  }
   void displaceBlock(std::span<const OnBlock<Mover>> movers, const RestBlock& rest,
                      const DeformedBlock& out) const noexcept;
   void displaceWholeBlocks(const Mover& mover, Index blocks, const RestBlock& rest,

@@ -15,6 +15,7 @@
 // The order matters: foreach_target compiles this file once more for every further instruction set.
 #include <hwy/highway.h>
 
+#include <cmath>
 #include <cstring>
 
 #include "palpate/deform/blocks.h"
@@ -114,9 +115,15 @@ struct Reach {
   V least, most;
 };
 
-HWY_INLINE Reach reachOf(const PartLanes& part, const V3& centre, const V3& half, const Reach& height) {
+/// Of q^2; `flat_least` leaves the rise out.
+struct RegionReach : Reach {
+  V flat_least;
+};
+
+HWY_INLINE RegionReach reachOf(const PartLanes& part, const V3& centre, const V3& half, const Reach& height) {
   const Lanes d;
   const V outside = hn::Set(d, part.outside);
+  if (part.outside != 0.0f) return {{outside, outside}, outside};  // does not act
   const V rise_least = riseAt(part, height.least);
   const V rise_most = riseAt(part, height.most);
   const V3 along = broadcast(part.along);
@@ -129,14 +136,15 @@ HWY_INLINE Reach reachOf(const PartLanes& part, const V3& centre, const V3& half
   const V t_least = hn::Max(hn::Sub(t, t_half), hn::Zero(d));
   const V s_most = hn::Add(s, s_half);
   const V t_most = hn::Add(t, t_half);
-  return {hn::MulAdd(s_least, s_least, hn::MulAdd(t_least, t_least, hn::MulAdd(rise_least, rise_least, outside))),
-          hn::MulAdd(s_most, s_most, hn::MulAdd(t_most, t_most, hn::MulAdd(rise_most, rise_most, outside)))};
+  const V flat_least = hn::MulAdd(s_least, s_least, hn::Mul(t_least, t_least));
+  const V flat_most = hn::MulAdd(s_most, s_most, hn::Mul(t_most, t_most));
+  return {{hn::MulAdd(rise_least, rise_least, flat_least), hn::MulAdd(rise_most, rise_most, flat_most)}, flat_least};
 }
 
-/// Boxes whose vertices do not rise in this part, or that it does not move.
-HWY_INLINE M isLevel(const PartLanes& part, const Reach& reach, const Reach& height) {
+/// Boxes whose vertices do not rise in this part, or that it does not move however high they lie.
+HWY_INLINE M isLevel(const PartLanes& part, const RegionReach& reach, const Reach& height) {
   const Lanes d;
-  return hn::Or(hn::Le(height.most, hn::Set(d, part.level)), hn::Ge(reach.least, hn::Set(d, 1.0f)));
+  return hn::Or(hn::Le(height.most, hn::Set(d, part.level)), hn::Ge(reach.flat_least, hn::Set(d, 1.0f)));
 }
 
 BlocksInside insideBlocks(const ContactLanes& contact, const TileBounds& bounds) {
@@ -151,8 +159,8 @@ BlocksInside insideBlocks(const ContactLanes& contact, const TileBounds& bounds)
     const V height_middle = hn::Abs(dot(facing, centre));
     const V height_half = dot(absolute(facing), half);
     const Reach height{hn::Max(hn::Sub(height_middle, height_half), hn::Zero(d)), hn::Add(height_middle, height_half)};
-    const Reach normal = reachOf(contact.normal, centre, half, height);
-    const Reach tangential = reachOf(contact.tangential, centre, half, height);
+    const RegionReach normal = reachOf(contact.normal, centre, half, height);
+    const RegionReach tangential = reachOf(contact.tangential, centre, half, height);
     const V face = dot(load(bounds.values + 6, lane), facing);
     const V face_half = hn::Add(dot(load(bounds.values + 9, lane), absolute(facing)), rounding);
     // Written so that boxes of NaN are touched but not whole.
@@ -167,23 +175,35 @@ BlocksInside insideBlocks(const ContactLanes& contact, const TileBounds& bounds)
   return blocks;
 }
 
+template <bool kLevel>
 HWY_INLINE M isNear(const PartLanes& part, const V3& offset, V height) {
-  const V rise = riseAt(part, height);
-  return hn::Lt(hn::MulAdd(rise, rise, locate(part, offset).q2), hn::Set(Lanes(), 1.0f));
+  V q2 = locate(part, offset).q2;
+  if constexpr (!kLevel) {
+    const V rise = riseAt(part, height);
+    q2 = hn::MulAdd(rise, rise, q2);
+  }
+  return hn::Lt(q2, hn::Set(Lanes(), 1.0f));
 }
 
-VerticesInside verticesInside(const ContactLanes& contact, const RestBlock& rest) {
+template <bool kLevel>
+HWY_INLINE VerticesInside verticesInsideOf(const ContactLanes& contact, const RestBlock& rest) {
   const Lanes d;
   VerticesInside inside{0, 0};
   for (size_t lane = 0; lane < kBlockVertices; lane += hn::Lanes(d)) {
     const V3 offset = sub(load(rest.values, lane), broadcast(contact.anchor));
     const V facing = dot(load(rest.values + 3, lane), broadcast(contact.facing));
-    const V height = hn::Abs(dot(broadcast(contact.facing), offset));
-    const M near = hn::Or(isNear(contact.normal, offset, height), isNear(contact.tangential, offset, height));
+    const V height = kLevel ? hn::Zero(d) : hn::Abs(dot(broadcast(contact.facing), offset));
+    M near = isNear<kLevel>(contact.normal, offset, height);
+    if (drags(contact)) near = hn::Or(near, isNear<kLevel>(contact.tangential, offset, height));
     inside.facing |= bitsOf(hn::And(near, hn::Gt(facing, hn::Zero(d))), lane);
-    inside.steep |= bitsOf(hn::AndNot(hn::Gt(facing, hn::Set(d, kSteepFacing)), near), lane);
+    const M steep = hn::AndNot(hn::Gt(facing, hn::Set(d, kSteepFacing)), near);
+    if (!hn::AllFalse(d, steep)) inside.steep |= bitsOf(steep, lane);  // seldom
   }
   return inside;
+}
+
+VerticesInside verticesInside(const ContactLanes& contact, const RestBlock& rest, bool is_level) {
+  return is_level ? verticesInsideOf<true>(contact, rest) : verticesInsideOf<false>(contact, rest);
 }
 
 /// exp(-rate q^2) for 0 <= q^2 <= 1, within 3e-7 of its value; anything outside. 2^t is split into a whole power, added
@@ -211,6 +231,52 @@ HWY_INLINE V gaussian(V q2) {
   return hn::BitCast(d, hn::Add(hn::BitCast(di, sum), hn::ShiftLeft<kExponentBit>(hn::BitCast(di, shifted))));
 }
 
+HWY_INLINE V profileScaled(V gauss) {
+  const Lanes d;
+  return hn::MulSub(hn::Set(d, static_cast<float>(tissue::kProfileScale)), gauss,
+                    hn::Set(d, static_cast<float>(tissue::kProfileOffset)));
+}
+
+HWY_INLINE float lengthOf(const float (&v)[3]) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
+
+/// Adds to each of some vertices of a block the longest that a part moves anything by within an edge's length of it: q
+/// falls by the inverse of the minor half axis a mm at most.
+HWY_INLINE void addMostMoved(const ContactLanes& contact, const PartLanes& moving, const EdgeBlock& edge,
+                             std::uint64_t of, float* most_mm) {
+  const Lanes d;
+  if (moving.outside != 0.0f) return;  // does not act
+  const PartLanes part = moving;       // a copy that no store can alias
+  const V3 anchor = broadcast(contact.anchor);
+  const V3 facing = broadcast(contact.facing);
+  const V nearer_by = hn::Set(d, edge.longest_mm * lengthOf(part.across));
+  const V length = hn::Set(d, lengthOf(part.shift));
+  for (size_t lane = 0; lane < kBlockVertices; lane += hn::Lanes(d)) {
+    if (hn::AllFalse(d, maskAt(of, lane))) continue;
+    const V3 offset = sub(load(edge.rest.values, lane), anchor);
+    const V rise = riseAt(part, hn::Abs(dot(facing, offset)));
+    const V q = hn::Sqrt(hn::MulAdd(rise, rise, locate(part, offset).q2));
+    const V nearer = hn::Max(hn::Sub(q, nearer_by), hn::Zero(d));
+    const V weight = profileScaled(gaussian(hn::Min(hn::Mul(nearer, nearer), hn::Set(d, 1.0f))));
+    hn::Store(hn::MulAdd(weight, length, hn::Load(d, most_mm + lane)), d, most_mm + lane);
+  }
+}
+
+std::uint64_t strainedVertices(std::span<const ContactLanes> contacts, const EdgeBlock& edge, std::uint64_t of,
+                               float most_mm) {
+  const Lanes d;
+  HWY_ALIGN float moved_mm[kBlockVertices] = {};
+  for (const ContactLanes& contact : contacts) {
+    addMostMoved(contact, contact.normal, edge, of, moved_mm);
+    addMostMoved(contact, contact.tangential, edge, of, moved_mm);
+  }
+  std::uint64_t strained = 0;
+  for (size_t lane = 0; lane < kBlockVertices; lane += hn::Lanes(d)) {
+    const V room = hn::Min(hn::Load(d, edge.room_mm + lane), hn::Set(d, most_mm));
+    strained |= bitsOf(hn::Gt(hn::Load(d, moved_mm + lane), room), lane);
+  }
+  return strained & of;
+}
+
 /// profile(q) and its gradient at 16 (8, 4) vertices; both 0 outside the region and from q = 1 on.
 struct Profile {
   V weight;
@@ -223,10 +289,8 @@ HWY_INLINE Profile profileOf(const PartLanes& part, const V3& offset, M region) 
   const Lanes d;
   const Location at = locate(part, offset);
   const V gauss = gaussian(at.q2);
-  const V scale = hn::Set(d, static_cast<float>(tissue::kProfileScale));
-  const V offset_at_rim = hn::Set(d, static_cast<float>(tissue::kProfileOffset));
   constexpr double kSlope = -2.0 * kGaussianRate * tissue::kProfileScale;
-  V weight = hn::MulSub(scale, gauss, offset_at_rim);
+  V weight = profileScaled(gauss);
   V slope = hn::Mul(hn::Set(d, static_cast<float>(kSlope)), gauss);
   if constexpr (!kAllInside) {
     const M acts = hn::And(region, hn::Lt(at.q2, hn::Set(d, 1.0f)));
@@ -276,8 +340,7 @@ HWY_INLINE Profile risingProfileOf(const PartLanes& part, const V3& facing, cons
   const V q2 = hn::MulAdd(rise, rise, at.q2);
   const M acts = hn::And(region, hn::Lt(q2, hn::Set(d, 1.0f)));
   const V gauss = gaussian(q2);
-  const V weight = hn::MulSub(hn::Set(d, static_cast<float>(tissue::kProfileScale)), gauss,
-                              hn::Set(d, static_cast<float>(tissue::kProfileOffset)));
+  const V weight = profileScaled(gauss);
   constexpr double kSlope = -2.0 * kGaussianRate * tissue::kProfileScale;
   const V slope = hn::IfThenElseZero(acts, hn::Mul(hn::Set(d, static_cast<float>(kSlope)), gauss));
   const V up = hn::CopySign(hn::Mul(rise, hn::Set(d, part.slope)), height);
@@ -436,6 +499,7 @@ namespace palpate::deform {
 
 HWY_EXPORT(insideBlocks);
 HWY_EXPORT(verticesInside);
+HWY_EXPORT(strainedVertices);
 HWY_EXPORT(displaceBlock);
 HWY_EXPORT(displaceWholeBlocks);
 HWY_EXPORT(restoreBlocks);
@@ -444,8 +508,13 @@ BlocksInside insideBlocks(const ContactLanes& contact, const TileBounds& bounds)
   return HWY_DYNAMIC_DISPATCH(insideBlocks)(contact, bounds);
 }
 
-VerticesInside verticesInside(const ContactLanes& contact, const RestBlock& rest) noexcept {
-  return HWY_DYNAMIC_DISPATCH(verticesInside)(contact, rest);
+VerticesInside verticesInside(const ContactLanes& contact, const RestBlock& rest, bool is_level) noexcept {
+  return HWY_DYNAMIC_DISPATCH(verticesInside)(contact, rest, is_level);
+}
+
+std::uint64_t strainedVertices(std::span<const ContactLanes> contacts, const EdgeBlock& edge, std::uint64_t of,
+                               float most_mm) noexcept {
+  return HWY_DYNAMIC_DISPATCH(strainedVertices)(contacts, edge, of, most_mm);
 }
 
 void displaceBlock(std::span<const ContactOnBlock> contacts, const RestBlock& rest, const DeformedBlock& out) noexcept {

@@ -44,12 +44,18 @@ BlocksInside insideBlocks(const ContactLanes& contact, const TileBounds& bounds)
 /// degrees. Below 0 it faces away.
 inline constexpr float kSteepFacing = 0.1f;
 
-/// Vertices with q < 1 for one of the parts, by the side they face; one bit a vertex. Padding answers like a vertex.
+/// Vertices with q < 1 for one of the parts, by the side they face; one bit a vertex. Padding answers like a vertex. On
+/// a level block their height is not asked.
 struct VerticesInside {
   std::uint64_t facing;  ///< the contact
   std::uint64_t steep;   ///< or turned away
 };
-VerticesInside verticesInside(const ContactLanes& contact, const RestBlock& rest) noexcept;
+VerticesInside verticesInside(const ContactLanes& contact, const RestBlock& rest, bool is_level) noexcept;
+
+/// Of some vertices of a block those joined to any that the contacts, wherever their regions end, may together move by
+/// more than `most_mm` or than the room beside the vertex; and some more.
+std::uint64_t strainedVertices(std::span<const ContactLanes> contacts, const EdgeBlock& edge, std::uint64_t of,
+                               float most_mm) noexcept;
 
 /// Writes all 64 vertices: displacement as the sum over the contacts, the analytic normal of the sum. Vertices in no
 /// region get their rest values bit by bit.

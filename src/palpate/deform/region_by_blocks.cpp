@@ -123,7 +123,8 @@ void RegionByBlocks::growBlock(const Query& query, Index block) noexcept {
 
 void RegionByBlocks::lookInto(const Query& query, Index block) noexcept {
   RimBlock& here = rim_[block];
-  const VerticesInside inside = verticesInside(query.contact, query.skin.restBlock(block));
+  const bool is_level = (tiles_[blockOf(block)].level & bitOf(block)) != 0;
+  const VerticesInside inside = verticesInside(query.contact, query.skin.restBlock(block), is_level);
   const std::uint64_t members = query.skin.vertex_graph.members[block];
   here.outside = ~(inside.facing & members);
   if ((inside.steep & members) != 0) edges_.push_back({block, false, inside.steep & members});

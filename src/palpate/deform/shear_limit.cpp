@@ -142,32 +142,40 @@ void ShearLimit::measureAlongSurface(const Pull& pull) noexcept {
   for (const BlockPart& part : pull.region) region_[part.block] = 0;
 }
 
-/// Where skin stays it pins what is joined to it. Returns how far the farthest of those moves, or of the walls.
-double ShearLimit::seedAtEdges(const Pull& pull, const DeformedBlock& surface) noexcept {
+/// Where skin stays it pins what is joined to it, unless that has room enough. Returns how far the farthest of those
+/// moves, or of the walls.
+double ShearLimit::seedAtEdges(const Pull& pull, double slope, const DeformedBlock& surface) noexcept {
   double farthest2 = 0.0;
-  const auto note = [&](Index v) { farthest2 = std::max(farthest2, displacementOf(surface, v).squaredNorm()); };
+  const auto lengthSquared = [&](Index v) { return displacementOf(surface, v).squaredNorm(); };
   for (const BlockPart& part : pull.edges) {
     const Index first = part.block * kBlockVertices;
-    forEachBit(part.vertices & regions_[part.block], [&](Index bit) { note(first + bit); });
+    forEachBit(part.vertices & regions_[part.block],
+               [&](Index bit) { farthest2 = std::max(farthest2, lengthSquared(first + bit)); });
     forEachBit(part.vertices & ~regions_[part.block], [&](Index bit) {
       const Index stays = first + bit;
-      bool pins = false;
+      double beside2 = 0.0;
       for (const Index v : skin_.neighbours[stays]) {
-        if (!moves(v)) continue;
-        pins = true;
-        note(v);
-        from_staying_.seed(v, (skin_.restPosition(v) - skin_.restPosition(stays)).norm());
+        if (moves(v)) beside2 = std::max(beside2, lengthSquared(v));
       }
-      if (pins) notePinning(stays);
+      farthest2 = std::max(farthest2, beside2);
+      const double room = skin_.room_beside_staying[stays];
+      if (beside2 > room * room) notePinning(stays);
+      if (beside2 > room * room || !isGentle(slope)) seedBeside(stays);
     });
   }
   return std::sqrt(farthest2);
 }
 
+void ShearLimit::seedBeside(Index stays) noexcept {
+  for (const Index v : skin_.neighbours[stays]) {
+    if (moves(v)) from_staying_.seed(v, (skin_.restPosition(v) - skin_.restPosition(stays)).norm());
+  }
+}
+
 /// From there on as long as it may matter. Skin less steep than kSteepest is held back farther on only through vertices
 /// that are held back too; steeper skin is followed to where it moves by a quarter of its room.
 void ShearLimit::taperBesideStaying(double most_mm, double slope, const DeformedBlock& surface) noexcept {
-  const float matters = slope < kSteepest ? kSteepest : 0.25f * kSteepest;
+  const float matters = isGentle(slope) ? kSteepest : 0.25f * kSteepest;
   from_staying_.spread(skin_, static_cast<float>(most_mm / kSteepest),
                        [&](Index v, float mm) { return moves(v) && displacementOf(surface, v).norm() > matters * mm; });
 }

@@ -26,7 +26,8 @@ struct Pull {
   Vec3 anchor = Vec3::Zero();
   Index anchor_triangle = kNoIndex;
   std::span<const BlockPart> region;
-  /// Vertices beside the region that lie within its ellipses and yet stay, those in it that are steep, and some more.
+  /// Vertices beside the region that lie within its ellipses and yet stay, those in it that are steep, and some more;
+  /// without those of which faintAtEdge says that they do not matter.
   std::span<const BlockPart> edges;
   double press_mm = 0.0;        ///< of its centre, not below 0
   double drag_mm = 0.0;         ///< likewise
@@ -37,6 +38,13 @@ struct Pull {
 class ShearLimit {
  public:
   ShearLimit(const Skin& skin, std::size_t most_pulls);
+
+  /// What the formulae may move the skin at an edge of a contact's region by, besides what there is room for beside
+  /// skin that stays (roomBesideStaying), without any of the three steps doing anything about it; `own_mm` is what the
+  /// contact moves its centre by. 0 where that is not certain.
+  static double faintAtEdge(double slope, double own_mm) noexcept {
+    return isGentle(slope) ? kCertain * kFaint * own_mm : 0.0;
+  }
 
   /// Steps 1 and 2. `press_profile(q)` and `drag_profile(q)` are the curves that the displacement was made with,
   /// `slope` is how much it differs per mm at most.
@@ -69,6 +77,12 @@ class ShearLimit {
   static constexpr double kFaint = 0.2;
   static constexpr double kPlain = 0.4;
 
+  /// Of a bound, what counts: room for the rounding of floats.
+  static constexpr double kCertain = 0.99;
+
+  /// True if skin is held farther from skin that stays only behind skin that is held beside it.
+  static bool isGentle(double slope) noexcept { return slope < kSteepest; }
+
   struct Fold;
   /// A pull whose region has an edge worth measuring, and how much the measure counts.
   struct Torn {
@@ -79,7 +93,8 @@ class ShearLimit {
     return std::clamp((at_edge - kFaint) / (kPlain - kFaint), 0.0, 1.0);
   }
 
-  double seedAtEdges(const Pull& pull, const DeformedBlock& surface) noexcept;
+  double seedAtEdges(const Pull& pull, double slope, const DeformedBlock& surface) noexcept;
+  void seedBeside(Index stays) noexcept;
   void taperBesideStaying(double most_mm, double slope, const DeformedBlock& surface) noexcept;
   void measureAlongSurface(const Pull& pull) noexcept;
   template <class PressProfile, class DragProfile>
@@ -129,7 +144,7 @@ void ShearLimit::taper(const DeformedBlock& surface, double slope, const PressPr
   double most = 0.0;
   for (const Pull& pull : pulls_) {
     const double own = pull.press_mm + pull.drag_mm;
-    const double at_edge = seedAtEdges(pull, surface);
+    const double at_edge = seedAtEdges(pull, slope, surface);
     if (at_edge > kFaint * own) torn_.push_back({&pull, shareMeasured(at_edge / own)});
     most += own;
   }

@@ -88,6 +88,15 @@ FloatStreams boundsOfBlocks(const Skin& skin) {
   return bounds;
 }
 
+std::vector<float> spreadOfTiles(const std::vector<FoldBound>& blocks) {
+  std::vector<float> tiles(blocksFor(static_cast<Index>(blocks.size())), 0.0f);
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    float& tile = tiles[b / kTileBlocks];
+    tile = std::max(tile, blocks[b].spread);
+  }
+  return tiles;
+}
+
 }  // namespace
 
 Skin buildSkin(const mesh::TriangleMesh& mesh) {
@@ -103,6 +112,8 @@ Skin buildSkin(const mesh::TriangleMesh& mesh) {
   joinBlocks(skin);
   skin.bounds = boundsOfBlocks(skin);
   skin.fold_bounds = foldBounds(skin);
+  skin.spread_of_tiles = spreadOfTiles(skin.fold_bounds);
+  skin.room_beside_staying = roomBesideStaying(skin);
   return skin;
 }
 

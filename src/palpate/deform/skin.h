@@ -28,7 +28,9 @@ struct Skin {
   /// Per block the centre and half size (x, y, z) of the box of its positions, then of its normals: 12 streams, padded
   /// to whole tiles.
   FloatStreams bounds;
-  std::vector<FoldBound> fold_bounds;  ///< per block
+  std::vector<FoldBound> fold_bounds;        ///< per block
+  std::vector<float> spread_of_tiles;        ///< the largest FoldBound::spread of each tile
+  AlignedVector<float> room_beside_staying;  ///< per vertex, padded to whole blocks; mm (fold_bounds.h)
 
   std::span<const GroupLink> linksOf(Index block) const { return vertex_graph.linksOf(block); }
   TileBounds tileBounds(Index tile) const {
@@ -39,6 +41,10 @@ struct Skin {
   RestBlock restBlock(Index block) const {
     const std::size_t first = std::size_t{block} * kBlockVertices;
     return {{rest[0] + first, rest[1] + first, rest[2] + first, rest[3] + first, rest[4] + first, rest[5] + first}};
+  }
+  EdgeBlock edgeBlock(Index block) const {
+    const float* room = room_beside_staying.data() + std::size_t{block} * kBlockVertices;
+    return {restBlock(block), room, fold_bounds[block].longest_mm};
   }
   Vec3f restPosition(Index v) const { return {rest[0][v], rest[1][v], rest[2][v]}; }
   Vec3f restNormal(Index v) const { return {rest[3][v], rest[4][v], rest[5][v]}; }

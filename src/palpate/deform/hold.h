@@ -1,0 +1,149 @@
+// The step of an apply that holds displaced skin back where it would tear or fold, for both ways to displace.
+//
+// Data flow: frames, movers, regions and edges of the plan (plan.h), displaced surface -> what of it is in doubt ->
+// ShearLimit -> surface, normals of what was held. What is certain costs a test a block: edges at which the formulae
+// move next to nothing, blocks that no contact shears much (fold_bounds.h). Own.
+#pragma once
+
+#include "palpate/deform/normals.h"
+#include "palpate/deform/plan.h"
+#include "palpate/deform/shear_limit.h"
+
+namespace palpate::deform {
+
+template <class Displacement>
+class Hold {
+ public:
+  using ThePlan = Plan<Displacement>;
+
+  Hold(const Skin& skin, std::size_t most_contacts) : skin_(skin), shear_(skin, most_contacts) {}
+
+  /// Corrects positions and displacements of `surface`, which starts at the skin's first block. Returns how many
+  /// vertices were held. Leaves of the plan's edges those that are in doubt.
+  Index apply(const Displacement& displacement, ThePlan& plan, const DeformedBlock& surface) noexcept;
+
+  /// The formulae know nothing of what was held back: normals there come from the triangles. Of the last apply.
+  void setNormals(const DeformedBlock& surface) const noexcept;
+
+ private:
+  void boundShear(const Displacement& displacement, ThePlan& plan) noexcept;
+  bool findDoubtful(ThePlan& plan) const noexcept;
+  void dropFaintEdges(const Displacement& displacement, ThePlan& plan) const noexcept;
+  void listPulls(ThePlan& plan) const noexcept;
+  void setNormal(Index vertex, const DeformedBlock& surface) const noexcept;
+
+  const Skin& skin_;
+  ShearLimit shear_;
+  ShearBound bound_;
+};
+
+template <class Displacement>
+Index Hold<Displacement>::apply(const Displacement& displacement, ThePlan& plan,
+                                const DeformedBlock& surface) noexcept {
+  shear_.start();
+  boundShear(displacement, plan);
+  const bool may_fold = findDoubtful(plan);
+  dropFaintEdges(displacement, plan);
+  const bool may_tear = !plan.edges.empty();
+  if (!may_fold && !may_tear) return 0;
+  listPulls(plan);
+  shear_.setPulls(plan.pulls);
+  if (may_tear) {
+    shear_.taper(
+        surface, bound_.press + bound_.drag, [&](double q) { return displacement.pressRoom(q); },
+        [&](double q) { return displacement.dragRoom(q); });
+  }
+  shear_.unfold(surface, plan.doubtful);
+  return static_cast<Index>(shear_.held().size());
+}
+
+template <class Displacement>
+void Hold<Displacement>::boundShear(const Displacement& displacement, ThePlan& plan) noexcept {
+  bound_ = {};
+  for (std::size_t i = 0; i < plan.movers.size(); ++i) {
+    if (Displacement::moves(plan.movers[i])) displacement.addShear(plan.frames[i], plan.movers[i], bound_);
+  }
+}
+
+/// Blocks of which it is not certain that they keep all their triangles up. False if there is none.
+template <class Displacement>
+bool Hold<Displacement>::findDoubtful(ThePlan& plan) const noexcept {
+  plan.doubtful.clear();
+  bool any = false;
+  const double certain = certainSpread(bound_);
+  const auto is_spread = [&](Index tile) { return !(skin_.spread_of_tiles[tile] < certain); };
+  plan.moved.forEachIn(is_spread, [&](Index block) {
+    if (!mayFold(skin_.fold_bounds[block], bound_)) return;
+    plan.doubtful.insert(block);
+    any = true;
+  });
+  return any;
+}
+
+/// Leaves the edges at which skin may have to be held.
+template <class Displacement>
+void Hold<Displacement>::dropFaintEdges(const Displacement& displacement, ThePlan& plan) const noexcept {
+  const double slope = bound_.press + bound_.drag;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < plan.movers.size(); ++i) {
+    const auto& mover = plan.movers[i];
+    const double own = Displacement::pressOf(mover) + Displacement::dragOf(mover);
+    const double faint = ShearLimit::faintAtEdge(slope, own);
+    const Index first = plan.first_edge[i];
+    plan.first_edge[i] = static_cast<Index>(kept);
+    if (!Displacement::moves(mover)) continue;
+    for (Index e = first; e < plan.first_edge[i + 1]; ++e) {
+      BlockPart part = plan.edges[e];
+      if (faint > 0.0) {
+        part.vertices = displacement.strainedVertices(plan.movers, skin_.edgeBlock(part.block), part.vertices, faint);
+      }
+      if (part.vertices != 0) plan.edges[kept++] = part;
+    }
+  }
+  plan.edges.resize(kept);
+  plan.first_edge[plan.movers.size()] = static_cast<Index>(kept);
+}
+
+template <class Displacement>
+void Hold<Displacement>::listPulls(ThePlan& plan) const noexcept {
+  plan.pulls.clear();
+  const std::span<const BlockPart> parts = plan.parts;
+  const std::span<const BlockPart> edges = plan.edges;
+  for (std::size_t i = 0; i < plan.movers.size(); ++i) {
+    if (!Displacement::moves(plan.movers[i])) continue;
+    const auto& frame = plan.frames[i];
+    Pull pull;
+    pull.anchor = frame.anchor;
+    pull.anchor_triangle = frame.anchor_triangle;
+    pull.region = parts.subspan(plan.first_part[i], plan.first_part[i + 1] - plan.first_part[i]);
+    pull.edges = edges.subspan(plan.first_edge[i], plan.first_edge[i + 1] - plan.first_edge[i]);
+    if (frame.press.acts()) {
+      pull.press_mm = Displacement::pressOf(plan.movers[i]);
+      pull.press_reach_mm = Displacement::halfMajor(frame.press);
+    }
+    if (frame.drag.acts()) {
+      pull.drag_mm = Displacement::dragOf(plan.movers[i]);
+      pull.drag_reach_mm = Displacement::halfMajor(frame.drag);
+    }
+    plan.pulls.push_back(pull);
+  }
+}
+
+template <class Displacement>
+void Hold<Displacement>::setNormals(const DeformedBlock& surface) const noexcept {
+  for (const Index v : shear_.held()) {
+    setNormal(v, surface);
+    for (const Index w : skin_.neighbours[v]) {
+      if (shear_.moves(w)) setNormal(w, surface);
+    }
+  }
+}
+
+template <class Displacement>
+void Hold<Displacement>::setNormal(Index vertex, const DeformedBlock& surface) const noexcept {
+  const PositionStreams positions{surface.values[0], surface.values[1], surface.values[2]};
+  const Vec3f normal = areaWeightedNormal(skin_, positions, vertex);
+  for (int axis = 0; axis < 3; ++axis) surface.values[3 + axis][vertex] = normal[axis];
+}
+
+}  // namespace palpate::deform
