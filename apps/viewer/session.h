@@ -28,6 +28,7 @@ struct Session {
   ViewState state;
   view::Camera camera;
   std::size_t active_finger = 0;
+  bool mark_vertex = true;  ///< by a cross, while the vertex's panel is open
   Editor editor;
   ProfileEdit profile;
   Plots plots;
@@ -41,7 +42,7 @@ struct Session {
   double ticks_per_s = 1000.0;  ///< of the servo: those of the scene that the window began with
   WorldFacts world;
   std::optional<VertexReading> reading;  ///< of the vertex that was clicked last
-  bool mark_vertex = false;              ///< its panel is open: a cross shows where it is
+  bool vertex_panel_open = false;
   std::optional<engine::BuildProgress> building;
   std::array<contact::FingerOutput, 2> fingers;
   std::array<bool, 2> finger_present{};

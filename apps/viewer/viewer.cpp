@@ -415,7 +415,7 @@ std::vector<view::Lines> Viewer::rings() const {
   if (session_.editor.active) return dysfunctionRings(session_, pointer_, *world_);
   std::vector<view::Lines> marks;
   if (!session_.replay.frozen) marks = fingerRings(session_, pointer_);
-  if (session_.reading && session_.mark_vertex) {
+  if (session_.reading && session_.vertex_panel_open && session_.mark_vertex) {
     marks.push_back(vertexMark(*session_.reading, *world_, model_->surface()));
   }
   return marks;

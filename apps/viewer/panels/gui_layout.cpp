@@ -40,7 +40,7 @@ constexpr PanelEntry kPanels[] = {
      }},
     {"Vertex",
      [](Session& s) {
-       vertexPanel({s.reading, s.mark_vertex});
+       vertexPanel({s.reading, s.mark_vertex, s.vertex_panel_open});
      }},
     {"Stereo",
      [](Session& s) {
@@ -95,7 +95,7 @@ void sidePanel(Session& session, float width, const FreeArea& free) {
   ImGui::SetNextWindowSize({kPanelWidth, ImGui::GetIO().DisplaySize.y - free.top});
   constexpr auto kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
-  session.mark_vertex = false;
+  session.vertex_panel_open = false;
   if (ImGui::Begin("panel", nullptr, kFixed)) {
     for (const PanelEntry& panel : kPanels) {
       // F3 asks for this section from the keyboard.

@@ -80,8 +80,9 @@ void scalarWidgets(view::Look& look, const WorldFacts& world) {
 }
 
 void vertexPanel(const VertexPanel& panel) {
-  panel.marked = true;
-  if (!panel.reading) return remark("Press on the skin: the nearest vertex is read here and marked by a cross.");
+  panel.open = true;
+  flagWidget("vertex/mark", "cross on the skin", panel.marked, "Where the vertex is that was read.");
+  if (!panel.reading) return remark("Press on the skin: the nearest vertex is read here.");
   const VertexReading& reading = *panel.reading;
   valueLine("vertex of the skin", fmt::format("{}", reading.vertex));
   if (reading.in_file) valueLine("in the file", fmt::format("{}", *reading.in_file));

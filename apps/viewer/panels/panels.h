@@ -77,7 +77,8 @@ void scalarWidgets(view::Look& look, const WorldFacts& world);
 
 struct VertexPanel {
   const std::optional<VertexReading>& reading;
-  bool& marked;  ///< a cross shows it; set while the panel is drawn
+  bool& marked;  ///< by a cross, while the panel is open
+  bool& open;    ///< set while the panel is drawn
 };
 void vertexPanel(const VertexPanel& panel);
 
