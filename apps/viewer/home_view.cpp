@@ -36,7 +36,18 @@ view::Camera intoPart(view::Camera camera, const FreePart& part) {
   return camera;
 }
 
+view::Camera outOfPart(view::Camera camera, const FreePart& part) {
+  const double mm_per_pixel = 2.0 * camera.distance_mm * std::tan(0.5 * camera.height_rad) / part.window_height;
+  camera.centre -= mm_per_pixel * (part.aside.y() * camera.up() - part.aside.x() * camera.right());
+  camera.distance_mm *= part.size.y() / part.window_height;
+  return camera;
+}
+
 }  // namespace
+
+view::Camera cameraOfFreePart(const view::Camera& camera, const Shown& shown, const Vec2& size_points) {
+  return outOfPart(camera, freePart(shown, size_points));
+}
 
 view::Camera homeView(const scene::World& world, const Shown& shown, view::StandardView side, const Vec2& size_points) {
   const FreePart part = freePart(shown, size_points);
@@ -45,7 +56,8 @@ view::Camera homeView(const scene::World& world, const Shown& shown, view::Stand
 
 namespace {
 
-constexpr std::array<std::string_view, 5> kCameraKeys = {"side", "yaw_deg", "pitch_deg", "zoom", "look_at_mm"};
+constexpr std::array<std::string_view, 6> kCameraKeys = {"side", "yaw_deg",    "pitch_deg",
+                                                         "zoom", "look_at_mm", "distance_mm"};
 constexpr std::array<std::string_view, 9> kLookKeys = {
     "shading", "colours", "show", "opacity", "finger", "white_background", "scalar", "scalar_map", "scalar_range"};
 constexpr std::array<std::string_view, 4> kStereoKeys = {"stereo", "eye_distance_mm", "convergence_mm", "swap_eyes"};

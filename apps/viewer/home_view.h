@@ -10,6 +10,9 @@ namespace palpate::viewer {
 
 view::Camera homeView(const scene::World& world, const Shown& shown, view::StandardView side, const Vec2& size_points);
 
+/// The camera of a picture that shows just the free part: what a scene says about its camera. takeSceneLook goes back.
+view::Camera cameraOfFreePart(const view::Camera& camera, const Shown& shown, const Vec2& size_points);
+
 /// Camera, look, stereo and head, each as far as the scene says something about it; the rest stays the user's. True if
 /// the camera was among it: it then looks at what panels and plots leave free, as homeView does.
 bool takeSceneLook(const scene::World& world, Session& session, const Vec2& size_points);

@@ -6,11 +6,15 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <string>
 
+#include "apps/viewer/editing/change_history.h"
 #include "apps/viewer/editing/editor.h"
+#include "apps/viewer/editing/ruler.h"
 #include "apps/viewer/files/replay.h"
+#include "apps/viewer/files/scene_document.h"
 #include "apps/viewer/panels/asks.h"
 #include "apps/viewer/plots/sample_history.h"
 #include "apps/viewer/session_parts.h"
@@ -30,11 +34,16 @@ struct Session {
   std::size_t active_finger = 0;
   bool mark_vertex = true;  ///< by a cross, while the vertex's panel is open
   Editor editor;
+  ChangeHistory history;
   ProfileEdit profile;
   Plots plots;
   Replay replay;
-  int hint = 0;            ///< how many hints have been followed
-  std::string scene_file;  ///< where save goes; empty: to a fresh name (files/outputs.h)
+  Ruler ruler;
+  int hint = 0;                      ///< how many hints have been followed
+  SceneDocument document;            ///< where save goes; without a file: to a fresh name (files/outputs.h)
+  OpenedLook opened;                 ///< what is no change of the look
+  std::optional<Question> question;  ///< nothing else is heard until it has an answer
+  double time_speed = 1.0;           ///< of what plays by itself
   Asks asks;
 
   // What is.
@@ -44,9 +53,12 @@ struct Session {
   std::optional<VertexReading> reading;  ///< of the vertex that was clicked last
   bool vertex_panel_open = false;
   std::optional<engine::BuildProgress> building;
+  bool opening = false;  ///< another scene is on its way: what changes meanwhile is no step
   std::array<contact::FingerOutput, 2> fingers;
   std::array<bool, 2> finger_present{};
   double device_limit_n = 3.3;
+  Vec2 size_points = Vec2(1280, 800);   ///< of the window
+  std::filesystem::path output_folder;  ///< absolute: for what has no place yet
   SeenHead head;
   Recording recording;
   Performance performance;
@@ -55,6 +67,7 @@ struct Session {
   Messages messages;
 
   void wish(Wish::Kind kind, std::string file = {}) { asks.wish(kind, std::move(file)); }
+  void ask(Question asked) { question = std::move(asked); }
   void report(Severity severity, std::string text) { messages.add(severity, std::move(text), now_s); }
   DysfunctionEdit dysfunctions() { return {scene.dysfunctions, editor, asks}; }
 };

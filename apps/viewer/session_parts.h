@@ -59,7 +59,8 @@ struct SeenHead {
 /// The user's displacement profile while it is drawn.
 struct ProfileEdit {
   std::vector<tissue::ProfileKnot> knots;
-  int handle = -1;  ///< the one that is being dragged
+  std::vector<tissue::ProfileKnot> drawn = {};  ///< as it was last written to its file; empty: not in this run
+  int handle = -1;                              ///< the one that is being dragged
 };
 
 }  // namespace palpate::viewer

@@ -41,7 +41,10 @@ scene::Scene sceneFromFile(const std::string& file, const scene::Scene& like) {
   scene::Scene scene = like;
   scene.title = path.filename().string();
   scene.file.clear();
-  scene.dysfunctions.clear();  // they belong to the body they were placed on
+  // They belong to the body they were placed on.
+  scene.dysfunctions.clear();
+  scene.fingers.clear();
+  scene.view = {};  // how it is looked at stays (Session::state)
   scene.ellipses.key_points.clear();
   scene.body = {};
   scene.body.kind = scene::BodyKind::mesh;
@@ -51,8 +54,9 @@ scene::Scene sceneFromFile(const std::string& file, const scene::Scene& like) {
 
 Turnover::Turnover(std::shared_ptr<const scene::World> world) : builder_(decodePicture), shown_(std::move(world)) {}
 
-void Turnover::open(const std::string& file, const Session& session) {
+void Turnover::open(const std::string& file, Session& session) {
   opening_ = file;
+  session.opening = true;
   wanted_ = 0;
   body_wished_ = true;
   builder_.wish(
@@ -61,7 +65,8 @@ void Turnover::open(const std::string& file, const Session& session) {
 
 void Turnover::open(const scene::Scene& scene, Session& session) {
   session.scene = scene;
-  session.scene_file.clear();
+  session.document = {};
+  session.opening = true;
   session.editor = {};
   opening_.clear();
   wanted_ = 0;
@@ -74,6 +79,7 @@ void Turnover::cancel(Session& session) {
   wanted_ = 0;
   body_wished_ = false;
   opening_.clear();
+  session.opening = false;
   // What is at work is what is wished again.
   session.scene.body = shown_->scene.body;
   session.report(Severity::info, "Cancelled: the body stays as it was");
@@ -105,6 +111,7 @@ void Turnover::takeResult(Session& session, engine::ServoThread& servo) {
   const std::string opened = std::exchange(opening_, {});
   body_wished_ = body_wished_ && !result->world && opened.empty();  // one that failed is tried again with the next wish
   if (!result->world) {
+    session.opening = false;
     session.report(Severity::error, (opened.empty() ? "" : kCannotOpen) + result->error);
     return;
   }
@@ -112,9 +119,7 @@ void Turnover::takeResult(Session& session, engine::ServoThread& servo) {
     session.messages.clearErrors(kCannotOpen);
     remember(session.state.recent, opened);
     session.scene = result->world->scene;
-    session.scene_file = session.scene.body.kind == scene::BodyKind::mesh && session.scene.file.empty()
-                             ? std::string()
-                             : session.scene.file.string();
+    session.document = documentOf(session.scene.file);
     session.editor = {};
     tellRate(session);
   }

@@ -16,7 +16,8 @@ namespace palpate::viewer {
 /// A slider sends sixty changes a second; only the last of them is built.
 inline constexpr double kQuietS = 0.25;
 
-/// The scene of a scene file, or a scene around a mesh file with the fingers of `like`. Throws Error.
+/// The scene of a scene file, or one around a mesh file with the touch and tissue of `like`; its fingers stay out of
+/// it: their paths belong to the body they were made for. Throws Error.
 scene::Scene sceneFromFile(const std::string& file, const scene::Scene& like);
 
 class Turnover {
@@ -24,7 +25,7 @@ class Turnover {
   explicit Turnover(std::shared_ptr<const scene::World> world);
 
   /// A scene or mesh file, or a whole scene, takes the place of what there is.
-  void open(const std::string& file, const Session& session);
+  void open(const std::string& file, Session& session);
   void open(const scene::Scene& scene, Session& session);
   void cancel(Session& session);
 

@@ -46,6 +46,7 @@ struct Shown {
   bool help = false;
   bool messages = false;
   bool open_dialog = false;
+  bool save_dialog = false;
 };
 
 /// A head before a real screen of known size (view::TrackedHead).

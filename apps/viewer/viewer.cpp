@@ -9,8 +9,10 @@
 #include "apps/viewer/editing/acts.h"
 #include "apps/viewer/editing/dysfunction_editor.h"
 #include "apps/viewer/editing/rings.h"
+#include "apps/viewer/files/scene_snippet.h"
 #include "apps/viewer/files/view_text.h"
 #include "apps/viewer/home_view.h"
+#include "apps/viewer/leaving.h"
 #include "apps/viewer/panels/gui_layout.h"
 #include "apps/viewer/panels/hints.h"
 #include "palpate/base/stopwatch.h"
@@ -29,6 +31,10 @@ constexpr double kRateSmoothing = 0.05;
 constexpr double kNarrowPoints = 1000.0;
 /// Of the finger that stays where it was put, points.
 constexpr double kOutline = 1.5;
+/// A script's finger without a size is drawn as a fingertip.
+constexpr double kDrawnPointMm = 8.0;
+/// Of a picture without background: each pixel is the mean of this many squared.
+constexpr int kClearSupersampling = 2;
 
 WorldFacts factsOf(const scene::World& world) {
   const Vec3 size = mesh::boundingBox(world.skin).sizes();
@@ -63,7 +69,8 @@ Viewer::Viewer(const std::shared_ptr<const scene::World>& world, ViewState state
       eyesight_(host_.quad_buffer) {
   session_.state = std::move(state);
   session_.scene = world->scene;
-  session_.scene_file = world->scene.file.string();
+  session_.document = documentOf(world->scene.file);
+  session_.output_folder = outputs_.folder();
   takeFacts();
   session_.device_limit_n = world->scene.safety.nominal_force_n;
   session_.profile.knots = world->deformation.normal_profile.knots;
@@ -102,18 +109,25 @@ void Viewer::frame(int width, int height, double scale, double now_s, std::span<
   if (std::exchange(theme_, session_.state.theme) != session_.state.theme) gui_.setTheme(session_.state.theme);
   stereo_ = eyesight_.settings(session_);
   const view::EyePicture eye = view::eyePictureIn(stereo_.mode, width, height);
-  size_points_ = Vec2(eye.seen_width, eye.seen_height) / points;
-  gui_.begin(size_points_, points, elapsed_s, asOneEyeSees(events, stereo_.mode, width, height));
+  session_.size_points = Vec2(eye.seen_width, eye.seen_height) / points;
+  gui_.begin(session_.size_points, points, elapsed_s, asOneEyeSees(events, stereo_.mode, width, height));
   showCursor();
   lookAround();
   handle(events);
   intro_.advance(pointer_, *world_, now_s);
   pointer_.advance(session_);
+  placeRulerLabel();
   drawGui(session_);
+  const Asks& asks = session_.asks;
+  const bool held = ImGui::IsAnyItemActive();
+  const bool any = held || !events.empty() || asks.changed != kNothing || !asks.wishes.empty();
   gui_.end();
   useChanges();
+  if (!session_.opening) session_.history.follow(session_, {held, session_.editor.before.has_value(), any});
+  tellTitle();
   pointServo();
   paintAndKeep(points);
+  if (std::exchange(clear_picture_, false)) paintClear(points);
   Performance& performance = session_.performance;
   performance.frame_ms = millisecondsSince(started);
   frame_s_ += kRateSmoothing * (elapsed_s - frame_s_);
@@ -130,9 +144,10 @@ void Viewer::makeTarget(int width, int height) {
 /// What the cursor's pixels mean in this frame; the first time also where the camera stands.
 void Viewer::lookAround() {
   if (!seen_) {
-    if (size_points_.x() < kNarrowPoints) session_.state.shown.panel = false;
-    session_.camera = homeView(*world_, session_.state.shown, view::StandardView::back, size_points_);
-    takeSceneLook(*world_, session_, size_points_);
+    if (session_.size_points.x() < kNarrowPoints) session_.state.shown.panel = false;
+    session_.camera = homeView(*world_, session_.state.shown, view::StandardView::back, session_.size_points);
+    takeSceneLook(*world_, session_, session_.size_points);
+    beginScene();
     if (settings_.intro && !session_.state.reduced_motion) intro_.begin(*world_, session_.now_s);
   }
   const view::EyePicture eye = view::eyePictureIn(stereo_.mode, target_->width(), target_->height());
@@ -143,7 +158,7 @@ void Viewer::lookAround() {
 void Viewer::takeWorld() {
   const Turnover::Shown shown = turnover_.takeShown(servo_.thread());
   if (!shown.world) return;
-  const bool other_scene = shown.world->scene.file != world_->scene.file;
+  const bool other_scene = std::exchange(session_.opening, false);
   world_ = shown.world;
   model_->setWorld(world_);
   takeFacts();
@@ -157,11 +172,23 @@ void Viewer::takeWorld() {
   std::vector<window::Command> lifted;
   input_.handle({.kind = window::InputEvent::Kind::focus}, {}, lifted);
   if (!seen_) return;
-  const view::Camera before = session_.camera;
-  if (!other_scene || !takeSceneLook(*world_, session_, size_points_)) {
-    return setView(view::StandardView::back);
+  session_.ruler = {};
+  view::Camera camera = homeView(*world_, session_.state.shown, view::StandardView::back, session_.size_points);
+  if (other_scene) {
+    const view::Camera before = session_.camera;
+    if (takeSceneLook(*world_, session_, session_.size_points)) camera = std::exchange(session_.camera, before);
+    beginScene();
   }
-  pointer_.fly(std::exchange(session_.camera, before), session_, kFlightS);
+  standard_view_ = static_cast<int>(view::StandardView::back);
+  pointer_.fly(camera, session_, kFlightS);
+}
+
+/// Nothing of it has been changed yet. What has no file is saved as it is seen, habits included.
+void Viewer::beginScene() {
+  const bool of_file = !session_.document.file.empty();
+  session_.opened = {.look = of_file ? session_.state.look : view::Look{},
+                     .stereo = of_file ? session_.state.stereo : view::StereoSettings{}};
+  session_.history.begin(session_);
 }
 
 void Viewer::followServo(double elapsed_s) {
@@ -170,7 +197,7 @@ void Viewer::followServo(double elapsed_s) {
   performance.servo = servo_.thread().vitals();
   performance.dropped_samples = servo_.thread().droppedSamples();
   if (!session_.replay.frozen && recorded_) leaveReplay();
-  advanceReplay(session_.replay, history(), elapsed_s);
+  advanceReplay(session_.replay, history(), elapsed_s * session_.time_speed);
   if (session_.replay.frozen && !history().empty()) {
     show(history().at(session_.replay.at_s));
   } else {
@@ -198,6 +225,7 @@ void Viewer::takeReplay() {
   session_.replay = {.at_s = history.oldestTime(),
                      .from_s = history.oldestTime(),
                      .to_s = history.newestTime(),
+                     .playing = recorded_->of_script,
                      .table = recorded_->file,
                      .tick_s = history.tick(),
                      .frozen = true};
@@ -209,9 +237,20 @@ void Viewer::takeReplay() {
   }
 }
 
+constexpr const char* kStillReading = "Another table is still being read";
+
 void Viewer::replay(const std::string& table) {
-  if (!replay_loader_.load(world_, session_.scene, table)) {
-    session_.report(Severity::info, "Another table is still being read");
+  const auto read = [world = world_, scene = session_.scene, table] { return touchedAgain(world, scene, table); };
+  if (!replay_loader_.load(read)) session_.report(Severity::info, kStillReading);
+}
+
+void Viewer::playScript() {
+  if (recorded_ && recorded_->of_script) return freeze(session_.replay, false);
+  if (world_->scene.fingers.empty()) {
+    return session_.report(Severity::info, "This scene has no fingers of its own: it says nothing under [[finger]]");
+  }
+  if (!replay_loader_.load([world = world_] { return touchOfScript(world); })) {
+    session_.report(Severity::info, kStillReading);
   }
 }
 
@@ -242,10 +281,15 @@ void Viewer::handle(std::span<const window::InputEvent> events) {
     using EventKind = window::InputEvent::Kind;
     if (event.kind == EventKind::drop) session_.wish(Wish::Kind::open, event.text);
     if (event.kind == EventKind::move || event.kind == EventKind::button) intro_.end(pointer_);
+    if (session_.question && event.kind == EventKind::key) {
+      const std::string_view chosen = event.down ? answerOf(event.key, session_) : std::string_view();
+      if (!chosen.empty()) session_.wish(Wish::Kind::answer, std::string(chosen));
+      continue;
+    }
     window::Situation situation;
-    situation.over_gui = gui_.wantsMouse();
+    situation.over_gui = gui_.wantsMouse() || session_.question;
     situation.gui_wants_text = gui_.wantsText();
-    situation.editing = session_.editor.active;
+    situation.editing = session_.editor.active || session_.ruler.active;
     situation.on_skin = event.kind == EventKind::button && pointer_.skinAt(event.at).has_value();
     commands.clear();
     input_.handle(event, situation, commands);
@@ -257,7 +301,7 @@ void Viewer::obey(const window::Command& command) {
   countHint(command, session_.hint, session_.state.hints);
   if (command.kind == Kind::act) return actOn(command);
   // With nothing selected the wheel has nothing to size, so it zooms.
-  if (command.kind == Kind::edit_size && session_.editor.selected < 0) {
+  if (command.kind == Kind::edit_size && (session_.ruler.active || session_.editor.selected < 0)) {
     window::Command zoom = command;
     zoom.kind = Kind::zoom;
     pointer_.apply(zoom, session_);
@@ -267,6 +311,7 @@ void Viewer::obey(const window::Command& command) {
     if (const auto place = pointer_.skinAt(command.at)) session_.reading = readVertex(*world_, place->point);
   }
   if (pointer_.apply(command, session_)) return;
+  if (session_.ruler.active) return measure(command);
   const auto place = pointer_.skinAt(command.at);
   std::optional<Vec2> on_map;
   if (place) on_map = Vec2(place->point.x(), place->point.y());
@@ -281,7 +326,7 @@ void Viewer::actOn(const window::Command& command) {
   switch (command.action) {
     case Action::centre_on_finger:
       if (const auto& place = pointer_.placeOf(session_.active_finger)) {
-        pointer_.fly(view::centredOn(session_.camera, place->point), session_, kFlightS);
+        flyTo(view::centredOn(session_.camera, place->point));
       }
       return;
     case Action::next_view:
@@ -303,38 +348,57 @@ void Viewer::actOn(const window::Command& command) {
 
 void Viewer::setView(view::StandardView side) {
   standard_view_ = static_cast<int>(side);
-  pointer_.fly(homeView(*world_, session_.state.shown, side, size_points_), session_, kFlightS);
+  flyTo(homeView(*world_, session_.state.shown, side, session_.size_points));
+}
+
+/// Because the user wants to see it from there.
+void Viewer::flyTo(const view::Camera& camera) {
+  session_.opened.camera_moved = true;
+  pointer_.fly(camera, session_, kFlightS);
+}
+
+void Viewer::measure(const window::Command& command) {
+  if (command.kind != Kind::edit_grab) return;
+  if (const auto place = pointer_.skinAt(command.at)) measureAt(*place, world_->surface, session_.ruler);
+}
+
+/// Beside its second end, as the middle of both eyes sees it.
+void Viewer::placeRulerLabel() {
+  Ruler& ruler = session_.ruler;
+  if (ruler.ends.size() < 2) return;
+  constexpr double kNearMm = 1.0;
+  constexpr double kFarMm = 1e6;
+  const view::Frustum frustum = view::frustumOf(eyes_.screen, eyes_.middle, kNearMm, kFarMm);
+  const Vec2 seen = view::seenAt(frustum, ruler.ends[1].point);
+  ruler.label = seen.allFinite() ? Vec2(seen.cwiseProduct(session_.size_points)) : Vec2(0.5 * session_.size_points);
+}
+
+void Viewer::tellTitle() {
+  std::string title = titleOf(session_);
+  if (!host_.set_title || title == title_) return;
+  title_ = std::move(title);
+  host_.set_title(title_);
 }
 
 void Viewer::useChanges() {
-  for (const Wish& wish : std::exchange(session_.asks.wishes, {})) grant(wish);
+  for (const Wish& wish : std::exchange(session_.asks.wishes, {})) {
+    if (!mustAskFirst(wish, session_)) grant(wish);
+  }
   turnover_.advance(session_, servo_.thread());
   session_.asks.changed = kNothing;
 }
 
 void Viewer::grant(const Wish& wish) {
+  if (grantOfScene(wish) || grantOfPicture(wish)) return;
   switch (wish.kind) {
-    case Wish::Kind::open:
-      if (trace::isForcesTable(wish.file)) return replay(wish.file);
-      return turnover_.open(wish.file, session_);
-    case Wish::Kind::default_scene:
-      return turnover_.open(settings_.default_scene, session_);
-    case Wish::Kind::cancel_build:
-      return turnover_.cancel(session_);
-    case Wish::Kind::save:
-      return outputs_.saveScene(session_, wish.file);
-    case Wish::Kind::screenshot:
-      return outputs_.askForScreenshot();
-    case Wish::Kind::screenshot_with_pop_ups:
-      return outputs_.askForScreenshot(true);
     case Wish::Kind::plots_csv:
       return outputs_.savePlots(session_);
     case Wish::Kind::record:
       return outputs_.toggleForces(session_);
-    case Wish::Kind::sequence:
-      return outputs_.toggleSequence(session_);
     case Wish::Kind::use_profile:
       return outputs_.useProfile(session_);
+    case Wish::Kind::play_script:
+      return playScript();
     case Wish::Kind::home:
       return setView(view::StandardView::back);
     case Wish::Kind::full_screen:
@@ -345,7 +409,7 @@ void Viewer::grant(const Wish& wish) {
       return;
     case Wish::Kind::paste_view:
       if (const auto camera = viewFromText(host_.clipboard ? host_.clipboard() : "")) {
-        pointer_.fly(*camera, session_, kFlightS);
+        flyTo(*camera);
       } else {
         session_.report(Severity::warning, "The clipboard holds no view");
       }
@@ -353,13 +417,108 @@ void Viewer::grant(const Wish& wish) {
     case Wish::Kind::quit:
       quit_ = true;
       return;
+    default:
+      return;
   }
+}
+
+/// What comes, goes, changes or is kept of the scene as a whole.
+bool Viewer::grantOfScene(const Wish& wish) {
+  switch (wish.kind) {
+    case Wish::Kind::open:
+      trace::isForcesTable(wish.file) ? replay(wish.file) : turnover_.open(wish.file, session_);
+      return true;
+    case Wish::Kind::default_scene:
+      turnover_.open(settings_.default_scene, session_);
+      return true;
+    case Wish::Kind::reload:
+      reload();
+      return true;
+    case Wish::Kind::cancel_build:
+      turnover_.cancel(session_);
+      return true;
+    case Wish::Kind::save:
+      saveThen(wish, std::nullopt);
+      return true;
+    case Wish::Kind::answer:
+      answer(wish.file);
+      return true;
+    case Wish::Kind::undo:
+      session_.history.undo(session_);
+      return true;
+    case Wish::Kind::redo:
+      session_.history.redo(session_);
+      return true;
+    case Wish::Kind::reset:
+      session_.history.reset(session_);
+      return true;
+    case Wish::Kind::copy_scene:
+      copyScene();
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool Viewer::grantOfPicture(const Wish& wish) {
+  switch (wish.kind) {
+    case Wish::Kind::screenshot:
+    case Wish::Kind::screenshot_with_pop_ups:
+      outputs_.askForScreenshot(wish.kind == Wish::Kind::screenshot_with_pop_ups);
+      return true;
+    case Wish::Kind::clear_screenshot:
+      clear_picture_ = true;
+      return true;
+    case Wish::Kind::sequence:
+      outputs_.toggleSequence(session_);
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// What waited for the answer is done, unless the saving failed or has to ask something itself.
+void Viewer::answer(const std::string& chosen) {
+  if (!session_.question) return;
+  const Question question = *std::exchange(session_.question, std::nullopt);
+  const auto answers = answersTo(question);
+  if (chosen == answers.back()) return;
+  if (question.kind == Question::Kind::overwrite)
+    return saveThen({Wish::Kind::save, question.file, true}, question.then);
+  if (chosen == answers.front()) return saveThen({Wish::Kind::save}, question.then);
+  if (!question.then) return;
+  Wish then = *question.then;
+  then.sure = true;
+  grant(then);
+}
+
+void Viewer::saveThen(Wish how, const std::optional<Wish>& then) {
+  const Outputs::Saving saving = outputs_.saveScene(session_, how);
+  if (saving == Outputs::Saving::asked) session_.question->then = then;
+  if (saving != Outputs::Saving::done || !then) return;
+  how = *then;
+  how.sure = true;
+  grant(how);
+}
+
+/// The scene's file, else the mesh's, else the built-in torso.
+void Viewer::reload() {
+  const scene::BodySettings& body = session_.scene.body;
+  if (!session_.document.file.empty()) return turnover_.open(session_.document.file.string(), session_);
+  if (body.kind == scene::BodyKind::mesh) return turnover_.open(body.file.string(), session_);
+  turnover_.open(settings_.default_scene, session_);
+}
+
+void Viewer::copyScene() {
+  if (!host_.set_clipboard) return session_.report(Severity::warning, "There is no clipboard");
+  host_.set_clipboard(sceneSnippet(session_));
+  session_.report(Severity::info, "What is seen and felt is on the clipboard, as a scene");
 }
 
 void Viewer::pointServo() {
   for (std::size_t i = 0; i < kFingers; ++i) {
     const device::FingerTarget target = pointer_.target(i, session_);
-    session_.finger_present[i] = target.present;
+    session_.finger_present[i] = recorded_ ? i < recorded_->radius_mm.size() : target.present;
     servo_.point(i, target);
   }
 }
@@ -396,11 +555,12 @@ std::vector<view::FingerMark> Viewer::fingerMarks() {
   for (std::size_t i = 0; i < kFingers; ++i) {
     peaks_[i].follow(session_.fingers[i], session_.now_s);
     if (!session_.finger_present[i] || session_.fingers[i].tip.z() > 0.5 * device::kNowhere.z()) continue;
-    const double radius = fingerRadius(session_.scene, i);
+    const double radius =
+        recorded_ && i < recorded_->radius_mm.size() ? recorded_->radius_mm[i] : fingerRadius(session_.scene, i);
     const bool left = i == 0;
     const double outline = i == session_.active_finger ? 0.0 : kOutline;
     marks.push_back({.contact = session_.fingers[i],
-                     .radius_mm = radius,
+                     .radius_mm = recorded_ && radius <= 0.0 ? kDrawnPointMm : radius,
                      .colour = left ? view::kLeftFinger : view::kRightFinger,
                      .haptic_radius_mm = radius,
                      .left = left,
@@ -412,6 +572,7 @@ std::vector<view::FingerMark> Viewer::fingerMarks() {
 
 /// None while the past is looked at: they are where the fingers are now.
 std::vector<view::Lines> Viewer::rings() const {
+  if (session_.ruler.active) return rulerLines(session_.ruler);
   if (session_.editor.active) return dysfunctionRings(session_, pointer_, *world_);
   std::vector<view::Lines> marks;
   if (!session_.replay.frozen) marks = fingerRings(session_, pointer_);
@@ -419,6 +580,43 @@ std::vector<view::Lines> Viewer::rings() const {
     marks.push_back(vertexMark(*session_.reading, *world_, model_->surface()));
   }
   return marks;
+}
+
+view::PictureSettings Viewer::pictureSettings() const {
+  view::PictureSettings picture;
+  picture.camera = session_.camera;
+  picture.look = session_.state.look;
+  if (session_.simple_shading) picture.look.shading = view::Shading::gouraud;
+  picture.look.light_background = session_.state.theme == window::Theme::light;
+  picture.stereo = stereo_;
+  picture.labels.numbers = session_.state.shown.numbers;
+  return picture;
+}
+
+/// Body, fingers and overlays alone, by one eye: drawn on white and on black.
+void Viewer::paintClear(double scale) {
+  view::PictureSettings picture = pictureSettings();
+  picture.look.shading = session_.state.look.shading;
+  picture.stereo.mode = view::StereoMode::mono;
+  picture.labels = view::LabelSettings::none();
+  const std::vector<view::FingerMark> fingers = fingerMarks();
+  const auto drawn = [&](double background) {
+    picture.look.plain_background = background;
+    view::Target target(kClearSupersampling * target_->width(), kClearSupersampling * target_->height());
+    view::Canvas canvas;
+    canvas.framebuffer = target.framebuffer();
+    canvas.width = target.width();
+    canvas.height = target.height();
+    canvas.pixels_per_point = kClearSupersampling * scale;
+    canvas.supersampling = kClearSupersampling;
+    model_->painter().paint({fingers, session_.now_s}, model_->surface(), picture, canvas);
+    return view::reduced(target.read(), kClearSupersampling);
+  };
+  try {
+    outputs_.saveClearPicture(session_, view::cutOut(drawn(1.0), drawn(0.0)));
+  } catch (const std::exception& error) {
+    session_.report(Severity::error, error.what());
+  }
 }
 
 /// Pictures are kept without what lies over them for a moment, unless that was asked for too.
@@ -431,21 +629,15 @@ void Viewer::paintAndKeep(double scale) {
 
 void Viewer::paint(double scale, window::Gui::Choice windows) {
   const Clock::time_point started = Clock::now();
-  view::PictureSettings picture;
-  picture.camera = session_.camera;
-  picture.look = session_.state.look;
-  if (session_.simple_shading) picture.look.shading = view::Shading::gouraud;
-  picture.look.light_background = session_.state.theme == window::Theme::light;
-  picture.stereo = stereo_;
-  picture.labels.numbers = session_.state.shown.numbers;
+  const view::PictureSettings picture = pictureSettings();
   view::Canvas canvas;
   canvas.framebuffer = drawsItself() ? 0 : target_->framebuffer();
   canvas.quad_buffer = host_.quad_buffer;
   canvas.width = target_->width();
   canvas.height = target_->height();
   canvas.pixels_per_point = scale;
-  const auto width = static_cast<float>(size_points_.x());
-  const auto height = static_cast<float>(size_points_.y());
+  const auto width = static_cast<float>(session_.size_points.x());
+  const auto height = static_cast<float>(session_.size_points.y());
   const FreeArea free = freeArea(session_.state.shown, width, height);
   canvas.covered = {free.left, free.top, width - free.right, height - free.below};
   const auto over = [this, windows](const view::EyePicture& eye) { gui_.present(eye.width, eye.height, windows); };

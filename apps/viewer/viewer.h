@@ -42,6 +42,7 @@ struct ViewerHost {
   std::function<void(const std::string&)> set_clipboard;
   std::function<std::string()> clipboard;
   std::function<void(bool)> show_cursor;
+  std::function<void(const std::string&)> set_title;
   /// Framebuffer 0 has a picture for each eye; the viewer then draws quad-buffer stereo into it (drawsItself).
   bool quad_buffer = false;
 };
@@ -91,7 +92,19 @@ class Viewer {
   void obey(const window::Command& command);
   void actOn(const window::Command& command);
   void useChanges();
+  void beginScene();
   void grant(const Wish& wish);
+  bool grantOfScene(const Wish& wish);
+  bool grantOfPicture(const Wish& wish);
+  void answer(const std::string& chosen);
+  void saveThen(Wish how, const std::optional<Wish>& then);
+  void reload();
+  void playScript();
+  void copyScene();
+  void measure(const window::Command& command);
+  void flyTo(const view::Camera& camera);
+  void placeRulerLabel();
+  void tellTitle();
   void setView(view::StandardView side);
   void pointServo();
   void showCursor();
@@ -100,6 +113,8 @@ class Viewer {
   std::vector<view::Lines> rings() const;
   void paint(double scale, window::Gui::Choice windows = nullptr);
   void paintAndKeep(double scale);
+  view::PictureSettings pictureSettings() const;
+  void paintClear(double scale);
 
   ViewerSettings settings_;
   ViewerHost host_;
@@ -121,13 +136,14 @@ class Viewer {
   std::array<PressPeak, kFingers> peaks_;
   window::Gui gui_;
   std::unique_ptr<view::Target> target_;
-  Vec2 size_points_ = Vec2(1, 1);
   view::Eyes eyes_;  ///< of this frame
   window::Theme theme_ = window::Theme::dark;
   int standard_view_ = 0;
   double frame_s_ = 1.0 / 60.0;  ///< smoothed time between two frames
   bool seen_ = false;            ///< a frame has been drawn
   bool own_cursor_ = false;      ///< drawn once for each eye, in place of the system's
+  bool clear_picture_ = false;   ///< to be taken in this frame
+  std::string title_;
   bool quit_ = false;
 };
 

@@ -7,38 +7,24 @@
 namespace palpate::viewer {
 namespace {
 
-TEST(EditHistory, MakesOneStepOfAGesture) {
+TEST(EditHistory, GoesBackAndForthByNamedSteps) {
   EditHistory<int> history;
-  int value = 1;
-  history.begin(value);
-  for (value = 2; value < 50; ++value) history.begin(value);
-  history.commit(value, "drag");
-  EXPECT_EQ(history.undoWords(), "drag");
-  value = history.undo(value);
-  EXPECT_EQ(value, 1);
+  history.add(1, "first");
+  history.add(2, "second");
+  EXPECT_EQ(history.undoWords(), "second");
+  EXPECT_EQ(history.undo(3), 2);
+  EXPECT_EQ(history.undo(2), 1);
   EXPECT_FALSE(history.canUndo());
-  EXPECT_EQ(history.redoWords(), "drag");
-  EXPECT_EQ(history.redo(value), 50);
-}
-
-TEST(EditHistory, DropsGesturesThatChangedNothingAndAbandonedOnes) {
-  EditHistory<int> history;
-  history.begin(3);
-  history.commit(3, "nothing");
-  EXPECT_FALSE(history.canUndo());
-  history.begin(3);
-  EXPECT_EQ(history.abandon(9), 3);
-  EXPECT_FALSE(history.canUndo());
-  history.commit(4, "no gesture began");
-  EXPECT_FALSE(history.canUndo());
+  EXPECT_EQ(history.undo(1), 1) << "there is nothing before it";
+  EXPECT_EQ(history.redoWords(), "first");
+  EXPECT_EQ(history.redo(1), 2);
+  history.add(2, "another way");
+  EXPECT_FALSE(history.canRedo());
 }
 
 TEST(EditHistory, KeepsAHundredSteps) {
   EditHistory<int> history;
-  for (int i = 0; i < 250; ++i) {
-    history.begin(i);
-    history.commit(i + 1, "count");
-  }
+  for (int i = 0; i < 250; ++i) history.add(i, "count");
   int value = 250;
   int steps = 0;
   while (history.canUndo()) {
@@ -57,9 +43,8 @@ TEST(EditHistory, UndoThenRedoIsTheIdentity) {
     for (int i = 0; i < 300; ++i) {
       const auto what = random.below(3);
       if (what == 0) {
-        history.begin(value);
+        history.add(value, "set");
         value = random.below(5);
-        history.commit(value, "set");
       } else if (what == 1 && history.canUndo()) {
         const std::uint64_t before = value;
         const std::uint64_t undone = history.undo(value);

@@ -145,7 +145,8 @@ TEST(SceneLook, WhatASceneDoesNotSayStaysTheUsers) {
   writeFile(stage.folder / "plain.toml",
             "[body]\nkind = \"mesh\"\nfile = \"sheet.ply\"\n[[finger]]\nname = \"a\"\nscript = [{ do = \"lift\" }]\n");
   stage.drop(stage.folder / "plain.toml");
-  ASSERT_TRUE(stage.until([&] { return stage.session().scene_file.ends_with("plain.toml"); })) << stage.lastMessage();
+  ASSERT_TRUE(stage.until([&] { return stage.session().document.file.filename() == "plain.toml"; }))
+      << stage.lastMessage();
   for (int i = 0; i < 5; ++i) stage.frame();
   EXPECT_EQ(stage.session().state.look.colouring, view::Colouring::strain);
   EXPECT_FALSE(stage.session().state.head.on);

@@ -237,7 +237,7 @@ TEST_F(StereoPanelPictures, OfStereo) {
 
 TEST_F(PanelPictures, OfARecording) {
   const Recording recording{true, "forces.csv", 2.0, true, "pictures", 37};
-  expectPanel("record", 185, [&] { recordPanel(recording, 14.2, asks); });
+  expectPanel("record", 245, [&] { recordPanel(recording, 14.2, asks); });
 }
 
 TEST_F(PanelPictures, OfPerformance) {

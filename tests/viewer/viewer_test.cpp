@@ -151,7 +151,7 @@ TEST(Viewer, AChangedSceneIsSavedAndReadsBack) {
   Stage stage;
   stage.session().scene.contact.finger.mu_static = 0.9;
   stage.key(window::key('S'), {true, false});
-  const fs::path file = stage.session().scene_file;
+  const fs::path file = stage.session().document.file;
   ASSERT_TRUE(fs::exists(file)) << stage.lastMessage();
   EXPECT_EQ(scene::load(file).contact.finger.mu_static, 0.9);
 }

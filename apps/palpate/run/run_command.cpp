@@ -62,12 +62,14 @@ class Playback {
 
   bool finished() const { return next_ == script_.size(); }
 
-  /// True when the script closes the window.
+  /// True when the script ends the window. A `close` that something follows is the window's own button, which may ask.
   bool play(double now_s, window::Window& window, viewer::Viewer& viewer, std::vector<window::InputEvent>& events) {
     for (; !finished() && script_[next_].time_s <= now_s; ++next_) {
       const viewer::ScriptEvent& event = script_[next_];
-      if (event.kind == viewer::ScriptEvent::Kind::close) return true;
-      if (event.kind == viewer::ScriptEvent::Kind::size) {
+      if (event.kind == viewer::ScriptEvent::Kind::close) {
+        if (next_ + 1 == script_.size()) return true;
+        viewer.session().wish(viewer::Wish::Kind::quit);
+      } else if (event.kind == viewer::ScriptEvent::Kind::size) {
         window.setSize(event.width, event.height);
       } else if (event.kind == viewer::ScriptEvent::Kind::head) {
         viewer.headAt(event.head_mm, now_s);
@@ -95,12 +97,14 @@ void tellFrame(std::uint64_t number, double now_s, viewer::Viewer& viewer) {
   const viewer::Message* message = s.messages.all().empty() ? nullptr : &s.messages.all().back();
   tell(fmt::format(
       "frame {} t={:.3f} size={}x{} finger={} pressed={} depth={:.2f} force={:.2f} drag={:.2f} wish={:.2f} "
-      "distance={:.0f} yaw={:.3f} body={} building={} panel={} overlays={} row={} recording={} message={}\n",
+      "distance={:.0f} yaw={:.3f} body={} building={} panel={} overlays={} row={} recording={} changed={} question={} "
+      "message={}\n",
       number, now_s, viewer.target().width(), viewer.target().height(), s.active_finger,
       viewer.pointer().pressed(s.active_finger) ? 1 : 0, finger.depth_mm, finger.force.norm(),
       (finger.proxy - finger.anchor).norm(), s.state.touch.depth_mm, s.camera.distance_mm, s.camera.yaw_rad,
       s.world.triangles, s.building ? 1 : 0, s.state.shown.panel ? 1 : 0, s.state.look.overlays.to_string(),
-      s.state.stereo.monitor_row, s.recording.forces ? 1 : 0, message == nullptr ? "-" : message->text));
+      s.state.stereo.monitor_row, s.recording.forces ? 1 : 0, s.history.changed() ? 1 : 0, s.question ? 1 : 0,
+      message == nullptr ? "-" : message->text));
 }
 
 void tellServo(const servo::LoopReport& report) {
@@ -114,12 +118,22 @@ void tellServo(const servo::LoopReport& report) {
 
 viewer::ViewerHost hostOf(window::Window& window) {
   return {[&window] { window.setFullScreen(!window.fullScreen()); },
-          [&window](const std::string& text) { window.setClipboard(text); }, [&window] { return window.clipboard(); },
-          [&window](bool shown) { window.showCursor(shown); }, window.quadBuffered()};
+          [&window](const std::string& text) { window.setClipboard(text); },
+          [&window] { return window.clipboard(); },
+          [&window](bool shown) { window.showCursor(shown); },
+          [&window](const std::string& title) { window.setTitle(title); },
+          window.quadBuffered()};
+}
+
+/// Of no file: there is none that it could be saved to.
+scene::Scene standardScene() {
+  scene::Scene scene = scene::parse(defaultScene(), "default.toml");
+  scene.file.clear();
+  return scene;
 }
 
 scene::Scene sceneToRun(const RunOptions& options) {
-  const scene::Scene standard = scene::parse(defaultScene(), "default.toml");
+  const scene::Scene standard = standardScene();
   if (options.scene.empty()) return standard;
   return viewer::sceneFromFile(options.scene, standard);
 }
@@ -135,7 +149,11 @@ void loop(const RunOptions& options, Playback& playback, window::Window& window,
     std::vector<window::InputEvent> events = window.events();
     const double now_s = frame == 1 ? 0.0 : secondsSince(started) - shown_s;  // a script begins at the first picture
     const bool close = playback.play(now_s, window, viewer, events);
-    if (close || window.closing() || viewer.wantsToQuit() || endAskedBy() != 0) return;
+    if (window.closing()) {
+      window.stayOpen();
+      viewer.session().wish(viewer::Wish::Kind::quit);
+    }
+    if (close || viewer.wantsToQuit() || endAskedBy() != 0) return;
     viewer.session().state.stereo.monitor_row = window.top();
     viewer.frame(window.width(), window.height(), window.contentScale(), now_s, events);
     viewer.drawsItself() ? window.swap() : window.present(viewer.target());
@@ -175,7 +193,7 @@ void runWindow(const RunOptions& options) {
   viewer::ViewerSettings settings;
   settings.intro = !options.no_intro && !state.remembered && options.play.empty();
   settings.output_folder = options.out;
-  settings.default_scene = scene::parse(defaultScene(), "default.toml");
+  settings.default_scene = standardScene();
   viewer::ViewState view_state = state.remembered ? state.remembered->state : viewer::ViewState{};
   view_state.input.shortcuts = !options.no_shortcuts;
   if (!options.stereo.empty()) view_state.stereo.mode = view::stereoModeNamed(options.stereo);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "apps/viewer/editing/dysfunction_editor.h"
@@ -32,6 +33,8 @@ auto* switchOf(Action action, S& session) {
       return &session.replay.frozen;
     case Action::swap_eyes:
       return &session.state.stereo.swap_eyes;
+    case Action::measure:
+      return &session.ruler.active;
     default:
       return static_cast<decltype(&session.replay.frozen)>(nullptr);
   }
@@ -46,17 +49,38 @@ void nextStereoMode(Session& session) {
   session.report(Severity::info, fmt::format("Stereo: {}", view::kStereoModeNames[next]));
 }
 
+/// Anew, or an end of it; the editor wants the same button.
+void startMeasuring(Session& session) {
+  const bool on = !session.ruler.active;
+  if (on && session.editor.active) stopEditing(session.dysfunctions());
+  session.ruler = {};
+  session.ruler.active = on;
+}
+
+/// Speeds of time that are gone through.
+constexpr std::array<double, 7> kTimeSpeeds = {0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0};
+
+void changeTimeSpeed(Session& session, int step) {
+  const auto at = std::lower_bound(kTimeSpeeds.begin(), kTimeSpeeds.end(), session.time_speed - 1e-6);
+  const auto now = static_cast<int>(at - kTimeSpeeds.begin());
+  const int next = std::clamp(now + step, 0, static_cast<int>(kTimeSpeeds.size()) - 1);
+  session.time_speed = kTimeSpeeds[static_cast<std::size_t>(next)];
+  session.report(Severity::info, fmt::format("What is played passes at {:g} of its time", session.time_speed));
+}
+
 /// Escape leaves the innermost thing: a dialog, a page, then the editor. It never quits.
 void cancel(Session& session) {
   Shown& shown = session.state.shown;
-  if (shown.open_dialog) {
-    shown.open_dialog = false;
+  if (shown.open_dialog || shown.save_dialog) {
+    shown.open_dialog = shown.save_dialog = false;
   } else if (shown.help) {
     shown.help = false;
   } else if (shown.messages) {
     shown.messages = false;
   } else if (session.editor.active) {
     stopEditing(session.dysfunctions());
+  } else if (session.ruler.active) {
+    session.ruler = {};
   } else if (session.building) {
     session.wish(Wish::Kind::cancel_build);
   }
@@ -79,6 +103,7 @@ void perform(Action action, Session& session) {
     look.colouring = look.colouring == *colouring ? view::Colouring::plain : *colouring;
     return;
   }
+  if (action == Action::measure) return startMeasuring(session);
   if (action == Action::freeze) return freeze(session.replay, !session.replay.frozen);
   if (bool* on = switchOf(action, session)) {
     *on = !*on;
@@ -96,6 +121,14 @@ void perform(Action action, Session& session) {
       return session.wish(Wish::Kind::screenshot);
     case Action::screenshot_with_pop_ups:
       return session.wish(Wish::Kind::screenshot_with_pop_ups);
+    case Action::clear_screenshot:
+      return session.wish(Wish::Kind::clear_screenshot);
+    case Action::play_script:
+      return session.wish(Wish::Kind::play_script);
+    case Action::slower:
+      return changeTimeSpeed(session, -1);
+    case Action::faster:
+      return changeTimeSpeed(session, 1);
     case Action::record:
       return session.wish(Wish::Kind::record);
     case Action::open:
@@ -103,10 +136,19 @@ void perform(Action action, Session& session) {
       return;
     case Action::save:
       return session.wish(Wish::Kind::save);
+    case Action::save_as:
+      session.state.shown.save_dialog = true;
+      return;
+    case Action::reload:
+      return session.wish(Wish::Kind::reload);
+    case Action::reset:
+      return session.wish(Wish::Kind::reset);
     case Action::undo:
-      return undo(session.dysfunctions());
+      return session.wish(Wish::Kind::undo);
     case Action::redo:
-      return redo(session.dysfunctions());
+      return session.wish(Wish::Kind::redo);
+    case Action::copy_scene:
+      return session.wish(Wish::Kind::copy_scene);
     case Action::delete_selected:
       return deleteSelected(session.dysfunctions());
     case Action::cancel:

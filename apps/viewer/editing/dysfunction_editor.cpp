@@ -28,7 +28,7 @@ std::string nameOfSelected(const DysfunctionEdit& edit) {
 }
 
 void grab(const DysfunctionEdit& edit, const Vec2& place) {
-  beginEdit(edit);
+  edit.editor.before = edit.items;
   edit.editor.selected = dysfunctionAt(edit.items, place);
   if (edit.editor.selected >= 0) return;
   maps::Dysfunction placed;
@@ -52,30 +52,20 @@ template <class Change>
 void changeSelected(const DysfunctionEdit& edit, const char* verb, const Change& change) {
   maps::Dysfunction* item = selected(edit);
   if (item == nullptr) return;
-  beginEdit(edit);
   change(*item);
   edit.asks.changed |= kMapChange;
-  commitEdit(edit, fmt::format("{} {}", verb, nameOfSelected(edit)));
-}
-
-/// Puts a whole list back.
-void restore(const DysfunctionEdit& edit, std::vector<maps::Dysfunction> items) {
-  edit.items = std::move(items);
-  edit.editor.selected = std::min(edit.editor.selected, static_cast<int>(edit.items.size()) - 1);
-  edit.asks.changed |= kMapChange;
+  edit.asks.step = fmt::format("{} {}", verb, nameOfSelected(edit));
 }
 
 }  // namespace
 
 void stopEditing(const DysfunctionEdit& edit) {
-  restore(edit, edit.editor.history.abandon(edit.items));
-  edit.editor.active = false;
-}
-
-void beginEdit(const DysfunctionEdit& edit) { edit.editor.history.begin(edit.items); }
-
-void commitEdit(const DysfunctionEdit& edit, const std::string& words) {
-  edit.editor.history.commit(edit.items, words);
+  Editor& editor = edit.editor;
+  editor.active = false;
+  if (!editor.before) return;
+  edit.items = std::move(*std::exchange(editor.before, std::nullopt));
+  editor.selected = std::min(editor.selected, static_cast<int>(edit.items.size()) - 1);
+  edit.asks.changed |= kMapChange;
 }
 
 int dysfunctionAt(const std::vector<maps::Dysfunction>& items, const Vec2& place) {
@@ -100,7 +90,8 @@ bool applyEdit(const window::Command& command, const std::optional<Vec2>& place,
       if (place) moveTo(edit, *place);
       return true;
     case Kind::edit_drop:
-      commitEdit(edit, "place " + nameOfSelected(edit));
+      edit.editor.before.reset();
+      edit.asks.step = "place " + nameOfSelected(edit);
       return true;
     case Kind::edit_size:
       changeSelected(edit, "resize", [&](maps::Dysfunction& item) {
@@ -120,26 +111,10 @@ bool applyEdit(const window::Command& command, const std::optional<Vec2>& place,
 
 void deleteSelected(const DysfunctionEdit& edit) {
   if (selected(edit) == nullptr) return;
-  beginEdit(edit);
-  const std::string words = "delete " + nameOfSelected(edit);
+  edit.asks.step = "delete " + nameOfSelected(edit);
   edit.items.erase(edit.items.begin() + edit.editor.selected);
   edit.editor.selected = -1;
   edit.asks.changed |= kMapChange;
-  commitEdit(edit, words);
-}
-
-void undo(const DysfunctionEdit& edit) {
-  auto& history = edit.editor.history;
-  if (!history.canUndo()) return edit.asks.tell(Severity::info, "Nothing to undo");
-  edit.asks.tell(Severity::info, "Undo: " + history.undoWords());
-  restore(edit, history.undo(edit.items));
-}
-
-void redo(const DysfunctionEdit& edit) {
-  auto& history = edit.editor.history;
-  if (!history.canRedo()) return edit.asks.tell(Severity::info, "Nothing to redo");
-  edit.asks.tell(Severity::info, "Redo: " + history.redoWords());
-  restore(edit, history.redo(edit.items));
 }
 
 }  // namespace palpate::viewer

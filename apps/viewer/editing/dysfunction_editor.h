@@ -1,11 +1,11 @@
-// Placing, moving, sizing and deleting dysfunctions, every gesture one step that can be undone. Pure.
+// Placing, moving, sizing and deleting dysfunctions, every gesture one step that can be undone (change_history.h).
+// Pure.
 //
 //   mouse ─ Input ─► Command ─ applyEdit ─┐
-//   panel, keys ─ begin, change, commit ──┴─► the scene's dysfunctions ─ Asks::changed ─► a world with another map
+//   panel, keys ──────────────────────────┴─► the scene's dysfunctions ─ Asks::changed ─► a world with another map
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "apps/viewer/editing/editor.h"
 #include "palpate/base/vec.h"
@@ -20,14 +20,8 @@ void stopEditing(const DysfunctionEdit& edit);
 bool applyEdit(const window::Command& command, const std::optional<Vec2>& place, const DysfunctionEdit& edit);
 
 void deleteSelected(const DysfunctionEdit& edit);
-void undo(const DysfunctionEdit& edit);
-void redo(const DysfunctionEdit& edit);
 
 /// The dysfunction at a place of the map plane: the one whose centre is nearest among those that reach it; -1 for none.
 int dysfunctionAt(const std::vector<maps::Dysfunction>& items, const Vec2& place);
-
-/// Around a change by a widget or a gesture: remember, then make one step of it.
-void beginEdit(const DysfunctionEdit& edit);
-void commitEdit(const DysfunctionEdit& edit, const std::string& words);
 
 }  // namespace palpate::viewer

@@ -1,10 +1,10 @@
-// What is known while dysfunctions are edited: which one is selected and every step that can be taken back. Plain data;
-// the gestures are in dysfunction_editor.h.
+// What is known while dysfunctions are edited: which one is selected, and how they were before the gesture under way.
+// Plain data; the gestures are in dysfunction_editor.h.
 #pragma once
 
+#include <optional>
 #include <vector>
 
-#include "apps/viewer/editing/edit_history.h"
 #include "apps/viewer/panels/asks.h"
 #include "palpate/maps/stiffness_map.h"
 
@@ -12,8 +12,8 @@ namespace palpate::viewer {
 
 struct Editor {
   bool active = false;
-  int selected = -1;  ///< index of a dysfunction, or none
-  EditHistory<std::vector<maps::Dysfunction>> history = {};
+  int selected = -1;                                          ///< index of a dysfunction, or none
+  std::optional<std::vector<maps::Dysfunction>> before = {};  ///< while one is dragged
 };
 
 /// All that an edit touches: the scene's dysfunctions, the editor, and the way to say what changed.

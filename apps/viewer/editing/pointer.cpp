@@ -103,16 +103,20 @@ bool Pointer::apply(const window::Command& command, Session& session) {
       return true;
     case Kind::orbit:
       camera = view::orbited(camera, pivot_, command.by, screen_.size.y());
+      session.opened.camera_moved = true;
       return true;
     case Kind::pan:
       camera = view::panned(camera, pivot_, command.by, screen_.size.y());
+      session.opened.camera_moved = true;
       return true;
     case Kind::zoom:
       flight_.reset();
       camera = view::zoomed(camera, pivotAt(command.at, session), command.amount);
+      session.opened.camera_moved = true;
       return true;
     case Kind::centre:
       if (const auto place = skinAt(command.at)) fly(view::centredOn(camera, place->point), session, kCentreFlightS);
+      session.opened.camera_moved = true;
       return true;
     default:
       return false;

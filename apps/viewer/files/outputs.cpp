@@ -6,7 +6,6 @@
 
 #include "palpate/base/output_file.h"
 #include "palpate/base/text.h"
-#include "palpate/scene/scene_writer.h"
 
 namespace palpate::viewer {
 
@@ -108,12 +107,31 @@ void Outputs::savePlots(Session& session) {
   if (attempt(session, write)) session.report(Severity::info, fmt::format("The plots are in {}", file.string()));
 }
 
-void Outputs::saveScene(Session& session, const std::string& file) {
-  fs::path target = !file.empty() ? fs::path(file) : fs::path(session.scene_file);
+Outputs::Saving Outputs::saveScene(Session& session, const Wish& wish) {
+  fs::path target = !wish.file.empty() ? fs::path(wish.file) : session.document.file;
   if (target.empty()) target = fresh(folder_, "scene", ".toml");
-  if (!attempt(session, [&] { scene::save(session.scene, target); })) return;
-  session.scene_file = target.string();
-  session.report(Severity::info, fmt::format("The scene is saved as {}", target.string()));
+  if (!wish.sure && wouldOverwrite(session.document, target)) {
+    const bool known = fs::absolute(target).lexically_normal() == session.document.file;
+    session.ask({.kind = Question::Kind::overwrite,
+                 .words = fmt::format("{} {}. Write over it?", target.string(),
+                                      known ? "was changed by somebody else since it was opened" : "exists already"),
+                 .file = target.string()});
+    return Saving::asked;
+  }
+  const scene::Scene scene = sceneToSave(session);
+  SceneWriting written;
+  if (!attempt(session, [&] { written = writeScene(scene, session.document, target); })) return Saving::failed;
+  session.document = std::move(written.document);
+  session.scene.view = scene.view;
+  session.scene.strain = scene.strain;
+  session.opened = {.look = session.state.look, .stereo = session.state.stereo};
+  session.history.saved(session);
+  std::string words = written.as_it_was ? fmt::format("Nothing to save: {} says it all", session.document.file.string())
+                                        : fmt::format("The scene is saved as {}", session.document.file.string());
+  if (!written.kept.empty())
+    words += fmt::format("; its comments could not be kept and are in {}", written.kept.string());
+  session.report(Severity::info, std::move(words));
+  return Saving::done;
 }
 
 void Outputs::useProfile(Session& session) {
@@ -124,6 +142,7 @@ void Outputs::useProfile(Session& session) {
   for (const tissue::ProfileKnot& knot : session.profile.knots) table += fmt::format("{},{}\n", knot.q, knot.value);
   if (!attempt(session, [&] { writeFile(target, table); })) return;
   file = target;
+  session.profile.drawn = session.profile.knots;
   session.scene.deformation.forms.normal_profile.kind = tissue::ProfileKind::user;
   session.asks.changed |= kMapChange;
 }
@@ -141,6 +160,12 @@ void Outputs::keepFrame(Session& session, view::Image image) {
   if (!recording.sequence) return;
   const fs::path file = fs::path(recording.sequence_folder) / fmt::format("frame_{:05d}.png", recording.pictures++);
   pictures_.write(file, std::move(image));
+}
+
+void Outputs::saveClearPicture(Session& session, const view::CutOut& picture) {
+  const fs::path file = fresh(folder_, "palpate", ".png");
+  if (!attempt(session, [&] { view::writePng(file, picture); })) return;
+  session.report(Severity::info, fmt::format("The picture without background is saved as {}", file.string()));
 }
 
 void Outputs::tellErrors(Session& session) {

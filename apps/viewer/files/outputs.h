@@ -2,17 +2,20 @@
 // message.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
 #include "apps/viewer/files/recorders.h"
 #include "apps/viewer/session.h"
+#include "palpate/view/cut_out.h"
 
 namespace palpate::viewer {
 
 class Outputs {
  public:
-  explicit Outputs(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  explicit Outputs(const std::filesystem::path& folder)
+      : folder_(std::filesystem::absolute(folder).lexically_normal()) {}
   ~Outputs();
   Outputs(const Outputs&) = delete;
   Outputs& operator=(const Outputs&) = delete;
@@ -22,8 +25,10 @@ class Outputs {
   void toggleForces(Session& session);
   void toggleSequence(Session& session);
   void savePlots(Session& session);
-  /// To `file`, else to where the scene came from, else to a fresh name in the folder.
-  void saveScene(Session& session, const std::string& file);
+  enum class Saving : std::uint8_t { done, asked, failed };
+  /// To the wish's file, else to where the scene came from, else to a fresh name in the folder. Asks before it writes
+  /// over what this window has neither read nor written, unless the wish is sure.
+  Saving saveScene(Session& session, const Wish& wish);
   /// Writes the drawn displacement profile to a file and has the scene use it.
   void useProfile(Session& session);
   void askForScreenshot(bool with_pop_ups = false) {
@@ -32,6 +37,8 @@ class Outputs {
   }
   /// The picture of this frame is kept, and pop-ups are no part of it. Pictures of a sequence never have them.
   bool wantsNoPopUps(const Session& session) const { return screenshot_ ? !with_pop_ups_ : session.recording.sequence; }
+  void saveClearPicture(Session& session, const view::CutOut& picture);
+  const std::filesystem::path& folder() const { return folder_; }
 
   /// A frame has been drawn; `read` fetches it when somebody wants it.
   template <class Read>

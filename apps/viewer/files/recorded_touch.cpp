@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "palpate/device/finger_path.h"
 #include "palpate/servo/tick.h"
 #include "palpate/trace/forces_table.h"
 
@@ -106,16 +107,43 @@ RecordedTouch touchedAgain(const std::shared_ptr<const scene::World>& world, con
   const double seconds = static_cast<double>(tips.time_s.size()) / recorded.ticks_per_s;
   recorded.history = TouchHistory(recorded.ticks_per_s, std::min(seconds, kLongestReplayS));
   engine::ServoPlan plan = planFor(world, scene, true);
+  for (std::size_t i = 0; i < tips.tips.size(); ++i) recorded.radius_mm.push_back(fingerRadius(scene, i));
   touch(plan, tips, recorded);
   return recorded;
 }
 
-bool ReplayLoader::load(std::shared_ptr<const scene::World> world, scene::Scene scene, const std::string& file) {
+RecordedTouch touchOfScript(const std::shared_ptr<const scene::World>& world) {
+  const scene::Scene& scene = world->scene;
+  const device::FingerPaths paths = device::pathsOf(*world);
+  RecordedTouch recorded;
+  recorded.file = "the scene's fingers";
+  recorded.of_script = true;
+  recorded.ticks_per_s = scene.ticks_per_s;
+  RecordedTips tips;
+  for (std::size_t tick = 0; tick < paths.ticks; ++tick) {
+    tips.time_s.push_back(static_cast<double>(tick) / scene.ticks_per_s);
+  }
+  engine::ServoPlan plan = planFor(world, scene, true);
+  for (std::size_t i = 0; i < std::min(kFingers, scene.fingers.size()); ++i) {
+    const scene::Finger& scripted = scene.fingers[i];
+    plan.fingers[i] = scene::contactSettings(scene, scripted);
+    recorded.radius_mm.push_back(scripted.radius_mm);
+    tips.names.push_back(scripted.name);
+    tips.tips.push_back(*paths.tips[i]);
+    tips.tips.back().resize(paths.ticks, tips.tips.back().back());
+  }
+  const double seconds = static_cast<double>(paths.ticks) / recorded.ticks_per_s;
+  recorded.history = TouchHistory(recorded.ticks_per_s, std::min(seconds, kLongestReplayS));
+  touch(plan, tips, recorded);
+  return recorded;
+}
+
+bool ReplayLoader::load(std::function<RecordedTouch()> read) {
   if (work_) return false;
   result_ = {};
-  work_.emplace([this, world = std::move(world), scene = std::move(scene), file] {
+  work_.emplace([this, read = std::move(read)] {
     try {
-      result_.touch = touchedAgain(world, scene, file);
+      result_.touch = read();
     } catch (const std::exception& error) {
       result_.error = error.what();
     }

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "apps/viewer/plots/touch_history.h"
 #include "palpate/base/background.h"
@@ -20,11 +22,17 @@ struct RecordedTouch {
   std::string file;
   TouchHistory history;
   double ticks_per_s = 1000.0;
+  std::vector<double> radius_mm;  ///< of each finger
+  bool of_script = false;         ///< of the scene's own fingers: it plays when it is there
 };
 
 /// The first two fingers of the table. Throws Error when it cannot be read.
 RecordedTouch touchedAgain(const std::shared_ptr<const scene::World>& world, const scene::Scene& scene,
                            const std::filesystem::path& table);
+
+/// What the first two fingers of the scene do and feel by their scripts and trajectories, as `palpate simulate` feels
+/// it but for the device's limits. Throws Error where there is no path.
+RecordedTouch touchOfScript(const std::shared_ptr<const scene::World>& world);
 
 /// Does it beside the display, one table at a time.
 class ReplayLoader {
@@ -33,7 +41,7 @@ class ReplayLoader {
   ReplayLoader(const ReplayLoader&) = delete;  // the work writes into this one
   ReplayLoader& operator=(const ReplayLoader&) = delete;
   /// False, with nothing done, while another table is at work.
-  bool load(std::shared_ptr<const scene::World> world, scene::Scene scene, const std::string& file);
+  bool load(std::function<RecordedTouch()> read);
   struct Result {
     std::optional<RecordedTouch> touch;
     std::string error;

@@ -4,8 +4,12 @@
 //   panel ─► Asks ─► drawGui: actions, words ─► Viewer: wishes, consequences of changes, once a frame
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -25,10 +29,18 @@ enum Consequence : std::uint32_t {
 /// What only the viewer can do.
 struct Wish {
   enum class Kind : std::uint8_t {
-    open,        ///< `file`
-    save,        ///< the scene, to `file` or where it came from
+    open,    ///< `file`
+    save,    ///< the scene, to `file` or where it came from
+    reload,  ///< what was opened, once more
+    reset,   ///< everything as it was opened or saved
+    undo,
+    redo,
+    answer,      ///< `file`: what was chosen of the question's answers
     screenshot,  ///< without what lies over the picture for a moment
     screenshot_with_pop_ups,
+    clear_screenshot,  ///< the body alone, the rest transparent
+    play_script,       ///< the scene's own fingers, or an end of it
+    copy_scene,        ///< what is seen and felt now, as the text of a scene
     plots_csv,
     record,    ///< start or stop
     sequence,  ///< PNG files: start or stop
@@ -43,7 +55,27 @@ struct Wish {
   };
   Kind kind = Kind::open;
   std::string file = {};
+  bool sure = false;  ///< whatever it may overwrite or throw away
 };
+
+/// What is asked before something would be lost; what was wished waits in it.
+struct Question {
+  enum class Kind : std::uint8_t {
+    leave,      ///< changes would be thrown away
+    overwrite,  ///< a file would be that is not known here
+  };
+  Kind kind = Kind::leave;
+  std::string words = {};
+  std::string file = {};          ///< overwrite: which
+  std::optional<Wish> then = {};  ///< what is done after the answer
+};
+/// Answers, as the buttons say them; the first is what Enter means, the last what Esc means.
+inline constexpr std::array<std::string_view, 3> kLeaveAnswers = {"Save", "Discard", "Stay"};
+inline constexpr std::array<std::string_view, 2> kOverwriteAnswers = {"Overwrite", "Cancel"};
+inline std::span<const std::string_view> answersTo(const Question& question) {
+  if (question.kind == Question::Kind::leave) return kLeaveAnswers;
+  return kOverwriteAnswers;
+}
 
 struct Asks {
   std::uint32_t changed = kNothing;  ///< Consequence bits of this frame
@@ -54,6 +86,7 @@ struct Asks {
     std::string text;
   };
   std::vector<Words> words;
+  std::string step;  ///< what the change of this frame is called when it is taken back; empty: by what it changed
 
   void wish(Wish::Kind kind, std::string file = {}) { wishes.push_back({kind, std::move(file)}); }
   void act(window::Action action) { actions.push_back(action); }

@@ -29,7 +29,10 @@ constexpr PanelEntry kPanels[] = {
      [](Session& s) {
        tissuePanel({s.scene, s.profile, s.world.has_bones}, s.asks);
      }},
-    {"Dysfunctions", [](Session& s) { dysfunctionPanel(s.dysfunctions()); }},
+    {"Dysfunctions",
+     [](Session& s) {
+       dysfunctionPanel({s.dysfunctions(), s.history.steps().undoWords(), s.history.steps().redoWords()});
+     }},
     {"Model",
      [](Session& s) {
        modelPanel({s.scene, s.world, s.state.shown.open_dialog}, s.asks);
@@ -54,7 +57,8 @@ MenuBar menuOf(Session& session) {
   MenuBar menu{
       session.state, session.hint, {}, session.messages.unread(), {}, recordingWords(session.recording, session.now_s)};
   for (std::size_t i = 0; i < window::kActions; ++i) menu.on[i] = isOn(static_cast<window::Action>(i), session);
-  menu.status = {session.world.name, "mouse", fmt::format("{:.0f} Hz", session.performance.servo.ticks_per_s),
+  menu.status = {session.world.name + (session.history.changed() ? " *" : ""), "mouse",
+                 fmt::format("{:.0f} Hz", session.performance.servo.ticks_per_s),
                  fmt::format("{:.0f} fps", session.performance.frames_per_s)};
   if (session.simple_shading) menu.status.insert(menu.status.begin() + 1, "drawn smooth: slow");
   return menu;
@@ -79,7 +83,7 @@ void grantActions(Session& session) {
 std::span<const PanelEntry> panelList() { return kPanels; }
 
 bool staysInPictures(std::string_view window) {
-  return window == "##MainMenuBar" || window.starts_with("panel") || window.starts_with("plots");
+  return window == "##MainMenuBar" || window.starts_with("panel") || window.starts_with("plots") || window == "ruler";
 }
 
 FreeArea freeArea(const Shown& shown, float width, float height) {
@@ -124,10 +128,11 @@ FreeArea drawGui(Session& session) {
   if (shown.panel) sidePanel(session, size.x, free);
   if (shown.plots) plotStrips(plotsOf(session), free, session.asks);
   if (session.editor.active) editingFrame(free);
+  if (session.ruler.active) rulerNotice(session.ruler, free);
   buildProgress(session.building, free, session.asks);
   if (session.replay.frozen) {
     replayBar(session.replay, free, session.asks);
-  } else if (session.state.hints && !session.editor.active) {
+  } else if (session.state.hints && !session.editor.active && !session.ruler.active) {
     hint(hintText(session.hint), free);
   }
   grantActions(session);
@@ -135,6 +140,8 @@ FreeArea drawGui(Session& session) {
   if (shown.help) helpPage(shown.help);
   if (shown.messages) messageList(session.messages, shown.messages);
   if (shown.open_dialog) openDialog(session.state.recent, shown.open_dialog, session.asks);
+  if (shown.save_dialog) saveDialog(session.document.file, session.output_folder, shown.save_dialog, session.asks);
+  questionDialog(session.question, session.asks);
   return free;
 }
 

@@ -33,7 +33,7 @@ void row(const char* input, const char* does) {
 
 /// Of the keys and buttons, points: those on the left of the page have long names.
 constexpr float kLeftNames = 190.0f;
-constexpr float kRightNames = 100.0f;
+constexpr float kRightNames = 120.0f;
 
 bool beginRows(const char* name, float names) {
   if (!ImGui::BeginTable(name, 2)) return false;
@@ -70,17 +70,19 @@ void helpPage(bool& open) {
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                        ImGuiWindowFlags_NoSavedSettings)) {
     constexpr float kLeastForTwo = 760.0f;  // in a narrow window one column, to be scrolled
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {4.0f, 0.5f});  // all of it is to be seen at once
     if (ImGui::BeginTable("columns", size.x < kLeastForTwo ? 1 : 2)) {
       ImGui::TableNextColumn();
       mouseRules();
       groupOf(window::KeyGroup::touch, kLeftNames);
-      groupOf(window::KeyGroup::view, kLeftNames);
+      groupOf(window::KeyGroup::overlays, kLeftNames);
       ImGui::TableNextColumn();
-      groupOf(window::KeyGroup::overlays, kRightNames);
+      groupOf(window::KeyGroup::view, kRightNames);
       groupOf(window::KeyGroup::window, kRightNames);
       groupOf(window::KeyGroup::file, kRightNames);
       ImGui::EndTable();
     }
+    ImGui::PopStyleVar();
   }
   ImGui::End();
 }

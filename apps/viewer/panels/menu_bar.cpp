@@ -39,13 +39,13 @@ void fileMenu(const Menus& menus) {
   item(menus, Action::open);
   recentFiles(menus);
   if (ImGui::MenuItem("Built-in torso")) menus.asks.wish(Wish::Kind::default_scene);
-  item(menus, Action::save);
+  for (const Action action : {Action::reload, Action::save, Action::save_as}) item(menus, action);
   ImGui::Separator();
-  item(menus, Action::undo);
-  item(menus, Action::redo);
+  for (const Action action : {Action::undo, Action::redo, Action::reset, Action::copy_scene}) item(menus, action);
   ImGui::Separator();
-  item(menus, Action::screenshot);
-  item(menus, Action::screenshot_with_pop_ups);
+  for (const Action action : {Action::screenshot, Action::screenshot_with_pop_ups, Action::clear_screenshot}) {
+    item(menus, action);
+  }
   item(menus, Action::record);
   ImGui::Separator();
   item(menus, Action::quit);
@@ -87,9 +87,14 @@ void mouseMenu(window::InputSettings& input) {
 
 void viewMenu(const Menus& menus) {
   for (const Action action : {Action::home, Action::full_screen, Action::panel, Action::plots, Action::numbers,
-                              Action::performance, Action::freeze}) {
+                              Action::performance, Action::measure}) {
     item(menus, action);
   }
+  ImGui::Separator();
+  for (const Action action : {Action::freeze, Action::play_script, Action::slower, Action::faster}) {
+    item(menus, action);
+  }
+  ImGui::Separator();
   ImGui::MenuItem("Panel on the right", nullptr, &menus.state.shown.panel_right);
   ImGui::Separator();
   if (ImGui::MenuItem("Copy the view")) menus.asks.wish(Wish::Kind::copy_view);

@@ -101,6 +101,51 @@ void editingFrame(const FreeArea& free) {
   ImGui::End();
 }
 
+void rulerNotice(const Ruler& ruler, const FreeArea& free) {
+  constexpr float kBesideEnd = 14.0f;
+  std::string words = rulerWords(ruler);
+  if (words.empty()) {
+    words = ruler.ends.empty() ? "Measuring: click a place on the skin" : "... and another; Esc ends it";
+    ImGui::SetNextWindowPos({middleOf(free), free.below - 16.0f}, ImGuiCond_Always, {0.5f, 1.0f});
+  } else {
+    const ImVec2 size = ImGui::CalcTextSize(words.c_str());
+    const float x =
+        std::clamp(static_cast<float>(ruler.label.x()) + kBesideEnd, free.left, free.right - size.x - 20.0f);
+    const float y = std::clamp(static_cast<float>(ruler.label.y()) + kBesideEnd, free.top, free.below - size.y - 20.0f);
+    ImGui::SetNextWindowPos({x, y});
+  }
+  ImGui::SetNextWindowBgAlpha(0.8f);
+  if (ImGui::Begin("ruler", nullptr, kNotice | ImGuiWindowFlags_NoInputs)) ImGui::TextUnformatted(words.c_str());
+  ImGui::End();
+}
+
+void questionDialog(const std::optional<Question>& question, Asks& asks) {
+  constexpr const char* kName = "question";
+  constexpr float kQuestionWidth = 420.0f;
+  if (question && !ImGui::IsPopupOpen(kName)) ImGui::OpenPopup(kName);
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0.5f * size.x, 0.4f * size.y}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({std::min(kQuestionWidth, size.x - 20.0f), 0.0f});
+  if (!ImGui::BeginPopupModal(kName, nullptr, kNotice & ~ImGuiWindowFlags_AlwaysAutoResize)) return;
+  if (question) {
+    ImGui::PushTextWrapPos(0.0f);
+    ImGui::TextUnformatted(question->words.c_str());
+    ImGui::PopTextWrapPos();
+    const auto answers = answersTo(*question);
+    for (const std::string_view answer : answers) {
+      if (answer != answers.front()) ImGui::SameLine();
+      const std::string path = fmt::format("question/{}", answer);
+      const char* means = answer == answers.front() ? "Enter" : answer == answers.back() ? "Esc" : "";
+      if (buttonWidget(path.c_str(), std::string(answer).c_str(), means)) {
+        asks.wish(Wish::Kind::answer, std::string(answer));
+      }
+    }
+  } else {
+    ImGui::CloseCurrentPopup();  // one that is only left out would go on taking the mouse
+  }
+  ImGui::EndPopup();
+}
+
 void messageList(Messages& messages, bool& open) {
   messages.markRead();
   const ImVec2 size = ImGui::GetIO().DisplaySize;

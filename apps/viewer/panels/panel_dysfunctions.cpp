@@ -10,16 +10,10 @@ namespace palpate::viewer {
 
 namespace {
 
-/// A slider is one gesture from when it is taken to when it is let go.
 void slider(const DysfunctionEdit& edit, double& value, const NumberWidget& widget, const std::string& words) {
-  const std::vector<maps::Dysfunction> before = edit.items;
-  const bool changed = numberWidget(value, widget);
-  if (ImGui::IsItemActivated()) edit.editor.history.begin(before);
-  if (changed) {
-    edit.editor.history.begin(before);  // a reset by the menu activates nothing
-    edit.asks.changed |= kMapChange;
-  }
-  if (ImGui::IsItemDeactivated() || (changed && !ImGui::IsItemActive())) commitEdit(edit, words);
+  if (!numberWidget(value, widget)) return;
+  edit.asks.changed |= kMapChange;
+  edit.asks.step = words;
 }
 
 void listOf(const DysfunctionEdit& edit) {
@@ -51,20 +45,21 @@ void fieldsOf(const DysfunctionEdit& edit, maps::Dysfunction& item, const std::s
          "move " + name);
 }
 
-void historyButtons(const DysfunctionEdit& edit) {
-  auto& history = edit.editor.history;
-  ImGui::BeginDisabled(!history.canUndo());
-  if (buttonWidget("dysfunctions/undo", "Undo", history.undoWords().c_str())) undo(edit);
+void historyButtons(const DysfunctionPanel& panel) {
+  Asks& asks = panel.edit.asks;
+  ImGui::BeginDisabled(panel.undo_words.empty());
+  if (buttonWidget("dysfunctions/undo", "Undo", panel.undo_words.c_str())) asks.act(window::Action::undo);
   ImGui::EndDisabled();
   ImGui::SameLine();
-  ImGui::BeginDisabled(!history.canRedo());
-  if (buttonWidget("dysfunctions/redo", "Redo", history.redoWords().c_str())) redo(edit);
+  ImGui::BeginDisabled(panel.redo_words.empty());
+  if (buttonWidget("dysfunctions/redo", "Redo", panel.redo_words.c_str())) asks.act(window::Action::redo);
   ImGui::EndDisabled();
 }
 
 }  // namespace
 
-void dysfunctionPanel(const DysfunctionEdit& edit) {
+void dysfunctionPanel(const DysfunctionPanel& panel) {
+  const DysfunctionEdit& edit = panel.edit;
   Editor& editor = edit.editor;
   if (buttonWidget("dysfunctions/edit", editor.active ? "Leave the editor (Esc)" : "Edit on the body",
                    "Click the skin to place one, drag to move it, wheel for its size, Shift and wheel for its "
@@ -82,7 +77,7 @@ void dysfunctionPanel(const DysfunctionEdit& edit) {
     if (buttonWidget("dysfunctions/delete", "Delete")) deleteSelected(edit);
     ImGui::SameLine();
   }
-  historyButtons(edit);
+  historyButtons(panel);
 }
 
 }  // namespace palpate::viewer

@@ -38,8 +38,16 @@ void recordPanel(const Recording& recording, double now_s, Asks& asks) {
   }
   if (recording.sequence) remark(fmt::format("{} pictures in {}", recording.pictures, recording.sequence_folder));
   if (buttonWidget("record/picture", "Save a picture (F12)")) asks.wish(Wish::Kind::screenshot);
+  if (buttonWidget("record/clear_picture", "... without background (Ctrl+F12)",
+                   "The body alone; the rest of the PNG file is transparent.")) {
+    asks.wish(Wish::Kind::clear_screenshot);
+  }
   if (buttonWidget("record/csv", "Save the plots as CSV")) asks.wish(Wish::Kind::plots_csv);
   if (buttonWidget("record/scene", "Save the scene (Ctrl+S)")) asks.wish(Wish::Kind::save);
+  if (buttonWidget("record/copy_scene", "Copy as a scene (Ctrl+C)",
+                   "What is seen and felt now, as the text of a scene file: for mails, notes and bug reports.")) {
+    asks.act(window::Action::copy_scene);
+  }
 }
 
 }  // namespace palpate::viewer

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "apps/viewer/editing/editor.h"
+#include "apps/viewer/editing/ruler.h"
 #include "apps/viewer/files/replay.h"
 #include "apps/viewer/panels/asks.h"
 #include "apps/viewer/panels/messages.h"
@@ -55,7 +56,12 @@ struct TissuePanel {
 };
 void tissuePanel(const TissuePanel& panel, Asks& asks);
 
-void dysfunctionPanel(const DysfunctionEdit& edit);
+struct DysfunctionPanel {
+  DysfunctionEdit edit;
+  std::string undo_words = {};  ///< the step that would be taken back; empty: none
+  std::string redo_words = {};
+};
+void dysfunctionPanel(const DysfunctionPanel& panel);
 
 struct ModelPanel {
   scene::Scene& scene;
@@ -124,12 +130,18 @@ void replayBar(Replay& replay, const FreeArea& free, Asks& asks);
 void helpPage(bool& open);
 /// Files opened before, a folder to walk through, a line to type into.
 void openDialog(std::span<const std::string> recent, bool& open, Asks& asks);
-/// Where the dialog looks from now on; else where it looked last, in the beginning the working folder.
+/// Where the scene is to be saved; begins beside `now`, or in `folder` when it has no file yet.
+void saveDialog(const std::filesystem::path& now, const std::filesystem::path& folder, bool& open, Asks& asks);
+/// Where the dialogs look from now on; else where they looked last, in the beginning the working folder.
 void showFolder(const std::filesystem::path& folder);
+/// What is asked before something is lost; the answer is a wish.
+void questionDialog(const std::optional<Question>& question, Asks& asks);
 void messageList(Messages& messages, bool& open);
 void toast(Messages& messages, double now_s, const FreeArea& free);
 void buildProgress(const std::optional<engine::BuildProgress>& building, const FreeArea& free, Asks& asks);
 void hint(std::string_view words, const FreeArea& free);
 void editingFrame(const FreeArea& free);
+/// What a ruler measures, beside its second end; before, what to do.
+void rulerNotice(const Ruler& ruler, const FreeArea& free);
 
 }  // namespace palpate::viewer

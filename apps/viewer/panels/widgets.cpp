@@ -183,7 +183,8 @@ std::uint32_t consequenceOf(std::string_view table) {
   if (table == "body") return kBodyChange;
   if (table == "friction") return kFingerChange;
   if (table == "contact") return kFingerChange | kMapChange;  // the source of the contact is built with the maps
-  if (table == "output" || table == "safety") return kNothing;
+  if (table == "output" || table == "safety" || table == "view") return kNothing;
+  if (table == "finger") return kFingerChange | kMapChange;  // their radii, and the paths that the world knows
   return kMapChange;
 }
 

@@ -40,7 +40,32 @@ toml::table parsed(std::string_view text) {
   }
 }
 
+void addDifferences(const std::string& table, const std::string& which, const std::vector<KeyRow>& was,
+                    const std::vector<KeyRow>& is, std::vector<Difference>& found) {
+  for (std::size_t i = 0; i < is.size(); ++i) {
+    if (was[i].fallback != is[i].fallback) found.push_back({table, which + is[i].key, was[i].fallback, is[i].fallback});
+  }
+}
+
 }  // namespace
+
+std::vector<Difference> differences(const Scene& was, const Scene& is) {
+  std::vector<Difference> found;
+  addDifferences("", "", topRows(was), topRows(is), found);
+  for (const Section& section : sections()) {
+    const auto before = section.values(was);
+    const auto now = section.values(is);
+    if (before.size() != now.size()) {
+      found.push_back({section.name, "", fmt::format("{}", before.size()), fmt::format("{}", now.size())});
+      continue;
+    }
+    const bool repeats = section.title.starts_with("[[");
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      addDifferences(section.name, repeats ? fmt::format("{} ", i + 1) : "", before[i], now[i], found);
+    }
+  }
+  return found;
+}
 
 std::optional<KeyRow> keyOf(const Scene& scene, std::string_view table, std::string_view key) {
   if (table.empty()) return rowNamed(topRows(scene), key);

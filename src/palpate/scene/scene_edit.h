@@ -25,4 +25,13 @@ std::string defaultOf(std::string_view table, std::string_view key);
 /// a value that the file would not be allowed either.
 void setKey(Scene& scene, std::string_view table, std::string_view key, std::string_view value);
 
+/// One key, or a table of those that stand several times, that two scenes have apart.
+struct Difference {
+  std::string table;  ///< its name: "friction"; "" before the first table
+  std::string key;    ///< of tables that stand several times: "2 x_mm", counted from 1; "" if there are more or fewer
+  std::string was;    ///< value as it would stand in a file
+  std::string is;
+};
+std::vector<Difference> differences(const Scene& was, const Scene& is);
+
 }  // namespace palpate::scene

@@ -12,7 +12,7 @@
 namespace palpate::scene {
 
 /// The text. Files that the scene names are written relative to `folder` where they lie under it, else with their full
-/// path. Comments of the file the scene came from are lost.
+/// path. Comments of the file the scene came from are lost; scene_patch.h keeps them.
 std::string sceneAsToml(const Scene& scene, const std::filesystem::path& folder = {});
 
 /// Writes it, complete or not at all. Throws Error naming the file.

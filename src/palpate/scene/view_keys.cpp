@@ -65,6 +65,8 @@ Section viewSection() {
                 "Turned from that side; positive looks from above."),
       number<V>("zoom", &V::zoom, between(0.01, 1000), "1 shows the whole body; larger is nearer."),
       place("look_at_mm", &V::look_at_mm, "Place in the middle of the picture; left out: the middle of the body."),
+      number<V>("distance_mm", &V::distance_mm, between(0, kFarthestMm),
+                "Of the eye from that place; 0 is so far that zoom 1 shows the whole body."),
       choice<V, Shading>("shading", &V::shading, "Light at the vertices, or skin."),
       choice<V, Colouring>("colours", &V::colours, "What the colour of the skin says."),
       text<V>("scalar", &V::scalar,

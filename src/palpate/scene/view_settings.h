@@ -63,6 +63,7 @@ struct ViewSettings {
   double pitch_deg = 0.0;  ///< positive looks from above
   double zoom = 1.0;       ///< 1 shows the whole body
   std::optional<Vec3> look_at_mm;
+  double distance_mm = 0.0;  ///< of the eye from there; 0: so far that the whole body is seen
 
   Shading shading = Shading::skin;
   Colouring colours = Colouring::plain;

@@ -4,6 +4,7 @@
 #include <array>
 #include <bitset>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -59,7 +60,8 @@ struct Look {
   bool detail = true;   ///< pores (Shading::skin)
   bool texture = true;  ///< the user's picture or colours, on a skin that has some (Colouring::plain)
   bool white_background = false;
-  bool light_background = false;  ///< light grey, for a window of light panels; white goes before it
+  bool light_background = false;           ///< light grey, for a window of light panels; white goes before it
+  std::optional<double> plain_background;  ///< one grey (0 black, 1 white) in place of all: for cut_out.h
   ColourRange strain_percent = {-20.0, 20.0};
   ColourRange stiffness_n_per_mm = {0.3, 1.2};
   ColourRange half_major_mm = {100.0, 200.0};

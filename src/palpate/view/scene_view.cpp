@@ -19,6 +19,7 @@ Camera cameraOf(const scene::World& world, const scene::ViewSettings& view, doub
   // A longer lens from the same place: it never enters the body.
   camera.height_rad = 2.0 * std::atan(std::tan(0.5 * camera.height_rad) / view.zoom);
   if (view.look_at_mm) camera.centre = *view.look_at_mm;
+  if (view.distance_mm > 0.0) camera.distance_mm = view.distance_mm;
   return camera;
 }
 

@@ -17,6 +17,7 @@ constexpr Chord kNone{};
 constexpr Chord plain(Key k) { return {k, kPlain}; }
 constexpr Chord plain(char c) { return {key(c), kPlain}; }
 constexpr Chord ctrl(char c) { return {key(c), kCtrl}; }
+constexpr Chord ctrlShift(char c) { return {key(c), {true, true}}; }
 constexpr Chord shift(char c) { return {key(c), kShift}; }
 constexpr Chord f(int n) { return {functionKey(n), kPlain}; }
 
@@ -42,6 +43,7 @@ constexpr KeyBinding kTable[] = {
     {A::view_back, G::view, plain(Key::pad_1), kNone, false, "From behind", "See the back."},
     {A::view_right, G::view, plain(Key::pad_3), kNone, false, "From the right", "See the patient's right side."},
     {A::view_above, G::view, plain(Key::pad_7), kNone, false, "From above", "Look down along the spine."},
+    {A::measure, G::view, plain('D'), kNone, false, "Measure a distance", "Measure a distance by two clicks on the skin; Esc ends it."},
     {A::show_wireframe, G::overlays, plain('W'), kNone, false, "Wireframe", "Show the edges of the mesh."},
     {A::show_haptic_triangles, G::overlays, plain('T'), kNone, false, "Haptic triangles", "Show the triangles that the finger looks at, in green."},
     {A::show_leaf_boxes, G::overlays, plain('B'), kNone, false, "Leaf boxes", "Show the leaves of the partition, in blue."},
@@ -58,6 +60,9 @@ constexpr KeyBinding kTable[] = {
     {A::colour_stiffness, G::overlays, plain('M'), kNone, false, "Stiffness", "Colour the skin by stiffness; again: off."},
     {A::colour_ellipses, G::overlays, plain('L'), kNone, false, "Ellipse map", "Colour the skin by the size of its ellipse; again: off."},
     {A::freeze, G::window, plain(Key::space), kNone, false, "Freeze", "Freeze picture and plots, for Left and Right to step; the touch goes on."},
+    {A::play_script, G::window, f(7), kNone, false, "Play the scene's fingers", "Play what the scene's own fingers do; again: back to the mouse."},
+    {A::slower, G::window, f(8), kNone, false, "Slower", "Let what is played pass more slowly, down to 0.1 of its time."},
+    {A::faster, G::window, f(9), kNone, false, "Faster", "Let it pass faster, up to 10 times."},
     {A::help, G::window, f(1), kNone, false, "Keys", "Show this list."},
     {A::numbers, G::window, f(2), kNone, false, "Numbers", "Show depth and force beside the finger."},
     {A::performance, G::window, f(3), kNone, false, "Performance", "Show how fast and how punctual everything is."},
@@ -65,14 +70,19 @@ constexpr KeyBinding kTable[] = {
     {A::full_screen, G::window, f(11), kNone, false, "Full screen", "Fill the screen, or go back to a window."},
     {A::screenshot, G::window, f(12), kNone, false, "Save a picture", "Save what is shown as a PNG file, without messages, menus and dialogs."},
     {A::screenshot_with_pop_ups, G::window, {functionKey(12), kShift}, kNone, false, "Save a picture with pop-ups", "The same with messages, menus and dialogs."},
+    {A::clear_screenshot, G::window, {functionKey(12), kCtrl}, kNone, false, "Save a picture without background", "Save the body alone as a PNG file, the rest transparent."},
     {A::panel, G::window, plain(Key::tab), kNone, false, "Side panel", "Show or hide the panel."},
     {A::record, G::window, plain('R'), kNone, false, "Record", "Start or stop recording forces to a CSV file."},
     {A::stereo_mode, G::window, plain('K'), kNone, false, "Stereo mode", "Go through the stereo modes."},
     {A::swap_eyes, G::window, shift('K'), kNone, false, "Swap the eyes", "Give each eye the other one's picture."},
     {A::open, G::file, ctrl('O'), kNone, false, "Open ...", "Open a scene or a mesh."},
-    {A::save, G::file, ctrl('S'), kNone, false, "Save scene", "Save the scene with all that was changed."},
-    {A::undo, G::file, ctrl('Z'), kNone, false, "Undo", "Take back the last change of a dysfunction."},
-    {A::redo, G::file, {key('Z'), {true, true}}, kNone, false, "Redo", "Do it again."},
+    {A::save, G::file, ctrl('S'), kNone, false, "Save scene", "Save the scene with all changes, look and camera."},
+    {A::save_as, G::file, ctrlShift('S'), kNone, false, "Save scene as ...", "Save it to another file."},
+    {A::reload, G::file, f(5), kNone, false, "Read again", "Read the scene or mesh file once more."},
+    {A::reset, G::file, f(6), kNone, false, "Reset", "Put everything back as it was opened or saved; can be undone."},
+    {A::undo, G::file, ctrl('Z'), kNone, false, "Undo", "Take back the last change, of whatever control."},
+    {A::redo, G::file, ctrlShift('Z'), kNone, false, "Redo", "Do it again."},
+    {A::copy_scene, G::file, ctrl('C'), kNone, false, "Copy as a scene", "Copy what is seen and felt now as the text of a scene file."},
     {A::delete_selected, G::file, plain(Key::delete_key), kNone, false, "Delete", "Delete the selected dysfunction."},
     {A::cancel, G::file, plain(Key::escape), kNone, false, "Cancel", "Leave the drag, tool or dialog; never quits."},
     {A::quit, G::file, ctrl('Q'), kNone, false, "Quit", "Close the window."},

@@ -270,6 +270,8 @@ double Window::contentScale() const {
 }
 
 bool Window::closing() const { return glfwWindowShouldClose(handles_->window) == GLFW_TRUE; }
+void Window::stayOpen() { glfwSetWindowShouldClose(handles_->window, GLFW_FALSE); }
+void Window::setTitle(const std::string& title) { glfwSetWindowTitle(handles_->window, title.c_str()); }
 bool Window::focused() const { return glfwGetWindowAttrib(handles_->window, GLFW_FOCUSED) == GLFW_TRUE; }
 bool Window::fullScreen() const { return glfwGetWindowMonitor(handles_->window) != nullptr; }
 

@@ -39,6 +39,8 @@ class Window {
   int height() const;
   double contentScale() const;  ///< pixels of a point; within [1, 3] whatever the system says
   bool closing() const;
+  void stayOpen();  ///< in spite of what was asked for: it is not closing any more
+  void setTitle(const std::string& title);
   bool focused() const;
   bool fullScreen() const;
   void setFullScreen(bool on);

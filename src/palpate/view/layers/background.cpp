@@ -9,6 +9,7 @@ namespace {
 // Neutral grey, so that colours read true, and a little lighter behind the body.
 constexpr std::string_view kBackgroundVertex = R"(
 uniform float white;
+uniform float plain;  // grey of all of it; below 0: the gradient
 out vec3 corner_grey;
 const int columns = 16;
 void main() {
@@ -18,7 +19,7 @@ void main() {
   vec2 place = vec2(at) * (2.0 / float(columns)) - 1.0;
   vec3 grey = mix(vec3(0.285, 0.290, 0.300), vec3(0.125, 0.130, 0.142), 0.5 + 0.5 * place.y);
   grey += 0.045 * exp(-1.2 * dot(place, place));
-  corner_grey = mix(grey, vec3(1.0), white);
+  corner_grey = plain < 0.0 ? mix(grey, vec3(1.0), white) : vec3(plain);
   gl_Position = vec4(place, 1.0, 1.0);
 }
 )";
@@ -45,7 +46,9 @@ void Background::draw(const Look& look) const {
   glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
   program_.use();
-  program_.set("white", look.white_background ? 1.0f : look.light_background ? kLight : 0.0f);
+  const float lightness = look.white_background ? 1.0f : look.light_background ? kLight : 0.0f;
+  program_.set("white", lightness);
+  program_.set("plain", static_cast<float>(look.plain_background.value_or(-1.0)));
   glBindVertexArray(nothing_.get());
   glDrawArrays(GL_TRIANGLES, 0, kVertices);
   glDepthFunc(GL_LESS);

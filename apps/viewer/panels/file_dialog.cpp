@@ -1,4 +1,8 @@
-// Choosing a file: recent ones, a folder to walk through, and a line to type into.
+// Choosing a file to open or to save to: recent ones, a folder to walk through, and a line to type into.
+//
+// Own, because no library of Debian 12 fits: GTK's and Qt's dialogs want their own event loop beside GLFW's,
+// libportal's wants a desktop portal on the session bus, which bare X servers do not have, and Native File Dialog is
+// not packaged.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -73,6 +77,15 @@ std::string walk(Listing& listing) {
   return chosen;
 }
 
+bool beginDialog(const char* title, bool& open) {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0.5f * size.x, 0.5f * size.y}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({std::min(560.0f, size.x - 40.0f), 0.0f});
+  ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {size.x, size.y - 30.0f});
+  return ImGui::Begin(title, &open,
+                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings);
+}
+
 }  // namespace
 
 void showFolder(const fs::path& folder) { shownListing() = listingOf(folder); }
@@ -80,12 +93,7 @@ void showFolder(const fs::path& folder) { shownListing() = listingOf(folder); }
 void openDialog(std::span<const std::string> recent, bool& open, Asks& asks) {
   Listing& listing = shownListing();
   static std::string typed;
-  const ImVec2 size = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({0.5f * size.x, 0.5f * size.y}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({std::min(560.0f, size.x - 40.0f), 0.0f});
-  ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {size.x, size.y - 30.0f});
-  if (ImGui::Begin("Open a scene or a mesh", &open,
-                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings)) {
+  if (beginDialog("Open a scene or a mesh", open)) {
     // Files may have come since it was last open.
     if (ImGui::IsWindowAppearing()) listing = listingOf(listing.folder);
     std::string chosen;
@@ -104,6 +112,32 @@ void openDialog(std::span<const std::string> recent, bool& open, Asks& asks) {
       asks.wish(Wish::Kind::open, chosen);
       open = false;
     }
+  }
+  ImGui::End();
+}
+
+void saveDialog(const fs::path& now, const fs::path& folder, bool& open, Asks& asks) {
+  Listing& listing = shownListing();
+  static std::string typed;
+  if (beginDialog("Save the scene as", open)) {
+    if (ImGui::IsWindowAppearing()) {
+      listing = listingOf(now.empty() ? folder : now.parent_path());
+      typed = now.empty() ? "scene.toml" : now.filename().string();
+    }
+    const fs::path walked = walk(listing);
+    if (walked.extension() == ".toml") typed = walked.filename().string();
+    ImGui::SetNextItemWidth(-80.0f);
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    const bool entered = ImGui::InputText("##save_as", &typed, ImGuiInputTextFlags_EnterReturnsTrue);
+    notePlace("save/file");
+    ImGui::SameLine();
+    if ((buttonWidget("save/save", "Save") || entered) && !typed.empty()) {
+      fs::path file = listing.folder / typed;  // a full path stays one
+      if (file.extension() != ".toml") file += ".toml";
+      asks.wish(Wish::Kind::save, file.string());
+      open = false;
+    }
+    remark("A scene (TOML) with all that was changed, camera and look too. You are asked before a file is replaced.");
   }
   ImGui::End();
 }
