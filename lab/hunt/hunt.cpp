@@ -211,7 +211,7 @@ mesh::TriangleMesh huntedMesh(const HuntPlan& plan, const std::string& name) {
   } else {
     const std::size_t at = name.find('#');
     const std::optional<double> seed = at == std::string::npos ? std::nullopt : parseNumber(name.substr(at + 1));
-    if (!seed) throw Error(fmt::format("no hunted body is called '{}'", name));
+    if (!seed || !(*seed >= 0.0 && *seed < 1e19)) throw Error(fmt::format("no hunted body is called '{}'", name));
     mesh = huntedBody(name.substr(0, at), static_cast<std::uint64_t>(*seed));
   }
   for (Vec3& p : mesh.positions) p *= plan.scale;

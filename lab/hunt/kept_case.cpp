@@ -8,6 +8,8 @@
 
 #include "lab/hunt/hunt_world.h"
 #include "palpate/base/error.h"
+#include "palpate/base/nearest_name.h"
+#include "palpate/base/number_range.h"
 #include "palpate/base/text.h"
 #include "palpate/device/trajectory.h"
 #include "palpate/mesh/files/load.h"
@@ -51,17 +53,14 @@ class Note {
  public:
   explicit Note(const std::filesystem::path& file) : file_(file.string()), text_(readFile(file, kMostNoteBytes)) {}
 
-  std::string word(std::string_view key) const {
-    for (const std::string_view line : split(text_, '\n')) {
-      if (line.starts_with(key) && line.substr(key.size()).starts_with(":"))
-        return std::string(trimmed(line.substr(key.size() + 1)));
-    }
-    throw Error::inFile(file_, fmt::format("has no line '{}: ...'", key));
-  }
-  double number(std::string_view key) const {
-    const std::optional<double> value = parseNumber(word(key));
-    if (!value) throw Error::inFile(file_, fmt::format("'{}' is not a number", key));
-    return *value;
+  std::string word(std::string_view key) const { return lineOf(key).word; }
+  /// In a range; without one it may also be infinite or nan, as what was measured may be.
+  double number(std::string_view key, const NumberRange& range = {}) const {
+    const Line line = lineOf(key);
+    const std::optional<double> value = parseNumber(line.word);
+    if (!value) throw Error::atLine(file_, line.number, fmt::format("'{}' is not a number", key));
+    if (range.words().empty() || range.holds(*value)) return *value;
+    throw Error::atLine(file_, line.number, fmt::format("{} = {}", key, outOfRange(oneLine(line.word), range)));
   }
   Fault fault() const {
     const std::optional<Fault> fault = faultNamed(word("fault"));
@@ -70,8 +69,27 @@ class Note {
   }
 
  private:
+  struct Line {
+    std::size_t number = 0;
+    std::string word;
+  };
+  Line lineOf(std::string_view key) const {
+    std::size_t number = 0;
+    for (const std::string_view line : split(text_, '\n')) {
+      ++number;
+      if (line.starts_with(key) && line.substr(key.size()).starts_with(":"))
+        return {number, std::string(trimmed(line.substr(key.size() + 1)))};
+    }
+    throw Error::inFile(file_, fmt::format("has no line '{}: ...'", key));
+  }
+
   std::string file_, text_;
 };
+
+constexpr NumberRange kSeeds{0.0, 1e19};
+constexpr NumberRange kTicks{0.0, 1e12};
+constexpr NumberRange kRadiiMm{0.0, 1e9};
+constexpr NumberRange kScales{1e-9, 1e9};
 
 KeptCase caseOfScene(const std::filesystem::path& file) {
   const scene::Scene scene = scene::load(file);
@@ -112,11 +130,11 @@ KeptCase readCase(const std::filesystem::path& folder) {
   const Note note(folder / "note.txt");
   KeptCase kept;
   kept.body = note.word("body");
-  kept.seed = static_cast<std::uint64_t>(note.number("seed"));
-  kept.radius_mm = note.number("radius_mm");
-  kept.scale = note.number("scale");
+  kept.seed = static_cast<std::uint64_t>(note.number("seed", kSeeds));
+  kept.radius_mm = note.number("radius_mm", kRadiiMm);
+  kept.scale = note.number("scale", kScales);
   kept.fault = note.fault();
-  kept.finding.first_tick = static_cast<std::size_t>(note.number("tick"));
+  kept.finding.first_tick = static_cast<std::size_t>(note.number("tick", kTicks));
   kept.finding.measured = note.number("measured");
   kept.finding.bound = note.number("bound");
   kept.tips = device::readTrajectory(folder / "path.csv").tip_mm;

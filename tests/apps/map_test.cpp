@@ -249,7 +249,7 @@ TEST_F(Map, WrongInputIsOneLine) {
   write("keys.csv", "A,0,0,100\n");
   EXPECT_NE(errorOf("contours hill.obj --keys keys.csv -o e.csv").find("keys.csv:1: expected name"), std::string::npos);
   EXPECT_NE(errorOf("ellipses hill.obj --fidelity E99 -o e.csv").find("E99"), std::string::npos);
-  EXPECT_NE(errorOf("ellipses hill.obj").find("--output is required"), std::string::npos);
+  EXPECT_NE(errorOf("ellipses hill.obj").find("--out is required"), std::string::npos);
 }
 
 }  // namespace

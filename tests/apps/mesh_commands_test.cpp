@@ -53,9 +53,19 @@ TEST_F(MeshCommands, InfoDoubtsTheSizeAndNamesTheUnitThatWouldFit) {
   mesh::save(folder / "small.obj", zoo::cube(0.3));
   const auto small = palpate("info small.obj");
   EXPECT_NE(small.out.find("warning     0.3 0.3 0.3 mm is small for a body"), std::string::npos) << small.out;
-  EXPECT_NE(small.out.find("If these are metres, say --unit-mm 1000"), std::string::npos) << small.out;
-  const auto in_metres = nlohmann::json::parse(palpate("info small.obj --unit-mm 1000 --json").out);
+  EXPECT_NE(small.out.find("If these are metres, say --unit m"), std::string::npos) << small.out;
+  const auto in_metres = nlohmann::json::parse(palpate("info small.obj --unit m --json").out);
   EXPECT_TRUE(in_metres["warnings"].empty());
+  EXPECT_NE(small.out.find("fit to be felt, if that is its true size"), std::string::npos) << small.out;
+  const auto by_number = nlohmann::json::parse(palpate("info small.obj --unit 1000 --json").out);
+  EXPECT_EQ(by_number["box"], in_metres["box"]);
+  const auto old_name = palpate("info small.obj --unit-mm 1000 --json");
+  EXPECT_EQ(nlohmann::json::parse(old_name.out)["box"], in_metres["box"]);
+  EXPECT_EQ(old_name.err, "palpate: note: --unit-mm is called --unit now; the old name will go\n");
+  mesh::TriangleMesh flat = zoo::cube(300);
+  for (Vec3& p : flat.positions) p.z() *= 0.001;
+  mesh::save(folder / "flat.obj", flat);
+  EXPECT_NE(palpate("info flat.obj").out.find("0.3 mm is thin for a body"), std::string::npos);
   mesh::save(folder / "large.obj", zoo::cube(30000));
   EXPECT_NE(palpate("info large.obj").out.find("is large for a body"), std::string::npos);
 }

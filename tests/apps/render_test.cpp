@@ -63,6 +63,19 @@ TEST_F(Render, DrawsTheBodyAtRest) {
   EXPECT_NE(picture.at(80, 60), picture.at(2, 60)) << "the body stands out from the background";
 }
 
+TEST_F(Render, DrawsASceneThatNobodyTouchesAtRestOnly) {
+  std::ofstream(folder_ / "alone.toml") << "[body]\nkind = \"mesh\"\nfile = \"dome.obj\"\n";
+  const auto alone = [&](const std::string& arguments) {
+    return support::runPalpate("render alone.toml --supersampling 1 --size 160x120 --no-labels " + arguments,
+                               folder_.path());
+  };
+  ASSERT_EQ(alone("-o alone.png").exit_code, 0);
+  ASSERT_EQ(render("--no-labels -o rest.png").exit_code, 0);
+  EXPECT_EQ(image("alone.png").pixels, image("rest.png").pixels);
+  EXPECT_EQ(alone("--pose 0,0,15 -o pressed.png").exit_code, 0);
+  EXPECT_EQ(alone("--at 1 -o b.png").err, "palpate: alone.toml: has no [[finger]]: nobody would touch anything\n");
+}
+
 TEST_F(Render, ShowsTheMomentThatIsAskedFor) {
   ASSERT_EQ(render("--no-labels -o a.png --at 0").exit_code, 0);
   const CommandResult pressed = render("--no-labels -o b.png --at 0.99 --json");
@@ -165,12 +178,15 @@ TEST_F(Render, RefusesWithOneLine) {
   EXPECT_EQ(errorOf("-o picture.jpg"),
             "palpate: picture.jpg: must be named *.png: pictures are written as PNG, films as *.mp4 or *.webm\n");
   EXPECT_EQ(errorOf("-o film.mp4"), "palpate: film.mp4: a film needs --frames above 1\n");
-  EXPECT_EQ(errorOf("--at 7"), "palpate: there is no moment 7 s: the run ends at 1.000 s\n");
-  EXPECT_EQ(errorOf("--pose 1,2"), "palpate: --pose 1,2: needs x,y,z, or several of them\n");
-  EXPECT_EQ(errorOf("--pose 1,2,x"), "palpate: --pose 1,2,x: 'x' is no number\n");
-  EXPECT_EQ(errorOf("--look-at 1,2"), "palpate: --look-at 1,2: needs x,y,z in mm\n");
-  EXPECT_NE(errorOf("--show wirefame").find("'wirefame' must be one of plain, strain"), std::string::npos);
+  EXPECT_EQ(errorOf("--at 7"), "palpate: there is no moment 7 s: the run lasts from 0 to 1.000 s\n");
+  EXPECT_EQ(errorOf("--pose 1,2"), "palpate: --pose: needs x,y,z, or several of them (see --help)\n");
+  EXPECT_EQ(errorOf("--pose 1,2,x"), "palpate: --pose: 'x' is not a number (-100,000 to 100,000 mm) (see --help)\n");
+  EXPECT_EQ(errorOf("--look-at 1,2"), "palpate: --look-at: '1,2' must be three numbers x,y,z in mm (see --help)\n");
+  EXPECT_EQ(errorOf("--show wirefame"), "palpate: --show: unknown word 'wirefame'; did you mean 'wireframe'?\n");
   EXPECT_NE(errorOf("--stereo 3d").find("--stereo"), std::string::npos);
+  EXPECT_EQ(errorOf("--at nan"), "palpate: --at: 'nan' is not a finite number (0 to 10,800 s) (see --help)\n");
+  EXPECT_EQ(errorOf("--at -5"), "palpate: --at: -5 is out of range: 0 to 10,800 s (see --help)\n");
+  EXPECT_EQ(errorOf("--size 12x0"), "palpate: --size: 0 is out of range: 1 to 16,384 pixels (see --help)\n");
   EXPECT_NE(errorOf("-o no/such/folder/a.png").find("no/such/folder/a.png"), std::string::npos);
 }
 

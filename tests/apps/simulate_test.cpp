@@ -272,8 +272,9 @@ TEST_F(Simulate, RefusesWrongInputInOneLineWithExitCodeTwo) {
   EXPECT_NE(errorOf("--mesh path.csv").find("palpate: path.csv: "), std::string::npos);
   write("file", "");
   EXPECT_EQ(errorOf("--mesh dome.obj --out file"), "palpate: file: cannot be made a folder for results\n");
-  EXPECT_EQ(errorOf("--mesh dome.obj --mesh-unit furlong"),
-            "palpate: --mesh-unit furlong: must be one of auto, mm, cm, dm, m, in\n");
+  EXPECT_EQ(errorOf("--mesh dome.obj --unit furlong"),
+            "palpate: --unit: 'furlong' is neither one of auto, mm, cm, dm, m, in nor a number of millimetres (see "
+            "--help)\n");
 }
 
 TEST_F(Simulate, RefusesUnknownOptionsWithExitCodeTwo) {

@@ -79,6 +79,12 @@ TEST_F(Window, APressWithTheLeftButtonIsFeltAndEnds) {
   EXPECT_TRUE(program->until([](const Values& v) { return v.at("pressed") == "0" && numberIn(v, "depth") == 0.0; }));
 }
 
+TEST_F(Window, ASceneWithoutFingersIsTouchedAllTheSame) {
+  writeFile(folder / "alone.toml", "[body]\nkind = \"mesh\"\nfile = \"sheet.ply\"\n");
+  Program program(*desktop, folder.path(), {"alone.toml"});
+  EXPECT_TRUE(isFelt(program, "mousedown 1"));
+}
+
 TEST_F(Window, MovingWhilePressingPullsTheSkin) {
   const auto program = start();
   ASSERT_TRUE(isFelt(*program, "mousedown 1"));

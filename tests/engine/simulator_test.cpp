@@ -4,10 +4,12 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "engine/small_worlds.h"
 #include "palpate/base/error.h"
 #include "palpate/contact/finger.h"
+#include "palpate/engine/live_simulator.h"
 #include "palpate/scene/skin_contact.h"
 #include "support/counted.h"
 
@@ -170,6 +172,15 @@ TEST(Simulator, RefusesFingersThatDoNotSuitTheWorld) {
   auto fingers = fingerSettings(world->scene, 1);
   fingers[0].mu_static = -1.0;
   EXPECT_THROW(Simulator(world, fingers), Error);
+  for (const auto member : {&contact::FingerSettings::radius_mm, &contact::FingerSettings::tick_s,
+                            &contact::FingerSettings::stiffness_ratio, &contact::FingerSettings::max_depth_mm}) {
+    for (const double value : {1e9, std::numeric_limits<double>::infinity(), std::nan(""), -1.0}) {
+      auto wrong = fingerSettings(world->scene, 1);
+      wrong[0].*member = value;
+      EXPECT_THROW(Simulator(world, wrong), Error) << value;
+      EXPECT_THROW(LiveSimulator(world, wrong), Error) << value;
+    }
+  }
   scene::Scene scene;
   scene.contact.source = scene::ContactSource::hdb;
   const auto boxed = sheet(0.5, scene);

@@ -10,6 +10,7 @@
 
 #include "apps/palpate/bench/bench_report.h"
 #include "apps/palpate/common/json.h"
+#include "apps/palpate/common/number_option.h"
 #include "apps/palpate/common/progress_line.h"
 #include "bench/kernels/kernel_times.h"
 #include "palpate/base/error.h"
@@ -148,15 +149,14 @@ void addBenchBaseline(CLI::App& bench) {
   };
   option("--baseline", arguments->baseline, "Compare with the ratios in this file; exit 1 if a kernel got slower");
   option("--write-baseline", arguments->write, "Measure and write such a file");
-  option("--tolerance", arguments->tolerance, "How much a ratio may grow: 0.3 is 30 %")
-      ->capture_default_str()
-      ->check(CLI::Range(0.0, 100.0));
-  option("--guard-seconds", arguments->seconds, "How long to measure all kernels together, s")
-      ->capture_default_str()
-      ->check(CLI::Range(0.0, 600.0));
-  option("--guard-triangles", arguments->triangles, "Triangles of the back, for --write-baseline")
-      ->capture_default_str()
-      ->check(CLI::Range(1000, 4000000));
+  const auto number = [&](const char* name, auto& value, const Limits& limits, const char* help) {
+    addNumber(bench, name, value, limits, help)
+        ->capture_default_str()
+        ->group("Regression guard (without a subcommand)");
+  };
+  number("--tolerance", arguments->tolerance, between(0.0, 100.0), "How much a ratio may grow: 0.3 is 30 %");
+  number("--guard-seconds", arguments->seconds, between(0.0, 600.0, "s"), "How long to measure all kernels together");
+  number("--guard-triangles", arguments->triangles, between(1000, 4e6), "Triangles of the back, for --write-baseline");
   bench.add_flag("--json", arguments->json, "Print the comparison as one JSON object")
       ->group("Regression guard (without a subcommand)");
   bench.callback([&bench, arguments] { run(bench, *arguments); });

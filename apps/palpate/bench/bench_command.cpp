@@ -33,7 +33,7 @@ void addWorkloadCommand(CLI::App& parent) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App& command = *parent.add_subcommand("workload", "Write a benchmark mesh (.stl, .obj, .ply) or path (.csv)");
   command.add_option("name", arguments->name, "Name, as `palpate bench list` prints it")->required();
-  command.add_option("-o,--output", arguments->file, "File to write")->required();
+  command.add_option("-o,--out", arguments->file, "File to write")->required();
   command.callback([arguments] { writeWorkload(arguments->name, arguments->file); });
 }
 

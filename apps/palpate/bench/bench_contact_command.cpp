@@ -15,6 +15,7 @@
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/json.h"
 #include "apps/palpate/common/named_mesh.h"
+#include "apps/palpate/common/number_option.h"
 #include "apps/palpate/partition/partition_options.h"
 #include "bench/peers/judge.h"
 #include "bench/peers/peer.h"
@@ -143,7 +144,7 @@ void runContact(const BenchContactArguments& arguments) {
 
 void addFingerOptions(CLI::App& command, BenchContactArguments& arguments) {
   const auto number = [&](const char* name, double& value, const char* help, double low) {
-    command.add_option(name, value, help)->capture_default_str()->check(CLI::Range(low, 1e9));
+    addNumber(command, name, value, between(low, 1e9), help)->capture_default_str();
   };
   number("--scale", arguments.scale, "Multiplies mesh, trajectory and finger lengths; results stay in mm", 1e-9);
   number("--radius-mm", arguments.finger.radius_mm, "Radius of the fingertip (mm); 0 is a point", 0.0);
@@ -151,8 +152,9 @@ void addFingerOptions(CLI::App& command, BenchContactArguments& arguments) {
   number("--mu-dynamic", arguments.finger.mu_dynamic, "Dynamic friction coefficient", 0.0);
   number("--stiffness", arguments.stiffness_n_per_mm, "Stiffness of the skin (N/mm), the same everywhere", 1e-9);
   number("--stiffness-ratio", arguments.finger.stiffness_ratio, "Tangential over normal stiffness", 1e-9);
-  command.add_option("--from", arguments.window.from_s, "Measure ticks from this time on (s); falls always whole run");
-  command.add_option("--to", arguments.window.until_s, "Measure ticks before this time (s)");
+  addNumber(command, "--from", arguments.window.from_s, between(-1e9, 1e9, "s"),
+            "Measure ticks from this time on; falls always whole run");
+  addNumber(command, "--to", arguments.window.until_s, between(-1e9, 1e9, "s"), "Measure ticks before this time");
   command.add_flag("--force-shading", arguments.finger.force_shading, "Smooth the force across triangles");
 }
 
@@ -164,11 +166,11 @@ void addHdbOptions(CLI::App& command, BenchContactArguments& arguments) {
   addPartitionSettings(command, settings.build);
   addChoice(command, "--query", settings.hdb.query, "HDB: what the box gives");
   addChoice(command, "--traversal", settings.hdb.literal, "HDB: how leaves are found; all but the first as printed");
-  command.add_option("--hdb-edge-mm", settings.edge_mm, "HDB: edge of the box; 0 is a quarter of the longest edge")
+  addNumber(command, "--hdb-edge-mm", settings.edge_mm, between(0.0, 1e9, "mm"),
+            "HDB: edge of the box; 0 is a quarter of the longest edge")
       ->capture_default_str();
-  command
-      .add_option("--refresh-ticks", settings.hdb.ticks_per_refresh,
-                  "HDB: the box follows the proxy every so many ticks")
+  addNumber(command, "--refresh-ticks", settings.hdb.ticks_per_refresh, between(1, 1e6),
+            "HDB: the box follows the proxy every so many ticks")
       ->capture_default_str();
 }
 

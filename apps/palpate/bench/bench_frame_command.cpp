@@ -8,6 +8,7 @@
 #include "apps/palpate/bench/bench_report.h"
 #include "apps/palpate/bench/frame_run.h"
 #include "apps/palpate/common/commands.h"
+#include "apps/palpate/common/number_option.h"
 #include "palpate/base/words.h"
 
 namespace palpate::app {
@@ -53,25 +54,22 @@ void addBenchFrameCommand(CLI::App& parent) {
   FrameRun& run = arguments->run;
   CLI::App& command =
       *parent.add_subcommand("frame", "Time pictures without a window: deformation, upload and drawing");
-  command.add_option("--triangles", run.triangles, "Triangles of the skin; 18,296 of bones come on top")
-      ->capture_default_str()
-      ->check(CLI::Range(1000, 4000000));
+  addNumber(command, "--triangles", run.triangles, between(1000, 4e6),
+            "Triangles of the skin; 18,296 of bones come on top")
+      ->capture_default_str();
   std::map<std::string, view::Shading> shadings{{"pbr", view::Shading::skin}};
   for (const auto& [word, shading] : WordsOf<view::Shading>::kAll) shadings.emplace(word, shading);
   command.add_option("--shading", run.shading, "gouraud, or skin (also called pbr)")
       ->transform(CLI::CheckedTransformer(shadings));
   command.add_option("--stereo", arguments->stereo, "Stereo mode: mono, sbs-half, sbs-full, anaglyph-dubois, ...")
       ->capture_default_str();
-  command.add_option("--width", run.width, "Width of the picture, pixels")
-      ->capture_default_str()
-      ->check(CLI::Range(16, 8192));
-  command.add_option("--height", run.height, "Height, pixels")->capture_default_str()->check(CLI::Range(16, 8192));
-  command.add_option("--skin-opacity", run.skin_opacity, "Below 1 the bones show through")
-      ->capture_default_str()
-      ->check(CLI::Range(0.0, 1.0));
-  command.add_option("--seconds", run.seconds, "How long to repeat, s; the best picture of each place counts")
-      ->capture_default_str()
-      ->check(CLI::Range(0.0, 600.0));
+  addNumber(command, "--width", run.width, between(16, 8192, "pixels"), "Width of the picture")->capture_default_str();
+  addNumber(command, "--height", run.height, between(16, 8192, "pixels"), "Height")->capture_default_str();
+  addNumber(command, "--skin-opacity", run.skin_opacity, between(0.0, 1.0), "Below 1 the bones show through")
+      ->capture_default_str();
+  addNumber(command, "--seconds", run.seconds, between(0.0, 600.0, "s"),
+            "How long to repeat; the best picture of each place counts")
+      ->capture_default_str();
   command.add_flag("--no-labels", arguments->no_labels, "Without scale, orientation and numbers");
   command.add_flag("--peers", arguments->peers, "As in the other benchmarks; no other library draws this picture");
   command.add_flag("--json", arguments->json, "Print one JSON object");

@@ -11,6 +11,7 @@
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/json.h"
 #include "apps/palpate/common/named_mesh.h"
+#include "apps/palpate/common/number_option.h"
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/partition/partition_options.h"
 #include "bench/peers/judge.h"
@@ -98,15 +99,12 @@ void addBenchPartitionCommand(CLI::App& parent, std::vector<bench::Peer> peers) 
   CLI::App& command = *parent.add_subcommand("partition", "Time the haptic detecting box of a finger that slides");
   command.add_option("--mesh", arguments->mesh, kMeshNamesHelp)->required();
   addPartitionSettings(command, run.settings);
-  command.add_option("--speed-mm-s", run.speed_mm_s, "Speed of the finger (mm/s)")
-      ->capture_default_str()
-      ->check(CLI::Range(0.0, 1e6));
-  command.add_option("--margin", run.margin, "Margin of the coherent list, as a share of the box's edge")
-      ->capture_default_str()
-      ->check(CLI::Range(0.0, 10.0));
-  command.add_option("--ticks", run.ticks, "Ticks of 1 ms to slide")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1000000));
+  addNumber(command, "--speed-mm-s", run.speed_mm_s, between(0.0, 1e6, "mm/s"), "Speed of the finger")
+      ->capture_default_str();
+  addNumber(command, "--margin", run.margin, between(0.0, 10.0),
+            "Margin of the coherent list, as a share of the box's edge")
+      ->capture_default_str();
+  addNumber(command, "--ticks", run.ticks, between(1, 1e6), "Ticks of 1 ms to slide")->capture_default_str();
   addPeersOption(command, arguments->peers);
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.callback([arguments] { runPartitionBench(*arguments); });

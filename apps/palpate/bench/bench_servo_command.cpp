@@ -9,6 +9,7 @@
 #include "apps/palpate/bench/bench_report.h"
 #include "apps/palpate/bench/servo_run.h"
 #include "apps/palpate/common/interruption.h"
+#include "apps/palpate/common/number_option.h"
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/common/simulate_options.h"
 
@@ -97,10 +98,9 @@ void addBenchServoCommand(CLI::App& parent) {
   arguments->input.seconds = 20.0;
   CLI::App& command = *parent.add_subcommand("servo", "Run the servo loop in real time: lateness and compute time");
   addInputOptions(command, arguments->input);
-  command.get_option("--seconds")
-      ->description("How long to measure, s; paths repeat")
-      ->capture_default_str()
-      ->check(CLI::Range(0.01, 3600.0));
+  addNumber(command, "--seconds", arguments->input.seconds, between(0.01, 3600.0, "s"),
+            "How long to measure; paths repeat")
+      ->capture_default_str();
   command.add_flag("--peers", arguments->peers, "Also the naive loop: sleep_until, default scheduling");
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.callback([arguments, &command] {

@@ -9,6 +9,7 @@
 
 #include "apps/palpate/bench/bench_report.h"
 #include "apps/palpate/common/json.h"
+#include "apps/palpate/common/number_option.h"
 
 namespace palpate::app {
 
@@ -50,9 +51,9 @@ bool lacksPeersProgram(const PeerFigures& figures) {
 void addPeersOption(CLI::App& command, PeersOption& option) {
   command.add_flag("--peers", option.wanted,
                    "Put the same queries to Embree, CGAL, FCL and the literal dissertation, in the same run");
-  command.add_option("--peer-seconds", option.seconds, "Time for the queries of each peer (s); building not counted")
-      ->capture_default_str()
-      ->check(CLI::Range(0.01, 3600.0));
+  addNumber(command, "--peer-seconds", option.seconds, between(0.01, 3600.0, "s"),
+            "Time for the queries of each peer; building not counted")
+      ->capture_default_str();
 }
 
 void handOverToPeersProgram(const PeersOption& option) {

@@ -1,6 +1,9 @@
 // An option with a few named values: `--tree bsp|octree`.
 #pragma once
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <optional>
@@ -8,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "palpate/base/nearest_name.h"
 #include "palpate/base/words.h"
 
 namespace palpate::app {
@@ -35,20 +39,29 @@ std::optional<Value> choiceNamed(const std::string& wanted) {
   return std::nullopt;
 }
 
-/// For an option that keeps the name itself: it is one of these.
 template <class Value>
-CLI::IsMember oneChoiceOf() {
+std::vector<std::string> namesOf(const Choices<Value>& choices) {
   std::vector<std::string> names;
-  for (const auto& [name, value] : choicesOf<Value>()) names.push_back(name);
-  return CLI::IsMember(names);
+  for (const auto& choice : choices) names.push_back(choice.first);
+  return names;
+}
+template <class Value>
+std::vector<std::string> choiceNames() {
+  return namesOf(choicesOf<Value>());
 }
 
-/// The names with bars between them.
-template <class Value>
-std::string namesOf(const Choices<Value>& choices) {
-  std::string names;
-  for (const auto& [name, value] : choices) names += (names.empty() ? "" : "|") + name;
-  return names;
+/// What is wrong with a word that is none of these; empty for one of them.
+inline std::string faultOfChoice(const std::string& wanted, const std::vector<std::string>& names) {
+  if (std::find(names.begin(), names.end(), wanted) != names.end()) return {};
+  const std::string nearest = nearestName(wanted, names);
+  const std::string hint = nearest.empty() ? nearest : fmt::format("; did you mean '{}'?", nearest);
+  return fmt::format("'{}' is not one of {}{}", oneLine(wanted), fmt::join(names, "|"), hint);
+}
+
+/// For an option that keeps the word itself: it is one of these, as the help says too.
+inline CLI::Option* takesOneOf(const std::vector<std::string>& names, CLI::Option* option) {
+  option->check(CLI::Validator([names](const std::string& wanted) { return faultOfChoice(wanted, names); }, ""));
+  return option->type_name(fmt::format("{}", fmt::join(names, "|")));
 }
 
 /// Adds an option that takes one of the names; another is a usage error that says which there are. `value` is the
@@ -66,9 +79,10 @@ CLI::Option* addChoice(CLI::App& command, const std::string& option, Value& valu
       value = choice;
       return;
     }
-    throw CLI::ValidationError(option, "\"" + wanted + "\" is not one of " + namesOf(choices));
+    throw CLI::ValidationError(option, faultOfChoice(wanted, namesOf(choices)));
   };
-  return command.add_option_function<std::string>(option, choose, help + standard)->type_name(namesOf(choices));
+  return command.add_option_function<std::string>(option, choose, help + standard)
+      ->type_name(fmt::format("{}", fmt::join(namesOf(choices), "|")));
 }
 
 /// The same with all words of the enumeration.

@@ -12,6 +12,9 @@ namespace palpate::app {
 /// asked for the end (interruption.h).
 int runCommandLine(CLI::App& app, int argc, char** argv);
 
+/// All subcommands of `palpate`.
+void addAllCommands(CLI::App& app);
+
 void addBenchCommand(CLI::App& app);
 // `parent` is the bench command.
 void addBenchContactCommand(CLI::App& parent);

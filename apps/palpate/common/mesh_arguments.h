@@ -13,7 +13,7 @@ struct MeshArguments {
   mesh::LoadOptions options;
 };
 
-/// Adds MESH, --unit-mm, --group and --foreign. `arguments` must outlive the command.
+/// Adds MESH, --unit, --group and --foreign. `arguments` must outlive the command.
 void addMeshArguments(CLI::App& command, MeshArguments& arguments);
 
 }  // namespace palpate::app

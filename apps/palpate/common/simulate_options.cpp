@@ -7,6 +7,8 @@
 #include <array>
 
 #include "apps/palpate/common/default_scene.h"
+#include "apps/palpate/common/number_option.h"
+#include "apps/palpate/common/unit_option.h"
 #include "palpate/base/error.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/scene/words.h"
@@ -15,15 +17,10 @@ namespace palpate::app {
 
 namespace {
 
-scene::Unit unitNamed(const std::string& name) {
-  if (const auto unit = valueNamed<scene::Unit>(name)) return *unit;
-  throw Error(fmt::format("--mesh-unit {}: must be one of {}", name, fmt::join(allWords<scene::Unit>(), ", ")));
-}
-
 scene::Scene startingScene(const SimulateOptions& options) {
   if (!options.scene.empty()) {
     scene::Scene scene = scene::load(options.scene);
-    if (options.trajectories.empty()) scene::requireFingers(scene);
+    if (options.trajectories.empty() && options.needs_fingers) scene::requireFingers(scene);
     return scene;
   }
   if (options.mesh.empty() && options.trajectories.empty()) return scene::parse(defaultScene(), "default.toml");
@@ -34,8 +31,8 @@ void useMesh(const SimulateOptions& options, scene::Scene& scene) {
   if (options.mesh.empty()) return;
   scene.body.kind = scene::BodyKind::mesh;
   scene.body.file = options.mesh;
-  scene.body.unit = unitNamed(options.mesh_unit);
   scene.body.scale = options.mesh_scale;
+  useUnit(options.mesh_unit_mm, scene.body);
   scene.body.group = options.mesh_group;
   if (options.scene.empty()) scene.title = scene.body.file.filename().string();
 }
@@ -65,25 +62,26 @@ void addInputOptions(CLI::App& command, SimulateOptions& options) {
                      "Scene file (TOML, docs/scene-files.md); without one: ten seconds on the torso");
   command.add_option("--mesh", options.mesh,
                      "Palpate this mesh (OBJ, STL, PLY, OFF, glTF, GLB) instead of the scene's body");
-  command.add_option("--mesh-unit", options.mesh_unit, "Unit of the mesh file: auto, mm, cm, dm, m, in")
+  addUnit(command, options.mesh_unit_mm);
+  addNumber(command, "--mesh-scale", options.mesh_scale, above(0.0, 1e6), "Factor on the mesh's size, after the unit")
       ->capture_default_str();
-  command.add_option("--mesh-scale", options.mesh_scale, "Factor on the mesh's size, after the unit")
-      ->capture_default_str()
-      ->check(CLI::PositiveNumber);
-  command.add_option("--mesh-group", options.mesh_group, "Only this group or object of an OBJ file");
+  command.add_option("--group", options.mesh_group, "Only this group or object of an OBJ file");
   command.add_option("--trajectory", options.trajectories,
                      "Path of a finger, rows of t_s,x_mm,y_mm,z_mm in the body's coordinates; once for each finger");
-  command.add_option("--radius-mm", options.radius_mm, "Radius of every finger, mm; 0 is a point, 8 a fingertip")
-      ->check(CLI::NonNegativeNumber);
-  command.add_option("--seconds", options.seconds, "How long to run, s; default: until the last finger has finished")
-      ->check(CLI::PositiveNumber);
+  addNumber(command, "--radius-mm", options.radius_mm, between(0.0, 1000.0, "mm"),
+            "Radius of every finger; 0 is a point, 8 a fingertip");
+}
+
+void addSecondsOption(CLI::App& command, SimulateOptions& options) {
+  addNumber(command, "--seconds", options.seconds, above(0.0, kLongestRunS, "s"),
+            "How long to run; left out: until the last finger has finished");
 }
 
 scene::Scene sceneFor(const SimulateOptions& options) {
   scene::Scene scene = startingScene(options);
   useMesh(options, scene);
   useTrajectories(options, scene);
-  useSomeFinger(scene);
+  if (options.needs_fingers) useSomeFinger(scene);
   if (options.seconds > 0.0) scene.seconds = options.seconds;
   if (options.radius_given) {
     for (scene::Finger& finger : scene.fingers) finger.radius_mm = options.radius_mm;

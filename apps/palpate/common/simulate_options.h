@@ -16,23 +16,27 @@ namespace palpate::app {
 struct SimulateOptions {
   std::string scene;  ///< empty: the default scene, or none when there is a mesh
   std::string mesh;
-  std::string mesh_unit = "auto";
+  double mesh_unit_mm = 0.0;  ///< 0: as the format says
   double mesh_scale = 1.0;
   std::string mesh_group;
   std::vector<std::string> trajectories;
   double radius_mm = 0.0;
   bool radius_given = false;
-  double seconds = 0.0;
+  double seconds = 0.0;  ///< 0: until the last finger has finished
   std::optional<std::string> out;  ///< empty: results_folder.h finds a fresh name
   bool overwrite = false;
   bool realtime = false;
   bool pictures = true;
   bool plot = true;
   bool json = false;
+  bool needs_fingers = true;  ///< false: a body that nobody touches will do
 };
 
-/// Adds SCENE and what replaces its parts: mesh, trajectories, radius, duration.
+/// Adds SCENE and what replaces its parts: mesh, trajectories, radius.
 void addInputOptions(CLI::App& command, SimulateOptions& options);
+
+/// Adds --seconds, how long the scene runs.
+void addSecondsOption(CLI::App& command, SimulateOptions& options);
 
 /// The scene file (or the built-in one) with the command line's changes: a mesh replaces the body, trajectories replace
 /// the fingers' paths in their order, further ones add fingers. Throws Error.

@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "apps/palpate/common/named_mesh.h"
+#include "apps/palpate/common/number_option.h"
 #include "apps/palpate/common/progress_line.h"
+#include "apps/palpate/common/unit_option.h"
 #include "palpate/base/error.h"
 
 namespace palpate::app {
@@ -23,7 +25,7 @@ void fit(lab::NamedBody& body, double fit_mm) {
   const double factor = (fit_mm > 0.0 ? fit_mm : kFittedDiagonalMm) / diagonal;
   for (Vec3& p : body.mesh.positions) p *= factor;
   if (fit_mm < 0.0)
-    say(fmt::format("palpate: {}: {:.3g} mm across, taken {:.6g} times as large (--fit-mm, --unit-mm)\n", body.name,
+    say(fmt::format("palpate: {}: {:.3g} mm across, taken {:.6g} times as large (--fit-mm, --unit)\n", body.name,
                     diagonal, factor));
 }
 
@@ -41,43 +43,38 @@ void addBodyOptions(CLI::App& command, HuntArguments& a) {
   command.add_option(
       "--mesh", a.meshes,
       "Body from outside, repeatable; alone, or with --generated beside the others. " + std::string(kMeshNamesHelp));
-  command.add_option("--unit-mm", a.unit_mm, "Millimetres per unit of the files; 0: as the format says")
-      ->capture_default_str()
-      ->check(CLI::Range(0.0, 1e9));
+  addUnit(command, a.unit_mm);
   command.add_option("--group", a.group, "Only this group or object of OBJ files");
-  command
-      .add_option(
-          "--fit-mm", a.fit_mm,
-          "Scale each file's body to this diagonal (mm); 0: never; left out: to 400 mm where it is below 20 mm or "
-          "above 10 m")
-      ->check(CLI::Range(0.0, 1e9));
+  addNumber(command, "--fit-mm", a.fit_mm, between(0.0, 1e9, "mm"),
+            "Scale each file's body to this diagonal; 0: never; left out: to 400 mm where it is below 20 mm or above "
+            "10 m");
   command.add_flag("--generated", a.generated, "Generated bodies too, beside --mesh");
-  command.add_option("--bodies", a.bodies, "Generated bodies; 0: one for every 20,000 ticks")->capture_default_str();
-  command.add_option("--scale", a.scale, "Everything so many times as large: bodies, paths and fingers")
-      ->capture_default_str()
-      ->check(CLI::Range(1e-6, 1e6));
+  addNumber(command, "--bodies", a.bodies, between(0, 1e9), "Generated bodies; 0: one for every 20,000 ticks")
+      ->capture_default_str();
+  addNumber(command, "--scale", a.scale, between(1e-6, 1e6),
+            "Everything so many times as large: bodies, paths and fingers")
+      ->capture_default_str();
 }
 
 }  // namespace
 
 void addHuntOptions(CLI::App& command, HuntArguments& a) {
-  CLI::Option* ticks = command.add_option("--ticks", a.ticks, "Ticks (of 1 ms) to hunt for")
-                           ->capture_default_str()
-                           ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 40));
-  command.add_option("--seconds", a.seconds, "Hunt for so long (s, by the clock) instead of --ticks")
-      ->check(CLI::Range(1e-3, 1e7))
+  CLI::Option* ticks =
+      addNumber(command, "--ticks", a.ticks, between(1, 1e12), "Ticks (of 1 ms) to hunt for")->capture_default_str();
+  addNumber(command, "--seconds", a.seconds, between(1e-3, 1e7, "s"),
+            "Hunt for so long, by the clock, instead of --ticks")
       ->excludes(ticks);
-  command.add_option("--seed", a.seed, "Of bodies and paths: the same seed gives the same hunt")->capture_default_str();
-  command.add_option("--radius-mm", a.radii_mm, "Radius of the finger (mm), repeatable; left out: 0, 0.5, 2, 5 and 8")
-      ->check(CLI::Range(0.0, 1000.0));
+  addNumber(command, "--seed", a.seed, {{0.0}}, "Of bodies and paths: the same seed gives the same hunt")
+      ->capture_default_str();
+  addNumber(command, "--radius-mm", a.radii_mm, between(0.0, 1000.0, "mm"),
+            "Radius of the finger, repeatable; left out: 0, 0.5, 2, 5 and 8");
   addBodyOptions(command, a);
-  command.add_option("--threads", a.threads, "Threads; 0: as many as there are processors")
-      ->capture_default_str()
-      ->check(CLI::Range(0, 1024));
-  command.add_option("--out", a.out,
+  addNumber(command, "--threads", a.threads, between(0, 1024), "Threads; 0: as many as there are processors")
+      ->capture_default_str();
+  command.add_option("-o,--out", a.out,
                      "Folder for failing cases, made short: body.ply, path.csv, scene.toml (palpate simulate runs it), "
                      "note.txt");
-  command.add_option("--keep", a.keep, "Cases that are written of each fault")->capture_default_str();
+  addNumber(command, "--keep", a.keep, between(0, 1e6), "Cases that are written of each fault")->capture_default_str();
   command.add_option("--replay", a.replay, "Judge a written case again instead of hunting, repeatable")
       ->excludes("--mesh");
   command.add_flag("--json", a.json, "Print one JSON object");

@@ -8,6 +8,7 @@
 
 #include "apps/palpate/common/choice_option.h"
 #include "apps/palpate/common/commands.h"
+#include "apps/palpate/common/number_option.h"
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/map/map_output.h"
 #include "apps/palpate/map/map_scene.h"
@@ -111,18 +112,19 @@ void run(const MapArguments& arguments, const Maker& make) {
 }
 
 void addFileOptions(CLI::App& command, MapArguments& a) {
-  command.add_option("-o,--output", a.files, "File to write by its extension, repeatable: .csv .ply .png .svg")
+  command.add_option("-o,--out", a.files, "File to write by its extension, repeatable: .csv .ply .png .svg")
       ->required()
       ->allow_extra_args(false);
-  command
-      .add_option("--range", a.range, "Values of the two ends of the colours, LOW,HIGH; left out: those of the data")
+  addNumber(command, "--range", a.range, between(-1e9, 1e9),
+            "Values of the two ends of the colours, LOW,HIGH; left out: those of the data")
       ->delimiter(',')
-      ->expected(2);
-  command.add_option("--grid-mm", a.output.grid_mm, "CSV: a row every so many mm of the map plane; 0: a row a vertex")
-      ->check(CLI::Range(0.0, 1e6))
+      ->expected(2)
+      ->allow_extra_args(false);
+  addNumber(command, "--grid-mm", a.output.grid_mm, between(0.0, 1e6, "mm"),
+            "CSV: a row every so many mm of the map plane; 0: a row a vertex")
       ->capture_default_str();
-  command.add_option("--png-scale", a.output.png_scale, "PNG: pixels a CSS pixel; 2 suits screens and paper")
-      ->check(CLI::Range(0.2, 8.0))
+  addNumber(command, "--png-scale", a.output.png_scale, between(0.2, 8.0),
+            "PNG: pixels a CSS pixel; 2 suits screens and paper")
       ->capture_default_str();
   command.add_flag("--json", a.json, "Print the summary as one JSON object, with fit errors at the key points");
 }
@@ -130,10 +132,10 @@ void addFileOptions(CLI::App& command, MapArguments& a) {
 void addSkinOptions(CLI::App& command, MapArguments& a) {
   addMeshArguments(command, a.mesh);
   command.get_option("mesh")->required(false);
-  command.add_option("--body", a.body, "Without a mesh: the built-in skin")
-      ->check(CLI::IsMember({"torso", "back"}))
-      ->capture_default_str();
-  command.add_option("--triangles", a.triangles, "Of the built-in skin; 0: 20389 (torso, with bones), 15815 (back)")
+  takesOneOf({"torso", "back"},
+             command.add_option("--body", a.body, "Without a mesh: the built-in skin")->capture_default_str());
+  addNumber(command, "--triangles", a.triangles, between(0, 2e7),
+            "Of the built-in skin; 0: 20389 (torso, with bones), 15815 (back)")
       ->capture_default_str();
 }
 
@@ -143,7 +145,7 @@ void addKeyOption(CLI::App& command, MapArguments& a) {
 
 /// Last: what the scene says itself cannot be said beside it. `beside` are the options that can.
 void addSceneOption(CLI::App& command, MapArguments& a, std::vector<std::string> beside) {
-  beside.insert(beside.end(), {"--help", "--output", "--range", "--grid-mm", "--png-scale", "--json"});
+  beside.insert(beside.end(), {"--help", "--out", "--range", "--grid-mm", "--png-scale", "--json"});
   const std::vector<CLI::Option*> others = command.get_options();
   CLI::Option* scene =
       command.add_option("--scene", a.scene, "The map of this scene (TOML): its body, key points and dysfunctions");
@@ -156,11 +158,11 @@ void addBoundaryOptions(CLI::App& command, MapArguments& a) {
   addChoice(command, "--data", a.source.measured.force, "Built-in key points: the skin was dragged up or down");
   addChoice(command, "--averaging", a.source.measured.averaging,
             "Built-in key points: means as printed, or of the ellipses");
-  command.add_option("--effect-radius-mm", a.source.ellipses.effect_radius_mm, "How far a key point reaches, mm")
-      ->check(CLI::PositiveNumber)
+  addNumber(command, "--effect-radius-mm", a.source.ellipses.effect_radius_mm, above(0.0, kFarthestMm, "mm"),
+            "How far a key point reaches")
       ->capture_default_str();
-  command.add_option("--basic-radius-mm", a.source.ellipses.basic_radius_mm, "Circle where none reaches, mm")
-      ->check(CLI::PositiveNumber)
+  addNumber(command, "--basic-radius-mm", a.source.ellipses.basic_radius_mm, above(0.0, kFarthestMm, "mm"),
+            "Circle where none reaches")
       ->capture_default_str();
 }
 
@@ -172,16 +174,15 @@ void addEllipses(CLI::App& parent) {
   addSkinOptions(command, a);
   addKeyOption(command, a);
   addBoundaryOptions(command, a);
-  command.add_option("--quantity", a.source.quantity, "What is coloured")
-      ->check(CLI::IsMember({"half-major", "aspect", "direction"}))
-      ->capture_default_str();
-  command
-      .add_option("--interpolation", a.interpolation,
-                  "gri, or a form of the dissertation: (5.16) with E26, "
-                  "(5.16) as printed, (5.7); left out: as --fidelity says")
-      ->check(oneChoiceOf<Weights>());
-  command.add_option("--directions", a.directions, "How directions are blended; left out: as --fidelity says")
-      ->check(oneChoiceOf<maps::DirectionBlend>());
+  takesOneOf({"half-major", "aspect", "direction"},
+             command.add_option("--quantity", a.source.quantity, "What is coloured")->capture_default_str());
+  takesOneOf(choiceNames<Weights>(),
+             command.add_option("--interpolation", a.interpolation,
+                                "gri, or a form of the dissertation: (5.16) with E26, (5.16) as printed, (5.7); left "
+                                "out: as --fidelity says"));
+  takesOneOf(
+      choiceNames<maps::DirectionBlend>(),
+      command.add_option("--directions", a.directions, "How directions are blended; left out: as --fidelity says"));
   command.add_option("--fidelity", a.fidelity, "Errata taken literally: corrected, literal, or a list such as E28,E29")
       ->capture_default_str();
   addSceneOption(command, a, {"--quantity"});
@@ -200,8 +201,8 @@ void addContours(CLI::App& parent) {
   addSkinOptions(command, *arguments);
   addKeyOption(command, *arguments);
   addBoundaryOptions(command, *arguments);
-  command.add_option("--radii", arguments->source.contour_radii, "Built-in ellipses: radii a contour")
-      ->check(CLI::Range(maps::kMinContourRadii, maps::kMaxContourRadii))
+  addNumber(command, "--radii", arguments->source.contour_radii,
+            between(maps::kMinContourRadii, maps::kMaxContourRadii), "Built-in ellipses: radii a contour")
       ->capture_default_str();
   command.callback([arguments] { run(*arguments, Maker{contoursOver, nullptr}); });
 }
@@ -214,19 +215,17 @@ void addStiffness(CLI::App& parent) {
   addFileOptions(command, *arguments);
   addSkinOptions(command, *arguments);
   addKeyOption(command, *arguments);
-  command
-      .add_option("--interpolation", arguments->interpolation,
-                  "Between key points: gri (default), thin-plate or polynomial. Without --keys: the torso measured "
-                  "at the seven places")
-      ->check(oneChoiceOf<maps::StiffnessInterpolation>());
-  command.add_option("--degree", s.polynomial_degree, "Of the polynomial")
-      ->check(CLI::Range(std::size_t{0}, maps::kMaxPolynomialDegree))
+  takesOneOf(choiceNames<maps::StiffnessInterpolation>(),
+             command.add_option("--interpolation", arguments->interpolation,
+                                "Between key points: gri (default), thin-plate or polynomial. Without --keys: the "
+                                "torso measured at the seven places"));
+  addNumber(command, "--degree", s.polynomial_degree, between(0, maps::kMaxPolynomialDegree), "Of the polynomial")
       ->capture_default_str();
-  command.add_option("--effect-radius-mm", s.effect_radius_mm, "gri: how far a key point reaches, mm")
-      ->check(CLI::PositiveNumber)
+  addNumber(command, "--effect-radius-mm", s.effect_radius_mm, above(0.0, kFarthestMm, "mm"),
+            "gri: how far a key point reaches")
       ->capture_default_str();
-  command.add_option("--basic-n-per-mm", s.basic_n_per_mm, "gri: stiffness where none reaches")
-      ->check(CLI::PositiveNumber)
+  addNumber(command, "--basic-n-per-mm", s.basic_n_per_mm, above(0.0, 100.0, "N/mm"),
+            "gri: stiffness where none reaches")
       ->capture_default_str();
   addSceneOption(command, *arguments, {});
   constexpr Maker kMaker{
@@ -239,7 +238,8 @@ void addDepth(CLI::App& parent) {
   auto arguments = std::make_shared<MapArguments>();
   CLI::App& command = *parent.add_subcommand("depth", "How far the bones of the torso lie under the skin");
   addFileOptions(command, *arguments);
-  command.add_option("--triangles", arguments->triangles, "Of the built-in torso; 0: 20389, with bones")
+  addNumber(command, "--triangles", arguments->triangles, between(0, 2e7),
+            "Of the built-in torso; 0: 20389, with bones")
       ->capture_default_str();
   addSceneOption(command, *arguments, {});
   constexpr Maker kMaker{

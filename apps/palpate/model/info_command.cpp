@@ -50,10 +50,14 @@ std::string surfaceLine(const ValidationReport& report) {
 struct Unit {
   double factor;
   const char* name;
+  const char* word;  ///< of --unit
 };
 /// Those that meshes come in, the likeliest first.
-constexpr std::array<Unit, 5> kUnits = {
-    {{1000.0, "metres"}, {10.0, "centimetres"}, {100.0, "decimetres"}, {25.4, "inches"}, {0.001, "micrometres"}}};
+constexpr std::array<Unit, 5> kUnits = {{{1000.0, "metres", "m"},
+                                         {10.0, "centimetres", "cm"},
+                                         {100.0, "decimetres", "dm"},
+                                         {25.4, "inches", "in"},
+                                         {0.001, "micrometres", "0.001"}}};
 
 /// Empty when the size is one of a body or a part of one.
 std::string sizeWarning(const ValidationReport& report) {
@@ -63,19 +67,33 @@ std::string sizeWarning(const ValidationReport& report) {
   for (const Unit& unit : kUnits) {
     const Eigen::AlignedBox3d box(unit.factor * report.box.min(), unit.factor * report.box.max());
     if (mesh::hasDoubtfulSize(box)) continue;
-    return text + fmt::format("If these are {}, say --unit-mm {:g}", unit.name, unit.factor);
+    return text + fmt::format("If these are {}, say --unit {}", unit.name, unit.word);
   }
-  return text + "--unit-mm says how many millimetres a unit of the file is";
+  return text + "--unit says how long a unit of the file is";
+}
+
+/// A body as long as one but thinner than any: one axis was scaled as the others were not.
+constexpr double kThinnestBodyMm = 1.0;
+
+std::string thinWarning(const ValidationReport& report) {
+  if (report.box.isEmpty() || mesh::hasDoubtfulSize(report.box)) return "";
+  const double thickness = report.box.sizes().minCoeff();
+  if (thickness >= kThinnestBodyMm) return "";
+  return fmt::format("{:.3g} mm is thin for a body: are all three axes in one unit?", thickness);
 }
 
 std::vector<std::string> warningsOf(const ValidationReport& report) {
   std::vector<std::string> warnings;
-  if (std::string size = sizeWarning(report); !size.empty()) warnings.push_back(std::move(size));
+  for (std::string warning : {sizeWarning(report), thinWarning(report)}) {
+    if (!warning.empty()) warnings.push_back(std::move(warning));
+  }
   return warnings;
 }
 
 const char* verdictOn(const ValidationReport& report) {
-  if (report.fit()) return "fit to be felt as it is\n";
+  if (report.fit()) {
+    return warningsOf(report).empty() ? "fit to be felt as it is\n" : "fit to be felt, if that is its true size\n";
+  }
   return report.sound() ? "fit to be felt but for its small holes, which repair fills (done when it is used)\n"
                         : "needs repair before it can be felt (done when it is used)\n";
 }

@@ -12,8 +12,10 @@
 #include <utility>
 #include <vector>
 
+#include "apps/palpate/common/choice_option.h"
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/json.h"
+#include "apps/palpate/common/number_option.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/body/back.h"
 #include "palpate/body/bones.h"
@@ -194,19 +196,20 @@ struct ModelCommand {
 
 /// With what all of them have.
 ModelCommand addModel(CLI::App& parent, const char* name, const char* what, std::size_t triangles,
-                      const std::function<void(const ModelOptions&)>& make) {
+                      const Limits& triangle_limits, const std::function<void(const ModelOptions&)>& make) {
   auto options = std::make_shared<ModelOptions>();
   options->triangles = triangles;
   CLI::App* command = parent.add_subcommand(name, what);
-  command->add_option("-o,--output", options->output, "Mesh file to write: .obj, .stl or .ply")->required();
-  command->add_option("--triangles", options->triangles, "Triangles, exactly")->capture_default_str();
+  command->add_option("-o,--out", options->output, "Mesh file to write: .obj, .stl or .ply")->required();
+  addNumber(*command, "--triangles", options->triangles, triangle_limits, "Triangles, exactly")->capture_default_str();
   command->add_flag("--json", options->json, "Print the summary as one JSON object");
   command->callback([make, options] { make(*options); });
   return {command, options};
 }
 
 void addStature(CLI::App& command, ModelOptions& options) {
-  command.add_option("--stature-mm", options.shape.stature_mm, "Height of the person, mm; everything scales with it")
+  addNumber(command, "--stature-mm", options.shape.stature_mm, between(300.0, 3000.0, "mm"),
+            "Height of the person; everything scales with it")
       ->capture_default_str();
 }
 
@@ -215,14 +218,14 @@ void addShape(CLI::App& command, ModelOptions& options) {
   body::SkinSettings& shape = options.shape;
   constexpr const char* kGroup = "Shape of the skin";
   const auto add = [&](const char* name, double& value, const char* help) {
-    command.add_option(name, value, help)->capture_default_str()->group(kGroup);
+    addNumber(command, name, value, between(0.0, 5.0), help)->capture_default_str()->group(kGroup);
   };
   add("--spine-relief", shape.relief.spine, "Spinous processes: 0 none, 1 a lean man, 2 emaciated");
   add("--rib-relief", shape.relief.ribs, "Ribs: 0 none, 1 a lean man, 2 emaciated");
   add("--scapula-relief", shape.relief.scapulae, "Shoulder blades: 0 none, 1 a lean man, 2 emaciated");
   add("--asymmetry", shape.asymmetry, "0 symmetric, 1 naturally uneven");
   const auto add_levels = [&](const char* name, body::LevelWeights& value) {
-    command.add_option(name, value, "Weights of that relief at T1-T2, T3-T9, T10-L2, L3-L5")
+    addNumber(command, name, value, between(0.0, 5.0), "Weights of that relief at T1-T2, T3-T9, T10-L2, L3-L5")
         ->delimiter(',')
         ->capture_default_str()
         ->group(kGroup);
@@ -233,36 +236,36 @@ void addShape(CLI::App& command, ModelOptions& options) {
 }
 
 void addBack(CLI::App& model) {
-  const auto [command, options] = addModel(model, "back", "The back, 350 x 400 x 120 mm, 500 to 4,000,000 triangles",
-                                           body::BackSettings{}.triangles, makeBackModel);
+  const auto [command, options] = addModel(model, "back", "The back, 350 x 400 x 120 mm",
+                                           body::BackSettings{}.triangles, between(500, 4e6), makeBackModel);
   addShape(*command, *options);
 }
 
 void addTorso(CLI::App& model) {
   const auto [command, options] = addModel(
       model, "torso", "Skin down to the sacrum over its bones; the dissertation's sizes are 8163, 20389 and 41582",
-      body::TorsoSettings{}.triangles, makeTorsoModel);
+      body::TorsoSettings{}.triangles, between(5000, 2e7), makeTorsoModel);
   options->shape = body::TorsoSettings{}.shape;
   addShape(*command, *options);
-  command->add_option("--bone-triangles", options->bone_triangles, "Triangles of the bones among them; 0 chooses")
+  addNumber(*command, "--bone-triangles", options->bone_triangles, between(0, 2e7),
+            "Triangles of the bones among them; 0 chooses")
       ->capture_default_str();
-  command->add_option("--skin-output", options->skin_output, "Also write the skin alone to this file");
-  command->add_option("--bones-output", options->bones_output, "Also write the bones alone to this file");
+  command->add_option("--skin-out", options->skin_output, "Also write the skin alone to this file");
+  command->add_option("--bones-out", options->bones_output, "Also write the bones alone to this file");
 }
 
 void addBones(CLI::App& model) {
   const auto [command, options] = addModel(model, "bones", "T1-T12, L1-L5, 24 ribs and two shoulder blades",
-                                           body::BonesSettings{}.triangles, makeBonesModel);
+                                           body::BonesSettings{}.triangles, between(0, 2e7), makeBonesModel);
   addStature(*command, *options);
 }
 
 void addHand(CLI::App& model) {
   const auto [command, options] = addModel(model, "hand", "An open hand with the index finger stretched out",
-                                           body::HandSettings{}.triangles, makeHandModel);
-  command->add_option("--side", options->side, "Which hand")
-      ->check(CLI::IsMember(wordList<body::Side>()))
-      ->capture_default_str();
-  command->add_option("--length-mm", options->hand_length_mm, "From the wrist's cut to the tip of the index finger")
+                                           body::HandSettings{}.triangles, between(200, 4e6), makeHandModel);
+  takesOneOf(wordList<body::Side>(), command->add_option("--side", options->side, "Which hand")->capture_default_str());
+  addNumber(*command, "--length-mm", options->hand_length_mm, between(20.0, 1000.0, "mm"),
+            "From the wrist's cut to the tip of the index finger")
       ->capture_default_str();
 }
 

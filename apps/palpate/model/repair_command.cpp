@@ -10,6 +10,7 @@
 
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/mesh_arguments.h"
+#include "apps/palpate/common/number_option.h"
 #include "apps/palpate/common/progress_line.h"
 #include "palpate/base/error.h"
 #include "palpate/mesh/files/save.h"
@@ -131,15 +132,13 @@ void addRepairCommand(CLI::App& app) {
   CLI::App& command = *app.add_subcommand("repair", "Make a mesh fit to be felt and say what was done");
   addMeshArguments(command, arguments->mesh);
   command
-      .add_option("-o,--output", arguments->output,
+      .add_option("-o,--out", arguments->output,
                   "File to write: obj, stl or ply (mm); a ply keeps the numbers and colours of a ply's vertices")
       ->required();
   command.add_flag("--no-weld", arguments->no_weld, "Leave vertices at the same place apart");
-  command
-      .add_option("--weld-distance-mm", arguments->weld_distance_mm,
-                  "Weld also vertices nearer than this (mm); 0: the same place only")
-      ->capture_default_str()
-      ->check(CLI::Range(0.0, 1e9));
+  addNumber(command, "--weld-distance-mm", arguments->weld_distance_mm, between(0.0, 1e9, "mm"),
+            "Weld also vertices nearer than this; 0: the same place only")
+      ->capture_default_str();
   command.add_flag("--keep-orientation", arguments->keep_orientation,
                    "Do not turn closed parts outside out that face inwards");
   command.add_flag("--keep-holes", arguments->keep_holes, "Leave the small holes of nearly closed parts open");

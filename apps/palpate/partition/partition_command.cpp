@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,12 +12,12 @@
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/mesh_arguments.h"
 #include "apps/palpate/common/named_mesh.h"
+#include "apps/palpate/common/number_option.h"
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/partition/partition_options.h"
 #include "apps/palpate/partition/partition_report.h"
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
-#include "palpate/base/text.h"
 #include "palpate/hdb/literal_octree.h"
 
 namespace palpate::app {
@@ -27,11 +26,29 @@ namespace {
 
 using hdb::HdbSize;
 
+constexpr const char* kBox = "--box";
+
+struct BoxArgument {
+  Vec3 centre;
+  std::optional<double> edge_mm;
+};
+
+/// x,y,z or x,y,z,edge
+BoxArgument parseBox(const std::string& text) {
+  const std::vector<double> numbers = numbersFrom(kBox, text, between(-kFarthestMm, kFarthestMm, "mm"));
+  if (numbers.size() != 3 && numbers.size() != 4)
+    throw CLI::ValidationError(kBox, "expected x,y,z or x,y,z,edge in mm");
+  BoxArgument box{{numbers[0], numbers[1], numbers[2]}, {}};
+  if (numbers.size() == 4) box.edge_mm = numbers[3];
+  if (box.edge_mm && !(*box.edge_mm > 0.0)) throw CLI::ValidationError(kBox, "the edge must be larger than 0 mm");
+  return box;
+}
+
 struct PartitionArguments {
   MeshArguments mesh;
   hdb::BuildSettings settings;
   bool two_of_three = false;
-  std::string box;
+  std::optional<BoxArgument> box;
   HdbSize box_size = HdbSize::QuarterOfLongestEdge;
   LeafSearch traversal;
   std::string leaves_file, selection_file;
@@ -59,26 +76,6 @@ std::string nameOf(const LeafSearch& search) {
   return {};
 }
 
-struct BoxArgument {
-  Vec3 centre;
-  std::optional<double> edge_mm;
-};
-
-/// x,y,z or x,y,z,edge
-BoxArgument parseBox(const std::string& text) {
-  std::vector<double> numbers;
-  for (const std::string_view field : split(text, ',')) {
-    const auto number = parseNumber(field);
-    if (!number || !std::isfinite(*number)) throw Error("--box: \"" + text + "\" is not x,y,z or x,y,z,edge in mm");
-    numbers.push_back(*number);
-  }
-  if (numbers.size() != 3 && numbers.size() != 4) throw Error("--box: expected x,y,z or x,y,z,edge in mm");
-  BoxArgument box{{numbers[0], numbers[1], numbers[2]}, {}};
-  if (numbers.size() == 4) box.edge_mm = numbers[3];
-  if (box.edge_mm && !(*box.edge_mm > 0.0)) throw Error("--box: the edge must be larger than 0 mm");
-  return box;
-}
-
 /// What can be known to be wrong before a large mesh is loaded.
 void checkChoices(const PartitionArguments& arguments) {
   for (const std::string& picture : arguments.pictures) isSvgPicture(picture);
@@ -91,11 +88,7 @@ void checkChoices(const PartitionArguments& arguments) {
   if (search.literal && !suits(*search.literal, arguments.settings.tree)) {
     throw Error("--traversal " + nameOf(search) + " needs the planes of --tree bsp");
   }
-  if (arguments.box.empty()) {
-    if (!arguments.selection_file.empty()) throw Error("--selection needs a --box");
-    return;
-  }
-  parseBox(arguments.box);
+  if (!arguments.box && !arguments.selection_file.empty()) throw Error("--selection needs a --box");
 }
 
 struct Built {
@@ -120,7 +113,7 @@ Built build(const mesh::TriangleMesh& mesh, const PartitionArguments& arguments,
 
 PartitionReport::Box askBox(const mesh::TriangleMesh& mesh, const hdb::Partition& partition,
                             const PartitionArguments& arguments) {
-  const BoxArgument wanted = parseBox(arguments.box);
+  const BoxArgument& wanted = *arguments.box;
   PartitionReport::Box box;
   box.centre_mm = wanted.centre;
   box.edges_mm =
@@ -158,7 +151,7 @@ void runPartition(const PartitionArguments& arguments) {
                          .build_seconds = built.seconds,
                          .lost = built.lost,
                          .box = {}};
-  if (!arguments.box.empty()) report.box = askBox(mesh, built.partition, arguments);
+  if (arguments.box) report.box = askBox(mesh, built.partition, arguments);
   if (!arguments.leaves_file.empty()) writeLeafColours(arguments.leaves_file, mesh, built.partition);
   if (!arguments.selection_file.empty()) {
     const PartitionQuery& query = report.box->query;
@@ -174,9 +167,10 @@ void runPartition(const PartitionArguments& arguments) {
 }
 
 void addBoxOptions(CLI::App& command, PartitionArguments& arguments) {
+  const auto read = [&arguments](const std::string& text) { arguments.box = parseBox(text); };
   command
-      .add_option("--box", arguments.box,
-                  "Haptic detecting box to ask for: centre and edge in mm; without an edge a quarter of the model")
+      .add_option_function<std::string>(
+          kBox, read, "Haptic detecting box to ask for: centre and edge in mm; without an edge a quarter of the model")
       ->type_name("X,Y,Z[,EDGE]");
   addChoice<HdbSize>(command, "--box-size", arguments.box_size,
                      {{"longest-edge", HdbSize::QuarterOfLongestEdge}, {"box", HdbSize::QuarterOfBox}},
@@ -200,15 +194,13 @@ void addPartitionCommand(CLI::App& app) {
                   "which loses triangles (E6)");
   addBoxOptions(command, *arguments);
   command
-      .add_option("-o,--output", arguments->pictures,
+      .add_option("-o,--out", arguments->pictures,
                   "Picture, .png or .svg, repeatable: each leaf in a colour of its own, the leaves' boxes; with --box "
                   "beside it what the box finds")
       ->allow_extra_args(false);
-  std::vector<std::string> sides;
-  for (const auto& [name, sight] : sights()) sides.push_back(name);
-  command.add_option("--view", arguments->side, "Side that the picture is seen from")
-      ->check(CLI::IsMember(sides))
-      ->capture_default_str();
+  takesOneOf(
+      namesOf(sights()),
+      command.add_option("--view", arguments->side, "Side that the picture is seen from")->capture_default_str());
   command.add_option("--leaf-colours", arguments->leaves_file, "Write a PLY with each leaf in a colour of its own");
   command.add_option("--selection", arguments->selection_file,
                      "Write a PLY with the box's leaves in green and its exact triangles in orange");

@@ -1,5 +1,7 @@
 #include "apps/palpate/partition/partition_options.h"
 
+#include "apps/palpate/common/number_option.h"
+
 namespace palpate::app {
 
 void addPartitionSettings(CLI::App& command, hdb::BuildSettings& settings) {
@@ -7,9 +9,8 @@ void addPartitionSettings(CLI::App& command, hdb::BuildSettings& settings) {
   addChoice(command, "--assign", settings.assignment,
             "A triangle that a plane crosses is cut (A), kept on both sides (B) or goes to the side with two of its "
             "vertices (C)");
-  command.add_option("--threshold", settings.threshold, "Triangles up to which a node is a leaf")
-      ->capture_default_str()
-      ->check(CLI::Range(1u, 4000000000u));
+  addNumber(command, "--threshold", settings.threshold, between(1, 4e9), "Triangles up to which a node is a leaf")
+      ->capture_default_str();
   addChoice<bool>(command, "--leaf-rule", settings.leaf_below_threshold, {{"at-most", false}, {"below", true}},
                   "A leaf holds at most the threshold, or fewer than it as the dissertation's text has it (E7)");
 }

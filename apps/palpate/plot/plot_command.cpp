@@ -10,6 +10,7 @@
 
 #include "apps/palpate/common/choice_option.h"
 #include "apps/palpate/common/commands.h"
+#include "apps/palpate/common/number_option.h"
 #include "apps/palpate/plot/forces_plot.h"
 #include "palpate/base/error.h"
 #include "palpate/trace/forces_table.h"
@@ -117,22 +118,22 @@ void addPlotCommand(CLI::App& app) {
   PlotArguments& a = *arguments;
   CLI::App& command = *app.add_subcommand("plot", "Draw a table of forces over time: force, depth, lag, states");
   command.add_option("TABLE", a.table, "forces.csv of `palpate simulate` or of the window")->required();
-  command.add_option("-o,--output", a.output, "Picture to write: .png or .svg")->capture_default_str();
-  command.add_option("--from", a.from_s, "Begin at this time, s; left out: with the first row");
-  command.add_option("--to", a.to_s, "End at this time, s; left out: with the last row");
+  command.add_option("-o,--out", a.output, "Picture to write: .png or .svg")->capture_default_str();
+  addNumber(command, "--from", a.from_s, between(-1e9, 1e9, "s"), "Begin at this time; left out: with the first row");
+  addNumber(command, "--to", a.to_s, between(-1e9, 1e9, "s"), "End at this time; left out: with the last row");
   command.add_option("--finger", a.fingers, "Only this finger, by its name; repeatable")->allow_extra_args(false);
-  command
-      .add_option("--columns", a.columns,
-                  "Panels from the top: force (N), device (N, after the safety limits), depth (mm), lag (mm, from the "
-                  "tip to the skin that friction holds), speed (mm/s), states (stick, slip, status bits)")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(CLI::IsMember(columnWords()))
-      ->capture_default_str();
+  takesOneOf(
+      columnWords(),
+      command
+          .add_option(
+              "--columns", a.columns,
+              "Panels from the top: force (N), device (N, after the safety limits), depth (mm), lag (mm, from the "
+              "tip to the skin that friction holds), speed (mm/s), states (stick, slip, status bits)")
+          ->delimiter(',')
+          ->allow_extra_args(false)
+          ->capture_default_str());
   command.add_option("--title", a.title, "Above it; left out: the table's name");
-  command.add_option("--png-scale", a.png_scale, "PNG: pixels a CSS pixel")
-      ->check(CLI::Range(0.2, 8.0))
-      ->capture_default_str();
+  addNumber(command, "--png-scale", a.png_scale, between(0.2, 8.0), "PNG: pixels a CSS pixel")->capture_default_str();
   command.callback([arguments] { runPlot(*arguments); });
 }
 

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "palpate/base/error.h"
-#include "palpate/base/text.h"
 #include "palpate/servo/loop.h"
 #include "palpate/servo/scripted_rig.h"
 #include "palpate/tree/triangle_tree.h"
@@ -22,18 +21,6 @@ constexpr double kApproachMm = 15.0;
 
 std::uint64_t tickAt(const scene::World& world, double time_s) {
   return static_cast<std::uint64_t>(std::llround(time_s * world.scene.ticks_per_s));
-}
-
-std::vector<Vec3> placesOf(const std::string& pose) {
-  const auto fields = split(pose, ',');
-  if (fields.size() % 3 != 0) throw Error(fmt::format("--pose {}: needs x,y,z, or several of them", pose));
-  std::vector<Vec3> places(fields.size() / 3);
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    const auto number = parseNumber(fields[i]);
-    if (!number || !std::isfinite(*number)) throw Error(fmt::format("--pose {}: '{}' is no number", pose, fields[i]));
-    places[i / 3][static_cast<Eigen::Index>(i % 3)] = *number;
-  }
-  return places;
 }
 
 /// Above the skin that is nearest to the place, on its outside.
@@ -58,8 +45,9 @@ void walkTo(const Vec3& goal, double step_mm, std::vector<Vec3>& tips) {
 std::vector<servo::TickSamples> framesAt(const scene::World& world, const device::FingerPaths& paths,
                                          std::span<const double> times_s, const Progress& progress) {
   const double end_s = static_cast<double>(paths.ticks - 1) / world.scene.ticks_per_s;
-  if (times_s.back() > end_s + 1e-9) {
-    throw Error(fmt::format("there is no moment {} s: the run ends at {:.3f} s", times_s.back(), end_s));
+  for (const double time_s : {times_s.front(), times_s.back()}) {  // they rise
+    if (time_s >= 0.0 && time_s <= end_s + 1e-9) continue;
+    throw Error(fmt::format("there is no moment {} s: the run lasts from 0 to {:.3f} s", time_s, end_s));
   }
   std::vector<servo::TickSamples> frames;
   const auto keep = [&](std::span<const trace::Sample> samples) {
@@ -72,21 +60,20 @@ std::vector<servo::TickSamples> framesAt(const scene::World& world, const device
   return frames;
 }
 
-void useFingersAt(std::span<const std::string> poses, double radius_mm, scene::Scene& scene) {
+void useFingersAt(std::span<const Pose> poses, double radius_mm, scene::Scene& scene) {
   scene.fingers.clear();
-  for (const std::string& pose : poses) {
-    placesOf(pose);  // complain before the body is built
+  for (std::size_t i = 0; i < poses.size(); ++i) {
     scene.fingers.emplace_back();
     scene.fingers.back().name = poses.size() == 1 ? "finger" : fmt::format("finger_{}", scene.fingers.size());
     scene.fingers.back().radius_mm = radius_mm;
   }
 }
 
-device::FingerPaths pathsToPoses(const scene::World& world, std::span<const std::string> poses) {
+device::FingerPaths pathsToPoses(const scene::World& world, std::span<const Pose> poses) {
   const double step_mm = kMmPerS / world.scene.ticks_per_s;
   device::FingerPaths paths;
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    const std::vector<Vec3> places = placesOf(poses[i]);
+    const Pose& places = poses[i];
     auto tips = std::make_shared<std::vector<Vec3>>(1, startFor(world, places[0], world.scene.fingers[i].radius_mm));
     for (const Vec3& place : places) walkTo(place, step_mm, *tips);
     paths.ticks = std::max(paths.ticks, tips->size());

@@ -15,11 +15,13 @@ namespace palpate::app {
 std::vector<servo::TickSamples> framesAt(const scene::World& world, const device::FingerPaths& paths,
                                          std::span<const double> times_s, const Progress& progress);
 
-/// Puts one finger a pose into the scene, in place of its own. A pose is a list of places "x,y,z[,x,y,z...]", mm: the
-/// finger's tip goes to the first and on to the others. Throws Error for what is not that.
-void useFingersAt(std::span<const std::string> poses, double radius_mm, scene::Scene& scene);
+/// Places, at least one, mm: the finger's tip goes to the first and on to the others.
+using Pose = std::vector<Vec3>;
+
+/// Puts one finger a pose into the scene, in place of its own.
+void useFingersAt(std::span<const Pose> poses, double radius_mm, scene::Scene& scene);
 
 /// The paths of these fingers: from outside the skin, square to it, to the first place, and on.
-device::FingerPaths pathsToPoses(const scene::World& world, std::span<const std::string> poses);
+device::FingerPaths pathsToPoses(const scene::World& world, std::span<const Pose> poses);
 
 }  // namespace palpate::app

@@ -8,8 +8,10 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "apps/palpate/common/choice_option.h"
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/interruption.h"
+#include "apps/palpate/common/number_option.h"
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/render/film.h"
 #include "apps/palpate/render/moments.h"
@@ -17,6 +19,7 @@
 #include "apps/palpate/render/render_options.h"
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
+#include "palpate/base/text.h"
 #include "palpate/scene/skin_channels.h"
 #include "palpate/view/scene_view.h"
 
@@ -25,6 +28,11 @@ namespace palpate::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr const char* kPose = "--pose";
+constexpr const char* kSize = "--size";
+constexpr double kLargestSide = 16384.0;
+
 /// What was drawn: one file, the moment and the fingers in it.
 struct DrawnPicture {
   std::string file;
@@ -42,8 +50,13 @@ struct RenderReport {
   double draw_s = 0.0;
 };
 
+/// Without a moment or a pose: the body at rest, alone.
+bool isAtRest(const RenderOptions& options) { return !options.at_s && options.poses.empty() && options.frames == 1; }
+
 scene::Scene sceneFor(const RenderOptions& options) {
-  scene::Scene scene = sceneFor(options.scene);
+  SimulateOptions input = options.scene;
+  input.needs_fingers = !isAtRest(options) && options.poses.empty();
+  scene::Scene scene = sceneFor(input);
   if (!options.poses.empty()) useFingersAt(options.poses, options.scene.radius_mm, scene);
   scene.view = viewOf(options, scene.view);
   return scene;
@@ -58,9 +71,6 @@ std::vector<double> timesOf(const RenderOptions& options, const scene::World& wo
   for (int i = 0; i < options.frames; ++i) times.push_back(first + i / options.frames_per_s);
   return times;
 }
-
-/// Without a moment or a pose: the body at rest, alone.
-bool isAtRest(const RenderOptions& options) { return !options.at_s && options.poses.empty() && options.frames == 1; }
 
 std::vector<servo::TickSamples> framesFor(const RenderOptions& options, const scene::World& world,
                                           std::vector<double>& times, const Progress& progress) {
@@ -117,7 +127,7 @@ void requireScalar(const RenderOptions& options, const scene::World& world) {
 
 RenderReport render(const RenderOptions& options, const Progress& progress) {
   RenderReport result;
-  result.size = sizeOf(options);
+  result.size = options.size;
   const std::vector<std::filesystem::path> files = filesOf(options);
   const auto started = Clock::now();
   const auto world = scene::build(sceneFor(options), progress);
@@ -183,30 +193,48 @@ std::string summaryOf(const RenderReport& result) {
   return text;
 }
 
+std::vector<Vec3> placesFrom(const std::string& words) {
+  const std::vector<double> numbers = numbersFrom(kPose, words, between(-kFarthestMm, kFarthestMm, "mm"));
+  if (numbers.size() % 3 != 0) throw CLI::ValidationError(kPose, "needs x,y,z, or several of them");
+  std::vector<Vec3> places;
+  for (std::size_t i = 0; i < numbers.size(); i += 3) places.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
+  return places;
+}
+
+void addPoses(CLI::App& command, RenderOptions& options) {
+  const auto read = [&options](const std::vector<std::string>& words) {
+    for (const std::string& pose : words) options.poses.push_back(placesFrom(pose));
+  };
+  command
+      .add_option_function<std::vector<std::string>>(kPose, read,
+                                                     "Tip of a finger x,y,z, mm, in place of the scene's fingers; more "
+                                                     "places in one list: it moves on from each to "
+                                                     "the next; once for each finger")
+      ->type_name(std::string(kPlaceType) + "[,X,Y,Z]");
+}
+
 void addMomentOptions(CLI::App& command, RenderOptions& options) {
-  command.add_option("--at", options.at_s, "Moment of the scene's run, s; left out (and no --pose): the body at rest");
-  command.add_option("--pose", options.poses,
-                     "Tip of a finger x,y,z, mm, in place of the scene's fingers; more places in one list: it moves on "
-                     "from each to the next; once for each finger");
-  command.add_option("--frames", options.frames, "Number of pictures")
-      ->check(CLI::Range(1, 9999))
-      ->capture_default_str();
-  command.add_option("--fps", options.frames_per_s, "Pictures a second of the run")
-      ->check(CLI::Range(0.1, 1000.0))
+  addNumber(command, "--at", options.at_s, between(0.0, kLongestRunS, "s"),
+            "Moment of the scene's run; left out (and no --pose): the body at rest");
+  addPoses(command, options);
+  addNumber(command, "--frames", options.frames, between(1, 9999), "Number of pictures")->capture_default_str();
+  addNumber(command, "--fps", options.frames_per_s, between(0.1, 1000.0), "Pictures a second of the run")
       ->capture_default_str();
 }
 
 template <class Value>
-CLI::IsMember oneOf() {
-  return CLI::IsMember(wordList<Value>());
+CLI::Option* takesWord(CLI::Option* option) {
+  return takesOneOf(wordList<Value>(), option);
 }
 
 void addCameraOptions(CLI::App& command, RenderOptions& options) {
-  command.add_option("--view", options.side, "Side to look from")->check(oneOf<scene::StandardView>());
-  command.add_option("--yaw-deg", options.yaw_deg, "Turned from that side; positive sees more of the right");
-  command.add_option("--pitch-deg", options.pitch_deg, "Turned from that side; positive looks from above");
-  command.add_option("--zoom", options.zoom, "1 shows the whole body")->check(CLI::Range(0.01, 1000.0));
-  command.add_option("--look-at", options.look_at, "Place x,y,z in the middle of the picture, mm");
+  takesWord<scene::StandardView>(command.add_option("--view", options.side, "Side to look from"));
+  addNumber(command, "--yaw-deg", options.yaw_deg, between(-180.0, 180.0),
+            "Turned from that side; positive sees more of the right");
+  addNumber(command, "--pitch-deg", options.pitch_deg, between(-89.0, 89.0),
+            "Turned from that side; positive looks from above");
+  addNumber(command, "--zoom", options.zoom, between(0.01, 1000.0), "1 shows the whole body");
+  addPlace(command, "--look-at", options.look_at_mm, "Place in the middle of the picture, mm");
 }
 
 void addLookOptions(CLI::App& command, RenderOptions& options) {
@@ -214,16 +242,15 @@ void addLookOptions(CLI::App& command, RenderOptions& options) {
                      "Names with commas: overlays (wireframe, triangles, leaves, planes, box, ellipses, rings, arrows, "
                      "contact, normals, section) and colours (plain, strain, stiffness, ellipse-map, scalar)");
   command.add_option("--scalar", options.scalar, "Colour the skin by this number of the vertices of its PLY file");
-  command.add_option("--scalar-map", options.scalar_map, "Its colours")->check(oneOf<ColourMap>());
-  command
-      .add_option("--scalar-range", options.scalar_range,
-                  "Values of the two ends of its colours, LOW,HIGH; left out: "
-                  "its least and greatest")
+  takesWord<ColourMap>(command.add_option("--scalar-map", options.scalar_map, "Its colours"));
+  addNumber(command, "--scalar-range", options.scalar_range, between(-1e12, 1e12),
+            "Values of the two ends of its colours, LOW,HIGH; left out: its least and greatest")
       ->delimiter(',')
-      ->expected(2);
-  command.add_option("--shading", options.shading, "Light")->check(oneOf<scene::Shading>());
-  command.add_option("--finger", options.finger, "What a finger looks like")->check(oneOf<scene::FingerShape>());
-  command.add_option("--opacity", options.opacity, "Of the skin; below 1 the bones show")->check(CLI::Range(0.0, 1.0));
+      ->expected(2)
+      ->allow_extra_args(false);
+  takesWord<scene::Shading>(command.add_option("--shading", options.shading, "Light"));
+  takesWord<scene::FingerShape>(command.add_option("--finger", options.finger, "What a finger looks like"));
+  addNumber(command, "--opacity", options.opacity, between(0.0, 1.0), "Of the skin; below 1 the bones show");
   command.add_flag("--white", options.white, "White background");
   command.add_flag("--texture,!--no-texture", options.texture,
                    "The body's own picture, if the scene names one, or the colours of its PLY file (default)");
@@ -233,28 +260,41 @@ void addLookOptions(CLI::App& command, RenderOptions& options) {
 }
 
 void addStereoOptions(CLI::App& command, RenderOptions& options) {
-  command.add_option("--stereo", options.stereo, "How two eyes share the picture")->check(oneOf<scene::StereoMode>());
-  command.add_option("--eye-distance-mm", options.eye_distance_mm, "Between the eyes; 0 is as good as mono")
-      ->check(CLI::Range(0.0, 200.0));
-  command
-      .add_option("--convergence-mm", options.convergence_mm,
-                  "From the eyes to what appears in the plane of the screen; 0 is the middle of the picture")
-      ->check(CLI::NonNegativeNumber);
+  takesWord<scene::StereoMode>(command.add_option("--stereo", options.stereo, "How two eyes share the picture"));
+  addNumber(command, "--eye-distance-mm", options.eye_distance_mm, between(0.0, 200.0, "mm"),
+            "Between the eyes; 0 is as good as mono");
+  addNumber(command, "--convergence-mm", options.convergence_mm, between(0.0, kFarthestMm, "mm"),
+            "From the eyes to what appears in the plane of the screen; 0 is the middle of the picture");
   command.add_flag("--swap-eyes", options.swap_eyes, "The other way round");
-  command.add_option("--head-mm", options.head, "Head x,y,z before a real screen, mm from its middle");
-  command.add_option("--screen-height-mm", options.screen_height_mm, "Height of that screen")
-      ->check(CLI::PositiveNumber);
+  addPlace(command, "--head-mm", options.head_mm, "Head before a real screen, mm from its middle");
+  addNumber(command, "--screen-height-mm", options.screen_height_mm, above(0.0, kFarthestMm, "mm"),
+            "Height of that screen");
+}
+
+void addSize(CLI::App& command, view::PictureSize& size) {
+  const auto read = [&size](const std::string& words) {
+    const auto sides = split(words, 'x');
+    if (sides.size() != 2) throw CLI::ValidationError(kSize, "must be WIDTHxHEIGHT in pixels, e.g. 1280x720");
+    const Limits limits = between(1, kLargestSide, "pixels");
+    size.width = static_cast<int>(countFrom(kSize, std::string(sides[0]), limits));
+    size.height = static_cast<int>(countFrom(kSize, std::string(sides[1]), limits));
+  };
+  command
+      .add_option_function<std::string>(kSize, read,
+                                        "Of the picture" + rangeWords(between(1, kLargestSide, "pixels each")))
+      ->type_name("WIDTHxHEIGHT")
+      ->default_str(fmt::format("{}x{}", size.width, size.height));
 }
 
 void addOutputOptions(CLI::App& command, RenderOptions& options) {
   command
-      .add_option("-o,--output", options.output,
+      .add_option("-o,--out", options.output,
                   "PNG file; a sequence gets numbers before .png. With --frames also .mp4 or .webm, if ffmpeg is "
                   "installed; otherwise numbered PNG files and exit code 1")
       ->capture_default_str();
-  command.add_option("--size", options.size, "WIDTHxHEIGHT, pixels")->capture_default_str();
-  command.add_option("--supersampling", options.supersampling, "Each pixel is the mean of this many squared")
-      ->check(CLI::Range(1, 4))
+  addSize(command, options.size);
+  addNumber(command, "--supersampling", options.size.supersampling, between(1, 4),
+            "Each pixel is the mean of this many squared")
       ->capture_default_str();
   command.add_flag("--json", options.json, "Print a report as JSON");
 }
@@ -265,6 +305,7 @@ void addRenderCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand("render", "Draw pictures of a scene without a window");
   const auto options = std::make_shared<RenderOptions>();
   addInputOptions(*command, options->scene);
+  addSecondsOption(*command, options->scene);
   addMomentOptions(*command, *options);
   addCameraOptions(*command, *options);
   addLookOptions(*command, *options);

@@ -2,44 +2,28 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "apps/palpate/render/film.h"
 #include "palpate/base/error.h"
+#include "palpate/base/nearest_name.h"
 #include "palpate/base/text.h"
 
 namespace palpate::app {
 
 namespace {
 
-constexpr double kLargestSide = 16384;
-
 /// --show's word for the colouring whose own name is also an overlay's.
 constexpr std::string_view kEllipseMap = "ellipse-map";
-
-int sideOf(std::string_view text, const std::string& size) {
-  const auto number = parseNumber(text);
-  if (!number || *number < 1 || *number > kLargestSide || std::floor(*number) != *number) {
-    throw Error(fmt::format("--size {}: must be WIDTHxHEIGHT in pixels, e.g. 1280x720", size));
-  }
-  return static_cast<int>(*number);
-}
-
-Vec3 placeOf(const std::string& text, std::string_view option) {
-  const auto fields = split(text, ',');
-  Vec3 place;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto number = fields.size() == 3 ? parseNumber(fields[i]) : std::nullopt;
-    if (!number || !std::isfinite(*number)) throw Error(fmt::format("{} {}: needs x,y,z in mm", option, text));
-    place[static_cast<Eigen::Index>(i)] = *number;
-  }
-  return place;
-}
 
 /// The colouring that the word of --show means; a word that overlays have too means the overlay.
 std::optional<scene::Colouring> colouringNamed(std::string_view name) {
   if (name == kEllipseMap) return scene::Colouring::ellipses;
   return valueNamed<scene::Overlay>(name) ? std::nullopt : valueNamed<scene::Colouring>(name);
+}
+
+std::vector<std::string> showWords() {
+  std::vector<std::string> words = {"plain", "strain", "stiffness", "scalar", std::string(kEllipseMap)};
+  for (const std::string& overlay : wordList<scene::Overlay>()) words.push_back(overlay);
+  return words;
 }
 
 void useShow(const std::string& list, scene::ViewSettings& settings) {
@@ -50,8 +34,7 @@ void useShow(const std::string& list, scene::ViewSettings& settings) {
     } else if (const auto overlay = valueNamed<scene::Overlay>(name)) {
       settings.show.push_back(*overlay);
     } else if (!name.empty()) {
-      throw Error(fmt::format("--show {}: '{}' must be one of plain, strain, stiffness, scalar, {}, {}", list, name,
-                              kEllipseMap, fmt::join(allWords<scene::Overlay>(), ", ")));
+      throw Error("--show: " + unknownName("word", name, "", showWords()));
     }
   }
 }
@@ -85,12 +68,6 @@ void useScalar(const RenderOptions& options, scene::ViewSettings& settings) {
 
 }  // namespace
 
-view::PictureSize sizeOf(const RenderOptions& options) {
-  const auto sides = split(options.size, 'x');
-  if (sides.size() != 2) sideOf("", options.size);
-  return {sideOf(sides[0], options.size), sideOf(sides[1], options.size), options.supersampling};
-}
-
 scene::ViewSettings viewOf(const RenderOptions& options, const scene::ViewSettings& of_scene) {
   scene::ViewSettings settings = of_scene;
   replace(settings.side, options.side);
@@ -104,8 +81,8 @@ scene::ViewSettings viewOf(const RenderOptions& options, const scene::ViewSettin
   replace(settings.eye_distance_mm, options.eye_distance_mm);
   replace(settings.convergence_mm, options.convergence_mm);
   replace(settings.screen_height_mm, options.screen_height_mm);
-  if (options.look_at) settings.look_at_mm = placeOf(*options.look_at, "--look-at");
-  if (options.head) settings.head_mm = placeOf(*options.head, "--head-mm");
+  if (options.look_at_mm) settings.look_at_mm = options.look_at_mm;
+  if (options.head_mm) settings.head_mm = options.head_mm;
   if (options.show) useShow(*options.show, settings);
   useScalar(options, settings);
   settings.swap_eyes = settings.swap_eyes || options.swap_eyes;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "apps/palpate/common/simulate_options.h"
+#include "apps/palpate/render/moments.h"
 #include "palpate/scene/view_settings.h"
 #include "palpate/view/picture.h"
 
@@ -15,19 +16,19 @@ namespace palpate::app {
 struct RenderOptions {
   SimulateOptions scene;
   std::optional<double> at_s;
-  std::vector<std::string> poses;
+  std::vector<Pose> poses;
   std::filesystem::path output = "picture.png";
-  std::string size = "1280x720";
-  int supersampling = 2;
+  view::PictureSize size;
   int frames = 1;
   double frames_per_s = 25.0;
   std::string title;
   bool labels = true;
   bool json = false;
   // What replaces the scene's [view]; empty = as the scene says.
-  std::optional<std::string> side, look_at, show, shading, finger, stereo, head;
+  std::optional<std::string> side, show, shading, finger, stereo;
   std::optional<std::string> scalar, scalar_map;
   std::vector<double> scalar_range;
+  std::optional<Vec3> look_at_mm, head_mm;
   std::optional<double> yaw_deg, pitch_deg, zoom, opacity, eye_distance_mm, convergence_mm, screen_height_mm;
   bool swap_eyes = false;
   bool white = false;
@@ -35,11 +36,8 @@ struct RenderOptions {
   bool detail = true;
 };
 
-/// "1280x720" and the supersampling. Throws Error.
-view::PictureSize sizeOf(const RenderOptions& options);
-
-/// The scene's view with what the options replace. Throws Error for a place that is none, or an unknown name in
-/// --show, which takes overlays and the words strain, stiffness, ellipse-map and plain for the colours of the skin.
+/// The scene's view with what the options replace. Throws Error for an unknown name in --show, which takes overlays and
+/// the words strain, stiffness, ellipse-map and plain for the colours of the skin.
 scene::ViewSettings viewOf(const RenderOptions& options, const scene::ViewSettings& of_scene);
 
 /// The files of the pictures in their order: FILE.png alone, else FILE_0001.png and so on; of a film those that it is

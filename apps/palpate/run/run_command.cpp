@@ -5,9 +5,12 @@
 #include <memory>
 #include <optional>
 
+#include "apps/palpate/common/choice_option.h"
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/default_scene.h"
 #include "apps/palpate/common/interruption.h"
+#include "apps/palpate/common/number_option.h"
+#include "apps/palpate/common/unit_option.h"
 #include "apps/viewer/files/input_script.h"
 #include "apps/viewer/files/state_file.h"
 #include "apps/viewer/viewer.h"
@@ -28,6 +31,8 @@ struct RunOptions {
   std::string out = ".";
   std::string replay;
   std::string stereo;
+  double unit_mm = 0.0;  ///< of a mesh file; 0: as its format says
+  std::string group;
   int width = 0;
   int height = 0;
   std::uint64_t frames = 0;
@@ -135,7 +140,12 @@ scene::Scene standardScene() {
 scene::Scene sceneToRun(const RunOptions& options) {
   const scene::Scene standard = standardScene();
   if (options.scene.empty()) return standard;
-  return viewer::sceneFromFile(options.scene, standard);
+  scene::Scene scene = viewer::sceneFromFile(options.scene, standard);
+  if (options.unit_mm == 0.0 && options.group.empty()) return scene;
+  if (!scene.file.empty()) throw Error("--unit and --group are for mesh files: " + options.scene + " says its own");
+  useUnit(options.unit_mm, scene.body);
+  scene.body.group = options.group;
+  return scene;
 }
 
 void keepState(const RunOptions& options, viewer::Viewer& viewer, const window::Window& window) {
@@ -213,18 +223,20 @@ void addRunCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand("run", "Open a window and touch a body with the mouse");
   const auto options = std::make_shared<RunOptions>();
   command->add_option("SCENE", options->scene, "Scene (TOML) or mesh file; without one: the built-in torso");
+  addUnit(*command, options->unit_mm);
+  command->add_option("--group", options->group, "Only this group or object of an OBJ file");
   command->add_option("--play", options->play, "Play an input script (docs/viewer.md): time_s, event, values");
   command->add_option("--replay", options->replay,
                       "Press the same places again as a recorded table of forces (CSV), to be stepped tick by tick");
-  command
-      ->add_option("--stereo", options->stereo,
-                   "Stereo mode instead of the remembered one; quad-buffer asks for a window for shutter glasses")
-      ->check(CLI::IsMember(wordList<view::StereoMode>()));
-  command->add_option("--frames", options->frames, "Close after so many frames");
-  command->add_option("--out", options->out, "Folder for pictures and tables that are saved")->capture_default_str();
-  command->add_option("--width", options->width, "Of the window, instead of the remembered one")
-      ->check(CLI::Range(320, 16384));
-  command->add_option("--height", options->height, "Of the window")->check(CLI::Range(240, 16384));
+  takesOneOf(wordList<view::StereoMode>(),
+             command->add_option("--stereo", options->stereo,
+                                 "Stereo mode instead of the remembered one; quad-buffer asks for a window for shutter "
+                                 "glasses"));
+  addNumber(*command, "--frames", options->frames, between(1, 1e12), "Close after so many frames");
+  command->add_option("-o,--out", options->out, "Folder for pictures and tables that are saved")->capture_default_str();
+  addNumber(*command, "--width", options->width, between(320, 16384, "pixels"),
+            "Of the window, instead of the remembered one");
+  addNumber(*command, "--height", options->height, between(240, 16384, "pixels"), "Of the window");
   command->add_flag("--full-screen", options->full_screen, "Fill the screen");
   command->add_flag("--no-intro", options->no_intro, "Do not show how to press in the first seconds");
   command->add_flag("--no-shortcuts", options->no_shortcuts, "Keys do nothing, but for F1 and Esc");

@@ -34,7 +34,7 @@ void runSimulate(const SimulateOptions& options) {
 
 void addOutputOptions(CLI::App& command, SimulateOptions& options) {
   command.add_option(
-      "--out", options.out,
+      "-o,--out", options.out,
       "Folder for forces.csv, forces.png, surfaces (PLY), pictures.png and report.json; left out: results, or "
       "results-2, ... where an earlier run is");
   command.add_flag("--overwrite", options.overwrite, "Replace the run that is in the folder");
@@ -52,6 +52,7 @@ void addSimulateCommand(CLI::App& app) {
   const auto options = std::make_shared<SimulateOptions>();
   const auto keys = std::make_shared<bool>(false);
   addInputOptions(*command, *options);
+  addSecondsOption(*command, *options);
   addOutputOptions(*command, *options);
   command->add_flag("--keys", *keys, "Print every key of scene files (Markdown) and stop");
   command->callback([=] {

@@ -11,6 +11,7 @@
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/default_scene.h"
 #include "apps/palpate/common/interruption.h"
+#include "apps/palpate/common/number_option.h"
 #include "apps/palpate/common/progress_line.h"
 #include "palpate/base/error.h"
 #include "palpate/scene/scene_file.h"
@@ -54,7 +55,7 @@ void run(const study::Study& study, const StudyArguments& arguments) {
 void addPage(CLI::App& parent, const study::Study& study) {
   auto arguments = std::make_shared<StudyArguments>();
   CLI::App& command = *parent.add_subcommand(study.name, study.what);
-  command.add_option("--out", arguments->folder,
+  command.add_option("-o,--out", arguments->folder,
                      "Write the page (" + study.name +
                          ".md) with its figures (PNG, SVG) and tables (CSV) into this folder; made when missing");
   command.add_flag("--quick", arguments->quick,
@@ -100,7 +101,7 @@ void addStudyAll(CLI::App& parent) {
   auto arguments = std::make_shared<AllArguments>();
   CLI::App& command = *parent.add_subcommand(
       "all", "Every study, a page each, and one readable report.html with all figures; about two minutes on two cores");
-  command.add_option("--out", arguments->folder, "Folder to write into; made when missing")->required();
+  command.add_option("-o,--out", arguments->folder, "Folder to write into; made when missing")->required();
   command.add_flag("--quick", arguments->quick,
                    "Small models and few repetitions: a look at the report, not a measurement");
   command.callback([arguments] { runAll(*arguments); });
@@ -131,7 +132,7 @@ void addNumbers(CLI::App& study) {
       "Printed numbers of the dissertation beside ours, counted apart: from the engine, arithmetic of printed numbers, "
       "misprints, inconsistent, not computable. Exit code 0 when none differs without an erratum that names ours, 1 "
       "otherwise");
-  command.add_option("--out", arguments->folder,
+  command.add_option("-o,--out", arguments->folder,
                      "Also write numbers.md, numbers.csv and numbers.json into this folder");
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.callback([arguments] { runNumbers(*arguments); });
@@ -166,11 +167,10 @@ void addFigures(CLI::App& study) {
                                             "Draw figures of the dissertation: PNG, SVG, the curves as CSV, and "
                                             "index.md with captions and what each is drawn "
                                             "from");
-  command.add_option("--out", arguments->folder, "Folder to write into; made when missing");
+  command.add_option("-o,--out", arguments->folder, "Folder to write into; made when missing");
   command.add_option("--only", arguments->only, "Only these, for example 4.8,5.11")->delimiter(',');
-  command.add_option("--scale", arguments->scale, "Pixels of the PNG for 1/96 inch")
-      ->capture_default_str()
-      ->check(CLI::Range(0.25, 8.0));
+  addNumber(command, "--scale", arguments->scale, between(0.25, 8.0), "Pixels of the PNG for 1/96 inch")
+      ->capture_default_str();
   command.add_flag("--list", arguments->list, "Only list what can be drawn");
   command.callback([arguments] { runFigures(*arguments); });
 }
@@ -200,7 +200,8 @@ void addErrata(CLI::App& study) {
                                             "proxies (mm), skin (mm), strain (%), against "
                                             "the corrected engine");
   command.add_option("scene", arguments->scene, "Scene file (TOML); the built-in scene when left out");
-  command.add_option("--out", arguments->folder, "Also write errata.md, errata.csv and errata.json into this folder");
+  command.add_option("-o,--out", arguments->folder,
+                     "Also write errata.md, errata.csv and errata.json into this folder");
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.callback([arguments] { runErrata(*arguments); });
 }

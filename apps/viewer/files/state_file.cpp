@@ -73,16 +73,21 @@ constexpr int countOf(E) {
 constexpr int countOf(window::Theme) { return static_cast<int>(window::kThemeNames.size()); }
 constexpr int countOf(window::MousePreset) { return static_cast<int>(window::kMousePresetNames.size()); }
 
+/// No window stands farther out, no head farther off.
+constexpr std::int64_t kMostPixels = 100'000;
+constexpr double kMostMm = 1e5;
+
 /// A value out of range or of another type is as good as none: the default stays.
 struct StateReader {
   const toml::table& table;
   void operator()(const char* name, bool& value) const { value = table[name].value_or(value); }
   void operator()(const char* name, double& value) const {
     const double read = table[name].value_or(value);
-    if (std::isfinite(read)) value = read;
+    if (std::abs(read) <= kMostMm) value = read;
   }
   void operator()(const char* name, int& value) const {
-    value = static_cast<int>(table[name].value_or<std::int64_t>(value));
+    const auto read = table[name].value_or<std::int64_t>(value);
+    if (std::abs(read) <= kMostPixels) value = static_cast<int>(read);
   }
   template <class E>
   requires std::is_enum_v<E>

@@ -13,6 +13,9 @@ namespace {
 
 constexpr std::string_view kWord = "palpate-view";
 
+/// Millimetres and degrees: farther than any body is looked at from.
+constexpr double kFarthest = 1e7;
+
 }  // namespace
 
 std::string viewAsText(const view::Camera& camera) {
@@ -27,7 +30,7 @@ std::optional<view::Camera> viewFromText(std::string_view text) {
   std::vector<double> v;
   for (std::size_t i = 1; i < fields.size(); ++i) {
     const auto number = parseNumber(fields[i]);
-    if (!number || !std::isfinite(*number)) return std::nullopt;
+    if (!number || !(std::abs(*number) <= kFarthest)) return std::nullopt;
     v.push_back(*number);
   }
   if (!(v[5] > 0.0) || !(v[6] > 0.0 && v[6] < 170.0) || !(std::abs(v[4]) < 90.0)) return std::nullopt;

@@ -20,7 +20,9 @@ FingerSettings scaled(FingerSettings settings, double factor);
 /// Throws Error naming the first setting that makes no sense (negative, not finite, mu_dynamic > mu_static).
 void check(const FingerSettings& settings);
 
-/// One tick of one finger. Any thread, but one thread at a time per state.
+/// One tick of one finger. Any thread, but one thread at a time per state. It does not look at its settings again:
+/// those that check() refuses may give any force, and so may lengths beyond those of the surface by many powers of ten,
+/// of which few digits are left. The facade (engine/simulator.h) refuses both.
 FingerOutput step(const Surface& surface, const FingerSettings& settings, FingerState& state, const Vec3& tip) noexcept;
 
 /// One tick of many fingers on one surface, each as `step` does it; all spans have one length. For a hand of many

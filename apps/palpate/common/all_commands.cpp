@@ -1,0 +1,22 @@
+// Every subcommand of `palpate`.
+#include "apps/palpate/common/commands.h"
+
+namespace palpate::app {
+
+void addAllCommands(CLI::App& app) {
+  app.require_subcommand(1);
+  addBenchCommand(app);
+  addHuntCommand(app);
+  addInfoCommand(app);
+  addMapCommand(app);
+  addModelCommand(app);
+  addPartitionCommand(app);
+  addPlotCommand(app);
+  addSimulateCommand(app);
+  addRenderCommand(app);
+  addRepairCommand(app);
+  addRunCommand(app);
+  addStudyCommand(app);
+}
+
+}  // namespace palpate::app
