@@ -243,7 +243,7 @@ void addLookOptions(CLI::App& command, RenderOptions& options) {
                      "contact, normals, section) and colours (plain, strain, stiffness, ellipse-map, scalar)");
   command.add_option("--scalar", options.scalar, "Colour the skin by this number of the vertices of its PLY file");
   takesWord<ColourMap>(command.add_option("--scalar-map", options.scalar_map, "Its colours"));
-  addNumber(command, "--scalar-range", options.scalar_range, between(-1e12, 1e12),
+  addNumber(command, "--scalar-range", options.scalar_range, between(-1e9, 1e9),
             "Values of the two ends of its colours, LOW,HIGH; left out: its least and greatest")
       ->delimiter(',')
       ->expected(2)

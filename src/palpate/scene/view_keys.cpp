@@ -38,10 +38,13 @@ Key<V> place(std::string name, std::optional<Vec3> V::*member, std::string meani
   return {std::move(name), "three numbers" + rangeSuffix(kPlaces), std::move(meaning), read, show};
 }
 
+/// Whatever a file counts in.
+constexpr Range kScalars = between(-1e9, 1e9);
+
 /// Two rising numbers that need not be given.
 Key<V> range(std::string name, std::optional<Vec2> V::*member, std::string meaning) {
   const auto read = [=](V& s, const Entry& entry) {
-    const std::vector<double> v = readPoint(entry, 2);
+    const std::vector<double> v = readPoint(entry, 2, kScalars);
     if (!(v[0] < v[1])) entry.fail("needs two rising numbers");
     s.*member = Vec2(v[0], v[1]);
   };
@@ -49,7 +52,7 @@ Key<V> range(std::string name, std::optional<Vec2> V::*member, std::string meani
     const std::optional<Vec2>& v = s.*member;
     return v ? showNumbers({v->x(), v->y()}) : std::string();
   };
-  return {std::move(name), "two numbers", std::move(meaning), read, show};
+  return {std::move(name), "two numbers" + rangeSuffix(kScalars), std::move(meaning), read, show};
 }
 
 }  // namespace
