@@ -8,7 +8,7 @@
 namespace palpate::lab {
 namespace {
 
-/// Fingers solve their contact to about 1e-4 r; this leaves them room and is still 8 um for a fingertip.
+/// Fingers solve their contact to 3e-4 r; this leaves them room and is still 8 um for a fingertip.
 constexpr double kFeasibleShare = 0.999;
 
 enum class Past { unknown, outside, entered, held, fallen };
