@@ -107,10 +107,10 @@ InterpolationResults measuredResults(const StudySettings& settings) {
   results.scatter_mm = scatter();
   results.expected_up_down_mm = expectedUpDown();
   results.measured_mm = measuredRange();
-  for (std::size_t i = 0; i < kTable51Y.size(); ++i) {
+  for (const double y : kTable51Y) {
     for (const double radius : {100.0, 200.0, 400.0}) {
-      results.furthest_from_key_mm = std::max(
-          results.furthest_from_key_mm, std::abs(exactHalfMajor({0.0, kTable51Y[i]}, radius) - kTable51HalfMajor));
+      const double off = std::abs(exactHalfMajor({0.0, y}, radius) - kTable51HalfMajor);
+      results.furthest_from_key_mm = std::max(results.furthest_from_key_mm, off);
     }
   }
   report(settings.progress, "widths of the interpolation", 0.4);
