@@ -13,7 +13,7 @@ namespace palpate::viewer {
 namespace {
 
 constexpr auto kPressBy = allWords<device::PressBy>();
-constexpr std::array<std::string_view, kFingers> kFingerNames = {"left (blue)", "right (red)"};
+constexpr std::array<std::string_view, kFingers> kFingerChoices = {"left (blue)", "right (red)"};
 
 void pressWidgets(TouchSettings& touch) {
   auto by = static_cast<std::size_t>(touch.by);
@@ -70,7 +70,7 @@ void gripWidgets(contact::FingerSettings& friction, Asks& asks) {
 
 void touchPanel(const TouchPanel& panel, Asks& asks) {
   const SceneKeys keys{panel.scene, asks};
-  choiceWidget("touch/finger", "finger", panel.active_finger, kFingerNames,
+  choiceWidget("touch/finger", "finger", panel.active_finger, kFingerChoices,
                "Which finger the mouse moves; the other stays where it is (keys 1 and 2).");
   pressWidgets(panel.touch);
   radiusWidget(panel.scene, panel.active_finger, asks);
