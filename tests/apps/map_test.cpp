@@ -11,6 +11,7 @@
 #include "palpate/maps/contour_map.h"
 #include "palpate/maps/literal_ellipse_map.h"
 #include "palpate/maps/measured_stiffness.h"
+#include "palpate/maps/stiffness_map.h"
 #include "palpate/mesh/files/load.h"
 #include "palpate/mesh/files/save.h"
 #include "support/mesh_zoo.h"

@@ -24,7 +24,7 @@ TEST(BlockBounds, SayNothingThatTheVerticesDeny) {
       for (Index block = 0; block < skin.blocks; ++block) {
         const BlocksInside inside = insideBlocks(lanes, skin.tileBounds(blockOf(block)));
         const std::uint64_t members = skin.vertex_graph.members[block];
-        const VerticesInside places = verticesInside(lanes, skin.restBlock(block));
+        const VerticesInside places = verticesInside(lanes, skin.restBlock(block), (inside.level & bitOf(block)) != 0);
         const std::uint64_t vertices = places.facing & members;
         if ((inside.whole & bitOf(block)) != 0) {
           ++whole;
