@@ -26,7 +26,7 @@ INSTANTIATE_TEST_SUITE_P(
     Words, WrongCommandLine,
     testing::Values(Wrong{"simulat", "unknown command 'simulat'; did you mean 'simulate'?"},
                     Wrong{"map elipses", "unknown command 'elipses'; did you mean 'ellipses'?"},
-                    Wrong{"map nonsense", "unknown command 'nonsense'; known: ellipses, contours, stiffness"},
+                    Wrong{"map nonsense", "unknown command 'nonsense'; known: ellipses, contours, stiffness, depth"},
                     Wrong{"study", "A subcommand is required"},
                     Wrong{"simulate --secnds 3",
                           "unknown option '--secnds' of palpate simulate; did you mean '--seconds'?"},

@@ -101,7 +101,7 @@ TEST(PartitionCommand, NamesWhatIsWrong) {
   expect_wrong("back_2962 --tree quad", "bsp|octree");
   expect_wrong("back_2962 --threshold 0", "--threshold");
   expect_wrong("back_2962 --box 1,2", "x,y,z");
-  expect_wrong("back_2962 --box 1,2,x", "x,y,z");
+  expect_wrong("back_2962 --box 1,2,x", "--box: 'x' is not a number");
   expect_wrong("back_2962 --box 1,2,3,-4", "edge");
   expect_wrong("back_2962 --traversal else-if", "--tree bsp");
   expect_wrong("back_2962 --tree bsp --octree-rule two-of-three", "octree");
