@@ -172,6 +172,7 @@ TEST_F(Simulate, DeformsInTheFormsOfTheScene) {
   const auto surface_with = [&](const std::string& lines) {
     write("s.toml", lines + "\n[body]\nkind = \"mesh\"\nfile = \"dome.obj\"\n[output]\nsurfaces_at_s = [1.0]\n" +
                         "[[finger]]\nname = \"a\"\ntrajectory = \"path.csv\"\n");
+    std::filesystem::remove_all(folder_ / "results");  // a folder that holds a run is left alone
     const CommandResult result = simulate("s.toml");
     EXPECT_EQ(result.exit_code, 0) << result.err;
     return contentOf(folder_ / "results/surface_1.000s.ply");
