@@ -1,10 +1,9 @@
 // Distances, the scene's own fingers, the speed of time, pictures without background, scenes for the clipboard.
 #include "stage.h"
 
-#include <fstream>
-
 #include "apps/viewer/editing/ruler.h"
 #include "apps/viewer/files/recorded_touch.h"
+#include "apps/viewer/home_view.h"
 #include "palpate/base/text.h"
 #include "palpate/view/cut_out.h"
 
@@ -154,7 +153,9 @@ TEST(Clipboard, GetsASceneThatReadsBackAsWhatIsSeen) {
   ASSERT_EQ(scene.fingers.size(), 1u) << clipboard;
   EXPECT_NEAR(scene.fingers[0].steps.at(0).depth_mm, stage.finger().depth_mm, 0.05);
   EXPECT_EQ(scene.view.show, std::vector{view::Overlay::wireframe});
-  EXPECT_NEAR(scene.view.distance_mm, stage.session().camera.distance_mm, 0.06);
+  const Session& session = stage.session();
+  const view::Camera said = cameraOfFreePart(session.camera, session.state.shown, session.size_points);
+  EXPECT_NEAR(scene.view.distance_mm, said.distance_mm, 0.06) << "as what the panels leave free shows it";
   EXPECT_TRUE(clipboard.starts_with("# sheet.ply\n# left: ")) << clipboard;
 }
 

@@ -10,7 +10,6 @@
 #include <map>
 
 #include "palpate/base/error.h"
-#include "palpate/scene/key_lines.h"
 #include "palpate/scene/scene_keys.h"
 #include "palpate/scene/scene_writer.h"
 

@@ -6,14 +6,22 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "palpate/scene/scene.h"
+#include "palpate/scene/scene_file.h"
 
 namespace palpate::scene {
 
 /// The text. Files that the scene names are written relative to `folder` where they lie under it, else with their full
 /// path. Comments of the file the scene came from are lost; scene_patch.h keeps them.
 std::string sceneAsToml(const Scene& scene, const std::filesystem::path& folder = {});
+
+/// The row's value as it stands in a file of this folder: names of files that lie under it are relative to it.
+std::string valueIn(const std::filesystem::path& folder, const KeyRow& row);
+/// "key = value", a line for each row that says something else than its row of `defaults`.
+std::string linesOf(const std::vector<KeyRow>& rows, const std::vector<KeyRow>& defaults,
+                    const std::filesystem::path& folder);
 
 /// Writes it, complete or not at all. Throws Error naming the file.
 void save(const Scene& scene, const std::filesystem::path& file);
