@@ -102,6 +102,19 @@ TEST(DissertationFigures, SayWhatTheyAreDrawnFrom) {
   EXPECT_NE(said().find(fmt::format("{0} figures are drawn: {0} are computed", figures.size())), std::string::npos);
 }
 
+TEST(FeltContact, IsWhatFrictionMakesOfAFinger) {
+  const mesh::TriangleMesh back = backModel(8163);
+  const auto drag_with = [&](double ratio) {
+    const FeltStroke stroke{.at = Vec2(45.0, 10.0), .stroke_mm = Vec2(0.0, 30.0), .stiffness_ratio = ratio};
+    const deform::Contact contact = feltContact(back, stroke);
+    EXPECT_NEAR(contact.depth_mm, 10.0, 2.5);  // the back is not flat
+    EXPECT_GT(contact.tangential_region.half_major.norm(), 130.0) << "the map's";
+    return contact.drag_mm.norm() / contact.depth_mm;
+  };
+  EXPECT_NEAR(drag_with(1.0), 0.44, 0.03);
+  EXPECT_NEAR(drag_with(0.23), 0.44 / 0.23, 0.1);
+}
+
 TEST(PressedSkin, FollowsTheFingerAtTheContactAndRestsFarAway) {
   const mesh::TriangleMesh back = backModel(8163);
   const Press press{.at = Vec2(40.0, 0.0), .depth_mm = 8.0};
