@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "figures/plot.h"
 #include "palpate/base/error.h"
 
@@ -42,7 +44,9 @@ SkinMap inScene(SkinMap map, const scene::World& world) {
 maps::EllipseMapSettings settingsOf(const scene::World& world) {
   constexpr double kOutOfReachMm = 1e9;
   maps::EllipseMapSettings settings = world.scene.ellipses.map;
-  settings.basic_radius_mm = world.ellipses.at(kOutOfReachMm, kOutOfReachMm).half_major_mm;
+  constexpr double kDigits = 1e9;  // it went through a logarithm: 100 mm came back as 100.00000000000004
+  settings.basic_radius_mm =
+      std::round(kDigits * world.ellipses.at(kOutOfReachMm, kOutOfReachMm).half_major_mm) / kDigits;
   return settings;
 }
 
