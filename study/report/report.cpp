@@ -42,13 +42,16 @@ ReportHead headOf(const std::vector<StudyPage>& pages, std::size_t chapters, boo
   return head;
 }
 
-/// The page of a chapter, or nothing when the end was asked for: then the study ends by what its progress throws.
-std::optional<StudyPage> pageOf(const Study& chapter, const StudySettings& settings,
-                                const std::function<bool()>& stop) {
+/// Writes the page of a chapter and returns it, or nothing when the end was asked for: then work ends by what its
+/// progress throws.
+std::optional<StudyPage> writtenPage(const Study& chapter, const StudySettings& settings,
+                                     const std::filesystem::path& folder, const std::function<bool()>& stop) {
   const auto stopped = [&] { return stop && stop(); };
   if (stopped()) return std::nullopt;
   try {
-    return runStudy(chapter, settings);
+    StudyPage page = runStudy(chapter, settings);
+    writePage(page, folder, settings.progress);
+    return page;
   } catch (...) {
     if (stopped()) return std::nullopt;
     throw;
@@ -67,10 +70,9 @@ std::vector<StudyPage> writeReport(const std::vector<Study>& chapters, const Stu
   for (std::size_t i = 0; i < chapters.size(); ++i) {
     const auto chapter_start = Clock::now();
     const Progress progress = stepProgress(settings.progress, i, chapters.size(), chapters[i].name, start);
-    auto page = pageOf(chapters[i], {.quick = settings.quick, .progress = progress}, stop);
+    auto page = writtenPage(chapters[i], {.quick = settings.quick, .progress = progress}, folder, stop);
     if (!page) break;
     pages.push_back(std::move(*page));
-    writePage(pages.back(), folder);
     if (done) done({i + 1, chapters.size(), chapters[i].name, secondsSince(chapter_start)});
   }
   writeFile(folder / "report.html",

@@ -30,12 +30,12 @@ struct WritingCommand {
 const std::vector<WritingCommand> kCommands = {
     {"render --mesh dome.ply --size 320x240 --supersampling 1 -o disk/picture.png", "picture.png"},
     {"render --mesh dome.ply --size 320x240 --supersampling 1 --at 0 --frames 2 -o disk/film.png", "film_0001.png"},
-    {"simulate --mesh dome.ply --seconds 0.2 --no-pictures --overwrite --out disk", "forces.csv"},
+    {"simulate --mesh dome.ply --trajectory path.csv --no-pictures --overwrite --out disk", "forces.csv"},
     {"simulate quiet.toml --overwrite --out disk", "surface_deepest.ply"},
-    {"map stiffness dome.ply -o disk/map.csv", "map.csv"},
-    {"map stiffness dome.ply -o disk/map.ply", "map.ply"},
-    {"map stiffness dome.ply -o disk/map.png", "map.png"},
-    {"map stiffness dome.ply -o disk/map.svg", "map.svg"},
+    {"map ellipses dome.ply -o disk/map.csv", "map.csv"},
+    {"map ellipses dome.ply -o disk/map.ply", "map.ply"},
+    {"map ellipses dome.ply -o disk/map.png", "map.png"},
+    {"map ellipses dome.ply -o disk/map.svg", "map.svg"},
     {"model back --triangles 2000 -o disk/back.ply", "back.ply"},
     {"model back --triangles 2000 -o disk/back.obj", "back.obj"},
     {"model back --triangles 2000 -o disk/back.stl", "back.stl"},
@@ -53,6 +53,7 @@ class FullDisk : public testing::TestWithParam<WritingCommand> {
     std::ofstream(folder_ / "quiet.toml") << "[body]\nkind = \"mesh\"\nfile = \"dome.ply\"\n[output]\nforces = false\n"
                                              "[[finger]]\nname = \"a\"\nat_mm = [0, 0]\n"
                                              "script = [{ do = \"press\", depth_mm = 4, seconds = 0.1 }]\n";
+    std::ofstream(folder_ / "path.csv") << "t_s,x_mm,y_mm,z_mm\n0,0,0,30\n0.3,0,0,15\n";
   }
 
   /// Runs the command with `disk` prepared by these lines of shell; its exit code, and what is on the disk afterwards.
@@ -62,7 +63,7 @@ class FullDisk : public testing::TestWithParam<WritingCommand> {
                                          << "what was there before\\n"
                                          << "' > disk/" << GetParam().file << "\n(" << limit << "exec '"
                                          << PALPATE_BINARY_DIR << "/palpate' " << GetParam().arguments
-                                         << ")\ncode=$?\ncp -r disk after\nexit $code\n";
+                                         << " > /dev/null)\ncode=$?\ncp -r disk after\nexit $code\n";
     return support::runProgram("/usr/bin/env", (prepare.empty() ? "" : "unshare -m ") + std::string("sh script.sh"),
                                folder_.path());
   }
