@@ -115,7 +115,7 @@ Eigen::SparseMatrix<double> assembled(const TissueBlock& block, const std::vecto
 }  // namespace
 
 FiniteElements::FiniteElements(const TissueBlock& block) : block_(block), unknown_of_(numberedUnknowns(block)) {
-  unknowns_ = static_cast<std::size_t>(*std::max_element(unknown_of_.begin(), unknown_of_.end()) + 1);
+  unknowns_ = 1 + static_cast<std::size_t>(*std::max_element(unknown_of_.begin(), unknown_of_.end()));
   factor_.compute(assembled(block, unknown_of_, static_cast<int>(unknowns_)));
   if (factor_.info() != Eigen::Success) throw Error("study rivals: the elements' matrix cannot be factorised");
 }

@@ -24,7 +24,9 @@ FreeForm::FreeForm(const TissueBlock& block, double lattice_mm) : lattice_mm_(la
     origin_[axis] = -lattice_mm * below;
     points_[static_cast<std::size_t>(axis)] = below + 3 + (axis == 2 ? 0 : below - 2);
   }
-  moves_.resize(static_cast<std::size_t>(points_[0] * points_[1] * points_[2]));
+  std::size_t points = 1;
+  for (const int along : points_) points *= static_cast<std::size_t>(along);
+  moves_.resize(points);
   for (std::size_t n = block.firstOfTop(); n < block.nodes(); ++n) vertices_.push_back(vertexAt(block.place(n)));
   middle_ = vertexAt(Vec3::Zero());
 }

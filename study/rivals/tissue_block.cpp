@@ -26,8 +26,9 @@ Vec3 TissueBlock::place(std::size_t node) const {
   const std::size_t level = node / nodesOfALevel();
   const auto in_level = static_cast<int>(node % nodesOfALevel());
   const double half = 0.5 * spacing_mm_ * cells_;
-  return {spacing_mm_ * (in_level % (cells_ + 1)) - half, spacing_mm_ * (in_level / (cells_ + 1)) - half,
-          heights_[level]};
+  const int column = in_level % (cells_ + 1);
+  const int line = in_level / (cells_ + 1);
+  return {spacing_mm_ * column - half, spacing_mm_ * line - half, heights_[level]};
 }
 
 bool TissueBlock::isFixed(std::size_t node, int axis) const {

@@ -23,10 +23,11 @@ class TissueBlock {
   double rowModulus(int row) const { return row_modulus_[row]; }  ///< N/mm^2
 
   std::size_t nodes() const { return heights_.size() * nodesOfALevel(); }
-  std::size_t nodesOfALevel() const { return static_cast<std::size_t>((cells_ + 1) * (cells_ + 1)); }
+  std::size_t nodesOfALevel() const { return static_cast<std::size_t>(cells_ + 1) * static_cast<std::size_t>(cells_ + 1); }
   /// Column, line and level of the grid.
   std::size_t node(int i, int j, int k) const {
-    return static_cast<std::size_t>((k * (cells_ + 1) + j) * (cells_ + 1) + i);
+    const auto line = static_cast<std::size_t>(cells_ + 1);
+    return (static_cast<std::size_t>(k) * line + static_cast<std::size_t>(j)) * line + static_cast<std::size_t>(i);
   }
   Vec3 place(std::size_t node) const;
   /// True if the node does not move along that axis.
