@@ -23,7 +23,9 @@ class TissueBlock {
   double rowModulus(int row) const { return row_modulus_[row]; }  ///< N/mm^2
 
   std::size_t nodes() const { return heights_.size() * nodesOfALevel(); }
-  std::size_t nodesOfALevel() const { return static_cast<std::size_t>(cells_ + 1) * static_cast<std::size_t>(cells_ + 1); }
+  std::size_t nodesOfALevel() const {
+    return static_cast<std::size_t>(cells_ + 1) * static_cast<std::size_t>(cells_ + 1);
+  }
   /// Column, line and level of the grid.
   std::size_t node(int i, int j, int k) const {
     const auto line = static_cast<std::size_t>(cells_ + 1);
