@@ -62,8 +62,8 @@ std::string unknownOption(const CLI::App& command, const std::string& word) {
 /// Of a word that is neither command nor option CLI11 says at most that something is missing.
 std::string reasonOf(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<std::string> unknown = app.remaining(true);
-  const bool about_words = error.get_name() == "RequiredError" ||
-                           error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
+  const bool about_words =
+      error.get_name() == "RequiredError" || error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
   if (!about_words || unknown.empty()) return error.what();
   const std::string& word = unknown.front();
   const CLI::App& command = chosenCommand(app);

@@ -22,7 +22,7 @@ struct SimulateOptions {
   std::vector<std::string> trajectories;
   double radius_mm = 0.0;
   bool radius_given = false;
-  double seconds = 0.0;  ///< 0: until the last finger has finished
+  double seconds = 0.0;            ///< 0: until the last finger has finished
   std::optional<std::string> out;  ///< empty: results_folder.h finds a fresh name
   bool overwrite = false;
   bool realtime = false;
