@@ -146,16 +146,16 @@ void ShearLimit::measureAlongSurface(const Pull& pull) noexcept {
 /// moves, or of the walls.
 double ShearLimit::seedAtEdges(const Pull& pull, double slope, const DeformedBlock& surface) noexcept {
   double farthest2 = 0.0;
-  const auto lengthSquared = [&](Index v) { return displacementOf(surface, v).squaredNorm(); };
+  const auto squared_length = [&](Index v) { return displacementOf(surface, v).squaredNorm(); };
   for (const BlockPart& part : pull.edges) {
     const Index first = part.block * kBlockVertices;
     forEachBit(part.vertices & regions_[part.block],
-               [&](Index bit) { farthest2 = std::max(farthest2, lengthSquared(first + bit)); });
+               [&](Index bit) { farthest2 = std::max(farthest2, squared_length(first + bit)); });
     forEachBit(part.vertices & ~regions_[part.block], [&](Index bit) {
       const Index stays = first + bit;
       double beside2 = 0.0;
       for (const Index v : skin_.neighbours[stays]) {
-        if (moves(v)) beside2 = std::max(beside2, lengthSquared(v));
+        if (moves(v)) beside2 = std::max(beside2, squared_length(v));
       }
       farthest2 = std::max(farthest2, beside2);
       const double room = skin_.room_beside_staying[stays];

@@ -95,9 +95,7 @@ std::vector<int> partners(const std::vector<Rows>& was, const std::vector<Rows>&
   std::size_t i = 0;
   std::size_t j = 0;
   while (i < n && j < m) {
-    if (before[i] == now[j]) {
-      partner[j++] = static_cast<int>(i++);
-    } else if (common[i + 1][j + 1] == common[i][j]) {
+    if (before[i] == now[j] || common[i + 1][j + 1] == common[i][j]) {
       partner[j++] = static_cast<int>(i++);
     } else {
       common[i + 1][j] >= common[i][j + 1] ? ++i : ++j;

@@ -248,7 +248,7 @@ void addChannels(const std::vector<double>& row, const ChannelColumns& columns, 
   std::array<std::uint8_t, 3> colour{};
   for (std::size_t c = 0; c < 3; ++c) {
     const double light = row[columns.colour->columns[c]] / columns.colour->full;
-    colour[c] = light > 0.0 ? static_cast<std::uint8_t>(std::min(light, 1.0) * 255.0 + 0.5) : std::uint8_t{0};
+    colour[c] = light > 0.0 ? static_cast<std::uint8_t>(std::lround(std::min(light, 1.0) * 255.0)) : std::uint8_t{0};
   }
   channels.colours.push_back(colour);
 }
