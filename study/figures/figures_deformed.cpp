@@ -120,10 +120,10 @@ void paintGrid(MeshView& view, const mesh::TriangleMesh& back) {
   constexpr double kLines = 20.0;  // mm apart
   constexpr double kWidth = 3.0;
   constexpr figures::Colour kLine{0.62, 0.40, 0.33};
-  const auto isLine = [](double at) { return std::abs(at - kLines * std::round(at / kLines)) < 0.5 * kWidth; };
+  const auto is_line = [](double at) { return std::abs(at - kLines * std::round(at / kLines)) < 0.5 * kWidth; };
   for (const Triangle& triangle : view.triangles) {
     const Vec3 middle = centreOf(back, triangle);
-    view.colours.push_back(isLine(middle.x()) || isLine(middle.y()) ? kLine : figures::kSkin);
+    view.colours.push_back(is_line(middle.x()) || is_line(middle.y()) ? kLine : figures::kSkin);
   }
 }
 

@@ -91,7 +91,9 @@ Figure figure312() {
     figures::Segments boxes{.segments = {}, .colour = figures::kBlue};
     const Vec3 size = bounds.sizes() / parts;
     for (int i = 0; i < parts * parts * parts; ++i) {
-      const Vec3 low = bounds.min() + size.cwiseProduct(Vec3(i % parts, i / parts % parts, i / parts / parts));
+      const int line = i / parts;
+      const int layer = line / parts;
+      const Vec3 low = bounds.min() + size.cwiseProduct(Vec3(i % parts, line % parts, layer));
       const auto edges = figures::boxEdges({low, low + size});
       boxes.segments.insert(boxes.segments.end(), edges.begin(), edges.end());
     }
