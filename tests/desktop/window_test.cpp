@@ -215,9 +215,9 @@ TEST_F(Window, ClosedWhileRecordingItLeavesACompleteTable) {
 TEST_F(Window, ItsButtonAsksWhileThereIsSomethingToSave) {
   const auto program = play("0.1, key, W\n0.4, close\n1.2, key, Esc\n1.8, close\n2.6, key, Enter\n60, close\n");
   const auto asks = [](const Values& v) { return v.at("question") == "1"; };
-  const auto goesOn = [](const Values& v) { return v.at("question") == "0" && v.at("changed") == "1"; };
+  const auto goes_on = [](const Values& v) { return v.at("question") == "0" && v.at("changed") == "1"; };
   EXPECT_TRUE(program->until(asks));
-  EXPECT_TRUE(program->until(goesOn)) << "Esc stays";
+  EXPECT_TRUE(program->until(goes_on)) << "Esc stays";
   EXPECT_TRUE(program->until(asks));
   program->rest();  // Enter saves, and then the window closes
   EXPECT_EQ(program->exitCode(), 0) << program->errors();
