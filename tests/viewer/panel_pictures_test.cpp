@@ -176,7 +176,7 @@ TEST_F(PanelPictures, OfTheProfileEditor) {
 TEST_F(PanelPictures, OfDysfunctions) {
   std::vector<maps::Dysfunction> items = someDysfunctions();
   Editor editor{.active = true, .selected = 1};
-  expectPanel("dysfunctions", 235, [&] { dysfunctionPanel({items, editor, asks}); });
+  expectPanel("dysfunctions", 235, [&] { dysfunctionPanel({.edit = {items, editor, asks}}); });
 }
 
 TEST_F(PanelPictures, OfTheModel) {
