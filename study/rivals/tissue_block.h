@@ -24,11 +24,11 @@ class TissueBlock {
 
   std::size_t nodes() const { return heights_.size() * nodesOfALevel(); }
   std::size_t nodesOfALevel() const {
-    return static_cast<std::size_t>(cells_ + 1) * static_cast<std::size_t>(cells_ + 1);
+    return (static_cast<std::size_t>(cells_) + 1) * (static_cast<std::size_t>(cells_) + 1);
   }
   /// Column, line and level of the grid.
   std::size_t node(int i, int j, int k) const {
-    const auto line = static_cast<std::size_t>(cells_ + 1);
+    const std::size_t line = static_cast<std::size_t>(cells_) + 1;
     return (static_cast<std::size_t>(k) * line + static_cast<std::size_t>(j)) * line + static_cast<std::size_t>(i);
   }
   Vec3 place(std::size_t node) const;
