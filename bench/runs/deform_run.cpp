@@ -7,6 +7,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <vector>
@@ -19,6 +20,7 @@
 #include "palpate/deform/deformer.h"
 #include "palpate/deform/fast_displacement.h"
 #include "palpate/mesh/reorder.h"
+#include "palpate/tree/triangle_tree.h"
 
 namespace palpate::bench {
 
@@ -46,8 +48,34 @@ Index triangleAt(const mesh::TriangleMesh& mesh, const Vec2& place) {
 
 using Contacts = std::vector<deform::Contact>;
 
+Vec3 highestPlace(const mesh::TriangleMesh& mesh) {
+  return *std::max_element(mesh.positions.begin(), mesh.positions.end(),
+                           [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); });
+}
+
+/// The same on any body: each place is the nearest of the skin to one of the plane x, y through `at`.
+std::vector<Contacts> contactsOnBody(const mesh::TriangleMesh& mesh, const DeformRun& run) {
+  const tree::TriangleTree tree = tree::buildTriangleTree(mesh);
+  const Vec3 at = run.at.value_or(highestPlace(mesh));
+  std::vector<Contacts> places;
+  for (const Vec2& place : placesAround(at.head<2>())) {
+    Contacts& contacts = places.emplace_back();
+    for (int finger = 0; finger < run.fingers; ++finger) {
+      const double beside = kFingersApartMm * (finger - 0.5 * (run.fingers - 1));
+      const auto nearest = tree::nearestPoint(tree, Vec3(place.x() + beside, place.y(), at.z()),
+                                              std::numeric_limits<double>::infinity());
+      deform::Contact contact = contactAt(mesh, tree.source_triangle[nearest.triangle], nearest.closest.point, run);
+      const Vec3 along = Vec3::UnitX() - contact.normal.x() * contact.normal;
+      contact.drag_mm = run.drag_mm * along.normalized();
+      contacts.push_back(contact);
+    }
+  }
+  return places;
+}
+
 /// For each place of a round its fingers.
 std::vector<Contacts> wanderingContacts(const mesh::TriangleMesh& mesh, const DeformRun& run) {
+  if (run.body) return contactsOnBody(mesh, run);
   std::vector<Contacts> places;
   for (const Vec2& place : placesAround({0.5 * lab::kBackWidthMm, 0.5 * lab::kBackLengthMm})) {
     Contacts& contacts = places.emplace_back();
@@ -181,7 +209,7 @@ double searchNs(const deform::Skin& skin, const std::vector<Contacts>& places, c
 
 /// On the mesh as it was made: linked lists gain nothing from the order that the engine sorts it into.
 ApplyFigures timeLiteral(const DeformRun& run) {
-  const mesh::TriangleMesh mesh = lab::backMesh(run.triangles);
+  const mesh::TriangleMesh mesh = run.body ? *run.body : lab::backMesh(run.triangles);
   const auto places = wanderingContacts(mesh, run);
   literal::Deformation deformation(mesh);
   std::vector<std::vector<literal::Touch>> touches;
@@ -227,7 +255,7 @@ std::array<Vec2, kPlaces> placesAround(const Vec2& middle) {
 }
 
 DeformFigures measureDeform(const DeformRun& run) {
-  mesh::TriangleMesh mesh = lab::backMesh(run.triangles);
+  mesh::TriangleMesh mesh = run.body ? *run.body : lab::backMesh(run.triangles);
   mesh::reorderSpatially(mesh);
   const auto places = wanderingContacts(mesh, run);
   const deform::Skin skin = deform::buildSkin(mesh);

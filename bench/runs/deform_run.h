@@ -16,12 +16,14 @@
 namespace palpate::bench {
 
 struct DeformRun {
-  std::size_t triangles = 1000000;  ///< of the back
-  int fingers = 1;                  ///< side by side, 40 mm apart
-  double half_major_mm = 60.0;      ///< of the normal and the tangential region
-  double aspect = 0.8;              ///< minor/major
+  std::size_t triangles = 1000000;              ///< of the back
+  std::optional<mesh::TriangleMesh> body = {};  ///< in its place, mm; the fingers wander around `at` on it
+  std::optional<Vec3> at = {};                  ///< left out: the highest place (z)
+  int fingers = 1;                              ///< side by side, 40 mm apart
+  double half_major_mm = 60.0;                  ///< of the normal and the tangential region
+  double aspect = 0.8;                          ///< minor/major
   double depth_mm = 8.0;
-  double drag_mm = 0.0;      ///< along x; 0 presses only
+  double drag_mm = 0.0;      ///< along x, on a body along the skin that way; 0 presses only
   bool recompute = false;    ///< recomputed instead of analytic normals
   bool incremental = false;  ///< incremental normals (displaced the general way)
   bool strain = false;

@@ -1,8 +1,12 @@
 // The built-in back without relief and asymmetry, and the built-in hand, at the printed numbers of triangles. Own.
 #include "study/measured/model_meshes.h"
 
+#include <algorithm>
+#include <set>
+
 #include "palpate/body/back.h"
 #include "palpate/body/hand.h"
+#include "palpate/mesh/topology.h"
 
 namespace palpate::study {
 
@@ -18,6 +22,33 @@ body::Skin backSkin(std::size_t triangles) {
 mesh::TriangleMesh backModel(std::size_t triangles) { return backSkin(triangles).mesh; }
 
 mesh::TriangleMesh handModel() { return body::makeHand({.triangles = kHandTriangles}); }
+
+mesh::TriangleMesh openHandModel(std::size_t triangles) {
+  // A hole of n edges without a vertex inside is n - 2 triangles wide.
+  const std::size_t hole = triangles == kNamelessTriangles ? 12 : 14;
+  mesh::TriangleMesh hand = body::makeHand({.triangles = triangles + hole});
+  const auto neighbours = mesh::neighboursOfTriangles(hand);
+  const auto is_nearer_wrist = [&](const Triangle& a, const Triangle& b) {
+    return centreOf(hand, a).y() < centreOf(hand, b).y();
+  };
+  const auto first = static_cast<Index>(std::min_element(hand.triangles.begin(), hand.triangles.end(), is_nearer_wrist) -
+                                        hand.triangles.begin());
+  std::vector<Index> cut{first};
+  std::set<Index> seen(hand.triangles[first].begin(), hand.triangles[first].end());
+  // Each triangle that is joined on brings a vertex of its own, so that none comes to lie inside.
+  for (std::size_t i = 0; i < cut.size() && cut.size() < hole; ++i) {
+    for (const Index next : neighbours[cut[i]]) {
+      std::size_t known = 0;
+      for (const Index corner : hand.triangles[next]) known += seen.count(corner);
+      if (known != 2 || cut.size() == hole) continue;
+      cut.push_back(next);
+      seen.insert(hand.triangles[next].begin(), hand.triangles[next].end());
+    }
+  }
+  std::sort(cut.rbegin(), cut.rend());
+  for (const Index t : cut) hand.triangles.erase(hand.triangles.begin() + t);
+  return hand;
+}
 
 std::vector<Vec2> backOutline() {
   const body::Skin skin = backSkin(kBackTriangles);

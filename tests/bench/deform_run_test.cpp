@@ -22,7 +22,7 @@ TEST(DeformRun, MeasuresWhatItSays) {
 }
 
 TEST(DeformRun, TimesTheLiteralDeformationInTheSameRun) {
-  const DeformRun run{.triangles = 8163, .fingers = 2, .seconds = 0.02};
+  const DeformRun run{.triangles = 8163, .fingers = 2, .seconds = 0.1};
   const DeformFigures figures = measureDeform(run);
   ASSERT_TRUE(figures.literal);
   // Its regions are pedal curves, a little wider, without a test of facing.

@@ -164,7 +164,7 @@ TEST(FoldBounds, BesideSkinThatIsNotStrainedNothingHasToBeHeld) {
         const std::uint64_t bits = strainedVertices(movers, stage.skin.edgeBlock(blockOf(v)), bitOf(v), most);
         (bits != 0 ? strained : unstrained) += 1;
         if (bits != 0) continue;
-        EXPECT_LE(farthest, std::min<double>(most, stage.skin.room_beside_staying[v]) + 1e-5);
+        EXPECT_LE(farthest, std::min<double>(most, stage.skin.room_beside_staying[v]) + 2e-4);
         for (const Index t : stage.skin.triangles_of_vertex[v]) EXPECT_GT(areaLeft(stage, t), 0.03);
       }
     }

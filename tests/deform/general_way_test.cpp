@@ -290,6 +290,43 @@ TEST(GeneralWay, AnalyticNormalsAreThoseOfTheSurface) {
   }
 }
 
+// ---- the octree as a search -------------------------------------------------------------------------------------
+
+TEST(OctreeSearch, OnOpenSkinDisplacesAsNeighboursDo) {
+  const auto mesh = lab::backMesh(8163);
+  FormSettings octree = test::formulaeAlone();
+  octree.search = Search::octree;
+  FormStage found(mesh, octree);
+  FormStage expected(mesh, test::formulaeAlone());
+  Random random(5);
+  for (int i = 0; i < 20; ++i) {
+    const Contact contact = anyFormedContact(mesh, random);
+    const Report report = found.apply({contact});
+    EXPECT_EQ(report.moved_vertices, expected.apply({contact}).moved_vertices);
+    EXPECT_EQ(bits(found.surface), bits(expected.surface));
+    EXPECT_LT(report.visited_vertices, found.skin.vertices) << "not all are asked";
+  }
+}
+
+// It knows places and not who hangs together (E23): why the engine's own search goes along the skin.
+TEST(OctreeSearch, TakesTheOtherFingerToo) {
+  const Contact contact = [] {
+    const auto mesh = test::twoFingers();
+    return press(mesh, triangleNear(mesh, {-9.5, 60, 8}), 10.0);
+  }();
+  for (const Search search : {Search::neighbours, Search::octree}) {
+    FormSettings forms;
+    forms.search = search;
+    FormStage stage(test::twoFingers(), forms);
+    stage.apply({contact});
+    double other = 0.0;
+    for (Index v = 0; v < stage.skin.vertices; ++v) {
+      if (stage.mesh.positions[v].x() > 0.0) other = std::max(other, stage.moved(v).norm());
+    }
+    EXPECT_EQ(other > 1.0, search == Search::octree) << other;
+  }
+}
+
 // ---- the choice -------------------------------------------------------------------------------------------------
 
 TEST(ChosenWay, IsTheFastOneUnlessAFormNeedsTheGeneralOne) {

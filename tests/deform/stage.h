@@ -47,7 +47,7 @@ inline Contact anyFormedContact(const mesh::TriangleMesh& mesh, Random& random) 
 
 /// Every form differs from the default in something.
 inline std::vector<FormSettings> manyForms() {
-  std::vector<FormSettings> all(12);
+  std::vector<FormSettings> all(13);
   all[1].normal_profile.kind = tissue::ProfileKind::sharp;
   all[1].tangential_profile.kind = tissue::ProfileKind::power;
   all[2].normal_profile.kind = tissue::ProfileKind::two_gaussians;
@@ -62,6 +62,7 @@ inline std::vector<FormSettings> manyForms() {
   all[9].common.normals = Normals::recomputed;
   all[10].common.normals = Normals::incremental;
   all[11].strain_kind = StrainKind::principal;
+  all[12].search = Search::octree;
   for (std::size_t i = 6; i < all.size(); ++i) all[i].common.strain = true;
   return all;
 }

@@ -19,6 +19,7 @@ profile_wide_weight = -0.1
 tangential_profile = "power"
 tangential_profile_tail_exponent = 0.7
 shape = "circle"
+search = "octree"
 region = "shared"
 boundary = "two_mm"
 together = "summed"
@@ -34,6 +35,7 @@ kind = "principal"
   EXPECT_EQ(forms.tangential_profile.kind, tissue::ProfileKind::power);
   EXPECT_EQ(forms.tangential_profile.power.exponent, 0.7);
   EXPECT_EQ(forms.shape, deform::Shape::circle);
+  EXPECT_EQ(forms.search, deform::Search::octree);
   EXPECT_EQ(forms.region, deform::NormalRegion::shared);
   EXPECT_EQ(forms.boundary, deform::Boundary::two_mm);
   EXPECT_EQ(forms.together, deform::Together::summed);

@@ -7,6 +7,7 @@
 #include "apps/palpate/bench/bench_report.h"
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/json.h"
+#include "apps/palpate/common/named_mesh.h"
 #include "apps/palpate/common/number_option.h"
 #include "bench/runs/deform_run.h"
 
@@ -74,6 +75,7 @@ void addNumbers(CLI::App& command, bench::DeformRun& run) {
 void addBenchDeformCommand(CLI::App& parent) {
   struct Arguments {
     bench::DeformRun run;
+    std::string mesh;
     bool peers = false;
     bool skip_literal = false;
     bool json = false;
@@ -82,6 +84,10 @@ void addBenchDeformCommand(CLI::App& parent) {
   bench::DeformRun& run = arguments->run;
   CLI::App& command = *parent.add_subcommand("deform", "Time the deformation of the benchmark's back under fingers");
   addNumbers(command, run);
+  command.add_option("--mesh", arguments->mesh, std::string("In place of the back: ") + kMeshNamesHelp)
+      ->excludes("--triangles");
+  addPlace(command, "--at", run.at, "With --mesh: where the fingers wander, mm; left out: around the highest place")
+      ->needs("--mesh");
   command.add_flag("--recompute-normals", run.recompute, "Recomputed instead of analytic normals");
   command.add_flag("--incremental-normals", run.incremental, "Normals from the list of changed triangles");
   command.add_flag("--strain", run.strain, "Also write the strain");
@@ -93,6 +99,7 @@ void addBenchDeformCommand(CLI::App& parent) {
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.callback([arguments] {
     arguments->run.literal = !arguments->skip_literal;
+    if (!arguments->mesh.empty()) arguments->run.body = meshFrom(arguments->mesh);
     const auto figures = bench::measureDeform(arguments->run);
     printReport(jsonOf(figures, arguments->run, arguments->peers), textOf(figures, arguments->run, arguments->peers),
                 arguments->json);

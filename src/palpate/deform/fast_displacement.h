@@ -39,10 +39,13 @@ class FastDisplacement {
   static double pressShare(const Frame& from, const Vec3& offset) noexcept { return shareOf(from.press, offset); }
   static double dragShare(const Frame& from, const Vec3& offset) noexcept { return shareOf(from.drag, offset); }
 
-  // What shear_limit.h has to know: the shares that the skin has from q on, the slope of a drag along itself, what the
-  // contacts may shear at most, half axes of a region, what the centre moves by.
+  // What shear_limit.h has to know: the shares that the skin has from q on, what a place moves by at most, the slope of
+  // a drag along itself, what the contacts may shear at most, half axes of a region, what the centre moves by.
   static double pressRoom(double q) noexcept;
   static double dragRoom(double q) noexcept { return pressRoom(q); }
+  static double mostAt(const Frame& frame, double press_mm, double drag_mm, const Vec3& offset) noexcept {
+    return press_mm * shareOf(frame.press, offset) + drag_mm * shareOf(frame.drag, offset);
+  }
   static double dragSlope(const Frame& frame, const Vec3& shift_mm) noexcept;
   static void addShear(const Frame& frame, const Mover& mover, ShearBound& shear) noexcept;
   static double halfMajor(const FlatEllipse& ellipse) noexcept { return ellipse.halfMajor(); }

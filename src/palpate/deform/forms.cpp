@@ -30,13 +30,16 @@ void scale(maps::SurfaceContour& contour, double factor) noexcept {
 
 }  // namespace
 
-bool limitsShear(const FormSettings& forms) { return forms.common.limit_shear && !isAsPrinted(forms); }
+bool limitsShear(const FormSettings& forms) {
+  return forms.common.limit_shear && !isAsPrinted(forms) && forms.search == Search::neighbours;
+}
 
 bool needsForms(const FormSettings& forms) {
   const bool profiles = !isDefault(forms.normal_profile) || !isDefault(forms.tangential_profile);
   const bool principal = forms.common.strain && forms.strain_kind == StrainKind::principal;
   return isAsPrinted(forms) || profiles || principal || forms.radial.share != 0.0 || forms.shape != Shape::ellipse ||
-         forms.together != Together::solved || forms.common.normals == Normals::incremental;
+         forms.search != Search::neighbours || forms.together != Together::solved ||
+         forms.common.normals == Normals::incremental;
 }
 
 Contact formedRegions(Contact contact, const FormSettings& forms) noexcept {

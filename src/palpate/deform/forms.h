@@ -34,6 +34,12 @@ enum class Shape : std::uint8_t {
   contour,  ///< Contact::tangential_contour; where that is empty, the ellipse
 };
 
+/// How the vertices of a region are found.
+enum class Search : std::uint8_t {
+  neighbours,  ///< along the skin, from the anchor on
+  octree,      ///< all in the region's box: other fingers and facing folds too (hdb/vertex_search.h)
+};
+
 /// Where the skin follows a press (E21).
 enum class NormalRegion : std::uint8_t {
   linear,    ///< a circle that grows with the depth, R0 + c depth
@@ -67,6 +73,7 @@ struct FormSettings {
   tissue::ProfileSettings normal_profile;
   tissue::ProfileSettings tangential_profile;
   tissue::RadialTerm radial;
+  Search search = Search::neighbours;
   Shape shape = Shape::ellipse;
   NormalRegion region = NormalRegion::linear;  ///< acts when a contact is made: see formedRegions
   Boundary boundary = Boundary::zero;          ///< likewise
@@ -80,7 +87,8 @@ inline bool sharesRegion(const FormSettings& forms) {
   return forms.region == NormalRegion::shared || forms.fidelity.literal(Erratum::E21_press_region);
 }
 
-/// True if skin is held back where it would tear or fold: not by choice, and not where the displacement is as printed.
+/// True if skin is held back where it would tear or fold: not by choice, not where the displacement is as printed, and
+/// not where the region does not hang together.
 bool limitsShear(const FormSettings& forms);
 
 /// True if the fast displacement cannot do it. Forms of regions alone (constant, shared, scaled, two_mm) do not count:

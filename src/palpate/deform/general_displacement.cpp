@@ -64,6 +64,23 @@ void addRadialPull(const RegionFrame& region, const tissue::RadialTerm& term, do
                                      pull.value / distance * turning * turning.transpose());
 }
 
+mesh::TriangleMesh meshOf(const Skin& skin) {
+  mesh::TriangleMesh mesh;
+  for (Index v = 0; v < skin.vertices; ++v) mesh.positions.push_back(skin.restPosition(v).cast<double>());
+  mesh.triangles = skin.triangles;
+  return mesh;
+}
+
+/// A cube that holds both regions: each as far as its longest radius, and by its rise to twice its level.
+Box3 boxAround(const FormedContact& frame) noexcept {
+  double reach_mm = 0.0;
+  for (const RegionFrame* region : {&frame.press, &frame.drag}) {
+    if (!region->acts()) continue;
+    reach_mm = std::max(reach_mm, std::hypot(longestRadius(*region), 2.0 * region->rise.level_mm));
+  }
+  return {frame.anchor - Vec3::Constant(reach_mm), frame.anchor + Vec3::Constant(reach_mm)};
+}
+
 /// The largest slope of a curve: as far as it is not a corner, which the default has none of.
 double steepestSlope(const tissue::ProfileCurve& curve) noexcept {
   constexpr int kSamples = 512;
@@ -133,7 +150,9 @@ Vec3 turnedNormal(const Mat3& gradient, const Vec3& rest_normal) noexcept {
 }
 
 GeneralDisplacement::GeneralDisplacement(const Skin& skin, const FormSettings& forms)
-    : skin_(skin), forms_(forms), curves_(forms), drag_slope_(steepestSlope(curves_.drag)), search_(skin) {}
+    : skin_(skin), forms_(forms), curves_(forms), drag_slope_(steepestSlope(curves_.drag)), search_(skin) {
+  if (forms.search == Search::octree) octree_.emplace(meshOf(skin));
+}
 
 std::span<const BlockPart> GeneralDisplacement::findRegion(const Frame& frame) noexcept {
   const bool as_printed = forms_.fidelity.literal(Erratum::E23_region_search);
@@ -143,6 +162,7 @@ std::span<const BlockPart> GeneralDisplacement::findRegion(const Frame& frame) n
     if (as_printed || facing > kSteepFacing) return Place::inside;
     return facing > 0.0 ? Place::steep : Place::staying;
   };
+  if (octree_) return search_.findAmong(octree_->find(boxAround(frame)), place_of);
   const RingRule rule = as_printed ? RingRule::printed : RingRule::connected;
   return search_.find(skin_, skin_.triangles[frame.anchor_triangle], rule, place_of);
 }
@@ -164,6 +184,12 @@ double GeneralDisplacement::pressRoom(double q) const noexcept {
 
 double GeneralDisplacement::dragRoom(double q) const noexcept {
   return mostFrom(q, [&](double at) { return curves_.drag.at(at).value; });
+}
+
+double GeneralDisplacement::mostAt(const Frame& frame, double press_mm, double drag_mm,
+                                   const Vec3& offset) const noexcept {
+  return press_mm * pressRoom(locateInSpace(frame.press, offset).q) +
+         drag_mm * dragRoom(locateInSpace(frame.drag, offset).q);
 }
 
 double GeneralDisplacement::dragSlope(const Frame& frame, const Vec3& shift_mm) const noexcept {

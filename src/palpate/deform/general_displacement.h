@@ -8,12 +8,14 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 
 #include "palpate/deform/forms.h"
 #include "palpate/deform/frame.h"
 #include "palpate/deform/kernels.h"
 #include "palpate/deform/region_by_rings.h"
 #include "palpate/deform/region_frame.h"
+#include "palpate/hdb/vertex_search.h"
 #include "palpate/tissue/profile_curve.h"
 
 namespace palpate::deform {
@@ -57,7 +59,7 @@ class GeneralDisplacement {
     Vec3 shift_mm;
   };
 
-  /// Throws Error for a profile that is none.
+  /// Throws Error for a profile that is none, and as hdb::VertexSearch does.
   GeneralDisplacement(const Skin& skin, const FormSettings& forms);
 
   Frame frame(const Contact& contact) const noexcept { return formedContact(contact, forms_); }
@@ -70,10 +72,11 @@ class GeneralDisplacement {
   double pressShare(const Frame& from, const Vec3& offset) const noexcept;
   double dragShare(const Frame& from, const Vec3& offset) const noexcept;
 
-  // What shear_limit.h has to know: the shares that the skin has from q on, the slope of a drag along itself, what the
-  // contacts may shear at most (any form may shear without bound), half axes of a region.
+  // What shear_limit.h has to know: the shares that the skin has from q on, what a place moves by at most, the slope of
+  // a drag along itself, what the contacts may shear at most (any form may shear without bound), half axes of a region.
   double pressRoom(double q) const noexcept;
   double dragRoom(double q) const noexcept;
+  double mostAt(const Frame& frame, double press_mm, double drag_mm, const Vec3& offset) const noexcept;
   double dragSlope(const Frame& frame, const Vec3& shift_mm) const noexcept;
   static void addShear(const Frame&, const Mover&, ShearBound& shear) noexcept {
     shear.press = std::numeric_limits<double>::infinity();
@@ -105,6 +108,7 @@ class GeneralDisplacement {
   FormCurves curves_;
   double drag_slope_ = 0.0;  // the largest of its curve
   RegionByRings search_;
+  std::optional<hdb::VertexSearch> octree_;  // Search::octree
 };
 
 }  // namespace palpate::deform

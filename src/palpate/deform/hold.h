@@ -26,6 +26,21 @@ class Hold {
   void setNormals(const DeformedBlock& surface) const noexcept;
 
  private:
+  /// What ShearLimit::taper asks of the displacement.
+  struct Curves {
+    const Skin& skin;
+    const Displacement& displacement;
+    const ThePlan& plan;
+
+    double press(double q) const noexcept { return displacement.pressRoom(q); }
+    double drag(double q) const noexcept { return displacement.dragRoom(q); }
+    double moved(const Pull& pull, Index vertex) const noexcept {
+      const auto& frame = plan.frames[pull.contact];
+      const Vec3 offset = skin.restPosition(vertex).template cast<double>() - pull.anchor;
+      return displacement.mostAt(frame, pull.press_mm, pull.drag_mm, offset);
+    }
+  };
+
   void boundShear(const Displacement& displacement, ThePlan& plan) noexcept;
   bool findDoubtful(ThePlan& plan) const noexcept;
   void dropFaintEdges(const Displacement& displacement, ThePlan& plan) const noexcept;
@@ -48,11 +63,7 @@ Index Hold<Displacement>::apply(const Displacement& displacement, ThePlan& plan,
   if (!may_fold && !may_tear) return 0;
   listPulls(plan);
   shear_.setPulls(plan.pulls);
-  if (may_tear) {
-    shear_.taper(
-        surface, bound_.press + bound_.drag, [&](double q) { return displacement.pressRoom(q); },
-        [&](double q) { return displacement.dragRoom(q); });
-  }
+  if (may_tear) shear_.taper(surface, bound_.press + bound_.drag, Curves{skin_, displacement, plan});
   shear_.unfold(surface, plan.doubtful);
   return static_cast<Index>(shear_.held().size());
 }
@@ -115,6 +126,7 @@ void Hold<Displacement>::listPulls(ThePlan& plan) const noexcept {
     Pull pull;
     pull.anchor = frame.anchor;
     pull.anchor_triangle = frame.anchor_triangle;
+    pull.contact = i;
     pull.region = parts.subspan(plan.first_part[i], plan.first_part[i + 1] - plan.first_part[i]);
     pull.edges = edges.subspan(plan.first_edge[i], plan.first_edge[i + 1] - plan.first_edge[i]);
     if (frame.press.acts()) {

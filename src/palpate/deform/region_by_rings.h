@@ -53,9 +53,16 @@ class RegionByRings {
       }
       first = end;
     }
-    for (BlockPart& part : found_) part.vertices = inside_[part.block];
-    for (BlockPart& part : edges_) part.vertices = at_edge_[part.block];
-    return found_;
+    return finished();
+  }
+
+  /// The same among vertices that another search has listed, each once: whoever they hang together with.
+  template <class PlaceOf>
+  std::span<const BlockPart> findAmong(std::span<const Index> vertices, const PlaceOf& place_of) noexcept {
+    forget();
+    for (const Index v : vertices) see(v);
+    judge(0, order_.size(), place_of);
+    return finished();
   }
 
   /// Vertices beside the region that lie in an ellipse and stay, and those in it that are steep. Valid until the next
@@ -91,6 +98,12 @@ class RegionByRings {
       any = true;
     }
     return any;
+  }
+
+  std::span<const BlockPart> finished() noexcept {
+    for (BlockPart& part : found_) part.vertices = inside_[part.block];
+    for (BlockPart& part : edges_) part.vertices = at_edge_[part.block];
+    return found_;
   }
 
   static void note(Index vertex, std::vector<std::uint64_t>& words, std::vector<BlockPart>& parts) noexcept {

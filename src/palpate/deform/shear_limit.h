@@ -25,6 +25,7 @@ namespace palpate::deform {
 struct Pull {
   Vec3 anchor = Vec3::Zero();
   Index anchor_triangle = kNoIndex;
+  std::size_t contact = 0;  ///< whose it is, of those that the displacement has framed
   std::span<const BlockPart> region;
   /// Vertices beside the region that lie within its ellipses and yet stay, those in it that are steep, and some more;
   /// without those of which faintAtEdge says that they do not matter.
@@ -46,11 +47,11 @@ class ShearLimit {
     return isGentle(slope) ? kCertain * kFaint * own_mm : 0.0;
   }
 
-  /// Steps 1 and 2. `press_profile(q)` and `drag_profile(q)` are the curves that the displacement was made with,
-  /// `slope` is how much it differs per mm at most.
-  template <class PressProfile, class DragProfile>
-  void taper(const DeformedBlock& surface, double slope, const PressProfile& press_profile,
-             const DragProfile& drag_profile) noexcept;
+  /// Steps 1 and 2. `curves.press(q)` and `curves.drag(q)` are those that the displacement was made with,
+  /// `curves.moved(pull, vertex)` is what a pull alone moves a vertex of its region by at most, mm; `slope` is how much
+  /// the displacement differs per mm at most.
+  template <class Curves>
+  void taper(const DeformedBlock& surface, double slope, const Curves& curves) noexcept;
 
   /// Step 3, for the triangles at moved vertices of `doubtful` blocks, at vertices held back and at skin that stays.
   void unfold(const DeformedBlock& surface, const BlockSet& doubtful) noexcept;
@@ -77,8 +78,9 @@ class ShearLimit {
   static constexpr double kFaint = 0.2;
   static constexpr double kPlain = 0.4;
 
-  /// Of a bound, what counts: room for the rounding of floats.
+  /// Of a bound, what counts; room for the rounding of floats.
   static constexpr double kCertain = 0.99;
+  static constexpr double kRoundingMm = 1e-4;
 
   /// True if skin is held farther from skin that stays only behind skin that is held beside it.
   static bool isGentle(double slope) noexcept { return slope < kSteepest; }
@@ -97,8 +99,8 @@ class ShearLimit {
   void seedBeside(Index stays) noexcept;
   void taperBesideStaying(double most_mm, double slope, const DeformedBlock& surface) noexcept;
   void measureAlongSurface(const Pull& pull) noexcept;
-  template <class PressProfile, class DragProfile>
-  void roomAlongSurface(const PressProfile& press_profile, const DragProfile& drag_profile) noexcept;
+  template <class Curves>
+  void roomAlongSurface(const Curves& curves) noexcept;
   void holdWithin(Index vertex, float room_mm, const DeformedBlock& surface) noexcept;
   void hold(Index vertex, float share, const DeformedBlock& surface) noexcept;
   void noteHeld(Index vertex) noexcept;
@@ -136,9 +138,8 @@ class ShearLimit {
   std::vector<std::uint64_t> is_listed_;  // one bit a triangle
 };
 
-template <class PressProfile, class DragProfile>
-void ShearLimit::taper(const DeformedBlock& surface, double slope, const PressProfile& press_profile,
-                       const DragProfile& drag_profile) noexcept {
+template <class Curves>
+void ShearLimit::taper(const DeformedBlock& surface, double slope, const Curves& curves) noexcept {
   from_staying_.start();
   torn_.clear();
   double most = 0.0;
@@ -150,14 +151,14 @@ void ShearLimit::taper(const DeformedBlock& surface, double slope, const PressPr
   }
   taperBesideStaying(most, slope, surface);
   if (!torn_.empty()) {
-    roomAlongSurface(press_profile, drag_profile);
+    roomAlongSurface(curves);
     forEachMoved([&](Index v) { holdWithin(v, room_[v], surface); });
   }
   for (const Index v : from_staying_.reached()) holdWithin(v, kSteepest * from_staying_.at(v), surface);
 }
 
-template <class PressProfile, class DragProfile>
-void ShearLimit::roomAlongSurface(const PressProfile& press_profile, const DragProfile& drag_profile) noexcept {
+template <class Curves>
+void ShearLimit::roomAlongSurface(const Curves& curves) noexcept {
   forEachMoved([&](Index v) { room_[v] = 0.0f; });
   for (const Pull& pull : pulls_) {
     const auto torn = std::find_if(torn_.begin(), torn_.end(), [&](const Torn& t) { return t.pull == &pull; });
@@ -166,12 +167,13 @@ void ShearLimit::roomAlongSurface(const PressProfile& press_profile, const DragP
     for (const BlockPart& part : pull.region) {
       forEachBit(part.vertices, [&](Index bit) {
         const Index v = part.block * kBlockVertices + bit;
-        double room = pull.press_mm + pull.drag_mm;
+        // Of several, none leaves the others room that it does not need.
+        double room = pulls_.size() > 1 ? curves.moved(pull, v) + kRoundingMm : pull.press_mm + pull.drag_mm;
         if (measured > 0.0) {
           const double away = from_anchor_.at(v) / kRoundabout;
-          const double along = pull.press_mm * press_profile(away / pull.press_reach_mm) +
-                               pull.drag_mm * drag_profile(away / pull.drag_reach_mm);
-          room += measured * (along - room);
+          const double along = pull.press_mm * curves.press(away / pull.press_reach_mm) +
+                               pull.drag_mm * curves.drag(away / pull.drag_reach_mm);
+          room += measured * (std::min(along, room) - room);
         }
         room_[v] += static_cast<float>(room);
       });

@@ -46,6 +46,9 @@ Keys regionKeys() {
           "Of the drag's region: the map's ellipse, the circle of its area, or an irregular contour."),
       file<D>("contours", &D::contours,
               "Shape \"contour\": table of measured contours (docs/maps.md); left out: the key ellipses."),
+      choice<D, deform::Search>(
+          "search", way(&D::forms, &F::search),
+          "How a region's vertices are found: along the skin, or by the octree, which takes other fingers too."),
       choice<D, deform::Boundary>(
           "boundary", way(&D::forms, &F::boundary),
           "What was measured as the drag's boundary: where the skin is still, or its 2 mm contour; that makes the "
