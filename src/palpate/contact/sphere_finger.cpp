@@ -90,11 +90,13 @@ bool landSphere(const Surface& surface, double radius, FingerState& state, const
   const tree::Crossing exit = tree::firstFrontCrossing(surface.tree, enters ? entry.point : tip, state.tip);
   const Vec3 outside = exit.triangle == kNoIndex ? state.tip : (enters ? exit.point : tip);
   Vec3 centre = advance(surface, outside, tip, radius);
-  if (reachesIntoEdge(surface, centre, radius)) {  // then from where it is over the sheet, if anywhere
+  SurfacePoint foot = nearestFront(surface, centre, kUnbounded);
+  // It comes from beside an open sheet, or from behind it round the edge: then from where it is over the sheet.
+  if (foot.triangle == kNoIndex || reachesIntoEdge(surface, centre, radius)) {
     centre = enters ? entry.point : tip;
     if (reachesIntoEdge(surface, centre, radius)) return false;
+    foot = nearestFront(surface, centre, kUnbounded);
   }
-  const SurfacePoint foot = nearestFront(surface, centre, kUnbounded);
   if (foot.triangle == kNoIndex || (state.from_inside && isBuried(surface, centre))) return false;
   state.touching = true;
   state.slipping = false;
