@@ -7,7 +7,8 @@
 #include "study/rivals/finite_elements.h"
 #include "study/rivals/free_form.h"
 #include "study/rivals/mass_spring.h"
-#include "study/rivals/rivals_measurement.h"
+#include "study/rivals/rivals_findings.h"
+#include "study/says.h"
 #include "study/studies.h"
 #include "tests/study/page_numbers.h"
 
@@ -102,6 +103,59 @@ TEST(FreeForm, TakesTheDraggedPointAlongAndReachesFourLattices) {
     EXPECT_LE(std::abs(moved[v].z()), 5.0 + 1e-9);
     EXPECT_TRUE(far <= 4.0 * 6.0 || moved[v].norm() == 0.0) << far;
   }
+}
+
+namespace {
+
+// Every rival is off by a fifth and takes a millisecond; elements are nearest.
+RivalsMeasurement someRivals() {
+  RivalsMeasurement found{.plan = rivalsPlan(true), .rows = {}};
+  for (const Rival rival : kRivals) {
+    for (const LayeredPress& press : layeredPresses()) {
+      RivalRow row{.rival = rival, .truth = press, .cells = found.plan.common_cells, .vertices = 441};
+      row.lattice_mm = rival == Rival::free_form ? found.plan.lattice_mm : 0.0;
+      row.error = rival == Rival::elements || rival == Rival::elements_answers ? 0.1 : 0.2;
+      row.force_n = press.force_n;
+      row.press_us = 1000.0;
+      found.rows.push_back(row);
+    }
+  }
+  return found;
+}
+
+void setEach(RivalsMeasurement& found, Rival rival, double RivalRow::*member, double value) {
+  for (RivalRow& row : found.rows) {
+    if (row.rival == rival) row.*member = value;
+  }
+}
+
+}  // namespace
+
+TEST(RivalsVerdicts, ElementsAreTheMostAccurateOnlyWhileTheyAre) {
+  RivalsMeasurement found = someRivals();
+  EXPECT_TRUE(says(rivalFindings(found), "with 441 vertices in the skin that is true here"));
+  setEach(found, Rival::mass_spring, &RivalRow::error, 0.05);
+  EXPECT_TRUE(says(rivalFindings(found), std::string("is not true on the mean: ") + nameOf(Rival::mass_spring)));
+}
+
+TEST(RivalsVerdicts, TimesAndForcesFollowTheirNumbers) {
+  RivalsMeasurement found = someRivals();
+  EXPECT_TRUE(says(rivalFindings(found), "(1.0 times as long, within a picture at 60 Hz)"));
+  setEach(found, Rival::mass_spring, &RivalRow::press_us, 20000.0);
+  EXPECT_TRUE(says(rivalFindings(found), "(20 times as long, longer than a picture at 60 Hz)"));
+  EXPECT_TRUE(says(rivalFindings(found), "elements 100 % to 100 % of the truth"));
+  for (RivalRow& row : found.rows) row.force_n = 0.5 * row.truth.force_n;
+  EXPECT_TRUE(says(rivalFindings(found), "elements 50 % to 50 % of the truth"));
+}
+
+TEST(RivalsVerdicts, TheFittedTissueAndTheOthersAreToldApart) {
+  RivalsMeasurement found = someRivals();
+  for (RivalRow& row : found.rows) {
+    if (row.rival == Rival::fsmd && row.truth.tissue == kFittedTissue) row.error = 0.03;
+  }
+  EXPECT_TRUE(says(rivalFindings(found),
+                   "where it is off by 3.0 % to 3.0 %. On tissues that it was not fitted to it "
+                   "is off by 20 % to 20 %"));
 }
 
 TEST(RivalsStudy, SaysWhatItMeasured) {
