@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "palpate/mesh/files/save.h"
+#include "palpate/trace/forces_csv.h"
 #include "support/mesh_zoo.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
@@ -40,6 +41,11 @@ const std::vector<WritingCommand> kCommands = {
     {"model back --triangles 2000 -o disk/back.obj", "back.obj"},
     {"model back --triangles 2000 -o disk/back.stl", "back.stl"},
     {"repair dome.ply -o disk/mended.ply", "mended.ply"},
+    {"partition dome.ply --threshold 64 --leaf-colours disk/leaves.ply", "leaves.ply"},
+    {"partition dome.ply --threshold 64 --box 0,0,5,20 --selection disk/box.ply", "box.ply"},
+    {"partition dome.ply --threshold 64 -o disk/leaves.png", "leaves.png"},
+    {"plot forces.csv -o disk/plot.png", "plot.png"},
+    {"plot forces.csv -o disk/plot.svg", "plot.svg"},
     {"bench workload pit -o disk/path.csv", "path.csv"},
     {"study numbers --out disk", "numbers.md"},
     {"study figures --only 4.8 --out disk", "figure_4_8.png"},
@@ -53,7 +59,21 @@ class FullDisk : public testing::TestWithParam<WritingCommand> {
     std::ofstream(folder_ / "quiet.toml") << "[body]\nkind = \"mesh\"\nfile = \"dome.ply\"\n[output]\nforces = false\n"
                                              "[[finger]]\nname = \"a\"\nat_mm = [0, 0]\n"
                                              "script = [{ do = \"press\", depth_mm = 4, seconds = 0.1 }]\n";
+    writeForces();
     std::ofstream(folder_ / "path.csv") << "t_s,x_mm,y_mm,z_mm\n0,0,0,30\n0.3,0,0,15\n";
+  }
+
+  /// Half a second of a finger that touches nothing.
+  void writeForces() const {
+    std::string text = std::string(trace::forcesCsvHeader()) + "\n";
+    trace::ForcesCsvSettings settings;
+    settings.finger_names = {"a"};
+    for (std::uint64_t tick = 0; tick < 500; ++tick) {
+      trace::Sample sample;
+      sample.tick = tick;
+      trace::appendForcesRow(text, settings, sample);
+    }
+    std::ofstream(folder_ / "forces.csv") << text;
   }
 
   /// Runs the command with `disk` prepared by these lines of shell; its exit code, and what is on the disk afterwards.

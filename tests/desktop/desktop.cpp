@@ -88,6 +88,10 @@ std::string Child::line() {
   }
 }
 
+void Child::send(int signal) const {
+  if (pid_ > 0 && !ended_) kill(pid_, signal);
+}
+
 int Child::exitCode() {
   if (ended_) return code_;
   while (!line().empty()) {

@@ -25,6 +25,7 @@ class Child {
 
   /// The next line of its output; empty at its end or after a minute of silence.
   std::string line();
+  void send(int signal) const;
   /// Waits for it to end; its exit code, or -1.
   int exitCode();
   const std::string& errors();
@@ -73,6 +74,7 @@ class Program {
   bool hand(const std::string& words) const { return desktop_.hand(words); }
   /// Everything it prints until it ends.
   std::string rest();
+  void send(int signal) const { child_.send(signal); }
   int exitCode() { return child_.exitCode(); }
   std::string errors() { return child_.errors(); }
 

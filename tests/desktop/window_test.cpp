@@ -1,6 +1,8 @@
 // The window with real events: an X server, real buttons and keys, and what the program says a frame later.
 #include <gtest/gtest.h>
 
+#include <signal.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -222,6 +224,25 @@ TEST_F(Window, ItsButtonAsksWhileThereIsSomethingToSave) {
   program->rest();  // Enter saves, and then the window closes
   EXPECT_EQ(program->exitCode(), 0) << program->errors();
   EXPECT_NE(readFile(folder / "scene.toml", 1 << 16).find("wireframe"), std::string::npos);
+}
+
+TEST_F(Window, EndedByASignalItKeepsWhatNobodyCouldBeAskedAbout) {
+  const auto program = play("0.1, key, W\n0.2, key, R\n60, close\n");
+  ASSERT_TRUE(program->until([](const Values& v) { return v.at("changed") == "1" && v.at("recording") == "1"; }));
+  program->send(SIGTERM);
+  program->rest();
+  EXPECT_EQ(program->exitCode(), 143) << program->errors();
+  EXPECT_NE(program->errors().find("palpate: the changed scene is kept as "), std::string::npos) << program->errors();
+  EXPECT_NE(readFile(folder / "scene-backup.toml", 1 << 16).find("wireframe"), std::string::npos);
+  EXPECT_EQ(readFile(folder / "forces.csv", 1 << 28).back(), '\n') << "what was recorded is complete";
+}
+
+TEST_F(Window, EndedByASignalWithNothingChangedItLeavesNoBackup) {
+  const auto program = start();
+  program->send(SIGTERM);
+  program->rest();
+  EXPECT_EQ(program->exitCode(), 143);
+  EXPECT_FALSE(fs::exists(folder / "scene-backup.toml"));
 }
 
 TEST_F(Window, SavesThePictureThatItShows) {

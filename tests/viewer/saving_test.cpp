@@ -55,6 +55,18 @@ TEST(Saving, KeepsTheCommentsOfAPersonsFile) {
   EXPECT_EQ(stage.lastMessage(), "Nothing to save: " + file.string() + " says it all");
 }
 
+TEST(Saving, AnEndThatCannotAskKeepsTheChangesBesideTheScene) {
+  Stage stage;
+  const fs::path file = openByHand(stage);
+  EXPECT_EQ(stage.viewer->keepChanges(), fs::path()) << "nothing was changed";
+  changeGrip(stage, 0.75);
+  const fs::path kept = stage.viewer->keepChanges();
+  EXPECT_EQ(kept, stage.folder / "hand-backup.toml");
+  EXPECT_EQ(scene::load(kept).contact.finger.mu_static, 0.75);
+  EXPECT_EQ(textOf(file), kByHand) << "as it was";
+  EXPECT_EQ(stage.viewer->keepChanges(), stage.folder / "hand-backup-2.toml") << "no backup is overwritten";
+}
+
 TEST(Saving, WhereCommentsCannotStayTheOldFileIsKept) {
   Stage stage;
   const char* dotted = "# mine\nbody.kind = \"mesh\"\nbody.file = \"sheet.ply\"\nfriction.static = 0.5\n";
@@ -136,6 +148,8 @@ TEST(Saving, CameraColoursAndOverlaysComeBack) {
   stage.button(false);
   stage.scroll(3.0);
   const view::Camera camera = stage.session().camera;
+  stage.session().state.look.stiffness_n_per_mm = {0.4, 0.9};
+  stage.session().state.look.half_major_mm = {60.0, 150.0};
   stage.key(window::key('S'), kCtrl);
   EXPECT_NE(textOf(file).find("show = [\"wireframe\"]"), std::string::npos) << textOf(file);
   EXPECT_NE(textOf(file).find("# of the scanner"), std::string::npos);
@@ -147,7 +161,12 @@ TEST(Saving, CameraColoursAndOverlaysComeBack) {
   ASSERT_TRUE(stage.until([&] { return !stage.session().opening && !stage.session().building; }));
   for (int i = 0; i < 3; ++i) stage.frame();
   EXPECT_TRUE(stage.session().state.look.shows(view::Overlay::wireframe));
-  EXPECT_EQ(stage.session().state.look.colouring, view::Colouring::strain);
+  const view::Look& look = stage.session().state.look;
+  EXPECT_EQ(look.colouring, view::Colouring::strain);
+  EXPECT_EQ(look.stiffness_n_per_mm.low, 0.4);
+  EXPECT_EQ(look.stiffness_n_per_mm.high, 0.9);
+  EXPECT_EQ(look.half_major_mm.low, 60.0);
+  EXPECT_EQ(look.half_major_mm.high, 150.0);
   EXPECT_NEAR(stage.session().camera.yaw_rad, camera.yaw_rad, 1e-4);
   EXPECT_NEAR(stage.session().camera.pitch_rad, camera.pitch_rad, 1e-4);
   EXPECT_NEAR(stage.session().camera.distance_mm, camera.distance_mm, 0.2);

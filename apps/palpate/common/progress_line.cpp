@@ -42,7 +42,12 @@ void ProgressLine::show(std::string_view stage, double done) {
   next_ += terminal_ ? std::chrono::duration_cast<Clock::duration>(kTerminalPause) : kLogPause;
   const std::string percent = done > 0.0 ? fmt::format(" {:.0f} %", 100.0 * done) : " ...";
   const std::string line = fmt::format("{}{}", stage, percent);
-  say(terminal_ ? "\r\x1b[K" + line : line + "\n");
+  if (terminal_) {
+    say("\r\x1b[K" + line);
+  } else if (line != said_) {
+    say(line + "\n");
+  }
+  said_ = line;
   visible_ = terminal_;
 }
 

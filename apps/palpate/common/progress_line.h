@@ -32,6 +32,7 @@ class ProgressLine {
   bool terminal_;
   bool visible_ = false;
   std::string stage_;
+  std::string said_;  ///< last
   Clock::time_point next_;
 };
 

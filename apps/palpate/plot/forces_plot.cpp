@@ -160,16 +160,12 @@ std::span<const StatusName> contactStatusNames() {
 }
 
 std::span<const StatusName> safetyStatusNames() {
-  using namespace servo;
-  static constexpr std::array kNames = {StatusName{kTipNotFinite, "tip not finite"},
-                                        StatusName{kTipJumped, "tip jumped"},
-                                        StatusName{kForceNotFinite, "force not finite"},
-                                        StatusName{kRamping, "force ramps up"},
-                                        StatusName{kDamped, "damped"},
-                                        StatusName{kClamped, "force clamped"},
-                                        StatusName{kSlewLimited, "slew limited"},
-                                        StatusName{kStalled, "loop stalled"}};
-  return kNames;
+  static const auto names = [] {
+    std::array<StatusName, servo::kSafetyBits> all{};
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = {std::uint32_t{1} << i, servo::safetyNames()[i]};
+    return all;
+  }();
+  return names;
 }
 
 figures::Figure forcesFigure(const ForcesPlot& plot, std::span<const RunStrip> strips) {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <utility>
 
 #include "apps/viewer/editing/dysfunction_editor.h"
 #include "apps/viewer/files/replay.h"
@@ -38,6 +40,31 @@ auto* switchOf(Action action, S& session) {
     default:
       return static_cast<decltype(&session.replay.frozen)>(nullptr);
   }
+}
+
+/// What an action only hands on to those who hold the window, the files and the servo; nothing for the others.
+std::optional<Wish::Kind> wishOf(Action action) {
+  using Kind = Wish::Kind;
+  static constexpr std::pair<Action, Kind> kWishes[] = {
+      {Action::full_screen, Kind::full_screen},
+      {Action::screenshot, Kind::screenshot},
+      {Action::screenshot_with_pop_ups, Kind::screenshot_with_pop_ups},
+      {Action::clear_screenshot, Kind::clear_screenshot},
+      {Action::play_script, Kind::play_script},
+      {Action::record, Kind::record},
+      {Action::save, Kind::save},
+      {Action::reload, Kind::reload},
+      {Action::reset, Kind::reset},
+      {Action::undo, Kind::undo},
+      {Action::redo, Kind::redo},
+      {Action::copy_scene, Kind::copy_scene},
+      {Action::quit, Kind::quit},
+      {Action::home, Kind::home},
+  };
+  for (const auto& [of, kind] : kWishes) {
+    if (of == action) return kind;
+  }
+  return std::nullopt;
 }
 
 void nextStereoMode(Session& session) {
@@ -109,54 +136,27 @@ void perform(Action action, Session& session) {
     *on = !*on;
     return;
   }
+  if (const auto kind = wishOf(action)) return session.wish(*kind);
   switch (action) {
     case Action::skin_opacity:
       look.skin_opacity = nextOpacity(look.skin_opacity);
       return;
     case Action::stereo_mode:
       return nextStereoMode(session);
-    case Action::full_screen:
-      return session.wish(Wish::Kind::full_screen);
-    case Action::screenshot:
-      return session.wish(Wish::Kind::screenshot);
-    case Action::screenshot_with_pop_ups:
-      return session.wish(Wish::Kind::screenshot_with_pop_ups);
-    case Action::clear_screenshot:
-      return session.wish(Wish::Kind::clear_screenshot);
-    case Action::play_script:
-      return session.wish(Wish::Kind::play_script);
     case Action::slower:
       return changeTimeSpeed(session, -1);
     case Action::faster:
       return changeTimeSpeed(session, 1);
-    case Action::record:
-      return session.wish(Wish::Kind::record);
     case Action::open:
       session.state.shown.open_dialog = true;
       return;
-    case Action::save:
-      return session.wish(Wish::Kind::save);
     case Action::save_as:
       session.state.shown.save_dialog = true;
       return;
-    case Action::reload:
-      return session.wish(Wish::Kind::reload);
-    case Action::reset:
-      return session.wish(Wish::Kind::reset);
-    case Action::undo:
-      return session.wish(Wish::Kind::undo);
-    case Action::redo:
-      return session.wish(Wish::Kind::redo);
-    case Action::copy_scene:
-      return session.wish(Wish::Kind::copy_scene);
     case Action::delete_selected:
       return deleteSelected(session.dysfunctions());
     case Action::cancel:
       return cancel(session);
-    case Action::quit:
-      return session.wish(Wish::Kind::quit);
-    case Action::home:
-      return session.wish(Wish::Kind::home);
     default:
       return;
   }

@@ -33,11 +33,6 @@ std::string habitsOf(const ViewState& state, const std::vector<tissue::ProfileKn
   for (const std::string_view line : split(all, '\n')) {
     if (isHabit(line)) habits += fmt::format("{}\n", line);
   }
-  // The ends of maps' colours have no words in a scene.
-  const view::Look& look = state.look;
-  for (const auto& [low, high] : {look.stiffness_n_per_mm, look.half_major_mm}) {
-    habits += fmt::format("colours = {} to {}\n", low, high);
-  }
   for (const tissue::ProfileKnot& knot : drawn) habits += fmt::format("profile = {} {}\n", knot.q, knot.value);
   return habits;
 }

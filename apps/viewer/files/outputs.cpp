@@ -6,6 +6,7 @@
 
 #include "palpate/base/output_file.h"
 #include "palpate/base/text.h"
+#include "palpate/scene/scene_writer.h"
 
 namespace palpate::viewer {
 
@@ -173,6 +174,15 @@ void Outputs::tellErrors(Session& session) {
   if (error.empty()) return;
   session.recording.sequence = false;
   session.report(Severity::error, error);
+}
+
+fs::path Outputs::keepChanges(const Session& session) const {
+  if (!session.history.changed()) return {};
+  const fs::path& from = session.document.file;
+  const fs::path target = from.empty() ? fresh(folder_, "scene-backup", ".toml")
+                                       : fresh(from.parent_path(), from.stem().string() + "-backup", ".toml");
+  scene::save(sceneToSave(session), target);
+  return target;
 }
 
 void Outputs::finish(Session& session) {

@@ -47,6 +47,10 @@ class Outputs {
     tellErrors(session);
   }
 
+  /// A changed scene that nobody could be asked about goes beside the one it came from, to a fresh name
+  /// (scene-backup.toml): which, or empty when nothing was changed. Throws Error.
+  std::filesystem::path keepChanges(const Session& session) const;
+
   /// Completes what is being recorded.
   void finish(Session& session);
 

@@ -27,6 +27,10 @@ void keepChange(const T& was, const T& is, T& kept) {
   if (!(was == is)) kept = is;
 }
 
+void keepRange(const view::ColourRange& was, const view::ColourRange& is, std::optional<Vec2>& kept) {
+  if (was.low != is.low || was.high != is.high) kept = Vec2(is.low, is.high);
+}
+
 void keepLook(const view::Look& was, const view::Look& is, scene::Scene& scene) {
   scene::ViewSettings& view = scene.view;
   keepChange(was.shading, is.shading, view.shading);
@@ -38,8 +42,9 @@ void keepLook(const view::Look& was, const view::Look& is, scene::Scene& scene) 
   keepChange(was.detail, is.detail, view.detail);
   keepChange(was.scalar, is.scalar, view.scalar);
   keepChange(was.scalar_map, is.scalar_map, view.scalar_map);
-  const Vec2 ends(is.scalar_range.low, is.scalar_range.high);
-  if (was.scalar_range.low != ends.x() || was.scalar_range.high != ends.y()) view.scalar_range = ends;
+  keepRange(was.scalar_range, is.scalar_range, view.scalar_range);
+  keepRange(was.stiffness_n_per_mm, is.stiffness_n_per_mm, view.stiffness_range_n_per_mm);
+  keepRange(was.half_major_mm, is.half_major_mm, view.ellipse_range_mm);
   keepChange(was.strain_percent.high, is.strain_percent.high, scene.strain.range_percent);
   if (was.overlays == is.overlays) return;
   view.show.clear();

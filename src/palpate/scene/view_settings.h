@@ -75,8 +75,10 @@ struct ViewSettings {
   // The colouring `scalar`: a number that the body's file brings for each vertex.
   std::string scalar;  ///< its name; empty: the first
   ColourMap scalar_map = ColourMap::viridis;
-  std::optional<Vec2> scalar_range;  ///< values of the ends; left out: its least and greatest
-  bool detail = true;                ///< pores
+  std::optional<Vec2> scalar_range;              ///< values of the ends; left out: its least and greatest
+  std::optional<Vec2> stiffness_range_n_per_mm;  ///< of the colouring `stiffness`; left out: the body's
+  std::optional<Vec2> ellipse_range_mm;          ///< of `ellipse-map`: half major axes; left out: the body's
+  bool detail = true;                            ///< pores
 
   StereoMode stereo = StereoMode::mono;
   double eye_distance_mm = 63.0;

@@ -38,6 +38,10 @@ std::vector<double> skinHalfMajors(const scene::World& world) {
   return lengths;
 }
 
+void takeRange(const std::optional<Vec2>& ends, ColourRange& range) {
+  if (ends) range = {ends->x(), ends->y()};
+}
+
 Look lookOf(const scene::World& world, const scene::ViewSettings& view) {
   Look look;
   look.shading = view.shading;
@@ -52,8 +56,10 @@ Look lookOf(const scene::World& world, const scene::ViewSettings& view) {
   look.stiffness_n_per_mm = rangeOf(world.stiffness_n_per_mm, look.stiffness_n_per_mm);
   showScalar(world, view.scalar, look);
   look.scalar_map = view.scalar_map;
-  if (view.scalar_range) look.scalar_range = {view.scalar_range->x(), view.scalar_range->y()};
   if (look.colouring == Colouring::ellipses) look.half_major_mm = rangeOf(skinHalfMajors(world), look.half_major_mm);
+  takeRange(view.scalar_range, look.scalar_range);
+  takeRange(view.stiffness_range_n_per_mm, look.stiffness_n_per_mm);
+  takeRange(view.ellipse_range_mm, look.half_major_mm);
   return look;
 }
 
