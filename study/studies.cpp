@@ -20,7 +20,12 @@ const std::vector<Study>& studies() {
       {"complexity", "What a search for leaves visits, against w and 0.8 n, 0.4 n (Tables 3.3, 3.4)", studyComplexity},
       {"rivals", "FSMD beside free form, masses and springs, finite elements: error, time, memory (Table 4.1)",
        studyRivals},
-      {"directions", "Directions of ellipses averaged as numbers and as tensors (E29, E30)", studyDirections}};
+      {"search", "The octree as a search for the touch point and for the vertices of a region, beside ours",
+       studySearch},
+      {"directions", "Directions of ellipses averaged as numbers and as tensors (E29, E30)", studyDirections},
+      {"stability",
+       "Whether a hand can safely hold the loop: stiffness, rate, delay, hand and device, bare and controlled",
+       studyStability}};
   return all;
 }
 

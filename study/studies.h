@@ -51,6 +51,14 @@ StudyPage studyProfile(const StudySettings& settings);
 
 StudyPage studyRivals(const StudySettings& settings);
 
+// `palpate study search`: the octree as a search for the touch point and for what a deformation moves (objective 2).
+
+StudyPage studySearch(const StudySettings& settings);
+
+// `palpate study stability`: the servo's loop closed over simulated hands, with and without its controller.
+
+StudyPage studyStability(const StudySettings& settings);
+
 // `palpate study tables`: Tables 3.1, 3.2 and Appendix B on this machine, in the dissertation's way and in ours.
 
 StudyPage studyTables(const StudySettings& settings);

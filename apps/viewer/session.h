@@ -20,6 +20,7 @@
 #include "apps/viewer/session_parts.h"
 #include "apps/viewer/vertex_values.h"
 #include "apps/viewer/view_state.h"
+#include "palpate/device/device.h"
 #include "palpate/engine/world_builder.h"
 #include "palpate/scene/scene.h"
 #include "palpate/view/camera.h"
@@ -48,7 +49,9 @@ struct Session {
 
   // What is.
   double now_s = 0.0;
-  double ticks_per_s = 1000.0;  ///< of the servo: those of the scene that the window began with
+  std::string held_by = "mouse";             ///< what moves the fingers, in words
+  std::optional<device::Capabilities> held;  ///< limits of the devices that hold fingers; nothing: all are the mouse's
+  double ticks_per_s = 1000.0;               ///< of the servo: those of the scene that the window began with
   WorldFacts world;
   std::optional<VertexReading> reading;  ///< of the vertex that was clicked last
   bool vertex_panel_open = false;

@@ -128,7 +128,7 @@ void Turnover::takeResult(Session& session, engine::ServoThread& servo) {
 
 void Turnover::adopt(Session& session, const engine::BuildResult& result, engine::ServoThread& servo) {
   try {
-    servo.change(planFor(result.world, session.scene, result.wish.body == nullptr));
+    servo.change(planFor(result.world, session.scene, result.wish.body == nullptr, session.held));
   } catch (const Error& error) {
     session.report(Severity::error, error.what());
     return;
@@ -139,7 +139,7 @@ void Turnover::adopt(Session& session, const engine::BuildResult& result, engine
 
 void Turnover::changeFingers(Session& session, engine::ServoThread& servo) const {
   try {
-    servo.change(planFor(coming_ ? coming_ : shown_, session.scene, coming_ && other_body_));
+    servo.change(planFor(coming_ ? coming_ : shown_, session.scene, coming_ && other_body_, session.held));
   } catch (const Error& error) {
     session.report(Severity::warning, error.what());
   }

@@ -16,11 +16,18 @@
 #include "apps/viewer/panels/gui_layout.h"
 #include "apps/viewer/panels/hints.h"
 #include "palpate/base/stopwatch.h"
+#include "palpate/device/back_ends.h"
+#include "palpate/device/device_profile.h"
 #include "palpate/trace/forces_table.h"
 
 namespace palpate::viewer {
 
 namespace {
+
+/// The force that a device of the scene would hold, N.
+double deviceLimit(const scene::SafetySettings& safety) {
+  return device::largestForceN(safety, device::profileOf(safety.device));
+}
 
 using Kind = window::Command::Kind;
 
@@ -61,7 +68,7 @@ Viewer::Viewer(const std::shared_ptr<const scene::World>& world, ViewState state
     : settings_(std::move(settings)),
       host_(std::move(host)),
       world_(world),
-      servo_(planFor(world, world->scene, true)),
+      servo_(planFor(world, world->scene, true, leastOf(settings_.devices)), settings_.devices),
       model_(std::make_unique<LiveModel>(world)),
       turnover_(world),
       history_(servo_.thread().ticksPerS()),
@@ -72,8 +79,13 @@ Viewer::Viewer(const std::shared_ptr<const scene::World>& world, ViewState state
   session_.document = documentOf(world->scene.file);
   session_.output_folder = outputs_.folder();
   takeFacts();
-  session_.device_limit_n = world->scene.safety.nominal_force_n;
+  session_.device_limit_n = deviceLimit(world->scene.safety);
   session_.profile.knots = world->deformation.normal_profile.knots;
+  session_.held = leastOf(settings_.devices);
+  if (!settings_.devices.empty()) session_.held_by.clear();
+  for (const device::Device& device : settings_.devices) {
+    session_.held_by += (session_.held_by.empty() ? "" : ", ") + device.name;
+  }
   session_.ticks_per_s = servo_.thread().ticksPerS();
   for (SampleHistory& plot : session_.plots.fingers) plot = SampleHistory(session_.ticks_per_s);
   input_.settings = session_.state.input;
@@ -126,6 +138,7 @@ void Viewer::frame(int width, int height, double scale, double now_s, std::span<
   if (!session_.opening) session_.history.follow(session_, {held, session_.editor.before.has_value(), any});
   tellTitle();
   pointServo();
+  tendDevices();
   paintAndKeep(points);
   if (std::exchange(clear_picture_, false)) paintClear(points);
   Performance& performance = session_.performance;
@@ -162,7 +175,7 @@ void Viewer::takeWorld() {
   world_ = shown.world;
   model_->setWorld(world_);
   takeFacts();
-  session_.device_limit_n = session_.scene.safety.nominal_force_n;
+  session_.device_limit_n = deviceLimit(session_.scene.safety);
   if (session_.profile.handle < 0) session_.profile.knots = world_->deformation.normal_profile.knots;
   if (!shown.other_body) return;
   session_.reading.reset();
@@ -518,9 +531,23 @@ void Viewer::copyScene() {
 void Viewer::pointServo() {
   for (std::size_t i = 0; i < kFingers; ++i) {
     const device::FingerTarget target = pointer_.target(i, session_);
-    session_.finger_present[i] = recorded_ ? i < recorded_->radius_mm.size() : target.present;
+    session_.finger_present[i] = recorded_ ? i < recorded_->radius_mm.size() : target.present || servo_.isHeld(i);
     servo_.point(i, target);
   }
+}
+
+/// Once a second: looking for a lost device may take its driver a moment.
+void Viewer::tendDevices() {
+  if (session_.now_s < tended_s_ + 1.0) return;
+  tended_s_ = session_.now_s;
+  std::string troubles;
+  for (const std::string& trouble : device::tendDevices(servo_.devices())) {
+    troubles += (troubles.empty() ? "" : "; ") + trouble;
+  }
+  if (troubles == device_troubles_) return;
+  device_troubles_ = troubles;
+  session_.report(troubles.empty() ? Severity::info : Severity::warning,
+                  troubles.empty() ? "The device is back" : troubles);
 }
 
 /// In a picture of two parts the system's pointer would be in one of them: ours is drawn in both.

@@ -34,6 +34,7 @@ struct ViewerSettings {
   bool intro = true;                          ///< a finger shows by itself how to press, until the mouse moves
   std::filesystem::path output_folder = ".";  ///< for pictures, tables and scenes without a file
   scene::Scene default_scene;                 ///< for "Built-in torso"
+  std::vector<device::Device> devices;        ///< that hold the first fingers instead of the mouse
 };
 
 /// What only a window can do; members may be empty.
@@ -72,6 +73,8 @@ class Viewer {
   const window::Input& input() const { return input_; }
   const Pointer& pointer() const { return pointer_; }
   const scene::World& world() const { return model_->world(); }
+  /// For an end that cannot ask: a changed scene beside the one it came from; which, or empty. Throws Error.
+  std::filesystem::path keepChanges() const { return outputs_.keepChanges(session_); }
   /// Ends the servo; its report of the whole run. Nothing may be called afterwards.
   servo::LoopReport finish();
 
@@ -107,6 +110,7 @@ class Viewer {
   void tellTitle();
   void setView(view::StandardView side);
   void pointServo();
+  void tendDevices();
   void showCursor();
   void guardShading(double elapsed_s);
   std::vector<view::FingerMark> fingerMarks();
@@ -140,6 +144,8 @@ class Viewer {
   window::Theme theme_ = window::Theme::dark;
   int standard_view_ = 0;
   double frame_s_ = 1.0 / 60.0;  ///< smoothed time between two frames
+  double tended_s_ = 0.0;        ///< when lost devices were looked for
+  std::string device_troubles_;  ///< as they were told last
   bool seen_ = false;            ///< a frame has been drawn
   bool own_cursor_ = false;      ///< drawn once for each eye, in place of the system's
   bool clear_picture_ = false;   ///< to be taken in this frame

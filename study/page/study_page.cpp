@@ -74,7 +74,10 @@ std::string jsonOf(const StudyPage& page) {
   json["title"] = page.title;
   json["findings"] = page.findings;
   json["numbers"] = nlohmann::ordered_json::object();
-  for (const auto& [name, value] : page.numbers) json["numbers"][name] = value;
+  for (const auto& [name, value] : page.numbers) {
+    json["numbers"][name] = value;
+    if (page.numbers_on_top) json[name] = value;
+  }
   for (const StudyFigure& figure : page.figures) json["figures"].push_back(figure.stem + ".svg");
   for (const StudyTable& table : page.tables) json["tables"].push_back(table.stem + ".csv");
   json["command"] = page.command;

@@ -47,9 +47,10 @@ struct StudyPage {
   std::vector<StudyTable> tables;
   std::vector<StudyFigure> figures;
   std::vector<std::pair<std::string, double>> numbers;  ///< the main results by name, with the unit in it, for programs
-  std::string command{};                                ///< that makes this page again
-  std::string machine{};                                ///< that it ran on
-  double seconds = 0.0;                                 ///< that it took
+  bool numbers_on_top = false;  ///< the JSON object has them beside `study` too, not only in `numbers`
+  std::string command{};        ///< that makes this page again
+  std::string machine{};        ///< that it ran on
+  double seconds = 0.0;         ///< that it took
 };
 
 /// Findings, figures (as PNG in the same folder), tables, method, command and machine.

@@ -188,6 +188,20 @@ TEST_F(Simulate, DeformsInTheFormsOfTheScene) {
   EXPECT_EQ(surfaces.size(), 7u);
 }
 
+TEST_F(Simulate, MixesNoTwoRuns) {
+  const std::string run = "--mesh dome.obj --trajectory path.csv";
+  ASSERT_EQ(simulate(run).exit_code, 0);
+  ASSERT_EQ(simulate(run).exit_code, 0) << "without --out a second run gets a name of its own";
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "results-2/report.json"));
+  const std::string error = errorOf(run + " --out results");
+  EXPECT_NE(error.find("results: holds another run ("), std::string::npos) << error;
+  EXPECT_NE(error.find("--overwrite replaces it, --out results-3 is free"), std::string::npos) << error;
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "results/surface_deepest.ply"));
+  write("air.csv", "t_s,x_mm,y_mm,z_mm\n0,0,0,300\n0.1,0,0,290\n");
+  ASSERT_EQ(simulate("--mesh dome.obj --trajectory air.csv --out results --overwrite").exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "results/surface_deepest.ply")) << "of the run that was replaced";
+}
+
 TEST_F(Simulate, NamesTheLineOfAFaultyProfile) {
   write("mine.csv", "q,value\n0,1\n0.3,0.8\n0.2,0.7\n1,0\n");
   write("s.toml",

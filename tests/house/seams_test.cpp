@@ -82,9 +82,10 @@ TEST(Seams, APrintOrAnExitWouldBeSeen) {
   EXPECT_FALSE(matches("if (!exits(name)) return;", kExits));
 }
 
-/// The servo loop, the drain of its samples and the builder of worlds are threads themselves.
+/// The servo loop, the drain of its samples, the builder of worlds and drivers that wait are threads themselves.
 TEST(Seams, ColdWorkAsksOnePlaceForThreads) {
-  expectOnlyIn({"base/background.cpp", "engine/servo_thread.", "engine/world_builder.", "servo/sample_drain."},
+  expectOnlyIn({"base/background.cpp", "device/driver_thread.", "engine/servo_thread.", "engine/world_builder.",
+                "servo/sample_drain."},
                kThreads);
 }
 

@@ -6,158 +6,231 @@
 #include <cmath>
 #include <limits>
 
+#include "lab/counters/thread_counts.h"
 #include "palpate/base/random.h"
+#include "palpate/servo/device_limits.h"
 
 namespace palpate::servo {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-LimiterSettings withoutRamp() {
-  LimiterSettings settings;
-  settings.safety.ramp_s = 0.0;
-  return settings;
+const tissue::ForceLaw kHooke;
+
+/// A contact that pushes out of a skin in z = 0 with this force.
+contact::FingerOutput touchOf(const Vec3& tip, const Vec3& force) {
+  contact::FingerOutput contact;
+  contact.tip = tip;
+  contact.force = force;
+  contact.normal = Vec3::UnitZ();
+  contact.depth_mm = std::max(0.0, -tip.z());
+  contact.touch = contact.depth_mm > 0.0 ? contact::Touch::stick : contact::Touch::free;
+  return contact;
 }
 
-/// One tick of a finger at `tip` whose contact computes `force`.
-Vec3 tick(const LimiterSettings& settings, LimiterState& state, const Vec3& tip, const Vec3& force) {
-  guardTip(settings, state, tip);
-  return limitForce(settings, state, force);
-}
+/// A finger that moves over a spring below z = 0, tick after tick.
+struct Finger {
+  LimiterSettings settings;
+  LimiterState state;
+  double stiffness_n_per_mm = 0.5;
+  std::uint64_t next = 0;
+
+  Finger() { state.closes_loop = false; }  // nothing that it sends moves it
+  Vec3 tick(const Vec3& tip, const Vec3& force, double age_ticks = 0.0) {
+    guardTip(settings, state, {.tip = tip, .tick = next++, .age_ticks = age_ticks});
+    return limitForce(settings, state, touchOf(tip, force), kHooke);
+  }
+  Vec3 at(double z) { return tick({0, 0, z}, {0, 0, std::max(0.0, -z) * stiffness_n_per_mm}); }
+};
 
 TEST(Limiter, LetsOrdinaryContactThroughBitByBit) {
-  const LimiterSettings settings = withoutRamp();
-  LimiterState state;
-  double depth = 0.0;
-  tick(settings, state, Vec3(0, 0, 0), Vec3::Zero());
-  for (int i = 1; i <= 100; ++i) {
-    depth = 0.05 * i;
-    const Vec3 force(0, 0, 0.5 * depth);
-    EXPECT_EQ(tick(settings, state, Vec3(0, 0, -depth), force), force);
-    EXPECT_EQ(state.status, 0u);
+  Finger finger;
+  finger.at(0.1);
+  for (int i = 1; i <= 60; ++i) {
+    const double depth = 0.1 * i;
+    EXPECT_EQ(finger.at(-depth), Vec3(0, 0, 0.5 * depth));
+    EXPECT_EQ(finger.state.status, 0u);
   }
 }
 
-TEST(Limiter, RampsUpAfterTheStart) {
-  LimiterSettings settings;
-  settings.safety.ramp_s = 0.01;
-  LimiterState state;
+TEST(Limiter, ShortensToTheLargestForceAndKeepsTheDirection) {
+  Finger finger;
+  finger.at(0.1);
+  for (double f = 0.0; f < 1.0; f += 0.01) finger.tick({0, 0, -1}, f * Vec3(30, 0, 40));
+  EXPECT_NEAR(finger.state.force.norm(), 3.3, 1e-12);
+  EXPECT_LT((finger.state.force.normalized() - Vec3(0.6, 0, 0.8)).norm(), 1e-12);
+  EXPECT_TRUE(finger.state.status & kClamped);
+}
+
+TEST(Limiter, SendsNothingUntilATipThatStartsInsideHasBeenOutside) {
+  Finger finger;
+  for (int i = 0; i < 1000; ++i) EXPECT_TRUE(finger.at(-4.0).isZero());
+  EXPECT_EQ(finger.state.status, kHeldBack);
+  EXPECT_EQ(finger.state.counts[9], 1000u);
+  finger.at(0.5);
+  finger.at(0.01);
+  finger.at(0.01);
+  EXPECT_EQ(finger.at(-0.01), Vec3(0, 0, 0.005));
+}
+
+TEST(Limiter, RampsWhereTheSceneWantsARampInstead) {
+  Finger finger;
+  finger.settings.start = scene::StartRule::ramp;
+  finger.settings.ramp_s = 0.01;
   for (int i = 1; i < 10; ++i) {
-    EXPECT_NEAR(tick(settings, state, Vec3::Zero(), Vec3(0, 0, 0.1)).z(), 0.01 * i, 1e-12);
-    EXPECT_EQ(state.status, kRamping);
+    EXPECT_NEAR(finger.at(-1.0).z(), 0.05 * i, 1e-12);
+    EXPECT_EQ(finger.state.status, kRamping);
   }
-  tick(settings, state, Vec3::Zero(), Vec3(0, 0, 0.1));
-  EXPECT_EQ(tick(settings, state, Vec3::Zero(), Vec3(0, 0, 0.1)).z(), 0.1);
-  EXPECT_EQ(state.status, 0u);
+  finger.at(-1.0);
+  EXPECT_EQ(finger.at(-1.0).z(), 0.5);
+  EXPECT_EQ(finger.state.status, 0u);
 }
 
 TEST(Limiter, NeverSendsMoreThanTheContactAtTheEndOfARamp) {
-  LimiterSettings settings;
-  settings.safety.ramp_s = 0.00102;  // a little more than one tick
-  LimiterState state;
-  for (int i = 0; i < 4; ++i) EXPECT_LE(tick(settings, state, Vec3::Zero(), Vec3(0, 0, 0.01)).z(), 0.01);
-  EXPECT_DOUBLE_EQ(state.force.z(), 0.01);
+  Finger finger;
+  finger.settings.start = scene::StartRule::ramp;
+  finger.settings.ramp_s = 0.00102;  // a little more than one tick
+  for (int i = 0; i < 4; ++i) EXPECT_LE(finger.at(-0.1).z(), 0.05);
+  EXPECT_DOUBLE_EQ(finger.state.force.z(), 0.05);
 }
 
-TEST(Limiter, ShortensToTheNominalForceAndKeepsTheDirection) {
-  const LimiterSettings settings = withoutRamp();
-  LimiterState state;
-  Vec3 sent;
-  for (int i = 0; i < 2000; ++i) sent = tick(settings, state, Vec3::Zero(), Vec3(30, 0, 40));
-  EXPECT_NEAR(sent.norm(), 3.3, 1e-12);
-  EXPECT_LT((sent.normalized() - Vec3(0.6, 0, 0.8)).norm(), 1e-12);
-  EXPECT_TRUE(state.status & kClamped);
+/// In contact, and then this tick, the force of which is zero and calls the fault by its name.
+template <class Fault>
+void expectStop(SafetyBit bit, Fault&& fault) {
+  Finger finger;
+  finger.at(0.1);
+  for (int i = 0; i < 50; ++i) finger.at(-0.1 * i);
+  ASSERT_GT(finger.state.force.z(), 2.0);
+  EXPECT_TRUE(fault(finger).isZero());
+  EXPECT_TRUE(finger.state.status & bit) << finger.state.status;
+  EXPECT_TRUE(finger.at(-4.9).isZero()) << "still inside: nothing until it has been outside";
+  finger.at(0.1);
+  EXPECT_GT(finger.at(-0.1).z(), 0.0) << "and then as ever";
 }
 
-TEST(Limiter, SpreadsAJumpOfTheContactOverTicks) {
-  const LimiterSettings settings = withoutRamp();
-  LimiterState state;
-  tick(settings, state, Vec3::Zero(), Vec3::Zero());
-  const double step_at_rest = settings.stiffness_n_per_mm * settings.safety.slew_mm;
-  EXPECT_DOUBLE_EQ(tick(settings, state, Vec3::Zero(), Vec3(0, 0, 3)).z(), step_at_rest);
-  EXPECT_EQ(state.status, kSlewLimited);
-  EXPECT_DOUBLE_EQ(tick(settings, state, Vec3(0.3, 0, 0), Vec3(0, 0, 3)).z(), 2 * step_at_rest + 0.5 * 2.0 * 0.3);
+TEST(Limiter, SendsNothingInTheTickOfAFault) {
+  expectStop(kTipNotFinite, [](Finger& f) { return f.tick({0, kNan, 0}, {0, 0, 2.45}); });
+  expectStop(kForceNotFinite, [](Finger& f) { return f.tick({0, 0, -4.9}, {0, kNan, 0}); });
+  expectStop(kTipStale, [](Finger& f) { return f.tick({0, 0, -4.9}, {0, 0, 2.45}, 3.0); });
+  expectStop(kTipJumped, [](Finger& f) { return f.tick({20, 0, -4.9}, {0, 0, 2.45}); });
+  expectStop(kForceJumped, [](Finger& f) {
+    f.settings.force_n = 20.0;
+    return f.tick({0, 0, -4.9}, {-9, 0, -9});
+  });
+  const auto reported = [](SafetyBit bit) {
+    return [bit](Finger& f) {
+      guardTip(f.settings, f.state, {.tip = {0, 0, -4.9}, .tick = f.next++});
+      reportFault(f.state, bit);
+      return limitForce(f.settings, f.state, touchOf({0, 0, -4.9}, {0, 0, 2.45}), kHooke);
+    };
+  };
+  expectStop(kStalled, reported(kStalled));
+  expectStop(kEmergencyStop, reported(kEmergencyStop));
 }
 
-TEST(Limiter, RunsDownByTheSameLawAfterRelease) {
-  const LimiterSettings settings = withoutRamp();
-  LimiterState state;
-  for (int i = 0; i < 100; ++i) tick(settings, state, Vec3::Zero(), Vec3(0, 0, 2));
-  double last = state.force.z();
-  ASSERT_DOUBLE_EQ(last, 2.0);
-  int ticks = 0;
-  for (; last > 0.0; ++ticks) {
-    const double now = tick(settings, state, Vec3::Zero(), Vec3::Zero()).z();
-    EXPECT_LE(last - now, 0.05 + 1e-12);
-    last = now;
-  }
-  EXPECT_EQ(ticks, 40);
+TEST(Limiter, TakesATipThatWasNotSeenForSomeTicksAtItsSpeed) {
+  Finger finger;
+  finger.at(0.1);
+  finger.next += 20;  // ticks that were missed: 40 mm in 21 ms is no jump
+  finger.tick({40, 0, 1}, Vec3::Zero());
+  EXPECT_FALSE(finger.state.status & kTipJumped);
+  finger.tick({80, 0, 1}, Vec3::Zero());
+  EXPECT_TRUE(finger.state.status & kTipJumped);
+}
+
+TEST(Limiter, LetsAForceEndAtOnce) {
+  Finger finger;
+  finger.settings.force_n = 100.0;
+  finger.at(0.1);
+  for (int i = 0; i < 400; ++i) finger.at(-0.1 * i);
+  ASSERT_GT(finger.state.force.z(), 19.0);
+  finger.tick({0, 0, -39.9}, {0, 0, 0.1});
+  EXPECT_EQ(finger.state.status, 0u);
 }
 
 TEST(Limiter, UsesTheLastGoodTipWhenTheDeviceGivesNoNumber) {
-  const LimiterSettings settings = withoutRamp();
+  const LimiterSettings settings;
   LimiterState state;
-  guardTip(settings, state, Vec3(1, 2, 3));
-  limitForce(settings, state, Vec3::Zero());
-  EXPECT_EQ(guardTip(settings, state, Vec3(kNan, 0, 0)), Vec3(1, 2, 3));
-  EXPECT_TRUE(state.status & kTipNotFinite);
+  guardTip(settings, state, {.tip = {1, 2, 3}});
+  EXPECT_EQ(guardTip(settings, state, {.tip = {kNan, 0, 0}}), Vec3(1, 2, 3));
 }
 
-TEST(Limiter, RampsAgainAfterATipFasterThanAHand) {
-  LimiterSettings settings;
-  LimiterState state;
-  for (int i = 0; i < 1000; ++i) tick(settings, state, Vec3::Zero(), Vec3(0, 0, 1));
-  ASSERT_DOUBLE_EQ(state.force.z(), 1.0);
-  const double after = tick(settings, state, Vec3(500, 0, 0), Vec3(0, 0, 1)).z();
-  EXPECT_TRUE(state.status & kTipJumped);
-  EXPECT_NEAR(after, 1.0 - 0.05, 1e-12) << "a jump must not be a licence to change the force at once";
-}
-
-/// Energy that a hand gains (N mm) which presses 10 mm into a spring of one stiffness, leaves it by another, and rests
-/// in free air.
-double energyOfAStroke(const LimiterSettings& settings, LimiterState& state, double down_n_per_mm, double up_n_per_mm) {
-  double gained = 0.0;
-  for (int i = 0; i <= 2000; ++i) {
-    const double depth = i <= 1000 ? 0.01 * i : 0.01 * (2000 - i);
-    const double stiffness = i <= 1000 ? down_n_per_mm : up_n_per_mm;
-    gained += state.force.z() * (-depth - state.tip.z());
-    tick(settings, state, Vec3(0, 0, -depth), Vec3(0, 0, stiffness * depth));
+TEST(Limiter, SoftensAllPlacesByOneFactor) {
+  for (const double stiffness : {0.5, 2.0}) {
+    Finger finger;
+    finger.settings.stiffness_factor = 0.25;
+    finger.stiffness_n_per_mm = stiffness;
+    finger.at(0.1);
+    EXPECT_DOUBLE_EQ(finger.at(-0.1).z(), 0.25 * stiffness * 0.1);
   }
-  for (int i = 0; i < 100; ++i) tick(settings, state, Vec3::Zero(), Vec3::Zero());
-  return gained;
 }
 
-LimiterSettings ofStrokes(bool passivity) {
-  LimiterSettings settings = withoutRamp();
-  settings.safety.nominal_force_n = 100.0;
-  settings.safety.passivity = passivity;
-  return settings;
-}
-
-TEST(Limiter, TakesPushFromASpringThatGivesBackMoreThanItTook) {
-  const auto energy_gained = [](bool passivity) {
-    LimiterState state;
-    double gained = 0.0;  // an engine of 0.15 d^2 a stroke
-    for (int stroke = 0; stroke < 5; ++stroke) gained += energyOfAStroke(ofStrokes(passivity), state, 0.2, 0.5);
-    return gained / 5.0;
+TEST(Limiter, GivesAFastFirstTouchAToeAndASlowOneNone) {
+  const auto second = [](double step_mm) {
+    Finger finger;
+    finger.stiffness_n_per_mm = 2.0;
+    finger.at(2.1 * step_mm);
+    finger.at(1.1 * step_mm);
+    finger.at(0.1 * step_mm);
+    finger.at(-0.9 * step_mm);
+    return finger;
   };
-  EXPECT_GT(energy_gained(false), 10.0);
-  EXPECT_LT(energy_gained(true), 2.5) << "allowance of 1 N mm, and one tick's delay";
+  Finger fast = second(0.5);
+  EXPECT_NEAR(fast.state.soft.toe_mm, 2.0 * 0.25 / (2.0 * 0.25), 1e-9);
+  EXPECT_LT(fast.state.force.z(), 0.25);
+  EXPECT_TRUE(fast.state.status & kSoftened);
+  const double toe = fast.state.soft.toe_mm;
+  EXPECT_NEAR(fast.at(-1.5).z(), 2.0 * (1.5 - 0.5 * toe), 1e-12);
+  EXPECT_EQ(second(0.1).state.soft.toe_mm, 0.0) << "palpation itself is unchanged";
 }
 
-TEST(Limiter, ForgetsInFreeAirWhatATouchTook) {
-  LimiterState state;
-  EXPECT_LT(energyOfAStroke(ofStrokes(true), state, 0.5, 0.2), -10.0) << "a brake";
-  EXPECT_LT(energyOfAStroke(ofStrokes(true), state, 0.2, 0.5), 2.5) << "a credit does not pay for the next touch";
+TEST(Limiter, TheToeMakesNoEnergy) {
+  // In and out again at other speeds: a function of the depth alone.
+  Finger finger;
+  finger.stiffness_n_per_mm = 2.0;
+  finger.settings.force_n = 100.0;
+  for (const double z : {1.0, 0.5, 0.0}) finger.at(z);
+  double gained = 0.0;
+  double before_z = 0.0;
+  double before_f = 0.0;
+  const auto go = [&](double z) {
+    const double f = finger.at(z).z();
+    gained += 0.5 * (f + before_f) * (z - before_z);
+    before_z = z;
+    before_f = f;
+  };
+  for (int i = 1; i <= 20; ++i) go(-0.25 * i);
+  for (int i = 499; i >= 0; --i) go(-0.01 * i);
+  EXPECT_GT(finger.state.counts[10], 400u);
+  EXPECT_NEAR(gained, 0.0, 0.05) << "of 25 mJ; the steps are not infinitely small";
 }
 
-RC_GTEST_PROP(Limiter, IsAlwaysFiniteBoundedAndGradual, (std::uint64_t seed)) {
+TEST(Limiter, LeavesWhatPushesNoHandAsItIs) {
+  Finger finger;
+  finger.settings.limited = false;
+  EXPECT_EQ(finger.tick({0, 0, -40}, {0, 0, 80}), Vec3(0, 0, 80));
+  EXPECT_EQ(finger.state.status, 0u);
+}
+
+TEST(Limiter, AllocatesLocksAndThrowsNothing) {
+  Finger finger;
+  finger.state.closes_loop = true;
+  Random random(5);
+  const lab::ThreadCounts before = lab::countsOfThisThread();
+  for (int i = 0; i < 100'000; ++i) finger.at(random.uniform(-4.0, 1.0));
+  const lab::ThreadCounts counts = lab::countsSince(before);
+  if (lab::kCountsCalls) {
+    EXPECT_EQ(counts.allocations, 0u);
+    EXPECT_EQ(counts.locks, 0u);
+  }
+}
+
+RC_GTEST_PROP(Limiter, IsAlwaysFiniteAndBounded, (std::uint64_t seed)) {
   Random random(seed);
-  LimiterSettings settings;
-  settings.safety.ramp_s = random.uniform(0.0, 0.1);
-  LimiterState state;
+  Finger finger;
+  finger.state.closes_loop = random.below(2) == 0;
   const auto wild = [&]() -> double {
-    switch (random.below(8)) {
+    switch (random.below(12)) {
       case 0:
         return kNan;
       case 1:
@@ -165,16 +238,69 @@ RC_GTEST_PROP(Limiter, IsAlwaysFiniteBoundedAndGradual, (std::uint64_t seed)) {
       case 2:
         return 1e308;
       default:
-        return random.uniform(-20.0, 20.0);
+        return random.uniform(-5.0, 5.0);
     }
   };
   for (int i = 0; i < 500; ++i) {
-    const Vec3 before = state.force;
-    const Vec3 sent = tick(settings, state, Vec3(wild(), wild(), wild()), Vec3(wild(), wild(), wild()));
+    const Vec3 before = finger.state.force;
+    const Vec3 sent = finger.tick({wild(), wild(), wild()}, {wild(), wild(), wild()}, random.uniform(0.0, 2.5));
     RC_ASSERT(sent.allFinite());
     RC_ASSERT(sent.norm() <= 3.3 * (1 + 1e-12));
-    RC_ASSERT((sent - before).norm() <= 0.5 * (2.0 * state.motion.norm() + 0.1) * (1 + 1e-9));
+    RC_ASSERT((sent - before).norm() <= 6.0 || sent.norm() <= before.norm());
+    RC_ASSERT((finger.state.status & kFaultBits) == 0u || sent.isZero(0.0));
   }
+}
+
+// ---- the scene's own numbers
+
+TEST(DeviceLimits, HoldWhatTheDeviceTakesWhateverTheSceneWishes) {
+  scene::SafetySettings safety;
+  EXPECT_EQ(device::largestForceN(safety, device::profileOf(safety.device)), 3.3);
+  safety.device = scene::DeviceModel::omega_3;
+  EXPECT_EQ(device::largestForceN(safety, device::profileOf(safety.device)), 12.0);
+  safety.nominal_force_n = 5.0;
+  EXPECT_EQ(device::largestForceN(safety, device::profileOf(safety.device)), 5.0);
+  safety.nominal_force_n = 50.0;
+  EXPECT_EQ(device::largestForceN(safety, device::profileOf(safety.device)), 12.0) << "never silently above it";
+  safety.device = scene::DeviceModel::unknown;
+  device::Capabilities reported;
+  reported.max_force_n = 8.0;
+  EXPECT_EQ(device::largestForceN(safety, device::profileOf(safety.device, reported)), 8.0) << "what the driver says";
+}
+
+TEST(DeviceLimits, CapTheStiffnessByDelayAndRate) {
+  const scene::SafetySettings unknown;
+  const auto cap = [](scene::SafetySettings safety, double tick_s, double delay) {
+    safety.delay_ticks = delay;
+    return stiffnessCap(safety, device::profileOf(safety.device), tick_s);
+  };
+  EXPECT_EQ(cap(unknown, 0.001, 1.0), 2.0);
+  EXPECT_EQ(cap(unknown, 0.001, 2.0), 1.0);
+  EXPECT_EQ(cap(unknown, 0.002, 1.0), 0.9);
+  EXPECT_EQ(cap(unknown, 0.00025, 1.0), 3.0);
+  EXPECT_LT(cap(unknown, 0.004, 1.0), 0.35) << "where the nominal device still rests at 250 Hz";
+  scene::SafetySettings touch = unknown;
+  touch.device = scene::DeviceModel::touch;
+  EXPECT_EQ(cap(touch, 0.001, 1.0), 0.4);
+  touch.stiffness_cap_n_per_mm = 5.0;
+  EXPECT_EQ(cap(touch, 0.001, 1.0), 0.4) << "never silently above it";
+  scene::SafetySettings falcon = unknown;
+  falcon.device = scene::DeviceModel::falcon;
+  EXPECT_EQ(cap(falcon, 0.001, 1.0), 2.0);
+  falcon.device_damping_n_s_per_mm = 1e-3;
+  falcon.device_friction_n = 0.4;
+  EXPECT_EQ(cap(falcon, 0.001, 1.0), 3.0) << "identified";
+}
+
+TEST(DeviceLimits, TheFactorLooksAtTheSteepestPartThatTheForceReaches) {
+  tissue::ForceLaw law;
+  EXPECT_EQ(stiffnessFactor(law, 1.0, 40.0, 3.3, 2.0), 1.0);
+  EXPECT_NEAR(stiffnessFactor(law, 4.0, 40.0, 3.3, 2.0), 0.5, 1e-9);
+  law.kind = tissue::ForceLaw::Kind::power;
+  law.exponent = 2.0;  // F = k d^2 / 8
+  const double factor = stiffnessFactor(law, 4.0, 40.0, 3.3, 1.0);
+  const double depth = std::sqrt(8.0 * 3.3 / (factor * 4.0));
+  EXPECT_NEAR(factor * 4.0 * depth / 4.0, 1.0, 1e-6) << "the tangent at 3.3 N";
 }
 
 }  // namespace

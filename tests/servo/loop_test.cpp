@@ -156,7 +156,27 @@ TEST(PacedLoop, StopsWhenAskedAndLetsGoOfEveryDevice) {
   EXPECT_TRUE(links.finished.load());
 }
 
-TEST(PacedLoop, RampsAgainAfterAStall) {
+TEST(PacedLoop, SendsNoForceAfterTheEmergencyStop) {
+  const contact::Surface surface = plate();
+  Rig rig = rigOn(surface, 100);
+  LoopLinks links(rig.fingers.size());
+  std::uint64_t ticks = 0;
+  std::uint64_t pushed = 0;
+  rig.fingers[0].device.read_tip = [&](std::uint64_t) { return Vec3(0, 0, ticks < 5 ? 0.1 : -0.05); };
+  rig.fingers[0].device.write_force = [&](const Vec3& force) {
+    if (ticks == 20) links.emergency_stop.press();  // holds from the next tick on
+    if (ticks <= 20) pushed += force.isZero() ? 0 : 1;
+    if (ticks > 20) {
+      EXPECT_TRUE(force.isZero()) << ticks;
+    }
+    if (++ticks == 60) links.stop = true;
+  };
+  runPaced(rig, 1'000'000, quick(), links);
+  EXPECT_GT(pushed, 10u);
+  EXPECT_GT(rig.fingers[0].limiter.counts[11], 30u);
+}
+
+TEST(PacedLoop, CallsAStallAFault) {
   const contact::Surface surface = plate();
   Rig rig = rigOn(surface, 100);
   LoopLinks links(rig.fingers.size());

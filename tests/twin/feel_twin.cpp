@@ -55,14 +55,14 @@ std::uint64_t feel(const contact::Surface& surface, const contact::FingerSetting
   contact::FingerState state;
   Hash hash;
   for (std::size_t at = 0; at < path.size(); at += every) {
-    const contact::FingerOutput felt =
-        contact::step(surface, settings, state, servo::guardTip(limits, sent, path.tip_mm[at]));
+    const Vec3 tip = servo::guardTip(limits, sent, {.tip = path.tip_mm[at], .tick = at});
+    const contact::FingerOutput felt = contact::step(surface, settings, state, tip);
     hash.add(felt.force);
     hash.add(felt.proxy);
     hash.add(felt.anchor);
     hash.add(felt.depth_mm);
     hash.add(std::uint64_t{felt.status});
-    hash.add(servo::limitForce(limits, sent, felt.force));
+    hash.add(servo::limitForce(limits, sent, felt, surface.force_law));
   }
   return hash.value();
 }

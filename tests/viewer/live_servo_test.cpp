@@ -59,6 +59,29 @@ TEST(LiveServo, FeelsWhereTheMousePoints) {
   EXPECT_GT(report.ticks, 50u);
 }
 
+TEST(LiveServo, ADeviceHoldsTheLeftFingerWithinItsOwnLimitAndTheMouseKeepsTheRight) {
+  const support::TemporaryFolder folder;
+  const auto world = sheet(folder, 0.5);
+  std::vector<Vec3> path;
+  for (int tick = 0; tick < 300; ++tick) path.emplace_back(100.0, 100.0, 8.0 - 0.02 * tick);
+  device::Device held = device::scriptedDevice("held", std::make_shared<const std::vector<Vec3>>(path));
+  held.capabilities.max_force_n = 1.5;
+  held.capabilities.nominal_stiffness_n_per_mm = 0.4;
+  const auto limits = leastOf(std::span(&held, 1));
+  ASSERT_TRUE(limits);
+  EXPECT_EQ(limits->max_force_n, 1.5);
+  EXPECT_EQ(limits->nominal_stiffness_n_per_mm, 0.4);
+  EXPECT_FALSE(leastOf({}));
+  LiveServo servo(planFor(world, world->scene, true, limits), {held});
+  EXPECT_TRUE(servo.isHeld(0));
+  EXPECT_FALSE(servo.isHeld(1));
+  EXPECT_TRUE(waitFor(servo, [&] { return servo.thread().contacts()[0].device_force.z() > 1.45; }))
+      << "6 mm deep, 3 N if it were the mouse's";
+  EXPECT_LE(servo.thread().contacts()[0].device_force.norm(), 1.5 + 1e-9);
+  servo.point(1, pressAt({60, 100, 0}, 4.0));
+  EXPECT_TRUE(waitFor(servo, [&] { return servo.thread().contacts()[1].contact.depth_mm > 3.5; }));
+}
+
 TEST(LiveServo, TakesAnotherWorldBetweenTwoTicksAndGivesTheOldOneBack) {
   const support::TemporaryFolder folder;
   auto soft = sheet(folder, 0.2);

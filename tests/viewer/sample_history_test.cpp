@@ -37,8 +37,8 @@ TEST(SampleHistory, MarksTouchSlipAndForcesThatADeviceWouldNotGet) {
     trace::Sample sample = sampleAt(tick, tick >= 310 && tick < 390 ? 9.0 : 1.0);
     if (tick >= 210 && tick < 690) sample.contact.touch = contact::Touch::stick;
     if (tick >= 510 && tick < 590) sample.contact.touch = contact::Touch::slip;
-    if (tick == 650) sample.safety = servo::kSlewLimited;
-    if (tick == 250) sample.safety = servo::kRamping;  // no news
+    if (tick == 650) sample.safety = servo::kForceJumped;
+    if (tick == 250) sample.safety = servo::kHeldBack;  // no news
     history.add(sample, 5.0);
   }
   const auto marks = history.marks(1.0, 1.0, 10);

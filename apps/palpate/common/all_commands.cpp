@@ -6,6 +6,7 @@ namespace palpate::app {
 void addAllCommands(CLI::App& app) {
   app.require_subcommand(1);
   addBenchCommand(app);
+  addDevicesCommand(app);
   addHuntCommand(app);
   addInfoCommand(app);
   addMapCommand(app);

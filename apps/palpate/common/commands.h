@@ -21,6 +21,7 @@ void addBenchContactCommand(CLI::App& parent);
 void addBenchDeformCommand(CLI::App& parent);
 void addBenchFrameCommand(CLI::App& parent);
 void addBenchPartitionCommand(CLI::App& parent);
+void addDevicesCommand(CLI::App& app);
 void addHuntCommand(CLI::App& app);
 void addInfoCommand(CLI::App& app);
 void addMapCommand(CLI::App& app);

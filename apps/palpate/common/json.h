@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "palpate/base/vec.h"
+#include "palpate/servo/histogram.h"
 
 namespace palpate::app {
 
@@ -15,6 +16,11 @@ inline nlohmann::ordered_json vectorJson(const Vec3& v) { return {v.x(), v.y(), 
 template <class Number>
 nlohmann::ordered_json orNull(const std::optional<Number>& number) {
   return number ? nlohmann::ordered_json(*number) : nlohmann::ordered_json(nullptr);
+}
+
+/// {p50, p99, p99_9, max}, us.
+inline nlohmann::ordered_json percentilesJson(const servo::DurationPercentiles& p) {
+  return {{"p50", p.p50_us}, {"p99", p.p99_us}, {"p99_9", p.p99_9_us}, {"max", p.max_us}};
 }
 
 }  // namespace palpate::app

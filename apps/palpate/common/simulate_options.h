@@ -25,6 +25,7 @@ struct SimulateOptions {
   double seconds = 0.0;            ///< 0: until the last finger has finished
   std::optional<std::string> out;  ///< empty: results_folder.h finds a fresh name
   bool overwrite = false;
+  std::vector<std::string> devices;  ///< that hold the first fingers, instead of their paths
   bool realtime = false;
   bool pictures = true;
   bool plot = true;

@@ -2,14 +2,19 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "apps/palpate/common/choice_option.h"
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/default_scene.h"
+#include "apps/palpate/common/device_option.h"
 #include "apps/palpate/common/interruption.h"
 #include "apps/palpate/common/number_option.h"
+#include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/common/unit_option.h"
 #include "apps/viewer/files/input_script.h"
 #include "apps/viewer/files/state_file.h"
@@ -17,6 +22,7 @@
 #include "palpate/base/background.h"
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
+#include "palpate/device/finger_path.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/trace/forces_table.h"
 #include "palpate/window/window.h"
@@ -31,7 +37,8 @@ struct RunOptions {
   std::string out = ".";
   std::string replay;
   std::string stereo;
-  double unit_mm = 0.0;  ///< of a mesh file; 0: as its format says
+  std::vector<std::string> devices;  ///< that hold the first fingers instead of the mouse
+  double unit_mm = 0.0;              ///< of a mesh file; 0: as its format says
   std::string group;
   int width = 0;
   int height = 0;
@@ -152,6 +159,18 @@ void keepState(const RunOptions& options, viewer::Viewer& viewer, const window::
   if (!options.no_state) viewer::writeState(viewer::stateFile(), {viewer.session().state, window.placement()});
 }
 
+/// Devices begin over the place where an automatic path would, two of them beside each other.
+std::vector<device::OpenOptions> placesOver(const scene::World& world, std::size_t devices) {
+  constexpr double kApartMm = 60.0;
+  std::vector<device::OpenOptions> places(viewer::kFingers);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const double share = devices > 1 ? static_cast<double>(i) - 0.5 : 0.0;
+    places[i].origin_mm = device::automaticPath(world).tip_mm.front() + share * kApartMm * Vec3::UnitX();
+    places[i].tick_s = 1.0 / world.scene.ticks_per_s;
+  }
+  return places;
+}
+
 void loop(const RunOptions& options, Playback& playback, window::Window& window, viewer::Viewer& viewer,
           Clock::time_point started) {
   double shown_s = 0.0;
@@ -188,6 +207,17 @@ void finishViewer(const RunOptions& options, viewer::Viewer& viewer) {
   }
 }
 
+/// A signal leaves no time for a question.
+void keepChanges(const viewer::Viewer& viewer) {
+  if (endAskedBy() == 0) return;
+  try {
+    const std::filesystem::path kept = viewer.keepChanges();
+    if (!kept.empty()) say(fmt::format("palpate: the changed scene is kept as {}\n", kept.string()));
+  } catch (const Error& error) {
+    say(fmt::format("palpate: the changed scene is lost: {}\n", error.what()));
+  }
+}
+
 void runWindow(const RunOptions& options) {
   const auto started = Clock::now();
   Playback playback(options.play);
@@ -208,11 +238,15 @@ void runWindow(const RunOptions& options) {
   view_state.input.shortcuts = !options.no_shortcuts;
   if (!options.stereo.empty()) view_state.stereo.mode = view::stereoModeNamed(options.stereo);
   building->join();  // without a display the window has thrown
+  if (!options.devices.empty()) {
+    settings.devices = openDevices(options.devices, placesOver(*world, options.devices.size()));
+  }
   viewer::Viewer viewer(world, std::move(view_state), std::move(settings), hostOf(window));
   if (!state.note.empty()) viewer.session().report(viewer::Severity::warning, state.note);
   if (!options.replay.empty()) viewer.session().wish(viewer::Wish::Kind::open, options.replay);
   const FinishesInOrder in_order;
   loop(options, playback, window, viewer, started);
+  keepChanges(viewer);
   keepState(options, viewer, window);
   finishViewer(options, viewer);
 }
@@ -232,6 +266,8 @@ void addRunCommand(CLI::App& app) {
              command->add_option("--stereo", options->stereo,
                                  "Stereo mode instead of the remembered one; quad-buffer asks for a window for shutter "
                                  "glasses"));
+  addDeviceOption(*command, options->devices,
+                  "Holds the left finger instead of the mouse, the right one when given again");
   addNumber(*command, "--frames", options->frames, between(1, 1e12), "Close after so many frames");
   command->add_option("-o,--out", options->out, "Folder for pictures and tables that are saved")->capture_default_str();
   addNumber(*command, "--width", options->width, between(320, 16384, "pixels"),

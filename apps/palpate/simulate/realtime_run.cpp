@@ -1,10 +1,13 @@
 #include "apps/palpate/simulate/realtime_run.h"
 
 #include <chrono>
+#include <span>
 #include <thread>
+#include <vector>
 
 #include "apps/palpate/common/interruption.h"
 #include "palpate/base/stopwatch.h"
+#include "palpate/device/back_ends.h"
 #include "palpate/engine/living_skin.h"
 
 namespace palpate::app {
@@ -55,12 +58,17 @@ class Display {
   servo::DurationHistogram staleness_;
 };
 
-void displayUntilFinished(Display& display, servo::LoopLinks& links, double duration_s, const Progress& progress) {
+/// Lost devices are looked for once a second: that may take the driver a moment.
+constexpr int kFramesPerLook = 60;
+
+void displayUntilFinished(Display& display, servo::LoopLinks& links, std::span<const device::Device> devices,
+                          double duration_s, const Progress& progress) {
   const auto started = Clock::now();
   const auto period = std::chrono::duration<double>(1.0 / kFramesPerS);
   for (int frame = 1; !links.finished.load(std::memory_order_acquire); ++frame) {
     if (endAskedBy() != 0) links.stop = true;
     display.drawFrame();
+    if (frame % kFramesPerLook == 0) device::tendDevices(devices);
     const auto due = started + std::chrono::duration_cast<Clock::duration>(frame * period);
     const double elapsed_s = secondsSince(started);
     report(progress, "palpating in real time", std::min(1.0, elapsed_s / duration_s));
@@ -75,13 +83,15 @@ RealtimeReport runRealtime(const scene::World& world, servo::Rig& rig, std::uint
   RealtimeReport report;
   const FinishesInOrder in_order;
   servo::LoopLinks links(rig.fingers.size());
+  std::vector<device::Device> devices;
+  for (const servo::FingerChain& finger : rig.fingers) devices.push_back(finger.device);
   servo::PacedSettings settings;
   settings.pacing.period_s = rig.tick_s;
   Display display(world, links);
   servo::SampleDrain drain(links, sink);
   std::thread servo_thread([&] { report.loop = loop(rig, ticks, settings, links); });
   const JoinedAtTheEnd joined(servo_thread, links);
-  displayUntilFinished(display, links, static_cast<double>(ticks) * rig.tick_s, progress);
+  displayUntilFinished(display, links, devices, static_cast<double>(ticks) * rig.tick_s, progress);
   servo_thread.join();
   drain.join();
   report.display = display.report();

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "apps/palpate/simulate/surface_files.h"
@@ -19,6 +20,9 @@ void RunStatistics::add(const trace::Sample& sample) {
   hash_.add(contact.force);
   ++finger.ticks;
   finger.peak_device_force_n = std::max(finger.peak_device_force_n, sample.device_force.norm());
+  for (std::uint32_t bits = sample.safety; bits != 0; bits &= bits - 1) {
+    ++finger.interventions.at(static_cast<std::size_t>(std::countr_zero(bits)));
+  }
   if (contact.touch == contact::Touch::free) return;
   ++finger.touching;
   (contact.touch == contact::Touch::stick ? finger.sticking : finger.slipping) += 1;

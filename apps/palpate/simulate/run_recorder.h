@@ -2,6 +2,7 @@
 // finger felt over time, and the moments whose surfaces are written afterwards.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -27,6 +28,8 @@ struct FingerStatistics {
   std::uint64_t sticking = 0;
   std::uint64_t slipping = 0;
   std::uint64_t limited = 0;  ///< touching ticks in which the device got less, or later, than the contact's force
+  std::array<std::uint64_t, servo::kSafetyBits>
+      interventions{};  ///< ticks in which each bit of the safety status was set
   double peak_force_n = 0.0;
   double sum_force_n = 0.0;
   double peak_device_force_n = 0.0;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/palpate/common/commands.h"
+#include "apps/palpate/common/device_option.h"
 #include "apps/palpate/common/interruption.h"
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/common/results_folder.h"
@@ -22,8 +23,8 @@ void runSimulate(const SimulateOptions& options) {
   ProgressLine progress;
   const scene::Scene scene = sceneFor(options);
   const ResultsFolder results = resultsFolder(options.out, options.overwrite);
-  SimulationResult result =
-      simulate(scene, {results.folder, options.realtime, options.pictures, options.plot}, progress.display());
+  SimulationResult result = simulate(
+      scene, {results.folder, options.realtime, options.devices, options.pictures, options.plot}, progress.display());
   progress.clear();
   result.files.emplace_back("report.json");
   const std::string json = reportOf(result).dump(2) + "\n";
@@ -53,6 +54,9 @@ void addSimulateCommand(CLI::App& app) {
   const auto keys = std::make_shared<bool>(false);
   addInputOptions(*command, *options);
   addSecondsOption(*command, *options);
+  addDeviceOption(*command, options->devices,
+                  "Holds the first finger instead of its path, the second when given again; its origin lies where the "
+                  "path begins, and hardware needs --realtime");
   addOutputOptions(*command, *options);
   command->add_flag("--keys", *keys, "Print every key of scene files (Markdown) and stop");
   command->callback([=] {

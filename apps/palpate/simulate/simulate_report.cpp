@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/palpate/common/interruption.h"
+#include "apps/palpate/common/json.h"
+#include "palpate/servo/device_limits.h"
 
 namespace palpate::app {
 
@@ -17,8 +19,16 @@ double share(std::uint64_t part, std::uint64_t whole) {
   return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
 }
 
-Json percentilesJson(const servo::DurationPercentiles& p) {
-  return {{"p50", p.p50_us}, {"p99", p.p99_us}, {"p99_9", p.p99_9_us}, {"max", p.max_us}};
+/// Ticks in which the limiter acted, by what it did; what never happened is left out.
+Json interventionsJson(const FingerStatistics& finger) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < finger.interventions.size(); ++i) {
+    if (finger.interventions[i] == 0) continue;
+    std::string name = servo::safetyNames()[i];
+    std::replace(name.begin(), name.end(), ' ', '_');
+    json[name] = finger.interventions[i];
+  }
+  return json;
 }
 
 Json fingerJson(const std::string& name, const FingerStatistics& finger) {
@@ -30,7 +40,16 @@ Json fingerJson(const std::string& name, const FingerStatistics& finger) {
           {"depth_mm", {{"mean", finger.meanDepthMm()}, {"peak", finger.peak_depth_mm}}},
           {"device_force_peak_n", finger.peak_device_force_n},
           {"device_limited_share", share(finger.limited, finger.touching)},
+          {"interventions", interventionsJson(finger)},
           {"triangles_touched", finger.triangles}};
+}
+
+/// What a hand on a device could feel of this scene at most.
+Json deviceJson(const scene::World& world) {
+  const servo::LimiterSettings limits = servo::limiterSettings(world);
+  return {{"force_n", limits.force_n},
+          {"stiffness_factor", limits.stiffness_factor},
+          {"stiffness_n_per_mm", limits.stiffness_factor * limits.stiffness_n_per_mm}};
 }
 
 Json bodyJson(const scene::World& world) {
@@ -111,8 +130,11 @@ std::string safetyLine(const SimulationResult& result) {
     limited += finger.limited;
     touching += finger.touching;
   }
-  return fmt::format("  device     force kept within {:.1f} N; softened in {:.1f} % of the touching ticks\n",
-                     result.world->scene.safety.nominal_force_n, 100.0 * share(limited, touching));
+  const servo::LimiterSettings limits = servo::limiterSettings(*result.world);
+  std::string factor;
+  if (limits.stiffness_factor < 1.0) factor = fmt::format("; all forces times {:.2f}", limits.stiffness_factor);
+  return fmt::format("  device     force kept within {:.1f} N{}; changed in {:.1f} % of the touching ticks\n",
+                     limits.force_n, factor, 100.0 * share(limited, touching));
 }
 
 std::string filesLines(const SimulationResult& result) {
@@ -143,6 +165,7 @@ nlohmann::ordered_json reportOf(const SimulationResult& result) {
                  {"tick_us", percentilesJson(result.loop.compute)},
                  {"overruns", result.loop.overruns},
                  {"slow_ticks", result.loop.slow_ticks},
+                 {"device", deviceJson(*result.world)},
                  {"fingers", fingers},
                  {"hash", fmt::format("{:016x}", result.hash)},
                  {"files", result.files},

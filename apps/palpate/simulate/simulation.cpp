@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <optional>
 
+#include "apps/palpate/common/device_option.h"
 #include "apps/palpate/common/interruption.h"
 #include "apps/palpate/plot/forces_plot.h"
 #include "apps/palpate/render/contact_sheet.h"
@@ -12,7 +12,9 @@
 #include "apps/palpate/simulate/run_recorder.h"
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
+#include "palpate/device/back_ends.h"
 #include "palpate/scene/hdb_source.h"
+#include "palpate/servo/device_limits.h"
 #include "palpate/servo/scripted_rig.h"
 
 namespace palpate::app {
@@ -44,14 +46,51 @@ void saveAutomaticPaths(const scene::World& world, const device::FingerPaths& pa
   }
 }
 
-void run(const scene::World& world, const device::FingerPaths& paths, bool realtime, RunRecorder& recorder,
+/// A device is felt within the scene's limits and those that it names itself.
+void holdBy(const device::Device& device, const scene::World& world, servo::FingerChain& finger) {
+  const auto profile = device::profileOf(world.scene.safety.device, device.capabilities);
+  finger.limiter_settings = servo::limiterSettings(world, profile);
+  servo::giveDevice(finger, device);
+}
+
+/// Opens the devices and puts them in place of the first fingers' paths, where these begin.
+void useDevices(const SimulationSettings& settings, const device::FingerPaths& paths, servo::Rig& rig,
+                SimulationResult& result) {
+  std::vector<device::OpenOptions> fingers(paths.tips.size());
+  for (std::size_t i = 0; i < fingers.size(); ++i) {
+    fingers[i].tips = paths.tips[i];
+    fingers[i].origin_mm = paths.tips[i]->front();
+    fingers[i].tick_s = rig.tick_s;
+  }
+  const std::vector<device::Device> devices = openDevices(settings.devices, fingers);
+  for (std::size_t i = 0; i < devices.size(); ++i) {
+    if (devices[i].capabilities.rhythm != device::Rhythm::on_call && !settings.realtime) {
+      throw Error(devices[i].name + ": a hand takes its time: --realtime");
+    }
+    holdBy(devices[i], *result.world, rig.fingers[i]);
+    result.notes.push_back(
+        fmt::format("finger {} is held by {}", result.world->scene.fingers[i].name, device::describe(devices[i])));
+  }
+}
+
+void noteTroubles(const servo::Rig& rig, SimulationResult& result) {
+  for (const servo::FingerChain& finger : rig.fingers) {
+    const std::string trouble = finger.device.explain ? finger.device.explain() : std::string();
+    if (!trouble.empty()) result.notes.push_back(finger.device.name + ": " + trouble);
+  }
+}
+
+void run(const device::FingerPaths& paths, const SimulationSettings& settings, RunRecorder& recorder,
          SimulationResult& result, const Progress& progress) {
+  const scene::World& world = *result.world;
   servo::Rig rig = servo::scriptedRig(world, paths);
-  if (realtime) {
+  useDevices(settings, paths, rig, result);
+  if (settings.realtime) {
     const auto record = [&](const trace::Sample& sample) { recorder.add(sample); };
     RealtimeReport report = runRealtime(world, rig, paths.ticks, record, progress);
     result.loop = std::move(report.loop);
     result.display = report.display;
+    noteTroubles(rig, result);
     return;
   }
   const auto record = [&](std::span<const trace::Sample> samples) {
@@ -129,7 +168,7 @@ SimulationResult simulate(const scene::Scene& scene, const SimulationSettings& s
   saveAutomaticPaths(world, paths, result);
 
   RunRecorder recorder(world, paths, settings.folder);
-  run(world, paths, settings.realtime, recorder, result, progress);
+  run(paths, settings, recorder, result, progress);
   recorder.finish(progress);
 
   result.fingers = recorder.statistics().fingers();

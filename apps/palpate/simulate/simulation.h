@@ -44,8 +44,9 @@ struct SimulationResult {
 struct SimulationSettings {
   std::filesystem::path folder = "results";
   bool realtime = false;
-  bool pictures = true;  ///< leave a contact sheet, where pictures can be drawn
-  bool plot = true;      ///< leave a plot of what was felt
+  std::vector<std::string> devices = {};  ///< back ends that hold the first fingers (device/back_ends.h)
+  bool pictures = true;                   ///< leave a contact sheet, where pictures can be drawn
+  bool plot = true;                       ///< leave a plot of what was felt
 };
 
 /// Builds the scene, runs it and writes its files into the folder, which is made if needed. A signal ends the run,

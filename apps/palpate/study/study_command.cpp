@@ -100,7 +100,7 @@ void runAll(const AllArguments& arguments) {
 void addStudyAll(CLI::App& parent) {
   auto arguments = std::make_shared<AllArguments>();
   CLI::App& command = *parent.add_subcommand(
-      "all", "Every study, a page each, and one readable report.html with all figures; about two minutes on two cores");
+      "all", "Every study, a page each, and one readable report.html with all figures; some minutes on two cores");
   command.add_option("-o,--out", arguments->folder, "Folder to write into; made when missing")->required();
   command.add_flag("--quick", arguments->quick,
                    "Small models and few repetitions: a look at the report, not a measurement");

@@ -57,10 +57,11 @@ MenuBar menuOf(Session& session) {
   MenuBar menu{
       session.state, session.hint, {}, session.messages.unread(), {}, recordingWords(session.recording, session.now_s)};
   for (std::size_t i = 0; i < window::kActions; ++i) menu.on[i] = isOn(static_cast<window::Action>(i), session);
-  menu.status = {session.world.name + (session.history.changed() ? " *" : ""), "mouse",
-                 fmt::format("{:.0f} Hz", session.performance.servo.ticks_per_s),
-                 fmt::format("{:.0f} fps", session.performance.frames_per_s)};
-  if (session.simple_shading) menu.status.insert(menu.status.begin() + 1, "drawn smooth: slow");
+  menu.status.push_back(session.world.name + (session.history.changed() ? " *" : ""));
+  if (session.simple_shading) menu.status.emplace_back("drawn smooth: slow");
+  menu.status.push_back(session.held_by);
+  menu.status.push_back(fmt::format("{:.0f} Hz", session.performance.servo.ticks_per_s));
+  menu.status.push_back(fmt::format("{:.0f} fps", session.performance.frames_per_s));
   return menu;
 }
 

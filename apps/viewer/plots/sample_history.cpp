@@ -17,8 +17,9 @@ constexpr double kSpeedSmoothingS = 0.03;
 constexpr double kJumpMmPerS = 5000.0;
 /// Slower than this the anchor only settles, mm/s.
 constexpr double kSlipMmPerS = 0.5;
-/// What a limiter does to a force; ramps after a start are no news.
-constexpr std::uint32_t kLimiting = servo::kForceNotFinite | servo::kDamped | servo::kClamped | servo::kSlewLimited;
+/// What a limiter does to a force; what follows a start is no news.
+constexpr std::uint32_t kLimiting =
+    servo::kForceNotFinite | servo::kDamped | servo::kClamped | servo::kForceJumped | servo::kSoftened;
 
 }  // namespace
 

@@ -10,10 +10,12 @@ namespace palpate::device {
 
 Device scriptedDevice(std::string name, std::shared_ptr<const std::vector<Vec3>> tips) {
   if (tips == nullptr || tips->empty()) throw Error(name + ": a scripted device needs at least one position");
-  const auto read = [tips = std::move(tips)](std::uint64_t tick) {
+  Device device;
+  device.name = std::move(name);
+  device.read_tip = [tips = std::move(tips)](std::uint64_t tick) {
     return (*tips)[std::min<std::uint64_t>(tick, tips->size() - 1)];
   };
-  return {std::move(name), read, {}};
+  return device;
 }
 
 }  // namespace palpate::device

@@ -1,12 +1,13 @@
 // The seam between the servo and whatever a hand holds: a position comes out of it once a tick, a force goes back.
 //
-// A device is two functions and a few facts. Scripted paths, mice and hardware drivers fill it in alike; the servo
+// A device is a few functions and a few facts. Scripted paths, mice and hardware drivers fill it in alike; the servo
 // knows nothing else. Drivers convert their own units and axes here, at their edge: inside it is mm and N in the body
-// frame.
+// frame. Back ends by name, and why one does not open: device/back_ends.h.
 #pragma once
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,15 +16,82 @@
 
 namespace palpate::device {
 
-/// Both functions are called from the servo thread, read before write, once a tick. They must return within a fraction
-/// of the tick and must not throw, lock or allocate.
+/// Bits of what keeps a device from being held now. While one is set it has no position, and whatever force it is given
+/// becomes zero.
+enum FaultBit : std::uint32_t {
+  kNoPose = 1u << 0,         ///< no position yet, or one that is not a number
+  kStalePose = 1u << 1,      ///< the newest position is older than kMostPoseTicks
+  kDriverError = 1u << 2,    ///< the driver reported an error; Device::explain says it in words
+  kNotCalibrated = 1u << 3,  ///< it does not know where it is: it wants to be moved or put back by hand
+  kClosed = 1u << 4,
+};
+
+/// Bits of what a device reports and goes on: the tick counts them, nobody has to act.
+enum NoteBit : std::uint32_t {
+  kWarmMotors = 1u << 0,
+  kForceExceeded = 1u << 1,     ///< the driver shortened the force
+  kVelocityExceeded = 1u << 2,  ///< the hand was too quick for the driver's own guard
+  kForceLimited = 1u << 3,      ///< another complaint about the force: an impulse, a ramp
+};
+
+/// What read_tip gives where there is no position: not a number.
+inline const Vec3 kNoPlace = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+
+/// A position may be this many ticks old and is still one; a force is forgotten likewise.
+inline constexpr std::uint64_t kMostPoseTicks = 2;
+
+/// Where a device's rhythm comes from.
+enum class Rhythm : std::uint8_t {
+  on_call,     ///< values in memory: it answers at once, at any rate
+  self_paced,  ///< the driver has a loop of its own, at `rate_hz`
+  blocking,    ///< each exchange waits for the hardware; a thread beside the servo does it
+};
+
+/// What a device says of itself. 0 and an empty box: it does not say.
+struct Capabilities {
+  bool takes_force = false;
+  double max_force_n = 0.0;
+  double continuous_force_n = 0.0;          ///< that it can hold for long
+  double nominal_stiffness_n_per_mm = 0.0;  ///< the stiffest wall that it renders well
+  Box3 workspace_mm;                        ///< that it reaches, in the body frame
+  double rate_hz = 0.0;
+  int delay_ticks = 0;  ///< servo ticks from a position to its force at the motors, apart from the tick itself
+  Rhythm rhythm = Rhythm::on_call;
+  std::string model;    ///< as the device calls itself
+  std::string version;  ///< of the driver
+};
+
+/// What came with the position of the last read_tip.
+struct DeviceState {
+  Vec3 velocity = Vec3::Zero();  ///< mm/s, as the driver says
+  std::uint32_t buttons = 0;     ///< bit 0 is the first
+  std::uint32_t faults = 0;      ///< FaultBits
+  std::uint32_t notes = 0;       ///< NoteBits
+  std::uint64_t age_ticks = 0;   ///< of the position
+  /// Ticks between sending a force and the first position that was read after the driver had it; 0: not seen yet.
+  std::uint64_t loop_ticks = 0;
+};
+
+/// read_tip, write_force and state are called from the servo thread, read before write, once a tick. They must return
+/// within a fraction of the tick and must not throw, lock or allocate. The others are for a thread that may wait.
 struct Device {
-  std::string name;
+  std::string name = {};
   /// Position of the finger tip at a tick, mm. `tick` counts deadlines from 0, skipped ones included: scripts follow
   /// it, hardware ignores it. Not a number means that the device has no position now.
-  std::function<Vec3(std::uint64_t tick)> read_tip;
+  std::function<Vec3(std::uint64_t tick)> read_tip = {};
   /// Takes the force that acts on the hand, N. May be empty for a device that only points.
-  std::function<void(const Vec3& force)> write_force;
+  std::function<void(const Vec3& force)> write_force = {};
+  Capabilities capabilities = {};
+  /// Empty for a device that is never in trouble and has nothing to say.
+  std::function<DeviceState()> state = {};
+  /// What is wrong now, in words; empty text: nothing. May be empty.
+  std::function<std::string()> explain = {};
+  /// Looks for a device that was lost and opens it again; true when it is there. May be empty.
+  std::function<bool()> revive = {};
+  /// One exchange of a blocking driver that was opened without a thread of its own. Otherwise empty.
+  std::function<void()> exchange = {};
+  /// Zero force, and the driver let go. Dropping the last copy of a device does it too. May be empty.
+  std::function<void()> close = {};
 };
 
 // A device that replays positions: the same tick always gives the same tip, which makes runs repeatable.

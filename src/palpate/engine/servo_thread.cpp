@@ -10,7 +10,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/engine/fingers.h"
-#include "palpate/servo/scripted_rig.h"
+#include "palpate/servo/device_limits.h"
 
 namespace palpate::engine {
 

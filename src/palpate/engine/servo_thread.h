@@ -66,6 +66,8 @@ class ServoThread {
   const servo::TickSamples& contacts() { return links_.contacts.newest(); }
   bool pop(trace::Sample& sample) { return links_.samples.pop(sample); }
   servo::LoopVitals vitals() { return links_.vitals.newest(); }
+  /// Press it from any thread: no finger gets a force from the next tick on, until it is released.
+  servo::EmergencyStop& emergencyStop() { return links_.emergency_stop; }
   std::size_t droppedSamples() const { return links_.samples.dropped(); }
 
   /// Ends the thread; the report of the whole run. At most once.

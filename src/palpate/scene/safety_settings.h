@@ -1,23 +1,56 @@
-// What a haptic device may be asked to do to a hand. Set by the scene, obeyed by the servo (servo/limiter.h).
+// What a haptic device may be asked to do to a hand. Set by the scene, completed by what is known of the device
+// (device/device_profile.h), obeyed by the servo (servo/limiter.h). docs/safety.md, docs/stability.md.
 #pragma once
+
+#include <cstdint>
 
 namespace palpate::scene {
 
+/// Devices whose limits are known.
+enum class DeviceModel : std::uint8_t {
+  unknown,
+  omni,
+  touch,
+  touch_x,
+  premium_1_5,
+  premium_3_0,
+  falcon,
+  omega_3,
+  inverse3
+};
+
+/// What is felt of a surface in which the tip already is when a session starts, or goes on after a fault.
+enum class StartRule : std::uint8_t {
+  outside,  ///< nothing until the tip has been outside once
+  ramp,     ///< a force that grows over `ramp_s`
+};
+
 struct SafetySettings {
-  /// Largest force sent to the device, N. 3.3 N is what a desktop pen device (Touch, Omni) holds for a moment.
-  double nominal_force_n = 3.3;
-  /// Time over which forces grow from nothing after a start, a jump or a stall, s: long enough to let go.
-  double ramp_s = 0.5;
-  /// The force may change per tick by stiffness * (slew_per_motion * |motion of the tip| + slew_mm): the law that
-  /// bounds the proxy's path, so that ordinary contact is never limited and only jumps of the contact are. Motion in
-  /// mm.
-  double slew_per_motion = 2.0;
-  double slew_mm = 0.1;  ///< per millisecond
-  /// A tip faster than this has not been moved by a hand: the encoder or the connection failed. mm/s.
-  double max_tip_speed_mm_per_s = 20000.0;
-  /// Take away push when the skin has given back more energy than it was given (passivity).
+  DeviceModel device = DeviceModel::unknown;
+  /// Largest force sent to the device, N, never above what the device holds for a moment. 0: that.
+  double nominal_force_n = 0.0;
+  /// The stiffest that a hand may feel anywhere, N/mm, never above the device's own. 0: that, and what the delay
+  /// allows.
+  double stiffness_cap_n_per_mm = 0.0;
+  /// From sampling the pose to the force taking effect, in ticks, the amplifier's lag included.
+  double delay_ticks = 1.0;
+  // Of this very device, if somebody has measured them; 0: the profile's assumptions, of which less is trusted.
+  double device_damping_n_s_per_mm = 0.0;
+  double device_friction_n = 0.0;
+  /// The controller that takes away what the sampled loop gives beyond the skin's own law.
   bool passivity = true;
-  /// Energy that may be given back before that starts, N mm: what a device's own friction swallows.
+  /// A fast first touch meets a toe of the force law, so that its first tick stays below half a newton.
+  bool soft_contact = true;
+  StartRule start = StartRule::outside;
+  double ramp_s = 0.5;
+  // What counts as a fault: no force in that tick, and the start rule again.
+  double max_age_ticks = 2.0;              ///< of a pose
+  double max_jump_mm = 10.0;               ///< of the tip in a tick ...
+  double max_tip_speed_mm_per_s = 3000.0;  ///< ... and as a speed, where ticks were missed
+  double max_force_rate_n_per_ms = 6.0;    ///< of a growing force
+  // What the limiter of versions up to 0.2 obeyed: read, without effect, and said in a note.
+  double slew_per_motion = 2.0;
+  double slew_mm = 0.1;
   double passivity_allowance_n_mm = 1.0;
 };
 

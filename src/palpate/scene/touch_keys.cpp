@@ -98,17 +98,33 @@ Section tissueSection() {
 Section safetySection() {
   using S = SafetySettings;
   std::vector<Key<S>> keys = {
-      number<S>("nominal_force_n", &S::nominal_force_n, above(0, 100), "Largest force sent to the device."),
-      number<S>("ramp_s", &S::ramp_s, between(0, 60),
-                "Forces grow from nothing over this time after a start or a fault."),
-      number<S>("slew_per_motion", &S::slew_per_motion, between(0, 1000),
-                "The force may change per tick by stiffness times this times the motion of the tip ..."),
-      number<S>("slew_mm", &S::slew_mm, above(0, 1000), "... plus stiffness times this, per millisecond."),
-      number<S>("max_tip_speed_mm_per_s", &S::max_tip_speed_mm_per_s, above(0, 1e9),
-                "A faster tip is a fault of the device: forces ramp up again."),
-      flag<S>("passivity", &S::passivity, "Take away push when the skin gives back more energy than it got."),
+      choice<S, DeviceModel>("device", &S::device, "Whose limits hold; a device that is open brings its own."),
+      number<S>("nominal_force_n", &S::nominal_force_n, between(0, 100),
+                "Largest force sent to the device, never above its own; 0 is that (3.3 for an unknown one)."),
+      number<S>("stiffness_cap_n_per_mm", &S::stiffness_cap_n_per_mm, between(0, 100),
+                "Stiffest that a hand may feel anywhere, never above the device's own; 0 is that, and what delay_ticks "
+                "and ticks_per_s allow. All places are softened by one factor."),
+      number<S>("delay_ticks", &S::delay_ticks, between(0, 6),
+                "From sampling the pose to the force taking effect, in ticks, with the amplifier's lag."),
+      number<S>("device_damping_n_s_per_mm", &S::device_damping_n_s_per_mm, between(0, 1),
+                "Measured on this very device; 0 is the assumption for its kind."),
+      number<S>("device_friction_n", &S::device_friction_n, between(0, 100), "Likewise."),
+      flag<S>("passivity", &S::passivity, "Take away what the sampled loop gives beyond the skin's own law."),
+      flag<S>("soft_contact", &S::soft_contact, "A fast first touch meets a soft toe of the force law."),
+      choice<S, StartRule>("start", &S::start,
+                           "Where the tip is inside at the start, or after a fault: no force until it has been outside "
+                           "once, or one that grows over ramp_s."),
+      number<S>("ramp_s", &S::ramp_s, between(0, 60), "With start = \"ramp\"."),
+      number<S>("max_age_ticks", &S::max_age_ticks, between(0, 1000), "An older pose is a fault: no force."),
+      number<S>("max_jump_mm", &S::max_jump_mm, above(0, 1e6),
+                "A tip that moves farther in a tick, and faster than max_tip_speed_mm_per_s, is a fault: no force."),
+      number<S>("max_tip_speed_mm_per_s", &S::max_tip_speed_mm_per_s, above(0, 1e9), "See max_jump_mm."),
+      number<S>("max_force_rate_n_per_ms", &S::max_force_rate_n_per_ms, above(0, 1e6),
+                "A force that grows faster is a fault: no force."),
+      number<S>("slew_per_motion", &S::slew_per_motion, between(0, 1000), "Without effect; goes with version 0.4."),
+      number<S>("slew_mm", &S::slew_mm, above(0, 1000), "Without effect; goes with version 0.4."),
       number<S>("passivity_allowance_n_mm", &S::passivity_allowance_n_mm, between(0, 1e6),
-                "Energy that may be given back before that."),
+                "Without effect; goes with version 0.4."),
   };
   return section<S>("safety", "What a device may do to a hand; never changes forces.csv's contact force.",
                     &Scene::safety, std::move(keys));

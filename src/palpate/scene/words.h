@@ -103,6 +103,26 @@ struct WordsOf<maps::DirectionBlend> {
 // ---- touch
 
 template <>
+struct WordsOf<scene::DeviceModel> {
+  using V = scene::DeviceModel;
+  static constexpr std::array kAll = {Word{"unknown", V::unknown},
+                                      Word{"omni", V::omni},
+                                      Word{"touch", V::touch},
+                                      Word{"touch_x", V::touch_x},
+                                      Word{"premium_1_5", V::premium_1_5},
+                                      Word{"premium_3_0", V::premium_3_0},
+                                      Word{"falcon", V::falcon},
+                                      Word{"omega_3", V::omega_3},
+                                      Word{"inverse3", V::inverse3}};
+};
+
+template <>
+struct WordsOf<scene::StartRule> {
+  using V = scene::StartRule;
+  static constexpr std::array kAll = {Word{"outside", V::outside}, Word{"ramp", V::ramp}};
+};
+
+template <>
 struct WordsOf<scene::ContactSource> {
   using V = scene::ContactSource;
   static constexpr std::array kAll = {Word{"surface", V::surface}, Word{"hdb", V::hdb}};
@@ -152,6 +172,12 @@ struct WordsOf<scene::Move> {
 };
 
 // ---- deformation
+
+template <>
+struct WordsOf<deform::Search> {
+  using V = deform::Search;
+  static constexpr std::array kAll = {Word{"neighbours", V::neighbours}, Word{"octree", V::octree}};
+};
 
 template <>
 struct WordsOf<deform::NormalRegion> {

@@ -145,6 +145,19 @@ void noteUnknownScalar(const Scene& scene, const SkinChannels* channels, std::ve
                               scene.view.scalar, scalarNames(channels)));
 }
 
+// ---- what a device may do
+
+/// Keys that an earlier limiter obeyed.
+void noteOldLimits(const SafetySettings& safety, std::vector<std::string>& notes) {
+  const SafetySettings left_out;
+  if (safety.slew_per_motion == left_out.slew_per_motion && safety.slew_mm == left_out.slew_mm &&
+      safety.passivity_allowance_n_mm == left_out.passivity_allowance_n_mm) {
+    return;
+  }
+  notes.emplace_back(
+      "[safety] slew_per_motion, slew_mm and passivity_allowance_n_mm have no effect any more (docs/safety.md)");
+}
+
 // ---- all together
 
 std::shared_ptr<const World> withBody(const Scene& scene, BodyParts body, deform::FormSettings forms,
@@ -153,6 +166,7 @@ std::shared_ptr<const World> withBody(const Scene& scene, BodyParts body, deform
   report(progress, "mapping stiffness", 0.0);
   std::vector<std::string> notes = body.notes;
   noteUnknownScalar(scene, body.channels.get(), notes);
+  noteOldLimits(scene.safety, notes);
   std::vector<double> stiffness = stiffnessOf(scene, body, keys, notes);
 
   report(progress, "building the contact surface", 0.0);

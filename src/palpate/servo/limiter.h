@@ -1,33 +1,71 @@
-// The last thing between a computed force and a hand: what is sent to the device is always finite, bounded and gradual.
+// The last thing between a computed force and a hand: what is sent is finite, bounded, and gives back no more than the
+// skin's own law says.
 //
-// Sits in the servo tick after contact::step: tip -> guardTip -> contact -> limitForce -> device. The contact's own
-// force is not touched by it; traces hold both. Based on: Hannaford and Ryu, "Time-domain passivity control of haptic
-// interfaces", IEEE Trans. Robot. Autom. 18 (2002), for the energy observer; the controller here only cancels push.
+//   pose ─► guardTip ─► contact ─► limitForce ─► device
+//
+// limitForce, in this order: fault? -> start rule -> one factor for all stiffness -> soft toe -> passivity -> clamp ->
+// rate guard. Any fault is no force in the same tick. The contact's own force is not touched; traces hold both.
+// docs/safety.md says what is promised, docs/stability.md what was measured.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "palpate/base/vec.h"
+#include "palpate/contact/finger_state.h"
 #include "palpate/scene/safety_settings.h"
+#include "palpate/servo/passivity.h"
+#include "palpate/servo/soft_contact.h"
+#include "palpate/tissue/force_law.h"
 
 namespace palpate::servo {
 
-/// Bits of a tick's safety status; 0 means the device got the contact's force as it was.
+/// Bits of a tick's safety status; 0 means the device got the contact's force, times the one factor, as it was.
 enum SafetyBit : std::uint32_t {
   kTipNotFinite = 1u << 0,    ///< the device gave no number; its last good tip was used
-  kTipJumped = 1u << 1,       ///< the tip moved faster than a hand can; the ramp starts again
-  kForceNotFinite = 1u << 2,  ///< the computed force was not a number; zero was used
-  kRamping = 1u << 3,         ///< forces are growing after a start, jump or stall
-  kDamped = 1u << 4,          ///< the passivity controller damped
-  kClamped = 1u << 5,         ///< shortened to the nominal force
-  kSlewLimited = 1u << 6,     ///< the change of force was limited
-  kStalled = 1u << 7,         ///< the loop had stopped for too long; the ramp starts again
+  kTipJumped = 1u << 1,       ///< the tip moved farther than a hand can
+  kForceNotFinite = 1u << 2,  ///< the computed force was not a number
+  kRamping = 1u << 3,         ///< a force that grows after a start inside
+  kDamped = 1u << 4,          ///< the passivity controller acted
+  kClamped = 1u << 5,         ///< shortened to the largest force
+  kForceJumped = 1u << 6,     ///< the force would have grown too fast (up to version 0.2: its change was limited)
+  kStalled = 1u << 7,         ///< the loop had stopped for too long
+  kTipStale = 1u << 8,        ///< the pose was too old
+  kHeldBack = 1u << 9,        ///< no force: the tip has not been outside since the start or the last fault
+  kSoftened = 1u << 10,       ///< the soft toe of a fast first touch
+  kEmergencyStop = 1u << 11,  ///< latched until it is released
+  kTooStiff = 1u << 12,  ///< a warning: in a third of all ticks of contact the controller takes a tenth of the force
 };
 
+/// How many different bits there are.
+inline constexpr std::size_t kSafetyBits = 13;
+
+/// The bits that mean: no force in this tick, and the start rule again.
+inline constexpr std::uint32_t kFaultBits =
+    kTipNotFinite | kTipJumped | kForceNotFinite | kForceJumped | kStalled | kTipStale | kEmergencyStop;
+
 struct LimiterSettings {
-  scene::SafetySettings safety;
-  double stiffness_n_per_mm = 0.5;  ///< the stiffest place that can be touched; scales the slew limit
+  bool limited = true;              ///< false: the contact's force as it is, for what pushes no hand
+  double force_n = 3.3;             ///< the largest
+  double stiffness_factor = 1.0;    ///< of all forces: no place is stiffer than the device can render
+  double stiffness_n_per_mm = 0.5;  ///< the greatest tangent stiffness of the scene, before that factor
+  double steepest = 1.0;            ///< greatest slope of the force law over that of a light touch
   double tick_s = 0.001;
+  bool soft_contact = true;
+  scene::StartRule start = scene::StartRule::outside;
+  double ramp_s = 0.5;
+  double max_age_ticks = 2.0;
+  double max_jump_mm = 10.0;
+  double max_tip_speed_mm_per_s = 3000.0;
+  double max_force_rate_n_per_ms = 6.0;
+  PassivitySettings passivity;
+};
+
+/// Where a device is, and since when.
+struct Pose {
+  Vec3 tip = Vec3::Zero();  ///< mm
+  std::uint64_t tick = 0;   ///< of the loop: ticks that were missed count
+  double age_ticks = 0.0;   ///< since it was measured
 };
 
 /// What the limiter remembers of one finger; value-initialised = switched on now.
@@ -36,18 +74,32 @@ struct LimiterState {
   Vec3 tip = Vec3::Zero();     ///< last good tip, mm
   Vec3 motion = Vec3::Zero();  ///< of the tip in this tick, mm
   bool has_tip = false;
-  double ramp_ticks = 0.0;   ///< since the ramp began
-  double energy_n_mm = 0.0;  ///< given by the hand since it touched, minus given back
-  std::uint32_t status = 0;  ///< SafetyBits of this tick
+  std::uint64_t tick = 0;      ///< of the last good tip
+  double elapsed_ticks = 1.0;  ///< between the last two
+  bool armed = false;          ///< it has been outside, or its ramp has ended
+  double ramp_ticks = 0.0;
+  /// Set for devices that take forces. A path that nothing pushes back on closes no loop: there is nothing to damp.
+  bool closes_loop = true;
+  SoftContact soft;
+  PassivityState passivity;
+  // For kTooStiff: ticks of contact, and those in which the controller acted, of a second.
+  std::uint32_t contact_ticks = 0;
+  std::uint32_t damped_ticks = 0;
+  std::uint32_t status = 0;                         ///< SafetyBits of this tick
+  std::array<std::uint64_t, kSafetyBits> counts{};  ///< ticks in which each bit was set
 };
 
 /// Starts the tick: returns the tip to use and clears the status.
-Vec3 guardTip(const LimiterSettings& settings, LimiterState& state, const Vec3& measured) noexcept;
+Vec3 guardTip(const LimiterSettings& settings, LimiterState& state, const Pose& pose) noexcept;
 
-/// Makes forces grow from nothing again; call it between guardTip and limitForce, `why` is added to the status.
-void restartRamp(LimiterState& state, SafetyBit why) noexcept;
+/// Makes this tick one without force, and the start rule hold again; between guardTip and limitForce.
+void reportFault(LimiterState& state, SafetyBit why) noexcept;
 
-/// Ends the tick: the force to send, N. Its length is at most nominal_force_n, always.
-Vec3 limitForce(const LimiterSettings& settings, LimiterState& state, const Vec3& contact_force) noexcept;
+/// Ends the tick: the force to send, N. Its length is at most settings.force_n, always.
+Vec3 limitForce(const LimiterSettings& settings, LimiterState& state, const contact::FingerOutput& contact,
+                const tissue::ForceLaw& law) noexcept;
+
+/// "tip not finite" and so on, for people; in the order of the bits.
+const std::array<const char*, kSafetyBits>& safetyNames() noexcept;
 
 }  // namespace palpate::servo

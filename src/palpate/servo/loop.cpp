@@ -1,6 +1,6 @@
 // Paced: wake -> before_tick -> the tick between two readings of the clock -> rings and buffers -> once a second
 // vitals. Headless: the same measured tick into a sink, with no clock to wait for. Neither allocates after the start; a
-// wake that came too late makes the limiter ramp up again. Own.
+// wake that came too late is a fault for the limiter. Own.
 #include "palpate/servo/loop.h"
 
 #include <algorithm>
@@ -112,6 +112,7 @@ LoopReport runPaced(Rig& rig, std::uint64_t ticks, const PacedSettings& settings
   Meter meter;
   meter.report.grant = prepareServoThread(settings.pacing);
   Pacer pacer(settings.pacing);
+  rig.emergency_stop = &links.emergency_stop;
   for (std::uint64_t next = 0; next < ticks && !links.stop.load(std::memory_order_relaxed);) {
     const Pacer::Wake wake = pacer.waitForNext();
     const std::uint64_t tick = std::min(wake.tick, ticks - 1);
@@ -122,6 +123,7 @@ LoopReport runPaced(Rig& rig, std::uint64_t ticks, const PacedSettings& settings
     publishVitals(meter, links);
     next = tick + 1;
   }
+  rig.emergency_stop = nullptr;
   releaseForces(rig);
   releaseServoMemory(meter.report.grant);
   meter.report.dropped_samples = links.samples.dropped();

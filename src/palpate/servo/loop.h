@@ -58,6 +58,7 @@ struct LoopLinks {
   RingBuffer<trace::Sample> samples;
   TripleBuffer<TickSamples> contacts;
   TripleBuffer<LoopVitals> vitals;
+  EmergencyStop emergency_stop;               ///< pressed by anybody: no forces from the next tick on
   std::atomic<bool> stop{false};              ///< set by anybody: the loop ends after the tick at hand
   std::atomic<bool> finished{false};          ///< set by the loop when no more samples will come
   std::atomic<std::int64_t> heartbeat_ns{0};  ///< monotonicNs() of the newest tick: a watchdog's view of the loop
@@ -65,7 +66,7 @@ struct LoopLinks {
 
 struct PacedSettings {
   PacingSettings pacing;
-  /// The loop was away this long, s: the hand has moved on, so forces ramp up again.
+  /// The loop was away this long, s: the hand has moved on, so this is a fault: no force, and the start rule again.
   double watchdog_s = 0.050;
   /// Called on the servo thread before each tick; may exchange what the rig holds, and must keep a device's rules: no
   /// lock, no allocation, no exception, a fraction of a tick. May be empty.

@@ -1,23 +1,12 @@
-// World + paths -> a chain a finger. The limiter's stiffness is the stiffest vertex times the steepest that the force
-// law can get within the deepest press: ordinary contact never meets its slew limit. Load time. Own.
+// World + paths -> a chain a finger. Load time. Own.
 #include "palpate/servo/scripted_rig.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "palpate/device/device.h"
+#include "palpate/servo/device_limits.h"
 
 namespace palpate::servo {
-
-LimiterSettings limiterSettings(const scene::World& world) {
-  LimiterSettings settings;
-  settings.safety = world.scene.safety;
-  settings.stiffness_n_per_mm =
-      *std::max_element(world.stiffness_n_per_mm.begin(), world.stiffness_n_per_mm.end()) *
-      tissue::steepestFactor(world.surface.force_law, world.scene.contact.finger.max_depth_mm);
-  settings.tick_s = 1.0 / world.scene.ticks_per_s;
-  return settings;
-}
 
 Rig scriptedRig(const scene::World& world, const device::FingerPaths& paths) {
   RigParts parts;

@@ -8,9 +8,6 @@
 
 namespace palpate::servo {
 
-/// The limits that this scene sets for one finger: its safety settings, and the steepest force the body can give.
-LimiterSettings limiterSettings(const scene::World& world);
-
 /// One chain a finger of the scene, in its order. The world must outlive the rig. Throws Error for contact settings
 /// that make no sense.
 Rig scriptedRig(const scene::World& world, const device::FingerPaths& paths);

@@ -7,17 +7,34 @@ namespace palpate::servo {
 
 namespace {
 
-void runFinger(FingerChain& finger, LoopEvent event, trace::Sample& sample) noexcept {
-  const Vec3 measured = finger.device.read_tip(sample.tick);
-  const Vec3 tip = guardTip(finger.limiter_settings, finger.limiter, measured);
-  if (event == LoopEvent::stalled) restartRamp(finger.limiter, kStalled);
+/// A device that names its rate has a pose in each of its ticks or is in trouble. Another program comes when it comes,
+/// and has no position when that is too long ago.
+double ageOf(const device::Device& device) noexcept {
+  if (!device.state || !(device.capabilities.rate_hz > 0.0)) return 0.0;
+  return static_cast<double>(device.state().age_ticks);
+}
+
+void runFinger(FingerChain& finger, LoopEvent event, bool stopped, trace::Sample& sample) noexcept {
+  Pose pose;
+  pose.tip = finger.device.read_tip(sample.tick);
+  pose.tick = sample.tick;
+  pose.age_ticks = ageOf(finger.device);
+  const Vec3 tip = guardTip(finger.limiter_settings, finger.limiter, pose);
+  if (event == LoopEvent::stalled) reportFault(finger.limiter, kStalled);
+  if (stopped) reportFault(finger.limiter, kEmergencyStop);
   sample.contact = touch(finger.solver, finger.contact_settings, finger.contact, tip);
-  sample.device_force = limitForce(finger.limiter_settings, finger.limiter, sample.contact.force);
+  sample.device_force =
+      limitForce(finger.limiter_settings, finger.limiter, sample.contact, finger.solver.surface->force_law);
   sample.safety = finger.limiter.status;
   if (finger.device.write_force) finger.device.write_force(sample.device_force);
 }
 
 }  // namespace
+
+void giveDevice(FingerChain& finger, device::Device device) {
+  finger.limiter.closes_loop = static_cast<bool>(device.write_force);
+  finger.device = std::move(device);
+}
 
 Rig rigOf(RigParts parts) {
   Rig rig;
@@ -29,17 +46,18 @@ Rig rigOf(RigParts parts) {
     chain.contact_settings = parts.fingers[i];
     chain.contact_settings.tick_s = parts.tick_s;
     chain.limiter_settings = parts.limiter;
-    chain.device = std::move(parts.devices[i]);
+    giveDevice(chain, std::move(parts.devices[i]));
     rig.fingers.push_back(std::move(chain));
   }
   return rig;
 }
 
 void runTick(Rig& rig, std::uint64_t tick, LoopEvent event, std::span<trace::Sample> samples) noexcept {
+  const bool stopped = rig.emergency_stop != nullptr && rig.emergency_stop->pressed();
   for (std::size_t i = 0; i < rig.fingers.size(); ++i) {
     samples[i].tick = tick;
     samples[i].finger = static_cast<std::uint32_t>(i);
-    runFinger(rig.fingers[i], event, samples[i]);
+    runFinger(rig.fingers[i], event, stopped, samples[i]);
   }
 }
 

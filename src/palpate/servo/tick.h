@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "palpate/device/device.h"
+#include "palpate/servo/emergency_stop.h"
 #include "palpate/servo/finger_solver.h"
 #include "palpate/servo/limiter.h"
 #include "palpate/trace/sample.h"
@@ -23,10 +24,14 @@ struct FingerChain {
   LimiterState limiter;
 };
 
+/// Puts a device in the finger's hand. One that takes no forces closes no loop.
+void giveDevice(FingerChain& finger, device::Device device);
+
 /// Everything a servo thread touches. Nobody else may change it while a loop runs.
 struct Rig {
   double tick_s = 0.001;
   std::vector<FingerChain> fingers;
+  const EmergencyStop* emergency_stop = nullptr;  ///< of whoever runs the loop; may be none
 };
 
 /// What a rig is made of; each vector has an entry a finger.

@@ -1,0 +1,39 @@
+#include "apps/palpate/common/device_option.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "palpate/base/error.h"
+
+namespace palpate::app {
+
+CLI::Option* addDeviceOption(CLI::App& command, std::vector<std::string>& names, const std::string& help) {
+  const auto known = [](const std::string& words) {
+    try {
+      device::deviceNamed(words);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  return command
+      .add_option("--device", names,
+                  fmt::format("{}: {}, with :WHICH behind it for one of several (docs/devices.md)", help,
+                              fmt::join(device::backEndNames(), ", ")))
+      ->type_name("NAME[:WHICH]")
+      ->check(CLI::Validator(known, ""))
+      ->allow_extra_args(false);  // one a time: what follows is the scene
+}
+
+std::vector<device::Device> openDevices(std::span<const std::string> names,
+                                        std::span<const device::OpenOptions> fingers) {
+  if (names.size() > fingers.size()) {
+    throw Error(fmt::format("--device: {} devices for {} finger{}", names.size(), fingers.size(),
+                            fingers.size() == 1 ? "" : "s"));
+  }
+  std::vector<device::Device> devices;
+  for (std::size_t i = 0; i < names.size(); ++i) devices.push_back(device::openNamed(names[i], fingers[i]));
+  return devices;
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,22 @@
+// --device: who moves the fingers instead of the scene's paths or the mouse.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "palpate/device/back_ends.h"
+
+namespace palpate::app {
+
+/// Adds --device NAME[:WHICH], once for each finger; a name that no back end has is a usage error. `names` must outlive
+/// the command.
+CLI::Option* addDeviceOption(CLI::App& command, std::vector<std::string>& names, const std::string& help);
+
+/// Opens them in their order, device i as `fingers[i]` says. Throws Error with the reason for one that does not open,
+/// and for more devices than fingers.
+std::vector<device::Device> openDevices(std::span<const std::string> names,
+                                        std::span<const device::OpenOptions> fingers);
+
+}  // namespace palpate::app

@@ -1,0 +1,77 @@
+#include "lab/loops/closed_loop.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace palpate::lab {
+
+namespace {
+
+constexpr double kHalfPlate = 200.0;  // mm
+
+/// Two triangles, or a strip of columns across the blend of a map.
+contact::Surface plate(const PlateSettings& settings) {
+  std::vector<double> columns{-kHalfPlate, kHalfPlate};
+  if (settings.other_n_per_mm > 0.0) columns = {-kHalfPlate, 0.0, settings.blend_mm, kHalfPlate};
+  mesh::TriangleMesh mesh;
+  std::vector<double> stiffness;
+  for (const double x : columns) {
+    const double share = settings.other_n_per_mm > 0.0 ? std::clamp(x / settings.blend_mm, 0.0, 1.0) : 0.0;
+    for (const double y : {-kHalfPlate, kHalfPlate}) {
+      mesh.positions.emplace_back(x, y, 0.0);
+      stiffness.push_back((1.0 - share) * settings.stiffness_n_per_mm + share * settings.other_n_per_mm);
+    }
+  }
+  for (Index c = 0; c + 1 < static_cast<Index>(columns.size()); ++c) {
+    const Index i = 2 * c;
+    mesh.triangles.push_back({i, i + 2, i + 3});
+    mesh.triangles.push_back({i, i + 3, i + 1});
+  }
+  return contact::buildSurface(mesh, std::move(stiffness), {.force_law = settings.law, .self_intersecting = false});
+}
+
+}  // namespace
+
+servo::LimiterSettings limitsOf(const device::DeviceProfile& device, double tick_s, double delay_ticks,
+                                Protection protection) {
+  scene::SafetySettings safety;
+  safety.delay_ticks = delay_ticks;
+  safety.passivity = safety.soft_contact = protection != Protection::none;
+  if (protection == Protection::identified) {
+    safety.device_damping_n_s_per_mm = device.damping_n_s_per_mm;
+    safety.device_friction_n = device.friction_n;
+  }
+  return servo::limiterSettings(safety, device, tick_s);
+}
+
+ClosedLoop::ClosedLoop(const LoopSettings& settings)
+    : surface_(std::make_unique<contact::Surface>(plate(settings.plate))),
+      hand_(std::make_unique<device::SimulatedHand>(settings.hand)) {
+  contact::FingerSettings finger;
+  finger.mu_static = finger.mu_dynamic = settings.plate.friction;
+  servo::RigParts parts;
+  parts.tick_s = settings.hand.tick_s;
+  parts.limiter = settings.limits;
+  parts.solvers = servo::makeSolvers(*surface_, nullptr, 1);
+  parts.fingers = {finger};
+  parts.devices.push_back(device::simulatedHandDevice("hand", *hand_));
+  rig_ = servo::rigOf(std::move(parts));
+}
+
+void ClosedLoop::settleContact() {
+  servo::FingerChain& finger = rig_.fingers.front();
+  const Vec3 there = hand_->place();
+  for (double z = 1.0; z > there.z(); z -= 0.5) {
+    servo::touch(finger.solver, finger.contact_settings, finger.contact, {there.x(), there.y(), z});
+  }
+  for (int i = 0; i < 100; ++i) servo::touch(finger.solver, finger.contact_settings, finger.contact, there);
+  finger.limiter = {};
+  finger.limiter.armed = true;
+}
+
+const trace::Sample& ClosedLoop::tick() {
+  servo::runTick(rig_, next_++, servo::LoopEvent::none, samples_);
+  return samples_.front();
+}
+
+}  // namespace palpate::lab

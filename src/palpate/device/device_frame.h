@@ -1,0 +1,24 @@
+// Where a device stands in the body frame: which of its axes points where, how long its unit is, where its middle lies.
+#pragma once
+
+#include <string_view>
+
+#include "palpate/base/vec.h"
+
+namespace palpate::device {
+
+struct DeviceFrame {
+  Mat3 axes = Mat3::Identity();  ///< a rotation: body = axes * device
+  double mm = 1.0;               ///< length of the device's unit; a motion is scaled, a force is not
+  Vec3 origin_mm = Vec3::Zero();
+
+  Vec3 placeInBody(const Vec3& place) const noexcept { return origin_mm + mm * (axes * place); }
+  Vec3 motionInBody(const Vec3& motion) const noexcept { return mm * (axes * motion); }
+  Vec3 forceInDevice(const Vec3& force) const noexcept { return axes.transpose() * force; }
+};
+
+/// The rotation that words like "y,z,x" or "x,-z,y" name: which device axis the body's x, y and z are. Throws Error for
+/// what is no such list, and for a mirror image.
+Mat3 axesNamed(std::string_view words);
+
+}  // namespace palpate::device

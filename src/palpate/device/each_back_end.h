@@ -1,0 +1,36 @@
+// What the rows of back_ends.cpp point to: how each back end is looked for, and how it is opened. docs/devices.md.
+#pragma once
+
+#include "palpate/device/back_ends.h"
+
+namespace palpate::device {
+
+// Those that need nothing but this program (plain_back_ends.cpp).
+
+Probe probeMouse(const OpenOptions& options);
+Device openMouse(const OpenOptions& options);
+
+Probe probeScript(const OpenOptions& options);
+Device openScript(const OpenOptions& options);
+
+/// A trajectory (t_s,x_mm,y_mm,z_mm), or a recorded table of forces with the name of a finger after a colon.
+Probe probePlayback(const OpenOptions& options);
+Device openPlayback(const OpenOptions& options);
+
+// Touch, Omni, Desktop and Premium through libHD, opened at run time (openhaptics.cpp).
+
+/// Looks for the library, what it needs, its functions, the device on the bus and the right to open it, and opens it
+/// for a moment.
+Probe probeOpenHaptics(const OpenOptions& options);
+/// Any number of devices; all of them share the library's scheduler, each has its own position and force.
+Device openOpenHaptics(const OpenOptions& options);
+
+// Omega, delta, sigma and Falcon through libdhd or libdrd, opened at run time (forcedimension.cpp).
+
+/// Looks for the library, its functions and version, the device on the bus and the right to open it, and opens it for a
+/// moment.
+Probe probeForceDimension(const OpenOptions& options);
+/// With a thread of its own for the exchanges, or without one (OpenOptions::own_thread).
+Device openForceDimension(const OpenOptions& options);
+
+}  // namespace palpate::device

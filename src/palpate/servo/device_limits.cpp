@@ -1,0 +1,131 @@
+// Load time. The table of stable stiffness is what randomised devices and hands kept at rest, 400 of each (`palpate
+// study stability`); between its rows the lower one holds. Own.
+#include "palpate/servo/device_limits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace palpate::servo {
+
+namespace {
+
+/// What the delay may be wrong by, in ticks.
+constexpr double kDelayMargin = 1.0;
+constexpr double kIdentifiedMargin = 0.5;
+
+/// The share of a device's damping and friction that is counted on: assumed ones may be far off.
+struct Trust {
+  double damping;
+  double friction;
+};
+constexpr Trust kAssumed{0.25, 0.1};
+constexpr Trust kIdentified{0.5, 0.25};
+
+constexpr double kMostPassivityForce = 1.5;
+constexpr double kPassivityShare = 0.4;  // of the largest force
+
+bool isIdentified(const scene::SafetySettings& safety) {
+  return safety.device_damping_n_s_per_mm > 0.0 && safety.device_friction_n > 0.0;
+}
+
+/// The depth at which the stiffest place gives this force, at most `most_mm`.
+double depthOfForce(const tissue::ForceLaw& law, double stiffness, double force_n, double most_mm) {
+  double low = 0.0;
+  double high = most_mm;
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (low + high);
+    (tissue::normalForce(law, stiffness, middle) < force_n ? low : high) = middle;
+  }
+  return high;
+}
+
+PassivitySettings passivityOf(const scene::SafetySettings& safety, const device::DeviceProfile& profile,
+                              double force_n) {
+  const bool identified = isIdentified(safety);
+  const Trust trust = identified ? kIdentified : kAssumed;
+  PassivitySettings settings;
+  settings.on = safety.passivity;
+  settings.delay_ticks = safety.delay_ticks + (identified ? kIdentifiedMargin : kDelayMargin);
+  settings.damping_n_s_per_mm =
+      trust.damping * (identified ? safety.device_damping_n_s_per_mm : profile.damping_n_s_per_mm);
+  settings.friction_n = trust.friction * (identified ? safety.device_friction_n : profile.friction_n);
+  settings.mass_kg = profile.mass_kg;
+  settings.encoder_mm = profile.encoder_mm;
+  settings.most_n = std::min(kMostPassivityForce, kPassivityShare * force_n);
+  return settings;
+}
+
+}  // namespace
+
+double stableStiffness(double tick_s, double delay_ticks, bool identified) {
+  constexpr double kRounding = 1e-9;
+  // Slower than 500 Hz: with the square of the rate, from 0.9 at 2 ms. At 250 Hz a controlled loop rests up to 0.35
+  // N/mm.
+  double stiffness = 0.9 * (0.002 / tick_s) * (0.002 / tick_s);
+  if (tick_s <= 0.002 + kRounding) stiffness = 0.9;
+  if (tick_s <= 0.001 + kRounding) stiffness = identified ? 3.0 : 2.0;
+  if (tick_s <= 0.00025 + kRounding) stiffness = 3.0;
+  return stiffness / std::max(1.0, std::ceil(delay_ticks - kRounding));
+}
+
+double stiffnessCap(const scene::SafetySettings& safety, const device::DeviceProfile& profile, double tick_s) {
+  double cap = stableStiffness(tick_s, safety.delay_ticks, isIdentified(safety));
+  if (profile.stiffness_n_per_mm > 0.0) cap = std::min(cap, profile.stiffness_n_per_mm);
+  if (!(safety.stiffness_cap_n_per_mm > 0.0)) return cap;
+  return profile.known ? std::min(cap, safety.stiffness_cap_n_per_mm) : safety.stiffness_cap_n_per_mm;
+}
+
+double stiffnessFactor(const tissue::ForceLaw& law, double stiffness_n_per_mm, double most_mm, double force_n,
+                       double cap_n_per_mm) {
+  const auto steepest = [&](double factor) {
+    const double depth = depthOfForce(law, stiffness_n_per_mm, force_n / factor, most_mm);
+    return factor * stiffness_n_per_mm * tissue::steepestFactor(law, depth);
+  };
+  if (!(steepest(1.0) > cap_n_per_mm)) return 1.0;
+  double low = 0.0;
+  double high = 1.0;
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (low + high);
+    (steepest(middle) > cap_n_per_mm ? high : low) = middle;
+  }
+  return low;
+}
+
+LimiterSettings limiterSettings(const scene::SafetySettings& safety, const device::DeviceProfile& profile,
+                                double tick_s) {
+  LimiterSettings settings;
+  settings.tick_s = tick_s;
+  settings.force_n = device::largestForceN(safety, profile);
+  settings.soft_contact = safety.soft_contact;
+  settings.start = safety.start;
+  settings.ramp_s = safety.ramp_s;
+  settings.max_age_ticks = safety.max_age_ticks;
+  settings.max_jump_mm = safety.max_jump_mm;
+  settings.max_tip_speed_mm_per_s = safety.max_tip_speed_mm_per_s;
+  settings.max_force_rate_n_per_ms = safety.max_force_rate_n_per_ms;
+  settings.passivity = passivityOf(safety, profile, settings.force_n);
+  return settings;
+}
+
+LimiterSettings limiterSettings(const scene::World& world, const device::DeviceProfile& profile) {
+  const scene::Scene& scene = world.scene;
+  const tissue::ForceLaw& law = world.surface.force_law;
+  const double most_mm = scene.contact.finger.max_depth_mm;
+  LimiterSettings settings = limiterSettings(scene.safety, profile, 1.0 / scene.ticks_per_s);
+  const double sideways = std::max(1.0, scene.contact.finger.stiffness_ratio);
+  const double stiffest =
+      *std::max_element(world.stiffness_n_per_mm.begin(), world.stiffness_n_per_mm.end()) * sideways;
+  const double cap = stiffnessCap(scene.safety, profile, settings.tick_s);
+  settings.stiffness_factor = stiffnessFactor(law, stiffest, most_mm, settings.force_n, cap);
+  const double depth = depthOfForce(law, stiffest, settings.force_n / settings.stiffness_factor, most_mm);
+  settings.steepest = tissue::steepestFactor(law, depth);
+  settings.stiffness_n_per_mm = stiffest * settings.steepest;
+  return settings;
+}
+
+LimiterSettings limiterSettings(const scene::World& world) {
+  return limiterSettings(world, device::profileOf(world.scene.safety.device));
+}
+
+}  // namespace palpate::servo
