@@ -9,8 +9,8 @@
 
 #include "device/conformance_bench.h"
 #include "palpate/base/error.h"
-#include "palpate/device/shared_library.h"
-#include "palpate/device/usb_search.h"
+#include "palpate/device/hardware/shared_library.h"
+#include "palpate/device/hardware/usb_search.h"
 
 namespace palpate::device {
 namespace {

@@ -10,9 +10,9 @@
 
 #include "palpate/base/error.h"
 #include "palpate/device/driver_thread.h"
-#include "palpate/device/forcedimension_driver.h"
-#include "palpate/device/library_report.h"
-#include "palpate/device/usb_search.h"
+#include "palpate/device/hardware/forcedimension_driver.h"
+#include "palpate/device/hardware/library_report.h"
+#include "palpate/device/hardware/usb_search.h"
 
 namespace palpate::device {
 

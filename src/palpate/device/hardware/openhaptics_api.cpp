@@ -1,5 +1,5 @@
 // Names of the library's functions and what its error codes mean. Cold path. Own.
-#include "palpate/device/openhaptics_api.h"
+#include "palpate/device/hardware/openhaptics_api.h"
 
 #include <fmt/format.h>
 

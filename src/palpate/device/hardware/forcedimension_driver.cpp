@@ -1,7 +1,7 @@
 // due force -> dhdSetForce; dhdGetPosition -> reading. "Too soon" is no error: nothing is published and the position
 // grows old by itself. A lost device is closed and opened again by its index, on this thread, so the servo never waits.
 // Own.
-#include "palpate/device/forcedimension_driver.h"
+#include "palpate/device/hardware/forcedimension_driver.h"
 
 #include <fmt/format.h>
 

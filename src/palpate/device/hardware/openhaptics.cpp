@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "palpate/base/error.h"
-#include "palpate/device/library_report.h"
-#include "palpate/device/openhaptics_session.h"
-#include "palpate/device/usb_search.h"
+#include "palpate/device/hardware/library_report.h"
+#include "palpate/device/hardware/openhaptics_session.h"
+#include "palpate/device/hardware/usb_search.h"
 
 namespace palpate::device {
 

@@ -15,7 +15,7 @@
 #include "palpate/device/back_ends.h"
 #include "palpate/device/device_frame.h"
 #include "palpate/device/driver_link.h"
-#include "palpate/device/openhaptics_api.h"
+#include "palpate/device/hardware/openhaptics_api.h"
 
 namespace palpate::device::openhaptics {
 

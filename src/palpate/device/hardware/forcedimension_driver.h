@@ -10,7 +10,7 @@
 #include "palpate/device/back_ends.h"
 #include "palpate/device/device_frame.h"
 #include "palpate/device/driver_link.h"
-#include "palpate/device/forcedimension_api.h"
+#include "palpate/device/hardware/forcedimension_api.h"
 
 namespace palpate::device::forcedimension {
 

@@ -1,7 +1,7 @@
 // The scheduler reads `slots_` without a lock: it stands still while they change. A device that is released while
 // others are held stays initialised, at zero force, until the last goes: stopping would take the skin from the others'
 // fingers. Errors are popped after each frame; the library names the device that each belongs to. Own.
-#include "palpate/device/openhaptics_session.h"
+#include "palpate/device/hardware/openhaptics_session.h"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "palpate/device/shared_library.h"
+#include "palpate/device/hardware/shared_library.h"
 
 namespace palpate::device::forcedimension {
 

@@ -1,6 +1,6 @@
 // /sys/bus/usb/devices/*/{idVendor,idProduct,manufacturer,product,busnum,devnum} -> /dev/bus/usb/BBB/DDD. Cold path.
 // Own.
-#include "palpate/device/usb_search.h"
+#include "palpate/device/hardware/usb_search.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

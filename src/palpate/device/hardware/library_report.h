@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "palpate/device/back_ends.h"
-#include "palpate/device/shared_library.h"
-#include "palpate/device/usb_search.h"
+#include "palpate/device/hardware/shared_library.h"
+#include "palpate/device/hardware/usb_search.h"
 
 namespace palpate::device {
 

@@ -1,5 +1,5 @@
 // dlopen with RTLD_GLOBAL: drivers load parts of their own that look for the names of the first. Cold path. Own.
-#include "palpate/device/shared_library.h"
+#include "palpate/device/hardware/shared_library.h"
 
 #include <dlfcn.h>
 #include <link.h>
