@@ -31,8 +31,8 @@ mesh::TriangleMesh openHandModel(std::size_t triangles) {
   const auto is_nearer_wrist = [&](const Triangle& a, const Triangle& b) {
     return centreOf(hand, a).y() < centreOf(hand, b).y();
   };
-  const auto first = static_cast<Index>(std::min_element(hand.triangles.begin(), hand.triangles.end(), is_nearer_wrist) -
-                                        hand.triangles.begin());
+  const auto first = static_cast<Index>(
+      std::min_element(hand.triangles.begin(), hand.triangles.end(), is_nearer_wrist) - hand.triangles.begin());
   std::vector<Index> cut{first};
   std::set<Index> seen(hand.triangles[first].begin(), hand.triangles[first].end());
   // Each triangle that is joined on brings a vertex of its own, so that none comes to lie inside.

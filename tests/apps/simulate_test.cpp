@@ -107,6 +107,15 @@ TEST_F(Simulate, FindsItsOwnWayOverAnyMeshAndSavesIt) {
   EXPECT_NEAR(report("again")["fingers"][0]["force_n"]["peak"], report("own")["fingers"][0]["force_n"]["peak"], 1e-4);
 }
 
+TEST_F(Simulate, AMeshWhereASceneMayStandIsPalpatedAsItIs) {
+  ASSERT_EQ(simulate("--mesh dome.obj --trajectory path.csv --out named").exit_code, 0);
+  ASSERT_EQ(simulate("dome.obj --trajectory path.csv --out alone").exit_code, 0);
+  EXPECT_EQ(report("alone")["hash"], report("named")["hash"]);
+  const CommandResult both = simulate("dome.obj --mesh dome.obj");
+  EXPECT_EQ(both.exit_code, 2);
+  EXPECT_EQ(both.err, "palpate: dome.obj and --mesh dome.obj: one body at a time\n");
+}
+
 TEST_F(Simulate, TouchesThroughTheDetectingBoxAsThroughTheWholeSkin) {
   const std::string finger = "[[finger]]\nname = \"a\"\ntrajectory = \"path.csv\"\n";
   const std::string body = "[body]\nkind = \"mesh\"\nfile = \"dome.obj\"\n";

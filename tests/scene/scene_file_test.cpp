@@ -176,6 +176,16 @@ TEST(SceneFile, NamesTheLineOfWhatIsNotToml) {
   EXPECT_THROW(load("no/such.toml"), Error);
 }
 
+TEST(SceneFile, AMeshIsToldApartFromAScene) {
+  try {
+    load("scan.OBJ");
+    ADD_FAILURE() << "a mesh is no scene";
+  } catch (const Error& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "scan.OBJ: is a mesh, not a scene; a scene names it by file = \"...\" in [body]");
+  }
+}
+
 /// A value of the wrong type for each kind of key.
 std::string wrongValueFor(const KeyRow& row) {
   const bool takes_text = row.takes.starts_with("text") || row.takes.starts_with("file") || row.takes.starts_with("\"");

@@ -4,18 +4,28 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
+#include <utility>
 
 #include "apps/palpate/common/default_scene.h"
 #include "apps/palpate/common/number_option.h"
 #include "apps/palpate/common/unit_option.h"
 #include "palpate/base/error.h"
+#include "palpate/mesh/files/load.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/scene/words.h"
 
 namespace palpate::app {
 
 namespace {
+
+/// A mesh where a scene may stand is palpated as it is, as the window does.
+SimulateOptions withMeshApart(SimulateOptions options) {
+  if (options.scene.empty() || !mesh::isMeshFile(options.scene)) return options;
+  if (!options.mesh.empty())
+    throw Error(fmt::format("{} and --mesh {}: one body at a time", options.scene, options.mesh));
+  options.mesh = std::exchange(options.scene, {});
+  return options;
+}
 
 scene::Scene startingScene(const SimulateOptions& options) {
   if (!options.scene.empty()) {
@@ -58,8 +68,9 @@ void useSomeFinger(scene::Scene& scene) {
 }  // namespace
 
 void addInputOptions(CLI::App& command, SimulateOptions& options) {
-  command.add_option("SCENE", options.scene,
-                     "Scene file (TOML, docs/scene-files.md); without one: ten seconds on the torso");
+  command.add_option(
+      "SCENE", options.scene,
+      "Scene file (TOML, docs/scene-files.md), or a mesh as with --mesh; without one: ten seconds on the torso");
   command.add_option("--mesh", options.mesh,
                      "Palpate this mesh (OBJ, STL, PLY, OFF, glTF, GLB) instead of the scene's body");
   addUnit(command, options.mesh_unit_mm);
@@ -77,7 +88,8 @@ void addSecondsOption(CLI::App& command, SimulateOptions& options) {
             "How long to run; left out: until the last finger has finished");
 }
 
-scene::Scene sceneFor(const SimulateOptions& options) {
+scene::Scene sceneFor(const SimulateOptions& given) {
+  const SimulateOptions options = withMeshApart(given);
   scene::Scene scene = startingScene(options);
   useMesh(options, scene);
   useTrajectories(options, scene);

@@ -14,7 +14,7 @@ class App;
 namespace palpate::app {
 
 struct SimulateOptions {
-  std::string scene;  ///< empty: the default scene, or none when there is a mesh
+  std::string scene;  ///< or a mesh file; empty: the default scene, or none when there is a mesh
   std::string mesh;
   double mesh_unit_mm = 0.0;  ///< 0: as the format says
   double mesh_scale = 1.0;
@@ -41,6 +41,6 @@ void addSecondsOption(CLI::App& command, SimulateOptions& options);
 
 /// The scene file (or the built-in one) with the command line's changes: a mesh replaces the body, trajectories replace
 /// the fingers' paths in their order, further ones add fingers. Throws Error.
-scene::Scene sceneFor(const SimulateOptions& options);
+scene::Scene sceneFor(const SimulateOptions& given);
 
 }  // namespace palpate::app

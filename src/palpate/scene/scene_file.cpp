@@ -6,6 +6,7 @@
 #include <set>
 
 #include "palpate/base/text.h"
+#include "palpate/mesh/files/load.h"
 #include "palpate/scene/scene_keys.h"
 
 namespace palpate::scene {
@@ -79,7 +80,12 @@ void requireFingers(const Scene& scene) {
   throw Error::inFile(scene.file.string(), "has no [[finger]]: nobody would touch anything");
 }
 
-Scene load(const std::filesystem::path& file) { return parse(readFile(file, kMaxSceneBytes), file.string()); }
+Scene load(const std::filesystem::path& file) {
+  if (mesh::isMeshFile(file)) {
+    throw Error::inFile(file.string(), "is a mesh, not a scene; a scene names it by file = \"...\" in [body]");
+  }
+  return parse(readFile(file, kMaxSceneBytes), file.string());
+}
 
 std::vector<KeyRow> describeKeys() {
   std::vector<KeyRow> rows = topRows({});

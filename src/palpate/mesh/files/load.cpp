@@ -95,6 +95,8 @@ TriangleMesh loadChecked(const MeshFile& file, Format format, VertexChannels* ch
 
 }  // namespace
 
+bool isMeshFile(const std::filesystem::path& file) { return formatByExtension(file).has_value(); }
+
 Format formatOf(const std::filesystem::path& file, std::string_view bytes, bool allow_foreign) {
   if (const auto format = formatByContent(bytes)) return *format;
   if (const auto format = formatByExtension(file)) return *format;

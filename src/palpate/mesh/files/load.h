@@ -20,6 +20,9 @@ namespace palpate::mesh {
 /// `foreign`: whatever else assimp reads, see LoadOptions::allow_foreign.
 enum class Format : std::uint8_t { obj, stl, ply, off, gltf, glb, foreign };
 
+/// By its extension, of the formats that are read without assimp: scan.obj, scan.STL, ...
+bool isMeshFile(const std::filesystem::path& file);
+
 struct LoadOptions {
   /// Millimetres per unit of the file. 0 = what the format says: glTF and GLB are in metres (1000), the others in
   /// millimetres (1).

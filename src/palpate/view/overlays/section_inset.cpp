@@ -73,7 +73,7 @@ void drawGrid(Drawing& page, const Axes& axes, const LabelInks& inks) {
 /// The ends by the letters that stand at them in the picture.
 void drawEnds(Drawing& page, const Axes& axes, const SectionEnds& ends, const LabelInks& inks) {
   const float y = axes.at({0.0, axes.low.y()}).y() + 15.0f;
-  page.text({axes.corner.x() - 10.0f, y}, ends.low, inks.letter, Align::left, TextSize::small);
+  page.text({axes.corner.x() - kLeft + 6.0f, y}, ends.low, inks.letter, Align::left, TextSize::small);
   const float unit = page.measure("mm", TextSize::small).x() + 8.0f;
   page.text({axes.corner.x() + axes.extent.x() - unit, y}, ends.high, inks.letter, Align::right, TextSize::small);
 }
