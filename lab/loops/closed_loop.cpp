@@ -9,8 +9,10 @@ namespace {
 
 constexpr double kHalfPlate = 200.0;  // mm
 
+}  // namespace
+
 /// Two triangles, or a strip of columns across the blend of a map.
-contact::Surface plate(const PlateSettings& settings) {
+contact::Surface plateSurface(const PlateSettings& settings) {
   std::vector<double> columns{-kHalfPlate, kHalfPlate};
   if (settings.other_n_per_mm > 0.0) columns = {-kHalfPlate, 0.0, settings.blend_mm, kHalfPlate};
   mesh::TriangleMesh mesh;
@@ -30,8 +32,6 @@ contact::Surface plate(const PlateSettings& settings) {
   return contact::buildSurface(mesh, std::move(stiffness), {.force_law = settings.law, .self_intersecting = false});
 }
 
-}  // namespace
-
 servo::LimiterSettings limitsOf(const device::DeviceProfile& device, double tick_s, double delay_ticks,
                                 Protection protection) {
   scene::SafetySettings safety;
@@ -45,7 +45,7 @@ servo::LimiterSettings limitsOf(const device::DeviceProfile& device, double tick
 }
 
 ClosedLoop::ClosedLoop(const LoopSettings& settings)
-    : surface_(std::make_unique<contact::Surface>(plate(settings.plate))),
+    : surface_(std::make_unique<contact::Surface>(plateSurface(settings.plate))),
       hand_(std::make_unique<device::SimulatedHand>(settings.hand)) {
   contact::FingerSettings finger;
   finger.mu_static = finger.mu_dynamic = settings.plate.friction;

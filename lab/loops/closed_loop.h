@@ -34,6 +34,8 @@ struct PlateSettings {
   tissue::ForceLaw law;
 };
 
+contact::Surface plateSurface(const PlateSettings& settings);
+
 struct LoopSettings {
   device::SimulatedHandSettings hand;
   servo::LimiterSettings limits;
@@ -48,6 +50,7 @@ class ClosedLoop {
   /// Brings the contact to where the device is, which may be inside, and forgets how: as if it had rested there.
   void settleContact();
   const trace::Sample& tick();
+  servo::Rig& rig() { return rig_; }
   const servo::LimiterState& limiter() const { return rig_.fingers.front().limiter; }
   double tickS() const { return rig_.tick_s; }
 

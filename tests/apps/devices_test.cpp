@@ -52,7 +52,7 @@ std::map<std::string, json> findings(const std::string& arguments) {
 TEST(Devices, ListsEveryBackEndWithItsReasonAndItsRemedy) {
   const NoLibraries none;
   const auto found = findings("");
-  for (const char* name : {"mouse", "script", "playback"}) {
+  for (const char* name : {"mouse", "script", "playback", "hand"}) {
     ASSERT_TRUE(found.contains(name)) << name;
     EXPECT_TRUE(found.at(name)["available"]) << name;
     EXPECT_EQ(found.at(name)["reason"], "") << name;
@@ -130,6 +130,59 @@ TEST_F(SimulateWithADevice, HoldsAFingerInRealTime) {
   const json report = json::parse(result.out);
   const std::string notes = report["notes"].dump();
   EXPECT_NE(notes.find("is held by openhaptics, PHANTOM Omni, at most 3.30 N"), std::string::npos) << notes;
+}
+
+TEST_F(SimulateWithADevice, ASimulatedHandFeelsTheSceneTheSameTwice) {
+  const auto felt = [&](const std::string& device, const std::string& out) {
+    const support::CommandResult result = simulate("--seconds 2 --device " + device + " --out " + out);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return json::parse(result.out);
+  };
+  const json once = felt("hand", "once");
+  const json again = felt("hand", "again");
+  EXPECT_EQ(once["hash"], again["hash"]);
+  EXPECT_GT(once["fingers"][0]["force_n"]["peak"].get<double>(), 0.05) << "the hand came down to the skin";
+  EXPECT_NE(once["notes"].dump().find("simulated touch_x, stylus_x, at most 7.90 N"), std::string::npos);
+  EXPECT_NE(felt("hand:stylus_z,omni", "other")["hash"], once["hash"]);
+}
+
+TEST_F(SimulateWithADevice, ASimulatedHandRunsByTheClockToo) {
+  const support::CommandResult result = simulate("--seconds 1.5 --realtime --device hand --out run");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const json report = json::parse(result.out);
+  EXPECT_EQ(report["ticks"].get<int>() + report["overruns"].get<int>(), 1500);
+  for (const char* key : {"p50", "p99", "p99_9", "max"}) EXPECT_TRUE(report["realtime"]["lateness_us"].contains(key));
+}
+
+TEST_F(SimulateWithADevice, ASimulatedHandThatIsMisspeltIsNamed) {
+  const support::CommandResult result = simulate("--device hand:stylus_q,omni --out run");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find("did you mean 'stylus_"), std::string::npos) << result.err;
+}
+
+TEST(Devices, IdentifiesASimulatedDeviceThatIsLetGo) {
+  const support::CommandResult result = support::runPalpate("devices --identify --device hand:premium_1_5 --json");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const json found = json::parse(result.out);
+  EXPECT_TRUE(found["simulated"]);
+  EXPECT_NEAR(found["mass_kg"].get<double>(), 0.075, 0.001);
+  EXPECT_NEAR(found["device_damping_n_s_per_mm"].get<double>(), 0.2e-3, 0.01e-3);
+  EXPECT_NEAR(found["device_friction_n"].get<double>(), 0.04, 0.002);
+  EXPECT_NEAR(found["delay_ticks"].get<double>(), 1.0, 0.2);
+  EXPECT_EQ(found["rounds"].size(), 3u);
+  const std::string lines = found["safety"];
+  for (const char* key : {"device_damping_n_s_per_mm = ", "device_friction_n = 0.04", "delay_ticks = "}) {
+    EXPECT_NE(lines.find(key), std::string::npos) << lines;
+  }
+}
+
+TEST(Devices, ThereIsNothingToIdentifyWhereNothingTakesAForce) {
+  const NoLibraries none;
+  const support::CommandResult nothing = support::runPalpate("devices --identify");
+  EXPECT_EQ(nothing.exit_code, 2);
+  EXPECT_NE(nothing.err.find("--device hand"), std::string::npos) << nothing.err;
+  const support::CommandResult file = support::runPalpate("devices --identify --device playback");
+  EXPECT_EQ(file.exit_code, 2);
 }
 
 TEST_F(SimulateWithADevice, TakesAnExtraDeviceForAMistake) {

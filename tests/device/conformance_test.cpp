@@ -60,7 +60,15 @@ Held heldRemote() {
   return {backEndNamed("remote").open(options), [client] { client->send("p 0.5 1 -2"); }, client};
 }
 
+/// On a path, so that it moves.
+Held heldHand() {
+  OpenOptions options;
+  options.tips = std::make_shared<const std::vector<Vec3>>(std::vector<Vec3>{{0, 0, 1}, {0, 0, 1.5}, {0, 0, 2}});
+  return {backEndNamed("hand").open(options), [] {}, nullptr};
+}
+
 Held held(const std::string& back_end) {
+  if (back_end == "hand") return heldHand();
   if (back_end == "remote") return heldRemote();
   if (back_end == "mouse") return heldMouse();
   if (back_end == "script") return heldScript();
@@ -70,11 +78,12 @@ Held held(const std::string& back_end) {
 
 class EveryBackEnd : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Named, EveryBackEnd,
-                         testing::Values("mouse", "script", "playback", "openhaptics", "forcedimension", "remote"),
+                         testing::Values("mouse", "script", "playback", "hand", "openhaptics", "forcedimension",
+                                         "remote"),
                          [](const auto& test) { return test.param; });
 
 TEST(BackEnds, AllAreOnTheBench) {
-  const std::vector<std::string> on_the_bench = {"mouse",       "script",         "playback",
+  const std::vector<std::string> on_the_bench = {"mouse",       "script",         "playback", "hand",
                                                  "openhaptics", "forcedimension", "remote"};
   EXPECT_EQ(backEndNames(), on_the_bench) << "a new back end joins the conformance suite";
 }

@@ -12,6 +12,7 @@
 #include "apps/palpate/common/number_option.h"
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/devices/devices_report.h"
+#include "apps/palpate/devices/identify_run.h"
 #include "palpate/base/error.h"
 #include "palpate/device/mouse_finger.h"
 
@@ -23,6 +24,8 @@ struct DevicesOptions {
   std::vector<std::string> names;  ///< empty: all
   double seconds = 1.0;
   bool doctor = false;
+  bool identify = false;
+  bool realtime = false;
   bool json = false;
 };
 
@@ -56,6 +59,18 @@ DeviceFinding findingOf(const std::string& words, const DevicesOptions& options,
   return finding;
 }
 
+void runIdentify(const DevicesOptions& options) {
+  if (options.names.size() > 1) throw Error("--identify: one device at a time");
+  ProgressLine progress;
+  IdentifySettings settings;
+  if (!options.names.empty()) settings.device = options.names.front();
+  settings.json = options.json;
+  settings.realtime = options.realtime;
+  const Identified found = identifyDevice(settings, progress.display());
+  progress.clear();
+  fmt::print("{}", options.json ? jsonOf(found).dump(2) + "\n" : textOf(found));
+}
+
 void runDevices(const DevicesOptions& options) {
   const FinishesInOrder in_order;
   ProgressLine progress;
@@ -83,10 +98,13 @@ void addDevicesCommand(CLI::App& app) {
   command->add_flag("--doctor", options->doctor,
                     "Everything that was looked for; open what is there, without force, and measure rate, delay and "
                     "jitter");
+  command->add_flag("--identify", options->identify,
+                    "Swing one device that is let go, by a soft spring, and say its mass, damping, friction and delay");
+  command->add_flag("--realtime", options->realtime, "With --identify: a simulated device by the clock, as a real one");
   addNumber(*command, "--seconds", options->seconds, between(0.1, 60.0, "s"), "How long --doctor measures a device")
       ->capture_default_str();
   command->add_flag("--json", options->json, "Print a list of objects instead of the text");
-  command->callback([=] { runDevices(*options); });
+  command->callback([=] { options->identify ? runIdentify(*options) : runDevices(*options); });
 }
 
 }  // namespace palpate::app

@@ -68,8 +68,10 @@ void useDevices(const SimulationSettings& settings, const device::FingerPaths& p
       throw Error(devices[i].name + ": a hand takes its time: --realtime");
     }
     holdBy(devices[i], *result.world, rig.fingers[i]);
-    result.notes.push_back(
-        fmt::format("finger {} is held by {}", result.world->scene.fingers[i].name, device::describe(devices[i])));
+    const double factor = rig.fingers[i].limiter_settings.stiffness_factor;
+    result.notes.push_back(fmt::format("finger {} is held by {}{}", result.world->scene.fingers[i].name,
+                                       device::describe(devices[i]),
+                                       factor < 1.0 ? fmt::format("; all forces times {:.2f}", factor) : ""));
   }
 }
 

@@ -12,6 +12,7 @@
 #include "palpate/base/nearest_name.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/device/each_back_end.h"
+#include "palpate/device/hand_device.h"
 #include "palpate/device/remote_device.h"
 
 namespace palpate::device {
@@ -22,6 +23,7 @@ constexpr std::array kBackEnds = {
     BackEnd{"mouse", "the pointer over the skin in the window", probeMouse, openMouse},
     BackEnd{"script", "the paths that a scene gives its fingers", probeScript, openScript},
     BackEnd{"playback", "a trajectory or a recorded run: playback:FILE", probePlayback, openPlayback},
+    BackEnd{"hand", "a simulated hand on a simulated device: hand:stylus_z,touch_x", probeHand, openHand},
     BackEnd{"openhaptics", "Touch, Omni, Desktop, Premium: the maker's libHD", probeOpenHaptics, openOpenHaptics},
     BackEnd{"forcedimension", "omega, delta, sigma, Falcon: the maker's libdhd", probeForceDimension,
             openForceDimension},

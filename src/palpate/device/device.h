@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "palpate/base/vec.h"
+#include "palpate/scene/safety_settings.h"
 
 namespace palpate::device {
 
@@ -57,6 +58,8 @@ struct Capabilities {
   double rate_hz = 0.0;
   int delay_ticks = 0;  ///< servo ticks from a position to its force at the motors, apart from the tick itself
   Rhythm rhythm = Rhythm::on_call;
+  /// The row of the table (device_profile.h) that it is, whatever a scene says; unknown: as the scene says.
+  scene::DeviceModel kind = scene::DeviceModel::unknown;
   std::string model;    ///< as the device calls itself
   std::string version;  ///< of the driver
 };

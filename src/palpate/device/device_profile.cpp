@@ -32,7 +32,7 @@ DeviceProfile profileOf(scene::DeviceModel model) {
 }
 
 DeviceProfile profileOf(scene::DeviceModel model, const Capabilities& reported) {
-  DeviceProfile profile = profileOf(model);
+  DeviceProfile profile = profileOf(reported.kind != scene::DeviceModel::unknown ? reported.kind : model);
   if (reported.max_force_n > 0.0) profile.force_n = reported.max_force_n;
   if (reported.nominal_stiffness_n_per_mm > 0.0) profile.stiffness_n_per_mm = reported.nominal_stiffness_n_per_mm;
   profile.known = profile.known || reported.max_force_n > 0.0;

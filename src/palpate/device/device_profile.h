@@ -24,7 +24,8 @@ struct DeviceProfile {
 /// An unknown device has the least force of all, the lightest mass, the coarsest encoder, and swallows nothing.
 DeviceProfile profileOf(scene::DeviceModel model);
 
-/// The profile, with the force and the stiffness that a driver reports in place of the table's where they are above 0.
+/// The profile, of the kind that a driver reports where it knows it, with the force and the stiffness that it reports
+/// in place of the table's where they are above 0.
 DeviceProfile profileOf(scene::DeviceModel model, const Capabilities& reported);
 
 /// The largest force that a scene's settings allow on such a device, N: its own, or less.

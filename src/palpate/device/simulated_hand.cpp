@@ -38,6 +38,7 @@ HandModel handModel(HandKind kind) {
     case HandKind::arm:
       return {0.554, 135e-3, 6.45e-3, 0.0, 0.0};
     case HandKind::dead_load:
+    case HandKind::released:
       return {};
   }
   return {};

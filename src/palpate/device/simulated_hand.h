@@ -29,6 +29,7 @@ enum class HandKind : std::uint8_t {
   thimble,    ///< one finger in a thimble
   arm,        ///< a whole arm holding the device rigidly
   dead_load,  ///< no hand: a constant push, the worst of all
+  released,   ///< nobody: the device by itself
 };
 
 /// One hand, the same in all directions. No mass: a dead load.
@@ -138,5 +139,6 @@ struct palpate::WordsOf<palpate::device::HandKind> {
   using V = palpate::device::HandKind;
   static constexpr std::array kAll = {Word{"stylus_x", V::stylus_x}, Word{"stylus_y", V::stylus_y},
                                       Word{"stylus_z", V::stylus_z}, Word{"thimble", V::thimble},
-                                      Word{"arm", V::arm},           Word{"dead_load", V::dead_load}};
+                                      Word{"arm", V::arm},           Word{"dead_load", V::dead_load},
+                                      Word{"released", V::released}};
 };
