@@ -62,6 +62,9 @@ TEST(BenchServoCommand, MeasuresLatenessAndComputeTimeApart) {
   EXPECT_TRUE(scheduler == "SCHED_OTHER" || scheduler.starts_with("SCHED_FIFO")) << scheduler;
   const bool all_granted = scheduler != "SCHED_OTHER" && json["memory_locked"];
   EXPECT_EQ(json["fallback"].get<std::string>().empty(), all_granted) << "what was refused must be said";
+  EXPECT_GT(json["safety_us_per_tick"].get<double>(), 0.0);
+  EXPECT_LT(json["safety_us_per_tick"].get<double>(), 1.0) << "0.10 us on a quiet core (docs/benchmarks.md)";
+  EXPECT_LT(json["safety_us_per_tick"], json["safety_tick_us"]);
   EXPECT_EQ(json["peers"]["sleep_until"]["scheduler"], "SCHED_OTHER");
   EXPECT_TRUE(json["ratio_to"].contains("sleep_until"));
 }

@@ -46,6 +46,17 @@ TEST_F(WorldOf, ADysfunctionOffTheBodyIsNoted) {
   EXPECT_EQ(notes("x_mm = 1\ny_mm = 1\nradius_mm = 0.5\n").size(), 1u) << "between the vertices";
 }
 
+TEST_F(WorldOf, AMapThatIsTooSteepToSlideOverIsNoted) {
+  writeDome("dome.obj");
+  const auto notes = [&](const std::string& more) {
+    return build(meshScene("[[dysfunction]]\nx_mm = 20\nedge_softness = 0\n" + more))->notes;
+  };
+  EXPECT_TRUE(notes("change_percent = 900\n").empty()) << "4.5 N/mm between two vertices 10 mm apart";
+  const std::vector<std::string> steep = notes("change_percent = 3000\n");
+  ASSERT_EQ(steep.size(), 1u);
+  EXPECT_NE(steep.front().find("let it change over 5 mm or more"), std::string::npos) << steep.front();
+}
+
 TEST_F(WorldOf, EllipsesAreThePrintedOnesWhereTheSceneSaysSo) {
   writeDome("dome.obj");
   write("keys.csv", "A,0,0,100,2,0\n");

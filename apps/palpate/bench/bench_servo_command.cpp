@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -12,6 +13,7 @@
 #include "apps/palpate/common/number_option.h"
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/common/simulate_options.h"
+#include "bench/runs/safety_run.h"
 
 namespace palpate::app {
 namespace {
@@ -65,6 +67,17 @@ std::string textOf(const servo::LoopReport& loop) {
   return text;
 }
 
+/// Long enough for some thousand pairs of blocks.
+constexpr double kMostSafetyS = 3.0;
+
+void addSafety(const bench::SafetyCost& cost, nlohmann::ordered_json& json, std::string& text) {
+  json["safety_us_per_tick"] = cost.safety_us;
+  json["safety_tick_us"] = cost.tick_us;
+  json["safety_ratio"] = cost.ratio();
+  text += fmt::format("safety         {:.3f} us of {:.3f} us, a tick of one finger ({:.0f} %, median of {} blocks)\n",
+                      cost.safety_us, cost.tick_us, 100.0 * cost.ratio(), cost.blocks);
+}
+
 /// Ours over theirs at p50 of the lateness; null for a clock too coarse to tell.
 nlohmann::ordered_json ratio(const servo::LoopReport& ours, const servo::LoopReport& theirs) {
   if (theirs.lateness.p50_us <= 0.0) return nullptr;
@@ -80,6 +93,9 @@ void runServoBench(const ServoArguments& arguments) {
   endIfAsked();  // a part of it is no measurement
   nlohmann::ordered_json json = jsonOf(ours);
   std::string text = textOf(ours.loop);
+  addSafety(
+      bench::measureSafety(*world, device::pathsOf(*world), std::min(kMostSafetyS, 0.5 * arguments.input.seconds)),
+      json, text);
   if (arguments.peers) {
     const auto naive = measureServo(*world, arguments.input.seconds, progress.display(), runSleepUntil).loop;
     endIfAsked();

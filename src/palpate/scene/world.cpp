@@ -111,6 +111,39 @@ void noteUnfelt(const std::vector<maps::Dysfunction>& dysfunctions, const std::v
   }
 }
 
+/// N/mm a mm along the skin; 0 for a triangle without area.
+double steepnessOf(const mesh::TriangleMesh& skin, const std::array<Index, 3>& t,
+                   const std::vector<double>& stiffness) {
+  const Vec3 a = skin.positions[t[1]] - skin.positions[t[0]];
+  const Vec3 b = skin.positions[t[2]] - skin.positions[t[0]];
+  const double area = a.cross(b).norm();
+  const double along_a = stiffness[t[1]] - stiffness[t[0]];
+  const double along_b = stiffness[t[2]] - stiffness[t[0]];
+  return area > 0.0 ? (along_a * b - along_b * a).norm() / area : 0.0;
+}
+
+/// A finger that slides over a steep place gets its force in steps, whatever the loop does (docs/stability.md).
+void noteSteepMap(const mesh::TriangleMesh& skin, const std::vector<double>& stiffness, double tick_s,
+                  std::vector<std::string>& notes) {
+  constexpr double kDepth = 3.0;
+  constexpr double kSpeed = 100.0;   // mm/s
+  constexpr double kFeltStep = 0.3;  // N in a tick
+  double steepest = 0.0;
+  Vec3 place = Vec3::Zero();
+  for (const auto& triangle : skin.triangles) {
+    const double steepness = steepnessOf(skin, triangle, stiffness);
+    if (steepness <= steepest) continue;
+    steepest = steepness;
+    place = (skin.positions[triangle[0]] + skin.positions[triangle[1]] + skin.positions[triangle[2]]) / 3.0;
+  }
+  const double step_n = steepest * kDepth * kSpeed * tick_s;
+  if (step_n <= kFeltStep) return;
+  notes.push_back(fmt::format(
+      "the stiffness changes by {:.2g} N/mm within a millimetre at ({:.0f}, {:.0f}, {:.0f}) mm: a finger that slides "
+      "there, {} mm deep at {} mm/s, feels steps of {:.2g} N; let it change over 5 mm or more",
+      steepest, place.x(), place.y(), place.z(), kDepth, kSpeed, step_n));
+}
+
 /// A vertex each; what the body has by nature, then what is wrong with it.
 std::vector<double> stiffnessOf(const Scene& scene, const BodyParts& body, const KeyPoints& keys,
                                 std::vector<std::string>& notes) {
@@ -168,6 +201,7 @@ std::shared_ptr<const World> withBody(const Scene& scene, BodyParts body, deform
   noteUnknownScalar(scene, body.channels.get(), notes);
   noteOldLimits(scene.safety, notes);
   std::vector<double> stiffness = stiffnessOf(scene, body, keys, notes);
+  noteSteepMap(body.skin, stiffness, 1.0 / scene.ticks_per_s, notes);
 
   report(progress, "building the contact surface", 0.0);
   deform::Skin deformable;  // made beside the surface, which takes four times as long
