@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "device/doubles/double_library.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
 
@@ -29,16 +30,14 @@ class Environment {
   const char* name_;
 };
 
-std::string doubleOf(const std::string& kind, const std::string& file) {
-  return std::string(PALPATE_BINARY_DIR) + "/tests/doubles/" + kind + "/" + file;
-}
 struct NoLibraries {
   Environment hd{"PALPATE_LIBHD", "/nowhere/libHD.so"};
   Environment dhd{"PALPATE_LIBDHD", "/nowhere/libdhd.so"};
+  Environment haply{"PALPATE_HAPLY", "127.0.0.1:1"};
 };
 struct BothDoubles {
-  Environment hd{"PALPATE_LIBHD", doubleOf("openhaptics", "libHD.so")};
-  Environment dhd{"PALPATE_LIBDHD", doubleOf("forcedimension", "libdhd.so")};
+  Environment hd{"PALPATE_LIBHD", doubles::libraryOf("openhaptics")};
+  Environment dhd{"PALPATE_LIBDHD", doubles::libraryOf("forcedimension")};
 };
 
 std::map<std::string, json> findings(const std::string& arguments) {
@@ -57,6 +56,9 @@ TEST(Devices, ListsEveryBackEndWithItsReasonAndItsRemedy) {
     EXPECT_TRUE(found.at(name)["available"]) << name;
     EXPECT_EQ(found.at(name)["reason"], "") << name;
   }
+  EXPECT_NE(found.at("haply")["reason"].get<std::string>().find("Connection refused"), std::string::npos);
+  EXPECT_NE(found.at("haply")["remedy"].get<std::string>().find("systemctl start"), std::string::npos);
+  EXPECT_NE(found.at("plugin")["remedy"].get<std::string>().find("PALPATE_DEVICE_PLUGINS"), std::string::npos);
   for (const char* name : {"openhaptics", "forcedimension"}) {
     const json& finding = found.at(name);
     EXPECT_FALSE(finding["available"]) << name;
@@ -89,6 +91,33 @@ TEST(Devices, TheDoctorMeasuresWhatOpens) {
     EXPECT_GT(measured["interval_us"]["p50"], 50.0);
     EXPECT_GT(measured["delay_us"]["p50"], 0.0);
     EXPECT_EQ(measured["trouble"], "");
+  }
+}
+
+TEST(Devices, TheDoctorMeasuresAServiceAndAPlugin) {
+  doubles::reset(doubles::controlOf("haply"));
+  doubles::controlOf("haply").by_hand = false;
+  const Environment haply("PALPATE_HAPLY", doubles::haplyWords());
+  for (const std::string& words : {std::string("haply"), "plugin:" + doubles::libraryOf("plugin")}) {
+    const json finding = findings("--doctor --seconds 0.5 --device " + words).begin()->second;
+    EXPECT_TRUE(finding["available"]) << finding.dump(2);
+    EXPECT_FALSE(finding["version"].get<std::string>().empty());
+    EXPECT_GT(finding["capabilities"]["max_force_n"], 1.0);
+    EXPECT_GT(finding["measured"]["positions_per_s"], 20.0) << "of a double on a machine that may be busy";
+    EXPECT_EQ(finding["measured"]["trouble"], "");
+  }
+}
+
+TEST(Devices, ListsThePluginsOfTheFoldersAndWhyOneDoesNotLoad) {
+  const support::TemporaryFolder folder;
+  std::filesystem::copy_file(doubles::libraryOf("plugin"), folder / "good.so");
+  std::filesystem::copy_file(doubles::libraryOf("forcedimension"), folder / "odd.so");
+  const Environment folders("PALPATE_DEVICE_PLUGINS", folder.path().string());
+  const support::CommandResult result = support::runPalpate("devices");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  for (const std::string& words : {"double: a double (plugin:" + (folder / "good.so").string() + ")",
+                                   (folder / "odd.so").string() + " is no plugin"}) {
+    EXPECT_NE(result.out.find(words), std::string::npos) << words << "\n" << result.out;
   }
 }
 

@@ -13,9 +13,7 @@ namespace {
 
 class InRealTime : public testing::TestWithParam<std::string> {
  protected:
-  InRealTime() : bench(GetParam() == "openhaptics" ? openHapticsHardware() : forceDimensionHardware()) {
-    bench.control().by_hand = false;
-  }
+  InRealTime() : bench(hardwareNamed(GetParam())) { bench.control().by_hand = false; }
   ~InRealTime() override { bench.control().by_hand = true; }
   Device open() const {
     OpenOptions options = bench.options();
@@ -33,7 +31,7 @@ class InRealTime : public testing::TestWithParam<std::string> {
     return tip;
   }
 };
-INSTANTIATE_TEST_SUITE_P(Named, InRealTime, testing::Values("openhaptics", "forcedimension"),
+INSTANTIATE_TEST_SUITE_P(Named, InRealTime, testing::Values("openhaptics", "forcedimension", "haply", "plugin"),
                          [](const auto& test) { return test.param; });
 
 TEST_P(InRealTime, PlacesAndForcesCross) {

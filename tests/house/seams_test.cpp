@@ -119,6 +119,10 @@ TEST(Seams, TheWholeProductWritesFilesInOnePlace) {
   }
 }
 
+TEST(Seams, OneFileKnowsBoost) {
+  expectOnlyIn({"device/hardware/haply_connection.cpp"}, std::regex("<boost/|boost::"));
+}
+
 TEST(Seams, OneFileKnowsAssimp) { expectOnlyIn({"mesh/files/read_foreign.cpp"}, std::regex("<assimp/|Assimp::")); }
 
 }  // namespace

@@ -94,6 +94,7 @@ std::string textOf(const DeviceFinding& finding, bool whole) {
   if (probe.available && !probe.version.empty()) {
     text += fmt::format("  version    {}; {}\n", probe.version, fmt::join(probe.devices, ", "));
   }
+  for (const std::string& trouble : probe.troubles) text += fmt::format("  trouble    {}\n", trouble);
   if (!probe.available) text += fmt::format("  because    {}\n  remedy     {}\n", probe.reason, probe.remedy);
   if (!whole) return text;
   for (const device::LookedFor& looked : probe.looked_for) text += lookedText(looked);

@@ -27,6 +27,8 @@ constexpr std::array kBackEnds = {
     BackEnd{"openhaptics", "Touch, Omni, Desktop, Premium: the maker's libHD", probeOpenHaptics, openOpenHaptics},
     BackEnd{"forcedimension", "omega, delta, sigma, Falcon: the maker's libdhd", probeForceDimension,
             openForceDimension},
+    BackEnd{"haply", "Inverse3, Minverse: the maker's Inverse Service", probeHaply, openHaply},
+    BackEnd{"plugin", "a plugin for any other device: plugin:FILE[:WHICH]", probePlugin, openPlugin},
     BackEnd{"remote", "another program on this machine, by datagrams", probeRemote, openRemote, 60.0},
 };
 

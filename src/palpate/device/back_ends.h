@@ -22,10 +22,10 @@ struct MouseLink;
 /// What to open and how; a back end takes what concerns it.
 struct OpenOptions {
   /// Which of several: a name as the driver knows it (OpenHaptics), an index from 0 (Force Dimension), the file of a
-  /// recording (playback). Empty: the first.
+  /// recording (playback) or of a plugin. Empty: the first.
   std::string which;
-  /// The file of the vendor's library, instead of the names that are tried. Empty: what the back end's environment
-  /// variable says, or those names.
+  /// The file of the vendor's library, instead of the names that are tried, or where its service is (haply). Empty:
+  /// what the back end's environment variable says, or those names.
   std::string library;
   std::string axes;               ///< device_frame.h's words; empty: as the back end knows its devices
   Vec3 origin_mm = Vec3::Zero();  ///< where the device's own origin lies in the body frame
@@ -53,6 +53,8 @@ struct Probe {
   std::string version;     ///< of the driver, where one was found
   std::vector<LookedFor> looked_for;
   std::vector<std::string> devices;  ///< that would open, in their makers' words
+  /// What else was found and would not open, while something would.
+  std::vector<std::string> troubles = {};
 };
 
 struct BackEnd {

@@ -33,4 +33,19 @@ Probe probeForceDimension(const OpenOptions& options);
 /// With a thread of its own for the exchanges, or without one (OpenOptions::own_thread).
 Device openForceDimension(const OpenOptions& options);
 
+// Inverse3 and Minverse through Haply's Inverse Service, by WebSocket (haply.cpp).
+
+/// Looks for the service, its version and its devices; sends nothing that could move one.
+Probe probeHaply(const OpenOptions& options);
+/// Any number of devices; those of one service share a connection, each has its own position and force.
+Device openHaply(const OpenOptions& options);
+
+// Whatever has a plugin (palpate_device.h, plugin.cpp): `which` is its file or its name, with :WHICH for one of
+// several.
+
+/// One plugin, or without a name all of those in the folders of PALPATE_DEVICE_PLUGINS.
+Probe probePlugin(const OpenOptions& options);
+/// Asked by the servo itself where it answers at once, else beside it like other hardware.
+Device openPlugin(const OpenOptions& options);
+
 }  // namespace palpate::device

@@ -32,7 +32,8 @@ struct DoubleControl {
   std::atomic<bool> stands{false};   ///< the driver's loop does not turn: everything it gives is old
   std::atomic<int> slow_us{0};       ///< each exchange takes so much longer
   std::atomic<unsigned> refusal{0};  ///< opening fails with this code of the vendor
-  std::atomic<int> major{3};         ///< version of the library
+  std::atomic<int> major{3};         ///< version of the library or service
+  std::atomic<int> minor{5};         ///< likewise, where a test may choose it
   void (*tick)() = nullptr;          ///< by hand: one turn of the driver's loop, where it has one
 };
 

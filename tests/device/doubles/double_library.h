@@ -8,17 +8,22 @@
 #include <string>
 
 #include "device/doubles/double_control.h"
+#include "device/doubles/haply_double.h"
 
 namespace palpate::doubles {
 
-/// "openhaptics", "openhaptics_old", "openhaptics_needing", "forcedimension", "forcedimension_old"
+/// "openhaptics", "openhaptics_old", "openhaptics_needing", "forcedimension", "forcedimension_old", "plugin",
+/// "plugin_at_once"; of "haply" where its service is.
 inline std::string libraryOf(const std::string& kind) {
-  const std::string name = kind.starts_with("openhaptics") ? "libHD.so" : "libdhd.so";
+  if (kind == "haply") return haplyWords();
+  std::string name = kind.starts_with("openhaptics") ? "libHD.so" : "libdhd.so";
+  if (kind.starts_with("plugin")) name = "libdouble.so";
   return std::string(PALPATE_BINARY_DIR) + "/tests/doubles/" + kind + "/" + name;
 }
 
 /// The control of a double that this process has open, or opens hereby.
 inline DoubleControl& controlOf(const std::string& kind) {
+  if (kind == "haply") return haplyControl();
   void* handle = ::dlopen(libraryOf(kind).c_str(), RTLD_LAZY | RTLD_GLOBAL);
   if (handle == nullptr) {
     ADD_FAILURE() << ::dlerror();
@@ -44,6 +49,7 @@ inline void reset(DoubleControl& control) {
   control.slow_us = 0;
   control.refusal = 0;
   control.major = 3;
+  control.minor = 5;
 }
 
 }  // namespace palpate::doubles

@@ -1,0 +1,155 @@
+// nlohmann-json without exceptions: what does not parse is no message. Every number is checked before it is believed.
+// A force is written with all its digits, so that the service gets no more than the limit. Own.
+#include "palpate/device/hardware/haply_message.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "palpate/base/nearest_name.h"
+#include "palpate/base/text.h"
+
+namespace palpate::device::haply {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr double kMostSpeedMS = 100.0;
+constexpr const char* kNoForm = "the service's answer is no JSON";
+
+/// The member of an object; null where there is none, or no object.
+const Json& memberOf(const Json& object, const char* name) {
+  static const Json none;
+  if (!object.is_object()) return none;
+  const auto found = object.find(name);
+  return found == object.end() ? none : *found;
+}
+
+std::string textOf(const Json& value) { return value.is_string() ? oneLine(value.get_ref<const std::string&>()) : ""; }
+
+/// Three finite numbers of at most that size.
+std::optional<Vec3> vectorOf(const Json& value, double most) {
+  Vec3 vector;
+  int axis = 0;
+  for (const char* name : {"x", "y", "z"}) {
+    const Json& number = memberOf(value, name);
+    if (!number.is_number()) return std::nullopt;
+    vector[axis] = number.get<double>();
+    if (!(std::abs(vector[axis]) <= most)) return std::nullopt;
+    ++axis;
+  }
+  return vector;
+}
+
+std::uint32_t buttonsOf(const Json& grip) {
+  const Json& buttons = memberOf(memberOf(grip, "state"), "buttons");
+  std::uint32_t bits = 0;
+  std::uint32_t bit = 1;
+  for (const char* name : {"a", "b", "c"}) {
+    const Json& button = memberOf(buttons, name);
+    if (button.is_boolean() && button.get<bool>()) bits |= bit;
+    bit <<= 1;
+  }
+  return bits;
+}
+
+DeviceReply deviceOf(const std::string& id, const Json& element) {
+  DeviceReply device;
+  device.id = id;
+  const Json& config = memberOf(element, "config");
+  device.type = textOf(memberOf(config, "type"));
+  device.handedness = textOf(memberOf(config, "handedness"));
+  const Json& state = memberOf(element, "state");
+  device.has_state = state.is_object();
+  device.place_m = vectorOf(memberOf(state, "cursor_position"), kMostReachM);
+  device.speed_m_s = vectorOf(memberOf(state, "cursor_velocity"), kMostSpeedMS).value_or(Vec3::Zero());
+  return device;
+}
+
+/// An id that another message could not carry back is none.
+bool isId(const std::string& id) {
+  const auto plain = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  return !id.empty() && id.size() <= 32 && std::all_of(id.begin(), id.end(), plain);
+}
+
+void readDevices(const Json& list, Reply& reply) {
+  for (const auto& [key, element] : list.items()) {
+    const std::string id = list.is_object() ? key : textOf(memberOf(element, "device_id"));
+    if (isId(id)) reply.devices.push_back(deviceOf(id, element));
+    if (reply.devices.size() == kMostDevices) return;
+  }
+}
+
+std::string forceText(const Vec3& force, ForceKey key) {
+  return fmt::format(R"("set_cursor_force":{{"{}":{{"x":{},"y":{},"z":{}}}}})",
+                     key == ForceKey::values ? "values" : "vector", force.x(), force.y(), force.z());
+}
+
+std::string elementText(const DeviceOrder& order, ForceKey key) {
+  const char* configure = order.configure ? R"("configure":{"preset":"arm_front_centered"},)" : "";
+  return fmt::format(R"({{"device_id":"{}",{}"commands":{{{}}}}})", order.id, configure,
+                     order.probe ? R"("probe_position":{})" : forceText(order.force_n, key));
+}
+
+/// The number before the next point; the text goes on behind it.
+int nextPart(std::string_view& words) {
+  const std::size_t point = std::min(words.find('.'), words.size());
+  const std::optional<double> part = parseNumber(words.substr(0, point));
+  words.remove_prefix(std::min(point + 1, words.size()));
+  return part && *part >= 0.0 && *part < 1e6 ? static_cast<int>(*part) : 0;
+}
+
+}  // namespace
+
+Reply parseReply(std::string_view text) {
+  Reply reply;
+  reply.wrong = kNoForm;
+  if (text.size() > kMostReplyBytes) return reply;
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object()) return reply;
+  const Json& list = memberOf(json, "inverse3");
+  if (!list.is_array() && !list.is_object()) {
+    const std::string words = textOf(memberOf(json, "error"));
+    reply.wrong = "the service's answer has no devices" + (words.empty() ? "" : ": " + words);
+    return reply;
+  }
+  reply.wrong.clear();
+  readDevices(list, reply);
+  const Json& grips = memberOf(json, "wireless_verse_grip");
+  for (std::size_t i = 0; grips.is_array() && i < std::min(grips.size(), reply.devices.size()); ++i) {
+    reply.devices[i].buttons = buttonsOf(grips[i]);
+  }
+  return reply;
+}
+
+Version parseVersion(std::string_view text) {
+  Version version;
+  if (text.size() > kMostReplyBytes) return version;
+  version.words = textOf(memberOf(Json::parse(text, nullptr, false), "project_version"));
+  std::string_view words = version.words;
+  version.major = nextPart(words);
+  version.minor = nextPart(words);
+  return version;
+}
+
+ForceKey forceKeyOf(ForceKey wanted, const Version& version, bool old_port) {
+  if (wanted != ForceKey::automatic) return wanted;
+  if (version.major == 0) return old_port ? ForceKey::values : ForceKey::vector;
+  return version.major == 3 && version.minor < 5 ? ForceKey::values : ForceKey::vector;
+}
+
+std::string orderText(std::span<const DeviceOrder> orders, const OrderForm& form) {
+  std::string text = "{";
+  if (form.introduce) text += R"("session":{"configure":{"profile":{"name":"palpate"}}},)";
+  text += R"("inverse3":[)";
+  for (const DeviceOrder& order : orders) {
+    if (text.back() == '}') text += ',';
+    text += elementText(order, form.key);
+  }
+  return text + "]}";
+}
+
+}  // namespace palpate::device::haply

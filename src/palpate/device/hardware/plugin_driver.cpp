@@ -1,0 +1,170 @@
+// dueForce() -> write; read -> checked -> publish(). A plugin that answers at once is asked by the servo, and letting
+// go waits for the call at hand: the servo never waits. Own.
+#include "palpate/device/hardware/plugin_driver.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <thread>
+#include <utility>
+
+#include "palpate/device/hardware/plugin_checks.h"
+
+namespace palpate::device::plugin {
+
+namespace {
+
+/// Exchanges without an answer after which a device is given up, 10 ms.
+constexpr int kLostAfter = 20;
+
+using Room = std::array<char, kWordsRoom>;
+
+DriverLinkSettings linkSettings(const OpenOptions& options, const Capabilities& able) {
+  const bool at_once = able.rhythm == Rhythm::on_call;
+  return {options.tick_s, at_once ? 1.0 / options.tick_s : kExchangesPerS, able.max_force_n};
+}
+
+palpate_device_handle openHandle(const palpate_device_table& table, const std::string& which, std::string& reason) {
+  Room room{};
+  palpate_device_handle device = table.open(which.c_str(), room.data(), kWordsRoom);
+  if (device == nullptr) reason = wordsIn(room.data(), room.size());
+  if (device == nullptr && reason.empty()) reason = "it does not open, and does not say why";
+  return device;
+}
+
+}  // namespace
+
+Driver::Driver(const palpate_device_table& table, palpate_device_handle device, const palpate_device_capabilities& able,
+               const DeviceFrame& frame, const OpenOptions& options, std::string which)
+    : table_(table),
+      device_(device),
+      frame_(frame),
+      capabilities_(capabilitiesOf(able, frame)),
+      link_(linkSettings(options, capabilities_)),
+      which_(std::move(which)),
+      tick_s_(options.tick_s) {}
+
+int Driver::tellForce(const Vec3& force) noexcept {
+  const Vec3 newtons = frame_.forceInDevice(force);
+  return table_.write(device_, newtons.data());
+}
+
+bool Driver::takeReading(int told) noexcept {
+  palpate_device_reading reading{};
+  reading.size = sizeof(reading);
+  const int got = table_.read(device_, &reading);
+  if (got == PALPATE_DEVICE_NOT_YET && told >= 0) return true;
+  const bool failed = told < 0 || got < 0;
+  link_.publish(readingOf(failed ? PALPATE_DEVICE_ERROR : got, reading, frame_, tick_s_));
+  return !failed;
+}
+
+void Driver::exchange() noexcept {
+  const std::lock_guard turn(turns_);
+  if (gone_) return;
+  const Vec3 force = link_.dueForce();
+  if (device_ == nullptr) {
+    DriverReading reading;
+    reading.faults = kDriverError;
+    link_.publish(reading);
+  } else if (takeReading(tellForce(force))) {
+    refusals_ = 0;
+  } else {
+    refused();
+  }
+}
+
+void Driver::refused() noexcept {
+  {
+    std::string words = pluginsWords();
+    const std::lock_guard lock(words_mutex_);
+    trouble_ = std::move(words);
+  }
+  if (++refusals_ < kLostAfter) return;
+  tellForce(Vec3::Zero());
+  table_.close(device_);
+  device_ = nullptr;
+}
+
+std::string Driver::pluginsWords() noexcept {
+  Room room{};
+  if (table_.explain != nullptr) table_.explain(device_, room.data(), kWordsRoom);
+  const std::string words = wordsIn(room.data(), room.size());
+  return fmt::format("the plugin reports: {}", words.empty() ? "no reason given" : words);
+}
+
+Vec3 Driver::read(std::uint64_t tick) noexcept {
+  if (!answersAtOnce()) return link_.read(tick);
+  servo_is_in_ = true;
+  if (!gone_) takeReading(told_);
+  servo_is_in_ = false;
+  return link_.read(tick);
+}
+
+void Driver::write(const Vec3& force) noexcept {
+  link_.write(force);
+  if (!answersAtOnce()) return;
+  servo_is_in_ = true;
+  if (!gone_) told_ = tellForce(link_.dueForce());
+  servo_is_in_ = false;
+}
+
+void Driver::letGo() noexcept {
+  const std::lock_guard turn(turns_);
+  if (gone_.exchange(true)) return;
+  link_.mute();
+  while (servo_is_in_) std::this_thread::yield();
+  if (device_ == nullptr) return;
+  tellForce(Vec3::Zero());
+  table_.close(device_);
+  device_ = nullptr;
+}
+
+bool Driver::revive() {
+  const std::lock_guard turn(turns_);
+  if (gone_) return false;
+  if (device_ != nullptr) return link_.driverFaults() == 0;
+  std::string reason;
+  device_ = openHandle(table_, which_, reason);
+  refusals_ = 0;
+  const std::lock_guard lock(words_mutex_);
+  if (device_ == nullptr) trouble_ = reason;
+  return device_ != nullptr;
+}
+
+std::string Driver::explain() {
+  const std::uint32_t faults = link_.driverFaults();
+  if (faults == 0 || gone_) return {};
+  if ((faults & kDriverError) != 0 && answersAtOnce()) {
+    const std::lock_guard turn(turns_);
+    return device_ == nullptr ? std::string() : pluginsWords();
+  }
+  if ((faults & kDriverError) != 0) {
+    const std::lock_guard lock(words_mutex_);
+    return trouble_;
+  }
+  if ((faults & kNotCalibrated) != 0) return "the device does not know where it is; move it as its maker says";
+  if ((faults & kStalePose) != 0) return "the plugin's position is too old";
+  return "the plugin gives no position";
+}
+
+Opened openDriver(const palpate_device_table& table, const std::string& which, const OpenOptions& options) {
+  DeviceFrame frame;
+  if (!options.axes.empty()) frame.axes = axesNamed(options.axes);
+  frame.mm = options.scale;
+  frame.origin_mm = options.origin_mm;
+  Opened opened;
+  palpate_device_handle device = openHandle(table, which, opened.reason);
+  if (device == nullptr) return opened;
+  palpate_device_capabilities able{};
+  able.size = sizeof(able);
+  if (table.capabilities(device, &able) < 0) {
+    opened.reason = "it does not say what the device can";
+    table.close(device);
+    return opened;
+  }
+  opened.driver = std::make_unique<Driver>(table, device, able, frame, options, which);
+  return opened;
+}
+
+}  // namespace palpate::device::plugin

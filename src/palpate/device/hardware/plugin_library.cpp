@@ -1,0 +1,98 @@
+// dlopen -> palpate_device_plugin -> its table, checked. Cold path. Own.
+#include "palpate/device/hardware/plugin_library.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "palpate/base/text.h"
+#include "palpate/device/hardware/plugin_checks.h"
+
+namespace palpate::device::plugin {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kFunction = "palpate_device_plugin";
+
+bool isFile(const fs::path& path) {
+  std::error_code error;
+  return fs::is_regular_file(path, error);
+}
+
+/// The file that a name stands for, or the name itself.
+std::string fileNamed(const std::string& name) {
+  if (name.empty() || name.find('/') != std::string::npos) return name;
+  for (const fs::path& folder : folders()) {
+    for (const std::string& file : {name, name + ".so", "lib" + name + ".so"}) {
+      if (isFile(folder / file)) return (folder / file).string();
+    }
+  }
+  return isFile(name) ? "./" + name : name;  // without a slash the loader would look elsewhere
+}
+
+}  // namespace
+
+Plugin load(const std::string& file) {
+  Plugin plugin;
+  plugin.file = file;
+  plugin.remedy = "build it anew with this version's palpate_device.h (docs/plugins.md)";
+  const SharedLibrary library = openLibrary(std::vector<std::string>{file});
+  if (!library) {
+    plugin.reason = library.attempts.front().words;
+    plugin.remedy = "name a plugin's file: plugin:/path/to/it.so (docs/plugins.md)";
+    if (const std::string& needs = library.attempts.front().dependency; !needs.empty()) {
+      plugin.remedy = "install what it needs: " + needs;
+    }
+    return plugin;
+  }
+  decltype(palpate_device_plugin)* function = nullptr;
+  resolve(library, kFunction, function);
+  if (function == nullptr) {
+    plugin.reason = file + " is no plugin: it has no function " + kFunction;
+    return plugin;
+  }
+  const auto* table = function(PALPATE_DEVICE_VERSION);
+  plugin.reason = whatIsWrong(table);
+  if (plugin.reason.empty()) {
+    plugin.table = table;
+    plugin.remedy.clear();
+  } else {
+    plugin.reason = file + ": " + plugin.reason;
+  }
+  return plugin;
+}
+
+std::string nameOf(const Plugin& plugin) { return wordsIn(plugin.table->name, kMostNameBytes); }
+std::string aboutOf(const Plugin& plugin) { return wordsIn(plugin.table->about, kMostNameBytes); }
+
+std::vector<fs::path> folders() {
+  const char* said = std::getenv(kFoldersVariable);  // NOLINT(concurrency-mt-unsafe)
+  std::vector<fs::path> found;
+  for (const std::string_view folder : split(said == nullptr ? "" : said, ':')) {
+    if (!folder.empty()) found.emplace_back(folder);
+  }
+  return found;
+}
+
+std::vector<std::string> filesIn(const std::vector<fs::path>& folders) {
+  std::vector<std::string> files;
+  for (const fs::path& folder : folders) {
+    const std::size_t first = files.size();
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+      if (entry->path().extension() == ".so") files.push_back(entry->path().string());
+    }
+    std::sort(files.begin() + static_cast<std::ptrdiff_t>(first), files.end());
+  }
+  return files;
+}
+
+Wanted wantedOf(const std::string& words) {
+  const std::string whole = fileNamed(words);
+  const std::size_t colon = words.rfind(':');
+  if (colon == std::string::npos || isFile(whole)) return {whole, {}};
+  return {fileNamed(words.substr(0, colon)), words.substr(colon + 1)};
+}
+
+}  // namespace palpate::device::plugin
