@@ -16,23 +16,6 @@ constexpr double kFingertipMm = 8.0;
 /// A mouse pushes nobody's hand, so its force is neither shortened nor softened: what is shown is what the skin gives.
 void removeLimits(servo::LimiterSettings& settings) { settings.limited = false; }
 
-std::vector<device::Device> devicesOf(std::array<device::MouseLink, kFingers>& links,
-                                      std::span<const device::Device> held) {
-  std::vector<device::Device> devices;
-  for (std::size_t i = 0; i < kFingers; ++i) {
-    devices.push_back(i < held.size() ? held[i] : device::mouseDevice(std::string(kFingerNames[i]), links[i]));
-  }
-  return devices;
-}
-
-engine::ServoThread::Guide guideOf(std::array<device::MouseLink, kFingers>& links, std::size_t held) {
-  return [&links, held](std::span<servo::FingerChain> fingers) {
-    for (std::size_t i = held; i < kFingers; ++i) {
-      if (device::advance(links[i])) engine::forgetTouch(fingers[i]);
-    }
-  };
-}
-
 }  // namespace
 
 double fingerRadius(const scene::Scene& scene, std::size_t finger) {
@@ -59,21 +42,111 @@ engine::ServoPlan planFor(std::shared_ptr<const scene::World> world, const scene
   return plan;
 }
 
-std::optional<device::Capabilities> leastOf(std::span<const device::Device> devices) {
+device::Capabilities abilityOf(const OpenedDevice& opened) {
+  device::Capabilities able = opened.device.capabilities;
+  able.motion_scale = opened.workspace.frame.mm;
+  return able;
+}
+
+std::optional<device::Capabilities> leastOf(std::span<const device::Capabilities> devices) {
   if (devices.empty()) return std::nullopt;
   device::Capabilities least;
   const auto lower = [](double& value, double other) {
     if (other > 0.0) value = value > 0.0 ? std::min(value, other) : other;
   };
-  for (const device::Device& device : devices) {
-    lower(least.max_force_n, device.capabilities.max_force_n);
-    lower(least.nominal_stiffness_n_per_mm, device.capabilities.nominal_stiffness_n_per_mm);
+  for (const device::Capabilities& device : devices) {
+    least.motion_scale = std::max(least.motion_scale, device.motion_scale);
+    lower(least.max_force_n, device.max_force_n);
+    lower(least.nominal_stiffness_n_per_mm, device.nominal_stiffness_n_per_mm);
   }
   return least;
 }
 
-LiveServo::LiveServo(engine::ServoPlan plan, std::vector<device::Device> devices)
-    : devices_(std::move(devices)),
-      thread_(std::move(plan), devicesOf(links_, devices_), guideOf(links_, devices_.size())) {}
+LiveServo::Held LiveServo::heldBy(OpenedDevice opened) {
+  auto link = std::make_shared<device::WorkspaceLink>(opened.workspace);
+  device::Device placed = device::inWorkspace(opened.device, opened.workspace, link);
+  return {std::move(opened), std::move(link), std::move(placed)};
+}
+
+LiveServo::LiveServo(engine::ServoPlan plan, std::vector<OpenedDevice> devices)
+    : held_([&devices] {
+        std::array<std::optional<Held>, kFingers> held;
+        for (std::size_t i = 0; i < devices.size(); ++i) held[i] = heldBy(std::move(devices[i]));
+        return held;
+      }()),
+      thread_(std::move(plan), devicesAtFirst(), guide()) {}
+
+std::vector<device::Device> LiveServo::devicesAtFirst() {
+  std::vector<device::Device> devices;
+  for (std::size_t i = 0; i < kFingers; ++i) {
+    devices.push_back(held_[i] ? held_[i]->placed : device::mouseDevice(std::string(kFingerNames[i]), mice_[i]));
+  }
+  return devices;
+}
+
+/// The mouse's fingers go their way whoever has them; a device says by its state that it is none of them.
+engine::ServoThread::Guide LiveServo::guide() {
+  return [this](std::span<servo::FingerChain> fingers) {
+    for (std::size_t i = 0; i < kFingers; ++i) {
+      if (device::advance(mice_[i]) && !fingers[i].device.state) engine::forgetTouch(fingers[i]);
+    }
+  };
+}
+
+void LiveServo::leave(std::size_t finger) {
+  if (!held_[finger]) return;
+  leaving_.push_back(std::move(held_[finger]->placed));
+  leaving_.push_back(std::move(held_[finger]->opened.device));
+  held_[finger].reset();
+}
+
+void LiveServo::hold(std::size_t finger, OpenedDevice opened, engine::ServoPlan plan) {
+  leave(finger);
+  held_[finger] = heldBy(std::move(opened));
+  plan.devices.resize(kFingers);
+  plan.devices[finger] = held_[finger]->placed;
+  thread_.change(std::move(plan));
+}
+
+void LiveServo::letGo(std::size_t finger, engine::ServoPlan plan) {
+  leave(finger);
+  plan.devices.resize(kFingers);
+  plan.devices[finger] = device::mouseDevice(std::string(kFingerNames[finger]), mice_[finger]);
+  thread_.change(std::move(plan));
+}
+
+std::vector<device::Device> LiveServo::takeLeaving() {
+  if (leaving_.empty() || !thread_.settled()) return {};
+  return std::exchange(leaving_, {});
+}
+
+std::optional<device::Capabilities> LiveServo::limitsWith(std::size_t finger, const OpenedDevice* opened) const {
+  std::vector<device::Capabilities> devices;
+  for (std::size_t i = 0; i < kFingers; ++i) {
+    if (i != finger && held_[i]) devices.push_back(abilityOf(held_[i]->opened));
+  }
+  if (opened != nullptr) devices.push_back(abilityOf(*opened));
+  return leastOf(devices);
+}
+
+std::optional<device::Capabilities> LiveServo::limits() const {
+  return limitsWith(0, held_[0] ? &held_[0]->opened : nullptr);
+}
+
+bool LiveServo::place(std::size_t finger, const device::Workspace& workspace) {
+  if (!held_[finger] || held_[finger]->opened.workspace == workspace) return false;
+  Held& held = *held_[finger];
+  held.opened.workspace = workspace;
+  held.link->place(workspace);
+  return true;
+}
+
+void LiveServo::clutch(std::size_t finger, bool held) {
+  if (held_[finger]) held_[finger]->link->clutch(held);
+}
+
+device::WorkspaceReading LiveServo::reading(std::size_t finger) {
+  return held_[finger] ? held_[finger]->link->reading() : device::WorkspaceReading{};
+}
 
 }  // namespace palpate::viewer

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#include "apps/viewer/devices/devices_shown.h"
 #include "apps/viewer/editing/change_history.h"
 #include "apps/viewer/editing/editor.h"
 #include "apps/viewer/editing/ruler.h"
@@ -51,7 +52,8 @@ struct Session {
   double now_s = 0.0;
   std::string held_by = "mouse";             ///< what moves the fingers, in words
   std::optional<device::Capabilities> held;  ///< limits of the devices that hold fingers; nothing: all are the mouse's
-  double ticks_per_s = 1000.0;               ///< of the servo: those of the scene that the window began with
+  DevicesShown devices;
+  double ticks_per_s = 1000.0;  ///< of the servo: those of the scene that the window began with
   WorldFacts world;
   std::optional<VertexReading> reading;  ///< of the vertex that was clicked last
   bool vertex_panel_open = false;

@@ -44,6 +44,7 @@ scene::Scene sceneFromFile(const std::string& file, const scene::Scene& like) {
   // They belong to the body they were placed on.
   scene.dysfunctions.clear();
   scene.fingers.clear();
+  for (scene::DeviceSettings& device : scene.devices) device.origin_mm.reset();
   scene.view = {};  // how it is looked at stays (Session::state)
   scene.ellipses.key_points.clear();
   scene.body = {};
@@ -128,7 +129,9 @@ void Turnover::takeResult(Session& session, engine::ServoThread& servo) {
 
 void Turnover::adopt(Session& session, const engine::BuildResult& result, engine::ServoThread& servo) {
   try {
-    servo.change(planFor(result.world, session.scene, result.wish.body == nullptr, session.held));
+    engine::ServoPlan plan = planFor(result.world, session.scene, result.wish.body == nullptr, session.held);
+    session.devices.stiffness_factor = plan.limiter.stiffness_factor;
+    servo.change(std::move(plan));
   } catch (const Error& error) {
     session.report(Severity::error, error.what());
     return;
@@ -137,9 +140,15 @@ void Turnover::adopt(Session& session, const engine::BuildResult& result, engine
   other_body_ = other_body_ || result.wish.body == nullptr;
 }
 
+engine::ServoPlan Turnover::planNow(Session& session) const {
+  engine::ServoPlan plan = planFor(coming_ ? coming_ : shown_, session.scene, coming_ && other_body_, session.held);
+  session.devices.stiffness_factor = plan.limiter.stiffness_factor;
+  return plan;
+}
+
 void Turnover::changeFingers(Session& session, engine::ServoThread& servo) const {
   try {
-    servo.change(planFor(coming_ ? coming_ : shown_, session.scene, coming_ && other_body_, session.held));
+    servo.change(planNow(session));
   } catch (const Error& error) {
     session.report(Severity::warning, error.what());
   }

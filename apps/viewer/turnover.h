@@ -32,6 +32,9 @@ class Turnover {
   /// Once a frame: acts on session.asks.changed. Settings of the fingers go to the servo at once.
   void advance(Session& session, engine::ServoThread& servo);
 
+  /// What the servo has or is about to get, with the limits of session.held; for who changes devices. Throws Error.
+  engine::ServoPlan planNow(Session& session) const;
+
   struct Shown {
     std::shared_ptr<const scene::World> world;  ///< null: nothing new
     bool other_body = false;

@@ -43,6 +43,7 @@ struct Shown {
   bool plots = true;
   bool performance = false;
   bool numbers = true;
+  bool reach = true;  ///< the box of what devices reach
   bool help = false;
   bool messages = false;
   bool open_dialog = false;

@@ -16,7 +16,6 @@
 #include "apps/viewer/panels/gui_layout.h"
 #include "apps/viewer/panels/hints.h"
 #include "palpate/base/stopwatch.h"
-#include "palpate/device/back_ends.h"
 #include "palpate/device/device_profile.h"
 #include "palpate/trace/forces_table.h"
 
@@ -43,6 +42,13 @@ constexpr double kDrawnPointMm = 8.0;
 /// Of a picture without background: each pixel is the mean of this many squared.
 constexpr int kClearSupersampling = 2;
 
+/// Of devices that are open before there is a servo.
+std::optional<device::Capabilities> limitsOf(const std::vector<OpenedDevice>& devices) {
+  std::vector<device::Capabilities> able;
+  for (const OpenedDevice& opened : devices) able.push_back(abilityOf(opened));
+  return leastOf(able);
+}
+
 WorldFacts factsOf(const scene::World& world) {
   const Vec3 size = mesh::boundingBox(world.skin).sizes();
   const auto [soft, stiff] = std::minmax_element(world.stiffness_n_per_mm.begin(), world.stiffness_n_per_mm.end());
@@ -68,9 +74,10 @@ Viewer::Viewer(const std::shared_ptr<const scene::World>& world, ViewState state
     : settings_(std::move(settings)),
       host_(std::move(host)),
       world_(world),
-      servo_(planFor(world, world->scene, true, leastOf(settings_.devices)), settings_.devices),
+      servo_(planFor(world, world->scene, true, limitsOf(settings_.devices)), settings_.devices),
       model_(std::make_unique<LiveModel>(world)),
       turnover_(world),
+      devices_(servo_, turnover_),
       history_(servo_.thread().ticksPerS()),
       outputs_(settings_.output_folder),
       eyesight_(host_.quad_buffer) {
@@ -81,15 +88,13 @@ Viewer::Viewer(const std::shared_ptr<const scene::World>& world, ViewState state
   takeFacts();
   session_.device_limit_n = deviceLimit(world->scene.safety);
   session_.profile.knots = world->deformation.normal_profile.knots;
-  session_.held = leastOf(settings_.devices);
-  if (!settings_.devices.empty()) session_.held_by.clear();
-  for (const device::Device& device : settings_.devices) {
-    session_.held_by += (session_.held_by.empty() ? "" : ", ") + device.name;
-  }
+  session_.held = servo_.limits();
+  session_.devices.stiffness_factor = turnover_.planNow(session_).limiter.stiffness_factor;
   session_.ticks_per_s = servo_.thread().ticksPerS();
   for (SampleHistory& plot : session_.plots.fingers) plot = SampleHistory(session_.ticks_per_s);
   input_.settings = session_.state.input;
   session_.performance.graphics = view::rendererWords();
+  devices_.begin(session_);
 }
 
 Viewer::~Viewer() = default;
@@ -138,7 +143,6 @@ void Viewer::frame(int width, int height, double scale, double now_s, std::span<
   if (!session_.opening) session_.history.follow(session_, {held, session_.editor.before.has_value(), any});
   tellTitle();
   pointServo();
-  tendDevices();
   paintAndKeep(points);
   if (std::exchange(clear_picture_, false)) paintClear(points);
   Performance& performance = session_.performance;
@@ -178,6 +182,7 @@ void Viewer::takeWorld() {
   session_.device_limit_n = deviceLimit(session_.scene.safety);
   if (session_.profile.handle < 0) session_.profile.knots = world_->deformation.normal_profile.knots;
   if (!shown.other_body) return;
+  devices_.bodyChanged();
   session_.reading.reset();
   history_.clear();
   freeze(session_.replay, false);
@@ -281,6 +286,7 @@ void Viewer::takeSamples() {
   trace::Sample sample;
   while (servo_.thread().pop(sample)) {
     outputs_.addSample(session_, sample);
+    devices_.felt(sample, session_);
     if (session_.replay.frozen) continue;  // what is studied stays as it is
     plot(sample);
     history_.add(sample);
@@ -289,9 +295,11 @@ void Viewer::takeSamples() {
 
 void Viewer::handle(std::span<const window::InputEvent> events) {
   input_.settings = session_.state.input;
+  input_.useFinger(session_.active_finger);
   std::vector<window::Command> commands;
   for (const window::InputEvent& event : events) {
     using EventKind = window::InputEvent::Kind;
+    if (devices_.hears(event, gui_.wantsText(), session_)) continue;
     if (event.kind == EventKind::drop) session_.wish(Wish::Kind::open, event.text);
     if (event.kind == EventKind::move || event.kind == EventKind::button) intro_.end(pointer_);
     if (session_.question && event.kind == EventKind::key) {
@@ -397,12 +405,13 @@ void Viewer::useChanges() {
   for (const Wish& wish : std::exchange(session_.asks.wishes, {})) {
     if (!mustAskFirst(wish, session_)) grant(wish);
   }
+  devices_.advance(session_, *world_);
   turnover_.advance(session_, servo_.thread());
   session_.asks.changed = kNothing;
 }
 
 void Viewer::grant(const Wish& wish) {
-  if (grantOfScene(wish) || grantOfPicture(wish)) return;
+  if (grantOfScene(wish) || grantOfPicture(wish) || devices_.grant(wish, session_)) return;
   switch (wish.kind) {
     case Wish::Kind::plots_csv:
       return outputs_.savePlots(session_);
@@ -536,20 +545,6 @@ void Viewer::pointServo() {
   }
 }
 
-/// Once a second: looking for a lost device may take its driver a moment.
-void Viewer::tendDevices() {
-  if (session_.now_s < tended_s_ + 1.0) return;
-  tended_s_ = session_.now_s;
-  std::string troubles;
-  for (const std::string& trouble : device::tendDevices(servo_.devices())) {
-    troubles += (troubles.empty() ? "" : "; ") + trouble;
-  }
-  if (troubles == device_troubles_) return;
-  device_troubles_ = troubles;
-  session_.report(troubles.empty() ? Severity::info : Severity::warning,
-                  troubles.empty() ? "The device is back" : troubles);
-}
-
 /// In a picture of two parts the system's pointer would be in one of them: ours is drawn in both.
 void Viewer::showCursor() {
   const bool own = view::hasTwoParts(stereo_.mode);
@@ -606,7 +601,26 @@ std::vector<view::Lines> Viewer::rings() const {
   if (session_.reading && session_.vertex_panel_open && session_.mark_vertex) {
     marks.push_back(vertexMark(*session_.reading, *world_, model_->surface()));
   }
+  addReach(marks);
   return marks;
+}
+
+/// The twelve edges of what each device that holds a finger reaches, where the clutch has moved it.
+void Viewer::addReach(std::vector<view::Lines>& lines) const {
+  constexpr double kReachPx = 1.6;
+  for (std::size_t i = 0; i < kFingers && session_.state.shown.reach; ++i) {
+    const FingerHeld& held = session_.devices.fingers[i];
+    device::DeviceFrame frame = held.workspace.frame;
+    frame.origin_mm += held.reading.shift_mm;
+    const std::vector<Vec3> corners = device::reachOf(held.able, frame);
+    view::Lines edges{kReachPx, {}};
+    for (std::size_t from = 0; from < corners.size(); ++from) {
+      for (const std::size_t axis : {1u, 2u, 4u}) {
+        if ((from & axis) == 0) edges.add(corners[from], corners[from | axis], kFingerPaint[i]);
+      }
+    }
+    if (!corners.empty()) lines.push_back(std::move(edges));
+  }
 }
 
 view::PictureSettings Viewer::pictureSettings() const {

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/viewer/devices/device_control.h"
 #include "apps/viewer/editing/pointer.h"
 #include "apps/viewer/eyesight.h"
 #include "apps/viewer/files/outputs.h"
@@ -34,7 +35,7 @@ struct ViewerSettings {
   bool intro = true;                          ///< a finger shows by itself how to press, until the mouse moves
   std::filesystem::path output_folder = ".";  ///< for pictures, tables and scenes without a file
   scene::Scene default_scene;                 ///< for "Built-in torso"
-  std::vector<device::Device> devices;        ///< that hold the first fingers instead of the mouse
+  std::vector<OpenedDevice> devices;          ///< that hold the first fingers instead of the mouse
 };
 
 /// What only a window can do; members may be empty.
@@ -69,6 +70,8 @@ class Viewer {
   /// The last frame went to framebuffer 0: nothing is left but to swap.
   bool drawsItself() const { return host_.quad_buffer && stereo_.mode == view::StereoMode::quad_buffer; }
   bool wantsToQuit() const { return quit_; }
+  /// Press it from any thread or signal handler; lives as long as the viewer.
+  servo::EmergencyStop& emergencyStop() { return servo_.thread().emergencyStop(); }
   Session& session() { return session_; }
   const window::Input& input() const { return input_; }
   const Pointer& pointer() const { return pointer_; }
@@ -110,11 +113,11 @@ class Viewer {
   void tellTitle();
   void setView(view::StandardView side);
   void pointServo();
-  void tendDevices();
   void showCursor();
   void guardShading(double elapsed_s);
   std::vector<view::FingerMark> fingerMarks();
   std::vector<view::Lines> rings() const;
+  void addReach(std::vector<view::Lines>& lines) const;
   void paint(double scale, window::Gui::Choice windows = nullptr);
   void paintAndKeep(double scale);
   view::PictureSettings pictureSettings() const;
@@ -129,6 +132,7 @@ class Viewer {
   LiveServo servo_;
   std::unique_ptr<LiveModel> model_;
   Turnover turnover_;
+  DeviceControl devices_;
   TouchHistory history_;
   ReplayLoader replay_loader_;
   std::optional<RecordedTouch> recorded_;  ///< looked at in place of the history
@@ -144,8 +148,6 @@ class Viewer {
   window::Theme theme_ = window::Theme::dark;
   int standard_view_ = 0;
   double frame_s_ = 1.0 / 60.0;  ///< smoothed time between two frames
-  double tended_s_ = 0.0;        ///< when lost devices were looked for
-  std::string device_troubles_;  ///< as they were told last
   bool seen_ = false;            ///< a frame has been drawn
   bool own_cursor_ = false;      ///< drawn once for each eye, in place of the system's
   bool clear_picture_ = false;   ///< to be taken in this frame

@@ -214,8 +214,9 @@ TEST(SceneFile, EveryKeyWithARangeRefusesWhatIsFarOutside) {
 TEST(SceneFile, EveryDefaultInTheTableIsAcceptedWhenWrittenOut) {
   for (const KeyRow& row : describeKeys()) {
     if (row.table.starts_with("script") || row.table == "[[finger]]" || row.fallback.empty()) continue;
+    const std::string named = row.table == "[[device]]" ? "name = \"remote\"\n" : "";
     const std::string toml =
-        (row.table.empty() ? "" : row.table + "\n") + row.key + " = " + row.fallback + "\n" + kFinger;
+        (row.table.empty() ? "" : row.table + "\n" + named) + row.key + " = " + row.fallback + "\n" + kFinger;
     EXPECT_EQ(messageFor(toml), "no error") << toml;
   }
 }

@@ -67,12 +67,12 @@ TEST(LiveServo, ADeviceHoldsTheLeftFingerWithinItsOwnLimitAndTheMouseKeepsTheRig
   device::Device held = device::scriptedDevice("held", std::make_shared<const std::vector<Vec3>>(path));
   held.capabilities.max_force_n = 1.5;
   held.capabilities.nominal_stiffness_n_per_mm = 0.4;
-  const auto limits = leastOf(std::span(&held, 1));
+  const auto limits = leastOf(std::span(&held.capabilities, 1));
   ASSERT_TRUE(limits);
   EXPECT_EQ(limits->max_force_n, 1.5);
   EXPECT_EQ(limits->nominal_stiffness_n_per_mm, 0.4);
   EXPECT_FALSE(leastOf({}));
-  LiveServo servo(planFor(world, world->scene, true, limits), {held});
+  LiveServo servo(planFor(world, world->scene, true, limits), {{"held", held, {}}});
   EXPECT_TRUE(servo.isHeld(0));
   EXPECT_FALSE(servo.isHeld(1));
   EXPECT_TRUE(waitFor(servo, [&] { return servo.thread().contacts()[0].device_force.z() > 1.45; }))

@@ -161,6 +161,66 @@ TEST_F(PanelPictures, OfTouchByForce) {
   expectPanel("touch_force", 160, [&] { touchPanel({touch, active, scene}, asks); });
 }
 
+/// A device that is felt on the left finger, and the mouse on the right.
+DevicesShown someDevices() {
+  DevicesShown devices;
+  devices.stiffness_factor = 0.83;
+  FingerHeld& left = devices.fingers[0];
+  left.words = "openhaptics:Left";
+  left.about = "openhaptics, PHANTOM Omni, at most 3.30 N";
+  left.workspace.frame.origin_mm = Vec3(-30, 41, 120);
+  left.reading.tip = Vec3(-28.0, 37.0, 92.0);
+  left.reading.place = Vec3(2.0, -4.0, -28.0);
+  left.reading.force = Vec3(0.2, 0.0, 1.61);
+  left.reading.state.loop_ticks = 2;
+  left.reading.state.buttons = 2;
+  left.positions_per_s = 998.0;
+  left.most_loss_n_mm = 0.004;
+  devices.back_ends = {{.name = "openhaptics", .available = true, .devices = {"at work here"}},
+                       {.name = "forcedimension",
+                        .reason = "libdhd.so: cannot open shared object file",
+                        .remedy = "install the maker's SDK, or name the file by PALPATE_LIBDHD"},
+                       {.name = "remote", .available = true, .devices = {"127.0.0.1:4117"}}};
+  return devices;
+}
+
+TEST_F(PanelPictures, OfDevices) {
+  DevicesShown devices = someDevices();
+  const std::optional<VertexReading> reading;
+  bool reach = true;
+  expectPanel("devices", 640, [&] { devicePanel({devices, scene, reading, reach, 1000.0}, asks); });
+}
+
+TEST_F(PanelPictures, OfACalibrationAfterTheStop) {
+  DevicesShown devices = someDevices();
+  devices.stopped = true;
+  devices.calibration.finger = 0;
+  devices.calibration.of_device = devices.calibration.of_body = {Vec3::Zero()};
+  std::optional<VertexReading> reading;
+  reading.emplace().place = Vec3(12, 140, 55);
+  bool reach = true;
+  expectPanel("devices_calibrated", 640, [&] { devicePanel({devices, scene, reading, reach, 1000.0}, asks); });
+}
+
+TEST_F(PanelPictures, OfTheEmergencyStop) {
+  const FreeArea free{0.0f, 24.0f, 640.0f, 320.0f};
+  ViewState state;
+  int hint = 0;
+  MenuBar menu{state, hint, {}, 0, {"torso", "openhaptics", "1000 Hz", "60 fps"}, {}};
+  menu.offers_stop = true;
+  const std::vector<std::string> lines = {"left: held back 812, damped 3"};
+  expect("stop_offered", 640, 320, [&] {
+    menuBar(menu, asks);
+    interventionNotice(lines, free);
+  });
+  menu.stopped = true;
+  expect("stop", 640, 320, [&] {
+    menuBar(menu, asks);
+    stopBanner(free, asks);
+    interventionNotice(lines, free);
+  });
+}
+
 TEST_F(PanelPictures, OfTissue) {
   ProfileEdit profile;
   expectPanel("tissue", 595, [&] { tissuePanel({scene, profile, true}, asks); });

@@ -33,6 +33,8 @@ constexpr std::int64_t kSecondAfterNs = 300'000'000;
 std::atomic<int> asked_by{0};
 std::atomic<std::int64_t> asked_at_ns{0};
 std::atomic<int> orderly{0};  // FinishesInOrder that live
+std::atomic<servo::EmergencyStop*> pressed_first{nullptr};
+static_assert(std::atomic<servo::EmergencyStop*>::is_always_lock_free);
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<std::int64_t>::is_always_lock_free);
 
 std::int64_t clockNs() {  // allowed in a handler, unlike std::chrono
@@ -47,6 +49,7 @@ void tell(std::string_view line) {
 }
 
 extern "C" void askForEnd(int signal) {
+  if (servo::EmergencyStop* stop = pressed_first.load()) stop->press();
   int nobody = 0;
   if (asked_by.compare_exchange_strong(nobody, signal)) {
     asked_at_ns.store(clockNs());
@@ -74,6 +77,9 @@ void listenForSignals() {
 
 FinishesInOrder::FinishesInOrder() { ++orderly; }
 FinishesInOrder::~FinishesInOrder() { --orderly; }
+
+StoppedBySignal::StoppedBySignal(servo::EmergencyStop& stop) { pressed_first = &stop; }
+StoppedBySignal::~StoppedBySignal() { pressed_first = nullptr; }
 
 int endAskedBy() { return asked_by.load(); }
 

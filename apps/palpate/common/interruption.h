@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "palpate/base/progress.h"
+#include "palpate/servo/emergency_stop.h"
 
 namespace palpate::app {
 
@@ -22,6 +23,16 @@ class FinishesInOrder {
   ~FinishesInOrder();
   FinishesInOrder(const FinishesInOrder&) = delete;
   FinishesInOrder& operator=(const FinishesInOrder&) = delete;
+};
+
+/// While it lives, such a signal presses the emergency stop in its handler, before anything else is done about it: no
+/// hand waits for a window to close. One at a time.
+class StoppedBySignal {
+ public:
+  explicit StoppedBySignal(servo::EmergencyStop& stop);
+  ~StoppedBySignal();
+  StoppedBySignal(const StoppedBySignal&) = delete;
+  StoppedBySignal& operator=(const StoppedBySignal&) = delete;
 };
 
 /// The signal that asked for the end, or 0.

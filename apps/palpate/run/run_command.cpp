@@ -22,7 +22,6 @@
 #include "palpate/base/background.h"
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
-#include "palpate/device/finger_path.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/trace/forces_table.h"
 #include "palpate/window/window.h"
@@ -159,16 +158,18 @@ void keepState(const RunOptions& options, viewer::Viewer& viewer, const window::
   if (!options.no_state) viewer::writeState(viewer::stateFile(), {viewer.session().state, window.placement()});
 }
 
-/// Devices begin over the place where an automatic path would, two of them beside each other.
-std::vector<device::OpenOptions> placesOver(const scene::World& world, std::size_t devices) {
-  constexpr double kApartMm = 60.0;
-  std::vector<device::OpenOptions> places(viewer::kFingers);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const double share = devices > 1 ? static_cast<double>(i) - 0.5 : 0.0;
-    places[i].origin_mm = device::automaticPath(world).tip_mm.front() + share * kApartMm * Vec3::UnitX();
-    places[i].tick_s = 1.0 / world.scene.ticks_per_s;
+/// Those of the command line, where the scene or nobody says that their spaces lie.
+std::vector<viewer::OpenedDevice> openedFor(const scene::World& world, const std::vector<std::string>& names) {
+  std::vector<device::OpenOptions> fingers(viewer::kFingers);
+  for (device::OpenOptions& options : fingers) options.tick_s = 1.0 / world.scene.ticks_per_s;
+  std::vector<device::Device> devices = openDevices(names, fingers);
+  std::vector<viewer::OpenedDevice> opened;
+  for (std::size_t i = 0; i < devices.size(); ++i) {
+    const Vec3 origin = device::standardOrigin(world, names[i], i);
+    const auto settings = device::settingsOf(world.scene, names[i], i).value_or(scene::DeviceSettings{});
+    opened.push_back({names[i], std::move(devices[i]), device::workspaceOf(settings, origin)});
   }
-  return places;
+  return opened;
 }
 
 void loop(const RunOptions& options, Playback& playback, window::Window& window, viewer::Viewer& viewer,
@@ -238,13 +239,12 @@ void runWindow(const RunOptions& options) {
   view_state.input.shortcuts = !options.no_shortcuts;
   if (!options.stereo.empty()) view_state.stereo.mode = view::stereoModeNamed(options.stereo);
   building->join();  // without a display the window has thrown
-  if (!options.devices.empty()) {
-    settings.devices = openDevices(options.devices, placesOver(*world, options.devices.size()));
-  }
+  if (!options.devices.empty()) settings.devices = openedFor(*world, options.devices);
   viewer::Viewer viewer(world, std::move(view_state), std::move(settings), hostOf(window));
   if (!state.note.empty()) viewer.session().report(viewer::Severity::warning, state.note);
   if (!options.replay.empty()) viewer.session().wish(viewer::Wish::Kind::open, options.replay);
   const FinishesInOrder in_order;
+  const StoppedBySignal stopped(viewer.emergencyStop());
   loop(options, playback, window, viewer, started);
   keepChanges(viewer);
   keepState(options, viewer, window);

@@ -83,6 +83,7 @@ RealtimeReport runRealtime(const scene::World& world, servo::Rig& rig, std::uint
   RealtimeReport report;
   const FinishesInOrder in_order;
   servo::LoopLinks links(rig.fingers.size());
+  const StoppedBySignal stopped(links.emergency_stop);
   std::vector<device::Device> devices;
   for (const servo::FingerChain& finger : rig.fingers) devices.push_back(finger.device);
   servo::PacedSettings settings;

@@ -13,6 +13,7 @@
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/device/back_ends.h"
+#include "palpate/device/workspace.h"
 #include "palpate/scene/hdb_source.h"
 #include "palpate/servo/device_limits.h"
 #include "palpate/servo/scripted_rig.h"
@@ -53,20 +54,29 @@ void holdBy(const device::Device& device, const scene::World& world, servo::Fing
   servo::giveDevice(finger, device);
 }
 
+/// Where the scene says, else where the finger's path begins; what gives places of the body stays as it is.
+device::Device placed(device::Device device, const std::string& words, std::size_t finger, const Vec3& path_begins,
+                      const scene::Scene& scene) {
+  const auto settings = device::settingsOf(scene, words, finger).value_or(scene::DeviceSettings{});
+  const Vec3 origin = device::givesPlacesOfTheBody(words) ? Vec3(Vec3::Zero()) : path_begins;
+  const device::Workspace workspace = device::workspaceOf(settings, origin);
+  return device::inWorkspace(std::move(device), workspace, std::make_shared<device::WorkspaceLink>(workspace));
+}
+
 /// Opens the devices and puts them in place of the first fingers' paths, where these begin.
 void useDevices(const SimulationSettings& settings, const device::FingerPaths& paths, servo::Rig& rig,
                 SimulationResult& result) {
   std::vector<device::OpenOptions> fingers(paths.tips.size());
   for (std::size_t i = 0; i < fingers.size(); ++i) {
     fingers[i].tips = paths.tips[i];
-    fingers[i].origin_mm = paths.tips[i]->front();
     fingers[i].tick_s = rig.tick_s;
   }
-  const std::vector<device::Device> devices = openDevices(settings.devices, fingers);
+  std::vector<device::Device> devices = openDevices(settings.devices, fingers);
   for (std::size_t i = 0; i < devices.size(); ++i) {
     if (devices[i].capabilities.rhythm != device::Rhythm::on_call && !settings.realtime) {
       throw Error(devices[i].name + ": a hand takes its time: --realtime");
     }
+    devices[i] = placed(std::move(devices[i]), settings.devices[i], i, paths.tips[i]->front(), result.world->scene);
     holdBy(devices[i], *result.world, rig.fingers[i]);
     const double factor = rig.fingers[i].limiter_settings.stiffness_factor;
     result.notes.push_back(fmt::format("finger {} is held by {}{}", result.world->scene.fingers[i].name,

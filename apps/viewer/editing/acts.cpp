@@ -29,6 +29,8 @@ auto* switchOf(Action action, S& session) {
       return &shown.performance;
     case Action::plots:
       return &shown.plots;
+    case Action::reach:
+      return &shown.reach;
     case Action::panel:
       return &shown.panel;
     case Action::freeze:
@@ -46,6 +48,7 @@ auto* switchOf(Action action, S& session) {
 std::optional<Wish::Kind> wishOf(Action action) {
   using Kind = Wish::Kind;
   static constexpr std::pair<Action, Kind> kWishes[] = {
+      {Action::emergency_stop, Kind::stop},
       {Action::full_screen, Kind::full_screen},
       {Action::screenshot, Kind::screenshot},
       {Action::screenshot_with_pop_ups, Kind::screenshot_with_pop_ups},

@@ -19,8 +19,8 @@ namespace palpate::viewer {
 namespace {
 
 /// What is kept from run to run and is no change: what is open, and where.
-constexpr std::array<std::string_view, 8> kNoHabits = {"version", "window_", "full_screen", "panel",
-                                                       "plots",   "numbers", "hints",       "recent"};
+constexpr std::array<std::string_view, 9> kNoHabits = {"version", "window_", "full_screen", "panel", "plots",
+                                                       "numbers", "reach",   "hints",       "recent"};
 
 bool isHabit(std::string_view line) {
   return std::none_of(kNoHabits.begin(), kNoHabits.end(),

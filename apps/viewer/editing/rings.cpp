@@ -16,7 +16,6 @@ constexpr int kRingPoints = 48;
 /// Above the skin, so that it does not seem to sink in, mm.
 constexpr double kLiftMm = 0.5;
 constexpr double kPointRadiusMm = 2.0;  ///< of the ring of a finger without size
-constexpr std::array<view::Paint, kFingers> kFingerPaint = {{{110, 165, 255, 230}, {255, 120, 105, 230}}};
 constexpr view::Paint kDysfunctionPaint{240, 170, 60, 255};
 constexpr view::Paint kGhostPaint{240, 170, 60, 150};
 

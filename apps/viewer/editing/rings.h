@@ -11,6 +11,9 @@
 
 namespace palpate::viewer {
 
+/// Of lines that belong to a finger.
+inline constexpr std::array<view::Paint, kFingers> kFingerPaint = {{{110, 165, 255, 230}, {255, 120, 105, 230}}};
+
 /// A ring under each finger that has been over the skin, as large as the finger, tilted with the skin; thicker the
 /// deeper it presses.
 std::vector<view::Lines> fingerRings(const Session& session, const Pointer& pointer);

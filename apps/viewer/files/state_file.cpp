@@ -36,6 +36,7 @@ void forEachValue(Remembered& r, const Visitor& visit) {
   visit("panel_right", s.shown.panel_right);
   visit("plots", s.shown.plots);
   visit("numbers", s.shown.numbers);
+  visit("reach", s.shown.reach);
   visit("theme", s.theme);
   visit("text_size", s.text_size);
   visit("reduced_motion", s.reduced_motion);

@@ -50,12 +50,18 @@ struct Wish {
     copy_view,
     paste_view,
     default_scene,
+    open_device,   ///< `file`, as for --device, takes `finger`
+    close_device,  ///< of `finger`
+    find_devices,  ///< which back ends are here, and why not
+    stop,          ///< the emergency stop
+    release_stop,
     use_profile,  ///< the drawn curve: written to a file that the scene names
     quit,
   };
   Kind kind = Kind::open;
   std::string file = {};
   bool sure = false;  ///< whatever it may overwrite or throw away
+  std::size_t finger = 0;
 };
 
 /// What is asked before something would be lost; what was wished waits in it.
@@ -89,6 +95,9 @@ struct Asks {
   std::string step;  ///< what the change of this frame is called when it is taken back; empty: by what it changed
 
   void wish(Wish::Kind kind, std::string file = {}) { wishes.push_back({kind, std::move(file)}); }
+  void wishForFinger(Wish::Kind kind, std::size_t finger, std::string words = {}) {
+    wishes.push_back({.kind = kind, .file = std::move(words), .finger = finger});
+  }
   void act(window::Action action) { actions.push_back(action); }
   void tell(Severity severity, std::string text) { words.push_back({severity, std::move(text)}); }
 };

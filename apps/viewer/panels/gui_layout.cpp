@@ -25,6 +25,10 @@ constexpr PanelEntry kPanels[] = {
        touchPanel({s.state.touch, s.active_finger, s.scene}, s.asks);
      },
      true},
+    {"Devices",
+     [](Session& s) {
+       devicePanel({s.devices, s.scene, s.reading, s.state.shown.reach, s.ticks_per_s}, s.asks);
+     }},
     {"Tissue",
      [](Session& s) {
        tissuePanel({s.scene, s.profile, s.world.has_bones}, s.asks);
@@ -56,6 +60,8 @@ constexpr PanelEntry kPanels[] = {
 MenuBar menuOf(Session& session) {
   MenuBar menu{
       session.state, session.hint, {}, session.messages.unread(), {}, recordingWords(session.recording, session.now_s)};
+  menu.offers_stop = session.devices.anyHeld() || session.devices.stopped;
+  menu.stopped = session.devices.stopped;
   for (std::size_t i = 0; i < window::kActions; ++i) menu.on[i] = isOn(static_cast<window::Action>(i), session);
   menu.status.push_back(session.world.name + (session.history.changed() ? " *" : ""));
   if (session.simple_shading) menu.status.emplace_back("drawn smooth: slow");
@@ -71,6 +77,17 @@ PlotStrips plotsOf(Session& session) {
           replay.frozen ? std::optional(replay.at_s) : std::nullopt};
 }
 
+std::vector<std::string> interventionLines(const Session& session) {
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < session.devices.fingers.size(); ++i) {
+    const FingerHeld& finger = session.devices.fingers[i];
+    if (finger.words.empty()) continue;
+    const std::string words = finger.interventions.recent(session.now_s);
+    if (!words.empty()) lines.push_back(fmt::format("{}: {}", i == 0 ? "left" : "right", words));
+  }
+  return lines;
+}
+
 /// Does what was asked for as of a key and says what was told.
 void grantActions(Session& session) {
   for (const window::Action action : std::exchange(session.asks.actions, {})) perform(action, session);
@@ -84,7 +101,8 @@ void grantActions(Session& session) {
 std::span<const PanelEntry> panelList() { return kPanels; }
 
 bool staysInPictures(std::string_view window) {
-  return window == "##MainMenuBar" || window.starts_with("panel") || window.starts_with("plots") || window == "ruler";
+  return window == "##MainMenuBar" || window.starts_with("panel") || window.starts_with("plots") || window == "ruler" ||
+         window == "stop";
 }
 
 FreeArea freeArea(const Shown& shown, float width, float height) {
@@ -130,6 +148,8 @@ FreeArea drawGui(Session& session) {
   if (shown.plots) plotStrips(plotsOf(session), free, session.asks);
   if (session.editor.active) editingFrame(free);
   if (session.ruler.active) rulerNotice(session.ruler, free);
+  interventionNotice(interventionLines(session), free);
+  if (session.devices.stopped) stopBanner(free, session.asks);
   buildProgress(session.building, free, session.asks);
   if (session.replay.frozen) {
     replayBar(session.replay, free, session.asks);

@@ -87,7 +87,7 @@ void mouseMenu(window::InputSettings& input) {
 
 void viewMenu(const Menus& menus) {
   for (const Action action : {Action::home, Action::full_screen, Action::panel, Action::plots, Action::numbers,
-                              Action::performance, Action::measure}) {
+                              Action::performance, Action::measure, Action::reach}) {
     item(menus, action);
   }
   ImGui::Separator();
@@ -153,6 +153,17 @@ void recordingSign(const std::string& words) {
   notePlace("menu/recording");
 }
 
+void stopSign(const Menus& menus) {
+  if (!menus.bar.offers_stop) return;
+  if (menus.bar.stopped) {
+    ImGui::TextColored({1.0f, 0.35f, 0.3f, 1.0f}, "STOPPED");
+    return notePlace("menu/stopped");
+  }
+  if (stopButton("menu/stop", "STOP", false, "Emergency stop: no device gets a force (Space or Pause).")) {
+    menus.asks.wish(Wish::Kind::stop);
+  }
+}
+
 /// At the right end: what is touched, by what, how fast; as much of it as there is room for.
 void statusLine(std::span<const std::string> parts) {
   for (; !parts.empty(); parts = parts.subspan(1)) {
@@ -174,6 +185,7 @@ void menuBar(const MenuBar& bar, Asks& asks) {
   menu(menus, "View", viewMenu);
   menu(menus, "Show", showMenu);
   menu(menus, "Help", helpMenu);
+  stopSign(menus);
   recordingSign(bar.recording);
   statusLine(bar.status);
   ImGui::EndMainMenuBar();

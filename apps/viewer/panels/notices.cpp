@@ -101,6 +101,41 @@ void editingFrame(const FreeArea& free) {
   ImGui::End();
 }
 
+void stopBanner(const FreeArea& free, Asks& asks) {
+  constexpr ImU32 kRed = IM_COL32(230, 30, 24, 255);
+  constexpr float kWidth = 8.0f;
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const float inset = 0.5f * kWidth;
+  list.AddRect({free.left + inset, free.top + inset}, {free.right - inset, free.below - inset}, kRed, 0.0f, 0, kWidth);
+  ImGui::SetNextWindowPos({middleOf(free), free.top + 0.22f * (free.below - free.top)}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(150, 14, 10, 245));
+  ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32_WHITE);
+  if (ImGui::Begin("stop", nullptr, kNotice)) {
+    ImGui::SetWindowFontScale(1.5f);
+    ImGui::TextUnformatted("EMERGENCY STOP");
+    ImGui::SetWindowFontScale(1.0f);
+    wrappedWords("No device gets a force. After the release a finger feels again once its tip has been outside.", free);
+    ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(90, 6, 4, 255));
+    if (buttonWidget("stop/release", "Release the stop")) asks.wish(Wish::Kind::release_stop);
+    ImGui::PopStyleColor();
+  }
+  notePlaceOfWindow("stop");
+  ImGui::End();
+  ImGui::PopStyleColor(2);
+}
+
+void interventionNotice(std::span<const std::string> lines, const FreeArea& free) {
+  if (lines.empty()) return;
+  constexpr float kAboveScaleBar = 52.0f;
+  ImGui::SetNextWindowPos({free.left + 12.0f, free.below - kAboveScaleBar}, ImGuiCond_Always, {0.0f, 1.0f});
+  ImGui::SetNextWindowBgAlpha(0.72f);
+  if (ImGui::Begin("interventions", nullptr, kNotice | ImGuiWindowFlags_NoInputs)) {
+    for (const std::string& line : lines) wrappedWords(line, free);
+  }
+  notePlaceOfWindow("interventions");
+  ImGui::End();
+}
+
 void rulerNotice(const Ruler& ruler, const FreeArea& free) {
   constexpr float kBesideEnd = 14.0f;
   std::string words = rulerWords(ruler);

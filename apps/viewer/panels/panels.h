@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "apps/viewer/devices/devices_shown.h"
 #include "apps/viewer/editing/editor.h"
 #include "apps/viewer/editing/ruler.h"
 #include "apps/viewer/files/replay.h"
@@ -48,6 +49,15 @@ struct TouchPanel {
   scene::Scene& scene;
 };
 void touchPanel(const TouchPanel& panel, Asks& asks);
+
+struct DevicePanel {
+  DevicesShown& devices;
+  scene::Scene& scene;
+  const std::optional<VertexReading>& reading;  ///< of the place that was clicked last
+  bool& reach;
+  double ticks_per_s;
+};
+void devicePanel(const DevicePanel& panel, Asks& asks);
 
 struct TissuePanel {
   scene::Scene& scene;
@@ -114,6 +124,8 @@ struct MenuBar {
   std::size_t unread_messages;
   std::vector<std::string> status;  ///< at the right end; where room is short, without the first ones
   std::string recording;            ///< behind a red dot, while something is recorded
+  bool offers_stop = false;         ///< a device holds a finger
+  bool stopped = false;
 };
 void menuBar(const MenuBar& menu, Asks& asks);
 
@@ -141,6 +153,10 @@ void toast(Messages& messages, double now_s, const FreeArea& free);
 void buildProgress(const std::optional<engine::BuildProgress>& building, const FreeArea& free, Asks& asks);
 void hint(std::string_view words, const FreeArea& free);
 void editingFrame(const FreeArea& free);
+/// Round the whole picture while the emergency stop is latched, with the button that releases it.
+void stopBanner(const FreeArea& free, Asks& asks);
+/// A line a finger: what the servo does to the force of a held one just now.
+void interventionNotice(std::span<const std::string> lines, const FreeArea& free);
 /// What a ruler measures, beside its second end; before, what to do.
 void rulerNotice(const Ruler& ruler, const FreeArea& free);
 

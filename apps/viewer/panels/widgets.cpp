@@ -181,7 +181,7 @@ bool setTo(const SceneKeys& keys, const KeyWidget& widget, const std::string& va
 
 std::uint32_t consequenceOf(std::string_view table) {
   if (table == "body") return kBodyChange;
-  if (table == "friction") return kFingerChange;
+  if (table == "friction" || table == "device") return kFingerChange;
   if (table == "contact") return kFingerChange | kMapChange;  // the source of the contact is built with the maps
   if (table == "output" || table == "safety" || table == "view") return kNothing;
   if (table == "finger") return kFingerChange | kMapChange;  // their radii, and the paths that the world knows
@@ -290,6 +290,20 @@ bool buttonWidget(const char* path, const char* label, const char* meaning) {
   notePlace(path);
   tooltip(meaning);
   ImGui::PopID();
+  return clicked;
+}
+
+bool stopButton(const char* path, const char* label, bool wide, const char* meaning) {
+  ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(190, 20, 16, 255));
+  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, IM_COL32(222, 40, 34, 255));
+  ImGui::PushStyleColor(ImGuiCol_ButtonActive, IM_COL32(140, 12, 10, 255));
+  ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32_WHITE);
+  ImGui::PushID(path);
+  const bool clicked = ImGui::Button(label, wide ? ImVec2(-1.0f, 2.0f * ImGui::GetFrameHeight()) : ImVec2(0.0f, 0.0f));
+  ImGui::PopID();
+  ImGui::PopStyleColor(4);
+  notePlace(path);
+  tooltip(meaning);
   return clicked;
 }
 

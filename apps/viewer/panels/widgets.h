@@ -65,6 +65,9 @@ bool choiceWidget(const char* path, const char* label, std::size_t& value, std::
                   const char* meaning);
 bool buttonWidget(const char* path, const char* label, const char* meaning = "");
 
+/// A red one that is as wide as there is room, or as its words.
+bool stopButton(const char* path, const char* label, bool wide, const char* meaning);
+
 /// Whether the theme has dark letters on light windows.
 bool isLightTheme();
 

@@ -62,6 +62,7 @@ Device openNamed(std::string_view words, OpenOptions options) {
   const auto since = Clock::now();
   while (!device.read_tip(0).allFinite()) {
     if (device.exchange) device.exchange();
+    if (options.give_up != nullptr && options.give_up->load()) throw Error(device.name + ": given up");
     if (secondsSince(since) > name.back_end->pose_wait_s) {
       const std::string why = device.explain ? device.explain() : std::string();
       throw Error(fmt::format("{}: no position after {} s{}{}", device.name, name.back_end->pose_wait_s,

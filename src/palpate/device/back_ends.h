@@ -5,6 +5,7 @@
 // A back end is a row of a table: a name, a line about it and two functions.
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -33,6 +34,7 @@ struct OpenOptions {
   double tick_s = 0.001;          ///< of the servo
   /// False: a blocking driver gets no thread, Device::exchange is called instead, once a driver's tick.
   bool own_thread = true;
+  const std::atomic<bool>* give_up = nullptr;     ///< true: nobody waits any more for its first position
   std::shared_ptr<const std::vector<Vec3>> tips;  ///< of `script`
   MouseLink* mouse = nullptr;                     ///< of `mouse`; must outlive the device
   std::filesystem::path system_root = "/";        ///< where /sys and /dev are looked for

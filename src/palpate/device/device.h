@@ -60,8 +60,9 @@ struct Capabilities {
   Rhythm rhythm = Rhythm::on_call;
   /// The row of the table (device_profile.h) that it is, whatever a scene says; unknown: as the scene says.
   scene::DeviceModel kind = scene::DeviceModel::unknown;
-  std::string model;    ///< as the device calls itself
-  std::string version;  ///< of the driver
+  double motion_scale = 1.0;  ///< mm of the body a mm of the device (workspace.h): what it renders is stiffer by it
+  std::string model;          ///< as the device calls itself
+  std::string version;        ///< of the driver
 };
 
 /// What came with the position of the last read_tip.
@@ -73,6 +74,10 @@ struct DeviceState {
   std::uint64_t age_ticks = 0;   ///< of the position
   /// Ticks between sending a force and the first position that was read after the driver had it; 0: not seen yet.
   std::uint64_t loop_ticks = 0;
+  // What the workspace (workspace.h) makes of it.
+  bool clutched = false;   ///< the device moves and its finger does not: no force
+  bool elsewhere = false;  ///< the finger was put elsewhere in this tick: it forgets what it touched
+  bool stops = false;      ///< its button for the emergency stop is down
 };
 
 /// read_tip, write_force and state are called from the servo thread, read before write, once a tick. They must return

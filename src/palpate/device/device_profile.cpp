@@ -31,12 +31,27 @@ DeviceProfile profileOf(scene::DeviceModel model) {
   return {};
 }
 
+namespace {
+
+/// A motion is scaled and a force is not: a spring of the body is `scale` times as stiff in the hand, and what the
+/// device has of mass and damping is so much less in the body.
+DeviceProfile asTheBodySees(DeviceProfile profile, double scale) {
+  profile.stiffness_n_per_mm /= scale;
+  profile.mass_kg /= scale;
+  profile.damping_n_s_per_mm /= scale;
+  profile.encoder_mm *= scale;
+  profile.motion_scale = scale;
+  return profile;
+}
+
+}  // namespace
+
 DeviceProfile profileOf(scene::DeviceModel model, const Capabilities& reported) {
   DeviceProfile profile = profileOf(reported.kind != scene::DeviceModel::unknown ? reported.kind : model);
   if (reported.max_force_n > 0.0) profile.force_n = reported.max_force_n;
   if (reported.nominal_stiffness_n_per_mm > 0.0) profile.stiffness_n_per_mm = reported.nominal_stiffness_n_per_mm;
   profile.known = profile.known || reported.max_force_n > 0.0;
-  return profile;
+  return asTheBodySees(profile, reported.motion_scale);
 }
 
 double largestForceN(const scene::SafetySettings& safety, const DeviceProfile& profile) {

@@ -19,13 +19,14 @@ struct DeviceProfile {
   double damping_n_s_per_mm = 0.0;
   double friction_n = 0.0;
   double encoder_mm = 0.055;  ///< smallest motion that is seen
+  double motion_scale = 1.0;  ///< Capabilities::motion_scale; all of the above is as the body sees it
 };
 
 /// An unknown device has the least force of all, the lightest mass, the coarsest encoder, and swallows nothing.
 DeviceProfile profileOf(scene::DeviceModel model);
 
 /// The profile, of the kind that a driver reports where it knows it, with the force and the stiffness that it reports
-/// in place of the table's where they are above 0.
+/// in place of the table's where they are above 0, and all of it as the body sees a device whose motion is scaled.
 DeviceProfile profileOf(scene::DeviceModel model, const Capabilities& reported);
 
 /// The largest force that a scene's settings allow on such a device, N: its own, or less.

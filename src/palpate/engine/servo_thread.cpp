@@ -37,6 +37,13 @@ void keepRate(ServoPlan& plan, double tick_s) {
   plan.limiter.tick_s = tick_s;
 }
 
+/// Devices of a plan that was never taken take their fingers with the plan in its place.
+void inheritDevices(std::vector<std::optional<device::Device>>& devices, std::optional<ServoPlan>& waiting) {
+  for (std::size_t i = 0; waiting && i < waiting->devices.size(); ++i) {
+    if (!devices[i]) devices[i] = std::move(waiting->devices[i]);
+  }
+}
+
 /// Puts the next plan into the rig, and what can only be freed elsewhere back into the one before.
 void adopt(servo::Rig& rig, ServoPlan& before, ServoPlan& next) noexcept {
   for (std::size_t i = 0; i < rig.fingers.size(); ++i) {
@@ -45,8 +52,10 @@ void adopt(servo::Rig& rig, ServoPlan& before, ServoPlan& next) noexcept {
     finger.contact_settings = next.fingers[i];
     finger.limiter_settings = next.limiter;
     if (next.other_body) forgetTouch(finger);
+    if (i < next.devices.size() && next.devices[i]) servo::exchangeDevice(finger, *next.devices[i]);
   }
   std::swap(before.solvers, next.solvers);  // those that were at work
+  std::swap(before.devices, next.devices);
 }
 
 }  // namespace
@@ -99,6 +108,8 @@ void ServoThread::change(ServoPlan plan) {
     throw Error(fmt::format("servo: {} fingers instead of {}", plan.fingers.size(), fingers_));
   }
   keepRate(plan, tick_s_);
+  plan.devices.resize(fingers_);
+  inheritDevices(plan.devices, waiting_);
   // A plan that was never taken may have been the one with another body.
   plan.other_body = plan.other_body || (waiting_ && waiting_->other_body);
   waiting_ = std::move(plan);

@@ -6,7 +6,7 @@
 //
 // The thread takes no lock, allocates and frees nothing: a new world is offered by pointer, taken between two ticks,
 // and the old one is handed back to be freed by the owner. So drawing, loading and rebuilding may take as long as they
-// like.
+// like. Devices come and go in the same way.
 #pragma once
 
 #include <cstddef>
@@ -30,6 +30,9 @@ struct ServoPlan {
   servo::LimiterSettings limiter;
   servo::FingerSolvers solvers;
   bool other_body = true;  ///< the triangles are not those of the plan before: fingers forget what they touched
+  /// That take their fingers from now on, by finger; nothing: the one at work stays. With `limiter`, in one tick: no
+  /// device is ever felt by the limits of another.
+  std::vector<std::optional<device::Device>> devices = {};
 };
 
 /// The plan for these fingers on a world, with the world's own limits. Throws Error for settings that make no sense.
@@ -59,6 +62,8 @@ class ServoThread {
   /// Call it now and then, e.g. once a frame: offers what waits, frees what the servo gave back. True when another plan
   /// came to work since the last call.
   bool exchange();
+  /// Everything that was to be changed is at work, and what it replaced was freed.
+  bool settled() const noexcept { return !waiting_ && !offered_world_; }
   double ticksPerS() const noexcept { return 1.0 / tick_s_; }
   /// The world at work, as far as this thread knows.
   const std::shared_ptr<const scene::World>& world() const { return at_work_world_; }

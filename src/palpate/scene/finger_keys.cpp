@@ -1,4 +1,5 @@
-// The table [[finger]] of a scene file: who touches the body, and the steps of a finger's script.
+// The tables [[finger]] and [[device]] of a scene file: who touches the body, the steps of a finger's script, and what
+// holds a finger.
 #include <algorithm>
 #include <cctype>
 
@@ -8,6 +9,8 @@
 namespace palpate::scene {
 
 namespace {
+
+constexpr std::size_t kMostButtons = 32;  // bits of a word
 
 /// The keys that a step of one kind takes; what belongs to another kind is an unknown key.
 std::vector<Key<Step>> stepKeys(Move move) {
@@ -92,6 +95,25 @@ void checkFinger(const Finger& finger, const Entry& entry) {
   if (finger.trajectory.empty() == finger.steps.empty()) entry.fail("needs either a trajectory or a script");
 }
 
+std::vector<Key<DeviceSettings>> deviceKeys() {
+  using S = DeviceSettings;
+  const auto button = [](const char* name, std::size_t S::*member, const char* meaning) {
+    return count<S>(name, member, 0, kMostButtons, meaning);
+  };
+  return {
+      text<S>("name", &S::name, "As for `--device`, with :WHICH behind it where there are several (docs/devices.md)."),
+      choice<S, HeldFinger>("finger", &S::finger, "The one that it holds: the scene's first or second."),
+      number<S>("scale", &S::scale, between(0.05, 20), "Millimetres of the body a millimetre of the device."),
+      point3<S>("turn_deg", &S::turn_deg, between(-360, 360),
+                "How the device stands: turned about the body's x, then y, then z."),
+      place<S>("origin_mm", &S::origin_mm, between(-kLongestMm, kLongestMm),
+               "Place of the body where the device's own origin lies; left out: near the back, as the body suits."),
+      button("clutch_button", &S::clutch_button,
+             "While it is held the device moves and the finger stays, without force; 1 is the first, 0 none."),
+      button("stop_button", &S::stop_button, "Presses the emergency stop; likewise."),
+  };
+}
+
 std::vector<KeyRow> describeFinger() {
   std::vector<KeyRow> rows = describe<Finger>("[[finger]]", fingerKeys());
   for (const auto& [word, move] : WordsOf<Move>::kAll) {
@@ -116,6 +138,18 @@ Section fingerSection() {
   };
   return listSection<Finger>("finger", "Who touches it: any number of fingers, each on its own.", &Scene::fingers, read,
                              fingerKeys(), describeFinger);
+}
+
+Section deviceSection() {
+  const auto read = [](const toml::table& table, const Entry& entry) {
+    DeviceSettings device;
+    readTable(table, entry.name, entry.file, deviceKeys(), device);
+    if (device.name.empty()) entry.fail("needs a name");
+    return device;
+  };
+  return listSection<DeviceSettings>("device", "What holds a finger, and where its space lies in the body.",
+                                     &Scene::devices, read, deviceKeys(),
+                                     [] { return describe<DeviceSettings>("[[device]]", deviceKeys()); });
 }
 
 }  // namespace palpate::scene

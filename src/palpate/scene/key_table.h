@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -180,6 +181,32 @@ Key<S> point2(std::string name, Access<S, Vec2> at, Range range, std::string mea
           [at](const S& s) {
             const Vec2 v = valueOf<S, Vec2>(at, s);
             return showNumbers({v.x(), v.y()});
+          }};
+}
+
+inline Vec3 readPoint3(const Entry& entry, const Range& range) {
+  const std::vector<double> v = readPoint(entry, 3, range);
+  return {v[0], v[1], v[2]};
+}
+
+template <class S>
+Key<S> point3(std::string name, Access<S, Vec3> at, Range range, std::string meaning) {
+  return {std::move(name), "three numbers" + rangeSuffix(range), std::move(meaning),
+          [at, range](S& s, const Entry& e) { at(s) = readPoint3(e, range); },
+          [at](const S& s) {
+            const Vec3 v = valueOf<S, Vec3>(at, s);
+            return showNumbers({v.x(), v.y(), v.z()});
+          }};
+}
+
+/// A place that need not be given.
+template <class S>
+Key<S> place(std::string name, Access<S, std::optional<Vec3>> at, Range range, std::string meaning) {
+  return {std::move(name), "three numbers" + rangeSuffix(range), std::move(meaning),
+          [at, range](S& s, const Entry& e) { at(s) = readPoint3(e, range); },
+          [at](const S& s) {
+            const std::optional<Vec3> v = valueOf<S, std::optional<Vec3>>(at, s);
+            return v ? showNumbers({v->x(), v->y(), v->z()}) : std::string();
           }};
 }
 

@@ -127,6 +127,20 @@ struct Finger {
   bool findsItsOwnWay() const { return trajectory.empty() && steps.empty(); }
 };
 
+/// Which finger of the scene a device holds: the first or the second.
+enum class HeldFinger : std::uint8_t { left, right };
+
+/// The table [[device]]: where the space of a hand lies in the body. Made a device::Workspace by device/workspace.h.
+struct DeviceSettings {
+  std::string name;  ///< as for --device: "openhaptics:Left"
+  HeldFinger finger = HeldFinger::left;
+  double scale = 1.0;                  ///< mm of the body a mm of the device
+  Vec3 turn_deg = Vec3::Zero();        ///< of the device about the body's x, then y, then z
+  std::optional<Vec3> origin_mm = {};  ///< of the body, where the device's own origin lies; nothing: where it suits
+  std::size_t clutch_button = 0;       ///< counted from 1; 0: none
+  std::size_t stop_button = 0;         ///< likewise
+};
+
 struct StrainSettings {
   deform::StrainKind kind = deform::StrainKind::edges;
   double range_percent = 20.0;  ///< strain of full red (tension) and full blue (compression)
@@ -156,6 +170,7 @@ struct Scene {
   ViewSettings view;
   SafetySettings safety;
   std::vector<Finger> fingers;
+  std::vector<DeviceSettings> devices;
 };
 
 }  // namespace palpate::scene

@@ -38,7 +38,7 @@ const std::vector<Section>& sections() {
   static const std::vector<Section> all = {
       bodySection(),    stiffnessSection(), dysfunctionSection(), ellipsesSection(),    frictionSection(),
       contactSection(), partitionSection(), tissueSection(),      deformationSection(), strainSection(),
-      outputSection(),  viewSection(),      safetySection(),      fingerSection(),
+      outputSection(),  viewSection(),      safetySection(),      fingerSection(),      deviceSection(),
   };
   return all;
 }

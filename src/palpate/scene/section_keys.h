@@ -27,6 +27,7 @@ Section viewSection();
 
 // Who touches it: finger_keys.cpp.
 Section fingerSection();
+Section deviceSection();
 
 /// `fidelity = "literal"`, or `fidelity.E14 = "literal"` for single errata; fidelity.all comes before the single ones.
 /// fidelity_key.cpp.

@@ -25,19 +25,6 @@ Key<V> overlayList(std::string name, std::vector<Overlay> V::*member, std::strin
 constexpr double kFarthestMm = 1e5;
 constexpr Range kPlaces = between(-kFarthestMm, kFarthestMm);
 
-/// A place that need not be given.
-Key<V> place(std::string name, std::optional<Vec3> V::*member, std::string meaning) {
-  const auto read = [=](V& s, const Entry& entry) {
-    const std::vector<double> v = readPoint(entry, 3, kPlaces);
-    s.*member = Vec3(v[0], v[1], v[2]);
-  };
-  const auto show = [=](const V& s) {
-    const std::optional<Vec3>& v = s.*member;
-    return v ? showNumbers({v->x(), v->y(), v->z()}) : std::string();
-  };
-  return {std::move(name), "three numbers" + rangeSuffix(kPlaces), std::move(meaning), read, show};
-}
-
 /// Whatever a file counts in.
 constexpr Range kScalars = between(-1e9, 1e9);
 
@@ -67,7 +54,8 @@ Section viewSection() {
       number<V>("pitch_deg", &V::pitch_deg, between(-kAlmostAbove, kAlmostAbove),
                 "Turned from that side; positive looks from above."),
       number<V>("zoom", &V::zoom, between(0.01, 1000), "1 shows the whole body; larger is nearer."),
-      place("look_at_mm", &V::look_at_mm, "Place in the middle of the picture; left out: the middle of the body."),
+      place<V>("look_at_mm", &V::look_at_mm, kPlaces,
+               "Place in the middle of the picture; left out: the middle of the body."),
       number<V>("distance_mm", &V::distance_mm, between(0, kFarthestMm),
                 "Of the eye from that place; 0 is so far that zoom 1 shows the whole body."),
       choice<V, Shading>("shading", &V::shading, "Light at the vertices, or skin."),
@@ -93,8 +81,8 @@ Section viewSection() {
       number<V>("convergence_mm", &V::convergence_mm, between(0, kFarthestMm),
                 "From the eyes to what appears in the plane of the screen; 0 is the middle of the picture."),
       flag<V>("swap_eyes", &V::swap_eyes, "For screens or glasses that are the other way round."),
-      place("head_mm", &V::head_mm,
-            "Where the head is before a real screen, from the screen's middle: right, up, towards the head (> 0)."),
+      place<V>("head_mm", &V::head_mm, kPlaces,
+               "Where the head is before a real screen, from the screen's middle: right, up, towards the head (> 0)."),
       number<V>("screen_height_mm", &V::screen_height_mm, above(0, kFarthestMm),
                 "With head_mm: height of that screen, which then shows the body at true size."),
   };

@@ -28,6 +28,14 @@ struct WordsOf<scene::ByDefault> {
                                       Word{"our choice", V::own_choice}};
 };
 
+// ---- who touches it
+
+template <>
+struct WordsOf<scene::HeldFinger> {
+  using V = scene::HeldFinger;
+  static constexpr std::array kAll = {Word{"left", V::left}, Word{"right", V::right}};
+};
+
 // ---- the body
 
 template <>

@@ -47,8 +47,8 @@ PassivitySettings passivityOf(const scene::SafetySettings& safety, const device:
   PassivitySettings settings;
   settings.on = safety.passivity;
   settings.delay_ticks = safety.delay_ticks + (identified ? kIdentifiedMargin : kDelayMargin);
-  settings.damping_n_s_per_mm =
-      trust.damping * (identified ? safety.device_damping_n_s_per_mm : profile.damping_n_s_per_mm);
+  settings.damping_n_s_per_mm = trust.damping * (identified ? safety.device_damping_n_s_per_mm / profile.motion_scale
+                                                            : profile.damping_n_s_per_mm);
   settings.friction_n = trust.friction * (identified ? safety.device_friction_n : profile.friction_n);
   settings.mass_kg = profile.mass_kg;
   settings.encoder_mm = profile.encoder_mm;
@@ -70,10 +70,11 @@ double stableStiffness(double tick_s, double delay_ticks, bool identified) {
 }
 
 double stiffnessCap(const scene::SafetySettings& safety, const device::DeviceProfile& profile, double tick_s) {
-  double cap = stableStiffness(tick_s, safety.delay_ticks, isIdentified(safety));
+  double cap = stableStiffness(tick_s, safety.delay_ticks, isIdentified(safety)) / profile.motion_scale;
   if (profile.stiffness_n_per_mm > 0.0) cap = std::min(cap, profile.stiffness_n_per_mm);
   if (!(safety.stiffness_cap_n_per_mm > 0.0)) return cap;
-  return profile.known ? std::min(cap, safety.stiffness_cap_n_per_mm) : safety.stiffness_cap_n_per_mm;
+  const double wished = safety.stiffness_cap_n_per_mm / profile.motion_scale;
+  return profile.known ? std::min(cap, wished) : wished;
 }
 
 double stiffnessFactor(const tissue::ForceLaw& law, double stiffness_n_per_mm, double most_mm, double force_n,

@@ -152,7 +152,7 @@ const std::array<const char*, kSafetyBits>& safetyNames() noexcept {
   static constexpr std::array<const char*, kSafetyBits> kNames = {
       "tip not finite", "tip jumped",     "force not finite", "force ramps up", "damped",
       "force clamped",  "force jumped",   "loop stalled",     "tip stale",      "held back",
-      "soft contact",   "emergency stop", "too stiff"};
+      "soft contact",   "emergency stop", "too stiff",        "clutched"};
   return kNames;
 }
 

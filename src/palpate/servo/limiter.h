@@ -35,14 +35,15 @@ enum SafetyBit : std::uint32_t {
   kSoftened = 1u << 10,       ///< the soft toe of a fast first touch
   kEmergencyStop = 1u << 11,  ///< latched until it is released
   kTooStiff = 1u << 12,  ///< a warning: in a third of all ticks of contact the controller takes a tenth of the force
+  kClutched = 1u << 13,  ///< the device is moved apart from its finger (device/workspace.h)
 };
 
 /// How many different bits there are.
-inline constexpr std::size_t kSafetyBits = 13;
+inline constexpr std::size_t kSafetyBits = 14;
 
 /// The bits that mean: no force in this tick, and the start rule again.
 inline constexpr std::uint32_t kFaultBits =
-    kTipNotFinite | kTipJumped | kForceNotFinite | kForceJumped | kStalled | kTipStale | kEmergencyStop;
+    kTipNotFinite | kTipJumped | kForceNotFinite | kForceJumped | kStalled | kTipStale | kEmergencyStop | kClutched;
 
 struct LimiterSettings {
   bool limited = true;              ///< false: the contact's force as it is, for what pushes no hand

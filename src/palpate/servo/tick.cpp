@@ -9,23 +9,33 @@ namespace {
 
 /// A device that names its rate has a pose in each of its ticks or is in trouble. Another program comes when it comes,
 /// and has no position when that is too long ago.
-double ageOf(const device::Device& device) noexcept {
-  if (!device.state || !(device.capabilities.rate_hz > 0.0)) return 0.0;
-  return static_cast<double>(device.state().age_ticks);
+double ageOf(const device::Device& device, const device::DeviceState& state) noexcept {
+  return device.capabilities.rate_hz > 0.0 ? static_cast<double>(state.age_ticks) : 0.0;
 }
 
-void runFinger(FingerChain& finger, LoopEvent event, bool stopped, trace::Sample& sample) noexcept {
+/// Also by the button of the device itself.
+bool isStopped(EmergencyStop* stop, const device::DeviceState& state) noexcept {
+  if (stop == nullptr) return false;
+  if (state.stops) stop->press();
+  return stop->pressed();
+}
+
+void runFinger(FingerChain& finger, LoopEvent event, EmergencyStop* stop, trace::Sample& sample) noexcept {
   Pose pose;
   pose.tip = finger.device.read_tip(sample.tick);
+  const device::DeviceState state = finger.device.state ? finger.device.state() : device::DeviceState{};
   pose.tick = sample.tick;
-  pose.age_ticks = ageOf(finger.device);
+  pose.age_ticks = ageOf(finger.device, state);
   const Vec3 tip = guardTip(finger.limiter_settings, finger.limiter, pose);
   if (event == LoopEvent::stalled) reportFault(finger.limiter, kStalled);
-  if (stopped) reportFault(finger.limiter, kEmergencyStop);
+  if (isStopped(stop, state)) reportFault(finger.limiter, kEmergencyStop);
+  if (state.clutched) reportFault(finger.limiter, kClutched);
+  if (state.elsewhere) finger.contact = {};
   sample.contact = touch(finger.solver, finger.contact_settings, finger.contact, tip);
   sample.device_force =
       limitForce(finger.limiter_settings, finger.limiter, sample.contact, finger.solver.surface->force_law);
   sample.safety = finger.limiter.status;
+  sample.loss_n_mm = finger.limiter.passivity.loss_n_mm;
   if (finger.device.write_force) finger.device.write_force(sample.device_force);
 }
 
@@ -34,6 +44,14 @@ void runFinger(FingerChain& finger, LoopEvent event, bool stopped, trace::Sample
 void giveDevice(FingerChain& finger, device::Device device) {
   finger.limiter.closes_loop = static_cast<bool>(device.write_force);
   finger.device = std::move(device);
+}
+
+void exchangeDevice(FingerChain& finger, device::Device& device) noexcept {
+  if (finger.device.write_force) finger.device.write_force(Vec3::Zero());
+  std::swap(finger.device, device);
+  finger.limiter = {};
+  finger.limiter.closes_loop = static_cast<bool>(finger.device.write_force);
+  finger.contact = {};
 }
 
 Rig rigOf(RigParts parts) {
@@ -53,11 +71,10 @@ Rig rigOf(RigParts parts) {
 }
 
 void runTick(Rig& rig, std::uint64_t tick, LoopEvent event, std::span<trace::Sample> samples) noexcept {
-  const bool stopped = rig.emergency_stop != nullptr && rig.emergency_stop->pressed();
   for (std::size_t i = 0; i < rig.fingers.size(); ++i) {
     samples[i].tick = tick;
     samples[i].finger = static_cast<std::uint32_t>(i);
-    runFinger(rig.fingers[i], event, stopped, samples[i]);
+    runFinger(rig.fingers[i], event, rig.emergency_stop, samples[i]);
   }
 }
 

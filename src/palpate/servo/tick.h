@@ -27,11 +27,15 @@ struct FingerChain {
 /// Puts a device in the finger's hand. One that takes no forces closes no loop.
 void giveDevice(FingerChain& finger, device::Device device);
 
+/// The same in a running loop, in exchange for the device before, which gets zero force; touch and limiter start anew.
+/// Allocates and frees nothing.
+void exchangeDevice(FingerChain& finger, device::Device& device) noexcept;
+
 /// Everything a servo thread touches. Nobody else may change it while a loop runs.
 struct Rig {
   double tick_s = 0.001;
   std::vector<FingerChain> fingers;
-  const EmergencyStop* emergency_stop = nullptr;  ///< of whoever runs the loop; may be none
+  EmergencyStop* emergency_stop = nullptr;  ///< of whoever runs the loop; may be none
 };
 
 /// What a rig is made of; each vector has an entry a finger.

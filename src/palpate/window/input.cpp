@@ -221,6 +221,11 @@ void Input::hold(std::vector<Command>& commands) {
   pressed_[active_] = true;
 }
 
+void Input::useFinger(std::size_t finger) {
+  std::vector<Command> known_already;
+  take(finger, known_already);
+}
+
 /// The finger that is left stays as it is: what the button pressed is held from now on.
 void Input::take(std::size_t finger, std::vector<Command>& commands) {
   if (finger == active_) return;

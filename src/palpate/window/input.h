@@ -97,6 +97,8 @@ class Input {
   void handle(const InputEvent& event, const Situation& situation, std::vector<Command>& commands);
 
   std::size_t activeFinger() const { return active_; }
+  /// Somebody else, a panel, has chosen the finger.
+  void useFinger(std::size_t finger);
   bool pressed(std::size_t finger) const { return pressed_[finger]; }
   bool held(std::size_t finger) const { return held_[finger]; }
 

@@ -23,6 +23,7 @@ constexpr const char* kWithoutAWindow = "`palpate render` makes pictures and `pa
 // The table of keys counts on GLFW's numbers.
 static_assert(static_cast<int>(Key::escape) == GLFW_KEY_ESCAPE && static_cast<int>(Key::up) == GLFW_KEY_UP);
 static_assert(static_cast<int>(Key::page_down) == GLFW_KEY_PAGE_DOWN && static_cast<int>(Key::f1) == GLFW_KEY_F1);
+static_assert(static_cast<int>(Key::pause) == GLFW_KEY_PAUSE);
 static_assert(static_cast<int>(Key::f12) == GLFW_KEY_F12 && static_cast<int>(Key::pad_1) == GLFW_KEY_KP_1);
 static_assert(static_cast<int>(Key::pad_enter) == GLFW_KEY_KP_ENTER && static_cast<int>(Key::end) == GLFW_KEY_END);
 static_assert(static_cast<int>(Key::left_bracket) == GLFW_KEY_LEFT_BRACKET && static_cast<int>(key('A')) == GLFW_KEY_A);

@@ -1,0 +1,116 @@
+// How the space of a hand lies in the body: turned, scaled, moved; and the clutch, by which a hand that has come to the
+// end of its space goes back without its finger.
+//
+//   driver ─ place ─► read: turned, scaled, moved, clutched ─ tip ─► servo ─ force ─► turned back ─► driver
+//
+// A motion is scaled and a force is not (Capabilities::motion_scale). Whatever puts the finger elsewhere than the hand
+// moved it, a changed workspace or a clutch, is without force, and the start rule holds afterwards: the servo's tick
+// does that (DeviceState::clutched, ::elsewhere).
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "palpate/base/triple_buffer.h"
+#include "palpate/base/vec.h"
+#include "palpate/device/device.h"
+#include "palpate/device/device_frame.h"
+#include "palpate/scene/world.h"
+
+namespace palpate::device {
+
+/// body = origin + scale * rotation * device.
+struct Workspace {
+  DeviceFrame frame;
+  std::uint32_t clutch_buttons = 0;  ///< bits of DeviceState::buttons: while one is down, the device moves alone
+  std::uint32_t stop_buttons = 0;    ///< that press the emergency stop
+
+  friend bool operator==(const Workspace& a, const Workspace& b) noexcept {
+    return a.frame.axes == b.frame.axes && a.frame.mm == b.frame.mm && a.frame.origin_mm == b.frame.origin_mm &&
+           a.clutch_buttons == b.clutch_buttons && a.stop_buttons == b.stop_buttons;
+  }
+};
+
+/// About x, then y, then z, in degrees, as a scene has it.
+Mat3 rotationOf(const Vec3& turn_deg);
+Vec3 turnOf(const Mat3& rotation);
+
+/// As a scene has it; `origin_mm` where it says nothing.
+Workspace workspaceOf(const scene::DeviceSettings& settings, const Vec3& origin_mm);
+
+/// What a scene says of the device of these words on this finger (0 the first): its own table for the finger, else the
+/// one for another finger, else nothing.
+std::optional<scene::DeviceSettings> settingsOf(const scene::Scene& scene, std::string_view words, std::size_t finger);
+
+/// Mouse, script and playback: their places are the body's own, so their origin is, too.
+bool givesPlacesOfTheBody(std::string_view words);
+
+/// Where the origin of a device lies when nobody says: beside the place where a path by itself begins, the first finger
+/// 30 mm left of it, the second as far right. Of what gives places of the body (mouse, script, playback): zero.
+Vec3 standardOrigin(const scene::World& world, std::string_view words, std::size_t finger);
+
+/// What the clutch has moved so far.
+struct ClutchState {
+  Vec3 shift_mm = Vec3::Zero();  ///< of the finger, beyond the workspace's origin
+  Vec3 tip = kNoPlace;           ///< where the finger is, and stays while it is held; none before the first tick
+  bool held = false;
+};
+
+/// Where the finger is, mm of the body. While the clutch is held it stays where it was when it was taken, and from its
+/// release on it goes on from there. Not a number for a place that is none; the clutch then stays as it was.
+Vec3 clutchedTip(ClutchState& state, const DeviceFrame& frame, const Vec3& place, bool clutch) noexcept;
+
+/// What a display may know of a device in this tick.
+struct WorkspaceReading {
+  Vec3 place = kNoPlace;         ///< as the device says, before the workspace
+  Vec3 tip = kNoPlace;           ///< of the body
+  Vec3 shift_mm = Vec3::Zero();  ///< by the clutch
+  std::uint64_t fresh = 0;       ///< ticks so far that came with a new position
+  Vec3 force = Vec3::Zero();     ///< that the hand got in the tick before, in the body frame, N
+  DeviceState state;
+};
+
+/// One device between the display and the servo.
+class WorkspaceLink {
+ public:
+  explicit WorkspaceLink(const Workspace& workspace) : workspace_(workspace), at_work_(workspace) {}
+
+  // Display's thread.
+
+  /// Another place for the device's space: from the next tick on, without force until the tip was outside.
+  void place(const Workspace& workspace) { workspace_.publish(workspace); }
+  /// As by the device's own button.
+  void clutch(bool held) noexcept { clutch_.store(held, std::memory_order_relaxed); }
+  const WorkspaceReading& reading() { return reading_.newest(); }
+
+  // Servo's thread, once a tick: read, then the others. No allocation, lock or exception.
+
+  Vec3 read(const Vec3& place, const DeviceState& state) noexcept;
+  /// In the device's axes; zero while the clutch is held.
+  Vec3 forceForDevice(const Vec3& force) noexcept;
+  const DeviceState& state() const noexcept { return now_.state; }
+
+ private:
+  void adoptWorkspace() noexcept;
+
+  TripleBuffer<Workspace> workspace_;
+  std::atomic<bool> clutch_{false};
+  TripleBuffer<WorkspaceReading> reading_;
+
+  // the servo's
+  Workspace at_work_;
+  ClutchState clutch_state_;
+  WorkspaceReading now_;
+};
+
+/// The device as the servo gets it. Its capabilities are those in the workspace of now: the reach as a box round the
+/// turned one, the scale of its motion.
+Device inWorkspace(Device device, const Workspace& workspace, const std::shared_ptr<WorkspaceLink>& link);
+
+/// The corners of what a device reaches, in the body; none for one that does not say. Corner i has the high x, y, z
+/// where the bits 1, 2, 4 of i are set.
+std::vector<Vec3> reachOf(const Capabilities& device, const DeviceFrame& frame);
+
+}  // namespace palpate::device
