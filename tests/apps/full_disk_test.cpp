@@ -44,6 +44,7 @@ const std::vector<WritingCommand> kCommands = {
     {"partition dome.ply --threshold 64 --leaf-colours disk/leaves.ply", "leaves.ply"},
     {"partition dome.ply --threshold 64 --box 0,0,5,20 --selection disk/box.ply", "box.ply"},
     {"partition dome.ply --threshold 64 -o disk/leaves.png", "leaves.png"},
+    {"simulate quiet.toml --no-pictures --no-plot --session --overwrite -o disk", "run.session"},
     {"plot forces.csv -o disk/plot.png", "plot.png"},
     {"plot forces.csv -o disk/plot.svg", "plot.svg"},
     {"bench workload pit -o disk/path.csv", "path.csv"},

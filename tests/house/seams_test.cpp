@@ -125,4 +125,6 @@ TEST(Seams, OneFileKnowsBoost) {
 
 TEST(Seams, OneFileKnowsAssimp) { expectOnlyIn({"mesh/files/read_foreign.cpp"}, std::regex("<assimp/|Assimp::")); }
 
+TEST(Seams, OneFileKnowsSqlite) { expectOnlyIn({"trace/database.cpp"}, std::regex("<sqlite3\\.h>|sqlite3_open")); }
+
 }  // namespace

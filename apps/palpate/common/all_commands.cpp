@@ -7,6 +7,7 @@ void addAllCommands(CLI::App& app) {
   app.require_subcommand(1);
   addBenchCommand(app);
   addDevicesCommand(app);
+  addExportCommand(app);
   addHuntCommand(app);
   addInfoCommand(app);
   addMapCommand(app);
@@ -16,6 +17,8 @@ void addAllCommands(CLI::App& app) {
   addSimulateCommand(app);
   addRenderCommand(app);
   addRepairCommand(app);
+  addReplayCommand(app);
+  addSessionsCommand(app);
   addRunCommand(app);
   addStudyCommand(app);
 }

@@ -22,6 +22,7 @@ void addBenchDeformCommand(CLI::App& parent);
 void addBenchFrameCommand(CLI::App& parent);
 void addBenchPartitionCommand(CLI::App& parent);
 void addDevicesCommand(CLI::App& app);
+void addExportCommand(CLI::App& app);
 void addHuntCommand(CLI::App& app);
 void addInfoCommand(CLI::App& app);
 void addMapCommand(CLI::App& app);
@@ -31,6 +32,8 @@ void addPlotCommand(CLI::App& app);
 void addSimulateCommand(CLI::App& app);
 void addRenderCommand(CLI::App& app);
 void addRepairCommand(CLI::App& app);
+void addReplayCommand(CLI::App& app);
+void addSessionsCommand(CLI::App& app);
 void addStudyCommand(CLI::App& app);
 // `parent` is the study command.
 void addStudyPages(CLI::App& parent);

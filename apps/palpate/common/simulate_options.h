@@ -27,6 +27,7 @@ struct SimulateOptions {
   bool overwrite = false;
   std::vector<std::string> devices;  ///< that hold the first fingers, instead of their paths
   bool realtime = false;
+  bool session = false;
   bool pictures = true;
   bool plot = true;
   bool json = false;

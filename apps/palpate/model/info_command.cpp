@@ -13,6 +13,7 @@
 #include "apps/palpate/common/mesh_arguments.h"
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/model/table_info.h"
+#include "apps/palpate/session/session_text.h"
 #include "palpate/mesh/validate.h"
 
 namespace palpate::app {
@@ -171,6 +172,11 @@ ValidationReport inspect(const InfoArguments& arguments) {
 }
 
 void runInfo(const InfoArguments& arguments) {
+  if (isSessionFile(arguments.mesh.file)) {
+    fmt::print("{}",
+               arguments.json ? sessionInfoJson(arguments.mesh.file).dump(2) + "\n" : sessionInfo(arguments.mesh.file));
+    return;
+  }
   if (isTableOrUnfinished(arguments.mesh.file)) {
     fmt::print("{}",
                arguments.json ? tableInfoJson(arguments.mesh.file).dump(2) + "\n" : tableInfo(arguments.mesh.file));
@@ -191,7 +197,7 @@ void runInfo(const InfoArguments& arguments) {
 void addInfoCommand(CLI::App& app) {
   auto arguments = std::make_shared<InfoArguments>();
   CLI::App& command = *app.add_subcommand(
-      "info", "Report what a mesh file holds and what is wrong with it, or a recorded table of forces");
+      "info", "Report what a mesh file holds and what is wrong with it, or a recorded table of forces or session");
   addMeshArguments(command, arguments->mesh);
   command.add_flag("--no-self-intersections", arguments->quick,
                    "Do not look for self-intersections (the slowest check)");

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "apps/palpate/simulate/surface_files.h"
+#include "palpate/device/back_ends.h"
+#include "palpate/engine/session_settings.h"
 #include "palpate/servo/scripted_rig.h"
 
 namespace palpate::app {
@@ -78,8 +80,28 @@ RunRecorder::RunRecorder(const scene::World& world, const device::FingerPaths& p
   deepest_.file = "surface_deepest.ply";
 }
 
+void RunRecorder::keepSession(const servo::Rig& rig) {
+  constexpr const char* kFile = "run.session";
+  trace::SessionHeader header = engine::sessionHeader(world_.scene.ticks_per_s);
+  header.notes = world_.scene.title;
+  std::vector<trace::SessionFinger> fingers;
+  for (std::size_t i = 0; i < rig.fingers.size(); ++i) {
+    fingers.push_back({world_.scene.fingers[i].name, device::describe(rig.fingers[i].device)});
+  }
+  session_.emplace(folder_ / kFile, header, fingers);
+  session_->add(engine::sessionWorld(world_, engine::feltWith(rig)));
+  files_.emplace_back(kFile);
+}
+
+void RunRecorder::finishSession(std::string_view ended_by, std::uint64_t dropped) {
+  if (!session_) return;
+  session_->setDropped(dropped);
+  session_->finish(ended_by);
+}
+
 void RunRecorder::add(const trace::Sample& sample) {
   if (forces_) forces_->add(sample);
+  if (session_) session_->add(sample);
   statistics_.add(sample);
   const double time_s = times_.start_s + static_cast<double>(sample.tick) / times_.ticks_per_s;
   strips_[sample.finger].add(feltIn(sample, time_s));

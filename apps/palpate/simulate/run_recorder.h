@@ -16,6 +16,7 @@
 #include "palpate/servo/loop.h"
 #include "palpate/trace/forces_csv.h"
 #include "palpate/trace/sample.h"
+#include "palpate/trace/session_writer.h"
 
 namespace palpate::app {
 
@@ -62,12 +63,17 @@ class RunRecorder {
   /// Starts `forces.csv` in the folder when the scene wants it.
   RunRecorder(const scene::World& world, const device::FingerPaths& paths, const std::filesystem::path& folder);
 
+  /// Keeps the whole run as a session file besides (docs/sessions.md).
+  void keepSession(const servo::Rig& rig);
+
   /// Samples in order; the fingers of a tick follow each other.
   void add(const trace::Sample& sample);
 
   /// Finishes forces.csv and writes the surfaces: at the times the scene asks for, and where the fingers pressed
   /// deepest.
   void finish(const Progress& progress);
+  /// After `finish`: what ended the run, for the session.
+  void finishSession(std::string_view ended_by, std::uint64_t dropped);
 
   const RunStatistics& statistics() const { return statistics_; }
   /// One a finger of the scene.
@@ -95,6 +101,7 @@ class RunRecorder {
   const scene::World& world_;
   std::filesystem::path folder_;
   std::optional<trace::ForcesCsvWriter> forces_;
+  std::optional<trace::SessionWriter> session_;
   RunStatistics statistics_;
   trace::ForcesCsvSettings times_;
   std::vector<RunStrip> strips_;

@@ -24,7 +24,8 @@ void runSimulate(const SimulateOptions& options) {
   const scene::Scene scene = sceneFor(options);
   const ResultsFolder results = resultsFolder(options.out, options.overwrite);
   SimulationResult result = simulate(
-      scene, {results.folder, options.realtime, options.devices, options.pictures, options.plot}, progress.display());
+      scene, {results.folder, options.realtime, options.devices, options.session, options.pictures, options.plot},
+      progress.display());
   progress.clear();
   result.files.emplace_back("report.json");
   const std::string json = reportOf(result).dump(2) + "\n";
@@ -41,6 +42,8 @@ void addOutputOptions(CLI::App& command, SimulateOptions& options) {
   command.add_flag("--overwrite", options.overwrite, "Replace the run that is in the folder");
   command.add_flag("--realtime", options.realtime,
                    "Pace the servo loop by the clock, deform at 60 Hz beside it, and report how late it woke");
+  command.add_flag("--session", options.session,
+                   "Leave run.session, every tick to the bit, for `palpate replay` (docs/sessions.md)");
   command.add_flag("--pictures,!--no-pictures", options.pictures, "Leave pictures.png, what it looked like (default)");
   command.add_flag("--plot,!--no-plot", options.plot, "Leave forces.png, force, depth and lag over time (default)");
   command.add_flag("--json", options.json, "Print the report as JSON instead of the summary");

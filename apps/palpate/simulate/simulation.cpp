@@ -97,6 +97,7 @@ void run(const device::FingerPaths& paths, const SimulationSettings& settings, R
   const scene::World& world = *result.world;
   servo::Rig rig = servo::scriptedRig(world, paths);
   useDevices(settings, paths, rig, result);
+  if (settings.session) recorder.keepSession(rig);
   if (settings.realtime) {
     const auto record = [&](const trace::Sample& sample) { recorder.add(sample); };
     RealtimeReport report = runRealtime(world, rig, paths.ticks, record, progress);
@@ -182,6 +183,7 @@ SimulationResult simulate(const scene::Scene& scene, const SimulationSettings& s
   RunRecorder recorder(world, paths, settings.folder);
   run(paths, settings, recorder, result, progress);
   recorder.finish(progress);
+  recorder.finishSession(endAskedBy() == 0 ? "done" : nameOfSignal(endAskedBy()), result.loop.dropped_samples);
 
   result.fingers = recorder.statistics().fingers();
   result.hash = recorder.statistics().hash();

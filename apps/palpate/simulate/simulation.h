@@ -45,6 +45,7 @@ struct SimulationSettings {
   std::filesystem::path folder = "results";
   bool realtime = false;
   std::vector<std::string> devices = {};  ///< back ends that hold the first fingers (device/back_ends.h)
+  bool session = false;                   ///< leave a session file, which can be replayed bit for bit
   bool pictures = true;                   ///< leave a contact sheet, where pictures can be drawn
   bool plot = true;                       ///< leave a plot of what was felt
 };

@@ -24,6 +24,8 @@ class OutputFile {
   void write(std::string_view bytes);
   /// Nothing may be written afterwards.
   void commit();
+  /// From now on what is written stays, also without a commit.
+  void keepUnfinished() noexcept { removes_ = false; }
 
   /// Where the bytes are until the commit.
   const std::filesystem::path& partial() const { return written_; }

@@ -56,6 +56,7 @@ void adopt(servo::Rig& rig, ServoPlan& before, ServoPlan& next) noexcept {
   }
   std::swap(before.solvers, next.solvers);  // those that were at work
   std::swap(before.devices, next.devices);
+  ++rig.world;
 }
 
 }  // namespace
@@ -69,8 +70,6 @@ ServoPlan servoPlan(std::shared_ptr<const scene::World> world, std::vector<conta
   plan.world = std::move(world);
   return plan;
 }
-
-void forgetTouch(servo::FingerChain& finger) noexcept { finger.contact = {}; }
 
 ServoThread::ServoThread(ServoPlan plan, std::vector<device::Device> devices, Guide guide)
     : fingers_(plan.fingers.size()),

@@ -38,8 +38,7 @@ struct ServoPlan {
 /// The plan for these fingers on a world, with the world's own limits. Throws Error for settings that make no sense.
 ServoPlan servoPlan(std::shared_ptr<const scene::World> world, std::vector<contact::FingerSettings> fingers);
 
-/// The finger was put elsewhere: it forgets what it touched.
-void forgetTouch(servo::FingerChain& finger) noexcept;
+using servo::forgetTouch;
 
 /// Belongs to one thread, its owner.
 class ServoThread {

@@ -30,16 +30,22 @@ void runFinger(FingerChain& finger, LoopEvent event, EmergencyStop* stop, trace:
   if (event == LoopEvent::stalled) reportFault(finger.limiter, kStalled);
   if (isStopped(stop, state)) reportFault(finger.limiter, kEmergencyStop);
   if (state.clutched) reportFault(finger.limiter, kClutched);
-  if (state.elsewhere) finger.contact = {};
+  if (state.elsewhere) forgetTouch(finger);
   sample.contact = touch(finger.solver, finger.contact_settings, finger.contact, tip);
   sample.device_force =
       limitForce(finger.limiter_settings, finger.limiter, sample.contact, finger.solver.surface->force_law);
   sample.safety = finger.limiter.status;
   sample.loss_n_mm = finger.limiter.passivity.loss_n_mm;
+  sample.forgot = std::exchange(finger.forgot, 0u);
   if (finger.device.write_force) finger.device.write_force(sample.device_force);
 }
 
 }  // namespace
+
+void forgetTouch(FingerChain& finger) noexcept {
+  finger.contact = {};
+  finger.forgot |= trace::kForgotTouch;
+}
 
 void giveDevice(FingerChain& finger, device::Device device) {
   finger.limiter.closes_loop = static_cast<bool>(device.write_force);
@@ -51,7 +57,8 @@ void exchangeDevice(FingerChain& finger, device::Device& device) noexcept {
   std::swap(finger.device, device);
   finger.limiter = {};
   finger.limiter.closes_loop = static_cast<bool>(finger.device.write_force);
-  finger.contact = {};
+  finger.forgot |= trace::kForgotLimiter;
+  forgetTouch(finger);
 }
 
 Rig rigOf(RigParts parts) {
@@ -74,6 +81,7 @@ void runTick(Rig& rig, std::uint64_t tick, LoopEvent event, std::span<trace::Sam
   for (std::size_t i = 0; i < rig.fingers.size(); ++i) {
     samples[i].tick = tick;
     samples[i].finger = static_cast<std::uint32_t>(i);
+    samples[i].world = rig.world;
     runFinger(rig.fingers[i], event, rig.emergency_stop, samples[i]);
   }
 }

@@ -22,7 +22,11 @@ struct FingerChain {
   device::Device device;
   contact::FingerState contact;
   LimiterState limiter;
+  std::uint32_t forgot = 0;  ///< trace::ForgetBits since the last tick, which says them and clears them
 };
+
+/// The finger was put elsewhere: it forgets what it touched.
+void forgetTouch(FingerChain& finger) noexcept;
 
 /// Puts a device in the finger's hand. One that takes no forces closes no loop.
 void giveDevice(FingerChain& finger, device::Device device);
@@ -36,6 +40,7 @@ struct Rig {
   double tick_s = 0.001;
   std::vector<FingerChain> fingers;
   EmergencyStop* emergency_stop = nullptr;  ///< of whoever runs the loop; may be none
+  std::uint32_t world = 0;                  ///< counts the worlds that were exchanged; samples say it
 };
 
 /// What a rig is made of; each vector has an entry a finger.

@@ -1,8 +1,9 @@
 // A small strict JSON reader for glTF that knows the place of every value and bounds its memory by the text.
 //
 // Own rather than the library that reads Haply's messages: a mesh file of a stranger needs what general readers do not
-// give: a limit of nesting, the place of each mistake, and flat storage (16 bytes a value). Any bytes at all give values or one Error (tests/fuzz). It reads what glTF needs, no more: the only
-// escapes are \" \\ and \/, and of two members with one name the first counts. Based on: RFC 8259.
+// give: a limit of nesting, the place of each mistake, and flat storage (16 bytes a value). Any bytes at all give
+// values or one Error (tests/fuzz). It reads what glTF needs, no more: the only escapes are \" \\ and \/, and of two
+// members with one name the first counts. Based on: RFC 8259.
 #pragma once
 
 #include <cstddef>

@@ -1,0 +1,119 @@
+// `palpate replay`: a session's poses through its scene again, compared with what was felt, bit for bit.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "apps/palpate/common/commands.h"
+#include "apps/palpate/common/number_option.h"
+#include "apps/palpate/common/progress_line.h"
+#include "apps/palpate/session/session_text.h"
+#include "palpate/base/error.h"
+#include "palpate/base/stopwatch.h"
+#include "palpate/engine/session_replay.h"
+#include "palpate/trace/forces_csv.h"
+
+namespace palpate::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct ReplayArguments {
+  std::filesystem::path file;
+  std::filesystem::path out;
+  double from_s = 0.0;
+  double to_s = std::numeric_limits<double>::infinity();
+  bool verify = false;
+  bool json = false;
+};
+
+trace::TickSpan spanOf(const ReplayArguments& arguments, const trace::SessionFacts& facts) {
+  const double rate = facts.header.ticks_per_s;
+  trace::TickSpan span;
+  span.from = static_cast<std::uint64_t>(std::llround(arguments.from_s * rate));
+  if (std::isfinite(arguments.to_s)) span.to = static_cast<std::uint64_t>(std::llround(arguments.to_s * rate));
+  if (span.from > span.to) throw Error("replay: --from must be below --to");
+  if (facts.samples == 0) throw Error::inFile(arguments.file.string(), "holds no tick");
+  if (span.from > facts.last_tick) {
+    throw Error::inFile(arguments.file.string(),
+                        fmt::format("ends at {} s, before --from", static_cast<double>(facts.last_tick) / rate));
+  }
+  return span;
+}
+
+Json differenceJson(const engine::ReplayReport& report) {
+  if (!report.first_difference) return nullptr;
+  const engine::ReplayDifference& first = *report.first_difference;
+  return {{"tick", first.tick},
+          {"finger", first.finger},
+          {"field", first.field},
+          {"recorded", first.recorded},
+          {"replayed", first.replayed}};
+}
+
+std::string textOf(const ReplayArguments& arguments, const engine::ReplayReport& report, double times_real_time) {
+  std::string text = fmt::format("{}: {} samples felt again, {:.0f} times as fast as real time\n",
+                                 arguments.file.string(), report.ticks, times_real_time);
+  for (const std::string& note : report.notes) text += "  note       " + note + "\n";
+  if (!report.first_difference) return text + "  identical  every bit of contact, force and safety\n";
+  const engine::ReplayDifference& first = *report.first_difference;
+  return text + fmt::format("  different  {} samples, the first at tick {}, finger {}: {} was {}, is {}\n",
+                            report.different, first.tick, first.finger, first.field, first.recorded, first.replayed);
+}
+
+std::optional<trace::ForcesCsvWriter> tableFor(const ReplayArguments& arguments, const trace::SessionFacts& facts) {
+  if (arguments.out.empty()) return std::nullopt;
+  trace::ForcesCsvSettings settings;
+  for (const trace::SessionFinger& finger : facts.fingers) settings.finger_names.push_back(finger.name);
+  settings.ticks_per_s = facts.header.ticks_per_s;
+  return std::optional<trace::ForcesCsvWriter>(std::in_place, arguments.out, settings);
+}
+
+void runReplay(const ReplayArguments& arguments) {
+  ProgressLine progress;
+  trace::SessionReader session(arguments.file);
+  const trace::TickSpan span = spanOf(arguments, session.facts());
+  std::optional<trace::ForcesCsvWriter> table = tableFor(arguments, session.facts());
+  const auto started = Clock::now();
+  const engine::ReplayReport report = engine::replay(
+      session, span,
+      [&](std::span<const trace::Sample> samples) {
+        if (!table) return;
+        for (const trace::Sample& sample : samples) table->add(sample);
+      },
+      progress.callback());
+  if (table) table->commit();
+  const double times_real_time = session.facts().seconds() / secondsSince(started);
+  progress.clear();
+  const Json json = {{"file", arguments.file.string()},
+                     {"identical", report.identical()},
+                     {"ticks", report.ticks},
+                     {"different", report.different},
+                     {"times_real_time", times_real_time},
+                     {"first_difference", differenceJson(report)},
+                     {"notes", report.notes}};
+  fmt::print("{}", arguments.json ? json.dump(2) + "\n" : textOf(arguments, report, times_real_time));
+  if (arguments.verify && !report.identical()) throw CLI::RuntimeError(1);
+}
+
+}  // namespace
+
+void addReplayCommand(CLI::App& app) {
+  const auto arguments = std::make_shared<ReplayArguments>();
+  ReplayArguments& a = *arguments;
+  CLI::App& command = *app.add_subcommand(
+      "replay", "Feel a recorded session again, through its own scene, and compare every bit with what was felt");
+  command.add_option("SESSION", a.file, "run.session of `palpate simulate --session`")->required();
+  command.add_flag("--verify", a.verify, "Exit code 1 unless every bit is the same");
+  addNumber(command, "--from", a.from_s, between(0.0, 1e9, "s"), "Compare from this time on");
+  addNumber(command, "--to", a.to_s, between(0.0, 1e9, "s"), "... to this time; left out: to the end");
+  command.add_option("-o,--out", a.out, "Write what is felt now as a table of forces (CSV)");
+  command.add_flag("--json", a.json, "Print one JSON object");
+  command.callback([=] { runReplay(*arguments); });
+}
+
+}  // namespace palpate::app

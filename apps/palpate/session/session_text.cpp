@@ -1,0 +1,99 @@
+#include "apps/palpate/session/session_text.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace palpate::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string endWords(const trace::SessionFacts& facts) {
+  return facts.ended_by.empty() ? "no end: it is being written, or its program was killed" : "ended: " + facts.ended_by;
+}
+
+double bytesPerSample(const std::filesystem::path& file, const trace::SessionFacts& facts) {
+  std::error_code error;
+  const auto bytes = std::filesystem::file_size(file, error);
+  return error || facts.samples == 0 ? 0.0 : static_cast<double>(bytes) / static_cast<double>(facts.samples);
+}
+
+}  // namespace
+
+bool isSessionFile(const std::filesystem::path& file) {
+  constexpr std::string_view kMagic = "SQLite format 3";
+  std::array<char, kMagic.size()> begin{};
+  std::ifstream stream(file, std::ios::binary);
+  return stream.read(begin.data(), begin.size()) && std::string_view(begin.data(), begin.size()) == kMagic;
+}
+
+std::string sessionLine(const trace::SessionFacts& facts) {
+  std::string fingers;
+  for (const trace::SessionFinger& finger : facts.fingers) fingers += (fingers.empty() ? "" : ", ") + finger.name;
+  std::string text =
+      fmt::format("{}  {:8.1f} s  {}; {}", facts.header.started_utc, facts.seconds(), fingers, endWords(facts));
+  if (facts.dropped > 0) text += fmt::format("; {} samples were dropped", facts.dropped);
+  if (!facts.header.notes.empty()) text += "; " + facts.header.notes;
+  return text;
+}
+
+Json factsJson(const trace::SessionFacts& facts) {
+  Json fingers = Json::array();
+  for (const trace::SessionFinger& finger : facts.fingers) {
+    fingers.push_back({{"name", finger.name}, {"device", finger.device}});
+  }
+  return {{"started_utc", facts.header.started_utc},
+          {"ended_utc", facts.ended_utc},
+          {"ended_by", facts.ended_by},
+          {"software", facts.header.software},
+          {"machine", facts.header.machine},
+          {"ticks_per_s", facts.header.ticks_per_s},
+          {"seconds", facts.seconds()},
+          {"samples", facts.samples},
+          {"dropped", facts.dropped},
+          {"worlds", facts.worlds},
+          {"events", facts.events},
+          {"notes", facts.header.notes},
+          {"tags", facts.header.tags},
+          {"fingers", fingers}};
+}
+
+std::string sessionInfo(const std::filesystem::path& file) {
+  trace::SessionReader reader(file);
+  const trace::SessionFacts& facts = reader.facts();
+  std::string text = fmt::format("session     begun {}, {}\n", facts.header.started_utc, endWords(facts));
+  text += fmt::format("length      {:.3f} s, {} samples at {:.0f} a second, {:.0f} bytes each\n", facts.seconds(),
+                      facts.samples, facts.header.ticks_per_s, bytesPerSample(file, facts));
+  if (facts.dropped > 0) text += fmt::format("dropped     {} samples found no room\n", facts.dropped);
+  for (const trace::SessionFinger& finger : facts.fingers) {
+    text += fmt::format("finger      {}, held by {}\n", finger.name, finger.device);
+  }
+  for (std::uint64_t i = 0; i < facts.worlds; ++i) {
+    const trace::SessionWorld world = reader.world(i);
+    text += fmt::format("world       {}, {} triangles\n", world.body, world.triangles);
+  }
+  for (const trace::SessionEvent& event : reader.events()) {
+    text += fmt::format("event       {:.3f} s, {}: {}\n", static_cast<double>(event.tick) / facts.header.ticks_per_s,
+                        event.kind, event.text);
+  }
+  text += fmt::format("software    {} on {}\n", facts.header.software, facts.header.machine);
+  if (!facts.header.notes.empty()) text += "notes       " + facts.header.notes + "\n";
+  if (!facts.header.tags.empty()) text += "tags        " + facts.header.tags + "\n";
+  for (const auto& [block, why] : reader.damagedBlocks()) text += fmt::format("damaged     block {}: {}\n", block, why);
+  return text;
+}
+
+Json sessionInfoJson(const std::filesystem::path& file) {
+  trace::SessionReader reader(file);
+  Json json = {{"file", file.string()}};
+  json.update(factsJson(reader.facts()));
+  json["bytes_per_sample"] = bytesPerSample(file, reader.facts());
+  json["damaged_blocks"] = reader.damagedBlocks().size();
+  return json;
+}
+
+}  // namespace palpate::app

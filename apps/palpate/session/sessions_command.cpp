@@ -1,0 +1,70 @@
+// `palpate sessions`: which session files are in a folder, and what is in them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "apps/palpate/common/commands.h"
+#include "apps/palpate/session/session_text.h"
+#include "palpate/base/error.h"
+#include "palpate/base/output_file.h"
+
+namespace palpate::app {
+
+namespace {
+
+struct SessionsArguments {
+  std::filesystem::path folder = ".";
+  bool json = false;
+};
+
+/// "run.session", and what was left of one that was not finished: "run.session.2.partial".
+bool isNamedSession(const std::filesystem::path& file) {
+  const std::string name = file.filename().string();
+  return name.ends_with(".session") ||
+         (name.find(".session.") != std::string::npos && name.ends_with(kPartialExtension));
+}
+
+std::vector<std::filesystem::path> sessionFiles(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder, error)) {
+    if (isNamedSession(entry.path()) && entry.is_regular_file(error)) files.push_back(entry.path());
+  }
+  if (error) throw Error::inFile(folder.string(), error.message());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+void runSessions(const SessionsArguments& arguments) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  std::string text;
+  for (const std::filesystem::path& file : sessionFiles(arguments.folder)) {
+    try {
+      const trace::SessionReader reader(file);
+      nlohmann::ordered_json entry = {{"file", file.string()}};
+      entry.update(factsJson(reader.facts()));
+      json.push_back(entry);
+      text += fmt::format("{}  {}\n", file.string(), sessionLine(reader.facts()));
+    } catch (const Error& error) {
+      json.push_back({{"file", file.string()}, {"error", error.what()}});
+      text += fmt::format("{}\n", error.what());
+    }
+  }
+  if (text.empty()) text = fmt::format("no session (*.session) under {}\n", arguments.folder.string());
+  fmt::print("{}", arguments.json ? json.dump(2) + "\n" : text);
+}
+
+}  // namespace
+
+void addSessionsCommand(CLI::App& app) {
+  const auto arguments = std::make_shared<SessionsArguments>();
+  CLI::App& command = *app.add_subcommand("sessions", "List the recorded sessions of a folder and what is in them");
+  command.add_option("FOLDER", arguments->folder, "With all folders in it")->capture_default_str();
+  command.add_flag("--json", arguments->json, "Print a list of objects");
+  command.callback([=] { runSessions(*arguments); });
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,158 @@
+// One table of names for each kind of settings, read in both directions. Own.
+#include "palpate/engine/session_settings.h"
+
+#include <fmt/format.h>
+#include <sys/utsname.h>
+
+#include <algorithm>
+#include <functional>
+#include <vector>
+
+#include "palpate/base/error.h"
+#include "palpate/base/hash.h"
+#include "palpate/base/text.h"
+#include "palpate/scene/scene_writer.h"
+
+namespace palpate::engine {
+
+namespace {
+
+/// A number of some settings, true and false as 1 and 0.
+struct Field {
+  const char* name;
+  std::function<double()> get;
+  std::function<void(double)> set;
+};
+
+Field number(const char* name, double& value) {
+  return {name, [&value] { return value; }, [&value](double read) { value = read; }};
+}
+Field flag(const char* name, bool& value) {
+  return {name, [&value] { return value ? 1.0 : 0.0; }, [&value](double read) { value = read != 0.0; }};
+}
+
+std::vector<Field> fieldsOf(contact::FingerSettings& s) {
+  return {number("radius_mm", s.radius_mm),
+          number("stiffness_ratio", s.stiffness_ratio),
+          number("mu_static", s.mu_static),
+          number("mu_dynamic", s.mu_dynamic),
+          number("max_depth_mm", s.max_depth_mm),
+          number("tick_s", s.tick_s),
+          number("catch_up_mm_per_s", s.catch_up_mm_per_s),
+          flag("force_shading", s.force_shading)};
+}
+
+std::vector<Field> fieldsOf(RecordedLimiter& recorded) {
+  servo::LimiterSettings& s = recorded.settings;
+  servo::PassivitySettings& p = s.passivity;
+  return {flag("closes_loop", recorded.closes_loop),
+          flag("limited", s.limited),
+          number("force_n", s.force_n),
+          number("stiffness_factor", s.stiffness_factor),
+          number("stiffness_n_per_mm", s.stiffness_n_per_mm),
+          number("steepest", s.steepest),
+          number("tick_s", s.tick_s),
+          flag("soft_contact", s.soft_contact),
+          {"start_ramps", [&s] { return s.start == scene::StartRule::ramp ? 1.0 : 0.0; },
+           [&s](double read) { s.start = read != 0.0 ? scene::StartRule::ramp : scene::StartRule::outside; }},
+          number("ramp_s", s.ramp_s),
+          number("max_age_ticks", s.max_age_ticks),
+          number("max_jump_mm", s.max_jump_mm),
+          number("max_tip_speed_mm_per_s", s.max_tip_speed_mm_per_s),
+          number("max_force_rate_n_per_ms", s.max_force_rate_n_per_ms),
+          flag("passivity", p.on),
+          number("passivity_delay_ticks", p.delay_ticks),
+          number("passivity_damping_n_s_per_mm", p.damping_n_s_per_mm),
+          number("passivity_friction_n", p.friction_n),
+          number("passivity_mass_kg", p.mass_kg),
+          number("passivity_encoder_mm", p.encoder_mm),
+          number("passivity_most_n", p.most_n)};
+}
+
+std::string asText(const std::vector<Field>& fields) {
+  std::string text;
+  for (const Field& field : fields) text += fmt::format("{} = {}\n", field.name, field.get());
+  return text;
+}
+
+void read(const std::string& text, const std::vector<Field>& fields) {
+  for (const std::string_view line : split(text, '\n')) {
+    if (line.empty()) continue;
+    const std::size_t equals = line.find('=');
+    const std::string_view name = trimmed(line.substr(0, equals));
+    const auto value = equals == std::string_view::npos ? std::nullopt : parseNumber(line.substr(equals + 1));
+    const auto field = std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.name == name; });
+    if (field == fields.end() || !value) throw Error(fmt::format("recorded settings: '{}' is not understood", line));
+    field->set(*value);
+  }
+}
+
+}  // namespace
+
+std::string asText(const contact::FingerSettings& settings) {
+  contact::FingerSettings copy = settings;
+  return asText(fieldsOf(copy));
+}
+
+std::string asText(const servo::LimiterSettings& settings, bool closes_loop) {
+  RecordedLimiter copy{settings, closes_loop};
+  return asText(fieldsOf(copy));
+}
+
+contact::FingerSettings contactSettingsFrom(const std::string& text) {
+  contact::FingerSettings settings;
+  read(text, fieldsOf(settings));
+  return settings;
+}
+
+RecordedLimiter limiterFrom(const std::string& text) {
+  RecordedLimiter recorded;
+  read(text, fieldsOf(recorded));
+  return recorded;
+}
+
+std::uint64_t hashOf(const scene::World& world) {
+  Hash hash;
+  for (const Vec3& position : world.skin.positions) hash.add(position);
+  for (const auto& triangle : world.skin.triangles) {
+    for (const Index vertex : triangle) hash.add(static_cast<std::uint64_t>(vertex));
+  }
+  for (const double stiffness : world.stiffness_n_per_mm) hash.add(stiffness);
+  return hash.value();
+}
+
+std::vector<FeltWith> feltWith(const servo::Rig& rig) {
+  std::vector<FeltWith> fingers;
+  for (const servo::FingerChain& finger : rig.fingers) {
+    fingers.push_back({finger.contact_settings, finger.limiter_settings, finger.limiter.closes_loop});
+  }
+  return fingers;
+}
+
+trace::SessionWorld sessionWorld(const scene::World& world, std::span<const FeltWith> fingers) {
+  trace::SessionWorld recorded;
+  const std::filesystem::path folder = world.scene.file.empty() ? "." : world.scene.file.parent_path();
+  std::error_code error;
+  recorded.folder = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, error).string();
+  recorded.scene = scene::sceneAsToml(world.scene, recorded.folder);
+  recorded.body = world.body_name;
+  recorded.triangles = world.skin.triangles.size();
+  recorded.hash = hashOf(world);
+  for (const FeltWith& finger : fingers) {
+    recorded.fingers.push_back({asText(finger.contact), asText(finger.limiter, finger.closes_loop)});
+  }
+  return recorded;
+}
+
+trace::SessionHeader sessionHeader(double ticks_per_s) {
+  trace::SessionHeader header;
+  header.started_utc = trace::utcNow();
+  header.software = "palpate " PALPATE_VERSION;
+  header.ticks_per_s = ticks_per_s;
+  utsname system{};
+  header.machine =
+      ::uname(&system) == 0 ? fmt::format("{} {}, {}", system.sysname, system.release, system.machine) : "unknown";
+  return header;
+}
+
+}  // namespace palpate::engine

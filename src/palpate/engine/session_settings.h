@@ -1,0 +1,45 @@
+// What a finger is felt with, as a session keeps it: every number of its contact and its limiter, and back.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "palpate/contact/finger_state.h"
+#include "palpate/scene/world.h"
+#include "palpate/servo/limiter.h"
+#include "palpate/servo/tick.h"
+#include "palpate/trace/session_writer.h"
+
+namespace palpate::engine {
+
+/// "radius_mm = 8", a line each; numbers read back to the same bits.
+std::string asText(const contact::FingerSettings& settings);
+std::string asText(const servo::LimiterSettings& settings, bool closes_loop);
+
+/// Keys that the text lacks keep their defaults. Throws Error for a key that there is none of, and for no number.
+contact::FingerSettings contactSettingsFrom(const std::string& text);
+struct RecordedLimiter {
+  servo::LimiterSettings settings;
+  bool closes_loop = true;
+};
+RecordedLimiter limiterFrom(const std::string& text);
+
+/// Of skin, stiffness and force law: two worlds with the same hash give the same forces.
+std::uint64_t hashOf(const scene::World& world);
+
+/// What a finger is felt with.
+struct FeltWith {
+  contact::FingerSettings contact;
+  servo::LimiterSettings limiter;
+  bool closes_loop = true;
+};
+std::vector<FeltWith> feltWith(const servo::Rig& rig);
+
+/// A world as a session keeps it, with what each finger is felt with in it.
+trace::SessionWorld sessionWorld(const scene::World& world, std::span<const FeltWith> fingers);
+
+/// Header of a session that begins now: this software, this machine (no names of people or computers).
+trace::SessionHeader sessionHeader(double ticks_per_s);
+
+}  // namespace palpate::engine

@@ -1,0 +1,161 @@
+// Own, over SQLite's C interface.
+#include "palpate/trace/database.h"
+
+#include <fmt/format.h>
+#include <sqlite3.h>
+
+#include <cerrno>
+#include <system_error>
+
+#include "palpate/base/error.h"
+
+namespace palpate::trace {
+
+namespace {
+
+/// Another program that writes the file is waited for so long.
+constexpr int kBusyMs = 2000;
+
+int flagsOf(Database::Mode mode) {
+  switch (mode) {
+    case Database::Mode::read:
+      return SQLITE_OPEN_READONLY;
+    case Database::Mode::write:
+      return SQLITE_OPEN_READWRITE;
+    case Database::Mode::create:
+      return SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+  }
+  return SQLITE_OPEN_READONLY;
+}
+
+/// Why the last call failed: the system's words where it was the system, as OutputFile has them.
+std::string wordsFor(sqlite3* database) {
+  if (database == nullptr) return "out of memory";
+  const int code = ::sqlite3_errcode(database) & 0xff;  // without what it extends
+  const int reason = code == SQLITE_FULL ? ENOSPC : ::sqlite3_system_errno(database);
+  const bool of_the_system = code == SQLITE_FULL || code == SQLITE_IOERR || code == SQLITE_CANTOPEN;
+  if (!of_the_system || reason == 0) return ::sqlite3_errmsg(database);
+  return "cannot be written: " + std::generic_category().message(reason);
+}
+
+}  // namespace
+
+void Statement::Finalize::operator()(sqlite3_stmt* statement) const { ::sqlite3_finalize(statement); }
+
+Statement::Statement(Database& database, std::string_view sql) : database_(database) {
+  sqlite3_stmt* statement = nullptr;
+  const int result =
+      ::sqlite3_prepare_v2(database.database_.get(), sql.data(), static_cast<int>(sql.size()), &statement, nullptr);
+  statement_.reset(statement);
+  if (result != SQLITE_OK) database.fail("cannot be asked");
+}
+
+Statement& Statement::with(std::int64_t value) {
+  if (::sqlite3_bind_int64(statement_.get(), ++bound_, value) != SQLITE_OK) database_.fail("takes no number");
+  return *this;
+}
+
+Statement& Statement::with(double value) {
+  if (::sqlite3_bind_double(statement_.get(), ++bound_, value) != SQLITE_OK) database_.fail("takes no number");
+  return *this;
+}
+
+Statement& Statement::with(std::string_view text) {
+  if (::sqlite3_bind_text64(statement_.get(), ++bound_, text.data(), text.size(), SQLITE_TRANSIENT, SQLITE_UTF8) !=
+      SQLITE_OK) {
+    database_.fail("takes no text");
+  }
+  return *this;
+}
+
+Statement& Statement::withBlob(std::string_view bytes) {
+  if (::sqlite3_bind_blob64(statement_.get(), ++bound_, bytes.data(), bytes.size(), SQLITE_TRANSIENT) != SQLITE_OK) {
+    database_.fail("takes no bytes");
+  }
+  return *this;
+}
+
+Statement& Statement::withNull() {
+  if (::sqlite3_bind_null(statement_.get(), ++bound_) != SQLITE_OK) database_.fail("takes nothing");
+  return *this;
+}
+
+bool Statement::next() {
+  const int result = ::sqlite3_step(statement_.get());
+  if (result == SQLITE_ROW) return true;
+  const std::string words = wordsFor(database_.database_.get());
+  ::sqlite3_reset(statement_.get());
+  ::sqlite3_clear_bindings(statement_.get());
+  bound_ = 0;
+  if (result != SQLITE_DONE) throw Error::inFile(database_.name(), words);
+  return false;
+}
+
+void Statement::run() {
+  while (next()) {
+  }
+}
+
+bool Statement::isNull(int column) const { return ::sqlite3_column_type(statement_.get(), column) == SQLITE_NULL; }
+std::int64_t Statement::integer(int column) const { return ::sqlite3_column_int64(statement_.get(), column); }
+double Statement::real(int column) const { return ::sqlite3_column_double(statement_.get(), column); }
+
+std::string_view Statement::text(int column) const {
+  const auto* text = ::sqlite3_column_text(statement_.get(), column);
+  if (text == nullptr) return {};
+  return {reinterpret_cast<const char*>(text),
+          static_cast<std::size_t>(::sqlite3_column_bytes(statement_.get(), column))};
+}
+
+std::string_view Statement::blob(int column) const {
+  const void* bytes = ::sqlite3_column_blob(statement_.get(), column);
+  if (bytes == nullptr) return {};
+  return {static_cast<const char*>(bytes), static_cast<std::size_t>(::sqlite3_column_bytes(statement_.get(), column))};
+}
+
+void Database::Close::operator()(sqlite3* database) const { ::sqlite3_close(database); }
+
+Database::Database(const std::filesystem::path& file, Mode mode, const std::filesystem::path& called)
+    : name_((called.empty() ? file : called).string()) {
+  std::error_code error;
+  const bool exists = std::filesystem::exists(file, error);
+  if (mode == Mode::create && exists) throw Error::inFile(name_, "is there already");
+  if (mode != Mode::create && !exists) throw Error::inFile(name_, "no such file");
+  if (std::filesystem::is_directory(file, error)) throw Error::inFile(name_, "is a folder");
+  sqlite3* database = nullptr;
+  const int result =
+      ::sqlite3_open_v2(file.c_str(), &database, flagsOf(mode) | SQLITE_OPEN_EXRESCODE | SQLITE_OPEN_NOFOLLOW, nullptr);
+  database_.reset(database);
+  if (result != SQLITE_OK) fail("cannot be opened");
+  ::sqlite3_busy_timeout(database_.get(), kBusyMs);
+}
+
+void Database::run(const std::string& sql) {
+  if (::sqlite3_exec(database_.get(), sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) fail({});
+}
+
+std::int64_t Database::integer(std::string_view sql) {
+  Statement statement(*this, sql);
+  if (!statement.next()) fail("has no answer");
+  return statement.integer(0);
+}
+
+void Database::fail(std::string_view what) const {
+  const std::string words = wordsFor(database_.get());
+  throw Error::inFile(name_, what.empty() ? words : fmt::format("{}: {}", what, words));
+}
+
+Transaction::~Transaction() {
+  if (!open_) return;
+  try {
+    database_.run("ROLLBACK");
+  } catch (const Error&) {  // SQLite has undone it by itself, after a full disk
+  }
+}
+
+void Transaction::commit() {
+  database_.run("COMMIT");
+  open_ = false;
+}
+
+}  // namespace palpate::trace

@@ -1,0 +1,92 @@
+// SQLite as this project uses it: a file, statements that are prepared once, errors that name the file.
+//
+// Everything of a session file goes through here; nobody else includes sqlite3.h.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace palpate::trace {
+
+class Database;
+
+/// A prepared statement; belongs to the thread of its database, which must outlive it.
+class Statement {
+ public:
+  Statement(Database& database, std::string_view sql);
+
+  // Values for the ?1, ?2, ... of the text, in their order. Each throws Error.
+  Statement& with(std::int64_t value);
+  Statement& with(double value);
+  Statement& with(std::string_view text);
+  Statement& withBlob(std::string_view bytes);
+  Statement& withNull();
+
+  /// True while there is a row; afterwards the statement may be used again with new values. Throws Error.
+  bool next();
+  /// For what gives no rows.
+  void run();
+
+  // Columns of the row at hand, from 0. Texts and blobs are valid until the next row.
+  bool isNull(int column) const;
+  std::int64_t integer(int column) const;
+  double real(int column) const;
+  std::string_view text(int column) const;
+  std::string_view blob(int column) const;
+
+ private:
+  struct Finalize {
+    void operator()(sqlite3_stmt* statement) const;
+  };
+  Database& database_;
+  std::unique_ptr<sqlite3_stmt, Finalize> statement_;
+  int bound_ = 0;
+};
+
+/// An open file. One thread at a time.
+class Database {
+ public:
+  enum class Mode { read, write, create };
+
+  /// `create` throws for a file that exists. Throws Error with the file's name, or what it is called instead, and
+  /// SQLite's or the system's words.
+  Database(const std::filesystem::path& file, Mode mode, const std::filesystem::path& called = {});
+
+  /// Statements without values, separated by semicolons. Throws Error.
+  void run(const std::string& sql);
+  /// The first column of the first row. Throws Error, also where there is none.
+  std::int64_t integer(std::string_view sql);
+
+  const std::string& name() const { return name_; }
+  [[noreturn]] void fail(std::string_view what) const;
+
+ private:
+  friend class Statement;
+  struct Close {
+    void operator()(sqlite3* database) const;
+  };
+  std::string name_;
+  std::unique_ptr<sqlite3, Close> database_;
+};
+
+/// All or nothing: without `commit` its end undoes what was written since.
+class Transaction {
+ public:
+  explicit Transaction(Database& database) : database_(database) { database_.run("BEGIN IMMEDIATE"); }
+  ~Transaction();
+  Transaction(const Transaction&) = delete;
+  Transaction& operator=(const Transaction&) = delete;
+  void commit();
+
+ private:
+  Database& database_;
+  bool open_ = true;
+};
+
+}  // namespace palpate::trace

@@ -1,0 +1,145 @@
+// Own.
+#include "palpate/trace/session_reader.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "palpate/base/error.h"
+#include "palpate/trace/sample_block.h"
+#include "palpate/trace/session_schema.h"
+
+namespace palpate::trace {
+
+namespace {
+
+/// More fingers than a rig has.
+constexpr std::int64_t kMostFingers = 1000;
+
+std::uint64_t hashOf(std::string_view hexadecimal) {
+  std::uint64_t hash = 0;
+  std::from_chars(hexadecimal.data(), hexadecimal.data() + hexadecimal.size(), hash, 16);
+  return hash;
+}
+
+}  // namespace
+
+SessionReader::SessionReader(const std::filesystem::path& file) : database_(file, Database::Mode::read) {
+  checkSession(database_);
+  readFacts();
+}
+
+void SessionReader::readFacts() {
+  Statement session(database_,
+                    "SELECT started_utc, ended_utc, ended_by, software, machine, ticks_per_s, dropped, notes, tags "
+                    "FROM session");
+  if (!session.next()) throw Error::inFile(database_.name(), "is a session without a header");
+  SessionHeader& header = facts_.header;
+  header.started_utc = session.text(0);
+  facts_.ended_utc = session.text(1);
+  facts_.ended_by = session.text(2);
+  header.software = session.text(3);
+  header.machine = session.text(4);
+  header.ticks_per_s = session.real(5);
+  facts_.dropped = static_cast<std::uint64_t>(session.integer(6));
+  header.notes = session.text(7);
+  header.tags = session.text(8);
+  if (!(header.ticks_per_s > 0.0) || !std::isfinite(header.ticks_per_s)) {
+    throw Error::inFile(database_.name(), "is a session whose ticks have no length");
+  }
+  Statement fingers(database_, "SELECT id, name, device FROM fingers ORDER BY id");
+  while (fingers.next()) {
+    if (fingers.integer(0) != static_cast<std::int64_t>(facts_.fingers.size()) || fingers.integer(0) >= kMostFingers) {
+      throw Error::inFile(database_.name(), "is a session whose fingers are not numbered from 0");
+    }
+    facts_.fingers.push_back({std::string(fingers.text(1)), std::string(fingers.text(2))});
+  }
+  facts_.worlds = static_cast<std::uint64_t>(database_.integer("SELECT count(*) FROM worlds"));
+  facts_.events = static_cast<std::uint64_t>(database_.integer("SELECT count(*) FROM events"));
+  facts_.samples = static_cast<std::uint64_t>(database_.integer("SELECT coalesce(sum(rows), 0) FROM blocks"));
+  facts_.first_tick = static_cast<std::uint64_t>(database_.integer("SELECT coalesce(min(first_tick), 0) FROM blocks"));
+  facts_.last_tick = static_cast<std::uint64_t>(
+      database_.integer("SELECT coalesce(max(last_tick), 0) FROM blocks WHERE part = (SELECT max(part) FROM blocks)"));
+}
+
+SessionWorld SessionReader::world(std::uint64_t number) {
+  Statement find(database_, "SELECT scene, folder, body, triangles, hash FROM worlds WHERE id = ?1");
+  if (!find.with(static_cast<std::int64_t>(number)).next()) {
+    throw Error::inFile(database_.name(), fmt::format("has no world {}", number));
+  }
+  SessionWorld world;
+  world.scene = find.text(0);
+  world.folder = find.text(1);
+  world.body = find.text(2);
+  world.triangles = static_cast<std::uint64_t>(find.integer(3));
+  world.hash = hashOf(find.text(4));
+  Statement settings(database_, "SELECT contact, limiter FROM settings WHERE world = ?1 ORDER BY finger");
+  settings.with(static_cast<std::int64_t>(number));
+  while (settings.next()) world.fingers.push_back({std::string(settings.text(0)), std::string(settings.text(1))});
+  return world;
+}
+
+std::vector<SessionEvent> SessionReader::events(const TickSpan& span) {
+  Statement find(database_, "SELECT tick, finger, kind, text FROM events ORDER BY tick, id");
+  std::vector<SessionEvent> events;
+  while (find.next()) {
+    const auto tick = static_cast<std::uint64_t>(find.integer(0));
+    if (tick < span.from || tick > span.to) continue;
+    SessionEvent event{tick, std::nullopt, std::string(find.text(2)), std::string(find.text(3))};
+    if (!find.isNull(1)) event.finger = static_cast<std::uint32_t>(find.integer(1));
+    events.push_back(std::move(event));
+  }
+  return events;
+}
+
+SessionReader::Part SessionReader::readPart(std::int64_t part, const TickSpan& span) {
+  Statement find(database_, "SELECT id, finger, rows, crc32, data FROM blocks WHERE part = ?1 ORDER BY finger");
+  find.with(part);
+  Part ticks;
+  while (find.next()) {
+    const std::int64_t finger = find.integer(1);
+    try {
+      if (finger < 0 || finger >= static_cast<std::int64_t>(facts_.fingers.size())) throw Error("is of no finger");
+      const auto rows = static_cast<std::size_t>(std::max<std::int64_t>(0, find.integer(2)));
+      for (const Sample& sample : unpackSamples(find.blob(4), static_cast<std::uint32_t>(find.integer(3)), rows,
+                                                static_cast<std::uint32_t>(finger))) {
+        if (sample.tick >= span.from && sample.tick <= span.to) ticks[sample.tick].push_back(sample);
+      }
+    } catch (const Error& error) {
+      throw Error::inFile(database_.name(), fmt::format("block {}: {}", find.integer(0), error.what()));
+    }
+  }
+  return ticks;
+}
+
+void SessionReader::forEachTick(const TickSpan& span, const std::function<bool(std::span<const Sample>)>& visit) {
+  constexpr auto kMost = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+  Statement begin(database_, "SELECT coalesce(max(part), 0) FROM blocks WHERE first_tick <= ?1");
+  begin.with(static_cast<std::int64_t>(std::min(span.from, kMost)));
+  begin.next();
+  Statement list(database_, "SELECT DISTINCT part FROM blocks WHERE part >= ?1 AND first_tick <= ?2 ORDER BY part");
+  list.with(begin.integer(0)).with(static_cast<std::int64_t>(std::min(span.to, kMost)));
+  while (list.next()) {
+    for (const auto& [tick, samples] : readPart(list.integer(0), span)) {
+      if (!visit(samples)) return;
+    }
+  }
+}
+
+std::vector<std::pair<std::int64_t, std::string>> SessionReader::damagedBlocks() {
+  std::vector<std::pair<std::int64_t, std::string>> damaged;
+  Statement find(database_, "SELECT id, finger, rows, crc32, data FROM blocks ORDER BY id");
+  while (find.next()) {
+    try {
+      unpackSamples(find.blob(4), static_cast<std::uint32_t>(find.integer(3)),
+                    static_cast<std::size_t>(std::max<std::int64_t>(0, find.integer(2))),
+                    static_cast<std::uint32_t>(find.integer(1)));
+    } catch (const Error& error) {
+      damaged.emplace_back(find.integer(0), error.what());
+    }
+  }
+  return damaged;
+}
+
+}  // namespace palpate::trace

@@ -1,0 +1,102 @@
+// Own.
+#include "palpate/trace/session_schema.h"
+
+#include <fmt/format.h>
+
+#include "palpate/base/error.h"
+#include "palpate/trace/sample_block.h"
+
+namespace palpate::trace {
+
+namespace {
+
+constexpr const char* kTables = R"(
+CREATE TABLE session(
+  id INTEGER PRIMARY KEY CHECK (id = 1),
+  started_utc TEXT NOT NULL,          -- 2026-11-21T18:45:00Z
+  ended_utc TEXT,                     -- NULL: it is being written, or the program that wrote it was killed
+  ended_by TEXT,                      -- 'done', or the signal or fault that ended it
+  software TEXT NOT NULL,             -- name and version of the program
+  machine TEXT NOT NULL,              -- system and processor; no names of people or computers
+  ticks_per_s REAL NOT NULL,
+  dropped INTEGER NOT NULL DEFAULT 0, -- samples that found no room on their way here
+  notes TEXT NOT NULL DEFAULT '',
+  tags TEXT NOT NULL DEFAULT ''       -- words with blanks between
+) STRICT;
+CREATE TABLE worlds(
+  id INTEGER PRIMARY KEY,             -- counts from 0; samples name it
+  scene TEXT NOT NULL,                -- the scene file that builds it
+  folder TEXT NOT NULL,               -- that files in it are relative to
+  body TEXT NOT NULL,
+  triangles INTEGER NOT NULL,
+  hash TEXT NOT NULL                  -- of skin and stiffness: 16 hexadecimal digits
+) STRICT;
+CREATE TABLE fingers(
+  id INTEGER PRIMARY KEY,             -- counts from 0
+  name TEXT NOT NULL,
+  device TEXT NOT NULL                -- that moved it
+) STRICT;
+CREATE TABLE settings(                -- what a finger was felt with in a world: numbers as JSON objects
+  world INTEGER NOT NULL,
+  finger INTEGER NOT NULL,
+  contact TEXT NOT NULL,
+  limiter TEXT NOT NULL,
+  PRIMARY KEY (world, finger)
+) STRICT;
+CREATE TABLE columns(                 -- of the bytes of a block, in their order
+  position INTEGER PRIMARY KEY,
+  name TEXT NOT NULL,
+  type TEXT NOT NULL,                 -- f64, u64, u32, little-endian
+  unit TEXT NOT NULL,
+  meaning TEXT NOT NULL
+) STRICT;
+CREATE TABLE blocks(
+  id INTEGER PRIMARY KEY,
+  part INTEGER NOT NULL,              -- blocks of one part hold the same span of time, one a finger
+  finger INTEGER NOT NULL,
+  first_tick INTEGER NOT NULL,
+  last_tick INTEGER NOT NULL,
+  rows INTEGER NOT NULL,
+  crc32 INTEGER NOT NULL,             -- of data
+  data BLOB NOT NULL                  -- deflated columns (docs/sessions.md)
+) STRICT;
+CREATE INDEX blocks_by_part ON blocks(part, finger);
+CREATE INDEX blocks_by_tick ON blocks(first_tick, part, rows);
+CREATE TABLE events(
+  id INTEGER PRIMARY KEY,
+  tick INTEGER NOT NULL,
+  finger INTEGER,                     -- NULL: of no finger
+  kind TEXT NOT NULL,                 -- mark, world, device, safety, dropped, note
+  text TEXT NOT NULL
+) STRICT;
+CREATE INDEX events_by_tick ON events(tick);
+)";
+
+}  // namespace
+
+void makeSessionTables(Database& database) {
+  database.run(
+      fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", kSessionApplication, kSessionVersion));
+  database.run("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
+  Transaction transaction(database);
+  database.run(kTables);
+  Statement insert(database, "INSERT INTO columns VALUES (?1, ?2, ?3, ?4, ?5)");
+  std::int64_t position = 0;
+  for (const SampleColumn& column : sampleColumns()) {
+    insert.with(position++).with(column.name).with(column.type).with(column.unit).with(column.meaning).run();
+  }
+  transaction.commit();
+}
+
+void checkSession(Database& database) {
+  if (database.integer("PRAGMA application_id") != kSessionApplication) {
+    throw Error::inFile(database.name(), "is no session file of Palpate");
+  }
+  const std::int64_t version = database.integer("PRAGMA user_version");
+  if (version < 1 || version > kSessionVersion) {
+    throw Error::inFile(database.name(), fmt::format("is a session of version {}; this program reads up to {}", version,
+                                                     kSessionVersion));
+  }
+}
+
+}  // namespace palpate::trace

@@ -1,0 +1,20 @@
+// What is in a session file: an SQLite database of this application, whose tables are described in docs/sessions.md.
+#pragma once
+
+#include "palpate/trace/database.h"
+
+namespace palpate::trace {
+
+/// "Palp": the application id of the file.
+inline constexpr std::int64_t kSessionApplication = 0x50616c70;
+
+/// Of the tables; counts up whenever they change. Files of every version are read for ever.
+inline constexpr std::int64_t kSessionVersion = 1;
+
+/// Makes the tables in an empty file. Throws Error.
+void makeSessionTables(Database& database);
+
+/// Throws Error for a file that is no session, and for one of a later version.
+void checkSession(Database& database);
+
+}  // namespace palpate::trace

@@ -1,0 +1,163 @@
+// Own.
+#include "palpate/trace/session_writer.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "palpate/base/error.h"
+#include "palpate/trace/sample_block.h"
+#include "palpate/trace/session_schema.h"
+
+namespace palpate::trace {
+
+namespace {
+
+/// Of a part: long enough to be packed well, short enough that a killed program loses next to nothing.
+constexpr double kPartS = 0.15;
+
+Database databaseWithTables(const std::filesystem::path& file, const std::filesystem::path& called) {
+  Database database(file, Database::Mode::write, called);
+  makeSessionTables(database);
+  return database;
+}
+
+std::string hexadecimal(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
+
+}  // namespace
+
+/// The database, and what is asked of it all the time.
+struct SessionWriter::Open {
+  Open(const std::filesystem::path& file, const std::filesystem::path& called)
+      : database(databaseWithTables(file, called)) {}
+  Database database;
+  Statement insert_block{database,
+                         "INSERT INTO blocks(part, finger, first_tick, last_tick, rows, crc32, data) "
+                         "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7)"};
+  Statement insert_event{database, "INSERT INTO events(tick, finger, kind, text) VALUES (?1, ?2, ?3, ?4)"};
+};
+
+SessionWriter::~SessionWriter() {
+  open_.reset();
+  if (samples_ > 0) return;
+  std::error_code ignored;  // nothing was written: the file goes, and what may lie beside it after a full disk
+  for (const char* companion : {"-wal", "-shm"}) std::filesystem::remove(file_.partial().string() + companion, ignored);
+}
+
+SessionWriter::SessionWriter(const std::filesystem::path& file, const SessionHeader& header,
+                             const std::vector<SessionFinger>& fingers)
+    : file_(file),
+      open_(std::make_unique<Open>(file_.partial(), file)),
+      waiting_(fingers.size()),
+      part_ticks_(std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(kPartS * header.ticks_per_s)))) {
+  Database& database = open_->database;
+  Transaction transaction(database);
+  Statement(database,
+            "INSERT INTO session(id, started_utc, software, machine, ticks_per_s, notes, tags) "
+            "VALUES (1, ?1, ?2, ?3, ?4, ?5, ?6)")
+      .with(header.started_utc)
+      .with(header.software)
+      .with(header.machine)
+      .with(header.ticks_per_s)
+      .with(header.notes)
+      .with(header.tags)
+      .run();
+  Statement insert(database, "INSERT INTO fingers VALUES (?1, ?2, ?3)");
+  for (std::size_t i = 0; i < fingers.size(); ++i) {
+    insert.with(static_cast<std::int64_t>(i)).with(fingers[i].name).with(fingers[i].device).run();
+    waiting_[i].reserve(part_ticks_ + 1);
+  }
+  transaction.commit();
+}
+
+void SessionWriter::add(const SessionWorld& world) {
+  Database& database = open_->database;
+  Transaction transaction(database);
+  Statement(database, "INSERT INTO worlds VALUES (?1, ?2, ?3, ?4, ?5, ?6)")
+      .with(worlds_)
+      .with(world.scene)
+      .with(world.folder)
+      .with(world.body)
+      .with(static_cast<std::int64_t>(world.triangles))
+      .with(hexadecimal(world.hash))
+      .run();
+  Statement insert(database, "INSERT INTO settings VALUES (?1, ?2, ?3, ?4)");
+  for (std::size_t i = 0; i < world.fingers.size(); ++i) {
+    insert.with(worlds_)
+        .with(static_cast<std::int64_t>(i))
+        .with(world.fingers[i].contact)
+        .with(world.fingers[i].limiter)
+        .run();
+  }
+  transaction.commit();
+  ++worlds_;
+}
+
+void SessionWriter::add(const Sample& sample) {
+  if (sample.finger >= waiting_.size()) throw Error(fmt::format("a session has no finger {}", sample.finger));
+  std::vector<Sample>& waiting = waiting_[sample.finger];
+  if (!waiting.empty() && sample.tick >= waiting.front().tick + part_ticks_) flush();
+  waiting.push_back(sample);
+}
+
+void SessionWriter::add(const SessionEvent& event) { events_.push_back(event); }
+
+void SessionWriter::flush() {
+  const auto waits = [](const std::vector<Sample>& samples) { return !samples.empty(); };
+  if (events_.empty() && std::none_of(waiting_.begin(), waiting_.end(), waits)) return;
+  Transaction transaction(open_->database);
+  std::uint64_t written = 0;
+  for (std::size_t i = 0; i < waiting_.size(); ++i) {
+    const std::vector<Sample>& samples = waiting_[i];
+    if (samples.empty()) continue;
+    const SampleBlock block = packSamples(samples);
+    open_->insert_block.with(part_)
+        .with(static_cast<std::int64_t>(i))
+        .with(static_cast<std::int64_t>(samples.front().tick))
+        .with(static_cast<std::int64_t>(samples.back().tick))
+        .with(static_cast<std::int64_t>(samples.size()))
+        .with(static_cast<std::int64_t>(block.crc32))
+        .withBlob(block.bytes)
+        .run();
+    written += samples.size();
+  }
+  for (const SessionEvent& event : events_) {
+    Statement& insert = open_->insert_event.with(static_cast<std::int64_t>(event.tick));
+    if (event.finger) {
+      insert.with(static_cast<std::int64_t>(*event.finger));
+    } else {
+      insert.withNull();
+    }
+    insert.with(event.kind).with(event.text).run();
+  }
+  transaction.commit();
+  for (std::vector<Sample>& samples : waiting_) samples.clear();
+  events_.clear();
+  samples_ += written;
+  ++part_;
+  file_.keepUnfinished();
+}
+
+void SessionWriter::setDropped(std::uint64_t dropped) {
+  if (dropped == dropped_) return;
+  dropped_ = dropped;
+  Statement(open_->database, "UPDATE session SET dropped = ?1").with(static_cast<std::int64_t>(dropped)).run();
+}
+
+void SessionWriter::finish(std::string_view ended_by) {
+  flush();
+  Statement(open_->database, "UPDATE session SET ended_utc = ?1, ended_by = ?2").with(utcNow()).with(ended_by).run();
+  open_->database.run("PRAGMA journal_mode = DELETE");
+  open_.reset();
+  file_.commit();
+}
+
+std::string utcNow() {
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
+}
+
+}  // namespace palpate::trace

@@ -1,0 +1,116 @@
+// Sessions from the outside: recorded by `simulate`, felt again by `replay`, listed, exported, read by thirty lines of
+// Python.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "palpate/base/text.h"
+#include "palpate/mesh/files/save.h"
+#include "palpate/trace/forces_table.h"
+#include "support/mesh_zoo.h"
+#include "support/run_command.h"
+#include "support/temporary_folder.h"
+
+namespace palpate {
+namespace {
+
+using support::CommandResult;
+using support::contentOf;
+using support::runPalpate;
+
+class SessionCommands : public testing::Test {
+ protected:
+  void SetUp() override {
+    mesh::save(folder_ / "dome.obj", zoo::dome({-100.0, -100.0}, 10.0, 20.0));
+    std::ofstream(folder_ / "path.csv") << "t_s,x_mm,y_mm,z_mm\n0,0,0,30\n0.5,0,0,15\n1.0,20,0,14\n1.2,20,0,30\n";
+  }
+  CommandResult palpate(const std::string& arguments) const { return runPalpate(arguments, folder_.path()); }
+  void record() const {
+    const CommandResult result =
+        palpate("simulate dome.obj --trajectory path.csv --trajectory path.csv --radius-mm 4 --no-pictures --session");
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+  }
+  support::TemporaryFolder folder_;
+};
+
+TEST_F(SessionCommands, ARunIsFeltAgainToTheBit) {
+  record();
+  const CommandResult result = palpate("replay results/run.session --verify --json -o again.csv");
+  ASSERT_EQ(result.exit_code, 0) << result.out << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json["identical"], true);
+  EXPECT_EQ(json["ticks"], 2 * 1201);
+  EXPECT_TRUE(json["first_difference"].is_null());
+  EXPECT_EQ(contentOf(folder_ / "again.csv"), contentOf(folder_ / "results/forces.csv"));
+}
+
+TEST_F(SessionCommands, AnotherBodyIsToldAndEndsWithOne) {
+  record();
+  mesh::save(folder_ / "dome.obj", zoo::dome({-100.0, -100.0}, 10.0, 21.0));
+  const CommandResult result = palpate("replay results/run.session --verify");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.out.find("is not the recorded one"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("different"), std::string::npos);
+}
+
+TEST_F(SessionCommands, ListInfoAndExportSayWhatIsInIt) {
+  record();
+  const CommandResult list = palpate("sessions");
+  EXPECT_NE(list.out.find("results/run.session"), std::string::npos);
+  EXPECT_NE(list.out.find("ended: done"), std::string::npos) << list.out;
+  const auto info = nlohmann::json::parse(palpate("info results/run.session --json").out);
+  EXPECT_EQ(info["samples"], 2 * 1201);
+  EXPECT_EQ(info["damaged_blocks"], 0);
+  EXPECT_EQ(palpate("export results/run.session --csv out.csv --json out.json --scene out.toml").exit_code, 0);
+  EXPECT_EQ(contentOf(folder_ / "out.csv"), contentOf(folder_ / "results/forces.csv"));
+  EXPECT_EQ(nlohmann::json::parse(contentOf(folder_ / "out.json"))["world_list"].size(), 1u);
+  EXPECT_NE(contentOf(folder_ / "out.toml").find("dome.obj"), std::string::npos);
+}
+
+TEST_F(SessionCommands, WrongInputIsOneLineAndExitTwo) {
+  std::ofstream(folder_ / "text.session") << "hello";
+  record();
+  for (const char* arguments :
+       {"replay none.session", "replay text.session", "replay results/run.session --from 3 --to 2",
+        "replay results/run.session --from 99", "export results/run.session", "export text.session --csv a.csv"}) {
+    const CommandResult result = palpate(arguments);
+    EXPECT_EQ(result.exit_code, 2) << arguments;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << arguments << ": " << result.err;
+  }
+  EXPECT_NE(palpate("sessions").out.find("text.session: "), std::string::npos);
+}
+
+/// The code of the page.
+std::string pythonOfThePage() {
+  const std::string page = readFile(std::string(PALPATE_SOURCE_DIR) + "/docs/sessions.md", 1 << 20);
+  const std::string fence = "```python\n";
+  const std::size_t begin = page.find(fence) + fence.size();
+  return page.substr(begin, page.find("```", begin) - begin);
+}
+
+TEST_F(SessionCommands, ThirtyLinesOfPythonReadTheSameForces) {
+  record();
+  std::ofstream(folder_ / "read.py") << pythonOfThePage();
+  const auto python = support::runProgram(
+      "/bin/sh", "-c \"cd '" + folder_.path().string() + "' && python3 read.py results/run.session 1\"");
+  ASSERT_EQ(python.exit_code, 0) << python.err;
+  std::istringstream lines(python.out);
+  std::size_t rows = 0;
+  trace::forEachForcesRow(folder_ / "results/forces.csv", [&](const trace::ForcesRow& row) {
+    if (row.finger != "finger_2") return;
+    std::uint64_t tick = 0;
+    Vec3 force;
+    unsigned touch = 0;
+    lines >> tick >> force.x() >> force.y() >> force.z() >> touch;
+    ASSERT_EQ(tick, rows);
+    ASSERT_EQ(force, row.force) << "tick " << tick;
+    ASSERT_EQ(touch, static_cast<unsigned>(row.touch));
+    ++rows;
+  });
+  EXPECT_EQ(rows, 1201u);
+}
+
+}  // namespace
+}  // namespace palpate
