@@ -185,6 +185,8 @@ TEST_F(SessionFile, CanBeReadWhileItIsWritten) {
   EXPECT_EQ(reader.facts().samples, 300u) << "whole parts of 150 ms";
   EXPECT_EQ(reader.facts().ended_by, "");
   writer.finish("done");
+  EXPECT_EQ(SessionReader(folder_ / "a.session").facts().samples, 400u) << "complete in spite of the reader";
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "a.session.partial-wal"));
 }
 
 TEST_F(SessionFile, SaysWhatIsNoSession) {

@@ -56,8 +56,9 @@ Json differenceJson(const engine::ReplayReport& report) {
 }
 
 std::string textOf(const ReplayArguments& arguments, const engine::ReplayReport& report, double times_real_time) {
-  std::string text = fmt::format("{}: {} samples felt again, {:.0f} times as fast as real time\n",
-                                 arguments.file.string(), report.ticks, times_real_time);
+  std::string text =
+      fmt::format("{}: {} samples felt again, {:.0f} times as fast as real time once the body was built\n",
+                  arguments.file.string(), report.ticks, times_real_time);
   for (const std::string& note : report.notes) text += "  note       " + note + "\n";
   if (!report.first_difference) return text + "  identical  every bit of contact, force and safety\n";
   const engine::ReplayDifference& first = *report.first_difference;
@@ -87,7 +88,7 @@ void runReplay(const ReplayArguments& arguments) {
       },
       progress.callback());
   if (table) table->commit();
-  const double times_real_time = session.facts().seconds() / secondsSince(started);
+  const double times_real_time = session.facts().seconds() / (secondsSince(started) - report.build_s);
   progress.clear();
   const Json json = {{"file", arguments.file.string()},
                      {"identical", report.identical()},

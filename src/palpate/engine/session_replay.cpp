@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "palpate/base/error.h"
+#include "palpate/base/stopwatch.h"
 #include "palpate/engine/session_settings.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/trace/sample_block.h"
@@ -80,7 +81,9 @@ class Replay {
       throw Error(fmt::format("world {} of the session has settings for {} fingers instead of {}", number,
                               recorded.fingers.size(), fingers_.size()));
     }
+    const auto started = Clock::now();
     const auto world = builtWorld(recorded, progress_);
+    report_.build_s += secondsSince(started);
     if (hashOf(*world) != recorded.hash) {
       report_.notes.push_back(fmt::format(
           "world {} is not the recorded one: its body or its stiffness is another ({} triangles instead of {})", number,

@@ -25,6 +25,24 @@ Database databaseWithTables(const std::filesystem::path& file, const std::filesy
   return database;
 }
 
+/// Afterwards the file says all by itself. Somebody who reads it meanwhile keeps SQLite from changing its mode, not
+/// from completing it. Throws Error where even that cannot be.
+void takeInLog(Database& database) {
+  try {
+    database.run("PRAGMA journal_mode = DELETE");
+  } catch (const Error&) {
+    if (database.integer("PRAGMA wal_checkpoint(TRUNCATE)") != 0) {
+      throw Error::inFile(database.name(), "is being read by another program: it cannot be finished");
+    }
+  }
+}
+
+/// What SQLite keeps beside a file that is written; a full disk or a reader may leave it there.
+void removeCompanions(const std::filesystem::path& file) {
+  std::error_code ignored;
+  for (const char* companion : {"-wal", "-shm"}) std::filesystem::remove(file.string() + companion, ignored);
+}
+
 std::string hexadecimal(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
 
 }  // namespace
@@ -42,9 +60,7 @@ struct SessionWriter::Open {
 
 SessionWriter::~SessionWriter() {
   open_.reset();
-  if (samples_ > 0) return;
-  std::error_code ignored;  // nothing was written: the file goes, and what may lie beside it after a full disk
-  for (const char* companion : {"-wal", "-shm"}) std::filesystem::remove(file_.partial().string() + companion, ignored);
+  if (samples_ == 0) removeCompanions(file_.partial());  // the file goes too: nothing was written
 }
 
 SessionWriter::SessionWriter(const std::filesystem::path& file, const SessionHeader& header,
@@ -150,9 +166,10 @@ void SessionWriter::setDropped(std::uint64_t dropped) {
 void SessionWriter::finish(std::string_view ended_by) {
   flush();
   Statement(open_->database, "UPDATE session SET ended_utc = ?1, ended_by = ?2").with(utcNow()).with(ended_by).run();
-  open_->database.run("PRAGMA journal_mode = DELETE");
+  takeInLog(open_->database);
   open_.reset();
   file_.commit();
+  removeCompanions(file_.partial());
 }
 
 std::string utcNow() {
