@@ -46,6 +46,11 @@ TEST_F(SessionCommands, ARunIsFeltAgainToTheBit) {
   EXPECT_EQ(contentOf(folder_ / "again.csv"), contentOf(folder_ / "results/forces.csv"));
 }
 
+TEST_F(SessionCommands, SoIsAFingerThatFoundItsOwnWay) {
+  ASSERT_EQ(palpate("simulate dome.obj --seconds 1 --no-pictures --session").exit_code, 0);
+  EXPECT_EQ(palpate("replay results/run.session --verify").exit_code, 0);
+}
+
 TEST_F(SessionCommands, AnotherBodyIsToldAndEndsWithOne) {
   record();
   mesh::save(folder_ / "dome.obj", zoo::dome({-100.0, -100.0}, 10.0, 21.0));

@@ -139,14 +139,14 @@ void recordHeadless(const std::filesystem::path& file, const std::shared_ptr<con
 }
 
 TEST_F(SessionReplay, NamesTheFirstDifference) {
-  recordHeadless(file(), worldOf(0.5));
+  recordHeadless(file(), worldOf(0.625));
   {
     trace::SessionReader session(file());
     EXPECT_TRUE(replay(session).identical());
   }
   // The same poses on a skin that is a little stiffer.
   trace::Database database(file(), trace::Database::Mode::write);
-  database.run("UPDATE worlds SET scene = replace(scene, 'constant_n_per_mm = 0.5', 'constant_n_per_mm = 0.500001')");
+  database.run("UPDATE worlds SET scene = replace(scene, '0.625', '0.625001')");
   trace::SessionReader session(file());
   const ReplayReport report = replay(session);
   EXPECT_FALSE(report.identical());

@@ -54,11 +54,13 @@ void holdBy(const device::Device& device, const scene::World& world, servo::Fing
   servo::giveDevice(finger, device);
 }
 
-/// Where the scene says, else where the finger's path begins; what gives places of the body stays as it is.
+/// Where the scene says, else where the finger's path begins; what gives places of the body stays as it is, and so does
+/// a simulated hand, which is drawn along that path.
 device::Device placed(device::Device device, const std::string& words, std::size_t finger, const Vec3& path_begins,
                       const scene::Scene& scene) {
   const auto settings = device::settingsOf(scene, words, finger).value_or(scene::DeviceSettings{});
-  const Vec3 origin = device::givesPlacesOfTheBody(words) ? Vec3(Vec3::Zero()) : path_begins;
+  const bool stays = device::givesPlacesOfTheBody(words) || device::deviceNamed(words).back_end->name == "hand";
+  const Vec3 origin = stays ? Vec3(Vec3::Zero()) : path_begins;
   const device::Workspace workspace = device::workspaceOf(settings, origin);
   return device::inWorkspace(std::move(device), workspace, std::make_shared<device::WorkspaceLink>(workspace));
 }

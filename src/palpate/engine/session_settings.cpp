@@ -134,7 +134,10 @@ trace::SessionWorld sessionWorld(const scene::World& world, std::span<const Felt
   const std::filesystem::path folder = world.scene.file.empty() ? "." : world.scene.file.parent_path();
   std::error_code error;
   recorded.folder = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, error).string();
-  recorded.scene = scene::sceneAsToml(world.scene, recorded.folder);
+  scene::Scene scene = world.scene;
+  // A finger that finds its own way has none in the file; where it went is in the samples.
+  std::erase_if(scene.fingers, [](const scene::Finger& finger) { return finger.findsItsOwnWay(); });
+  recorded.scene = scene::sceneAsToml(scene, recorded.folder);
   recorded.body = world.body_name;
   recorded.triangles = world.skin.triangles.size();
   recorded.hash = hashOf(world);
