@@ -162,10 +162,21 @@ TEST_F(SessionReplay, ComparesOnlyTheSpanThatIsAskedFor) {
   trace::SessionReader session(file());
   std::uint64_t felt = 0;
   const ReplayReport report =
-      replay(session, {500, 599}, [&](std::span<const trace::Sample> tick) { felt += tick.size(); });
+      replay(session, {{500, 599}, {}}, [&](std::span<const trace::Sample> tick) { felt += tick.size(); });
   EXPECT_EQ(report.ticks, 200u);
   EXPECT_EQ(felt, 200u);
   EXPECT_TRUE(report.identical());
+}
+
+/// Files of every version are felt again for ever: the first, of a corner that was pressed by a point.
+TEST(SessionVersions, TheFirstIsStillFeltAgain) {
+  const std::filesystem::path folder = std::filesystem::path(PALPATE_TEST_DATA) / "sessions" / "version_1";
+  support::TemporaryFolder copy;  // a reader may leave files beside what it reads
+  std::filesystem::copy(folder / "press.session", copy / "press.session");
+  trace::SessionReader session(copy / "press.session");
+  EXPECT_EQ(session.facts().samples, 50u);
+  const ReplayReport report = replay(session, {{}, folder});
+  EXPECT_TRUE(report.identical()) << (report.first_difference ? report.first_difference->field : "notes");
 }
 
 TEST(SessionSettings, AreReadBackToTheBit) {

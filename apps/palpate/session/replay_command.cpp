@@ -25,6 +25,7 @@ using Json = nlohmann::ordered_json;
 struct ReplayArguments {
   std::filesystem::path file;
   std::filesystem::path out;
+  std::filesystem::path folder;
   double from_s = 0.0;
   double to_s = std::numeric_limits<double>::infinity();
   bool verify = false;
@@ -81,7 +82,7 @@ void runReplay(const ReplayArguments& arguments) {
   std::optional<trace::ForcesCsvWriter> table = tableFor(arguments, session.facts());
   const auto started = Clock::now();
   const engine::ReplayReport report = engine::replay(
-      session, span,
+      session, {span, arguments.folder},
       [&](std::span<const trace::Sample> samples) {
         if (!table) return;
         for (const trace::Sample& sample : samples) table->add(sample);
@@ -113,6 +114,7 @@ void addReplayCommand(CLI::App& app) {
   addNumber(command, "--from", a.from_s, between(0.0, 1e9, "s"), "Compare from this time on");
   addNumber(command, "--to", a.to_s, between(0.0, 1e9, "s"), "... to this time; left out: to the end");
   command.add_option("-o,--out", a.out, "Write what is felt now as a table of forces (CSV)");
+  command.add_option("--folder", a.folder, "Where the files that the scene names lie now; left out: where they lay");
   command.add_flag("--json", a.json, "Print one JSON object");
   command.callback([=] { runReplay(*arguments); });
 }

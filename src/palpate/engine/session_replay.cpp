@@ -48,11 +48,13 @@ void forgetAsRecorded(std::uint32_t bits, servo::FingerChain& chain) {
 
 class Replay {
  public:
-  Replay(trace::SessionReader& session, const Progress& progress) : session_(session), progress_(progress) {
+  Replay(trace::SessionReader& session, const ReplaySettings& settings, const Progress& progress)
+      : session_(session), settings_(settings), progress_(progress) {
     fingers_.resize(session.facts().fingers.size());
   }
 
-  ReplayReport run(const trace::TickSpan& span, const ReplaySink& sink) {
+  ReplayReport run(const ReplaySink& sink) {
+    const trace::TickSpan& span = settings_.span;
     std::vector<trace::Sample> felt;
     session_.forEachTick({0, span.to}, [&](std::span<const trace::Sample> recorded) {
       felt.clear();
@@ -82,7 +84,9 @@ class Replay {
                               recorded.fingers.size(), fingers_.size()));
     }
     const auto started = Clock::now();
-    const auto world = builtWorld(recorded, progress_);
+    const std::filesystem::path folder =
+        settings_.folder.empty() ? std::filesystem::path(recorded.folder) : settings_.folder;
+    const auto world = builtWorld(recorded, folder, progress_);
     report_.build_s += secondsSince(started);
     if (hashOf(*world) != recorded.hash) {
       report_.notes.push_back(fmt::format(
@@ -155,6 +159,7 @@ class Replay {
   }
 
   trace::SessionReader& session_;
+  const ReplaySettings& settings_;
   const Progress& progress_;
   std::vector<ReplayedFinger> fingers_;
   std::vector<std::shared_ptr<const scene::World>> worlds_;
@@ -164,14 +169,14 @@ class Replay {
 
 }  // namespace
 
-ReplayReport replay(trace::SessionReader& session, const trace::TickSpan& span, const ReplaySink& sink,
+ReplayReport replay(trace::SessionReader& session, const ReplaySettings& settings, const ReplaySink& sink,
                     const Progress& progress) {
-  return Replay(session, progress).run(span, sink);
+  return Replay(session, settings, progress).run(sink);
 }
 
-std::shared_ptr<const scene::World> builtWorld(const trace::SessionWorld& recorded, const Progress& progress) {
-  const std::filesystem::path file = std::filesystem::path(recorded.folder) / "session.toml";
-  return scene::build(scene::parse(recorded.scene, file.string()), progress);
+std::shared_ptr<const scene::World> builtWorld(const trace::SessionWorld& recorded, const std::filesystem::path& folder,
+                                               const Progress& progress) {
+  return scene::build(scene::parse(recorded.scene, (folder / "session.toml").string()), progress);
 }
 
 }  // namespace palpate::engine

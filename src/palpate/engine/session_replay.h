@@ -40,15 +40,21 @@ struct ReplayReport {
   bool identical() const { return ticks > 0 && different == 0 && notes.empty(); }
 };
 
+struct ReplaySettings {
+  trace::TickSpan span;          ///< that is compared
+  std::filesystem::path folder;  ///< where the files that the scene names lie now; empty: where they lay
+};
+
 /// Gets what was felt again, tick by tick, those of the span.
 using ReplaySink = std::function<void(std::span<const trace::Sample>)>;
 
 /// Feels the session from its beginning to the end of the span and compares the ticks of the span. Throws Error for a
 /// scene that can no longer be built.
-ReplayReport replay(trace::SessionReader& session, const trace::TickSpan& span = {}, const ReplaySink& sink = {},
+ReplayReport replay(trace::SessionReader& session, const ReplaySettings& settings = {}, const ReplaySink& sink = {},
                     const Progress& progress = {});
 
-/// The world of a session, built. Throws Error.
-std::shared_ptr<const scene::World> builtWorld(const trace::SessionWorld& recorded, const Progress& progress = {});
+/// The world of a session, built from the scene's files in this folder. Throws Error.
+std::shared_ptr<const scene::World> builtWorld(const trace::SessionWorld& recorded, const std::filesystem::path& folder,
+                                               const Progress& progress = {});
 
 }  // namespace palpate::engine
