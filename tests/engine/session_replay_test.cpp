@@ -63,13 +63,13 @@ class SessionReplay : public testing::Test {
 
 TEST_F(SessionReplay, GivesEveryBitThroughFaultsWorldChangesAndAnEmergencyStop) {
   trace::SessionWriter writer(file(), sessionHeader(1000.0), {{"left", "troubled"}, {"right", "troubled"}});
-  const auto planOf = [&](double stiffness, bool other_body) {
+  const auto plan_of = [&](double stiffness, bool other_body) {
     const auto world = worldOf(stiffness);
     ServoPlan plan = servoPlan(world, fingerSettings(world->scene, 2));
     plan.other_body = other_body;
     return plan;
   };
-  ServoPlan first = planOf(0.5, true);
+  ServoPlan first = plan_of(0.5, true);
   writer.add(sessionWorld(*first.world, feltWith(first)));
   std::uint64_t popped = 0;
   {
@@ -81,7 +81,7 @@ TEST_F(SessionReplay, GivesEveryBitThroughFaultsWorldChangesAndAnEmergencyStop) 
     for (const double stiffness : {1.0, 0.7, 1.3}) {
       const std::uint64_t enough = popped + 600;
       ASSERT_TRUE(support::waitFor([&] { return drain(), popped > enough; }));
-      ServoPlan next = planOf(stiffness, false);
+      ServoPlan next = plan_of(stiffness, false);
       writer.add(sessionWorld(*next.world, feltWith(next)));
       servo.change(std::move(next));
       ASSERT_TRUE(support::waitFor([&] { return servo.exchange(); }));

@@ -240,12 +240,12 @@ TEST(Stability, HalfAMillisecondOfAmplifierIsWithinTheMargin) {
 
 // T15: whatever goes wrong, in whatever hand: no force in that very tick, and at the motor a tick of delay later.
 TEST(Stability, AFaultInContactReachesTheMotorWithinTwoTicks) {
-  const auto lost = [](LoopPlan plan, const std::function<void(servo::Rig&)>& makeFault) {
+  const auto lost = [](LoopPlan plan, const std::function<void(servo::Rig&)>& make_fault) {
     ClosedLoop loop(loopOf(plan));
     loop.hand().goal.place.z() = -60.0;
     for (int tick = 0; tick < 1000; ++tick) loop.tick();
     EXPECT_GT(loop.hand().motorForce().z(), 1.0) << "it presses";
-    makeFault(loop.rig());
+    make_fault(loop.rig());
     EXPECT_EQ(loop.tick().device_force, Vec3::Zero());
     loop.tick();
     EXPECT_EQ(loop.hand().motorForce(), Vec3::Zero());

@@ -228,6 +228,8 @@ TEST_F(SessionFile, OfAnyBytesIsReadOrRefused) {
   }
   const std::string sound = readFile(folder_ / "a.session", 1 << 24);
   Random random(5);
+  int read_through = 0;
+  int refused = 0;
   for (int round = 0; round < 300; ++round) {
     std::string bent = sound;
     for (int i = 0; i < 1 + round % 20; ++i)
@@ -239,9 +241,14 @@ TEST_F(SessionFile, OfAnyBytesIsReadOrRefused) {
       read(reader);
       reader.events();
       reader.damagedBlocks();
-    } catch (const Error&) {
+      ++read_through;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("bent.session: "), std::string::npos) << error.what();
+      ++refused;
     }
   }
+  EXPECT_GT(read_through, 20) << "a byte that is not looked at";
+  EXPECT_GT(refused, 100);
 }
 
 // --- kill -9 ---

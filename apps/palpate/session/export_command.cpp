@@ -1,14 +1,10 @@
 // `palpate export`: a session as files that other programs read.
 #include <fmt/format.h>
 
-#include <cmath>
-#include <fstream>
-#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "apps/palpate/common/commands.h"
-#include "apps/palpate/common/number_option.h"
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/session/session_text.h"
 #include "palpate/base/error.h"
@@ -26,17 +22,8 @@ struct ExportArguments {
   std::filesystem::path csv;
   std::filesystem::path json;
   std::filesystem::path scene;
-  double from_s = 0.0;
-  double to_s = std::numeric_limits<double>::infinity();
+  TimeSpan span;
 };
-
-trace::TickSpan spanOf(const ExportArguments& arguments, double ticks_per_s) {
-  trace::TickSpan span;
-  span.from = static_cast<std::uint64_t>(std::llround(arguments.from_s * ticks_per_s));
-  if (std::isfinite(arguments.to_s)) span.to = static_cast<std::uint64_t>(std::llround(arguments.to_s * ticks_per_s));
-  if (span.from > span.to) throw Error("export: --from must be below --to");
-  return span;
-}
 
 std::uint64_t writeCsv(trace::SessionReader& session, const ExportArguments& arguments, const Progress& progress) {
   const trace::SessionFacts& facts = session.facts();
@@ -45,7 +32,7 @@ std::uint64_t writeCsv(trace::SessionReader& session, const ExportArguments& arg
   settings.ticks_per_s = facts.header.ticks_per_s;
   trace::ForcesCsvWriter table(arguments.csv, settings);
   std::uint64_t rows = 0;
-  session.forEachTick(spanOf(arguments, settings.ticks_per_s), [&](std::span<const trace::Sample> samples) {
+  session.forEachTick(ticksOf(arguments.span, settings.ticks_per_s), [&](std::span<const trace::Sample> samples) {
     for (const trace::Sample& sample : samples) table.add(sample);
     rows += samples.size();
     if (rows % 20000 < samples.size()) {
@@ -69,7 +56,7 @@ void writeJson(trace::SessionReader& session, const ExportArguments& arguments) 
                       {"scene", world.scene}});
   }
   Json events = Json::array();
-  for (const trace::SessionEvent& event : session.events(spanOf(arguments, session.facts().header.ticks_per_s))) {
+  for (const trace::SessionEvent& event : session.events(ticksOf(arguments.span, session.facts().header.ticks_per_s))) {
     events.push_back({{"tick", event.tick},
                       {"finger", event.finger ? Json(*event.finger) : Json(nullptr)},
                       {"kind", event.kind},
@@ -112,8 +99,7 @@ void addExportCommand(CLI::App& app) {
   command.add_option("--csv", a.csv, "Every tick, as forces.csv has it");
   command.add_option("--json", a.json, "Everything but the ticks: header, fingers, worlds, events");
   command.add_option("--scene", a.scene, "The scene that it began with (TOML)");
-  addNumber(command, "--from", a.from_s, between(0.0, 1e9, "s"), "Begin at this time");
-  addNumber(command, "--to", a.to_s, between(0.0, 1e9, "s"), "End at this time; left out: at the end");
+  addTimeSpan(command, a.span);
   command.callback([=] { runExport(*arguments); });
 }
 

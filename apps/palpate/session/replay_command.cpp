@@ -1,14 +1,11 @@
 // `palpate replay`: a session's poses through its scene again, compared with what was felt, bit for bit.
 #include <fmt/format.h>
 
-#include <cmath>
-#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "apps/palpate/common/commands.h"
-#include "apps/palpate/common/number_option.h"
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/session/session_text.h"
 #include "palpate/base/error.h"
@@ -26,18 +23,14 @@ struct ReplayArguments {
   std::filesystem::path file;
   std::filesystem::path out;
   std::filesystem::path folder;
-  double from_s = 0.0;
-  double to_s = std::numeric_limits<double>::infinity();
+  TimeSpan span;
   bool verify = false;
   bool json = false;
 };
 
 trace::TickSpan spanOf(const ReplayArguments& arguments, const trace::SessionFacts& facts) {
   const double rate = facts.header.ticks_per_s;
-  trace::TickSpan span;
-  span.from = static_cast<std::uint64_t>(std::llround(arguments.from_s * rate));
-  if (std::isfinite(arguments.to_s)) span.to = static_cast<std::uint64_t>(std::llround(arguments.to_s * rate));
-  if (span.from > span.to) throw Error("replay: --from must be below --to");
+  const trace::TickSpan span = ticksOf(arguments.span, rate);
   if (facts.samples == 0) throw Error::inFile(arguments.file.string(), "holds no tick");
   if (span.from > facts.last_tick) {
     throw Error::inFile(arguments.file.string(),
@@ -111,8 +104,7 @@ void addReplayCommand(CLI::App& app) {
       "replay", "Feel a recorded session again, through its own scene, and compare every bit with what was felt");
   command.add_option("SESSION", a.file, "run.session of `palpate simulate --session`")->required();
   command.add_flag("--verify", a.verify, "Exit code 1 unless every bit is the same");
-  addNumber(command, "--from", a.from_s, between(0.0, 1e9, "s"), "Compare from this time on");
-  addNumber(command, "--to", a.to_s, between(0.0, 1e9, "s"), "... to this time; left out: to the end");
+  addTimeSpan(command, a.span);
   command.add_option("-o,--out", a.out, "Write what is felt now as a table of forces (CSV)");
   command.add_option("--folder", a.folder, "Where the files that the scene names lie now; left out: where they lay");
   command.add_flag("--json", a.json, "Print one JSON object");

@@ -3,8 +3,12 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+
+#include "apps/palpate/common/number_option.h"
+#include "palpate/base/error.h"
 
 namespace palpate::app {
 
@@ -23,6 +27,19 @@ double bytesPerSample(const std::filesystem::path& file, const trace::SessionFac
 }
 
 }  // namespace
+
+void addTimeSpan(CLI::App& command, TimeSpan& span) {
+  addNumber(command, "--from", span.from_s, between(0.0, 1e9, "s"), "Begin at this time");
+  addNumber(command, "--to", span.to_s, between(0.0, 1e9, "s"), "End at this time; left out: at the end");
+}
+
+trace::TickSpan ticksOf(const TimeSpan& span, double ticks_per_s) {
+  if (!(span.from_s <= span.to_s)) throw Error("--from must be below --to");
+  trace::TickSpan ticks;
+  ticks.from = static_cast<std::uint64_t>(std::llround(span.from_s * ticks_per_s));
+  if (std::isfinite(span.to_s)) ticks.to = static_cast<std::uint64_t>(std::llround(span.to_s * ticks_per_s));
+  return ticks;
+}
 
 bool isSessionFile(const std::filesystem::path& file) {
   constexpr std::string_view kMagic = "SQLite format 3";

@@ -112,7 +112,7 @@ std::vector<Vec3> reachOf(const Capabilities& device, const DeviceFrame& frame) 
   return corners;
 }
 
-Device inWorkspace(Device device, const Workspace& workspace, const std::shared_ptr<WorkspaceLink>& link) {
+Device inWorkspace(const Device& device, const Workspace& workspace, const std::shared_ptr<WorkspaceLink>& link) {
   Device placed = device;
   placed.capabilities.motion_scale = workspace.frame.mm;
   placed.capabilities.workspace_mm.setEmpty();

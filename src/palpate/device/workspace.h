@@ -107,7 +107,7 @@ class WorkspaceLink {
 
 /// The device as the servo gets it. Its capabilities are those in the workspace of now: the reach as a box round the
 /// turned one, the scale of its motion.
-Device inWorkspace(Device device, const Workspace& workspace, const std::shared_ptr<WorkspaceLink>& link);
+Device inWorkspace(const Device& device, const Workspace& workspace, const std::shared_ptr<WorkspaceLink>& link);
 
 /// The corners of what a device reaches, in the body; none for one that does not say. Corner i has the high x, y, z
 /// where the bits 1, 2, 4 of i are set.
