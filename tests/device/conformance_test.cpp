@@ -207,6 +207,17 @@ class EveryHardware : public testing::TestWithParam<std::string> {
     for (int i = 0; i < 10; ++i) bench.tick(device, kPush);
     return device;
   }
+
+  /// Where a device is that has been mended, once it feels again; looked for as tendDevices does, again and again: on a
+  /// busy machine a service may answer too late at first.
+  Vec3 backIn(Device& device) {
+    Vec3 tip = kNoPlace;
+    for (int i = 0; i < 4000 && !(tip.allFinite() && (bench.force() - kPush).norm() < 1e-12); ++i) {
+      if (i % 100 == 0 && device.revive) device.revive();
+      tip = bench.tick(device, kPush);
+    }
+    return tip;
+  }
 };
 INSTANTIATE_TEST_SUITE_P(Named, EveryHardware,
                          testing::Values("openhaptics", "forcedimension", "haply", "plugin", "plugin_at_once"),
@@ -344,11 +355,8 @@ TEST_P(EveryHardware, AFaultLeavesNoPlaceAndZeroForceWithinTwoTicksAndTheDeviceC
       EXPECT_GT(device.explain().size(), 10u) << trouble.name;
     }
     trouble.mend(bench);
-    if (device.revive) device.revive();
-    Vec3 back = tip;
-    for (int i = 0; i < 2000 && !back.allFinite(); ++i) back = bench.tick(device, kPush);
+    const Vec3 back = backIn(device);
     EXPECT_LT((back - Vec3(1, 2, 3)).norm(), 1e-9) << trouble.name << ": " << device.explain();
-    bench.tick(device, kPush);
     EXPECT_LT((bench.force() - kPush).norm(), 1e-12) << trouble.name;
     EXPECT_EQ(device.explain(), "") << trouble.name;
   }
@@ -451,8 +459,7 @@ TEST_P(EveryHardware, RandomFaultsNeverPushAHandThatHasNoPlace) {
   bench.hardware().gives_no_number = false;
   bench.hardware().connected = true;
   bench.control().stands = false;
-  if (device.revive) device.revive();
-  for (int i = 0; i < 2000; ++i) bench.tick(device, kPush);
+  backIn(device);
   EXPECT_LT((bench.force() - kPush).norm(), 1e-12);
 }
 
