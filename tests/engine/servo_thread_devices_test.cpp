@@ -197,34 +197,46 @@ struct Holder {
   std::atomic<double> felt_n{0.0};
 };
 
-TEST(TwoHands, FeelTheirOwnForcesAndOneStaysInContactWhileTheOtherIsLost) {
-  const auto world = sheet(0.4);
-  Holder light(4.0);
-  Holder firm(9.0);
-  ServoThread servo(softPlan(world, 2), {light.device(), firm.device()});
-  ASSERT_TRUE(soon(servo, [&] { return light.felt_n > 0.2 && firm.felt_n > 1.5 * light.felt_n; }))
-      << light.felt_n << " and " << firm.felt_n;
+/// What two hands at once did not keep; empty: they kept it.
+std::string brokenByTwoHands(ServoThread& servo, Holder& light, Holder& firm) {
+  if (!soon(servo, [&] { return light.felt_n > 0.2 && firm.felt_n > 1.5 * light.felt_n; })) return "two forces";
   const auto at_rest = [&] { return std::abs(firm.felt_n - 0.4 * servo.contacts()[1].contact.depth_mm) < 0.05; };
-  EXPECT_TRUE(soon(servo, at_rest)) << "each what the skin gives at its own depth";
+  if (!soon(servo, at_rest)) return "each what the skin gives at its own depth";
   const double firm_before = firm.felt_n;
   light.lost = true;
-  ASSERT_TRUE(soon(servo, [&] { return light.felt_n == 0.0; }));
+  if (!soon(servo, [&] { return light.felt_n == 0.0; })) return "no force for the one that is lost";
   std::uint64_t tick = servo.contacts()[0].tick;
   double least_n = firm_before;
   const auto watched = [&] {
     least_n = std::min(least_n, firm.felt_n.load());
     return servo.contacts()[0].tick > tick + 300;
   };
-  ASSERT_TRUE(soon(servo, watched));
-  EXPECT_GT(least_n, 0.7 * firm_before) << "the other hand must not notice";
-  EXPECT_EQ(light.felt_n, 0.0);
-  EXPECT_EQ(servo.contacts()[1].safety & servo::kFaultBits, 0u);
+  if (!soon(servo, watched)) return "a loop that goes on";
+  if (!(least_n > 0.7 * firm_before)) return "the other hand must not notice";
+  if (light.felt_n != 0.0) return "still no force for the one that is lost";
+  if ((servo.contacts()[1].safety & servo::kFaultBits) != 0) return "no fault of the other";
   // Back where it was, inside: no force before it has been outside.
   light.lost = false;
   tick = servo.contacts()[0].tick;
-  ASSERT_TRUE(soon(servo, [&] { return servo.contacts()[0].tick > tick + 50; }));
-  EXPECT_EQ(light.felt_n, 0.0);
-  EXPECT_TRUE(servo.contacts()[0].safety & servo::kHeldBack);
+  if (!soon(servo, [&] { return servo.contacts()[0].tick > tick + 50; })) return "a loop that goes on";
+  if (light.felt_n != 0.0 || (servo.contacts()[0].safety & servo::kHeldBack) == 0) return "the start rule";
+  return {};
+}
+
+/// Ticks that the machine left out disturb both hands: then nothing is shown, and it is tried again.
+TEST(TwoHands, FeelTheirOwnForcesAndOneStaysInContactWhileTheOtherIsLost) {
+  const auto world = sheet(0.4);
+  std::string broken;
+  for (int attempt = 0; attempt < 20; ++attempt) {
+    Holder light(4.0);
+    Holder firm(9.0);
+    ServoThread servo(softPlan(world, 2), {light.device(), firm.device()});
+    broken = brokenByTwoHands(servo, light, firm);
+    const servo::LoopReport report = servo.stop();
+    if (broken.empty()) return;
+    ASSERT_GT(report.stalls + report.overruns, 0u) << broken;
+  }
+  GTEST_SKIP() << "this machine keeps no rate now: " << broken;
 }
 
 }  // namespace
