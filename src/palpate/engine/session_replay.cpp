@@ -16,13 +16,6 @@ namespace palpate::engine {
 
 namespace {
 
-/// A finger as it was: its chain, and the tick that it came to.
-struct ReplayedFinger {
-  servo::FingerChain chain;
-  std::uint64_t tick = 0;
-  bool began = false;
-};
-
 /// How many ticks are replayed between two reports of progress.
 constexpr std::uint64_t kTicksPerReport = 5000;
 
@@ -97,7 +90,7 @@ class Replay {
     const bool other_body = worlds_.empty() || world->skin.triangles.size() != worlds_.back()->skin.triangles.size();
     servo::FingerSolvers solvers = servo::makeSolvers(world->surface, world->hdb, fingers_.size());
     for (std::size_t i = 0; i < fingers_.size(); ++i) {
-      servo::FingerChain& chain = fingers_[i].chain;
+      servo::FingerChain& chain = fingers_[i];
       if (!worlds_.empty()) {
         servo::exchange(chain.solver, solvers[i], chain.contact);
       } else {
@@ -115,8 +108,7 @@ class Replay {
 
   trace::Sample feelAgain(const trace::Sample& sample) {
     if (sample.world != number_) enter(sample.world);
-    ReplayedFinger& finger = fingers_[sample.finger];
-    servo::FingerChain& chain = finger.chain;
+    servo::FingerChain& chain = fingers_[sample.finger];
     forgetAsRecorded(sample.forgot, chain);
     servo::Pose pose;
     pose.tip = tipOf(sample);
@@ -140,10 +132,6 @@ class Replay {
   }
 
   void compare(const trace::Sample& recorded, const trace::Sample& felt) {
-    ReplayedFinger& finger = fingers_[recorded.finger];
-    if (finger.began && recorded.tick != finger.tick + 1) ++report_.gaps;
-    finger.began = true;
-    finger.tick = recorded.tick;
     ++report_.ticks;
     for (const trace::SampleColumn& column : trace::sampleColumns()) {
       const std::uint64_t was = column.bits(recorded);
@@ -161,7 +149,7 @@ class Replay {
   trace::SessionReader& session_;
   const ReplaySettings& settings_;
   const Progress& progress_;
-  std::vector<ReplayedFinger> fingers_;
+  std::vector<servo::FingerChain> fingers_;
   std::vector<std::shared_ptr<const scene::World>> worlds_;
   std::uint32_t number_ = std::numeric_limits<std::uint32_t>::max();
   ReplayReport report_;

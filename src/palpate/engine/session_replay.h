@@ -33,7 +33,6 @@ struct ReplayDifference {
 struct ReplayReport {
   std::uint64_t ticks = 0;      ///< samples that were compared
   std::uint64_t different = 0;  ///< of them
-  std::uint64_t gaps = 0;       ///< places where samples are missing: what follows need not be the same
   double build_s = 0.0;         ///< of the time that it took, for building the worlds
   std::optional<ReplayDifference> first_difference;
   std::vector<std::string> notes;  ///< a world that is not the recorded one, and so on
