@@ -49,7 +49,7 @@ void writeJson(trace::SessionReader& session, const ExportArguments& arguments) 
   Json json = factsJson(session.facts());
   Json worlds = Json::array();
   for (std::uint64_t i = 0; i < session.facts().worlds; ++i) {
-    const trace::SessionWorld world = session.world(i);
+    const trace::SessionWorld world = session.world(session.facts().first_world + i);
     worlds.push_back({{"body", world.body},
                       {"triangles", world.triangles},
                       {"hash", fmt::format("{:016x}", world.hash)},
@@ -82,7 +82,7 @@ void runExport(const ExportArguments& arguments) {
     text += fmt::format("header, worlds and events -> {}\n", arguments.json.string());
   }
   if (!arguments.scene.empty()) {
-    writeFile(arguments.scene, session.world(0).scene);
+    writeFile(arguments.scene, session.world(session.facts().first_world).scene);
     text += fmt::format("scene -> {}\n", arguments.scene.string());
   }
   progress.clear();

@@ -73,7 +73,9 @@ Json factsJson(const trace::SessionFacts& facts) {
           {"samples", facts.samples},
           {"dropped", facts.dropped},
           {"worlds", facts.worlds},
+          {"first_world", facts.first_world},
           {"events", facts.events},
+          {"attachments", facts.attachments},
           {"notes", facts.header.notes},
           {"tags", facts.header.tags},
           {"fingers", fingers}};
@@ -90,7 +92,7 @@ std::string sessionInfo(const std::filesystem::path& file) {
     text += fmt::format("finger      {}, held by {}\n", finger.name, finger.device);
   }
   for (std::uint64_t i = 0; i < facts.worlds; ++i) {
-    const trace::SessionWorld world = reader.world(i);
+    const trace::SessionWorld world = reader.world(facts.first_world + i);
     text += fmt::format("world       {}, {} triangles\n", world.body, world.triangles);
   }
   for (const trace::SessionEvent& event : reader.events()) {

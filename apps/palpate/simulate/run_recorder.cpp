@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "apps/palpate/simulate/surface_files.h"
-#include "palpate/device/back_ends.h"
 #include "palpate/engine/session_settings.h"
 #include "palpate/servo/scripted_rig.h"
 
@@ -86,7 +85,7 @@ void RunRecorder::keepSession(const servo::Rig& rig) {
   header.notes = world_.scene.title;
   std::vector<trace::SessionFinger> fingers;
   for (std::size_t i = 0; i < rig.fingers.size(); ++i) {
-    fingers.push_back({world_.scene.fingers[i].name, device::describe(rig.fingers[i].device)});
+    fingers.push_back(engine::sessionFinger(world_.scene.fingers[i].name, rig.fingers[i].device));
   }
   session_.emplace(folder_ / kFile, header, fingers);
   session_->add(engine::sessionWorld(world_, engine::feltWith(rig)));

@@ -71,14 +71,15 @@ ServoPlan servoPlan(std::shared_ptr<const scene::World> world, std::vector<conta
   return plan;
 }
 
-ServoThread::ServoThread(ServoPlan plan, std::vector<device::Device> devices, Guide guide)
+ServoThread::ServoThread(ServoPlan plan, std::vector<device::Device> devices, Guide guide, std::size_t record_capacity)
     : fingers_(plan.fingers.size()),
       tick_s_(tickOf(plan)),
-      links_(fingers_),
+      links_(fingers_, std::size_t{1} << 16, record_capacity),
       guide_(std::move(guide)),
       at_work_(std::make_unique<ServoPlan>(std::move(plan))) {
   rig_ = rigFor(*at_work_, std::move(devices), tick_s_);
   at_work_world_ = at_work_->world;
+  felt_ = {0, at_work_world_, feltWith(rig_)};
   servo::PacedSettings settings;
   settings.pacing.period_s = tick_s_;
   settings.before_tick = [this](servo::Rig& rig) { beforeTick(rig); };
@@ -123,12 +124,36 @@ bool ServoThread::exchange() {
 void ServoThread::advance() {
   if (offered_world_ && handover_.collect()) {
     at_work_world_ = std::exchange(offered_world_, nullptr);
+    felt_ = *std::exchange(felt_next_, std::nullopt);
     changed_ = true;
   }
   if (!waiting_ || offered_world_) return;
+  felt_next_ = offeredWorld();
+  if (listener_) listener_(*felt_next_);
   offered_world_ = waiting_->world;
   handover_.offer(std::make_unique<ServoPlan>(std::move(*waiting_)));
   waiting_.reset();
+}
+
+/// What waits, as `adopt` will have it.
+FeltWorld ServoThread::offeredWorld() const {
+  FeltWorld felt{felt_.number + 1, waiting_->world, {}};
+  for (std::size_t i = 0; i < fingers_; ++i) {
+    const std::optional<device::Device>& device = waiting_->devices[i];
+    const bool closes_loop = device ? static_cast<bool>(device->write_force) : felt_.fingers[i].closes_loop;
+    felt.fingers.push_back({waiting_->fingers[i], waiting_->limiter, closes_loop});
+  }
+  return felt;
+}
+
+void ServoThread::record(WorldListener listener) {
+  listener_ = std::move(listener);
+  if (listener_) {
+    advance();
+    listener_(felt_);
+    if (felt_next_) listener_(*felt_next_);
+  }
+  links_.records.store(static_cast<bool>(listener_), std::memory_order_release);
 }
 
 }  // namespace palpate::engine

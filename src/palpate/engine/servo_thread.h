@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "palpate/base/handover.h"
+#include "palpate/engine/session_settings.h"
 #include "palpate/scene/world.h"
 #include "palpate/servo/loop.h"
 
@@ -35,6 +36,13 @@ struct ServoPlan {
   std::vector<std::optional<device::Device>> devices = {};
 };
 
+/// A world as the servo feels it: what a session has to know to feel it again.
+struct FeltWorld {
+  std::uint32_t number = 0;  ///< trace::Sample::world
+  std::shared_ptr<const scene::World> world;
+  std::vector<FeltWith> fingers;
+};
+
 /// The plan for these fingers on a world, with the world's own limits. Throws Error for settings that make no sense.
 ServoPlan servoPlan(std::shared_ptr<const scene::World> world, std::vector<contact::FingerSettings> fingers);
 
@@ -48,8 +56,9 @@ class ServoThread {
   using Guide = std::function<void(std::span<servo::FingerChain>)>;
 
   /// Starts at once, a tick every `tick_s` of the first finger. One device a finger of the plan, in its order. Throws
-  /// Error for another number.
-  ServoThread(ServoPlan plan, std::vector<device::Device> devices, Guide guide = {});
+  /// Error for another number. So many samples wait for a recorder at most.
+  ServoThread(ServoPlan plan, std::vector<device::Device> devices, Guide guide = {},
+              std::size_t record_capacity = servo::kRecordCapacity);
   /// Ends the thread.
   ~ServoThread();
   ServoThread(const ServoThread&) = delete;
@@ -74,12 +83,24 @@ class ServoThread {
   servo::EmergencyStop& emergencyStop() { return links_.emergency_stop; }
   std::size_t droppedSamples() const { return links_.samples.dropped(); }
 
+  // For whoever records (session_recorder.h), one at a time.
+
+  /// From the next tick on every sample goes into a ring of its own as well. The listener hears of the world at work,
+  /// of the one that is on its way, and of each that is offered later, before any sample names it; on the owner's
+  /// thread, and not once it was taken back with an empty one.
+  using WorldListener = std::function<void(const FeltWorld&)>;
+  void record(WorldListener listener);
+  /// Any one thread.
+  bool popRecorded(trace::Sample& sample) { return links_.record.pop(sample); }
+  std::size_t droppedRecorded() const { return links_.record.dropped(); }
+
   /// Ends the thread; the report of the whole run. At most once.
   servo::LoopReport stop();
 
  private:
   void beforeTick(servo::Rig& rig) noexcept;
   void advance();
+  FeltWorld offeredWorld() const;
 
   const std::size_t fingers_;
   const double tick_s_;
@@ -91,6 +112,9 @@ class ServoThread {
   std::shared_ptr<const scene::World> at_work_world_;
   std::shared_ptr<const scene::World> offered_world_;  // of the plan that was offered and is not known to be taken
   std::optional<ServoPlan> waiting_;                   // until the one offered is taken
+  FeltWorld felt_;                                     // at work, as far as this thread knows
+  std::optional<FeltWorld> felt_next_;                 // of the plan that was offered
+  WorldListener listener_;
   bool changed_ = false;
   servo::LoopReport report_;
   std::thread thread_;  // last: it uses all of the above

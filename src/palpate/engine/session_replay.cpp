@@ -5,9 +5,11 @@
 
 #include <bit>
 #include <limits>
+#include <utility>
 
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
+#include "palpate/engine/replay_proof.h"
 #include "palpate/engine/session_settings.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/trace/sample_block.h"
@@ -31,7 +33,7 @@ Vec3 tipOf(const trace::Sample& sample) {
   return (sample.contact.status & contact::kTipLost) != 0 ? Vec3(Vec3::Constant(kFarAwayMm)) : sample.contact.tip;
 }
 
-void forgetAsRecorded(std::uint32_t bits, servo::FingerChain& chain) {
+void forget(std::uint32_t bits, servo::FingerChain& chain) {
   if ((bits & trace::kForgotTouch) != 0) chain.contact = {};
   if ((bits & trace::kForgotLimiter) == 0) return;
   const bool closes_loop = chain.limiter.closes_loop;  // as the settings say
@@ -42,7 +44,7 @@ void forgetAsRecorded(std::uint32_t bits, servo::FingerChain& chain) {
 class Replay {
  public:
   Replay(trace::SessionReader& session, const ReplaySettings& settings, const Progress& progress)
-      : session_(session), settings_(settings), progress_(progress) {
+      : session_(session), settings_(settings), progress_(progress), proof_(session) {
     fingers_.resize(session.facts().fingers.size());
   }
 
@@ -51,14 +53,17 @@ class Replay {
     std::vector<trace::Sample> felt;
     session_.forEachTick({0, span.to}, [&](std::span<const trace::Sample> recorded) {
       felt.clear();
+      proof_.begin(recorded);
       for (const trace::Sample& sample : recorded) {
         felt.push_back(feelAgain(sample));
-        if (sample.tick >= span.from) compare(sample, felt.back());
+        if (sample.tick >= span.from && proof_.proves(sample)) compare(sample, felt.back());
       }
       if (sink && recorded.front().tick >= span.from) sink(felt);
       tellProgress(recorded.front().tick);
       return true;
     });
+    report_.unproven = proof_.unproven();
+    report_.gaps = proof_.notes();
     return std::move(report_);
   }
 
@@ -70,6 +75,17 @@ class Replay {
     report(progress_, "replaying", static_cast<double>(tick - facts.first_tick) / all);
   }
 
+  /// Sessions that were joined were often felt in one and the same scene.
+  std::shared_ptr<const scene::World> worldOf(const trace::SessionWorld& recorded,
+                                              const std::filesystem::path& folder) {
+    if (worlds_.empty() || built_from_ != std::pair(recorded.scene, folder)) {
+      auto world = builtWorld(recorded, folder, progress_);
+      built_from_ = {recorded.scene, folder};
+      return world;
+    }
+    return worlds_.back();
+  }
+
   void enter(std::uint32_t number) {
     const trace::SessionWorld recorded = session_.world(number);
     if (recorded.fingers.size() != fingers_.size()) {
@@ -79,7 +95,7 @@ class Replay {
     const auto started = Clock::now();
     const std::filesystem::path folder =
         settings_.folder.empty() ? std::filesystem::path(recorded.folder) : settings_.folder;
-    const auto world = builtWorld(recorded, folder, progress_);
+    const auto world = worldOf(recorded, folder);
     report_.build_s += secondsSince(started);
     if (hashOf(*world) != recorded.hash) {
       report_.notes.push_back(fmt::format(
@@ -109,7 +125,7 @@ class Replay {
   trace::Sample feelAgain(const trace::Sample& sample) {
     if (sample.world != number_) enter(sample.world);
     servo::FingerChain& chain = fingers_[sample.finger];
-    forgetAsRecorded(sample.forgot, chain);
+    forget(sample.forgot | (proof_.beginsAnew(sample) ? trace::kForgotTouch | trace::kForgotLimiter : 0u), chain);
     servo::Pose pose;
     pose.tip = tipOf(sample);
     pose.tick = sample.tick;
@@ -123,6 +139,7 @@ class Replay {
     felt.finger = sample.finger;
     felt.world = sample.world;
     felt.forgot = sample.forgot;
+    felt.buttons = sample.buttons;
     felt.contact = servo::touch(chain.solver, chain.contact_settings, chain.contact, tip);
     felt.device_force =
         servo::limitForce(chain.limiter_settings, chain.limiter, felt.contact, chain.solver.surface->force_law);
@@ -131,8 +148,11 @@ class Replay {
     return felt;
   }
 
-  void compare(const trace::Sample& recorded, const trace::Sample& felt) {
+  void compare(const trace::Sample& recorded, trace::Sample felt) {
     ++report_.ticks;
+    if (!proof_.provesWarnings(recorded)) {
+      felt.safety = (felt.safety & ~servo::kTooStiff) | (recorded.safety & servo::kTooStiff);
+    }
     for (const trace::SampleColumn& column : trace::sampleColumns()) {
       const std::uint64_t was = column.bits(recorded);
       const std::uint64_t is = column.bits(felt);
@@ -149,8 +169,10 @@ class Replay {
   trace::SessionReader& session_;
   const ReplaySettings& settings_;
   const Progress& progress_;
+  ReplayProof proof_;
   std::vector<servo::FingerChain> fingers_;
   std::vector<std::shared_ptr<const scene::World>> worlds_;
+  std::pair<std::string, std::filesystem::path> built_from_;  ///< scene and folder of the last of them
   std::uint32_t number_ = std::numeric_limits<std::uint32_t>::max();
   ReplayReport report_;
 };

@@ -36,6 +36,8 @@ struct ReplayReport {
   double build_s = 0.0;         ///< of the time that it took, for building the worlds
   std::optional<ReplayDifference> first_difference;
   std::vector<std::string> notes;  ///< a world that is not the recorded one, and so on
+  std::uint64_t unproven = 0;      ///< samples that were not compared: time before them is missing from the session
+  std::vector<std::string> gaps;   ///< where, in words
   bool identical() const { return ticks > 0 && different == 0 && notes.empty(); }
 };
 

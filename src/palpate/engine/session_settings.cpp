@@ -11,6 +11,7 @@
 #include "palpate/base/error.h"
 #include "palpate/base/hash.h"
 #include "palpate/base/text.h"
+#include "palpate/device/back_ends.h"
 #include "palpate/scene/scene_writer.h"
 
 namespace palpate::engine {
@@ -145,6 +146,33 @@ trace::SessionWorld sessionWorld(const scene::World& world, std::span<const Felt
     recorded.fingers.push_back({asText(finger.contact), asText(finger.limiter, finger.closes_loop)});
   }
   return recorded;
+}
+
+namespace {
+
+std::string words(const Vec3& v) { return fmt::format("{} {} {}", v.x(), v.y(), v.z()); }
+
+std::string asText(const device::Capabilities& able) {
+  std::string text = fmt::format(
+      "takes_force = {}\nmax_force_n = {}\ncontinuous_force_n = {}\nnominal_stiffness_n_per_mm = {}\nrate_hz = {}\n"
+      "delay_ticks = {}\nmotion_scale = {}\nmodel = {}\nversion = {}\n",
+      able.takes_force ? 1 : 0, able.max_force_n, able.continuous_force_n, able.nominal_stiffness_n_per_mm,
+      able.rate_hz, able.delay_ticks, able.motion_scale, able.model, able.version);
+  if (able.workspace_mm.isEmpty()) return text;
+  return text +
+         fmt::format("workspace_mm = {} to {}\n", words(able.workspace_mm.min()), words(able.workspace_mm.max()));
+}
+
+std::string asText(const device::DeviceFrame& frame) {
+  return fmt::format("x_axis = {}\ny_axis = {}\nz_axis = {}\nscale = {}\norigin_mm = {}\n", words(frame.axes.col(0)),
+                     words(frame.axes.col(1)), words(frame.axes.col(2)), frame.mm, words(frame.origin_mm));
+}
+
+}  // namespace
+
+trace::SessionFinger sessionFinger(std::string name, const device::Device& device, const device::DeviceFrame* frame) {
+  return {std::move(name), device::describe(device), asText(device.capabilities),
+          frame == nullptr ? std::string() : asText(*frame)};
 }
 
 trace::SessionHeader sessionHeader(double ticks_per_s) {

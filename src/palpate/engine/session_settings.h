@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "palpate/contact/finger_state.h"
+#include "palpate/device/device.h"
+#include "palpate/device/device_frame.h"
 #include "palpate/scene/world.h"
 #include "palpate/servo/limiter.h"
 #include "palpate/servo/tick.h"
@@ -38,6 +40,10 @@ std::vector<FeltWith> feltWith(const servo::Rig& rig);
 
 /// A world as a session keeps it, with what each finger is felt with in it.
 trace::SessionWorld sessionWorld(const scene::World& world, std::span<const FeltWith> fingers);
+
+/// A finger with the device that has it; where `frame` is given, also how the device's space lies in the body.
+trace::SessionFinger sessionFinger(std::string name, const device::Device& device,
+                                   const device::DeviceFrame* frame = nullptr);
 
 /// Header of a session that begins now: this software, this machine (no names of people or computers).
 trace::SessionHeader sessionHeader(double ticks_per_s);

@@ -37,6 +37,7 @@ void runFinger(FingerChain& finger, LoopEvent event, EmergencyStop* stop, trace:
   sample.safety = finger.limiter.status;
   sample.loss_n_mm = finger.limiter.passivity.loss_n_mm;
   sample.forgot = std::exchange(finger.forgot, 0u);
+  sample.buttons = state.buttons;
   if (finger.device.write_force) finger.device.write_force(sample.device_force);
 }
 

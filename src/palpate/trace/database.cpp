@@ -14,7 +14,7 @@ namespace palpate::trace {
 namespace {
 
 /// Another program that writes the file is waited for so long.
-constexpr int kBusyMs = 2000;
+constexpr int kBusyMs = 5000;
 
 int flagsOf(Database::Mode mode) {
   switch (mode) {

@@ -22,8 +22,9 @@ struct Sample {
   std::uint32_t safety = 0;          ///< servo::SafetyBit; 0 = the contact's force went through unchanged
   /// What the loop has given beyond the skin's law and not taken back yet (servo/passivity.h), N mm. Not in tables.
   double loss_n_mm = 0.0;
-  std::uint32_t world = 0;   ///< counts the worlds of a run: which one was felt
-  std::uint32_t forgot = 0;  ///< ForgetBits
+  std::uint32_t world = 0;    ///< counts the worlds of a run: which one was felt
+  std::uint32_t forgot = 0;   ///< ForgetBits
+  std::uint32_t buttons = 0;  ///< of the device, bit 0 the first
 };
 
 }  // namespace palpate::trace

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 
@@ -89,11 +90,14 @@ constexpr std::array kColumns = {
     SampleColumn{"loss_n_mm", "f64", "N mm", "given by the loop beyond the skin's law and not taken back yet",
                  [](const Sample& s) { return std::bit_cast<std::uint64_t>(s.loss_n_mm); },
                  [](Sample& s, std::uint64_t bits) { s.loss_n_mm = std::bit_cast<double>(bits); }},
+    SampleColumn{"buttons", "u32", "", "bits: those of the device that are down, 1 the first",
+                 [](const Sample& s) { return std::uint64_t{s.buttons}; },
+                 [](Sample& s, std::uint64_t bits) { s.buttons = static_cast<std::uint32_t>(bits); }},
 };
 
-std::size_t rowBytes() {
+std::size_t rowBytes(std::span<const SampleColumn> columns) {
   std::size_t bytes = 0;
-  for (const SampleColumn& column : kColumns) bytes += column.width();
+  for (const SampleColumn& column : columns) bytes += column.width();
   return bytes;
 }
 
@@ -142,7 +146,7 @@ SampleBlock packSamples(std::span<const Sample> samples) {
   if (samples.empty() || samples.size() > kMostBlockRows) {
     throw Error(fmt::format("a block of {} samples: 1 to {} will do", samples.size(), kMostBlockRows));
   }
-  std::string raw(rowBytes() * samples.size(), '\0');
+  std::string raw(rowBytes(kColumns) * samples.size(), '\0');
   char* plane = raw.data();
   for (const SampleColumn& column : kColumns) {
     writeColumn(column, samples, plane);
@@ -160,13 +164,26 @@ SampleBlock packSamples(std::span<const Sample> samples) {
   return block;
 }
 
-std::vector<Sample> unpackSamples(std::string_view bytes, std::uint32_t crc32, std::size_t rows, std::uint32_t finger) {
+SampleColumn columnOf(std::string_view name, std::string_view type) {
+  constexpr std::array<std::string_view, 3> kTypes = {"f64", "u64", "u32"};
+  const auto* const found = std::find(kTypes.begin(), kTypes.end(), type);
+  if (found == kTypes.end()) throw Error(fmt::format("column {}: '{}' is no type of numbers", name, type));
+  for (const SampleColumn& column : kColumns) {
+    if (column.name != name) continue;
+    if (column.type != type) throw Error(fmt::format("column {} is {} instead of {}", name, type, column.type));
+    return column;
+  }
+  return {{}, *found, {}, {}, {}, [](Sample&, std::uint64_t) {}};
+}
+
+std::vector<Sample> unpackSamples(std::string_view bytes, std::uint32_t crc32, std::size_t rows, std::uint32_t finger,
+                                  std::span<const SampleColumn> columns) {
   if (rows == 0 || rows > kMostBlockRows) throw Error(fmt::format("a block of {} rows", rows));
   if (checksumOf(bytes) != crc32) throw Error("a block is damaged: its checksum is another");
-  const std::string raw = inflated(bytes, rowBytes() * rows);
+  const std::string raw = inflated(bytes, rowBytes(columns) * rows);
   std::vector<Sample> samples(rows);
   const char* plane = raw.data();
-  for (const SampleColumn& column : kColumns) {
+  for (const SampleColumn& column : columns) {
     readColumn(column, plane, samples);
     plane += column.width() * rows;
   }

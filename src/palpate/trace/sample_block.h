@@ -29,7 +29,12 @@ struct SampleColumn {
   std::size_t width() const { return type == "u32" ? 4 : 8; }
 };
 
+/// Those of this version, which it writes. A reader is told those of its file.
 std::span<const SampleColumn> sampleColumns();
+
+/// The column of this name as a file has it: one that this version does not know is read over. Throws Error for a type
+/// that there is none of, and for a known column of another type.
+SampleColumn columnOf(std::string_view name, std::string_view type);
 
 /// Most rows of a block; more in a file are refused.
 inline constexpr std::size_t kMostBlockRows = 100000;
@@ -42,8 +47,9 @@ struct SampleBlock {
 /// The finger is not part of the bytes. Throws Error for no samples and for more than kMostBlockRows.
 SampleBlock packSamples(std::span<const Sample> samples);
 
-/// Throws Error for a wrong checksum, for bytes that are not those of `rows` samples, and for a state of contact that
+/// What the columns do not have keeps its default. Throws Error for a wrong checksum, for bytes that are not those of `rows` samples, and for a state of contact that
 /// there is none of. `finger` goes into the samples.
-std::vector<Sample> unpackSamples(std::string_view bytes, std::uint32_t crc32, std::size_t rows, std::uint32_t finger);
+std::vector<Sample> unpackSamples(std::string_view bytes, std::uint32_t crc32, std::size_t rows, std::uint32_t finger,
+                                  std::span<const SampleColumn> columns = sampleColumns());
 
 }  // namespace palpate::trace

@@ -17,6 +17,9 @@ namespace {
 /// More fingers than a rig has.
 constexpr std::int64_t kMostFingers = 1000;
 
+/// Several times those of this version.
+constexpr std::size_t kMostColumns = 200;
+
 std::uint64_t hashOf(std::string_view hexadecimal) {
   std::uint64_t hash = 0;
   std::from_chars(hexadecimal.data(), hexadecimal.data() + hexadecimal.size(), hash, 16);
@@ -26,8 +29,21 @@ std::uint64_t hashOf(std::string_view hexadecimal) {
 }  // namespace
 
 SessionReader::SessionReader(const std::filesystem::path& file) : database_(file, Database::Mode::read) {
-  checkSession(database_);
+  facts_.version = checkSession(database_);
+  readColumns();
   readFacts();
+}
+
+void SessionReader::readColumns() {
+  Statement columns(database_, "SELECT name, type FROM columns ORDER BY position");
+  while (columns.next()) {
+    try {
+      columns_.push_back(columnOf(columns.text(0), columns.text(1)));
+    } catch (const Error& error) {
+      throw Error::inFile(database_.name(), error.what());
+    }
+    if (columns_.size() > kMostColumns) throw Error::inFile(database_.name(), "is a session of too many columns");
+  }
 }
 
 void SessionReader::readFacts() {
@@ -48,14 +64,21 @@ void SessionReader::readFacts() {
   if (!(header.ticks_per_s > 0.0) || !std::isfinite(header.ticks_per_s)) {
     throw Error::inFile(database_.name(), "is a session whose ticks have no length");
   }
-  Statement fingers(database_, "SELECT id, name, device FROM fingers ORDER BY id");
+  Statement fingers(database_, facts_.version < 2 ? "SELECT id, name, device, '', '' FROM fingers ORDER BY id"
+                                                  : "SELECT id, name, device, capabilities, placed FROM fingers "
+                                                    "ORDER BY id");
   while (fingers.next()) {
     if (fingers.integer(0) != static_cast<std::int64_t>(facts_.fingers.size()) || fingers.integer(0) >= kMostFingers) {
       throw Error::inFile(database_.name(), "is a session whose fingers are not numbered from 0");
     }
-    facts_.fingers.push_back({std::string(fingers.text(1)), std::string(fingers.text(2))});
+    facts_.fingers.push_back({std::string(fingers.text(1)), std::string(fingers.text(2)), std::string(fingers.text(3)),
+                              std::string(fingers.text(4))});
   }
   facts_.worlds = static_cast<std::uint64_t>(database_.integer("SELECT count(*) FROM worlds"));
+  facts_.first_world = static_cast<std::uint64_t>(database_.integer("SELECT coalesce(min(id), 0) FROM worlds"));
+  if (facts_.version >= 2) {
+    facts_.attachments = static_cast<std::uint64_t>(database_.integer("SELECT count(*) FROM attachments"));
+  }
   facts_.events = static_cast<std::uint64_t>(database_.integer("SELECT count(*) FROM events"));
   facts_.samples = static_cast<std::uint64_t>(database_.integer("SELECT coalesce(sum(rows), 0) FROM blocks"));
   facts_.first_tick = static_cast<std::uint64_t>(database_.integer("SELECT coalesce(min(first_tick), 0) FROM blocks"));
@@ -93,6 +116,18 @@ std::vector<SessionEvent> SessionReader::events(const TickSpan& span) {
   return events;
 }
 
+void SessionReader::forEachAttachment(const TickSpan& span,
+                                      const std::function<void(const SessionAttachment&)>& visit) {
+  if (facts_.version < 2) return;
+  Statement find(database_, "SELECT tick, kind, name, media, data FROM attachments ORDER BY tick, id");
+  while (find.next()) {
+    const auto tick = static_cast<std::uint64_t>(find.integer(0));
+    if (tick < span.from || tick > span.to) continue;
+    visit({tick, std::string(find.text(1)), std::string(find.text(2)), std::string(find.text(3)),
+           std::string(find.blob(4))});
+  }
+}
+
 SessionReader::Part SessionReader::readPart(std::int64_t part, const TickSpan& span) {
   Statement find(database_, "SELECT id, finger, rows, crc32, data FROM blocks WHERE part = ?1 ORDER BY finger");
   find.with(part);
@@ -103,7 +138,7 @@ SessionReader::Part SessionReader::readPart(std::int64_t part, const TickSpan& s
       if (finger < 0 || finger >= static_cast<std::int64_t>(facts_.fingers.size())) throw Error("is of no finger");
       const auto rows = static_cast<std::size_t>(std::max<std::int64_t>(0, find.integer(2)));
       for (const Sample& sample : unpackSamples(find.blob(4), static_cast<std::uint32_t>(find.integer(3)), rows,
-                                                static_cast<std::uint32_t>(finger))) {
+                                                static_cast<std::uint32_t>(finger), columns_)) {
         if (sample.tick >= span.from && sample.tick <= span.to) ticks[sample.tick].push_back(sample);
       }
     } catch (const Error& error) {
@@ -115,11 +150,13 @@ SessionReader::Part SessionReader::readPart(std::int64_t part, const TickSpan& s
 
 void SessionReader::forEachTick(const TickSpan& span, const std::function<bool(std::span<const Sample>)>& visit) {
   constexpr auto kMost = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
-  Statement begin(database_, "SELECT coalesce(max(part), 0) FROM blocks WHERE first_tick <= ?1");
+  // Parts follow each other in time, so the index finds the first one at once, however long the session is.
+  Statement begin(database_,
+                  "SELECT part FROM blocks WHERE first_tick <= ?1 ORDER BY first_tick DESC, part DESC LIMIT 1");
   begin.with(static_cast<std::int64_t>(std::min(span.from, kMost)));
-  begin.next();
+  const std::int64_t first_part = begin.next() ? begin.integer(0) : 0;
   Statement list(database_, "SELECT DISTINCT part FROM blocks WHERE part >= ?1 AND first_tick <= ?2 ORDER BY part");
-  list.with(begin.integer(0)).with(static_cast<std::int64_t>(std::min(span.to, kMost)));
+  list.with(first_part).with(static_cast<std::int64_t>(std::min(span.to, kMost)));
   while (list.next()) {
     for (const auto& [tick, samples] : readPart(list.integer(0), span)) {
       if (!visit(samples)) return;
@@ -134,7 +171,7 @@ std::vector<std::pair<std::int64_t, std::string>> SessionReader::damagedBlocks()
     try {
       unpackSamples(find.blob(4), static_cast<std::uint32_t>(find.integer(3)),
                     static_cast<std::size_t>(std::max<std::int64_t>(0, find.integer(2))),
-                    static_cast<std::uint32_t>(find.integer(1)));
+                    static_cast<std::uint32_t>(find.integer(1)), columns_);
     } catch (const Error& error) {
       damaged.emplace_back(find.integer(0), error.what());
     }

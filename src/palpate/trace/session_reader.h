@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "palpate/trace/sample_block.h"
 #include "palpate/trace/session_writer.h"
 
 namespace palpate::trace {
@@ -22,11 +23,14 @@ struct SessionFacts {
   std::string ended_by;
   std::uint64_t dropped = 0;
   std::vector<SessionFinger> fingers;
-  std::uint64_t worlds = 0;
+  std::uint64_t first_world = 0;  ///< not 0 where the beginning was forgotten
+  std::uint64_t worlds = 0;       ///< how many
   std::uint64_t samples = 0;
   std::uint64_t first_tick = 0;
   std::uint64_t last_tick = 0;
   std::uint64_t events = 0;
+  std::uint64_t attachments = 0;
+  std::int64_t version = 0;  ///< of the file
   double seconds() const {
     return samples == 0 ? 0.0 : static_cast<double>(last_tick - first_tick + 1) / header.ticks_per_s;
   }
@@ -47,21 +51,27 @@ class SessionReader {
   /// Throws Error where there is none.
   SessionWorld world(std::uint64_t number);
   std::vector<SessionEvent> events(const TickSpan& span = {});
+  /// Calls `visit` with each, in the order of their ticks.
+  void forEachAttachment(const TickSpan& span, const std::function<void(const SessionAttachment&)>& visit);
 
   /// Calls `visit` with the samples of a tick, those of its fingers in their order, tick by tick, until it returns
   /// false. Memory for one part only. Throws Error naming the block that is damaged.
   void forEachTick(const TickSpan& span, const std::function<bool(std::span<const Sample>)>& visit);
 
+  /// Columns of every block, in the file's order.
+  std::span<const SampleColumn> columns() const { return columns_; }
   /// The blocks that cannot be read, and why.
   std::vector<std::pair<std::int64_t, std::string>> damagedBlocks();
 
  private:
   using Part = std::map<std::uint64_t, std::vector<Sample>>;  ///< by tick
   void readFacts();
+  void readColumns();
   Part readPart(std::int64_t part, const TickSpan& span);
 
   Database database_;
   SessionFacts facts_;
+  std::vector<SampleColumn> columns_;  ///< of the blocks, in the file's order
 };
 
 }  // namespace palpate::trace

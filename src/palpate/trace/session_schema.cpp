@@ -34,7 +34,9 @@ CREATE TABLE worlds(
 CREATE TABLE fingers(
   id INTEGER PRIMARY KEY,             -- counts from 0
   name TEXT NOT NULL,
-  device TEXT NOT NULL                -- that moved it
+  device TEXT NOT NULL,               -- that moved it, when it began
+  capabilities TEXT NOT NULL DEFAULT '', -- of the device: "key = value", a line each
+  placed TEXT NOT NULL DEFAULT ''     -- how the device's space lay in the body, likewise: its calibration
 ) STRICT;
 CREATE TABLE settings(                -- what a finger was felt with in a world: numbers as JSON objects
   world INTEGER NOT NULL,
@@ -66,10 +68,18 @@ CREATE TABLE events(
   id INTEGER PRIMARY KEY,
   tick INTEGER NOT NULL,
   finger INTEGER,                     -- NULL: of no finger
-  kind TEXT NOT NULL,                 -- mark, world, device, safety, dropped, note
+  kind TEXT NOT NULL,                 -- mark, world, device, button, safety, dropped, note, cut
   text TEXT NOT NULL
 ) STRICT;
 CREATE INDEX events_by_tick ON events(tick);
+CREATE TABLE attachments(             -- pictures, sound notes, files that the scene names
+  id INTEGER PRIMARY KEY,
+  tick INTEGER NOT NULL,
+  kind TEXT NOT NULL,                 -- picture, sound, file
+  name TEXT NOT NULL,                 -- of kind file: as the scene names it
+  media TEXT NOT NULL,                -- image/png, audio/wav, ...
+  data BLOB NOT NULL
+) STRICT;
 )";
 
 }  // namespace
@@ -88,7 +98,7 @@ void makeSessionTables(Database& database) {
   transaction.commit();
 }
 
-void checkSession(Database& database) {
+std::int64_t checkSession(Database& database) {
   if (database.integer("PRAGMA application_id") != kSessionApplication) {
     throw Error::inFile(database.name(), "is no session file of Palpate");
   }
@@ -97,6 +107,7 @@ void checkSession(Database& database) {
     throw Error::inFile(database.name(), fmt::format("is a session of version {}; this program reads up to {}", version,
                                                      kSessionVersion));
   }
+  return version;
 }
 
 }  // namespace palpate::trace

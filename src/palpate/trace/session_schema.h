@@ -9,12 +9,12 @@ namespace palpate::trace {
 inline constexpr std::int64_t kSessionApplication = 0x50616c70;
 
 /// Of the tables; counts up whenever they change. Files of every version are read for ever.
-inline constexpr std::int64_t kSessionVersion = 1;
+inline constexpr std::int64_t kSessionVersion = 2;
 
 /// Makes the tables in an empty file. Throws Error.
 void makeSessionTables(Database& database);
 
-/// Throws Error for a file that is no session, and for one of a later version.
-void checkSession(Database& database);
+/// The version of its tables. Throws Error for a file that is no session, and for one of a later version.
+std::int64_t checkSession(Database& database);
 
 }  // namespace palpate::trace

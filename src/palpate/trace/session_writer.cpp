@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "palpate/base/error.h"
 #include "palpate/trace/sample_block.h"
@@ -81,9 +82,14 @@ SessionWriter::SessionWriter(const std::filesystem::path& file, const SessionHea
       .with(header.notes)
       .with(header.tags)
       .run();
-  Statement insert(database, "INSERT INTO fingers VALUES (?1, ?2, ?3)");
+  Statement insert(database, "INSERT INTO fingers VALUES (?1, ?2, ?3, ?4, ?5)");
   for (std::size_t i = 0; i < fingers.size(); ++i) {
-    insert.with(static_cast<std::int64_t>(i)).with(fingers[i].name).with(fingers[i].device).run();
+    insert.with(static_cast<std::int64_t>(i))
+        .with(fingers[i].name)
+        .with(fingers[i].device)
+        .with(fingers[i].capabilities)
+        .with(fingers[i].placed)
+        .run();
     waiting_[i].reserve(part_ticks_ + 1);
   }
   transaction.commit();
@@ -122,10 +128,15 @@ void SessionWriter::add(const Sample& sample) {
 void SessionWriter::add(const SessionEvent& event) { events_.push_back(event); }
 
 void SessionWriter::flush() {
+  // Unlinked, it would take all that is written, and nobody would find it.
+  std::error_code error;
+  if (!std::filesystem::exists(file_.partial(), error))
+    throw Error::inFile(file_.partial().string(), "was deleted while it was written");
   const auto waits = [](const std::vector<Sample>& samples) { return !samples.empty(); };
   if (events_.empty() && std::none_of(waiting_.begin(), waiting_.end(), waits)) return;
   Transaction transaction(open_->database);
   std::uint64_t written = 0;
+  WrittenPart about{part_, std::numeric_limits<std::uint64_t>::max(), 0, std::numeric_limits<std::uint32_t>::max()};
   for (std::size_t i = 0; i < waiting_.size(); ++i) {
     const std::vector<Sample>& samples = waiting_[i];
     if (samples.empty()) continue;
@@ -139,6 +150,9 @@ void SessionWriter::flush() {
         .withBlob(block.bytes)
         .run();
     written += samples.size();
+    about.first_tick = std::min(about.first_tick, samples.front().tick);
+    about.last_tick = std::max(about.last_tick, samples.back().tick);
+    about.world = std::min(about.world, samples.front().world);
   }
   for (const SessionEvent& event : events_) {
     Statement& insert = open_->insert_event.with(static_cast<std::int64_t>(event.tick));
@@ -153,8 +167,38 @@ void SessionWriter::flush() {
   for (std::vector<Sample>& samples : waiting_) samples.clear();
   events_.clear();
   samples_ += written;
+  if (written > 0) written_.push_back(about);
   ++part_;
   file_.keepUnfinished();
+}
+
+void SessionWriter::add(const SessionAttachment& attachment) {
+  Statement(open_->database, "INSERT INTO attachments(tick, kind, name, media, data) VALUES (?1, ?2, ?3, ?4, ?5)")
+      .with(static_cast<std::int64_t>(attachment.tick))
+      .with(attachment.kind)
+      .with(attachment.name)
+      .with(attachment.media)
+      .withBlob(attachment.data)
+      .run();
+}
+
+void SessionWriter::forgetBefore(std::uint64_t tick) {
+  std::int64_t parts = -1;
+  while (written_.size() > 1 && written_.front().last_tick < tick) {
+    parts = written_.front().part;
+    written_.pop_front();
+  }
+  if (parts < 0) return;
+  Transaction transaction(open_->database);
+  const auto before = static_cast<std::int64_t>(written_.front().first_tick);
+  Statement(open_->database, "DELETE FROM blocks WHERE part <= ?1").with(parts).run();
+  Statement(open_->database, "DELETE FROM events WHERE tick < ?1").with(before).run();
+  Statement(open_->database, "DELETE FROM attachments WHERE tick < ?1 AND kind <> 'file'").with(before).run();
+  for (const char* table : {"DELETE FROM worlds WHERE id < ?1", "DELETE FROM settings WHERE world < ?1"}) {
+    Statement(open_->database, table).with(static_cast<std::int64_t>(written_.front().world)).run();
+  }
+  transaction.commit();
+  add(SessionEvent{written_.front().first_tick, std::nullopt, "cut", "what was before is forgotten"});
 }
 
 void SessionWriter::setDropped(std::uint64_t dropped) {
@@ -170,6 +214,32 @@ void SessionWriter::finish(std::string_view ended_by) {
   open_.reset();
   file_.commit();
   removeCompanions(file_.partial());
+}
+
+void SessionWriter::discard() {
+  open_.reset();
+  removeCompanions(file_.partial());
+  std::error_code ignored;
+  std::filesystem::remove(file_.partial(), ignored);
+}
+
+void copySession(const std::filesystem::path& session, const std::filesystem::path& copy, std::string_view ended_by) {
+  OutputFile file(copy);
+  {
+    Database source(session, Database::Mode::read);
+    checkSession(source);
+    // It wants to make the file itself; its place is taken by an empty one.
+    Statement(source, "VACUUM INTO ?1").with(file.partial().string()).run();
+  }
+  {
+    Database copied(file.partial(), Database::Mode::write, copy);
+    Statement(copied, "UPDATE session SET ended_utc = ?1, ended_by = ?2 WHERE ended_by IS NULL")
+        .with(utcNow())
+        .with(ended_by)
+        .run();
+    copied.run("PRAGMA journal_mode = DELETE");
+  }
+  file.commit();
 }
 
 std::string utcNow() {

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -33,6 +34,8 @@ struct SessionHeader {
 struct SessionFinger {
   std::string name;
   std::string device;
+  std::string capabilities = {};  ///< of the device: "key = value", a line each
+  std::string placed = {};        ///< how the device's space lies in the body, likewise
 };
 struct SessionSettings {
   std::string contact;  ///< "key = value", a line each
@@ -51,8 +54,16 @@ struct SessionWorld {
 struct SessionEvent {
   std::uint64_t tick = 0;
   std::optional<std::uint32_t> finger;
-  std::string kind;  ///< mark, world, device, safety, dropped, note
+  std::string kind;  ///< mark, world, device, button, safety, dropped, note, cut
   std::string text;
+};
+
+struct SessionAttachment {
+  std::uint64_t tick = 0;
+  std::string kind;   ///< picture, sound, file
+  std::string name;   ///< of kind file: as the scene names it
+  std::string media;  ///< image/png, audio/wav, ...
+  std::string data;
 };
 
 class SessionWriter {
@@ -65,18 +76,26 @@ class SessionWriter {
 
   // Each throws Error when the disk is full or gone; what was written before stays readable.
 
-  /// World number 0, 1, ...; samples name it.
+  /// World number 0, 1, ... in the order in which they are added; samples name it.
   void add(const SessionWorld& world);
   /// In the order of their ticks. Written once a part is full.
   void add(const Sample& sample);
   void add(const SessionEvent& event);
+  /// At once.
+  void add(const SessionAttachment& attachment);
   /// Writes what has been collected.
   void flush();
+  /// Whatever ended before the tick goes, but what later ticks need: a file that holds the last hour. An event says
+  /// that it begins in the middle.
+  void forgetBefore(std::uint64_t tick);
   /// Samples that found no room on their way here, so far: told in the header, and as an event.
   void setDropped(std::uint64_t dropped);
   /// The last call: what ended it ("done", a signal's name, a fault). Gives the file its name, in place of an earlier
   /// one; it stands alone.
   void finish(std::string_view ended_by);
+
+  /// The last call: nothing is left of it.
+  void discard();
 
   std::uint64_t samples() const { return samples_; }
   /// Where it is until then.
@@ -84,16 +103,27 @@ class SessionWriter {
 
  private:
   struct Open;
+  struct WrittenPart {
+    std::int64_t part;
+    std::uint64_t first_tick;
+    std::uint64_t last_tick;
+    std::uint32_t world;  ///< the first that it needs
+  };
   OutputFile file_;
   std::unique_ptr<Open> open_;
   std::vector<std::vector<Sample>> waiting_;  ///< one a finger
   std::vector<SessionEvent> events_;
+  std::deque<WrittenPart> written_;  ///< that may be forgotten, the oldest first
   std::int64_t part_ = 0;
   std::int64_t worlds_ = 0;
   std::uint64_t part_ticks_;
   std::uint64_t samples_ = 0;
   std::uint64_t dropped_ = 0;
 };
+
+/// A finished copy of a session that is being written, or of any other, with what has been written of it by now; ended
+/// by `ended_by` where it had no end. Its writer goes on meanwhile. Throws Error.
+void copySession(const std::filesystem::path& session, const std::filesystem::path& copy, std::string_view ended_by);
 
 /// Now, as started_utc has it.
 std::string utcNow();

@@ -335,4 +335,17 @@ std::string readGltfPicture(const MeshFile& file) {
   return std::string(GltfAccessors(file, document.root(), parts.binary).bytesOfView(view));
 }
 
+std::vector<std::filesystem::path> filesBesideGltf(const MeshFile& file) {
+  const GltfParts parts = splitGltf(file);
+  const JsonDocument document(parts.json, {file.name, !parts.is_glb, parts.json_offset});
+  std::vector<std::filesystem::path> files;
+  for (const char* list : {"buffers", "images"}) {
+    for (const JsonValue part : document.root()[list].items()) {
+      const JsonValue uri = part["uri"];
+      if (uri && !isData(uri.text())) files.push_back(pathBeside(file, uri.text(), uri));
+    }
+  }
+  return files;
+}
+
 }  // namespace palpate::mesh

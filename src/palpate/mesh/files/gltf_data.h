@@ -92,4 +92,7 @@ JsonValue baseColourOf(const std::vector<JsonValue>& base_colours, JsonValue pri
 /// The image file of the first primitive in the file that has a base colour; empty when none has. Throws Error.
 std::string readGltfPicture(const MeshFile& file);
 
+/// Files that its buffers and images are in. Throws Error.
+std::vector<std::filesystem::path> filesBesideGltf(const MeshFile& file);
+
 }  // namespace palpate::mesh

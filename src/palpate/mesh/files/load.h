@@ -84,4 +84,8 @@ TexturedMesh loadTexturedFromMemory(std::string_view bytes, Format format, std::
 /// empty when it has none. Throws Error.
 std::string basePictureOf(const std::filesystem::path& file);
 
+/// Files beside it or in folders below that a glTF or GLB file is not whole without: buffers and pictures; of other
+/// formats none. Throws Error.
+std::vector<std::filesystem::path> filesBeside(const std::filesystem::path& file);
+
 }  // namespace palpate::mesh

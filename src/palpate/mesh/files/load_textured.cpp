@@ -53,4 +53,13 @@ std::string basePictureOf(const std::filesystem::path& file) {
   });
 }
 
+std::vector<std::filesystem::path> filesBeside(const std::filesystem::path& file) {
+  LoadOptions options;
+  options.allow_foreign = true;  // nothing of such a file is read here
+  return withMeshFile(file, options, {}, [](const MeshFile& mesh_file, Format format) {
+    const bool is_gltf = format == Format::gltf || format == Format::glb;
+    return is_gltf ? filesBesideGltf(mesh_file) : std::vector<std::filesystem::path>();
+  });
+}
+
 }  // namespace palpate::mesh

@@ -1,0 +1,215 @@
+// Each file gets a folder of its own in the bundle, "files/3/back.gltf", so that what a glTF file names still lies
+// beside it, and no two names meet. The scene is read, its places are changed and it is written again. Own.
+#include "palpate/engine/session_bundle.h"
+
+#include <fmt/format.h>
+#include <stdlib.h>
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+
+#include "palpate/base/error.h"
+#include "palpate/base/text.h"
+#include "palpate/mesh/files/load.h"
+#include "palpate/scene/scene_file.h"
+#include "palpate/scene/scene_writer.h"
+#include "palpate/trace/session_edit.h"
+
+namespace palpate::engine {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// SQLite's own limit of a value, less what else is in its row.
+constexpr std::uint64_t kMostBytes = 999'000'000;
+
+/// No such folder: names in the scene of a bundle are relative to it.
+const fs::path kBundle = "/bundle";
+
+bool isWithin(const fs::path& name) {
+  if (name.empty() || name.is_absolute() || name.has_root_path() || !name.has_filename()) return false;
+  return std::none_of(name.begin(), name.end(), [](const fs::path& part) { return part == ".." || part == "."; }) &&
+         name.string().find_first_of(std::string("\\\0", 2)) == std::string::npos;
+}
+
+fs::path newFolder() {
+  std::string name = (fs::temp_directory_path() / "palpate-session-XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr) throw Error::inFile(name, "no folder can be made there");
+  return name;
+}
+
+bool isOfWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+/// Every place where it stands as a word of its own.
+void replaceWord(std::string& text, const std::string& word, const std::string& with) {
+  if (word.empty()) return;
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at)) {
+    const std::size_t end = at + word.size();
+    const bool begins = at == 0 || !isOfWord(word.front()) || !isOfWord(text[at - 1]);
+    const bool ends = end == text.size() || !isOfWord(word.back()) || !isOfWord(text[end]);
+    if (begins && ends) {
+      text.replace(at, word.size(), with);
+      at += with.size();
+    } else {
+      ++at;
+    }
+  }
+}
+
+class Bundle {
+ public:
+  Bundle(trace::SessionReader& session, const BundleSettings& settings)
+      : session_(session), settings_(settings), carried_(session), hidden_(settings.hidden) {
+    hideFolders();
+  }
+
+  BundleReport write(const fs::path& target, const Progress& progress) {
+    trace::SessionHeader header = session_.facts().header;
+    for (std::string* text : {&header.machine, &header.notes, &header.tags}) hide(*text);
+    std::vector<trace::SessionFinger> fingers = session_.facts().fingers;
+    for (trace::SessionFinger& finger : fingers) {
+      for (std::string* text : {&finger.device, &finger.capabilities, &finger.placed}) hide(*text);
+    }
+    trace::WholeOrNothing whole;
+    trace::SessionWriter writer(target, header, fingers);
+    whole.watch(writer);
+    writer_ = &writer;
+    trace::CopySettings copy;
+    copy.keeps_files = false;
+    copy.change_world = [this](trace::SessionWorld& world) { pack(world); };
+    copy.change_event = [this](trace::SessionEvent& event) { hide(event.text); };
+    report_.samples = trace::copyInto(writer, session_, copy, progress).samples;
+    if (!settings_.versions.empty()) {
+      writer.add(trace::SessionAttachment{session_.facts().first_tick, "versions", "versions.txt", "text/plain",
+                                          settings_.versions});
+    }
+    writer.setDropped(session_.facts().dropped);
+    writer.finish(session_.facts().ended_by.empty() ? "bundled" : session_.facts().ended_by);
+    whole.keep();
+    return std::move(report_);
+  }
+
+ private:
+  /// Where the session's files lay says who recorded it.
+  void hideFolders() {
+    const trace::SessionFacts& facts = session_.facts();
+    for (std::uint64_t i = 0; i < facts.worlds; ++i) {
+      const std::string folder = session_.world(facts.first_world + i).folder;
+      if (folder.size() > 1) hidden_.emplace_back(folder, ".");
+    }
+    std::stable_sort(hidden_.begin(), hidden_.end(),
+                     [](const auto& a, const auto& b) { return a.first.size() > b.first.size(); });
+  }
+
+  void hide(std::string& text) const {
+    for (const auto& [word, with] : hidden_) replaceWord(text, word, with);
+  }
+
+  void pack(trace::SessionWorld& world) {
+    const fs::path folder = !settings_.folder.empty()      ? settings_.folder
+                            : !carried_.folder().empty() ? carried_.folder()
+                                                         : fs::path(world.folder);
+    scene::Scene scene = scene::parse(world.scene, (folder / "session.toml").string());
+    for (const NamedFile& named : namedFiles(scene)) {
+      if (!named.place->empty()) *named.place = kBundle / nameOf(*named.place, named);
+    }
+    hide(scene.title);
+    for (scene::DeviceSettings& device : scene.devices) hide(device.name);
+    world.scene = scene::sceneAsToml(scene, kBundle);
+    world.folder.clear();
+    hide(world.body);
+  }
+
+  /// Puts the file into the bundle, once, and says what it is called there.
+  fs::path nameOf(const fs::path& file, const NamedFile& named) {
+    const auto known = names_.find(file.string());
+    if (known != names_.end()) return known->second;
+    const fs::path folder = fs::path("files") / std::to_string(names_.size() + 1);
+    std::string own_name = file.filename().string();
+    hide(own_name);
+    const fs::path name = folder / own_name;
+    names_[file.string()] = name;
+    std::error_code error;
+    if (!named.is_needed && !fs::exists(file, error)) {
+      report_.notes.push_back(fmt::format("{} is not there, and is not needed to feel the session again",
+                                          file.filename().string()));
+      return name;
+    }
+    add(file, name);
+    if (!named.is_mesh) return name;
+    for (const fs::path& beside : mesh::filesBeside(file)) {
+      add(beside, folder / beside.lexically_normal().lexically_relative(file.parent_path().lexically_normal()));
+    }
+    return name;
+  }
+
+  void add(const fs::path& file, const fs::path& name) {
+    const std::string bytes = readFile(file, kMostBytes);
+    for (const auto& [word, with] : hidden_) {
+      std::string copy = bytes;
+      replaceWord(copy, word, with);
+      if (copy == bytes) continue;
+      report_.notes.push_back(fmt::format("{} itself holds '{}': look into it before you give it away",
+                                          name.filename().string(), word));
+    }
+    writer_->add(trace::SessionAttachment{session_.facts().first_tick, std::string(kCarriedFile), name.string(),
+                                          "application/octet-stream", bytes});
+    report_.files.push_back({name.string(), bytes.size()});
+  }
+
+  trace::SessionReader& session_;
+  const BundleSettings& settings_;
+  CarriedFiles carried_;  ///< of a bundle that is bundled again
+  std::vector<std::pair<std::string, std::string>> hidden_;
+  trace::SessionWriter* writer_ = nullptr;
+  std::map<std::string, fs::path> names_;
+  BundleReport report_;
+};
+
+}  // namespace
+
+std::vector<NamedFile> namedFiles(scene::Scene& scene) {
+  std::vector<NamedFile> files = {{&scene.body.file, true},
+                                  {&scene.body.texture.file, true},
+                                  {&scene.ellipses.key_points},
+                                  {&scene.deformation.contours},
+                                  {&scene.deformation.profile_file},
+                                  {&scene.deformation.tangential_profile_file},
+                                  {&scene.tissue.force_table}};
+  for (scene::Finger& finger : scene.fingers) files.push_back({&finger.trajectory, false, false});
+  return files;
+}
+
+CarriedFiles::CarriedFiles(trace::SessionReader& session) {
+  try {
+    session.forEachAttachment({}, [this](const trace::SessionAttachment& attachment) {
+      if (attachment.kind != kCarriedFile) return;
+      const fs::path name = attachment.name;
+      if (!isWithin(name)) {
+        throw Error(fmt::format("the session carries a file named '{}', which would lie outside of its folder",
+                                attachment.name));
+      }
+      if (folder_.empty()) folder_ = newFolder();
+      fs::create_directories((folder_ / name).parent_path());
+      writeFile(folder_ / name, attachment.data);
+    });
+  } catch (...) {
+    std::error_code ignored;
+    if (!folder_.empty()) fs::remove_all(folder_, ignored);
+    throw;
+  }
+}
+
+CarriedFiles::~CarriedFiles() {
+  std::error_code ignored;
+  if (!folder_.empty()) fs::remove_all(folder_, ignored);
+}
+
+BundleReport bundle(trace::SessionReader& session, const fs::path& target, const BundleSettings& settings,
+                    const Progress& progress) {
+  return Bundle(session, settings).write(target, progress);
+}
+
+}  // namespace palpate::engine

@@ -1,0 +1,68 @@
+// A session with everything that it takes to feel it again somewhere else: the files that its scene names travel in the
+// session file, under names that say nothing of where they lay.
+//
+//   session, files of its scene ─ bundle ─► session with attachments of the kind "file" ─ CarriedFiles ─► a folder
+//                                                                            └─ builtWorld, replay
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "palpate/base/progress.h"
+#include "palpate/scene/scene.h"
+#include "palpate/trace/session_reader.h"
+
+namespace palpate::engine {
+
+/// The kind of attachment of such a file; its name is the one that the scene names.
+inline constexpr std::string_view kCarriedFile = "file";
+
+/// Where a scene keeps the names of files.
+struct NamedFile {
+  std::filesystem::path* place;
+  bool is_mesh = false;    ///< it may name others
+  bool is_needed = true;   ///< false: a world is built without it
+};
+std::vector<NamedFile> namedFiles(scene::Scene& scene);
+
+/// The files that a session carries, in a folder of their own as long as this lives.
+class CarriedFiles {
+ public:
+  /// Throws Error for a name that would lie outside of the folder.
+  explicit CarriedFiles(trace::SessionReader& session);
+  ~CarriedFiles();
+  CarriedFiles(const CarriedFiles&) = delete;
+  CarriedFiles& operator=(const CarriedFiles&) = delete;
+
+  /// Empty: it carries none.
+  const std::filesystem::path& folder() const { return folder_; }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+struct BundleSettings {
+  std::filesystem::path folder;  ///< where the files that the scene names lie now; empty: where they lay
+  /// Words that are written as others: names of people and computers. As whole words only.
+  std::vector<std::pair<std::string, std::string>> hidden;
+  std::string versions;  ///< of software and libraries, for whoever gets it
+};
+
+struct BundleReport {
+  struct File {
+    std::string name;
+    std::uint64_t bytes = 0;
+  };
+  std::vector<File> files;
+  std::uint64_t samples = 0;
+  std::vector<std::string> notes;
+};
+
+/// Throws Error for a file that the scene needs and that is not there.
+BundleReport bundle(trace::SessionReader& session, const std::filesystem::path& target, const BundleSettings& settings,
+                    const Progress& progress = {});
+
+}  // namespace palpate::engine

@@ -1,0 +1,357 @@
+// A copy goes through the samples once, in memory for a part only; worlds are copied when a sample first names them.
+// Own.
+#include "palpate/trace/session_edit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "palpate/base/error.h"
+#include "palpate/base/hash.h"
+#include "palpate/trace/session_rest.h"
+
+namespace palpate::trace {
+
+namespace {
+
+constexpr std::string_view kFileKind = "file";
+
+/// How many samples are copied between two reports of progress.
+constexpr std::uint64_t kSamplesPerReport = 20000;
+
+double secondsAt(std::uint64_t tick, const SessionFacts& facts) {
+  return static_cast<double>(tick) / facts.header.ticks_per_s;
+}
+
+class Copy {
+ public:
+  Copy(SessionWriter& writer, SessionReader& session, const CopySettings& settings)
+      : writer_(writer), session_(session), settings_(settings), begun_(session.facts().fingers.size(), false) {}
+
+  Copied run(const Progress& progress) {
+    addEvents();
+    session_.forEachTick(settings_.span, [&](std::span<const Sample> samples) {
+      for (const Sample& sample : samples) add(sample);
+      if (copied_.samples % kSamplesPerReport < samples.size()) tellProgress(progress);
+      return true;
+    });
+    addAttachments();
+    return copied_;
+  }
+
+ private:
+  std::uint64_t later(std::uint64_t tick) const { return tick + static_cast<std::uint64_t>(settings_.later_ticks); }
+
+  void tellProgress(const Progress& progress) const {
+    const auto all = static_cast<double>(std::max<std::uint64_t>(1, session_.facts().samples));
+    report(progress, "copying", static_cast<double>(copied_.samples) / all);
+  }
+
+  void addEvents() {
+    for (SessionEvent event : session_.events(settings_.span)) {
+      event.tick = later(event.tick);
+      if (settings_.change_event) settings_.change_event(event);
+      writer_.add(event);
+    }
+  }
+
+  void addAttachments() {
+    session_.forEachAttachment({}, [&](const SessionAttachment& attachment) {
+      const bool is_file = attachment.kind == kFileKind;
+      if (is_file && !settings_.keeps_files) return;
+      if (!is_file && (attachment.tick < settings_.span.from || attachment.tick > settings_.span.to)) return;
+      SessionAttachment moved = attachment;
+      moved.tick = is_file ? std::max(copied_.first_tick, later(attachment.tick)) : later(attachment.tick);
+      writer_.add(moved);
+    });
+  }
+
+  void add(Sample sample) {
+    sample.tick = later(sample.tick);
+    sample.world = worldOf(sample.world);
+    if (!begun_[sample.finger]) sample.forgot |= settings_.forgets;
+    begun_[sample.finger] = true;
+    if (copied_.samples == 0) copied_.first_tick = sample.tick;
+    copied_.last_tick = sample.tick;
+    ++copied_.samples;
+    writer_.add(sample);
+  }
+
+  std::uint32_t worldOf(std::uint32_t number) {
+    const auto known = worlds_.find(number);
+    if (known != worlds_.end()) return known->second;
+    SessionWorld world = session_.world(number);
+    if (settings_.change_world) settings_.change_world(world);
+    writer_.add(world);
+    return worlds_[number] = settings_.first_world + copied_.worlds++;
+  }
+
+  SessionWriter& writer_;
+  SessionReader& session_;
+  const CopySettings& settings_;
+  std::vector<bool> begun_;
+  std::map<std::uint32_t, std::uint32_t> worlds_;
+  Copied copied_;
+};
+
+// --- where a part may begin ---
+
+struct Beginning {
+  std::uint64_t tick = 0;
+  std::vector<std::uint32_t> not_at_rest;  ///< fingers
+};
+
+/// Goes through the samples before a tick and looks where every finger was at rest.
+class BeginningSearch {
+ public:
+  BeginningSearch(const SessionFacts& facts, std::uint64_t from)
+      : from_(from), fingers_(facts.fingers.size()), seen_(facts.fingers.size(), false) {}
+
+  /// Until the tick after the one that is asked for has been seen: a finger must rest in it, too.
+  bool add(std::span<const Sample> samples) {
+    const std::uint64_t tick = samples.front().tick;
+    for (const Sample& sample : samples) {
+      fingers_[sample.finger].add(sample);
+      seen_[sample.finger] = true;
+    }
+    if (!first_) first_ = at_rest_ = tick;
+    if (before_ && *before_ <= from_ && restless().empty()) at_rest_ = *before_;
+    if (before_ && *before_ >= from_) {
+      exact_ = Beginning{*before_, restless()};
+      return false;
+    }
+    before_ = tick;
+    return true;
+  }
+
+  /// The last tick before at which every finger was at rest; the first one there is, if they never were.
+  Beginning atRest() const { return {at_rest_.value_or(from_), {}}; }
+  Beginning exactly() const { return exact_ ? *exact_ : Beginning{before_.value_or(from_), restless()}; }
+
+ private:
+  /// Fingers that did not rest in the tick before and for long enough until then, or not in this one.
+  std::vector<std::uint32_t> restless() const {
+    std::vector<std::uint32_t> fingers;
+    for (std::uint32_t i = 0; i < fingers_.size(); ++i) {
+      if (seen_[i] && fingers_[i].ticks() <= kRestTicks) fingers.push_back(i);
+    }
+    return fingers;
+  }
+
+  std::uint64_t from_;
+  std::vector<RestWatch> fingers_;
+  std::vector<bool> seen_;
+  std::optional<std::uint64_t> first_;
+  std::optional<std::uint64_t> before_;
+  std::optional<std::uint64_t> at_rest_;
+  std::optional<Beginning> exact_;
+};
+
+Beginning beginningOf(SessionReader& session, const TrimSettings& settings) {
+  const std::uint64_t first = session.facts().first_tick;
+  if (settings.span.from <= first) return {first, {}};
+  BeginningSearch search(session.facts(), settings.span.from);
+  session.forEachTick({}, [&](std::span<const Sample> samples) { return search.add(samples); });
+  return settings.exact ? search.exactly() : search.atRest();
+}
+
+void requireTicks(SessionReader& session, const TickSpan& span) {
+  bool any = false;
+  session.forEachTick(span, [&](std::span<const Sample>) {
+    any = true;
+    return false;
+  });
+  if (any) return;
+  const SessionFacts& facts = session.facts();
+  throw Error(facts.samples == 0 ? std::string("the session holds no tick")
+                                 : fmt::format("no tick there: the session goes from {:.3f} to {:.3f} s",
+                                               secondsAt(facts.first_tick, facts), secondsAt(facts.last_tick, facts)));
+}
+
+std::string added(const std::string& notes, const std::string& more) {
+  return notes.empty() ? more : notes + "; " + more;
+}
+
+// --- one after another ---
+
+std::string namesOf(const SessionFacts& facts) {
+  std::string names;
+  for (const SessionFinger& finger : facts.fingers) names += (names.empty() ? "" : ", ") + finger.name;
+  return names;
+}
+
+void requireSameFingers(const SessionFacts& first, const SessionFacts& next, const std::filesystem::path& file) {
+  if (next.header.ticks_per_s != first.header.ticks_per_s) {
+    throw Error::inFile(file.string(), fmt::format("has {} ticks a second, the first session {}",
+                                                   next.header.ticks_per_s, first.header.ticks_per_s));
+  }
+  if (namesOf(next) != namesOf(first) || next.fingers.size() != first.fingers.size()) {
+    throw Error::inFile(file.string(),
+                        fmt::format("is of the fingers {}, the first session of {}", namesOf(next), namesOf(first)));
+  }
+}
+
+/// The same name for two different files would build another world than was felt.
+class FilesOfAll {
+ public:
+  /// True if none of them is there yet.
+  bool add(SessionReader& session, const std::filesystem::path& file) {
+    bool fresh = true;
+    session.forEachAttachment({}, [&](const SessionAttachment& attachment) {
+      if (attachment.kind != kFileKind) return;
+      Hash hash;
+      for (const char byte : attachment.data) hash.add(std::uint64_t{static_cast<unsigned char>(byte)});
+      const auto [known, is_new] = hashes_.try_emplace(attachment.name, hash.value());
+      fresh = fresh && is_new;
+      if (known->second == hash.value()) return;
+      throw Error::inFile(file.string(),
+                          fmt::format("carries another '{}' than a session before it", attachment.name));
+    });
+    return fresh;
+  }
+
+ private:
+  std::map<std::string, std::uint64_t> hashes_;
+};
+
+/// One session after the other into the writer.
+class Chain {
+ public:
+  Chain(SessionWriter& writer, const SessionFacts& first) : writer_(writer), first_(first) {}
+
+  void add(SessionReader& session, const std::filesystem::path& file, const Progress& progress) {
+    const SessionFacts& facts = session.facts();
+    const std::string name = file.filename().string();
+    if (facts.samples == 0) {
+      joined_.notes.push_back(name + " holds no tick and is left out");
+      return;
+    }
+    const bool is_first = joined_.begins.empty();
+    CopySettings settings;
+    settings.first_world = worlds_;
+    settings.forgets = is_first ? 0u : kForgotTouch | kForgotLimiter;
+    const std::uint64_t begin = is_first ? facts.first_tick : joined_.last_tick + 1;
+    settings.later_ticks = static_cast<std::int64_t>(begin - facts.first_tick);
+    settings.keeps_files = files_.add(session, file);
+    joined_.begins.push_back(begin);
+    writer_.add(SessionEvent{begin, std::nullopt, std::string(kJoinEvent),
+                             fmt::format("{}, begun {}, its {:.3f} to {:.3f} s", name, facts.header.started_utc,
+                                         secondsAt(facts.first_tick, facts), secondsAt(facts.last_tick, facts))});
+    noteOtherDevices(facts, name);
+    const Copied copied = copyInto(writer_, session, settings, progress);
+    writer_.flush();  // a part holds ticks of one session
+    worlds_ += copied.worlds;
+    joined_.samples += copied.samples;
+    joined_.last_tick = copied.last_tick;
+    dropped_ += facts.dropped;
+    writer_.setDropped(dropped_);
+  }
+
+  Joined joined() const { return joined_; }
+
+ private:
+  void noteOtherDevices(const SessionFacts& facts, const std::string& name) {
+    for (std::size_t i = 0; i < facts.fingers.size(); ++i) {
+      if (facts.fingers[i].device == first_.fingers[i].device) continue;
+      const std::string note = fmt::format("in {} {} was held by {}", name, facts.fingers[i].name,
+                                           facts.fingers[i].device);
+      writer_.add(SessionEvent{joined_.begins.back(), static_cast<std::uint32_t>(i), "device", note});
+      joined_.notes.push_back(note);
+    }
+  }
+
+  SessionWriter& writer_;
+  const SessionFacts& first_;
+  FilesOfAll files_;
+  std::uint32_t worlds_ = 0;
+  std::uint64_t dropped_ = 0;
+  Joined joined_;
+};
+
+}  // namespace
+
+Copied copyInto(SessionWriter& writer, SessionReader& session, const CopySettings& settings,
+                const Progress& progress) {
+  return Copy(writer, session, settings).run(progress);
+}
+
+WholeOrNothing::~WholeOrNothing() {
+  if (partial_.empty()) return;
+  std::error_code ignored;
+  for (const char* companion : {"", "-wal", "-shm"}) {
+    std::filesystem::remove(partial_.string() + companion, ignored);
+  }
+}
+
+void refuseSame(const std::filesystem::path& target, const std::filesystem::path& source) {
+  std::error_code error;
+  if (std::filesystem::equivalent(target, source, error)) {
+    throw Error::inFile(target.string(), "is the session that is read: write to another file");
+  }
+}
+
+Trimmed trim(SessionReader& session, const TrimSettings& settings, const std::filesystem::path& target,
+             const Progress& progress) {
+  const SessionFacts& facts = session.facts();
+  requireTicks(session, settings.span);
+  const Beginning begin = beginningOf(session, settings);
+  SessionHeader header = facts.header;
+  const bool is_whole = begin.tick <= facts.first_tick && settings.span.to >= facts.last_tick;
+  if (!is_whole) {
+    header.notes = added(header.notes, fmt::format("cut to {:.3f} to {:.3f} s", secondsAt(begin.tick, facts),
+                                                   secondsAt(std::min(settings.span.to, facts.last_tick), facts)));
+  }
+  WholeOrNothing whole;
+  SessionWriter writer(target, header, facts.fingers);
+  whole.watch(writer);
+  Trimmed result;
+  if (begin.tick > facts.first_tick) {
+    writer.add(SessionEvent{begin.tick, std::nullopt, std::string(kTrimEvent),
+                            fmt::format("what was before {:.3f} s is cut off", secondsAt(begin.tick, facts))});
+    for (const std::uint32_t finger : begin.not_at_rest) {
+      result.not_at_rest.push_back(facts.fingers[finger].name);
+      writer.add(SessionEvent{begin.tick, finger, std::string(kCutEvent),
+                              facts.fingers[finger].name + " was not at rest: nothing is proven until it is"});
+    }
+  }
+  result.earlier_ticks = settings.span.from > begin.tick ? settings.span.from - begin.tick : 0;
+  CopySettings copy;
+  copy.span = {begin.tick, settings.span.to};
+  result.copied = copyInto(writer, session, copy, progress);
+  if (is_whole) writer.setDropped(facts.dropped);
+  writer.finish(facts.ended_by.empty() ? "cut" : facts.ended_by);
+  whole.keep();
+  return result;
+}
+
+Joined join(const std::vector<std::filesystem::path>& files, const std::filesystem::path& target,
+            const Progress& progress) {
+  if (files.size() < 2) throw Error("to join takes two sessions");
+  SessionReader first(files.front());
+  for (const std::filesystem::path& file : files) {
+    refuseSame(target, file);
+    requireSameFingers(first.facts(), SessionReader(file).facts(), file);
+  }
+  SessionHeader header = first.facts().header;
+  header.notes = added(header.notes, fmt::format("{} sessions joined", files.size()));
+  WholeOrNothing whole;
+  SessionWriter writer(target, header, first.facts().fingers);
+  whole.watch(writer);
+  Chain chain(writer, first.facts());
+  std::string ended_by;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    SessionReader session(files[i]);
+    chain.add(session, files[i], [&](std::string_view, double done) {
+      report(progress, "joining", (static_cast<double>(i) + done) / static_cast<double>(files.size()));
+    });
+    ended_by = session.facts().ended_by;
+  }
+  if (chain.joined().samples == 0) throw Error("none of the sessions holds a tick");
+  writer.finish(ended_by.empty() ? "joined" : ended_by);
+  whole.keep();
+  return chain.joined();
+}
+
+}  // namespace palpate::trace

@@ -1,0 +1,97 @@
+// Sessions made of sessions: a part of one, several after one another. Nothing that was recorded changes but its place
+// in time and the number of its world; what that does to a replay is said in the file.
+//
+//   SessionReader ─ ticks, events, attachments, worlds that are needed ─► SessionWriter, beside the target
+//
+// Two kinds of events say where time is missing, for whoever feels it again (engine/session_replay.h): "trim", where
+// every finger was at rest, so that all forces are proven from there; "cut", where one was not (that finger, or all):
+// nothing can be proven until it rests.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "palpate/base/progress.h"
+#include "palpate/trace/session_reader.h"
+
+namespace palpate::trace {
+
+inline constexpr std::string_view kTrimEvent = "trim";
+inline constexpr std::string_view kCutEvent = "cut";
+inline constexpr std::string_view kJoinEvent = "join";
+inline constexpr std::string_view kDroppedEvent = "dropped";  ///< as a cut of all fingers
+
+/// What of a session goes where.
+struct CopySettings {
+  TickSpan span;
+  std::int64_t later_ticks = 0;                      ///< that everything is moved by
+  std::uint32_t forgets = 0;                         ///< ForgetBits, in the first sample of each finger
+  std::uint32_t first_world = 0;                     ///< worlds that the writer already has
+  // What is to be another in what is copied; may be empty.
+  std::function<void(SessionWorld& world)> change_world;
+  std::function<void(SessionEvent& event)> change_event;
+  bool keeps_files = true;                           ///< attachments of the kind file
+};
+
+struct Copied {
+  std::uint64_t samples = 0;
+  std::uint64_t first_tick = 0;  ///< of the copy
+  std::uint64_t last_tick = 0;
+  std::uint32_t worlds = 0;
+};
+
+/// Adds ticks, events, attachments of the span and the worlds that they need. Files that scenes name are kept whatever
+/// the span is. Throws Error.
+Copied copyInto(SessionWriter& writer, SessionReader& session, const CopySettings& settings,
+                const Progress& progress = {});
+
+/// Throws Error where writing the one would replace the other, whatever their names.
+void refuseSame(const std::filesystem::path& target, const std::filesystem::path& source);
+
+/// A session that is made of others is there whole or not at all, also when somebody ends the program meanwhile. Lives
+/// longer than its writer.
+class WholeOrNothing {
+ public:
+  WholeOrNothing() = default;
+  ~WholeOrNothing();
+  WholeOrNothing(const WholeOrNothing&) = delete;
+  WholeOrNothing& operator=(const WholeOrNothing&) = delete;
+  void watch(const SessionWriter& writer) { partial_ = writer.partial(); }
+  void keep() { partial_.clear(); }
+
+ private:
+  std::filesystem::path partial_;
+};
+
+struct TrimSettings {
+  TickSpan span;
+  /// Begin exactly there, also in the middle of a contact. Otherwise where every finger was last at rest before.
+  bool exact = false;
+};
+
+struct Trimmed {
+  Copied copied;
+  std::uint64_t earlier_ticks = 0;       ///< than was asked for
+  std::vector<std::string> not_at_rest;  ///< fingers that nothing can be proven of until they rest
+};
+
+/// A session of a span of another one; ticks keep their numbers. Throws Error where there is no tick in it.
+Trimmed trim(SessionReader& session, const TrimSettings& settings, const std::filesystem::path& target,
+             const Progress& progress = {});
+
+struct Joined {
+  std::uint64_t samples = 0;
+  std::uint64_t last_tick = 0;
+  std::vector<std::uint64_t> begins;  ///< first tick of each, in the joined session
+  std::vector<std::string> notes;
+};
+
+/// Sessions one after another, each beginning with the tick after the last one of the one before, with nothing touched
+/// and nothing remembered. Throws Error for other fingers, another rate, and files of the same name that differ.
+Joined join(const std::vector<std::filesystem::path>& files, const std::filesystem::path& target,
+            const Progress& progress = {});
+
+}  // namespace palpate::trace
