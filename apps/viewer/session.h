@@ -46,6 +46,7 @@ struct Session {
   OpenedLook opened;                 ///< what is no change of the look
   std::optional<Question> question;  ///< nothing else is heard until it has an answer
   double time_speed = 1.0;           ///< of what plays by itself
+  std::string beside_at_first = {};  ///< a session to be shown beside the first one that is replayed
   Asks asks;
 
   // What is.

@@ -34,6 +34,14 @@ struct Recording {
   bool sequence = false;
   std::string sequence_folder;
   std::size_t pictures = 0;
+
+  // The session that is recorded by itself.
+  bool session = false;        ///< it is
+  double session_s = 0.0;      ///< that it holds
+  std::uint64_t dropped = 0;   ///< samples that the disk was too slow for
+  std::size_t marks = 0;       ///< set in this run
+  bool keeping = false;        ///< a copy is being written
+  std::string kept_file = {};  ///< the copy that was kept last
 };
 
 /// The world as the panels may know it.

@@ -72,6 +72,7 @@ struct ViewState {
   window::Theme theme = window::Theme::dark;
   double text_size = 1.0;  ///< 0.75 to 2.5, on top of the screen's own scale
   bool reduced_motion = false;
+  bool keeps_last_hour = true;  ///< records a session by itself
   bool hints = true;
   std::vector<std::string> recent;  ///< files, newest first
 };

@@ -9,6 +9,7 @@
 #include "apps/viewer/editing/acts.h"
 #include "apps/viewer/editing/dysfunction_editor.h"
 #include "apps/viewer/editing/rings.h"
+#include "apps/viewer/files/recorded_session.h"
 #include "apps/viewer/files/scene_snippet.h"
 #include "apps/viewer/files/view_text.h"
 #include "apps/viewer/home_view.h"
@@ -78,6 +79,7 @@ Viewer::Viewer(const std::shared_ptr<const scene::World>& world, ViewState state
       model_(std::make_unique<LiveModel>(world)),
       turnover_(world),
       devices_(servo_, turnover_),
+      keeper_(servo_, settings_.session_folder),
       history_(servo_.thread().ticksPerS()),
       outputs_(settings_.output_folder),
       eyesight_(host_.quad_buffer) {
@@ -107,9 +109,10 @@ void Viewer::takeFacts() {
   if (!words.empty()) session_.report(Severity::info, words);
 }
 
-servo::LoopReport Viewer::finish() {
+servo::LoopReport Viewer::finish(std::string_view ended_by) {
   servo::LoopReport report = servo_.thread().stop();
   takeSamples();
+  keeper_.finish(session_, ended_by);
   outputs_.finish(session_);
   return report;
 }
@@ -215,7 +218,15 @@ void Viewer::followServo(double elapsed_s) {
   performance.servo = servo_.thread().vitals();
   performance.dropped_samples = servo_.thread().droppedSamples();
   if (!session_.replay.frozen && recorded_) leaveReplay();
+  if (session_.replay.beside.empty()) {
+    beside_.reset();
+    beside_model_.reset();
+  }
   advanceReplay(session_.replay, history(), elapsed_s * session_.time_speed);
+  if (beside_) {
+    const double since_s = session_.replay.at_s - session_.replay.from_s;
+    beside_model_->follow(beside_->history.at(beside_->history.oldestTime() + since_s));
+  }
   if (session_.replay.frozen && !history().empty()) {
     show(history().at(session_.replay.at_s));
   } else {
@@ -236,7 +247,11 @@ void Viewer::takeReplay() {
   if (!result) return;
   if (!result->touch) return session_.report(Severity::error, "cannot replay " + result->error);
   session_.messages.clearErrors("cannot replay ");
+  for (const std::string& note : result->touch->notes) session_.report(Severity::warning, note);
+  if (std::exchange(loads_beside_, false) && recorded_) return takeBeside(std::move(*result->touch));
+  if (recorded_) leaveReplay();
   recorded_ = std::move(result->touch);
+  if (recorded_->world) model_->setWorld(recorded_->world);
   const TouchHistory& history = recorded_->history;
   for (SampleHistory& plot : session_.plots.fingers) plot = SampleHistory(recorded_->ticks_per_s, kLongestReplayS);
   history.forEach([this](const trace::Sample& sample) { plot(sample); });
@@ -246,9 +261,13 @@ void Viewer::takeReplay() {
                      .playing = recorded_->of_script,
                      .table = recorded_->file,
                      .tick_s = history.tick(),
-                     .frozen = true};
+                     .frozen = true,
+                     .marks = recorded_->marks};
   session_.plots.paused = false;
-  if (trace::isUnfinished(recorded_->file)) {
+  if (!session_.beside_at_first.empty()) {
+    session_.wish(Wish::Kind::open_beside, std::exchange(session_.beside_at_first, {}));
+  }
+  if (!isSession(recorded_->file) && trace::isUnfinished(recorded_->file)) {
     session_.report(Severity::warning,
                     fmt::format("{} was not finished: its {:.1f} s are what was written before the end",
                                 recorded_->file, session_.replay.to_s - session_.replay.from_s));
@@ -257,9 +276,19 @@ void Viewer::takeReplay() {
 
 constexpr const char* kStillReading = "Another table is still being read";
 
-void Viewer::replay(const std::string& table) {
-  const auto read = [world = world_, scene = session_.scene, table] { return touchedAgain(world, scene, table); };
-  if (!replay_loader_.load(read)) session_.report(Severity::info, kStillReading);
+void Viewer::replay(const std::string& file, bool beside) {
+  const auto read = [world = world_, scene = session_.scene, file] {
+    return isSession(file) ? touchOfSession(file) : touchedAgain(world, scene, file);
+  };
+  if (!replay_loader_.load(read)) return session_.report(Severity::info, kStillReading);
+  loads_beside_ = beside;
+}
+
+/// Another session on the right, from its own beginning on.
+void Viewer::takeBeside(RecordedTouch touch) {
+  beside_ = std::move(touch);
+  beside_model_ = std::make_unique<LiveModel>(beside_->world ? beside_->world : world_);
+  session_.replay.beside = beside_->file;
 }
 
 void Viewer::playScript() {
@@ -273,6 +302,7 @@ void Viewer::playScript() {
 }
 
 void Viewer::leaveReplay() {
+  if (recorded_->world) model_->setWorld(world_);
   recorded_.reset();
   session_.replay = {};
   for (SampleHistory& plot : session_.plots.fingers) plot = SampleHistory(session_.ticks_per_s);
@@ -406,6 +436,7 @@ void Viewer::useChanges() {
     if (!mustAskFirst(wish, session_)) grant(wish);
   }
   devices_.advance(session_, *world_);
+  keeper_.advance(session_);
   turnover_.advance(session_, servo_.thread());
   session_.asks.changed = kNothing;
 }
@@ -417,6 +448,10 @@ void Viewer::grant(const Wish& wish) {
       return outputs_.savePlots(session_);
     case Wish::Kind::record:
       return outputs_.toggleForces(session_);
+    case Wish::Kind::keep_session:
+      return keeper_.keep(session_, outputs_.folder());
+    case Wish::Kind::mark:
+      return keeper_.mark(session_, wish.file);
     case Wish::Kind::use_profile:
       return outputs_.useProfile(session_);
     case Wish::Kind::play_script:
@@ -448,7 +483,14 @@ void Viewer::grant(const Wish& wish) {
 bool Viewer::grantOfScene(const Wish& wish) {
   switch (wish.kind) {
     case Wish::Kind::open:
-      trace::isForcesTable(wish.file) ? replay(wish.file) : turnover_.open(wish.file, session_);
+      if (trace::isForcesTable(wish.file) || isSession(wish.file)) {
+        replay(wish.file, session_.replay.chooses_beside);
+      } else {
+        turnover_.open(wish.file, session_);
+      }
+      return true;
+    case Wish::Kind::open_beside:
+      replay(wish.file, true);
       return true;
     case Wish::Kind::default_scene:
       turnover_.open(settings_.default_scene, session_);
@@ -592,6 +634,23 @@ std::vector<view::FingerMark> Viewer::fingerMarks() {
   return marks;
 }
 
+/// Of the session on the right.
+std::vector<view::FingerMark> Viewer::marksBeside() const {
+  std::vector<view::FingerMark> marks;
+  const double since_s = session_.replay.at_s - session_.replay.from_s;
+  const TouchHistory::Moment& moment = beside_->history.at(beside_->history.oldestTime() + since_s);
+  for (std::size_t i = 0; i < std::min(kFingers, beside_->radius_mm.size()); ++i) {
+    if (moment[i].contact.tip.z() > 0.5 * device::kNowhere.z()) continue;
+    const double radius = beside_->radius_mm[i];
+    marks.push_back({.contact = moment[i].contact,
+                     .radius_mm = radius <= 0.0 ? kDrawnPointMm : radius,
+                     .colour = i == 0 ? view::kLeftFinger : view::kRightFinger,
+                     .haptic_radius_mm = radius,
+                     .left = i == 0});
+  }
+  return marks;
+}
+
 /// None while the past is looked at: they are where the fingers are now.
 std::vector<view::Lines> Viewer::rings() const {
   if (session_.ruler.active) return rulerLines(session_.ruler);
@@ -665,10 +724,46 @@ void Viewer::paintAndKeep(double scale) {
   const bool twice = outputs_.wantsNoPopUps(session_) && gui_.leavesOut(staysInPictures);
   paint(scale, twice ? staysInPictures : nullptr);
   outputs_.frameDrawn(session_, [this] { return target_->read(); });
+  if (const auto picture = outputs_.takeSavedPicture(); !picture.empty()) keeper_.attachPicture(picture);
   if (twice) paint(scale);
 }
 
+/// One of two bodies, by one eye, in the middle of its half and so far away that what is as wide as high has room.
+void Viewer::paintHalf(LiveModel& model, std::span<const view::FingerMark> fingers, double scale) {
+  view::PictureSettings picture = pictureSettings();
+  picture.stereo.mode = view::StereoMode::mono;
+  picture.camera = cameraOfFreePart(picture.camera, session_.state.shown, session_.size_points);
+  picture.camera.distance_mm *= std::max(1.0, static_cast<double>(half_->height()) / half_->width());
+  view::Canvas canvas;
+  canvas.framebuffer = half_->framebuffer();
+  canvas.width = half_->width();
+  canvas.height = half_->height();
+  canvas.pixels_per_point = scale;
+  model.painter().paint({fingers, session_.now_s}, model.surface(), picture, canvas);
+}
+
+/// Each in a half of what the panels leave free.
+void Viewer::paintBeside(double scale, window::Gui::Choice windows) {
+  const auto shown_width = static_cast<float>(session_.size_points.x());
+  const FreeArea free = freeArea(session_.state.shown, shown_width, static_cast<float>(session_.size_points.y()));
+  const auto pixels = [scale](float points) { return static_cast<int>(scale * static_cast<double>(points)); };
+  const int width = std::max(1, pixels(0.5f * (free.right - free.left)) - 1);  // a line between them
+  const int height = std::max(1, pixels(free.below - free.top));
+  if (!half_ || half_->width() != width || half_->height() != height) {
+    half_ = std::make_unique<view::Target>(width, height);
+  }
+  target_->clear();
+  const int below = target_->height() - pixels(free.top) - height;
+  paintHalf(*model_, fingerMarks(), scale);
+  target_->put(*half_, pixels(free.left), below);
+  paintHalf(*beside_model_, marksBeside(), scale);
+  target_->put(*half_, pixels(free.right) - width, below);
+  target_->bind();
+  gui_.present(target_->width(), target_->height(), windows);
+}
+
 void Viewer::paint(double scale, window::Gui::Choice windows) {
+  if (beside_ && !drawsItself()) return paintBeside(scale, windows);
   const Clock::time_point started = Clock::now();
   const view::PictureSettings picture = pictureSettings();
   view::Canvas canvas;

@@ -18,6 +18,7 @@
 #include "apps/viewer/eyesight.h"
 #include "apps/viewer/files/outputs.h"
 #include "apps/viewer/files/recorded_touch.h"
+#include "apps/viewer/files/session_keeper.h"
 #include "apps/viewer/live_model.h"
 #include "apps/viewer/live_servo.h"
 #include "apps/viewer/panels/intro.h"
@@ -36,6 +37,7 @@ struct ViewerSettings {
   std::filesystem::path output_folder = ".";  ///< for pictures, tables and scenes without a file
   scene::Scene default_scene;                 ///< for "Built-in torso"
   std::vector<OpenedDevice> devices;          ///< that hold the first fingers instead of the mouse
+  std::filesystem::path session_folder = {};  ///< for the session that is recorded by itself; empty: none is
 };
 
 /// What only a window can do; members may be empty.
@@ -78,8 +80,8 @@ class Viewer {
   const scene::World& world() const { return model_->world(); }
   /// For an end that cannot ask: a changed scene beside the one it came from; which, or empty. Throws Error.
   std::filesystem::path keepChanges() const { return outputs_.keepChanges(session_); }
-  /// Ends the servo; its report of the whole run. Nothing may be called afterwards.
-  servo::LoopReport finish();
+  /// Ends the servo; its report of the whole run. The session says what ended it. Nothing may be called afterwards.
+  servo::LoopReport finish(std::string_view ended_by = "done");
 
  private:
   void makeTarget(int width, int height);
@@ -89,8 +91,9 @@ class Viewer {
   void followServo(double elapsed_s);
   void takeSamples();
   void plot(const trace::Sample& sample);
-  void replay(const std::string& table);
+  void replay(const std::string& file, bool beside = false);
   void takeReplay();
+  void takeBeside(RecordedTouch touch);
   void leaveReplay();
   void show(std::span<const trace::Sample> contacts);
   const TouchHistory& history() const { return recorded_ ? recorded_->history : history_; }
@@ -116,9 +119,12 @@ class Viewer {
   void showCursor();
   void guardShading(double elapsed_s);
   std::vector<view::FingerMark> fingerMarks();
+  std::vector<view::FingerMark> marksBeside() const;
   std::vector<view::Lines> rings() const;
   void addReach(std::vector<view::Lines>& lines) const;
   void paint(double scale, window::Gui::Choice windows = nullptr);
+  void paintBeside(double scale, window::Gui::Choice windows);
+  void paintHalf(LiveModel& model, std::span<const view::FingerMark> fingers, double scale);
   void paintAndKeep(double scale);
   view::PictureSettings pictureSettings() const;
   void paintClear(double scale);
@@ -133,9 +139,14 @@ class Viewer {
   std::unique_ptr<LiveModel> model_;
   Turnover turnover_;
   DeviceControl devices_;
+  SessionKeeper keeper_;
   TouchHistory history_;
   ReplayLoader replay_loader_;
+  bool loads_beside_ = false;
   std::optional<RecordedTouch> recorded_;  ///< looked at in place of the history
+  std::optional<RecordedTouch> beside_;    ///< on the right of it
+  std::unique_ptr<LiveModel> beside_model_;
+  std::unique_ptr<view::Target> half_;  ///< of a picture of two sessions
   Outputs outputs_;
   Intro intro_;
   Eyesight eyesight_;

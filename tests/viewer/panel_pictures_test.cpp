@@ -296,8 +296,11 @@ TEST_F(StereoPanelPictures, OfStereo) {
 }
 
 TEST_F(PanelPictures, OfARecording) {
-  const Recording recording{true, "forces.csv", 2.0, true, "pictures", 37};
-  expectPanel("record", 245, [&] { recordPanel(recording, 14.2, asks); });
+  Recording recording{true, "forces.csv", 2.0, true, "pictures", 37};
+  recording.session = true;
+  recording.session_s = 754.3;
+  bool keeps_last_hour = true;
+  expectPanel("record", 345, [&] { recordPanel(recording, keeps_last_hour, 14.2, asks); });
 }
 
 TEST_F(PanelPictures, OfPerformance) {
@@ -309,8 +312,10 @@ TEST_F(PanelPictures, OfTheReplayBar) {
   const FreeArea free{0.0f, 0.0f, 500.0f, 90.0f};
   Replay replay{.at_s = 6.4, .to_s = 9.1};
   expect("replay", 500, 90, [&] { replayBar(replay, free, asks); });
-  replay = {.at_s = 3.2, .to_s = 9.1, .playing = true, .table = "somewhere/forces.csv"};
-  expect("replay_table", 500, 90, [&] { replayBar(replay, free, asks); });
+  replay = {.at_s = 3.2, .to_s = 9.1, .playing = true, .table = "somewhere/run.session", .loops = true};
+  replay.marks = {{1.0, "start"}, {3.1, "T6 right"}, {8.8, "end"}};
+  const FreeArea higher{0.0f, 0.0f, 500.0f, 120.0f};
+  expect("replay_table", 500, 120, [&] { replayBar(replay, higher, asks); });
 }
 
 TEST_F(PanelPictures, OfPlotsAtAFrozenMoment) {

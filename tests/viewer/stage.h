@@ -35,10 +35,12 @@ inline scene::Scene sheetScene(const support::TemporaryFolder& folder) {
 class Stage {
  public:
   explicit Stage(ViewState state = quiet()) : Stage(std::move(state), {}) {}
-  Stage(ViewState state, ViewerHost host) {
+  /// `records`: sessions by themselves, into the folder `sessions`.
+  Stage(ViewState state, ViewerHost host, bool records = false) {
     ViewerSettings settings;
     settings.intro = false;
     settings.output_folder = folder.path();
+    if (records) settings.session_folder = folder / "sessions";
     settings.default_scene = sheetScene(folder);
     viewer = std::make_unique<Viewer>(scene::build(sheetScene(folder)), std::move(state), std::move(settings),
                                       std::move(host));

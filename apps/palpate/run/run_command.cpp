@@ -17,6 +17,7 @@
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/common/unit_option.h"
 #include "apps/viewer/files/input_script.h"
+#include "apps/viewer/files/recorded_session.h"
 #include "apps/viewer/files/state_file.h"
 #include "apps/viewer/viewer.h"
 #include "palpate/base/background.h"
@@ -35,6 +36,7 @@ struct RunOptions {
   std::string play;
   std::string out = ".";
   std::string replay;
+  std::string beside;
   std::string stereo;
   std::vector<std::string> devices;  ///< that hold the first fingers instead of the mouse
   double unit_mm = 0.0;              ///< of a mesh file; 0: as its format says
@@ -45,6 +47,8 @@ struct RunOptions {
   bool no_intro = false;
   bool no_shortcuts = false;
   bool no_state = false;
+  bool no_session = false;
+  std::string sessions;  ///< folder; empty: the user's own
   bool full_screen = false;
   bool verbose = false;
   bool keys = false;
@@ -200,7 +204,7 @@ void loop(const RunOptions& options, Playback& playback, window::Window& window,
 void finishViewer(const RunOptions& options, viewer::Viewer& viewer) {
   viewer::Messages& messages = viewer.session().messages;
   messages.markRead();
-  const servo::LoopReport report = viewer.finish();
+  const servo::LoopReport report = viewer.finish(endAskedBy() == 0 ? "done" : nameOfSignal(endAskedBy()));
   if (options.verbose) tellServo(report);
   if (messages.unread() == 0) return;
   for (auto message = messages.all().rbegin(); message != messages.all().rend(); ++message) {
@@ -219,10 +223,29 @@ void keepChanges(const viewer::Viewer& viewer) {
   }
 }
 
+/// What is remembered between runs is the user's; without it sessions need a folder that is named.
+std::filesystem::path sessionFolder(const RunOptions& options) {
+  if (options.no_session) return {};
+  if (!options.sessions.empty()) return std::filesystem::absolute(options.sessions);
+  return options.no_state ? std::filesystem::path() : viewer::sessionsFolder();
+}
+
+/// What cannot be read opens no window.
+void checkReplays(const RunOptions& options) {
+  if (!options.beside.empty() && !viewer::isSession(options.replay)) {
+    throw Error("--beside is for a session beside that of --replay");
+  }
+  for (const std::string& file : {options.replay, options.beside}) {
+    if (file.empty()) continue;
+    viewer::isSession(file) ? static_cast<void>(trace::SessionReader(file))
+                            : static_cast<void>(trace::readForcesTable(file));
+  }
+}
+
 void runWindow(const RunOptions& options) {
   const auto started = Clock::now();
   Playback playback(options.play);
-  if (!options.replay.empty()) trace::readForcesTable(options.replay);  // one that cannot be read opens no window
+  checkReplays(options);
   // The body is built while the window opens; without a display there is nothing to build it for.
   std::shared_ptr<const scene::World> world;
   std::optional<Background> building;
@@ -234,6 +257,7 @@ void runWindow(const RunOptions& options) {
   viewer::ViewerSettings settings;
   settings.intro = !options.no_intro && !state.remembered && options.play.empty();
   settings.output_folder = options.out;
+  settings.session_folder = sessionFolder(options);
   settings.default_scene = standardScene();
   viewer::ViewState view_state = state.remembered ? state.remembered->state : viewer::ViewState{};
   view_state.input.shortcuts = !options.no_shortcuts;
@@ -243,6 +267,7 @@ void runWindow(const RunOptions& options) {
   viewer::Viewer viewer(world, std::move(view_state), std::move(settings), hostOf(window));
   if (!state.note.empty()) viewer.session().report(viewer::Severity::warning, state.note);
   if (!options.replay.empty()) viewer.session().wish(viewer::Wish::Kind::open, options.replay);
+  viewer.session().beside_at_first = options.beside;
   const FinishesInOrder in_order;
   const StoppedBySignal stopped(viewer.emergencyStop());
   loop(options, playback, window, viewer, started);
@@ -261,7 +286,9 @@ void addRunCommand(CLI::App& app) {
   command->add_option("--group", options->group, "Only this group or object of an OBJ file");
   command->add_option("--play", options->play, "Play an input script (docs/viewer.md): time_s, event, values");
   command->add_option("--replay", options->replay,
-                      "Press the same places again as a recorded table of forces (CSV), to be stepped tick by tick");
+                      "Play a session, or press the same places again as a table of forces (CSV), to be stepped tick "
+                      "by tick");
+  command->add_option("--beside", options->beside, "Play this session beside that of --replay");
   takesOneOf(wordList<view::StereoMode>(),
              command->add_option("--stereo", options->stereo,
                                  "Stereo mode instead of the remembered one; quad-buffer asks for a window for shutter "
@@ -277,6 +304,10 @@ void addRunCommand(CLI::App& app) {
   command->add_flag("--no-intro", options->no_intro, "Do not show how to press in the first seconds");
   command->add_flag("--no-shortcuts", options->no_shortcuts, "Keys do nothing, but for F1 and Esc");
   command->add_flag("--no-state", options->no_state, "Neither read nor write what is remembered between runs");
+  command->add_flag("--no-session", options->no_session, "Do not record the last hour by itself");
+  command->add_option("--sessions", options->sessions,
+                      "Folder for the sessions that are recorded by themselves; left out: the user's own, or with "
+                      "--no-state none");
   command->add_flag("--verbose", options->verbose, "Print a line for every frame, and the servo's report at the end");
   command->add_flag("--keys", options->keys, "Print the table of keys (Markdown) and stop");
   command->callback([=] {

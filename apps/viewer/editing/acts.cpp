@@ -55,6 +55,8 @@ std::optional<Wish::Kind> wishOf(Action action) {
       {Action::clear_screenshot, Kind::clear_screenshot},
       {Action::play_script, Kind::play_script},
       {Action::record, Kind::record},
+      {Action::keep_session, Kind::keep_session},
+      {Action::mark, Kind::mark},
       {Action::save, Kind::save},
       {Action::reload, Kind::reload},
       {Action::reset, Kind::reset},

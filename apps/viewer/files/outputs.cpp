@@ -16,17 +16,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* kProfileStem = "profile";
 
-/// A file that does not exist yet: "palpate.png", "palpate-2.png", ... in a folder that is made when it is first
-/// needed; that it cannot be is told by the writing.
-fs::path fresh(const fs::path& folder, const std::string& stem, const std::string& kind) {
-  std::error_code ignored;
-  fs::create_directories(folder, ignored);
-  fs::path file = folder / (stem + kind);
-  const auto taken = [&] { return fs::exists(file) || fs::exists(file.string() + std::string(kPartialExtension)); };
-  for (int i = 2; taken(); ++i) file = folder / fmt::format("{}-{}{}", stem, i, kind);
-  return file;
-}
-
 /// Does something with files; what goes wrong becomes a message.
 template <class Action>
 bool attempt(Session& session, const Action& action) {
@@ -40,6 +29,15 @@ bool attempt(Session& session, const Action& action) {
 }
 
 }  // namespace
+
+fs::path freshFile(const fs::path& folder, const std::string& stem, const std::string& kind) {
+  std::error_code ignored;
+  fs::create_directories(folder, ignored);
+  fs::path file = folder / (stem + kind);
+  const auto taken = [&] { return fs::exists(file) || fs::exists(file.string() + std::string(kPartialExtension)); };
+  for (int i = 2; taken(); ++i) file = folder / fmt::format("{}-{}{}", stem, i, kind);
+  return file;
+}
 
 Outputs::~Outputs() {
   try {
@@ -78,7 +76,7 @@ void Outputs::toggleForces(Session& session) {
     }
     return;
   }
-  const fs::path file = fresh(folder_, "forces", ".csv");
+  const fs::path file = freshFile(folder_, "forces", ".csv");
   if (!attempt(session, [&] { forces_.start(file, session.ticks_per_s); })) return;
   recording.forces = true;
   recording.forces_file = file.string();
@@ -93,7 +91,7 @@ void Outputs::toggleSequence(Session& session) {
     session.report(Severity::info, fmt::format("{} pictures are in {}", recording.pictures, recording.sequence_folder));
     return;
   }
-  const fs::path folder = fresh(folder_, "pictures", "");
+  const fs::path folder = freshFile(folder_, "pictures", "");
   if (!attempt(session, [&] { fs::create_directories(folder); })) return;
   recording.sequence = true;
   recording.sequence_folder = folder.string();
@@ -103,14 +101,14 @@ void Outputs::toggleSequence(Session& session) {
 
 void Outputs::savePlots(Session& session) {
   const Plots& plots = session.plots;
-  const fs::path file = fresh(folder_, "plots", ".csv");
+  const fs::path file = freshFile(folder_, "plots", ".csv");
   const auto write = [&] { writeFile(file, historyAsCsv(plots.fingers, plots.shownEnd(), plots.window_s)); };
   if (attempt(session, write)) session.report(Severity::info, fmt::format("The plots are in {}", file.string()));
 }
 
 Outputs::Saving Outputs::saveScene(Session& session, const Wish& wish) {
   fs::path target = !wish.file.empty() ? fs::path(wish.file) : session.document.file;
-  if (target.empty()) target = fresh(folder_, "scene", ".toml");
+  if (target.empty()) target = freshFile(folder_, "scene", ".toml");
   if (!wish.sure && wouldOverwrite(session.document, target)) {
     const bool known = fs::absolute(target).lexically_normal() == session.document.file;
     session.ask({.kind = Question::Kind::overwrite,
@@ -138,7 +136,7 @@ Outputs::Saving Outputs::saveScene(Session& session, const Wish& wish) {
 void Outputs::useProfile(Session& session) {
   fs::path& file = session.scene.deformation.profile_file;
   const bool ours = file.filename().string().starts_with(kProfileStem) && file.parent_path() == folder_;
-  const fs::path target = ours ? file : fresh(folder_, kProfileStem, ".csv");
+  const fs::path target = ours ? file : freshFile(folder_, kProfileStem, ".csv");
   std::string table = "q,value\n";
   for (const tissue::ProfileKnot& knot : session.profile.knots) table += fmt::format("{},{}\n", knot.q, knot.value);
   if (!attempt(session, [&] { writeFile(target, table); })) return;
@@ -152,11 +150,14 @@ void Outputs::keepFrame(Session& session, view::Image image) {
   Recording& recording = session.recording;
   if (screenshot_) {
     screenshot_ = false;
-    const fs::path file = fresh(folder_, "palpate", ".png");
+    const fs::path file = freshFile(folder_, "palpate", ".png");
     pictures_.write(file, image);
     // The next fresh name must not be the same one.
     pictures_.finish();
-    if (fs::exists(file)) session.report(Severity::info, fmt::format("The picture is saved as {}", file.string()));
+    if (fs::exists(file)) {
+      session.report(Severity::info, fmt::format("The picture is saved as {}", file.string()));
+      saved_picture_ = file;
+    }
   }
   if (!recording.sequence) return;
   const fs::path file = fs::path(recording.sequence_folder) / fmt::format("frame_{:05d}.png", recording.pictures++);
@@ -164,7 +165,7 @@ void Outputs::keepFrame(Session& session, view::Image image) {
 }
 
 void Outputs::saveClearPicture(Session& session, const view::CutOut& picture) {
-  const fs::path file = fresh(folder_, "palpate", ".png");
+  const fs::path file = freshFile(folder_, "palpate", ".png");
   if (!attempt(session, [&] { view::writePng(file, picture); })) return;
   session.report(Severity::info, fmt::format("The picture without background is saved as {}", file.string()));
 }
@@ -179,8 +180,8 @@ void Outputs::tellErrors(Session& session) {
 fs::path Outputs::keepChanges(const Session& session) const {
   if (!session.history.changed()) return {};
   const fs::path& from = session.document.file;
-  const fs::path target = from.empty() ? fresh(folder_, "scene-backup", ".toml")
-                                       : fresh(from.parent_path(), from.stem().string() + "-backup", ".toml");
+  const fs::path target = from.empty() ? freshFile(folder_, "scene-backup", ".toml")
+                                       : freshFile(from.parent_path(), from.stem().string() + "-backup", ".toml");
   scene::save(sceneToSave(session), target);
   return target;
 }

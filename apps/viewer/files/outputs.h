@@ -5,12 +5,17 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <utility>
 
 #include "apps/viewer/files/recorders.h"
 #include "apps/viewer/session.h"
 #include "palpate/view/cut_out.h"
 
 namespace palpate::viewer {
+
+/// A file that does not exist yet: "palpate.png", "palpate-2.png", ... in a folder that is made when it is first
+/// needed; that it cannot be is told by the writing.
+std::filesystem::path freshFile(const std::filesystem::path& folder, const std::string& stem, const std::string& kind);
 
 class Outputs {
  public:
@@ -37,6 +42,8 @@ class Outputs {
   }
   /// The picture of this frame is kept, and pop-ups are no part of it. Pictures of a sequence never have them.
   bool wantsNoPopUps(const Session& session) const { return screenshot_ ? !with_pop_ups_ : session.recording.sequence; }
+  /// The picture that was saved since the last call, or empty.
+  std::filesystem::path takeSavedPicture() { return std::exchange(saved_picture_, {}); }
   void saveClearPicture(Session& session, const view::CutOut& picture);
   const std::filesystem::path& folder() const { return folder_; }
 
@@ -62,6 +69,7 @@ class Outputs {
   std::filesystem::path folder_;
   ForceRecorder forces_;
   PictureWriter pictures_;
+  std::filesystem::path saved_picture_;
   bool screenshot_ = false;
   bool with_pop_ups_ = false;
 };

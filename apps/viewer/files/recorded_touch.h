@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/viewer/files/replay.h"
 #include "apps/viewer/plots/touch_history.h"
 #include "palpate/base/background.h"
 #include "palpate/scene/world.h"
@@ -22,8 +23,11 @@ struct RecordedTouch {
   std::string file;
   TouchHistory history;
   double ticks_per_s = 1000.0;
-  std::vector<double> radius_mm;  ///< of each finger
-  bool of_script = false;         ///< of the scene's own fingers: it plays when it is there
+  std::vector<double> radius_mm;                        ///< of each finger
+  bool of_script = false;                               ///< of the scene's own fingers: it plays when it is there
+  std::shared_ptr<const scene::World> world = nullptr;  ///< it was felt on; null: the one at hand
+  std::vector<ReplayMark> marks = {};
+  std::vector<std::string> notes = {};  ///< what is not as it was, in words
 };
 
 /// The first two fingers of the table. Throws Error when it cannot be read.

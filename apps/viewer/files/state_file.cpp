@@ -41,6 +41,7 @@ void forEachValue(Remembered& r, const Visitor& visit) {
   visit("text_size", s.text_size);
   visit("reduced_motion", s.reduced_motion);
   visit("hints", s.hints);
+  visit("keeps_last_hour", s.keeps_last_hour);
   visit("shading", s.look.shading);
   visit("simpler_when_slow", s.simpler_when_slow);
   visit("finger_shape", s.look.finger);

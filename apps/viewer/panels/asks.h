@@ -29,10 +29,11 @@ enum Consequence : std::uint32_t {
 /// What only the viewer can do.
 struct Wish {
   enum class Kind : std::uint8_t {
-    open,    ///< `file`
-    save,    ///< the scene, to `file` or where it came from
-    reload,  ///< what was opened, once more
-    reset,   ///< everything as it was opened or saved
+    open,         ///< `file`
+    open_beside,  ///< a session, beside the one that is shown
+    save,         ///< the scene, to `file` or where it came from
+    reload,       ///< what was opened, once more
+    reset,        ///< everything as it was opened or saved
     undo,
     redo,
     answer,      ///< `file`: what was chosen of the question's answers
@@ -42,7 +43,9 @@ struct Wish {
     play_script,       ///< the scene's own fingers, or an end of it
     copy_scene,        ///< what is seen and felt now, as the text of a scene
     plots_csv,
-    record,    ///< start or stop
+    record,  ///< start or stop
+    keep_session,
+    mark,      ///< in the session; `file`: what it says
     sequence,  ///< PNG files: start or stop
     home,
     full_screen,

@@ -19,7 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 8> kKinds = {".toml", ".obj", ".stl", ".ply", ".off", ".gltf", ".glb", ".csv"};
+constexpr std::array<std::string_view, 9> kKinds = {".toml", ".obj", ".stl", ".ply",    ".off",
+                                                    ".gltf", ".glb", ".csv", ".session"};
 
 struct Listing {
   fs::path folder;
@@ -107,7 +108,8 @@ void openDialog(std::span<const std::string> recent, bool& open, Asks& asks) {
     ImGui::SameLine();
     if ((buttonWidget("open/open", "Open") || entered) && !typed.empty()) chosen = typed;
     remark(
-        "TOML scenes, OBJ, STL, PLY, OFF, glTF and GLB meshes, recorded forces (CSV); or drop a file on the window.");
+        "TOML scenes, OBJ, STL, PLY, OFF, glTF and GLB meshes, sessions, recorded forces (CSV); or drop a file on the "
+        "window.");
     if (!chosen.empty()) {
       asks.wish(Wish::Kind::open, chosen);
       open = false;

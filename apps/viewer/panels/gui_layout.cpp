@@ -53,7 +53,7 @@ constexpr PanelEntry kPanels[] = {
      [](Session& s) {
        stereoPanel({s.state.stereo, s.state.head, s.head, s.camera, s.world});
      }},
-    {"Record", [](Session& s) { recordPanel(s.recording, s.now_s, s.asks); }},
+    {"Record", [](Session& s) { recordPanel(s.recording, s.state.keeps_last_hour, s.now_s, s.asks); }},
     {kPerformance, [](Session& s) { performancePanel(s.performance); }},
 };
 
@@ -142,6 +142,7 @@ FreeArea drawGui(Session& session) {
   Shown& shown = session.state.shown;
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const FreeArea free = freeArea(shown, size.x, size.y);
+  if (!shown.open_dialog) session.replay.chooses_beside = false;
   menuBar(menuOf(session), session.asks);
   grantActions(session);
   if (shown.panel) sidePanel(session, size.x, free);

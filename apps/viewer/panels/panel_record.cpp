@@ -18,7 +18,33 @@ std::string recordingWords(const Recording& recording, double now_s) {
   return words;
 }
 
-void recordPanel(const Recording& recording, double now_s, Asks& asks) {
+namespace {
+
+/// What is recorded by itself.
+void sessionPart(const Recording& recording, bool& keeps_last_hour, Asks& asks) {
+  flagWidget("record/session", "Record the last hour by itself", keeps_last_hour,
+             "Every tick of both fingers, in a session file that a crash leaves readable.");
+  if (!recording.session) return;
+  const int seconds = static_cast<int>(recording.session_s);
+  remark(fmt::format("{}:{:02} recorded{}", seconds / 60, seconds % 60,
+                     recording.dropped == 0 ? "" : fmt::format(", {} samples missing", recording.dropped)));
+  if (buttonWidget("record/keep", recording.keeping ? "Keeping ..." : "Keep the session (Shift+R)",
+                   "Copies the last hour into a session file: to be shown again, proven, sent with a bug report.")) {
+    asks.wish(Wish::Kind::keep_session);
+  }
+  if (buttonWidget("record/mark", "Set a mark (Shift+M)", "In the session, to be found again.")) {
+    asks.wish(Wish::Kind::mark);
+  }
+  if (!recording.kept_file.empty() &&
+      buttonWidget("record/play", "Show what was kept", "Plays it on the body it was felt on; Space ends it.")) {
+    asks.wish(Wish::Kind::open, recording.kept_file);
+  }
+}
+
+}  // namespace
+
+void recordPanel(const Recording& recording, bool& keeps_last_hour, double now_s, Asks& asks) {
+  sessionPart(recording, keeps_last_hour, asks);
   if (buttonWidget("record/forces", recording.forces ? "Stop recording (R)" : "Record forces (R)",
                    "Every finger in every tick, as a CSV table.")) {
     asks.wish(Wish::Kind::record);

@@ -109,7 +109,8 @@ void stereoPanel(const StereoPanel& panel);
 
 /// What is being recorded and for how long: "recording 0:12, 37 pictures"; empty when nothing is.
 std::string recordingWords(const Recording& recording, double now_s);
-void recordPanel(const Recording& recording, double now_s, Asks& asks);
+/// `keeps_last_hour` is switched by it.
+void recordPanel(const Recording& recording, bool& keeps_last_hour, double now_s, Asks& asks);
 void performancePanel(const Performance& performance);
 
 /// A curve of the scene's displacement profile, with handles when it is the user's own.

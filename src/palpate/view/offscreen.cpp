@@ -127,6 +127,19 @@ void Target::bind() const {
   glViewport(0, 0, width_, height_);
 }
 
+void Target::clear() const {
+  bind();
+  glClearColor(0.0f, 0.0f, 0.0f, 1.0f);
+  glClear(GL_COLOR_BUFFER_BIT);
+}
+
+void Target::put(const Target& part, int left, int below) {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, part.framebuffer());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer());
+  glBlitFramebuffer(0, 0, part.width(), part.height(), left, below, left + part.width(), below + part.height(),
+                    GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
 Image Target::read() const {
   Image image(width_, height_);
   Image upside_down(width_, height_);

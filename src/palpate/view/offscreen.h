@@ -46,6 +46,9 @@ class Target {
   GlId texture() const;
   GlId framebuffer() const;
   Image read() const;
+  void clear() const;  ///< black, and bound
+  /// Copies a smaller one into this one, its lower left corner at these pixels from the left and from below.
+  void put(const Target& part, int left, int below);
 
  private:
   struct Objects;

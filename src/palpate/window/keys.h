@@ -104,6 +104,8 @@ enum class Action : std::uint8_t {
   clear_screenshot,
   panel,
   record,
+  keep_session,
+  mark,
   reach,
   stereo_mode,
   swap_eyes,
