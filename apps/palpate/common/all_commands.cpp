@@ -18,6 +18,7 @@ void addAllCommands(CLI::App& app) {
   addRenderCommand(app);
   addRepairCommand(app);
   addReplayCommand(app);
+  addReportCommand(app);
   addSessionsCommand(app);
   addRunCommand(app);
   addStudyCommand(app);

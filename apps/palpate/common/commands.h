@@ -33,6 +33,7 @@ void addSimulateCommand(CLI::App& app);
 void addRenderCommand(CLI::App& app);
 void addRepairCommand(CLI::App& app);
 void addReplayCommand(CLI::App& app);
+void addReportCommand(CLI::App& app);
 void addSessionsCommand(CLI::App& app);
 void addStudyCommand(CLI::App& app);
 // `parent` is the study command.

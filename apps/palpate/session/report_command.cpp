@@ -1,0 +1,101 @@
+// `palpate report`: what a recorded session was, as one page that needs nothing else, or as numbers.
+#include <fmt/format.h>
+
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "apps/palpate/common/commands.h"
+#include "apps/palpate/common/progress_line.h"
+#include "apps/palpate/session/session_report.h"
+#include "apps/palpate/session/session_text.h"
+#include "palpate/base/error.h"
+#include "palpate/base/text.h"
+
+namespace palpate::app {
+
+namespace {
+
+struct ReportArguments {
+  std::filesystem::path file;
+  std::filesystem::path out;
+  std::filesystem::path folder;
+  TimeSpan span;
+  bool json = false;
+};
+
+/// run.session -> run.html, also of run.session.partial; in the working folder.
+std::filesystem::path pageOf(const std::filesystem::path& session) {
+  std::string name = session.filename().string();
+  const std::size_t end = name.find(".session");
+  if (end != std::string::npos && end > 0) name.resize(end);
+  return name + ".html";
+}
+
+/// Whether a file of this name is no report of ours, and would be lost without anybody having named it.
+bool isAnothers(const std::filesystem::path& page) {
+  std::error_code error;
+  if (!std::filesystem::exists(page, error)) return false;
+  std::string begin(512, '\0');
+  std::ifstream stream(page, std::ios::binary);
+  stream.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  return begin.find(kReportMark) == std::string::npos;
+}
+
+/// Where the page goes. Throws Error where something would be lost.
+std::filesystem::path targetOf(const ReportArguments& arguments) {
+  std::error_code error;
+  const std::filesystem::path page = arguments.out.empty() ? pageOf(arguments.file) : arguments.out;
+  if (std::filesystem::equivalent(page, arguments.file, error)) {
+    throw Error::inFile(page.string(), "is the session itself");
+  }
+  if (arguments.out.empty() && isAnothers(page)) {
+    throw Error::inFile(page.string(), "is there already and is no report; name the page with --out");
+  }
+  return page;
+}
+
+trace::TickSpan reportSpan(const ReportArguments& arguments, const trace::SessionFacts& facts) {
+  const trace::TickSpan span = ticksOf(arguments.span, facts.header.ticks_per_s);
+  if (facts.samples > 0 && span.from > facts.last_tick) {
+    throw Error::inFile(
+        arguments.file.string(),
+        fmt::format("ends at {} s, before --from", static_cast<double>(facts.last_tick) / facts.header.ticks_per_s));
+  }
+  return span;
+}
+
+void runReport(const ReportArguments& arguments) {
+  ProgressLine progress;
+  trace::SessionReader session(arguments.file);
+  const bool wants_page = !arguments.json || !arguments.out.empty();
+  const std::filesystem::path page = wants_page ? targetOf(arguments) : std::filesystem::path();
+  const ReportSettings settings{arguments.file, arguments.folder, reportSpan(arguments, session.facts())};
+  const SessionReport report = sessionReport(session, settings, progress.callback());
+  if (wants_page) writeFile(page, reportPage(report, progress.callback()));
+  progress.clear();
+  if (arguments.json) {
+    constexpr auto kReplaceWhatIsNoText = nlohmann::ordered_json::error_handler_t::replace;
+    fmt::print("{}\n", reportJson(report).dump(2, ' ', false, kReplaceWhatIsNoText));
+    return;
+  }
+  for (const std::string& sentence : reportSentences(report)) fmt::print("{}\n", readableText(sentence));
+  fmt::print("{} -> {}\n", arguments.file.string(), page.string());
+}
+
+}  // namespace
+
+void addReportCommand(CLI::App& app) {
+  const auto arguments = std::make_shared<ReportArguments>();
+  ReportArguments& a = *arguments;
+  CLI::App& command = *app.add_subcommand(
+      "report", "Tell what a recorded session was: forces, contacts, phases, maps of the body, as one HTML page");
+  command.add_option("SESSION", a.file, "Session file")->required();
+  command.add_option("-o,--out", a.out, "Page to write; left out: the session's name with .html, in this folder");
+  addTimeSpan(command, a.span);
+  command.add_option("--folder", a.folder, "Where the files that the scene names lie now; left out: where they lay");
+  command.add_flag("--json", a.json, "Print all numbers as one JSON object; a page is written then only with --out");
+  command.callback([=] { runReport(*arguments); });
+}
+
+}  // namespace palpate::app

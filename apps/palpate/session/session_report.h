@@ -1,0 +1,83 @@
+// A recorded session as a report: its numbers, the body with what was felt on it, and how they are told.
+//
+//   SessionReader ─► trace::measure ─┐
+//   world ─► engine::builtWorld ─────┴─► SessionReport ─► reportJson, reportPage (with pictures of report_figures.h)
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "palpate/base/progress.h"
+#include "palpate/trace/session_statistics.h"
+
+namespace palpate::app {
+
+/// The skin as it was touched, or why it cannot be shown.
+struct ReportBody {
+  std::string name;  ///< of the body that was touched longest; empty: none was
+  std::optional<trace::TouchedSurface> surface;
+  std::string why_not;             ///< a sentence; empty where there is a surface, or nothing was touched
+  std::vector<std::string> notes;  ///< what else is to be known about the map, a sentence each
+  std::vector<double> reach_mm;    ///< of each finger, as the maps have it
+};
+
+struct SessionReport {
+  std::filesystem::path file;
+  trace::SessionFacts facts;
+  bool whole = true;  ///< false: only what lies between --from and --to
+  trace::SessionStatistics statistics;
+  std::vector<trace::SessionEvent> events;
+  std::vector<std::string> bodies;  ///< of each world that was felt, in the order of statistics.worlds
+  ReportBody body;
+
+  double secondsAt(std::uint64_t tick) const { return static_cast<double>(tick) / statistics.ticks_per_s; }
+};
+
+struct ReportSettings {
+  std::filesystem::path file;
+  std::filesystem::path folder;  ///< where the files that the scene names lie now; empty: where they lay
+  trace::TickSpan span;
+};
+
+/// Throws Error for what is no session and for a block that is damaged; a body that cannot be built is said in it.
+SessionReport sessionReport(trace::SessionReader& session, const ReportSettings& settings, const Progress& progress);
+
+/// Every number of the report.
+nlohmann::ordered_json reportJson(const SessionReport& report);
+
+/// The report's main results, a sentence each.
+std::vector<std::string> reportSentences(const SessionReport& report);
+
+/// One HTML page that needs nothing else, well-formed. Draws its pictures.
+std::string reportPage(const SessionReport& report, const Progress& progress);
+/// Stands in every page, near its beginning.
+inline constexpr std::string_view kReportMark = "<meta name=\"generator\" content=\"palpate report\" />";
+
+/// Text that somebody else wrote as XML may hold it: what is no UTF-8 or a control character becomes U+FFFD.
+std::string readableText(std::string_view text);
+
+/// A bit of a status that was set in some ticks of a finger.
+struct StatusLine {
+  std::size_t finger = 0;
+  std::string name;
+  std::string_view meaning;
+  trace::BitTally tally;
+};
+/// What the limiter did, and what contact said of itself: finger by finger, bit by bit.
+std::vector<StatusLine> safetyLines(const SessionReport& report);
+std::vector<StatusLine> contactLines(const SessionReport& report);
+/// How often the emergency stop was pressed: of all fingers the most.
+std::uint64_t emergencyStops(const SessionReport& report);
+
+/// 3725.4 -> "1 h 02 min 05 s", 12.34 -> "12.3 s".
+std::string durationWords(double seconds);
+/// With so many digits behind the point; what is very large or no number as it can be said shortly.
+std::string fixedWords(double value, int decimals);
+/// "search"
+std::string_view phaseWord(trace::Phase phase);
+
+}  // namespace palpate::app
