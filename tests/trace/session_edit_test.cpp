@@ -189,7 +189,9 @@ TEST_F(SessionEdit, ATrimOfAllIsACopy) {
 
 TEST_F(SessionEdit, ATrimOfNothingSaysWhereTheSessionIsAndLeavesNothing) {
   SessionReader reader(record("a.session", 100, 999, {1, 0}));
-  EXPECT_EQ(support::messageOf([&] { trim(reader, {{5000, 6000}}, folder_ / "b.session"); }),
+  EXPECT_EQ(support::messageOf([&] {
+              trim(reader, {{5000, 6000}}, folder_ / "b.session");
+            }),
             "no tick there: the session goes from 0.100 to 0.999 s");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "b.session"));
 }

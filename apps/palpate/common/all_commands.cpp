@@ -10,6 +10,7 @@ void addAllCommands(CLI::App& app) {
   addExportCommand(app);
   addHuntCommand(app);
   addInfoCommand(app);
+  addJoinCommand(app);
   addMapCommand(app);
   addModelCommand(app);
   addPartitionCommand(app);
@@ -20,6 +21,7 @@ void addAllCommands(CLI::App& app) {
   addReplayCommand(app);
   addReportCommand(app);
   addSessionsCommand(app);
+  addTrimCommand(app);
   addRunCommand(app);
   addStudyCommand(app);
 }

@@ -25,6 +25,7 @@ void addDevicesCommand(CLI::App& app);
 void addExportCommand(CLI::App& app);
 void addHuntCommand(CLI::App& app);
 void addInfoCommand(CLI::App& app);
+void addJoinCommand(CLI::App& app);
 void addMapCommand(CLI::App& app);
 void addModelCommand(CLI::App& app);
 void addPartitionCommand(CLI::App& app);
@@ -35,6 +36,7 @@ void addRepairCommand(CLI::App& app);
 void addReplayCommand(CLI::App& app);
 void addReportCommand(CLI::App& app);
 void addSessionsCommand(CLI::App& app);
+void addTrimCommand(CLI::App& app);
 void addStudyCommand(CLI::App& app);
 // `parent` is the study command.
 void addStudyPages(CLI::App& parent);

@@ -1,4 +1,5 @@
-// `palpate repair MESH -o OUT`: makes a mesh fit to be felt and says what was done.
+// `palpate repair MESH -o OUT`: makes a mesh fit to be felt and says what was done. Of a session file what can still be
+// read (session/session_salvage.h).
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -12,6 +13,7 @@
 #include "apps/palpate/common/mesh_arguments.h"
 #include "apps/palpate/common/number_option.h"
 #include "apps/palpate/common/progress_line.h"
+#include "apps/palpate/session/session_salvage.h"
 #include "palpate/base/error.h"
 #include "palpate/mesh/files/save.h"
 #include "palpate/mesh/repair.h"
@@ -125,15 +127,26 @@ void runRepair(const RepairArguments& arguments) {
   fmt::print("{}", arguments.json ? jsonOf(result).dump(2) + "\n" : textOf(result));
 }
 
+/// Options that say something of a mesh.
+void refuseMeshOptions(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_name();
+    if (option->count() == 0 || name == "mesh" || name == "--out" || name == "--json" || name == "--help") continue;
+    throw Error(fmt::format("repair: {} is for meshes, this is a session", name));
+  }
+}
+
 }  // namespace
 
 void addRepairCommand(CLI::App& app) {
   auto arguments = std::make_shared<RepairArguments>();
-  CLI::App& command = *app.add_subcommand("repair", "Make a mesh fit to be felt and say what was done");
+  CLI::App& command =
+      *app.add_subcommand("repair", "Make a mesh fit to be felt, or salvage a session, and say what was done");
   addMeshArguments(command, arguments->mesh);
   command
       .add_option("-o,--out", arguments->output,
-                  "File to write: obj, stl or ply (mm); a ply keeps the numbers and colours of a ply's vertices")
+                  "File to write: obj, stl or ply (mm); a ply keeps the numbers and colours of a ply's vertices. Of a "
+                  "session, a session")
       ->required();
   command.add_flag("--no-weld", arguments->no_weld, "Leave vertices at the same place apart");
   addNumber(command, "--weld-distance-mm", arguments->weld_distance_mm, between(0.0, 1e9, "mm"),
@@ -143,7 +156,14 @@ void addRepairCommand(CLI::App& app) {
                    "Do not turn closed parts outside out that face inwards");
   command.add_flag("--keep-holes", arguments->keep_holes, "Leave the small holes of nearly closed parts open");
   command.add_flag("--json", arguments->json, "Print one JSON object");
-  command.callback([arguments] { runRepair(*arguments); });
+  command.callback([arguments, &command] {
+    if (isOrWasSession(arguments->mesh.file)) {
+      refuseMeshOptions(command);
+      salvageSession(arguments->mesh.file, arguments->output, arguments->json);
+    } else {
+      runRepair(*arguments);
+    }
+  });
 }
 
 }  // namespace palpate::app

@@ -206,8 +206,7 @@ class FilesOfAll {
       const auto [known, is_new] = hashes_.try_emplace(attachment.name, hash.value());
       fresh = fresh && is_new;
       if (known->second == hash.value()) return;
-      throw Error::inFile(file.string(),
-                          fmt::format("carries another '{}' than a session before it", attachment.name));
+      throw Error::inFile(file.string(), fmt::format("carries another '{}' than a session before it", attachment.name));
     });
     return fresh;
   }
@@ -255,8 +254,8 @@ class Chain {
   void noteOtherDevices(const SessionFacts& facts, const std::string& name) {
     for (std::size_t i = 0; i < facts.fingers.size(); ++i) {
       if (facts.fingers[i].device == first_.fingers[i].device) continue;
-      const std::string note = fmt::format("in {} {} was held by {}", name, facts.fingers[i].name,
-                                           facts.fingers[i].device);
+      const std::string note =
+          fmt::format("in {} {} was held by {}", name, facts.fingers[i].name, facts.fingers[i].device);
       writer_.add(SessionEvent{joined_.begins.back(), static_cast<std::uint32_t>(i), "device", note});
       joined_.notes.push_back(note);
     }
@@ -272,8 +271,7 @@ class Chain {
 
 }  // namespace
 
-Copied copyInto(SessionWriter& writer, SessionReader& session, const CopySettings& settings,
-                const Progress& progress) {
+Copied copyInto(SessionWriter& writer, SessionReader& session, const CopySettings& settings, const Progress& progress) {
   return Copy(writer, session, settings).run(progress);
 }
 

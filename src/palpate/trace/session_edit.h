@@ -27,13 +27,13 @@ inline constexpr std::string_view kDroppedEvent = "dropped";  ///< as a cut of a
 /// What of a session goes where.
 struct CopySettings {
   TickSpan span;
-  std::int64_t later_ticks = 0;                      ///< that everything is moved by
-  std::uint32_t forgets = 0;                         ///< ForgetBits, in the first sample of each finger
-  std::uint32_t first_world = 0;                     ///< worlds that the writer already has
+  std::int64_t later_ticks = 0;   ///< that everything is moved by
+  std::uint32_t forgets = 0;      ///< ForgetBits, in the first sample of each finger
+  std::uint32_t first_world = 0;  ///< worlds that the writer already has
   // What is to be another in what is copied; may be empty.
   std::function<void(SessionWorld& world)> change_world;
   std::function<void(SessionEvent& event)> change_event;
-  bool keeps_files = true;                           ///< attachments of the kind file
+  bool keeps_files = true;  ///< attachments of the kind file
 };
 
 struct Copied {
