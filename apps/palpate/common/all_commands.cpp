@@ -6,6 +6,7 @@ namespace palpate::app {
 void addAllCommands(CLI::App& app) {
   app.require_subcommand(1);
   addBenchCommand(app);
+  addBundleCommand(app);
   addDevicesCommand(app);
   addExportCommand(app);
   addHuntCommand(app);

@@ -21,6 +21,7 @@ void addBenchContactCommand(CLI::App& parent);
 void addBenchDeformCommand(CLI::App& parent);
 void addBenchFrameCommand(CLI::App& parent);
 void addBenchPartitionCommand(CLI::App& parent);
+void addBundleCommand(CLI::App& app);
 void addDevicesCommand(CLI::App& app);
 void addExportCommand(CLI::App& app);
 void addHuntCommand(CLI::App& app);

@@ -1,9 +1,10 @@
 // `palpate render`: pictures of a scene without a window or a display.
 //
 //   scene ─ build ─► world ─ run to the moment ─► fingers ─ deform ─► surface ─► Studio ─► PNG, one or a sequence; a
-//   film
+//   session ───────► world ─ recorded ──────────►                                          film
 #include <fmt/format.h>
 
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -16,7 +17,9 @@
 #include "apps/palpate/render/film.h"
 #include "apps/palpate/render/moments.h"
 #include "apps/palpate/render/picture_series.h"
+#include "apps/palpate/render/recorded_input.h"
 #include "apps/palpate/render/render_options.h"
+#include "apps/palpate/session/session_text.h"
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
@@ -83,6 +86,36 @@ std::vector<servo::TickSamples> framesFor(const RenderOptions& options, const sc
   return framesAt(world, paths, times, progress);
 }
 
+/// What is drawn: of a scene that is run now, or of a session.
+struct Input {
+  std::vector<double> times;
+  std::vector<servo::TickSamples> frames;
+  std::function<std::shared_ptr<const scene::World>(const servo::TickSamples& frame)> world_of;
+  std::function<std::string()> note;  ///< of the last world
+};
+
+Input inputOfScene(const RenderOptions& options, const Progress& progress) {
+  const std::shared_ptr<const scene::World> world = scene::build(sceneFor(options), progress);
+  Input input;
+  input.frames = framesFor(options, *world, input.times, progress);
+  input.world_of = [world](const servo::TickSamples&) { return world; };
+  input.note = [] { return std::string(); };
+  return input;
+}
+
+Input inputOfSession(const RenderOptions& options, const Progress& progress) {
+  const auto recorded = std::make_shared<RecordedInput>(options);
+  Input input{{0.0}, {servo::TickSamples{}}, {}, [recorded] { return recorded->note(); }};
+  if (!isAtRest(options)) {
+    const double first = options.at_s.value_or(recorded->beginS());
+    input.times.clear();
+    for (int i = 0; i < options.frames; ++i) input.times.push_back(first + i / options.frames_per_s);
+    input.frames = recorded->framesAt(input.times);
+  }
+  input.world_of = [recorded, progress](const servo::TickSamples& frame) { return recorded->worldOf(frame, progress); };
+  return input;
+}
+
 view::PictureSettings settingsFor(const RenderOptions& options, const scene::World& world,
                                   const view::PictureSize& size) {
   const auto mode = world.scene.view.stereo;
@@ -130,27 +163,37 @@ RenderReport render(const RenderOptions& options, const Progress& progress) {
   result.size = options.size;
   const std::vector<std::filesystem::path> files = filesOf(options);
   const auto started = Clock::now();
-  const auto world = scene::build(sceneFor(options), progress);
+  const bool is_recorded = isSessionFile(options.scene.scene);
+  std::optional<FinishesInOrder> in_order;
+  if (is_recorded) in_order.emplace();  // files that the session carries lie in a folder that must go again
+  const Input input =
+      is_recorded ? inputOfSession(options, endingWhenAsked(progress)) : inputOfScene(options, progress);
+  std::shared_ptr<const scene::World> world = input.world_of(input.frames.front());
   requireScalar(options, *world);
   result.notes = world->notes;
+  if (!input.note().empty()) result.notes.push_back(input.note());
   result.build_s = secondsSince(started);
-  std::vector<double> times;
-  const std::vector<servo::TickSamples> frames = framesFor(options, *world, times, progress);
   const auto drawing = Clock::now();
-  const view::PictureSettings settings = settingsFor(options, *world, result.size);
-  PictureSeries series(world, result.size);
+  view::PictureSettings settings = settingsFor(options, *world, result.size);
+  auto series = std::make_unique<PictureSeries>(world, result.size);
   std::optional<FilmWriter> film;
   if (const auto ffmpeg = ffmpegFor(options, result)) {
     const view::ImageSize size{result.size.width, result.size.height};
     film.emplace(*ffmpeg, options.output, FilmFormat{size, options.frames_per_s});
     result.film = options.output.string();
   }
-  const FinishesInOrder in_order;
+  if (!in_order) in_order.emplace();
   for (std::size_t i = 0; i < files.size() && endAskedBy() == 0; ++i) {
     report(progress, "drawing", static_cast<double>(i) / static_cast<double>(files.size()));
-    const view::TakenPicture taken = series.take(frames[i], times[i], settings);
+    const servo::TickSamples& frame = input.frames.at(i);
+    if (input.world_of(frame) != world) {  // a session may have gone on in another one
+      world = input.world_of(frame);
+      settings = settingsFor(options, *world, result.size);
+      series = std::make_unique<PictureSeries>(world, result.size);
+    }
+    const view::TakenPicture taken = series->take(frame, input.times[i], settings);
     film ? film->add(taken.image) : view::writePng(files[i], taken.image);
-    result.pictures.push_back({film ? result.film : files[i].string(), times[i], frames[i]});
+    result.pictures.push_back({film ? result.film : files[i].string(), input.times[i], frame});
     if (i == 0) result.notes.insert(result.notes.end(), taken.notes.begin(), taken.notes.end());
   }
   if (result.pictures.empty()) endIfAsked();
@@ -302,7 +345,8 @@ void addOutputOptions(CLI::App& command, RenderOptions& options) {
 }  // namespace
 
 void addRenderCommand(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("render", "Draw pictures of a scene without a window");
+  CLI::App* command =
+      app.add_subcommand("render", "Draw pictures of a scene or of a recorded session without a window");
   const auto options = std::make_shared<RenderOptions>();
   addInputOptions(*command, options->scene);
   addSecondsOption(*command, options->scene);

@@ -5,10 +5,15 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/palpate/common/commands.h"
+#include "apps/palpate/common/interruption.h"
+#include "apps/palpate/common/number_option.h"
 #include "apps/palpate/common/progress_line.h"
+#include "apps/palpate/session/session_export.h"
 #include "apps/palpate/session/session_text.h"
+#include "apps/palpate/simulate/surface_files.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
+#include "palpate/engine/session_bundle.h"
 #include "palpate/trace/forces_csv.h"
 
 namespace palpate::app {
@@ -22,6 +27,11 @@ struct ExportArguments {
   std::filesystem::path csv;
   std::filesystem::path json;
   std::filesystem::path scene;
+  std::filesystem::path npz;
+  std::filesystem::path ply;
+  std::filesystem::path attachments;
+  std::filesystem::path folder;
+  std::optional<double> at_s;
   TimeSpan span;
 };
 
@@ -67,15 +77,49 @@ void writeJson(trace::SessionReader& session, const ExportArguments& arguments) 
   writeFile(arguments.json, json.dump(2) + "\n");
 }
 
-void runExport(const ExportArguments& arguments) {
-  if (arguments.csv.empty() && arguments.json.empty() && arguments.scene.empty()) {
-    throw Error("export: say what to write: --csv, --json or --scene FILE");
+/// The skin as the recorded fingers deform it at a moment.
+std::string writePly(trace::SessionReader& session, const ExportArguments& arguments, const Progress& progress) {
+  const double rate = session.facts().header.ticks_per_s;
+  const double time_s = arguments.at_s ? *arguments.at_s : static_cast<double>(deepestTick(session)) / rate;
+  const servo::TickSamples frame = recordedFrames(session, {time_s}).front();
+  const engine::CarriedFiles carried(session);
+  const std::filesystem::path folder = arguments.folder.empty() ? carried.folder() : arguments.folder;
+  const auto world = worldToSee(session, frame.front().world, folder, {}, progress);
+  requireFitting(frame, *world);
+  writeSurface(arguments.ply, *world, frame);
+  const std::string note = noteOfAnotherWorld(session, frame.front().world, *world);
+  return fmt::format("skin at {:.3f} s -> {}\n", static_cast<double>(frame.front().tick) / rate,
+                     arguments.ply.string()) +
+         (note.empty() ? note : "  note: " + note + "\n");
+}
+
+void requireSomething(const ExportArguments& a) {
+  for (const std::filesystem::path* wish : {&a.csv, &a.json, &a.scene, &a.npz, &a.ply, &a.attachments}) {
+    if (!wish->empty()) return;
   }
+  throw Error("export: say what to write: --csv, --npz, --json, --scene, --ply FILE or --attachments FOLDER");
+}
+
+void runExport(const ExportArguments& arguments) {
+  requireSomething(arguments);
+  if (arguments.at_s && arguments.ply.empty()) throw Error("export: --at says the moment of --ply FILE");
+  const FinishesInOrder in_order;  // files that the session carries lie in a folder that must go again
   ProgressLine progress;
   trace::SessionReader session(arguments.file);
   std::string text;
   if (!arguments.csv.empty()) {
     text += fmt::format("{} rows -> {}\n", writeCsv(session, arguments, progress.callback()), arguments.csv.string());
+  }
+  if (!arguments.npz.empty()) {
+    const trace::TickSpan span = ticksOf(arguments.span, session.facts().header.ticks_per_s);
+    text += fmt::format("{} rows -> {}\n", writeNpz(session, span, arguments.npz, progress.callback()),
+                        arguments.npz.string());
+  }
+  if (!arguments.ply.empty()) text += writePly(session, arguments, progress.callback());
+  if (!arguments.attachments.empty()) {
+    const trace::TickSpan span = ticksOf(arguments.span, session.facts().header.ticks_per_s);
+    text += fmt::format("{} pictures, sound notes and the like -> {}\n",
+                        writeAttachments(session, span, arguments.attachments), arguments.attachments.string());
   }
   if (!arguments.json.empty()) {
     writeJson(session, arguments);
@@ -99,6 +143,12 @@ void addExportCommand(CLI::App& app) {
   command.add_option("--csv", a.csv, "Every tick, as forces.csv has it");
   command.add_option("--json", a.json, "Everything but the ticks: header, fingers, worlds, events");
   command.add_option("--scene", a.scene, "The scene that it began with (TOML)");
+  command.add_option("--npz", a.npz, "Every column of every tick as arrays for NumPy: numpy.load(FILE)['index.tick']");
+  command.add_option("--ply", a.ply, "The deformed skin at a moment, with displacement and strain");
+  addNumber(command, "--at", a.at_s, between(0.0, 1e9, "s"),
+            "Moment of --ply; left out: where the fingers press deepest");
+  command.add_option("--attachments", a.attachments, "Folder for pictures and sound notes that were kept with it");
+  command.add_option("--folder", a.folder, "Where the files that the scene names lie now; left out: where they lay");
   addTimeSpan(command, a.span);
   command.callback([=] { runExport(*arguments); });
 }

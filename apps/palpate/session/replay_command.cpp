@@ -6,10 +6,12 @@
 #include <optional>
 
 #include "apps/palpate/common/commands.h"
+#include "apps/palpate/common/interruption.h"
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/session/session_text.h"
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
+#include "palpate/engine/session_bundle.h"
 #include "palpate/engine/session_replay.h"
 #include "palpate/trace/forces_csv.h"
 
@@ -54,6 +56,8 @@ std::string textOf(const ReplayArguments& arguments, const engine::ReplayReport&
       fmt::format("{}: {} samples felt again, {:.0f} times as fast as real time once the body was built\n",
                   arguments.file.string(), report.ticks, times_real_time);
   for (const std::string& note : report.notes) text += "  note       " + note + "\n";
+  for (const std::string& gap : report.gaps) text += "  unproven   " + gap + "\n";
+  if (report.ticks == 0) return text + "  nothing    could be compared\n";
   if (!report.first_difference) return text + "  identical  every bit of contact, force and safety\n";
   const engine::ReplayDifference& first = *report.first_difference;
   return text + fmt::format("  different  {} samples, the first at tick {}, finger {}: {} was {}, is {}\n",
@@ -72,10 +76,13 @@ void runReplay(const ReplayArguments& arguments) {
   ProgressLine progress;
   trace::SessionReader session(arguments.file);
   const trace::TickSpan span = spanOf(arguments, session.facts());
+  const FinishesInOrder in_order;  // files that the session carries lie in a folder that must go again
+  const engine::CarriedFiles carried(session);
+  const std::filesystem::path folder = arguments.folder.empty() ? carried.folder() : arguments.folder;
   std::optional<trace::ForcesCsvWriter> table = tableFor(arguments, session.facts());
   const auto started = Clock::now();
   const engine::ReplayReport report = engine::replay(
-      session, {span, arguments.folder},
+      session, {span, folder},
       [&](std::span<const trace::Sample> samples) {
         if (!table) return;
         for (const trace::Sample& sample : samples) table->add(sample);
@@ -88,9 +95,11 @@ void runReplay(const ReplayArguments& arguments) {
                      {"identical", report.identical()},
                      {"ticks", report.ticks},
                      {"different", report.different},
+                     {"unproven", report.unproven},
                      {"times_real_time", times_real_time},
                      {"first_difference", differenceJson(report)},
-                     {"notes", report.notes}};
+                     {"notes", report.notes},
+                     {"gaps", report.gaps}};
   fmt::print("{}", arguments.json ? json.dump(2) + "\n" : textOf(arguments, report, times_real_time));
   if (arguments.verify && !report.identical()) throw CLI::RuntimeError(1);
 }

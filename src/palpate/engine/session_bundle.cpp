@@ -108,7 +108,7 @@ class Bundle {
   }
 
   void pack(trace::SessionWorld& world) {
-    const fs::path folder = !settings_.folder.empty()      ? settings_.folder
+    const fs::path folder = !settings_.folder.empty()    ? settings_.folder
                             : !carried_.folder().empty() ? carried_.folder()
                                                          : fs::path(world.folder);
     scene::Scene scene = scene::parse(world.scene, (folder / "session.toml").string());
@@ -133,8 +133,8 @@ class Bundle {
     names_[file.string()] = name;
     std::error_code error;
     if (!named.is_needed && !fs::exists(file, error)) {
-      report_.notes.push_back(fmt::format("{} is not there, and is not needed to feel the session again",
-                                          file.filename().string()));
+      report_.notes.push_back(
+          fmt::format("{} is not there, and is not needed to feel the session again", file.filename().string()));
       return name;
     }
     add(file, name);
@@ -151,8 +151,8 @@ class Bundle {
       std::string copy = bytes;
       replaceWord(copy, word, with);
       if (copy == bytes) continue;
-      report_.notes.push_back(fmt::format("{} itself holds '{}': look into it before you give it away",
-                                          name.filename().string(), word));
+      report_.notes.push_back(
+          fmt::format("{} itself holds '{}': look into it before you give it away", name.filename().string(), word));
     }
     writer_->add(trace::SessionAttachment{session_.facts().first_tick, std::string(kCarriedFile), name.string(),
                                           "application/octet-stream", bytes});
@@ -171,12 +171,9 @@ class Bundle {
 }  // namespace
 
 std::vector<NamedFile> namedFiles(scene::Scene& scene) {
-  std::vector<NamedFile> files = {{&scene.body.file, true},
-                                  {&scene.body.texture.file, true},
-                                  {&scene.ellipses.key_points},
-                                  {&scene.deformation.contours},
-                                  {&scene.deformation.profile_file},
-                                  {&scene.deformation.tangential_profile_file},
+  std::vector<NamedFile> files = {{&scene.body.file, true},          {&scene.body.texture.file, true},
+                                  {&scene.ellipses.key_points},      {&scene.deformation.contours},
+                                  {&scene.deformation.profile_file}, {&scene.deformation.tangential_profile_file},
                                   {&scene.tissue.force_table}};
   for (scene::Finger& finger : scene.fingers) files.push_back({&finger.trajectory, false, false});
   return files;

@@ -23,8 +23,8 @@ inline constexpr std::string_view kCarriedFile = "file";
 /// Where a scene keeps the names of files.
 struct NamedFile {
   std::filesystem::path* place;
-  bool is_mesh = false;    ///< it may name others
-  bool is_needed = true;   ///< false: a world is built without it
+  bool is_mesh = false;   ///< it may name others
+  bool is_needed = true;  ///< false: a world is built without it
 };
 std::vector<NamedFile> namedFiles(scene::Scene& scene);
 

@@ -1,0 +1,331 @@
+// What is made of session files from the outside: trimmed, joined, salvaged, bundled, exported; and felt again.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "palpate/base/random.h"
+#include "palpate/base/text.h"
+#include "palpate/mesh/files/save.h"
+#include "palpate/trace/session_reader.h"
+#include "support/mesh_zoo.h"
+#include "support/run_command.h"
+#include "support/temporary_folder.h"
+
+namespace palpate {
+namespace {
+
+using support::CommandResult;
+using support::contentOf;
+using support::runPalpate;
+
+class SessionTools : public testing::Test {
+ protected:
+  void SetUp() override {
+    mesh::save(folder_ / "dome.obj", zoo::dome({-100.0, -100.0}, 10.0, 20.0));
+    // Free, 0.3 s of contact, free, 0.3 s of contact, free.
+    std::ofstream(folder_ / "path.csv")
+        << "t_s,x_mm,y_mm,z_mm\n0,0,0,40\n0.2,0,0,30\n0.3,0,0,15\n0.4,10,0,14\n0.6,10,0,"
+           "30\n0.8,0,5,30\n0.9,0,5,13\n1.1,5,5,14\n1.2,5,5,40\n1.4,0,0,40\n";
+  }
+  CommandResult palpate(const std::string& arguments) const { return runPalpate(arguments, folder_.path()); }
+  nlohmann::json jsonFrom(const std::string& arguments, int exit_code = 0) const {
+    const CommandResult result = palpate(arguments + " --json");
+    EXPECT_EQ(result.exit_code, exit_code) << arguments << ": " << result.out << result.err;
+    return nlohmann::json::parse(result.out, nullptr, false);
+  }
+  void record(const std::string& body = "dome.obj") const {
+    const CommandResult result = palpate(
+        "simulate " + body + " --trajectory path.csv --trajectory path.csv --radius-mm 4 --no-pictures --session");
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+  }
+  std::string pathOf(const std::string& name) const { return (folder_ / name).string(); }
+  support::TemporaryFolder folder_;
+};
+
+// --- trim ---
+
+TEST_F(SessionTools, ATrimmedSessionIsFeltAgainToTheBit) {
+  record();
+  for (const char* span : {"--from 0.7 --to 1.0", "--from 0.95 --to 1.3", "--from 0.35", "--to 0.45", "--from 1.25"}) {
+    jsonFrom(std::string("trim results/run.session -o part.session ") + span);
+    const auto replay = jsonFrom("replay part.session --verify");
+    EXPECT_EQ(replay["identical"], true) << span;
+    EXPECT_EQ(replay["unproven"], 0) << span;
+    EXPECT_GT(replay["ticks"], 300) << span;
+  }
+}
+
+TEST_F(SessionTools, ATrimSaysHowMuchEarlierItBegins) {
+  record();
+  const auto trim = jsonFrom("trim results/run.session -o part.session --from 0.95 --to 1.3");
+  EXPECT_EQ(trim["first_tick"].get<int>() + trim["earlier_ticks"].get<int>(), 950);
+  EXPECT_GT(trim["first_tick"], 600) << "between the contacts";
+  EXPECT_GT(trim["earlier_ticks"], 50);
+  EXPECT_NE(palpate("trim results/run.session -o part.session --from 0.95").out.find("last at rest"),
+            std::string::npos);
+}
+
+TEST_F(SessionTools, AnExactTrimInAContactIsProvenFromWhereTheFingersRest) {
+  record();
+  const auto trim = jsonFrom("trim results/run.session -o part.session --from 0.4 --exact");
+  EXPECT_EQ(trim["first_tick"], 400);
+  EXPECT_EQ(trim["not_at_rest"].size(), 2u);
+  const auto replay = jsonFrom("replay part.session --verify");
+  EXPECT_EQ(replay["identical"], true) << "what can be proven";
+  EXPECT_GT(replay["unproven"], 2 * 100);
+  EXPECT_GT(replay["ticks"], 2 * 600);
+  EXPECT_EQ(replay["gaps"].size(), 2u);
+  const CommandResult words = palpate("replay part.session --verify");
+  EXPECT_NE(words.out.find("cannot be proven"), std::string::npos) << words.out;
+  // All of it in the contact: nothing can be proven, and nobody may believe it was.
+  palpate("trim results/run.session -o inside.session --from 0.35 --to 0.4 --exact");
+  const CommandResult nothing = palpate("replay inside.session --verify");
+  EXPECT_EQ(nothing.exit_code, 1) << nothing.out;
+  EXPECT_NE(nothing.out.find("nothing    could be compared"), std::string::npos) << nothing.out;
+}
+
+TEST_F(SessionTools, ATrimOfADamagedRecordStillDiffers) {
+  record();
+  mesh::save(folder_ / "dome.obj", zoo::dome({-100.0, -100.0}, 10.0, 21.0));
+  palpate("trim results/run.session -o part.session --from 0.7");
+  EXPECT_EQ(palpate("replay part.session --verify").exit_code, 1);
+}
+
+// --- join ---
+
+TEST_F(SessionTools, JoinedSessionsAreFeltAgainToTheBit) {
+  record();
+  jsonFrom("trim results/run.session -o a.session --to 0.35");  // ends in a contact
+  jsonFrom("trim results/run.session -o b.session --from 0.7");
+  jsonFrom("trim results/run.session -o c.session --from 0.4 --exact");
+  const auto join = jsonFrom("join a.session results/run.session b.session -o all.session");
+  EXPECT_EQ(join["begins"].size(), 3u);
+  const auto replay = jsonFrom("replay all.session --verify");
+  EXPECT_EQ(replay["identical"], true);
+  EXPECT_EQ(replay["unproven"], 0);
+  EXPECT_EQ(replay["ticks"], join["samples"]);
+  // One that was cut in a contact stays unproven there, and only there.
+  jsonFrom("join results/run.session c.session b.session -o all.session");
+  const auto again = jsonFrom("replay all.session --verify");
+  EXPECT_EQ(again["identical"], true);
+  EXPECT_EQ(again["unproven"], jsonFrom("replay c.session --verify")["unproven"]);
+}
+
+// --- repair ---
+
+TEST_F(SessionTools, ASalvagedSessionIsFeltAgainAroundItsHoles) {
+  record();
+  std::string bytes = readFile(folder_ / "results/run.session", 1 << 26);
+  ASSERT_GT(bytes.size(), 100000u);
+  for (std::size_t at = bytes.size() / 2; at < bytes.size() / 2 + 9000; ++at) bytes[at] = 'x';
+  std::ofstream(folder_ / "bent.session", std::ios::binary) << bytes;
+  EXPECT_EQ(palpate("replay bent.session --verify").exit_code, 2);
+  const auto repair = jsonFrom("repair bent.session -o mended.session");
+  EXPECT_EQ(repair["nothing_lost"], false);
+  EXPECT_GT(repair["samples_lost"], 100);
+  EXPECT_EQ(repair["samples"].get<int>() + repair["samples_lost"].get<int>(), 2 * 1401);
+  EXPECT_EQ(contentOf(folder_ / "bent.session"), bytes);
+  const auto replay = jsonFrom("replay mended.session --verify");
+  EXPECT_EQ(replay["identical"], true);
+  EXPECT_EQ(replay["ticks"].get<int>() + replay["unproven"].get<int>(), repair["samples"]);
+  EXPECT_GT(replay["ticks"], 500);
+}
+
+TEST_F(SessionTools, ASoundSessionIsRepairedWithoutALoss) {
+  record();
+  const CommandResult result = palpate("repair results/run.session -o mended.session");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("nothing was lost"), std::string::npos) << result.out;
+  EXPECT_EQ(palpate("replay mended.session --verify").exit_code, 0);
+}
+
+// --- bundle ---
+
+TEST_F(SessionTools, ABundleIsFeltAgainSomewhereElseWithNothingElse) {
+  record();
+  const auto bundle = jsonFrom("bundle results/run.session -o bundle.session");
+  EXPECT_EQ(bundle["files"].size(), 2u) << "mesh and path";
+  for (const char* gone : {"dome.obj", "path.csv"}) std::filesystem::remove(folder_ / gone);
+  EXPECT_EQ(palpate("replay results/run.session --verify").exit_code, 2);
+  const support::TemporaryFolder elsewhere;
+  std::filesystem::rename(folder_ / "bundle.session", elsewhere / "bundle.session");
+  EXPECT_EQ(runPalpate("replay bundle.session --verify", elsewhere.path()).exit_code, 0);
+  // What is made of a bundle carries the files on.
+  for (const char* made :
+       {"trim bundle.session -o made.session --from 0.7", "repair bundle.session -o made.session",
+        "join bundle.session bundle.session -o made.session", "bundle bundle.session -o made.session"}) {
+    EXPECT_EQ(runPalpate(made, elsewhere.path()).exit_code, 0) << made;
+    const CommandResult replay = runPalpate("replay made.session --verify", elsewhere.path());
+    EXPECT_EQ(replay.exit_code, 0) << made << replay.out << replay.err;
+  }
+}
+
+TEST_F(SessionTools, ABundleSaysNothingOfWhoRecordedItAndWhere) {
+  std::filesystem::create_directories(folder_ / "zaphod/scans");
+  mesh::save(folder_ / "zaphod/scans/back.obj", zoo::dome({-100.0, -100.0}, 10.0, 20.0));
+  std::ofstream(folder_ / "zaphod/scene.toml")
+      << "title = \"of zaphod, practice\"\n[body]\nkind = \"mesh\"\nfile = \"scans/back.obj\"\n[[finger]]\nname = "
+         "\"index\"\ntrajectory = \""
+      << pathOf("path.csv") << "\"\n";
+  ASSERT_EQ(palpate("simulate zaphod/scene.toml --no-pictures --session").exit_code, 0);
+  ASSERT_NE(readFile(folder_ / "results/run.session", 1 << 26).find("zaphod"), std::string::npos);
+  ::setenv("USER", "zaphod", 1);
+  const CommandResult result = palpate("bundle results/run.session -o bundle.session");
+  ::unsetenv("USER");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const std::string bytes = readFile(folder_ / "bundle.session", 1 << 26);
+  EXPECT_EQ(bytes.find("zaphod"), std::string::npos);
+  EXPECT_EQ(bytes.find(folder_.path().string()), std::string::npos);
+  EXPECT_EQ(bytes.find(folder_.path().filename().string()), std::string::npos);
+  EXPECT_NE(bytes.find("of user, practice"), std::string::npos) << "the rest of the words stays";
+  std::filesystem::remove_all(folder_ / "zaphod");
+  EXPECT_EQ(palpate("replay bundle.session --verify").exit_code, 0);
+}
+
+TEST_F(SessionTools, AFileThatABundleNeedsAndThatIsGoneIsNamed) {
+  record();
+  std::filesystem::remove(folder_ / "dome.obj");
+  const CommandResult result = palpate("bundle results/run.session -o bundle.session");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find("dome.obj"), std::string::npos) << result.err;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "bundle.session"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "bundle.session.partial"));
+}
+
+TEST_F(SessionTools, FilesThatAStrangersSessionCarriesStayInTheirFolder) {
+  for (const char* name : {"../evil", "/tmp/evil", "a/../../evil", "", ".", "a/./b", "a\\\\b", "files/"}) {
+    {
+      trace::SessionWriter writer(folder_ / "evil.session", trace::SessionHeader(), {{"a", "b"}});
+      writer.add(trace::SessionWorld{"", "", "torso", 1, 1, {{"", ""}}});
+      writer.add(trace::SessionAttachment{0, "file", name, "", "evil"});
+      writer.add(trace::Sample{});
+      writer.finish("done");
+    }
+    const CommandResult result = palpate("replay evil.session");
+    EXPECT_EQ(result.exit_code, 2) << name;
+    EXPECT_NE(result.err.find("outside of its folder"), std::string::npos) << name << ": " << result.err;
+  }
+  EXPECT_FALSE(std::filesystem::exists("/tmp/evil"));
+}
+
+// --- export ---
+
+TEST_F(SessionTools, EveryColumnComesOutForNumPy) {
+  record();
+  ASSERT_EQ(palpate("export results/run.session --npz run.npz --csv run.csv --from 0.2 --to 1.1").exit_code, 0);
+  // With nothing but what comes with Python: an archive of .npy files, each with a head that says its type and shape.
+  std::ofstream(folder_ / "read.py") << R"(
+import ast, csv, struct, zipfile
+arrays = {}
+with zipfile.ZipFile('run.npz') as npz:
+    assert npz.testzip() is None
+    for name in npz.namelist():
+        data = npz.read(name)
+        assert data[:8] == b'\x93NUMPY\x01\x00' and name.endswith('.npy'), name
+        size = struct.unpack('<H', data[8:10])[0]
+        assert (10 + size) % 64 == 0 and data[9 + size:10 + size] == b'\n', name
+        head = ast.literal_eval(data[10:10 + size].decode('latin1'))
+        assert head['fortran_order'] is False
+        code = {'<f8': 'd', '<u8': 'Q', '<u4': 'I'}[head['descr']]
+        count = head['shape'][0] if head['shape'] else 1
+        assert len(data) == 10 + size + count * struct.calcsize(code), name
+        arrays[name[:-4]] = struct.unpack('<%d%s' % (count, code), data[10 + size:])
+assert arrays['ticks_per_s'] == (1000.0,)
+rows = [row for row in csv.DictReader(open('run.csv')) if row['finger'] == 'finger_2']
+assert len(rows) == 901 == len(arrays['finger_2.tick']), len(rows)
+for i, row in enumerate(rows):
+    assert arrays['finger_2.tick'][i] == 200 + i
+    for name, there in (('force_x_n', 'force_x_n'), ('depth_mm', 'depth_mm'), ('tip_z_mm', 'tip_z_mm')):
+        if there in row: assert float(row[there]) == arrays['finger_2.' + name][i], (i, name)
+    assert ['free', 'stick', 'slip'][arrays['finger_2.touch'][i]] == row['state']
+print(len(arrays))
+)";
+  const auto python = support::runProgram("/bin/sh", "-c \"cd '" + folder_.path().string() + "' && python3 read.py\"");
+  ASSERT_EQ(python.exit_code, 0) << python.err;
+  EXPECT_EQ(std::stoul(python.out), 1 + 2 * trace::sampleColumns().size());
+}
+
+TEST_F(SessionTools, TheSkinOfAMomentIsThatOfTheRun) {
+  std::ofstream(folder_ / "scene.toml") << "[body]\nkind = \"mesh\"\nfile = \"dome.obj\"\n[[finger]]\nname = "
+                                           "\"index\"\ntrajectory = \"path.csv\"\n[output]\nsurfaces_at_s = [0.35]\n";
+  ASSERT_EQ(palpate("simulate scene.toml --no-pictures --session").exit_code, 0);
+  ASSERT_EQ(palpate("export results/run.session --ply skin.ply --at 0.35").exit_code, 0);
+  EXPECT_EQ(contentOf(folder_ / "skin.ply"), contentOf(folder_ / "results/surface_0.350s.ply"));
+  ASSERT_EQ(palpate("export results/run.session --ply deepest.ply").exit_code, 0);
+  EXPECT_EQ(contentOf(folder_ / "deepest.ply"), contentOf(folder_ / "results/surface_deepest.ply"));
+  mesh::save(folder_ / "dome.obj", zoo::dome({-100.0, -100.0}, 10.0, 21.0));
+  EXPECT_NE(palpate("export results/run.session --ply skin.ply --at 0.35").out.find("not the recorded one"),
+            std::string::npos);
+  const CommandResult picture = palpate("render results/run.session --size 80x60 --at 0.35");
+  EXPECT_NE(picture.out.find("not the recorded one"), std::string::npos) << picture.out;
+  mesh::save(folder_ / "dome.obj", zoo::grid(2, 50.0));
+  const CommandResult other = palpate("export results/run.session --ply skin.ply --at 0.35");
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_NE(other.err.find("not the recorded one"), std::string::npos) << other.err;
+}
+
+TEST_F(SessionTools, PicturesAndSoundsComeOutByTheirTime) {
+  {
+    trace::SessionWriter writer(folder_ / "a.session", trace::SessionHeader(), {{"index", "script"}});
+    writer.add(trace::SessionWorld{"", "", "torso", 1, 1, {{"", ""}}});
+    writer.add(trace::Sample{});
+    writer.add(trace::SessionAttachment{2500, "sound", "../../note", "audio/wav", "RIFF"});
+    writer.add(trace::SessionAttachment{1250, "picture", "p", "image/png", "PNG"});
+    writer.add(trace::SessionAttachment{0, "file", "body.obj", "", "v 0 0 0"});
+    writer.finish("done");
+  }
+  ASSERT_EQ(palpate("export a.session --attachments notes").exit_code, 0);
+  EXPECT_EQ(contentOf(folder_ / "notes/0001_picture_1.250s.png"), "PNG");
+  EXPECT_EQ(contentOf(folder_ / "notes/0002_sound_2.500s.wav"), "RIFF");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_ / "notes"), {}), 2);
+}
+
+// --- pictures ---
+
+TEST_F(SessionTools, ASessionIsDrawnAsTheRunWas) {
+  std::ofstream(folder_ / "scene.toml") << "[body]\nkind = \"mesh\"\nfile = \"dome.obj\"\n[[finger]]\nname = "
+                                           "\"index\"\ntrajectory = \"path.csv\"\n";
+  ASSERT_EQ(palpate("simulate scene.toml --no-pictures --session").exit_code, 0);
+  const std::string look = " --at 0.35 --frames 2 --fps 4 --size 160x120 --supersampling 1";
+  const auto run = jsonFrom("render scene.toml -o run.png" + look);
+  const auto session = jsonFrom("render results/run.session -o session.png" + look);
+  for (const char* number : {"_0001.png", "_0002.png"}) {
+    EXPECT_EQ(contentOf(folder_ / (std::string("session") + number)),
+              contentOf(folder_ / (std::string("run") + number)));
+  }
+  EXPECT_EQ(session["pictures"][1]["fingers"], run["pictures"][1]["fingers"]);
+  palpate("bundle results/run.session -o bundle.session");
+  std::filesystem::remove(folder_ / "dome.obj");
+  EXPECT_EQ(palpate("render bundle.session -o bundle.png --size 80x60 --at 0.35").exit_code, 0);
+  EXPECT_EQ(palpate("render bundle.session -o bundle.png --size 80x60 --at 9").exit_code, 2);
+  EXPECT_EQ(palpate("render bundle.session -o bundle.png --size 80x60 --radius-mm 4").exit_code, 2);
+}
+
+// --- wrong input ---
+
+TEST_F(SessionTools, WrongInputIsOneLineAndExitTwo) {
+  record();
+  std::ofstream(folder_ / "text.session") << "hello";
+  for (const char* arguments :
+       {"trim results/run.session", "trim results/run.session -o results/run.session --from 0.5",
+        "trim results/run.session -o a.session --from 3", "trim results/run.session -o a.session --from 2 --to 1",
+        "trim text.session -o a.session", "join results/run.session -o a.session",
+        "join results/run.session text.session -o a.session",
+        "join results/run.session results/run.session -o results/run.session", "repair text.session -o a.session",
+        "repair results/run.session -o results/run.session", "repair results/run.session -o a.session --no-weld",
+        "repair results/run.session -o a.session --unit m", "repair none.session -o a.session"}) {
+    const CommandResult result = palpate(arguments);
+    EXPECT_EQ(result.exit_code, 2) << arguments << result.out;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << arguments << ": " << result.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "a.session")) << arguments;
+  }
+  EXPECT_NE(palpate("repair results/run.session -o a.session --no-weld").err.find("--no-weld is for meshes"),
+            std::string::npos);
+  EXPECT_EQ(palpate("replay results/run.session --verify").exit_code, 0) << "the source is as it was";
+}
+
+}  // namespace
+}  // namespace palpate
