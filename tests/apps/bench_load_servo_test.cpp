@@ -1,4 +1,4 @@
-// `palpate bench load` and `palpate bench servo` from the outside.
+// `palpate bench load`, `palpate bench servo` and `palpate bench session` from the outside.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -67,6 +67,20 @@ TEST(BenchServoCommand, MeasuresLatenessAndComputeTimeApart) {
   EXPECT_LT(json["safety_us_per_tick"], json["safety_tick_us"]);
   EXPECT_EQ(json["peers"]["sleep_until"]["scheduler"], "SCHED_OTHER");
   EXPECT_TRUE(json["ratio_to"].contains("sleep_until"));
+}
+
+TEST(BenchSessionCommand, MeasuresWhatASessionCosts) {
+  const auto result = runPalpate("bench session --seconds 3 --hours 0.01 --json");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json["fingers"], 2);
+  EXPECT_EQ(json["identical"], true);
+  EXPECT_EQ(json["dropped"], 0);
+  EXPECT_LT(json["record_us_per_tick"].get<double>(), 0.5) << "0.09 us on a quiet core (docs/sessions.md)";
+  EXPECT_GT(json["bytes_per_tick"].get<double>(), 10.0);
+  EXPECT_LT(json["bytes_per_tick"].get<double>(), 400.0);
+  EXPECT_GT(json["replay_times_real_time"].get<double>(), 10.0) << "250 times on a quiet core";
+  EXPECT_LT(json["seek_s"].get<double>(), 1.0);
 }
 
 }  // namespace

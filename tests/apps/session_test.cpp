@@ -117,5 +117,26 @@ TEST_F(SessionCommands, ThirtyLinesOfPythonReadTheSameForces) {
   EXPECT_EQ(rows, 1201u);
 }
 
+TEST_F(SessionCommands, RecordWritesWhatIsFeltAndTheMarksThatAreTyped) {
+  std::ofstream(folder_ / "type.sh") << "(sleep 0.5; echo 'T6 right'; sleep 0.3; echo) | '" << PALPATE_BINARY_DIR
+                                     << "/palpate' record dome.obj --seconds 1.5 -o r.session "
+                                     << "--notes 'a <test>' --tags 'one two' --json\n";
+  const CommandResult result = support::runProgram("/bin/sh", "type.sh", folder_.path());
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json["marks"], 2);
+  EXPECT_EQ(json["notes"], "a <test>");
+  EXPECT_EQ(json["tags"], "one two");
+  EXPECT_EQ(json["dropped"], 0);
+  EXPECT_GT(json["seconds"].get<double>(), 1.4);
+  const CommandResult info = palpate("info r.session");
+  EXPECT_NE(info.out.find("mark: T6 right"), std::string::npos) << info.out;
+  EXPECT_NE(info.out.find("mark: mark 2"), std::string::npos) << info.out;
+  EXPECT_EQ(palpate("replay r.session --verify").exit_code, 0);
+  const CommandResult again = palpate("record dome.obj --seconds 1 -o r.session");
+  EXPECT_EQ(again.exit_code, 2);
+  EXPECT_NE(again.err.find("exists already"), std::string::npos) << again.err;
+}
+
 }  // namespace
 }  // namespace palpate

@@ -158,5 +158,35 @@ TEST_F(Signals, ATableThatCannotBeReplayedOpensNoWindow) {
   EXPECT_EQ(other.err, "palpate: other.csv:1: is no table of forces: it begins with other columns\n");
 }
 
+TEST_F(Signals, ARecordingIsFinishedAndProven) {
+  for (const auto& [signal, name, code] :
+       {std::tuple(SIGINT, "SIGINT", 130), std::tuple(SIGTERM, "SIGTERM", 143), std::tuple(SIGHUP, "SIGHUP", 129)}) {
+    SCOPED_TRACE(name);
+    const auto written = [&] {
+      std::error_code error;
+      return fs::file_size(folder_ / "run.session.partial-wal", error) > 150'000 && !error;
+    };
+    EXPECT_EQ(ended({"record", "dome.ply", "--seconds", "600", "--overwrite", "-o", "run.session"}, signal, written),
+              code);
+    const auto info =
+        nlohmann::json::parse(support::runPalpate("info run.session --json", folder_.path()).out, nullptr, false);
+    ASSERT_FALSE(info.is_discarded());
+    EXPECT_EQ(info["ended_by"], name);
+    EXPECT_EQ(support::runPalpate("replay run.session --verify", folder_.path()).exit_code, 0);
+  }
+}
+
+TEST_F(Signals, ARecordingThatIsKilledKeepsWhatWasWrittenAndRepairFinishesIt) {
+  const auto much = [&] {
+    std::error_code error;
+    return fs::file_size(folder_ / "run.session.partial-wal", error) > 200'000 && !error;
+  };
+  EXPECT_EQ(ended({"record", "dome.ply", "--seconds", "600", "-o", "run.session"}, SIGKILL, much), -SIGKILL);
+  EXPECT_FALSE(fs::exists(folder_ / "run.session"));
+  EXPECT_EQ(support::runPalpate("replay run.session.partial --verify", folder_.path()).exit_code, 0);
+  EXPECT_EQ(support::runPalpate("repair run.session.partial -o mended.session", folder_.path()).exit_code, 0);
+  EXPECT_EQ(support::runPalpate("replay mended.session --verify", folder_.path()).exit_code, 0);
+}
+
 }  // namespace
 }  // namespace palpate

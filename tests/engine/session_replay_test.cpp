@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <cstdlib>
 
 #include "palpate/base/random.h"
 #include "palpate/engine/fingers.h"
@@ -118,6 +119,10 @@ TEST_F(SessionReplay, GivesEveryBitThroughFaultsWorldChangesAndAnEmergencyStop) 
                                         << report.first_difference->replayed;
   EXPECT_TRUE(report.identical());
   EXPECT_EQ(report.ticks, popped);
+  if (const char* keep = std::getenv("PALPATE_KEEP_SESSION")) {  // tests/data/sessions/README.md
+    std::filesystem::copy(file(), std::filesystem::path(keep) / "troubled.session");
+    std::filesystem::copy(folder_ / "sheet.ply", std::filesystem::path(keep) / "sheet.ply");
+  }
 }
 
 /// Two fingers on their paths, for a second, without a thread.
@@ -177,6 +182,20 @@ TEST(SessionVersions, TheFirstIsStillFeltAgain) {
   EXPECT_EQ(session.facts().samples, 50u);
   const ReplayReport report = replay(session, {{}, folder});
   EXPECT_TRUE(report.identical()) << (report.first_difference ? report.first_difference->field : "notes");
+}
+
+/// The second, of two fingers through faults, three changed worlds and emergency stops.
+TEST(SessionVersions, TheSecondIsStillFeltAgainThroughFaultsAndChangedWorlds) {
+  const std::filesystem::path folder = std::filesystem::path(PALPATE_TEST_DATA) / "sessions" / "version_2";
+  support::TemporaryFolder copy;
+  std::filesystem::copy(folder / "troubled.session", copy / "troubled.session");
+  trace::SessionReader session(copy / "troubled.session");
+  EXPECT_EQ(session.facts().version, 2);
+  EXPECT_EQ(session.facts().worlds, 4u);
+  EXPECT_EQ(session.facts().fingers.size(), 2u);
+  const ReplayReport report = replay(session, {{}, folder});
+  EXPECT_TRUE(report.identical()) << (report.first_difference ? report.first_difference->field : "notes");
+  EXPECT_EQ(report.ticks, session.facts().samples);
 }
 
 TEST(SessionSettings, AreReadBackToTheBit) {

@@ -50,7 +50,7 @@ void printNames() {
 
 void addBenchCommand(CLI::App& app) {
   CLI::App& bench =
-      *app.add_subcommand("bench", "Measure the finger, deformation, partitions, loading, servo loop, pictures");
+      *app.add_subcommand("bench", "Measure the finger, deformation, partitions, loading, servo loop, sessions, pictures");
   bench.require_subcommand(0, 1);  // none: the regression guard
   addBenchBaseline(bench);
   addBenchContactCommand(bench);
@@ -59,6 +59,7 @@ void addBenchCommand(CLI::App& app) {
   addBenchLoadCommand(bench);
   addBenchPartitionCommand(bench);
   addBenchServoCommand(bench);
+  addBenchSessionCommand(bench);
   addWorkloadCommand(bench);
   bench.add_subcommand("list", "Name the benchmark meshes and trajectories")->callback(printNames);
 }

@@ -35,5 +35,6 @@ void printReport(nlohmann::ordered_json json, const std::string& text, bool as_j
 void addBenchBaseline(CLI::App& bench);  ///< no subcommand: `palpate bench --baseline FILE`
 void addBenchLoadCommand(CLI::App& bench);
 void addBenchServoCommand(CLI::App& bench);
+void addBenchSessionCommand(CLI::App& bench);
 
 }  // namespace palpate::app

@@ -17,6 +17,7 @@ void addAllCommands(CLI::App& app) {
   addPartitionCommand(app);
   addPlotCommand(app);
   addSimulateCommand(app);
+  addRecordCommand(app);
   addRenderCommand(app);
   addRepairCommand(app);
   addReplayCommand(app);

@@ -32,6 +32,7 @@ void addModelCommand(CLI::App& app);
 void addPartitionCommand(CLI::App& app);
 void addPlotCommand(CLI::App& app);
 void addSimulateCommand(CLI::App& app);
+void addRecordCommand(CLI::App& app);
 void addRenderCommand(CLI::App& app);
 void addRepairCommand(CLI::App& app);
 void addReplayCommand(CLI::App& app);

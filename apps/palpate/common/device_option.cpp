@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "palpate/base/error.h"
+#include "palpate/device/workspace.h"
 
 namespace palpate::app {
 
@@ -34,6 +35,15 @@ std::vector<device::Device> openDevices(std::span<const std::string> names,
   std::vector<device::Device> devices;
   for (std::size_t i = 0; i < names.size(); ++i) devices.push_back(device::openNamed(names[i], fingers[i]));
   return devices;
+}
+
+device::Device placedDevice(const device::Device& device, const std::string& words, std::size_t finger,
+                            const Vec3& path_begins, const scene::Scene& scene) {
+  const auto settings = device::settingsOf(scene, words, finger).value_or(scene::DeviceSettings{});
+  const bool stays = device::givesPlacesOfTheBody(words) || device::deviceNamed(words).back_end->name == "hand";
+  const Vec3 origin = stays ? Vec3(Vec3::Zero()) : path_begins;
+  const device::Workspace workspace = device::workspaceOf(settings, origin);
+  return device::inWorkspace(device, workspace, std::make_shared<device::WorkspaceLink>(workspace));
 }
 
 }  // namespace palpate::app

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "palpate/device/back_ends.h"
+#include "palpate/scene/scene.h"
 
 namespace palpate::app {
 
@@ -18,5 +19,10 @@ CLI::Option* addDeviceOption(CLI::App& command, std::vector<std::string>& names,
 /// and for more devices than fingers.
 std::vector<device::Device> openDevices(std::span<const std::string> names,
                                         std::span<const device::OpenOptions> fingers);
+
+/// Where the scene says, else where the finger's path begins; what gives places of the body stays as it is, and so does
+/// a simulated hand, which is drawn along that path.
+device::Device placedDevice(const device::Device& device, const std::string& words, std::size_t finger,
+                            const Vec3& path_begins, const scene::Scene& scene);
 
 }  // namespace palpate::app

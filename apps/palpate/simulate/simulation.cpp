@@ -13,7 +13,6 @@
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/device/back_ends.h"
-#include "palpate/device/workspace.h"
 #include "palpate/scene/hdb_source.h"
 #include "palpate/servo/device_limits.h"
 #include "palpate/servo/scripted_rig.h"
@@ -54,17 +53,6 @@ void holdBy(const device::Device& device, const scene::World& world, servo::Fing
   servo::giveDevice(finger, device);
 }
 
-/// Where the scene says, else where the finger's path begins; what gives places of the body stays as it is, and so does
-/// a simulated hand, which is drawn along that path.
-device::Device placed(const device::Device& device, const std::string& words, std::size_t finger,
-                      const Vec3& path_begins, const scene::Scene& scene) {
-  const auto settings = device::settingsOf(scene, words, finger).value_or(scene::DeviceSettings{});
-  const bool stays = device::givesPlacesOfTheBody(words) || device::deviceNamed(words).back_end->name == "hand";
-  const Vec3 origin = stays ? Vec3(Vec3::Zero()) : path_begins;
-  const device::Workspace workspace = device::workspaceOf(settings, origin);
-  return device::inWorkspace(device, workspace, std::make_shared<device::WorkspaceLink>(workspace));
-}
-
 /// Opens the devices and puts them in place of the first fingers' paths, where these begin.
 void useDevices(const SimulationSettings& settings, const device::FingerPaths& paths, servo::Rig& rig,
                 SimulationResult& result) {
@@ -78,7 +66,7 @@ void useDevices(const SimulationSettings& settings, const device::FingerPaths& p
     if (devices[i].capabilities.rhythm != device::Rhythm::on_call && !settings.realtime) {
       throw Error(devices[i].name + ": a hand takes its time: --realtime");
     }
-    devices[i] = placed(devices[i], settings.devices[i], i, paths.tips[i]->front(), result.world->scene);
+    devices[i] = placedDevice(devices[i], settings.devices[i], i, paths.tips[i]->front(), result.world->scene);
     holdBy(devices[i], *result.world, rig.fingers[i]);
     const double factor = rig.fingers[i].limiter_settings.stiffness_factor;
     result.notes.push_back(fmt::format("finger {} is held by {}{}", result.world->scene.fingers[i].name,

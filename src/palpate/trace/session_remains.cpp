@@ -92,7 +92,7 @@ class Sorter {
       addTorn(row);
     } else if (isLike(v, "niiiiiib", true)) {
       addBlock(row);
-    } else if (isLike(v, "nt??ttritt", true)) {
+    } else if (isLike(v, "nt??ttritt", true) || isLike(v, "nt??ttritti", true)) {  // the first version does not count
       addHeader(v);
     } else if (isLike(v, "ntttit", true)) {
       addWorld(row);

@@ -21,7 +21,8 @@ CREATE TABLE session(
   ticks_per_s REAL NOT NULL,
   dropped INTEGER NOT NULL DEFAULT 0, -- samples that found no room on their way here
   notes TEXT NOT NULL DEFAULT '',
-  tags TEXT NOT NULL DEFAULT ''       -- words with blanks between
+  tags TEXT NOT NULL DEFAULT '',      -- words with blanks between
+  samples INTEGER NOT NULL DEFAULT 0  -- rows of all blocks
 ) STRICT;
 CREATE TABLE worlds(
   id INTEGER PRIMARY KEY,             -- counts from 0; samples name it

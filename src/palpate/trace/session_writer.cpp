@@ -57,6 +57,7 @@ struct SessionWriter::Open {
                          "INSERT INTO blocks(part, finger, first_tick, last_tick, rows, crc32, data) "
                          "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7)"};
   Statement insert_event{database, "INSERT INTO events(tick, finger, kind, text) VALUES (?1, ?2, ?3, ?4)"};
+  Statement count_samples{database, "UPDATE session SET samples = samples + ?1"};
 };
 
 SessionWriter::~SessionWriter() {
@@ -136,7 +137,7 @@ void SessionWriter::flush() {
   if (events_.empty() && std::none_of(waiting_.begin(), waiting_.end(), waits)) return;
   Transaction transaction(open_->database);
   std::uint64_t written = 0;
-  WrittenPart about{part_, std::numeric_limits<std::uint64_t>::max(), 0, std::numeric_limits<std::uint32_t>::max()};
+  WrittenPart about{part_, std::numeric_limits<std::uint64_t>::max(), 0, 0, std::numeric_limits<std::uint32_t>::max()};
   for (std::size_t i = 0; i < waiting_.size(); ++i) {
     const std::vector<Sample>& samples = waiting_[i];
     if (samples.empty()) continue;
@@ -163,10 +164,12 @@ void SessionWriter::flush() {
     }
     insert.with(event.kind).with(event.text).run();
   }
+  open_->count_samples.with(static_cast<std::int64_t>(written)).run();
   transaction.commit();
   for (std::vector<Sample>& samples : waiting_) samples.clear();
   events_.clear();
   samples_ += written;
+  about.samples = written;
   if (written > 0) written_.push_back(about);
   ++part_;
   file_.keepUnfinished();
@@ -184,7 +187,9 @@ void SessionWriter::add(const SessionAttachment& attachment) {
 
 void SessionWriter::forgetBefore(std::uint64_t tick) {
   std::int64_t parts = -1;
+  std::int64_t samples = 0;
   while (written_.size() > 1 && written_.front().last_tick < tick) {
+    samples += static_cast<std::int64_t>(written_.front().samples);
     parts = written_.front().part;
     written_.pop_front();
   }
@@ -197,6 +202,7 @@ void SessionWriter::forgetBefore(std::uint64_t tick) {
   for (const char* table : {"DELETE FROM worlds WHERE id < ?1", "DELETE FROM settings WHERE world < ?1"}) {
     Statement(open_->database, table).with(static_cast<std::int64_t>(written_.front().world)).run();
   }
+  open_->count_samples.with(-samples).run();
   transaction.commit();
   add(SessionEvent{written_.front().first_tick, std::nullopt, "cut", "what was before is forgotten"});
 }

@@ -107,6 +107,7 @@ class SessionWriter {
     std::int64_t part;
     std::uint64_t first_tick;
     std::uint64_t last_tick;
+    std::uint64_t samples;
     std::uint32_t world;  ///< the first that it needs
   };
   OutputFile file_;

@@ -1,0 +1,39 @@
+// What a session costs: in the servo thread, on the disk, in a replay, in a search.
+#pragma once
+
+#include <filesystem>
+
+#include "palpate/base/progress.h"
+#include "palpate/device/finger_path.h"
+#include "palpate/scene/world.h"
+
+namespace palpate::bench {
+
+struct SessionRunSettings {
+  double seconds = 20.0;    ///< recorded and felt again, of simulated time
+  double long_hours = 0.5;  ///< length of the session that is searched
+  std::filesystem::path folder;
+};
+
+struct SessionRun {
+  std::size_t fingers = 0;
+  double record_us_per_tick = 0.0;  ///< of all fingers: handing a tick to the recorder
+  double tick_us = 0.0;             ///< the same ticks, of all fingers
+  std::size_t blocks = 0;           ///< compared
+  double bytes_per_tick = 0.0;      ///< of all fingers, in the finished file
+  double write_mb_per_s = 0.0;      ///< bytes a second of simulated time
+  double write_times_real_time = 0.0;
+  double replay_times_real_time = 0.0;
+  bool identical = false;
+  double long_hours = 0.0;
+  double long_mb = 0.0;
+  double open_s = 0.0;  ///< of the long session, the worst of several
+  double seek_s = 0.0;  ///< opening it and reading the first tick at a random time, the worst
+  std::uint64_t dropped = 0;
+};
+
+/// Records the world's fingers on their paths, again and again. Throws Error for a folder that cannot be written.
+SessionRun measureSession(const scene::World& world, const device::FingerPaths& paths,
+                          const SessionRunSettings& settings, const Progress& progress = {});
+
+}  // namespace palpate::bench
