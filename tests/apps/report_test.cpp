@@ -329,6 +329,14 @@ TEST_F(ReportCommand, WithoutItsBodyThereIsAPlanAndTheReason) {
   EXPECT_TRUE(has(contentOf(folder_ / "page.html"), "<figure id=\"body\">"));
 }
 
+TEST_F(ReportCommand, ASessionThatCarriesItsBodyNeedsNoOther) {
+  record();
+  ASSERT_EQ(palpate("bundle run.session -o bundle.session").exit_code, 0);
+  std::filesystem::remove(folder_ / "dome.obj");
+  EXPECT_FALSE(has(report("bundle.session"), "cannot be built"));
+  EXPECT_TRUE(has(contentOf(folder_ / "page.html"), "<figure id=\"body\">"));
+}
+
 TEST_F(ReportCommand, AnotherBodyIsNotPaintedOn) {
   record();
   saveDome(60.0);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/palpate/common/commands.h"
+#include "apps/palpate/common/interruption.h"
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/session/session_report.h"
 #include "apps/palpate/session/session_text.h"
@@ -71,6 +72,7 @@ void runReport(const ReportArguments& arguments) {
   const bool wants_page = !arguments.json || !arguments.out.empty();
   const std::filesystem::path page = wants_page ? targetOf(arguments) : std::filesystem::path();
   const ReportSettings settings{arguments.file, arguments.folder, reportSpan(arguments, session.facts())};
+  const FinishesInOrder in_order;  // files that the session carries lie in a folder that must go again
   const SessionReport report = sessionReport(session, settings, progress.callback());
   if (wants_page) writeFile(page, reportPage(report, progress.callback()));
   progress.clear();
@@ -93,7 +95,8 @@ void addReportCommand(CLI::App& app) {
   command.add_option("SESSION", a.file, "Session file")->required();
   command.add_option("-o,--out", a.out, "Page to write; left out: the session's name with .html, in this folder");
   addTimeSpan(command, a.span);
-  command.add_option("--folder", a.folder, "Where the files that the scene names lie now; left out: where they lay");
+  command.add_option("--folder", a.folder,
+                     "Where the files that the scene names lie now; left out: in the session, else where they lay");
   command.add_flag("--json", a.json, "Print all numbers as one JSON object; a page is written then only with --out");
   command.callback([=] { runReport(*arguments); });
 }

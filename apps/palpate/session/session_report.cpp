@@ -8,6 +8,7 @@
 #include <map>
 
 #include "palpate/base/error.h"
+#include "palpate/engine/session_bundle.h"
 #include "palpate/engine/session_replay.h"
 #include "palpate/engine/session_settings.h"
 #include "palpate/tree/triangle_tree.h"
@@ -66,12 +67,13 @@ bool fits(const mesh::TriangleMesh& skin, const FeltBody& body, const std::vecto
   });
 }
 
-void buildSurface(const FeltBody& felt, const ReportSettings& settings, const Progress& progress, ReportBody& body) {
+/// `folder`: where the files that the scene names lie now; empty: where they lay.
+void buildSurface(const FeltBody& felt, const std::filesystem::path& folder, const Progress& progress,
+                  ReportBody& body) {
   const trace::SessionWorld& recorded = felt.worlds.begin()->second;
   body.reach_mm = radiiIn(recorded);
-  const std::filesystem::path folder =
-      settings.folder.empty() ? std::filesystem::path(recorded.folder) : settings.folder;
-  const auto world = engine::builtWorld(recorded, folder, progress);
+  const auto world =
+      engine::builtWorld(recorded, folder.empty() ? std::filesystem::path(recorded.folder) : folder, progress);
   const std::size_t triangles = world->skin.triangles.size();
   if (triangles != recorded.triangles) {
     body.why_not = fmt::format("The body is no longer the recorded one: it has {} triangles instead of {}.", triangles,
@@ -113,7 +115,8 @@ ReportBody reportBody(trace::SessionReader& session, const ReportSettings& setti
       body.notes.push_back(fmt::format("The body changed: the map shows {}; {:.1f} s of touch were on others.",
                                        body.name, statistics.seconds(elsewhere)));
     }
-    buildSurface(longest->second, settings, progress, body);
+    const engine::CarriedFiles carried(session);
+    buildSurface(longest->second, settings.folder.empty() ? carried.folder() : settings.folder, progress, body);
   } catch (const Error& error) {
     body.why_not = fmt::format("The body cannot be built: {}.", error.what());
   }

@@ -39,7 +39,8 @@ struct SessionReport {
 
 struct ReportSettings {
   std::filesystem::path file;
-  std::filesystem::path folder;  ///< where the files that the scene names lie now; empty: where they lay
+  /// Where the files that the scene names lie now; empty: in the session itself, else where they lay.
+  std::filesystem::path folder;
   trace::TickSpan span;
 };
 
