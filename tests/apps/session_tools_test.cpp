@@ -163,6 +163,27 @@ TEST_F(SessionTools, ABundleIsFeltAgainSomewhereElseWithNothingElse) {
   }
 }
 
+TEST_F(SessionTools, ABundleCarriesWhatAGltfFileNames) {
+  std::filesystem::create_directories(folder_ / "model/parts");
+  const std::string indices{"\0\0\1\0\2\0\0\0", 8};
+  std::string bytes = indices;
+  for (const float number : {0.0f, 0.0f, 0.0f, 0.1f, 0.0f, 0.0f, 0.0f, 0.1f, 0.0f}) {
+    bytes.append(reinterpret_cast<const char*>(&number), 4);
+  }
+  std::ofstream(folder_ / "model/parts/back.bin", std::ios::binary) << bytes;
+  std::ofstream(folder_ / "model/back.gltf")
+      << R"({"asset":{"version":"2.0"},"buffers":[{"uri":"parts/back.bin","byteLength":44}],"bufferViews":[)"
+      << R"({"buffer":0,"byteLength":6},{"buffer":0,"byteOffset":8,"byteLength":36}],"accessors":[)"
+      << R"({"bufferView":0,"componentType":5123,"count":3,"type":"SCALAR"},)"
+      << R"({"bufferView":1,"componentType":5126,"count":3,"type":"VEC3"}],)"
+      << R"("meshes":[{"primitives":[{"attributes":{"POSITION":1},"indices":0}]}],"nodes":[{"mesh":0}],)"
+      << R"("scenes":[{"nodes":[0]}],"scene":0})";
+  record("model/back.gltf");
+  EXPECT_EQ(jsonFrom("bundle results/run.session -o bundle.session")["files"].size(), 3u);
+  std::filesystem::remove_all(folder_ / "model");
+  EXPECT_EQ(palpate("replay bundle.session --verify").exit_code, 0);
+}
+
 TEST_F(SessionTools, ABundleSaysNothingOfWhoRecordedItAndWhere) {
   std::filesystem::create_directories(folder_ / "zaphod/scans");
   mesh::save(folder_ / "zaphod/scans/back.obj", zoo::dome({-100.0, -100.0}, 10.0, 20.0));
@@ -302,6 +323,24 @@ TEST_F(SessionTools, ASessionIsDrawnAsTheRunWas) {
   EXPECT_EQ(palpate("render bundle.session -o bundle.png --size 80x60 --at 0.35").exit_code, 0);
   EXPECT_EQ(palpate("render bundle.session -o bundle.png --size 80x60 --at 9").exit_code, 2);
   EXPECT_EQ(palpate("render bundle.session -o bundle.png --size 80x60 --radius-mm 4").exit_code, 2);
+}
+
+TEST_F(SessionTools, ASessionOfEveryVersionIsSalvagedWhole) {
+  int versions = 0;
+  for (const auto& version : std::filesystem::directory_iterator(PALPATE_TEST_DATA "/sessions")) {
+    if (!version.is_directory()) continue;
+    for (const auto& file : std::filesystem::directory_iterator(version)) {
+      if (file.path().extension() != ".session") continue;
+      ++versions;
+      const auto repair = jsonFrom("repair '" + file.path().string() + "' -o mended.session");
+      EXPECT_EQ(repair["nothing_lost"], true) << file.path();
+      const auto was = jsonFrom("replay '" + file.path().string() + "' --folder '" + version.path().string() + "'");
+      const auto is = jsonFrom("replay mended.session --folder '" + version.path().string() + "'");
+      EXPECT_EQ(is["ticks"], was["ticks"]) << file.path();
+      EXPECT_EQ(repair["samples"].get<int>(), is["ticks"].get<int>() + is["unproven"].get<int>()) << file.path();
+    }
+  }
+  EXPECT_GE(versions, 2);
 }
 
 // --- wrong input ---

@@ -82,16 +82,17 @@ TEST(Seams, APrintOrAnExitWouldBeSeen) {
   EXPECT_FALSE(matches("if (!exits(name)) return;", kExits));
 }
 
-/// The servo loop, the drain of its samples, the builder of worlds and drivers that wait are threads themselves.
+/// The servo loop, the drain of its samples, the recorder of sessions, the builder of worlds and drivers that wait are
+/// threads themselves.
 TEST(Seams, ColdWorkAsksOnePlaceForThreads) {
-  expectOnlyIn({"base/background.cpp", "device/driver_thread.", "engine/servo_thread.", "engine/world_builder.",
-                "servo/sample_drain."},
+  expectOnlyIn({"base/background.cpp", "device/driver_thread.", "engine/servo_thread.", "engine/session_recorder.",
+                "engine/world_builder.", "servo/sample_drain."},
                kThreads);
 }
 
-/// One place reads whole files, one writes them.
+/// One place reads whole files, one pieces of them, one writes them.
 TEST(Seams, FilesAreOpenedInOnePlace) {
-  expectOnlyIn({"base/text.cpp", "base/output_file.cpp"}, kOpens);
+  expectOnlyIn({"base/text.cpp", "base/byte_file.", "base/output_file.cpp"}, kOpens);
   for (const char* line : {"#include <fstream>", "std::ifstream stream(file);", "std::ofstream out(file);",
                            R"(std::FILE* file = std::fopen(name, "rb");)", "stbi_load(file.c_str(), &w, &h, &n, 3);",
                            "stbi_write_png(name, w, h, 3, pixels, 3 * w);", "toml::parse_file(name);"}) {

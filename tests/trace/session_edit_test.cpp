@@ -182,7 +182,10 @@ TEST_F(SessionEdit, AnExactTrimNamesTheFingersOfWhichNothingIsProven) {
 TEST_F(SessionEdit, ATrimOfAllIsACopy) {
   const auto source = record("a.session", 0, 999, {300, 600});
   SessionReader reader(source);
-  trim(reader, {}, folder_ / "b.session");
+  Database(source, Database::Mode::write).run("UPDATE session SET ended_utc = '2026-11-21T12:00:01Z'");
+  SessionReader ended(source);
+  trim(ended, {}, folder_ / "b.session");
+  EXPECT_EQ(SessionReader(folder_ / "b.session").facts().ended_utc, "2026-11-21T12:00:01Z") << "not when it was cut";
   EXPECT_EQ(SessionReader(folder_ / "b.session").facts().header.notes, "of a test");
   EXPECT_EQ(samplesOf(folder_ / "b.session").size(), 2000u);
 }
@@ -364,6 +367,7 @@ TEST_F(SessionEdit, OfAFileThatIsCutTheBeginningIsSalvaged) {
     EXPECT_LE(repair.bytes_missing, sound.size() - size + 4096);
     const auto is = samplesOf(folder_ / "mended.session");
     for (const auto& [place, sample] : is) ASSERT_TRUE(sameBits(sample, all.at(place)));
+    EXPECT_EQ(repair.worlds, is.empty() ? 0u : 1u) << "it was written first";
     // What the file still names is told; of what came later nothing is left but the number of bytes.
     const std::set<Place> missing = missingFrom(all, is);
     for (const Place& place : placesOf(repair.lost)) ASSERT_TRUE(missing.contains(place));

@@ -73,13 +73,13 @@ std::uint64_t addFinger(trace::SessionReader& session, const trace::TickSpan& sp
 }
 
 std::string extensionOf(const trace::SessionAttachment& attachment) {
-  static const std::map<std::string, std::string, std::less<>> kExtensions = {{"image/png", ".png"},
+  static const std::map<std::string, std::string, std::less<>> extensions = {{"image/png", ".png"},
                                                                               {"image/jpeg", ".jpg"},
                                                                               {"audio/wav", ".wav"},
                                                                               {"audio/x-wav", ".wav"},
                                                                               {"text/plain", ".txt"}};
-  const auto known = kExtensions.find(attachment.media);
-  return known == kExtensions.end() ? ".bin" : known->second;
+  const auto known = extensions.find(attachment.media);
+  return known == extensions.end() ? ".bin" : known->second;
 }
 
 std::uint64_t tickAt(double time_s, const trace::SessionFacts& facts) {

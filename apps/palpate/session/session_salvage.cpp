@@ -27,7 +27,8 @@ std::string textOf(const std::filesystem::path& out, const trace::SessionRepair&
                   repair.samples, repair.blocks, repair.events, repair.worlds, repair.attachments);
   if (repair.nothingLost()) text += "  nothing was lost\n";
   if (repair.blocks_lost > 0) {
-    text += fmt::format("  lost  {} samples in {} blocks\n", repair.samplesLost(), repair.blocks_lost);
+    text += fmt::format("  lost  {} blocks, {} samples that are known by their time\n", repair.blocks_lost,
+                        repair.samplesLost());
   }
   for (const trace::MissingTicks& lost : repair.lost) text += "  lost  " + textOf(repair, lost) + "\n";
   if (repair.bytes_missing > 0) text += fmt::format("  lost  {} bytes at the file's end\n", repair.bytes_missing);

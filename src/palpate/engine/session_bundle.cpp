@@ -86,7 +86,8 @@ class Bundle {
                                           settings_.versions});
     }
     writer.setDropped(session_.facts().dropped);
-    writer.finish(session_.facts().ended_by.empty() ? "bundled" : session_.facts().ended_by);
+    writer.finish(session_.facts().ended_by.empty() ? "bundled" : session_.facts().ended_by,
+                  session_.facts().ended_utc);
     whole.keep();
     return std::move(report_);
   }

@@ -25,6 +25,10 @@ double secondsAt(std::uint64_t tick, const SessionFacts& facts) {
   return static_cast<double>(tick) / facts.header.ticks_per_s;
 }
 
+std::uint32_t firstWorldOf(const SessionReader& session) {
+  return static_cast<std::uint32_t>(session.facts().first_world);
+}
+
 class Copy {
  public:
   Copy(SessionWriter& writer, SessionReader& session, const CopySettings& settings)
@@ -82,6 +86,7 @@ class Copy {
   std::uint32_t worldOf(std::uint32_t number) {
     const auto known = worlds_.find(number);
     if (known != worlds_.end()) return known->second;
+    if (settings_.has_worlds) return settings_.first_world + (number - firstWorldOf(session_));
     SessionWorld world = session_.world(number);
     if (settings_.change_world) settings_.change_world(world);
     writer_.add(world);
@@ -220,7 +225,17 @@ class Chain {
  public:
   Chain(SessionWriter& writer, const SessionFacts& first) : writer_(writer), first_(first) {}
 
+  /// Before any tick: what all depends on stands at the beginning of the file, where a cut does not reach it.
+  void addWorlds(SessionReader& session) {
+    first_worlds_.push_back(worlds_);
+    const std::uint64_t first = firstWorldOf(session);
+    for (std::uint64_t i = 0; i < session.facts().worlds; ++i) writer_.add(session.world(first + i));
+    worlds_ += static_cast<std::uint32_t>(session.facts().worlds);
+  }
+
+  /// In the order in which their worlds were added.
   void add(SessionReader& session, const std::filesystem::path& file, const Progress& progress) {
+    const std::uint32_t first_world = first_worlds_.at(next_++);
     const SessionFacts& facts = session.facts();
     const std::string name = file.filename().string();
     if (facts.samples == 0) {
@@ -229,7 +244,8 @@ class Chain {
     }
     const bool is_first = joined_.begins.empty();
     CopySettings settings;
-    settings.first_world = worlds_;
+    settings.first_world = first_world;
+    settings.has_worlds = true;
     settings.forgets = is_first ? 0u : kForgotTouch | kForgotLimiter;
     const std::uint64_t begin = is_first ? facts.first_tick : joined_.last_tick + 1;
     settings.later_ticks = static_cast<std::int64_t>(begin - facts.first_tick);
@@ -241,7 +257,6 @@ class Chain {
     noteOtherDevices(facts, name);
     const Copied copied = copyInto(writer_, session, settings, progress);
     writer_.flush();  // a part holds ticks of one session
-    worlds_ += copied.worlds;
     joined_.samples += copied.samples;
     joined_.last_tick = copied.last_tick;
     dropped_ += facts.dropped;
@@ -264,6 +279,8 @@ class Chain {
   SessionWriter& writer_;
   const SessionFacts& first_;
   FilesOfAll files_;
+  std::vector<std::uint32_t> first_worlds_;
+  std::size_t next_ = 0;
   std::uint32_t worlds_ = 0;
   std::uint64_t dropped_ = 0;
   Joined joined_;
@@ -319,7 +336,7 @@ Trimmed trim(SessionReader& session, const TrimSettings& settings, const std::fi
   copy.span = {begin.tick, settings.span.to};
   result.copied = copyInto(writer, session, copy, progress);
   if (is_whole) writer.setDropped(facts.dropped);
-  writer.finish(facts.ended_by.empty() ? "cut" : facts.ended_by);
+  writer.finish(facts.ended_by.empty() ? "cut" : facts.ended_by, facts.ended_utc);
   whole.keep();
   return result;
 }
@@ -338,16 +355,22 @@ Joined join(const std::vector<std::filesystem::path>& files, const std::filesyst
   SessionWriter writer(target, header, first.facts().fingers);
   whole.watch(writer);
   Chain chain(writer, first.facts());
+  for (const std::filesystem::path& file : files) {
+    SessionReader session(file);
+    chain.addWorlds(session);
+  }
   std::string ended_by;
+  std::string ended_utc;
   for (std::size_t i = 0; i < files.size(); ++i) {
     SessionReader session(files[i]);
     chain.add(session, files[i], [&](std::string_view, double done) {
       report(progress, "joining", (static_cast<double>(i) + done) / static_cast<double>(files.size()));
     });
     ended_by = session.facts().ended_by;
+    ended_utc = session.facts().ended_utc;
   }
   if (chain.joined().samples == 0) throw Error("none of the sessions holds a tick");
-  writer.finish(ended_by.empty() ? "joined" : ended_by);
+  writer.finish(ended_by.empty() ? "joined" : ended_by, ended_utc);
   whole.keep();
   return chain.joined();
 }

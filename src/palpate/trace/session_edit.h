@@ -29,7 +29,8 @@ struct CopySettings {
   TickSpan span;
   std::int64_t later_ticks = 0;   ///< that everything is moved by
   std::uint32_t forgets = 0;      ///< ForgetBits, in the first sample of each finger
-  std::uint32_t first_world = 0;  ///< worlds that the writer already has
+  std::uint32_t first_world = 0;  ///< number of this session's first world in the copy
+  bool has_worlds = false;        ///< the writer has them already, all of them
   // What is to be another in what is copied; may be empty.
   std::function<void(SessionWorld& world)> change_world;
   std::function<void(SessionEvent& event)> change_event;

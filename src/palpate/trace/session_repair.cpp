@@ -104,7 +104,7 @@ class Repair {
     addAttachments(writer);
     addSamples(writer);
     writer.setDropped(facts.dropped);
-    writer.finish(facts.ended_by.empty() ? "not finished, repaired" : facts.ended_by);
+    writer.finish(facts.ended_by.empty() ? "not finished, repaired" : facts.ended_by, facts.ended_utc);
     whole.keep();
     return std::move(result_);
   }
@@ -170,8 +170,10 @@ class Repair {
 
   /// Every block is read once to know whether it can be.
   void sortBlocks() {
+    findFingers();
     std::int64_t before = remains_.blocks.empty() ? 0 : remains_.blocks.begin()->first - 1;
     std::size_t done = 0;
+    std::uint64_t samples_of_nobody = 0;
     for (auto& [id, block] : remains_.blocks) {
       report(progress_, "reading", 0.5 * static_cast<double>(done++) / static_cast<double>(remains_.blocks.size()));
       for (std::int64_t lost = before + 1; lost < id && lost - before < kMostIdsLost; ++lost) ids_lost_.push_back(lost);
@@ -182,7 +184,6 @@ class Repair {
       if (samples.empty()) {
         ++result_.blocks_lost;
         block.places.clear();
-        if (!block.finger) block.finger = fingerLeftOver(block);
       } else {
         samples_there_ += samples.size();
         piece.first_tick = samples.front().tick;
@@ -194,20 +195,26 @@ class Repair {
       if (block.finger && *block.finger < fingers_.size()) {
         pieces_[*block.finger].push_back(piece);
       } else {
-        result_.other.push_back(
-            fmt::format("{} samples from tick {} on of a finger that is not known", block.rows, block.first_tick));
+        samples_of_nobody += block.rows;
       }
+    }
+    if (samples_of_nobody > 0) {
+      result_.other.push_back(fmt::format("{} samples of a finger that is not known", samples_of_nobody));
     }
   }
 
-  /// Blocks of a part are one a finger: whose is the one of which only its time is known?
-  std::optional<std::uint32_t> fingerLeftOver(const BlockRemains& block) const {
-    std::set<std::uint32_t> left;
-    for (std::uint32_t i = 0; i < fingers_.size(); ++i) left.insert(i);
-    for (const auto& [id, other] : remains_.blocks) {
-      if (other.part == block.part && other.finger) left.erase(*other.finger);
+  /// Of a block of which only its time is known: where every part has a block of every finger, as long as nothing is
+  /// dropped, the numbers of the blocks go round the fingers.
+  void findFingers() {
+    const auto count = static_cast<std::int64_t>(fingers_.size());
+    std::set<std::int64_t> offsets;
+    for (const auto& [id, block] : remains_.blocks) {
+      if (block.finger && count > 0) offsets.insert((id - std::int64_t{*block.finger}) % count);
     }
-    return left.size() == 1 ? std::optional(*left.begin()) : std::nullopt;
+    if (offsets.size() != 1) return;
+    for (auto& [id, block] : remains_.blocks) {
+      if (!block.finger) block.finger = static_cast<std::uint32_t>((id - *offsets.begin() + count) % count);
+    }
   }
 
   void noteGapsWithin(const std::vector<Sample>& samples) {

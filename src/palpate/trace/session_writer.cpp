@@ -213,9 +213,10 @@ void SessionWriter::setDropped(std::uint64_t dropped) {
   Statement(open_->database, "UPDATE session SET dropped = ?1").with(static_cast<std::int64_t>(dropped)).run();
 }
 
-void SessionWriter::finish(std::string_view ended_by) {
+void SessionWriter::finish(std::string_view ended_by, std::string_view ended_utc) {
   flush();
-  Statement(open_->database, "UPDATE session SET ended_utc = ?1, ended_by = ?2").with(utcNow()).with(ended_by).run();
+  const std::string ended = ended_utc.empty() ? utcNow() : std::string(ended_utc);
+  Statement(open_->database, "UPDATE session SET ended_utc = ?1, ended_by = ?2").with(ended).with(ended_by).run();
   takeInLog(open_->database);
   open_.reset();
   file_.commit();

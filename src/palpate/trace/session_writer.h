@@ -91,8 +91,8 @@ class SessionWriter {
   /// Samples that found no room on their way here, so far: told in the header, and as an event.
   void setDropped(std::uint64_t dropped);
   /// The last call: what ended it ("done", a signal's name, a fault). Gives the file its name, in place of an earlier
-  /// one; it stands alone.
-  void finish(std::string_view ended_by);
+  /// one; it stands alone. `ended_utc`: when, of a session that is made of others; empty: now.
+  void finish(std::string_view ended_by, std::string_view ended_utc = {});
 
   /// The last call: nothing is left of it.
   void discard();

@@ -126,13 +126,6 @@ struct LogChecksum {
   }
 };
 
-bool readAt(std::ifstream& file, std::uint64_t at, std::size_t size, std::string& bytes) {
-  bytes.resize(size);
-  file.clear();
-  file.seekg(static_cast<std::streamoff>(at));
-  return static_cast<bool>(file.read(bytes.data(), static_cast<std::streamsize>(size)));
-}
-
 bool isPageSize(std::uint32_t size) { return size >= 512 && size <= 65536 && std::has_single_bit(size); }
 
 }  // namespace
@@ -146,16 +139,16 @@ struct SqlitePages::Node {
   std::size_t pointers = 0;  ///< where the places of its cells begin
 };
 
-SqlitePages::SqlitePages(const std::filesystem::path& file) : name_(file.string()), file_(file, std::ios::binary) {
+SqlitePages::SqlitePages(const std::filesystem::path& file)
+    : name_(file.string()), file_(file), log_(file.string() + "-wal") {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) {
     throw Error::inFile(name_, std::filesystem::exists(file, error) ? "is no file" : "no such file");
   }
-  bytes_ = std::filesystem::file_size(file, error);
-  if (!file_ || error) throw Error::inFile(name_, "cannot be read");
+  if (!file_.isOpen()) throw Error::inFile(name_, "cannot be read");
   readHeader();
-  readLog(file.string() + "-wal");
-  pages_ = std::max(pages_, static_cast<std::uint32_t>((bytes_ + page_size_ - 1) / page_size_));
+  readLog();
+  pages_ = std::max(pages_, static_cast<std::uint32_t>((bytes() + page_size_ - 1) / page_size_));
   std::string first;
   if (!page(1, first) || first.substr(0, kMagic.size()) != kMagic) return;
   // A version of SQLite that does not keep the number of pages leaves another count of changes beside it.
@@ -167,7 +160,7 @@ SqlitePages::SqlitePages(const std::filesystem::path& file) : name_(file.string(
 
 void SqlitePages::readHeader() {
   std::string header;
-  if (!readAt(file_, 0, kHeaderBytes, header) || header.substr(0, kMagic.size()) != kMagic) return;
+  if (!file_.read(0, kHeaderBytes, header) || header.substr(0, kMagic.size()) != kMagic) return;
   const auto told = static_cast<std::uint32_t>(bigEndian(header, 16, 2));
   const std::uint32_t size = told == 1 ? 65536 : told;
   const unsigned reserved = byteAt(header, 20);
@@ -179,10 +172,9 @@ void SqlitePages::readHeader() {
 
 /// A frame's checksum goes on from the one before; it is checked from what that one says, so that a damaged frame does
 /// not take those after it with it.
-void SqlitePages::readLog(const std::filesystem::path& log) {
-  log_.open(log, std::ios::binary);
+void SqlitePages::readLog() {
   std::string header;
-  if (!log_ || !readAt(log_, 0, kLogHeaderBytes, header)) return;
+  if (!log_.read(0, kLogHeaderBytes, header)) return;
   const std::uint32_t magic = word(header, 0);
   const std::uint32_t size = word(header, 8);
   if ((magic & ~1u) != 0x377f0682u || !isPageSize(size)) return;
@@ -192,7 +184,7 @@ void SqlitePages::readLog(const std::filesystem::path& log) {
   std::string before = header.substr(24, 8);
   std::unordered_map<std::uint32_t, std::uint64_t> waiting;  // of a transaction without an end
   std::string frame;
-  for (std::uint64_t at = kLogHeaderBytes; readAt(log_, at, kFrameHeaderBytes + size, frame); at += frame.size()) {
+  for (std::uint64_t at = kLogHeaderBytes; log_.read(at, kFrameHeaderBytes + size, frame); at += frame.size()) {
     LogChecksum checksum{word(before, 0), word(before, 4), (magic & 1u) != 0};
     before = frame.substr(16, 8);
     if (frame.substr(8, 8) != header.substr(16, 8)) continue;  // of an earlier use of the log
@@ -222,11 +214,11 @@ void SqlitePages::readFreePages(std::uint32_t first) {
 }
 
 std::uint64_t SqlitePages::bytesMissing() const {
-  std::uint64_t there = std::uint64_t{bytes_};
+  std::uint64_t there = bytes();
   const std::uint64_t told = std::uint64_t{pages_told_} * page_size_;
   if (told <= there) return 0;
   for (const auto& [number, place] : logged_) {
-    if (std::uint64_t{number} * page_size_ > bytes_ && number <= pages_told_) there += page_size_;
+    if (std::uint64_t{number} * page_size_ > bytes() && number <= pages_told_) there += page_size_;
   }
   return told - std::min(told, there);
 }
@@ -235,9 +227,9 @@ std::uint64_t SqlitePages::bytesMissing() const {
 bool SqlitePages::page(std::uint32_t number, std::string& bytes) {
   if (number == 0) return false;
   const auto logged = logged_.find(number);
-  if (logged != logged_.end()) return readAt(log_, logged->second, page_size_, bytes);
+  if (logged != logged_.end()) return log_.read(logged->second, page_size_, bytes);
   const std::uint64_t at = std::uint64_t{number - 1} * page_size_;
-  return at + page_size_ <= bytes_ && readAt(file_, at, page_size_, bytes);
+  return file_.read(at, page_size_, bytes);
 }
 
 bool SqlitePages::node(std::uint32_t number, Node& node) {

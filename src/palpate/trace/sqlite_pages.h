@@ -9,13 +9,14 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
+
+#include "palpate/base/byte_file.h"
 
 namespace palpate::trace {
 
@@ -57,7 +58,7 @@ class SqlitePages {
   RawRow rowAt(const CellPlace& place);
 
   std::uint32_t pages() const { return pages_; }
-  std::uint64_t bytes() const { return bytes_; }
+  std::uint64_t bytes() const { return file_.size(); }
   /// The file's first bytes are those of an SQLite file.
   bool hasHeader() const { return has_header_; }
   /// Bytes at the file's end that the header tells of and that are not there; 0 also where it is not known.
@@ -72,7 +73,7 @@ class SqlitePages {
  private:
   struct Node;
   void readHeader();
-  void readLog(const std::filesystem::path& log);
+  void readLog();
   void readFreePages(std::uint32_t first);
   bool page(std::uint32_t number, std::string& bytes);
   bool node(std::uint32_t number, Node& node);
@@ -80,9 +81,8 @@ class SqlitePages {
   bool payload(std::string_view page, std::size_t at, std::uint64_t size, bool of_index, std::string& bytes);
 
   std::string name_;
-  std::ifstream file_;
-  std::ifstream log_;
-  std::uint64_t bytes_ = 0;
+  ByteFile file_;
+  ByteFile log_;
   std::uint32_t pages_told_ = 0;    ///< by the header
   std::uint32_t page_size_ = 4096;  ///< SQLite's own choice, where the header is lost
   std::uint32_t usable_ = 4096;

@@ -1,0 +1,26 @@
+// A file of which pieces are read here and there: what is too large to be read whole, or only partly readable.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace palpate {
+
+class ByteFile {
+ public:
+  /// Nothing where it cannot be opened: every piece of it is missing.
+  explicit ByteFile(const std::filesystem::path& file);
+
+  bool isOpen() const { return stream_.is_open(); }
+  std::uint64_t size() const { return size_; }
+  /// False where there are not so many bytes, or the disk does not give them.
+  bool read(std::uint64_t at, std::size_t count, std::string& bytes);
+
+ private:
+  std::ifstream stream_;
+  std::uint64_t size_ = 0;
+};
+
+}  // namespace palpate
