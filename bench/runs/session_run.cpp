@@ -20,7 +20,7 @@ namespace palpate::bench {
 namespace {
 
 /// Short enough that an interruption of the system spoils few, long enough for the clock.
-constexpr std::uint64_t kBlockTicks = 250;
+constexpr std::uint64_t kTimedTicks = 250;
 
 std::vector<trace::SessionFinger> fingersOf(const scene::World& world) {
   std::vector<trace::SessionFinger> fingers;
@@ -33,8 +33,10 @@ class Ticks {
  public:
   Ticks(const scene::World& world, const device::FingerPaths& paths)
       : rig_(servo::scriptedRig(world, paths)), length_(paths.ticks), samples_(rig_.fingers.size()) {
-    for (std::size_t i = 0; i < rig_.fingers.size(); ++i) {
-      rig_.fingers[i].device.read_tip = [tips = paths.tips[i], length = length_](std::uint64_t tick) {
+    std::size_t number = 0;
+    for (servo::FingerChain& finger : rig_.fingers) {
+      const auto tips = paths.tips[number++];
+      finger.device.read_tip = [tips, length = length_](std::uint64_t tick) {
         return (*tips)[std::min<std::uint64_t>(tick % length, tips->size() - 1)];
       };
     }
@@ -100,12 +102,12 @@ void measureHandOver(const scene::World& world, const device::FingerPaths& paths
     Drain drain(links, writer);
     const auto block = [&](bool records) {
       const auto start = Clock::now();
-      for (std::uint64_t k = 0; k < kBlockTicks; ++k) {
+      for (std::uint64_t k = 0; k < kTimedTicks; ++k) {
         const servo::TickSamples& samples = ticks.next();
         if (!records) continue;
         for (const trace::Sample& sample : samples) links.record.push(sample);
       }
-      const double us = microsecondsSince(start) / static_cast<double>(kBlockTicks);
+      const double us = microsecondsSince(start) / static_cast<double>(kTimedTicks);
       drain.waitUntilIdle();
       return us;
     };

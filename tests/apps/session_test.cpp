@@ -138,5 +138,36 @@ TEST_F(SessionCommands, RecordWritesWhatIsFeltAndTheMarksThatAreTyped) {
   EXPECT_NE(again.err.find("exists already"), std::string::npos) << again.err;
 }
 
+TEST_F(SessionCommands, AnnotateAddsWhatSomebodyWantsToSayAndLeavesTheTicksAsTheyAre) {
+  record();
+  std::ofstream(folder_ / "voice.wav") << "RIFF";
+  const CommandResult result = palpate(
+      "annotate results/run.session --notes new --tags 'a b' --mark 'T6 right@0.5' --mark end@1.2 --attach "
+      "voice.wav@0.7 -o more.session");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto info = nlohmann::json::parse(palpate("info more.session --json").out);
+  EXPECT_EQ(info["notes"], "new");
+  EXPECT_EQ(info["tags"], "a b");
+  EXPECT_EQ(info["attachments"], 1);
+  EXPECT_EQ(info["samples"], 2 * 1201);
+  const std::string text = palpate("info more.session").out;
+  EXPECT_NE(text.find("0.500 s, mark: T6 right"), std::string::npos) << text;
+  EXPECT_EQ(palpate("replay more.session --verify").exit_code, 0);
+  EXPECT_EQ(palpate("export more.session --attachments notes").exit_code, 0);
+  bool found = false;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_ / "notes")) {
+    found = found || (entry.is_regular_file() && contentOf(entry.path()) == "RIFF");
+  }
+  EXPECT_TRUE(found);
+  for (const char* wrong : {"--mark T6", "--mark T6@9", "--mark @1", "--mark T6@nan", "--attach voice.wav",
+                            "--attach missing.wav@1", "--attach dome.obj@1", ""}) {
+    const CommandResult refused = palpate("annotate results/run.session -o wrong.session " + std::string(wrong));
+    EXPECT_EQ(refused.exit_code, 2) << wrong;
+    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "wrong.session"));
+  }
+  EXPECT_EQ(palpate("annotate results/run.session --notes x -o results/run.session").exit_code, 2);
+}
+
 }  // namespace
 }  // namespace palpate

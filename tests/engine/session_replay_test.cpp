@@ -8,7 +8,6 @@
 #include <cstdlib>
 
 #include "palpate/base/error.h"
-#include "palpate/base/error.h"
 #include "palpate/base/random.h"
 #include "palpate/engine/fingers.h"
 #include "palpate/engine/servo_thread.h"

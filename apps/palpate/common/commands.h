@@ -15,6 +15,7 @@ int runCommandLine(CLI::App& app, int argc, char** argv);
 /// All subcommands of `palpate`.
 void addAllCommands(CLI::App& app);
 
+void addAnnotateCommand(CLI::App& app);
 void addBenchCommand(CLI::App& app);
 // `parent` is the bench command.
 void addBenchContactCommand(CLI::App& parent);

@@ -344,6 +344,14 @@ void addOutputOptions(CLI::App& command, RenderOptions& options) {
 
 }  // namespace
 
+void drawAndTell(const RenderOptions& options, bool tells) {
+  ProgressLine progress;
+  const RenderReport result = render(options, progress.display());
+  progress.clear();
+  if (tells) fmt::print("{}", options.json ? jsonOf(result).dump(2) + "\n" : summaryOf(result));
+  if (result.film_missed) throw CLI::RuntimeError(1);
+}
+
 void addRenderCommand(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("render", "Draw pictures of a scene or of a recorded session without a window");
@@ -357,11 +365,7 @@ void addRenderCommand(CLI::App& app) {
   addOutputOptions(*command, *options);
   command->callback([=] {
     options->scene.radius_given = command->count("--radius-mm") > 0;
-    ProgressLine progress;
-    const RenderReport result = render(*options, progress.display());
-    progress.clear();
-    fmt::print("{}", options->json ? jsonOf(result).dump(2) + "\n" : summaryOf(result));
-    if (result.film_missed) throw CLI::RuntimeError(1);
+    drawAndTell(*options);
   });
 }
 

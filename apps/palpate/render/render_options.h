@@ -47,4 +47,8 @@ std::vector<std::filesystem::path> filesOf(const RenderOptions& options);
 /// One of a series, counted from 1.
 std::filesystem::path fileOfSeries(const RenderOptions& options, int number);
 
+/// `palpate render`: draws, writes and, if it `tells`, prints what was drawn. Throws Error; CLI::RuntimeError(1) where
+/// the pictures could not be joined to a film.
+void drawAndTell(const RenderOptions& options, bool tells = true);
+
 }  // namespace palpate::app

@@ -181,9 +181,8 @@ void addRecordCommand(CLI::App& app) {
   CLI::App& command = *app.add_subcommand(
       "record", "Palpate with devices in real time, without a window, and record a session until Ctrl+C");
   addInputOptions(command, a.input);
-  addSecondsOption(command, a.input);
-  command.get_option("--seconds")
-      ->description("How long to record; left out: until Ctrl+C, without a device until the last path has ended");
+  addNumber(command, "--seconds", a.input.seconds, above(0.0, 864000.0, "s"),
+            "How long to record; left out: until Ctrl+C, without a device until the last path has ended");
   addDeviceOption(command, a.devices, "Holds the first finger instead of its path, the next one when given again");
   command.add_option("-o,--out", a.out, "Session file to write")->required();
   command.add_flag("--overwrite", a.overwrite, "Replace a session of that name");

@@ -1,6 +1,7 @@
 // `palpate replay`: a session's poses through its scene again, compared with what was felt, bit for bit.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -8,6 +9,7 @@
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/interruption.h"
 #include "apps/palpate/common/progress_line.h"
+#include "apps/palpate/render/render_options.h"
 #include "apps/palpate/session/session_text.h"
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
@@ -25,6 +27,7 @@ struct ReplayArguments {
   std::filesystem::path file;
   std::filesystem::path out;
   std::filesystem::path folder;
+  std::filesystem::path film;
   TimeSpan span;
   bool verify = false;
   bool json = false;
@@ -72,6 +75,24 @@ std::optional<trace::ForcesCsvWriter> tableFor(const ReplayArguments& arguments,
   return std::optional<trace::ForcesCsvWriter>(std::in_place, arguments.out, settings);
 }
 
+/// As `palpate render` draws it: what was recorded, twenty-five pictures a second.
+void draw(const ReplayArguments& arguments) {
+  RenderOptions options;
+  options.scene.scene = arguments.file.string();
+  options.output = arguments.film;
+  {
+    const trace::SessionReader session(arguments.file);
+    const trace::SessionFacts& facts = session.facts();
+    const trace::TickSpan span = spanOf(arguments, facts);
+    const std::uint64_t first = std::max(span.from, facts.first_tick);
+    const std::uint64_t last = std::min(span.to, facts.last_tick);
+    const double rate = facts.header.ticks_per_s;
+    options.at_s = static_cast<double>(first) / rate;
+    options.frames = std::max(1, static_cast<int>(static_cast<double>(last - first) / rate * options.frames_per_s));
+  }
+  drawAndTell(options, !arguments.json);
+}
+
 void runReplay(const ReplayArguments& arguments) {
   ProgressLine progress;
   trace::SessionReader session(arguments.file);
@@ -101,6 +122,7 @@ void runReplay(const ReplayArguments& arguments) {
                      {"notes", report.notes},
                      {"gaps", report.gaps}};
   fmt::print("{}", arguments.json ? json.dump(2) + "\n" : textOf(arguments, report, times_real_time));
+  if (!arguments.film.empty()) draw(arguments);
   if (arguments.verify && !report.identical()) throw CLI::RuntimeError(1);
 }
 
@@ -111,11 +133,15 @@ void addReplayCommand(CLI::App& app) {
   ReplayArguments& a = *arguments;
   CLI::App& command = *app.add_subcommand(
       "replay", "Feel a recorded session again, through its own scene, and compare every bit with what was felt");
-  command.add_option("SESSION", a.file, "run.session of `palpate simulate --session`")->required();
+  command.add_option("SESSION", a.file, "Session file")->required();
   command.add_flag("--verify", a.verify, "Exit code 1 unless every bit is the same");
   addTimeSpan(command, a.span);
   command.add_option("-o,--out", a.out, "Write what is felt now as a table of forces (CSV)");
   command.add_option("--folder", a.folder, "Where the files that the scene names lie now; left out: where they lay");
+  command.add_option(
+      "--render", a.film,
+      "Also draw it, 25 pictures a second: a film (FILE.mp4, FILE.webm) or numbered pictures (FILE.png); "
+      "palpate render has more to choose");
   command.add_flag("--json", a.json, "Print one JSON object");
   command.callback([=] { runReplay(*arguments); });
 }

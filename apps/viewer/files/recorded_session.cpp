@@ -9,6 +9,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/output_file.h"
+#include "palpate/engine/session_bundle.h"
 #include "palpate/engine/session_replay.h"
 #include "palpate/engine/session_settings.h"
 
@@ -68,7 +69,9 @@ RecordedTouch touchOfSession(const std::filesystem::path& file) {
   recorded.ticks_per_s = rate;
   recorded.history = TouchHistory(rate, std::min(facts.seconds(), kLongestReplayS));
   const trace::SessionWorld shown = session.world(newestWorld(session));
-  recorded.world = engine::builtWorld(shown, shown.folder);
+  const engine::CarriedFiles carried(session);
+  recorded.world =
+      engine::builtWorld(shown, carried.folder().empty() ? std::filesystem::path(shown.folder) : carried.folder());
   if (engine::hashOf(*recorded.world) != shown.hash) {
     recorded.notes.emplace_back("The body or its stiffness is not the recorded one any more");
   }
