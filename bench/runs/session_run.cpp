@@ -63,12 +63,12 @@ class Drain {
  public:
   Drain(servo::LoopLinks& links, trace::SessionWriter& writer)
       : thread_([this, &links, &writer] {
-          trace::Sample sample;
+          servo::NumberedSample sample;
           while (!ends_ || !idle_) {
             idle_ = true;
             while (links.record.pop(sample)) {
               idle_ = false;
-              writer.add(sample);
+              writer.add(sample.sample);
             }
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
           }
@@ -105,7 +105,7 @@ void measureHandOver(const scene::World& world, const device::FingerPaths& paths
       for (std::uint64_t k = 0; k < kTimedTicks; ++k) {
         const servo::TickSamples& samples = ticks.next();
         if (!records) continue;
-        for (const trace::Sample& sample : samples) links.record.push(sample);
+        for (const trace::Sample& sample : samples) links.record.push({links.numbered++, sample});
       }
       const double us = microsecondsSince(start) / static_cast<double>(kTimedTicks);
       drain.waitUntilIdle();

@@ -169,5 +169,17 @@ TEST_F(SessionCommands, AnnotateAddsWhatSomebodyWantsToSayAndLeavesTheTicksAsThe
   EXPECT_EQ(palpate("annotate results/run.session --notes x -o results/run.session").exit_code, 2);
 }
 
+TEST_F(SessionCommands, TheWindowsOwnAreListedFromWhereverTheyAre) {
+  record();
+  ::setenv("XDG_STATE_HOME", (folder_ / "state").c_str(), 1);
+  const CommandResult none = palpate("sessions --window");
+  std::filesystem::create_directories(folder_ / "state/palpate/sessions");
+  std::filesystem::copy(folder_ / "results/run.session", folder_ / "state/palpate/sessions/a.session");
+  const CommandResult list = palpate("sessions --window");
+  ::unsetenv("XDG_STATE_HOME");
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_NE(list.out.find("sessions/a.session"), std::string::npos) << list.out << list.err;
+}
+
 }  // namespace
 }  // namespace palpate

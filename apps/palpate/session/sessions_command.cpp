@@ -8,6 +8,7 @@
 
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/session/session_text.h"
+#include "apps/viewer/files/session_keeper.h"
 #include "palpate/base/error.h"
 #include "palpate/base/output_file.h"
 
@@ -17,6 +18,7 @@ namespace {
 
 struct SessionsArguments {
   std::filesystem::path folder = ".";
+  bool window = false;
   bool json = false;
 };
 
@@ -41,7 +43,11 @@ std::vector<std::filesystem::path> sessionFiles(const std::filesystem::path& fol
 void runSessions(const SessionsArguments& arguments) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   std::string text;
-  for (const std::filesystem::path& file : sessionFiles(arguments.folder)) {
+  const std::filesystem::path folder = arguments.window ? viewer::sessionsFolder() : arguments.folder;
+  if (arguments.window && !std::filesystem::is_directory(folder)) {
+    throw Error(fmt::format("{}: no window has recorded a session yet", folder.string()));
+  }
+  for (const std::filesystem::path& file : sessionFiles(folder)) {
     try {
       const trace::SessionReader reader(file);
       nlohmann::ordered_json entry = {{"file", file.string()}};
@@ -53,7 +59,7 @@ void runSessions(const SessionsArguments& arguments) {
       text += fmt::format("{}\n", error.what());
     }
   }
-  if (text.empty()) text = fmt::format("no session (*.session) under {}\n", arguments.folder.string());
+  if (text.empty()) text = fmt::format("no session (*.session) under {}\n", folder.string());
   fmt::print("{}", arguments.json ? json.dump(2) + "\n" : text);
 }
 
@@ -63,6 +69,7 @@ void addSessionsCommand(CLI::App& app) {
   const auto arguments = std::make_shared<SessionsArguments>();
   CLI::App& command = *app.add_subcommand("sessions", "List the recorded sessions of a folder and what is in them");
   command.add_option("FOLDER", arguments->folder, "With all folders in it")->capture_default_str();
+  command.add_flag("--window", arguments->window, "Those that the window recorded by itself, wherever they are");
   command.add_flag("--json", arguments->json, "Print a list of objects");
   command.callback([=] { runSessions(*arguments); });
 }

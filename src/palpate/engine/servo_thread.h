@@ -91,7 +91,7 @@ class ServoThread {
   using WorldListener = std::function<void(const FeltWorld&)>;
   void record(WorldListener listener);
   /// Any one thread.
-  bool popRecorded(trace::Sample& sample) { return links_.record.pop(sample); }
+  bool popRecorded(servo::NumberedSample& sample) { return links_.record.pop(sample); }
   std::size_t droppedRecorded() const { return links_.record.dropped(); }
 
   /// Ends the thread; the report of the whole run. At most once.

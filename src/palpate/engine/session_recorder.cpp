@@ -27,10 +27,10 @@ SessionRecorder::SessionRecorder(ServoThread& servo, RecorderSettings settings)
     : servo_(servo), settings_(std::move(settings)), notes_(settings_.fingers.size()) {
   writer_.emplace(settings_.file, settings_.header, settings_.fingers);
   partial_ = writer_->partial();
-  trace::Sample stale;
+  servo::NumberedSample stale;
   while (servo_.popRecorded(stale)) {
   }
-  dropped_noted_ = servo_.droppedRecorded();
+  dropped_before_ = servo_.droppedRecorded();
   servo_.record([this](const FeltWorld& world) { tell({.world = world}); });
   thread_ = std::thread([this] { run(); });
 }
@@ -71,7 +71,7 @@ RecorderState SessionRecorder::state() const {
   if (state.samples > 0) {
     state.seconds = static_cast<double>(newest_tick_ - first_tick_ + 1) / settings_.header.ticks_per_s;
   }
-  state.dropped = servo_.droppedRecorded();
+  state.dropped = servo_.droppedRecorded() - dropped_before_;
   const std::lock_guard lock(mutex_);
   state.failure = failure_;
   return state;
@@ -87,6 +87,7 @@ void SessionRecorder::end() {
 void SessionRecorder::finish(std::string_view ended_by) {
   end();
   if (!failure_.empty()) throw Error(failure_);
+  if (const std::uint64_t last = state().dropped - dropped_noted_; last > 0) noteDropped(last, newest_tick_ + 1);
   writer_->finish(ended_by);
 }
 
@@ -108,7 +109,7 @@ void SessionRecorder::run() {
       failure_ = error.what();
       if (keeping_ && !kept_) kept_ = KeptSession{{}, 0.0, failure_};
     }
-    trace::Sample lost;
+    servo::NumberedSample lost;
     while (!failure_.empty() && servo_.popRecorded(lost)) {
     }
     if (!ends) std::this_thread::sleep_for(kPause);
@@ -117,7 +118,7 @@ void SessionRecorder::run() {
 }
 
 void SessionRecorder::work() {
-  trace::Sample sample;
+  servo::NumberedSample sample;
   while (servo_.popRecorded(sample)) take(sample);
   obeyAll();
   const double kept_ticks = settings_.keep_s * settings_.header.ticks_per_s;
@@ -127,15 +128,17 @@ void SessionRecorder::work() {
   writer_->forgetBefore(first_tick_);
 }
 
-void SessionRecorder::take(const trace::Sample& sample) {
+void SessionRecorder::take(const servo::NumberedSample& numbered) {
+  const trace::Sample& sample = numbered.sample;
+  const std::uint64_t missing = samples_ == 0 ? 0 : numbered.number - next_number_;
+  next_number_ = numbered.number + 1;
   if (!first_world_ || sample.world - *first_world_ >= worlds_) obeyAll();
   if (!first_world_ || sample.world < *first_world_) return;  // of a tick before it began
   if (samples_ == 0) {
     first_tick_ = sample.tick;
     if (sample.tick > 0) writer_->add({sample.tick, std::nullopt, "cut", "begun while the loop ran"});
-  } else if (sample.tick > newest_tick_ + 1) {
-    noteDropped(sample.tick);
   }
+  if (missing > 0) noteDropped(missing, sample.tick);
   newest_tick_ = sample.tick;
   trace::Sample kept = sample;
   kept.world = sample.world - *first_world_;
@@ -145,13 +148,11 @@ void SessionRecorder::take(const trace::Sample& sample) {
   if (sample.contact.touch != contact::Touch::free) touched_.store(true, std::memory_order_relaxed);
 }
 
-void SessionRecorder::noteDropped(std::uint64_t tick) {
-  const std::uint64_t dropped = servo_.droppedRecorded();
-  if (dropped == dropped_noted_) return;
+void SessionRecorder::noteDropped(std::uint64_t count, std::uint64_t tick) {
   writer_->add({tick, std::nullopt, "dropped",
-                fmt::format("{} samples before here found no room: the disk was too slow", dropped - dropped_noted_)});
-  dropped_noted_ = dropped;
-  writer_->setDropped(dropped);
+                fmt::format("{} samples before here found no room: the disk was too slow", count)});
+  dropped_noted_ += count;
+  writer_->setDropped(dropped_noted_);
 }
 
 /// Buttons and interventions of a tick.

@@ -94,11 +94,11 @@ class SessionRecorder {
   void end();
   void run();
   void work();
-  void take(const trace::Sample& sample);
+  void take(const servo::NumberedSample& numbered);
   void obey(Word& word);
   void obeyAll();
   void note(const trace::Sample& sample);
-  void noteDropped(std::uint64_t tick);
+  void noteDropped(std::uint64_t count, std::uint64_t tick);
 
   ServoThread& servo_;
   const RecorderSettings settings_;
@@ -119,9 +119,11 @@ class SessionRecorder {
   std::vector<FingerNotes> notes_;
   std::optional<std::uint32_t> first_world_;  ///< of the samples; the file counts from 0
   std::uint32_t worlds_ = 0;
+  std::uint64_t next_number_ = 0;  ///< of the next sample
   std::uint64_t dropped_noted_ = 0;
   std::optional<Background> copying_;
 
+  std::uint64_t dropped_before_ = 0;  ///< by others who recorded
   std::atomic<std::uint64_t> first_tick_{0};
   std::atomic<std::uint64_t> newest_tick_{0};
   std::atomic<std::uint64_t> samples_{0};

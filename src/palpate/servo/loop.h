@@ -51,6 +51,12 @@ struct LoopVitals {
 /// What one tick gave, a sample for every finger in the scene's order.
 using TickSamples = std::vector<trace::Sample>;
 
+/// A sample for whoever records; numbers that are missing had no room.
+struct NumberedSample {
+  std::uint64_t number = 0;  ///< counts all samples that were to be recorded
+  trace::Sample sample;
+};
+
 /// Of LoopLinks::record: a disk that stops for seconds loses nothing, 16 s for two fingers at 1 kHz.
 inline constexpr std::size_t kRecordCapacity = std::size_t{1} << 15;
 
@@ -60,8 +66,9 @@ struct LoopLinks {
                      std::size_t record_capacity = 0)
       : samples(ring_capacity), record(record_capacity), contacts(TickSamples(fingers)) {}
   RingBuffer<trace::Sample> samples;
-  RingBuffer<trace::Sample> record;  ///< the same once more, for whoever records
-  std::atomic<bool> records{false};  ///< somebody empties it
+  RingBuffer<NumberedSample> record;  ///< the same once more, for whoever records
+  std::atomic<bool> records{false};   ///< somebody empties it
+  std::uint64_t numbered = 0;         ///< the loop's: samples that were to be recorded so far
   TripleBuffer<TickSamples> contacts;
   TripleBuffer<LoopVitals> vitals;
   EmergencyStop emergency_stop;               ///< pressed by anybody: no forces from the next tick on

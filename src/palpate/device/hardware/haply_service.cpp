@@ -17,7 +17,7 @@ namespace palpate::device::haply {
 namespace {
 
 /// For a machine that is busy; the servo does not wait for it.
-constexpr double kPatienceS = 0.25;
+constexpr double kPatienceS = 1.0;
 
 constexpr double kLargestForceN = 20.0;
 constexpr const char* kSettingsFolder = "etc/haply-inverse-service";
