@@ -79,10 +79,20 @@ TEST(Devices, WithoutJsonTheSameIsReadByAPerson) {
   }
 }
 
+/// The first finding about the device. On a machine that does something else it may say so: then once more.
+json measuredFinding(const std::string& words) {
+  json finding;
+  for (int i = 0; i < 5; ++i) {
+    finding = findings("--doctor --seconds 0.5 --device " + words).begin()->second;
+    if (finding.dump().find("overloaded") == std::string::npos) break;
+  }
+  return finding;
+}
+
 TEST(Devices, TheDoctorMeasuresWhatOpens) {
   const BothDoubles both;
   for (const char* name : {"openhaptics", "forcedimension"}) {
-    const json finding = findings(std::string("--doctor --seconds 0.5 --device ") + name).at(name);
+    const json finding = measuredFinding(name);
     EXPECT_TRUE(finding["available"]) << finding.dump(2);
     EXPECT_EQ(finding["capabilities"]["model"], std::string(name) == "openhaptics" ? "PHANTOM Omni" : "omega.3");
     const json& measured = finding["measured"];
@@ -99,7 +109,7 @@ TEST(Devices, TheDoctorMeasuresAServiceAndAPlugin) {
   doubles::controlOf("haply").by_hand = false;
   const Environment haply("PALPATE_HAPLY", doubles::haplyWords());
   for (const std::string& words : {std::string("haply"), "plugin:" + doubles::libraryOf("plugin")}) {
-    const json finding = findings("--doctor --seconds 0.5 --device " + words).begin()->second;
+    const json finding = measuredFinding(words);
     EXPECT_TRUE(finding["available"]) << finding.dump(2);
     EXPECT_FALSE(finding["version"].get<std::string>().empty());
     EXPECT_GT(finding["capabilities"]["max_force_n"], 1.0);

@@ -42,6 +42,7 @@ trace::TickSpan ticksOf(const TimeSpan& span, double ticks_per_s) {
 }
 
 bool isSessionFile(const std::filesystem::path& file) {
+  if (file.extension() == ".session") return true;
   constexpr std::string_view kMagic = "SQLite format 3";
   std::array<char, kMagic.size()> begin{};
   std::ifstream stream(file, std::ios::binary);

@@ -23,7 +23,7 @@ void addTimeSpan(CLI::App& command, TimeSpan& span);
 /// Throws Error where it ends before it begins.
 trace::TickSpan ticksOf(const TimeSpan& span, double ticks_per_s);
 
-/// By its first bytes: an SQLite file.
+/// By its name, or by its first bytes: an SQLite file.
 bool isSessionFile(const std::filesystem::path& file);
 
 std::string sessionInfo(const std::filesystem::path& file);
