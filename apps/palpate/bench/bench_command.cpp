@@ -49,8 +49,8 @@ void printNames() {
 }  // namespace
 
 void addBenchCommand(CLI::App& app) {
-  CLI::App& bench =
-      *app.add_subcommand("bench", "Measure the finger, deformation, partitions, loading, servo loop, sessions, pictures");
+  CLI::App& bench = *app.add_subcommand(
+      "bench", "Measure the finger, deformation, partitions, loading, servo loop, sessions, pictures");
   bench.require_subcommand(0, 1);  // none: the regression guard
   addBenchBaseline(bench);
   addBenchContactCommand(bench);

@@ -74,10 +74,10 @@ std::uint64_t addFinger(trace::SessionReader& session, const trace::TickSpan& sp
 
 std::string extensionOf(const trace::SessionAttachment& attachment) {
   static const std::map<std::string, std::string, std::less<>> extensions = {{"image/png", ".png"},
-                                                                              {"image/jpeg", ".jpg"},
-                                                                              {"audio/wav", ".wav"},
-                                                                              {"audio/x-wav", ".wav"},
-                                                                              {"text/plain", ".txt"}};
+                                                                             {"image/jpeg", ".jpg"},
+                                                                             {"audio/wav", ".wav"},
+                                                                             {"audio/x-wav", ".wav"},
+                                                                             {"text/plain", ".txt"}};
   const auto known = extensions.find(attachment.media);
   return known == extensions.end() ? ".bin" : known->second;
 }

@@ -34,7 +34,7 @@ std::string wordsFor(sqlite3* database) {
   const int code = ::sqlite3_errcode(database) & 0xff;  // without what it extends
   if (code == SQLITE_CORRUPT) return "is damaged; `palpate repair` salvages what is left of a session";
   if (code == SQLITE_NOTADB) return "is no session file";
-  const int told = ::sqlite3_system_errno(database);    // 0 where it has been forgotten on the way here
+  const int told = ::sqlite3_system_errno(database);  // 0 where it has been forgotten on the way here
   const int reason = code == SQLITE_FULL ? ENOSPC : told != 0 ? told : errno;
   const bool of_the_system = code == SQLITE_FULL || code == SQLITE_IOERR || code == SQLITE_CANTOPEN;
   if (!of_the_system || reason == 0) return ::sqlite3_errmsg(database);
