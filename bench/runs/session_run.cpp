@@ -105,7 +105,7 @@ void measureHandOver(const scene::World& world, const device::FingerPaths& paths
       for (std::uint64_t k = 0; k < kTimedTicks; ++k) {
         const servo::TickSamples& samples = ticks.next();
         if (!records) continue;
-        for (const trace::Sample& sample : samples) links.record.push({links.numbered++, sample});
+        for (const trace::Sample& sample : samples) servo::pushNumbered(links.record, sample, links.numbered);
       }
       const double us = microsecondsSince(start) / static_cast<double>(kTimedTicks);
       drain.waitUntilIdle();

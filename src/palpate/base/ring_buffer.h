@@ -19,12 +19,18 @@ class RingBuffer {
 
   /// Producer: false, and counted, when the queue is full.
   bool push(const T& value) {
+    return pushWith([&](T& slot) { slot = value; });
+  }
+
+  /// Producer: the same; `fill` writes the value where it will lie, which saves a copy of a large one.
+  template <class Fill>
+  bool pushWith(const Fill& fill) {
     const std::size_t tail = tail_.load(std::memory_order_relaxed);
     if (tail - head_.load(std::memory_order_acquire) == slots_.size()) {
       dropped_.fetch_add(1, std::memory_order_relaxed);
       return false;
     }
-    slots_[tail & (slots_.size() - 1)] = value;
+    fill(slots_[tail & (slots_.size() - 1)]);
     tail_.store(tail + 1, std::memory_order_release);
     return true;
   }

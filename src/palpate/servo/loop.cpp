@@ -75,7 +75,7 @@ LoopEvent eventOf(const Pacer::Wake& wake, const PacedSettings& settings, Meter&
 void handOver(const TickSamples& samples, LoopLinks& links) {
   for (const trace::Sample& sample : samples) links.samples.push(sample);
   if (links.records.load(std::memory_order_acquire)) {
-    for (const trace::Sample& sample : samples) links.record.push({links.numbered++, sample});
+    for (const trace::Sample& sample : samples) pushNumbered(links.record, sample, links.numbered);
   }
   links.contacts.publish(samples);
   links.heartbeat_ns.store(monotonicNs(), std::memory_order_relaxed);

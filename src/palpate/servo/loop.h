@@ -57,6 +57,15 @@ struct NumberedSample {
   trace::Sample sample;
 };
 
+/// Puts it into such a ring; `number` counts on, also where there is no room.
+inline void pushNumbered(RingBuffer<NumberedSample>& ring, const trace::Sample& sample, std::uint64_t& number) {
+  ring.pushWith([&](NumberedSample& slot) {
+    slot.number = number;
+    slot.sample = sample;
+  });
+  ++number;
+}
+
 /// Of LoopLinks::record: a disk that stops for seconds loses nothing, 16 s for two fingers at 1 kHz.
 inline constexpr std::size_t kRecordCapacity = std::size_t{1} << 15;
 
