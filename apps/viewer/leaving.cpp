@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "apps/viewer/files/recorded_session.h"
 #include "palpate/trace/forces_table.h"
+#include "palpate/trace/session_reader.h"
 
 namespace palpate::viewer {
 
@@ -13,7 +13,7 @@ namespace {
 bool leavesTheScene(const Wish& wish) {
   switch (wish.kind) {
     case Wish::Kind::open:
-      return !trace::isForcesTable(wish.file) && !isSession(wish.file);
+      return !trace::isForcesTable(wish.file) && !trace::isSession(wish.file);
     case Wish::Kind::default_scene:
     case Wish::Kind::reload:
     case Wish::Kind::quit:

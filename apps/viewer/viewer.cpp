@@ -19,6 +19,7 @@
 #include "palpate/base/stopwatch.h"
 #include "palpate/device/device_profile.h"
 #include "palpate/trace/forces_table.h"
+#include "palpate/trace/session_reader.h"
 
 namespace palpate::viewer {
 
@@ -223,10 +224,7 @@ void Viewer::followServo(double elapsed_s) {
     beside_model_.reset();
   }
   advanceReplay(session_.replay, history(), elapsed_s * session_.time_speed);
-  if (beside_) {
-    const double since_s = session_.replay.at_s - session_.replay.from_s;
-    beside_model_->follow(beside_->history.at(beside_->history.oldestTime() + since_s));
-  }
+  if (beside_) beside_model_->follow(momentBeside());
   if (session_.replay.frozen && !history().empty()) {
     show(history().at(session_.replay.at_s));
   } else {
@@ -267,7 +265,7 @@ void Viewer::takeReplay() {
   if (!session_.beside_at_first.empty()) {
     session_.wish(Wish::Kind::open_beside, std::exchange(session_.beside_at_first, {}));
   }
-  if (!isSession(recorded_->file) && trace::isUnfinished(recorded_->file)) {
+  if (!trace::isSession(recorded_->file) && trace::isUnfinished(recorded_->file)) {
     session_.report(Severity::warning,
                     fmt::format("{} was not finished: its {:.1f} s are what was written before the end",
                                 recorded_->file, session_.replay.to_s - session_.replay.from_s));
@@ -278,7 +276,7 @@ constexpr const char* kStillReading = "Another table is still being read";
 
 void Viewer::replay(const std::string& file, bool beside) {
   const auto read = [world = world_, scene = session_.scene, file] {
-    return isSession(file) ? touchOfSession(file) : touchedAgain(world, scene, file);
+    return trace::isSession(file) ? touchOfSession(file) : touchedAgain(world, scene, file);
   };
   if (!replay_loader_.load(read)) return session_.report(Severity::info, kStillReading);
   loads_beside_ = beside;
@@ -483,7 +481,7 @@ void Viewer::grant(const Wish& wish) {
 bool Viewer::grantOfScene(const Wish& wish) {
   switch (wish.kind) {
     case Wish::Kind::open:
-      if (trace::isForcesTable(wish.file) || isSession(wish.file)) {
+      if (trace::isForcesTable(wish.file) || trace::isSession(wish.file)) {
         replay(wish.file, session_.replay.chooses_beside);
       } else {
         turnover_.open(wish.file, session_);
@@ -634,11 +632,15 @@ std::vector<view::FingerMark> Viewer::fingerMarks() {
   return marks;
 }
 
-/// Of the session on the right.
+/// The session on the right, as long after its beginning as the left one.
+const TouchHistory::Moment& Viewer::momentBeside() const {
+  const double since_s = session_.replay.at_s - session_.replay.from_s;
+  return beside_->history.at(beside_->history.oldestTime() + since_s);
+}
+
 std::vector<view::FingerMark> Viewer::marksBeside() const {
   std::vector<view::FingerMark> marks;
-  const double since_s = session_.replay.at_s - session_.replay.from_s;
-  const TouchHistory::Moment& moment = beside_->history.at(beside_->history.oldestTime() + since_s);
+  const TouchHistory::Moment& moment = momentBeside();
   for (std::size_t i = 0; i < std::min(kFingers, beside_->radius_mm.size()); ++i) {
     if (moment[i].contact.tip.z() > 0.5 * device::kNowhere.z()) continue;
     const double radius = beside_->radius_mm[i];

@@ -119,6 +119,7 @@ class Viewer {
   void showCursor();
   void guardShading(double elapsed_s);
   std::vector<view::FingerMark> fingerMarks();
+  const TouchHistory::Moment& momentBeside() const;
   std::vector<view::FingerMark> marksBeside() const;
   std::vector<view::Lines> rings() const;
   void addReach(std::vector<view::Lines>& lines) const;

@@ -17,22 +17,16 @@
 #include "palpate/trace/session_rest.h"
 #include "support/error_message.h"
 #include "support/temporary_folder.h"
+#include "trace/wild_sample.h"
 
 namespace palpate::trace {
 namespace {
 
 using Place = std::pair<std::uint64_t, std::uint32_t>;  // tick, finger
 
-/// Bits that do not pack: a file of them is large.
+/// Of the only world that there is.
 Sample incompressibleSample(Random& random, std::uint64_t tick, std::uint32_t finger) {
-  Sample sample;
-  for (const SampleColumn& column : sampleColumns()) {
-    const std::uint64_t bits =
-        (std::uint64_t{random.below(1u << 31)} << 33) ^ (std::uint64_t{random.below(1u << 31)} << 7);
-    column.set(sample, column.name == "touch" ? random.below(3) : bits);
-  }
-  sample.tick = tick;
-  sample.finger = finger;
+  Sample sample = wildSample(random, tick, finger);
   sample.world = 0;
   return sample;
 }

@@ -18,22 +18,10 @@
 #include "palpate/trace/session_reader.h"
 #include "support/error_message.h"
 #include "support/temporary_folder.h"
+#include "trace/wild_sample.h"
 
 namespace palpate::trace {
 namespace {
-
-/// Any bits at all, also those that are no number.
-Sample wildSample(Random& random, std::uint64_t tick, std::uint32_t finger) {
-  Sample sample;
-  for (const SampleColumn& column : sampleColumns()) {
-    const std::uint64_t bits =
-        (std::uint64_t{random.below(1u << 31)} << 33) ^ (std::uint64_t{random.below(1u << 31)} << 7);
-    column.set(sample, column.name == "touch" ? random.below(3) : bits);
-  }
-  sample.tick = tick;
-  sample.finger = finger;
-  return sample;
-}
 
 void expectSameBits(const Sample& a, const Sample& b) {
   EXPECT_EQ(a.finger, b.finger);

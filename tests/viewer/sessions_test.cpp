@@ -18,7 +18,7 @@ std::vector<fs::path> sessionsIn(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
-    if (isSession(entry.path())) files.push_back(entry.path());
+    if (trace::isSession(entry.path())) files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
   return files;

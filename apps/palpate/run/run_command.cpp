@@ -17,7 +17,6 @@
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/common/unit_option.h"
 #include "apps/viewer/files/input_script.h"
-#include "apps/viewer/files/recorded_session.h"
 #include "apps/viewer/files/state_file.h"
 #include "apps/viewer/viewer.h"
 #include "palpate/base/background.h"
@@ -25,6 +24,7 @@
 #include "palpate/base/stopwatch.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/trace/forces_table.h"
+#include "palpate/trace/session_reader.h"
 #include "palpate/window/window.h"
 
 namespace palpate::app {
@@ -232,13 +232,13 @@ std::filesystem::path sessionFolder(const RunOptions& options) {
 
 /// What cannot be read opens no window.
 void checkReplays(const RunOptions& options) {
-  if (!options.beside.empty() && !viewer::isSession(options.replay)) {
+  if (!options.beside.empty() && !trace::isSession(options.replay)) {
     throw Error("--beside is for a session beside that of --replay");
   }
   for (const std::string& file : {options.replay, options.beside}) {
     if (file.empty()) continue;
-    viewer::isSession(file) ? static_cast<void>(trace::SessionReader(file))
-                            : static_cast<void>(trace::readForcesTable(file));
+    trace::isSession(file) ? static_cast<void>(trace::SessionReader(file))
+                           : static_cast<void>(trace::readForcesTable(file));
   }
 }
 

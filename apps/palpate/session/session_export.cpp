@@ -106,7 +106,7 @@ std::uint64_t writeAttachments(trace::SessionReader& session, const trace::TickS
                                const std::filesystem::path& folder) {
   std::uint64_t count = 0;
   session.forEachAttachment(span, [&](const trace::SessionAttachment& attachment) {
-    if (attachment.kind == engine::kCarriedFile) return;
+    if (attachment.kind == trace::kCarriedFile) return;
     if (count == 0) {
       std::error_code error;
       std::filesystem::create_directories(folder, error);

@@ -10,7 +10,6 @@
 #include "apps/palpate/session/session_text.h"
 #include "apps/viewer/files/session_keeper.h"
 #include "palpate/base/error.h"
-#include "palpate/base/output_file.h"
 
 namespace palpate::app {
 
@@ -22,18 +21,11 @@ struct SessionsArguments {
   bool json = false;
 };
 
-/// "run.session", and what was left of one that was not finished: "run.session.2.partial".
-bool isNamedSession(const std::filesystem::path& file) {
-  const std::string name = file.filename().string();
-  return name.ends_with(".session") ||
-         (name.find(".session.") != std::string::npos && name.ends_with(kPartialExtension));
-}
-
 std::vector<std::filesystem::path> sessionFiles(const std::filesystem::path& folder) {
   std::error_code error;
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder, error)) {
-    if (isNamedSession(entry.path()) && entry.is_regular_file(error)) files.push_back(entry.path());
+    if (trace::isSession(entry.path()) && entry.is_regular_file(error)) files.push_back(entry.path());
   }
   if (error) throw Error::inFile(folder.string(), error.message());
   std::sort(files.begin(), files.end());

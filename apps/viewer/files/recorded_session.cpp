@@ -8,10 +8,10 @@
 #include <map>
 
 #include "palpate/base/error.h"
-#include "palpate/base/output_file.h"
 #include "palpate/engine/session_bundle.h"
 #include "palpate/engine/session_replay.h"
 #include "palpate/engine/session_settings.h"
+#include "palpate/trace/session_reader.h"
 
 namespace palpate::viewer {
 
@@ -52,12 +52,6 @@ void takeSamples(trace::SessionReader& session, const trace::TickSpan& span, con
 }
 
 }  // namespace
-
-bool isSession(const std::filesystem::path& file) {
-  const std::string name = file.filename().string();
-  return name.ends_with(".session") ||
-         (name.ends_with(kPartialExtension) && name.find(".session.") != std::string::npos);
-}
 
 RecordedTouch touchOfSession(const std::filesystem::path& file) {
   trace::SessionReader session(file);

@@ -6,12 +6,8 @@
 #include <filesystem>
 
 #include "apps/viewer/files/recorded_touch.h"
-#include "palpate/trace/session_reader.h"
 
 namespace palpate::viewer {
-
-/// By its name or its first bytes: a session file, also one that was not finished.
-bool isSession(const std::filesystem::path& file);
 
 /// The newest part of it that is no longer than kLongestReplayS and was felt on one body, as it was recorded: nothing
 /// is computed but the body. Throws Error when the file cannot be read or the body not be built.

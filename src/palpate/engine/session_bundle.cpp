@@ -155,7 +155,7 @@ class Bundle {
       report_.notes.push_back(
           fmt::format("{} itself holds '{}': look into it before you give it away", name.filename().string(), word));
     }
-    writer_->add(trace::SessionAttachment{session_.facts().first_tick, std::string(kCarriedFile), name.string(),
+    writer_->add(trace::SessionAttachment{session_.facts().first_tick, std::string(trace::kCarriedFile), name.string(),
                                           "application/octet-stream", bytes});
     report_.files.push_back({name.string(), bytes.size()});
   }
@@ -183,7 +183,7 @@ std::vector<NamedFile> namedFiles(scene::Scene& scene) {
 CarriedFiles::CarriedFiles(trace::SessionReader& session) {
   try {
     session.forEachAttachment({}, [this](const trace::SessionAttachment& attachment) {
-      if (attachment.kind != kCarriedFile) return;
+      if (attachment.kind != trace::kCarriedFile) return;
       const fs::path name = attachment.name;
       if (!isWithin(name)) {
         throw Error(fmt::format("the session carries a file named '{}', which would lie outside of its folder",

@@ -17,9 +17,6 @@
 
 namespace palpate::engine {
 
-/// The kind of attachment of such a file; its name is the one that the scene names.
-inline constexpr std::string_view kCarriedFile = "file";
-
 /// Where a scene keeps the names of files.
 struct NamedFile {
   std::filesystem::path* place;

@@ -136,7 +136,8 @@ void SessionRecorder::take(const servo::NumberedSample& numbered) {
   if (!first_world_ || sample.world < *first_world_) return;  // of a tick before it began
   if (samples_ == 0) {
     first_tick_ = sample.tick;
-    if (sample.tick > 0) writer_->add({sample.tick, std::nullopt, "cut", "begun while the loop ran"});
+    if (sample.tick > 0)
+      writer_->add({sample.tick, std::nullopt, std::string(trace::kCutEvent), "begun while the loop ran"});
   }
   if (missing > 0) noteDropped(missing, sample.tick);
   newest_tick_ = sample.tick;
@@ -149,7 +150,7 @@ void SessionRecorder::take(const servo::NumberedSample& numbered) {
 }
 
 void SessionRecorder::noteDropped(std::uint64_t count, std::uint64_t tick) {
-  writer_->add({tick, std::nullopt, "dropped",
+  writer_->add({tick, std::nullopt, std::string(trace::kDroppedEvent),
                 fmt::format("{} samples before here found no room: the disk was too slow", count)});
   dropped_noted_ += count;
   writer_->setDropped(dropped_noted_);

@@ -16,8 +16,6 @@ namespace palpate::trace {
 
 namespace {
 
-constexpr std::string_view kFileKind = "file";
-
 /// How many samples are copied between two reports of progress.
 constexpr std::uint64_t kSamplesPerReport = 20000;
 
@@ -63,7 +61,7 @@ class Copy {
 
   void addAttachments() {
     session_.forEachAttachment({}, [&](const SessionAttachment& attachment) {
-      const bool is_file = attachment.kind == kFileKind;
+      const bool is_file = attachment.kind == kCarriedFile;
       if (is_file && !settings_.keeps_files) return;
       if (!is_file && (attachment.tick < settings_.span.from || attachment.tick > settings_.span.to)) return;
       SessionAttachment moved = attachment;
@@ -205,7 +203,7 @@ class FilesOfAll {
   bool add(SessionReader& session, const std::filesystem::path& file) {
     bool fresh = true;
     session.forEachAttachment({}, [&](const SessionAttachment& attachment) {
-      if (attachment.kind != kFileKind) return;
+      if (attachment.kind != kCarriedFile) return;
       Hash hash;
       for (const char byte : attachment.data) hash.add(std::uint64_t{static_cast<unsigned char>(byte)});
       const auto [known, is_new] = hashes_.try_emplace(attachment.name, hash.value());

@@ -19,11 +19,6 @@
 
 namespace palpate::trace {
 
-inline constexpr std::string_view kTrimEvent = "trim";
-inline constexpr std::string_view kCutEvent = "cut";
-inline constexpr std::string_view kJoinEvent = "join";
-inline constexpr std::string_view kDroppedEvent = "dropped";  ///< as a cut of all fingers
-
 /// What of a session goes where.
 struct CopySettings {
   TickSpan span;

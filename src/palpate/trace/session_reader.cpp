@@ -28,6 +28,12 @@ std::uint64_t hashOf(std::string_view hexadecimal) {
 
 }  // namespace
 
+bool isSession(const std::filesystem::path& file) {
+  const std::string name = file.filename().string();
+  return name.ends_with(".session") ||
+         (name.ends_with(kPartialExtension) && name.find(".session.") != std::string::npos);
+}
+
 SessionReader::SessionReader(const std::filesystem::path& file) : database_(file, Database::Mode::read) {
   facts_.version = checkSession(database_);
   readColumns();

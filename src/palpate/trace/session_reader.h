@@ -42,6 +42,9 @@ struct TickSpan {
   std::uint64_t to = std::numeric_limits<std::uint64_t>::max();
 };
 
+/// By its name: a session, "run.session", or one that was not finished, "run.session.2.partial".
+bool isSession(const std::filesystem::path& file);
+
 class SessionReader {
  public:
   /// Throws Error (file: cause) for what is no session, is damaged, or of a later version.

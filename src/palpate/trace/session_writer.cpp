@@ -198,13 +198,16 @@ void SessionWriter::forgetBefore(std::uint64_t tick) {
   const auto before = static_cast<std::int64_t>(written_.front().first_tick);
   Statement(open_->database, "DELETE FROM blocks WHERE part <= ?1").with(parts).run();
   Statement(open_->database, "DELETE FROM events WHERE tick < ?1").with(before).run();
-  Statement(open_->database, "DELETE FROM attachments WHERE tick < ?1 AND kind <> 'file'").with(before).run();
+  Statement(open_->database, "DELETE FROM attachments WHERE tick < ?1 AND kind <> ?2")
+      .with(before)
+      .with(kCarriedFile)
+      .run();
   for (const char* table : {"DELETE FROM worlds WHERE id < ?1", "DELETE FROM settings WHERE world < ?1"}) {
     Statement(open_->database, table).with(static_cast<std::int64_t>(written_.front().world)).run();
   }
   open_->count_samples.with(-samples).run();
   transaction.commit();
-  add(SessionEvent{written_.front().first_tick, std::nullopt, "cut", "what was before is forgotten"});
+  add(SessionEvent{written_.front().first_tick, std::nullopt, std::string(kCutEvent), "what was before is forgotten"});
 }
 
 void SessionWriter::setDropped(std::uint64_t dropped) {

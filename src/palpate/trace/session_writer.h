@@ -58,6 +58,16 @@ struct SessionEvent {
   std::string text;
 };
 
+// Kinds of events that say where time is missing, for whoever feels it again (engine/session_replay.h).
+
+inline constexpr std::string_view kTrimEvent = "trim";
+inline constexpr std::string_view kCutEvent = "cut";
+inline constexpr std::string_view kJoinEvent = "join";
+inline constexpr std::string_view kDroppedEvent = "dropped";  ///< as a cut of all fingers
+
+/// The kind of attachment that is a file of the scene; its name is the one that the scene names.
+inline constexpr std::string_view kCarriedFile = "file";
+
 struct SessionAttachment {
   std::uint64_t tick = 0;
   std::string kind;   ///< picture, sound, file
