@@ -82,8 +82,8 @@ void addVertebrae(std::vector<Bone>& bones, const std::vector<std::size_t>& coun
 
 void addRibs(std::vector<Bone>& bones, const std::vector<std::size_t>& counts) {
   for (int rib = 1; rib <= kRibCount; ++rib) {
-    bones.push_back(
-        {ribName(rib, "right"), BoneKind::rib, reduced(makeRightRib(rib, kRibEdgeMm), counts[bones.size()])});
+    bones.push_back({ribName(rib, "right"), BoneKind::rib,
+                     reduced(makeRightRib(rib, ribRows()[rib - 1], kRibEdgeMm), counts[bones.size()])});
   }
   for (int rib = 1; rib <= kRibCount; ++rib) {
     bones.push_back({ribName(rib, "left"), BoneKind::rib, mirrored(bones[kFirstRib + rib - 1].mesh)});
@@ -151,7 +151,7 @@ std::vector<Landmark> boneLandmarks(const BonesSettings& settings) {
   for (const bool left : {false, true}) {
     for (int rib = 1; rib <= kRibCount; ++rib) {
       const std::string bone = ribName(rib, left ? "left" : "right");
-      const Vec3 angle = rightRibAngle(rib);
+      const Vec3 angle = rightRibAngle(rib, ribRows()[rib - 1]);
       landmarks.push_back({bone + "_angle", bone, left ? leftOf(angle) : angle});
     }
   }

@@ -12,7 +12,7 @@ namespace palpate::body {
 
 inline constexpr std::size_t kBoneCount = 43;
 
-enum class BoneKind : unsigned char { vertebra, rib, scapula };
+enum class BoneKind : unsigned char { vertebra, rib, scapula, sacrum, hip, sternum, cartilage, clavicle, humerus };
 
 /// One closed, manifold, outward mesh in the body frame.
 struct Bone {

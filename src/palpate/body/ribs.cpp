@@ -16,17 +16,10 @@
 #include "palpate/body/cubic_spline.h"
 #include "palpate/body/signed_distance.h"
 #include "palpate/body/spine_line.h"
+#include "palpate/body/swept_ellipse.h"
 
 namespace palpate::body {
 namespace {
-
-struct RibRow {
-  double angle_x, angle_drop, angle_z;           // the angle: y below the head, z in the body frame
-  double half_width, lateral_drop, lateral_z;    // the most lateral point: outer edge; y and z from the head
-  double anterior_x, anterior_drop, anterior_z;  // the anterior end: y and z from the head
-  double height, thickness;                      // the section
-  double roll_deg;                               // how far the outer face looks up: the first rib lies flat
-};
 
 constexpr std::array<RibRow, kRibCount> kRibRows = {{
     {50, -4, 19.8, 58, 24, -16.8, 38, 53, -34.7, 11, 6, 55},
@@ -54,8 +47,7 @@ constexpr std::array<SectionStop, 5> kSection = {
 constexpr std::array<double, 10> kTubercleGap = {5.2, 6.6, 4.6, 3.6, 3.0, 3.0, 3.0, 3.0, 3.0, 4.0};
 
 constexpr double kSmoothing =
-    40.0;                     // mm^2, twice the variance of the blur along the line: sections must not cross in bends
-constexpr int kEndRings = 4;  // of the rounded ends
+    40.0;  // mm^2, twice the variance of the blur along the line: sections must not cross in bends
 constexpr double kRollFrom = 0.16;   // share of the length where the face starts to roll,
 constexpr double kRollUntil = 0.42;  // and where it has done so
 
@@ -76,16 +68,13 @@ Vec3 headPoint(int number) {
 }
 
 // The tubercle lies in front of the transverse process, clear of it.
-Vec3 tuberclePoint(int number) {
+Vec3 tuberclePoint(int number, const RibRow& row) {
   const VertebraRow& v = vertebraOf(number);
-  const double ventral = v.transverse_radius + kRibRows[number - 1].thickness / 2 + kTubercleGap[number - 1];
+  const double ventral = v.transverse_radius + row.thickness / 2 + kTubercleGap[number - 1];
   return vertebraFrame(v) * (transverseTip(v) + Vec3(2.0, 1.5, -ventral));
 }
 
-Vec3 anglePoint(int number) {
-  const RibRow& r = kRibRows[number - 1];
-  return {r.angle_x, headPoint(number).y() - r.angle_drop, r.angle_z};
-}
+Vec3 anglePoint(int number, const RibRow& r) { return {r.angle_x, headPoint(number).y() - r.angle_drop, r.angle_z}; }
 
 // Appends a quarter ellipse: `from` and `to` are left and reached along the axes that `first` says.
 void addQuarter(std::vector<Vec3>& line, const Vec3& from, const Vec3& to, bool first, int count) {
@@ -99,14 +88,13 @@ void addQuarter(std::vector<Vec3>& line, const Vec3& from, const Vec3& to, bool 
   }
 }
 
-std::vector<Vec3> controlPoints(int number) {
-  const RibRow& r = kRibRows[number - 1];
+std::vector<Vec3> controlPoints(int number, const RibRow& r) {
   const Vec3 head = headPoint(number);
   const Vec3 lateral(r.half_width - r.thickness / 2, head.y() - r.lateral_drop, head.z() + r.lateral_z);
   const Vec3 anterior(r.anterior_x, head.y() - r.anterior_drop, head.z() + r.anterior_z);
   std::vector<Vec3> line{head};
-  if (number <= 10) line.push_back(tuberclePoint(number));
-  line.push_back(anglePoint(number));
+  if (number <= 10) line.push_back(tuberclePoint(number, r));
+  line.push_back(anglePoint(number, r));
   addQuarter(line, Vec3(line.back()), lateral, true, 6);
   addQuarter(line, lateral, anterior, false, 5);
   return line;
@@ -135,15 +123,8 @@ SectionStop sectionAt(double share) {
   return {share, mix(before.height, next->height, t), mix(before.thickness, next->thickness, t)};
 }
 
-// One place on the centre line with the axes of its section.
-struct Station {
-  Vec3 centre, along, outward, upward;
-  double half_height, half_thickness;
-};
-
-std::vector<Station> stationsOf(int number, double edge_mm) {
-  const RibRow& row = kRibRows[number - 1];
-  const CubicSpline spline(controlPoints(number));
+std::vector<Station> stationsOf(int number, const RibRow& row, double edge_mm) {
+  const CubicSpline spline(controlPoints(number, row));
   const auto count = static_cast<std::size_t>(std::ceil(spline.length() / edge_mm)) + 1;
   std::vector<Vec3> line = spline.evenly(count);
   smoothLine(line, static_cast<int>(kSmoothing / (edge_mm * edge_mm)) + 1);
@@ -164,66 +145,18 @@ std::vector<Station> stationsOf(int number, double edge_mm) {
   return stations;
 }
 
-// A rounded end: the section shrinks over its own half thickness along a quarter circle.
-void addEnd(std::vector<Station>& rings, const Station& end, double direction) {
-  for (int i = 1; i <= kEndRings; ++i) {
-    const double t = std::numbers::pi / 2 * i / (kEndRings + 1);
-    Station ring = end;
-    ring.centre += direction * std::sin(t) * end.half_thickness * end.along;
-    ring.half_height *= std::cos(t);
-    ring.half_thickness *= std::cos(t);
-    rings.push_back(ring);
-  }
-}
-
-std::vector<Station> withRoundedEnds(const std::vector<Station>& stations) {
-  std::vector<Station> rings;
-  addEnd(rings, stations.front(), -1.0);
-  std::reverse(rings.begin(), rings.end());
-  rings.insert(rings.end(), stations.begin(), stations.end());
-  addEnd(rings, stations.back(), 1.0);
-  return rings;
-}
-
-Vec3 capPoint(const Station& end, double direction) { return end.centre + direction * end.half_thickness * end.along; }
-
-// Rings of `corners` points, joined by triangles and closed by a vertex at each end.
-mesh::TriangleMesh sweep(const std::vector<Station>& stations, Index corners) {
-  mesh::TriangleMesh mesh;
-  const std::vector<Station> rings = withRoundedEnds(stations);
-  for (const Station& ring : rings) {
-    for (Index c = 0; c < corners; ++c) {
-      const double angle = 2.0 * std::numbers::pi * c / corners;
-      mesh.positions.push_back(ring.centre + std::cos(angle) * ring.half_thickness * ring.outward +
-                               std::sin(angle) * ring.half_height * ring.upward);
-    }
-  }
-  const auto last = static_cast<Index>((rings.size() - 1) * corners);
-  const auto first_cap = static_cast<Index>(mesh.positions.size());
-  mesh.positions.push_back(capPoint(stations.front(), -1.0));
-  mesh.positions.push_back(capPoint(stations.back(), 1.0));
-  for (Index c = 0; c < corners; ++c) {
-    const Index d = (c + 1) % corners;
-    mesh.triangles.push_back({first_cap, d, c});
-    for (Index ring = 0; ring < last; ring += corners) {
-      mesh.triangles.push_back({ring + c, ring + d, ring + corners + d});
-      mesh.triangles.push_back({ring + c, ring + corners + d, ring + corners + c});
-    }
-    mesh.triangles.push_back({first_cap + 1, last + c, last + d});
-  }
-  return mesh;
-}
-
 }  // namespace
 
-mesh::TriangleMesh makeRightRib(int number, double edge_mm) {
-  const RibRow& row = kRibRows[number - 1];
-  // Ramanujan's girth of the section, first term.
-  const double girth = std::numbers::pi * 0.75 * (row.height + row.thickness);
-  const Index corners = std::max<Index>(8, 2 * static_cast<Index>(std::ceil(0.5 * girth / edge_mm)));
-  return sweep(stationsOf(number, edge_mm), corners);
+std::span<const RibRow, kRibCount> ribRows() { return kRibRows; }
+
+mesh::TriangleMesh makeRightRib(int number, const RibRow& row, double edge_mm, SweptEnd anterior) {
+  return sweepEllipse(stationsOf(number, row, edge_mm), cornersOf(row.height, row.thickness, edge_mm), {}, anterior);
 }
 
-Vec3 rightRibAngle(int number) { return anglePoint(number) + Vec3(0.0, 0.0, kRibRows[number - 1].thickness / 2); }
+Station rightRibEnd(int number, const RibRow& row, double edge_mm) { return stationsOf(number, row, edge_mm).back(); }
+
+Vec3 rightRibAngle(int number, const RibRow& row) {
+  return anglePoint(number, row) + Vec3(0.0, 0.0, row.thickness / 2);
+}
 
 }  // namespace palpate::body

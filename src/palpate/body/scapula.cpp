@@ -16,18 +16,12 @@
 #include <vector>
 
 #include "palpate/body/cubic_spline.h"
+#include "palpate/body/plane_outline.h"
 #include "palpate/body/signed_distance.h"
 #include "palpate/body/tetrahedra_mesher.h"
 
 namespace palpate::body {
 namespace {
-
-// Placement: where the spine's root lies and how the blade is turned, solved for the depths under the fitted skin
-// (root 9.4, inferior angle 11.6, acromion at least 4 mm).
-const Vec3 kRoot{76.0, 98.0, 94.5};
-constexpr double kTiltDeg = 10.5;      // about u: the upper border leans forwards
-constexpr double kUpwardDeg = 0.5;     // about n: the lateral side rises
-constexpr double kInternalDeg = 41.6;  // about y: the lateral side turns forwards
 
 const std::vector<Vec3> kOutline = {{8, 43, 0},    {2, 30, 0},   {0, 12, 0},   {0, 0, 0},     {1, -20, 0},
                                     {3, -45, 0},   {6, -72, 0},  {10, -95, 0}, {16, -110, 0}, {24, -112, 0},
@@ -61,51 +55,6 @@ double bladeSteepness(double u, double v) {
 
 Vec3 onBlade(double u, double v) { return {u, v, bladeOffset(u, v)}; }
 
-// Signed distance in the plane of the blade to its outline, tabulated: the polygon is asked millions of times.
-class Outline {
- public:
-  Outline() {
-    for (const Vec3& p : CubicSpline(kOutline, CubicSpline::Ends::closed).evenly(kOutlinePoints)) {
-      polygon_.emplace_back(p.x(), p.y());
-    }
-    for (int j = 0; j < kRows; ++j) {
-      for (int i = 0; i < kColumns; ++i) table_.push_back(exact(kLow + kStepMm * Vec2(i, j)));
-    }
-  }
-  /// Bilinear in the table; outside it the value at its rim, which is far from the bone.
-  double distance(const Vec2& p) const {
-    const Vec2 q = ((p - kLow) / kStepMm).cwiseMax(0.0).cwiseMin(Vec2(kColumns - 1.001, kRows - 1.001));
-    const auto i = static_cast<std::size_t>(q.x());
-    const auto j = static_cast<std::size_t>(q.y());
-    const double* cell = &table_[j * kColumns + i];
-    const double s = q.x() - static_cast<double>(i);
-    return mix(mix(cell[0], cell[1], s), mix(cell[kColumns], cell[kColumns + 1], s), q.y() - static_cast<double>(j));
-  }
-
- private:
-  static constexpr int kColumns = 150;
-  static constexpr int kRows = 190;
-  static constexpr double kStepMm = 1.0;
-  inline static const Vec2 kLow{-20.0, -130.0};
-
-  double exact(const Vec2& p) const {
-    double nearest2 = (p - polygon_[0]).squaredNorm();
-    bool inside = false;
-    for (std::size_t i = 0, j = polygon_.size() - 1; i < polygon_.size(); j = i++) {
-      const Vec2 edge = polygon_[j] - polygon_[i];
-      const Vec2 w = p - polygon_[i];
-      const double t = std::clamp(w.dot(edge) / edge.squaredNorm(), 0.0, 1.0);
-      nearest2 = std::min(nearest2, (w - t * edge).squaredNorm());
-      const bool crosses = (polygon_[i].y() > p.y()) != (polygon_[j].y() > p.y());
-      if (crosses && w.x() < edge.x() * w.y() / edge.y()) inside = !inside;
-    }
-    return (inside ? -1.0 : 1.0) * std::sqrt(nearest2);
-  }
-
-  std::vector<Vec2> polygon_;
-  std::vector<double> table_;
-};
-
 // The crest's v and height over u, tabulated from its spline.
 class CrestTable {
  public:
@@ -134,7 +83,7 @@ class CrestTable {
 };
 
 struct Parts {
-  Outline outline;
+  PlaneOutline outline{kOutline, kOutlinePoints, {{-20.0, -130.0}, 150, 190}};
   Tube medial_roll{{onBlade(9, 41), onBlade(3.5, 28), onBlade(2.2, 5), onBlade(3, -20), onBlade(5, -45),
                     onBlade(8, -72), onBlade(12, -95)},
                    {2.0, 2.2, 2.6, 2.6, 2.8, 3.1, 3.4},
@@ -198,19 +147,20 @@ struct Parts {
   }
 };
 
-Eigen::Isometry3d placement() {
+}  // namespace
+
+Eigen::Isometry3d scapulaFrame(const ScapulaPlace& place) {
   const auto turn = [](double degrees, const Vec3& axis) {
     return Eigen::AngleAxisd(degrees * std::numbers::pi / 180.0, axis);
   };
   Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
-  frame.translate(kRoot);
-  frame.rotate(turn(kInternalDeg, Vec3::UnitY()) * turn(kUpwardDeg, Vec3::UnitZ()) * turn(-kTiltDeg, Vec3::UnitX()));
+  frame.translate(place.root);
+  frame.rotate(turn(place.internal_deg, Vec3::UnitY()) * turn(place.upward_deg, Vec3::UnitZ()) *
+               turn(-place.tilt_deg, Vec3::UnitX()));
   return frame;
 }
 
-}  // namespace
-
-mesh::TriangleMesh makeRightScapula(double cell_mm) {
+mesh::TriangleMesh makeRightScapula(double cell_mm, const ScapulaPlace& place) {
   const Parts parts;
   MesherSettings box;
   box.low = {-6.0, -122.0, -46.0};
@@ -219,13 +169,13 @@ mesh::TriangleMesh makeRightScapula(double cell_mm) {
   const Field field = [&](const Vec3& p) { return parts.distance(p); };
   mesh::TriangleMesh mesh = meshZeroSurface(field, box);
   relaxOnSurface(mesh, field, kRelaxRounds);
-  const Eigen::Isometry3d frame = placement();
+  const Eigen::Isometry3d frame = scapulaFrame(place);
   for (Vec3& p : mesh.positions) p = frame * p;
   return mesh;
 }
 
-ScapulaPoints rightScapulaPoints() {
-  const Eigen::Isometry3d frame = placement();
+ScapulaPoints rightScapulaPoints(const ScapulaPlace& place) {
+  const Eigen::Isometry3d frame = scapulaFrame(place);
   const auto raised = [&](double u, double v, double n) { return frame * Vec3(onBlade(u, v) + n * Vec3::UnitZ()); };
   return {raised(12, 43, 2.5), raised(2, 1.6, 5.6), raised(20, -106, 5.1), frame * Vec3(112, 31, 32)};
 }
