@@ -24,44 +24,44 @@ namespace {
 constexpr double kJointContactMm = 1.0;
 
 // The skeleton takes a second or two to make, so tests share it.
-struct Made {
+struct MadeSkeleton {
   std::vector<Bone> bones;
   double seconds;  ///< of processor time: tests share the machine
 };
 
-const Made& made() {
-  static const Made result = [] {
+const MadeSkeleton& madeSkeleton() {
+  static const MadeSkeleton result = [] {
     const std::clock_t start = std::clock();
-    Made m{makeSkeleton(), 0.0};
+    MadeSkeleton m{makeSkeleton(), 0.0};
     m.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     return m;
   }();
   return result;
 }
 
-const std::vector<Bone>& bones() { return made().bones; }
+const std::vector<Bone>& skeleton() { return madeSkeleton().bones; }
 
-std::size_t totalTriangles(const std::vector<Bone>& all) {
+std::size_t trianglesOf(const std::vector<Bone>& all) {
   return std::accumulate(all.begin(), all.end(), std::size_t{0},
                          [](std::size_t sum, const Bone& b) { return sum + b.mesh.triangles.size(); });
 }
 
-const Bone& bone(const std::string& name) {
-  const auto found = std::find_if(bones().begin(), bones().end(), [&](const Bone& b) { return b.name == name; });
-  if (found == bones().end()) throw Error("no bone " + name);
+const Bone& skeletonBone(const std::string& name) {
+  const auto found = std::find_if(skeleton().begin(), skeleton().end(), [&](const Bone& b) { return b.name == name; });
+  if (found == skeleton().end()) throw Error("no bone " + name);
   return *found;
 }
 
-std::map<std::string, Vec3> landmarks() {
+std::map<std::string, Vec3> landmarkPlaces() {
   std::map<std::string, Vec3> at;
   for (const Landmark& landmark : skeletonLandmarks()) at[landmark.name] = landmark.position;
   return at;
 }
 
 TEST(Skeleton, HasSeventyFourBonesInAFixedOrder) {
-  ASSERT_EQ(bones().size(), kSkeletonBoneCount);
+  ASSERT_EQ(skeleton().size(), kSkeletonBoneCount);
   std::set<std::string> names;
-  for (const Bone& b : bones()) names.insert(b.name);
+  for (const Bone& b : skeleton()) names.insert(b.name);
   EXPECT_EQ(names.size(), kSkeletonBoneCount);
   const std::map<std::size_t, const char*> expected = {{0, "C5"},
                                                        {2, "C7"},
@@ -83,7 +83,7 @@ TEST(Skeleton, HasSeventyFourBonesInAFixedOrder) {
                                                        {71, "scapula_left"},
                                                        {72, "humerus_right"},
                                                        {73, "humerus_left"}};
-  for (const auto& [index, name] : expected) EXPECT_EQ(bones()[index].name, name);
+  for (const auto& [index, name] : expected) EXPECT_EQ(skeleton()[index].name, name);
 }
 
 TEST(Skeleton, HasTheKindsThatItsNamesSay) {
@@ -93,10 +93,10 @@ TEST(Skeleton, HasTheKindsThatItsNamesSay) {
       {"rib_3_left", BoneKind::rib},       {"cartilage_3_left", BoneKind::cartilage},
       {"sternum", BoneKind::sternum},      {"clavicle_left", BoneKind::clavicle},
       {"scapula_left", BoneKind::scapula}, {"humerus_left", BoneKind::humerus}};
-  for (const auto& [name, kind] : kinds) EXPECT_EQ(bone(name).kind, kind) << name;
+  for (const auto& [name, kind] : kinds) EXPECT_EQ(skeletonBone(name).kind, kind) << name;
 }
 
-void expectSound(const std::vector<Bone>& all) {
+void expectSoundBones(const std::vector<Bone>& all) {
   for (const Bone& b : all) {
     SCOPED_TRACE(b.name);
     const mesh::ValidationReport report = mesh::validate(b.mesh);
@@ -108,21 +108,21 @@ void expectSound(const std::vector<Bone>& all) {
   }
 }
 
-TEST(Skeleton, IsMadeOfClosedManifoldOutwardPiecesThatDoNotPierceThemselves) { expectSound(bones()); }
+TEST(Skeleton, IsMadeOfClosedManifoldOutwardPiecesThatDoNotPierceThemselves) { expectSoundBones(skeleton()); }
 
 TEST(Skeleton, IsSoundFineAndCoarseToo) {
   for (const std::size_t total : {std::size_t{18000}, std::size_t{70000}}) {
     SCOPED_TRACE(total);
     const std::vector<Bone> other = makeSkeleton({.triangles = total});
-    EXPECT_EQ(totalTriangles(other), total);
-    expectSound(other);
+    EXPECT_EQ(trianglesOf(other), total);
+    expectSoundBones(other);
   }
 }
 
 TEST(Skeleton, HasTheAskedNumberOfTrianglesExactly) {
-  EXPECT_EQ(totalTriangles(bones()), 24000u);
+  EXPECT_EQ(trianglesOf(skeleton()), 24000u);
   const std::vector<Bone> fewest = makeSkeleton({.triangles = kFewestSkeletonTriangles});
-  EXPECT_EQ(totalTriangles(fewest), kFewestSkeletonTriangles);
+  EXPECT_EQ(trianglesOf(fewest), kFewestSkeletonTriangles);
   for (const Bone& b : fewest) EXPECT_TRUE(mesh::validate(b.mesh, {false}).closed) << b.name;
 }
 
@@ -135,14 +135,14 @@ TEST(Skeleton, SharesTrianglesExactlyAndAlikeOnBothSides) {
   }
 }
 
-std::string otherSide(const std::string& right) { return std::string(right).replace(right.rfind("right"), 5, "left"); }
+std::string leftNameOf(const std::string& right) { return std::string(right).replace(right.rfind("right"), 5, "left"); }
 
 TEST(Skeleton, IsAnExactMirrorImageOfItself) {
   std::size_t pairs = 0;
-  for (const Bone& b : bones()) {
+  for (const Bone& b : skeleton()) {
     if (b.name.find("right") == std::string::npos) continue;
     ++pairs;
-    const auto& left = bone(otherSide(b.name)).mesh.positions;
+    const auto& left = skeletonBone(leftNameOf(b.name)).mesh.positions;
     ASSERT_EQ(b.mesh.positions.size(), left.size()) << b.name;
     for (std::size_t v = 0; v < left.size(); ++v) {
       const Vec3& p = b.mesh.positions[v];
@@ -153,13 +153,13 @@ TEST(Skeleton, IsAnExactMirrorImageOfItself) {
   const auto key = [](double x, const Vec3& p) { return std::array<double, 3>{x, p.y(), p.z()}; };
   for (const char* name : {"C5", "C7", "T6", "L5", "sacrum", "sternum"}) {
     std::set<std::array<double, 3>> points;
-    for (const Vec3& p : bone(name).mesh.positions) points.insert(key(p.x(), p));
-    for (const Vec3& p : bone(name).mesh.positions) EXPECT_TRUE(points.count(key(-p.x(), p)) == 1) << name;
+    for (const Vec3& p : skeletonBone(name).mesh.positions) points.insert(key(p.x(), p));
+    for (const Vec3& p : skeletonBone(name).mesh.positions) EXPECT_TRUE(points.count(key(-p.x(), p)) == 1) << name;
   }
 }
 
 // How deep vertices of one bone lie in others, by the pair of their names; only pairs where any does.
-std::map<std::string, double> piercedPairs(const std::vector<Bone>& all) {
+std::map<std::string, double> depthsOfPiercedPairs(const std::vector<Bone>& all) {
   std::map<std::string, double> depths;
   for (const Bone& outer : all) {
     const auto box = mesh::boundingBox(outer.mesh);
@@ -178,57 +178,57 @@ std::map<std::string, double> piercedPairs(const std::vector<Bone>& all) {
 
 // Joints whose cartilage is drawn as touching: a rib and its cartilage, the cartilages of the arch, a cartilage and the
 // sternum, a rib and its vertebra, the sacroiliac joint and the joint under L5.
-bool isJoint(const std::string& pair) {
+bool isSkeletonJoint(const std::string& pair) {
   const auto has = [&](const char* word) { return pair.find(word) != std::string::npos; };
   return (has("cartilage") && (has("rib") || has("sternum"))) || (has("sacrum") && (has("hip") || has("L5"))) ||
          (has("rib") && has("T")) || pair.find("cartilage") != pair.rfind("cartilage");
 }
 
 void expectNoneInsideAnother(const std::vector<Bone>& all) {
-  for (const auto& [pair, depth] : piercedPairs(all)) {
-    EXPECT_TRUE(isJoint(pair)) << pair << ' ' << depth;
+  for (const auto& [pair, depth] : depthsOfPiercedPairs(all)) {
+    EXPECT_TRUE(isSkeletonJoint(pair)) << pair << ' ' << depth;
     EXPECT_LE(depth, kJointContactMm) << pair;
   }
 }
 
-TEST(Skeleton, NoVertexOfOneLiesInsideAnotherBeyondAJointsContact) { expectNoneInsideAnother(bones()); }
+TEST(Skeleton, NoVertexOfOneLiesInsideAnotherBeyondAJointsContact) { expectNoneInsideAnother(skeleton()); }
 
 TEST(Skeleton, NoVertexOfOneLiesInsideAnotherInAFineOne) {
   expectNoneInsideAnother(makeSkeleton({.triangles = 60000}));
 }
 
-double distance(const std::map<std::string, Vec3>& at, const std::string& a, const std::string& b) {
+double between(const std::map<std::string, Vec3>& at, const std::string& a, const std::string& b) {
   return (at.at(a) - at.at(b)).norm();
 }
 
 TEST(Skeleton, HasThePublishedSizes) {
-  const auto at = landmarks();
-  const auto width = [](const std::string& name) -> Vec3 { return mesh::boundingBox(bone(name).mesh).sizes(); };
-  const double between_crests =
-      mesh::boundingBox(bone("hip_right").mesh).max().x() - mesh::boundingBox(bone("hip_left").mesh).min().x();
+  const auto at = landmarkPlaces();
+  const auto width = [](const std::string& name) -> Vec3 { return mesh::boundingBox(skeletonBone(name).mesh).sizes(); };
+  const double between_crests = mesh::boundingBox(skeletonBone("hip_right").mesh).max().x() -
+                                mesh::boundingBox(skeletonBone("hip_left").mesh).min().x();
   EXPECT_NEAR(between_crests, 280.0, 20.0);
-  EXPECT_NEAR(distance(at, "asis_right", "asis_left"), 240.0, 15.0);
-  EXPECT_NEAR(distance(at, "psis_right", "psis_left"), 95.0, 10.0);
+  EXPECT_NEAR(between(at, "asis_right", "asis_left"), 240.0, 15.0);
+  EXPECT_NEAR(between(at, "psis_right", "psis_left"), 95.0, 10.0);
   EXPECT_NEAR(width("hip_right").y(), 215.0, 15.0);
   EXPECT_NEAR(width("sacrum").x(), 115.0, 8.0);
-  EXPECT_NEAR(distance(at, "jugular_notch", "xiphoid_tip"), 185.0, 15.0);  // 155-170 and a xiphoid of 30
-  EXPECT_NEAR(distance(at, "jugular_notch", "sternal_angle"), 48.0, 6.0);
-  EXPECT_NEAR(distance(at, "clavicle_right_sternal_end", "clavicle_right_acromial_end"), 143.0, 14.0);
+  EXPECT_NEAR(between(at, "jugular_notch", "xiphoid_tip"), 185.0, 15.0);  // 155-170 and a xiphoid of 30
+  EXPECT_NEAR(between(at, "jugular_notch", "sternal_angle"), 48.0, 6.0);
+  EXPECT_NEAR(between(at, "clavicle_right_sternal_end", "clavicle_right_acromial_end"), 143.0, 14.0);
   for (const char* name : {"C5", "C6", "C7"}) EXPECT_NEAR(width(name).x(), 60.0, 9.0) << name;
 }
 
 TEST(Skeleton, StandsAtThePublishedLevels) {
-  const auto at = landmarks();
-  const auto between = [&](const char* name, const char* above, const char* below) {
+  const auto at = landmarkPlaces();
+  const auto lies_between = [&](const char* name, const char* above, const char* below) {
     EXPECT_LT(at.at(name).y(), at.at(above).y()) << name;
     EXPECT_GT(at.at(name).y(), at.at(below).y()) << name;
   };
-  between("iliac_crest_top_right", "spinous_L3", "spinous_L5");  // L4 on images
-  between("psis_right", "sacrum_S1", "coccyx_tip");              // S2
+  lies_between("iliac_crest_top_right", "spinous_L3", "spinous_L5");  // L4 on images
+  lies_between("psis_right", "sacrum_S1", "coccyx_tip");              // S2
   EXPECT_NEAR(at.at("psis_right").y(), at.at("sacrum_S2").y(), 15.0);
-  between("jugular_notch", "spinous_T2", "spinous_T4");  // disc T2-T3
-  between("scapula_right_inferior_angle", "spinous_T7", "spinous_T9");
-  between("spinous_C7", "spinous_C6", "spinous_T1");
+  lies_between("jugular_notch", "spinous_T2", "spinous_T4");  // disc T2-T3
+  lies_between("scapula_right_inferior_angle", "spinous_T7", "spinous_T9");
+  lies_between("spinous_C7", "spinous_C6", "spinous_T1");
   // The vertebra prominens stands out behind the two above it.
   EXPECT_GT(at.at("spinous_C7").z(), at.at("spinous_C6").z() + 10.0);
 }
@@ -242,9 +242,10 @@ TEST(Skeleton, JoinsRibsToTheSternum) {
       for (const Vec3& p : from.mesh.positions) least = std::min(least, tree.find(p, least).distance);
       return least;
     };
-    const Bone& cartilage = bone("cartilage_" + n + "_right");
-    EXPECT_LT(gap(cartilage, bone("rib_" + n + "_right")), 1.5) << n;
-    const Bone& end = number <= 7 ? bone("sternum") : bone("cartilage_" + std::to_string(number - 1) + "_right");
+    const Bone& cartilage = skeletonBone("cartilage_" + n + "_right");
+    EXPECT_LT(gap(cartilage, skeletonBone("rib_" + n + "_right")), 1.5) << n;
+    const Bone& end =
+        number <= 7 ? skeletonBone("sternum") : skeletonBone("cartilage_" + std::to_string(number - 1) + "_right");
     EXPECT_LT(gap(cartilage, end), 1.8) << n;
   }
 }
@@ -257,9 +258,9 @@ TEST(Skeleton, IsTheSameEveryTime) {
 
 TEST(Skeleton, IsBuiltQuicklyEnoughForEveryStart) {
 #ifdef NDEBUG
-  EXPECT_LT(made().seconds, 6.0);  // about 1.2 s on a quiet core
+  EXPECT_LT(madeSkeleton().seconds, 6.0);  // about 1.2 s on a quiet core
 #else
-  EXPECT_LT(made().seconds, 300.0);
+  EXPECT_LT(madeSkeleton().seconds, 300.0);
 #endif
 }
 
@@ -275,7 +276,7 @@ TEST(SkeletonLandmarks, LieOnTheirBonesAndAreNamedOnce) {
   for (const Landmark& landmark : skeletonLandmarks()) {
     SCOPED_TRACE(landmark.name);
     EXPECT_TRUE(names.insert(landmark.name).second);
-    EXPECT_LT(mesh::NearestTriangle(bone(landmark.bone).mesh).find(landmark.position).distance, 1.0);
+    EXPECT_LT(mesh::NearestTriangle(skeletonBone(landmark.bone).mesh).find(landmark.position).distance, 1.0);
   }
   EXPECT_EQ(names.size(), 24u + 2u * (12u + 10u + 5u + 8u) + 3u);
 }

@@ -43,7 +43,7 @@ Plan cervicalPlan(const VertebraRow& row) {
           BoneKind::vertebra,
           1.0,
           true,
-          [&row](double cell) { return makeCervicalHalf(row, 0.8 * cell); },
+          [&row](double cell) { return makeCervicalHalf(row, 0.9 * cell); },
           vertebraFrame(row)};
 }
 
@@ -64,15 +64,15 @@ std::vector<Plan> plans() {
   std::vector<Plan> list;
   for (const VertebraRow& row : cervicalRows()) list.push_back(cervicalPlan(row));
   for (const VertebraRow& row : trunkSpineRows()) list.push_back(vertebraPlan(row));
-  list.push_back({"sacrum", BoneKind::sacrum, 2.4, true, [](double cell) { return makeSacrumHalf(1.15 * cell); }});
-  list.push_back({"hip", BoneKind::hip, 2.8, false, [](double cell) { return makeRightHip(1.5 * cell); }});
+  list.push_back({"sacrum", BoneKind::sacrum, 2.4, true, [](double cell) { return makeSacrumHalf(1.35 * cell); }});
+  list.push_back({"hip", BoneKind::hip, 2.8, false, [](double cell) { return makeRightHip(1.65 * cell); }});
   for (int number = 1; number <= kRibCount; ++number) list.push_back(ribPlan(number));
   for (int number = 1; number <= kCartilageCount; ++number) list.push_back(cartilagePlan(number));
-  list.push_back({"sternum", BoneKind::sternum, 0.9, true, [](double cell) { return makeSternumHalf(cell); }});
+  list.push_back({"sternum", BoneKind::sternum, 0.9, true, [](double cell) { return makeSternumHalf(1.25 * cell); }});
   list.push_back({"clavicle", BoneKind::clavicle, 0.5, false, [](double) { return makeRightClavicle(kSweptEdgeMm); }});
   list.push_back({"scapula", BoneKind::scapula, 2.2, false,
                   [](double cell) { return makeRightScapula(1.25 * cell, trunkScapulaPlace()); }});
-  list.push_back({"humerus", BoneKind::humerus, 0.7, false, [](double cell) { return makeRightHumerus(1.5 * cell); }});
+  list.push_back({"humerus", BoneKind::humerus, 0.7, false, [](double cell) { return makeRightHumerus(2.0 * cell); }});
   return list;
 }
 
