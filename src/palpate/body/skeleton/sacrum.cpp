@@ -3,7 +3,7 @@
 // tables over v; endplate, facets, crests and the coccyx are added, canal and four pairs of foramina are cut out.
 //
 // Sizes guided by: length 105-110 along the chord and breadth 115 of men, textbook values, [R] recalled; sacral slope
-// 40 standing, lying less [R]; endplate of S1 about 50 x 34 [R]; anterior foramina 4 pairs [S]. Here breadth 112,
+// 40 standing, lying less [R]; endplate of S1 about 50 x 34 [R]; anterior foramina 4 pairs [S]. Here breadth 111,
 // chord 108, slope 33 degrees: the lumbar spine of this body is a flat one (L1-L5 24 degrees). The tables over v are
 // construction values of our choice.
 #include <algorithm>

@@ -30,6 +30,10 @@ std::array<RibRow, kRibCount> ribsOfTrunk() {
   rows[0].anterior_x = 43.0, rows[0].anterior_drop = 51.0, rows[0].anterior_z = -35.0;
   rows[7].half_width = 136.0;
   rows[8].half_width = 134.0;
+  // The lower ends point less downwards, so that their cartilages turn up in a bow and not in a kink.
+  rows[7].anterior_x = 104.0, rows[7].anterior_drop = 101.0;
+  rows[8].anterior_x = 110.0, rows[8].anterior_drop = 105.0;
+  rows[9].anterior_x = 110.0, rows[9].anterior_drop = 105.0;
   return rows;
 }
 
