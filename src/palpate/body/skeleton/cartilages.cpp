@@ -14,11 +14,11 @@
 namespace palpate::body {
 namespace {
 
-constexpr double kRibEdgeMm = 2.2;   // the rib's end hangs on it by a hair
-constexpr double kJointGap = 0.4;    // mm between the flat end of the rib and that of the cartilage
-constexpr double kSternumGap = 1.1;  // mm to the notch
-constexpr double kArchGap = 0.6;     // mm between neighbours of the arch
-constexpr double kEndHeight = 8.5;   // mm, section at the sternum
+constexpr double kRibStationMm = 2.2;  // the rib's end hangs on it by a hair
+constexpr double kJointGap = 0.4;      // mm between the flat end of the rib and that of the cartilage
+constexpr double kSternumGap = 1.1;    // mm to the notch
+constexpr double kArchGap = 0.6;       // mm between neighbours of the arch
+constexpr double kEndHeight = 8.5;     // mm, section at the sternum
 constexpr double kEndThickness = 7.0;
 constexpr double kArchEndHeight = 6.0;  // of 8 to 10, which end in a point
 constexpr double kArchEndThickness = 5.0;
@@ -41,7 +41,7 @@ const std::array<std::vector<Vec3>, kCartilageCount> kCourse = {{
 // Where cartilages 8 to 10 end: the share of the cartilage above from its rib on.
 constexpr std::array<double, 3> kJoinsAt = {0.36, 0.55, 0.60};
 
-std::vector<Station> stationsOf(int number, double edge_mm);
+std::vector<Station> cartilageStations(int number, double edge_mm);
 
 Vec3 outwardAt(const Vec3& centre, const Vec3& along) {
   const Vec3 from_cage = Vec3(0.75 * centre.x(), 0.0, centre.z() + 10.0).normalized();
@@ -50,7 +50,7 @@ Vec3 outwardAt(const Vec3& centre, const Vec3& along) {
 
 Vec3 endOf(int number, double edge_mm) {
   if (number <= 7) return sternalNotch(number) + Vec3(kSternumGap + kCostochondralEnd.rounding_mm, 0.0, 0.0);
-  const std::vector<Station> above = stationsOf(number - 1, edge_mm);
+  const std::vector<Station> above = cartilageStations(number - 1, edge_mm);
   const double place = kJoinsAt[static_cast<std::size_t>(number - 8)] * static_cast<double>(above.size() - 1);
   const Station& at = above[static_cast<std::size_t>(place)];
   const Vec3 down = at.upward.y() > 0.0 ? Vec3(-at.upward) : at.upward;
@@ -72,8 +72,8 @@ std::vector<Vec3> lineOf(int number, const Station& rib, double edge_mm) {
   return line.evenly(std::max<std::size_t>(count, 6));
 }
 
-std::vector<Station> stationsOf(int number, double edge_mm) {
-  const Station rib = rightRibEnd(number, trunkRibRows()[number - 1], kRibEdgeMm);
+std::vector<Station> cartilageStations(int number, double edge_mm) {
+  const Station rib = rightRibEnd(number, trunkRibRows()[number - 1], kRibStationMm);
   const std::vector<Vec3> line = lineOf(number, rib, edge_mm);
   const double end_height = 0.5 * (number <= 7 ? kEndHeight : kArchEndHeight);
   const double end_thickness = 0.5 * (number <= 7 ? kEndThickness : kArchEndThickness);
@@ -95,13 +95,13 @@ std::vector<Station> stationsOf(int number, double edge_mm) {
 }  // namespace
 
 mesh::TriangleMesh makeRightCartilage(int number, double edge_mm) {
-  const std::vector<Station> stations = stationsOf(number, edge_mm);
+  const std::vector<Station> stations = cartilageStations(number, edge_mm);
   const Index corners = cornersOf(2.0 * stations.front().half_height, 2.0 * stations.front().half_thickness, edge_mm);
   return sweepEllipse(stations, corners, kCostochondralEnd, number <= 7 ? kCostochondralEnd : SweptEnd{});
 }
 
 Vec3 rightCostochondralPoint(int number) {
-  const Station rib = rightRibEnd(number, trunkRibRows()[number - 1], kRibEdgeMm);
+  const Station rib = rightRibEnd(number, trunkRibRows()[number - 1], kRibStationMm);
   return rib.centre + rib.half_thickness * rib.outward;
 }
 

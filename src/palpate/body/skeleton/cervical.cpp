@@ -16,40 +16,41 @@
 namespace palpate::body {
 namespace {
 
-constexpr std::array<VertebraRow, kCervicalCount> kRows = {{
+constexpr std::array<VertebraRow, kCervicalCount> kCervicalRows = {{
     // name  body            canal       pedicle   spinous process   transverse    disc  centre y, z, pitch
     {"C5", 13.0, 20.0, 16.0, 25.0, 14.5, 5.5, 7.0, 21.0, 14, 7.5, 5.0, 53, 20, 3.6, 5.0, 216.5, -14.0, 8},
     {"C6", 13.0, 21.0, 16.5, 25.5, 14.5, 5.8, 7.2, 25.0, 18, 8.0, 5.2, 55, 20, 3.8, 5.0, 200.0, -12.5, 13},
     {"C7", 14.5, 23.0, 17.0, 24.5, 15.0, 6.5, 7.8, 38.0, 22, 8.5, 6.0, 66, 22, 4.4, 5.0, 182.8, -10.8, 20},
 }};
 
-constexpr int kRelaxRounds = 3;
-constexpr double kEndplateEdge = 2.2;   // mm, rounding of the rim of the endplates
-constexpr double kForamenRadius = 2.6;  // mm, half the width of the transverse foramen, our choice
-constexpr double kBifidSpread = 4.2;    // mm from the midline to the middle of one end of a bifid process
+constexpr double kCervicalEndplateEdge = 2.2;  // mm, rounding of the rim of the endplates
+constexpr double kForamenRadius = 2.6;         // mm, half the width of the transverse foramen, our choice
+constexpr double kBifidSpread = 4.2;           // mm from the midline to the middle of one end of a bifid process
 constexpr double kLaminaHalfThick = 2.4;
 
-double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
+double radiansOf(double degrees) { return degrees * std::numbers::pi / 180.0; }
 
 bool bifid(const VertebraRow& row) { return row.name[1] != '7'; }
 
-Vec3 spinousDirection(const VertebraRow& row) {
-  const double down = radians(row.spinous_down_deg);
+Vec3 cervicalSpinousDirection(const VertebraRow& row) {
+  const double down = radiansOf(row.spinous_down_deg);
   return {0.0, -std::sin(down), std::cos(down)};
 }
 
-Vec3 spinousRoot(const VertebraRow& row) { return {0.0, -1.5, row.depth / 2 + row.canal_depth + 0.5}; }
+Vec3 cervicalSpinousRoot(const VertebraRow& row) { return {0.0, -1.5, row.depth / 2 + row.canal_depth + 0.5}; }
 
-Vec3 spinousEnd(const VertebraRow& row) { return spinousRoot(row) + row.spinous_length * spinousDirection(row); }
+Vec3 cervicalSpinousEnd(const VertebraRow& row) {
+  return cervicalSpinousRoot(row) + row.spinous_length * cervicalSpinousDirection(row);
+}
 
-struct Parts {
+struct CervicalParts {
   VertebraRow row;
   double half_width, half_depth, half_canal, pillar_x, pillar_z;
   PlateCapsule pedicle, pillar, spinous;
   FlatTube<PlateCapsule> lamina;
   Capsule transverse_front, transverse_back, foramen, uncinate, spine_end;
 
-  explicit Parts(const VertebraRow& r)
+  explicit CervicalParts(const VertebraRow& r)
       : row(r),
         half_width(r.width / 2),
         half_depth(r.depth / 2),
@@ -62,7 +63,7 @@ struct Parts {
         pillar({pillar_x, 0.5 * r.height - 2.2, pillar_z - 1.2},
                {pillar_x, -0.5 * r.height + (bifid(r) ? 2.0 : 3.4), pillar_z + (bifid(r) ? 3.2 : 10.2)}, Vec3::UnitX(),
                {5.0, 3.4}),
-        spinous(spinousRoot(r), spinousEnd(r), Vec3::UnitY(), {0.55 * r.spinous_height, 3.0},
+        spinous(cervicalSpinousRoot(r), cervicalSpinousEnd(r), Vec3::UnitY(), {0.55 * r.spinous_height, 3.0},
                 {0.5 * r.spinous_height, bifid(r) ? 2.6 : 0.5 * r.spinous_thickness}),
         lamina(laminaRings(r, pillar_x, pillar_z), 2),
         transverse_front{{half_width - 2.0, 0.0, -1.0}, tip() + Vec3(-1.0, 0.0, -2.0), 2.8, 2.6},
@@ -75,13 +76,13 @@ struct Parts {
                  {half_width - 1.2, 0.5 * r.height - 0.5, 0.6 * half_depth},
                  2.4,
                  2.4},
-        spine_end{spinousEnd(r) - 4.0 * spinousDirection(r) + Vec3(1.0, 0.0, 0.0),
-                  spinousEnd(r) + Vec3(kBifidSpread, -1.5, 0.5), 2.4, 2.7} {}
+        spine_end{cervicalSpinousEnd(r) - 4.0 * cervicalSpinousDirection(r) + Vec3(1.0, 0.0, 0.0),
+                  cervicalSpinousEnd(r) + Vec3(kBifidSpread, -1.5, 0.5), 2.4, 2.7} {}
 
   // Of the transverse process.
   Vec3 tip() const {
     const double x = row.transverse_span / 2 - row.transverse_radius;
-    return {x, -1.0, half_depth - 2.0 + std::tan(radians(row.transverse_back_deg)) * 0.5 * (x - half_width)};
+    return {x, -1.0, half_depth - 2.0 + std::tan(radiansOf(row.transverse_back_deg)) * 0.5 * (x - half_width)};
   }
 
   static std::vector<FlatRing> laminaRings(const VertebraRow& r, double pillar_x, double pillar_z) {
@@ -96,7 +97,7 @@ struct Parts {
     const double height = std::min(std::abs(2.0 * p.y() / row.height), 1.0);
     const double waist = 1.0 - 0.06 * (1.0 - height * height);
     const double side = superellipseDistance(p.x(), p.z(), half_width * waist, half_depth * waist, 2.4);
-    const double column = roundedIntersection(side, std::abs(p.y()) - row.height / 2, kEndplateEdge);
+    const double column = roundedIntersection(side, std::abs(p.y()) - row.height / 2, kCervicalEndplateEdge);
     return smoothUnion(column, uncinate.distance(p), 2.0);
   }
 
@@ -119,7 +120,7 @@ struct Parts {
   }
 
   MesherSettings box(double cell_mm) const {
-    const Vec3 end = spinousEnd(row);
+    const Vec3 end = cervicalSpinousEnd(row);
     MesherSettings settings;
     settings.low = {0.0, std::min(-0.5 * row.height - 8.0, end.y() - 10.0), -half_depth - 4.0};
     settings.high = {row.transverse_span / 2 + 4.0, 0.5 * row.height + 8.0, end.z() + 7.0};
@@ -130,18 +131,19 @@ struct Parts {
 
 }  // namespace
 
-std::span<const VertebraRow, kCervicalCount> cervicalRows() { return kRows; }
+std::span<const VertebraRow, kCervicalCount> cervicalRows() { return kCervicalRows; }
 
 mesh::TriangleMesh makeCervicalHalf(const VertebraRow& row, double cell_mm) {
-  const Parts parts(row);
+  const CervicalParts parts(row);
   const Field field = [&](const Vec3& p) { return parts.distance(p); };
   mesh::TriangleMesh half = meshZeroSurface(field, parts.box(cell_mm));
-  relaxOnSurface(half, field, kRelaxRounds);
+  relaxOnSurface(half, field, kSkeletonRelaxRounds);
   return half;
 }
 
 Vec3 cervicalSpinousTip(const VertebraRow& row) {
-  return spinousEnd(row) + (bifid(row) ? 2.3 : 0.5 * row.spinous_thickness - 0.9) * spinousDirection(row);
+  return cervicalSpinousEnd(row) +
+         (bifid(row) ? 2.3 : 0.5 * row.spinous_thickness - 0.9) * cervicalSpinousDirection(row);
 }
 
 }  // namespace palpate::body

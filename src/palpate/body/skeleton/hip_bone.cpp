@@ -21,7 +21,6 @@
 namespace palpate::body {
 namespace {
 
-constexpr int kRelaxRounds = 3;
 constexpr double kSacroiliacGap = 0.9;  // mm, half of what is left of the joint's cartilage
 constexpr double kSymphysisHalf = 2.2;  // mm, half of the disc between the pubic bones
 constexpr double kAcetabulumRadius = 26.0;
@@ -127,7 +126,7 @@ std::vector<Vec3> joined(std::vector<Vec3> a, const std::vector<Vec3>& b) {
   return a;
 }
 
-struct Parts {
+struct HipParts {
   Eigen::Isometry3d into_wing = wingFrame().inverse();
   PlaneOutline outline{inWing(kRim), 140, {{-125.0, -105.0}, 110, 110, 2.0}};
   BentPlate plate{joined(inWing(kRim), inWing(kInner))};
@@ -178,14 +177,14 @@ struct Parts {
 }  // namespace
 
 mesh::TriangleMesh makeRightHip(double cell_mm) {
-  const Parts parts;
+  const HipParts parts;
   MesherSettings box;
   box.low = {-2.0, -470.0, -84.0};
   box.high = {146.0, -226.0, 112.0};
   box.cell_mm = cell_mm;
   const Field field = [&](const Vec3& p) { return parts.distance(p); };
   mesh::TriangleMesh mesh = meshZeroSurface(field, box);
-  relaxOnSurface(mesh, field, kRelaxRounds);
+  relaxOnSurface(mesh, field, kSkeletonRelaxRounds);
   return mesh;
 }
 

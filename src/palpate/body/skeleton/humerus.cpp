@@ -13,13 +13,12 @@ namespace palpate::body {
 namespace {
 
 constexpr double kHeadRadius = 23.5;  // mm
-constexpr double kShaftEnd = 96.0;    // mm beyond the head's centre: the stump is cut at about 120
-constexpr int kRelaxRounds = 3;
+constexpr double kShaftEnd = 78.0;    // mm beyond the head's centre: the stump of the skin ends at about 109
 // In the scapula's frame: in front of the hollow of the socket (a ball of 27.5 mm about (131, 3, 0)).
 const Vec3 kHeadInScapula{129.5, 3.0, 0.0};
 
 // Of the humerus: origin at the head's centre, x away from the socket, y up along the shaft, z to the back.
-Eigen::Isometry3d frame() {
+Eigen::Isometry3d humerusFrame() {
   const Vec3 up = Vec3(-0.665, 0.745, 0.02).normalized();
   const Vec3 into_head = Vec3(-0.70, 0.35, 0.45);  // towards the socket: medially, up and back
   const Vec3 medial = (into_head - into_head.dot(up) * up).normalized();
@@ -29,7 +28,7 @@ Eigen::Isometry3d frame() {
   return placed;
 }
 
-struct Parts {
+struct HumerusParts {
   Capsule shaft{{10, -22, 0}, {11, -kShaftEnd, 0}, 14.5, 11.2};
   Capsule neck{{1, -2, 0}, {10, -26, 0}, 20.0, 14.5};
   double distance(const Vec3& p) const {
@@ -50,19 +49,19 @@ Vec3 rightAcromionTip() { return scapulaFrame(trunkScapulaPlace()) * Vec3(129.2,
 Vec3 rightHumeralHead() { return scapulaFrame(trunkScapulaPlace()) * kHeadInScapula; }
 
 mesh::TriangleMesh makeRightHumerus(double cell_mm) {
-  const Parts parts;
+  const HumerusParts parts;
   MesherSettings box;
   box.low = {-30.0, -kShaftEnd - 18.0, -32.0};
   box.high = {36.0, 30.0, 34.0};
   box.cell_mm = cell_mm;
   const Field field = [&](const Vec3& p) { return parts.distance(p); };
   mesh::TriangleMesh mesh = meshZeroSurface(field, box);
-  relaxOnSurface(mesh, field, kRelaxRounds);
-  const Eigen::Isometry3d placed = frame();
+  relaxOnSurface(mesh, field, kSkeletonRelaxRounds);
+  const Eigen::Isometry3d placed = humerusFrame();
   for (Vec3& p : mesh.positions) p = placed * p;
   return mesh;
 }
 
-Vec3 rightGreaterTubercle() { return frame() * Vec3(26.5, -3.0, 4.0); }
+Vec3 rightGreaterTubercle() { return humerusFrame() * Vec3(26.5, -3.0, 4.0); }
 
 }  // namespace palpate::body

@@ -20,25 +20,25 @@ namespace {
 const Vec3 kOrigin{0.0, -284.5, 17.0};  // the middle of the first endplate, one disc (8.8 mm) below L5
 constexpr double kChordDeg = 36.0;      // of the chord from the vertical, backwards
 constexpr double kEndplateDeg = 3.0;    // by which the endplate looks more upwards than the chord: a sacral slope of 33
-constexpr int kRelaxRounds = 3;
 
 // Half width, ventral and dorsal face at a place v of the chord.
-struct Section {
+struct SacralSection {
   double v, half_width, ventral, dorsal;
 };
-constexpr std::array<Section, 9> kSections = {{{-6, 53, -14, 28},
-                                               {8, 56, -12, 31},
-                                               {26, 55, -2, 36},
-                                               {44, 47, 9, 39},
-                                               {62, 36, 14, 39},
-                                               {80, 27, 12, 31},
-                                               {96, 18, 4, 17},
-                                               {108, 10, -4, 6},
-                                               {116, 8, -8, 1}}};
+constexpr std::array<SacralSection, 9> kSections = {{{-6, 53, -14, 28},
+                                                     {8, 56, -12, 31},
+                                                     {26, 55, -2, 36},
+                                                     {44, 47, 9, 39},
+                                                     {62, 36, 14, 39},
+                                                     {80, 27, 12, 31},
+                                                     {96, 18, 4, 17},
+                                                     {108, 10, -4, 6},
+                                                     {116, 8, -8, 1}}};
 
-Section sectionAt(double v) {
-  const auto next = std::find_if(kSections.begin() + 1, kSections.end() - 1, [&](const Section& s) { return s.v > v; });
-  const Section& before = *(next - 1);
+SacralSection sacralSectionAt(double v) {
+  const auto next =
+      std::find_if(kSections.begin() + 1, kSections.end() - 1, [&](const SacralSection& s) { return s.v > v; });
+  const SacralSection& before = *(next - 1);
   const double t = std::clamp((v - before.v) / (next->v - before.v), 0.0, 1.0);
   return {v, mix(before.half_width, next->half_width, t), mix(before.ventral, next->ventral, t),
           mix(before.dorsal, next->dorsal, t)};
@@ -59,7 +59,7 @@ constexpr std::array<Tubercle, 4> kMedianCrest = {{{19, 8.0}, {38, 8.5}, {56, 7.
 constexpr std::array<std::array<double, 3>, 4> kCoccyx = {
     {{111, -2.5, 10.0}, {118.5, -8.0, 8.0}, {123.5, -14.5, 6.2}, {126.5, -21.5, 5.0}}};
 
-Eigen::Isometry3d frame() {
+Eigen::Isometry3d sacralFrame() {
   // The axis v of the table points down; here (x, -v, n) is right-handed, so y of the frame is -v.
   Eigen::Isometry3d placed = Eigen::Isometry3d::Identity();
   placed.translate(kOrigin);
@@ -67,7 +67,7 @@ Eigen::Isometry3d frame() {
   return placed;
 }
 
-struct Parts {
+struct SacrumParts {
   std::vector<PlateCapsule> tubercles;
   std::vector<Capsule> lateral_crest, intermediate;
   PlateCapsule facet{{23.5, -10, 26}, {24, 2.5, 25}, Vec3(0.5, 0, 1).normalized(), {6.5, 3.4}};
@@ -75,14 +75,14 @@ struct Parts {
   EllipticCapsule canal{{0, 12, 21}, {0, -74, 28}, Vec3::UnitX(), {15.5, 8.5}, {5.0, 2.6}};
   std::vector<EllipticCapsule> coccyx;
 
-  Parts() {
+  SacrumParts() {
     for (const Tubercle& t : kMedianCrest) {
-      const Section s = sectionAt(t.v);
+      const SacralSection s = sacralSectionAt(t.v);
       tubercles.push_back(
           {{0, -t.v, s.dorsal - 2.0}, {0, -t.v - 3.0, s.dorsal + t.rise - 2.6}, Vec3::UnitY(), {7.5, 3.4}, {5.2, 2.6}});
     }
     for (const Foramen& f : kForamina) {
-      const Section s = sectionAt(f.v + 9.0);
+      const SacralSection s = sacralSectionAt(f.v + 9.0);
       lateral_crest.push_back({{s.half_width - 13.0, -f.v - 8.0, s.dorsal - 7.0},
                                {s.half_width - 12.0, -f.v - 11.0, s.dorsal - 5.5},
                                4.0,
@@ -102,7 +102,7 @@ struct Parts {
   // The plate: rounded in the section (x, n), its dorsal face falling away to the sides, the wings set back in front.
   double plateDistance(const Vec3& p) const {
     const double v = -p.y();
-    const Section s = sectionAt(v);
+    const SacralSection s = sacralSectionAt(v);
     const double side = std::clamp(std::abs(p.x()) / s.half_width, 0.0, 1.2);
     const double ventral = s.ventral + 9.0 * side * side * std::clamp(1.0 - v / 60.0, 0.0, 1.0) + 3.0 * side * side;
     const double dorsal = s.dorsal - 11.0 * side * side * std::clamp(1.3 - v / 80.0, 0.2, 1.0);
@@ -138,8 +138,8 @@ struct Parts {
   }
 };
 
-const Parts& parts() {
-  static const Parts made;
+const SacrumParts& sacrumParts() {
+  static const SacrumParts made;
   return made;
 }
 
@@ -150,10 +150,10 @@ mesh::TriangleMesh makeSacrumHalf(double cell_mm) {
   box.low = {0.0, -146.0, -30.0};
   box.high = {64.0, 24.0, 54.0};
   box.cell_mm = cell_mm;
-  const Field field = [](const Vec3& p) { return parts().distance(p); };
+  const Field field = [](const Vec3& p) { return sacrumParts().distance(p); };
   mesh::TriangleMesh half = meshZeroSurface(field, box);
-  relaxOnSurface(half, field, kRelaxRounds);
-  const Eigen::Isometry3d placed = frame();
+  relaxOnSurface(half, field, kSkeletonRelaxRounds);
+  const Eigen::Isometry3d placed = sacralFrame();
   for (Vec3& p : half.positions) {
     const double x = p.x();  // the turn is about x: the border stays in the plane to the last bit
     p = placed * p;
@@ -163,18 +163,18 @@ mesh::TriangleMesh makeSacrumHalf(double cell_mm) {
 }
 
 double sacrumDistance(const Vec3& p) {
-  static const Eigen::Isometry3d inverse = frame().inverse();
+  static const Eigen::Isometry3d inverse = sacralFrame().inverse();
   Vec3 local = inverse * p;
   local.x() = std::abs(local.x());
-  return parts().plateDistance(local);
+  return sacrumParts().plateDistance(local);
 }
 
 SacrumPoints sacrumPoints() {
-  const Eigen::Isometry3d placed = frame();
+  const Eigen::Isometry3d placed = sacralFrame();
   SacrumPoints points;
   for (std::size_t i = 0; i < 3; ++i) {
     const Tubercle& t = kMedianCrest[i];
-    points.median_crest[i] = placed * Vec3(0.0, -t.v - 3.0, sectionAt(t.v).dorsal + t.rise);
+    points.median_crest[i] = placed * Vec3(0.0, -t.v - 3.0, sacralSectionAt(t.v).dorsal + t.rise);
   }
   points.promontory = placed * Vec3(0.0, -2.0, -16.0);
   points.coccyx_tip = placed * Vec3(0.0, -kCoccyx.back()[0] + 1.5, kCoccyx.back()[1] - 2.0);

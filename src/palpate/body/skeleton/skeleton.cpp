@@ -16,11 +16,11 @@ namespace palpate::body {
 namespace {
 
 // The grid when none is asked for, as in bones.cpp.
-constexpr double kFineCellMm = 1.5;
-constexpr double kCoarseCellMm = 2.0;
-constexpr std::size_t kFineFrom = 60000;  // triangles
-constexpr double kLeastCellMm = 0.5;
-constexpr double kLargestCellMm = 3.0;
+constexpr double kFineSkeletonCellMm = 1.5;
+constexpr double kCoarseSkeletonCellMm = 2.0;
+constexpr std::size_t kFineSkeletonFrom = 60000;  // triangles
+constexpr double kLeastSkeletonCellMm = 0.5;
+constexpr double kLargestSkeletonCellMm = 3.0;
 constexpr double kSweptEdgeMm = 2.2;  // of ribs, cartilages and clavicles
 
 // A bone that is drawn: a half of the midline, joined with its mirror image, or a right one, mirrored for the left.
@@ -122,7 +122,8 @@ void check(const SkeletonSettings& settings) {
   if (settings.triangles < kFewestSkeletonTriangles) {
     throw Error("the skeleton needs at least " + std::to_string(kFewestSkeletonTriangles) + " triangles");
   }
-  if (settings.cell_mm != 0.0 && !(settings.cell_mm >= kLeastCellMm && settings.cell_mm <= kLargestCellMm)) {
+  if (settings.cell_mm != 0.0 &&
+      !(settings.cell_mm >= kLeastSkeletonCellMm && settings.cell_mm <= kLargestSkeletonCellMm)) {
     throw Error("the grid of the bones must lie between 0.5 and 3 mm");
   }
 }
@@ -165,7 +166,7 @@ std::vector<std::size_t> shareSkeletonTriangles(std::size_t total) {
 std::vector<Bone> makeSkeleton(const SkeletonSettings& settings) {
   check(settings);
   const std::vector<Plan> list = plans();
-  const double fitting = settings.triangles < kFineFrom ? kCoarseCellMm : kFineCellMm;
+  const double fitting = settings.triangles < kFineSkeletonFrom ? kCoarseSkeletonCellMm : kFineSkeletonCellMm;
   const std::vector<mesh::TriangleMesh> meshes =
       drawAll(list, shares(list, settings.triangles), settings.cell_mm > 0.0 ? settings.cell_mm : fitting);
   std::vector<Bone> bones;

@@ -22,6 +22,9 @@ std::span<const RibRow, kRibCount> trunkRibRows();
 /// Where the scapula lies: that of the back moved so that the acromion stays under the skin.
 ScapulaPlace trunkScapulaPlace();
 
+/// Rounds of relaxOnSurface before the reduction.
+inline constexpr int kSkeletonRelaxRounds = 3;
+
 // C5, C6, C7 (cervical.cpp).
 
 inline constexpr int kCervicalCount = 3;

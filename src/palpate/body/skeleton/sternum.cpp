@@ -3,7 +3,7 @@
 //
 // Guided by: manubrium about 50 long, body 95-110, both 150-170 of men, 8-12 thick, manubrium 50-65 wide, body 25-40:
 // [R] recalled textbook values. The jugular notch stands level with T2-T3, the sternal angle with T4-T5, the joint of
-// the xiphoid with T9 [S]. Depth: under the skin of the chest at a cover of 5-6 mm. Coordinates are our choice.
+// the xiphoid with T9 [S]. SternumDepth: under the skin of the chest at a cover of 5-6 mm. Coordinates are our choice.
 #include <algorithm>
 #include <cmath>
 
@@ -15,29 +15,29 @@
 namespace palpate::body {
 namespace {
 
-constexpr int kRelaxRounds = 3;
-
 // The right edge from the throat down to the xiphoid; x, y.
-const std::vector<Vec3> kEdge = {{9, 140, 0},   {19, 141, 0}, {28, 134, 0}, {29, 124, 0},  {24, 112, 0},  {18, 100, 0},
-                                 {16.5, 92, 0}, {15, 80, 0},  {16, 60, 0},  {18, 40, 0},   {19.5, 22, 0}, {18.5, 8, 0},
-                                 {13, -4, 0},   {8, -10, 0},  {6, -20, 0},  {4.5, -32, 0}, {1.5, -39, 0}};
+const std::vector<Vec3> kSternumEdge = {{9, 140, 0},   {19, 141, 0},  {28, 134, 0}, {29, 124, 0}, {24, 112, 0},
+                                        {18, 100, 0},  {16.5, 92, 0}, {15, 80, 0},  {16, 60, 0},  {18, 40, 0},
+                                        {19.5, 22, 0}, {18.5, 8, 0},  {13, -4, 0},  {8, -10, 0},  {6, -20, 0},
+                                        {4.5, -32, 0}, {1.5, -39, 0}};
 
 // The middle of the plate and its half thickness over y.
-struct Depth {
+struct SternumDepth {
   double y, z, half;
 };
-constexpr std::array<Depth, 8> kDepths = {{{146, -29.5, 5.3},
-                                           {122, -36.0, 5.6},
-                                           {96, -52.5, 5.0},
-                                           {70, -65.5, 4.6},
-                                           {40, -78.5, 4.6},
-                                           {5, -85.5, 4.4},
-                                           {-20, -89.0, 3.2},
-                                           {-45, -92.0, 2.6}}};
+constexpr std::array<SternumDepth, 8> kDepths = {{{146, -28.0, 5.2},
+                                                  {122, -35.2, 5.6},
+                                                  {96, -52.5, 5.0},
+                                                  {70, -65.5, 4.6},
+                                                  {40, -78.5, 4.6},
+                                                  {5, -85.5, 4.4},
+                                                  {-20, -89.0, 3.2},
+                                                  {-45, -92.0, 2.6}}};
 
-Depth depthAt(double y) {
-  const auto next = std::find_if(kDepths.begin() + 1, kDepths.end() - 1, [&](const Depth& d) { return d.y < y; });
-  const Depth& before = *(next - 1);
+SternumDepth sternumDepthAt(double y) {
+  const auto next =
+      std::find_if(kDepths.begin() + 1, kDepths.end() - 1, [&](const SternumDepth& d) { return d.y < y; });
+  const SternumDepth& before = *(next - 1);
   const double t = std::clamp((y - before.y) / (next->y - before.y), -0.5, 1.5);
   return {y, mix(before.z, next->z, t), mix(before.half, next->half, std::clamp(t, 0.0, 1.0))};
 }
@@ -50,29 +50,30 @@ constexpr double kNotchRadius = 5.0;
 constexpr double kNotchDepth = 1.2;
 
 double edgeAt(double y) {
-  for (std::size_t i = 3; i + 1 < kEdge.size(); ++i) {
-    if (kEdge[i + 1].y() <= y) {
-      const double t = (y - kEdge[i].y()) / (kEdge[i + 1].y() - kEdge[i].y());
-      return mix(kEdge[i].x(), kEdge[i + 1].x(), t);
+  for (std::size_t i = 3; i + 1 < kSternumEdge.size(); ++i) {
+    if (kSternumEdge[i + 1].y() <= y) {
+      const double t = (y - kSternumEdge[i].y()) / (kSternumEdge[i + 1].y() - kSternumEdge[i].y());
+      return mix(kSternumEdge[i].x(), kSternumEdge[i + 1].x(), t);
     }
   }
-  return kEdge.back().x();
+  return kSternumEdge.back().x();
 }
 
-double middleZ(double x, double y) { return depthAt(y).z + kSideDrop * x * x; }
+double middleZ(double x, double y) { return sternumDepthAt(y).z + kSideDrop * x * x; }
 
 std::vector<Vec3> wholeOutline() {
-  std::vector<Vec3> points = kEdge;
-  for (std::size_t i = kEdge.size(); i-- > 0;) points.emplace_back(-kEdge[i].x(), kEdge[i].y(), 0.0);
+  std::vector<Vec3> points = kSternumEdge;
+  for (std::size_t i = kSternumEdge.size(); i-- > 0;)
+    points.emplace_back(-kSternumEdge[i].x(), kSternumEdge[i].y(), 0.0);
   return points;
 }
 
-struct Parts {
+struct SternumParts {
   PlaneOutline outline{wholeOutline(), 160, {{-4.0, -56.0}, 45, 212}};
   Ball socket = sternoclavicularSocket();
 
   double distance(const Vec3& p) const {
-    const Depth depth = depthAt(p.y());
+    const SternumDepth depth = sternumDepthAt(p.y());
     // Steepest at the manubrium: 0.55 along y.
     const double slab = 0.88 * (std::abs(p.z() - middleZ(p.x(), p.y())) - depth.half);
     double d = roundedIntersection(outline.distance({p.x(), p.y()}), slab, std::min(3.4, 0.8 * depth.half));
@@ -96,20 +97,20 @@ Vec3 sternalNotch(int number) {
 }
 
 mesh::TriangleMesh makeSternumHalf(double cell_mm) {
-  const Parts parts;
+  const SternumParts parts;
   MesherSettings box;
   box.low = {0.0, -46.0, -104.0};
   box.high = {36.0, 150.0, -14.0};
   box.cell_mm = cell_mm;
   const Field field = [&](const Vec3& p) { return parts.distance(p); };
   mesh::TriangleMesh half = meshZeroSurface(field, box);
-  relaxOnSurface(half, field, kRelaxRounds);
+  relaxOnSurface(half, field, kSkeletonRelaxRounds);
   return half;
 }
 
 SternumPoints sternumPoints() {
-  const auto front = [](double y) { return Vec3(0.0, y, depthAt(y).z - depthAt(y).half); };
-  return {{0.0, 137.0, depthAt(137.0).z}, front(96.0) + Vec3(0.0, 0.0, -0.6), front(-38.0)};
+  const auto front = [](double y) { return Vec3(0.0, y, sternumDepthAt(y).z - sternumDepthAt(y).half); };
+  return {{0.0, 137.0, sternumDepthAt(137.0).z}, front(96.0) + Vec3(0.0, 0.0, -0.6), front(-38.0)};
 }
 
 }  // namespace palpate::body
