@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "palpate/base/error.h"
@@ -79,6 +80,51 @@ TEST(Hand, RefusesWhatCannotBeBuilt) {
   EXPECT_THROW(makeHand({.triangles = 100}), Error);
   EXPECT_THROW(makeHand({.triangles = 4000000}), Error);
   EXPECT_THROW(makeHand({.length_mm = std::nan("")}), Error);
+}
+
+const PalpatingHand& palpatingHand() {
+  static const PalpatingHand hand = makePalpatingHand(Side::right);
+  return hand;
+}
+
+TEST(PalpatingHand, IsAClosedManifoldInOnePiece) {
+  const mesh::ValidationReport report = mesh::validate(palpatingHand().mesh);
+  EXPECT_TRUE(report.closed);
+  EXPECT_TRUE(report.fit());
+  EXPECT_EQ(report.components, 1u);
+  EXPECT_EQ(report.self_intersections.count, 0u);
+  EXPECT_EQ(palpatingHand().redness.size(), palpatingHand().mesh.positions.size());
+}
+
+TEST(PalpatingHand, HasAForearmAsLongAsItSays) {
+  const PalpatingHand& hand = palpatingHand();
+  double farthest = 0.0;
+  for (const Vec3& p : hand.mesh.positions) farthest = std::max(farthest, hand.forearm.dot(p));
+  EXPECT_NEAR(farthest, hand.forearm_mm, 1.0);
+  EXPECT_GT(hand.forearm.z(), 0.2) << "the wrist is bent back";
+}
+
+TEST(PalpatingHand, HasNailsOnItsSkinAndAPadUnderIt) {
+  const PalpatingHand& hand = palpatingHand();
+  const mesh::NearestTriangle skin(hand.mesh);
+  for (const Nail& nail : hand.nails) {
+    EXPECT_LT(skin.find(nail.centre).distance, 3.3);
+    EXPECT_NEAR(nail.along.dot(nail.across), 0.0, 1e-9);
+    EXPECT_NEAR(nail.along.dot(nail.up), 0.0, 1e-9);
+  }
+  EXPECT_GT(skin.find(hand.pad).distance, 2.0);
+  EXPECT_LT(skin.find(hand.pad).distance, 8.0);
+  EXPECT_LT(hand.pad_along.z(), -0.3) << "the index finger is bent down";
+}
+
+TEST(PalpatingHand, LeftIsTheMirrorImageOfRight) {
+  const PalpatingHand left = makePalpatingHand(Side::left);
+  const auto& right = palpatingHand().mesh.positions;
+  ASSERT_EQ(left.mesh.positions.size(), right.size());
+  for (std::size_t v = 0; v < right.size(); ++v) {
+    EXPECT_EQ(left.mesh.positions[v], Vec3(-right[v].x(), right[v].y(), right[v].z()));
+  }
+  EXPECT_EQ(left.pad.x(), -palpatingHand().pad.x());
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "palpate/body/hand.h"
 #include "palpate/tree/closest_on_triangle.h"
 #include "palpate/view/layers/drawn_skin.h"
@@ -51,21 +53,60 @@ TEST(FingerPose, HoversWithItsPadAtThePointOfAFreeFinger) {
       << "a ball's tip is its centre";
 }
 
-TEST(HandPose, LaysTheIndexFingertipOnTheSkinAndKeepsTheRestOut) {
+/// Right or left, made once.
+const body::PalpatingHand& handOf(bool left) {
+  static const body::PalpatingHand kHands[] = {body::makePalpatingHand(body::Side::right),
+                                               body::makePalpatingHand(body::Side::left)};
+  return kHands[left ? 1 : 0];
+}
+
+FingerPose ballAt(const Vec3& centre, bool left) {
+  FingerPose finger;
+  finger.centre = centre;
+  finger.left = left;
+  return finger;
+}
+
+TEST(HandPose, LaysThePadOfTheIndexFingerOnTheSkinAndKeepsTheRestOut) {
   const auto world = worldOf(zoo::grid(60, 900.0));
   for (const bool left : {false, true}) {
-    FingerPose finger;
-    finger.centre = {450.0, 450.0, 4.0};
-    finger.left = left;
-    body::HandSettings settings;
-    settings.side = left ? body::Side::left : body::Side::right;
-    const mesh::TriangleMesh hand = body::makeHand(settings);
+    const body::PalpatingHand& hand = handOf(left);
+    const FingerPose finger = ballAt({450.0, 450.0, 8.0}, left);
     const HandPose pose = handPoseOf(*world, finger, hand);
     EXPECT_NEAR(pose.axes.determinant(), 1.0, 1e-9) << "turned, not mirrored";
-    EXPECT_LT((pose.origin + pose.axes * body::indexTip(settings) - finger.centre).norm(), 10.0);
-    for (const Vec3& point : hand.positions) {
+    double lowest = 1e300;
+    Vec3 touching = Vec3::Zero();
+    for (const Vec3& point : hand.mesh.positions) {
       const Vec3 place = pose.origin + pose.axes * point;
-      EXPECT_TRUE(place.z() > -1.0 || (place - finger.centre).norm() < 40.0) << place.transpose();
+      if (place.z() < lowest) touching = place;
+      lowest = std::min(lowest, place.z());
+      EXPECT_TRUE(place.z() > 1.5 || (place - finger.centre).norm() < 36.0) << place.transpose();
+    }
+    EXPECT_NEAR(lowest, 0.0, 0.05) << "it touches";
+    EXPECT_LT((touching - Vec3(450.0, 450.0, 0.0)).norm(), 6.0) << "where the finger is";
+    const Vec3 last_joint = pose.axes * hand.pad_along;
+    EXPECT_GT(-last_joint.z(), std::sin(30.0 * kRadPerDeg)) << "it presses";
+    EXPECT_LT(-last_joint.z(), std::sin(46.0 * kRadPerDeg)) << "with the pad, not with the end";
+    double foremost = -1e300;
+    for (const Vec3& point : hand.mesh.positions) {
+      const Vec3 place = pose.origin + pose.axes * point;
+      if ((place - finger.centre).norm() < 20.0) foremost = std::max(foremost, last_joint.dot(place));
+    }
+    EXPECT_LT(last_joint.dot(touching), foremost - 2.0) << "under the joint, not before it";
+    EXPECT_EQ((pose.axes * hand.forearm).x() < 0.0, left) << "each hand comes from its own side";
+  }
+}
+
+TEST(HandPose, KeepsOutOfRoundBodies) {
+  const double radius = 170.0;
+  const auto world = worldOf(zoo::sphere(radius, 5));
+  for (const Vec3& way : {Vec3(0, 0, 1), Vec3(1, 0, 0), Vec3(0.5, 0.4, -0.8), Vec3(0, -0.9, 0.4)}) {
+    FingerPose finger = ballAt((radius + 8.0) * way.normalized(), false);
+    finger.normal = way.normalized();
+    const HandPose pose = handPoseOf(*world, finger, handOf(false));
+    for (const Vec3& point : handOf(false).mesh.positions) {
+      const Vec3 place = pose.origin + pose.axes * point;
+      EXPECT_TRUE(place.norm() > radius || (place - finger.centre).norm() < 36.0) << way.transpose();
     }
   }
 }

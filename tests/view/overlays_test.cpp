@@ -200,6 +200,15 @@ TEST(OverlayKey, ExplainsEveryColourThatAnOverlayDraws) {
   EXPECT_TRUE(overlayKey({}).empty());
 }
 
+TEST(OverlayKey, SaysWhenDentsAreShadedMoreThanLightWould) {
+  Look look;
+  look.dent_contrast = 2.0;
+  ASSERT_EQ(overlayKey(look).size(), 1u);
+  EXPECT_EQ(overlayKey(look)[0].words, "dent shading x2");
+  look.colouring = Colouring::strain;
+  EXPECT_TRUE(overlayKey(look).empty()) << "colours that mean something know no dent shading";
+}
+
 /// Steps along edges from the nearest corner of a triangle, for every vertex.
 std::vector<int> stepsFrom(const scene::World& world, Index triangle) {
   std::vector<int> steps(world.skin.positions.size(), 1000);

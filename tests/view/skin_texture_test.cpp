@@ -8,6 +8,7 @@
 
 #include "palpate/view/offscreen.h"
 #include "palpate/view/renderer.h"
+#include "palpate/view/skin_tone.h"
 #include "support/error_message.h"
 #include "view/pixel_difference.h"
 #include "view/textured_world.h"
@@ -103,7 +104,7 @@ TEST_F(TexturedSkin, LooksLikeSkinOfTheColourOfThePicture) {
   const Image skin = draw(worldOf(sheet));
   Pixel encoded;
   for (Eigen::Index i = 0; i < 3; ++i) {
-    const double linear = look_.skin_colour[i];
+    const double linear = skinToneOf(look_.skin_tone).colour[i];
     encoded[static_cast<std::size_t>(i)] =
         static_cast<std::uint8_t>(std::lround(255.0 * (1.055 * std::pow(linear, 1.0 / 2.4) - 0.055)));
   }

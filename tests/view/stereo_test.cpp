@@ -81,7 +81,10 @@ TEST(DepthRange, HoldsTheBoxAndNothingTooNear) {
   const DepthRange range = depthRangeOf(eyes, box);
   EXPECT_LT(range.near_mm, 1080.0);
   EXPECT_GT(range.far_mm, 1300.0);
-  EXPECT_DOUBLE_EQ(depthRangeOf(eyesOf(cameraAt(150.0), {}, kScreenAspect), box).near_mm, 45.0);
+  EXPECT_DOUBLE_EQ(depthRangeOf(eyesOf(cameraAt(150.0), {}, kScreenAspect), box).near_mm, 6.0);
+  StereoSettings two_eyes;
+  two_eyes.mode = StereoMode::sbs_half;
+  EXPECT_DOUBLE_EQ(depthRangeOf(eyesOf(cameraAt(150.0), two_eyes, kScreenAspect), box).near_mm, 45.0);
 }
 
 TEST(EyePicture, KeepsTheShapeOfTheWindowWhereItIsSqueezed) {

@@ -294,10 +294,13 @@ void addLookOptions(CLI::App& command, RenderOptions& options) {
   takesWord<scene::Shading>(command.add_option("--shading", options.shading, "Light"));
   takesWord<scene::FingerShape>(command.add_option("--finger", options.finger, "What a finger looks like"));
   addNumber(command, "--opacity", options.opacity, between(0.0, 1.0), "Of the skin; below 1 the bones show");
+  addNumber(command, "--skin-tone", options.skin_tone, between(1.0, 6.0), "Of the skin, very light to very dark");
+  addNumber(command, "--dent-contrast", options.dent_contrast, between(0.0, 5.0),
+            "How strongly dents are shaded; 1 is as it would be, above it is exaggerated");
   command.add_flag("--white", options.white, "White background");
   command.add_flag("--texture,!--no-texture", options.texture,
                    "The body's own picture, if the scene names one, or the colours of its PLY file (default)");
-  command.add_flag("--detail,!--no-detail", options.detail, "Pores (default)");
+  command.add_flag("--detail,!--no-detail", options.detail, "Skin lines, near by (default)");
   command.add_option("--title", options.title, "Words in the upper left corner");
   command.add_flag("--labels,!--no-labels", options.labels, "Legend, scale bar, directions and numbers (default)");
 }

@@ -78,6 +78,8 @@ scene::ViewSettings viewOf(const RenderOptions& options, const scene::ViewSettin
   replace(settings.pitch_deg, options.pitch_deg);
   replace(settings.zoom, options.zoom);
   replace(settings.opacity, options.opacity);
+  replace(settings.skin_tone, options.skin_tone);
+  replace(settings.dent_contrast, options.dent_contrast);
   replace(settings.eye_distance_mm, options.eye_distance_mm);
   replace(settings.convergence_mm, options.convergence_mm);
   replace(settings.screen_height_mm, options.screen_height_mm);

@@ -29,7 +29,8 @@ struct RenderOptions {
   std::optional<std::string> scalar, scalar_map;
   std::vector<double> scalar_range;
   std::optional<Vec3> look_at_mm, head_mm;
-  std::optional<double> yaw_deg, pitch_deg, zoom, opacity, eye_distance_mm, convergence_mm, screen_height_mm;
+  std::optional<double> yaw_deg, pitch_deg, zoom, opacity, skin_tone, dent_contrast, eye_distance_mm, convergence_mm,
+      screen_height_mm;
   bool swap_eyes = false;
   bool white = false;
   bool texture = true;

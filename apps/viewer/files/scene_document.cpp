@@ -36,6 +36,8 @@ void keepLook(const view::Look& was, const view::Look& is, scene::Scene& scene) 
   keepChange(was.shading, is.shading, view.shading);
   keepChange(was.colouring, is.colouring, view.colours);
   keepChange(was.skin_opacity, is.skin_opacity, view.opacity);
+  keepChange(was.skin_tone, is.skin_tone, view.skin_tone);
+  keepChange(was.dent_contrast, is.dent_contrast, view.dent_contrast);
   keepChange(was.finger, is.finger, view.finger);
   keepChange(was.white_background, is.white_background, view.white_background);
   keepChange(was.texture, is.texture, view.texture);

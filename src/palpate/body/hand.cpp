@@ -44,6 +44,7 @@ const std::array<Vec3, 4> kMetacarpalRoots = {Vec3(-15, 18, 2), Vec3(-4, 16, 4),
 const std::vector<Vec3> kThumb = {{-20, 20, -8}, {-44, 56, -14}, {-60, 86, -17}, {-70, 110, -18}};
 const std::array<double, 4> kThumbRadii = {15.0, 11.8, 10.4, 8.8};
 
+Vec3 mix3(const Vec3& from, const Vec3& to, double t) { return from + t * (to - from); }
 double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 
 // The joints of a finger from knuckle to tip.
@@ -133,7 +134,202 @@ mesh::TriangleMesh rightHand() {
   return mesh;
 }
 
+// ---- the hand that palpates
+
+constexpr double kPalpatingCellMm = 2.4;
+constexpr std::size_t kPalpatingTriangles = 10000;
+constexpr double kForearmMm = 260.0;
+constexpr double kWristBackDeg = 20.0;
+
+/// The index finger is bent so far in all that its pad, not its end, meets skin that the palm is held along.
+const std::array<FingerRow, 4> kPalpatingFingers = {{
+    {{-27, 94, 1}, {46, 27, 18}, {10.4, 9.1, 7.9, 6.9}, {13, 14, 4}, -3},
+    {{-5, 99, 3}, {51, 31, 19}, {10.7, 9.4, 8.1, 7.1}, {-7, 20, 11}, 0},
+    {{16, 94, 1}, {47, 29, 19}, {10.0, 8.8, 7.6, 6.7}, {-8, 24, 13}, 5},
+    {{34, 83, -3}, {37, 21, 17}, {8.9, 7.7, 6.6, 5.8}, {-10, 24, 12}, 13},
+}};
+const std::vector<Vec3> kPalpatingThumb = {{-19, 18, -9}, {-41, 52, -17}, {-52, 82, -22}, {-54, 109, -24}};
+const std::array<double, 4> kPalpatingThumbRadii = {14.5, 11.6, 10.2, 8.4};
+/// Out of the thumb's nail.
+const Vec3 kThumbBack(-0.85, 0.0, 0.53);
+
+Vec3 forearmDirection() {
+  const double back = radians(kWristBackDeg);
+  return {0.0, -std::cos(back), std::sin(back)};
+}
+
+/// The last joint of a finger.
+struct FingerEnd {
+  Vec3 joint, tip;
+  Vec3 back;  // unit, out of its nail
+  double radius;
+  Vec3 along() const { return (tip - joint).normalized(); }
+};
+
+FingerEnd endOf(const std::vector<Vec3>& joints, const Vec3& back, double radius) {
+  FingerEnd end{joints[joints.size() - 2], joints.back(), {}, kSkinFactor * radius};
+  end.back = (back - back.dot(end.along()) * end.along()).normalized();
+  return end;
+}
+
+std::vector<FingerEnd> fingerEnds() {
+  std::vector<FingerEnd> ends = {endOf(kPalpatingThumb, kThumbBack, kPalpatingThumbRadii[3])};
+  for (const FingerRow& finger : kPalpatingFingers) {
+    ends.push_back(endOf(jointsOf(finger), Vec3::UnitZ(), finger.radii[3]));
+  }
+  return ends;
+}
+
+/// The flesh under the last joint, which makes a pad of a tube's end.
+EllipticCapsule pulpOf(const FingerEnd& end) {
+  const Vec3 sunk = -0.22 * end.radius * end.back;
+  const HalfAxes axes{0.98 * end.radius, 0.95 * end.radius};
+  return {mix3(end.joint, end.tip, 0.45) + sunk, mix3(end.joint, end.tip, 0.95) + sunk, end.back.cross(end.along()),
+          axes};
+}
+
+Nail nailOf(const FingerEnd& end) {
+  Nail nail;
+  nail.centre = end.tip - 0.5 * end.along() + 0.80 * end.radius * end.back;
+  nail.along = 0.90 * end.radius * end.along();
+  nail.across = 0.74 * end.radius * end.along().cross(end.back);
+  nail.up = 0.6 * end.radius * end.back;
+  return nail;
+}
+
+struct PalpatingParts {
+  std::vector<Phalanges> fingers;
+  std::vector<EllipticCapsule> metacarpals;
+  std::vector<EllipticCapsule> pulps;
+  std::vector<Capsule> tendons;
+  Phalanges thumb{kPalpatingThumb, kPalpatingThumbRadii};
+  Pad palm{{2, 56, -3}, {35, 50, 13.5}, 0};
+  Pad thenar{{-25, 38, -15}, {14, 29, 12.5}, 24};
+  Pad hypothenar{{22, 36, -12}, {13, 34, 12}, -14};
+  std::vector<EllipticCapsule> forearm;
+  Vec3 end = kForearmMm * forearmDirection();
+
+  PalpatingParts() {
+    for (std::size_t i = 0; i < kPalpatingFingers.size(); ++i) {
+      const FingerRow& finger = kPalpatingFingers[i];
+      fingers.emplace_back(jointsOf(finger), finger.radii);
+      metacarpals.emplace_back(kMetacarpalRoots[i], finger.knuckle, Vec3::UnitZ(), HalfAxes{10.0, 10.5},
+                               HalfAxes{12.4, 11.5});
+      tendons.push_back({Vec3(0.3 * finger.knuckle.x(), 8.0, 13.0), finger.knuckle + Vec3(0, -6, 8.5), 2.6, 3.4});
+    }
+    for (const FingerEnd& finger_end : fingerEnds()) pulps.push_back(pulpOf(finger_end));
+    addForearm();
+  }
+
+  void addForearm() {
+    const Vec3 axis = forearmDirection();
+    const auto ring = [](double wide, double thick) { return HalfAxes{wide, thick}; };
+    forearm.emplace_back(Vec3(0, 17, -2), 26.0 * axis, Vec3::UnitX(), ring(24.5, 14), ring(27.5, 18.5));
+    forearm.emplace_back(26.0 * axis, 120.0 * axis, Vec3::UnitX(), ring(27.5, 18.5), ring(36, 31));
+    forearm.emplace_back(120.0 * axis, 300.0 * axis, Vec3::UnitX(), ring(36, 31), ring(46, 43));
+  }
+
+  double handDistance(const Vec3& p) const {
+    double d = palm.distance(p);
+    for (const EllipticCapsule& metacarpal : metacarpals) d = smoothUnion(d, metacarpal.distance(p), 13.0);
+    d = smoothUnion(d, thenar.distance(p), 13.0);
+    d = smoothUnion(d, hypothenar.distance(p), 13.0);
+    for (const EllipticCapsule& part : forearm) d = smoothUnion(d, part.distance(p), 16.0);
+    // The head of the ulna, on the little finger's side of the back of the wrist.
+    d = smoothUnion(d, (p - Vec3(19, -22, 15)).norm() - 9.0, 9.0);
+    return smoothUnion(d, nearestDistance(tendons, p), 6.0);
+  }
+
+  double fingerDistance(const Vec3& p) const {
+    double d = nearestDistance(fingers, p);
+    for (const EllipticCapsule& pulp : pulps) d = smoothUnion(d, pulp.distance(p), 3.0);
+    return d;
+  }
+
+  double distance(const Vec3& p) const {
+    double d = handDistance(p);
+    for (const FingerRow& finger : kPalpatingFingers) {
+      d = smoothUnion(d, (p - finger.knuckle - Vec3(0, 0, 1.0)).norm() - 0.84 * finger.radii[0] * kSkinFactor, 5.0);
+    }
+    d = smoothUnion(d, fingerDistance(p), 6.0);
+    d = smoothUnion(d, thumb.distance(p), 9.0);
+    return roundedIntersection(d, (p - end).dot(forearmDirection()), 3.0);
+  }
+};
+
+mesh::TriangleMesh palpatingShape() {
+  const PalpatingParts parts;
+  const Field field = [&](const Vec3& p) { return parts.distance(p); };
+  MesherSettings box;
+  box.low = {-72.0, -270.0, -72.0};
+  box.high = {72.0, 204.0, 146.0};
+  box.cell_mm = kPalpatingCellMm;
+  mesh::TriangleMesh mesh = meshZeroSurface(field, box);
+  relaxOnSurface(mesh, field, kRelaxRounds);
+  return mesh::decimate(std::move(mesh), kPalpatingTriangles);
+}
+
+/// Places where skin is redder, and how far that reaches.
+struct RedPlace {
+  Vec3 place;
+  double reach_mm;
+};
+
+std::vector<RedPlace> redPlaces() {
+  std::vector<RedPlace> places;
+  for (const FingerRow& finger : kPalpatingFingers) {
+    const std::vector<Vec3> joints = jointsOf(finger);
+    places.push_back({joints[0] + Vec3(0, 0, 9.0), 13.0});
+    for (const std::size_t joint : {1u, 2u}) places.push_back({joints[joint] + Vec3(0, 0, 8.0), 10.0});
+    places.push_back({joints[3], 15.0});
+  }
+  places.push_back({kPalpatingThumb[2] + 9.0 * kThumbBack, 11.0});
+  places.push_back({kPalpatingThumb[3], 16.0});
+  return places;
+}
+
+float rednessAt(const std::vector<RedPlace>& places, const Vec3& p) {
+  double redness = p.z() < -8.0 && p.y() > 0.0 ? 0.35 : 0.0;  // the palm
+  for (const RedPlace& red : places) {
+    const double away = (p - red.place).squaredNorm() / (red.reach_mm * red.reach_mm);
+    redness = std::max(redness, std::exp(-1.5 * away));
+  }
+  return static_cast<float>(redness);
+}
+
+PalpatingHand rightPalpatingHand() {
+  PalpatingHand hand;
+  hand.mesh = palpatingShape();
+  const std::vector<RedPlace> red = redPlaces();
+  for (const Vec3& p : hand.mesh.positions) hand.redness.push_back(rednessAt(red, p));
+  const std::vector<FingerEnd> ends = fingerEnds();
+  for (std::size_t i = 0; i < hand.nails.size(); ++i) hand.nails[i] = nailOf(ends[i]);
+  const FingerEnd& index = ends[1];
+  hand.pad = mix3(index.joint, index.tip, 0.8) - 0.3 * index.radius * index.back;
+  hand.pad_along = index.along();
+  hand.forearm = forearmDirection();
+  hand.forearm_mm = kForearmMm;
+  return hand;
+}
+
+Vec3 inMirror(const Vec3& p) { return {-p.x(), p.y(), p.z()}; }
+
+PalpatingHand mirroredHand(PalpatingHand hand) {
+  hand.mesh = mirrored(std::move(hand.mesh));
+  for (Nail& nail : hand.nails) {
+    nail = {inMirror(nail.centre), inMirror(nail.along), inMirror(nail.across), inMirror(nail.up)};
+  }
+  hand.pad = inMirror(hand.pad);
+  hand.pad_along = inMirror(hand.pad_along);
+  return hand;
+}
+
 }  // namespace
+
+PalpatingHand makePalpatingHand(Side side) {
+  PalpatingHand hand = rightPalpatingHand();
+  return side == Side::right ? hand : mirroredHand(std::move(hand));
+}
 
 mesh::TriangleMesh makeHand(const HandSettings& settings) {
   if (settings.triangles % 2 != 0) throw Error("a closed hand has an even number of triangles");

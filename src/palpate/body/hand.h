@@ -1,7 +1,10 @@
-// The hand that is drawn where the device points: open, with the index finger stretched out.
+// Two hands: an open one with the index finger stretched out, as a model of any size, and the one that is drawn where a
+// finger touches: it palpates, and has its forearm.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <vector>
 
 #include "palpate/mesh/triangle_mesh.h"
 
@@ -22,5 +25,26 @@ mesh::TriangleMesh makeHand(const HandSettings& settings = {});
 
 /// The tip of the index finger in the hand's frame: the point to lay on the device's point.
 Vec3 indexTip(const HandSettings& settings = {});
+
+/// A nail: a plate round `centre`, in the directions of `along` (to the tip), `across` and `up` (out of the finger),
+/// each as long as half of it.
+struct Nail {
+  Vec3 centre, along, across, up;
+};
+
+/// A hand that presses with the pad of its index finger: that one bent a little down, the others nearly straight and
+/// held off, the thumb beside, the wrist bent back, and 260 mm of forearm. Frame as above.
+struct PalpatingHand {
+  mesh::TriangleMesh mesh;         ///< closed, about 10,000 triangles
+  std::vector<float> redness;      ///< a vertex each, 0 to 1: over the joints, at the tips
+  std::array<Nail, 5> nails;       ///< thumb, index finger and on
+  Vec3 pad = Vec3::Zero();         ///< in the middle of the last joint's pulp
+  Vec3 pad_along = Vec3::UnitY();  ///< unit, of the last joint of the index finger towards its tip
+  Vec3 forearm = -Vec3::UnitY();   ///< unit, from the wrist (the origin) to the elbow
+  double forearm_mm = 260.0;       ///< where its end is cut, along that
+};
+
+/// The left one is the mirror image of the right. Takes some tenths of a second.
+PalpatingHand makePalpatingHand(Side side);
 
 }  // namespace palpate::body

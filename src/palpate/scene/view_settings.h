@@ -68,7 +68,9 @@ struct ViewSettings {
   Shading shading = Shading::skin;
   Colouring colours = Colouring::plain;
   std::vector<Overlay> show;
-  double opacity = 1.0;  ///< of the skin
+  double opacity = 1.0;        ///< of the skin
+  double skin_tone = 3.0;      ///< from 1, very light, to 6, very dark
+  double dent_contrast = 1.0;  ///< of the shading of dents; 0 none, 1 as it would be, above exaggerated
   FingerShape finger = FingerShape::sphere;
   bool white_background = false;
   bool texture = true;  ///< the body's own picture or colours, where its file has some

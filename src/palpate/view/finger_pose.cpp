@@ -99,13 +99,12 @@ FingerPose poseOf(const scene::World& world, const DrawnSkin& skin, const Finger
   pose.colour = finger.colour;
   pose.left = finger.left;
   pose.outline = finger.outline;
-  pose.centre = pose.tail = finger.contact.tip;
+  pose.centre = finger.contact.tip;
   if (skin.vertices() == 0) return pose;
   const Support support = supportOf(world, skin, finger);
   pose.normal = support.normal;
   pose.centre = support.place + pose.radius_mm * pose.normal;
   liftOut(pose, skinAround(world, skin, support.rest, pose.radius_mm + kReachMm));
-  pose.tail = pose.centre;
   return pose;
 }
 

@@ -38,7 +38,6 @@ struct FingerMark {
 /// The drawn ball.
 struct FingerPose {
   Vec3 centre = Vec3::Zero();
-  Vec3 tail = Vec3::Zero();     ///< of a finger, which is as thick: its far end; the centre for a ball
   Vec3 normal = Vec3::UnitZ();  ///< unit, from the skin to the finger
   Vec3f colour = kLeftFinger;
   double radius_mm = 8.0;
@@ -48,8 +47,5 @@ struct FingerPose {
 };
 
 FingerPose poseOf(const scene::World& world, const DrawnSkin& skin, const FingerMark& finger);
-
-/// A ball becomes a finger for the shadow it throws: as thick, this long.
-inline constexpr double kFingerMm = 60.0;
 
 }  // namespace palpate::view

@@ -40,22 +40,13 @@ struct ColourRange {
   double high = 1.0;
 };
 
-/// Linear; from light to dark.
-struct SkinTone {
-  std::string_view name;
-  std::array<float, 3> colour;
-};
-inline constexpr std::array<SkinTone, 4> kSkinTones = {{{"light", {0.56f, 0.32f, 0.22f}},
-                                                        {"tan", {0.44f, 0.25f, 0.17f}},
-                                                        {"brown", {0.28f, 0.15f, 0.10f}},
-                                                        {"dark", {0.15f, 0.08f, 0.055f}}}};
-
 struct Look {
   Shading shading = Shading::skin;
   Colouring colouring = Colouring::plain;
   std::bitset<kOverlays> overlays;
-  double skin_opacity = 1.0;                  ///< below 1 the bones show through; 0 hides the skin
-  Vec3f skin_colour = {0.56f, 0.32f, 0.22f};  ///< linear; kSkinTones has some
+  double skin_opacity = 1.0;   ///< below 1 the bones show through; 0 hides the skin
+  double skin_tone = 3.0;      ///< 1 very light to 6 very dark (skin_tone.h)
+  double dent_contrast = 1.0;  ///< of the shading of dents; 0 none, 1 as it would be, above exaggerated
   FingerShape finger = FingerShape::sphere;
   bool detail = true;   ///< pores (Shading::skin)
   bool texture = true;  ///< the user's picture or colours, on a skin that has some (Colouring::plain)

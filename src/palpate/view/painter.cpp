@@ -74,7 +74,9 @@ struct Painter::Parts {
   }
 
   void paintEye(const Job& job, Eye eye) {
-    const Frustum frustum = frustumOf(job.eyes, eye, depthRangeOf(job.eyes, box));
+    const bool hands = job.settings.look.finger == FingerShape::hand && !job.frame.fingers.empty();
+    const double room_mm = hands ? kRoomForHandsMm : kRoomMm;
+    const Frustum frustum = frustumOf(job.eyes, eye, depthRangeOf(job.eyes, box, room_mm));
     Frame frame = job.frame;
     frame.pixels_per_point = job.canvas.pixels_per_point;
     renderer.draw(frame, job.settings.look, frustum, job.picture.width, job.picture.height);

@@ -37,6 +37,8 @@ bool haveSameBody(const scene::World& a, const scene::World& b) {
 }
 
 constexpr double kWireframePx = 0.8;
+/// Skin of a lighter tone gets a darker hand.
+constexpr double kLightBody = 2.5;
 
 std::vector<Press> pressesOf(std::span<const FingerMark> fingers) {
   std::vector<Press> presses;
@@ -69,6 +71,7 @@ struct Renderer::Parts {
   Blanching blanching;
   std::vector<FingerPose> poses;
   std::vector<HandPose> hands;  // of the poses, when hands are drawn
+  std::vector<ShadowCaster> casters;
 
   void setWorld(std::shared_ptr<const scene::World> next) {
     if (world && haveSameBody(*world, *next)) {
@@ -86,30 +89,44 @@ struct Renderer::Parts {
   void poseFingers(const Frame& frame, const Look& look) {
     poses.clear();
     hands.clear();
+    casters.clear();
     if (look.finger == FingerShape::none) return;
     for (const FingerMark& finger : frame.fingers) poses.push_back(poseOf(*world, drawn, finger));
     for (FingerPose& pose : poses) pose.outline *= frame.pixels_per_point;
-    if (look.finger != FingerShape::hand) return;
-    for (FingerPose& pose : poses) {
+    if (look.finger == FingerShape::sphere) {
+      for (const FingerPose& pose : poses) {
+        const Vec3f centre = pose.centre.cast<float>();
+        casters.push_back({centre, centre, static_cast<float>(pose.radius_mm)});
+      }
+      return;
+    }
+    for (const FingerPose& pose : poses) {
       hands.push_back(fingers.handPose(*world, pose));
-      pose.tail = pose.centre - kFingerMm * hands.back().axes.col(1);
+      fingers.addCasters(pose, hands.back(), casters);
     }
   }
 
   void drawFingers(const Look& look, const Viewpoint& viewpoint) {
     if (look.finger == FingerShape::sphere) fingers.drawBalls(poses, viewpoint);
-    for (std::size_t i = 0; i < hands.size(); ++i) fingers.drawHand(poses[i], hands[i], viewpoint);
+    drawHands(look, viewpoint, FingerLayer::Part::opaque);
+  }
+
+  /// In another tone than the body, so that the two are told apart.
+  void drawHands(const Look& look, const Viewpoint& viewpoint, FingerLayer::Part part) {
+    const HandTones tones{.skin = look.skin_tone < kLightBody ? 4.0 : 2.0, .near_mm = viewpoint.near_mm};
+    for (std::size_t i = 0; i < hands.size(); ++i) fingers.drawHand(poses[i], hands[i], tones, viewpoint, part);
   }
 
   /// What hides comes first where nothing shines through, so that hidden pixels are never shaded; transparent skin
   /// comes last, over what it covers.
   void drawBody(const Look& look, const Viewpoint& viewpoint, std::span<const PressMark> marks) {
     const bool opaque = look.skin_opacity >= 1.0;
-    if (opaque) skin.draw(look, viewpoint, {poses, marks});
+    if (opaque) skin.draw(look, viewpoint, {casters, marks});
     drawFingers(look, viewpoint);
     bones.draw(look, viewpoint);
     background.draw(look);
-    if (!opaque) skin.draw(look, viewpoint, {poses, marks});
+    if (!opaque) skin.draw(look, viewpoint, {casters, marks});
+    drawHands(look, viewpoint, FingerLayer::Part::fading);
   }
 
   void drawOverlays(const Frame& frame, const Look& look, const Viewpoint& viewpoint) {

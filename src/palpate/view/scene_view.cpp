@@ -48,6 +48,8 @@ Look lookOf(const scene::World& world, const scene::ViewSettings& view) {
   look.colouring = view.colours;
   for (const Overlay overlay : view.show) look.show(overlay);
   look.skin_opacity = view.opacity;
+  look.skin_tone = view.skin_tone;
+  look.dent_contrast = view.dent_contrast;
   look.finger = view.finger;
   look.white_background = view.white_background;
   look.texture = view.texture;

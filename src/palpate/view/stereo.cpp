@@ -63,8 +63,8 @@ Span spanOf(const Eyes& eyes, const Eigen::AlignedBox3d& box) {
 
 /// The near plane as a share of D.
 constexpr double kNearShare = 0.3;
-/// Room for a hand and for what an overlay draws outside the box, mm.
-constexpr double kRoom = 120.0;
+/// The same for one eye: what comes nearer is not looked at.
+constexpr double kNearShareOfOneEye = 0.04;
 
 }  // namespace
 
@@ -90,10 +90,12 @@ Eyes eyesOf(const Camera& camera, const StereoSettings& settings, double aspect)
   return eyes;
 }
 
-DepthRange depthRangeOf(const Eyes& eyes, const Eigen::AlignedBox3d& box) {
+DepthRange depthRangeOf(const Eyes& eyes, const Eigen::AlignedBox3d& box, double room_mm) {
   const Span span = spanOf(eyes, box);
-  const double near_mm = std::max(kNearShare * eyes.distance_mm, span.nearest - kRoom);
-  return {near_mm, std::max(span.farthest + kRoom, 2.0 * near_mm)};
+  const bool two_eyes = eyes.left != eyes.right;
+  const double near_mm =
+      std::max((two_eyes ? kNearShare : kNearShareOfOneEye) * eyes.distance_mm, span.nearest - room_mm);
+  return {near_mm, std::max(span.farthest + room_mm, 2.0 * near_mm)};
 }
 
 Frustum frustumOf(const Eyes& eyes, Eye eye, const DepthRange& range) {

@@ -56,12 +56,14 @@ struct Eyes {
 /// the middle. Throws Error for a tracked head behind its screen.
 Eyes eyesOf(const Camera& camera, const StereoSettings& settings, double aspect);
 
-/// Near and far plane that hold the box and a hand before it. The near plane is at least 0.3 D away: what comes nearer
-/// cannot be fused.
+/// Near and far plane that hold the box and what is drawn before it: balls and overlays, or a hand with its forearm.
+/// The near plane of two eyes is at least 0.3 D away: what comes nearer cannot be fused.
 struct DepthRange {
   double near_mm, far_mm;
 };
-DepthRange depthRangeOf(const Eyes& eyes, const Eigen::AlignedBox3d& box);
+inline constexpr double kRoomMm = 120.0;
+inline constexpr double kRoomForHandsMm = 500.0;
+DepthRange depthRangeOf(const Eyes& eyes, const Eigen::AlignedBox3d& box, double room_mm = kRoomMm);
 
 Frustum frustumOf(const Eyes& eyes, Eye eye, const DepthRange& range);
 

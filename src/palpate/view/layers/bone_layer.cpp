@@ -38,24 +38,23 @@ void main() {
 }
 )";
 
-// Flesh takes blue and green first (per mm of the way through it).
+// One ivory: flesh over a bone takes light, of all colours alike, for the skin that is seen with it gives it its hue.
 constexpr std::string_view kBoneFragment = R"(
 in vec3 place;
 in vec3 normal;
 in float depth;
 uniform float skin_opacity;
 out vec4 colour;
-const vec3 ivory = vec3(0.78, 0.70, 0.55);
-const vec3 absorbed_per_mm = vec3(0.011, 0.030, 0.036);
+const vec3 ivory = vec3(0.76, 0.69, 0.56);
 void main() {
   vec3 n = normalize(normal);
   vec3 to_eye = normalize(eye - place);
   float facing = saturate(dot(n, to_eye));
-  vec3 light = ivory * matteLight(n, 0.8) * (0.55 + 0.45 * facing);
-  light += 0.6 * key_light * gloss(n, to_key, to_eye, 0.5, 0.04);
+  vec3 light = ivory * matteLight(n, 0.9) * (0.55 + 0.45 * facing);
+  light += key_light * (0.7 * sheenOf(n, to_key, to_eye, 0.6, 0.45));
   float under_skin = smoothstep(0.0, 0.25, skin_opacity);
-  light *= exp(-absorbed_per_mm * (depth * under_skin));
-  colour = vec4(encoded(toned(0.45 * light)), 1.0);
+  light *= 1.0 - under_skin * (0.5 - 0.5 * exp(-0.05 * depth));
+  colour = vec4(encoded(toned(light)), 1.0);
 }
 )";
 

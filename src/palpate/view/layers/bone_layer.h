@@ -1,4 +1,4 @@
-// The bones under the skin, darker and redder the deeper they lie. Bones that opaque skin hides are not drawn: which
+// The bones under the skin, of one ivory, darker the deeper they lie. Bones that opaque skin hides are not drawn: which
 // they are is asked again only when the eye has moved.
 #pragma once
 

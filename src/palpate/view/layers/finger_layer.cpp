@@ -5,9 +5,11 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "palpate/mesh/triangle_mesh.h"
+#include "palpate/view/skin_tone.h"
 
 namespace palpate::view {
 
@@ -45,11 +47,103 @@ void main() {
   float near_skin = 0.5 + 0.5 * dot(n, down);
   vec3 light = finger_colour * (matteLight(n, 0.8) * (1.0 - 0.55 * near_skin));
   light += finger_colour * vec3(0.5, 0.25, 0.18) * (near_skin * near_skin);
-  light += key_light * gloss(n, to_key, to_eye, 0.35, 0.04) + fill_light * gloss(n, to_fill, to_eye, 0.35, 0.04);
+  light += 0.8 * (key_light * gloss(n, to_key, to_eye, 0.35, 0.04) + fill_light * gloss(n, to_fill, to_eye, 0.35, 0.04));
   light += 0.25 * sky_light * pow(1.0 - saturate(dot(n, to_eye)), 4.0);
-  colour = vec4(encoded(toned(0.75 * light)), 1.0);
+  colour = vec4(encoded(toned(1.1 * light)), 1.0);
 }
 )";
+
+constexpr std::string_view kHandVertex = R"(
+layout(location = 0) in vec3 point;
+layout(location = 1) in vec3 point_normal;
+layout(location = 2) in float redness;
+uniform mat3 axes;
+uniform vec3 origin;
+uniform vec3 forearm;      // in the hand's frame
+uniform float fade_begin;  // mm along it
+uniform float fade_end;
+uniform float near_mm;
+out vec3 place;
+out vec3 normal;
+out vec3 in_hand;
+out float red;
+out float opacity;
+void main() {
+  normal = axes * point_normal;
+  place = origin + axes * point;
+  in_hand = point;
+  red = redness;
+  opacity = 1.0 - smoothstep(fade_begin, fade_end, dot(point, forearm));
+  opacity *= smoothstep(1.15 * near_mm, 1.9 * near_mm, dot(eye - place, backward));
+  gl_Position = clip_from_body * vec4(place, 1.0);
+}
+)";
+
+constexpr std::string_view kHandFragment = R"(
+in vec3 place;
+in vec3 normal;
+in vec3 in_hand;
+in float red;
+in float opacity;
+uniform float fading;  // 1: draws what is not opaque, 0: what is
+uniform vec3 finger_colour;
+uniform vec3 down;  // towards the skin, which takes away light
+uniform vec3 skin_colour;
+uniform float skin_scatter;
+uniform vec3 forearm;
+uniform vec3 nail_centre[5];
+uniform vec3 nail_along[5];
+uniform vec3 nail_across[5];
+uniform vec3 nail_up[5];
+out vec4 colour;
+
+// Within a nail below 1; y: which one wears the finger's colour.
+vec2 nailHere() {
+  vec2 nearest = vec2(9.0, 0.0);
+  for (int i = 0; i < 5; ++i) {
+    vec3 away = in_hand - nail_centre[i];
+    float along = dot(away, nail_along[i]) / dot(nail_along[i], nail_along[i]);
+    float across = dot(away, nail_across[i]) / dot(nail_across[i], nail_across[i]);
+    float up = dot(away, nail_up[i]) / dot(nail_up[i], nail_up[i]);
+    float edge = pow(along * along * along * along + across * across * across * across, 0.25) + max(-up - 0.5, 0.0) * 8.0;
+    if (edge < nearest.x) nearest = vec2(edge, i == 1 ? 1.0 : 0.0);
+  }
+  return nearest;
+}
+
+void main() {
+  if ((fading > 0.5) == (opacity > 0.995) || opacity < 0.004) discard;
+  vec3 n = normalize(normal);
+  vec3 to_eye = normalize(eye - place);
+  vec3 skin = skin_colour * mix(vec3(1.0), vec3(1.02, 0.80, 0.78), red);
+  float sheen = 0.9, narrow = 0.46;
+  vec2 nail = nailHere();
+  float on_nail = 1.0 - smoothstep(0.94, 1.02, nail.x);
+  float border = smoothstep(0.80, 0.98, nail.x) * (1.0 - smoothstep(1.0, 1.18, nail.x));
+  vec3 plate = mix(skin_colour * vec3(1.18, 1.06, 1.08), finger_colour, nail.y);
+  skin = mix(skin, plate, on_nail) * (1.0 - 0.30 * border);
+  sheen += 1.6 * on_nail;
+  narrow -= 0.16 * on_nail;
+  // A band round the wrist.
+  float band = abs(dot(in_hand, forearm) - 34.0);
+  float on_band = 1.0 - smoothstep(8.0, 8.8, band);
+  skin = mix(skin, finger_colour, on_band) * (1.0 - 0.35 * smoothstep(6.6, 8.0, band) * (1.0 - smoothstep(8.6, 10.6, band)));
+  float near_skin = 0.5 + 0.5 * dot(n, down);
+  float left = 1.0 - 0.42 * near_skin * near_skin;
+  vec3 wrap = wrapOf(0.7, skin_scatter * (1.0 - on_band));
+  float slant = 1.0 - saturate(dot(n, to_eye));
+  float slant3 = slant * slant * slant;
+  vec3 light = skinLight(n, wrap, left, left) + (vec3(0.16, 0.07, 0.05) + rim_light * (0.5 + 0.5 * n.y)) * slant3;
+  vec3 seen_colour = skin * light + key_light * (sheen * sheenOf(n, to_key, to_eye, 0.58, narrow));
+  seen_colour += ambientFrom(reflect(-to_eye, n)) * (0.02 + 0.10 * slant3 * slant);
+  colour = vec4(encoded(toned(seen_colour)), opacity);
+}
+)";
+
+/// The forearm is opaque up to so much before its end.
+constexpr double kFadeMm = 110.0;
+/// Its very end is not seen at all.
+constexpr double kUnseenMm = 8.0;
 
 /// Linear: light, so that it is seen on skin of every tone and on both fingers.
 const Vec3f kRim{0.95f, 0.93f, 0.80f};
@@ -86,6 +180,12 @@ std::vector<Vec3f> floatsOf(const std::vector<Vec3>& values) {
   return floats;
 }
 
+std::array<Vec3f, 5> floatsOf(const body::PalpatingHand& hand, Vec3 body::Nail::*part) {
+  std::array<Vec3f, 5> floats;
+  for (std::size_t i = 0; i < floats.size(); ++i) floats[i] = (hand.nails[i].*part).cast<float>();
+  return floats;
+}
+
 void pointAt(GLuint location, GLuint buffer, const std::vector<Vec3f>& values) {
   fillBuffer<Vec3f>(GL_ARRAY_BUFFER, buffer, values);
   attributeAt(location, 3, GL_FLOAT);
@@ -94,7 +194,9 @@ void pointAt(GLuint location, GLuint buffer, const std::vector<Vec3f>& values) {
 }  // namespace
 
 FingerLayer::FingerLayer()
-    : program_("finger", kSharedShader, kFingerVertex, kFingerFragment), ball_(uploaded(unitSphere())) {}
+    : program_("finger", kSharedShader, kFingerVertex, kFingerFragment),
+      hand_program_("hand", kSharedShader, kHandVertex, kHandFragment),
+      ball_(uploaded(unitSphere())) {}
 
 FingerLayer::Shape FingerLayer::uploaded(const mesh::TriangleMesh& mesh) {
   Shape shape;
@@ -110,11 +212,13 @@ FingerLayer::Shape FingerLayer::uploaded(const mesh::TriangleMesh& mesh) {
 const FingerLayer::Hand& FingerLayer::hand(bool left) {
   std::optional<Hand>& hand = hands_[left ? 1 : 0];
   if (!hand) {
-    body::HandSettings settings;
-    settings.side = left ? body::Side::left : body::Side::right;
-    mesh::TriangleMesh mesh = body::makeHand(settings);
-    Shape shape = uploaded(mesh);
-    hand.emplace(Hand{std::move(mesh), std::move(shape)});
+    body::PalpatingHand made = body::makePalpatingHand(left ? body::Side::left : body::Side::right);
+    Shape shape = uploaded(made.mesh);
+    hand.emplace(Hand{std::move(made), std::move(shape), {}});
+    glBindVertexArray(hand->shape.vertex_array.get());
+    fillBuffer<float>(GL_ARRAY_BUFFER, hand->redness.get(), hand->hand.redness);
+    attributeAt(2, 1, GL_FLOAT);
+    glBindVertexArray(0);
   }
   return *hand;
 }
@@ -159,16 +263,54 @@ void FingerLayer::drawBalls(std::span<const FingerPose> fingers, const Viewpoint
 }
 
 HandPose FingerLayer::handPose(const scene::World& world, const FingerPose& finger) {
-  return handPoseOf(world, finger, hand(finger.left).mesh);
+  return handPoseOf(world, finger, hand(finger.left).hand);
 }
 
-void FingerLayer::drawHand(const FingerPose& finger, const HandPose& pose, const Viewpoint& viewpoint) {
-  const Shape& shape = hand(finger.left).shape;
-  // A hand is open at its wrist: its inside would pass for an outline.
-  FingerPose bare = finger;
-  bare.outline = 0.0;
-  begin(viewpoint);
-  drawShape(shape, bare, pose.axes, pose.origin, viewpoint);
+void FingerLayer::addCasters(const FingerPose& finger, const HandPose& pose, std::vector<ShadowCaster>& casters) {
+  const body::PalpatingHand& hand = this->hand(finger.left).hand;
+  const auto placed = [&](const Vec3& in_hand) { return Vec3f((pose.origin + pose.axes * in_hand).cast<float>()); };
+  const double side = finger.left ? -1.0 : 1.0;
+  // The index finger from its pad to the knuckle, the other fingers together, and the palm.
+  casters.push_back({placed(hand.pad), placed({-27.0 * side, 94.0, 1.0}), 8.0f});
+  casters.push_back({placed({6.0 * side, 160.0, -6.0}), placed({6.0 * side, 100.0, 0.0}), 14.0f});
+  casters.push_back({placed({4.0 * side, 80.0, 0.0}), placed({0.0, 10.0, 0.0}), 26.0f});
+}
+
+void FingerLayer::setHand(const Hand& hand, const FingerPose& finger, const HandTones& tones,
+                          const Viewpoint& viewpoint) const {
+  const SkinTone tone = skinToneOf(tones.skin);
+  hand_program_.use();
+  setViewpoint(hand_program_, viewpoint);
+  hand_program_.set("skin_colour", tone.colour);
+  hand_program_.set("skin_scatter", tone.scatter);
+  hand_program_.set("finger_colour", finger.colour);
+  hand_program_.set("down", Vec3f(-finger.normal.cast<float>()));
+  hand_program_.set("forearm", Vec3f(hand.hand.forearm.cast<float>()));
+  hand_program_.set("fade_begin", static_cast<float>(hand.hand.forearm_mm - kFadeMm));
+  hand_program_.set("fade_end", static_cast<float>(hand.hand.forearm_mm - kUnseenMm));
+  hand_program_.set("near_mm", static_cast<float>(tones.near_mm));
+  for (const auto& [name, part] :
+       {std::pair{"nail_centre", &body::Nail::centre}, std::pair{"nail_along", &body::Nail::along},
+        std::pair{"nail_across", &body::Nail::across}, std::pair{"nail_up", &body::Nail::up}}) {
+    const std::array<Vec3f, 5> values = floatsOf(hand.hand, part);
+    hand_program_.set(name, std::span<const Vec3f>(values));
+  }
+}
+
+void FingerLayer::drawHand(const FingerPose& finger, const HandPose& pose, const HandTones& tones,
+                           const Viewpoint& viewpoint, Part part) {
+  const Hand& hand = this->hand(finger.left);
+  setHand(hand, finger, tones, viewpoint);
+  hand_program_.set("axes", Eigen::Matrix3f(pose.axes.cast<float>()));
+  hand_program_.set("origin", Vec3f(pose.origin.cast<float>()));
+  hand_program_.set("fading", part == Part::fading ? 1.0f : 0.0f);
+  glEnable(GL_DEPTH_TEST);
+  glEnable(GL_CULL_FACE);
+  (part == Part::fading ? glEnable : glDisable)(GL_BLEND);
+  blendOver();
+  glBindVertexArray(hand.shape.vertex_array.get());
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(hand.shape.indices), GL_UNSIGNED_INT, nullptr);
+  glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
 }
 

@@ -1,17 +1,26 @@
-// The fingers: balls, or hands whose index fingertip takes the ball's place.
+// The fingers: balls, or hands whose index finger's pad lies where the ball would.
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "palpate/body/hand.h"
 #include "palpate/scene/world.h"
 #include "palpate/view/layers/gl_objects.h"
 #include "palpate/view/layers/hand_pose.h"
+#include "palpate/view/layers/skin_paint.h"
 #include "palpate/view/layers/viewpoint.h"
 
 namespace palpate::view {
+
+/// What a hand looks like: linear.
+struct HandTones {
+  double skin = 2.0;     ///< SkinTone
+  double near_mm = 1.0;  ///< of the picture's near plane
+};
 
 class FingerLayer {
  public:
@@ -19,7 +28,13 @@ class FingerLayer {
   void drawBalls(std::span<const FingerPose> fingers, const Viewpoint& viewpoint) const;
   /// Where hands lie; makes a hand when it is first asked for.
   HandPose handPose(const scene::World& world, const FingerPose& finger);
-  void drawHand(const FingerPose& finger, const HandPose& pose, const Viewpoint& viewpoint);
+  /// A hand in two parts, since it fades out at its elbow and before the eye: what is opaque, among all that hides and
+  /// is hidden, and what is not, over everything else.
+  enum class Part : std::uint8_t { opaque, fading };
+  void drawHand(const FingerPose& finger, const HandPose& pose, const HandTones& tones, const Viewpoint& viewpoint,
+                Part part);
+  /// What throws the shadow of a hand that was posed.
+  void addCasters(const FingerPose& finger, const HandPose& pose, std::vector<ShadowCaster>& casters);
 
  private:
   /// A mesh on the graphics card.
@@ -29,16 +44,18 @@ class FingerLayer {
     Index indices = 0;
   };
   struct Hand {
-    mesh::TriangleMesh mesh;
+    body::PalpatingHand hand;
     Shape shape;
+    GlBuffer redness;
   };
   static Shape uploaded(const mesh::TriangleMesh& mesh);
   const Hand& hand(bool left);
+  void setHand(const Hand& hand, const FingerPose& finger, const HandTones& tones, const Viewpoint& viewpoint) const;
   void begin(const Viewpoint& viewpoint) const;
   void drawShape(const Shape& shape, const FingerPose& finger, const Mat3& axes, const Vec3& origin,
                  const Viewpoint& viewpoint) const;
 
-  Program program_;
+  Program program_, hand_program_;
   Shape ball_;
   std::array<std::optional<Hand>, 2> hands_;  // right, left; made when first shown
 };

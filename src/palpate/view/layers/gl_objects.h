@@ -65,10 +65,10 @@ inline const void* bufferOffset(std::size_t bytes) {
 }
 
 /// From now on the bound vertex array reads a location out of the bound buffer, `size` numbers a vertex; bytes are
-/// shares of 255. A stride of 0 is that of numbers without gaps.
+/// shares of 255, shorts of 32767. A stride of 0 is that of numbers without gaps.
 inline void attributeAt(GLuint location, GLint size, GLenum type, std::size_t stride = 0, std::size_t offset = 0) {
   glEnableVertexAttribArray(location);
-  glVertexAttribPointer(location, size, type, type == GL_UNSIGNED_BYTE ? GL_TRUE : GL_FALSE,
+  glVertexAttribPointer(location, size, type, type == GL_UNSIGNED_BYTE || type == GL_SHORT ? GL_TRUE : GL_FALSE,
                         static_cast<GLsizei>(stride), bufferOffset(offset));
 }
 

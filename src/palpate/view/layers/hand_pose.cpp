@@ -1,26 +1,25 @@
 // A ball on the skin -> the hand that holds it: the flattest angle at which no other part of the hand is in the skin at
-// rest, found by halving and asked of the tree at every third vertex; what still sinks in lifts the whole hand. Own.
+// rest, found by halving and asked of the tree at every seventh vertex; what still sinks in lifts the whole hand. Own.
 #include "palpate/view/layers/hand_pose.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "palpate/body/hand.h"
 #include "palpate/tree/triangle_tree.h"
 
 namespace palpate::view {
 
 namespace {
 
-/// Angle between the finger and the skin: as flat as the other fingers allow, within these; and how far the hand comes
-/// from its own side instead of straight from below; and turned about the finger, the little finger's side up. Radians.
-constexpr double kFlattest = 0.75;
+/// Angle between the pad's joint and the skin: as flat as the other parts allow, within these; how far the hand comes
+/// from its own side instead of straight from below; and turned about its length, the little finger's side up. Radians.
+constexpr double kFlattest = 0.64;
 constexpr double kSteepest = 1.35;
-constexpr double kAside = 0.30;
-constexpr double kRoll = 1.10;
+constexpr double kAside = 0.45;
+constexpr double kRoll = 0.10;
 /// Every how many vertices of the hand are asked whether they are in the skin; those within this of the tip are not: it
 /// lies in its dent.
-constexpr std::size_t kStride = 3;
+constexpr std::size_t kStride = 7;
 constexpr double kTipMm = 35.0;
 
 /// Cranial along the skin; where the skin faces up or down, dorsal.
@@ -31,14 +30,16 @@ Vec3 cranialAlong(const Vec3& normal) {
   return (Vec3::UnitZ() - normal.z() * normal).normalized();
 }
 
-Mat3 axesAt(const FingerPose& finger, double steepness) {
+/// `steepness` is that of the index finger's last joint, which is bent against the hand.
+Mat3 axesAt(const FingerPose& finger, const body::PalpatingHand& hand, double steepness) {
   const Vec3& up = finger.normal;
   const Vec3 cranial = cranialAlong(up);
   const double aside = finger.left ? kAside : -kAside;
   const Vec3 heading = std::cos(aside) * cranial + std::sin(aside) * cranial.cross(up);
+  const double slope = steepness - std::asin(std::clamp(-hand.pad_along.z(), -1.0, 1.0));
   Mat3 axes;
-  axes.col(1) = std::cos(steepness) * heading - std::sin(steepness) * up;
-  axes.col(2) = std::sin(steepness) * heading + std::cos(steepness) * up;
+  axes.col(1) = std::cos(slope) * heading - std::sin(slope) * up;
+  axes.col(2) = std::sin(slope) * heading + std::cos(slope) * up;
   axes.col(0) = axes.col(1).cross(axes.col(2));
   // The thumb is at the right hand's -x and the left hand's +x.
   return axes * Eigen::AngleAxisd(finger.left ? kRoll : -kRoll, Vec3::UnitY()).toRotationMatrix();
@@ -56,21 +57,33 @@ double depthIn(const contact::Surface& surface, const Vec3& point, double reach)
   return std::max(0.0, kClearanceMm - normal.dot(point - nearest.closest.point));
 }
 
-/// The hand held at this angle with its fingertip at the ball's place.
-HandPose heldAt(const FingerPose& finger, double steepness) {
+/// How far the pulp reaches beyond the pad's middle towards the skin.
+double padReach(const body::PalpatingHand& hand, const Mat3& axes, const Vec3& down) {
+  constexpr double kPulpMm = 13.0;
+  double reach = 0.0;
+  for (const Vec3& point : hand.mesh.positions) {
+    const Vec3 away = point - hand.pad;
+    if (away.squaredNorm() < kPulpMm * kPulpMm) reach = std::max(reach, down.dot(axes * away));
+  }
+  return reach;
+}
+
+/// The hand held at this angle with its pad where the ball meets the skin.
+HandPose heldAt(const FingerPose& finger, const body::PalpatingHand& hand, double steepness) {
   HandPose pose;
-  pose.axes = axesAt(finger, steepness);
-  const Vec3 pad = body::indexTip() - finger.radius_mm * Vec3::UnitY();
-  pose.origin = finger.centre - pose.axes * Vec3(finger.left ? -pad.x() : pad.x(), pad.y(), pad.z());
+  pose.axes = axesAt(finger, hand, steepness);
+  const Vec3 contact = finger.centre - finger.radius_mm * finger.normal;
+  const double reach = padReach(hand, pose.axes, -finger.normal);
+  pose.origin = contact + reach * finger.normal - pose.axes * hand.pad;
   return pose;
 }
 
-double deepestPart(const scene::World& world, const FingerPose& finger, const mesh::TriangleMesh& hand,
+double deepestPart(const scene::World& world, const FingerPose& finger, const body::PalpatingHand& hand,
                    const HandPose& pose) {
   constexpr double kDeepestMm = 40.0;
   double deepest = 0.0;
-  for (std::size_t v = 0; v < hand.positions.size(); v += kStride) {
-    const Vec3 place = pose.origin + pose.axes * hand.positions[v];
+  for (std::size_t v = 0; v < hand.mesh.positions.size(); v += kStride) {
+    const Vec3 place = pose.origin + pose.axes * hand.mesh.positions[v];
     if ((place - finger.centre).norm() < kTipMm) continue;
     deepest = std::max(deepest, depthIn(world.surface, place, kDeepestMm));
   }
@@ -79,15 +92,15 @@ double deepestPart(const scene::World& world, const FingerPose& finger, const me
 
 }  // namespace
 
-HandPose handPoseOf(const scene::World& world, const FingerPose& finger, const mesh::TriangleMesh& hand) {
+HandPose handPoseOf(const scene::World& world, const FingerPose& finger, const body::PalpatingHand& hand) {
   double flat = kFlattest;
   double steep = kSteepest;
   constexpr int kHalvings = 5;  // to a degree
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = 0.5 * (flat + steep);
-    (deepestPart(world, finger, hand, heldAt(finger, middle)) > 0.0 ? flat : steep) = middle;
+    (deepestPart(world, finger, hand, heldAt(finger, hand, middle)) > 0.0 ? flat : steep) = middle;
   }
-  HandPose pose = heldAt(finger, steep);
+  HandPose pose = heldAt(finger, hand, steep);
   pose.origin += deepestPart(world, finger, hand, pose) * finger.normal;
   return pose;
 }

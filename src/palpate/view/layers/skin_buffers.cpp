@@ -2,6 +2,8 @@
 // the last apply wrote go up, each followed by its copies on seams of the texture. Own.
 #include "palpate/view/layers/skin_buffers.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -16,7 +18,7 @@ namespace {
 
 /// The arrays that follow the deformation have the first locations in kSkinAttributes, these the next.
 constexpr int kDeformedArrays = 7;
-enum Location : GLuint { kRest = kDeformedArrays, kTint, kValue, kTexturePlace, kColour };
+enum Location : GLuint { kRest = kDeformedArrays, kTint, kValue, kTexturePlace, kColour, kRestNormal };
 /// Skins of so many triangles have a coarser set (skin_chunks.h), drawn where its cells are smaller than these pixels.
 constexpr std::size_t kManyTriangles = 200000;
 constexpr float kCoarseCellMm = 2.0f;
@@ -27,9 +29,9 @@ std::span<const float> streamOf(const deform::DeformedSurface& surface, int arra
   return array < 6 ? surface.normal(array - 3) : surface.strain();
 }
 
-void pointAt(GLuint location, GLuint buffer, GLint size, GLenum type, std::size_t offset) {
+void pointAt(GLuint location, GLuint buffer, GLint size, GLenum type, std::size_t offset, std::size_t stride = 0) {
   glBindBuffer(GL_ARRAY_BUFFER, buffer);
-  attributeAt(location, size, type, 0, offset);
+  attributeAt(location, size, type, stride, offset);
 }
 
 /// Into the array buffer that is bound.
@@ -85,6 +87,19 @@ std::vector<Vec3f> restNormals(const deform::Skin& skin) {
   return normals;
 }
 
+/// Shares of 32767: finer than an eye sees a normal turn, half the size of floats.
+using PackedNormal = std::array<std::int16_t, 4>;
+
+std::vector<PackedNormal> packed(const std::vector<Vec3f>& normals) {
+  const auto share = [](float value) {
+    return static_cast<std::int16_t>(std::lround(32767.0f * std::clamp(value, -1.0f, 1.0f)));
+  };
+  std::vector<PackedNormal> shorts;
+  shorts.reserve(normals.size());
+  for (const Vec3f& n : normals) shorts.push_back({share(n.x()), share(n.y()), share(n.z()), 0});
+  return shorts;
+}
+
 /// The outline stays as it is: it is what the eye sees first. At a seam the picture goes on elsewhere: no triangle may
 /// reach across it.
 std::vector<Stays> whatStays(const scene::World& world, const DrawnVertices& drawn) {
@@ -106,6 +121,8 @@ SkinBuffers::SkinBuffers(const scene::World& world)
       box_(mesh::boundingBox(world.skin).cast<float>()) {
   const std::vector<Vec3f> places = drawn_.withCopies<Vec3f>(restPlaces(world.deformable));
   fillBuffer<Vec3f>(GL_ARRAY_BUFFER, rest_.get(), places);
+  fillBuffer<PackedNormal>(GL_ARRAY_BUFFER, rest_normals_.get(),
+                           drawn_.withCopies<PackedNormal>(packed(restNormals(world.deformable))));
   fillBuffer<TintBytes>(GL_ARRAY_BUFFER, tint_.get(), drawn_.withCopies<TintBytes>(skinTints(world)));
   fillBuffer<float>(GL_ARRAY_BUFFER, field_values_.get(), drawn_.withCopies<float>(stiffness_));
   fillBuffer<mesh::TexturePlace>(GL_ARRAY_BUFFER, texture_places_.get(), drawn_.places);
@@ -137,6 +154,7 @@ std::unique_ptr<SkinBuffers::Density> SkinBuffers::uploaded(std::span<const Vec3
   }
   pointAt(kRest, rest_.get(), 3, GL_FLOAT, 0);
   pointAt(kTint, tint_.get(), 4, GL_UNSIGNED_BYTE, 0);
+  pointAt(kRestNormal, rest_normals_.get(), 3, GL_SHORT, 0, sizeof(PackedNormal));
   pointAt(kValue, field_values_.get(), 1, GL_FLOAT, 0);
   if (!drawn_.places.empty()) pointAt(kTexturePlace, texture_places_.get(), 2, GL_FLOAT, 0);
   if (has_colours_) pointAt(kColour, colours_.get(), 4, GL_UNSIGNED_BYTE, 0);

@@ -69,7 +69,7 @@ class SkinBuffers {
   std::unique_ptr<Density> coarse_;  // for a skin of very many triangles that is seen small
   GlVertexArray edge_array_;
   GlBuffer deformed_;  // x.. y.. z.. nx.. ny.. nz.. strain..: as the deformation keeps them, each with its copies
-  GlBuffer rest_, tint_, field_values_, texture_places_, colours_, edges_;
+  GlBuffer rest_, rest_normals_, tint_, field_values_, texture_places_, colours_, edges_;
   bool has_colours_ = false;
   std::vector<float> stiffness_;
   std::vector<float> half_major_;  // made when first shown, empty before

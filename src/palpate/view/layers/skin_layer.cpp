@@ -9,8 +9,8 @@ namespace palpate::view {
 
 namespace {
 
-/// Pores fade out below (skin_shader.h): where all of the body is farther away they are not computed at all.
-constexpr float kFewestPixelsPerMm = 1.7f;
+/// Skin lines fade out below (skin_shader.h): where all of the body is farther away they are not computed at all.
+constexpr float kFewestPixelsPerMm = 2.7f;
 
 void drawRuns(std::span<const IndexRun> runs) {
   std::vector<GLsizei> counts;
@@ -39,7 +39,8 @@ void SkinLayer::setWorld(const scene::World& world) {
 }
 
 SkinNeeds SkinLayer::needsOf(const Look& look, const Viewpoint& viewpoint) const {
-  const bool pores = look.detail && viewpoint.pixelsPerMm(buffers_->box()) > kFewestPixelsPerMm;
+  const bool pores =
+      look.detail && look.shading == Shading::skin && viewpoint.pixelsPerMm(buffers_->box()) > kFewestPixelsPerMm;
   const bool picture = look.texture && picture_.isThere();
   return {pores, picture, look.texture && !picture && buffers_->hasColours()};
 }
@@ -53,20 +54,16 @@ void SkinLayer::drawColours(const Look& look, const Viewpoint& viewpoint, const 
     return drawRuns(runs.plain);
   }
   if (needs.picture) picture_.bind();
-  if (look.shading == Shading::gouraud) {
-    paint_.useGouraud(look, viewpoint, needs);
-  } else {
-    if (!runs.touched.empty()) paint_.useTouchedSkin(look, viewpoint, needs, touch);
-    drawRuns(runs.touched);
-    paint_.useSkin(look, viewpoint, needs);
-  }
+  if (!runs.touched.empty()) paint_.useTouched(look, viewpoint, needs, touch);
+  drawRuns(runs.touched);
+  paint_.use(look, viewpoint, needs);
   drawRuns(runs.plain);
 }
 
 void SkinLayer::draw(const Look& look, const Viewpoint& viewpoint, const SkinTouch& touch) {
   if (!(look.skin_opacity > 0.0)) return;
   const bool transparent = look.skin_opacity < 1.0;
-  const bool lit = !buffers_->hasField(look) && look.shading == Shading::skin;
+  const bool lit = !buffers_->hasField(look);
   const auto influences = lit ? influencesOf(touch, viewpoint.lights) : std::vector<Influence>();
   const SplitRuns& runs = buffers_->bind(viewpoint, influences);
   glEnable(GL_DEPTH_TEST);

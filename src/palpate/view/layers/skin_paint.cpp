@@ -6,25 +6,30 @@
 #include <vector>
 
 #include "palpate/view/layers/skin_shader.h"
+#include "palpate/view/skin_tone.h"
 
 namespace palpate::view {
 
 namespace {
 
 constexpr int kMapTexels = 1024;
-constexpr std::size_t kMostFingers = 4;  // as in the shader
-/// How far a finger darkens the skin round it, in its radii; how far away its shadow is followed, and how wide it gets
-/// on the way (lightLeftByFingers() in the shader fades both to nothing).
-constexpr double kShadeRadii = 4.0;
-constexpr float kShadowMm = 100.0f;
-constexpr double kShadowRadii = 2.2;
+constexpr std::size_t kMostFingers = 8;  // as in the shader
+/// How far a finger darkens the skin round it, in its radii; how far away its shadow is followed, in mm and in its
+/// radii, and how wide it is (lightLeftByFingers() in the shader fades both to nothing).
+constexpr float kShadeRadii = 4.0f;
+constexpr float kLongestShadowMm = 220.0f;
+constexpr float kShadowRadii = 15.0f;
+constexpr float kWidthRadii = 1.5f;
+constexpr float kWidening = 0.17f;
 /// The rim of a mark, in its radii (blanched() in the shader).
 constexpr float kMarkRadii = 2.3f;
 
 std::string vertexSource(std::string_view main) {
   return std::string(kSkinAttributes).append(kSkinOpacity).append(main);
 }
-std::string fragmentSource(std::string_view main) { return std::string(kSkinOpacity).append(main); }
+std::string fragmentSource(std::string_view main) {
+  return std::string(kSkinOpacity).append("#ifdef TOUCHED\n").append(kFingerShade).append("#endif\n").append(main);
+}
 
 Program program(std::string_view name, std::string_view vertex, std::string_view fragment,
                 std::string_view defines = {}) {
@@ -44,7 +49,12 @@ std::string definesOf(const SkinNeeds& needs, bool touched) {
 void start(const Program& program, const Look& look, const Viewpoint& viewpoint) {
   program.use();
   setViewpoint(program, viewpoint);
-  program.set("skin_colour", look.skin_colour);
+  const SkinTone tone = skinToneOf(look.skin_tone);
+  program.set("skin_colour", tone.colour);
+  program.set("skin_blood", tone.blood);
+  program.set("skin_scatter", tone.scatter);
+  program.set("skin_sheen", tone.sheen);
+  program.set("dent_contrast", static_cast<float>(look.dent_contrast));
   program.set("skin_opacity", static_cast<float>(std::min(1.0, look.skin_opacity)));
   program.set("picture", 0);
 }
@@ -59,18 +69,18 @@ void uploadColourMap(GLuint texture, ColourMap map) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
-void setFingers(const Program& program, std::span<const FingerPose> fingers) {
-  fingers = fingers.first(std::min(kMostFingers, fingers.size()));
+void setFingers(const Program& program, std::span<const ShadowCaster> casters) {
+  casters = casters.first(std::min(kMostFingers, casters.size()));
   std::array<Eigen::Vector4f, kMostFingers> balls;
   std::array<Vec3f, kMostFingers> tails;
-  for (std::size_t i = 0; i < fingers.size(); ++i) {
-    const Vec3f centre = fingers[i].centre.cast<float>();
-    balls[i] = {centre.x(), centre.y(), centre.z(), static_cast<float>(fingers[i].radius_mm)};
-    tails[i] = fingers[i].tail.cast<float>();
+  for (std::size_t i = 0; i < casters.size(); ++i) {
+    const Vec3f& centre = casters[i].from;
+    balls[i] = {centre.x(), centre.y(), centre.z(), casters[i].radius_mm};
+    tails[i] = casters[i].to;
   }
-  program.set("ball_count", static_cast<int>(fingers.size()));
-  program.set("ball", std::span<const Eigen::Vector4f>(balls).first(fingers.size()));
-  program.set("ball_tail", std::span<const Vec3f>(tails).first(fingers.size()));
+  program.set("ball_count", static_cast<int>(casters.size()));
+  program.set("ball", std::span<const Eigen::Vector4f>(balls).first(casters.size()));
+  program.set("ball_tail", std::span<const Vec3f>(tails).first(casters.size()));
 }
 
 void setMarks(const Program& program, std::span<const PressMark> marks) {
@@ -90,13 +100,12 @@ void setMarks(const Program& program, std::span<const PressMark> marks) {
 
 std::vector<Influence> influencesOf(const SkinTouch& touch, const Lights& lights) {
   std::vector<Influence> influences;
-  for (const FingerPose& finger : touch.fingers) {
-    const Vec3f centre = finger.centre.cast<float>();
-    const Vec3f tail = finger.tail.cast<float>();
-    const auto radius = static_cast<float>(kShadeRadii * finger.radius_mm);
-    influences.push_back({centre, tail, radius});
-    for (const Vec3f& end : {centre, tail}) {
-      influences.push_back({end, end - kShadowMm * lights.key, static_cast<float>(kShadowRadii * finger.radius_mm)});
+  for (const ShadowCaster& caster : touch.casters) {
+    influences.push_back({caster.from, caster.to, kShadeRadii * caster.radius_mm});
+    const float length = std::min(kLongestShadowMm, kShadowRadii * caster.radius_mm);
+    const float width = kWidthRadii * caster.radius_mm + kWidening * length;
+    for (const Vec3f& end : {caster.from, caster.to, Vec3f(0.5f * (caster.from + caster.to))}) {
+      influences.push_back({end, end - length * lights.key, width});
     }
   }
   for (const PressMark& mark : touch.marks) influences.push_back({mark.place, mark.place, kMarkRadii * mark.radius_mm});
@@ -111,14 +120,10 @@ void SkinPaint::useDepth(const Viewpoint& viewpoint) const {
   setViewpoint(depth_, viewpoint);
 }
 
-const Program& SkinPaint::gouraudProgram(const SkinNeeds& needs) {
-  std::optional<Program>& variant = gouraud_[(needs.picture ? 1 : 0) + (needs.colours ? 2 : 0)];
-  if (!variant) variant.emplace(program("gouraud", kGouraudVertex, kGouraudFragment, definesOf(needs, false)));
+const Program& SkinPaint::gouraudProgram(const SkinNeeds& needs, bool touched) {
+  std::optional<Program>& variant = gouraud_[(touched ? 1 : 0) + (needs.picture ? 2 : 0) + (needs.colours ? 4 : 0)];
+  if (!variant) variant.emplace(program("gouraud", kGouraudVertex, kGouraudFragment, definesOf(needs, touched)));
   return *variant;
-}
-
-void SkinPaint::useGouraud(const Look& look, const Viewpoint& viewpoint, const SkinNeeds& needs) {
-  start(gouraudProgram(needs), look, viewpoint);
 }
 
 void SkinPaint::showMap(ColourMap map) {
@@ -148,15 +153,19 @@ const Program& SkinPaint::skinProgram(const SkinNeeds& needs, bool touched) {
   return *variant;
 }
 
-void SkinPaint::useSkin(const Look& look, const Viewpoint& viewpoint, const SkinNeeds& needs) {
-  start(skinProgram(needs, false), look, viewpoint);
+const Program& SkinPaint::programFor(Shading shading, const SkinNeeds& needs, bool touched) {
+  return shading == Shading::gouraud ? gouraudProgram(needs, touched) : skinProgram(needs, touched);
 }
 
-void SkinPaint::useTouchedSkin(const Look& look, const Viewpoint& viewpoint, const SkinNeeds& needs,
-                               const SkinTouch& touch) {
-  const Program& program = skinProgram(needs, true);
+void SkinPaint::use(const Look& look, const Viewpoint& viewpoint, const SkinNeeds& needs) {
+  start(programFor(look.shading, needs, false), look, viewpoint);
+}
+
+void SkinPaint::useTouched(const Look& look, const Viewpoint& viewpoint, const SkinNeeds& needs,
+                           const SkinTouch& touch) {
+  const Program& program = programFor(look.shading, needs, true);
   start(program, look, viewpoint);
-  setFingers(program, touch.fingers);
+  setFingers(program, touch.casters);
   setMarks(program, touch.marks);
 }
 

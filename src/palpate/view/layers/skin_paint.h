@@ -9,7 +9,6 @@
 #include <span>
 #include <vector>
 
-#include "palpate/view/finger_pose.h"
 #include "palpate/view/layers/blanching.h"
 #include "palpate/view/layers/gl_objects.h"
 #include "palpate/view/layers/skin_chunks.h"
@@ -18,9 +17,16 @@
 
 namespace palpate::view {
 
+/// A rod with round ends that throws a shadow on the skin: a ball where both ends are one, a finger, a hand.
+struct ShadowCaster {
+  Vec3f from = Vec3f::Zero();
+  Vec3f to = Vec3f::Zero();
+  float radius_mm = 8.0f;
+};
+
 /// What touches the skin's colour.
 struct SkinTouch {
-  std::span<const FingerPose> fingers;
+  std::span<const ShadowCaster> casters;
   std::span<const PressMark> marks;
 };
 
@@ -40,21 +46,22 @@ class SkinPaint {
 
   /// Makes the program current that writes depth alone.
   void useDepth(const Viewpoint& viewpoint) const;
-  void useGouraud(const Look& look, const Viewpoint& viewpoint, const SkinNeeds& needs);
   /// The field of the look's colouring.
   void useField(const Look& look, const Viewpoint& viewpoint);
-  void useSkin(const Look& look, const Viewpoint& viewpoint, const SkinNeeds& needs);
+  /// Skin in the look's shading.
+  void use(const Look& look, const Viewpoint& viewpoint, const SkinNeeds& needs);
   /// The same for places that something touches.
-  void useTouchedSkin(const Look& look, const Viewpoint& viewpoint, const SkinNeeds& needs, const SkinTouch& touch);
+  void useTouched(const Look& look, const Viewpoint& viewpoint, const SkinNeeds& needs, const SkinTouch& touch);
 
  private:
-  const Program& gouraudProgram(const SkinNeeds& needs);
+  const Program& programFor(Shading shading, const SkinNeeds& needs, bool touched);
+  const Program& gouraudProgram(const SkinNeeds& needs, bool touched);
   const Program& skinProgram(const SkinNeeds& needs, bool touched);
   void showMap(ColourMap map);
 
   Program field_, depth_;
   // By what is needed; compiled when first used.
-  std::array<std::optional<Program>, 4> gouraud_;
+  std::array<std::optional<Program>, 8> gouraud_;
   std::array<std::optional<Program>, 16> skin_;
   GlTexture colour_map_;
   std::optional<ColourMap> shown_map_;

@@ -19,9 +19,23 @@ layout(location = 7) in vec3 rest_place;
 layout(location = 8) in vec4 tint;    // kTintUnit is 128
 layout(location = 9) in float value;  // of the field shown, when it does not change with the deformation
 layout(location = 10) in vec2 picture_place;  // with PICTURE
+layout(location = 12) in vec3 rest_normal;
 invariant gl_Position;
 uniform vec3 skin_colour;
+uniform float skin_blood;   // SkinTone
 uniform float skin_opacity;
+uniform float dent_contrast;  // 1: as it would be; above, what a dent does to normals and to light is exaggerated
+
+// Normals that have turned since rest turn farther.
+vec3 normalHere() {
+  vec3 normal = vec3(nx, ny, nz);
+  return normal + max(dent_contrast - 1.0, 0.0) * (normal - rest_normal);
+}
+// The share of light that the walls of a dent leave, by how deep the place lies under where it was.
+float lightLeftByDent() {
+  float sunk = dot(rest_place - vec3(x, y, z), rest_normal);
+  return 1.0 - min(0.9, 0.34 * dent_contrast) * smoothstep(0.2, 9.0, sunk);
+}
 #ifdef COLOURS
 layout(location = 11) in vec4 given_colour;  // sRGB
 vec3 albedoHere() {
@@ -29,7 +43,10 @@ vec3 albedoHere() {
   return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c));
 }
 #else
-vec3 albedoHere() { return skin_colour * (tint.rgb * (255.0 / 128.0)); }
+vec3 albedoHere() {
+  vec3 share = tint.rgb * (255.0 / 128.0);
+  return skin_colour * mix(vec3(dot(share, vec3(0.3, 0.5, 0.2))), share, skin_blood);
+}
 #endif
 )";
 
@@ -48,24 +65,36 @@ inline constexpr std::string_view kDepthFragment = R"(
 void main() {}
 )";
 
-/// The dissertation's shading: Lambert and Blinn-Phong at the vertices, colours interpolated across the triangle. On
-/// the user's picture it is light that is interpolated, and the picture that it falls on.
+/// The dissertation's shading: light at the vertices, colours interpolated across the triangle. On the user's picture
+/// it is light that is interpolated, and the picture that it falls on.
 inline constexpr std::string_view kGouraudVertex = R"(
+uniform float skin_scatter;
+uniform float skin_sheen;
 out vec4 front;  // fourth: opacity
 out vec3 back;
+#ifdef TOUCHED
+out vec3 place;
+out vec3 normal;
+#else
+vec3 place, normal;
+#endif
 #ifdef PICTURE
 out float front_shine;
 out vec2 at;
 #endif
 void main() {
-  vec3 place = vec3(x, y, z);
+  place = vec3(x, y, z);
   gl_Position = clip_from_body * vec4(place, 1.0);
-  vec3 normal = vec3(nx, ny, nz);
+  normal = normalize(normalHere());
   vec3 to_eye = normalize(eye - place);
-  vec3 light = matteLight(normal, 0.92) * 0.37;
-  vec3 light_behind = matteLight(-normal, 0.6) * 0.16;
-  float shine = 0.035 * pow(saturate(dot(normal, normalize(to_key + to_eye))), 24.0);
-  front.a = opacityAt(abs(dot(normal, to_eye)), skin_opacity);
+  vec3 wrap = wrapOf(tint.a, skin_scatter);
+  float facing = dot(normal, to_eye);
+  float slant = 1.0 - saturate(facing);
+  float dent = lightLeftByDent();
+  vec3 light = skinLight(normal, wrap, dent, dent) + rim_light * (0.5 * slant * slant * slant);
+  vec3 light_behind = skinLight(-normal, wrap, 0.5, 0.5) * 0.5;
+  float shine = skin_sheen * dent * sheenOf(normal, to_key, to_eye, 0.60, 0.50);
+  front.a = opacityAt(abs(facing), skin_opacity);
 #ifdef PICTURE
   front.rgb = light;
   back = light_behind;
@@ -82,6 +111,17 @@ inline constexpr std::string_view kGouraudFragment = R"(
 in vec4 front;
 in vec3 back;
 out vec4 colour;
+#ifdef TOUCHED
+in vec3 place;
+in vec3 normal;
+float shade() {
+  vec2 left = lightLeftByFingers(place, normalize(normal));
+  return sqrt(0.65 * left.y + 0.35 * left.x);  // the colours below are encoded
+}
+#else
+const float shade_none = 1.0;
+float shade() { return shade_none; }
+#endif
 #ifdef PICTURE
 in float front_shine;
 in vec2 at;
@@ -89,11 +129,46 @@ uniform sampler2D picture;
 void main() {
   vec3 skin = texture(picture, at).rgb;
   vec3 light = gl_FrontFacing ? skin * front.rgb + front_shine : skin * back;
-  colour = vec4(encoded(toned(light)), front.a);
+  colour = vec4(encoded(toned(light)) * shade(), front.a);
 }
 #else
-void main() { colour = gl_FrontFacing ? front : vec4(back, front.a); }
+void main() { colour = vec4((gl_FrontFacing ? front.rgb : back) * shade(), front.a); }
 #endif
+)";
+
+/// What fingers leave of the light, by formula (with TOUCHED). Balls, and rods with round ends for fingers and hands.
+/// Based on: Quilez, "sphere ambient occlusion" and "sphere soft shadow".
+inline constexpr std::string_view kFingerShade = R"(
+uniform int ball_count;
+uniform vec4 ball[8];        // centre and radius of what shadows the skin
+uniform vec3 ball_tail[8];   // other end of a finger; the centre for a ball
+
+vec3 nearestOnFinger(int i, vec3 p) {
+  vec3 along = ball_tail[i] - ball[i].xyz;
+  float t = saturate(dot(p - ball[i].xyz, along) / max(dot(along, along), 1e-6));
+  return ball[i].xyz + t * along;
+}
+
+// x: share of the sky that the fingers leave, y: share of the key light.
+vec2 lightLeftByFingers(vec3 p, vec3 n) {
+  vec2 left = vec2(1.0);
+  for (int i = 0; i < ball_count; ++i) {
+    float r = ball[i].w;
+    vec3 to = nearestOnFinger(i, p) - p;
+    float d = length(to);
+    float covered = min(0.85, saturate(dot(n, to) / d) * r * r / (d * d)) * (1.0 - smoothstep(2.5, 4.0, d / r));
+    left.x *= 1.0 - covered;
+    // Towards the key: how far the ray passes from the finger, against how far it has gone.
+    float ahead = max(dot(nearestOnFinger(i, p + to_key * 2.0 * r) - p, to_key), 0.0);
+    vec3 pass = p + to_key * ahead;
+    float clearance = distance(nearestOnFinger(i, pass), pass) - r;
+    float penumbra = 0.17 * ahead + 1.0;
+    float dark = ahead > 0.0 ? 0.72 * saturate(1.0 - ahead / min(220.0, 15.0 * r)) : 0.0;
+    // A wide lamp: part of its light is lost where the ball is near.
+    left.y *= (1.0 - dark * (1.0 - smoothstep(-penumbra, penumbra, clearance))) * (1.0 - 0.45 * covered);
+  }
+  return left;
+}
 )";
 
 inline constexpr std::string_view kSkinVertex = R"(
@@ -101,14 +176,16 @@ out vec3 place;
 out vec3 normal;
 out vec3 rest;
 out vec4 albedo;  // fourth: curvature
+out float dent;   // share of light left there
 #ifdef PICTURE
 out vec2 at;
 #endif
 void main() {
   place = vec3(x, y, z);
-  normal = vec3(nx, ny, nz);
+  normal = normalHere();
   rest = rest_place;
   albedo = vec4(albedoHere(), tint.a);
+  dent = lightLeftByDent();
 #ifdef PICTURE
   at = picture_place;
 #endif
@@ -116,15 +193,16 @@ void main() {
 }
 )";
 
-/// Skin by its parts: wrapped diffuse light a channel (red travels farthest under the skin), one weak gloss, pores as a
-/// noise in rest coordinates, blood pressed away under the finger and coming back, the finger's shadow.
+/// Skin by its parts: wrapped diffuse light a channel (red travels farthest under the skin), a broad weak gloss, fine
+/// lines as noises in rest coordinates, blood pressed away under the finger and coming back, the finger's shadow.
 /// Based on: Green, "Real-time approximations to subsurface scattering", GPU Gems, 2004; Penner, "Pre-integrated skin
-/// shading", 2011; Quilez, "sphere ambient occlusion" and "sphere soft shadow".
+/// shading", 2011.
 inline constexpr std::string_view kSkinFragment = R"(
 in vec3 place;
 in vec3 normal;
 in vec3 rest;
 in vec4 albedo;
+in float dent;
 out vec4 colour;
 
 #ifdef PICTURE
@@ -133,16 +211,19 @@ uniform sampler2D picture;
 #endif
 
 uniform float skin_opacity;
-uniform int ball_count;
-uniform vec4 ball[4];        // centre and radius of what shadows the skin
-uniform vec3 ball_tail[4];   // other end of a finger; the centre for a ball
+uniform float skin_scatter;
+uniform float skin_sheen;
 uniform int mark_count;
 uniform vec4 mark[8];        // where the skin is or was pressed (rest coordinates) and the radius of the pad
 uniform float mark_strength[8];
 
-// Pores: cells of 1.3 mm, half as long again across the body, where the lines of tension run.
-const vec3 cells_per_mm = vec3(0.52, 0.80, 0.80);
-const float pore_relief = 0.14;
+#ifdef PORES
+// Skin lines: two families of furrows 0.7 mm apart that cross each other, and blotches of some millimetres. A noise's
+// middle value is a net of closed curves; stretched it is a family of lines.
+const float lines_per_mm = 1.45;
+const mat3 one_way = mat3(0.870, 0.260, 0.240, 1.160, -0.215, 0.0, 0.870, 0.260, -0.240);
+const mat3 other_way = mat3(-0.870, 0.260, 0.240, 1.160, 0.215, 0.0, -0.870, 0.260, -0.240);
+const float blotches_per_mm = 0.33;
 
 // Value noise: gradient and value. The lattice is hashed by products and fractions of small whole numbers, all four
 // corners of a layer at once (after Sharpe, "A fast and simple 32bit floating point hash function", 2011); it repeats
@@ -170,12 +251,16 @@ vec4 noiseAt(vec3 p) {
               mix(at_y.x, at_y.y, s.z));
 }
 
-// A cell must be some pixels wide, else it shimmers.
-float poresAreSeen() {
-  vec3 cells = fwidth(rest) * cells_per_mm;
-  float cells_a_pixel = max(cells.x, max(cells.y, cells.z));
-  return 1.0 - smoothstep(0.22, 0.45, cells_a_pixel);
+// How much of a net is seen: its cells must be some pixels wide, else it shimmers or looks like the peel of an orange.
+float seenOf(float mm_a_pixel, float per_mm) { return 1.0 - smoothstep(0.11, 0.24, mm_a_pixel * per_mm); }
+
+// Slope (xyz) and height below the ridges (w, 0 to 1 in the furrow).
+vec4 furrowsOf(vec4 noise) {
+  float side = noise.w - 0.5;
+  float within = saturate(1.0 - abs(side) * 7.0);
+  return vec4(noise.xyz * (sign(side) * within), within * within);
 }
+#endif
 
 // Paler where the blood is pressed away, redder round it.
 vec3 blanched(vec3 skin) {
@@ -186,38 +271,8 @@ vec3 blanched(vec3 skin) {
     rim = max(rim, mark_strength[i] * (1.0 - smoothstep(1.15, 2.3, away)));
   }
   float grey = dot(skin, vec3(0.2126, 0.7152, 0.0722));
-  skin *= mix(vec3(1.0), vec3(1.02, 0.78, 0.76), rim * (1.0 - pale));
-  return mix(skin, 1.28 * grey * vec3(1.16, 0.97, 0.83), 0.7 * pale);
-}
-
-vec3 nearestOnFinger(int i, vec3 p) {
-  vec3 along = ball_tail[i] - ball[i].xyz;
-  float t = saturate(dot(p - ball[i].xyz, along) / max(dot(along, along), 1e-6));
-  return ball[i].xyz + t * along;
-}
-
-// x: share of the sky that the fingers leave, y: share of the key light.
-vec2 lightLeftByFingers(vec3 n) {
-  vec2 left = vec2(1.0);
-  for (int i = 0; i < ball_count; ++i) {
-    float r = ball[i].w;
-    vec3 to = nearestOnFinger(i, place) - place;
-    float d = length(to);
-    left.x *= 1.0 - min(0.8, saturate(dot(n, to) / d) * r * r / (d * d)) * (1.0 - smoothstep(2.5, 4.0, d / r));
-    // Towards the key: how far the ray passes from the finger, against how far it has gone.
-    float ahead = max(dot(nearestOnFinger(i, place + to_key * 2.0 * r) - place, to_key), 0.0);
-    vec3 pass = place + to_key * ahead;
-    float clearance = distance(nearestOnFinger(i, pass), pass) - r;
-    float penumbra = 0.14 * ahead + 1.0;
-    float dark = ahead > 0.0 ? 0.78 * saturate(1.0 - ahead / 100.0) : 0.0;
-    left.y *= 1.0 - dark * (1.0 - smoothstep(-penumbra, penumbra, clearance));
-  }
-  return left;
-}
-
-vec3 wrapped(vec3 smooth_normal, vec3 detailed, vec3 to_light, vec3 wrap) {
-  float cosine = dot(normalize(smooth_normal + detailed), to_light);
-  return saturate((cosine + wrap) / ((1.0 + wrap) * (1.0 + wrap)));
+  skin *= mix(vec3(1.0), vec3(1.0, 0.86, 0.85), rim * (1.0 - pale));
+  return mix(skin, 1.18 * grey * vec3(1.16, 0.97, 0.83), 0.6 * pale);
 }
 
 void main() {
@@ -229,35 +284,44 @@ void main() {
 #else
   vec3 skin = albedo.rgb;
 #endif
-  float roughness = 0.42;
+  // What is too small to be seen makes the gloss wider instead.
+  float broad = 0.60, narrow = 0.46;
 #ifdef PORES
   {
-    float seen = poresAreSeen();
-    vec4 noise = noiseAt(rest * cells_per_mm);
-    vec3 slope = noise.xyz - smooth_normal * dot(noise.xyz, smooth_normal);
-    detailed = normalize(smooth_normal - pore_relief * seen * slope);
-    roughness -= 0.06 * seen * noise.w;
-    skin *= 1.0 + 0.10 * seen * (noise.w - 0.5);
+    vec3 across = fwidth(rest);
+    float mm_a_pixel = max(across.x, max(across.y, across.z));
+    float seen = seenOf(mm_a_pixel, lines_per_mm);
+    vec4 one = furrowsOf(noiseAt(one_way * rest));
+    vec4 other = furrowsOf(noiseAt(other_way * rest + 17.3));
+    vec3 slope = 0.11 * seen * (one.xyz * one_way + other.xyz * other_way);
+    slope -= smooth_normal * dot(slope, smooth_normal);
+    detailed = normalize(smooth_normal - slope);
+    float blotch = noiseAt(blotches_per_mm * rest).w - 0.5;
+    skin *= 1.0 - 0.06 * seen * max(one.w, other.w);
+    skin *= vec3(1.0) + vec3(0.06, 0.13, 0.12) * (blotch * seenOf(mm_a_pixel, 2.0 * blotches_per_mm));
+    narrow -= 0.06 * seen;
   }
 #endif
 #ifdef TOUCHED
   skin = blanched(skin);
-  vec2 left = lightLeftByFingers(smooth_normal);
+  vec2 left = lightLeftByFingers(place, smooth_normal);
 #else
   const vec2 left = vec2(1.0);
 #endif
   float facing = saturate(dot(smooth_normal, to_eye));
-  vec3 wrap = vec3(0.40, 0.18, 0.12) * (0.45 + 0.55 * albedo.a);
-
-  vec3 light = key_light * left.y * wrapped(smooth_normal, detailed, to_key, wrap);
-  light += fill_light * left.x * wrapped(smooth_normal, detailed, to_fill, wrap);
-  light += ambientFrom(smooth_normal) * left.x;
-  vec3 seen_colour = skin * light;
-  seen_colour += key_light * left.y * gloss(detailed, to_key, to_eye, roughness, 0.028);
   float slant = 1.0 - facing;
-  seen_colour += skin * vec3(0.60, 0.34, 0.30) * (slant * slant * slant * slant) * left.x;
-  if (!gl_FrontFacing) seen_colour *= 0.45;
-  colour = vec4(encoded(toned(seen_colour * 0.42)), opacityAt(facing, skin_opacity));
+  float slant3 = slant * slant * slant;
+  // Light that went under the skin knows no fine relief: half of it is taken by the smooth normal.
+  vec3 half_smooth = normalize(smooth_normal + detailed);
+  vec3 light = skinLight(half_smooth, wrapOf(albedo.a, skin_scatter), left.y * dent, left.x * dent);
+  // At the edge thin skin lets light through, and the light behind the body is seen in its down.
+  light += (vec3(0.16, 0.07, 0.05) * skin_scatter + rim_light * (0.5 + 0.5 * smooth_normal.y)) * (slant3 * left.x);
+  float gloss_of_key = sheenOf(detailed, to_key, to_eye, broad, narrow);
+  float gloss_of_sky = 0.015 + 0.10 * slant3 * slant;
+  vec3 seen_colour = skin * light + key_light * (left.y * dent * skin_sheen * gloss_of_key) +
+                     ambientFrom(reflect(-to_eye, detailed)) * (left.x * dent * skin_sheen * gloss_of_sky);
+  if (!gl_FrontFacing) seen_colour *= 0.5;
+  colour = vec4(encoded(toned(seen_colour)), opacityAt(facing, skin_opacity));
 }
 )";
 

@@ -1,11 +1,12 @@
 // Three octaves of value noise in rest coordinates for blood and for pigment, the depth to bone, and the curvature from
-// the normals of neighbours become four bytes a vertex.
+// the normals of neighbours become four bytes a vertex; folds are darker and redder (skin_shade.h).
 #include "palpate/view/layers/skin_tint.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "palpate/base/random.h"
+#include "palpate/view/skin_shade.h"
 
 namespace palpate::view {
 
@@ -17,6 +18,8 @@ constexpr double kBlotchShare[] = {0.5, 0.3, 0.2};
 constexpr double kMottling = 0.08;
 /// Bone shows through skin that is not much thicker than this.
 constexpr double kThinSkinMm = 9.0;
+/// The share of all light that a place without any sky loses.
+constexpr double kShade = 0.85;
 /// A sphere of this radius counts as fully curved: a fingertip.
 constexpr double kFullCurvatureMm = 8.0;
 
@@ -80,7 +83,7 @@ double curvatureAt(const deform::Skin& skin, Index vertex) {
 
 std::uint8_t byteOf(double value) { return static_cast<std::uint8_t>(std::clamp(value + 0.5, 0.0, 255.0)); }
 
-TintBytes tintAt(const scene::World& world, Index vertex) {
+TintBytes tintAt(const scene::World& world, Index vertex, double open) {
   const Vec3& place = world.skin.positions[vertex];
   const BoneInfluence bone = boneInfluence(world.anatomy, vertex);
   // Blood varies more than pigment: the red channel least in value, so blotches read as warmer and cooler.
@@ -90,15 +93,18 @@ TintBytes tintAt(const scene::World& world, Index vertex) {
   const double red = light * (1.0 + 0.15 * kMottling * blood);
   const double green = light * (1.0 - kMottling * blood + 0.03 * bone.thin);
   const double blue = light * (1.0 - 0.8 * kMottling * blood + 0.05 * bone.thin);
-  return {byteOf(kTintUnit * red), byteOf(kTintUnit * green), byteOf(kTintUnit * blue),
-          byteOf(255.0 * curvatureAt(world.deformable, vertex))};
+  // Light that is thrown to and fro in a fold has become redder.
+  const double shade = 1.0 - kShade * (1.0 - open);
+  return {byteOf(kTintUnit * red * std::pow(shade, 0.8)), byteOf(kTintUnit * green * std::pow(shade, 1.1)),
+          byteOf(kTintUnit * blue * std::pow(shade, 1.2)), byteOf(255.0 * curvatureAt(world.deformable, vertex))};
 }
 
 }  // namespace
 
 std::vector<TintBytes> skinTints(const scene::World& world) {
   std::vector<TintBytes> tints(world.deformable.vertices);
-  for (Index v = 0; v < world.deformable.vertices; ++v) tints[v] = tintAt(world, v);
+  const std::vector<float> open = skyLeft(world.deformable);
+  for (Index v = 0; v < world.deformable.vertices; ++v) tints[v] = tintAt(world, v, open[v]);
   return tints;
 }
 

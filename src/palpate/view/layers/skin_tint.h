@@ -1,4 +1,5 @@
-// What makes one place of the skin look different from the next, a vertex each: mottling, redness, thin skin over bone.
+// What makes one place of the skin look different from the next, a vertex each: mottling, redness, thin skin over bone,
+// shade in folds.
 //
 // Computed once at load in rest coordinates, so that it moves with the skin. The shader multiplies it with the colour
 // of the whole skin; finer detail is the shader's own (skin_shader.h).

@@ -32,6 +32,8 @@ Viewpoint viewpointOf(const Frustum& frustum, int width, int height) {
   viewpoint.backward = frustum.view.block<1, 3>(2, 0).transpose();
   viewpoint.lights = lightsFor(frustum);
   viewpoint.pixels = {static_cast<float>(width), static_cast<float>(height)};
+  const auto& p = frustum.projection;
+  viewpoint.near_mm = double{p(2, 3)} / (double{p(2, 2)} - 1.0);
   viewpoint.pixels_per_radian = 0.5f * viewpoint.pixels.y() * frustum.projection(1, 1);
   return viewpoint;
 }

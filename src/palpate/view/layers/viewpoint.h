@@ -31,6 +31,7 @@ struct Viewpoint {
   Vec3f backward = Vec3f::UnitZ();  ///< unit, from the picture to the eye
   Lights lights;
   Vec2f pixels = Vec2f::Ones();    ///< of the viewport
+  double near_mm = 1.0;            ///< nothing nearer is drawn
   float pixels_per_radian = 1.0f;  ///< in the middle of the picture: pixels of 1 mm at 1 mm, divide by the distance
 
   /// At the nearest place of a box; infinite within it.
@@ -48,17 +49,23 @@ uniform vec3 to_key;
 uniform vec3 to_fill;
 
 // A warm key, a cool fill at a quarter of it, and the sky: cool above, warm from the skin and the couch below.
-const vec3 key_light = vec3(2.35, 2.15, 1.86);
-const vec3 fill_light = vec3(0.33, 0.39, 0.47);
-const vec3 sky_light = vec3(0.25, 0.27, 0.31);
-const vec3 ground_light = vec3(0.15, 0.12, 0.10);
+const vec3 key_light = vec3(1.30, 1.20, 1.06);
+const vec3 fill_light = vec3(0.22, 0.245, 0.28);
+const vec3 sky_light = vec3(0.215, 0.230, 0.255);
+const vec3 ground_light = vec3(0.135, 0.108, 0.092);
+const vec3 rim_light = vec3(0.22, 0.225, 0.235);
 
 float saturate(float x) { return clamp(x, 0.0, 1.0); }
 vec3 saturate(vec3 x) { return clamp(x, 0.0, 1.0); }
 
 vec3 ambientFrom(vec3 normal) { return mix(ground_light, sky_light, 0.5 + 0.5 * normal.y); }
 
-vec3 toned(vec3 light) { return saturate((light * (2.51 * light + 0.03)) / (light * (2.43 * light + 0.59) + 0.14)); }
+// As it is up to 0.6, then bent towards 1 by the brightest channel: the hue stays.
+vec3 toned(vec3 light) {
+  float peak = max(max(light.r, light.g), max(light.b, 1e-4));
+  float over = max(peak - 0.6, 0.0);
+  return light * ((peak - over + over / (1.0 + 2.5 * over)) / peak);
+}
 
 // sRGB by square roots, within 0.002 of the true curve; powers cost several times as much.
 vec3 encoded(vec3 linear) {
@@ -70,6 +77,34 @@ vec3 encoded(vec3 linear) {
 vec3 matteLight(vec3 normal, float key_share) {
   return key_light * (key_share * saturate(dot(normal, to_key))) + fill_light * saturate(dot(normal, to_fill)) +
          ambientFrom(normal);
+}
+
+// Light that goes round the edge of shadow, a channel each: that which travels under the skin, and that of a wide lamp.
+vec3 wrapped(float cosine, vec3 wrap) { return saturate((cosine + wrap) / ((1.0 + wrap) * (1.0 + wrap))); }
+
+// How far, by the share of a fingertip's curvature and by how much the tone lets through.
+vec3 wrapOf(float curvature, float scatter) {
+  return vec3(0.08) + vec3(0.48, 0.14, 0.06) * (scatter * (0.45 + 0.55 * curvature));
+}
+
+// Shares that something leaves: of the key, and of all else.
+vec3 skinLight(vec3 normal, vec3 wrap, float key_left, float sky_left) {
+  return key_light * (key_left * wrapped(dot(normal, to_key), wrap)) +
+         (fill_light * wrapped(dot(normal, to_fill), wrap) + ambientFrom(normal)) * sky_left;
+}
+
+// The gloss of skin without the colour of the light: a broad lobe and a faint narrow one (GGX), weak face on.
+float sheenOf(vec3 normal, vec3 to_light, vec3 to_eye, float broad, float narrow) {
+  vec3 half_way = normalize(to_light + to_eye);
+  float nh = saturate(dot(normal, half_way));
+  float lh = saturate(dot(to_light, half_way));
+  vec2 a2 = vec2(broad * broad, narrow * narrow);
+  a2 *= a2;
+  vec2 d = nh * nh * (a2 - 1.0) + 1.0;
+  vec2 lobes = a2 / (d * d);
+  float grazing = (1.0 - lh) * (1.0 - lh);
+  float fresnel = 0.028 + 0.972 * grazing * grazing * (1.0 - lh);
+  return fresnel * (1.05 * lobes.x + 0.22 * lobes.y) / (4.0 * max(lh * lh, 0.25)) * saturate(dot(normal, to_light) * 1.5);
 }
 
 // One GGX lobe without the colour of the light; visibility as Kelemen and Szirmay-Kalos approximate it.

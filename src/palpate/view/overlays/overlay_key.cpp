@@ -2,6 +2,8 @@
 // are seen on a light plate too. Laid out anew for each picture. Own.
 #include "palpate/view/overlays/overlay_key.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,33 +17,37 @@ using Sign = KeyEntry::Sign;
 
 struct KeyRow {
   Overlay overlay;
-  KeyEntry entry;
+  Sign sign;
+  Paint paint;
+  std::string_view words;
 };
 // clang-format off
 constexpr KeyRow kOverlayKeyRows[] = {
-    {Overlay::wireframe, {Sign::line, kWireframePaint, "edges of the mesh"}},
-    {Overlay::haptic_triangles, {Sign::patch, kHapticTrianglePaint, "triangles looked at"}},
-    {Overlay::leaf_boxes, {Sign::line, kLeafBoxPaint, "leaf of the partition"}},
-    {Overlay::planes, {Sign::line, kPlanePaints[0], "plane across x"}},
-    {Overlay::planes, {Sign::line, kPlanePaints[1], "plane across y"}},
-    {Overlay::planes, {Sign::line, kPlanePaints[2], "plane across z"}},
-    {Overlay::detecting_box, {Sign::line, kDetectingBoxPaint, "detecting box"}},
-    {Overlay::ellipses, {Sign::line, kNormalRegionPaint, "skin that a press moves"}},
-    {Overlay::ellipses, {Sign::line, kTangentialRegionPaint, "skin that a pull moves"}},
-    {Overlay::ellipses, {Sign::line, kKeyEllipsePaint, "ellipse of a key point"}},
-    {Overlay::rings, {Sign::line, kRingPaints[0], "neighbours, every second ring"}},
-    {Overlay::rings, {Sign::line, kRingPaints[1], "the rings between"}},
-    {Overlay::arrows, {Sign::arrow, kDisplacementPaint, "displacement"}},
-    {Overlay::contact, {Sign::cross, kTipPaint, "tip of the finger"}},
-    {Overlay::contact, {Sign::cross, kProxyPaint, "proxy, on the skin"}},
-    {Overlay::contact, {Sign::cross, kAnchorPaint, "anchor of friction"}},
-    {Overlay::contact, {Sign::arrow, kForcePaint, "force, 10 mm a newton"}},
-    {Overlay::normals, {Sign::line, kNormalPaint, "normal of the skin"}},
-    {Overlay::section, {Sign::line, kDeformedSectionPaint, "section, deformed"}},
-    {Overlay::section, {Sign::line, kRestSectionPaint, "section, at rest"}},
+    {Overlay::wireframe, Sign::line, kWireframePaint, "edges of the mesh"},
+    {Overlay::haptic_triangles, Sign::patch, kHapticTrianglePaint, "triangles looked at"},
+    {Overlay::leaf_boxes, Sign::line, kLeafBoxPaint, "leaf of the partition"},
+    {Overlay::planes, Sign::line, kPlanePaints[0], "plane across x"},
+    {Overlay::planes, Sign::line, kPlanePaints[1], "plane across y"},
+    {Overlay::planes, Sign::line, kPlanePaints[2], "plane across z"},
+    {Overlay::detecting_box, Sign::line, kDetectingBoxPaint, "detecting box"},
+    {Overlay::ellipses, Sign::line, kNormalRegionPaint, "skin that a press moves"},
+    {Overlay::ellipses, Sign::line, kTangentialRegionPaint, "skin that a pull moves"},
+    {Overlay::ellipses, Sign::line, kKeyEllipsePaint, "ellipse of a key point"},
+    {Overlay::rings, Sign::line, kRingPaints[0], "neighbours, every second ring"},
+    {Overlay::rings, Sign::line, kRingPaints[1], "the rings between"},
+    {Overlay::arrows, Sign::arrow, kDisplacementPaint, "displacement"},
+    {Overlay::contact, Sign::cross, kTipPaint, "tip of the finger"},
+    {Overlay::contact, Sign::cross, kProxyPaint, "proxy, on the skin"},
+    {Overlay::contact, Sign::cross, kAnchorPaint, "anchor of friction"},
+    {Overlay::contact, Sign::arrow, kForcePaint, "force, 10 mm a newton"},
+    {Overlay::normals, Sign::line, kNormalPaint, "normal of the skin"},
+    {Overlay::section, Sign::line, kDeformedSectionPaint, "section, deformed"},
+    {Overlay::section, Sign::line, kRestSectionPaint, "section, at rest"},
 };
 // clang-format on
 static_assert(kForceMmPerN == 10.0, "the words say so");
+
+constexpr Paint kDentPaint = {70, 52, 42, 255};
 
 constexpr float kKeyPad = 6.0f;
 constexpr float kChip = 18.0f;  ///< length of a sign
@@ -73,7 +79,10 @@ void drawSign(Drawing& page, const KeyEntry& entry, const Vec2f& corner, float h
 std::vector<KeyEntry> overlayKey(const Look& look) {
   std::vector<KeyEntry> entries;
   for (const KeyRow& row : kOverlayKeyRows) {
-    if (look.shows(row.overlay)) entries.push_back(row.entry);
+    if (look.shows(row.overlay)) entries.push_back({row.sign, row.paint, std::string(row.words)});
+  }
+  if (look.colouring == Colouring::plain && look.dent_contrast > 1.0) {
+    entries.push_back({Sign::patch, kDentPaint, fmt::format("dent shading x{:g}", look.dent_contrast)});
   }
   return entries;
 }

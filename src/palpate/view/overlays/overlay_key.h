@@ -14,10 +14,11 @@ struct KeyEntry {
   enum class Sign : std::uint8_t { line, cross, arrow, patch };
   Sign sign = Sign::line;
   Paint paint{};
-  std::string_view words;
+  std::string words;
 };
 
-/// A row for everything that the look draws over the skin, in the order of the overlays.
+/// A row for everything that the look draws over the skin, in the order of the overlays, and one for dents that are
+/// shaded more strongly than light would.
 std::vector<KeyEntry> overlayKey(const Look& look);
 
 /// Where the plate may lie, points: rows go down, then to the right; those that find no room are left out.
