@@ -268,6 +268,21 @@ TEST_F(SkinLook, IsNotCutWhereItsHandComesNearTheEye) {
   }
 }
 
+TEST_F(SkinLook, HasAHandThatIsOpaqueFromFarAway) {
+  const std::vector<FingerMark> fingers = {pressedFinger(*world_, skinAt(*world_, 40.0, 60.0), 5.0)};
+  for (const double distance_mm : {0.0, 2500.0, 6000.0}) {
+    scene::ViewSettings view;
+    view.look_at_mm = skinAt(*world_, 0.0, 0.0);
+    view.distance_mm = distance_mm;
+    view.zoom = std::max(1.0, distance_mm / 1200.0);
+    view.finger = FingerShape::hand;
+    const Image image = take(settings(view), fingers);
+    const auto band = std::count_if(image.pixels.begin(), image.pixels.end(),
+                                    [](const Pixel& pixel) { return pixel[2] > pixel[0] + 60; });
+    EXPECT_GT(band, 60) << "the band round its wrist is blue, " << distance_mm << " mm";
+  }
+}
+
 TEST_F(SkinLook, HoldsTheWholeForearmBetweenItsPlanes) {
   // A hand pressed anywhere on the back reaches so far from it.
   const PictureSettings whole = settings();

@@ -74,7 +74,7 @@ void main() {
   in_hand = point;
   red = redness;
   opacity = 1.0 - smoothstep(fade_begin, fade_end, dot(point, forearm));
-  opacity *= smoothstep(1.15 * near_mm, 1.9 * near_mm, dot(eye - place, backward));
+  opacity *= smoothstep(near_mm + 5.0, near_mm + 100.0, dot(eye - place, backward));
   gl_Position = clip_from_body * vec4(place, 1.0);
 }
 )";
