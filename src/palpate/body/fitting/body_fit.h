@@ -1,0 +1,49 @@
+// Where spine and bones of a scanned person lie: the built-in trunk pulled onto the scan, by landmarks that somebody
+// showed, or by the scan's shape alone - and how sure that is.
+//
+// starts.h, alignment.h -> here -> fitted_body.h (bones, landmarks), fit_file.h (kept beside a scene).
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "palpate/base/progress.h"
+#include "palpate/body/fitting/residual_warp.h"
+#include "palpate/body/fitting/template_body.h"
+
+namespace palpate::body {
+
+/// A landmark shown on a scan: "T6", "left PSIS", ... as places.h reads them.
+struct NamedPoint {
+  std::string name;
+  Vec3 position;  ///< mm, in the scan's frame
+};
+
+struct BodyFit {
+  BodyPlacement placement;
+  std::vector<Move> skin_moves;    ///< from the template's skin to the scan's, mm, the scan's frame
+  std::vector<NamedPoint> points;  ///< that it went by; their names as spoken
+  double rms_mm = 0;               ///< between template and scan, before those moves
+  double matched = 0;              ///< share of the scan that the template explains
+  /// A landmark each of the trunk (skeletonLandmarks): what its place is likely to be off, mm.
+  std::vector<double> expected_mm;
+  double spine_expected_mm = 0;  ///< the largest of them among T1 to L4 where the scan shows them
+  double certainty = 0;          ///< 0 to 1: that no such landmark is off by more than kOffMm
+  std::string doubt;             ///< why it should not be used, and what would help; empty: it may be used
+};
+
+/// Off by half a vertebra is on the wrong one.
+inline constexpr double kOffMm = 12;
+inline constexpr std::size_t kFewestNamedPoints = 4;
+
+/// `scan`: mended (mesh::repair), millimetres, in any place and turned in any way. Without points by its shape. Throws
+/// Error for names that are unknown or given twice, too few points, points on a line, off the scan, or that contradict
+/// each other.
+BodyFit fitBody(const TemplateBody& body, const mesh::TriangleMesh& scan, std::span<const NamedPoint> points,
+                const Progress& progress = {});
+
+/// "sure", "fairly sure", "doubtful" for a certainty.
+std::string certaintyWord(double certainty);
+
+}  // namespace palpate::body

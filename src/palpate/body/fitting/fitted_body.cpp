@@ -1,0 +1,161 @@
+// The trunk of that build -> the scan's frame -> the residual warp -> landmarks down on the scan's skin, bones pushed
+// below it where they come too near. Own.
+#include "palpate/body/fitting/fitted_body.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "palpate/base/error.h"
+#include "palpate/body/bone_depth.h"
+#include "palpate/body/places.h"
+#include "palpate/mesh/nearest.h"
+
+namespace palpate::body {
+
+namespace {
+
+constexpr std::size_t kSkinTriangles = 12000;  // only its landmarks are used
+constexpr std::size_t kBoneTriangles = 24000;
+constexpr double kUnderMm = 70;  // a bone deeper than this is not of the side that was scanned
+constexpr double kOntoMm = 25;   // a landmark farther from the scan is not on it
+constexpr double kBesideMm = 5;  // nor one that is beside its border
+
+/// The scan's skin to be asked where it is.
+class ScannedSkin {
+ public:
+  explicit ScannedSkin(const mesh::TriangleMesh& mesh)
+      : mesh_(mesh), normals_(mesh::vertexNormals(mesh)), nearest_(mesh) {
+    std::set<std::pair<Index, Index>> once;
+    for (const Triangle& t : mesh.triangles) {
+      for (int i = 0; i < 3; ++i) {
+        const auto edge = std::minmax(t[i], t[(i + 1) % 3]);
+        if (!once.insert(edge).second) once.erase(edge);
+      }
+    }
+    on_border_.assign(mesh.positions.size(), false);
+    for (const auto& [a, b] : once) on_border_[a] = on_border_[b] = true;
+  }
+
+  struct Place {
+    Vec3 point, normal;
+    double out;     // of the point asked for, along the normal
+    double beside;  // across it
+    bool at_border;
+  };
+  /// Nothing within reach: at_border and infinitely far.
+  Place near(const Vec3& point, double reach_mm) const {
+    const auto hit = nearest_.find(point, reach_mm);
+    if (hit.triangle == kNoIndex) return {point, Vec3::UnitZ(), 1e9, 1e9, true};
+    const Triangle& t = mesh_.triangles[hit.triangle];
+    Vec3 normal = Vec3::Zero();
+    for (const Index v : t) normal += normals_[v] / std::max((mesh_.positions[v] - hit.point).norm(), 1e-3);
+    normal.normalize();
+    const Vec3 off = point - hit.point;
+    const double out = off.dot(normal);
+    return {hit.point, normal, out, (off - out * normal).norm(),
+            on_border_[t[0]] || on_border_[t[1]] || on_border_[t[2]]};
+  }
+
+ private:
+  const mesh::TriangleMesh& mesh_;
+  std::vector<Vec3> normals_;
+  mesh::NearestTriangle nearest_;
+  std::vector<bool> on_border_;
+};
+
+/// The depth that becomes of a depth: the same where there is room, kLeastFittedCoverMm at least.
+double keptUnder(double depth_mm) {
+  constexpr double kSoftMm = 1.2;
+  const double over = (depth_mm - kLeastFittedCoverMm) / kSoftMm;
+  if (over > 8) return depth_mm;
+  return kLeastFittedCoverMm + kSoftMm * std::log1p(std::exp(over));
+}
+
+/// False where the bone is not under this skin, or more beside it than under it.
+bool pushUnder(const ScannedSkin& skin, Bone& bone) {
+  std::size_t under = 0;
+  std::size_t beside = 0;
+  for (Vec3& p : bone.mesh.positions) {
+    const ScannedSkin::Place place = skin.near(p, kUnderMm);
+    if (place.out > 1e8) continue;
+    if (place.at_border && place.beside > 1) {
+      ++beside;
+      continue;
+    }
+    ++under;
+    p += (keptUnder(-place.out) + place.out) * -place.normal;
+  }
+  return under > beside;
+}
+
+Trunk trunkOf(const BodyFit& fit) {
+  TrunkSettings settings;
+  settings.triangles = kSkinTriangles + kBoneTriangles;
+  settings.bone_triangles = kBoneTriangles;
+  settings.shape = fit.placement.shape;
+  settings.shape.relief = ReliefSettings{.spine = 0, .ribs = 0, .scapulae = 0};
+  return makeTrunk(settings);
+}
+
+/// The trunk's own frame is scaled already.
+Vec3 placed(const BodyPlacement& at, const Vec3& point) { return at.rotation * point + at.translation; }
+
+ResidualWarp warpOf(const BodyFit& fit, const Trunk& trunk) {
+  std::vector<Move> exact;
+  for (const NamedPoint& point : fit.points) {
+    for (const SkinLandmark& landmark : trunk.landmarks) {
+      if (spokenName(landmark.name) != point.name) continue;
+      const Vec3 place = placed(fit.placement, landmark.position);
+      exact.push_back({place, point.position - place});
+    }
+  }
+  return {fit.skin_moves, exact};
+}
+
+/// The skin that the fit met must still be there.
+void requireSameScan(const BodyFit& fit, const ScannedSkin& skin) {
+  constexpr double kMovedMm = 5;
+  constexpr std::size_t kAsked = 40;
+  std::size_t moved = 0;
+  std::size_t asked = 0;
+  for (std::size_t i = 0; i < fit.skin_moves.size(); i += fit.skin_moves.size() / kAsked + 1) {
+    const Move& move = fit.skin_moves[i];
+    ++asked;
+    if (!(std::abs(skin.near(move.place + move.by, kUnderMm).out) < kMovedMm)) ++moved;
+  }
+  if (2 * moved > asked) throw Error("the fit belongs to another scan, or to this one in another unit or place");
+}
+
+}  // namespace
+
+FittedBody fittedBody(const BodyFit& fit, const mesh::TriangleMesh& scan) {
+  const ScannedSkin skin(scan);
+  requireSameScan(fit, skin);
+  Trunk trunk = trunkOf(fit);
+  const ResidualWarp warp = warpOf(fit, trunk);
+  const auto onto = [&](const Vec3& p) { return warp(placed(fit.placement, p)); };
+  FittedBody result;
+  for (Bone& bone : trunk.bones) {
+    for (Vec3& p : bone.mesh.positions) p = onto(p);
+    if (pushUnder(skin, bone)) result.bones.push_back(std::move(bone));
+  }
+  if (result.bones.empty()) throw Error("the fit puts no bone under this mesh: it belongs to another scan");
+  for (std::size_t i = 0; i < trunk.landmarks.size(); ++i) {
+    SkinLandmark& landmark = trunk.landmarks[i];
+    const ScannedSkin::Place place = skin.near(onto(landmark.position), kOntoMm);
+    const bool facing = place.normal.dot(fit.placement.rotation * landmark.normal) > 0;
+    if (place.out > 1e8 || !facing || (place.at_border && place.beside > kBesideMm)) continue;
+    landmark.position = place.point;
+    landmark.normal = place.normal;
+    landmark.bone_position = onto(landmark.bone_position);
+    result.expected_mm.push_back(i < fit.expected_mm.size() ? fit.expected_mm[i] : 0);
+    result.landmarks.push_back(std::move(landmark));
+  }
+  BoneDepth depth = depthToBones(scan.positions, result.bones);
+  result.depth_mm = std::move(depth.depth_mm);
+  result.nearest_bone = std::move(depth.bone);
+  return result;
+}
+
+}  // namespace palpate::body

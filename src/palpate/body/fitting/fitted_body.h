@@ -1,0 +1,27 @@
+// The bones and landmarks of a fitted body, in the scan's frame and under its skin.
+//
+// body_fit.h, or a file of it (fit_file.h) -> here -> what a world knows of a body (scene/world.h).
+#pragma once
+
+#include <vector>
+
+#include "palpate/body/fitting/body_fit.h"
+#include "palpate/body/torso.h"
+
+namespace palpate::body {
+
+struct FittedBody {
+  std::vector<Bone> bones;              ///< those that lie under the scan's skin; as closed as the trunk's
+  std::vector<double> depth_mm;         ///< a vertex of the scan each: to the nearest bone
+  std::vector<Index> nearest_bone;      ///< a vertex of the scan each: index into `bones`
+  std::vector<SkinLandmark> landmarks;  ///< those that the scan shows, on its skin
+  std::vector<double> expected_mm;      ///< a landmark each: what its place is likely to be off
+};
+
+/// No bone comes nearer to the scan's skin than this, mm.
+inline constexpr double kLeastFittedCoverMm = 3;
+
+/// One to two seconds, for the bones. Throws Error when no bone lies under the scan: it is another scan, or moved.
+FittedBody fittedBody(const BodyFit& fit, const mesh::TriangleMesh& scan);
+
+}  // namespace palpate::body
