@@ -55,9 +55,9 @@ TEST(FingerPose, HoversWithItsPadAtThePointOfAFreeFinger) {
 
 /// Right or left, made once.
 const body::PalpatingHand& handOf(bool left) {
-  static const body::PalpatingHand kHands[] = {body::makePalpatingHand(body::Side::right),
-                                               body::makePalpatingHand(body::Side::left)};
-  return kHands[left ? 1 : 0];
+  static const body::PalpatingHand hands[] = {body::makePalpatingHand(body::Side::right),
+                                              body::makePalpatingHand(body::Side::left)};
+  return hands[left ? 1 : 0];
 }
 
 FingerPose ballAt(const Vec3& centre, bool left) {

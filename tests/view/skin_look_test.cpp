@@ -22,13 +22,13 @@ constexpr double kAspect = 4.0 / 3.0;
 double luminance(const Pixel& p) { return (0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2]) / 255.0; }
 
 std::shared_ptr<const scene::World> torsoWorld() {
-  static const std::shared_ptr<const scene::World> kTorso = [] {
+  static const std::shared_ptr<const scene::World> torso = [] {
     scene::Scene scene;
     scene.body.kind = scene::BodyKind::torso;
     scene.body.triangles = 8163;
     return scene::build(scene);
   }();
-  return kTorso;
+  return torso;
 }
 
 Vec3 skinAt(const scene::World& world, double x_mm, double y_mm) {

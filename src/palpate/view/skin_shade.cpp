@@ -73,7 +73,9 @@ class PatchGrid {
  private:
   std::size_t indexOf(const Eigen::Vector3i& cell, int way) const {
     const Eigen::Vector3i in = cell.cwiseMax(0).cwiseMin(cells_ - Eigen::Vector3i::Ones());
-    const auto flat = static_cast<std::size_t>(in.x() + cells_.x() * (in.y() + cells_.y() * in.z()));
+    const auto wide = in.cast<std::size_t>();
+    const auto extent = cells_.cast<std::size_t>();
+    const std::size_t flat = wide.x() + extent.x() * (wide.y() + extent.y() * wide.z());
     return flat * kWays + static_cast<std::size_t>(way);
   }
 
