@@ -232,7 +232,7 @@ TEST_F(Simulate, RunsTheDefaultSceneFromAnyFolder) {
   const auto json = nlohmann::json::parse(result.out);
   EXPECT_EQ(json, report());
   EXPECT_EQ(json["ticks"], 10000);
-  EXPECT_EQ(json["body"]["bones"], 43);
+  EXPECT_EQ(json["body"]["bones"], 74);
   ASSERT_EQ(json["fingers"].size(), 2u);
   for (const auto& finger : json["fingers"]) {
     EXPECT_GT(finger["touching_share"], 0.8);

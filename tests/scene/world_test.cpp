@@ -148,8 +148,8 @@ TEST_F(WorldOf, RebuiltIsWhatBuildingAnewGives) {
 }
 
 TEST_F(WorldOf, TheTorsoIsStifferOverBoneAndKnowsItsLandmarks) {
-  const auto world =
-      build(parse("[body]\ntriangles = 8163\n[[finger]]\nname = \"a\"\nscript = [{ do = \"press\" }]\n", "s"));
+  const auto world = build(parse(
+      "[body]\nkind = \"torso\"\ntriangles = 8163\n[[finger]]\nname = \"a\"\nscript = [{ do = \"press\" }]\n", "s"));
   const Anatomy& anatomy = world->anatomy;
   ASSERT_EQ(anatomy.depth_mm.size(), world->skin.positions.size());
   EXPECT_EQ(anatomy.bones.size(), body::kBoneCount);

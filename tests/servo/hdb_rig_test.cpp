@@ -14,7 +14,7 @@ namespace {
 
 /// The small torso, pressed beside the spine, dragged over it, circled.
 std::shared_ptr<const scene::World> torso(const std::string& more) {
-  return scene::build(scene::parse("[body]\ntriangles = 8163\n" + more + R"(
+  return scene::build(scene::parse("[body]\nkind = \"torso\"\ntriangles = 8163\n" + more + R"(
 [[finger]]
 name = "index"
 at_mm = [20, 20]

@@ -16,6 +16,7 @@
 #include "palpate/base/text.h"
 #include "palpate/trace/sample_block.h"
 #include "palpate/trace/session_reader.h"
+#include "palpate/trace/session_schema.h"
 #include "support/error_message.h"
 #include "support/temporary_folder.h"
 #include "trace/wild_sample.h"
@@ -96,6 +97,15 @@ class SessionFile : public testing::Test {
 
   support::TemporaryFolder folder_;
 };
+
+TEST(SessionVersion, ASceneThatNamedNoBodyMeantTheTorsoBeforeTheTrunkWasMade) {
+  EXPECT_EQ(sceneOfVersion(2, "title = \"a\"\n"), "title = \"a\"\n\n[body]\nkind = \"torso\"\n");
+  EXPECT_EQ(sceneOfVersion(1, "[body]\ntriangles = 8163\n\n[view]\nkind = 1\n"),
+            "[body]\nkind = \"torso\"\ntriangles = 8163\n\n[view]\nkind = 1\n");
+  const std::string mesh = "[body]\nscale = 2\nkind = \"mesh\"\nfile = \"a.ply\"\n";
+  EXPECT_EQ(sceneOfVersion(2, mesh), mesh);
+  EXPECT_EQ(sceneOfVersion(3, "title = \"a\"\n"), "title = \"a\"\n");
+}
 
 TEST_F(SessionFile, GivesBackHeaderWorldsEventsAndTicks) {
   {
@@ -191,7 +201,7 @@ TEST_F(SessionFile, SaysWhatIsNoSession) {
   begin("later.session").finish("done");
   Database(folder_ / "later.session", Database::Mode::write).run("PRAGMA user_version = 99");
   EXPECT_EQ(support::messageOf([&] { SessionReader(folder_ / "later.session"); }),
-            (folder_ / "later.session").string() + ": is a session of version 99; this program reads up to 2");
+            (folder_ / "later.session").string() + ": is a session of version 99; this program reads up to 3");
 }
 
 TEST_F(SessionFile, NamesABlockThatIsDamaged) {

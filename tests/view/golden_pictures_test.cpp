@@ -15,7 +15,8 @@ constexpr PictureSize kGoldenSize{480, 270, 2};
 
 std::shared_ptr<const scene::World> torso() {
   scene::Scene scene;
-  scene.body.torso.triangles = 8163;
+  scene.body.kind = scene::BodyKind::torso;
+  scene.body.triangles = 8163;
   return scene::build(scene);
 }
 

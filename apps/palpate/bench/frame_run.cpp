@@ -25,8 +25,9 @@ constexpr std::size_t kBoneTriangles = 18296;
 
 std::shared_ptr<const scene::World> backOf(std::size_t triangles) {
   scene::Scene scene;
-  scene.body.torso.triangles = triangles + kBoneTriangles;
-  scene.body.torso.bone_triangles = kBoneTriangles;
+  scene.body.kind = scene::BodyKind::torso;
+  scene.body.triangles = triangles + kBoneTriangles;
+  scene.body.bone_triangles = kBoneTriangles;
   return scene::build(scene);
 }
 

@@ -44,6 +44,7 @@ void useMesh(const SimulateOptions& options, scene::Scene& scene) {
   scene.body.scale = options.mesh_scale;
   useUnit(options.mesh_unit_mm, scene.body);
   scene.body.group = options.mesh_group;
+  scene.body.fit.clear();  // of another mesh
   if (options.scene.empty()) scene.title = scene.body.file.filename().string();
 }
 
@@ -70,7 +71,7 @@ void useSomeFinger(scene::Scene& scene) {
 void addInputOptions(CLI::App& command, SimulateOptions& options) {
   command.add_option(
       "SCENE", options.scene,
-      "Scene file (TOML, docs/scene-files.md), or a mesh as with --mesh; without one: ten seconds on the torso");
+      "Scene file (TOML, docs/scene-files.md), or a mesh as with --mesh; without one: ten seconds on the trunk");
   command.add_option("--mesh", options.mesh,
                      "Palpate this mesh (OBJ, STL, PLY, OFF, glTF, GLB) instead of the scene's body");
   addUnit(command, options.mesh_unit_mm);

@@ -1,4 +1,4 @@
-// `palpate model back|torso|bones|hand`: writes a part of the built-in human to a mesh file.
+// `palpate model trunk|back|torso|bones|hand`: writes a part of the built-in human to a mesh file.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,7 +20,9 @@
 #include "palpate/body/back.h"
 #include "palpate/body/bones.h"
 #include "palpate/body/hand.h"
+#include "palpate/body/places.h"
 #include "palpate/body/torso.h"
+#include "palpate/body/trunk/trunk.h"
 #include "palpate/mesh/files/save.h"
 #include "palpate/scene/words.h"
 
@@ -35,6 +37,8 @@ struct ModelOptions {
   std::size_t triangles = 0;
   std::size_t bone_triangles = 0;
   body::SkinSettings shape;
+  body::TrunkShape build;
+  std::string posture{wordFor(body::Posture::standing)};
   double hand_length_mm = body::HandSettings{}.length_mm;
   std::string side{wordFor(body::HandSettings{}.side)};
   bool json = false;
@@ -67,11 +71,13 @@ void write(const std::string& file, const Model& model) {
   mesh::save(file, model.mesh, carries_values ? channelsOf(model) : mesh::VertexChannels{});
 }
 
-Model skinModel(const body::Torso& torso) {
-  Model model{torso.skin.mesh, torso.skin.normals, {}, {}, {}};
-  model.depth_mm.assign(torso.depth_mm.begin(), torso.depth_mm.end());
-  model.part.assign(torso.depth_mm.size(), 0);
-  for (const Index bone : torso.nearest_bone) model.bone.push_back(static_cast<float>(bone + 1));
+/// Of a torso or a trunk.
+template <class Body>
+Model skinModel(const mesh::TriangleMesh& skin, const std::vector<Vec3>& normals, const Body& body) {
+  Model model{skin, normals, {}, {}, {}};
+  model.depth_mm.assign(body.depth_mm.begin(), body.depth_mm.end());
+  model.part.assign(body.depth_mm.size(), 0);
+  for (const Index bone : body.nearest_bone) model.bone.push_back(static_cast<float>(bone + 1));
   return model;
 }
 
@@ -94,10 +100,11 @@ nlohmann::json partsOf(const std::vector<body::Bone>& bones) {
   return parts;
 }
 
-nlohmann::json landmarksOf(const body::Torso& torso) {
+nlohmann::json landmarksOf(const std::vector<body::SkinLandmark>& points) {
   nlohmann::json landmarks = nlohmann::json::array();
-  for (const body::SkinLandmark& point : torso.landmarks) {
+  for (const body::SkinLandmark& point : points) {
     landmarks.push_back({{"name", point.name},
+                         {"spoken", body::spokenName(point.name)},
                          {"bone", point.bone},
                          {"skin_mm", vectorJson(point.position)},
                          {"normal", vectorJson(point.normal)},
@@ -147,23 +154,43 @@ void makeBackModel(const ModelOptions& options) {
          {{"stature_mm", options.shape.stature_mm}});
 }
 
+/// A torso or a trunk: all in one file, and where asked skin and bones in files of their own.
+template <class Body>
+void writeWhole(const char* name, const ModelOptions& options, Model whole, const Body& body, double seconds,
+                double stature_mm) {
+  const std::size_t of_skin = whole.mesh.triangles.size();
+  if (!options.skin_output.empty()) write(options.skin_output, whole);
+  appendBones(body.bones, whole);
+  if (!options.bones_output.empty()) {
+    Model bones;
+    appendBones(body.bones, bones);
+    write(options.bones_output, bones);
+  }
+  finish(name, options, whole, seconds,
+         {{"stature_mm", stature_mm},
+          {"skin_triangles", of_skin},
+          {"least_cover_mm", *std::min_element(body.depth_mm.begin(), body.depth_mm.end())},
+          {"parts", partsOf(body.bones)},
+          {"landmarks", landmarksOf(body.landmarks)}});
+}
+
 void makeTorsoModel(const ModelOptions& options) {
   const auto start = Clock::now();
   const body::Torso torso = body::makeTorso({options.triangles, options.bone_triangles, options.shape});
   const double seconds = secondsSince(start);
-  Model whole = skinModel(torso);
-  if (!options.skin_output.empty()) write(options.skin_output, whole);
-  appendBones(torso.bones, whole);
-  if (!options.bones_output.empty()) {
-    Model bones;
-    appendBones(torso.bones, bones);
-    write(options.bones_output, bones);
-  }
-  finish("torso", options, whole, seconds,
-         {{"stature_mm", options.shape.stature_mm},
-          {"skin_triangles", torso.skin.mesh.triangles.size()},
-          {"parts", partsOf(torso.bones)},
-          {"landmarks", landmarksOf(torso)}});
+  writeWhole("torso", options, skinModel(torso.skin.mesh, torso.skin.normals, torso), torso, seconds,
+             options.shape.stature_mm);
+}
+
+void makeTrunkModel(const ModelOptions& options) {
+  const auto start = Clock::now();
+  body::TrunkSettings settings{options.triangles, options.bone_triangles, options.build};
+  settings.shape.posture = *valueNamed<body::Posture>(options.posture);
+  settings.shape.stature_mm = options.shape.stature_mm;
+  const body::Trunk trunk = body::makeTrunk(settings);
+  const double seconds = secondsSince(start);
+  writeWhole("trunk", options, skinModel(trunk.skin, mesh::vertexNormals(trunk.skin), trunk), trunk, seconds,
+             options.shape.stature_mm);
 }
 
 void makeBonesModel(const ModelOptions& options) {
@@ -235,6 +262,43 @@ void addShape(CLI::App& command, ModelOptions& options) {
   add_levels("--scapula-levels", shape.relief.scapula_level);
 }
 
+void addOutputs(CLI::App& command, ModelOptions& options) {
+  addNumber(command, "--bone-triangles", options.bone_triangles, between(0, 2e7),
+            "Triangles of the bones among them; 0 chooses")
+      ->capture_default_str();
+  command.add_option("--skin-out", options.skin_output, "Also write the skin alone to this file");
+  command.add_option("--bones-out", options.bones_output, "Also write the bones alone to this file");
+}
+
+void addBuild(CLI::App& command, body::TrunkShape& build) {
+  constexpr const char* kGroup = "Build";
+  const auto add = [&](const char* name, double& value, const Limits& limits, const char* help) {
+    addNumber(command, name, value, limits, help)->capture_default_str()->group(kGroup);
+  };
+  add("--girth", build.girth, between(0.8, 1.3), "Factor on breadth and depth of the frame, bones and all");
+  add("--body-mass-index", build.body_mass_index, between(16, 45, "kg/m2"), "Fat under the skin");
+  add("--muscle", build.muscle, between(0, 2), "0 wasted, 2 an athlete");
+  add("--kyphosis-deg", build.kyphosis_deg, between(15, 65), "Curve of the thoracic spine, T1 to T12");
+  add("--lordosis-deg", build.lordosis_deg, between(0, 50), "Curve of the lumbar spine, L1 to L5");
+  add("--spine-relief", build.relief.spine, between(0, 3), "How far spinous processes show: 0 none, 1 a lean man");
+  add("--rib-relief", build.relief.ribs, between(0, 3), "The same for the ribs of the back");
+  add("--scapula-relief", build.relief.scapulae, between(0, 3), "The same for the shoulder blades");
+  add("--asymmetry", build.asymmetry, between(0, 3), "0 symmetric, 1 naturally uneven");
+}
+
+void addTrunk(CLI::App& model) {
+  const auto [command, options] = addModel(
+      model, "trunk", "The whole trunk, closed, from the neck to below the gluteal fold, over 74 bones",
+      body::TrunkSettings{}.triangles, between(static_cast<double>(body::kFewestTrunkTriangles), 2e7), makeTrunkModel);
+  addNumber(*command, "--stature-mm", options->shape.stature_mm, between(500.0, 2500.0, "mm"),
+            "Height of the person; everything scales with it")
+      ->capture_default_str();
+  takesOneOf(wordList<body::Posture>(),
+             command->add_option("--posture", options->posture, "How it lies or sits")->capture_default_str());
+  addBuild(*command, options->build);
+  addOutputs(*command, *options);
+}
+
 void addBack(CLI::App& model) {
   const auto [command, options] = addModel(model, "back", "The back, 350 x 400 x 120 mm",
                                            body::BackSettings{}.triangles, between(500, 4e6), makeBackModel);
@@ -247,11 +311,7 @@ void addTorso(CLI::App& model) {
       body::TorsoSettings{}.triangles, between(5000, 2e7), makeTorsoModel);
   options->shape = body::TorsoSettings{}.shape;
   addShape(*command, *options);
-  addNumber(*command, "--bone-triangles", options->bone_triangles, between(0, 2e7),
-            "Triangles of the bones among them; 0 chooses")
-      ->capture_default_str();
-  command->add_option("--skin-out", options->skin_output, "Also write the skin alone to this file");
-  command->add_option("--bones-out", options->bones_output, "Also write the bones alone to this file");
+  addOutputs(*command, *options);
 }
 
 void addBones(CLI::App& model) {
@@ -274,6 +334,7 @@ void addHand(CLI::App& model) {
 void addModelCommand(CLI::App& app) {
   CLI::App* model = app.add_subcommand("model", "Write a part of the built-in human to a mesh file (mm)");
   model->require_subcommand(1);
+  addTrunk(*model);
   addBack(*model);
   addTorso(*model);
   addBones(*model);

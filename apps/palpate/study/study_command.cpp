@@ -74,13 +74,21 @@ void addStudyPages(CLI::App& parent) {
 
 namespace {
 
+/// The default run on the dissertation's body.
+scene::Scene studyScene() {
+  scene::Scene scene = scene::parse(defaultScene(), "default.toml");
+  scene.body = {};
+  scene.body.kind = scene::BodyKind::torso;
+  return scene;
+}
+
 struct AllArguments {
   std::string folder;
   bool quick = false;
 };
 
 void runAll(const AllArguments& arguments) {
-  const scene::Scene scene = scene::parse(defaultScene(), "default.toml");
+  const scene::Scene scene = studyScene();
   tellOfEarlier(arguments.folder, "report.html");
   ProgressLine progress;
   const auto tell = [&](const study::ChapterDone& chapter) {
@@ -182,8 +190,7 @@ struct ErrataArguments {
 };
 
 void runErrata(const ErrataArguments& arguments) {
-  const scene::Scene scene =
-      arguments.scene.empty() ? scene::parse(defaultScene(), "default.toml") : scene::load(arguments.scene);
+  const scene::Scene scene = arguments.scene.empty() ? studyScene() : scene::load(arguments.scene);
   scene::requireFingers(scene);
   tellOfEarlier(arguments.folder, "errata.md");
   ProgressLine progress;

@@ -17,10 +17,22 @@ void factsOf(const WorldFacts& world) {
   for (const std::string& note : world.notes) remark(note);
 }
 
+void buildWidgets(const SceneKeys& keys) {
+  keyWidget(keys, {"body", "posture", "posture"});
+  keyWidget(keys, {"body", "body_mass_index", "body mass", 16.0, 45.0, "%.1f kg/m2"});
+  keyWidget(keys, {"body", "muscle", "muscle", 0.0, 2.0});
+  keyWidget(keys, {"body", "girth", "girth", 0.8, 1.3});
+  keyWidget(keys, {"body", "kyphosis_deg", "kyphosis", 15.0, 65.0, "%.0f deg"});
+  keyWidget(keys, {"body", "lordosis_deg", "lordosis", 0.0, 50.0, "%.0f deg"});
+}
+
 void bodyWidgets(const SceneKeys& keys) {
-  if (keys.scene.body.kind == scene::BodyKind::torso) {
+  const scene::BodyKind kind = keys.scene.body.kind;
+  if (kind != scene::BodyKind::mesh) {
+    keyWidget(keys, {"body", "kind", "body"});
     keyWidget(keys, {"body", "triangles", "triangles"});
     keyWidget(keys, {"body", "stature_mm", "stature", 500.0, 2500.0, "%.0f mm"});
+    if (kind == scene::BodyKind::trunk) buildWidgets(keys);
     keyWidget(keys, {"body", "spine_relief", "spine shows", 0.0, 3.0});
     keyWidget(keys, {"body", "rib_relief", "ribs show", 0.0, 3.0});
     keyWidget(keys, {"body", "scapula_relief", "scapulae show", 0.0, 3.0});
@@ -51,7 +63,7 @@ void modelPanel(const ModelPanel& panel, Asks& asks) {
     panel.open_dialog = true;
   }
   ImGui::SameLine();
-  if (buttonWidget("model/default", "Built-in torso")) asks.wish(Wish::Kind::default_scene);
+  if (buttonWidget("model/default", "Built-in body")) asks.wish(Wish::Kind::default_scene);
   ImGui::Separator();
   bodyWidgets(keys);
   ImGui::Separator();

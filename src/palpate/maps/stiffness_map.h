@@ -6,6 +6,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "palpate/base/vec.h"
@@ -34,6 +35,7 @@ struct Dysfunction {
   double change_percent = 50.0;  ///< at the centre; -100 makes it weightless, never below
   /// Share of the radius over which the change fades out (smoothstep): 0 a hard edge, 1 from the centre on.
   double edge_softness = 0.5;
+  std::string at = {};  ///< the centre in words ("T9 right 30 mm"); who knows the body's names fills in x and y
   friend bool operator==(const Dysfunction&, const Dysfunction&) = default;
 };
 
@@ -41,7 +43,7 @@ struct Dysfunction {
 double stiffnessFactor(const Dysfunction& dysfunction, const Vec2& place);
 
 /// Multiplies the factors of all dysfunctions into the stiffness, vertex by vertex. On a closed body they act through
-/// and through: the map plane is seen along z.
+/// and through: the map plane is seen along z. `at` is not looked at.
 void applyDysfunctions(std::span<const Vec3> positions, std::span<const Dysfunction> dysfunctions,
                        std::span<double> stiffness_n_per_mm);
 

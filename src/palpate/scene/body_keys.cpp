@@ -1,11 +1,15 @@
 // The tables [body], [stiffness], [[dysfunction]] and [ellipses] of a scene file: what is touched, and how hard and
 // how far its skin follows.
+#include <fmt/format.h>
+
 #include "palpate/scene/section_keys.h"
 #include "palpate/scene/words.h"
 
 namespace palpate::scene {
 
 namespace {
+
+constexpr std::size_t kFewestTriangles = 5000;  // of a torso that reads as one
 
 /// Remembers where it stands: what is wrong with the picture is found when the body is built.
 Key<BodySettings> textureKey() {
@@ -22,41 +26,66 @@ Key<BodySettings> textureKey() {
   return key;
 }
 
+/// What a built-in body can be made of.
+void requireTriangles(const BodySettings& body, const Entry& entry) {
+  if (body.kind == BodyKind::mesh || body.triangles == 0) return;
+  const bool trunk = body.kind == BodyKind::trunk;
+  const std::size_t least = trunk ? body::kFewestTrunkTriangles : kFewestTriangles;
+  if (body.triangles < least) entry.fail(fmt::format("needs at least {} triangles", least));
+  if (trunk && body.triangles % 2 != 0) {
+    entry.fail(fmt::format("a closed body has an even number of triangles: {} or {}, or kind = \"torso\"",
+                           body.triangles - 1, body.triangles + 1));
+  }
+}
+
 }  // namespace
 
 Section bodySection() {
   using S = BodySettings;
+  using Shape = body::TrunkShape;
   std::vector<Key<S>> keys = {
-      choice<S, BodyKind>("kind", &S::kind, "The built-in torso with its bones, or a mesh file."),
-      count<S>("triangles", way(&S::torso, &body::TorsoSettings::triangles), 5000, 4'000'000,
-               "Torso: of skin and bones together; 8163, 20389 and 41582 are the dissertation's sizes."),
-      number<S>("stature_mm", way(&S::torso, &body::TorsoSettings::shape, &body::SkinSettings::stature_mm),
-                between(500, 2500), "Torso: how tall the whole person is."),
-      number<S>("spine_relief",
-                way(&S::torso, &body::TorsoSettings::shape, &body::SkinSettings::relief, &body::ReliefSettings::spine),
-                between(0, 3),
-                "Torso: how far the spinous processes show on the skin; 0 is not at all, 1 a lean standing man."),
-      number<S>("rib_relief",
-                way(&S::torso, &body::TorsoSettings::shape, &body::SkinSettings::relief, &body::ReliefSettings::ribs),
-                between(0, 3), "Torso: the same for the ribs."),
+      choice<S, BodyKind>("kind", &S::kind, "The built-in trunk, the back of it alone (torso), or a mesh file."),
+      count<S>("triangles", &S::triangles, 0, 4'000'000,
+               "Trunk, torso: of skin and bones together; 0 is 83164 (trunk, an even number) or 20389 (torso)."),
+      number<S>("stature_mm", way(&S::shape, &Shape::stature_mm), between(500, 2500),
+                "Trunk, torso: how tall the whole person is."),
+      number<S>("girth", way(&S::shape, &Shape::girth), between(0.8, 1.3),
+                "Trunk: factor on breadth and depth of the frame, bones and all."),
+      number<S>("body_mass_index", way(&S::shape, &Shape::body_mass_index), between(16, 45),
+                "Trunk: kg/m2; fat under the skin."),
+      number<S>("muscle", way(&S::shape, &Shape::muscle), between(0, 2), "Trunk: 0 is wasted, 2 an athlete."),
+      number<S>("kyphosis_deg", way(&S::shape, &Shape::kyphosis_deg), between(15, 65),
+                "Trunk: curve of the thoracic spine, T1 to T12."),
+      number<S>("lordosis_deg", way(&S::shape, &Shape::lordosis_deg), between(0, 50),
+                "Trunk: curve of the lumbar spine, L1 to L5."),
+      choice<S, body::Posture>("posture", way(&S::shape, &Shape::posture),
+                               "Trunk: standing, prone on a table (chest and belly pressed flat), or sitting."),
       number<S>(
-          "scapula_relief",
-          way(&S::torso, &body::TorsoSettings::shape, &body::SkinSettings::relief, &body::ReliefSettings::scapulae),
-          between(0, 3), "Torso: the same for the shoulder blades."),
-      number<S>("asymmetry", way(&S::torso, &body::TorsoSettings::shape, &body::SkinSettings::asymmetry), between(0, 3),
-                "Torso: natural differences of left and right; 0 is a mirror image."),
+          "spine_relief", way(&S::shape, &Shape::relief, &body::ReliefSettings::spine), between(0, 3),
+          "Trunk, torso: how far the spinous processes show on the skin; 0 is not at all, 1 a lean standing man."),
+      number<S>("rib_relief", way(&S::shape, &Shape::relief, &body::ReliefSettings::ribs), between(0, 3),
+                "Trunk, torso: the same for the ribs."),
+      number<S>("scapula_relief", way(&S::shape, &Shape::relief, &body::ReliefSettings::scapulae), between(0, 3),
+                "Trunk, torso: the same for the shoulder blades."),
+      number<S>("asymmetry", way(&S::shape, &Shape::asymmetry), between(0, 3),
+                "Trunk, torso: natural differences of left and right; 0 is a mirror image."),
       file<S>("file", &S::file, "Mesh: OBJ, STL, PLY, OFF, glTF or GLB, relative to the scene file."),
       choice<S, Unit>("unit", &S::unit, "Mesh: the unit of the file; auto is m for glTF and GLB, mm for the others."),
       number<S>("scale", &S::scale, above(0, 1e6), "Mesh: factor on its size, after the unit."),
       text<S>("group", &S::group, "Mesh: only this group or object of an OBJ file."),
       flag<S>("repair", &S::repair, "Mesh: mend what can be mended; false refuses a mesh that is not fit."),
       textureKey(),
+      file<S>("fit", &S::fit,
+              "Mesh: what palpate fit-body wrote of this scan: it gets bones, names and a stiffness by depth "
+              "(docs/fit-body.md)."),
   };
   return section<S>("body", "What is touched.", &Scene::body, std::move(keys), [](const S& body, const Entry& entry) {
     if (body.kind == BodyKind::mesh && body.file.empty()) entry.fail("of kind \"mesh\" needs a file");
-    if (body.kind == BodyKind::torso && !body.file.empty()) entry.fail("has a file but is not of kind \"mesh\"");
-    if (body.kind == BodyKind::torso && !body.texture.file.empty())
+    if (body.kind != BodyKind::mesh && !body.file.empty()) entry.fail("has a file but is not of kind \"mesh\"");
+    if (body.kind != BodyKind::mesh && !body.texture.file.empty())
       entry.fail("has a texture but is not of kind \"mesh\"");
+    if (body.kind != BodyKind::mesh && !body.fit.empty()) entry.fail("has a fit but is not of kind \"mesh\"");
+    requireTriangles(body, entry);
   });
 }
 
@@ -66,7 +95,7 @@ Section stiffnessSection() {
       choice<S, StiffnessSource>(
           "source", &S::source,
           "Depth of the bones, key points with a stiffness, or the same everywhere; auto is depth "
-          "on the torso and constant on a mesh."),
+          "on a built-in body and a fitted mesh, constant on another mesh."),
       number<S>("constant_n_per_mm", &S::constant_n_per_mm, above(0, 100), "The stiffness for source \"constant\"."),
       number<S>("soft_n_per_mm", way(&S::depth, &maps::DepthLaw::soft_n_per_mm), above(0, 100),
                 "Source \"depth\": far from any bone."),
@@ -89,11 +118,24 @@ Section stiffnessSection() {
                     std::move(keys));
 }
 
+namespace {
+
+/// A place that has a name is written by its name.
+Key<maps::Dysfunction> unlessNamed(Key<maps::Dysfunction> key) {
+  key.show = [show = std::move(key.show)](const maps::Dysfunction& dysfunction) {
+    return dysfunction.at.empty() ? show(dysfunction) : std::string();
+  };
+  return key;
+}
+
+}  // namespace
+
 Section dysfunctionSection() {
   using S = maps::Dysfunction;
   const std::vector<Key<S>> keys = {
-      number<S>("x_mm", &S::x_mm, between(-kLongestMm, kLongestMm), "Centre, seen along z."),
-      number<S>("y_mm", &S::y_mm, between(-kLongestMm, kLongestMm), "Centre, seen along z."),
+      text<S>("at", &S::at, "Centre by name: \"T9 right 30 mm\" (docs/names.md)."),
+      unlessNamed(number<S>("x_mm", &S::x_mm, between(-kLongestMm, kLongestMm), "Centre in numbers, seen along z.")),
+      unlessNamed(number<S>("y_mm", &S::y_mm, between(-kLongestMm, kLongestMm), "Centre in numbers, seen along z.")),
       number<S>("radius_mm", &S::radius_mm, above(0, kLongestMm), "Outside nothing changes."),
       number<S>("change_percent", &S::change_percent, between(-100, 10000), "Change of the stiffness at the centre."),
       number<S>("edge_softness", &S::edge_softness, between(0, 1),
@@ -112,17 +154,18 @@ Section ellipsesSection() {
   using S = EllipseSettings;
   std::vector<Key<S>> keys = {
       file<S>("key_points", &S::key_points,
-              "Table of measured ellipses (docs/maps.md); left out: the dissertation's means on the torso, none on a "
-              "mesh."),
+              "Table of measured ellipses (docs/maps.md); left out: the dissertation's means on a built-in "
+              "body, none on a mesh."),
       choice<S, maps::ForceDirection>("data", way(&S::measured, &maps::MeasuredDataChoice::force),
                                       "Without key points: the dissertation's means of the skin dragged up, or down."),
       choice<S, maps::Averaging>("averaging", way(&S::measured, &maps::MeasuredDataChoice::averaging),
                                  "Without key points: means of the numbers as printed, or of the ellipses."),
       number<S>("effect_radius_mm", way(&S::map, &maps::EllipseMapSettings::effect_radius_mm), above(0, kLongestMm),
                 "How far a key point reaches."),
-      number<S>("basic_radius_mm", &S::basic_radius_mm, between(0, kLongestMm),
-                "Radius of the circle where no key point reaches; 0 is 150 mm on the torso and at most 15 % of its "
-                "diagonal on a mesh."),
+      number<S>(
+          "basic_radius_mm", &S::basic_radius_mm, between(0, kLongestMm),
+          "Radius of the circle where no key point reaches; 0 is 150 mm on a built-in body and at most 15 % of its "
+          "diagonal on a mesh."),
       choice<S, EllipsePlace>("place", &S::place,
                               "Where the map is asked: at the friction anchor, or at the nearest vertex, as printed "
                               "(5.2)."),

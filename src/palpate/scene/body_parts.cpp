@@ -1,11 +1,14 @@
-// The body: the torso is made, a mesh file is read, mended and judged; both are ordered along a space-filling curve, so
-// that triangles near each other lie near each other in memory. Whatever belongs to a vertex or a triangle follows.
-// Own.
+// The body: trunk or torso is made, a mesh file is read, mended and judged; both are ordered along a space-filling
+// curve, so that triangles near each other lie near each other in memory. Whatever belongs to a vertex or a triangle
+// follows. Own.
 #include "palpate/scene/body_parts.h"
 
 #include <fmt/format.h>
 
 #include "palpate/base/error.h"
+#include "palpate/base/text.h"
+#include "palpate/body/fitting/fit_file.h"
+#include "palpate/body/fitting/fitted_body.h"
 #include "palpate/mesh/reorder.h"
 #include "palpate/mesh/repair.h"
 #include "palpate/mesh/validate.h"
@@ -23,15 +26,36 @@ std::vector<T> permuted(const std::vector<T>& values, const std::vector<Index>& 
   return result;
 }
 
-BodyParts makeTorsoParts(const body::TorsoSettings& settings, const Progress& progress) {
+BodyParts makeTorsoParts(const BodySettings& body, const Progress& progress) {
   report(progress, "building the torso", 0.0);
+  body::TorsoSettings settings;
+  if (body.triangles != 0) settings.triangles = body.triangles;
+  settings.bone_triangles = body.bone_triangles;
+  settings.shape = {body.shape.stature_mm, body.shape.relief, body.shape.asymmetry};
   body::Torso torso = body::makeTorso(settings);
   BodyParts parts;
   parts.name = fmt::format("built-in torso, {} triangles with bones", settings.triangles);
   parts.skin = std::move(torso.skin.mesh);
   const auto order = mesh::reorderSpatially(parts.skin);
   parts.anatomy = {std::move(torso.bones), permuted(torso.depth_mm, order.source_vertex),
-                   permuted(torso.nearest_bone, order.source_vertex), std::move(torso.landmarks)};
+                   permuted(torso.nearest_bone, order.source_vertex), std::move(torso.landmarks), std::nullopt};
+  return parts;
+}
+
+BodyParts makeTrunkParts(const BodySettings& body, const Progress& progress) {
+  report(progress, "building the trunk", 0.0);
+  body::TrunkSettings settings;
+  if (body.triangles != 0) settings.triangles = body.triangles;
+  settings.bone_triangles = body.bone_triangles;
+  settings.shape = body.shape;
+  body::Trunk trunk = body::makeTrunk(settings);
+  BodyParts parts;
+  parts.name = fmt::format("built-in trunk, {} triangles with bones", settings.triangles);
+  parts.closed = true;
+  parts.skin = std::move(trunk.skin);
+  const auto order = mesh::reorderSpatially(parts.skin);
+  parts.anatomy = {std::move(trunk.bones), permuted(trunk.depth_mm, order.source_vertex),
+                   permuted(trunk.nearest_bone, order.source_vertex), std::move(trunk.landmarks), trunk.support};
   return parts;
 }
 
@@ -55,6 +79,19 @@ void requireFit(const mesh::TriangleMesh& mesh, const Progress& progress) {
   throw Error("is not fit for contact and repair is off: " + traits);
 }
 
+/// The bones of a scan that a fit knows of; of its skin as it is felt.
+Anatomy fittedAnatomy(const std::filesystem::path& file, const mesh::TriangleMesh& skin, const Progress& progress) {
+  report(progress, "building the fitted bones", 0.0);
+  const body::BodyFit fit = body::fitFromJson(readFile(file, body::kLongestFitFile), file.string());
+  try {
+    body::FittedBody fitted = body::fittedBody(body::TemplateBody(), fit, skin);
+    return {std::move(fitted.bones), std::move(fitted.depth_mm), std::move(fitted.nearest_bone),
+            std::move(fitted.landmarks), std::nullopt};
+  } catch (const Error& error) {
+    throw Error::inFile(file.string(), error.what());
+  }
+}
+
 BodyParts makeMeshParts(const BodySettings& settings, const Progress& progress) {
   mesh::MeshWithChannels loaded = mesh::loadWithChannels(settings.file, loadOptionsOf(settings), progress);
   mesh::TriangleMesh& mesh = loaded.mesh;
@@ -69,6 +106,7 @@ BodyParts makeMeshParts(const BodySettings& settings, const Progress& progress) 
     throw Error::inFile(settings.file.string(), error.what());
   }
   parts.texture = loadSkinTexture(settings, parts.skin, progress);
+  if (!settings.fit.empty()) parts.anatomy = fittedAnatomy(settings.fit, parts.skin, progress);
   return parts;
 }
 
@@ -103,8 +141,14 @@ mesh::LoadOptions loadOptionsOf(const BodySettings& settings) {
 }
 
 BodyParts makeBody(const BodySettings& settings, const Progress& progress) {
-  return settings.kind == BodyKind::torso ? makeTorsoParts(settings.torso, progress)
-                                          : makeMeshParts(settings, progress);
+  switch (settings.kind) {
+    case BodyKind::trunk:
+      return makeTrunkParts(settings, progress);
+    case BodyKind::torso:
+      return makeTorsoParts(settings, progress);
+    default:
+      return makeMeshParts(settings, progress);
+  }
 }
 
 }  // namespace palpate::scene

@@ -70,14 +70,24 @@ Key<Finger> scriptKey() {
   return {"script", "list of steps", "What the finger does, step by step; see below.", read, showScript};
 }
 
+/// A place that has a name is written by its name.
+Key<Finger> unlessNamed(Key<Finger> key) {
+  key.show = [show = std::move(key.show)](const Finger& finger) {
+    return finger.at.empty() ? show(finger) : std::string();
+  };
+  return key;
+}
+
 std::vector<Key<Finger>> fingerKeys() {
   using S = Finger;
   return {
       text<S>("name", &S::name, "Letters, digits, '-' and '_'; different for each finger."),
       number<S>("radius_mm", &S::radius_mm, between(0, 1000), "0 is a point, 8 a fingertip."),
       file<S>("trajectory", &S::trajectory, "Table t_s,x_mm,y_mm,z_mm; instead of a script."),
-      point2<S>("at_mm", &S::at_mm, between(-kLongestMm, kLongestMm),
-                "Script: the place it starts over, seen along z."),
+      text<S>("at", &S::at,
+              "Script: the place it starts over, by name: \"T6\", \"left PSIS\", \"T6 right 30 mm\" (docs/names.md)."),
+      unlessNamed(point2<S>("at_mm", &S::at_mm, between(-kLongestMm, kLongestMm),
+                            "Script: the same in numbers, seen along z.")),
       number<S>("start_height_mm", &S::start_height_mm, between(-kLongestMm, kLongestMm),
                 "Script: height above the skin it starts from."),
       scriptKey(),

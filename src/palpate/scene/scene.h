@@ -9,7 +9,7 @@
 
 #include "palpate/base/fidelity.h"
 #include "palpate/base/vec.h"
-#include "palpate/body/torso.h"
+#include "palpate/body/trunk/trunk.h"
 #include "palpate/contact/finger_state.h"
 #include "palpate/hdb/hdb_candidates.h"
 #include "palpate/maps/ellipse_map.h"
@@ -22,7 +22,7 @@
 
 namespace palpate::scene {
 
-enum class BodyKind : std::uint8_t { torso, mesh };
+enum class BodyKind : std::uint8_t { trunk, torso, mesh };
 
 /// Length of one unit of a mesh file.
 enum class Unit : std::uint8_t { from_file, millimetre, centimetre, decimetre, metre, inch };
@@ -38,8 +38,11 @@ struct TextureSource {
 };
 
 struct BodySettings {
-  BodyKind kind = BodyKind::torso;
-  body::TorsoSettings torso;
+  BodyKind kind = BodyKind::trunk;
+  // A built-in body.
+  std::size_t triangles = 0;       ///< of skin and bones together; 0: as many as the body has by itself
+  std::size_t bone_triangles = 0;  ///< of them for bones; 0: the body's own share
+  body::TrunkShape shape;          ///< the torso has only stature, relief and asymmetry of it
   // A mesh file.
   std::filesystem::path file;
   Unit unit = Unit::from_file;
@@ -47,6 +50,7 @@ struct BodySettings {
   std::string group;   ///< only this group of an OBJ file; empty = all
   bool repair = true;  ///< false: refuse a mesh that is not fit
   TextureSource texture;
+  std::filesystem::path fit;  ///< what gives it bones and names (body/fitting/fit_file.h); empty: none
 };
 
 enum class StiffnessSource : std::uint8_t { automatic, depth, points, constant };
@@ -116,12 +120,14 @@ struct Finger {
   std::string name;
   double radius_mm = 0.0;
   std::filesystem::path trajectory;  ///< a table of positions; otherwise the script below
-  Vec2 at_mm = Vec2::Zero();         ///< place the script starts over
+  Vec2 at_mm = Vec2::Zero();         ///< place the script starts over; of a built world also where `at` is
   double start_height_mm = 10.0;
   std::vector<Step> steps;
   // Where its table stands, for messages; line 0: not from a scene file.
   std::string scene_file = {};
   std::size_t line = 0;
+
+  std::string at = {};  ///< that place in words ("T6 right 30 mm"), before at_mm
 
   /// Neither path nor script: it gets a path that suits the body. Scene files must say what they want.
   bool findsItsOwnWay() const { return trajectory.empty() && steps.empty(); }

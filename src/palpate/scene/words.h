@@ -41,7 +41,14 @@ struct WordsOf<scene::HeldFinger> {
 template <>
 struct WordsOf<scene::BodyKind> {
   using V = scene::BodyKind;
-  static constexpr std::array kAll = {Word{"torso", V::torso}, Word{"mesh", V::mesh}};
+  static constexpr std::array kAll = {Word{"trunk", V::trunk}, Word{"torso", V::torso}, Word{"mesh", V::mesh}};
+};
+
+template <>
+struct WordsOf<body::Posture> {
+  using V = body::Posture;
+  static constexpr std::array kAll = {Word{"standing", V::standing}, Word{"prone", V::prone},
+                                      Word{"sitting", V::sitting}};
 };
 
 template <>

@@ -17,6 +17,7 @@
 
 #include "palpate/base/background.h"
 #include "palpate/base/error.h"
+#include "palpate/body/places.h"
 #include "palpate/scene/body_parts.h"
 #include "palpate/scene/hdb_source.h"
 #include "palpate/scene/skin_channels.h"
@@ -35,10 +36,10 @@ using KeyPoints = std::vector<maps::KeyPoint>;
 constexpr double kBackRadiusMm = 150.0;
 constexpr double kRadiusOfDiagonal = 0.15;
 
-/// The user's, or on the torso the dissertation's; a mesh has none of its own.
+/// The user's, or on a built-in body the dissertation's; a mesh has none of its own.
 KeyPoints keyPointsOf(const Scene& scene) {
   if (!scene.ellipses.key_points.empty()) return maps::readKeyPoints(scene.ellipses.key_points);
-  if (scene.body.kind != BodyKind::torso) return {};
+  if (scene.body.kind == BodyKind::mesh) return {};
   maps::MeasuredDataChoice measured = scene.ellipses.measured;
   if (scene.fidelity.literal(Erratum::E30_key_averages)) measured.averaging = maps::Averaging::plain;
   return maps::dissertationKeyPoints(measured);
@@ -63,9 +64,10 @@ maps::LiteralForms literalMapForms(const Scene& scene) {
 
 // ---- stiffness
 
-StiffnessSource resolvedSource(const Scene& scene) {
+StiffnessSource resolvedSource(const Scene& scene, const BodyParts& body) {
   if (scene.stiffness.source != StiffnessSource::automatic) return scene.stiffness.source;
-  return scene.body.kind == BodyKind::torso ? StiffnessSource::depth : StiffnessSource::constant;
+  const bool boneless = scene.body.kind == BodyKind::mesh && body.anatomy.depth_mm.empty();
+  return boneless ? StiffnessSource::constant : StiffnessSource::depth;
 }
 
 std::vector<double> stiffnessFromPoints(const Scene& scene, const std::vector<Vec3>& positions, const KeyPoints& keys,
@@ -83,9 +85,10 @@ std::vector<double> stiffnessFromPoints(const Scene& scene, const std::vector<Ve
 std::vector<double> healthyStiffness(const Scene& scene, const BodyParts& body, const KeyPoints& keys,
                                      std::vector<std::string>& notes) {
   if (!body.given_stiffness_n_per_mm.empty()) return body.given_stiffness_n_per_mm;
-  switch (resolvedSource(scene)) {
+  switch (resolvedSource(scene, body)) {
     case StiffnessSource::depth:
-      if (body.anatomy.depth_mm.empty()) throw Error("stiffness source \"depth\" needs bones: the torso has them");
+      if (body.anatomy.depth_mm.empty())
+        throw Error("stiffness source \"depth\" needs bones: the built-in bodies have them");
       return maps::stiffnessFromDepth(body.anatomy.depth_mm, scene.stiffness.depth);
     case StiffnessSource::points:
       return stiffnessFromPoints(scene, body.skin.positions, keys, notes);
@@ -144,11 +147,22 @@ void noteSteepMap(const mesh::TriangleMesh& skin, const std::vector<double>& sti
       steepest, place.x(), place.y(), place.z(), kDepth, kSpeed, step_n));
 }
 
+/// The map plane is seen from behind: what is wrong with the back of the trunk leaves its front as it is.
+void keepFront(const mesh::TriangleMesh& skin, const std::vector<double>& healthy, std::vector<double>& stiffness) {
+  const std::vector<Vec3> normals = mesh::vertexNormals(skin);
+  for (std::size_t v = 0; v < stiffness.size(); ++v) {
+    if (normals[v].z() < 0) stiffness[v] = healthy[v];
+  }
+}
+
 /// A vertex each; what the body has by nature, then what is wrong with it.
 std::vector<double> stiffnessOf(const Scene& scene, const BodyParts& body, const KeyPoints& keys,
                                 std::vector<std::string>& notes) {
   std::vector<double> stiffness = healthyStiffness(scene, body, keys, notes);
+  const std::vector<double> healthy = stiffness;
   maps::applyDysfunctions(body.skin.positions, scene.dysfunctions, stiffness);
+  const bool whole = scene.body.kind == BodyKind::trunk || (body.closed && !body.anatomy.landmarks.empty());
+  if (whole) keepFront(body.skin, healthy, stiffness);
   noteUnfelt(scene.dysfunctions, body.skin.positions, notes);
   return stiffness;
 }
@@ -193,8 +207,29 @@ void noteOldLimits(const SafetySettings& safety, std::vector<std::string>& notes
 
 // ---- all together
 
-std::shared_ptr<const World> withBody(const Scene& scene, BodyParts body, deform::FormSettings forms,
+/// Where the scene names a place, its numbers too.
+Scene withPlaces(Scene scene, const std::vector<body::SkinLandmark>& landmarks) {
+  const auto find = [&](const std::string& words, double& x_mm, double& y_mm) {
+    if (words.empty()) return;
+    const Vec3 point = body::placeNamed(landmarks, words).point;
+    x_mm = point.x();
+    y_mm = point.y();
+  };
+  for (maps::Dysfunction& dysfunction : scene.dysfunctions) find(dysfunction.at, dysfunction.x_mm, dysfunction.y_mm);
+  for (Finger& finger : scene.fingers) {
+    try {
+      find(finger.at, finger.at_mm.x(), finger.at_mm.y());
+    } catch (const Error& error) {
+      if (finger.line == 0) throw;
+      throw Error::atLine(finger.scene_file, finger.line, error.what());
+    }
+  }
+  return scene;
+}
+
+std::shared_ptr<const World> withBody(const Scene& asked, BodyParts body, deform::FormSettings forms,
                                       const Progress& progress) {
+  const Scene scene = withPlaces(asked, body.anatomy.landmarks);
   const KeyPoints keys = keyPointsOf(scene);
   report(progress, "mapping stiffness", 0.0);
   std::vector<std::string> notes = body.notes;

@@ -100,7 +100,7 @@ SessionWorld SessionReader::world(std::uint64_t number) {
     throw Error::inFile(database_.name(), fmt::format("has no world {}", number));
   }
   SessionWorld world;
-  world.scene = find.text(0);
+  world.scene = sceneOfVersion(facts_.version, std::string(find.text(0)));
   world.folder = find.text(1);
   world.body = find.text(2);
   world.triangles = static_cast<std::uint64_t>(find.integer(3));

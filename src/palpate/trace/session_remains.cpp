@@ -9,6 +9,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/trace/sample_block.h"
+#include "palpate/trace/session_schema.h"
 
 namespace palpate::trace {
 
@@ -83,7 +84,8 @@ bool isPlausible(const Values& v) {
 /// Goes through the rows and puts each where it belongs.
 class Sorter {
  public:
-  explicit Sorter(SessionRemains& remains) : remains_(remains) {}
+  /// `version` of the file's tables; a file that lost it is taken for one of this version.
+  Sorter(SessionRemains& remains, std::int64_t version) : remains_(remains), version_(version) {}
 
   void addRow(const RawRow& row) {
     if (row.id < 0) return;
@@ -177,7 +179,7 @@ class Sorter {
   void addWorld(const RawRow& row) {
     if (row.id >= kMostWorlds) return;
     const Values& v = row.values;
-    SessionWorld world{textOf(v[1]), textOf(v[2]), textOf(v[3]), countOf(v[4]), 0, {}};
+    SessionWorld world{sceneOfVersion(version_, textOf(v[1])), textOf(v[2]), textOf(v[3]), countOf(v[4]), 0, {}};
     const std::string& hash = v[5].bytes;
     std::from_chars(hash.data(), hash.data() + hash.size(), world.hash, 16);
     remains_.worlds[row.id] = world;
@@ -210,6 +212,7 @@ class Sorter {
   }
 
   SessionRemains& remains_;
+  std::int64_t version_;
   std::map<std::int64_t, std::pair<std::int64_t, std::uint32_t>> fingers_;  ///< id -> part, finger
 };
 
@@ -217,7 +220,7 @@ class Sorter {
 
 SessionRemains remainsIn(SqlitePages& pages, const Progress& progress) {
   SessionRemains remains;
-  Sorter sorter(remains);
+  Sorter sorter(remains, pages.version() != 0 ? pages.version() : kSessionVersion);
   const auto tell = [&](const RawRow& row) {
     report(progress, "searching",
            static_cast<double>(row.place.page) / std::max(1.0, static_cast<double>(pages.pages())));

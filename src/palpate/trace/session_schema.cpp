@@ -111,4 +111,19 @@ std::int64_t checkSession(Database& database) {
   return version;
 }
 
+std::string sceneOfVersion(std::int64_t version, std::string scene) {
+  constexpr std::int64_t kTrunkIsMeant = 3;
+  constexpr std::string_view kBody = "[body]\n";
+  if (version >= kTrunkIsMeant) return scene;
+  // Written by this program (scene/scene_writer.h): a table's keys follow its title, one a line, without comments.
+  const std::size_t table = scene.find(kBody);
+  if (table == std::string::npos) return scene + "\n[body]\nkind = \"torso\"\n";
+  const std::size_t keys = table + kBody.size();
+  const std::string_view of_table = std::string_view(scene).substr(keys, scene.find("\n[", table + 1) - keys);
+  if (!of_table.starts_with("kind = ") && of_table.find("\nkind = ") == std::string_view::npos) {
+    scene.insert(keys, "kind = \"torso\"\n");
+  }
+  return scene;
+}
+
 }  // namespace palpate::trace

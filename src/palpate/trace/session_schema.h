@@ -1,6 +1,8 @@
 // What is in a session file: an SQLite database of this application, whose tables are described in docs/sessions.md.
 #pragma once
 
+#include <string>
+
 #include "palpate/trace/database.h"
 
 namespace palpate::trace {
@@ -8,13 +10,18 @@ namespace palpate::trace {
 /// "Palp": the application id of the file.
 inline constexpr std::int64_t kSessionApplication = 0x50616c70;
 
-/// Of the tables; counts up whenever they change. Files of every version are read for ever.
-inline constexpr std::int64_t kSessionVersion = 2;
+/// Of the tables and of what their texts mean; counts up whenever that changes. Files of every version are read for
+/// ever.
+inline constexpr std::int64_t kSessionVersion = 3;
 
 /// Makes the tables in an empty file. Throws Error.
 void makeSessionTables(Database& database);
 
 /// The version of its tables. Throws Error for a file that is no session, and for one of a later version.
 std::int64_t checkSession(Database& database);
+
+/// A scene's text as it is meant since version 3, from a file of that version: before, a scene that named no kind of
+/// body meant the torso; since, it means the trunk.
+std::string sceneOfVersion(std::int64_t version, std::string scene);
 
 }  // namespace palpate::trace

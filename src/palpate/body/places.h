@@ -1,0 +1,45 @@
+// Places of a body by the words that an examiner uses: "T6", "left PSIS", "T6 right 30 mm", "left site 4"; and back
+// from a point to words.
+//
+// Reads the landmarks that a body brings (trunk.h, torso.h). Where a scene, a command or a panel asks for a place, it
+// asks here; reports say places in these words. Cold; any thread.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "palpate/base/vec.h"
+#include "palpate/body/torso.h"
+
+namespace palpate::body {
+
+/// How an examiner says the landmark: "spinous_T6" is "T6", "psis_left" is "left PSIS", "rib_7_right_angle" is "right
+/// rib 7 angle".
+std::string spokenName(std::string_view landmark);
+
+/// The twelve training sites: six levels, on both sides, so far beside the spine.
+inline constexpr std::array<std::string_view, 6> kSiteLevels = {"T4", "T6", "T8", "T10", "T12", "L2"};
+inline constexpr double kSiteBesideMm = 30;  ///< over the transverse processes and ribs; our choice, for 1750 mm
+
+/// A place that words name: a landmark's point on the skin, moved along x (right) and y (up).
+struct NamedPlace {
+  std::string name;  ///< the words as we would write them: "T6 right 30 mm"
+  Vec3 point;        ///< mm; on the skin where nothing was moved, else over or under it
+  bool moved = false;
+};
+
+/// Upper and lower case, the order of words, '_' for a space and "mm" do not matter; distances are millimetres: right,
+/// left, up, down (or cranial, caudal), one after the other. Throws Error naming what is near in spelling.
+NamedPlace placeNamed(std::span<const SkinLandmark> landmarks, std::string_view words);
+
+/// All names, as a list would show them, the sites among them.
+std::vector<std::string> placeNames(std::span<const SkinLandmark> landmarks);
+
+/// "T6", "T6, 12 mm right and 8 mm up", "left PSIS": the point from the landmark that an examiner would start from.
+/// Empty without landmarks.
+std::string inWords(std::span<const SkinLandmark> landmarks, const Vec3& point);
+
+}  // namespace palpate::body

@@ -1,0 +1,215 @@
+// Bones beside the fitted skin cut into triangles -> soft tissue and relief along its normal -> both bent alike -> the
+// table -> depth of the nearest bone under every vertex. Own.
+#include "palpate/body/trunk/trunk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "palpate/base/background.h"
+#include "palpate/base/error.h"
+#include "palpate/body/bone_depth.h"
+#include "palpate/body/skeleton/skeleton.h"
+#include "palpate/body/skin_outline.h"
+#include "palpate/body/skin_table.h"
+#include "palpate/body/spine_line.h"
+#include "palpate/body/tetrahedra_mesher.h"
+#include "palpate/body/trunk/even_mesh.h"
+#include "palpate/body/trunk/trunk_field.h"
+
+namespace palpate::body {
+
+namespace {
+
+constexpr double kTrunkBoneShare = 0.3;
+constexpr std::size_t kMostOfTrunkBones = 24000;  // more triangles do not make better bones
+constexpr double kRoughCellMm = 14;               // finer than armpits, folds and the cleft are wide
+
+std::size_t boneTriangles(const TrunkSettings& settings) {
+  if (settings.triangles % 2 != 0) {
+    throw Error("a closed body has an even number of triangles: " + std::to_string(settings.triangles - 1) + " or " +
+                std::to_string(settings.triangles + 1));
+  }
+  if (settings.triangles < kFewestTrunkTriangles) {
+    throw Error("a trunk needs at least " + std::to_string(kFewestTrunkTriangles) + " triangles");
+  }
+  if (settings.bone_triangles == 0) {
+    const auto share = static_cast<std::size_t>(kTrunkBoneShare * static_cast<double>(settings.triangles));
+    return std::clamp<std::size_t>(share / 2 * 2, kFewestSkeletonTriangles, kMostOfTrunkBones);
+  }
+  if (settings.bone_triangles + kFewestTrunkSkinTriangles > settings.triangles)
+    throw Error("too few triangles are left for the skin");
+  return settings.bone_triangles;
+}
+
+SurfacePoint ontoSkin(const TrunkField& field, const Vec3& place) {
+  const auto [position, normal] = field.project(place);
+  return {position, normal};
+}
+
+mesh::TriangleMesh fittedSkin(const TrunkField& field, std::size_t triangles) {
+  const Eigen::AlignedBox3d box = TrunkField::box();
+  const Field distance = [&](const Vec3& p) { return field.at(p).distance; };
+  const mesh::TriangleMesh rough =
+      meshZeroSurface(distance, {.low = box.min(), .high = box.max(), .cell_mm = kRoughCellMm});
+  return evenMesh(
+      rough, [&](const Vec3& p) { return ontoSkin(field, p); }, triangles);
+}
+
+/// Takes points of the fitted skin to where they are on this body.
+class Shaper {
+ public:
+  Shaper(const TrunkField& field, const TrunkShape& shape, std::span<const Bone> fitted_bones)
+      : field_(field), shape_(shape), warp_(shape), scale_(shape.stature_mm / kTableStatureMm) {
+    if (shape.relief.any()) relief_ = skinDetail(fitted_bones, shape.relief, shape.asymmetry);
+  }
+
+  /// Whether growth depends on how deep the bone is.
+  bool shrinks() const { return shape_.body_mass_index < kFittedMassIndex || shape_.muscle < 1; }
+
+  Vec3 skin(const SurfacePoint& fitted, double depth_mm) const {
+    const double out = keptOffBone(softTissueGrowth(shape_, fitted.position), depth_mm);
+    return warp_(fitted.position + out * growthDirection(fitted, out) + relief(fitted));
+  }
+  Vec3 bone(const Vec3& fitted) const { return warp_(fitted); }
+  double scale() const { return scale_; }
+
+ private:
+  /// Fat fills small hollows instead of closing over them: it grows along the normals of a body some way outside.
+  Vec3 growthDirection(const SurfacePoint& fitted, double out) const {
+    constexpr double kOutsideMm = 18;
+    if (out <= 0) return fitted.normal;
+    return field_.at(fitted.position + kOutsideMm * fitted.normal).gradient.normalized();
+  }
+  /// The relief of the dorsal bones is a change of the radius about the axis of the back's skin (skin_relief.h).
+  Vec3 relief(const SurfacePoint& fitted) const {
+    const Vec3& p = fitted.position;
+    const SkinAngle place{std::atan2(p.x(), p.z() - kSkinAxisZ), p.y()};
+    const Vec2 unit = unitOfPlace(place);
+    const bool on_back =
+        (unit.array() >= 0).all() && (unit.array() <= 1).all() && std::abs(place.angle) < borderAngle(p.y());
+    if (!relief_ || !on_back) return Vec3::Zero();
+    // The table's skin ends at the sacrum with a cut; what shows there fades out above it.
+    constexpr double kFadeMm = 40;
+    const double inside = std::clamp((p.y() - kSkinLow) / kFadeMm, 0.0, 1.0);
+    const double top = std::clamp((kSkinHigh - p.y()) / kFadeMm, 0.0, 1.0);
+    const double fade = inside * inside * (3 - 2 * inside) * top * top * (3 - 2 * top);
+    const Vec3 radial(std::sin(place.angle), 0, std::cos(place.angle));
+    return fade * relief_->at(unit.x(), unit.y()).value * radial;
+  }
+
+  const TrunkField& field_;
+  TrunkShape shape_;
+  BodyWarp warp_;
+  double scale_;
+  std::optional<BicubicSpline> relief_;
+};
+
+/// The fitted skin and what its bones say about it.
+struct FittedBody {
+  std::vector<Bone> bones;
+  mesh::TriangleMesh skin;
+};
+
+FittedBody fittedBody(const TrunkField& field, const TrunkSettings& settings) {
+  const std::size_t for_bones = boneTriangles(settings);
+  FittedBody fitted;
+  Background skeleton([&] { fitted.bones = makeSkeleton({.triangles = for_bones}); });
+  fitted.skin = fittedSkin(field, settings.triangles - for_bones);
+  skeleton.join();
+  return fitted;
+}
+
+void shapeSkin(mesh::TriangleMesh& skin, const TrunkField& field, const Shaper& shaper, std::span<const Bone> bones) {
+  BoneDepth depth;
+  if (shaper.shrinks()) depth = depthToBones(skin.positions, bones);
+  for (std::size_t v = 0; v < skin.positions.size(); ++v) {
+    const SurfacePoint fitted{skin.positions[v], field.at(skin.positions[v]).gradient.normalized()};
+    skin.positions[v] = shaper.skin(fitted, depth.depth_mm.empty() ? 0 : depth.depth_mm[v]);
+  }
+}
+
+/// The skin above the bones' landmarks: the nearest, and where that faces back or front, the one straight above. All at
+/// once, because every look at the depth of the bones sorts them anew.
+std::vector<SkinLandmark> skinLandmarks(const TrunkField& field, const Shaper& shaper, std::span<const Bone> bones) {
+  constexpr int kRounds = 5;
+  constexpr double kFacing = 0.5;  // cosine to the z axis from which "straight above" is meant
+  const std::vector<Landmark> points = skeletonLandmarks();
+  std::vector<SurfacePoint> places;
+  for (const Landmark& point : points) places.push_back(ontoSkin(field, point.position));
+  const auto shaped = [&] {
+    std::vector<Vec3> fitted;
+    for (const SurfacePoint& place : places) fitted.push_back(place.position);
+    const std::vector<double> depth =
+        shaper.shrinks() ? depthToBones(fitted, bones).depth_mm : std::vector<double>(places.size(), 0.0);
+    for (std::size_t i = 0; i < places.size(); ++i) fitted[i] = shaper.skin(places[i], depth[i]);
+    return fitted;
+  };
+  for (int round = 0; round < kRounds; ++round) {
+    const std::vector<Vec3> now = shaped();
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (std::abs(places[i].normal.z()) <= kFacing) continue;
+      const Vec3 off = shaper.bone(points[i].position) - now[i];
+      places[i] = ontoSkin(field, places[i].position + Vec3(off.x(), off.y(), 0));
+    }
+  }
+  const std::vector<Vec3> skin = shaped();
+  std::vector<SkinLandmark> landmarks;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    landmarks.push_back({points[i].name, points[i].bone, skin[i], places[i].normal, shaper.bone(points[i].position)});
+  }
+  return landmarks;
+}
+
+template <class Change>
+void forEachPoint(Trunk& trunk, const Change& change) {
+  for (Vec3& p : trunk.skin.positions) p = change(p);
+  for (Bone& bone : trunk.bones) {
+    for (Vec3& p : bone.mesh.positions) p = change(p);
+  }
+  for (SkinLandmark& landmark : trunk.landmarks) {
+    landmark.position = change(landmark.position);
+    landmark.bone_position = change(landmark.bone_position);
+  }
+}
+
+double leastAlong(const mesh::TriangleMesh& skin, int axis) {
+  double least = skin.positions[0][axis];
+  for (const Vec3& p : skin.positions) least = std::min(least, p[axis]);
+  return least;
+}
+
+void layDown(Trunk& trunk) {
+  const double plane = tablePlane(leastAlong(trunk.skin, 2));
+  forEachPoint(trunk, [&](const Vec3& p) { return flattened(p, plane); });
+  trunk.support = Support{{0, 0, plane}, Vec3::UnitZ()};
+}
+
+void setDown(Trunk& trunk) { trunk.support = Support{{0, leastAlong(trunk.skin, 1), 0}, Vec3::UnitY()}; }
+
+}  // namespace
+
+Trunk makeTrunk(const TrunkSettings& settings) {
+  check(settings.shape);
+  const TrunkField field;
+  FittedBody fitted = fittedBody(field, settings);
+  const Shaper shaper(field, settings.shape, fitted.bones);
+  Trunk trunk;
+  trunk.landmarks = skinLandmarks(field, shaper, fitted.bones);
+  trunk.skin = std::move(fitted.skin);
+  shapeSkin(trunk.skin, field, shaper, fitted.bones);
+  trunk.bones = std::move(fitted.bones);
+  for (Bone& bone : trunk.bones) {
+    for (Vec3& p : bone.mesh.positions) p = shaper.bone(p);
+  }
+  if (settings.shape.posture == Posture::prone) layDown(trunk);
+  if (settings.shape.posture == Posture::sitting) setDown(trunk);
+  forEachPoint(trunk, [&](const Vec3& p) { return Vec3(shaper.scale() * p); });
+  if (trunk.support) trunk.support->point *= shaper.scale();
+  BoneDepth depth = depthToBones(trunk.skin.positions, trunk.bones);
+  trunk.depth_mm = std::move(depth.depth_mm);
+  trunk.nearest_bone = std::move(depth.bone);
+  return trunk;
+}
+
+}  // namespace palpate::body

@@ -1,0 +1,203 @@
+// Own. Amounts of fat and muscle are our choice by eye against photographs of builds; the share of each part in fat
+// follows anatomy's proposal (0.6 mm a unit of body mass index on the back, half as much again at the loin).
+#include "palpate/body/trunk/trunk_shape.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "palpate/base/error.h"
+
+namespace palpate::body {
+
+namespace {
+
+void requireRange(const char* name, double value, double low, double high, const char* unit) {
+  if (value >= low && value <= high) return;
+  const auto plain = [](double number) {
+    return std::to_string(number).substr(0, std::to_string(number).find('.') + 2);
+  };
+  throw Error(std::string(name) + " " + plain(value) + unit + " lies outside " + plain(low) + " to " + plain(high));
+}
+
+/// A smooth hill over a place of the fitted body: 1 at its middle, 1/e at its half widths.
+struct Hill {
+  Vec3 middle;  // mm; x of the right side, both sides have it
+  Vec3 width;   // mm
+  double height;
+};
+
+double hillsAt(std::span<const Hill> hills, const Vec3& place) {
+  double sum = 0;
+  const auto add = [&](const Hill& hill, double side) {
+    const Vec3 offset(side * place.x() - hill.middle.x(), place.y() - hill.middle.y(), place.z() - hill.middle.z());
+    const double square = offset.cwiseQuotient(hill.width).squaredNorm();
+    if (square < 16) sum += hill.height * std::exp(-square);
+  };
+  for (const Hill& hill : hills) {
+    add(hill, 1);
+    if (hill.middle.x() > 0) add(hill, -1);
+  }
+  return sum;
+}
+
+// Fat, mm a unit of body mass index. Everywhere, and more at:
+constexpr double kFatEverywhere = 0.6;
+const std::array<Hill, 8> kFat = {{
+    {{0, -215, -110}, {110, 100, 80}, 3.0},  // belly
+    {{60, -120, -95}, {70, 80, 60}, 0.5},    // upper belly
+    {{135, -175, -10}, {55, 75, 75}, 1.5},   // flanks
+    {{75, 70, -80}, {55, 45, 60}, 0.9},      // breast
+    {{75, -390, 110}, {65, 70, 60}, 1.0},    // buttocks
+    {{60, -180, 80}, {80, 70, 50}, 0.4},     // loin
+    {{150, -440, 20}, {60, 90, 80}, 0.6},    // hips
+    {{0, 215, 0}, {80, 40, 80}, 0.2},        // neck
+}};
+
+// Muscle, mm from wasted to fitted and from fitted to athletic.
+const std::array<Hill, 9> kMuscle = {{
+    {{38, -110, 90}, {24, 110, 40}, 3.5},   // erector spinae
+    {{60, 140, 60}, {50, 45, 50}, 4.0},     // trapezius
+    {{125, 10, 60}, {45, 80, 60}, 5.0},     // latissimus
+    {{85, 60, 105}, {45, 50, 40}, 2.0},     // infraspinatus
+    {{75, 75, -90}, {60, 45, 50}, 6.5},     // pectoralis
+    {{225, 90, 10}, {55, 60, 70}, 6.0},     // deltoid and arm
+    {{40, -120, -100}, {35, 90, 40}, 2.0},  // rectus abdominis
+    {{75, -390, 110}, {65, 65, 60}, 5.0},   // gluteus maximus
+    {{110, -490, -20}, {70, 60, 90}, 5.0},  // thigh
+}};
+
+// Deep places where two stretches of skin face each other grow less, or they would meet: armpits, groin, cleft, crotch.
+const std::array<Hill, 4> kFolds = {{
+    {{175, 22, 10}, {32, 34, 60}, 0.9},
+    {{0, -470, -10}, {34, 60, 90}, 0.95},
+    {{0, -400, 105}, {20, 90, 55}, 1.0},
+    {{75, -400, -95}, {40, 45, 40}, 0.5},
+}};
+
+constexpr double kLeastCoverMm = 5.0;  // mm of tissue that no leanness takes
+constexpr double kSpareShare = 0.6;    // of what lies between it and the skin, at most this share goes
+
+}  // namespace
+
+void check(const TrunkShape& shape) {
+  requireRange("stature", shape.stature_mm, 500, 2500, " mm");
+  requireRange("girth", shape.girth, 0.8, 1.3, "");
+  requireRange("body mass index", shape.body_mass_index, 16, 45, " kg/m2");
+  requireRange("muscle", shape.muscle, 0, 2, "");
+  requireRange("kyphosis", shape.kyphosis_deg, 15, 65, " degrees");
+  requireRange("lordosis", shape.lordosis_deg, 0, 50, " degrees");
+  requireRange("asymmetry", shape.asymmetry, 0, 3, "");
+}
+
+double softTissueGrowth(const TrunkShape& shape, const Vec3& place) {
+  const double more_mass = shape.body_mass_index - kFittedMassIndex;
+  const double more_muscle = shape.muscle - 1;
+  if (more_mass == 0 && more_muscle == 0) return 0;
+  const double fat = more_mass * (kFatEverywhere + hillsAt(kFat, place));
+  const double muscle = more_muscle * hillsAt(kMuscle, place);
+  const double open = 1 - std::min(hillsAt(kFolds, place), 1.0);
+  return (fat + muscle) * open;
+}
+
+double keptOffBone(double growth, double depth_mm) {
+  if (growth >= 0) return growth;
+  const double most = kSpareShare * std::max(depth_mm - kLeastCoverMm, 0.0);
+  // Towards `most` without a kink: thin skin over a rib follows it, between ribs it sinks.
+  return most > 0 ? -most * std::tanh(-growth / most) : 0.0;
+}
+
+BodyWarp::Bend::Bend(double axis_z, double fixed_y, std::vector<Window> windows, bool upright)
+    : axis_z_(axis_z), windows_(std::move(windows)) {
+  constexpr double kLow = -700;
+  constexpr double kHigh = 400;
+  const auto index = [](double y) { return static_cast<std::size_t>(std::lround(y - kLow)); };
+  const auto build = [&] {
+    axis_.assign(index(kHigh) + 1, Vec2(fixed_y, axis_z));
+    const auto middle = [&](double y) { return Vec2(std::cos(angleAt(y)), -std::sin(angleAt(y))); };
+    for (std::size_t i = index(fixed_y); i + 1 < axis_.size(); ++i) {
+      axis_[i + 1] = axis_[i] + middle(kLow + static_cast<double>(i) + 0.5);
+    }
+    for (std::size_t i = index(fixed_y); i > 0; --i)
+      axis_[i - 1] = axis_[i] - middle(kLow + static_cast<double>(i) - 0.5);
+  };
+  angle_offset_ = -angleAt(fixed_y);
+  build();
+  if (!upright) return;
+  // The neck stays above the sacrum: the whole body leans back by what the bend leans it forward.
+  constexpr double kNeckY = 190;
+  const Vec2 neck = axis_[index(kNeckY)] - axis_[index(fixed_y)];
+  angle_offset_ -= std::atan2(-neck.y(), neck.x());
+  build();
+}
+
+double BodyWarp::Bend::angleAt(double y) const {
+  double angle = angle_offset_;
+  for (const Window& window : windows_) {
+    const double t = std::clamp((y - window.low) / (window.high - window.low), 0.0, 1.0);
+    angle += window.angle * (t - std::sin(2 * std::numbers::pi * t) / (2 * std::numbers::pi));
+  }
+  return angle;
+}
+
+Vec3 BodyWarp::Bend::operator()(const Vec3& point) const {
+  constexpr double kLow = -700;
+  const double place = std::clamp(point.y() - kLow, 0.0, static_cast<double>(axis_.size()) - 1.001);
+  const auto below = static_cast<std::size_t>(place);
+  const double share = place - static_cast<double>(below);
+  const Vec2 axis = (1 - share) * axis_[below] + share * axis_[below + 1];
+  const double angle = angleAt(point.y());
+  const double out = point.z() - axis_z_;
+  return {point.x(), axis.x() + out * std::sin(angle), axis.y() + out * std::cos(angle)};
+}
+
+namespace {
+
+constexpr double kSpineAxisZ = 20;  // mm, about the middle of the vertebral bodies and arches
+constexpr double kSacrumY = -300;   // stays where it is
+constexpr double kSitStraighter =
+    18;  // degrees that sitting takes from the lordosis; our choice within the published 15-30
+constexpr double kHipFlexionDeg = 62;  // of the thighs' stumps
+constexpr double kHipAxisZ = -92;      // mm, just inside the groin, which folds; the buttock stretches
+constexpr double kHipHighY = -345;
+constexpr double kHipLowY = -500;
+
+double radians(double degrees) { return degrees * std::numbers::pi / 180; }
+
+double lordosisChange(const TrunkShape& shape) {
+  return shape.lordosis_deg - kFittedLordosisDeg - (shape.posture == Posture::sitting ? kSitStraighter : 0);
+}
+
+}  // namespace
+
+BodyWarp::BodyWarp(const TrunkShape& shape)
+    : asymmetry_{.amount = shape.asymmetry},
+      girth_(shape.girth),
+      spine_(kSpineAxisZ, kSacrumY,
+             {{-110, 190, radians(shape.kyphosis_deg - kFittedKyphosisDeg)},
+              {-290, -100, -radians(lordosisChange(shape))}},
+             true),
+      hips_(kHipAxisZ, kHipHighY,
+            {{kHipLowY, kHipHighY, shape.posture == Posture::sitting ? radians(kHipFlexionDeg) : 0}}, false) {}
+
+Vec3 BodyWarp::operator()(const Vec3& point) const {
+  const Vec3 bent = hips_(spine_(warp(asymmetry_, point).position));
+  return {girth_ * bent.x(), bent.y(), girth_ * bent.z()};
+}
+
+namespace {
+constexpr double kPressedFlatMm = 9;  // how deep the table goes into the unpressed body
+constexpr double kPressEdgeMm = 5;    // how softly the flat part begins
+}  // namespace
+
+double tablePlane(double lowest_z) { return lowest_z + kPressedFlatMm; }
+
+Vec3 flattened(const Vec3& point, double plane_z) {
+  const double over = (point.z() - plane_z) / kPressEdgeMm;
+  if (over > 30) return point;
+  return {point.x(), point.y(), plane_z + kPressEdgeMm * std::log1p(std::exp(over))};
+}
+
+}  // namespace palpate::body

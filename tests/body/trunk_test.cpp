@@ -1,0 +1,204 @@
+#include "palpate/body/trunk/trunk.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "palpate/base/error.h"
+#include "palpate/body/places.h"
+#include "palpate/body/skin_outline.h"
+#include "palpate/body/trunk/trunk_field.h"
+#include "palpate/mesh/nearest.h"
+#include "palpate/mesh/validate.h"
+
+namespace palpate::body {
+namespace {
+
+constexpr std::size_t kFew = 20000;
+
+/// Made once a test program.
+const Trunk& trunkOf(const std::string& name) {
+  static std::map<std::string, Trunk> made;
+  const auto found = made.find(name);
+  if (found != made.end()) return found->second;
+  TrunkSettings settings{.triangles = kFew, .shape = {}};
+  if (name == "thin") settings.shape.body_mass_index = 17;
+  if (name == "wasted") settings.shape = {.body_mass_index = 16, .muscle = 0};
+  if (name == "heavy") settings.shape.body_mass_index = 35;
+  if (name == "athlete") settings.shape = {.body_mass_index = 25, .muscle = 2};
+  if (name == "bent") settings.shape = {.kyphosis_deg = 60, .lordosis_deg = 45};
+  if (name == "prone") settings.shape.posture = Posture::prone;
+  if (name == "sitting") settings.shape.posture = Posture::sitting;
+  if (name == "broad") settings.shape = {.stature_mm = 1900, .girth = 1.2};
+  return made.emplace(name, makeTrunk(settings)).first->second;
+}
+
+constexpr const char* kBuilds[] = {"average", "thin",  "wasted",  "heavy", "athlete",
+                                   "bent",    "prone", "sitting", "broad"};
+
+const SkinLandmark& landmarkOf(const Trunk& trunk, const std::string& name) {
+  return *std::find_if(trunk.landmarks.begin(), trunk.landmarks.end(), [&](const auto& l) { return l.name == name; });
+}
+
+TEST(Trunk, HasExactlyTheTrianglesAskedFor) {
+  for (const std::size_t triangles : {8000u, 20388u, 41582u, 83164u}) {
+    const Trunk trunk = makeTrunk({.triangles = triangles, .shape = {}});
+    std::size_t sum = trunk.skin.triangles.size();
+    for (const Bone& bone : trunk.bones) sum += bone.mesh.triangles.size();
+    EXPECT_EQ(sum, triangles);
+  }
+  EXPECT_THROW(makeTrunk({.triangles = 20389, .shape = {}}), Error) << "a closed body has an even number";
+}
+
+void expectSoundSkin(const Trunk& trunk) {
+  const mesh::ValidationReport found = mesh::validate(trunk.skin);
+  EXPECT_TRUE(found.sound());
+  EXPECT_EQ(found.self_intersections.count, 0u);
+}
+
+void expectBonesUnderSkin(const Trunk& trunk) {
+  const auto least = std::min_element(trunk.depth_mm.begin(), trunk.depth_mm.end());
+  const auto where = static_cast<std::size_t>(least - trunk.depth_mm.begin());
+  EXPECT_GT(*least, 2.0) << trunk.bones[trunk.nearest_bone[where]].name << " near "
+                         << inWords(trunk.landmarks, trunk.skin.positions[where]);
+  // A bone outside altogether would have skin at a distance too.
+  for (const Bone& bone : trunk.bones) {
+    EXPECT_TRUE(mesh::boundingBox(trunk.skin).contains(mesh::boundingBox(bone.mesh))) << bone.name;
+  }
+}
+
+void expectNamesOverSpinousProcesses(const Trunk& trunk) {
+  for (const SkinLandmark& landmark : trunk.landmarks) {
+    if (!landmark.name.starts_with("spinous_")) continue;
+    const Vec3 place = placeNamed(trunk.landmarks, spokenName(landmark.name)).point;
+    // The drawn process, seen from behind.
+    mesh::TriangleMesh shadow = std::find_if(trunk.bones.begin(), trunk.bones.end(), [&](const Bone& b) {
+                                  return b.name == landmark.bone;
+                                })->mesh;
+    for (Vec3& p : shadow.positions) p.z() = 0;
+    EXPECT_LT(mesh::NearestTriangle(shadow).find({place.x(), place.y(), 0}).distance, 3) << landmark.name;
+  }
+}
+
+/// One test for all builds: making them is what costs.
+TEST(Trunk, EveryBuildIsSoundHidesItsBonesAndNamesItsLevels) {
+  for (const char* build : kBuilds) {
+    SCOPED_TRACE(build);
+    const Trunk& trunk = trunkOf(build);
+    expectSoundSkin(trunk);
+    expectBonesUnderSkin(trunk);
+    expectNamesOverSpinousProcesses(trunk);
+  }
+}
+
+TEST(Trunk, SpinousProcessesLieShallowAndTheLoinIsSoft) {
+  const Trunk& trunk = trunkOf("average");
+  for (const char* level : {"T1", "T4", "T6", "T9", "T12", "L2", "L4"}) {
+    const SkinLandmark& point = landmarkOf(trunk, std::string("spinous_") + level);
+    EXPECT_GT((point.position - point.bone_position).norm(), 4) << level;
+    EXPECT_LT((point.position - point.bone_position).norm(), 14) << level;
+  }
+  const Vec3 belly(0, -170, -200);
+  const mesh::NearestTriangle skin(trunk.skin);
+  const Index triangle = skin.find(belly).triangle;
+  EXPECT_GT(trunk.depth_mm[trunk.skin.triangles[triangle][0]], 60);
+}
+
+TEST(Trunk, ItsBackIsTheBackThatWasFittedBefore) {
+  const TrunkField field;
+  const SkinSurface back;
+  double squares = 0;
+  int count = 0;
+  for (double y = -190; y <= 190; y += 10) {
+    for (double angle = -0.9; angle <= 0.9; angle += 0.05) {
+      if (std::abs(angle) > borderAngle(y) - 0.1) continue;
+      const Vec3 place = back.at({angle, y}).position;
+      const double off = (field.project(place).position - place).norm();
+      squares += off * off;
+      ++count;
+    }
+  }
+  EXPECT_LT(std::sqrt(squares / count), 0.6) << "two fits of one body, one by radius, one by distance";
+}
+
+TEST(Trunk, MoreBodyMassMovesTheBellyMostAndTheBonesNotAtAll) {
+  const Trunk& average = trunkOf("average");
+  const Trunk& heavy = trunkOf("heavy");
+  ASSERT_EQ(average.skin.positions.size(), heavy.skin.positions.size());
+  double most = 0;
+  Vec3 where = Vec3::Zero();
+  for (std::size_t v = 0; v < average.skin.positions.size(); ++v) {
+    const double moved = (heavy.skin.positions[v] - average.skin.positions[v]).norm();
+    if (moved > most) {
+      most = moved;
+      where = average.skin.positions[v];
+    }
+  }
+  EXPECT_GT(most, 25);
+  EXPECT_LT(where.z(), -80);
+  EXPECT_NEAR(where.y(), -210, 60);
+  EXPECT_EQ(average.bones[10].mesh.positions[0], heavy.bones[10].mesh.positions[0]);
+}
+
+TEST(Trunk, ThinSkinFollowsTheRibs) {
+  const auto cover_over = [](const Trunk& trunk, BoneKind kind) {
+    double sum = 0;
+    int count = 0;
+    for (std::size_t v = 0; v < trunk.depth_mm.size(); ++v) {
+      if (trunk.bones[trunk.nearest_bone[v]].kind != kind || trunk.depth_mm[v] > 25) continue;
+      sum += trunk.depth_mm[v];
+      ++count;
+    }
+    return sum / count;
+  };
+  EXPECT_LT(cover_over(trunkOf("thin"), BoneKind::rib), cover_over(trunkOf("average"), BoneKind::rib) - 1);
+}
+
+TEST(Trunk, KyphosisBendsTheSpineByWhatIsAsked) {
+  const auto kyphosis = [](const Trunk& trunk) {
+    const auto body_axis = [&](const char* name) {
+      const Bone& bone =
+          *std::find_if(trunk.bones.begin(), trunk.bones.end(), [&](const Bone& b) { return b.name == name; });
+      Vec3 middle = Vec3::Zero();
+      for (const Vec3& p : bone.mesh.positions) middle += p / static_cast<double>(bone.mesh.positions.size());
+      return middle;
+    };
+    const Vec3 upper = body_axis("T1") - body_axis("T3");
+    const Vec3 lower = body_axis("T10") - body_axis("T12");
+    return (std::atan2(-upper.z(), upper.y()) - std::atan2(-lower.z(), lower.y())) * 180 / 3.14159265;
+  };
+  const double more = kyphosis(trunkOf("bent")) - kyphosis(trunkOf("average"));
+  EXPECT_NEAR(more, 22, 4) << "60 degrees where 38 were";
+}
+
+TEST(Trunk, LyingIsFlatInFrontAndLeavesTheBackAsItIs) {
+  const Trunk& prone = trunkOf("prone");
+  const Trunk& standing = trunkOf("average");
+  ASSERT_TRUE(prone.support.has_value());
+  int flat = 0;
+  for (std::size_t v = 0; v < prone.skin.positions.size(); ++v) {
+    const double above = prone.skin.positions[v].z() - prone.support->point.z();
+    EXPECT_GT(above, -1e-9);
+    flat += above < 2 ? 1 : 0;
+    if (standing.skin.positions[v].z() > 50) {
+      EXPECT_LT((prone.skin.positions[v] - standing.skin.positions[v]).norm(), 1e-6);
+    }
+  }
+  EXPECT_GT(flat, 30);
+  EXPECT_FALSE(standing.support.has_value());
+}
+
+TEST(Trunk, RefusesWhatIsNoBuildAndNamesIt) {
+  try {
+    makeTrunk({.triangles = kFew, .shape = {.body_mass_index = 60}});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("body mass index 60.0 kg/m2 lies outside 16.0 to 45.0"), std::string::npos)
+        << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace palpate::body
