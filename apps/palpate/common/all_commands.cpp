@@ -10,6 +10,7 @@ void addAllCommands(CLI::App& app) {
   addBundleCommand(app);
   addDevicesCommand(app);
   addExportCommand(app);
+  addFitBodyCommand(app);
   addHuntCommand(app);
   addInfoCommand(app);
   addJoinCommand(app);

@@ -25,6 +25,7 @@ void addBenchPartitionCommand(CLI::App& parent);
 void addBundleCommand(CLI::App& app);
 void addDevicesCommand(CLI::App& app);
 void addExportCommand(CLI::App& app);
+void addFitBodyCommand(CLI::App& app);
 void addHuntCommand(CLI::App& app);
 void addInfoCommand(CLI::App& app);
 void addJoinCommand(CLI::App& app);

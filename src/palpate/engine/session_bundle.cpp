@@ -176,6 +176,7 @@ std::vector<NamedFile> namedFiles(scene::Scene& scene) {
                                   {&scene.ellipses.key_points},      {&scene.deformation.contours},
                                   {&scene.deformation.profile_file}, {&scene.deformation.tangential_profile_file},
                                   {&scene.tissue.force_table}};
+  files.push_back({&scene.body.fit});
   for (scene::Finger& finger : scene.fingers) files.push_back({&finger.trajectory, false, false});
   return files;
 }

@@ -63,8 +63,9 @@ void requireSpread(std::span<const NamedPoint> points) {
   Vec3 middle = Vec3::Zero();
   for (const NamedPoint& p : points) middle += p.position / static_cast<double>(points.size());
   Mat3 spread = Mat3::Zero();
-  for (const NamedPoint& p : points) spread += (p.position - middle) * (p.position - middle).transpose();
-  constexpr double kBesideMm = 20;
+  for (const NamedPoint& p : points)
+    spread += (p.position - middle) * (p.position - middle).transpose() / static_cast<double>(points.size());
+  constexpr double kBesideMm = 15;  // a spine bends by less
   const double across = std::sqrt(Eigen::SelfAdjointEigenSolver<Mat3>(spread).eigenvalues()[1]);
   if (across < kBesideMm)
     throw Error("the named points lie on a line: name one beside it, a PSIS or a scapula's angle");

@@ -1,5 +1,5 @@
-// The trunk of that build -> the scan's frame -> the residual warp -> landmarks down on the scan's skin, bones pushed
-// below it where they come too near. Own.
+// The template's bones in that build -> the scan's frame -> the residual warp -> landmarks down on the scan's skin,
+// bones pushed below it where they come too near. Own.
 #include "palpate/body/fitting/fitted_body.h"
 
 #include <algorithm>
@@ -15,8 +15,6 @@ namespace palpate::body {
 
 namespace {
 
-constexpr std::size_t kSkinTriangles = 12000;  // only its landmarks are used
-constexpr std::size_t kBoneTriangles = 24000;
 constexpr double kUnderMm = 70;  // a bone deeper than this is not of the side that was scanned
 constexpr double kOntoMm = 25;   // a landmark farther from the scan is not on it
 constexpr double kBesideMm = 5;  // nor one that is beside its border
@@ -89,24 +87,12 @@ bool pushUnder(const ScannedSkin& skin, Bone& bone) {
   return under > beside;
 }
 
-Trunk trunkOf(const BodyFit& fit) {
-  TrunkSettings settings;
-  settings.triangles = kSkinTriangles + kBoneTriangles;
-  settings.bone_triangles = kBoneTriangles;
-  settings.shape = fit.placement.shape;
-  settings.shape.relief = ReliefSettings{.spine = 0, .ribs = 0, .scapulae = 0};
-  return makeTrunk(settings);
-}
-
-/// The trunk's own frame is scaled already.
-Vec3 placed(const BodyPlacement& at, const Vec3& point) { return at.rotation * point + at.translation; }
-
-ResidualWarp warpOf(const BodyFit& fit, const Trunk& trunk) {
+ResidualWarp warpOf(const BodyFit& fit, std::span<const SkinLandmark> landmarks) {
   std::vector<Move> exact;
   for (const NamedPoint& point : fit.points) {
-    for (const SkinLandmark& landmark : trunk.landmarks) {
+    for (const SkinLandmark& landmark : landmarks) {
       if (spokenName(landmark.name) != point.name) continue;
-      const Vec3 place = placed(fit.placement, landmark.position);
+      const Vec3 place = fit.placement.toScan(landmark.position);
       exact.push_back({place, point.position - place});
     }
   }
@@ -129,20 +115,20 @@ void requireSameScan(const BodyFit& fit, const ScannedSkin& skin) {
 
 }  // namespace
 
-FittedBody fittedBody(const BodyFit& fit, const mesh::TriangleMesh& scan) {
+FittedBody fittedBody(const TemplateBody& body, const BodyFit& fit, const mesh::TriangleMesh& scan) {
   const ScannedSkin skin(scan);
   requireSameScan(fit, skin);
-  Trunk trunk = trunkOf(fit);
-  const ResidualWarp warp = warpOf(fit, trunk);
-  const auto onto = [&](const Vec3& p) { return warp(placed(fit.placement, p)); };
+  std::vector<SkinLandmark> landmarks = body.landmarksOf(fit.placement.shape);
+  const ResidualWarp warp = warpOf(fit, landmarks);
+  const auto onto = [&](const Vec3& p) { return warp(fit.placement.toScan(p)); };
   FittedBody result;
-  for (Bone& bone : trunk.bones) {
+  for (Bone& bone : body.bonesOf(fit.placement.shape)) {
     for (Vec3& p : bone.mesh.positions) p = onto(p);
     if (pushUnder(skin, bone)) result.bones.push_back(std::move(bone));
   }
   if (result.bones.empty()) throw Error("the fit puts no bone under this mesh: it belongs to another scan");
-  for (std::size_t i = 0; i < trunk.landmarks.size(); ++i) {
-    SkinLandmark& landmark = trunk.landmarks[i];
+  for (std::size_t i = 0; i < landmarks.size(); ++i) {
+    SkinLandmark& landmark = landmarks[i];
     const ScannedSkin::Place place = skin.near(onto(landmark.position), kOntoMm);
     const bool facing = place.normal.dot(fit.placement.rotation * landmark.normal) > 0;
     if (place.out > 1e8 || !facing || (place.at_border && place.beside > kBesideMm)) continue;

@@ -21,7 +21,7 @@ struct FittedBody {
 /// No bone comes nearer to the scan's skin than this, mm.
 inline constexpr double kLeastFittedCoverMm = 3;
 
-/// One to two seconds, for the bones. Throws Error when no bone lies under the scan: it is another scan, or moved.
-FittedBody fittedBody(const BodyFit& fit, const mesh::TriangleMesh& scan);
+/// Throws Error when the scan is another one than the fit's, or moved.
+FittedBody fittedBody(const TemplateBody& body, const BodyFit& fit, const mesh::TriangleMesh& scan);
 
 }  // namespace palpate::body

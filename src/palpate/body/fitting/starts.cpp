@@ -18,6 +18,7 @@ constexpr std::array<double, 6> kMiddleY = {130, 40, -60, -160, -260, -360};  //
 constexpr double kSkinOverSpineZ = 60;                                        // of the middle of a patch of the back
 constexpr double kMeanStatureMm = 1715;
 constexpr double kSamePlaceMm = 25;
+constexpr std::size_t kPromising = 30;  // after a first pull
 
 Vec3 meanOf(const std::vector<Vec3>& vectors) {
   Vec3 sum = Vec3::Zero();
@@ -86,9 +87,16 @@ std::vector<BodyPlacement> starts(const ScanSamples& scan) {
 std::vector<Alignment> roughPlacements(const TemplateBody& body, const ScanSamples& scan, std::size_t most,
                                        const Progress& progress) {
   const std::vector<BodyPlacement> all = starts(scan);
-  const AlignSettings rough{.rounds = 12, .first_reach_mm = 150, .last_reach_mm = 40};
-  std::vector<Alignment> found = alignPoses(body, scan, all, rough, progress);
-  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.misfit < b.misfit; });
+  const auto best_first = [](std::vector<Alignment> found) {
+    std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.misfit < b.misfit; });
+    return found;
+  };
+  const auto first =
+      best_first(alignPoses(body, scan, all, {.rounds = 5, .first_reach_mm = 150, .last_reach_mm = 70}, progress));
+  std::vector<BodyPlacement> promising;
+  for (std::size_t i = 0; i < std::min(first.size(), kPromising); ++i) promising.push_back(first[i].placement);
+  const auto found =
+      best_first(alignPoses(body, scan, promising, {.rounds = 8, .first_reach_mm = 80, .last_reach_mm = 40}, progress));
   std::vector<Alignment> distinct;
   for (const Alignment& one : found) {
     const bool known = std::any_of(distinct.begin(), distinct.end(), [&](const Alignment& other) {

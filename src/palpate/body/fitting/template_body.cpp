@@ -5,14 +5,13 @@
 
 #include "palpate/body/bone_depth.h"
 #include "palpate/body/spine_line.h"
-#include "palpate/body/trunk/trunk_field.h"
 
 namespace palpate::body {
 
 namespace {
 
-constexpr std::size_t kTemplateTriangles = 14000;
-constexpr std::size_t kTemplateBoneTriangles = 6000;
+constexpr std::size_t kTemplateSkinTriangles = 8000;
+constexpr std::size_t kTemplateBoneTriangles = 24000;
 
 /// The fitted body itself: no unevenness and no relief, which a scan shows at other places.
 TrunkShape plainShape() {
@@ -38,7 +37,6 @@ bool onStump(const Vec3& place) {
 double BodyPlacement::scale() const { return shape.stature_mm / kTableStatureMm; }
 
 TemplateBody::Place TemplateBody::placeOf(const Vec3& fitted, const Vec3& normal, double depth_mm) const {
-  static const TrunkField field;
   constexpr double kOutsideMm = 18;  // as in trunk.cpp: fat fills small hollows
   TrunkShape fatter;
   fatter.body_mass_index += 1;
@@ -46,25 +44,24 @@ TemplateBody::Place TemplateBody::placeOf(const Vec3& fitted, const Vec3& normal
   stronger.muscle += 1;
   return {.fitted = fitted,
           .normal = normal,
-          .outward = field.at(fitted + kOutsideMm * normal).gradient.normalized(),
+          .outward = field_.at(fitted + kOutsideMm * normal).gradient.normalized(),
           .fat = softTissueGrowth(fatter, fitted),
           .muscle = softTissueGrowth(stronger, fitted),
           .depth_mm = depth_mm};
 }
 
 TemplateBody::TemplateBody() {
-  Trunk trunk =
-      makeTrunk({.triangles = kTemplateTriangles, .bone_triangles = kTemplateBoneTriangles, .shape = plainShape()});
+  Trunk trunk = makeTrunk({.triangles = kTemplateSkinTriangles + kTemplateBoneTriangles,
+                           .bone_triangles = kTemplateBoneTriangles,
+                           .shape = plainShape()});
   const std::vector<Vec3> normals = mesh::vertexNormals(trunk.skin);
   for (std::size_t v = 0; v < trunk.skin.positions.size(); ++v) {
     skin_.push_back(placeOf(trunk.skin.positions[v], normals[v], trunk.depth_mm[v]));
   }
-  std::vector<Vec3> points;
-  for (const SkinLandmark& landmark : trunk.landmarks) points.push_back(landmark.position);
-  const BoneDepth depth = depthToBones(points, trunk.bones);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    on_landmarks_.push_back(placeOf(points[i], trunk.landmarks[i].normal, depth.depth_mm[i]));
-  }
+  bones_ = std::move(trunk.bones);
+  std::vector<SurfacePoint> points;
+  for (const SkinLandmark& landmark : trunk.landmarks) points.push_back({landmark.position, landmark.normal});
+  on_landmarks_ = placesOf(points);
   triangles_ = std::move(trunk.skin.triangles);
   landmarks_ = std::move(trunk.landmarks);
   for (const Triangle& t : triangles_) {
@@ -72,18 +69,63 @@ TemplateBody::TemplateBody() {
   }
 }
 
+std::vector<TemplateBody::Place> TemplateBody::placesOf(const std::vector<SurfacePoint>& points) const {
+  std::vector<Vec3> positions;
+  for (const SurfacePoint& point : points) positions.push_back(point.position);
+  const BoneDepth depth = depthToBones(positions, bones_);
+  std::vector<Place> places;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    places.push_back(placeOf(points[i].position, points[i].normal, depth.depth_mm[i]));
+  }
+  return places;
+}
+
+std::vector<Bone> TemplateBody::bonesOf(const TrunkShape& shape) const {
+  const BodyWarp warp(shape);
+  std::vector<Bone> bones = bones_;
+  for (Bone& bone : bones) {
+    for (Vec3& p : bone.mesh.positions) p = warp(p);
+  }
+  return bones;
+}
+
+std::vector<SkinLandmark> TemplateBody::landmarksOf(const TrunkShape& shape) const {
+  constexpr int kRounds = 5;
+  constexpr double kFacing = 0.5;  // as in trunk.cpp: from which "straight above the bone" is meant
+  const BodyWarp warp(shape);
+  std::vector<SkinLandmark> landmarks = landmarks_;
+  std::vector<SurfacePoint> points;
+  for (SkinLandmark& landmark : landmarks) {
+    points.push_back({landmark.position, landmark.normal});
+    landmark.bone_position = warp(landmark.bone_position);
+  }
+  for (int round = 0; round <= kRounds; ++round) {
+    const std::vector<Place> places = placesOf(points);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      landmarks[i].position = shapedPlace(places[i], shape, warp);
+      landmarks[i].normal = points[i].normal;
+      if (round == kRounds || std::abs(points[i].normal.z()) <= kFacing) continue;
+      const Vec3 off = landmarks[i].bone_position - landmarks[i].position;
+      const auto [position, normal] = field_.project(points[i].position + Vec3(off.x(), off.y(), 0));
+      points[i] = {position, normal};
+    }
+  }
+  return landmarks;
+}
+
+Vec3 TemplateBody::shapedPlace(const Place& place, const TrunkShape& shape, const BodyWarp& warp) {
+  const double out = keptOffBone(
+      (shape.body_mass_index - kFittedMassIndex) * place.fat + (shape.muscle - 1) * place.muscle, place.depth_mm);
+  return warp(place.fitted + out * (out > 0 ? place.outward : place.normal));
+}
+
 TemplateBody::Shaped TemplateBody::shaped(const TrunkShape& shape) const {
   const BodyWarp warp(shape);
-  const double mass = shape.body_mass_index - kFittedMassIndex;
-  const double muscle = shape.muscle - 1;
-  const auto at = [&](const Place& place) {
-    const double out = keptOffBone(mass * place.fat + muscle * place.muscle, place.depth_mm);
-    return warp(place.fitted + out * (out > 0 ? place.outward : place.normal));
-  };
+
   Shaped result;
   result.skin.reserve(skin_.size());
-  for (const Place& place : skin_) result.skin.push_back(at(place));
-  for (const Place& place : on_landmarks_) result.landmarks.push_back(at(place));
+  for (const Place& place : skin_) result.skin.push_back(shapedPlace(place, shape, warp));
+  for (const Place& place : on_landmarks_) result.landmarks.push_back(shapedPlace(place, shape, warp));
   return result;
 }
 

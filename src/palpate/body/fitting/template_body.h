@@ -7,7 +7,9 @@
 
 #include <vector>
 
+#include "palpate/body/trunk/even_mesh.h"
 #include "palpate/body/trunk/trunk.h"
+#include "palpate/body/trunk/trunk_field.h"
 
 namespace palpate::body {
 
@@ -25,7 +27,7 @@ struct BodyPlacement {
 
 class TemplateBody {
  public:
-  /// Makes the trunk once; a second.
+  /// Makes the trunk once; one to two seconds, nearly all for the bones.
   TemplateBody();
 
   /// Places of a build, in millimetres of a man of 1750 mm: its stature is left out.
@@ -34,6 +36,10 @@ class TemplateBody {
     std::vector<Vec3> landmarks;  ///< on the skin, as in landmarks()
   };
   Shaped shaped(const TrunkShape& shape) const;
+
+  /// Bones and landmarks of a build, as makeTrunk has them, its stature left out and without relief.
+  std::vector<Bone> bonesOf(const TrunkShape& shape) const;
+  std::vector<SkinLandmark> landmarksOf(const TrunkShape& shape) const;
 
   const std::vector<Triangle>& triangles() const { return triangles_; }
   /// Of the average build.
@@ -48,8 +54,12 @@ class TemplateBody {
     double depth_mm;               // to the bone
   };
   Place placeOf(const Vec3& fitted, const Vec3& normal, double depth_mm) const;
+  std::vector<Place> placesOf(const std::vector<SurfacePoint>& points) const;
+  static Vec3 shapedPlace(const Place& place, const TrunkShape& shape, const BodyWarp& warp);
 
+  TrunkField field_;
   std::vector<Place> skin_, on_landmarks_;
+  std::vector<Bone> bones_;
   std::vector<Triangle> triangles_;
   std::vector<SkinLandmark> landmarks_;
   std::vector<bool> is_stump_;
