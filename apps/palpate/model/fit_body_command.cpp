@@ -182,7 +182,7 @@ std::string textOf(const FitBodyResult& result, const std::vector<Vec3>& places)
   text += fmt::format("fit        {:.1f} mm RMS from the scan, {:.0f} % of it explained; {}\n", fit.rms_mm,
                       100 * fit.matched,
                       fit.points.empty() ? "by its shape alone" : fmt::format("by {} named points", fit.points.size()));
-  text += fmt::format("certainty  {} ({:.0f} %): spinous processes likely within {:.0f} mm\n",
+  text += fmt::format("certainty  {} ({:.0f} %): spinous processes are off by about {:.0f} mm\n",
                       body::certaintyWord(fit.certainty), 100 * fit.certainty, fit.spine_expected_mm);
   if (!fit.doubt.empty()) return text + "doubt      " + fit.doubt + "\n";
   text += fmt::format("\n{:<28} {:>8} {:>8} {:>8}  {:>9}\n", "landmark (mm of the scan)", "x", "y", "z", "likely off");

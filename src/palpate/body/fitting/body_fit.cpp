@@ -31,7 +31,8 @@ constexpr double kOffScanMm = 25;      // a point shown is farther from the scan
 constexpr double kContradictsMm = 25;  // two levels off
 // What a landmark is off besides: it grows with what the template cannot follow, for as much is hidden along the skin.
 constexpr double kOwnErrorMm = 1;
-constexpr double kHiddenShare = 2.5;
+constexpr double kHiddenShare = 2.7;
+constexpr double kWorstOfAll = 1.3;    // the worst landmark against the expected one
 constexpr double kPointReachMm = 110;  // how far a point shown keeps that from its neighbours
 constexpr double kAnotherPlaceMm = 15;
 
@@ -174,7 +175,7 @@ void judge(const Alignment& best, bool by_points, BodyFit& fit) {
   } else if (best.rms_mm > kWorstRmsMm) {
     fit.doubt = fmt::format("the scan stays {:.1f} mm (RMS) from any trunk", best.rms_mm);
   } else if (fit.certainty < kSureEnough) {
-    fit.doubt = fmt::format("the shape does not say where along the back it is: {:.0f} mm off is likely, {:.0f} % sure",
+    fit.doubt = fmt::format("the shape does not say where along the back it is: about {:.0f} mm off, {:.0f} % sure",
                             fit.spine_expected_mm, 100 * fit.certainty);
   }
   if (!fit.doubt.empty()) {
@@ -198,7 +199,7 @@ BodyFit fitOf(const TemplateBody& body, const ScanSamples& samples, const Alignm
       fit.spine_expected_mm = std::max(fit.spine_expected_mm, fit.expected_mm[i]);
   }
   if (fit.spine_expected_mm == 0) fit.spine_expected_mm = kOffMm;  // a scan without any spine
-  fit.certainty = std::erf(kOffMm / (fit.spine_expected_mm * std::numbers::sqrt2)) *
+  fit.certainty = std::erf(kOffMm / (kWorstOfAll * fit.spine_expected_mm * std::numbers::sqrt2)) *
                   (1 - chanceOfAnother(best, other, samples.area_mm2));
   judge(best, !known.empty(), fit);
   return fit;
