@@ -223,11 +223,11 @@ void addFitBodyCommand(CLI::App& app) {
       "fit-body", "Find spine, landmarks and bones of a scanned back or trunk, and write a scene of it");
   addMeshArguments(command, arguments->scan);
   command
-      .add_option(
-          "--at", arguments->at,
-          "A landmark and its place on the scan, in the file's unit: \"left PSIS=-48,-300,105\"; four or more, or "
-          "none to go by the shape")
-      ->type_name("NAME=X,Y,Z");
+      .add_option("--at", arguments->at,
+                  "A landmark and its place x,y,z on the scan, in the file's unit: \"left PSIS=-48,-300,105\"; four or "
+                  "more, or "
+                  "none to go by the shape")
+      ->type_name("NAME=PLACE");
   command.add_option("--points", arguments->points, "Table name,x,y,z of the same");
   command.add_option("-o,--out", arguments->output, "Scene file to write; NAME.fit.json is written beside it")
       ->required();
