@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kRadius = 100;
 
-SurfacePoint ontoSphere(const Vec3& p) { return {kRadius * p.normalized(), p.normalized()}; }
+SkinPoint ontoSphere(const Vec3& p) { return {kRadius * p.normalized(), p.normalized()}; }
 
 mesh::TriangleMesh sphereOf(std::size_t triangles) {
   const Field distance = [](const Vec3& p) { return p.norm() - kRadius; };

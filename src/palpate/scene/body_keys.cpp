@@ -118,18 +118,6 @@ Section stiffnessSection() {
                     std::move(keys));
 }
 
-namespace {
-
-/// A place that has a name is written by its name.
-Key<maps::Dysfunction> unlessNamed(Key<maps::Dysfunction> key) {
-  key.show = [show = std::move(key.show)](const maps::Dysfunction& dysfunction) {
-    return dysfunction.at.empty() ? show(dysfunction) : std::string();
-  };
-  return key;
-}
-
-}  // namespace
-
 Section dysfunctionSection() {
   using S = maps::Dysfunction;
   const std::vector<Key<S>> keys = {

@@ -26,6 +26,13 @@ std::vector<T> permuted(const std::vector<T>& values, const std::vector<Index>& 
   return result;
 }
 
+/// Of a torso or a trunk, its vertices in the order of `source`.
+template <class Body>
+Anatomy anatomyOf(Body body, const std::vector<Index>& source) {
+  return {std::move(body.bones), permuted(body.depth_mm, source), permuted(body.nearest_bone, source),
+          std::move(body.landmarks), std::nullopt};
+}
+
 BodyParts makeTorsoParts(const BodySettings& body, const Progress& progress) {
   report(progress, "building the torso", 0.0);
   body::TorsoSettings settings;
@@ -37,8 +44,7 @@ BodyParts makeTorsoParts(const BodySettings& body, const Progress& progress) {
   parts.name = fmt::format("built-in torso, {} triangles with bones", settings.triangles);
   parts.skin = std::move(torso.skin.mesh);
   const auto order = mesh::reorderSpatially(parts.skin);
-  parts.anatomy = {std::move(torso.bones), permuted(torso.depth_mm, order.source_vertex),
-                   permuted(torso.nearest_bone, order.source_vertex), std::move(torso.landmarks), std::nullopt};
+  parts.anatomy = anatomyOf(std::move(torso), order.source_vertex);
   return parts;
 }
 
@@ -54,8 +60,9 @@ BodyParts makeTrunkParts(const BodySettings& body, const Progress& progress) {
   parts.closed = true;
   parts.skin = std::move(trunk.skin);
   const auto order = mesh::reorderSpatially(parts.skin);
-  parts.anatomy = {std::move(trunk.bones), permuted(trunk.depth_mm, order.source_vertex),
-                   permuted(trunk.nearest_bone, order.source_vertex), std::move(trunk.landmarks), trunk.support};
+  const std::optional<body::Support> support = trunk.support;
+  parts.anatomy = anatomyOf(std::move(trunk), order.source_vertex);
+  parts.anatomy.support = support;
   return parts;
 }
 

@@ -70,14 +70,6 @@ Key<Finger> scriptKey() {
   return {"script", "list of steps", "What the finger does, step by step; see below.", read, showScript};
 }
 
-/// A place that has a name is written by its name.
-Key<Finger> unlessNamed(Key<Finger> key) {
-  key.show = [show = std::move(key.show)](const Finger& finger) {
-    return finger.at.empty() ? show(finger) : std::string();
-  };
-  return key;
-}
-
 std::vector<Key<Finger>> fingerKeys() {
   using S = Finger;
   return {

@@ -189,6 +189,13 @@ inline Vec3 readPoint3(const Entry& entry, const Range& range) {
   return {v[0], v[1], v[2]};
 }
 
+/// For a place in numbers of settings that may name it by `at`: what has a name is written by its name.
+template <class S>
+Key<S> unlessNamed(Key<S> key) {
+  key.show = [show = std::move(key.show)](const S& s) { return s.at.empty() ? show(s) : std::string(); };
+  return key;
+}
+
 template <class S>
 Key<S> point3(std::string name, Access<S, Vec3> at, Range range, std::string meaning) {
   return {std::move(name), "three numbers" + rangeSuffix(range), std::move(meaning),

@@ -159,10 +159,11 @@ void keepFront(const mesh::TriangleMesh& skin, const std::vector<double>& health
 std::vector<double> stiffnessOf(const Scene& scene, const BodyParts& body, const KeyPoints& keys,
                                 std::vector<std::string>& notes) {
   std::vector<double> stiffness = healthyStiffness(scene, body, keys, notes);
+  if (scene.dysfunctions.empty()) return stiffness;
   const std::vector<double> healthy = stiffness;
   maps::applyDysfunctions(body.skin.positions, scene.dysfunctions, stiffness);
-  const bool whole = scene.body.kind == BodyKind::trunk || (body.closed && !body.anatomy.landmarks.empty());
-  if (whole) keepFront(body.skin, healthy, stiffness);
+  const bool known_front = body.closed && !body.anatomy.landmarks.empty();
+  if (known_front) keepFront(body.skin, healthy, stiffness);
   noteUnfelt(scene.dysfunctions, body.skin.positions, notes);
   return stiffness;
 }

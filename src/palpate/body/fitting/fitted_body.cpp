@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "palpate/base/error.h"
 #include "palpate/body/bone_depth.h"
 #include "palpate/body/places.h"
 #include "palpate/mesh/nearest.h"
+#include "palpate/mesh/topology.h"
 
 namespace palpate::body {
 
@@ -24,15 +24,10 @@ class ScannedSkin {
  public:
   explicit ScannedSkin(const mesh::TriangleMesh& mesh)
       : mesh_(mesh), normals_(mesh::vertexNormals(mesh)), nearest_(mesh) {
-    std::set<std::pair<Index, Index>> once;
-    for (const Triangle& t : mesh.triangles) {
-      for (int i = 0; i < 3; ++i) {
-        const auto edge = std::minmax(t[i], t[(i + 1) % 3]);
-        if (!once.insert(edge).second) once.erase(edge);
-      }
-    }
     on_border_.assign(mesh.positions.size(), false);
-    for (const auto& [a, b] : once) on_border_[a] = on_border_[b] = true;
+    mesh::forEachEdge(mesh::edgeUses(mesh), [&](Index a, Index b, std::span<const mesh::EdgeUse> uses) {
+      if (uses.size() % 2 != 0) on_border_[a] = on_border_[b] = true;
+    });
   }
 
   struct Place {

@@ -2,9 +2,11 @@
 #include "palpate/body/fitting/template_body.h"
 
 #include <cmath>
+#include <utility>
 
 #include "palpate/body/bone_depth.h"
 #include "palpate/body/spine_line.h"
+#include "palpate/body/trunk/above_bones.h"
 
 namespace palpate::body {
 
@@ -37,14 +39,13 @@ bool onStump(const Vec3& place) {
 double BodyPlacement::scale() const { return shape.stature_mm / kTableStatureMm; }
 
 TemplateBody::Place TemplateBody::placeOf(const Vec3& fitted, const Vec3& normal, double depth_mm) const {
-  constexpr double kOutsideMm = 18;  // as in trunk.cpp: fat fills small hollows
   TrunkShape fatter;
   fatter.body_mass_index += 1;
   TrunkShape stronger;
   stronger.muscle += 1;
   return {.fitted = fitted,
           .normal = normal,
-          .outward = field_.at(fitted + kOutsideMm * normal).gradient.normalized(),
+          .outward = field_.outward({fitted, normal}),
           .fat = softTissueGrowth(fatter, fitted),
           .muscle = softTissueGrowth(stronger, fitted),
           .depth_mm = depth_mm};
@@ -59,7 +60,7 @@ TemplateBody::TemplateBody() {
     skin_.push_back(placeOf(trunk.skin.positions[v], normals[v], trunk.depth_mm[v]));
   }
   bones_ = std::move(trunk.bones);
-  std::vector<SurfacePoint> points;
+  std::vector<SkinPoint> points;
   for (const SkinLandmark& landmark : trunk.landmarks) points.push_back({landmark.position, landmark.normal});
   on_landmarks_ = placesOf(points);
   triangles_ = std::move(trunk.skin.triangles);
@@ -69,9 +70,9 @@ TemplateBody::TemplateBody() {
   }
 }
 
-std::vector<TemplateBody::Place> TemplateBody::placesOf(const std::vector<SurfacePoint>& points) const {
+std::vector<TemplateBody::Place> TemplateBody::placesOf(const std::vector<SkinPoint>& points) const {
   std::vector<Vec3> positions;
-  for (const SurfacePoint& point : points) positions.push_back(point.position);
+  for (const SkinPoint& point : points) positions.push_back(point.position);
   const BoneDepth depth = depthToBones(positions, bones_);
   std::vector<Place> places;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -90,26 +91,18 @@ std::vector<Bone> TemplateBody::bonesOf(const TrunkShape& shape) const {
 }
 
 std::vector<SkinLandmark> TemplateBody::landmarksOf(const TrunkShape& shape) const {
-  constexpr int kRounds = 5;
-  constexpr double kFacing = 0.5;  // as in trunk.cpp: from which "straight above the bone" is meant
   const BodyWarp warp(shape);
   std::vector<SkinLandmark> landmarks = landmarks_;
-  std::vector<SurfacePoint> points;
+  std::vector<SkinPoint> places;
   for (SkinLandmark& landmark : landmarks) {
-    points.push_back({landmark.position, landmark.normal});
+    places.push_back({landmark.position, landmark.normal});
     landmark.bone_position = warp(landmark.bone_position);
   }
-  for (int round = 0; round <= kRounds; ++round) {
-    const std::vector<Place> places = placesOf(points);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      landmarks[i].position = shapedPlace(places[i], shape, warp);
-      landmarks[i].normal = points[i].normal;
-      if (round == kRounds || std::abs(points[i].normal.z()) <= kFacing) continue;
-      const Vec3 off = landmarks[i].bone_position - landmarks[i].position;
-      const auto [position, normal] = field_.project(points[i].position + Vec3(off.x(), off.y(), 0));
-      points[i] = {position, normal};
-    }
-  }
+  setAboveBones(field_, std::move(places), landmarks, [&](const std::vector<SkinPoint>& fitted) {
+    std::vector<Vec3> skin;
+    for (const Place& place : placesOf(fitted)) skin.push_back(shapedPlace(place, shape, warp));
+    return skin;
+  });
   return landmarks;
 }
 

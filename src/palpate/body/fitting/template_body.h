@@ -54,7 +54,7 @@ class TemplateBody {
     double depth_mm;               // to the bone
   };
   Place placeOf(const Vec3& fitted, const Vec3& normal, double depth_mm) const;
-  std::vector<Place> placesOf(const std::vector<SurfacePoint>& points) const;
+  std::vector<Place> placesOf(const std::vector<SkinPoint>& points) const;
   static Vec3 shapedPlace(const Place& place, const TrunkShape& shape, const BodyWarp& warp);
 
   TrunkField field_;

@@ -92,7 +92,7 @@ class ChangingMesh {
     const Index a = edge.a;
     const Index b = edge.b;
     if (!keepsSurface(a, b)) return false;
-    const SurfacePoint middle = onto_(0.5 * (position_[a] + position_[b]));
+    const SkinPoint middle = onto_(0.5 * (position_[a] + position_[b]));
     for (const Index v : {a, b}) {
       for (const Index t : around_[v]) {
         const bool dies = has(t, a) && has(t, b);
@@ -138,7 +138,7 @@ class ChangingMesh {
       if (around_[v].empty()) continue;
       const Vec3 step = moved[v] - position_[v];
       const Vec3 along = step - step.dot(normal_[v]) * normal_[v];
-      const SurfacePoint there = onto_(position_[v] + along);
+      const SkinPoint there = onto_(position_[v] + along);
       if (!movesSoundly(v, there.position)) continue;
       position_[v] = there.position;
       normal_[v] = there.normal;
@@ -161,7 +161,7 @@ class ChangingMesh {
   }
 
  private:
-  Index addPoint(const SurfacePoint& point) {
+  Index addPoint(const SkinPoint& point) {
     position_.push_back(point.position);
     normal_.push_back(point.normal);
     return static_cast<Index>(position_.size() - 1);

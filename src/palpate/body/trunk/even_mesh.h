@@ -8,18 +8,13 @@
 #include <cstddef>
 #include <functional>
 
+#include "palpate/body/skin_surface.h"
 #include "palpate/mesh/triangle_mesh.h"
 
 namespace palpate::body {
 
-/// A point of the surface and its unit normal there, out of the body.
-struct SurfacePoint {
-  Vec3 position;
-  Vec3 normal;
-};
-
 /// The point of the surface near a place that is not farther from it than an edge is long.
-using OntoSurface = std::function<SurfacePoint(const Vec3&)>;
+using OntoSurface = std::function<SkinPoint(const Vec3&)>;
 
 /// `rough`: closed, manifold, outward, near the surface, finer than its features. Exactly `triangles` triangles, which
 /// is an even number; deterministic. Throws Error when the surface cannot be followed with so few.

@@ -14,6 +14,7 @@
 #include "palpate/body/skin_table.h"
 #include "palpate/body/spine_line.h"
 #include "palpate/body/tetrahedra_mesher.h"
+#include "palpate/body/trunk/above_bones.h"
 #include "palpate/body/trunk/even_mesh.h"
 #include "palpate/body/trunk/trunk_field.h"
 
@@ -42,18 +43,13 @@ std::size_t boneTriangles(const TrunkSettings& settings) {
   return settings.bone_triangles;
 }
 
-SurfacePoint ontoSkin(const TrunkField& field, const Vec3& place) {
-  const auto [position, normal] = field.project(place);
-  return {position, normal};
-}
-
 mesh::TriangleMesh fittedSkin(const TrunkField& field, std::size_t triangles) {
   const Eigen::AlignedBox3d box = TrunkField::box();
   const Field distance = [&](const Vec3& p) { return field.at(p).distance; };
   const mesh::TriangleMesh rough =
       meshZeroSurface(distance, {.low = box.min(), .high = box.max(), .cell_mm = kRoughCellMm});
   return evenMesh(
-      rough, [&](const Vec3& p) { return ontoSkin(field, p); }, triangles);
+      rough, [&](const Vec3& p) { return field.project(p); }, triangles);
 }
 
 /// Takes points of the fitted skin to where they are on this body.
@@ -67,22 +63,16 @@ class Shaper {
   /// Whether growth depends on how deep the bone is.
   bool shrinks() const { return shape_.body_mass_index < kFittedMassIndex || shape_.muscle < 1; }
 
-  Vec3 skin(const SurfacePoint& fitted, double depth_mm) const {
+  Vec3 skin(const SkinPoint& fitted, double depth_mm) const {
     const double out = keptOffBone(softTissueGrowth(shape_, fitted.position), depth_mm);
-    return warp_(fitted.position + out * growthDirection(fitted, out) + relief(fitted));
+    return warp_(fitted.position + out * (out > 0 ? field_.outward(fitted) : fitted.normal) + relief(fitted));
   }
   Vec3 bone(const Vec3& fitted) const { return warp_(fitted); }
   double scale() const { return scale_; }
 
  private:
-  /// Fat fills small hollows instead of closing over them: it grows along the normals of a body some way outside.
-  Vec3 growthDirection(const SurfacePoint& fitted, double out) const {
-    constexpr double kOutsideMm = 18;
-    if (out <= 0) return fitted.normal;
-    return field_.at(fitted.position + kOutsideMm * fitted.normal).gradient.normalized();
-  }
   /// The relief of the dorsal bones is a change of the radius about the axis of the back's skin (skin_relief.h).
-  Vec3 relief(const SurfacePoint& fitted) const {
+  Vec3 relief(const SkinPoint& fitted) const {
     const Vec3& p = fitted.position;
     const SkinAngle place{std::atan2(p.x(), p.z() - kSkinAxisZ), p.y()};
     const Vec2 unit = unitOfPlace(place);
@@ -106,14 +96,14 @@ class Shaper {
 };
 
 /// The fitted skin and what its bones say about it.
-struct FittedBody {
+struct FittedTrunk {
   std::vector<Bone> bones;
   mesh::TriangleMesh skin;
 };
 
-FittedBody fittedBody(const TrunkField& field, const TrunkSettings& settings) {
+FittedTrunk fittedTrunk(const TrunkField& field, const TrunkSettings& settings) {
   const std::size_t for_bones = boneTriangles(settings);
-  FittedBody fitted;
+  FittedTrunk fitted;
   Background skeleton([&] { fitted.bones = makeSkeleton({.triangles = for_bones}); });
   fitted.skin = fittedSkin(field, settings.triangles - for_bones);
   skeleton.join();
@@ -124,40 +114,27 @@ void shapeSkin(mesh::TriangleMesh& skin, const TrunkField& field, const Shaper& 
   BoneDepth depth;
   if (shaper.shrinks()) depth = depthToBones(skin.positions, bones);
   for (std::size_t v = 0; v < skin.positions.size(); ++v) {
-    const SurfacePoint fitted{skin.positions[v], field.at(skin.positions[v]).gradient.normalized()};
+    const SkinPoint fitted{skin.positions[v], field.at(skin.positions[v]).gradient.normalized()};
     skin.positions[v] = shaper.skin(fitted, depth.depth_mm.empty() ? 0 : depth.depth_mm[v]);
   }
 }
 
-/// The skin above the bones' landmarks: the nearest, and where that faces back or front, the one straight above. All at
-/// once, because every look at the depth of the bones sorts them anew.
+/// The skin above the bones' landmarks. All at once, because every look at the depth of the bones sorts them anew.
 std::vector<SkinLandmark> skinLandmarks(const TrunkField& field, const Shaper& shaper, std::span<const Bone> bones) {
-  constexpr int kRounds = 5;
-  constexpr double kFacing = 0.5;  // cosine to the z axis from which "straight above" is meant
-  const std::vector<Landmark> points = skeletonLandmarks();
-  std::vector<SurfacePoint> places;
-  for (const Landmark& point : points) places.push_back(ontoSkin(field, point.position));
-  const auto shaped = [&] {
-    std::vector<Vec3> fitted;
-    for (const SurfacePoint& place : places) fitted.push_back(place.position);
-    const std::vector<double> depth =
-        shaper.shrinks() ? depthToBones(fitted, bones).depth_mm : std::vector<double>(places.size(), 0.0);
-    for (std::size_t i = 0; i < places.size(); ++i) fitted[i] = shaper.skin(places[i], depth[i]);
-    return fitted;
-  };
-  for (int round = 0; round < kRounds; ++round) {
-    const std::vector<Vec3> now = shaped();
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      if (std::abs(places[i].normal.z()) <= kFacing) continue;
-      const Vec3 off = shaper.bone(points[i].position) - now[i];
-      places[i] = ontoSkin(field, places[i].position + Vec3(off.x(), off.y(), 0));
-    }
-  }
-  const std::vector<Vec3> skin = shaped();
   std::vector<SkinLandmark> landmarks;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    landmarks.push_back({points[i].name, points[i].bone, skin[i], places[i].normal, shaper.bone(points[i].position)});
+  std::vector<SkinPoint> places;
+  for (const Landmark& point : skeletonLandmarks()) {
+    landmarks.push_back({point.name, point.bone, {}, {}, shaper.bone(point.position)});
+    places.push_back(field.project(point.position));
   }
+  setAboveBones(field, std::move(places), landmarks, [&](const std::vector<SkinPoint>& fitted) {
+    std::vector<Vec3> skin;
+    for (const SkinPoint& place : fitted) skin.push_back(place.position);
+    const std::vector<double> depth =
+        shaper.shrinks() ? depthToBones(skin, bones).depth_mm : std::vector<double>(skin.size(), 0.0);
+    for (std::size_t i = 0; i < skin.size(); ++i) skin[i] = shaper.skin(fitted[i], depth[i]);
+    return skin;
+  });
   return landmarks;
 }
 
@@ -192,7 +169,7 @@ void setDown(Trunk& trunk) { trunk.support = Support{{0, leastAlong(trunk.skin, 
 Trunk makeTrunk(const TrunkSettings& settings) {
   check(settings.shape);
   const TrunkField field;
-  FittedBody fitted = fittedBody(field, settings);
+  FittedTrunk fitted = fittedTrunk(field, settings);
   const Shaper shaper(field, settings.shape, fitted.bones);
   Trunk trunk;
   trunk.landmarks = skinLandmarks(field, shaper, fitted.bones);

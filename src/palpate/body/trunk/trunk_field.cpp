@@ -89,7 +89,7 @@ TrunkField::Value TrunkField::at(const Vec3& point) const {
   return value;
 }
 
-TrunkField::OnSkin TrunkField::project(const Vec3& point) const {
+SkinPoint TrunkField::project(const Vec3& point) const {
   Vec3 p = point;
   Value value = at(p);
   for (int round = 0; round < kNewtonRounds && std::abs(value.distance) > kOnSkinMm; ++round) {
@@ -99,6 +99,11 @@ TrunkField::OnSkin TrunkField::project(const Vec3& point) const {
     value = at(p);
   }
   return {p, value.gradient.normalized()};
+}
+
+Vec3 TrunkField::outward(const SkinPoint& point) const {
+  constexpr double kOutsideMm = 18;
+  return at(point.position + kOutsideMm * point.normal).gradient.normalized();
 }
 
 Eigen::AlignedBox3d TrunkField::box() {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "palpate/base/vec.h"
+#include "palpate/body/skin_surface.h"
 
 namespace palpate::body {
 
@@ -23,12 +24,12 @@ class TrunkField {
   };
   Value at(const Vec3& point) const;
 
-  struct OnSkin {
-    Vec3 position;
-    Vec3 normal;  ///< unit, out of the body
-  };
   /// The point of the skin along the gradient from a place within about 25 mm of it.
-  OnSkin project(const Vec3& point) const;
+  SkinPoint project(const Vec3& point) const;
+
+  /// The way in which fat grows at a point of the skin: out of a body that is some way outside, so that it fills small
+  /// hollows instead of closing over them.
+  Vec3 outward(const SkinPoint& point) const;
 
   /// A box that holds the trunk with room to spare.
   static Eigen::AlignedBox3d box();

@@ -80,6 +80,10 @@ const std::array<Hill, 4> kFolds = {{
 constexpr double kLeastCoverMm = 5.0;  // mm of tissue that no leanness takes
 constexpr double kSpareShare = 0.6;    // of what lies between it and the skin, at most this share goes
 
+// Heights of the axis that a bend knows, mm: below the thighs' stumps to above the neck's.
+constexpr double kBentLow = -700;
+constexpr double kBentHigh = 400;
+
 }  // namespace
 
 void check(const TrunkShape& shape) {
@@ -111,17 +115,15 @@ double keptOffBone(double growth, double depth_mm) {
 
 BodyWarp::Bend::Bend(double axis_z, double fixed_y, std::vector<Window> windows, bool upright)
     : axis_z_(axis_z), windows_(std::move(windows)) {
-  constexpr double kLow = -700;
-  constexpr double kHigh = 400;
-  const auto index = [](double y) { return static_cast<std::size_t>(std::lround(y - kLow)); };
+  const auto index = [](double y) { return static_cast<std::size_t>(std::lround(y - kBentLow)); };
   const auto build = [&] {
-    axis_.assign(index(kHigh) + 1, Vec2(fixed_y, axis_z));
+    axis_.assign(index(kBentHigh) + 1, Vec2(fixed_y, axis_z));
     const auto middle = [&](double y) { return Vec2(std::cos(angleAt(y)), -std::sin(angleAt(y))); };
     for (std::size_t i = index(fixed_y); i + 1 < axis_.size(); ++i) {
-      axis_[i + 1] = axis_[i] + middle(kLow + static_cast<double>(i) + 0.5);
+      axis_[i + 1] = axis_[i] + middle(kBentLow + static_cast<double>(i) + 0.5);
     }
     for (std::size_t i = index(fixed_y); i > 0; --i)
-      axis_[i - 1] = axis_[i] - middle(kLow + static_cast<double>(i) - 0.5);
+      axis_[i - 1] = axis_[i] - middle(kBentLow + static_cast<double>(i) - 0.5);
   };
   angle_offset_ = -angleAt(fixed_y);
   build();
@@ -143,8 +145,7 @@ double BodyWarp::Bend::angleAt(double y) const {
 }
 
 Vec3 BodyWarp::Bend::operator()(const Vec3& point) const {
-  constexpr double kLow = -700;
-  const double place = std::clamp(point.y() - kLow, 0.0, static_cast<double>(axis_.size()) - 1.001);
+  const double place = std::clamp(point.y() - kBentLow, 0.0, static_cast<double>(axis_.size()) - 1.001);
   const auto below = static_cast<std::size_t>(place);
   const double share = place - static_cast<double>(below);
   const Vec2 axis = (1 - share) * axis_[below] + share * axis_[below + 1];
