@@ -102,9 +102,9 @@ void liveWidgets(const Part& part) {
   valueLine("buttons", buttonWords(state.buttons));
   valueLine("loss, last second", fmt::format("{:.3f} mJ", held.most_loss_n_mm));
   valueLine("stiffness of all", fmt::format("{:.0f} %", 100.0 * part.panel.devices.stiffness_factor));
+  // Always a line: what comes and goes must not move a control from under the mouse.
   const std::string faults = faultWords(state.faults);
-  if (!faults.empty()) remark(faults);
-  if (!held.trouble.empty()) remark(held.trouble);
+  valueLine("faults", faults.empty() ? "none" : faults);
 }
 
 void interventionWidgets(const Part& part) {
@@ -200,8 +200,9 @@ void takeWidgets(const Part& part) {
   if (!clicked) return remark("No place of the body was clicked yet.");
   valueLine("place",
             fmt::format("{:.0f}, {:.0f}, {:.0f} mm", clicked->place.x(), clicked->place.y(), clicked->place.z()));
-  if (!place.allFinite()) return remark("The device has no position.");
-  if (part.button("take", "Take this place")) steps.take(place, clicked->place);
+  ImGui::BeginDisabled(!place.allFinite());
+  if (part.button("take", "Take this place", "Needs a position of the device.")) steps.take(place, clicked->place);
+  ImGui::EndDisabled();
 }
 
 void calibrationWidgets(const Part& part) {
@@ -240,6 +241,7 @@ void heldWidgets(const Part& part) {
   interventionWidgets(part);
   workspaceWidgets(part);
   calibrationWidgets(part);
+  if (!held.trouble.empty()) remark(held.trouble);
 }
 
 void backEndWidgets(const BackEndFound& back_end) {
