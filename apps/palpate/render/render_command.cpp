@@ -283,7 +283,7 @@ void addCameraOptions(CLI::App& command, RenderOptions& options) {
 void addLookOptions(CLI::App& command, RenderOptions& options) {
   command.add_option("--show", options.show,
                      "Names with commas: overlays (wireframe, triangles, leaves, planes, box, ellipses, rings, arrows, "
-                     "contact, normals, section) and colours (plain, strain, stiffness, ellipse-map, scalar)");
+                     "contact, normals, section, names) and colours (plain, strain, stiffness, ellipse-map, scalar)");
   command.add_option("--scalar", options.scalar, "Colour the skin by this number of the vertices of its PLY file");
   takesWord<ColourMap>(command.add_option("--scalar-map", options.scalar_map, "Its colours"));
   addNumber(command, "--scalar-range", options.scalar_range, between(-1e9, 1e9),

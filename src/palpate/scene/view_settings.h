@@ -37,6 +37,7 @@ enum class Overlay : std::uint8_t {
   contact,   ///< friction anchor, proxy, tip, force
   normals,
   section,  ///< cut through the contact, rest against deformed, as a curve in mm (Fig 4.7)
+  names,    ///< of the body's landmarks, as examiners say them (docs/names.md)
 };
 
 enum class FingerShape : std::uint8_t { none, sphere, hand };
@@ -130,7 +131,7 @@ struct WordsOf<scene::Overlay> {
                                       Word{"box", V::detecting_box},   Word{"ellipses", V::ellipses},
                                       Word{"rings", V::rings},         Word{"arrows", V::arrows},
                                       Word{"contact", V::contact},     Word{"normals", V::normals},
-                                      Word{"section", V::section}};
+                                      Word{"section", V::section},     Word{"names", V::names}};
 };
 
 template <>

@@ -57,6 +57,7 @@ constexpr KeyBinding kTable[] = {
     {A::show_contact, G::overlays, plain('C'), kNone, false, "Contact", "Show friction anchor, proxy, tip and force."},
     {A::show_normals, G::overlays, plain('N'), kNone, false, "Normals", "Show the directions out of the skin."},
     {A::show_section, G::overlays, plain('X'), kNone, false, "Cross section", "Show a cut through the contact, in mm."},
+    {A::show_names, G::overlays, plain('I'), kNone, false, "Names", "Show what the places of the body are called."},
     {A::skin_opacity, G::overlays, plain('O'), kNone, false, "Skin opacity", "Make the skin 100, 60, 30 and 0 % opaque in turn."},
     {A::colour_strain, G::overlays, plain('S'), kNone, false, "Strain", "Colour the skin by strain; again: off."},
     {A::colour_stiffness, G::overlays, plain('M'), kNone, false, "Stiffness", "Colour the skin by stiffness; again: off."},
@@ -126,7 +127,7 @@ std::string nameOf(Key k) {
   return {static_cast<char>(k)};
 }
 
-bool isOverlay(Action action) { return action >= Action::show_wireframe && action <= Action::show_section; }
+bool isOverlay(Action action) { return action >= Action::show_wireframe && action <= Action::show_names; }
 
 }  // namespace
 

@@ -86,6 +86,7 @@ enum class Action : std::uint8_t {
   show_contact,
   show_normals,
   show_section,
+  show_names,
   skin_opacity,
   colour_strain,
   colour_stiffness,

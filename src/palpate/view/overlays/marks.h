@@ -29,6 +29,7 @@ inline constexpr Paint kTipPaint{255, 90, 220, 255};
 inline constexpr Paint kForcePaint{60, 255, 120, 255};
 inline constexpr Paint kRestSectionPaint{240, 240, 240, 190};
 inline constexpr Paint kDeformedSectionPaint{255, 80, 160, 255};
+inline constexpr Paint kNamePaint{255, 214, 150, 255};
 
 // ---- of a finger (contact_marks.cpp)
 

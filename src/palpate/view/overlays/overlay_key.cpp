@@ -43,6 +43,7 @@ constexpr KeyRow kOverlayKeyRows[] = {
     {Overlay::normals, Sign::line, kNormalPaint, "normal of the skin"},
     {Overlay::section, Sign::line, kDeformedSectionPaint, "section, deformed"},
     {Overlay::section, Sign::line, kRestSectionPaint, "section, at rest"},
+    {Overlay::names, Sign::cross, kNamePaint, "place with a name"},
 };
 // clang-format on
 static_assert(kForceMmPerN == 10.0, "the words say so");
