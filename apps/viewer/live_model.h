@@ -27,6 +27,7 @@ class LiveModel {
 
   const scene::World& world() const { return *world_; }
   const deform::DeformedSurface& surface() const { return skin_->surface(); }
+  double lift() const { return skin_->lift(); }
   view::Painter& painter() { return painter_; }
 
  private:

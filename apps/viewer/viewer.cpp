@@ -711,7 +711,8 @@ void Viewer::paintClear(double scale) {
     canvas.height = target.height();
     canvas.pixels_per_point = kClearSupersampling * scale;
     canvas.supersampling = kClearSupersampling;
-    model_->painter().paint({fingers, session_.now_s}, model_->surface(), picture, canvas);
+    model_->painter().paint({.fingers = fingers, .time_s = session_.now_s, .lift_mm = model_->lift()},
+                            model_->surface(), picture, canvas);
     return view::reduced(target.read(), kClearSupersampling);
   };
   try {
@@ -741,7 +742,8 @@ void Viewer::paintHalf(LiveModel& model, std::span<const view::FingerMark> finge
   canvas.width = half_->width();
   canvas.height = half_->height();
   canvas.pixels_per_point = scale;
-  model.painter().paint({fingers, session_.now_s}, model.surface(), picture, canvas);
+  model.painter().paint({.fingers = fingers, .time_s = session_.now_s, .lift_mm = model.lift()}, model.surface(),
+                        picture, canvas);
 }
 
 /// Each in a half of what the panels leave free.
@@ -781,7 +783,9 @@ void Viewer::paint(double scale, window::Gui::Choice windows) {
   const auto over = [this, windows](const view::EyePicture& eye) { gui_.present(eye.width, eye.height, windows); };
   const std::vector<view::FingerMark> fingers = fingerMarks();
   const std::vector<view::Lines> shown_rings = rings();
-  model_->painter().paint({fingers, session_.now_s, shown_rings}, model_->surface(), picture, canvas, over);
+  model_->painter().paint(
+      {.fingers = fingers, .time_s = session_.now_s, .lift_mm = model_->lift(), .marks = shown_rings},
+      model_->surface(), picture, canvas, over);
   session_.performance.draw_ms = millisecondsSince(started);
 }
 

@@ -35,7 +35,7 @@ void bareTick(servo::Rig& rig, std::uint64_t tick, std::span<trace::Sample> samp
     sample.tick = tick;
     sample.finger = static_cast<std::uint32_t>(i);
     const Vec3 tip = finger.device.read_tip(tick);
-    sample.contact = servo::touch(finger.solver, finger.contact_settings, finger.contact, tip);
+    sample.contact = servo::touch(finger.solver, finger.contact_settings, finger.contact, tip, sample.tick);
     sample.device_force = sample.contact.force;
     finger.device.write_force(sample.device_force);
   }

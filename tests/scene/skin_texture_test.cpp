@@ -75,8 +75,31 @@ TEST_F(SkinTextureOf, ABodySaysWhatIsWrongAndWhere) {
   writeFile(folder_ / "bare.glb", support::glbBytes(zoo::cube(0.1)));
   EXPECT_EQ(refusalOf("file = \"ball.obj\"\ntexture = \"bare.glb\""),
             "s.toml:4: [body] texture: bare.glb: has no base colour texture");
-  EXPECT_NE(messageFor("[body]\ntexture = \"skin.png\"\n" + kFinger).find("has a texture but is not of kind"),
-            std::string::npos);
+}
+
+TEST_F(SkinTextureOf, ABuiltInBodyIsSeenFromBehindInItsLeftHalfAndFromTheFrontInItsRight) {
+  const auto world =
+      build(parse("[body]\ntriangles = 8000\ntexture = \"skin.png\"\n" + kFinger, (folder_ / "s.toml").string()));
+  ASSERT_TRUE(world->texture);
+  ASSERT_EQ(world->texture->corners.size(), world->skin.triangles.size());
+  const Eigen::AlignedBox3d box = mesh::boundingBox(world->skin);
+  std::size_t backs = 0;
+  for (std::size_t t = 0; t < world->skin.triangles.size(); ++t) {
+    const Triangle& corners = world->skin.triangles[t];
+    const auto at = [&](std::size_t i) { return world->skin.positions[corners[i]]; };
+    const bool back = (at(1) - at(0)).cross(at(2) - at(0)).z() >= 0.0;
+    backs += back ? 1 : 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto& [across, up] = std::pair(world->texture->corners[t][i].x(), world->texture->corners[t][i].y());
+      EXPECT_EQ(back, across <= 0.5f && !(across == 0.5f && !back)) << t;
+      // From behind the person's right (+x) is on the right of a photograph, from the front on its left.
+      const double right = (at(i).x() - box.min().x()) / box.sizes().x();
+      EXPECT_NEAR(across, back ? 0.5 * right : 1.0 - 0.5 * right, 1e-6);
+      EXPECT_NEAR(up, (at(i).y() - box.min().y()) / box.sizes().y(), 1e-6);
+    }
+  }
+  EXPECT_GT(backs, world->skin.triangles.size() / 4);
+  EXPECT_LT(backs, 3 * world->skin.triangles.size() / 4);
 }
 
 }  // namespace

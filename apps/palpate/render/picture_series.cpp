@@ -43,7 +43,7 @@ view::TakenPicture PictureSeries::take(const servo::TickSamples& frame, double t
                                        const view::PictureSettings& settings) {
   skin_.follow(frame);
   const std::vector<view::FingerMark> marks = marksOf(*world_, frame);
-  return studio_.take(skin_.surface(), {marks, time_s}, settings, size_);
+  return studio_.take(skin_.surface(), {.fingers = marks, .time_s = time_s, .lift_mm = skin_.lift()}, settings, size_);
 }
 
 }  // namespace palpate::app

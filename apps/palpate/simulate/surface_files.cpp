@@ -8,9 +8,13 @@ namespace palpate::app {
 
 namespace {
 
-mesh::TriangleMesh deformedMesh(const scene::World& world, const deform::DeformedSurface& surface) {
+mesh::TriangleMesh deformedMesh(const scene::World& world, const engine::LivingSkin& skin) {
+  const deform::DeformedSurface& surface = skin.surface();
   mesh::TriangleMesh mesh{std::vector<Vec3>(surface.vertices()), world.skin.triangles};
-  for (Index v = 0; v < surface.vertices(); ++v) mesh.positions[v] = surface.positionAt(v).cast<double>();
+  for (Index v = 0; v < surface.vertices(); ++v) {
+    mesh.positions[v] = surface.positionAt(v).cast<double>();
+    if (world.breath) mesh.positions[v].z() += skin.lift() * world.breath->share(world.skin.positions[v]);
+  }
   return mesh;
 }
 
@@ -38,7 +42,7 @@ mesh::VertexChannels channelsOf(const scene::World& world, const deform::Deforme
 void writeSurface(const std::filesystem::path& file, const scene::World& world, const servo::TickSamples& frame) {
   engine::LivingSkin skin(world);
   skin.follow(frame);
-  mesh::save(file, deformedMesh(world, skin.surface()), channelsOf(world, skin.surface()));
+  mesh::save(file, deformedMesh(world, skin), channelsOf(world, skin.surface()));
 }
 
 }  // namespace palpate::app

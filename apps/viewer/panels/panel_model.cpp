@@ -26,6 +26,13 @@ void buildWidgets(const SceneKeys& keys) {
   keyWidget(keys, {"body", "lordosis_deg", "lordosis", 0.0, 50.0, "%.0f deg"});
 }
 
+void breathingWidgets(const SceneKeys& keys) {
+  keyWidget(keys, {"breathing", "on", "breathes"});
+  if (!keys.scene.breathing.on) return;
+  keyWidget(keys, {"breathing", "depth_mm", "breath", 0.0, 5.0, "%.1f mm"});
+  keyWidget(keys, {"breathing", "per_minute", "breaths a minute", 4.0, 30.0, "%.0f"});
+}
+
 void bodyWidgets(const SceneKeys& keys) {
   const scene::BodyKind kind = keys.scene.body.kind;
   if (kind != scene::BodyKind::mesh) {
@@ -37,10 +44,12 @@ void bodyWidgets(const SceneKeys& keys) {
     keyWidget(keys, {"body", "rib_relief", "ribs show", 0.0, 3.0});
     keyWidget(keys, {"body", "scapula_relief", "scapulae show", 0.0, 3.0});
     keyWidget(keys, {"body", "asymmetry", "asymmetry", 0.0, 3.0});
+    breathingWidgets(keys);
   } else {
     keyWidget(keys, {"body", "unit", "unit of the file"});
     keyWidget(keys, {"body", "scale", "scale"});
     keyWidget(keys, {"body", "repair", "mend the mesh"});
+    if (!keys.scene.body.fit.empty()) breathingWidgets(keys);
   }
 }
 

@@ -37,6 +37,7 @@ class LiveSimulator {
   std::span<const trace::Sample> felt() { return servo_.contacts(); }
   /// The skin as these leave it; as Simulator::skin.
   const deform::DeformedSurface& skin();
+  double lift() const noexcept { return skin_ ? skin_->lift() : 0.0; }
 
   /// Another world from one of the next ticks on. Where it has the same body (scene::rebuilt), fingers go on touching.
   /// Throws Error when it and the fingers do not suit.

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "palpate/scene/skin_contact.h"
+#include "palpate/servo/finger_solver.h"
 
 namespace palpate::engine {
 
@@ -31,11 +32,14 @@ LivingSkin::LivingSkin(const scene::World& world, const deform::FormSettings& fo
 }
 
 template <class Finger>
-deform::Report LivingSkin::followAny(std::span<const Finger> fingers) noexcept {
+deform::Report LivingSkin::followAny(std::span<const Finger> fingers, std::uint64_t tick) noexcept {
+  lift_mm_ = world_.breath ? world_.breath->lift(static_cast<double>(tick) / world_.scene.ticks_per_s) : 0.0;
   touching_.clear();
   std::uint32_t left_out = 0;
   for (const Finger& finger : fingers) {
-    const auto contact = scene::contactOf(world_, outputOf(finger));
+    const contact::FingerOutput& felt = outputOf(finger);
+    const auto contact =
+        scene::contactOf(world_, world_.breath ? servo::atRest(*world_.breath, felt, lift_mm_) : felt);
     if (!contact) continue;
     if (touching_.size() < touching_.capacity()) {
       touching_.push_back(*contact);
@@ -48,10 +52,12 @@ deform::Report LivingSkin::followAny(std::span<const Finger> fingers) noexcept {
   return report;
 }
 
-deform::Report LivingSkin::follow(std::span<const contact::FingerOutput> fingers) noexcept {
-  return followAny(fingers);
+deform::Report LivingSkin::follow(std::span<const contact::FingerOutput> fingers, std::uint64_t tick) noexcept {
+  return followAny(fingers, tick);
 }
 
-deform::Report LivingSkin::follow(std::span<const trace::Sample> samples) noexcept { return followAny(samples); }
+deform::Report LivingSkin::follow(std::span<const trace::Sample> samples) noexcept {
+  return followAny(samples, samples.empty() ? 0 : samples.front().tick);
+}
 
 }  // namespace palpate::engine

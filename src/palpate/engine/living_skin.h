@@ -31,20 +31,25 @@ class LivingSkin {
 
   /// Brings the surface to what these fingers make of it, whatever it was before; none: to rest. Fingers in free space
   /// count as none. The report says what could not be followed. No allocation.
-  deform::Report follow(std::span<const contact::FingerOutput> fingers) noexcept;
+  /// `tick` is when they felt it, which counts on a body that breathes.
+  deform::Report follow(std::span<const contact::FingerOutput> fingers, std::uint64_t tick = 0) noexcept;
   deform::Report follow(std::span<const trace::Sample> samples) noexcept;
 
+  /// The skin as if the body held its breath: World.breath moves it by `lift`.
   const deform::DeformedSurface& surface() const noexcept { return surface_; }
+  /// How far the breath has moved the body (BreathField::lift), mm; 0 for one that does not breathe.
+  double lift() const noexcept { return lift_mm_; }
 
  private:
   LivingSkin(const scene::World& world, const deform::FormSettings& forms);
   template <class Finger>
-  deform::Report followAny(std::span<const Finger> fingers) noexcept;
+  deform::Report followAny(std::span<const Finger> fingers, std::uint64_t tick) noexcept;
 
   const scene::World& world_;
   deform::Deformer deformer_;
   deform::DeformedSurface surface_;
   std::vector<deform::Contact> touching_;
+  double lift_mm_ = 0.0;
 };
 
 }  // namespace palpate::engine

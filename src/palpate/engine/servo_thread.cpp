@@ -65,7 +65,7 @@ ServoPlan servoPlan(std::shared_ptr<const scene::World> world, std::vector<conta
   checkFingers(*world, fingers);
   ServoPlan plan;
   plan.limiter = servo::limiterSettings(*world);
-  plan.solvers = servo::makeSolvers(world->surface, world->hdb, fingers.size());
+  plan.solvers = servo::makeSolvers(world->surface, world->hdb, fingers.size(), world->breath);
   plan.fingers = std::move(fingers);
   plan.world = std::move(world);
   return plan;

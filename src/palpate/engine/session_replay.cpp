@@ -104,7 +104,7 @@ class Replay {
     }
     // A file that somebody bent must not leave a finger on a triangle that there is none of.
     const bool other_body = worlds_.empty() || world->skin.triangles.size() != worlds_.back()->skin.triangles.size();
-    servo::FingerSolvers solvers = servo::makeSolvers(world->surface, world->hdb, fingers_.size());
+    servo::FingerSolvers solvers = servo::makeSolvers(world->surface, world->hdb, fingers_.size(), world->breath);
     for (std::size_t i = 0; i < fingers_.size(); ++i) {
       servo::FingerChain& chain = fingers_[i];
       if (!worlds_.empty()) {
@@ -140,7 +140,7 @@ class Replay {
     felt.world = sample.world;
     felt.forgot = sample.forgot;
     felt.buttons = sample.buttons;
-    felt.contact = servo::touch(chain.solver, chain.contact_settings, chain.contact, tip);
+    felt.contact = servo::touch(chain.solver, chain.contact_settings, chain.contact, tip, sample.tick);
     felt.device_force =
         servo::limitForce(chain.limiter_settings, chain.limiter, felt.contact, chain.solver.surface->force_law);
     felt.safety = chain.limiter.status;

@@ -25,7 +25,7 @@ Simulator::Simulator(std::shared_ptr<const scene::World> world, std::vector<cont
     : world_(std::move(world)) {
   if (fingers.empty()) fingers = fingerSettings(world_->scene);
   checkFingers(*world_, fingers);
-  servo::FingerSolvers solvers = servo::makeSolvers(world_->surface, world_->hdb, fingers.size());
+  servo::FingerSolvers solvers = servo::makeSolvers(world_->surface, world_->hdb, fingers.size(), world_->breath);
   for (std::size_t i = 0; i < fingers.size(); ++i) fingers_.push_back({std::move(solvers[i]), fingers[i], {}});
   felt_.resize(fingers.size());
 }
@@ -35,7 +35,7 @@ Simulator::Simulator(const std::filesystem::path& scene_file) : Simulator(scene:
 contact::FingerOutput Simulator::feel(std::size_t finger, const Vec3& tip) noexcept {
   if (finger >= fingers_.size()) return nobodysOutput(tip);
   Finger& at_work = fingers_[finger];
-  return felt_[finger] = servo::touch(at_work.solver, at_work.settings, at_work.state, tip);
+  return felt_[finger] = servo::touch(at_work.solver, at_work.settings, at_work.state, tip, at_work.ticks++);
 }
 
 void Simulator::feel(std::span<const Vec3> tips, std::span<contact::FingerOutput> felt) noexcept {
@@ -51,7 +51,7 @@ void Simulator::lift(std::size_t finger) noexcept {
 
 const deform::DeformedSurface& Simulator::skin() {
   if (!skin_) skin_.emplace(*world_, LivingSkinSettings{.fingers = fingers_.size()});
-  skin_->follow(felt_);
+  skin_->follow(felt_, fingers_.front().ticks == 0 ? 0 : fingers_.front().ticks - 1);
   return skin_->surface();
 }
 
@@ -59,7 +59,7 @@ void Simulator::change(std::shared_ptr<const scene::World> world) {
   std::vector<contact::FingerSettings> settings;
   for (const Finger& finger : fingers_) settings.push_back(finger.settings);
   checkFingers(*world, settings);
-  servo::FingerSolvers solvers = servo::makeSolvers(world->surface, world->hdb, fingers_.size());
+  servo::FingerSolvers solvers = servo::makeSolvers(world->surface, world->hdb, fingers_.size(), world->breath);
   const bool same_body = sameBody(*world_, *world);
   skin_.reset();
   world_ = std::move(world);

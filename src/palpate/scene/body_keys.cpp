@@ -16,8 +16,9 @@ Key<BodySettings> textureKey() {
   using S = BodySettings;
   Key<S> key = file<S>(
       "texture", way(&S::texture, &TextureSource::file),
-      "Mesh: a PNG or JPEG picture that lies on the skin by the file's texture coordinates (OBJ, glTF, GLB); or a glTF "
-      "or GLB file, for its base colour picture.");
+      "A PNG or JPEG picture on the skin, or a glTF or GLB file for its base colour picture. Mesh: it lies there by the "
+      "file's texture coordinates (OBJ, glTF, GLB). Trunk, torso: left half from behind, right half from the front "
+      "(docs/trunk.md).");
   key.read = [read = std::move(key.read)](S& s, const Entry& entry) {
     read(s, entry);
     s.texture.scene_file = entry.file;
@@ -82,11 +83,20 @@ Section bodySection() {
   return section<S>("body", "What is touched.", &Scene::body, std::move(keys), [](const S& body, const Entry& entry) {
     if (body.kind == BodyKind::mesh && body.file.empty()) entry.fail("of kind \"mesh\" needs a file");
     if (body.kind != BodyKind::mesh && !body.file.empty()) entry.fail("has a file but is not of kind \"mesh\"");
-    if (body.kind != BodyKind::mesh && !body.texture.file.empty())
-      entry.fail("has a texture but is not of kind \"mesh\"");
     if (body.kind != BodyKind::mesh && !body.fit.empty()) entry.fail("has a fit but is not of kind \"mesh\"");
     requireTriangles(body, entry);
   });
+}
+
+Section breathingSection() {
+  using S = body::Breathing;
+  std::vector<Key<S>> keys = {
+      flag<S>("on", &S::on, "Trunk, torso, fitted mesh: the skin moves with its breath, seen and felt."),
+      number<S>("depth_mm", &S::depth_mm, between(0, 10),
+                "How far the skin over the lower ribs moves between out and in."),
+      number<S>("per_minute", &S::per_minute, above(0, 60), "Breaths a minute; 12 to 16 at rest."),
+  };
+  return section<S>("breathing", "How the body breathes (docs/trunk.md).", &Scene::breathing, std::move(keys));
 }
 
 Section stiffnessSection() {

@@ -45,6 +45,7 @@ BodyParts makeTorsoParts(const BodySettings& body, const Progress& progress) {
   parts.skin = std::move(torso.skin.mesh);
   const auto order = mesh::reorderSpatially(parts.skin);
   parts.anatomy = anatomyOf(std::move(torso), order.source_vertex);
+  parts.texture = loadSkinTexture(body, parts.skin, progress);
   return parts;
 }
 
@@ -63,6 +64,7 @@ BodyParts makeTrunkParts(const BodySettings& body, const Progress& progress) {
   const std::optional<body::Support> support = trunk.support;
   parts.anatomy = anatomyOf(std::move(trunk), order.source_vertex);
   parts.anatomy.support = support;
+  parts.texture = loadSkinTexture(body, parts.skin, progress);
   return parts;
 }
 

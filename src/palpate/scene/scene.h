@@ -9,6 +9,7 @@
 
 #include "palpate/base/fidelity.h"
 #include "palpate/base/vec.h"
+#include "palpate/body/trunk/breathing.h"
 #include "palpate/body/trunk/trunk.h"
 #include "palpate/contact/finger_state.h"
 #include "palpate/hdb/hdb_candidates.h"
@@ -164,6 +165,7 @@ struct Scene {
   double seconds = 0.0;  ///< 0 = until the last finger has finished
   double ticks_per_s = 1000.0;
   BodySettings body;
+  body::Breathing breathing;  ///< of a body whose landmarks are known
   StiffnessSettings stiffness;
   std::vector<maps::Dysfunction> dysfunctions;
   EllipseSettings ellipses;

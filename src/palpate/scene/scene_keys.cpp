@@ -36,7 +36,7 @@ std::vector<KeyRow> topRows(const Scene& scene) { return describe("", topKeys(),
 
 const std::vector<Section>& sections() {
   static const std::vector<Section> all = {
-      bodySection(),    stiffnessSection(), dysfunctionSection(), ellipsesSection(),    frictionSection(),
+      bodySection(), breathingSection(), stiffnessSection(), dysfunctionSection(), ellipsesSection(),    frictionSection(),
       contactSection(), partitionSection(), tissueSection(),      deformationSection(), strainSection(),
       outputSection(),  viewSection(),      safetySection(),      fingerSection(),      deviceSection(),
   };

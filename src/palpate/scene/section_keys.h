@@ -7,6 +7,7 @@ namespace palpate::scene {
 
 // What is touched: body_keys.cpp.
 Section bodySection();
+Section breathingSection();
 Section stiffnessSection();
 Section dysfunctionSection();
 Section ellipsesSection();

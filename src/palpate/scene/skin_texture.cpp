@@ -1,4 +1,4 @@
-// The mesh file is read a second time, with coordinates, because the skin keeps places and triangles only; then each
+// A mesh file is read a second time, with coordinates, because the skin keeps places and triangles only; then each
 // corner of the skin looks its coordinates up by place (mesh/textured_mesh.h). The picture stays as its file's
 // bytes; only the first are looked at, so that a wrong file is told already here. Load time. Own.
 #include "palpate/scene/skin_texture.h"
@@ -52,6 +52,24 @@ mesh::TexturedMesh texturedMeshOf(const BodySettings& body, const Progress& prog
   return textured;
 }
 
+/// The halves meet where the skin turns away from both.
+std::vector<mesh::TextureCorners> backAndFront(const mesh::TriangleMesh& skin) {
+  const Eigen::AlignedBox3d box = mesh::boundingBox(skin);
+  std::vector<mesh::TextureCorners> corners;
+  corners.reserve(skin.triangles.size());
+  for (const Triangle& t : skin.triangles) {
+    const auto& [a, b, c] = t;
+    const Vec3 normal = (skin.positions[b] - skin.positions[a]).cross(skin.positions[c] - skin.positions[a]);
+    mesh::TextureCorners& places = corners.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 share = (skin.positions[t[i]] - box.min()).cwiseQuotient(box.sizes());
+      const double across = normal.z() >= 0.0 ? 0.5 * share.x() : 1.0 - 0.5 * share.x();
+      places[i] = Vec2(across, share.y()).cast<float>();
+    }
+  }
+  return corners;
+}
+
 }  // namespace
 
 void failForTexture(const TextureSource& source, std::string_view cause) {
@@ -64,6 +82,9 @@ std::shared_ptr<const SkinTexture> loadSkinTexture(const BodySettings& body, con
                                                    const Progress& progress) {
   if (body.texture.file.empty()) return nullptr;
   std::string picture = checkedPicture(body.texture);
+  if (body.kind != BodyKind::mesh) {
+    return std::make_shared<const SkinTexture>(SkinTexture{body.texture, std::move(picture), backAndFront(skin)});
+  }
   const mesh::TexturedMesh textured = texturedMeshOf(body, progress);
   return std::make_shared<const SkinTexture>(
       SkinTexture{body.texture, std::move(picture), mesh::textureOn(skin, textured, progress)});

@@ -206,6 +206,16 @@ void noteOldLimits(const SafetySettings& safety, std::vector<std::string>& notes
       "[safety] slew_per_motion, slew_mm and passivity_allowance_n_mm have no effect any more (docs/safety.md)");
 }
 
+// ---- how it moves
+
+std::optional<body::BreathField> breathOf(const Scene& scene, const BodyParts& body, std::vector<std::string>& notes) {
+  if (!scene.breathing.on) return std::nullopt;
+  const double front_z = mesh::boundingBox(body.skin).min().z();
+  auto breath = body::BreathField::of(scene.breathing, body.anatomy.landmarks, body.anatomy.support, front_z);
+  if (!breath) notes.emplace_back("[breathing] changes nothing: only a body whose spine is known breathes");
+  return breath;
+}
+
 // ---- all together
 
 /// Where the scene names a place, its numbers too.
@@ -238,6 +248,7 @@ std::shared_ptr<const World> withBody(const Scene& asked, BodyParts body, deform
   noteOldLimits(scene.safety, notes);
   std::vector<double> stiffness = stiffnessOf(scene, body, keys, notes);
   noteSteepMap(body.skin, stiffness, 1.0 / scene.ticks_per_s, notes);
+  const std::optional<body::BreathField> breath = breathOf(scene, body, notes);
 
   report(progress, "building the contact surface", 0.0);
   deform::Skin deformable;  // made beside the surface, which takes four times as long
@@ -262,6 +273,7 @@ std::shared_ptr<const World> withBody(const Scene& asked, BodyParts body, deform
                                              .deformation = std::move(forms),
                                              .contours = std::move(contours),
                                              .anatomy = std::move(body.anatomy),
+                                             .breath = breath,
                                              .notes = std::move(notes),
                                              .body_notes = std::move(body.notes),
                                              .hdb = std::move(hdb),

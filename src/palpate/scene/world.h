@@ -42,6 +42,7 @@ struct World {
   deform::FormSettings deformation;               ///< complete: files read, fidelity filled in
   std::optional<maps::PolarContourMap> contours;  ///< for the shape "contour"
   Anatomy anatomy;
+  std::optional<body::BreathField> breath = {};            ///< how the skin moves; none: it does not
   std::vector<std::string> notes;                          ///< what the user should know: repairs, a doubtful unit
   std::vector<std::string> body_notes = {};                ///< those of them that are about the body
   std::shared_ptr<const hdb::HdbSurface> hdb;              ///< for the contact source "hdb", otherwise null

@@ -2,6 +2,7 @@
 //
 //   contact::Surface ────────────────────────► contact::step ─┐
 //   hdb::Partition ─► HdbSurface ─► box ─────► hdb::stepHdb ──┴─► touch (the tick's one line)
+//   body::BreathField ─► the tip taken back to the skin at rest, what was felt taken to the skin as it is
 //
 // It is all of a world that a finger sees. A rebuilt world is made beside the loop, solvers included with the room for
 // their lists, and exchanged between two ticks; what the tick puts down is freed beside the loop again.
@@ -12,6 +13,7 @@
 #include <optional>
 #include <vector>
 
+#include "palpate/body/trunk/breathing.h"
 #include "palpate/hdb/hdb_finger.h"
 
 namespace palpate::servo {
@@ -19,6 +21,7 @@ namespace palpate::servo {
 struct FingerSolver {
   const contact::Surface* surface = nullptr;  ///< must outlive the solver
   std::optional<hdb::HdbCandidates> box;      ///< none: the finger walks on the whole surface
+  std::optional<body::BreathField> breath;    ///< how the surface moves; none: it does not
 };
 
 /// One for each finger of a rig, in its order.
@@ -26,11 +29,15 @@ using FingerSolvers = std::vector<FingerSolver>;
 
 /// `box` may be null; otherwise it was made for this surface. Allocates.
 FingerSolvers makeSolvers(const contact::Surface& surface, const std::shared_ptr<const hdb::HdbSurface>& box,
-                          std::size_t fingers);
+                          std::size_t fingers, const std::optional<body::BreathField>& breath = {});
 
-/// One tick of one finger. No allocation, lock or exception.
+/// Tick number `tick` of one finger; it counts where the surface moves with time. The state knows the surface at rest;
+/// the output says where things are now. No allocation, lock or exception.
 contact::FingerOutput touch(FingerSolver& solver, const contact::FingerSettings& settings, contact::FingerState& state,
-                            const Vec3& tip) noexcept;
+                            const Vec3& tip, std::uint64_t tick = 0) noexcept;
+
+/// What was felt on a surface that has moved by this lift, as it would have been at rest: for those who deform it.
+contact::FingerOutput atRest(const body::BreathField& breath, contact::FingerOutput felt, double lift_mm) noexcept;
 
 /// Swaps what a finger touches, between two ticks. Its memory stays when it looks for the skin as before (the body is
 /// the caller's affair: for another one give it a new state), and starts anew otherwise. Nothing is allocated or freed.

@@ -12,7 +12,7 @@ Rig scriptedRig(const scene::World& world, const device::FingerPaths& paths) {
   RigParts parts;
   parts.tick_s = 1.0 / world.scene.ticks_per_s;
   parts.limiter = limiterSettings(world);
-  parts.solvers = makeSolvers(world.surface, world.hdb, world.scene.fingers.size());
+  parts.solvers = makeSolvers(world.surface, world.hdb, world.scene.fingers.size(), world.breath);
   for (const scene::Finger& finger : world.scene.fingers) {
     parts.devices.push_back(device::scriptedDevice(finger.name, paths.tips[parts.fingers.size()]));
     parts.fingers.push_back(scene::contactSettings(world.scene, finger));

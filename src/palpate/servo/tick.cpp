@@ -31,7 +31,7 @@ void runFinger(FingerChain& finger, LoopEvent event, EmergencyStop* stop, trace:
   if (isStopped(stop, state)) reportFault(finger.limiter, kEmergencyStop);
   if (state.clutched) reportFault(finger.limiter, kClutched);
   if (state.elsewhere) forgetTouch(finger);
-  sample.contact = touch(finger.solver, finger.contact_settings, finger.contact, tip);
+  sample.contact = touch(finger.solver, finger.contact_settings, finger.contact, tip, sample.tick);
   sample.device_force =
       limitForce(finger.limiter_settings, finger.limiter, sample.contact, finger.solver.surface->force_law);
   sample.safety = finger.limiter.status;

@@ -40,11 +40,14 @@ constexpr double kWireframePx = 0.8;
 /// Skin of a lighter tone gets a darker hand.
 constexpr double kLightBody = 2.5;
 
-std::vector<Press> pressesOf(std::span<const FingerMark> fingers) {
+/// Where the skin is at rest.
+std::vector<Press> pressesOf(const Frame& frame, const std::optional<body::BreathField>& breath) {
   std::vector<Press> presses;
-  for (const FingerMark& finger : fingers) {
+  for (const FingerMark& finger : frame.fingers) {
     if (finger.contact.touch == contact::Touch::free) continue;
-    presses.push_back({finger.contact.anchor, finger.radius_mm, finger.contact.depth_mm});
+    const Vec3& anchor = finger.contact.anchor;
+    presses.push_back(
+        {breath ? breath->rest(anchor, frame.lift_mm) : anchor, finger.radius_mm, finger.contact.depth_mm});
   }
   return presses;
 }
@@ -81,6 +84,7 @@ struct Renderer::Parts {
       skin.setWorld(*next);
       bones.setWorld(*next);
     }
+    drawn.setBreath(skin.buffers().breathShares());
     overlays.emplace(*next);
     blanching = {};
     world = std::move(next);
@@ -172,9 +176,11 @@ void Renderer::setPartition(std::shared_ptr<const hdb::Partition> partition, con
 }
 
 void Renderer::draw(const Frame& frame, const Look& look, const Frustum& frustum, int width, int height) {
-  const Viewpoint viewpoint = viewpointOf(frustum, width, height);
+  Viewpoint viewpoint = viewpointOf(frustum, width, height);
+  viewpoint.lift_mm = static_cast<float>(frame.lift_mm);
+  parts_->drawn.lift(viewpoint.lift_mm);
   parts_->poseFingers(frame, look);
-  const auto marks = parts_->blanching.at(frame.time_s, pressesOf(frame.fingers));
+  const auto marks = parts_->blanching.at(frame.time_s, pressesOf(frame, parts_->world->breath));
   glDepthMask(GL_TRUE);
   glClear(GL_DEPTH_BUFFER_BIT);
   setWinding(frustum);

@@ -2,6 +2,7 @@
 // Only what changed is copied.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "palpate/deform/surface.h"
@@ -21,7 +22,14 @@ class DrawnSkin {
     changed_ = {{0, surface.vertices()}};
     copy(surface, changed_.front());
   }
-  Vec3 at(Index v) const { return places_[v].cast<double>(); }
+  /// What a vertex has of the breath's lift (BreathField::share), a value each; empty for a body that does not breathe.
+  void setBreath(std::vector<float> shares) { breath_ = std::move(shares); }
+  /// How far the breath has moved the body now.
+  void lift(float lift_mm) { lift_mm_ = lift_mm; }
+  Vec3 at(Index v) const {
+    const Vec3 place = places_[v].cast<double>();
+    return breath_.empty() ? place : Vec3(place + Vec3(0, 0, lift_mm_ * breath_[v]));
+  }
   Vec3 normalAt(Index v) const { return normals_[v].cast<double>(); }
   Index vertices() const { return static_cast<Index>(places_.size()); }
   /// Where it may differ from rest, or did in the picture before.
@@ -36,6 +44,8 @@ class DrawnSkin {
   }
 
   std::vector<Vec3f> places_, normals_;
+  std::vector<float> breath_;
+  float lift_mm_ = 0.0f;
   std::vector<deform::VertexRange> changed_;
 };
 

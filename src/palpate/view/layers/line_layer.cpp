@@ -23,12 +23,13 @@ constexpr std::string_view kEdgeVertex = R"(
 layout(location = 0) in float x;
 layout(location = 1) in float y;
 layout(location = 2) in float z;
+layout(location = 13) in float breath_share;
 uniform float nearer;
 uniform vec4 edge_paint;
 out vec4 corner_paint;
 void main() {
   corner_paint = edge_paint;
-  gl_Position = clip_from_body * vec4(mix(vec3(x, y, z), eye, nearer), 1.0);
+  gl_Position = clip_from_body * vec4(mix(vec3(x, y, z + lift_mm * breath_share), eye, nearer), 1.0);
 }
 )";
 

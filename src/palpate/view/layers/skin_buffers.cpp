@@ -18,7 +18,7 @@ namespace {
 
 /// The arrays that follow the deformation have the first locations in kSkinAttributes, these the next.
 constexpr int kDeformedArrays = 7;
-enum Location : GLuint { kRest = kDeformedArrays, kTint, kValue, kTexturePlace, kColour, kRestNormal };
+enum Location : GLuint { kRest = kDeformedArrays, kTint, kValue, kTexturePlace, kColour, kRestNormal, kBreath };
 /// Skins of so many triangles have a coarser set (skin_chunks.h), drawn where its cells are smaller than these pixels.
 constexpr std::size_t kManyTriangles = 200000;
 constexpr float kCoarseCellMm = 2.0f;
@@ -131,6 +131,7 @@ SkinBuffers::SkinBuffers(const scene::World& world)
     fillBuffer<std::array<std::uint8_t, 4>>(GL_ARRAY_BUFFER, colours_.get(),
                                             drawn_.withCopies<std::array<std::uint8_t, 4>>(colours));
   }
+  uploadBreath();
   glBindBuffer(GL_ARRAY_BUFFER, deformed_.get());
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(offsetOf(kDeformedArrays)), nullptr, GL_STREAM_DRAW);
   whole_ = uploaded(places, drawn_.triangles);
@@ -142,6 +143,21 @@ void SkinBuffers::setMapsOf(const scene::World& world) {
   stiffness_.assign(world.stiffness_n_per_mm.begin(), world.stiffness_n_per_mm.end());
   half_major_.clear();
   shown_field_ = Colouring::plain;
+  uploadBreath();
+}
+
+std::vector<float> SkinBuffers::breathShares() const {
+  std::vector<float> shares;
+  if (!world_->breath) return shares;
+  shares.reserve(world_->skin.positions.size());
+  for (const Vec3& p : world_->skin.positions) shares.push_back(static_cast<float>(world_->breath->share(p)));
+  return shares;
+}
+
+void SkinBuffers::uploadBreath() {
+  std::vector<float> shares = breathShares();
+  shares.resize(world_->skin.positions.size(), 0.0f);
+  fillBuffer<float>(GL_ARRAY_BUFFER, breath_.get(), drawn_.withCopies<float>(shares));
 }
 
 std::unique_ptr<SkinBuffers::Density> SkinBuffers::uploaded(std::span<const Vec3f> places,
@@ -156,6 +172,7 @@ std::unique_ptr<SkinBuffers::Density> SkinBuffers::uploaded(std::span<const Vec3
   pointAt(kTint, tint_.get(), 4, GL_UNSIGNED_BYTE, 0);
   pointAt(kRestNormal, rest_normals_.get(), 3, GL_SHORT, 0, sizeof(PackedNormal));
   pointAt(kValue, field_values_.get(), 1, GL_FLOAT, 0);
+  pointAt(kBreath, breath_.get(), 1, GL_FLOAT, 0);
   if (!drawn_.places.empty()) pointAt(kTexturePlace, texture_places_.get(), 2, GL_FLOAT, 0);
   if (has_colours_) pointAt(kColour, colours_.get(), 4, GL_UNSIGNED_BYTE, 0);
   glBindVertexArray(0);
@@ -244,6 +261,7 @@ void SkinBuffers::bindEdges() {
   for (int axis = 0; axis < 3; ++axis) {
     pointAt(static_cast<GLuint>(axis), deformed_.get(), 1, GL_FLOAT, offsetOf(axis));
   }
+  pointAt(kBreath, breath_.get(), 1, GL_FLOAT, 0);
 }
 
 void SkinBuffers::drawEdges() const {

@@ -44,6 +44,9 @@ class SkinBuffers {
   void bindEdges();
   void drawEdges() const;
 
+  /// What a vertex of the skin gets of the breath's lift (BreathField::share); empty for one that does not breathe.
+  std::vector<float> breathShares() const;
+
   /// At rest.
   const Eigen::AlignedBox3f& box() const { return box_; }
 
@@ -56,6 +59,7 @@ class SkinBuffers {
     Density(std::span<const Vec3f> places, std::span<const Triangle> kept) : chunks(places, kept) {}
   };
   std::unique_ptr<Density> uploaded(std::span<const Vec3f> places, std::span<const Triangle> triangles) const;
+  void uploadBreath();
   void makeCoarse(const std::vector<Vec3f>& places);
   Density& densityFor(const Viewpoint& viewpoint);
   /// Where an array of the deformation begins in its buffer, bytes.
@@ -69,7 +73,7 @@ class SkinBuffers {
   std::unique_ptr<Density> coarse_;  // for a skin of very many triangles that is seen small
   GlVertexArray edge_array_;
   GlBuffer deformed_;  // x.. y.. z.. nx.. ny.. nz.. strain..: as the deformation keeps them, each with its copies
-  GlBuffer rest_, rest_normals_, tint_, field_values_, texture_places_, colours_, edges_;
+  GlBuffer rest_, rest_normals_, tint_, field_values_, texture_places_, colours_, breath_, edges_;
   bool has_colours_ = false;
   std::vector<float> stiffness_;
   std::vector<float> half_major_;  // made when first shown, empty before

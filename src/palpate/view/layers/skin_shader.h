@@ -20,12 +20,14 @@ layout(location = 8) in vec4 tint;    // kTintUnit is 128
 layout(location = 9) in float value;  // of the field shown, when it does not change with the deformation
 layout(location = 10) in vec2 picture_place;  // with PICTURE
 layout(location = 12) in vec3 rest_normal;
+layout(location = 13) in float breath_share;  // of lift_mm, along z
 invariant gl_Position;
 uniform vec3 skin_colour;
 uniform float skin_blood;   // SkinTone
 uniform float skin_opacity;
 uniform float dent_contrast;  // 1: as it would be; above, what a dent does to normals and to light is exaggerated
 
+vec3 placeHere() { return vec3(x, y, z + lift_mm * breath_share); }
 // Normals that have turned since rest turn farther.
 vec3 normalHere() {
   vec3 normal = vec3(nx, ny, nz);
@@ -59,7 +61,7 @@ float opacityAt(float facing, float face_on) {
 )";
 
 inline constexpr std::string_view kDepthVertex = R"(
-void main() { gl_Position = clip_from_body * vec4(x, y, z, 1.0); }
+void main() { gl_Position = clip_from_body * vec4(placeHere(), 1.0); }
 )";
 inline constexpr std::string_view kDepthFragment = R"(
 void main() {}
@@ -83,7 +85,7 @@ out float front_shine;
 out vec2 at;
 #endif
 void main() {
-  place = vec3(x, y, z);
+  place = placeHere();
   gl_Position = clip_from_body * vec4(place, 1.0);
   normal = normalize(normalHere());
   vec3 to_eye = normalize(eye - place);
@@ -181,7 +183,7 @@ out float dent;   // share of light left there
 out vec2 at;
 #endif
 void main() {
-  place = vec3(x, y, z);
+  place = placeHere();
   normal = normalHere();
   rest = rest_place;
   albedo = vec4(albedoHere(), tint.a);
@@ -335,7 +337,7 @@ out float share;
 out float brightness;
 out float facing;
 void main() {
-  vec3 place = vec3(x, y, z);
+  vec3 place = placeHere();
   gl_Position = clip_from_body * vec4(place, 1.0);
   vec3 normal = vec3(nx, ny, nz);
   share = ((strain_percent > 0.0 ? 100.0 * strain : value) - low) * per_unit;

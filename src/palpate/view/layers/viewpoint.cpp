@@ -41,6 +41,7 @@ Viewpoint viewpointOf(const Frustum& frustum, int width, int height) {
 void setViewpoint(const Program& program, const Viewpoint& viewpoint) {
   program.set("clip_from_body", viewpoint.clip);
   program.set("eye", viewpoint.eye);
+  program.set("lift_mm", viewpoint.lift_mm);
   program.set("backward", viewpoint.backward);
   program.set("to_key", viewpoint.lights.key);
   program.set("to_fill", viewpoint.lights.fill);

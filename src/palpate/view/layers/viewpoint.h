@@ -32,6 +32,7 @@ struct Viewpoint {
   Lights lights;
   Vec2f pixels = Vec2f::Ones();    ///< of the viewport
   double near_mm = 1.0;            ///< nothing nearer is drawn
+  float lift_mm = 0.0f;            ///< how far the breath has moved the body
   float pixels_per_radian = 1.0f;  ///< in the middle of the picture: pixels of 1 mm at 1 mm, divide by the distance
 
   /// At the nearest place of a box; infinite within it.
@@ -44,6 +45,7 @@ Viewpoint viewpointOf(const Frustum& frustum, int width, int height);
 inline constexpr std::string_view kSharedShader = R"(
 uniform mat4 clip_from_body;
 uniform vec3 eye;
+uniform float lift_mm;  // how far the breath has moved the body
 uniform vec3 backward;
 uniform vec3 to_key;
 uniform vec3 to_fill;
