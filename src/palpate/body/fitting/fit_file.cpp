@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -64,7 +65,8 @@ class FitReader {
       fit.skin_moves.push_back({vector(member(move, "place")), vector(member(move, "by"))});
     const auto points = member(root, "points").items();
     if (points.size() > kMostPoints) root.fail("has too many points");
-    for (const auto& point : points) fit.points.push_back({member(point, "name").text(), vector(member(point, "mm"))});
+    for (const auto& point : points)
+      fit.points.push_back({plainName(member(point, "name")), vector(member(point, "mm"))});
     for (const auto& value : member(root, "expected_mm").items()) fit.expected_mm.push_back(number(value));
     fit.rms_mm = number(member(root, "rms_mm"));
     fit.matched = number(member(root, "matched"));
@@ -84,6 +86,16 @@ class FitReader {
     const auto items = value.items();
     if (items.size() != 3) value.fail("is no place of three numbers");
     return {number(items[0]), number(items[1]), number(items[2])};
+  }
+  /// A spoken name has nothing that would have to be escaped when the fit is written again.
+  static std::string plainName(const mesh::JsonValue& value) {
+    constexpr std::size_t kLongestName = 100;
+    const std::string name = value.text();
+    const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
+      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == ' ';
+    });
+    if (!plain || name.empty() || name.size() > kLongestName) value.fail("is no name of a place");
+    return name;
   }
   static void readPlacement(const mesh::JsonValue& root, BodyPlacement& placement) {
     const mesh::JsonValue build = member(root, "build");

@@ -1,0 +1,123 @@
+// A press or a drag on one side of the closed trunk leaves the other side where it is, to the last bit: the far side is
+// told here by where it lies, not by how the deformation finds its region. (Between arm and chest and between the
+// thighs a long drag does reach the other limb: docs/deformation.md.)
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include "palpate/contact/finger.h"
+#include "palpate/deform/deformer.h"
+#include "palpate/mesh/nearest.h"
+#include "palpate/scene/skin_contact.h"
+#include "palpate/scene/world.h"
+
+namespace palpate::scene {
+namespace {
+
+using WorldPointer = std::shared_ptr<const World>;
+
+/// Made once a test program. A thin body is where back and front are nearest.
+WorldPointer trunkWorld(const std::string& name) {
+  static std::map<std::string, WorldPointer> made;
+  if (made.contains(name)) return made[name];
+  Scene scene;
+  scene.body.kind = BodyKind::trunk;
+  scene.body.triangles = 40000;
+  if (name == "thin") scene.body.shape = {.girth = 0.8, .body_mass_index = 16, .muscle = 0};
+  if (name == "heavy prone") scene.body.shape = {.body_mass_index = 35, .posture = body::Posture::prone};
+  return made[name] = build(scene);
+}
+
+/// Where a finger presses (of the average body) and what must not feel it. Flanks do: a drag reaches round to them.
+struct Press {
+  const char* name;
+  Vec3 place;
+  bool (*far)(const Vec3& place);
+};
+bool inFront(const Vec3& p) { return p.z() < -10 && std::abs(p.x()) < 75; }
+bool behind(const Vec3& p) { return p.z() > 40 && std::abs(p.x()) < 75; }
+bool frontOrLeftArm(const Vec3& p) { return inFront(p) || p.x() < -200; }
+bool leftShoulder(const Vec3& p) { return p.x() < -100; }
+
+const Press kPresses[] = {{"T6", {0, 39, 98}, frontOrLeftArm},
+                          {"L3", {0, -204, 83}, frontOrLeftArm},
+                          {"right scapula", {90, 60, 115}, frontOrLeftArm},
+                          {"right deltoid", {228, 110, 20}, leftShoulder},
+                          {"belly", {0, -200, -102}, behind},
+                          {"sternum", {0, 60, -75}, behind}};
+
+/// A finger that comes down along the skin's normal and then goes sideways; what it feels at the end.
+contact::FingerOutput felt(const World& world, const Vec3& place, double depth_mm, double radius_mm, double drag_mm) {
+  const mesh::NearestTriangle nearest(world.skin);
+  const auto hit = nearest.find(place);
+  const Triangle& t = world.skin.triangles[hit.triangle];
+  const auto& p = world.skin.positions;
+  const Vec3 out = mesh::areaVector2(p[t[0]], p[t[1]], p[t[2]]).normalized();
+  const Vec3 aside = out.unitOrthogonal();
+  contact::FingerSettings settings;
+  settings.radius_mm = radius_mm;
+  contact::FingerState state;
+  contact::FingerOutput output;
+  constexpr int kTicks = 200;
+  const double start = radius_mm + 2;
+  for (int i = 0; i <= kTicks; ++i) {
+    const Vec3 tip = hit.point + (start - (start + depth_mm) * i / kTicks) * out;
+    output = contact::step(world.surface, settings, state, tip);
+  }
+  for (int i = 1; i <= kTicks; ++i) {
+    output = contact::step(world.surface, settings, state, hit.point - depth_mm * out + drag_mm * i / kTicks * aside);
+  }
+  return output;
+}
+
+struct Moved {
+  Index near = 0;
+  Index far = 0;
+};
+
+/// Positions and normals, bit by bit.
+Moved movedBy(const World& world, const contact::FingerOutput& finger, const Press& press) {
+  const auto contact = contactOf(world, finger);
+  if (!contact) return {};
+  deform::Deformer deformer(world.deformable, world.deformation);
+  const deform::DeformedSurface rest(world.deformable);
+  deform::DeformedSurface surface(world.deformable);
+  deformer.apply(std::span(&*contact, 1), surface);
+  Moved moved;
+  for (Index v = 0; v < surface.vertices(); ++v) {
+    if (surface.positionAt(v) == rest.positionAt(v) && surface.normalAt(v) == rest.normalAt(v)) continue;
+    ++(press.far(world.skin.positions[v]) ? moved.far : moved.near);
+  }
+  return moved;
+}
+
+class FarSide : public testing::TestWithParam<const char*> {};
+
+TEST_P(FarSide, StaysWhereItIsHoweverDeepThePress) {
+  const WorldPointer world = trunkWorld(GetParam());
+  for (const Press& press : kPresses) {
+    for (const double depth_mm : {3.0, 15.0, 30.0}) {
+      for (const double radius_mm : {0.0, 8.0}) {
+        for (const double drag_mm : {0.0, 25.0}) {
+          const contact::FingerOutput finger = felt(*world, press.place, depth_mm, radius_mm, drag_mm);
+          if (drag_mm > depth_mm && finger.touch == contact::Touch::free) continue;  // the skin bends away under it
+          const Moved moved = movedBy(*world, finger, press);
+          EXPECT_GT(moved.near, 3u) << press.name << ", " << depth_mm << " mm";
+          EXPECT_EQ(moved.far, 0u) << press.name << ", " << depth_mm << " mm deep, " << drag_mm << " mm aside, radius "
+                                   << radius_mm << " mm";
+        }
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Trunk, FarSide, testing::Values("average", "thin", "heavy prone"), [](const auto& build) {
+  std::string name = build.param;
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+});
+
+}  // namespace
+}  // namespace palpate::scene
