@@ -37,7 +37,7 @@ struct Press {
   bool (*far)(const Vec3& place);
 };
 bool inFront(const Vec3& p) { return p.z() < -10 && std::abs(p.x()) < 75; }
-bool behind(const Vec3& p) { return p.z() > 40 && std::abs(p.x()) < 75; }
+bool behind(const Vec3& p) { return p.z() > 40 && std::abs(p.x()) < 75 && p.y() < 120; }  // not the shoulders' crest
 bool frontOrLeftArm(const Vec3& p) { return inFront(p) || p.x() < -200; }
 bool leftShoulder(const Vec3& p) { return p.x() < -100; }
 
