@@ -190,6 +190,22 @@ TEST(Trunk, LyingIsFlatInFrontAndLeavesTheBackAsItIs) {
   EXPECT_FALSE(standing.support.has_value());
 }
 
+TEST(Trunk, BonesOfTheBackShowOnTheBackAlone) {
+  const Trunk even = makeTrunk({.triangles = kFew, .shape = {.relief = noRelief(), .asymmetry = 0}});
+  const Trunk lean = makeTrunk({.triangles = kFew, .shape = {.asymmetry = 0}});
+  double most = 0;
+  for (std::size_t v = 0; v < even.skin.positions.size(); ++v) {
+    const double moved = (even.skin.positions[v] - lean.skin.positions[v]).norm();
+    most = std::max(most, moved);
+    const Vec3& p = even.skin.positions[v];
+    const bool in_front = p.z() < -30 && std::abs(p.x()) < 35;  // from the jugular notch to the pubis
+    if (in_front) {
+      EXPECT_EQ(moved, 0) << p.transpose();
+    }
+  }
+  EXPECT_GT(most, 0.5);
+}
+
 TEST(Trunk, RefusesWhatIsNoBuildAndNamesIt) {
   try {
     makeTrunk({.triangles = kFew, .shape = {.body_mass_index = 60}});

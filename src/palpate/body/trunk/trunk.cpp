@@ -85,7 +85,10 @@ class Shaper {
     const double top = std::clamp((kSkinHigh - p.y()) / kFadeMm, 0.0, 1.0);
     const double fade = inside * inside * (3 - 2 * inside) * top * top * (3 - 2 * top);
     const Vec3 radial(std::sin(place.angle), 0, std::cos(place.angle));
-    return fade * relief_->at(unit.x(), unit.y()).value * radial;
+    // At the root of the neck the front is dorsal of that axis too.
+    constexpr double kFacesBack = 0.3;
+    const double back = std::clamp(fitted.normal.dot(radial) / kFacesBack, 0.0, 1.0);
+    return fade * back * back * (3 - 2 * back) * relief_->at(unit.x(), unit.y()).value * radial;
   }
 
   const TrunkField& field_;
