@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "palpate/body/places.h"
 #include "palpate/mesh/triangle_mesh.h"
 #include "palpate/scene/skin_channels.h"
 #include "palpate/view/scene_view.h"
@@ -27,7 +28,10 @@ VertexReading readVertex(const scene::World& world, const Vec3& place) {
   const Index v = reading.vertex = nearestVertex(world.skin.positions, place);
   reading.place = world.skin.positions[v];
   reading.stiffness_n_per_mm = world.stiffness_n_per_mm[v];
-  if (!world.anatomy.depth_mm.empty()) reading.bone_depth_mm = world.anatomy.depth_mm[v];
+  const scene::Anatomy& anatomy = world.anatomy;
+  reading.where = body::inWords(anatomy.landmarks, place);
+  if (!anatomy.depth_mm.empty()) reading.bone_depth_mm = anatomy.depth_mm[v];
+  if (!anatomy.nearest_bone.empty()) reading.bone = anatomy.bones[anatomy.nearest_bone[v]].name;
   if (!world.channels) return reading;
   reading.in_file = world.channels->source_vertex[v];
   for (const scene::SkinScalar& scalar : world.channels->scalars) {

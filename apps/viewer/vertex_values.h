@@ -20,7 +20,9 @@ struct VertexReading {
   std::optional<Index> in_file;  ///< of the mesh file, from 0
   Vec3 place = Vec3::Zero();     ///< at rest, mm
   double stiffness_n_per_mm = 0.0;
+  std::string where;  ///< as an examiner says the place that was clicked; empty on a body without names
   std::optional<double> bone_depth_mm;
+  std::string bone;  ///< the nearest one; empty without bones
   struct Scalar {
     std::string name;
     double value = 0.0;

@@ -66,7 +66,8 @@ WorldFacts factsOf(const scene::World& world) {
           .stiffest_n_per_mm = *stiff,
           .notes = world.notes,
           .has_picture = world.texture != nullptr,
-          .channels = world.channels};
+          .channels = world.channels,
+          .has_names = !world.anatomy.landmarks.empty()};
 }
 
 }  // namespace

@@ -181,6 +181,48 @@ TEST_F(Render, SaysWhatStereoCannotDo) {
   EXPECT_NE(result.out.find("quad-buffer stereo is not offered here"), std::string::npos);
 }
 
+/// A body with names.
+class RenderOfATorso : public Render {
+ protected:
+  void SetUp() override { std::ofstream(folder_ / "torso.toml") << "[body]\nkind = \"torso\"\ntriangles = 8163\n"; }
+  CommandResult ofTorso(const std::string& arguments) const {
+    return support::runPalpate("render torso.toml --no-labels --supersampling 1 --size 480x320 " + arguments,
+                               folder_.path());
+  }
+};
+
+TEST_F(RenderOfATorso, TurnsToAPlaceByItsName) {
+  ASSERT_EQ(ofTorso("--zoom 3 --look-at T6 -o a.png").exit_code, 0);
+  ASSERT_EQ(ofTorso("--zoom 3 --look-at 't6 right 60 mm' -o b.png").exit_code, 0);
+  ASSERT_EQ(ofTorso("--zoom 3 --look-at 'T6 right 30 right 30' -o c.png").exit_code, 0);
+  EXPECT_NE(image("a.png").pixels, image("b.png").pixels);
+  EXPECT_EQ(image("b.png").pixels, image("c.png").pixels);
+  const CommandResult unknown = ofTorso("--look-at T66 -o d.png");
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_NE(unknown.err.find("palpate: --look-at: unknown place 't66'"), std::string::npos) << unknown.err;
+}
+
+TEST_F(RenderOfATorso, PressesPlacesByTheirNames) {
+  const auto depth = [&](const std::string& pose) -> double {
+    const CommandResult result = ofTorso("--pose " + pose + " --json -o pose.png");
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return nlohmann::json::parse(result.out)["pictures"][0]["fingers"][0]["depth_mm"];
+  };
+  EXPECT_NEAR(depth("T6"), 6.0, 0.6);
+  EXPECT_NEAR(depth("'T6; T6 right 30 mm'"), 6.0, 1.5) << "on a slope, after a drag";
+  EXPECT_EQ(ofTorso("--pose 'T6; nowhere' -o x.png").exit_code, 2);
+}
+
+TEST_F(RenderOfATorso, ShowsItsNamesAndSaysWhereThereAreNone) {
+  ASSERT_EQ(ofTorso("-o plain.png").exit_code, 0);
+  const CommandResult named = ofTorso("--show names -o named.png");
+  ASSERT_EQ(named.exit_code, 0) << named.err;
+  EXPECT_EQ(named.out.find("named places"), std::string::npos);
+  EXPECT_NE(image("plain.png").pixels, image("named.png").pixels);
+  Render::SetUp();
+  EXPECT_NE(render("--show names -o dome.png").out.find("note: this body has no named places"), std::string::npos);
+}
+
 TEST_F(Render, RefusesWithOneLine) {
   EXPECT_EQ(errorOf("-o picture.jpg"),
             "palpate: picture.jpg: must be named *.png: pictures are written as PNG, films as *.mp4 or *.webm\n");

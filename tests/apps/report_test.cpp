@@ -203,6 +203,20 @@ TEST_F(ReportCommand, TheTouchedAreaIsThatOfTheFingersWay) {
   EXPECT_NEAR(coverage["touched_back_share"].get<double>(), 290.0 / 40000.0, 0.0015);
 }
 
+TEST_F(ReportCommand, PlacesOfABodyWithNamesAreSaidInWords) {
+  write("torso.toml",
+        "[body]\nkind = \"torso\"\ntriangles = 8163\n\n[[finger]]\nname = \"index\"\nat = \"T6 right 20 mm\"\n"
+        "script = [{ do = \"press\", depth_mm = 5, seconds = 0.2 }]\n");
+  ASSERT_EQ(palpate("simulate torso.toml --no-pictures --session").exit_code, 0);
+  std::filesystem::rename(folder_ / "results/run.session", folder_ / "run.session");
+  const std::string where = numbers()["contacts"][0]["peak_where"];
+  EXPECT_EQ(where.substr(0, 7), "T6, 20 ") << where;
+  EXPECT_TRUE(has(report(), where));
+  std::filesystem::remove_all(folder_ / "results");
+  record("--trajectory path.csv");
+  EXPECT_FALSE(numbers()["contacts"][0].contains("peak_where")) << "a mesh has no names";
+}
+
 TEST_F(ReportCommand, APartOfIt) {
   record("--trajectory path.csv");
   const json part = numbers("run.session --from 1.25 --to 2.2");

@@ -265,6 +265,19 @@ TEST_F(Simulate, RunsInRealTimeBesideTheDeformation) {
   EXPECT_NEAR(json["fingers"][0]["depth_mm"]["peak"], 5.6, 0.5);
 }
 
+TEST_F(Simulate, SaysInWordsWhereEachFingerPressedDeepest) {
+  write("torso.toml",
+        "[body]\nkind = \"torso\"\ntriangles = 8163\n\n[[finger]]\nname = \"index\"\nat = \"T6 right 20 mm\"\n"
+        "script = [{ do = \"press\", depth_mm = 5, seconds = 0.2 }]\n");
+  const CommandResult result = simulate("torso.toml");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const std::string where = report()["fingers"][0]["where"];
+  EXPECT_EQ(where.substr(0, 7), "T6, 20 ") << where;
+  EXPECT_NE(result.out.find("index pressed deepest at " + where), std::string::npos) << result.out;
+  ASSERT_EQ(simulate("--mesh dome.obj --trajectory path.csv").exit_code, 0);
+  EXPECT_FALSE(report("results-2")["fingers"][0].contains("where")) << "a mesh has no names";
+}
+
 TEST_F(Simulate, RunsAsLongAsItIsTold) {
   ASSERT_EQ(simulate("--mesh dome.obj --seconds 0.25").exit_code, 0);
   EXPECT_EQ(report()["ticks"], 250);

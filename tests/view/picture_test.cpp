@@ -151,7 +151,9 @@ TEST(Picture, HasDarkLettersOnPaperAndOnALightGround) {
 }
 
 TEST(Picture, ChangesWithEveryOverlay) {
-  const auto world = flatWorld();
+  const auto named = std::make_shared<scene::World>(*flatWorld());
+  named->anatomy.landmarks = {{"spinous_T6", "T6", {20.0, 20.0, 0.0}, Vec3::UnitZ(), {20.0, 20.0, -10.0}}};
+  const std::shared_ptr<const scene::World> world = named;
   const FingerMark fingers[] = {pressedFinger(*world, {50, 50, 0}, 6.0, {3, 0, 0})};
   const auto surface = deformedBy(*world, fingers);
   Studio studio(world);

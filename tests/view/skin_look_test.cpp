@@ -17,7 +17,7 @@ namespace palpate::view {
 namespace {
 
 constexpr PictureSize kSize{480, 360, 1};
-constexpr double kAspect = 4.0 / 3.0;
+constexpr double kLookAspect = 4.0 / 3.0;
 
 double luminance(const Pixel& p) { return (0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2]) / 255.0; }
 
@@ -40,7 +40,7 @@ Vec3 skinAt(const scene::World& world, double x_mm, double y_mm) {
 class SkinLook : public testing::Test {
  protected:
   PictureSettings settings(const scene::ViewSettings& view = {}) const {
-    PictureSettings settings = pictureSettings(*world_, view, kAspect);
+    PictureSettings settings = pictureSettings(*world_, view, kLookAspect);
     settings.labels = LabelSettings::none();
     settings.look.plain_background = 0.0;
     return settings;
@@ -146,7 +146,7 @@ TEST_F(SkinLook, ShowsItsLinesOnlyFromNearBy) {
 
 /// The mean luminance of the ring from 10 to 16 mm round a place.
 double luminanceRound(const Image& image, const PictureSettings& settings, const Vec3& place) {
-  const Frustum frustum = frustumOf(screenOf(settings.camera, kAspect), settings.camera.eye(), 10.0, 5000.0);
+  const Frustum frustum = frustumOf(screenOf(settings.camera, kLookAspect), settings.camera.eye(), 10.0, 5000.0);
   double sum = 0.0;
   int count = 0;
   for (int i = 0; i < 48; ++i) {
@@ -218,7 +218,7 @@ Image bareSideOf(const std::shared_ptr<const scene::World>& world, double opacit
   scene::ViewSettings view;
   view.side = StandardView::left;  // the ribs stand out of the open torso
   view.opacity = opacity;
-  PictureSettings settings = pictureSettings(*world, view, kAspect);
+  PictureSettings settings = pictureSettings(*world, view, kLookAspect);
   settings.labels = LabelSettings::none();
   settings.look.plain_background = 0.0;
   return picture(world, deformedBy(*world, {}), {}, settings, kSize);
@@ -286,7 +286,7 @@ TEST_F(SkinLook, HasAHandThatIsOpaqueFromFarAway) {
 TEST_F(SkinLook, HoldsTheWholeForearmBetweenItsPlanes) {
   // A hand pressed anywhere on the back reaches so far from it.
   const PictureSettings whole = settings();
-  const Eyes eyes = eyesOf(whole.camera, whole.stereo, kAspect);
+  const Eyes eyes = eyesOf(whole.camera, whole.stereo, kLookAspect);
   const DepthRange range = depthRangeOf(eyes, mesh::boundingBox(world_->skin), kRoomForHandsMm);
   const double highest_skin = mesh::boundingBox(world_->skin).max().z();
   EXPECT_LT(range.near_mm, whole.camera.eye().z() - highest_skin - 400.0);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "palpate/scene/skin_channels.h"
 #include "palpate/view/scene_view.h"
 #include "viewer/stage.h"
@@ -46,8 +48,25 @@ TEST_F(SheetWithNumbers, APressReadsTheNearestVertex) {
   EXPECT_EQ(reading.in_file, world.channels->source_vertex[reading.vertex]);
   EXPECT_EQ(reading.stiffness_n_per_mm, world.stiffness_n_per_mm[reading.vertex]);
   ASSERT_EQ(reading.scalars.size(), 2u);
+  EXPECT_EQ(reading.where, "") << "a mesh has no names";
   EXPECT_EQ(reading.scalars[1].name, "twice");
   EXPECT_EQ(reading.scalars[1].value, static_cast<float>(2.0 * reading.place.x()));
+}
+
+TEST(VertexReading, SaysThePlaceAsAnExaminerDoesAndTheBoneBelow) {
+  scene::Scene scene;
+  scene.body.kind = scene::BodyKind::torso;
+  scene.body.triangles = 8163;
+  const auto world = scene::build(scene);
+  const auto& marks = world->anatomy.landmarks;
+  const auto t6 = std::find_if(marks.begin(), marks.end(), [](const auto& m) { return m.name == "spinous_T6"; });
+  ASSERT_NE(t6, marks.end());
+  const VertexReading at = readVertex(*world, t6->position);
+  EXPECT_EQ(at.where, "T6");
+  EXPECT_EQ(at.bone, "T6");
+  ASSERT_TRUE(at.bone_depth_mm);
+  EXPECT_LT(*at.bone_depth_mm, 25.0);
+  EXPECT_EQ(readVertex(*world, t6->position + Vec3(12, 0, 0)).where, "T6, 12 mm right");
 }
 
 TEST_F(SheetWithNumbers, TheFirstIsShownOverItsRangeAndAnotherWhenAskedFor) {

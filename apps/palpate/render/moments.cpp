@@ -60,11 +60,11 @@ std::vector<servo::TickSamples> framesAt(const scene::World& world, const device
   return frames;
 }
 
-void useFingersAt(std::span<const Pose> poses, double radius_mm, scene::Scene& scene) {
+void useFingersAt(std::size_t poses, double radius_mm, scene::Scene& scene) {
   scene.fingers.clear();
-  for (std::size_t i = 0; i < poses.size(); ++i) {
+  for (std::size_t i = 0; i < poses; ++i) {
     scene.fingers.emplace_back();
-    scene.fingers.back().name = poses.size() == 1 ? "finger" : fmt::format("finger_{}", scene.fingers.size());
+    scene.fingers.back().name = poses == 1 ? "finger" : fmt::format("finger_{}", scene.fingers.size());
     scene.fingers.back().radius_mm = radius_mm;
   }
 }

@@ -18,8 +18,8 @@ std::vector<servo::TickSamples> framesAt(const scene::World& world, const device
 /// Places, at least one, mm: the finger's tip goes to the first and on to the others.
 using Pose = std::vector<Vec3>;
 
-/// Puts one finger a pose into the scene, in place of its own.
-void useFingersAt(std::span<const Pose> poses, double radius_mm, scene::Scene& scene);
+/// Puts so many fingers, one a pose, into the scene, in place of its own.
+void useFingersAt(std::size_t poses, double radius_mm, scene::Scene& scene);
 
 /// The paths of these fingers: from outside the skin, square to it, to the first place, and on.
 device::FingerPaths pathsToPoses(const scene::World& world, std::span<const Pose> poses);

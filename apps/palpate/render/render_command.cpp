@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "apps/palpate/common/body_place.h"
 #include "apps/palpate/common/choice_option.h"
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/interruption.h"
@@ -60,7 +61,7 @@ scene::Scene sceneFor(const RenderOptions& options) {
   SimulateOptions input = options.scene;
   input.needs_fingers = !isAtRest(options) && options.poses.empty();
   scene::Scene scene = sceneFor(input);
-  if (!options.poses.empty()) useFingersAt(options.poses, options.scene.radius_mm, scene);
+  if (!options.poses.empty()) useFingersAt(options.poses.size(), options.scene.radius_mm, scene);
   scene.view = viewOf(options, scene.view);
   return scene;
 }
@@ -75,13 +76,23 @@ std::vector<double> timesOf(const RenderOptions& options, const scene::World& wo
   return times;
 }
 
+std::vector<Pose> posesOn(const RenderOptions& options, const scene::World& world) {
+  std::vector<Pose> poses;
+  for (const std::vector<BodyPlace>& asked : options.poses) {
+    Pose& pose = poses.emplace_back();
+    for (const BodyPlace& place : asked) pose.push_back(tipOn(world, place));
+  }
+  return poses;
+}
+
 std::vector<servo::TickSamples> framesFor(const RenderOptions& options, const scene::World& world,
                                           std::vector<double>& times, const Progress& progress) {
   if (isAtRest(options)) {
     times = {0.0};
     return {servo::TickSamples{}};
   }
-  const device::FingerPaths paths = options.poses.empty() ? device::pathsOf(world) : pathsToPoses(world, options.poses);
+  const device::FingerPaths paths =
+      options.poses.empty() ? device::pathsOf(world) : pathsToPoses(world, posesOn(options, world));
   times = timesOf(options, world, paths);
   return framesAt(world, paths, times, progress);
 }
@@ -121,6 +132,7 @@ view::PictureSettings settingsFor(const RenderOptions& options, const scene::Wor
   const auto mode = world.scene.view.stereo;
   const double aspect = view::eyePictureIn(mode, size.width, size.height).aspect();
   view::PictureSettings settings = view::pictureSettings(world, aspect);
+  if (options.look_at) settings.camera.centre = pointOn(world, *options.look_at);
   settings.labels.title = options.title;
   settings.labels.finger_names = fingerNames(world);
   if (!options.labels) settings.labels = view::LabelSettings::none();
@@ -236,11 +248,21 @@ std::string summaryOf(const RenderReport& result) {
   return text;
 }
 
-std::vector<Vec3> placesFrom(const std::string& words) {
+std::vector<BodyPlace> pointsFrom(const std::string& words) {
   const std::vector<double> numbers = numbersFrom(kPose, words, between(-kFarthestMm, kFarthestMm, "mm"));
   if (numbers.size() % 3 != 0) throw CLI::ValidationError(kPose, "needs x,y,z, or several of them");
-  std::vector<Vec3> places;
-  for (std::size_t i = 0; i < numbers.size(); i += 3) places.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
+  std::vector<BodyPlace> places;
+  for (std::size_t i = 0; i < numbers.size(); i += 3) {
+    places.push_back({kPose, {}, Vec3(numbers[i], numbers[i + 1], numbers[i + 2])});
+  }
+  return places;
+}
+
+/// x,y,z once or more, or places in words with semicolons between them.
+std::vector<BodyPlace> placesFrom(const std::string& words) {
+  if (meansNumbers(words)) return pointsFrom(words);
+  std::vector<BodyPlace> places;
+  for (const std::string_view word : split(words, ';')) places.push_back(bodyPlaceFrom(kPose, std::string(word)));
   return places;
 }
 
@@ -252,8 +274,9 @@ void addPoses(CLI::App& command, RenderOptions& options) {
       .add_option_function<std::vector<std::string>>(kPose, read,
                                                      "Tip of a finger x,y,z, mm, in place of the scene's fingers; more "
                                                      "places in one list: it moves on from each to "
-                                                     "the next; once for each finger")
-      ->type_name(std::string(kPlaceType) + "[,X,Y,Z]");
+                                                     "the next; once for each finger. Or places in words, with "
+                                                     "semicolons: \"T6; T6 right 30 mm\", 6 mm under the skin")
+      ->type_name(std::string(kPlaceType) + "[,X,Y,Z]|PLACE");
 }
 
 void addMomentOptions(CLI::App& command, RenderOptions& options) {
@@ -277,7 +300,8 @@ void addCameraOptions(CLI::App& command, RenderOptions& options) {
   addNumber(command, "--pitch-deg", options.pitch_deg, between(-89.0, 89.0),
             "Turned from that side; positive looks from above");
   addNumber(command, "--zoom", options.zoom, between(0.01, 1000.0), "1 shows the whole body");
-  addPlace(command, "--look-at", options.look_at_mm, "Place in the middle of the picture, mm");
+  addBodyPlace(command, "--look-at", options.look_at,
+               "Place in the middle of the picture, mm, or in words: \"T6 right 30 mm\" (docs/names.md)");
 }
 
 void addLookOptions(CLI::App& command, RenderOptions& options) {

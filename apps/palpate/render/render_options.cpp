@@ -83,7 +83,7 @@ scene::ViewSettings viewOf(const RenderOptions& options, const scene::ViewSettin
   replace(settings.eye_distance_mm, options.eye_distance_mm);
   replace(settings.convergence_mm, options.convergence_mm);
   replace(settings.screen_height_mm, options.screen_height_mm);
-  if (options.look_at_mm) settings.look_at_mm = options.look_at_mm;
+  if (options.look_at && options.look_at->words.empty()) settings.look_at_mm = options.look_at->point;
   if (options.head_mm) settings.head_mm = options.head_mm;
   if (options.show) useShow(*options.show, settings);
   useScalar(options, settings);

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "apps/palpate/common/body_place.h"
 #include "apps/palpate/common/simulate_options.h"
-#include "apps/palpate/render/moments.h"
 #include "palpate/scene/view_settings.h"
 #include "palpate/view/picture.h"
 
@@ -16,7 +16,7 @@ namespace palpate::app {
 struct RenderOptions {
   SimulateOptions scene;
   std::optional<double> at_s;
-  std::vector<Pose> poses;
+  std::vector<std::vector<BodyPlace>> poses;
   std::filesystem::path output = "picture.png";
   view::PictureSize size;
   int frames = 1;
@@ -28,7 +28,8 @@ struct RenderOptions {
   std::optional<std::string> side, show, shading, finger, stereo;
   std::optional<std::string> scalar, scalar_map;
   std::vector<double> scalar_range;
-  std::optional<Vec3> look_at_mm, head_mm;
+  std::optional<BodyPlace> look_at;
+  std::optional<Vec3> head_mm;
   std::optional<double> yaw_deg, pitch_deg, zoom, opacity, skin_tone, dent_contrast, eye_distance_mm, convergence_mm,
       screen_height_mm;
   bool swap_eyes = false;

@@ -4,6 +4,7 @@
 #include "apps/palpate/common/json.h"
 #include "apps/palpate/session/session_report.h"
 #include "apps/palpate/session/session_text.h"
+#include "palpate/body/places.h"
 
 namespace palpate::app {
 
@@ -104,6 +105,8 @@ Json contactsJson(const SessionReport& report) {
                     {"peak_depth_mm", contact.peak_depth_mm},
                     {"path_mm", contact.path_mm},
                     {"peak_place_mm", vectorJson(contact.peak_place)}});
+    const std::string where = body::inWords(report.body.landmarks, contact.peak_place);
+    if (!where.empty()) json.back()["peak_where"] = where;
   }
   return json;
 }

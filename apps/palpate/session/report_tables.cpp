@@ -5,6 +5,7 @@
 #include <array>
 
 #include "apps/palpate/session/report_html.h"
+#include "palpate/body/places.h"
 #include "study/page/study_page.h"
 
 namespace palpate::app {
@@ -119,6 +120,7 @@ std::string contactsSection(const SessionReport& report) {
   std::stable_sort(contacts.begin(), contacts.end(),
                    [](const auto& a, const auto& b) { return a.first_tick < b.first_tick; });
   if (contacts.size() > kMostRows) contacts.erase(contacts.begin() + kMostRows, contacts.end());
+  const bool has_names = !report.body.landmarks.empty();
   std::vector<Cells> rows;
   for (const trace::Contact& contact : contacts) {
     const Vec3& place = contact.peak_place;
@@ -127,11 +129,18 @@ std::string contactsSection(const SessionReport& report) {
          fmt::format("{:.3f}", report.statistics.seconds(contact.ticks())), fixedWords(contact.peak_force_n, 2),
          fixedWords(contact.mean_force_n, 2), fixedWords(contact.peak_depth_mm, 2), fixedWords(contact.path_mm, 1),
          fmt::format("{}, {}, {}", fixedWords(place.x(), 1), fixedWords(place.y(), 1), fixedWords(place.z(), 1))});
+    if (has_names) rows.back().push_back(body::inWords(report.body.landmarks, place));
   }
-  html += tableOf("numbers",
-                  {"finger", "begin (s)", "length (s)", "peak force (N)", "mean force (N)", "peak depth (mm)",
-                   "path on the skin (mm)", "place of the peak force: x, y, z (mm)"},
-                  rows);
+  Cells head = {"finger",
+                "begin (s)",
+                "length (s)",
+                "peak force (N)",
+                "mean force (N)",
+                "peak depth (mm)",
+                "path on the skin (mm)",
+                "place of the peak force: x, y, z (mm)"};
+  if (has_names) head.emplace_back("which is");
+  html += tableOf("numbers", head, rows);
   return html + moreLine(report.statistics.contact_count, rows.size(), "contacts");
 }
 

@@ -88,6 +88,7 @@ void buildSurface(const FeltBody& felt, const std::filesystem::path& folder, con
     body.notes.emplace_back(
         "Body or stiffness are not the recorded ones to the bit, but every place that was touched lies on this skin.");
   }
+  body.landmarks = world->anatomy.landmarks;
   report(progress, "spreading what was felt", 0.0);
   body.surface = trace::touchedSurface(world->skin, felt.places, body.reach_mm);
 }
@@ -117,6 +118,7 @@ ReportBody reportBody(trace::SessionReader& session, const ReportSettings& setti
     }
     const engine::CarriedFiles carried(session);
     buildSurface(longest->second, settings.folder.empty() ? carried.folder() : settings.folder, progress, body);
+    if (bodies.size() > 1) body.landmarks.clear();
   } catch (const Error& error) {
     body.why_not = fmt::format("The body cannot be built: {}.", error.what());
   }

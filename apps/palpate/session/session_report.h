@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "palpate/base/progress.h"
+#include "palpate/body/torso.h"
 #include "palpate/trace/session_statistics.h"
 
 namespace palpate::app {
@@ -20,9 +21,10 @@ namespace palpate::app {
 struct ReportBody {
   std::string name;  ///< of the body that was touched longest; empty: none was
   std::optional<trace::TouchedSurface> surface;
-  std::string why_not;             ///< a sentence; empty where there is a surface, or nothing was touched
-  std::vector<std::string> notes;  ///< what else is to be known about the map, a sentence each
-  std::vector<double> reach_mm;    ///< of each finger, as the maps have it
+  std::string why_not;                        ///< a sentence; empty where there is a surface, or nothing was touched
+  std::vector<std::string> notes;             ///< what else is to be known about the map, a sentence each
+  std::vector<double> reach_mm;               ///< of each finger, as the maps have it
+  std::vector<body::SkinLandmark> landmarks;  ///< of the one body that was touched; empty: several, or it has no names
 };
 
 struct SessionReport {

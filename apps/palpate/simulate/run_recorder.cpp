@@ -30,7 +30,10 @@ void RunStatistics::add(const trace::Sample& sample) {
   finger.limited += sample.device_force != contact.force ? 1 : 0;
   finger.peak_force_n = std::max(finger.peak_force_n, force);
   finger.sum_force_n += force;
-  finger.peak_depth_mm = std::max(finger.peak_depth_mm, contact.depth_mm);
+  if (contact.depth_mm > finger.peak_depth_mm) {
+    finger.peak_depth_mm = contact.depth_mm;
+    finger.deepest_at = contact.proxy;
+  }
   finger.sum_depth_mm += contact.depth_mm;
   auto visited = visited_[sample.finger].begin() + static_cast<std::ptrdiff_t>(contact.triangle);
   if (contact.triangle != kNoIndex && !*visited) {

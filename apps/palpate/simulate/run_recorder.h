@@ -35,6 +35,7 @@ struct FingerStatistics {
   double sum_force_n = 0.0;
   double peak_device_force_n = 0.0;
   double peak_depth_mm = 0.0;
+  Vec3 deepest_at = Vec3::Zero();  ///< where on the skin that was, mm
   double sum_depth_mm = 0.0;
   std::size_t triangles = 0;  ///< different ones under the proxy
 

@@ -7,6 +7,7 @@
 
 #include "apps/palpate/common/interruption.h"
 #include "apps/palpate/common/json.h"
+#include "palpate/body/places.h"
 #include "palpate/servo/device_limits.h"
 
 namespace palpate::app {
@@ -31,17 +32,25 @@ Json interventionsJson(const FingerStatistics& finger) {
   return json;
 }
 
-Json fingerJson(const std::string& name, const FingerStatistics& finger) {
-  return {{"name", name},
-          {"touching_share", share(finger.touching, finger.ticks)},
-          {"stick_share", share(finger.sticking, finger.touching)},
-          {"slip_share", share(finger.slipping, finger.touching)},
-          {"force_n", {{"mean", finger.meanForceN()}, {"peak", finger.peak_force_n}}},
-          {"depth_mm", {{"mean", finger.meanDepthMm()}, {"peak", finger.peak_depth_mm}}},
-          {"device_force_peak_n", finger.peak_device_force_n},
-          {"device_limited_share", share(finger.limited, finger.touching)},
-          {"interventions", interventionsJson(finger)},
-          {"triangles_touched", finger.triangles}};
+/// Where it pressed deepest, as an examiner says it; empty without a touch or on a body without names.
+std::string whereWords(const scene::World& world, const FingerStatistics& finger) {
+  return finger.touching == 0 ? "" : body::inWords(world.anatomy.landmarks, finger.deepest_at);
+}
+
+Json fingerJson(const scene::World& world, std::size_t i, const FingerStatistics& finger) {
+  Json json = {{"name", world.scene.fingers[i].name},
+               {"touching_share", share(finger.touching, finger.ticks)},
+               {"stick_share", share(finger.sticking, finger.touching)},
+               {"slip_share", share(finger.slipping, finger.touching)},
+               {"force_n", {{"mean", finger.meanForceN()}, {"peak", finger.peak_force_n}}},
+               {"depth_mm", {{"mean", finger.meanDepthMm()}, {"peak", finger.peak_depth_mm}}},
+               {"device_force_peak_n", finger.peak_device_force_n},
+               {"device_limited_share", share(finger.limited, finger.touching)},
+               {"interventions", interventionsJson(finger)},
+               {"triangles_touched", finger.triangles}};
+  const std::string where = whereWords(world, finger);
+  if (!where.empty()) json["where"] = where;
+  return json;
 }
 
 /// What a hand on a device could feel of this scene at most.
@@ -111,6 +120,16 @@ std::string fingerTable(const SimulationResult& result) {
   return text + "\n";
 }
 
+std::string placeLines(const SimulationResult& result) {
+  std::string text;
+  for (std::size_t i = 0; i < result.fingers.size(); ++i) {
+    const std::string where = whereWords(*result.world, result.fingers[i]);
+    if (where.empty()) continue;
+    text += fmt::format("  place      {} pressed deepest at {}\n", result.world->scene.fingers[i].name, where);
+  }
+  return text;
+}
+
 std::string realtimeLines(const SimulationResult& result) {
   if (!result.display) return {};
   const servo::LoopReport& loop = result.loop;
@@ -148,7 +167,7 @@ std::string filesLines(const SimulationResult& result) {
 nlohmann::ordered_json reportOf(const SimulationResult& result) {
   Json fingers = Json::array();
   for (std::size_t i = 0; i < result.fingers.size(); ++i) {
-    fingers.push_back(fingerJson(result.world->scene.fingers[i].name, result.fingers[i]));
+    fingers.push_back(fingerJson(*result.world, i, result.fingers[i]));
   }
   Json report = {{"title", result.world->scene.title},
                  {"mode", result.display ? "realtime" : "headless"},
@@ -179,6 +198,7 @@ std::string summaryOf(const SimulationResult& result) {
   text += fmt::format("  body       {}\n", bodyLine(*result.world));
   text += fmt::format("  run        {}\n", runLine(result));
   text += fingerTable(result);
+  text += placeLines(result);
   text += fmt::format("  tick       {}   overruns {}\n", percentilesLine(result.loop.compute), result.loop.overruns);
   text += realtimeLines(result);
   text += safetyLine(result);

@@ -115,6 +115,7 @@ void showPanel(const ShowPanel& panel) {
   rangeWidgets(panel.look, panel.world);
   ImGui::Separator();
   for (std::size_t i = 0; i < view::kOverlays; ++i) overlayWidget(panel.look, static_cast<view::Overlay>(i));
+  if (panel.look.shows(view::Overlay::names) && !panel.world.has_names) remark("This body has no named places.");
 }
 
 }  // namespace palpate::viewer

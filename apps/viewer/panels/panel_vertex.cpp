@@ -10,6 +10,7 @@
 
 #include "apps/viewer/panels/panels.h"
 #include "apps/viewer/panels/widgets.h"
+#include "palpate/body/places.h"
 #include "palpate/scene/skin_channels.h"
 
 namespace palpate::viewer {
@@ -84,12 +85,16 @@ void vertexPanel(const VertexPanel& panel) {
   flagWidget("vertex/mark", "cross on the skin", panel.marked, "Where the vertex is that was read.");
   if (!panel.reading) return remark("Press on the skin: the nearest vertex is read here.");
   const VertexReading& reading = *panel.reading;
+  if (!reading.where.empty()) ImGui::TextWrapped("%s", reading.where.c_str());
   valueLine("vertex of the skin", fmt::format("{}", reading.vertex));
   if (reading.in_file) valueLine("in the file", fmt::format("{}", *reading.in_file));
   valueLine("x, y, z",
             fmt::format("{:.1f}, {:.1f}, {:.1f} mm", reading.place.x(), reading.place.y(), reading.place.z()));
   valueLine("stiffness", fmt::format("{:.3f} N/mm", reading.stiffness_n_per_mm));
-  if (reading.bone_depth_mm) valueLine("skin to bone", fmt::format("{:.1f} mm", *reading.bone_depth_mm));
+  if (reading.bone_depth_mm) {
+    const std::string bone = reading.bone.empty() ? "" : ", " + body::spokenName(reading.bone);
+    valueLine("skin to bone", fmt::format("{:.1f} mm{}", *reading.bone_depth_mm, bone));
+  }
   for (const VertexReading::Scalar& scalar : reading.scalars) {
     valueLine(scalar.name.c_str(), std::isfinite(scalar.value) ? fmt::format("{:.5g}", scalar.value) : "none");
   }

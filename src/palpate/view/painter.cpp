@@ -1,12 +1,17 @@
 // The mode that the canvas can show -> eyes moved together where the parallax would tire -> one page of labels -> each
-// eye drawn, the page over it -> both composed. The page lies in the screen, so it is laid out once for both. Own.
+// eye drawn, the page over it -> both composed. The page lies in the screen, so it is laid out once for both; only one
+// with names, whose dots lie on the skin, is laid out for each. Own.
 #include "palpate/view/painter.h"
+
+#include <optional>
+#include <span>
 
 #include "palpate/mesh/triangle_mesh.h"
 #include "palpate/view/layers/drawing.h"
 #include "palpate/view/layers/gl_objects.h"
 #include "palpate/view/layers/stereo_composer.h"
 #include "palpate/view/overlays/labels.h"
+#include "palpate/view/support_shape.h"
 
 namespace palpate::view {
 
@@ -56,19 +61,39 @@ Screen partOf(const Screen& screen, const Part& part, const Vec2f& whole) {
 
 struct Painter::Parts {
   std::shared_ptr<const scene::World> world;
-  Eigen::AlignedBox3d box;
+  Eigen::AlignedBox3d box;           // of the body
+  Eigen::AlignedBox3d with_support;  // and of what it lies on: all that is drawn
   Renderer renderer;
   StereoComposer composer;
   Drawing page;
+  std::optional<std::vector<BodyName>> names;
 
-  explicit Parts(std::shared_ptr<const scene::World> shown)
-      : world(std::move(shown)), box(mesh::boundingBox(world->skin)), renderer(world) {}
+  explicit Parts(std::shared_ptr<const scene::World> shown) : world(std::move(shown)), renderer(world) { measure(); }
 
-  void preparePage(const Job& job) {
+  void measure() {
+    with_support = box = mesh::boundingBox(world->skin);
+    if (const auto slab = supportSlab(*world)) with_support.extend(slab->box());
+  }
+
+  /// Made when first shown.
+  std::span<const BodyName> namesFor(const Look& look) {
+    if (!look.shows(Overlay::names)) return {};
+    if (!names) names = bodyNames(*world);
+    return *names;
+  }
+
+  std::string noteOn(const Look& look) {
+    const bool nameless = look.shows(Overlay::names) && namesFor(look).empty();
+    return nameless ? "this body has no named places" : "";
+  }
+
+  void preparePage(const Job& job, const Vec3& eye) {
     page.begin(labelledPart(job.picture, job.canvas).size, job.canvas.pixels_per_point);
     Eyes eyes = job.eyes;
     eyes.screen = partOf(eyes.screen, labelledPart(job.picture, job.canvas), wholePage(job.picture, job.canvas));
-    drawLabels(page, {*world, job.surface, job.frame, job.settings.look, job.settings.camera, eyes},
+    drawLabels(page,
+               {*world, job.surface, job.frame, job.settings.look, job.settings.camera, eyes,
+                namesFor(job.settings.look), eye},
                job.settings.labels);
     page.end();
   }
@@ -76,7 +101,7 @@ struct Painter::Parts {
   void paintEye(const Job& job, Eye eye) {
     const bool hands = job.settings.look.finger == FingerShape::hand && !job.frame.fingers.empty();
     const double room_mm = hands ? kRoomForHandsMm : kRoomMm;
-    const Frustum frustum = frustumOf(job.eyes, eye, depthRangeOf(job.eyes, box, room_mm));
+    const Frustum frustum = frustumOf(job.eyes, eye, depthRangeOf(job.eyes, with_support, room_mm));
     Frame frame = job.frame;
     frame.pixels_per_point = job.canvas.pixels_per_point;
     renderer.draw(frame, job.settings.look, frustum, job.picture.width, job.picture.height);
@@ -89,6 +114,7 @@ struct Painter::Parts {
     const Canvas& canvas = job.canvas;
     if (isStereo(job.stereo.mode)) {
       for (const Eye eye : {Eye::left, Eye::right}) {
+        if (job.settings.look.shows(Overlay::names)) preparePage(job, job.eyes.of(eye));
         composer.eye(eye, job.picture).bind();
         paintEye(job, eye);
       }
@@ -108,8 +134,9 @@ Renderer& Painter::renderer() { return parts_->renderer; }
 
 void Painter::setWorld(std::shared_ptr<const scene::World> world) {
   parts_->renderer.setWorld(world);
-  parts_->box = mesh::boundingBox(world->skin);
+  parts_->names.reset();
   parts_->world = std::move(world);
+  parts_->measure();
 }
 
 Painted Painter::paint(const Frame& frame, const deform::DeformedSurface& surface, const PictureSettings& settings,
@@ -128,10 +155,10 @@ Painted Painter::paint(const Frame& frame, const deform::DeformedSurface& surfac
   const ComfortableStereo calm = comfortable(settings.camera, job.stereo, job.picture.aspect(), parts_->box);
   job.stereo = calm.settings;
   job.eyes = eyesOf(settings.camera, job.stereo, job.picture.aspect());
-  parts_->preparePage(job);
+  parts_->preparePage(job, job.eyes.middle);
   parts_->paintEyes(job);
   Painted painted{job.eyes, usable.mode, {}};
-  for (const std::string& note : {usable.note, calm.note}) {
+  for (const std::string& note : {usable.note, calm.note, parts_->noteOn(settings.look)}) {
     if (!note.empty()) painted.notes.push_back(note);
   }
   return painted;

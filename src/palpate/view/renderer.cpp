@@ -16,6 +16,7 @@
 #include "palpate/view/layers/line_layer.h"
 #include "palpate/view/layers/skin_layer.h"
 #include "palpate/view/layers/skin_paint.h"
+#include "palpate/view/layers/support_layer.h"
 #include "palpate/view/overlays/marks.h"
 #include "palpate/view/overlays/overlays.h"
 
@@ -67,6 +68,7 @@ struct Renderer::Parts {
   Background background;
   SkinLayer skin;
   BoneLayer bones;
+  SupportLayer support;
   FingerLayer fingers;
   LineLayer lines;
   std::optional<Overlays> overlays;
@@ -83,6 +85,7 @@ struct Renderer::Parts {
     } else {
       skin.setWorld(*next);
       bones.setWorld(*next);
+      support.setWorld(*next);
     }
     drawn.setBreath(skin.buffers().breathShares());
     overlays.emplace(*next);
@@ -128,8 +131,11 @@ struct Renderer::Parts {
     if (opaque) skin.draw(look, viewpoint, {casters, marks});
     drawFingers(look, viewpoint);
     bones.draw(look, viewpoint);
+    const float support_opacity = support.opacityFor(look, viewpoint);
+    if (support_opacity == 1.0f) support.draw(viewpoint, 1.0f);
     background.draw(look);
     if (!opaque) skin.draw(look, viewpoint, {casters, marks});
+    if (support_opacity < 1.0f) support.draw(viewpoint, support_opacity);  // seen from below, over the body
     drawHands(look, viewpoint, FingerLayer::Part::fading);
   }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "palpate/view/overlays/legend.h"
+#include "palpate/view/overlays/name_labels.h"
 #include "palpate/view/overlays/overlay_key.h"
 #include "palpate/view/overlays/plates.h"
 #include "palpate/view/overlays/round_steps.h"
@@ -258,6 +259,7 @@ void drawLabels(Drawing& page, const LabelScene& scene, const LabelSettings& set
   drawTitle(page, settings.title, inks, taken);
   if (settings.legend) drawKey(page, scene, settings, taken);
   drawCut(page, scene, chartedFinger(scene, settings), taken);
+  if (scene.look.shows(Overlay::names)) drawNames(page, scene, taken);
   if (settings.numbers) drawFingers(page, scene, settings, taken);
 }
 

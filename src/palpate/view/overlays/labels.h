@@ -1,13 +1,16 @@
 // Words, numbers and scales around the picture: what it shows, how large it is, which way is up, how hard is pressed.
 //
-// Drawn on a page (drawing.h) that lies in the plane of the screen, so both eyes see it at the same place.
+// Drawn on a page (drawing.h) that lies in the plane of the screen, so both eyes see it at the same place; only the
+// dots of names are drawn for each eye.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "palpate/view/layers/drawing.h"
+#include "palpate/view/overlays/body_names.h"
 #include "palpate/view/renderer.h"
 #include "palpate/view/stereo.h"
 
@@ -21,6 +24,8 @@ struct LabelScene {
   const Look& look;
   const Camera& camera;
   const Eyes& eyes;
+  std::span<const BodyName> names = {};  ///< of this body
+  std::optional<Vec3> eye = {};          ///< whose page this is; nothing: between the eyes
 };
 
 /// What stands beside a finger, line by line: its name, the depth and the whole force of now, or the most of the press

@@ -1,0 +1,33 @@
+// The table or the seat below a body that lies or sits (support_shape.h).
+#pragma once
+
+#include <optional>
+
+#include "palpate/scene/world.h"
+#include "palpate/view/layers/gl_objects.h"
+#include "palpate/view/support_shape.h"
+#include "palpate/view/layers/viewpoint.h"
+#include "palpate/view/look.h"
+
+namespace palpate::view {
+
+class SupportLayer {
+ public:
+  SupportLayer();
+  void setWorld(const scene::World& world);
+
+  /// How much of it is seen from this eye: 1 from above its top, 0 from well below, where it would hide the body.
+  /// Nothing in pictures that are cut out of their background.
+  float opacityFor(const Look& look, const Viewpoint& viewpoint) const;
+  /// Over what is there where it is not opaque.
+  void draw(const Viewpoint& viewpoint, float opacity);
+
+ private:
+  std::optional<SupportSlab> slab_;
+  Program program_;
+  GlVertexArray vertex_array_;
+  GlBuffer vertices_, triangles_;
+  GLsizei count_ = 0;
+};
+
+}  // namespace palpate::view

@@ -1,0 +1,43 @@
+// The shape of what a body lies or sits on: a padded slab with soft edges, as wide as a palpation table under a body
+// that lies, a stool's seat under one that sits. Plain data; no GL.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "palpate/scene/world.h"
+
+namespace palpate::view {
+
+/// A rounded rectangle in the plane of its top, and how thick it is.
+struct SupportSlab {
+  Vec3 middle;  ///< of the top, mm; a fraction of a mm outside the body
+  Vec3 up;      ///< unit, towards the body
+  Vec3 along;   ///< unit
+  Vec2 half;    ///< half its extent across and along
+  double corner_mm = 0.0;
+  double edge_mm = 0.0;  ///< how far the top is rounded off
+  double thickness_mm = 0.0;
+
+  Vec3 across() const { return along.cross(up); }
+  Eigen::AlignedBox3d box() const;
+};
+
+/// Nothing for a body that neither lies nor sits.
+std::optional<SupportSlab> supportSlab(const scene::World& world);
+
+struct SupportVertex {
+  Vec3f place;
+  Vec3f normal;
+  float sky;  ///< how much of it the body leaves: 1 all, 0 nothing
+};
+
+struct SupportShape {
+  std::vector<SupportVertex> vertices;
+  std::vector<Triangle> triangles;
+};
+
+/// Closed, outward. Load time: some hundredths of a second, for the shade below the body.
+SupportShape supportShape(const SupportSlab& slab, const scene::World& world);
+
+}  // namespace palpate::view
