@@ -1,6 +1,7 @@
 // `palpate info` and `palpate repair` as a user calls them.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "palpate/base/text.h"
@@ -32,6 +33,29 @@ TEST_F(MeshCommands, InfoCountsTraits) {
   EXPECT_EQ(json["triangles"], 16);
   EXPECT_EQ(json["fit"], false);
   EXPECT_EQ(json["traits"]["opposite_triangles"]["first"], (std::vector<int>{13, 15}));
+}
+
+TEST_F(MeshCommands, InfoTellsHowEvenTrianglesAreWhenAsked) {
+  mesh::save(folder / "cube.obj", zoo::cube(20));
+  const auto shape = nlohmann::json::parse(palpate("info cube.obj --shape --json").out)["shape"];
+  EXPECT_NEAR(shape["fold_deg"]["least"], 0, 1e-9) << "the diagonals of its sides";
+  EXPECT_NEAR(shape["fold_deg"]["p50"], 90, 1e-9) << "its 12 edges are more than its 6 diagonals";
+  EXPECT_NEAR(shape["smallest_angle_deg"]["least"], 45, 1e-9);
+  EXPECT_NEAR(shape["smallest_angle_deg"]["most"], 45, 1e-9);
+  EXPECT_NEAR(shape["aspect"]["most"], (1 + std::sqrt(2.0)) / 2, 1e-9) << "half a square: R = a / sqrt 2";
+  EXPECT_NEAR(shape["area_of_mean"]["p1"], 1, 1e-9);
+  EXPECT_NEAR(shape["mean_edge_mm"], 20 * (2 + std::sqrt(2.0)) / 3, 1e-9);
+
+  mesh::TriangleMesh flat = zoo::grid(2, 20);
+  flat.positions[1].y() += 5;  // of the first row: two triangles lose area, their neighbours gain none
+  mesh::save(folder / "flat.obj", flat);
+  const auto uneven = nlohmann::json::parse(palpate("info flat.obj --shape --json").out)["shape"];
+  EXPECT_NEAR(uneven["fold_deg"]["most"], 0, 1e-9);
+  EXPECT_GT(uneven["area_deviation"], 0.1);
+  EXPECT_LT(uneven["smallest_angle_deg"]["least"], 45 - 1);
+
+  EXPECT_NE(palpate("info cube.obj --shape").out.find("the sharpest 90"), std::string::npos);
+  EXPECT_FALSE(nlohmann::json::parse(palpate("info cube.obj --json").out).contains("shape"));
 }
 
 TEST_F(MeshCommands, InfoNamesWrongIndicesInsteadOfRefusingThem) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "apps/palpate/common/mesh_arguments.h"
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/model/table_info.h"
+#include "apps/palpate/model/triangle_shape.h"
 #include "apps/palpate/session/session_text.h"
 #include "palpate/mesh/validate.h"
 
@@ -160,15 +162,24 @@ nlohmann::ordered_json jsonOf(const ValidationReport& report) {
 struct InfoArguments {
   MeshArguments mesh;
   bool quick = false;
+  bool shape = false;
   bool json = false;
 };
 
-ValidationReport inspect(const InfoArguments& arguments) {
+struct Inspection {
+  ValidationReport report;
+  std::optional<TriangleShapes> shapes;
+};
+
+Inspection inspect(const InfoArguments& arguments) {
   ProgressLine progress;
   mesh::LoadOptions options = arguments.mesh.options;
   options.keep_wrong_indices = true;  // to be counted, not refused
   const mesh::TriangleMesh surface = mesh::load(arguments.mesh.file, options, progress.callback());
-  return mesh::validate(surface, {.self_intersections = !arguments.quick}, progress.callback());
+  Inspection found{mesh::validate(surface, {.self_intersections = !arguments.quick}, progress.callback()), {}};
+  const bool can_be_measured = found.report.wrong_indices.count == 0 && found.report.non_finite_vertices.count == 0;
+  if (arguments.shape && can_be_measured) found.shapes = triangleShapes(surface);
+  return found;
 }
 
 void runInfo(const InfoArguments& arguments) {
@@ -182,13 +193,14 @@ void runInfo(const InfoArguments& arguments) {
                arguments.json ? tableInfoJson(arguments.mesh.file).dump(2) + "\n" : tableInfo(arguments.mesh.file));
     return;
   }
-  const ValidationReport report = inspect(arguments);
+  const Inspection found = inspect(arguments);
   if (arguments.json) {
     nlohmann::ordered_json json = {{"file", arguments.mesh.file}};
-    json.update(jsonOf(report));
+    json.update(jsonOf(found.report));
+    if (found.shapes) json["shape"] = asJson(*found.shapes);
     fmt::print("{}\n", json.dump(2));
   } else {
-    fmt::print("{}", textOf(report));
+    fmt::print("{}{}", found.shapes ? asText(*found.shapes) : "", textOf(found.report));
   }
 }
 
@@ -201,6 +213,7 @@ void addInfoCommand(CLI::App& app) {
   addMeshArguments(command, arguments->mesh);
   command.add_flag("--no-self-intersections", arguments->quick,
                    "Do not look for self-intersections (the slowest check)");
+  command.add_flag("--shape", arguments->shape, "Also tell how even a mesh's triangles are: folds, angles, areas");
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.callback([arguments] { runInfo(*arguments); });
 }

@@ -1,0 +1,31 @@
+// How even the triangles of a mesh are: `palpate info --shape`, and the table of docs/trunk.md.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "palpate/mesh/triangle_mesh.h"
+
+namespace palpate::app {
+
+/// Nearest-rank percentiles of one measure over a mesh; all zero for none.
+struct ShapeSpread {
+  double least = 0, p1 = 0, p50 = 0, p99 = 0, most = 0;
+};
+
+struct TriangleShapes {
+  ShapeSpread fold_deg;      ///< an edge between two triangles each: the angle between their normals, 0 flat
+  ShapeSpread aspect;        ///< a triangle each: circumradius over twice the inradius, 1 equilateral
+  ShapeSpread angle_deg;     ///< a triangle each: its smallest angle, at most 60
+  ShapeSpread area_of_mean;  ///< a triangle each: its area over the mean one
+  double area_deviation = 0;
+  double mean_edge_mm = 0;
+};
+
+/// Triangles without area are left out.
+TriangleShapes triangleShapes(const mesh::TriangleMesh& mesh);
+
+std::string asText(const TriangleShapes& shapes);
+nlohmann::ordered_json asJson(const TriangleShapes& shapes);
+
+}  // namespace palpate::app
