@@ -51,8 +51,9 @@ class FitBody : public testing::Test {
   support::CommandResult palpate(const std::string& arguments) const {
     return support::runPalpate(arguments, folder.path());
   }
-  static std::string at(const std::string& name) {
-    const Vec3 p = truth(name);
+  /// A landmark shown where it is, or where another one is.
+  static std::string at(const std::string& name, const std::string& where = "") {
+    const Vec3 p = truth(where.empty() ? name : where);
     return " --at '" + name + "=" + std::to_string(p.x()) + "," + std::to_string(p.y()) + "," + std::to_string(p.z()) +
            "'";
   }
@@ -121,7 +122,7 @@ TEST_F(FitBody, WrongInputIsSaidInOneLine) {
            {"fit-body scan.ply -o a.toml --at T6=1,2", "three numbers"},
            {"fit-body scan.ply -o a.toml --points points.csv", "points.csv:3"},
            {"fit-body scan.ply -o a.toml --points none.csv", "none.csv"},
-           {"fit-body scan.ply -o a.toml" + at("T6") + at("T9"), "at least 4"}}) {
+           {"fit-body scan.ply -o a.toml" + at("T6", "L3"), "'T6' contradicts the shape"}}) {
     const auto end = palpate(arguments);
     EXPECT_EQ(end.exit_code, 2) << arguments;
     EXPECT_NE(end.err.find(words), std::string::npos) << arguments << ": " << end.err;

@@ -225,8 +225,7 @@ void addFitBodyCommand(CLI::App& app) {
   command
       .add_option("--at", arguments->at,
                   "A landmark and its place x,y,z on the scan, in the file's unit: \"left PSIS=-48,-300,105\"; four or "
-                  "more, or "
-                  "none to go by the shape")
+                  "more say where the body is, fewer help its shape, none leave it to the shape")
       ->type_name("NAME=PLACE");
   command.add_option("--points", arguments->points, "Table name,x,y,z of the same");
   command.add_option("-o,--out", arguments->output, "Scene file to write; NAME.fit.json is written beside it")

@@ -57,10 +57,6 @@ std::vector<KnownPlace> knownPlaces(const TemplateBody& body, std::vector<NamedP
 }
 
 void requireSpread(std::span<const NamedPoint> points) {
-  if (points.size() < kFewestNamedPoints) {
-    throw Error(fmt::format("{} named point{}: at least {} are needed, or none to go by the shape", points.size(),
-                            points.size() == 1 ? "" : "s", kFewestNamedPoints));
-  }
   Vec3 middle = Vec3::Zero();
   for (const NamedPoint& p : points) middle += p.position / static_cast<double>(points.size());
   Mat3 spread = Mat3::Zero();
@@ -73,6 +69,7 @@ void requireSpread(std::span<const NamedPoint> points) {
 }
 
 void requireOnScan(const mesh::TriangleMesh& scan, std::span<const NamedPoint> points) {
+  if (points.empty()) return;
   const mesh::NearestTriangle nearest(scan);
   for (const NamedPoint& point : points) {
     const double off = nearest.find(point.position).distance;
@@ -201,7 +198,7 @@ BodyFit fitOf(const TemplateBody& body, const ScanSamples& samples, const Alignm
   if (fit.spine_expected_mm == 0) fit.spine_expected_mm = kOffMm;  // a scan without any spine
   fit.certainty = std::erf(kOffMm / (kWorstOfAll * fit.spine_expected_mm * std::numbers::sqrt2)) *
                   (1 - chanceOfAnother(best, other, samples.area_mm2));
-  judge(best, !known.empty(), fit);
+  judge(best, known.size() >= kFewestNamedPoints, fit);
   return fit;
 }
 
@@ -212,13 +209,40 @@ struct BestTwo {
   std::optional<Alignment> other;
 };
 
+/// Its misfit made worse by the named points that it misses.
+Alignment judgedByFew(const TemplateBody& body, Alignment found, std::span<const KnownPlace> known) {
+  constexpr double kWorthOfPoints = 0.1;  // tells levels apart; a point that no such shape can have is not believed
+  for (const double miss : missesOf(body, found.placement, known)) {
+    const double share = std::min(miss / kContradictsMm, 1.0);
+    found.misfit += kWorthOfPoints / static_cast<double>(known.size()) * share * share;
+  }
+  return found;
+}
+
+/// The placement moved along so that the points are met in the mean.
+BodyPlacement movedToPoints(const TemplateBody& body, BodyPlacement at, std::span<const KnownPlace> known) {
+  const std::vector<Vec3> landmarks = body.shaped(at.shape).landmarks;
+  Vec3 sum = Vec3::Zero();
+  for (const KnownPlace& place : known) sum += place.position - at.toScan(landmarks[place.landmark]);
+  at.translation += sum / static_cast<double>(known.size());
+  return at;
+}
+
+/// `known`: too few to place the body by them; they choose among the places that the shape allows.
 BestTwo bestPlacements(const TemplateBody& body, const mesh::TriangleMesh& scan, const ScanSamples& samples,
-                       const Progress& progress) {
+                       std::span<const KnownPlace> known, const Progress& progress) {
   std::vector<Alignment> found;
   const auto rough = roughPlacements(body, sampleScan(scan, kFewSamples), kPlacementsTried, progress);
-  for (const Alignment& start : rough) {
-    report(progress, "fitting the build", static_cast<double>(found.size()) / static_cast<double>(rough.size()));
-    found.push_back(align(body, samples, {}, start.placement));
+  const auto try_from = [&](const BodyPlacement& start, std::span<const KnownPlace> by) {
+    found.push_back(judgedByFew(body, align(body, samples, by, start), known));
+  };
+  for (std::size_t i = 0; i < rough.size(); ++i) {
+    report(progress, "fitting the build", static_cast<double>(i) / static_cast<double>(rough.size()));
+    const BodyPlacement& start = rough[i].placement;
+    try_from(start, known);
+    if (known.empty()) continue;
+    try_from(movedToPoints(body, start, known), known);
+    if (i == 0) try_from(start, {});  // what the shape says without them
   }
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.misfit < b.misfit; });
   if (found.empty()) throw Error("the scan has no surface to go by");
@@ -229,29 +253,40 @@ BestTwo bestPlacements(const TemplateBody& body, const mesh::TriangleMesh& scan,
   return result;
 }
 
+BodyFit fitByShape(const TemplateBody& body, const mesh::TriangleMesh& scan, const ScanSamples& samples,
+                   std::span<const KnownPlace> known, std::span<const NamedPoint> named, const Progress& progress) {
+  const BestTwo placements = bestPlacements(body, scan, samples, known, progress);
+  const std::vector<double> misses = missesOf(body, placements.best.placement, known);
+  const auto worst = std::max_element(misses.begin(), misses.end());
+  if (worst != misses.end() && *worst > kContradictsMm) {
+    throw Error(fmt::format("'{}' contradicts the shape of the scan by {:.0f} mm: name {} points or more",
+                            named[static_cast<std::size_t>(worst - misses.begin())].name, *worst, kFewestNamedPoints));
+  }
+  return fitOf(body, samples, placements.best, placements.other, known);
+}
+
+BodyFit fitByPoints(const TemplateBody& body, const ScanSamples& samples, std::span<const KnownPlace> known,
+                    std::span<const NamedPoint> named, const Progress& progress) {
+  requireSpread(named);
+  report(progress, "fitting the build", 0.0);
+  const Alignment best = alignByPlaces(body, samples, known);
+  const std::vector<double> misses = missesOf(body, best.placement, known);
+  if (*std::max_element(misses.begin(), misses.end()) > kContradictsMm) failContradiction(body, samples, known, named);
+  return fitOf(body, samples, best, std::nullopt, known);
+}
+
 }  // namespace
 
 BodyFit fitBody(const TemplateBody& body, const mesh::TriangleMesh& scan, std::span<const NamedPoint> points,
                 const Progress& progress) {
   const ScanSamples samples = sampleScan(scan, kSamples);
   if (samples.points.empty()) throw Error("the scan has no surface to go by");
-  BodyFit fit;
-  if (points.empty()) {
-    const BestTwo placements = bestPlacements(body, scan, samples, progress);
-    fit = fitOf(body, samples, placements.best, placements.other, {});
-  } else {
-    std::vector<NamedPoint> named(points.begin(), points.end());
-    const std::vector<KnownPlace> known = knownPlaces(body, named);
-    requireSpread(named);
-    requireOnScan(scan, named);
-    report(progress, "fitting the build", 0.0);
-    const Alignment best = alignByPlaces(body, samples, known);
-    const std::vector<double> misses = missesOf(body, best.placement, known);
-    if (*std::max_element(misses.begin(), misses.end()) > kContradictsMm)
-      failContradiction(body, samples, known, named);
-    fit = fitOf(body, samples, best, std::nullopt, known);
-    fit.points = std::move(named);
-  }
+  std::vector<NamedPoint> named(points.begin(), points.end());
+  const std::vector<KnownPlace> known = knownPlaces(body, named);
+  requireOnScan(scan, named);
+  BodyFit fit = known.size() < kFewestNamedPoints ? fitByShape(body, scan, samples, known, named, progress)
+                                                  : fitByPoints(body, samples, known, named, progress);
+  fit.points = std::move(named);
   fit.skin_moves = skinMoves(body, fit.placement, sampleScan(scan, kMovesKept));
   return fit;
 }

@@ -35,11 +35,12 @@ struct BodyFit {
 
 /// Off by half a vertebra is on the wrong one.
 inline constexpr double kOffMm = 12;
+/// So many place the body by themselves; with fewer its shape does, and they choose among the places that it allows.
 inline constexpr std::size_t kFewestNamedPoints = 4;
 
-/// `scan`: mended (mesh::repair), millimetres, in any place and turned in any way. Without points by its shape. Throws
-/// Error for names that are unknown or given twice, too few points, points on a line, off the scan, or that contradict
-/// each other.
+/// `scan`: mended (mesh::repair), millimetres, in any place and turned in any way. By its shape where
+/// there are fewer than kFewestNamedPoints. Throws Error for names that are unknown or given twice, for points that are
+/// off the scan, four or more on a line, or that contradict each other or the shape.
 BodyFit fitBody(const TemplateBody& body, const mesh::TriangleMesh& scan, std::span<const NamedPoint> points,
                 const Progress& progress = {});
 
