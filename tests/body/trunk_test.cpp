@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "palpate/base/error.h"
 #include "palpate/body/places.h"
@@ -142,18 +143,53 @@ TEST(Trunk, MoreBodyMassMovesTheBellyMostAndTheBonesNotAtAll) {
   EXPECT_EQ(average.bones[10].mesh.positions[0], heavy.bones[10].mesh.positions[0]);
 }
 
-TEST(Trunk, ThinSkinFollowsTheRibs) {
-  const auto cover_over = [](const Trunk& trunk, BoneKind kind) {
-    double sum = 0;
-    int count = 0;
-    for (std::size_t v = 0; v < trunk.depth_mm.size(); ++v) {
-      if (trunk.bones[trunk.nearest_bone[v]].kind != kind || trunk.depth_mm[v] > 25) continue;
-      sum += trunk.depth_mm[v];
-      ++count;
+/// What a tape around the body measures at this height, cm: the hull of what is cut there.
+double tapeAt(const mesh::TriangleMesh& skin, double y) {
+  std::vector<Vec2> cut;
+  for (const Triangle& t : skin.triangles) {
+    for (int i = 0; i < 3; ++i) {
+      const Vec3& a = skin.positions[t[i]];
+      const Vec3& b = skin.positions[t[(i + 1) % 3]];
+      if ((a.y() < y) == (b.y() < y)) continue;
+      const Vec3 at = a + (y - a.y()) / (b.y() - a.y()) * (b - a);
+      cut.emplace_back(at.x(), at.z());
     }
-    return sum / count;
-  };
-  EXPECT_LT(cover_over(trunkOf("thin"), BoneKind::rib), cover_over(trunkOf("average"), BoneKind::rib) - 1);
+  }
+  double length = 0;
+  constexpr int kTurns = 720;
+  for (int i = 0; i < kTurns; ++i) {  // Cauchy: the mean width times pi
+    const double turn = std::numbers::pi * i / kTurns;
+    const Vec2 way(std::cos(turn), std::sin(turn));
+    double low = 1e9, high = -1e9;
+    for (const Vec2& p : cut) {
+      low = std::min(low, p.dot(way));
+      high = std::max(high, p.dot(way));
+    }
+    length += std::numbers::pi / kTurns * (high - low);
+  }
+  return length / 10;
+}
+
+TEST(Trunk, TheWaistGainsTwoCentimetresAUnitOfBodyMassIndex) {
+  constexpr double kWaistY = -230;
+  const double average = tapeAt(trunkOf("average").skin, kWaistY);
+  EXPECT_NEAR(average, 76, 3);
+  EXPECT_NEAR((tapeAt(trunkOf("heavy").skin, kWaistY) - average) / 12.5, 2.1, 0.4);
+  EXPECT_NEAR((average - tapeAt(trunkOf("thin").skin, kWaistY)) / 5.5, 1.5, 0.5) << "bone and muscle do not go";
+}
+
+TEST(Trunk, ThinSkinFollowsTheRibs) {
+  const Trunk& average = trunkOf("average");
+  const Trunk& thin = trunkOf("thin");
+  double lost = 0;  // of the cover, vertex by vertex
+  int count = 0;
+  for (std::size_t v = 0; v < average.depth_mm.size(); ++v) {
+    if (average.bones[average.nearest_bone[v]].kind != BoneKind::rib || average.depth_mm[v] > 25) continue;
+    lost += average.depth_mm[v] - thin.depth_mm[v];
+    ++count;
+  }
+  ASSERT_GT(count, 500);
+  EXPECT_GT(lost / count, 1.5);
 }
 
 TEST(Trunk, KyphosisBendsTheSpineByWhatIsAsked) {

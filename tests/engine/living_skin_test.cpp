@@ -6,7 +6,11 @@
 
 #include "engine/small_worlds.h"
 #include "palpate/contact/finger.h"
+#include "palpate/device/finger_path.h"
+#include "palpate/scene/scene_file.h"
 #include "palpate/scene/skin_contact.h"
+#include "palpate/servo/loop.h"
+#include "palpate/servo/scripted_rig.h"
 #include "support/counted.h"
 
 namespace palpate::engine {
@@ -115,6 +119,40 @@ TEST(LivingSkin, FollowsWithoutAllocating) {
       skin.follow(fingers);
     }
   });
+}
+
+TEST(LivingSkin, OfABodyThatBreathesFollowsTheFingerWhereTheBodyIs) {
+  const auto world = scene::build(scene::parse(R"(
+[body]
+triangles = 40000
+[breathing]
+on = true
+depth_mm = 6
+per_minute = 15
+[[finger]]
+name = "index"
+at = "T10 right 40 mm"
+radius_mm = 8
+script = [{ do = "press", depth_mm = 4, seconds = 1 }, { do = "hold", seconds = 2 }]
+)",
+                                               "breathing.toml"));
+  const device::FingerPaths paths = device::pathsOf(*world);
+  servo::Rig rig = servo::scriptedRig(*world, paths);
+  LivingSkin skin(*world);
+  double deepest_in_finger = 0.0;
+  servo::runHeadless(rig, paths.ticks, [&](std::span<const trace::Sample> samples) {
+    if (samples.front().tick != 2000) return;  // breathed in
+    skin.follow(samples);
+    EXPECT_NEAR(skin.lift(), 6.0, 1e-9);
+    EXPECT_GT(samples.front().contact.depth_mm, 8.0) << "pressed by 4 mm, and the body came 6 mm nearer";
+    const Vec3& finger = samples.front().contact.tip;
+    for (Index v = 0; v < skin.surface().vertices(); ++v) {
+      const Vec3 now = world->breath->moved(skin.surface().positionAt(v).cast<double>(), skin.lift());
+      deepest_in_finger = std::max(deepest_in_finger, 8.0 - (now - finger).norm());
+    }
+  });
+  EXPECT_GT(deepest_in_finger, -3.0) << "the skin is at the finger";
+  EXPECT_LT(deepest_in_finger, 1.0) << "and not in it";
 }
 
 }  // namespace

@@ -26,10 +26,19 @@ TEST(Camera, AStandardViewLooksFromItsSide) {
   EXPECT_TRUE(from(StandardView::above).isApprox(Vec3::UnitY(), 2e-3)) << "a hair beside it";
 }
 
+TEST(Camera, FromBesideATableABodyLiesOnItsFrontWithItsHeadToTheLeft) {
+  const Eigen::AlignedBox3d box(Vec3(-200, -300, -100), Vec3(200, 260, 130));
+  const Camera camera = fitted(box, kWideAspect, StandardView::table);
+  EXPECT_TRUE(camera.right().isApprox(-Vec3::UnitY())) << "the head is to the left";
+  EXPECT_GT(camera.up().z(), 0.7) << "the back is up";
+  EXPECT_LT(camera.backward().x(), -0.5) << "from the body's left";
+  EXPECT_GT(camera.backward().z(), 0.5) << "and from above";
+}
+
 TEST(Camera, FitsABoxFromEverySide) {
   const Eigen::AlignedBox3d box(Vec3(-200, -300, -100), Vec3(200, 260, 130));
-  for (const auto side :
-       {StandardView::back, StandardView::left, StandardView::right, StandardView::above, StandardView::front}) {
+  for (const auto side : {StandardView::back, StandardView::left, StandardView::right, StandardView::above,
+                          StandardView::front, StandardView::table}) {
     const Camera camera = fitted(box, kWideAspect, side);
     const Frustum frustum = frustumOf(screenOf(camera, kWideAspect), camera.eye(), 1.0, 5000.0);
     for (int corner = 0; corner < 8; ++corner) {

@@ -55,6 +55,20 @@ TEST(Orbit, DraggingToTheRightBringsThePatientsLeftSideForward) {
       0.5);
 }
 
+TEST(Orbit, WhatIsNearFollowsTheDragHoweverTheCameraIsRolled) {
+  for (const double roll : {0.0, -1.5708, 1.5708, 0.6}) {
+    Camera camera;
+    camera.yaw_rad = -0.9;
+    camera.roll_rad = roll;
+    const Vec3 near = camera.centre + 100.0 * camera.backward();
+    for (const Vec2& by : {Vec2(60, 0), Vec2(0, 60), Vec2(-40, 30)}) {
+      const Camera turned = orbited(camera, camera.centre, by, kWindowHeight);
+      const Vec2 moved = seen(turned, near) - seen(camera, near);
+      EXPECT_GT(moved.dot(by), 0.95 * moved.norm() * by.norm()) << "roll " << roll << ", by " << by.transpose();
+    }
+  }
+}
+
 TEST(Orbit, NeverTipsOver) {
   const Camera steep = orbited({}, Vec3::Zero(), Vec2(0, 1e5), kWindowHeight);
   EXPECT_LE(steep.pitch_rad, kSteepestRad);

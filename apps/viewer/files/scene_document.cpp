@@ -100,9 +100,11 @@ bool wouldOverwrite(const SceneDocument& document, const fs::path& target) {
 
 void keepCamera(const Session& session, scene::ViewSettings& view) {
   const view::Camera camera = cameraOfFreePart(session.camera, session.state.shown, session.size_points);
-  const view::Camera plain;  // of the angle of view
-  view.side = scene::StandardView::back;
-  view.yaw_deg = rounded(std::remainder(camera.yaw_rad, 2.0 * std::numbers::pi) / kRadPerDeg, 100.0);
+  const view::Camera plain;                                                 // of the angle of view
+  const bool rolled = std::abs(camera.roll_rad) > 0.25 * std::numbers::pi;  // no other view is
+  view.side = rolled ? scene::StandardView::table : scene::StandardView::back;
+  const double yaw_rad = rolled ? camera.yaw_rad + view::kTableYawRad : camera.yaw_rad;
+  view.yaw_deg = rounded(std::remainder(yaw_rad, 2.0 * std::numbers::pi) / kRadPerDeg, 100.0);
   view.pitch_deg = std::clamp(rounded(camera.pitch_rad / kRadPerDeg, 100.0), -kMostPitchDeg, kMostPitchDeg);
   view.zoom = rounded(std::tan(0.5 * plain.height_rad) / std::tan(0.5 * camera.height_rad), 1000.0);
   view.look_at_mm = camera.centre.unaryExpr([](double mm) { return rounded(mm, 10.0); });

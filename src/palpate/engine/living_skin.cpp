@@ -38,8 +38,7 @@ deform::Report LivingSkin::followAny(std::span<const Finger> fingers, std::uint6
   std::uint32_t left_out = 0;
   for (const Finger& finger : fingers) {
     const contact::FingerOutput& felt = outputOf(finger);
-    const auto contact =
-        scene::contactOf(world_, world_.breath ? servo::atRest(*world_.breath, felt, lift_mm_) : felt);
+    const auto contact = scene::contactOf(world_, world_.breath ? servo::atRest(*world_.breath, felt, lift_mm_) : felt);
     if (!contact) continue;
     if (touching_.size() < touching_.capacity()) {
       touching_.push_back(*contact);

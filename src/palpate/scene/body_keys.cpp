@@ -16,7 +16,8 @@ Key<BodySettings> textureKey() {
   using S = BodySettings;
   Key<S> key = file<S>(
       "texture", way(&S::texture, &TextureSource::file),
-      "A PNG or JPEG picture on the skin, or a glTF or GLB file for its base colour picture. Mesh: it lies there by the "
+      "A PNG or JPEG picture on the skin, or a glTF or GLB file for its base colour picture. Mesh: it lies there by "
+      "the "
       "file's texture coordinates (OBJ, glTF, GLB). Trunk, torso: left half from behind, right half from the front "
       "(docs/trunk.md).");
   key.read = [read = std::move(key.read)](S& s, const Entry& entry) {

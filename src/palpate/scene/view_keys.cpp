@@ -48,7 +48,7 @@ Section viewSection() {
   constexpr double kAround = 180.0;
   constexpr double kAlmostAbove = 89.0;
   std::vector<Key<V>> keys = {
-      choice<V, StandardView>("side", &V::side, "From where one looks."),
+      choice<V, StandardView>("side", &V::side, "From where one looks; table: from beside a lying body, on its left."),
       number<V>("yaw_deg", &V::yaw_deg, between(-kAround, kAround),
                 "Turned from that side; positive sees more of the patient's right."),
       number<V>("pitch_deg", &V::pitch_deg, between(-kAlmostAbove, kAlmostAbove),

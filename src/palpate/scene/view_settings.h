@@ -14,7 +14,8 @@
 
 namespace palpate::scene {
 
-enum class StandardView : std::uint8_t { back, left, right, above, front };
+/// `table`: from beside a lying body, on its left, its back up and its head to the left.
+enum class StandardView : std::uint8_t { back, left, right, above, front, table };
 
 enum class Shading : std::uint8_t {
   gouraud,  ///< light at the vertices, as in the dissertation
@@ -98,8 +99,8 @@ namespace palpate {
 template <>
 struct WordsOf<scene::StandardView> {
   using V = scene::StandardView;
-  static constexpr std::array kAll = {Word{"back", V::back}, Word{"left", V::left}, Word{"right", V::right},
-                                      Word{"above", V::above}, Word{"front", V::front}};
+  static constexpr std::array kAll = {Word{"back", V::back},   Word{"left", V::left},   Word{"right", V::right},
+                                      Word{"above", V::above}, Word{"front", V::front}, Word{"table", V::table}};
 };
 
 template <>

@@ -36,6 +36,9 @@ struct Camera {
   Vec3 eye() const { return centre + distance_mm * backward(); }
 };
 
+/// Of StandardView::table: as one looks down at a table that one stands beside.
+inline constexpr double kTableYawRad = 0.9;
+
 /// A camera that sees the whole box from one side, with a margin of a twentieth.
 Camera fitted(const Eigen::AlignedBox3d& box, double aspect, StandardView side = StandardView::back);
 /// The same from the angles and with the lens of a camera.

@@ -11,8 +11,9 @@ namespace palpate::view {
 Camera orbited(const Camera& camera, const Vec3& pivot, const Vec2& by, double height) {
   Camera turned = camera;
   const double radians = kTurnPerHeightRad / std::max(1.0, height);
-  turned.yaw_rad = std::remainder(camera.yaw_rad - radians * by.x(), 2.0 * kTurnPerHeightRad);
-  turned.pitch_rad = std::clamp(camera.pitch_rad + radians * by.y(), -kSteepestRad, kSteepestRad);
+  const Vec2 level = Eigen::Rotation2Dd(-camera.roll_rad) * by;  // as a camera that is not rolled would see it
+  turned.yaw_rad = std::remainder(camera.yaw_rad - radians * level.x(), 2.0 * kTurnPerHeightRad);
+  turned.pitch_rad = std::clamp(camera.pitch_rad + radians * level.y(), -kSteepestRad, kSteepestRad);
   turned.centre = pivot + turned.axes() * (camera.axes().transpose() * (camera.centre - pivot));
   return turned;
 }

@@ -27,7 +27,7 @@ namespace palpate::view {
 struct Frame {
   std::span<const FingerMark> fingers;
   double time_s = 0.0;
-  double lift_mm = 0.0;  ///< how far the breath has moved the body (World.breath)
+  double lift_mm = 0.0;               ///< how far the breath has moved the body (World.breath)
   std::span<const Lines> marks = {};  ///< of the caller, drawn as overlays are (lines.h)
   double pixels_per_point = 1.0;      ///< widens lines: the screen's content scale, times the supersampling
 };
