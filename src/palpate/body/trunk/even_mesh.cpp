@@ -22,7 +22,7 @@ namespace {
 
 // Up to so many triangles are made by rounds; more by quartering. More is evener where curvature is strong and slower.
 constexpr std::size_t kMostByRounds = 40000;
-constexpr int kRounds = 6;
+constexpr int kEvenRounds = 6;
 constexpr int kSmoothings = 6;            // after the count is exact
 constexpr double kLongShare = 4.0 / 3.0;  // of the wanted edge
 constexpr double kShortShare = 4.0 / 5.0;
@@ -415,7 +415,7 @@ mesh::TriangleMesh evenMesh(const mesh::TriangleMesh& rough, const OntoSurface& 
   for (; coarse > kMostByRounds; ++quarterings) coarse /= 4;
   coarse = coarse / 2 * 2;
   ChangingMesh mesh(rough, onto);
-  for (int round = 0; round < kRounds; ++round) oneRound(mesh, edgeOf(mesh.area(), coarse));
+  for (int round = 0; round < kEvenRounds; ++round) oneRound(mesh, edgeOf(mesh.area(), coarse));
   makeExact(mesh, coarse);
   for (int round = 0; round < kSmoothings; ++round) {
     flipAll(mesh);
