@@ -116,7 +116,7 @@ void expectNeverLost(const bench::ContactFigures& figures, const std::string& wh
   EXPECT_EQ(figures.falls.ticks, 0u) << what << ", first at tick " << figures.falls.first_tick.value_or(0);
   EXPECT_EQ(figures.falls.first_contact_delay_ticks, 0u) << what;
   EXPECT_EQ(figures.contact_ticks, figures.ticks) << what;
-  support::expectNone(figures.counts.allocations, what.c_str());
+  support::expectNone(figures.counts.allocations, what);
 }
 
 void expectSmooth(const bench::ContactFigures& figures, const TrunkSize& bar, bool sphere, const std::string& what) {
