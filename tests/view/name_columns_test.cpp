@@ -101,6 +101,19 @@ TEST(NameColumns, ASpineStaysInOneRowFromAboveToBelow) {
   }
 }
 
+TEST(NameColumns, ASpineThatLiesAcrossThePageGoesToTheNearerSide) {
+  std::vector<NameTag> tags;
+  for (int level = 0; level < 12; ++level) {
+    const float along = static_cast<float>(level);
+    tags.push_back({{460.0f + 30.0f * along, 350.0f + 2.0f * along}, kPlateSize, 0, true});
+  }
+  const std::vector<NamePlate> plates = nameColumns(tags, bodyOnPage());
+  ASSERT_EQ(plates.size(), tags.size());
+  for (const NamePlate& plate : plates) {
+    EXPECT_EQ(plate.box.corner.x() > 640.0f, tags[plate.tag].dot.x() > 640.0f) << plate.tag;
+  }
+}
+
 TEST(NameColumns, LinesOfNeighboursDoNotCross) {
   // The lower one lies much nearer to the column: by height alone their lines would cross.
   const std::vector<NameTag> tags = {{{650.0f, 300.0f}, kPlateSize},

@@ -34,7 +34,7 @@ Eigen::AlignedBox3d boxAlong(const Mat3& axes, const mesh::TriangleMesh& skin) {
 // ---- rings
 
 constexpr int kCornerSteps = 8;
-constexpr double kStepMm = 20.0;
+constexpr double kStepMm = 10.0;  ///< of the shade beside the body, which falls off over kFallsOffMm
 
 /// A point of the outline: the corner of the inner rectangle that it belongs to, or a place between two of them.
 struct OutlinePoint {
@@ -152,7 +152,7 @@ float skyOver(const SupportVertex& vertex, const std::vector<ShadePatch>& patche
 float nearSkin(const SupportVertex& vertex, const tree::TriangleTree& tree) {
   constexpr double kReachMm = 50.0;
   constexpr double kDark = 0.75;
-  constexpr double kFallsOffMm = 12.0;
+  constexpr double kFallsOffMm = 16.0;
   const auto nearest = tree::nearestPoint(tree, vertex.place.cast<double>(), kReachMm);
   if (nearest.triangle == kNoIndex) return 1.0f;
   return static_cast<float>(1.0 - kDark * std::exp(-std::sqrt(nearest.closest.squared_distance) / kFallsOffMm));

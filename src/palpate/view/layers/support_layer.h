@@ -5,9 +5,9 @@
 
 #include "palpate/scene/world.h"
 #include "palpate/view/layers/gl_objects.h"
-#include "palpate/view/support_shape.h"
 #include "palpate/view/layers/viewpoint.h"
 #include "palpate/view/look.h"
+#include "palpate/view/support_shape.h"
 
 namespace palpate::view {
 

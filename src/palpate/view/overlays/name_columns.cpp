@@ -56,14 +56,24 @@ bool spineIsLeft(std::span<const NameTag> tags, const NameGround& ground, float 
   return aside < -kClearly * count * (ground.body_right - ground.body_left);
 }
 
+/// Of a lying body the spine goes across the page, and its ends are nearest to different columns.
+bool spineIsUpright(std::span<const NameTag> tags, const NameGround& ground) {
+  Eigen::AlignedBox2f spine;
+  for (const NameTag& tag : tags) {
+    if (tag.in_middle && isFree(tag, ground)) spine.extend(tag.dot);
+  }
+  return spine.isEmpty() || spine.sizes().y() >= spine.sizes().x();
+}
+
 std::array<NameColumn, 2> sidesOf(std::span<const NameTag> tags, const NameGround& ground) {
   const float middle = 0.5f * (ground.body_left + ground.body_right);
   const bool spine_left = spineIsLeft(tags, ground, middle);
+  const bool upright = spineIsUpright(tags, ground);
   std::array<NameColumn, 2> sides;
   sides[1].right = true;
   for (std::size_t i = 0; i < tags.size(); ++i) {
     if (!isFree(tags[i], ground)) continue;
-    const bool right = tags[i].in_middle ? !spine_left : tags[i].dot.x() >= middle;
+    const bool right = tags[i].in_middle && upright ? !spine_left : tags[i].dot.x() >= middle;
     sides[right ? 1 : 0].tags.push_back(i);
   }
   return sides;

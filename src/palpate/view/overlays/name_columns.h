@@ -15,7 +15,7 @@ struct NameTag {
   Vec2f dot = Vec2f::Zero();   ///< the place on the page
   Vec2f size = Vec2f::Zero();  ///< of its plate
   int rank = 0;                ///< those of the highest rank go first where there is no room
-  bool in_middle = false;      ///< of the spine: all of these go to one side
+  bool in_middle = false;      ///< of the spine: while it is upright, all of these go to one side
 };
 
 struct NamePlate {
