@@ -63,13 +63,16 @@ TEST(SupportShape, IsClosedAndFacesOutward) {
 TEST(SupportShape, IsDarkestBelowTheBodyAndLightAtItsRim) {
   const auto world = ballOn(Vec3::UnitZ());
   const auto slab = supportSlab(*world);
-  double under = 1.0, rim = 0.0;
+  double under = 1.0, beside = 0.0, rim = 0.0;
   for (const SupportVertex& vertex : supportShape(*slab, *world).vertices) {
     const Vec3 off = vertex.place.cast<double>() - slab->middle;
     if (off.head<2>().norm() < 60.0 && vertex.normal.z() > 0.9f) under = std::min(under, double{vertex.sky});
+    const bool aside = off.head<2>().norm() > 60.0 && off.head<2>().norm() < 90.0;  // the ball is 20 mm above and more
+    if (aside && vertex.normal.z() > 0.9f) beside = std::max(beside, double{vertex.sky});
     if (off.x() > 320.0 && vertex.normal.z() > 0.9f) rim = std::max(rim, double{vertex.sky});
   }
   EXPECT_LT(under, 0.3);
+  EXPECT_LT(beside, 0.6);
   EXPECT_GT(rim, 0.9);
 }
 
