@@ -105,7 +105,7 @@ TEST(NameColumns, ASpineThatLiesAcrossThePageGoesToTheNearerSide) {
   std::vector<NameTag> tags;
   for (int level = 0; level < 12; ++level) {
     const float along = static_cast<float>(level);
-    tags.push_back({{460.0f + 30.0f * along, 350.0f + 2.0f * along}, kPlateSize, 0, true});
+    tags.push_back({{465.0f + 30.0f * along, 350.0f + 2.0f * along}, kPlateSize, 0, true});
   }
   const std::vector<NamePlate> plates = nameColumns(tags, bodyOnPage());
   ASSERT_EQ(plates.size(), tags.size());

@@ -224,6 +224,30 @@ Image bareSideOf(const std::shared_ptr<const scene::World>& world, double opacit
   return picture(world, deformedBy(*world, {}), {}, settings, kSize);
 }
 
+TEST(BoneLook, IsHiddenByClosedSkinFromOutsideAndSeenFromWithin) {
+  scene::Scene scene;
+  scene.body.triangles = 12000;
+  const std::shared_ptr<const scene::World> world = scene::build(scene);
+  auto boneless = std::make_shared<scene::World>(*world);
+  boneless->anatomy.bones.clear();
+  const auto differ = [&](const PictureSettings& settings) {
+    const Image with_bones = picture(world, deformedBy(*world, {}), {}, settings, kSize);
+    return with_bones.pixels != picture(boneless, deformedBy(*world, {}), {}, settings, kSize).pixels;
+  };
+  scene::ViewSettings view;
+  for (const StandardView side : {StandardView::back, StandardView::left, StandardView::front, StandardView::above}) {
+    view.side = side;
+    PictureSettings settings = pictureSettings(*world, view, kLookAspect);
+    settings.labels = LabelSettings::none();
+    EXPECT_FALSE(differ(settings)) << static_cast<int>(side);
+  }
+  PictureSettings within = pictureSettings(*world, view, kLookAspect);
+  within.labels = LabelSettings::none();
+  within.camera.centre = Vec3(0, 0, 0);
+  within.camera.distance_mm = 30;
+  EXPECT_TRUE(differ(within)) << "inside the chest";
+}
+
 TEST(BoneLook, IsOfOneIvory) {
   const std::shared_ptr<const scene::World> world = torsoWorld();
   auto boneless = std::make_shared<scene::World>(*world);

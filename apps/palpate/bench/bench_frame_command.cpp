@@ -57,6 +57,7 @@ void addBenchFrameCommand(CLI::App& parent) {
   addNumber(command, "--triangles", run.triangles, between(1000, 4e6),
             "Triangles of the skin; 18,296 of bones come on top")
       ->capture_default_str();
+  command.add_flag("--trunk", run.trunk, "On the closed trunk (an even number of triangles) instead of the torso");
   std::map<std::string, view::Shading> shadings{{"pbr", view::Shading::skin}};
   for (const auto& [word, shading] : WordsOf<view::Shading>::kAll) shadings.emplace(word, shading);
   command.add_option("--shading", run.shading, "gouraud, or skin (also called pbr)")

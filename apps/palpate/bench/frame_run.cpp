@@ -23,10 +23,10 @@ constexpr double kDepthMm = 8.0;
 /// As many bone triangles as the torso of 41,582 triangles has.
 constexpr std::size_t kBoneTriangles = 18296;
 
-std::shared_ptr<const scene::World> backOf(std::size_t triangles) {
+std::shared_ptr<const scene::World> backOf(const FrameRun& run) {
   scene::Scene scene;
-  scene.body.kind = scene::BodyKind::torso;
-  scene.body.triangles = triangles + kBoneTriangles;
+  scene.body.kind = run.trunk ? scene::BodyKind::trunk : scene::BodyKind::torso;
+  scene.body.triangles = run.triangles + kBoneTriangles;
   scene.body.bone_triangles = kBoneTriangles;
   return scene::build(scene);
 }
@@ -121,7 +121,7 @@ class Bench {
 }  // namespace
 
 FrameFigures measureFrames(const FrameRun& run) {
-  const auto world = backOf(run.triangles);
+  const auto world = backOf(run);
   const std::vector<view::FingerMark> marks = wanderingFinger(*world);
   const auto start = Clock::now();
   const view::OffscreenContext context;

@@ -11,6 +11,7 @@ namespace palpate::app {
 
 struct FrameRun {
   std::size_t triangles = 41582;  ///< of the skin; the bones come on top
+  bool trunk = false;             ///< the closed built-in body, on which opaque skin hides the bones; else the torso
   view::Shading shading = view::Shading::gouraud;
   view::StereoMode stereo = view::StereoMode::mono;
   int width = 1280;

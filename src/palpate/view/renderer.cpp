@@ -124,13 +124,19 @@ struct Renderer::Parts {
     for (std::size_t i = 0; i < hands.size(); ++i) fingers.drawHand(poses[i], hands[i], tones, viewpoint, part);
   }
 
+  /// From outside of an opaque skin without a border; the near plane must not cut it open either.
+  bool hidesBones(const Look& look, const Viewpoint& viewpoint) {
+    return look.skin_opacity >= 1.0 && world->closed &&
+           skin.buffers().box().exteriorDistance(viewpoint.eye) > viewpoint.near_mm;
+  }
+
   /// What hides comes first where nothing shines through, so that hidden pixels are never shaded; transparent skin
   /// comes last, over what it covers.
   void drawBody(const Look& look, const Viewpoint& viewpoint, std::span<const PressMark> marks) {
     const bool opaque = look.skin_opacity >= 1.0;
     if (opaque) skin.draw(look, viewpoint, {casters, marks});
     drawFingers(look, viewpoint);
-    bones.draw(look, viewpoint);
+    if (!hidesBones(look, viewpoint)) bones.draw(look, viewpoint);
     const float support_opacity = support.opacityFor(look, viewpoint);
     if (support_opacity == 1.0f) support.draw(viewpoint, 1.0f);
     background.draw(look);
