@@ -216,31 +216,31 @@ TEST(BodyFit, BonesKeepUnderTheSkinOfTheScanAndNamedPointsWhereTheyWereShown) {
 
 TEST(BodyFit, PointsThatCannotBeAreNamed) {
   const TrueScan& scan = theScan(101);
-  const auto errorOf = [&](const std::vector<NamedPoint>& points) {
+  const auto error_of = [&](const std::vector<NamedPoint>& points) {
     return support::messageOf([&] { fitBody(theTemplate(), scan.mesh, points); });
   };
   std::vector<NamedPoint> points = fivePoints(scan);
   points[1].position = scan.truth.at("T9");
-  EXPECT_NE(errorOf(points).find("'T6' contradicts"), std::string::npos) << errorOf(points);
+  EXPECT_NE(error_of(points).find("'T6' contradicts"), std::string::npos) << error_of(points);
 
   points = fivePoints(scan);
   points[1].position += Vec3(0, 0, 300);
-  EXPECT_NE(errorOf(points).find("'T6' lies"), std::string::npos) << errorOf(points);
+  EXPECT_NE(error_of(points).find("'T6' lies"), std::string::npos) << error_of(points);
 
   points = fivePoints(scan);
   points[1].name = "T66";
-  EXPECT_NE(errorOf(points).find("unknown place"), std::string::npos) << errorOf(points);
+  EXPECT_NE(error_of(points).find("unknown place"), std::string::npos) << error_of(points);
 
   points = fivePoints(scan);
   points[1] = points[0];
-  EXPECT_NE(errorOf(points).find("twice"), std::string::npos) << errorOf(points);
+  EXPECT_NE(error_of(points).find("twice"), std::string::npos) << error_of(points);
 
   points = {{"T6", scan.truth.at("L3")}};
-  EXPECT_NE(errorOf(points).find("'T6' contradicts the shape"), std::string::npos) << errorOf(points);
+  EXPECT_NE(error_of(points).find("'T6' contradicts the shape"), std::string::npos) << error_of(points);
 
   points.clear();
   for (const char* name : {"T2", "T6", "T10", "L2"}) points.push_back({name, scan.truth.at(name)});
-  EXPECT_NE(errorOf(points).find("on a line"), std::string::npos) << errorOf(points);
+  EXPECT_NE(error_of(points).find("on a line"), std::string::npos) << error_of(points);
 }
 
 void addBox(const Vec3& low, const Vec3& high, mesh::TriangleMesh& to) {

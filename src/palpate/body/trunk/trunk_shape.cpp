@@ -167,8 +167,6 @@ constexpr double kHipAxisZ = -92;      // mm, just inside the groin, which folds
 constexpr double kHipHighY = -345;
 constexpr double kHipLowY = -500;
 
-double radians(double degrees) { return degrees * std::numbers::pi / 180; }
-
 double lordosisChange(const TrunkShape& shape) {
   return shape.lordosis_deg - kFittedLordosisDeg - (shape.posture == Posture::sitting ? kSitStraighter : 0);
 }
@@ -179,11 +177,11 @@ BodyWarp::BodyWarp(const TrunkShape& shape)
     : asymmetry_{.amount = shape.asymmetry},
       girth_(shape.girth),
       spine_(kSpineAxisZ, kSacrumY,
-             {{-110, 190, radians(shape.kyphosis_deg - kFittedKyphosisDeg)},
-              {-290, -100, -radians(lordosisChange(shape))}},
+             {{-110, 190, kRadPerDeg * (shape.kyphosis_deg - kFittedKyphosisDeg)},
+              {-290, -100, -kRadPerDeg * lordosisChange(shape)}},
              true),
       hips_(kHipAxisZ, kHipHighY,
-            {{kHipLowY, kHipHighY, shape.posture == Posture::sitting ? radians(kHipFlexionDeg) : 0}}, false) {}
+            {{kHipLowY, kHipHighY, shape.posture == Posture::sitting ? kRadPerDeg * kHipFlexionDeg : 0}}, false) {}
 
 Vec3 BodyWarp::operator()(const Vec3& point) const {
   const Vec3 bent = hips_(spine_(warp(asymmetry_, point).position));
