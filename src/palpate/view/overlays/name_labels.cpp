@@ -65,8 +65,10 @@ void drawNames(Drawing& page, const LabelScene& scene, std::vector<LabelBox>& ta
   std::vector<Vec3> places;
   for (const BodyName* name : seen) {
     places.push_back(placeOf(*name, scene.world, scene.surface, scene.frame.lift_mm));
+    // Laid out for the body that holds its breath: plates must not change their rows with each one.
+    const Vec2f dot = between.of(placeOf(*name, scene.world, scene.surface, 0.0));
     const Vec2f size = page.measure(name->words, TextSize::small) + 2.0f * kNamePad;
-    tags.push_back({between.of(places.back()), size, static_cast<int>(name->kind), name->kind == NameKind::spine});
+    tags.push_back({dot, size, static_cast<int>(name->kind), name->kind == NameKind::spine});
   }
   const Vec2f margin = Vec2f::Constant(kNamesMargin);
   NameGround ground{.page = {margin, page.size() - margin}, .taken = taken};
