@@ -213,13 +213,15 @@ TEST_F(RenderOfATorso, PressesPlacesByTheirNames) {
   EXPECT_EQ(ofTorso("--pose 'T6; nowhere' -o x.png").exit_code, 2);
 }
 
-TEST_F(RenderOfATorso, ShowsItsNamesAndSaysWhereThereAreNone) {
+TEST_F(RenderOfATorso, ShowsItsNames) {
   ASSERT_EQ(ofTorso("-o plain.png").exit_code, 0);
   const CommandResult named = ofTorso("--show names -o named.png");
   ASSERT_EQ(named.exit_code, 0) << named.err;
   EXPECT_EQ(named.out.find("named places"), std::string::npos);
   EXPECT_NE(image("plain.png").pixels, image("named.png").pixels);
-  Render::SetUp();
+}
+
+TEST_F(Render, SaysWhereABodyHasNoNames) {
   EXPECT_NE(render("--show names -o dome.png").out.find("note: this body has no named places"), std::string::npos);
 }
 
