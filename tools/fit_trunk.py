@@ -23,6 +23,8 @@ import scipy.sparse as sparse
 import scipy.sparse.linalg as linear
 from scipy.spatial import cKDTree
 
+from fit_skin import add_target
+
 STATURE_MM = 1750.0
 SHIFT_MM = np.array([0.005, -489.939, 34.273])  # from the scaled body, turned to face away, to the body's frame
 STEP_MM = 18.0
@@ -62,13 +64,6 @@ def read_body(path):
         elif words[0] == "f" and group == "body":
             quads.append([int(w.split("/")[0]) - 1 for w in words[1:]])
     return np.array(points), quads
-
-
-def add_target(points, path):
-    for line in open(path, encoding="utf-8"):
-        words = line.split()
-        if len(words) == 4 and words[0] != "#":
-            points[int(words[0])] += [float(w) for w in words[1:]]
 
 
 def only_used(points, quads):

@@ -15,7 +15,7 @@ namespace palpate::app {
 
 namespace {
 
-view::SkinPlace placeOn(const scene::World& world, const BodyPlace& place) {
+SkinPlace placeOn(const scene::World& world, const BodyPlace& place) {
   try {
     return view::skinPlace(world, place.words);
   } catch (const Error& error) {
@@ -47,7 +47,7 @@ Vec3 pointOn(const scene::World& world, const BodyPlace& place) {
 
 Vec3 tipOn(const scene::World& world, const BodyPlace& place) {
   if (place.words.empty()) return place.point;
-  const view::SkinPlace on_skin = placeOn(world, place);
+  const SkinPlace on_skin = placeOn(world, place);
   return on_skin.point - kPosedDepthMm * on_skin.normal;
 }
 

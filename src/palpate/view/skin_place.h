@@ -3,19 +3,14 @@
 
 #include <string_view>
 
+#include "palpate/base/skin_place.h"
 #include "palpate/scene/world.h"
 
 namespace palpate::view {
 
-/// A place of the skin at rest and the direction out of it.
-struct SkinPlace {
-  Vec3 point;
-  Vec3 normal;  ///< unit, of the triangle
-  Index triangle = kNoIndex;
-};
-
-/// Distances in the words go along x and y, and then back to the skin along z, as for a finger's `at`. Throws Error
-/// naming what is near in spelling, and for a body without named places.
+/// The place of the skin at rest, with the normal and the number of its triangle of the mesh. Distances in the words go
+/// along x and y, and then back to the skin along z, as for a finger's `at`. Throws Error naming what is near in
+/// spelling, and for a body without named places.
 SkinPlace skinPlace(const scene::World& world, std::string_view words);
 
 /// The same from a point: the nearest place of the skin.
