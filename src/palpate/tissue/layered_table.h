@@ -22,8 +22,8 @@ struct Layer {
 
 /// Flat bonded layers, from the skin down to a rigid base (bone).
 struct LayerStack {
-  std::vector<Layer> layers;
-  double poisson = 0.48;  ///< in [0, 0.5)
+  std::vector<Layer> layers;  ///< none: a table fitted to measured curves, of nobody knows what layers
+  double poisson = 0.48;      ///< in [0, 0.5)
 };
 
 /// mm, of all layers.
