@@ -19,7 +19,12 @@ LayeredTable smallTable() {
   table.radii_mm = {0.0, 5.0, 40.0};
   table.shapes = {{2.0, 1.99, 0.31, 3.0, {1.0, 0.4, 1.0 / 3.0}, {0.0, -0.05, 0.01}},
                   {10.0, 9.97, 4.16, 7.5, {1.0, 0.9, 0.0}, {0.0, 0.1, -0.02}}};
-  table.drag = DragShape{.exponent = 0.8, .along_mm = 17.0, .across_mm = 9.5, .tangential_over_normal = 0.6};
+  table.drag = DragShape{.exponent = 0.8,
+                         .along_mm = 17.0,
+                         .across_mm = 9.5,
+                         .tangential_over_normal = 0.6,
+                         .on_along = {1.0, 0.8, 0.1},
+                         .on_across = {}};
   return table;
 }
 
@@ -116,6 +121,7 @@ TEST(LayeredTable, NamesWhatMakesNoSense) {
             "table: indenter_radius_mm = -8 is out of range: 0.1 to 1,000 mm");
   EXPECT_EQ(faultAfter([](auto& t) { t.drag->exponent = 0.0; }),
             "drag: exponent = 0 is out of range: above 0 and at most 10");
+  EXPECT_EQ(faultAfter([](auto& t) { t.drag->on_across = {1.0}; }), "drag: on_across has 1 numbers for 3 radii");
   EXPECT_EQ(faultAfter([](auto& t) { t.stack.layers[1].young_kpa = 0.0; }),
             "layer 2: Young's modulus = 0 is out of range: 0.01 to 1,000,000 kPa");
 }
@@ -142,6 +148,8 @@ TEST(LayeredTable, ComesBackFromItsTextWithEveryDigit) {
   ASSERT_TRUE(read.drag.has_value());
   EXPECT_EQ(read.drag->along_mm, 17.0);
   EXPECT_EQ(read.drag->tangential_over_normal, 0.6);
+  EXPECT_EQ(read.drag->on_along, table.drag->on_along);
+  EXPECT_TRUE(read.drag->on_across.empty());
   LayeredTable pressed_only = table;
   pressed_only.drag.reset();
   EXPECT_FALSE(parseLayeredTable(layeredTableText(pressed_only), "t.json").drag.has_value());
@@ -173,9 +181,9 @@ TEST(LayeredTable, IsWrittenAndReadAsAFile) {
 TEST(LayeredTable, NamesFileAndKeyOfWhatItCannotRead) {
   EXPECT_EQ(faultOfText("{}"), "t.json:1: is no table of layered tissue: it has no \"palpate_layered_table\"");
   EXPECT_EQ(faultOfText(changedText("table\": 1", "table\": 2")), "t.json:2: is a table of another version");
-  EXPECT_EQ(faultOfText(changedText("\"force_n\": 4.16, ", "")), "t.json:14: has no \"force_n\"");
-  EXPECT_EQ(faultOfText(changedText("\"force_n\": 4.16", "\"force_n\": \"4\"")), "t.json:14: \"force_n\" is no number");
-  EXPECT_EQ(faultOfText(changedText("[0, 5, 40]", "[0, [5], 40]")), "t.json:9: \"radii_mm\" is no list of numbers");
+  EXPECT_EQ(faultOfText(changedText("\"force_n\": 4.16, ", "")), "t.json:15: has no \"force_n\"");
+  EXPECT_EQ(faultOfText(changedText("\"force_n\": 4.16", "\"force_n\": \"4\"")), "t.json:15: \"force_n\" is no number");
+  EXPECT_EQ(faultOfText(changedText("[0, 5, 40]", "[0, [5], 40]")), "t.json:10: \"radii_mm\" is no list of numbers");
   EXPECT_EQ(faultOfText(changedText("[0, 5, 40]", "[0, 50, 40]")),
             "t.json: radii_mm: must increase, but 40 follows 50");
   EXPECT_EQ(faultOfText(changedText("0.31", "1e999")).substr(0, 7), "t.json:");

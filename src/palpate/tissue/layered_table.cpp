@@ -97,11 +97,13 @@ void check(const PressedShape& shape, std::size_t radii, const std::string& wher
   checkShares(shape.outward, radii, 0.0, where, "outward");
 }
 
-void check(const DragShape& drag) {
+void check(const DragShape& drag, std::size_t radii) {
   demand(kDragExponent, drag.exponent, "drag", "exponent");
   demand(kDragWidth, drag.along_mm, "drag", "along_mm", "mm");
   demand(kDragWidth, drag.across_mm, "drag", "across_mm", "mm");
   demand(kStiffnessRatio, drag.tangential_over_normal, "drag", "tangential_over_normal");
+  if (!drag.on_along.empty()) checkShares(drag.on_along, radii, 1.0, "drag", "on_along");
+  if (!drag.on_across.empty()) checkShares(drag.on_across, radii, 1.0, "drag", "on_across");
 }
 
 void checkOrder(const PressedShape& before, const PressedShape& shape, const std::string& where) {
@@ -128,6 +130,15 @@ std::string listText(const std::vector<double>& numbers, std::string_view indent
 std::string layerText(const Layer& layer) {
   return fmt::format(R"({{"name": "{}", "thickness_mm": {}, "young_kpa": {}}})", layer.name, layer.thickness_mm,
                      layer.young_kpa);
+}
+
+std::string dragText(const DragShape& drag) {
+  std::string text =
+      fmt::format(R"(  "drag": {{"exponent": {}, "along_mm": {}, "across_mm": {}, "tangential_over_normal": {})",
+                  drag.exponent, drag.along_mm, drag.across_mm, drag.tangential_over_normal);
+  if (!drag.on_along.empty()) text += fmt::format(",\n    \"on_along\": {}", listText(drag.on_along, "      "));
+  if (!drag.on_across.empty()) text += fmt::format(",\n    \"on_across\": {}", listText(drag.on_across, "      "));
+  return text + "},\n";
 }
 
 std::string shapeText(const PressedShape& shape) {
@@ -189,7 +200,9 @@ DragShape dragFrom(const mesh::JsonValue& value) {
   return {.exponent = numberIn(value, "exponent"),
           .along_mm = numberIn(value, "along_mm"),
           .across_mm = numberIn(value, "across_mm"),
-          .tangential_over_normal = numberIn(value, "tangential_over_normal")};
+          .tangential_over_normal = numberIn(value, "tangential_over_normal"),
+          .on_along = value["on_along"] ? numbersIn(value, "on_along") : std::vector<double>(),
+          .on_across = value["on_across"] ? numbersIn(value, "on_across") : std::vector<double>()};
 }
 
 // --- the words of a layer
@@ -244,7 +257,7 @@ void check(const LayeredTable& table) {
     check(table.shapes[i], table.radii_mm.size(), where);
     if (i > 0) checkOrder(table.shapes[i - 1], table.shapes[i], where);
   }
-  if (table.drag) check(*table.drag);
+  if (table.drag) check(*table.drag, table.radii_mm.size());
 }
 
 std::string layeredTableText(const LayeredTable& table) {
@@ -254,12 +267,7 @@ std::string layeredTableText(const LayeredTable& table) {
     text += fmt::format("{}\n    {}", i == 0 ? "" : ",", layerText(table.stack.layers[i]));
   }
   text += fmt::format("]}},\n  \"indenter_radius_mm\": {},\n", table.indenter_radius_mm);
-  if (table.drag) {
-    text += fmt::format(
-        R"(  "drag": {{"exponent": {}, "along_mm": {}, "across_mm": {}, "tangential_over_normal": {}}},)"
-        "\n",
-        table.drag->exponent, table.drag->along_mm, table.drag->across_mm, table.drag->tangential_over_normal);
-  }
+  if (table.drag) text += dragText(*table.drag);
   text += fmt::format("  \"radii_mm\": {},\n  \"shapes\": [\n", listText(table.radii_mm, "    "));
   for (std::size_t i = 0; i < table.shapes.size(); ++i) {
     text += fmt::format("{}{}", i == 0 ? "" : ",\n", shapeText(table.shapes[i]));

@@ -50,6 +50,10 @@ struct DragShape {
   double along_mm = 16.0;
   double across_mm = 9.2;
   double tangential_over_normal = 0.7;  ///< k_t / k_n of a bonded patch, both from the same linear solve
+  // What was solved, where it is known: the share of the drag at the table's radii along the two axes. As long as the
+  // radii, or empty.
+  std::vector<double> on_along;
+  std::vector<double> on_across;
 };
 
 struct LayeredTable {
