@@ -28,6 +28,7 @@ void addAllCommands(CLI::App& app) {
   addTrimCommand(app);
   addRunCommand(app);
   addStudyCommand(app);
+  addTissueCommand(app);
 }
 
 }  // namespace palpate::app

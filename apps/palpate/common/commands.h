@@ -47,5 +47,8 @@ void addStudyPages(CLI::App& parent);
 /// `palpate study all`.
 void addStudyAll(CLI::App& parent);
 void addRunCommand(CLI::App& app);
+void addTissueCommand(CLI::App& app);
+// `parent` is the tissue command.
+void addTissueShowCommand(CLI::App& parent);
 
 }  // namespace palpate::app
