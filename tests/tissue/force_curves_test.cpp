@@ -1,4 +1,4 @@
-#include "palpate/tissue/force_curves.h"
+#include "palpate/tissue/fitting/force_curves.h"
 
 #include <gtest/gtest.h>
 

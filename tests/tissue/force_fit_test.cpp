@@ -1,5 +1,5 @@
 // Fits are judged by curves whose law is known, made here with noise of known size.
-#include "palpate/tissue/force_fit.h"
+#include "palpate/tissue/fitting/force_fit.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <random>
 
-#include "palpate/tissue/force_rows.h"
+#include "palpate/tissue/fitting/force_rows.h"
+#include "palpate/tissue/fitting/smoothed_force.h"
 #include "palpate/tissue/force_table.h"
-#include "palpate/tissue/smoothed_force.h"
 #include "support/error_message.h"
 
 namespace palpate::tissue {

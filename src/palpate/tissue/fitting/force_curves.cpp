@@ -1,0 +1,104 @@
+// Columns are found by the header's words, rows sorted to their curves as they come. Own.
+#include "palpate/tissue/fitting/force_curves.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "palpate/base/csv.h"
+#include "palpate/base/error.h"
+#include "palpate/base/nearest_name.h"
+#include "palpate/base/text.h"
+
+namespace palpate::tissue {
+
+namespace {
+
+constexpr std::uint64_t kMostBytes = 64'000'000;
+constexpr std::size_t kMostCurves = 10'000;
+constexpr std::size_t kLongestCurveName = 60;
+constexpr NumberRange kDepths{-1000.0, 1000.0};
+constexpr NumberRange kForces{-1e6, 1e6};
+
+/// Where a row has what.
+struct Columns {
+  std::size_t depth = 0;
+  std::size_t force = 1;
+  std::optional<std::size_t> curve;
+  std::size_t count = 2;
+};
+
+std::optional<std::size_t> columnOf(const CsvRow& header, std::string_view name) {
+  const auto found = std::ranges::find(header.fields, name);
+  if (found == header.fields.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - header.fields.begin());
+}
+
+std::size_t neededColumn(const CsvRow& header, std::string_view name) {
+  const auto column = columnOf(header, name);
+  if (!column) throw Error::atLine(header.file, header.line, fmt::format("the header has no column {}", name));
+  return *column;
+}
+
+Columns columnsOf(const CsvRow& header) {
+  Columns columns{neededColumn(header, "depth_mm"), neededColumn(header, "force_n"), std::nullopt,
+                  header.fields.size()};
+  for (const std::string_view name : {"curve", "place", "id"}) {
+    if (!columns.curve) columns.curve = columnOf(header, name);
+  }
+  return columns;
+}
+
+class CurveReader {
+ public:
+  void take(const CsvRow& row) {
+    if (std::exchange(first_, false) && looksLikeCsvHeader(row)) {
+      columns_ = columnsOf(row);
+      return;
+    }
+    if (row.fields.size() != columns_.count) {
+      throw Error::atLine(row.file, row.line,
+                          fmt::format("has {} fields instead of {}", row.fields.size(), columns_.count));
+    }
+    ForceCurve& curve = curveOf(row);
+    curve.depth_mm.push_back(csvNumber(row, columns_.depth, "depth_mm", kDepths));
+    curve.force_n.push_back(csvNumber(row, columns_.force, "force_n", kForces));
+  }
+
+  std::vector<ForceCurve> curves;
+
+ private:
+  ForceCurve& curveOf(const CsvRow& row) {
+    const std::string name = columns_.curve ? oneLine(row.fields[*columns_.curve], kLongestCurveName) : std::string();
+    const auto [place, fresh] = numbers_.try_emplace(name, curves.size());
+    if (fresh) {
+      if (curves.size() == kMostCurves)
+        throw Error::atLine(row.file, row.line, fmt::format("more than {} curves", kMostCurves));
+      curves.emplace_back().name = name;
+    }
+    return curves[place->second];
+  }
+
+  bool first_ = true;
+  Columns columns_;
+  std::map<std::string, std::size_t> numbers_;
+};
+
+}  // namespace
+
+std::vector<ForceCurve> parseForceCurves(std::string_view text, std::string_view name) {
+  CurveReader reader;
+  forEachCsvRow(text, name, [&](const CsvRow& row) { reader.take(row); });
+  if (reader.curves.empty()) throw Error::inFile(name, "has no row depth_mm,force_n");
+  return std::move(reader.curves);
+}
+
+std::vector<ForceCurve> readForceCurves(const std::filesystem::path& file) {
+  return parseForceCurves(readFile(file, kMostBytes), file.string());
+}
+
+}  // namespace palpate::tissue

@@ -1,0 +1,67 @@
+// A force law for measured curves: which form, how stiff, how sure.
+//
+//   force_curves.h ─ curves ─► here: each form fitted, judged by rows it has not seen ─► scene keys, a force table
+//
+// Every form is k h(d) with h(d_ref) = d_ref, as the engine's laws are (force_law.h): k is the secant stiffness at the
+// reference depth, what the stiffness map means. A row counts by how sure it is: a part of a force's noise grows with
+// the force and a part does not, in the proportion that makes the curve most likely. Own; docs/fit-tissue.md.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "palpate/tissue/fitting/force_curves.h"
+#include "palpate/tissue/fitting/force_forms.h"
+
+namespace palpate::tissue {
+
+struct FittedNumber {
+  std::string_view name;
+  double value = 0.0;
+  double standard_error = 0.0;  ///< NaN: too few rows to tell; 0: at the end of its range, or not asked for
+  bool at_end = false;          ///< of its range: what the rows want may lie beyond
+};
+
+struct ForceFit {
+  ForceForm form = ForceForm::linear;
+  FittedNumber secant = {};                ///< k, N/mm
+  std::vector<FittedNumber> numbers = {};  ///< of the form
+  FittedNumber offset = {};                ///< mm: where the skin is met, below the table's 0
+  ForceLaw law = {};                       ///< with its numbers, where the engine has such a law; a table otherwise
+  // Fractions: RMS of (fit - F) / max(F, 0.3 F_max).
+  double rms = 0.0;
+  double unseen_rms = 0.0;  ///< of rows left out of the fit, a fifth at a time
+  /// The noise that does not depend on the force, over that in proportion to it, at the largest force: 0.02 to 3.
+  double noise_floor = 0.0;
+  std::size_t rows = 0;
+  double deepest_mm = 0.0;  ///< from the contact; beyond it the law is a guess
+};
+
+struct ForceFitSettings {
+  bool free_offset = false;  ///< else the table's 0 is the contact
+  double most_offset_mm = 0.6;
+};
+
+/// N, at a depth as the curve counts it.
+double forceOf(const ForceFit& fit, double depth_mm);
+
+/// Throws Error for a curve that rowsOf (force_rows.h) refuses.
+ForceFit fitForce(const ForceCurve& curve, ForceForm form, const ForceFitSettings& settings);
+
+/// All forms, in the order of kForceForms.
+std::vector<ForceFit> fitForces(const ForceCurve& curve, const ForceFitSettings& settings);
+
+/// One shape for several places, each with a stiffness of its own: the form's numbers by all rows, every offset as the
+/// curve's own fit has it, the secant the median of theirs. Both RMS are means over the curves; unseen: the shape is
+/// that of other curves, a fifth of them left out at a time. Errors are not known (NaN).
+ForceFit fitSharedForce(std::span<const ForceCurve> curves, ForceForm form, const ForceFitSettings& settings);
+
+/// The form that foretells unseen rows best; of those that do so nearly as well (within a twentieth) the one with the
+/// fewest numbers.
+const ForceFit& bestOf(std::span<const ForceFit> fits);
+
+/// The fit as rows that a scene reads (force_table.h): N, from the contact as deep as was measured.
+ForceTable tableOf(const ForceFit& fit);
+
+}  // namespace palpate::tissue

@@ -1,0 +1,42 @@
+// A measured curve as a fit takes it: rows by depth, how much each counts, and how a fit is judged.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <vector>
+
+#include "palpate/tissue/fitting/force_curves.h"
+
+namespace palpate::tissue {
+
+/// What a fit needs of different depths below the skin.
+inline constexpr std::size_t kLeastForceDepths = 4;
+
+/// By depth.
+struct ForceRows {
+  Eigen::ArrayXd depth_mm;
+  Eigen::ArrayXd force_n;
+  double most_n = 0.0;  ///< the largest force
+};
+
+/// Throws Error, which names the curve, for too few depths below the skin or no force above 0.
+ForceRows rowsOf(const ForceCurve& curve);
+
+ForceRows partOf(const ForceRows& rows, const std::vector<Eigen::Index>& which);
+
+/// 1 / max(F, 0.3 F_max): how deviations are judged, so that a light touch counts and its noise does not rule.
+Eigen::ArrayXd judgedWeights(const ForceRows& rows);
+
+/// Of the deviations with these weights, a fraction.
+double judgedRms(const ForceRows& rows, const Eigen::ArrayXd& force_n);
+
+/// The k that fits best for effective depths; forces push, so not below 0.
+double bestSecant(const Eigen::ArrayXd& effective_mm, const ForceRows& rows, const Eigen::ArrayXd& weights);
+
+/// Fits the rows of these numbers and tells the forces at these depths.
+using Foretell = std::function<Eigen::ArrayXd(const std::vector<Eigen::Index>& seen, const Eigen::ArrayXd& depth_mm)>;
+
+/// judgedRms of rows that the fit did not see: a fifth at a time, by turns.
+double unseenRms(const ForceRows& rows, const Foretell& foretell);
+
+}  // namespace palpate::tissue
