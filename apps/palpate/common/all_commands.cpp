@@ -11,6 +11,7 @@ void addAllCommands(CLI::App& app) {
   addDevicesCommand(app);
   addExportCommand(app);
   addFitBodyCommand(app);
+  addFitCommand(app);
   addHuntCommand(app);
   addInfoCommand(app);
   addJoinCommand(app);

@@ -26,6 +26,9 @@ void addBundleCommand(CLI::App& app);
 void addDevicesCommand(CLI::App& app);
 void addExportCommand(CLI::App& app);
 void addFitBodyCommand(CLI::App& app);
+void addFitCommand(CLI::App& app);
+// `parent` is the fit command.
+void addFitForceCommand(CLI::App& parent);
 void addHuntCommand(CLI::App& app);
 void addInfoCommand(CLI::App& app);
 void addJoinCommand(CLI::App& app);

@@ -1,0 +1,138 @@
+// `palpate fit` from the outside: measured curves in, laws and tables out.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "palpate/tissue/force_table.h"
+#include "support/run_command.h"
+#include "support/temporary_folder.h"
+
+namespace palpate {
+namespace {
+
+using nlohmann::json;
+using support::CommandResult;
+using support::contentOf;
+
+/// Rows of k, p and noise of so much of each force, after the words of a first column.
+std::string powerRows(const std::string& first, double k, double p, unsigned seed, double noise = 0.05) {
+  std::mt19937 engine(seed);
+  std::normal_distribution<double> normal;
+  std::string rows;
+  for (int i = 1; i <= 40; ++i) {
+    const double depth = 0.25 * i;
+    const double force = 8.0 * k * std::pow(depth / 8.0, p) * (1.0 + noise * normal(engine));
+    rows += first + std::to_string(depth) + "," + std::to_string(force) + "\n";
+  }
+  return rows;
+}
+
+class FitCommand : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    write("one.csv", "depth_mm,force_n\n" + powerRows("", 0.4, 1.6, 1));
+    write("places.csv", "place,depth_mm,force_n\n" + powerRows("T6,", 0.2, 1.5, 2) + powerRows("L3,", 0.4, 1.8, 3) +
+                            powerRows("L5,", 0.6, 1.7, 4));
+  }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+  }
+  CommandResult fit(const std::string& arguments) const {
+    return support::runPalpate("fit " + arguments, folder_.path());
+  }
+  json jsonOf(const std::string& arguments) const {
+    const CommandResult result = fit(arguments + " --json");
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return json::parse(result.out);
+  }
+  std::string errorOf(const std::string& arguments) const {
+    const CommandResult result = fit(arguments);
+    EXPECT_EQ(result.exit_code, 2) << arguments;
+    EXPECT_EQ(result.out, "");
+    EXPECT_TRUE(!result.err.empty() && result.err.find('\n') == result.err.size() - 1) << "one line: " << result.err;
+    return result.err;
+  }
+
+  support::TemporaryFolder folder_;
+};
+
+using FitForce = FitCommand;
+
+TEST_F(FitForce, FindsTheExponentOfANoisyPowerCurve) {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    const double p = 1.0 + 0.35 * seed;
+    write("noisy.csv", powerRows("", 0.5, p, seed));
+    const json found = jsonOf("force noisy.csv");
+    EXPECT_NEAR(found["p"].get<double>(), p, 0.05);
+    EXPECT_NEAR(found["k_n_per_mm"].get<double>(), 0.5, 0.03);
+    if (p < 2.2) {
+      EXPECT_EQ(found["best"], "power") << "steeper ones look like a cube";
+    }
+    EXPECT_LT(found["p_standard_error"].get<double>(), 0.05);
+  }
+}
+
+TEST_F(FitForce, TellsEveryFormAndTheKeysOfAScene) {
+  const CommandResult result = fit("force one.csv");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  for (const char* words :
+       {"one.csv: 40 rows, 10 mm deep", "linear", "power", "stiffening", "cubic", "measured",
+        "force_law = \"power\"\nexponent = 1.", "[stiffness]\nsource = \"constant\"", "constant_n_per_mm = 0.3"}) {
+    EXPECT_NE(result.out.find(words), std::string::npos) << words << result.out;
+  }
+}
+
+TEST_F(FitForce, WritesATableThatASceneReads) {
+  const json found = jsonOf("force one.csv --form measured -o law.csv");
+  EXPECT_EQ(found["written"].at(0), "law.csv");
+  EXPECT_NE(found["scene"].get<std::string>().find("force_table = \"law.csv\""), std::string::npos);
+  const tissue::ForceTable table = tissue::readForceTable(folder_ / "law.csv");
+  ASSERT_GT(table.rows, 10u);
+  for (std::uint32_t i = 0; i < table.rows; ++i) {
+    const double force = 3.2 * std::pow(table.depth_mm[i] / 8.0, 1.6);
+    EXPECT_NEAR(table.effective_mm[i], force, 0.12 * force) << table.depth_mm[i];
+  }
+  write("scene.toml", found["scene"].get<std::string>());
+  const auto simulated = support::runPalpate("simulate scene.toml --seconds 0.05 -o out", folder_.path());
+  EXPECT_EQ(simulated.exit_code, 0) << simulated.err;
+}
+
+TEST_F(FitForce, FitsEveryPlaceAndAllTogether) {
+  const json found = jsonOf("force places.csv");
+  ASSERT_EQ(found["curves"].size(), 3u);
+  EXPECT_EQ(found["curves"][1]["curve"], "L3");
+  const json& power = found["curves"][1]["fits"][1];
+  EXPECT_EQ(power["form"], "power");
+  EXPECT_NEAR(power["numbers"]["exponent"]["value"].get<double>(), 1.8, 0.05);
+  EXPECT_NEAR(found["spread"]["exponent"]["median"].get<double>(), 1.7, 0.05);
+  EXPECT_NEAR(found["p"].get<double>(), 1.67, 0.06) << "one shape for all";
+  const json alone = jsonOf("force places.csv --curve L3");
+  EXPECT_EQ(alone["curves"].size(), 1u);
+  EXPECT_NEAR(alone["p"].get<double>(), 1.8, 0.05);
+}
+
+TEST_F(FitForce, DrawsRowsLawsAndMisses) {
+  for (const char* file : {"one.csv", "places.csv"}) {
+    ASSERT_EQ(fit(std::string("force ") + file + " --plot fit.svg").exit_code, 0);
+    const std::string svg = contentOf(folder_ / "fit.svg");
+    EXPECT_NE(svg.find("measured"), std::string::npos);
+    EXPECT_NE(svg.find("(mm)"), std::string::npos);
+  }
+}
+
+TEST_F(FitForce, NamesTheLineOfWhatItCannotRead) {
+  write("typo.csv", "depth_mm,force_n\n1,2\n2,three\n");
+  EXPECT_EQ(errorOf("force typo.csv"), "palpate: typo.csv:3: force_n is not a number: 'three'\n");
+  write("short.csv", "1,2\n2,3\n");
+  EXPECT_EQ(errorOf("force short.csv"), "palpate: short.csv: the curve has 2 depths below the skin; 4 are needed\n");
+  EXPECT_EQ(errorOf("force places.csv --curve L4"), "palpate: places.csv: unknown curve 'L4'; did you mean 'L3'?\n");
+  EXPECT_EQ(errorOf("force one.csv --plot fit.jpg"), "palpate: fit.jpg: a plot is written as .png, .svg\n");
+  EXPECT_NE(errorOf("force one.csv --form cubik").find("did you mean 'cubic'?"), std::string::npos);
+  EXPECT_NE(errorOf("force none.csv").find("none.csv"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace palpate
