@@ -1,0 +1,57 @@
+// A rigid sphere pressed into layers over bone, deeper and deeper: the table of what the skin does and what it costs.
+//
+// Axisymmetric, finite strain, without friction. Depth grows by steps that adapt to how hard the last one was; each
+// starts from the motion extrapolated from the two before. Units outside: mm, N, kPa, mJ.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "palpate/base/progress.h"
+#include "palpate/elements/quad_mesh.h"
+#include "palpate/tissue/layered_table.h"
+
+namespace palpate::elements {
+
+struct PressSettings {
+  double indenter_radius_mm = 8.0;
+  std::vector<double> depths_mm = {2.0, 4.0, 6.0, 8.0, 10.0};  ///< increasing, > 0
+  double radius_mm = 150.0;                                    ///< of the disc; its rim is held
+  double fineness = 1.0;                                       ///< 2: elements half as large
+  double contact_kpa_per_mm = 1500.0;                          ///< of the springs that stand for a rigid sphere
+  double first_step_mm = 0.25;
+  double longest_step_mm = 1.0;
+};
+
+/// The mesh that goes with a sphere: it is fine as far as the skin can touch.
+MeshFineness finenessFor(const PressSettings& settings);
+
+/// Throws Error for what makes no sense: depths that do not increase or reach the base, sizes out of range.
+void check(const tissue::LayerStack& stack, const PressSettings& settings);
+
+/// One equilibrium on the way.
+struct PressStep {
+  double depth_mm = 0.0;
+  double force_n = 0.0;
+  double energy_mj = 0.0;  ///< stored, in tissue and contact
+  int systems = 0;         ///< of equations, that it took
+};
+
+struct PressSolution {
+  tissue::LayeredTable table;    ///< of the depths that were reached, and of the deepest where some were not
+  double converged_to_mm = 0.0;  ///< deepest equilibrium
+  std::string stopped_by;        ///< why it went no deeper; empty: all depths were reached
+  std::vector<PressStep> path;
+  double work_mj = 0.0;  ///< of the sphere, from force and depth; as much as is stored, but for the path's steps
+  double seconds = 0.0;
+};
+
+/// `stop` ends it with what is reached; may be empty.
+PressSolution solvePress(const tissue::LayerStack& stack, const PressSettings& settings, const Progress& progress = {},
+                         const std::function<bool()>& stop = {});
+
+/// 121 radii, dense near the axis, to 120 mm or four fifths of the disc.
+std::vector<double> tableRadii(double disc_radius_mm);
+
+}  // namespace palpate::elements

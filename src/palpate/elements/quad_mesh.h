@@ -1,0 +1,47 @@
+// The stack of layers cut by a plane through the axis: 8-node quadrilaterals in columns, fine where the sphere presses.
+//
+// r outward from the axis, z up from the base (bone). Base and outer rim are held, the axis stays the axis.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "palpate/tissue/layered_table.h"
+
+namespace palpate::elements {
+
+struct MeshFineness {
+  double width_mm = 0.7;        ///< of the columns near the axis
+  double uniform_to_mm = 14.0;  ///< beyond, columns grow by `growth` up to `widest_mm`
+  double growth = 1.12;
+  double widest_mm = 8.0;
+  double height_mm = 1.0;  ///< of the rows of the skin; deeper ones are higher
+  int fewest_rows = 2;     ///< of a layer
+  int most_rows = 14;
+  double radius_mm = 150.0;
+};
+
+/// No degree of freedom: held.
+inline constexpr int kHeld = -1;
+
+struct QuadMesh {
+  std::vector<double> columns;  ///< r of the columns' borders, from the axis
+  std::vector<double> rows;     ///< z of the rows' borders, from the surface down to 0
+  // A node each:
+  std::vector<double> r;
+  std::vector<double> z;
+  std::vector<std::array<int, 2>> freedoms;  ///< of u_r and u_z: places in the system of equations, or kHeld
+  int freedom_count = 0;
+  // An element each:
+  std::vector<std::array<int, 8>> nodes;  ///< corners from the lower left against the clock, then the sides' middles
+  std::vector<int> layers;                ///< of the stack
+  /// Nodes of the surface's edges, from the axis outwards.
+  std::vector<std::array<int, 3>> surface;
+
+  double height() const { return rows.front(); }
+};
+
+QuadMesh quadMesh(const tissue::LayerStack& stack, const MeshFineness& fineness);
+
+}  // namespace palpate::elements
