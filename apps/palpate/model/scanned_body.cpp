@@ -26,7 +26,7 @@ struct GuessedUnit {
   const char* words;
   double mm;
 };
-constexpr std::array<GuessedUnit, 3> kUnits = {{{"metres", 1000}, {"decimetres", 100}, {"centimetres", 10}}};
+constexpr std::array<GuessedUnit, 3> kGuessedUnits = {{{"metres", 1000}, {"decimetres", 100}, {"centimetres", 10}}};
 
 double diagonalOf(const mesh::TriangleMesh& mesh) {
   const Eigen::AlignedBox3d box = mesh::boundingBox(mesh);
@@ -38,7 +38,7 @@ bool isSomebodys(double diagonal_mm) { return diagonal_mm >= kSmallestScanMm && 
 void guessUnit(ScannedBody& scan) {
   const double diagonal = diagonalOf(scan.mesh);
   if (isSomebodys(diagonal)) return;
-  for (const GuessedUnit& unit : kUnits) {
+  for (const GuessedUnit& unit : kGuessedUnits) {
     if (!isSomebodys(diagonal * unit.mm)) continue;
     for (Vec3& p : scan.mesh.positions) p *= unit.mm;
     scan.unit_mm = scan.mm_per_unit = unit.mm;
