@@ -1,5 +1,5 @@
 // The kernels give the same surface on every instruction set that this machine has.
-#include "palpate/deform/kernels.h"
+#include "palpate/deform/kernels/kernels.h"
 
 #include <gtest/gtest.h>
 #include <hwy/targets.h>

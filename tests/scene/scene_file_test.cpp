@@ -66,7 +66,7 @@ script = [{ do = "drag", by_mm = [30, 0], seconds = 2 }, { do = "circle", radius
 
 TEST(SceneFile, ReadsForceLaws) {
   const auto law_of = [](const std::string& keys) { return parse("[tissue]\n" + keys + kFinger, "f/s.toml").tissue; };
-  EXPECT_EQ(parse(kFinger, "s.toml").tissue.force_law.kind, tissue::ForceLaw::Kind::linear);
+  EXPECT_EQ(parse(kFinger, "s.toml").tissue.force_law.kind, tissue::ForceLaw::Kind::layered);
   const TissueSettings power = law_of("force_law = \"power\"\nexponent = 1.5\nreference_depth_mm = 6\n");
   EXPECT_EQ(power.force_law.kind, tissue::ForceLaw::Kind::power);
   EXPECT_EQ(power.force_law.exponent, 1.5);

@@ -152,39 +152,55 @@ TEST(ForceLaw, PowerAgreesWithHookeAtItsReferenceDepth) {
   EXPECT_NEAR(normalForce(powerLaw(1.6, 8.0), 0.5, 4.0), 4.0 * std::pow(0.5, 1.6), 1e-12);
 }
 
-TEST(ForceLaw, StiffeningStartsAtTheMapAndEndsAtItsRatio) {
+TEST(ForceLaw, EveryKindAgreesWithTheMapAtTheReferenceDepth) {
+  for (const auto& [name, law] : laws()) {
+    const double reference = law.reference_depth_mm;
+    EXPECT_NEAR(normalForce(law, 0.5, reference), 0.5 * reference, 1e-12) << name;
+  }
+  ForceLaw nothing_there = tableLaw({{20, 0}, {30, 1}});
+  EXPECT_EQ(normalForce(nothing_there, 0.5, 8.0), 0.0) << "a table that begins deeper keeps its own unit";
+  EXPECT_DOUBLE_EQ(normalForce(nothing_there, 0.5, 30.0), 0.5);
+}
+
+TEST(ForceLaw, StiffeningGoesFromALightTouchToItsRatio) {
   const ForceLaw law = stiffeningLaw(5.0, 12.0);
-  EXPECT_DOUBLE_EQ(tangentStiffness(law, 0.2, 0.0), 0.2);
-  EXPECT_DOUBLE_EQ(tangentStiffness(law, 0.2, 12.0), 1.0);
-  EXPECT_DOUBLE_EQ(tangentStiffness(law, 0.2, 30.0), 1.0);
-  EXPECT_NEAR(normalForce(law, 0.2, 1e-6), 0.2e-6, 1e-15);
+  const double light = tangentStiffness(law, 0.2, 0.0);
+  EXPECT_LT(light, 0.2) << "the map is the secant at 8 mm, not how a light touch feels";
+  EXPECT_DOUBLE_EQ(tangentStiffness(law, 0.2, 12.0), 5.0 * light);
+  EXPECT_DOUBLE_EQ(tangentStiffness(law, 0.2, 30.0), 5.0 * light);
+  EXPECT_NEAR(normalForce(law, 0.2, 1e-6), light * 1e-6, 1e-15);
 }
 
 TEST(ForceLaw, StiffeningIsTheIntegralOfItsGaussian) {
   const ForceLaw law = stiffeningLaw(5.0, 12.0);
   constexpr int kSteps = 100000;
-  double force = 0.0;
-  for (int i = 0; i < kSteps; ++i) {
-    const double depth = 9.0 * (i + 0.5) / kSteps;
-    force += 0.2 * (5.0 + (1.0 - 5.0) * profile(depth / 12.0)) * 9.0 / kSteps;
-  }
-  EXPECT_NEAR(normalForce(law, 0.2, 9.0), force, 1e-9);
+  const auto integral = [&](double to) {
+    double sum = 0.0;
+    for (int i = 0; i < kSteps; ++i) {
+      sum += (5.0 + (1.0 - 5.0) * profile(to * (i + 0.5) / kSteps / 12.0)) * to / kSteps;
+    }
+    return sum;
+  };
+  EXPECT_NEAR(normalForce(law, 0.2, 9.0), 0.2 * 8.0 / integral(8.0) * integral(9.0), 1e-9);
 }
 
 TEST(ForceLaw, ATableIsStraightBetweenItsRowsAndGoesOnWithItsLastSlope) {
   const ForceLaw law = tableLaw({{2, 1}, {6, 5}, {8, 11}});
-  EXPECT_DOUBLE_EQ(normalForce(law, 1.0, 1.0), 0.5) << "from the origin to the first row";
-  EXPECT_DOUBLE_EQ(normalForce(law, 1.0, 2.0), 1.0);
-  EXPECT_DOUBLE_EQ(normalForce(law, 1.0, 4.0), 3.0);
-  EXPECT_DOUBLE_EQ(normalForce(law, 1.0, 8.0), 11.0);
-  EXPECT_DOUBLE_EQ(normalForce(law, 1.0, 10.0), 17.0) << "three per mm";
+  constexpr double kUnit = 8.0 / 11.0;  // so that 1 N/mm gives 8 N at 8 mm
+  EXPECT_DOUBLE_EQ(normalForce(law, 1.0, 1.0), kUnit * 0.5) << "from the origin to the first row";
+  EXPECT_DOUBLE_EQ(normalForce(law, 1.0, 2.0), kUnit * 1.0);
+  EXPECT_DOUBLE_EQ(normalForce(law, 1.0, 4.0), kUnit * 3.0);
+  EXPECT_DOUBLE_EQ(normalForce(law, 1.0, 8.0), kUnit * 11.0);
+  EXPECT_DOUBLE_EQ(normalForce(law, 1.0, 10.0), kUnit * 17.0) << "three per mm";
 }
 
 TEST(ForceLaw, SteepestFactorBoundsTheSlope) {
   EXPECT_DOUBLE_EQ(steepestFactor({}, 40.0), 1.0);
-  EXPECT_DOUBLE_EQ(steepestFactor(stiffeningLaw(5.0, 12.0), 40.0), 5.0);
-  EXPECT_DOUBLE_EQ(steepestFactor(stiffeningLaw(0.2, 12.0), 40.0), 1.0);
-  EXPECT_DOUBLE_EQ(steepestFactor(tableLaw({{2, 1}, {3, 9}, {8, 10}}), 40.0), 8.0) << "in the middle";
+  for (const double ratio : {5.0, 0.2}) {
+    const ForceLaw law = stiffeningLaw(ratio, 12.0);
+    EXPECT_DOUBLE_EQ(steepestFactor(law, 40.0), std::max(1.0, ratio) * tangentStiffness(law, 1.0, 0.0));
+  }
+  EXPECT_DOUBLE_EQ(steepestFactor(tableLaw({{2, 1}, {3, 9}, {8, 10}}), 40.0), 8.0 * 0.8) << "in the middle";
 }
 
 // Forces of a sphere pressed 2, 5, 7.5 and 10 mm into layered tissue, from finite elements (docs/force-laws.md).

@@ -20,6 +20,7 @@ void addAllCommands(CLI::App& app) {
   addPartitionCommand(app);
   addPlotCommand(app);
   addSimulateCommand(app);
+  addRealismCommand(app);
   addRecordCommand(app);
   addRenderCommand(app);
   addRepairCommand(app);

@@ -37,6 +37,7 @@ void addModelCommand(CLI::App& app);
 void addPartitionCommand(CLI::App& app);
 void addPlotCommand(CLI::App& app);
 void addSimulateCommand(CLI::App& app);
+void addRealismCommand(CLI::App& app);
 void addRecordCommand(CLI::App& app);
 void addRenderCommand(CLI::App& app);
 void addRepairCommand(CLI::App& app);
@@ -52,6 +53,7 @@ void addStudyAll(CLI::App& parent);
 void addRunCommand(CLI::App& app);
 void addTissueCommand(CLI::App& app);
 // `parent` is the tissue command.
+void addTissueLibraryCommand(CLI::App& parent);
 void addTissueShowCommand(CLI::App& parent);
 
 }  // namespace palpate::app

@@ -7,6 +7,7 @@ namespace palpate::app {
 void addTissueCommand(CLI::App& app) {
   CLI::App& tissue = *app.add_subcommand("tissue", "Layered tissue under a press: solve, show, published moduli");
   tissue.require_subcommand(1);
+  addTissueLibraryCommand(tissue);
   addTissueShowCommand(tissue);
 }
 

@@ -10,7 +10,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
-#include "palpate/scene/key_table.h"
+#include "palpate/scene/keys/key_table.h"
 #include "palpate/scene/scene_edit.h"
 
 namespace palpate::viewer {

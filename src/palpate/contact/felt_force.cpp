@@ -30,16 +30,17 @@ constexpr double kMostFriction = 2.5;
 constexpr double kStepRounding = 1e-9;
 
 GripLimits gripLimits(const FingerSettings& settings, const tissue::Response& tissue) {
-  const double tangential_stiffness = settings.stiffness_ratio * tissue.secant_n_per_mm;
+  const double tangential_stiffness = settings.stiffness_ratio * tissue.tangential * tissue.secant_n_per_mm;
   if (!(tangential_stiffness > 0.0)) return {};
   return {settings.mu_static * tissue.force_n / tangential_stiffness,
           settings.mu_dynamic * tissue.force_n / tangential_stiffness};
 }
 
 /// The most that the force grows with the depth here, N/mm: the chord's slope or the tangent's.
-double tangentOf(const Surface& surface, double stiffness, double depth_mm, const tissue::Response& tissue) {
-  if (surface.force_law.kind == tissue::ForceLaw::Kind::linear) return stiffness;
-  return std::max(tissue.secant_n_per_mm, tissue::tangentStiffness(surface.force_law, stiffness, depth_mm));
+double tangentOf(const Surface& surface, const SkinHere& here, double depth_mm, const tissue::Response& tissue) {
+  if (surface.force_law.kind == tissue::ForceLaw::Kind::linear) return here.stiffness_n_per_mm;
+  return std::max(tissue.secant_n_per_mm,
+                  tissue::tangentStiffness(surface.force_law, here.stiffness_n_per_mm, depth_mm, here.tissue_mm));
 }
 
 /// A press that the skin no longer gives: the tip is out of the body and what it felt fades.
@@ -97,10 +98,12 @@ FingerOutput feltOutput(const Surface& surface, const FingerSettings& settings, 
     state.force = Vec3::Zero();
     return freeOutput(tip);
   }
-  const double stiffness = stiffnessAt(surface, state.proxy);
-  const tissue::Response tissue = tissue::respond(surface.force_law, stiffness, press.felt_depth_mm);
-  const Pressure pressure{press.proxy, press.normal, tissue.force_n, settings.stiffness_ratio * tissue.secant_n_per_mm};
-  const double most_n = most_mm * tangentOf(surface, stiffness, press.felt_depth_mm, tissue);
+  const SkinHere here = skinAt(surface, state.proxy);
+  const tissue::Response tissue =
+      tissue::respond(surface.force_law, here.stiffness_n_per_mm, press.felt_depth_mm, here.tissue_mm);
+  const double sideways = settings.stiffness_ratio * tissue.tangential * tissue.secant_n_per_mm;
+  const Pressure pressure{press.proxy, press.normal, tissue.force_n, sideways};
+  const double most_n = most_mm * tangentOf(surface, here, press.felt_depth_mm, tissue);
   const Hold hold = holdOf(surface, pressure, gripLimits(settings, tissue), most_n, state);
   FingerOutput output;
   output.tip = tip;
@@ -110,6 +113,7 @@ FingerOutput feltOutput(const Surface& surface, const FingerSettings& settings, 
   output.normal = press.normal;
   output.force = state.force = tissue.force_n * press.normal + pressure.tangential_n_per_mm * hold.pull;
   output.depth_mm = press.depth_mm;
+  output.tissue_mm = here.tissue_mm;
   output.touch = state.slipping && hold.settled ? Touch::slip : Touch::stick;
   output.triangle = surface.tree.source_triangle[state.proxy.triangle];
   output.anchor_triangle = surface.tree.source_triangle[state.anchor.triangle];

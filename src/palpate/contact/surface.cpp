@@ -17,14 +17,15 @@ using tree::TriangleRecord;
 
 namespace {
 
-void checkStiffness(const std::vector<double>& stiffness, std::size_t vertices) {
-  if (stiffness.size() != vertices) {
-    throw Error("contact surface: " + std::to_string(stiffness.size()) + " stiffnesses for " +
+/// `what`: "stiffness", a vertex each.
+void checkEach(const std::vector<double>& values, std::size_t vertices, const std::string& what) {
+  if (values.size() != vertices) {
+    throw Error("contact surface: " + std::to_string(values.size()) + " numbers of " + what + " for " +
                 std::to_string(vertices) + " vertices");
   }
   for (std::size_t v = 0; v < vertices; ++v) {
-    if (!(stiffness[v] >= 0.0) || !std::isfinite(stiffness[v])) {
-      throw Error("contact surface: the stiffness of vertex " + std::to_string(v) + " is not a number >= 0");
+    if (!(values[v] >= 0.0) || !std::isfinite(values[v])) {
+      throw Error("contact surface: the " + what + " of vertex " + std::to_string(v) + " is not a number >= 0");
     }
   }
 }
@@ -101,10 +102,12 @@ void findEntangled(const mesh::TriangleMesh& mesh, Surface& surface) {
 
 Surface buildSurface(const mesh::TriangleMesh& mesh, std::vector<double> stiffness_n_per_mm,
                      const SurfaceOptions& options) {
-  checkStiffness(stiffness_n_per_mm, mesh.positions.size());
+  checkEach(stiffness_n_per_mm, mesh.positions.size(), "stiffness");
   Surface surface;
   surface.tree = tree::buildTriangleTree(mesh);
   surface.stiffness_n_per_mm = std::move(stiffness_n_per_mm);
+  if (!options.tissue_mm.empty()) checkEach(options.tissue_mm, mesh.positions.size(), "tissue thickness");
+  surface.tissue_mm = options.tissue_mm;
   surface.force_law = options.force_law;
   fillVertices(surface, mesh.positions.size());
   checkFans(surface);

@@ -11,10 +11,12 @@
 namespace palpate::contact {
 
 struct SurfaceOptions {
-  tissue::ForceLaw force_law;
+  tissue::ForceLaw force_law = {};
   /// False: no sheets of the surface pierce each other, as somebody knows already. Else the mesh is asked, and where
   /// (about 1 us a triangle).
-  std::optional<bool> self_intersecting;
+  std::optional<bool> self_intersecting = {};
+  /// Per vertex, finite and >= 0: the thickness over the bone, for the layered law. May be empty.
+  std::vector<double> tissue_mm = {};
 };
 
 /// Plain data; every finger reads it, nobody writes it. Triangles are named by their record in the tree (leaf order).
@@ -23,6 +25,7 @@ struct Surface {
   std::vector<Vec3> vertex_normals;            ///< unit, weighted by angle: their side test is exact at a vertex
   std::vector<std::uint8_t> vertex_on_border;  ///< 1 where the sheet ends
   std::vector<double> stiffness_n_per_mm;      ///< per vertex
+  std::vector<double> tissue_mm;               ///< per vertex: thickness over the bone; empty where it is not known
   tissue::ForceLaw force_law;
   bool self_intersecting = false;
   /// Per record: 1 in and next to the sheets that pierce each other, where a point is felt as a very small sphere
@@ -32,7 +35,7 @@ struct Surface {
 };
 
 /// `mesh` must be fit for contact, as mesh::repair leaves it: an edge has at most one neighbour on each side and the
-/// triangles of a vertex form one fan. One stiffness per vertex, finite and >= 0. Throws Error otherwise.
+/// triangles of a vertex form one fan. One stiffness (and thickness) per vertex, finite and >= 0. Throws Error otherwise.
 Surface buildSurface(const mesh::TriangleMesh& mesh, std::vector<double> stiffness_n_per_mm,
                      const SurfaceOptions& options = {});
 

@@ -144,12 +144,14 @@ void prefetchNeighbours(const Surface& surface, Index triangle, bool arrived) no
   }
 }
 
-double stiffnessAt(const Surface& surface, const SurfacePoint& point) noexcept {
+SkinHere skinAt(const Surface& surface, const SurfacePoint& point) noexcept {
   const TriangleRecord& record = surface.tree.records[point.triangle];
   const Vec3 weights = tree::barycentricWeights(record.corners, point.position);
-  double stiffness = 0.0;
-  for (int i = 0; i < 3; ++i) stiffness += weights[i] * surface.stiffness_n_per_mm[record.vertices[i]];
-  return stiffness;
+  SkinHere here;
+  for (int i = 0; i < 3; ++i) here.stiffness_n_per_mm += weights[i] * surface.stiffness_n_per_mm[record.vertices[i]];
+  if (surface.tissue_mm.empty()) return here;
+  for (int i = 0; i < 3; ++i) here.tissue_mm += weights[i] * surface.tissue_mm[record.vertices[i]];
+  return here;
 }
 
 }  // namespace palpate::contact

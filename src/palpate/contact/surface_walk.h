@@ -36,8 +36,14 @@ bool onBorder(const Surface& surface, const SurfacePoint& point) noexcept;
 /// Whether the triangle has the corner, the edge or the face on which the point lies.
 bool touchesFeature(const Surface& surface, Index triangle, const SurfacePoint& point) noexcept;
 
-/// Stiffness at the point, N/mm, barycentric from the vertices (E3).
-double stiffnessAt(const Surface& surface, const SurfacePoint& point) noexcept;
+/// What the skin is like at a place.
+struct SkinHere {
+  double stiffness_n_per_mm = 0.0;
+  double tissue_mm = 0.0;  ///< over the bone; 0 where that is not known
+};
+
+/// Barycentric from the vertices (E3).
+SkinHere skinAt(const Surface& surface, const SurfacePoint& point) noexcept;
 
 /// Asks the processor for what a walk into the neighbours of `triangle` would read, so that it is there when the finger
 /// is. In two stages, because what is read at the neighbours' vertices is known only when the neighbours are there:

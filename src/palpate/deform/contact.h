@@ -5,6 +5,9 @@
 // Based on: Ji, dissertation 2008, (4.4) to (4.6) and (4.15) to (4.18), with E19 and E21.
 #pragma once
 
+#include <optional>
+
+#include "palpate/deform/layered_frame.h"
 #include "palpate/maps/polar_contour.h"
 
 namespace palpate::deform {
@@ -20,6 +23,9 @@ struct Contact {
   maps::SurfaceEllipse tangential_region;
   /// Irregular boundary in place of the tangential ellipse, for Shape::contour only (forms.h); empty otherwise.
   maps::SurfaceContour tangential_contour;
+  /// The tissue's own curves for this place and depth, in place of the profiles of the forms; the regions above end
+  /// where these end.
+  std::optional<LayeredShape> layered = {};
 };
 
 /// Limits of what skin on a back does, and how far a press reaches.

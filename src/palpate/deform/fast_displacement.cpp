@@ -32,6 +32,37 @@ PartLanes lanesOf(const FlatEllipse& ellipse, const Vec3& shift_mm) noexcept {
   return lanes;
 }
 
+void copyTo(float (&out)[tissue::kCurveTerms], const tissue::LayeredCurve& curve) noexcept {
+  for (std::size_t k = 0; k < curve.terms.size(); ++k) out[k] = static_cast<float>(curve.terms[k]);
+}
+
+void setCurve(PartLanes& part, const tissue::LayeredCurve& curve, double bend, const Room& room) noexcept {
+  const double rim = 1.0 / (1.0 + bend);
+  part.share.bend = static_cast<float>(bend);
+  part.share.rim = static_cast<float>(rim);
+  part.share.scale = static_cast<float>(1.0 / (1.0 - rim));
+  copyTo(part.share.terms, curve);
+  static_assert(kRoomSteps == Room::kSteps);
+  for (std::size_t i = 0; i < kRoomSteps; ++i) part.room[i] = static_cast<float>(room.from[i]);
+}
+
+void setLayered(const LayeredFrame& layered, const Vec3& normal, double amplitude_mm, ContactLanes& lanes) noexcept {
+  lanes.layered = true;
+  const tissue::PressCurves& press = layered.shape.press;
+  setCurve(lanes.normal, press.down, tissue::kPressBend, layered.press_room);
+  setCurve(lanes.tangential, layered.shape.drag, tissue::kDragBend, layered.drag_room);
+  copyTo(lanes.outward, press.outward);
+  lanes.outward_mm2 = static_cast<float>(amplitude_mm * press.radius_mm);
+  const Mat3 plane = (Mat3::Identity() - normal * normal.transpose()) / (press.radius_mm * press.radius_mm);
+  const double upper[6] = {plane(0, 0), plane(0, 1), plane(0, 2), plane(1, 1), plane(1, 2), plane(2, 2)};
+  for (int i = 0; i < 6; ++i) lanes.plane[i] = static_cast<float>(upper[i]);
+}
+
+/// What a point within q < 1 of an ellipse keeps by the default profile; 0 for one that does not act.
+double gaussianShare(const FlatEllipse& ellipse, const Vec3& offset) noexcept {
+  return ellipse.acts() ? tissue::profile(ellipse.ratioAt(offset)) : 0.0;
+}
+
 double lengthOf(const float (&v)[3]) noexcept { return Vec3f(v[0], v[1], v[2]).cast<double>().norm(); }
 
 bool movesAnything(const PartLanes& part) noexcept {
@@ -55,28 +86,58 @@ ContactLanes lanesOf(const EllipseContact& frame, double amplitude_mm, const Vec
   copyTo(lanes.facing, frame.normal);
   lanes.normal = lanesOf(frame.press, -amplitude_mm * frame.normal);
   lanes.tangential = lanesOf(frame.drag, shift_mm);
+  if (frame.layered) setLayered(*frame.layered, frame.normal, amplitude_mm, lanes);
   return lanes;
 }
 
-/// What a point keeps of the displacement of the ellipse's centre.
-double FastDisplacement::shareOf(const FlatEllipse& ellipse, const Vec3& offset) noexcept {
-  return ellipse.acts() ? tissue::profile(ellipse.ratioAt(offset)) : 0.0;
+/// What a point keeps of the displacement of the press's centre.
+double FastDisplacement::pressShare(const Frame& from, const Vec3& offset) noexcept {
+  if (!from.layered) return gaussianShare(from.press, offset);
+  return from.press.acts() ? from.layered->pressShare(from.press.ratioAt(offset)) : 0.0;
 }
 
-double FastDisplacement::pressRoom(double q) noexcept { return tissue::profile(q); }
+double FastDisplacement::dragShare(const Frame& from, const Vec3& offset) noexcept {
+  if (!from.layered) return gaussianShare(from.drag, offset);
+  return from.drag.acts() ? from.layered->dragShare(from.drag.ratioAt(offset)) : 0.0;
+}
+
+double FastDisplacement::pressRoom(const Frame& frame, double q) noexcept {
+  return frame.layered ? frame.layered->press_room.at(q) : tissue::profile(q);
+}
+
+double FastDisplacement::dragRoom(const Frame& frame, double q) noexcept {
+  return frame.layered ? frame.layered->drag_room.at(q) : tissue::profile(q);
+}
+
+double FastDisplacement::mostAt(const Frame& frame, double press_mm, double drag_mm, const Vec3& offset) noexcept {
+  const double press = frame.press.acts() ? press_mm * pressRoom(frame, frame.press.ratioAt(offset)) : 0.0;
+  const double drag = frame.drag.acts() ? drag_mm * dragRoom(frame, frame.drag.ratioAt(offset)) : 0.0;
+  return press + drag;
+}
 
 double FastDisplacement::dragSlope(const Frame& frame, const Vec3& shift_mm) noexcept {
   if (!frame.drag.acts()) return 0.0;
-  return tissue::kProfileSteepest * std::hypot(frame.drag.along.dot(shift_mm), frame.drag.across.dot(shift_mm));
+  const double steepest = frame.layered ? frame.layered->drag_slope : tissue::kProfileSteepest;
+  return steepest * std::hypot(frame.drag.along.dot(shift_mm), frame.drag.across.dot(shift_mm));
 }
 
 void FastDisplacement::addShear(const Frame& frame, const Mover& mover, ShearBound& shear) noexcept {
   shear.is_one = shear.press == 0.0 && shear.drag == 0.0;
   shear.towards = shear.is_one ? frame.normal : Vec3::Zero();
-  if (frame.press.acts()) shear.press += tissue::kProfileSteepest * pressOf(mover) * frame.press.steepest();
-  if (frame.drag.acts()) shear.drag += tissue::kProfileSteepest * dragOf(mover) * frame.drag.steepest();
+  const bool layered = frame.layered.has_value();
+  const double bend = layered ? frame.layered->bend : kSharpest / tissue::kProfileSteepest;
+  if (frame.press.acts()) {
+    const double per_mm = pressOf(mover) * frame.press.steepest();
+    shear.press += (layered ? frame.layered->press_slope : tissue::kProfileSteepest) * per_mm;
+    // The way outward lies in the plane of the skin, like a drag, and shrinks it in two directions.
+    if (layered) shear.drag += 2.0 * frame.layered->outward_slope * per_mm;
+  }
+  if (frame.drag.acts()) {
+    const double slope = layered ? frame.layered->drag_slope : tissue::kProfileSteepest;
+    shear.drag += slope * dragOf(mover) * frame.drag.steepest();
+  }
   for (const FlatEllipse* part : {&frame.press, &frame.drag}) {
-    if (part->acts()) shear.bend = std::max(shear.bend, kSharpest / tissue::kProfileSteepest * part->steepest());
+    if (part->acts()) shear.bend = std::max(shear.bend, bend * part->steepest());
   }
 }
 

@@ -1,4 +1,5 @@
-// The fast way to displace: the half Gaussian in ellipses, every formula as corrected, in the kernels' floats.
+// The fast way to displace: the half Gaussian or layered tissue in ellipses, every formula as corrected, in the
+// kernels' floats.
 //
 // One of the two things that Deformer's pipeline can be filled with (the other: general_displacement.h): it frames a
 // contact, finds its region, says how far contacts feel each other, and moves blocks of vertices.
@@ -36,16 +37,14 @@ class FastDisplacement {
   bool reached(Index vertex) const noexcept { return search_.reached(vertex); }
   Index visitedVertices() const noexcept { return search_.visitedBlocks() * kBlockVertices; }
 
-  static double pressShare(const Frame& from, const Vec3& offset) noexcept { return shareOf(from.press, offset); }
-  static double dragShare(const Frame& from, const Vec3& offset) noexcept { return shareOf(from.drag, offset); }
+  static double pressShare(const Frame& from, const Vec3& offset) noexcept;
+  static double dragShare(const Frame& from, const Vec3& offset) noexcept;
 
   // What shear_limit.h has to know: the shares that the skin has from q on, what a place moves by at most, the slope of
   // a drag along itself, what the contacts may shear at most, half axes of a region, what the centre moves by.
-  static double pressRoom(double q) noexcept;
-  static double dragRoom(double q) noexcept { return pressRoom(q); }
-  static double mostAt(const Frame& frame, double press_mm, double drag_mm, const Vec3& offset) noexcept {
-    return press_mm * shareOf(frame.press, offset) + drag_mm * shareOf(frame.drag, offset);
-  }
+  static double pressRoom(const Frame& frame, double q) noexcept;
+  static double dragRoom(const Frame& frame, double q) noexcept;
+  static double mostAt(const Frame& frame, double press_mm, double drag_mm, const Vec3& offset) noexcept;
   static double dragSlope(const Frame& frame, const Vec3& shift_mm) noexcept;
   static void addShear(const Frame& frame, const Mover& mover, ShearBound& shear) noexcept;
   static double halfMajor(const FlatEllipse& ellipse) noexcept { return ellipse.halfMajor(); }
@@ -70,8 +69,6 @@ class FastDisplacement {
   }
 
  private:
-  static double shareOf(const FlatEllipse& ellipse, const Vec3& offset) noexcept;
-
   const Skin& skin_;
   TissueSettings tissue_;
   RegionByBlocks search_;

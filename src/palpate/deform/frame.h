@@ -19,11 +19,14 @@ struct FramedContact {
   Vec3 drag_mm = Vec3::Zero();  ///< wanted at the anchor, adjusted and capped
   Region press;                 ///< acts if there is something to press and an area to press it in
   Region drag;                  ///< likewise
+  std::optional<LayeredFrame> layered = {};
 
   FramedContact() = default;
   /// Its place; what it wants and where is left to be said.
   explicit FramedContact(const Contact& contact)
-      : anchor(contact.anchor), normal(contact.normal.normalized()), anchor_triangle(contact.anchor_triangle) {}
+      : anchor(contact.anchor), normal(contact.normal.normalized()), anchor_triangle(contact.anchor_triangle) {
+    if (contact.layered) layered.emplace(*contact.layered);
+  }
   bool wantsPress() const { return depth_mm != 0.0; }
   bool wantsDrag() const { return !drag_mm.isZero(0.0); }
 };

@@ -40,23 +40,50 @@ RegionFrame pressFrame(const Contact& contact, const Vec3& normal, const FormSet
 
 Vec3 inSpace(const RegionFrame& region, const Vec2& v) noexcept { return v.x() * region.along + v.y() * region.across; }
 
-void addPart(const RegionFrame& region, const tissue::ProfileCurve& curve, const Vec3& shift_mm, const Vec3& offset,
+tissue::ProfilePoint layeredPoint(const tissue::LayeredCurve& curve, double bend, double q) noexcept {
+  const tissue::CurvePoint point = tissue::curveAt(curve, bend, q * q);
+  return {point.value, 2.0 * q * point.by_q2};
+}
+
+/// By these curves or the tissue's own.
+tissue::ProfilePoint pressPoint(const FormedContact& frame, const FormCurves& curves, double q) noexcept {
+  return frame.layered ? layeredPoint(frame.layered->shape.press.down, tissue::kPressBend, q) : curves.press.at(q);
+}
+
+tissue::ProfilePoint dragPoint(const FormedContact& frame, const FormCurves& curves, double q) noexcept {
+  return frame.layered ? layeredPoint(frame.layered->shape.drag, tissue::kDragBend, q) : curves.drag.at(q);
+}
+
+/// Towards the anchor, at location ratio q.
+tissue::ProfilePoint pullPoint(const FormedContact& frame, const FormCurves& curves, double q) noexcept {
+  if (!frame.layered) return tissue::radialPull(curves.radial, q);
+  const tissue::ProfilePoint f = layeredPoint(frame.layered->shape.press.outward, tissue::kPressBend, q);
+  return {-q * f.value, -f.value - q * f.slope};
+}
+
+bool pulls(const FormedContact& frame, const FormCurves& curves) noexcept {
+  return frame.layered || curves.radial.share != 0.0;
+}
+
+template <class CurveAt>
+void addPart(const RegionFrame& region, const CurveAt& curve_at, const Vec3& shift_mm, const Vec3& offset,
              Motion& motion) noexcept {
   const SpatialLocation at = locateInSpace(region, offset);
-  const tissue::ProfilePoint profile = curve.at(at.q);
+  const tissue::ProfilePoint profile = curve_at(at.q);
   motion.displacement += profile.value * shift_mm;
   motion.gradient += shift_mm * (profile.slope * at.slope).transpose();
 }
 
 /// Towards the anchor in the tangent plane. With e = offset / distance the field -pull e has the gradient
 /// -(pull' e (x) grad q + pull / distance (e_turning (x) e_turning)).
-void addRadialPull(const RegionFrame& region, const tissue::RadialTerm& term, double amplitude_mm, const Vec3& offset,
+template <class PullAt>
+void addRadialPull(const RegionFrame& region, const PullAt& pull_at, double amplitude_mm, const Vec3& offset,
                    Motion& motion) noexcept {
   const Vec2 in_plane = inPlane(region, offset);
   const double distance = in_plane.norm();
   if (!(distance > 0.0)) return;
   const SpatialLocation at = locateInSpace(region, offset);
-  const tissue::ProfilePoint pull = tissue::radialPull(term, at.q);
+  const tissue::ProfilePoint pull = pull_at(at.q);
   const Vec3 outward = inSpace(region, in_plane / distance);
   const Vec3 turning = inSpace(region, Vec2(-in_plane.y(), in_plane.x()) / distance);
   motion.displacement -= amplitude_mm * pull.value * outward;
@@ -134,10 +161,13 @@ void addMotion(const FormedContact& frame, const FormCurves& curves, double ampl
                const Vec3& place, Motion& motion) noexcept {
   const Vec3 offset = place - frame.anchor;
   if (frame.press.acts()) {
-    addPart(frame.press, curves.press, -amplitude_mm * frame.normal, offset, motion);
-    if (curves.radial.share != 0.0) addRadialPull(frame.press, curves.radial, amplitude_mm, offset, motion);
+    const auto press_at = [&](double q) { return pressPoint(frame, curves, q); };
+    const auto pull_at = [&](double q) { return pullPoint(frame, curves, q); };
+    addPart(frame.press, press_at, -amplitude_mm * frame.normal, offset, motion);
+    if (pulls(frame, curves)) addRadialPull(frame.press, pull_at, amplitude_mm, offset, motion);
   }
-  if (frame.drag.acts()) addPart(frame.drag, curves.drag, shift_mm, offset, motion);
+  const auto drag_at = [&](double q) { return dragPoint(frame, curves, q); };
+  if (frame.drag.acts()) addPart(frame.drag, drag_at, shift_mm, offset, motion);
 }
 
 Vec3 turnedNormal(const Mat3& gradient, const Vec3& rest_normal) noexcept {
@@ -168,35 +198,38 @@ std::span<const BlockPart> GeneralDisplacement::findRegion(const Frame& frame) n
 }
 
 double GeneralDisplacement::pressShare(const Frame& from, const Vec3& offset) const noexcept {
-  return curves_.press.at(locateInSpace(from.press, offset).q).value;
+  return pressPoint(from, curves_, locateInSpace(from.press, offset).q).value;
 }
 
 double GeneralDisplacement::dragShare(const Frame& from, const Vec3& offset) const noexcept {
-  return curves_.drag.at(locateInSpace(from.drag, offset).q).value;
+  return dragPoint(from, curves_, locateInSpace(from.drag, offset).q).value;
 }
 
-double GeneralDisplacement::pressRoom(double q) const noexcept {
+double GeneralDisplacement::pressRoom(const Frame& frame, double q) const noexcept {
+  if (frame.layered) return frame.layered->press_room.at(q);
   return mostFrom(q, [&](double at) {
     const double pressed = curves_.press.at(at).value;
     return curves_.radial.share == 0.0 ? pressed : std::hypot(pressed, tissue::radialPull(curves_.radial, at).value);
   });
 }
 
-double GeneralDisplacement::dragRoom(double q) const noexcept {
+double GeneralDisplacement::dragRoom(const Frame& frame, double q) const noexcept {
+  if (frame.layered) return frame.layered->drag_room.at(q);
   return mostFrom(q, [&](double at) { return curves_.drag.at(at).value; });
 }
 
 double GeneralDisplacement::mostAt(const Frame& frame, double press_mm, double drag_mm,
                                    const Vec3& offset) const noexcept {
-  return press_mm * pressRoom(locateInSpace(frame.press, offset).q) +
-         drag_mm * dragRoom(locateInSpace(frame.drag, offset).q);
+  return press_mm * pressRoom(frame, locateInSpace(frame.press, offset).q) +
+         drag_mm * dragRoom(frame, locateInSpace(frame.drag, offset).q);
 }
 
 double GeneralDisplacement::dragSlope(const Frame& frame, const Vec3& shift_mm) const noexcept {
   if (!frame.drag.acts()) return 0.0;
   const RegionFrame& region = frame.drag;
-  if (region.kind == RegionFrame::Kind::contour) return drag_slope_ * shift_mm.norm() / shortestRadius(region);
-  return drag_slope_ * std::hypot(region.along.dot(shift_mm) / region.half_along_mm,
+  const double slope = frame.layered ? frame.layered->drag_slope : drag_slope_;
+  if (region.kind == RegionFrame::Kind::contour) return slope * shift_mm.norm() / shortestRadius(region);
+  return slope * std::hypot(region.along.dot(shift_mm) / region.half_along_mm,
                                   region.across.dot(shift_mm) / region.half_across_mm);
 }
 

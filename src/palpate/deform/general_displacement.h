@@ -12,7 +12,7 @@
 
 #include "palpate/deform/forms.h"
 #include "palpate/deform/frame.h"
-#include "palpate/deform/kernels.h"
+#include "palpate/deform/kernels/kernels.h"
 #include "palpate/deform/region_by_rings.h"
 #include "palpate/deform/region_frame.h"
 #include "palpate/hdb/vertex_search.h"
@@ -74,8 +74,8 @@ class GeneralDisplacement {
 
   // What shear_limit.h has to know: the shares that the skin has from q on, what a place moves by at most, the slope of
   // a drag along itself, what the contacts may shear at most (any form may shear without bound), half axes of a region.
-  double pressRoom(double q) const noexcept;
-  double dragRoom(double q) const noexcept;
+  double pressRoom(const Frame& frame, double q) const noexcept;
+  double dragRoom(const Frame& frame, double q) const noexcept;
   double mostAt(const Frame& frame, double press_mm, double drag_mm, const Vec3& offset) const noexcept;
   double dragSlope(const Frame& frame, const Vec3& shift_mm) const noexcept;
   static void addShear(const Frame&, const Mover&, ShearBound& shear) noexcept {

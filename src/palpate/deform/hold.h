@@ -32,8 +32,12 @@ class Hold {
     const Displacement& displacement;
     const ThePlan& plan;
 
-    double press(double q) const noexcept { return displacement.pressRoom(q); }
-    double drag(double q) const noexcept { return displacement.dragRoom(q); }
+    double press(const Pull& pull, double q) const noexcept {
+      return displacement.pressRoom(plan.frames[pull.contact], q);
+    }
+    double drag(const Pull& pull, double q) const noexcept {
+      return displacement.dragRoom(plan.frames[pull.contact], q);
+    }
     double moved(const Pull& pull, Index vertex) const noexcept {
       const auto& frame = plan.frames[pull.contact];
       const Vec3 offset = skin.restPosition(vertex).template cast<double>() - pull.anchor;

@@ -14,7 +14,7 @@
 
 #include <span>
 
-#include "palpate/deform/kernels.h"
+#include "palpate/deform/kernels/kernels.h"
 #include "palpate/deform/skin.h"
 
 namespace palpate::deform {

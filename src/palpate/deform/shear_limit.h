@@ -47,7 +47,7 @@ class ShearLimit {
     return isGentle(slope) ? kCertain * kFaint * own_mm : 0.0;
   }
 
-  /// Steps 1 and 2. `curves.press(q)` and `curves.drag(q)` are those that the displacement was made with,
+  /// Steps 1 and 2. `curves.press(pull, q)` and `curves.drag(pull, q)` are those that the displacement was made with,
   /// `curves.moved(pull, vertex)` is what a pull alone moves a vertex of its region by at most, mm; `slope` is how much
   /// the displacement differs per mm at most.
   template <class Curves>
@@ -171,8 +171,8 @@ void ShearLimit::roomAlongSurface(const Curves& curves) noexcept {
         double room = pulls_.size() > 1 ? curves.moved(pull, v) + kRoundingMm : pull.press_mm + pull.drag_mm;
         if (measured > 0.0) {
           const double away = from_anchor_.at(v) / kRoundabout;
-          const double along = pull.press_mm * curves.press(away / pull.press_reach_mm) +
-                               pull.drag_mm * curves.drag(away / pull.drag_reach_mm);
+          const double along = pull.press_mm * curves.press(pull, away / pull.press_reach_mm) +
+                               pull.drag_mm * curves.drag(pull, away / pull.drag_reach_mm);
           room += measured * (std::min(along, room) - room);
         }
         room_[v] += static_cast<float>(room);

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "palpate/deform/kernels.h"
+#include "palpate/deform/kernels/kernels.h"
 
 namespace palpate::deform {
 

@@ -17,6 +17,8 @@ struct BodyParts {
   std::shared_ptr<const SkinTexture> texture;
   std::shared_ptr<const SkinChannels> channels = nullptr;
   std::vector<double> given_stiffness_n_per_mm = {};  ///< a skin vertex each, in place of the scene's; or empty
+  /// Layered tissue in place of the library's and the scene's table; or null.
+  std::shared_ptr<const tissue::LayeredTissue> given_layers = nullptr;
 };
 
 /// How the body's mesh file is read.

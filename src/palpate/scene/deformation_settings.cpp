@@ -22,7 +22,25 @@ deform::FormSettings formsOf(const Scene& scene) {
   readKnots(scene.deformation.tangential_profile_file, forms.tangential_profile);
   forms.strain_kind = scene.strain.kind;
   forms.fidelity = scene.fidelity;
+  if (scene.deformation.tissue == TissueModel::literal) {
+    forms.fidelity.setLiteral(Erratum::E18_profile_rim);
+    forms.fidelity.setLiteral(Erratum::E21_press_region);
+  }
   return forms;
+}
+
+bool wantsLayers(const Scene& scene, const deform::FormSettings& forms) {
+  if (scene.deformation.tissue != TissueModel::layered) return false;
+  const deform::TissueSettings usual;
+  const bool own_dent = forms.common.tissue.normal_radius_mm != usual.normal_radius_mm ||
+                        forms.common.tissue.normal_radius_per_depth != usual.normal_radius_per_depth;
+  deform::FormSettings shape = forms;  // what says nothing about the shape of the skin does not count
+  shape.common.normals = deform::Normals::analytic;
+  shape.common.strain = false;
+  shape.search = deform::Search::neighbours;
+  shape.together = deform::Together::solved;
+  return !own_dent && !deform::needsForms(shape) && !deform::sharesRegion(forms) &&
+         forms.region == deform::NormalRegion::linear && forms.boundary == deform::Boundary::zero;
 }
 
 std::optional<maps::PolarContourMap> contoursOf(const Scene& scene, std::span<const maps::KeyPoint> keys,

@@ -10,7 +10,15 @@
 
 namespace palpate::scene {
 
+/// What the skin over the bones is taken for.
+enum class TissueModel : std::uint8_t {
+  layered,   ///< skin, fat and muscle, as thick as they are at the place: solved by finite elements
+  gaussian,  ///< the dissertation's half Gaussian in regions of one size (E21)
+  literal,   ///< the same with the printed rim and one region for press and drag (E18, E21)
+};
+
 struct DeformationSettings {
+  TissueModel tissue = TissueModel::gaussian;
   deform::FormSettings forms;  ///< the knots of user profiles are read when the scene is built
   std::filesystem::path profile_file;
   std::filesystem::path tangential_profile_file;
@@ -21,6 +29,10 @@ struct Scene;
 
 /// The forms of a scene, complete: its files read, its fidelity and kind of strain filled in. Throws Error.
 deform::FormSettings formsOf(const Scene& scene);
+
+/// True if the scene asks for layered tissue and for no form of the deformation that would take its place: a profile, a
+/// region, a printed formula.
+bool wantsLayers(const Scene& scene, const deform::FormSettings& forms);
 
 /// The contour map of a scene with shape "contour", nothing for the others. Throws Error for a file that is none.
 std::optional<maps::PolarContourMap> contoursOf(const Scene& scene, std::span<const maps::KeyPoint> keys,

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "palpate/scene/scene_keys.h"
+#include "palpate/scene/keys/scene_keys.h"
 
 namespace palpate::scene {
 

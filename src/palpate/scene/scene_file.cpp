@@ -7,7 +7,7 @@
 
 #include "palpate/base/text.h"
 #include "palpate/mesh/files/load.h"
-#include "palpate/scene/scene_keys.h"
+#include "palpate/scene/keys/scene_keys.h"
 
 namespace palpate::scene {
 

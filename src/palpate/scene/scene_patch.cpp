@@ -10,7 +10,7 @@
 #include <map>
 
 #include "palpate/base/error.h"
-#include "palpate/scene/scene_keys.h"
+#include "palpate/scene/keys/scene_keys.h"
 #include "palpate/scene/scene_writer.h"
 
 namespace palpate::scene {

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "palpate/base/output_file.h"
-#include "palpate/scene/scene_keys.h"
+#include "palpate/scene/keys/scene_keys.h"
 
 namespace palpate::scene {
 

@@ -7,6 +7,7 @@
 
 #include "palpate/contact/friction.h"
 #include "palpate/deform/finger_contact.h"
+#include "palpate/scene/tissue_of_body.h"
 
 namespace palpate::scene {
 
@@ -41,6 +42,7 @@ std::optional<deform::Contact> contactOf(const World& world, const contact::Fing
   std::optional<deform::Contact> contact = deform::contactOf(meant, dragRegion(world, meant), forms.common.tissue);
   if (!contact) return contact;
   if (world.contours) contact->tangential_contour = world.contours->on(meant.anchor, meant.normal);
+  if (world.layered) return layeredContact(world, *contact);
   return deform::formedRegions(*contact, forms);
 }
 

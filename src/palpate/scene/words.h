@@ -147,7 +147,15 @@ template <>
 struct WordsOf<tissue::ForceLaw::Kind> {
   using V = tissue::ForceLaw::Kind;
   static constexpr std::array kAll = {Word{"linear", V::linear}, Word{"power", V::power},
-                                      Word{"stiffening", V::stiffening}, Word{"table", V::table}};
+                                      Word{"stiffening", V::stiffening}, Word{"table", V::table},
+                                      Word{"layered", V::layered}};
+};
+
+template <>
+struct WordsOf<scene::TissueModel> {
+  using V = scene::TissueModel;
+  static constexpr std::array kAll = {Word{"layered", V::layered}, Word{"gaussian", V::gaussian},
+                                      Word{"literal", V::literal}};
 };
 
 template <>

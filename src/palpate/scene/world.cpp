@@ -21,6 +21,7 @@
 #include "palpate/scene/body_parts.h"
 #include "palpate/scene/hdb_source.h"
 #include "palpate/scene/skin_channels.h"
+#include "palpate/scene/tissue_of_body.h"
 #include "palpate/tissue/force_table.h"
 
 namespace palpate::scene {
@@ -83,12 +84,13 @@ std::vector<double> stiffnessFromPoints(const Scene& scene, const std::vector<Ve
 }
 
 std::vector<double> healthyStiffness(const Scene& scene, const BodyParts& body, const KeyPoints& keys,
-                                     std::vector<std::string>& notes) {
+                                     const PlacedTissue& tissue, std::vector<std::string>& notes) {
   if (!body.given_stiffness_n_per_mm.empty()) return body.given_stiffness_n_per_mm;
   switch (resolvedSource(scene, body)) {
     case StiffnessSource::depth:
       if (body.anatomy.depth_mm.empty())
         throw Error("stiffness source \"depth\" needs bones: the built-in bodies have them");
+      if (tissue.layered) return secantStiffness(tissue);
       return maps::stiffnessFromDepth(body.anatomy.depth_mm, scene.stiffness.depth);
     case StiffnessSource::points:
       return stiffnessFromPoints(scene, body.skin.positions, keys, notes);
@@ -157,8 +159,8 @@ void keepFront(const mesh::TriangleMesh& skin, const std::vector<double>& health
 
 /// A vertex each; what the body has by nature, then what is wrong with it.
 std::vector<double> stiffnessOf(const Scene& scene, const BodyParts& body, const KeyPoints& keys,
-                                std::vector<std::string>& notes) {
-  std::vector<double> stiffness = healthyStiffness(scene, body, keys, notes);
+                                const PlacedTissue& tissue, std::vector<std::string>& notes) {
+  std::vector<double> stiffness = healthyStiffness(scene, body, keys, tissue, notes);
   if (scene.dysfunctions.empty()) return stiffness;
   const std::vector<double> healthy = stiffness;
   maps::applyDysfunctions(body.skin.positions, scene.dysfunctions, stiffness);
@@ -170,8 +172,9 @@ std::vector<double> stiffnessOf(const Scene& scene, const BodyParts& body, const
 
 // ---- what is felt
 
-tissue::ForceLaw forceLaw(const Scene& scene) {
+tissue::ForceLaw forceLaw(const Scene& scene, const PlacedTissue& tissue) {
   tissue::ForceLaw law = scene.tissue.force_law;
+  if (tissue.layered) law.layers = tissue.layered->forceRows();
   if (law.kind == tissue::ForceLaw::Kind::table && !scene.tissue.force_table.empty()) {
     law.table = tissue::readForceTable(scene.tissue.force_table);
   }
@@ -246,14 +249,16 @@ std::shared_ptr<const World> withBody(const Scene& asked, BodyParts body, deform
   std::vector<std::string> notes = body.notes;
   noteUnknownScalar(scene, body.channels.get(), notes);
   noteOldLimits(scene.safety, notes);
-  std::vector<double> stiffness = stiffnessOf(scene, body, keys, notes);
+  PlacedTissue tissue;
+  if (wantsLayers(scene, forms)) tissue = placedTissue(scene, body.anatomy.depth_mm, body.given_layers);
+  std::vector<double> stiffness = stiffnessOf(scene, body, keys, tissue, notes);
   noteSteepMap(body.skin, stiffness, 1.0 / scene.ticks_per_s, notes);
   const std::optional<body::BreathField> breath = breathOf(scene, body, notes);
 
   report(progress, "building the contact surface", 0.0);
   deform::Skin deformable;  // made beside the surface, which takes four times as long
   Background making_deformable([&] { deformable = deform::buildSkin(body.skin); });
-  contact::Surface surface = contact::buildSurface(body.skin, stiffness, {forceLaw(scene), body.self_intersecting});
+  contact::Surface surface = contact::buildSurface(body.skin, stiffness, {forceLaw(scene, tissue), body.self_intersecting, std::move(tissue.thickness_mm)});
   auto hdb = detectingBoxIfAsked(scene, body.skin, surface, progress);
 
   report(progress, "preparing the deformation", 0.0);
@@ -273,13 +278,15 @@ std::shared_ptr<const World> withBody(const Scene& asked, BodyParts body, deform
                                              .deformation = std::move(forms),
                                              .contours = std::move(contours),
                                              .anatomy = std::move(body.anatomy),
+                                             .layered = std::move(tissue.layered),
                                              .breath = breath,
                                              .notes = std::move(notes),
                                              .body_notes = std::move(body.notes),
                                              .hdb = std::move(hdb),
                                              .texture = std::move(body.texture),
                                              .channels = std::move(body.channels),
-                                             .given_stiffness_n_per_mm = std::move(body.given_stiffness_n_per_mm)});
+                                             .given_stiffness_n_per_mm = std::move(body.given_stiffness_n_per_mm),
+                                             .given_layers = std::move(body.given_layers)});
 }
 
 }  // namespace
@@ -305,7 +312,8 @@ std::shared_ptr<const World> rebuilt(const World& world, const Scene& scene, con
                  .notes = world.body_notes,
                  .texture = world.texture,
                  .channels = world.channels,
-                 .given_stiffness_n_per_mm = world.given_stiffness_n_per_mm};
+                 .given_stiffness_n_per_mm = world.given_stiffness_n_per_mm,
+                 .given_layers = world.given_layers};
   return withBody(scene, std::move(body), formsOf(scene), progress);
 }
 

@@ -15,6 +15,7 @@
 #include "palpate/hdb/hdb_candidates.h"
 #include "palpate/maps/literal_ellipse_map.h"
 #include "palpate/scene/scene.h"
+#include "palpate/tissue/layered_tissue.h"
 
 namespace palpate::scene {
 
@@ -42,6 +43,8 @@ struct World {
   deform::FormSettings deformation;               ///< complete: files read, fidelity filled in
   std::optional<maps::PolarContourMap> contours;  ///< for the shape "contour"
   Anatomy anatomy;
+  /// The tissue over the bones (surface.tissue_mm says how thick); null where it is not layered.
+  std::shared_ptr<const tissue::LayeredTissue> layered = nullptr;
   std::optional<body::BreathField> breath = {};            ///< how the skin moves; none: it does not
   std::vector<std::string> notes;                          ///< what the user should know: repairs, a doubtful unit
   std::vector<std::string> body_notes = {};                ///< those of them that are about the body
@@ -50,6 +53,7 @@ struct World {
   std::shared_ptr<const SkinChannels> channels = nullptr;  ///< of the body's file (skin_channels.h), or null
   /// What the body itself says, a skin vertex each, before dysfunctions; empty: the scene says (buildOn).
   std::vector<double> given_stiffness_n_per_mm = {};
+  std::shared_ptr<const tissue::LayeredTissue> given_layers = nullptr;  ///< of the body itself (BodyParts), or null
 };
 
 /// Loads or makes the body, mends and orders it, and builds what the run needs. Throws Error: a file that cannot be

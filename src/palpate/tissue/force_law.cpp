@@ -55,17 +55,79 @@ double fromTable(const ForceTable& table, double depth) noexcept {
   return piece.from_effective_mm + piece.slope * (depth - piece.from_mm);
 }
 
+/// What makes the law agree with the map at the reference depth; 1 for a table that gives no force there.
+double scaleOf(const ForceLaw& law) noexcept {
+  const double reference = law.reference_depth_mm;
+  const double effective =
+      law.kind == ForceLaw::Kind::table ? fromTable(law.table, reference) : stiffened(law, reference);
+  return effective > 0.0 ? reference / effective : 1.0;
+}
+
+/// A thickness between two rows.
+struct RowPlace {
+  std::uint32_t row = 0;
+  std::uint32_t next = 0;
+  double share = 0.0;
+};
+
+RowPlace rowPlace(const LayeredForce& layers, double tissue_mm) noexcept {
+  if (layers.rows < 2 || !(tissue_mm > layers.thinnest_mm)) return {};
+  const std::uint32_t last = layers.rows - 1;
+  const double place = (1.0 / layers.thinnest_mm - 1.0 / tissue_mm) / layers.inverse_step;
+  if (!(place < last)) return {last, last, 0.0};
+  const auto row = static_cast<std::uint32_t>(place);
+  return {row, row + 1, place - row};
+}
+
+/// The factor on the secant, straight between depths, from 0 at the surface; and its slope.
+struct SecantPlace {
+  double factor = 0.0;
+  double slope = 0.0;  ///< 1/mm
+};
+
+SecantPlace secantOnRow(const LayeredForce& layers, std::uint32_t row, double depth) noexcept {
+  const std::array<double, LayeredForce::kDepths>& factor = layers.factor[row];
+  constexpr double kStep = LayeredForce::kDepthStepMm;
+  constexpr std::uint32_t kLastPiece = LayeredForce::kDepths - 2;
+  const double place = depth / kStep;
+  const std::uint32_t piece = place < kLastPiece ? static_cast<std::uint32_t>(place) : kLastPiece;
+  const double from_mm = kStep * piece;
+  const double from = factor[piece];
+  const double slope = (factor[piece + 1] - from) / kStep;
+  // Beyond the last depth the slope of the force goes on, not that of the secant, which would bend it up for ever.
+  constexpr double last_mm = kStep * (LayeredForce::kDepths - 1);
+  if (depth > last_mm) {
+    const double tangent = factor.back() + last_mm * slope;
+    const double effective = factor.back() * last_mm + tangent * (depth - last_mm);
+    return {effective / depth, (tangent - effective / depth) / depth};
+  }
+  return {from + slope * (depth - from_mm), slope};
+}
+
+SecantPlace secantOfLayers(const LayeredForce& layers, double tissue_mm, double depth) noexcept {
+  if (layers.rows == 0) return {1.0, 0.0};
+  const RowPlace at = rowPlace(layers, tissue_mm);
+  const SecantPlace a = secantOnRow(layers, at.row, depth);
+  const SecantPlace b = secantOnRow(layers, at.next, depth);
+  return {a.factor + at.share * (b.factor - a.factor), a.slope + at.share * (b.slope - a.slope)};
+}
+
 /// dh/dd.
-double tangentFactor(const ForceLaw& law, double depth) noexcept {
+double tangentFactor(const ForceLaw& law, double depth, double tissue_mm) noexcept {
   switch (law.kind) {
     case ForceLaw::Kind::linear:
       return 1.0;
     case ForceLaw::Kind::power:
       return law.exponent * std::pow(depth / law.reference_depth_mm, law.exponent - 1.0);
     case ForceLaw::Kind::stiffening:
-      return law.stiffening_ratio + (1.0 - law.stiffening_ratio) * profile(depth / law.stiffening_depth_mm);
+      return scaleOf(law) *
+             (law.stiffening_ratio + (1.0 - law.stiffening_ratio) * profile(depth / law.stiffening_depth_mm));
     case ForceLaw::Kind::table:
-      return pieceAt(law.table, depth).slope;
+      return scaleOf(law) * pieceAt(law.table, depth).slope;
+    case ForceLaw::Kind::layered: {
+      const SecantPlace at = secantOfLayers(law.layers, tissue_mm, depth);
+      return at.factor + depth * at.slope;
+    }
   }
   return 1.0;
 }
@@ -90,15 +152,32 @@ void checkTable(const ForceTable& table) {
   }
 }
 
+void checkLayers(const LayeredForce& layers) {
+  requireLaw(layers.rows <= LayeredForce::kRows, "layered tissue has at most 16 rows");
+  if (layers.rows == 0) return;
+  requireLaw(layers.thinnest_mm > 0.0 && layers.inverse_step >= 0.0 &&
+                 1.0 / layers.thinnest_mm > layers.inverse_step * (layers.rows - 1),
+             "the thicknesses of layered tissue must increase from above 0");
+  for (std::uint32_t row = 0; row < layers.rows; ++row) {
+    for (std::uint32_t i = 1; i < LayeredForce::kDepths; ++i) {
+      requireLaw(std::isfinite(layers.factor[row][i]) && layers.factor[row][i] > 0.0,
+                 "layered tissue must push back at every depth");
+    }
+  }
+}
+
 }  // namespace
 
 void check(const ForceLaw& law) {
+  requireLaw(within(law.reference_depth_mm, 0.0, 1e3), "reference_depth_mm must be above 0 and at most 1000");
   switch (law.kind) {
     case ForceLaw::Kind::linear:
       return;
+    case ForceLaw::Kind::layered:
+      checkLayers(law.layers);
+      return;
     case ForceLaw::Kind::power:
       requireLaw(law.exponent >= 1.0 && law.exponent <= 3.0, "exponent must be 1 to 3");
-      requireLaw(within(law.reference_depth_mm, 0.0, 1e3), "reference_depth_mm must be above 0 and at most 1000");
       return;
     case ForceLaw::Kind::stiffening:
       requireLaw(within(law.stiffening_ratio, 0.0, 100.0), "stiffening_ratio must be above 0 and at most 100");
@@ -109,29 +188,56 @@ void check(const ForceLaw& law) {
   }
 }
 
-double detail::secantFactor(const ForceLaw& law, double depth_mm) noexcept {
+double detail::secantFactor(const ForceLaw& law, double depth_mm, double tissue_mm) noexcept {
   switch (law.kind) {
     case ForceLaw::Kind::linear:
       return 1.0;
     case ForceLaw::Kind::power:
       return std::pow(depth_mm / law.reference_depth_mm, law.exponent - 1.0);
     case ForceLaw::Kind::stiffening:
-      return stiffened(law, depth_mm) / depth_mm;
+      return scaleOf(law) * stiffened(law, depth_mm) / depth_mm;
     case ForceLaw::Kind::table:
-      return fromTable(law.table, depth_mm) / depth_mm;
+      return scaleOf(law) * fromTable(law.table, depth_mm) / depth_mm;
+    case ForceLaw::Kind::layered:
+      return secantOfLayers(law.layers, tissue_mm, depth_mm).factor;
   }
   return 1.0;
 }
 
-double tangentStiffness(const ForceLaw& law, double stiffness_n_per_mm, double depth_mm) noexcept {
-  return stiffness_n_per_mm * tangentFactor(law, std::max(0.0, depth_mm));
+double detail::tangentialRatio(const ForceLaw& law, double tissue_mm) noexcept {
+  if (law.kind != ForceLaw::Kind::layered || law.layers.rows == 0) return 1.0;
+  const RowPlace at = rowPlace(law.layers, tissue_mm);
+  const double a = law.layers.tangential[at.row];
+  return a + at.share * (law.layers.tangential[at.next] - a);
+}
+
+double tangentStiffness(const ForceLaw& law, double stiffness_n_per_mm, double depth_mm, double tissue_mm) noexcept {
+  return stiffness_n_per_mm * tangentFactor(law, std::max(0.0, depth_mm), tissue_mm);
 }
 
 double steepestFactor(const ForceLaw& law, double depth_mm) noexcept {
-  double steepest = std::max(tangentFactor(law, 0.0), tangentFactor(law, depth_mm));
-  if (law.kind != ForceLaw::Kind::table) return steepest;  // their slopes rise or fall throughout
-  for (std::uint32_t i = 0; i < law.table.rows && law.table.depth_mm[i] < depth_mm; ++i) {
-    steepest = std::max(steepest, tangentFactor(law, law.table.depth_mm[i]));
+  double steepest = 0.0;
+  const auto look = [&](double depth, double tissue_mm) {
+    steepest = std::max(steepest, tangentFactor(law, depth, tissue_mm));
+  };
+  look(0.0, 0.0);
+  look(depth_mm, 0.0);
+  if (law.kind == ForceLaw::Kind::table) {
+    for (std::uint32_t i = 0; i < law.table.rows && law.table.depth_mm[i] < depth_mm; ++i) {
+      look(law.table.depth_mm[i], 0.0);
+    }
+  }
+  if (law.kind == ForceLaw::Kind::layered) {
+    // Within a piece the force is a parabola: its slope is greatest at an end, which is looked at from within.
+    constexpr double kWithin = 1.0 - 1e-9;
+    for (std::uint32_t row = 0; row < law.layers.rows; ++row) {
+      const double thickness = law.layers.thicknessOf(row);
+      look(depth_mm, thickness);
+      for (std::uint32_t i = 1; i < LayeredForce::kDepths; ++i) {
+        const double end = kWithin * LayeredForce::kDepthStepMm * i;
+        if (end < depth_mm) look(end, thickness);
+      }
+    }
   }
   return steepest;
 }

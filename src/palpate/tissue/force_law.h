@@ -2,8 +2,9 @@
 //
 // The seam between the finger (`contact`) and the tissue: the finger knows a local stiffness and a depth and asks here.
 // Every law is F = k h(d): the map's stiffness k (N/mm, interpolated in the triangle, E3) times an *effective depth* h
-// that depends on the depth alone. So a map keeps its meaning under every law, and a place that is twice as stiff
-// pushes twice as hard. A law is plain data without pointers, so that it travels inside an immutable surface and two
+// that depends on the depth and, in layered tissue, on how thick the tissue over the bone is there. The map means one
+// thing under every law: the secant stiffness at the reference depth, h(d_ref) = d_ref. So a place that is twice as
+// stiff pushes twice as hard. A law is plain data without pointers, so that it travels inside an immutable surface and two
 // runs can be compared bit by bit. docs/force-laws.md says which law is for what.
 // Based on: Ji, dissertation 2008, (2.1) for Hooke's law and 6.2 for stiffness that follows a Gaussian curve.
 #pragma once
@@ -13,14 +14,36 @@
 
 namespace palpate::tissue {
 
+/// What a stiffness map tells is the force at this depth over it, mm. The single Hooke stiffness that fits presses of 2
+/// to 10 mm best is right at about 8 mm, so a map measured with one number per place means this depth.
+inline constexpr double kReferenceDepthMm = 8.0;
+
+/// N/mm, of slopes: stiffer than this a fingertip's own pad gives way first. Bounds what is extrapolated.
+inline constexpr double kStiffestTissue = 1.5;
+
+/// Secants of layered tissue by thickness and depth, over those at the reference depth. Both are evenly spaced, the
+/// thickness as 1 / mm, in which stiffness is nearly straight: a look-up is a division and no search.
+struct LayeredForce {
+  static constexpr std::uint32_t kRows = 16;
+  static constexpr std::uint32_t kDepths = 33;
+  static constexpr double kDepthStepMm = 0.5;
+  std::uint32_t rows = 0;        ///< 0: there is no layered tissue, and the law is Hooke's; 1; or kRows
+  double thinnest_mm = 0.0;      ///< of the tissue over the bone, in the first row
+  double inverse_step = 0.0;     ///< what 1 / thickness falls by from row to row, 1/mm
+  std::array<double, kRows> tangential{};  ///< k_t / k_n
+  std::array<std::array<double, kDepths>, kRows> factor{};  ///< from no depth, where it is 0, on
+  double thicknessOf(std::uint32_t row) const noexcept { return 1.0 / (1.0 / thinnest_mm - inverse_step * row); }
+};
+
 /// A measured law: effective depth by depth, straight between the rows and with its last slope beyond them. Read from a
-/// file by force_table.h. Before the first row it is straight from the origin.
+/// file by force_table.h. Before the first row it is straight from the origin. Its unit does not matter: the law is
+/// scaled so that it agrees with the map at the reference depth.
 struct ForceTable {
   /// A measured curve has some ten rows; 64 keep a law within a kilobyte and a look-up within six comparisons.
   static constexpr std::uint32_t kMostRows = 64;
   std::uint32_t rows = 0;
   std::array<double, kMostRows> depth_mm{};      ///< > 0, increasing
-  std::array<double, kMostRows> effective_mm{};  ///< >= 0, not decreasing: the force in N where the map says 1 N/mm
+  std::array<double, kMostRows> effective_mm{};  ///< >= 0, not decreasing: the force, in any unit
 };
 
 struct ForceLaw {
@@ -29,25 +52,27 @@ struct ForceLaw {
     power,       ///< h = d_ref (d / d_ref)^p
     stiffening,  ///< dh/dd goes from 1 to the ratio along a half Gaussian
     table,
+    layered,  ///< by the thickness of the tissue at the place
   };
   Kind kind = Kind::linear;
 
   /// Power: p in [1, 3]. Layered tissue has 1.5 to 1.8 (finite elements, docs/force-laws.md).
   double exponent = 1.6;
-  /// Power: where the law agrees with Hooke's, mm. The single Hooke stiffness that fits presses of 2 to 10 mm best is
-  /// right at about 8 mm, so a map measured with one number per place means this depth.
-  double reference_depth_mm = 8.0;
-  /// Stiffening: k1 / k0, k0 being the map's stiffness: how a light touch feels. In (0, 100]; 4 to 7 in layered tissue.
+  /// Where the law agrees with Hooke's, mm; of every kind but layered, whose tissue means kReferenceDepthMm.
+  double reference_depth_mm = kReferenceDepthMm;
+  /// Stiffening: k1 / k0, k0 being how a light touch feels. In (0, 100]; 4 to 7 in layered tissue.
   double stiffening_ratio = 5.0;
   /// Stiffening: the depth at which k1 is reached, mm; 11 to 16 in layered tissue.
   double stiffening_depth_mm = 12.0;
-  ForceTable table;
+  ForceTable table = {};
+  LayeredForce layers = {};
 };
 
 /// What the skin answers to one depth.
 struct Response {
   double force_n = 0.0;          ///< normal force, >= 0
   double secant_n_per_mm = 0.0;  ///< F / d: the stiffness of the spring that pushes as hard at this depth
+  double tangential = 1.0;       ///< what the skin's own layers make of k_t / k_n; 1 without them
 };
 
 /// Throws Error naming the first parameter of the law's kind that makes no sense.
@@ -55,30 +80,35 @@ void check(const ForceLaw& law);
 
 namespace detail {
 /// h(d) / d for a depth > 0, of a law that is not linear.
-double secantFactor(const ForceLaw& law, double depth_mm) noexcept;
+double secantFactor(const ForceLaw& law, double depth_mm, double tissue_mm) noexcept;
+double tangentialRatio(const ForceLaw& law, double tissue_mm) noexcept;
 }  // namespace detail
 
-/// For a depth in mm under the undeformed skin and the local stiffness in N/mm. A depth or a stiffness that is not
+/// For a depth in mm under the undeformed skin, the local stiffness in N/mm and the thickness of the tissue over the
+/// bone, which only the layered law asks for (beyond its rows the first or last counts). A depth or a stiffness that is not
 /// positive (NaN included) gives no force, and the secant is the stiffness then. Continuous and, to rounding, not
 /// decreasing in both.
 /// Linear costs one comparison more than a product, the others up to 50 ns. Any thread.
-inline Response respond(const ForceLaw& law, double stiffness_n_per_mm, double depth_mm) noexcept {
+inline Response respond(const ForceLaw& law, double stiffness_n_per_mm, double depth_mm,
+                        double tissue_mm = 0.0) noexcept {
   if (!(depth_mm > 0.0) || !(stiffness_n_per_mm > 0.0)) return {0.0, stiffness_n_per_mm};
-  const double secant = law.kind == ForceLaw::Kind::linear ? stiffness_n_per_mm
-                                                           : stiffness_n_per_mm * detail::secantFactor(law, depth_mm);
-  return {secant * depth_mm, secant};
+  if (law.kind == ForceLaw::Kind::linear) return {stiffness_n_per_mm * depth_mm, stiffness_n_per_mm};
+  const double secant = stiffness_n_per_mm * detail::secantFactor(law, depth_mm, tissue_mm);
+  return {secant * depth_mm, secant, detail::tangentialRatio(law, tissue_mm)};
 }
 
 /// The force alone, N.
-inline double normalForce(const ForceLaw& law, double stiffness_n_per_mm, double depth_mm) noexcept {
-  return respond(law, stiffness_n_per_mm, depth_mm).force_n;
+inline double normalForce(const ForceLaw& law, double stiffness_n_per_mm, double depth_mm,
+                          double tissue_mm = 0.0) noexcept {
+  return respond(law, stiffness_n_per_mm, depth_mm, tissue_mm).force_n;
 }
 
 /// dF/dd in N/mm at a depth >= 0: what a small change of depth feels like. At a row of a table the slope that follows.
-double tangentStiffness(const ForceLaw& law, double stiffness_n_per_mm, double depth_mm) noexcept;
+double tangentStiffness(const ForceLaw& law, double stiffness_n_per_mm, double depth_mm,
+                        double tissue_mm = 0.0) noexcept;
 
-/// The largest tangent stiffness down to a depth, as a factor on the map's stiffness; 1 for the linear law. A limit on
-/// how fast a force may change has to allow for it.
+/// The largest tangent stiffness down to a depth, as a factor on the map's stiffness, wherever on the skin; 1 for the
+/// linear law. A limit on how fast a force may change has to allow for it.
 double steepestFactor(const ForceLaw& law, double depth_mm) noexcept;
 
 }  // namespace palpate::tissue

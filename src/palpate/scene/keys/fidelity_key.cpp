@@ -1,6 +1,6 @@
 // The key `fidelity` of a scene file: one word for all errata, or a table with an entry each.
 #include "palpate/scene/errata.h"
-#include "palpate/scene/section_keys.h"
+#include "palpate/scene/keys/section_keys.h"
 #include "palpate/scene/words.h"
 
 namespace palpate::scene {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "palpate/scene/key_section.h"
+#include "palpate/scene/keys/key_section.h"
 #include "palpate/scene/scene_file.h"
 
 namespace palpate::scene {

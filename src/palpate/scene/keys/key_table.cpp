@@ -1,5 +1,5 @@
 // Values of a scene file: read with their ranges, and shown as they would stand there.
-#include "palpate/scene/key_table.h"
+#include "palpate/scene/keys/key_table.h"
 
 #include <algorithm>
 

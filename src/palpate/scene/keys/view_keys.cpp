@@ -1,5 +1,5 @@
 // The table [view] of a scene file: how pictures look.
-#include "palpate/scene/section_keys.h"
+#include "palpate/scene/keys/section_keys.h"
 
 namespace palpate::scene {
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "palpate/scene/key_table.h"
+#include "palpate/scene/keys/key_table.h"
 #include "palpate/scene/scene.h"
 
 namespace palpate::scene {

@@ -1,7 +1,7 @@
 // The tables that a scene file may hold, one function each; everything there is to say about a key is said there.
 #pragma once
 
-#include "palpate/scene/key_section.h"
+#include "palpate/scene/keys/key_section.h"
 
 namespace palpate::scene {
 

@@ -10,7 +10,7 @@
 // normals is Nanson's formula.
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "palpate/deform/kernels.cpp"
+#define HWY_TARGET_INCLUDE "palpate/deform/kernels/kernels.cpp"
 #include <hwy/foreach_target.h>
 // The order matters: foreach_target compiles this file once more for every further instruction set.
 #include <hwy/highway.h>
@@ -19,7 +19,7 @@
 #include <cstring>
 
 #include "palpate/deform/blocks.h"
-#include "palpate/deform/kernels.h"
+#include "palpate/deform/kernels/kernels.h"
 #include "palpate/tissue/profile.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -239,6 +239,17 @@ HWY_INLINE V profileScaled(V gauss) {
 
 HWY_INLINE float lengthOf(const float (&v)[3]) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
+/// The room of layered tissue from q on.
+HWY_INLINE V roomFrom(const PartLanes& part, V q) {
+  const Lanes d;
+  V room = hn::Set(d, part.room[0]);
+  for (int i = 1; i < kRoomSteps; ++i) {
+    const M beyond = hn::Ge(q, hn::Set(d, static_cast<float>(i) / static_cast<float>(kRoomSteps)));
+    room = hn::IfThenElse(beyond, hn::Set(d, part.room[i]), room);
+  }
+  return hn::IfThenElseZero(hn::Lt(q, hn::Set(d, 1.0f)), room);
+}
+
 /// Adds to each of some vertices of a block the longest that a part moves anything by within an edge's length of it: q
 /// falls by the inverse of the minor half axis a mm at most.
 HWY_INLINE void addMostMoved(const ContactLanes& contact, const PartLanes& moving, const EdgeBlock& edge,
@@ -256,7 +267,9 @@ HWY_INLINE void addMostMoved(const ContactLanes& contact, const PartLanes& movin
     const V rise = riseAt(part, hn::Abs(dot(facing, offset)));
     const V q = hn::Sqrt(hn::MulAdd(rise, rise, locate(part, offset).q2));
     const V nearer = hn::Max(hn::Sub(q, nearer_by), hn::Zero(d));
-    const V weight = profileScaled(gaussian(hn::Min(hn::Mul(nearer, nearer), hn::Set(d, 1.0f))));
+    const V weight = contact.layered
+                         ? roomFrom(part, nearer)
+                         : profileScaled(gaussian(hn::Min(hn::Mul(nearer, nearer), hn::Set(d, 1.0f))));
     hn::Store(hn::MulAdd(weight, length, hn::Load(d, most_mm + lane)), d, most_mm + lane);
   }
 }
@@ -331,6 +344,19 @@ struct Motion {
   V3 row_x, row_y, row_z;
 };
 
+/// cof(F) n.
+HWY_INLINE void turn(const Motion& motion, V3& normal) {
+  normal = {dot(cross(motion.row_y, motion.row_z), normal), dot(cross(motion.row_z, motion.row_x), normal),
+            dot(cross(motion.row_x, motion.row_y), normal)};
+}
+
+HWY_INLINE Motion noMotion() {
+  const Lanes d;
+  const V zero = hn::Zero(d);
+  const V one = hn::Set(d, 1.0f);
+  return {{zero, zero, zero}, {one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
+}
+
 /// profileOf where the height over the contact's plane matters; its slope along the normal joins the gradient.
 HWY_INLINE Profile risingProfileOf(const PartLanes& part, const V3& facing, const V3& offset, M region) {
   const Lanes d;
@@ -369,10 +395,7 @@ HWY_INLINE void addPart(const ContactLanes& contact, const PartLanes& part, cons
 template <bool kLevel>
 HWY_INLINE void moveByMany(std::span<const ContactOnBlock> contacts, const V3& position, size_t lane, V3& displacement,
                            V3& normal) {
-  const Lanes d;
-  const V zero = hn::Zero(d);
-  const V one = hn::Set(d, 1.0f);
-  Motion motion{{zero, zero, zero}, {one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
+  Motion motion = noMotion();
   for (const ContactOnBlock& on : contacts) {
     const M region = maskAt(on.region, lane);
     const V3 offset = sub(position, broadcast(on.mover->anchor));
@@ -380,8 +403,160 @@ HWY_INLINE void moveByMany(std::span<const ContactOnBlock> contacts, const V3& p
     addPart<kLevel>(*on.mover, on.mover->tangential, offset, region, motion);
   }
   displacement = motion.displacement;
-  normal = {dot(cross(motion.row_y, motion.row_z), normal), dot(cross(motion.row_z, motion.row_x), normal),
-            dot(cross(motion.row_x, motion.row_y), normal)};
+  turn(motion, normal);
+}
+
+// ---- layered tissue
+
+/// Where a vertex lies on the bell of a curve.
+struct OnBell {
+  V x;       ///< 1 in the middle, 0 on the rim
+  V y;       ///< 2 x - 1
+  V x_by_q2;
+};
+
+HWY_INLINE OnBell onBell(const CurveLanes& curve, V q2) {
+  const Lanes d;
+  const V one = hn::Set(d, 1.0f);
+  const V bell = hn::Div(one, hn::MulAdd(hn::Set(d, curve.bend), q2, one));
+  const V x = hn::Mul(hn::Sub(bell, hn::Set(d, curve.rim)), hn::Set(d, curve.scale));
+  const V fall = hn::Mul(hn::Mul(bell, bell), hn::Set(d, -curve.bend * curve.scale));
+  return {x, hn::Sub(hn::Add(x, x), one), fall};
+}
+
+/// A curve's value, and twice its derivative by q^2, which times the half gradient of q^2 is its gradient.
+struct CurveLane {
+  V value, slope;
+};
+
+HWY_INLINE CurveLane curveOn(const float (&terms)[tissue::kCurveTerms], const OnBell& at) {
+  const Lanes d;
+  V sum = hn::Set(d, terms[tissue::kCurveTerms - 1]);
+  V slope = hn::Zero(d);
+  for (int k = tissue::kCurveTerms - 2; k >= 0; --k) {
+    slope = hn::MulAdd(slope, at.y, sum);
+    sum = hn::MulAdd(sum, at.y, hn::Set(d, terms[k]));
+  }
+  const V by_x = hn::Mul(hn::Add(at.x, at.x), hn::MulAdd(at.x, slope, sum));
+  return {hn::Mul(hn::Mul(at.x, at.x), sum), hn::Mul(hn::Add(at.x_by_q2, at.x_by_q2), by_x)};
+}
+
+/// Where a vertex lies in a part: q^2, half its gradient, and that without the rise.
+struct Place {
+  V q2;
+  V3 gradient, flat;
+};
+
+template <bool kLevel>
+HWY_INLINE Place placeIn(const ContactLanes& contact, const PartLanes& part, const V3& offset) {
+  const Location at = locate(part, offset);
+  const V3 flat = mulAdd(at.s, broadcast(part.along), scaled(at.t, broadcast(part.across)));
+  if constexpr (kLevel) return {at.q2, flat, flat};
+  const V3 facing = broadcast(contact.facing);
+  const V height = dot(facing, offset);
+  const V rise = riseAt(part, hn::Abs(height));
+  const V up = hn::CopySign(hn::Mul(rise, hn::Set(Lanes(), part.slope)), height);
+  return {hn::MulAdd(rise, rise, at.q2), mulAdd(up, facing, flat), flat};
+}
+
+template <bool kLevel>
+HWY_INLINE void addLayeredPress(const ContactLanes& contact, const V3& offset, M region, Motion& motion) {
+  const Lanes d;
+  const PartLanes& part = contact.normal;
+  const Place at = placeIn<kLevel>(contact, part, offset);
+  const M acts = hn::And(region, hn::Lt(at.q2, hn::Set(d, 1.0f)));
+  if (hn::AllFalse(d, acts)) return;
+  const OnBell bell = onBell(part.share, at.q2);
+  const CurveLane down = curveOn(part.share.terms, bell);
+  const CurveLane outward = curveOn(contact.outward, bell);
+  const V outward_mm2 = hn::IfThenElseZero(acts, hn::Set(d, contact.outward_mm2));
+  const V weight = hn::IfThenElseZero(acts, down.value);
+  const V slope = hn::IfThenElseZero(acts, down.slope);
+  const V pull = hn::Mul(outward_mm2, outward.value);
+  const V pull_slope = hn::Mul(outward_mm2, outward.slope);
+  const V3 shift = broadcast(part.shift);
+  motion.displacement = mulAdd(pull, at.flat, mulAdd(weight, shift, motion.displacement));
+  const auto plane = [&](int i) HWY_ATTR { return hn::Mul(pull, hn::Set(d, contact.plane[i])); };
+  const V xy = plane(1);
+  const V xz = plane(2);
+  const V yz = plane(4);
+  const V3 along{hn::MulAdd(pull_slope, at.flat.x, hn::Mul(slope, shift.x)),
+                 hn::MulAdd(pull_slope, at.flat.y, hn::Mul(slope, shift.y)),
+                 hn::MulAdd(pull_slope, at.flat.z, hn::Mul(slope, shift.z))};
+  motion.row_x = mulAdd(along.x, at.gradient, add(motion.row_x, {plane(0), xy, xz}));
+  motion.row_y = mulAdd(along.y, at.gradient, add(motion.row_y, {xy, plane(3), yz}));
+  motion.row_z = mulAdd(along.z, at.gradient, add(motion.row_z, {xz, yz, plane(5)}));
+}
+
+/// Weight and gradient of a layered drag.
+template <bool kLevel>
+HWY_INLINE Profile layeredDragOf(const ContactLanes& contact, const V3& offset, M region) {
+  const Lanes d;
+  const PartLanes& part = contact.tangential;
+  const Place at = placeIn<kLevel>(contact, part, offset);
+  const M acts = hn::And(region, hn::Lt(at.q2, hn::Set(d, 1.0f)));
+  const CurveLane share = curveOn(part.share.terms, onBell(part.share, at.q2));
+  return {hn::IfThenElseZero(acts, share.value), scaled(hn::IfThenElseZero(acts, share.slope), at.gradient)};
+}
+
+template <bool kLevel>
+HWY_INLINE void addLayeredDrag(const ContactLanes& contact, const V3& offset, M region, Motion& motion) {
+  if (!drags(contact)) return;
+  const Profile profile = layeredDragOf<kLevel>(contact, offset, region);
+  const V3 shift = broadcast(contact.tangential.shift);
+  motion.displacement = mulAdd(profile.weight, shift, motion.displacement);
+  motion.row_x = mulAdd(shift.x, profile.gradient, motion.row_x);
+  motion.row_y = mulAdd(shift.y, profile.gradient, motion.row_y);
+  motion.row_z = mulAdd(shift.z, profile.gradient, motion.row_z);
+}
+
+/// cof(F) n of a drag alone: (1 + b.v) n - (b.n) v.
+HWY_INLINE void moveByLayeredDrag(const ContactLanes& contact, const V3& offset, M region, V3& displacement,
+                                  V3& normal) {
+  const Profile drag = layeredDragOf<true>(contact, offset, region);
+  const V3 b = broadcast(contact.tangential.shift);
+  displacement = scaled(drag.weight, b);
+  const V stretch = hn::Add(dot(b, drag.gradient), hn::Set(Lanes(), 1.0f));
+  normal = mulSub(dot(b, normal), drag.gradient, scaled(stretch, normal));
+}
+
+/// Most of a dragged region lies outside of the press: those vertices need no more than their drag.
+HWY_INLINE bool isBeyondPress(const ContactLanes& contact, const V3& offset) {
+  const Lanes d;
+  return hn::AllFalse(d, hn::Lt(locate(contact.normal, offset).q2, hn::Set(d, 1.0f)));
+}
+
+/// One contact with layered tissue, on a level block.
+HWY_INLINE void moveByOneLayered(const ContactLanes& contact, const V3& position, M region, V3& displacement,
+                                 V3& normal) {
+  const V3 offset = sub(position, broadcast(contact.anchor));
+  if (isBeyondPress(contact, offset)) return moveByLayeredDrag(contact, offset, region, displacement, normal);
+  Motion motion = noMotion();
+  addLayeredPress<true>(contact, offset, region, motion);
+  addLayeredDrag<true>(contact, offset, region, motion);
+  displacement = motion.displacement;
+  turn(motion, normal);
+}
+
+/// Any number of contacts, some of which have layered tissue.
+template <bool kLevel>
+HWY_INLINE void moveByManyLayered(std::span<const ContactOnBlock> contacts, const V3& position, size_t lane,
+                                  V3& displacement, V3& normal) {
+  Motion motion = noMotion();
+  for (const ContactOnBlock& on : contacts) {
+    const ContactLanes& contact = *on.mover;
+    const M region = maskAt(on.region, lane);
+    const V3 offset = sub(position, broadcast(contact.anchor));
+    if (contact.layered) {
+      addLayeredPress<kLevel>(contact, offset, region, motion);
+      addLayeredDrag<kLevel>(contact, offset, region, motion);
+    } else {
+      addPart<kLevel>(contact, contact.normal, offset, region, motion);
+      addPart<kLevel>(contact, contact.tangential, offset, region, motion);
+    }
+  }
+  displacement = motion.displacement;
+  turn(motion, normal);
 }
 
 /// 1 / sqrt(x) within 3e-7 of its value for x not below 1e-37: root and division would be half of the kernel's time.
@@ -450,9 +625,37 @@ void displaceByMany(std::span<const ContactOnBlock> contacts, const RestBlock& r
   });
 }
 
+void displaceByOneLayered(const ContactOnBlock& on, const RestBlock& rest, const DeformedBlock& out) {
+  const ContactLanes contact = *on.mover;  // a copy that no store can alias
+  overBlock(on.region, rest, out, [&](const V3& position, size_t lane, V3& displacement, V3& normal) HWY_ATTR {
+    moveByOneLayered(contact, position, maskAt(on.region, lane), displacement, normal);
+  });
+}
+
+template <bool kLevel>
+void displaceByManyLayered(std::span<const ContactOnBlock> contacts, const RestBlock& rest, const DeformedBlock& out) {
+  std::uint64_t touched = 0;
+  for (const ContactOnBlock& on : contacts) touched |= on.region;
+  overBlock(touched, rest, out, [&](const V3& position, size_t lane, V3& displacement, V3& normal) HWY_ATTR {
+    moveByManyLayered<kLevel>(contacts, position, lane, displacement, normal);
+  });
+}
+
+void displaceLayered(std::span<const ContactOnBlock> contacts, bool is_level, const RestBlock& rest,
+                     const DeformedBlock& out) {
+  if (!is_level) return displaceByManyLayered<false>(contacts, rest, out);
+  if (contacts.size() == 1) return displaceByOneLayered(contacts[0], rest, out);
+  displaceByManyLayered<true>(contacts, rest, out);
+}
+
 void displaceBlock(std::span<const ContactOnBlock> contacts, const RestBlock& rest, const DeformedBlock& out) {
   bool is_level = true;
-  for (const ContactOnBlock& on : contacts) is_level = is_level && on.is_level;
+  bool layered = false;
+  for (const ContactOnBlock& on : contacts) {
+    is_level = is_level && on.is_level;
+    layered = layered || on.mover->layered;
+  }
+  if (layered) return displaceLayered(contacts, is_level, rest, out);
   if (!is_level) return displaceByMany<false>(contacts, rest, out);
   if (contacts.size() == 1) {
     return drags(*contacts[0].mover) ? displaceByOne<true>(contacts[0], rest, out)
@@ -477,8 +680,24 @@ void displaceWholeByOne(const ContactLanes& lanes, size_t vertices, const RestBl
   }
 }
 
+void displaceWholeLayered(const ContactLanes& lanes, size_t vertices, const RestBlock& rest, const DeformedBlock& out) {
+  const ContactLanes contact = lanes;  // a copy that no store can alias
+  const M everyone = hn::FirstN(Lanes(), hn::Lanes(Lanes()));
+  for (size_t lane = 0; lane < vertices; lane += hn::Lanes(Lanes())) {
+    const V3 position = load(rest.values, lane);
+    const V3 normal = load(rest.values + 3, lane);
+    V3 displacement = position;
+    V3 turned = normal;
+    moveByOneLayered(contact, position, everyone, displacement, turned);
+    store(add(position, displacement), out.values, lane);
+    store(unitOr(turned, normal), out.values + 3, lane);
+    store(displacement, out.values + 6, lane);
+  }
+}
+
 void displaceWholeBlocks(const ContactLanes& contact, Index blocks, const RestBlock& rest, const DeformedBlock& out) {
   const size_t vertices = size_t{blocks} * kBlockVertices;
+  if (contact.layered) return displaceWholeLayered(contact, vertices, rest, out);
   drags(contact) ? displaceWholeByOne<true>(contact, vertices, rest, out)
                  : displaceWholeByOne<false>(contact, vertices, rest, out);
 }

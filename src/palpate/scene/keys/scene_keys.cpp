@@ -1,8 +1,8 @@
 // The tables in one order, for reader, writer and documentation; a new table is one line here. Here too is [output],
 // which is too small for a file. Own.
-#include "palpate/scene/scene_keys.h"
+#include "palpate/scene/keys/scene_keys.h"
 
-#include "palpate/scene/section_keys.h"
+#include "palpate/scene/keys/section_keys.h"
 
 namespace palpate::scene {
 

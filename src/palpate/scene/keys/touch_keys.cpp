@@ -1,5 +1,5 @@
 // The tables [friction], [contact], [partition], [tissue] and [safety] of a scene file: how the body is felt.
-#include "palpate/scene/section_keys.h"
+#include "palpate/scene/keys/section_keys.h"
 #include "palpate/scene/words.h"
 
 namespace palpate::scene {
@@ -74,16 +74,23 @@ Section tissueSection() {
       choice<S, L::Kind>(
           "force_law", law(&L::kind),
           "Normal force by depth (docs/force-laws.md): stiffness times depth; a power of the depth; a stiffness that "
-          "grows along a Gaussian; measured."),
+          "grows along a Gaussian; measured; by the layers of the place, linear where there are none. All agree with "
+          "the stiffness map at reference_depth_mm."),
       number<S>("exponent", law(&L::exponent), between(1, 3), "Power: of the depth; layered tissue has 1.5 to 1.8."),
       number<S>("reference_depth_mm", law(&L::reference_depth_mm), above(0, 1000),
-                "Power: the depth at which it pushes as hard as the linear law."),
+                "The depth at which every law pushes as hard as the linear one: what the stiffness map means. Layers: 8."),
       number<S>("stiffening_ratio", law(&L::stiffening_ratio), above(0, 100),
-                "Stiffening: the stiffness deep down over that of the map, which is how a light touch feels."),
+                "Stiffening: the stiffness deep down over that of a light touch."),
       number<S>("stiffening_depth_mm", law(&L::stiffening_depth_mm), above(0, 1000),
                 "Stiffening: the depth at which that stiffness is reached."),
       file<S>("force_table", &S::force_table,
-              "Table: rows depth_mm,force_n, the force being that where the map says 1 N/mm."),
+              "Table: rows depth_mm,force_n; scaled so that it agrees with the map."),
+      number<S>("fat_mm", &S::fat_mm, between(0, 60),
+                "Layered tissue: fat between skin and muscle; 0 is by the body's mass (4 mm at a mass index of 18, 8 at "
+                "22, 15 at 30), and less where there is no room for it."),
+      file<S>("layer_table", &S::layer_table,
+              "Layered tissue: one stack for every place, from palpate tissue solve or palpate fit profile; left out: "
+              "the library's stacks by thickness."),
   };
   return section<S>("tissue", "How force grows with depth.", &Scene::tissue, std::move(keys),
                     [](const S& tissue, const Entry& entry) {

@@ -8,8 +8,20 @@
 #include <span>
 
 #include "palpate/deform/blocks.h"
+#include "palpate/tissue/layered_curve.h"
 
 namespace palpate::deform {
+
+/// A curve of layered tissue (tissue/layered_curve.h) ready to be broadcast.
+struct CurveLanes {
+  float bend = 0.0f;
+  float rim = 0.0f;    ///< the bell there
+  float scale = 1.0f;  ///< 1 / (1 - rim)
+  float terms[tissue::kCurveTerms] = {};
+};
+
+/// What a part of layered tissue moves at most from q = i / kRoomSteps on, as a share of what its centre moves.
+inline constexpr int kRoomSteps = 16;
 
 /// One of the two parts of a contact (normal or tangential): displacement = profile(q) shift with
 /// q^2 = (along . d)^2 + (across . d)^2 + rise^2 + outside, d = rest position - anchor. The rise ends a region along
@@ -21,6 +33,9 @@ struct PartLanes {
   float level = 0.0f;    ///< mm above and below the plane
   float slope = 0.0f;    ///< 1/mm
   float outside = 2.0f;  ///< 0 for a part that acts, 2 (no vertex has q < 1) for one that does not
+  // Of layered tissue only (ContactLanes::layered):
+  CurveLanes share;
+  float room[kRoomSteps] = {};
 };
 
 struct ContactLanes {
@@ -28,6 +43,12 @@ struct ContactLanes {
   float facing[3] = {};  ///< the contact's normal: only vertices whose normal is on its side belong to the region
   PartLanes normal;
   PartLanes tangential;
+  /// Layered tissue: the parts fall off as their own `share` in place of the half Gaussian, and the press, whose region
+  /// is a circle then, also moves outward by q outward(q) of its depth.
+  bool layered = false;
+  float outward[tissue::kCurveTerms] = {};  ///< of the bend of normal.share
+  float outward_mm2 = 0.0f;                 ///< depth of the centre times the circle's radius
+  float plane[6] = {};                      ///< xx xy xz yy yz zz of (I - n n^T) / radius^2
 };
 
 using ContactOnBlock = OnBlock<ContactLanes>;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "palpate/scene/section_keys.h"
+#include "palpate/scene/keys/section_keys.h"
 #include "palpate/scene/words.h"
 
 namespace palpate::scene {

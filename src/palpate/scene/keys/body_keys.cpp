@@ -2,7 +2,7 @@
 // how far its skin follows.
 #include <fmt/format.h>
 
-#include "palpate/scene/section_keys.h"
+#include "palpate/scene/keys/section_keys.h"
 #include "palpate/scene/words.h"
 
 namespace palpate::scene {

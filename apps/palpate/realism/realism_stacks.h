@@ -1,0 +1,19 @@
+// Which stacks `palpate realism` judges by, and their solution.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "lab/realism/realism_figures.h"
+
+namespace palpate::app {
+
+/// Places of a body: the truth is solved now, the skin is what the shipped library makes of such a place, most of which
+/// lie between its stacks.
+std::vector<lab::JudgedStack> stacksOfBody(const Progress& progress);
+
+/// The cases of a file are the truth; the skin gets a table that is solved now for each stack. Throws Error naming file,
+/// case and key, or the stack that cannot be solved.
+std::vector<lab::JudgedStack> stacksOfFile(const std::filesystem::path& file, const Progress& progress);
+
+}  // namespace palpate::app

@@ -1,0 +1,128 @@
+// `palpate tissue library`: the solved stacks that a body's places are blended from; and how they are solved again.
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "apps/palpate/common/commands.h"
+#include "apps/palpate/common/number_option.h"
+#include "apps/palpate/common/progress_line.h"
+#include "palpate/base/error.h"
+#include "palpate/base/output_file.h"
+#include "palpate/elements/press_solver.h"
+#include "palpate/tissue/layered_library.h"
+
+namespace palpate::app {
+
+namespace {
+
+using tissue::LayeredNode;
+
+struct LibraryArguments {
+  std::string output;
+  double fat_mm = 8.0;
+  bool solve = false;
+  bool json = false;
+};
+
+const std::vector<double> kThicknessesMm = {9, 12, 16, 22, 30, 40, 50, 62};
+const std::vector<double> kFatShares = {0.1, 0.25, 0.45, 0.7};
+const std::vector<double> kDepthsMm = {0.5, 1, 1.5, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12};
+/// The sphere stays this far from the bone, as a share of the thickness.
+constexpr double kClosestToBone = 0.1;
+
+std::string listOf(const std::vector<double>& numbers) { return fmt::format("{:.6g}", fmt::join(numbers, ", ")); }
+
+LayeredNode solvedNode(double thickness_mm, double share, const Progress& progress) {
+  const tissue::LayerStack stack = tissue::libraryStack(thickness_mm, share);
+  elements::PressSettings settings;
+  settings.depths_mm.clear();
+  for (const double depth : kDepthsMm) {
+    if (depth <= (1.0 - kClosestToBone) * thickness_mm) settings.depths_mm.push_back(depth);
+  }
+  elements::PressSolution solution = elements::solvePress(stack, settings, progress);
+  if (solution.table.shapes.empty())
+    throw Error(fmt::format("{} mm with {} of fat: {}", thickness_mm, share, solution.stopped_by));
+  if (!solution.stopped_by.empty())
+    say(fmt::format("{} mm with {} of fat: solved to {:.2f} mm: {}\n", thickness_mm, share, solution.converged_to_mm,
+                    solution.stopped_by));
+  return tissue::nodeOf(solution.table);
+}
+
+/// Thickness by thickness, share by share.
+std::vector<LayeredNode> solvedNodes(const Progress& progress) {
+  const std::size_t count = kThicknessesMm.size() * kFatShares.size();
+  std::vector<LayeredNode> nodes(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double thickness = kThicknessesMm[i / kFatShares.size()];
+    const double share = kFatShares[i % kFatShares.size()];
+    nodes[i] = solvedNode(thickness, share, [&](std::string_view, double done) {
+      report(progress, "solving the library", (static_cast<double>(i) + done) / static_cast<double>(count));
+    });
+  }
+  return nodes;
+}
+
+std::string libraryText(const std::vector<LayeredNode>& nodes) {
+  std::string text = "// Made by `palpate tissue library --solve`; layered_library.cpp says what stands where.\n";
+  text += fmt::format("constexpr double kThicknessesMm[] = {{{}}};\n", listOf(kThicknessesMm));
+  text += fmt::format("constexpr double kFatShares[] = {{{}}};\n", listOf(kFatShares));
+  text += "constexpr double kNodes[] = {\n";
+  for (const LayeredNode& node : nodes) text += "    " + listOf(tissue::libraryNumbers(node)) + ",\n";
+  return text + "};\n";
+}
+
+void solveLibrary(const LibraryArguments& arguments) {
+  if (arguments.output.empty()) throw Error("--solve needs -o FILE");
+  std::vector<LayeredNode> nodes;
+  {
+    ProgressLine progress;
+    nodes = solvedNodes(progress.callback());
+  }
+  OutputFile file(arguments.output);
+  file.write(libraryText(nodes));
+  file.commit();
+  fmt::print("-> {} ({} stacks)\n", arguments.output, nodes.size());
+}
+
+void listLibrary(const LibraryArguments& arguments) {
+  const tissue::LayeredTissue tissue(tissue::libraryNodes(arguments.fat_mm));
+  nlohmann::ordered_json json;
+  json["fat_mm"] = arguments.fat_mm;
+  json["places"] = nlohmann::ordered_json::array();
+  std::string text = fmt::format("skin 2 mm, 150 kPa; fat of {:.4g} mm, 10 kPa, less over shallow bone; muscle 27 kPa; a fingertip of 8 mm\n",
+                                 arguments.fat_mm);
+  text += "  thickness   fat   force in N at 2, 5, 8 and 10 mm      secant at 8 mm   k_t / k_n\n";
+  for (const double thickness : tissue::libraryThicknesses()) {
+    const double fat = tissue::libraryFatShare(thickness, arguments.fat_mm) *
+                       (thickness - tissue::libraryStack(thickness, 0.5).layers.front().thickness_mm);
+    const auto force = [&](double depth) { return depth * tissue.secantAt(thickness, depth); };
+    const double secant = tissue.secantAt(thickness, tissue::kReferenceDepthMm);
+    text += fmt::format("{:8.4g} mm {:5.1f} {:8.2f}{:8.2f}{:8.2f}{:8.2f} {:12.3f} N/mm {:10.2f}\n", thickness, fat,
+                        force(2), force(5), force(8), force(10), secant, tissue.tangentialAt(thickness));
+    json["places"].push_back({{"thickness_mm", thickness},
+                              {"fat_mm", fat},
+                              {"force_n", {{"2", force(2)}, {"5", force(5)}, {"8", force(8)}, {"10", force(10)}}},
+                              {"secant_n_per_mm", secant},
+                              {"tangential_over_normal", tissue.tangentialAt(thickness)}});
+  }
+  fmt::print("{}", arguments.json ? json.dump(2) + "\n" : text);
+}
+
+}  // namespace
+
+void addTissueLibraryCommand(CLI::App& parent) {
+  const auto arguments = std::make_shared<LibraryArguments>();
+  LibraryArguments& a = *arguments;
+  CLI::App& command = *parent.add_subcommand("library", "The solved stacks that a body's places are blended from");
+  addNumber(command, "--fat-mm", a.fat_mm, between(0.5, 60.0, "mm"), "Fat between skin and muscle")
+      ->capture_default_str();
+  command.add_flag("--solve", a.solve, "Solve all of them again (minutes) and write the source file that is shipped");
+  command.add_option("-o,--out", a.output, "With --solve: the file");
+  command.add_flag("--json", a.json, "Print one JSON object");
+  command.callback([arguments] { arguments->solve ? solveLibrary(*arguments) : listLibrary(*arguments); });
+}
+
+}  // namespace palpate::app

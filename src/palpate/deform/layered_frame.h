@@ -1,0 +1,56 @@
+// The curves of layered tissue of one contact, with what the rest of the pipeline has to know of them: how steep they
+// are, and what they move at most beyond a location ratio.
+//
+// Made with the frame of a contact (frame.h), some microseconds each; read by both ways to displace. In double. Own.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "palpate/base/vec.h"
+#include "palpate/tissue/layered_curve.h"
+
+namespace palpate::deform {
+
+/// What a contact with layered tissue brings (Contact::layered): the curves of its press and of its drag. Its normal
+/// region is a circle of press.radius_mm then.
+struct LayeredShape {
+  tissue::PressCurves press;
+  tissue::LayeredCurve drag;
+};
+
+/// The largest share of the centre's motion from q on, falling.
+struct Room {
+  static constexpr int kSteps = 16;
+  std::array<double, kSteps + 1> from{};  ///< at q = i / kSteps
+
+  /// Straight between them; 0 from q = 1 on.
+  double at(double q) const noexcept {
+    if (!(q < 1.0)) return 0.0;
+    const double place = kSteps * std::max(0.0, q);
+    const auto i = static_cast<std::size_t>(place);
+    return from[i] + (place - static_cast<double>(i)) * (from[i + 1] - from[i]);
+  }
+};
+
+struct LayeredFrame {
+  LayeredShape shape;
+  Room press_room;  ///< down and outward together
+  Room drag_room;
+  // By q; over the half axis they are slopes per mm.
+  double press_slope = 0.0;    ///< the largest of the way down
+  double outward_slope = 0.0;  ///< the largest stretch by the way outward
+  double drag_slope = 0.0;
+  double bend = 0.0;  ///< the largest second derivative over the largest slope, of either part
+
+  LayeredFrame() = default;
+  explicit LayeredFrame(const LayeredShape& of) noexcept;
+
+  double pressShare(double q) const noexcept {
+    return tissue::curveAt(shape.press.down, tissue::kPressBend, q * q).value;
+  }
+  double dragShare(double q) const noexcept { return tissue::curveAt(shape.drag, tissue::kDragBend, q * q).value; }
+};
+
+}  // namespace palpate::deform

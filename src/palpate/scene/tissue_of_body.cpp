@@ -1,0 +1,140 @@
+// The ellipse map says how far the skin of a place follows a drag, and in what direction farther: it was measured where
+// a tenth of the drag was left, and with drags along the spine. So the rim lies beyond it, and of the measured ellipse
+// the part that any drag makes, longer along itself, is taken out and put back along the drag at hand.
+// Based on: dissertation, future work 1 and 3; tenth: E20, the 2 mm contour of a 20 mm drag; elongation: finite elements
+// (docs/realism.md).
+#include "palpate/scene/tissue_of_body.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "palpate/maps/ellipse.h"
+#include "palpate/tissue/layered_library.h"
+
+namespace palpate::scene {
+
+namespace {
+
+/// Drags shorter than this have no direction yet, mm.
+constexpr double kShortestDragMm = 1e-6;
+
+double thicknessAt(const World& world, const deform::Contact& contact) noexcept {
+  if (contact.anchor_triangle >= world.skin.triangles.size()) return world.layered->thickest();
+  const Triangle& corners = world.skin.triangles[contact.anchor_triangle];
+  const std::array<Vec3, 3> at = {world.skin.positions[corners[0]], world.skin.positions[corners[1]],
+                                  world.skin.positions[corners[2]]};
+  const Vec3 weights = tree::barycentricWeights(at, contact.anchor);
+  double thickness = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    thickness += weights[static_cast<Eigen::Index>(i)] * world.surface.tissue_mm[corners[i]];
+  }
+  return thickness;
+}
+
+/// A matrix that takes the unit circle of the tangent plane to an ellipse.
+using Mat2 = Eigen::Matrix2d;
+
+/// Longer by `stretch` along a unit direction, and as much shorter across.
+Mat2 stretched(const Vec2& along, double stretch) noexcept {
+  const Mat2 projection = along * along.transpose();
+  return stretch * projection + (Mat2::Identity() - projection) / stretch;
+}
+
+/// The ellipse that a matrix makes of the unit circle: its longer half axis and the ratio of the two.
+maps::SurfaceEllipse ellipseOf(const Mat2& shape, const Vec3& first, const Vec3& second) noexcept {
+  const Mat2 square = shape * shape.transpose();
+  const double mean = 0.5 * (square(0, 0) + square(1, 1));
+  const double half_difference = 0.5 * (square(0, 0) - square(1, 1));
+  const double away = std::hypot(half_difference, square(0, 1));
+  const double angle = 0.5 * std::atan2(square(0, 1), half_difference);
+  const double major = std::sqrt(mean + away);
+  const double minor = std::sqrt(std::max(0.0, mean - away));
+  return {major * (std::cos(angle) * first + std::sin(angle) * second), major > 0.0 ? minor / major : 0.0};
+}
+
+/// The measured ellipse turned with the drag, its axes times `scale`.
+maps::SurfaceEllipse turnedWithDrag(const deform::Contact& contact, double stretch, double scale) noexcept {
+  const Vec3 normal = contact.normal.normalized();
+  const Vec3 major = contact.tangential_region.half_major;
+  const double length = major.norm();
+  Vec3 first = major - major.dot(normal) * normal;
+  if (!(first.norm() > 1e-6 * length)) return contact.tangential_region;
+  first.normalize();
+  const Vec3 second = normal.cross(first);
+  const auto flat = [&](const Vec3& v) { return Vec2(first.dot(v), second.dot(v)); };
+  const Vec2 measured_along = flat(Vec3::UnitY());
+  const Vec2 drag = flat(contact.drag_mm);
+  Mat2 shape = Mat2::Identity() * (length * scale);
+  shape(1, 1) *= contact.tangential_region.aspect;
+  if (measured_along.norm() > 0.1 && drag.norm() > kShortestDragMm) {
+    shape = stretched(drag.normalized(), stretch) * stretched(measured_along.normalized(), 1.0 / stretch) * shape;
+  }
+  return ellipseOf(shape, first, second);
+}
+
+std::vector<tissue::LayeredNode> nodesOf(const Scene& scene) {
+  const std::filesystem::path& file = scene.tissue.layer_table;
+  if (file.empty()) return tissue::libraryNodes(fatOf(scene));
+  return {tissue::nodeOf(tissue::readLayeredTable(file))};
+}
+
+/// The region of a drag where nobody has measured one: as the layers themselves have it, along the drag.
+maps::SurfaceEllipse solvedRegion(const deform::Contact& contact, const tissue::DragCurve& drag) noexcept {
+  const Vec3 normal = contact.normal.normalized();
+  const Vec3 along = contact.drag_mm - contact.drag_mm.dot(normal) * normal;
+  if (!(along.norm() > kShortestDragMm)) return {};
+  return {drag.along_mm * along.normalized(), drag.across_mm / drag.along_mm};
+}
+
+bool isMeasured(const Scene& scene) noexcept {
+  return scene.body.kind != BodyKind::mesh || !scene.ellipses.key_points.empty();
+}
+
+}  // namespace
+
+double fatOf(const Scene& scene) {
+  if (scene.tissue.fat_mm > 0.0) return scene.tissue.fat_mm;
+  constexpr double kMassIndex = 22.0;
+  constexpr double kFatMm = 8.0;
+  constexpr double kFatPerIndex = 0.93;
+  const double index = scene.body.kind == BodyKind::trunk ? scene.body.shape.body_mass_index : kMassIndex;
+  return std::clamp(kFatMm + kFatPerIndex * (index - kMassIndex), 2.0, 25.0);
+}
+
+PlacedTissue placedTissue(const Scene& scene, const std::vector<double>& bone_depth_mm,
+                          std::shared_ptr<const tissue::LayeredTissue> given) {
+  if (bone_depth_mm.empty()) return {};
+  PlacedTissue placed;
+  placed.layered = given ? std::move(given) : std::make_shared<const tissue::LayeredTissue>(nodesOf(scene));
+  placed.thickness_mm.reserve(bone_depth_mm.size());
+  for (const double depth : bone_depth_mm) {
+    const double usual = std::isfinite(depth) ? depth : placed.layered->thickest();
+    placed.thickness_mm.push_back(std::clamp(usual, placed.layered->thinnest(), placed.layered->thickest()));
+  }
+  return placed;
+}
+
+std::vector<double> secantStiffness(const PlacedTissue& tissue) {
+  std::vector<double> stiffness;
+  stiffness.reserve(tissue.thickness_mm.size());
+  for (const double thickness : tissue.thickness_mm) {
+    stiffness.push_back(tissue.layered->secantAt(thickness, tissue::kReferenceDepthMm));
+  }
+  return stiffness;
+}
+
+deform::Contact layeredContact(const World& world, deform::Contact contact) noexcept {
+  const tissue::LayeredTissue& layered = *world.layered;
+  const double thickness = thicknessAt(world, contact);
+  contact.depth_mm = std::min(contact.depth_mm, layered.deepestAt(thickness));
+  const tissue::DragCurve drag = layered.dragAt(thickness);
+  contact.layered.emplace(deform::LayeredShape{layered.pressAt(thickness, contact.depth_mm), drag.share});
+  contact.normal_region = maps::liftedOntoSurface({contact.layered->press.radius_mm, 1.0}, contact.normal);
+  const double stretch = std::sqrt(drag.along_mm / drag.across_mm);
+  contact.tangential_region = isMeasured(world.scene)
+                                  ? turnedWithDrag(contact, stretch, 1.0 / std::max(0.3, drag.tenth_q))
+                                  : solvedRegion(contact, drag);
+  return contact;
+}
+
+}  // namespace palpate::scene

@@ -1,0 +1,35 @@
+// Layered tissue laid over the bones of a body: how thick it is at each vertex, which stack that is, how stiff, and
+// what it makes of a contact.
+//
+//   skin-to-bone depth, fat ─ placedTissue, at load ─► World::layered, Surface::tissue_mm ─ layeredContact, 60 Hz ─► deform
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "palpate/deform/contact.h"
+#include "palpate/scene/world.h"
+
+namespace palpate::scene {
+
+struct PlacedTissue {
+  std::shared_ptr<const tissue::LayeredTissue> layered;  ///< null: the body is not layered
+  std::vector<double> thickness_mm;                      ///< a skin vertex each; empty likewise
+};
+
+/// Nothing for a body without bones (no depths). `given`: in place of the library's and the scene's table, or null.
+/// Throws Error for a table that cannot be read.
+PlacedTissue placedTissue(const Scene& scene, const std::vector<double>& bone_depth_mm,
+                          std::shared_ptr<const tissue::LayeredTissue> given);
+
+/// mm of fat that the scene means: its own number, or by the mass index of the body. // tissue-data: 2 to 25 mm
+double fatOf(const Scene& scene);
+
+/// What the stiffness map means, a vertex each: the secant at the reference depth.
+std::vector<double> secantStiffness(const PlacedTissue& tissue);
+
+/// The contact, which has the map's ellipse for its drag, with curves and regions of the tissue at its anchor. The
+/// world must be layered. No allocation; any thread.
+deform::Contact layeredContact(const World& world, deform::Contact contact) noexcept;
+
+}  // namespace palpate::scene

@@ -1,0 +1,30 @@
+// The stacks of a body's regions, solved once and shipped: skin of 2 mm, fat and muscle of every thickness over bone.
+//
+// Made by `palpate tissue library --solve` (docs/tissue.md says how, with which moduli and how far apart published ones
+// lie); between the stacks nodes are blended (docs/realism.md says how well).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "palpate/tissue/layered_tissue.h"
+
+namespace palpate::tissue {
+
+/// The stack of a place: skin, fat as a share of what lies under the skin, muscle for the rest.
+LayerStack libraryStack(double thickness_mm, double fat_share);
+
+/// What was solved: thicknesses in mm and shares of fat.
+std::span<const double> libraryThicknesses();
+std::span<const double> libraryFatShares();
+
+/// Of what lies under the skin, where there is to be so much fat: less where the muscle would be thinner than 3 mm.
+double libraryFatShare(double thickness_mm, double fat_mm);
+
+/// A node for each thickness of the library, with this much fat (libraryFatShare).
+std::vector<LayeredNode> libraryNodes(double fat_mm);
+
+/// A node as the shipped file has it.
+std::vector<double> libraryNumbers(const LayeredNode& node);
+
+}  // namespace palpate::tissue

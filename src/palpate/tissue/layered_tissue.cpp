@@ -1,0 +1,246 @@
+// Curves are fitted once a table; what is asked at run time is two blends of some twenty numbers.
+//
+// Based on: what finite element models of layered tissue show (docs/realism.md): shapes at a depth between two stored
+// ones are within 1 % of their blend; forces over thickness follow powers, hence logarithms.
+#include "palpate/tissue/layered_tissue.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "palpate/base/error.h"
+
+namespace palpate::tissue {
+
+namespace {
+
+/// Displacements below this share of the depth end a region: half of what 0.3 mm pixels show of a 10 mm press.
+constexpr double kNothing = 0.006;
+constexpr double kLeastRadiusMm = 35.0;
+constexpr double kMostRadiusMm = 70.0;
+/// Of a drag: the rim over the half axis where a tenth is left. The tail of the solution beyond is faded out.
+constexpr double kRimOverTenth = 1.4;
+constexpr double kLongestDragMm = 150.0;
+/// Samples that a curve is fitted to.
+constexpr int kFitSamples = 160;
+/// The skin stays this far from the bone, as a share of the thickness at rest.
+constexpr double kClosestToBone = 0.1;
+
+double interpolated(std::span<const double> x, std::span<const double> y, double at) {
+  if (at <= x.front()) return y.front();
+  if (at >= x.back()) return y.back();
+  const auto above = static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), at) - x.begin());
+  const double share = (at - x[above - 1]) / (x[above] - x[above - 1]);
+  return y[above - 1] + share * (y[above] - y[above - 1]);
+}
+
+/// Where the last of the shapes moves nothing any more.
+double radiusOf(const LayeredTable& table) {
+  double radius = 0.0;
+  for (const PressedShape& shape : table.shapes) {
+    for (std::size_t i = 0; i < table.radii_mm.size(); ++i) {
+      if (std::max(std::abs(shape.down[i]), std::abs(shape.outward[i])) > kNothing)
+        radius = std::max(radius, table.radii_mm[i]);
+    }
+  }
+  return std::min(std::clamp(radius, kLeastRadiusMm, kMostRadiusMm), table.radii_mm.back());
+}
+
+/// By area, and not nothing in the middle.
+double weightAt(double q) { return std::sqrt(q + 0.02); }
+
+template <class ValueAt>
+std::vector<CurveSample> samplesOf(const ValueAt& value_at) {
+  std::vector<CurveSample> samples;
+  for (int i = 0; i < kFitSamples; ++i) {
+    const double q = static_cast<double>(i) / kFitSamples;
+    samples.push_back({q, value_at(q), weightAt(q)});
+  }
+  return samples;
+}
+
+PressCurves pressCurves(const LayeredTable& table, const PressedShape& shape, double radius) {
+  const auto down = samplesOf([&](double q) { return interpolated(table.radii_mm, shape.down, q * radius); });
+  const auto outward = samplesOf([&](double q) { return interpolated(table.radii_mm, shape.outward, q * radius); });
+  return {radius, fittedShare(down, kPressBend), fittedOutward(outward, kPressBend)};
+}
+
+/// Where the curve crosses a tenth.
+double tenthOf(const LayeredCurve& share) {
+  double low = 0.0;
+  double high = 1.0;
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (low + high);
+    (curveAt(share, kDragBend, middle * middle).value > 0.1 ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+DragCurve dragCurve(const LayeredTable& table) {
+  const DragShape drag = table.drag.value_or(DragShape{});
+  const double tenth = std::sqrt(std::pow(10.0, 1.0 / drag.exponent) - 1.0);
+  DragCurve curve;
+  curve.along_mm = std::min(kRimOverTenth * tenth * drag.along_mm, kLongestDragMm);
+  curve.across_mm = curve.along_mm * drag.across_mm / drag.along_mm;
+  std::vector<CurveSample> samples;
+  if (drag.on_along.empty()) {
+    samples = samplesOf([&](double q) {
+      const double widths = q * curve.along_mm / drag.along_mm;
+      return std::pow(1.0 + widths * widths, -drag.exponent);
+    });
+  } else {
+    samples = samplesOf([&](double q) { return interpolated(table.radii_mm, drag.on_along, q * curve.along_mm); });
+    const auto across =
+        samplesOf([&](double q) { return interpolated(table.radii_mm, drag.on_across, q * curve.across_mm); });
+    samples.insert(samples.end(), across.begin(), across.end());
+  }
+  curve.share = fittedShare(samples, kDragBend);
+  curve.tenth_q = tenthOf(curve.share);
+  return curve;
+}
+
+PressCurves blended(const PressCurves& a, const PressCurves& b, double share) noexcept {
+  return {a.radius_mm + share * (b.radius_mm - a.radius_mm), blended(a.down, b.down, share),
+          blended(a.outward, b.outward, share)};
+}
+
+DragCurve blended(const DragCurve& a, const DragCurve& b, double share) noexcept {
+  const auto mix = [&](double x, double y) { return x + share * (y - x); };
+  return {mix(a.along_mm, b.along_mm), mix(a.across_mm, b.across_mm), blended(a.share, b.share, share),
+          mix(a.tenth_q, b.tenth_q)};
+}
+
+/// A place between two stored depths.
+struct DepthPlace {
+  std::size_t below = 0;
+  std::size_t above = 0;
+  double share = 0.0;
+};
+
+DepthPlace depthPlace(const LayeredNode& node, double depth_mm) noexcept {
+  const std::vector<double>& depths = node.depths_mm;
+  if (!(depth_mm > depths.front())) return {};
+  const std::size_t last = depths.size() - 1;
+  if (depth_mm >= depths[last]) return {last, last, 0.0};
+  const auto above = static_cast<std::size_t>(std::upper_bound(depths.begin(), depths.end(), depth_mm) - depths.begin());
+  return {above - 1, above, (depth_mm - depths[above - 1]) / (depths[above] - depths[above - 1])};
+}
+
+PressCurves pressOf(const LayeredNode& node, double depth_mm) noexcept {
+  const DepthPlace at = depthPlace(node, depth_mm);
+  return blended(node.presses[at.below], node.presses[at.above], at.share);
+}
+
+/// F / d, straight from 0 at no depth through the stored ones, and on with the last slope while that is not too steep.
+double secantOf(const LayeredNode& node, double depth_mm) noexcept {
+  if (!(depth_mm > 0.0)) return 0.0;
+  const std::size_t last = node.depths_mm.size() - 1;
+  const double first_depth = node.depths_mm.front();
+  if (depth_mm <= first_depth) return node.secants.front() * depth_mm / first_depth;
+  if (depth_mm <= node.depths_mm[last]) {
+    const DepthPlace at = depthPlace(node, depth_mm);
+    return node.secants[at.below] + at.share * (node.secants[at.above] - node.secants[at.below]);
+  }
+  const double end = node.depths_mm[last];
+  const double before = last > 0 ? node.depths_mm[last - 1] : 0.0;
+  const double slope = (node.secants[last] - (last > 0 ? node.secants[last - 1] : 0.0)) / (end - before);
+  const double tangent = std::min(node.secants[last] + end * std::max(0.0, slope), kStiffestTissue);
+  const double force = node.secants[last] * end + std::max(tangent, node.secants[last]) * (depth_mm - end);
+  return force / depth_mm;
+}
+
+double geometric(double a, double b, double share) noexcept {
+  if (!(a > 0.0) || !(b > 0.0)) return a + share * (b - a);
+  return std::exp(std::log(a) + share * (std::log(b) - std::log(a)));
+}
+
+}  // namespace
+
+LayeredNode nodeOf(const LayeredTable& table) {
+  check(table);
+  LayeredNode node;
+  node.thickness_mm = totalThickness(table.stack);
+  const double radius = radiusOf(table);
+  for (const PressedShape& shape : table.shapes) {
+    node.depths_mm.push_back(shape.depth_mm);
+    node.secants.push_back(shape.force_n / shape.depth_mm);
+    node.presses.push_back(pressCurves(table, shape, radius));
+  }
+  node.drag = dragCurve(table);
+  if (table.drag) node.tangential_over_normal = table.drag->tangential_over_normal;
+  return node;
+}
+
+LayeredNode blended(const LayeredNode& a, const LayeredNode& b, double share) {
+  LayeredNode node;
+  node.thickness_mm = a.thickness_mm + share * (b.thickness_mm - a.thickness_mm);
+  const double deepest = std::max(a.depths_mm.back(), b.depths_mm.back());
+  const LayeredNode& longer = a.depths_mm.back() == deepest ? a : b;
+  for (const double depth : longer.depths_mm) {
+    node.depths_mm.push_back(depth);
+    node.secants.push_back(geometric(secantOf(a, depth), secantOf(b, depth), share));
+    node.presses.push_back(blended(pressOf(a, depth), pressOf(b, depth), share));
+  }
+  node.drag = blended(a.drag, b.drag, share);
+  node.tangential_over_normal =
+      a.tangential_over_normal + share * (b.tangential_over_normal - a.tangential_over_normal);
+  return node;
+}
+
+LayeredTissue::LayeredTissue(std::vector<LayeredNode> nodes) : nodes_(std::move(nodes)) {
+  if (nodes_.empty()) throw Error("layered tissue: no table");
+  std::ranges::sort(nodes_, {}, &LayeredNode::thickness_mm);
+  for (std::size_t i = 1; i < nodes_.size(); ++i) {
+    if (!(nodes_[i].thickness_mm > nodes_[i - 1].thickness_mm))
+      throw Error("layered tissue: two tables of one thickness");
+  }
+}
+
+LayeredTissue::Between LayeredTissue::between(double thickness_mm) const noexcept {
+  if (!(thickness_mm > thinnest())) return {&nodes_.front(), &nodes_.front(), 0.0};
+  if (thickness_mm >= thickest()) return {&nodes_.back(), &nodes_.back(), 0.0};
+  const auto above = std::ranges::upper_bound(nodes_, thickness_mm, {}, &LayeredNode::thickness_mm);
+  const LayeredNode& a = *(above - 1);
+  return {&a, &*above, std::log(thickness_mm / a.thickness_mm) / std::log(above->thickness_mm / a.thickness_mm)};
+}
+
+PressCurves LayeredTissue::pressAt(double thickness_mm, double depth_mm) const noexcept {
+  const Between at = between(thickness_mm);
+  return blended(pressOf(*at.a, depth_mm), pressOf(*at.b, depth_mm), at.share);
+}
+
+DragCurve LayeredTissue::dragAt(double thickness_mm) const noexcept {
+  const Between at = between(thickness_mm);
+  return blended(at.a->drag, at.b->drag, at.share);
+}
+
+double LayeredTissue::tangentialAt(double thickness_mm) const noexcept {
+  const Between at = between(thickness_mm);
+  return at.a->tangential_over_normal + at.share * (at.b->tangential_over_normal - at.a->tangential_over_normal);
+}
+
+double LayeredTissue::secantAt(double thickness_mm, double depth_mm) const noexcept {
+  const Between at = between(thickness_mm);
+  return geometric(secantOf(*at.a, depth_mm), secantOf(*at.b, depth_mm), at.share);
+}
+
+double LayeredTissue::deepestAt(double thickness_mm) const noexcept {
+  return (1.0 - kClosestToBone) * std::max(0.0, thickness_mm);
+}
+
+LayeredForce LayeredTissue::forceRows() const {
+  LayeredForce rows;
+  rows.thinnest_mm = thinnest();
+  rows.inverse_step = (1.0 / thinnest() - 1.0 / thickest()) / (LayeredForce::kRows - 1);
+  rows.rows = rows.inverse_step > 0.0 ? LayeredForce::kRows : 1;
+  for (std::uint32_t row = 0; row < rows.rows; ++row) {
+    const double thickness = rows.thicknessOf(row);
+    rows.tangential[row] = tangentialAt(thickness);
+    const double at_reference = secantAt(thickness, kReferenceDepthMm);
+    for (std::uint32_t i = 0; i < LayeredForce::kDepths; ++i) {
+      rows.factor[row][i] = secantAt(thickness, LayeredForce::kDepthStepMm * i) / at_reference;
+    }
+  }
+  return rows;
+}
+
+}  // namespace palpate::tissue

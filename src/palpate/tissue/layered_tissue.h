@@ -1,0 +1,68 @@
+// Layered tissue of every thickness, ready to be asked at 60 Hz: tables of stacks turned into curves and blended.
+//
+// Tables (made by the solver, fitted, or the library's) ─ here, at load ─► nodes, thin to thick ─ a contact's thickness
+// and depth ─► curves for `deform`; and the rows of a force law for `contact` (ForceLaw::layered). Blends are linear in
+// the coefficients and in the logarithm of the thickness; docs/realism.md says how far they are from solved stacks.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "palpate/tissue/force_law.h"
+#include "palpate/tissue/layered_curve.h"
+#include "palpate/tissue/layered_table.h"
+
+namespace palpate::tissue {
+
+/// What a stack answers, as curves: a table without its radii.
+struct LayeredNode {
+  double thickness_mm = 0.0;        ///< of all layers
+  std::vector<double> depths_mm;    ///< increasing
+  std::vector<double> secants;      ///< force over depth there, N/mm
+  std::vector<PressCurves> presses;  ///< there; all of one radius
+  DragCurve drag;
+  double tangential_over_normal = 0.7;
+};
+
+/// Throws Error for a table that check() refuses or that has too few radii.
+LayeredNode nodeOf(const LayeredTable& table);
+
+/// Between two nodes; depths of `a`, beyond the last of `b` what that has. Secants blend as logarithms.
+LayeredNode blended(const LayeredNode& a, const LayeredNode& b, double share);
+
+/// Immutable; any number of threads.
+class LayeredTissue {
+ public:
+  /// Thicknesses must differ; any order. Throws Error for none.
+  explicit LayeredTissue(std::vector<LayeredNode> nodes);
+
+  // Thicknesses beyond the thinnest and the thickest node count as theirs, depths likewise. No allocation.
+
+  PressCurves pressAt(double thickness_mm, double depth_mm) const noexcept;
+  DragCurve dragAt(double thickness_mm) const noexcept;
+  /// Of k_t over k_n.
+  double tangentialAt(double thickness_mm) const noexcept;
+  /// F / d at a depth, N/mm: beyond the solved depths straight on, but no steeper than the stiffest tissue
+  /// (kStiffestTissue).
+  double secantAt(double thickness_mm, double depth_mm) const noexcept;
+  /// The deepest that the skin goes here, mm: what was solved, and never to the bone.
+  double deepestAt(double thickness_mm) const noexcept;
+
+  double thinnest() const noexcept { return nodes_.front().thickness_mm; }
+  double thickest() const noexcept { return nodes_.back().thickness_mm; }
+
+  /// The law of all these places: rows by thickness.
+  LayeredForce forceRows() const;
+
+ private:
+  struct Between {
+    const LayeredNode* a;
+    const LayeredNode* b;
+    double share;
+  };
+  Between between(double thickness_mm) const noexcept;
+
+  std::vector<LayeredNode> nodes_;
+};
+
+}  // namespace palpate::tissue

@@ -1,0 +1,174 @@
+// Contacts that bring the curves of layered tissue: both ways to displace against the formulae, against each other, and
+// against what may not happen.
+#include <gtest/gtest.h>
+
+#include "deform/scalar_reference.h"
+#include "deform/stage.h"
+
+namespace palpate::deform {
+namespace {
+
+using test::Stage;
+
+/// A dent with a bulge around it, as over a rib; and a drag.
+LayeredShape bonyShape(double radius_mm = 45.0) {
+  std::vector<tissue::CurveSample> down;
+  std::vector<tissue::CurveSample> outward;
+  std::vector<tissue::CurveSample> drag;
+  for (int i = 0; i < 120; ++i) {
+    const double q = i / 120.0;
+    const double r = q * radius_mm;
+    const double wide = std::exp(-std::pow(r / 17.0, 2));
+    down.push_back({q, 1.2 * std::exp(-std::pow(r / 8.0, 2)) - 0.2 * wide, 1.0});
+    outward.push_back({q, 0.1 * r / 6.0 * std::exp(0.5 - r * r / 72.0), 1.0});
+    drag.push_back({q, std::pow(1.0 + 36.0 * q * q, -0.8), 1.0});
+  }
+  LayeredShape shape;
+  shape.press = {radius_mm, tissue::fittedShare(down, tissue::kPressBend),
+                 tissue::fittedOutward(outward, tissue::kPressBend)};
+  shape.drag = tissue::fittedShare(drag, tissue::kDragBend);
+  return shape;
+}
+
+Contact layered(Contact contact, const LayeredShape& shape = bonyShape()) {
+  contact.layered = shape;
+  contact.normal_region = maps::liftedOntoSurface({shape.press.radius_mm, 1.0}, contact.normal);
+  return contact;
+}
+
+/// What the formulae say of a place on a plane through the anchor, away from any hold.
+Vec3 expectedOnPlane(const Contact& contact, const Vec3& place) {
+  const Vec3 n = contact.normal.normalized();
+  const LayeredShape& shape = *contact.layered;
+  const Vec3 offset = place - contact.anchor;
+  const double q = offset.norm() / shape.press.radius_mm;
+  const auto press = [&](const tissue::LayeredCurve& curve) {
+    return tissue::curveAt(curve, tissue::kPressBend, q * q).value;
+  };
+  const Vec3 major = contact.tangential_region.half_major;
+  const double a = major.norm();
+  const double s = major.dot(offset) / (a * a);
+  const double t = n.cross(major / a).dot(offset) / (a * contact.tangential_region.aspect);
+  const double share = tissue::curveAt(shape.drag, tissue::kDragBend, s * s + t * t).value;
+  return -contact.depth_mm * press(shape.press.down) * n +
+         contact.depth_mm * press(shape.press.outward) / shape.press.radius_mm * offset + share * contact.drag_mm;
+}
+
+mesh::TriangleMesh plate() { return zoo::grid(120, 240.0); }
+
+Contact onPlate(const mesh::TriangleMesh& mesh, double depth_mm) {
+  return layered(test::press(mesh, test::triangleNear(mesh, {118.0, 121.0, 0.0}), depth_mm));
+}
+
+TEST(LayeredTissue, MovesEveryVertexByItsCurvesBothWays) {
+  for (const Way way : {Way::chosen, Way::general}) {
+    Stage stage(plate(), {}, way);
+    const Contact contact = test::drag(onPlate(stage.mesh, 7.0), {6.0, -3.0, 0.0});
+    stage.apply({contact});
+    double worst = 0.0;
+    for (Index v = 0; v < stage.skin.vertices; ++v) {
+      worst = std::max(worst, (stage.moved(v) - expectedOnPlane(contact, test::restPoint(stage.skin, v))).norm());
+    }
+    EXPECT_LT(worst, 2e-5) << (way == Way::general);
+  }
+}
+
+TEST(LayeredTissue, HasABulgeAndAPullThatTheHalfGaussianHasNot) {
+  Stage stage(plate());
+  const Contact contact = onPlate(stage.mesh, 8.0);
+  stage.apply({contact});
+  double highest = 0.0;
+  double farthest = 0.0;
+  for (Index v = 0; v < stage.skin.vertices; ++v) {
+    const Vec3 moved = stage.moved(v);
+    highest = std::max(highest, moved.dot(contact.normal));
+    farthest = std::max(farthest, (moved - moved.dot(contact.normal) * contact.normal).norm());
+  }
+  EXPECT_GT(highest, 0.3);
+  EXPECT_NEAR(farthest, 0.8, 0.1);
+}
+
+TEST(LayeredTissue, BothWaysAgreeOnBodiesHeightsAndNormals) {
+  const mesh::TriangleMesh mesh = test::torso();
+  Stage fast(mesh);
+  Stage general(mesh, {}, Way::general);
+  Random random(11);
+  double worst_place = 0.0;
+  double worst_normal = 0.0;
+  for (int i = 0; i < 60; ++i) {
+    std::vector<Contact> contacts;
+    for (int k = 0; k <= i % 3; ++k) {
+      Contact contact = test::anyContact(mesh, random);
+      contact.depth_mm = random.uniform(0.5, 9.0);
+      contacts.push_back(k == 1 ? contact : layered(contact));
+    }
+    fast.apply(contacts);
+    general.apply(contacts);
+    for (Index v = 0; v < fast.skin.vertices; ++v) {
+      worst_place = std::max(worst_place, (fast.moved(v) - general.moved(v)).norm());
+      const Vec3 difference = (fast.surface.normalAt(v) - general.surface.normalAt(v)).cast<double>();
+      worst_normal = std::max(worst_normal, difference.norm());
+    }
+  }
+  EXPECT_LT(worst_place, 2e-3);
+  EXPECT_LT(worst_normal, 2e-3);
+}
+
+TEST(LayeredTissue, TheAnalyticNormalIsThatOfTheMovedSkin) {
+  FormSettings recomputed;
+  recomputed.common.normals = Normals::recomputed;
+  Stage analytic(zoo::grid(240, 240.0));
+  Stage triangles(analytic.mesh, recomputed);
+  const Contact contact = test::drag(onPlate(analytic.mesh, 6.0), {4.0, 2.0, 0.0});
+  analytic.apply({contact});
+  triangles.apply({contact});
+  double worst = 0.0;
+  for (Index v = 0; v < analytic.skin.vertices; ++v) {
+    worst = std::max(worst, (analytic.surface.normalAt(v) - triangles.surface.normalAt(v)).norm() * 1.0);
+  }
+  EXPECT_LT(worst, 0.04) << "a millimetre's grid against the smooth surface";
+}
+
+TEST(LayeredTissue, TheSkinUnderTheFingerFollowsTheTip) {
+  Stage stage(plate());
+  const Index triangle = test::triangleNear(stage.mesh, {118.0, 121.0, 0.0});
+  const Contact contact = test::drag(layered(test::press(stage.mesh, triangle, 6.0, Vec3(1, 0, 0))), {4, 3, 0});
+  stage.apply({contact});
+  const Vec3 tip = contact.anchor + contact.drag_mm - contact.depth_mm * contact.normal;
+  EXPECT_LT((stage.surface.positionAt(stage.mesh.triangles[triangle][0]).cast<double>() - tip).norm(), 1e-4);
+}
+
+TEST(LayeredTissue, TwoFingersEachGetTheirDepth) {
+  Stage stage(plate());
+  std::vector<Contact> contacts;
+  for (const double x : {100.0, 118.0}) {
+    const Index triangle = test::triangleNear(stage.mesh, {x, 120.0, 0.0});
+    contacts.push_back(layered(test::press(stage.mesh, triangle, 5.0, Vec3(1, 0, 0))));
+  }
+  stage.apply(contacts);
+  for (const Contact& contact : contacts) {
+    const Index vertex = stage.mesh.triangles[contact.anchor_triangle][0];
+    EXPECT_NEAR(-stage.moved(vertex).dot(contact.normal), 5.0, 1e-3);
+  }
+}
+
+TEST(LayeredTissue, NoTriangleTurnsOverOnAnyBody) {
+  Random random(3);
+  const mesh::TriangleMesh mesh = lab::backMesh(8163);
+  Stage stage(mesh);
+  for (int i = 0; i < 40; ++i) {
+    Contact contact = layered(test::anyContact(mesh, random));
+    contact.depth_mm = random.uniform(2.0, 10.0);
+    stage.apply({contact});
+    int turned = 0;
+    for (const Triangle& t : mesh.triangles) {
+      const auto at = [&](Index v) { return Vec3(stage.surface.positionAt(v).cast<double>()); };
+      const Vec3 rest = mesh::areaVector2(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
+      turned += mesh::areaVector2(at(t[0]), at(t[1]), at(t[2])).dot(rest) <= 0.0 ? 1 : 0;
+    }
+    EXPECT_EQ(turned, 0) << i;
+  }
+}
+
+}  // namespace
+}  // namespace palpate::deform
