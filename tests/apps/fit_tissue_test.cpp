@@ -134,5 +134,77 @@ TEST_F(FitForce, NamesTheLineOfWhatItCannotRead) {
   EXPECT_NE(errorOf("force none.csv").find("none.csv"), std::string::npos);
 }
 
+class FitProfile : public FitCommand {
+ protected:
+  void SetUp() override { write("skin.csv", places(0.0, 0.0)); }
+
+  /// Two depths with a bulge, from a radius on.
+  static std::string places(double from_mm, double noise_mm) {
+    std::mt19937 engine(5);
+    std::normal_distribution<double> normal;
+    std::string text = "depth_mm,r_mm,down_mm,outward_mm\n";
+    for (const double depth : {3.0, 9.0}) {
+      for (double r = from_mm; r <= 60.0; r += 0.5) {
+        const double down = depth * (1.2 * std::exp(-r * r / 64.0) - 0.2 * std::exp(-r * r / 400.0));
+        const double outward = -0.05 * depth * r / 10.0 * std::exp(0.5 - r * r / 200.0);
+        text += std::to_string(depth) + "," + std::to_string(r) + "," +
+                std::to_string(down + noise_mm * normal(engine)) + "," +
+                std::to_string(outward + noise_mm * normal(engine)) + "\n";
+      }
+    }
+    return text;
+  }
+};
+
+TEST_F(FitProfile, WritesATableOfLayeredTissue) {
+  write("force.csv", "depth_mm,force_n\n" + powerRows("", 0.4, 1.6, 1, 0.0));
+  const json found = jsonOf("profile --data skin.csv --forces force.csv --layer skin:2:150 --layer fat:8:10 -o t.json");
+  EXPECT_LT(found["rms_worst"].get<double>(), 0.002);
+  EXPECT_EQ(found["written"].at(0), "t.json");
+  const json table = json::parse(contentOf(folder_ / "t.json"));
+  EXPECT_EQ(table["stack"]["layers"][1]["young_kpa"], 10.0);
+  ASSERT_EQ(table["shapes"].size(), 2u);
+  EXPECT_NEAR(table["shapes"][1]["force_n"].get<double>(), 3.2 * std::pow(9.0 / 8.0, 1.6), 0.02);
+  EXPECT_NEAR(table["shapes"][1]["surface_mm"].get<double>(), 9.0, 0.01);
+  EXPECT_NEAR(table["shapes"][1]["down"][20].get<double>(), 1.2 * std::exp(-100.0 / 64.0) - 0.2 * std::exp(-0.25),
+              0.01);
+  EXPECT_NEAR(table["shapes"][1]["outward"][20].get<double>(), -0.05, 0.003);
+  EXPECT_EQ(support::runPalpate("tissue show t.json", folder_.path()).exit_code, 0) << "others read it";
+}
+
+TEST_F(FitProfile, SeesThroughNoise) {
+  write("noisy.csv", places(9.0, 0.1));
+  const json found = jsonOf("profile noisy.csv -o t.json");
+  EXPECT_EQ(found["chosen"], "two_gaussians");
+  EXPECT_FALSE(found["depths"][1]["fits"][2]["surface_measured"].get<bool>());
+  const json numbers = found["depths"][1]["fits"][2]["numbers"];
+  EXPECT_NEAR(numbers["narrow_mm"]["value"].get<double>(), 8.0, 0.8);
+  const json table = json::parse(contentOf(folder_ / "t.json"));
+  EXPECT_NEAR(table["shapes"][1]["down"][20].get<double>(), 1.2 * std::exp(-100.0 / 64.0) - 0.2 * std::exp(-0.25),
+              0.02);
+}
+
+TEST_F(FitProfile, WritesAProfileThatASceneReads) {
+  const CommandResult result = fit("profile --data skin.csv --profile own.csv --plot fit.svg");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(contentOf(folder_ / "fit.svg").find("one curve for all depths"), std::string::npos);
+  const std::size_t keys = result.out.find("[deformation]");
+  ASSERT_NE(keys, std::string::npos) << result.out;
+  write("scene.toml", result.out.substr(keys, result.out.find("->") - keys));
+  const auto simulated = support::runPalpate("simulate scene.toml --seconds 0.05 -o out", folder_.path());
+  EXPECT_EQ(simulated.exit_code, 0) << simulated.err;
+}
+
+TEST_F(FitProfile, NamesTheLineOfWhatItCannotRead) {
+  write("typo.csv", "depth_mm,r_mm,down_mm\n1,0,x\n");
+  EXPECT_EQ(errorOf("profile typo.csv"), "palpate: typo.csv:2: down_mm is not a number: 'x'\n");
+  write("short.csv", "depth_mm,r_mm,down_mm\n1,0,1\n1,5,0\n");
+  EXPECT_EQ(errorOf("profile short.csv"), "palpate: short.csv: depth 1 mm: 2 radii; 6 are needed\n");
+  EXPECT_NE(errorOf("profile skin.csv --layer skin").find("a layer is NAME:THICKNESS:MODULUS"), std::string::npos);
+  write("two.csv", "curve,depth_mm,force_n\na,1,1\nb,1,1\n");
+  EXPECT_EQ(errorOf("profile skin.csv --forces two.csv"),
+            "palpate: two.csv: holds several curves; a table of tissue has one\n");
+}
+
 }  // namespace
 }  // namespace palpate

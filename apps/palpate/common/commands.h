@@ -29,6 +29,7 @@ void addFitBodyCommand(CLI::App& app);
 void addFitCommand(CLI::App& app);
 // `parent` is the fit command.
 void addFitForceCommand(CLI::App& parent);
+void addFitProfileCommand(CLI::App& parent);
 void addHuntCommand(CLI::App& app);
 void addInfoCommand(CLI::App& app);
 void addJoinCommand(CLI::App& app);
@@ -55,5 +56,6 @@ void addTissueCommand(CLI::App& app);
 // `parent` is the tissue command.
 void addTissueLibraryCommand(CLI::App& parent);
 void addTissueShowCommand(CLI::App& parent);
+void addTissueSolveCommand(CLI::App& parent);
 
 }  // namespace palpate::app

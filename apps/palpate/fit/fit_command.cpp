@@ -7,6 +7,7 @@ void addFitCommand(CLI::App& app) {
   CLI::App& fit = *app.add_subcommand("fit", "Find force laws and skin profiles of measured tissue");
   fit.require_subcommand(1);
   addFitForceCommand(fit);
+  addFitProfileCommand(fit);
 }
 
 }  // namespace palpate::app

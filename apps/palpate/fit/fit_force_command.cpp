@@ -115,7 +115,7 @@ void addFitForceCommand(CLI::App& parent) {
   const auto arguments = std::make_shared<FitForceArguments>();
   FitForceArguments& a = *arguments;
   CLI::App& command = *parent.add_subcommand("force", "Find the force law of measured force by depth");
-  command.add_option("CURVES", a.file, "Table depth_mm,force_n and, where there are several, curve or place")
+  command.add_option("--data,CURVES", a.file, "Table depth_mm,force_n and, where there are several, curve or place")
       ->required();
   command.add_option("--curve", a.curves, "Only this curve, by its name; repeatable")->allow_extra_args(false);
   takesOneOf(formWords(), command.add_option("--form", a.form,

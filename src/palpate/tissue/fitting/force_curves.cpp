@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <map>
 #include <optional>
 #include <utility>
@@ -13,6 +11,7 @@
 #include "palpate/base/error.h"
 #include "palpate/base/nearest_name.h"
 #include "palpate/base/text.h"
+#include "palpate/tissue/fitting/table_columns.h"
 
 namespace palpate::tissue {
 
@@ -32,18 +31,6 @@ struct Columns {
   std::size_t count = 2;
 };
 
-std::optional<std::size_t> columnOf(const CsvRow& header, std::string_view name) {
-  const auto found = std::ranges::find(header.fields, name);
-  if (found == header.fields.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - header.fields.begin());
-}
-
-std::size_t neededColumn(const CsvRow& header, std::string_view name) {
-  const auto column = columnOf(header, name);
-  if (!column) throw Error::atLine(header.file, header.line, fmt::format("the header has no column {}", name));
-  return *column;
-}
-
 Columns columnsOf(const CsvRow& header) {
   Columns columns{neededColumn(header, "depth_mm"), neededColumn(header, "force_n"), std::nullopt,
                   header.fields.size()};
@@ -60,10 +47,7 @@ class CurveReader {
       columns_ = columnsOf(row);
       return;
     }
-    if (row.fields.size() != columns_.count) {
-      throw Error::atLine(row.file, row.line,
-                          fmt::format("has {} fields instead of {}", row.fields.size(), columns_.count));
-    }
+    checkFields(row, columns_.count);
     ForceCurve& curve = curveOf(row);
     curve.depth_mm.push_back(csvNumber(row, columns_.depth, "depth_mm", kDepths));
     curve.force_n.push_back(csvNumber(row, columns_.force, "force_n", kForces));

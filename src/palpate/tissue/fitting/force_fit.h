@@ -8,20 +8,13 @@
 #pragma once
 
 #include <span>
-#include <string_view>
 #include <vector>
 
+#include "palpate/tissue/fitting/fitted_number.h"
 #include "palpate/tissue/fitting/force_curves.h"
 #include "palpate/tissue/fitting/force_forms.h"
 
 namespace palpate::tissue {
-
-struct FittedNumber {
-  std::string_view name;
-  double value = 0.0;
-  double standard_error = 0.0;  ///< NaN: too few rows to tell; 0: at the end of its range, or not asked for
-  bool at_end = false;          ///< of its range: what the rows want may lie beyond
-};
 
 struct ForceFit {
   ForceForm form = ForceForm::linear;
