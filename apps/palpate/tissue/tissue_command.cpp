@@ -9,6 +9,7 @@ void addTissueCommand(CLI::App& app) {
   tissue.require_subcommand(1);
   addTissueLibraryCommand(tissue);
   addTissueShowCommand(tissue);
+  addTissueSolveCommand(tissue);
 }
 
 }  // namespace palpate::app

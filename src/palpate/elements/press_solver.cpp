@@ -150,14 +150,14 @@ void checkSize(const char* what, double value, double least, double most) {
 MeshFineness finenessFor(const PressSettings& settings) {
   const double radius = settings.indenter_radius_mm;
   MeshFineness mesh;
-  mesh.width_mm = 0.0875 * radius / settings.fineness;
-  mesh.uniform_to_mm = 1.75 * radius;
-  mesh.growth = 1.0 + 0.12 / settings.fineness;
-  mesh.widest_mm = 8.0 / settings.fineness;
-  mesh.height_mm = 0.125 * radius / settings.fineness;
-  mesh.fewest_rows = static_cast<int>(std::ceil(2.0 * settings.fineness));
-  mesh.most_rows = static_cast<int>(std::ceil(14.0 * settings.fineness));
-  mesh.radius_mm = settings.radius_mm;
+  mesh.columns = {.first_mm = 0.0875 * radius / settings.fineness,
+                  .uniform_to_mm = 1.75 * radius,
+                  .growth = 1.0 + 0.12 / settings.fineness,
+                  .widest_mm = 8.0 / settings.fineness,
+                  .to_mm = settings.radius_mm};
+  mesh.rows = {.first_mm = 0.125 * radius / settings.fineness,
+               .fewest = static_cast<int>(std::ceil(2.0 * settings.fineness)),
+               .most = static_cast<int>(std::ceil(14.0 * settings.fineness))};
   return mesh;
 }
 

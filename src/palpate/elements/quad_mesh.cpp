@@ -1,75 +1,8 @@
 #include "palpate/elements/quad_mesh.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace palpate::elements {
 
 namespace {
-
-/// Borders from 0 to the radius.
-std::vector<double> columnBorders(const MeshFineness& fineness) {
-  std::vector<double> borders = {0.0};
-  const double uniform_to = std::min(fineness.uniform_to_mm, fineness.radius_mm);
-  const int uniform = std::max(1, static_cast<int>(std::lround(uniform_to / fineness.width_mm)));
-  for (int i = 1; i <= uniform; ++i) borders.push_back(uniform_to * i / uniform);
-  const double tail_from = borders.back();
-  if (tail_from >= fineness.radius_mm) return borders;
-  double width = uniform_to / uniform;
-  const std::size_t first = borders.size();
-  while (borders.back() < fineness.radius_mm) {
-    width = std::min(width * fineness.growth, fineness.widest_mm);
-    borders.push_back(borders.back() + width);
-  }
-  const double fit = (fineness.radius_mm - tail_from) / (borders.back() - tail_from);
-  for (std::size_t i = first; i < borders.size(); ++i) borders[i] = tail_from + fit * (borders[i] - tail_from);
-  return borders;
-}
-
-/// Heights of the rows of one layer whose top lies at `depth`, from the top.
-std::vector<double> rowHeights(double thickness, double depth, const MeshFineness& fineness) {
-  constexpr double kHeightADepth = 0.15;  // far below the sphere nothing is small
-  constexpr double kGrowth = 1.25;
-  const double first = std::max(fineness.height_mm, kHeightADepth * depth);
-  const bool thick = thickness > 3.0 * first;
-  std::vector<double> heights;
-  double sum = 0.0;
-  for (double height = first; sum < thickness - 1e-9 && static_cast<int>(heights.size()) < fineness.most_rows;) {
-    heights.push_back(height);
-    sum += height;
-    if (thick) height *= kGrowth;
-  }
-  if (static_cast<int>(heights.size()) < fineness.fewest_rows) {
-    heights.assign(static_cast<std::size_t>(fineness.fewest_rows), 1.0);
-    sum = fineness.fewest_rows;
-  }
-  for (double& height : heights) height *= thickness / sum;
-  return heights;
-}
-
-struct Rows {
-  std::vector<double> borders;
-  std::vector<int> layers;
-};
-
-Rows rowsOf(const tissue::LayerStack& stack, const MeshFineness& fineness) {
-  const double total = tissue::totalThickness(stack);
-  Rows rows{{total}, {}};
-  double depth = 0.0;
-  for (std::size_t layer = 0; layer < stack.layers.size(); ++layer) {
-    const double thickness = stack.layers[layer].thickness_mm;
-    double within = 0.0;
-    for (const double height : rowHeights(thickness, depth, fineness)) {
-      within += height;
-      rows.borders.push_back(total - depth - within);
-      rows.layers.push_back(static_cast<int>(layer));
-    }
-    depth += thickness;
-    rows.borders.back() = total - depth;
-  }
-  rows.borders.back() = 0.0;
-  return rows;
-}
 
 /// Nodes column by column: those of a border (corners and upright sides), then those between it and the next.
 class Numbering {
@@ -128,9 +61,9 @@ void addFreedoms(QuadMesh& mesh) {
 
 QuadMesh quadMesh(const tissue::LayerStack& stack, const MeshFineness& fineness) {
   QuadMesh mesh;
-  mesh.columns = columnBorders(fineness);
-  Rows rows = rowsOf(stack, fineness);
-  mesh.rows = std::move(rows.borders);
+  mesh.columns = bordersAlong(fineness.columns);
+  const LayerRows rows = layerRows(stack, fineness.rows);
+  for (const double depth : rows.depths_mm) mesh.rows.push_back(rows.depths_mm.back() - depth);
   const Numbering number(mesh);
   addNodes(mesh, number);
   addElements(mesh, number, rows.layers);

@@ -4,22 +4,16 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <vector>
 
+#include "palpate/elements/grid_borders.h"
 #include "palpate/tissue/layered_table.h"
 
 namespace palpate::elements {
 
 struct MeshFineness {
-  double width_mm = 0.7;        ///< of the columns near the axis
-  double uniform_to_mm = 14.0;  ///< beyond, columns grow by `growth` up to `widest_mm`
-  double growth = 1.12;
-  double widest_mm = 8.0;
-  double height_mm = 1.0;  ///< of the rows of the skin; deeper ones are higher
-  int fewest_rows = 2;     ///< of a layer
-  int most_rows = 14;
-  double radius_mm = 150.0;
+  Spacing columns;
+  RowFineness rows;
 };
 
 /// No degree of freedom: held.
