@@ -120,7 +120,7 @@ PressError pressError(const scene::World& world, const FemCase& truth, const std
   return error;
 }
 
-double dragError(const scene::World& world, const tissue::DragShape& truth, const std::vector<double>& radii_mm) {
+double dragError(const scene::World& world, const elements::DragField& truth) {
   contact::FingerOutput felt = pressed(world, 1.0);
   felt.depth_mm = 0.0;
   felt.proxy = felt.anchor + Vec3::UnitX();
@@ -130,12 +130,9 @@ double dragError(const scene::World& world, const tissue::DragShape& truth, cons
   std::size_t count = 0;
   for (Index v = 0; v < world.skin.positions.size(); ++v) {
     const Vec3 rest = world.skin.positions[v];
-    const bool on_x = std::abs(rest.y()) < 1e-6;
-    const bool on_y = std::abs(rest.x()) < 1e-6;
-    const double r = rest.head<2>().norm();
-    if ((!on_x && !on_y) || r > kJudgedDragMm) continue;
+    if (std::abs(rest.x()) > kJudgedDragMm || std::abs(rest.y()) > kJudgedDragMm) continue;
     const double moved = positionOf(skin.surface(), v).x() - rest.x();
-    const double error = moved - at(radii_mm, on_x ? truth.on_along : truth.on_across, r);
+    const double error = moved - truth.at(std::abs(rest.x()), std::abs(rest.y()));
     sum += error * error;
     ++count;
   }

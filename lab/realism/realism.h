@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "lab/realism/fem_cases.h"
+#include "palpate/elements/drag_solver.h"
 #include "palpate/scene/world.h"
 
 namespace palpate::lab {
@@ -37,7 +38,7 @@ std::shared_ptr<const scene::World> flatWorld(scene::TissueModel model,
 /// A press of the case's depth in the middle of it.
 PressError pressError(const scene::World& world, const FemCase& truth, const std::vector<double>& radii_mm);
 
-/// A drag of the skin: RMS over the 60 mm along and across it, of the share that follows.
-double dragError(const scene::World& world, const tissue::DragShape& truth, const std::vector<double>& radii_mm);
+/// A drag of the skin: RMS over 60 mm along and across, a square, of the share that follows.
+double dragError(const scene::World& world, const elements::DragField& truth);
 
 }  // namespace palpate::lab

@@ -21,7 +21,7 @@ void judgeStack(const JudgedStack& stack, RealismFigures& figures) {
                                error(gaussian), error(literal)});
   }
   if (stack.drag && !stack.truth.cases.empty()) {
-    const auto error = [&](const World& world) { return dragError(*world, *stack.drag, stack.drag_radii_mm); };
+    const auto error = [&](const World& world) { return dragError(*world, *stack.drag); };
     figures.drags.push_back({stack.name, isLayered(stack.truth.cases.front().stack), error(layered), error(gaussian)});
   }
   figures.left_out.insert(figures.left_out.end(), stack.truth.left_out.begin(), stack.truth.left_out.end());

@@ -15,8 +15,7 @@ namespace palpate::lab {
 struct JudgedStack {
   std::string name;
   FemCases truth = {};
-  std::optional<tissue::DragShape> drag = {};  ///< solved too; with the radii of `drag_radii_mm`
-  std::vector<double> drag_radii_mm = {};
+  std::optional<elements::DragField> drag = {};  ///< solved too
   std::shared_ptr<const tissue::LayeredTissue> tissue = nullptr;
   double thickness_mm = 0.0;
 };

@@ -130,6 +130,18 @@ TEST(LayeredForceRows, WithoutLayersTheLawIsHookes) {
   EXPECT_EQ(steepestFactor(law, 40.0), 1.0);
 }
 
+TEST(LayeredForceRows, OfASoftenedNodeRiseNoSteeperThanWasAsked) {
+  const LayeredNode stiff = nodeOf(tableOf(9, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10}));
+  const LayeredTissue tissue({softenedTo(0.9, stiff)});
+  double before = 0.0;
+  for (double depth = 0.01; depth < 14.0; depth += 0.01) {
+    const double force = tissue.secantAt(9, depth) * depth;
+    EXPECT_LE(force - before, 0.9 * 0.01 * (1 + 1e-6)) << depth;
+    before = force;
+  }
+  EXPECT_EQ(tissue.secantAt(9, 1), stiff.secants[0]) << "what is soft enough stays";
+}
+
 TEST(LayeredTissueOfTables, RefusesWhatIsNoTissue) {
   EXPECT_THROW(LayeredTissue({}), Error);
   EXPECT_THROW(tissueOf({20, 20}), Error);

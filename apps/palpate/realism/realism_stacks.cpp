@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "palpate/base/error.h"
+#include "palpate/elements/drag_solver.h"
 #include "palpate/elements/press_solver.h"
 #include "palpate/tissue/layered_library.h"
 
@@ -32,13 +33,20 @@ Progress part(const Progress& whole, std::size_t i, std::size_t count, const std
   };
 }
 
-tissue::LayeredTable solved(const tissue::LayerStack& stack, std::vector<double> depths, const std::string& name,
+struct Solved {
+  tissue::LayeredTable table;
+  elements::DragField drag;
+};
+
+Solved solved(const tissue::LayerStack& stack, std::vector<double> depths, const std::string& name,
                             const Progress& progress) {
   elements::PressSettings settings;
   settings.depths_mm = std::move(depths);
   elements::PressSolution solution = elements::solvePress(stack, settings, progress);
   if (solution.table.shapes.empty()) throw Error(fmt::format("{}: not solved: {}", name, solution.stopped_by));
-  return std::move(solution.table);
+  elements::DragField drag = elements::solveDragField(stack, {});
+  solution.table.drag = elements::fitDrag(drag, solution.table.radii_mm).shape;
+  return {std::move(solution.table), std::move(drag)};
 }
 
 /// Those of a table, as deep as the cases go.
@@ -63,10 +71,9 @@ std::vector<JudgedStack> stacksOfBody(const Progress& progress) {
     const SolvedPlace& place = kPlaces[i];
     const double share = tissue::libraryFatShare(place.thickness_mm, place.fat_mm);
     const tissue::LayerStack stack = tissue::libraryStack(place.thickness_mm, share);
-    const tissue::LayeredTable table =
+    const auto [table, drag] =
         solved(stack, {2.0, 5.0, 7.5, 10.0}, place.name, part(progress, i, std::size(kPlaces), place.name));
-    JudgedStack judged{.name = place.name, .truth = lab::casesOf(table, place.name), .drag = table.drag};
-    judged.drag_radii_mm = table.radii_mm;
+    JudgedStack judged{.name = place.name, .truth = lab::casesOf(table, place.name), .drag = drag};
     judged.tissue = std::make_shared<const tissue::LayeredTissue>(tissue::libraryNodes(place.fat_mm));
     judged.thickness_mm = place.thickness_mm;
     stacks.push_back(std::move(judged));
@@ -91,10 +98,9 @@ std::vector<JudgedStack> stacksOfFile(const std::filesystem::path& file, const P
     double deepest = 0.0;
     for (const FemCase& one : judged.truth.cases) deepest = std::max(deepest, one.truth.depth_mm);
     const tissue::LayerStack& stack = judged.truth.cases.front().stack;
-    const tissue::LayeredTable table =
+    const auto [table, drag] =
         solved(stack, depthsTo(deepest), judged.name, part(progress, i, stacks.size(), judged.name));
-    judged.drag = table.drag;
-    judged.drag_radii_mm = table.radii_mm;
+    judged.drag = drag;
     judged.tissue = std::make_shared<const tissue::LayeredTissue>(std::vector{tissue::nodeOf(table)});
     judged.thickness_mm = tissue::totalThickness(stack);
   }

@@ -11,7 +11,7 @@
 #include "apps/palpate/common/progress_line.h"
 #include "palpate/base/error.h"
 #include "palpate/base/output_file.h"
-#include "palpate/elements/press_solver.h"
+#include "palpate/elements/stack_solver.h"
 #include "palpate/tissue/layered_library.h"
 
 namespace palpate::app {
@@ -37,12 +37,12 @@ std::string listOf(const std::vector<double>& numbers) { return fmt::format("{:.
 
 LayeredNode solvedNode(double thickness_mm, double share, const Progress& progress) {
   const tissue::LayerStack stack = tissue::libraryStack(thickness_mm, share);
-  elements::PressSettings settings;
-  settings.depths_mm.clear();
+  elements::StackSettings settings;
+  settings.press.depths_mm.clear();
   for (const double depth : kDepthsMm) {
-    if (depth <= (1.0 - kClosestToBone) * thickness_mm) settings.depths_mm.push_back(depth);
+    if (depth <= (1.0 - kClosestToBone) * thickness_mm) settings.press.depths_mm.push_back(depth);
   }
-  elements::PressSolution solution = elements::solvePress(stack, settings, progress);
+  const elements::PressSolution solution = elements::solveStack(stack, settings, progress).press;
   if (solution.table.shapes.empty())
     throw Error(fmt::format("{} mm with {} of fat: {}", thickness_mm, share, solution.stopped_by));
   if (!solution.stopped_by.empty())

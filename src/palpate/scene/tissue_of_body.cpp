@@ -74,7 +74,11 @@ maps::SurfaceEllipse turnedWithDrag(const deform::Contact& contact, double stret
 
 std::vector<tissue::LayeredNode> nodesOf(const Scene& scene) {
   const std::filesystem::path& file = scene.tissue.layer_table;
-  if (file.empty()) return tissue::libraryNodes(fatOf(scene));
+  if (file.empty()) {
+    std::vector<tissue::LayeredNode> nodes = tissue::libraryNodes(fatOf(scene));
+    for (tissue::LayeredNode& node : nodes) node = tissue::softenedTo(tissue::kStiffestTissue, std::move(node));
+    return nodes;
+  }
   return {tissue::nodeOf(tissue::readLayeredTable(file))};
 }
 

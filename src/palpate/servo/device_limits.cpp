@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <vector>
 
 namespace palpate::servo {
 
@@ -38,6 +40,42 @@ double depthOfForce(const tissue::ForceLaw& law, double stiffness, double force_
     (tissue::normalForce(law, stiffness, middle) < force_n ? low : high) = middle;
   }
   return high;
+}
+
+/// The stiffest place of one thickness of tissue.
+struct Stiffest {
+  double stiffness_n_per_mm = 0.0;
+  double tissue_mm = 0.0;
+};
+
+/// One for the whole skin; with layered tissue one a class of thickness, since thin tissue has both the stiffest map and
+/// the steepest law, and thick tissue neither.
+std::vector<Stiffest> stiffestPlaces(const scene::World& world) {
+  const std::vector<double>& stiffness = world.stiffness_n_per_mm;
+  const std::vector<double>& tissue = world.surface.tissue_mm;
+  if (tissue.empty()) return {{*std::max_element(stiffness.begin(), stiffness.end())}};
+  constexpr double kClassMm = 1.0;
+  std::map<int, Stiffest> classes;
+  for (std::size_t v = 0; v < stiffness.size(); ++v) {
+    Stiffest& place = classes[static_cast<int>(tissue[v] / kClassMm)];
+    if (stiffness[v] > place.stiffness_n_per_mm) place = {stiffness[v], tissue[v]};
+  }
+  std::vector<Stiffest> places;
+  for (const auto& [thickness, place] : classes) places.push_back(place);
+  return places;
+}
+
+/// The law of one place: of layered tissue its only row.
+tissue::ForceLaw lawAt(const tissue::ForceLaw& law, double tissue_mm) {
+  if (law.kind != tissue::ForceLaw::Kind::layered || law.layers.rows == 0) return law;
+  tissue::ForceLaw here = law;
+  here.layers.rows = 1;
+  here.layers.thinnest_mm = tissue_mm;
+  for (std::uint32_t i = 1; i < tissue::LayeredForce::kDepths; ++i) {
+    const double depth = tissue::LayeredForce::kDepthStepMm * i;
+    here.layers.factor[0][i] = tissue::respond(law, 1.0, depth, tissue_mm).secant_n_per_mm;
+  }
+  return here;
 }
 
 PassivitySettings passivityOf(const scene::SafetySettings& safety, const device::DeviceProfile& profile,
@@ -115,13 +153,19 @@ LimiterSettings limiterSettings(const scene::World& world, const device::DeviceP
   const double most_mm = scene.contact.finger.max_depth_mm;
   LimiterSettings settings = limiterSettings(scene.safety, profile, 1.0 / scene.ticks_per_s);
   const double sideways = std::max(1.0, scene.contact.finger.stiffness_ratio);
-  const double stiffest =
-      *std::max_element(world.stiffness_n_per_mm.begin(), world.stiffness_n_per_mm.end()) * sideways;
   const double cap = stiffnessCap(scene.safety, profile, settings.tick_s);
-  settings.stiffness_factor = stiffnessFactor(law, stiffest, most_mm, settings.force_n, cap);
-  const double depth = depthOfForce(law, stiffest, settings.force_n / settings.stiffness_factor, most_mm);
-  settings.steepest = tissue::steepestFactor(law, depth);
-  settings.stiffness_n_per_mm = stiffest * settings.steepest;
+  settings.stiffness_factor = 1.0;
+  settings.steepest = 0.0;
+  for (const Stiffest& place : stiffestPlaces(world)) {
+    const tissue::ForceLaw here = lawAt(law, place.tissue_mm);
+    const double stiffest = place.stiffness_n_per_mm * sideways;
+    const double factor = stiffnessFactor(here, stiffest, most_mm, settings.force_n, cap);
+    settings.stiffness_factor = std::min(settings.stiffness_factor, factor);
+    const double depth = depthOfForce(here, stiffest, settings.force_n / factor, most_mm);
+    const double steepest = tissue::steepestFactor(here, depth);
+    settings.steepest = std::max(settings.steepest, steepest);
+    settings.stiffness_n_per_mm = std::max(settings.stiffness_n_per_mm, stiffest * steepest);
+  }
   return settings;
 }
 

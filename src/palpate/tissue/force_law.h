@@ -18,8 +18,9 @@ namespace palpate::tissue {
 /// to 10 mm best is right at about 8 mm, so a map measured with one number per place means this depth.
 inline constexpr double kReferenceDepthMm = 8.0;
 
-/// N/mm, of slopes: stiffer than this a fingertip's own pad gives way first. Bounds what is extrapolated.
-inline constexpr double kStiffestTissue = 1.5;
+/// N/mm, of slopes: stiffer than this a fingertip's own pad gives way first, and a hand at 1 kHz would not be held
+/// stably (docs/stability.md). Bounds what is extrapolated, and a body's own tissue (softenedTo).
+inline constexpr double kStiffestTissue = 1.9;
 
 /// Secants of layered tissue by thickness and depth, over those at the reference depth. Both are evenly spaced, the
 /// thickness as 1 / mm, in which stiffness is nearly straight: a look-up is a division and no search.

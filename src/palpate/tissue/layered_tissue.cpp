@@ -18,7 +18,7 @@ constexpr double kNothing = 0.006;
 constexpr double kLeastRadiusMm = 35.0;
 constexpr double kMostRadiusMm = 70.0;
 /// Of a drag: the rim over the half axis where a tenth is left. The tail of the solution beyond is faded out.
-constexpr double kRimOverTenth = 1.4;
+constexpr double kRimOverTenth = 1.8;
 constexpr double kLongestDragMm = 150.0;
 /// Samples that a curve is fitted to.
 constexpr int kFitSamples = 160;
@@ -183,6 +183,21 @@ LayeredNode blended(const LayeredNode& a, const LayeredNode& b, double share) {
   node.drag = blended(a.drag, b.drag, share);
   node.tangential_over_normal =
       a.tangential_over_normal + share * (b.tangential_over_normal - a.tangential_over_normal);
+  return node;
+}
+
+/// Between two depths the secant is straight and the force a parabola, steepest at its end.
+LayeredNode softenedTo(double most_n_per_mm, LayeredNode node) {
+  double depth_before = 0.0;
+  double secant_before = 0.0;
+  for (std::size_t i = 0; i < node.depths_mm.size(); ++i) {
+    const double depth = node.depths_mm[i];
+    const double steepness = depth / (depth - depth_before);
+    const double most = (most_n_per_mm + steepness * secant_before) / (1.0 + steepness);
+    node.secants[i] = std::min(node.secants[i], most);
+    depth_before = depth;
+    secant_before = node.secants[i];
+  }
   return node;
 }
 

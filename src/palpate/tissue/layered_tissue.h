@@ -30,6 +30,9 @@ LayeredNode nodeOf(const LayeredTable& table);
 /// Between two nodes; depths of `a`, beyond the last of `b` what that has. Secants blend as logarithms.
 LayeredNode blended(const LayeredNode& a, const LayeredNode& b, double share);
 
+/// The node with forces that grow by at most so much per mm: as if something softer gave way before it.
+LayeredNode softenedTo(double most_n_per_mm, LayeredNode node);
+
 /// Immutable; any number of threads.
 class LayeredTissue {
  public:
