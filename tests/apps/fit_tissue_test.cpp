@@ -48,6 +48,15 @@ class FitCommand : public ::testing::Test {
     EXPECT_EQ(result.exit_code, 0) << result.err;
     return json::parse(result.out);
   }
+  /// A scene with these keys is felt.
+  void expectScene(const std::string& keys) const {
+    write("scene.toml", keys +
+                            "[body]\nkind = \"torso\"\n[[finger]]\nname = \"index\"\nat = \"T6\"\nscript = [{ do = "
+                            "\"press\", depth_mm = 4, seconds = 0.05 }]\n");
+    const auto simulated =
+        support::runPalpate("simulate scene.toml --seconds 0.05 --no-pictures -o out --overwrite", folder_.path());
+    EXPECT_EQ(simulated.exit_code, 0) << simulated.err << keys;
+  }
   std::string errorOf(const std::string& arguments) const {
     const CommandResult result = fit(arguments);
     EXPECT_EQ(result.exit_code, 2) << arguments;
@@ -95,9 +104,7 @@ TEST_F(FitForce, WritesATableThatASceneReads) {
     const double force = 3.2 * std::pow(table.depth_mm[i] / 8.0, 1.6);
     EXPECT_NEAR(table.effective_mm[i], force, 0.12 * force) << table.depth_mm[i];
   }
-  write("scene.toml", found["scene"].get<std::string>());
-  const auto simulated = support::runPalpate("simulate scene.toml --seconds 0.05 -o out", folder_.path());
-  EXPECT_EQ(simulated.exit_code, 0) << simulated.err;
+  expectScene(found["scene"].get<std::string>());
 }
 
 TEST_F(FitForce, FitsEveryPlaceAndAllTogether) {
@@ -190,9 +197,18 @@ TEST_F(FitProfile, WritesAProfileThatASceneReads) {
   EXPECT_NE(contentOf(folder_ / "fit.svg").find("one curve for all depths"), std::string::npos);
   const std::size_t keys = result.out.find("[deformation]");
   ASSERT_NE(keys, std::string::npos) << result.out;
-  write("scene.toml", result.out.substr(keys, result.out.find("->") - keys));
-  const auto simulated = support::runPalpate("simulate scene.toml --seconds 0.05 -o out", folder_.path());
-  EXPECT_EQ(simulated.exit_code, 0) << simulated.err;
+  expectScene(result.out.substr(keys, result.out.find("->") - keys));
+}
+
+TEST_F(FitProfile, WritesATableThatASceneTakesForItsLayers) {
+  write("force.csv", "depth_mm,force_n\n" + powerRows("", 0.4, 1.6, 1, 0.0));
+  const CommandResult result =
+      fit("profile skin.csv --forces force.csv --layer skin:2:150 --layer fat:20:10 -o t.json");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const std::size_t keys = result.out.find("[tissue]");
+  ASSERT_NE(keys, std::string::npos) << result.out;
+  expectScene(result.out.substr(keys, result.out.find("\none curve") - keys));
+  EXPECT_NE(fit("profile skin.csv -o t.json").out.find("needs --forces and --layer"), std::string::npos);
 }
 
 TEST_F(FitProfile, NamesTheLineOfWhatItCannotRead) {

@@ -127,5 +127,20 @@ TEST_F(TissueCommand, NamesWhatItCannotShow) {
   EXPECT_NE(errorOf("show").find("TABLE"), std::string::npos);
 }
 
+TEST_F(TissueCommand, ListsModuliWithTheirSources) {
+  const CommandResult text = tissue("moduli");
+  ASSERT_EQ(text.exit_code, 0) << text.err;
+  for (const char* words : {"skin", "fat", "muscle", "10.1186/s12891-017-1733-8", "represent nobody", "oiled"}) {
+    EXPECT_NE(text.out.find(words), std::string::npos) << words;
+  }
+  const json listed = json::parse(tissue("moduli --json").out);
+  double muscle_kpa = 0.0;
+  for (const json& modulus : listed["moduli"]) {
+    if (modulus["tissue"] == "muscle" && modulus["default"].get<bool>()) muscle_kpa = modulus["low_kpa"].get<double>();
+  }
+  EXPECT_EQ(muscle_kpa, 27.0);
+  EXPECT_EQ(listed["friction_presets"][0]["kinetic"], 0.44);
+}
+
 }  // namespace
 }  // namespace palpate

@@ -55,6 +55,7 @@ void addRunCommand(CLI::App& app);
 void addTissueCommand(CLI::App& app);
 // `parent` is the tissue command.
 void addTissueLibraryCommand(CLI::App& parent);
+void addTissueModuliCommand(CLI::App& parent);
 void addTissueShowCommand(CLI::App& parent);
 void addTissueSolveCommand(CLI::App& parent);
 

@@ -111,6 +111,7 @@ void runFitProfile(const FitProfileArguments& arguments) {
   makeTable(arguments, result);
   if (!arguments.output.empty()) {
     writeLayeredTable(arguments.output, result.table);
+    result.table_file = arguments.output;
     result.written.push_back(arguments.output);
   }
   if (!arguments.profile.empty()) writeProfile(arguments.profile, result);

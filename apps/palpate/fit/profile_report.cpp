@@ -60,11 +60,21 @@ std::string depthsText(const ProfileResult& result) {
   return text;
 }
 
+/// Lines for a scene that uses the table, or what it lacks for that.
+std::string tableKeys(const ProfileResult& result) {
+  if (!result.force || result.table.stack.layers.empty()) {
+    return "the table as layers of a scene: needs --forces and --layer\n";
+  }
+  return fmt::format(
+      "the table as layers of a scene:\n[tissue]\nlayer_table = \"{}\"\n\n[deformation]\ntissue = \"layered\"\n",
+      result.table_file.empty() ? "TABLE.json (write it with -o)" : result.table_file);
+}
+
 /// Lines for a scene that uses the one curve for all depths.
 std::string profileKeys(const ProfileResult& result) {
   return fmt::format(
-      "[deformation]\nprofile = \"user\"\nprofile_file = \"{}\"\nregion = \"linear\"\nnormal_radius_mm = {:.4g}\n"
-      "normal_radius_per_depth = {:.4g}\n",
+      "[deformation]\ntissue = \"gaussian\"\nprofile = \"user\"\nprofile_file = \"{}\"\nregion = \"linear\"\n"
+      "normal_radius_mm = {:.4g}\nnormal_radius_per_depth = {:.4g}\n",
       result.profile_file.empty() ? "PROFILE.csv (write it with --profile)" : result.profile_file,
       result.shared.radius_mm, result.shared.radius_per_depth);
 }
@@ -98,7 +108,9 @@ std::string textOf(const ProfileResult& result) {
   if (!result.chosenFit(0).surface_measured) {
     text += "No place within 2 mm of the axis: the skin is taken to touch the indenter there.\n";
   }
-  text += fmt::format("\none curve for all depths misses by {:.1f} %; in a scene:\n", 100.0 * result.shared.rms);
+  text += "\n" + tableKeys(result);
+  text += fmt::format("\none curve for all depths, which misses by {:.1f} %, as a scene's own profile:\n",
+                      100.0 * result.shared.rms);
   text += profileKeys(result);
   for (const std::string& file : result.written) text += "-> " + file + "\n";
   return text;

@@ -20,7 +20,8 @@ struct ProfileResult {
   std::optional<tissue::ForceFit> force;  ///< where forces were given
   tissue::LayeredTable table;             ///< of the chosen form
   tissue::SharedProfile shared;           ///< one curve for all depths
-  std::string profile_file;               ///< that was written; empty: none
+  std::string table_file;                 ///< that was written; empty: none
+  std::string profile_file;               ///< likewise
   std::vector<std::string> written;
 
   const tissue::ProfileFit& chosenFit(std::size_t depth) const { return fits[depth][static_cast<std::size_t>(chosen)]; }

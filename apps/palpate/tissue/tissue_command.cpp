@@ -8,6 +8,7 @@ void addTissueCommand(CLI::App& app) {
   CLI::App& tissue = *app.add_subcommand("tissue", "Layered tissue under a press: solve, show, published moduli");
   tissue.require_subcommand(1);
   addTissueLibraryCommand(tissue);
+  addTissueModuliCommand(tissue);
   addTissueShowCommand(tissue);
   addTissueSolveCommand(tissue);
 }
