@@ -110,7 +110,7 @@ TEST(PressSolver, TheWorkOfTheSphereIsStored) {
 }
 
 TEST(PressSolver, APressAndItsReleaseGiveTheEnergyBack) {
-  PressModel model(back(), finenessFor({.fineness = 0.6}), 8.0, 1500.0);
+  PressModel model(back(), finenessFor({.fineness = 0.5}), 8.0, 1500.0);
   std::vector<double> depths;
   for (int i = 1; i <= 10; ++i) depths.push_back(0.4 * i);
   for (int i = 9; i >= 0; --i) depths.push_back(0.4 * i);
@@ -134,9 +134,10 @@ TEST(PressSolver, APressAndItsReleaseGiveTheEnergyBack) {
 
 TEST(PressSolver, AFinerMeshAndOtherStepsGiveTheSame) {
   const std::vector<double> depths = {3.0, 5.0};
-  const PressSolution coarse = solvePress(back(), {.depths_mm = depths});
-  const PressSolution fine = solvePress(back(), {.depths_mm = depths, .fineness = 2.0});
-  const PressSolution slow = solvePress(back(), {.depths_mm = depths, .first_step_mm = 0.1, .longest_step_mm = 0.3});
+  const LayerStack stack = {{{"skin", 2, 150}, {"fat", 4, 10}, {"muscle", 9, 27}}, 0.48};
+  const PressSolution coarse = solvePress(stack, {.depths_mm = depths});
+  const PressSolution fine = solvePress(stack, {.depths_mm = depths, .fineness = 2.0});
+  const PressSolution slow = solvePress(stack, {.depths_mm = depths, .first_step_mm = 0.1, .longest_step_mm = 0.3});
   EXPECT_GT(slow.path.size(), 2 * coarse.path.size());
   ASSERT_EQ(fine.stopped_by + slow.stopped_by, "");
   for (std::size_t i = 0; i < depths.size(); ++i) {
@@ -169,6 +170,16 @@ TEST(PressSolver, WhereTissueGivesWayItSaysSoAndKeepsWhatItReached) {
   ASSERT_EQ(solution.table.shapes.size(), 3u);
   EXPECT_EQ(solution.table.shapes.back().depth_mm, solution.converged_to_mm);
   EXPECT_NO_THROW(check(solution.table));
+}
+
+TEST(PressSolver, NoTableHasAForceThatFallsWithTheDepth) {
+  const PressSolution solution =
+      solvePress({{{"", 30, 20}}, 0.48}, {.depths_mm = {10.0, 25.0}, .fineness = 0.5, .longest_step_mm = 2.0});
+  EXPECT_NE(solution.stopped_by.find("the force falls"), std::string::npos) << solution.stopped_by;
+  EXPECT_GT(solution.converged_to_mm, 14.0);
+  for (std::size_t i = 1; i < solution.path.size(); ++i) {
+    EXPECT_GT(solution.path[i].force_n, solution.path[i - 1].force_n);
+  }
 }
 
 TEST(PressSolver, EndsWhenAsked) {

@@ -128,6 +128,7 @@ void runSolve(const SolveArguments& arguments) {
   const tissue::LayerStack stack = stackFrom(arguments);
   elements::StackSettings settings;
   settings.press.indenter_radius_mm = arguments.indenter_radius_mm;
+  settings.press.radius_mm = std::max(settings.press.radius_mm, 6.0 * arguments.indenter_radius_mm);
   settings.press.depths_mm = depthsFrom(arguments.depths);
   settings.press.fineness = arguments.fineness;
   if (arguments.no_drag) settings.drag.reset();
