@@ -237,7 +237,8 @@ TEST(SmoothedForce, NeverFallsAndKeepsTheMean) {
 TEST(SmoothedForce, AveragesCloseRows) {
   ForceCurve curve;
   for (int i = 0; i < 1000; ++i) {
-    curve.depth_mm.push_back(0.01 * (i / 2 + 1));
+    const int pair = i / 2;
+    curve.depth_mm.push_back(0.01 * (pair + 1));
     curve.force_n.push_back(curve.depth_mm.back() + (i % 2 == 0 ? 0.5 : -0.5));
   }
   const ForceTable table = smoothedTable(rowsOf(curve), Eigen::ArrayXd::Ones(1000), 20);

@@ -21,7 +21,7 @@ namespace palpate::tissue {
 namespace {
 
 constexpr int kTableVersion = 1;
-constexpr std::uint64_t kMostBytes = 64'000'000;
+constexpr std::uint64_t kMostTableBytes = 64'000'000;
 constexpr std::size_t kMostLayers = 16;
 constexpr std::size_t kMostRadii = 10'000;
 constexpr std::size_t kMostShapes = 1'000;
@@ -31,12 +31,12 @@ constexpr NumberRange kThickness{0.1, 500.0};
 constexpr NumberRange kYoung{0.01, 1e6};
 constexpr NumberRange kPoisson{0.0, 0.499};
 constexpr NumberRange kIndenterRadius{0.1, 1000.0};
-constexpr NumberRange kRadii{0.0, 10'000.0};
-constexpr NumberRange kDepths{0.0, 500.0, true};
-constexpr NumberRange kForces{0.0, 1e6};
+constexpr NumberRange kTableRadii{0.0, 10'000.0};
+constexpr NumberRange kTableDepths{0.0, 500.0, true};
+constexpr NumberRange kTableForces{0.0, 1e6};
 constexpr NumberRange kContactRadii{0.0, 1000.0};
 /// Of the skin on the axis: a bulge or a dent is no larger.
-constexpr NumberRange kShares{-100.0, 100.0};
+constexpr NumberRange kShapeShares{-100.0, 100.0};
 constexpr NumberRange kDragExponent{0.0, 10.0, true};
 constexpr NumberRange kDragWidth{0.0, 1000.0, true};
 constexpr NumberRange kStiffnessRatio{0.0, 10.0, true};
@@ -70,7 +70,7 @@ void checkRadii(const std::vector<double>& radii) {
   if (radii.size() > kMostRadii) throw Error(fmt::format("radii_mm: more than {}", kMostRadii));
   if (radii.front() != 0.0) throw Error(fmt::format("radii_mm: the first must be 0, not {}", radii.front()));
   for (std::size_t i = 1; i < radii.size(); ++i) {
-    demand(kRadii, radii[i], "radii_mm", fmt::format("radius {}", i + 1), "mm");
+    demand(kTableRadii, radii[i], "radii_mm", fmt::format("radius {}", i + 1), "mm");
     if (radii[i] > radii[i - 1]) continue;
     throw Error(fmt::format("radii_mm: must increase, but {} follows {}", radii[i], radii[i - 1]));
   }
@@ -82,16 +82,16 @@ void checkShares(const std::vector<double>& shares, std::size_t radii, double on
     throw Error(fmt::format("{}: {} has {} numbers for {} radii", where, name, shares.size(), radii));
   }
   for (std::size_t i = 0; i < shares.size(); ++i) {
-    demand(kShares, shares[i], where, fmt::format("{}, number {},", name, i + 1));
+    demand(kShapeShares, shares[i], where, fmt::format("{}, number {},", name, i + 1));
   }
   if (std::abs(shares.front() - on_axis) <= kOnAxis) return;
   throw Error(fmt::format("{}: {} begins at {} instead of {}", where, name, shares.front(), on_axis));
 }
 
 void check(const PressedShape& shape, std::size_t radii, const std::string& where) {
-  demand(kDepths, shape.depth_mm, where, "depth_mm", "mm");
-  demand(kDepths, shape.surface_mm, where, "surface_mm", "mm");
-  demand(kForces, shape.force_n, where, "force_n", "N");
+  demand(kTableDepths, shape.depth_mm, where, "depth_mm", "mm");
+  demand(kTableDepths, shape.surface_mm, where, "surface_mm", "mm");
+  demand(kTableForces, shape.force_n, where, "force_n", "N");
   demand(kContactRadii, shape.contact_radius_mm, where, "contact_radius_mm", "mm");
   checkShares(shape.down, radii, 1.0, where, "down");
   checkShares(shape.outward, radii, 0.0, where, "outward");
@@ -296,7 +296,7 @@ LayeredTable parseLayeredTable(std::string_view json, std::string_view name) {
 }
 
 LayeredTable readLayeredTable(const std::filesystem::path& file) {
-  return parseLayeredTable(readFile(file, kMostBytes), file.string());
+  return parseLayeredTable(readFile(file, kMostTableBytes), file.string());
 }
 
 void writeLayeredTable(const std::filesystem::path& file, const LayeredTable& table) {

@@ -17,11 +17,11 @@ namespace palpate::tissue {
 
 namespace {
 
-constexpr std::uint64_t kMostBytes = 64'000'000;
+constexpr std::uint64_t kMostCurveBytes = 64'000'000;
 constexpr std::size_t kMostCurves = 10'000;
 constexpr std::size_t kLongestCurveName = 60;
-constexpr NumberRange kDepths{-1000.0, 1000.0};
-constexpr NumberRange kForces{-1e6, 1e6};
+constexpr NumberRange kCurveDepths{-1000.0, 1000.0};
+constexpr NumberRange kCurveForces{-1e6, 1e6};
 
 /// Where a row has what.
 struct Columns {
@@ -49,8 +49,8 @@ class CurveReader {
     }
     checkFields(row, columns_.count);
     ForceCurve& curve = curveOf(row);
-    curve.depth_mm.push_back(csvNumber(row, columns_.depth, "depth_mm", kDepths));
-    curve.force_n.push_back(csvNumber(row, columns_.force, "force_n", kForces));
+    curve.depth_mm.push_back(csvNumber(row, columns_.depth, "depth_mm", kCurveDepths));
+    curve.force_n.push_back(csvNumber(row, columns_.force, "force_n", kCurveForces));
   }
 
   std::vector<ForceCurve> curves;
@@ -82,7 +82,7 @@ std::vector<ForceCurve> parseForceCurves(std::string_view text, std::string_view
 }
 
 std::vector<ForceCurve> readForceCurves(const std::filesystem::path& file) {
-  return parseForceCurves(readFile(file, kMostBytes), file.string());
+  return parseForceCurves(readFile(file, kMostCurveBytes), file.string());
 }
 
 }  // namespace palpate::tissue

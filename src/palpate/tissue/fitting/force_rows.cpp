@@ -15,7 +15,7 @@ namespace palpate::tissue {
 namespace {
 
 constexpr double kJudgedFloor = 0.3;
-constexpr Eigen::Index kFolds = 5;
+constexpr Eigen::Index kRowFolds = 5;
 
 std::size_t depthsBelowSkin(const Eigen::ArrayXd& sorted) {
   std::size_t depths = 0;
@@ -66,7 +66,7 @@ double bestSecant(const Eigen::ArrayXd& effective_mm, const ForceRows& rows, con
 
 double unseenRms(const ForceRows& rows, const Foretell& foretell) {
   const Eigen::Index count = rows.depth_mm.size();
-  const Eigen::Index folds = std::min(kFolds, count);
+  const Eigen::Index folds = std::min(kRowFolds, count);
   const Eigen::ArrayXd weights = judgedWeights(rows);
   double squares = 0.0;
   for (Eigen::Index fold = 0; fold < folds; ++fold) {

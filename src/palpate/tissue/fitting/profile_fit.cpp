@@ -23,7 +23,7 @@ constexpr double kJudgedRadiusMm = 40.0;
 constexpr double kMiddleMm = 2.0;
 constexpr std::size_t kLeastPlaces = 6;
 constexpr Eigen::Index kMostKnots = 150;
-constexpr Eigen::Index kFolds = 5;
+constexpr Eigen::Index kPlaceFolds = 5;
 
 using Indices = std::vector<Eigen::Index>;
 
@@ -53,7 +53,7 @@ Eigen::ArrayXd areasOf(const Eigen::ArrayXd& radius) {
                    : Eigen::ArrayXd::Constant(radius.size(), 1.0 / static_cast<double>(radius.size()));
 }
 
-Places placesOf(const SkinProfile& profile) {
+Places skinPlaces(const SkinProfile& profile) {
   const auto array = [](const std::vector<double>& values) {
     return Eigen::ArrayXd(Eigen::Map<const Eigen::ArrayXd>(values.data(), static_cast<Eigen::Index>(values.size())));
   };
@@ -64,8 +64,7 @@ Places placesOf(const SkinProfile& profile) {
                 .areas = {},
                 .weights = {}};
   std::vector<double> radii = profile.radius_mm;
-  const auto same = std::ranges::unique(radii);
-  const std::size_t different = radii.size() - same.size();
+  const auto different = static_cast<std::size_t>(std::unique(radii.begin(), radii.end()) - radii.begin());
   const std::string where = fmt::format("depth {} mm", profile.depth_mm);
   if (different < kLeastPlaces) {
     throw Error(fmt::format("{}: {} radii; {} are needed", where, different, kLeastPlaces));
@@ -77,7 +76,7 @@ Places placesOf(const SkinProfile& profile) {
 }
 
 /// Judged as all of them, fitted as if these were all.
-Places partOf(const Places& places, const Indices& which) {
+Places somePlaces(const Places& places, const Indices& which) {
   return {places.depth,        places.radius(which),
           places.down(which),  places.outward.size() > 0 ? Eigen::ArrayXd(places.outward(which)) : Eigen::ArrayXd(),
           places.areas(which), places.weights(which)};
@@ -85,12 +84,12 @@ Places partOf(const Places& places, const Indices& which) {
 
 // --- the forms: numbers as the fit turns them, most by their logarithm
 
-struct FormNumber {
+struct ShapeNumber {
   std::string_view name;
   Bounds inner;
 };
 
-std::vector<FormNumber> innerNumbers(ProfileForm form) {
+std::vector<ShapeNumber> innerNumbers(ProfileForm form) {
   const auto logarithms = [](double low, double high) { return Bounds{std::log(low), std::log(high)}; };
   switch (form) {
     case ProfileForm::half_gaussian:
@@ -106,7 +105,7 @@ std::vector<FormNumber> innerNumbers(ProfileForm form) {
   return {};
 }
 
-std::vector<Eigen::VectorXd> startsOf(ProfileForm form) {
+std::vector<Eigen::VectorXd> shapeStarts(ProfileForm form) {
   const auto log2 = [](double a, double b) { return Eigen::VectorXd(Eigen::Vector2d(std::log(a), std::log(b))); };
   const auto gaussians = [](double narrow, double ratio, double weight) {
     return Eigen::VectorXd(Eigen::Vector3d(std::log(narrow), std::log(ratio), weight));
@@ -156,7 +155,7 @@ double surfaceOf(const Places& places, const Eigen::ArrayXd& shares) {
 
 BoundedFit solveDown(const Places& places, ProfileForm form, const std::vector<Eigen::VectorXd>& starts) {
   std::vector<Bounds> bounds;
-  for (const FormNumber& number : innerNumbers(form)) bounds.push_back(number.inner);
+  for (const ShapeNumber& number : innerNumbers(form)) bounds.push_back(number.inner);
   const auto residuals = [&](const Eigen::VectorXd& inner) -> Eigen::VectorXd {
     const Eigen::ArrayXd shares = sharesAt(form, inner, places.radius);
     return (places.weights * (surfaceOf(places, shares) * shares - places.down)).matrix();
@@ -264,12 +263,12 @@ void passThrough(const Places& places, ProfileFit& fit) {
 
 // --- one depth
 
-std::vector<FittedNumber> fittedNumbers(ProfileForm form, const BoundedFit& solved) {
+std::vector<FittedNumber> fittedShapeNumbers(ProfileForm form, const BoundedFit& solved) {
   const Eigen::VectorXd values = valuesOf(form, solved.numbers);
   const Eigen::VectorXd errors = standardErrors(solved);
   std::vector<FittedNumber> numbers;
   Eigen::Index i = 0;
-  for (const FormNumber& number : innerNumbers(form)) {
+  for (const ShapeNumber& number : innerNumbers(form)) {
     const bool weight = number.name == "wide_weight";
     numbers.push_back(
         {number.name, values[i], errors[i] * (weight ? 1.0 : values[i]), solved.at_bound[static_cast<std::size_t>(i)]});
@@ -292,7 +291,7 @@ ProfileFit fitPlaces(const Places& places, ProfileForm form, const std::vector<E
   }
   const BoundedFit solved = solveDown(places, form, starts);
   fit.surface_mm = surfaceOf(places, sharesAt(form, solved.numbers, places.radius));
-  fit.numbers = fittedNumbers(form, solved);
+  fit.numbers = fittedShapeNumbers(form, solved);
   if (places.outward.size() > 0) fitOutward(places, fit);
   if (inner != nullptr) *inner = solved.numbers;
   return fit;
@@ -302,16 +301,16 @@ Eigen::ArrayXd downMisses(const ProfileFit& fit, const Places& places) {
   return places.radius.unaryExpr([&](double r) { return fit.surface_mm * downOf(fit, r); }) - places.down;
 }
 
-double unseenRms(const Places& places, const ProfileFit& fit, const Eigen::VectorXd& inner, double surface) {
+double unseenPlacesRms(const Places& places, const ProfileFit& fit, const Eigen::VectorXd& inner, double surface) {
   const Eigen::Index count = places.radius.size();
   double squares = 0.0;
-  for (Eigen::Index fold = 0; fold < kFolds; ++fold) {
+  for (Eigen::Index fold = 0; fold < kPlaceFolds; ++fold) {
     Indices seen;
     Indices left_out;
-    for (Eigen::Index i = 0; i < count; ++i) (i % kFolds == fold ? left_out : seen).push_back(i);
-    Places part = partOf(places, seen);
+    for (Eigen::Index i = 0; i < count; ++i) (i % kPlaceFolds == fold ? left_out : seen).push_back(i);
+    Places part = somePlaces(places, seen);
     part.outward.resize(0);  // what goes down is asked for
-    const Places unseen = partOf(places, left_out);
+    const Places unseen = somePlaces(places, left_out);
     squares += (unseen.areas * downMisses(fitPlaces(part, fit.form, {inner}), unseen).square()).sum();
   }
   return std::sqrt(squares) / surface;
@@ -345,17 +344,17 @@ double outwardOf(const ProfileFit& fit, double radius_mm) {
 }
 
 ProfileFit fitProfile(const SkinProfile& profile, ProfileForm form) {
-  const Places places = placesOf(profile);
+  const Places places = skinPlaces(profile);
   const double surface = measuredSurface(places);
   if (!(surface > 0.0)) {
     throw Error(fmt::format("depth {} mm: the skin does not go down in the middle", profile.depth_mm));
   }
   Eigen::VectorXd inner;
-  ProfileFit fit = fitPlaces(places, form, startsOf(form), &inner);
+  ProfileFit fit = fitPlaces(places, form, shapeStarts(form), &inner);
   const Eigen::ArrayXd misses = downMisses(fit, places);
   fit.rms = std::sqrt((places.areas * misses.square()).sum()) / surface;
   fit.largest_miss = misses.abs().maxCoeff() / surface;
-  fit.unseen_rms = unseenRms(places, fit, inner, surface);
+  fit.unseen_rms = unseenPlacesRms(places, fit, inner, surface);
   if (places.outward.size() == 0) return fit;
   const Eigen::ArrayXd sideways =
       places.radius.unaryExpr([&](double r) { return fit.surface_mm * outwardOf(fit, r); }) - places.outward;

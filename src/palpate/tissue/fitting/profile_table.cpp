@@ -10,10 +10,10 @@ namespace palpate::tissue {
 
 namespace {
 
-constexpr double kJudgedRadiusMm = 40.0;
+constexpr double kSummedRadiusMm = 40.0;
 constexpr std::size_t kProfileKnots = 41;
-constexpr double kNearlyAsWell = 1.05;
-constexpr double kLeastRadiusMm = 1.0;
+constexpr double kNearlyAsGood = 1.05;
+constexpr double kLeastRegionMm = 1.0;
 
 /// Straight between the radii; 0 beyond them.
 double sampled(const std::vector<double>& radii, const std::vector<double>& values, double radius) {
@@ -32,7 +32,7 @@ double rimOf(const std::vector<double>& radii, const std::vector<double>& down) 
   const double fall = down[half - 1] - down[half];
   const double share = fall > 0.0 ? std::clamp((down[half - 1] - 0.5) / fall, 0.0, 1.0) : 1.0;
   const double radius = radii[half - 1] + share * (radii[half] - radii[half - 1]);
-  return std::clamp(kHalvesToRim * radius, kLeastRadiusMm, std::max(kLeastRadiusMm, radii.back()));
+  return std::clamp(kHalvesToRim * radius, kLeastRegionMm, std::max(kLeastRegionMm, radii.back()));
 }
 
 /// The straight line of rims over depths; level where they do not grow.
@@ -50,7 +50,7 @@ void findRegion(const std::vector<double>& rims, std::span<const PressedShape> s
     across += (shapes[i].depth_mm - mean_depth) * (rims[i] - mean_rim);
     square += std::pow(shapes[i].depth_mm - mean_depth, 2);
   }
-  const double most = (mean_rim - kLeastRadiusMm) / mean_depth;
+  const double most = (mean_rim - kLeastRegionMm) / mean_depth;
   shared.radius_per_depth = square > 0.0 ? std::clamp(across / square, 0.0, std::max(0.0, most)) : 0.0;
   shared.radius_mm = mean_rim - shared.radius_per_depth * mean_depth;
 }
@@ -83,7 +83,7 @@ double missOf(const std::vector<double>& radii, std::span<const PressedShape> sh
   double squares = 0.0;
   double area = 0.0;
   for (const PressedShape& shape : shapes) {
-    for (std::size_t i = 1; i < radii.size() && radii[i] <= kJudgedRadiusMm; ++i) {
+    for (std::size_t i = 1; i < radii.size() && radii[i] <= kSummedRadiusMm; ++i) {
       const double ring = radii[i] * (radii[i] - radii[i - 1]);
       squares += ring * std::pow(sampled(q, values, radii[i] / regionOf(shared, shape)) - shape.down[i], 2);
       area += ring;
@@ -102,13 +102,13 @@ ProfileForm bestForm(std::span<const std::vector<ProfileFit>> fits) {
   const double least = *std::ranges::min_element(squares);
   // They stand in the order of their numbers.
   const auto first =
-      std::ranges::find_if(squares, [&](double value) { return value <= kNearlyAsWell * kNearlyAsWell * least; });
+      std::ranges::find_if(squares, [&](double value) { return value <= kNearlyAsGood * kNearlyAsGood * least; });
   return kProfileForms.at(static_cast<std::size_t>(first - squares.begin()));
 }
 
 std::vector<double> tableRadii(double to_mm) {
   std::vector<double> radii;
-  for (double r = 0.0; r < to_mm; r += r < kJudgedRadiusMm ? 0.5 : 2.0) radii.push_back(r);
+  for (double r = 0.0; r < to_mm; r += r < kSummedRadiusMm ? 0.5 : 2.0) radii.push_back(r);
   radii.push_back(to_mm);
   return radii;
 }

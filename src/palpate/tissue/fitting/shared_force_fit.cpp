@@ -15,7 +15,7 @@ namespace palpate::tissue {
 namespace {
 
 /// A curve from its own contact on.
-struct Place {
+struct ForcePlace {
   ForceRows rows;
   Eigen::ArrayXd weights;
   double secant = 0.0;
@@ -27,8 +27,8 @@ double medianOf(std::vector<double> values) {
   return *middle;
 }
 
-std::vector<Place> placesOf(std::span<const ForceCurve> curves, const std::vector<ForceFit>& alone) {
-  std::vector<Place> places;
+std::vector<ForcePlace> forcePlaces(std::span<const ForceCurve> curves, const std::vector<ForceFit>& alone) {
+  std::vector<ForcePlace> places;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     ForceRows rows = rowsOf(curves[i]);
     rows.depth_mm -= alone[i].offset.value;
@@ -39,12 +39,12 @@ std::vector<Place> placesOf(std::span<const ForceCurve> curves, const std::vecto
   return places;
 }
 
-Eigen::VectorXd restOf(const std::vector<Place>& places, const FormShape& shape) {
+Eigen::VectorXd restOf(const std::vector<ForcePlace>& places, const FormShape& shape) {
   Eigen::Index count = 0;
-  for (const Place& place : places) count += place.rows.depth_mm.size();
+  for (const ForcePlace& place : places) count += place.rows.depth_mm.size();
   Eigen::VectorXd rest(count);
   Eigen::Index at = 0;
-  for (const Place& place : places) {
+  for (const ForcePlace& place : places) {
     const Eigen::ArrayXd effective = shape.at(place.rows.depth_mm);
     const double secant = bestSecant(effective, place.rows, place.weights);
     rest.segment(at, effective.size()) = (place.weights * (secant * effective - place.rows.force_n)).matrix();
@@ -54,7 +54,7 @@ Eigen::VectorXd restOf(const std::vector<Place>& places, const FormShape& shape)
 }
 
 /// All rows as if every place were as stiff as the middle one.
-ForceCurve pooled(const std::vector<Place>& places, const std::vector<ForceFit>& alone, double secant) {
+ForceCurve pooled(const std::vector<ForcePlace>& places, const std::vector<ForceFit>& alone, double secant) {
   ForceCurve all;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const double factor = alone[i].secant.value > 0.0 ? secant / alone[i].secant.value : 0.0;
@@ -66,13 +66,13 @@ ForceCurve pooled(const std::vector<Place>& places, const std::vector<ForceFit>&
   return all;
 }
 
-double deepestOf(const std::vector<Place>& places) {
+double deepestOf(const std::vector<ForcePlace>& places) {
   double deepest = 0.0;
-  for (const Place& place : places) deepest = std::max(deepest, place.rows.depth_mm.maxCoeff());
+  for (const ForcePlace& place : places) deepest = std::max(deepest, place.rows.depth_mm.maxCoeff());
   return deepest;
 }
 
-BoundedFit solve(const std::vector<Place>& places, ForceForm form) {
+BoundedFit solvePlaces(const std::vector<ForcePlace>& places, ForceForm form) {
   std::vector<Bounds> bounds;
   for (const FormNumber& number : numbersOf(form)) bounds.push_back(number.inner);
   return fitWithin([&](const Eigen::VectorXd& inner) { return restOf(places, FormShape(form, inner)); }, startsOf(form),
@@ -80,15 +80,15 @@ BoundedFit solve(const std::vector<Place>& places, ForceForm form) {
 }
 
 /// Squares of places whose shape is that of the others, a fifth of them at a time; of all where there is one.
-double unseenSquares(const std::vector<Place>& places, ForceForm form, const FormShape& of_all) {
+double unseenSquares(const std::vector<ForcePlace>& places, ForceForm form, const FormShape& of_all) {
   const std::size_t folds = std::min<std::size_t>(5, places.size());
   if (folds < 2) return restOf(places, of_all).squaredNorm();
   double squares = 0.0;
   for (std::size_t fold = 0; fold < folds; ++fold) {
-    std::vector<Place> seen;
-    std::vector<Place> left_out;
+    std::vector<ForcePlace> seen;
+    std::vector<ForcePlace> left_out;
     for (std::size_t i = 0; i < places.size(); ++i) (i % folds == fold ? left_out : seen).push_back(places[i]);
-    squares += restOf(left_out, FormShape(form, solve(seen, form).numbers)).squaredNorm();
+    squares += restOf(left_out, FormShape(form, solvePlaces(seen, form).numbers)).squaredNorm();
   }
   return squares;
 }
@@ -104,11 +104,11 @@ ForceFit fitSharedForce(std::span<const ForceCurve> curves, ForceForm form, cons
     alone.push_back(fitForce(curve, own, settings));
     secants.push_back(alone.back().secant.value);
   }
-  const std::vector<Place> places = placesOf(curves, alone);
+  const std::vector<ForcePlace> places = forcePlaces(curves, alone);
   const double secant = medianOf(secants);
   if (form == ForceForm::measured) return fitForce(pooled(places, alone, secant), form, {});
 
-  const BoundedFit solved = solve(places, form);
+  const BoundedFit solved = solvePlaces(places, form);
   const FormShape shape(form, solved.numbers);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   ForceFit fit{.form = form, .secant = {"secant_n_per_mm", secant, nan}, .offset = {"offset_mm"}, .law = shape.law()};

@@ -17,13 +17,13 @@ namespace palpate::tissue {
 
 namespace {
 
-constexpr std::uint64_t kMostBytes = 64'000'000;
+constexpr std::uint64_t kMostSkinBytes = 64'000'000;
 constexpr std::size_t kMostDepths = 200;
-constexpr NumberRange kDepths{0.0, 500.0, true};
-constexpr NumberRange kRadii{0.0, 10'000.0};
+constexpr NumberRange kSkinDepths{0.0, 500.0, true};
+constexpr NumberRange kSkinRadii{0.0, 10'000.0};
 constexpr NumberRange kMotions{-500.0, 500.0};
 
-struct Place {
+struct SkinPlace {
   double radius = 0.0;
   double down = 0.0;
   double outward = 0.0;
@@ -34,21 +34,21 @@ class ProfileReader {
   void take(const CsvRow& row) {
     if (!fields_) return readHeader(row);
     checkFields(row, *fields_);
-    const double depth = csvNumber(row, depth_, "depth_mm", kDepths);
+    const double depth = csvNumber(row, depth_, "depth_mm", kSkinDepths);
     if (!places_.contains(depth) && places_.size() == kMostDepths) {
       throw Error::atLine(row.file, row.line, fmt::format("more than {} depths", kMostDepths));
     }
-    places_[depth].push_back({csvNumber(row, radius_, "r_mm", kRadii), csvNumber(row, down_, "down_mm", kMotions),
+    places_[depth].push_back({csvNumber(row, radius_, "r_mm", kSkinRadii), csvNumber(row, down_, "down_mm", kMotions),
                               outward_ ? csvNumber(row, *outward_, "outward_mm", kMotions) : 0.0});
   }
 
   std::vector<SkinProfile> profiles() const {
     std::vector<SkinProfile> profiles;
     for (auto [depth, places] : places_) {
-      std::ranges::stable_sort(places, {}, &Place::radius);
+      std::ranges::stable_sort(places, {}, &SkinPlace::radius);
       SkinProfile& profile = profiles.emplace_back();
       profile.depth_mm = depth;
-      for (const Place& place : places) {
+      for (const SkinPlace& place : places) {
         profile.radius_mm.push_back(place.radius);
         profile.down_mm.push_back(place.down);
         if (outward_) profile.outward_mm.push_back(place.outward);
@@ -71,7 +71,7 @@ class ProfileReader {
   std::size_t radius_ = 0;
   std::size_t down_ = 0;
   std::optional<std::size_t> outward_;
-  std::map<double, std::vector<Place>> places_;
+  std::map<double, std::vector<SkinPlace>> places_;
 };
 
 }  // namespace
@@ -85,7 +85,7 @@ std::vector<SkinProfile> parseSkinProfiles(std::string_view text, std::string_vi
 }
 
 std::vector<SkinProfile> readSkinProfiles(const std::filesystem::path& file) {
-  return parseSkinProfiles(readFile(file, kMostBytes), file.string());
+  return parseSkinProfiles(readFile(file, kMostSkinBytes), file.string());
 }
 
 }  // namespace palpate::tissue
