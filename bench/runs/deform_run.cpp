@@ -20,6 +20,7 @@
 #include "palpate/deform/deformer.h"
 #include "palpate/deform/fast_displacement.h"
 #include "palpate/mesh/reorder.h"
+#include "palpate/tissue/layered_library.h"
 #include "palpate/tree/triangle_tree.h"
 
 namespace palpate::bench {
@@ -47,6 +48,16 @@ Index triangleAt(const mesh::TriangleMesh& mesh, const Vec2& place) {
 }
 
 using Contacts = std::vector<deform::Contact>;
+
+void setLayers(const DeformRun& run, deform::Contact& contact) {
+  constexpr double kThicknessMm = 40.0;
+  constexpr double kFatMm = 8.0;
+  static const tissue::LayeredTissue kTissue(tissue::libraryNodes(kFatMm));
+  deform::LayeredShape shape{kTissue.pressAt(kThicknessMm, run.depth_mm), kTissue.dragAt(kThicknessMm).share};
+  shape.press.radius_mm = run.half_major_mm * std::sqrt(run.aspect);
+  contact.layered = shape;
+  contact.normal_region = maps::liftedOntoSurface({shape.press.radius_mm, 1.0}, contact.normal);
+}
 
 Vec3 highestPlace(const mesh::TriangleMesh& mesh) {
   return *std::max_element(mesh.positions.begin(), mesh.positions.end(),
@@ -241,6 +252,7 @@ deform::Contact contactAt(const mesh::TriangleMesh& mesh, Index triangle, const 
   contact.drag_mm = {run.drag_mm, 0.0, 0.0};
   contact.normal_region = maps::liftedOntoSurface({run.half_major_mm, run.aspect}, contact.normal);
   contact.tangential_region = contact.normal_region;
+  if (run.layered) setLayers(run, contact);
   return contact;
 }
 

@@ -18,7 +18,9 @@ using Json = nlohmann::json;
 
 constexpr std::size_t kMostBytes = 64u << 20u;
 
-[[noreturn]] void fail(const std::filesystem::path& file, const std::string& what) { throw Error::inFile(file.string(), what); }
+[[noreturn]] void fail(const std::filesystem::path& file, const std::string& what) {
+  throw Error::inFile(file.string(), what);
+}
 
 double numberIn(const Json& object, const char* key, const std::string& where, const std::filesystem::path& file) {
   const auto found = object.find(key);
@@ -72,9 +74,8 @@ FemCase caseOf(const Json& json, const std::string& where, std::size_t radii, co
 }  // namespace
 
 bool isLayered(const tissue::LayerStack& stack) {
-  return std::ranges::any_of(stack.layers, [&](const tissue::Layer& layer) {
-    return layer.young_kpa != stack.layers.front().young_kpa;
-  });
+  return std::ranges::any_of(
+      stack.layers, [&](const tissue::Layer& layer) { return layer.young_kpa != stack.layers.front().young_kpa; });
 }
 
 FemCases readFemCases(const std::filesystem::path& file) {

@@ -1,5 +1,5 @@
-// A grid of 1 mm is finer than anything that a fingertip makes; its vertices weigh the same, so that means over them are
-// means over area.
+// A grid of 1 mm is finer than anything that a fingertip makes; its vertices weigh the same, so that means over them
+// are means over area.
 #include "lab/realism/realism.h"
 
 #include <algorithm>

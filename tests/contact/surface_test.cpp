@@ -87,7 +87,8 @@ TEST(SurfaceWalk, StiffnessIsBarycentric) {
   const Surface surface = buildSurface(mesh, {0.2, 0.5, 0.8});
   const auto& corners = surface.tree.records[0].corners;
   const Vec3 place = 0.5 * corners[0] + 0.3 * corners[1] + 0.2 * corners[2];
-  EXPECT_NEAR(skinAt(surface, {place, 0, tree::Feature::face}).stiffness_n_per_mm, 0.5 * 0.2 + 0.3 * 0.5 + 0.2 * 0.8, 1e-12);
+  EXPECT_NEAR(skinAt(surface, {place, 0, tree::Feature::face}).stiffness_n_per_mm, 0.5 * 0.2 + 0.3 * 0.5 + 0.2 * 0.8,
+              1e-12);
 }
 
 }  // namespace palpate::contact

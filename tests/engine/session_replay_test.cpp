@@ -199,6 +199,17 @@ TEST(SessionVersions, TheSecondIsStillFeltAgainThroughFaultsAndChangedWorlds) {
   EXPECT_EQ(report.ticks, session.facts().samples);
 }
 
+TEST(SessionVersions, TheThirdIsStillFeltAgain) {
+  const std::filesystem::path folder = std::filesystem::path(PALPATE_TEST_DATA) / "sessions" / "version_3";
+  support::TemporaryFolder copy;
+  std::filesystem::copy(folder / "trunk.session", copy / "trunk.session");
+  trace::SessionReader session(copy / "trunk.session");
+  EXPECT_EQ(session.facts().version, 3);
+  const ReplayReport report = replay(session, {{}, folder});
+  EXPECT_TRUE(report.identical()) << (report.first_difference ? report.first_difference->field : "notes");
+  EXPECT_EQ(report.ticks, session.facts().samples);
+}
+
 TEST(SessionSettings, AreReadBackToTheBit) {
   contact::FingerSettings contact;
   contact.radius_mm = 1.0 / 3.0;

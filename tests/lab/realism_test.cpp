@@ -27,7 +27,8 @@ TEST(Realism, TheSkinOverLayersIsThatOfFiniteElements) {
   EXPECT_EQ(cases.left_out.size(), 4u) << "sticking";
   const auto tables = tablesOf(cases);
   for (const FemCase& one : cases.cases) {
-    const auto layered = std::make_shared<const tissue::LayeredTissue>(std::vector{tissue::nodeOf(tables.at(one.name))});
+    const auto layered =
+        std::make_shared<const tissue::LayeredTissue>(std::vector{tissue::nodeOf(tables.at(one.name))});
     const auto world = flatWorld(scene::TissueModel::layered, layered, layered->thickest(), 0.5);
     const PressError error = pressError(*world, one, cases.radii_mm);
     fmt::print("{} {} mm: normal {:.4f} vector {:.4f} worst {:.4f} force {:.3f} of {:.3f}: {:+.3f}\n", one.name,

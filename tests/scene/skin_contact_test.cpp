@@ -15,7 +15,8 @@ namespace {
 /// The torso, built once, in the forms of these lines of a scene file.
 World worldWith(const std::string& toml) {
   const std::string finger = "\n[[finger]]\nname = \"index\"\nscript = [{ do = \"press\" }]\n";
-  static const auto plain = build(parse("[body]\nkind = \"torso\"\ntriangles = 8163\n" + finger, "s.toml"));
+  static const auto plain = build(
+      parse("[body]\nkind = \"torso\"\ntriangles = 8163\n[deformation]\ntissue = \"gaussian\"\n" + finger, "s.toml"));
   World world = *plain;
   const Scene scene = parse(toml + finger, "s.toml");
   world.deformation = formsOf(scene);

@@ -20,7 +20,8 @@ TEST_F(WorldOf, ItsForceLawComesWithTheTableOfItsFile) {
   writeDome("dome.obj");
   write("law.csv", "depth_mm,force_n\n4,2\n8,10\n");
   const auto world = build(meshScene("[tissue]\nforce_law = \"table\"\nforce_table = \"law.csv\"\n"));
-  EXPECT_DOUBLE_EQ(tissue::normalForce(world->surface.force_law, 1.0, 6.0), 6.0 * 0.8) << "10 N at 8 mm, where 1 N/mm is 8 N";
+  EXPECT_DOUBLE_EQ(tissue::normalForce(world->surface.force_law, 1.0, 6.0), 6.0 * 0.8)
+      << "10 N at 8 mm, where 1 N/mm is 8 N";
   write("law.csv", "4,2\n3,5\n");
   EXPECT_NE(messageOfBuild(world->scene).find("law.csv:2: depth_mm must increase"), std::string::npos);
 }

@@ -62,7 +62,8 @@ TEST(LayeredTissueOfTables, BlendsBetweenThicknessesAndDepths) {
   for (const double thickness : {15.0, 25.0, 37.0}) {
     const LayeredTable solved = tableOf(thickness, {5});
     const PressCurves curves = tissue.pressAt(thickness, 5);
-    for (std::size_t i = 0; i < 40; ++i) EXPECT_NEAR(downAt(curves, static_cast<double>(i)), solved.shapes[0].down[i], 0.025);
+    for (std::size_t i = 0; i < 40; ++i)
+      EXPECT_NEAR(downAt(curves, static_cast<double>(i)), solved.shapes[0].down[i], 0.025);
     EXPECT_NEAR(tissue.secantAt(thickness, 5) / (solved.shapes[0].force_n / 5), 1.0, 0.03);
     EXPECT_NEAR(tissue.tangentialAt(thickness), solved.drag->tangential_over_normal, 0.01);
   }

@@ -60,11 +60,11 @@ nlohmann::ordered_json figuresJson(const RealismFigures& figures) {
   json["force_error_worst"] = worst.force_error;
   json["tangential_rms_worst"] = figures.worstDrag(&JudgedDrag::layered_rms);
   json["force_error_worst_from_2_mm"] = figures.worst(&JudgedPress::layered, 2.0).force_error;
-  for (const auto& [name, member] : {std::pair{"gaussian", &JudgedPress::gaussian}, {"literal", &JudgedPress::literal}}) {
+  for (const auto& [name, member] :
+       {std::pair{"gaussian", &JudgedPress::gaussian}, {"literal", &JudgedPress::literal}}) {
     const lab::WorstErrors other = figures.worst(member, lab::kJudgedFromMm);
-    json[std::string(name) + "_worst"] = {{"normal_rms", other.normal_rms},
-                                          {"vector_rms", other.vector_rms},
-                                          {"force_error", other.force_error}};
+    json[std::string(name) + "_worst"] = {
+        {"normal_rms", other.normal_rms}, {"vector_rms", other.vector_rms}, {"force_error", other.force_error}};
   }
   json["left_out"] = figures.left_out;
   return json;
@@ -73,7 +73,8 @@ nlohmann::ordered_json figuresJson(const RealismFigures& figures) {
 std::string percent(double share) { return fmt::format("{:.1f}", 100.0 * share); }
 
 std::string figuresText(const RealismFigures& figures) {
-  std::string text = "  percent of the depth, RMS over 40 mm: normal / with the way outward; force against finite elements\n";
+  std::string text =
+      "  percent of the depth, RMS over 40 mm: normal / with the way outward; force against finite elements\n";
   text += fmt::format("  {:<20}{:>7}{:>18}{:>18}{:>18}{:>9}{:>9}{:>9}{:>9}\n", "stack", "depth", "layered", "gaussian",
                       "literal", "force", "layered", "gauss.", "literal");
   const auto shape = [](const PressError& error) {
@@ -91,10 +92,11 @@ std::string figuresText(const RealismFigures& figures) {
                         "drag", percent(drag.layered_rms), percent(drag.gaussian_rms));
   }
   const lab::WorstErrors worst = figures.worst(&JudgedPress::layered, lab::kJudgedFromMm);
-  text += fmt::format("worst of layered stacks from {} mm on: normal {} %, vector {} %, force {} % ({} % from 2 mm on), drag {} %\n",
-                      lab::kJudgedFromMm, percent(worst.normal_rms), percent(worst.vector_rms),
-                      percent(worst.force_error), percent(figures.worst(&JudgedPress::layered, 2.0).force_error),
-                      percent(figures.worstDrag(&JudgedDrag::layered_rms)));
+  text += fmt::format(
+      "worst of layered stacks from {} mm on: normal {} %, vector {} %, force {} % ({} % from 2 mm on), drag {} %\n",
+      lab::kJudgedFromMm, percent(worst.normal_rms), percent(worst.vector_rms), percent(worst.force_error),
+      percent(figures.worst(&JudgedPress::layered, 2.0).force_error),
+      percent(figures.worstDrag(&JudgedDrag::layered_rms)));
   for (const std::string& name : figures.left_out) text += "left out: " + name + "\n";
   return text;
 }
@@ -103,8 +105,8 @@ figures::Plot errorPlot(const RealismFigures& figures, const std::string& title,
                         double (*value)(const PressError&)) {
   figures::Plot plot{.title = title, .x = {.label = "depth", .unit = "mm"}, .y = {.label = label, .unit = "%"}};
   const auto add = [&](const char* name, PressError JudgedPress::*of, figures::Marker marker, std::size_t colour) {
-    figures::Series series{.name = name, .stroke = figures::Stroke::none, .marker = marker,
-                           .colour = figures::seriesColour(colour)};
+    figures::Series series{
+        .name = name, .stroke = figures::Stroke::none, .marker = marker, .colour = figures::seriesColour(colour)};
     for (const JudgedPress& press : figures.presses) {
       series.x.push_back(press.depth_mm);
       series.y.push_back(100.0 * value(press.*of));

@@ -24,8 +24,8 @@ struct SolvedPlace {
   double fat_mm;
 };
 /// A rib of a lean and an average body, the scapula, beside the spine, the loin; and the loin of a heavy one.
-constexpr SolvedPlace kPlaces[] = {{"rib, lean", 12, 4},         {"rib", 15, 8},   {"scapula", 25, 8},
-                                 {"beside the spine", 35, 8}, {"loin", 55, 8}, {"loin, heavy", 55, 20}};
+constexpr SolvedPlace kPlaces[] = {{"rib, lean", 12, 4},        {"rib", 15, 8},  {"scapula", 25, 8},
+                                   {"beside the spine", 35, 8}, {"loin", 55, 8}, {"loin, heavy", 55, 20}};
 
 Progress part(const Progress& whole, std::size_t i, std::size_t count, const std::string& name) {
   return [=](std::string_view, double done) {
@@ -39,7 +39,7 @@ struct Solved {
 };
 
 Solved solved(const tissue::LayerStack& stack, std::vector<double> depths, const std::string& name,
-                            const Progress& progress) {
+              const Progress& progress) {
   elements::PressSettings settings;
   settings.depths_mm = std::move(depths);
   elements::PressSolution solution = elements::solvePress(stack, settings, progress);

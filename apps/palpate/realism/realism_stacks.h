@@ -12,8 +12,8 @@ namespace palpate::app {
 /// lie between its stacks.
 std::vector<lab::JudgedStack> stacksOfBody(const Progress& progress);
 
-/// The cases of a file are the truth; the skin gets a table that is solved now for each stack. Throws Error naming file,
-/// case and key, or the stack that cannot be solved.
+/// The cases of a file are the truth; the skin gets a table that is solved now for each stack. Throws Error naming
+/// file, case and key, or the stack that cannot be solved.
 std::vector<lab::JudgedStack> stacksOfFile(const std::filesystem::path& file, const Progress& progress);
 
 }  // namespace palpate::app

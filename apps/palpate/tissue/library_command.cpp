@@ -92,8 +92,9 @@ void listLibrary(const LibraryArguments& arguments) {
   nlohmann::ordered_json json;
   json["fat_mm"] = arguments.fat_mm;
   json["places"] = nlohmann::ordered_json::array();
-  std::string text = fmt::format("skin 2 mm, 150 kPa; fat of {:.4g} mm, 10 kPa, less over shallow bone; muscle 27 kPa; a fingertip of 8 mm\n",
-                                 arguments.fat_mm);
+  std::string text = fmt::format(
+      "skin 2 mm, 150 kPa; fat of {:.4g} mm, 10 kPa, less over shallow bone; muscle 27 kPa; a fingertip of 8 mm\n",
+      arguments.fat_mm);
   text += "  thickness   fat   force in N at 2, 5, 8 and 10 mm      secant at 8 mm   k_t / k_n\n";
   for (const double thickness : tissue::libraryThicknesses()) {
     const double fat = tissue::libraryFatShare(thickness, arguments.fat_mm) *

@@ -35,7 +35,8 @@ struct Surface {
 };
 
 /// `mesh` must be fit for contact, as mesh::repair leaves it: an edge has at most one neighbour on each side and the
-/// triangles of a vertex form one fan. One stiffness (and thickness) per vertex, finite and >= 0. Throws Error otherwise.
+/// triangles of a vertex form one fan. One stiffness (and thickness) per vertex, finite and >= 0. Throws Error
+/// otherwise.
 Surface buildSurface(const mesh::TriangleMesh& mesh, std::vector<double> stiffness_n_per_mm,
                      const SurfaceOptions& options = {});
 

@@ -58,6 +58,12 @@ void setLayered(const LayeredFrame& layered, const Vec3& normal, double amplitud
   for (int i = 0; i < 6; ++i) lanes.plane[i] = static_cast<float>(upper[i]);
 }
 
+/// Not more than any location ratio in a ball. The ratio grows by at most `steepest` a mm; heights only add to it.
+double leastRatio(const FlatEllipse& ellipse, const Vec3& offset, double radius_mm) noexcept {
+  const double flat = std::hypot(ellipse.along.dot(offset), ellipse.across.dot(offset));
+  return std::max(0.0, flat - radius_mm * ellipse.steepest());
+}
+
 /// What a point within q < 1 of an ellipse keeps by the default profile; 0 for one that does not act.
 double gaussianShare(const FlatEllipse& ellipse, const Vec3& offset) noexcept {
   return ellipse.acts() ? tissue::profile(ellipse.ratioAt(offset)) : 0.0;
@@ -117,27 +123,34 @@ double FastDisplacement::mostAt(const Frame& frame, double press_mm, double drag
 
 double FastDisplacement::dragSlope(const Frame& frame, const Vec3& shift_mm) noexcept {
   if (!frame.drag.acts()) return 0.0;
-  const double steepest = frame.layered ? frame.layered->drag_slope : tissue::kProfileSteepest;
+  const double steepest = frame.layered ? frame.layered->drag_slope.at(0.0) : tissue::kProfileSteepest;
   return steepest * std::hypot(frame.drag.along.dot(shift_mm), frame.drag.across.dot(shift_mm));
 }
 
 void FastDisplacement::addShear(const Frame& frame, const Mover& mover, ShearBound& shear) noexcept {
+  addShearNear(frame, mover, frame.anchor, 0.0, shear);
+}
+
+void FastDisplacement::addShearNear(const Frame& frame, const Mover& mover, const Vec3& centre, double radius_mm,
+                                    ShearBound& shear) noexcept {
+  const LayeredFrame* const layered = frame.layered ? &*frame.layered : nullptr;
+  const double bend = layered != nullptr ? layered->bend : kSharpest / tissue::kProfileSteepest;
+  const Vec3 offset = centre - frame.anchor;
   shear.is_one = shear.press == 0.0 && shear.drag == 0.0;
   shear.towards = shear.is_one ? frame.normal : Vec3::Zero();
-  const bool layered = frame.layered.has_value();
-  const double bend = layered ? frame.layered->bend : kSharpest / tissue::kProfileSteepest;
   if (frame.press.acts()) {
     const double per_mm = pressOf(mover) * frame.press.steepest();
-    shear.press += (layered ? frame.layered->press_slope : tissue::kProfileSteepest) * per_mm;
+    const double q = leastRatio(frame.press, offset, radius_mm);
+    shear.press += (layered != nullptr ? layered->press_slope.at(q) : tissue::kProfileSteepest) * per_mm;
     // The way outward lies in the plane of the skin, like a drag, and shrinks it in two directions.
-    if (layered) shear.drag += 2.0 * frame.layered->outward_slope * per_mm;
+    if (layered != nullptr) shear.drag += 2.0 * layered->outward_slope.at(q) * per_mm;
+    shear.bend = std::max(shear.bend, bend * frame.press.steepest());
   }
   if (frame.drag.acts()) {
-    const double slope = layered ? frame.layered->drag_slope : tissue::kProfileSteepest;
+    const double q = leastRatio(frame.drag, offset, radius_mm);
+    const double slope = layered != nullptr ? layered->drag_slope.at(q) : tissue::kProfileSteepest;
     shear.drag += slope * dragOf(mover) * frame.drag.steepest();
-  }
-  for (const FlatEllipse* part : {&frame.press, &frame.drag}) {
-    if (part->acts()) shear.bend = std::max(shear.bend, bend * part->steepest());
+    shear.bend = std::max(shear.bend, bend * frame.drag.steepest());
   }
 }
 

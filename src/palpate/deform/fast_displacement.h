@@ -6,6 +6,7 @@
 // Based on: Ji, dissertation 2008, chapter 4, with E14, E18, E19 and E23.
 #pragma once
 
+#include "palpate/deform/fold_bounds.h"
 #include "palpate/deform/forms.h"
 #include "palpate/deform/frame.h"
 #include "palpate/deform/region_by_blocks.h"
@@ -47,6 +48,9 @@ class FastDisplacement {
   static double mostAt(const Frame& frame, double press_mm, double drag_mm, const Vec3& offset) noexcept;
   static double dragSlope(const Frame& frame, const Vec3& shift_mm) noexcept;
   static void addShear(const Frame& frame, const Mover& mover, ShearBound& shear) noexcept;
+  /// The same within a ball: layered tissue is steep near the finger only.
+  static void addShearNear(const Frame& frame, const Mover& mover, const Vec3& centre, double radius_mm,
+                           ShearBound& shear) noexcept;
   static double halfMajor(const FlatEllipse& ellipse) noexcept { return ellipse.halfMajor(); }
   static double pressOf(const Mover& mover) noexcept;
   static double dragOf(const Mover& mover) noexcept;

@@ -81,6 +81,9 @@ class GeneralDisplacement {
   static void addShear(const Frame&, const Mover&, ShearBound& shear) noexcept {
     shear.press = std::numeric_limits<double>::infinity();
   }
+  static void addShearNear(const Frame& frame, const Mover& mover, const Vec3&, double, ShearBound& shear) noexcept {
+    addShear(frame, mover, shear);
+  }
   static double halfMajor(const RegionFrame& region) noexcept { return longestRadius(region); }
   static double pressOf(const Mover& mover) noexcept { return std::abs(mover.amplitude_mm); }
   static double dragOf(const Mover& mover) noexcept { return mover.shift_mm.norm(); }

@@ -46,7 +46,9 @@ class Hold {
   };
 
   void boundShear(const Displacement& displacement, ThePlan& plan) noexcept;
-  bool findDoubtful(ThePlan& plan) const noexcept;
+  ShearBound shearNear(const Displacement& displacement, const ThePlan& plan, Index block,
+                       double beyond_mm) const noexcept;
+  bool findDoubtful(const Displacement& displacement, ThePlan& plan) const noexcept;
   void dropFaintEdges(const Displacement& displacement, ThePlan& plan) const noexcept;
   void listPulls(ThePlan& plan) const noexcept;
   void setNormal(Index vertex, const DeformedBlock& surface) const noexcept;
@@ -61,7 +63,7 @@ Index Hold<Displacement>::apply(const Displacement& displacement, ThePlan& plan,
                                 const DeformedBlock& surface) noexcept {
   shear_.start();
   boundShear(displacement, plan);
-  const bool may_fold = findDoubtful(plan);
+  const bool may_fold = findDoubtful(displacement, plan);
   dropFaintEdges(displacement, plan);
   const bool may_tear = !plan.edges.empty();
   if (!may_fold && !may_tear) return 0;
@@ -80,15 +82,30 @@ void Hold<Displacement>::boundShear(const Displacement& displacement, ThePlan& p
   }
 }
 
+/// What the contacts shear at the triangles of a block, and so much farther around.
+template <class Displacement>
+ShearBound Hold<Displacement>::shearNear(const Displacement& displacement, const ThePlan& plan, Index block,
+                                         double beyond_mm) const noexcept {
+  ShearBound shear;
+  const Vec3 centre = skin_.centreOf(block);
+  const double radius_mm = skin_.radiusOf(block) + beyond_mm;
+  for (std::size_t i = 0; i < plan.movers.size(); ++i) {
+    if (!Displacement::moves(plan.movers[i])) continue;
+    displacement.addShearNear(plan.frames[i], plan.movers[i], centre, radius_mm, shear);
+  }
+  return shear;
+}
+
 /// Blocks of which it is not certain that they keep all their triangles up. False if there is none.
 template <class Displacement>
-bool Hold<Displacement>::findDoubtful(ThePlan& plan) const noexcept {
+bool Hold<Displacement>::findDoubtful(const Displacement& displacement, ThePlan& plan) const noexcept {
   plan.doubtful.clear();
   bool any = false;
   const double certain = certainSpread(bound_);
   const auto is_spread = [&](Index tile) { return !(skin_.spread_of_tiles[tile] < certain); };
   plan.moved.forEachIn(is_spread, [&](Index block) {
     if (!mayFold(skin_.fold_bounds[block], bound_)) return;
+    if (!mayFold(skin_.fold_bounds[block], shearNear(displacement, plan, block, 0.0))) return;
     plan.doubtful.insert(block);
     any = true;
   });
@@ -98,17 +115,20 @@ bool Hold<Displacement>::findDoubtful(ThePlan& plan) const noexcept {
 /// Leaves the edges at which skin may have to be held.
 template <class Displacement>
 void Hold<Displacement>::dropFaintEdges(const Displacement& displacement, ThePlan& plan) const noexcept {
-  const double slope = bound_.press + bound_.drag;
+  double all = 0.0;
+  for (const auto& mover : plan.movers) all += Displacement::pressOf(mover) + Displacement::dragOf(mover);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < plan.movers.size(); ++i) {
     const auto& mover = plan.movers[i];
     const double own = Displacement::pressOf(mover) + Displacement::dragOf(mover);
-    const double faint = ShearLimit::faintAtEdge(slope, own);
     const Index first = plan.first_edge[i];
     plan.first_edge[i] = static_cast<Index>(kept);
     if (!Displacement::moves(mover)) continue;
     for (Index e = first; e < plan.first_edge[i + 1]; ++e) {
       BlockPart part = plan.edges[e];
+      // Skin farther from the edge than this may move as far as any.
+      const ShearBound near = shearNear(displacement, plan, part.block, all / ShearLimit::kSteepest);
+      const double faint = ShearLimit::faintAtEdge(near.press + near.drag, own);
       if (faint > 0.0) {
         part.vertices = displacement.strainedVertices(plan.movers, skin_.edgeBlock(part.block), part.vertices, faint);
       }

@@ -13,7 +13,7 @@ constexpr int kSamples = 4 * Room::kSteps;
 constexpr double kBetweenSamples = 1.02;
 
 struct Steepness {
-  double slope = 0.0;
+  SlopeFrom slope;
   double bend = 0.0;  ///< the largest second derivative
 };
 
@@ -21,14 +21,17 @@ struct Steepness {
 template <class SlopeAt>
 Steepness steepnessOf(const SlopeAt& slope_at) noexcept {
   Steepness steepness;
-  double before = slope_at(0.0);
-  for (int i = 1; i <= kSamples; ++i) {
+  constexpr int kEach = kSamples / Room::kSteps;
+  double most = 0.0;
+  double before = slope_at(1.0);
+  for (int i = kSamples - 1; i >= 0; --i) {
     const double slope = slope_at(static_cast<double>(i) / kSamples);
-    steepness.slope = std::max(steepness.slope, std::abs(slope));
-    steepness.bend = std::max(steepness.bend, std::abs(slope - before) * kSamples);
+    most = std::max({most, kBetweenSamples * std::abs(slope), kBetweenSamples * std::abs(before)});
+    steepness.bend = std::max(steepness.bend, kBetweenSamples * std::abs(slope - before) * kSamples);
+    if (i % kEach == 0) steepness.slope.from[static_cast<std::size_t>(i / kEach)] = most;
     before = slope;
   }
-  return {kBetweenSamples * steepness.slope, kBetweenSamples * steepness.bend};
+  return steepness;
 }
 
 Steepness steepnessOf(const tissue::LayeredCurve& curve, double bend) noexcept {
@@ -54,7 +57,10 @@ Room roomOf(const ShareAt& share_at) noexcept {
   return room;
 }
 
-double bendOver(const Steepness& of) noexcept { return of.slope > 0.0 ? of.bend / of.slope : 0.0; }
+double bendOver(const Steepness& of) noexcept {
+  const double slope = of.slope.at(0.0);
+  return slope > 0.0 ? of.bend / slope : 0.0;
+}
 
 }  // namespace
 

@@ -34,14 +34,22 @@ struct Room {
   }
 };
 
+/// The largest slope from q on, falling, in steps: never below what it stands for.
+struct SlopeFrom {
+  std::array<double, Room::kSteps> from{};  ///< in the step that begins at q = i / kSteps, and beyond
+  double at(double q) const noexcept {
+    return q < 1.0 ? from[static_cast<std::size_t>(Room::kSteps * std::max(0.0, q))] : 0.0;
+  }
+};
+
 struct LayeredFrame {
   LayeredShape shape;
   Room press_room;  ///< down and outward together
   Room drag_room;
   // By q; over the half axis they are slopes per mm.
-  double press_slope = 0.0;    ///< the largest of the way down
-  double outward_slope = 0.0;  ///< the largest stretch by the way outward
-  double drag_slope = 0.0;
+  SlopeFrom press_slope;    ///< of the way down
+  SlopeFrom outward_slope;  ///< stretch by the way outward
+  SlopeFrom drag_slope;
   double bend = 0.0;  ///< the largest second derivative over the largest slope, of either part
 
   LayeredFrame() = default;

@@ -65,10 +65,11 @@ class ShearLimit {
   /// True if one of the pulls moves it.
   bool moves(Index vertex) const noexcept { return (regions_[blockOf(vertex)] & bitOf(vertex)) != 0; }
 
- private:
   /// How far a vertex may move per mm of surface between it and skin that stays. Below 0.7 a wall of right-angled
   /// triangles cannot turn over; half of that again is room for the widest angles of scanned skin.
   static constexpr float kSteepest = 0.6f;
+
+ private:
   /// On a sphere the way along the surface is at most pi/2 times that seen along the normal, and the way along edges at
   /// most sqrt(2) times that: round skin is never cut short.
   static constexpr double kRoundabout = 2.25;

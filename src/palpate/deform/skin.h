@@ -46,6 +46,14 @@ struct Skin {
     const float* room = room_beside_staying.data() + std::size_t{block} * kBlockVertices;
     return {restBlock(block), room, fold_bounds[block].longest_mm};
   }
+  /// A ball that holds all triangles at the vertices of a block.
+  Vec3 centreOf(Index block) const {
+    return Vec3f(bounds[0][block], bounds[1][block], bounds[2][block]).cast<double>();
+  }
+  double radiusOf(Index block) const {
+    const Vec3f half(bounds[3][block], bounds[4][block], bounds[5][block]);
+    return static_cast<double>(half.norm()) + static_cast<double>(fold_bounds[block].longest_mm);
+  }
   Vec3f restPosition(Index v) const { return {rest[0][v], rest[1][v], rest[2][v]}; }
   Vec3f restNormal(Index v) const { return {rest[3][v], rest[4][v], rest[5][v]}; }
 };

@@ -175,7 +175,7 @@ std::vector<NamedFile> namedFiles(scene::Scene& scene) {
   std::vector<NamedFile> files = {{&scene.body.file, true},          {&scene.body.texture.file, true},
                                   {&scene.ellipses.key_points},      {&scene.deformation.contours},
                                   {&scene.deformation.profile_file}, {&scene.deformation.tangential_profile_file},
-                                  {&scene.tissue.force_table}};
+                                  {&scene.tissue.force_table},       {&scene.tissue.layer_table}};
   files.push_back({&scene.body.fit});
   for (scene::Finger& finger : scene.fingers) files.push_back({&finger.trajectory, false, false});
   return files;

@@ -1,8 +1,8 @@
 // The ellipse map says how far the skin of a place follows a drag, and in what direction farther: it was measured where
 // a tenth of the drag was left, and with drags along the spine. So the rim lies beyond it, and of the measured ellipse
 // the part that any drag makes, longer along itself, is taken out and put back along the drag at hand.
-// Based on: dissertation, future work 1 and 3; tenth: E20, the 2 mm contour of a 20 mm drag; elongation: finite elements
-// (docs/realism.md).
+// Based on: dissertation, future work 1 and 3; tenth: E20, the 2 mm contour of a 20 mm drag; elongation: finite
+// elements (docs/realism.md).
 #include "palpate/scene/tissue_of_body.h"
 
 #include <algorithm>
@@ -15,6 +15,9 @@ namespace palpate::scene {
 
 namespace {
 
+/// The rim of a drag lies no farther than this, mm: beyond begin a trunk's flanks and arms. Where people were measured
+/// with a longer reach than it allows for, a tenth of the drag is left nearer than where they had it.
+constexpr double kFarthestRimMm = 160.0;
 /// Drags shorter than this have no direction yet, mm.
 constexpr double kShortestDragMm = 1e-6;
 
@@ -138,6 +141,8 @@ deform::Contact layeredContact(const World& world, deform::Contact contact) noex
   contact.tangential_region = isMeasured(world.scene)
                                   ? turnedWithDrag(contact, stretch, 1.0 / std::max(0.3, drag.tenth_q))
                                   : solvedRegion(contact, drag);
+  const double rim = contact.tangential_region.half_major.norm();
+  if (rim > kFarthestRimMm) contact.tangential_region.half_major *= kFarthestRimMm / rim;
   return contact;
 }
 

@@ -1,7 +1,8 @@
 // Layered tissue laid over the bones of a body: how thick it is at each vertex, which stack that is, how stiff, and
 // what it makes of a contact.
 //
-//   skin-to-bone depth, fat ─ placedTissue, at load ─► World::layered, Surface::tissue_mm ─ layeredContact, 60 Hz ─► deform
+//   skin-to-bone depth, fat ─ placedTissue, at load ─► World::layered, Surface::tissue_mm ─ layeredContact, 60 Hz ─►
+//   deform
 #pragma once
 
 #include <memory>

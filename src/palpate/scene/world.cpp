@@ -258,7 +258,8 @@ std::shared_ptr<const World> withBody(const Scene& asked, BodyParts body, deform
   report(progress, "building the contact surface", 0.0);
   deform::Skin deformable;  // made beside the surface, which takes four times as long
   Background making_deformable([&] { deformable = deform::buildSkin(body.skin); });
-  contact::Surface surface = contact::buildSurface(body.skin, stiffness, {forceLaw(scene, tissue), body.self_intersecting, std::move(tissue.thickness_mm)});
+  contact::Surface surface = contact::buildSurface(
+      body.skin, stiffness, {forceLaw(scene, tissue), body.self_intersecting, std::move(tissue.thickness_mm)});
   auto hdb = detectingBoxIfAsked(scene, body.skin, surface, progress);
 
   report(progress, "preparing the deformation", 0.0);

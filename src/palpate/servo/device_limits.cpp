@@ -48,8 +48,8 @@ struct Stiffest {
   double tissue_mm = 0.0;
 };
 
-/// One for the whole skin; with layered tissue one a class of thickness, since thin tissue has both the stiffest map and
-/// the steepest law, and thick tissue neither.
+/// One for the whole skin; with layered tissue one a class of thickness, since thin tissue has both the stiffest map
+/// and the steepest law, and thick tissue neither.
 std::vector<Stiffest> stiffestPlaces(const scene::World& world) {
   const std::vector<double>& stiffness = world.stiffness_n_per_mm;
   const std::vector<double>& tissue = world.surface.tissue_mm;

@@ -95,10 +95,10 @@ SecantPlace secantOnRow(const LayeredForce& layers, std::uint32_t row, double de
   const double from = factor[piece];
   const double slope = (factor[piece + 1] - from) / kStep;
   // Beyond the last depth the slope of the force goes on, not that of the secant, which would bend it up for ever.
-  constexpr double last_mm = kStep * (LayeredForce::kDepths - 1);
-  if (depth > last_mm) {
-    const double tangent = factor.back() + last_mm * slope;
-    const double effective = factor.back() * last_mm + tangent * (depth - last_mm);
+  constexpr double kLastMm = kStep * (LayeredForce::kDepths - 1);
+  if (depth > kLastMm) {
+    const double tangent = factor.back() + kLastMm * slope;
+    const double effective = factor.back() * kLastMm + tangent * (depth - kLastMm);
     return {effective / depth, (tangent - effective / depth) / depth};
   }
   return {from + slope * (depth - from_mm), slope};

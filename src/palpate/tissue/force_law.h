@@ -4,9 +4,9 @@
 // Every law is F = k h(d): the map's stiffness k (N/mm, interpolated in the triangle, E3) times an *effective depth* h
 // that depends on the depth and, in layered tissue, on how thick the tissue over the bone is there. The map means one
 // thing under every law: the secant stiffness at the reference depth, h(d_ref) = d_ref. So a place that is twice as
-// stiff pushes twice as hard. A law is plain data without pointers, so that it travels inside an immutable surface and two
-// runs can be compared bit by bit. docs/force-laws.md says which law is for what.
-// Based on: Ji, dissertation 2008, (2.1) for Hooke's law and 6.2 for stiffness that follows a Gaussian curve.
+// stiff pushes twice as hard. A law is plain data without pointers, so that it travels inside an immutable surface and
+// two runs can be compared bit by bit. docs/force-laws.md says which law is for what. Based on: Ji, dissertation 2008,
+// (2.1) for Hooke's law and 6.2 for stiffness that follows a Gaussian curve.
 #pragma once
 
 #include <array>
@@ -28,9 +28,9 @@ struct LayeredForce {
   static constexpr std::uint32_t kRows = 16;
   static constexpr std::uint32_t kDepths = 33;
   static constexpr double kDepthStepMm = 0.5;
-  std::uint32_t rows = 0;        ///< 0: there is no layered tissue, and the law is Hooke's; 1; or kRows
-  double thinnest_mm = 0.0;      ///< of the tissue over the bone, in the first row
-  double inverse_step = 0.0;     ///< what 1 / thickness falls by from row to row, 1/mm
+  std::uint32_t rows = 0;                  ///< 0: there is no layered tissue, and the law is Hooke's; 1; or kRows
+  double thinnest_mm = 0.0;                ///< of the tissue over the bone, in the first row
+  double inverse_step = 0.0;               ///< what 1 / thickness falls by from row to row, 1/mm
   std::array<double, kRows> tangential{};  ///< k_t / k_n
   std::array<std::array<double, kDepths>, kRows> factor{};  ///< from no depth, where it is 0, on
   double thicknessOf(std::uint32_t row) const noexcept { return 1.0 / (1.0 / thinnest_mm - inverse_step * row); }
@@ -86,8 +86,8 @@ double tangentialRatio(const ForceLaw& law, double tissue_mm) noexcept;
 }  // namespace detail
 
 /// For a depth in mm under the undeformed skin, the local stiffness in N/mm and the thickness of the tissue over the
-/// bone, which only the layered law asks for (beyond its rows the first or last counts). A depth or a stiffness that is not
-/// positive (NaN included) gives no force, and the secant is the stiffness then. Continuous and, to rounding, not
+/// bone, which only the layered law asks for (beyond its rows the first or last counts). A depth or a stiffness that is
+/// not positive (NaN included) gives no force, and the secant is the stiffness then. Continuous and, to rounding, not
 /// decreasing in both.
 /// Linear costs one comparison more than a product, the others up to 50 ns. Any thread.
 inline Response respond(const ForceLaw& law, double stiffness_n_per_mm, double depth_mm,

@@ -1,12 +1,12 @@
 // One curve of layered tissue in the form that the deformation evaluates: a polynomial of a bell, without a root or a
 // table.
 //
-// share(q) = x^2 sum c_k y^k with the bell v = 1 / (1 + bend q^2), x = v moved and scaled to be 1 in the middle and 0 on
-// the rim q = 1, y = 2 x - 1. So value and slope vanish on the rim whatever the coefficients, and curves with the same
-// bend are blended by blending coefficients. Seven terms follow the finite element profiles of layered tissue, bulges
-// included, within 0.6 % of the depth (docs/realism.md); one division and ten multiplications serve eight vertices at
-// once, where a table of them would be gathered lane by lane.
-// Based on: the power tail (1 + q^2)^-p of a drag over layered tissue, of which v is the case p = 1. Own.
+// share(q) = x^2 sum c_k y^k with the bell v = 1 / (1 + bend q^2), x = v moved and scaled to be 1 in the middle and 0
+// on the rim q = 1, y = 2 x - 1. So value and slope vanish on the rim whatever the coefficients, and curves with the
+// same bend are blended by blending coefficients. Seven terms follow the finite element profiles of layered tissue,
+// bulges included, within 0.6 % of the depth (docs/realism.md); one division and ten multiplications serve eight
+// vertices at once, where a table of them would be gathered lane by lane. Based on: the power tail (1 + q^2)^-p of a
+// drag over layered tissue, of which v is the case p = 1. Own.
 #pragma once
 
 #include <array>
@@ -68,8 +68,8 @@ struct PressCurves {
 struct DragCurve {
   double along_mm = 0.0;
   double across_mm = 0.0;
-  LayeredCurve share;      ///< 1 in the middle
-  double tenth_q = 0.6;    ///< where a tenth is left: the 2 mm contour of a drag of 20 mm
+  LayeredCurve share;    ///< 1 in the middle
+  double tenth_q = 0.6;  ///< where a tenth is left: the 2 mm contour of a drag of 20 mm
 };
 
 /// A point of a curve that is wanted.
@@ -79,8 +79,9 @@ struct CurveSample {
   double weight = 1.0;
 };
 
-/// Least squares. `of_share`: the curve is 1 in the middle; otherwise it is q times what comes out (PressCurves::outward),
-/// whose middle is free. Samples from q = 1 on do not count. Throws Error for fewer samples within than terms.
+/// Least squares. `of_share`: the curve is 1 in the middle; otherwise it is q times what comes out
+/// (PressCurves::outward), whose middle is free. Samples from q = 1 on do not count. Throws Error for fewer samples
+/// within than terms.
 LayeredCurve fittedShare(std::span<const CurveSample> samples, double bend);
 LayeredCurve fittedOutward(std::span<const CurveSample> samples, double bend);
 

@@ -78,7 +78,9 @@ LayeredNode withFat(const std::array<LayeredNode, kShares>& nodes, double share)
 
 LayerStack libraryStack(double thickness_mm, double fat_share) {
   const double under_skin = thickness_mm - kSkinMm;
-  return {{{"skin", kSkinMm, 150.0}, {"fat", fat_share * under_skin, 10.0}, {"muscle", (1.0 - fat_share) * under_skin, 27.0}}};
+  return {{{"skin", kSkinMm, 150.0},
+           {"fat", fat_share * under_skin, 10.0},
+           {"muscle", (1.0 - fat_share) * under_skin, 27.0}}};
 }
 
 double libraryFatShare(double thickness_mm, double fat_mm) {
@@ -98,8 +100,11 @@ std::vector<LayeredNode> libraryNodes(double fat_mm) {
 }
 
 std::vector<double> libraryNumbers(const LayeredNode& node) {
-  std::vector<double> numbers = {static_cast<double>(node.depths_mm.size()), node.presses.front().radius_mm,
-                                 node.drag.along_mm, node.drag.across_mm, node.drag.tenth_q,
+  std::vector<double> numbers = {static_cast<double>(node.depths_mm.size()),
+                                 node.presses.front().radius_mm,
+                                 node.drag.along_mm,
+                                 node.drag.across_mm,
+                                 node.drag.tenth_q,
                                  node.tangential_over_normal};
   const auto add = [&](const LayeredCurve& curve) {
     numbers.insert(numbers.end(), curve.terms.begin(), curve.terms.end());

@@ -121,7 +121,8 @@ DepthPlace depthPlace(const LayeredNode& node, double depth_mm) noexcept {
   if (!(depth_mm > depths.front())) return {};
   const std::size_t last = depths.size() - 1;
   if (depth_mm >= depths[last]) return {last, last, 0.0};
-  const auto above = static_cast<std::size_t>(std::upper_bound(depths.begin(), depths.end(), depth_mm) - depths.begin());
+  const auto above =
+      static_cast<std::size_t>(std::upper_bound(depths.begin(), depths.end(), depth_mm) - depths.begin());
   return {above - 1, above, (depth_mm - depths[above - 1]) / (depths[above] - depths[above - 1])};
 }
 

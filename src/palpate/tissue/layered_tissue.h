@@ -16,9 +16,9 @@ namespace palpate::tissue {
 
 /// What a stack answers, as curves: a table without its radii.
 struct LayeredNode {
-  double thickness_mm = 0.0;        ///< of all layers
-  std::vector<double> depths_mm;    ///< increasing
-  std::vector<double> secants;      ///< force over depth there, N/mm
+  double thickness_mm = 0.0;         ///< of all layers
+  std::vector<double> depths_mm;     ///< increasing
+  std::vector<double> secants;       ///< force over depth there, N/mm
   std::vector<PressCurves> presses;  ///< there; all of one radius
   DragCurve drag;
   double tangential_over_normal = 0.7;

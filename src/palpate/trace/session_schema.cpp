@@ -111,19 +111,28 @@ std::int64_t checkSession(Database& database) {
   return version;
 }
 
-std::string sceneOfVersion(std::int64_t version, std::string scene) {
-  constexpr std::int64_t kTrunkIsMeant = 3;
-  constexpr std::string_view kBody = "[body]\n";
-  if (version >= kTrunkIsMeant) return scene;
-  // Written by this program (scene/scene_writer.h): a table's keys follow its title, one a line, without comments.
-  const std::size_t table = scene.find(kBody);
-  if (table == std::string::npos) return scene + "\n[body]\nkind = \"torso\"\n";
-  const std::size_t keys = table + kBody.size();
-  const std::string_view of_table = std::string_view(scene).substr(keys, scene.find("\n[", table + 1) - keys);
-  if (!of_table.starts_with("kind = ") && of_table.find("\nkind = ") == std::string_view::npos) {
-    scene.insert(keys, "kind = \"torso\"\n");
+namespace {
+
+/// The scene with this key in this table, where it does not say one itself. Scenes are written by this program
+/// (scene/scene_writer.h): a table's keys follow its title, one a line, without comments.
+std::string withKey(std::string scene, const std::string& table, const std::string& key, const std::string& value) {
+  const std::string title = "[" + table + "]\n";
+  const std::string line = key + " = \"" + value + "\"\n";
+  const std::size_t found = scene.find(title);
+  if (found == std::string::npos) return scene + "\n" + title + line;
+  const std::size_t keys = found + title.size();
+  const std::string_view of_table = std::string_view(scene).substr(keys, scene.find("\n[", found + 1) - keys);
+  if (!of_table.starts_with(key + " = ") && of_table.find("\n" + key + " = ") == std::string_view::npos) {
+    scene.insert(keys, line);
   }
   return scene;
+}
+
+}  // namespace
+
+std::string sceneOfVersion(std::int64_t version, std::string scene) {
+  constexpr std::int64_t kTrunkIsMeant = 3;
+  return version < kTrunkIsMeant ? withKey(std::move(scene), "body", "kind", "torso") : scene;
 }
 
 }  // namespace palpate::trace

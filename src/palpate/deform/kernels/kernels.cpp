@@ -20,6 +20,8 @@
 
 #include "palpate/deform/blocks.h"
 #include "palpate/deform/kernels/kernels.h"
+#include "palpate/deform/kernels/lanes-inl.h"
+#include "palpate/deform/kernels/layered_lanes-inl.h"
 #include "palpate/tissue/profile.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -27,88 +29,6 @@ namespace palpate::deform {
 namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
-
-using Lanes = hn::CappedTag<float, kBlockVertices>;
-using V = hn::Vec<Lanes>;
-using M = hn::Mask<Lanes>;
-
-struct V3 {
-  V x, y, z;
-};
-
-HWY_INLINE V3 broadcast(const float (&v)[3]) {
-  const Lanes d;
-  return {hn::Set(d, v[0]), hn::Set(d, v[1]), hn::Set(d, v[2])};
-}
-
-HWY_INLINE V3 load(const float* const* values, size_t lane) {
-  const Lanes d;
-  return {hn::Load(d, values[0] + lane), hn::Load(d, values[1] + lane), hn::Load(d, values[2] + lane)};
-}
-
-HWY_INLINE void store(const V3& v, float* const* values, size_t lane) {
-  const Lanes d;
-  hn::Store(v.x, d, values[0] + lane);
-  hn::Store(v.y, d, values[1] + lane);
-  hn::Store(v.z, d, values[2] + lane);
-}
-
-HWY_INLINE V dot(const V3& a, const V3& b) { return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z))); }
-HWY_INLINE V3 sub(const V3& a, const V3& b) { return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)}; }
-HWY_INLINE V3 add(const V3& a, const V3& b) { return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)}; }
-/// a + s b
-HWY_INLINE V3 mulAdd(V s, const V3& b, const V3& a) {
-  return {hn::MulAdd(s, b.x, a.x), hn::MulAdd(s, b.y, a.y), hn::MulAdd(s, b.z, a.z)};
-}
-HWY_INLINE V3 scaled(V s, const V3& a) { return {hn::Mul(s, a.x), hn::Mul(s, a.y), hn::Mul(s, a.z)}; }
-/// a - s b
-HWY_INLINE V3 mulSub(V s, const V3& b, const V3& a) {
-  return {hn::NegMulAdd(s, b.x, a.x), hn::NegMulAdd(s, b.y, a.y), hn::NegMulAdd(s, b.z, a.z)};
-}
-HWY_INLINE V3 cross(const V3& a, const V3& b) {
-  return {hn::MulSub(a.y, b.z, hn::Mul(a.z, b.y)), hn::MulSub(a.z, b.x, hn::Mul(a.x, b.z)),
-          hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
-}
-HWY_INLINE V3 select(M mask, const V3& yes, const V3& no) {
-  return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
-}
-
-/// The mask of the vector that starts at `lane`, out of a block's word.
-HWY_INLINE M maskAt(std::uint64_t bits, size_t lane) {
-  bits >>= lane;
-  std::uint8_t bytes[8];
-  std::memcpy(bytes, &bits, sizeof(bits));
-  return hn::LoadMaskBits(Lanes(), bytes);
-}
-
-struct Location {
-  V s, t, q2;
-};
-
-HWY_INLINE Location locate(const PartLanes& part, const V3& offset) {
-  const V s = dot(broadcast(part.along), offset);
-  const V t = dot(broadcast(part.across), offset);
-  return {s, t, hn::MulAdd(s, s, hn::MulAdd(t, t, hn::Set(Lanes(), part.outside)))};
-}
-
-/// Of heights without their sign.
-HWY_INLINE V riseAt(const PartLanes& part, V height) {
-  const Lanes d;
-  return hn::Mul(hn::Max(hn::Sub(height, hn::Set(d, part.level)), hn::Zero(d)), hn::Set(d, part.slope));
-}
-
-/// The bits of a mask at `lane` of a word of 64.
-HWY_INLINE std::uint64_t bitsOf(M mask, size_t lane) {
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(Lanes(), mask, bytes);
-  std::uint64_t bits;
-  std::memcpy(&bits, bytes, sizeof(bits));
-  return bits << lane;
-}
-
-HWY_INLINE bool drags(const ContactLanes& contact) { return contact.tangential.outside == 0.0f; }
-
-HWY_INLINE V3 absolute(const V3& v) { return {hn::Abs(v.x), hn::Abs(v.y), hn::Abs(v.z)}; }
 
 /// Bounds over boxes.
 struct Reach {
@@ -267,9 +187,8 @@ HWY_INLINE void addMostMoved(const ContactLanes& contact, const PartLanes& movin
     const V rise = riseAt(part, hn::Abs(dot(facing, offset)));
     const V q = hn::Sqrt(hn::MulAdd(rise, rise, locate(part, offset).q2));
     const V nearer = hn::Max(hn::Sub(q, nearer_by), hn::Zero(d));
-    const V weight = contact.layered
-                         ? roomFrom(part, nearer)
-                         : profileScaled(gaussian(hn::Min(hn::Mul(nearer, nearer), hn::Set(d, 1.0f))));
+    const V weight = contact.layered ? roomFrom(part, nearer)
+                                     : profileScaled(gaussian(hn::Min(hn::Mul(nearer, nearer), hn::Set(d, 1.0f))));
     hn::Store(hn::MulAdd(weight, length, hn::Load(d, most_mm + lane)), d, most_mm + lane);
   }
 }
@@ -289,12 +208,6 @@ std::uint64_t strainedVertices(std::span<const ContactLanes> contacts, const Edg
   }
   return strained & of;
 }
-
-/// profile(q) and its gradient at 16 (8, 4) vertices; both 0 outside the region and from q = 1 on.
-struct Profile {
-  V weight;
-  V3 gradient;
-};
 
 /// kAllInside: the vertices are known to lie in this part's ellipse.
 template <bool kAllInside>
@@ -336,25 +249,6 @@ HWY_INLINE void moveByOne(const ContactLanes& contact, const V3& position, M reg
   const V tilt = hn::NegMulAdd(a_n, dot(b, press.gradient), dot(b, normal));
   displacement = mulAdd(drag.weight, b, displacement);
   normal = mulSub(tilt, drag.gradient, scaled(stretch, pressed));
-}
-
-/// Rows of F and the displacement so far, of any number of contacts.
-struct Motion {
-  V3 displacement;
-  V3 row_x, row_y, row_z;
-};
-
-/// cof(F) n.
-HWY_INLINE void turn(const Motion& motion, V3& normal) {
-  normal = {dot(cross(motion.row_y, motion.row_z), normal), dot(cross(motion.row_z, motion.row_x), normal),
-            dot(cross(motion.row_x, motion.row_y), normal)};
-}
-
-HWY_INLINE Motion noMotion() {
-  const Lanes d;
-  const V zero = hn::Zero(d);
-  const V one = hn::Set(d, 1.0f);
-  return {{zero, zero, zero}, {one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
 }
 
 /// profileOf where the height over the contact's plane matters; its slope along the normal joins the gradient.
@@ -402,138 +296,6 @@ HWY_INLINE void moveByMany(std::span<const ContactOnBlock> contacts, const V3& p
     addPart<kLevel>(*on.mover, on.mover->normal, offset, region, motion);
     addPart<kLevel>(*on.mover, on.mover->tangential, offset, region, motion);
   }
-  displacement = motion.displacement;
-  turn(motion, normal);
-}
-
-// ---- layered tissue
-
-/// Where a vertex lies on the bell of a curve.
-struct OnBell {
-  V x;       ///< 1 in the middle, 0 on the rim
-  V y;       ///< 2 x - 1
-  V x_by_q2;
-};
-
-HWY_INLINE OnBell onBell(const CurveLanes& curve, V q2) {
-  const Lanes d;
-  const V one = hn::Set(d, 1.0f);
-  const V bell = hn::Div(one, hn::MulAdd(hn::Set(d, curve.bend), q2, one));
-  const V x = hn::Mul(hn::Sub(bell, hn::Set(d, curve.rim)), hn::Set(d, curve.scale));
-  const V fall = hn::Mul(hn::Mul(bell, bell), hn::Set(d, -curve.bend * curve.scale));
-  return {x, hn::Sub(hn::Add(x, x), one), fall};
-}
-
-/// A curve's value, and twice its derivative by q^2, which times the half gradient of q^2 is its gradient.
-struct CurveLane {
-  V value, slope;
-};
-
-HWY_INLINE CurveLane curveOn(const float (&terms)[tissue::kCurveTerms], const OnBell& at) {
-  const Lanes d;
-  V sum = hn::Set(d, terms[tissue::kCurveTerms - 1]);
-  V slope = hn::Zero(d);
-  for (int k = tissue::kCurveTerms - 2; k >= 0; --k) {
-    slope = hn::MulAdd(slope, at.y, sum);
-    sum = hn::MulAdd(sum, at.y, hn::Set(d, terms[k]));
-  }
-  const V by_x = hn::Mul(hn::Add(at.x, at.x), hn::MulAdd(at.x, slope, sum));
-  return {hn::Mul(hn::Mul(at.x, at.x), sum), hn::Mul(hn::Add(at.x_by_q2, at.x_by_q2), by_x)};
-}
-
-/// Where a vertex lies in a part: q^2, half its gradient, and that without the rise.
-struct Place {
-  V q2;
-  V3 gradient, flat;
-};
-
-template <bool kLevel>
-HWY_INLINE Place placeIn(const ContactLanes& contact, const PartLanes& part, const V3& offset) {
-  const Location at = locate(part, offset);
-  const V3 flat = mulAdd(at.s, broadcast(part.along), scaled(at.t, broadcast(part.across)));
-  if constexpr (kLevel) return {at.q2, flat, flat};
-  const V3 facing = broadcast(contact.facing);
-  const V height = dot(facing, offset);
-  const V rise = riseAt(part, hn::Abs(height));
-  const V up = hn::CopySign(hn::Mul(rise, hn::Set(Lanes(), part.slope)), height);
-  return {hn::MulAdd(rise, rise, at.q2), mulAdd(up, facing, flat), flat};
-}
-
-template <bool kLevel>
-HWY_INLINE void addLayeredPress(const ContactLanes& contact, const V3& offset, M region, Motion& motion) {
-  const Lanes d;
-  const PartLanes& part = contact.normal;
-  const Place at = placeIn<kLevel>(contact, part, offset);
-  const M acts = hn::And(region, hn::Lt(at.q2, hn::Set(d, 1.0f)));
-  if (hn::AllFalse(d, acts)) return;
-  const OnBell bell = onBell(part.share, at.q2);
-  const CurveLane down = curveOn(part.share.terms, bell);
-  const CurveLane outward = curveOn(contact.outward, bell);
-  const V outward_mm2 = hn::IfThenElseZero(acts, hn::Set(d, contact.outward_mm2));
-  const V weight = hn::IfThenElseZero(acts, down.value);
-  const V slope = hn::IfThenElseZero(acts, down.slope);
-  const V pull = hn::Mul(outward_mm2, outward.value);
-  const V pull_slope = hn::Mul(outward_mm2, outward.slope);
-  const V3 shift = broadcast(part.shift);
-  motion.displacement = mulAdd(pull, at.flat, mulAdd(weight, shift, motion.displacement));
-  const auto plane = [&](int i) HWY_ATTR { return hn::Mul(pull, hn::Set(d, contact.plane[i])); };
-  const V xy = plane(1);
-  const V xz = plane(2);
-  const V yz = plane(4);
-  const V3 along{hn::MulAdd(pull_slope, at.flat.x, hn::Mul(slope, shift.x)),
-                 hn::MulAdd(pull_slope, at.flat.y, hn::Mul(slope, shift.y)),
-                 hn::MulAdd(pull_slope, at.flat.z, hn::Mul(slope, shift.z))};
-  motion.row_x = mulAdd(along.x, at.gradient, add(motion.row_x, {plane(0), xy, xz}));
-  motion.row_y = mulAdd(along.y, at.gradient, add(motion.row_y, {xy, plane(3), yz}));
-  motion.row_z = mulAdd(along.z, at.gradient, add(motion.row_z, {xz, yz, plane(5)}));
-}
-
-/// Weight and gradient of a layered drag.
-template <bool kLevel>
-HWY_INLINE Profile layeredDragOf(const ContactLanes& contact, const V3& offset, M region) {
-  const Lanes d;
-  const PartLanes& part = contact.tangential;
-  const Place at = placeIn<kLevel>(contact, part, offset);
-  const M acts = hn::And(region, hn::Lt(at.q2, hn::Set(d, 1.0f)));
-  const CurveLane share = curveOn(part.share.terms, onBell(part.share, at.q2));
-  return {hn::IfThenElseZero(acts, share.value), scaled(hn::IfThenElseZero(acts, share.slope), at.gradient)};
-}
-
-template <bool kLevel>
-HWY_INLINE void addLayeredDrag(const ContactLanes& contact, const V3& offset, M region, Motion& motion) {
-  if (!drags(contact)) return;
-  const Profile profile = layeredDragOf<kLevel>(contact, offset, region);
-  const V3 shift = broadcast(contact.tangential.shift);
-  motion.displacement = mulAdd(profile.weight, shift, motion.displacement);
-  motion.row_x = mulAdd(shift.x, profile.gradient, motion.row_x);
-  motion.row_y = mulAdd(shift.y, profile.gradient, motion.row_y);
-  motion.row_z = mulAdd(shift.z, profile.gradient, motion.row_z);
-}
-
-/// cof(F) n of a drag alone: (1 + b.v) n - (b.n) v.
-HWY_INLINE void moveByLayeredDrag(const ContactLanes& contact, const V3& offset, M region, V3& displacement,
-                                  V3& normal) {
-  const Profile drag = layeredDragOf<true>(contact, offset, region);
-  const V3 b = broadcast(contact.tangential.shift);
-  displacement = scaled(drag.weight, b);
-  const V stretch = hn::Add(dot(b, drag.gradient), hn::Set(Lanes(), 1.0f));
-  normal = mulSub(dot(b, normal), drag.gradient, scaled(stretch, normal));
-}
-
-/// Most of a dragged region lies outside of the press: those vertices need no more than their drag.
-HWY_INLINE bool isBeyondPress(const ContactLanes& contact, const V3& offset) {
-  const Lanes d;
-  return hn::AllFalse(d, hn::Lt(locate(contact.normal, offset).q2, hn::Set(d, 1.0f)));
-}
-
-/// One contact with layered tissue, on a level block.
-HWY_INLINE void moveByOneLayered(const ContactLanes& contact, const V3& position, M region, V3& displacement,
-                                 V3& normal) {
-  const V3 offset = sub(position, broadcast(contact.anchor));
-  if (isBeyondPress(contact, offset)) return moveByLayeredDrag(contact, offset, region, displacement, normal);
-  Motion motion = noMotion();
-  addLayeredPress<true>(contact, offset, region, motion);
-  addLayeredDrag<true>(contact, offset, region, motion);
   displacement = motion.displacement;
   turn(motion, normal);
 }

@@ -22,11 +22,12 @@ Keys tissueKeys() {
   using T = deform::TissueSettings;
   const auto tissue = [](double T::*member) { return way(&D::forms, &F::common, &deform::Settings::tissue, member); };
   return {
-      choice<D, TissueModel>(
-          "tissue", &D::tissue,
-          "What lies over the bones: layers of skin, fat and muscle, as thick as they are at the place (docs/tissue.md); "
-          "the half Gaussian, in regions of one size for the whole body; or that as printed (E18, E21). A profile, region "
-          "or shape of one's own, or a body without bones, is never layered."),
+      choice<D, TissueModel>("tissue", &D::tissue,
+                             "What lies over the bones: layers of skin, fat and muscle, as thick as they are at the "
+                             "place (docs/tissue.md); "
+                             "the half Gaussian, in regions of one size for the whole body; or that as printed (E18, "
+                             "E21). A profile, region "
+                             "or shape of one's own, or a body without bones, is never layered."),
       number<D>("normal_cap_mm", tissue(&T::normal_cap_mm), between(0, 1000),
                 "The skin is pressed in no deeper than this."),
       number<D>("tangential_cap_mm", tissue(&T::tangential_cap_mm), between(0, 1000),

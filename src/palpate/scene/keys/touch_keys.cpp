@@ -77,17 +77,18 @@ Section tissueSection() {
           "grows along a Gaussian; measured; by the layers of the place, linear where there are none. All agree with "
           "the stiffness map at reference_depth_mm."),
       number<S>("exponent", law(&L::exponent), between(1, 3), "Power: of the depth; layered tissue has 1.5 to 1.8."),
-      number<S>("reference_depth_mm", law(&L::reference_depth_mm), above(0, 1000),
-                "The depth at which every law pushes as hard as the linear one: what the stiffness map means. Layers: 8."),
+      number<S>(
+          "reference_depth_mm", law(&L::reference_depth_mm), above(0, 1000),
+          "The depth at which every law pushes as hard as the linear one: what the stiffness map means. Layers: 8."),
       number<S>("stiffening_ratio", law(&L::stiffening_ratio), above(0, 100),
                 "Stiffening: the stiffness deep down over that of a light touch."),
       number<S>("stiffening_depth_mm", law(&L::stiffening_depth_mm), above(0, 1000),
                 "Stiffening: the depth at which that stiffness is reached."),
-      file<S>("force_table", &S::force_table,
-              "Table: rows depth_mm,force_n; scaled so that it agrees with the map."),
-      number<S>("fat_mm", &S::fat_mm, between(0, 60),
-                "Layered tissue: fat between skin and muscle; 0 is by the body's mass (4 mm at a mass index of 18, 8 at "
-                "22, 15 at 30), and less where there is no room for it."),
+      file<S>("force_table", &S::force_table, "Table: rows depth_mm,force_n; scaled so that it agrees with the map."),
+      number<S>(
+          "fat_mm", &S::fat_mm, between(0, 60),
+          "Layered tissue: fat between skin and muscle; 0 is by the body's mass (4 mm at a mass index of 18, 8 at "
+          "22, 15 at 30), and less where there is no room for it."),
       file<S>("layer_table", &S::layer_table,
               "Layered tissue: one stack for every place, from palpate tissue solve or palpate fit profile; left out: "
               "the library's stacks by thickness."),

@@ -1,0 +1,142 @@
+// Layers over the bones of the default body: where it lies thick and thin, what that makes of a press and of a drag.
+#include "palpate/scene/tissue_of_body.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "palpate/body/places.h"
+#include "palpate/scene/skin_contact.h"
+#include "palpate/tissue/layered_library.h"
+
+namespace palpate::scene {
+namespace {
+
+std::shared_ptr<const World> trunk(const std::function<void(Scene&)>& change = [](Scene&) {}) {
+  Scene scene;
+  scene.body.triangles = 20000;
+  scene.deformation.tissue = TissueModel::layered;
+  change(scene);
+  return build(scene);
+}
+
+/// The vertex of the back nearest to a place in words.
+Index vertexAt(const World& world, const std::string& words) {
+  const Vec3 place = body::placeNamed(world.anatomy.landmarks, words).point;
+  Index nearest = 0;
+  for (Index v = 0; v < world.skin.positions.size(); ++v) {
+    if ((world.skin.positions[v] - place).norm() < (world.skin.positions[nearest] - place).norm()) nearest = v;
+  }
+  return nearest;
+}
+
+/// A finger that presses and drags at a vertex.
+contact::FingerOutput fingerAt(const World& world, Index vertex, double depth_mm, const Vec3& drag_mm = Vec3::Zero()) {
+  contact::FingerOutput finger;
+  for (Index t = 0; t < world.skin.triangles.size(); ++t) {
+    const Triangle& corners = world.skin.triangles[t];
+    if (std::find(corners.begin(), corners.end(), vertex) != corners.end()) finger.anchor_triangle = t;
+  }
+  finger.triangle = finger.anchor_triangle;
+  finger.anchor = world.skin.positions[vertex];
+  finger.proxy = finger.anchor + drag_mm;
+  finger.normal = Vec3::UnitZ();
+  finger.depth_mm = depth_mm;
+  finger.touch = contact::Touch::stick;
+  return finger;
+}
+
+TEST(LayeredBody, IsOneWithBonesThatNoOtherFormIsAskedFor) {
+  EXPECT_TRUE(trunk()->layered);
+  EXPECT_FALSE(trunk([](Scene& s) { s.deformation.tissue = TissueModel::gaussian; })->layered);
+  EXPECT_FALSE(trunk([](Scene& s) { s.deformation.tissue = TissueModel::literal; })->layered);
+  EXPECT_FALSE(trunk([](Scene& s) { s.fidelity.setAll(true); })->layered);
+  EXPECT_FALSE(trunk([](Scene& s) { s.deformation.forms.normal_profile.kind = tissue::ProfileKind::cosine; })->layered);
+  EXPECT_FALSE(trunk([](Scene& s) { s.deformation.forms.common.tissue.normal_radius_mm = 20.0; })->layered);
+}
+
+TEST(LayeredBody, WithoutLayersFeelsAsItDidBefore) {
+  const auto world = trunk([](Scene& s) { s.deformation.tissue = TissueModel::gaussian; });
+  EXPECT_EQ(tissue::normalForce(world->surface.force_law, 0.5, 3.0), 1.5) << "Hooke's law";
+  const std::vector<double> map = maps::stiffnessFromDepth(world->anatomy.depth_mm, world->scene.stiffness.depth);
+  EXPECT_EQ(world->stiffness_n_per_mm, map);
+}
+
+TEST(LayeredBody, PushesBackAsTheSolvedStackOfThePlace) {
+  const auto world = trunk();
+  const tissue::LayeredTissue library(tissue::libraryNodes(fatOf(world->scene)));
+  for (const char* place : {"T6", "T9 right 32 mm", "L3", "L3 right 40 mm", "T4 left 60 mm"}) {
+    const Index v = vertexAt(*world, place);
+    const double thickness = std::clamp(world->anatomy.depth_mm[v], library.thinnest(), library.thickest());
+    EXPECT_EQ(world->surface.tissue_mm[v], thickness);
+    for (const double depth : {2.0, 5.0, 7.5, 10.0}) {
+      const double felt = tissue::normalForce(world->surface.force_law, world->stiffness_n_per_mm[v], depth, thickness);
+      const double solved = depth * library.secantAt(thickness, depth);
+      EXPECT_NEAR(felt / solved, 1.0, thickness < 12.0 && depth > 7.0 ? 0.25 : 0.05) << place << " " << depth << " mm";
+    }
+  }
+}
+
+TEST(LayeredBody, ThinTissueIsStifferAndItsDentNarrower) {
+  const auto world = trunk();
+  const Index bony = vertexAt(*world, "T6");
+  const Index soft = vertexAt(*world, "L3 right 40 mm");
+  ASSERT_LT(world->surface.tissue_mm[bony] + 10.0, world->surface.tissue_mm[soft]);
+  EXPECT_GT(world->stiffness_n_per_mm[bony], 1.3 * world->stiffness_n_per_mm[soft]);
+  const auto widthAt = [&](Index v) {
+    const deform::Contact contact = contactOf(*world, fingerAt(*world, v, 8.0)).value();
+    const tissue::PressCurves& press = contact.layered.value().press;
+    double q = 0.0;
+    while (tissue::curveAt(press.down, tissue::kPressBend, q * q).value > 0.5) q += 0.001;
+    return q * press.radius_mm;
+  };
+  EXPECT_LT(widthAt(bony), 0.9 * widthAt(soft));
+}
+
+TEST(LayeredBody, TheSkinNeverGoesDownToTheBone) {
+  const auto world = trunk();
+  for (const char* place : {"T1", "T6", "L3", "T4 left 60 mm"}) {
+    const Index v = vertexAt(*world, place);
+    const deform::Contact contact = contactOf(*world, fingerAt(*world, v, 60.0)).value();
+    EXPECT_LE(contact.depth_mm, 0.9 * world->surface.tissue_mm[v] + 1e-9) << place;
+  }
+}
+
+TEST(LayeredBody, MoreBodyMassIsMoreFatAndSofterUnderALightTouch) {
+  Scene scene;
+  EXPECT_NEAR(fatOf(scene), 8.5, 0.5);
+  scene.body.shape.body_mass_index = 30.0;
+  EXPECT_NEAR(fatOf(scene), 15.4, 0.5);
+  scene.body.shape.body_mass_index = 45.0;
+  EXPECT_EQ(fatOf(scene), 25.0);
+  scene.tissue.fat_mm = 12.0;
+  EXPECT_EQ(fatOf(scene), 12.0) << "the scene's own number";
+  const auto force = [](double fat) {
+    return tissue::LayeredTissue(tissue::libraryNodes(fat)).secantAt(50.0, 3.0) * 3.0;
+  };
+  EXPECT_LT(force(20.0), 0.85 * force(4.0));
+}
+
+TEST(LayeredBody, ADragAlongTheSpineFollowsTheMeasuredEllipseAndOneAcrossTurnsIt) {
+  const auto world = trunk();
+  const Index v = vertexAt(*world, "T6");
+  const deform::Contact up = contactOf(*world, fingerAt(*world, v, 5.0, {0.0, 10.0, 0.0})).value();
+  const maps::SurfaceEllipse measured = world->ellipses.on(up.anchor, up.normal);
+  const double tenth_q = world->layered->dragAt(world->surface.tissue_mm[v]).tenth_q;
+  const double rim = std::min(measured.half_major.norm() / tenth_q, 160.0);
+  EXPECT_NEAR(up.tangential_region.half_major.norm(), rim, 0.01) << "as far as the flanks allow";
+  EXPECT_NEAR(up.tangential_region.aspect, measured.aspect, 1e-3);
+  const deform::Contact aside = contactOf(*world, fingerAt(*world, v, 5.0, {10.0, 0.0, 0.0})).value();
+  const auto reach = [](const maps::SurfaceEllipse& e, const Vec3& along) {
+    const double a = e.half_major.norm();
+    const double s = along.dot(e.half_major) / a;
+    return 1.0 / std::hypot(s / a, std::sqrt(std::max(0.0, 1.0 - s * s)) / (a * e.aspect));
+  };
+  const auto elongation = [&](const deform::Contact& contact) {
+    return reach(contact.tangential_region, Vec3::UnitX()) / reach(contact.tangential_region, Vec3::UnitY());
+  };
+  EXPECT_GT(elongation(aside), 1.5 * elongation(up)) << "longer along the drag";
+}
+
+}  // namespace
+}  // namespace palpate::scene
