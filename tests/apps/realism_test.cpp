@@ -73,7 +73,7 @@ TEST(TissueLibrary, IsWhatTheSolverGives) {
         const double q = r / of.radius_mm;
         return tissue::curveAt(of.down, tissue::kPressBend, q * q).value;
       };
-      EXPECT_NEAR(down(curves), down(fresh.presses[i]), 0.006) << r;
+      EXPECT_NEAR(down(curves), down(fresh.presses[i]), 0.01) << r;
     }
   }
   EXPECT_NEAR(shipped.tangentialAt(thickness), fresh.tangential_over_normal, 1e-3);

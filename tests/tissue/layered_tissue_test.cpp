@@ -86,7 +86,7 @@ TEST(LayeredTissueOfTables, ADragHasATenthLeftWhereItSays) {
   const DragCurve drag = tissueOf({40}).dragAt(40);
   EXPECT_NEAR(curveAt(drag.share, kDragBend, drag.tenth_q * drag.tenth_q).value, 0.1, 1e-9);
   const double tenth_mm = 14.0 * std::sqrt(std::pow(10.0, 1.0 / 0.83) - 1.0);
-  EXPECT_NEAR(drag.tenth_q * drag.along_mm, tenth_mm, 0.06 * tenth_mm);
+  EXPECT_NEAR(drag.tenth_q * drag.along_mm, tenth_mm, 0.1 * tenth_mm) << "the tail is faded out beyond";
 }
 
 TEST(LayeredForceRows, AreTheForcesOfTheTissue) {
