@@ -151,8 +151,8 @@ TEST_F(Simulate, AStiffeningSkinGivesWayToAPressThatIsNotDeep) {
   ASSERT_EQ(simulate("linear.toml --out linear").exit_code, 0);
   ASSERT_EQ(simulate("stiffening.toml --out stiffening").exit_code, 0);
   const auto peak = [&](const std::string& out) { return double(report(out)["fingers"][0]["force_n"]["peak"]); };
-  EXPECT_LT(peak("stiffening"), 0.7 * peak("linear")) << "they agree at 8 mm";
-  EXPECT_GT(peak("stiffening"), 0.3 * peak("linear"));
+  EXPECT_LT(peak("stiffening"), 0.9 * peak("linear")) << "they agree at 8 mm";
+  EXPECT_GT(peak("stiffening"), 0.5 * peak("linear"));
   EXPECT_NE(errorOf("table.toml").find("law.csv:3: depth_mm must increase, but 2 follows 3"), std::string::npos);
 }
 
