@@ -83,14 +83,14 @@ TEST(LayeredBody, ThinTissueIsStifferAndItsDentNarrower) {
   const Index soft = vertexAt(*world, "L3 right 40 mm");
   ASSERT_LT(world->surface.tissue_mm[bony] + 10.0, world->surface.tissue_mm[soft]);
   EXPECT_GT(world->stiffness_n_per_mm[bony], 1.3 * world->stiffness_n_per_mm[soft]);
-  const auto widthAt = [&](Index v) {
+  const auto width_at = [&](Index v) {
     const deform::Contact contact = contactOf(*world, fingerAt(*world, v, 8.0)).value();
     const tissue::PressCurves& press = contact.layered.value().press;
     double q = 0.0;
     while (tissue::curveAt(press.down, tissue::kPressBend, q * q).value > 0.5) q += 0.001;
     return q * press.radius_mm;
   };
-  EXPECT_LT(widthAt(bony), 0.9 * widthAt(soft));
+  EXPECT_LT(width_at(bony), 0.9 * width_at(soft));
 }
 
 TEST(LayeredBody, TheSkinNeverGoesDownToTheBone) {
