@@ -52,8 +52,8 @@ using Contacts = std::vector<deform::Contact>;
 void setLayers(const DeformRun& run, deform::Contact& contact) {
   constexpr double kThicknessMm = 40.0;
   constexpr double kFatMm = 8.0;
-  static const tissue::LayeredTissue kTissue(tissue::libraryNodes(kFatMm));
-  deform::LayeredShape shape{kTissue.pressAt(kThicknessMm, run.depth_mm), kTissue.dragAt(kThicknessMm).share};
+  static const tissue::LayeredTissue layers(tissue::libraryNodes(kFatMm));
+  deform::LayeredShape shape{layers.pressAt(kThicknessMm, run.depth_mm), layers.dragAt(kThicknessMm).share};
   shape.press.radius_mm = run.half_major_mm * std::sqrt(run.aspect);
   contact.layered = shape;
   contact.normal_region = maps::liftedOntoSurface({shape.press.radius_mm, 1.0}, contact.normal);
