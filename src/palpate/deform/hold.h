@@ -56,6 +56,7 @@ class Hold {
   const Skin& skin_;
   ShearLimit shear_;
   ShearBound bound_;
+  bool is_steep_near_fingers_ = false;  // some contact has layered tissue: bounds by place are tighter than bound_
 };
 
 template <class Displacement>
@@ -77,6 +78,8 @@ Index Hold<Displacement>::apply(const Displacement& displacement, ThePlan& plan,
 template <class Displacement>
 void Hold<Displacement>::boundShear(const Displacement& displacement, ThePlan& plan) noexcept {
   bound_ = {};
+  is_steep_near_fingers_ =
+      std::ranges::any_of(plan.frames, [](const auto& frame) { return frame.layered.has_value(); });
   for (std::size_t i = 0; i < plan.movers.size(); ++i) {
     if (Displacement::moves(plan.movers[i])) displacement.addShear(plan.frames[i], plan.movers[i], bound_);
   }
@@ -86,6 +89,7 @@ void Hold<Displacement>::boundShear(const Displacement& displacement, ThePlan& p
 template <class Displacement>
 ShearBound Hold<Displacement>::shearNear(const Displacement& displacement, const ThePlan& plan, Index block,
                                          double beyond_mm) const noexcept {
+  if (!is_steep_near_fingers_) return bound_;
   ShearBound shear;
   const Vec3 centre = skin_.centreOf(block);
   const double radius_mm = skin_.radiusOf(block) + beyond_mm;
@@ -105,7 +109,7 @@ bool Hold<Displacement>::findDoubtful(const Displacement& displacement, ThePlan&
   const auto is_spread = [&](Index tile) { return !(skin_.spread_of_tiles[tile] < certain); };
   plan.moved.forEachIn(is_spread, [&](Index block) {
     if (!mayFold(skin_.fold_bounds[block], bound_)) return;
-    if (!mayFold(skin_.fold_bounds[block], shearNear(displacement, plan, block, 0.0))) return;
+    if (is_steep_near_fingers_ && !mayFold(skin_.fold_bounds[block], shearNear(displacement, plan, block, 0.0))) return;
     plan.doubtful.insert(block);
     any = true;
   });

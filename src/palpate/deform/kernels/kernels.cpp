@@ -426,35 +426,36 @@ void displaceBlock(std::span<const ContactOnBlock> contacts, const RestBlock& re
   displaceByMany<true>(contacts, rest, out);
 }
 
-template <bool kDrags>
-void displaceWholeByOne(const ContactLanes& lanes, size_t vertices, const RestBlock& rest, const DeformedBlock& out) {
-  const ContactLanes contact = lanes;  // a copy that no store can alias
-  const M everyone = hn::FirstN(Lanes(), hn::Lanes(Lanes()));
+/// The same over a run of vertices all of which are touched.
+template <class Move>
+HWY_INLINE void overWhole(size_t vertices, const RestBlock& rest, const DeformedBlock& out, const Move& move) {
   for (size_t lane = 0; lane < vertices; lane += hn::Lanes(Lanes())) {
     const V3 position = load(rest.values, lane);
     const V3 normal = load(rest.values + 3, lane);
     V3 displacement = position;
     V3 turned = normal;
-    moveByOne<kDrags, true>(contact, position, everyone, displacement, turned);
+    move(position, displacement, turned);
     store(add(position, displacement), out.values, lane);
     store(unitOr(turned, normal), out.values + 3, lane);
     store(displacement, out.values + 6, lane);
   }
 }
 
+template <bool kDrags>
+void displaceWholeByOne(const ContactLanes& lanes, size_t vertices, const RestBlock& rest, const DeformedBlock& out) {
+  const ContactLanes contact = lanes;  // a copy that no store can alias
+  const M everyone = hn::FirstN(Lanes(), hn::Lanes(Lanes()));
+  overWhole(vertices, rest, out, [&](const V3& position, V3& displacement, V3& normal) HWY_ATTR {
+    moveByOne<kDrags, true>(contact, position, everyone, displacement, normal);
+  });
+}
+
 void displaceWholeLayered(const ContactLanes& lanes, size_t vertices, const RestBlock& rest, const DeformedBlock& out) {
   const ContactLanes contact = lanes;  // a copy that no store can alias
   const M everyone = hn::FirstN(Lanes(), hn::Lanes(Lanes()));
-  for (size_t lane = 0; lane < vertices; lane += hn::Lanes(Lanes())) {
-    const V3 position = load(rest.values, lane);
-    const V3 normal = load(rest.values + 3, lane);
-    V3 displacement = position;
-    V3 turned = normal;
-    moveByOneLayered(contact, position, everyone, displacement, turned);
-    store(add(position, displacement), out.values, lane);
-    store(unitOr(turned, normal), out.values + 3, lane);
-    store(displacement, out.values + 6, lane);
-  }
+  overWhole(vertices, rest, out, [&](const V3& position, V3& displacement, V3& normal) HWY_ATTR {
+    moveByOneLayered(contact, position, everyone, displacement, normal);
+  });
 }
 
 void displaceWholeBlocks(const ContactLanes& contact, Index blocks, const RestBlock& rest, const DeformedBlock& out) {
