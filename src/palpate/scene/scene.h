@@ -15,6 +15,7 @@
 #include "palpate/hdb/hdb_candidates.h"
 #include "palpate/maps/ellipse_map.h"
 #include "palpate/maps/measured_stiffness.h"
+#include "palpate/maps/natural_variation.h"
 #include "palpate/maps/stiffness_map.h"
 #include "palpate/scene/deformation_settings.h"
 #include "palpate/scene/safety_settings.h"
@@ -61,6 +62,7 @@ struct StiffnessSettings {
   double constant_n_per_mm = 0.5;
   maps::DepthLaw depth;
   maps::MeasuredStiffness points;
+  maps::NaturalVariation variation = {};  ///< of every source
 };
 
 /// Where the ellipse map is asked for the ellipse of a drag.

@@ -161,6 +161,7 @@ void keepFront(const mesh::TriangleMesh& skin, const std::vector<double>& health
 std::vector<double> stiffnessOf(const Scene& scene, const BodyParts& body, const KeyPoints& keys,
                                 const PlacedTissue& tissue, std::vector<std::string>& notes) {
   std::vector<double> stiffness = healthyStiffness(scene, body, keys, tissue, notes);
+  maps::applyVariation(body.skin.positions, scene.stiffness.variation, stiffness);
   if (scene.dysfunctions.empty()) return stiffness;
   const std::vector<double> healthy = stiffness;
   maps::applyDysfunctions(body.skin.positions, scene.dysfunctions, stiffness);

@@ -124,6 +124,15 @@ Section stiffnessSection() {
           "trend."),
       count<S>("polynomial_degree", way(&S::points, &maps::MeasuredStiffness::polynomial_degree), 0,
                maps::kMaxPolynomialDegree, "Source \"points\", interpolation \"polynomial\": its degree."),
+      number<S>(
+          "variation", way(&S::variation, &maps::NaturalVariation::variation), between(0, maps::kMostVariation),
+          "Natural variation between places: the standard deviation over the mean (docs/maps.md); 0 is none, 0.15 "
+          "mild."),
+      number<S>("variation_mm", way(&S::variation, &maps::NaturalVariation::length_mm), between(2, 1000),
+                "Natural variation: places so far apart share 37 % of what they deviate by."),
+      count<S, std::uint32_t>("variation_seed", way(&S::variation, &maps::NaturalVariation::seed), 0, 4'000'000'000,
+                              "Natural variation: another number is another body; the same is the same on every "
+                              "machine and mesh."),
   };
   return section<S>("stiffness", "How hard the body pushes back, in N per mm of depth.", &Scene::stiffness,
                     std::move(keys));
