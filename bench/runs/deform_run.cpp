@@ -53,10 +53,12 @@ void setLayers(const DeformRun& run, deform::Contact& contact) {
   constexpr double kThicknessMm = 40.0;
   constexpr double kFatMm = 8.0;
   static const tissue::LayeredTissue layers(tissue::libraryNodes(kFatMm));
-  deform::LayeredShape shape{layers.pressAt(kThicknessMm, run.depth_mm), layers.dragAt(kThicknessMm).share};
-  shape.press.radius_mm = run.half_major_mm * std::sqrt(run.aspect);
-  contact.layered = shape;
-  contact.normal_region = maps::liftedOntoSurface({shape.press.radius_mm, 1.0}, contact.normal);
+  const tissue::DragCurve drag = layers.dragAt(kThicknessMm);
+  contact.layered = deform::LayeredShape{layers.pressAt(kThicknessMm, run.depth_mm), drag.share};
+  contact.normal_region = maps::liftedOntoSurface({contact.layered->press.radius_mm, 1.0}, contact.normal);
+  if (run.drag_mm > 0.0) {
+    contact.tangential_region = {drag.along_mm * contact.drag_mm.normalized(), drag.across_mm / drag.along_mm};
+  }
 }
 
 Vec3 highestPlace(const mesh::TriangleMesh& mesh) {

@@ -23,6 +23,32 @@ struct FormStage : Stage {
   explicit FormStage(mesh::TriangleMesh m, const FormSettings& forms = {}) : Stage(std::move(m), forms, Way::general) {}
 };
 
+/// A dent with a bulge around it, as over a rib; and a drag.
+inline LayeredShape bonyShape(double radius_mm = 45.0) {
+  std::vector<tissue::CurveSample> down;
+  std::vector<tissue::CurveSample> outward;
+  std::vector<tissue::CurveSample> drag;
+  for (int i = 0; i < 120; ++i) {
+    const double q = i / 120.0;
+    const double r = q * radius_mm;
+    const double wide = std::exp(-std::pow(r / 17.0, 2));
+    down.push_back({q, 1.2 * std::exp(-std::pow(r / 8.0, 2)) - 0.2 * wide, 1.0});
+    outward.push_back({q, 0.1 * r / 6.0 * std::exp(0.5 - r * r / 72.0), 1.0});
+    drag.push_back({q, std::pow(1.0 + 36.0 * q * q, -0.8), 1.0});
+  }
+  LayeredShape shape;
+  shape.press = {radius_mm, tissue::fittedShare(down, tissue::kPressBend),
+                 tissue::fittedOutward(outward, tissue::kPressBend)};
+  shape.drag = tissue::fittedShare(drag, tissue::kDragBend);
+  return shape;
+}
+
+inline Contact layered(Contact contact, const LayeredShape& shape = bonyShape()) {
+  contact.layered = shape;
+  contact.normal_region = maps::liftedOntoSurface({shape.press.radius_mm, 1.0}, contact.normal);
+  return contact;
+}
+
 /// Nothing is held back: what the formulae say, vertex by vertex.
 inline FormSettings formulaeAlone() {
   FormSettings forms;

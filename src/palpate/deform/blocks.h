@@ -62,9 +62,13 @@ struct TileBounds {
 /// Deformed positions, normals and displacements, x y z nx ny nz dx dy dz, at a block's first vertex.
 struct DeformedBlock {
   float* values[9];
+  /// A number a block, where it is wanted: what the displacement leaves of the skin's area as seen along its normal,
+  /// the least of the block's vertices; below 0 the skin is folded there.
+  float* least_area = nullptr;
   DeformedBlock after(Index blocks) const {
     DeformedBlock block = *this;
     for (float*& first : block.values) first += std::size_t{blocks} * kBlockVertices;
+    if (block.least_area != nullptr) block.least_area += blocks;
     return block;
   }
 };

@@ -103,7 +103,7 @@ class Deformer::Pipeline {
   void chainBlocks(ThePlan& plan) const noexcept;
   void displace(ThePlan& plan, DeformedSurface& surface, Report& report) const noexcept;
   void displaceBlock(Index block, Run& run, ThePlan& plan, DeformedSurface& surface, Report& report) const noexcept;
-  void displaceRun(const Run& run, const ThePlan& plan, DeformedSurface& surface, Report& report) const noexcept;
+  void displaceRun(const Run& run, ThePlan& plan, DeformedSurface& surface, Report& report) const noexcept;
   Index displaceShared(Index block, ThePlan& plan, DeformedSurface& surface) const noexcept;
   void holdShear(ThePlan& plan, DeformedSurface& surface, Report& report) noexcept;
   void finishNormals(const ThePlan& plan, DeformedSurface& surface, Report& report) noexcept;
@@ -269,12 +269,13 @@ void Deformer::Pipeline<Displacement>::displaceBlock(Index block, Run& run, TheP
 }
 
 template <class Displacement>
-void Deformer::Pipeline<Displacement>::displaceRun(const Run& run, const ThePlan& plan, DeformedSurface& surface,
+void Deformer::Pipeline<Displacement>::displaceRun(const Run& run, ThePlan& plan, DeformedSurface& surface,
                                                    Report& report) const noexcept {
   const Index blocks = run.end - run.first;
   if (blocks == 0) return;
-  displacement_.displaceWholeBlocks(plan.movers[run.contact], blocks, skin_.restBlock(run.first),
-                                    surface.block(run.first));
+  DeformedBlock out = surface.block(run.first);
+  out.least_area = &plan.least_area[run.first];
+  displacement_.displaceWholeBlocks(plan.movers[run.contact], blocks, skin_.restBlock(run.first), out);
   report.moved_vertices += blocks * kBlockVertices;
 }
 
@@ -288,7 +289,9 @@ Index Deformer::Pipeline<Displacement>::displaceShared(Index block, ThePlan& pla
     plan.on_block.push_back({&plan.movers[entry.contact], entry.region, entry.is_level});
     moved |= entry.region;
   });
-  displacement_.displaceBlock(plan.on_block, skin_.restBlock(block), surface.block(block));
+  DeformedBlock out = surface.block(block);
+  out.least_area = &plan.least_area[block];
+  displacement_.displaceBlock(plan.on_block, skin_.restBlock(block), out);
   return static_cast<Index>(std::popcount(moved));
 }
 

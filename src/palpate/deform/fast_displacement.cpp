@@ -123,7 +123,7 @@ double FastDisplacement::mostAt(const Frame& frame, double press_mm, double drag
 
 double FastDisplacement::dragSlope(const Frame& frame, const Vec3& shift_mm) noexcept {
   if (!frame.drag.acts()) return 0.0;
-  const double steepest = frame.layered ? frame.layered->drag_slope.at(0.0) : tissue::kProfileSteepest;
+  const double steepest = frame.layered ? frame.layered->drag.slope.at(0.0) : tissue::kProfileSteepest;
   return steepest * std::hypot(frame.drag.along.dot(shift_mm), frame.drag.across.dot(shift_mm));
 }
 
@@ -134,23 +134,26 @@ void FastDisplacement::addShear(const Frame& frame, const Mover& mover, ShearBou
 void FastDisplacement::addShearNear(const Frame& frame, const Mover& mover, const Vec3& centre, double radius_mm,
                                     ShearBound& shear) noexcept {
   const LayeredFrame* const layered = frame.layered ? &*frame.layered : nullptr;
-  const double bend = layered != nullptr ? layered->bend : kSharpest / tissue::kProfileSteepest;
   const Vec3 offset = centre - frame.anchor;
   shear.is_one = shear.press == 0.0 && shear.drag == 0.0;
   shear.towards = shear.is_one ? frame.normal : Vec3::Zero();
   if (frame.press.acts()) {
     const double per_mm = pressOf(mover) * frame.press.steepest();
+    const double per_mm2 = per_mm * frame.press.steepest();
     const double q = leastRatio(frame.press, offset, radius_mm);
-    shear.press += (layered != nullptr ? layered->press_slope.at(q) : tissue::kProfileSteepest) * per_mm;
-    // The way outward lies in the plane of the skin, like a drag, and shrinks it in two directions.
-    if (layered != nullptr) shear.drag += 2.0 * layered->outward_slope.at(q) * per_mm;
-    shear.bend = std::max(shear.bend, bend * frame.press.steepest());
+    shear.press += (layered != nullptr ? layered->down.slope.at(q) : tissue::kProfileSteepest) * per_mm;
+    shear.press_bend += (layered != nullptr ? layered->down.bend.at(q) : kSharpest) * per_mm2;
+    if (layered != nullptr) {
+      // The way outward lies in the plane of the skin, like a drag, and shrinks it in two directions.
+      shear.drag += 2.0 * layered->outward.slope.at(q) * per_mm;
+      shear.drag_bend += 2.0 * layered->outward.bend.at(q) * per_mm2;
+    }
   }
   if (frame.drag.acts()) {
     const double q = leastRatio(frame.drag, offset, radius_mm);
-    const double slope = layered != nullptr ? layered->drag_slope.at(q) : tissue::kProfileSteepest;
-    shear.drag += slope * dragOf(mover) * frame.drag.steepest();
-    shear.bend = std::max(shear.bend, bend * frame.drag.steepest());
+    const double per_mm = dragOf(mover) * frame.drag.steepest();
+    shear.drag += (layered != nullptr ? layered->drag.slope.at(q) : tissue::kProfileSteepest) * per_mm;
+    shear.drag_bend += (layered != nullptr ? layered->drag.bend.at(q) : kSharpest) * per_mm * frame.drag.steepest();
   }
 }
 

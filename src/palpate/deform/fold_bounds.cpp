@@ -27,7 +27,7 @@ constexpr double kSlopeAtRim = 0.0123;
 struct TriangleShape {
   Vec3 normal = Vec3::Zero();  ///< unit; zero for a triangle without area
   double spread = 0.0;
-  double radius_mm = 0.0;
+  double gradient_mm = 0.0;
   double longest_mm = 0.0;
 };
 
@@ -45,7 +45,9 @@ TriangleShape shapeOf(const Skin& skin, const Triangle& triangle) {
   const Vec3 sides((corner[1] - corner[0]).norm(), (corner[2] - corner[1]).norm(), (corner[0] - corner[2]).norm());
   // cos(w / 2) by the half angle; at least what a float can tell from a flat triangle
   const double spread = 1.0 / std::sqrt(std::max(0.5 * (1.0 + widest_cosine), 1e-12));
-  return {area.normalized(), spread, 0.5 * sides.prod() / area.norm(), sides.maxCoeff()};
+  const double radius_mm = 0.5 * sides.prod() / area.norm();
+  const double gradient_mm = radius_mm + 2.0 * sides.prod() / (sides.minCoeff() * sides.sum());
+  return {area.normalized(), spread, gradient_mm, sides.maxCoeff()};
 }
 
 /// Over any of its sides; 0 where it has no area.
@@ -58,26 +60,29 @@ double leastHeight(const Skin& skin, const Triangle& triangle) {
   return area2 > 0.0 && std::isfinite(area2) ? area2 / longest : 0.0;
 }
 
+/// Calls `visit(triangle, vertex)`.
 template <class Visit>
 void forEachTriangleAt(const Skin& skin, Index block, const Visit& visit) {
   const Index end = std::min((block + 1) * kBlockVertices, skin.vertices);
   for (Index v = block * kBlockVertices; v < end; ++v) {
-    for (const Index t : skin.triangles_of_vertex[v]) visit(t);
+    for (const Index t : skin.triangles_of_vertex[v]) visit(t, v);
   }
 }
 
 FoldBound boundOf(const Skin& skin, const std::vector<TriangleShape>& shapes, Index block) {
   FoldBound bound;
   Vec3 sum = Vec3::Zero();
-  forEachTriangleAt(skin, block, [&](Index t) { sum += shapes[t].normal; });
+  forEachTriangleAt(skin, block, [&](Index t, Index) { sum += shapes[t].normal; });
   if (sum.norm() > 0.0) bound.axis = sum.normalized().cast<float>();
   double cos_cone = 1.0;
-  forEachTriangleAt(skin, block, [&](Index t) {
-    bound.longest_mm = std::max(bound.longest_mm, static_cast<float>(shapes[t].longest_mm));
+  const auto raise = [](float& most, double value) { most = std::max(most, static_cast<float>(value)); };
+  forEachTriangleAt(skin, block, [&](Index t, Index v) {
+    raise(bound.longest_mm, shapes[t].longest_mm);
     if (shapes[t].spread == 0.0) return;
     cos_cone = std::min(cos_cone, shapes[t].normal.dot(bound.axis.cast<double>()));
-    bound.spread = std::max(bound.spread, static_cast<float>(shapes[t].spread));
-    bound.radius_mm = std::max(bound.radius_mm, static_cast<float>(shapes[t].radius_mm));
+    raise(bound.spread, shapes[t].spread);
+    raise(bound.gradient_mm, shapes[t].gradient_mm);
+    raise(bound.crease, (shapes[t].normal - skin.restNormal(v).cast<double>()).norm());
   });
   bound.cos_cone = static_cast<float>(cos_cone) - 1e-6f;  // rounding
   return bound;
@@ -122,11 +127,29 @@ double certainSpread(const ShearBound& shear) noexcept {
 
 bool mayFold(const FoldBound& block, const ShearBound& shear) noexcept {
   // The second bound holds within a region; where it ends the slope drops by kSlopeAtRim of the largest at once.
-  const double curved = 1.0 + block.radius_mm * shear.bend + kSlopeAtRim * block.spread;
-  const double spread = std::min<double>(block.spread, curved);
-  if (keepsItsArea(spread * shear.press, spread * shear.drag, shear.is_one)) return false;
-  const double press = spread * shear.press * largestSine(block, shear.towards);
-  return !keepsItsArea(press, spread * shear.drag, shear.is_one);
+  const auto across = [&](double slope, double bend) {
+    const double curved = (1.0 + kSlopeAtRim * block.spread) * slope + block.gradient_mm * bend;
+    return std::min(block.spread * slope, curved);
+  };
+  const double press = across(shear.press, shear.press_bend);
+  const double drag = across(shear.drag, shear.drag_bend);
+  if (keepsItsArea(press, drag, shear.is_one)) return false;
+  return !keepsItsArea(press * largestSine(block, shear.towards), drag, shear.is_one);
+}
+
+bool mayFold(const FoldBound& block, const ShearBound& shear, double least_area) noexcept {
+  // The triangle's F is within `off` of that at the vertex. Of its area, the determinant of F in its plane, what moves
+  // along the press counts by its sine to the normal only.
+  const double sine = largestSine(block, shear.towards);
+  const double slope = shear.drag + sine * shear.press;
+  const double bend = shear.drag_bend + sine * shear.press_bend;
+  const double off = bend * block.gradient_mm + kSlopeAtRim * (1.0 + block.spread) * slope;
+  // Between the vertex's normal and the triangle's: cof(F) - I is at most the slopes and their products, and of a press
+  // no more than the sine is seen along either.
+  const double both = shear.press + shear.drag;
+  const double crease =
+      block.crease * (shear.drag + 0.5 * both * both) + std::min<double>(block.crease, sine) * shear.press;
+  return !(least_area - (1.0 + slope) * off - 0.5 * off * off - 2.0 * crease > 1.0 - kCertain);
 }
 
 AlignedVector<float> roomBesideStaying(const Skin& skin) {

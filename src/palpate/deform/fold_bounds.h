@@ -2,11 +2,13 @@
 // are looked at only where one might.
 //
 // A displacement u = p(x) b, p no steeper than s per mm, makes the corners of a triangle follow a plane whose slope is
-// at most s / cos(w / 2), w the widest angle, since each edge keeps to s; and at most s + m r, m the largest second
-// derivative of p and r the radius through the corners. The triangle turns over no sooner than that slope times the
-// part of b in its plane reaches 1. A press has no part in the plane of a triangle that it meets head on: hence the
-// cone of normals. Based on: Waldron, "The error in linear interpolation at the vertices of a simplex", 1998; the rest
-// own.
+// at most s / cos(w / 2), w the widest angle, since each edge keeps to s; and at most s + m g, m the largest second
+// derivative of p and g = r + 2 a b / (a + b + c), r the radius through the corners and a, b the longer two sides. The
+// triangle turns over no sooner than that slope times the part of b in its plane reaches 1. A press has no part in the
+// plane of a triangle that it meets head on: hence the cone of normals. Where that does not settle it, what the
+// displacement leaves of the area at each vertex does (DeformedBlock::least_area), since the slope of a triangle is
+// within m g of that at its corners. Based on: Shewchuk, "What is a good linear finite element?", 2002, for g (1.0 r is
+// reached by every triangle and 2 r by needles); the rest own.
 #pragma once
 
 #include <vector>
@@ -22,9 +24,10 @@ struct Skin;
 struct FoldBound {
   Vec3f axis = Vec3f::Zero();  ///< the mean of their normals; zero where there is none
   float cos_cone = -1.0f;      ///< of the angle that no normal leaves the axis by
-  float radius_mm = 0.0f;      ///< the largest through the corners of a triangle
+  float gradient_mm = 0.0f;    ///< how far a triangle's slope may be from the true one, over the second derivative
   float spread = 0.0f;         ///< the largest 1 / cos(widest angle / 2): 1.15 for equal sides, 1.41 for a right angle
   float longest_mm = 0.0f;     ///< of their edges
+  float crease = 0.0f;         ///< how far the normal of a triangle is from that of one of its vertices, as vectors
 };
 
 /// A bound a block. Triangles without area do not count: they cannot fold.
@@ -34,7 +37,9 @@ std::vector<FoldBound> foldBounds(const Skin& skin);
 struct ShearBound {
   double press = 0.0;
   double drag = 0.0;
-  double bend = 0.0;            ///< the largest second derivative over the largest slope, of any part, 1/mm
+  // Likewise the largest second derivatives, 1/mm.
+  double press_bend = 0.0;
+  double drag_bend = 0.0;
   Vec3 towards = Vec3::Zero();  ///< the direction of the press; zero for several
   bool is_one = true;           ///< of one contact
 };
@@ -44,6 +49,9 @@ double certainSpread(const ShearBound& shear) noexcept;
 
 /// True unless it is certain that no triangle of the block folds.
 bool mayFold(const FoldBound& block, const ShearBound& shear) noexcept;
+
+/// The same, knowing what is left of the area at the block's vertices (DeformedBlock::least_area).
+bool mayFold(const FoldBound& block, const ShearBound& shear, double least_area) noexcept;
 
 /// For each vertex (padded to whole blocks), should it stay: what the vertices joined to it may move by at most, so
 /// that no triangle at it folds and none of them moves by more than 0.4 of the way to it. 0 where a triangle has no

@@ -227,7 +227,7 @@ double GeneralDisplacement::mostAt(const Frame& frame, double press_mm, double d
 double GeneralDisplacement::dragSlope(const Frame& frame, const Vec3& shift_mm) const noexcept {
   if (!frame.drag.acts()) return 0.0;
   const RegionFrame& region = frame.drag;
-  const double slope = frame.layered ? frame.layered->drag_slope.at(0.0) : drag_slope_;
+  const double slope = frame.layered ? frame.layered->drag.slope.at(0.0) : drag_slope_;
   if (region.kind == RegionFrame::Kind::contour) return slope * shift_mm.norm() / shortestRadius(region);
   return slope * std::hypot(region.along.dot(shift_mm) / region.half_along_mm,
                             region.across.dot(shift_mm) / region.half_across_mm);

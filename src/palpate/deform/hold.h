@@ -108,8 +108,12 @@ bool Hold<Displacement>::findDoubtful(const Displacement& displacement, ThePlan&
   const double certain = certainSpread(bound_);
   const auto is_spread = [&](Index tile) { return !(skin_.spread_of_tiles[tile] < certain); };
   plan.moved.forEachIn(is_spread, [&](Index block) {
-    if (!mayFold(skin_.fold_bounds[block], bound_)) return;
-    if (is_steep_near_fingers_ && !mayFold(skin_.fold_bounds[block], shearNear(displacement, plan, block, 0.0))) return;
+    const auto may_fold = [&](const ShearBound& shear) {
+      const FoldBound& bound = skin_.fold_bounds[block];
+      return mayFold(bound, shear) && mayFold(bound, shear, plan.least_area[block]);
+    };
+    if (!may_fold(bound_)) return;
+    if (is_steep_near_fingers_ && !may_fold(shearNear(displacement, plan, block, 0.0))) return;
     plan.doubtful.insert(block);
     any = true;
   });

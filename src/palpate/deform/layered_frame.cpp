@@ -9,40 +9,62 @@ namespace palpate::deform {
 namespace {
 
 constexpr int kSamples = 4 * Room::kSteps;
-/// What the largest of so many samples may miss of a slope.
+/// What the largest of so many samples may miss of a derivative.
 constexpr double kBetweenSamples = 1.02;
 
-struct Steepness {
-  SlopeFrom slope;
-  double bend = 0.0;  ///< the largest second derivative
+struct Derivatives {
+  double first = 0.0;
+  double second = 0.0;
 };
 
-/// Of a curve by q, from its derivatives at the samples.
-template <class SlopeAt>
-Steepness steepnessOf(const SlopeAt& slope_at) noexcept {
+/// Of something whose first and second derivatives by q at the samples are `at(q)`.
+template <class DerivativesAt>
+Steepness steepnessOf(const DerivativesAt& derivatives_at) noexcept {
   Steepness steepness;
   constexpr int kEach = kSamples / Room::kSteps;
-  double most = 0.0;
-  double before = slope_at(1.0);
-  for (int i = kSamples - 1; i >= 0; --i) {
-    const double slope = slope_at(static_cast<double>(i) / kSamples);
-    most = std::max({most, kBetweenSamples * std::abs(slope), kBetweenSamples * std::abs(before)});
-    steepness.bend = std::max(steepness.bend, kBetweenSamples * std::abs(slope - before) * kSamples);
-    if (i % kEach == 0) steepness.slope.from[static_cast<std::size_t>(i / kEach)] = most;
-    before = slope;
+  Derivatives most;
+  for (int i = kSamples; i >= 0; --i) {
+    const Derivatives at = derivatives_at(static_cast<double>(i) / kSamples);
+    most.first = std::max(most.first, kBetweenSamples * std::abs(at.first));
+    most.second = std::max(most.second, kBetweenSamples * std::abs(at.second));
+    if (i % kEach != 0 || i == kSamples) continue;
+    steepness.slope.from[static_cast<std::size_t>(i / kEach)] = most.first;
+    steepness.bend.from[static_cast<std::size_t>(i / kEach)] = most.second;
   }
   return steepness;
 }
 
-Steepness steepnessOf(const tissue::LayeredCurve& curve, double bend) noexcept {
-  return steepnessOf([&](double q) { return 2.0 * q * tissue::curveAt(curve, bend, q * q).by_q2; });
+/// d^2 f / dq^2, by the difference of the slopes on both sides.
+template <class SlopeAt>
+double bendAt(const SlopeAt& slope_at, double q) noexcept {
+  constexpr double kStep = 0.25 / kSamples;
+  const double from = std::max(0.0, q - kStep);
+  const double to = std::min(1.0, q + kStep);
+  return (slope_at(to) - slope_at(from)) / (to - from);
 }
 
-/// The outward way q f(q) stretches by f + q f' along itself and by f across.
-Steepness outwardSteepness(const tissue::LayeredCurve& curve) noexcept {
+/// Along the way from the middle a share f bends by f'', across by f' / q.
+Steepness steepnessOf(const tissue::LayeredCurve& curve, double bend) noexcept {
+  const auto slope_at = [&](double q) { return 2.0 * q * tissue::curveAt(curve, bend, q * q).by_q2; };
   return steepnessOf([&](double q) {
-    const tissue::CurvePoint f = tissue::curveAt(curve, tissue::kPressBend, q * q);
-    return std::max(std::abs(f.value), std::abs(f.value + 2.0 * q * q * f.by_q2));
+    const double across = 2.0 * tissue::curveAt(curve, bend, q * q).by_q2;
+    return Derivatives{slope_at(q), std::max(std::abs(bendAt(slope_at, q)), std::abs(across))};
+  });
+}
+
+/// The outward way h = q f stretches by h' along itself and by f across; it bends by h'' and f' along itself, and by f'
+/// across.
+Steepness outwardSteepness(const tissue::LayeredCurve& curve) noexcept {
+  const auto f_at = [&](double q) { return tissue::curveAt(curve, tissue::kPressBend, q * q); };
+  const auto slope_at = [&](double q) {
+    const tissue::CurvePoint f = f_at(q);
+    return f.value + 2.0 * q * q * f.by_q2;
+  };
+  return steepnessOf([&](double q) {
+    const tissue::CurvePoint f = f_at(q);
+    const double sideways = std::abs(2.0 * q * f.by_q2);
+    return Derivatives{std::max(std::abs(f.value), std::abs(slope_at(q))),
+                       std::max(std::abs(bendAt(slope_at, q)), sideways) + sideways};
   });
 }
 
@@ -57,21 +79,12 @@ Room roomOf(const ShareAt& share_at) noexcept {
   return room;
 }
 
-double bendOver(const Steepness& of) noexcept {
-  const double slope = of.slope.at(0.0);
-  return slope > 0.0 ? of.bend / slope : 0.0;
-}
-
 }  // namespace
 
 LayeredFrame::LayeredFrame(const LayeredShape& of) noexcept : shape(of) {
-  const Steepness down = steepnessOf(shape.press.down, tissue::kPressBend);
-  const Steepness outward = outwardSteepness(shape.press.outward);
-  const Steepness drag = steepnessOf(shape.drag, tissue::kDragBend);
-  press_slope = down.slope;
-  outward_slope = outward.slope;
-  drag_slope = drag.slope;
-  bend = std::max({bendOver(down), bendOver(outward), bendOver(drag)});
+  down = steepnessOf(shape.press.down, tissue::kPressBend);
+  outward = outwardSteepness(shape.press.outward);
+  drag = steepnessOf(shape.drag, tissue::kDragBend);
   press_room = roomOf([&](double q) {
     const double sideways = q * tissue::curveAt(shape.press.outward, tissue::kPressBend, q * q).value;
     return std::hypot(pressShare(q), sideways);

@@ -34,23 +34,25 @@ struct Room {
   }
 };
 
-/// The largest slope from q on, falling, in steps: never below what it stands for.
-struct SlopeFrom {
+/// The largest of something from q on, falling, in steps: never below what it stands for.
+struct MostFrom {
   std::array<double, Room::kSteps> from{};  ///< in the step that begins at q = i / kSteps, and beyond
   double at(double q) const noexcept {
     return q < 1.0 ? from[static_cast<std::size_t>(Room::kSteps * std::max(0.0, q))] : 0.0;
   }
 };
 
+/// How much what a point keeps of the centre's motion changes with its place, in units of q in any direction: the
+/// largest first and second derivatives.
+struct Steepness {
+  MostFrom slope, bend;
+};
+
 struct LayeredFrame {
   LayeredShape shape;
   Room press_room;  ///< down and outward together
   Room drag_room;
-  // By q; over the half axis they are slopes per mm.
-  SlopeFrom press_slope;    ///< of the way down
-  SlopeFrom outward_slope;  ///< stretch by the way outward
-  SlopeFrom drag_slope;
-  double bend = 0.0;  ///< the largest second derivative over the largest slope, of either part
+  Steepness down, outward, drag;
 
   LayeredFrame() = default;
   explicit LayeredFrame(const LayeredShape& of) noexcept;

@@ -52,6 +52,7 @@ struct Plan {
   std::vector<Index> first_entry;        ///< a block of `moved` each
   std::vector<OnBlock<Mover>> on_block;  ///< room for the movers of one block
   BlockSet moved;                        ///< blocks with vertices of a region
+  std::vector<float> least_area;         ///< of those, DeformedBlock::least_area; room for every block
   BlockSet doubtful;                     ///< of `moved`: triangles may fold there
   std::vector<Pull> pulls;               ///< the contacts that move something
   BlockSet affected;  ///< these, and where normals or strain come from neighbours the blocks beside them
@@ -67,6 +68,7 @@ Plan<Displacement>::Plan(const Skin& skin, std::size_t n)
       shifts_mm(n, Vec3::Zero()),
       first_entry(skin.blocks, kNoIndex),
       moved(skin.blocks),
+      least_area(skin.blocks),
       doubtful(skin.blocks),
       affected(skin.blocks) {
   frames.reserve(n);

@@ -92,6 +92,31 @@ struct ShearLimit::Fold {
   double share() const noexcept { return leastRoot(area * (1.0 - kUnfolded), linear, square); }
 };
 
+namespace {
+
+/// A quick look in floats: true only if the triangle is not folded. Needles and what has lost most of its area are left
+/// to Fold.
+bool isPlainlyUp(const Skin& skin, const Triangle& triangle, const DeformedBlock& surface) noexcept {
+  constexpr float kPlainly = 0.05f;
+  constexpr float kWide = 1e-4f;  // height over side: a thousand times what rounding makes of the area
+  const auto position = [&](Index v) {
+    return Vec3f(surface.values[0][v], surface.values[1][v], surface.values[2][v]);
+  };
+  const Vec3f corner = position(triangle[0]);
+  const Vec3f first = position(triangle[1]) - corner;
+  const Vec3f second = position(triangle[2]) - corner;
+  const Vec3f rest_corner = skin.restPosition(triangle[0]);
+  const Vec3f rest_first = skin.restPosition(triangle[1]) - rest_corner;
+  const Vec3f rest_second = skin.restPosition(triangle[2]) - rest_corner;
+  const float longest2 =
+      std::max({first.squaredNorm(), second.squaredNorm(), rest_first.squaredNorm(), rest_second.squaredNorm()});
+  const Vec3f normal = rest_first.cross(rest_second);
+  const float area2 = normal.squaredNorm();
+  return area2 > kWide * kWide * longest2 * longest2 && first.cross(second).dot(normal) > kPlainly * area2;
+}
+
+}  // namespace
+
 ShearLimit::ShearLimit(const Skin& skin, std::size_t most_pulls)
     : skin_(skin),
       from_staying_(skin),
@@ -214,8 +239,18 @@ void ShearLimit::unfold(const DeformedBlock& surface, const BlockSet& doubtful) 
 
 /// Lists the folded triangles. False if there is no room for all.
 bool ShearLimit::findFolds(const DeformedBlock& surface, const BlockSet& doubtful) noexcept {
+  const auto is_looked_at = [&](Index v) { return moves(v) && doubtful.contains(blockOf(v)); };
   doubtful.forEach([&](Index block) {
-    forEachBit(regions_[block], [&](Index bit) { findFoldsAt(surface, block * kBlockVertices + bit); });
+    forEachBit(regions_[block], [&](Index bit) {
+      const Index v = block * kBlockVertices + bit;
+      for (const Index t : skin_.triangles_of_vertex[v]) {
+        // Once a triangle, at the first of its corners.
+        const Triangle& corners = skin_.triangles[t];
+        const auto is_before = [&](Index corner) { return corner < v && is_looked_at(corner); };
+        if (std::any_of(corners.begin(), corners.end(), is_before) || isPlainlyUp(skin_, corners, surface)) continue;
+        listIfFolded(t, surface);
+      }
+    });
   });
   for (const Index v : pinning_) findFoldsAt(surface, v);
   for (const Index v : held_) findFoldsAt(surface, v);
@@ -223,9 +258,11 @@ bool ShearLimit::findFolds(const DeformedBlock& surface, const BlockSet& doubtfu
 }
 
 void ShearLimit::findFoldsAt(const DeformedBlock& surface, Index vertex) noexcept {
-  for (const Index t : skin_.triangles_of_vertex[vertex]) {
-    if (folds_.size() < kMostFolds && Fold(skin_, skin_.triangles[t], surface).isFolded()) listFold(t);
-  }
+  for (const Index t : skin_.triangles_of_vertex[vertex]) listIfFolded(t, surface);
+}
+
+void ShearLimit::listIfFolded(Index triangle, const DeformedBlock& surface) noexcept {
+  if (folds_.size() < kMostFolds && Fold(skin_, skin_.triangles[triangle], surface).isFolded()) listFold(triangle);
 }
 
 void ShearLimit::listFold(Index triangle) noexcept {

@@ -111,6 +111,7 @@ class ShearLimit {
   void drawTogether(Index triangle, const DeformedBlock& surface) noexcept;
   bool drawAllTogether(const DeformedBlock& surface) noexcept;
   void findFoldsAt(const DeformedBlock& surface, Index vertex) noexcept;
+  void listIfFolded(Index triangle, const DeformedBlock& surface) noexcept;
   void shorten(const DeformedBlock& surface) noexcept;
   float shareWithoutFolds(const DeformedBlock& surface) const noexcept;
 

@@ -322,13 +322,11 @@ HWY_INLINE void moveByManyLayered(std::span<const ContactOnBlock> contacts, cons
 }
 
 /// 1 / sqrt(x) within 3e-7 of its value for x not below 1e-37: root and division would be half of the kernel's time.
-/// The machine's estimate has 12 bits or more on x86, 8 elsewhere; each of Newton's steps doubles them.
 HWY_INLINE V inverseRoot(V x) {
   const Lanes d;
-  constexpr int kSteps = HWY_ARCH_X86 && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_SCALAR ? 1 : 2;
   const V half_x = hn::Mul(hn::Set(d, 0.5f), x);
   V y = hn::ApproximateReciprocalSqrt(x);
-  for (int step = 0; step < kSteps; ++step) {
+  for (int step = 0; step < kNewtonSteps; ++step) {
     y = hn::Mul(y, hn::NegMulAdd(hn::Mul(half_x, y), y, hn::Set(d, 1.5f)));
   }
   return y;
@@ -348,11 +346,17 @@ HWY_INLINE void storeRest(const V3& position, const V3& normal, const DeformedBl
   store({zero, zero, zero}, out.values + 6, lane);
 }
 
+HWY_INLINE void storeLeast(V area, float* least_area) {
+  if (least_area != nullptr) *least_area = hn::GetLane(hn::MinOfLanes(Lanes(), area));
+}
+
 /// Runs `move(position, lane, displacement, normal)` over the block and writes what it gives for the touched vertices;
-/// `normal` comes in as the rest normal and need not leave with unit length. Results go through references: returned
-/// structs of vectors are spilled to the stack.
+/// `normal` comes in as the rest normal and leaves as cof(F) of it. Results go through references: returned structs of
+/// vectors are spilled to the stack.
 template <class Move>
 HWY_INLINE void overBlock(std::uint64_t touched, const RestBlock& rest, const DeformedBlock& out, const Move& move) {
+  const V whole = hn::Set(Lanes(), 1.0f);
+  V area = whole;
   for (size_t lane = 0; lane < kBlockVertices; lane += hn::Lanes(Lanes())) {
     const V3 position = load(rest.values, lane);
     const V3 normal = load(rest.values + 3, lane);
@@ -364,10 +368,12 @@ HWY_INLINE void overBlock(std::uint64_t touched, const RestBlock& rest, const De
     V3 displacement = position;
     V3 turned = normal;
     move(position, lane, displacement, turned);
+    area = hn::Min(area, hn::IfThenElse(mask, dot(turned, normal), whole));
     store(select(mask, add(position, displacement), position), out.values, lane);
     store(select(mask, unitOr(turned, normal), normal), out.values + 3, lane);
     store(displacement, out.values + 6, lane);
   }
+  storeLeast(area, out.least_area);
 }
 
 template <bool kDrags>
@@ -426,43 +432,48 @@ void displaceBlock(std::span<const ContactOnBlock> contacts, const RestBlock& re
   displaceByMany<true>(contacts, rest, out);
 }
 
-/// The same over a run of vertices all of which are touched.
+/// The same over a run of blocks all of whose vertices are touched.
 template <class Move>
-HWY_INLINE void overWhole(size_t vertices, const RestBlock& rest, const DeformedBlock& out, const Move& move) {
-  for (size_t lane = 0; lane < vertices; lane += hn::Lanes(Lanes())) {
-    const V3 position = load(rest.values, lane);
-    const V3 normal = load(rest.values + 3, lane);
-    V3 displacement = position;
-    V3 turned = normal;
-    move(position, displacement, turned);
-    store(add(position, displacement), out.values, lane);
-    store(unitOr(turned, normal), out.values + 3, lane);
-    store(displacement, out.values + 6, lane);
+HWY_INLINE void overWhole(Index blocks, const RestBlock& rest, const DeformedBlock& out, const Move& move) {
+  for (Index block = 0; block < blocks; ++block) {
+    const size_t first = size_t{block} * kBlockVertices;
+    V area = hn::Set(Lanes(), 1.0f);
+    for (size_t lane = first; lane < first + kBlockVertices; lane += hn::Lanes(Lanes())) {
+      const V3 position = load(rest.values, lane);
+      const V3 normal = load(rest.values + 3, lane);
+      V3 displacement = position;
+      V3 turned = normal;
+      move(position, displacement, turned);
+      area = hn::Min(area, dot(turned, normal));
+      store(add(position, displacement), out.values, lane);
+      store(unitOr(turned, normal), out.values + 3, lane);
+      store(displacement, out.values + 6, lane);
+    }
+    storeLeast(area, out.least_area == nullptr ? nullptr : out.least_area + block);
   }
 }
 
 template <bool kDrags>
-void displaceWholeByOne(const ContactLanes& lanes, size_t vertices, const RestBlock& rest, const DeformedBlock& out) {
+void displaceWholeByOne(const ContactLanes& lanes, Index blocks, const RestBlock& rest, const DeformedBlock& out) {
   const ContactLanes contact = lanes;  // a copy that no store can alias
   const M everyone = hn::FirstN(Lanes(), hn::Lanes(Lanes()));
-  overWhole(vertices, rest, out, [&](const V3& position, V3& displacement, V3& normal) HWY_ATTR {
+  overWhole(blocks, rest, out, [&](const V3& position, V3& displacement, V3& normal) HWY_ATTR {
     moveByOne<kDrags, true>(contact, position, everyone, displacement, normal);
   });
 }
 
-void displaceWholeLayered(const ContactLanes& lanes, size_t vertices, const RestBlock& rest, const DeformedBlock& out) {
+void displaceWholeLayered(const ContactLanes& lanes, Index blocks, const RestBlock& rest, const DeformedBlock& out) {
   const ContactLanes contact = lanes;  // a copy that no store can alias
   const M everyone = hn::FirstN(Lanes(), hn::Lanes(Lanes()));
-  overWhole(vertices, rest, out, [&](const V3& position, V3& displacement, V3& normal) HWY_ATTR {
+  overWhole(blocks, rest, out, [&](const V3& position, V3& displacement, V3& normal) HWY_ATTR {
     moveByOneLayered(contact, position, everyone, displacement, normal);
   });
 }
 
 void displaceWholeBlocks(const ContactLanes& contact, Index blocks, const RestBlock& rest, const DeformedBlock& out) {
-  const size_t vertices = size_t{blocks} * kBlockVertices;
-  if (contact.layered) return displaceWholeLayered(contact, vertices, rest, out);
-  drags(contact) ? displaceWholeByOne<true>(contact, vertices, rest, out)
-                 : displaceWholeByOne<false>(contact, vertices, rest, out);
+  if (contact.layered) return displaceWholeLayered(contact, blocks, rest, out);
+  drags(contact) ? displaceWholeByOne<true>(contact, blocks, rest, out)
+                 : displaceWholeByOne<false>(contact, blocks, rest, out);
 }
 
 void restoreBlocks(Index blocks, const RestBlock& rest, const DeformedBlock& out) {

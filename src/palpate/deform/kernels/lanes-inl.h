@@ -101,6 +101,10 @@ HWY_INLINE bool drags(const ContactLanes& contact) { return contact.tangential.o
 
 HWY_INLINE V3 absolute(const V3& v) { return {hn::Abs(v.x), hn::Abs(v.y), hn::Abs(v.z)}; }
 
+/// The machine's estimates of 1 / x and 1 / sqrt(x) have 12 bits or more on x86, 8 elsewhere; each of Newton's steps
+/// doubles them.
+constexpr int kNewtonSteps = HWY_ARCH_X86 && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_SCALAR ? 1 : 2;
+
 /// profile(q) and its gradient at 16 (8, 4) vertices; both 0 outside the region and from q = 1 on.
 struct Profile {
   V weight;
