@@ -75,6 +75,7 @@ void touchPanel(const TouchPanel& panel, Asks& asks) {
   pressWidgets(panel.touch);
   radiusWidget(panel.scene, panel.active_finger, asks);
   ImGui::Separator();
+  keyWidget(keys, {"friction", "skin", "skin"});
   gripWidgets(panel.scene.contact.finger, asks);
   keyWidget(keys, {"friction", "stiffness_ratio", "sideways stiffness", 0.05, 3.0});
   ImGui::Separator();

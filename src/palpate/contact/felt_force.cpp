@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "palpate/contact/friction.h"
+#include "palpate/contact/relaxation.h"
 #include "palpate/contact/surface_walk.h"
 
 namespace palpate::contact {
@@ -71,6 +72,18 @@ bool followPress(const Surface& surface, double most_mm, const Vec3& tip, Press&
   return press.felt_depth_mm > 0.0;
 }
 
+/// A tip that touches nothing, and what the skin makes of having been touched.
+FingerOutput leftOutput(const Surface& surface, const FingerSettings& settings, const Vec3& tip, FingerState& state) {
+  FingerOutput output = freeOutput(tip);
+  if (settings.relaxation.on()) {
+    recover(surface, settings, state.anchor, state.memory);
+    output.dent = state.memory.dent;
+  } else if (remembers(state.memory)) {
+    state.memory = {};
+  }
+  return output;
+}
+
 }  // namespace
 
 bool usableTip(const Surface& surface, const Vec3& tip) noexcept {
@@ -86,6 +99,7 @@ FingerOutput freeOutput(const Vec3& tip) noexcept {
 FingerOutput lostOutput(const FingerState& state) noexcept {
   FingerOutput output = freeOutput(state.tip);
   output.status = kTipLost;
+  output.dent = state.memory.dent;
   return output;
 }
 
@@ -96,14 +110,23 @@ FingerOutput feltOutput(const Surface& surface, const FingerSettings& settings, 
   const double with_friction = std::min(std::hypot(1.0, settings.mu_static), kMostFriction);
   if (!followPress(surface, most_mm / with_friction, tip, press, state)) {
     state.force = Vec3::Zero();
-    return freeOutput(tip);
+    return leftOutput(surface, settings, tip, state);
   }
   const SkinHere here = skinAt(surface, state.proxy);
-  const tissue::Response tissue =
+  tissue::Response tissue =
       tissue::respond(surface.force_law, here.stiffness_n_per_mm, press.felt_depth_mm, here.tissue_mm);
+  double most_n = most_mm * tangentOf(surface, here, press.felt_depth_mm, tissue);
+  double rest_mm = 0.0;
+  if (settings.relaxation.on()) {
+    const Relaxed now = relaxed(settings, tissue, here.stiffness_n_per_mm, press.proxy, state.memory);
+    tissue = now.tissue;
+    rest_mm = now.rest_mm;
+    most_n += with_friction * here.stiffness_n_per_mm * now.change_mm;
+  } else if (remembers(state.memory)) {
+    state.memory = {};
+  }
   const double sideways = settings.stiffness_ratio * tissue.tangential * tissue.secant_n_per_mm;
   const Pressure pressure{press.proxy, press.normal, tissue.force_n, sideways};
-  const double most_n = most_mm * tangentOf(surface, here, press.felt_depth_mm, tissue);
   const Hold hold = holdOf(surface, pressure, gripLimits(settings, tissue), most_n, state);
   FingerOutput output;
   output.tip = tip;
@@ -118,6 +141,8 @@ FingerOutput feltOutput(const Surface& surface, const FingerSettings& settings, 
   output.triangle = surface.tree.source_triangle[state.proxy.triangle];
   output.anchor_triangle = surface.tree.source_triangle[state.anchor.triangle];
   output.status = press.status | (hold.settled ? 0u : kCatchingUp);
+  output.rest_mm = rest_mm;
+  output.dent = state.memory.dent;
   return output;
 }
 

@@ -27,6 +27,13 @@ void require(bool holds, const char* what) {
   if (!holds) throw Error(std::string("finger settings: ") + what);
 }
 
+void checkRelaxation(const Relaxation& relaxation) {
+  const auto is_share = [](double value) { return value >= 0.0 && value <= kMostRelaxation; };
+  require(is_share(relaxation.share) && is_share(relaxation.share_2) && is_share(relaxation.share + relaxation.share_2),
+          "the shares of relaxation must be >= 0 and together at most 0.9");
+  require(relaxation.time_s > 0.0 && relaxation.time_2_s > 0.0, "the times of relaxation must be > 0");
+}
+
 }  // namespace
 
 FingerSettings scaled(FingerSettings settings, double factor) {
@@ -46,6 +53,7 @@ void check(const FingerSettings& settings) {
   require(not_negative(settings.max_depth_mm) && settings.max_depth_mm > 0.0, "max_depth_mm must be > 0");
   require(not_negative(settings.tick_s) && settings.tick_s > 0.0, "tick_s must be > 0");
   require(not_negative(settings.catch_up_mm_per_s), "catch_up_mm_per_s must be >= 0");
+  checkRelaxation(settings.relaxation);
 }
 
 FingerOutput step(const Surface& surface, const FingerSettings& settings, FingerState& state,

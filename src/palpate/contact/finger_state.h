@@ -12,6 +12,19 @@
 
 namespace palpate::contact {
 
+/// Of the force, what all terms of relaxation together may take: tissue that gave way altogether would be no tissue.
+inline constexpr double kMostRelaxation = 0.9;
+
+/// How the force falls while the skin is held: by which share of what it would be at once, and over which time
+/// (relaxation.h). Two terms at most; a share of 0 is none.
+struct Relaxation {
+  double share = 0.0;
+  double time_s = 1.0;
+  double share_2 = 0.0;
+  double time_2_s = 5.0;
+  bool on() const noexcept { return share > 0.0 || share_2 > 0.0; }
+};
+
 struct FingerSettings {
   double radius_mm = 0.0;  ///< 0 is a point, 8 a fingertip
   /// k_t / k_n. 1 is this engine's choice: tissue has 0.6 to 1.1. 0.23 is no tissue, but lets the skin follow 20 mm at
@@ -27,6 +40,7 @@ struct FingerSettings {
   /// its reason.
   double catch_up_mm_per_s = 100.0;
   bool force_shading = false;  ///< round off facets: for coarse meshes of smooth bodies; a point finger only
+  Relaxation relaxation = {};
 };
 
 enum class Touch : std::uint8_t { free, stick, slip };
@@ -58,6 +72,21 @@ struct StandingPlaces {
   int count = -1;  ///< -1: not known
 };
 
+/// A place that was pressed and comes back. Depths here are effective ones (tissue/force_law.h): 1 mm is 1 mm under
+/// the linear law only.
+struct Dent {
+  Vec3 place = Vec3::Zero();  ///< on the skin
+  double rest_mm = 0.0;       ///< how deep it still is; 0: there is none
+  Index triangle = kNoIndex;  ///< of the mesh
+};
+
+/// What the skin remembers of having been pressed (relaxation.h); zeros without relaxation.
+struct SkinMemory {
+  std::array<double, 2> under_mm{};  ///< the eased depth of each term, effective: of the skin under the finger
+  std::array<double, 2> left_mm{};   ///< of the dent that it left
+  Dent dent;                         ///< that dent, as FingerOutput has it
+};
+
 /// All that a finger remembers between two ticks. Plain data; value-initialised it has never touched anything.
 struct FingerState {
   bool knows_tip = false;  ///< false until the first usable tip
@@ -74,6 +103,7 @@ struct FingerState {
   Vec3 hold = Vec3::Zero();    ///< A as a point in space: where the pull of friction ends
   Vec3 felt = Vec3::Zero();    ///< the depth that was felt along its normal, mm; fades after the skin was left
   Vec3 force = Vec3::Zero();   ///< on the tip, N
+  SkinMemory memory = {};
 };
 
 /// What one finger felt in one tick; value-initialised it touches nothing, at the origin.
@@ -93,6 +123,8 @@ struct FingerOutput {
   Index triangle = kNoIndex;         ///< of the mesh, under the proxy
   Index anchor_triangle = kNoIndex;  ///< of the mesh, under the anchor
   std::uint32_t status = 0;          ///< StatusBits
+  double rest_mm = 0.0;  ///< effective depth at which the skin under the finger would stay by itself; 0 when free
+  Dent dent = {};        ///< what the finger left and is still coming back
 };
 
 }  // namespace palpate::contact

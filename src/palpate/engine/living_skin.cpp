@@ -14,7 +14,9 @@ namespace {
 deform::FormSettings formsOf(const scene::World& world, const LivingSkinSettings& settings) {
   deform::FormSettings forms = world.deformation;
   forms.common.strain = settings.strain;
-  forms.common.max_contacts = std::max({forms.common.max_contacts, world.scene.fingers.size(), settings.fingers});
+  // Each finger may have left a dent.
+  const std::size_t places = 2 * std::max(world.scene.fingers.size(), settings.fingers);
+  forms.common.max_contacts = std::max(forms.common.max_contacts, places);
   return forms;
 }
 
@@ -36,15 +38,19 @@ deform::Report LivingSkin::followAny(std::span<const Finger> fingers, std::uint6
   lift_mm_ = world_.breath ? world_.breath->lift(static_cast<double>(tick) / world_.scene.ticks_per_s) : 0.0;
   touching_.clear();
   std::uint32_t left_out = 0;
-  for (const Finger& finger : fingers) {
-    const contact::FingerOutput& felt = outputOf(finger);
-    const auto contact = scene::contactOf(world_, world_.breath ? servo::atRest(*world_.breath, felt, lift_mm_) : felt);
-    if (!contact) continue;
+  const auto add = [&](const std::optional<deform::Contact>& contact) {
+    if (!contact) return;
     if (touching_.size() < touching_.capacity()) {
       touching_.push_back(*contact);
     } else {
       left_out = deform::kIgnoredOverCapacity;
     }
+  };
+  for (const Finger& finger : fingers) {
+    const contact::FingerOutput& output = outputOf(finger);
+    const contact::FingerOutput felt = world_.breath ? servo::atRest(*world_.breath, output, lift_mm_) : output;
+    add(scene::contactOf(world_, felt));
+    add(scene::dentOf(world_, felt));
   }
   deform::Report report = deformer_.apply(touching_, surface_);
   report.status |= left_out;

@@ -40,7 +40,11 @@ std::vector<Field> fieldsOf(contact::FingerSettings& s) {
           number("max_depth_mm", s.max_depth_mm),
           number("tick_s", s.tick_s),
           number("catch_up_mm_per_s", s.catch_up_mm_per_s),
-          flag("force_shading", s.force_shading)};
+          flag("force_shading", s.force_shading),
+          number("relaxation", s.relaxation.share),
+          number("relaxation_s", s.relaxation.time_s),
+          number("relaxation_2", s.relaxation.share_2),
+          number("relaxation_2_s", s.relaxation.time_2_s)};
 }
 
 std::vector<Field> fieldsOf(RecordedLimiter& recorded) {

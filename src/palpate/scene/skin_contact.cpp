@@ -8,6 +8,7 @@
 #include "palpate/contact/friction.h"
 #include "palpate/deform/finger_contact.h"
 #include "palpate/scene/tissue_of_body.h"
+#include "palpate/tissue/law_inverse.h"
 
 namespace palpate::scene {
 
@@ -33,17 +34,51 @@ maps::SurfaceEllipse dragRegion(const World& world, const contact::FingerOutput&
   return world.ellipses.on(place, finger.normal);
 }
 
-}  // namespace
+/// mm: how deep skin is that stays at this effective depth by itself (contact/relaxation.h).
+double depthAtRest(const World& world, double rest_mm, Index triangle) noexcept {
+  const std::vector<double>& tissue_mm = world.surface.tissue_mm;
+  if (triangle >= world.skin.triangles.size()) return 0.0;
+  const Index corner = world.skin.triangles[triangle][0];
+  return tissue::depthOf(world.surface.force_law, rest_mm, tissue_mm.empty() ? 0.0 : tissue_mm[corner]);
+}
 
-std::optional<deform::Contact> contactOf(const World& world, const contact::FingerOutput& finger) noexcept {
-  if (finger.touch == contact::Touch::free) return std::nullopt;
+std::optional<deform::Contact> contactAsFelt(const World& world, const contact::FingerOutput& meant) noexcept {
   const deform::FormSettings& forms = world.deformation;
-  const contact::FingerOutput meant = forms.fidelity.literal(Erratum::E1_anchor) ? withLiteralAnchor(finger) : finger;
   std::optional<deform::Contact> contact = deform::contactOf(meant, dragRegion(world, meant), forms.common.tissue);
   if (!contact) return contact;
   if (world.contours) contact->tangential_contour = world.contours->on(meant.anchor, meant.normal);
   if (world.layered) return layeredContact(world, *contact);
   return deform::formedRegions(*contact, forms);
+}
+
+Vec3 normalOf(const mesh::TriangleMesh& skin, Index triangle) noexcept {
+  const Triangle& corners = skin.triangles[triangle];
+  const Vec3& first = skin.positions[corners[0]];
+  return (skin.positions[corners[1]] - first).cross(skin.positions[corners[2]] - first).normalized();
+}
+
+}  // namespace
+
+std::optional<deform::Contact> contactOf(const World& world, const contact::FingerOutput& finger) noexcept {
+  if (finger.touch == contact::Touch::free) return std::nullopt;
+  const bool literal = world.deformation.fidelity.literal(Erratum::E1_anchor);
+  contact::FingerOutput meant = literal ? withLiteralAnchor(finger) : finger;
+  if (finger.rest_mm > 0.0) {
+    meant.depth_mm = std::max(meant.depth_mm, depthAtRest(world, finger.rest_mm, finger.triangle));
+  }
+  return contactAsFelt(world, meant);
+}
+
+std::optional<deform::Contact> dentOf(const World& world, const contact::FingerOutput& finger) noexcept {
+  const contact::Dent& dent = finger.dent;
+  if (!(dent.rest_mm > 0.0) || dent.triangle >= world.skin.triangles.size()) return std::nullopt;
+  contact::FingerOutput left;
+  left.tip = left.proxy = left.anchor = left.hold = dent.place;
+  left.triangle = left.anchor_triangle = dent.triangle;
+  left.normal = normalOf(world.skin, dent.triangle);
+  left.depth_mm = depthAtRest(world, dent.rest_mm, dent.triangle);
+  left.touch = contact::Touch::stick;
+  return contactAsFelt(world, left);
 }
 
 }  // namespace palpate::scene

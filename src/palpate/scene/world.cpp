@@ -323,6 +323,7 @@ contact::FingerSettings contactSettings(const Scene& scene, const Finger& finger
   contact::FingerSettings settings = scene.contact.finger;
   settings.radius_mm = finger.radius_mm;
   settings.tick_s = 1.0 / scene.ticks_per_s;
+  settings.relaxation = scene.tissue.relaxation;
   return settings;
 }
 

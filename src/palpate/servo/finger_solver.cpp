@@ -38,11 +38,13 @@ contact::FingerOutput touch(FingerSolver& solver, const contact::FingerSettings&
   felt.tip = lost ? breath.moved(felt.tip, lift_mm) : tip;  // to the bit what it was asked for
   const bool free = felt.touch == contact::Touch::free;
   for (Vec3* place : {&felt.proxy, &felt.anchor, &felt.hold}) *place = free ? felt.tip : breath.moved(*place, lift_mm);
+  if (felt.dent.rest_mm > 0.0) felt.dent.place = breath.moved(felt.dent.place, lift_mm);
   return felt;
 }
 
 contact::FingerOutput atRest(const body::BreathField& breath, contact::FingerOutput felt, double lift_mm) noexcept {
   for (Vec3* place : {&felt.tip, &felt.proxy, &felt.anchor, &felt.hold}) *place = breath.rest(*place, lift_mm);
+  if (felt.dent.rest_mm > 0.0) felt.dent.place = breath.rest(felt.dent.place, lift_mm);
   return felt;
 }
 

@@ -34,6 +34,7 @@ double softShare(SoftContact& state, const contact::FingerOutput& contact, const
     return 1.0;
   }
   if (!(contact.depth_mm > 0.0)) return 1.0;  // touches, presses nothing: nothing is known yet
+  if (contact.rest_mm > 0.0 && !(contact.force.dot(contact.normal) > 0.0)) return 1.0;  // likewise: over its own dent
   if (!state.known) state = {true, toeOf(contact, law, approach)};
   if (!(state.toe_mm > 0.0)) return 1.0;
   const double felt = toeDepth(state.toe_mm, contact.depth_mm);

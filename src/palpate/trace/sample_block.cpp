@@ -36,6 +36,16 @@ constexpr SampleColumn deviceAxis(std::string_view name) {
           [](Sample& s, std::uint64_t bits) { s.device_force[Axis] = std::bit_cast<double>(bits); }};
 }
 
+template <int Axis>
+constexpr SampleColumn dentAxis(std::string_view name, std::string_view meaning) {
+  return {name,
+          "f64",
+          "mm",
+          meaning,
+          [](const Sample& s) { return std::bit_cast<std::uint64_t>(s.contact.dent.place[Axis]); },
+          [](Sample& s, std::uint64_t bits) { s.contact.dent.place[Axis] = std::bit_cast<double>(bits); }};
+}
+
 template <auto Member>
 constexpr SampleColumn felt(std::string_view name, std::string_view meaning) {
   return {name,
@@ -93,6 +103,18 @@ constexpr std::array kColumns = {
     SampleColumn{"buttons", "u32", "", "bits: those of the device that are down, 1 the first",
                  [](const Sample& s) { return std::uint64_t{s.buttons}; },
                  [](Sample& s, std::uint64_t bits) { s.buttons = static_cast<std::uint32_t>(bits); }},
+    SampleColumn{"rest_mm", "f64", "mm", "effective depth at which the skin under the finger would stay by itself",
+                 [](const Sample& s) { return std::bit_cast<std::uint64_t>(s.contact.rest_mm); },
+                 [](Sample& s, std::uint64_t bits) { s.contact.rest_mm = std::bit_cast<double>(bits); }},
+    SampleColumn{"dent_mm", "f64", "mm", "effective depth of the dent that the finger left; 0: none",
+                 [](const Sample& s) { return std::bit_cast<std::uint64_t>(s.contact.dent.rest_mm); },
+                 [](Sample& s, std::uint64_t bits) { s.contact.dent.rest_mm = std::bit_cast<double>(bits); }},
+    dentAxis<0>("dent_x_mm", "where that dent is"),
+    dentAxis<1>("dent_y_mm", ""),
+    dentAxis<2>("dent_z_mm", ""),
+    SampleColumn{"dent_triangle", "u32", "", "under that dent; 4294967295: none",
+                 [](const Sample& s) { return std::uint64_t{s.contact.dent.triangle}; },
+                 [](Sample& s, std::uint64_t bits) { s.contact.dent.triangle = static_cast<Index>(bits); }},
 };
 
 std::size_t rowBytes(std::span<const SampleColumn> columns) {

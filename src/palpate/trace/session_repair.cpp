@@ -112,17 +112,26 @@ class Repair {
  private:
   // --- what the blocks need ---
 
-  /// The file's own; those of this version and of the first one where they are lost.
+  /// The file's own; where they are lost, or a name among them is none, first those of each version: a row of one has
+  /// another length than that of another.
   void chooseColumns() {
     std::vector<SampleColumn> own;
     for (const auto& [position, column] : remains_.columns) {
       if (position == static_cast<std::int64_t>(own.size())) own.push_back(column);
     }
+    const bool whole = own.size() == remains_.columns.size() && !own.empty();
+    const bool known = std::ranges::none_of(own, [](const SampleColumn& column) { return column.name.empty(); });
+    if (whole && known) columns_.push_back(own);
     const auto now = sampleColumns();
-    if (own.size() == remains_.columns.size() && !own.empty()) columns_.push_back(own);
-    columns_.emplace_back(now.begin(), now.end());
-    std::erase_if(columns_.emplace_back(now.begin(), now.end()),
-                  [](const SampleColumn& column) { return column.name == "buttons"; });
+    std::vector<SampleColumn> columns(now.begin(), now.end());
+    columns_.push_back(columns);
+    std::erase_if(columns, [](const SampleColumn& column) {
+      return column.name == "rest_mm" || column.name.starts_with("dent_");
+    });
+    columns_.push_back(columns);
+    std::erase_if(columns, [](const SampleColumn& column) { return column.name == "buttons"; });
+    columns_.push_back(std::move(columns));
+    if (whole && !known) columns_.push_back(std::move(own));
   }
 
   void chooseFingers() {

@@ -3,7 +3,8 @@
 // before.
 //
 // What is remembered longest is the ring of forces that the passivity observer keeps (servo/passivity.h, 16 ticks); the
-// motion of two ticks before decides about a soft toe. Only the warning "too stiff" looks further back: it counts a
+// motion of two ticks before decides about a soft toe. Skin that relaxes remembers for as long as its dent is there
+// (contact/relaxation.h). Only the warning "too stiff" looks further back: it counts a
 // second of contact (servo/limiter.h), and changes no force.
 #pragma once
 
@@ -16,7 +17,8 @@ inline constexpr int kRestTicks = 16;
 
 inline bool rests(const Sample& sample) noexcept {
   return sample.contact.touch == contact::Touch::free && sample.contact.status == 0 && sample.safety == 0 &&
-         sample.contact.force.isZero(0.0) && sample.device_force.isZero(0.0) && !(sample.loss_n_mm > 0.0);
+         sample.contact.force.isZero(0.0) && sample.device_force.isZero(0.0) && !(sample.loss_n_mm > 0.0) &&
+         !(sample.contact.dent.rest_mm > 0.0);
 }
 
 /// Of one finger.

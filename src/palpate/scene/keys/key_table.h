@@ -54,6 +54,7 @@ struct Key {
   std::function<void(S&, const Entry&)> read;
   std::function<std::string(const S&)> show;  ///< the value as it would stand in a file; empty = there is none
   KeyForm form = {};
+  bool first = false;  ///< read before the others, which overrule what it says about them
 };
 
 double readNumber(const Entry& entry, const Range& range);
@@ -223,12 +224,18 @@ void readTable(const toml::table& table, std::string_view title, std::string_vie
                const std::vector<Key<S>>& keys, S& settings, const std::vector<std::string>& nested = {}) {
   std::vector<std::string> names = nested;
   for (const Key<S>& key : keys) names.push_back(key.name);
+  const auto read = [&](const Key<S>& key, const toml::node& node) {
+    key.read(settings, {node, file_name, title.empty() ? key.name : fmt::format("{} {}", title, key.name)});
+  };
+  for (const Key<S>& key : keys) {
+    const toml::node* node = key.first ? table.get(key.name) : nullptr;
+    if (node != nullptr) read(key, *node);
+  }
   for (const auto& [toml_key, node] : table) {
     const std::string_view written = toml_key.str();
     const auto key = std::find_if(keys.begin(), keys.end(), [&](const Key<S>& k) { return k.name == written; });
     if (key != keys.end()) {
-      key->read(settings,
-                {node, file_name, title.empty() ? std::string(written) : fmt::format("{} {}", title, written)});
+      if (!key->first) read(*key, node);
     } else if (std::find(nested.begin(), nested.end(), written) == nested.end()) {
       throw Error::atLine(file_name, toml_key.source().begin.line, unknownName("key", written, title, names));
     }

@@ -1,12 +1,51 @@
 // The tables [friction], [contact], [partition], [tissue] and [safety] of a scene file: how the body is felt.
 #include "palpate/scene/keys/section_keys.h"
 #include "palpate/scene/words.h"
+#include "palpate/tissue/published.h"
 
 namespace palpate::scene {
+
+namespace {
+
+std::vector<std::string> frictionNames() {
+  std::vector<std::string> names;
+  for (const tissue::FrictionPreset& preset : tissue::frictionPresets()) names.emplace_back(preset.name);
+  return names;
+}
+
+/// The name of two coefficients and nothing beside them: who changes one of them has no such skin any more.
+Key<contact::FingerSettings> skinKey() {
+  using S = contact::FingerSettings;
+  const auto read = [](S& friction, const Entry& entry) {
+    const std::string name = readWord(entry, frictionNames());
+    const auto preset = std::ranges::find(tissue::frictionPresets(), name, &tissue::FrictionPreset::name);
+    friction.mu_static = preset->still;
+    friction.mu_dynamic = preset->slipping;
+  };
+  const auto show = [](const S& friction) -> std::string {
+    for (const tissue::FrictionPreset& preset : tissue::frictionPresets()) {
+      const bool same = preset.still == friction.mu_static && preset.slipping == friction.mu_dynamic;
+      if (same) return inQuotes(preset.name);
+    }
+    return {};
+  };
+  return {.name = "skin",
+          .takes = choiceWords(frictionNames()),
+          .meaning =
+              "Both coefficients by what is on the skin: dry is 0.46 and 0.44, oiled 0.2 and 0.2 "
+              "(docs/tissue.md has the sources); where static or dynamic is written too, that one counts.",
+          .read = read,
+          .show = show,
+          .form = {KeyForm::Kind::choice, 0.0, 0.0, frictionNames()},
+          .first = true};
+}
+
+}  // namespace
 
 Section frictionSection() {
   using S = contact::FingerSettings;
   std::vector<Key<S>> keys = {
+      skinKey(),
       number<S>("static", &S::mu_static, between(0, 5), "Coefficient up to which the skin sticks to the finger."),
       number<S>("dynamic", &S::mu_dynamic, between(0, 5), "Coefficient while the finger slips; not above static."),
       number<S>(
@@ -66,6 +105,26 @@ Section partitionSection() {
                     std::move(keys));
 }
 
+namespace {
+
+std::vector<Key<TissueSettings>> relaxationKeys() {
+  using S = TissueSettings;
+  using R = contact::Relaxation;
+  const auto term = [](auto R::*member) { return way(&S::relaxation, member); };
+  return {
+      number<S>("relaxation", term(&R::share), between(0, contact::kMostRelaxation),
+                "Share by which the force of a press that is held falls in time (docs/relaxation.md); 0 is none, 0.15 "
+                "what living limbs may have."),
+      number<S>("relaxation_s", term(&R::time_s), between(0.01, 1000),
+                "Relaxation: the time in which it falls by 63 % of that."),
+      number<S>("relaxation_2", term(&R::share_2), between(0, contact::kMostRelaxation),
+                "Relaxation: a second share, which falls at its own pace; the two together at most 0.9."),
+      number<S>("relaxation_2_s", term(&R::time_2_s), between(0.01, 1000), "Relaxation: the second one's time."),
+  };
+}
+
+}  // namespace
+
 Section tissueSection() {
   using S = TissueSettings;
   using L = tissue::ForceLaw;
@@ -93,8 +152,14 @@ Section tissueSection() {
               "Layered tissue: one stack for every place, from palpate tissue solve or palpate fit profile; left out: "
               "the library's stacks by thickness."),
   };
-  return section<S>("tissue", "How force grows with depth.", &Scene::tissue, std::move(keys),
+  const std::vector<Key<S>> relaxation = relaxationKeys();
+  keys.insert(keys.end(), relaxation.begin(), relaxation.end());
+  return section<S>("tissue", "How force grows with depth, and falls with time.", &Scene::tissue, std::move(keys),
                     [](const S& tissue, const Entry& entry) {
+                      if (!(tissue.relaxation.share + tissue.relaxation.share_2 <= contact::kMostRelaxation)) {
+                        entry.fail(fmt::format("relaxation and relaxation_2 together must not be above {}",
+                                               contact::kMostRelaxation));
+                      }
                       const bool wants_table = tissue.force_law.kind == L::Kind::table;
                       if (wants_table && tissue.force_table.empty()) entry.fail("law \"table\" needs a force_table");
                       if (!wants_table && !tissue.force_table.empty()) {
