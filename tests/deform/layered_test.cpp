@@ -49,6 +49,38 @@ TEST(LayeredTissue, MovesEveryVertexByItsCurvesBothWays) {
   }
 }
 
+/// A press whose region follows the anatomy is an ellipse.
+Contact bent(Contact contact) {
+  contact.normal_region = {contact.layered->press.radius_mm * Vec3(0.9, 0.5, 0.0), 0.7};
+  return contact;
+}
+
+TEST(LayeredTissue, AnEllipticPressMovesOutwardAcrossItsContours) {
+  for (const Way way : {Way::chosen, Way::general}) {
+    Stage stage(plate(), {}, way);
+    const Contact contact = bent(onPlate(stage.mesh, 7.0));
+    stage.apply({contact});
+    const Vec3 major = contact.normal_region.half_major;
+    const double a = major.norm();
+    const double b = a * contact.normal_region.aspect;
+    const Vec3 along = major / a;
+    const Vec3 across = Vec3::UnitZ().cross(along);
+    double worst = 0.0;
+    for (Index v = 0; v < stage.skin.vertices; ++v) {
+      const Vec3 offset = test::restPoint(stage.skin, v) - contact.anchor;
+      const double s = along.dot(offset) / a;
+      const double t = across.dot(offset) / b;
+      const auto press = [&](const tissue::LayeredCurve& curve) {
+        return tissue::curveAt(curve, tissue::kPressBend, s * s + t * t).value;
+      };
+      const Vec3 expected = -7.0 * press(contact.layered->press.down) * Vec3::UnitZ() +
+                            7.0 * b * press(contact.layered->press.outward) * (s / a * along + t / b * across);
+      worst = std::max(worst, (stage.moved(v) - expected).norm());
+    }
+    EXPECT_LT(worst, 2e-5) << (way == Way::general);
+  }
+}
+
 TEST(LayeredTissue, HasABulgeAndAPullThatTheHalfGaussianHasNot) {
   Stage stage(plate());
   const Contact contact = onPlate(stage.mesh, 8.0);
@@ -76,7 +108,7 @@ TEST(LayeredTissue, BothWaysAgreeOnBodiesHeightsAndNormals) {
     for (int k = 0; k <= i % 3; ++k) {
       Contact contact = test::anyContact(mesh, random);
       contact.depth_mm = random.uniform(0.5, 9.0);
-      contacts.push_back(k == 1 ? contact : layered(contact));
+      contacts.push_back(k == 1 ? contact : k == 0 ? layered(contact) : bent(layered(contact)));
     }
     fast.apply(contacts);
     general.apply(contacts);
@@ -95,14 +127,16 @@ TEST(LayeredTissue, TheAnalyticNormalIsThatOfTheMovedSkin) {
   recomputed.common.normals = Normals::recomputed;
   Stage analytic(zoo::grid(240, 240.0));
   Stage triangles(analytic.mesh, recomputed);
-  const Contact contact = test::drag(onPlate(analytic.mesh, 6.0), {4.0, 2.0, 0.0});
-  analytic.apply({contact});
-  triangles.apply({contact});
-  double worst = 0.0;
-  for (Index v = 0; v < analytic.skin.vertices; ++v) {
-    worst = std::max(worst, (analytic.surface.normalAt(v) - triangles.surface.normalAt(v)).norm() * 1.0);
+  const Contact round = test::drag(onPlate(analytic.mesh, 6.0), {4.0, 2.0, 0.0});
+  for (const Contact& contact : {round, bent(round)}) {
+    analytic.apply({contact});
+    triangles.apply({contact});
+    double worst = 0.0;
+    for (Index v = 0; v < analytic.skin.vertices; ++v) {
+      worst = std::max(worst, (analytic.surface.normalAt(v) - triangles.surface.normalAt(v)).norm() * 1.0);
+    }
+    EXPECT_LT(worst, 0.04) << "a millimetre's grid against the smooth surface";
   }
-  EXPECT_LT(worst, 0.04) << "a millimetre's grid against the smooth surface";
 }
 
 TEST(LayeredTissue, TheSkinUnderTheFingerFollowsTheTip) {

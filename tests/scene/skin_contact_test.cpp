@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "palpate/contact/friction.h"
 #include "palpate/deform/finger_contact.h"
+#include "palpate/scene/anatomical_reach.h"
 #include "palpate/scene/scene_file.h"
+#include "palpate/scene/tissue_of_body.h"
 
 namespace palpate::scene {
 namespace {
@@ -20,7 +23,8 @@ World worldWith(const std::string& toml) {
   World world = *plain;
   const Scene scene = parse(toml + finger, "s.toml");
   world.deformation = formsOf(scene);
-  world.contours = contoursOf(scene, maps::dissertationKeyPoints(), {});
+  world.contours = contoursOf(scene, {});
+  world.reach = reachOf(scene, world.skin, world.anatomy, world.surface.tree, nullptr);
   return world;
 }
 
@@ -110,16 +114,29 @@ TEST(SkinContact, OneEllipseForBothPartsAsPrinted) {  // E21
               1e-3);
 }
 
-// Without a table of contours the key ellipses become contours: the same boundary, told by 64 radii.
-TEST(SkinContact, ContoursOfKeyEllipsesAreNearlyTheEllipses) {
+// Without a table of contours the map's ellipse is bent to the place: on the even back by little, and no ellipse any
+// more.
+TEST(SkinContact, BuiltInContoursAreTheEllipsesBentToThePlace) {
   const World world = worldWith("[deformation]\nshape = \"contour\"\n");
   const contact::FingerOutput finger = dragging(world);
   const auto contact = contactOf(world, finger);
   ASSERT_TRUE(contact);
-  ASSERT_EQ(contact->tangential_contour.contour.count, 64u);
-  const double half_major = contact->tangential_region.half_major.norm();
-  const auto& log_radii = contact->tangential_contour.contour.log_radii;
-  EXPECT_NEAR(std::exp(*std::max_element(log_radii.begin(), log_radii.end())) / half_major, 1.0, 0.1);
+  const maps::SurfaceContour& bent = contact->tangential_contour;
+  ASSERT_GE(bent.contour.count, 24u);
+  double shortest = 1.0;
+  double skew = 0.0;
+  for (std::size_t i = 0; i < bent.contour.count; ++i) {
+    const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(bent.contour.count);
+    const Vec3 ahead = std::cos(angle) * bent.axis_x + std::sin(angle) * bent.axis_y;
+    const double factor = maps::radiusAt(bent.contour, angle) * maps::locationRatio(contact->tangential_region, ahead);
+    EXPECT_GE(factor, 0.24);
+    EXPECT_LE(factor, 1.65);
+    shortest = std::min(shortest, factor);
+    skew = std::max(skew, std::abs(std::log(maps::radiusAt(bent.contour, angle) /
+                                            maps::radiusAt(bent.contour, angle + std::numbers::pi))));
+  }
+  EXPECT_LT(shortest, 0.97);
+  EXPECT_GT(skew, 0.02) << "an ellipse is the same both ways";
 }
 
 }  // namespace

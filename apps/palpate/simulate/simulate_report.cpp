@@ -53,6 +53,15 @@ Json fingerJson(const scene::World& world, std::size_t i, const FingerStatistics
   return json;
 }
 
+/// How near the skin came to bone; null on a body without bones, and where none moved.
+Json coverJson(const SimulationResult& result) {
+  if (!result.cover) return nullptr;
+  const engine::BoneCover& cover = *result.cover;
+  return {{"least_mm", cover.least_mm},
+          {"bone", result.world->anatomy.bones[cover.bone].name},
+          {"at_mm", {cover.at.x(), cover.at.y(), cover.at.z()}}};
+}
+
 /// What a hand on a device could feel of this scene at most.
 Json deviceJson(const scene::World& world) {
   const servo::LimiterSettings limits = servo::limiterSettings(world);
@@ -130,6 +139,12 @@ std::string placeLines(const SimulationResult& result) {
   return text;
 }
 
+std::string coverLine(const SimulationResult& result) {
+  if (!result.cover) return {};
+  return fmt::format("  cover      skin pressed deepest comes within {}\n",
+                     engine::inWords(*result.cover, *result.world));
+}
+
 std::string realtimeLines(const SimulationResult& result) {
   if (!result.display) return {};
   const servo::LoopReport& loop = result.loop;
@@ -186,6 +201,7 @@ nlohmann::ordered_json reportOf(const SimulationResult& result) {
                  {"slow_ticks", result.loop.slow_ticks},
                  {"device", deviceJson(*result.world)},
                  {"fingers", fingers},
+                 {"bone_cover", coverJson(result)},
                  {"hash", fmt::format("{:016x}", result.hash)},
                  {"files", result.files},
                  {"notes", result.notes}};
@@ -199,6 +215,7 @@ std::string summaryOf(const SimulationResult& result) {
   text += fmt::format("  run        {}\n", runLine(result));
   text += fingerTable(result);
   text += placeLines(result);
+  text += coverLine(result);
   text += fmt::format("  tick       {}   overruns {}\n", percentilesLine(result.loop.compute), result.loop.overruns);
   text += realtimeLines(result);
   text += safetyLine(result);

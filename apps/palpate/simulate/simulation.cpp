@@ -13,6 +13,7 @@
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/device/back_ends.h"
+#include "palpate/engine/living_skin.h"
 #include "palpate/scene/hdb_source.h"
 #include "palpate/servo/device_limits.h"
 #include "palpate/servo/scripted_rig.h"
@@ -142,6 +143,13 @@ void noteEnd(const scene::World& world, SimulationResult& result) {
                                      nameOfSignal(result.ended_by), seconds, result.planned_s));
 }
 
+std::optional<engine::BoneCover> coverOf(const scene::World& world, const servo::TickSamples& deepest) {
+  if (deepest.empty() || world.anatomy.bones.empty()) return std::nullopt;
+  engine::LivingSkin skin(world, {.strain = false});
+  skin.follow(deepest);
+  return engine::BoneCoverMeter(world).of(skin.surface());
+}
+
 /// `palpate plot` draws the same from forces.csv.
 void leavePlot(const RunRecorder& recorder, SimulationResult& result) {
   const auto ran = [](const RunStrip& strip) { return !strip.steps().empty(); };
@@ -176,6 +184,7 @@ SimulationResult simulate(const scene::Scene& scene, const SimulationSettings& s
   recorder.finishSession(endAskedBy() == 0 ? "done" : nameOfSignal(endAskedBy()), result.loop.dropped_samples);
 
   result.fingers = recorder.statistics().fingers();
+  result.cover = coverOf(world, recorder.deepest());
   result.hash = recorder.statistics().hash();
   append(result.files, recorder.files());
   noteEnd(world, result);

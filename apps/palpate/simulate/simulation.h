@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "apps/palpate/simulate/run_recorder.h"
+#include "palpate/engine/bone_cover.h"
 #include "palpate/scene/world.h"
 #include "palpate/servo/loop.h"
 
@@ -36,7 +37,8 @@ struct SimulationResult {
   servo::LoopReport loop;
   std::optional<DisplayReport> display;  ///< of a realtime run
   std::vector<FingerStatistics> fingers;
-  std::uint64_t hash = 0;  ///< of all contact forces
+  std::optional<engine::BoneCover> cover;  ///< between skin and bone where the fingers pressed deepest
+  std::uint64_t hash = 0;                  ///< of all contact forces
   std::vector<std::string> files;
   std::vector<std::string> notes;
 };

@@ -46,14 +46,16 @@ void setCurve(PartLanes& part, const tissue::LayeredCurve& curve, double bend, c
   for (std::size_t i = 0; i < kRoomSteps; ++i) part.room[i] = static_cast<float>(room.from[i]);
 }
 
-void setLayered(const LayeredFrame& layered, const Vec3& normal, double amplitude_mm, ContactLanes& lanes) noexcept {
+void setLayered(const LayeredFrame& layered, const FlatEllipse& region, double amplitude_mm,
+                ContactLanes& lanes) noexcept {
   lanes.layered = true;
   const tissue::PressCurves& press = layered.shape.press;
   setCurve(lanes.normal, press.down, tissue::kPressBend, layered.press_room);
   setCurve(lanes.tangential, layered.shape.drag, tissue::kDragBend, layered.drag_room);
   copyTo(lanes.outward, press.outward);
-  lanes.outward_mm2 = static_cast<float>(amplitude_mm * press.radius_mm);
-  const Mat3 plane = (Mat3::Identity() - normal * normal.transpose()) / (press.radius_mm * press.radius_mm);
+  // The half minor axis: an ellipse moves outward nowhere more than a circle.
+  lanes.outward_mm2 = region.acts() ? static_cast<float>(amplitude_mm / region.steepest()) : 0.0f;
+  const Mat3 plane = region.along * region.along.transpose() + region.across * region.across.transpose();
   const double upper[6] = {plane(0, 0), plane(0, 1), plane(0, 2), plane(1, 1), plane(1, 2), plane(2, 2)};
   for (int i = 0; i < 6; ++i) lanes.plane[i] = static_cast<float>(upper[i]);
 }
@@ -92,7 +94,7 @@ ContactLanes lanesOf(const EllipseContact& frame, double amplitude_mm, const Vec
   copyTo(lanes.facing, frame.normal);
   lanes.normal = lanesOf(frame.press, -amplitude_mm * frame.normal);
   lanes.tangential = lanesOf(frame.drag, shift_mm);
-  if (frame.layered) setLayered(*frame.layered, frame.normal, amplitude_mm, lanes);
+  if (frame.layered) setLayered(*frame.layered, frame.press, amplitude_mm, lanes);
   return lanes;
 }
 

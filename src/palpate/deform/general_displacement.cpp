@@ -54,17 +54,6 @@ tissue::ProfilePoint dragPoint(const FormedContact& frame, const FormCurves& cur
   return frame.layered ? layeredPoint(frame.layered->shape.drag, tissue::kDragBend, q) : curves.drag.at(q);
 }
 
-/// Towards the anchor, at location ratio q.
-tissue::ProfilePoint pullPoint(const FormedContact& frame, const FormCurves& curves, double q) noexcept {
-  if (!frame.layered) return tissue::radialPull(curves.radial, q);
-  const tissue::ProfilePoint f = layeredPoint(frame.layered->shape.press.outward, tissue::kPressBend, q);
-  return {-q * f.value, -f.value - q * f.slope};
-}
-
-bool pulls(const FormedContact& frame, const FormCurves& curves) noexcept {
-  return frame.layered || curves.radial.share != 0.0;
-}
-
 template <class CurveAt>
 void addPart(const RegionFrame& region, const CurveAt& curve_at, const Vec3& shift_mm, const Vec3& offset,
              Motion& motion) noexcept {
@@ -76,19 +65,32 @@ void addPart(const RegionFrame& region, const CurveAt& curve_at, const Vec3& shi
 
 /// Towards the anchor in the tangent plane. With e = offset / distance the field -pull e has the gradient
 /// -(pull' e (x) grad q + pull / distance (e_turning (x) e_turning)).
-template <class PullAt>
-void addRadialPull(const RegionFrame& region, const PullAt& pull_at, double amplitude_mm, const Vec3& offset,
+void addRadialPull(const RegionFrame& region, const tissue::RadialTerm& radial, double amplitude_mm, const Vec3& offset,
                    Motion& motion) noexcept {
   const Vec2 in_plane = inPlane(region, offset);
   const double distance = in_plane.norm();
   if (!(distance > 0.0)) return;
   const SpatialLocation at = locateInSpace(region, offset);
-  const tissue::ProfilePoint pull = pull_at(at.q);
+  const tissue::ProfilePoint pull = tissue::radialPull(radial, at.q);
   const Vec3 outward = inSpace(region, in_plane / distance);
   const Vec3 turning = inSpace(region, Vec2(-in_plane.y(), in_plane.x()) / distance);
   motion.displacement -= amplitude_mm * pull.value * outward;
   motion.gradient -= amplitude_mm * (pull.slope * outward * at.slope.transpose() +
                                      pull.value / distance * turning * turning.transpose());
+}
+
+/// Of layered tissue: along half the gradient of q^2 in the plane, which points away from the axis; q long on a circle.
+void addOutward(const RegionFrame& region, const tissue::LayeredCurve& outward, double amplitude_mm, const Vec3& offset,
+                Motion& motion) noexcept {
+  const Vec3 along = region.along / region.half_along_mm;
+  const Vec3 across = region.across / region.half_across_mm;
+  const Mat3 plane = along * along.transpose() + across * across.transpose();
+  const Vec3 away = plane * offset;
+  const SpatialLocation at = locateInSpace(region, offset);
+  const tissue::ProfilePoint share = layeredPoint(outward, tissue::kPressBend, at.q);
+  const double scale = amplitude_mm * shortestRadius(region);
+  motion.displacement += scale * share.value * away;
+  motion.gradient += scale * (share.value * plane + share.slope * away * at.slope.transpose());
 }
 
 mesh::TriangleMesh meshOf(const Skin& skin) {
@@ -162,9 +164,12 @@ void addMotion(const FormedContact& frame, const FormCurves& curves, double ampl
   const Vec3 offset = place - frame.anchor;
   if (frame.press.acts()) {
     const auto press_at = [&](double q) { return pressPoint(frame, curves, q); };
-    const auto pull_at = [&](double q) { return pullPoint(frame, curves, q); };
     addPart(frame.press, press_at, -amplitude_mm * frame.normal, offset, motion);
-    if (pulls(frame, curves)) addRadialPull(frame.press, pull_at, amplitude_mm, offset, motion);
+    if (frame.layered) {
+      addOutward(frame.press, frame.layered->shape.press.outward, amplitude_mm, offset, motion);
+    } else if (curves.radial.share != 0.0) {
+      addRadialPull(frame.press, curves.radial, amplitude_mm, offset, motion);
+    }
   }
   const auto drag_at = [&](double q) { return dragPoint(frame, curves, q); };
   if (frame.drag.acts()) addPart(frame.drag, drag_at, shift_mm, offset, motion);

@@ -43,11 +43,10 @@ bool wantsLayers(const Scene& scene, const deform::FormSettings& forms) {
          forms.region == deform::NormalRegion::linear && forms.boundary == deform::Boundary::zero;
 }
 
-std::optional<maps::PolarContourMap> contoursOf(const Scene& scene, std::span<const maps::KeyPoint> keys,
-                                                const maps::EllipseMapSettings& settings) {
-  if (scene.deformation.forms.shape != deform::Shape::contour) return std::nullopt;
+std::optional<maps::PolarContourMap> contoursOf(const Scene& scene, const maps::EllipseMapSettings& settings) {
   const std::filesystem::path& file = scene.deformation.contours;
-  return maps::PolarContourMap(file.empty() ? maps::contourPointsOf(keys) : maps::readContourPoints(file), settings);
+  if (scene.deformation.forms.shape != deform::Shape::contour || file.empty()) return std::nullopt;
+  return maps::PolarContourMap(maps::readContourPoints(file), settings);
 }
 
 }  // namespace palpate::scene

@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <optional>
-#include <span>
 
 #include "palpate/deform/forms.h"
 #include "palpate/maps/contour_map.h"
@@ -22,7 +21,7 @@ struct DeformationSettings {
   deform::FormSettings forms;  ///< the knots of user profiles are read when the scene is built
   std::filesystem::path profile_file;
   std::filesystem::path tangential_profile_file;
-  std::filesystem::path contours;  ///< for shape "contour"; empty: the key ellipses as contours
+  std::filesystem::path contours;  ///< for shape "contour"; empty: by the anatomy
 };
 
 struct Scene;
@@ -34,8 +33,8 @@ deform::FormSettings formsOf(const Scene& scene);
 /// region, a printed formula.
 bool wantsLayers(const Scene& scene, const deform::FormSettings& forms);
 
-/// The contour map of a scene with shape "contour", nothing for the others. Throws Error for a file that is none.
-std::optional<maps::PolarContourMap> contoursOf(const Scene& scene, std::span<const maps::KeyPoint> keys,
-                                                const maps::EllipseMapSettings& settings);
+/// The measured contours of a scene that names a table of them, for shape "contour". Throws Error for a file that is
+/// none.
+std::optional<maps::PolarContourMap> contoursOf(const Scene& scene, const maps::EllipseMapSettings& settings);
 
 }  // namespace palpate::scene

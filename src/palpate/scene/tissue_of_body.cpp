@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "palpate/maps/ellipse.h"
+#include "palpate/scene/anatomical_reach.h"
 #include "palpate/tissue/layered_library.h"
 
 namespace palpate::scene {
@@ -93,8 +94,36 @@ maps::SurfaceEllipse solvedRegion(const deform::Contact& contact, const tissue::
   return {drag.along_mm * along.normalized(), drag.across_mm / drag.along_mm};
 }
 
+maps::SurfaceEllipse scaled(maps::SurfaceEllipse ellipse, double factor) noexcept {
+  ellipse.half_major *= factor;
+  return ellipse;
+}
+
 bool isMeasured(const Scene& scene) noexcept {
   return scene.body.kind != BodyKind::mesh || !scene.ellipses.key_points.empty();
+}
+
+/// What was measured is as long as it was: it only shortens.
+DirectedFactors dragFactors(const Scene& scene, const PlaceReach& place) noexcept {
+  DirectedFactors factors = place.drag;
+  if (!isMeasured(scene)) return factors;
+  for (double& factor : factors) factor = std::min(factor, 0.0);
+  return factors;
+}
+
+/// The regions of flat skin over even tissue become those of the place. `tenth_q`: where a tenth of the drag is left.
+void followAnatomy(const World& world, double tenth_q, deform::Contact& contact) noexcept {
+  ReachWish wish{.press = &contact.layered->press};
+  const bool drags = contact.drag_mm.norm() > kShortestDragMm;
+  if (drags) {
+    wish.drag_tenth = scaled(contact.tangential_region, tenth_q);
+    wish.drag = contact.drag_mm;
+  }
+  const Vec3 normal = contact.normal.normalized();
+  const PlaceReach place = world.reach->at(world.surface.tree, contact.anchor_triangle, contact.anchor, normal, wish);
+  contact.depth_mm = std::min(contact.depth_mm, place.deepest_mm);
+  contact.normal_region = bentEllipse(contact.normal_region, place.press, place);
+  if (drags) contact.tangential_region = bentEllipse(contact.tangential_region, dragFactors(world.scene, place), place);
 }
 
 }  // namespace
@@ -143,7 +172,27 @@ deform::Contact layeredContact(const World& world, deform::Contact contact) noex
                                   : solvedRegion(contact, drag);
   const double rim = contact.tangential_region.half_major.norm();
   if (rim > kFarthestRimMm) contact.tangential_region.half_major *= kFarthestRimMm / rim;
+  if (world.reach) followAnatomy(world, drag.tenth_q, contact);
   return contact;
+}
+
+std::shared_ptr<const AnatomicalReach> reachOf(const Scene& scene, const mesh::TriangleMesh& skin,
+                                               const Anatomy& anatomy, const tree::TriangleTree& tree,
+                                               const tissue::LayeredTissue* layered) {
+  const DeformationSettings& wanted = scene.deformation;
+  const bool contours = wanted.forms.shape == deform::Shape::contour && wanted.contours.empty();
+  if (layered == nullptr && !contours) return nullptr;
+  if (layered != nullptr)
+    return std::make_shared<const AnatomicalReach>(skin, tree, anatomy.depth_mm, anatomy.bones, *layered);
+  const tissue::LayeredTissue library(tissue::libraryNodes(fatOf(scene)));
+  return std::make_shared<const AnatomicalReach>(skin, tree, anatomy.depth_mm, anatomy.bones, library);
+}
+
+maps::SurfaceContour anatomicalContour(const World& world, const deform::Contact& contact) noexcept {
+  const ReachWish wish{nullptr, scaled(contact.tangential_region, 1.0 / deform::kTwoMmBoundary), contact.drag_mm};
+  const Vec3 normal = contact.normal.normalized();
+  const PlaceReach place = world.reach->at(world.surface.tree, contact.anchor_triangle, contact.anchor, normal, wish);
+  return bentContour(contact.tangential_region, dragFactors(world.scene, place), place);
 }
 
 }  // namespace palpate::scene

@@ -33,4 +33,13 @@ std::vector<double> secantStiffness(const PlacedTissue& tissue);
 /// world must be layered. No allocation; any thread.
 deform::Contact layeredContact(const World& world, deform::Contact contact) noexcept;
 
+/// How regions follow the anatomy of a body, where the scene's deformation asks for it: layered tissue, or the shape
+/// "contour" without a table of its own. Null otherwise. `layered`: the body's, or null.
+std::shared_ptr<const AnatomicalReach> reachOf(const Scene& scene, const mesh::TriangleMesh& skin,
+                                               const Anatomy& anatomy, const tree::TriangleTree& tree,
+                                               const tissue::LayeredTissue* layered);
+
+/// The boundary of the contact's drag: the map's ellipse, shorter towards bones and folds. The world must have a reach.
+maps::SurfaceContour anatomicalContour(const World& world, const deform::Contact& contact) noexcept;
+
 }  // namespace palpate::scene

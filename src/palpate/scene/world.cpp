@@ -2,6 +2,7 @@
 //
 //   scene ─ forms (their files first) ─► body ─ key points ─► stiffness ─► contact surface ─► detecting box ─► World
 //                                          ├─► deformable skin, beside them ──────────────────────────────────────▲
+//                                          ├─ bones, contact surface ─► reach of regions ─────────────────────────┤
 //                                          └─ key points ─► ellipses, contours ───────────────────────────────────┘
 //
 // The detecting box is built where it is asked for.
@@ -18,6 +19,7 @@
 #include "palpate/base/background.h"
 #include "palpate/base/error.h"
 #include "palpate/body/places.h"
+#include "palpate/scene/anatomical_reach.h"
 #include "palpate/scene/body_parts.h"
 #include "palpate/scene/hdb_source.h"
 #include "palpate/scene/skin_channels.h"
@@ -267,7 +269,8 @@ std::shared_ptr<const World> withBody(const Scene& asked, BodyParts body, deform
   making_deformable.join();
   const maps::EllipseMapSettings map_settings = ellipseMapSettings(scene, body.skin);
   maps::AnyEllipseMap ellipses(keys, map_settings, literalMapForms(scene));
-  auto contours = contoursOf(scene, keys, map_settings);
+  auto contours = contoursOf(scene, map_settings);
+  auto reach = reachOf(scene, body.skin, body.anatomy, surface.tree, tissue.layered.get());
 
   return std::make_shared<const World>(World{.scene = scene,
                                              .body_name = std::move(body.name),
@@ -281,6 +284,7 @@ std::shared_ptr<const World> withBody(const Scene& asked, BodyParts body, deform
                                              .contours = std::move(contours),
                                              .anatomy = std::move(body.anatomy),
                                              .layered = std::move(tissue.layered),
+                                             .reach = std::move(reach),
                                              .breath = breath,
                                              .notes = std::move(notes),
                                              .body_notes = std::move(body.notes),

@@ -30,6 +30,7 @@ struct Anatomy {
 
 struct SkinTexture;
 struct SkinChannels;
+class AnatomicalReach;
 
 struct World {
   Scene scene;              ///< the settings it was built from
@@ -41,10 +42,12 @@ struct World {
   deform::Skin deformable;
   maps::AnyEllipseMap ellipses;
   deform::FormSettings deformation;               ///< complete: files read, fidelity filled in
-  std::optional<maps::PolarContourMap> contours;  ///< for the shape "contour"
+  std::optional<maps::PolarContourMap> contours;  ///< measured ones, for the shape "contour"
   Anatomy anatomy;
   /// The tissue over the bones (surface.tissue_mm says how thick); null where it is not layered.
   std::shared_ptr<const tissue::LayeredTissue> layered = nullptr;
+  /// How the regions of press and drag follow bones and folds (anatomical_reach.h); null where they do not.
+  std::shared_ptr<const AnatomicalReach> reach = nullptr;
   std::optional<body::BreathField> breath = {};            ///< how the skin moves; none: it does not
   std::vector<std::string> notes;                          ///< what the user should know: repairs, a doubtful unit
   std::vector<std::string> body_notes = {};                ///< those of them that are about the body

@@ -51,7 +51,8 @@ Keys regionKeys() {
           "shape", way(&D::forms, &F::shape),
           "Of the drag's region: the map's ellipse, the circle of its area, or an irregular contour."),
       file<D>("contours", &D::contours,
-              "Shape \"contour\": table of measured contours (docs/maps.md); left out: the key ellipses."),
+              "Shape \"contour\": table of measured contours (docs/maps.md); left out: they follow bones and folds "
+              "(docs/anatomical-regions.md)."),
       choice<D, deform::Search>(
           "search", way(&D::forms, &F::search),
           "How a region's vertices are found: along the skin, or by the octree, which takes other fingers too."),

@@ -1,0 +1,130 @@
+// The skin never sinks into a bone: pressed as deep as it goes where bones lie near, its distance to the drawn bones.
+#include "palpate/engine/bone_cover.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "palpate/body/bone_depth.h"
+#include "palpate/body/places.h"
+#include "palpate/engine/living_skin.h"
+
+namespace palpate::engine {
+namespace {
+
+const scene::World& trunk() {
+  static const auto world = [] {
+    scene::Scene scene;
+    scene.body.triangles = 60000;
+    scene.deformation.tissue = scene::TissueModel::layered;
+    return scene::build(scene);
+  }();
+  return *world;
+}
+
+contact::FingerOutput pressing(const scene::World& world, Index triangle, double depth_mm) {
+  const Triangle& corners = world.skin.triangles[triangle];
+  contact::FingerOutput finger;
+  finger.triangle = finger.anchor_triangle = triangle;
+  finger.anchor = finger.proxy = mesh::centreOf(world.skin, world.skin.triangles[triangle]);
+  finger.normal = mesh::areaVector2(world.skin.positions[corners[0]], world.skin.positions[corners[1]],
+                                    world.skin.positions[corners[2]])
+                      .normalized();
+  finger.depth_mm = depth_mm;
+  finger.touch = contact::Touch::stick;
+  return finger;
+}
+
+Index triangleNear(const scene::World& world, const Vec3& place) {
+  Index nearest = 0;
+  double least = 1e300;
+  for (Index t = 0; t < world.skin.triangles.size(); ++t) {
+    const double distance = (mesh::centreOf(world.skin, world.skin.triangles[t]) - place).squaredNorm();
+    if (distance >= least) continue;
+    least = distance;
+    nearest = t;
+  }
+  return nearest;
+}
+
+/// Where the skin of the back lies thinnest over bones of this name.
+Vec3 thinnestOver(const scene::World& world, const std::string& bone) {
+  Vec3 place = Vec3::Zero();
+  double least = 1e300;
+  for (Index v = 0; v < world.skin.positions.size(); ++v) {
+    const std::string& name = world.anatomy.bones[world.anatomy.nearest_bone[v]].name;
+    if (!name.starts_with(bone) || world.anatomy.depth_mm[v] >= least || world.skin.positions[v].z() < 0.0) continue;
+    least = world.anatomy.depth_mm[v];
+    place = world.skin.positions[v];
+  }
+  return place;
+}
+
+struct Pressed {
+  Pressed(const scene::World& of, const Vec3& place, double depth_mm) : world(of), skin(of, {.strain = false}) {
+    const contact::FingerOutput finger = pressing(world, triangleNear(world, place), depth_mm);
+    skin.follow({&finger, 1});
+    cover = BoneCoverMeter(world).of(skin.surface());
+  }
+  const scene::World& world;
+  LivingSkin skin;
+  std::optional<BoneCover> cover;
+};
+
+TEST(BoneCover, ThePressedSkinNeverSinksIntoABone) {
+  const scene::World& world = trunk();
+  std::vector<Vec3> places = {thinnestOver(world, "scapula"), thinnestOver(world, "rib"), thinnestOver(world, "T"),
+                              thinnestOver(world, "L")};
+  for (const char* words : {"T6", "T9 right 60 mm", "T4 left 60 mm", "L3", "L3 right 40 mm"}) {
+    places.push_back(body::placeNamed(world.anatomy.landmarks, words).point);
+  }
+  std::mt19937 random(5);
+  for (int i = 0; i < 60; ++i) {
+    places.push_back(mesh::centreOf(world.skin, world.skin.triangles[random() % world.skin.triangles.size()]));
+  }
+  for (const Vec3& place : places) {
+    for (const double depth : {5.0, 10.0, 20.0}) {
+      const Pressed pressed(world, place, depth);
+      if (!pressed.cover) continue;  // at rest: the finger is over a hole of the mesh
+      EXPECT_GT(pressed.cover->least_mm, 0.3) << place.transpose() << ", " << depth << " mm deep";
+    }
+  }
+}
+
+TEST(BoneCover, IsBelowZeroWhereSkinSinksIn) {
+  scene::World careless = trunk();
+  careless.reach = nullptr;  // nobody looks around the finger
+  const Pressed pressed(careless, thinnestOver(careless, "scapula"), 10.0);
+  ASSERT_TRUE(pressed.cover);
+  EXPECT_LT(pressed.cover->least_mm, -1.0);
+  EXPECT_TRUE(careless.anatomy.bones[pressed.cover->bone].name.starts_with("scapula"));
+}
+
+TEST(BoneCover, IsTheDistanceThatAnotherSearchFinds) {
+  const scene::World& world = trunk();
+  const Pressed pressed(world, body::placeNamed(world.anatomy.landmarks, "T6").point, 8.0);
+  std::vector<Vec3> moved;
+  for (Index v = 0; v < world.skin.positions.size(); ++v) {
+    if (pressed.skin.surface().displacementAt(v).norm() > 0.0f)
+      moved.push_back(pressed.skin.surface().positionAt(v).cast<double>());
+  }
+  const body::BoneDepth depths = body::depthToBones(moved, world.anatomy.bones);
+  const auto least = std::min_element(depths.depth_mm.begin(), depths.depth_mm.end());
+  ASSERT_TRUE(pressed.cover);
+  EXPECT_NEAR(pressed.cover->least_mm, *least, 1e-9);
+  EXPECT_EQ(pressed.cover->bone, depths.bone[static_cast<std::size_t>(least - depths.depth_mm.begin())]);
+  EXPECT_EQ(inWords(*pressed.cover, world), fmt::format("{:.1f} mm of the T6", *least));
+}
+
+TEST(BoneCover, IsNothingAtRestAndWithoutBones) {
+  const LivingSkin still(trunk());
+  EXPECT_FALSE(BoneCoverMeter(trunk()).of(still.surface()));
+  scene::World boneless = trunk();
+  boneless.anatomy.bones.clear();
+  EXPECT_FALSE(Pressed(boneless, Vec3(60.0, 0.0, 100.0), 5.0).cover);
+}
+
+}  // namespace
+}  // namespace palpate::engine
