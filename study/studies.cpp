@@ -25,7 +25,9 @@ const std::vector<Study>& studies() {
       {"directions", "Directions of ellipses averaged as numbers and as tensors (E29, E30)", studyDirections},
       {"stability",
        "Whether a hand can safely hold the loop: stiffness, rate, delay, hand and device, bare and controlled",
-       studyStability}};
+       studyStability},
+      {"relaxation", "Skin that gives way in time: the force of a press that is held, its work, the dent that stays",
+       studyRelaxation}};
   return all;
 }
 

@@ -47,6 +47,10 @@ StudyPage studyInterpolation(const StudySettings& settings);
 
 StudyPage studyProfile(const StudySettings& settings);
 
+// `palpate study relaxation`: skin that gives way in time: force of a press that is held, work, dent, friction.
+
+StudyPage studyRelaxation(const StudySettings& settings);
+
 // `palpate study rivals`: Table 4.1's other ways to deform on the same press of the same body, against a finer truth.
 
 StudyPage studyRivals(const StudySettings& settings);

@@ -1,0 +1,42 @@
+// What skin that relaxes does to a finger: pressed and held, pressed and let go at several paces, left alone, dragged.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "palpate/base/progress.h"
+#include "palpate/contact/finger_state.h"
+
+namespace palpate::study {
+
+/// One reading of the skin, and what a finger felt of it.
+struct RelaxingSkin {
+  std::string name;
+  contact::Relaxation relaxation;
+  std::vector<double> held_n = {};   ///< at heldTimes()
+  std::vector<double> dent_mm = {};  ///< at returnTimes(), since the finger left
+  double friction_low = 0.0;         ///< tangential over normal force while it slips
+  double friction_high = 0.0;
+};
+
+/// A press and its release, each as long, of the offered skin.
+struct PressCycle {
+  double stroke_s = 0.0;
+  std::vector<double> depth_mm;
+  std::vector<double> force_n;
+  double lost_share = 0.0;  ///< of the work that the hand put in on the way down
+};
+
+struct RelaxationMeasurement {
+  double depth_mm = 0.0;
+  std::vector<RelaxingSkin> skins = {};  ///< none, as offered, as dead beef has it
+  std::vector<PressCycle> cycles = {};   ///< from the fastest on
+};
+
+/// Seconds since the finger arrived.
+std::vector<double> heldTimes();
+std::vector<double> returnTimes();
+
+RelaxationMeasurement measureRelaxation(bool quick, const Progress& progress);
+
+}  // namespace palpate::study
