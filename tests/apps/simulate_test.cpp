@@ -234,6 +234,9 @@ TEST_F(Simulate, RunsTheDefaultSceneFromAnyFolder) {
   EXPECT_EQ(json, report());
   EXPECT_EQ(json["ticks"], 10000);
   EXPECT_EQ(json["body"]["bones"], 74);
+  EXPECT_GT(json["bone_cover"]["least_mm"], 1.0);
+  EXPECT_LT(json["bone_cover"]["least_mm"], 8.0);
+  EXPECT_EQ(json["bone_cover"]["bone"], "T6") << "a spinous process, under the index";
   ASSERT_EQ(json["fingers"].size(), 2u);
   for (const auto& finger : json["fingers"]) {
     EXPECT_GT(finger["touching_share"], 0.8);
