@@ -198,6 +198,22 @@ TEST(Relaxation, AFingerFasterThanTheSkinIsLetGoAtTheRestDepth) {
   EXPECT_EQ(least, 0.0) << "it never pulls";
 }
 
+TEST(Relaxation, SkinUnderAFingerThatPressesNothingComesBackAsFreeSkinDoes) {
+  const Surface plate = surfaceOf(zoo::grid());
+  FingerTrack finger(plate, relaxing(0.4, 0.5));
+  finger.to(over(1));
+  held(finger, over(-5), 5000);
+  for (double z = -5.0; z < -0.5; z += 0.1) finger.to(over(z));
+  const double left = finger.to(over(-0.5)).rest_mm;
+  ASSERT_GT(left, 1.5);
+  for (int tick = 1; tick < 800; ++tick) {
+    const FingerOutput output = finger.to(over(-0.5));
+    EXPECT_NEAR(output.rest_mm, left * std::exp(-0.6 * 0.001 * tick / 0.5), 5e-3) << tick;
+    EXPECT_EQ(output.force.norm(), 0.0);
+  }
+  EXPECT_GT(held(finger, over(-0.5), 2000).force.z(), 0.1) << "until it has reached the finger";
+}
+
 TEST(Relaxation, FrictionIsExactWhileTheForceFalls) {
   for (const double tick_s : {0.001, 0.01}) {
     const Surface plate = surfaceOf(zoo::grid());
@@ -214,6 +230,9 @@ TEST(Relaxation, FrictionIsExactWhileTheForceFalls) {
       const double x = 50.2 + (still ? 0.0 : 0.05 * tick);
       const FingerOutput output = step(plate, settings, state, {still ? state.tip.x() : x, 50.1, -5});
       EXPECT_LE(ratioOf(output), 0.46 + 1e-9) << tick;
+      if (tick > 80) {
+        EXPECT_NEAR(ratioOf(output), 0.44, 1e-6) << "also where it stands still: " << tick;
+      }
       if (output.touch != Touch::slip) continue;
       EXPECT_NEAR(ratioOf(output), 0.44, 1e-9) << tick;
       ++slipping;
