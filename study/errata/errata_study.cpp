@@ -91,9 +91,11 @@ void name(ErratumEffect& effect, const Base& base) {
   effect.active = optionsOf(base);
 }
 
-/// What a reading is compared with: the scene corrected, and for the partition with the source that has one.
+/// What a reading is compared with: the scene corrected, in the tissue that the errata are about, and for the partition
+/// with the source that has one.
 scene::Scene corrected(scene::Scene scene, const Base& base) {
   scene.fidelity = {};
+  scene.deformation.tissue = scene::TissueModel::gaussian;
   scene.contact.source = base ? scene::ContactSource::hdb : scene::ContactSource::surface;
   if (!base) return scene;
   scene.partition.build.tree = *base;

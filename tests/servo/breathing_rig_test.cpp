@@ -22,13 +22,17 @@ at = "T10"
 script = [{ do = "hold", seconds = 1 }]
 )";
 
-std::shared_ptr<const scene::World> breathing() { return scene::build(scene::parse(kScene, "breathing.toml")); }
+std::shared_ptr<const scene::World> breathing(const std::string& more = "") {
+  return scene::build(scene::parse(kScene + more, "breathing.toml"));
+}
 
 /// The skin of the world where its breath has taken it, built anew.
 contact::Surface movedSurface(const scene::World& world, double lift_mm) {
   mesh::TriangleMesh skin = world.skin;
   for (Vec3& p : skin.positions) p = world.breath->moved(p, lift_mm);
-  return contact::buildSurface(skin, world.stiffness_n_per_mm, {world.surface.force_law, false});
+  contact::Surface surface = contact::buildSurface(skin, world.stiffness_n_per_mm, {world.surface.force_law, false});
+  surface.tissue_mm = world.surface.tissue_mm;
+  return surface;
 }
 
 /// From outside down to a place and there for a while; what is felt last.
@@ -62,7 +66,8 @@ TEST(BreathingRig, FeelsWhatASkinThatWasBuiltMovedWouldGive) {
       const auto real = pressed(above, tip, kBreathedIn,
                                 [&](const Vec3& at, int) { return contact::step(moved, settings, other, at); });
       ASSERT_GT(real.force.norm(), 1.0);
-      EXPECT_LT((felt.force - real.force).norm(), 0.03 * real.force.norm());
+      // Within 3 % of the depth; layered tissue pushes back as its power of 1.5 to 1.8.
+      EXPECT_LT((felt.force - real.force).norm(), 0.05 * real.force.norm());
       EXPECT_LT((felt.proxy - real.proxy).norm(), 0.1);
       EXPECT_EQ(felt.tip, tip);
     }
@@ -70,7 +75,7 @@ TEST(BreathingRig, FeelsWhatASkinThatWasBuiltMovedWouldGive) {
 }
 
 TEST(BreathingRig, AFingerThatKeepsStillIsPressedHarderAsTheBodyBreathesIn) {
-  const auto world = breathing();
+  const auto world = breathing("[tissue]\nforce_law = \"linear\"\n");
   FingerSolvers solvers = makeSolvers(world->surface, nullptr, 1, world->breath);
   const contact::FingerSettings settings;
   contact::FingerState state;

@@ -99,12 +99,19 @@ class SessionFile : public testing::Test {
 };
 
 TEST(SessionVersion, ASceneThatNamedNoBodyMeantTheTorsoBeforeTheTrunkWasMade) {
-  EXPECT_EQ(sceneOfVersion(2, "title = \"a\"\n"), "title = \"a\"\n\n[body]\nkind = \"torso\"\n");
+  const std::string tissue = "\n[deformation]\ntissue = \"gaussian\"\n";
+  EXPECT_EQ(sceneOfVersion(2, "title = \"a\"\n"), "title = \"a\"\n\n[body]\nkind = \"torso\"\n" + tissue);
   EXPECT_EQ(sceneOfVersion(1, "[body]\ntriangles = 8163\n\n[view]\nkind = 1\n"),
-            "[body]\nkind = \"torso\"\ntriangles = 8163\n\n[view]\nkind = 1\n");
+            "[body]\nkind = \"torso\"\ntriangles = 8163\n\n[view]\nkind = 1\n" + tissue);
   const std::string mesh = "[body]\nscale = 2\nkind = \"mesh\"\nfile = \"a.ply\"\n";
-  EXPECT_EQ(sceneOfVersion(2, mesh), mesh);
-  EXPECT_EQ(sceneOfVersion(3, "title = \"a\"\n"), "title = \"a\"\n");
+  EXPECT_EQ(sceneOfVersion(2, mesh), mesh + tissue);
+}
+
+TEST(SessionVersion, ASceneThatNamedNoTissueMeantTheHalfGaussianBeforeLayersWereTheRule) {
+  EXPECT_EQ(sceneOfVersion(3, "title = \"a\"\n"), "title = \"a\"\n\n[deformation]\ntissue = \"gaussian\"\n");
+  const std::string layered = "[deformation]\ntissue = \"layered\"\n";
+  EXPECT_EQ(sceneOfVersion(3, layered), layered);
+  EXPECT_EQ(sceneOfVersion(4, "title = \"a\"\n"), "title = \"a\"\n");
 }
 
 TEST_F(SessionFile, GivesBackHeaderWorldsEventsAndTicks) {
@@ -201,7 +208,7 @@ TEST_F(SessionFile, SaysWhatIsNoSession) {
   begin("later.session").finish("done");
   Database(folder_ / "later.session", Database::Mode::write).run("PRAGMA user_version = 99");
   EXPECT_EQ(support::messageOf([&] { SessionReader(folder_ / "later.session"); }),
-            (folder_ / "later.session").string() + ": is a session of version 99; this program reads up to 3");
+            (folder_ / "later.session").string() + ": is a session of version 99; this program reads up to 4");
 }
 
 TEST_F(SessionFile, NamesABlockThatIsDamaged) {

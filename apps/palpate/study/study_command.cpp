@@ -74,11 +74,12 @@ void addStudyPages(CLI::App& parent) {
 
 namespace {
 
-/// The default run on the dissertation's body.
+/// The default run on the dissertation's body and in its tissue.
 scene::Scene studyScene() {
   scene::Scene scene = scene::parse(defaultScene(), "default.toml");
   scene.body = {};
   scene.body.kind = scene::BodyKind::torso;
+  scene.deformation.tissue = scene::TissueModel::gaussian;
   return scene;
 }
 

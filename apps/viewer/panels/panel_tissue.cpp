@@ -8,11 +8,15 @@ namespace palpate::viewer {
 
 namespace {
 
-void stiffnessWidgets(const SceneKeys& keys, bool has_bones) {
+/// In layered tissue the depth of the bone gives the stiffness by the layers themselves.
+void stiffnessWidgets(const SceneKeys& keys, bool has_bones, bool is_layered) {
+  if (has_bones) keyWidget(keys, {"deformation", "tissue", "over the bones"});
+  if (is_layered) keyWidget(keys, {"tissue", "fat_mm", "fat (0: by weight)", 0.0, 40.0, "%.1f mm"});
   keyWidget(keys, {"stiffness", "source", "stiffness from"});
   const auto source = keys.scene.stiffness.source;
   const bool by_depth =
       source == scene::StiffnessSource::depth || (source == scene::StiffnessSource::automatic && has_bones);
+  if (by_depth && is_layered) return;
   if (by_depth) {
     keyWidget(keys, {"stiffness", "soft_n_per_mm", "far from bone", 0.05, 5.0, "%.2f N/mm"});
     keyWidget(keys, {"stiffness", "stiff_n_per_mm", "over bone", 0.05, 5.0, "%.2f N/mm"});
@@ -29,14 +33,15 @@ void stiffnessWidgets(const SceneKeys& keys, bool has_bones) {
 /// not fit; they are offered all the same.
 void lawWidgets(const SceneKeys& keys) {
   keyWidget(keys, {"tissue", "force_law", "force law"});
-  keyWidget(keys, {"tissue", "exponent", "exponent", 0.5, 4.0});
-  keyWidget(keys, {"tissue", "knee_mm", "stiffens from", 0.5, 40.0, "%.1f mm"});
+  keyWidget(keys, {"tissue", "exponent", "exponent", 1.0, 3.0});
 }
 
-void capWidgets(const SceneKeys& keys) {
+/// Layers bring the radius of a dent with them.
+void capWidgets(const SceneKeys& keys, bool is_layered) {
   keyWidget(keys, {"deformation", "f_adj", "skin looseness", 0.2, 2.0});
   keyWidget(keys, {"deformation", "normal_cap_mm", "deepest dent", 0.0, 40.0, "%.1f mm"});
   keyWidget(keys, {"deformation", "tangential_cap_mm", "farthest drag", 0.0, 60.0, "%.1f mm"});
+  if (is_layered) return;
   keyWidget(keys, {"deformation", "normal_radius_mm", "dent radius", 1.0, 60.0, "%.1f mm"});
   keyWidget(keys, {"deformation", "normal_radius_per_depth", "grows per mm", 0.0, 5.0, "%.2f mm"});
 }
@@ -50,10 +55,11 @@ void ellipseWidgets(const SceneKeys& keys) {
 
 void tissuePanel(const TissuePanel& panel, Asks& asks) {
   const SceneKeys keys{panel.scene, asks};
-  stiffnessWidgets(keys, panel.has_bones);
+  const bool is_layered = panel.has_bones && panel.scene.deformation.tissue == scene::TissueModel::layered;
+  stiffnessWidgets(keys, panel.has_bones, is_layered);
   lawWidgets(keys);
   ImGui::Separator();
-  capWidgets(keys);
+  capWidgets(keys, is_layered);
   keyWidget(keys, {"deformation", "shape", "shape of the dent"});
   keyWidget(keys, {"deformation", "profile", "profile"});
   profileCurve(panel.scene.deformation.forms.normal_profile, panel.profile, asks);

@@ -17,7 +17,7 @@ enum class TissueModel : std::uint8_t {
 };
 
 struct DeformationSettings {
-  TissueModel tissue = TissueModel::gaussian;
+  TissueModel tissue = TissueModel::layered;
   deform::FormSettings forms;  ///< the knots of user profiles are read when the scene is built
   std::filesystem::path profile_file;
   std::filesystem::path tangential_profile_file;

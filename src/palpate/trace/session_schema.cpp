@@ -132,7 +132,10 @@ std::string withKey(std::string scene, const std::string& table, const std::stri
 
 std::string sceneOfVersion(std::int64_t version, std::string scene) {
   constexpr std::int64_t kTrunkIsMeant = 3;
-  return version < kTrunkIsMeant ? withKey(std::move(scene), "body", "kind", "torso") : scene;
+  constexpr std::int64_t kLayersAreMeant = 4;
+  if (version < kTrunkIsMeant) scene = withKey(std::move(scene), "body", "kind", "torso");
+  if (version < kLayersAreMeant) scene = withKey(std::move(scene), "deformation", "tissue", "gaussian");
+  return scene;
 }
 
 }  // namespace palpate::trace

@@ -12,7 +12,7 @@ inline constexpr std::int64_t kSessionApplication = 0x50616c70;
 
 /// Of the tables and of what their texts mean; counts up whenever that changes. Files of every version are read for
 /// ever.
-inline constexpr std::int64_t kSessionVersion = 3;
+inline constexpr std::int64_t kSessionVersion = 4;
 
 /// Makes the tables in an empty file. Throws Error.
 void makeSessionTables(Database& database);
@@ -20,8 +20,8 @@ void makeSessionTables(Database& database);
 /// The version of its tables. Throws Error for a file that is no session, and for one of a later version.
 std::int64_t checkSession(Database& database);
 
-/// A scene's text as it is meant since version 3, from a file of that version: before, a scene that named no kind of
-/// body meant the torso; since, it means the trunk.
+/// A scene's text as it is meant today, from a file of that version: before version 3 a scene that named no kind of body
+/// meant the torso, and not the trunk; before version 4 one that named no tissue meant the half Gaussian, and not layers.
 std::string sceneOfVersion(std::int64_t version, std::string scene);
 
 }  // namespace palpate::trace
