@@ -21,6 +21,8 @@ namespace {
 
 /// Lattice points an axis that reach a place; the weight of the next one is exp(-8).
 constexpr int kReach = 6;
+/// The first of them is so many before the one below the place.
+constexpr int kBefore = kReach / 2 - 1;
 constexpr double kStepOfLength = 2.0 / 3.0;
 
 /// A deviation farther out than this many standard deviations, one place in 400, counts as this one.
@@ -49,9 +51,9 @@ Axis axisAt(double place_steps) noexcept {
   constexpr double kRate = 2.0 * kStepOfLength * kStepOfLength;
   const double below = std::floor(place_steps);
   Axis axis;
-  axis.first = static_cast<std::int64_t>(below) - (kReach / 2 - 1);
+  axis.first = static_cast<std::int64_t>(below) - kBefore;
   for (std::size_t i = 0; i < axis.weights.size(); ++i) {
-    const double away = below - (kReach / 2 - 1) + static_cast<double>(i) - place_steps;
+    const double away = below - kBefore + static_cast<double>(i) - place_steps;
     axis.weights[i] = std::exp(-kRate * away * away);
   }
   return axis;
