@@ -6,6 +6,7 @@
 #include "palpate/scene/scene_writer.h"
 #include "palpate/scene/world.h"
 #include "palpate/tissue/published.h"
+#include "scene/dome_scene.h"
 #include "support/error_message.h"
 
 namespace palpate::scene {
@@ -85,6 +86,23 @@ TEST(RelaxationKeys, LeaveSomeForceInTheEnd) {
   EXPECT_NE(message("relaxation_s = 0\n").find("s.toml:2"), std::string::npos);
   EXPECT_NE(message("relaxation = 0.5\nrelaxation_2 = 0.5\n").find("together must not be above 0.9"),
             std::string::npos);
+}
+
+class Variation : public DomeScene {};
+
+TEST_F(Variation, MultipliesTheMapOfTheWorldByPlace) {
+  writeDome("dome.obj");
+  const auto plain = build(meshScene());
+  const auto varied = build(meshScene("[stiffness]\nvariation = 0.3\n"));
+  const std::vector<double> factors = maps::variationAt(plain->skin.positions, varied->scene.stiffness.variation);
+  ASSERT_EQ(varied->stiffness_n_per_mm.size(), factors.size());
+  double least = 1.0;
+  for (std::size_t v = 0; v < factors.size(); ++v) {
+    EXPECT_DOUBLE_EQ(varied->stiffness_n_per_mm[v], plain->stiffness_n_per_mm[v] * factors[v]) << v;
+    least = std::min(least, factors[v]);
+  }
+  EXPECT_LT(least, 0.8);
+  EXPECT_EQ(rebuilt(*varied, plain->scene)->stiffness_n_per_mm, plain->stiffness_n_per_mm) << "and is taken back";
 }
 
 TEST(VariationKeys, MakeTheSameBodyAgain) {
