@@ -222,6 +222,8 @@ TEST_F(Map, OfASceneTakesItsKeyPointsAndBones) {
     const double at_vertex = ellipses.at(table.at("x_mm")[v], table.at("y_mm")[v]).half_major_mm;
     EXPECT_NEAR(table.at("half_major_mm")[v], at_vertex, 1e-9);
   }
+  EXPECT_EQ(errorOf("contours --scene hill.toml -o c.csv"),
+            "palpate: map contours: the scene's drags have ellipses; [deformation] shape = \"contour\"\n");
   write("torso.toml", "[body]\nkind = \"torso\"\ntriangles = 8163\n");
   summaryOf("depth --scene torso.toml -o d.csv");
   summaryOf("depth --triangles 8163 -o bare.csv");
@@ -235,6 +237,27 @@ TEST_F(Map, OfASceneTakesItsKeyPointsAndBones) {
   EXPECT_NE(errorOf("stiffness hill.obj --scene hill.toml -o s.csv").find("mesh excludes --scene"), std::string::npos);
   EXPECT_NE(errorOf("ellipses --keys keys.csv --scene hill.toml -o s.csv").find("--keys excludes --scene"),
             std::string::npos);
+}
+
+TEST_F(Map, OfASceneHasTheContoursThatFollowBonesAndFolds) {
+  const std::string torso = "[body]\nkind = \"torso\"\ntriangles = 8163\n";
+  write("ellipses.toml", torso);
+  write("contours.toml", torso + "[deformation]\nshape = \"contour\"\n");
+  summaryOf("ellipses --scene ellipses.toml -o e.csv");
+  const nlohmann::json summary = summaryOf("contours --scene contours.toml -o c.csv");
+  EXPECT_EQ(summary["map"], "contours");
+  const Table measured = tableOf(folder_ / "e.csv");
+  const Table bent = tableOf(folder_ / "c.csv");
+  std::size_t shorter = 0;
+  std::size_t lopsided = 0;
+  const std::size_t vertices = bent.at("mean_radius_mm").size();
+  for (std::size_t v = 0; v < vertices; ++v) {
+    EXPECT_LE(bent.at("mean_radius_mm")[v], 1.001 * measured.at("half_major_mm")[v]);
+    shorter += bent.at("mean_radius_mm")[v] < 0.8 * measured.at("half_major_mm")[v] ? 1 : 0;
+    lopsided += std::abs(std::log(bent.at("r0_mm")[v] / bent.at("r6_mm")[v])) > 0.2 ? 1 : 0;
+  }
+  EXPECT_GT(shorter, vertices / 50);
+  EXPECT_GT(lopsided, vertices / 50) << "an ellipse is the same both ways";
 }
 
 TEST_F(Map, WrongInputIsOneLine) {

@@ -196,7 +196,7 @@ void addEllipses(CLI::App& parent) {
 void addContours(CLI::App& parent) {
   auto arguments = std::make_shared<MapArguments>();
   CLI::App& command = *parent.add_subcommand(
-      "contours", "Irregular boundaries: n radii a key point, from a table or from the built-in ellipses");
+      "contours", "Irregular boundaries: n radii a key point, from a table or the built-in ellipses; or a scene's");
   addFileOptions(command, *arguments);
   addSkinOptions(command, *arguments);
   addKeyOption(command, *arguments);
@@ -204,7 +204,11 @@ void addContours(CLI::App& parent) {
   addNumber(command, "--radii", arguments->source.contour_radii,
             between(maps::kMinContourRadii, maps::kMaxContourRadii), "Built-in ellipses: radii a contour")
       ->capture_default_str();
-  command.callback([arguments] { run(*arguments, Maker{contoursOver, nullptr}); });
+  addSceneOption(command, *arguments, {});
+  constexpr Maker kMaker{contoursOver, [](const MapSkin& skin, const scene::World& world, const MapSource&) {
+                           return contoursOfScene(skin, world);
+                         }};
+  command.callback([arguments, kMaker] { run(*arguments, kMaker); });
 }
 
 void addStiffness(CLI::App& parent) {

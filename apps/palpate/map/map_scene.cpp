@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "figures/plot.h"
 #include "palpate/base/error.h"
+#include "palpate/scene/skin_contact.h"
 
 namespace palpate::app {
 
@@ -50,6 +52,31 @@ maps::EllipseMapSettings settingsOf(const scene::World& world) {
   return settings;
 }
 
+/// The boundary of a drag up the spine at each vertex.
+std::vector<maps::PolarContour> contoursAtVertices(const MapSkin& skin, const scene::World& world) {
+  std::vector<maps::PolarContour> contours(skin.mesh.positions.size());
+  for (Index triangle = 0; triangle < skin.mesh.triangles.size(); ++triangle) {
+    for (const Index v : skin.mesh.triangles[triangle]) {
+      if (contours[v].count > 0) continue;
+      contact::FingerOutput finger;
+      finger.triangle = finger.anchor_triangle = triangle;
+      finger.anchor = skin.mesh.positions[v];
+      finger.proxy = finger.anchor + Vec3::UnitY();
+      finger.normal = skin.normals[v];
+      finger.touch = contact::Touch::stick;
+      const std::optional<deform::Contact> contact = scene::contactOf(world, finger);
+      if (contact) contours[v] = contact->tangential_contour.contour;
+    }
+  }
+  return contours;
+}
+
+double meanRadius(const maps::PolarContour& contour) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < contour.count; ++i) sum += contour.log_radii[i];
+  return contour.count > 0 ? std::exp(sum / static_cast<double>(contour.count)) : 0.0;
+}
+
 }  // namespace
 
 MapSkin skinOfScene(const scene::World& world) {
@@ -69,6 +96,27 @@ SkinMap depthOfScene(const MapSkin& skin, const scene::World& world) { return in
 
 SkinMap ellipsesOfScene(const MapSkin& skin, const scene::World& world, const std::string& quantity) {
   return inScene(ellipsesOver(skin, world.ellipses, settingsOf(world), quantity), world);
+}
+
+SkinMap contoursOfScene(const MapSkin& skin, const scene::World& world) {
+  if (world.deformation.shape != deform::Shape::contour) {
+    throw Error("map contours: the scene's drags have ellipses; [deformation] shape = \"contour\"");
+  }
+  constexpr int kDirections = 12;
+  SkinMap map;
+  map.title = "Boundary of a drag: mean radius";
+  map.shown = {.column = "mean_radius_mm", .label = "mean radius of the contour", .unit = "mm"};
+  map.vertices.push_back({"mean_radius_mm", {}});
+  for (int i = 0; i < kDirections; ++i) map.vertices.push_back({fmt::format("r{}_mm", i), {}});
+  for (const maps::PolarContour& contour : contoursAtVertices(skin, world)) {
+    map.vertices[0].values.push_back(meanRadius(contour));
+    for (int i = 0; i < kDirections; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / kDirections;
+      map.vertices[static_cast<std::size_t>(i) + 1].values.push_back(maps::radiusAt(contour, angle));
+    }
+  }
+  map.summary = {{"map", "contours"}, {"radii", kDirections}};
+  return inScene(std::move(map), world);
 }
 
 }  // namespace palpate::app

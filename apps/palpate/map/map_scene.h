@@ -15,5 +15,7 @@ SkinMap stiffnessOfScene(const MapSkin& skin, const scene::World& world);
 SkinMap depthOfScene(const MapSkin& skin, const scene::World& world);
 /// `quantity` is half-major, aspect or direction.
 SkinMap ellipsesOfScene(const MapSkin& skin, const scene::World& world, const std::string& quantity);
+/// The boundaries of drags as the deformation has them. Throws Error for a scene whose drags have no contours.
+SkinMap contoursOfScene(const MapSkin& skin, const scene::World& world);
 
 }  // namespace palpate::app

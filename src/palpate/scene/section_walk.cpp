@@ -6,6 +6,10 @@ namespace palpate::scene {
 
 namespace {
 
+/// Of the way to the middle of the triangle, by which a walk starts inside of it: at a corner or on an edge, where
+/// fingers like to stand, the triangle itself may lie behind.
+constexpr double kInside = 1e-3;
+
 bool differ(double first, double second) { return (first >= 0.0) != (second >= 0.0); }
 
 /// The side of the record that is this edge, seen from its neighbour.
@@ -22,6 +26,7 @@ SectionWalk::SectionWalk(const tree::TriangleTree& tree, Index record, const Vec
                          const Vec3& ahead) noexcept
     : tree_(tree), from_(from), across_(normal.cross(ahead)) {
   const tree::TriangleRecord& start = tree.records[record];
+  from_ += kInside * ((start.corners[0] + start.corners[1] + start.corners[2]) / 3.0 - from);
   double farthest = 0.0;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;

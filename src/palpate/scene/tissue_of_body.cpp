@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/base/error.h"
 #include "palpate/maps/ellipse.h"
 #include "palpate/scene/anatomical_reach.h"
 #include "palpate/tissue/layered_library.h"
@@ -83,7 +84,12 @@ std::vector<tissue::LayeredNode> nodesOf(const Scene& scene) {
     for (tissue::LayeredNode& node : nodes) node = tissue::softenedTo(tissue::kStiffestTissue, std::move(node));
     return nodes;
   }
-  return {tissue::nodeOf(tissue::readLayeredTable(file))};
+  const tissue::LayeredTable table = tissue::readLayeredTable(file);
+  try {
+    return {tissue::nodeOf(table)};
+  } catch (const Error& error) {
+    throw Error::inFile(file.string(), error.what());
+  }
 }
 
 /// The region of a drag where nobody has measured one: as the layers themselves have it, along the drag.
