@@ -14,7 +14,7 @@
 namespace palpate::deform {
 
 /// What a contact with layered tissue brings (Contact::layered): the curves of its press and of its drag. Its normal
-/// region is a circle of press.radius_mm then.
+/// region is a circle of press.radius_mm then on even ground, bent to an ellipse elsewhere.
 struct LayeredShape {
   tissue::PressCurves press;
   tissue::LayeredCurve drag;

@@ -1,9 +1,9 @@
 // A contact with layered tissue, eight vertices at a time: the curves of tissue/layered_curve.h, of a press that also
 // moves outward and of a drag. Included once for each instruction set (kernels.cpp).
 //
-// The press moves a vertex by -depth down(q) n + depth q outward(q) e; with flat = s along + t across, which points
-// away from the axis and is q / radius long, the second part is outward_mm2 outward(q) flat. Gradients are those of q^2
-// times the curves' own derivatives by it, so that no root is taken.
+// The press moves a vertex by -depth down(q) n + depth q outward(q) e; with flat = s along + t across, half the
+// gradient of q^2 in the plane, on a circle q / radius long, the second part is outward_mm2 outward(q) flat. Gradients
+// are those of q^2 times the curves' own derivatives by it, so that no root is taken.
 #if defined(PALPATE_DEFORM_LAYERED_LANES_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PALPATE_DEFORM_LAYERED_LANES_INL
 #undef PALPATE_DEFORM_LAYERED_LANES_INL
