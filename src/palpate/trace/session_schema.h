@@ -20,8 +20,9 @@ void makeSessionTables(Database& database);
 /// The version of its tables. Throws Error for a file that is no session, and for one of a later version.
 std::int64_t checkSession(Database& database);
 
-/// A scene's text as it is meant today, from a file of that version: before version 3 a scene that named no kind of body
-/// meant the torso, and not the trunk; before version 4 one that named no tissue meant the half Gaussian, and not layers.
+/// A scene's text as it is meant today, from a file of that version: before version 3 a scene that named no kind of
+/// body meant the torso, and not the trunk; before version 4 one that named no tissue meant the half Gaussian, and not
+/// layers.
 std::string sceneOfVersion(std::int64_t version, std::string scene);
 
 }  // namespace palpate::trace
