@@ -240,9 +240,9 @@ TEST_F(Map, OfASceneTakesItsKeyPointsAndBones) {
 }
 
 TEST_F(Map, OfASceneHasTheContoursThatFollowBonesAndFolds) {
-  const std::string torso = "[body]\nkind = \"torso\"\ntriangles = 8163\n";
-  write("ellipses.toml", torso);
-  write("contours.toml", torso + "[deformation]\nshape = \"contour\"\n");
+  const std::string trunk = "[body]\nkind = \"trunk\"\ntriangles = 20000\n";  // with a cleft, armpits and stumps
+  write("ellipses.toml", trunk);
+  write("contours.toml", trunk + "[deformation]\nshape = \"contour\"\n");
   summaryOf("ellipses --scene ellipses.toml -o e.csv");
   const nlohmann::json summary = summaryOf("contours --scene contours.toml -o c.csv");
   EXPECT_EQ(summary["map"], "contours");
