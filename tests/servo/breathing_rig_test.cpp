@@ -40,8 +40,7 @@ template <class Touch>
 contact::FingerOutput pressed(const Vec3& from, const Vec3& to, int ticks, const Touch& touch) {
   contact::FingerOutput felt;
   for (int tick = 0; tick < ticks; ++tick) {
-    const double share = std::min(1.0, tick / 200.0);
-    felt = touch(from + share * (to - from), tick);
+    felt = touch(tick < 200 ? Vec3(from + tick / 200.0 * (to - from)) : to, tick);
   }
   return felt;
 }
