@@ -199,7 +199,11 @@ TEST(SessionVersions, TheSecondIsStillFeltAgainThroughFaultsAndChangedWorlds) {
   EXPECT_EQ(report.ticks, session.facts().samples);
 }
 
+// Felt on the built-in trunk, which is made anew here.
 TEST(SessionVersions, TheThirdIsStillFeltAgain) {
+#ifdef __clang__
+  GTEST_SKIP() << "the trunk of another compiler differs in its last bits";
+#endif
   const std::filesystem::path folder = std::filesystem::path(PALPATE_TEST_DATA) / "sessions" / "version_3";
   support::TemporaryFolder copy;
   std::filesystem::copy(folder / "trunk.session", copy / "trunk.session");
