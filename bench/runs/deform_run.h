@@ -29,7 +29,7 @@ struct DeformRun {
   bool strain = false;
   bool principal = false;  ///< principal strain (likewise)
   bool general = false;    ///< displace the general way even where the fast one would do
-  bool layered = false;    ///< curves of layered tissue over 40 mm, in a circle and an ellipse of the same area
+  bool layered = false;    ///< in tissue 40 mm over the bone, whose layers have regions of their own
   bool literal = true;     ///< also time the dissertation's: some 500 bytes of memory a vertex
   double seconds = 1.0;    ///< how long to repeat
 };

@@ -50,16 +50,32 @@ double areaLeft(const Stage& stage, Index triangle) {
   return mesh::areaVector2(now(a), now(b), now(c)).dot(normal) / normal.squaredNorm();
 }
 
+/// 100 mm wide, every second one wavy, its vertices moved by up to that share of a side.
+mesh::TriangleMesh shakenSheet(int body, double most, Random& random) {
+  const bool is_wavy = body % 2 == 0;
+  mesh::TriangleMesh mesh = is_wavy ? zoo::wavyGrid(90, 100.0, random.uniform(0.0, 4.0)) : zoo::grid(60, 100.0);
+  const double shake = random.uniform(0.0, most) * 100.0 / (is_wavy ? 90 : 60);
+  for (Vec3& p : mesh.positions) p += shake * Vec3(random.uniform(-1, 1), random.uniform(-1, 1), 0.0);
+  mesh::reorderSpatially(mesh);
+  return mesh;
+}
+
+/// Calls `visit(true if it is folded)` for every triangle at a vertex of the block, as often as it has vertices there.
+template <class Visit>
+void forEachTriangleOf(const Stage& stage, Index block, const Visit& visit) {
+  const Index end = std::min((block + 1) * kBlockVertices, stage.skin.vertices);
+  for (Index v = block * kBlockVertices; v < end; ++v) {
+    for (const Index t : stage.skin.triangles_of_vertex[v]) visit(areaLeft(stage, t) <= 0.0);
+  }
+}
+
 // Whole regions only: where skin stays inside an ellipse the bounds say nothing.
 TEST(FoldBounds, SayNothingThatTheTrianglesDeny) {
   Random random(5);
   Index certain = 0;
   Index folded_elsewhere = 0;
   for (int body = 0; body < 20; ++body) {
-    mesh::TriangleMesh mesh = body % 2 == 0 ? zoo::wavyGrid(90, 100.0, random.uniform(0.0, 4.0)) : zoo::grid(60, 100.0);
-    const double shake = random.uniform(0.0, 0.45) * 100.0 / (body % 2 == 0 ? 90 : 60);
-    for (Vec3& p : mesh.positions) p += shake * Vec3(random.uniform(-1, 1), random.uniform(-1, 1), 0.0);
-    mesh::reorderSpatially(mesh);
+    const mesh::TriangleMesh mesh = shakenSheet(body, 0.45, random);
     Stage stage(mesh, test::formulaeAlone());
     for (int i = 0; i < 10; ++i) {
       Contact contact = press(mesh, test::triangleNear(mesh, {50, 50, 0}), random.uniform(0, 10));
@@ -72,15 +88,11 @@ TEST(FoldBounds, SayNothingThatTheTrianglesDeny) {
       FastDisplacement::addShear(frame, lanesOf(frame, frame.depth_mm, frame.drag_mm), shear);
       for (Index block = 0; block < stage.skin.blocks; ++block) {
         const bool may_fold = mayFold(stage.skin.fold_bounds[block], shear);
-        const Index end = std::min((block + 1) * kBlockVertices, stage.skin.vertices);
-        for (Index v = block * kBlockVertices; v < end; ++v) {
-          for (const Index t : stage.skin.triangles_of_vertex[v]) {
-            const bool folded = areaLeft(stage, t) <= 0.0;
-            EXPECT_TRUE(!folded || may_fold) << body << " " << i << " " << areaLeft(stage, t);
-            certain += may_fold ? 0 : 1;
-            folded_elsewhere += folded ? 1 : 0;
-          }
-        }
+        forEachTriangleOf(stage, block, [&](bool folded) {
+          EXPECT_TRUE(!folded || may_fold) << body << " " << i;
+          certain += may_fold ? 0 : 1;
+          folded_elsewhere += folded ? 1 : 0;
+        });
       }
     }
   }
@@ -137,10 +149,7 @@ TEST(FoldBounds, WithTheAreaAtTheVerticesSayNothingThatTheTrianglesDeny) {
   Index settled = 0;
   Index folded_elsewhere = 0;
   for (int body = 0; body < 20; ++body) {
-    mesh::TriangleMesh mesh = body % 2 == 0 ? zoo::wavyGrid(90, 100.0, random.uniform(0.0, 4.0)) : zoo::grid(60, 100.0);
-    const double shake = random.uniform(0.0, 0.4) * 100.0 / (body % 2 == 0 ? 90 : 60);
-    for (Vec3& p : mesh.positions) p += shake * Vec3(random.uniform(-1, 1), random.uniform(-1, 1), 0.0);
-    mesh::reorderSpatially(mesh);
+    const mesh::TriangleMesh mesh = shakenSheet(body, 0.4, random);
     Stage stage(mesh, test::formulaeAlone());
     for (int i = 0; i < 10; ++i) {
       Contact contact = press(mesh, test::triangleNear(mesh, {50, 50, 0}), random.uniform(0, 10));
@@ -164,14 +173,10 @@ TEST(FoldBounds, WithTheAreaAtTheVerticesSayNothingThatTheTrianglesDeny) {
         const FoldBound& bound = stage.skin.fold_bounds[block];
         const bool may_fold = mayFold(bound, shear, least_area);
         settled += mayFold(bound, shear) && !may_fold ? 1 : 0;
-        const Index end = std::min((block + 1) * kBlockVertices, stage.skin.vertices);
-        for (Index v = block * kBlockVertices; v < end; ++v) {
-          for (const Index t : stage.skin.triangles_of_vertex[v]) {
-            const bool folded = areaLeft(stage, t) <= 0.0;
-            EXPECT_TRUE(!folded || may_fold) << body << " " << i << " " << areaLeft(stage, t);
-            folded_elsewhere += folded ? 1 : 0;
-          }
-        }
+        forEachTriangleOf(stage, block, [&](bool folded) {
+          EXPECT_TRUE(!folded || may_fold) << body << " " << i;
+          folded_elsewhere += folded ? 1 : 0;
+        });
       }
     }
   }

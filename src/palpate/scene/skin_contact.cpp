@@ -7,6 +7,7 @@
 
 #include "palpate/contact/friction.h"
 #include "palpate/deform/finger_contact.h"
+#include "palpate/mesh/triangle_mesh.h"
 #include "palpate/scene/tissue_of_body.h"
 #include "palpate/tissue/law_inverse.h"
 
@@ -54,9 +55,8 @@ std::optional<deform::Contact> contactAsFelt(const World& world, const contact::
 }
 
 Vec3 normalOf(const mesh::TriangleMesh& skin, Index triangle) noexcept {
-  const Triangle& corners = skin.triangles[triangle];
-  const Vec3& first = skin.positions[corners[0]];
-  return (skin.positions[corners[1]] - first).cross(skin.positions[corners[2]] - first).normalized();
+  const auto& [a, b, c] = skin.triangles[triangle];
+  return mesh::areaVector2(skin.positions[a], skin.positions[b], skin.positions[c]).normalized();
 }
 
 }  // namespace
