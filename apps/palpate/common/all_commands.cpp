@@ -16,6 +16,7 @@ void addAllCommands(CLI::App& app) {
   addInfoCommand(app);
   addJoinCommand(app);
   addMapCommand(app);
+  addMeasureCommand(app);
   addModelCommand(app);
   addPartitionCommand(app);
   addPlotCommand(app);

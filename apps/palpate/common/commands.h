@@ -34,6 +34,14 @@ void addHuntCommand(CLI::App& app);
 void addInfoCommand(CLI::App& app);
 void addJoinCommand(CLI::App& app);
 void addMapCommand(CLI::App& app);
+void addMeasureCommand(CLI::App& app);
+// `parent` is the measure command.
+void addMeasureAverageCommand(CLI::App& parent);
+void addMeasureDotsCommand(CLI::App& parent);
+void addMeasureSessionCommand(CLI::App& parent);
+void addMeasureStencilCommand(CLI::App& parent);
+void addMeasureStiffnessCommand(CLI::App& parent);
+void addMeasureSynthesizeCommand(CLI::App& parent);
 void addModelCommand(CLI::App& app);
 void addPartitionCommand(CLI::App& app);
 void addPlotCommand(CLI::App& app);

@@ -1,0 +1,11 @@
+// `palpate measure`: from photographs of a dotted back to a personal map; each subcommand has a file of its own.
+#include "apps/palpate/common/commands.h"
+
+namespace palpate::app {
+
+void addMeasureCommand(CLI::App& app) {
+  CLI::App& measure = *app.add_subcommand("measure", "Key ellipses of a person from photographs of dots on the skin");
+  measure.require_subcommand(1);
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,46 @@
+// Own. The formats by their first bytes; the name of a file says nothing.
+#include "palpate/measure/pictures/picture_header.h"
+
+#include <fmt/format.h>
+
+#include "palpate/base/error.h"
+#include "palpate/base/number_range.h"
+#include "palpate/measure/photograph.h"
+
+namespace palpate::measure {
+
+namespace {
+
+constexpr std::size_t kLeastSide = 200;
+
+void checkSize(const PictureHeader& header, std::string_view name) {
+  const double pixels = static_cast<double>(header.width_px) * static_cast<double>(header.height_px);
+  if (pixels > static_cast<double>(kMostPixels)) {
+    throw Error::inFile(name, fmt::format("{} x {} pixels is more than the {} million that are taken: make it smaller, "
+                                          "2 megapixels suffice",
+                                          header.width_px, header.height_px, kMostPixels / 1'000'000));
+  }
+  if (header.width_px < kLeastSide || header.height_px < kLeastSide) {
+    throw Error::inFile(name, fmt::format("{} x {} pixels is too small to find dots in: at least {} x {}",
+                                          header.width_px, header.height_px, kLeastSide, kLeastSide));
+  }
+}
+
+}  // namespace
+
+PictureHeader readPictureHeader(std::string_view bytes, std::string_view name) {
+  PictureHeader header;
+  if (bytes.starts_with("\xff\xd8\xff")) {
+    header = readJpegHeader(bytes, name);
+  } else if (bytes.starts_with("\x89PNG\r\n\x1a\n")) {
+    header = readPngHeader(bytes, name);
+  } else if (tiffStart(bytes)) {
+    header = readTiffHeader(bytes, name);
+  } else {
+    throw Error::inFile(name, foreignPicture(bytes));
+  }
+  checkSize(header, name);
+  return header;
+}
+
+}  // namespace palpate::measure
