@@ -13,7 +13,9 @@ namespace {
 
 constexpr std::size_t kLeastSide = 200;
 
-void checkSize(const PictureHeader& header, std::string_view name) {
+}  // namespace
+
+void checkPictureSize(const PictureHeader& header, std::string_view name) {
   const double pixels = static_cast<double>(header.width_px) * static_cast<double>(header.height_px);
   if (pixels > static_cast<double>(kMostPixels)) {
     throw Error::inFile(name, fmt::format("{} x {} pixels is more than the {} million that are taken: make it smaller, "
@@ -26,8 +28,6 @@ void checkSize(const PictureHeader& header, std::string_view name) {
   }
 }
 
-}  // namespace
-
 PictureHeader readPictureHeader(std::string_view bytes, std::string_view name) {
   PictureHeader header;
   if (bytes.starts_with("\xff\xd8\xff")) {
@@ -39,7 +39,7 @@ PictureHeader readPictureHeader(std::string_view bytes, std::string_view name) {
   } else {
     throw Error::inFile(name, foreignPicture(bytes));
   }
-  checkSize(header, name);
+  checkPictureSize(header, name);
   return header;
 }
 

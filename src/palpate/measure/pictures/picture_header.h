@@ -33,6 +33,9 @@ PictureHeader readJpegHeader(std::string_view bytes, std::string_view name);
 PictureHeader readPngHeader(std::string_view bytes, std::string_view name);
 PictureHeader readTiffHeader(std::string_view bytes, std::string_view name);
 
+/// Throws Error for a size that is not taken.
+void checkPictureSize(const PictureHeader& header, std::string_view name);
+
 /// What it is instead, with what to do: "is a WebP picture: save it as JPEG, PNG or TIFF".
 std::string_view foreignPicture(std::string_view bytes);
 

@@ -15,6 +15,7 @@ enum : std::uint16_t {
   kWidth = 256,
   kHeight = 257,
   kBits = 258,
+  kCompression = 259,
   kPhotometric = 262,
   kStripOffsets = 273,
   kOrientation = 274,
@@ -56,17 +57,25 @@ void checkColours(const TiffDirectory& page, PictureHeader& header, std::string_
   header.is_multiplied = extra == 1;
 }
 
+std::uint64_t plainBytes(const TiffDirectory& page) {
+  const std::uint64_t pixels = std::uint64_t{page.number(kWidth).value_or(0)} * page.number(kHeight).value_or(0);
+  return pixels * page.number(kSamples).value_or(1) * (page.number(kBits).value_or(8) / 8);
+}
+
 /// Whether the data lies within the file: the decoder fills up what is missing.
 void checkWhole(const TiffDirectory& page, std::string_view bytes, std::string_view name) {
   const bool is_tiled = page.find(kTileOffsets) != nullptr;
   const TiffTag* offsets = page.find(is_tiled ? kTileOffsets : kStripOffsets);
   const std::uint16_t lengths = is_tiled ? kTileBytes : kStripBytes;
   bool whole = offsets != nullptr && page.find(lengths) != nullptr;
+  std::uint64_t sum = 0;
   for (std::size_t i = 0; whole && i < offsets->count; ++i) {
     const auto at = page.number(is_tiled ? kTileOffsets : kStripOffsets, i);
     const auto length = page.number(lengths, i);
     whole = at && length && std::uint64_t{*at} + *length <= bytes.size();
+    sum += length.value_or(0);
   }
+  if (page.number(kCompression).value_or(1) == 1) whole = whole && sum >= plainBytes(page);
   if (!whole) throw Error::inFile(name, "is cut off: a part of the picture is missing; copy the file again");
 }
 
@@ -81,6 +90,7 @@ PictureHeader readTiffHeader(std::string_view bytes, std::string_view name) {
   header.width_px = page.number(kWidth).value_or(0);
   header.height_px = page.number(kHeight).value_or(0);
   checkColours(page, header, name);
+  checkPictureSize(header, name);
   checkWhole(page, bytes, name);
   header.pages = page.next() != 0 ? 2 : 1;
   header.exif = readExif(page, bytes, start->big_endian);
