@@ -53,6 +53,35 @@ TEST(KeyPoints, ErrorsNameTheLineAndTheCause) {
             "name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg[,stiffness_n_per_mm]");
 }
 
+TEST(KeyPoints, ATableOfMeasurementsIsReadByItsHeader) {
+  const auto keys = parseKeyPoints(
+      "name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg,stiffness_n_per_mm,half_major_4_mm,peak_mm,tail_p,"
+      "drift_mm,rim_mm,drag_deg,sd_half_major_mm,sd_ratio,sd_direction_deg,sd_half_major_4_mm,sd_peak_mm\n"
+      "P1,0,73,79,1.25,-60,,55,18,0.8,0.3,,-120,1.5,0.02,1.5,1,0.8\n",
+      "keys.csv");
+  ASSERT_EQ(keys.size(), 1u);
+  EXPECT_EQ(keys[0].ellipse.half_major_mm, 79.0);
+  EXPECT_FALSE(keys[0].stiffness_n_per_mm);
+  const auto stiff = parseKeyPoints(
+      "name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg,peak_mm,stiffness_n_per_mm\nP1,0,73,79,1,0,18,0.5\n",
+      "keys.csv");
+  EXPECT_EQ(stiff[0].stiffness_n_per_mm, 0.5);
+}
+
+TEST(KeyPoints, AMeasuredTableThatDoesNotFitItsHeaderIsRefused) {
+  const std::string header = "name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg,peak_mm,drag_deg";
+  EXPECT_EQ(messageForTable(header + "\nP1,0,0,100,1,0,18\n"),
+            "keys.csv:2: expected the 8 fields of the header, found 7");
+  EXPECT_EQ(messageForTable(header + "\nP1,0,0,100,1,0,18,inf\n"), "keys.csv:2: drag_deg is inf");
+  EXPECT_EQ(messageForTable(header + "\nP1,0,0,100,1,0,18,up\n"), "keys.csv:2: drag_deg is not a number: 'up'");
+  EXPECT_EQ(messageForTable(header + ",peak_mm\n"), "keys.csv:1: two columns are called peak_mm");
+  EXPECT_EQ(messageForTable(header + ",colour\n"),
+            "keys.csv:1: 'colour' is no column of key points; behind "
+            "name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg may follow stiffness_n_per_mm, "
+            "half_major_4_mm, peak_mm, tail_p, drift_mm, rim_mm, drag_deg, sd_half_major_mm, sd_ratio, "
+            "sd_direction_deg, sd_half_major_4_mm, sd_peak_mm");
+}
+
 TEST(KeyPoints, BuiltInOnesAreMirrored) {
   const auto keys = dissertationKeyPoints();
   ASSERT_EQ(keys.size(), 7u);

@@ -5,12 +5,15 @@
 #include "palpate/maps/key_points.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 
 #include "palpate/base/csv.h"
 #include "palpate/base/error.h"
+#include "palpate/base/nearest_name.h"
 #include "palpate/base/text.h"
 
 namespace palpate::maps {
@@ -29,23 +32,63 @@ constexpr NumberRange kRatios{1e-3, 1e3};
 constexpr NumberRange kDirectionsDeg{-360.0, 360.0};
 constexpr NumberRange kStiffnesses{0.0, 1000.0};
 
-void requireFields(const CsvRow& row) {
-  if (row.fields.size() == kFields || row.fields.size() == kFields + 1) return;
+constexpr NumberRange kAnyNumber{-1e12, 1e12};
+constexpr std::array<std::string_view, 11> kMeasuredColumns = {
+    "half_major_4_mm",  "peak_mm",  "tail_p",           "drift_mm",           "rim_mm",    "drag_deg",
+    "sd_half_major_mm", "sd_ratio", "sd_direction_deg", "sd_half_major_4_mm", "sd_peak_mm"};
+
+bool isFurtherColumn(std::string_view name) {
+  return name == kStiffnessColumn || std::ranges::find(kMeasuredColumns, name) != kMeasuredColumns.end();
+}
+
+/// The columns behind the first six. A table without a header, or with the plain one, may have a stiffness or not, row
+/// by row; a header with more says what each row has.
+struct FurtherColumns {
+  std::vector<std::string> names = {std::string(kStiffnessColumn)};
+  bool is_fixed = false;
+};
+
+void requireFields(const CsvRow& row, const FurtherColumns& further) {
+  const std::size_t most = kFields + further.names.size();
+  if (row.fields.size() == most || (row.fields.size() == kFields && !further.is_fixed)) return;
+  if (further.is_fixed) {
+    throw Error::atLine(row.file, row.line,
+                        fmt::format("expected the {} fields of the header, found {}", most, row.fields.size()));
+  }
   throw Error::atLine(row.file, row.line,
                       fmt::format("expected {} or {} fields ({}[,{}]), found {}", kFields, kFields + 1, kHeader,
                                   kStiffnessColumn, row.fields.size()));
 }
 
 /// The columns carry the units in their names, so a header that differs is not ours.
-void requireHeader(const CsvRow& row) {
-  auto expected = split(kHeader, ',');
-  if (row.fields.size() > kFields) expected.push_back(kStiffnessColumn);
-  if (std::ranges::equal(row.fields, expected)) return;
-  throw Error::atLine(row.file, row.line, fmt::format("expected the header {}[,{}]", kHeader, kStiffnessColumn));
+FurtherColumns readHeader(const CsvRow& row) {
+  const auto expected = split(kHeader, ',');
+  const bool starts_well = row.fields.size() >= kFields && std::ranges::equal(row.fields.subspan(0, kFields), expected);
+  const bool has_stranger = starts_well && !std::ranges::all_of(row.fields.subspan(kFields), isFurtherColumn);
+  if (!starts_well || (has_stranger && row.fields.size() == kFields + 1)) {
+    throw Error::atLine(row.file, row.line, fmt::format("expected the header {}[,{}]", kHeader, kStiffnessColumn));
+  }
+  FurtherColumns further;
+  const bool is_plain =
+      row.fields.size() == kFields || (row.fields.size() == kFields + 1 && row.fields[kFields] == kStiffnessColumn);
+  if (is_plain) return further;
+  further = {.names = {}, .is_fixed = true};
+  for (const std::string_view name : row.fields.subspan(kFields)) {
+    if (!isFurtherColumn(name)) {
+      throw Error::atLine(row.file, row.line,
+                          fmt::format("'{}' is no column of key points; behind {} may follow {}, {}", oneLine(name),
+                                      kHeader, kStiffnessColumn, fmt::join(kMeasuredColumns, ", ")));
+    }
+    if (std::ranges::find(further.names, name) != further.names.end()) {
+      throw Error::atLine(row.file, row.line, fmt::format("two columns are called {}", name));
+    }
+    further.names.emplace_back(name);
+  }
+  return further;
 }
 
-KeyPoint keyPointOf(const CsvRow& row) {
-  requireFields(row);
+KeyPoint keyPointOf(const CsvRow& row, const FurtherColumns& further) {
+  requireFields(row, further);
   KeyPoint key;
   key.name = row.fields[0];
   key.position_mm = {csvNumber(row, 1, "x_mm", kPlacesMm), csvNumber(row, 2, "y_mm", kPlacesMm)};
@@ -53,8 +96,13 @@ KeyPoint keyPointOf(const CsvRow& row) {
   const double ratio = csvNumber(row, 4, "major_over_minor", kRatios);
   const double direction_deg = csvNumber(row, 5, "direction_deg", kDirectionsDeg);
   key.ellipse = canonicalEllipse(half_major_mm, half_major_mm / ratio, direction_deg * kRadPerDeg);
-  const bool has_stiffness = row.fields.size() > kFields && !row.fields[kFields].empty();
-  if (has_stiffness) key.stiffness_n_per_mm = csvNumber(row, kFields, kStiffnessColumn, kStiffnesses);
+  for (std::size_t i = kFields; i < row.fields.size(); ++i) {
+    if (row.fields[i].empty()) continue;
+    const std::string& name = further.names[i - kFields];
+    const bool is_stiffness = name == kStiffnessColumn;
+    const double number = csvNumber(row, i, name, is_stiffness ? kStiffnesses : kAnyNumber);
+    if (is_stiffness) key.stiffness_n_per_mm = number;
+  }
   return key;
 }
 
@@ -65,18 +113,24 @@ Ellipse mirrored(const Ellipse& e) {
 
 }  // namespace
 
+std::span<const std::string_view> measuredColumns() { return kMeasuredColumns; }
+
 std::vector<KeyPoint> readKeyPoints(const std::filesystem::path& file) {
   return parseKeyPoints(readFile(file, kMaxKeyFileBytes), file.string());
 }
 
 std::vector<KeyPoint> parseKeyPoints(std::string_view text, std::string_view file) {
   std::vector<KeyPoint> keys;
+  FurtherColumns further;
   bool first = true;
   forEachCsvRow(text, file, [&](const CsvRow& row) {
     const bool is_header = first && row.fields.front() == "name";
     first = false;
-    if (is_header) return requireHeader(row);
-    keys.push_back(keyPointOf(row));
+    if (is_header) {
+      further = readHeader(row);
+    } else {
+      keys.push_back(keyPointOf(row, further));
+    }
   });
   return keys;
 }

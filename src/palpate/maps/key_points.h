@@ -1,12 +1,14 @@
 // Key points: the places on the back where somebody measured.
 //
 // A table, one row a key point: name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg[,stiffness_n_per_mm]. The
-// first row may name the columns. x and y are the body frame's (x to the patient's right seen from behind, y cranial),
-// seen along z. From here the maps are interpolated (ellipse_map.h, stiffness_map.h).
+// first row may name the columns; then further ones may follow by name, of what was measured beside the ellipse
+// (measuredColumns()). x and y are the body frame's (x to the patient's right seen from behind, y cranial), seen along
+// z. From here the maps are interpolated (ellipse_map.h, stiffness_map.h).
 #pragma once
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +24,9 @@ struct KeyPoint {
   Ellipse ellipse;
   std::optional<double> stiffness_n_per_mm;
 };
+
+/// Names of what a measurement may add to a row. Read as numbers or nothing, and not used by maps.
+std::span<const std::string_view> measuredColumns();
 
 /// Reads a table; a ratio below 1 is an ellipse whose longer axis lies across the given direction (E30). An empty table
 /// is fine: no key points. Throws Error with the line for a wrong number of fields, anything that is not a finite
