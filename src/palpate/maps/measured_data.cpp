@@ -81,12 +81,14 @@ AxialMean axialMean(std::span<const MeasuredEllipse> rows) {
   return {axis.direction_rad / kRadPerDeg, sum.norm() / static_cast<double>(rows.size())};
 }
 
-Ellipse meanEllipse(std::span<const MeasuredEllipse> rows, Averaging averaging) {
-  if (averaging == Averaging::tensorial) return tensorialMean(rows);
-  const PlainMean mean = plainMean(rows);
+Ellipse asPrinted(const PlainMean& mean) {
   const double major_cm = rounded(mean.major_cm, 10.0);
   const double minor_cm = major_cm / rounded(mean.major_over_minor, 1000.0);
   return ellipseFromFullAxesCm(major_cm, minor_cm, rounded(mean.direction_deg, 10.0));
+}
+
+Ellipse meanEllipse(std::span<const MeasuredEllipse> rows, Averaging averaging) {
+  return averaging == Averaging::tensorial ? tensorialMean(rows) : asPrinted(plainMean(rows));
 }
 
 }  // namespace palpate::maps

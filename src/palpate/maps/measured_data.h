@@ -62,8 +62,10 @@ struct AxialMean {
 };
 AxialMean axialMean(std::span<const MeasuredEllipse> rows);
 
-/// The mean as an ellipse. Plain: as the dissertation uses it, that is rounded like its last table (0.1 cm, 0.001,
-/// 0.1 degree).
+/// As the dissertation's last table prints a mean and then uses it: rounded to 0.1 cm, 0.001 and 0.1 degree.
+Ellipse asPrinted(const PlainMean& mean);
+
+/// The mean as an ellipse. Plain: asPrinted.
 Ellipse meanEllipse(std::span<const MeasuredEllipse> rows, Averaging averaging);
 
 }  // namespace palpate::maps
