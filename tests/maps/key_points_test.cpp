@@ -68,6 +68,14 @@ TEST(KeyPoints, ATableOfMeasurementsIsReadByItsHeader) {
   EXPECT_EQ(stiff[0].stiffness_n_per_mm, 0.5);
 }
 
+TEST(KeyPoints, APlaceWhereOnlyTheStiffnessWasMeasuredHasNoEllipse) {
+  const auto keys = parseKeyPoints("P1,0,73,100,1.25,90,0.4\nP2,0,0,,,,0.6\n", "keys.csv");
+  ASSERT_EQ(keys.size(), 2u);
+  EXPECT_EQ(keys[1].ellipse.half_major_mm, 0.0);
+  EXPECT_EQ(keys[1].stiffness_n_per_mm, 0.6);
+  EXPECT_EQ(messageForTable("P1,0,73,100,,90,0.4\n"), "keys.csv:1: major_over_minor is not a number: ''");
+}
+
 TEST(KeyPoints, AMeasuredTableThatDoesNotFitItsHeaderIsRefused) {
   const std::string header = "name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg,peak_mm,drag_deg";
   EXPECT_EQ(messageForTable(header + "\nP1,0,0,100,1,0,18\n"),

@@ -15,7 +15,7 @@ namespace {
 
 const std::string kAppendixC = std::string(PALPATE_SOURCE_DIR) + "/scenes/measured/appendix_c.csv";
 
-Press press(const std::string& point, double half_major_mm, double ratio, double direction_deg,
+PressRow press(const std::string& point, double half_major_mm, double ratio, double direction_deg,
             std::optional<double> drag_deg = {}, const std::string& subject = "") {
   return {.point = point,
           .half_major_mm = half_major_mm,
@@ -68,7 +68,7 @@ TEST(AveragePresses, AppendixCGivesTheBuiltInMapEverywhere) {
 }
 
 TEST(AveragePresses, TheShippedRowsAreThoseOfAppendixC) {
-  const std::vector<Press> presses = readPresses(kAppendixC);
+  const std::vector<PressRow> presses = readPresses(kAppendixC);
   const auto rows = maps::appendixC();
   ASSERT_EQ(presses.size(), rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -97,7 +97,7 @@ TEST(AveragePresses, OnlyTheScatteredDirectionsOfAppendixCAreHardlyDetermined) {
 // --- means
 
 TEST(AveragePresses, TheMeanIsThatOfTheLogarithmsOfTheTensors) {
-  const std::vector<Press> presses = {press("A", 90, 1.5, 170), press("A", 70, 1.3, 10), press("A", 80, 0.8, 100)};
+  const std::vector<PressRow> presses = {press("A", 90, 1.5, 170), press("A", 70, 1.3, 10), press("A", 80, 0.8, 100)};
   const Mat2 mean = (logMatrix(90, 60, 170) + logMatrix(70, 70 / 1.3, 10) + logMatrix(80, 100, 100)) / 3.0;
   const MeanEllipse& found = averagePresses(presses).points.front().mean;
   EXPECT_NEAR(found.half_major_mm.value, axesOf(mean).major_mm, 1e-9);
@@ -106,7 +106,7 @@ TEST(AveragePresses, TheMeanIsThatOfTheLogarithmsOfTheTensors) {
 }
 
 TEST(AveragePresses, EveryPersonCountsTheSameHoweverOftenPressed) {
-  std::vector<Press> presses(9, press("A", 100, 1.2, 90, 90.0, "one"));
+  std::vector<PressRow> presses(9, press("A", 100, 1.2, 90, 90.0, "one"));
   presses.push_back(press("A", 64, 1.2, 90, 90.0, "two"));
   const MeanEllipse& mean = averagePresses(presses).points.front().mean;
   EXPECT_NEAR(mean.half_major_mm.value, 80.0, 1e-9) << "geometric mean of two people";
@@ -115,23 +115,23 @@ TEST(AveragePresses, EveryPersonCountsTheSameHoweverOftenPressed) {
 }
 
 TEST(AveragePresses, ASurePressCountsMoreThanAnUnsureOne) {
-  Press sure = press("A", 100, 1.2, 90);
-  Press unsure = press("A", 60, 1.2, 90);
-  for (Press* p : {&sure, &unsure}) {
+  PressRow sure = press("A", 100, 1.2, 90);
+  PressRow unsure = press("A", 60, 1.2, 90);
+  for (PressRow* p : {&sure, &unsure}) {
     p->sd_half_major_mm = p == &sure ? 1.0 : 10.0;
     p->sd_ratio = 0.01;
     p->sd_direction_deg = 2.0;
   }
-  const double mean = averagePresses(std::vector<Press>{sure, unsure}).points.front().mean.half_major_mm.value;
+  const double mean = averagePresses(std::vector<PressRow>{sure, unsure}).points.front().mean.half_major_mm.value;
   EXPECT_GT(mean, 97.0);
   EXPECT_LT(mean, 100.0);
   unsure.sd_ratio.reset();  // not all say it: all alike
-  EXPECT_NEAR(averagePresses(std::vector<Press>{sure, unsure}).points.front().mean.half_major_mm.value,
+  EXPECT_NEAR(averagePresses(std::vector<PressRow>{sure, unsure}).points.front().mean.half_major_mm.value,
               std::sqrt(6000.0), 1e-9);
 }
 
 TEST(AveragePresses, PlainMeansAreRoundedAsPrinted) {
-  const std::vector<Press> presses = {press("A", 101, 1.2, 80, 90.0, "1"), press("A", 112, 1.3004, 95.33, 90.0, "2")};
+  const std::vector<PressRow> presses = {press("A", 101, 1.2, 80, 90.0, "1"), press("A", 112, 1.3004, 95.33, 90.0, "2")};
   const MeanEllipse& mean = averagePresses(presses, {.averaging = maps::Averaging::plain}).points.front().mean;
   EXPECT_DOUBLE_EQ(mean.half_major_mm.value, 106.5) << "21.3 cm";
   EXPECT_DOUBLE_EQ(mean.major_over_minor.value, 1.25);
@@ -141,9 +141,9 @@ TEST(AveragePresses, PlainMeansAreRoundedAsPrinted) {
 // --- how sure
 
 /// Presses about a truth, of so many points and people.
-std::vector<Press> drawn(std::mt19937& engine, int points, int people, double sd) {
+std::vector<PressRow> drawn(std::mt19937& engine, int points, int people, double sd) {
   std::normal_distribution<double> normal(0.0, sd);
-  std::vector<Press> presses;
+  std::vector<PressRow> presses;
   for (int p = 0; p < points; ++p) {
     for (int s = 0; s < people; ++s) {
       Mat2 log_matrix = logMatrix(90, 60, 60);
@@ -182,22 +182,22 @@ TEST(AveragePresses, TheStatedErrorIsThatOfTheMean) {
 }
 
 TEST(AveragePresses, OnePressWithoutAnErrorSaysNothingOfItsOwn) {
-  Press alone = press("A", 100, 1.3, 30);
-  const MeanEllipse unknown = averagePresses(std::vector<Press>{alone}).points.front().mean;
+  PressRow alone = press("A", 100, 1.3, 30);
+  const MeanEllipse unknown = averagePresses(std::vector<PressRow>{alone}).points.front().mean;
   EXPECT_TRUE(std::isnan(unknown.half_major_mm.sd));
   EXPECT_TRUE(confidenceBand(unknown)[0].empty());
   alone.sd_half_major_mm = 3.0;
   alone.sd_ratio = 0.05;
   alone.sd_direction_deg = 4.0;
-  const MeanEllipse stated = averagePresses(std::vector<Press>{alone}).points.front().mean;
+  const MeanEllipse stated = averagePresses(std::vector<PressRow>{alone}).points.front().mean;
   EXPECT_NEAR(stated.half_major_mm.sd, 3.0, 1.2);
   EXPECT_NEAR(stated.major_over_minor.sd, 0.05, 0.02);
   EXPECT_NEAR(stated.direction_deg.sd, 4.0, 1.5);
 }
 
 TEST(AveragePresses, ADirectionThatPressesDisagreeAboutIsHardlyDetermined) {
-  std::vector<Press> agree;
-  std::vector<Press> disagree;
+  std::vector<PressRow> agree;
+  std::vector<PressRow> disagree;
   for (const double turn : {-4.0, 0.0, 5.0}) {
     agree.push_back(press("A", 90, 1.3, 80 + turn, 90.0));
     disagree.push_back(press("A", 90, 1.3, 80 + 10 * turn, 90.0));
@@ -209,7 +209,7 @@ TEST(AveragePresses, ADirectionThatPressesDisagreeAboutIsHardlyDetermined) {
 // --- drags
 
 /// What a press pulled this way shows of a tissue: the tissue's tensor and a stretch along the drag.
-Press pulled(const Mat2& tissue, double stretch, double drag_deg) {
+PressRow pulled(const Mat2& tissue, double stretch, double drag_deg) {
   const Axes axes = axesOf(tissue + logMatrix(std::sqrt(stretch), 1.0 / std::sqrt(stretch), drag_deg));
   return press("A", axes.major_mm, axes.ratio, axes.direction_deg, drag_deg);
 }
@@ -217,7 +217,7 @@ Press pulled(const Mat2& tissue, double stretch, double drag_deg) {
 TEST(AveragePresses, TwoDragsAcrossEachOtherTellTheTissueFromTheDrag) {
   const Mat2 tissue = logMatrix(90, 70, 20);
   for (const auto& drags : {std::vector{90.0, 0.0}, {90.0, 180.0}, {80.0, 5.0}, {90.0, 45.0, 0.0}}) {
-    std::vector<Press> presses;
+    std::vector<PressRow> presses;
     for (const double drag : drags) presses.push_back(pulled(tissue, 1.5, drag));
     const PointMean point = averagePresses(presses).points.front();
     ASSERT_TRUE(point.knowsTissue());
@@ -232,17 +232,17 @@ TEST(AveragePresses, TwoDragsAcrossEachOtherTellTheTissueFromTheDrag) {
 TEST(AveragePresses, UpAndDownAreOneAxisAndTellNothingOfTheTissue) {
   const Mat2 tissue = logMatrix(90, 70, 20);
   const PointMean both =
-      averagePresses(std::vector<Press>{pulled(tissue, 1.5, 90.0), pulled(tissue, 1.5, -90.0)}).points.front();
+      averagePresses(std::vector<PressRow>{pulled(tissue, 1.5, 90.0), pulled(tissue, 1.5, -90.0)}).points.front();
   EXPECT_EQ(both.drags.size(), 2u);
   EXPECT_FALSE(both.knowsTissue());
   EXPECT_NE(dragRemark(both).find("less than 60 degrees apart"), std::string::npos);
-  const PointMean silent = averagePresses(std::vector<Press>{press("A", 90, 1.2, 30)}).points.front();
+  const PointMean silent = averagePresses(std::vector<PressRow>{press("A", 90, 1.2, 30)}).points.front();
   EXPECT_NE(dragRemark(silent).find("do not say which way"), std::string::npos);
 }
 
 TEST(AveragePresses, ATableByDragHoldsEveryWayOfPulling) {
   const Mat2 tissue = logMatrix(90, 70, 20);
-  const Averages averages = averagePresses(std::vector<Press>{pulled(tissue, 1.5, 90.0), pulled(tissue, 1.5, 179.0)});
+  const Averages averages = averagePresses(std::vector<PressRow>{pulled(tissue, 1.5, 90.0), pulled(tissue, 1.5, 179.0)});
   const auto keys = maps::parseKeyPoints(keyPointTable(averages, true), "keys.csv");
   ASSERT_EQ(keys.size(), 2u);
   EXPECT_EQ(keys[0].name, "A up");
@@ -253,8 +253,8 @@ TEST(AveragePresses, ATableByDragHoldsEveryWayOfPulling) {
 // --- mirror images, words, refusals
 
 TEST(AveragePresses, AMirrorImageLiesOnTheOtherSideAndTurnsTheOtherWay) {
-  std::vector<Press> presses = {press("P4", 90, 1.4, 70, 60.0), press("P4", 80, 1.3, 60, 60.0)};
-  for (Press& p : presses) p.place_mm = {-100, 5};
+  std::vector<PressRow> presses = {press("P4", 90, 1.4, 70, 60.0), press("P4", 80, 1.3, 60, 60.0)};
+  for (PressRow& p : presses) p.place_mm = {-100, 5};
   const Averages averages = averagePresses(presses, {.mirrors = {{"P4", "P6"}}});
   const PointMean& left = averages.points[0];
   const PointMean& right = averages.points[1];

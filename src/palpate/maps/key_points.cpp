@@ -87,15 +87,19 @@ FurtherColumns readHeader(const CsvRow& row) {
   return further;
 }
 
+Ellipse ellipseOf(const CsvRow& row) {
+  const double half_major_mm = csvNumber(row, 3, "half_major_mm", kHalfMajorsMm);
+  const double ratio = csvNumber(row, 4, "major_over_minor", kRatios);
+  const double direction_deg = csvNumber(row, 5, "direction_deg", kDirectionsDeg);
+  return canonicalEllipse(half_major_mm, half_major_mm / ratio, direction_deg * kRadPerDeg);
+}
+
 KeyPoint keyPointOf(const CsvRow& row, const FurtherColumns& further) {
   requireFields(row, further);
   KeyPoint key;
   key.name = row.fields[0];
   key.position_mm = {csvNumber(row, 1, "x_mm", kPlacesMm), csvNumber(row, 2, "y_mm", kPlacesMm)};
-  const double half_major_mm = csvNumber(row, 3, "half_major_mm", kHalfMajorsMm);
-  const double ratio = csvNumber(row, 4, "major_over_minor", kRatios);
-  const double direction_deg = csvNumber(row, 5, "direction_deg", kDirectionsDeg);
-  key.ellipse = canonicalEllipse(half_major_mm, half_major_mm / ratio, direction_deg * kRadPerDeg);
+  if (!std::ranges::all_of(row.fields.subspan(3, 3), &std::string_view::empty)) key.ellipse = ellipseOf(row);
   for (std::size_t i = kFields; i < row.fields.size(); ++i) {
     if (row.fields[i].empty()) continue;
     const std::string& name = further.names[i - kFields];

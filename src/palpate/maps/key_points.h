@@ -29,7 +29,8 @@ struct KeyPoint {
 std::span<const std::string_view> measuredColumns();
 
 /// Reads a table; a ratio below 1 is an ellipse whose longer axis lies across the given direction (E30). An empty table
-/// is fine: no key points. Throws Error with the line for a wrong number of fields, anything that is not a finite
+/// is fine: no key points. A row whose three fields of the ellipse are all empty has none: only the stiffness was
+/// measured there. Throws Error with the line for a wrong number of fields, anything that is not a finite
 /// number, a size outside 0.001 to 10,000 mm, a ratio outside 0.001 to 1,000, a negative stiffness.
 std::vector<KeyPoint> readKeyPoints(const std::filesystem::path& file);
 std::vector<KeyPoint> parseKeyPoints(std::string_view text, std::string_view file);

@@ -34,7 +34,7 @@ constexpr double kPooledPresses = 2.0;
 constexpr double kLeastLogSd = 0.005;
 constexpr std::size_t kDraws = 4000;
 
-maps::Ellipse ellipseOf(const Press& press) {
+maps::Ellipse ellipseOf(const PressRow& press) {
   return maps::canonicalEllipse(press.half_major_mm, press.half_major_mm / press.major_over_minor,
                                 press.direction_deg * kRadPerDeg);
 }
@@ -57,7 +57,7 @@ int sectorOf(const std::optional<double>& drag_deg) {
 // --- one press
 
 /// Of the logarithm, from the stated errors of size, ratio and direction; none where nothing is stated.
-std::optional<Mat3> statedCovariance(const Press& press) {
+std::optional<Mat3> statedCovariance(const PressRow& press) {
   if (!press.sd_half_major_mm || !press.sd_ratio || !press.sd_direction_deg) return std::nullopt;
   const double size = *press.sd_half_major_mm / press.half_major_mm;
   const double half_ratio = 0.5 * *press.sd_ratio / press.major_over_minor;
@@ -74,7 +74,7 @@ std::optional<Mat3> statedCovariance(const Press& press) {
 }
 
 /// How much a press counts among those of its person.
-double weightOf(const Press& press, bool all_stated) {
+double weightOf(const PressRow& press, bool all_stated) {
   return all_stated ? 1.0 / statedCovariance(press)->trace() : 1.0;
 }
 
@@ -85,12 +85,12 @@ struct Unit {
   maps::PlainMean plain{0.0, 0.0, 0.0, 0.0};
 };
 
-Unit unitOf(const std::vector<const Press*>& presses) {
-  const bool all_stated = std::ranges::all_of(presses, [](const Press* p) { return statedCovariance(*p).has_value(); });
+Unit unitOf(const std::vector<const PressRow*>& presses) {
+  const bool all_stated = std::ranges::all_of(presses, [](const PressRow* p) { return statedCovariance(*p).has_value(); });
   Unit unit;
   double weights = 0.0;
   const auto n = static_cast<double>(presses.size());
-  for (const Press* press : presses) {
+  for (const PressRow* press : presses) {
     const double weight = weightOf(*press, all_stated);
     unit.tensor += weight * maps::logTensor(ellipseOf(*press));
     weights += weight;
@@ -107,7 +107,7 @@ Unit unitOf(const std::vector<const Press*>& presses) {
 /// Presses at one point that pull one way.
 struct Group {
   std::optional<double> drag_deg = {};
-  std::vector<const Press*> presses = {};
+  std::vector<const PressRow*> presses = {};
   std::vector<Unit> units = {};  ///< people; of one person presses
   bool of_people = false;
   LogTensor mean = LogTensor::Zero();
@@ -115,18 +115,18 @@ struct Group {
   std::optional<Mat3> stated = {};  ///< mean over the presses
 };
 
-std::optional<double> meanDrag(const std::vector<const Press*>& presses) {
+std::optional<double> meanDrag(const std::vector<const PressRow*>& presses) {
   Vec2 sum = Vec2::Zero();
-  for (const Press* press : presses) {
+  for (const PressRow* press : presses) {
     if (!press->drag_deg) return std::nullopt;
     sum += Vec2(std::cos(*press->drag_deg * kRadPerDeg), std::sin(*press->drag_deg * kRadPerDeg));
   }
   return std::atan2(sum.y(), sum.x()) * kDegPerRad;
 }
 
-std::vector<std::vector<const Press*>> bySubject(const std::vector<const Press*>& presses) {
-  std::vector<std::vector<const Press*>> people;
-  for (const Press* press : presses) {
+std::vector<std::vector<const PressRow*>> bySubject(const std::vector<const PressRow*>& presses) {
+  std::vector<std::vector<const PressRow*>> people;
+  for (const PressRow* press : presses) {
     const auto same = [&](const auto& person) { return person.front()->subject == press->subject; };
     const auto found = std::ranges::find_if(people, same);
     if (found == people.end()) {
@@ -138,7 +138,7 @@ std::vector<std::vector<const Press*>> bySubject(const std::vector<const Press*>
   return people;
 }
 
-Group groupOf(std::vector<const Press*> presses) {
+Group groupOf(std::vector<const PressRow*> presses) {
   Group group{.drag_deg = meanDrag(presses), .presses = std::move(presses)};
   const auto people = bySubject(group.presses);
   group.of_people = people.size() > 1;
@@ -146,13 +146,13 @@ Group groupOf(std::vector<const Press*> presses) {
   for (const Unit& unit : group.units) group.mean += unit.tensor / static_cast<double>(group.units.size());
   if (!group.of_people) {
     group.units.clear();  // the mean stays: it is weighted
-    for (const Press* press : group.presses) group.units.push_back(unitOf({press}));
+    for (const PressRow* press : group.presses) group.units.push_back(unitOf({press}));
   }
   for (const Unit& unit : group.units) {
     group.scatter += (unit.tensor - group.mean) * (unit.tensor - group.mean).transpose();
   }
   Mat3 stated = Mat3::Zero();
-  for (const Press* press : group.presses) {
+  for (const PressRow* press : group.presses) {
     const auto one = statedCovariance(*press);
     if (!one) return group;
     stated += *one / static_cast<double>(group.presses.size());
@@ -231,11 +231,11 @@ MeanEllipse meanOf(const maps::Ellipse& ellipse, const Error3& error) {
   return mean;
 }
 
-void countIn(MeanEllipse& mean, const std::vector<const Press*>& presses) {
+void countIn(MeanEllipse& mean, const std::vector<const PressRow*>& presses) {
   mean.presses = presses.size();
   mean.subjects = bySubject(presses).size();
   Vec2 sum = Vec2::Zero();
-  for (const Press* press : presses) sum += doubled(ellipseOf(*press).direction_rad);
+  for (const PressRow* press : presses) sum += doubled(ellipseOf(*press).direction_rad);
   mean.resultant = sum.norm() / static_cast<double>(presses.size());
   mean.hardly_determined = mean.direction_deg.sd > kHardlyDeg || mean.resultant < kHardlyResultant;
 }
@@ -310,10 +310,10 @@ Estimate takeOutDrag(const std::vector<DragMean>& drags, OverDrags& all) {
 }
 
 /// Over all presses that tell it.
-std::optional<double> meanNumber(const std::vector<const Press*>& presses, std::optional<double> Press::*member) {
+std::optional<double> meanNumber(const std::vector<const PressRow*>& presses, std::optional<double> PressRow::*member) {
   double sum = 0.0;
   double count = 0.0;
-  for (const Press* press : presses) {
+  for (const PressRow* press : presses) {
     if (!(press->*member)) continue;
     sum += *(press->*member);
     count += 1.0;
@@ -323,7 +323,7 @@ std::optional<double> meanNumber(const std::vector<const Press*>& presses, std::
 
 PointMean pointMean(const std::vector<Group>& groups, const PooledScatter& of_people, const PooledScatter& of_presses,
                     Averaging averaging) {
-  std::vector<const Press*> presses;
+  std::vector<const PressRow*> presses;
   PointMean point;
   for (const Group& group : groups) {
     DragMean drag{group.drag_deg,
@@ -333,7 +333,7 @@ PointMean pointMean(const std::vector<Group>& groups, const PooledScatter& of_pe
     presses.insert(presses.end(), group.presses.begin(), group.presses.end());
   }
   point.name = presses.front()->point;
-  for (const Press* press : presses) point.place_mm += press->place_mm;
+  for (const PressRow* press : presses) point.place_mm += press->place_mm;
   point.place_mm /= static_cast<double>(presses.size());
   point.mean = point.drags.front().mean;
   if (point.drags.size() > 1) {
@@ -342,9 +342,9 @@ PointMean pointMean(const std::vector<Group>& groups, const PooledScatter& of_pe
     point.mean = meanOf(maps::ellipseOf(all.mean), all.error);
     countIn(point.mean, presses);
   }
-  point.half_major_4_mm = meanNumber(presses, &Press::half_major_4_mm);
-  point.peak_mm = meanNumber(presses, &Press::peak_mm);
-  point.stiffness_n_per_mm = meanNumber(presses, &Press::stiffness_n_per_mm);
+  point.half_major_4_mm = meanNumber(presses, &PressRow::half_major_4_mm);
+  point.peak_mm = meanNumber(presses, &PressRow::peak_mm);
+  point.stiffness_n_per_mm = meanNumber(presses, &PressRow::stiffness_n_per_mm);
   return point;
 }
 
@@ -387,10 +387,10 @@ void addMirrors(Averages& averages) {
 }
 
 /// Of every point in the order of the rows, its groups.
-std::vector<std::vector<Group>> groupsOf(std::span<const Press> presses, const AverageSettings& settings) {
+std::vector<std::vector<Group>> groupsOf(std::span<const PressRow> presses, const AverageSettings& settings) {
   std::vector<std::string> order;
-  std::map<std::string, std::map<int, std::vector<const Press*>>, std::less<>> points;
-  for (const Press& press : presses) {
+  std::map<std::string, std::map<int, std::vector<const PressRow*>>, std::less<>> points;
+  for (const PressRow& press : presses) {
     if (settings.drag_deg && sectorOf(press.drag_deg) != sectorOf(settings.drag_deg)) continue;
     if (!points.contains(press.point)) order.push_back(press.point);
     points[press.point][sectorOf(press.drag_deg)].push_back(&press);
@@ -405,7 +405,7 @@ std::vector<std::vector<Group>> groupsOf(std::span<const Press> presses, const A
 
 }  // namespace
 
-Averages averagePresses(std::span<const Press> presses, const AverageSettings& settings) {
+Averages averagePresses(std::span<const PressRow> presses, const AverageSettings& settings) {
   const std::vector<std::vector<Group>> points = groupsOf(presses, settings);
   if (points.empty()) {
     throw Error(settings.drag_deg ? fmt::format("no press was dragged {}", dragWords(*settings.drag_deg))

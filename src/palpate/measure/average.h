@@ -1,6 +1,6 @@
 // Several presses and several people -> one ellipse a point, with how sure it is.
 //
-//   Press rows (press_table.h) ─ averagePresses ─► Averages ─► key points for maps, text, picture
+//   PressRow rows (press_table.h) ─ averagePresses ─► Averages ─► key points for maps, text, picture
 //
 // Rows are gathered by point and by the way the skin was pulled (sectors of 45 degrees). Presses of one person are
 // averaged first, then people, each of whom counts the same; then the drags of a point. Means are those of the
@@ -74,7 +74,7 @@ struct Averages {
 };
 
 /// Throws Error for no press left by the settings, a mirror of a point that is not there or to one that is.
-Averages averagePresses(std::span<const Press> presses, const AverageSettings& settings = {});
+Averages averagePresses(std::span<const PressRow> presses, const AverageSettings& settings = {});
 
 /// The ellipse's rim, the inner and the outer one of its 95 % band: outlines round (0, 0), mm. Empty where nothing is
 /// known of the error.

@@ -30,16 +30,16 @@ constexpr NumberRange kStiffnesses{0.0, 1000.0};
 struct WantedNumber {
   std::string_view column;
   NumberRange range;
-  std::optional<double> Press::*member;
+  std::optional<double> PressRow::*member;
 };
 constexpr std::array kWanted = {
-    WantedNumber{"drag_deg", kDegrees, &Press::drag_deg},
-    WantedNumber{"sd_half_major_mm", kSds, &Press::sd_half_major_mm},
-    WantedNumber{"sd_ratio", kSds, &Press::sd_ratio},
-    WantedNumber{"sd_direction_deg", kSds, &Press::sd_direction_deg},
-    WantedNumber{"half_major_4_mm", kSizesMm, &Press::half_major_4_mm},
-    WantedNumber{"peak_mm", kSizesMm, &Press::peak_mm},
-    WantedNumber{"stiffness_n_per_mm", kStiffnesses, &Press::stiffness_n_per_mm},
+    WantedNumber{"drag_deg", kDegrees, &PressRow::drag_deg},
+    WantedNumber{"sd_half_major_mm", kSds, &PressRow::sd_half_major_mm},
+    WantedNumber{"sd_ratio", kSds, &PressRow::sd_ratio},
+    WantedNumber{"sd_direction_deg", kSds, &PressRow::sd_direction_deg},
+    WantedNumber{"half_major_4_mm", kSizesMm, &PressRow::half_major_4_mm},
+    WantedNumber{"peak_mm", kSizesMm, &PressRow::peak_mm},
+    WantedNumber{"stiffness_n_per_mm", kStiffnesses, &PressRow::stiffness_n_per_mm},
 };
 
 /// Where the header has what.
@@ -59,9 +59,9 @@ class PressColumns {
     for (const WantedNumber& wanted : kWanted) wanted_.push_back(tissue::columnOf(header, wanted.column));
   }
 
-  Press pressOf(const CsvRow& row) const {
+  PressRow pressOf(const CsvRow& row) const {
     tissue::checkFields(row, count_);
-    Press press{.point = std::string(row.fields[name_]),
+    PressRow press{.point = std::string(row.fields[name_]),
                 .place_mm = {csvNumber(row, x_, "x_mm", kPlacesMm), csvNumber(row, y_, "y_mm", kPlacesMm)},
                 .direction_deg = csvNumber(row, direction_, "direction_deg", kDegrees)};
     if (press.point.empty()) throw Error::atLine(row.file, row.line, "the point has no name");
@@ -75,7 +75,7 @@ class PressColumns {
   }
 
  private:
-  void readSize(const CsvRow& row, Press& press) const {
+  void readSize(const CsvRow& row, PressRow& press) const {
     if (full_axes_) {
       const double major_cm = csvNumber(row, size_, "major_cm", kSizesCm);
       press.half_major_mm = major_cm * kHalfMmPerCm;
@@ -100,12 +100,12 @@ class PressColumns {
 
 }  // namespace
 
-std::vector<Press> readPresses(const std::filesystem::path& file) {
+std::vector<PressRow> readPresses(const std::filesystem::path& file) {
   return parsePresses(readFile(file, kMaxPressFileBytes), file.string());
 }
 
-std::vector<Press> parsePresses(std::string_view text, std::string_view file) {
-  std::vector<Press> presses;
+std::vector<PressRow> parsePresses(std::string_view text, std::string_view file) {
+  std::vector<PressRow> presses;
   std::optional<PressColumns> columns;
   forEachCsvRow(text, file, [&](const CsvRow& row) {
     if (!columns) {

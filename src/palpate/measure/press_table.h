@@ -1,6 +1,6 @@
 // Tables of presses: what several measurements of the same places gave, of one person or of many.
 //
-//   measure dots, or somebody's notes ─ readPresses ─► Press ─ averagePresses (average.h) ─► key points
+//   measure dots, or somebody's notes ─ readPresses ─► PressRow ─ averagePresses (average.h) ─► key points
 //
 // A header names the columns. Needed: name (or point), x_mm, y_mm, direction_deg, and the size as half_major_mm and
 // major_over_minor or, as the dissertation prints it, as full axes major_cm and minor_cm (E16). Wanted where known:
@@ -19,7 +19,7 @@
 namespace palpate::measure {
 
 /// One measured ellipse. A ratio below 1: the longer axis lies across the direction (E30).
-struct Press {
+struct PressRow {
   std::string point;
   Vec2 place_mm = Vec2::Zero();
   double half_major_mm = 0.0;
@@ -37,7 +37,7 @@ struct Press {
 
 /// Throws Error with the line for a missing column, a wrong number of fields, what is no number or out of range; with
 /// the file for a table without rows. Files of at most 64 MB.
-std::vector<Press> readPresses(const std::filesystem::path& file);
-std::vector<Press> parsePresses(std::string_view text, std::string_view file);
+std::vector<PressRow> readPresses(const std::filesystem::path& file);
+std::vector<PressRow> parsePresses(std::string_view text, std::string_view file);
 
 }  // namespace palpate::measure
