@@ -11,6 +11,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <cmath>
 #include <new>
 #include <opencv2/core.hpp>
 #include <opencv2/core/utils/logger.hpp>
@@ -128,16 +129,20 @@ Photograph decodeOwned(std::string& bytes, std::string_view name) {
   return photographOf(turned(decode(coded, header, name), header.exif.orientation), name, header);
 }
 
-std::string encoded(const Photograph& picture, const char* extension, const std::vector<int>& settings) {
+/// Throws Error where size and pixels do not fit.
+cv::Mat viewOf(const Photograph& picture) {
   if (picture.width_px <= 0 || picture.height_px <= 0 ||
       picture.rgb.size() !=
           std::size_t{3} * static_cast<std::size_t>(picture.width_px) * static_cast<std::size_t>(picture.height_px)) {
     throw Error("a picture's size does not fit its pixels");
   }
   // OpenCV takes no pointer to what it must not change; it does not.
-  const cv::Mat rgb(picture.height_px, picture.width_px, CV_8UC3, const_cast<std::uint8_t*>(picture.rgb.data()));
+  return {picture.height_px, picture.width_px, CV_8UC3, const_cast<std::uint8_t*>(picture.rgb.data())};
+}
+
+std::string encoded(const Photograph& picture, const char* extension, const std::vector<int>& settings) {
   cv::Mat bgr;
-  cv::cvtColor(rgb, bgr, cv::COLOR_RGB2BGR);
+  cv::cvtColor(viewOf(picture), bgr, cv::COLOR_RGB2BGR);
   std::vector<uchar> bytes;
   if (!cv::imencode(extension, bgr, bytes, settings)) throw Error("a picture cannot be encoded");
   return {bytes.begin(), bytes.end()};
@@ -171,6 +176,18 @@ Photograph decodePhotograph(std::span<const std::byte> bytes, std::string_view n
   if (bytes.size() > kMostBytes) throw Error::inFile(name, "is too large for a photograph");
   std::string owned(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   return decodeOwned(owned, name);
+}
+
+Photograph reducedTo(const Photograph& picture, int width_px) {
+  if (width_px <= 0 || width_px >= picture.width_px) return picture;
+  const double share = static_cast<double>(width_px) / picture.width_px;
+  Photograph reduced{
+      .name = picture.name, .width_px = width_px, .taken_at_s = picture.taken_at_s, .notes = picture.notes};
+  reduced.height_px = std::max(1, static_cast<int>(std::lround(share * picture.height_px)));
+  reduced.rgb.resize(std::size_t{3} * static_cast<std::size_t>(width_px) * static_cast<std::size_t>(reduced.height_px));
+  cv::Mat to(reduced.height_px, width_px, CV_8UC3, reduced.rgb.data());
+  cv::resize(viewOf(picture), to, to.size(), 0.0, 0.0, cv::INTER_AREA);
+  return reduced;
 }
 
 void writeJpeg(const std::filesystem::path& file, const Photograph& picture, int quality) {
