@@ -69,13 +69,13 @@ Press drawPress(Random random, const std::optional<TailFamily>& wished) {
   Press press;
   const bool compact = random.uniform() < 0.5;
   press.family = wished.value_or(compact ? TailFamily::compact : TailFamily::long_tail);
+  press.contact_mm = {random.uniform(-30.0, 30.0), random.uniform(-40.0, 40.0)};
+  press.half_major_mm = random.uniform(50.0, 130.0);
+  press.ratio = random.uniform(1.0, 1.8);
+  press.direction_rad = random.uniform(-0.5 * kPi, 0.5 * kPi);
   do {
-    press.contact_mm = {random.uniform(-30.0, 30.0), random.uniform(-40.0, 40.0)};
     press.peak_mm = random.uniform(8.0, 25.0);
     press.drag_rad = random.uniform(-kPi, kPi);
-    press.half_major_mm = random.uniform(50.0, 130.0);
-    press.ratio = random.uniform(1.0, 1.8);
-    press.direction_rad = random.uniform(-0.5 * kPi, 0.5 * kPi);
     press.tail_power = random.uniform(0.56, 0.91);
   } while (TrueField(press).largestShortening() > kMostShortening);
   press.dent_mm = random.uniform(3.0, 12.0);

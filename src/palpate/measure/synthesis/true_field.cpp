@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "palpate/base/gaussian.h"
+
 namespace palpate::measure {
 
 namespace {
@@ -150,8 +152,8 @@ Vec2 TrueField::displacementAt(const Vec2& place_mm) const {
 }
 
 double TrueField::dentAt(const Vec2& place_mm) const {
-  const double radius = 13.0 + 1.4 * press_.dent_mm;
-  return press_.dent_mm * std::exp(-(place_mm - press_.contact_mm).squaredNorm() / (radius * radius));
+  const double rim = 13.0 + 1.4 * press_.dent_mm;
+  return press_.dent_mm * halfGaussian((place_mm - press_.contact_mm).norm() / rim);
 }
 
 KeyEllipse TrueField::ellipseAt(double level_mm) const {
