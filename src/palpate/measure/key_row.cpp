@@ -14,7 +14,7 @@ namespace palpate::measure {
 namespace {
 
 /// A tail so short is the half Gaussian.
-constexpr double kLeastInverseTail = 1e-3;
+constexpr double kLeastInverseTail = 0.01;
 constexpr std::size_t kLongestName = 64;
 
 std::string field(double number) { return std::isfinite(number) ? fmt::format(",{:.6g}", number) : ","; }

@@ -81,8 +81,8 @@ class Layers {
     panel_.scale_bar_px = scaleBar();
     if (drawsEllipse()) addBand(m_.fit->at_2_mm);
     addArrows();
-    addContour();
     if (drawsEllipse()) addEllipses();
+    addContour();  // thin: it would vanish under the ellipse
     addContacts();
     return std::move(panel_);
   }
