@@ -6,6 +6,10 @@ namespace palpate::app {
 void addMeasureCommand(CLI::App& app) {
   CLI::App& measure = *app.add_subcommand("measure", "Key ellipses of a person from photographs of dots on the skin");
   measure.require_subcommand(1);
+  addMeasureDotsCommand(measure);
+  addMeasureStiffnessCommand(measure);
+  addMeasureStencilCommand(measure);
+  addMeasureAverageCommand(measure);
 }
 
 }  // namespace palpate::app
