@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "study/measured/haptic_frames.h"
+#include "study/page/plot_parts.h"
 
 namespace palpate::study {
 

@@ -137,6 +137,12 @@ TEST(PlaceStiffness, KeyPointsGetTheStiffnessOfTheirName) {
   EXPECT_EQ(both[0].ellipse.half_major_mm, 100.0);
   EXPECT_EQ(both[1].position_mm, Vec2(7, 8));
   EXPECT_EQ(both[1].ellipse.half_major_mm, 0.0) << "no ellipse was measured there";
+  const auto read = maps::parseKeyPoints(stiffnessTable(both), "keys.csv");
+  ASSERT_EQ(read.size(), 2u);
+  EXPECT_NEAR(read[0].ellipse.aspect, 0.8, 1e-9);
+  EXPECT_NEAR(read[0].ellipse.direction_rad, 1.0, 1e-9);
+  EXPECT_NEAR(*read[1].stiffness_n_per_mm, 0.5, 1e-6);
+  EXPECT_EQ(read[1].ellipse.half_major_mm, 0.0);
   EXPECT_EQ(support::messageOf([&] { withStiffness(fits); }),
             "where P1 lies is not said: give x_mm and y_mm in its rows");
 }

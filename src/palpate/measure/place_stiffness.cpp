@@ -267,6 +267,19 @@ std::vector<maps::KeyPoint> withStiffness(const PlaceFits& fits, std::vector<map
   return keys;
 }
 
+std::string stiffnessTable(std::span<const maps::KeyPoint> keys) {
+  std::string table = "name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg,stiffness_n_per_mm\n";
+  for (const maps::KeyPoint& key : keys) {
+    const maps::Ellipse& e = key.ellipse;
+    const std::string ellipse = e.half_major_mm > 0.0 ? fmt::format("{:.10g},{:.10g},{:.10g}", e.half_major_mm,
+                                                                    1.0 / e.aspect, e.direction_rad * kDegPerRad)
+                                                      : std::string(",,");
+    table += fmt::format("{},{:.10g},{:.10g},{},{}\n", key.name, key.position_mm.x(), key.position_mm.y(), ellipse,
+                         key.stiffness_n_per_mm ? fmt::format("{:.6g}", *key.stiffness_n_per_mm) : "");
+  }
+  return table;
+}
+
 std::string tissueKeys(const PlaceFits& fits) {
   if (!fits.shared) return {};
   const ForceFit& fit = *fits.shared;

@@ -80,6 +80,9 @@ PlaceFits fitPlaces(std::span<const PlaceCurve> curves, const PlaceFitSettings& 
 /// ellipse. Throws Error for a place that neither lies anywhere nor is among the keys.
 std::vector<maps::KeyPoint> withStiffness(const PlaceFits& fits, std::vector<maps::KeyPoint> keys = {});
 
+/// Key points as a table that readKeyPoints takes; empty fields where there is no ellipse or no stiffness.
+std::string stiffnessTable(std::span<const maps::KeyPoint> keys);
+
 /// Lines of a scene's [tissue] for the shape that the places share; empty without one.
 std::string tissueKeys(const PlaceFits& fits);
 
