@@ -298,6 +298,27 @@ TEST(Photograph, HugeAndTinyOnesAreRefusedByTheirHeader) {
             "it.jpg: 300 x 199 pixels is too small to find dots in: at least 200 x 200");
 }
 
+TEST(Photograph, AJpegOfScansWithoutEndIsRefused) {
+  const std::string jpeg = coded(testCard(), ".jpg", {cv::IMWRITE_JPEG_PROGRESSIVE, 1});
+  const std::size_t scan = jpeg.rfind("\xff\xda");
+  std::string scans;
+  for (int i = 0; i < 100; ++i) scans += jpeg.substr(scan, jpeg.size() - 2 - scan);
+  EXPECT_EQ(refusal(jpeg.substr(0, scan) + scans + jpeg.substr(jpeg.size() - 2)),
+            "it.jpg: is a JPEG in more than 64 layers: save it anew");
+}
+
+TEST(Photograph, IsReducedByMeans) {
+  Photograph picture = decoded(coded(testCard(), ".png"));
+  for (std::size_t i = 0; i < picture.rgb.size(); i += 6)
+    picture.rgb[i] = static_cast<std::uint8_t>(255 - picture.rgb[i]);
+  const Photograph half = reducedTo(picture, 150);
+  EXPECT_EQ(half.width_px, 150);
+  EXPECT_EQ(half.height_px, 110);
+  // Every other red is turned round.
+  EXPECT_TRUE(shows(half, {Colour{128, 0, 0}, {128, 255, 0}, {128, 0, 255}, {128, 255, 255}}, 1));
+  EXPECT_EQ(reducedTo(picture, 300).rgb, picture.rgb);
+}
+
 TEST(Photograph, IsWrittenAndReadBack) {
   const support::TemporaryFolder folder;
   Photograph picture = decoded(coded(testCard(), ".png"));

@@ -13,6 +13,8 @@ namespace palpate::measure {
 namespace {
 
 constexpr std::string_view kTruncated = "is cut off: the end of the picture is missing; copy the file again";
+/// A camera's has 1 or about 10. Each of a few bytes costs as much as decoding the whole picture.
+constexpr int kMostScans = 64;
 constexpr std::string_view kDamaged = "is damaged: what should be a marker is none; copy the file again";
 
 class Segments {
@@ -28,7 +30,7 @@ class Segments {
       if (marker == 0xe1) readApplication(segment);
       if (marker == 0xda) skipScan();
     }
-    if (!has_frame_ || !has_scan_) throw Error::inFile(name_, "is a JPEG without a picture");
+    if (!has_frame_ || scans_ == 0) throw Error::inFile(name_, "is a JPEG without a picture");
     return header_;
   }
 
@@ -83,7 +85,9 @@ class Segments {
   /// To the next marker that is neither a byte of data nor a restart.
   void skipScan() {
     if (!has_frame_) throw Error::inFile(name_, kDamaged);
-    has_scan_ = true;
+    if (++scans_ > kMostScans) {
+      throw Error::inFile(name_, fmt::format("is a JPEG in more than {} layers: save it anew", kMostScans));
+    }
     for (;;) {
       at_ = bytes_.find('\xff', at_);
       if (at_ == std::string_view::npos || at_ + 1 >= bytes_.size()) throw Error::inFile(name_, kTruncated);
@@ -99,7 +103,7 @@ class Segments {
   std::size_t at_ = 0;
   PictureHeader header_;
   bool has_frame_ = false;
-  bool has_scan_ = false;
+  int scans_ = 0;
   bool has_exif_ = false;
 };
 
