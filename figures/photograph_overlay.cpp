@@ -153,7 +153,9 @@ void drawLine(Canvas& canvas, const measure::OverlayLine& line, const PanelFrame
   if (line.filled) canvas.path(places, true, std::nullopt, withAlpha(colour, 0.25 * colour.alpha));
   const double width = static_cast<double>(line.width) * frame.unit();
   if (width <= 0.0) return;
-  canvas.path(places, line.closed, Pen{withAlpha(kPaper, 0.55), width + 1.4 * frame.unit()});
+  // A thin line may lie on a thick one, and shall not cut it.
+  const bool is_thin = line.width < 1.1f;
+  if (!is_thin) canvas.path(places, line.closed, Pen{withAlpha(kPaper, 0.55), width + 1.4 * frame.unit()});
   canvas.path(places, line.closed, Pen{colour, width, line.dashed ? Stroke::dashed : Stroke::solid});
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -37,6 +38,7 @@ const std::vector<WritingCommand> kCommands = {
     {"map ellipses dome.ply -o disk/map.ply", "map.ply"},
     {"map ellipses dome.ply -o disk/map.png", "map.png"},
     {"map ellipses dome.ply -o disk/map.svg", "map.svg"},
+    {"measure dots dots.csv --overwrite -o disk", "overlay.png"},
     {"model back --triangles 2000 -o disk/back.ply", "back.ply"},
     {"model back --triangles 2000 -o disk/back.obj", "back.obj"},
     {"model back --triangles 2000 -o disk/back.stl", "back.stl"},
@@ -61,7 +63,20 @@ class FullDisk : public testing::TestWithParam<WritingCommand> {
                                              "[[finger]]\nname = \"a\"\nat_mm = [0, 0]\n"
                                              "script = [{ do = \"press\", depth_mm = 4, seconds = 0.1 }]\n";
     writeForces();
+    writeDots();
     std::ofstream(folder_ / "path.csv") << "t_s,x_mm,y_mm,z_mm\n0,0,0,30\n0.3,0,0,15\n";
+  }
+
+  /// A stencil's dots, dragged upwards by a half Gaussian; 40 px are 30 mm.
+  void writeDots() const {
+    std::ofstream table(folder_ / "dots.csv");
+    table << "picture,x_px,y_px\n";
+    for (int i = 0; i < 11 * 13; ++i) {
+      const double x = 40.0 * (i % 11 - 5);
+      const double y = 40.0 * (i / 11 - 6);
+      const double up = 24.0 * std::exp(-(x * x + 0.8 * y * y) / 4900.0);
+      table << "before," << 300.0 + x << ',' << 400.0 + y << "\nafter," << 300.0 + x << ',' << 400.0 + y - up << '\n';
+    }
   }
 
   /// Half a second of a finger that touches nothing.

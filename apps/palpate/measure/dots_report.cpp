@@ -44,7 +44,7 @@ std::string tailWords(const FieldFit& fit) {
 std::string fitText(const Measurement& m) {
   const FieldFit& fit = *m.fit;
   std::string text = ellipseLine(fit.at_2_mm) + ellipseLine(fit.at_4_mm);
-  if (m.chart) {
+  if (m.chart && fit.at_2_mm.half_major_mm.value > 0.0) {
     const Vec2 contact_px = m.chart->pictureAt(fit.field.contact_mm);
     text += fmt::format("  contact   at {:.1f},{:.1f} px of the first picture, ± {:.1f} and {:.1f} mm\n",
                         contact_px.x(), contact_px.y(), fit.contact_x_mm.sd, fit.contact_y_mm.sd);

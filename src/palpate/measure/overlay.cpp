@@ -204,12 +204,12 @@ class Layers {
 
   void addEllipses() {
     const FieldFit& fit = *m_.fit;
-    addLine({.places_px = ellipsePlaces(fit.at_2_mm, 0.0), .colour = kBlue, .width = 2.2f, .closed = true},
+    addLine({.places_px = ellipsePlaces(fit.at_2_mm, 0.0), .colour = kBlue, .width = 3.2f, .closed = true},
             "2 mm ellipse, fitted, with 2 sd");
     if (fit.at_4_mm.half_major_mm.value > 0.0) {
       addLine({.places_px = ellipsePlaces(fit.at_4_mm, 0.0),
                .colour = kBlue,
-               .width = 1.2f,
+               .width = 2.4f,
                .dashed = true,
                .closed = true},
               "4 mm ellipse, fitted");
@@ -223,7 +223,7 @@ class Layers {
   }
 
   void addContacts() {
-    if (m_.chart && m_.fit) {
+    if (drawsEllipse()) {
       panel_.marks.push_back(
           {.place_px = pictureOf(m_.fit->field.contact_mm), .form = MarkForm::star, .colour = kInk, .radius = 6.0f});
       panel_.legend.push_back({.words = "contact, fitted", .colour = kInk, .form = MarkForm::star});
