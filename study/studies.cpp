@@ -27,7 +27,9 @@ const std::vector<Study>& studies() {
        "Whether a hand can safely hold the loop: stiffness, rate, delay, hand and device, bare and controlled",
        studyStability},
       {"relaxation", "Skin that gives way in time: the force of a press that is held, its work, the dent that stays",
-       studyRelaxation}};
+       studyRelaxation},
+      {"measuring", "Key ellipses from synthetic photographs against their truth: bars, refusals, honesty of the sd",
+       studyMeasuring, true}};
   return all;
 }
 

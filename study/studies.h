@@ -14,6 +14,7 @@ struct Study {
   std::string name;  ///< of the subcommand
   std::string what;  ///< its help, one line
   std::function<StudyPage(const StudySettings& settings)> run;
+  bool draws = false;  ///< its cases, from a seed: it takes --seed and --cases
 };
 
 /// In the order of a report.
@@ -42,6 +43,10 @@ StudyPage studyHdb(const StudySettings& settings);
 // what was not measured.
 
 StudyPage studyInterpolation(const StudySettings& settings);
+
+// `palpate study measuring`: key ellipses from synthetic photographs against their truth.
+
+StudyPage studyMeasuring(const StudySettings& settings);
 
 // `palpate study profile`: how large the array of the half Gaussian must be, and how it must be read (Figure 4.9).
 

@@ -74,8 +74,10 @@ void judgeDots(const SyntheticTruth& truth, const Measurement& measured, JudgedP
   for (const auto& dot : measured.grid.dots) before.push_back(dot.dot.place_px);
   std::size_t in_order = 0;
   for (const Vec2& place : before) {
-    if (trueDotAt(truth, place) != nullptr) ++in_order;
-    else if (nearestDistance(truth.strays_px, place) < kSameMarkMm * truth.px_per_mm) ++judged.strays_in_order;
+    if (trueDotAt(truth, place) != nullptr)
+      ++in_order;
+    else if (nearestDistance(truth.strays_px, place) < kSameMarkMm * truth.px_per_mm)
+      ++judged.strays_in_order;
   }
   for (const auto& dot : measured.grid.strays) before.push_back(dot.place_px);
   std::vector<Vec2> after;
@@ -123,11 +125,9 @@ void judgeFit(const measure::SyntheticCase& made, const SyntheticTruth& truth, c
   judged.at_2_mm = levelErrors(fit.at_2_mm, truth.at_2_mm);
   judged.at_4_mm = levelErrors(fit.at_4_mm, truth.at_4_mm);
   judged.ratio_error = std::abs(fit.at_2_mm.major_over_minor.value - truth.at_2_mm.major_over_minor.value);
-  judged.direction_error_deg =
-      std::abs(axisAngle(fit.at_2_mm.direction_deg.value - truth.at_2_mm.direction_deg.value));
+  judged.direction_error_deg = std::abs(axisAngle(fit.at_2_mm.direction_deg.value - truth.at_2_mm.direction_deg.value));
   judged.direction_sd_deg = fit.at_2_mm.direction_deg.sd;
-  const Vec2 contact =
-      Vec2(fit.contact_x_mm.value, fit.contact_y_mm.value) + stepBetweenFrames(made, truth, measured);
+  const Vec2 contact = Vec2(fit.contact_x_mm.value, fit.contact_y_mm.value) + stepBetweenFrames(made, truth, measured);
   judged.contact_error_mm = (contact - truth.field.contact_mm).norm();
   judged.contact_sd_mm = std::hypot(fit.contact_x_mm.sd, fit.contact_y_mm.sd);
   judged.drag_error_deg = std::abs(std::remainder(fit.drag_deg.value - truth.drag_deg, 360.0));
@@ -166,8 +166,7 @@ JudgedPair judgePair(const measure::SyntheticCase& made, const SyntheticTruth& t
   judged.has_contour = measured.contour && measured.contour->half_chord_mm > 0.0;
   if (judged.has_contour && judged.true_half_major_mm > 0.0) {
     judged.chord_percent = 100.0 * (measured.contour->half_chord_mm / judged.true_half_major_mm - 1.0);
-    judged.chord_direction_deg =
-        std::abs(axisAngle(measured.contour->chord_deg - truth.at_2_mm.direction_deg.value));
+    judged.chord_direction_deg = std::abs(axisAngle(measured.contour->chord_deg - truth.at_2_mm.direction_deg.value));
   }
   return judged;
 }

@@ -56,10 +56,9 @@ std::vector<JudgedPair> measureGood(const MeasuringPlan& plan, const Progress& p
   std::vector<JudgedPair> judged(plan.cases);
   shareOut(plan.cases, progress, "good pairs", [&](std::size_t i) {
     const bool large = plan.large_every > 0 && i % plan.large_every == plan.large_every - 1;
-    judged[i] = judgeRendered(
-        measure::drawCase(seedOf(plan.seed, Stream::good, i),
-                          {.megapixels = large ? plan.timed_megapixels : plan.megapixels,
-                           .family = i % 2 == 0 ? TailFamily::compact : TailFamily::long_tail}));
+    judged[i] = judgeRendered(measure::drawCase(seedOf(plan.seed, Stream::good, i),
+                                                {.megapixels = large ? plan.timed_megapixels : plan.megapixels,
+                                                 .family = i % 2 == 0 ? TailFamily::compact : TailFamily::long_tail}));
   });
   return judged;
 }
@@ -92,8 +91,8 @@ ExactPairs measureExact(const MeasuringPlan& plan, const ExactKind& kind, const 
         {.megapixels = plan.megapixels, .family = kind.families[i % kind.families.size()], .drift_mm = kind.drift_mm});
     made.press.asymmetry = kind.asymmetry;
     const measure::SyntheticTruth truth = measure::truthOf(made);
-    exact.pairs[i] = judgePair(
-        made, truth, measure::measureDots(exactDots(made, truth), {.drift_mm = kind.told_drift_mm}));
+    exact.pairs[i] =
+        judgePair(made, truth, measure::measureDots(exactDots(made, truth), {.drift_mm = kind.told_drift_mm}));
   });
   return exact;
 }
@@ -124,7 +123,8 @@ double timeFits(const MeasuringPlan& plan) {
     std::vector<measure::FieldDatum> dots;
     for (const measure::TrueDot& dot : measure::truthOf(made).dots) {
       const Vec2 noise = 0.1 * Vec2(random.normal(), random.normal());
-      dots.push_back({dot.skin_mm, dot.moved_mm + noise, {dot.skin_mm.x(), -dot.skin_mm.y()}, Mat2(Vec2(1.0, -1.0).asDiagonal())});
+      dots.push_back(
+          {dot.skin_mm, dot.moved_mm + noise, {dot.skin_mm.x(), -dot.skin_mm.y()}, Mat2(Vec2(1.0, -1.0).asDiagonal())});
     }
     data.push_back(std::move(dots));
   }
@@ -138,7 +138,7 @@ double timeFits(const MeasuringPlan& plan) {
 
 MeasuringPlan measuringPlan(bool quick) {
   if (!quick) return {};
-  return {.cases = 8, .large_every = 0, .spoilt_each = 1, .exact_each = 8};
+  return {.cases = 8, .megapixels = 1.0, .large_every = 0, .spoilt_each = 1, .exact_each = 8};
 }
 
 MeasuringMeasurement measureMeasuring(const MeasuringPlan& plan, const Progress& progress) {
@@ -149,7 +149,8 @@ MeasuringMeasurement measureMeasuring(const MeasuringPlan& plan, const Progress&
   found.spoilt = measureSpoilt(plan, progress);
   found.drifted = measureExact(plan, {.name = "drift of 1.5 mm", .stream = Stream::drifted, .drift_mm = 1.5}, progress);
   found.breathing = measureExact(
-      plan, {.name = "drift of 1.5 mm, told", .stream = Stream::drifted, .drift_mm = 1.5, .told_drift_mm = 1.5}, progress);
+      plan, {.name = "drift of 1.5 mm, told", .stream = Stream::drifted, .drift_mm = 1.5, .told_drift_mm = 1.5},
+      progress);
   found.half_space = measureExact(
       plan, {.name = "half space", .stream = Stream::half_space, .families = {TailFamily::half_space}}, progress);
   found.windowed = measureExact(

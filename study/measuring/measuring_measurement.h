@@ -13,11 +13,11 @@ namespace palpate::study {
 
 struct MeasuringPlan {
   std::uint64_t seed = 1;
-  std::size_t cases = 100;        ///< good pairs, every second one with a long tail
+  std::size_t cases = 100;  ///< good pairs, every second one with a long tail
   double megapixels = 2.0;
-  std::size_t large_every = 25;   ///< every so manyth good pair has 12 megapixels; 0: none
-  std::size_t spoilt_each = 4;    ///< of every kind
-  std::size_t exact_each = 60;    ///< pairs without pixels, of every kind
+  std::size_t large_every = 25;  ///< every so manyth good pair has 12 megapixels; 0: none
+  std::size_t spoilt_each = 4;   ///< of every kind
+  std::size_t exact_each = 60;   ///< pairs without pixels, of every kind
   double timed_megapixels = 12.0;
 };
 

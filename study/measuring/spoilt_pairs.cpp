@@ -49,8 +49,7 @@ const std::vector<Spoiling>& spoilings() {
        }},
       {{"too dark"}, [](SyntheticCase& made, Random&) { made.look.exposure *= 0.02; }},
       {{"black and white"}, [](SyntheticCase& made, Random&) { made.look.grey = true; }},
-      {{"nothing pressed"},
-       [](SyntheticCase& made, Random&) { made.press.peak_mm = made.press.dent_mm = 0.0; }},
+      {{"nothing pressed"}, [](SyntheticCase& made, Random&) { made.press.peak_mm = made.press.dent_mm = 0.0; }},
       {{"contact at the rim of the grid"},
        [](SyntheticCase& made, Random& random) {
          made.press.contact_mm = {sign(random) * 15.0 * (made.marks.columns - 1), random.uniform(-60.0, 60.0)};

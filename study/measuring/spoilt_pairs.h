@@ -1,4 +1,5 @@
-// Pairs of photographs that something is wrong with: what a measurement must refuse, and what it may not be wrong about.
+// Pairs of photographs that something is wrong with: what a measurement must refuse, and what it may not be wrong
+// about.
 #pragma once
 
 #include <cstdint>

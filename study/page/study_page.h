@@ -7,8 +7,10 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,6 +25,8 @@ namespace palpate::study {
 struct StudySettings {
   bool quick = false;  ///< smaller models, fewer repetitions: below 3 s, for tests; its times mean little
   Progress progress{};
+  std::optional<std::uint64_t> seed{};  ///< of a study that draws its cases (Study::draws)
+  std::optional<std::size_t> cases{};   ///< how many it draws
 };
 
 struct StudyFigure {

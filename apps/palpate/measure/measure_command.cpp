@@ -10,6 +10,7 @@ void addMeasureCommand(CLI::App& app) {
   addMeasureStiffnessCommand(measure);
   addMeasureStencilCommand(measure);
   addMeasureAverageCommand(measure);
+  addMeasureSynthesizeCommand(measure);
 }
 
 }  // namespace palpate::app

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,13 +40,17 @@ struct StudyArguments {
   std::string folder;
   bool quick = false;
   bool json = false;
+  std::optional<std::uint64_t> seed;
+  std::optional<std::size_t> cases;
 };
 
 void run(const study::Study& study, const StudyArguments& arguments) {
   if (!arguments.folder.empty()) study::makeFolder(arguments.folder);  // a folder that cannot be is refused at once
   tellOfEarlier(arguments.folder, study.name + ".md");
   ProgressLine progress;
-  const study::StudyPage page = study::runStudy(study, {.quick = arguments.quick, .progress = progress.callback()});
+  const study::StudyPage page = study::runStudy(
+      study,
+      {.quick = arguments.quick, .progress = progress.callback(), .seed = arguments.seed, .cases = arguments.cases});
   if (!arguments.folder.empty()) study::writePage(page, arguments.folder, progress.callback());
   progress.clear();
   fmt::print("{}", arguments.json ? study::jsonOf(page) : study::textOf(page));
@@ -61,6 +66,10 @@ void addPage(CLI::App& parent, const study::Study& study) {
   command.add_flag("--quick", arguments->quick,
                    "Small models and few repetitions: a look at the page, not a measurement");
   command.add_flag("--json", arguments->json, "Print the findings and main numbers as one JSON object");
+  if (study.draws) {
+    addNumber(command, "--seed", arguments->seed, between(0, 1e15), "Other cases for each");
+    addNumber(command, "--cases", arguments->cases, between(2, 100000), "How many good ones are drawn");
+  }
   command.callback([arguments, study] { run(study, *arguments); });
 }
 
