@@ -25,10 +25,10 @@ struct GridDot {
 
 struct DotGrid {
   std::vector<GridDot> dots;
-  std::vector<Dot> strays;     ///< of the same ink, but no site of the grid
-  double spacing_px = 0.0;     ///< median distance of neighbours; 0 without a grid
-  double irregularity = 0.0;   ///< median misfit of a dot to its neighbours, left out by turns, of a spacing
-  double roll_deg = 0.0;       ///< of the columns against the picture's upright, -45 to 45
+  std::vector<Dot> strays;    ///< of the same ink, but no site of the grid
+  double spacing_px = 0.0;    ///< median distance of neighbours; 0 without a grid
+  double irregularity = 0.0;  ///< median misfit of a dot to its neighbours, left out by turns, of a spacing
+  double roll_deg = 0.0;      ///< of the columns against the picture's upright, -45 to 45
 };
 
 /// Grows a lattice from the best seeds. Empty where there is none.

@@ -29,8 +29,8 @@ struct FoundDots {
   Ink ink;
 };
 
-/// All marks of the commonest ink, strays among them, or those of the given ink (of the other picture of a pair). Few or
-/// none is no error. One thread; 0.5 s for 12 megapixels.
+/// All marks of the commonest ink, strays among them, or those of the given ink (of the other picture of a pair). Few
+/// or none is no error. One thread; 0.5 s for 12 megapixels.
 FoundDots findDots(const Photograph& picture, const std::optional<Ink>& ink = {});
 
 }  // namespace palpate::measure

@@ -36,11 +36,11 @@ struct MeasureSettings {
 struct MeasuredDot {
   GridSite site;
   Vec2 before_px = Vec2::Zero();
-  std::optional<Vec2> after_px = {};   ///< none: hidden
-  Vec2 skin_mm = Vec2::Zero();         ///< where it lies on the skin, before
-  Vec2 moved_mm = Vec2::Zero();        ///< with the drift of the body
-  Vec2 drift_mm = Vec2::Zero();        ///< of it, as fitted
-  double residual_mm = 0.0;            ///< between measured and fitted
+  std::optional<Vec2> after_px = {};  ///< none: hidden
+  Vec2 skin_mm = Vec2::Zero();        ///< where it lies on the skin, before
+  Vec2 moved_mm = Vec2::Zero();       ///< with the drift of the body
+  Vec2 drift_mm = Vec2::Zero();       ///< of it, as fitted
+  double residual_mm = 0.0;           ///< between measured and fitted
 };
 
 /// The body's own motion between the pictures, a similarity in the picture, as the skin's frame sees it.
@@ -49,8 +49,8 @@ struct Drift {
   Estimate headwards_mm;
   double scale_percent = 0.0;
   double turn_deg = 0.0;
-  double length_mm = 0.0;       ///< of the shift
-  double in_sd = 0.0;           ///< fitted shift, scale and turn over what was allowed
+  double length_mm = 0.0;  ///< of the shift
+  double in_sd = 0.0;      ///< fitted shift, scale and turn over what was allowed
 };
 
 struct FieldFit {
@@ -60,27 +60,27 @@ struct FieldFit {
   Estimate contact_x_mm;
   Estimate contact_y_mm;
   Estimate peak_mm;
-  Estimate drag_deg;           ///< of the peak against +x, in (-180, 180]
-  Estimate inverse_tail;       ///< k = 1/P
-  Estimate sideways;           ///< kappa
+  Estimate drag_deg;      ///< of the peak against +x, in (-180, 180]
+  Estimate inverse_tail;  ///< k = 1/P
+  Estimate sideways;      ///< kappa
   Drift drift;
   double residual_rms_mm = 0.0;
   /// Rim of the dissertation's half Gaussian with the same peak and 2 mm contour (E20); none for a long tail or a peak
   /// under 2 mm.
   std::optional<double> gaussian_rim_mm = {};
-  double inside_share = 0.0;   ///< of the 2 mm ellipse that lies within the dots
+  double inside_share = 0.0;  ///< of the 2 mm ellipse that lies within the dots
 };
 
 /// As the dissertation read it: contour of the interpolated field, its longest chord, the ellipse of the contour.
 struct ContourReading {
   std::vector<Vec2> contour_2_mm = {};  ///< on the skin, mm; open where it leaves the dots
   std::vector<Vec2> contour_4_mm = {};
-  double inside_share = 0.0;            ///< of the 2 mm contour that lies within the dots
-  double half_chord_mm = 0.0;           ///< half the longest chord
-  double half_across_mm = 0.0;          ///< half the extent across it
-  double chord_deg = 0.0;               ///< in (-90, 90]
+  double inside_share = 0.0;                  ///< of the 2 mm contour that lies within the dots
+  double half_chord_mm = 0.0;                 ///< half the longest chord
+  double half_across_mm = 0.0;                ///< half the extent across it
+  double chord_deg = 0.0;                     ///< in (-90, 90]
   std::optional<maps::Ellipse> ellipse = {};  ///< direct fit to the contour
-  bool differs = false;                 ///< by more than 2 sd from the fitted ellipse
+  bool differs = false;                       ///< by more than 2 sd from the fitted ellipse
 };
 
 enum class Severity : unsigned char { refusal, warning };
@@ -97,15 +97,15 @@ class SkinChart;
 
 struct Measurement {
   MeasureSettings settings;
-  int width_px = 0;   ///< of the pictures; 0 when only dots were given
+  int width_px = 0;  ///< of the pictures; 0 when only dots were given
   int height_px = 0;
   Ink ink;
-  DotGrid grid;                             ///< of the first picture
-  std::vector<Dot> after_dots;              ///< all marks of the second
-  std::vector<MeasuredDot> dots;            ///< one a dot of the grid
+  DotGrid grid;                   ///< of the first picture
+  std::vector<Dot> after_dots;    ///< all marks of the second
+  std::vector<MeasuredDot> dots;  ///< one a dot of the grid
   std::size_t matched = 0;
-  std::shared_ptr<const SkinChart> chart;   ///< null without a grid
-  std::optional<FieldFit> fit;              ///< none where it could not be tried
+  std::shared_ptr<const SkinChart> chart;  ///< null without a grid
+  std::optional<FieldFit> fit;             ///< none where it could not be tried
   std::optional<ContourReading> contour;
   std::vector<Finding> findings;
   double seconds = 0.0;  ///< that it took

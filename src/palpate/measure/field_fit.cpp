@@ -1,0 +1,436 @@
+// Levenberg and Marquardt's method on the motions of all dots at once. The dots say how far the body moved between the
+// pictures as well as how the skin was dragged: both are unknowns of one fit, the first with a prior. So are bends of
+// the body that a similarity does not have: left out, they stretch long tails by a tenth and nothing tells. Each dot
+// counts by what can be known of it (weightsOf); a dot that nothing explains counts less (pseudo-Huber). First the form
+// with one ellipse, from four starts; then, from the best, sideways motion too.
+//
+// Based on: Marquardt, "An algorithm for least-squares estimation of nonlinear parameters", 1963; Charbonnier et al.,
+// "Deterministic edge-preserving regularization in computed imaging", 1997 (pseudo-Huber by reweighting).
+#include "palpate/measure/field_fit.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace palpate::measure {
+
+namespace {
+
+enum Unknown : int {
+  kContact = 0,
+  kMeanShape = 2,
+  kDeviator = 3,
+  kPeak = 5,
+  kTail = 7,
+  kSideways = 8,
+  kDrift = kFirstDrift
+};
+
+// What is known before the dots are looked at.
+constexpr double kTailMean = 0.8;  // of 1/P: from the half Gaussian, 0, to a half space's long tail, 1 to 1.8
+constexpr double kTailSd = 0.8;
+constexpr double kTailMost = 2.0;
+constexpr double kElongationSd = 0.7;  // of ln(a/b)
+// The peak lies between the dots, under the stick, and a long tail's core is narrow: what no dot saw is bounded,
+// softly.
+constexpr double kPeakMostMm = 30.0;   // skin is not dragged farther
+constexpr double kPeakOverSeen = 3.0;  // of the dot that moved most: no core is narrower than stick and skin make it
+constexpr double kPeakSd = 0.1;        // of that bound
+constexpr double kSidewaysSd = 1.5;    // of kappa: a half space of incompressible matter has 1
+constexpr double kSidewaysLeast = -0.9;
+constexpr double kSidewaysMost = 4.0;
+// Of a body that breathes or rolls between the pictures, of its shift: a turn about the spine by 0.06 degrees lowers
+// the flanks by 0.05 mm.
+constexpr double kStretchOfDrift = 0.06;
+constexpr double kBendOfDrift = 0.02;
+constexpr int kStretches = 2;          // of the bends, the first ones
+constexpr double kShapeLeast = -14.0;  // mean of ln W: radii from 3 mm
+constexpr double kShapeMost = -2.2;    // ... to 1.1 m
+
+// Weights: noise of marks and chart, which grows with the displacement itself.
+constexpr double kLeastSdMm = 0.08;
+constexpr double kSdMedians = 1.8;    // of the residuals
+constexpr double kSdOfMotion = 0.04;  // the chart's own error
+constexpr double kLeastScatter =
+    0.5;                             // of chi2: errors of the chart are alike from dot to dot and leave small residuals
+constexpr double kFirstSdMm = 0.15;  // before there are residuals
+constexpr double kRobustSds = 3.0;   // beyond, a dot counts less
+constexpr int kLookSteps = 6;        // of each start, before the best is chosen
+constexpr int kMostSteps = 40;
+constexpr double kConverged = 1e-5;  // decrease of the cost, of it
+constexpr std::array kStartTails = {0.1, 1.2};
+constexpr std::array kStartWidthsMm = {35.0, 70.0};
+
+using Jacobian = Eigen::Matrix<double, 2, kFieldUnknowns>;
+
+/// What the shape's three numbers make of W, and its derivatives by the two deviators.
+struct Shape {
+  Mat2 w;
+  std::array<Mat2, 2> by_deviator;
+};
+
+Shape shapeOf(const FieldNumbers& n) {
+  const double d1 = n[kDeviator];
+  const double d2 = n[kDeviator + 1];
+  const double s = std::hypot(d1, d2);
+  const bool is_round = s < 1e-4;
+  const double sinhc = is_round ? 1.0 + s * s / 6.0 : std::sinh(s) / s;
+  const double sinhc_slope = is_round ? 1.0 / 3.0 : (std::cosh(s) - sinhc) / (s * s);  // derivative over s
+  Mat2 deviator;
+  deviator << d1, d2, d2, -d1;
+  Mat2 first;
+  first << 1.0, 0.0, 0.0, -1.0;
+  Mat2 second;
+  second << 0.0, 1.0, 1.0, 0.0;
+  const double size = std::exp(n[kMeanShape]);
+  Shape shape;
+  shape.w = size * (std::cosh(s) * Mat2::Identity() + sinhc * deviator);
+  shape.by_deviator[0] = size * (sinhc * d1 * Mat2::Identity() + sinhc_slope * d1 * deviator + sinhc * first);
+  shape.by_deviator[1] = size * (sinhc * d2 * Mat2::Identity() + sinhc_slope * d2 * deviator + sinhc * second);
+  return shape;
+}
+
+/// f = (1 + k rho^2)^(-1/k) and its derivative by k; by rho^2 it is -f / (1 + k rho^2).
+struct Fall {
+  double value;
+  double by_tail;
+};
+
+Fall fallAt(double rho2, double k) {
+  if (k * rho2 < 1e-4) {
+    const double f = std::exp(-rho2 + 0.5 * k * rho2 * rho2 - k * k * rho2 * rho2 * rho2 / 3.0);
+    return {f, f * rho2 * rho2 * (0.5 - 2.0 * k * rho2 / 3.0)};
+  }
+  const double logarithm = std::log1p(k * rho2);
+  const double f = std::exp(-logarithm / k);
+  return {f, f * (logarithm / (k * k) - rho2 / (k * (1.0 + k * rho2)))};
+}
+
+constexpr int kDriftUnknowns = kFieldUnknowns - kFirstDrift;
+using DriftSlope = Eigen::Matrix<double, 2, kDriftUnknowns>;
+
+/// Motions in the picture, mm, for one of each unknown of the drift: a similarity, then what is none.
+DriftSlope driftSlopeAt(const Vec2& picture_mm) {
+  const double x = 0.01 * picture_mm.x();
+  const double y = 0.01 * picture_mm.y();
+  DriftSlope slope;
+  slope << 1.0, 0.0, x, -y, x, y, x * x, x * y, y * y, 0.0, 0.0, 0.0,  //
+      0.0, 1.0, y, x, -y, x, 0.0, 0.0, 0.0, x * x, x * y, y * y;
+  return slope;
+}
+
+/// Displacement of the skin at a dot with its drift; and its derivatives.
+Vec2 modelAt(const FieldNumbers& n, const Shape& shape, const FieldDatum& datum, Vec2& dragged, Jacobian* slope) {
+  const Vec2 offset = datum.skin_mm - n.segment<2>(kContact);
+  const Vec2 peak = n.segment<2>(kPeak);
+  const Vec2 weighed = shape.w * offset;
+  const double rho2 = offset.dot(weighed);
+  const double k = n[kTail];
+  const double kappa = n[kSideways];
+  const Fall fall = fallAt(rho2, k);
+  const double share = rho2 / (1.0 + rho2);
+  const double distance2 = std::max(offset.squaredNorm(), 1e-9);
+  const double along = offset.dot(peak);
+  const Vec2 radial = along / distance2 * offset;  // (e . peak) e
+  const Vec2 strength = peak + kappa * share * radial;
+  dragged = fall.value * strength;
+  if (slope) {
+    const Vec2 by_rho2 = fall.value * (kappa / ((1.0 + rho2) * (1.0 + rho2)) * radial - strength / (1.0 + k * rho2));
+    const Mat2 radial_by_offset = (offset * peak.transpose() + along * Mat2::Identity()) / distance2 -
+                                  2.0 * along / (distance2 * distance2) * offset * offset.transpose();
+    Jacobian& j = *slope;
+    j.middleCols<2>(kContact) = -2.0 * by_rho2 * weighed.transpose() - fall.value * kappa * share * radial_by_offset;
+    j.col(kMeanShape) = by_rho2 * rho2;
+    for (int i = 0; i < 2; ++i)
+      j.col(kDeviator + i) = by_rho2 * offset.dot(shape.by_deviator[static_cast<std::size_t>(i)] * offset);
+    j.middleCols<2>(kPeak) = fall.value * (Mat2::Identity() + kappa * share / distance2 * offset * offset.transpose());
+    j.col(kTail) = fall.by_tail * strength;
+    j.col(kSideways) = fall.value * share * radial;
+    j.rightCols<kDriftUnknowns>() = datum.to_skin * driftSlopeAt(datum.picture_mm);
+    return dragged + j.rightCols<kDriftUnknowns>() * n.tail<kDriftUnknowns>();
+  }
+  return dragged + driftAt(n, datum);
+}
+
+/// The normal equations of the data and of what was known before, apart, and the cost of both.
+struct Normal {
+  FieldCovariance data = FieldCovariance::Zero();
+  FieldCovariance prior = FieldCovariance::Zero();
+  FieldNumbers gradient = FieldNumbers::Zero();
+  double cost = 0.0;
+};
+
+/// What is known before the dots are fitted.
+struct Prior {
+  DriftPrior drift;
+  double peak_mm = kPeakMostMm;
+};
+
+void addPrior(const FieldNumbers& n, const Prior& prior, Normal& normal) {
+  const auto expect = [&](int unknown, double mean, double sd) {
+    const double off = (n[unknown] - mean) / sd;
+    normal.prior(unknown, unknown) += 1.0 / (sd * sd);
+    normal.gradient[unknown] += off / sd;
+    normal.cost += off * off;
+  };
+  expect(kTail, kTailMean, kTailSd);
+  expect(kDeviator, 0.0, kElongationSd);
+  expect(kDeviator + 1, 0.0, kElongationSd);
+  expect(kSideways, 0.0, kSidewaysSd);
+  expect(kDrift, 0.0, prior.drift.shift_mm);
+  expect(kDrift + 1, 0.0, prior.drift.shift_mm);
+  expect(kDrift + 2, 0.0, prior.drift.scale);
+  expect(kDrift + 3, 0.0, prior.drift.turn);
+  for (int i = kFirstBend; i < kFieldUnknowns; ++i)
+    expect(i, 0.0, prior.drift.shift_mm * (i < kFirstBend + kStretches ? kStretchOfDrift : kBendOfDrift));
+  const Vec2 peak = n.segment<2>(kPeak);
+  const double over = (peak.norm() / prior.peak_mm - 1.0) / kPeakSd;
+  if (over > 0.0) {
+    const Vec2 outward = peak.normalized() / (kPeakSd * prior.peak_mm);
+    normal.prior.block<2, 2>(kPeak, kPeak) += outward * outward.transpose();
+    normal.gradient.segment<2>(kPeak) += over * outward;
+    normal.cost += over * over;
+  }
+}
+
+/// Adds w J'J, upper triangle, and J'(w off): plain loops, which the compiler turns into wide ones.
+void accumulate(const Jacobian& slope, const Vec2& weighed_off, double weight, int unknowns, Normal& normal) {
+  for (int i = 0; i < unknowns; ++i) {
+    normal.gradient[i] += slope(0, i) * weighed_off.x() + slope(1, i) * weighed_off.y();
+    const double first = weight * slope(0, i);
+    const double second = weight * slope(1, i);
+    for (int j = 0; j <= i; ++j) normal.data(j, i) += first * slope(0, j) + second * slope(1, j);
+  }
+}
+
+Normal normalOf(std::span<const FieldDatum> data, std::span<const double> sd_mm, const FieldNumbers& n,
+                const Prior& prior, int unknowns) {
+  Normal normal;
+  const Shape shape = shapeOf(n);
+  Jacobian slope;
+  Vec2 dragged;
+  for (std::size_t i = 0; i < data.size(); ++i) {
+    const double inverse = 1.0 / sd_mm[i];
+    const Vec2 off = inverse * (modelAt(n, shape, data[i], dragged, &slope) - data[i].moved_mm);
+    const double root = std::sqrt(1.0 + off.squaredNorm() / (kRobustSds * kRobustSds));
+    normal.cost += 2.0 * kRobustSds * kRobustSds * (root - 1.0);
+    const double weight = inverse / root;
+    accumulate(slope, weight * off, weight * inverse, unknowns, normal);
+  }
+  addPrior(n, prior, normal);
+  if (!std::isfinite(normal.cost)) normal.cost = std::numeric_limits<double>::infinity();
+  return normal;
+}
+
+FieldNumbers clamped(FieldNumbers n) {
+  n[kTail] = std::clamp(n[kTail], 0.0, kTailMost);
+  n[kSideways] = std::clamp(n[kSideways], kSidewaysLeast, kSidewaysMost);
+  n[kMeanShape] = std::clamp(n[kMeanShape], kShapeLeast, kShapeMost);
+  return n;
+}
+
+/// How much of the form is free: first without sideways motion, then with it, in the end with the bends of the body
+/// too.
+enum class Freedom : unsigned char { plain, sideways, bends };
+
+int unknownsOf(Freedom freedom) { return freedom == Freedom::bends ? kFieldUnknowns : kFirstBend; }
+
+/// Unknowns that stay as they are: those that are not free yet, and what would leave its bounds.
+std::array<bool, kFieldUnknowns> heldOf(const FieldNumbers& n, const FieldNumbers& gradient, Freedom freedom) {
+  std::array<bool, kFieldUnknowns> held = {};
+  held[kSideways] = freedom == Freedom::plain;
+  for (std::size_t i = static_cast<std::size_t>(unknownsOf(freedom)); i < held.size(); ++i) held[i] = true;
+  const auto hold_at = [&](int unknown, double low, double high) {
+    const auto at = static_cast<std::size_t>(unknown);
+    held[at] =
+        held[at] || (n[unknown] <= low && gradient[unknown] > 0.0) || (n[unknown] >= high && gradient[unknown] < 0.0);
+  };
+  hold_at(kTail, 0.0, kTailMost);
+  hold_at(kSideways, kSidewaysLeast, kSidewaysMost);
+  hold_at(kMeanShape, kShapeLeast, kShapeMost);
+  return held;
+}
+
+FieldNumbers stepOf(const Normal& normal, double damping, const std::array<bool, kFieldUnknowns>& held) {
+  FieldCovariance matrix = normal.data.selfadjointView<Eigen::Upper>();
+  matrix += normal.prior;
+  FieldNumbers right = -normal.gradient;
+  for (int i = 0; i < kFieldUnknowns; ++i) {
+    if (held[static_cast<std::size_t>(i)]) {
+      matrix.row(i).setZero();
+      matrix.col(i).setZero();
+      matrix(i, i) = 1.0;
+      right[i] = 0.0;
+    }
+    matrix(i, i) *= 1.0 + damping;
+    matrix(i, i) += 1e-12;
+  }
+  return matrix.ldlt().solve(right);
+}
+
+struct Descent {
+  FieldNumbers numbers = FieldNumbers::Zero();
+  double cost = std::numeric_limits<double>::infinity();
+};
+
+Descent descend(std::span<const FieldDatum> data, std::span<const double> sd_mm, FieldNumbers n, const Prior& prior,
+                Freedom freedom, int most_steps) {
+  double damping = 1e-2;
+  Normal normal = normalOf(data, sd_mm, n, prior, unknownsOf(freedom));
+  for (int step = 0; step < most_steps; ++step) {
+    const FieldNumbers tried = clamped(n + stepOf(normal, damping, heldOf(n, normal.gradient, freedom)));
+    const Normal there = normalOf(data, sd_mm, tried, prior, unknownsOf(freedom));
+    if (there.cost < normal.cost) {
+      const bool is_done = normal.cost - there.cost < kConverged * normal.cost;
+      n = tried;
+      normal = there;
+      damping = std::max(damping * 0.1, 1e-9);
+      if (is_done) break;
+    } else {
+      damping *= 5.0;
+      if (damping > 1e5) break;
+    }
+  }
+  return {n, normal.cost};
+}
+
+/// The contact where the skin moved most, the body at rest.
+FieldNumbers startOf(std::span<const FieldDatum> data, double tail, double width_mm) {
+  std::vector<std::size_t> order(data.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  const std::size_t top = std::min<std::size_t>(5, order.size());
+  std::partial_sort(
+      order.begin(), order.begin() + static_cast<std::ptrdiff_t>(top), order.end(),
+      [&](std::size_t a, std::size_t b) { return data[a].moved_mm.squaredNorm() > data[b].moved_mm.squaredNorm(); });
+  FieldNumbers n = FieldNumbers::Zero();
+  double weights = 1e-12;
+  for (std::size_t i = 0; i < top; ++i) {
+    const FieldDatum& datum = data[order[i]];
+    const double weight = datum.moved_mm.squaredNorm();
+    n.segment<2>(kContact) += weight * datum.skin_mm;
+    n.segment<2>(kPeak) += weight * datum.moved_mm;
+    weights += weight;
+  }
+  n.segment<2>(kContact) /= weights;
+  n.segment<2>(kPeak) *= 1.2 / weights;
+  n[kMeanShape] = -2.0 * std::log(width_mm);
+  n[kTail] = tail;
+  return n;
+}
+
+Prior priorOf(std::span<const FieldDatum> data, const DriftPrior& drift) {
+  double seen = 0.0;
+  for (const FieldDatum& datum : data) seen = std::max(seen, datum.moved_mm.norm());
+  return {drift, std::clamp(kPeakOverSeen * seen, 1.0, kPeakMostMm)};
+}
+
+double medianOf(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Where the skin is seen at a grazing angle a pixel is many millimetres.
+double stretchOf(const FieldDatum& datum) {
+  return std::max(1.0, Eigen::JacobiSVD<Mat2>(datum.to_skin).singularValues()[0]);
+}
+
+std::vector<double> residualsOf(std::span<const FieldDatum> data, const FieldNumbers& n) {
+  std::vector<double> residuals;
+  const Shape shape = shapeOf(n);
+  Vec2 dragged;
+  for (const FieldDatum& datum : data)
+    residuals.push_back((modelAt(n, shape, datum, dragged, nullptr) - datum.moved_mm).norm());
+  return residuals;
+}
+
+std::vector<double> weightsOf(std::span<const FieldDatum> data, std::span<const double> stretches,
+                              const FieldNumbers& n) {
+  constexpr double kComponentOfLength = 0.6745 / 1.1774;  // medians of a component and of a length of two
+  const double noise = std::max(kLeastSdMm, kSdMedians * kComponentOfLength * medianOf(residualsOf(data, n)));
+  std::vector<double> sd;
+  const Shape shape = shapeOf(n);
+  for (std::size_t i = 0; i < data.size(); ++i) {
+    Vec2 dragged;
+    modelAt(n, shape, data[i], dragged, nullptr);
+    sd.push_back(std::hypot(noise, kSdOfMotion * dragged.norm()) * stretches[i]);
+  }
+  return sd;
+}
+
+/// By the scatter that is seen, for the data; what was known before is as sure as it was.
+FieldCovariance covarianceOf(std::span<const FieldDatum> data, std::span<const double> sd_mm, const FieldNumbers& n,
+                             const Prior& prior) {
+  const Normal normal = normalOf(data, sd_mm, n, prior, kFieldUnknowns);
+  const std::vector<double> residuals = residualsOf(data, n);
+  double chi2 = 0.0;
+  for (std::size_t i = 0; i < data.size(); ++i) {
+    const double off2 = residuals[i] * residuals[i] / (sd_mm[i] * sd_mm[i]);
+    chi2 += off2 / std::sqrt(1.0 + off2 / (kRobustSds * kRobustSds));
+  }
+  const double freedom = std::max(1.0, 2.0 * static_cast<double>(data.size()) - kFirstBend);
+  FieldCovariance information = normal.data.selfadjointView<Eigen::Upper>();
+  information /= std::max(chi2 / freedom, kLeastScatter);
+  information += normal.prior + 1e-12 * FieldCovariance::Identity();
+  return information.ldlt().solve(FieldCovariance::Identity());
+}
+
+}  // namespace
+
+SkinField fieldOf(const FieldNumbers& n) {
+  const double mean = n[kMeanShape];
+  return {n.segment<2>(kContact),
+          {mean + n[kDeviator], n[kDeviator + 1], mean - n[kDeviator]},
+          n.segment<2>(kPeak),
+          std::clamp(n[kTail], 0.0, kTailMost),
+          std::clamp(n[kSideways], kSidewaysLeast, kSidewaysMost)};
+}
+
+Vec2 driftAt(const FieldNumbers& numbers, const FieldDatum& datum) {
+  return datum.to_skin * (driftSlopeAt(datum.picture_mm) * numbers.tail<kDriftUnknowns>());
+}
+
+DriftPrior driftPriorOf(double drift_mm) {
+  const DriftPrior held;
+  const double times = drift_mm / held.shift_mm;
+  return {drift_mm, held.scale * times, held.turn * times};
+}
+
+FittedField fitField(std::span<const FieldDatum> data, const DriftPrior& drift) {
+  const Prior prior = priorOf(data, drift);
+  std::vector<double> stretches;
+  for (const FieldDatum& datum : data) stretches.push_back(stretchOf(datum));
+  std::vector<double> sd;
+  for (const double stretch : stretches) sd.push_back(kFirstSdMm * stretch);
+  Descent best;
+  for (const double tail : kStartTails) {
+    for (const double width : kStartWidthsMm) {
+      const Descent found = descend(data, sd, startOf(data, tail, width), prior, Freedom::plain, kLookSteps);
+      if (found.cost < best.cost) best = found;
+    }
+  }
+  for (const Freedom freedom : {Freedom::plain, Freedom::sideways, Freedom::bends}) {
+    sd = weightsOf(data, stretches, best.numbers);
+    best = descend(data, sd, best.numbers, prior, freedom, kMostSteps);
+  }
+  return {best.numbers, covarianceOf(data, sd, best.numbers, prior), residualsOf(data, best.numbers)};
+}
+
+Eigen::Vector4d fitDrift(std::span<const FieldDatum> data, const DriftPrior& prior) {
+  Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
+  const Eigen::Vector4d prior_sd(prior.shift_mm, prior.shift_mm, prior.scale, prior.turn);
+  matrix.diagonal() = prior_sd.array().square().inverse();
+  Eigen::Vector4d right = Eigen::Vector4d::Zero();
+  const double weight = 1.0 / (kFirstSdMm * kFirstSdMm);
+  for (const FieldDatum& datum : data) {
+    const Eigen::Matrix<double, 2, 4> slope = datum.to_skin * driftSlopeAt(datum.picture_mm).leftCols<4>();
+    matrix += weight * slope.transpose() * slope;
+    right += weight * slope.transpose() * datum.moved_mm;
+  }
+  return matrix.ldlt().solve(right);
+}
+
+}  // namespace palpate::measure

@@ -1,0 +1,60 @@
+// The numbers of a skin field, found from how the dots moved: thirteen that are asked for, eight that only take care of
+// how the body bent between the pictures.
+//
+//   dots on the chart ─ fitField ─► FittedField ─ reportField (field_report.h) ─► ellipses, contact, peak with their sd
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "palpate/base/vec.h"
+#include "palpate/measure/skin_field.h"
+
+namespace palpate::measure {
+
+/// A dot as the fit sees it.
+struct FieldDatum {
+  Vec2 skin_mm = Vec2::Zero();
+  Vec2 moved_mm = Vec2::Zero();
+  /// From the middle of the dots, in the picture, in mm of the middle of the picture.
+  Vec2 picture_mm = Vec2::Zero();
+  /// Skin's mm for the picture's mm here: identity where the skin is seen square on.
+  Mat2 to_skin = Mat2::Identity();
+};
+
+/// Order of the unknowns: contact x, y; mean logarithm of the shape and its two deviators; peak x, y; 1/P; kappa; drift
+/// in the picture: right, down (mm), scale, turn (mm per 100 mm); then its bends: stretch and shear (mm per 100 mm),
+/// and the squares x^2, xy, y^2 of motions to the right and down (mm per (100 mm)^2).
+inline constexpr int kFieldUnknowns = 21;
+inline constexpr int kFirstDrift = 9;
+inline constexpr int kFirstBend = 13;
+using FieldNumbers = Eigen::Matrix<double, kFieldUnknowns, 1>;
+using FieldCovariance = Eigen::Matrix<double, kFieldUnknowns, kFieldUnknowns>;
+
+SkinField fieldOf(const FieldNumbers& numbers);
+/// Of the skin, mm, at a dot.
+Vec2 driftAt(const FieldNumbers& numbers, const FieldDatum& datum);
+
+struct DriftPrior {
+  double shift_mm = 0.4;
+  double scale = 0.08;  ///< mm per 100 mm
+  double turn = 0.15;   ///< mm per 100 mm
+};
+/// As a held breath has them in proportion.
+DriftPrior driftPriorOf(double drift_mm);
+
+struct FittedField {
+  FieldNumbers numbers = FieldNumbers::Zero();
+  FieldCovariance covariance = FieldCovariance::Zero();
+  std::vector<double> residuals_mm;  ///< one a datum: length of measured less fitted
+};
+
+/// Robust least squares from four starts. Needs 12 data or more; allocates once. Never throws; what it cannot fit has
+/// large residuals or a large covariance.
+FittedField fitField(std::span<const FieldDatum> data, const DriftPrior& prior);
+
+/// The drift alone, of pictures where nothing is pressed: right and down, mm; scale and turn, mm per 100 mm.
+Eigen::Vector4d fitDrift(std::span<const FieldDatum> data, const DriftPrior& prior);
+
+}  // namespace palpate::measure

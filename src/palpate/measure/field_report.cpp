@@ -1,0 +1,194 @@
+// Half axes depend on peak, width and tail together, and on none of them in a straight line: 300 draws from the
+// covariance of the fit say how sure they are.
+#include "palpate/measure/field_report.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "palpate/base/random.h"
+
+namespace palpate::measure {
+
+namespace {
+
+constexpr int kDraws = 300;
+constexpr int kRaysOfDraw = 24;
+constexpr int kRootSteps = 12;
+constexpr std::uint64_t kSeed = 20080611;  // of the draws: any, but always the same
+/// ln(q) of the half Gaussian at its rim (E20): exp(-6.158) is what the dissertation cuts off.
+constexpr double kGaussianRim = 6.158;
+constexpr double kCompactTail = 0.45;  // of 1/P: above it a tail has no rim
+
+/// rho^2 along a ray at which the motion falls to the level; 0 where even the peak is below.
+double levelOnRay(const SkinField& field, const Vec2& ray, double level_mm) {
+  const Vec2 radial = ray.dot(field.peak_mm) * ray;
+  const double k = field.inverse_tail;
+  const auto strength = [&](double rho2) {
+    return (field.peak_mm + field.sideways * rho2 / (1.0 + rho2) * radial).norm();
+  };
+  // Of the form without sideways motion in closed form; with it, the strength of the last round stands for the peak.
+  const auto solved = [&](double peak) {
+    const double logarithm = std::log(peak / level_mm);
+    if (logarithm <= 0.0) return 0.0;
+    return k > 1e-6 ? std::expm1(k * logarithm) / k : logarithm;
+  };
+  double rho2 = solved(field.peak_mm.norm());
+  for (int i = 0; i < kRootSteps && field.sideways != 0.0; ++i) {
+    const double next = solved(strength(rho2));
+    if (std::abs(next - rho2) < 1e-9 * (1.0 + rho2)) break;
+    rho2 = next;
+  }
+  return rho2;
+}
+
+Mat2 shapeMatrix(const Vec3& log_shape) {
+  Mat2 logarithm;
+  logarithm << log_shape[0], log_shape[1], log_shape[1], log_shape[2];
+  const Eigen::SelfAdjointEigenSolver<Mat2> axes(logarithm);
+  return axes.eigenvectors() * axes.eigenvalues().array().exp().matrix().asDiagonal() * axes.eigenvectors().transpose();
+}
+
+double halfTurn(double angle_rad) {
+  const double folded = std::remainder(angle_rad, std::numbers::pi);
+  return folded <= -0.5 * std::numbers::pi ? folded + std::numbers::pi : folded;
+}
+
+struct Reported {
+  std::array<LevelEllipse, 2> levels;
+  Vec2 contact = Vec2::Zero();
+  double peak = 0.0;
+  double drag = 0.0;
+  double tail = 0.0;
+  double sideways = 0.0;
+  Vec2 drift = Vec2::Zero();
+};
+
+constexpr std::array kLevelsMm = {2.0, 4.0};
+
+/// The skin's y is up and its x to the right; drift as the skin has it.
+Reported reportedOf(const FieldNumbers& numbers, const Mat2& mean_to_skin, int rays) {
+  const SkinField field = fieldOf(numbers);
+  Reported r;
+  for (std::size_t i = 0; i < kLevelsMm.size(); ++i) r.levels[i] = levelEllipse(field, kLevelsMm[i], rays);
+  r.contact = field.contact_mm;
+  r.peak = field.peak_mm.norm();
+  r.drag = std::atan2(field.peak_mm.y(), field.peak_mm.x());
+  r.tail = field.inverse_tail;
+  r.sideways = field.sideways;
+  r.drift = mean_to_skin * numbers.segment<2>(kFirstDrift);
+  return r;
+}
+
+/// Root of the mean square of what the draws differ from the estimate by.
+template <class Difference>
+double spread(const std::vector<Reported>& draws, const Difference& difference) {
+  double sum = 0.0;
+  for (const Reported& draw : draws) {
+    const double off = difference(draw);
+    sum += off * off;
+  }
+  return draws.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(draws.size()));
+}
+
+std::vector<Reported> drawsOf(const FittedField& fitted, const Mat2& mean_to_skin) {
+  std::vector<Reported> draws;
+  const Eigen::LLT<FieldCovariance> root(fitted.covariance);
+  if (root.info() != Eigen::Success) return draws;
+  Random random(kSeed);
+  for (int i = 0; i < kDraws; ++i) {
+    FieldNumbers normal;
+    for (int j = 0; j < kFieldUnknowns; ++j) normal[j] = random.normal();
+    const FieldNumbers numbers = fitted.numbers + root.matrixL() * normal;
+    draws.push_back(reportedOf(numbers, mean_to_skin, kRaysOfDraw));
+  }
+  return draws;
+}
+
+KeyEllipse keyEllipseOf(const Reported& best, const std::vector<Reported>& draws, std::size_t level) {
+  const LevelEllipse& e = best.levels[level];
+  const auto of = [&](const Reported& draw) -> const LevelEllipse& { return draw.levels[level]; };
+  KeyEllipse key;
+  key.level_mm = kLevelsMm[level];
+  key.half_major_mm = {e.half_major_mm,
+                       spread(draws, [&](const auto& d) { return of(d).half_major_mm - e.half_major_mm; })};
+  key.half_minor_mm = {e.half_minor_mm,
+                       spread(draws, [&](const auto& d) { return of(d).half_minor_mm - e.half_minor_mm; })};
+  const auto ratio = [](const LevelEllipse& x) {
+    return x.half_minor_mm > 0.0 ? x.half_major_mm / x.half_minor_mm : 1.0;
+  };
+  key.major_over_minor = {ratio(e), spread(draws, [&](const auto& d) { return ratio(of(d)) - ratio(e); })};
+  key.direction_deg = {kDegPerRad * e.direction_rad, kDegPerRad * spread(draws, [&](const auto& d) {
+                                                       return halfTurn(of(d).direction_rad - e.direction_rad);
+                                                     })};
+  return key;
+}
+
+Drift driftOf(const FieldNumbers& n, const Reported& best, const std::vector<Reported>& draws,
+              const DriftPrior& prior) {
+  const double* drift = n.data() + kFirstDrift;
+  Drift d;
+  d.right_mm = {best.drift.x(), spread(draws, [&](const auto& r) { return r.drift.x() - best.drift.x(); })};
+  d.headwards_mm = {best.drift.y(), spread(draws, [&](const auto& r) { return r.drift.y() - best.drift.y(); })};
+  d.scale_percent = drift[2];
+  d.turn_deg = kDegPerRad * 0.01 * drift[3];
+  d.length_mm = std::hypot(drift[0], drift[1]);
+  d.in_sd = std::max({d.length_mm / prior.shift_mm, std::abs(drift[2]) / prior.scale, std::abs(drift[3]) / prior.turn});
+  return d;
+}
+
+}  // namespace
+
+LevelEllipse levelEllipse(const SkinField& field, double level_mm, int rays) {
+  // The level line is symmetric about the contact: p' M p = 1, M by least squares.
+  const Mat2 shape = shapeMatrix(field.log_shape);
+  Mat3 normal = Mat3::Zero();
+  Vec3 right = Vec3::Zero();
+  for (int i = 0; i < rays; ++i) {
+    const double angle = std::numbers::pi * i / rays;
+    const Vec2 ray(std::cos(angle), std::sin(angle));
+    const double rho2 = levelOnRay(field, ray, level_mm);
+    if (!(rho2 > 0.0)) return {};
+    const double radius2 = rho2 / ray.dot(shape * ray);
+    const Vec3 row = Vec3(ray.x() * ray.x(), 2.0 * ray.x() * ray.y(), ray.y() * ray.y()) * radius2;
+    // Divided by radius^2, so that misfits are of the radius and not of its square.
+    normal += row * row.transpose() / (radius2 * radius2) * radius2;
+    right += row / (radius2 * radius2) * radius2;
+  }
+  const Vec3 m = normal.ldlt().solve(right);
+  Mat2 matrix;
+  matrix << m[0], m[1], m[1], m[2];
+  const Eigen::SelfAdjointEigenSolver<Mat2> axes(matrix);
+  if (!(axes.eigenvalues()[0] > 0.0)) return {};
+  const Vec2 major = axes.eigenvectors().col(0);
+  return {1.0 / std::sqrt(axes.eigenvalues()[0]), 1.0 / std::sqrt(axes.eigenvalues()[1]),
+          halfTurn(std::atan2(major.y(), major.x()))};
+}
+
+FieldFit reportField(const FittedField& fitted, const Mat2& mean_to_skin, const DriftPrior& prior) {
+  const Reported best = reportedOf(fitted.numbers, mean_to_skin, 72);
+  const std::vector<Reported> draws = drawsOf(fitted, mean_to_skin);
+  FieldFit fit;
+  fit.field = fieldOf(fitted.numbers);
+  fit.at_2_mm = keyEllipseOf(best, draws, 0);
+  fit.at_4_mm = keyEllipseOf(best, draws, 1);
+  fit.contact_x_mm = {best.contact.x(), spread(draws, [&](const auto& d) { return d.contact.x() - best.contact.x(); })};
+  fit.contact_y_mm = {best.contact.y(), spread(draws, [&](const auto& d) { return d.contact.y() - best.contact.y(); })};
+  fit.peak_mm = {best.peak, spread(draws, [&](const auto& d) { return d.peak - best.peak; })};
+  fit.drag_deg = {kDegPerRad * best.drag, kDegPerRad * spread(draws, [&](const auto& d) {
+                                            return std::remainder(d.drag - best.drag, 2.0 * std::numbers::pi);
+                                          })};
+  fit.inverse_tail = {best.tail, spread(draws, [&](const auto& d) { return d.tail - best.tail; })};
+  fit.sideways = {best.sideways, spread(draws, [&](const auto& d) { return d.sideways - best.sideways; })};
+  fit.drift = driftOf(fitted.numbers, best, draws, prior);
+  const double two_mm = fit.at_2_mm.half_major_mm.value;
+  if (two_mm > 0.0 && best.peak > 2.0 && best.tail < kCompactTail)
+    fit.gaussian_rim_mm = two_mm / std::sqrt(std::log(best.peak / 2.0) / kGaussianRim);
+  return fit;
+}
+
+}  // namespace palpate::measure

@@ -1,0 +1,334 @@
+#include "palpate/measure/measurement.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <utility>
+
+#include "palpate/base/error.h"
+#include "palpate/base/number_range.h"
+#include "palpate/base/stopwatch.h"
+#include "palpate/measure/contour_reading.h"
+#include "palpate/measure/dot_matching.h"
+#include "palpate/measure/field_report.h"
+#include "palpate/measure/skin_chart.h"
+#include "palpate/measure/verdict.h"
+
+namespace palpate::measure {
+
+namespace {
+
+constexpr int kMatchesAgain = 2;
+constexpr std::size_t kLeastForFit = 12;
+constexpr int kEllipsePlaces = 72;          // at which it is asked whether dots are around
+constexpr double kNewlyVisibleReach = 0.2;  // of the spacing
+
+void check(const MeasureSettings& settings) {
+  if (!(settings.spacing_mm >= 5.0 && settings.spacing_mm <= 100.0)) throw Error("spacing: 5 to 100 mm");
+  if (!(settings.drift_mm >= 0.01 && settings.drift_mm <= 20.0)) throw Error("drift: 0.01 to 20 mm");
+  if (settings.contact_px && !settings.contact_px->allFinite()) throw Error("contact: no finite place");
+}
+
+/// The pictures' millimetres: those of the middle of the dots.
+struct PictureScale {
+  Vec2 centre_px = Vec2::Zero();
+  double px_per_mm = 1.0;
+};
+
+PictureScale pictureScaleOf(const DotGrid& grid, double spacing_mm) {
+  PictureScale scale;
+  for (const GridDot& dot : grid.dots) scale.centre_px += dot.dot.place_px / static_cast<double>(grid.dots.size());
+  scale.px_per_mm = grid.spacing_px / spacing_mm;
+  return scale;
+}
+
+/// The pipeline from marks to findings, over one Measurement.
+class DotPairReading {
+ public:
+  DotPairReading(Measurement& measurement, std::span<const Dot> after)
+      : m_(measurement),
+        after_(after),
+        scale_(pictureScaleOf(m_.grid, m_.settings.spacing_mm)),
+        prior_(driftPriorOf(m_.settings.drift_mm)) {
+    for (const GridDot& dot : m_.grid.dots) {
+      FieldDatum datum;
+      datum.skin_mm = m_.chart->skinAt(dot.dot.place_px);
+      datum.picture_mm = (dot.dot.place_px - scale_.centre_px) / scale_.px_per_mm;
+      datum.to_skin = m_.chart->jacobianAt(dot.dot.place_px) * scale_.px_per_mm;
+      data_.push_back(datum);
+    }
+  }
+
+  void measure(const Progress& progress) {
+    report(progress, "matching dots", 0.0);
+    take(matchDots(m_.grid, after_));
+    for (int i = 0; i < kMatchesAgain && m_.matched >= kLeastForFit; ++i) {
+      fit();
+      take(matchAt(m_.grid, foretold(), after_));
+    }
+    if (m_.matched < kLeastForFit) return;
+    report(progress, "fitting the field", 0.5);
+    fit();
+    describe();
+    report(progress, "reading the contour", 0.9);
+    m_.contour = readContour(m_.dots, *m_.chart, *m_.fit, m_.settings.spacing_mm);
+  }
+
+  /// Marks of the second picture on sites within the grid that the first does not show.
+  std::size_t newlyVisible() const {
+    if (!m_.fit) return 0;
+    std::set<std::pair<int, int>> known;
+    for (const GridDot& dot : m_.grid.dots) known.emplace(dot.site.column, dot.site.row);
+    const auto neighbours = [&](int column, int row) {
+      int count = 0;
+      for (int dc = -1; dc <= 1; ++dc) {
+        for (int dr = -1; dr <= 1; ++dr) count += static_cast<int>(known.contains({column + dc, row + dr}));
+      }
+      return count;
+    };
+    std::set<std::size_t> used;
+    for (const auto& mark : match_.of) {
+      if (mark) used.insert(*mark);
+    }
+    std::size_t visible = 0;
+    for (const auto& [column, row] : freeSitesBeside(known)) {
+      if (neighbours(column, row) < 3) continue;
+      const Vec2 place = foretoldOf(skinOfSite(column, row));
+      const bool is_seen = [&] {
+        for (std::size_t i = 0; i < after_.size(); ++i) {
+          if (!used.contains(i) && (after_[i].place_px - place).norm() < kNewlyVisibleReach * m_.grid.spacing_px)
+            return true;
+        }
+        return false;
+      }();
+      visible += static_cast<std::size_t>(is_seen);
+    }
+    return visible;
+  }
+
+ private:
+  void take(DotMatch match) {
+    match_ = std::move(match);
+    m_.matched = match_.count;
+    m_.dots.assign(m_.grid.dots.size(), {});
+    for (std::size_t i = 0; i < m_.dots.size(); ++i) {
+      MeasuredDot& dot = m_.dots[i];
+      dot.site = m_.grid.dots[i].site;
+      dot.before_px = m_.grid.dots[i].dot.place_px;
+      dot.skin_mm = data_[i].skin_mm;
+      if (!match_.of[i]) continue;
+      dot.after_px = after_[*match_.of[i]].place_px;
+      dot.moved_mm = data_[i].moved_mm = m_.chart->skinAt(*dot.after_px) - dot.skin_mm;
+    }
+  }
+
+  void fit() {
+    matched_data_.clear();
+    for (std::size_t i = 0; i < data_.size(); ++i) {
+      if (match_.of[i]) matched_data_.push_back(data_[i]);
+    }
+    fitted_ = fitField(matched_data_, prior_);
+  }
+
+  Vec2 foretoldOf(const FieldDatum& datum) const {
+    return m_.chart->pictureAt(datum.skin_mm + displacementAt(fieldOf(fitted_.numbers), datum.skin_mm) +
+                               driftAt(fitted_.numbers, datum));
+  }
+
+  std::vector<Vec2> foretold() const {
+    std::vector<Vec2> places;
+    for (const FieldDatum& datum : data_) places.push_back(foretoldOf(datum));
+    return places;
+  }
+
+  static std::set<std::pair<int, int>> freeSitesBeside(const std::set<std::pair<int, int>>& known) {
+    std::set<std::pair<int, int>> free;
+    for (const auto& [column, row] : known) {
+      for (int dc = -1; dc <= 1; ++dc) {
+        for (int dr = -1; dr <= 1; ++dr) {
+          if (!known.contains({column + dc, row + dr})) free.emplace(column + dc, row + dr);
+        }
+      }
+    }
+    return free;
+  }
+
+  /// A site without a dot, as its neighbours have it.
+  FieldDatum skinOfSite(int column, int row) const {
+    FieldDatum datum;
+    double weights = 0.0;
+    Vec2 place_px = Vec2::Zero();
+    // The picture place of a site: the neighbour's, a step on along the chart.
+    for (std::size_t i = 0; i < m_.grid.dots.size(); ++i) {
+      const GridSite site = m_.grid.dots[i].site;
+      if (std::abs(site.column - column) > 1 || std::abs(site.row - row) > 1) continue;
+      const Mat2 to_px = m_.chart->jacobianAt(m_.grid.dots[i].dot.place_px).inverse();
+      place_px += m_.grid.dots[i].dot.place_px + to_px * skinStep(column - site.column, row - site.row);
+      weights += 1.0;
+    }
+    place_px /= weights;
+    datum.skin_mm = m_.chart->skinAt(place_px);
+    datum.picture_mm = (place_px - scale_.centre_px) / scale_.px_per_mm;
+    datum.to_skin = m_.chart->jacobianAt(place_px) * scale_.px_per_mm;
+    return datum;
+  }
+
+  /// So many columns and rows, on the skin.
+  Vec2 skinStep(int columns, int rows) const {
+    const Vec2 step = m_.settings.spacing_mm * Vec2(columns, rows);
+    switch (m_.settings.head) {
+      case HeadTowards::left:
+        return {step.y(), -step.x()};
+      case HeadTowards::bottom:
+        return -step;
+      case HeadTowards::right:
+        return {-step.y(), step.x()};
+      case HeadTowards::top:
+        break;
+    }
+    return step;
+  }
+
+  void describe() {
+    m_.fit = reportField(fitted_, m_.chart->jacobianAt(scale_.centre_px) * scale_.px_per_mm, prior_);
+    FieldFit& fit = *m_.fit;
+    double sum = 0.0;
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < m_.dots.size(); ++i) {
+      m_.dots[i].drift_mm = driftAt(fitted_.numbers, data_[i]);
+      if (!match_.of[i]) continue;
+      m_.dots[i].residual_mm = fitted_.residuals_mm[at++];
+      sum += m_.dots[i].residual_mm * m_.dots[i].residual_mm;
+    }
+    fit.residual_rms_mm = std::sqrt(sum / static_cast<double>(m_.matched));
+    const maps::Ellipse ellipse = ellipseOf(fit.at_2_mm);
+    const Vec2 major = ellipse.half_major_mm * Vec2(std::cos(ellipse.direction_rad), std::sin(ellipse.direction_rad));
+    const Vec2 minor = ellipse.aspect * Vec2(-major.y(), major.x());
+    int inside = 0;
+    for (int i = 0; i < kEllipsePlaces; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / kEllipsePlaces;
+      inside +=
+          static_cast<int>(m_.chart->covers(fit.field.contact_mm + std::cos(angle) * major + std::sin(angle) * minor));
+    }
+    fit.inside_share = static_cast<double>(inside) / kEllipsePlaces;
+  }
+
+  Measurement& m_;
+  std::span<const Dot> after_;
+  PictureScale scale_;
+  DriftPrior prior_;
+  std::vector<FieldDatum> data_;          // one a dot of the grid
+  std::vector<FieldDatum> matched_data_;  // of the last fit
+  DotMatch match_;
+  FittedField fitted_;
+};
+
+void append(std::vector<Finding>& findings, std::vector<Finding> more) {
+  findings.insert(findings.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+/// A chart where the grid allows one.
+void chartGrid(Measurement& m) {
+  if (m.grid.dots.size() < kLeastDotsInOrder) return;
+  try {
+    m.chart = std::make_shared<const SkinChart>(m.grid, m.settings.spacing_mm, m.settings.head);
+  } catch (const Error&) {
+    m.findings.push_back({Severity::refusal, "few_dots", "The dots in order lie in one line."});
+  }
+}
+
+bool hasTooMany(const DotPair& dots, Measurement& m) {
+  const std::size_t most = std::max(dots.before.size(), dots.after.size());
+  if (most <= kMostMarks) return false;
+  m.findings.push_back(
+      {Severity::refusal, "many_marks",
+       fmt::format("{} marks of one colour in a picture: at most {} are taken for dots. Leave patterned "
+                   "cloth out of the frame.",
+                   most, kMostMarks)});
+  return true;
+}
+
+void measureMarks(const DotPair& dots, Measurement& m, const Progress& progress) {
+  m.after_dots = dots.after;
+  if (hasTooMany(dots, m)) return;
+  report(progress, "ordering dots", 0.0);
+  m.grid = growGrid(dots.before);
+  m.findings = judgeGrid(m.grid, m.settings);
+  chartGrid(m);
+  if (!m.chart) return;
+  DotPairReading reading(m, m.after_dots);
+  reading.measure(progress);
+  append(m.findings, judgeFit(m, reading.newlyVisible()));
+}
+
+void requireSameSize(const Photograph& before, const Photograph& after) {
+  if (before.width_px == after.width_px && before.height_px == after.height_px) return;
+  throw Error::inFile(
+      after.name, fmt::format("is {} x {} pixels, {} is {} x {}: both must be of one camera, not cut", after.width_px,
+                              after.height_px, before.name, before.width_px, before.height_px));
+}
+
+}  // namespace
+
+Measurement measureDots(const DotPair& dots, const MeasureSettings& settings, const Progress& progress) {
+  check(settings);
+  const auto start = Clock::now();
+  Measurement m;
+  m.settings = settings;
+  measureMarks(dots, m, progress);
+  m.seconds = secondsSince(start);
+  return m;
+}
+
+Measurement measurePair(const Photograph& before, const Photograph& after, const MeasureSettings& settings,
+                        const Progress& progress) {
+  check(settings);
+  requireSameSize(before, after);
+  const auto start = Clock::now();
+  Measurement m;
+  m.settings = settings;
+  m.width_px = before.width_px;
+  m.height_px = before.height_px;
+  report(progress, "finding dots", 0.0);
+  FoundDots first = findDots(before);
+  m.ink = first.ink;
+  report(progress, "finding dots", 0.5);
+  FoundDots second = findDots(after, first.ink);
+  measureMarks({std::move(first.dots), std::move(second.dots)}, m, progress);
+  if (before.taken_at_s && after.taken_at_s && *after.taken_at_s < *before.taken_at_s)
+    m.findings.push_back({Severity::refusal, "swapped",
+                          fmt::format("{} was taken {:.0f} s before {}: give the pictures in the order before, after.",
+                                      after.name, *before.taken_at_s - *after.taken_at_s, before.name)});
+  m.seconds = secondsSince(start);
+  return m;
+}
+
+std::optional<double> nullDrift(const Photograph& first, const Photograph& second, const MeasureSettings& settings) {
+  check(settings);
+  requireSameSize(first, second);
+  FoundDots before = findDots(first);
+  const FoundDots after = findDots(second, before.ink);
+  if (std::max(before.dots.size(), after.dots.size()) > kMostMarks) return {};
+  Measurement m;
+  m.settings = settings;
+  m.grid = growGrid(before.dots);
+  chartGrid(m);
+  if (!m.chart) return {};
+  const PictureScale scale = pictureScaleOf(m.grid, settings.spacing_mm);
+  const DotMatch match = matchDots(m.grid, after.dots);
+  if (match.count < kLeastForFit) return {};
+  std::vector<FieldDatum> data;
+  for (std::size_t i = 0; i < m.grid.dots.size(); ++i) {
+    if (!match.of[i]) continue;
+    const Vec2 place = m.grid.dots[i].dot.place_px;
+    data.push_back({m.chart->skinAt(place), m.chart->skinAt(after.dots[*match.of[i]].place_px) - m.chart->skinAt(place),
+                    (place - scale.centre_px) / scale.px_per_mm, m.chart->jacobianAt(place) * scale.px_per_mm});
+  }
+  constexpr double kAnyDriftMm = 20.0;  // nothing else moves here: the dots alone say it
+  return fitDrift(data, driftPriorOf(kAnyDriftMm)).head<2>().norm();
+}
+
+}  // namespace palpate::measure

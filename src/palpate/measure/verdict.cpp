@@ -1,0 +1,167 @@
+// The limits were chosen on synthetic pairs, good and spoilt ones (docs/measuring.md): none that is far off may pass.
+#include "palpate/measure/verdict.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "palpate/measure/skin_chart.h"
+
+namespace palpate::measure {
+
+namespace {
+
+constexpr std::size_t kEnoughDotsInOrder = 60;
+constexpr double kMostRollDeg = 35.0;        // at 45 nobody knows which way is up
+constexpr double kMostIrregularityMm = 3.0;  // of the marks; a stencil gives 0.5 to 1.2, a free hand 2 to 2.6
+constexpr double kLeastMatched = 0.6;
+constexpr double kMostResidualMm = 0.9;
+constexpr double kUsualResidualMm = 0.3;
+constexpr double kLeastPeakMm = 4.0;
+constexpr double kMostAxisSd = 0.05;  // of a half axis
+constexpr double kLeastInside = 0.6;  // of the ellipse within the dots
+constexpr double kMostDriftSds = 2.0;
+constexpr double kHardlyDeterminedDeg = 10.0;
+constexpr double kContactSds = 3.0;
+constexpr double kLeastContactSdMm = 1.0;      // nobody clicks better
+constexpr std::size_t kSuspiciousVisible = 4;  // sites that only the second picture shows
+
+Finding refusal(std::string code, std::string text) { return {Severity::refusal, std::move(code), std::move(text)}; }
+Finding warning(std::string code, std::string text) { return {Severity::warning, std::move(code), std::move(text)}; }
+
+void judgeDrift(const Measurement& m, std::vector<Finding>& findings) {
+  const Drift& drift = m.fit->drift;
+  if (drift.in_sd <= kMostDriftSds) return;
+  findings.push_back(refusal(
+      "moved",
+      fmt::format("The body (or the camera) moved between the pictures: {:.1f} mm, turned {:.2f} degrees, {:+.2f} % in "
+                  "size, more than a drift of {} mm allows. Hold the breath and repeat, or give --drift-mm; then the "
+                  "half axes are less sure.",
+                  drift.length_mm, drift.turn_deg, drift.scale_percent, m.settings.drift_mm)));
+}
+
+void judgeEllipse(const Measurement& m, std::vector<Finding>& findings) {
+  const FieldFit& fit = *m.fit;
+  const KeyEllipse& key = fit.at_2_mm;
+  if (fit.peak_mm.value < kLeastPeakMm) {
+    findings.push_back(
+        refusal("not_pressed", fmt::format("Nothing was dragged: the skin moved {:.1f} mm at most, and at "
+                                           "least {} mm are needed. Press and drag farther.",
+                                           fit.peak_mm.value, kLeastPeakMm)));
+    return;
+  }
+  const double sd = std::max(key.half_major_mm.sd / std::max(key.half_major_mm.value, 1e-9),
+                             key.half_minor_mm.sd / std::max(key.half_minor_mm.value, 1e-9));
+  if (!(sd <= kMostAxisSd) && !m.settings.partial)
+    findings.push_back(refusal("unsure", fmt::format("A half axis is known to {:.0f} % only (at most {:.0f} % is asked "
+                                                     "for). Drag farther, hold the breath, use more dots.",
+                                                     100.0 * sd, 100.0 * kMostAxisSd)));
+  if (fit.inside_share < kLeastInside && !m.settings.partial)
+    findings.push_back(
+        refusal("leaves_dots", fmt::format("Only {:.0f} % of the ellipse lies within the dots. Mark more "
+                                           "rows around the contact, or allow it with --partial.",
+                                           100.0 * fit.inside_share)));
+  if (!m.chart->covers({fit.contact_x_mm.value, fit.contact_y_mm.value}))
+    findings.push_back(refusal("contact_outside",
+                               "The contact found lies outside the dots. Press between dots, two "
+                               "rows from the rim at least."));
+  if (key.direction_deg.sd > kHardlyDeterminedDeg)
+    findings.push_back(
+        warning("direction_unsure", fmt::format("The direction is hardly determined (sd {:.0f} degrees): "
+                                                "the ellipse is nearly a circle.",
+                                                key.direction_deg.sd)));
+}
+
+void judgeResiduals(const Measurement& m, std::vector<Finding>& findings) {
+  const double rms = m.fit->residual_rms_mm;
+  if (rms > kMostResidualMm) {
+    findings.push_back(
+        refusal("misfit", fmt::format("The motion of the dots is not that of dragged skin: {:.2f} mm of it "
+                                      "stay unexplained (at most {} mm). Are both pictures of one person, "
+                                      "one place and one camera?",
+                                      rms, kMostResidualMm)));
+  } else if (rms > kUsualResidualMm) {
+    findings.push_back(warning("form", fmt::format("The field is not quite of the fitted form: {:.2f} mm stay "
+                                                   "unexplained (usually below {} mm).",
+                                                   rms, kUsualResidualMm)));
+  }
+}
+
+void judgeContact(const Measurement& m, std::vector<Finding>& findings) {
+  if (!m.settings.contact_px) return;
+  const FieldFit& fit = *m.fit;
+  const Vec2 marked = m.chart->skinAt(*m.settings.contact_px);
+  const Vec2 off = marked - Vec2(fit.contact_x_mm.value, fit.contact_y_mm.value);
+  const double sd = std::max(kLeastContactSdMm, std::hypot(fit.contact_x_mm.sd, fit.contact_y_mm.sd));
+  if (off.norm() <= kContactSds * sd) return;
+  findings.push_back(warning(
+      "contact_differs",
+      fmt::format(
+          "The contact that was marked lies {:.1f} mm from the middle of the field: skin that bunches before the "
+          "stick and stretches behind it does that, and so does a mark on the tip in the second picture (the "
+          "contact belongs into the first). Axes and direction are not touched by it.",
+          off.norm())));
+}
+
+void judgeOrder(const Measurement& m, std::size_t newly_visible, std::vector<Finding>& findings) {
+  const std::size_t hidden = m.dots.size() - m.matched;
+  if (newly_visible < kSuspiciousVisible || newly_visible <= hidden) return;
+  findings.push_back(
+      refusal("swapped", fmt::format("The first picture hides {} dots that the second shows, and the second "
+                                     "only {}: the stick seems to be in the first. Give the pictures in "
+                                     "the order before, after.",
+                                     newly_visible, hidden)));
+}
+
+}  // namespace
+
+bool Measurement::accepted() const {
+  return fit && std::none_of(findings.begin(), findings.end(),
+                             [](const Finding& finding) { return finding.severity == Severity::refusal; });
+}
+
+std::vector<Finding> judgeGrid(const DotGrid& grid, const MeasureSettings& settings, const char* which) {
+  std::vector<Finding> findings;
+  const std::size_t count = grid.dots.size();
+  const std::size_t strays = grid.strays.size();
+  if (count < kEnoughDotsInOrder) {
+    findings.push_back(refusal(
+        "few_dots",
+        fmt::format("The {} picture shows {} dots in order and {} other marks; {} in order are needed. Is the ink red, "
+                    "blue or green (black is not seen), the light enough, the whole grid in the frame?",
+                    which, count, strays, kEnoughDotsInOrder)));
+  }
+  if (count < kLeastDotsInOrder) return findings;
+  if (std::abs(grid.roll_deg) > kMostRollDeg)
+    findings.push_back(refusal("roll", fmt::format("The grid is turned by {:.0f} degrees in the picture: which way the "
+                                                   "head lies cannot be told. Turn the camera along the body.",
+                                                   grid.roll_deg)));
+  const double irregularity_mm = grid.irregularity * settings.spacing_mm;
+  if (irregularity_mm > kMostIrregularityMm)
+    findings.push_back(
+        refusal("irregular", fmt::format("The marks are irregular: {:.1f} mm from where their neighbours "
+                                         "have them (at most {} mm). Use a stencil.",
+                                         irregularity_mm, kMostIrregularityMm)));
+  return findings;
+}
+
+std::vector<Finding> judgeFit(const Measurement& m, std::size_t newly_visible) {
+  std::vector<Finding> findings;
+  const double share = static_cast<double>(m.matched) / static_cast<double>(std::max<std::size_t>(1, m.dots.size()));
+  if (share < kLeastMatched)
+    findings.push_back(
+        refusal("few_matched", fmt::format("Only {:.0f} % of the dots were found again in the second "
+                                           "picture ({:.0f} % are needed). Keep hand and stick beside the "
+                                           "grid, and the light as it was.",
+                                           100.0 * share, 100.0 * kLeastMatched)));
+  if (!m.fit) return findings;
+  judgeDrift(m, findings);
+  judgeEllipse(m, findings);
+  judgeResiduals(m, findings);
+  judgeContact(m, findings);
+  judgeOrder(m, newly_visible, findings);
+  return findings;
+}
+
+}  // namespace palpate::measure
