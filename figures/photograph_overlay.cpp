@@ -113,6 +113,7 @@ Layout layoutOf(const OverlayPage& page) {
   const double room = page.width_px - 2.0 * kMargin;
   layout.verdict = wrapped(measure, page.overlay.verdict, kVerdict, room);
   for (const std::string& finding : page.overlay.findings) {
+    if (finding == page.overlay.verdict) continue;
     const auto lines = wrapped(measure, finding, kWords, room);
     layout.findings.insert(layout.findings.end(), lines.begin(), lines.end());
   }

@@ -87,6 +87,9 @@ TEST(PhotographOverlay, SaysEverythingAndNoTextHidesAnother) {
     EXPECT_TRUE(std::any_of(texts.begin(), texts.end(), [&](const DrawnText& text) { return text.text == wanted; }))
         << wanted;
   }
+  EXPECT_EQ(std::count_if(texts.begin(), texts.end(),
+                          [&](const DrawnText& text) { return text.text == made.page.overlay.verdict; }),
+            1);  // the reason that is the verdict is not said twice
   for (std::size_t i = 0; i < texts.size(); ++i) {
     EXPECT_GE(texts[i].left, 0.0);
     EXPECT_LE(texts[i].right, 1240.0);

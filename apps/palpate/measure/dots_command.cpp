@@ -207,7 +207,7 @@ std::optional<measure::Finding> measureNull(const DotsArguments& arguments, Meas
   }
   measuring.pair.null_drift_mm = drift;
   if (!arguments.drift_mm) settings.drift_mm = std::max(settings.drift_mm, *drift);
-  if (*drift <= kMostNullDriftMm) return std::nullopt;
+  if (*drift < kMostNullDriftMm + 0.005) return std::nullopt;  // as it is printed
   return measure::Finding{
       measure::Severity::warning, "null_drift",
       fmt::format(

@@ -39,19 +39,19 @@ class Segments {
   static bool isFrame(int marker) {
     return marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
   }
-  int byteAt(std::size_t at) const { return static_cast<unsigned char>(bytes_[at]); }
+  unsigned byteAt(std::size_t at) const { return static_cast<unsigned char>(bytes_[at]); }
 
   int nextMarker() {
     if (at_ + 2 > bytes_.size()) throw Error::inFile(name_, kTruncated);
     if (byteAt(at_) != 0xff) throw Error::inFile(name_, kDamaged);
     while (at_ < bytes_.size() && byteAt(at_) == 0xff) ++at_;  // any number of them may stand before a marker
     if (at_ == bytes_.size()) throw Error::inFile(name_, kTruncated);
-    return byteAt(at_++);
+    return static_cast<int>(byteAt(at_++));
   }
 
   std::string_view takeSegment() {
     if (at_ + 2 > bytes_.size()) throw Error::inFile(name_, kTruncated);
-    const auto length = static_cast<std::size_t>(byteAt(at_) * 256 + byteAt(at_ + 1));
+    const std::size_t length = byteAt(at_) * std::size_t{256} + byteAt(at_ + 1);
     if (length < 2) throw Error::inFile(name_, kDamaged);
     if (at_ + length > bytes_.size()) throw Error::inFile(name_, kTruncated);
     const std::string_view segment = bytes_.substr(at_ + 2, length - 2);
@@ -91,7 +91,7 @@ class Segments {
     for (;;) {
       at_ = bytes_.find('\xff', at_);
       if (at_ == std::string_view::npos || at_ + 1 >= bytes_.size()) throw Error::inFile(name_, kTruncated);
-      const int following = byteAt(at_ + 1);
+      const unsigned following = byteAt(at_ + 1);
       const bool is_data = following == 0 || (following >= 0xd0 && following <= 0xd7);
       if (!is_data && following != 0xff) return;
       at_ += is_data ? 2 : 1;

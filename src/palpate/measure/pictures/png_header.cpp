@@ -43,7 +43,7 @@ void readFrame(const Chunk& chunk, PictureHeader& header, std::string_view name)
   header.width_px = bigEndian(chunk.data.substr(0, 4));
   header.height_px = bigEndian(chunk.data.substr(4, 4));
   header.bits = static_cast<unsigned char>(chunk.data[8]) == 16 ? 16 : 8;
-  const int colours = chunk.data[9];
+  const auto colours = static_cast<unsigned char>(chunk.data[9]);
   header.is_transparent = colours == 4 || colours == 6;
 }
 
