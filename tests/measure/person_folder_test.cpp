@@ -102,6 +102,19 @@ TEST_F(PersonFolder, TellsWhichPicturesAreMissingAndWhichAreStrangers) {
   EXPECT_EQ(walked.progress().back().counting, 0);
 }
 
+TEST_F(PersonFolder, AFolderCalledAsAPressHoldsItsPictures) {
+  begin();
+  fs::create_directories(folder_ / "P1_up_1");
+  put("P1_up_1/before.jpg");
+  put("P1_up_1/after.JPG");
+  put("P1_up_1/before2.jpg");
+  put("P1_up_1/truth.json");
+  const PersonWalk walked = walk();
+  EXPECT_TRUE(pressOf(walked, "P1_up_1").counts());
+  EXPECT_EQ(pressOf(walked, "P1_up_1").outcome->null_drift_mm, 0.125);
+  EXPECT_TRUE(walked.strangers.empty());
+}
+
 TEST_F(PersonFolder, MeasuresAgainOnlyWhatHasChanged) {
   begin();
   putPress("P1_up_1");
@@ -197,6 +210,7 @@ TEST_F(PersonFolder, ACompleteWalkBecomesAMapAndASceneThatBuilds) {
   EXPECT_NEAR(result.averages.points[0].along_drag->value, 1.2, 1e-6);
   const scene::Scene scene = scene::load(folder_ / "scene.toml");
   EXPECT_EQ(scene.title, "P07");
+  EXPECT_NEAR(scene.ellipses.basic_radius_mm, 80.0 / std::sqrt(1.2), 0.05) << "the mean of what was measured";
   const auto world = scene::build(scene);
   EXPECT_NEAR(world->ellipses.at(0, 73).half_major_mm, keys[0].ellipse.half_major_mm, 1e-6);
 }
@@ -240,7 +254,8 @@ TEST(PersonProtocol, NamesTheLineOfWhatItCannotRead) {
 TEST(PersonPress, ADragThatIsNotTheOneAskedForIsRefused) {
   Measurement measurement;
   FieldFit fit;
-  fit.at_2_mm = {.half_major_mm = {80, 1}, .half_minor_mm = {60, 1}, .major_over_minor = {1.33, 0.01}, .direction_deg = {80, 1}};
+  fit.at_2_mm = {
+      .half_major_mm = {80, 1}, .half_minor_mm = {60, 1}, .major_over_minor = {1.33, 0.01}, .direction_deg = {80, 1}};
   fit.drag_deg = {-85.0, 1.0};
   measurement.fit = fit;
   const PlannedPress up{"P1_up_1", "P1", {0, 73}, 90.0};

@@ -14,6 +14,7 @@
 #include "apps/palpate/common/picture_file.h"
 #include "apps/palpate/measure/average_figure.h"
 #include "palpate/base/error.h"
+#include "palpate/base/nearest_name.h"
 #include "palpate/base/text.h"
 #include "palpate/measure/average.h"
 

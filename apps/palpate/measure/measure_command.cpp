@@ -9,6 +9,7 @@ void addMeasureCommand(CLI::App& app) {
   addMeasureDotsCommand(measure);
   addMeasureStiffnessCommand(measure);
   addMeasureStencilCommand(measure);
+  addMeasureSessionCommand(measure);
   addMeasureAverageCommand(measure);
   addMeasureSynthesizeCommand(measure);
 }

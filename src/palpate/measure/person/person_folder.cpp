@@ -31,15 +31,25 @@ std::string lowered(std::string text) {
 
 // --- pictures
 
-/// Pictures of the folder by their stem in lower case, but for our own overlays.
+bool isPicture(const fs::path& file) {
+  return std::ranges::find(kPictureExtensions, lowered(file.extension().string())) != kPictureExtensions.end();
+}
+
+/// Pictures by the name "press_part" in lower case: of the folder by their stem, but for our own overlays, and of a
+/// folder that is called as a press, "before" and the like.
 std::map<std::string, fs::path> picturesIn(const fs::path& folder) {
+  constexpr std::array<std::string_view, 4> kParts = {"before", "before2", "after", "released"};
   std::map<std::string, fs::path> found;
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-    const std::string extension = lowered(entry.path().extension().string());
     const std::string stem = lowered(entry.path().stem().string());
-    if (std::ranges::find(kPictureExtensions, extension) == kPictureExtensions.end()) continue;
-    if (!stem.ends_with("_overlay")) found.emplace(stem, entry.path());
+    if (isPicture(entry.path()) && !stem.ends_with("_overlay")) found.emplace(stem, entry.path());
+    if (!entry.is_directory(error)) continue;
+    for (const fs::directory_entry& inner : fs::directory_iterator(entry.path(), error)) {
+      const std::string part = lowered(inner.path().stem().string());
+      if (!isPicture(inner.path()) || std::ranges::find(kParts, part) == kParts.end()) continue;
+      found.emplace(lowered(entry.path().filename().string()) + "_" + part, inner.path());
+    }
   }
   if (error) throw Error::inFile(folder.string(), error.message());
   return found;
@@ -182,8 +192,8 @@ void writeKept(const fs::path& file, const KeptPresses& kept) {
                         tomlString(name), one.hash, one.outcome.accepted,
                         kDecisionWords.at(static_cast<std::size_t>(one.decision)), tomlString(one.outcome.row));
     if (one.outcome.null_drift_mm) text += fmt::format("null_drift_mm = {:.6f}\n", *one.outcome.null_drift_mm);
-    text += fmt::format("refusals = {}\nwarnings = {}\n", tomlList(one.outcome.refusals),
-                        tomlList(one.outcome.warnings));
+    text +=
+        fmt::format("refusals = {}\nwarnings = {}\n", tomlList(one.outcome.refusals), tomlList(one.outcome.warnings));
   }
   writeFile(file, text);
 }

@@ -82,9 +82,13 @@ struct PersonWalk {
 using MeasurePress =
     std::function<PressOutcome(const Protocol&, const PlannedPress&, const PressPictures&, const Progress&)>;
 
-/// The pipeline: reads the pictures, the null drift first where there is a second picture before.
-PressOutcome measurePictures(const Protocol& protocol, const PlannedPress& planned, const PressPictures& pictures,
-                             const Progress& progress);
+/// A press through the pipeline; the null drift first where there is a second picture before.
+struct PressMeasured {
+  Measurement measurement;
+  PressOutcome outcome;
+};
+PressMeasured measurePress(const Protocol& protocol, const PlannedPress& planned, const PressPictures& pictures,
+                           const Photograph& before, const Photograph& after, const Progress& progress);
 /// From a measurement that is there already.
 PressOutcome outcomeOf(const Measurement& measurement, const PlannedPress& planned,
                        const std::optional<double>& null_drift_mm);

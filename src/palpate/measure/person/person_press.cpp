@@ -46,21 +46,21 @@ PressOutcome outcomeOf(const Measurement& measurement, const PlannedPress& plann
   return outcome;
 }
 
-PressOutcome measurePictures(const Protocol& protocol, const PlannedPress& planned, const PressPictures& pictures,
-                             const Progress& progress) {
+PressMeasured measurePress(const Protocol& protocol, const PlannedPress& planned, const PressPictures& pictures,
+                           const Photograph& before, const Photograph& after, const Progress& progress) {
   MeasureSettings settings{.spacing_mm = protocol.spacing_mm,
                            .drift_mm = protocol.drift_mm,
                            .head = protocol.head,
                            .contact_px = pictures.contact_px,
                            .partial = protocol.partial};
-  const Photograph before = readPhotograph(pictures.before);
-  const Photograph after = readPhotograph(pictures.after);
   std::optional<double> null_drift_mm;
   if (!pictures.before2.empty()) {
     null_drift_mm = nullDrift(before, readPhotograph(pictures.before2), settings);
     settings.drift_mm = std::max(settings.drift_mm, null_drift_mm.value_or(0.0));
   }
-  return outcomeOf(measurePair(before, after, settings, progress), planned, null_drift_mm);
+  PressMeasured measured{.measurement = measurePair(before, after, settings, progress), .outcome = {}};
+  measured.outcome = outcomeOf(measured.measurement, planned, null_drift_mm);
+  return measured;
 }
 
 }  // namespace palpate::measure

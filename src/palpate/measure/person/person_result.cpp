@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
@@ -54,7 +55,14 @@ std::string personTable(const Averages& averages, const std::optional<PlaceFits>
   return keyPointTable(with) + alone;
 }
 
-std::string sceneText(const PersonWalk& walk, const std::optional<PlaceFits>& stiffness) {
+/// The circle where no point reaches: the geometric mean of the person's axes, as 150 mm is of the dissertation's.
+double basicRadius(const Averages& averages) {
+  double sum = 0.0;
+  for (const PointMean& point : averages.points) sum += maps::logTensor(point.mean.ellipse).x();
+  return std::exp(sum / static_cast<double>(averages.points.size()));
+}
+
+std::string sceneText(const PersonWalk& walk, const Averages& averages, const std::optional<PlaceFits>& stiffness) {
   const Protocol& protocol = walk.protocol;
   std::string text = fmt::format("# Made by palpate measure session from {} and {}.\ntitle = \"{}\"\n\n[body]\n",
                                  kProtocolFile, kMeasuredFile, protocol.person);
@@ -62,7 +70,9 @@ std::string sceneText(const PersonWalk& walk, const std::optional<PlaceFits>& st
   if (protocol.stature_mm > 0.0) text += fmt::format("stature_mm = {:g}\n", protocol.stature_mm);
   if (protocol.body_mass_index > 0.0) text += fmt::format("body_mass_index = {:g}\n", protocol.body_mass_index);
   text += fmt::format(
-      "\n[ellipses]\nkey_points = \"{}\"\n\n[deformation]\nboundary = \"two_mm\"  # what was measured\n", kPersonFile);
+      "\n[ellipses]\nkey_points = \"{}\"\nbasic_radius_mm = {:.1f}  # the mean\n\n[deformation]\nboundary = \"two_mm\" "
+      " # what was measured\n",
+      kPersonFile, basicRadius(averages));
   if (stiffness) {
     text += "\n[stiffness]\nsource = \"points\"\n";
     text += "\n[tissue]\n" + tissueKeys(*stiffness);
@@ -102,7 +112,7 @@ PersonResult writePerson(const PersonWalk& walk, const Progress& progress) {
     result.written.push_back((walk.folder / name).string());
   };
   write(kPersonFile, table);
-  write(kSceneFile, sceneText(walk, result.stiffness));
+  write(kSceneFile, sceneText(walk, result.averages, result.stiffness));
   return result;
 }
 
