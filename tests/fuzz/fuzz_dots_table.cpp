@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "palpate/base/error.h"
-#include "palpate/measure/dot_table.h"
 #include "palpate/measure/overlay.h"
+#include "palpate/measure/tables/dot_table.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // Tables of dots: what a person or another program may hand over in place of photographs.
-#include "palpate/measure/dot_table.h"
+#include "palpate/measure/tables/dot_table.h"
 
 #include <gtest/gtest.h>
 

@@ -20,9 +20,9 @@
 #include "figures/photograph_overlay.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
-#include "palpate/measure/dot_table.h"
 #include "palpate/measure/key_row.h"
 #include "palpate/measure/overlay.h"
+#include "palpate/measure/tables/dot_table.h"
 #include "palpate/scene/scene_file.h"
 
 namespace palpate::app {

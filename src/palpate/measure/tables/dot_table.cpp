@@ -1,5 +1,5 @@
 // Own.
-#include "palpate/measure/dot_table.h"
+#include "palpate/measure/tables/dot_table.h"
 
 #include <fmt/format.h>
 
