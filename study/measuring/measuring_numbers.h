@@ -48,7 +48,7 @@ struct SpoiltNumbers {
   SpoiltKind kind;
   std::size_t pairs = 0;
   std::size_t refused = 0;
-  std::size_t right = 0;             ///< accepted, and within 5 % or 2 sd
+  std::size_t right = 0;             ///< accepted, and within 8 % or 2 sd
   double worst_percent = 0.0;        ///< of the accepted
   std::vector<std::string> codes{};  ///< of the refusals, each once
   std::size_t wrong() const { return pairs - refused - right; }

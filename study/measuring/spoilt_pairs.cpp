@@ -47,12 +47,14 @@ const std::vector<Spoiling>& spoilings() {
          const double angle = random.uniform(0.0, 6.28);
          made.motion.shift_mm += 4.0 * Vec3(std::cos(angle), std::sin(angle), 0.0);
        }},
-      {{"too dark"}, [](SyntheticCase& made, Random&) { made.look.exposure *= 0.02; }},
+      {{"too dark"}, [](SyntheticCase& made, Random&) { made.look.exposure *= 0.004; }},
       {{"black and white"}, [](SyntheticCase& made, Random&) { made.look.grey = true; }},
       {{"nothing pressed"}, [](SyntheticCase& made, Random&) { made.press.peak_mm = made.press.dent_mm = 0.0; }},
       {{"contact at the rim of the grid"},
        [](SyntheticCase& made, Random& random) {
-         made.press.contact_mm = {sign(random) * 15.0 * (made.marks.columns - 1), random.uniform(-60.0, 60.0)};
+         const int outer = random.uniform() < 0.5 ? 0 : made.marks.columns - 1;
+         made.press.contact_mm = made.marks.corner_mm +
+                                 made.marks.spacing_mm * Vec2(outer, random.uniform(0.3, 0.7) * (made.marks.rows - 1));
        }},
       {{"marks off by 3 mm"}, [](SyntheticCase& made, Random&) { made.marks.jitter_mm = 3.0; }},
       {{"pictures swapped"}, [](SyntheticCase&, Random&) {}},  // see spoiltPair

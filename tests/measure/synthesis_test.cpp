@@ -177,7 +177,11 @@ TEST(SyntheticPair, MarksLieWhereTheTruthSays) {
 }
 
 TEST(SyntheticPair, HidesMarksUnderTheHand) {
-  const SyntheticPair pair = renderPair(drawCase(3));
+  SyntheticCase made = drawCase(3);
+  made.press.contact_mm = {0.0, 30.0};
+  made.press.drag_rad = 0.5 * std::numbers::pi;  // the hand comes from below, over the dots
+  made.press.stick_turn_rad = made.press.arm_turn_rad = 0.0;
+  const SyntheticPair pair = renderPair(made);
   int hidden = 0;
   for (const TrueDot& dot : pair.truth.dots) {
     if (dot.covered < 1.0) continue;
@@ -296,7 +300,7 @@ TEST(TrueField, IsStrongerBehindTheStickWhenAskedFor) {
   const TrueField field(press);
   const double behind = field.displacementAt({0.0, -60.0}).norm();
   const double before = field.displacementAt({0.0, 60.0}).norm();
-  EXPECT_NEAR(behind / before, 1.2, 0.03);
+  EXPECT_NEAR(behind / before, 1.2, 0.04);
 }
 
 TEST(SyntheticCase, NeverFoldsTheSkinAndStaysInItsRanges) {

@@ -17,7 +17,9 @@ namespace {
 /// Of skin and what lies under it: almost incompressible.
 constexpr double kPoisson = 0.48;
 /// A window ends at this many half axes.
-constexpr double kWindow = 2.2;
+constexpr double kWindow = 3.0;
+/// Behind the stick becomes before it over about so many half axes.
+constexpr double kLopsidedOver = 0.5;
 
 double polynomial(const std::array<double, 9>& factors, double x) {
   double sum = 0.0;
@@ -148,7 +150,7 @@ Vec2 TrueField::displacementAt(const Vec2& place_mm) const {
   const Vec2 moved = in_family ? measure::displacementAt(formula_, place_mm) : halfSpaceAt(offset);
   if (press_.asymmetry == 0.0) return moved;
   const double ahead = offset.dot(formula_.peak_mm) / press_.peak_mm;
-  return (1.0 - 0.5 * press_.asymmetry * std::tanh(ahead / (0.25 * press_.half_major_mm))) * moved;
+  return (1.0 - 0.5 * press_.asymmetry * std::tanh(ahead / (kLopsidedOver * press_.half_major_mm))) * moved;
 }
 
 double TrueField::dentAt(const Vec2& place_mm) const {
