@@ -13,9 +13,24 @@ namespace {
 bool leavesTheScene(const Wish& wish) {
   switch (wish.kind) {
     case Wish::Kind::open:
-      return !trace::isForcesTable(wish.file) && !trace::isSession(wish.file);
+      return !isPhotograph(wish.file) && !trace::isForcesTable(wish.file) && !trace::isSession(wish.file);
     case Wish::Kind::default_scene:
     case Wish::Kind::reload:
+    case Wish::Kind::quit:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// What was corrected in photographs stays while the view is closed, but goes with them.
+bool leavesThePhotographs(const Wish& wish) {
+  switch (wish.kind) {
+    case Wish::Kind::open:
+      return isPhotograph(wish.file);
+    case Wish::Kind::measure_before:
+    case Wish::Kind::measure_after:
+    case Wish::Kind::swap_photos:
     case Wish::Kind::quit:
       return true;
     default:
@@ -30,6 +45,12 @@ std::string nameOf(const Session& session) {
 }  // namespace
 
 bool mustAskFirst(const Wish& wish, Session& session) {
+  if (!wish.sure && session.measuring.unsaved && leavesThePhotographs(wish)) {
+    session.ask({.kind = Question::Kind::unmeasure,
+                 .words = "The dots of the photographs were corrected. Accept the measurement first?",
+                 .then = wish});
+    return true;
+  }
   if (wish.sure || !leavesTheScene(wish) || !session.history.changed()) return false;
   session.ask({.kind = Question::Kind::leave,
                .words = fmt::format("{} was changed. Save it first?", nameOf(session)),

@@ -16,6 +16,7 @@
 #include "apps/viewer/editing/ruler.h"
 #include "apps/viewer/files/replay.h"
 #include "apps/viewer/files/scene_document.h"
+#include "apps/viewer/measuring/measuring_view.h"
 #include "apps/viewer/panels/asks.h"
 #include "apps/viewer/plots/sample_history.h"
 #include "apps/viewer/session_parts.h"
@@ -41,6 +42,7 @@ struct Session {
   Plots plots;
   Replay replay;
   Ruler ruler;
+  MeasuringView measuring;
   int hint = 0;                      ///< how many hints have been followed
   SceneDocument document;            ///< where save goes; without a file: to a fresh name (files/outputs.h)
   OpenedLook opened;                 ///< what is no change of the look

@@ -70,6 +70,11 @@ WorldFacts factsOf(const scene::World& world) {
           .has_names = !world.anatomy.landmarks.empty()};
 }
 
+Wish photographWish(const std::string& file, const MeasuringView& view) {
+  const bool before = freePlace(view) == Photo::before;
+  return {.kind = before ? Wish::Kind::measure_before : Wish::Kind::measure_after, .file = file};
+}
+
 }  // namespace
 
 Viewer::Viewer(const std::shared_ptr<const scene::World>& world, ViewState state, ViewerSettings settings,
@@ -336,8 +341,9 @@ void Viewer::handle(std::span<const window::InputEvent> events) {
       if (!chosen.empty()) session_.wish(Wish::Kind::answer, std::string(chosen));
       continue;
     }
+    if (hearsOfMeasuring(event)) continue;
     window::Situation situation;
-    situation.over_gui = gui_.wantsMouse() || session_.question;
+    situation.over_gui = gui_.wantsMouse() || session_.question || session_.measuring.open;
     situation.gui_wants_text = gui_.wantsText();
     situation.editing = session_.editor.active || session_.ruler.active;
     situation.on_skin = event.kind == EventKind::button && pointer_.skinAt(event.at).has_value();
@@ -345,6 +351,14 @@ void Viewer::handle(std::span<const window::InputEvent> events) {
     input_.handle(event, situation, commands);
     for (const window::Command& command : commands) obey(command);
   }
+}
+
+/// A key that means something to the photographs alone.
+bool Viewer::hearsOfMeasuring(const window::InputEvent& event) {
+  const Shown& shown = session_.state.shown;
+  if (!session_.measuring.open || event.kind != window::InputEvent::Kind::key || !event.down) return false;
+  if (gui_.wantsText() || shown.help || shown.messages || shown.open_dialog || shown.save_dialog) return false;
+  return measuringKey(session_.measuring, event.key, event.modifiers, session_.asks);
 }
 
 void Viewer::obey(const window::Command& command) {
@@ -434,6 +448,7 @@ void Viewer::useChanges() {
   for (const Wish& wish : std::exchange(session_.asks.wishes, {})) {
     if (!mustAskFirst(wish, session_)) grant(wish);
   }
+  measuring_.advance(session_, world_->anatomy.landmarks);
   devices_.advance(session_, *world_);
   keeper_.advance(session_);
   turnover_.advance(session_, servo_.thread());
@@ -442,6 +457,7 @@ void Viewer::useChanges() {
 
 void Viewer::grant(const Wish& wish) {
   if (grantOfScene(wish) || grantOfPicture(wish) || devices_.grant(wish, session_)) return;
+  if (measuring_.grant(wish, session_)) return;
   switch (wish.kind) {
     case Wish::Kind::plots_csv:
       return outputs_.savePlots(session_);
@@ -482,7 +498,9 @@ void Viewer::grant(const Wish& wish) {
 bool Viewer::grantOfScene(const Wish& wish) {
   switch (wish.kind) {
     case Wish::Kind::open:
-      if (trace::isForcesTable(wish.file) || trace::isSession(wish.file)) {
+      if (isPhotograph(wish.file)) {
+        measuring_.grant(photographWish(wish.file, session_.measuring), session_);
+      } else if (trace::isForcesTable(wish.file) || trace::isSession(wish.file)) {
         replay(wish.file, session_.replay.chooses_beside);
       } else {
         turnover_.open(wish.file, session_);
@@ -507,10 +525,8 @@ bool Viewer::grantOfScene(const Wish& wish) {
       answer(wish.file);
       return true;
     case Wish::Kind::undo:
-      session_.history.undo(session_);
-      return true;
     case Wish::Kind::redo:
-      session_.history.redo(session_);
+      takeBack(wish.kind == Wish::Kind::undo);
       return true;
     case Wish::Kind::reset:
       session_.history.reset(session_);
@@ -548,11 +564,28 @@ void Viewer::answer(const std::string& chosen) {
   if (chosen == answers.back()) return;
   if (question.kind == Question::Kind::overwrite)
     return saveThen({Wish::Kind::save, question.file, true}, question.then);
-  if (chosen == answers.front()) return saveThen({Wish::Kind::save}, question.then);
+  if (question.kind == Question::Kind::unmeasure) {
+    const bool accepts = chosen == answers.front();
+    if (accepts && measuring_.accept(session_, false) != MeasuringDesk::Accepting::done) return;
+    session_.measuring.unsaved = false;
+    return session_.asks.wishes.push_back(*question.then);  // it may have to ask for the scene, too
+  }
+  if (question.kind == Question::Kind::leave && chosen == answers.front()) {
+    return saveThen({Wish::Kind::save}, question.then);
+  }
   if (!question.then) return;
   Wish then = *question.then;
   then.sure = true;
   grant(then);
+}
+
+/// While photographs are looked at, what was corrected in them.
+void Viewer::takeBack(bool undoes) {
+  if (!session_.measuring.open) return undoes ? session_.history.undo(session_) : session_.history.redo(session_);
+  const std::string words = undoes ? undoCorrection(session_.measuring) : redoCorrection(session_.measuring);
+  const char* what = undoes ? "Undo" : "Redo";
+  session_.report(Severity::info, words.empty() ? fmt::format("Nothing to {}", undoes ? "undo" : "redo")
+                                                : fmt::format("{}: {}", what, words));
 }
 
 void Viewer::saveThen(Wish how, const std::optional<Wish>& then) {
@@ -598,7 +631,7 @@ void Viewer::guardShading(double elapsed_s) {
   if (!state.simpler_when_slow || state.look.shading == view::Shading::gouraud) {
     shading_guard_.reset();
   } else {
-    const bool counts = seen_ && !session_.building && !session_.recording.sequence;
+    const bool counts = seen_ && !session_.building && !session_.recording.sequence && !session_.measuring.open;
     const auto change = shading_guard_.frame(elapsed_s, 1e-3 * session_.performance.frame_ms, counts);
     if (change == ShadingGuard::Change::simpler) {
       // The menu bar says so as long as it lasts; a plate over the picture would hide what is slow already.
@@ -767,7 +800,15 @@ void Viewer::paintBeside(double scale, window::Gui::Choice windows) {
   gui_.present(target_->width(), target_->height(), windows);
 }
 
+/// Photographs in place of the body, which is not drawn meanwhile.
+void Viewer::paintMeasuring(window::Gui::Choice windows) {
+  target_->clear();
+  target_->bind();
+  gui_.present(target_->width(), target_->height(), windows);
+}
+
 void Viewer::paint(double scale, window::Gui::Choice windows) {
+  if (session_.measuring.open && stereo_.mode == view::StereoMode::mono) return paintMeasuring(windows);
   if (beside_ && !drawsItself()) return paintBeside(scale, windows);
   const Clock::time_point started = Clock::now();
   const view::PictureSettings picture = pictureSettings();

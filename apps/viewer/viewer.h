@@ -21,6 +21,7 @@
 #include "apps/viewer/files/session_keeper.h"
 #include "apps/viewer/live_model.h"
 #include "apps/viewer/live_servo.h"
+#include "apps/viewer/measuring/measuring_desk.h"
 #include "apps/viewer/panels/intro.h"
 #include "apps/viewer/plots/press_peak.h"
 #include "apps/viewer/plots/touch_history.h"
@@ -106,10 +107,12 @@ class Viewer {
   bool grantOfScene(const Wish& wish);
   bool grantOfPicture(const Wish& wish);
   void answer(const std::string& chosen);
+  void takeBack(bool undoes);
   void saveThen(Wish how, const std::optional<Wish>& then);
   void reload();
   void playScript();
   void copyScene();
+  bool hearsOfMeasuring(const window::InputEvent& event);
   void measure(const window::Command& command);
   void flyTo(const view::Camera& camera);
   void placeRulerLabel();
@@ -126,6 +129,7 @@ class Viewer {
   void paint(double scale, window::Gui::Choice windows = nullptr);
   void paintBeside(double scale, window::Gui::Choice windows);
   void paintHalf(LiveModel& model, std::span<const view::FingerMark> fingers, double scale);
+  void paintMeasuring(window::Gui::Choice windows);
   void paintAndKeep(double scale);
   view::PictureSettings pictureSettings() const;
   void paintClear(double scale);
@@ -148,6 +152,7 @@ class Viewer {
   std::optional<RecordedTouch> beside_;    ///< on the right of it
   std::unique_ptr<LiveModel> beside_model_;
   std::unique_ptr<view::Target> half_;  ///< of a picture of two sessions
+  MeasuringDesk measuring_;
   Outputs outputs_;
   Intro intro_;
   Eyesight eyesight_;

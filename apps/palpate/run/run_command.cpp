@@ -37,6 +37,7 @@ struct RunOptions {
   std::string out = ".";
   std::string replay;
   std::string beside;
+  std::vector<std::string> measure;  ///< two photographs
   std::string stereo;
   std::vector<std::string> devices;  ///< that hold the first fingers instead of the mouse
   double unit_mm = 0.0;              ///< of a mesh file; 0: as its format says
@@ -268,6 +269,10 @@ void runWindow(const RunOptions& options) {
   if (!state.note.empty()) viewer.session().report(viewer::Severity::warning, state.note);
   if (!options.replay.empty()) viewer.session().wish(viewer::Wish::Kind::open, options.replay);
   viewer.session().beside_at_first = options.beside;
+  if (options.measure.size() == 2) {
+    viewer.session().wish(viewer::Wish::Kind::measure_before, options.measure[0]);
+    viewer.session().wish(viewer::Wish::Kind::measure_after, options.measure[1]);
+  }
   const FinishesInOrder in_order;
   const StoppedBySignal stopped(viewer.emergencyStop());
   loop(options, playback, window, viewer, started);
@@ -289,6 +294,11 @@ void addRunCommand(CLI::App& app) {
                       "Play a session, or press the same places again as a table of forces (CSV), to be stepped tick "
                       "by tick");
   command->add_option("--beside", options->beside, "Play this session beside that of --replay");
+  command
+      ->add_option("--measure", options->measure,
+                   "Measure how far skin follows: two photographs of dots, before and after it is dragged")
+      ->type_name("BEFORE AFTER")
+      ->expected(2);
   takesOneOf(wordList<view::StereoMode>(),
              command->add_option("--stereo", options->stereo,
                                  "Stereo mode instead of the remembered one; quad-buffer asks for a window for shutter "

@@ -39,6 +39,8 @@ auto* switchOf(Action action, S& session) {
       return &session.state.stereo.swap_eyes;
     case Action::measure:
       return &session.ruler.active;
+    case Action::measure_person:
+      return &session.measuring.open;
     default:
       return static_cast<decltype(&session.replay.frozen)>(nullptr);
   }
@@ -109,6 +111,8 @@ void cancel(Session& session) {
     shown.help = false;
   } else if (shown.messages) {
     shown.messages = false;
+  } else if (session.measuring.open) {
+    session.measuring.open = false;
   } else if (session.editor.active) {
     stopEditing(session.dysfunctions());
   } else if (session.ruler.active) {

@@ -58,7 +58,12 @@ struct Wish {
     find_devices,  ///< which back ends are here, and why not
     stop,          ///< the emergency stop
     release_stop,
-    use_profile,  ///< the drawn curve: written to a file that the scene names
+    use_profile,     ///< the drawn curve: written to a file that the scene names
+    measure_before,  ///< `file`: a photograph of dots, before the skin is dragged
+    measure_after,   ///< `file`: and after
+    swap_photos,
+    accept_measurement,
+    cancel_measuring,  ///< the work under way
     quit,
   };
   Kind kind = Kind::open;
@@ -72,6 +77,8 @@ struct Question {
   enum class Kind : std::uint8_t {
     leave,      ///< changes would be thrown away
     overwrite,  ///< a file would be that is not known here
+    accept,     ///< a measurement that something speaks against
+    unmeasure,  ///< what was corrected by hand in photographs would be thrown away
   };
   Kind kind = Kind::leave;
   std::string words = {};
@@ -81,8 +88,12 @@ struct Question {
 /// Answers, as the buttons say them; the first is what Enter means, the last what Esc means.
 inline constexpr std::array<std::string_view, 3> kLeaveAnswers = {"Save", "Discard", "Stay"};
 inline constexpr std::array<std::string_view, 2> kOverwriteAnswers = {"Overwrite", "Cancel"};
+inline constexpr std::array<std::string_view, 2> kAcceptAnswers = {"Accept", "Cancel"};
+inline constexpr std::array<std::string_view, 3> kUnmeasureAnswers = {"Accept", "Discard", "Stay"};
 inline std::span<const std::string_view> answersTo(const Question& question) {
   if (question.kind == Question::Kind::leave) return kLeaveAnswers;
+  if (question.kind == Question::Kind::accept) return kAcceptAnswers;
+  if (question.kind == Question::Kind::unmeasure) return kUnmeasureAnswers;
   return kOverwriteAnswers;
 }
 

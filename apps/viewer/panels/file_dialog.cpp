@@ -19,23 +19,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 9> kKinds = {".toml", ".obj", ".stl", ".ply",    ".off",
-                                                    ".gltf", ".glb", ".csv", ".session"};
+using Kinds = std::span<const std::string_view>;
+constexpr std::array<std::string_view, 9> kSceneKinds = {".toml", ".obj", ".stl", ".ply",    ".off",
+                                                         ".gltf", ".glb", ".csv", ".session"};
+constexpr std::array<std::string_view, 5> kPhotographKinds = {".jpg", ".jpeg", ".png", ".tif", ".tiff"};
 
 struct Listing {
   fs::path folder;
   std::vector<fs::path> folders;
   std::vector<fs::path> files;
+  Kinds kinds = kSceneKinds;
 };
 
-bool isOurs(const fs::path& file) {
+bool isOneOf(Kinds kinds, const fs::path& file) {
   std::string kind = file.extension().string();
   std::transform(kind.begin(), kind.end(), kind.begin(), [](unsigned char c) { return std::tolower(c); });
-  return std::find(kKinds.begin(), kKinds.end(), kind) != kKinds.end();
+  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
 }
 
-Listing listingOf(const fs::path& folder) {
-  Listing listing{folder, {}, {}};
+Listing listingOf(const fs::path& folder, Kinds kinds = kSceneKinds) {
+  Listing listing{folder, {}, {}, kinds};
   std::error_code error;
   for (fs::directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error), end;
        !error && entry != end; entry.increment(error)) {
@@ -43,7 +46,7 @@ Listing listingOf(const fs::path& folder) {
     if (entry->path().filename().native().starts_with('.')) continue;
     if (entry->is_directory(ignored)) {
       listing.folders.push_back(entry->path());
-    } else if (isOurs(entry->path())) {
+    } else if (isOneOf(kinds, entry->path())) {
       listing.files.push_back(entry->path());
     }
   }
@@ -71,10 +74,10 @@ std::string walk(Listing& listing) {
     for (const fs::path& file : listing.files) {
       if (ImGui::Selectable(file.filename().c_str())) chosen = file.string();
     }
-    if (listing.folders.empty() && listing.files.empty()) remark("no scenes or meshes here");
+    if (listing.folders.empty() && listing.files.empty()) remark("nothing of that kind here");
   }
   ImGui::EndChild();
-  if (!next.empty()) listing = listingOf(next);
+  if (!next.empty()) listing = listingOf(next, listing.kinds);
   return chosen;
 }
 
@@ -112,6 +115,26 @@ void openDialog(std::span<const std::string> recent, bool& open, Asks& asks) {
         "window.");
     if (!chosen.empty()) {
       asks.wish(Wish::Kind::open, chosen);
+      open = false;
+    }
+  }
+  ImGui::End();
+}
+
+void photographDialog(const char* title, Wish::Kind wish, bool& open, Asks& asks) {
+  Listing& listing = shownListing();
+  static std::string typed;
+  if (beginDialog(title, open)) {
+    if (ImGui::IsWindowAppearing()) listing = listingOf(listing.folder, kPhotographKinds);
+    std::string chosen = walk(listing);
+    ImGui::SetNextItemWidth(-80.0f);
+    const bool entered = ImGui::InputText("##photograph", &typed, ImGuiInputTextFlags_EnterReturnsTrue);
+    notePlace("photograph/file");
+    ImGui::SameLine();
+    if ((buttonWidget("photograph/open", "Open") || entered) && !typed.empty()) chosen = typed;
+    remark("JPEG, PNG or TIFF; or drop the photograph on the window.");
+    if (!chosen.empty()) {
+      asks.wish(wish, chosen);
       open = false;
     }
   }

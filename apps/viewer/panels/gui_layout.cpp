@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "apps/viewer/editing/acts.h"
+#include "apps/viewer/measuring/measuring_window.h"
 #include "apps/viewer/panels/hints.h"
 #include "apps/viewer/panels/widgets.h"
 
@@ -101,8 +102,8 @@ void grantActions(Session& session) {
 std::span<const PanelEntry> panelList() { return kPanels; }
 
 bool staysInPictures(std::string_view window) {
-  return window == "##MainMenuBar" || window.starts_with("panel") || window.starts_with("plots") || window == "ruler" ||
-         window == "stop";
+  return window == "##MainMenuBar" || window.starts_with("measuring") || window.starts_with("panel") ||
+         window.starts_with("plots") || window == "ruler" || window == "stop";
 }
 
 FreeArea freeArea(const Shown& shown, float width, float height) {
@@ -137,6 +138,25 @@ void sidePanel(Session& session, float width, const FreeArea& free) {
   ImGui::End();
 }
 
+namespace {
+
+/// Side panel, plots, and what lies over the body.
+void drawAroundTheBody(Session& session, float width, const FreeArea& free) {
+  const Shown& shown = session.state.shown;
+  if (shown.panel) sidePanel(session, width, free);
+  if (shown.plots) plotStrips(plotsOf(session), free, session.asks);
+  if (session.editor.active) editingFrame(free);
+  if (session.ruler.active) rulerNotice(session.ruler, free);
+  interventionNotice(interventionLines(session), free);
+  if (session.replay.frozen) {
+    replayBar(session.replay, free, session.asks);
+  } else if (session.state.hints && !session.editor.active && !session.ruler.active) {
+    hint(hintText(session.hint), free);
+  }
+}
+
+}  // namespace
+
 FreeArea drawGui(Session& session) {
   widgetPlaces().clear();
   Shown& shown = session.state.shown;
@@ -145,18 +165,13 @@ FreeArea drawGui(Session& session) {
   if (!shown.open_dialog) session.replay.chooses_beside = false;
   menuBar(menuOf(session), session.asks);
   grantActions(session);
-  if (shown.panel) sidePanel(session, size.x, free);
-  if (shown.plots) plotStrips(plotsOf(session), free, session.asks);
-  if (session.editor.active) editingFrame(free);
-  if (session.ruler.active) rulerNotice(session.ruler, free);
-  interventionNotice(interventionLines(session), free);
+  if (session.measuring.open) {
+    measuringWindow(session.measuring, {0.0f, kMenuHeight, size.x, size.y}, session.asks);
+  } else {
+    drawAroundTheBody(session, size.x, free);
+  }
   if (session.devices.stopped) stopBanner(free, session.asks);
   buildProgress(session.building, free, session.asks);
-  if (session.replay.frozen) {
-    replayBar(session.replay, free, session.asks);
-  } else if (session.state.hints && !session.editor.active && !session.ruler.active) {
-    hint(hintText(session.hint), free);
-  }
   grantActions(session);
   toast(session.messages, session.now_s, free);
   if (shown.help) helpPage(shown.help);

@@ -39,6 +39,7 @@ void fileMenu(const Menus& menus) {
   item(menus, Action::open);
   recentFiles(menus);
   if (ImGui::MenuItem("Built-in torso")) menus.asks.wish(Wish::Kind::default_scene);
+  item(menus, Action::measure_person);
   for (const Action action : {Action::reload, Action::save, Action::save_as}) item(menus, action);
   ImGui::Separator();
   for (const Action action : {Action::undo, Action::redo, Action::reset, Action::copy_scene}) item(menus, action);

@@ -76,6 +76,12 @@ void toast(Messages& messages, double now_s, const FreeArea& free) {
   ImGui::End();
 }
 
+void severeWords(Severity severity, const std::string& words) {
+  ImGui::PushStyleColor(ImGuiCol_Text, colourOf(severity));
+  ImGui::TextUnformatted(words.c_str());
+  ImGui::PopStyleColor();
+}
+
 void buildProgress(const std::optional<engine::BuildProgress>& building, const FreeArea& free, Asks& asks) {
   if (!building || building->since_s < kProgressAfterS) return;
   ImGui::SetNextWindowPos({middleOf(free), free.below - 64.0f}, ImGuiCond_Always, {0.5f, 1.0f});

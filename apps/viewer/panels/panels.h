@@ -143,12 +143,16 @@ void replayBar(Replay& replay, const FreeArea& free, Asks& asks);
 void helpPage(bool& open);
 /// Files opened before, a folder to walk through, a line to type into.
 void openDialog(std::span<const std::string> recent, bool& open, Asks& asks);
+/// The same for a photograph; what is chosen becomes this wish.
+void photographDialog(const char* title, Wish::Kind wish, bool& open, Asks& asks);
 /// Where the scene is to be saved; begins beside `now`, or in `folder` when it has no file yet.
 void saveDialog(const std::filesystem::path& now, const std::filesystem::path& folder, bool& open, Asks& asks);
 /// Where the dialogs look from now on; else where they looked last, in the beginning the working folder.
 void showFolder(const std::filesystem::path& folder);
 /// What is asked before something is lost; the answer is a wish.
 void questionDialog(const std::optional<Question>& question, Asks& asks);
+/// In the colour of how much they matter.
+void severeWords(Severity severity, const std::string& words);
 void messageList(Messages& messages, bool& open);
 void toast(Messages& messages, double now_s, const FreeArea& free);
 void buildProgress(const std::optional<engine::BuildProgress>& building, const FreeArea& free, Asks& asks);

@@ -82,6 +82,7 @@ constexpr KeyBinding kTable[] = {
     {A::stereo_mode, G::window, plain('K'), kNone, false, "Stereo mode", "Go through the stereo modes."},
     {A::swap_eyes, G::window, shift('K'), kNone, false, "Swap the eyes", "Give each eye the other one's picture."},
     {A::open, G::file, ctrl('O'), kNone, false, "Open ...", "Open a scene or a mesh."},
+    {A::measure_person, G::file, ctrl('M'), kNone, false, "Measure a person ...", "Measure a person from two photographs; again: back."},
     {A::save, G::file, ctrl('S'), kNone, false, "Save scene", "Save the scene with all changes, look and camera."},
     {A::save_as, G::file, ctrlShift('S'), kNone, false, "Save scene as ...", "Save it to another file."},
     {A::reload, G::file, f(5), kNone, false, "Read again", "Read the scene or mesh file once more."},

@@ -111,6 +111,7 @@ enum class Action : std::uint8_t {
   stereo_mode,
   swap_eyes,
   open,
+  measure_person,
   save,
   save_as,
   reload,
