@@ -16,7 +16,7 @@ namespace {
 const std::string kAppendixC = std::string(PALPATE_SOURCE_DIR) + "/scenes/measured/appendix_c.csv";
 
 PressRow press(const std::string& point, double half_major_mm, double ratio, double direction_deg,
-            std::optional<double> drag_deg = {}, const std::string& subject = "") {
+               std::optional<double> drag_deg = {}, const std::string& subject = "") {
   return {.point = point,
           .half_major_mm = half_major_mm,
           .major_over_minor = ratio,
@@ -114,6 +114,12 @@ TEST(AveragePresses, EveryPersonCountsTheSameHoweverOftenPressed) {
   EXPECT_EQ(mean.presses, 10u);
 }
 
+TEST(AveragePresses, PeopleWhoDifferMakeTheErrorHoweverOftenPressed) {
+  std::vector<PressRow> presses(9, press("A", 100, 1.2, 90, 90.0, "one"));
+  for (int i = 0; i < 9; ++i) presses.push_back(press("A", 64, 1.2, 90, 90.0, "two"));
+  EXPECT_GT(averagePresses(presses).points.front().mean.half_major_mm.sd, 12.0) << "two people, not eighteen presses";
+}
+
 TEST(AveragePresses, ASurePressCountsMoreThanAnUnsureOne) {
   PressRow sure = press("A", 100, 1.2, 90);
   PressRow unsure = press("A", 60, 1.2, 90);
@@ -131,7 +137,8 @@ TEST(AveragePresses, ASurePressCountsMoreThanAnUnsureOne) {
 }
 
 TEST(AveragePresses, PlainMeansAreRoundedAsPrinted) {
-  const std::vector<PressRow> presses = {press("A", 101, 1.2, 80, 90.0, "1"), press("A", 112, 1.3004, 95.33, 90.0, "2")};
+  const std::vector<PressRow> presses = {press("A", 101, 1.2, 80, 90.0, "1"),
+                                         press("A", 112, 1.3004, 95.33, 90.0, "2")};
   const MeanEllipse& mean = averagePresses(presses, {.averaging = maps::Averaging::plain}).points.front().mean;
   EXPECT_DOUBLE_EQ(mean.half_major_mm.value, 106.5) << "21.3 cm";
   EXPECT_DOUBLE_EQ(mean.major_over_minor.value, 1.25);
@@ -242,7 +249,8 @@ TEST(AveragePresses, UpAndDownAreOneAxisAndTellNothingOfTheTissue) {
 
 TEST(AveragePresses, ATableByDragHoldsEveryWayOfPulling) {
   const Mat2 tissue = logMatrix(90, 70, 20);
-  const Averages averages = averagePresses(std::vector<PressRow>{pulled(tissue, 1.5, 90.0), pulled(tissue, 1.5, 179.0)});
+  const Averages averages =
+      averagePresses(std::vector<PressRow>{pulled(tissue, 1.5, 90.0), pulled(tissue, 1.5, 179.0)});
   const auto keys = maps::parseKeyPoints(keyPointTable(averages, true), "keys.csv");
   ASSERT_EQ(keys.size(), 2u);
   EXPECT_EQ(keys[0].name, "A up");
