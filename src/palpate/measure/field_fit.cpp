@@ -52,8 +52,9 @@ constexpr double kShapeMost = -2.2;    // ... to 1.1 m
 
 // Weights: noise of marks and chart, which grows with the displacement itself.
 constexpr double kLeastSdMm = 0.08;
-constexpr double kSdMedians = 1.8;    // of the residuals
-constexpr double kSdOfMotion = 0.04;  // the chart's own error
+constexpr double kSdMedians = 1.8;         // of the residuals
+constexpr double kSdOfMotion = 0.04;       // the chart's own error
+constexpr double kUsualResidualMm = 0.15;  // root mean square; more says that the field is not of this form
 constexpr double kLeastScatter =
     0.5;                             // of chi2: errors of the chart are alike from dot to dot and leave small residuals
 constexpr double kFirstSdMm = 0.15;  // before there are residuals
@@ -361,13 +362,16 @@ std::vector<double> weightsOf(std::span<const FieldDatum> data, std::span<const 
   return sd;
 }
 
-/// By the scatter that is seen, for the data; what was known before is as sure as it was.
+/// By the scatter that is seen, for the data; what was known before is as sure as it was. All of it is less sure where
+/// the residuals say that the skin did not move as the form has it.
 FieldCovariance covarianceOf(std::span<const FieldDatum> data, std::span<const double> sd_mm, const FieldNumbers& n,
                              const Prior& prior) {
   const Normal normal = normalOf(data, sd_mm, n, prior, kFieldUnknowns);
   const std::vector<double> residuals = residualsOf(data, n);
   double chi2 = 0.0;
+  double squares = 0.0;
   for (std::size_t i = 0; i < data.size(); ++i) {
+    squares += residuals[i] * residuals[i];
     const double off2 = residuals[i] * residuals[i] / (sd_mm[i] * sd_mm[i]);
     chi2 += off2 / std::sqrt(1.0 + off2 / (kRobustSds * kRobustSds));
   }
@@ -375,7 +379,9 @@ FieldCovariance covarianceOf(std::span<const FieldDatum> data, std::span<const d
   FieldCovariance information = normal.data.selfadjointView<Eigen::Upper>();
   information /= std::max(chi2 / freedom, kLeastScatter);
   information += normal.prior + 1e-12 * FieldCovariance::Identity();
-  return information.ldlt().solve(FieldCovariance::Identity());
+  const double mean_square = squares / static_cast<double>(std::max<std::size_t>(1, data.size()));
+  const double misfit = std::max(1.0, mean_square / (kUsualResidualMm * kUsualResidualMm));
+  return misfit * information.ldlt().solve(FieldCovariance::Identity());
 }
 
 }  // namespace

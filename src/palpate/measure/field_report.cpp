@@ -155,9 +155,8 @@ LevelEllipse levelEllipse(const SkinField& field, double level_mm, int rays) {
     if (!(rho2 > 0.0)) return {};
     const double radius2 = rho2 / ray.dot(shape * ray);
     const Vec3 row = Vec3(ray.x() * ray.x(), 2.0 * ray.x() * ray.y(), ray.y() * ray.y()) * radius2;
-    // Divided by radius^2, so that misfits are of the radius and not of its square.
-    normal += row * row.transpose() / (radius2 * radius2) * radius2;
-    right += row / (radius2 * radius2) * radius2;
+    normal += row * row.transpose();
+    right += row;
   }
   const Vec3 m = normal.ldlt().solve(right);
   Mat2 matrix;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "palpate/measure/skin_chart.h"
 
@@ -19,8 +20,8 @@ constexpr double kLeastMatched = 0.6;
 constexpr double kMostResidualMm = 0.9;
 constexpr double kUsualResidualMm = 0.3;
 constexpr double kLeastPeakMm = 4.0;
-constexpr double kMostAxisSd = 0.05;  // of a half axis
-constexpr double kLeastInside = 0.6;  // of the ellipse within the dots
+constexpr double kMostAxisSd = 0.045;  // of a half axis
+constexpr double kLeastInside = 0.6;   // of the ellipse within the dots
 constexpr double kMostDriftSds = 2.0;
 constexpr double kHardlyDeterminedDeg = 10.0;
 constexpr double kContactSds = 3.0;
@@ -29,6 +30,18 @@ constexpr std::size_t kSuspiciousVisible = 4;  // sites that only the second pic
 
 Finding refusal(std::string code, std::string text) { return {Severity::refusal, std::move(code), std::move(text)}; }
 Finding warning(std::string code, std::string text) { return {Severity::warning, std::move(code), std::move(text)}; }
+
+/// Whether there are dots on all sides, as far as two spacings away: a missing dot leaves a hole in the chart's cover.
+bool isAmongDots(const Measurement& m, const Vec2& place_mm) {
+  int sides = 0;
+  for (int i = 0; i < 8; ++i) {
+    const double angle = 0.25 * std::numbers::pi * i;
+    const Vec2 outward = m.settings.spacing_mm * Vec2(std::cos(angle), std::sin(angle));
+    sides += static_cast<int>(m.chart->covers(place_mm) || m.chart->covers(place_mm + 0.7 * outward) ||
+                              m.chart->covers(place_mm + 1.4 * outward) || m.chart->covers(place_mm + 2.0 * outward));
+  }
+  return sides == 8;
+}
 
 void judgeDrift(const Measurement& m, std::vector<Finding>& findings) {
   const Drift& drift = m.fit->drift;
@@ -62,7 +75,7 @@ void judgeEllipse(const Measurement& m, std::vector<Finding>& findings) {
         refusal("leaves_dots", fmt::format("Only {:.0f} % of the ellipse lies within the dots. Mark more "
                                            "rows around the contact, or allow it with --partial.",
                                            100.0 * fit.inside_share)));
-  if (!m.chart->covers({fit.contact_x_mm.value, fit.contact_y_mm.value}))
+  if (!isAmongDots(m, {fit.contact_x_mm.value, fit.contact_y_mm.value}))
     findings.push_back(refusal("contact_outside",
                                "The contact found lies outside the dots. Press between dots, two "
                                "rows from the rim at least."));

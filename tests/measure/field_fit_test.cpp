@@ -1,0 +1,116 @@
+#include "palpate/measure/field_fit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "measure/drawn_dots.h"
+#include "palpate/measure/field_report.h"
+
+namespace palpate::measure {
+namespace {
+
+/// Dots of a sheet, moved by a field and a shift of the body.
+std::vector<FieldDatum> dataOf(const std::function<Vec2(const Vec2&)>& motion, const Vec2& shift_mm = Vec2::Zero(),
+                               double noise_mm = 0.0) {
+  Random random(11);
+  std::vector<FieldDatum> data;
+  const DrawnSheet sheet;
+  for (int row = 0; row < sheet.rows; ++row) {
+    for (int column = 0; column < sheet.columns; ++column) {
+      const Vec2 place = placeOf(sheet, column, row);
+      const Vec2 noise = noise_mm * Vec2(random.normal(), random.normal());
+      // The picture's y is down.
+      const Mat2 flip = Vec2(1.0, -1.0).asDiagonal();
+      data.push_back({place, motion(place) + flip * shift_mm + noise, flip * place, flip});
+    }
+  }
+  return data;
+}
+
+TEST(FieldFit, FindsAHalfGaussianAgain) {
+  const FittedField fitted = fitField(dataOf(drag(15.0, 90.0, 65.0, 30.0, {7.0, -11.0})), driftPriorOf(0.4));
+  const SkinField field = fieldOf(fitted.numbers);
+  EXPECT_LT((field.contact_mm - Vec2(7.0, -11.0)).norm(), 0.3);
+  EXPECT_LT((field.peak_mm - Vec2(0.0, 15.0)).norm(), 0.3);
+  const LevelEllipse two = levelEllipse(field, 2.0);
+  EXPECT_NEAR(two.half_major_mm, 90.0, 0.9);
+  EXPECT_NEAR(two.half_minor_mm, 65.0, 0.7);
+  EXPECT_NEAR(two.direction_rad * kDegPerRad, 30.0, 0.5);
+}
+
+TEST(FieldFit, FindsALongTailAgain) {
+  const auto motion = [](const Vec2& p) { return Vec2(12.0 * std::pow(1.0 + p.squaredNorm() / 900.0, -0.7), 0.0); };
+  const FittedField fitted = fitField(dataOf(motion), driftPriorOf(0.4));
+  // 12 (1 + r^2 / 900)^-0.7 = 2 mm
+  const double expected = 30.0 * std::sqrt(std::pow(6.0, 1.0 / 0.7) - 1.0);
+  const LevelEllipse two = levelEllipse(fieldOf(fitted.numbers), 2.0);
+  EXPECT_NEAR(two.half_major_mm, expected, 0.04 * expected);
+  EXPECT_NEAR(two.half_minor_mm, expected, 0.04 * expected);
+}
+
+TEST(FieldFit, TellsTheBodysShiftFromTheSkins) {
+  const Vec2 shift(0.4, -0.3);  // right and down in the picture
+  const FittedField fitted = fitField(dataOf(drag(15.0, 80.0, 60.0, 90.0), shift), driftPriorOf(0.4));
+  EXPECT_LT((fitted.numbers.segment<2>(kFirstDrift) - shift).norm(), 0.03);
+  EXPECT_NEAR(levelEllipse(fieldOf(fitted.numbers), 2.0).half_major_mm, 80.0, 1.0);
+}
+
+TEST(FieldFit, HardlyMindsADotThatIsWrong) {
+  std::vector<FieldDatum> data = dataOf(drag(15.0, 80.0, 60.0, 0.0), Vec2::Zero(), 0.05);
+  data[37].moved_mm += Vec2(6.0, -4.0);
+  data[80].moved_mm += Vec2(-5.0, 5.0);
+  const LevelEllipse two = levelEllipse(fieldOf(fitField(data, driftPriorOf(0.4)).numbers), 2.0);
+  EXPECT_NEAR(two.half_major_mm, 80.0, 1.6);
+  EXPECT_NEAR(two.half_minor_mm, 60.0, 1.6);
+}
+
+TEST(FieldFit, ItsUncertaintyGrowsWithTheNoise) {
+  const auto sd = [](double noise_mm) {
+    const FittedField fitted =
+        fitField(dataOf(drag(12.0, 80.0, 60.0, 20.0), Vec2::Zero(), noise_mm), driftPriorOf(0.4));
+    return reportField(fitted, Mat2::Identity(), driftPriorOf(0.4)).at_2_mm.half_major_mm.sd;
+  };
+  EXPECT_GT(sd(0.8), 2.0 * sd(0.1));
+  EXPECT_GT(sd(0.1), 0.1);
+}
+
+TEST(FieldFit, OfNothingThatMovesIsFiniteAndSmall) {
+  const FittedField fitted = fitField(dataOf([](const Vec2&) { return Vec2(0.0, 0.0); }), driftPriorOf(0.4));
+  EXPECT_TRUE(fitted.numbers.allFinite());
+  EXPECT_LT(fieldOf(fitted.numbers).peak_mm.norm(), 1.0);
+}
+
+TEST(FieldFit, FindsTheDriftAloneWhereNothingIsPressed) {
+  const Vec2 shift(0.7, 0.2);
+  const Eigen::Vector4d drift = fitDrift(dataOf([](const Vec2&) { return Vec2(0.0, 0.0); }, shift), driftPriorOf(20.0));
+  EXPECT_LT((drift.head<2>() - shift).norm(), 1e-3);
+  EXPECT_LT(drift.tail<2>().norm(), 1e-3);
+}
+
+TEST(LevelEllipse, OfAHalfGaussianIsItsClosedForm) {
+  const double log_weight = -2.0 * std::log(50.0);
+  const SkinField field{.log_shape = {log_weight, 0.0, log_weight}, .peak_mm = {0.0, 20.0}};
+  EXPECT_NEAR(levelEllipse(field, 2.0).half_major_mm, 50.0 * std::sqrt(std::log(10.0)), 1e-9);
+  EXPECT_EQ(levelEllipse(field, 25.0).half_major_mm, 0.0) << "nothing moves as far";
+}
+
+TEST(LevelEllipse, WithSidewaysMotionLiesWhereTheFieldHasItsLevel) {
+  const double log_weight = -2.0 * std::log(40.0);
+  const SkinField field{
+      .log_shape = {log_weight, 0.0, log_weight}, .peak_mm = {0.0, 20.0}, .inverse_tail = 1.2, .sideways = 1.0};
+  const LevelEllipse two = levelEllipse(field, 2.0);
+  // The level line of a half space is no ellipse, but near one: round the ellipse the motion is the level on average.
+  double sum = 0.0;
+  for (int i = 0; i < 360; ++i) {
+    const double angle = i * kRadPerDeg;
+    const Vec2 place(two.half_minor_mm * std::cos(angle), two.half_major_mm * std::sin(angle));
+    sum += displacementAt(field, place).norm() / 360.0;
+    EXPECT_NEAR(displacementAt(field, place).norm(), 2.0, 0.25);
+  }
+  EXPECT_NEAR(sum, 2.0, 0.05);
+  EXPECT_NEAR(std::abs(two.direction_rad * kDegPerRad), 90.0, 0.01) << "along the drag";
+}
+
+}  // namespace
+}  // namespace palpate::measure
