@@ -63,8 +63,7 @@ std::size_t depthsBelowSkin(const ForceCurve& rows) {
   std::vector<double> depths;
   std::ranges::copy_if(rows.depth_mm, std::back_inserter(depths), [](double depth) { return depth > 0.0; });
   std::ranges::sort(depths);
-  const auto repeated = std::ranges::unique(depths);
-  return depths.size() - repeated.size();
+  return static_cast<std::size_t>(std::unique(depths.begin(), depths.end()) - depths.begin());
 }
 
 std::string refusalOf(const ForceCurve& rows) {
