@@ -8,7 +8,7 @@
 namespace palpate::measure {
 namespace {
 
-std::string refusal(std::string_view table) {
+std::string tableRefusal(std::string_view table) {
   return support::messageOf([&] { parseDotTable(table, "dots.csv"); });
 }
 
@@ -26,22 +26,23 @@ TEST(DotTable, IsReadWithAndWithoutAreas) {
 }
 
 TEST(DotTable, ErrorsNameTheLineAndTheCause) {
-  EXPECT_EQ(refusal("before,1,2\n"), "dots.csv:1: expected the header picture,x_px,y_px[,area_px]");
-  EXPECT_EQ(refusal("picture,x_px,y_px,colour\n"), "dots.csv:1: expected the header picture,x_px,y_px[,area_px]");
-  EXPECT_EQ(refusal("picture,x_px,y_px\nbefore,1,2,3\n"), "dots.csv:2: expected the 3 fields of the header, found 4");
-  EXPECT_EQ(refusal("picture,x_px,y_px\nlater,1,2\n"), "dots.csv:2: picture 'later' is neither before nor after");
-  EXPECT_EQ(refusal("picture,x_px,y_px\nbefore,1,x\n"), "dots.csv:2: y_px is not a number: 'x'");
-  EXPECT_EQ(refusal("picture,x_px,y_px\nbefore,1,nan\n"), "dots.csv:2: y_px is nan");
-  EXPECT_EQ(refusal("picture,x_px,y_px\nbefore,1e7,1\n"),
+  EXPECT_EQ(tableRefusal("before,1,2\n"), "dots.csv:1: expected the header picture,x_px,y_px[,area_px]");
+  EXPECT_EQ(tableRefusal("picture,x_px,y_px,colour\n"), "dots.csv:1: expected the header picture,x_px,y_px[,area_px]");
+  EXPECT_EQ(tableRefusal("picture,x_px,y_px\nbefore,1,2,3\n"),
+            "dots.csv:2: expected the 3 fields of the header, found 4");
+  EXPECT_EQ(tableRefusal("picture,x_px,y_px\nlater,1,2\n"), "dots.csv:2: picture 'later' is neither before nor after");
+  EXPECT_EQ(tableRefusal("picture,x_px,y_px\nbefore,1,x\n"), "dots.csv:2: y_px is not a number: 'x'");
+  EXPECT_EQ(tableRefusal("picture,x_px,y_px\nbefore,1,nan\n"), "dots.csv:2: y_px is nan");
+  EXPECT_EQ(tableRefusal("picture,x_px,y_px\nbefore,1e7,1\n"),
             "dots.csv:2: x_px = 10000000 is out of range: -100,000 to 100,000");
-  EXPECT_EQ(refusal("picture,x_px,y_px\nbefore,1,2\n"), "dots.csv: no dots of the picture after");
-  EXPECT_EQ(refusal("picture,x_px,y_px\n"), "dots.csv: no dots of the picture before");
+  EXPECT_EQ(tableRefusal("picture,x_px,y_px\nbefore,1,2\n"), "dots.csv: no dots of the picture after");
+  EXPECT_EQ(tableRefusal("picture,x_px,y_px\n"), "dots.csv: no dots of the picture before");
 }
 
 TEST(DotTable, TooManyDotsAreRefusedBeforeTheyAreOrdered) {
   std::string table = "picture,x_px,y_px\n";
   for (std::size_t i = 0; i <= kMostTableMarks; ++i) table += "before,1,2\n";
-  EXPECT_EQ(refusal(table), "dots.csv:20002: more than 20000 dots of one picture");
+  EXPECT_EQ(tableRefusal(table), "dots.csv:20002: more than 20000 dots of one picture");
 }
 
 TEST(DotTable, HoldsAllMarksOfAMeasurement) {

@@ -12,7 +12,7 @@
 namespace palpate::measure {
 namespace {
 
-Measurement measured() {
+Measurement rowMeasurement() {
   Measurement measurement;
   FieldFit fit;
   fit.at_2_mm = {2.0, {79.25, 1.5}, {63.4, 1.25}, {1.25, 0.02}, {-60.0, 1.5}};
@@ -25,7 +25,7 @@ Measurement measured() {
   return measurement;
 }
 
-std::string fieldOf(const Measurement& measurement, std::string_view column) {
+std::string keyFieldOf(const Measurement& measurement, std::string_view column) {
   const std::string header = keyRowHeader();
   const std::string row = keyRow(measurement, "P1", {-12.0, 73.5});
   const auto names = split(trimmed(header), ',');
@@ -37,7 +37,7 @@ std::string fieldOf(const Measurement& measurement, std::string_view column) {
 }
 
 TEST(KeyRow, IsReadByTheMaps) {
-  const auto keys = maps::parseKeyPoints(keyRowHeader() + keyRow(measured(), "P1", {-12.0, 73.5}), "keys.csv");
+  const auto keys = maps::parseKeyPoints(keyRowHeader() + keyRow(rowMeasurement(), "P1", {-12.0, 73.5}), "keys.csv");
   ASSERT_EQ(keys.size(), 1u);
   EXPECT_EQ(keys[0].name, "P1");
   EXPECT_EQ(keys[0].position_mm, Vec2(-12.0, 73.5));
@@ -48,7 +48,7 @@ TEST(KeyRow, IsReadByTheMaps) {
 }
 
 TEST(KeyRow, HoldsWhatWasMeasuredBesideTheEllipse) {
-  Measurement measurement = measured();
+  Measurement measurement = rowMeasurement();
   measurement.fit->gaussian_rim_mm = 130.0;
   for (const auto& [column, value] :
        std::initializer_list<std::pair<const char*, const char*>>{{"stiffness_n_per_mm", ""},
@@ -63,17 +63,17 @@ TEST(KeyRow, HoldsWhatWasMeasuredBesideTheEllipse) {
                                                                   {"sd_direction_deg", "1.5"},
                                                                   {"sd_half_major_4_mm", "0.5"},
                                                                   {"sd_peak_mm", "0.75"}}) {
-    EXPECT_EQ(fieldOf(measurement, column), value) << column;
+    EXPECT_EQ(keyFieldOf(measurement, column), value) << column;
   }
 }
 
 TEST(KeyRow, WhatIsNotKnownIsEmpty) {
-  Measurement measurement = measured();
+  Measurement measurement = rowMeasurement();
   measurement.fit->inverse_tail = {0.0, 0.1};
   measurement.fit->at_4_mm = {4.0, {0.0, 0.0}, {0.0, 0.0}, {1.0, 0.0}, {0.0, 0.0}};
   measurement.fit->at_2_mm.direction_deg.sd = std::nan("");
   for (const char* column : {"tail_p", "rim_mm", "half_major_4_mm", "sd_half_major_4_mm", "sd_direction_deg"}) {
-    EXPECT_EQ(fieldOf(measurement, column), "") << column;
+    EXPECT_EQ(keyFieldOf(measurement, column), "") << column;
   }
   EXPECT_EQ(maps::parseKeyPoints(keyRowHeader() + keyRow(measurement, "P1", {0.0, 0.0}), "keys.csv").size(), 1u);
   EXPECT_EQ(keyRow(Measurement(), "P1", {0.0, 0.0}), "");

@@ -12,18 +12,20 @@
 namespace palpate::measure {
 namespace {
 
-constexpr double kPxPerMm = 40.0 / 30.0;
+constexpr double kDrawnPxPerMm = 40.0 / 30.0;
 
 /// Skin 0,0 is the dot in the middle, at 300,300 px; up is up.
-Vec2 pictureOf(const Vec2& skin_mm) { return {300.0 + kPxPerMm * skin_mm.x(), 300.0 - kPxPerMm * skin_mm.y()}; }
+Vec2 drawnPlaceOf(const Vec2& skin_mm) {
+  return {300.0 + kDrawnPxPerMm * skin_mm.x(), 300.0 - kDrawnPxPerMm * skin_mm.y()};
+}
 
-constexpr int kReach = 5;
+constexpr int kGridReach = 5;
 
 Measurement gridOnly() {
   Measurement m;
-  for (int row = -kReach; row <= kReach; ++row) {
-    for (int column = -kReach; column <= kReach; ++column) {
-      m.grid.dots.push_back({{column, row}, {pictureOf(30.0 * Vec2(column, row)), 80.0}});
+  for (int row = -kGridReach; row <= kGridReach; ++row) {
+    for (int column = -kGridReach; column <= kGridReach; ++column) {
+      m.grid.dots.push_back({{column, row}, {drawnPlaceOf(30.0 * Vec2(column, row)), 80.0}});
     }
   }
   m.grid.spacing_px = 40.0;
@@ -33,7 +35,7 @@ Measurement gridOnly() {
 }
 
 /// Dragged upwards by 20 mm in the middle of a field, the body moved 3 mm to the right; one dot is hidden.
-Measurement measured() {
+Measurement drawnMeasurement() {
   Measurement m = gridOnly();
   FieldFit fit;
   fit.field.contact_mm = m.chart->skinAt({300.0, 300.0});
@@ -53,7 +55,7 @@ Measurement measured() {
     const bool hidden = dot.site.column == 2 && dot.site.row == -3;
     if (!hidden) {
       made.moved_mm = displacementAt(fit.field, made.skin_mm) + drift;
-      made.after_px = Vec2(made.before_px + kPxPerMm * Vec2(made.moved_mm.x(), -made.moved_mm.y()));
+      made.after_px = Vec2(made.before_px + kDrawnPxPerMm * Vec2(made.moved_mm.x(), -made.moved_mm.y()));
       m.after_dots.push_back({*made.after_px, 80.0});
       ++m.matched;
     }
@@ -80,7 +82,7 @@ bool explains(const OverlayPanel& panel, const std::string& words) {
 TEST(Overlay, JoinsNeighboursOfTheGridAndCrossesStrays) {
   const OverlayPanel panel = overlayOf(gridOnly()).panels.at(0);
   EXPECT_EQ(panel.picture, PanelPicture::before);
-  constexpr std::size_t kSide = 2 * kReach + 1;
+  constexpr std::size_t kSide = 2 * kGridReach + 1;
   ASSERT_EQ(panel.lines.size(), 2 * kSide * (kSide - 1));
   for (const OverlayLine& line : panel.lines) {
     ASSERT_EQ(line.places_px.size(), 2u);
@@ -91,7 +93,7 @@ TEST(Overlay, JoinsNeighboursOfTheGridAndCrossesStrays) {
 }
 
 TEST(Overlay, ShowsWhereAHiddenDotIsExpected) {
-  const Measurement m = measured();
+  const Measurement m = drawnMeasurement();
   const OverlayPanel panel = overlayOf(m).panels.at(1);
   EXPECT_EQ(panel.picture, PanelPicture::after);
   EXPECT_EQ(marksOf(panel, MarkForm::ring).size(), m.matched);
@@ -99,12 +101,12 @@ TEST(Overlay, ShowsWhereAHiddenDotIsExpected) {
   ASSERT_EQ(hidden.size(), 1u);
   const Vec2 skin(60.0, -90.0);
   const double up = 20.0 * std::exp(-skin.squaredNorm() / 2500.0);
-  EXPECT_NEAR((hidden[0] - pictureOf(skin + Vec2(3.0, up))).norm(), 0.0, 0.5);
+  EXPECT_NEAR((hidden[0] - drawnPlaceOf(skin + Vec2(3.0, up))).norm(), 0.0, 0.5);
   EXPECT_EQ(marksOf(panel, MarkForm::cross), (std::vector<Vec2>{{555.0, 66.0}}));
 }
 
 TEST(Overlay, ArrowsAreTheMotionWithoutTheBodysOwn) {
-  const Measurement m = measured();
+  const Measurement m = drawnMeasurement();
   const OverlayPanel panel = overlayOf(m, 3.0).panels.at(2);
   EXPECT_EQ(panel.picture, PanelPicture::before_faded);
   ASSERT_EQ(panel.arrows.size(), m.matched);
@@ -112,31 +114,32 @@ TEST(Overlay, ArrowsAreTheMotionWithoutTheBodysOwn) {
     return (arrow.from_px - Vec2(300.0, 300.0)).norm() < 1.0;
   });
   ASSERT_NE(middle, panel.arrows.end());
-  EXPECT_NEAR((middle->to_px - Vec2(300.0, 300.0 - 3.0 * 20.0 * kPxPerMm)).norm(), 0.0, 0.5);
+  EXPECT_NEAR((middle->to_px - Vec2(300.0, 300.0 - 3.0 * 20.0 * kDrawnPxPerMm)).norm(), 0.0, 0.5);
 }
 
 TEST(Overlay, TheEllipseStandsWhereItWasFoundWithItsBand) {
-  const OverlayPanel panel = overlayOf(measured()).panels.at(2);
+  const OverlayPanel panel = overlayOf(drawnMeasurement()).panels.at(2);
   const auto ellipse = std::find_if(panel.lines.begin(), panel.lines.end(), [](const OverlayLine& line) {
     return line.closed && !line.filled && !line.dashed;
   });
   ASSERT_NE(ellipse, panel.lines.end());
   for (const Vec2& place : ellipse->places_px) {
     // Upright: 80 mm up, 60 mm aside.
-    const Vec2 off = (place - Vec2(300.0, 300.0)) / kPxPerMm;
+    const Vec2 off = (place - Vec2(300.0, 300.0)) / kDrawnPxPerMm;
     EXPECT_NEAR(std::hypot(off.x() / 60.0, off.y() / 80.0), 1.0, 0.01);
   }
   const auto band =
       std::find_if(panel.lines.begin(), panel.lines.end(), [](const OverlayLine& line) { return line.filled; });
   ASSERT_NE(band, panel.lines.end());
   double outermost = 0.0;
-  for (const Vec2& place : band->places_px) outermost = std::max(outermost, std::abs(place.y() - 300.0) / kPxPerMm);
+  for (const Vec2& place : band->places_px)
+    outermost = std::max(outermost, std::abs(place.y() - 300.0) / kDrawnPxPerMm);
   EXPECT_NEAR(outermost, 84.0, 0.3);  // two sd of 2 mm
-  EXPECT_NEAR(panel.scale_bar_px, 50.0 * kPxPerMm, 0.5);
+  EXPECT_NEAR(panel.scale_bar_px, 50.0 * kDrawnPxPerMm, 0.5);
 }
 
 TEST(Overlay, DrawsTheContourThatWasRead) {
-  Measurement m = measured();
+  Measurement m = drawnMeasurement();
   EXPECT_FALSE(explains(overlayOf(m).panels.at(2), "contour"));
   m.contour = ContourReading{.contour_2_mm = {{0.0, 0.0}, {30.0, 0.0}, {30.0, 30.0}}};
   const OverlayPanel panel = overlayOf(m).panels.at(2);
@@ -145,7 +148,7 @@ TEST(Overlay, DrawsTheContourThatWasRead) {
 }
 
 TEST(Overlay, MarksTheContactThatWasGiven) {
-  Measurement m = measured();
+  Measurement m = drawnMeasurement();
   m.settings.contact_px = Vec2(305.0, 310.0);
   const OverlayPanel panel = overlayOf(m).panels.at(0);
   EXPECT_EQ(marksOf(panel, MarkForm::ring), (std::vector<Vec2>{{305.0, 310.0}}));
@@ -154,7 +157,7 @@ TEST(Overlay, MarksTheContactThatWasGiven) {
 }
 
 TEST(Overlay, SaysWhetherItIsAcceptedAndWhyNot) {
-  Measurement m = measured();
+  Measurement m = drawnMeasurement();
   Overlay overlay = overlayOf(m);
   EXPECT_TRUE(overlay.accepted);
   EXPECT_EQ(
