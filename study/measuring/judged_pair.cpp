@@ -91,12 +91,12 @@ void judgeDots(const SyntheticTruth& truth, const Measurement& measured, JudgedP
     ++visible;
     if (nearestDistance(after, dot.after_px) < kSameMarkMm * truth.px_per_mm) ++found_after;
   }
-  const auto shareOf = [](std::size_t part, std::size_t all) {
+  const auto share_of = [](std::size_t part, std::size_t all) {
     return all > 0 ? static_cast<double>(part) / static_cast<double>(all) : 0.0;
   };
-  judged.found_before = shareOf(found_before, truth.dots.size());
-  judged.found_after = shareOf(found_after, visible);
-  judged.in_order = shareOf(in_order, truth.dots.size());
+  judged.found_before = share_of(found_before, truth.dots.size());
+  judged.found_after = share_of(found_after, visible);
+  judged.in_order = share_of(in_order, truth.dots.size());
 }
 
 /// Wrong is a match with another place than that of the same mark of the skin.

@@ -129,21 +129,17 @@ std::string timeFinding(const MeasuringMeasurement& found) {
                      found.plan.timed_megapixels, rounded(found.large_s), rounded(found.hundred_fits_s));
 }
 
+std::string syntheticFinding() {
+  return "All of this is synthetic: no photograph of a living back was measured yet. The pictures are painted by the "
+         "same house that measures them; what real skin, ink, light and breathing do besides is not in them.";
+}
+
 }  // namespace
 
 std::vector<std::string> measuringFindings(const MeasuringMeasurement& found) {
-  return {barsFinding(found),
-          axisFinding(found),
-          otherFinding(found),
-          sdFinding(found),
-          spoiltFinding(found),
-          driftFinding(found),
-          formFinding(found),
-          contourFinding(found),
-          dotsFinding(found),
-          timeFinding(found),
-          "All of this is synthetic: no photograph of a living back was measured yet. The pictures are painted by the "
-          "same house that measures them; what real skin, ink, light and breathing do besides is not in them."};
+  return {barsFinding(found),   axisFinding(found),  otherFinding(found), sdFinding(found),
+          spoiltFinding(found), driftFinding(found), formFinding(found),  contourFinding(found),
+          dotsFinding(found),   timeFinding(found),  syntheticFinding()};
 }
 
 }  // namespace palpate::study
