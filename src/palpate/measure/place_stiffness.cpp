@@ -214,14 +214,12 @@ PlaceStiffness fitPlace(const std::vector<const PlaceCurve*>& presses, const Pla
 
 std::optional<ForceFit> sharedShape(const std::vector<PlaceStiffness>& places, const PlaceFitSettings& settings) {
   std::vector<ForceCurve> curves;
-  const PlaceStiffness* only = nullptr;
   for (const PlaceStiffness& place : places) {
     if (place.refused()) continue;
     curves.push_back(place.rows);
-    only = &place;
   }
   if (curves.empty()) return std::nullopt;
-  if (curves.size() == 1) return only->best().fit;
+  if (curves.size() == 1) return std::ranges::find_if_not(places, &PlaceStiffness::refused)->best().fit;
   std::vector<ForceFit> fits;
   for (const ForceForm form : kPlaceForms) {
     if (!settings.form || *settings.form == form) fits.push_back(fitSharedForce(curves, form, {}));
