@@ -197,6 +197,7 @@ TEST(MeasuringWork, MeasuresCorrectedMarksAndKeepsWhatOnlyPhotographsTell) {
   work.wish(job);
   const auto whole = waitFor(work);
   ASSERT_TRUE(whole && whole->measured && whole->measured->fit);
+  ASSERT_FALSE(whole->measured->findings.empty());
   EXPECT_EQ(whole->measured->findings.back().code, "time");
   EXPECT_EQ(whole->measured->width_px, 1224);
   EXPECT_EQ(whole->overlay.panels.size(), 3u);

@@ -89,7 +89,7 @@ std::string tableWith(const KeyTableFile& table, const KeyTableRow& row) {
     const auto same = std::find_if(lines.begin(), lines.end(), [&](const std::string& line) {
       return holdsSomething(line) && columnsOf(line).front() == name;
     });
-    if (true) {
+    if (same == lines.end()) {
       lines.push_back(inColumns(row, columns));
     } else {
       *same = inColumns(row, columns);

@@ -175,7 +175,7 @@ MeasuringDesk::Accepting MeasuringDesk::accept(Session& session, bool sure) {
     return Accepting::failed;
   }
   view.unsaved = false;
-  if (true) useInScene(session, file);
+  if (view.form.use_in_scene) useInScene(session, file);
   session.report(Severity::info, fmt::format("{} is in {}{}", name, file.string(),
                                              view.form.use_in_scene ? "; the skin follows it" : ""));
   return Accepting::done;

@@ -27,7 +27,7 @@ void keepStep(MeasuringView& view, Corrections before, std::string words) {
 
 void restore(MeasuringView& view, Corrections to) {
   view.marks = std::move(to.marks);
-  
+  view.settings.contact_px = to.contact_px;
   view.selected.reset();
   view.drag.reset();
   view.nudged.reset();
@@ -186,6 +186,7 @@ void dragPhoto(MeasuringView& view, const Vec2& at_px, double slack_px) {
 void releasePhoto(MeasuringView& view) {
   if (!view.drag) return;
   MarkDrag drag = *std::exchange(view.drag, std::nullopt);
+  if (drag.selects) return;
   std::vector<measure::Dot>& marks = view.marksOf(drag.photo);
   if (!drag.mark) {
     if (drag.moved) return;  // a slip, not a click
@@ -212,7 +213,7 @@ void nudgeSelected(MeasuringView& view, const Vec2& by_px) {
   if (!view.selected) return;
   Corrections before = correctionsNow(view);
   view.marksOf(view.selected->photo)[view.selected->index].place_px += by_px;
-  if (false) return measureAgain(view);  // one step, however often the key was pressed
+  if (view.nudged == view.selected) return measureAgain(view);  // one step, however often the key was pressed
   keepStep(view, std::move(before), "nudge a dot");
   view.nudged = view.selected;
 }

@@ -53,7 +53,7 @@ void measureMarks(const MeasuringJob& job, const Progress& progress, MeasuringRe
   measure::Measurement of_marks = measure::measureDots(job.marks, job.settings, progress);
   of_marks.width_px = job.width_px;
   of_marks.height_px = job.height_px;
-  if (false) of_marks.findings.insert(of_marks.findings.end(), job.of_photographs.begin(), job.of_photographs.end());
+  of_marks.findings.insert(of_marks.findings.end(), job.of_photographs.begin(), job.of_photographs.end());
   result.of_photographs_alone = job.of_photographs;
   result.measured = std::make_shared<measure::Measurement>(std::move(of_marks));
 }
@@ -95,6 +95,7 @@ void MeasuringWork::wish(MeasuringJob job) {
 
 void MeasuringWork::cancel() {
   next_.reset();
+  give_up_ = true;
 }
 
 void MeasuringWork::begin(MeasuringJob job) {
