@@ -10,8 +10,6 @@
 namespace palpate::measure {
 namespace {
 
-const auto kAtRest = [](const Vec2&) { return Vec2(0.0, 0.0); };
-
 /// How many dots of the grid sit on the site on which they were drawn, with the offset that most share.
 std::size_t onTheirSites(const DotGrid& grid, const DrawnSheet& sheet) {
   std::map<std::pair<int, int>, std::size_t> offsets;
@@ -31,7 +29,7 @@ std::size_t onTheirSites(const DotGrid& grid, const DrawnSheet& sheet) {
 
 TEST(DotGrid, OrdersAWholeSheetSeenFromAbove) {
   const DrawnSheet sheet;
-  const DotGrid grid = growGrid(drawnDots(sheet, kAtRest).before);
+  const DotGrid grid = growGrid(drawnDots(sheet, atRest).before);
   EXPECT_EQ(grid.dots.size(), 120u);
   EXPECT_EQ(onTheirSites(grid, sheet), 120u);
   EXPECT_NEAR(grid.spacing_px, 120.0, 0.5);
@@ -41,21 +39,21 @@ TEST(DotGrid, OrdersAWholeSheetSeenFromAbove) {
 
 TEST(DotGrid, OrdersASheetThatIsTiltedAndRolled) {
   const DrawnSheet sheet{.tilt_deg = 30.0, .roll_deg = 14.0};
-  const DotGrid grid = growGrid(drawnDots(sheet, kAtRest, 0.4).before);
+  const DotGrid grid = growGrid(drawnDots(sheet, atRest, 0.4).before);
   EXPECT_GE(onTheirSites(grid, sheet), 118u);
   EXPECT_NEAR(std::abs(grid.roll_deg), 14.0, 3.0);
 }
 
 TEST(DotGrid, DoesNotLockOntoTheDiagonals) {
   // Rows a third closer than columns: the diagonal pairs are nearly as long as the columns.
-  DotPair pair = drawnDots({}, kAtRest);
+  DotPair pair = drawnDots({}, atRest);
   for (Dot& dot : pair.before) dot.place_px.y() *= 0.66;
   EXPECT_EQ(growGrid(pair.before).dots.size(), 120u);
 }
 
 TEST(DotGrid, JumpsGapsAndLeavesStraysOut) {
   const DrawnSheet sheet;
-  std::vector<Dot> dots = drawnDots(sheet, kAtRest, 0.3).before;
+  std::vector<Dot> dots = drawnDots(sheet, atRest, 0.3).before;
   for (const std::size_t gone : {77u, 55u, 54u, 31u, 12u}) dots.erase(dots.begin() + gone);
   const std::size_t good = dots.size();
   for (const Vec2& place : {Vec2(850.0, 1050.0), Vec2(640.0, 800.0), Vec2(1090.0, 1200.0)})
@@ -80,8 +78,8 @@ TEST(DotGrid, OfMarksWithoutOrderOrHardlyAnyIsEmpty) {
 }
 
 TEST(DotGrid, SaysHowIrregularTheMarksAre) {
-  const DotGrid stencil = growGrid(drawnDots({}, kAtRest, 0.4).before);
-  const DotGrid free_hand = growGrid(drawnDots({}, kAtRest, 1.5).before);
+  const DotGrid stencil = growGrid(drawnDots({}, atRest, 0.4).before);
+  const DotGrid free_hand = growGrid(drawnDots({}, atRest, 1.5).before);
   EXPECT_LT(30.0 * stencil.irregularity, 1.2);
   EXPECT_GT(30.0 * free_hand.irregularity, 1.7);
 }

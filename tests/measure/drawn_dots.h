@@ -36,6 +36,8 @@ inline Vec2 placeOf(const DrawnSheet& sheet, int column, int row) {
   return sheet.spacing_mm * Vec2(column - 0.5 * (sheet.columns - 1), row - 0.5 * (sheet.rows - 1));
 }
 
+inline Vec2 atRest(const Vec2& /*place_mm*/) { return Vec2::Zero(); }
+
 /// Row by row from the bottom left, moved by `motion` (mm) in the second list.
 inline DotPair drawnDots(const DrawnSheet& sheet, const std::function<Vec2(const Vec2&)>& motion,
                          double noise_mm = 0.0) {

@@ -13,8 +13,6 @@
 namespace palpate::measure {
 namespace {
 
-const auto kAtRest = [](const Vec2&) { return Vec2(0.0, 0.0); };
-
 TEST(Measurement, OfAPressOnATiltedSheetIsItsEllipse) {
   const DrawnSheet sheet{.tilt_deg = 15.0};
   const Measurement m = measureDots(drawnDots(sheet, drag(18.0, 95.0, 70.0, 60.0), 0.1));
@@ -55,7 +53,7 @@ TEST(Measurement, RefusesFewDots) {
 }
 
 TEST(Measurement, RefusesWhatWasNotPressed) {
-  const Measurement m = measureDots(drawnDots({}, kAtRest, 0.05));
+  const Measurement m = measureDots(drawnDots({}, atRest, 0.05));
   EXPECT_TRUE(says(m.findings, "not_pressed"));
   EXPECT_FALSE(m.accepted());
 }
@@ -103,7 +101,7 @@ TEST(Measurement, RefusesAFirstPictureThatHidesWhatTheSecondShows) {
 }
 
 TEST(Measurement, RefusesThousandsOfMarksAtOnce) {
-  const DotPair pair = drawnDots({.columns = 40, .rows = 40}, kAtRest);
+  const DotPair pair = drawnDots({.columns = 40, .rows = 40}, atRest);
   const Measurement m = measureDots(pair);
   EXPECT_TRUE(says(m.findings, "many_marks"));
   EXPECT_FALSE(m.accepted());

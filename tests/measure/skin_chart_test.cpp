@@ -8,10 +8,8 @@
 namespace palpate::measure {
 namespace {
 
-const auto kAtRest = [](const Vec2&) { return Vec2(0.0, 0.0); };
-
 SkinChart chartOf(const DrawnSheet& sheet, HeadTowards head = HeadTowards::top) {
-  return {growGrid(drawnDots(sheet, kAtRest).before), sheet.spacing_mm, head};
+  return {growGrid(drawnDots(sheet, atRest).before), sheet.spacing_mm, head};
 }
 
 TEST(SkinChart, MeasuresAlongTheSkinHoweverTheCameraIsTilted) {
@@ -69,7 +67,8 @@ TEST(SkinChart, CoversWhatLiesAmongTheDotsOnly) {
 }
 
 TEST(SkinChart, RefusesDotsInALine) {
-  DotGrid line{.spacing_px = 50.0};
+  DotGrid line;
+  line.spacing_px = 50.0;
   for (int i = 0; i < 12; ++i) line.dots.push_back({{i, 0}, {{50.0 * i, 100.0}, 9.0}});
   EXPECT_THROW(SkinChart(line, 30.0, HeadTowards::top), Error);
   line.dots.resize(4);
