@@ -40,6 +40,7 @@ void refuseRaw(const TiffDirectory& page, std::string_view bytes, std::string_vi
 
 void checkColours(const TiffDirectory& page, PictureHeader& header, std::string_view name) {
   constexpr std::uint32_t kPrint = 5;
+  if (!page.number(kPhotometric)) throw Error::inFile(name, "is a TIFF that does not say its colours: save it in RGB");
   if (page.number(kPhotometric) == kPrint) {
     throw Error::inFile(name, "is a TIFF in the colours of print (CMYK): save it in RGB, as cameras do");
   }
