@@ -44,8 +44,8 @@ constexpr double kSidewaysLeast = -0.9;
 constexpr double kSidewaysMost = 4.0;
 // Of a body that breathes or rolls between the pictures, of its shift: a turn about the spine by 0.06 degrees lowers
 // the flanks by 0.05 mm.
-constexpr double kStretchOfDrift = 0.06;
-constexpr double kBendOfDrift = 0.02;
+constexpr double kStretchOfDrift = 0.1;
+constexpr double kBendOfDrift = 0.035;
 constexpr int kStretches = 2;          // of the bends, the first ones
 constexpr double kShapeLeast = -14.0;  // mean of ln W: radii from 3 mm
 constexpr double kShapeMost = -2.2;    // ... to 1.1 m
