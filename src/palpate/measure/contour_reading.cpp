@@ -13,10 +13,10 @@ namespace palpate::measure {
 
 namespace {
 
-constexpr int kRays = 180;
-constexpr double kStepMm = 3.0;
+constexpr int kContourRays = 180;
+constexpr double kRayStepMm = 3.0;
 constexpr double kFarthestMm = 400.0;
-constexpr double kLeastInside = 0.5;  // of the rays: less is no contour
+constexpr double kLeastOfContour = 0.5;  // of the rays: less is no contour
 constexpr double kDiffersSd = 2.0;
 
 struct Traced {
@@ -27,22 +27,22 @@ struct Traced {
 /// Outwards from the contact to the first place where the motion falls below the level, while there are dots.
 Traced trace(const ThinPlate& motion, const SkinChart& chart, const Vec2& contact, double level_mm) {
   Traced traced;
-  for (int i = 0; i < kRays; ++i) {
-    const double angle = 2.0 * std::numbers::pi * i / kRays;
+  for (int i = 0; i < kContourRays; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kContourRays;
     const Vec2 ray(std::cos(angle), std::sin(angle));
     double last = motion.at(contact).norm();
-    for (double r = kStepMm; r < kFarthestMm; r += kStepMm) {
+    for (double r = kRayStepMm; r < kFarthestMm; r += kRayStepMm) {
       const Vec2 place = contact + r * ray;
       if (!chart.covers(place)) break;
       const double now = motion.at(place).norm();
       if (now <= level_mm && last > level_mm) {
-        traced.contour.emplace_back(contact + (r - kStepMm * (level_mm - now) / (last - now)) * ray);
+        traced.contour.emplace_back(contact + (r - kRayStepMm * (level_mm - now) / (last - now)) * ray);
         break;
       }
       last = now;
     }
   }
-  traced.inside_share = static_cast<double>(traced.contour.size()) / kRays;
+  traced.inside_share = static_cast<double>(traced.contour.size()) / kContourRays;
   return traced;
 }
 
@@ -102,7 +102,7 @@ std::optional<ContourReading> readContour(std::span<const MeasuredDot> dots, con
   const ThinPlate motion(places, motions, spacing_mm, 0.0);
   const Vec2 contact(fit.contact_x_mm.value, fit.contact_y_mm.value);
   const Traced two = trace(motion, chart, contact, 2.0);
-  if (two.inside_share < kLeastInside) return {};
+  if (two.inside_share < kLeastOfContour) return {};
   ContourReading reading;
   reading.contour_2_mm = two.contour;
   reading.inside_share = two.inside_share;

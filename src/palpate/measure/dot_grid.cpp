@@ -25,7 +25,7 @@ constexpr double kLengthRatio = 1.8;  // of the two pairs, at most: perspective 
 constexpr std::size_t kSeeds = 5;
 constexpr double kReach = 0.27;         // a dot is on a site within so much of the spacing
 constexpr double kAreaWeight = 0.04;    // of the spacing, for a dot of e times the neighbours' area
-constexpr int kWindow = 2;              // sites that foretell another; also the farthest jump over a gap
+constexpr int kForetellingSites = 2;    // sites that foretell another; also the farthest jump over a gap
 constexpr double kLeastOutlier = 0.08;  // of the spacing
 constexpr double kOutlierMedians = 4.5;
 constexpr int kCleanings = 6;
@@ -189,8 +189,8 @@ class Lattice {
 
   Around around(const Site& site) const {
     Around found;
-    for (int dc = -kWindow; dc <= kWindow; ++dc) {
-      for (int dr = -kWindow; dr <= kWindow; ++dr) {
+    for (int dc = -kForetellingSites; dc <= kForetellingSites; ++dc) {
+      for (int dr = -kForetellingSites; dr <= kForetellingSites; ++dr) {
         if (dc == 0 && dr == 0) continue;
         const auto at = sites_.find({site.first + dc, site.second + dr});
         if (at == sites_.end()) continue;
@@ -206,8 +206,8 @@ class Lattice {
     std::map<Site, bool> asked;
     std::vector<Candidate> candidates;
     for (const auto& [site, dot] : sites_) {
-      for (int dc = -kWindow; dc <= kWindow; ++dc) {
-        for (int dr = -kWindow; dr <= kWindow; ++dr) {
+      for (int dc = -kForetellingSites; dc <= kForetellingSites; ++dc) {
+        for (int dr = -kForetellingSites; dr <= kForetellingSites; ++dr) {
           const Site free{site.first + dc, site.second + dr};
           if (sites_.contains(free) || !asked.emplace(free, true).second) continue;
           const Around near = around(free);

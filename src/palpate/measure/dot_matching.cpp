@@ -17,7 +17,7 @@ constexpr double kCluster = 0.06;
 constexpr double kAtRest = 0.12;
 constexpr double kGrowing = 0.2;
 constexpr double kForetold = 0.12;
-constexpr int kWindow = 2;  // sites that foretell how the next one moved
+constexpr int kSitesAround = 2;  // sites that foretell how the next one moved
 // Area in the second picture over the first, of the usual ratio: outside, something covers a part of the dot.
 constexpr double kLeastAreaRatio = 0.75;
 constexpr double kMostAreaRatio = 1.33;
@@ -81,21 +81,21 @@ DotMatch mutualMatch(std::span<const Vec2> expected_px, std::span<const Dot> aft
   return match;
 }
 
-using Sites = std::map<std::pair<int, int>, std::size_t>;
+using DotsBySite = std::map<std::pair<int, int>, std::size_t>;
 
-Sites sitesOf(const DotGrid& grid) {
-  Sites sites;
+DotsBySite sitesOf(const DotGrid& grid) {
+  DotsBySite sites;
   for (std::size_t i = 0; i < grid.dots.size(); ++i) sites[{grid.dots[i].site.column, grid.dots[i].site.row}] = i;
   return sites;
 }
 
 /// How a dot moved, as its matched neighbours have it; none with fewer than two.
-std::optional<Vec2> foretoldMotion(const DotGrid& grid, const Sites& sites, std::span<const Dot> after,
+std::optional<Vec2> foretoldMotion(const DotGrid& grid, const DotsBySite& sites, std::span<const Dot> after,
                                    const DotMatch& match, std::size_t dot) {
   std::vector<Neighbour> neighbours;
   const GridSite site = grid.dots[dot].site;
-  for (int dc = -kWindow; dc <= kWindow; ++dc) {
-    for (int dr = -kWindow; dr <= kWindow; ++dr) {
+  for (int dc = -kSitesAround; dc <= kSitesAround; ++dc) {
+    for (int dr = -kSitesAround; dr <= kSitesAround; ++dr) {
       const auto at = sites.find({site.column + dc, site.row + dr});
       if (at == sites.end() || !match.of[at->second]) continue;
       neighbours.push_back({Vec2(dc, dr), after[*match.of[at->second]].place_px - grid.dots[at->second].dot.place_px});
@@ -111,7 +111,7 @@ std::optional<Vec2> foretoldMotion(const DotGrid& grid, const Sites& sites, std:
 
 /// From matched dots to unmatched ones beside them, the best half of a round first.
 void growInwards(const DotGrid& grid, std::span<const Dot> after, DotMatch& match) {
-  const Sites sites = sitesOf(grid);
+  const DotsBySite sites = sitesOf(grid);
   std::vector<bool> used(after.size(), false);
   for (const auto& mark : match.of) {
     if (mark) used[*mark] = true;

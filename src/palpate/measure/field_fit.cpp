@@ -52,9 +52,9 @@ constexpr double kShapeMost = -2.2;    // ... to 1.1 m
 
 // Weights: noise of marks and chart, which grows with the displacement itself.
 constexpr double kLeastSdMm = 0.08;
-constexpr double kSdMedians = 1.8;         // of the residuals
-constexpr double kSdOfMotion = 0.04;       // the chart's own error
-constexpr double kUsualResidualMm = 0.15;  // root mean square; more says that the field is not of this form
+constexpr double kSdMedians = 1.8;          // of the residuals
+constexpr double kSdOfMotion = 0.04;        // the chart's own error
+constexpr double kResidualOfFormMm = 0.15;  // root mean square; more says that the field is not of this form
 constexpr double kLeastScatter =
     0.5;                             // of chi2: errors of the chart are alike from dot to dot and leave small residuals
 constexpr double kFirstSdMm = 0.15;  // before there are residuals
@@ -380,7 +380,7 @@ FieldCovariance covarianceOf(std::span<const FieldDatum> data, std::span<const d
   information /= std::max(chi2 / freedom, kLeastScatter);
   information += normal.prior + 1e-12 * FieldCovariance::Identity();
   const double mean_square = squares / static_cast<double>(std::max<std::size_t>(1, data.size()));
-  const double misfit = std::max(1.0, mean_square / (kUsualResidualMm * kUsualResidualMm));
+  const double misfit = std::max(1.0, mean_square / (kResidualOfFormMm * kResidualOfFormMm));
   return misfit * information.ldlt().solve(FieldCovariance::Identity());
 }
 

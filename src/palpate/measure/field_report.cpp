@@ -16,7 +16,7 @@ namespace palpate::measure {
 
 namespace {
 
-constexpr int kDraws = 300;
+constexpr int kDrawsOfFit = 300;
 constexpr int kRaysOfDraw = 24;
 constexpr int kRootSteps = 12;
 constexpr std::uint64_t kSeed = 20080611;  // of the draws: any, but always the same
@@ -100,7 +100,7 @@ std::vector<Reported> drawsOf(const FittedField& fitted, const Mat2& mean_to_ski
   const Eigen::LLT<FieldCovariance> root(fitted.covariance);
   if (root.info() != Eigen::Success) return draws;
   Random random(kSeed);
-  for (int i = 0; i < kDraws; ++i) {
+  for (int i = 0; i < kDrawsOfFit; ++i) {
     FieldNumbers normal;
     for (int j = 0; j < kFieldUnknowns; ++j) normal[j] = random.normal();
     const FieldNumbers numbers = fitted.numbers + root.matrixL() * normal;

@@ -15,7 +15,7 @@ namespace palpate::measure {
 namespace {
 
 enum : std::uint16_t {
-  kOrientation = 0x0112,
+  kOrientationTag = 0x0112,
   kDateTime = 0x0132,
   kExifDirectory = 0x8769,
   kDateTimeOriginal = 0x9003,
@@ -85,7 +85,7 @@ std::string wordsOf(double seconds) {
 
 Exif readExif(const TiffDirectory& first, std::string_view block, bool big_endian) {
   Exif exif;
-  const std::uint32_t orientation = first.number(kOrientation).value_or(1);
+  const std::uint32_t orientation = first.number(kOrientationTag).value_or(1);
   if (orientation >= 1 && orientation <= 8) exif.orientation = static_cast<int>(orientation);
   const TiffDirectory details(block, big_endian, first.number(kExifDirectory).value_or(0));
   exif.taken_at_s = secondsOf(details.text(kDateTimeOriginal), details.text(kFractionsOriginal));
@@ -110,7 +110,7 @@ std::string exifBlock(double taken_at_s) {
   const auto letters = static_cast<std::uint32_t>(time.size());
   std::string block = std::string("II*\0", 4) + little(8, 4);
   block +=
-      little(2, 2) + tagBytes(kOrientation, 3, 1, little(1, 4)) + tagBytes(kExifDirectory, 4, 1, little(kDetailsAt, 4));
+      little(2, 2) + tagBytes(kOrientationTag, 3, 1, little(1, 4)) + tagBytes(kExifDirectory, 4, 1, little(kDetailsAt, 4));
   block += little(0, 4);
   block += little(2, 2) + tagBytes(kDateTimeOriginal, 2, letters, little(kTextAt, 4)) +
            tagBytes(kFractionsOriginal, 2, static_cast<std::uint32_t>(fractions.size()), fractions);

@@ -17,7 +17,7 @@ namespace {
 constexpr std::string_view kHeader = "picture,x_px,y_px";
 constexpr std::string_view kArea = "area_px";
 constexpr std::size_t kFields = 3;
-constexpr std::uint64_t kMostBytes = 16'000'000;
+constexpr std::uint64_t kMostTableBytes = 16'000'000;
 // No camera has more pixels in a row.
 constexpr NumberRange kPlacesPx{-1e5, 1e5};
 constexpr NumberRange kAreasPx{0.0, 1e9};
@@ -59,7 +59,7 @@ void addRow(const CsvRow& row, bool has_area, DotPair& pair) {
 }  // namespace
 
 DotPair readDotTable(const std::filesystem::path& file) {
-  return parseDotTable(readFile(file, kMostBytes), file.string());
+  return parseDotTable(readFile(file, kMostTableBytes), file.string());
 }
 
 DotPair parseDotTable(std::string_view text, std::string_view file) {
