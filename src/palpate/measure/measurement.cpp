@@ -162,11 +162,10 @@ class DotPairReading {
     double weights = 0.0;
     Vec2 place_px = Vec2::Zero();
     // The picture place of a site: the neighbour's, a step on along the chart.
-    for (std::size_t i = 0; i < m_.grid.dots.size(); ++i) {
-      const GridSite site = m_.grid.dots[i].site;
+    for (const auto& [site, dot] : m_.grid.dots) {
       if (std::abs(site.column - column) > 1 || std::abs(site.row - row) > 1) continue;
-      const Mat2 to_px = m_.chart->jacobianAt(m_.grid.dots[i].dot.place_px).inverse();
-      place_px += m_.grid.dots[i].dot.place_px + to_px * skinStep(column - site.column, row - site.row);
+      const Mat2 to_px = m_.chart->jacobianAt(dot.place_px).inverse();
+      place_px += dot.place_px + to_px * skinStep(column - site.column, row - site.row);
       weights += 1.0;
     }
     place_px /= weights;
