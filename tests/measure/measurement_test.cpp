@@ -45,6 +45,13 @@ TEST(Measurement, ReportsDotsUnderTheHandAndDoesNotGuessThem) {
   EXPECT_EQ(std::count_if(m.dots.begin(), m.dots.end(), [](const MeasuredDot& d) { return !d.after_px; }), 4);
 }
 
+TEST(Measurement, DoesNotGoByADotThatIsHalfCovered) {
+  DotPair pair = drawnDots({}, drag(18.0, 80.0, 70.0, 0.0), 0.05);
+  pair.after[33].area_px *= 0.5;  // and its middle is no longer where its ink is
+  pair.after[33].place_px.x() += 3.0;
+  EXPECT_EQ(measureDots(pair).matched, 119u);
+}
+
 TEST(Measurement, RefusesFewDots) {
   const Measurement m = measureDots(drawnDots({.columns = 5, .rows = 5}, drag(15.0, 60.0, 50.0, 0.0)));
   EXPECT_TRUE(says(m.findings, "few_dots"));
