@@ -86,7 +86,8 @@ struct Unit {
 };
 
 Unit unitOf(const std::vector<const PressRow*>& presses) {
-  const bool all_stated = std::ranges::all_of(presses, [](const PressRow* p) { return statedCovariance(*p).has_value(); });
+  const bool all_stated =
+      std::ranges::all_of(presses, [](const PressRow* p) { return statedCovariance(*p).has_value(); });
   Unit unit;
   double weights = 0.0;
   const auto n = static_cast<double>(presses.size());

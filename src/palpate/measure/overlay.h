@@ -1,5 +1,5 @@
-// What is drawn over the pictures of a measurement, as plain lines, marks and words: the command paints it with cairo, the
-// window with its own lists, both the same.
+// What is drawn over the pictures of a measurement, as plain lines, marks and words: the command paints it with cairo,
+// the window with its own lists, both the same.
 //
 //   Measurement ─ overlayOf ─► Overlay (three panels, places in px of the pictures)
 #pragma once
@@ -67,10 +67,10 @@ struct OverlayPanel {
 };
 
 struct Overlay {
-  std::vector<OverlayPanel> panels;    ///< before: the grid; after: matched and hidden; displacement and ellipse
-  std::string verdict;                 ///< one line: accepted with the numbers, or refused
+  std::vector<OverlayPanel> panels;  ///< before: the grid; after: matched and hidden; displacement and ellipse
+  std::string verdict;               ///< one line: accepted with the numbers, or refused
   bool accepted = false;
-  std::vector<std::string> findings;   ///< a line each, with "refused:" or "warning:" before
+  std::vector<std::string> findings;  ///< a line each, with "refused:" or "warning:" before
 };
 
 /// `arrow_scale`: how much longer than the true motion arrows are drawn.

@@ -36,7 +36,8 @@ struct Photograph {
 Photograph readPhotograph(const std::filesystem::path& file);
 Photograph decodePhotograph(std::span<const std::byte> bytes, std::string_view name);
 
-/// The same picture with fewer pixels, each the mean of those that it takes the place of; as it is where it is no wider.
+/// The same picture with fewer pixels, each the mean of those that it takes the place of; as it is where it is no
+/// wider.
 Photograph reducedTo(const Photograph& picture, int width_px);
 
 /// As PNG or JPEG (quality 90), by the name's extension; through the one checked writer. Throws Error.

@@ -62,8 +62,8 @@ class PressColumns {
   PressRow pressOf(const CsvRow& row) const {
     tissue::checkFields(row, count_);
     PressRow press{.point = std::string(row.fields[name_]),
-                .place_mm = {csvNumber(row, x_, "x_mm", kPlacesMm), csvNumber(row, y_, "y_mm", kPlacesMm)},
-                .direction_deg = csvNumber(row, direction_, "direction_deg", kDegrees)};
+                   .place_mm = {csvNumber(row, x_, "x_mm", kPlacesMm), csvNumber(row, y_, "y_mm", kPlacesMm)},
+                   .direction_deg = csvNumber(row, direction_, "direction_deg", kDegrees)};
     if (press.point.empty()) throw Error::atLine(row.file, row.line, "the point has no name");
     readSize(row, press);
     if (subject_) press.subject = row.fields[*subject_];

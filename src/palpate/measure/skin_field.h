@@ -13,7 +13,8 @@
 namespace palpate::measure {
 
 /// u(x) = peak (1 + rho^2 / P)^-P + drift, rho^2 = (x - contact)' W (x - contact), ln W = the three numbers of
-/// log_shape; and with kappa: peak becomes peak + kappa rho^2 / (1 + rho^2) (e . peak) e, e = (x - contact) / |x - contact|.
+/// log_shape; and with kappa: peak becomes peak + kappa rho^2 / (1 + rho^2) (e . peak) e, e = (x - contact) / |x -
+/// contact|.
 struct SkinField {
   Vec2 contact_mm = Vec2::Zero();
   Vec3 log_shape = Vec3::Zero();  ///< xx, xy, yy of the logarithm of W; W in 1/mm^2

@@ -109,8 +109,8 @@ std::string exifBlock(double taken_at_s) {
   constexpr std::uint32_t kTextAt = kDetailsAt + 2 + 2 * 12 + 4;
   const auto letters = static_cast<std::uint32_t>(time.size());
   std::string block = std::string("II*\0", 4) + little(8, 4);
-  block +=
-      little(2, 2) + tagBytes(kOrientationTag, 3, 1, little(1, 4)) + tagBytes(kExifDirectory, 4, 1, little(kDetailsAt, 4));
+  block += little(2, 2) + tagBytes(kOrientationTag, 3, 1, little(1, 4)) +
+           tagBytes(kExifDirectory, 4, 1, little(kDetailsAt, 4));
   block += little(0, 4);
   block += little(2, 2) + tagBytes(kDateTimeOriginal, 2, letters, little(kTextAt, 4)) +
            tagBytes(kFractionsOriginal, 2, static_cast<std::uint32_t>(fractions.size()), fractions);
