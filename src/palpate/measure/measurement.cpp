@@ -45,6 +45,15 @@ PictureScale pictureScaleOf(const DotGrid& grid, double spacing_mm) {
   return scale;
 }
 
+/// A place of the first picture as the fit sees it, nothing moved yet.
+FieldDatum datumAt(const SkinChart& chart, const PictureScale& scale, const Vec2& place_px) {
+  FieldDatum datum;
+  datum.skin_mm = chart.skinAt(place_px);
+  datum.picture_mm = (place_px - scale.centre_px) / scale.px_per_mm;
+  datum.to_skin = chart.jacobianAt(place_px) * scale.px_per_mm;
+  return datum;
+}
+
 /// The pipeline from marks to findings, over one Measurement.
 class DotPairReading {
  public:
@@ -53,13 +62,7 @@ class DotPairReading {
         after_(after),
         scale_(pictureScaleOf(m_.grid, m_.settings.spacing_mm)),
         prior_(driftPriorOf(m_.settings.drift_mm)) {
-    for (const GridDot& dot : m_.grid.dots) {
-      FieldDatum datum;
-      datum.skin_mm = m_.chart->skinAt(dot.dot.place_px);
-      datum.picture_mm = (dot.dot.place_px - scale_.centre_px) / scale_.px_per_mm;
-      datum.to_skin = m_.chart->jacobianAt(dot.dot.place_px) * scale_.px_per_mm;
-      data_.push_back(datum);
-    }
+    for (const GridDot& dot : m_.grid.dots) data_.push_back(datumAt(*m_.chart, scale_, dot.dot.place_px));
   }
 
   void measure(const Progress& progress) {
@@ -158,7 +161,6 @@ class DotPairReading {
 
   /// A site without a dot, as its neighbours have it.
   FieldDatum skinOfSite(int column, int row) const {
-    FieldDatum datum;
     double weights = 0.0;
     Vec2 place_px = Vec2::Zero();
     // The picture place of a site: the neighbour's, a step on along the chart.
@@ -168,27 +170,12 @@ class DotPairReading {
       place_px += dot.place_px + to_px * skinStep(column - site.column, row - site.row);
       weights += 1.0;
     }
-    place_px /= weights;
-    datum.skin_mm = m_.chart->skinAt(place_px);
-    datum.picture_mm = (place_px - scale_.centre_px) / scale_.px_per_mm;
-    datum.to_skin = m_.chart->jacobianAt(place_px) * scale_.px_per_mm;
-    return datum;
+    return datumAt(*m_.chart, scale_, place_px / weights);
   }
 
   /// So many columns and rows, on the skin.
   Vec2 skinStep(int columns, int rows) const {
-    const Vec2 step = m_.settings.spacing_mm * Vec2(columns, rows);
-    switch (m_.settings.head) {
-      case HeadTowards::left:
-        return {step.y(), -step.x()};
-      case HeadTowards::bottom:
-        return -step;
-      case HeadTowards::right:
-        return {-step.y(), step.x()};
-      case HeadTowards::top:
-        break;
-    }
-    return step;
+    return m_.settings.spacing_mm * headUp(Vec2(columns, rows), m_.settings.head);
   }
 
   void describe() {
@@ -322,9 +309,9 @@ std::optional<double> nullDrift(const Photograph& first, const Photograph& secon
   std::vector<FieldDatum> data;
   for (std::size_t i = 0; i < m.grid.dots.size(); ++i) {
     if (!match.of[i]) continue;
-    const Vec2 place = m.grid.dots[i].dot.place_px;
-    data.push_back({m.chart->skinAt(place), m.chart->skinAt(after.dots[*match.of[i]].place_px) - m.chart->skinAt(place),
-                    (place - scale.centre_px) / scale.px_per_mm, m.chart->jacobianAt(place) * scale.px_per_mm});
+    FieldDatum datum = datumAt(*m.chart, scale, m.grid.dots[i].dot.place_px);
+    datum.moved_mm = m.chart->skinAt(after.dots[*match.of[i]].place_px) - datum.skin_mm;
+    data.push_back(datum);
   }
   constexpr double kAnyDriftMm = 20.0;  // nothing else moves here: the dots alone say it
   return fitDrift(data, driftPriorOf(kAnyDriftMm)).head<2>().norm();

@@ -21,17 +21,15 @@ constexpr double kSmoothing = 0.3;
 constexpr std::size_t kLeastDots = 6;
 constexpr int kInverseSteps = 20;
 
-/// From column and row in the picture to the skin's x and y, both in sites.
-Vec2 turned(const GridSite& site, HeadTowards head) {
-  const Vec2 place(site.column, site.row);
+}  // namespace
+
+Vec2 headUp(const Vec2& in_picture, HeadTowards head) {
   Vec2 headwards = Vec2::UnitY();
   if (head == HeadTowards::left) headwards = -Vec2::UnitX();
   if (head == HeadTowards::bottom) headwards = -Vec2::UnitY();
   if (head == HeadTowards::right) headwards = Vec2::UnitX();
-  return {place.dot(Vec2(headwards.y(), -headwards.x())), place.dot(headwards)};
+  return {in_picture.dot(Vec2(headwards.y(), -headwards.x())), in_picture.dot(headwards)};
 }
-
-}  // namespace
 
 struct SkinChart::Parts {
   ThinPlate plate;
@@ -46,7 +44,7 @@ SkinChart::SkinChart(const DotGrid& grid, double spacing_mm, HeadTowards head) {
   std::vector<Vec2> values;
   std::set<std::pair<int, int>> sites;
   for (const GridDot& dot : grid.dots) {
-    const Vec2 site = turned(dot.site, head);
+    const Vec2 site = headUp(Vec2(dot.site.column, dot.site.row), head);
     sites.emplace(static_cast<int>(site.x()), static_cast<int>(site.y()));
     knots.push_back(dot.dot.place_px);
     values.emplace_back(spacing_mm * site);

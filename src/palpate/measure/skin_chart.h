@@ -13,6 +13,9 @@
 
 namespace palpate::measure {
 
+/// A step that is right and up in the picture, as right and headwards on the skin.
+Vec2 headUp(const Vec2& in_picture, HeadTowards head);
+
 class SkinChart {
  public:
   /// Needs at least 6 dots that are not in one line (throws Error). `turns`: quarter turns from picture to head up.
