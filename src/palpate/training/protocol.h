@@ -1,0 +1,72 @@
+// What is trained and tested, as plain settings: the sites, the hidden dysfunction, and a block's settings for each
+// kind of sitting. From a TOML file or built in (`protocolNamed`).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "palpate/base/words.h"
+#include "palpate/training/block.h"
+#include "palpate/training/exploration.h"
+
+namespace palpate::training {
+
+enum class SittingKind : std::uint8_t { practice, mastery, pre_test, post_test, exam, retention, free };
+
+/// The hidden dysfunction apart from its change.
+struct HiddenPlace {
+  double radius_mm = 18.0;
+  double edge_softness = 0.5;
+  double depth_mm = 0.0;              ///< how deep it lies: felt only by a press that goes deeper; 0: at the skin
+  double bony_displacement_mm = 0.0;  ///< the skin over it is raised (or sunk) by this; 0: not
+};
+
+struct SittingSettings {
+  BlockSettings block;
+  bool feedback = false;           ///< right or wrong after each answer, and the true site may be felt
+  double limit_s = 45.0;           ///< for a trial; 0: none
+  bool all_sites = true;           ///< every site must be felt before an answer counts as explored; else flagged
+  bool natural_stiffness = false;  ///< the body's own stiffness map; else the same everywhere, as for measurement
+};
+
+struct Protocol {
+  std::string id = "vhb";
+  int version = 1;
+  std::string title;
+  std::vector<std::string> sites;  ///< places in words; empty: the twelve
+  double base_n_per_mm = 0.4;      ///< of the uniform tissue that tests are made on
+  HiddenPlace hidden;
+  ExplorationSettings exploration;
+  double break_after_min = 15.0;  ///< a block is offered to be put down after this long; 0: never
+  double least_days_to_retention = 7.0;
+  SittingSettings practice, mastery, pre_test, post_test, exam, retention;
+};
+
+/// free: that of practice.
+const SittingSettings& settingsOf(const Protocol& protocol, SittingKind kind);
+
+/// As documented: practice 2-down-1-up from 50 %, blocks of 20; tests marginal psi, 40 trials; examination sequential
+/// at 20 %.
+Protocol builtInProtocol();
+/// "vhb" or a file. Throws Error with the line for what is no such file, an unknown key, a value out of range.
+Protocol protocolNamed(const std::string& name_or_file);
+Protocol parseProtocol(std::string_view text, std::string_view file);
+/// With explanations; parseProtocol gives the same settings back.
+std::string protocolText(const Protocol& protocol);
+/// Of protocolText, without its comments' whims: the settings, hashed (SHA-256, hex).
+std::string protocolSha256(const Protocol& protocol);
+
+}  // namespace palpate::training
+
+template <>
+struct palpate::WordsOf<palpate::training::SittingKind> {
+  using V = palpate::training::SittingKind;
+  static constexpr std::array kAll = {Word{"practice", V::practice}, Word{"mastery", V::mastery},
+                                      Word{"pre_test", V::pre_test}, Word{"post_test", V::post_test},
+                                      Word{"exam", V::exam},         Word{"retention", V::retention},
+                                      Word{"free", V::free}};
+};

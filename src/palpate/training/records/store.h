@@ -1,0 +1,79 @@
+// The record of a station: an SQLite file that holds every trainee, sitting, block and trial, and the outbox of what a
+// class has not acknowledged yet. What `keep` returned from is on the disk, whatever happens next.
+//
+//   Sitting::takeRows ─ keep ─► NAME.results ─► reports, exports, outbox ─► class (room `classroom`)
+//
+// STRICT tables, WAL, synchronous FULL, foreign keys. One thread at a time; any number of processes.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "palpate/training/records/rows.h"
+
+namespace palpate::training {
+
+/// A row as it goes over the wire, and under which number it waits.
+struct OutboxEntry {
+  std::int64_t number = 0;
+  std::string kind;  ///< the table: "session", "block", "trial", "event", ...
+  Uuid row;
+  std::string body;  ///< JSON (row_json.h)
+};
+
+class Store {
+ public:
+  enum class Open { existing, create_too, read_only };
+  /// Brings an older schema forward, inside one transaction. Throws Error for what is no such file, or of a newer
+  /// schema.
+  Store(const std::filesystem::path& file, Open how);
+  ~Store();
+  Store(Store&&) noexcept;
+
+  // Each is one transaction, durable on return. Rows that are there already are brought up to date (by id). Throws
+  // Error.
+  void keep(const StationRow& row);
+  void keep(const ClassRow& row);
+  void keep(const TraineeRow& row);
+  void keep(const ProtocolRow& row);
+  void keep(std::span<const Row> rows);
+
+  // Reading; in the order of their times.
+  std::vector<StationRow> stations();
+  std::vector<ClassRow> classes();
+  std::vector<TraineeRow> trainees();
+  std::optional<TraineeRow> trainee(const Uuid& id);
+  std::vector<ProtocolRow> protocols();
+  std::vector<SittingRow> sittings(const Uuid& trainee = {});  ///< empty: of all
+  std::vector<BlockRow> blocks(const Uuid& sitting);
+  std::vector<TrialRow> trials(const Uuid& block);  ///< with their visits
+  std::vector<EventRow> events(const Uuid& sitting);
+
+  /// The newest block of this kind that was interrupted, with its sitting; nothing: none.
+  struct Interrupted {
+    SittingRow sitting;
+    BlockRow block;
+  };
+  std::optional<Interrupted> interrupted(const Uuid& trainee, SittingKind kind);
+  /// The newest finished block that measured a threshold (tests, examination, retention).
+  std::optional<BlockRow> lastMeasured(const Uuid& trainee);
+
+  // The outbox: filled by `keep` once a class is joined.
+  void fillOutbox(bool on);
+  std::vector<OutboxEntry> waiting(std::size_t most);  ///< oldest first
+  void acknowledged(std::span<const Uuid> rows);       ///< away with them, durable
+  std::size_t waitingCount();
+
+  const std::filesystem::path& file() const;
+  std::filesystem::path folder() const;  ///< of the file: session files lie in it
+
+ private:
+  struct Tables;
+  std::unique_ptr<Tables> tables_;
+};
+
+}  // namespace palpate::training

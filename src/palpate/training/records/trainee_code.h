@@ -1,0 +1,30 @@
+// What a trainee types to sign in, and the pseudonym that it stands for: any station makes the same of the same code,
+// so nobody has to carry a list from one to the other. Whoever has the code has the pseudonym; names stay outside.
+//
+//   "7Q2MK-9DXP4" ─ pseudonymOf ─► UUID version 8: 122 bits of SHA-256 of class and code
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "palpate/training/records/rows.h"
+
+namespace palpate::training {
+
+/// Nine random letters and digits of Crockford's alphabet (45 bits) and one that checks them.
+std::string codeOf(std::uint64_t random_bits);
+/// As it is written on a card, whatever was typed (lower case, O for 0, blanks); nothing: a typing error, or no code.
+std::optional<std::string> codeTyped(std::string_view typed);
+Uuid pseudonymOf(std::string_view class_id, std::string_view code);
+
+/// UUID version 7. `random` may be anything that does not repeat.
+Uuid uuidOf(std::int64_t unix_ms, const std::array<std::uint64_t, 2>& random);
+
+/// 128 bits of the system's own randomness. Throws Error.
+std::array<std::uint64_t, 2> systemRandom();
+std::int64_t utcMs();
+
+}  // namespace palpate::training

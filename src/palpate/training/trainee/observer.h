@@ -1,0 +1,38 @@
+// How a simulated trainee decides: it feels each site's stiffness with noise in proportion to it (Weber) and names the
+// one that felt stiffest; now and then it does not care (lapse), and it may leave sites out.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "palpate/base/random.h"
+#include "palpate/training/stimulus.h"
+
+namespace palpate::training {
+
+struct ObserverSettings {
+  /// Its threshold T among twelve sites, as a declared change; learns towards `weber_end` with `learning_blocks`.
+  double weber = 0.2;
+  double weber_end = 0.0;  ///< 0: does not learn
+  double learning_blocks = 3.0;
+  double lapse = 0.02;
+  int sites = 12;  ///< of the sites are searched, the same in a trial, drawn anew in each
+  std::uint64_t seed = 1;
+  // How it presses.
+  double press_n = 1.5;
+  double press_s = 0.5;
+};
+
+/// "weber=0.2,lapse=0.02,sites=12": keys as above. Throws Error naming the key, with the nearest.
+ObserverSettings observerNamed(std::string_view words);
+
+/// The threshold before the block number `block` (from 0).
+double weberNow(const ObserverSettings& settings, int block);
+
+/// Picks among the sites that were felt: each has a felt stiffness ratio (1: base).
+int decide(std::span<const int> felt_sites, std::span<const double> felt_ratio, const ObserverSettings& settings,
+           int block, int all_sites, Random& random);
+
+}  // namespace palpate::training

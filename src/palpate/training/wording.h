@@ -1,0 +1,29 @@
+// What people read and hear: one place for every sentence, at most 12 words each, no blame, no numbers in a test.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "palpate/training/protocol.h"
+
+namespace palpate::training {
+
+/// What is told at the end of a measuring block, and of the one before it.
+struct ShownThreshold {
+  double median = 0.0, low = 0.0, high = 0.0;
+};
+
+std::string greeting(SittingKind kind);  ///< "Practice: you will hear whether you were right."
+std::string instruction(const Protocol& protocol,
+                        SittingKind kind);      ///< "One of the twelve places is stiffer. Press each, then answer."
+std::string familiarisation(const Site& site);  ///< "Site 4, left, is much stiffer. Feel it now."
+std::string rightAnswer(const Site& site);      ///< "Correct. Site 4, left."
+std::string wrongAnswer(const Site& site);      ///< "It was site 9, right. Feel it now; press Next when ready."
+std::string timeIsUp(bool feedback, const Site& site);
+std::string answerSaved();               ///< tests
+std::string notPressedYet(int missing);  ///< "Two places were not pressed yet."
+std::string blockSummary(const BlockResult& result, SittingKind kind, const std::optional<ShownThreshold>& before);
+std::string numberInWords(int number);  ///< "two"; digits above twelve
+
+}  // namespace palpate::training
