@@ -19,10 +19,13 @@ enum class SittingKind : std::uint8_t { practice, mastery, pre_test, post_test, 
 
 /// The hidden dysfunction apart from its change.
 struct HiddenPlace {
-  double radius_mm = 18.0;
-  double edge_softness = 0.5;
-  double depth_mm = 0.0;              ///< how deep it lies: felt only by a press that goes deeper; 0: at the skin
-  double bony_displacement_mm = 0.0;  ///< the skin over it is raised (or sunk) by this; 0: not
+  double radius_mm = 22.0;
+  double edge_softness = 0.4;
+  /// How deep it lies. What reaches a finger on the skin is weaker by 1 / (1 + (depth / radius)^2), and wider.
+  double depth_mm = 0.0;
+  /// The bone under it stands so much nearer to the skin: stiffer by the depth law, besides the change. 0: as ever.
+  double bony_displacement_mm = 0.0;
+  friend bool operator==(const HiddenPlace&, const HiddenPlace&) = default;
 };
 
 struct SittingSettings {
@@ -38,7 +41,7 @@ struct Protocol {
   int version = 1;
   std::string title;
   std::vector<std::string> sites;  ///< places in words; empty: the twelve
-  double base_n_per_mm = 0.4;      ///< of the uniform tissue that tests are made on
+  double base_n_per_mm = 0.3;      ///< of the uniform tissue that tests are made on
   HiddenPlace hidden;
   ExplorationSettings exploration;
   double break_after_min = 15.0;  ///< a block is offered to be put down after this long; 0: never

@@ -83,6 +83,7 @@ struct BlockRow {
 struct TrialRow {
   Uuid id;
   Uuid block;
+  Uuid sitting;    ///< in whose session file it lies: a block may be taken up again in a later sitting
   int number = 0;  ///< in the block, from 1
   std::int64_t start_ms = 0, end_ms = 0;
   double seconds = 0.0;  ///< without pauses
