@@ -1,0 +1,59 @@
+// What `palpate train` was asked for: the same for the window and for a simulated trainee (trainee_run.h).
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "palpate/scene/scene.h"
+#include "palpate/training/protocol.h"
+
+namespace CLI {
+class App;
+}
+
+namespace palpate::app {
+
+struct TrainOptions {
+  std::string scene;             ///< scene or mesh file; empty: the built-in torso
+  std::string records;           ///< file of results; empty: recordsFile()
+  std::string protocol = "vhb";  ///< built in, or a file
+  std::string kind;              ///< what is done, as WordsOf<SittingKind> spells it with hyphens; empty: chosen
+  std::string class_id;          ///< empty: none
+  std::string code;              ///< signs in at once; empty: typed (a simulated trainee: made up from its seed)
+  std::vector<std::string> devices;
+  std::string thimble;                ///< recorded with the device: "rigid", "soft", "none"; empty: asked for
+  std::optional<std::uint64_t> seed;  ///< nothing: the system's randomness
+  std::string trainee;                ///< words of a simulated trainee (observerNamed); empty: a person at the window
+  int sittings = 1;                   ///< of a simulated trainee, one after the other
+  std::string out;                    ///< a simulated trainee: what it did, as a file; the window: folder for pictures
+  bool json = false;
+  bool no_session_file = false;  ///< trials are not kept tick by tick
+
+  // Of the window.
+  std::string play;
+  std::uint64_t frames = 0;
+  int width = 0;
+  int height = 0;
+  bool full_screen = false;
+  bool no_state = false;
+  bool no_speech = false;
+  bool verbose = false;
+  std::string screens;  ///< folder for a picture of every screen; empty: a window is opened
+};
+
+void addTrainOptions(CLI::App& command, TrainOptions& options);
+
+/// The file of results that is used when none is named: in the user's own folder for such things. Throws Error without
+/// a home.
+std::filesystem::path recordsFile(const TrainOptions& options);
+
+/// The scene that is felt, apart from what a trial hides in it. Throws Error.
+scene::Scene sceneToTrainOn(const TrainOptions& options);
+
+/// The kind that was asked for by name, if one was.
+std::optional<training::SittingKind> kindAskedFor(const TrainOptions& options);
+
+}  // namespace palpate::app
