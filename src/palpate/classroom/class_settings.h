@@ -1,0 +1,63 @@
+// Which class a program takes part in, and as whom: the folders that `palpate class init` made (class_folder.h), read
+// and checked.
+//
+//   DIR/stations/s01/station.toml ─ readMember ─► Member ─► StationLink, Collector, ClassWatch
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "palpate/base/words.h"
+#include "palpate/training/records/rows.h"
+
+namespace palpate::classroom {
+
+/// What a certificate is for; the broker's access list gives each its topics.
+enum class Role : std::uint8_t {
+  station,     ///< publishes under its own name, hears its own commands and acknowledgements
+  instructor,  ///< reads all, writes commands
+  ingest,      ///< reads rows, writes acknowledgements
+};
+
+inline constexpr int kStandardPort = 8883;  // MQTT over TLS, as registered
+
+/// One who takes part.
+struct Member {
+  Role role = Role::station;
+  std::string class_id;       ///< "osteo-1"
+  std::string name;           ///< in topics and as the certificate's subject: "s01"; "instructor", "ingest"
+  training::Uuid station_id;  ///< of its rows (training::StationRow::id); empty for the other roles
+  std::string host = "localhost";
+  int port = kStandardPort;
+  // Absolute, once read.
+  std::filesystem::path authority;    ///< ca.crt: who signed the broker's certificate
+  std::filesystem::path certificate;  ///< of this member
+  std::filesystem::path key;          ///< its private key; nobody else may read it
+  friend bool operator==(const Member&, const Member&) = default;
+};
+
+/// The file, or the folder that holds `station.toml`, `instructor.toml` or `ingest.toml`. Throws Error with the line
+/// for an unknown key or a value that makes no sense, and for a certificate or key that is not there.
+Member readMember(const std::filesystem::path& file_or_folder);
+Member parseMember(std::string_view text, const std::filesystem::path& file);
+/// With explanations; parseMember gives the same back. Files are named relative to the folder of the text's own.
+std::string memberText(const Member& member);
+
+/// A word that may stand in a topic and in a certificate: lower-case letters, digits and hyphens, at most 32.
+bool isClassWord(std::string_view text);
+/// Of a station: a class word, and none of the roles'.
+bool isStationName(std::string_view text);
+
+/// Any computer makes the same of the same names.
+training::Uuid stationIdOf(std::string_view class_id, std::string_view station);
+
+}  // namespace palpate::classroom
+
+template <>
+struct palpate::WordsOf<palpate::classroom::Role> {
+  using V = palpate::classroom::Role;
+  static constexpr std::array kAll = {Word{"station", V::station}, Word{"instructor", V::instructor},
+                                      Word{"ingest", V::ingest}};
+};

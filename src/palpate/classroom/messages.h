@@ -1,0 +1,146 @@
+// What travels through a class: topics and messages, written and read. Nothing that arrives is believed: whatever is
+// not exactly a message of this kind is no message.
+//
+//   palpate/v1/<class>/st/<station>/
+//     status   retained, last will "offline"     state    retained, cleared at sign-off     live   10 Hz, QoS 0
+//     session, block, trial, event, ...: rows of the outbox, QoS 1 (training/records/row_json.h)
+//     ack      collector -> station: what is in the database         cmd   instructor -> station
+//
+// Each message has the station's sequence number, a UUID and the station's monotonic time. Live messages have at most
+// 200 bytes, the others 4 kB; a row that is longer travels compressed.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "palpate/base/vec.h"
+#include "palpate/base/words.h"
+#include "palpate/training/protocol.h"
+#include "palpate/training/records/rows.h"
+#include "palpate/training/sitting.h"
+
+namespace palpate::classroom {
+
+inline constexpr std::size_t kMostLiveBytes = 200;
+inline constexpr std::size_t kMostMessageBytes = 4096;
+
+struct Topic {
+  std::string class_id;
+  std::string station;
+  std::string kind;  ///< "live", "trial", "ack", ...
+};
+std::string topicText(const Topic& topic);
+/// Nothing for what is no topic of a class.
+std::optional<Topic> parseTopic(std::string_view text);
+/// Kinds that carry rows: "station", "class", "trainee", "protocol", "session", "block", "trial", "event", "delete".
+bool isRowKind(std::string_view kind);
+
+struct Envelope {
+  std::uint64_t sequence = 0;  ///< counts the station's messages since it started
+  training::Uuid id;           ///< of a row; else of the sitting at hand
+  double monotonic_s = 0.0;    ///< the station's own clock: its differences mean something
+};
+
+/// What a station is, as long as it is there.
+struct StationStatus {
+  bool online = false;
+  std::string app;     ///< "palpate 0.9"
+  std::string device;  ///< "mouse"; as the sitting has it
+  std::string safety;  ///< "ok", or what stopped it
+  friend bool operator==(const StationStatus&, const StationStatus&) = default;
+};
+
+/// What happens at a station now, as its instructor sees it; never shown at the station.
+struct StationState {
+  training::Uuid sitting;
+  training::Uuid trainee;  ///< the pseudonym
+  training::SittingKind kind = training::SittingKind::practice;
+  training::Screen screen = training::Screen::device_check;
+  bool paused = false;
+  int trial = 0;  ///< at hand; 0: none
+  int trials_at_most = 0;
+  double change = 0.0;  ///< at hand; 0: none, or hidden until the answer
+  // T so far; 0: nothing is known yet.
+  double threshold = 0.0, low = 0.0, high = 0.0;
+  int wrong_in_a_row = 0;      ///< answers
+  int sites_skipped = 0;       ///< in the last trial that was answered
+  double palpate_force_n = 0;  ///< mean, of that trial; 0: none yet
+  friend bool operator==(const StationState&, const StationState&) = default;
+};
+/// Of a sitting: all of the above.
+StationState stateOf(const training::Sitting& sitting);
+
+/// The finger that presses hardest, ten times a second.
+struct LiveSample {
+  Vec3 finger_mm = Vec3::Zero();
+  double force_n = 0.0;
+  double depth_mm = 0.0;
+  int site = 0;           ///< under it; 0: none
+  int sites_pressed = 0;  ///< in this trial
+  training::Screen phase = training::Screen::trial;
+};
+
+enum class CommandKind : std::uint8_t {
+  pause,       ///< the trial's clock stands still
+  go_on,       ///< after a pause
+  message,     ///< words for the trainee
+  next_block,  ///< put this block down and begin the next
+};
+/// What an instructor may ask of a station. There is none that touches force or device.
+struct Command {
+  CommandKind kind = CommandKind::pause;
+  std::string text;  ///< of a message, at most 200 bytes
+  friend bool operator==(const Command&, const Command&) = default;
+};
+/// A command that is older is not obeyed: whoever sent it has seen that nothing happened.
+inline constexpr double kCommandExpiryS = 10.0;
+inline constexpr std::size_t kMostCommandText = 200;
+
+struct RowMessage {
+  Envelope envelope;  ///< `id`: the outbox key, which the acknowledgement names
+  std::string body;   ///< JSON of the row; not yet read
+};
+
+template <class Content>
+struct Message {
+  Envelope envelope;
+  Content content;
+};
+
+// Writing: one line of JSON.
+std::string statusText(const Envelope& envelope, const StationStatus& status);
+std::string stateText(const Envelope& envelope, const StationState& state);
+std::string liveText(const Envelope& envelope, const LiveSample& live);
+std::string rowText(const Envelope& envelope, const std::string& body);
+std::string commandText(const Envelope& envelope, const Command& command);
+/// As many messages as are needed to keep each within its size.
+std::vector<std::string> ackTexts(const Envelope& envelope, const std::vector<training::Uuid>& keys);
+
+// Reading; nothing for what is no such message.
+std::optional<Message<StationStatus>> parseStatus(std::string_view text);
+std::optional<Message<StationState>> parseState(std::string_view text);
+std::optional<Message<LiveSample>> parseLive(std::string_view text);
+std::optional<RowMessage> parseRowMessage(std::string_view text);
+std::optional<Message<Command>> parseCommand(std::string_view text);
+std::optional<std::vector<training::Uuid>> parseAck(std::string_view text);
+
+}  // namespace palpate::classroom
+
+template <>
+struct palpate::WordsOf<palpate::training::Screen> {
+  using V = palpate::training::Screen;
+  static constexpr std::array kAll = {
+      Word{"device_check", V::device_check}, Word{"familiarisation", V::familiarisation},
+      Word{"instruction", V::instruction},   Word{"trial", V::trial},
+      Word{"feedback", V::feedback},         Word{"block_summary", V::block_summary},
+      Word{"free", V::free_exploration},     Word{"finished", V::finished}};
+};
+template <>
+struct palpate::WordsOf<palpate::classroom::CommandKind> {
+  using V = palpate::classroom::CommandKind;
+  static constexpr std::array kAll = {Word{"pause", V::pause}, Word{"go_on", V::go_on}, Word{"message", V::message},
+                                      Word{"next_block", V::next_block}};
+};

@@ -1,0 +1,71 @@
+// A station's side of a class: rows of the outbox go to the collector until it says that they are in the database;
+// state and finger go to the instructor; the instructor's commands come back. Without a class or a network the sitting
+// goes on as ever, and what waits goes out later.
+//
+//   Store's outbox ─► rows, oldest first, resent until acknowledged ─► collector ─ ack ─► Store::acknowledged
+//   publishState, publishLive ─► instructor           instructor ─ cmd ─► takeCommand
+//
+// Everything here runs in threads of its own and is never called from the servo's: the window polls and publishes at
+// its own pace. No call waits for the network or the disk.
+//
+//   StationLink link(classroom::readMember("station.toml"), store, {"palpate 0.9", "mouse"});
+//   link.publishState(stateOf(sitting));              // whenever; goes out when it differs
+//   link.publishLive(live);                           // every picture; goes out ten times a second
+//   while (auto command = link.takeCommand()) ...     // every picture
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "palpate/classroom/class_settings.h"
+#include "palpate/classroom/messages.h"
+#include "palpate/training/records/store.h"
+
+namespace palpate::classroom {
+
+struct StationInfo {
+  std::string app;     ///< "palpate 0.9"
+  std::string device;  ///< "mouse"
+};
+
+/// How rows go out; numbers of docs/class.md.
+struct OutboxPace {
+  double most_per_s = 50.0;  ///< so that a class that comes back after a break does not flood its collector
+  double resend_s = 3.0;     ///< without an acknowledgement
+  int most_under_way = 200;  ///< rows sent and not yet acknowledged
+};
+
+class StationLink {
+ public:
+  /// Turns the outbox of `store` on and goes on with a connection of its own to the same file. A broker that is not
+  /// there is no error. Throws Error for certificates that cannot be used and for a file that cannot be opened.
+  StationLink(const Member& member, training::Store& store, const StationInfo& info, const OutboxPace& pace = {});
+  /// Signs off: the retained state is cleared, the status says offline. Waits for the network at most a second.
+  ~StationLink();
+  StationLink(const StationLink&) = delete;
+  StationLink& operator=(const StationLink&) = delete;
+
+  // Any thread.
+  void publishState(const StationState& state);
+  /// Nobody is signed in: the retained state is cleared.
+  void clearState();
+  void publishLive(const LiveSample& live);
+  void publishSafety(const std::string& safety);  ///< "ok", or what stopped the device
+  std::optional<Command> takeCommand();           ///< oldest first; those that have expired are never given
+
+  bool connected() const;
+  std::size_t waiting() const;  ///< rows that the class does not have yet
+  /// In words for a status line: why it is not connected, that the disk is nearly full; empty: all is well.
+  std::string trouble() const;
+
+ private:
+  struct Course;
+  std::unique_ptr<Course> course_;
+};
+
+/// Less is left on the disk than a few hours of sessions need.
+inline constexpr double kLeastDiskBytes = 1e9;
+
+}  // namespace palpate::classroom
