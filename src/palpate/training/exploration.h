@@ -6,7 +6,8 @@
 // One thread; no allocation in `follow`.
 #pragma once
 
-#include <span>
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "palpate/trace/sample.h"
@@ -48,7 +49,9 @@ class Exploration {
   int touchedSite() const { return touched_; }
 
  private:
-  static constexpr std::size_t kMostFingers = 4;
+  static constexpr std::uint32_t kMostFingers = 4;
+  /// A touch further above or below its site is of another part of the body, mm: as far as skin is pushed in, and more.
+  static constexpr double kMostOverSiteMm = 60.0;
   struct Touching {
     int site = 0;  ///< that it presses over the limit; 0: none
   };
@@ -67,6 +70,7 @@ class Exploration {
   std::vector<Felt> felt_;
   std::array<Touching, kMostFingers> fingers_{};
   int touched_ = 0;
+  std::uint32_t touching_finger_ = kMostFingers;  ///< that touched last; kMostFingers: none does
 };
 
 }  // namespace palpate::training

@@ -60,7 +60,7 @@ Protocol protocolNamed(const std::string& name_or_file);
 Protocol parseProtocol(std::string_view text, std::string_view file);
 /// With explanations; parseProtocol gives the same settings back.
 std::string protocolText(const Protocol& protocol);
-/// Of protocolText, without its comments' whims: the settings, hashed (SHA-256, hex).
+/// Of protocolText (SHA-256, hex).
 std::string protocolSha256(const Protocol& protocol);
 
 }  // namespace palpate::training

@@ -63,6 +63,9 @@ struct Said {
   std::uint64_t number = 0;  ///< another number: it is to be spoken once
 };
 
+/// What has to be kept before the first block names it.
+ProtocolRow protocolRowOf(const Protocol& protocol);
+
 class Sitting {
  public:
   /// Throws Error where a resumed block does not fit.
@@ -87,6 +90,9 @@ class Sitting {
   bool showsProgress() const;  ///< practice shows what was right; tests show no level and no number
 
   // Events.
+  /// The world at work holds what `hidden` says since now: the trial's clock starts, and what was felt before it is
+  /// forgotten. Whoever rebuilds worlds in no time need not call it.
+  void ready(const Moment& now);
   void feel(const trace::Sample& sample, const Moment& now);  ///< every sample of every finger
   void next(const Moment& now);                               ///< "Next", "Start", "Continue"
   /// A site's number. The first answer with places not yet pressed is answered by words only; the same answer again is
@@ -111,3 +117,16 @@ class Sitting {
 };
 
 }  // namespace palpate::training
+
+template <>
+struct palpate::WordsOf<palpate::training::Screen> {
+  using V = palpate::training::Screen;
+  static constexpr std::array kAll = {Word{"device_check", V::device_check},
+                                      Word{"familiarisation", V::familiarisation},
+                                      Word{"instruction", V::instruction},
+                                      Word{"trial", V::trial},
+                                      Word{"feedback", V::feedback},
+                                      Word{"block_summary", V::block_summary},
+                                      Word{"free_exploration", V::free_exploration},
+                                      Word{"finished", V::finished}};
+};

@@ -21,6 +21,10 @@ std::string familiarisation(const Site& site);  ///< "Site 4, left, is much stif
 std::string rightAnswer(const Site& site);      ///< "Correct. Site 4, left."
 std::string wrongAnswer(const Site& site);      ///< "It was site 9, right. Feel it now; press Next when ready."
 std::string timeIsUp(bool feedback, const Site& site);
+std::string deviceCheck(bool works);  ///< "Touch the back once, anywhere."
+std::string breakOffered();
+std::string pausedWords();
+std::string goodbye(bool unfinished);
 std::string answerSaved();               ///< tests
 std::string notPressedYet(int missing);  ///< "Two places were not pressed yet."
 std::string blockSummary(const BlockResult& result, SittingKind kind, const std::optional<ShownThreshold>& before);

@@ -1,0 +1,81 @@
+#include "palpate/training/protocol.h"
+
+namespace palpate::training {
+
+namespace {
+
+/// The Virtual Haptic Back's own levels, rising.
+std::vector<double> vhbLevels() { return {kVhbLevels.rbegin(), kVhbLevels.rend()}; }
+
+/// Marginal psi, no feedback: three to warm up, 40 that count, four of them plain enough to tell lapses.
+SittingSettings measuringSitting() {
+  SittingSettings settings;
+  settings.block.warm_up = 3;
+  settings.block.easy = 4;
+  settings.block.stop = {.least = 40, .most = 40};
+  return settings;
+}
+
+/// Ends as soon as it is sure of either side of the mark.
+SittingSettings examSitting() {
+  SittingSettings settings = measuringSitting();
+  constexpr double kMark = 0.20;  // until a school's own judges set one
+  settings.block.easy = 0;
+  settings.block.stop = {.least = 10, .most = 60, .half_width = 0.0, .mark = kMark, .sure = 0.95};
+  return settings;
+}
+
+SittingSettings practiceSitting() {
+  SittingSettings settings;
+  settings.block = {.method = Method::two_down_one_up,
+                    .levels = vhbLevels(),
+                    .start = 0.5,
+                    .draw = SiteDraw::balanced,
+                    .easy_share = 0.1,
+                    .stop = {.least = 20, .most = 20}};
+  settings.feedback = true;
+  settings.limit_s = 0.0;
+  settings.all_sites = false;
+  return settings;
+}
+
+SittingSettings masterySitting() {
+  SittingSettings settings = practiceSitting();
+  settings.block.method = Method::mastery;
+  settings.block.easy_share = 0.0;
+  settings.block.stop = {.least = 40, .most = 40};
+  return settings;
+}
+
+}  // namespace
+
+const SittingSettings& settingsOf(const Protocol& protocol, SittingKind kind) {
+  switch (kind) {
+    case SittingKind::mastery:
+      return protocol.mastery;
+    case SittingKind::pre_test:
+      return protocol.pre_test;
+    case SittingKind::post_test:
+      return protocol.post_test;
+    case SittingKind::exam:
+      return protocol.exam;
+    case SittingKind::retention:
+      return protocol.retention;
+    case SittingKind::practice:
+    case SittingKind::free:
+      break;
+  }
+  return protocol.practice;
+}
+
+Protocol builtInProtocol() {
+  Protocol protocol;
+  protocol.title = "Virtual Haptic Back: twelve sites, six levels on both sides";
+  protocol.practice = practiceSitting();
+  protocol.mastery = masterySitting();
+  protocol.pre_test = protocol.post_test = protocol.retention = measuringSitting();
+  protocol.exam = examSitting();
+  return protocol;
+}
+
+}  // namespace palpate::training

@@ -1,0 +1,425 @@
+#include "palpate/training/sitting.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "palpate/base/error.h"
+#include "palpate/base/hash.h"
+#include "palpate/base/random.h"
+#include "palpate/training/records/trainee_code.h"
+#include "palpate/training/trial_scene.h"
+#include "palpate/training/trial_watch.h"
+
+namespace palpate::training {
+
+namespace {
+
+/// The place that familiarisation shows, where there are so many: in the middle of the left side.
+constexpr int kFamiliarSite = 4;
+constexpr double kSecondsAMinute = 60.0;
+
+std::uint64_t seedOf(const SittingPlan& plan) {
+  Hash hash;
+  hash.add(plan.seed);
+  for (const char letter : plan.row.id) hash.add(static_cast<std::uint64_t>(static_cast<unsigned char>(letter)));
+  return hash.value();
+}
+
+/// Another block of the same sitting draws other sites.
+std::uint64_t blockSeed(const SittingPlan& plan, int number) {
+  Hash hash;
+  hash.add(plan.seed);
+  hash.add(static_cast<std::uint64_t>(number));
+  return hash.value();
+}
+
+double largestLevel(const BlockSettings& settings) {
+  return settings.levels.empty() ? adaptiveLevels(settings.meaning).back() : settings.levels.back();
+}
+
+}  // namespace
+
+ProtocolRow protocolRowOf(const Protocol& protocol) {
+  return {.id = protocol.id,
+          .version = protocol.version,
+          .text = protocolText(protocol),
+          .sha256 = protocolSha256(protocol)};
+}
+
+struct Sitting::Course {
+  SittingPlan plan;
+  const SittingSettings& settings;
+  Random ids;  // of rows
+  Screen screen = Screen::instruction;
+  Said said;
+  Exploration exploration;
+  TrialWatch watch;
+  std::optional<Block> block;
+  BlockRow block_row;
+  std::vector<TrialRow> trials;
+  std::vector<Row> rows;
+  Moment started;  // the sitting
+  Moment trial_started;
+  double paused_s = 0.0;  // in this trial
+  std::optional<Moment> paused_since;
+  bool warned = false;  // of places not pressed, in this trial
+  bool device_works = false;
+  bool break_offered = false;
+  std::optional<BlockResult> result;
+  HiddenNow answered;  // what feedback lets feel
+
+  Course(const SittingPlan& the_plan, const Moment& now)
+      : plan(the_plan),
+        settings(settingsOf(plan.protocol, plan.kind)),
+        ids(seedOf(plan)),
+        exploration(plan.sites, plan.protocol.exploration, plan.tick_s),
+        watch(plan.tick_s),
+        started(now) {}
+
+  void say(std::string text) {
+    said.text = std::move(text);
+    ++said.number;
+  }
+  Uuid newId(const Moment& now) {
+    const std::uint64_t first = ids.bits();
+    return uuidOf(now.utc_ms, {first, ids.bits()});
+  }
+  void keepEvent(std::string kind, std::string text, const Moment& now) {
+    rows.emplace_back(EventRow{.id = newId(now),
+                               .sitting = plan.row.id,
+                               .at_ms = now.utc_ms,
+                               .kind = std::move(kind),
+                               .text = std::move(text)});
+  }
+  void keepSitting(std::int64_t end_ms) {
+    plan.row.end_ms = end_ms;
+    rows.emplace_back(plan.row);
+  }
+
+  // --- screens
+
+  void open(const Moment& now) {
+    plan.row.kind = plan.kind;
+    plan.row.rng_seed = plan.seed;
+    plan.row.start_ms = now.utc_ms;
+    keepSitting(0);
+    if (plan.kind != SittingKind::free) takeBlock(now);
+    if (!plan.familiar) {
+      screen = Screen::device_check;
+      return say(deviceCheck(false));
+    }
+    introduce(now);
+  }
+
+  void takeBlock(const Moment& now) {
+    if (plan.resumed) {
+      block_row = *plan.resumed;
+      block = Block::resumed(settings.block, block_row.state_json);
+      plan.resumed.reset();
+      keepEvent("resume", fmt::format("block {}", block_row.number), now);
+    } else {
+      beginBlock(1, now);
+    }
+  }
+
+  void beginBlock(int number, const Moment& now) {
+    block = Block(settings.block, blockSeed(plan, number));
+    trials.clear();
+    result.reset();
+    block_row = {.id = newId(now),
+                 .sitting = plan.row.id,
+                 .number = number,
+                 .method = settings.block.method,
+                 .meaning = settings.block.meaning,
+                 .protocol_id = plan.protocol.id,
+                 .protocol_version = plan.protocol.version,
+                 .state_json = block->state()};
+    rows.emplace_back(block_row);
+  }
+
+  void familiarise() {
+    screen = Screen::familiarisation;
+    exploration.restart();
+    say(familiarisation(*plan.sites.numbered(familiarSite())));
+  }
+  int familiarSite() const { return std::min(kFamiliarSite, plan.sites.choices()); }
+
+  void introduce(const Moment& now) {
+    if (plan.kind == SittingKind::free) {
+      screen = Screen::free_exploration;
+      exploration.restart();
+      return say(instruction(plan.protocol, plan.kind));
+    }
+    if (block->finished()) return summarise(now);
+    screen = Screen::instruction;
+    say(instruction(plan.protocol, plan.kind));
+  }
+
+  void beginTrial(const Moment& now) {
+    screen = Screen::trial;
+    warned = false;
+    paused_since.reset();
+    startClock(now);
+  }
+  void startClock(const Moment& now) {
+    trial_started = now;
+    paused_s = 0.0;
+    exploration.restart();
+    watch.restart();
+  }
+
+  double elapsed(const Moment& now) const {
+    const double paused_now = paused_since ? now.s - paused_since->s : 0.0;
+    return std::max(0.0, now.s - trial_started.s - paused_s - paused_now);
+  }
+
+  // --- answers
+
+  TrialRow rowOf(const TrialOutcome& outcome, const Moment& now) {
+    const PlannedTrial& planned = block->next();
+    TrialRow row{.id = newId(now),
+                 .block = block_row.id,
+                 .sitting = plan.row.id,
+                 .number = planned.number,
+                 .start_ms = trial_started.utc_ms,
+                 .end_ms = now.utc_ms,
+                 .seconds = elapsed(now),
+                 .kind = planned.kind,
+                 .change = planned.change,
+                 .site_true = planned.site,
+                 .site_answer = outcome.answer,
+                 .correct = outcome.correct,
+                 .timeout = outcome.answer == 0,
+                 .excluded = outcome.target_visited ? "" : "target not felt",
+                 .visited = outcome.visited,
+                 .file_tick0 = trial_started.tick,
+                 .file_tick1 = now.tick,
+                 .visits = exploration.visits()};
+    watch.writeTo(row);
+    return row;
+  }
+
+  void take(int answer, const Moment& now) {
+    const PlannedTrial planned = block->next();
+    const TrialOutcome outcome{.answer = answer,
+                               .correct = answer == planned.site,
+                               .visited = exploration.visitedSites(),
+                               .target_visited = exploration.visited(planned.site)};
+    trials.push_back(rowOf(outcome, now));
+    rows.emplace_back(trials.back());
+    if (settings.all_sites && outcome.visited < plan.sites.choices()) {
+      keepEvent("warning",
+                fmt::format("trial {}: {} sites not felt", planned.number, plan.sites.choices() - outcome.visited),
+                now);
+    }
+    block->answer(outcome);
+    keepBlock();
+    const Site& truth = *plan.sites.numbered(planned.site);
+    tellAnswer(outcome, truth);
+    if (settings.feedback) {
+      screen = Screen::feedback;
+      answered = {.site = planned.site, .change = planned.change};
+    } else {
+      goAfterAnswer(now);
+    }
+  }
+
+  void tellAnswer(const TrialOutcome& outcome, const Site& truth) {
+    if (outcome.answer == 0) return say(timeIsUp(settings.feedback, truth));
+    if (!settings.feedback) return say(answerSaved());
+    say(outcome.correct ? rightAnswer(truth) : wrongAnswer(truth));
+  }
+
+  void goAfterAnswer(const Moment& now) {
+    if (block->finished()) return summarise(now);
+    offerBreak(now);
+    beginTrial(now);
+  }
+
+  void offerBreak(const Moment& now) {
+    const double after_s = kSecondsAMinute * plan.protocol.break_after_min;
+    if (break_offered || after_s <= 0.0 || now.s - started.s < after_s) return;
+    break_offered = true;
+    say(said.text + " " + breakOffered());
+    keepEvent("break", "offered", now);
+  }
+
+  /// With what the block knows by now.
+  void keepBlock() {
+    const BlockResult so_far = block->result();
+    block_row.state_json = block->state();
+    block_row.finished = block->finished();
+    block_row.threshold = so_far.threshold.median;
+    block_row.low = so_far.threshold.low;
+    block_row.high = so_far.threshold.high;
+    block_row.trials = so_far.trials;
+    block_row.level = so_far.level;
+    block_row.verdict = so_far.verdict;
+    rows.emplace_back(block_row);
+  }
+
+  void summarise(const Moment& now) {
+    screen = Screen::block_summary;
+    result = block->result();
+    say(blockSummary(*result, plan.kind, plan.before));
+    keepEvent("block", fmt::format("{} finished", block_row.number), now);
+  }
+
+  bool measures() const { return !settings.feedback; }
+
+  /// Practice goes on with another block, a test has one.
+  void afterSummary(const Moment& now) {
+    if (measures()) return finish(now);
+    beginBlock(block_row.number + 1, now);
+    introduce(now);
+  }
+
+  void finish(const Moment& now) {
+    const bool unfinished = block && !block->finished();
+    screen = Screen::finished;
+    keepSitting(now.utc_ms);
+    say(goodbye(unfinished));
+  }
+};
+
+Sitting::Sitting(const SittingPlan& plan, const Moment& now) {
+  const SittingSettings& settings = settingsOf(plan.protocol, plan.kind);
+  if (plan.kind != SittingKind::free && settings.block.choices != plan.sites.choices()) {
+    throw Error(fmt::format("sitting: the protocol asks for {} sites, the body has {}", settings.block.choices,
+                            plan.sites.choices()));
+  }
+  course_ = std::make_unique<Course>(plan, now);
+  course_->open(now);
+}
+
+Sitting::~Sitting() = default;
+
+Screen Sitting::screen() const { return course_->screen; }
+Said Sitting::said() const { return course_->said; }
+
+std::optional<HiddenNow> Sitting::hidden() const {
+  switch (course_->screen) {
+    case Screen::familiarisation:
+      return HiddenNow{.site = course_->familiarSite(), .change = largestLevel(course_->settings.block)};
+    case Screen::trial:
+      return HiddenNow{.site = course_->block->next().site, .change = course_->block->next().change};
+    case Screen::feedback:
+      return course_->answered;
+    default:
+      return std::nullopt;
+  }
+}
+
+bool Sitting::feelsTruth() const {
+  return course_->screen == Screen::feedback || course_->screen == Screen::familiarisation;
+}
+
+int Sitting::trialNumber() const {
+  return course_->block && !course_->block->finished() ? course_->block->next().number : 0;
+}
+int Sitting::trialsAtMost() const {
+  return course_->block ? course_->settings.block.warm_up + course_->settings.block.stop.most : 0;
+}
+double Sitting::secondsLeft(const Moment& now) const {
+  if (course_->settings.limit_s <= 0.0) return std::numeric_limits<double>::infinity();
+  return std::max(0.0, course_->settings.limit_s - course_->elapsed(now));
+}
+double Sitting::shareOfTimeLeft(const Moment& now) const {
+  if (course_->settings.limit_s <= 0.0) return 1.0;
+  return secondsLeft(now) / course_->settings.limit_s;
+}
+bool Sitting::visited(int site) const { return course_->exploration.visited(site); }
+int Sitting::touchedSite() const { return course_->exploration.touchedSite(); }
+bool Sitting::showsProgress() const { return course_->settings.feedback; }
+
+void Sitting::ready(const Moment& now) {
+  if (course_->screen != Screen::trial) return;
+  const bool stands_still = paused();
+  course_->startClock(now);
+  if (stands_still) course_->paused_since = now;
+}
+
+void Sitting::feel(const trace::Sample& sample, const Moment& /*now*/) {
+  if (paused()) return;
+  course_->exploration.follow(sample);
+  if (course_->screen == Screen::trial) course_->watch.follow(sample);
+  if (course_->screen != Screen::device_check || course_->device_works) return;
+  if (sample.contact.force.norm() < course_->plan.protocol.exploration.force_n) return;
+  course_->device_works = true;
+  course_->say(deviceCheck(true));
+}
+
+void Sitting::next(const Moment& now) {
+  if (paused()) return goOn(now);
+  switch (course_->screen) {
+    case Screen::device_check:
+      if (!course_->device_works) return course_->say(deviceCheck(false));
+      return course_->plan.kind == SittingKind::free ? course_->introduce(now) : course_->familiarise();
+    case Screen::familiarisation:
+      return course_->introduce(now);
+    case Screen::instruction:
+      return course_->beginTrial(now);
+    case Screen::feedback:
+      return course_->goAfterAnswer(now);
+    case Screen::block_summary:
+      return course_->afterSummary(now);
+    case Screen::free_exploration:
+      return course_->finish(now);
+    case Screen::trial:
+    case Screen::finished:
+      return;
+  }
+}
+
+bool Sitting::answer(int site, const Moment& now) {
+  if (course_->screen != Screen::trial || paused() || course_->plan.sites.numbered(site) == nullptr) return false;
+  const int missing = course_->plan.sites.choices() - course_->exploration.visitedSites();
+  if (course_->settings.all_sites && missing > 0 && !std::exchange(course_->warned, true)) {
+    course_->say(notPressedYet(missing));
+    return false;
+  }
+  course_->take(site, now);
+  return true;
+}
+
+void Sitting::pause(const Moment& now) {
+  if (paused() || course_->screen == Screen::finished) return;
+  course_->paused_since = now;
+  course_->keepEvent("pause", std::string(wordFor(course_->screen)), now);
+  course_->say(pausedWords());
+}
+
+void Sitting::goOn(const Moment& now) {
+  if (!paused()) return;
+  course_->paused_s += now.s - course_->paused_since->s;
+  course_->paused_since.reset();
+  course_->keepEvent("resume", std::string(wordFor(course_->screen)), now);
+  course_->say(course_->screen == Screen::trial ? instruction(course_->plan.protocol, course_->plan.kind) : "");
+}
+
+bool Sitting::paused() const { return course_->paused_since.has_value(); }
+
+void Sitting::tick(const Moment& now) {
+  if (course_->screen != Screen::trial || paused()) return;
+  if (secondsLeft(now) <= 0.0) course_->take(0, now);
+}
+
+void Sitting::safety(const std::string& what, const Moment& now) { course_->keepEvent("safety", what, now); }
+
+void Sitting::leave(const Moment& now) {
+  if (course_->screen == Screen::finished) return;
+  course_->keepEvent("leave", std::string(wordFor(course_->screen)), now);
+  course_->paused_since.reset();
+  course_->finish(now);
+}
+
+const SittingPlan& Sitting::plan() const { return course_->plan; }
+const std::vector<TrialRow>& Sitting::trials() const { return course_->trials; }
+std::optional<BlockResult> Sitting::result() const { return course_->result; }
+std::vector<Row> Sitting::takeRows() { return std::exchange(course_->rows, {}); }
+
+}  // namespace palpate::training

@@ -1,0 +1,145 @@
+#include "palpate/training/wording.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <string_view>
+
+namespace palpate::training {
+
+namespace {
+
+constexpr std::array<std::string_view, 13> kNumberWords = {"zero",  "one",   "two",  "three", "four",   "five",  "six",
+                                                           "seven", "eight", "nine", "ten",   "eleven", "twelve"};
+
+std::string withCapital(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
+
+int choicesOf(const Protocol& protocol) {
+  return protocol.sites.empty() ? 12 : static_cast<int>(protocol.sites.size());
+}
+
+std::string percent(double change) { return fmt::format("{:.0f}", 100.0 * change); }
+
+std::string thresholdWords(const ThresholdSummary& threshold) {
+  return fmt::format("Your smallest reliable change: about {} % ({}–{} %).", percent(threshold.median),
+                     percent(threshold.low), percent(threshold.high));
+}
+
+/// Two measurements differ only where one lies outside what both leave open together.
+bool tooEarly(const ThresholdSummary& now, const ShownThreshold& before) {
+  const double change = std::log(now.median / before.median);
+  const double spread = std::hypot(now.halfWidth(), 0.5 * std::log(before.high / before.low));
+  return !(std::abs(change) > spread);
+}
+
+std::string comparison(const ThresholdSummary& now, const ShownThreshold& before) {
+  const std::string last = fmt::format(" Last time: {} %.", percent(before.median));
+  return tooEarly(now, before) ? last + " Too early to call a change." : last;
+}
+
+std::string verdictWords(Verdict verdict) {
+  if (verdict == Verdict::pass) return "Passed.";
+  if (verdict == Verdict::not_yet) return "Not yet. Practise, then come again.";
+  return "Too close to call. Please repeat the examination.";
+}
+
+std::string practiceWords(const BlockResult& result, SittingKind kind) {
+  const std::string right = fmt::format("{} of {} were right.", result.correct, result.trials);
+  if (kind != SittingKind::mastery) return "Block finished. " + right;
+  if (!result.level) return "Block finished. " + right + " No level was mastered yet.";
+  return fmt::format("Block finished. {} Smallest level mastered: {} %.", right, percent(*result.level));
+}
+
+}  // namespace
+
+std::string numberInWords(int number) {
+  if (number >= 0 && static_cast<std::size_t>(number) < kNumberWords.size()) {
+    return std::string(kNumberWords[static_cast<std::size_t>(number)]);
+  }
+  return fmt::format("{}", number);
+}
+
+std::string greeting(SittingKind kind) {
+  switch (kind) {
+    case SittingKind::practice:
+      return "Practice: after each answer you hear whether it was right.";
+    case SittingKind::mastery:
+      return "Mastery: three of four right leads to the next level.";
+    case SittingKind::pre_test:
+      return "Test before practice. Answers are saved and not told.";
+    case SittingKind::post_test:
+      return "Test after practice. Answers are saved and not told.";
+    case SittingKind::exam:
+      return "Examination. Answers are saved and not told.";
+    case SittingKind::retention:
+      return "Test of what has stayed. Answers are saved and not told.";
+    case SittingKind::free:
+      return "Free exploration. Feel whatever you like.";
+  }
+  return {};
+}
+
+std::string instruction(const Protocol& protocol, SittingKind kind) {
+  if (kind == SittingKind::free) return "Feel whatever you like. Nothing is asked.";
+  return fmt::format("One of the {} places is stiffer. Press each, then answer.", numberInWords(choicesOf(protocol)));
+}
+
+std::string familiarisation(const Site& site) {
+  return withCapital(fmt::format("{}, is much stiffer. Feel it now.", spoken(site)));
+}
+
+std::string rightAnswer(const Site& site) {
+  return withCapital(fmt::format("Correct. {}.", withCapital(spoken(site))));
+}
+
+std::string wrongAnswer(const Site& site) {
+  return fmt::format("It was {}. Feel it now; press Next when ready.", spoken(site));
+}
+
+std::string timeIsUp(bool feedback, const Site& site) {
+  if (!feedback) return "The time is over. Here is the next one.";
+  return fmt::format("The time is over. It was {}. Feel it now.", spoken(site));
+}
+
+std::string deviceCheck(bool works) {
+  return works ? "Your device works. Press Next." : "Touch the back once, anywhere.";
+}
+
+std::string breakOffered() { return "You may take a break: press Pause."; }
+
+std::string pausedWords() { return "Paused. Nothing counts until you go on."; }
+
+std::string goodbye(bool unfinished) {
+  return unfinished ? "Saved. Next time it goes on from here." : "Saved. Thank you.";
+}
+
+std::string answerSaved() { return "Answer saved."; }
+
+std::string notPressedYet(int missing) {
+  return withCapital(missing == 1 ? "one place was not pressed yet."
+                                  : fmt::format("{} places were not pressed yet.", numberInWords(missing)));
+}
+
+std::string blockSummary(const BlockResult& result, SittingKind kind, const std::optional<ShownThreshold>& before) {
+  switch (kind) {
+    case SittingKind::practice:
+    case SittingKind::mastery:
+      return practiceWords(result, kind);
+    case SittingKind::exam:
+      return "Examination finished. " + verdictWords(result.verdict);
+    case SittingKind::pre_test:
+    case SittingKind::post_test:
+    case SittingKind::retention:
+      break;
+    case SittingKind::free:
+      return "Free exploration has ended.";
+  }
+  const std::string words = thresholdWords(result.threshold);
+  return before ? words + comparison(result.threshold, *before) : words;
+}
+
+}  // namespace palpate::training
