@@ -1,5 +1,10 @@
-// How a simulated trainee decides: it feels each site's stiffness with noise in proportion to it (Weber) and names the
-// one that felt stiffest; now and then it does not care (lapse), and it may leave sites out.
+// How a simulated trainee decides: it feels each site's change with noise and names the one that felt stiffest; now and
+// then it does not care (lapse), and it may leave sites out.
+//
+//   felt stiffness ratios ─ changeOf + noise of its threshold ─► the largest ─► answer
+//
+// Its d' grows with the declared change, so its psychometric function is the ideal observer's, with T = weber among
+// twelve sites (psychometric.h).
 #pragma once
 
 #include <span>
@@ -23,15 +28,27 @@ struct ObserverSettings {
   // How it presses.
   double press_n = 1.5;
   double press_s = 0.5;
+  /// Of the change that `weber` speaks of: the protocol's.
+  ChangeMeaning meaning = ChangeMeaning::compliance;
 };
+
+/// d' at which an ideal observer among twelve places is right, corrected for guesses, half of the time: the root of
+/// F(d') = 1/2 with P = integral of phi(x - d') Phi(x)^11.
+inline constexpr double kDPrimeAtThreshold = 1.697;
 
 /// "weber=0.2,lapse=0.02,sites=12": keys as above. Throws Error naming the key, with the nearest.
 ObserverSettings observerNamed(std::string_view words);
+/// The same settings as words that observerNamed understands, for records.
+std::string observerWords(const ObserverSettings& settings);
 
 /// The threshold before the block number `block` (from 0).
 double weberNow(const ObserverSettings& settings, int block);
 
-/// Picks among the sites that were felt: each has a felt stiffness ratio (1: base).
+/// The sites that it searches in this trial, by number, in rising order: all, or as many as it cares for.
+std::vector<int> sitesSearched(const ObserverSettings& settings, int all_sites, Random& random);
+
+/// Picks among the sites that were felt: each has a felt stiffness ratio (1: base). A lapse names any of them; without
+/// any it guesses among all. Its lapses make answers wrong as often as Psychometric::lapse says.
 int decide(std::span<const int> felt_sites, std::span<const double> felt_ratio, const ObserverSettings& settings,
            int block, int all_sites, Random& random);
 
