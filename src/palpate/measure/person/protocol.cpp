@@ -14,6 +14,7 @@
 #include "palpate/base/number_range.h"
 #include "palpate/base/text.h"
 #include "palpate/measure/average.h"
+#include "palpate/scene/toml_table.h"
 
 namespace palpate::measure {
 
@@ -29,59 +30,7 @@ bool isPlain(std::string_view text) {
   });
 }
 
-/// The keys of one table.
-class ProtocolTable {
- public:
-  ProtocolTable(const toml::table& table, std::string_view file, std::string title, std::vector<std::string> keys)
-      : table_(table), file_(file), title_(std::move(title)) {
-    for (const auto& [key, value] : table) {
-      if (std::ranges::find(keys, key.str()) != keys.end()) continue;
-      fail(value, unknownName("key", key.str(), title_, keys));
-    }
-  }
-
-  [[noreturn]] void fail(const toml::node& node, const std::string& cause) const {
-    throw Error::atLine(file_, node.source().begin.line, cause);
-  }
-  [[noreturn]] void fail(const std::string& cause) const { fail(table_, cause); }
-
-  void read(const char* key, std::string& value) const {
-    const toml::node* node = table_.get(key);
-    if (node == nullptr) return;
-    const auto text = node->value_exact<std::string>();
-    if (!text) fail(*node, fmt::format("{} takes text", key));
-    value = *text;
-  }
-  void read(const char* key, double& value, const NumberRange& range) const {
-    const toml::node* node = table_.get(key);
-    if (node == nullptr) return;
-    const auto number = node->value<double>();
-    if (!node->is_number() || !number) fail(*node, fmt::format("{} takes a number", key));
-    if (!range.holds(*number)) {
-      fail(*node, fmt::format("{} = {}", key, outOfRange(fmt::format("{:g}", *number), range)));
-    }
-    value = *number;
-  }
-  void read(const char* key, int& value, const NumberRange& range) const {
-    const toml::node* node = table_.get(key);
-    double number = value;
-    read(key, number, range);
-    if (node != nullptr && !node->is_integer()) fail(*node, fmt::format("{} takes a whole number", key));
-    value = static_cast<int>(number);
-  }
-  void read(const char* key, bool& value) const {
-    const toml::node* node = table_.get(key);
-    if (node == nullptr) return;
-    if (!node->is_boolean()) fail(*node, fmt::format("{} takes true or false", key));
-    value = node->value_or(value);
-  }
-  const toml::node* node(const char* key) const { return table_.get(key); }
-
- private:
-  const toml::table& table_;
-  std::string_view file_;
-  std::string title_;
-};
+using ProtocolTable = scene::TomlTable;
 
 HeadTowards headOf(const ProtocolTable& table) {
   std::string word = "top";
