@@ -99,6 +99,23 @@ void Statement::run() {
   }
 }
 
+int Statement::columns() const { return ::sqlite3_column_count(statement_.get()); }
+
+Statement::Kind Statement::kind(int column) const {
+  switch (::sqlite3_column_type(statement_.get(), column)) {
+    case SQLITE_INTEGER:
+      return Kind::integer;
+    case SQLITE_FLOAT:
+      return Kind::real;
+    case SQLITE_TEXT:
+      return Kind::text;
+    case SQLITE_BLOB:
+      return Kind::blob;
+    default:
+      return Kind::nothing;
+  }
+}
+
 bool Statement::isNull(int column) const { return ::sqlite3_column_type(statement_.get(), column) == SQLITE_NULL; }
 std::int64_t Statement::integer(int column) const { return ::sqlite3_column_int64(statement_.get(), column); }
 double Statement::real(int column) const { return ::sqlite3_column_double(statement_.get(), column); }
@@ -142,6 +159,8 @@ std::int64_t Database::integer(std::string_view sql) {
   if (!statement.next()) fail("has no answer");
   return statement.integer(0);
 }
+
+std::int64_t Database::changes() const { return ::sqlite3_changes64(database_.get()); }
 
 void Database::fail(std::string_view what) const {
   const std::string words = wordsFor(database_.get());

@@ -34,6 +34,9 @@ class Statement {
   void run();
 
   // Columns of the row at hand, from 0. Texts and blobs are valid until the next row.
+  enum class Kind : std::uint8_t { nothing, integer, real, text, blob };
+  int columns() const;
+  Kind kind(int column) const;
   bool isNull(int column) const;
   std::int64_t integer(int column) const;
   double real(int column) const;
@@ -62,6 +65,8 @@ class Database {
   void run(const std::string& sql);
   /// The first column of the first row. Throws Error, also where there is none.
   std::int64_t integer(std::string_view sql);
+  /// Rows that the last statement inserted, changed or deleted.
+  std::int64_t changes() const;
 
   const std::string& name() const { return name_; }
   [[noreturn]] void fail(std::string_view what) const;

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "palpate/training/records/row_tables.h"
 #include "palpate/training/records/rows.h"
 
 namespace palpate::training {
@@ -20,8 +21,8 @@ namespace palpate::training {
 /// A row as it goes over the wire, and under which number it waits.
 struct OutboxEntry {
   std::int64_t number = 0;
-  std::string kind;  ///< the table: "session", "block", "trial", "event", ...
-  Uuid row;
+  std::string kind;  ///< the table: "session", "block", "trial", "event", ...; "delete"
+  Uuid row;          ///< outboxKey (row_json.h), which acknowledgements name: a newer state of a block has another
   std::string body;  ///< JSON (row_json.h)
 };
 
@@ -41,6 +42,7 @@ class Store {
   void keep(const TraineeRow& row);
   void keep(const ProtocolRow& row);
   void keep(std::span<const Row> rows);
+  void keepAny(std::span<const AnyRow> rows);
 
   // Reading; in the order of their times.
   std::vector<StationRow> stations();
@@ -54,19 +56,21 @@ class Store {
   std::vector<EventRow> events(const Uuid& sitting);
 
   /// The newest block of this kind that was interrupted, with its sitting; nothing: none.
-  struct Interrupted {
-    SittingRow sitting;
-    BlockRow block;
-  };
+  using Interrupted = InterruptedBlock;
   std::optional<Interrupted> interrupted(const Uuid& trainee, SittingKind kind);
   /// The newest finished block that measured a threshold (tests, examination, retention).
   std::optional<BlockRow> lastMeasured(const Uuid& trainee);
 
-  // The outbox: filled by `keep` once a class is joined.
+  // The outbox: filled by `keep` once a class is joined. A row that waits is replaced in its place by a newer version.
+  /// Remembered in the file. When it is switched on, whatever is there already goes into it.
   void fillOutbox(bool on);
+  bool fillsOutbox() const;
   std::vector<OutboxEntry> waiting(std::size_t most);  ///< oldest first
   void acknowledged(std::span<const Uuid> rows);       ///< away with them, durable
   std::size_t waitingCount();
+
+  /// For what reads the records of a station and of a class alike, and for `deletion.h`.
+  RowTables& rows();
 
   const std::filesystem::path& file() const;
   std::filesystem::path folder() const;  ///< of the file: session files lie in it

@@ -1,0 +1,112 @@
+// What texts and numbers of a row may be. A row that is refused here would be refused by one of the two databases, or
+// read as something else by whoever reads an export.
+#include "palpate/training/records/row_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "palpate/base/error.h"
+
+namespace palpate::training {
+
+namespace {
+
+bool isLowerHex(char letter) { return (letter >= '0' && letter <= '9') || (letter >= 'a' && letter <= 'f'); }
+
+bool isWordLetter(char letter) {
+  return (letter >= '0' && letter <= '9') || (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
+         letter == '.' || letter == '_' || letter == '-';
+}
+
+/// How many bytes of a well-formed UTF-8 character begin here; 0: none. Surrogates, overlong forms and what is beyond
+/// U+10FFFF are none: PostgreSQL refuses them, with the whole batch.
+std::size_t utf8Length(std::string_view text) {
+  const auto byte = [text](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
+  const auto follows = [&byte](std::size_t i, unsigned low = 0x80, unsigned high = 0xbf) {
+    return byte(i) >= low && byte(i) <= high;
+  };
+  const unsigned first = byte(0);
+  if (first < 0x80) return 1;
+  if (first >= 0xc2 && first <= 0xdf) return follows(1) ? 2 : 0;
+  if (first >= 0xe0 && first <= 0xef) {
+    const bool second = follows(1, first == 0xe0 ? 0xa0 : 0x80, first == 0xed ? 0x9f : 0xbf);
+    return second && follows(2) ? 3 : 0;
+  }
+  if (first >= 0xf0 && first <= 0xf4) {
+    const bool second = follows(1, first == 0xf0 ? 0x90 : 0x80, first == 0xf4 ? 0x8f : 0xbf);
+    return second && follows(2) && follows(3) ? 4 : 0;
+  }
+  return 0;
+}
+
+bool isPlainText(std::string_view text) {
+  while (!text.empty()) {
+    const auto first = static_cast<unsigned char>(text.front());
+    if ((first < 0x20 && first != '\n' && first != '\t' && first != '\r') || first == 0x7f) return false;
+    const std::size_t length = utf8Length(text);
+    if (length == 0) return false;
+    text.remove_prefix(length);
+  }
+  return true;
+}
+
+/// "sessions/x.session": nothing absolute, no step up, no other drive.
+bool isInnerFile(std::string_view text) {
+  if (text.front() == '/' || text.find_first_of("\\:\n\r\t") != std::string_view::npos || !isPlainText(text)) {
+    return false;
+  }
+  return ("/" + std::string(text) + "/").find("/../") == std::string::npos;
+}
+
+/// Empty: nothing is wrong.
+std::string_view faultOfText(const std::string& value, FieldRule::Form form) {
+  switch (form) {
+    case FieldRule::Form::text:
+      return isPlainText(value) ? "" : "has bytes that are no text";
+    case FieldRule::Form::word:
+      return std::ranges::all_of(value, isWordLetter) ? "" : "has other letters than a-z, A-Z, 0-9, '.', '_' and '-'";
+    case FieldRule::Form::uuid:
+      return isUuid(value) ? "" : "is no UUID";
+    case FieldRule::Form::hash:
+      return value.size() == 64 && std::ranges::all_of(value, isLowerHex) ? "" : "is no SHA-256";
+    case FieldRule::Form::file:
+      return isInnerFile(value) ? "" : "leads out of the folder";
+    case FieldRule::Form::number:
+    case FieldRule::Form::seed:
+      break;
+  }
+  return "";
+}
+
+}  // namespace
+
+bool isUuid(std::string_view text) {
+  if (text.size() != 36) return false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool dash = i == 8 || i == 13 || i == 18 || i == 23;
+    if (dash ? text[i] != '-' : !isLowerHex(text[i])) return false;
+  }
+  return true;
+}
+
+void checkField(std::string_view kind, std::string_view name, const std::string& value, const FieldRule& rule) {
+  if (value.empty()) {
+    if (!rule.may_be_empty) throw Error(fmt::format("{}: '{}' is empty", kind, name));
+    return;
+  }
+  if (value.size() > rule.longest) {
+    throw Error(fmt::format("{}: '{}' has {} bytes, more than {}", kind, name, value.size(), rule.longest));
+  }
+  const std::string_view fault = faultOfText(value, rule.form);
+  if (!fault.empty()) throw Error(fmt::format("{}: '{}' {}", kind, name, fault));
+}
+
+void checkField(std::string_view kind, std::string_view name, double value, const FieldRule& rule) {
+  // Also what is no number at all.
+  if (!(value >= rule.low && value <= rule.high)) {
+    throw Error(fmt::format("{}: '{}' is {}, not within {} to {}", kind, name, value, rule.low, rule.high));
+  }
+}
+
+}  // namespace palpate::training

@@ -1,0 +1,59 @@
+// Rows as JSON: what waits in the outbox, travels to a class, and is exported. Names are those of the database's
+// columns (docs/results-schema.md).
+//
+//   AnyRow ─ rowJson ─► outbox, MQTT, exports        text from a network ─ rowFromJson (checks all) ─► AnyRow
+//
+// An acknowledgement names the `outboxKey`, never the row's id alone: a block changes after every trial, and the
+// acknowledgement of what it was must not take away the newer one that still waits.
+#pragma once
+
+#include <concepts>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "palpate/training/records/rows.h"
+
+namespace palpate::training {
+
+/// "Whatever you have of this trainee: delete it." Says who by a hash, so that a station that has deleted somebody
+/// holds their id no longer, not even in this notice.
+struct DeletionRow {
+  std::string trainee_sha256;  ///< deletedMark(id)
+  std::int64_t at_ms = 0;      ///< what was made later is somebody who came back
+};
+
+using AnyRow =
+    std::variant<StationRow, ClassRow, TraineeRow, ProtocolRow, SittingRow, BlockRow, TrialRow, EventRow, DeletionRow>;
+
+AnyRow anyRow(const Row& row);
+
+/// The table's name: "station", "class", "trainee", "protocol", "session", "block", "trial", "event"; "delete".
+std::string_view kindOf(const AnyRow& row);
+/// The primary key; of a protocol "vhb@1", of a deletion the hash.
+std::string idOf(const AnyRow& row);
+
+/// In one line.
+std::string rowJson(const AnyRow& row);
+std::string rowJson(const Row& row);
+template <class R>
+requires(!std::same_as<R, AnyRow> && !std::same_as<R, Row> && std::constructible_from<AnyRow, const R&>) std::string
+    rowJson(const R& row) {
+  return rowJson(AnyRow(row));
+}
+
+/// Text is longer than no honest row.
+inline constexpr std::size_t kLongestRowJson = 65536;
+
+/// Believes nothing: unknown or missing keys, wrong types, numbers out of range, ids that are none, paths that lead
+/// elsewhere are refused. Throws Error ("trial: 'change' is 7, not within 0 to 1").
+AnyRow rowFromJson(std::string_view kind, std::string_view text);
+
+/// What OutboxEntry::row holds and an acknowledgement names: the id of a trial or event, which never changes; else a
+/// UUID made of kind and content. The same for a row that came over the wire as for the one that was sent.
+Uuid outboxKey(const AnyRow& row);
+
+/// The hash by which a deleted trainee, session or block is remembered: nobody is found by it who is not known already.
+std::string deletedMark(std::string_view id);
+
+}  // namespace palpate::training

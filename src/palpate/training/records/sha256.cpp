@@ -1,0 +1,68 @@
+// Over OpenSSL's digests.
+#include "palpate/training/records/sha256.h"
+
+#include <openssl/evp.h>
+
+#include <fstream>
+#include <memory>
+#include <vector>
+
+#include "palpate/base/error.h"
+
+namespace palpate::training {
+
+namespace {
+
+class RunningSha256 {
+ public:
+  RunningSha256() : context_(::EVP_MD_CTX_new(), &::EVP_MD_CTX_free) {
+    check(context_ != nullptr && ::EVP_DigestInit_ex(context_.get(), ::EVP_sha256(), nullptr) == 1);
+  }
+  void add(std::string_view bytes) { check(::EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size()) == 1); }
+  std::array<std::uint8_t, 32> end() {
+    std::array<std::uint8_t, 32> digest{};
+    check(::EVP_DigestFinal_ex(context_.get(), digest.data(), nullptr) == 1);
+    return digest;
+  }
+
+ private:
+  static void check(bool done) {
+    if (!done) throw Error("SHA-256 is not to be had from OpenSSL");
+  }
+  std::unique_ptr<EVP_MD_CTX, decltype(&::EVP_MD_CTX_free)> context_;
+};
+
+std::string hexOfDigest(const std::array<std::uint8_t, 32>& digest) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string text;
+  for (const std::uint8_t byte : digest) {
+    text += kDigits[byte >> 4];
+    text += kDigits[byte & 15];
+  }
+  return text;
+}
+
+}  // namespace
+
+std::array<std::uint8_t, 32> sha256Of(std::string_view bytes) {
+  RunningSha256 running;
+  running.add(bytes);
+  return running.end();
+}
+
+std::string sha256Hex(std::string_view bytes) { return hexOfDigest(sha256Of(bytes)); }
+
+std::string sha256OfFile(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw Error::inFile(file.string(), "cannot be read");
+  RunningSha256 running;
+  std::vector<char> piece(std::size_t{1} << 16);
+  while (in) {
+    in.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    running.add({piece.data(), static_cast<std::size_t>(in.gcount())});
+  }
+  if (in.bad()) throw Error::inFile(file.string(), "cannot be read to its end");
+  return hexOfDigest(running.end());
+}
+
+}  // namespace palpate::training

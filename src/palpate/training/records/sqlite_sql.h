@@ -1,0 +1,29 @@
+// A station's file behind the seam of sql.h.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "palpate/trace/database.h"
+#include "palpate/training/records/sql.h"
+
+namespace palpate::training {
+
+class SqliteSql : public Sql {
+ public:
+  SqliteSql(const std::filesystem::path& file, trace::Database::Mode mode) : database_(file, mode) {}
+
+  Dialect dialect() const override { return Dialect::sqlite; }
+  void run(const std::string& statements) override { database_.run(statements); }
+  std::vector<SqlValues> ask(std::string_view sql, const SqlValues& values = {}) override;
+  std::int64_t change(std::string_view sql, const SqlValues& values = {}) override;
+
+ private:
+  trace::Statement& prepared(std::string_view sql, const SqlValues& values);
+
+  trace::Database database_;
+  std::map<std::string, trace::Statement, std::less<>> statements_;
+};
+
+}  // namespace palpate::training

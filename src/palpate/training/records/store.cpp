@@ -1,0 +1,177 @@
+#include "palpate/training/records/store.h"
+
+#include "palpate/base/error.h"
+#include "palpate/training/records/sqlite_sql.h"
+
+namespace palpate::training {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// As tools see it that ask a file what it is: schema.cpp writes it.
+constexpr std::int64_t kOurApplicationId = 0x50616c52;
+constexpr const char* kOutboxSetting = "outbox";
+
+/// A file of nothing: whoever made it was killed before there was a table in it.
+void makeEmptyFile(const fs::path& file) {
+  trace::Database(file, trace::Database::Mode::create).run("VACUUM");
+  // Records of people are for their keeper alone; what SQLite puts beside the file follows it.
+  fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
+}
+
+std::unique_ptr<SqliteSql> openedRecords(const fs::path& file, Store::Open how) {
+  std::error_code error;
+  if (how == Store::Open::create_too && !fs::exists(file, error)) makeEmptyFile(file);
+  using Mode = trace::Database::Mode;
+  auto sql = std::make_unique<SqliteSql>(file, how == Store::Open::read_only ? Mode::read : Mode::write);
+  std::int64_t id = 0;
+  try {
+    id = sql->number("PRAGMA application_id");
+    // Never tables of ours into a stranger's database, such as a session file.
+    if (id == 0 && sql->number("SELECT count(*) FROM sqlite_schema") == 0 && how != Store::Open::read_only) {
+      id = kOurApplicationId;
+    }
+  } catch (const Error& cause) {
+    if (cause.cause().find("is no session file") == std::string_view::npos) throw;
+  }
+  if (id != kOurApplicationId) throw Error::inFile(file.string(), "holds no training records");
+  return sql;
+}
+
+void settle(SqliteSql& sql, const fs::path& file, Store::Open how) {
+  sql.run("PRAGMA foreign_keys = ON");
+  if (how == Store::Open::read_only) {
+    const int version = schemaVersionOf(sql);
+    if (version == kSchemaVersion) return;
+    throw Error::inFile(file.string(),
+                        version > kSchemaVersion
+                            ? "was written by a newer palpate"
+                            : "was written by an older palpate; `palpate results list` brings it forward");
+  }
+  // What `keep` returned from is on the disk: every commit waits for it. What was deleted is overwritten.
+  sql.run("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA secure_delete = ON");
+  bringForward(sql, file.string());
+}
+
+}  // namespace
+
+struct Store::Tables {
+  fs::path file;
+  std::unique_ptr<SqliteSql> sql;
+  RowTables rows;
+  bool outbox = false;
+
+  Tables(const fs::path& named, Open how) : file(named), sql(openedRecords(named, how)), rows(*sql) {
+    settle(*sql, file, how);
+    outbox =
+        !sql->ask("SELECT value FROM setting WHERE name = $1 AND value = 'on'", {std::string(kOutboxSetting)}).empty();
+  }
+
+  void queue(const AnyRow& row) {
+    const std::string kind(kindOf(row));
+    const std::string key = outboxKey(row);
+    const std::string body = rowJson(row);
+    // Where an older version waits it is replaced where it stands: rows that refer to it come after it.
+    if (sql->change("UPDATE outbox SET row_id = $1, body = $2 WHERE subject = $3 AND kind = $4",
+                    {key, body, idOf(row), kind}) == 0) {
+      sql->change("INSERT INTO outbox (kind, subject, row_id, body) VALUES ($1, $2, $3, $4)",
+                  {kind, idOf(row), key, body});
+    }
+  }
+  void keep(const AnyRow& row) {
+    rows.keep(row);
+    if (outbox) queue(row);
+  }
+  void keepAlone(const AnyRow& row) {
+    SqlTransaction transaction(*sql);
+    keep(row);
+    transaction.commit();
+  }
+};
+
+Store::Store(const fs::path& file, Open how) : tables_(std::make_unique<Tables>(file, how)) {}
+Store::~Store() = default;
+Store::Store(Store&&) noexcept = default;
+
+void Store::keep(const StationRow& row) { tables_->keepAlone(row); }
+void Store::keep(const ClassRow& row) { tables_->keepAlone(row); }
+void Store::keep(const TraineeRow& row) { tables_->keepAlone(row); }
+void Store::keep(const ProtocolRow& row) { tables_->keepAlone(row); }
+
+void Store::keep(std::span<const Row> rows) {
+  if (rows.empty()) return;
+  SqlTransaction transaction(*tables_->sql);
+  for (const Row& row : rows) tables_->keep(anyRow(row));
+  transaction.commit();
+}
+
+void Store::keepAny(std::span<const AnyRow> rows) {
+  if (rows.empty()) return;
+  SqlTransaction transaction(*tables_->sql);
+  for (const AnyRow& row : rows) tables_->keep(row);
+  transaction.commit();
+}
+
+std::vector<StationRow> Store::stations() { return tables_->rows.stations(); }
+std::vector<ClassRow> Store::classes() { return tables_->rows.classes(); }
+std::vector<TraineeRow> Store::trainees() { return tables_->rows.trainees(); }
+std::optional<TraineeRow> Store::trainee(const Uuid& id) { return tables_->rows.trainee(id); }
+std::vector<ProtocolRow> Store::protocols() { return tables_->rows.protocols(); }
+std::vector<SittingRow> Store::sittings(const Uuid& trainee) { return tables_->rows.sittings(trainee); }
+std::vector<BlockRow> Store::blocks(const Uuid& sitting) { return tables_->rows.blocks(sitting); }
+std::vector<TrialRow> Store::trials(const Uuid& block) { return tables_->rows.trials(block); }
+std::vector<EventRow> Store::events(const Uuid& sitting) { return tables_->rows.events(sitting); }
+
+std::optional<Store::Interrupted> Store::interrupted(const Uuid& trainee, SittingKind kind) {
+  return tables_->rows.interrupted(trainee, kind);
+}
+std::optional<BlockRow> Store::lastMeasured(const Uuid& trainee) { return tables_->rows.lastMeasured(trainee); }
+
+void Store::fillOutbox(bool on) {
+  if (on == tables_->outbox) return;
+  SqlTransaction transaction(*tables_->sql);
+  tables_->sql->change(
+      "INSERT INTO setting (name, value) VALUES ($1, $2) ON CONFLICT (name) DO UPDATE SET value = "
+      "excluded.value",
+      {std::string(kOutboxSetting), std::string(on ? "on" : "off")});
+  if (on) {
+    for (const AnyRow& row : tables_->rows.all()) tables_->queue(row);
+  }
+  transaction.commit();
+  tables_->outbox = on;
+}
+
+bool Store::fillsOutbox() const { return tables_->outbox; }
+
+std::vector<OutboxEntry> Store::waiting(std::size_t most) {
+  std::vector<OutboxEntry> entries;
+  for (const SqlValues& row :
+       tables_->sql->ask("SELECT number, kind, row_id, body FROM outbox ORDER BY number LIMIT $1",
+                         {static_cast<std::int64_t>(most)})) {
+    entries.push_back({std::get<std::int64_t>(row[0]), std::get<std::string>(row[1]), std::get<std::string>(row[2]),
+                       std::get<std::string>(row[3])});
+  }
+  return entries;
+}
+
+void Store::acknowledged(std::span<const Uuid> rows) {
+  if (rows.empty()) return;
+  SqlTransaction transaction(*tables_->sql);
+  for (const Uuid& row : rows) tables_->sql->change("DELETE FROM outbox WHERE row_id = $1", {row});
+  transaction.commit();
+}
+
+std::size_t Store::waitingCount() {
+  return static_cast<std::size_t>(tables_->sql->number("SELECT count(*) FROM outbox"));
+}
+
+RowTables& Store::rows() { return tables_->rows; }
+
+const fs::path& Store::file() const { return tables_->file; }
+fs::path Store::folder() const {
+  const fs::path folder = tables_->file.parent_path();
+  return folder.empty() ? fs::path(".") : folder;
+}
+
+}  // namespace palpate::training
