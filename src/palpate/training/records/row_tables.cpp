@@ -155,19 +155,27 @@ bool insertRow(Sql& sql, const R& row, RowTables::Update update) {
   return sql.change(insertOf<R>(update), values) > 0;
 }
 
-void insertVisits(Sql& sql, const TrialRow& trial) {
-  static const std::string kInsert = [] {
-    const auto columns = columnsOf<SiteVisit>();
-    std::string places = "$1";
-    for (std::size_t i = 0; i < columns.size(); ++i) places += fmt::format(", ${}", i + 2);
-    return fmt::format("INSERT INTO site_visit (trial_id, {}) VALUES ({})", fmt::join(columns, ", "), places);
-  }();
-  sql.change("DELETE FROM site_visit WHERE trial_id = $1", {trial.id});
-  for (const SiteVisit& visit : trial.visits) {
-    SqlValues values = {trial.id};
-    eachField(FieldsToSql{values}, visit);
-    sql.change(kInsert, values);
+/// For so many rows at once: over a network each statement is a way there and back.
+std::string visitsStatement(std::size_t rows) {
+  const auto columns = columnsOf<SiteVisit>();
+  std::string text = fmt::format("INSERT INTO site_visit (trial_id, {}) VALUES ", fmt::join(columns, ", "));
+  std::size_t place = 0;
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t i = 0; i <= columns.size(); ++i) {
+      text += fmt::format("{}${}", i > 0 ? ", " : row > 0 ? "), (" : "(", ++place);
+    }
   }
+  return text + ")";
+}
+
+void insertVisits(Sql& sql, const TrialRow& trial) {
+  if (trial.visits.empty()) return;
+  SqlValues values;
+  for (const SiteVisit& visit : trial.visits) {
+    values.emplace_back(trial.id);
+    eachField(FieldsToSql{values}, visit);
+  }
+  sql.change(visitsStatement(trial.visits.size()), values);
 }
 
 template <class R>
@@ -189,7 +197,9 @@ void keepRow(Sql& sql, const R& row, RowTables::Update update) {
     }
     [[maybe_unused]] const bool changed = insertRow(sql, row, update);
     if constexpr (std::same_as<R, TrialRow>) {
-      if (changed) insertVisits(sql, row);
+      if (!changed) return;
+      if (update == RowTables::Update::always) sql.change("DELETE FROM site_visit WHERE trial_id = $1", {row.id});
+      insertVisits(sql, row);
     }
   }
 }
@@ -219,6 +229,8 @@ std::string explained(const AnyRow& row, std::string_view cause) {
 void RowTables::keep(const AnyRow& row, Update update) {
   try {
     std::visit([&](const auto& held) { keepRow(sql_, held, update); }, row);
+  } catch (const DatabaseAway&) {
+    throw;  // nothing is wrong with the row
   } catch (const Error& error) {
     const std::string words = explained(row, error.cause());
     throw error.file().empty() ? Error(words) : Error::inFile(error.file(), words);

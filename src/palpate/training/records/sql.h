@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "palpate/base/error.h"
 #include "palpate/training/records/schema.h"
 
 namespace palpate::training {
@@ -15,6 +16,12 @@ namespace palpate::training {
 /// Nothing, a whole number (also yes or no), a real one, a text.
 using SqlValue = std::variant<std::monostate, std::int64_t, double, std::string>;
 using SqlValues = std::vector<SqlValue>;
+
+/// A server that does not answer, or has gone: nothing is wrong with what was asked; ask again when it is back.
+class DatabaseAway : public Error {
+ public:
+  using Error::Error;
+};
 
 /// A connection; one thread. Everything throws Error.
 class Sql {

@@ -1,0 +1,52 @@
+// A class's PostgreSQL behind the seam of training/records/sql.h. Only this room includes libpq.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "palpate/training/records/sql.h"
+
+struct pg_conn;
+struct pg_result;
+
+namespace palpate::classroom {
+
+using training::DatabaseAway;
+
+/// A connection; one thread. It is not made anew by itself: `connect` does that, and forgets nothing but the
+/// transaction that was under way.
+class PostgresSql : public training::Sql {
+ public:
+  /// `connection` as libpq has it: "host=/run/postgresql dbname=class", "postgresql://...". Does not connect yet.
+  explicit PostgresSql(std::string connection);
+
+  void connect();  ///< throws DatabaseAway
+  bool connected() const;
+
+  training::Dialect dialect() const override { return training::Dialect::postgresql; }
+  // Throw Error for what the server refuses, DatabaseAway when it is not there.
+  void run(const std::string& statements) override;
+  std::vector<training::SqlValues> ask(std::string_view sql, const training::SqlValues& values = {}) override;
+  std::int64_t change(std::string_view sql, const training::SqlValues& values = {}) override;
+
+ private:
+  struct Finish {
+    void operator()(pg_conn* connection) const;
+  };
+  struct Clear {
+    void operator()(pg_result* result) const;
+  };
+  using Result = std::unique_ptr<pg_result, Clear>;
+
+  Result checked(pg_result* result);
+  Result executed(std::string_view sql, const training::SqlValues& values);
+  const std::string& prepared(std::string_view sql);
+
+  std::string settings_;
+  std::unique_ptr<pg_conn, Finish> connection_;
+  std::map<std::string, std::string, std::less<>> names_;  // of statements that the server has prepared
+};
+
+}  // namespace palpate::classroom

@@ -1,0 +1,156 @@
+// The class's store against a real PostgreSQL 15: every row comes back bit for bit, once, whatever the order and
+// however often it was sent; what was acknowledged survives the server's death; who is deleted stays deleted.
+#include "palpate/classroom/class_store.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "palpate/training/records/store.h"
+#include "support/error_message.h"
+#include "support/postgres_server.h"
+#include "support/temporary_folder.h"
+#include "training/records_samples.h"
+
+namespace palpate::classroom {
+namespace {
+
+namespace samples = training::samples;
+using support::PostgresServer;
+using training::AnyRow;
+
+class ClassStoreTest : public testing::Test {
+ protected:
+  static void SetUpTestSuite() { server_ = PostgresServer::started().release(); }
+  static void TearDownTestSuite() {
+    delete server_;
+    server_ = nullptr;
+  }
+  void SetUp() override {
+    if (server_ == nullptr) GTEST_SKIP() << PostgresServer::kNotInstalled;
+    std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+    std::ranges::transform(name, name.begin(), [](char c) { return static_cast<char>(std::tolower(c)); });
+    connection_ = server_->connection(name);
+  }
+
+  static PostgresServer* server_;
+  std::string connection_;
+};
+PostgresServer* ClassStoreTest::server_ = nullptr;
+
+std::vector<std::string> sorted(std::vector<std::string> texts) {
+  std::ranges::sort(texts);
+  return texts;
+}
+
+TEST_F(ClassStoreTest, GivesBackEveryRowAsASqliteFileDoes) {
+  const samples::History history = samples::history(3, 2, 12);
+  ClassStore store(connection_);
+  EXPECT_EQ(store.keep(history.rows).keys.size(), history.rows.size());
+  const support::TemporaryFolder folder;
+  training::Store file(folder / "a.results", training::Store::Open::create_too);
+  file.keepAny(history.rows);
+  EXPECT_EQ(sorted(samples::saidAll(store.rows().all())), sorted(samples::saidAll(history.rows)));
+  EXPECT_EQ(samples::saidAll(store.rows().all()), samples::saidAll(file.rows().all()));  // in the same order
+  EXPECT_EQ(store.rows().trialCount(), 72);
+}
+
+TEST_F(ClassStoreTest, RowsInAnyOrderAndTwiceAreThereOnce) {
+  samples::History history = samples::history(2, 2, 5);
+  ClassStore store(connection_);
+  std::ranges::reverse(history.rows);
+  for (int time = 0; time < 2; ++time) {
+    const ClassStore::Kept kept = store.keep(history.rows);
+    EXPECT_EQ(kept.keys.size(), history.rows.size());
+    EXPECT_TRUE(kept.refused.empty());
+  }
+  EXPECT_EQ(sorted(samples::saidAll(store.rows().all())), sorted(samples::saidAll(history.rows)));
+}
+
+TEST_F(ClassStoreTest, ARowWithoutItsBlockIsRefusedAndTheOthersAreKept) {
+  const samples::History history = samples::history(1, 1, 3);
+  std::vector<AnyRow> rows = history.rows;
+  Random random(3);
+  const training::TrialRow lonely =
+      samples::trial(samples::block(samples::sitting(samples::trainee(), 1), 99), 7, 1, random);
+  rows.insert(rows.begin() + 2, lonely);
+  ClassStore store(connection_);
+  const ClassStore::Kept kept = store.keep(rows);
+  EXPECT_EQ(kept.keys.size(), history.rows.size());
+  ASSERT_EQ(kept.refused.size(), 1u);
+  EXPECT_EQ(kept.refused.front().key, lonely.id);
+  EXPECT_NE(kept.refused.front().why.find("cannot be kept before its block"), std::string::npos)
+      << kept.refused.front().why;
+  EXPECT_EQ(store.rows().trialCount(), 3);
+}
+
+TEST_F(ClassStoreTest, AnOlderStateOfABlockDoesNotReplaceANewerOne) {
+  const samples::History history = samples::history(1, 1, 0);
+  ClassStore store(connection_);
+  store.keep(history.rows);
+  training::BlockRow block = std::get<training::BlockRow>(history.rows[5]);
+  const std::string newest = training::rowJson(AnyRow(block));
+  block.finished = false;
+  block.trials = 3;
+  block.state_json = "{}";
+  const AnyRow older = block;
+  EXPECT_EQ(store.keep(std::span(&older, 1)).keys.size(), 1u);  // acknowledged: it is superseded
+  EXPECT_EQ(training::rowJson(AnyRow(*store.rows().block(block.id))), newest);
+}
+
+TEST_F(ClassStoreTest, WhatWasKeptSurvivesTheServersDeath) {
+  const samples::History history = samples::history(1, 2, 10);
+  ClassStore store(connection_);
+  std::set<training::Uuid> acknowledged;
+  std::size_t next = 0;
+  for (int death = 0; death < 3; ++death) {
+    for (int i = 0; i < 6; ++i, ++next) {
+      for (const auto& key : store.keep(std::span(&history.rows[next], 1)).keys) acknowledged.insert(key);
+    }
+    server_->kill();
+    EXPECT_THROW(store.keep(std::span(&history.rows[next], 1)), DatabaseAway);
+    EXPECT_FALSE(store.connected());
+    EXPECT_THROW(store.reconnect(), DatabaseAway);
+    server_->start();
+    store.reconnect();
+    EXPECT_TRUE(store.connected());
+  }
+  std::set<training::Uuid> there;
+  for (const AnyRow& row : store.rows().all()) there.insert(training::outboxKey(row));
+  EXPECT_EQ(acknowledged.size(), 18u);
+  EXPECT_TRUE(std::ranges::includes(there, acknowledged));
+}
+
+TEST_F(ClassStoreTest, WhoWasDeletedStaysDeletedWhateverStillComes) {
+  const samples::History history = samples::history(3, 2, 4);
+  const training::Uuid gone = history.trainees[1].id;
+  ClassStore store(connection_);
+  store.keep(history.rows);
+  std::vector<std::string> others;
+  for (const AnyRow& row : store.rows().all()) others.push_back(samples::said(row));
+  const AnyRow notice = training::DeletionRow{training::deletedMark(gone), training::utcMs()};
+  EXPECT_EQ(store.keep(std::span(&notice, 1)).keys, std::vector{training::outboxKey(notice)});
+  EXPECT_FALSE(store.rows().trainee(gone));
+  // A station that was away sends all of it once more, and is told that it need not.
+  const ClassStore::Kept again = store.keep(history.rows);
+  EXPECT_EQ(again.keys.size(), history.rows.size());
+  EXPECT_FALSE(store.rows().trainee(gone));
+  EXPECT_EQ(store.rows().trialCount(), 16);
+  for (const AnyRow& row : store.rows().all()) EXPECT_NE(std::ranges::find(others, samples::said(row)), others.end());
+  // The same code signs in a year later.
+  training::TraineeRow back = history.trainees[1];
+  back.created_ms = training::utcMs() + 1000;
+  const AnyRow row = back;
+  store.keep(std::span(&row, 1));
+  EXPECT_TRUE(store.rows().trainee(gone));
+}
+
+TEST_F(ClassStoreTest, SaysWhatIsWrongWithAConnection) {
+  const std::string words = support::messageOf([] { ClassStore("host=/tmp/palpate_nowhere dbname=x"); });
+  EXPECT_EQ(words.rfind("the class's database: ", 0), 0u) << words;
+  EXPECT_EQ(words.find('\n'), std::string::npos);
+}
+
+}  // namespace
+}  // namespace palpate::classroom
