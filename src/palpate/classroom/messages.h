@@ -130,15 +130,6 @@ std::optional<std::vector<training::Uuid>> parseAck(std::string_view text);
 }  // namespace palpate::classroom
 
 template <>
-struct palpate::WordsOf<palpate::training::Screen> {
-  using V = palpate::training::Screen;
-  static constexpr std::array kAll = {
-      Word{"device_check", V::device_check}, Word{"familiarisation", V::familiarisation},
-      Word{"instruction", V::instruction},   Word{"trial", V::trial},
-      Word{"feedback", V::feedback},         Word{"block_summary", V::block_summary},
-      Word{"free", V::free_exploration},     Word{"finished", V::finished}};
-};
-template <>
 struct palpate::WordsOf<palpate::classroom::CommandKind> {
   using V = palpate::classroom::CommandKind;
   static constexpr std::array kAll = {Word{"pause", V::pause}, Word{"go_on", V::go_on}, Word{"message", V::message},

@@ -1,0 +1,35 @@
+// The certificates of a class: its own authority, the broker's, and one for each who takes part. Made here, so that a
+// class needs nobody else's, and nothing of it is worth anything outside.
+//
+// Keys are EC P-256; certificates X.509 version 3, signed with SHA-256.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace palpate::classroom {
+
+/// Texts (PEM).
+struct Certified {
+  std::string certificate;
+  std::string key;
+};
+
+/// Ten years: longer than a class lasts, for it can sign new members as long.
+inline constexpr int kAuthorityDays = 3650;
+/// Two years: a course and its repetition; `palpate class add-station` makes new ones.
+inline constexpr int kMemberDays = 730;
+
+/// Who signs the others. Throws Error, as all of these.
+Certified makeAuthority(const std::string& name);
+/// Of a broker that is reached under these names and addresses.
+Certified makeServerCertificate(const Certified& authority, const std::vector<std::string>& hosts);
+/// Of one who connects; `name` is what the broker's access list knows it by.
+Certified makeMemberCertificate(const Certified& authority, const std::string& name);
+
+/// SHA-256 of the certificate itself, hex.
+std::string fingerprintOf(const std::string& certificate);
+/// Days until it is no longer valid; negative: it is not.
+int daysLeft(const std::string& certificate);
+
+}  // namespace palpate::classroom

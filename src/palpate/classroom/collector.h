@@ -1,0 +1,50 @@
+// What gathers a class: rows of all stations come from the broker, go into the database in batches, and are
+// acknowledged when they are there. It may be killed at any moment, and so may the broker and the database: what was
+// not acknowledged comes again.
+//
+//   broker ─ rows ─► inbox ─ batch ─► RowSink::keep (commit) ─► ack to each station
+//
+// Based on: outbox and application acknowledgement; a broker's own acknowledgement is not delivery (docs/class.md).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "palpate/classroom/class_settings.h"
+#include "palpate/classroom/row_sink.h"
+
+namespace palpate::classroom {
+
+struct CollectorReport {
+  bool connected = false;    ///< to the broker
+  bool database = true;      ///< the newest batch was kept
+  std::uint64_t rows = 0;    ///< kept and acknowledged, repeats among them
+  std::uint64_t trials = 0;  ///< of them
+  std::uint64_t commits = 0;
+  std::uint64_t refused = 0;  ///< were no rows, or rows that the database would not have
+  std::uint64_t dropped = 0;  ///< came faster than the database took them; they come again
+  std::size_t inbox = 0;      ///< waiting now
+  std::size_t stations = 0;   ///< heard of
+  std::string trouble;        ///< the newest, in words; empty: none
+};
+
+class Collector {
+ public:
+  /// Begins at once; a broker or a database that is not there yet is waited for. Throws Error for certificates that
+  /// cannot be used.
+  Collector(const Member& member, std::unique_ptr<RowSink> sink);
+  /// Finishes the batch at hand.
+  ~Collector();
+  Collector(const Collector&) = delete;
+  Collector& operator=(const Collector&) = delete;
+
+  CollectorReport report() const;
+
+ private:
+  struct Course;
+  std::unique_ptr<Course> course_;
+};
+
+}  // namespace palpate::classroom

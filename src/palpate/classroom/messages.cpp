@@ -1,0 +1,401 @@
+#include "palpate/classroom/messages.h"
+
+#include <fmt/format.h>
+#include <openssl/evp.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "palpate/base/text.h"
+#include "palpate/classroom/class_settings.h"
+#include "palpate/training/records/row_check.h"
+#include "palpate/training/records/row_json.h"
+
+namespace palpate::classroom {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using training::Screen;
+
+constexpr std::string_view kTopicRoot = "palpate/v1";
+constexpr std::array<std::string_view, 9> kRowKinds = {"station", "class", "trainee", "protocol", "session",
+                                                       "block",   "trial", "event",   "delete"};
+constexpr std::array kScreenWords = {
+    Word{"device_check", Screen::device_check}, Word{"familiarisation", Screen::familiarisation},
+    Word{"instruction", Screen::instruction},   Word{"trial", Screen::trial},
+    Word{"feedback", Screen::feedback},         Word{"block_summary", Screen::block_summary},
+    Word{"free", Screen::free_exploration},     Word{"finished", Screen::finished}};
+constexpr double kLongestMonotonicS = 1e10;  // 300 years
+constexpr double kFarthestFingerMm = 9999.0;
+constexpr double kMostLiveForceN = 999.0;
+constexpr int kMostSites = 40;
+constexpr int kMostTrials = 100000;
+constexpr std::size_t kMostStatusText = 400;  // a device's name is not longer
+/// A row's text that is longer travels compressed; with its envelope it then still fits.
+constexpr std::size_t kMostPlainRow = kMostMessageBytes - 150;
+/// A compressed row, as text: 64 kB that do not compress.
+constexpr std::size_t kMostRowMessage = 100000;
+constexpr std::size_t kKeysInAck = 90;
+
+std::string screenWord(Screen screen) {
+  const auto* const found = std::ranges::find(kScreenWords, screen, &Word<Screen>::value);
+  return std::string(found == kScreenWords.end() ? "finished" : found->word);
+}
+std::optional<Screen> screenNamed(std::string_view word) {
+  const auto* const found = std::ranges::find(kScreenWords, word, &Word<Screen>::word);
+  return found == kScreenWords.end() ? std::nullopt : std::optional(found->value);
+}
+
+/// Finite and small enough that a message keeps its size.
+double within(double value, double most) { return std::isfinite(value) ? std::clamp(value, -most, most) : 0.0; }
+double rounded(double value, double most, double steps) { return std::round(within(value, most) * steps) / steps; }
+
+Json enveloped(const Envelope& envelope) {
+  return {{"seq", envelope.sequence}, {"id", envelope.id}, {"t", rounded(envelope.monotonic_s, 1e9, 1000.0)}};
+}
+std::string lineOf(const Json& message) { return message.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+std::string shortened(const std::string& text, std::size_t most) {
+  std::size_t end = std::min(text.size(), most);
+  while (end > 0 && end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+  return text.substr(0, end);
+}
+
+/// The members of a message, each of which must be there and be what it should; all is judged at the end.
+class MessageReader {
+ public:
+  MessageReader(std::string_view text, std::size_t most_bytes) {
+    if (text.size() <= most_bytes) object_ = Json::parse(text, nullptr, false);
+    good_ = object_.is_object();
+  }
+
+  const Json* member(const char* name) {
+    if (!good_) return nullptr;
+    const auto found = object_.find(name);
+    good_ = found != object_.end();
+    used_ += good_ ? 1U : 0U;
+    return good_ ? &*found : nullptr;
+  }
+  bool has(const char* name) const { return good_ && object_.contains(name); }
+
+  double number(const char* name, double low, double high) {
+    const Json* value = member(name);
+    return value == nullptr ? 0.0 : number(*value, low, high);
+  }
+  double number(const Json& value, double low, double high) {
+    const double read = value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
+    if (!(read >= low && read <= high)) good_ = false;
+    return good_ ? read : 0.0;
+  }
+  int whole(const char* name, int low, int high) {
+    const Json* value = member(name);
+    if (value == nullptr) return 0;
+    if (!value->is_number_integer()) good_ = false;
+    return static_cast<int>(number(*value, low, high));
+  }
+  std::string text(const char* name, std::size_t most) {
+    const Json* value = member(name);
+    if (value == nullptr) return {};
+    if (!value->is_string() || value->get_ref<const std::string&>().size() > most) good_ = false;
+    return good_ ? value->get<std::string>() : std::string();
+  }
+  bool truth(const char* name) {
+    const Json* value = member(name);
+    if (value == nullptr) return false;
+    if (!value->is_boolean()) good_ = false;
+    return good_ && value->get<bool>();
+  }
+  training::Uuid uuid(const char* name) {
+    std::string id = text(name, 36);
+    if (!training::isUuid(id)) good_ = false;
+    return id;
+  }
+  template <class Value>
+  Value word(const char* name) {
+    const auto named = valueNamed<Value>(text(name, 32));
+    if (!named) good_ = false;
+    return named.value_or(Value{});
+  }
+  Screen screen(const char* name) {
+    const auto named = screenNamed(text(name, 32));
+    if (!named) good_ = false;
+    return named.value_or(Screen::finished);
+  }
+  Envelope envelope() {
+    Envelope read;
+    const Json* sequence = member("seq");
+    if (sequence != nullptr && !sequence->is_number_unsigned()) good_ = false;
+    if (good_) read.sequence = sequence->get<std::uint64_t>();
+    read.id = uuid("id");
+    read.monotonic_s = number("t", -kLongestMonotonicS, kLongestMonotonicS);
+    return read;
+  }
+
+  void refuse() { good_ = false; }
+  /// Everything was as it should be, and nothing else was there.
+  bool good() const { return good_ && used_ == object_.size(); }
+
+ private:
+  Json object_;
+  bool good_ = false;
+  std::size_t used_ = 0;
+};
+
+template <class Content>
+std::optional<Message<Content>> messageOf(const MessageReader& reader, Envelope envelope, Content content) {
+  if (!reader.good()) return std::nullopt;
+  return Message<Content>{std::move(envelope), std::move(content)};
+}
+
+std::string base64(const std::string& bytes) {
+  std::string text(4 * ((bytes.size() + 2) / 3) + 1, '\0');
+  const int written =
+      EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()),
+                      reinterpret_cast<const unsigned char*>(bytes.data()), static_cast<int>(bytes.size()));
+  text.resize(static_cast<std::size_t>(written));
+  return text;
+}
+
+std::optional<std::string> bytesOfBase64(const std::string& text) {
+  if (text.empty() || text.size() % 4 != 0) return std::nullopt;
+  std::string bytes(3 * text.size() / 4, '\0');
+  const int written =
+      EVP_DecodeBlock(reinterpret_cast<unsigned char*>(bytes.data()),
+                      reinterpret_cast<const unsigned char*>(text.data()), static_cast<int>(text.size()));
+  if (written < 0) return std::nullopt;
+  const auto padding = static_cast<std::size_t>(std::count(text.end() - 2, text.end(), '='));
+  bytes.resize(static_cast<std::size_t>(written) - padding);
+  return bytes;
+}
+
+std::string packed(const std::string& text) {
+  uLongf size = compressBound(static_cast<uLong>(text.size()));
+  std::string bytes(size, '\0');
+  compress2(reinterpret_cast<Bytef*>(bytes.data()), &size, reinterpret_cast<const Bytef*>(text.data()),
+            static_cast<uLong>(text.size()), Z_BEST_COMPRESSION);
+  bytes.resize(size);
+  return base64(bytes);
+}
+
+/// At most what a row may be: a few bytes could else become a gigabyte.
+std::optional<std::string> unpacked(const std::string& text) {
+  const auto bytes = bytesOfBase64(text);
+  if (!bytes) return std::nullopt;
+  std::string row(training::kLongestRowJson, '\0');
+  uLongf size = row.size();
+  if (uncompress(reinterpret_cast<Bytef*>(row.data()), &size, reinterpret_cast<const Bytef*>(bytes->data()),
+                 static_cast<uLong>(bytes->size())) != Z_OK) {
+    return std::nullopt;
+  }
+  row.resize(size);
+  return row;
+}
+
+int wrongInARow(const std::vector<training::TrialRow>& trials) {
+  const auto right = std::find_if(trials.rbegin(), trials.rend(), [](const auto& trial) { return trial.correct; });
+  return static_cast<int>(right - trials.rbegin());
+}
+
+}  // namespace
+
+std::string topicText(const Topic& topic) {
+  return fmt::format("{}/{}/st/{}/{}", kTopicRoot, topic.class_id, topic.station, topic.kind);
+}
+
+std::optional<Topic> parseTopic(std::string_view text) {
+  if (text.size() > kMostLiveBytes) return std::nullopt;
+  const auto parts = split(text, '/');
+  if (parts.size() != 6 || parts[0] != "palpate" || parts[1] != "v1" || parts[3] != "st") return std::nullopt;
+  Topic topic{std::string(parts[2]), std::string(parts[4]), std::string(parts[5])};
+  if (!isClassWord(topic.class_id) || !isStationName(topic.station) || !isClassWord(topic.kind)) return std::nullopt;
+  return topicText(topic) == text ? std::optional(topic) : std::nullopt;
+}
+
+bool isRowKind(std::string_view kind) { return std::ranges::find(kRowKinds, kind) != kRowKinds.end(); }
+
+StationState stateOf(const training::Sitting& sitting) {
+  StationState state;
+  state.sitting = sitting.plan().row.id;
+  state.trainee = sitting.plan().row.trainee;
+  state.kind = sitting.plan().kind;
+  state.screen = sitting.screen();
+  state.paused = sitting.paused();
+  state.trial = state.screen == Screen::trial ? sitting.trialNumber() : 0;
+  state.trials_at_most = sitting.trialsAtMost();
+  if (const auto hidden = sitting.hidden()) state.change = hidden->change;
+  if (const auto result = sitting.result()) {
+    state.threshold = result->threshold.median;
+    state.low = result->threshold.low;
+    state.high = result->threshold.high;
+  }
+  const auto& trials = sitting.trials();
+  state.wrong_in_a_row = wrongInARow(trials);
+  if (!trials.empty()) {
+    state.sites_skipped = std::max(0, sitting.plan().sites.choices() - trials.back().visited);
+    state.palpate_force_n = trials.back().palpate_force_n;
+  }
+  return state;
+}
+
+std::string statusText(const Envelope& envelope, const StationStatus& status) {
+  Json message = enveloped(envelope);
+  message["online"] = status.online;
+  message["app"] = shortened(status.app, 100);
+  message["device"] = shortened(status.device, kMostStatusText);
+  message["safety"] = shortened(status.safety, kMostStatusText);
+  return lineOf(message);
+}
+
+std::optional<Message<StationStatus>> parseStatus(std::string_view text) {
+  MessageReader reader(text, kMostMessageBytes);
+  Envelope envelope = reader.envelope();
+  StationStatus status;
+  status.online = reader.truth("online");
+  status.app = reader.text("app", 100);
+  status.device = reader.text("device", kMostStatusText);
+  status.safety = reader.text("safety", kMostStatusText);
+  return messageOf(reader, std::move(envelope), std::move(status));
+}
+
+std::string stateText(const Envelope& envelope, const StationState& state) {
+  Json message = enveloped(envelope);
+  message["sitting"] = state.sitting;
+  message["trainee"] = state.trainee;
+  message["kind"] = wordFor(state.kind);
+  message["screen"] = screenWord(state.screen);
+  message["paused"] = state.paused;
+  message["trial"] = state.trial;
+  message["most"] = state.trials_at_most;
+  message["change"] = rounded(state.change, 1.0, 1e4);
+  message["T"] = {rounded(state.threshold, 9.0, 1e4), rounded(state.low, 9.0, 1e4), rounded(state.high, 9.0, 1e4)};
+  message["wrong"] = state.wrong_in_a_row;
+  message["skipped"] = state.sites_skipped;
+  message["force"] = rounded(state.palpate_force_n, kMostLiveForceN, 100.0);
+  return lineOf(message);
+}
+
+std::optional<Message<StationState>> parseState(std::string_view text) {
+  MessageReader reader(text, kMostMessageBytes);
+  Envelope envelope = reader.envelope();
+  StationState state;
+  state.sitting = reader.uuid("sitting");
+  state.trainee = reader.uuid("trainee");
+  state.kind = reader.word<training::SittingKind>("kind");
+  state.screen = reader.screen("screen");
+  state.paused = reader.truth("paused");
+  state.trial = reader.whole("trial", 0, kMostTrials);
+  state.trials_at_most = reader.whole("most", 0, kMostTrials);
+  state.change = reader.number("change", 0.0, 1.0);
+  if (const Json* t = reader.member("T"); t != nullptr && t->is_array() && t->size() == 3) {
+    state.threshold = reader.number((*t)[0], 0.0, 9.0);
+    state.low = reader.number((*t)[1], 0.0, 9.0);
+    state.high = reader.number((*t)[2], 0.0, 9.0);
+  } else {
+    reader.refuse();
+  }
+  state.wrong_in_a_row = reader.whole("wrong", 0, kMostTrials);
+  state.sites_skipped = reader.whole("skipped", 0, kMostSites);
+  state.palpate_force_n = reader.number("force", 0.0, kMostLiveForceN);
+  return messageOf(reader, std::move(envelope), std::move(state));
+}
+
+std::string liveText(const Envelope& envelope, const LiveSample& live) {
+  Json message = enveloped(envelope);
+  const auto place = [&](int axis) { return rounded(live.finger_mm[axis], kFarthestFingerMm, 10.0); };
+  message["p"] = {place(0), place(1), place(2)};
+  message["f"] = rounded(live.force_n, kMostLiveForceN, 100.0);
+  message["d"] = rounded(live.depth_mm, kMostLiveForceN, 10.0);
+  message["s"] = std::clamp(live.site, 0, kMostSites);
+  message["n"] = std::clamp(live.sites_pressed, 0, kMostSites);
+  message["ph"] = screenWord(live.phase);
+  return lineOf(message);
+}
+
+std::optional<Message<LiveSample>> parseLive(std::string_view text) {
+  MessageReader reader(text, kMostLiveBytes);
+  Envelope envelope = reader.envelope();
+  LiveSample live;
+  if (const Json* place = reader.member("p"); place != nullptr && place->is_array() && place->size() == 3) {
+    for (int axis = 0; axis < 3; ++axis) {
+      live.finger_mm[axis] =
+          reader.number((*place)[static_cast<std::size_t>(axis)], -kFarthestFingerMm, kFarthestFingerMm);
+    }
+  } else {
+    reader.refuse();
+  }
+  live.force_n = reader.number("f", -kMostLiveForceN, kMostLiveForceN);
+  live.depth_mm = reader.number("d", -kMostLiveForceN, kMostLiveForceN);
+  live.site = reader.whole("s", 0, kMostSites);
+  live.sites_pressed = reader.whole("n", 0, kMostSites);
+  live.phase = reader.screen("ph");
+  return messageOf(reader, std::move(envelope), live);
+}
+
+std::string rowText(const Envelope& envelope, const std::string& body) {
+  std::string head = lineOf(enveloped(envelope));
+  head.pop_back();
+  if (body.size() <= kMostPlainRow) return head + ",\"row\":" + body + "}";
+  return head + ",\"z\":\"" + packed(body) + "\"}";
+}
+
+std::optional<RowMessage> parseRowMessage(std::string_view text) {
+  MessageReader reader(text, kMostRowMessage);
+  RowMessage message{reader.envelope(), {}};
+  if (reader.has("z")) {
+    auto row = unpacked(reader.text("z", kMostRowMessage));
+    if (!row) return std::nullopt;
+    message.body = std::move(*row);
+  } else if (const Json* row = reader.member("row"); row != nullptr) {
+    if (!row->is_object()) return std::nullopt;
+    message.body = lineOf(*row);
+  }
+  return reader.good() ? std::optional(std::move(message)) : std::nullopt;
+}
+
+std::string commandText(const Envelope& envelope, const Command& command) {
+  Json message = enveloped(envelope);
+  message["do"] = wordFor(command.kind);
+  message["text"] = shortened(command.text, kMostCommandText);
+  return lineOf(message);
+}
+
+std::optional<Message<Command>> parseCommand(std::string_view text) {
+  MessageReader reader(text, kMostMessageBytes);
+  Envelope envelope = reader.envelope();
+  Command command;
+  command.kind = reader.word<CommandKind>("do");
+  command.text = reader.text("text", kMostCommandText);
+  return messageOf(reader, std::move(envelope), std::move(command));
+}
+
+std::vector<std::string> ackTexts(const Envelope& envelope, const std::vector<training::Uuid>& keys) {
+  std::vector<std::string> texts;
+  for (std::size_t begin = 0; begin < keys.size(); begin += kKeysInAck) {
+    const std::size_t end = std::min(keys.size(), begin + kKeysInAck);
+    Json message = enveloped(envelope);
+    message["rows"] = Json::array();
+    for (std::size_t i = begin; i < end; ++i) message["rows"].push_back(keys[i]);
+    texts.push_back(lineOf(message));
+  }
+  return texts;
+}
+
+std::optional<std::vector<training::Uuid>> parseAck(std::string_view text) {
+  MessageReader reader(text, kMostMessageBytes);
+  reader.envelope();
+  const Json* rows = reader.member("rows");
+  if (rows == nullptr || !rows->is_array() || !reader.good()) return std::nullopt;
+  std::vector<training::Uuid> keys;
+  for (const Json& row : *rows) {
+    if (!row.is_string() || !training::isUuid(row.get_ref<const std::string&>())) return std::nullopt;
+    keys.push_back(row.get<std::string>());
+  }
+  return keys;
+}
+
+}  // namespace palpate::classroom

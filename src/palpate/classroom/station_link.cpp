@@ -1,0 +1,345 @@
+#include "palpate/classroom/station_link.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <thread>
+#include <unordered_map>
+
+#include "palpate/base/error.h"
+#include "palpate/base/stopwatch.h"
+#include "palpate/classroom/mqtt_link.h"
+
+namespace palpate::classroom {
+
+namespace {
+
+constexpr auto kLivePeriod = std::chrono::milliseconds(100);    // 10 Hz
+constexpr auto kOutboxPeriod = std::chrono::milliseconds(250);  // how soon a new row is seen
+constexpr auto kDiskPeriod = std::chrono::seconds(10);
+constexpr std::size_t kMostCommands = 32;
+/// As long as nothing is acknowledged, no more than these are tried again: with the collector away, two hundred
+/// stations would else send all that they have every three seconds.
+constexpr double kProbes = 20.0;
+
+double ageS(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
+
+/// Commands that wait to be taken, and how old they are.
+class CommandQueue {
+ public:
+  void put(const Command& command) {
+    const std::lock_guard lock(mutex_);
+    if (queue_.size() >= kMostCommands) queue_.pop_front();
+    queue_.push_back({command, Clock::now()});
+  }
+  std::optional<Command> take() {
+    const std::lock_guard lock(mutex_);
+    while (!queue_.empty()) {
+      const Waiting oldest = std::move(queue_.front());
+      queue_.pop_front();
+      if (ageS(oldest.since) <= kCommandExpiryS) return oldest.command;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  struct Waiting {
+    Command command;
+    Clock::time_point since;
+  };
+  std::mutex mutex_;
+  std::deque<Waiting> queue_;
+};
+
+/// Which rows of the outbox may be sent now. Knows no clock of its own and no network.
+class OutboxSender {
+ public:
+  explicit OutboxSender(const OutboxPace& pace) : pace_(pace) {}
+
+  /// So many rows may be looked at. Wider again with time, should the oldest be rows that nobody will have.
+  std::size_t window() const {
+    const auto most = static_cast<std::size_t>(pace_.most_under_way);
+    if (!silent_since_) return most;
+    const double rounds = std::min(20.0, ageS(*silent_since_) / (4.0 * pace_.resend_s));
+    return std::min(most, static_cast<std::size_t>(kProbes * std::exp2(rounds)));
+  }
+  /// Forgets what has left the outbox.
+  void restrictTo(const std::vector<training::OutboxEntry>& waiting) {
+    std::unordered_map<training::Uuid, Clock::time_point> kept;
+    for (const auto& entry : waiting) {
+      if (const auto found = sent_.find(entry.row); found != sent_.end()) kept.insert(*found);
+    }
+    sent_ = std::move(kept);
+  }
+  bool due(const training::Uuid& row) {
+    const auto found = sent_.find(row);
+    if (found == sent_.end()) return true;
+    if (ageS(found->second) < pace_.resend_s) return false;
+    if (!silent_since_) silent_since_ = Clock::now();
+    return true;
+  }
+  /// A share of the rate that is allowed; false: wait.
+  bool takeToken() {
+    const auto now = Clock::now();
+    tokens_ = std::min(kBurst, tokens_ + pace_.most_per_s * std::chrono::duration<double>(now - filled_).count());
+    filled_ = now;
+    if (tokens_ < 1.0) return false;
+    tokens_ -= 1.0;
+    return true;
+  }
+  void sent(const training::Uuid& row) { sent_[row] = Clock::now(); }
+  void acknowledged() { silent_since_.reset(); }
+
+ private:
+  static constexpr double kBurst = 5.0;  // rows at once: a trial comes with its block and an event
+  OutboxPace pace_;
+  std::unordered_map<training::Uuid, Clock::time_point> sent_;
+  double tokens_ = kBurst;
+  Clock::time_point filled_ = Clock::now();
+  std::optional<Clock::time_point> silent_since_;  ///< something was sent twice, and nothing acknowledged since
+};
+
+bool diskNearlyFull(const std::filesystem::path& folder) {
+  std::error_code fault;
+  const auto space = std::filesystem::space(folder, fault);
+  return !fault && static_cast<double>(space.available) < kLeastDiskBytes;
+}
+
+}  // namespace
+
+struct StationLink::Course {
+  Course(const Member& at, training::Store& store, const StationInfo& info, const OutboxPace& pace)
+      : member(at), own(opened(store)), sender(pace) {
+    status.online = true;
+    status.app = info.app;
+    status.device = info.device;
+    status.safety = "ok";
+    row_count = own.waitingCount();
+    MqttSettings settings = linkOf(member);
+    settings.subscriptions = {{topic("ack"), 1}, {topic("cmd"), 1}};
+    StationStatus gone = status;
+    gone.online = false;
+    settings.will = OutMessage{topic("status"), statusText(nextEnvelope(member.station_id), gone), 1, true, 0};
+    mqtt.emplace(settings, MqttHandlers{[this](auto where, auto what) { received(where, what); }, [this] { greet(); }});
+    thread = std::thread([this] { run(); });
+  }
+  ~Course() {
+    {
+      const std::lock_guard lock(mutex);
+      ending = true;
+    }
+    woken.notify_all();
+    thread.join();
+    status.online = false;
+    mqtt->publish({topic("state"), {}, 1, true, 0});
+    mqtt->publish({topic("status"), statusText(nextEnvelope(member.station_id), status), 1, true, 0});
+    mqtt.reset();
+  }
+  Course(const Course&) = delete;
+  Course& operator=(const Course&) = delete;
+
+  static training::Store opened(training::Store& store) {
+    store.fillOutbox(true);
+    return {store.file(), training::Store::Open::existing};
+  }
+  std::string topic(const char* kind) const { return topicText({member.class_id, member.name, kind}); }
+  Envelope nextEnvelope(const training::Uuid& id) {
+    return {sequence++, id, std::chrono::duration<double>(Clock::now().time_since_epoch()).count()};
+  }
+
+  // In the connection's thread.
+  void received(std::string_view where, std::string_view what) {
+    const auto at = parseTopic(where);
+    if (!at || at->station != member.name) return;
+    if (at->kind == "cmd") {
+      if (const auto command = parseCommand(what)) commands.put(command->content);
+    } else if (at->kind == "ack") {
+      const auto keys = parseAck(what);
+      if (!keys) return;
+      const std::lock_guard lock(mutex);
+      acknowledged.insert(acknowledged.end(), keys->begin(), keys->end());
+      woken.notify_all();
+    }
+  }
+  void greet() {
+    const std::lock_guard lock(mutex);
+    status_stale = state_stale = true;
+    woken.notify_all();
+  }
+
+  // In the link's own thread.
+  void run() {
+    auto outbox_next = Clock::now();
+    auto disk_next = Clock::now();
+    auto live_next = Clock::now();
+    std::unique_lock lock(mutex);
+    while (!ending) {
+      const auto until = live ? std::min(live_next, outbox_next) : outbox_next;
+      woken.wait_until(lock, until, [&] { return ending || !acknowledged.empty() || hasNews(live_next); });
+      const bool acks = takeAcks(lock);
+      tellState(lock);
+      if (live && Clock::now() >= live_next) {
+        tellLive(lock);
+        live_next = Clock::now() + kLivePeriod;
+      }
+      if (acks || Clock::now() >= outbox_next) {
+        lock.unlock();
+        work([this] { sendRows(); });
+        lock.lock();
+        outbox_next = Clock::now() + kOutboxPeriod;
+      }
+      if (Clock::now() >= disk_next) {
+        disk_full = diskNearlyFull(own.folder());
+        disk_next = Clock::now() + kDiskPeriod;
+      }
+    }
+    lock.unlock();
+    work([this] { finish(); });
+  }
+  bool hasNews(Clock::time_point live_next) const {
+    return (mqtt->connected() && (status_stale || state_stale)) || (live && Clock::now() >= live_next);
+  }
+  /// A file that another process holds for a moment is no reason to stop; it is said and tried again.
+  template <class Work>
+  void work(const Work& what) {
+    std::string said;
+    try {
+      what();
+    } catch (const Error& error) {
+      said = error.what();
+    }
+    const std::lock_guard lock(mutex);
+    fault = said;
+  }
+  bool takeAcks(std::unique_lock<std::mutex>& lock) {
+    if (acknowledged.empty()) return false;
+    std::vector<training::Uuid> keys;
+    keys.swap(acknowledged);
+    lock.unlock();
+    work([&] { own.acknowledged(keys); });
+    sender.acknowledged();
+    lock.lock();
+    return true;
+  }
+  void tellState(std::unique_lock<std::mutex>& lock) {
+    if (!mqtt->connected()) return;
+    if (status_stale) {
+      const std::string text = statusText(nextEnvelope(member.station_id), status);
+      status_stale = false;
+      lock.unlock();
+      if (!mqtt->publish({topic("status"), text, 1, true, 0})) status_stale = true;
+      lock.lock();
+    }
+    if (!state_stale) return;
+    const std::string text = state ? stateText(nextEnvelope(state->sitting), *state) : std::string();
+    state_stale = false;
+    lock.unlock();
+    if (!mqtt->publish({topic("state"), text, 1, true, 0})) state_stale = true;
+    lock.lock();
+  }
+  void tellLive(std::unique_lock<std::mutex>& lock) {
+    const std::string text = liveText(nextEnvelope(state ? state->sitting : member.station_id), *live);
+    live.reset();
+    lock.unlock();
+    mqtt->publish({topic("live"), text, 0, false, 0});
+    lock.lock();
+  }
+  void sendRows() {
+    row_count = own.waitingCount();
+    if (row_count == 0 || !mqtt->connected()) return;
+    const auto entries = own.waiting(sender.window());
+    sender.restrictTo(entries);
+    for (const training::OutboxEntry& entry : entries) {
+      if (!sender.due(entry.row)) continue;
+      if (!sender.takeToken()) return;
+      if (!mqtt->publish({topic(entry.kind.c_str()), rowText(nextEnvelope(entry.row), entry.body), 1, false, 0}))
+        return;
+      sender.sent(entry.row);
+    }
+  }
+  /// What was acknowledged last.
+  void finish() {
+    std::vector<training::Uuid> keys;
+    {
+      const std::lock_guard lock(mutex);
+      keys.swap(acknowledged);
+    }
+    if (!keys.empty()) own.acknowledged(keys);
+  }
+
+  const Member member;
+  training::Store own;  ///< the link's thread alone
+  OutboxSender sender;  ///< the link's thread alone
+  CommandQueue commands;
+  std::atomic<std::uint64_t> sequence = 1;
+  std::atomic<std::size_t> row_count = 0;
+
+  mutable std::mutex mutex;  ///< of what follows
+  std::condition_variable woken;
+  bool ending = false;
+  StationStatus status;
+  std::optional<StationState> state;
+  std::atomic<bool> status_stale = true;
+  std::atomic<bool> state_stale = true;
+  std::optional<LiveSample> live;
+  std::vector<training::Uuid> acknowledged;
+  bool disk_full = false;
+  std::string fault;
+
+  std::optional<MqttLink> mqtt;  ///< after what its thread uses
+  std::thread thread;
+};
+
+StationLink::StationLink(const Member& member, training::Store& store, const StationInfo& info, const OutboxPace& pace)
+    : course_(std::make_unique<Course>(member, store, info, pace)) {}
+StationLink::~StationLink() = default;
+
+void StationLink::publishState(const StationState& state) {
+  const std::lock_guard lock(course_->mutex);
+  if (course_->state == state) return;
+  course_->state = state;
+  course_->state_stale = true;
+  course_->woken.notify_all();
+}
+
+void StationLink::clearState() {
+  const std::lock_guard lock(course_->mutex);
+  if (!course_->state) return;
+  course_->state.reset();
+  course_->state_stale = true;
+  course_->woken.notify_all();
+}
+
+void StationLink::publishLive(const LiveSample& live) {
+  const std::lock_guard lock(course_->mutex);
+  course_->live = live;
+  course_->woken.notify_all();
+}
+
+void StationLink::publishSafety(const std::string& safety) {
+  const std::lock_guard lock(course_->mutex);
+  if (course_->status.safety == safety) return;
+  course_->status.safety = safety;
+  course_->status_stale = true;
+  course_->woken.notify_all();
+}
+
+std::optional<Command> StationLink::takeCommand() { return course_->commands.take(); }
+bool StationLink::connected() const { return course_->mqtt->connected(); }
+std::size_t StationLink::waiting() const { return course_->row_count; }
+
+std::string StationLink::trouble() const {
+  const std::string connection = course_->mqtt->trouble();
+  const std::lock_guard lock(course_->mutex);
+  if (course_->disk_full) return "less than 1 GB is left on the disk";
+  if (!course_->fault.empty()) return course_->fault;
+  return connection;
+}
+
+}  // namespace palpate::classroom
