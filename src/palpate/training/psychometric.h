@@ -4,8 +4,9 @@
 //
 // T, the threshold, is the change at which F is one half: corrected for guesses and lapses. This definition belongs to
 // every number that is shown (kThresholdDefinition). An ideal observer whose d' grows with the change has a slope
-// of 1.80 among twelve places and 1.24 among two: thresholds of different numbers of places must not be compared
-// without `thresholdFactor`. Based on: Weibull form as in Watson, QUEST+, J. Vision 17(3):10, 2017; Prins, J. Vision
+// of 1.80 among twelve places and 1.22 among two (between F = 1/4 and 3/4; 1.24 at one half), and its T among twelve is
+// 1.78 times that among two: thresholds of different numbers of places must not be compared without `thresholdFactor`.
+// Based on: Weibull form as in Watson, QUEST+, J. Vision 17(3):10, 2017; Prins, J. Vision
 // 12(6):25, 2012 (lapses).
 #pragma once
 

@@ -1,0 +1,91 @@
+#include "palpate/training/block_state.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "palpate/base/error.h"
+#include "palpate/base/hash.h"
+
+namespace palpate::training {
+
+namespace {
+
+/// Changes with the way in which trials follow from settings, seed and outcomes: an older block would go on wrongly.
+constexpr int kPlanningVersion = 1;
+/// Longer than any block: what a damaged file may claim.
+constexpr std::size_t kMostOutcomes = 100'000;
+
+constexpr std::string_view kWhere = "state of a block";
+
+Error wrongState(const std::string& cause) { return Error::inFile(kWhere, cause); }
+
+TrialOutcome outcomeOf(const nlohmann::json& row) {
+  if (!row.is_array() || row.size() != 4) throw wrongState("an outcome is not four numbers");
+  for (const nlohmann::json& number : row) {
+    if (!number.is_number_integer() || number < 0 || number > 1000) throw wrongState("an outcome is not four numbers");
+  }
+  return {.answer = row[0].get<int>(),
+          .correct = row[1].get<int>() != 0,
+          .visited = row[2].get<int>(),
+          .target_visited = row[3].get<int>() != 0};
+}
+
+}  // namespace
+
+std::string settingsDigest(const BlockSettings& settings) {
+  Hash hash;
+  for (const auto choice : {static_cast<std::uint64_t>(settings.method), static_cast<std::uint64_t>(settings.meaning),
+                            static_cast<std::uint64_t>(settings.draw), std::uint64_t{settings.levels.size()}}) {
+    hash.add(choice);
+  }
+  for (const double level : settings.levels) hash.add(level);
+  for (const int number :
+       {settings.choices, settings.warm_up, settings.easy, settings.stop.least, settings.stop.most}) {
+    hash.add(static_cast<std::uint64_t>(number));
+  }
+  for (const double number :
+       {settings.start, settings.easy_share, settings.stop.half_width, settings.stop.mark, settings.stop.sure,
+        settings.prior.threshold, settings.prior.sd_ln_t, settings.prior.slope, settings.prior.sd_ln_slope}) {
+    hash.add(number);
+  }
+  return fmt::format("{:016x}", hash.value());
+}
+
+std::string blockStateText(const BlockSettings& settings, const BlockState& state) {
+  nlohmann::ordered_json text;
+  text["version"] = kPlanningVersion;
+  text["seed"] = state.seed;
+  text["settings"] = settingsDigest(settings);
+  text["outcomes"] = nlohmann::ordered_json::array();
+  for (const TrialOutcome& outcome : state.outcomes) {
+    text["outcomes"].push_back(
+        {outcome.answer, outcome.correct ? 1 : 0, outcome.visited, outcome.target_visited ? 1 : 0});
+  }
+  return text.dump();
+}
+
+BlockState parseBlockState(const BlockSettings& settings, std::string_view text) {
+  const nlohmann::json read = nlohmann::json::parse(text, nullptr, false);
+  if (!read.is_object()) throw wrongState("not JSON, or no object");
+  const auto version = read.find("version");
+  if (version == read.end() || *version != kPlanningVersion) {
+    throw wrongState(
+        fmt::format("not of version {}: it was begun by another version of the program", kPlanningVersion));
+  }
+  const auto digest = read.find("settings");
+  if (digest == read.end() || *digest != settingsDigest(settings)) {
+    throw wrongState("the protocol has changed since it was begun");
+  }
+  const auto seed = read.find("seed");
+  if (seed == read.end() || !seed->is_number_unsigned()) throw wrongState("no seed");
+  const auto outcomes = read.find("outcomes");
+  if (outcomes == read.end() || !outcomes->is_array() || outcomes->size() > kMostOutcomes) {
+    throw wrongState("no list of outcomes");
+  }
+  BlockState state{.seed = seed->get<std::uint64_t>(), .outcomes = {}};
+  for (const nlohmann::json& row : *outcomes) state.outcomes.push_back(outcomeOf(row));
+  return state;
+}
+
+}  // namespace palpate::training

@@ -1,0 +1,37 @@
+// The change to ask about next: the one whose answer is expected to tell most about the threshold, whatever slope and
+// lapse rate may be.
+//
+//   Posterior ─ MarginalPsi::best ─► place in the list of levels ─► Block::next
+//
+// The information is exact, I = h(p) - sum over T of w_T h(p_T), h in nat: slope and lapse are summed out before the
+// logarithm is taken, so there are two logarithms for each T and level and none for the 1,708 cells of the grid.
+// Based on: Prins, J. Vision 13(7):3, 2013 (nuisance parameters marginalised); Watson, J. Vision 17(3):10, 2017.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "palpate/training/posterior.h"
+
+namespace palpate::training {
+
+class MarginalPsi {
+ public:
+  /// For posteriors with the grid of `like`; `levels` are changes, at least one.
+  MarginalPsi(const std::vector<double>& levels, const Posterior& like);
+
+  /// The first of the levels that tell most.
+  std::size_t best(const Posterior& posterior) const;
+  /// What each level's answer is expected to tell about T, nat.
+  std::vector<double> information(const Posterior& posterior) const;
+
+ private:
+  std::size_t levels_;
+  std::size_t thresholds_;
+  std::size_t slopes_;
+  std::vector<double> lapses_;
+  double guess_;
+  std::vector<double> felt_;  ///< F of (level, threshold, slope)
+};
+
+}  // namespace palpate::training
