@@ -1,0 +1,181 @@
+#include "palpate/training/trainee/trainee_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "palpate/base/hash.h"
+
+namespace palpate::training {
+
+namespace {
+
+// How a person's presses differ from each other: in place (each way), in force and in time (of the logarithm).
+constexpr double kBesideSdMm = 1.5;
+constexpr double kMostBesideMm = 4.0;
+constexpr double kForceSd = 0.10;
+constexpr double kHoldSd = 0.10;
+
+/// To make up its mind, and to read what is said.
+constexpr double kThinkS = 0.6;
+
+std::uint64_t traineeSeed(const Sitting& sitting, const ObserverSettings& observer) {
+  Hash hash;
+  hash.add(observer.seed);
+  hash.add(sitting.plan().seed);
+  for (const char letter : sitting.plan().row.id) hash.add(static_cast<std::uint64_t>(letter));
+  return hash.value();
+}
+
+MeantPress meantPress(const ObserverSettings& observer, Random& random) {
+  const auto beside = [&] { return std::clamp(kBesideSdMm * random.normal(), -kMostBesideMm, kMostBesideMm); };
+  const double x = beside();
+  const double y = beside();
+  const double force = observer.press_n * std::exp(kForceSd * random.normal());
+  return {.beside_mm = Vec2(x, y), .force_n = force, .hold_s = observer.press_s * std::exp(kHoldSd * random.normal())};
+}
+
+double medianOf(std::vector<double> values) {
+  std::ranges::sort(values);
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
+
+}  // namespace
+
+std::vector<double> TraineeRun::FeltSites::ratios() const {
+  if (stiffness_n_per_mm.empty()) return {};
+  const double base = medianOf(stiffness_n_per_mm);
+  std::vector<double> ratios;
+  for (const double stiffness : stiffness_n_per_mm) ratios.push_back(base > 0.0 ? stiffness / base : 1.0);
+  return ratios;
+}
+
+TraineeRun::TraineeRun(Sitting& sitting, Touching& touching, const TraineeOrders& orders, std::int64_t start_ms)
+    : sitting_(sitting),
+      touching_(touching),
+      orders_(orders),
+      start_ms_(start_ms),
+      random_(traineeSeed(sitting, orders.observer)),
+      place_mm_(sitting.plan().sites.sites.front().place_mm) {
+  orders_.observer.meaning = settingsOf(sitting.plan().protocol, sitting.plan().kind).block.meaning;
+  each_tick_ = [this](const trace::Sample& sample) {
+    const Moment moment = now();
+    sitting_.feel(sample, moment);
+    sitting_.tick(moment);
+  };
+}
+
+Moment TraineeRun::now() const {
+  const double seconds = static_cast<double>(touching_.tick()) * touching_.tickS();
+  return {.s = seconds, .utc_ms = start_ms_ + std::llround(1000.0 * seconds), .tick = touching_.tick()};
+}
+
+bool TraineeRun::stops() const {
+  return (orders_.most_trials > 0 && answers_ >= orders_.most_trials) || (orders_.stop && orders_.stop());
+}
+
+void TraineeRun::run() {
+  keepRows();
+  while (sitting_.screen() != Screen::finished) {
+    if (stops()) {
+      sitting_.leave(now());
+    } else {
+      if (sitting_.hidden() != held_) {
+        held_ = sitting_.hidden();
+        touching_.change(held_);
+      }
+      walkScreen();
+    }
+    keepRows();
+  }
+}
+
+void TraineeRun::walkScreen() {
+  switch (sitting_.screen()) {
+    case Screen::device_check:
+      pressSite(1);
+      return sitting_.next(now());
+    case Screen::familiarisation:
+      pressSite(held_->site);
+      return sitting_.next(now());
+    case Screen::instruction:
+      touching_.rest(kThinkS, each_tick_);
+      return sitting_.next(now());
+    case Screen::trial:
+      return tryTrial();
+    case Screen::feedback:
+      return readFeedback();
+    case Screen::block_summary:
+      // A sitting is a block, also where practice would go on.
+      touching_.mark("end of block");
+      return sitting_.showsProgress() ? sitting_.leave(now()) : sitting_.next(now());
+    case Screen::free_exploration:
+      for (const Site& site : sitting_.plan().sites.sites) pressSite(site.number);
+      return sitting_.next(now());
+    case Screen::finished:
+      return;
+  }
+}
+
+bool TraineeRun::pressSite(int number) {
+  const Site& site = *sitting_.plan().sites.numbered(number);
+  const FeltPress press = touching_.press(site, meantPress(orders_.observer, random_), each_tick_);
+  place_mm_ = site.place_mm;
+  if (!(press.depth_mm > 0.0)) return false;
+  felt_.sites.push_back(number);
+  felt_.stiffness_n_per_mm.push_back(press.stiffness());
+  return true;
+}
+
+/// From where the finger is always to the nearest that is left: down one side, and up the other.
+void TraineeRun::search(int trial) {
+  const SiteSet& sites = sitting_.plan().sites;
+  std::vector<int> left = sitesSearched(orders_.observer, sites.choices(), random_);
+  felt_ = {};
+  const auto away = [&](int number) { return (sites.numbered(number)->place_mm - place_mm_).squaredNorm(); };
+  while (!left.empty()) {
+    const auto nearest = std::ranges::min_element(left, {}, away);
+    pressSite(*nearest);
+    left.erase(nearest);
+    const bool over = sitting_.screen() != Screen::trial || sitting_.trialNumber() != trial;
+    if (over || (orders_.stop && orders_.stop())) return;
+  }
+}
+
+void TraineeRun::tryTrial() {
+  const int trial = sitting_.trialNumber();
+  touching_.mark(fmt::format("trial {}", trial));
+  search(trial);
+  if (sitting_.screen() == Screen::trial && sitting_.trialNumber() == trial) touching_.rest(kThinkS, each_tick_);
+  // The time may have run out meanwhile, and the end may have been asked for.
+  const bool over = sitting_.screen() != Screen::trial || sitting_.trialNumber() != trial;
+  if (!over && stops()) return;
+  if (!over) {
+    const std::vector<double> ratios = felt_.ratios();
+    answer(decide(felt_.sites, ratios, orders_.observer, orders_.practised, sitting_.plan().sites.choices(), random_));
+  }
+  ++answers_;
+  if (orders_.answered) orders_.answered(sitting_.trials().back());
+}
+
+void TraineeRun::answer(int site) {
+  touching_.mark(fmt::format("trial {} answered {}", sitting_.trialNumber(), site));
+  // "Two places were not pressed yet" to one who searches fewer: it means what it says.
+  if (!sitting_.answer(site, now())) sitting_.answer(site, now());
+}
+
+void TraineeRun::readFeedback() {
+  touching_.rest(kThinkS, each_tick_);
+  if (!sitting_.trials().back().correct) pressSite(held_->site);
+  sitting_.next(now());
+}
+
+void TraineeRun::keepRows() {
+  std::vector<Row> rows = sitting_.takeRows();
+  if (orders_.keep && !rows.empty()) orders_.keep(std::move(rows));
+}
+
+}  // namespace palpate::training
