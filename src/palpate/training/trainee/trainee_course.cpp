@@ -1,7 +1,9 @@
 #include "palpate/training/trainee/trainee_course.h"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
+#include <string>
 #include <utility>
 
 #include "palpate/base/hash.h"
@@ -18,6 +20,9 @@ namespace {
 
 /// Of the station's id: any number, always the same.
 constexpr std::uint64_t kStationSeed = 1;
+
+/// Between two sittings: half of a week, as two practices a week are.
+constexpr std::int64_t kBetweenMs = std::int64_t{84} * 3600 * 1000;
 
 std::uint64_t mixed(std::uint64_t seed, std::string_view words) {
   Hash hash;
@@ -114,6 +119,69 @@ SatThrough sitThrough(Store& store, const TraineeBench& bench, const TraineeSitt
   sat.result = sitting.result();
   sat.simulated_s = run.now().s;
   return sat;
+}
+
+namespace {
+
+/// What the records know of a trainee so far.
+struct CourseSoFar {
+  std::vector<SittingKind> done;  ///< of finished blocks
+  int sittings = 0;
+  int practised = 0;
+  std::int64_t newest_ms = 0;  ///< 0: none
+};
+
+CourseSoFar courseSoFar(Store& store, const Uuid& trainee) {
+  CourseSoFar so_far;
+  for (const SittingRow& sitting : store.sittings(trainee)) {
+    ++so_far.sittings;
+    so_far.newest_ms = std::max({so_far.newest_ms, sitting.start_ms, sitting.end_ms});
+    for (const BlockRow& block : store.blocks(sitting.id)) {
+      if (!block.finished) continue;
+      so_far.done.push_back(sitting.kind);
+      if (sitting.kind == SittingKind::practice || sitting.kind == SittingKind::mastery) ++so_far.practised;
+    }
+  }
+  return so_far;
+}
+
+std::vector<SittingKind> withoutDone(const std::vector<SittingKind>& kinds, std::vector<SittingKind> done) {
+  std::vector<SittingKind> left;
+  for (const SittingKind kind : kinds) {
+    const auto found = std::ranges::find(done, kind);
+    if (found == done.end()) {
+      left.push_back(kind);
+    } else {
+      done.erase(found);
+    }
+  }
+  return left;
+}
+
+}  // namespace
+
+void sitCourse(Store& store, const TraineeBench& bench, const TraineeCourse& course,
+               const std::function<void(const SatThrough&)>& after_each) {
+  CourseSoFar so_far = courseSoFar(store, course.trainee);
+  const std::vector<SittingKind> kinds = course.goes_on ? withoutDone(course.kinds, so_far.done) : course.kinds;
+  for (const SittingKind kind : kinds) {
+    if (bench.stop && bench.stop()) return;
+    TraineeSitting sitting;
+    sitting.observer = course.observer;
+    sitting.kind = kind;
+    sitting.trainee = course.trainee;
+    sitting.seed = mixed(course.seed, "sitting " + std::to_string(so_far.sittings));
+    sitting.start_ms =
+        so_far.newest_ms == 0 ? course.start_ms : std::max(course.start_ms, so_far.newest_ms + kBetweenMs);
+    sitting.practised = so_far.practised;
+    sitting.most_trials = course.most_trials;
+    const SatThrough sat = sitThrough(store, bench, sitting);
+    ++so_far.sittings;
+    so_far.newest_ms = std::max(sat.row.start_ms, sat.row.end_ms);
+    const bool practice = kind == SittingKind::practice || kind == SittingKind::mastery;
+    if (practice && sat.block.finished) ++so_far.practised;
+    if (after_each) after_each(sat);
+  }
 }
 
 StationRow simulatedStation(std::int64_t start_ms) {

@@ -59,6 +59,21 @@ struct SatThrough {
 /// Throws Error as BodyTouch, Sitting and Store do.
 SatThrough sitThrough(Store& store, const TraineeBench& bench, const TraineeSitting& sitting);
 
+/// One trainee's sittings, one after the other, a few days apart.
+struct TraineeCourse {
+  ObserverSettings observer;
+  Uuid trainee;
+  std::vector<SittingKind> kinds;
+  bool goes_on = false;  ///< those kinds that the records hold already are left out
+  std::uint64_t seed = 1;
+  std::int64_t start_ms = 0;  ///< of the first, or later where the records hold newer ones
+  int most_trials = 0;
+};
+
+/// It learns from every practice that the records hold. Ends early when the bench's `stop` says so.
+void sitCourse(Store& store, const TraineeBench& bench, const TraineeCourse& course,
+               const std::function<void(const SatThrough&)>& after_each);
+
 /// The station of simulated trainees, and one of them; kept before the first sitting.
 StationRow simulatedStation(std::int64_t start_ms);
 TraineeRow simulatedTrainee(const std::string& class_id, const std::string& code, std::int64_t created_ms);
