@@ -18,10 +18,10 @@ namespace palpate::training {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using RowObject = nlohmann::ordered_json;
 
 struct FieldsToJson {
-  Json& object;
+  RowObject& object;
   void operator()(const char* name, const std::string& value, const FieldRule& /*rule*/) const { object[name] = value; }
   void operator()(const char* name, std::uint64_t value, const FieldRule& rule) const {
     if (rule.form == FieldRule::Form::seed) {
@@ -31,7 +31,7 @@ struct FieldsToJson {
     }
   }
   void operator()(const char* name, const std::optional<double>& value, const FieldRule& /*rule*/) const {
-    object[name] = value ? Json(*value) : Json(nullptr);
+    object[name] = value ? RowObject(*value) : RowObject(nullptr);
   }
   template <class Value>
   void operator()(const char* name, const Value& value, const FieldRule& /*rule*/) const {
@@ -44,11 +44,11 @@ struct FieldsToJson {
 };
 
 template <class R>
-Json objectOf(const R& row) {
-  Json object = Json::object();
+RowObject objectOf(const R& row) {
+  RowObject object = RowObject::object();
   eachField(FieldsToJson{object}, row);
   if constexpr (std::same_as<R, TrialRow>) {
-    Json visits = Json::array();
+    RowObject visits = RowObject::array();
     for (const SiteVisit& visit : row.visits) visits.push_back(objectOf(visit));
     object["visits"] = std::move(visits);
   }
@@ -58,7 +58,7 @@ Json objectOf(const R& row) {
 /// Fills a row from an object that somebody sent.
 class FieldsFromJson {
  public:
-  FieldsFromJson(const Json& object, std::string_view kind) : object_(object), kind_(kind) {}
+  FieldsFromJson(const RowObject& object, std::string_view kind) : object_(object), kind_(kind) {}
 
   template <class Value>
   void operator()(const char* name, Value& value, const FieldRule& rule) {
@@ -81,26 +81,26 @@ class FieldsFromJson {
   [[noreturn]] void refuse(const char* name, std::string_view why) const {
     throw Error(fmt::format("{}: '{}' {}", kind_, name, why));
   }
-  void read(const char* name, const Json& from, std::string& value, const FieldRule& /*rule*/) const {
+  void read(const char* name, const RowObject& from, std::string& value, const FieldRule& /*rule*/) const {
     if (!from.is_string()) refuse(name, "is no text");
     value = from.get<std::string>();
   }
-  void read(const char* name, const Json& from, bool& value, const FieldRule& /*rule*/) const {
+  void read(const char* name, const RowObject& from, bool& value, const FieldRule& /*rule*/) const {
     if (!from.is_boolean()) refuse(name, "is neither true nor false");
     value = from.get<bool>();
   }
-  void read(const char* name, const Json& from, double& value, const FieldRule& /*rule*/) const {
+  void read(const char* name, const RowObject& from, double& value, const FieldRule& /*rule*/) const {
     if (!from.is_number()) refuse(name, "is no number");
     value = from.get<double>();
   }
-  void read(const char* name, const Json& from, std::optional<double>& value, const FieldRule& rule) const {
+  void read(const char* name, const RowObject& from, std::optional<double>& value, const FieldRule& rule) const {
     if (from.is_null()) {
       value.reset();
       return;
     }
     read(name, from, value.emplace(), rule);
   }
-  void read(const char* name, const Json& from, std::uint64_t& value, const FieldRule& rule) const {
+  void read(const char* name, const RowObject& from, std::uint64_t& value, const FieldRule& rule) const {
     if (rule.form != FieldRule::Form::seed) {
       value = static_cast<std::uint64_t>(whole(name, from, rule));
       return;
@@ -111,7 +111,7 @@ class FieldsFromJson {
     if (error != std::errc() || end != digits.data() + digits.size()) refuse(name, "is no number of 64 bits");
   }
   template <class Value>
-  void read(const char* name, const Json& from, Value& value, const FieldRule& rule) const {
+  void read(const char* name, const RowObject& from, Value& value, const FieldRule& rule) const {
     if constexpr (std::is_enum_v<Value>) {
       const auto named = from.is_string() ? valueNamed<Value>(from.get_ref<const std::string&>()) : std::nullopt;
       if (!named) refuse(name, "is none of its words");
@@ -121,7 +121,7 @@ class FieldsFromJson {
     }
   }
   /// Judged before it is narrowed.
-  std::int64_t whole(const char* name, const Json& from, const FieldRule& rule) const {
+  std::int64_t whole(const char* name, const RowObject& from, const FieldRule& rule) const {
     if (!from.is_number_integer()) refuse(name, "is no whole number");
     const bool in_range = from.is_number_unsigned() ? static_cast<double>(from.get<std::uint64_t>()) <= rule.high
                                                     : static_cast<double>(from.get<std::int64_t>()) >= rule.low;
@@ -131,13 +131,13 @@ class FieldsFromJson {
     return from.get<std::int64_t>();
   }
 
-  const Json& object_;
+  const RowObject& object_;
   std::string_view kind_;
   std::size_t used_ = 0;
 };
 
 template <class R>
-R rowOfObject(std::string_view kind, const Json& object) {
+R rowOfObject(std::string_view kind, const RowObject& object) {
   if (!object.is_object()) throw Error(fmt::format("{}: is no JSON object", kind));
   R row;
   FieldsFromJson fields(object, kind);
@@ -146,18 +146,18 @@ R rowOfObject(std::string_view kind, const Json& object) {
     fields.alsoKnows("visits");
     const auto visits = object.find("visits");
     if (visits == object.end() || !visits->is_array()) throw Error("trial: 'visits' is no list");
-    for (const Json& visit : *visits) row.visits.push_back(rowOfObject<SiteVisit>("visit", visit));
+    for (const RowObject& visit : *visits) row.visits.push_back(rowOfObject<SiteVisit>("visit", visit));
   }
   fields.refuseOthers();
   return row;
 }
 
 /// Before it is parsed: a text can be made so that parsing it takes all memory there is.
-Json parsedRow(std::string_view kind, std::string_view text) {
+RowObject parsedRow(std::string_view kind, std::string_view text) {
   if (text.size() > kLongestRowJson) {
     throw Error(fmt::format("{}: {} bytes, more than {}", oneLine(kind), text.size(), kLongestRowJson));
   }
-  Json object = Json::parse(text, nullptr, false);
+  RowObject object = RowObject::parse(text, nullptr, false);
   if (object.is_discarded()) throw Error(fmt::format("{}: is no JSON", oneLine(kind)));
   return object;
 }
@@ -211,8 +211,8 @@ std::string idOf(const AnyRow& row) {
 }
 
 std::string rowJson(const AnyRow& row) {
-  const Json object = std::visit([](const auto& held) { return objectOf(held); }, row);
-  return object.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const RowObject object = std::visit([](const auto& held) { return objectOf(held); }, row);
+  return object.dump(-1, ' ', false, RowObject::error_handler_t::replace);
 }
 
 std::string rowJson(const Row& row) { return rowJson(anyRow(row)); }

@@ -18,60 +18,60 @@ namespace palpate::training {
 using Uuid = std::string;
 
 struct StationRow {
-  Uuid id;
-  std::string name;
-  std::string certificate_sha256;  ///< empty: none
-  std::string device;
+  Uuid id = {};
+  std::string name = {};
+  std::string certificate_sha256 = {};  ///< empty: none
+  std::string device = {};
   std::int64_t calibrated_ms = 0;  ///< 0: never
 };
 
 struct ClassRow {
-  std::string id;  ///< a word: "osteo-1"
-  std::string label;
+  std::string id = {};  ///< a word: "osteo-1"
+  std::string label = {};
   int retain_days = 365;
   int retain_samples_days = 90;
 };
 
 /// No name, mail or birth date: a code, kept by the trainee and on the teacher's own list.
 struct TraineeRow {
-  Uuid id;
-  std::string class_id;  ///< empty: none
+  Uuid id = {};
+  std::string class_id = {};  ///< empty: none
   std::int64_t created_ms = 0;
-  std::string dominant_hand;  ///< "left", "right", empty: not said
+  std::string dominant_hand = {};  ///< "left", "right", empty: not said
   bool consent = false;
-  std::string key_ref;  ///< which key encrypts their session files; empty: none
+  std::string key_ref = {};  ///< which key encrypts their session files; empty: none
 };
 
 struct ProtocolRow {
-  std::string id;  ///< "vhb"
+  std::string id = {};  ///< "vhb"
   int version = 1;
-  std::string text;  ///< protocolText
-  std::string sha256;
+  std::string text = {};  ///< protocolText
+  std::string sha256 = {};
 };
 
 struct SittingRow {
-  Uuid id;
-  Uuid trainee;
-  Uuid station;
+  Uuid id = {};
+  Uuid trainee = {};
+  Uuid station = {};
   SittingKind kind = SittingKind::practice;
   std::int64_t start_ms = 0;
   std::int64_t end_ms = 0;  ///< 0: goes on, or was cut off
-  std::string app_version;
+  std::string app_version = {};
   std::uint64_t rng_seed = 0;
-  std::string device;       ///< with its thimble: thresholds belong to it
-  std::string file;         ///< session file, relative to the records' folder; empty: none
-  std::string file_sha256;  ///< empty until it is finished
+  std::string device = {};       ///< with its thimble: thresholds belong to it
+  std::string file = {};         ///< session file, relative to the records' folder; empty: none
+  std::string file_sha256 = {};  ///< empty until it is finished
 };
 
 struct BlockRow {
-  Uuid id;
-  Uuid sitting;
+  Uuid id = {};
+  Uuid sitting = {};
   int number = 1;
   Method method = Method::marginal_psi;
   ChangeMeaning meaning = ChangeMeaning::compliance;
-  std::string protocol_id;
+  std::string protocol_id = {};
   int protocol_version = 1;
-  std::string state_json;  ///< Block::state: goes on from here
+  std::string state_json = {};  ///< Block::state: goes on from here
   bool finished = false;
   // Of Block::result, so far.
   double threshold = 0.0, low = 0.0, high = 0.0;
@@ -81,10 +81,10 @@ struct BlockRow {
 };
 
 struct TrialRow {
-  Uuid id;
-  Uuid block;
-  Uuid sitting;    ///< in whose session file it lies: a block may be taken up again in a later sitting
-  int number = 0;  ///< in the block, from 1
+  Uuid id = {};
+  Uuid block = {};
+  Uuid sitting = {};  ///< in whose session file it lies: a block may be taken up again in a later sitting
+  int number = 0;     ///< in the block, from 1
   std::int64_t start_ms = 0, end_ms = 0;
   double seconds = 0.0;  ///< without pauses
   TrialKind kind = TrialKind::measured;
@@ -93,21 +93,21 @@ struct TrialRow {
   int site_answer = 0;  ///< 0: none
   bool correct = false;
   bool timeout = false;
-  std::string excluded;                          ///< why it does not count; empty: it counts
+  std::string excluded = {};                     ///< why it does not count; empty: it counts
   int visited = 0;                               ///< sites that were felt
   std::uint64_t file_tick0 = 0, file_tick1 = 0;  ///< in the sitting's session file
   // Of all samples of the trial, for reports without the session file.
   double mean_force_n = 0.0, peak_force_n = 0.0, mean_speed_mm_per_s = 0.0;
   double search_force_n = 0.0, palpate_force_n = 0.0;  ///< mean while moving (over 20 mm/s) and while staying
-  std::vector<SiteVisit> visits;
+  std::vector<SiteVisit> visits = {};
 };
 
 struct EventRow {
-  Uuid id;
-  Uuid sitting;
+  Uuid id = {};
+  Uuid sitting = {};
   std::int64_t at_ms = 0;
-  std::string kind;  ///< pause, resume, safety, screen, message, warning
-  std::string text;
+  std::string kind = {};  ///< pause, resume, safety, screen, message, warning
+  std::string text = {};
 };
 
 /// A block row comes before its first trial and, with its new state, after each; a sitting row first and at its end.

@@ -3,10 +3,10 @@
 
 #include <openssl/evp.h>
 
-#include <fstream>
+#include <algorithm>
 #include <memory>
-#include <vector>
 
+#include "palpate/base/byte_file.h"
 #include "palpate/base/error.h"
 
 namespace palpate::training {
@@ -53,15 +53,17 @@ std::array<std::uint8_t, 32> sha256Of(std::string_view bytes) {
 std::string sha256Hex(std::string_view bytes) { return hexOfDigest(sha256Of(bytes)); }
 
 std::string sha256OfFile(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw Error::inFile(file.string(), "cannot be read");
+  ByteFile bytes(file);
+  if (!bytes.isOpen()) throw Error::inFile(file.string(), "cannot be read");
   RunningSha256 running;
-  std::vector<char> piece(std::size_t{1} << 16);
-  while (in) {
-    in.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-    running.add({piece.data(), static_cast<std::size_t>(in.gcount())});
+  std::string piece;
+  constexpr std::uint64_t kPiece = std::uint64_t{1} << 16;
+  for (std::uint64_t at = 0; at < bytes.size(); at += kPiece) {
+    if (!bytes.read(at, std::min(kPiece, bytes.size() - at), piece)) {
+      throw Error::inFile(file.string(), "cannot be read to its end");
+    }
+    running.add(piece);
   }
-  if (in.bad()) throw Error::inFile(file.string(), "cannot be read to its end");
   return hexOfDigest(running.end());
 }
 

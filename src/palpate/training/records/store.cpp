@@ -22,7 +22,10 @@ void makeEmptyFile(const fs::path& file) {
 
 std::unique_ptr<SqliteSql> openedRecords(const fs::path& file, Store::Open how) {
   std::error_code error;
-  if (how == Store::Open::create_too && !fs::exists(file, error)) makeEmptyFile(file);
+  if (how == Store::Open::create_too && !fs::exists(file, error)) {
+    if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);  // opening says what is wrong
+    makeEmptyFile(file);
+  }
   using Mode = trace::Database::Mode;
   auto sql = std::make_unique<SqliteSql>(file, how == Store::Open::read_only ? Mode::read : Mode::write);
   std::int64_t id = 0;
@@ -143,6 +146,8 @@ void Store::fillOutbox(bool on) {
 }
 
 bool Store::fillsOutbox() const { return tables_->outbox; }
+
+void Store::queueDeletion(const DeletionRow& notice) { tables_->queue(notice); }
 
 std::vector<OutboxEntry> Store::waiting(std::size_t most) {
   std::vector<OutboxEntry> entries;

@@ -65,6 +65,8 @@ class Store {
   /// Remembered in the file. When it is switched on, whatever is there already goes into it.
   void fillOutbox(bool on);
   bool fillsOutbox() const;
+  /// Inside the caller's transaction (deletion.h).
+  void queueDeletion(const DeletionRow& notice);
   std::vector<OutboxEntry> waiting(std::size_t most);  ///< oldest first
   void acknowledged(std::span<const Uuid> rows);       ///< away with them, durable
   std::size_t waitingCount();

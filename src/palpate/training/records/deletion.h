@@ -1,0 +1,39 @@
+// Forgetting: one trainee altogether, or what a class has kept for long enough.
+//
+//   deleteTrainee: key ─ session files ─ rows ─ what waits for the class ─ a notice to the class ─ the file rewritten
+//
+// In this order, so that after a power cut in between nothing readable is left that nobody knows of: doing it again
+// finishes it. What was exported or sent elsewhere is elsewhere; a class learns by the notice.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "palpate/training/records/session_files.h"
+#include "palpate/training/records/store.h"
+
+namespace palpate::training {
+
+struct Deleted {
+  bool found = false;
+  int sittings = 0;
+  int trials = 0;
+  int files = 0;
+  bool key = false;
+};
+
+/// Afterwards no byte of the store's folder says who it was; the audit holds a hash. The rows of others stay as they
+/// are. Throws Error.
+Deleted deleteTrainee(Store& store, const Uuid& trainee, std::string_view actor);
+
+struct Purged {
+  int sittings = 0;  ///< with their rows, older than the class keeps them
+  int files = 0;     ///< session files, older than the class keeps those
+  int trainees = 0;  ///< of whom nothing was left
+};
+
+/// By the days of each trainee's class; of trainees without one nothing. `now_ms`: since 1970. `really`: else it is
+/// only counted.
+Purged purge(Store& store, std::int64_t now_ms, bool really);
+
+}  // namespace palpate::training
