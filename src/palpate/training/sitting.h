@@ -44,10 +44,10 @@ struct SittingPlan {
   SiteSet sites;
   std::uint64_t seed = 1;
   double tick_s = 0.001;
-  SittingRow row;                        ///< ids, station, device and file filled in
-  std::optional<BlockRow> resumed;       ///< a block that was interrupted: goes on where it stopped
-  std::optional<ShownThreshold> before;  ///< the trainee's last measured result, for the summary
-  bool familiar = false;                 ///< has had device check and familiarisation today
+  SittingRow row = {};                        ///< ids, station, device and file filled in
+  std::optional<BlockRow> resumed = {};       ///< a block that was interrupted: goes on where it stopped
+  std::optional<ShownThreshold> before = {};  ///< the trainee's last measured result, for the summary
+  bool familiar = false;                      ///< has had device check and familiarisation today
 };
 
 /// A hidden place that is in the body now.
