@@ -33,31 +33,31 @@ constexpr auto kLongestRetry = std::chrono::milliseconds(2000);
 /// The broker keeps rows for a collector that is away; how many is its own limit, and stations send them again anyway.
 constexpr std::uint32_t kSessionExpiryS = 3600;
 
-struct ArrivedRow {
-  std::string station;
-  std::string kind;
-  std::string body;
-};
-
-struct ReadRow {
-  std::string station;
-  training::Uuid key;
-  AnyRow row;
-};
-
-std::optional<ReadRow> readRow(const ArrivedRow& arrived) {
-  try {
-    AnyRow row = training::rowFromJson(arrived.kind, arrived.body);
-    training::Uuid key = training::outboxKey(row);
-    return ReadRow{arrived.station, std::move(key), std::move(row)};
-  } catch (const Error&) {
-    return std::nullopt;
-  }
-}
-
 }  // namespace
 
 struct Collector::Course {
+  struct ArrivedRow {
+    std::string station;
+    std::string kind;
+    std::string body;
+  };
+
+  struct ReadRow {
+    std::string station;
+    training::Uuid key;
+    AnyRow row;
+  };
+
+  static std::optional<ReadRow> readRow(const ArrivedRow& arrived) {
+    try {
+      AnyRow row = training::rowFromJson(arrived.kind, arrived.body);
+      training::Uuid key = training::outboxKey(row);
+      return ReadRow{arrived.station, std::move(key), std::move(row)};
+    } catch (const Error&) {
+      return std::nullopt;
+    }
+  }
+
   Course(const Member& member, std::unique_ptr<RowSink> rows_go) : class_id(member.class_id), sink(std::move(rows_go)) {
     MqttSettings settings = linkOf(member);
     settings.session_expiry_s = kSessionExpiryS;

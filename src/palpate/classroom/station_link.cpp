@@ -5,16 +5,14 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cmath>
 #include <condition_variable>
-#include <deque>
 #include <mutex>
 #include <thread>
-#include <unordered_map>
 
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/classroom/mqtt_link.h"
+#include "palpate/classroom/outbox_sender.h"
 
 namespace palpate::classroom {
 
@@ -23,87 +21,6 @@ namespace {
 constexpr auto kLivePeriod = std::chrono::milliseconds(100);    // 10 Hz
 constexpr auto kOutboxPeriod = std::chrono::milliseconds(250);  // how soon a new row is seen
 constexpr auto kDiskPeriod = std::chrono::seconds(10);
-constexpr std::size_t kMostCommands = 32;
-/// As long as nothing is acknowledged, no more than these are tried again: with the collector away, two hundred
-/// stations would else send all that they have every three seconds.
-constexpr double kProbes = 20.0;
-
-double ageS(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
-
-/// Commands that wait to be taken, and how old they are.
-class CommandQueue {
- public:
-  void put(const Command& command) {
-    const std::lock_guard lock(mutex_);
-    if (queue_.size() >= kMostCommands) queue_.pop_front();
-    queue_.push_back({command, Clock::now()});
-  }
-  std::optional<Command> take() {
-    const std::lock_guard lock(mutex_);
-    while (!queue_.empty()) {
-      const Waiting oldest = std::move(queue_.front());
-      queue_.pop_front();
-      if (ageS(oldest.since) <= kCommandExpiryS) return oldest.command;
-    }
-    return std::nullopt;
-  }
-
- private:
-  struct Waiting {
-    Command command;
-    Clock::time_point since;
-  };
-  std::mutex mutex_;
-  std::deque<Waiting> queue_;
-};
-
-/// Which rows of the outbox may be sent now. Knows no clock of its own and no network.
-class OutboxSender {
- public:
-  explicit OutboxSender(const OutboxPace& pace) : pace_(pace) {}
-
-  /// So many rows may be looked at. Wider again with time, should the oldest be rows that nobody will have.
-  std::size_t window() const {
-    const auto most = static_cast<std::size_t>(pace_.most_under_way);
-    if (!silent_since_) return most;
-    const double rounds = std::min(20.0, ageS(*silent_since_) / (4.0 * pace_.resend_s));
-    return std::min(most, static_cast<std::size_t>(kProbes * std::exp2(rounds)));
-  }
-  /// Forgets what has left the outbox.
-  void restrictTo(const std::vector<training::OutboxEntry>& waiting) {
-    std::unordered_map<training::Uuid, Clock::time_point> kept;
-    for (const auto& entry : waiting) {
-      if (const auto found = sent_.find(entry.row); found != sent_.end()) kept.insert(*found);
-    }
-    sent_ = std::move(kept);
-  }
-  bool due(const training::Uuid& row) {
-    const auto found = sent_.find(row);
-    if (found == sent_.end()) return true;
-    if (ageS(found->second) < pace_.resend_s) return false;
-    if (!silent_since_) silent_since_ = Clock::now();
-    return true;
-  }
-  /// A share of the rate that is allowed; false: wait.
-  bool takeToken() {
-    const auto now = Clock::now();
-    tokens_ = std::min(kBurst, tokens_ + pace_.most_per_s * std::chrono::duration<double>(now - filled_).count());
-    filled_ = now;
-    if (tokens_ < 1.0) return false;
-    tokens_ -= 1.0;
-    return true;
-  }
-  void sent(const training::Uuid& row) { sent_[row] = Clock::now(); }
-  void acknowledged() { silent_since_.reset(); }
-
- private:
-  static constexpr double kBurst = 5.0;  // rows at once: a trial comes with its block and an event
-  OutboxPace pace_;
-  std::unordered_map<training::Uuid, Clock::time_point> sent_;
-  double tokens_ = kBurst;
-  Clock::time_point filled_ = Clock::now();
-  std::optional<Clock::time_point> silent_since_;  ///< something was sent twice, and nothing acknowledged since
-};
 
 bool diskNearlyFull(const std::filesystem::path& folder) {
   std::error_code fault;
@@ -115,7 +32,7 @@ bool diskNearlyFull(const std::filesystem::path& folder) {
 
 struct StationLink::Course {
   Course(const Member& at, training::Store& store, const StationInfo& info, const OutboxPace& pace)
-      : member(at), own(opened(store)), sender(pace) {
+      : member(at), own(opened(store)), sender(pace, Clock::now()) {
     status.online = true;
     status.app = info.app;
     status.device = info.device;
@@ -158,7 +75,7 @@ struct StationLink::Course {
     const auto at = parseTopic(where);
     if (!at || at->station != member.name) return;
     if (at->kind == "cmd") {
-      if (const auto command = parseCommand(what)) commands.put(command->content);
+      if (const auto command = parseCommand(what)) commands.put(command->content, Clock::now());
     } else if (at->kind == "ack") {
       const auto keys = parseAck(what);
       if (!keys) return;
@@ -253,14 +170,14 @@ struct StationLink::Course {
   void sendRows() {
     row_count = own.waitingCount();
     if (row_count == 0 || !mqtt->connected()) return;
-    const auto entries = own.waiting(sender.window());
+    const auto entries = own.waiting(sender.window(Clock::now()));
     sender.restrictTo(entries);
     for (const training::OutboxEntry& entry : entries) {
-      if (!sender.due(entry.row)) continue;
-      if (!sender.takeToken()) return;
+      if (!sender.due(entry.row, Clock::now())) continue;
+      if (!sender.takeToken(Clock::now())) return;
       if (!mqtt->publish({topic(entry.kind.c_str()), rowText(nextEnvelope(entry.row), entry.body), 1, false, 0}))
         return;
-      sender.sent(entry.row);
+      sender.sent(entry.row, Clock::now());
     }
   }
   /// What was acknowledged last.
@@ -330,7 +247,7 @@ void StationLink::publishSafety(const std::string& safety) {
   course_->woken.notify_all();
 }
 
-std::optional<Command> StationLink::takeCommand() { return course_->commands.take(); }
+std::optional<Command> StationLink::takeCommand() { return course_->commands.take(Clock::now()); }
 bool StationLink::connected() const { return course_->mqtt->connected(); }
 std::size_t StationLink::waiting() const { return course_->row_count; }
 
