@@ -1,4 +1,5 @@
-// A field as an image of colours, bilinear between its values, with its contour lines and their numbers over it.
+// A field as an image of colours, bilinear between its values or in boxes, with its contour lines and their numbers
+// over it.
 #include "figures/field.h"
 
 #include <fmt/format.h>
@@ -60,6 +61,12 @@ double fieldAt(const Field& field, const Vec2& place) {
   const Vec2 cell = (place - field.origin).cwiseQuotient(field.step);
   if (cell.x() < -0.5 || cell.y() < -0.5 || cell.x() > field.columns - 0.5 || cell.y() > field.rows - 0.5) {
     return kNothing;
+  }
+  if (field.cells) {
+    const auto nearest = [](double at, int count) {
+      return std::clamp(static_cast<int>(std::lround(at)), 0, count - 1);
+    };
+    return valueAt(field, nearest(cell.x(), field.columns), nearest(cell.y(), field.rows));
   }
   const double x = std::clamp(cell.x(), 0.0, field.columns - 1.0);
   const double y = std::clamp(cell.y(), 0.0, field.rows - 1.0);

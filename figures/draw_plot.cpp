@@ -102,6 +102,13 @@ void drawPlaces(Canvas& canvas, const Plot& plot, const PlotLayout& layout) {
   }
 }
 
+void drawLabels(Canvas& canvas, const Plot& plot, const PlotLayout& layout) {
+  for (const Label& label : plot.labels) {
+    canvas.text(layout(label.at), label.text,
+                {.size_px = label.size_px, .colour = label.colour, .across = Align::middle});
+  }
+}
+
 void drawXAxis(Canvas& canvas, const Axis& axis, const PlotLayout& layout) {
   const Rect& frame = layout.frame;
   const double text_top = frame.bottom + kTickLength + 2.0;
@@ -145,6 +152,7 @@ void drawPlot(Canvas& canvas, const Plot& plot, const Rect& panel) {
   drawAxes(canvas, plot, layout);
   drawLayers(canvas, plot, layout);
   drawPlaces(canvas, plot, layout);
+  drawLabels(canvas, plot, layout);
   if (plot.field) {
     drawColourBar(canvas, layout.colour_bar, plot.field->colours, layout.field_range, layout.colour_ticks,
                   withUnit(plot.field->label, plot.field->unit));

@@ -1,7 +1,7 @@
 // A two-dimensional plot as plain data: what is shown, never how it is drawn (draw_plot.cpp does that).
 //
 // One type serves line charts, maps and sketches: fill in what the picture needs. Layers are painted in this order:
-// field, grid, shapes, contour lines, series, arrows, labelled places.
+// field, grid, shapes, contour lines, series, arrows, labelled places, labels.
 #pragma once
 
 #include <optional>
@@ -88,6 +88,15 @@ struct Field {
   std::optional<double> to{};
   ColourMap colours = ColourMap::viridis;
   std::vector<double> contour_levels{};  ///< lines of equal value, labelled
+  bool cells = false;                    ///< each value fills a box of its own instead of blending into its neighbours
+};
+
+/// A text whose middle stands at a place: in the cells of a table, beside discs.
+struct Label {
+  Vec2 at = Vec2::Zero();
+  std::string text{};
+  Colour colour = kInk;
+  double size_px = 11.0;
 };
 
 struct Plot {
@@ -100,6 +109,7 @@ struct Plot {
   std::vector<Series> series{};
   std::vector<Arrow> arrows{};
   std::vector<Place> places{};
+  std::vector<Label> labels{};
   bool legend = true;  ///< below the plot, so that it never hides data
   /// The frame begins at least so far from the panel's left edge: plots above each other then share their x axis.
   double least_left_px = 0.0;

@@ -1,6 +1,8 @@
-// `palpate report`: what a recorded session was, as one page that needs nothing else, or as numbers.
+// `palpate report`: what a recorded session was, or how training went, as one page that needs nothing else, or as
+// numbers.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -10,6 +12,7 @@
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/session/session_report.h"
 #include "apps/palpate/session/session_text.h"
+#include "apps/palpate/train/report/training_report.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
 
@@ -23,12 +26,16 @@ struct ReportArguments {
   std::filesystem::path folder;
   TimeSpan span;
   bool json = false;
+  // Of training.
+  std::string trainee;
+  std::string only_class;
+  bool whole_class = false;
 };
 
-/// run.session -> run.html, also of run.session.partial; in the working folder.
-std::filesystem::path pageOf(const std::filesystem::path& session) {
-  std::string name = session.filename().string();
-  const std::size_t end = name.find(".session");
+/// run.session -> run.html, also of run.session.partial, and of class.results; in the working folder.
+std::filesystem::path pageOf(const std::filesystem::path& file) {
+  std::string name = file.filename().string();
+  const std::size_t end = std::min(name.find(".session"), name.find(".results"));
   if (end != std::string::npos && end > 0) name.resize(end);
   return name + ".html";
 }
@@ -48,7 +55,7 @@ std::filesystem::path targetOf(const ReportArguments& arguments) {
   std::error_code error;
   const std::filesystem::path page = arguments.out.empty() ? pageOf(arguments.file) : arguments.out;
   if (std::filesystem::equivalent(page, arguments.file, error)) {
-    throw Error::inFile(page.string(), "is the session itself");
+    throw Error::inFile(page.string(), "is the file itself that is reported on");
   }
   if (arguments.out.empty() && isAnothers(page)) {
     throw Error::inFile(page.string(), "is there already and is no report; name the page with --out");
@@ -66,7 +73,30 @@ trace::TickSpan reportSpan(const ReportArguments& arguments, const trace::Sessio
   return span;
 }
 
-void runReport(const ReportArguments& arguments) {
+/// JSON on the standard output; what is no text in it is replaced.
+void printNumbers(const nlohmann::ordered_json& json) {
+  fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+}
+
+void printSentences(const std::vector<std::string>& sentences, const ReportArguments& arguments,
+                    const std::filesystem::path& page) {
+  for (const std::string& sentence : sentences) fmt::print("{}\n", readableText(sentence));
+  fmt::print("{} -> {}\n", arguments.file.string(), page.string());
+}
+
+void runTrainingReport(const ReportArguments& arguments) {
+  ProgressLine progress;
+  const bool wants_page = !arguments.json || !arguments.out.empty();
+  const std::filesystem::path page = wants_page ? targetOf(arguments) : std::filesystem::path();
+  const TrainingReport report = trainingReport(
+      {arguments.file, arguments.trainee, arguments.only_class, arguments.whole_class}, progress.callback());
+  if (wants_page) writeFile(page, trainingPage(report, progress.callback()));
+  progress.clear();
+  if (arguments.json) return printNumbers(trainingReportJson(report));
+  printSentences(trainingSentences(report), arguments, page);
+}
+
+void runSessionReport(const ReportArguments& arguments) {
   ProgressLine progress;
   trace::SessionReader session(arguments.file);
   const bool wants_page = !arguments.json || !arguments.out.empty();
@@ -76,13 +106,17 @@ void runReport(const ReportArguments& arguments) {
   const SessionReport report = sessionReport(session, settings, progress.callback());
   if (wants_page) writeFile(page, reportPage(report, progress.callback()));
   progress.clear();
-  if (arguments.json) {
-    constexpr auto kReplaceWhatIsNoText = nlohmann::ordered_json::error_handler_t::replace;
-    fmt::print("{}\n", reportJson(report).dump(2, ' ', false, kReplaceWhatIsNoText));
-    return;
+  if (arguments.json) return printNumbers(reportJson(report));
+  printSentences(reportSentences(report), arguments, page);
+}
+
+void runReport(const ReportArguments& arguments) {
+  if (isRecordsFile(arguments.file)) return runTrainingReport(arguments);
+  if (!arguments.trainee.empty() || !arguments.only_class.empty() || arguments.whole_class) {
+    throw Error::inFile(arguments.file.string(),
+                        "is no record of training (.results); --trainee and --class ask for one");
   }
-  for (const std::string& sentence : reportSentences(report)) fmt::print("{}\n", readableText(sentence));
-  fmt::print("{} -> {}\n", arguments.file.string(), page.string());
+  runSessionReport(arguments);
 }
 
 }  // namespace
@@ -91,12 +125,20 @@ void addReportCommand(CLI::App& app) {
   const auto arguments = std::make_shared<ReportArguments>();
   ReportArguments& a = *arguments;
   CLI::App& command = *app.add_subcommand(
-      "report", "Tell what a recorded session was: forces, contacts, phases, maps of the body, as one HTML page");
-  command.add_option("SESSION", a.file, "Session file")->required();
-  command.add_option("-o,--out", a.out, "Page to write; left out: the session's name with .html, in this folder");
+      "report",
+      "Tell what a recorded session was (forces, contacts, phases, maps of the body), or how training went (learning "
+      "curve, accuracy, what was felt; of a trainee or a class), as one HTML page");
+  command.add_option("FILE", a.file, "Session file, or record of training (.results)")->required();
+  command.add_option("-o,--out", a.out, "Page to write; left out: the file's name with .html, in this folder");
   addTimeSpan(command, a.span);
   command.add_option("--folder", a.folder,
                      "Where the files that the scene names lie now; left out: in the session, else where they lay");
+  CLI::Option& trainee = *command.add_option(
+      "--trainee", a.trainee, "Of a record of training: one trainee, by code or by the first letters of the pseudonym");
+  command.add_flag("--class", a.whole_class, "Of a record of training: all trainees, also where there is but one")
+      ->excludes(&trainee);
+  command.add_option("--class-word", a.only_class, "The same, of one class where the record has several")
+      ->excludes(&trainee);
   command.add_flag("--json", a.json, "Print all numbers as one JSON object; a page is written then only with --out");
   command.callback([=] { runReport(*arguments); });
 }

@@ -1,0 +1,82 @@
+// A records file as a report of training: of one trainee or of a class.
+//
+//   Store ─ trainingReport ─► TrainingReport ─► trainingReportJson, trainingReportPage (pictures: training_figures.h)
+//
+// Nobody's name is in a records file; a trainee is called by the first letters of the pseudonym, or by the code where
+// whoever asked for the report typed it.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "palpate/base/progress.h"
+#include "palpate/mesh/triangle_mesh.h"
+#include "palpate/training/report/training_statistics.h"
+#include "palpate/training/site.h"
+
+namespace palpate::app {
+
+struct TrainingReportSettings {
+  std::filesystem::path file;
+  std::string trainee;       ///< a code, or a pseudonym or its beginning; empty: the class
+  std::string only_class;    ///< its word; empty: all
+  bool whole_class = false;  ///< also where there is but one trainee
+};
+
+/// The back that coverage is drawn on, with the sites on it.
+struct ReportBack {
+  mesh::TriangleMesh skin;
+  training::SiteSet sites;
+};
+
+struct TrainingReport {
+  std::filesystem::path file;
+  bool of_class = false;
+  std::string name;  ///< of the trainee, as it may be shown
+  std::string class_words;
+  training::TrainingRecord record;
+  training::TrainingStatistics statistics;  ///< of the trainee alone, or of all
+  /// A trainee's report: the class's occasions, where enough others were there.
+  std::vector<training::Occasion> others;
+};
+
+/// Throws Error for what is no records file, and for a trainee or class that it does not hold.
+TrainingReport trainingReport(const TrainingReportSettings& settings, const Progress& progress);
+
+/// Every number of the report.
+nlohmann::ordered_json trainingReportJson(const TrainingReport& report);
+
+/// The report's main results, a sentence each.
+std::vector<std::string> trainingSentences(const TrainingReport& report);
+
+/// One HTML page that needs nothing else, well-formed, with all numbers as JSON in it. Draws its pictures.
+std::string trainingPage(const TrainingReport& report, const Progress& progress);
+
+/// Whether the file is one of training's records: SQLite with our tables.
+bool isRecordsFile(const std::filesystem::path& file);
+
+/// What no number here shows.
+inline constexpr std::string_view kNotShown =
+    "These numbers show how small a difference of stiffness somebody finds on this simulator, with this device. They "
+    "do "
+    "not show skill on patients: nobody has tested yet whether it carries over.";
+
+/// Of others' results a trainee may see quartiles only where so many stand behind them that nobody is recognised.
+inline constexpr int kLeastOthers = 5;
+
+/// "pre-test", "practice 3".
+std::string occasionWords(training::SittingKind kind, int nth);
+/// 018f3c1e-... -> "018f3c1e".
+std::string shortPseudonym(const training::Uuid& id);
+/// 0.1834 -> "18 %", 0.0734 -> "7.3 %".
+std::string changeWords(double change);
+/// "18 % (13 to 25 %)".
+std::string thresholdWords(double median, double low, double high);
+/// 1763853600000 -> "2025-11-22".
+std::string dayWords(std::int64_t utc_ms);
+
+}  // namespace palpate::app

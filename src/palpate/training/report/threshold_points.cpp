@@ -1,0 +1,178 @@
+#include "palpate/training/report/threshold_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "palpate/training/psychometric.h"
+
+namespace palpate::training {
+
+namespace {
+
+constexpr double kLeastDrawn = 0.03;
+constexpr int kDrawnChanges = 49;
+/// Of a band: 2.5 % on each side are left out.
+constexpr double kTail = 0.025;
+
+/// What a block's protocol says that its answers are judged by; as built in where the record has lost it.
+struct BlockRules {
+  int choices = 12;
+  double felt_ms = 300.0;
+  Prior prior;
+};
+
+BlockRules rulesOf(const TrainingRecord& record, const BlockRow& block, SittingKind kind) {
+  const Protocol protocol = protocolOf(record, block.protocol_id, block.protocol_version).value_or(builtInProtocol());
+  const SittingSettings& settings = settingsOf(protocol, kind);
+  return {.choices = protocol.sites.empty() ? settings.block.choices : static_cast<int>(protocol.sites.size()),
+          .felt_ms = 1000.0 * protocol.exploration.dwell_s,
+          .prior = settings.block.prior};
+}
+
+std::vector<Answer> countedAnswers(const BlockRecord& block, int choices) {
+  std::vector<Answer> answers;
+  for (const TrialRow& trial : block.trials) {
+    if (!countsForResults(trial)) continue;
+    answers.push_back({.change = trial.change, .correct = trial.correct, .choices = std::min(trial.visited, choices)});
+  }
+  return answers;
+}
+
+bool measuresThreshold(Method method) { return method != Method::mastery; }
+
+ThresholdPoint pointOf(const TrainingRecord& record, const SittingRecord& sitting, const BlockRecord& block) {
+  const BlockRules rules = rulesOf(record, block.row, sitting.row.kind);
+  ThresholdPoint point{.block = block.row.id,
+                       .kind = sitting.row.kind,
+                       .start_ms = block.trials.front().start_ms,
+                       .method = block.row.method,
+                       .meaning = block.row.meaning,
+                       .protocol_id = block.row.protocol_id,
+                       .protocol_version = block.row.protocol_version,
+                       .device = sitting.row.device,
+                       .choices = rules.choices,
+                       .finished = block.row.finished,
+                       .verdict = block.row.verdict,
+                       .level = block.row.level,
+                       .trials = trialStatistics(chosenTrials(record, block)),
+                       .threshold = std::nullopt,
+                       .stored = block.row.threshold,
+                       .stored_low = block.row.low,
+                       .stored_high = block.row.high,
+                       .answers = countedAnswers(block, rules.choices),
+                       .prior = rules.prior};
+  if (!measuresThreshold(point.method) || point.answers.size() < static_cast<std::size_t>(kLeastShownAnswers)) {
+    return point;
+  }
+  const Posterior posterior = posteriorOf(point);
+  point.threshold = posterior.summary();
+  const std::size_t slopes = posterior.slopes().size();
+  const std::size_t lapses = posterior.lapses().size();
+  for (std::size_t i = 0; i < posterior.weights().size(); ++i) {
+    point.slope += posterior.weights()[i] * posterior.slopes()[i / lapses % slopes];
+    point.lapse += posterior.weights()[i] * posterior.lapses()[i % lapses];
+  }
+  return point;
+}
+
+/// What a weight of the grid says of one change.
+struct Weighed {
+  double probability = 0.0;
+  double weight = 0.0;
+};
+
+/// The least value that has so much of the weight at or below it. `sorted` rises.
+double weighedQuantile(const std::vector<Weighed>& sorted, double share) {
+  double sum = 0.0;
+  for (const Weighed& each : sorted) {
+    sum += each.weight;
+    if (sum >= share) return each.probability;
+  }
+  return sorted.back().probability;
+}
+
+}  // namespace
+
+bool isTest(SittingKind kind) {
+  return kind == SittingKind::pre_test || kind == SittingKind::post_test || kind == SittingKind::exam ||
+         kind == SittingKind::retention;
+}
+
+std::vector<ChosenTrial> chosenTrials(const TrainingRecord& record, const BlockRecord& block) {
+  const BlockRules rules = rulesOf(record, block.row, SittingKind::practice);  // places and dwell are a protocol's
+  std::vector<ChosenTrial> chosen;
+  for (const TrialRow& trial : block.trials) {
+    chosen.push_back({.row = &trial, .choices = rules.choices, .felt_ms = rules.felt_ms});
+  }
+  return chosen;
+}
+
+std::vector<ThresholdPoint> thresholdPoints(const TrainingRecord& record, const TraineeRecord& trainee) {
+  std::vector<ThresholdPoint> points;
+  for (const SittingRecord& sitting : trainee.sittings) {
+    if (sitting.row.kind == SittingKind::free) continue;
+    for (const BlockRecord& block : sitting.blocks) {
+      if (!block.trials.empty()) points.push_back(pointOf(record, sitting, block));
+    }
+  }
+  std::ranges::stable_sort(points, {}, &ThresholdPoint::start_ms);
+  std::map<SittingKind, int> seen;
+  for (ThresholdPoint& point : points) point.nth = ++seen[point.kind];
+  return points;
+}
+
+Posterior posteriorOf(const ThresholdPoint& point) {
+  Posterior posterior(point.choices, point.prior);
+  for (const Answer& answer : point.answers) posterior.add(answer);
+  return posterior;
+}
+
+std::vector<double> curveChanges() {
+  std::vector<double> changes;
+  for (int i = 0; i < kDrawnChanges; ++i) {
+    changes.push_back(kLeastDrawn * std::pow(1.0 / kLeastDrawn, static_cast<double>(i) / (kDrawnChanges - 1)));
+  }
+  return changes;
+}
+
+FittedCurve fittedCurve(const Posterior& posterior, const std::vector<double>& changes) {
+  FittedCurve curve{.changes = changes, .mean = {}, .low = {}, .high = {}};
+  const std::size_t slopes = posterior.slopes().size();
+  const std::size_t lapses = posterior.lapses().size();
+  std::vector<Weighed> weighed(posterior.weights().size());
+  for (const double change : changes) {
+    double mean = 0.0;
+    for (std::size_t i = 0; i < weighed.size(); ++i) {
+      const Psychometric function{.threshold = std::exp(posterior.lnThresholds()[i / lapses / slopes]),
+                                  .slope = posterior.slopes()[i / lapses % slopes],
+                                  .lapse = posterior.lapses()[i % lapses],
+                                  .guess = 1.0 / posterior.choices()};
+      weighed[i] = {probabilityCorrect(function, change), posterior.weights()[i]};
+      mean += weighed[i].probability * weighed[i].weight;
+    }
+    std::ranges::sort(weighed, {}, &Weighed::probability);
+    curve.mean.push_back(mean);
+    curve.low.push_back(weighedQuantile(weighed, kTail));
+    curve.high.push_back(weighedQuantile(weighed, 1.0 - kTail));
+  }
+  return curve;
+}
+
+std::optional<std::string> notComparable(const ThresholdPoint& a, const ThresholdPoint& b) {
+  if (a.meaning != b.meaning) return "one is a change of compliance, the other of stiffness";
+  if (a.choices != b.choices) return "they asked about different numbers of places";
+  if (a.device != b.device) return "they were felt with different devices";
+  if (isTest(a.kind) != isTest(b.kind)) return "one is practice, the other a test";
+  if (a.protocol_id != b.protocol_id || a.protocol_version != b.protocol_version)
+    return "they follow different protocols";
+  return std::nullopt;
+}
+
+ThresholdChange thresholdChange(const ThresholdSummary& before, const ThresholdSummary& now) {
+  const double ln = std::log(now.median / before.median);
+  const double open = std::hypot(now.halfWidth(), before.halfWidth());  // the same rule as a block's summary
+  return {.ratio = std::exp(ln), .low = std::exp(ln - open), .high = std::exp(ln + open), .clear = std::abs(ln) > open};
+}
+
+}  // namespace palpate::training

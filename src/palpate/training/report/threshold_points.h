@@ -1,0 +1,80 @@
+// The thresholds of one trainee, block by block, from the answers themselves: what the learning curve is drawn through,
+// what tests are compared by, and the psychometric function behind each with its band.
+//
+//   TraineeRecord ─ thresholdPoints ─► ThresholdPoint ... ─► training_statistics.h
+//
+// A block's own result stands in its row too; here it is computed again, so that a report and the record can be held
+// against each other (`stored`).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "palpate/training/posterior.h"
+#include "palpate/training/report/training_record.h"
+#include "palpate/training/report/trial_statistics.h"
+
+namespace palpate::training {
+
+/// Fewer answers than this say little more than what was believed before: no threshold is shown.
+inline constexpr int kLeastShownAnswers = 10;
+
+/// Test, examination and retention: no feedback, even tissue. Else practice.
+bool isTest(SittingKind kind);
+
+struct ThresholdPoint {
+  Uuid block;
+  SittingKind kind = SittingKind::practice;
+  int nth = 1;  ///< of its kind, of this trainee
+  std::int64_t start_ms = 0;
+  Method method = Method::marginal_psi;
+  ChangeMeaning meaning = ChangeMeaning::compliance;
+  std::string protocol_id;
+  int protocol_version = 1;
+  std::string device;
+  int choices = 12;
+  bool finished = false;
+  Verdict verdict = Verdict::none;
+  std::optional<double> level;  ///< mastery
+  TrialStatistics trials;
+  /// With kLeastShownAnswers and where the method measures one.
+  std::optional<ThresholdSummary> threshold;
+  double slope = 0.0, lapse = 0.0;                           ///< posterior means
+  double stored = 0.0, stored_low = 0.0, stored_high = 0.0;  ///< of the block's row
+  std::vector<Answer> answers;                               ///< that count
+  Prior prior;
+};
+
+/// Oldest first; blocks without any trial are left out, and free exploration.
+std::vector<ThresholdPoint> thresholdPoints(const TrainingRecord& record, const TraineeRecord& trainee);
+
+/// The trials of a block as they are counted; they point into `block`.
+std::vector<ChosenTrial> chosenTrials(const TrainingRecord& record, const BlockRecord& block);
+
+/// Of the answers, from nothing known before.
+Posterior posteriorOf(const ThresholdPoint& point);
+
+/// How often an answer is right, as the posterior has it: its mean and the middle 95 % of it, change by change.
+struct FittedCurve {
+  std::vector<double> changes, mean, low, high;
+};
+FittedCurve fittedCurve(const Posterior& posterior, const std::vector<double>& changes);
+
+/// From 3 % to 100 %, even on a logarithmic axis: where fitted curves are drawn.
+std::vector<double> curveChanges();
+
+/// Why two results must not be compared, in words; nothing: they may.
+std::optional<std::string> notComparable(const ThresholdPoint& a, const ThresholdPoint& b);
+
+/// How two results differ.
+struct ThresholdChange {
+  double ratio = 1.0;  ///< now over before: below 1 is better
+  double low = 0.0, high = 0.0;
+  /// The difference is larger than what both measurements leave open together.
+  bool clear = false;
+};
+ThresholdChange thresholdChange(const ThresholdSummary& before, const ThresholdSummary& now);
+
+}  // namespace palpate::training
