@@ -8,6 +8,7 @@ void addAllCommands(CLI::App& app) {
   addAnnotateCommand(app);
   addBenchCommand(app);
   addBundleCommand(app);
+  addClassCommand(app);
   addDevicesCommand(app);
   addExportCommand(app);
   addFitBodyCommand(app);
@@ -32,6 +33,7 @@ void addAllCommands(CLI::App& app) {
   addRunCommand(app);
   addStudyCommand(app);
   addTissueCommand(app);
+  addTrainCommand(app);
 }
 
 }  // namespace palpate::app

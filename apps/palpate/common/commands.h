@@ -23,6 +23,7 @@ void addBenchDeformCommand(CLI::App& parent);
 void addBenchFrameCommand(CLI::App& parent);
 void addBenchPartitionCommand(CLI::App& parent);
 void addBundleCommand(CLI::App& app);
+void addClassCommand(CLI::App& app);
 void addDevicesCommand(CLI::App& app);
 void addExportCommand(CLI::App& app);
 void addFitBodyCommand(CLI::App& app);
@@ -53,6 +54,7 @@ void addRepairCommand(CLI::App& app);
 void addReplayCommand(CLI::App& app);
 void addReportCommand(CLI::App& app);
 void addSessionsCommand(CLI::App& app);
+void addTrainCommand(CLI::App& app);
 void addTrimCommand(CLI::App& app);
 void addStudyCommand(CLI::App& app);
 // `parent` is the study command.

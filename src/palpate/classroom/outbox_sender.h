@@ -29,6 +29,7 @@ class OutboxSender {
   /// A share of the rate that is allowed; false: wait.
   bool takeToken(Time now);
   void sent(const training::Uuid& row, Time now) { sent_[row] = now; }
+  bool wasSent(const training::Uuid& row) const { return sent_.contains(row); }
   void acknowledged() { silent_since_.reset(); }
 
   /// As long as nothing is acknowledged, about so many are tried again: with the collector away, two hundred stations

@@ -164,7 +164,7 @@ struct StationLink::Course {
     const std::string text = liveText(nextEnvelope(state ? state->sitting : member.station_id), *live);
     live.reset();
     lock.unlock();
-    mqtt->publish({topic("live"), text, 0, false, 0});
+    if (mqtt->publish({topic("live"), text, 0, false, 0})) ++live_count;
     lock.lock();
   }
   void sendRows() {
@@ -177,6 +177,8 @@ struct StationLink::Course {
       if (!sender.takeToken(Clock::now())) return;
       if (!mqtt->publish({topic(entry.kind.c_str()), rowText(nextEnvelope(entry.row), entry.body), 1, false, 0}))
         return;
+      ++sent_count;
+      if (sender.wasSent(entry.row)) ++repeat_count;
       sender.sent(entry.row, Clock::now());
     }
   }
@@ -196,6 +198,9 @@ struct StationLink::Course {
   CommandQueue commands;
   std::atomic<std::uint64_t> sequence = 1;
   std::atomic<std::size_t> row_count = 0;
+  std::atomic<std::uint64_t> live_count = 0;
+  std::atomic<std::uint64_t> sent_count = 0;
+  std::atomic<std::uint64_t> repeat_count = 0;
 
   mutable std::mutex mutex;  ///< of what follows
   std::condition_variable woken;
@@ -250,6 +255,7 @@ void StationLink::publishSafety(const std::string& safety) {
 std::optional<Command> StationLink::takeCommand() { return course_->commands.take(Clock::now()); }
 bool StationLink::connected() const { return course_->mqtt->connected(); }
 std::size_t StationLink::waiting() const { return course_->row_count; }
+LinkCounts StationLink::counts() const { return {course_->live_count, course_->sent_count, course_->repeat_count}; }
 
 std::string StationLink::trouble() const {
   const std::string connection = course_->mqtt->trouble();

@@ -15,6 +15,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -37,6 +38,13 @@ struct OutboxPace {
   int most_under_way = 200;  ///< rows sent and not yet acknowledged
 };
 
+/// What went out since the link began.
+struct LinkCounts {
+  std::uint64_t live = 0;
+  std::uint64_t rows = 0;     ///< repeats among them
+  std::uint64_t repeats = 0;  ///< of rows that were not acknowledged in time
+};
+
 class StationLink {
  public:
   /// Turns the outbox of `store` on and goes on with a connection of its own to the same file. A broker that is not
@@ -57,6 +65,7 @@ class StationLink {
 
   bool connected() const;
   std::size_t waiting() const;  ///< rows that the class does not have yet
+  LinkCounts counts() const;
   /// In words for a status line: why it is not connected, that the disk is nearly full; empty: all is well.
   std::string trouble() const;
 

@@ -1,0 +1,92 @@
+// `palpate class`: a class over the network; each subcommand has a file of its own, the two that make folders are here.
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "apps/palpate/common/commands.h"
+#include "apps/palpate/common/number_option.h"
+#include "apps/palpate/train/class_commands.h"
+#include "palpate/classroom/class_folder.h"
+
+namespace palpate::app {
+
+namespace {
+
+struct ClassInitArguments {
+  std::string folder;
+  classroom::ClassPlan plan;
+  std::vector<std::string> hosts;
+  bool json = false;
+};
+
+void runClassInit(const ClassInitArguments& arguments) {
+  classroom::ClassPlan plan = arguments.plan;
+  if (!arguments.hosts.empty()) plan.hosts = arguments.hosts;
+  const classroom::ClassFolder made = classroom::makeClassFolder(arguments.folder, plan);
+  if (arguments.json) {
+    const nlohmann::ordered_json json = {{"folder", arguments.folder},
+                                         {"class", made.class_id},
+                                         {"host", made.host},
+                                         {"port", made.port},
+                                         {"stations", made.stations}};
+    fmt::print("{}\n", json.dump(2));
+    return;
+  }
+  fmt::print("{}: class {} with {} stations, {} to {}\n\n", arguments.folder, made.class_id, made.stations.size(),
+             made.stations.front(), made.stations.back());
+  fmt::print("On this computer:   palpate class serve {} --broker\n", arguments.folder);
+  fmt::print("                    palpate class watch {}\n", arguments.folder);
+  fmt::print("At each station:    its own folder of {}/stations, then palpate train --class FOLDER\n",
+             arguments.folder);
+  fmt::print("Does it work?       palpate class check {}\n", arguments.folder);
+}
+
+struct AddStationArguments {
+  std::string folder;
+  std::string name;
+};
+
+}  // namespace
+
+void addClassInitCommand(CLI::App& parent) {
+  const auto arguments = std::make_shared<ClassInitArguments>();
+  CLI::App& command = *parent.add_subcommand("init", "Make certificates and configuration of a class");
+  command.add_option("DIR", arguments->folder, "Folder to make: the teacher's, with the keys")->required();
+  command.add_option("--class", arguments->plan.class_id, "What the class is called in messages: osteo-1")->required();
+  addNumber(command, "--stations", arguments->plan.stations, between(1, 999), "So many stations, s01 and on")
+      ->capture_default_str();
+  command.add_option("--host", arguments->hosts,
+                     "Name or address under which stations reach this computer, several: the first is used");
+  addNumber(command, "--port", arguments->plan.port, between(1, 65535), "Of the broker")->capture_default_str();
+  command.add_option("--label", arguments->plan.label, "What the class is called by people");
+  command.add_flag("--json", arguments->json, "Print one JSON object");
+  command.callback([arguments] { runClassInit(*arguments); });
+}
+
+void addClassAddStationCommand(CLI::App& parent) {
+  const auto arguments = std::make_shared<AddStationArguments>();
+  CLI::App& command = *parent.add_subcommand("add-station", "One more station; the broker need not be told");
+  command.add_option("DIR", arguments->folder, "Folder of the class")->required();
+  command.add_option("NAME", arguments->name, "What it is called; without a name the next number");
+  command.callback([arguments] {
+    const classroom::ClassFolder folder = classroom::readClassFolder(arguments->folder);
+    const std::string name = classroom::addStation(folder, arguments->name);
+    fmt::print("{}\n", folder.station(name).string());
+  });
+}
+
+void addClassCommand(CLI::App& app) {
+  CLI::App& command = *app.add_subcommand("class", "A class over the network: broker, collector, instructor's view");
+  command.require_subcommand(1);
+  addClassInitCommand(command);
+  addClassAddStationCommand(command);
+  addClassServeCommand(command);
+  addClassCheckCommand(command);
+  addClassWatchCommand(command);
+  addClassLoadCommand(command);
+}
+
+}  // namespace palpate::app

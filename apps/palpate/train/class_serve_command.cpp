@@ -1,0 +1,132 @@
+// `palpate class serve DIR`: collects a class's rows, and with --broker runs the broker too.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "apps/palpate/common/commands.h"
+#include "apps/palpate/common/interruption.h"
+#include "apps/palpate/common/number_option.h"
+#include "apps/palpate/common/progress_line.h"
+#include "apps/palpate/train/class_commands.h"
+#include "palpate/base/error.h"
+#include "palpate/base/stopwatch.h"
+#include "palpate/base/text.h"
+#include "palpate/classroom/broker_process.h"
+#include "palpate/classroom/certificates.h"
+#include "palpate/classroom/class_folder.h"
+#include "palpate/classroom/collector.h"
+
+namespace palpate::app {
+
+namespace {
+
+struct ClassServeArguments {
+  std::string folder;
+  std::string records;
+  std::string database;
+  bool broker = false;
+  double seconds = 0.0;
+  bool json = false;
+};
+
+std::unique_ptr<classroom::RowSink> sinkFor(const ClassServeArguments& arguments,
+                                            const classroom::ClassFolder& folder) {
+  if (!arguments.database.empty()) return classroom::databaseSink(arguments.database);
+  if (!arguments.records.empty()) return classroom::fileSink(arguments.records);
+  return classroom::fileSink(folder.folder / "class.results");
+}
+
+/// The class itself; its stations say themselves what they are.
+void keepClass(classroom::RowSink& sink, const classroom::ClassFolder& folder) {
+  const training::AnyRow row = training::ClassRow{folder.class_id, folder.label, 365, 90};
+  try {
+    sink.keep({&row, 1});
+  } catch (const Error& error) {
+    say(fmt::format("palpate: the database does not answer yet: {}\n", error.what()));
+  }
+}
+
+nlohmann::ordered_json jsonOf(const classroom::CollectorReport& report, bool broker) {
+  return {{"connected", report.connected}, {"database", report.database}, {"broker_runs", broker},
+          {"stations", report.stations},   {"rows", report.rows},         {"trials", report.trials},
+          {"commits", report.commits},     {"refused", report.refused},   {"dropped", report.dropped},
+          {"inbox", report.inbox},         {"trouble", report.trouble}};
+}
+
+std::string textOf(const classroom::CollectorReport& report) {
+  std::string text = fmt::format("{} stations, {} rows, {} trials", report.stations, report.rows, report.trials);
+  if (!report.connected) text += "; no broker";
+  if (!report.database) text += "; no database";
+  if (!report.trouble.empty()) text += fmt::format(" ({})", report.trouble);
+  return text;
+}
+
+/// Starts a broker that died again; a port that is still taken is tried until it is free.
+void attendBroker(std::optional<classroom::BrokerProcess>& broker) {
+  if (!broker || broker->running()) return;
+  try {
+    broker->restart();
+    say("palpate: the broker had ended and was started again\n");
+  } catch (const Error& error) {
+    say(fmt::format("palpate: {}\n", error.what()));
+  }
+}
+
+void runClassServe(const ClassServeArguments& arguments) {
+  const classroom::ClassFolder folder = classroom::readClassFolder(arguments.folder);
+  classroom::Member member = classroom::readMember(folder.ingest());
+  const FinishesInOrder in_order;
+  std::optional<classroom::BrokerProcess> broker;
+  if (arguments.broker) {
+    broker.emplace(folder, folder.broker() / "broker.log");
+    member.host = "localhost";
+  }
+  auto sink = sinkFor(arguments, folder);
+  keepClass(*sink, folder);
+  const classroom::Collector collector(member, std::move(sink));
+  ProgressLine progress;
+  const auto started = Clock::now();
+  auto next = started;
+  std::string said;
+  while (endAskedBy() == 0 && (arguments.seconds <= 0.0 || secondsSince(started) < arguments.seconds)) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    if (Clock::now() < next) continue;
+    next += std::chrono::seconds(1);
+    attendBroker(broker);
+    const classroom::CollectorReport report = collector.report();
+    if (arguments.json) {
+      fmt::print("{}\n", jsonOf(report, broker && broker->running()).dump());
+      std::fflush(stdout);
+    } else if (const std::string text = textOf(report); text != said) {
+      progress.show(text, 0.0);
+      said = text;
+    }
+  }
+  progress.clear();
+  if (!arguments.json) fmt::print("{}\n", textOf(collector.report()));
+}
+
+}  // namespace
+
+void addClassServeCommand(CLI::App& parent) {
+  const auto arguments = std::make_shared<ClassServeArguments>();
+  CLI::App& command = *parent.add_subcommand("serve", "Collect what the stations of a class record");
+  command.add_option("DIR", arguments->folder, "Folder of the class")->required();
+  CLI::Option* records = command.add_option("--records", arguments->records,
+                                            "Into this SQLite file; without it and --database DIR/class.results");
+  command
+      .add_option("--database", arguments->database,
+                  "Into PostgreSQL: \"host=/run/postgresql dbname=class\" or postgresql://...")
+      ->excludes(records);
+  command.add_flag("--broker", arguments->broker, "Run mosquitto too, with the class's configuration");
+  addNumber(command, "--seconds", arguments->seconds, between(0.0, 1e6, "s"), "End by itself after so long; 0: never");
+  command.add_flag("--json", arguments->json, "Print a JSON object each second");
+  command.callback([arguments] { runClassServe(*arguments); });
+}
+
+}  // namespace palpate::app

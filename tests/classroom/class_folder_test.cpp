@@ -1,0 +1,129 @@
+// The folder of a class: what is made can be read back, keys are their owner's alone, nothing is overwritten, and the
+// certificates are what they should be by OpenSSL's own program.
+#include "palpate/classroom/class_folder.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <fstream>
+
+#include "palpate/base/error.h"
+#include "palpate/base/text.h"
+#include "palpate/classroom/certificates.h"
+#include "support/error_message.h"
+#include "support/run_command.h"
+#include "support/temporary_folder.h"
+
+namespace palpate::classroom {
+namespace {
+
+using support::TemporaryFolder;
+
+ClassPlan aPlan(int stations = 3) {
+  ClassPlan plan;
+  plan.class_id = "osteo-1";
+  plan.label = "Osteopathy, first year";
+  plan.stations = stations;
+  plan.hosts = {"teacher.local", "192.168.1.10"};
+  plan.port = 18883;
+  return plan;
+}
+
+mode_t modeOf(const std::filesystem::path& file) {
+  struct stat found {};
+  EXPECT_EQ(stat(file.c_str(), &found), 0) << file;
+  return found.st_mode & 0777U;
+}
+
+TEST(ClassFolderTest, WhatWasMadeIsReadBack) {
+  const TemporaryFolder temporary;
+  makeClassFolder(temporary / "class", aPlan());
+  const ClassFolder read = readClassFolder(temporary / "class");
+  EXPECT_EQ(read.class_id, "osteo-1");
+  EXPECT_EQ(read.label, "Osteopathy, first year");
+  EXPECT_EQ(read.host, "teacher.local");
+  EXPECT_EQ(read.port, 18883);
+  EXPECT_EQ(read.stations, (std::vector<std::string>{"s01", "s02", "s03"}));
+  const Member station = readMember(read.station("s02"));
+  EXPECT_EQ(station.role, Role::station);
+  EXPECT_EQ(station.name, "s02");
+  EXPECT_EQ(station.station_id, stationIdOf("osteo-1", "s02"));
+  EXPECT_EQ(station.host, "teacher.local");
+  EXPECT_TRUE(station.key.is_absolute());
+  EXPECT_EQ(readMember(read.instructor()).role, Role::instructor);
+  EXPECT_EQ(readMember(read.ingest() / "ingest.toml").role, Role::ingest);
+}
+
+TEST(ClassFolderTest, KeysAreTheirOwnersAlone) {
+  const TemporaryFolder temporary;
+  const ClassFolder made = makeClassFolder(temporary / "class", aPlan(1));
+  int keys = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(made.folder)) {
+    if (entry.path().extension() != ".key") continue;
+    ++keys;
+    EXPECT_EQ(modeOf(entry.path()), 0600U) << entry.path();
+  }
+  EXPECT_EQ(keys, 5);  // authority, broker, instructor, collector, one station
+  EXPECT_EQ(modeOf(made.folder), 0700U);
+}
+
+TEST(ClassFolderTest, NothingIsOverwritten) {
+  const TemporaryFolder temporary;
+  const ClassFolder made = makeClassFolder(temporary / "class", aPlan(1));
+  const std::string before = support::contentOf(made.station("s01") / "station.key");
+  EXPECT_THROW(makeClassFolder(made.folder, aPlan(1)), Error);
+  EXPECT_THROW(addStation(made, "s01"), Error);
+  EXPECT_EQ(support::contentOf(made.station("s01") / "station.key"), before);
+}
+
+TEST(ClassFolderTest, AStationMoreIsAddedByNumberOrName) {
+  const TemporaryFolder temporary;
+  const ClassFolder made = makeClassFolder(temporary / "class", aPlan(2));
+  EXPECT_EQ(addStation(made), "s03");
+  EXPECT_EQ(addStation(made, "by-the-window"), "by-the-window");
+  EXPECT_EQ(readMember(made.station("by-the-window")).station_id, stationIdOf("osteo-1", "by-the-window"));
+  for (const char* name : {"instructor", "ingest", "../s09", "a+b", "#", "S01", "-x"}) {
+    EXPECT_THROW(addStation(made, name), Error) << name;
+  }
+}
+
+TEST(ClassFolderTest, CertificatesAreWhatOpenSslSaysTheyShouldBe) {
+  const TemporaryFolder temporary;
+  const ClassFolder made = makeClassFolder(temporary / "class", aPlan(1));
+  const auto openssl = [&](const std::string& arguments) {
+    return support::runProgram("openssl", arguments, made.folder);
+  };
+  EXPECT_EQ(openssl("verify -CAfile authority/ca.crt -purpose sslclient stations/s01/station.crt").exit_code, 0);
+  EXPECT_EQ(openssl("verify -CAfile authority/ca.crt -purpose sslserver broker/server.crt").exit_code, 0);
+  EXPECT_NE(openssl("verify -CAfile authority/ca.crt -purpose sslserver stations/s01/station.crt").exit_code, 0)
+      << "a station could play the broker";
+  EXPECT_EQ(openssl("verify -CAfile authority/ca.crt -verify_hostname teacher.local broker/server.crt").exit_code, 0);
+  EXPECT_EQ(openssl("verify -CAfile authority/ca.crt -verify_ip 192.168.1.10 broker/server.crt").exit_code, 0);
+  EXPECT_NE(openssl("verify -CAfile authority/ca.crt -verify_hostname other.local broker/server.crt").exit_code, 0);
+  const std::string station = openssl("x509 -in stations/s01/station.crt -noout -text").out;
+  EXPECT_NE(station.find("CN = s01"), std::string::npos) << station;
+  EXPECT_NE(station.find("P-256"), std::string::npos) << station;
+  const int days = daysLeft(support::contentOf(made.station("s01") / "station.crt"));
+  EXPECT_NEAR(days, kMemberDays, 1);
+}
+
+TEST(ClassFolderTest, MemberFilesSayWhatIsWrongAndWhere) {
+  const std::filesystem::path file = "/somewhere/station.toml";
+  const std::string good = memberText(parseMember(
+      "role = \"station\"\nclass = \"c\"\nname = \"s1\"\nstation_id = \"018f3c1e-0000-7000-8000-000000000001\"\n"
+      "authority = \"ca.crt\"\ncertificate = \"a.crt\"\nkey = \"a.key\"\n",
+      file));
+  EXPECT_EQ(memberText(parseMember(good, file)), good);
+  const auto messageWith = [&](const std::string& from, const std::string& to) {
+    std::string text = good;
+    text.replace(text.find(from), from.size(), to);
+    return support::messageOf([&] { parseMember(text, file); });
+  };
+  EXPECT_NE(messageWith("port = 8883", "port = 0").find("port"), std::string::npos);
+  EXPECT_NE(messageWith("port = 8883", "prot = 8883").find("did you mean 'port'"), std::string::npos);
+  EXPECT_NE(messageWith("\"s1\"", "\"instructor\"").find("name"), std::string::npos);
+  EXPECT_NE(messageWith("key = \"a.key\"", "").find("key is missing"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace palpate::classroom
