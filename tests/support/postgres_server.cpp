@@ -53,7 +53,7 @@ void PostgresServer::kill() {
   std::ifstream file(folder_ + "/data/postmaster.pid");
   pid_t process = 0;
   if (!(file >> process) || process <= 1) return;
-  // Those of its processes first that would else go on by themselves for a moment.
+  ::kill(process, SIGSTOP);  // it must not see the others die and bring the house in order
   const std::string children = "pkill -9 -P " + std::to_string(process);
   if (std::system(children.c_str()) < 0) return;
   ::kill(process, SIGKILL);

@@ -93,6 +93,8 @@ void PostgresSql::connect() {
     connection_.reset();
     throw DatabaseAway(fmt::format("the class's database: {}", words));
   }
+  ::PQsetNoticeProcessor(
+      connection_.get(), [](void*, const char*) {}, nullptr);  // a library prints nothing
   run("SET client_min_messages = warning; SET synchronous_commit = on");
 }
 
@@ -105,8 +107,10 @@ PostgresSql::Result PostgresSql::checked(pg_result* raw) {
   // Class 57: shut down by its operator; 53: out of disk, memory, connections; 40: lost against another transaction.
   const std::string_view kind = code == nullptr ? std::string_view() : std::string_view(code).substr(0, 2);
   const bool away = !connected() || kind.empty() || kind == "57" || kind == "53" || kind == "40" || kind == "08";
-  if (away) throw DatabaseAway(fmt::format("the class's database: {}", words));
-  throw Error(words);
+  if (!away) throw Error(words);
+  // Shut down or crashed, it has said so as its last words: the connection is of no use, though libpq has not seen it.
+  if (kind == "57" || kind == "08") connection_.reset();
+  throw DatabaseAway(fmt::format("the class's database: {}", words));
 }
 
 void PostgresSql::run(const std::string& statements) {
