@@ -75,6 +75,13 @@ void Turnover::open(const scene::Scene& scene, Session& session) {
   builder_.wish({.scene = scene, .body = nullptr, .read = {}});
 }
 
+void Turnover::lay(const scene::Scene& scene, Session& session) {
+  session.scene = scene;
+  failure_.clear();
+  wanted_ = 0;
+  builder_.wish({.scene = scene, .body = coming_ ? coming_ : shown_, .read = {}});
+}
+
 void Turnover::cancel(Session& session) {
   builder_.cancel();
   wanted_ = 0;
@@ -113,6 +120,7 @@ void Turnover::takeResult(Session& session, engine::ServoThread& servo) {
   body_wished_ = body_wished_ && !result->world && opened.empty();  // one that failed is tried again with the next wish
   if (!result->world) {
     session.opening = false;
+    failure_ = result->error;
     session.report(Severity::error, (opened.empty() ? "" : kCannotOpen) + result->error);
     return;
   }
@@ -133,6 +141,7 @@ void Turnover::adopt(Session& session, const engine::BuildResult& result, engine
     session.devices.stiffness_factor = plan.limiter.stiffness_factor;
     servo.change(std::move(plan));
   } catch (const Error& error) {
+    failure_ = error.what();
     session.report(Severity::error, error.what());
     return;
   }

@@ -28,6 +28,10 @@ class Turnover {
   void open(const std::string& file, Session& session);
   void open(const scene::Scene& scene, Session& session);
   void cancel(Session& session);
+  /// This scene on the body at hand, at once and without a step: what a trial hides. Why the newest one could not be
+  /// made is said by `failure`; empty: it could, or is under way.
+  void lay(const scene::Scene& scene, Session& session);
+  const std::string& failure() const { return failure_; }
 
   /// Once a frame: acts on session.asks.changed. Settings of the fingers go to the servo at once.
   void advance(Session& session, engine::ServoThread& servo);
@@ -56,6 +60,7 @@ class Turnover {
   bool body_wished_ = false;  ///< the newest wish makes another body: a wish in its place must make it too
   std::string opening_;       ///< the file that the work under way began with; empty: none
   bool other_body_ = false;
+  std::string failure_;
 };
 
 }  // namespace palpate::viewer

@@ -16,6 +16,8 @@
 #include "apps/viewer/leaving.h"
 #include "apps/viewer/panels/gui_layout.h"
 #include "apps/viewer/panels/hints.h"
+#include "apps/viewer/panels/widgets.h"
+#include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/device/device_profile.h"
 #include "palpate/trace/forces_table.h"
@@ -89,6 +91,7 @@ Viewer::Viewer(const std::shared_ptr<const scene::World>& world, ViewState state
       keeper_(servo_, settings_.session_folder),
       history_(servo_.thread().ticksPerS()),
       outputs_(settings_.output_folder),
+      training_(settings_.training ? std::make_unique<TrainingDesk>(*settings_.training) : nullptr),
       eyesight_(host_.quad_buffer) {
   session_.state = std::move(state);
   session_.scene = world->scene;
@@ -104,6 +107,9 @@ Viewer::Viewer(const std::shared_ptr<const scene::World>& world, ViewState state
   input_.settings = session_.state.input;
   session_.performance.graphics = view::rendererWords();
   devices_.begin(session_);
+  if (!training_) return;
+  training_->begin(session_, *world);
+  gui_.useLargeLetters();
 }
 
 Viewer::~Viewer() = default;
@@ -119,6 +125,9 @@ void Viewer::takeFacts() {
 servo::LoopReport Viewer::finish(std::string_view ended_by) {
   servo::LoopReport report = servo_.thread().stop();
   takeSamples();
+  if (training_) {
+    if (const std::string words = training_->finish(ended_by); !words.empty()) session_.report(Severity::error, words);
+  }
   keeper_.finish(session_, ended_by);
   outputs_.finish(session_);
   return report;
@@ -144,13 +153,15 @@ void Viewer::frame(int width, int height, double scale, double now_s, std::span<
   intro_.advance(pointer_, *world_, now_s);
   pointer_.advance(session_);
   placeRulerLabel();
-  drawGui(session_);
+  drawPanels();
   const Asks& asks = session_.asks;
   const bool held = ImGui::IsAnyItemActive();
   const bool any = held || !events.empty() || asks.changed != kNothing || !asks.wishes.empty();
   gui_.end();
   useChanges();
-  if (!session_.opening) session_.history.follow(session_, {held, session_.editor.before.has_value(), any});
+  train(elapsed_s);
+  if (!session_.opening && !training_)
+    session_.history.follow(session_, {held, session_.editor.before.has_value(), any});
   tellTitle();
   pointServo();
   paintAndKeep(points);
@@ -161,6 +172,25 @@ void Viewer::frame(int width, int height, double scale, double now_s, std::span<
   performance.frames_per_s = 1.0 / frame_s_;
   guardShading(elapsed_s);
   seen_ = true;
+}
+
+void Viewer::drawPanels() {
+  if (!training_) {
+    drawGui(session_);
+    return;
+  }
+  widgetPlaces().clear();
+  training_->paint();
+  const FreeArea free = freeArea(session_.state.shown, static_cast<float>(session_.size_points.x()),
+                                 static_cast<float>(session_.size_points.y()));
+  if (session_.devices.stopped) stopBanner(free, session_.asks);
+  toast(session_.messages, session_.now_s, free);
+}
+
+void Viewer::train(double elapsed_s) {
+  if (!training_) return;
+  training_->advance(session_, servo_, turnover_, elapsed_s);
+  quit_ = quit_ || training_->wantsToQuit();
 }
 
 void Viewer::makeTarget(int width, int height) {
@@ -180,6 +210,11 @@ void Viewer::lookAround() {
   const view::EyePicture eye = view::eyePictureIn(stereo_.mode, target_->width(), target_->height());
   eyes_ = view::eyesOf(session_.camera, stereo_, eye.aspect());
   pointer_.look({eyes_.screen, eyes_.middle, Vec2(target_->width(), target_->height()), stereo_.mode}, world_);
+  if (!training_) return;
+  constexpr double kNearMm = 1.0;
+  constexpr double kFarMm = 1e6;
+  training_->look(view::frustumOf(eyes_.screen, eyes_.middle, kNearMm, kFarMm), session_.size_points,
+                  target_->width() / session_.size_points.x(), pointer_, session_);
 }
 
 void Viewer::takeWorld() {
@@ -188,6 +223,7 @@ void Viewer::takeWorld() {
   const bool other_scene = std::exchange(session_.opening, false);
   world_ = shown.world;
   model_->setWorld(world_);
+  if (training_) training_->worldCame(*world_);
   takeFacts();
   session_.device_limit_n = deviceLimit(session_.scene.safety);
   if (session_.profile.handle < 0) session_.profile.knots = world_->deformation.normal_profile.knots;
@@ -321,6 +357,7 @@ void Viewer::takeSamples() {
   while (servo_.thread().pop(sample)) {
     outputs_.addSample(session_, sample);
     devices_.felt(sample, session_);
+    if (training_) training_->feel(sample);
     if (session_.replay.frozen) continue;  // what is studied stays as it is
     plot(sample);
     history_.add(sample);
@@ -334,7 +371,7 @@ void Viewer::handle(std::span<const window::InputEvent> events) {
   for (const window::InputEvent& event : events) {
     using EventKind = window::InputEvent::Kind;
     if (devices_.hears(event, gui_.wantsText(), session_)) continue;
-    if (event.kind == EventKind::drop) session_.wish(Wish::Kind::open, event.text);
+    if (event.kind == EventKind::drop && !training_) session_.wish(Wish::Kind::open, event.text);
     if (event.kind == EventKind::move || event.kind == EventKind::button) intro_.end(pointer_);
     if (session_.question && event.kind == EventKind::key) {
       const std::string_view chosen = event.down ? answerOf(event.key, session_) : std::string_view();
@@ -342,8 +379,10 @@ void Viewer::handle(std::span<const window::InputEvent> events) {
       continue;
     }
     if (hearsOfMeasuring(event)) continue;
+    if (training_ && training_->hears(event)) continue;
     window::Situation situation;
-    situation.over_gui = gui_.wantsMouse() || session_.question || session_.measuring.open;
+    situation.over_gui =
+        gui_.wantsMouse() || session_.question || session_.measuring.open || (training_ && !training_->offersBody());
     situation.gui_wants_text = gui_.wantsText();
     situation.editing = session_.editor.active || session_.ruler.active;
     situation.on_skin = event.kind == EventKind::button && pointer_.skinAt(event.at).has_value();
@@ -362,6 +401,7 @@ bool Viewer::hearsOfMeasuring(const window::InputEvent& event) {
 }
 
 void Viewer::obey(const window::Command& command) {
+  if (training_ && !training_->allows(command)) return;
   countHint(command, session_.hint, session_.state.hints);
   if (command.kind == Kind::act) return actOn(command);
   // With nothing selected the wheel has nothing to size, so it zooms.
@@ -439,7 +479,7 @@ void Viewer::placeRulerLabel() {
 
 void Viewer::tellTitle() {
   std::string title = titleOf(session_);
-  if (!host_.set_title || title == title_) return;
+  if (!host_.set_title || title == title_ || training_) return;
   title_ = std::move(title);
   host_.set_title(title_);
 }
@@ -487,7 +527,7 @@ void Viewer::grant(const Wish& wish) {
       }
       return;
     case Wish::Kind::quit:
-      quit_ = true;
+      quit_ = !training_ || training_->mayQuit();
       return;
     default:
       return;
@@ -726,6 +766,7 @@ view::PictureSettings Viewer::pictureSettings() const {
   picture.look.light_background = session_.state.theme == window::Theme::light;
   picture.stereo = stereo_;
   picture.labels.numbers = session_.state.shown.numbers;
+  if (training_) training_->plain(picture);
   return picture;
 }
 

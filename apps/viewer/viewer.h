@@ -27,6 +27,7 @@
 #include "apps/viewer/plots/touch_history.h"
 #include "apps/viewer/session.h"
 #include "apps/viewer/shading_guard.h"
+#include "apps/viewer/training/training_desk.h"
 #include "apps/viewer/turnover.h"
 #include "palpate/view/offscreen.h"
 #include "palpate/window/gui.h"
@@ -34,11 +35,12 @@
 namespace palpate::viewer {
 
 struct ViewerSettings {
-  bool intro = true;                          ///< a finger shows by itself how to press, until the mouse moves
-  std::filesystem::path output_folder = ".";  ///< for pictures, tables and scenes without a file
-  scene::Scene default_scene;                 ///< for "Built-in torso"
-  std::vector<OpenedDevice> devices;          ///< that hold the first fingers instead of the mouse
-  std::filesystem::path session_folder = {};  ///< for the session that is recorded by itself; empty: none is
+  bool intro = true;                              ///< a finger shows by itself how to press, until the mouse moves
+  std::filesystem::path output_folder = ".";      ///< for pictures, tables and scenes without a file
+  scene::Scene default_scene;                     ///< for "Built-in torso"
+  std::vector<OpenedDevice> devices;              ///< that hold the first fingers instead of the mouse
+  std::filesystem::path session_folder = {};      ///< for the session that is recorded by itself; empty: none is
+  std::optional<TrainingSettings> training = {};  ///< in the place of menus and panels
 };
 
 /// What only a window can do; members may be empty.
@@ -79,6 +81,8 @@ class Viewer {
   const window::Input& input() const { return input_; }
   const Pointer& pointer() const { return pointer_; }
   const scene::World& world() const { return model_->world(); }
+  /// Null where nobody is trained.
+  const TrainingDesk* training() const { return training_.get(); }
   /// For an end that cannot ask: a changed scene beside the one it came from; which, or empty. Throws Error.
   std::filesystem::path keepChanges() const { return outputs_.keepChanges(session_); }
   /// Ends the servo; its report of the whole run. The session says what ended it. Nothing may be called afterwards.
@@ -113,6 +117,8 @@ class Viewer {
   void playScript();
   void copyScene();
   bool hearsOfMeasuring(const window::InputEvent& event);
+  void train(double elapsed_s);
+  void drawPanels();
   void measure(const window::Command& command);
   void flyTo(const view::Camera& camera);
   void placeRulerLabel();
@@ -154,6 +160,7 @@ class Viewer {
   std::unique_ptr<view::Target> half_;  ///< of a picture of two sessions
   MeasuringDesk measuring_;
   Outputs outputs_;
+  std::unique_ptr<TrainingDesk> training_;
   Intro intro_;
   Eyesight eyesight_;
   view::StereoSettings stereo_;  ///< of this frame

@@ -16,7 +16,7 @@
 #include "apps/palpate/common/number_option.h"
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/common/unit_option.h"
-#include "apps/viewer/files/input_script.h"
+#include "apps/palpate/run/playback.h"
 #include "apps/viewer/files/state_file.h"
 #include "apps/viewer/viewer.h"
 #include "palpate/base/background.h"
@@ -69,38 +69,6 @@ window::WindowSettings windowFor(const RunOptions& options, const viewer::StateR
   return settings;
 }
 
-/// A script's events come when their time has come, as if a hand made them.
-class Playback {
- public:
-  explicit Playback(const std::string& file) {
-    if (!file.empty()) script_ = viewer::readInputScript(file);
-  }
-
-  bool finished() const { return next_ == script_.size(); }
-
-  /// True when the script ends the window. A `close` that something follows is the window's own button, which may ask.
-  bool play(double now_s, window::Window& window, viewer::Viewer& viewer, std::vector<window::InputEvent>& events) {
-    for (; !finished() && script_[next_].time_s <= now_s; ++next_) {
-      const viewer::ScriptEvent& event = script_[next_];
-      if (event.kind == viewer::ScriptEvent::Kind::close) {
-        if (next_ + 1 == script_.size()) return true;
-        viewer.session().wish(viewer::Wish::Kind::quit);
-      } else if (event.kind == viewer::ScriptEvent::Kind::size) {
-        window.setSize(event.width, event.height);
-      } else if (event.kind == viewer::ScriptEvent::Kind::head) {
-        viewer.headAt(event.head_mm, now_s);
-      } else {
-        events.push_back(event.input);
-      }
-    }
-    return false;
-  }
-
- private:
-  std::vector<viewer::ScriptEvent> script_;
-  std::size_t next_ = 0;
-};
-
 /// One line a frame: what tests and bug reports look at.
 void tell(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stdout);  // a reader that has left must not end the window
@@ -132,15 +100,6 @@ void tellServo(const servo::LoopReport& report) {
       report.lateness.max_us));
 }
 
-viewer::ViewerHost hostOf(window::Window& window) {
-  return {[&window] { window.setFullScreen(!window.fullScreen()); },
-          [&window](const std::string& text) { window.setClipboard(text); },
-          [&window] { return window.clipboard(); },
-          [&window](bool shown) { window.showCursor(shown); },
-          [&window](const std::string& title) { window.setTitle(title); },
-          window.quadBuffered()};
-}
-
 /// Of no file: there is none that it could be saved to.
 scene::Scene standardScene() {
   scene::Scene scene = scene::parse(defaultScene(), "default.toml");
@@ -161,20 +120,6 @@ scene::Scene sceneToRun(const RunOptions& options) {
 
 void keepState(const RunOptions& options, viewer::Viewer& viewer, const window::Window& window) {
   if (!options.no_state) viewer::writeState(viewer::stateFile(), {viewer.session().state, window.placement()});
-}
-
-/// Those of the command line, where the scene or nobody says that their spaces lie.
-std::vector<viewer::OpenedDevice> openedFor(const scene::World& world, const std::vector<std::string>& names) {
-  std::vector<device::OpenOptions> fingers(viewer::kFingers);
-  for (device::OpenOptions& options : fingers) options.tick_s = 1.0 / world.scene.ticks_per_s;
-  std::vector<device::Device> devices = openDevices(names, fingers);
-  std::vector<viewer::OpenedDevice> opened;
-  for (std::size_t i = 0; i < devices.size(); ++i) {
-    const Vec3 origin = device::standardOrigin(world, names[i], i);
-    const auto settings = device::settingsOf(world.scene, names[i], i).value_or(scene::DeviceSettings{});
-    opened.push_back({names[i], std::move(devices[i]), device::workspaceOf(settings, origin)});
-  }
-  return opened;
 }
 
 void loop(const RunOptions& options, Playback& playback, window::Window& window, viewer::Viewer& viewer,

@@ -17,6 +17,7 @@ namespace palpate::window {
 namespace {
 
 constexpr float kTextPoints = 15.0f;
+constexpr float kTitlePoints = 25.0f;
 
 /// Neutral greys: a tinted frame would change how the colours of a map look.
 void useDark(ImGuiStyle& style) {
@@ -106,6 +107,7 @@ std::string_view ownerOf(const ImDrawList& list) { return list._OwnerName == nul
 struct Gui::Parts {
   ImGuiContext* context = nullptr;
   double scale = 0.0;
+  bool large_letters = false;
   std::array<bool, kButtons> down{};
 
   Parts();
@@ -146,6 +148,10 @@ void Gui::Parts::makeLetters(double pixels_per_point) {
   const auto file = view::embeddedFont();
   io.Fonts->AddFontFromMemoryTTF(const_cast<unsigned char*>(file.data()), static_cast<int>(file.size()),
                                  kTextPoints * static_cast<float>(scale), &config, view::fontRanges());
+  if (large_letters) {
+    io.Fonts->AddFontFromMemoryTTF(const_cast<unsigned char*>(file.data()), static_cast<int>(file.size()),
+                                   kTitlePoints * static_cast<float>(scale), &config, view::fontRanges());
+  }
   io.Fonts->Build();
   io.FontGlobalScale = 1.0f / static_cast<float>(scale);
   ImGui_ImplOpenGL3_DestroyFontsTexture();
@@ -234,6 +240,11 @@ void Gui::setTheme(Theme theme) {
   if (theme == Theme::dark) useDark(style);
   if (theme == Theme::light) useLight(style);
   if (theme == Theme::contrast) useContrast(style);
+}
+
+void Gui::useLargeLetters() {
+  parts_->large_letters = true;
+  parts_->scale = 0.0;
 }
 
 bool Gui::wantsMouse() const {

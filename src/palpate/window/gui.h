@@ -35,6 +35,8 @@ class Gui {
   bool leavesOut(Choice choice) const;
 
   void setTheme(Theme theme);
+  /// From the next frame on there is a second size of letters, for titles: the last font of ImGui's atlas.
+  void useLargeLetters();
   /// Of the last frame: a panel, menu or popup is under the cursor or holds the mouse.
   bool wantsMouse() const;
   /// A text field takes the keys.

@@ -1,0 +1,51 @@
+#include "apps/palpate/run/playback.h"
+
+#include "apps/palpate/common/device_option.h"
+
+namespace palpate::app {
+
+Playback::Playback(const std::string& file) {
+  if (!file.empty()) script_ = viewer::readInputScript(file);
+}
+
+bool Playback::play(double now_s, window::Window& window, viewer::Viewer& viewer,
+                    std::vector<window::InputEvent>& events) {
+  for (; !finished() && script_[next_].time_s <= now_s; ++next_) {
+    const viewer::ScriptEvent& event = script_[next_];
+    if (event.kind == viewer::ScriptEvent::Kind::close) {
+      if (next_ + 1 == script_.size()) return true;
+      viewer.session().wish(viewer::Wish::Kind::quit);
+    } else if (event.kind == viewer::ScriptEvent::Kind::size) {
+      window.setSize(event.width, event.height);
+    } else if (event.kind == viewer::ScriptEvent::Kind::head) {
+      viewer.headAt(event.head_mm, now_s);
+    } else {
+      events.push_back(event.input);
+    }
+  }
+  return false;
+}
+
+viewer::ViewerHost hostOf(window::Window& window) {
+  return {[&window] { window.setFullScreen(!window.fullScreen()); },
+          [&window](const std::string& text) { window.setClipboard(text); },
+          [&window] { return window.clipboard(); },
+          [&window](bool shown) { window.showCursor(shown); },
+          [&window](const std::string& title) { window.setTitle(title); },
+          window.quadBuffered()};
+}
+
+std::vector<viewer::OpenedDevice> openedFor(const scene::World& world, const std::vector<std::string>& names) {
+  std::vector<device::OpenOptions> fingers(viewer::kFingers);
+  for (device::OpenOptions& options : fingers) options.tick_s = 1.0 / world.scene.ticks_per_s;
+  std::vector<device::Device> devices = openDevices(names, fingers);
+  std::vector<viewer::OpenedDevice> opened;
+  for (std::size_t i = 0; i < devices.size(); ++i) {
+    const Vec3 origin = device::standardOrigin(world, names[i], i);
+    const auto settings = device::settingsOf(world.scene, names[i], i).value_or(scene::DeviceSettings{});
+    opened.push_back({names[i], std::move(devices[i]), device::workspaceOf(settings, origin)});
+  }
+  return opened;
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,43 @@
+// What the training window tells a class and hears from its instructor, once a frame; without a class nothing.
+//
+//   sitting, samples ─► ClassLine ─► classroom::StationLink ─► class        instructor ─► takeCommand ─► desk
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "palpate/classroom/station_link.h"
+#include "palpate/trace/sample.h"
+#include "palpate/training/sitting.h"
+
+namespace palpate::viewer {
+
+class ClassLine {
+ public:
+  /// The store must outlive it. Throws Error.
+  ClassLine(const classroom::Member& member, training::Store& store, const classroom::StationInfo& info)
+      : link_(member, store, info) {}
+
+  void felt(const trace::Sample& sample);
+  /// Once a frame; null: nobody sits.
+  void follow(const training::Sitting* sitting);
+  void safety(const std::string& words) { link_.publishSafety(words); }
+  std::optional<classroom::Command> takeCommand() { return link_.takeCommand(); }
+  /// For the edge of the screen; empty: all is well.
+  std::string trouble() const { return link_.trouble(); }
+
+ private:
+  /// What a state is made of that costs something: it is looked at again when one of these changed.
+  struct Seen {
+    training::Screen screen = training::Screen::finished;
+    int trial = 0;
+    bool paused = false;
+    friend bool operator==(const Seen&, const Seen&) = default;
+  };
+  classroom::StationLink link_;
+  trace::Sample pressing_;  ///< since the last frame, the one with the most force
+  std::optional<Seen> seen_;
+  bool told_ = false;
+};
+
+}  // namespace palpate::viewer

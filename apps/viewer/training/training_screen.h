@@ -1,0 +1,84 @@
+// What a trainee sees, as plain data: every word, button and mark of a screen. The painting (training_painting.h) only
+// puts it where it belongs, so a test that reads this has read all that is on the screen.
+//
+//   front desk, sitting ─ screenOf (training_words.h) ─► TrainingScreen ─► painting, speech
+//                                                              a key, a click ─► TrainingAct ─► desk
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palpate::viewer {
+
+/// What a button or a key asks for.
+enum class TrainingAct : std::uint8_t {
+  none,
+  sign_in,    ///< with what was typed
+  make_code,  ///< for somebody who has none
+  yes,        ///< to the question of the screen
+  no,         ///< back
+  choose,     ///< the offer, hand or thimble `value`
+  next,       ///< "Next", "Start", "Continue"
+  pick_site,  ///< the site `value` is the one that would be answered
+  answer,     ///< the site that was picked
+  pause,
+  go_on,
+  leave,     ///< asks first
+  sign_out,  ///< another trainee
+  quit,      ///< the window
+  retry,     ///< what could not be written
+};
+
+struct TrainingButton {
+  TrainingAct act = TrainingAct::none;
+  int value = 0;
+  std::string label = {};
+  std::string line = {};   ///< one line under it
+  std::string badge = {};  ///< beside the label: "suggested"
+  bool enabled = true;
+};
+
+/// How a site is drawn. Never told apart by colour alone: each has a shape of its own.
+struct SiteMark {
+  int number = 0;
+  bool pressed = false;  ///< enough: its dot is filled
+  bool picked = false;   ///< would be answered: in brackets
+  bool touched = false;  ///< a finger is on it: a second ring
+  bool is_true = false;  ///< feedback alone: an arrow and a word
+};
+
+enum class TrainingPlace : std::uint8_t {
+  card,  ///< a sheet in the middle
+  body,  ///< the body is there to be felt, words above it, buttons beside it
+};
+
+struct TrainingScreen {
+  TrainingPlace place = TrainingPlace::card;
+  std::string title = {};
+  std::vector<std::string> lines = {};
+  struct Entry {
+    std::string label;
+    std::string text;
+    friend bool operator==(const Entry&, const Entry&) = default;
+  };
+  std::optional<Entry> entry = {};
+  std::vector<TrainingButton> buttons = {};
+  std::size_t focus = 0;  ///< of the buttons: what Enter presses
+  std::vector<SiteMark> sites = {};
+  bool picks_sites = false;              ///< sites can be picked: the list of them stands beside the body
+  std::string mark_word = {};            ///< beside the true site
+  std::optional<double> time_left = {};  ///< share of the trial's time; nothing: no ring
+  std::optional<double> done = {};       ///< share of the block, as a bar without a number
+  std::string progress = {};             ///< practice alone: "Trial 3 of 20, two right"
+  std::string notice = {};               ///< what just happened or has to be done, e.g. "Answer saved."
+  bool trouble = false;                  ///< the notice is about something that must be mended
+  enum class Outcome : std::uint8_t { none, right, wrong } outcome = Outcome::none;  ///< feedback: a tick or a cross
+  std::string keys = {};                                                             ///< what the keyboard does here
+  std::string corner = {};                                                           ///< who is signed in
+};
+
+/// All words of the screen, whatever they are for.
+std::vector<std::string> wordsOf(const TrainingScreen& screen);
+
+}  // namespace palpate::viewer
