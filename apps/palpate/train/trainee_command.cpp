@@ -5,12 +5,16 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <optional>
+#include <thread>
 #include <vector>
 
 #include "apps/palpate/common/interruption.h"
@@ -19,7 +23,10 @@
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
+#include "palpate/classroom/station_link.h"
 #include "palpate/training/records/trainee_code.h"
+#include "palpate/training/trainee/body_touch.h"
+#include "palpate/training/trainee/imagined_touch.h"
 #include "palpate/training/trainee/trainee_course.h"
 
 namespace palpate::app {
@@ -113,19 +120,61 @@ class TraineeCommand {
 
   int run() {
     openBench();
-    training::Store store(recordsFile(options_), training::Store::Open::create_too);
-    const training::StationRow station = training::simulatedStation(start_ms_);
-    store.keep(station);
-    store.keep(training::protocolRowOf(bench_.protocol));
-    bench_.station = station.id;
-    if (!options_.class_id.empty()) store.keep(training::ClassRow{.id = options_.class_id, .label = options_.class_id});
+    if (!options_.class_id.empty() && !classroom::isClassWord(options_.class_id)) {
+      member_ = classroom::readMember(options_.class_id);
+    }
+    const std::filesystem::path file = recordsFile(options_);
+    if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
+    training::Store store(file, training::Store::Open::create_too);
+    keepFirst(store);
+    std::optional<classroom::StationLink> link;
+    if (member_) link.emplace(*member_, store, classroom::StationInfo{"palpate, simulated", deviceWords()});
     for (int i = 0; i < simulated_.trainees && endAskedBy() == 0; ++i) train(store, i);
+    if (link) sendWaiting(store);
     progress_.clear();
     finish(store);
     return endAskedBy() == 0 ? 0 : exitCodeOf(endAskedBy());
   }
 
  private:
+  std::string classId() const { return member_ ? member_->class_id : options_.class_id; }
+  std::string deviceWords() const {
+    return simulated_.fast ? std::string(training::kNoBody) : training::deviceWords(bench_.hand);
+  }
+
+  /// What the first sitting's rows refer to.
+  void keepFirst(training::Store& store) {
+    training::StationRow station = training::simulatedStation(start_ms_);
+    station.device = deviceWords();
+    if (member_) {
+      station.id = member_->station_id;
+      station.name = member_->name;
+    }
+    store.keep(station);
+    store.keep(training::protocolRowOf(bench_.protocol));
+    bench_.station = station.id;
+    const std::string id = classId();
+    const auto known = store.classes();
+    if (id.empty() || std::ranges::find(known, id, &training::ClassRow::id) != known.end()) return;
+    store.keep(training::ClassRow{.id = id, .label = id});
+  }
+
+  /// Until the class has it all, nothing went for a while, or the end was asked for: what waits goes another time.
+  void sendWaiting(training::Store& store) {
+    constexpr double kPatienceS = 10.0;
+    Clock::time_point went = Clock::now();
+    std::size_t before = store.waitingCount();
+    while (before > 0 && secondsSince(went) < kPatienceS && endAskedBy() == 0) {
+      progress_.show(fmt::format("sending to the class, {} rows", before), 0.0);
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      const std::size_t waits = store.waitingCount();
+      if (waits < before) went = Clock::now();
+      before = waits;
+    }
+    progress_.clear();
+    if (before > 0 && !options_.json) fmt::print("{} rows wait for the class\n", before);
+  }
+
   void openBench() {
     bench_.protocol = training::protocolNamed(options_.protocol);
     scene::Scene scene = sceneToTrainOn(options_);
@@ -171,7 +220,7 @@ class TraineeCommand {
     const auto code = training::codeTyped(typed);
     if (!code) throw Error(fmt::format("--code '{}' is no code", typed));
     const bool alone = simulated_.trainees == 1;
-    const training::TraineeRow row = training::simulatedTrainee(options_.class_id, *code, start_ms_);
+    const training::TraineeRow row = training::simulatedTrainee(classId(), *code, start_ms_);
     if (!store.trainee(row.id)) store.keep(row);
     training::TraineeCourse course;
     course.observer = alone ? observer_ : training::oneOfClass(observer_, simulated_.spread, seed_, number);
@@ -233,6 +282,7 @@ class TraineeCommand {
   std::uint64_t seed_;
   std::int64_t start_ms_;
   training::TraineeBench bench_;
+  std::optional<classroom::Member> member_;  ///< of a class on the network
   ProgressLine progress_;
   std::string person_;
   Json trainees_ = Json::array();

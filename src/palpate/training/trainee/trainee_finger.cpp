@@ -16,8 +16,11 @@ constexpr double kArcShare = 0.12;
 constexpr double kTravelS = 0.2;
 constexpr double kTravelMmPerS = 500.0;
 
-/// Of the goal on its way into the skin, mm/s; the pad, held back by the tissue, is slower.
+/// Of the goal on its way into the skin, mm/s; the pad, held back by the tissue, is slower. Who wants to press with
+/// less than a newton comes down more gently, or the hand's own lag would press harder than that.
 constexpr double kDownMmPerS = 60.0;
+constexpr double kGentleN = 1.0;
+constexpr double kLeastShareOfSpeed = 0.2;
 /// The goal goes no deeper: nothing is there, or the force is out of the arm's reach.
 constexpr double kDeepestGoalMm = 60.0;
 
@@ -86,7 +89,7 @@ void TraineeFinger::travel() noexcept {
 }
 
 void TraineeFinger::goDown(double force_n) noexcept {
-  const double down = kDownMmPerS * time_s_;
+  const double down = kDownMmPerS * std::clamp(wish_.force_n / kGentleN, kLeastShareOfSpeed, 1.0) * time_s_;
   place_ = from_ - down * wish_.normal;
   felt_.reached = force_n >= wish_.force_n;
   if (felt_.reached || down >= kHoverMm + kDeepestGoalMm) enter(Phase::hold);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "palpate/base/error.h"
 #include "palpate/base/hash.h"
 
 namespace palpate::training {
@@ -96,8 +97,7 @@ void TraineeRun::run() {
 void TraineeRun::walkScreen() {
   switch (sitting_.screen()) {
     case Screen::device_check:
-      pressSite(1);
-      return sitting_.next(now());
+      return checkDevice();
     case Screen::familiarisation:
       pressSite(held_->site);
       return sitting_.next(now());
@@ -118,6 +118,19 @@ void TraineeRun::walkScreen() {
     case Screen::finished:
       return;
   }
+}
+
+/// As firmly as it is asked to, also by one who presses too lightly later.
+void TraineeRun::checkDevice() {
+  constexpr int kMostTries = 3;
+  const double asked_n = 2.0 * sitting_.plan().protocol.exploration.force_n;
+  for (int i = 0; i < kMostTries && sitting_.screen() == Screen::device_check; ++i) {
+    MeantPress meant = meantPress(orders_.observer, random_);
+    meant.force_n = std::max(meant.force_n, asked_n);
+    touching_.press(sitting_.plan().sites.sites.front(), meant, each_tick_);
+    sitting_.next(now());
+  }
+  if (sitting_.screen() == Screen::device_check) throw Error("trainee: no press was felt by the device check");
 }
 
 bool TraineeRun::pressSite(int number) {

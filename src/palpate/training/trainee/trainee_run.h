@@ -47,6 +47,7 @@ class TraineeRun {
 
  private:
   void walkScreen();
+  void checkDevice();
   void tryTrial();
   void search(int trial);
   void answer(int site);
