@@ -28,6 +28,7 @@ void addAllCommands(CLI::App& app) {
   addRepairCommand(app);
   addReplayCommand(app);
   addReportCommand(app);
+  addResultsCommand(app);
   addSessionsCommand(app);
   addTrimCommand(app);
   addRunCommand(app);

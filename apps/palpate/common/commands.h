@@ -53,6 +53,7 @@ void addRenderCommand(CLI::App& app);
 void addRepairCommand(CLI::App& app);
 void addReplayCommand(CLI::App& app);
 void addReportCommand(CLI::App& app);
+void addResultsCommand(CLI::App& app);
 void addSessionsCommand(CLI::App& app);
 void addTrainCommand(CLI::App& app);
 void addTrimCommand(CLI::App& app);

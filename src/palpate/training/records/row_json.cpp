@@ -13,6 +13,7 @@
 #include "palpate/training/records/row_check.h"
 #include "palpate/training/records/row_fields.h"
 #include "palpate/training/records/sha256.h"
+#include "palpate/training/records/trainee_code.h"
 
 namespace palpate::training {
 
@@ -171,15 +172,6 @@ AnyRow rowOfKind(std::string_view kind, std::string_view text) {
     if (kindOf(AnyRow(std::in_place_index<I>)) != kind) return rowOfKind<I + 1>(kind, text);
     return rowOfObject<R>(kind, parsedRow(kind, text));
   }
-}
-
-/// A UUID of version 8 that any two computers make of the same text.
-Uuid uuidOfText(std::string_view text) {
-  std::string hex = sha256Hex(text).substr(0, 32);
-  hex[12] = '8';
-  hex[16] = "89ab"[static_cast<unsigned char>(hex[16]) % 4];
-  return fmt::format("{}-{}-{}-{}-{}", hex.substr(0, 8), hex.substr(8, 4), hex.substr(12, 4), hex.substr(16, 4),
-                     hex.substr(20));
 }
 
 }  // namespace

@@ -98,7 +98,11 @@ std::optional<std::string> codeTyped(std::string_view typed) {
 Uuid pseudonymOf(std::string_view class_id, std::string_view code) {
   // As on the card, so that it does not matter how it was typed.
   const std::string written = codeTyped(code).value_or(std::string(code));
-  const auto digest = sha256Of("palpate trainee\n" + std::string(class_id) + '\n' + written);
+  return uuidOfText("palpate trainee\n" + std::string(class_id) + '\n' + written);
+}
+
+Uuid uuidOfText(std::string_view text) {
+  const auto digest = sha256Of(text);
   std::array<std::uint8_t, 16> bytes{};
   std::copy_n(digest.begin(), bytes.size(), bytes.begin());
   return uuidText(bytes, 8);

@@ -20,6 +20,9 @@ std::string codeOf(std::uint64_t random_bits);
 std::optional<std::string> codeTyped(std::string_view typed);
 Uuid pseudonymOf(std::string_view class_id, std::string_view code);
 
+/// UUID version 8 that any computer makes of the same text.
+Uuid uuidOfText(std::string_view text);
+
 /// UUID version 7. `random` may be anything that does not repeat.
 Uuid uuidOf(std::int64_t unix_ms, const std::array<std::uint64_t, 2>& random);
 

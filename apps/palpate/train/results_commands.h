@@ -1,0 +1,48 @@
+// The subcommands of `palpate results`, and what they share: which file, which trainee, how times and thresholds read.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "palpate/training/records/store.h"
+
+namespace palpate::app {
+
+// `parent` is the results command.
+void addResultsListCommand(CLI::App& parent);
+void addResultsTraineeCommand(CLI::App& parent);
+void addResultsClassCommand(CLI::App& parent);
+void addResultsCodesCommand(CLI::App& parent);
+void addResultsExportCommand(CLI::App& parent);
+void addResultsDeleteCommand(CLI::App& parent);
+void addResultsPurgeCommand(CLI::App& parent);
+void addResultsReplayCommand(CLI::App& parent);
+void addResultsVerifyCommand(CLI::App& parent);
+
+struct ResultsArguments {
+  std::string file;  ///< empty: the user's own
+  bool json = false;
+};
+/// [FILE] and --json. `arguments` must outlive the command.
+void addResultsFile(CLI::App& command, ResultsArguments& arguments);
+
+/// Brings it forward where it is older. Throws Error, which says where records are made when there are none.
+training::Store openedResults(const ResultsArguments& arguments);
+
+/// By the code on their card, their pseudonym, or its first letters. Throws Error.
+training::TraineeRow traineeCalled(training::Store& store, const std::string& code_or_id);
+
+/// What the help calls it.
+inline constexpr const char* kTraineeHelp = "The code on the trainee's card, or the pseudonym (its beginning will do)";
+
+std::string whenWords(std::int64_t ms);  ///< "2026-11-22 10:03", UTC
+/// "18 % (13 to 25 %)"; empty: none was measured.
+std::string thresholdWords(const training::BlockRow& block);
+nlohmann::ordered_json blockJson(const training::BlockRow& block);
+nlohmann::ordered_json sittingJson(training::Store& store, const training::SittingRow& sitting);
+/// "2026-11-22 10:03  5d79b3cd  pre-test  40 trials, 18 % (13 to 25 %)"
+std::string sittingLine(training::Store& store, const training::SittingRow& sitting);
+
+}  // namespace palpate::app

@@ -1,0 +1,127 @@
+#include "palpate/training/records/export.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "palpate/training/records/row_fields.h"
+
+namespace palpate::training {
+
+namespace {
+
+std::string csvQuoted(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) {
+    quoted += c;
+    if (c == '"') quoted += c;
+  }
+  return quoted + '"';
+}
+
+std::string csvCell(const std::string& value) { return csvQuoted(value); }
+std::string csvCell(const std::optional<double>& value) { return value ? fmt::format("{}", *value) : std::string(); }
+template <class Value>
+std::string csvCell(const Value& value) {
+  if constexpr (std::is_enum_v<Value>) {
+    return std::string(wordFor(value));
+  } else {
+    return fmt::format("{}", value);
+  }
+}
+
+template <class R>
+std::string csvHeader() {
+  std::string line;
+  const R row{};
+  eachField([&line](const char* name, const auto& /*value*/,
+                    const FieldRule& /*rule*/) { line += (line.empty() ? "" : ",") + std::string(name); },
+            row);
+  return line;
+}
+
+template <class R>
+std::string csvLine(const R& row) {
+  std::string line;
+  bool first = true;
+  eachField(
+      [&](const char* /*name*/, const auto& value, const FieldRule& /*rule*/) {
+        line += (first ? "" : ",") + csvCell(value);
+        first = false;
+      },
+      row);
+  return line;
+}
+
+template <class R>
+ExportedFile csvTable(const std::string& name, const std::vector<AnyRow>& rows) {
+  ExportedFile file{name, csvHeader<R>() + "\r\n"};
+  for (const AnyRow& row : rows) {
+    if (const auto* held = std::get_if<R>(&row)) file.text += csvLine(*held) + "\r\n";
+  }
+  return file;
+}
+
+ExportedFile csvVisits(const std::vector<AnyRow>& rows) {
+  ExportedFile file{"site_visits.csv", "trial_id," + csvHeader<SiteVisit>() + "\r\n"};
+  for (const AnyRow& row : rows) {
+    const auto* trial = std::get_if<TrialRow>(&row);
+    if (trial == nullptr) continue;
+    for (const SiteVisit& visit : trial->visits) file.text += trial->id + "," + csvLine(visit) + "\r\n";
+  }
+  return file;
+}
+
+ExportedFile csvDictionary() {
+  const std::set<std::string_view> own = {"schema_version", "setting", "outbox", "audit"};
+  ExportedFile file{"data_dictionary.csv", "table,column,meaning\r\n"};
+  for (const TableInfo& table : tables()) {
+    if (own.contains(table.name)) continue;
+    for (const ColumnInfo& column : table.columns) {
+      file.text += fmt::format("{},{},{}\r\n", table.name, column.name, csvQuoted(std::string(column.means)));
+    }
+  }
+  return file;
+}
+
+}  // namespace
+
+std::vector<AnyRow> exportedRows(RowTables& rows) {
+  std::vector<AnyRow> all = rows.all();
+  std::set<Uuid> going_on;  // sittings with a block that will ask more
+  for (const AnyRow& row : all) {
+    const auto* block = std::get_if<BlockRow>(&row);
+    if (block != nullptr && !block->finished) going_on.insert(block->sitting);
+  }
+  for (AnyRow& row : all) {
+    if (auto* block = std::get_if<BlockRow>(&row); block != nullptr && !block->finished) block->state_json.clear();
+    if (auto* event = std::get_if<EventRow>(&row); event != nullptr && event->kind == "message") event->text.clear();
+    auto* sitting = std::get_if<SittingRow>(&row);
+    if (sitting != nullptr && going_on.contains(sitting->id)) sitting->rng_seed = 0;
+  }
+  return all;
+}
+
+std::vector<ExportedFile> csvFiles(RowTables& rows) {
+  const std::vector<AnyRow> all = exportedRows(rows);
+  return {csvTable<StationRow>("stations.csv", all), csvTable<ClassRow>("classes.csv", all),
+          csvTable<TraineeRow>("trainees.csv", all), csvTable<ProtocolRow>("protocols.csv", all),
+          csvTable<SittingRow>("sessions.csv", all), csvTable<BlockRow>("blocks.csv", all),
+          csvTable<TrialRow>("trials.csv", all),     csvVisits(all),
+          csvTable<EventRow>("events.csv", all),     csvDictionary()};
+}
+
+std::string jsonText(RowTables& rows) {
+  nlohmann::ordered_json json = {{"format", "palpate results"}, {"schema", kSchemaVersion}};
+  for (const char* kind : {"station", "class", "trainee", "protocol", "session", "block", "trial", "event"}) {
+    json[kind] = nlohmann::ordered_json::array();
+  }
+  for (const AnyRow& row : exportedRows(rows)) {
+    json[std::string(kindOf(row))].push_back(nlohmann::ordered_json::parse(rowJson(row)));
+  }
+  return json.dump(1) + "\n";
+}
+
+}  // namespace palpate::training

@@ -1,0 +1,192 @@
+#include "palpate/training/records/verify.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "palpate/base/error.h"
+#include "palpate/training/records/session_files.h"
+#include "palpate/training/records/sha256.h"
+
+namespace palpate::training {
+
+namespace {
+
+/// A result that was computed by another compiler may differ in its last digits.
+constexpr double kSameResult = 1e-9;
+
+std::optional<Protocol> protocolOfRow(const ProtocolRow& row) {
+  try {
+    return parseProtocol(row.text, row.id);
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+bool sameResult(const BlockResult& result, const BlockRow& row) {
+  const auto same = [](double a, double b) { return std::abs(a - b) <= kSameResult; };
+  return result.trials == row.trials && result.verdict == row.verdict && result.level == row.level &&
+         same(result.threshold.median, row.threshold) && same(result.threshold.low, row.low) &&
+         same(result.threshold.high, row.high);
+}
+
+class RecordsCheck {
+ public:
+  explicit RecordsCheck(Store& store) : store_(store), files_(store) {}
+
+  Verified done() {
+    checkDatabase();
+    if (!found_.ok()) return std::move(found_);  // what is damaged is not looked at any further
+    checkProtocols();
+    found_.trainees = store_.trainees().size();
+    for (const SittingRow& sitting : store_.sittings()) checkSitting(sitting);
+    checkStrayFiles();
+    return std::move(found_);
+  }
+
+ private:
+  template <class... Parts>
+  void fault(fmt::format_string<Parts...> format, Parts&&... parts) {
+    found_.faults.push_back(fmt::format(format, std::forward<Parts>(parts)...));
+  }
+  template <class... Parts>
+  void note(fmt::format_string<Parts...> format, Parts&&... parts) {
+    found_.notes.push_back(fmt::format(format, std::forward<Parts>(parts)...));
+  }
+
+  void checkDatabase() {
+    Sql& sql = store_.rows().sql();
+    for (const SqlValues& row : sql.ask("PRAGMA integrity_check(20)")) {
+      const auto* words = std::get_if<std::string>(&row.front());
+      if (words != nullptr && *words != "ok") fault("the file is damaged: {}", *words);
+    }
+    for (const SqlValues& row : sql.ask("PRAGMA foreign_key_check")) {
+      fault("a row of '{}' belongs to one of '{}' that is not there", std::get<std::string>(row[0]),
+            std::get<std::string>(row[2]));
+    }
+    for (const TableInfo& table : tables()) {
+      for (const ColumnInfo& column : table.columns) {
+        const std::int64_t there = sql.number("SELECT count(*) FROM pragma_table_info($1) WHERE name = $2",
+                                              {std::string(table.name), std::string(column.name)});
+        if (there == 0) fault("the column {}.{} is missing", table.name, column.name);
+      }
+    }
+  }
+
+  void checkProtocols() {
+    for (const ProtocolRow& row : store_.protocols()) {
+      const auto protocol = protocolOfRow(row);
+      if (!protocol) {
+        note("protocol {} version {} cannot be read by this palpate; results of its blocks are not computed again",
+             row.id, row.version);
+      } else if (protocolSha256(*protocol) != row.sha256) {
+        fault("protocol {} version {} is not what it was when it was used", row.id, row.version);
+      }
+    }
+  }
+
+  void checkSitting(const SittingRow& sitting) {
+    ++found_.sittings;
+    if (sitting.end_ms == 0) note("sitting {} has no end: it goes on, or was cut off", sitting.id);
+    if (sitting.end_ms != 0 && sitting.end_ms < sitting.start_ms) fault("sitting {} ends before it begins", sitting.id);
+    checkFile(sitting);
+    int number = 0;
+    for (const BlockRow& block : store_.blocks(sitting.id)) {
+      if (block.number <= number) fault("sitting {} has two blocks with the number {}", sitting.id, block.number);
+      number = block.number;
+      checkBlock(block, sitting.kind);
+    }
+  }
+
+  void checkFile(const SittingRow& sitting) {
+    if (sitting.file.empty()) return;
+    const std::filesystem::path file = files_.pathOf(sitting.file);
+    std::error_code error;
+    if (sitting.file_sha256.empty()) {
+      if (files_.filesOf(sitting.id).empty()) fault("the session file of sitting {} is missing", sitting.id);
+      note("the session file of sitting {} is not locked yet", sitting.id);
+      return;
+    }
+    if (!std::filesystem::exists(file, error)) {
+      fault("the session file {} is missing", sitting.file);
+      return;
+    }
+    ++found_.session_files;
+    if (sha256OfFile(file) != sitting.file_sha256) fault("the session file {} was changed", sitting.file);
+    const auto ref = lockedWith(file);
+    if (ref && !files_.vault().find(*ref)) fault("the key of the session file {} is missing", sitting.file);
+  }
+
+  void checkBlock(const BlockRow& block, SittingKind kind) {
+    ++found_.blocks;
+    const std::vector<TrialRow> trials = store_.trials(block.id);
+    found_.trials += trials.size();
+    int number = 0;
+    for (const TrialRow& trial : trials) {
+      if (trial.number != ++number) {
+        fault("block {}: trial {} is missing", block.id, number);
+        number = trial.number;
+      }
+      if (trial.correct != (trial.site_answer != 0 && trial.site_answer == trial.site_true)) {
+        fault("trial {}: right or wrong is not what its sites say", trial.id);
+      }
+      if (trial.end_ms < trial.start_ms) fault("trial {} ends before it begins", trial.id);
+    }
+    checkResult(block, kind, trials.size());
+  }
+
+  void checkResult(const BlockRow& block, SittingKind kind, std::size_t trials) {
+    for (const ProtocolRow& row : store_.protocols()) {
+      if (row.id != block.protocol_id || row.version != block.protocol_version) continue;
+      const auto protocol = protocolOfRow(row);
+      if (!protocol || block.state_json.empty()) return;
+      try {
+        const Block again = Block::resumed(settingsOf(*protocol, kind).block, block.state_json);
+        if (static_cast<std::size_t>(again.answered()) != trials) {
+          fault("block {} has {} answers and {} trials", block.id, again.answered(), trials);
+        }
+        if (sameResult(again.result(), block)) {
+          ++found_.recomputed;
+        } else {
+          fault("block {}: its result is not what its answers give", block.id);
+        }
+      } catch (const Error& error) {
+        fault("block {}: {}", block.id, error.what());
+      }
+    }
+  }
+
+  /// Samples of somebody whom no row knows.
+  void checkStrayFiles() {
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(files_.folder(), error)) {
+      const std::string name = entry.path().filename().string();
+      if (!store_.rows().sitting(name.substr(0, 36))) fault("the file sessions/{} belongs to no sitting", name);
+    }
+  }
+
+  Store& store_;
+  SessionFiles files_;
+  Verified found_;
+};
+
+}  // namespace
+
+Verified verifyRecords(Store& store) { return RecordsCheck(store).done(); }
+
+std::optional<BlockResult> recomputed(RowTables& rows, const BlockRow& block, SittingKind kind) {
+  for (const ProtocolRow& row : rows.protocols()) {
+    if (row.id != block.protocol_id || row.version != block.protocol_version) continue;
+    const auto protocol = protocolOfRow(row);
+    if (!protocol || block.state_json.empty()) return std::nullopt;
+    try {
+      return Block::resumed(settingsOf(*protocol, kind).block, block.state_json).result();
+    } catch (const Error&) {
+      return std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace palpate::training

@@ -1,0 +1,30 @@
+// Whether the records are whole: what the database says of itself, and what rows, session files and blocks say of each
+// other. Changes nothing.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "palpate/training/records/store.h"
+
+namespace palpate::training {
+
+struct Verified {
+  std::vector<std::string> faults;  ///< each a sentence; none: all is well
+  std::vector<std::string> notes;   ///< what could not be looked at, or is as it should be but unusual
+  std::size_t trainees = 0;
+  std::size_t sittings = 0;
+  std::size_t blocks = 0;
+  std::size_t trials = 0;
+  std::size_t session_files = 0;
+  std::size_t recomputed = 0;  ///< blocks whose result came out again
+  bool ok() const { return faults.empty(); }
+};
+
+/// Throws Error for a file that cannot be read at all.
+Verified verifyRecords(Store& store);
+
+/// What the block's protocol and state give now; nothing where this version cannot read them.
+std::optional<BlockResult> recomputed(RowTables& rows, const BlockRow& block, SittingKind kind);
+
+}  // namespace palpate::training

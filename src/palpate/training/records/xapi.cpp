@@ -1,0 +1,138 @@
+// Statements for a learning record store: who (an account under a pseudonym), did what, to which activity, with what
+// result. A sitting is a registration; its blocks and trials are its activities.
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "palpate/training/psychometric.h"
+#include "palpate/training/records/export.h"
+#include "palpate/training/records/trainee_code.h"
+#include "palpate/training/records/verify.h"
+
+namespace palpate::training {
+
+namespace {
+
+using XapiObject = nlohmann::ordered_json;
+
+/// "2026-11-22T10:00:00.125Z"
+std::string isoTime(std::int64_t ms) {
+  const std::time_t seconds = static_cast<std::time_t>(ms / 1000);
+  return fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:03}Z", fmt::gmtime(seconds), ms % 1000);
+}
+
+/// ISO 8601, in hundredths of a second as the specification wants it.
+std::string isoDuration(double seconds) { return fmt::format("PT{:.2f}S", seconds); }
+
+/// The same rows, the same ids.
+Uuid statementId(std::string_view verb, const Uuid& of) { return uuidOfText(fmt::format("xapi {} {}", verb, of)); }
+
+class XapiStatements {
+ public:
+  XapiStatements(RowTables& rows, const XapiSettings& settings) : rows_(rows), home_(settings.home_page) {
+    while (home_.ends_with('/')) home_.pop_back();
+  }
+
+  std::string text() {
+    for (const TraineeRow& trainee : rows_.trainees()) {
+      for (const SittingRow& sitting : rows_.sittings(trainee.id)) tell(sitting);
+    }
+    XapiObject list = XapiObject::array();
+    for (const auto& [when, statement] : statements_) list.push_back(statement);
+    return list.dump(1) + "\n";
+  }
+
+ private:
+  std::string iri(std::string_view what, std::string_view id) const { return fmt::format("{}/{}/{}", home_, what, id); }
+  std::string extension(std::string_view name) const { return iri("extension", name); }
+
+  XapiObject activity(std::string_view what, const Uuid& id, const std::string& name, std::string_view type) const {
+    return {{"objectType", "Activity"},
+            {"id", iri(what, id)},
+            {"definition",
+             {{"name", {{"en", name}}}, {"type", fmt::format("http://adlnet.gov/expapi/activities/{}", type)}}}};
+  }
+  XapiObject sittingActivity(const SittingRow& sitting) const {
+    const std::string name = fmt::format("Palpation: {}", wordFor(sitting.kind));
+    return activity("session", sitting.id, name, sitting.kind == SittingKind::exam ? "assessment" : "lesson");
+  }
+
+  XapiObject& add(const SittingRow& sitting, std::string_view verb, const Uuid& of, std::int64_t at_ms,
+                  XapiObject object) {
+    const XapiObject statement = {
+        {"id", statementId(verb, of)},
+        {"actor", {{"objectType", "Agent"}, {"account", {{"homePage", home_}, {"name", sitting.trainee}}}}},
+        {"verb",
+         {{"id", fmt::format("http://adlnet.gov/expapi/verbs/{}", verb)}, {"display", {{"en", std::string(verb)}}}}},
+        {"object", std::move(object)},
+        {"context",
+         {{"registration", sitting.id},
+          {"platform", sitting.device},
+          {"contextActivities", {{"parent", XapiObject::array({sittingActivity(sitting)})}}}}},
+        {"timestamp", isoTime(at_ms)},
+        {"version", "1.0.3"}};
+    return statements_.emplace(at_ms, statement)->second;
+  }
+
+  void tell(const SittingRow& sitting) {
+    add(sitting, "initialized", sitting.id, sitting.start_ms, sittingActivity(sitting));
+    for (const BlockRow& block : rows_.blocks(sitting.id)) {
+      std::int64_t end = sitting.start_ms;
+      for (const TrialRow& trial : rows_.trials(block.id)) {
+        tell(sitting, trial);
+        end = std::max(end, trial.end_ms);
+      }
+      if (block.finished) tell(sitting, block, end);
+    }
+  }
+
+  void tell(const SittingRow& sitting, const TrialRow& trial) {
+    XapiObject object = activity("trial", trial.id, fmt::format("Trial {}", trial.number), "cmi.interaction");
+    object["definition"]["interactionType"] = "numeric";
+    XapiObject& statement = add(sitting, "answered", trial.id, trial.end_ms, std::move(object));
+    statement["result"] = {{"success", trial.correct},
+                           {"response", trial.site_answer == 0 ? "" : std::to_string(trial.site_answer)},
+                           {"duration", isoDuration(trial.seconds)},
+                           {"extensions",
+                            {{extension("kind"), wordFor(trial.kind)},
+                             {extension("change"), trial.change},
+                             {extension("site_true"), trial.site_true},
+                             {extension("timed_out"), trial.timeout},
+                             {extension("sites_felt"), trial.visited},
+                             {extension("counts"), trial.excluded.empty() && trial.kind != TrialKind::warm_up}}}};
+  }
+
+  void tell(const SittingRow& sitting, const BlockRow& block, std::int64_t end_ms) {
+    const XapiObject object = activity("block", block.id, fmt::format("Block {}", block.number), "assessment");
+    XapiObject result = {{"completion", true}, {"extensions", {{extension("trials"), block.trials}}}};
+    XapiObject& more = result["extensions"];
+    if (block.level) more[extension("mastered_change")] = *block.level;
+    if (block.method != Method::mastery && block.threshold > 0.0) {
+      more[extension("threshold")] = block.threshold;
+      more[extension("threshold_low")] = block.low;
+      more[extension("threshold_high")] = block.high;
+      more[extension("threshold_definition")] = kThresholdDefinition;
+      more[extension("change_meaning")] = wordFor(block.meaning);
+    }
+    add(sitting, "completed", block.id, end_ms, object)["result"] = result;
+    if (sitting.kind != SittingKind::exam) return;
+    if (block.verdict != Verdict::pass && block.verdict != Verdict::not_yet) return;
+    const bool passed = block.verdict == Verdict::pass;
+    const auto again = recomputed(rows_, block, sitting.kind);
+    result["success"] = passed;
+    result["score"] = {{"scaled", again ? again->probability_below_mark : passed ? 1.0 : 0.0}};
+    add(sitting, passed ? "passed" : "failed", block.id, end_ms, object)["result"] = result;
+  }
+
+  RowTables& rows_;
+  std::string home_;
+  std::multimap<std::int64_t, XapiObject> statements_;  // by their times
+};
+
+}  // namespace
+
+std::string xapiText(RowTables& rows, const XapiSettings& settings) { return XapiStatements(rows, settings).text(); }
+
+}  // namespace palpate::training
