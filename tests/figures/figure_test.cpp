@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -153,6 +154,33 @@ TEST(Figure, AMapShowsTheColourOfItsValueAtEveryPlace) {
     const std::uint32_t expected = pixelOf(mapColour(ColourMap::viridis, share)) & 0xffffffu;
     EXPECT_LE(distance(pixels.at(at.x(), at.y()), expected), 4) << place.transpose();
   }
+}
+
+TEST(Figure, AFieldOfCellsIsOneColourFromEdgeToEdgeOfEach) {
+  Plot plot = mapPlot();
+  plot.field->cells = true;
+  const PlotLayout layout = layoutOf(plot);
+  const Pixels pixels = drawn(plot);
+  const std::uint32_t expected = pixelOf(mapColour(ColourMap::viridis, 0.5)) & 0xffffffu;
+  for (const Vec2& place : {Vec2(-4, -4), Vec2(0, 0), Vec2(4, 4)}) {
+    const Vec2 at = layout(place);
+    EXPECT_EQ(pixels.at(at.x(), at.y()), expected) << place.transpose();
+  }
+}
+
+TEST(Figure, ALabelStandsInTheMiddleOfItsPlace) {
+  Figure figure{.panels = {mapPlot()}};
+  std::get<Plot>(figure.panels[0]).labels.push_back({.at = Vec2(20.0, 10.0), .text = "42"});
+  const std::vector<DrawnText> texts = textsOf(figure);
+  const auto label = std::find_if(texts.begin(), texts.end(), [](const DrawnText& text) { return text.text == "42"; });
+  ASSERT_NE(label, texts.end());
+  const double margin = 12.0;  // of a figure around its panel
+  const PlotLayout layout =
+      layoutOf(mapPlot(), {margin, margin, margin + figure.panel_width_px, margin + figure.panel_height_px},
+               Canvas::png(1.0, 1.0, 1.0));
+  const Vec2 at = layout(Vec2(20.0, 10.0));
+  EXPECT_NEAR(0.5 * (label->left + label->right), at.x(), 1.0);
+  EXPECT_NEAR(0.5 * (label->top + label->bottom), at.y(), 1.5);
 }
 
 TEST(Figure, OutsideTheFieldThePaperShows) {

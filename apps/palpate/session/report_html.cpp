@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <variant>
+
 #include "study/report/report_html.h"
 
 namespace palpate::app {
@@ -50,6 +53,9 @@ dd { margin: 0 0 0 1.2rem; max-width: 48rem; }
 std::string pictureData(const figures::Figure& figure) {
   constexpr double kPixels = 1.6;  // for a CSS pixel: sharp on screens and on paper
   const std::string png = figures::pngOf(figure, kPixels);
+  const bool surfaces = std::ranges::any_of(
+      figure.panels, [](const figures::Panel& panel) { return std::holds_alternative<figures::MeshView>(panel); });
+  if (surfaces) return "data:image/png;base64," + study::base64(png);
   const std::string svg = figures::svgOf(figure);
   return svg.size() <= png.size() ? "data:image/svg+xml;base64," + study::base64(svg)
                                   : "data:image/png;base64," + study::base64(png);

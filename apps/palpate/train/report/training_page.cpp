@@ -27,7 +27,7 @@ std::optional<ReportBack> reportBack(const TrainingReport& report) {
   try {
     std::vector<std::string> places;
     for (const training::ProtocolRow& row : report.record.protocols) {
-      if (const auto protocol = training::protocolOf(report.record, row.id, row.version)) places = protocol->sites;
+      if (const auto* protocol = training::protocolOf(report.record, row.id, row.version)) places = protocol->sites;
     }
     back.sites =
         places.empty() ? training::twelveSites(torso.landmarks) : training::sitesNamed(torso.landmarks, places);

@@ -26,6 +26,8 @@ using training::TraineeStatistics;
 using training::TrialStatistics;
 
 constexpr std::size_t kPseudonymLetters = 8;
+/// A blank at which no line ends (U+00A0).
+constexpr std::string_view kNoBreak = "\u00a0";
 
 /// Everything that is not of that trainee; with the word for it.
 struct WantedTrainee {
@@ -81,7 +83,7 @@ void keepOne(TrainingReport& report, const WantedTrainee& wanted) {
   training::TrainingRecord others = report.record;
   std::erase_if(others.trainees, [&](const auto& one) { return one.row.class_id != class_id; });
   if (others.trainees.size() >= static_cast<std::size_t>(kLeastOthers)) {
-    report.others = othersOf(training::trainingStatistics(others));
+    report.others = othersOf(training::trainingStatistics(others, {.curves = false, .groups = false}));
   }
   report.class_words = classWords(report.record.classes, class_id);
   std::erase_if(report.record.trainees, [&](const auto& one) { return one.row.id != wanted.id; });
@@ -174,7 +176,7 @@ std::vector<std::string> classSentences(const TrainingReport& report) {
   const training::Occasion* first = nullptr;
   const training::Occasion* last = nullptr;
   for (const training::Occasion& occasion : all.occasions) {
-    if (!training::isTest(occasion.kind)) continue;
+    if (!training::isTest(occasion.kind) || occasion.kind == SittingKind::exam) continue;
     if (first == nullptr) first = &occasion;
     last = &occasion;
   }
@@ -228,7 +230,8 @@ TrainingReport trainingReport(const TrainingReportSettings& settings, const Prog
     report.of_class = true;
     report.class_words = settings.only_class.empty() ? "" : classWords(report.record.classes, settings.only_class);
   }
-  report.statistics = training::trainingStatistics(report.record);
+  report.statistics =
+      training::trainingStatistics(report.record, {.curves = !report.of_class, .groups = report.of_class});
   return report;
 }
 
@@ -278,7 +281,8 @@ std::string shortPseudonym(const training::Uuid& id) { return id.substr(0, kPseu
 std::string changeWords(double change) { return fmt::format("{:.{}f} %", 100.0 * change, change < 0.0995 ? 1 : 0); }
 
 std::string thresholdWords(double median, double low, double high) {
-  return fmt::format("{} ({} to {})", changeWords(median), changeWords(low), changeWords(high));
+  const std::string from = changeWords(low);
+  return fmt::format("{} ({} to {})", changeWords(median), from.substr(0, from.find(kNoBreak)), changeWords(high));
 }
 
 std::string dayWords(std::int64_t utc_ms) {

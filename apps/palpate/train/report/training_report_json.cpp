@@ -192,6 +192,12 @@ Json traineeJson(const training::TraineeStatistics& trainee, bool whole) {
   Json json = {{"trainee", shortPseudonym(trainee.id)}};
   json["points"] = Json::array();
   for (const training::ThresholdPoint& point : trainee.points) json["points"].push_back(pointJson(point));
+  json["tests"] = whole ? trialsJson(trainee.tests) : countsJson(trainee.tests);
+  json["practice"] = whole ? trialsJson(trainee.practice) : countsJson(trainee.practice);
+  json["compared"] = comparedJson(trainee);
+  json["excluded"] = trainee.excluded;
+  json["changed_results"] = trainee.changed_results;
+  if (!whole) return json;
   json["curve"] = Json::array();
   for (const training::FilteredPoint& point : trainee.curve) {
     Json filtered = summaryJson(point.filtered);
@@ -199,12 +205,6 @@ Json traineeJson(const training::TraineeStatistics& trainee, bool whole) {
     json["curve"].push_back(std::move(filtered));
   }
   json["learning"] = learningJson(trainee);
-  json["tests"] = whole ? trialsJson(trainee.tests) : countsJson(trainee.tests);
-  json["practice"] = whole ? trialsJson(trainee.practice) : countsJson(trainee.practice);
-  json["compared"] = comparedJson(trainee);
-  json["excluded"] = trainee.excluded;
-  json["changed_results"] = trainee.changed_results;
-  if (!whole) return json;
   json["sittings"] = Json::array();
   for (const training::SittingQuality& sitting : trainee.sittings) json["sittings"].push_back(sittingJson(sitting));
   json["fits"] = Json::array();

@@ -23,7 +23,9 @@ struct BlockRules {
 };
 
 BlockRules rulesOf(const TrainingRecord& record, const BlockRow& block, SittingKind kind) {
-  const Protocol protocol = protocolOf(record, block.protocol_id, block.protocol_version).value_or(builtInProtocol());
+  static const Protocol built_in = builtInProtocol();
+  const Protocol* known = protocolOf(record, block.protocol_id, block.protocol_version);
+  const Protocol& protocol = known != nullptr ? *known : built_in;
   const SittingSettings& settings = settingsOf(protocol, kind);
   return {.choices = protocol.sites.empty() ? settings.block.choices : static_cast<int>(protocol.sites.size()),
           .felt_ms = 1000.0 * protocol.exploration.dwell_s,
@@ -39,7 +41,7 @@ std::vector<Answer> countedAnswers(const BlockRecord& block, int choices) {
   return answers;
 }
 
-bool measuresThreshold(Method method) { return method != Method::mastery; }
+bool hasThreshold(Method method) { return method != Method::mastery; }
 
 ThresholdPoint pointOf(const TrainingRecord& record, const SittingRecord& sitting, const BlockRecord& block) {
   const BlockRules rules = rulesOf(record, block.row, sitting.row.kind);
@@ -62,7 +64,7 @@ ThresholdPoint pointOf(const TrainingRecord& record, const SittingRecord& sittin
                        .stored_high = block.row.high,
                        .answers = countedAnswers(block, rules.choices),
                        .prior = rules.prior};
-  if (!measuresThreshold(point.method) || point.answers.size() < static_cast<std::size_t>(kLeastShownAnswers)) {
+  if (!hasThreshold(point.method) || point.answers.size() < static_cast<std::size_t>(kLeastShownAnswers)) {
     return point;
   }
   const Posterior posterior = posteriorOf(point);
@@ -157,6 +159,10 @@ FittedCurve fittedCurve(const Posterior& posterior, const std::vector<double>& c
     curve.high.push_back(weighedQuantile(weighed, 1.0 - kTail));
   }
   return curve;
+}
+
+bool measuresThreshold(const ThresholdPoint& point) {
+  return point.threshold.has_value() && isTest(point.kind) && point.kind != SittingKind::exam;
 }
 
 std::optional<std::string> notComparable(const ThresholdPoint& a, const ThresholdPoint& b) {

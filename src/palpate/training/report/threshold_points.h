@@ -50,6 +50,10 @@ struct ThresholdPoint {
 /// Oldest first; blocks without any trial are left out, and free exploration.
 std::vector<ThresholdPoint> thresholdPoints(const TrainingRecord& record, const TraineeRecord& trainee);
 
+/// A test with a threshold that was made to measure one. An examination stops as soon as it is sure of its verdict, and
+/// so knows the threshold less well.
+bool measuresThreshold(const ThresholdPoint& point);
+
 /// The trials of a block as they are counted; they point into `block`.
 std::vector<ChosenTrial> chosenTrials(const TrainingRecord& record, const BlockRecord& block);
 

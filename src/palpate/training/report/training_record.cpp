@@ -21,7 +21,8 @@ SittingRecord sittingRecord(Store& store, const SittingRow& row) {
 }  // namespace
 
 TrainingRecord trainingRecord(Store& store, const TraineeWish& wanted) {
-  TrainingRecord record{.classes = store.classes(), .protocols = store.protocols(), .trainees = {}};
+  TrainingRecord record{.classes = store.classes(), .protocols = store.protocols(), .settings = {}, .trainees = {}};
+  readProtocols(record);
   for (TraineeRow& row : store.trainees()) {
     if (!wanted(row)) continue;
     TraineeRecord trainee{.row = std::move(row), .sittings = {}};
@@ -34,16 +35,19 @@ TrainingRecord trainingRecord(Store& store, const TraineeWish& wanted) {
   return record;
 }
 
-std::optional<Protocol> protocolOf(const TrainingRecord& record, const std::string& id, int version) {
+void readProtocols(TrainingRecord& record) {
   for (const ProtocolRow& row : record.protocols) {
-    if (row.id != id || row.version != version) continue;
     try {
-      return parseProtocol(row.text, id);
+      record.settings.insert_or_assign({row.id, row.version}, parseProtocol(row.text, row.id));
     } catch (const Error&) {
-      return std::nullopt;  // of another version: the rows can still be counted
+      record.settings.erase({row.id, row.version});  // of another version
     }
   }
-  return std::nullopt;
+}
+
+const Protocol* protocolOf(const TrainingRecord& record, const std::string& id, int version) {
+  const auto at = record.settings.find({id, version});
+  return at == record.settings.end() ? nullptr : &at->second;
 }
 
 }  // namespace palpate::training

@@ -5,8 +5,8 @@
 
 #include <functional>
 #include <map>
-#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "palpate/training/protocol.h"
@@ -34,7 +34,8 @@ struct TraineeRecord {
 struct TrainingRecord {
   std::vector<ClassRow> classes;
   std::vector<ProtocolRow> protocols;
-  std::vector<TraineeRecord> trainees;  ///< in the order of their pseudonyms: of no meaning
+  std::map<std::pair<std::string, int>, Protocol> settings;  ///< of protocols by id and version (readProtocols)
+  std::vector<TraineeRecord> trainees;                       ///< in the order of their pseudonyms: of no meaning
 };
 
 using TraineeWish = std::function<bool(const TraineeRow&)>;
@@ -42,7 +43,9 @@ using TraineeWish = std::function<bool(const TraineeRow&)>;
 /// Of the trainees that are wanted. Throws Error for a file that cannot be read.
 TrainingRecord trainingRecord(Store& store, const TraineeWish& wanted);
 
-/// The settings of a protocol that the record holds; nothing where it is missing or cannot be read by this version.
-std::optional<Protocol> protocolOf(const TrainingRecord& record, const std::string& id, int version);
+/// Fills in `settings`; what this version cannot read stays out: the rows can still be counted.
+void readProtocols(TrainingRecord& record);
+/// Null where the record has no such protocol.
+const Protocol* protocolOf(const TrainingRecord& record, const std::string& id, int version);
 
 }  // namespace palpate::training

@@ -70,7 +70,7 @@ void addCurve(TraineeStatistics& trainee) {
 std::optional<TestsCompared> testsCompared(const std::vector<ThresholdPoint>& points) {
   std::vector<std::size_t> tests;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (isTest(points[i].kind) && points[i].threshold) tests.push_back(i);
+    if (measuresThreshold(points[i])) tests.push_back(i);
   }
   if (tests.size() < 2) return std::nullopt;
   TestsCompared compared{.before = tests.front(), .now = tests.back()};
@@ -88,7 +88,6 @@ bool resultChanged(const ThresholdPoint& point) {
 TraineeStatistics traineeStatistics(const TrainingRecord& record, const TraineeRecord& trainee,
                                     TestsAndPractice& everybodys) {
   TraineeStatistics statistics{.id = trainee.row.id, .points = thresholdPoints(record, trainee)};
-  addCurve(statistics);
   const TestsAndPractice trials = trialsOf(record, trainee);
   statistics.tests = trialStatistics(trials.tests);
   statistics.practice = trialStatistics(trials.practice);
@@ -109,10 +108,6 @@ TraineeStatistics traineeStatistics(const TrainingRecord& record, const TraineeR
 }
 
 // ---- the class
-
-ThresholdLikelihood likelihoodOf(const ThresholdPoint& point) {
-  return thresholdLikelihood(point.answers, point.choices);
-}
 
 using OccasionKey = std::pair<SittingKind, int>;
 
@@ -136,14 +131,11 @@ std::vector<Occasion> occasionsOf(const std::vector<TraineeStatistics>& trainees
   for (const auto& [key, found] : by_key) {
     Occasion occasion{.kind = key.first, .nth = key.second};
     std::vector<double> medians;
-    std::vector<ThresholdLikelihood> likelihoods;
     for (const ThresholdPoint* point : found.points) {
       medians.push_back(point->threshold->median);
-      likelihoods.push_back(likelihoodOf(*point));
       if (point->verdict != Verdict::none) ++occasion.verdicts[std::string(wordFor(point->verdict))];
     }
     occasion.medians = spreadOf(medians);
-    occasion.group = groupThreshold(likelihoods);
     placed.emplace_back(found.places / static_cast<double>(found.points.size()), std::move(occasion));
   }
   std::ranges::stable_sort(placed, {}, [](const auto& each) { return each.first; });
@@ -152,13 +144,26 @@ std::vector<Occasion> occasionsOf(const std::vector<TraineeStatistics>& trainees
   return occasions;
 }
 
-std::optional<ClassChange> classChange(const std::vector<TraineeStatistics>& trainees) {
+/// What answers alone say, of every block with a threshold; each is asked for more than once.
+using Likelihoods = std::map<const ThresholdPoint*, ThresholdLikelihood>;
+
+Likelihoods likelihoodsOf(const std::vector<TraineeStatistics>& trainees) {
+  Likelihoods all;
+  for (const TraineeStatistics& trainee : trainees) {
+    for (const ThresholdPoint& point : trainee.points) {
+      if (point.threshold) all.emplace(&point, thresholdLikelihood(point.answers, point.choices));
+    }
+  }
+  return all;
+}
+
+std::optional<ClassChange> classChange(const std::vector<TraineeStatistics>& trainees, const Likelihoods& known) {
   ClassChange change;
   std::vector<ThresholdLikelihood> changes;
   for (const TraineeStatistics& trainee : trainees) {
     if (!trainee.compared || trainee.compared->why_not) continue;
-    changes.push_back(changeLikelihood(likelihoodOf(trainee.points[trainee.compared->before]),
-                                       likelihoodOf(trainee.points[trainee.compared->now])));
+    changes.push_back(changeLikelihood(known.at(&trainee.points[trainee.compared->before]),
+                                       known.at(&trainee.points[trainee.compared->now])));
     if (!trainee.compared->change.clear) continue;
     ++(trainee.compared->change.ratio < 1.0 ? change.clearly_better : change.clearly_worse);
   }
@@ -166,6 +171,22 @@ std::optional<ClassChange> classChange(const std::vector<TraineeStatistics>& tra
   if (change.trainees == 0) return std::nullopt;
   change.group = groupChange(changes);
   return change;
+}
+
+void addGroups(TrainingStatistics& statistics) {
+  const Likelihoods known = likelihoodsOf(statistics.trainees);
+  for (Occasion& occasion : statistics.all.occasions) {
+    std::vector<ThresholdLikelihood> members;
+    for (const auto& trainee : statistics.trainees) {
+      for (const ThresholdPoint& point : trainee.points) {
+        if (point.threshold && point.kind == occasion.kind && point.nth == occasion.nth) {
+          members.push_back(known.at(&point));
+        }
+      }
+    }
+    occasion.group = groupThreshold(members);
+  }
+  statistics.all.change = classChange(statistics.trainees, known);
 }
 
 std::vector<AnswerBox> collapsedAnswers(const std::vector<TraineeStatistics>& trainees) {
@@ -194,21 +215,22 @@ const ThresholdPoint* TraineeStatistics::latest() const {
   const ThresholdPoint* newest = nullptr;
   for (const ThresholdPoint& point : points) {
     if (!point.threshold) continue;
-    if (newest == nullptr || isTest(point.kind) || !isTest(newest->kind)) newest = &point;
+    if (newest == nullptr || measuresThreshold(point) || !measuresThreshold(*newest)) newest = &point;
   }
   return newest;
 }
 
-TrainingStatistics trainingStatistics(const TrainingRecord& record) {
+TrainingStatistics trainingStatistics(const TrainingRecord& record, const StatisticsWish& wish) {
   TrainingStatistics statistics;
   TestsAndPractice everybodys;
   for (const TraineeRecord& trainee : record.trainees) {
     statistics.trainees.push_back(traineeStatistics(record, trainee, everybodys));
+    if (wish.curves) addCurve(statistics.trainees.back());
   }
   statistics.all.tests = trialStatistics(everybodys.tests);
   statistics.all.practice = trialStatistics(everybodys.practice);
   statistics.all.occasions = occasionsOf(statistics.trainees);
-  statistics.all.change = classChange(statistics.trainees);
+  if (wish.groups) addGroups(statistics);
   statistics.all.collapsed = collapsedAnswers(statistics.trainees);
   return statistics;
 }

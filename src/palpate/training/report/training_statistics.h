@@ -39,7 +39,7 @@ struct FittedLearning {
   LearningFit fit;
 };
 
-/// The first and the last test with a threshold that may be compared.
+/// The first and the last test that measured a threshold.
 struct TestsCompared {
   std::size_t before = 0, now = 0;  ///< in TraineeStatistics::points
   std::optional<std::string> why_not = {};
@@ -50,14 +50,14 @@ struct TraineeStatistics {
   Uuid id;
   std::vector<ThresholdPoint> points = {};
   std::vector<FilteredPoint> curve = {};
-  std::optional<FittedLearning> learning = {};  ///< with three blocks or more
+  std::optional<FittedLearning> learning = {};  ///< newest device, three blocks or more
   TrialStatistics tests = {}, practice = {};
   std::optional<TestsCompared> compared = {};  ///< with two tests or more
   std::vector<SittingQuality> sittings = {};
   Reasons excluded = {};
   int changed_results = 0;  ///< blocks whose stored threshold is not what their trials give
 
-  /// The newest test, else the newest block, that has a threshold; null: none has.
+  /// The newest test that measured a threshold, else the newest block that has one; null: none has.
   const ThresholdPoint* latest() const;
 };
 
@@ -79,7 +79,7 @@ struct ClassChange {
 
 struct ClassStatistics {
   std::vector<Occasion> occasions;              ///< in the order in which the class came to them
-  std::optional<FittedLearning> learning = {};  ///< with three blocks or more
+  std::optional<FittedLearning> learning = {};  ///< newest device, three blocks or more
   TrialStatistics tests = {}, practice = {};
   std::optional<ClassChange> change;  ///< first and last test of each
   /// Answers of tests against the change in units of each block's own threshold: do all follow one curve?
@@ -91,6 +91,11 @@ struct TrainingStatistics {
   ClassStatistics all;
 };
 
-TrainingStatistics trainingStatistics(const TrainingRecord& record);
+/// What costs time and is not asked of every report.
+struct StatisticsWish {
+  bool curves = true;  ///< of single trainees: filtered and fitted
+  bool groups = true;  ///< of the class: mean and change of those behind the results
+};
+TrainingStatistics trainingStatistics(const TrainingRecord& record, const StatisticsWish& wish = {});
 
 }  // namespace palpate::training
