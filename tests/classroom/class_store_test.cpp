@@ -12,6 +12,7 @@
 #include "support/postgres_server.h"
 #include "support/temporary_folder.h"
 #include "training/records_old_rows.h"
+#include "training/records_pace.h"
 #include "training/records_suite.h"
 
 namespace palpate::classroom {
@@ -167,6 +168,20 @@ TEST_F(ClassStoreTest, WhoWasDeletedStaysDeletedWhateverStillComes) {
   const AnyRow row = back;
   store.keep(std::span(&row, 1));
   EXPECT_TRUE(store.rows().trainee(gone));
+}
+
+TEST_F(ClassStoreTest, TwelveTrialsASecondAreKeptInTime) {
+  ClassStore store(connection_);
+  const samples::History history = samples::history(1, 1, 0);
+  store.keep(history.rows);
+  const auto& block = std::get<training::BlockRow>(history.rows[5]);
+  const auto measured = training::pace::atTwelveASecond([&](std::uint64_t number) {
+    Random random(number);
+    const std::vector<AnyRow> rows = {samples::trial(block, number, static_cast<int>(number), random), block};
+    EXPECT_EQ(store.keep(rows).keys.size(), 2u);
+  });
+  EXPECT_EQ(static_cast<std::uint64_t>(store.rows().trialCount()), measured.trials);
+  training::pace::judge("PostgreSQL", measured);
 }
 
 TEST_F(ClassStoreTest, SaysWhatIsWrongWithAConnection) {
