@@ -59,8 +59,8 @@ class Trainee {
     const auto number = static_cast<std::uint64_t>(++trials_);
     block_.trials = trials_;
     block_.finished = trials_ == kTrials;
-    const auto trial = rows::trial(block_, 1000 * block_.id.size() + number + std::hash<std::string>()(block_.id) % 99991,
-                                   trials_, random_);
+    const auto trial = rows::trial(
+        block_, 1000 * block_.id.size() + number + std::hash<std::string>()(block_.id) % 99991, trials_, random_);
     store_.keep(std::vector<training::Row>{block_, trial});
     kept.insert(trial.id);
   }
@@ -107,7 +107,8 @@ TEST_F(ClassOutboxTest, EveryTrialIsThereOnceAlthoughBrokerAndCollectorAreKilled
   for (const char* name : {"s01", "s02", "s03"}) {
     stores.push_back(storeOf(name));
     trainees.push_back(std::make_unique<Trainee>(*stores.back(), stores.size()));
-    links.push_back(std::make_unique<StationLink>(station(name), *stores.back(), StationInfo{"palpate", "mouse"}, kQuickPace));
+    links.push_back(
+        std::make_unique<StationLink>(station(name), *stores.back(), StationInfo{"palpate", "mouse"}, kQuickPace));
   }
   auto collects = collector();
   for (int i = 0; i < Trainee::kTrials; ++i) {
@@ -120,9 +121,8 @@ TEST_F(ClassOutboxTest, EveryTrialIsThereOnceAlthoughBrokerAndCollectorAreKilled
   }
   for (const auto& trainee : trainees) expected.insert(trainee->kept.begin(), trainee->kept.end());
   ASSERT_EQ(expected.size(), 90U);
-  EXPECT_TRUE(waitFor([&] {
-    return std::ranges::all_of(stores, [](const auto& store) { return store->waitingCount() == 0; });
-  }));
+  EXPECT_TRUE(waitFor(
+      [&] { return std::ranges::all_of(stores, [](const auto& store) { return store->waitingCount() == 0; }); }));
   Store gathered(records_, Store::Open::read_only);
   const auto there = trialsIn(gathered.rows());
   EXPECT_EQ(std::set<training::Uuid>(there.begin(), there.end()), expected);

@@ -154,8 +154,9 @@ TEST(ClassMessages, WhatIsNotExactlyAMessageIsNone) {
   auto more = json;
   more["x"] = 1;
   EXPECT_FALSE(parseLive(more.dump()));
-  for (const std::string& text : {std::string(), std::string("[]"), std::string("null"), good.substr(0, good.size() - 1),
-                                  std::string(100000, '['), good + good, stateText(kEnvelope, aState())}) {
+  for (const std::string& text :
+       {std::string(), std::string("[]"), std::string("null"), good.substr(0, good.size() - 1),
+        std::string(100000, '['), good + good, stateText(kEnvelope, aState())}) {
     EXPECT_FALSE(parseLive(text)) << text.substr(0, 40);
   }
   for (std::size_t cut = 0; cut < good.size(); ++cut) EXPECT_FALSE(parseLive(good.substr(0, cut)));
@@ -169,10 +170,11 @@ TEST(ClassMessages, TopicsAreReadStrictly) {
   EXPECT_EQ(topic->kind, "trial");
   EXPECT_TRUE(isRowKind(topic->kind));
   EXPECT_FALSE(isRowKind("live"));
-  for (const char* other : {"", "palpate/v1/osteo-1/st/s07", "palpate/v1/osteo-1/st/s07/trial/x",
-                            "palpate/v2/osteo-1/st/s07/trial", "palpate/v1/osteo-1/st/instructor/trial",
-                            "palpate/v1/osteo-1/st/ingest/ack", "palpate/v1/osteo-1/st/instructor+/trial",
-                            "palpate/v1/Osteo/st/s07/trial", "palpate/v1/osteo-1/st/ s07/trial", "$SYS/broker/uptime"}) {
+  for (const char* other :
+       {"", "palpate/v1/osteo-1/st/s07", "palpate/v1/osteo-1/st/s07/trial/x", "palpate/v2/osteo-1/st/s07/trial",
+        "palpate/v1/osteo-1/st/instructor/trial", "palpate/v1/osteo-1/st/ingest/ack",
+        "palpate/v1/osteo-1/st/instructor+/trial", "palpate/v1/Osteo/st/s07/trial", "palpate/v1/osteo-1/st/ s07/trial",
+        "$SYS/broker/uptime"}) {
     EXPECT_FALSE(parseTopic(other)) << other;
   }
 }

@@ -27,6 +27,7 @@ using classroom::StationLink;
 using training::Store;
 
 constexpr int kSites = 12;
+constexpr int kTrialsOfBlock = 40;
 constexpr auto kLiveEvery = std::chrono::milliseconds(100);
 
 double steadyNowS() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
@@ -61,20 +62,31 @@ class LoadedStation {
     trial.seconds = 20.0;
     trial.change = 0.28;
     trial.site_true = 1 + static_cast<int>(random_.below(kSites));
-    trial.site_answer = 1 + static_cast<int>(random_.below(kSites));
+    trial.site_answer = random_.below(2) == 0 ? trial.site_true : 1 + static_cast<int>(random_.below(kSites));
     trial.correct = trial.site_true == trial.site_answer;
     trial.visited = kSites;
     trial.peak_force_n = 2.0;
     for (int site = 1; site <= kSites; ++site) trial.visits.push_back({site, 2, 700.0, 2.0, 1.2, 4.0});
     block_.trials = trials_;
+    block_.threshold = 0.28 / std::sqrt(trials_);
+    block_.low = 0.6 * block_.threshold;
+    block_.high = 1.6 * block_.threshold;
+    block_.finished = trials_ % kTrialsOfBlock == 0;
+    wrong_in_a_row_ = trial.correct ? 0 : wrong_in_a_row_ + 1;
     block_.state_json += fmt::format("[{},{}]", trial.site_true, trial.site_answer);
     const training::Uuid id = trial.id;
+    const double trial_change = trial.change;
     store_.keep(std::vector<training::Row>{block_, std::move(trial)});
     classroom::StationState state;
     state.sitting = sitting_.id;
     state.trainee = sitting_.trainee;
     state.screen = training::Screen::trial;
+    state.kind = training::SittingKind::pre_test;
     state.trial = trials_ + 1;
+    state.trials_at_most = kTrialsOfBlock;
+    state.change = trial_change;
+    state.wrong_in_a_row = wrong_in_a_row_;
+    state.palpate_force_n = random_.uniform(0.4, 2.0);
     link_->publishState(state);
     return id;
   }
@@ -109,6 +121,7 @@ class LoadedStation {
   training::SittingRow sitting_;
   training::BlockRow block_;
   int trials_ = 0;
+  int wrong_in_a_row_ = 0;
   std::unique_ptr<StationLink> link_;
 };
 

@@ -106,6 +106,21 @@ Json sittingJson(const SatThrough& sat, int sites) {
           {"simulated_s", sat.simulated_s}};
 }
 
+/// The trainee's own finger in place of the scene's plans.
+scene::Scene withOneFingertip(scene::Scene scene, bool standard) {
+  constexpr double kFingertipMm = 8.0;
+  if (standard || scene.fingers.empty()) {
+    scene::Finger fingertip;
+    fingertip.name = "index";
+    fingertip.radius_mm = kFingertipMm;
+    scene.fingers = {fingertip};
+  }
+  scene.fingers.resize(1);
+  scene.fingers.front().steps.clear();
+  scene.fingers.front().trajectory.clear();
+  return scene;
+}
+
 /// One run of the command.
 class TraineeCommand {
  public:
@@ -115,14 +130,20 @@ class TraineeCommand {
         observer_(training::observerNamed(options.trainee)),
         seed_(options.seed.value_or(observer_.seed)),
         start_ms_(startMs(simulated.start)) {
+    // What is wrong is said before a body is built.
     if (simulated.trainees > 1 && !options.code.empty()) throw Error("--code is one trainee's; --trainees are several");
+    if (!options.code.empty() && !training::codeTyped(options.code)) {
+      throw Error(fmt::format("--code '{}' is no code: a letter of it is wrong", options.code));
+    }
+    bench_.hand = device::handChoice(simulated.hand);
+    bench_.protocol = training::protocolNamed(options.protocol);
+    if (!options.class_id.empty() && !classroom::isClassWord(options.class_id)) {
+      member_ = classroom::readMember(options.class_id);
+    }
   }
 
   int run() {
     openBench();
-    if (!options_.class_id.empty() && !classroom::isClassWord(options_.class_id)) {
-      member_ = classroom::readMember(options_.class_id);
-    }
     const std::filesystem::path file = recordsFile(options_);
     if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
     training::Store store(file, training::Store::Open::create_too);
@@ -176,21 +197,10 @@ class TraineeCommand {
   }
 
   void openBench() {
-    bench_.protocol = training::protocolNamed(options_.protocol);
-    scene::Scene scene = sceneToTrainOn(options_);
-    if (scene.fingers.empty()) {
-      scene::Finger finger;
-      finger.name = "index";
-      finger.radius_mm = 8.0;  // a fingertip
-      scene.fingers.push_back(finger);
-    }
-    scene.fingers.resize(1);
-    scene.fingers.front().steps.clear();
-    scene.fingers.front().trajectory.clear();
+    const scene::Scene scene = withOneFingertip(sceneToTrainOn(options_), options_.scene.empty());
     const auto body = scene::build(scene, progress_.display());
     bench_.sites = training::sitesOn(*body, bench_.protocol);
     if (!simulated_.fast) bench_.body = body;
-    bench_.hand = device::handChoice(simulated_.hand);
     bench_.session_files = !options_.no_session_file;
     bench_.stop = [] { return endAskedBy() != 0; };
     bench_.answered = [this](const training::TrialRow& trial) { answered(trial); };
@@ -217,10 +227,9 @@ class TraineeCommand {
 
   void train(training::Store& store, int number) {
     const std::string typed = options_.code.empty() ? training::simulatedCode(seed_, number) : options_.code;
-    const auto code = training::codeTyped(typed);
-    if (!code) throw Error(fmt::format("--code '{}' is no code", typed));
+    const std::string code = *training::codeTyped(typed);
     const bool alone = simulated_.trainees == 1;
-    const training::TraineeRow row = training::simulatedTrainee(classId(), *code, start_ms_);
+    const training::TraineeRow row = training::simulatedTrainee(classId(), code, start_ms_);
     if (!store.trainee(row.id)) store.keep(row);
     training::TraineeCourse course;
     course.observer = alone ? observer_ : training::oneOfClass(observer_, simulated_.spread, seed_, number);
@@ -230,9 +239,9 @@ class TraineeCommand {
     course.seed = seed_ + static_cast<std::uint64_t>(number);
     course.start_ms = start_ms_;
     course.most_trials = simulated_.most_trials;
-    person_ = *code;
+    person_ = code;
     Json sittings = Json::array();
-    if (tells()) fmt::print("trainee {}: {}\n", *code, training::observerWords(course.observer));
+    if (tells()) fmt::print("trainee {}: {}\n", code, training::observerWords(course.observer));
     Clock::time_point began = Clock::now();
     training::sitCourse(store, bench_, course, [&](const SatThrough& sat) {
       sittings.push_back(sittingJson(sat, bench_.sites.choices()));
@@ -244,7 +253,7 @@ class TraineeCommand {
       }
       began = Clock::now();
     });
-    trainees_.push_back({{"code", *code},
+    trainees_.push_back({{"code", code},
                          {"trainee", row.id},
                          {"observer", training::observerWords(course.observer)},
                          {"sittings", std::move(sittings)}});

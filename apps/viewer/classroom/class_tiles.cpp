@@ -203,7 +203,7 @@ void backWithFinger(const OpenedStation& station, float height) {
     const ImVec2 size = ImGui::CalcTextSize(number.c_str());
     draw.AddText({at.x - 0.5f * size.x, at.y - 0.5f * size.y}, IM_COL32(20, 20, 20, 255), number.c_str());
   }
-  const auto finger = tile.age_s ? back.seen_at(tile.live.finger_mm) : std::nullopt;
+  const auto finger = tile.online && tile.age_s ? back.seen_at(tile.live.finger_mm) : std::nullopt;
   if (!finger || finger->minCoeff() < 0.0 || finger->maxCoeff() > 1.0) return;
   const auto radius = static_cast<float>(5.0 + 4.0 * std::clamp(tile.live.force_n, 0.0, kFullForceN));
   draw.AddCircleFilled(onScreen(*finger), radius, tile.fresh ? IM_COL32(86, 156, 214, 190) : kStale);
@@ -263,7 +263,7 @@ std::optional<classroom::Command> openedStation(const OpenedStation& station, Cl
       ImGui::TextDisabled("level %.0f %%", 100.0 * tile.state->change);
     }
   }
-  backWithFinger(station, std::max(160.0f, ImGui::GetContentRegionAvail().y - 360.0f));
+  backWithFinger(station, std::max(160.0f, ImGui::GetContentRegionAvail().y - 250.0f));
   forceTrace(station.forces);
   if (tile.state) thresholdBand(*tile.state);
   ImGui::Separator();

@@ -22,14 +22,27 @@ constexpr float kOpenedWidth = 460.0f;
 constexpr float kCurveHeight = 170.0f;
 constexpr double kFrameS = 0.05;  // 20 pictures a second: live data come ten times
 
+/// With the shoulders: where a finger goes that looks for them.
+Eigen::AlignedBox3d boxAround(const training::SiteSet& sites) {
+  constexpr double kAroundMm = 45.0;
+  Eigen::AlignedBox3d box;
+  for (const training::Site& site : sites.sites) {
+    box.extend(Vec3(site.point_mm - Vec3::Constant(kAroundMm)));
+    box.extend(Vec3(site.point_mm + Vec3::Constant(kAroundMm)));
+  }
+  return box;
+}
+
 /// The back at rest, painted once; fingers are drawn over it.
 class BackPainting {
  public:
   explicit BackPainting(const std::shared_ptr<const scene::World>& world)
       : target_(static_cast<int>(kBackPixels * kBackAspect), kBackPixels) {
     if (!world) return;
+    const training::SiteSet sites = training::twelveSites(world->anatomy.landmarks);
     view::PictureSettings settings = view::pictureSettings(*world, kBackAspect);
-    settings.labels = {};
+    settings.camera = view::fitted(boxAround(sites), kBackAspect);
+    settings.look.overlays.reset();
     const engine::LivingSkin skin(*world);
     view::Painter painter(world);
     painter.renderer().update(skin.surface());
@@ -43,7 +56,7 @@ class BackPainting {
     picture_.texture = target_.texture();
     picture_.aspect = kBackAspect;
     picture_.seen_at = [frustum](const Vec3& place) -> std::optional<Vec2> { return view::seenAt(frustum, place); };
-    for (const training::Site& site : training::twelveSites(world->anatomy.landmarks).sites) {
+    for (const training::Site& site : sites.sites) {
       picture_.sites.push_back(view::seenAt(frustum, site.point_mm));
     }
   }

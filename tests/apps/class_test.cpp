@@ -1,0 +1,98 @@
+// `palpate class` as a teacher uses it: made, started, checked, watched; and what it says when something is missing.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "palpate/classroom/broker_process.h"
+#include "palpate/training/records/store.h"
+#include "support/run_command.h"
+#include "support/temporary_folder.h"
+#include "support/wait_for.h"
+
+namespace palpate {
+namespace {
+
+using support::runPalpate;
+using support::TemporaryFolder;
+
+/// The command beside the test, until it ends by itself.
+void startPalpate(const std::string& arguments, const std::filesystem::path& in) {
+  const std::string line =
+      "cd '" + in.string() + "' && '" + PALPATE_BINARY_DIR + "/palpate' " + arguments + " >serve.log 2>&1 </dev/null &";
+  ASSERT_EQ(std::system(line.c_str()), 0);
+}
+
+/// Likely free: of the ports that no service has.
+std::string somePort() { return std::to_string(20000 + getpid() % 12000); }
+
+TEST(ClassCommand, InitMakesAFolderOnce) {
+  const TemporaryFolder folder;
+  const auto made = runPalpate("class init osteo --class osteo-1 --stations 2 --json", folder.path());
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_EQ(nlohmann::json::parse(made.out)["stations"], (nlohmann::json{"s01", "s02"}));
+  const auto again = runPalpate("class init osteo --class osteo-1", folder.path());
+  EXPECT_EQ(again.exit_code, 2);
+  EXPECT_NE(again.err.find("osteo: is there already"), std::string::npos) << again.err;
+  const auto more = runPalpate("class add-station osteo", folder.path());
+  EXPECT_EQ(more.exit_code, 0) << more.err;
+  EXPECT_NE(more.out.find("s03"), std::string::npos) << more.out;
+}
+
+TEST(ClassCommand, NamesThatMakeNoSenseAreRefusedInOneLine) {
+  const TemporaryFolder folder;
+  for (const char* arguments : {"--class 'Osteo 1'", "--class osteo --host 'a b'", "--class a/b"}) {
+    const auto refused = runPalpate(std::string("class init osteo ") + arguments, folder.path());
+    EXPECT_EQ(refused.exit_code, 2) << arguments;
+    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "osteo")) << arguments;
+  }
+}
+
+TEST(ClassCommand, CheckSaysNoWithoutABrokerAndOkWithOne) {
+  if (classroom::brokerProgram().empty()) GTEST_SKIP() << "mosquitto is not installed (apt install mosquitto)";
+  const TemporaryFolder folder;
+  ASSERT_EQ(runPalpate("class init osteo --class osteo-1 --stations 3 --port " + somePort(), folder.path()).exit_code,
+            0);
+  const auto without = runPalpate("class check osteo", folder.path());
+  EXPECT_EQ(without.exit_code, 1);
+  EXPECT_NE(without.out.find("NO  instructor connects"), std::string::npos) << without.out;
+
+  startPalpate("class serve osteo --broker --seconds 25", folder.path());
+  nlohmann::json found;
+  EXPECT_TRUE(support::waitFor([&] {
+    const auto with = runPalpate("class check osteo --json", folder.path());
+    found = nlohmann::json::parse(with.out);
+    return with.exit_code == 0;
+  })) << found.dump(2)
+      << support::contentOf(folder / "serve.log");
+  EXPECT_EQ(found["steps"].size(), 6U);
+
+  std::filesystem::create_directory(folder / "records");
+  const auto load =
+      runPalpate("class load osteo --records-folder records --stations 3 --seconds 3 --trial-every 0.5", folder.path());
+  ASSERT_EQ(load.exit_code, 0) << load.err;
+  EXPECT_EQ(nlohmann::json::parse(load.out)["rows_waiting"], 0);
+  training::Store gathered(folder / "osteo/class.results", training::Store::Open::read_only);
+  EXPECT_EQ(gathered.trainees().size(), 3U);
+  EXPECT_GT(gathered.rows().trialCount(), 3);
+
+  const auto watch = runPalpate("class watch osteo --json --seconds 1", folder.path());
+  ASSERT_EQ(watch.exit_code, 0) << watch.err;
+  const auto board = nlohmann::json::parse(watch.out.substr(0, watch.out.find('\n')));
+  EXPECT_TRUE(board["connected"]);
+  ASSERT_EQ(board["tiles"].size(), 3U);
+  for (const auto& tile : board["tiles"]) EXPECT_FALSE(tile["online"]) << tile.dump();
+}
+
+TEST(ClassCommand, AStationsFolderIsNoInstructors) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(runPalpate("class init osteo --class osteo-1", folder.path()).exit_code, 0);
+  const auto watch = runPalpate("class watch osteo/stations/s01 --json --seconds 1", folder.path());
+  EXPECT_EQ(watch.exit_code, 2);
+  EXPECT_NE(watch.err.find("no instructor's folder"), std::string::npos) << watch.err;
+}
+
+}  // namespace
+}  // namespace palpate
