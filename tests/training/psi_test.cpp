@@ -22,23 +22,31 @@ double entropyOfThreshold(const Posterior& posterior) {
   return sum;
 }
 
-/// By how much an answer at this change is expected to lower the entropy of T: both answers tried, and weighed by how
-/// likely the grid holds them to be.
-double expectedGain(const Posterior& posterior, double change) {
-  Posterior after_right = posterior;
-  Posterior after_wrong = posterior;
-  after_right.add({change, true, posterior.choices()});
-  after_wrong.add({change, false, posterior.choices()});
-  double right = 0.0;
+struct BothAnswers {
+  double right = 0.0;  ///< how likely the grid holds it to be
+  Posterior after_right;
+  Posterior after_wrong;
+};
+
+BothAnswers bothAnswers(const Posterior& posterior, double change) {
+  BothAnswers both{0.0, posterior, posterior};
+  both.after_right.add({change, true, posterior.choices()});
+  both.after_wrong.add({change, false, posterior.choices()});
   std::size_t cell = 0;
   for (const double ln_t : posterior.lnThresholds()) {
     for (const double slope : posterior.slopes()) {
       for (const double lapse : posterior.lapses()) {
-        right += posterior.weights()[cell++] *
-                 probabilityCorrect({std::exp(ln_t), slope, lapse, 1.0 / posterior.choices()}, change);
+        both.right += posterior.weights()[cell++] *
+                      probabilityCorrect({std::exp(ln_t), slope, lapse, 1.0 / posterior.choices()}, change);
       }
     }
   }
+  return both;
+}
+
+/// By how much an answer at this change is expected to lower the entropy of T: both answers tried.
+double expectedGain(const Posterior& posterior, double change) {
+  const auto [right, after_right, after_wrong] = bothAnswers(posterior, change);
   return entropyOfThreshold(posterior) - right * entropyOfThreshold(after_right) -
          (1.0 - right) * entropyOfThreshold(after_wrong);
 }
@@ -66,6 +74,24 @@ TEST(MarginalPsi, TakesTheLevelAfterWhichTheThresholdIsExpectedToBeKnownBest) {
     }
     const std::size_t best = psi.best(posterior);
     EXPECT_GE(told[best] + 1e-12, *std::max_element(told.begin(), told.end()));
+  }
+}
+
+TEST(MarginalPsi, AtAMarkTakesTheLevelThatTellsMostAboutTheVerdict) {
+  // By the definition: both answers tried, and how unsure the verdict then is.
+  const auto unsure = [](const Posterior& posterior) {
+    const double p = posterior.probabilityBelow(0.2);
+    return -p * std::log(p) - (1.0 - p) * std::log(1.0 - p);
+  };
+  const std::vector<double> levels = adaptiveLevels(ChangeMeaning::compliance);
+  for (const int answers : {0, 3, 10}) {
+    const Posterior posterior = someAnswered(answers);
+    const std::vector<double> told = MarginalPsi(levels, posterior).informationAtMark(posterior, 0.2);
+    for (std::size_t i = 0; i < levels.size(); i += 4) {
+      const auto [right, after_right, after_wrong] = bothAnswers(posterior, levels[i]);
+      const double gain = unsure(posterior) - right * unsure(after_right) - (1.0 - right) * unsure(after_wrong);
+      EXPECT_NEAR(told[i], gain, 1e-9) << answers << ", " << levels[i];
+    }
   }
 }
 

@@ -144,8 +144,11 @@ struct Block::Course {
     return 1 + static_cast<int>(independent_site.below(static_cast<std::uint64_t>(settings.choices)));
   }
 
+  /// It ends when it is sure on which side of the mark T lies, and asks for that instead of T.
+  bool decides() const { return settings.stop.mark > 0.0 && settings.stop.least < settings.stop.most; }
+
   double measuredChange() {
-    if (psi) return levels[psi->best(posterior)];
+    if (psi) return levels[decides() ? psi->bestAtMark(posterior, settings.stop.mark) : psi->best(posterior)];
     if (staircase) return staircase->change();
     if (mastery) return mastery->change();
     return levels[order.next()];

@@ -42,7 +42,8 @@ struct StopRule {
   int most = 40;
   /// After `least`: enough when half the 95 % interval of ln T is narrower; 0: only the numbers count.
   double half_width = 0.0;
-  /// An examination's pass mark: a change; 0: none. After `least`: enough when P(T < mark) is beyond `sure`.
+  /// An examination's pass mark: a change; 0: none. After `least`: enough when P(T < mark) is beyond `sure`. With
+  /// `least` below `most`, marginal psi then asks for what tells most about T < mark, instead of about T.
   double mark = 0.0;
   double sure = 0.95;
 };

@@ -22,10 +22,24 @@ class MarginalPsi {
 
   /// The first of the levels that tell most.
   std::size_t best(const Posterior& posterior) const;
+  /// The first of those that tell most about whether T is below `mark`: what an examination wants to know. Decides
+  /// earlier, and tells less about T itself.
+  std::size_t bestAtMark(const Posterior& posterior, double mark) const;
   /// What each level's answer is expected to tell about T, nat.
   std::vector<double> information(const Posterior& posterior) const;
+  /// The same about whether T is below `mark`.
+  std::vector<double> informationAtMark(const Posterior& posterior, double mark) const;
 
  private:
+  /// The posterior without the lapse rate.
+  struct Marginals {
+    std::vector<double> weight;  ///< of each T
+    std::vector<double> left;    ///< of (T, slope): what guess and lapses leave of its weight
+  };
+  Marginals marginalsOf(const Posterior& posterior) const;
+  /// How likely this T and a right answer at this level are together.
+  double rightWith(std::size_t level, std::size_t t, const Marginals& marginals) const;
+
   std::size_t levels_;
   std::size_t thresholds_;
   std::size_t slopes_;
