@@ -49,9 +49,14 @@ view::Camera cameraOfFreePart(const view::Camera& camera, const Shown& shown, co
   return outOfPart(camera, freePart(shown, size_points));
 }
 
-view::Camera homeView(const scene::World& world, const Shown& shown, view::StandardView side, const Vec2& size_points) {
+view::Camera viewOf(const Eigen::AlignedBox3d& box, const Shown& shown, view::StandardView side,
+                    const Vec2& size_points) {
   const FreePart part = freePart(shown, size_points);
-  return intoPart(view::fitted(mesh::boundingBox(world.skin), part.size.x() / part.size.y(), side), part);
+  return intoPart(view::fitted(box, part.size.x() / part.size.y(), side), part);
+}
+
+view::Camera homeView(const scene::World& world, const Shown& shown, view::StandardView side, const Vec2& size_points) {
+  return viewOf(mesh::boundingBox(world.skin), shown, side, size_points);
 }
 
 namespace {

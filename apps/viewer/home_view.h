@@ -9,6 +9,9 @@
 namespace palpate::viewer {
 
 view::Camera homeView(const scene::World& world, const Shown& shown, view::StandardView side, const Vec2& size_points);
+/// The same of a part of it.
+view::Camera viewOf(const Eigen::AlignedBox3d& box, const Shown& shown, view::StandardView side,
+                    const Vec2& size_points);
 
 /// The camera of a picture that shows just the free part: what a scene says about its camera. takeSceneLook goes back.
 view::Camera cameraOfFreePart(const view::Camera& camera, const Shown& shown, const Vec2& size_points);

@@ -205,6 +205,7 @@ void Viewer::lookAround() {
     session_.camera = homeView(*world_, session_.state.shown, view::StandardView::back, session_.size_points);
     takeSceneLook(*world_, session_, session_.size_points);
     beginScene();
+    if (training_) setView(view::StandardView::back);
     if (settings_.intro && !session_.state.reduced_motion) intro_.begin(*world_, session_.now_s);
   }
   const view::EyePicture eye = view::eyePictureIn(stereo_.mode, target_->width(), target_->height());
@@ -452,6 +453,7 @@ void Viewer::actOn(const window::Command& command) {
 
 void Viewer::setView(view::StandardView side) {
   standard_view_ = static_cast<int>(side);
+  if (training_) return flyTo(viewOf(training_->seenBox(), session_.state.shown, side, session_.size_points));
   flyTo(homeView(*world_, session_.state.shown, side, session_.size_points));
 }
 

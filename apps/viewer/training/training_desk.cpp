@@ -23,6 +23,8 @@ constexpr double kMousePressN = 2.0;
 constexpr double kAnswerSavedS = 3.0;
 /// Digits that follow each other faster belong to one number, ms.
 constexpr std::int64_t kSameNumberMs = 1500;
+/// Around the sites as much of the body is seen as tells where on it they are, mm.
+constexpr double kRoomAsideMm = 110.0;
 /// Farther from its site than this, what the eye meets first is another side of the body, mm.
 constexpr double kSameSideMm = 25.0;
 
@@ -175,6 +177,13 @@ void TrainingDesk::look(const view::Frustum& frustum, const Vec2& size_points, d
   if (std::exchange(keyboard_moved_, false) && keyboard_place_) {
     pointer.demonstrate(session.active_finger, *keyboard_place_, keyboard_presses_);
   }
+}
+
+Eigen::AlignedBox3d TrainingDesk::seenBox() const {
+  Eigen::AlignedBox3d box;
+  for (const training::Site& site : sites_.sites) box.extend(site.point_mm);
+  const Vec3 room(kRoomAsideMm, kRoomAsideMm, 0.0);
+  return {box.min() - room, box.max() + room};
 }
 
 void TrainingDesk::plain(view::PictureSettings& picture) const {

@@ -67,6 +67,8 @@ class TrainingDesk {
   void paint();
   /// Obeys what was asked for, keeps rows, has the world changed that a trial needs.
   void advance(Session& session, LiveServo& servo, Turnover& turnover, double elapsed_s);
+  /// What of the body is looked at: the sites with room around them.
+  Eigen::AlignedBox3d seenBox() const;
   /// Skin as it is, and nothing that would give a place away.
   void plain(view::PictureSettings& picture) const;
 

@@ -144,10 +144,11 @@ void noticeWords(const TrainingScreen& screen) {
 
 void gap(float height) { ImGui::Dummy({0.0f, height}); }
 
-/// At the upper right of the window: who is signed in. At the foot: what keys do.
-void margins(const TrainingScreen& screen, const ImVec2& room) {
+/// The body stays in sight, far behind. At the upper right: who is signed in. At the foot: what keys do.
+void backdrop(const TrainingScreen& screen, const ImVec2& room) {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  list.AddRectFilled({0.0f, 0.0f}, room, ImGui::GetColorU32(ImGuiCol_WindowBg, 0.82f));
   const ImU32 grey = ImGui::GetColorU32(ImGuiCol_TextDisabled);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 corner = ImGui::CalcTextSize(screen.corner.c_str());
   list.AddText({room.x - corner.x - 16.0f, 12.0f}, grey, screen.corner.c_str());
   const ImVec2 keys = ImGui::CalcTextSize(screen.keys.c_str());
@@ -162,14 +163,8 @@ float& cardHeight() {
 
 TrainingClick card(const TrainingScreen& screen) {
   const ImVec2 room = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({0.0f, 0.0f});
-  ImGui::SetNextWindowSize(room);
-  ImGui::SetNextWindowBgAlpha(0.82f);
   TrainingClick clicked;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
-  if (ImGui::Begin("training", nullptr, kStillWindow | ImGuiWindowFlags_NoInputs)) margins(screen, room);
-  ImGui::End();
-  ImGui::PopStyleVar();
+  backdrop(screen, room);
   const bool two_columns = screen.buttons.size() >= kManyButtons && room.x > kWideCard;
   const float width = std::min(two_columns ? kWideCard : kCardWidth, room.x - 24.0f);
   ImGui::SetNextWindowPos({0.5f * room.x, 0.5f * room.y}, ImGuiCond_Always, {0.5f, 0.5f});
@@ -177,6 +172,7 @@ TrainingClick card(const TrainingScreen& screen) {
   ImGui::SetNextWindowSize({width, std::max(120.0f, height)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kCardPadding, kCardPadding});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 10.0f);
+  ImGui::SetNextWindowBgAlpha(1.0f);
   const auto flags = kStillWindow & ~static_cast<unsigned>(ImGuiWindowFlags_NoScrollbar);
   if (ImGui::Begin("training_card", nullptr, static_cast<ImGuiWindowFlags>(flags))) {
     largeWords(screen.title);

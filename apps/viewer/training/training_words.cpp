@@ -249,7 +249,7 @@ TrainingScreen sittingScreen(const TrainingView& view) {
     default:
       screen = cardOfSitting(view, std::move(screen));
   }
-  if (view.waiting) screen.notice = kOneMoment;
+  if (view.waiting && screen.place == TrainingPlace::body) screen.notice = kOneMoment;
   return screen;
 }
 
