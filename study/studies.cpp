@@ -29,7 +29,9 @@ const std::vector<Study>& studies() {
       {"relaxation", "Skin that gives way in time: the force of a press that is held, its work, the dent that stays",
        studyRelaxation},
       {"measuring", "Key ellipses from synthetic photographs against their truth: bars, refusals, honesty of the sd",
-       studyMeasuring, true}};
+       studyMeasuring, true},
+      {"training", "Thresholds of simulated trainees: bias, spread, coverage, examination, places left out, a course",
+       studyTraining, true}};
   return all;
 }
 

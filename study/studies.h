@@ -76,4 +76,8 @@ StudyPage studyTables(const StudySettings& settings);
 
 StudyPage studyThreshold(const StudySettings& settings);
 
+// `palpate study training`: whether tests of palpation give back the thresholds of simulated trainees.
+
+StudyPage studyTraining(const StudySettings& settings);
+
 }  // namespace palpate::study
