@@ -26,8 +26,10 @@ namespace palpate::app {
 
 namespace {
 
-/// A word is a class without a network; anything else is the file of a station that takes part in one.
-bool isClassName(const std::string& text) { return text.empty() || classroom::isClassWord(text); }
+/// A word is a class without a network; a file or folder is that of a station which takes part in one.
+bool isClassName(const std::string& text) {
+  return text.empty() || (classroom::isClassWord(text) && !std::filesystem::exists(text));
+}
 
 viewer::TrainingSettings trainingSettings(const TrainOptions& options) {
   viewer::TrainingSettings settings;
