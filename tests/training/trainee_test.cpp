@@ -326,22 +326,22 @@ TEST_F(Trainee, GoesOnWithTheBlockThatItWasTornFrom) {
   EXPECT_EQ(interrupted->sitting.end_ms, 0);
   EXPECT_TRUE(std::filesystem::exists(folder_ / "a" / (interrupted->sitting.file + ".partial")));
   const std::size_t kept = store.trials(interrupted->block.id).size();
-  EXPECT_EQ(kept, 6u);  // the seventh was being answered
+  EXPECT_EQ(kept, 7u);
 
   sitting.start_ms += 3'600'000;
   const SatThrough sat = sitThrough(store, bench(true), sitting);
   EXPECT_TRUE(sat.resumed);
   EXPECT_EQ(sat.block.id, interrupted->block.id);
   EXPECT_NE(sat.row.id, interrupted->sitting.id);
-  EXPECT_EQ(sat.trials.front().number, 7);
-  EXPECT_EQ(sat.trials.size(), 6u);
+  EXPECT_EQ(sat.trials.front().number, 8);
+  EXPECT_EQ(sat.trials.size(), 5u);
   EXPECT_TRUE(sat.block.finished);
   EXPECT_FALSE(store.interrupted(trainee_.id, SittingKind::pre_test));
   const std::vector<TrialRow> all = store.trials(sat.block.id);
   ASSERT_EQ(all.size(), 12u);
   for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(all[i].number, static_cast<int>(i) + 1);
-  EXPECT_EQ(all[5].sitting, interrupted->sitting.id);
-  EXPECT_EQ(all[6].sitting, sat.row.id);
+  EXPECT_EQ(all[6].sitting, interrupted->sitting.id);
+  EXPECT_EQ(all[7].sitting, sat.row.id);
 }
 
 TEST_F(Trainee, IsReplayedFromItsSession) {

@@ -8,6 +8,7 @@
 
 #include "palpate/base/hash.h"
 #include "palpate/engine/session_settings.h"
+#include "palpate/training/records/session_files.h"
 #include "palpate/training/records/sha256.h"
 #include "palpate/training/records/trainee_code.h"
 #include "palpate/training/trainee/body_touch.h"
@@ -50,7 +51,7 @@ SittingPlan planOf(Store& store, const TraineeBench& bench, const TraineeSitting
   plan.row.start_ms = wished.start_ms;
   plan.row.app_version = engine::sessionHeader(1.0 / plan.tick_s).software;
   plan.row.device = bench.body ? deviceWords(bench.hand) : std::string(kNoBody);
-  if (bench.body && bench.session_files) plan.row.file = "sessions/" + plan.row.id + ".session";
+  if (bench.body && bench.session_files) plan.row.file = SessionFiles::nameFor(plan.row.id);
   if (const auto interrupted = store.interrupted(wished.trainee, wished.kind)) plan.resumed = interrupted->block;
   if (const auto last = store.lastMeasured(wished.trainee)) {
     plan.before = ShownThreshold{.median = last->threshold, .low = last->low, .high = last->high};

@@ -171,6 +171,7 @@ void TraineeRun::tryTrial() {
     answer(decide(felt_.sites, ratios, orders_.observer, orders_.practised, sitting_.plan().sites.choices(), random_));
   }
   ++answers_;
+  keepRows();
   if (orders_.answered) orders_.answered(sitting_.trials().back());
 }
 

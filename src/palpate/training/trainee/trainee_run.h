@@ -24,7 +24,7 @@ struct TraineeOrders {
   int most_trials = 0;  ///< puts the block down after so many; 0: goes on to its end
   /// Rows in their order, after each answer and screen: a trial counts when this returns.
   std::function<void(std::vector<Row>)> keep = {};
-  std::function<void(const TrialRow&)> answered = {};  ///< may be empty
+  std::function<void(const TrialRow&)> answered = {};  ///< once its rows are kept; may be empty
   std::function<bool()> stop = {};                     ///< asked before each press: true puts the block down
 };
 
