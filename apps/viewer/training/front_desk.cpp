@@ -69,7 +69,7 @@ void FrontDesk::enter() {
 }
 
 void FrontDesk::choices() {
-  offers_ = offersFor(pastOf(store_, trainee_.id), protocol_, training::utcMs());
+  offers_ = offersFor(trainingPastOf(store_, trainee_.id), protocol_, training::utcMs());
   stage_ = TrainingStage::choice;
 }
 

@@ -74,7 +74,7 @@ std::string nameOfKind(SittingKind kind) {
   return found->name;
 }
 
-TrainingPast pastOf(training::Store& store, const std::string& trainee) {
+TrainingPast trainingPastOf(training::Store& store, const std::string& trainee) {
   TrainingPast past;
   for (const training::SittingRow& sitting : store.sittings(trainee)) {
     TrainingPast::OfKind& of = past.kinds[sitting.kind];

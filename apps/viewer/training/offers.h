@@ -31,7 +31,7 @@ struct TrainingPast {
   OfKind of(training::SittingKind kind) const;
 };
 
-TrainingPast pastOf(training::Store& store, const std::string& trainee);
+TrainingPast trainingPastOf(training::Store& store, const std::string& trainee);
 
 struct Offer {
   training::SittingKind kind = training::SittingKind::practice;

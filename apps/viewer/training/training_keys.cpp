@@ -10,7 +10,7 @@ namespace palpate::viewer {
 namespace {
 
 using window::Key;
-using Kind = TrainingStroke::Kind;
+using StrokeKind = TrainingStroke::Kind;
 
 /// What a test may not reach is reached by no key: these alone are left of the window's.
 bool passesThrough(const window::InputEvent& event) {
@@ -22,7 +22,7 @@ bool passesThrough(const window::InputEvent& event) {
 TrainingStroke pressed(const TrainingScreen& screen, std::size_t index) {
   if (index >= screen.buttons.size() || !screen.buttons[index].enabled) return {};
   const TrainingButton& button = screen.buttons[index];
-  return {.kind = Kind::press_button, .click = {button.act, button.value}};
+  return {.kind = StrokeKind::press_button, .click = {button.act, button.value}};
 }
 
 TrainingStroke acting(const TrainingScreen& screen, TrainingAct act) {
@@ -35,7 +35,7 @@ TrainingStroke focusMoved(const TrainingScreen& screen, bool forward) {
   const std::size_t count = screen.buttons.size();
   for (std::size_t step = 1; step < count; ++step) {
     const std::size_t index = (screen.focus + (forward ? step : count - step)) % count;
-    if (screen.buttons[index].enabled) return {.kind = Kind::focus, .index = index};
+    if (screen.buttons[index].enabled) return {.kind = StrokeKind::focus, .index = index};
   }
   return {};
 }
@@ -43,7 +43,7 @@ TrainingStroke focusMoved(const TrainingScreen& screen, bool forward) {
 /// Back: whatever of these the screen offers.
 TrainingStroke escaped(const TrainingScreen& screen) {
   for (const TrainingAct act : {TrainingAct::leave, TrainingAct::no, TrainingAct::sign_out}) {
-    if (const TrainingStroke stroke = acting(screen, act); stroke.kind != Kind::nothing) return stroke;
+    if (const TrainingStroke stroke = acting(screen, act); stroke.kind != StrokeKind::nothing) return stroke;
   }
   return {};
 }
@@ -57,25 +57,25 @@ Vec2 directionOf(Key key) {
 }
 
 TrainingStroke onTrial(const window::InputEvent& event, const TrainingScreen& screen) {
-  if (const Vec2 by = directionOf(event.key); by != Vec2::Zero()) return {.kind = Kind::walk, .by = by};
-  if (event.key == Key::space && !event.repeat) return {.kind = Kind::touch};
+  if (const Vec2 by = directionOf(event.key); by != Vec2::Zero()) return {.kind = StrokeKind::walk, .by = by};
+  if (event.key == Key::space && !event.repeat) return {.kind = StrokeKind::touch};
   if (event.key == Key::enter || event.key == Key::pad_enter) return acting(screen, TrainingAct::answer);
-  if (event.key == Key::backspace) return {.kind = Kind::erase};
+  if (event.key == Key::backspace) return {.kind = StrokeKind::erase};
   if (event.key == window::key('P')) return acting(screen, TrainingAct::pause);
   return {};
 }
 
 TrainingStroke onCard(const window::InputEvent& event, const TrainingScreen& screen) {
   if (screen.place == TrainingPlace::body) {
-    if (const Vec2 by = directionOf(event.key); by != Vec2::Zero()) return {.kind = Kind::walk, .by = by};
-    if (event.key == window::key('T') && !event.repeat) return {.kind = Kind::touch};
-    if (event.key == Key::backspace) return {.kind = Kind::erase};
+    if (const Vec2 by = directionOf(event.key); by != Vec2::Zero()) return {.kind = StrokeKind::walk, .by = by};
+    if (event.key == window::key('T') && !event.repeat) return {.kind = StrokeKind::touch};
+    if (event.key == Key::backspace) return {.kind = StrokeKind::erase};
   }
   const bool back = event.key == Key::left || event.key == Key::up;
   const bool on = event.key == Key::right || event.key == Key::down || event.key == Key::tab;
   if (back || on) return focusMoved(screen, on && !(event.key == Key::tab && event.modifiers.shift));
   if (event.key == Key::enter || event.key == Key::pad_enter) return pressed(screen, screen.focus);
-  if (event.key == Key::backspace) return {.kind = Kind::erase};
+  if (event.key == Key::backspace) return {.kind = StrokeKind::erase};
   if (event.key == Key::space && !screen.entry) return pressed(screen, screen.focus);
   if (event.key == window::key('P')) return acting(screen, TrainingAct::go_on);
   return {};
@@ -85,13 +85,13 @@ TrainingStroke onCard(const window::InputEvent& event, const TrainingScreen& scr
 
 TrainingStroke strokeOf(const window::InputEvent& event, const TrainingScreen& screen) {
   using EventKind = window::InputEvent::Kind;
-  if (event.kind == EventKind::text) return {.kind = Kind::letters, .text = event.text};
-  if (event.kind != EventKind::key) return {.kind = Kind::pass};
-  if (passesThrough(event)) return {.kind = Kind::pass};
+  if (event.kind == EventKind::text) return {.kind = StrokeKind::letters, .text = event.text};
+  if (event.kind != EventKind::key) return {.kind = StrokeKind::pass};
+  if (passesThrough(event)) return {.kind = StrokeKind::pass};
   if (!event.down) return {};
   if (event.modifiers.ctrl) {
     const bool quits = event.key == window::key('Q');
-    return quits ? TrainingStroke{.kind = Kind::press_button, .click = {TrainingAct::quit, 0}} : TrainingStroke{};
+    return quits ? TrainingStroke{.kind = StrokeKind::press_button, .click = {TrainingAct::quit, 0}} : TrainingStroke{};
   }
   if (event.key == Key::escape) return escaped(screen);
   return screen.picks_sites ? onTrial(event, screen) : onCard(event, screen);
