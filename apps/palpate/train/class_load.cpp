@@ -128,10 +128,13 @@ class LoadedStation {
 /// The instructor: counts live samples and how long they took.
 class LoadViewer {
  public:
-  explicit LoadViewer(const classroom::ClassFolder& folder) {
+  LoadViewer(const classroom::ClassFolder& folder, const ClassLoadSettings& load) {
     classroom::MqttSettings settings = classroom::linkOf(classroom::readMember(folder.instructor()));
-    settings.client_id += "-load";
-    settings.subscriptions = {{fmt::format("palpate/v1/{}/st/+/live", folder.class_id), 0}};
+    settings.client_id += fmt::format("-load-{}", load.first);
+    for (int i = 0; i < load.stations; ++i) {
+      const std::string& name = folder.stations[static_cast<std::size_t>(load.first - 1 + i)];
+      settings.subscriptions.push_back({classroom::topicText({folder.class_id, name, "live"}), 0});
+    }
     link_ = std::make_unique<classroom::MqttLink>(
         settings, classroom::MqttHandlers{[this](std::string_view, std::string_view text) { seen(text); }, {}});
   }
@@ -166,10 +169,10 @@ using Stations = std::vector<std::unique_ptr<LoadedStation>>;
 Stations stationsOf(const classroom::ClassFolder& folder, const ClassLoadSettings& settings) {
   Stations stations;
   for (int i = 0; i < settings.stations; ++i) {
-    const std::string& name = folder.stations[static_cast<std::size_t>(i)];
+    const std::string& name = folder.stations[static_cast<std::size_t>(settings.first - 1 + i)];
     stations.push_back(std::make_unique<LoadedStation>(classroom::readMember(folder.station(name)),
                                                        settings.folder / (name + ".results"),
-                                                       static_cast<std::uint64_t>(i) + 1));
+                                                       static_cast<std::uint64_t>(settings.first + i)));
   }
   return stations;
 }
@@ -222,13 +225,13 @@ bool allConnected(const Stations& stations) {
 
 ClassLoadReport runClassLoad(const classroom::ClassFolder& folder, const ClassLoadSettings& settings,
                              const std::function<bool(double done_s)>& going) {
-  if (static_cast<int>(folder.stations.size()) < settings.stations) {
-    throw Error(fmt::format("the class has {} stations, {} are asked for", folder.stations.size(), settings.stations));
+  if (static_cast<int>(folder.stations.size()) < settings.first - 1 + settings.stations) {
+    throw Error(fmt::format("the class has {} stations only", folder.stations.size()));
   }
   ClassLoadReport report;
   report.stations = settings.stations;
   Stations stations = stationsOf(folder, settings);
-  LoadViewer viewer(folder);
+  LoadViewer viewer(folder, settings);
   while (!(viewer.connected() && allConnected(stations)) && going(0.0)) std::this_thread::sleep_for(kLiveEvery);
   const auto started = Clock::now();
   {

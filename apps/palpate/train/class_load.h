@@ -13,7 +13,8 @@
 namespace palpate::app {
 
 struct ClassLoadSettings {
-  int stations = 200;
+  int first = 1;      ///< of the class's stations
+  int stations = 50;  ///< in one process: libmosquitto waits by select, which knows no more than 1024 open files
   double seconds = 60.0;
   double trial_every_s = 25.0;   ///< on average; 17 to 39 s in a class
   double catch_up_s = 120.0;     ///< afterwards, for what still waits

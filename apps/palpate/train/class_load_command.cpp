@@ -164,7 +164,8 @@ void addClassLoadCommand(CLI::App& parent) {
   command.add_option("DIR", arguments->folder, "Folder of the class")->required();
   command.add_option("--records-folder", arguments->records_folder, "Where the stations keep their records")
       ->required();
-  addNumber(command, "--stations", arguments->settings.stations, between(1, 999), "So many");
+  addNumber(command, "--stations", arguments->settings.stations, between(1, 100), "So many");
+  addNumber(command, "--first", arguments->settings.first, between(1, 999), "From this one of the class on");
   addNumber(command, "--seconds", arguments->settings.seconds, between(1.0, 86400.0, "s"), "How long");
   addNumber(command, "--trial-every", arguments->settings.trial_every_s, between(0.1, 3600.0, "s"),
             "A trial of a station, on average");

@@ -189,14 +189,16 @@ void backWithFinger(const OpenedStation& station, float height) {
   const float high = wide / static_cast<float>(back.aspect);
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 0.5f * (room - wide));
   const ImVec2 low = ImGui::GetCursorScreenPos();
-  // OpenGL's rows run upwards.
-  ImGui::Image(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(back.texture)), {wide, high}, {0, 1}, {1, 0});
-  const auto onScreen = [&](const Vec2& place) {
+  // ImGui's OpenGL renderer takes the texture's number as if it were a pointer.
+  // NOLINTNEXTLINE(performance-no-int-to-ptr)
+  const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(back.texture));
+  ImGui::Image(texture, {wide, high}, {0, 1}, {1, 0});  // OpenGL's rows run upwards
+  const auto on_screen = [&](const Vec2& place) {
     return ImVec2(low.x + static_cast<float>(place.x()) * wide, low.y + static_cast<float>(place.y()) * high);
   };
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   for (std::size_t i = 0; i < back.sites.size(); ++i) {
-    const ImVec2 at = onScreen(back.sites[i]);
+    const ImVec2 at = on_screen(back.sites[i]);
     const bool under = tile.fresh && tile.live.site == static_cast<int>(i) + 1;
     draw.AddCircle(at, 9.0f, under ? kUrgent : IM_COL32(30, 30, 30, 200), 0, under ? 2.5f : 1.2f);
     const std::string number = std::to_string(i + 1);
@@ -206,8 +208,8 @@ void backWithFinger(const OpenedStation& station, float height) {
   const auto finger = tile.online && tile.age_s ? back.seen_at(tile.live.finger_mm) : std::nullopt;
   if (!finger || finger->minCoeff() < 0.0 || finger->maxCoeff() > 1.0) return;
   const auto radius = static_cast<float>(5.0 + 4.0 * std::clamp(tile.live.force_n, 0.0, kFullForceN));
-  draw.AddCircleFilled(onScreen(*finger), radius, tile.fresh ? IM_COL32(86, 156, 214, 190) : kStale);
-  draw.AddCircle(onScreen(*finger), radius, IM_COL32(20, 60, 110, 255), 0, 1.5f);
+  draw.AddCircleFilled(on_screen(*finger), radius, tile.fresh ? IM_COL32(86, 156, 214, 190) : kStale);
+  draw.AddCircle(on_screen(*finger), radius, IM_COL32(20, 60, 110, 255), 0, 1.5f);
 }
 
 std::optional<classroom::Command> commandRow(const Tile& tile, ClassView& view) {

@@ -112,7 +112,7 @@ std::string brokerConfiguration(const ClassFolder& folder) {
       "acl_file {1}/access.acl\n\n"
       "# Stations keep what is not acknowledged and send it again, so nothing here has to last.\n"
       "persistence false\n"
-      "message_size_limit 131072\n"
+      "max_packet_size 131072\n"
       "max_queued_messages 5000\n"
       "set_tcp_nodelay true\n"
       "log_type error\n"
