@@ -80,7 +80,7 @@ Shape errorBars(const figures::Colour& colour) {
   return {.closed = false, .stroke = Stroke::solid, .colour = colour, .width_px = 1.3};
 }
 
-Shape bandOf(const std::string& name, const std::vector<double>& x, const std::vector<double>& low,
+Shape curveBand(const std::string& name, const std::vector<double>& x, const std::vector<double>& low,
              const std::vector<double>& high, const figures::Colour& colour) {
   Shape band{.name = name, .stroke = Stroke::none, .colour = colour, .fill = colour};
   std::vector<Vec2> outline;
@@ -116,7 +116,7 @@ void addOthers(const TraineeStatistics& trainee, const std::vector<Occasion>& ot
     shown.add(at->medians.upper_quartile);
   }
   if (x.size() < 2) return;
-  plot.shapes.push_back(bandOf("middle half of the class", x, low, high, figures::withAlpha(kQuartileColour, 0.45)));
+  plot.shapes.push_back(curveBand("middle half of the class", x, low, high, figures::withAlpha(kQuartileColour, 0.45)));
   plot.series.push_back({.name = "class median",
                          .x = x,
                          .y = middle,
@@ -137,7 +137,7 @@ void addFiltered(const TraineeStatistics& trainee, ShownChanges& shown, Plot& pl
     shown.add(filtered.high);
   }
   if (x.size() > 1) {
-    plot.shapes.push_back(bandOf("95 % band", x, low, high, figures::withAlpha(figures::kBlue, 0.18)));
+    plot.shapes.push_back(curveBand("95 % band", x, low, high, figures::withAlpha(figures::kBlue, 0.18)));
   }
   plot.series.push_back({.name = "so far", .x = x, .y = middle, .colour = figures::kBlue, .width_px = 2.2});
 }
@@ -230,7 +230,7 @@ Plot fitPlot(const ThresholdPoint& point) {
     high.push_back(100.0 * curve.high[i]);
     mean.push_back(100.0 * curve.mean[i]);
   }
-  plot.shapes.push_back(bandOf("95 % band", x, low, high, figures::withAlpha(figures::kBlue, 0.18)));
+  plot.shapes.push_back(curveBand("95 % band", x, low, high, figures::withAlpha(figures::kBlue, 0.18)));
   const double t = 100.0 * point.threshold->median;
   plot.shapes.push_back({.name = "T",
                          .paths = {{{t, 0.0}, {t, 100.0}}},
@@ -318,7 +318,7 @@ TrainingPicture classCurvePicture(const training::TrainingStatistics& statistics
     shown.add(occasion.group.high);
   }
   if (x.size() > 1) {
-    plot.shapes.push_back(bandOf("middle half of the class", x, low, high, figures::withAlpha(kQuartileColour, 0.5)));
+    plot.shapes.push_back(curveBand("middle half of the class", x, low, high, figures::withAlpha(kQuartileColour, 0.5)));
   }
   if (!bars.paths.empty()) plot.shapes.push_back(std::move(bars));
   plot.series.push_back(std::move(everybody));

@@ -23,7 +23,7 @@ constexpr std::size_t kMostSittings = 60;
 
 std::string shareWords(double share) { return fmt::format("{:.1f} %", 100.0 * share); }
 
-std::string listOf(const std::set<std::string>& words) {
+std::string joinedWords(const std::set<std::string>& words) {
   std::string list;
   for (const std::string& word : words) {
     if (!word.empty()) list += (list.empty() ? "" : "; ") + word;
@@ -163,10 +163,10 @@ std::string trainingFacts(const TrainingReport& report) {
     const std::string last = dayWords(made.last_ms);
     html += factRow("Days", first == last ? first : first + " to " + last);
   }
-  html += factRow("Device", listOf(made.devices));
-  html += factRow("Change of", listOf(made.meanings));
-  html += factRow("Protocol", listOf(made.protocols));
-  html += factRow("Recorded by", made.versions.empty() ? "" : "palpate " + listOf(made.versions));
+  html += factRow("Device", joinedWords(made.devices));
+  html += factRow("Change of", joinedWords(made.meanings));
+  html += factRow("Protocol", joinedWords(made.protocols));
+  html += factRow("Recorded by", made.versions.empty() ? "" : "palpate " + joinedWords(made.versions));
   html += factRow("Records", report.file.filename().string());
   return html + "</tbody></table></div>\n";
 }

@@ -12,7 +12,7 @@ namespace {
 /// Of change over threshold: boxes of the collapsed answers, even on a logarithmic scale.
 constexpr BoxScale kCollapsed{.from = 0.25, .to = 8.0, .boxes = 10};
 /// A stored result that differs by more is not that of the trials: the rest is rounding in other programs.
-constexpr double kSameResult = 1e-6;
+constexpr double kSameThreshold = 1e-6;
 
 using ChosenTrials = std::vector<ChosenTrial>;
 
@@ -82,7 +82,7 @@ std::optional<TestsCompared> testsCompared(const std::vector<ThresholdPoint>& po
 }
 
 bool resultChanged(const ThresholdPoint& point) {
-  return point.threshold && point.stored > 0.0 && std::abs(point.threshold->median - point.stored) > kSameResult;
+  return point.threshold && point.stored > 0.0 && std::abs(point.threshold->median - point.stored) > kSameThreshold;
 }
 
 TraineeStatistics traineeStatistics(const TrainingRecord& record, const TraineeRecord& trainee,
