@@ -15,7 +15,7 @@
 #include "palpate/classroom/mqtt_link.h"
 #include "support/temporary_folder.h"
 
-namespace palpate::classroom::samples {
+namespace palpate::classroom::brokers {
 
 /// Nobody listens there at the moment.
 inline int freePort() {
@@ -24,7 +24,7 @@ inline int freePort() {
   address.sin_family = AF_INET;
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   socklen_t size = sizeof(address);
-  bind(handle, reinterpret_cast<sockaddr*>(&address), size);
+  EXPECT_EQ(bind(handle, reinterpret_cast<sockaddr*>(&address), size), 0);
   getsockname(handle, reinterpret_cast<sockaddr*>(&address), &size);
   close(handle);
   return ntohs(address.sin_port);
@@ -56,4 +56,4 @@ class BrokerTest : public testing::Test {
   std::unique_ptr<BrokerProcess> broker_;
 };
 
-}  // namespace palpate::classroom::samples
+}  // namespace palpate::classroom::brokers

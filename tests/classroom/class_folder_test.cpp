@@ -114,15 +114,15 @@ TEST(ClassFolderTest, MemberFilesSayWhatIsWrongAndWhere) {
       "authority = \"ca.crt\"\ncertificate = \"a.crt\"\nkey = \"a.key\"\n",
       file));
   EXPECT_EQ(memberText(parseMember(good, file)), good);
-  const auto messageWith = [&](const std::string& from, const std::string& to) {
+  const auto message_with = [&](const std::string& from, const std::string& to) {
     std::string text = good;
     text.replace(text.find(from), from.size(), to);
     return support::messageOf([&] { parseMember(text, file); });
   };
-  EXPECT_NE(messageWith("port = 8883", "port = 0").find("port"), std::string::npos);
-  EXPECT_NE(messageWith("port = 8883", "prot = 8883").find("did you mean 'port'"), std::string::npos);
-  EXPECT_NE(messageWith("\"s1\"", "\"instructor\"").find("name"), std::string::npos);
-  EXPECT_NE(messageWith("key = \"a.key\"", "").find("key is missing"), std::string::npos);
+  EXPECT_NE(message_with("port = 8883", "port = 0").find("port"), std::string::npos);
+  EXPECT_NE(message_with("port = 8883", "prot = 8883").find("did you mean 'port'"), std::string::npos);
+  EXPECT_NE(message_with("\"s1\"", "\"instructor\"").find("name"), std::string::npos);
+  EXPECT_NE(message_with("key = \"a.key\"", "").find("key is missing"), std::string::npos);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ using training::Store;
 /// Quicker than in a class, so that a test need not wait for what was lost.
 constexpr OutboxPace kQuickPace = {500.0, 0.5, 200};
 
-class ClassOutboxTest : public samples::BrokerTest {
+class ClassOutboxTest : public brokers::BrokerTest {
  protected:
   void SetUp() override {
     BrokerTest::SetUp();

@@ -15,7 +15,7 @@ namespace {
 
 using support::waitFor;
 
-class ClassSecurityTest : public samples::BrokerTest {
+class ClassSecurityTest : public brokers::BrokerTest {
  protected:
   std::string topic(const char* station, const char* kind) const { return topicText({"osteo-1", station, kind}); }
 
@@ -48,14 +48,14 @@ TEST_F(ClassSecurityTest, NobodyWithoutACertificateOfThisClassComesIn) {
   EXPECT_TRUE(staysOut(anonymous));
 
   // Another class's: the same names, another authority.
-  const ClassFolder other = makeClassFolder(temporary_ / "other", samples::smallClass(2, folder_.port));
+  const ClassFolder other = makeClassFolder(temporary_ / "other", brokers::smallClass(2, folder_.port));
   MqttSettings stranger = linkOf(readMember(other.station("s02")));
   stranger.authority = station("s02").authority;
   EXPECT_TRUE(staysOut(stranger));
 }
 
 TEST_F(ClassSecurityTest, AStationDoesNotTalkToABrokerOfAnotherClass) {
-  const ClassFolder other = makeClassFolder(temporary_ / "other", samples::smallClass(2, folder_.port));
+  const ClassFolder other = makeClassFolder(temporary_ / "other", brokers::smallClass(2, folder_.port));
   MqttSettings misled = linkOf(station("s01"));
   misled.authority = readMember(other.station("s01")).authority;
   EXPECT_TRUE(staysOut(misled));
