@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 
 #include "palpate/base/random.h"
 #include "palpate/base/text.h"
@@ -116,7 +117,7 @@ TEST(KeyVault, KeepsAKeyUntilItIsDestroyed) {
 }
 
 /// A recording of so many ticks, finished or as a killed program leaves it.
-void record(const fs::path& file, int ticks, bool finished) {
+void record(const fs::path& file, int ticks, bool finished, std::uint64_t seed = 1) {
   fs::create_directories(file.parent_path());
   trace::SessionWriter writer(file, {"2026-11-22T10:00:00Z", "test", "test", 1000.0, "", ""}, {{"finger", "hand"}});
   trace::SessionWorld world;
@@ -124,13 +125,25 @@ void record(const fs::path& file, int ticks, bool finished) {
   world.body = "torso";
   world.fingers = {{"", ""}};
   writer.add(world);
+  Random noise_of(seed);
   for (int i = 0; i < ticks; ++i) {
     trace::Sample sample;
     sample.tick = static_cast<std::uint64_t>(i);
+    sample.contact.tip = Vec3(noise_of.uniform(), noise_of.uniform(), noise_of.uniform());
     writer.add(sample);
   }
   writer.flush();
   if (finished) writer.finish("done");
+}
+
+/// What its compressed samples look like: 48 bytes, nearly all of them different.
+std::string ownBytes(const std::string& recording) {
+  for (std::size_t at = 0; at + 48 <= recording.size(); at += 16) {
+    const std::string piece = recording.substr(at, 48);
+    if (std::set<char>(piece.begin(), piece.end()).size() > 42) return piece;
+  }
+  ADD_FAILURE() << "the recording holds nothing of its own";
+  return {};
 }
 
 /// A store with three trainees whose sittings were recorded and locked.
@@ -139,13 +152,16 @@ struct Station {
   samples::History history = samples::history(3, 2, 4);
   Store store{folder / "a.results", Store::Open::create_too};
   SessionFiles files{store};
+  std::vector<std::string> courses;  ///< bytes that only one sitting's recording holds
 
   explicit Station(bool joined = false) {
     store.fillOutbox(joined);
     store.keepAny(history.rows);
     for (const TraineeRow& trainee : history.trainees) {
       for (const SittingRow& sitting : store.sittings(trainee.id)) {
-        record(files.pathOf(SessionFiles::nameFor(sitting.id)), 50, true);
+        const fs::path file = files.pathOf(SessionFiles::nameFor(sitting.id));
+        record(file, 50, true, courses.size() + 2);
+        courses.push_back(ownBytes(readFile(file, kMostTestBytes)));
         EXPECT_TRUE(files.lock(sitting.id));
       }
     }
@@ -222,6 +238,8 @@ TEST(Deletion, LeavesNoByteThatSaysWhoItWas) {
       for (const TrialRow& trial : station.store.trials(block.id)) ids.push_back(trial.id);
     }
   }
+  // What their fingers did was never beside its locked file.
+  for (const std::string& course : station.courses) EXPECT_EQ(filesWith(station.folder.path(), course), 0);
   for (const std::string& id : ids) EXPECT_GT(filesWith(station.folder.path(), id), 0) << id;
   const std::string ref = station.store.trainee(gone)->key_ref;
   std::vector<std::string> others;
