@@ -435,13 +435,13 @@ TEST(TrainingSpeech, SaysSignsInWords) {
 
 // --- in the window
 
-constexpr int kWidth = 1100;
-constexpr int kHeight = 760;
+constexpr int kWidth = 640;
+constexpr int kHeight = 480;
 
 /// A torso that is soon built, the same for all tests.
 std::shared_ptr<const scene::World> smallTorso() {
   static const auto world = [] {
-    scene::Scene scene = scene::parse("[body]\ntriangles = 8163\n", "training.toml");
+    scene::Scene scene = scene::parse("[body]\ntriangles = 8164\n", "training.toml");
     scene.file.clear();
     return scene::build(scene);
   }();
@@ -461,7 +461,9 @@ class TrainingSeat {
     settings.training->protocol = protocol;
     settings.training->seed = 5;
     settings.training->desk = {.code = someCode(), .kind = kind};
-    viewer = std::make_unique<Viewer>(smallTorso(), ViewState{}, std::move(settings));
+    ViewState state;
+    state.look.shading = view::Shading::gouraud;  // quick to draw
+    viewer = std::make_unique<Viewer>(smallTorso(), state, std::move(settings));
     frames(3);
   }
 
@@ -723,6 +725,7 @@ TEST_F(TrainingWindow, ClosingItInABlockAsksFirst) {
 TEST_F(TrainingWindow, NeedsABodyThatHasThePlacesOfItsProtocol) {
   training::Protocol protocol = training::builtInProtocol();
   protocol.sites = {"no such place", "T6"};
+  ASSERT_NE(smallTorso(), nullptr);
   EXPECT_THROW(TrainingSeat(records, SittingKind::practice, protocol), Error);
 }
 

@@ -79,7 +79,9 @@ void TrainingDesk::begin(Session& session, const scene::World& world) {
   ViewState& state = session.state;
   state.shown = {.panel = true, .panel_right = true, .plots = false, .numbers = false, .reach = false};
   state.hints = false;
+  const view::Shading shading = state.look.shading;
   state.look = {};
+  state.look.shading = shading;
   state.touch = {.by = device::PressBy::force, .force_n = kMousePressN};
   session.mark_vertex = false;
 }
