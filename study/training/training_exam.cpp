@@ -1,5 +1,5 @@
 // Examinations of simulated trainees, and tests of those who leave places out.
-#include <cmath>
+#include <algorithm>
 
 #include "palpate/base/random.h"
 #include "palpate/training/block.h"
@@ -65,7 +65,7 @@ ExamRun examRun(const training::StopRule& stop, double truth, std::uint64_t seed
 
 void measureLeftOut(TrainingMeasurement& found, const Progress& progress) {
   constexpr double kTruth = 0.28;
-  const std::size_t runs = found.plan.all ? found.plan.runs : 200;
+  const std::size_t runs = found.plan.all ? found.plan.runs : std::min<std::size_t>(found.plan.runs, 200);
   for (const int searched : {12, 8, 6}) {
     report(progress, "places left out", (12 - searched) / 7.0);
     std::vector<LeftOutRun> each(runs);
@@ -87,7 +87,7 @@ void measureLeftOut(TrainingMeasurement& found, const Progress& progress) {
 void measureExam(TrainingMeasurement& found, const Progress& progress) {
   const std::vector<double> truths =
       found.plan.all ? std::vector{0.14, 0.17, 0.20, 0.235, 0.28} : std::vector{0.14, 0.28};
-  const std::size_t runs = found.plan.all ? found.plan.runs : 200;
+  const std::size_t runs = found.plan.all ? found.plan.runs : std::min<std::size_t>(found.plan.runs, 200);
   const training::StopRule fixed{.least = 40, .most = 40, .mark = kPassMark, .sure = 0.5};
   const training::StopRule sequential{.least = 10, .most = 60, .mark = kPassMark};
   for (std::size_t t = 0; t < truths.size(); ++t) {
@@ -100,15 +100,17 @@ void measureExam(TrainingMeasurement& found, const Progress& progress) {
       at_once[i] = examRun(fixed, truths[t], seed);
       in_turn[i] = examRun(sequential, truths[t], seed + 1);
     });
-    ExamRow row{.truth = truths[t]};
-    const double one = 1.0 / static_cast<double>(runs);
-    for (std::size_t i = 0; i < runs; ++i) {
-      if (at_once[i].verdict == Verdict::pass) row.fixed_pass += one;
-      if (in_turn[i].verdict == Verdict::pass) row.pass += one;
-      if (in_turn[i].verdict == Verdict::not_yet) row.not_yet += one;
-      if (in_turn[i].verdict == Verdict::repeat) row.repeat += one;
-      row.mean_trials += one * in_turn[i].trials;
-    }
+    const auto share = [&](const std::vector<ExamRun>& exams, Verdict verdict) {
+      const auto such =
+          std::count_if(exams.begin(), exams.end(), [&](const ExamRun& run) { return run.verdict == verdict; });
+      return shareOf(static_cast<std::size_t>(such), exams.size());
+    };
+    ExamRow row{.truth = truths[t],
+                .fixed_pass = share(at_once, Verdict::pass),
+                .pass = share(in_turn, Verdict::pass),
+                .not_yet = share(in_turn, Verdict::not_yet),
+                .repeat = share(in_turn, Verdict::repeat)};
+    for (const ExamRun& run : in_turn) row.mean_trials += run.trials / static_cast<double>(runs);
     found.exam.push_back(row);
   }
 }

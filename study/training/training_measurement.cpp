@@ -197,13 +197,15 @@ RecoveryCell cellOf(double truth, const std::vector<ThresholdSummary>& reported,
   const auto runs = static_cast<double>(reported.size());
   double mean_ln = 0.0;
   double squares = 0.0;
+  std::size_t held = 0;
   for (const ThresholdSummary& one : reported) {
     const double ln = std::log(one.median / truth);
     cell.bias_points += 100.0 * (one.median - truth) / runs;
     mean_ln += ln / runs;
     squares += ln * ln / runs;
-    if (one.low <= truth && truth <= one.high) cell.coverage += 1.0 / runs;
+    if (one.low <= truth && truth <= one.high) ++held;
   }
+  cell.coverage = shareOf(held, reported.size());
   cell.sd_ln = std::sqrt(std::max(0.0, squares - mean_ln * mean_ln));
   for (const double one : trials) cell.mean_trials += one / runs;
   cell.trials_90 = cell.mean_trials;
