@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Computes every number of a training report again from the exported tables, and says where they differ.
 
-  palpate results export FILE.results --format csv --out TABLES
+  palpate results export FILE.results --csv TABLES
   palpate report FILE.results --out page.html            (or: palpate report FILE.results --json > report.json)
   tools/check_report.py page.html TABLES
 
