@@ -219,10 +219,10 @@ ObserverSettings oneOfClass(const ObserverSettings& mean, double spread, std::ui
   const double before = random.normal();
   const double after = kCorrelation * before + std::sqrt(1.0 - kCorrelation * kCorrelation) * random.normal();
   // So that the mean over the class stays what it is said to be.
-  const auto spreadOut = [&](double value, double z) { return value * std::exp(spread * z - 0.5 * spread * spread); };
+  const auto spread_out = [&](double value, double z) { return value * std::exp(spread * z - 0.5 * spread * spread); };
   ObserverSettings one = mean;
-  one.weber = spreadOut(mean.weber, before);
-  one.weber_end = spreadOut(mean.weber_end, after);
+  one.weber = spread_out(mean.weber, before);
+  one.weber_end = spread_out(mean.weber_end, after);
   one.seed = mixed(mean.seed, std::to_string(number));
   return one;
 }
