@@ -20,6 +20,8 @@ using training::TrialRow;
 using training::Uuid;
 
 constexpr std::string_view kDeletedAction = "deleted";
+/// Numbers of notes that another program may have drawn and not committed yet when later ones were read.
+constexpr std::int64_t kNotesUnderWay = 1000;
 
 /// Rows after those that they refer to, however they arrived; deletions first, so that they hold for what follows.
 std::vector<std::size_t> orderOfKeeping(std::span<const AnyRow> rows) {
@@ -40,8 +42,26 @@ void ClassStore::reconnect() {
   training::bringForward(sql_, "the class's database");
 }
 
-bool ClassStore::belongsToDeleted(const AnyRow& row) {
-  const auto gone = [this](const Uuid& id) { return tables_.noted(kDeletedAction, training::deletedMark(id)); };
+void ClassStore::learnDeletions() {
+  for (const auto& row : sql_.ask("SELECT number, subject, at_ms FROM audit WHERE number > $1 AND action = $2",
+                                  {last_note_ - kNotesUnderWay, std::string(kDeletedAction)})) {
+    last_note_ = std::max(last_note_, std::get<std::int64_t>(row[0]));
+    std::int64_t& at = deleted_[std::get<std::string>(row[1])];
+    at = std::max(at, std::get<std::int64_t>(row[2]));
+  }
+}
+
+void ClassStore::forgetDeletions() {
+  deleted_.clear();
+  last_note_ = 0;
+}
+
+bool ClassStore::belongsToDeleted(const AnyRow& row) const {
+  if (deleted_.empty()) return false;
+  const auto gone = [this](const Uuid& id) {
+    const auto found = deleted_.find(training::deletedMark(id));
+    return found == deleted_.end() ? std::nullopt : std::optional(found->second);
+  };
   if (const auto* trainee = std::get_if<TraineeRow>(&row)) {
     const auto at = gone(trainee->id);
     return at && trainee->created_ms <= *at;  // later: the same code has signed in anew
@@ -68,8 +88,9 @@ void ClassStore::keepOne(const AnyRow& row) {
   // What belongs to it will come as well, and is to be known by it.
   const bool has_parts = std::holds_alternative<SittingRow>(row) || std::holds_alternative<BlockRow>(row);
   const std::string mark = training::deletedMark(training::idOf(row));
-  if (has_parts && !tables_.noted(kDeletedAction, mark)) {
+  if (has_parts && !deleted_.contains(mark)) {
     tables_.note(training::utcMs(), "collector", kDeletedAction, mark);
+    learnDeletions();
   }
 }
 
@@ -83,6 +104,7 @@ void ClassStore::obey(const DeletionRow& deletion) {
   if (!tables_.noted(kDeletedAction, deletion.trainee_sha256)) {
     tables_.note(deletion.at_ms, "station", kDeletedAction, deletion.trainee_sha256);
   }
+  learnDeletions();
 }
 
 void ClassStore::eraseRows(const Uuid& trainee, std::int64_t at_ms, std::string_view actor) {
@@ -117,6 +139,8 @@ std::vector<std::size_t> ClassStore::refusedOneByOne(std::span<const AnyRow> row
       throw;
     } catch (const Error& error) {
       sql_.run("ROLLBACK TO SAVEPOINT one");
+      forgetDeletions();
+      learnDeletions();
       kept.refused.push_back({training::outboxKey(rows[i]), error.what()});
       refused.push_back(i);
     }
@@ -130,12 +154,16 @@ ClassStore::Kept ClassStore::keep(std::span<const AnyRow> rows) {
   std::vector<std::size_t> refused;
   try {
     training::SqlTransaction transaction(sql_);
+    learnDeletions();
     for (const std::size_t i : order) keepOne(rows[i]);
     transaction.commit();
   } catch (const DatabaseAway&) {
+    forgetDeletions();  // what was learned may have been undone
     throw;
   } catch (const Error&) {  // one of them spoils the batch: which one is found row by row
+    forgetDeletions();
     training::SqlTransaction transaction(sql_);
+    learnDeletions();
     refused = refusedOneByOne(rows, order, kept);
     transaction.commit();
   }

@@ -9,6 +9,7 @@
 // The server may die at any moment: every call then throws DatabaseAway, and the caller connects again when it likes.
 #pragma once
 
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -50,7 +51,10 @@ class ClassStore {
 
  private:
   void keepOne(const training::AnyRow& row);
-  bool belongsToDeleted(const training::AnyRow& row);
+  bool belongsToDeleted(const training::AnyRow& row) const;
+  /// What anybody has deleted since the last time: asked once for a batch instead of for each row.
+  void learnDeletions();
+  void forgetDeletions();
   void obey(const training::DeletionRow& deletion);
   void eraseRows(const training::Uuid& trainee, std::int64_t at_ms, std::string_view actor);
   void sweep();
@@ -59,7 +63,9 @@ class ClassStore {
 
   PostgresSql sql_;
   training::RowTables tables_;
-  bool sweeps_ = false;  // rows were deleted that still lie in the server's files
+  std::map<std::string, std::int64_t> deleted_;  // marks, and when
+  std::int64_t last_note_ = 0;                   // of the audit, that was read
+  bool sweeps_ = false;                          // rows were deleted that still lie in the server's files
 };
 
 }  // namespace palpate::classroom

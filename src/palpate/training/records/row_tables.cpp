@@ -108,7 +108,7 @@ constexpr std::string_view kKeyOf<ProtocolRow> = "id, version";
 
 /// What must hold for a row that came over a network to replace the one that is there.
 template <class R>
-constexpr std::string_view kNewerThanKept = "";
+constexpr std::string_view kNewerThanKept;
 template <>
 constexpr std::string_view kNewerThanKept<StationRow> = "excluded.calibrated_ms >= station.calibrated_ms";
 template <>
@@ -143,9 +143,9 @@ std::string insertStatement(RowTables::Update update) {
 /// Made once.
 template <class R>
 const std::string& insertOf(RowTables::Update update) {
-  static const std::string kAlways = insertStatement<R>(RowTables::Update::always);
-  static const std::string kNewer = insertStatement<R>(RowTables::Update::when_newer);
-  return update == RowTables::Update::always ? kAlways : kNewer;
+  static const std::string always = insertStatement<R>(RowTables::Update::always);
+  static const std::string newer = insertStatement<R>(RowTables::Update::when_newer);
+  return update == RowTables::Update::always ? always : newer;
 }
 
 template <class R>
@@ -187,11 +187,11 @@ void keepRow(Sql& sql, const R& row, RowTables::Update update) {
     if constexpr (std::same_as<R, TraineeRow>) {
       // Somebody who was never told what the class is called still has its id.
       if (!row.class_id.empty()) {
-        static const std::string kFirst =
+        static const std::string insert =
             "INSERT INTO class (id, label, retain_days, retain_samples_days) VALUES ($1, $2, $3, $4) "
             "ON CONFLICT (id) DO NOTHING";
         const ClassRow standard;
-        sql.change(kFirst, {row.class_id, row.class_id, std::int64_t{standard.retain_days},
+        sql.change(insert, {row.class_id, row.class_id, std::int64_t{standard.retain_days},
                             std::int64_t{standard.retain_samples_days}});
       }
     }

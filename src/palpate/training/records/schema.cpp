@@ -226,8 +226,8 @@ std::string noteVersion(int number, std::int64_t at_ms) {
 }  // namespace
 
 const std::vector<TableInfo>& tables() {
-  static const std::vector<TableInfo> kTables = allTables();
-  return kTables;
+  static const std::vector<TableInfo> all = allTables();
+  return all;
 }
 
 std::string ddl(Dialect dialect, int version) {
@@ -264,19 +264,19 @@ int schemaVersionOf(Sql& sql) {
 }
 
 void bringForward(Sql& sql, std::string_view what) {
-  const auto refuseNewer = [what](int version) {
+  const auto refuse_newer = [what](int version) {
     if (version <= kSchemaVersion) return;
     throw Error::inFile(
         what, fmt::format("was written by a newer palpate (schema {}; this one knows {})", version, kSchemaVersion));
   };
   const int before = schemaVersionOf(sql);
-  refuseNewer(before);
+  refuse_newer(before);
   if (before == kSchemaVersion) return;
   SqlTransaction transaction(sql);
   // Another program may have done it meanwhile, or is at it.
   if (sql.dialect() == Dialect::postgresql) sql.ask("SELECT pg_advisory_xact_lock(1348561746)");  // "PalR"
   const int version = schemaVersionOf(sql);
-  refuseNewer(version);
+  refuse_newer(version);
   const std::int64_t now = utcMs();
   if (version == 0) sql.run(ddl(sql.dialect()) + noteVersion(kSchemaVersion, now));
   for (int to = version + 1; version > 0 && to <= kSchemaVersion; ++to) {
