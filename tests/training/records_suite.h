@@ -128,12 +128,12 @@ struct Case {
   void (*run)(RowTables&);
 };
 inline const std::vector<Case>& cases() {
-  static const std::vector<Case> kCases = {{"RowsComeBack", rowsComeBack},
-                                           {"RowsAreBroughtUpToDate", rowsAreBroughtUpToDate},
-                                           {"FindsWhatWasInterruptedAndMeasured", findsWhatWasInterruptedAndMeasured},
-                                           {"RefusesWhatDoesNotFit", refusesWhatDoesNotFit},
-                                           {"ErasesOneAndLeavesTheOthers", erasesOneAndLeavesTheOthers}};
-  return kCases;
+  static const std::vector<Case> all = {{"RowsComeBack", rowsComeBack},
+                                        {"RowsAreBroughtUpToDate", rowsAreBroughtUpToDate},
+                                        {"FindsWhatWasInterruptedAndMeasured", findsWhatWasInterruptedAndMeasured},
+                                        {"RefusesWhatDoesNotFit", refusesWhatDoesNotFit},
+                                        {"ErasesOneAndLeavesTheOthers", erasesOneAndLeavesTheOthers}};
+  return all;
 }
 
 }  // namespace palpate::training::suite
