@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -39,13 +40,27 @@ struct ClassLoadArguments {
   int servo_pairs = 3;
 };
 
+/// Of the whole class. A database that was just killed is waited for, a minute long.
+std::multiset<training::Uuid> trialsWhenItAnswers(const std::string& database) {
+  constexpr int kAttempts = 120;
+  for (int attempt = 1;; ++attempt) {
+    try {
+      classroom::ClassStore store(database);
+      std::multiset<training::Uuid> there;
+      for (const training::AnyRow& row : store.rows().all()) {
+        if (const auto* trial = std::get_if<training::TrialRow>(&row)) there.insert(trial->id);
+      }
+      return there;
+    } catch (const classroom::DatabaseAway&) {
+      if (attempt == kAttempts) throw;
+      std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    }
+  }
+}
+
 /// Against what stations have kept: how many are not there, and how many are there more than once.
 nlohmann::ordered_json comparedWith(const std::string& database, const std::set<training::Uuid>& trials) {
-  classroom::ClassStore store(database);
-  std::multiset<training::Uuid> there;
-  for (const training::AnyRow& row : store.rows().all()) {
-    if (const auto* trial = std::get_if<training::TrialRow>(&row)) there.insert(trial->id);
-  }
+  const std::multiset<training::Uuid> there = trialsWhenItAnswers(database);
   std::size_t lost = 0;
   std::size_t duplicates = 0;
   for (const training::Uuid& id : trials) {
