@@ -81,7 +81,7 @@ Shape errorBars(const figures::Colour& colour) {
 }
 
 Shape curveBand(const std::string& name, const std::vector<double>& x, const std::vector<double>& low,
-             const std::vector<double>& high, const figures::Colour& colour) {
+                const std::vector<double>& high, const figures::Colour& colour) {
   Shape band{.name = name, .stroke = Stroke::none, .colour = colour, .fill = colour};
   std::vector<Vec2> outline;
   for (std::size_t i = 0; i < x.size(); ++i) outline.emplace_back(x[i], low[i]);
@@ -318,7 +318,8 @@ TrainingPicture classCurvePicture(const training::TrainingStatistics& statistics
     shown.add(occasion.group.high);
   }
   if (x.size() > 1) {
-    plot.shapes.push_back(curveBand("middle half of the class", x, low, high, figures::withAlpha(kQuartileColour, 0.5)));
+    plot.shapes.push_back(
+        curveBand("middle half of the class", x, low, high, figures::withAlpha(kQuartileColour, 0.5)));
   }
   if (!bars.paths.empty()) plot.shapes.push_back(std::move(bars));
   plot.series.push_back(std::move(everybody));

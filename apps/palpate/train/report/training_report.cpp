@@ -278,7 +278,9 @@ std::string occasionWords(SittingKind kind, int nth) {
 
 std::string shortPseudonym(const training::Uuid& id) { return id.substr(0, kPseudonymLetters); }
 
-std::string changeWords(double change) { return fmt::format("{:.{}f} %", 100.0 * change, change < 0.0995 ? 1 : 0); }
+std::string changeWords(double change) {
+  return fmt::format("{:.{}f}{}%", 100.0 * change, change < 0.0995 ? 1 : 0, kNoBreak);
+}
 
 std::string thresholdWords(double median, double low, double high) {
   const std::string from = changeWords(low);

@@ -87,7 +87,8 @@ TrainingPicture answersPicture(const TrialStatistics& trials, const std::string&
     const int all = answers.of(truth);
     for (int column = 1; column <= columns; ++column) {
       const int count = answers.at(truth, column == columns ? 0 : column);
-      const double share = all > 0 ? static_cast<double>(count) / all : std::numeric_limits<double>::quiet_NaN();
+      // What never happened stays white: errors then stand out.
+      const double share = count > 0 ? static_cast<double>(count) / all : std::numeric_limits<double>::quiet_NaN();
       field.values.push_back(100.0 * share);
       if (count == 0) continue;
       const figures::Colour ink = share < 0.55 ? figures::kPaper : figures::kInk;
