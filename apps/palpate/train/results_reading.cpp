@@ -62,7 +62,7 @@ struct TraineeSummary {
   std::optional<BlockRow> first = {}, last = {};  ///< of those that measured
 };
 
-TraineeSummary summaryOf(Store& store, const TraineeRow& row) {
+TraineeSummary traineeSummary(Store& store, const TraineeRow& row) {
   TraineeSummary summary{.row = row};
   for (const SittingRow& sitting : store.sittings(row.id)) {
     ++summary.sittings;
@@ -77,7 +77,7 @@ TraineeSummary summaryOf(Store& store, const TraineeRow& row) {
   return summary;
 }
 
-ResultsJson summaryJson(const TraineeSummary& summary) {
+ResultsJson traineeSummaryJson(const TraineeSummary& summary) {
   const auto measured = [](const std::optional<BlockRow>& block) {
     return block ? blockJson(*block) : ResultsJson(nullptr);
   };
@@ -90,10 +90,10 @@ std::string measuredWords(const std::optional<BlockRow>& block) { return block ?
 
 void runResultsTrainee(const ReadingArguments& arguments) {
   Store store = openedResults(arguments.results);
-  const TraineeSummary summary = summaryOf(store, traineeCalled(store, arguments.trainee));
+  const TraineeSummary summary = traineeSummary(store, traineeCalled(store, arguments.trainee));
   const std::vector<SittingRow> sittings = store.sittings(summary.row.id);
   if (arguments.results.json) {
-    ResultsJson json = summaryJson(summary);
+    ResultsJson json = traineeSummaryJson(summary);
     json["list"] = ResultsJson::array();
     for (const SittingRow& sitting : sittings) json["list"].push_back(sittingJson(store, sitting));
     return printResults(json);
@@ -111,8 +111,8 @@ void runResultsClass(const ReadingArguments& arguments) {
   ResultsJson json = ResultsJson::array();
   std::string text;
   for (const TraineeRow& row : store.trainees()) {
-    const TraineeSummary summary = summaryOf(store, row);
-    json.push_back(summaryJson(summary));
+    const TraineeSummary summary = traineeSummary(store, row);
+    json.push_back(traineeSummaryJson(summary));
     text +=
         fmt::format("{}  {:10}  {:3} sittings  {:4} trials  first {:22}  last {}\n", row.id.substr(0, 8), row.class_id,
                     summary.sittings, summary.trials, measuredWords(summary.first), measuredWords(summary.last));
