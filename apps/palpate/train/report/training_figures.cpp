@@ -371,12 +371,12 @@ TrainingPicture collapsedPicture(const std::vector<AnswerBox>& boxes) {
   }
   plot.series.push_back(std::move(expected));
   addBoxes(boxes, 1.0, "answers of tests, 95 % intervals", figures::kInk, Marker::circle, plot);
-  return {
-      "fit",
-      "All answers of tests, the change counted in units of each block's own threshold: where dots lie on the line, "
-      "one form of function fits everybody.",
-      "Right answers of tests by change over own threshold: " + boxesWords(boxes, 1.0, "") + ".",
-      wideFigure(std::move(plot), 360.0)};
+  return {"fit",
+          "All answers of tests, the change counted in units of each block's own threshold, and what the fitted "
+          "functions expect. Below the threshold dots lie somewhat under the line also where the model holds exactly: "
+          "answers chose both the changes and the threshold. It is a picture of the answers, no test of the model.",
+          "Right answers of tests by change over own threshold: " + boxesWords(boxes, 1.0, "") + ".",
+          wideFigure(std::move(plot), 360.0)};
 }
 
 // ---- accuracy, force, time

@@ -270,7 +270,8 @@ std::vector<AnswerBox> answerBoxes(std::span<const PlacedAnswer> answers, const 
 
 int SiteAnswers::at(int site_true, int answer) const {
   const int column = answer == 0 ? sites : answer - 1;
-  return counts[static_cast<std::size_t>((site_true - 1) * (sites + 1) + column)];
+  return counts[static_cast<std::size_t>(site_true - 1) * static_cast<std::size_t>(sites + 1) +
+                static_cast<std::size_t>(column)];
 }
 
 int SiteAnswers::of(int site_true) const {
