@@ -83,12 +83,12 @@ MethodRow methodRow(const TrainingMeasurement& found, AskedBy method, std::size_
 }
 
 /// One way to read a run without a posterior: 0 where it says nothing.
-struct Reading {
+struct ToldReading {
   double value = 0.0;
   double sd_of_mean = 0.0;
 };
 
-Reading reversalMean(const std::vector<double>& reversals) {
+ToldReading reversalMean(const std::vector<double>& reversals) {
   if (reversals.size() < kToldReversals) return {};
   double sum = 0.0;
   double squares = 0.0;
@@ -117,7 +117,7 @@ ReadingRow readingRow(const TrainingMeasurement& found, const std::string& name,
     const Psychometric trainee = usualTrainee(found.truths[t]);
     const double aim = changeRight(trainee, std::sqrt(0.5));
     const std::uint64_t cell = cellNumber(TrainingPart::recovery, 500 + 10 * static_cast<std::size_t>(method) + t);
-    std::vector<Reading> each(runs);
+    std::vector<ToldReading> each(runs);
     inTwoThreads(runs, [&](std::size_t i) {
       each[i] = read(askedTest(method, trainee, kTestTrials, runSeed(found.plan.seed, cell, i)));
     });
@@ -125,7 +125,7 @@ ReadingRow readingRow(const TrainingMeasurement& found, const std::string& name,
     double sum_ln = 0.0;
     double squares = 0.0;
     double n = 0.0;
-    for (const Reading& reading : each) {
+    for (const ToldReading& reading : each) {
       if (!(reading.value > 0.0)) continue;
       const double ln = std::log(reading.value / trainee.threshold);
       sum += reading.value / trainee.threshold;
@@ -232,9 +232,9 @@ void measureRecovery(TrainingMeasurement& found, const Progress& progress) {
                                       [](const AskedTest& test) { return reversalMean(test.reversals); }));
   found.readings.push_back(readingRow(found, "mastery 3 of 4, until the first level that fails", mastery,
                                       plan.beside_runs,
-                                      [](const AskedTest& test) { return Reading{test.first_failed}; }));
+                                      [](const AskedTest& test) { return ToldReading{test.first_failed}; }));
   found.readings.push_back(readingRow(found, "mastery 3 of 4, up and down, smallest mastered", mastery,
-                                      plan.beside_runs, [](const AskedTest& test) { return Reading{test.level}; }));
+                                      plan.beside_runs, [](const AskedTest& test) { return ToldReading{test.level}; }));
   for (std::size_t i = 1; i < found.readings.size(); ++i) found.readings[i].coverage = 0.0;  // levels have no interval
 }
 

@@ -15,11 +15,11 @@ namespace {
 constexpr double kBeforePoints = 28.0;
 constexpr double kAfterPoints = 14.0;
 
-TrainingBar below(std::string what, double bar, double reached, const std::string& unit = "") {
+TrainingBar notOver(std::string what, double bar, double reached, const std::string& unit = "") {
   return {std::move(what), fmt::format("<= {}{}", bar, unit), fmt::format("{:.3g}{}", reached, unit), reached <= bar};
 }
 
-TrainingBar atLeast(std::string what, double bar, double reached) {
+TrainingBar noLess(std::string what, double bar, double reached) {
   return {std::move(what), fmt::format(">= {}", bar), fmt::format("{:.3g}", reached), reached >= bar};
 }
 
@@ -27,13 +27,13 @@ void addRecovery(std::vector<TrainingBar>& bars, const TrainingMeasurement& foun
   const MethodRow& row = rowOf(found, method);
   const CellExtremes of = extremesOf(row.cells);
   const std::string name = nameOf(method);
-  bars.push_back(below(name + ", 40 trials, T of 7, 14, 28 %: bias", 1.0, of.bias_points, " points"));
-  bars.push_back(below(name + ": SD of ln T", 0.16, of.sd_ln));
+  bars.push_back(notOver(name + ", 40 trials, T of 7, 14, 28 %: bias", 1.0, of.bias_points, " points"));
+  bars.push_back(notOver(name + ": SD of ln T", 0.16, of.sd_ln));
   bars.push_back({name + ": coverage", "0.93 to 0.99",
                   fmt::format("{:.3f} to {:.3f}", of.coverage_least, of.coverage_most),
                   of.coverage_least >= 0.93 && of.coverage_most <= 0.99});
   if (row.cells.size() > 3) {
-    bars.push_back(below(name + ", T of 40 %: bias", 1.5, std::abs(row.cells[3].bias_points), " points"));
+    bars.push_back(notOver(name + ", T of 40 %: bias", 1.5, std::abs(row.cells[3].bias_points), " points"));
   }
 }
 
@@ -42,53 +42,53 @@ void addOutside(std::vector<TrainingBar>& bars, const TrainingMeasurement& found
   for (std::size_t i = 0; i < 4; ++i) {
     const CellExtremes of = extremesOf(found.robust[i].cells);
     const bool lapses = i < 2;
-    bars.push_back(below(found.robust[i].name + ": bias", lapses ? 1.8 : 2.2, of.bias_points, " points"));
-    bars.push_back(atLeast(found.robust[i].name + ": coverage", lapses ? 0.93 : 0.86, of.coverage_least));
+    bars.push_back(notOver(found.robust[i].name + ": bias", lapses ? 1.8 : 2.2, of.bias_points, " points"));
+    bars.push_back(noLess(found.robust[i].name + ": coverage", lapses ? 0.93 : 0.86, of.coverage_least));
   }
   for (const NamedCells& rule : found.stop_rules) {
     if (rule.name != "0.35") continue;
     const CellExtremes of = extremesOf(rule.cells);
-    bars.push_back(below("stop rule of half width 0.35: mean trials", 40.0, of.mean_trials));
-    bars.push_back(atLeast("stop rule of half width 0.35: coverage", 0.94, of.coverage_least));
+    bars.push_back(notOver("stop rule of half width 0.35: mean trials", 40.0, of.mean_trials));
+    bars.push_back(noLess("stop rule of half width 0.35: coverage", 0.94, of.coverage_least));
   }
 }
 
 void addTwoIntervals(std::vector<TrainingBar>& bars, const TrainingMeasurement& found) {
   if (found.two_intervals.cells.empty()) return;
   const CellExtremes of = extremesOf(found.two_intervals.cells);
-  bars.push_back(below("two intervals, 200 trials: bias", 1.5, of.bias_points, " points"));
-  bars.push_back(below("two intervals, 200 trials: SD of ln T", 0.17, of.sd_ln));
+  bars.push_back(notOver("two intervals, 200 trials: bias", 1.5, of.bias_points, " points"));
+  bars.push_back(notOver("two intervals, 200 trials: SD of ln T", 0.17, of.sd_ln));
 }
 
 void addExploration(std::vector<TrainingBar>& bars, const TrainingMeasurement& found) {
   for (const ExplorationRow& row : found.exploration) {
     if (row.searched != 8) continue;
-    bars.push_back(below("8 of 12 places searched, corrected: error of T", 10.0, correctedPercent(row), " %"));
-    bars.push_back(atLeast("the same taken as it is (%), so that the correction is needed", 40.0, naivePercent(row)));
+    bars.push_back(notOver("8 of 12 places searched, corrected: error of T", 10.0, correctedPercent(row), " %"));
+    bars.push_back(noLess("the same taken as it is (%), so that the correction is needed", 40.0, naivePercent(row)));
   }
 }
 
 void addExam(std::vector<TrainingBar>& bars, const TrainingMeasurement& found) {
   const ExamRow& able = found.exam.front();
   const ExamRow& not_yet = found.exam.back();
-  bars.push_back(atLeast("examination of 40 trials, T of 14 %: pass", 0.98, able.fixed_pass));
-  bars.push_back(below("examination of 40 trials, T of 28 %: pass", 0.04, not_yet.fixed_pass));
-  bars.push_back(below("sequential examination: wrong verdicts", 0.02, std::max(able.not_yet, not_yet.pass)));
+  bars.push_back(noLess("examination of 40 trials, T of 14 %: pass", 0.98, able.fixed_pass));
+  bars.push_back(notOver("examination of 40 trials, T of 28 %: pass", 0.04, not_yet.fixed_pass));
+  bars.push_back(notOver("sequential examination: wrong verdicts", 0.02, std::max(able.not_yet, not_yet.pass)));
   bars.push_back(
-      below("sequential examination, T of 14 and 28 %: repeat", 0.10, std::max(able.repeat, not_yet.repeat)));
-  bars.push_back(below("sequential examination: mean trials", 28.0, std::max(able.mean_trials, not_yet.mean_trials)));
+      notOver("sequential examination, T of 14 and 28 %: repeat", 0.10, std::max(able.repeat, not_yet.repeat)));
+  bars.push_back(notOver("sequential examination: mean trials", 28.0, std::max(able.mean_trials, not_yet.mean_trials)));
 }
 
 void addExample(std::vector<TrainingBar>& bars, const TrainingMeasurement& found) {
   const WorkedExample& example = found.example;
-  bars.push_back(below("89 trainees, 28 %: mean is off by", 2.5, std::abs(100.0 * example.mean_before - kBeforePoints),
-                       " points"));
-  bars.push_back(
-      below("89 trainees, 14 %: mean is off by", 1.2, std::abs(100.0 * example.mean_after - kAfterPoints), " points"));
-  bars.push_back(below("89 trainees, before: SD of reported T", 11.0, 100.0 * example.sd_before, " points"));
-  bars.push_back(below("89 trainees, after: SD of reported T", 5.5, 100.0 * example.sd_after, " points"));
+  bars.push_back(notOver("89 trainees, 28 %: mean is off by", 2.5,
+                         std::abs(100.0 * example.mean_before - kBeforePoints), " points"));
+  bars.push_back(notOver("89 trainees, 14 %: mean is off by", 1.2, std::abs(100.0 * example.mean_after - kAfterPoints),
+                         " points"));
+  bars.push_back(notOver("89 trainees, before: SD of reported T", 11.0, 100.0 * example.sd_before, " points"));
+  bars.push_back(notOver("89 trainees, after: SD of reported T", 5.5, 100.0 * example.sd_after, " points"));
   for (const PowerRow& row : found.power) {
-    if (row.people == 10) bars.push_back(atLeast("ten trainees, 28 to 14 %: power", 0.95, row.power));
+    if (row.people == 10) bars.push_back(noLess("ten trainees, 28 to 14 %: power", 0.95, row.power));
   }
 }
 
@@ -127,7 +127,7 @@ std::vector<TrainingBar> trainingBars(const TrainingMeasurement& found) {
   addExploration(bars, found);
   addExam(bars, found);
   addExample(bars, found);
-  bars.push_back(below("next level, 99 %, processor time", 1000.0, found.next_level_us_p99, " us"));
+  bars.push_back(notOver("next level, 99 %, processor time", 1000.0, found.next_level_us_p99, " us"));
   return bars;
 }
 

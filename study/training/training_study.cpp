@@ -88,7 +88,7 @@ TextTable outsideTable(const TrainingMeasurement& found) {
   return table;
 }
 
-TextTable leftOutTable(const TrainingMeasurement& found) {
+TextTable placesLeftOutTable(const TrainingMeasurement& found) {
   TextTable table{{"places searched, of 12", "usable trials of 40", "T told, corrected", "coverage", "T told as it is"},
                   {}};
   for (const ExplorationRow& row : found.exploration) {
@@ -194,7 +194,7 @@ Plot convergencePlot(const TrainingMeasurement& found) {
   return plot;
 }
 
-Plot leftOutPlot(const TrainingMeasurement& found) {
+Plot placesLeftOutPlot(const TrainingMeasurement& found) {
   Plot plot{.title = "Places left out, T of 28 %"};
   plot.x = {.label = "places searched, of 12", .from = 5.0, .to = 13.0, .ticks = ticksAt({6.0, 8.0, 12.0})};
   plot.y = {.label = "threshold that is told", .unit = "%", .from = 0.0, .to = 90.0};
@@ -312,7 +312,7 @@ std::vector<StudyFigure> trainingFigures(const TrainingMeasurement& found) {
        "Bias of reported thresholds, how often their intervals hold the truth, and how the error falls with trials.",
        Figure{.panels = {biasPlot(found), coveragePlot(found), convergencePlot(found)}, .columns = 3}},
       {"training_exams", "What places that are never pressed do to a threshold; who passes an examination.",
-       Figure{.panels = {leftOutPlot(found), examPlot(found)}, .columns = 2}},
+       Figure{.panels = {placesLeftOutPlot(found), examPlot(found)}, .columns = 2}},
       {"training_learning", "A simulated trainee who learns, and the published group again.",
        Figure{.panels = {learnerPlot(found.learner), groupPlot(found.example)}, .columns = 2}}};
 }
@@ -327,7 +327,7 @@ StudyPage studyTraining(const StudySettings& settings) {
       {"training_bars", "What is asked for and what is reached.", trainingBarTable(found)},
       {"training_methods", "Thresholds after 40 trials, by method.", methodTable(found)},
       {"training_readings", "What the same trials say without a fit.", readingTable(found)},
-      {"training_exploration", "Trainees who leave places out, T of 28 %.", leftOutTable(found)},
+      {"training_exploration", "Trainees who leave places out, T of 28 %.", placesLeftOutTable(found)},
       {"training_exam", "Examination at a mark of 20 %.", examTable(found)},
       {"training_people", "Groups, sessions, one person twice.", peopleTable(found)}};
   if (!found.robust.empty()) {

@@ -26,7 +26,7 @@ Random streamOf(std::uint64_t seed, DrawnFor what) {
 
 bool walks(Method method) { return method == Method::two_down_one_up || method == Method::mastery; }
 
-std::vector<double> levelsOf(const BlockSettings& settings) {
+std::vector<double> levelsAskedFor(const BlockSettings& settings) {
   if (!settings.levels.empty()) return settings.levels;
   if (settings.method == Method::marginal_psi || settings.method == Method::two_down_one_up) {
     return adaptiveLevels(settings.meaning);
@@ -126,7 +126,7 @@ class EasyTrials {
 struct Block::Course {
   Course(const BlockSettings& wanted, std::uint64_t from_seed)
       : settings(wanted),
-        levels(levelsOf(wanted)),
+        levels(levelsAskedFor(wanted)),
         posterior(wanted.choices, wanted.prior),
         sites(static_cast<std::size_t>(wanted.choices), streamOf(from_seed, DrawnFor::sites)),
         independent_site(streamOf(from_seed, DrawnFor::sites)),
