@@ -31,7 +31,7 @@ inline trace::Sample pressAt(const Vec3& place, double force_n, std::uint32_t fi
   contact::FingerOutput& contact = sample.contact;
   contact.tip = contact.proxy = contact.anchor = place;
   contact.normal = Vec3::UnitZ();
-  contact.force = force_n * Vec3::UnitZ();
+  contact.force = sample.device_force = force_n * Vec3::UnitZ();
   contact.depth_mm = 2.0 * force_n;
   contact.touch = force_n > 0.0 ? contact::Touch::stick : contact::Touch::free;
   return sample;

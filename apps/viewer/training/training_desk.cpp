@@ -427,6 +427,10 @@ bool TrainingDesk::mayQuit() {
 training::SittingPlan TrainingDesk::planOf(training::SittingKind kind, const Session& session) {
   training::SittingPlan plan;
   plan.protocol = settings_.protocol;
+  if (session.held) {
+    plan.protocol.base_n_per_mm =
+        training::renderableBase(plan.protocol, base_, device::profileOf(base_.safety.device, *session.held));
+  }
   plan.kind = kind;
   plan.sites = sites_;
   plan.seed = settings_.seed.value_or(training::systemRandom()[0] >> 1);

@@ -38,7 +38,7 @@ void Exploration::follow(const trace::Sample& sample) noexcept {
     touched_ = site;
     touching_finger_ = touches ? sample.finger : kMostFingers;
   }
-  const double force_n = contact.force.norm();
+  const double force_n = sample.device_force.norm();
   const bool presses = site != 0 && force_n >= settings_.force_n;
   if (site != 0) {
     Felt& felt = felt_[static_cast<std::size_t>(site) - 1];

@@ -16,7 +16,7 @@
 namespace palpate::training {
 
 struct ExplorationSettings {
-  double force_n = 0.5;     ///< a press is at least this hard ...
+  double force_n = 0.5;     ///< a press is at least this hard in the hand (Sample::device_force) ...
   double dwell_s = 0.3;     ///< ... for this long in all
   double radius_mm = 15.0;  ///< from the site, on the map plane; the nearest site counts
   friend bool operator==(const ExplorationSettings&, const ExplorationSettings&) = default;

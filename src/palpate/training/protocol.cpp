@@ -68,6 +68,10 @@ const SittingSettings& settingsOf(const Protocol& protocol, SittingKind kind) {
   return protocol.practice;
 }
 
+double largestChange(const BlockSettings& settings) {
+  return settings.levels.empty() ? adaptiveLevels(settings.meaning).back() : settings.levels.back();
+}
+
 Protocol builtInProtocol() {
   Protocol protocol;
   protocol.title = "Virtual Haptic Back: twelve sites, six levels on both sides";

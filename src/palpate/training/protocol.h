@@ -52,6 +52,9 @@ struct Protocol {
 /// free: that of practice.
 const SittingSettings& settingsOf(const Protocol& protocol, SittingKind kind);
 
+/// The largest change that a block of these settings may hide.
+double largestChange(const BlockSettings& settings);
+
 /// As documented: practice 2-down-1-up from 50 %, blocks of 20; tests marginal psi, 40 trials; examination sequential
 /// at 20 %.
 Protocol builtInProtocol();

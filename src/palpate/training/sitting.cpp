@@ -37,10 +37,6 @@ std::uint64_t blockSeed(const SittingPlan& plan, int number) {
   return hash.value();
 }
 
-double largestLevel(const BlockSettings& settings) {
-  return settings.levels.empty() ? adaptiveLevels(settings.meaning).back() : settings.levels.back();
-}
-
 }  // namespace
 
 ProtocolRow protocolRowOf(const Protocol& protocol) {
@@ -107,6 +103,7 @@ struct Sitting::Course {
     plan.row.rng_seed = plan.seed;
     plan.row.start_ms = now.utc_ms;
     keepSitting(0);
+    if (!settings.natural_stiffness) keepEvent("tissue", fmt::format("{:g} N/mm", plan.protocol.base_n_per_mm), now);
     if (plan.kind != SittingKind::free) takeBlock(now);
     if (!plan.familiar) {
       screen = Screen::device_check;
@@ -304,7 +301,7 @@ Said Sitting::said() const { return course_->said; }
 std::optional<HiddenNow> Sitting::hidden() const {
   switch (course_->screen) {
     case Screen::familiarisation:
-      return HiddenNow{.site = course_->familiarSite(), .change = largestLevel(course_->settings.block)};
+      return HiddenNow{.site = course_->familiarSite(), .change = largestChange(course_->settings.block)};
     case Screen::trial:
       return HiddenNow{.site = course_->block->next().site, .change = course_->block->next().change};
     case Screen::feedback:
@@ -348,7 +345,7 @@ void Sitting::feel(const trace::Sample& sample, const Moment& /*now*/) {
   course_->exploration.follow(sample);
   if (course_->screen == Screen::trial) course_->watch.follow(sample);
   if (course_->screen != Screen::device_check || course_->device_works) return;
-  if (sample.contact.force.norm() < course_->plan.protocol.exploration.force_n) return;
+  if (sample.device_force.norm() < course_->plan.protocol.exploration.force_n) return;
   course_->device_works = true;
   course_->say(deviceCheck(true));
 }

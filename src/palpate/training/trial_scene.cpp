@@ -1,8 +1,10 @@
 #include "palpate/training/trial_scene.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "palpate/base/error.h"
+#include "palpate/servo/device_limits.h"
 
 namespace palpate::training {
 
@@ -34,6 +36,20 @@ void makeEven(scene::Scene& scene, double base_n_per_mm) {
 double feltRatio(const HiddenPlace& place, double change, ChangeMeaning meaning) {
   const double at_skin = 1.0 + shareAtSkin(place) * (stiffnessRatio(change, meaning) - 1.0);
   return at_skin * boneRatio(place.bony_displacement_mm);
+}
+
+double renderableBase(const Protocol& protocol, double stiffest_n_per_mm) {
+  double largest_ratio = 1.0;
+  for (const auto& kind : WordsOf<SittingKind>::kAll) {
+    const BlockSettings& block = settingsOf(protocol, kind.value).block;
+    largest_ratio = std::max(largest_ratio, feltRatio(protocol.hidden, largestChange(block), block.meaning));
+  }
+  return std::min(protocol.base_n_per_mm, stiffest_n_per_mm / largest_ratio);
+}
+
+double renderableBase(const Protocol& protocol, const scene::Scene& scene, const device::DeviceProfile& profile) {
+  const double cap = servo::stiffnessCap(scene.safety, profile, 1.0 / scene.ticks_per_s);
+  return renderableBase(protocol, cap / std::max(1.0, scene.contact.finger.stiffness_ratio));
 }
 
 maps::Dysfunction dysfunctionAt(const Site& site, const HiddenPlace& place, double change, ChangeMeaning meaning) {

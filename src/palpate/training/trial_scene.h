@@ -8,6 +8,7 @@
 
 #include <optional>
 
+#include "palpate/device/device_profile.h"
 #include "palpate/scene/scene.h"
 #include "palpate/training/sitting.h"
 
@@ -15,6 +16,15 @@ namespace palpate::training {
 
 /// The factor that a finger on the skin feels over the place: the change, weakened by its depth, and the raised bone.
 double feltRatio(const HiddenPlace& place, double change, ChangeMeaning meaning);
+
+/// The base that a device can render together with the largest change of any sitting, at most the protocol's. A device
+/// that cannot is given the whole body softer (servo/device_limits.h), more for a larger change: that would tell the
+/// answer's size, so the base is lowered once instead, for all sittings alike. `stiffest`: what the hand may feel,
+/// N/mm.
+double renderableBase(const Protocol& protocol, double stiffest_n_per_mm);
+
+/// The same for a scene's fingers on a device.
+double renderableBase(const Protocol& protocol, const scene::Scene& scene, const device::DeviceProfile& profile);
 
 /// A site's hidden place as the scene's own dysfunction.
 maps::Dysfunction dysfunctionAt(const Site& site, const HiddenPlace& place, double change, ChangeMeaning meaning);

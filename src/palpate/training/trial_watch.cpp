@@ -22,7 +22,7 @@ void TrialWatch::follow(const trace::Sample& sample) noexcept {
     Vec3 velocity = (contact.tip - finger.tip) / tick_s_;
     velocity -= velocity.dot(contact.normal) * contact.normal;  // along the skin: pressing is no search
     finger.velocity += std::min(1.0, tick_s_ / kSmoothingS) * (velocity - finger.velocity);
-    const double force_n = contact.force.norm();
+    const double force_n = sample.device_force.norm();
     const double speed = finger.velocity.norm();
     force_.add(force_n);
     speed_.add(speed);

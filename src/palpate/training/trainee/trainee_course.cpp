@@ -14,6 +14,7 @@
 #include "palpate/training/trainee/body_touch.h"
 #include "palpate/training/trainee/imagined_touch.h"
 #include "palpate/training/trainee/trainee_run.h"
+#include "palpate/training/trial_scene.h"
 
 namespace palpate::training {
 
@@ -41,6 +42,10 @@ Uuid seededId(std::int64_t start_ms, std::uint64_t seed) {
 SittingPlan planOf(Store& store, const TraineeBench& bench, const TraineeSitting& wished) {
   SittingPlan plan;
   plan.protocol = bench.protocol;
+  if (bench.body) {
+    plan.protocol.base_n_per_mm =
+        renderableBase(bench.protocol, bench.body->scene, device::profileOf(bench.hand.device));
+  }
   plan.kind = wished.kind;
   plan.sites = bench.sites;
   plan.seed = wished.seed;
