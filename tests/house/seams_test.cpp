@@ -86,7 +86,8 @@ TEST(Seams, APrintOrAnExitWouldBeSeen) {
 /// threads themselves.
 TEST(Seams, ColdWorkAsksOnePlaceForThreads) {
   expectOnlyIn({"base/background.cpp", "device/driver_thread.", "engine/servo_thread.", "engine/session_recorder.",
-                "engine/world_builder.", "servo/sample_drain."},
+                "engine/world_builder.", "servo/sample_drain.", "classroom/station_link.", "classroom/mqtt_link.",
+                "classroom/collector."},
                kThreads);
 }
 

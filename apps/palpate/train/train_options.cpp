@@ -34,7 +34,7 @@ void addWindowOptions(CLI::App& command, TrainOptions& options) {
 }  // namespace
 
 void addTrainOptions(CLI::App& command, TrainOptions& options) {
-  command.add_option("SCENE", options.scene, "Scene (TOML) or mesh file; without one: the built-in torso");
+  command.add_option("SCENE", options.scene, "Scene (TOML) or mesh file; without one: the built-in body");
   command.add_option("--records", options.records, "File of results; left out: the user's own");
   command.add_option("--protocol", options.protocol, "What is trained and tested: vhb, or a file (docs/training.md)")
       ->capture_default_str();

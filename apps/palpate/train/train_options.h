@@ -17,7 +17,7 @@ class App;
 namespace palpate::app {
 
 struct TrainOptions {
-  std::string scene;             ///< scene or mesh file; empty: the built-in torso
+  std::string scene;             ///< scene or mesh file; empty: the built-in body
   std::string records;           ///< file of results; empty: recordsFile()
   std::string protocol = "vhb";  ///< built in, or a file
   std::string kind;              ///< what is done, as WordsOf<SittingKind> spells it with hyphens; empty: chosen
