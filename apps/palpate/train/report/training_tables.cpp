@@ -166,7 +166,7 @@ std::string trainingFacts(const TrainingReport& report) {
   html += factRow("Device", joinedWords(made.devices));
   html += factRow("Change of", joinedWords(made.meanings));
   html += factRow("Protocol", joinedWords(made.protocols));
-  html += factRow("Recorded by", made.versions.empty() ? "" : "palpate " + joinedWords(made.versions));
+  html += factRow("Recorded by", made.versions.empty() ? "" : joinedWords(made.versions));
   html += factRow("Records", report.file.filename().string());
   return html + "</tbody></table></div>\n";
 }
