@@ -48,7 +48,7 @@ class Grid:
     def __init__(self, choices):
         self.choices = choices
         standard_t = np.linspace(-3, 3, 61)
-        standard_s = np.linspace(-2, 2, 7)
+        standard_s = np.linspace(-1.5, 1.5, 7)
         self.ln_t = math.log(0.22) + 0.8 * standard_t
         self.slopes = np.exp(math.log(ideal(choices)[1]) + 0.45 * standard_s)
         self.ln_weights = (-0.5 * standard_t[:, None, None] ** 2 - 0.5 * standard_s[None, :, None] ** 2

@@ -96,7 +96,7 @@ ToldReading reversalMean(const std::vector<double>& reversals) {
     sum += reversals[i];
     squares += reversals[i] * reversals[i];
   }
-  constexpr double n = kToldReversals;
+  const auto n = static_cast<double>(kToldReversals);
   const double mean = sum / n;
   return {mean, std::sqrt(std::max(0.0, squares / n - mean * mean) / (n - 1.0))};
 }

@@ -49,7 +49,7 @@ TextTable methodTable(const TrainingMeasurement& found) {
     const std::string longest = fmt::format("> {}", row.error_ln.size());
     const std::string least = row.least_to_15 > 0 ? fmt::format("{}", row.least_to_15) : longest;
     const std::string most = row.most_to_15 > 0 ? fmt::format("{}", row.most_to_15) : longest;
-    cells.push_back(least == most ? least : least + " to " + most);
+    cells.push_back(least == most ? least : fmt::format("{} to {}", least, most));
     table.rows.push_back(std::move(cells));
   }
   return table;

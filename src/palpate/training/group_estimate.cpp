@@ -96,7 +96,7 @@ FittedNormal fitNormal(std::span<const ThresholdLikelihood> people) {
 }  // namespace
 
 double student95(int degrees_of_freedom) {
-  constexpr double z = 1.959963985;
+  const double z = 1.959963985;  // of a normal
   const double n = degrees_of_freedom;
   const double z3 = z * z * z;
   const double z5 = z3 * z * z;

@@ -15,9 +15,9 @@ namespace {
 /// ln T reaches 3 sd of the prior to both sides: 2 to 240 % in steps of 8 %, half of what forty answers leave open.
 constexpr std::size_t kThresholdPoints = 61;
 constexpr double kThresholdReachSd = 3.0;
-/// ln slope reaches 2 sd: 0.73 to 4.4 among twelve places.
+/// ln slope reaches 1.5 sd: 0.92 to 3.5 among twelve places. Wider ones cost trials: intervals then cover too often.
 constexpr std::size_t kSlopePoints = 7;
-constexpr double kSlopeReachSd = 2.0;
+constexpr double kSlopeReachSd = 1.5;
 constexpr std::array kLapseValues = {0.0, 0.02, 0.05, 0.10};
 constexpr std::array kLapseWeights = {0.25, 0.45, 0.22, 0.08};
 /// Smaller weights are nothing: they never come back, and numbers below 1e-308 slow every product down.
