@@ -82,13 +82,16 @@ std::optional<std::string> outsideFinding(const TrainingMeasurement& found) {
 
 std::optional<std::string> stopFinding(const TrainingMeasurement& found) {
   std::vector<std::string> rules;
+  double least = 1.0;
   for (const NamedCells& rule : found.stop_rules) {
     const CellExtremes of = extremesOf(rule.cells);
+    least = std::min(least, of.coverage_least);
     rules.push_back(fmt::format("{}: {:.0f} trials on average, SD {:.2f}, coverage {:.3f} at least", rule.name,
                                 of.mean_trials, of.sd_ln, of.coverage_least));
   }
   if (rules.empty()) return {};
-  return fmt::format("Stopping when half the interval of ln T is narrow enough (20 to 60 trials) costs no honesty: {}.",
+  return fmt::format("Stopping when half the interval of ln T is narrow enough (20 to 60 trials) {}: {}.",
+                     least >= 0.94 ? "costs no honesty" : "makes intervals that are too narrow",
                      fmt::join(rules, "; "));
 }
 
