@@ -36,44 +36,49 @@ const StudyPage& quickPage(const std::string& name) {
 
 constexpr const char* kPngStart = "\x89PNG\r\n\x1a\n";
 
+void expectAskedFoundAndMeasured(const Study& study, const StudyPage& page) {
+  EXPECT_FALSE(page.question.empty() || page.findings.empty() || page.method.empty()) << study.name;
+  EXPECT_FALSE(page.figures.empty() || page.tables.empty() || page.numbers.empty()) << study.name;
+  EXPECT_EQ(page.command, "palpate study " + study.name + " --quick --out DIR");
+  EXPECT_FALSE(page.machine.empty());
+}
+
+void expectUnitsOnTheAxes(const figures::Plot& plot, const std::string& stem) {
+  for (const figures::Axis& axis : {plot.x, plot.y}) {
+    EXPECT_TRUE(axis.hidden || !axis.ticks.empty() || !axis.label.empty()) << stem << ", " << plot.title;
+  }
+  for (const auto& series : plot.series) EXPECT_EQ(series.x.size(), series.y.size()) << series.name;
+}
+
+void expectFiguresWithTextsApart(const StudyPage& page) {
+  for (const StudyFigure& figure : page.figures) {
+    expectTextsApart(figure.figure, figure.stem);
+    EXPECT_TRUE(figures::pngOf(figure.figure, 0.5).starts_with(kPngStart)) << figure.stem;
+    for (const auto& panel : figure.figure.panels) {
+      if (const auto* plot = std::get_if<figures::Plot>(&panel)) expectUnitsOnTheAxes(*plot, figure.stem);
+    }
+  }
+}
+
+void expectTablesWithoutHoles(const StudyPage& page) {
+  for (const StudyTable& table : page.tables) {
+    EXPECT_FALSE(table.table.rows.empty()) << table.stem;
+    for (const auto& row : table.table.rows) EXPECT_EQ(row.size(), table.table.headings.size()) << table.stem;
+  }
+}
+
 }  // namespace
 
-TEST(Studies, WritePagesThatSayWhatWasAskedFoundAndMeasured) {
+// One test for what is asked of each: studies take seconds, and each test is a program of its own under ctest.
+TEST(Studies, WritePagesWithReadableFiguresAndTablesWithoutHoles) {
   const support::TemporaryFolder folder;
   for (const Study& study : studies()) {
     const StudyPage& page = quickPage(study.name);
-    EXPECT_FALSE(page.question.empty() || page.findings.empty() || page.method.empty()) << study.name;
-    EXPECT_FALSE(page.figures.empty() || page.tables.empty() || page.numbers.empty()) << study.name;
-    EXPECT_EQ(page.command, "palpate study " + study.name + " --quick --out DIR");
-    EXPECT_FALSE(page.machine.empty());
+    expectAskedFoundAndMeasured(study, page);
+    expectFiguresWithTextsApart(page);
+    expectTablesWithoutHoles(page);
     writePage(page, folder.path());
     EXPECT_TRUE(std::filesystem::exists(folder / (study.name + ".md")));
-  }
-}
-
-TEST(Studies, DrawFiguresWithTextsApartAndUnitsOnTheAxes) {
-  for (const Study& study : studies()) {
-    for (const StudyFigure& figure : quickPage(study.name).figures) {
-      expectTextsApart(figure.figure, figure.stem);
-      EXPECT_TRUE(figures::pngOf(figure.figure, 0.5).starts_with(kPngStart)) << figure.stem;
-      for (const auto& panel : figure.figure.panels) {
-        const auto* plot = std::get_if<figures::Plot>(&panel);
-        if (plot == nullptr) continue;
-        for (const figures::Axis& axis : {plot->x, plot->y}) {
-          EXPECT_TRUE(axis.hidden || !axis.ticks.empty() || !axis.label.empty()) << figure.stem << ", " << plot->title;
-        }
-        for (const auto& series : plot->series) EXPECT_EQ(series.x.size(), series.y.size()) << series.name;
-      }
-    }
-  }
-}
-
-TEST(Studies, HaveTablesWithoutHoles) {
-  for (const Study& study : studies()) {
-    for (const StudyTable& table : quickPage(study.name).tables) {
-      EXPECT_FALSE(table.table.rows.empty()) << table.stem;
-      for (const auto& row : table.table.rows) EXPECT_EQ(row.size(), table.table.headings.size()) << table.stem;
-    }
   }
 }
 
