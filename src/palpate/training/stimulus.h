@@ -25,8 +25,8 @@ double changeOf(double stiffness_ratio, ChangeMeaning meaning);
 /// The levels of the Virtual Haptic Back, falling.
 inline constexpr std::array<double, 7> kVhbLevels = {0.50, 0.40, 0.28, 0.20, 0.14, 0.10, 0.07};
 
-/// A place without any compliance cannot be rendered: 0.8 is five times as stiff, 1.5 N/mm on a base of 0.3, what desktop
-/// devices render well.
+/// A place without any compliance cannot be rendered: 0.8 is five times as stiff, 1.5 N/mm on a base of 0.3, what
+/// desktop devices render well.
 inline constexpr double kMostComplianceChange = 0.8;
 
 /// Levels of an adaptive test, rising, some 10 % apart: 33 from 4 % to 100 %; of compliance to 80 %.
