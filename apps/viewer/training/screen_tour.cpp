@@ -96,7 +96,7 @@ class Tour {
     settle();
     pressSite(4);
     take("familiarisation");
-    key(key_t_);
+    key(kKeyT);
     key(Key::space);
     take("instruction");
     key(Key::space);
@@ -227,14 +227,14 @@ class Tour {
     const bool trial = viewer_->training()->screen().picks_sites;
     key(Key::backspace);
     text(fmt::format("{}", site));
-    key(trial ? Key::space : key_t_);
+    key(trial ? Key::space : kKeyT);
     const auto end = now_s_ + 2.0;
     const auto pressed = [&] { return viewer_->training()->sitting()->visited(site); };
     while (now_s_ < end && !(trial && pressed())) {
       frame();
       std::this_thread::sleep_for(std::chrono::milliseconds(16));
     }
-    if (lifts) key(trial ? Key::space : key_t_);
+    if (lifts) key(trial ? Key::space : kKeyT);
   }
 
   void take(const std::string& name) {
@@ -244,7 +244,7 @@ class Tour {
     files_.push_back(std::move(file));
   }
 
-  static constexpr Key key_t_ = window::key('T');
+  static constexpr Key kKeyT = window::key('T');
   const TourSettings& settings_;
   const RecordsOfNobody records_;
   const view::OffscreenContext context_;

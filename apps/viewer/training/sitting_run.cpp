@@ -25,7 +25,7 @@ std::vector<trace::SessionFinger> fingersOf(LiveServo& servo) {
 
 }  // namespace
 
-SittingRun::SittingRun(training::Store& store, LiveServo& servo, training::SittingPlan plan,
+SittingRun::SittingRun(training::Store& store, LiveServo& servo, const training::SittingPlan& plan,
                        const training::Moment& now)
     : store_(store), files_(store), latest_(now) {
   if (!plan.row.file.empty()) file_ = files_.pathOf(plan.row.file);

@@ -23,7 +23,7 @@ namespace palpate::viewer {
 class SittingRun {
  public:
   /// Begins the session file, where the plan names one. All must outlive it. Throws Error.
-  SittingRun(training::Store& store, LiveServo& servo, training::SittingPlan plan, const training::Moment& now);
+  SittingRun(training::Store& store, LiveServo& servo, const training::SittingPlan& plan, const training::Moment& now);
   /// As `finish`, without a word.
   ~SittingRun();
   SittingRun(const SittingRun&) = delete;

@@ -273,7 +273,8 @@ void blockBar(const TrainingScreen& screen) {
 }
 
 float siteHeight(const TrainingScreen& screen, float room) {
-  const auto rows = static_cast<float>((screen.sites.size() + 1) / 2);
+  const std::size_t pairs = (screen.sites.size() + 1) / 2;
+  const auto rows = static_cast<float>(pairs);
   return std::clamp(room / std::max(1.0f, rows) - ImGui::GetStyle().ItemSpacing.y, 20.0f, 36.0f);
 }
 
