@@ -117,7 +117,7 @@ EACH = SLOPE_POINTS * len(LAPSES)
 
 
 def slopes(choices):
-    return [math.exp(math.log(ideal(choices)[1]) + PRIOR_SLOPE_SD * z) for z in places(SLOPE_POINTS, 2)]
+    return [math.exp(math.log(ideal(choices)[1]) + PRIOR_SLOPE_SD * z) for z in places(SLOPE_POINTS, 1.5)]
 
 
 def normalised(weights):
@@ -127,7 +127,7 @@ def normalised(weights):
 
 def prior_weights():
     return normalised([math.exp(-0.5 * t * t) * math.exp(-0.5 * s * s) * lapse
-                       for t in places(T_POINTS, 3) for s in places(SLOPE_POINTS, 2) for _, lapse in LAPSES])
+                       for t in places(T_POINTS, 3) for s in places(SLOPE_POINTS, 1.5) for _, lapse in LAPSES])
 
 
 RIGHT = {}
