@@ -59,7 +59,7 @@ class TrainingReport : public testing::Test {
     training::Store store(records(), training::Store::Open::create_too);
     support::MadeTrainees made(store);
     training::Uuid last;
-    for (int i = 0; i < trainees; ++i) last = made.add(static_cast<std::uint64_t>(i + 1), course);
+    for (int i = 1; i <= trainees; ++i) last = made.add(static_cast<std::uint64_t>(i), course);
     return last;
   }
 
