@@ -1,0 +1,31 @@
+"""Feel, see and measure touch on a soft body.
+
+Lengths are millimetres, forces newtons, times seconds; x points to the patient's right seen from behind, y to the head, z
+out of the back. docs/python.md is the manual.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from palpate._core import Error, World, __version__
+
+if TYPE_CHECKING:
+    pass
+
+__all__ = ["Error", "World", "__version__"]
+
+# Loaded when they are first asked for: `import palpate` is to cost nothing that is not used.
+_LAZY = ("devices", "env", "fit", "measure", "sessions", "tissue", "view")
+
+
+def __getattr__(name: str) -> Any:
+    if name in _LAZY:
+        import importlib
+
+        return importlib.import_module("palpate." + name)
+    raise AttributeError(f"module 'palpate' has no attribute '{name}'")
+
+
+def __dir__() -> list[str]:
+    return sorted([*globals(), *_LAZY])

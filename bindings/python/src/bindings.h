@@ -1,0 +1,19 @@
+// What each file of the module palpate._core binds, in the order that module.cpp asks for: a type must be known before
+// a signature names it.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace palpate::python {
+
+void bindErrors(pybind11::module_& module);    // palpate.Error
+void bindWorld(pybind11::module_& module);     // World
+void bindFinger(pybind11::module_& module);    // FingerSettings, Touch, Finger
+void bindRollout(pybind11::module_& module);   // World.rollout
+void bindFingers(pybind11::module_& module);   // Fingers
+void bindSkin(pybind11::module_& module);      // Skin
+void bindSessions(pybind11::module_& module);  // sessions: read, replay, iterate
+void bindTissue(pybind11::module_& module);    // force laws and layered tissue
+void bindDevices(pybind11::module_& module);   // devices: list, open, drive
+
+}  // namespace palpate::python

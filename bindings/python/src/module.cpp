@@ -1,0 +1,26 @@
+// palpate._core: worlds, fingers, skins, sessions, tissue and devices for Python. The package palpate (../palpate)
+// hands out what is here; palpate._view and palpate._measure, modules of their own, use the types that are made here.
+#include <pybind11/pybind11.h>
+
+#include "bindings.h"
+
+PYBIND11_MODULE(_core, module) {
+  using namespace palpate::python;  // NOLINT(google-build-using-namespace): of one function
+  module.doc() = "The engine of palpate; use the package palpate.";
+  module.attr("__version__") = PALPATE_VERSION;
+  bindErrors(module);
+  bindWorld(module);
+  bindFinger(module);
+  bindRollout(module);
+  bindFingers(module);
+  bindSkin(module);
+#ifdef PALPATE_PYTHON_sessions
+  bindSessions(module);
+#endif
+#ifdef PALPATE_PYTHON_tissue
+  bindTissue(module);
+#endif
+#ifdef PALPATE_PYTHON_devices
+  bindDevices(module);
+#endif
+}

@@ -1,0 +1,42 @@
+// The World of Python: the engine's, and for one made of a mesh who became whom. Immutable, shared by any number of
+// threads; whatever is made on it keeps it.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "arrays.h"
+#include "palpate/base/skin_place.h"
+#include "palpate/contact/finger.h"
+#include "palpate/scene/world.h"
+
+namespace palpate::python {
+
+/// As engine::WorldFromArrays has them.
+struct SourceMaps {
+  std::vector<Index> source_vertex;
+  std::vector<Index> source_triangle;
+  std::vector<Index> built_vertex;
+  std::vector<Index> built_triangle;
+};
+
+struct WorldHandle {
+  std::shared_ptr<const scene::World> world;
+  std::shared_ptr<const SourceMaps> maps = nullptr;  ///< null where the body was not given as a mesh
+};
+using WorldPointer = std::shared_ptr<WorldHandle>;
+
+/// The place of the skin at rest that words ("T6 right 30 mm") or a point (its nearest) name, with the normal and the
+/// number of its triangle. Throws Error for words that name none.
+SkinPlace placeOn(const scene::World& world, py::handle place);
+
+/// Settings of so many fingers: the scene's for None, one for all, or a sequence with one each. Checked against the
+/// world; throws Error.
+std::vector<contact::FingerSettings> settingsOf(const scene::World& world, py::handle settings, std::size_t fingers);
+
+/// What fingers felt: a Touch or a sequence of them. Throws TypeError.
+std::vector<contact::FingerOutput> touchesOf(py::handle touches);
+
+}  // namespace palpate::python
