@@ -21,6 +21,7 @@ class ArrayLike : public py::object {
  public:
   ArrayLike() = default;
   ArrayLike(py::handle given, borrowed_t) : py::object(given, borrowed_t{}) {}
+  ArrayLike(py::handle given, stolen_t) : py::object(given, stolen_t{}) {}
   static bool check_(py::handle given) { return given.ptr() != nullptr; }
 };
 /// What a call answers: an array of one kind. Made of a py::array that is so.
@@ -37,6 +38,7 @@ class PlaceLike : public py::object {
  public:
   PlaceLike() = default;
   PlaceLike(py::handle given, borrowed_t) : py::object(given, borrowed_t{}) {}
+  PlaceLike(py::handle given, stolen_t) : py::object(given, stolen_t{}) {}
   static bool check_(py::handle given) { return given.ptr() != nullptr; }
 };
 
