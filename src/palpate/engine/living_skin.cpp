@@ -2,23 +2,11 @@
 // template serves what a tick gave and what a trace holds. 60 times a second, no allocation. Own.
 #include "palpate/engine/living_skin.h"
 
-#include <algorithm>
-
-#include "palpate/scene/skin_contact.h"
-#include "palpate/servo/finger_solver.h"
+#include "palpate/engine/touching.h"
 
 namespace palpate::engine {
 
 namespace {
-
-deform::FormSettings formsOf(const scene::World& world, const LivingSkinSettings& settings) {
-  deform::FormSettings forms = world.deformation;
-  forms.common.strain = settings.strain;
-  // Each finger may have left a dent.
-  const std::size_t places = 2 * std::max(world.scene.fingers.size(), settings.fingers);
-  forms.common.max_contacts = std::max(forms.common.max_contacts, places);
-  return forms;
-}
 
 const contact::FingerOutput& outputOf(const contact::FingerOutput& finger) { return finger; }
 const contact::FingerOutput& outputOf(const trace::Sample& sample) { return sample.contact; }
@@ -26,7 +14,7 @@ const contact::FingerOutput& outputOf(const trace::Sample& sample) { return samp
 }  // namespace
 
 LivingSkin::LivingSkin(const scene::World& world, const LivingSkinSettings& settings)
-    : LivingSkin(world, formsOf(world, settings)) {}
+    : LivingSkin(world, formsForFingers(world, settings.strain, settings.fingers)) {}
 
 LivingSkin::LivingSkin(const scene::World& world, const deform::FormSettings& forms)
     : world_(world), deformer_(world.deformable, forms), surface_(world.deformable) {
@@ -35,22 +23,11 @@ LivingSkin::LivingSkin(const scene::World& world, const deform::FormSettings& fo
 
 template <class Finger>
 deform::Report LivingSkin::followAny(std::span<const Finger> fingers, std::uint64_t tick) noexcept {
-  lift_mm_ = world_.breath ? world_.breath->lift(static_cast<double>(tick) / world_.scene.ticks_per_s) : 0.0;
+  lift_mm_ = liftAt(world_, tick);
   touching_.clear();
   std::uint32_t left_out = 0;
-  const auto add = [&](const std::optional<deform::Contact>& contact) {
-    if (!contact) return;
-    if (touching_.size() < touching_.capacity()) {
-      touching_.push_back(*contact);
-    } else {
-      left_out = deform::kIgnoredOverCapacity;
-    }
-  };
   for (const Finger& finger : fingers) {
-    const contact::FingerOutput& output = outputOf(finger);
-    const contact::FingerOutput felt = world_.breath ? servo::atRest(*world_.breath, output, lift_mm_) : output;
-    add(scene::contactOf(world_, felt));
-    add(scene::dentOf(world_, felt));
+    if (!addTouching(world_, outputOf(finger), lift_mm_, touching_)) left_out = deform::kIgnoredOverCapacity;
   }
   deform::Report report = deformer_.apply(touching_, surface_);
   report.status |= left_out;

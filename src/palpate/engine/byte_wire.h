@@ -1,0 +1,170 @@
+// Numbers as bytes, little endian, and back: what contact_stream.h is written with.
+//
+// A structure is walked by one template, `walk(wire, value)`, for both ways: the writer is given constants, the reader
+// what it fills in. The reader never goes past the end, takes only finite numbers within limits and known words, and
+// after the first fault gives zeros and remembers where that was, so that a walk needs no branches.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+#include "palpate/base/vec.h"
+
+namespace palpate::engine {
+
+/// No place, length, force or coefficient is larger; mm, N.
+inline constexpr double kMostWire = 1e9;
+
+namespace wire {
+
+template <class Real>
+using BitsOf = std::conditional_t<sizeof(Real) == 8, std::uint64_t, std::uint32_t>;
+
+template <class Whole>
+void put(Whole value, char* at) {
+  for (std::size_t i = 0; i < sizeof(Whole); ++i)
+    at[i] = static_cast<char>(static_cast<std::uint64_t>(value) >> (8 * i));
+}
+
+template <class Whole>
+Whole get(const char* at) {
+  std::uint64_t value = 0;
+  for (std::size_t i = 0; i < sizeof(Whole); ++i) {
+    value |= static_cast<std::uint64_t>(static_cast<unsigned char>(at[i])) << (8 * i);
+  }
+  return static_cast<Whole>(value);
+}
+
+template <class Real>
+BitsOf<Real> bitsOf(Real value) {
+  BitsOf<Real> bits = 0;
+  std::memcpy(&bits, &value, sizeof(value));
+  return bits;
+}
+
+template <class Real>
+Real realOf(BitsOf<Real> bits) {
+  Real value = 0;
+  std::memcpy(&value, &bits, sizeof(value));
+  return value;
+}
+
+}  // namespace wire
+
+/// Appends to `bytes`, which must outlive it.
+class WireWriter {
+ public:
+  static constexpr bool kReads = false;
+  explicit WireWriter(std::string& bytes) : bytes_(bytes) {}
+
+  template <class Whole>
+  void whole(Whole value) {
+    std::array<char, sizeof(Whole)> raw{};
+    wire::put(value, raw.data());
+    bytes_.append(raw.data(), raw.size());
+  }
+  void text(std::string_view words) { bytes_ += words; }
+  template <class Real>
+  void real(const Real& value) {
+    whole(wire::bitsOf(value));
+  }
+  void place(const Vec3& value) {
+    for (int axis = 0; axis < 3; ++axis) real(value[axis]);
+  }
+  /// As three floats: for what is only shown.
+  void shown(const Vec3& value) {
+    for (int axis = 0; axis < 3; ++axis) real(static_cast<float>(value[axis]));
+  }
+  template <class Word>
+  void word(const Word& value, Word /*last*/) {
+    whole(static_cast<std::uint8_t>(value));
+  }
+  template <class Count>
+  void count(const Count& value, Count /*least*/, Count /*most*/) {
+    whole(static_cast<std::uint32_t>(value));
+  }
+
+ private:
+  std::string& bytes_;
+};
+
+/// Reads `bytes`, which must outlive it.
+class WireReader {
+ public:
+  static constexpr bool kReads = true;
+  explicit WireReader(std::string_view bytes) : bytes_(bytes) {}
+
+  template <class Whole>
+  Whole whole() {
+    if (!has(sizeof(Whole))) return 0;
+    position_ += sizeof(Whole);
+    return wire::get<Whole>(bytes_.data() + position_ - sizeof(Whole));
+  }
+  /// These words and no others.
+  void text(std::string_view words) {
+    if (!has(words.size())) return;
+    if (bytes_.substr(position_, words.size()) != words) return fail("is something else, or of another version");
+    position_ += words.size();
+  }
+  template <class Real>
+  void real(Real& value) {
+    value = wire::realOf<Real>(whole<wire::BitsOf<Real>>());
+    if (std::abs(value) <= static_cast<Real>(kMostWire)) return;
+    fail("a number that is not finite, or too large");
+    value = 0;
+  }
+  void place(Vec3& value) {
+    for (int axis = 0; axis < 3; ++axis) real(value[axis]);
+  }
+  void shown(Vec3& value) {
+    for (int axis = 0; axis < 3; ++axis) {
+      float number = 0.0f;
+      real(number);
+      value[axis] = static_cast<double>(number);
+    }
+  }
+  /// Of an enumeration or a bool: nothing beyond the last.
+  template <class Word>
+  void word(Word& value, Word last) {
+    const auto read = whole<std::uint8_t>();
+    if (read > static_cast<std::uint8_t>(last)) return fail("an unknown word");
+    value = static_cast<Word>(read);
+  }
+  template <class Count>
+  void count(Count& value, Count least, Count most) {
+    const auto read = whole<std::uint32_t>();
+    if (read < least || read > most) fail("a number out of range");
+    value = ok() ? static_cast<Count>(read) : least;
+  }
+  /// True if so many bytes are left; otherwise the first fault is that there are not.
+  bool has(std::uint64_t size) {
+    if (ok() && size > bytes_.size() - position_) fail("ends too early");
+    return ok();
+  }
+  /// There must be nothing left.
+  void end() {
+    if (ok() && position_ != bytes_.size()) fail("goes on after its end");
+  }
+  void fail(const char* cause) {
+    if (cause_ == nullptr) cause_ = cause;
+  }
+
+  bool ok() const { return cause_ == nullptr; }
+  /// Of the first fault; null: there was none.
+  const char* cause() const { return cause_; }
+  std::size_t position() const { return position_; }
+
+ private:
+  std::string_view bytes_;
+  std::size_t position_ = 0;
+  const char* cause_ = nullptr;
+};
+
+}  // namespace palpate::engine

@@ -1,0 +1,66 @@
+// Skin, forms and contacts as bytes: what somebody needs who deforms the same skin somewhere else, a browser above all.
+//
+//   World ─ encodedSkin, encodedForms ─► once ──────────► decodeSkin, decodeForms ─► deform::Skin, Deformer ─┐
+//   fingers ─ StreamedFrame ─ encodeFrame ─► 60 times/s ─► decodeFrame ─► contacts ─────────────────────────┴─► surface
+//
+// Deformation depends on nothing but skin, forms and contacts, so the far side has the same surface, on the same
+// machine bit by bit. Little endian; places as double, what is only shown as float. The skin in the body's own order.
+// Every decoder takes bytes of anybody: sizes, ranges, words and triangles are checked before they are used.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "palpate/contact/finger_state.h"
+#include "palpate/deform/contact.h"
+#include "palpate/deform/forms.h"
+#include "palpate/mesh/triangle_mesh.h"
+
+namespace palpate::engine {
+
+/// Of the bytes; every message begins with its kind and this. Both sides must have the same.
+inline constexpr char kStreamVersion = '1';
+
+inline constexpr std::uint32_t kMostStreamedFingers = 64;
+inline constexpr std::uint32_t kMostStreamedContacts = 1024;
+
+struct StreamedSkin {
+  mesh::TriangleMesh mesh;
+  /// A vertex each: how much of StreamedFrame::lift_mm it moves along +z; empty where the body does not breathe.
+  std::vector<float> breath_share = {};
+};
+
+/// One finger in one frame. Tip and force are rounded to floats: they are shown, not computed with.
+struct StreamedFinger {
+  Vec3 tip = Vec3::Zero();    ///< mm; farther than 1e4 from the body: it is nowhere
+  Vec3 force = Vec3::Zero();  ///< on the finger as the skin gives it, N
+  contact::Touch touch = contact::Touch::free;
+};
+
+struct StreamedFrame {
+  std::uint64_t tick = 0;  ///< in which it was felt
+  double lift_mm = 0.0;    ///< of the breath
+  std::vector<StreamedFinger> fingers = {};
+  std::vector<deform::Contact> contacts = {};  ///< of all fingers, for Deformer::apply
+};
+
+/// Positions, triangles and shares of the breath (a vertex each, or none).
+std::string encodedSkin(const mesh::TriangleMesh& mesh, std::span<const float> breath_share = {});
+/// Throws Error naming the byte: wrong kind, version or size, a place that is not finite, a triangle of a vertex that
+/// is not there.
+StreamedSkin decodeSkin(std::string_view bytes);
+
+std::string encodedForms(const deform::FormSettings& forms);
+/// Throws Error likewise. Whether a profile is one is for Deformer to say.
+deform::FormSettings decodeForms(std::string_view bytes);
+
+/// Replaces `bytes`; allocates only while they grow. Not more than kMostStreamedFingers and kMostStreamedContacts.
+void encodeFrame(const StreamedFrame& frame, std::string& bytes);
+/// Replaces `frame`. False for bytes that are no frame for a skin of so many triangles: then it is empty, a body that
+/// nobody touches. Allocates only while lists grow.
+bool decodeFrame(std::string_view bytes, Index triangles, StreamedFrame& frame);
+
+}  // namespace palpate::engine
