@@ -1,19 +1,12 @@
-// Where on a world's skin the words of an examiner point: "T6", "left PSIS", "T6 right 30 mm".
+// Where on a world's skin words point, under the name that drawing knows it by: engine/skin_place.h, which needs no
+// OpenGL.
 #pragma once
 
-#include <string_view>
-
-#include "palpate/base/skin_place.h"
-#include "palpate/scene/world.h"
+#include "palpate/engine/skin_place.h"
 
 namespace palpate::view {
 
-/// The place of the skin at rest, with the normal and the number of its triangle of the mesh. Distances in the words go
-/// along x and y, and then back to the skin along z, as for a finger's `at`. Throws Error naming what is near in
-/// spelling, and for a body without named places.
-SkinPlace skinPlace(const scene::World& world, std::string_view words);
-
-/// The same from a point: the nearest place of the skin.
-SkinPlace nearestOnSkin(const scene::World& world, const Vec3& point);
+using engine::nearestOnSkin;
+using engine::skinPlace;
 
 }  // namespace palpate::view

@@ -1,0 +1,69 @@
+// The rules of palpate.h for what the caller owns: structures that grow, whose `size` says how many bytes there are,
+// and texts.
+//
+//   caller's structure ─ fromCaller ─► whole one of this library ─ work ─ toCaller ─► as much of it as the caller knows
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+namespace palpate::c_api {
+
+/// Whether some version of the structure may have this size.
+template <class Struct>
+constexpr bool isSize(std::size_t size) noexcept {
+  return size >= sizeof(std::size_t) && size % alignof(Struct) == 0;
+}
+
+template <class Struct>
+bool isUsable(const Struct* given) noexcept {
+  return given != nullptr && isSize<Struct>(given->size);
+}
+
+/// All that the caller's version has; the rest as in `defaults`. Of a usable one.
+template <class Struct>
+Struct fromCaller(const Struct* given, const Struct& defaults = {}) noexcept {
+  static_assert(std::is_trivially_copyable_v<Struct> && offsetof(Struct, size) == 0);
+  Struct whole = defaults;
+  std::memcpy(static_cast<void*>(&whole), given, std::min(given->size, sizeof(Struct)));
+  whole.size = sizeof(Struct);
+  return whole;
+}
+
+/// Fills as much of the caller's as both know. It has `size` bytes, and gets that as its size.
+template <class Struct>
+void toCaller(const Struct& whole, Struct* target, std::size_t size) noexcept {
+  static_assert(std::is_trivially_copyable_v<Struct> && offsetof(Struct, size) == 0);
+  std::memcpy(static_cast<void*>(target), &whole, std::min(size, sizeof(Struct)));
+  target->size = size;
+}
+
+/// Into the caller's, of the size that it says.
+template <class Struct>
+void toCaller(const Struct& whole, Struct* target) noexcept {
+  toCaller(whole, target, target->size);
+}
+
+/// Text for a fixed room, its NUL included, cut before a letter that does not fit whole. The rest is zero.
+template <std::size_t Room>
+void putText(std::string_view text, char (&target)[Room]) noexcept {
+  std::size_t length = std::min(text.size(), Room - 1);
+  if (length < text.size()) {
+    while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xc0u) == 0x80u) --length;
+  }
+  std::memcpy(target, text.data(), length);
+  std::memset(target + length, 0, Room - length);
+}
+
+/// A path that is UTF-8, whatever the program's locale.
+inline std::filesystem::path pathOf(const char* utf8) {
+  const std::string_view text = utf8;
+  return std::u8string(text.begin(), text.end());
+}
+
+}  // namespace palpate::c_api

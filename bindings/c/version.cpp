@@ -1,0 +1,4 @@
+// Which library was loaded.
+#include "palpate.h"
+
+const char* palpate_version() noexcept { return PALPATE_VERSION; }

@@ -1,0 +1,119 @@
+// What a world tells of itself: its skin, its places, where its vertices came from.
+#include "answers.h"
+#include "palpate/body/places.h"
+#include "palpate/engine/session_settings.h"
+#include "palpate/engine/skin_place.h"
+#include "structs.h"
+#include "world_handle.h"
+
+namespace palpate::c_api {
+
+namespace {
+
+// Vectors of threes are handed out as plain numbers.
+static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(Triangle) == 3 * sizeof(std::uint32_t));
+static_assert(kNoIndex == PALPATE_NONE);
+
+void putVector(const Vec3& vector, double (&target)[3]) noexcept {
+  for (int axis = 0; axis < 3; ++axis) target[axis] = vector[axis];
+}
+
+palpate_world_facts factsOf(const scene::World& world) {
+  palpate_world_facts facts = {};
+  facts.vertices = world.skin.positions.size();
+  facts.triangles = world.skin.triangles.size();
+  facts.landmarks = world.anatomy.landmarks.size();
+  facts.notes = world.notes.size();
+  facts.fingers = world.scene.fingers.size();
+  const Box3 box = mesh::boundingBox(world.skin);
+  putVector(box.min(), facts.low_mm);
+  putVector(box.max(), facts.high_mm);
+  facts.closed = world.closed ? 1 : 0;
+  facts.breathes = world.breath ? 1 : 0;
+  facts.ticks_per_s = world.scene.ticks_per_s;
+  facts.hash = engine::hashOf(world);
+  putText(world.body_name, facts.body_name);
+  return facts;
+}
+
+palpate_place placeOf(const SkinPlace& at, std::string_view name) noexcept {
+  palpate_place place = {};
+  putVector(at.point, place.point_mm);
+  putVector(at.normal, place.normal);
+  place.triangle = at.triangle;
+  putText(name, place.name);
+  return place;
+}
+
+const std::vector<Index>* mapOf(const engine::WorldFromArrays& built, int32_t map) noexcept {
+  switch (map) {
+    case PALPATE_MAP_SOURCE_VERTEX:
+      return &built.source_vertex;
+    case PALPATE_MAP_SOURCE_TRIANGLE:
+      return &built.source_triangle;
+    case PALPATE_MAP_BUILT_VERTEX:
+      return &built.built_vertex;
+    case PALPATE_MAP_BUILT_TRIANGLE:
+      return &built.built_triangle;
+    default:
+      return nullptr;
+  }
+}
+
+}  // namespace
+
+}  // namespace palpate::c_api
+
+using namespace palpate;
+using c_api::answered;
+using c_api::require;
+
+int32_t palpate_world_get_facts(const palpate_world* world, palpate_world_facts* facts) noexcept {
+  return answered(nullptr, [&] {
+    require(world != nullptr && c_api::isUsable(facts), "");
+    c_api::toCaller(c_api::factsOf(world->world()), facts);
+  });
+}
+
+const double* palpate_world_positions(const palpate_world* world) noexcept {
+  return world == nullptr ? nullptr : world->world().skin.positions.front().data();
+}
+
+const uint32_t* palpate_world_triangles(const palpate_world* world) noexcept {
+  return world == nullptr ? nullptr : world->world().skin.triangles.front().data();
+}
+
+const double* palpate_world_stiffness(const palpate_world* world) noexcept {
+  return world == nullptr ? nullptr : world->world().stiffness_n_per_mm.data();
+}
+
+const uint32_t* palpate_world_map(const palpate_world* world, int32_t map, size_t* count) noexcept {
+  const std::vector<Index>* found = world == nullptr ? nullptr : c_api::mapOf(world->built, map);
+  const bool is_there = found != nullptr && !found->empty();
+  if (count != nullptr) *count = is_there ? found->size() : 0;
+  return is_there ? found->data() : nullptr;
+}
+
+int32_t palpate_world_place(const palpate_world* world, const char* utf8_words, palpate_place* place,
+                            palpate_error* error) noexcept {
+  return answered(error, [&] {
+    require(world != nullptr && utf8_words != nullptr, "the world or the words are null");
+    require(c_api::isUsable(place), "place is null, or its size is not set");
+    const std::string name = body::placeNamed(world->world().anatomy.landmarks, utf8_words).name;
+    c_api::toCaller(c_api::placeOf(engine::skinPlace(world->world(), utf8_words), name), place);
+  });
+}
+
+int32_t palpate_world_landmark(const palpate_world* world, size_t index, palpate_place* place) noexcept {
+  return answered(nullptr, [&] {
+    require(world != nullptr && c_api::isUsable(place) && index < world->world().anatomy.landmarks.size(), "");
+    const body::SkinLandmark& landmark = world->world().anatomy.landmarks[index];
+    const SkinPlace at = {landmark.position, landmark.normal, kNoIndex};
+    c_api::toCaller(c_api::placeOf(at, body::spokenName(landmark.name)), place);
+  });
+}
+
+const char* palpate_world_note(const palpate_world* world, size_t index) noexcept {
+  if (world == nullptr || index >= world->world().notes.size()) return nullptr;
+  return world->world().notes[index].c_str();
+}
