@@ -88,7 +88,7 @@ class Sewing {
     const auto row_end = edges_.uses.begin() + edges_.offsets[low + 1];
     const auto begin = std::partition_point(row_begin, row_end, [h = high](const EdgeUse& u) { return u.high < h; });
     const auto end = std::partition_point(begin, row_end, [h = high](const EdgeUse& u) { return u.high <= h; });
-    return {begin, end};
+    return {edges_.uses.data() + (begin - edges_.uses.begin()), static_cast<std::size_t>(end - begin)};
   }
 
   /// False when a neighbour was changed in this pass already: its edges are no longer what edges_ says.

@@ -1,0 +1,106 @@
+// The source of a page that stands by itself: the engine in a worker (worker.js). See source.js for the interface.
+import { AIM_BYTES, AimWriter } from './aims.js';
+
+/// The body that the page begins with, and what every mesh of a user is felt with.
+export const FIRST_SCENE = '[body]\nkind = "torso"\ntriangles = 20389\n';
+const MESH_SCENE = 'title = "a mesh"\n';
+const FRAMES_AHEAD = 2;
+
+class LocalSource {
+  constructor() {
+    this.can = { open: true, dysfunctions: true, record: true };
+    this.frame = () => {};
+    this.trouble = () => {};
+    this.shared = globalThis.crossOriginIsolated ? new SharedArrayBuffer(AIM_BYTES) : null;
+    this.opening = { task: 'openScene', toml: FIRST_SCENE };
+  }
+
+  onFrame(callback) {
+    this.frame = callback;
+  }
+  onTrouble(callback) {
+    this.trouble = callback;
+  }
+  onBody() {} // nobody but this page changes its body
+
+  async start() {
+    await this.launch();
+    const body = await this.ask(this.opening);
+    this.worker.postMessage({ ready: FRAMES_AHEAD });
+    return body;
+  }
+
+  tip(finger, aim) {
+    if (this.shared) this.writer.write(finger, aim);
+    else this.worker?.postMessage({ finger, aim });
+  }
+
+  async open(name, bytes, unit_mm) {
+    // A copy goes to the worker: should the worker fail, the old body is built anew.
+    const body = await this.ask({ task: 'openMesh', name, bytes, unit_mm, toml: MESH_SCENE });
+    this.opening = { task: 'openMesh', name, bytes, unit_mm, toml: MESH_SCENE };
+    return body;
+  }
+  async firstBody() {
+    const opening = { task: 'openScene', toml: FIRST_SCENE };
+    const body = await this.ask(opening);
+    this.opening = opening;
+    return body;
+  }
+  setDysfunctions(list) {
+    return this.ask({ task: 'setDysfunctions', list });
+  }
+  record() {
+    return this.ask({ task: 'record' });
+  }
+  /// Gives up whatever the worker is busy with; what was asked rejects. The old body comes back as a new one.
+  async restart() {
+    this.fail(new Error('given up'));
+    return this.start();
+  }
+
+  // ---- the worker
+
+  async launch() {
+    this.asked = new Map();
+    this.next_id = 1;
+    if (this.shared) this.writer = new AimWriter(this.shared);
+    this.worker = new Worker(new URL('./worker.js', import.meta.url), { type: 'module' });
+    this.worker.onmessage = ({ data }) => this.take(data);
+    this.worker.onerror = (event) => {
+      const error = new Error(event.message || 'the engine could not be loaded');
+      this.fail(error);
+      this.trouble(error.message);
+    };
+    await this.ask({ task: 'load', shared: this.shared });
+  }
+  fail(error) {
+    this.worker?.terminate();
+    this.worker = null;
+    for (const { reject } of this.asked.values()) reject(error);
+    this.asked.clear();
+  }
+  ask(message) {
+    if (!this.worker) return Promise.reject(new Error('the engine is not there'));
+    const id = this.next_id++;
+    this.worker.postMessage({ id, ...message });
+    return new Promise((resolve, reject) => this.asked.set(id, { resolve, reject }));
+  }
+  take(data) {
+    if (data.frame) {
+      this.worker.postMessage({ ready: 1 });
+      this.frame(data.frame);
+      return;
+    }
+    const { resolve, reject } = this.asked.get(data.id) ?? {};
+    this.asked.delete(data.id);
+    if (data.error === undefined) return resolve?.(data.result);
+    const error = new Error(data.error);
+    error.fatal = data.fatal;
+    return reject?.(error);
+  }
+}
+
+export function createSource() {
+  return new LocalSource();
+}
