@@ -1,0 +1,113 @@
+#include "hand_loop.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "palpate/device/device_profile.h"
+#include "palpate/engine/session_settings.h"
+#include "palpate/servo/device_limits.h"
+
+namespace palpate::python {
+
+namespace {
+
+/// A device that is where the script says.
+device::Device heldByScript(std::size_t finger, const std::shared_ptr<Vec3>& tip) {
+  device::Device device;
+  device.name = fmt::format("python:{}", finger);
+  device.read_tip = [tip](std::uint64_t /*tick*/) { return *tip; };
+  return device;
+}
+
+}  // namespace
+
+servo::LimiterSettings limitsFor(const scene::World& world, const std::vector<device::Device>& devices) {
+  const auto lower = [](double& value, double other) {
+    if (other > 0.0) value = value > 0.0 ? std::min(value, other) : other;
+  };
+  device::Capabilities least;
+  bool any = false;
+  for (const device::Device& device : devices) {
+    if (!device.capabilities.takes_force) continue;
+    any = true;
+    least.motion_scale = std::max(least.motion_scale, device.capabilities.motion_scale);
+    lower(least.max_force_n, device.capabilities.max_force_n);
+    lower(least.nominal_stiffness_n_per_mm, device.capabilities.nominal_stiffness_n_per_mm);
+  }
+  if (!any) return servo::limiterSettings(world);
+  return servo::limiterSettings(world, device::profileOf(world.scene.safety.device, least));
+}
+
+std::string nameOfFinger(const scene::World& world, std::size_t finger) {
+  return finger < world.scene.fingers.size() ? world.scene.fingers[finger].name : fmt::format("finger {}", finger + 1);
+}
+
+HandLoop::HandLoop(WorldPointer world, std::vector<DevicePointer> devices, HandLoopSettings settings)
+    : world_(std::move(world)), lent_(std::move(devices)) {
+  const scene::World& felt = *world_->world;
+  std::vector<device::Device> held = lent_.devices();
+  for (std::size_t i = held.size(); held.size() < settings.fingers.size(); ++i) {
+    tips_.push_back(std::make_shared<Vec3>(device::kNoPlace));
+    held.push_back(heldByScript(i, tips_.back()));
+  }
+  servo::RigParts parts;
+  parts.tick_s = 1.0 / felt.scene.ticks_per_s;
+  parts.limiter = limitsFor(felt, held);
+  parts.solvers = servo::makeSolvers(felt.surface, felt.hdb, settings.fingers.size(), felt.breath);
+  parts.fingers = settings.fingers;
+  parts.devices = held;
+  rig_ = servo::rigOf(std::move(parts));
+  samples_.resize(rig_.fingers.size());
+  if (!settings.session) return;
+  std::vector<trace::SessionFinger> fingers;
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    fingers.push_back(engine::sessionFinger(nameOfFinger(felt, i), held[i]));
+  }
+  trace::SessionHeader header = engine::sessionHeader(felt.scene.ticks_per_s);
+  header.notes = settings.notes.empty() ? felt.scene.title : settings.notes;
+  writer_.emplace(*settings.session, header, fingers);
+  writer_->add(engine::sessionWorld(felt, engine::feltWith(rig_)));
+}
+
+HandLoop::~HandLoop() { rest(); }
+
+void HandLoop::place(std::span<const Vec3> tips) {
+  for (std::size_t i = 0; i < tips_.size(); ++i) *tips_[i] = tips[i];
+}
+
+const std::vector<trace::Sample>& HandLoop::tick() {
+  servo::runTick(rig_, tick_++, servo::LoopEvent::none, samples_);
+  record();
+  return samples_;
+}
+
+void HandLoop::record() {
+  if (!writer_) return;
+  for (const trace::Sample& sample : samples_) writer_->add(sample);
+}
+
+void HandLoop::lift(std::size_t finger) { servo::forgetTouch(rig_.fingers[finger]); }
+
+void HandLoop::mark(const std::string& text) {
+  if (!writer_) throw py::value_error("mark: this loop records no session");
+  writer_->add(trace::SessionEvent{tick_ == 0 ? 0 : tick_ - 1, std::nullopt, "mark", text});
+}
+
+void HandLoop::rest() {
+  for (servo::FingerChain& finger : rig_.fingers) {
+    if (finger.device.write_force && !closed_) finger.device.write_force(Vec3::Zero());
+  }
+}
+
+void HandLoop::close(std::string_view ended_by) {
+  if (closed_) return;
+  rest();
+  closed_ = true;
+  if (writer_) writer_->finish(ended_by);
+  writer_.reset();
+  rig_.fingers.clear();
+  lent_.giveBack();
+}
+
+}  // namespace palpate::python

@@ -1,0 +1,111 @@
+#include "synthesis.h"
+
+#include <fmt/format.h>
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <optional>
+
+#include "arrays.h"
+#include "dicts.h"
+#include "palpate/measure/synthesis/synthetic_files.h"
+#include "palpate/measure/synthesis/synthetic_pair.h"
+
+namespace palpate::python {
+
+namespace {
+
+using measure::TailFamily;
+using PixelArray = Named<ArrayName<std::uint8_t>>;
+constexpr std::array kFamilies = {TailFamily::compact, TailFamily::long_tail, TailFamily::half_space,
+                                  TailFamily::windowed_half_space};
+
+TailFamily familyNamed(const std::string& word) {
+  for (const TailFamily family : kFamilies) {
+    if (nameOf(family) == word) return family;
+  }
+  throw py::value_error("tail: \"compact\", \"long\", \"half-space\" or \"windowed\", not " + word);
+}
+
+void take(double& value, const std::optional<double>& wish, const char* what, double least, double most,
+          double factor = 1.0) {
+  if (!wish) return;
+  if (!(*wish >= least && *wish <= most)) {
+    throw py::value_error(fmt::format("{} = {:g} is out of range: {:g} to {:g}", what, *wish, least, most));
+  }
+  value = *wish * factor;
+}
+
+/// What one may ask for of the press; the rest is drawn from the seed.
+struct PressWishes {
+  std::optional<std::string> tail;
+  std::optional<double> half_major_mm, ratio, direction_deg, drag_deg, peak_mm;
+};
+
+measure::SyntheticCase caseOf(std::uint64_t seed, double megapixels, double drift_mm, const PressWishes& wishes) {
+  if (!(megapixels >= 0.5 && megapixels <= 48.0)) throw py::value_error("megapixels: 0.5 to 48");
+  if (!(drift_mm >= 0.0 && drift_mm <= 20.0)) throw py::value_error("drift_mm: 0 to 20");
+  measure::CaseWishes drawn{.megapixels = megapixels, .drift_mm = drift_mm};
+  if (wishes.tail) drawn.family = familyNamed(*wishes.tail);
+  measure::SyntheticCase made = measure::drawCase(seed, drawn);
+  take(made.press.half_major_mm, wishes.half_major_mm, "half_major_mm", 20, 300);
+  take(made.press.ratio, wishes.ratio, "ratio", 1, 4);
+  take(made.press.direction_rad, wishes.direction_deg, "direction_deg", -180, 180, kRadPerDeg);
+  take(made.press.drag_rad, wishes.drag_deg, "drag_deg", -180, 180, kRadPerDeg);
+  take(made.press.peak_mm, wishes.peak_mm, "peak_mm", 0, 40);
+  if (made.press.peak_mm == 0.0) {  // nothing is pressed: nobody holds a stick
+    made.press.dent_mm = 0.0;
+    made.press.stick = false;
+  }
+  return made;
+}
+
+PixelArray pixelsOf(const measure::Photograph& picture) {
+  py::array_t<std::uint8_t> pixels({picture.height_px, picture.width_px, 3});
+  std::copy(picture.rgb.begin(), picture.rgb.end(), pixels.mutable_data());
+  return PixelArray(pixels);
+}
+
+Facts truthFacts(const measure::SyntheticTruth& truth) {
+  Facts facts;
+  facts["half_major_mm"] = truth.at_2_mm.half_major_mm.value;
+  facts["half_minor_mm"] = truth.at_2_mm.half_minor_mm.value;
+  facts["major_over_minor"] = truth.at_2_mm.major_over_minor.value;
+  facts["direction_deg"] = truth.at_2_mm.direction_deg.value;
+  facts["drag_deg"] = truth.drag_deg;
+  facts["peak_mm"] = truth.field.peak_mm.norm();
+  facts["contact_px"] = py::make_tuple(truth.contact_px.x(), truth.contact_px.y());
+  facts["px_per_mm"] = truth.px_per_mm;
+  return facts;
+}
+
+using Synthesized = std::tuple<PixelArray, PixelArray, PixelArray, Facts>;
+
+Synthesized synthesized(std::uint64_t seed, double megapixels, double drift_mm, const std::optional<std::string>& tail,
+                        const std::optional<double>& half_major_mm, const std::optional<double>& ratio,
+                        const std::optional<double>& direction_deg, const std::optional<double>& drag_deg,
+                        const std::optional<double>& peak_mm) {
+  const measure::SyntheticCase made =
+      caseOf(seed, megapixels, drift_mm, {tail, half_major_mm, ratio, direction_deg, drag_deg, peak_mm});
+  measure::SyntheticPair pair;
+  measure::Photograph again;
+  {
+    const py::gil_scoped_release free;
+    pair = measure::renderPair(made);
+    again = measure::throughJpeg(measure::renderPicture(made, measure::Moment::again), made.look.jpeg_quality);
+  }
+  return {pixelsOf(pair.before), pixelsOf(again), pixelsOf(pair.after), truthFacts(pair.truth)};
+}
+
+}  // namespace
+
+void bindSynthesis(py::module_& module) {
+  module.def("synthesize", synthesized, py::arg("seed"), py::kw_only(), py::arg("megapixels") = 2.0,
+             py::arg("drift_mm") = 0.3, py::arg("tail") = py::none(), py::arg("half_major_mm") = py::none(),
+             py::arg("ratio") = py::none(), py::arg("direction_deg") = py::none(), py::arg("drag_deg") = py::none(),
+             py::arg("peak_mm") = py::none(),
+             "Pictures before, before again and after a press, arrays (H, W, 3) of uint8, and the truth as a dict;\n"
+             "palpate.measure.synthesize names them. Releases the GIL. Raises ValueError.");
+}
+
+}  // namespace palpate::python

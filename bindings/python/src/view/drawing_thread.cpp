@@ -1,0 +1,93 @@
+#include "drawing_thread.h"
+
+#include <unistd.h>
+
+#include <optional>
+#include <utility>
+
+#include "palpate/view/offscreen.h"
+#include "palpate/view/painter.h"
+
+namespace palpate::python {
+
+/// Lives on the drawing thread. What cannot be drawn once (no driver) is tried anew by the next picture.
+struct DrawingThread::Studio {
+  std::optional<view::OffscreenContext> context;
+  std::unique_ptr<view::Painter> painter;
+  std::shared_ptr<const scene::World> world;  ///< of the painter
+  std::unique_ptr<view::Target> target;
+
+  void show(const std::shared_ptr<const scene::World>& wanted) {
+    if (!context) context.emplace();
+    if (!painter) {
+      painter = std::make_unique<view::Painter>(wanted);
+    } else if (world != wanted) {
+      painter->setWorld(wanted);
+    }
+    world = wanted;
+  }
+
+  void makeRoom(int width, int height) {
+    if (target && target->width() == width && target->height() == height) return;
+    target.reset();
+    target = std::make_unique<view::Target>(width, height);
+  }
+
+  view::TakenPicture take(const PictureJob& job) {
+    show(job.world);
+    const view::PictureSize& size = job.size;
+    makeRoom(size.width * size.supersampling, size.height * size.supersampling);
+    view::Canvas canvas;
+    canvas.framebuffer = target->framebuffer();
+    canvas.width = target->width();
+    canvas.height = target->height();
+    canvas.supersampling = size.supersampling;
+    canvas.pixels_per_point = size.supersampling;
+    painter->renderer().updateAll(job.surface);
+    const view::Frame frame{.fingers = job.fingers, .time_s = job.time_s, .lift_mm = job.lift_mm};
+    view::Painted painted = painter->paint(frame, job.surface, job.settings, canvas);
+    const view::Image image = target->read();
+    return {size.supersampling == 1 ? image : view::reduced(image, size.supersampling), std::move(painted.notes),
+            view::rendererName()};
+  }
+};
+
+DrawingThread::DrawingThread() : process_(::getpid()), thread_([this] { run(); }) {}
+
+DrawingThread::~DrawingThread() {
+  {
+    const std::lock_guard lock(mutex_);
+    ends_ = true;
+    waiting_.clear();  // whoever waits for them is told by the broken promise
+  }
+  more_.notify_one();
+  thread_.join();
+}
+
+bool DrawingThread::isOfAnotherProcess() const { return ::getpid() != process_; }
+
+std::future<view::TakenPicture> DrawingThread::draw(std::shared_ptr<const PictureJob> job) {
+  Work work([job = std::move(job)](Studio& studio) { return studio.take(*job); });
+  std::future<view::TakenPicture> picture = work.get_future();
+  {
+    const std::lock_guard lock(mutex_);
+    waiting_.push_back(std::move(work));
+  }
+  more_.notify_one();
+  return picture;
+}
+
+void DrawingThread::run() {
+  Studio studio;
+  for (;;) {
+    std::unique_lock lock(mutex_);
+    more_.wait(lock, [this] { return ends_ || !waiting_.empty(); });
+    if (ends_) return;
+    Work work = std::move(waiting_.front());
+    waiting_.pop_front();
+    lock.unlock();
+    work(studio);
+  }
+}
+
+}  // namespace palpate::python
