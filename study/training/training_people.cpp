@@ -241,11 +241,12 @@ void measureChanges(TrainingMeasurement& found, const Progress& progress) {
         return believed(answersOf(truth, trials, seed + part)).summary();
       };
       const double unchanged = i % 2 == 0 ? kBefore : kAfter;
-      const auto verdict = [&](const ThresholdSummary& before, const ThresholdSummary& after) {
-        return training::changeBetween(before, trials, after, trials).verdict;
+      const auto change = [&](const ThresholdSummary& before, const ThresholdSummary& after) {
+        return training::changeBetween(before, after);
       };
-      alarmed[i] = verdict(result(unchanged, 1), result(unchanged, 2)) != training::ChangeVerdict::too_early ? 1 : 0;
-      seen[i] = verdict(result(kBefore, 3), result(kAfter, 4)) == training::ChangeVerdict::better ? 1 : 0;
+      alarmed[i] = change(result(unchanged, 1), result(unchanged, 2)).clear ? 1 : 0;
+      const training::ThresholdChange learnt = change(result(kBefore, 3), result(kAfter, 4));
+      seen[i] = learnt.clear && learnt.ratio < 1.0 ? 1 : 0;
     });
     const auto share = [](const std::vector<int>& which) {
       return shareOf(static_cast<std::size_t>(std::count(which.begin(), which.end(), 1)), which.size());

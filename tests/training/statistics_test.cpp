@@ -105,10 +105,10 @@ TEST(TrainingStatistics, ResultsDifferOnlyWhereTheyAreFurtherApartThanBothLeaveO
   const auto result = [](double median, double factor) {
     return ThresholdSummary{.median = median, .low = median / factor, .high = median * factor};
   };
-  EXPECT_TRUE(thresholdChange(result(0.28, 1.3), result(0.14, 1.3)).clear);
-  EXPECT_DOUBLE_EQ(thresholdChange(result(0.28, 1.3), result(0.14, 1.3)).ratio, 0.5);
-  EXPECT_FALSE(thresholdChange(result(0.28, 1.7), result(0.14, 1.7)).clear);
-  EXPECT_FALSE(thresholdChange(result(0.2, 1.1), result(0.2, 1.1)).clear);
+  EXPECT_TRUE(changeBetween(result(0.28, 1.3), result(0.14, 1.3)).clear);
+  EXPECT_DOUBLE_EQ(changeBetween(result(0.28, 1.3), result(0.14, 1.3)).ratio, 0.5);
+  EXPECT_FALSE(changeBetween(result(0.28, 1.7), result(0.14, 1.7)).clear);
+  EXPECT_FALSE(changeBetween(result(0.2, 1.1), result(0.2, 1.1)).clear);
 }
 
 // --- of made trainees

@@ -1,6 +1,8 @@
 #include "apps/palpate/run/playback.h"
 
 #include "apps/palpate/common/device_option.h"
+#include "apps/palpate/common/interruption.h"
+#include "palpate/base/stopwatch.h"
 
 namespace palpate::app {
 
@@ -24,6 +26,28 @@ bool Playback::play(double now_s, window::Window& window, viewer::Viewer& viewer
     }
   }
   return false;
+}
+
+void showFrames(window::Window& window, viewer::Viewer& viewer, Playback& playback, std::uint64_t frames,
+                const std::function<void(std::uint64_t frame, double now_s)>& shown) {
+  const auto started = Clock::now();
+  double first_shown_s = 0.0;
+  for (std::uint64_t frame = 1;; ++frame) {
+    std::vector<window::InputEvent> events = window.events();
+    const double now_s = frame == 1 ? 0.0 : secondsSince(started) - first_shown_s;  // a script begins at the first
+    const bool close = playback.play(now_s, window, viewer, events);
+    if (window.closing()) {
+      window.stayOpen();
+      viewer.session().wish(viewer::Wish::Kind::quit);
+    }
+    if (close || viewer.wantsToQuit() || endAskedBy() != 0) return;
+    viewer.session().state.stereo.monitor_row = window.top();
+    viewer.frame(window.width(), window.height(), window.contentScale(), now_s, events);
+    viewer.drawsItself() ? window.swap() : window.present(viewer.target());
+    if (frame == 1) first_shown_s = secondsSince(started);
+    shown(frame, now_s);
+    if (frames > 0 && frame >= frames) return;
+  }
 }
 
 viewer::ViewerHost hostOf(window::Window& window) {

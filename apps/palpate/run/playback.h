@@ -1,6 +1,8 @@
 // A script's events come when their time has come, as if a hand made them.
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,11 @@ class Playback {
   std::vector<viewer::ScriptEvent> script_;
   std::size_t next_ = 0;
 };
+
+/// Events to pictures until the script, the viewer, a signal or this many frames (0: no end) say so. After each picture
+/// `shown` gets its number, from 1, and its time.
+void showFrames(window::Window& window, viewer::Viewer& viewer, Playback& playback, std::uint64_t frames,
+                const std::function<void(std::uint64_t frame, double now_s)>& shown);
 
 /// What only this window can do, for a viewer; the window must outlive it.
 viewer::ViewerHost hostOf(window::Window& window);

@@ -122,30 +122,6 @@ void keepState(const RunOptions& options, viewer::Viewer& viewer, const window::
   if (!options.no_state) viewer::writeState(viewer::stateFile(), {viewer.session().state, window.placement()});
 }
 
-void loop(const RunOptions& options, Playback& playback, window::Window& window, viewer::Viewer& viewer,
-          Clock::time_point started) {
-  double shown_s = 0.0;
-  for (std::uint64_t frame = 1;; ++frame) {
-    std::vector<window::InputEvent> events = window.events();
-    const double now_s = frame == 1 ? 0.0 : secondsSince(started) - shown_s;  // a script begins at the first picture
-    const bool close = playback.play(now_s, window, viewer, events);
-    if (window.closing()) {
-      window.stayOpen();
-      viewer.session().wish(viewer::Wish::Kind::quit);
-    }
-    if (close || viewer.wantsToQuit() || endAskedBy() != 0) return;
-    viewer.session().state.stereo.monitor_row = window.top();
-    viewer.frame(window.width(), window.height(), window.contentScale(), now_s, events);
-    viewer.drawsItself() ? window.swap() : window.present(viewer.target());
-    if (frame == 1) {
-      shown_s = secondsSince(started);
-      if (options.verbose) tell(fmt::format("first frame after {:.3f} s\n", shown_s));
-    }
-    if (options.verbose) tellFrame(frame, now_s, viewer);
-    if (options.frames > 0 && frame >= options.frames) return;
-  }
-}
-
 /// What cannot be completed at the end is told where somebody still reads.
 void finishViewer(const RunOptions& options, viewer::Viewer& viewer) {
   viewer::Messages& messages = viewer.session().messages;
@@ -220,7 +196,11 @@ void runWindow(const RunOptions& options) {
   }
   const FinishesInOrder in_order;
   const StoppedBySignal stopped(viewer.emergencyStop());
-  loop(options, playback, window, viewer, started);
+  showFrames(window, viewer, playback, options.frames, [&](std::uint64_t frame, double now_s) {
+    if (!options.verbose) return;
+    if (frame == 1) tell(fmt::format("first frame after {:.3f} s\n", secondsSince(started)));
+    tellFrame(frame, now_s, viewer);
+  });
   keepChanges(viewer);
   keepState(options, viewer, window);
   finishViewer(options, viewer);

@@ -18,7 +18,6 @@
 #include "apps/viewer/training/screen_tour.h"
 #include "apps/viewer/viewer.h"
 #include "palpate/base/error.h"
-#include "palpate/base/stopwatch.h"
 #include "palpate/classroom/class_settings.h"
 #include "palpate/training/records/trainee_code.h"
 
@@ -96,29 +95,8 @@ class ScreenTeller {
   std::string before_;
 };
 
-void trainingLoop(const TrainOptions& options, window::Window& window, viewer::Viewer& viewer) {
-  Playback playback(options.play);
-  const auto started = Clock::now();
-  double shown_s = 0.0;
-  ScreenTeller teller;
-  for (std::uint64_t frame = 1;; ++frame) {
-    std::vector<window::InputEvent> events = window.events();
-    const double now_s = frame == 1 ? 0.0 : secondsSince(started) - shown_s;  // a script begins at the first picture
-    const bool close = playback.play(now_s, window, viewer, events);
-    if (window.closing()) {
-      window.stayOpen();
-      viewer.session().wish(viewer::Wish::Kind::quit);
-    }
-    if (close || viewer.wantsToQuit() || endAskedBy() != 0) return;
-    viewer.frame(window.width(), window.height(), window.contentScale(), now_s, events);
-    viewer.drawsItself() ? window.swap() : window.present(viewer.target());
-    if (frame == 1) shown_s = secondsSince(started);
-    if (options.verbose) teller.tell(viewer);
-    if (options.frames > 0 && frame >= options.frames) return;
-  }
-}
-
 void trainInWindow(const TrainOptions& options) {
+  Playback playback(options.play);
   viewer::ViewerSettings settings;
   settings.training = trainingSettings(options);
   settings.intro = false;
@@ -129,7 +107,10 @@ void trainInWindow(const TrainOptions& options) {
   viewer::Viewer viewer(world, readableState(options), std::move(settings), hostOf(window));
   const FinishesInOrder in_order;
   const StoppedBySignal stopped(viewer.emergencyStop());
-  trainingLoop(options, window, viewer);
+  ScreenTeller teller;
+  showFrames(window, viewer, playback, options.frames, [&](std::uint64_t, double) {
+    if (options.verbose) teller.tell(viewer);
+  });
   viewer::Messages& messages = viewer.session().messages;
   messages.markRead();
   viewer.finish(endAskedBy() == 0 ? "done" : nameOfSignal(endAskedBy()));

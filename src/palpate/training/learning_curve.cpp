@@ -139,12 +139,10 @@ double factorOfRealChange(int trials_before, int trials_after) {
   return std::exp(kTwoSided5Percent * std::hypot(sd(trials_before), sd(trials_after)));
 }
 
-RealChange changeBetween(const ThresholdSummary& before, int trials_before, const ThresholdSummary& after,
-                         int trials_after) {
-  RealChange change{.factor = before.median / after.median, .needed = factorOfRealChange(trials_before, trials_after)};
-  if (change.factor > change.needed) change.verdict = ChangeVerdict::better;
-  if (change.factor < 1.0 / change.needed) change.verdict = ChangeVerdict::worse;
-  return change;
+ThresholdChange changeBetween(const ThresholdSummary& before, const ThresholdSummary& now) {
+  const double ln = std::log(now.median / before.median);
+  const double open = std::hypot(now.halfWidth(), before.halfWidth());
+  return {.ratio = std::exp(ln), .low = std::exp(ln - open), .high = std::exp(ln + open), .clear = std::abs(ln) > open};
 }
 
 }  // namespace palpate::training

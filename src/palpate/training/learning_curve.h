@@ -2,7 +2,7 @@
 //
 //   answers of each session ─ filteredThresholds ─► a point and a 95 % interval a session
 //                           ─ fitLearning ─► an exponential through them, with its band
-//   two separate results    ─ changeBetween ─► better, worse, or too early to say
+//   two separate results    ─ changeBetween ─► how they differ, or too early to say
 //
 // Points are filtered: each knows its own session and those before it, never later ones. Smoothing backwards makes them
 // calmer and pulls the first session towards what was learnt since, by 11 to 15 %: the very change that is looked for.
@@ -55,19 +55,18 @@ struct LearningFit {
 std::optional<LearningFit> fitLearning(std::span<const SessionAnswers> sessions, int choices = 12,
                                        const Prior& prior = {});
 
-/// By what factor two separate results of so many trials differ for an unchanged person, one time in twenty: 1.45 for
-/// 40 and 40 trials, 1.67 for 20 and 20.
+/// For planning: by what factor two separate results of so many trials will have to differ, about 1.45 for 40 and 40
+/// trials, 1.67 for 20 and 20. What they do say, changeBetween tells by their own intervals.
 double factorOfRealChange(int trials_before, int trials_after);
 
-enum class ChangeVerdict { too_early, better, worse };
-
-/// Of two results that share no answers (not of filtered points), medians compared.
-struct RealChange {
-  ChangeVerdict verdict = ChangeVerdict::too_early;
-  double factor = 1.0;  ///< before over after: over 1 is better
-  double needed = 1.0;
+/// How two results that share no answers differ (not filtered points): the one rule of summaries, reports and study.
+struct ThresholdChange {
+  double ratio = 1.0;  ///< now over before: below 1 is better
+  double low = 0.0, high = 0.0;
+  /// The difference of ln T is larger than what both results leave open together: root of the sum of their half widths'
+  /// squares. False: too early to call.
+  bool clear = false;
 };
-RealChange changeBetween(const ThresholdSummary& before, int trials_before, const ThresholdSummary& after,
-                         int trials_after);
+ThresholdChange changeBetween(const ThresholdSummary& before, const ThresholdSummary& now);
 
 }  // namespace palpate::training

@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
 #include <string_view>
+
+#include "palpate/training/learning_curve.h"
 
 namespace palpate::training {
 
@@ -29,16 +30,10 @@ std::string thresholdWords(const ThresholdSummary& threshold) {
                      percent(threshold.low), percent(threshold.high));
 }
 
-/// Two measurements differ only where one lies outside what both leave open together.
-bool tooEarly(const ThresholdSummary& now, const ShownThreshold& before) {
-  const double change = std::log(now.median / before.median);
-  const double spread = std::hypot(now.halfWidth(), 0.5 * std::log(before.high / before.low));
-  return !(std::abs(change) > spread);
-}
-
 std::string comparison(const ThresholdSummary& now, const ShownThreshold& before) {
   const std::string last = fmt::format(" Last time: {} %.", percent(before.median));
-  return tooEarly(now, before) ? last + " Too early to call a change." : last;
+  const ThresholdSummary then{.median = before.median, .low = before.low, .high = before.high};
+  return changeBetween(then, now).clear ? last : last + " Too early to call a change.";
 }
 
 std::string verdictWords(Verdict verdict) {

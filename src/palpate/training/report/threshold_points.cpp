@@ -175,10 +175,4 @@ std::optional<std::string> notComparable(const ThresholdPoint& a, const Threshol
   return std::nullopt;
 }
 
-ThresholdChange thresholdChange(const ThresholdSummary& before, const ThresholdSummary& now) {
-  const double ln = std::log(now.median / before.median);
-  const double open = std::hypot(now.halfWidth(), before.halfWidth());  // the same rule as a block's summary
-  return {.ratio = std::exp(ln), .low = std::exp(ln - open), .high = std::exp(ln + open), .clear = std::abs(ln) > open};
-}
-
 }  // namespace palpate::training

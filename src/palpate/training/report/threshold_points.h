@@ -72,13 +72,4 @@ std::vector<double> curveChanges();
 /// Why two results must not be compared, in words; nothing: they may.
 std::optional<std::string> notComparable(const ThresholdPoint& a, const ThresholdPoint& b);
 
-/// How two results differ.
-struct ThresholdChange {
-  double ratio = 1.0;  ///< now over before: below 1 is better
-  double low = 0.0, high = 0.0;
-  /// The difference is larger than what both measurements leave open together.
-  bool clear = false;
-};
-ThresholdChange thresholdChange(const ThresholdSummary& before, const ThresholdSummary& now);
-
 }  // namespace palpate::training

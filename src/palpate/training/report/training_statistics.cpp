@@ -76,7 +76,7 @@ std::optional<TestsCompared> testsCompared(const std::vector<ThresholdPoint>& po
   TestsCompared compared{.before = tests.front(), .now = tests.back()};
   compared.why_not = notComparable(points[compared.before], points[compared.now]);
   if (!compared.why_not) {
-    compared.change = thresholdChange(*points[compared.before].threshold, *points[compared.now].threshold);
+    compared.change = changeBetween(*points[compared.before].threshold, *points[compared.now].threshold);
   }
   return compared;
 }
