@@ -1,0 +1,91 @@
+// The camera that goes round a place: turned, shifted and zoomed by gestures; and rays through points of the picture.
+import * as THREE from './three.module.min.js';
+
+const STEEPEST = 1.5; // radians: not quite from straight above
+const FIELD_DEG = 32;
+// Round the body's long axis, and up: from the back, the patient's right, the front, the left.
+const VIEWS = [[0, 0], [Math.PI / 2, 0], [Math.PI, 0], [-Math.PI / 2, 0], [0, 0.9]];
+
+export class OrbitCamera {
+  constructor() {
+    this.camera = new THREE.PerspectiveCamera(FIELD_DEG, 1, 10, 20000);
+    this.target = new THREE.Vector3();
+    this.radius = 500;
+    this.view = 0;
+    this.home();
+  }
+
+  /// Looks at a body of this middle and half size (mm).
+  frame(centre, half) {
+    this.middle = new THREE.Vector3(...centre);
+    this.half = half;
+    this.home();
+  }
+  home() {
+    [this.yaw, this.pitch] = VIEWS[this.view];
+    if (this.middle) this.target.copy(this.middle);
+    this.distance = this.fitting();
+    this.place();
+  }
+  nextView(step = 1) {
+    this.view = (this.view + step + VIEWS.length) % VIEWS.length;
+    this.home();
+  }
+  /// How far away the whole body is seen in a picture of this shape.
+  fitting() {
+    if (!this.half) return 2000;
+    const tangent = Math.tan((FIELD_DEG * Math.PI) / 360);
+    return Math.max(this.half[1] / tangent, Math.max(this.half[0], this.half[2]) / (tangent * this.camera.aspect)) * 1.06 + this.half[2];
+  }
+  resize(width, height) {
+    const fits = Math.abs(this.distance - this.fitting()) < 1;
+    this.camera.aspect = width / Math.max(1, height);
+    this.camera.updateProjectionMatrix();
+    if (fits) this.distance = this.fitting();
+    this.place();
+  }
+  place() {
+    const level = Math.cos(this.pitch);
+    const away = new THREE.Vector3(Math.sin(this.yaw) * level, Math.sin(this.pitch), Math.cos(this.yaw) * level);
+    this.camera.position.copy(this.target).addScaledVector(away, this.distance);
+    this.camera.lookAt(this.target);
+    this.camera.near = Math.max(5, this.distance / 100);
+    this.camera.far = this.distance * 20;
+    this.camera.updateProjectionMatrix();
+    this.camera.updateMatrixWorld();
+  }
+
+  turn(dx, dy) {
+    this.yaw -= dx * 0.008;
+    this.pitch = Math.max(-STEEPEST, Math.min(STEEPEST, this.pitch + dy * 0.008));
+    this.place();
+  }
+  /// By pixels of a picture so high.
+  shift(dx, dy, height) {
+    const mm = (2 * this.distance * Math.tan((FIELD_DEG * Math.PI) / 360)) / height;
+    const right = new THREE.Vector3().setFromMatrixColumn(this.camera.matrix, 0);
+    const up = new THREE.Vector3().setFromMatrixColumn(this.camera.matrix, 1);
+    this.target.addScaledVector(right, -dx * mm).addScaledVector(up, dy * mm);
+    this.place();
+  }
+  zoom(factor) {
+    this.distance = Math.max(60, Math.min(20 * this.fitting(), this.distance * factor));
+    this.place();
+  }
+
+  /// Through a point of the picture, -1 to 1 to the right and up.
+  ray(x, y) {
+    const caster = new THREE.Raycaster();
+    caster.setFromCamera(new THREE.Vector2(x, y), this.camera);
+    return { origin: caster.ray.origin.toArray(), direction: caster.ray.direction.toArray() };
+  }
+  /// Where a place of the body is in the picture, -1 to 1; null behind the camera.
+  project(place) {
+    const p = new THREE.Vector3(...place).project(this.camera);
+    return p.z < 1 ? [p.x, p.y] : null;
+  }
+  /// Of the picture, as directions of the body: right, up, towards the eye.
+  axes() {
+    return [0, 1, 2].map((i) => new THREE.Vector3().setFromMatrixColumn(this.camera.matrixWorld, i).toArray());
+  }
+}

@@ -1,0 +1,107 @@
+// The picture: renderer, body, fingers and camera put together, drawn when something changed.
+import * as THREE from './three.module.min.js';
+import { BonesView } from './bones_view.js';
+import { FLOATS_OF_VERTEX } from './engine.js';
+import { FingersView } from './fingers_view.js';
+import { OrbitCamera } from './camera.js';
+import { Picker } from './picker.js';
+import { Quality } from './quality.js';
+import { SkinView } from './skin_view.js';
+
+const SEE_THROUGH = 0.38;
+const MOST_PIXELS = 1.7e6; // of a screen with very many, not all are drawn
+
+export class Picture {
+  constructor(canvas) {
+    this.canvas = canvas;
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true, powerPreference: 'high-performance' });
+    this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace; // the skin's shader ends in sRGB itself
+    this.scene = new THREE.Scene();
+    this.world = new THREE.Group();
+    this.scene.add(this.world);
+    this.orbit = new OrbitCamera();
+    const sun = new THREE.DirectionalLight(0xffffff, 2.2);
+    sun.position.set(-0.45, 0.62, 0.64);
+    this.orbit.camera.add(sun, new THREE.AmbientLight(0xffffff, 0.9));
+    this.scene.add(this.orbit.camera);
+    this.fingers = new FingersView();
+    this.world.add(this.fingers.group);
+    this.quality = new Quality(() => this.resize());
+    this.drawn = 0;
+    this.passed = 0;
+    new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
+    this.resize();
+  }
+
+  setBody(body) {
+    for (const part of [this.skin, this.bones]) {
+      if (part) {
+        this.world.remove(part.mesh);
+        part.dispose();
+      }
+    }
+    this.skin = new SkinView(body);
+    this.bones = body.bones ? new BonesView(body.bones) : null;
+    this.world.add(this.skin.mesh);
+    if (this.bones) this.world.add(this.bones.mesh);
+    this.picker = new Picker(body.rest, FLOATS_OF_VERTEX, body.corners);
+    const { low, high } = this.picker.nodes[0];
+    this.middle = low.map((l, axis) => (l + high[axis]) / 2);
+    this.orbit.frame(this.middle, low.map((l, axis) => (high[axis] - l) / 2));
+    this.stale = true;
+  }
+  showBones(on) {
+    if (this.bones) this.bones.mesh.visible = on;
+    this.skin.setOpacity(on && this.bones ? SEE_THROUGH : 1);
+    this.stale = true;
+  }
+
+  /// The skin under a point of the picture, -1 to 1: {place, normal, distance} or null.
+  pick(x, y) {
+    if (!this.picker) return null;
+    const { origin, direction } = this.orbit.ray(x, y);
+    return this.picker.pick(origin, direction);
+  }
+  /// The skin above a place of the map plane, seen from the back.
+  skinAt(x, y) {
+    return this.picker.pick([x, y, 1e4], [0, 0, -1]);
+  }
+
+  take(frame) {
+    this.skin.take(frame);
+    this.fingers.take(frame.fingers);
+    const tips = JSON.stringify(frame.fingers.map(({ tip, force }) => [tip, force]));
+    if (frame.ranges.length > 0 || tips !== this.tips) this.stale = true;
+    this.tips = tips;
+  }
+
+  resize() {
+    if (this.renderer.xr.isPresenting) return;
+    const { clientWidth: width, clientHeight: height } = this.canvas.parentElement;
+    if (width === 0 || height === 0) return;
+    const least = Math.sqrt(MOST_PIXELS / (width * height));
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, least) * this.quality.share());
+    this.renderer.setSize(width, height, false);
+    this.orbit.resize(width, height);
+    this.stale = true;
+  }
+  pixels() {
+    return [this.canvas.width, this.canvas.height];
+  }
+
+  /// Once a picture of the screen; draws only what is new.
+  draw(now) {
+    const camera = this.orbit.camera.matrixWorld.elements.join();
+    if (camera !== this.camera_before) this.stale = true;
+    this.camera_before = camera;
+    ++this.passed;
+    if (this.stale || this.renderer.xr.isPresenting) {
+      this.stale = false;
+      ++this.drawn;
+      this.renderer.render(this.scene, this.orbit.camera);
+      this.quality.add(now, true);
+    } else {
+      this.quality.add(now, false);
+    }
+  }
+}
