@@ -246,7 +246,7 @@ StreamedFrame someFrame() {
   StreamedFrame frame;
   frame.tick = 1234567890123;
   frame.lift_mm = 1.5;
-  frame.fingers = {{Vec3(1, 2, 3), Vec3(0, 0, 4), contact::Touch::slip}, {}};
+  frame.fingers = {{Vec3(1, 2, 3), Vec3(1, 2, 4), Vec3(0, 0, 1), Vec3(0, 0, 4), 2.5, contact::Touch::slip}, {}};
   deform::Contact plain;
   plain.anchor_triangle = 1;
   plain.normal_region.half_major = Vec3(9, 0, 0);
@@ -266,6 +266,10 @@ TEST(ContactStream, AFrameIsTakenWholeOrNobodyTouches) {
   ASSERT_TRUE(decodeFrame(good, 2, frame));
   EXPECT_EQ(frame.tick, 1234567890123u);
   EXPECT_EQ(frame.fingers[0].touch, contact::Touch::slip);
+  EXPECT_EQ(frame.fingers[0].proxy, Vec3(1, 2, 4));
+  EXPECT_EQ(frame.fingers[0].normal, Vec3(0, 0, 1));
+  EXPECT_EQ(frame.fingers[0].force, Vec3(0, 0, 4));
+  EXPECT_EQ(frame.fingers[0].depth_mm, 2.5);
   EXPECT_FALSE(frame.contacts[0].layered);
   EXPECT_EQ(frame.contacts[1].layered->drag.terms[6], 0.5);
   EXPECT_EQ(frame.contacts[1].tangential_contour.contour.count, 5u);

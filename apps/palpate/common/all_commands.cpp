@@ -29,6 +29,7 @@ void addAllCommands(CLI::App& app) {
   addReplayCommand(app);
   addReportCommand(app);
   addResultsCommand(app);
+  addServeCommand(app);
   addSessionsCommand(app);
   addTrimCommand(app);
   addRunCommand(app);

@@ -54,6 +54,7 @@ void addRepairCommand(CLI::App& app);
 void addReplayCommand(CLI::App& app);
 void addReportCommand(CLI::App& app);
 void addResultsCommand(CLI::App& app);
+void addServeCommand(CLI::App& app);
 void addSessionsCommand(CLI::App& app);
 void addTrainCommand(CLI::App& app);
 void addTrimCommand(CLI::App& app);

@@ -78,9 +78,10 @@ class WireWriter {
   void place(const Vec3& value) {
     for (int axis = 0; axis < 3; ++axis) real(value[axis]);
   }
-  /// As three floats: for what is only shown.
+  /// As floats: for what is only shown.
+  void shown(double value) { real(static_cast<float>(value)); }
   void shown(const Vec3& value) {
-    for (int axis = 0; axis < 3; ++axis) real(static_cast<float>(value[axis]));
+    for (int axis = 0; axis < 3; ++axis) shown(value[axis]);
   }
   template <class Word>
   void word(const Word& value, Word /*last*/) {
@@ -123,12 +124,13 @@ class WireReader {
   void place(Vec3& value) {
     for (int axis = 0; axis < 3; ++axis) real(value[axis]);
   }
+  void shown(double& value) {
+    float number = 0.0f;
+    real(number);
+    value = static_cast<double>(number);
+  }
   void shown(Vec3& value) {
-    for (int axis = 0; axis < 3; ++axis) {
-      float number = 0.0f;
-      real(number);
-      value[axis] = static_cast<double>(number);
-    }
+    for (int axis = 0; axis < 3; ++axis) shown(value[axis]);
   }
   /// Of an enumeration or a bool: nothing beyond the last.
   template <class Word>

@@ -73,9 +73,16 @@ void walkContact(Wire& wire, Contact& contact) {
 
 template <class Wire, class Finger>
 void walkFinger(Wire& wire, Finger& finger) {
-  wire.shown(finger.tip);
-  wire.shown(finger.force);
   wire.word(finger.touch, contact::Touch::slip);
+  wire.shown(finger.tip);
+  if (finger.touch == contact::Touch::free) {
+    if constexpr (Wire::kReads) finger.proxy = finger.tip;
+    return;
+  }
+  wire.shown(finger.proxy);
+  wire.shown(finger.normal);
+  wire.shown(finger.force);
+  wire.shown(finger.depth_mm);
 }
 
 template <class List>

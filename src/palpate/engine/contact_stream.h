@@ -33,10 +33,14 @@ struct StreamedSkin {
   std::vector<float> breath_share = {};
 };
 
-/// One finger in one frame. Tip and force are rounded to floats: they are shown, not computed with.
+/// One finger in one frame, rounded to floats: it is shown, not computed with. Of a free one only the tip is sent: it
+/// has no normal, force and depth, and its proxy is the tip.
 struct StreamedFinger {
-  Vec3 tip = Vec3::Zero();    ///< mm; farther than 1e4 from the body: it is nowhere
-  Vec3 force = Vec3::Zero();  ///< on the finger as the skin gives it, N
+  Vec3 tip = Vec3::Zero();  ///< mm; 1e4 or more from the body: it is nowhere
+  Vec3 proxy = Vec3::Zero();
+  Vec3 normal = Vec3::Zero();  ///< unit, out of the skin
+  Vec3 force = Vec3::Zero();   ///< on the finger as the skin gives it, N
+  double depth_mm = 0.0;
   contact::Touch touch = contact::Touch::free;
 };
 

@@ -34,7 +34,8 @@ void fillFrame(const scene::World& world, std::span<const trace::Sample> samples
   frame.fingers.clear();
   frame.contacts.clear();
   for (const trace::Sample& sample : samples.first(std::min(samples.size(), frame.fingers.capacity()))) {
-    frame.fingers.push_back({sample.contact.tip, sample.contact.force, sample.contact.touch});
+    const contact::FingerOutput& felt = sample.contact;
+    frame.fingers.push_back({felt.tip, felt.proxy, felt.normal, felt.force, felt.depth_mm, felt.touch});
     addTouching(world, sample.contact, frame.lift_mm, frame.contacts);
   }
 }

@@ -1,0 +1,57 @@
+// Who may come in, and as what: tokens and where a page may come from.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace palpate::app::serving {
+
+/// What a token allows; each allows what those before it do.
+enum class Role : std::uint8_t {
+  none,
+  look,      ///< sees everything
+  control,   ///< takes the finger when nobody has it
+  instruct,  ///< takes it from anybody, halts it, writes to all
+};
+
+std::string_view wordOf(Role role);
+
+/// All three are set and differ.
+struct Tokens {
+  std::string look, control, instruct;
+};
+
+/// What is wrong with it: a token has 16 to 128 letters, digits, '-' and '_'. Empty: nothing.
+std::string faultOfToken(std::string_view token);
+
+/// 160 bits of the system's own randomness, 40 digits. Throws Error.
+std::string makeToken();
+
+/// The given ones, those that are empty made. Throws Error for one that is none, and for two that are the same.
+Tokens completed(Tokens given);
+
+/// What this token is worth. The time it takes says nothing about how much of it was right.
+Role roleOf(const Tokens& tokens, std::string_view offered) noexcept;
+
+/// {"look": ..., "control": ..., "instruct": ...}, for its owner's eyes. Throws Error for a file that is there already.
+void writeTokens(const std::filesystem::path& file, const Tokens& tokens);
+/// Throws Error: no such file, another form, or a file that others than its owner may read.
+Tokens readTokens(const std::filesystem::path& file);
+
+/// 127.0.0.0/8 and ::1; a name is none but "localhost".
+bool isLoopback(std::string_view address);
+
+/// "https://place.example:8443" in small letters, without what follows; the scheme's own port left out. Empty for what
+/// is no origin of a page.
+std::string originOf(std::string_view url);
+
+/// Whether a page from there may open a stream: those named, and the server's own address as the browser wrote it -
+/// `local_address` is that of the connection, so a strange name that leads here (DNS rebinding) is not it. An empty
+/// origin is no browser's: programs send none.
+bool originAllowed(std::string_view origin, const std::vector<std::string>& named, std::string_view local_address,
+                   int port);
+
+}  // namespace palpate::app::serving
