@@ -40,14 +40,14 @@ static void* feel(void* number) {
 static void* rebuild(void* times) {
   int i;
   for (i = 0; i < *(const int*)times; ++i) {
-    palpate_world* other = NULL;
+    palpate_world *other = NULL, *refused = NULL;
     palpate_error error;
     memset(&error, 0, sizeof error);
     error.size = sizeof error;
     if (palpate_world_rebuilt(world, "[friction]\nskin = \"oiled\"\n", NULL, &other, &error) != PALPATE_OK) {
       ++failures[0];
     }
-    if (palpate_world_rebuilt(world, "nonsense", NULL, &other, &error) != PALPATE_REFUSED) ++failures[0];
+    if (palpate_world_rebuilt(world, "nonsense", NULL, &refused, &error) != PALPATE_REFUSED) ++failures[0];
     palpate_world_release(other);
   }
   return NULL;
