@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from palpate._core import Error, World, __version__
+from palpate._core import Error, Finger, Fingers, FingerSettings, Skin, Touch, World, __version__
 
 if TYPE_CHECKING:
-    pass
+    from palpate import env as env
 
-__all__ = ["Error", "World", "__version__"]
+__all__ = ["Error", "Finger", "FingerSettings", "Fingers", "Skin", "Touch", "World", "__version__"]
 
 # Loaded when they are first asked for: `import palpate` is to cost nothing that is not used.
 _LAZY = ("devices", "env", "fit", "measure", "sessions", "tissue", "view")

@@ -16,31 +16,49 @@ namespace palpate::python {
 
 namespace py = pybind11;
 
-/// Whatever numpy.asarray takes. A type of its own so that signatures say so.
-class ArrayLike : public py::object {
+/// An object that signatures call by Tag::name, which is what a type checker reads.
+template <class Tag, class Base = py::object>
+class Named : public Base {
  public:
-  ArrayLike() = default;
-  ArrayLike(py::handle given, borrowed_t) : py::object(given, borrowed_t{}) {}
-  ArrayLike(py::handle given, stolen_t) : py::object(given, stolen_t{}) {}
+  Named() = default;
+  Named(Base given) : Base(std::move(given)) {}  // NOLINT(google-explicit-constructor): it is one
+  Named(py::handle given, py::object::stolen_t) : Base(py::reinterpret_steal<Base>(given)) {}
+  Named(py::handle given, py::object::borrowed_t) : Base(py::reinterpret_borrow<Base>(given)) {}
   static bool check_(py::handle given) { return given.ptr() != nullptr; }
 };
-/// What a call answers: an array of one kind. Made of a py::array that is so.
+
+struct ArrayLikeName {
+  static constexpr auto name = py::detail::const_name("numpy.typing.ArrayLike");
+};
+struct PlaceLikeName {
+  static constexpr auto name = py::detail::const_name("Union[str, numpy.typing.ArrayLike]");
+};
+struct FeltArraysName {
+  static constexpr auto name = py::detail::const_name("dict[str, numpy.typing.NDArray[Any]]");
+};
+struct MaybeOutName {
+  static constexpr auto name = py::detail::const_name("Optional[dict[str, numpy.typing.NDArray[Any]]]");
+};
+struct MaybeFieldsName {
+  static constexpr auto name = py::detail::const_name("Optional[Sequence[str]]");
+};
 template <class Number>
-class ArrayOf : public py::array {
- public:
-  ArrayOf(py::array given) : py::array(std::move(given)) {}  // NOLINT(google-explicit-constructor): it is one
+struct ArrayName {
+  static constexpr auto name = py::detail::const_name("numpy.typing.NDArray[") +
+                               py::detail::npy_format_descriptor<Number>::name + py::detail::const_name("]");
 };
-using FloatArray = ArrayOf<double>;
-using Float32Array = ArrayOf<float>;
-using Int32Array = ArrayOf<std::int32_t>;
+
+/// Whatever numpy.asarray takes.
+using ArrayLike = Named<ArrayLikeName>;
 /// A place: words ("T6 right 30 mm") or three numbers, mm.
-class PlaceLike : public py::object {
- public:
-  PlaceLike() = default;
-  PlaceLike(py::handle given, borrowed_t) : py::object(given, borrowed_t{}) {}
-  PlaceLike(py::handle given, stolen_t) : py::object(given, stolen_t{}) {}
-  static bool check_(py::handle given) { return given.ptr() != nullptr; }
-};
+using PlaceLike = Named<PlaceLikeName>;
+using MaybeOut = Named<MaybeOutName>;
+using MaybeFields = Named<MaybeFieldsName>;
+using FeltDict = Named<FeltArraysName>;
+using FloatArray = Named<ArrayName<double>>;
+using Float32Array = Named<ArrayName<float>>;
+using Int32Array = Named<ArrayName<std::int32_t>>;
+using IndexArray = Named<ArrayName<std::int64_t>>;
 
 /// A read-only array over memory of `owner`, which lives as long as the array, its slices and views. Strides in bytes;
 /// none: C order.
@@ -79,18 +97,9 @@ Vec3 pointOf(py::handle given, const char* what);
 
 namespace pybind11::detail {
 
-template <>
-struct handle_type_name<palpate::python::ArrayLike> {
-  static constexpr auto name = const_name("numpy.typing.ArrayLike");
-};
-template <>
-struct handle_type_name<palpate::python::PlaceLike> {
-  static constexpr auto name = const_name("Union[str, numpy.typing.ArrayLike]");
-};
-template <class Number>
-struct handle_type_name<palpate::python::ArrayOf<Number>> {
-  static constexpr auto name =
-      const_name("numpy.typing.NDArray[") + npy_format_descriptor<Number>::name + const_name("]");
+template <class Tag, class Base>
+struct handle_type_name<palpate::python::Named<Tag, Base>> {
+  static constexpr auto name = Tag::name;
 };
 
 }  // namespace pybind11::detail

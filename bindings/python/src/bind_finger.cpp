@@ -1,4 +1,320 @@
+// FingerSettings, Touch and Finger. `Finger.step` is Python's own fast call, without pybind11: a tick takes 130 ns, and
+// what is around it should not take more.
+#include <fmt/format.h>
+
+#include <bit>
+
 #include "bindings.h"
+#include "felt_finger.h"
+#include "palpate/engine/fingers.h"
+
 namespace palpate::python {
-void bindFinger(pybind11::module_&) {}
+
+namespace {
+
+using contact::FingerOutput;
+using contact::FingerSettings;
+
+struct FingerHandle {
+  WorldPointer world;
+  FeltFinger finger;
+};
+
+// ---- settings
+
+/// In the order of the constructor; repr and replace go by it too.
+struct NumberSetting {
+  const char* name;
+  double* (*of)(FingerSettings&);
+};
+constexpr std::array kNumbers = {
+    NumberSetting{"radius_mm", [](FingerSettings& s) { return &s.radius_mm; }},
+    NumberSetting{"stiffness_ratio", [](FingerSettings& s) { return &s.stiffness_ratio; }},
+    NumberSetting{"mu_static", [](FingerSettings& s) { return &s.mu_static; }},
+    NumberSetting{"mu_dynamic", [](FingerSettings& s) { return &s.mu_dynamic; }},
+    NumberSetting{"max_depth_mm", [](FingerSettings& s) { return &s.max_depth_mm; }},
+    NumberSetting{"tick_s", [](FingerSettings& s) { return &s.tick_s; }},
+    NumberSetting{"catch_up_mm_per_s", [](FingerSettings& s) { return &s.catch_up_mm_per_s; }},
+    NumberSetting{"relaxation_share", [](FingerSettings& s) { return &s.relaxation.share; }},
+    NumberSetting{"relaxation_time_s", [](FingerSettings& s) { return &s.relaxation.time_s; }},
+    NumberSetting{"relaxation_share_2", [](FingerSettings& s) { return &s.relaxation.share_2; }},
+    NumberSetting{"relaxation_time_2_s", [](FingerSettings& s) { return &s.relaxation.time_2_s; }},
+};
+
+template <std::size_t I>
+double numberOf(const FingerSettings& settings) {
+  FingerSettings copy = settings;
+  return *kNumbers[I].of(copy);
+}
+
+std::string reprOf(FingerSettings settings) {
+  FingerSettings usual;
+  std::string text;
+  const auto add = [&](const char* name, const std::string& value) {
+    text += fmt::format("{}{}={}", text.empty() ? "" : ", ", name, value);
+  };
+  for (const NumberSetting& number : kNumbers) {
+    const double value = *number.of(settings);
+    if (value != *number.of(usual)) add(number.name, py::repr(py::float_(value)));
+  }
+  if (settings.force_shading) add("force_shading", "True");
+  return "FingerSettings(" + text + ")";
+}
+
+bool equal(FingerSettings one, FingerSettings other) {
+  for (const NumberSetting& number : kNumbers) {
+    if (*number.of(one) != *number.of(other)) return false;
+  }
+  return one.force_shading == other.force_shading;
+}
+
+FingerSettings replaced(FingerSettings settings, const py::kwargs& changes) {
+  for (const auto& [key, value] : changes) {
+    const auto name = key.cast<std::string>();
+    if (name == "force_shading") {
+      settings.force_shading = value.cast<bool>();
+      continue;
+    }
+    const auto* number =
+        std::find_if(kNumbers.begin(), kNumbers.end(), [&](const NumberSetting& one) { return one.name == name; });
+    if (number == kNumbers.end()) throw py::type_error("replace() got an unexpected keyword argument '" + name + "'");
+    *number->of(settings) = value.cast<double>();
+  }
+  engine::checkFinger(settings);
+  return settings;
+}
+
+void bindSettings(py::module_& module) {
+  const FingerSettings usual;
+  py::class_<FingerSettings> settings(
+      module, "FingerSettings",
+      "What a finger is: a point or a ball, and how it rubs. Checked when made; it never changes, `replace` makes "
+      "another.\n\n"
+      "radius_mm: 0 is a point, 8 a fingertip (0 to 1,000)\n"
+      "stiffness_ratio: tangential over normal stiffness (0 to 100)\n"
+      "mu_static, mu_dynamic: friction, mu_dynamic at most mu_static (0 to 5)\n"
+      "max_depth_mm: deeper than this the force no longer grows (above 0, to 100,000)\n"
+      "tick_s: time between two ticks, s (1e-6 to 1)\n"
+      "catch_up_mm_per_s: how fast the point on the skin may run beside the tip (0 to 1,000,000)\n"
+      "relaxation_share, relaxation_time_s, relaxation_share_2, relaxation_time_2_s: of the force, what goes while "
+      "the\n"
+      "    skin is held, and over which times, s; the shares together at most 0.9\n"
+      "force_shading: rounds off facets of coarse meshes; a point only\n\n"
+      "Raises palpate.Error for a number that makes no sense or is out of range.");
+  settings.def(
+      py::init([](double radius_mm, double stiffness_ratio, double mu_static, double mu_dynamic, double max_depth_mm,
+                  double tick_s, double catch_up_mm_per_s, double share, double time_s, double share_2, double time_2_s,
+                  bool force_shading) {
+        const FingerSettings made{.radius_mm = radius_mm,
+                                  .stiffness_ratio = stiffness_ratio,
+                                  .mu_static = mu_static,
+                                  .mu_dynamic = mu_dynamic,
+                                  .max_depth_mm = max_depth_mm,
+                                  .tick_s = tick_s,
+                                  .catch_up_mm_per_s = catch_up_mm_per_s,
+                                  .force_shading = force_shading,
+                                  .relaxation = {share, time_s, share_2, time_2_s}};
+        engine::checkFinger(made);
+        return made;
+      }),
+      "All by name; what is left out has its usual value. Raises palpate.Error.", py::kw_only(),
+      py::arg("radius_mm") = usual.radius_mm, py::arg("stiffness_ratio") = usual.stiffness_ratio,
+      py::arg("mu_static") = usual.mu_static, py::arg("mu_dynamic") = usual.mu_dynamic,
+      py::arg("max_depth_mm") = usual.max_depth_mm, py::arg("tick_s") = usual.tick_s,
+      py::arg("catch_up_mm_per_s") = usual.catch_up_mm_per_s, py::arg("relaxation_share") = usual.relaxation.share,
+      py::arg("relaxation_time_s") = usual.relaxation.time_s, py::arg("relaxation_share_2") = usual.relaxation.share_2,
+      py::arg("relaxation_time_2_s") = usual.relaxation.time_2_s, py::arg("force_shading") = usual.force_shading);
+  settings.def_property_readonly("radius_mm", numberOf<0>, "Radius of the finger, mm; 0 is a point.");
+  settings.def_property_readonly("stiffness_ratio", numberOf<1>, "Tangential over normal stiffness.");
+  settings.def_property_readonly("mu_static", numberOf<2>, "Friction before it slips.");
+  settings.def_property_readonly("mu_dynamic", numberOf<3>, "Friction while it slips.");
+  settings.def_property_readonly("max_depth_mm", numberOf<4>, "The deepest depth that is felt, mm.");
+  settings.def_property_readonly("tick_s", numberOf<5>, "Time between two ticks, s.");
+  settings.def_property_readonly("catch_up_mm_per_s", numberOf<6>,
+                                 "How fast the point on the skin may run beside the tip, mm/s.");
+  settings.def_property_readonly("relaxation_share", numberOf<7>, "Of the force, what goes while the skin is held.");
+  settings.def_property_readonly("relaxation_time_s", numberOf<8>, "Over which time it goes, s.");
+  settings.def_property_readonly("relaxation_share_2", numberOf<9>, "The same of a second term.");
+  settings.def_property_readonly("relaxation_time_2_s", numberOf<10>, "Time of the second term, s.");
+  settings.def_property_readonly(
+      "force_shading", [](const FingerSettings& self) { return self.force_shading; },
+      "True where facets are rounded off.");
+  settings.def("replace", &replaced,
+               "The same with some numbers changed, named as in the constructor. Raises TypeError for a name that is "
+               "none, palpate.Error for a number that makes no sense.");
+  settings.def("__repr__", &reprOf, "As the constructor would be called.");
+  settings.def(
+      "__eq__", [](const FingerSettings& self, const FingerSettings& other) { return equal(self, other); },
+      py::is_operator(), "True where all numbers are the same.");
+  settings.def(
+      "__hash__", [](const FingerSettings& self) { return py::hash(py::str(reprOf(self))); }, "Of all its numbers.");
+}
+
+// ---- what was felt
+
+const char* wordOf(contact::Touch touch) {
+  if (touch == contact::Touch::free) return "free";
+  return touch == contact::Touch::stick ? "stick" : "slip";
+}
+
+/// A view of a point inside the Touch.
+template <Vec3 FingerOutput::*Member>
+FloatArray pointIn(const py::object& self) {
+  return viewOf((self.cast<const FingerOutput&>().*Member).data(), {3}, self);
+}
+
+int signedIndex(Index index) { return std::bit_cast<std::int32_t>(index); }
+
+void bindTouch(py::module_& module) {
+  py::class_<FingerOutput> touch(
+      module, "Touch",
+      "What a finger felt in one tick: a snapshot that never changes. Arrays are read-only views of it.");
+  touch.def_property_readonly("force", pointIn<&FingerOutput::force>, "(3,) on the finger, N.");
+  touch.def_property_readonly("tip", pointIn<&FingerOutput::tip>, "(3,) where the finger is, mm.");
+  touch.def_property_readonly("proxy", pointIn<&FingerOutput::proxy>,
+                              "(3,) the point of the skin that it presses, mm; the tip when free.");
+  touch.def_property_readonly("anchor", pointIn<&FingerOutput::anchor>,
+                              "(3,) the point of the skin that friction holds, mm; the tip when free.");
+  touch.def_property_readonly("hold", pointIn<&FingerOutput::hold>,
+                              "(3,) where friction holds the tip, a point in space, mm; the tip when free.");
+  touch.def_property_readonly("normal", pointIn<&FingerOutput::normal>, "(3,) unit, out of the skin; zeros when free.");
+  touch.def_property_readonly(
+      "depth_mm", [](const FingerOutput& self) { return self.depth_mm; }, "Depth along the normal, mm; 0 when free.");
+  touch.def_property_readonly(
+      "tissue_mm", [](const FingerOutput& self) { return self.tissue_mm; },
+      "Thickness over the bone under the finger, mm; 0 when free and where it is not known.");
+  touch.def_property_readonly(
+      "rest_mm", [](const FingerOutput& self) { return self.rest_mm; },
+      "Effective depth at which the skin under the finger would stay by itself, mm.");
+  touch.def_property_readonly(
+      "state", [](const FingerOutput& self) { return wordOf(self.touch); }, "'free', 'stick' or 'slip'.");
+  touch.def_property_readonly(
+      "triangle", [](const FingerOutput& self) { return signedIndex(self.triangle); },
+      "Triangle under the proxy, a row of World.triangles; -1 when free.");
+  touch.def_property_readonly(
+      "anchor_triangle", [](const FingerOutput& self) { return signedIndex(self.anchor_triangle); },
+      "Triangle under the anchor; -1 when free.");
+  touch.def_property_readonly(
+      "status", [](const FingerOutput& self) { return self.status; },
+      "Bits: 1 tip lost (not finite or absurdly far: no force), 2 catching up, 4 too deep, 8 letting go, 16 at the "
+      "border, 32 started inside, 64 unsettled, 128 shading failed (docs/contact.md).");
+  touch.def(
+      "__repr__",
+      [](const FingerOutput& self) {
+        return fmt::format("<Touch: {}, {:.4g} N, {:.4g} mm deep{}>", wordOf(self.touch), self.force.norm(),
+                           self.depth_mm, self.status == 0 ? "" : fmt::format(", status {}", self.status));
+      },
+      "In a few words.");
+}
+
+// ---- the finger
+
+/// The FingerHandle in a Python object that pybind11 made. Null with TypeError set for another.
+FingerHandle* fingerIn(PyObject* self) {
+  // What pybind11's own caster would find; it is asked where the object is not as simple as ours are (a subclass).
+  const auto* instance = reinterpret_cast<const py::detail::instance*>(self);
+  if (instance->simple_layout && instance->simple_value_holder[0] != nullptr) {
+    return static_cast<FingerHandle*>(instance->simple_value_holder[0]);
+  }
+  PyErr_SetString(PyExc_TypeError, "Finger.__init__() was not called");
+  return nullptr;
+}
+
+/// The usual tips without numpy's help: three floats of a list or a tuple, an array of three float64.
+bool quickTip(PyObject* const* given, Py_ssize_t count, Vec3& tip) {
+  if (count == 1) {
+    PyObject* one = given[0];
+    if (PyTuple_CheckExact(one) || PyList_CheckExact(one)) {
+      count = PySequence_Fast_GET_SIZE(one);
+      given = PySequence_Fast_ITEMS(one);
+    } else {
+      const auto& numpy = py::detail::npy_api::get();
+      if (Py_TYPE(one) != numpy.PyArray_Type_) return false;
+      const auto* array = py::detail::array_proxy(one);
+      if (array->nd != 1 || array->dimensions[0] != 3) return false;
+      const auto* kind = py::detail::array_descriptor_proxy(array->descr);
+      if (kind->type_num != py::detail::npy_api::NPY_DOUBLE_ || kind->byteorder == '>') return false;
+      for (int axis = 0; axis < 3; ++axis)
+        std::memcpy(&tip[axis], array->data + axis * array->strides[0], sizeof(double));
+      return true;
+    }
+  }
+  if (count != 3) return false;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!PyFloat_CheckExact(given[axis])) return false;
+    tip[axis] = PyFloat_AS_DOUBLE(given[axis]);
+  }
+  return true;
+}
+
+Vec3 anyTip(PyObject* const* given, Py_ssize_t count) {
+  if (count == 1) return pointOf(given[0], "tip");
+  if (count != 3) throw py::type_error("step() takes a tip (3,) or x, y and z");
+  Vec3 tip;
+  for (int axis = 0; axis < 3; ++axis) tip[axis] = py::float_(py::reinterpret_borrow<py::object>(given[axis]));
+  return tip;
+}
+
+PyObject* step(PyObject* self, PyObject* const* given, Py_ssize_t count) {
+  FingerHandle* handle = fingerIn(self);
+  if (handle == nullptr) return nullptr;
+  try {
+    Vec3 tip;
+    if (!quickTip(given, count, tip)) tip = anyTip(given, count);
+    return py::cast(handle->finger.step(tip)).release().ptr();
+  } catch (py::error_already_set& error) {
+    error.restore();
+  } catch (const py::builtin_exception& error) {
+    error.set_error();
+  }
+  return nullptr;
+}
+
+// As pybind11 writes its signatures: the stubs are made from them.
+constexpr const char* kStepDoc =
+    "step(*args, **kwargs)\nOverloaded function.\n\n"
+    "1. step(self: palpate._core.Finger, tip: numpy.typing.ArrayLike) -> palpate._core.Touch\n\n"
+    "One tick with the tip (3,) here, mm; FingerSettings.tick_s after the last. A ball's tip is its centre.\n\n"
+    "An array of float64 is fastest. A tip that is not finite is lost: status 1, no force, and the finger stays as it "
+    "was.\nRaises TypeError for what is no number, ValueError for another shape. The interpreter's lock is kept.\n\n"
+    "2. step(self: palpate._core.Finger, x: float, y: float, z: float) -> palpate._core.Touch\n\n"
+    "The same with three numbers.";
+PyMethodDef step_method = {"step", reinterpret_cast<PyCFunction>(reinterpret_cast<void (*)()>(&step)), METH_FASTCALL,
+                           kStepDoc};
+
+void bindFingerClass(py::module_& module) {
+  py::class_<FingerHandle> finger(
+      module, "Finger", "One finger on a world, one tick a call. Keeps its world. Use each from one thread at a time.");
+  finger.def(
+      py::init([](const WorldPointer& world, const MaybeSettings& settings) {
+        const auto checked = settingsOf(*world->world, settings, 1);
+        return FingerHandle{world, std::move(fingersOn(*world->world, checked).front())};
+      }),
+      "settings: a FingerSettings, or None for the scene's first finger. Raises palpate.Error where they and the "
+      "world do not suit.",
+      py::arg("world"), py::arg("settings") = py::none());
+  finger.def_property_readonly(
+      "world", [](const FingerHandle& self) { return self.world; }, "The world it feels.");
+  finger.def_property_readonly(
+      "settings", [](const FingerHandle& self) { return self.finger.settings; }, "What it is.");
+  finger.def(
+      "lift", [](FingerHandle& self) { self.finger.lift(); },
+      "The finger leaves: its next tip may be anywhere, and nothing between here and there is touched.");
+  finger.def(
+      "reset", [](FingerHandle& self) { self.finger.reset(); },
+      "As when it was made: `lift`, and its clock starts again, which counts on a body that breathes.");
+  const auto descriptor =
+      py::reinterpret_steal<py::object>(PyDescr_NewMethod(reinterpret_cast<PyTypeObject*>(finger.ptr()), &step_method));
+  if (!descriptor) throw py::error_already_set();
+  finger.attr("step") = descriptor;
+}
+
+}  // namespace
+
+void bindFinger(py::module_& module) {
+  bindSettings(module);
+  bindTouch(module);
+  bindFingerClass(module);
+}
+
 }  // namespace palpate::python

@@ -1,4 +1,184 @@
+// Fingers: a batch of fingers that persist between calls, for vectorised environments.
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "bindings.h"
+#include "busy.h"
+#include "crew.h"
+#include "felt_fields.h"
+#include "felt_finger.h"
+
 namespace palpate::python {
-void bindFingers(pybind11::module_&) {}
+
+namespace {
+
+/// A part is so many fingers: small enough to look for Ctrl-C between two, large enough to be worth a counter.
+constexpr std::size_t kFingersAPart = 16;
+
+struct MaybeMaskName {
+  static constexpr auto name = py::detail::const_name("Optional[numpy.typing.ArrayLike]");
+};
+using MaybeMask = Named<MaybeMaskName>;
+
+class FingersHandle {
+ public:
+  FingersHandle(WorldPointer world, std::size_t count, const py::object& settings, std::size_t threads)
+      : world_(std::move(world)),
+        fingers_(fingersOn(*world_->world, settingsOf(*world_->world, settings, count))),
+        commanded_(count, nowhere()),
+        felt_(count),
+        crew_(threads) {}
+
+  const WorldPointer& world() const { return world_; }
+  std::size_t size() const { return fingers_.size(); }
+  std::size_t threads() const { return crew_.threads(); }
+
+  FeltDict step(const ArrayLike& given, std::size_t substeps, const MaybeFields& fields, const MaybeOut& out) {
+    const Busy::Guard guard(busy_, "Fingers");
+    const auto tips = floatsOf(given, "tips", 3);
+    if (tips.ndim() != 2 || static_cast<std::size_t>(tips.shape(0)) != size()) {
+      throw py::value_error(fmt::format("tips: must be ({}, 3)", size()));
+    }
+    if (substeps == 0) throw py::value_error("substeps: at least 1");
+    const FeltArrays arrays({tips.shape(0)}, fields, out);
+    const double* to = tips.data();
+    unlocked([&](Interrupts& interrupts) { stepAll(to, substeps, arrays.rows(), interrupts); });
+    return FeltDict(arrays.dict());
+  }
+
+  py::list touches() {
+    const Busy::Guard guard(busy_, "Fingers");
+    py::list all;
+    for (const contact::FingerOutput& felt : felt_) all.append(py::cast(felt));
+    return all;
+  }
+
+  /// Those whose flag is set; all for None.
+  template <class Change>
+  void forMasked(const py::object& mask, const Change& change) {
+    const Busy::Guard guard(busy_, "Fingers");
+    if (mask.is_none()) {
+      for (std::size_t i = 0; i < size(); ++i) change(i);
+      return;
+    }
+    const auto flags = py::array::ensure(mask);
+    if (!flags || flags.dtype().kind() != 'b' || flags.ndim() != 1 ||
+        static_cast<std::size_t>(flags.size()) != size()) {
+      PyErr_Clear();
+      throw py::value_error(fmt::format("mask: must be ({},) of bool", size()));
+    }
+    for (std::size_t i = 0; i < size(); ++i) {
+      if (*static_cast<const bool*>(flags.data(static_cast<py::ssize_t>(i)))) change(i);
+    }
+  }
+  void reset(const MaybeMask& mask) {
+    forMasked(mask, [this](std::size_t i) {
+      fingers_[i].reset();
+      forget(i);
+    });
+  }
+  void lift(const MaybeMask& mask) {
+    forMasked(mask, [this](std::size_t i) {
+      fingers_[i].lift();
+      forget(i);
+    });
+  }
+
+  void close() {
+    const Busy::Guard guard(busy_, "Fingers");
+    const Unlocked free;
+    crew_.close();
+  }
+
+ private:
+  static Vec3 nowhere() { return Vec3::Constant(std::numeric_limits<double>::quiet_NaN()); }
+  void forget(std::size_t i) {
+    commanded_[i] = nowhere();
+    felt_[i] = {};
+  }
+
+  void stepAll(const double* tips, std::size_t substeps, const FeltRows& rows, Interrupts& interrupts) {
+    const auto part_of_them = [&](std::size_t part, const Pause& pause) {
+      const std::size_t end = std::min(size(), (part + 1) * kFingersAPart);
+      for (std::size_t i = part * kFingersAPart; i < end; ++i) {
+        stepOne(i, {tips[3 * i], tips[3 * i + 1], tips[3 * i + 2]}, substeps, pause);
+        rows.write(i, felt_[i]);
+      }
+    };
+    const std::size_t parts = (size() + kFingersAPart - 1) / kFingersAPart;
+    if (size() * substeps < 2 * kTicksWorthAThread) {  // not worth waking anybody
+      Crew(1).share(parts, part_of_them, interrupts);
+    } else {
+      crew_.share(parts, part_of_them, interrupts);
+    }
+  }
+
+  /// In a straight line from where it was sent last.
+  void stepOne(std::size_t i, const Vec3& to, std::size_t substeps, const Pause& pause) {
+    const Vec3 from = commanded_[i].allFinite() ? commanded_[i] : to;
+    for (std::size_t k = 1; k <= substeps; ++k) {
+      if (k % 64 == 0) pause.check();
+      const double share = static_cast<double>(k) / static_cast<double>(substeps);
+      felt_[i] = fingers_[i].step(k == substeps ? to : from + (to - from) * share);
+    }
+    commanded_[i] = to;
+  }
+
+  WorldPointer world_;
+  std::vector<FeltFinger> fingers_;
+  std::vector<Vec3> commanded_;              ///< where each was sent last; not finite: nowhere
+  std::vector<contact::FingerOutput> felt_;  ///< of each one's last tick
+  Crew crew_;
+  Busy busy_;
+};
+
+}  // namespace
+
+void bindFingers(py::module_& module) {
+  py::class_<FingersHandle> fingers(
+      module, "Fingers",
+      "A batch of fingers on one world that persist between calls.\n\nOne call at a time: a second, from another "
+      "thread, raises "
+      "RuntimeError. After a fork the child may use it, threads and all. `with` closes it.");
+  fingers.def(
+      py::init([](const WorldPointer& world, std::size_t count, const MaybeSettings& settings, std::size_t threads) {
+        if (count == 0) throw py::value_error("n: at least 1");
+        if (threads == 0) throw py::value_error("threads: at least 1");
+        return std::make_unique<FingersHandle>(world, count, settings, threads);
+      }),
+      "n fingers; settings: None for the scene's, a FingerSettings for all, or a sequence of n; threads: share a "
+      "call's work where it is more than 5,000 ticks. Raises palpate.Error where settings and world do not suit.",
+      py::arg("world"), py::arg("n"), py::kw_only(), py::arg("settings") = py::none(), py::arg("threads") = 1);
+  fingers.def(
+      "step", &FingersHandle::step,
+      "Moves every finger to its tip (n, 3), mm, and answers what it felt in its last tick.\n\n"
+      "substeps: ticks that the way takes, in a straight line from where the finger was sent last: tick k is at from + "
+      "(to - from) * (k / substeps)\nfields, out: as for World.rollout, arrays (n, ...)\n\n"
+      "Arrays are fresh unless `out` is given. The interpreter's lock is released, Ctrl-C interrupts: some "
+      "fingers have moved then. Raises RuntimeError while another call is at work, ValueError for shapes.",
+      py::arg("tips"), py::kw_only(), py::arg("substeps") = 1, py::arg("fields") = py::none(),
+      py::arg("out") = py::none());
+  fingers.def(
+      "reset", &FingersHandle::reset,
+      "Those with True in mask (n,), all for None, are as when they were made. Raises RuntimeError, ValueError.",
+      py::arg("mask") = py::none());
+  fingers.def(
+      "lift", &FingersHandle::lift,
+      "Those with True in mask (n,), all for None, leave: their next tips may be anywhere. Raises RuntimeError, "
+      "ValueError.",
+      py::arg("mask") = py::none());
+  fingers.def(
+      "touches", &FingersHandle::touches,
+      "A list of n Touch of the last ticks, for Skin.apply. Raises RuntimeError while another call is at work.");
+  fingers.def("close", &FingersHandle::close, "Ends its threads; the next call that needs them makes new ones.");
+  fingers.def(
+      "__enter__", [](const py::object& self) { return self; }, "Itself.");
+  fingers.def(
+      "__exit__", [](FingersHandle& self, const py::args&) { self.close(); }, "close().");
+  fingers.def("__len__", &FingersHandle::size, "How many fingers there are.");
+  fingers.def_property_readonly("world", &FingersHandle::world, "The world they feel.");
+  fingers.def_property_readonly("threads", &FingersHandle::threads, "Threads that share a call's work.");
+}
+
 }  // namespace palpate::python

@@ -1,4 +1,131 @@
+// Skin: the deformed skin of a world, live views of it, and copies for other threads.
+#include <fmt/format.h>
+
 #include "bindings.h"
+#include "skin_handle.h"
+
 namespace palpate::python {
-void bindSkin(pybind11::module_&) {}
+
+namespace {
+
+using Stream = std::span<const float>;
+
+/// (V, 3) over three arrays that lie at equal distances.
+Float32Array pointsOver(const Stream& x, const Stream& y, const Stream& z, const py::object& self) {
+  const py::ssize_t axis = (y.data() - x.data()) * static_cast<py::ssize_t>(sizeof(float));
+  if (z.data() - y.data() != y.data() - x.data()) throw std::logic_error("the streams of a skin lie elsewhere");
+  return viewOf(x.data(), {static_cast<py::ssize_t>(x.size()), 3}, {sizeof(float), axis}, self);
+}
+
+const deform::DeformedSurface& surfaceOf(const py::object& self) {
+  return self.cast<const SkinHandle&>().skin().surface();
+}
+
+/// Copied here and not by numpy, which lets other threads in while it copies.
+template <class At>
+py::array_t<float> copyOf(Index vertices, const At& at) {
+  py::array_t<float> copy({static_cast<py::ssize_t>(vertices), py::ssize_t{3}});
+  float* to = copy.mutable_data();
+  for (Index v = 0; v < vertices; ++v, to += 3) Eigen::Map<Vec3f>{to} = at(v);
+  return copy;
+}
+
+py::dict copied(SkinHandle& self) {
+  const Busy::Guard guard(self.busy(), "Skin");
+  const deform::DeformedSurface& surface = self.skin().surface();
+  py::dict copy;
+  copy["positions"] = copyOf(surface.vertices(), [&](Index v) { return surface.positionAt(v); });
+  copy["normals"] = copyOf(surface.vertices(), [&](Index v) { return surface.normalAt(v); });
+  copy["displacement"] = copyOf(surface.vertices(), [&](Index v) { return surface.displacementAt(v); });
+  copy["strain"] = py::array_t<float>(static_cast<py::ssize_t>(surface.vertices()), surface.strain().data());
+  return copy;
+}
+
+void apply(SkinHandle& self, const Touches& given, std::uint64_t tick) {
+  const std::vector<contact::FingerOutput> touches = touchesOf(given);
+  if (touches.size() > self.fingers()) {
+    throw py::value_error(fmt::format("touches: {} are more than the {} that this Skin was made for (fingers=)",
+                                      touches.size(), self.fingers()));
+  }
+  const Busy::Guard guard(self.busy(), "Skin");
+  self.report = self.skin().follow(touches, tick);
+}
+
+IndexArray changedOf(const SkinHandle& self) {
+  const auto changed = self.skin().surface().changed();
+  py::array_t<std::int64_t> ranges({static_cast<py::ssize_t>(changed.size()), py::ssize_t{2}});
+  for (std::size_t i = 0; i < changed.size(); ++i) {
+    ranges.mutable_at(static_cast<py::ssize_t>(i), 0) = changed[i].first;
+    ranges.mutable_at(static_cast<py::ssize_t>(i), 1) = changed[i].end;
+  }
+  return {std::move(ranges)};
+}
+
+}  // namespace
+
+void bindSkin(py::module_& module) {
+  py::class_<SkinHandle> skin(module, "Skin",
+                              "The skin of a world as fingers deform it.\n\nIts arrays are live, read-only views: the "
+                              "next `apply` changes what they show. "
+                              "They are for the thread that applies; `copy` is for others and for later.");
+  skin.def(
+      py::init([](const WorldPointer& world, bool strain, std::size_t fingers) {
+        if (fingers == 0) throw py::value_error("fingers: at least 1");
+        return std::make_unique<SkinHandle>(world, strain, fingers);
+      }),
+      "At rest. strain: also compute the strain; fingers: the most that are applied at once. Raises palpate.Error.",
+      py::arg("world"), py::kw_only(), py::arg("strain") = true, py::arg("fingers") = 16);
+  skin.def(
+      "apply", &apply,
+      "Brings the skin to what these touches make of it, whatever it was before; an empty list: to rest.\n\n"
+      "tick: when they felt it, counted from the start of the run; matters on a body that breathes.\n"
+      "The interpreter's lock is kept. Raises TypeError for other things than touches, ValueError for more of them "
+      "than there is room for, RuntimeError while another thread reads the skin (view.render).",
+      py::arg("touches"), py::kw_only(), py::arg("tick") = 0);
+  skin.def(
+      "copy", [](SkinHandle& self) { return FeltDict(copied(self)); },
+      "A dict of fresh arrays, whole even beside `apply` in another thread: positions, normals, displacement (V, 3) "
+      "and "
+      "strain (V,), float32. Raises RuntimeError while another thread reads the skin (view.render).");
+  skin.def_property_readonly(
+      "positions",
+      [](const py::object& self) {
+        const auto& surface = surfaceOf(self);
+        return pointsOver(surface.position(0), surface.position(1), surface.position(2), self);
+      },
+      "(V, 3) float32, mm; a live view, not contiguous (an axis after the other in memory).");
+  skin.def_property_readonly(
+      "normals",
+      [](const py::object& self) {
+        const auto& surface = surfaceOf(self);
+        return pointsOver(surface.normal(0), surface.normal(1), surface.normal(2), self);
+      },
+      "(V, 3) float32, unit; a live view.");
+  skin.def_property_readonly(
+      "displacement",
+      [](const py::object& self) {
+        const auto& surface = surfaceOf(self);
+        return pointsOver(surface.displacement(0), surface.displacement(1), surface.displacement(2), self);
+      },
+      "(V, 3) float32, mm from rest, 0 where nothing moves; a live view.");
+  skin.def_property_readonly(
+      "strain",
+      [](const py::object& self) {
+        const Stream strain = surfaceOf(self).strain();
+        return Float32Array(viewOf(strain.data(), {static_cast<py::ssize_t>(strain.size())}, self));
+      },
+      "(V,) float32, 0.1 is 10 % longer, below 0 shorter; zeros without strain. A live view.");
+  skin.def_property_readonly("changed", &changedOf,
+                             "(R, 2) int64: ranges of vertices, first and end, that the last `apply` wrote; fresh.");
+  skin.def_property_readonly(
+      "moved_vertices", [](const SkinHandle& self) { return self.report.moved_vertices; },
+      "How many vertices the last `apply` found in the reach of a finger.");
+  skin.def_property_readonly(
+      "status", [](const SkinHandle& self) { return self.report.status; },
+      "Bits of the last `apply`: 1 a contact that is not finite, 2 without triangle, 4 more than there is room for, 8 "
+      "a "
+      "region without area, 16 without a vertex (docs/deformation.md).");
+  skin.def_property_readonly("world", &SkinHandle::world, "The world whose skin it is.");
+}
+
 }  // namespace palpate::python

@@ -1,22 +1,388 @@
-// World: made of a scene, of text, of a built-in body, of a mesh file or of arrays.
+// World: made of a scene, of text, of a built-in body, of a mesh file or of arrays; views of its skin, and its places
+// by name. Rollout is in bind_rollout.cpp.
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <filesystem>
+
 #include "bindings.h"
 #include "interrupts.h"
+#include "palpate/base/error.h"
+#include "palpate/body/places.h"
+#include "palpate/engine/arrays.h"
+#include "palpate/engine/fingers.h"
+#include "palpate/mesh/files/load.h"
+#include "palpate/mesh/validate.h"
 #include "palpate/scene/scene_file.h"
+#include "palpate/tree/closest_on_triangle.h"
+#include "palpate/tree/triangle_tree.h"
 #include "world_handle.h"
 
 namespace palpate::python {
 
+namespace {
+
+struct LandmarksName {
+  static constexpr auto name = py::detail::const_name("dict[str, numpy.typing.NDArray[numpy.float64]]");
+};
+using Landmarks = Named<LandmarksName>;
+struct ManyPlacesName {
+  static constexpr auto name = py::detail::const_name("Union[str, Sequence[str], numpy.typing.ArrayLike]");
+};
+using ManyPlaces = Named<ManyPlacesName>;
+
+// ---- made
+
+WorldPointer built(const scene::Scene& scene) {
+  return unlocked([&](Interrupts& interrupts) {
+    return std::make_shared<WorldHandle>(WorldHandle{scene::build(scene, interrupts.progress())});
+  });
+}
+
+WorldPointer load(const std::filesystem::path& file) { return built(scene::load(file)); }
+
+WorldPointer parse(const std::string& toml, const std::string& name) { return built(scene::parse(toml, name)); }
+
+WorldPointer builtIn(scene::BodyKind kind, std::size_t triangles) {
+  scene::Scene scene;
+  scene.body.kind = kind;
+  scene.body.triangles = triangles;
+  return built(scene);
+}
+
+/// What is given as stiffness: one number is the scene's, an array has one a vertex.
+struct GivenStiffness {
+  scene::Scene scene;
+  std::vector<double> each;
+};
+
+GivenStiffness stiffnessIn(const ArrayLike& given, const std::string& toml, const std::string& name) {
+  GivenStiffness result;
+  result.scene = scene::parse(toml, name);
+  const auto numbers = floatsOf(given, "stiffness");
+  if (numbers.ndim() > 1) throw py::value_error("stiffness: one number, or one a vertex (V,)");
+  if (numbers.ndim() == 1) {
+    result.each.assign(numbers.data(), numbers.data() + numbers.size());
+    if (result.each.empty()) throw py::value_error("stiffness: one number, or one a vertex (V,)");
+    return result;
+  }
+  result.scene.stiffness.source = scene::StiffnessSource::constant;
+  result.scene.stiffness.constant_n_per_mm = *numbers.data();
+  if (!std::isfinite(*numbers.data()) || *numbers.data() < 0.0) {
+    throw py::value_error("stiffness: a finite number >= 0 is wanted, N/mm");
+  }
+  return result;
+}
+
+/// Throws Error with what is wrong.
+void requireSound(const mesh::TriangleMesh& mesh, const Progress& progress) {
+  const mesh::ValidationReport found = mesh::validate(mesh, {}, progress);
+  if (found.sound()) return;
+  std::string traits;
+  for (const std::string& trait : mesh::describe(found)) traits += (traits.empty() ? "" : "; ") + trait;
+  throw Error("arrays: not fit for contact and repair is off: " + traits);
+}
+
+WorldPointer fromMesh(const mesh::TriangleMesh& mesh, const GivenStiffness& stiffness, bool repair) {
+  return unlocked([&](Interrupts& interrupts) {
+    if (!repair) requireSound(mesh, interrupts.progress());
+    engine::WorldFromArrays made = engine::worldFromMesh(mesh, stiffness.each, stiffness.scene, interrupts.progress());
+    auto maps = std::make_shared<SourceMaps>();
+    maps->source_vertex = std::move(made.source_vertex);
+    maps->source_triangle = std::move(made.source_triangle);
+    maps->built_vertex = std::move(made.built_vertex);
+    maps->built_triangle = std::move(made.built_triangle);
+    return std::make_shared<WorldHandle>(WorldHandle{std::move(made.world), std::move(maps)});
+  });
+}
+
+/// (N, 3) of whole numbers as int64: unsigned ones would make 4,294,967,295 of -1, and mending would drop the triangle
+/// in silence.
+py::array_t<std::int64_t, py::array::c_style> facesOf(const ArrayLike& given) {
+  const py::array any = py::array::ensure(given);
+  if (!any || (any.dtype().kind() != 'i' && any.dtype().kind() != 'u')) {
+    PyErr_Clear();
+    throw py::type_error("faces: whole numbers are wanted");
+  }
+  auto faces = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>::ensure(any);
+  if (!faces) throw py::error_already_set();
+  if (faces.ndim() != 2 || faces.shape(1) != 3) throw py::value_error("faces: must be (F, 3)");
+  return py::reinterpret_borrow<py::array_t<std::int64_t, py::array::c_style>>(faces);
+}
+
+WorldPointer fromArrays(const ArrayLike& vertices, const ArrayLike& faces, const ArrayLike& stiffness, bool repair,
+                        const std::string& scene) {
+  const auto places = floatsOf(vertices, "vertices", 3);
+  if (places.ndim() != 2) throw py::value_error("vertices: must be (V, 3)");
+  const auto corners = facesOf(faces);
+  const GivenStiffness given = stiffnessIn(stiffness, scene, "scene");
+  const auto mesh =
+      engine::meshFromArrays(std::span<const double>(places.data(), static_cast<std::size_t>(places.size())),
+                             std::span<const std::int64_t>(corners.data(), static_cast<std::size_t>(corners.size())));
+  return fromMesh(mesh, given, repair);
+}
+
+WorldPointer fromFile(const std::filesystem::path& file, double scale, const ArrayLike& stiffness, bool repair,
+                      const std::string& scene) {
+  if (!std::isfinite(scale) || scale <= 0.0) throw py::value_error("scale: a finite number > 0 is wanted");
+  const GivenStiffness given = stiffnessIn(stiffness, scene, "scene");
+  mesh::TriangleMesh mesh = unlocked(
+      [&](Interrupts& interrupts) { return mesh::load(file, {.keep_wrong_indices = repair}, interrupts.progress()); });
+  for (Vec3& position : mesh.positions) position *= scale;
+  try {
+    return fromMesh(mesh, given, repair);
+  } catch (const Error& error) {
+    throw Error::inFile(file.string(), error.what());
+  }
+}
+
+WorldPointer rebuiltFrom(const WorldHandle& self, const std::string& toml, const std::string& name) {
+  const scene::Scene scene = scene::parse(toml, name);
+  return unlocked([&](Interrupts& interrupts) {
+    return std::make_shared<WorldHandle>(
+        WorldHandle{scene::rebuilt(*self.world, scene, interrupts.progress()), self.maps});
+  });
+}
+
+void bindMakers(py::class_<WorldHandle, WorldPointer>& world) {
+  world.def_static("load", &load,
+                   "A world from a scene file (docs/scene-files.md). Raises palpate.Error with file and line. Releases "
+                   "the interpreter's lock, as all that build a world do; Ctrl-C interrupts.",
+                   py::arg("file"));
+  world.def_static("parse", &parse,
+                   "A world from the text of a scene file. name: stands for the file in messages, its folder for names "
+                   "of files in the text. Raises palpate.Error with name and line.",
+                   py::arg("toml"), py::arg("name") = "scene");
+  world.def_static(
+      "torso", [](std::size_t triangles) { return builtIn(scene::BodyKind::torso, triangles); },
+      "The open back of the dissertation with 43 bones. triangles: of skin and bones together. Raises "
+      "palpate.Error for too few. 0.6 s.",
+      py::kw_only(), py::arg("triangles") = body::TorsoSettings().triangles);
+  world.def_static(
+      "trunk", [](std::size_t triangles) { return builtIn(scene::BodyKind::trunk, triangles); },
+      "The closed body from neck to thighs. triangles: of skin and bones together, even. Raises "
+      "palpate.Error for too few. One to two seconds.",
+      py::kw_only(), py::arg("triangles") = body::TrunkSettings().triangles);
+  world.def_static(
+      "from_file", &fromFile,
+      "A world from a mesh file: OBJ, STL, PLY, OFF, glTF, GLB.\n\n"
+      "scale: factor on its size; files are in mm, glTF and GLB in m\n"
+      "stiffness: N/mm at 1 mm depth, one number or one a vertex of the file (V,)\n"
+      "repair: False refuses a mesh that is not fit instead of mending it\n"
+      "scene: text of a scene file for everything else, friction, force law ...; its body is not looked "
+      "at\n\nVertices and triangles change their order; source_vertex and source_triangle lead back. Raises "
+      "palpate.Error naming the file.",
+      py::arg("file"), py::kw_only(), py::arg("scale") = 1.0, py::arg("stiffness") = 0.5, py::arg("repair") = true,
+      py::arg("scene") = "");
+  world.def_static(
+      "from_arrays", &fromArrays,
+      "A world from vertices (V, 3), mm, and faces (F, 3) of whole numbers, counted from 0, counter-clockwise "
+      "seen from outside.\n\n"
+      "stiffness: N/mm at 1 mm depth, one number or one a vertex (V,)\n"
+      "repair: False refuses a mesh that is not fit instead of mending it\n"
+      "scene: text of a scene file for everything else; its body is not looked at\n\n"
+      "Vertices and triangles change their order; source_vertex and source_triangle lead back. Raises "
+      "palpate.Error naming the first wrong vertex or face, TypeError for faces that are no whole numbers, "
+      "ValueError for shapes.",
+      py::arg("vertices"), py::arg("faces"), py::kw_only(), py::arg("stiffness") = 0.5, py::arg("repair") = true,
+      py::arg("scene") = "");
+  world.def("rebuilt", &rebuiltFrom,
+            "The same body under another scene's force law, stiffness, maps, friction: the same triangles in the same "
+            "order, in milliseconds. toml: text of a whole scene, of which [body] is not looked at. Raises "
+            "palpate.Error with "
+            "name and line.",
+            py::arg("toml"), py::arg("name") = "scene");
+}
+
+// ---- its skin
+
+const scene::World& worldOf(const py::object& self) { return *self.cast<const WorldHandle&>().world; }
+
+Int32Array mapOf(const py::object& self, std::vector<Index> SourceMaps::*map) {
+  const auto& maps = self.cast<const WorldHandle&>().maps;
+  if (!maps) throw Error("this world was made of no mesh: only from_arrays and from_file know who became whom");
+  return viewOf((*maps).*map, self);
+}
+
+void bindSkinOf(py::class_<WorldHandle, WorldPointer>& world) {
+  world.def_property_readonly(
+      "positions", [](const py::object& self) { return FloatArray(viewOf(worldOf(self).skin.positions, self)); },
+      "(V, 3) vertices of the skin at rest, mm; a read-only view, as all arrays of a World are.");
+  world.def_property_readonly(
+      "normals", [](const py::object& self) { return FloatArray(viewOf(worldOf(self).surface.vertex_normals, self)); },
+      "(V, 3) unit, out of the body, weighted by angle.");
+  world.def_property_readonly(
+      "triangles",
+      [](const py::object& self) {
+        const auto& triangles = worldOf(self).skin.triangles;
+        const auto* corners = reinterpret_cast<const std::int32_t*>(triangles.data());
+        return Int32Array(viewOf(corners, {static_cast<py::ssize_t>(triangles.size()), 3}, self));
+      },
+      "(F, 3) int32: three vertices each, counter-clockwise seen from outside.");
+  world.def_property_readonly(
+      "stiffness",
+      [](const py::object& self) {
+        const auto& stiffness = worldOf(self).stiffness_n_per_mm;
+        return FloatArray(viewOf(stiffness.data(), {static_cast<py::ssize_t>(stiffness.size())}, self));
+      },
+      "(V,) N/mm.");
+  world.def_property_readonly(
+      "source_vertex", [](const py::object& self) { return mapOf(self, &SourceMaps::source_vertex); },
+      "(V,) int32: which given vertex each one is. Raises palpate.Error for a world that no mesh was given for.");
+  world.def_property_readonly(
+      "source_triangle", [](const py::object& self) { return mapOf(self, &SourceMaps::source_triangle); },
+      "(F,) int32: which given triangle each one is; -1 for one that mending made. Raises palpate.Error likewise.");
+  world.def_property_readonly(
+      "built_vertex", [](const py::object& self) { return mapOf(self, &SourceMaps::built_vertex); },
+      "The other way round, a given vertex each; -1 for one that the world has not. Raises palpate.Error likewise.");
+  world.def_property_readonly(
+      "built_triangle", [](const py::object& self) { return mapOf(self, &SourceMaps::built_triangle); },
+      "A given triangle each: which of the world's it is, or -1. Raises palpate.Error likewise.");
+}
+
+// ---- its places
+
+template <Vec3 body::SkinLandmark::*Member>
+Landmarks landmarksOf(const py::object& self) {
+  py::dict all;
+  for (const body::SkinLandmark& landmark : worldOf(self).anatomy.landmarks) {
+    all[landmark.name.c_str()] = viewOf((landmark.*Member).data(), {3}, self);
+  }
+  return {std::move(all)};
+}
+
+double stiffnessAt(const WorldHandle& self, const PlaceLike& where) {
+  const scene::World& world = *self.world;
+  const SkinPlace place = placeOn(world, where);
+  const Triangle& corners = world.skin.triangles[place.triangle];
+  const auto& at = world.skin.positions;
+  const Vec3 weights = tree::barycentricWeights({at[corners[0]], at[corners[1]], at[corners[2]]}, place.point);
+  double stiffness = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    stiffness += weights[i] * world.stiffness_n_per_mm[corners[static_cast<std::size_t>(i)]];
+  }
+  return stiffness;
+}
+
+/// Points of the map plane: of names, or as they are given.
+std::vector<Vec2> planeOf(const scene::World& world, const ManyPlaces& given) {
+  std::vector<Vec2> points;
+  const auto addNamed = [&](py::handle words) { points.push_back(placeOn(world, words).point.head<2>()); };
+  if (py::isinstance<py::str>(given)) {
+    addNamed(given);
+    return points;
+  }
+  const bool is_list = py::isinstance<py::list>(given) || py::isinstance<py::tuple>(given);
+  if (is_list && py::len(given) > 0 && py::isinstance<py::str>(py::object(given[py::int_(0)]))) {
+    for (const py::handle words : given) addNamed(words);
+    return points;
+  }
+  const auto xy = floatsOf(given, "xy", 2);
+  if (xy.ndim() != 2) throw py::value_error("xy: must be (N, 2), or names");
+  for (py::ssize_t i = 0; i < xy.shape(0); ++i) points.emplace_back(xy.at(i, 0), xy.at(i, 1));
+  return points;
+}
+
+FloatArray ellipses(const WorldHandle& self, const ManyPlaces& given) {
+  const std::vector<Vec2> points = planeOf(*self.world, given);
+  py::array_t<double> result({static_cast<py::ssize_t>(points.size()), py::ssize_t{3}});
+  double* to = result.mutable_data();
+  for (const Vec2& point : points) {
+    const maps::Ellipse ellipse = self.world->ellipses.at(point.x(), point.y());
+    *to++ = ellipse.half_major_mm;
+    *to++ = ellipse.half_major_mm * ellipse.aspect;
+    *to++ = ellipse.direction_rad;
+  }
+  return {std::move(result)};
+}
+
+FloatArray tipsAt(const WorldHandle& self, const PlaceLike& where, const ArrayLike& depths) {
+  const SkinPlace place = placeOn(*self.world, where);
+  const auto depth = floatsOf(depths, "depth_mm");
+  if (depth.ndim() != 1) throw py::value_error("depth_mm: must be (T,)");
+  py::array_t<double> tips({depth.shape(0), py::ssize_t{3}});
+  for (py::ssize_t i = 0; i < depth.shape(0); ++i) {
+    Eigen::Map<Vec3>(tips.mutable_data(i, 0)) = place.point - depth.at(i) * place.normal;
+  }
+  return {std::move(tips)};
+}
+
+void bindPlaces(py::class_<WorldHandle, WorldPointer>& world) {
+  world.def_property_readonly(
+      "landmarks", &landmarksOf<&body::SkinLandmark::position>,
+      "Named points on the skin, (3,) mm each, by the names that bones have (\"spinous_T6\"); {} for "
+      "a mesh.");
+  world.def_property_readonly("landmark_normals", &landmarksOf<&body::SkinLandmark::normal>,
+                              "The skin's normals there, (3,) each, by the same names.");
+  world.def(
+      "place",
+      [](const WorldHandle& self, const PlaceLike& place) { return toArray(placeOn(*self.world, place).point); },
+      "(3,) mm: the point of the skin at rest that words name (\"T6\", \"left PSIS\", \"T6 right 30 mm\"; "
+      "docs/names.md), or the nearest to a point (3,). Raises palpate.Error with the name that is near in spelling.",
+      py::arg("place"));
+  world.def(
+      "normal_at",
+      [](const WorldHandle& self, const PlaceLike& place) { return toArray(placeOn(*self.world, place).normal); },
+      "(3,) unit: the normal of the triangle there, out of the body. Raises as `place` does.", py::arg("place"));
+  world.def(
+      "triangle_at",
+      [](const WorldHandle& self, const PlaceLike& place) { return placeOn(*self.world, place).triangle; },
+      "The triangle there, a row of `triangles`. Raises as `place` does.", py::arg("place"));
+  world.def("stiffness_at", &stiffnessAt, "N/mm at that place, between the vertices. Raises as `place` does.",
+            py::arg("place"));
+  world.def(
+      "tips", &tipsAt,
+      "(T, 3) mm: a path along the normal of a place, at these depths (T,) under the skin, mm; below 0 is over it. "
+      "Raises as `place` does.",
+      py::arg("place"), py::arg("depth_mm"));
+  world.def(
+      "words",
+      [](const WorldHandle& self, const ArrayLike& point) {
+        return body::inWords(self.world->anatomy.landmarks, pointOf(point, "point"));
+      },
+      "A point (3,) as an examiner would say it: \"T6, 12 mm right and 8 mm up\"; \"\" where nothing has a name.",
+      py::arg("point"));
+  world.def_property_readonly(
+      "place_names", [](const WorldHandle& self) { return body::placeNames(self.world->anatomy.landmarks); },
+      "All names that `place` knows; [] for a mesh.");
+  world.def("ellipses", &ellipses,
+            "(N, 3): half axes, mm, the longer first, and direction of the longer against x, rad in [0, pi), of the "
+            "deformation ellipses at xy (N, 2), mm, or at places by name.",
+            py::arg("xy"));
+}
+
+std::string reprOf(const WorldHandle& self) {
+  return fmt::format("<World: {}, {} vertices, {} triangles>", self.world->body_name, self.world->skin.positions.size(),
+                     self.world->skin.triangles.size());
+}
+
+}  // namespace
+
 void bindWorld(py::module_& module) {
-  py::class_<WorldHandle, WorldPointer>(module, "World", "A body that can be felt.")
-      .def_static(
-          "parse",
-          [](const std::string& toml, const std::string& name) {
-            Interrupts interrupts;
-            const py::gil_scoped_release free;
-            return std::make_shared<WorldHandle>(
-                WorldHandle{scene::build(scene::parse(toml, name), interrupts.progress())});
-          },
-          py::arg("toml"), py::arg("name") = "scene", "A world from the text of a scene file.");
+  py::class_<WorldHandle, WorldPointer> world(module, "World",
+                                              "A body that can be felt: made by load, parse, torso, trunk, from_file, "
+                                              "from_arrays. It never changes; any number of "
+                                              "threads may share it.\n\nmm, N, s; x to the patient's right seen from "
+                                              "behind, y to the head, z out of the back.");
+  bindMakers(world);
+  bindSkinOf(world);
+  bindPlaces(world);
+  world.def_property_readonly(
+      "notes", [](const WorldHandle& self) { return self.world->notes; },
+      "What the user should know: repairs, a doubtful unit.");
+  world.def_property_readonly(
+      "name", [](const WorldHandle& self) { return self.world->body_name; }, "Of the body, in words.");
+  world.def_property_readonly(
+      "closed", [](const WorldHandle& self) { return self.world->closed; }, "True where the skin has no border.");
+  world.def_property_readonly(
+      "fingers", [](const WorldHandle& self) { return self.world->scene.fingers.size(); },
+      "How many fingers the scene describes.");
+  world.def(
+      "finger_settings",
+      [](const WorldHandle& self, std::size_t n) { return engine::fingerSettings(self.world->scene, n); },
+      "List of n FingerSettings: the scene's own in their order, then points with its friction.", py::arg("n") = 1);
+  world.def("__repr__", &reprOf, "In a few words.");
 }
 
 }  // namespace palpate::python

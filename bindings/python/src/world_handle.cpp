@@ -1,46 +1,20 @@
-// Words and points to places of the skin, as the view does it (view/skin_place.cpp), which is not linked here.
+// Places by name or point, settings and touches out of Python's hands.
 #include "world_handle.h"
 
 #include <fmt/format.h>
 
-#include "palpate/body/places.h"
 #include "palpate/engine/fingers.h"
-#include "palpate/tree/triangle_tree.h"
+#include "palpate/engine/skin_place.h"
 
 namespace palpate::python {
 
-namespace {
-
-SkinPlace onTriangle(const scene::World& world, Index record, const Vec3& point) {
-  const auto& corners = world.surface.tree.records[record].corners;
-  const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
-  return {point, normal, world.surface.tree.source_triangle[record]};
-}
-
-SkinPlace nearestPlace(const scene::World& world, const Vec3& point) {
-  if (!mesh::isUsable(point)) throw py::value_error("place: three finite numbers are wanted");
-  const auto& tree = world.surface.tree;
-  const auto nearest = tree::nearestPoint(tree, point, 2.0 * tree.diagonal + (point - tree.center).norm());
-  if (nearest.triangle == kNoIndex) throw py::value_error("place: absurdly far from the body");
-  return onTriangle(world, nearest.triangle, nearest.closest.point);
-}
-
-SkinPlace placeInWords(const scene::World& world, const std::string& words) {
-  const body::NamedPlace place = body::placeNamed(world.anatomy.landmarks, words);
-  const SkinPlace nearest = nearestPlace(world, place.point);
-  if (!place.moved) return nearest;
-  // Moved along x and y, and back to the skin along z, on the landmark's side of the body.
-  const double far = nearest.normal.z() < 0.0 ? -world.surface.tree.diagonal : world.surface.tree.diagonal;
-  const Vec3 out(0.0, 0.0, far);
-  const auto crossing = tree::firstFrontCrossing(world.surface.tree, place.point + out, place.point - out);
-  return crossing.triangle == kNoIndex ? nearest : onTriangle(world, crossing.triangle, crossing.point);
-}
-
-}  // namespace
-
 SkinPlace placeOn(const scene::World& world, py::handle place) {
-  if (py::isinstance<py::str>(place)) return placeInWords(world, place.cast<std::string>());
-  return nearestPlace(world, pointOf(place, "place"));
+  if (py::isinstance<py::str>(place)) return engine::skinPlace(world, place.cast<std::string>());
+  const Vec3 point = pointOf(place, "place");
+  if (!mesh::isUsable(point)) throw py::value_error("place: three finite numbers are wanted");
+  const SkinPlace nearest = engine::nearestOnSkin(world, point);
+  if (nearest.triangle == kNoIndex) throw py::value_error("place: absurdly far from the body");
+  return nearest;
 }
 
 std::vector<contact::FingerSettings> settingsOf(const scene::World& world, py::handle settings, std::size_t fingers) {

@@ -28,6 +28,16 @@ struct WorldHandle {
 };
 using WorldPointer = std::shared_ptr<WorldHandle>;
 
+struct MaybeSettingsName {
+  static constexpr auto name =
+      py::detail::const_name("Optional[Union[palpate._core.FingerSettings, Sequence[palpate._core.FingerSettings]]]");
+};
+using MaybeSettings = Named<MaybeSettingsName>;
+struct TouchesName {
+  static constexpr auto name = py::detail::const_name("Union[palpate._core.Touch, Iterable[palpate._core.Touch]]");
+};
+using Touches = Named<TouchesName>;
+
 /// The place of the skin at rest that words ("T6 right 30 mm") or a point (its nearest) name, with the normal and the
 /// number of its triangle. Throws Error for words that name none.
 SkinPlace placeOn(const scene::World& world, py::handle place);

@@ -54,10 +54,14 @@ void checkRanges(const contact::FingerSettings& settings, std::size_t finger) {
 
 }  // namespace
 
+void checkFinger(const contact::FingerSettings& settings, std::size_t number) {
+  contact::check(settings);
+  checkRanges(settings, number);
+}
+
 void checkFingers(const scene::World& world, std::span<const contact::FingerSettings> fingers) {
   for (std::size_t i = 0; i < fingers.size(); ++i) {
-    contact::check(fingers[i]);
-    checkRanges(fingers[i], i);
+    checkFinger(fingers[i], i);
     if (world.hdb && fingers[i].radius_mm > 0.0) {
       throw Error(fmt::format("finger {}: the detecting box touches with a point, its radius_mm must be 0, not {}", i,
                               fingers[i].radius_mm));

@@ -16,8 +16,11 @@ std::vector<contact::FingerSettings> fingerSettings(const scene::Scene& scene, s
 /// Settings of the scene's own fingers, or of one where it has none.
 std::vector<contact::FingerSettings> fingerSettings(const scene::Scene& scene);
 
-/// Throws Error for settings that make no sense or are out of the range of the scene file's keys, and for a ball where
-/// the world knows points only (the detecting box).
+/// Throws Error for settings that make no sense or are out of the range of the scene file's keys. `number`: of the
+/// finger, for the message.
+void checkFinger(const contact::FingerSettings& settings, std::size_t number = 0);
+
+/// The same of all, and for a ball where the world knows points only (the detecting box).
 void checkFingers(const scene::World& world, std::span<const contact::FingerSettings> fingers);
 
 /// True if both have the same triangles at the same places, so that a finger may go on touching. Compares them all.

@@ -1,0 +1,112 @@
+// A table of the fields, by name; an array of the caller is taken as it is or refused, never converted, because what is
+// written into a copy is lost.
+#include "felt_fields.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <variant>
+
+namespace palpate::python {
+
+namespace {
+
+using Place = std::variant<double * FeltRows::*, std::int32_t * FeltRows::*, std::uint8_t * FeltRows::*,
+                           std::uint32_t * FeltRows::*>;
+
+struct FieldForm {
+  const char* name;
+  py::ssize_t axes;  ///< 3: a vector
+  Place place;
+};
+
+/// The first kUsual are answered when nobody asks: 113 bytes a tick.
+constexpr std::size_t kUsual = 8;
+const std::array kForms = {
+    FieldForm{"force", 3, &FeltRows::force},
+    FieldForm{"depth", 1, &FeltRows::depth},
+    FieldForm{"proxy", 3, &FeltRows::proxy},
+    FieldForm{"anchor", 3, &FeltRows::anchor},
+    FieldForm{"normal", 3, &FeltRows::normal},
+    FieldForm{"triangle", 1, &FeltRows::triangle},
+    FieldForm{"state", 1, &FeltRows::state},
+    FieldForm{"status", 1, &FeltRows::status},
+    FieldForm{"tip", 3, &FeltRows::tip},
+    FieldForm{"hold", 3, &FeltRows::hold},
+    FieldForm{"tissue", 1, &FeltRows::tissue},
+    FieldForm{"rest", 1, &FeltRows::rest},
+    FieldForm{"anchor_triangle", 1, &FeltRows::anchor_triangle},
+};
+
+const FieldForm& formOf(const std::string& name) {
+  const auto* found =
+      std::find_if(kForms.begin(), kForms.end(), [&](const FieldForm& form) { return form.name == name; });
+  if (found != kForms.end()) return *found;
+  std::string known;
+  for (const FieldForm& form : kForms) known += fmt::format("{}{}", known.empty() ? "" : ", ", form.name);
+  throw py::value_error(fmt::format("fields: '{}' is none; known: {}", name, known));
+}
+
+/// The names asked for; those of `out` where nobody asks, and the usual ones without that.
+std::vector<std::string> namesOf(const py::object& fields, const py::object& out) {
+  std::vector<std::string> names;
+  if (!fields.is_none()) {
+    if (py::isinstance<py::str>(fields)) throw py::type_error("fields: a sequence of names, such as (\"force\",)");
+    for (const py::handle name : fields) {
+      if (!py::isinstance<py::str>(name)) throw py::type_error("fields: a sequence of names, such as (\"force\",)");
+      names.push_back(name.cast<std::string>());
+    }
+  } else if (!out.is_none()) {
+    for (const auto& [name, array] : out.cast<py::dict>()) names.push_back(py::str(name));
+  } else {
+    for (std::size_t i = 0; i < kUsual; ++i) names.emplace_back(kForms[i].name);
+  }
+  return names;
+}
+
+template <class Number>
+py::array_t<Number> wholeArray(const py::object& given, const std::string& name,
+                               const std::vector<py::ssize_t>& shape) {
+  if (given.is_none()) return py::array_t<Number>(shape);
+  const bool is_array = py::isinstance<py::array_t<Number, py::array::c_style>>(given);
+  const auto array = is_array ? py::reinterpret_borrow<py::array_t<Number>>(given) : py::array_t<Number>();
+  const bool fits = is_array && array.writeable() && static_cast<std::size_t>(array.ndim()) == shape.size() &&
+                    std::equal(shape.begin(), shape.end(), array.shape());
+  if (fits) return array;
+  std::string wanted;
+  for (const py::ssize_t length : shape) wanted += fmt::format("{}{}", wanted.empty() ? "" : ", ", length);
+  throw py::value_error(fmt::format("out: '{}' must be a writable array in C order, {} of shape ({}{})", name,
+                                    py::str(py::dtype::of<Number>()).cast<std::string>(), wanted,
+                                    shape.size() == 1 ? "," : ""));
+}
+
+}  // namespace
+
+FeltArrays::FeltArrays(std::vector<py::ssize_t> leading, const py::object& fields, const py::object& out) {
+  if (!out.is_none() && !py::isinstance<py::dict>(out)) throw py::type_error("out: a dict of arrays");
+  for (const std::string& name : namesOf(fields, out)) {
+    py::object given = py::none();
+    if (!out.is_none()) {
+      if (!out.contains(name)) throw py::value_error(fmt::format("out: has no array '{}'", name));
+      given = out[name.c_str()];
+    }
+    add(name, given, leading);
+  }
+  if (!out.is_none()) dict_ = out.cast<py::dict>();
+}
+
+void FeltArrays::add(const std::string& name, const py::object& given, const std::vector<py::ssize_t>& leading) {
+  const FieldForm& form = formOf(name);
+  std::vector<py::ssize_t> shape = leading;
+  if (form.axes != 1) shape.push_back(form.axes);
+  std::visit(
+      [&](auto place) {
+        using Number = std::remove_pointer_t<std::remove_reference_t<decltype(rows_.*place)>>;
+        py::array_t<Number> array = wholeArray<Number>(given, name, shape);
+        rows_.*place = array.mutable_data();
+        dict_[name.c_str()] = array;
+      },
+      form.place);
+}
+
+}  // namespace palpate::python

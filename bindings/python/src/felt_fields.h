@@ -1,0 +1,75 @@
+// What many ticks felt, as arrays: force, depth, proxy ... of each, of those fields that were asked for.
+//
+//   names or arrays of the caller ─ FeltArrays ─► rows ─ write (no lock, no Python) ─► arrays ─► dict
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "arrays.h"
+#include "palpate/contact/finger_state.h"
+
+namespace palpate::python {
+
+/// Where the numbers of tick `row` go; null where nobody wants them. Plain pointers: written by any thread, each its
+/// own rows.
+struct FeltRows {
+  double* force = nullptr;
+  double* depth = nullptr;
+  double* proxy = nullptr;
+  double* anchor = nullptr;
+  double* normal = nullptr;
+  std::int32_t* triangle = nullptr;
+  std::uint8_t* state = nullptr;
+  std::uint32_t* status = nullptr;
+  double* tip = nullptr;
+  double* hold = nullptr;
+  double* tissue = nullptr;
+  double* rest = nullptr;
+  std::int32_t* anchor_triangle = nullptr;
+
+  void write(std::size_t row, const contact::FingerOutput& felt) const noexcept {
+    if (force != nullptr) write3(force, row, felt.force);
+    if (depth != nullptr) depth[row] = felt.depth_mm;
+    if (proxy != nullptr) write3(proxy, row, felt.proxy);
+    if (anchor != nullptr) write3(anchor, row, felt.anchor);
+    if (normal != nullptr) write3(normal, row, felt.normal);
+    if (triangle != nullptr) triangle[row] = static_cast<std::int32_t>(felt.triangle);
+    if (state != nullptr) state[row] = static_cast<std::uint8_t>(felt.touch);
+    if (status != nullptr) status[row] = felt.status;
+    if (tip != nullptr) write3(tip, row, felt.tip);
+    if (hold != nullptr) write3(hold, row, felt.hold);
+    if (tissue != nullptr) tissue[row] = felt.tissue_mm;
+    if (rest != nullptr) rest[row] = felt.rest_mm;
+    if (anchor_triangle != nullptr) anchor_triangle[row] = static_cast<std::int32_t>(felt.anchor_triangle);
+  }
+
+ private:
+  static void write3(double* to, std::size_t row, const Vec3& value) noexcept {
+    for (int axis = 0; axis < 3; ++axis) to[3 * row + static_cast<std::size_t>(axis)] = value[axis];
+  }
+};
+
+/// The arrays of one call.
+class FeltArrays {
+ public:
+  /// `leading` is the shape before the axis of a vector: (fingers, ticks) or (fingers). `fields`: a sequence of names,
+  /// or None for those that docs/python.md names first. `out`: None for fresh arrays, or a dict of C-ordered writable
+  /// arrays of the right shape and kind, which are written and answered; it says the fields where `fields` does not.
+  /// Throws ValueError, TypeError or KeyError naming the field.
+  FeltArrays(std::vector<py::ssize_t> leading, const py::object& fields, const py::object& out);
+
+  const FeltRows& rows() const { return rows_; }
+  py::dict dict() const { return dict_; }
+
+ private:
+  void add(const std::string& name, const py::object& given, const std::vector<py::ssize_t>& leading);
+
+  FeltRows rows_;
+  py::dict dict_;
+};
+
+}  // namespace palpate::python

@@ -1,0 +1,37 @@
+// A finger and all that it needs for its next tick: what Finger, Fingers and rollout share, so that they feel the same
+// to the bit.
+#pragma once
+
+#include <vector>
+
+#include "palpate/servo/finger_solver.h"
+#include "world_handle.h"
+
+namespace palpate::python {
+
+/// Plain data and its world's surface; the world must outlive it. One thread at a time.
+struct FeltFinger {
+  servo::FingerSolver solver;
+  contact::FingerSettings settings = {};
+  contact::FingerState state = {};
+  std::uint64_t ticks = 0;  ///< its clock, for a body that breathes
+
+  contact::FingerOutput step(const Vec3& tip) noexcept { return servo::touch(solver, settings, state, tip, ticks++); }
+  /// It is nowhere: its next tip may be anywhere. The clock goes on.
+  void lift() noexcept { state = {}; }
+  /// As when it was made.
+  void reset() noexcept {
+    state = {};
+    ticks = 0;
+  }
+};
+
+inline std::vector<FeltFinger> fingersOn(const scene::World& world,
+                                         const std::vector<contact::FingerSettings>& settings) {
+  servo::FingerSolvers solvers = servo::makeSolvers(world.surface, world.hdb, settings.size(), world.breath);
+  std::vector<FeltFinger> fingers(settings.size());
+  for (std::size_t i = 0; i < fingers.size(); ++i) fingers[i] = {std::move(solvers[i]), settings[i]};
+  return fingers;
+}
+
+}  // namespace palpate::python
