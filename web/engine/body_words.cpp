@@ -10,7 +10,7 @@ namespace palpate::web {
 namespace {
 
 /// Names may come from a stranger's file. Bytes that are no UTF-8 are left to who reads the text.
-std::string quoted(std::string_view text) {
+std::string jsonText(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
@@ -32,14 +32,14 @@ std::string numbers(const Vec3& v) { return fmt::format("[{},{},{}]", v.x(), v.y
 
 std::string bodyInWords(const scene::World& world) {
   std::string notes;
-  for (const std::string& note : world.notes) notes += (notes.empty() ? "" : ",") + quoted(note);
+  for (const std::string& note : world.notes) notes += (notes.empty() ? "" : ",") + jsonText(note);
   std::string landmarks;
   for (const body::SkinLandmark& landmark : world.anatomy.landmarks) {
     landmarks += fmt::format("{}{{\"name\":{},\"at\":{},\"normal\":{}}}", landmarks.empty() ? "" : ",",
-                             quoted(body::spokenName(landmark.name)), numbers(landmark.position),
+                             jsonText(body::spokenName(landmark.name)), numbers(landmark.position),
                              numbers(landmark.normal));
   }
-  return fmt::format(R"({{"name":{},"closed":{},"bones":{},"notes":[{}],"landmarks":[{}]}})", quoted(world.body_name),
+  return fmt::format(R"({{"name":{},"closed":{},"bones":{},"notes":[{}],"landmarks":[{}]}})", jsonText(world.body_name),
                      world.closed, world.anatomy.bones.size(), notes, landmarks);
 }
 
