@@ -328,8 +328,9 @@ typedef struct palpate_sample {
 
 /* Reads samples of the ticks `from` to `to`, both included, in the order of their ticks and fingers, into two arrays:
  * sample i goes to samples[i] and touches[i], either of which may be null. Each is written as palpate_finger_rollout
- * does. `room` is how many fit, at least as many as there are fingers; whole ticks only are written. `*count` gets how
- * many were; 0: there is none left. Go on with the tick after the last. */
+ * does; tissue_mm is not recorded and 0, `tick` is the session's. `room` is how many fit, at least as many as there are
+ * fingers; whole ticks only are written. `*count` gets how many were; 0: there is none left. Go on with the tick after
+ * the last. */
 PALPATE_API int32_t palpate_session_read(palpate_session* session, uint64_t from, uint64_t to, palpate_sample* samples,
                                          size_t sample_stride, palpate_touch* touches, size_t touch_stride, size_t room,
                                          size_t* count, palpate_error* error) PALPATE_NOEXCEPT;

@@ -97,6 +97,7 @@ static void test_run(const char* file) {
   for (i = 0; i < count; ++i) {
     CHECK(palpate_finger_step(finger, recorded[i].tip_mm, &touch) == PALPATE_OK);
     touch.tick = recorded[i].tick;
+    touch.tissue_mm = 0.0; /* is not recorded */
     different += memcmp(&touch, &recorded[i], sizeof touch) != 0;
     touching += touch.touch != PALPATE_FREE;
   }
