@@ -7,7 +7,6 @@
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME palpate)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
 set(CPACK_PACKAGE_VENDOR "Palpate maintainers")
 set(CPACK_PACKAGE_CONTACT "Palpate maintainers <maintainers@palpate.invalid>" CACHE STRING "Maintainer that the packages name")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)

@@ -76,4 +76,5 @@ else()
   add_test(NAME c.abi COMMAND ${PROJECT_SOURCE_DIR}/tools/check-abi) # says why it is skipped
 endif()
 add_test(NAME c.abi_gate COMMAND ${PROJECT_SOURCE_DIR}/tools/check-abi --self-test)
-set_tests_properties(c.sample_csharp c.sample_ctypes c.abi c.abi_gate PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 300)
+add_test(NAME c.packaging COMMAND ${tests}/check_packaging.sh ${PROJECT_SOURCE_DIR} ${CMAKE_BINARY_DIR} ${PROJECT_VERSION})
+set_tests_properties(c.packaging c.sample_csharp c.sample_ctypes c.abi c.abi_gate PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 300)
