@@ -3,13 +3,17 @@
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
+#include <atomic>
+#include <chrono>
 #include <cmath>
+#include <future>
 
 #include "arrays.h"
 #include "bind_loops.h"
 #include "bindings.h"
 #include "device_handle.h"
 #include "dicts.h"
+#include "interrupts.h"
 #include "palpate/base/error.h"
 #include "palpate/device/back_ends.h"
 #include "palpate/device/mouse_finger.h"
@@ -43,11 +47,7 @@ Facts probeOf(const std::string& words) {
   const device::DeviceName name = device::deviceNamed(words);
   device::OpenOptions options;
   options.which = name.which;
-  device::Probe probe;
-  {
-    const py::gil_scoped_release free;
-    probe = name.back_end->probe(options);
-  }
+  const device::Probe probe = unlocked([&](Interrupts&) { return name.back_end->probe(options); });
   Facts facts;
   facts["name"] = std::string(name.back_end->name);
   facts["about"] = std::string(name.back_end->about);
@@ -91,10 +91,21 @@ DevicePointer opened(const std::string& words, double scale, const ArrayLike& or
   options.origin_mm = pointOf(origin_mm, "origin_mm");
   options.scale = scale;
   options.tick_s = 1.0 / rateOf(ticks_per_s);
-  const py::gil_scoped_release free;
-  auto handle = std::make_shared<DeviceHandle>();
-  handle->device = device::openNamed(words, options);
-  return handle;
+  std::atomic<bool> give_up{false};
+  options.give_up = &give_up;
+  return unlocked([&](Interrupts& interrupts) {
+    // Another program (remote) may come a minute later: whoever waits for it may change his mind.
+    auto opening = std::async(std::launch::async, [&] { return device::openNamed(words, options); });
+    try {
+      while (opening.wait_for(std::chrono::milliseconds(5)) != std::future_status::ready) interrupts.check();
+    } catch (...) {
+      give_up = true;
+      throw;
+    }
+    auto handle = std::make_shared<DeviceHandle>();
+    handle->device = opening.get();
+    return handle;
+  });
 }
 
 DevicePointer scripted(const ArrayLike& tips) {
@@ -168,9 +179,10 @@ void closeDevice(DeviceHandle& handle) {
   const std::string name = handle.device.name;
   device::Device closing = std::exchange(handle.device, {});
   handle.device.name = name;
-  const py::gil_scoped_release free;  // a driver may take its time
-  if (closing.close) closing.close();
-  closing = {};
+  unlocked([&](Interrupts&) {  // a driver may take its time
+    if (closing.close) closing.close();
+    closing = {};
+  });
 }
 
 void bindDevice(py::module_& module) {

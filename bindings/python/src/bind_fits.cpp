@@ -10,6 +10,7 @@
 #include <map>
 
 #include "arrays.h"
+#include "interrupts.h"
 #include "palpate/tissue/fitting/bounded_fit.h"
 #include "palpate/tissue/fitting/force_fit.h"
 #include "palpate/tissue/fitting/profile_fit.h"
@@ -97,8 +98,7 @@ std::vector<ForceFit> fitForces(const ArrayLike& depth_mm, const ArrayLike& forc
                                 double most_offset_mm) {
   const tissue::ForceCurve curve{"curve", column(depth_mm, "depth_mm"), column(force_n, "force_n")};
   requireRows(curve.depth_mm.size(), curve.force_n.size(), "force_n");
-  const py::gil_scoped_release free;
-  return tissue::fitForces(curve, {free_offset, most_offset_mm});
+  return unlocked([&](Interrupts&) { return tissue::fitForces(curve, {free_offset, most_offset_mm}); });
 }
 
 ForceFit fitShared(const std::vector<std::pair<ArrayLike, ArrayLike>>& curves, const std::string& form,
@@ -111,8 +111,7 @@ ForceFit fitShared(const std::vector<std::pair<ArrayLike, ArrayLike>>& curves, c
   if (all.empty()) throw py::value_error("curves: none given");
   for (const tissue::ForceForm one : tissue::kForceForms) {
     if (nameOf(one) != form) continue;
-    const py::gil_scoped_release free;
-    return tissue::fitSharedForce(all, one, {.free_offset = free_offset});
+    return unlocked([&](Interrupts&) { return tissue::fitSharedForce(all, one, {.free_offset = free_offset}); });
   }
   throw py::value_error("form: linear, power, stiffening, cubic or measured, not " + form);
 }
@@ -158,10 +157,14 @@ std::vector<ProfileFit> fitProfiles(double depth_mm, const ArrayLike& r_mm, cons
     profile.outward_mm = column(*outward_mm, "outward_mm");
     requireRows(profile.radius_mm.size(), profile.outward_mm.size(), "outward_mm");
   }
-  const py::gil_scoped_release free;
-  std::vector<ProfileFit> fits;
-  for (const tissue::ProfileForm form : tissue::kProfileForms) fits.push_back(tissue::fitProfile(profile, form));
-  return fits;
+  return unlocked([&](Interrupts& interrupts) {
+    std::vector<ProfileFit> fits;
+    for (const tissue::ProfileForm form : tissue::kProfileForms) {
+      interrupts.check();
+      fits.push_back(tissue::fitProfile(profile, form));
+    }
+    return fits;
+  });
 }
 
 // --- any least squares ----------------------------------------------------------------------------------------------

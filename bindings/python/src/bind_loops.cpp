@@ -161,8 +161,7 @@ struct Drive {
 };
 
 /// Until the seconds are over or a signal wants the end, which presses the emergency stop first.
-void waitOut(engine::ServoThread& servo, double seconds) {
-  Interrupts interrupts;
+void waitOut(engine::ServoThread& servo, double seconds, Interrupts& interrupts) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
   trace::Sample sample;
   try {
@@ -191,14 +190,14 @@ engine::RecorderSettings recorderFor(const Drive& drive) {
   return settings;
 }
 
-servo::LoopReport driven(const Drive& drive) {
+servo::LoopReport driven(const Drive& drive, Interrupts& interrupts) {
   engine::ServoPlan plan = engine::servoPlan(drive.world->world, drive.settings);
   plan.limiter = limitsFor(*drive.world->world, drive.devices);
   engine::ServoThread servo(std::move(plan), drive.devices);
   std::optional<engine::SessionRecorder> recorder;
   if (drive.session) recorder.emplace(servo, recorderFor(drive));
   try {
-    waitOut(servo, drive.seconds);
+    waitOut(servo, drive.seconds, interrupts);
   } catch (...) {
     servo.stop();
     if (recorder) recorder->finish("interrupted");
@@ -217,12 +216,7 @@ Facts drive(const WorldPointer& world, const std::vector<DevicePointer>& devices
   Drive wanted{world, lent.devices(), settingsOf(*world->world, settings, devices.size()), seconds, session, notes};
   const double tick_s = 1.0 / world->world->scene.ticks_per_s;
   for (contact::FingerSettings& finger : wanted.settings) finger.tick_s = tick_s;
-  servo::LoopReport report;
-  {
-    const py::gil_scoped_release free;
-    report = driven(wanted);
-  }
-  return reportOf(report);
+  return reportOf(unlocked([&](Interrupts& interrupts) { return driven(wanted, interrupts); }));
 }
 
 }  // namespace

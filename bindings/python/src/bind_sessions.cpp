@@ -146,17 +146,21 @@ struct Wanted {
 /// The bits of each column of each field, row by row: read without the interpreter's lock.
 std::vector<std::vector<std::uint64_t>> bitsOf(SessionFile& session, const Wanted& wanted) {
   std::vector<std::vector<std::uint64_t>> bits(wanted.fields.size());
-  Interrupts interrupts;
-  const py::gil_scoped_release free;
-  session.reader().forEachTick(wanted.span, [&](std::span<const trace::Sample> samples) {
-    interrupts.check();
+  trace::SessionReader& reader = session.reader();
+  const auto take = [&](std::span<const trace::Sample> samples) {
     for (const trace::Sample& sample : samples) {
       if (sample.finger != wanted.finger) continue;
       for (std::size_t i = 0; i < bits.size(); ++i) {
         for (const SampleColumn* column : wanted.fields[i].columns) bits[i].push_back(column->bits(sample));
       }
     }
-    return true;
+  };
+  unlocked([&](Interrupts& interrupts) {
+    reader.forEachTick(wanted.span, [&](std::span<const trace::Sample> samples) {
+      interrupts.check();
+      take(samples);
+      return true;
+    });
   });
   return bits;
 }
@@ -312,18 +316,19 @@ FactsList columnsOf(SessionFile& /*session*/) {
 WorldPointer worldOf(SessionFile& session, std::uint64_t number, const std::filesystem::path& folder) {
   const Busy::Guard guard(session.busy, kInUse);
   const trace::SessionWorld recorded = session.reader().world(number);
-  Interrupts interrupts;
-  const py::gil_scoped_release free;
-  return std::make_shared<WorldHandle>(WorldHandle{engine::builtWorld(recorded, folder, interrupts.progress())});
+  return unlocked([&](Interrupts& interrupts) {
+    return std::make_shared<WorldHandle>(WorldHandle{engine::builtWorld(recorded, folder, interrupts.progress())});
+  });
 }
 
 engine::ReplayReport replayed(SessionFile& session, const SpanLike& span, const std::filesystem::path& folder) {
   const Busy::Guard guard(session.busy, kInUse);
   trace::SessionReader& reader = session.reader();
-  Interrupts interrupts;
   const engine::ReplaySettings settings{spanOf(span), folder};
-  const py::gil_scoped_release free;
-  return engine::replay(reader, settings, {}, interrupts.progress());
+  return unlocked([&](Interrupts& interrupts) {
+    const auto looks = [&](std::span<const trace::Sample>) { interrupts.check(); };
+    return engine::replay(reader, settings, looks, interrupts.progress());
+  });
 }
 
 void closeSession(SessionFile& session) {

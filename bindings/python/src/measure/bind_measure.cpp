@@ -96,13 +96,13 @@ Measurement measured(const py::object& before, const py::object& after, const py
   const measure::Photograph second = photographOf(after, "after");
   std::optional<measure::Photograph> null;
   if (!again.is_none()) null = photographOf(again, "again");
-  Interrupts interrupts;
-  const py::gil_scoped_release free;
-  std::vector<measure::Finding> findings;
-  if (null) countNullDrift(first, *null, wishes, findings);
-  Measurement result = measure::measurePair(first, second, wishes.settings, interrupts.progress());
-  result.findings.insert(result.findings.end(), findings.begin(), findings.end());
-  return result;
+  return unlocked([&](Interrupts& interrupts) {
+    std::vector<measure::Finding> findings;
+    if (null) countNullDrift(first, *null, wishes, findings);
+    Measurement result = measure::measurePair(first, second, wishes.settings, interrupts.progress());
+    result.findings.insert(result.findings.end(), findings.begin(), findings.end());
+    return result;
+  });
 }
 
 // --- what came out --------------------------------------------------------------------------------------------------

@@ -8,6 +8,7 @@
 
 #include "arrays.h"
 #include "dicts.h"
+#include "interrupts.h"
 #include "palpate/measure/synthesis/synthetic_files.h"
 #include "palpate/measure/synthesis/synthetic_pair.h"
 
@@ -89,11 +90,11 @@ Synthesized synthesized(std::uint64_t seed, double megapixels, double drift_mm, 
       caseOf(seed, megapixels, drift_mm, {tail, half_major_mm, ratio, direction_deg, drag_deg, peak_mm});
   measure::SyntheticPair pair;
   measure::Photograph again;
-  {
-    const py::gil_scoped_release free;
+  unlocked([&](Interrupts& interrupts) {
     pair = measure::renderPair(made);
+    interrupts.check();
     again = measure::throughJpeg(measure::renderPicture(made, measure::Moment::again), made.look.jpeg_quality);
-  }
+  });
   return {pixelsOf(pair.before), pixelsOf(again), pixelsOf(pair.after), truthFacts(pair.truth)};
 }
 

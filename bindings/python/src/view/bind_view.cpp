@@ -49,7 +49,7 @@ void closeDrawing() {
     return;
   }
   std::unique_ptr<DrawingThread> ending = std::move(thread);
-  const py::gil_scoped_release free;
+  const Unlocked free;
   ending.reset();
 }
 
@@ -96,10 +96,10 @@ int side(std::int64_t pixels, const char* what) {
 }
 
 view::TakenPicture waitFor(std::future<view::TakenPicture> picture) {
-  Interrupts interrupts;
-  const py::gil_scoped_release free;
-  while (picture.wait_for(std::chrono::milliseconds(10)) != std::future_status::ready) interrupts.check();
-  return picture.get();
+  return unlocked([&](Interrupts& interrupts) {
+    while (picture.wait_for(std::chrono::milliseconds(10)) != std::future_status::ready) interrupts.check();
+    return picture.get();
+  });
 }
 
 py::array_t<std::uint8_t> arrayOf(const view::Image& image) {
@@ -139,8 +139,7 @@ void savePng(const std::filesystem::path& file, const py::object& picture) {
   const auto bytes = py::array_t<std::uint8_t, py::array::c_style | py::array::forcecast>::ensure(any);
   view::Image image(side(bytes.shape(1), "width"), side(bytes.shape(0), "height"));
   std::copy_n(bytes.data(), bytes.size(), reinterpret_cast<std::uint8_t*>(image.pixels.data()));
-  const py::gil_scoped_release free;
-  view::writePng(file, image);
+  unlocked([&](Interrupts&) { view::writePng(file, image); });
 }
 
 }  // namespace

@@ -16,6 +16,7 @@ struct DrawingThread::Studio {
   std::unique_ptr<view::Painter> painter;
   std::shared_ptr<const scene::World> world;  ///< of the painter
   std::unique_ptr<view::Target> target;
+  double time_s = 0.0;
 
   void show(const std::shared_ptr<const scene::World>& wanted) {
     if (!context) context.emplace();
@@ -44,7 +45,8 @@ struct DrawingThread::Studio {
     canvas.supersampling = size.supersampling;
     canvas.pixels_per_point = size.supersampling;
     painter->renderer().updateAll(job.surface);
-    const view::Frame frame{.fingers = job.fingers, .time_s = job.time_s, .lift_mm = job.lift_mm};
+    time_s -= 1.0;  // time that goes back makes the skin forget where it was pressed in earlier pictures
+    const view::Frame frame{.fingers = job.fingers, .time_s = time_s, .lift_mm = job.lift_mm};
     view::Painted painted = painter->paint(frame, job.surface, job.settings, canvas);
     const view::Image image = target->read();
     return {size.supersampling == 1 ? image : view::reduced(image, size.supersampling), std::move(painted.notes),

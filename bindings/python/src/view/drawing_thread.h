@@ -27,7 +27,6 @@ struct PictureJob {
   std::shared_ptr<const scene::World> world;
   deform::DeformedSurface surface;
   std::vector<view::FingerMark> fingers;
-  double time_s = 0.0;
   double lift_mm = 0.0;
   view::PictureSettings settings;
   view::PictureSize size;

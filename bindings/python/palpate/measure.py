@@ -1,0 +1,69 @@
+"""From photographs of a dotted back to the key ellipse, and photographs whose truth is known.
+
+    found = palpate.measure.dots("before.jpg", "after.jpg", again="before2.jpg")
+    if found.accepted and found.ellipse is not None:
+        print(found.ellipse)
+    else:
+        for finding in found.findings:
+            print(finding["severity"], finding["text"])
+
+docs/measure-a-person.md is the protocol and says what the numbers mean.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from palpate import _measure
+from palpate._measure import Estimate, KeyEllipse, Measurement, dots, row_header
+
+__all__ = ["Estimate", "KeyEllipse", "Measurement", "Synthetic", "dots", "row_header", "synthesize"]
+
+
+class Synthetic(NamedTuple):
+    """Three pictures (H, W, 3) of uint8 of a back that was never there, and the truth that they show.
+
+    truth: half_major_mm, half_minor_mm, major_over_minor, direction_deg (of the ellipse of 2 mm), drag_deg, peak_mm,
+    contact_px, px_per_mm.
+    """
+
+    before: NDArray[np.uint8]
+    again: NDArray[np.uint8]
+    after: NDArray[np.uint8]
+    truth: dict[str, Any]
+
+
+def synthesize(
+    seed: int,
+    *,
+    megapixels: float = 2.0,
+    drift_mm: float = 0.3,
+    tail: str | None = None,
+    half_major_mm: float | None = None,
+    ratio: float | None = None,
+    direction_deg: float | None = None,
+    drag_deg: float | None = None,
+    peak_mm: float | None = None,
+) -> Synthetic:
+    """Paints a press; what is not asked for is drawn from the seed.
+
+    tail: "compact" (the half Gaussian), "long", "half-space", "windowed". drift_mm: how far the body moves between the
+    pictures, sd. The rest: of the ellipse through the places that move by 2 mm, the way of the pull, and the motion of
+    the skin under the stick (0: nothing is pressed). Raises ValueError.
+    """
+    return Synthetic(
+        *_measure.synthesize(
+            seed,
+            megapixels=megapixels,
+            drift_mm=drift_mm,
+            tail=tail,
+            half_major_mm=half_major_mm,
+            ratio=ratio,
+            direction_deg=direction_deg,
+            drag_deg=drag_deg,
+            peak_mm=peak_mm,
+        )
+    )

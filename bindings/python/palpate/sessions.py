@@ -1,0 +1,14 @@
+"""Recorded sessions: read, felt again, walked through.
+
+    with palpate.sessions.Session("run.session") as run:
+        felt = run.samples(["tick", "tip", "force"], finger="left")   # dict of arrays
+        assert run.replay().identical
+
+docs/sessions.md says what is in a file; palpate.devices.Loop and drive record one.
+"""
+
+from __future__ import annotations
+
+from palpate._core import ReplayDifference, ReplayReport, Session, SessionBlocks
+
+__all__ = ["ReplayDifference", "ReplayReport", "Session", "SessionBlocks"]
