@@ -1,8 +1,8 @@
 // The source of a page that stands by itself: the engine in a worker (worker.js). See source.js for the interface.
 import { AIM_BYTES, AimWriter } from './aims.js';
+import { FIRST_SCENE, fetchFirstBody } from './first_body.js';
 
-/// The body that the page begins with, and what every mesh of a user is felt with.
-export const FIRST_SCENE = '[body]\nkind = "torso"\ntriangles = 20389\n';
+/// What every mesh of a user is felt with.
 const MESH_SCENE = 'title = "a mesh"\n';
 const FRAMES_AHEAD = 2;
 
@@ -23,6 +23,9 @@ class LocalSource {
   }
   onBody() {} // nobody but this page changes its body
 
+  preview() {
+    return fetchFirstBody();
+  }
   async start() {
     await this.launch();
     const body = await this.ask(this.opening);

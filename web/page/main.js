@@ -100,9 +100,20 @@ class Page {
 
   async start() {
     this.wait('Building the body');
-    this.setBody(await this.source.start());
+    const starting = this.source.start();
+    starting.catch(() => {}); // awaited below
+    const preview = await this.source.preview?.();
+    if (preview) this.lookAt(preview);
+    this.setBody(await starting);
     this.wait(null);
     this.picture.renderer.setAnimationLoop((now) => this.pass(now));
+  }
+  /// A body that cannot be felt yet.
+  lookAt(body) {
+    this.picture.setBody(body);
+    this.picture.draw(performance.now());
+    document.body.dataset.state = 'pictured';
+    this.picture.renderer.setAnimationLoop((now) => this.picture.draw(now));
   }
   setBody(body) {
     this.body = body;

@@ -47,7 +47,9 @@ export class Picture {
     this.picker = new Picker(body.rest, FLOATS_OF_VERTEX, body.corners);
     const { low, high } = this.picker.nodes[0];
     this.middle = low.map((l, axis) => (l + high[axis]) / 2);
-    this.orbit.frame(this.middle, low.map((l, axis) => (high[axis] - l) / 2));
+    const half = low.map((l, axis) => (high[axis] - l) / 2);
+    if (String([this.middle, half]) !== this.shape) this.orbit.frame(this.middle, half); // another body
+    this.shape = String([this.middle, half]);
     this.stale = true;
   }
   showBones(on) {

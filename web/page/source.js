@@ -3,6 +3,7 @@
 // Everything else of the page knows a source only by this interface:
 //
 //   source.can                      {open, dysfunctions, record}: what it offers besides touch, each true or false
+//   await source.preview?.()        a Body to look at until the one to feel is there; null when there is none
 //   await source.start()            a Body; rejects with an Error whose message can be shown
 //   source.tip(finger, aim)         finger 0 (left, blue) or 1 (right, red) is wanted there from now on:
 //                                   aim = {place: [x, y, z], normal: [x, y, z], depth, pressed}
