@@ -14,11 +14,13 @@ at = "T9 right 32 mm"
 radius_mm = 25
 change_percent = 60
 """)
-chosen = np.random.default_rng(1).choice(len(body.positions), 1000, replace=False)
+x, y, _ = body.positions.T
+inner = np.flatnonzero((abs(x) < 120) & (y > -250) & (y < 160))  # the sheet ends beyond
+chosen = np.random.default_rng(1).choice(inner, 1000, replace=False)
 places, up = body.positions[chosen], body.normals[chosen]
 
-# %% Each is pressed 3 mm deep along its normal in half a second; force over depth is the stiffness.
-depth = np.linspace(-1.0, 3.0, 500)
+# %% Each is pressed 8 mm deep, straight in, in half a second; force over depth there is what the map means.
+depth = np.linspace(-1.0, 8.0, 500)
 felt = body.rollout(places[:, None] - depth[:, None] * up[:, None], fields=("force", "depth"))
 stiffness = np.linalg.norm(felt["force"][:, -1], axis=1) / felt["depth"][:, -1]
 

@@ -55,6 +55,7 @@ def test_the_fitted_tissue_is_the_one_that_made_the_curve(ran):
     secant, exponent = map(float, re.search(r"k = ([0-9.]+) N/mm, exponent = ([0-9.]+)", words).groups())
     assert secant == pytest.approx(0.8, rel=0.03)
     assert exponent == pytest.approx(1.63, abs=0.05)
+    assert float(re.search(r"differ by ([0-9.]+) N", words).group(1)) < 0.05  # and a finger feels it
 
 
 def test_the_trained_policy_beats_chance(ran):

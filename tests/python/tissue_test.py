@@ -96,3 +96,15 @@ def test_what_makes_no_sense_is_refused():
         Law.table([1, 2, 3], [1, 2])
     with pytest.raises(TypeError, match="depth_mm"):
         Law.linear().force("deep")
+
+
+def test_a_table_of_the_command_is_read(command, tmp_path):
+    run = [command, "tissue", "solve", "--layer", "skin:2:150", "--layer", "fat:8:10", "--depths", "2,4", "-o", "own.json"]
+    subprocess.run(run, cwd=tmp_path, check=True, capture_output=True, timeout=300)
+    table = json.loads((tmp_path / "own.json").read_text())
+    layers = LayeredTissue.from_table(tmp_path / "own.json")
+    assert layers.thinnest_mm == layers.thickest_mm == 10.0
+    for shape in table["shapes"]:
+        assert float(layers.force(10.0, shape["depth_mm"])) == pytest.approx(shape["force_n"], rel=1e-6)
+    with pytest.raises(palpate.Error, match="nowhere"):
+        LayeredTissue.from_table(tmp_path / "nowhere.json")

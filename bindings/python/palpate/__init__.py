@@ -8,12 +8,18 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from palpate._core import Error, Finger, Fingers, FingerSettings, Skin, Touch, World, __version__
+from palpate._core import Error, Finger, Fingers, FingerSettings, Session, Skin, Touch, World, __version__
 
 if TYPE_CHECKING:
+    from palpate import devices as devices
     from palpate import env as env
+    from palpate import fit as fit
+    from palpate import measure as measure
+    from palpate import sessions as sessions
+    from palpate import tissue as tissue
+    from palpate import view as view
 
-__all__ = ["Error", "Finger", "FingerSettings", "Fingers", "Skin", "Touch", "World", "__version__"]
+__all__ = ["Error", "Finger", "FingerSettings", "Fingers", "Session", "Skin", "Touch", "World", "__version__"]
 
 # Loaded when they are first asked for: `import palpate` is to cost nothing that is not used.
 _LAZY = ("devices", "env", "fit", "measure", "sessions", "tissue", "view")

@@ -3,6 +3,7 @@
 //   numbers or arrays that broadcast ─► tissue::respond, LayeredTissue ─► arrays
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <cmath>
 #include <memory>

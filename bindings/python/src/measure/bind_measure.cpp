@@ -35,6 +35,17 @@ constexpr double kMostNullDriftMm = 0.3;
 
 // --- pictures -------------------------------------------------------------------------------------------------------
 
+struct PictureName {
+  static constexpr auto name =
+      py::detail::const_name("Union[str, os.PathLike[str], numpy.typing.NDArray[numpy.uint8]]");
+};
+struct MaybePictureName {
+  static constexpr auto name =
+      py::detail::const_name("Optional[Union[str, os.PathLike[str], numpy.typing.NDArray[numpy.uint8]]]");
+};
+using PictureLike = Named<PictureName>;
+using MaybePicture = Named<MaybePictureName>;
+
 measure::Photograph photographOf(const py::object& given, const char* what) {
   if (!py::isinstance<py::array>(given)) return measure::readPhotograph(given.cast<std::filesystem::path>());
   const auto any = given.cast<py::array>();
@@ -82,7 +93,7 @@ void countNullDrift(const measure::Photograph& before, const measure::Photograph
                                   *drift, kMostNullDriftMm)});
 }
 
-Measurement measured(const py::object& before, const py::object& after, const py::object& again, double spacing_mm,
+Measurement measured(const PictureLike& before, const PictureLike& after, const MaybePicture& again, double spacing_mm,
                      const std::optional<double>& drift_mm, const std::string& head,
                      const std::optional<std::pair<double, double>>& contact_px, bool partial) {
   Wishes wishes;
@@ -249,8 +260,6 @@ PYBIND11_MODULE(_measure, module) {
       "towards it. contact_px: the marked contact. partial: the ellipse may leave the dots. Never raises for what\n"
       "the pictures show: see Measurement.accepted. Releases the GIL. Raises Error, ValueError.");
   module.def("row_header", measure::keyRowHeader, "The columns of Measurement.row, with the line's end.");
-  module.def(
-      "nominal_null_drift_mm", [] { return kMostNullDriftMm; }, "mm: more, and the breath was not held.");
   bindSynthesis(module);
 }
 
