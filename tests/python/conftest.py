@@ -37,6 +37,13 @@ def wander(fingers: int, ticks: int, seed: int = 1, half_mm: float = 60.0) -> np
     return np.concatenate([xy, z[..., None]], axis=2)
 
 
+def landed(world: palpate.World, settings: palpate.FingerSettings | None = None) -> palpate.Finger:
+    """A finger that has been over the dome: what it crosses from now on, it crosses from outside."""
+    finger = palpate.Finger(world, settings)
+    finger.step(0.0, 0.0, 60.0)
+    return finger
+
+
 @pytest.fixture(scope="session")
 def torso() -> palpate.World:
     return palpate.World.torso()

@@ -123,8 +123,10 @@ def test_nonsense_is_refused(hidden):
     for wrong in (np.zeros((3, 3)), np.zeros(6), np.full((2, 3), np.nan)):
         with pytest.raises(ValueError, match="actions"):
             env.step(wrong)
-    for wrong in ({"substeps": 0}, {"max_steps": 0}, {"reach_mm": 0}, {"reach_mm": 0.001}):
+    for wrong in ({"substeps": 0}, {"max_steps": 0}, {"reach_mm": 0}):
         with pytest.raises(ValueError):
             make(hidden, 2, **wrong)
+    with pytest.raises(ValueError, match="no vertex"):
+        palpate.env.VectorEnv(hidden, 2, around=[1.0, 1.0, 20.0], reach_mm=0.01)
     with pytest.raises(palpate.Error):
         palpate.env.VectorEnv(hidden, 2, around="T6")

@@ -9,21 +9,23 @@ import numpy as np
 import pytest
 
 import palpate
-from conftest import wander
+from conftest import landed, wander
 
 SCENE = """
 seconds = 0.6
 [body]
 kind = "torso"
 [friction]
-mu_static = 0.6
-mu_dynamic = 0.3
+static = 0.6
+dynamic = 0.3
 [tissue]
 relaxation = 0.15
 [[finger]]
+name = "point"
 at = "T6 right 30 mm"
 script = [ { do = "press", depth_mm = 7, seconds = 0.2 }, { do = "drag", by_mm = [0, 25], seconds = 0.3 }, { do = "lift", seconds = 0.1 } ]
 [[finger]]
+name = "ball"
 radius_mm = 8
 at = "T9 left 30 mm"
 script = [ { do = "press", depth_mm = 5, seconds = 0.2 }, { do = "circle", radius_mm = 9, seconds = 0.4 } ]
@@ -129,10 +131,10 @@ def test_step_takes_arrays_lists_tuples_and_numbers(dome_world):
         ([np.float64(x) for x in tip],),
         (np.array([3, 4, 17.5], dtype=object).astype(float),),
     ]
-    forces = [tuple(palpate.Finger(dome_world).step(*one).force) for one in given]
+    forces = [tuple(landed(dome_world).step(*one).force) for one in given]
     assert forces[0][2] > 0.1
     assert set(forces) == {forces[0]}
-    assert palpate.Finger(dome_world).step(3, 4, 17).depth_mm == palpate.Finger(dome_world).step([3, 4, 17]).depth_mm
+    assert landed(dome_world).step(3, 4, 17).depth_mm == landed(dome_world).step([3, 4, 17]).depth_mm > 0
     finger = palpate.Finger(dome_world)
     for wrong in [((1.0, 2.0),), ([1.0, 2.0, 3.0, 4.0],), (np.zeros((1, 3)),), (np.zeros(2),)]:
         with pytest.raises(ValueError, match="tip: three numbers"):
@@ -147,8 +149,10 @@ def test_step_takes_arrays_lists_tuples_and_numbers(dome_world):
 
 
 def test_a_tip_that_is_not_finite_is_lost(dome_world):
-    finger = palpate.Finger(dome_world)
+    finger = landed(dome_world)
+    finger.step(0, 0, 17)
     before = finger.step(0, 0, 17)
+    assert before.force.any()
     for wrong in (np.nan, np.inf, 1e200):
         lost = finger.step(wrong, 0, 17)
         assert lost.status == 1 and not lost.force.any() and lost.state == "free"
@@ -157,45 +161,46 @@ def test_a_tip_that_is_not_finite_is_lost(dome_world):
     rolled = dome_world.rollout(np.full((1, 3, 3), np.nan))
     assert np.all(rolled["status"] == 1) and not rolled["force"].any()
     fingers = palpate.Fingers(dome_world, 2)
-    assert fingers.step([[np.nan, 0, 0], [0, 0, 17]], substeps=5)["status"].tolist() == [1, 0]
+    assert fingers.step([[np.nan, 0, 0], [0, 0, 30]], substeps=5)["status"].tolist() == [1, 0]
+    fingers.step([[0, 0, 30], [np.nan, 0, 0]], substeps=5)
     assert fingers.step([[0, 0, 17], [0, 0, 17]], substeps=5)["depth"].min() > 0
 
 
 def test_lift_and_reset(dome_world):
-    finger = palpate.Finger(dome_world)
+    finger = landed(dome_world)
     pressed = finger.step(0, 0, 16)
     assert pressed.state != "free"
-    finger.step(0, 0, -200)  # dragged through
+    assert finger.step(60, 60, 0).state != "free", "it is dragged there under the skin"
     finger.lift()
-    assert finger.step(60, 60, 30).state == "free"
+    assert finger.step(60, 60, 0).state == "free", "it begins there, under the sheet"
     finger.reset()
+    finger.step(0, 0, 60)
     np.testing.assert_array_equal(finger.step(0, 0, 16).force, pressed.force)
     fingers = palpate.Fingers(dome_world, 3)
-    fingers.step([[0, 0, 30]] * 3)
-    first = fingers.step([[0, 0, 16]] * 3)["force"]
-    mask = np.array([True, False, True])
-    fingers.reset(mask)
-    again = fingers.step([[5, 0, 16]] * 3)["force"]
-    assert not np.array_equal(again[0], again[1]), "who was reset comes from nowhere, the other drags"
-    np.testing.assert_array_equal(again[0], palpate.Finger(dome_world).step(5, 0, 16).force)
-    assert first.any()
+    for forget in (fingers.reset, fingers.lift):
+        fingers.step([[0, 0, 60]] * 3)
+        assert fingers.step([[0, 0, 16]] * 3)["depth"].all()
+        forget(np.array([True, False, True]))
+        assert (fingers.step([[5, 0, 16]] * 3, substeps=3)["state"] != 0).tolist() == [False, True, False]
+        forget()
+        assert not fingers.step([[5, 0, 16]] * 3)["state"].any()
     for wrong in ([True], np.zeros(3), "abc"):
         with pytest.raises(ValueError, match="mask"):
             fingers.reset(wrong)
 
 
 def test_a_touch_says_all_that_was_felt(dome_world):
-    finger = palpate.Finger(dome_world)
+    finger = landed(dome_world)
     touch = finger.step(10, 0, 16)
-    rolled = dome_world.rollout([[[10, 0, 16]]], fields=["force", "depth", "proxy", "anchor", "normal", "triangle", "state",
+    rolled = dome_world.rollout([[[0, 0, 60], [10, 0, 16]]], fields=["force", "depth", "proxy", "anchor", "normal", "triangle", "state",
                                                          "status", "tip", "hold", "tissue", "rest", "anchor_triangle"])
     for name in ("force", "proxy", "anchor", "normal", "tip", "hold"):
-        np.testing.assert_array_equal(rolled[name][0, 0], getattr(touch, name))
-        assert rolled[name].shape == (1, 1, 3)
+        np.testing.assert_array_equal(rolled[name][0, 1], getattr(touch, name))
+        assert rolled[name].shape == (1, 2, 3)
     numbers = (touch.depth_mm, touch.triangle, STATES[touch.state], touch.status, touch.tissue_mm, touch.rest_mm,
                touch.anchor_triangle)
     names = ("depth", "triangle", "state", "status", "tissue", "rest", "anchor_triangle")
-    assert numbers == tuple(rolled[name][0, 0] for name in names)
+    assert numbers == tuple(rolled[name][0, 1] for name in names)
     assert touch.depth_mm == pytest.approx(np.linalg.norm(touch.tip - touch.proxy), rel=1e-6)
     assert "stick" in repr(touch)
     free = finger.step(0, 0, 100)
@@ -225,8 +230,8 @@ def test_settings_are_checked_when_made(dome_world):
     box = dome_world.rebuilt('[contact]\nsource = "hdb"\n')
     with pytest.raises(palpate.Error, match="radius_mm must be 0"):
         palpate.Finger(box, settings)
-    ball = palpate.Finger(dome_world, settings).step(0, 0, 27)
-    assert ball.state != "free" and palpate.Finger(dome_world).step(0, 0, 27).state == "free"
+    assert landed(dome_world, settings).step(0, 0, 27).state != "free"
+    assert landed(dome_world).step(0, 0, 27).state == "free"
 
 
 def test_settings_of_many_fingers(dome_world):
@@ -277,6 +282,7 @@ def test_fields_and_out(dome_world):
 
 def test_answers_are_fresh(dome_world):
     fingers = palpate.Fingers(dome_world, 2)
+    fingers.step([[0, 0, 60]] * 2)
     first = fingers.step([[0, 0, 16]] * 2)["force"]
     kept = first.copy()
     second = fingers.step([[0, 0, 10]] * 2)["force"]

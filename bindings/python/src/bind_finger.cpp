@@ -1,6 +1,7 @@
 // FingerSettings, Touch and Finger. `Finger.step` is Python's own fast call, without pybind11: a tick takes 130 ns, and
 // what is around it should not take more.
 #include <fmt/format.h>
+#include <pybind11/stl.h>
 
 #include <bit>
 
@@ -313,6 +314,11 @@ void bindFingerClass(py::module_& module) {
 
 void bindFinger(py::module_& module) {
   bindSettings(module);
+  auto world = py::reinterpret_borrow<py::class_<WorldHandle, WorldPointer>>(module.attr("World"));
+  world.def(
+      "finger_settings",
+      [](const WorldHandle& self, std::size_t n) { return engine::fingerSettings(self.world->scene, n); },
+      "List of n FingerSettings: the scene's own in their order, then points with its friction.", py::arg("n") = 1);
   bindTouch(module);
   bindFingerClass(module);
 }

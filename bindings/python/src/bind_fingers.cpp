@@ -20,6 +20,10 @@ struct MaybeMaskName {
   static constexpr auto name = py::detail::const_name("Optional[numpy.typing.ArrayLike]");
 };
 using MaybeMask = Named<MaybeMaskName>;
+struct TouchListName {
+  static constexpr auto name = py::detail::const_name("list[palpate._core.Touch]");
+};
+using TouchList = Named<TouchListName>;
 
 class FingersHandle {
  public:
@@ -47,11 +51,11 @@ class FingersHandle {
     return FeltDict(arrays.dict());
   }
 
-  py::list touches() {
+  TouchList touches() {
     const Busy::Guard guard(busy_, "Fingers");
     py::list all;
     for (const contact::FingerOutput& felt : felt_) all.append(py::cast(felt));
-    return all;
+    return TouchList(all);
   }
 
   /// Those whose flag is set; all for None.

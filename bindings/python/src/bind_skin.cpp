@@ -1,6 +1,8 @@
 // Skin: the deformed skin of a world, live views of it, and copies for other threads.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "bindings.h"
 #include "skin_handle.h"
 
@@ -21,23 +23,31 @@ const deform::DeformedSurface& surfaceOf(const py::object& self) {
   return self.cast<const SkinHandle&>().skin().surface();
 }
 
-/// Copied here and not by numpy, which lets other threads in while it copies.
-template <class At>
-py::array_t<float> copyOf(Index vertices, const At& at) {
-  py::array_t<float> copy({static_cast<py::ssize_t>(vertices), py::ssize_t{3}});
-  float* to = copy.mutable_data();
-  for (Index v = 0; v < vertices; ++v, to += 3) Eigen::Map<Vec3f>{to} = at(v);
-  return copy;
-}
-
+/// Copied here and not by numpy, which lets other threads in while it copies; and all arrays are there before the first
+/// is written, because making one may let them in too.
 py::dict copied(SkinHandle& self) {
-  const Busy::Guard guard(self.busy(), "Skin");
   const deform::DeformedSurface& surface = self.skin().surface();
+  const auto vertices = static_cast<py::ssize_t>(surface.vertices());
+  py::array_t<float> positions({vertices, py::ssize_t{3}});
+  py::array_t<float> normals({vertices, py::ssize_t{3}});
+  py::array_t<float> displacement({vertices, py::ssize_t{3}});
+  py::array_t<float> strain(vertices);
+  float* to[] = {positions.mutable_data(), normals.mutable_data(), displacement.mutable_data()};
+  float* to_strain = strain.mutable_data();
+  {
+    const Busy::Guard guard(self.busy(), "Skin");
+    for (Index v = 0; v < surface.vertices(); ++v) {
+      Eigen::Map<Vec3f>{to[0] + std::size_t{3}* v} = surface.positionAt(v);
+      Eigen::Map<Vec3f>{to[1] + std::size_t{3}* v} = surface.normalAt(v);
+      Eigen::Map<Vec3f>{to[2] + std::size_t{3}* v} = surface.displacementAt(v);
+    }
+    std::copy(surface.strain().begin(), surface.strain().end(), to_strain);
+  }
   py::dict copy;
-  copy["positions"] = copyOf(surface.vertices(), [&](Index v) { return surface.positionAt(v); });
-  copy["normals"] = copyOf(surface.vertices(), [&](Index v) { return surface.normalAt(v); });
-  copy["displacement"] = copyOf(surface.vertices(), [&](Index v) { return surface.displacementAt(v); });
-  copy["strain"] = py::array_t<float>(static_cast<py::ssize_t>(surface.vertices()), surface.strain().data());
+  copy["positions"] = std::move(positions);
+  copy["normals"] = std::move(normals);
+  copy["displacement"] = std::move(displacement);
+  copy["strain"] = std::move(strain);
   return copy;
 }
 

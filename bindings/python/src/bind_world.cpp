@@ -11,7 +11,6 @@
 #include "palpate/base/error.h"
 #include "palpate/body/places.h"
 #include "palpate/engine/arrays.h"
-#include "palpate/engine/fingers.h"
 #include "palpate/mesh/files/load.h"
 #include "palpate/mesh/validate.h"
 #include "palpate/scene/scene_file.h"
@@ -138,7 +137,8 @@ WorldPointer fromFile(const std::filesystem::path& file, double scale, const Arr
 }
 
 WorldPointer rebuiltFrom(const WorldHandle& self, const std::string& toml, const std::string& name) {
-  const scene::Scene scene = scene::parse(toml, name);
+  scene::Scene scene = scene::parse(toml, name);
+  scene.body = self.world->scene.body;  // which stiffness is meant goes by the kind of body
   return unlocked([&](Interrupts& interrupts) {
     return std::make_shared<WorldHandle>(
         WorldHandle{scene::rebuilt(*self.world, scene, interrupts.progress()), self.maps});
@@ -378,10 +378,6 @@ void bindWorld(py::module_& module) {
   world.def_property_readonly(
       "fingers", [](const WorldHandle& self) { return self.world->scene.fingers.size(); },
       "How many fingers the scene describes.");
-  world.def(
-      "finger_settings",
-      [](const WorldHandle& self, std::size_t n) { return engine::fingerSettings(self.world->scene, n); },
-      "List of n FingerSettings: the scene's own in their order, then points with its friction.", py::arg("n") = 1);
   world.def("__repr__", &reprOf, "In a few words.");
 }
 

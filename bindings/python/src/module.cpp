@@ -14,13 +14,7 @@ PYBIND11_MODULE(_core, module) {
   bindRollout(module);
   bindFingers(module);
   bindSkin(module);
-#ifdef PALPATE_PYTHON_sessions
   bindSessions(module);
-#endif
-#ifdef PALPATE_PYTHON_tissue
   bindTissue(module);
-#endif
-#ifdef PALPATE_PYTHON_devices
   bindDevices(module);
-#endif
 }
