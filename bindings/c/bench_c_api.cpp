@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <functional>
 #include <limits>
 #include <string_view>
@@ -53,7 +52,7 @@ struct Measured {
 };
 
 bool sameForce(const contact::FingerOutput& cpp, const palpate_touch& c) {
-  return std::memcmp(cpp.force.data(), c.force_n, sizeof c.force_n) == 0;
+  return cpp.force == Vec3(c.force_n[0], c.force_n[1], c.force_n[2]);
 }
 
 /// The best of so many rounds of each, in turn: what disturbs one disturbs the others.

@@ -3,6 +3,7 @@
 #define PALPATE_TESTS_CHECK_H
 
 #include <stdio.h>
+#include <string.h>
 
 static int checks_made;
 static int checks_failed;
@@ -16,8 +17,11 @@ static int checks_failed;
     }                                                                         \
   } while (0)
 
+/* Bit by bit: of numbers, too. */
+static inline int sameBytes(const void* one, const void* other, size_t bytes) { return memcmp(one, other, bytes) == 0; }
+
 /* What main returns. */
-static int checks_done(const char* name) {
+static int checksDone(const char* name) {
   printf("%s: %d checks, %d failed\n", name, checks_made, checks_failed);
   return checks_failed == 0 && checks_made > 0 ? 0 : 1;
 }

@@ -1,6 +1,5 @@
 // Through the C interface a finger feels what contact::step gives it, to the bit, and a step asks for no memory and no
 // lock.
-#include <cstring>
 #include <vector>
 
 #include "check.h"
@@ -14,7 +13,7 @@ using namespace palpate;
 
 namespace {
 
-bool same(const Vec3& cpp, const double (&c)[3]) { return std::memcmp(cpp.data(), c, sizeof c) == 0; }
+bool same(const Vec3& cpp, const double (&c)[3]) { return cpp == Vec3(c[0], c[1], c[2]); }
 
 bool same(const contact::FingerOutput& cpp, const palpate_touch& c) {
   return same(cpp.force, c.force_n) && same(cpp.proxy, c.proxy_mm) && same(cpp.anchor, c.anchor_mm) &&
@@ -27,8 +26,8 @@ bool same(const contact::FingerOutput& cpp, const palpate_touch& c) {
 
 /// The same sheet as in C.
 std::shared_ptr<const scene::World> sheetInCpp() {
-  static sheet arrays;
-  fill_sheet(&arrays);
+  static Sheet arrays;
+  fillSheet(&arrays);
   const mesh::TriangleMesh mesh =
       engine::meshFromArrays(std::span<const double>(arrays.positions), std::span<const std::int32_t>(arrays.corners));
   return engine::worldFromMesh(mesh, arrays.stiffness).world;
@@ -45,7 +44,7 @@ void compare(palpate_world* world_c, const scene::World& world, contact::FingerS
   int touching = 0;
   for (int i = 0; i < SHEET_TICKS; ++i) {
     Vec3 tip;
-    sheet_tip(i, tip.data());
+    sheetTip(i, tip.data());
     const contact::FingerOutput felt = contact::step(world.surface, settings, state, tip);
     CHECK(palpate_finger_step(finger, tip.data(), &touch) == PALPATE_OK);
     different += same(felt, touch) ? 0 : 1;
@@ -87,7 +86,7 @@ void comparesForcesOfEverySetting(palpate_world* world_c, const scene::World& wo
 void asksForNothing(palpate_world* world) {
   static double tips[3 * SHEET_TICKS];
   static palpate_touch touches[SHEET_TICKS];
-  for (int i = 0; i < SHEET_TICKS; ++i) sheet_tip(i, tips + 3 * i);
+  for (int i = 0; i < SHEET_TICKS; ++i) sheetTip(i, tips + 3 * i);
   palpate_finger* finger = nullptr;
   palpate_skin* skin = nullptr;
   CHECK(palpate_finger_create(world, nullptr, &finger, nullptr) == PALPATE_OK);
@@ -106,10 +105,10 @@ void asksForNothing(palpate_world* world) {
 }  // namespace
 
 int main() {
-  palpate_world* world_c = sheet_world();
+  palpate_world* world_c = sheetWorld();
   CHECK(world_c != nullptr);
   comparesForcesOfEverySetting(world_c, *sheetInCpp());
   asksForNothing(world_c);
   palpate_world_release(world_c);
-  return checks_done("c.forces");
+  return checksDone("c.forces");
 }

@@ -8,14 +8,14 @@
 #include "palpate.h"
 #include "sheet.h"
 
-static palpate_error new_error(void) {
+static palpate_error newError(void) {
   palpate_error error;
   memset(&error, 0, sizeof error);
   error.size = sizeof error;
   return error;
 }
 
-static palpate_touch new_touch(void) {
+static palpate_touch newTouch(void) {
   palpate_touch touch;
   memset(&touch, 0, sizeof touch);
   touch.size = sizeof touch;
@@ -23,7 +23,7 @@ static palpate_touch new_touch(void) {
 }
 
 /* `bytes` of it are still as memset made them. */
-static int is_filled(const void* place, unsigned char with, size_t bytes) {
+static int isFilled(const void* place, unsigned char with, size_t bytes) {
   size_t i;
   for (i = 0; i < bytes; ++i) {
     if (((const unsigned char*)place)[i] != with) return 0;
@@ -40,44 +40,44 @@ static void press(palpate_finger* finger, double depth_mm, palpate_touch* touch)
   }
 }
 
-static palpate_finger* new_finger(palpate_world* world) {
+static palpate_finger* newFinger(palpate_world* world) {
   palpate_finger* finger = NULL;
   CHECK(palpate_finger_create(world, NULL, &finger, NULL) == PALPATE_OK && finger != NULL);
   return finger;
 }
 
-static void refuses_arrays(palpate_arrays arrays, int32_t code, const char* word) {
-  palpate_error error = new_error();
+static void refusesArrays(palpate_arrays arrays, int32_t code, const char* word) {
+  palpate_error error = newError();
   palpate_world* world = (palpate_world*)&error; /* must become null */
   CHECK(palpate_world_from_arrays(&arrays, &world, &error) == code);
   CHECK(world == NULL && error.code == code && strstr(error.message, word) != NULL);
 }
 
-static void test_arrays(void) {
-  static sheet s;
+static void testArrays(void) {
+  static Sheet s;
   palpate_arrays good, bad;
-  palpate_error error = new_error();
+  palpate_error error = newError();
   palpate_world* world = NULL;
   float floats[9] = {0, 0, 0, 100, 0, 0, 0, 100, 0};
   int64_t corners[3] = {0, 1, 2};
-  fill_sheet(&s);
-  good = arrays_of(&s);
+  fillSheet(&s);
+  good = arraysOf(&s);
 
   CHECK(palpate_world_from_arrays(NULL, &world, &error) == PALPATE_ARGUMENT);
   CHECK(palpate_world_from_arrays(&good, NULL, &error) == PALPATE_ARGUMENT);
-  bad = good, bad.size = 0, refuses_arrays(bad, PALPATE_ARGUMENT, "size");
-  bad = good, bad.size = sizeof bad - 1, refuses_arrays(bad, PALPATE_ARGUMENT, "size");
-  bad = good, bad.positions_mm = NULL, refuses_arrays(bad, PALPATE_ARGUMENT, "positions_mm");
-  bad = good, bad.positions_mm_f32 = floats, refuses_arrays(bad, PALPATE_ARGUMENT, "positions_mm");
-  bad = good, bad.corners = NULL, refuses_arrays(bad, PALPATE_ARGUMENT, "corners");
-  bad = good, bad.vertices = (size_t)-1, refuses_arrays(bad, PALPATE_ARGUMENT, "32-bit");
-  bad = good, bad.triangles = (size_t)-1 / 2, refuses_arrays(bad, PALPATE_ARGUMENT, "32-bit");
-  bad = good, bad.triangles = 0, refuses_arrays(bad, PALPATE_REFUSED, "");
-  bad = good, bad.scene_toml = "\n[friction]\nstatik = 1\n", refuses_arrays(bad, PALPATE_REFUSED, "static");
-  s.corners[301] = -1, refuses_arrays(good, PALPATE_REFUSED, "triangle 100"), fill_sheet(&s);
-  s.corners[2] = SHEET_VERTICES, refuses_arrays(good, PALPATE_REFUSED, "triangle 0"), fill_sheet(&s);
-  s.positions[4] = NAN, refuses_arrays(good, PALPATE_REFUSED, "y of vertex 1"), fill_sheet(&s);
-  s.stiffness[7] = -1.0, refuses_arrays(good, PALPATE_REFUSED, "vertex 7"), fill_sheet(&s);
+  bad = good, bad.size = 0, refusesArrays(bad, PALPATE_ARGUMENT, "size");
+  bad = good, bad.size = sizeof bad - 1, refusesArrays(bad, PALPATE_ARGUMENT, "size");
+  bad = good, bad.positions_mm = NULL, refusesArrays(bad, PALPATE_ARGUMENT, "positions_mm");
+  bad = good, bad.positions_mm_f32 = floats, refusesArrays(bad, PALPATE_ARGUMENT, "positions_mm");
+  bad = good, bad.corners = NULL, refusesArrays(bad, PALPATE_ARGUMENT, "corners");
+  bad = good, bad.vertices = (size_t)-1, refusesArrays(bad, PALPATE_ARGUMENT, "32-bit");
+  bad = good, bad.triangles = (size_t)-1 / 2, refusesArrays(bad, PALPATE_ARGUMENT, "32-bit");
+  bad = good, bad.triangles = 0, refusesArrays(bad, PALPATE_REFUSED, "");
+  bad = good, bad.scene_toml = "\n[friction]\nstatik = 1\n", refusesArrays(bad, PALPATE_REFUSED, "static");
+  s.corners[301] = -1, refusesArrays(good, PALPATE_REFUSED, "triangle 100"), fillSheet(&s);
+  s.corners[2] = SHEET_VERTICES, refusesArrays(good, PALPATE_REFUSED, "triangle 0"), fillSheet(&s);
+  s.positions[4] = NAN, refusesArrays(good, PALPATE_REFUSED, "y of vertex 1"), fillSheet(&s);
+  s.stiffness[7] = -1.0, refusesArrays(good, PALPATE_REFUSED, "vertex 7"), fillSheet(&s);
 
   bad = good;
   bad.positions_mm = NULL, bad.positions_mm_f32 = floats, bad.vertices = 3;
@@ -87,12 +87,12 @@ static void test_arrays(void) {
   palpate_world_release(world);
 }
 
-static void test_errors(void) {
+static void testErrors(void) {
   struct {
     palpate_error error;
     char guard[64];
   } kept;
-  palpate_error error = new_error();
+  palpate_error error = newError();
   palpate_world* world = NULL;
   char* words = malloc(4001);
   size_t i;
@@ -110,7 +110,7 @@ static void test_errors(void) {
   kept.error.size = 16;
   CHECK(palpate_world_parse("a = ", NULL, &world, &kept.error) == PALPATE_REFUSED);
   CHECK(kept.error.size == 16 && kept.error.code == PALPATE_REFUSED && kept.error.line == 1);
-  CHECK(is_filled(&kept.error.message, 0x5a, sizeof kept - 16));
+  CHECK(isFilled(&kept.error.message, 0x5a, sizeof kept - 16));
   kept.error.size = 0;
   kept.error.code = 77;
   CHECK(palpate_world_parse("a = ", NULL, &world, &kept.error) == PALPATE_REFUSED && kept.error.code == 77);
@@ -125,22 +125,22 @@ static void test_errors(void) {
   free(words);
 }
 
-static void test_settings(palpate_world* world) {
+static void testSettings(palpate_world* world) {
   struct {
     palpate_finger_settings settings;
     char guard[64];
   } kept;
   palpate_finger_settings settings;
-  palpate_error error = new_error();
+  palpate_error error = newError();
   palpate_finger* finger = NULL;
 
   palpate_finger_settings_init(NULL, sizeof settings);
   memset(&kept, 0x5a, sizeof kept);
   palpate_finger_settings_init(&kept.settings, 0);
-  CHECK(is_filled(&kept, 0x5a, sizeof kept));
+  CHECK(isFilled(&kept, 0x5a, sizeof kept));
   palpate_finger_settings_init(&kept.settings, 16);
   CHECK(kept.settings.size == 16 && kept.settings.radius_mm == 0.0);
-  CHECK(is_filled((char*)&kept + 16, 0x5a, sizeof kept - 16));
+  CHECK(isFilled((char*)&kept + 16, 0x5a, sizeof kept - 16));
   CHECK(palpate_finger_create(world, &kept.settings, &finger, &error) == PALPATE_OK); /* the rest is as by default */
   palpate_finger_release(finger);
 
@@ -164,13 +164,13 @@ static void test_settings(palpate_world* world) {
   CHECK(palpate_world_finger_settings(world, 0, NULL) == PALPATE_ARGUMENT);
 }
 
-static void test_step(palpate_world* world) {
+static void testStep(palpate_world* world) {
   struct {
     palpate_touch touch;
     char guard[64];
   } kept;
-  palpate_finger* finger = new_finger(world);
-  palpate_touch touch = new_touch(), lost = new_touch();
+  palpate_finger* finger = newFinger(world);
+  palpate_touch touch = newTouch(), lost = newTouch();
   double tip[3] = {103.0, 101.0, -5.0}, none[3] = {NAN, 0.0, INFINITY}, far[3] = {1e300, -1e300, 1e300};
   press(finger, 5.0, &touch);
   CHECK(touch.size == sizeof touch && touch.touch == PALPATE_STICK && touch.tick == 200);
@@ -189,15 +189,15 @@ static void test_step(palpate_world* world) {
   CHECK(palpate_finger_step(finger, tip, &kept.touch) == PALPATE_ARGUMENT);
   kept.touch.size = 33;
   CHECK(palpate_finger_step(finger, tip, &kept.touch) == PALPATE_ARGUMENT);
-  CHECK(is_filled((char*)&kept + 8, 0x5a, sizeof kept - 8));
+  CHECK(isFilled((char*)&kept + 8, 0x5a, sizeof kept - 8));
   kept.touch.size = 32; /* the force alone */
   CHECK(palpate_finger_step(finger, tip, &kept.touch) == PALPATE_OK);
   CHECK(kept.touch.size == 32 && kept.touch.force_n[2] == touch.force_n[2]);
-  CHECK(is_filled((char*)&kept + 32, 0x5a, sizeof kept - 32));
+  CHECK(isFilled((char*)&kept + 32, 0x5a, sizeof kept - 32));
   kept.touch.size = sizeof kept; /* of a later version: what this one does not know stays */
   CHECK(palpate_finger_step(finger, tip, &kept.touch) == PALPATE_OK);
   CHECK(kept.touch.size == sizeof kept && kept.touch.depth_mm == touch.depth_mm);
-  CHECK(is_filled(kept.guard, 0x5a, sizeof kept.guard));
+  CHECK(isFilled(kept.guard, 0x5a, sizeof kept.guard));
 
   CHECK(palpate_finger_lift(finger) == PALPATE_OK && palpate_finger_lift(NULL) == PALPATE_ARGUMENT);
   CHECK(palpate_finger_step(finger, tip, &touch) == PALPATE_OK && touch.touch == PALPATE_FREE); /* from below */
@@ -205,22 +205,22 @@ static void test_step(palpate_world* world) {
   palpate_finger_release(NULL);
 }
 
-static void test_rollout(palpate_world* world) {
+static void testRollout(palpate_world* world) {
   static double tips[3 * SHEET_TICKS];
   static palpate_touch steps[SHEET_TICKS], rolled[SHEET_TICKS];
   static unsigned char wide[SHEET_TICKS][sizeof(palpate_touch) + 64];
   static double narrow[SHEET_TICKS][4];
-  palpate_finger *one = new_finger(world), *two = new_finger(world);
+  palpate_finger *one = newFinger(world), *two = newFinger(world);
   int i, slips = 0;
   for (i = 0; i < SHEET_TICKS; ++i) {
-    sheet_tip(i, tips + 3 * i);
-    steps[i] = new_touch();
+    sheetTip(i, tips + 3 * i);
+    steps[i] = newTouch();
     CHECK(palpate_finger_step(one, tips + 3 * i, &steps[i]) == PALPATE_OK);
     slips += steps[i].touch == PALPATE_SLIP;
   }
   CHECK(slips > 100);
   CHECK(palpate_finger_rollout(two, tips, SHEET_TICKS, rolled, sizeof rolled[0]) == PALPATE_OK);
-  CHECK(memcmp(steps, rolled, sizeof steps) == 0);
+  CHECK(sameBytes(steps, rolled, sizeof steps));
 
   palpate_finger_lift(two);
   memset(wide, 0x5a, sizeof wide);
@@ -228,9 +228,9 @@ static void test_rollout(palpate_world* world) {
   palpate_finger_lift(two);
   CHECK(palpate_finger_rollout(two, tips, SHEET_TICKS, (palpate_touch*)narrow, sizeof narrow[0]) == PALPATE_OK);
   for (i = 0; i < SHEET_TICKS; ++i) {
-    CHECK(memcmp(wide[i] + 8, (char*)&steps[i] + 8, offsetof(palpate_touch, tick) - 8) == 0);
-    CHECK(is_filled(wide[i] + sizeof(palpate_touch), 0x5a, 64));
-    CHECK(memcmp(narrow[i] + 1, steps[i].force_n, sizeof steps[i].force_n) == 0);
+    CHECK(sameBytes(wide[i] + 8, (char*)&steps[i] + 8, offsetof(palpate_touch, tick) - 8));
+    CHECK(isFilled(wide[i] + sizeof(palpate_touch), 0x5a, 64));
+    CHECK(sameBytes(narrow[i] + 1, steps[i].force_n, sizeof steps[i].force_n));
   }
   CHECK(palpate_finger_rollout(two, NULL, 0, NULL, sizeof rolled[0]) == PALPATE_OK);
   CHECK(palpate_finger_rollout(two, NULL, 1, rolled, sizeof rolled[0]) == PALPATE_ARGUMENT);
@@ -242,7 +242,7 @@ static void test_rollout(palpate_world* world) {
   palpate_finger_release(two);
 }
 
-static void refuses_touch(palpate_skin* skin, palpate_touch touch) {
+static void refusesTouch(palpate_skin* skin, palpate_touch touch) {
   CHECK(palpate_skin_apply(skin, &touch, 1, sizeof touch) == PALPATE_ARGUMENT);
 }
 
@@ -254,11 +254,11 @@ static double deepest(const palpate_skin* skin) {
   return least;
 }
 
-static void test_skin(palpate_world* world) {
-  palpate_finger* finger = new_finger(world);
+static void testSkin(palpate_world* world) {
+  palpate_finger* finger = newFinger(world);
   palpate_skin* skin = NULL;
-  palpate_error error = new_error();
-  palpate_touch touch = new_touch(), bad;
+  palpate_error error = newError();
+  palpate_touch touch = newTouch(), bad;
   size_t count = 99;
   CHECK(palpate_skin_create(world, 0, 1, &skin, &error) == PALPATE_ARGUMENT && skin == NULL);
   CHECK(palpate_skin_create(world, 5000, 1, &skin, &error) == PALPATE_ARGUMENT);
@@ -277,12 +277,12 @@ static void test_skin(palpate_world* world) {
   CHECK(palpate_skin_positions(NULL, 0) == NULL && palpate_skin_strain(NULL) == NULL);
   CHECK(palpate_skin_changed(NULL, &count) == NULL && count == 0 && palpate_skin_vertices(NULL) == 0);
 
-  bad = touch, bad.touch = 7, refuses_touch(skin, bad);
-  bad = touch, bad.force_n[1] = INFINITY, refuses_touch(skin, bad);
-  bad = touch, bad.anchor_mm[0] = NAN, refuses_touch(skin, bad);
-  bad = touch, bad.triangle = SHEET_TRIANGLES, refuses_touch(skin, bad);
-  bad = touch, bad.dent_triangle = 0xfffffffeu, refuses_touch(skin, bad);
-  bad = touch, bad.size = 0, refuses_touch(skin, bad);
+  bad = touch, bad.touch = 7, refusesTouch(skin, bad);
+  bad = touch, bad.force_n[1] = INFINITY, refusesTouch(skin, bad);
+  bad = touch, bad.anchor_mm[0] = NAN, refusesTouch(skin, bad);
+  bad = touch, bad.triangle = SHEET_TRIANGLES, refusesTouch(skin, bad);
+  bad = touch, bad.dent_triangle = 0xfffffffeu, refusesTouch(skin, bad);
+  bad = touch, bad.size = 0, refusesTouch(skin, bad);
   CHECK(palpate_skin_apply(skin, &touch, 2, sizeof touch) == PALPATE_ARGUMENT);
   CHECK(palpate_skin_apply(skin, NULL, 1, sizeof touch) == PALPATE_ARGUMENT);
   CHECK(palpate_skin_apply(skin, &touch, 1, 0) == PALPATE_ARGUMENT);
@@ -294,24 +294,24 @@ static void test_skin(palpate_world* world) {
   palpate_finger_release(finger);
 }
 
-static void test_world(palpate_world* world) {
-  static sheet s;
+static void testWorld(palpate_world* world) {
+  static Sheet s;
   struct {
     palpate_world_facts facts;
     char guard[32];
   } kept;
-  palpate_error error = new_error();
+  palpate_error error = newError();
   palpate_world* other = NULL;
   palpate_place place;
-  palpate_touch soft = new_touch(), hard = new_touch();
+  palpate_touch soft = newTouch(), hard = newTouch();
   palpate_finger* finger;
   const uint32_t* source;
   size_t count = 0, v;
-  fill_sheet(&s);
+  fillSheet(&s);
 
   memset(&kept, 0x5a, sizeof kept);
   kept.facts.size = sizeof kept.facts;
-  CHECK(palpate_world_get_facts(world, &kept.facts) == PALPATE_OK && is_filled(kept.guard, 0x5a, sizeof kept.guard));
+  CHECK(palpate_world_get_facts(world, &kept.facts) == PALPATE_OK && isFilled(kept.guard, 0x5a, sizeof kept.guard));
   CHECK(kept.facts.vertices == SHEET_VERTICES && kept.facts.triangles == SHEET_TRIANGLES && kept.facts.closed == 0);
   CHECK(kept.facts.high_mm[0] == 200.0 && kept.facts.low_mm[1] == 0.0 && kept.facts.ticks_per_s == 1000.0);
   CHECK(palpate_world_get_facts(NULL, &kept.facts) == PALPATE_ARGUMENT);
@@ -320,7 +320,7 @@ static void test_world(palpate_world* world) {
   source = palpate_world_map(world, PALPATE_MAP_SOURCE_VERTEX, &count);
   CHECK(source != NULL && count == SHEET_VERTICES);
   for (v = 0; source != NULL && v < count; ++v) {
-    CHECK(memcmp(palpate_world_positions(world) + 3 * v, s.positions + 3 * source[v], 3 * sizeof(double)) == 0);
+    CHECK(sameBytes(palpate_world_positions(world) + 3 * v, s.positions + 3 * source[v], 3 * sizeof(double)));
     CHECK(palpate_world_stiffness(world)[v] == 0.5);
   }
   CHECK(palpate_world_map(world, PALPATE_MAP_BUILT_TRIANGLE, &count) != NULL && count == SHEET_TRIANGLES);
@@ -346,29 +346,29 @@ static void test_world(palpate_world* world) {
   palpate_world_release(world);
   palpate_world_retain(NULL);
   palpate_world_release(NULL);
-  other = sheet_world();
-  finger = new_finger(other);
+  other = sheetWorld();
+  finger = newFinger(other);
   palpate_world_release(other);
   press(finger, 5.0, &soft);
   palpate_finger_lift(finger);
   press(finger, 5.0, &hard);
-  CHECK(memcmp(soft.force_n, hard.force_n, sizeof soft.force_n) == 0);
+  CHECK(sameBytes(soft.force_n, hard.force_n, sizeof soft.force_n));
   palpate_finger_release(finger);
 }
 
 int main(void) {
-  palpate_world* world = sheet_world();
+  palpate_world* world = sheetWorld();
   CHECK(world != NULL);
   CHECK(strcmp(palpate_version(), PALPATE_VERSION) == 0);
-  test_arrays();
-  test_errors();
+  testArrays();
+  testErrors();
   if (world != NULL) {
-    test_settings(world);
-    test_step(world);
-    test_rollout(world);
-    test_skin(world);
-    test_world(world);
+    testSettings(world);
+    testStep(world);
+    testRollout(world);
+    testSkin(world);
+    testWorld(world);
   }
   palpate_world_release(world);
-  return checks_done("c.interface");
+  return checksDone("c.interface");
 }

@@ -8,7 +8,7 @@
 
 static palpate_error error;
 
-static uint64_t sample_count(palpate_session* session) {
+static uint64_t sampleCount(palpate_session* session) {
   palpate_session_facts facts;
   memset(&facts, 0, sizeof facts);
   facts.size = sizeof facts;
@@ -17,7 +17,7 @@ static uint64_t sample_count(palpate_session* session) {
 }
 
 /* Of all ticks, in portions of so many. */
-static size_t read_all(palpate_session* session, size_t room, palpate_sample* samples, palpate_touch* touches) {
+static size_t readAll(palpate_session* session, size_t room, palpate_sample* samples, palpate_touch* touches) {
   size_t all = 0, count = 0;
   uint64_t from = 0;
   do {
@@ -29,7 +29,7 @@ static size_t read_all(palpate_session* session, size_t room, palpate_sample* sa
   return all;
 }
 
-static void test_kept(const char* file) {
+static void testKept(const char* file) {
   palpate_session* session = NULL;
   palpate_session_facts facts;
   palpate_session_finger finger;
@@ -54,7 +54,7 @@ static void test_kept(const char* file) {
 
   samples = calloc((size_t)facts.samples, sizeof *samples);
   touches = calloc((size_t)facts.samples, sizeof *touches);
-  CHECK(read_all(session, 7, samples, touches) == facts.samples);
+  CHECK(readAll(session, 7, samples, touches) == facts.samples);
   CHECK(samples[0].tick == facts.first_tick && samples[facts.samples - 1].tick == facts.last_tick);
   CHECK(palpate_session_read(session, 0, 9, NULL, 0, NULL, 0, 1000, &count, &error) == PALPATE_OK && count == 10);
   CHECK(palpate_session_read(session, 0, 9, NULL, 0, NULL, 0, 0, &count, &error) == PALPATE_ARGUMENT && count == 0);
@@ -74,7 +74,7 @@ static void test_kept(const char* file) {
 }
 
 /* A run of one finger. */
-static void test_run(const char* file) {
+static void testRun(const char* file) {
   palpate_session* session = NULL;
   palpate_world* world = NULL;
   palpate_finger* finger = NULL;
@@ -83,10 +83,10 @@ static void test_run(const char* file) {
   size_t count, i, different = 0, touching = 0;
   CHECK(palpate_session_open(file, &session, &error) == PALPATE_OK);
   if (session == NULL) return;
-  count = (size_t)sample_count(session);
+  count = (size_t)sampleCount(session);
   samples = calloc(count, sizeof *samples);
   recorded = calloc(count, sizeof *recorded);
-  CHECK(read_all(session, 1000, samples, recorded) == count);
+  CHECK(readAll(session, 1000, samples, recorded) == count);
   CHECK(palpate_session_world(session, 1, NULL, &world, &error) == PALPATE_REFUSED); /* it has but one */
   CHECK(palpate_session_world(session, 0, NULL, &world, &error) == PALPATE_OK);
   CHECK(palpate_finger_create(world, NULL, &finger, &error) == PALPATE_OK);
@@ -98,7 +98,7 @@ static void test_run(const char* file) {
     CHECK(palpate_finger_step(finger, recorded[i].tip_mm, &touch) == PALPATE_OK);
     touch.tick = recorded[i].tick;
     touch.tissue_mm = 0.0; /* is not recorded */
-    different += memcmp(&touch, &recorded[i], sizeof touch) != 0;
+    different += !sameBytes(&touch, &recorded[i], sizeof touch);
     touching += touch.touch != PALPATE_FREE;
   }
   CHECK(different == 0);
@@ -111,7 +111,7 @@ static void test_run(const char* file) {
 int main(int argc, char** argv) {
   error.size = sizeof error;
   if (argc < 2) return 2;
-  test_kept(argv[1]);
-  if (argc > 2) test_run(argv[2]);
-  return checks_done("c.session");
+  testKept(argv[1]);
+  if (argc > 2) testRun(argv[2]);
+  return checksDone("c.session");
 }

@@ -11,13 +11,13 @@
 #define SHEET_VERTICES (SHEET_SIDE * SHEET_SIDE)
 #define SHEET_TRIANGLES (2 * SHEET_CELLS * SHEET_CELLS)
 
-typedef struct sheet {
+typedef struct Sheet {
   double positions[3 * SHEET_VERTICES];
   int32_t corners[3 * SHEET_TRIANGLES];
   double stiffness[SHEET_VERTICES];
-} sheet;
+} Sheet;
 
-static void fill_sheet(sheet* s) {
+static void fillSheet(Sheet* s) {
   int x, y, t = 0;
   for (y = 0; y < SHEET_SIDE; ++y) {
     for (x = 0; x < SHEET_SIDE; ++x) {
@@ -39,7 +39,7 @@ static void fill_sheet(sheet* s) {
 }
 
 /* With nothing else in it. */
-static palpate_arrays arrays_of(const sheet* s) {
+static palpate_arrays arraysOf(const Sheet* s) {
   palpate_arrays arrays;
   memset(&arrays, 0, sizeof arrays);
   arrays.size = sizeof arrays;
@@ -52,19 +52,19 @@ static palpate_arrays arrays_of(const sheet* s) {
 }
 
 /* Null where it cannot be made. */
-static palpate_world* sheet_world(void) {
-  static sheet s;
+static palpate_world* sheetWorld(void) {
+  static Sheet s;
   palpate_arrays arrays;
-  palpate_world* world = NULL;
-  fill_sheet(&s);
-  arrays = arrays_of(&s);
-  palpate_world_from_arrays(&arrays, &world, NULL);
+  palpate_world* world = NULL; /* NOLINT(modernize-use-nullptr): C, too */
+  fillSheet(&s);
+  arrays = arraysOf(&s);
+  palpate_world_from_arrays(&arrays, &world, NULL); /* NOLINT(modernize-use-nullptr) */
   return world;
 }
 
 /* Tick i of a press of 5 mm, a drag of 20 mm and a lift: 1,000 ticks. */
 #define SHEET_TICKS 1000
-static void sheet_tip(int i, double tip[3]) {
+static void sheetTip(int i, double tip[3]) {
   tip[0] = 103.0 + (i < 300 ? 0.0 : i < 700 ? 0.05 * (i - 300) : 20.0);
   tip[1] = 101.0;
   tip[2] = i < 300 ? 2.0 - 7.0 * i / 300.0 : i < 700 ? -5.0 : -5.0 + 8.0 * (i - 700) / 300.0;

@@ -27,7 +27,7 @@ static void* feel(void* number) {
   palpate_world_release(world);
   for (i = 0; i < SHEET_TICKS; ++i) {
     double tip[3];
-    sheet_tip(i, tip);
+    sheetTip(i, tip);
     failures[n] += palpate_finger_step(finger, tip, &touch) != PALPATE_OK;
     memcpy(forces[n][i], touch.force_n, sizeof touch.force_n);
     if (i % 16 == 0) failures[n] += palpate_skin_apply(skin, &touch, 1, sizeof touch) != PALPATE_OK;
@@ -56,7 +56,7 @@ static void* rebuild(void* times) {
 int main(void) {
   pthread_t threads[THREADS], builder;
   int numbers[THREADS], times = 5, i, moved = 0;
-  world = sheet_world();
+  world = sheetWorld();
   CHECK(world != NULL);
   for (i = 0; i < THREADS; ++i) {
     numbers[i] = i;
@@ -67,10 +67,10 @@ int main(void) {
   pthread_join(builder, NULL);
   for (i = 0; i < THREADS; ++i) {
     CHECK(failures[i] == 0);
-    CHECK(memcmp(forces[i], forces[0], sizeof forces[0]) == 0);
+    CHECK(sameBytes(forces[i], forces[0], sizeof forces[0]));
   }
   for (i = 0; i < SHEET_TICKS; ++i) moved += forces[0][i][2] > 0.5;
   CHECK(moved > SHEET_TICKS / 2);
   palpate_world_release(world);
-  return checks_done("c.threads");
+  return checksDone("c.threads");
 }

@@ -10,12 +10,12 @@
 
 #define GUARD 256
 
-typedef struct guarded_touch {
+typedef struct GuardedTouch {
   palpate_touch touch;
   unsigned char guard[GUARD];
-} guarded_touch;
+} GuardedTouch;
 
-static int is_intact(const unsigned char* guard) {
+static int isIntact(const unsigned char* guard) {
   int i;
   for (i = 0; i < GUARD; ++i) {
     if (guard[i] != 0x5a) return 0;
@@ -38,10 +38,10 @@ int main(void) {
     palpate_error error;
     unsigned char guard[GUARD];
   } failed;
-  static guarded_touch felt;
+  static GuardedTouch felt;
   static palpate_touch rolled[SHEET_TICKS];
   static double tips[3 * SHEET_TICKS];
-  palpate_world* world = sheet_world();
+  palpate_world* world = sheetWorld();
   palpate_world* none = NULL;
   palpate_finger *one = NULL, *two = NULL;
   palpate_skin* skin = NULL;
@@ -52,7 +52,7 @@ int main(void) {
 
   memset(&kept, 0x5a, sizeof kept);
   palpate_finger_settings_init(&kept.settings, sizeof kept.settings);
-  CHECK(kept.settings.size == sizeof kept.settings && is_intact(kept.guard));
+  CHECK(kept.settings.size == sizeof kept.settings && isIntact(kept.guard));
   kept.settings.mu_static = 0.3;
   kept.settings.mu_dynamic = 0.3;
 #ifdef PALPATE_TEST_HAS_MORE_SETTINGS /* what no library here knows */
@@ -61,9 +61,9 @@ int main(void) {
 #endif
   memset(&failed, 0x5a, sizeof failed);
   failed.error.size = sizeof failed.error;
-  CHECK(palpate_world_load("/no/such/folder/with/a/long/name/so/that/the/message/is/longer/than/it/was/scene.toml", &none,
-                           &failed.error) == PALPATE_REFUSED);
-  CHECK(failed.error.code == PALPATE_REFUSED && failed.error.message[0] != '\0' && is_intact(failed.guard));
+  CHECK(palpate_world_load("/no/such/folder/with/a/long/name/so/that/the/message/is/longer/than/it/was/scene.toml",
+                           &none, &failed.error) == PALPATE_REFUSED);
+  CHECK(failed.error.code == PALPATE_REFUSED && failed.error.message[0] != '\0' && isIntact(failed.guard));
   CHECK(memchr(failed.error.message, 0, sizeof failed.error.message) != NULL || sizeof failed.error.message < 512);
 
   CHECK(palpate_finger_create(world, &kept.settings, &one, &failed.error) == PALPATE_OK);
@@ -71,16 +71,16 @@ int main(void) {
   memset(&felt, 0x5a, sizeof felt);
   felt.touch.size = sizeof felt.touch;
   for (i = 0; i < SHEET_TICKS; ++i) {
-    sheet_tip(i, tips + 3 * i);
+    sheetTip(i, tips + 3 * i);
     CHECK(palpate_finger_step(one, tips + 3 * i, &felt.touch) == PALPATE_OK);
-    CHECK(felt.touch.size == sizeof felt.touch && is_intact(felt.guard));
+    CHECK(felt.touch.size == sizeof felt.touch && isIntact(felt.guard));
     add(&hash, felt.touch.force_n, sizeof felt.touch.force_n);
     add(&hash, &felt.touch.depth_mm, sizeof felt.touch.depth_mm);
     add(&hash, felt.touch.anchor_mm, sizeof felt.touch.anchor_mm);
     if (i == 500) depth_mm = felt.touch.depth_mm;
   }
 #ifdef PALPATE_TEST_HAS_MORE_TOUCH
-  CHECK(is_intact((const unsigned char*)felt.touch.added) || sizeof felt.touch.added < GUARD);
+  CHECK(isIntact((const unsigned char*)felt.touch.added) || sizeof felt.touch.added < GUARD);
 #endif
   CHECK(depth_mm > 4.0);
   CHECK(palpate_finger_rollout(two, tips, SHEET_TICKS, rolled, sizeof rolled[0]) == PALPATE_OK);
@@ -94,5 +94,5 @@ int main(void) {
   palpate_finger_release(two);
   palpate_world_release(world);
   printf("felt %08lx%08lx\n", (unsigned long)(hash >> 32), (unsigned long)(hash & 0xffffffffu));
-  return checks_done("c.versions");
+  return checksDone("c.versions");
 }
