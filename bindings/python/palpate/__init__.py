@@ -6,11 +6,12 @@ out of the back. docs/python.md is the manual.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
-
 from palpate._core import Error, Finger, Fingers, FingerSettings, Session, Skin, Touch, World, __version__
 
+TYPE_CHECKING = False  # typing itself takes two milliseconds to import
 if TYPE_CHECKING:
+    from typing import Any
+
     from palpate import devices as devices
     from palpate import env as env
     from palpate import fit as fit

@@ -401,9 +401,9 @@ void bindSessions(py::module_& module) {
            py::arg("span") = py::none(),
            "Iterates over what `samples` gives, so many ticks at a time: memory for one block, however long the\n"
            "session. Spans without a sample are passed over.")
-      .def("world", worldOf, py::arg("number") = 0, py::arg("folder") = std::filesystem::path(),
+      .def("world", worldOf, py::arg("number") = 0, py::arg("folder") = "",
            "Builds a recorded world. folder: where the files that its scene names lie now. Raises Error.")
-      .def("replay", replayed, py::arg("span") = py::none(), py::arg("folder") = std::filesystem::path(),
+      .def("replay", replayed, py::arg("span") = py::none(), py::arg("folder") = "",
            "Feels the session again and compares every bit of the span. Releases the GIL. Raises Error for a scene\n"
            "that can no longer be built.")
       .def(
