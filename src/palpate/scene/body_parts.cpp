@@ -141,6 +141,24 @@ BodyParts mendedBody(mesh::TriangleMesh mesh, std::string name, const Progress& 
   return parts;
 }
 
+double millimetresOf(Unit unit) {
+  switch (unit) {
+    case Unit::from_file:
+      break;
+    case Unit::millimetre:
+      return 1.0;
+    case Unit::centimetre:
+      return 10.0;
+    case Unit::decimetre:
+      return 100.0;
+    case Unit::metre:
+      return 1000.0;
+    case Unit::inch:
+      return 25.4;
+  }
+  return 0.0;
+}
+
 mesh::LoadOptions loadOptionsOf(const BodySettings& settings) {
   mesh::LoadOptions options;
   options.unit_mm = millimetresOf(settings.unit);

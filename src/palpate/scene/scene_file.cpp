@@ -47,24 +47,6 @@ void requireNamesApart(const Scene& scene, std::string_view name) {
 
 }  // namespace
 
-double millimetresOf(Unit unit) {
-  switch (unit) {
-    case Unit::from_file:
-      break;
-    case Unit::millimetre:
-      return 1.0;
-    case Unit::centimetre:
-      return 10.0;
-    case Unit::decimetre:
-      return 100.0;
-    case Unit::metre:
-      return 1000.0;
-    case Unit::inch:
-      return 25.4;
-  }
-  return 0.0;
-}
-
 Scene parse(std::string_view toml_text, std::string_view name) {
   const toml::table root = parsedToml(toml_text, name);
   Scene scene;
