@@ -7,6 +7,8 @@
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME palpate)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+# Any other title would be put before each package's own.
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${CMAKE_PROJECT_NAME} built using CMake")
 set(CPACK_PACKAGE_VENDOR "Palpate maintainers")
 set(CPACK_PACKAGE_CONTACT "Palpate maintainers <maintainers@palpate.invalid>" CACHE STRING "Maintainer that the packages name")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
