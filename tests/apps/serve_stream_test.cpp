@@ -128,7 +128,7 @@ TEST(Serve, WrongTokensAndOriginsAreTurnedAway) {
     EXPECT_EQ(PlainStream(server.port(), kLookToken, "Origin: " + own + "\r\n").status(), 101) << own;
   }
   server.end(SIGTERM);
-  EXPECT_EQ(server.report()["refused_token"], 17);
+  EXPECT_EQ(server.report()["refused_token"], 21);
   EXPECT_GE(server.report()["refused_origin"], 12);
 }
 
@@ -243,7 +243,7 @@ TEST(Serve, FramesThatPromiseGigabytesAndOtherNonsenseEndTheirStream) {
   ServedCommand server;
   for (const std::string& bytes :
        {std::string("\x81\xff\x7f\xff\xff\xff\xff\xff\xff\xff\0\0\0\0", 14), std::string("\x81\x05hello"),
-        std::string("\xff\xff\xff\xff"), std::string(3000, '\0'), std::string("GET / HTTP/1.1\r\n\r\n")}) {
+        std::string(20, '\xff'), std::string(3000, '\0'), std::string("GET / HTTP/1.1\r\n\r\n")}) {
     PlainStream stream(server.port(), kLookToken);
     ASSERT_EQ(stream.status(), 101);
     stream.wire().send(bytes);
@@ -293,6 +293,7 @@ TEST(Serve, ThePageComesWithItsTypesAndRulesAndNothingElseDoes) {
                            "'sha256-xY6QKfH9PRsQnLz56nj6MBwiK5oHg+im1Jkpdp1x/Ck='"}) {
     EXPECT_TRUE(page.has(line)) << line << page.head;
   }
+  EXPECT_NE(page.body.find("<head>\n<meta name=\"palpate-source\" content=\"served\">"), std::string::npos);
   EXPECT_EQ(ask(wire, "GET", "/m.js?v=2").body, "export const one = 1;\n");
   EXPECT_TRUE(ask(wire, "GET", "/m.js").has("Content-Type: text/javascript"));
   EXPECT_TRUE(ask(wire, "GET", "/part/e.wasm").has("Content-Type: application/wasm"));

@@ -31,7 +31,7 @@ class ServedCommand {
     mesh::save(folder_ / "dome.ply", zoo::dome({-100.0, -100.0}, 10.0, 20.0));
     std::filesystem::create_directories(folder_ / "site/part");
     std::ofstream(folder_ / "site/index.html")
-        << "<!doctype html><script>let a = 1;</script><script src='m.js'></script>";
+        << "<!doctype html><head></head><script>let a = 1;</script><script src='m.js'></script>";
     std::ofstream(folder_ / "site/m.js") << "export const one = 1;\n";
     std::ofstream(folder_ / "site/part/e.wasm") << "not really";
     std::ofstream(folder_ / "site/.hidden") << "secret";

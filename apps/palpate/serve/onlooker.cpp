@@ -97,7 +97,8 @@ class Onlooker : public std::enable_shared_from_this<Onlooker> {
     nlohmann::ordered_json hello = {
         {"type", "hello"}, {"version", 1}, {"you", id_}, {"role", std::string(wordOf(role_))}};
     hello.update(hall_.exhibits.facts);
-    words_.push_back(hello.dump());
+    words_.push_back(
+        hello.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));  // a file may be called anything
     frame_ = hall_.newest;
     hall_.tellState();
     read();

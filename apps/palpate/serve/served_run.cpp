@@ -20,6 +20,7 @@
 #include "palpate/base/error.h"
 #include "palpate/base/hash.h"
 #include "palpate/base/stopwatch.h"
+#include "palpate/body/places.h"
 #include "palpate/device/back_ends.h"
 #include "palpate/engine/session_recorder.h"
 #include "palpate/engine/streamed_world.h"
@@ -113,13 +114,21 @@ nlohmann::ordered_json factsOf(const scene::World& world, const std::vector<Desk
   for (const DeskFinger& finger : fingers) {
     hands.push_back({{"name", finger.name}, {"radius_mm", finger.radius_mm}, {"device", finger.device}});
   }
+  nlohmann::ordered_json landmarks = nlohmann::ordered_json::array();
+  for (const body::SkinLandmark& landmark : world.anatomy.landmarks) {
+    landmarks.push_back({{"name", body::spokenName(landmark.name)},
+                         {"at", vectorJson(landmark.position)},
+                         {"normal", vectorJson(landmark.normal)}});
+  }
   return {{"title", world.scene.title.empty() ? world.body_name : world.scene.title},
           {"ticks_per_s", world.scene.ticks_per_s},
           {"frames_per_s", kFramesPerS},
           {"vertices", world.skin.positions.size()},
           {"triangles", world.skin.triangles.size()},
+          {"closed", world.closed},
           {"skin", fmt::format("{:016x}", hash.value())},
-          {"fingers", std::move(hands)}};
+          {"fingers", std::move(hands)},
+          {"landmarks", std::move(landmarks)}};
 }
 
 Box3 boxOf(const scene::World& world) {

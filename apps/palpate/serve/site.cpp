@@ -92,6 +92,14 @@ SiteFile siteFile(std::string content, std::string_view type) {
   return file;
 }
 
+/// The page learns from it that the body is felt here (web/page/source.js).
+void markServed(std::string& html) {
+  constexpr std::string_view kHead = "<head>";
+  if (const std::size_t head = html.find(kHead); head != std::string::npos) {
+    html.insert(head + kHead.size(), "\n<meta name=\"palpate-source\" content=\"served\">");
+  }
+}
+
 bool isHidden(const fs::path& relative) {
   return std::any_of(relative.begin(), relative.end(), [](const fs::path& part) { return part.string()[0] == '.'; });
 }
@@ -108,7 +116,7 @@ std::string contentPolicy(std::string_view html) {
   std::string scripts = "'self' 'wasm-unsafe-eval'";
   for (const std::string_view script : scriptsIn(html)) scripts += " 'sha256-" + base64(sha256(script)) + "'";
   return "default-src 'none'; script-src " + scripts +
-         "; worker-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; font-src 'self'; "
+         "; worker-src 'self'; style-src 'self'; img-src 'self' data: blob:; font-src 'self'; "
          "connect-src 'self'; manifest-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 }
 
@@ -132,6 +140,7 @@ Site::Site(const fs::path& folder) {
       throw Error::inFile(folder.string(), fmt::format("more than {} files or {} MB: is this the page's folder?",
                                                        kMostSiteFiles, kMostSiteBytes >> 20));
     }
+    if (typeOf(relative).starts_with("text/html")) markServed(content);
     files_.emplace("/" + relative.generic_string(), siteFile(std::move(content), typeOf(relative)));
   }
   if (!files_.contains("/index.html")) throw Error::inFile(folder.string(), "has no index.html: tools/build-web");

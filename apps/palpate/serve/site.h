@@ -24,8 +24,8 @@ class Site {
  public:
   /// One page that says how a page comes here.
   Site();
-  /// What lies in the folder and below, links and names with a dot at the front left out. Throws Error: no folder, no
-  /// index.html, too many or too large files.
+  /// What lies in the folder and below; pages are told that they are served. Links and names with a dot at the front
+  /// left out. Throws Error: no folder, no index.html, too many or too large files.
   explicit Site(const std::filesystem::path& folder);
 
   /// For the path of a request, "/" being index.html; null where there is none. Valid as long as the site.

@@ -1,0 +1,184 @@
+// A body that is felt by `palpate serve`: contacts come over a WebSocket, and the skin is deformed here. See source.js
+// for the interface, docs/serve.md for what goes over the wire.
+//
+//   address#token=... ─► skin, forms (HTTP) ─► ServedSkin ◄─ frames (WebSocket) ─► page
+//   aims of this page, where its token lets it touch ─────────────────────────► server
+import { ServedBar } from './served_bar.js';
+import { ServedSkin } from './served_skin.js';
+
+const AIM_MS = 16; // between two places of a finger
+const ALIVE_MS = 150; // a pressing finger says so often that it is still meant: the server lets go of a silent one
+const FIRST_WAIT_MS = 500;
+const LONGEST_WAIT_MS = 10000;
+
+/// From the address once, then out of it: an address that is shown or copied gives nothing away.
+function takeToken() {
+  const given = new URLSearchParams(location.hash.slice(1)).get('token');
+  if (given) {
+    sessionStorage.setItem('palpate-token', given);
+    history.replaceState(null, '', location.pathname + location.search);
+  }
+  return given ?? sessionStorage.getItem('palpate-token');
+}
+
+class Refused extends Error {}
+
+class ServedSource {
+  constructor() {
+    this.can = { open: false, dysfunctions: false, record: false };
+    this.frame = () => {};
+    this.trouble = () => {};
+    this.body = () => {};
+    this.aims = [undefined, undefined]; // of each finger: what the server has to hear
+    this.told = [null, null];
+    this.told_ms = [0, 0];
+    this.wait_ms = FIRST_WAIT_MS;
+  }
+  onFrame(callback) {
+    this.frame = callback;
+  }
+  onTrouble(callback) {
+    this.trouble = callback;
+  }
+  onBody(callback) {
+    this.body = callback;
+  }
+
+  async start() {
+    this.token = takeToken();
+    if (!this.token) throw new Error('This page shows a body that is felt elsewhere: open it by the address with #token= that the server printed.');
+    this.bar = new ServedBar((message) => this.say(message));
+    this.skin = await ServedSkin.load();
+    const body = await this.connect();
+    setInterval(() => this.sendAims(), AIM_MS);
+    requestAnimationFrame(() => this.draw());
+    return body;
+  }
+
+  // ---- the server
+
+  async fetched(what) {
+    const answer = await fetch(`./served/${what}`, { headers: { Authorization: `Bearer ${this.token}` }, cache: 'no-store' });
+    if (answer.status === 401) throw new Refused('The server does not know this token: it was started anew, or the address is wrong.');
+    if (!answer.ok) throw new Error(`the server answers ${answer.status}`);
+    return new Uint8Array(await answer.arrayBuffer());
+  }
+
+  /// A Body when it is another than before, else null.
+  async connect() {
+    await this.fetched('state'); // a WebSocket does not say why it was refused
+    const address = new URL('./served/contacts', location.href);
+    address.protocol = address.protocol.replace('http', 'ws');
+    this.socket = new WebSocket(address, ['palpate.1', `palpate.token.${this.token}`]);
+    this.socket.binaryType = 'arraybuffer';
+    const hello = await new Promise((resolve, reject) => {
+      this.socket.onclose = (event) => reject(new Error(event.reason || 'there is no room, or no server'));
+      this.socket.onmessage = ({ data }) => {
+        const message = typeof data === 'string' ? JSON.parse(data) : {};
+        if (message.type === 'hello') resolve(message);
+      };
+    });
+    const known = this.hello?.skin === hello.skin;
+    this.hello = hello;
+    this.newest = null;
+    this.told = [null, null];
+    this.wait_ms = FIRST_WAIT_MS;
+    this.socket.onmessage = ({ data }) => this.take(data);
+    this.socket.onclose = (event) => this.lost(event.reason);
+    if (known) return null;
+    const [skin, forms] = await Promise.all([this.fetched('skin'), this.fetched('forms')]);
+    this.skin.open(skin, forms);
+    return {
+      name: hello.title, closed: hello.closed, notes: [], landmarks: hello.landmarks, stiffness: null, bones: null,
+      rest: this.skin.rest(), corners: this.skin.corners(), colours: this.skin.colours(),
+    };
+  }
+
+  lost(reason) {
+    this.state = null;
+    this.bar.away(`No server${reason ? ` (${reason})` : ''}: trying again`);
+    // Apart from each other, or a hall of pages comes back in the same moment.
+    const wait_ms = this.wait_ms * (0.75 + 0.5 * Math.random());
+    this.wait_ms = Math.min(LONGEST_WAIT_MS, 2 * this.wait_ms);
+    setTimeout(() => this.again(), wait_ms);
+  }
+  async again() {
+    try {
+      const body = await this.connect();
+      if (body) this.body(body);
+    } catch (error) {
+      this.socket?.close();
+      if (!(error instanceof Refused)) return this.lost(error.message);
+      this.bar.away(error.message);
+      this.trouble(error.message);
+    }
+    return undefined;
+  }
+
+  take(data) {
+    if (typeof data !== 'string') {
+      this.newest = new Uint8Array(data); // older ones are of no use
+      return;
+    }
+    const message = JSON.parse(data);
+    if (message.type === 'state') {
+      this.state = message;
+      this.bar.show(this.hello, message);
+    } else if (message.type === 'message') {
+      this.bar.tell(message.text);
+    } else if (message.type === 'refused') {
+      this.bar.tell(message.why);
+    }
+  }
+  say(message) {
+    if (this.socket?.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify(message));
+  }
+
+  // ---- the fingers of this page
+
+  tip(finger, aim) {
+    this.aims[finger] = aim;
+  }
+  mayTouch(finger) {
+    if (this.hello.role === 'look' || this.hello.fingers[finger]?.device !== '') return false;
+    return Boolean(this.state) && (this.state.holder === this.hello.you || this.state.holder === 0);
+  }
+  sendAims() {
+    const now = performance.now();
+    this.aims.forEach((aim, finger) => {
+      if (aim === undefined || !this.mayTouch(finger)) return;
+      const hovers_over_nobodys = this.state.holder === 0 && !aim?.pressed;
+      const alive = aim?.pressed && now - this.told_ms[finger] > ALIVE_MS;
+      if (hovers_over_nobodys || (aim === this.told[finger] && !alive)) return;
+      this.told[finger] = aim;
+      this.told_ms[finger] = now;
+      this.say(aim ? { type: 'finger', finger, pressed: aim.pressed, place: aim.place, normal: aim.normal, depth_mm: aim.depth } : { type: 'lift', finger });
+    });
+  }
+
+  // ---- pictures
+
+  draw() {
+    requestAnimationFrame(() => this.draw());
+    if (!this.newest) return;
+    const bytes = this.newest;
+    this.newest = null;
+    try {
+      const { fingers, tick } = this.skin.follow(bytes);
+      this.frame({ ...this.skin.pack(), fingers, tick: (1000 * tick) / this.hello.ticks_per_s, pace: this.pace() });
+    } catch (error) {
+      this.socket.onclose = null;
+      this.socket.close();
+      this.trouble(error.message);
+    }
+  }
+  pace() {
+    const servo = this.state?.servo;
+    if (!servo) return null;
+    return { ticks_per_s: servo.ticks_per_s, late_ms: servo.lateness_us.p99 / 1000, worst_ms: servo.lateness_us.max / 1000, lost: servo.overruns };
+  }
+}
+
+export function createSource() {
+  return new ServedSource();
+}
