@@ -12,8 +12,8 @@ globalThis.importScripts = () => {};
 globalThis.self = globalThis;
 globalThis.location = { href: pathToFileURL(join(site, 'palpate.mjs')).href };
 const { Engine } = await import(pathToFileURL(join(site, 'engine.js')).href);
-const { FIRST_SCENE, packFirstBody } = await import(pathToFileURL(join(site, 'first_body.js')).href);
+const { FIRST_TRIANGLES, packFirstBody } = await import(pathToFileURL(join(site, 'first_body.js')).href);
 
 const engine = await Engine.load({ wasmBinary: readFileSync(join(site, 'palpate.wasm')) });
-engine.openScene(FIRST_SCENE);
+engine.openTorso(FIRST_TRIANGLES);
 writeFileSync(join(site, 'first_body.bin'), packFirstBody(engine.body()));

@@ -10,7 +10,7 @@ import { plate, stlOf as stl } from './meshes.mjs';
 const site = process.argv[2] ?? 'build/web/site';
 const engine = await engineOf(site);
 const text = (words) => new TextEncoder().encode(words);
-const open = (name, bytes) => engine.openMesh(bytes, name, 0, '');
+const open = (name, bytes) => engine.openMesh(bytes, name, 0);
 
 function isFelt() {
   engine.aim(0, { place: [50, 50, 0], normal: [0, 0, 1], depth: 5, pressed: true });
@@ -61,9 +61,8 @@ for (const [what, [name, bytes]] of Object.entries(refused)) {
   });
 }
 
-test('a scene that names files finds none', () => {
-  assert.throws(() => engine.openScene('[body]\nkind = "mesh"\nfile = "/etc/passwd"\n'), /no such file|extension|format/);
-  assert.throws(() => engine.openScene('[body]\nkind = "mesh"\nfile = "/home/a.stl"\n'), /no such file/);
+test('a torso of no triangles, or of too many for its bones, is refused', () => {
+  assert.throws(() => engine.openTorso(10), /triangles/);
 });
 
 test('random damage to a file is answered or mended', () => {

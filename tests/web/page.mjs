@@ -35,8 +35,11 @@ after(async () => {
   rmSync(scratch, { recursive: true });
 });
 
+let open_tab = null; // one at a time: each of them ticks and draws
 async function opened(server = isolated, { path = '', ...options } = {}) {
+  if (open_tab) await browser.send('Target.closeTarget', { targetId: open_tab.target });
   const tab = await browser.open(server.url + path, options);
+  open_tab = tab;
   await tab.until("document.body.dataset.state === 'ready'");
   return tab;
 }

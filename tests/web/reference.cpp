@@ -1,5 +1,6 @@
-// What the browser's engine is held against: writes a body as STL and the path back_slide as a table, and prints as JSON
-// what native code felt along it. The hash is that of bench/runs/contact_run.h, of the mesh *file*, as node reads it too.
+// What the browser's engine is held against: writes a body as STL and the path back_slide as a table, and prints as
+// JSON what native code felt along it. The hash is that of bench/runs/contact_run.h, of the mesh *file*, as node reads
+// it too.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -27,7 +28,7 @@ std::string figuresOf(palpate::bench::ContactWorld& world, double radius_mm) {
 
 void run(const std::filesystem::path& folder) {
   const std::filesystem::path stl = folder / "back.stl";
-  palpate::mesh::save(palpate::lab::workloadMesh("back_20389"), stl);
+  palpate::mesh::save(stl, palpate::lab::workloadMesh("back_20389"));
   palpate::device::writeTrajectory(folder / "back_slide.csv", palpate::lab::workloadPath("back_slide"));
   palpate::bench::ContactWorld world = palpate::bench::buildContactWorld(palpate::mesh::load(stl));
   fmt::print("[{},{}]\n", figuresOf(world, 0.0), figuresOf(world, 8.0));

@@ -43,7 +43,8 @@ double clockCost() {
 
 void warmUp(const contact::Surface& surface, const contact::FingerSettings& settings, std::span<const Vec3> tips) {
   contact::FingerState state;
-  for (const Vec3& tip : tips.first(std::min<std::size_t>(tips.size(), 5000))) contact::step(surface, settings, state, tip);
+  for (const Vec3& tip : tips.first(std::min<std::size_t>(tips.size(), 5000)))
+    contact::step(surface, settings, state, tip);
 }
 
 struct Run {

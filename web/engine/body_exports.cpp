@@ -10,7 +10,6 @@
 #include "engine/live_body.h"
 #include "engine/opening.h"
 #include "palpate/base/colour_map.h"
-#include "palpate/scene/scene_writer.h"
 
 namespace palpate::web {
 
@@ -55,14 +54,13 @@ const char* keptText(std::string text) {
 PALPATE_EXPORT void* palpate_take(std::size_t bytes) { return std::malloc(bytes); }
 PALPATE_EXPORT void palpate_give(void* memory) { std::free(memory); }
 
-PALPATE_EXPORT const char* palpate_open_scene(const char* toml, std::size_t length) {
-  return errorOf([&] { take(openScene({toml, length})); });
+PALPATE_EXPORT const char* palpate_open_torso(std::size_t triangles) {
+  return errorOf([&] { take(openTorso(triangles)); });
 }
 
 PALPATE_EXPORT const char* palpate_open_mesh(const char* bytes, std::size_t length, const char* name,
-                                             std::size_t name_length, double unit_mm, const char* toml,
-                                             std::size_t toml_length) {
-  return errorOf([&] { take(openMesh({bytes, length}, {name, name_length}, unit_mm, {toml, toml_length})); });
+                                             std::size_t name_length, double unit_mm) {
+  return errorOf([&] { take(openMesh({bytes, length}, {name, name_length}, unit_mm)); });
 }
 
 /// `numbers`: x, y, radius and change in per cent of each dysfunction.
@@ -141,6 +139,6 @@ PALPATE_EXPORT std::size_t palpate_frame_floats() { return frame.values().size()
 PALPATE_EXPORT std::size_t palpate_recorded() { return body->recording().size(); }
 PALPATE_EXPORT void palpate_record_anew() { body->recordAnew(); }
 PALPATE_EXPORT const char* palpate_forces_csv() { return keptText(body->recording().asForcesCsv()); }
-PALPATE_EXPORT const char* palpate_scene_toml() { return keptText(scene::sceneAsToml(body->world().scene)); }
+PALPATE_EXPORT const char* palpate_scene_toml() { return keptText(sceneText(body->world().scene)); }
 
 }  // namespace palpate::web

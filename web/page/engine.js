@@ -62,13 +62,11 @@ export class Engine {
 
   // ---- bodies
 
-  openScene(toml) {
-    this.withBytes(this.module._palpate_open_scene, [toml]);
+  openTorso(triangles) {
+    this.check(this.module._palpate_open_torso(triangles));
   }
-  openMesh(bytes, name, unit_mm, toml) {
-    const call = (b, bytes_length, n, name_length, t, toml_length) =>
-      this.module._palpate_open_mesh(b, bytes_length, n, name_length, unit_mm, t, toml_length);
-    this.withBytes(call, [bytes, name, toml]);
+  openMesh(bytes, name, unit_mm) {
+    this.withBytes(this.module._palpate_open_mesh, [bytes, name], unit_mm);
   }
   setDysfunctions(list) {
     const numbers = list.flatMap(({ x, y, radius, change }) => [x, y, radius, change]);

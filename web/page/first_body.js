@@ -4,7 +4,7 @@
 // corners a triangle. Made by the build (web/first_body.mjs) with the same engine, so nothing moves when the real one comes.
 import { FLOATS_OF_VERTEX } from './engine.js';
 
-export const FIRST_SCENE = '[body]\nkind = "torso"\ntriangles = 20389\n';
+export const FIRST_TRIANGLES = 20389; // of skin and bones
 const FILE = 'first_body.bin';
 const STORED = 6;
 

@@ -1,9 +1,8 @@
 // The source of a page that stands by itself: the engine in a worker (worker.js). See source.js for the interface.
 import { AIM_BYTES, AimWriter } from './aims.js';
-import { FIRST_SCENE, fetchFirstBody } from './first_body.js';
+import { FIRST_TRIANGLES, fetchFirstBody } from './first_body.js';
 
-/// What every mesh of a user is felt with.
-const MESH_SCENE = 'title = "a mesh"\n';
+const FIRST_BODY = { task: 'openTorso', triangles: FIRST_TRIANGLES };
 const FRAMES_AHEAD = 2;
 
 class LocalSource {
@@ -12,7 +11,7 @@ class LocalSource {
     this.frame = () => {};
     this.trouble = () => {};
     this.shared = globalThis.crossOriginIsolated ? new SharedArrayBuffer(AIM_BYTES) : null;
-    this.opening = { task: 'openScene', toml: FIRST_SCENE };
+    this.opening = FIRST_BODY; // what the worker is told to open when it begins anew
   }
 
   onFrame(callback) {
@@ -40,14 +39,14 @@ class LocalSource {
 
   async open(name, bytes, unit_mm) {
     // A copy goes to the worker: should the worker fail, the old body is built anew.
-    const body = await this.ask({ task: 'openMesh', name, bytes, unit_mm, toml: MESH_SCENE });
-    this.opening = { task: 'openMesh', name, bytes, unit_mm, toml: MESH_SCENE };
+    const opening = { task: 'openMesh', name, bytes, unit_mm };
+    const body = await this.ask(opening);
+    this.opening = opening;
     return body;
   }
   async firstBody() {
-    const opening = { task: 'openScene', toml: FIRST_SCENE };
-    const body = await this.ask(opening);
-    this.opening = opening;
+    const body = await this.ask(FIRST_BODY);
+    this.opening = FIRST_BODY;
     return body;
   }
   setDysfunctions(list) {

@@ -86,12 +86,12 @@ const tasks = {
     aims = new AimReader(shared);
     engine = await Engine.load();
   },
-  openScene({ toml }) {
-    engine.openScene(toml);
+  openTorso({ triangles }) {
+    engine.openTorso(triangles);
     return engine.body();
   },
-  openMesh({ bytes, name, unit_mm, toml }) {
-    engine.openMesh(new Uint8Array(bytes), name, unit_mm, toml);
+  openMesh({ bytes, name, unit_mm }) {
+    engine.openMesh(new Uint8Array(bytes), name, unit_mm);
     return engine.body();
   },
   setDysfunctions({ list }) {
