@@ -54,7 +54,8 @@ export class Picker {
   /// The nearest place in front of the ray on a triangle that faces it: {place, normal, distance}, or null.
   pick(origin, direction) {
     if (this.nodes.length === 0) return null;
-    const inverse = direction.map((d) => 1 / d);
+    // Never 0: on the face of a box 0 times infinity would be no number, and the box missed.
+    const inverse = direction.map((d) => 1 / (Math.abs(d) < 1e-12 ? 1e-12 : d));
     const stack = [0];
     let best = Infinity;
     while (stack.length > 0) {
@@ -85,10 +86,11 @@ export class Picker {
     if (det <= 1e-12) return Infinity;
     const s = minus(o, p[0]);
     const u = dot(s, h);
-    if (u < 0 || u > det) return Infinity;
+    const slack = 1e-9 * det; // a ray along an edge must not fall between its triangles
+    if (u < -slack || u > det + slack) return Infinity;
     const q = cross(s, e1);
     const v = dot(d, q);
-    if (v < 0 || u + v > det) return Infinity;
+    if (v < -slack || u + v > det + slack) return Infinity;
     const distance = dot(e2, q) / det;
     return distance > 0 ? distance : Infinity;
   }
