@@ -49,6 +49,7 @@ class Onlooker : public std::enable_shared_from_this<Onlooker> {
       response.set(beast::http::field::server, "palpate");
       response.set(beast::http::field::sec_websocket_protocol, beast::string_view(kProtocol.data(), kProtocol.size()));
     }));
+    stream_.auto_fragment(false);
     stream_.read_message_max(kMostWishBytes);
     stream_.async_accept(request, [self = shared_from_this()](Failure failure) {
       if (!failure) self->begin();
