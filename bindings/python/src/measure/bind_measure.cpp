@@ -35,17 +35,6 @@ constexpr double kMostNullDriftMm = 0.3;
 
 // --- pictures -------------------------------------------------------------------------------------------------------
 
-struct PictureName {
-  static constexpr auto name =
-      py::detail::const_name("Union[str, os.PathLike[str], numpy.typing.NDArray[numpy.uint8]]");
-};
-struct MaybePictureName {
-  static constexpr auto name =
-      py::detail::const_name("Optional[Union[str, os.PathLike[str], numpy.typing.NDArray[numpy.uint8]]]");
-};
-using PictureLike = Named<PictureName>;
-using MaybePicture = Named<MaybePictureName>;
-
 measure::Photograph photographOf(const py::object& given, const char* what) {
   if (!py::isinstance<py::array>(given)) return measure::readPhotograph(given.cast<std::filesystem::path>());
   const auto any = given.cast<py::array>();

@@ -17,7 +17,6 @@ namespace palpate::python {
 namespace {
 
 using measure::TailFamily;
-using PixelArray = Named<ArrayName<std::uint8_t>>;
 constexpr std::array kFamilies = {TailFamily::compact, TailFamily::long_tail, TailFamily::half_space,
                                   TailFamily::windowed_half_space};
 

@@ -11,6 +11,7 @@
 #include <iterator>
 
 #include "arrays.h"
+#include "dicts.h"
 #include "drawing_thread.h"
 #include "interrupts.h"
 #include "palpate/view/scene_view.h"
@@ -110,7 +111,6 @@ py::array_t<std::uint8_t> arrayOf(const view::Image& image) {
   return array;
 }
 
-using PixelArray = Named<ArrayName<std::uint8_t>>;
 using Drawn = std::tuple<PixelArray, std::vector<std::string>>;
 
 Drawn draw(const WorldPointer& world, const py::object& skin, const py::object& touches,
