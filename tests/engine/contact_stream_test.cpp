@@ -87,7 +87,7 @@ std::size_t expectSameOverTheWire(const scene::World& world) {
 
 TEST(ContactStream, TheHalfGaussianIsTheSameToTheBit) {
   const auto world = bodyWith("[deformation]\ntissue = \"gaussian\"\n");
-  EXPECT_LT(expectSameOverTheWire(*world), 400u);
+  EXPECT_LT(expectSameOverTheWire(*world), 450u) << "bytes for two fingers; 60 a second make 27 kB/s";
 }
 
 TEST(ContactStream, SoIsLayeredTissueThatBreathesAndRelaxes) {
