@@ -1,7 +1,6 @@
 // Own.
 #include "apps/palpate/serve/access.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -13,6 +12,7 @@
 #include <system_error>
 
 #include "palpate/base/error.h"
+#include "palpate/base/output_file.h"
 #include "palpate/base/text.h"
 
 namespace palpate::app::serving {
@@ -98,16 +98,16 @@ Role roleOf(const Tokens& tokens, std::string_view offered) noexcept {
 }
 
 void writeTokens(const std::filesystem::path& file, const Tokens& tokens) {
-  const int to = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600);
-  if (to < 0) failAt(file, errno);
-  const std::string text =
+  if (std::filesystem::exists(std::filesystem::symlink_status(file))) failAt(file, EEXIST);
+  OutputFile out(file);
+  // Before the first byte: nobody else may read it at any moment.
+  using std::filesystem::perms;
+  std::filesystem::permissions(out.partial(), perms::owner_read | perms::owner_write);
+  out.write(
       nlohmann::ordered_json{{"look", tokens.look}, {"control", tokens.control}, {"instruct", tokens.instruct}}.dump(
           2) +
-      "\n";
-  const bool written = ::write(to, text.data(), text.size()) == static_cast<ssize_t>(text.size());
-  const int reason = errno;
-  ::close(to);
-  if (!written) failAt(file, reason);
+      "\n");
+  out.commit();
 }
 
 Tokens readTokens(const std::filesystem::path& file) {
