@@ -58,8 +58,8 @@ TEST_F(BenchBaseline, RefusesAFileThatIsNone) {
   }
 }
 
-/// Wide enough for another processor and a busy machine: only what became several times slower is caught here. Vectors of
-/// another width alone make some kernels several times slower: there is a baseline for each.
+/// Wide enough for another processor and a busy machine: only what became several times slower is caught here. Vectors
+/// of another width alone make some kernels several times slower: there is a baseline for each.
 TEST_F(BenchBaseline, OfThisProjectHolds) {
 #ifndef NDEBUG
   GTEST_SKIP() << "the kept baseline is one of optimised builds";
