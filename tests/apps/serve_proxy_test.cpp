@@ -37,7 +37,7 @@ int freePort() {
   at.sin_family = AF_INET;
   at.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   socklen_t size = sizeof(at);
-  ::bind(socket, reinterpret_cast<const sockaddr*>(&at), sizeof(at));
+  if (::bind(socket, reinterpret_cast<const sockaddr*>(&at), sizeof(at)) != 0) ADD_FAILURE() << "no free port";
   ::getsockname(socket, reinterpret_cast<sockaddr*>(&at), &size);
   ::close(socket);
   return ntohs(at.sin_port);

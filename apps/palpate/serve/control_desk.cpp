@@ -14,10 +14,10 @@ constexpr double kLeastStepMm = 1.0;
 
 }  // namespace
 
-ControlDesk::ControlDesk(std::vector<DeskFinger> fingers, Box3 body, PointServo point, HaltDevices halt,
+ControlDesk::ControlDesk(std::vector<DeskFinger> fingers, const Box3& body, PointServo point, HaltDevices halt,
                          const DeskLimits& limits)
     : fingers_(std::move(fingers)),
-      body_(std::move(body)),
+      body_(body),
       point_(std::move(point)),
       halt_(std::move(halt)),
       limits_(limits),

@@ -43,7 +43,7 @@ class ControlDesk {
   /// Halts or frees what devices feel; may be empty.
   using HaltDevices = std::function<void(bool halted)>;
 
-  ControlDesk(std::vector<DeskFinger> fingers, Box3 body, PointServo point, HaltDevices halt = {},
+  ControlDesk(std::vector<DeskFinger> fingers, const Box3& body, PointServo point, HaltDevices halt = {},
               const DeskLimits& limits = {});
 
   /// Does what is wished; why it was not done, or empty. Messages (Say) are only judged: to send them on is the
