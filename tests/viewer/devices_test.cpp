@@ -280,7 +280,7 @@ TEST(Devices, ThreePlacesThatAreTouchedCalibrateOne) {
   for (std::size_t i = 0; i < 3; ++i) {
     held.moveTo(device[i]);
     held.stage.session().reading.emplace().place = body[i];
-    ASSERT_TRUE(held.stage.until([&] { return held.devices().fingers[0].reading.place.allFinite(); }));
+    ASSERT_TRUE(held.stage.until([&] { return held.devices().fingers[0].known_place == device[i]; }));
     held.stage.click("devices/left/take");
     EXPECT_EQ(held.force(), 0.0);
   }

@@ -40,6 +40,15 @@ std::size_t firstToOffer(const std::vector<BackEndFound>& back_ends) {
 
 bool isOf(const std::string& words, std::string_view back_end) { return words.substr(0, words.find(':')) == back_end; }
 
+/// A tick without a position must not take a control from under a click that wants one.
+void keepPlace(FingerHeld& held, double now_s) {
+  constexpr double kKnownS = 0.5;
+  const Vec3& place = held.reading.place;
+  if (!place.allFinite() && now_s - held.known_s < kKnownS) return;
+  held.known_place = place;
+  held.known_s = now_s;
+}
+
 }  // namespace
 
 DeviceControl::~DeviceControl() { give_up_ = true; }
@@ -124,6 +133,7 @@ void DeviceControl::takeOpened(std::size_t finger, Session& session, const scene
   }
   looks_[finger] = {.since_s = session.now_s};
   session.devices.fingers[finger].interventions = {};
+  session.devices.fingers[finger].known_s = -1.0;  // of the device before, if any
   tellWho(session);
   if (session.active_finger == finger && !servo_.isHeld(1 - finger)) session.active_finger = 1 - finger;
   session.report(Severity::info, fmt::format("The {} finger is held by {}", kFingerNames[finger], about));
@@ -241,6 +251,7 @@ void DeviceControl::readState(std::size_t finger, Session& session) {
   FingerHeld& held = session.devices.fingers[finger];
   held.workspace = servo_.opened(finger).workspace;
   held.reading = servo_.reading(finger);
+  keepPlace(held, session.now_s);
   Look& look = looks_[finger];
   const double seconds = session.now_s - look.since_s;
   if (seconds < kLookS) return;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,6 +34,9 @@ struct FingerHeld {
   device::Capabilities able;    ///< as the driver says, before the workspace
   device::Workspace workspace;  ///< at work
   device::WorkspaceReading reading;
+  /// Of the device itself, mm: its newest place, kept over a tick without one, lost after half a second.
+  Vec3 known_place = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+  double known_s = -1.0;
   double positions_per_s = 0.0;  ///< of the last second
   double most_loss_n_mm = 0.0;   ///< that the loop gave beyond the skin's law, in the last second
   Interventions interventions;

@@ -196,7 +196,7 @@ void takeWidgets(const Part& part) {
                   "without force.",
                   steps.of_device.size() + 1, device::kCalibrationPlaces));
   const auto& clicked = part.panel.reading;
-  const Vec3& place = part.held().reading.place;
+  const Vec3& place = part.held().known_place;
   if (!clicked) return remark("No place of the body was clicked yet.");
   valueLine("place",
             fmt::format("{:.0f}, {:.0f}, {:.0f} mm", clicked->place.x(), clicked->place.y(), clicked->place.z()));
