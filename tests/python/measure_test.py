@@ -96,3 +96,56 @@ def test_what_makes_no_sense_is_refused(painted, tmp_path):
         measure.synthesize(1, ratio=9.0)
     with pytest.raises(ValueError, match="tail"):
         measure.synthesize(1, tail="short")
+
+
+ROWS = """name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg,drag_deg,subject
+P1,0,73,80,1.5,90,90,a
+P1,0,73,80,1.5,90,0,a
+P2,30,0,60,1.2,0,90,a
+P2,30,0,66,1.2,0,90,b
+"""
+
+
+def test_presses_become_key_points_as_the_command_makes_them(command, tmp_path):
+    (tmp_path / "rows.csv").write_text(ROWS)
+    run = [command, "measure", "average", "rows.csv", "--mirror", "P2:P3", "-o", "keys.csv"]
+    subprocess.run(run, cwd=tmp_path, check=True, capture_output=True)
+    for table in (ROWS, tmp_path / "rows.csv", str(tmp_path / "rows.csv")):
+        means = measure.average([table], mirrors={"P2": "P3"})
+        assert means.key_points() == (tmp_path / "keys.csv").read_text()
+    p1, p2, p3 = means.points
+    assert p1.along_drag is not None and len(p1.drags) == 2 and p1.remark == ""
+    assert p2.along_drag is None and p2.remark
+    assert p2.mean.subjects == p2.mean.presses == 2
+    assert float(p2.mean.half_major_mm) == pytest.approx((60 * 66) ** 0.5), "of logarithms"
+    assert p3.mirrored_from == "P2" and p3.place_mm == (-30.0, 0.0)
+    assert [point.name for point in measure.average([ROWS], drag="right").points] == ["P1"]
+
+
+def test_of_several_tables_each_is_a_persons(tmp_path):
+    alone = "name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg\nP1,0,0,{},1.5,90\n"
+    means = measure.average([alone.format(50), alone.format(60)])
+    assert means.points[0].mean.subjects == 2
+
+
+def test_tables_that_make_no_sense_name_file_and_line(tmp_path):
+    (tmp_path / "bad.csv").write_text(ROWS + "P4,0,0,none,1,0,90,a\n")
+    with pytest.raises(palpate.Error) as caught:
+        measure.average([tmp_path / "bad.csv"])
+    assert caught.value.line == 6 and str(caught.value.file).endswith("bad.csv")
+    with pytest.raises(ValueError, match="drag"):
+        measure.average([ROWS], drag="sideways")
+    with pytest.raises(palpate.Error):
+        measure.average([ROWS], mirrors={"P9": "P10"})
+
+
+def test_the_stencil_is_that_of_the_command(command, tmp_path):
+    subprocess.run([command, "measure", "stencil", "-o", "s.svg", "--page", "tiled-a4"], cwd=tmp_path, check=True, capture_output=True)
+    sheets = measure.stencil(page="tiled-a4")
+    assert len(sheets) > 1
+    for sheet in sheets:
+        assert (tmp_path / f"s-{sheet.name}.svg").read_text() == sheet.svg
+    with pytest.raises(palpate.Error):
+        measure.stencil(page="a4", columns=60)
+    with pytest.raises(ValueError, match="page"):
+        measure.stencil(page="a1")

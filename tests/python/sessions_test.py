@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import palpate
-from palpate.sessions import Session
+from palpate.sessions import Session, repair
 
 SCENE = """
 seconds = 0.4
@@ -161,3 +161,25 @@ def test_threads_are_told_to_take_one_each(recorded):
     assert all("in use" in words for words in told)
     with Session(file) as own:
         assert len(own.samples(["tick"])["tick"]) == 400
+
+
+def test_a_torn_session_is_mended_and_its_loss_is_told(recorded, tmp_path):
+    file, exported = recorded
+    whole = repair(file, tmp_path / "whole.session")
+    assert whole.nothing_lost and whole.samples == 800 and whole.lost == []
+    torn = tmp_path / "torn.session"
+    torn.write_bytes(file.read_bytes()[: file.stat().st_size // 2])
+    before = torn.read_bytes()
+    mended = repair(torn, tmp_path / "mended.session")
+    assert torn.read_bytes() == before, "only read"
+    assert not mended.nothing_lost and mended.bytes_missing > 0
+    if mended.samples:
+        with Session(tmp_path / "mended.session") as run:
+            kept = run.samples(["tick", "force"])
+            rows = np.searchsorted(exported["index.tick"], kept["tick"])
+            assert (kept["force"][:, 0] == exported["index.force_x_n"][rows]).all()
+    with pytest.raises(palpate.Error, match="already"):
+        repair(file, tmp_path / "whole.session")
+    assert repair(file, tmp_path / "whole.session", overwrite=True).nothing_lost
+    with pytest.raises(palpate.Error):
+        repair(tmp_path / "nowhere.session", tmp_path / "other.session")

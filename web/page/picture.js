@@ -7,6 +7,7 @@ import { OrbitCamera } from './camera.js';
 import { Picker } from './picker.js';
 import { Quality } from './quality.js';
 import { SkinView } from './skin_view.js';
+import { drawsInSoftware } from './support.js';
 
 const SEE_THROUGH = 0.38;
 const MOST_PIXELS = 1.7e6; // of a screen with very many, not all are drawn
@@ -14,7 +15,8 @@ const MOST_PIXELS = 1.7e6; // of a screen with very many, not all are drawn
 export class Picture {
   constructor(canvas) {
     this.canvas = canvas;
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true, powerPreference: 'high-performance' });
+    const antialias = !drawsInSoftware();
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias, alpha: true, powerPreference: 'high-performance' });
     this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace; // the skin's shader ends in sRGB itself
     this.scene = new THREE.Scene();
     this.world = new THREE.Group();

@@ -17,6 +17,16 @@ export function missingHere() {
   return missing;
 }
 
+/// Whether pictures are drawn by the processor: then every sample of every pixel is taken from the engine's time.
+export function drawsInSoftware() {
+  const gl = document.createElement('canvas').getContext('webgl2', { failIfMajorPerformanceCaveat: false });
+  if (!gl) return false;
+  const names = gl.getExtension('WEBGL_debug_renderer_info'); // where there is none, RENDERER itself says it
+  const name = gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER);
+  gl.getExtension('WEBGL_lose_context')?.loseContext(); // browsers keep only a few
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
+}
+
 export function wordsFor(missing) {
   return `This browser lacks what the page needs: ${missing.join(', ')}. A current Chromium, Chrome, Edge, Firefox or Safari has it;
 where WebGL is missing, look whether the browser's hardware acceleration is switched off.`;

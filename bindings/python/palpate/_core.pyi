@@ -402,6 +402,59 @@ class ReplayReport:
     def __repr__(self) -> str:
         ...
 
+class SessionRepair:
+    """What was salvaged of a damaged session, and what was lost."""
+
+    @property
+    def nothing_lost(self) -> bool:
+        """All that was recorded is in the new file."""
+    @property
+    def samples(self) -> int:
+        """Salvaged."""
+    @property
+    def blocks(self) -> int:
+        """Salvaged."""
+    @property
+    def events(self) -> int:
+        """Salvaged."""
+    @property
+    def worlds(self) -> int:
+        """Salvaged."""
+    @property
+    def attachments(self) -> int:
+        """Salvaged."""
+    @property
+    def samples_lost(self) -> int:
+        """Those that are known by their time."""
+    @property
+    def blocks_lost(self) -> int:
+        """With a checksum that does not hold, or missing."""
+    @property
+    def bytes_missing(self) -> int:
+        """At the file's end."""
+    @property
+    def header_lost(self) -> bool:
+        """When it began, its rate, notes."""
+    @property
+    def lost(self) -> list[dict[str, Any]]:
+        """A dict each: finger, first_tick, last_tick (both included), samples."""
+    @property
+    def gaps(self) -> list[dict[str, Any]]:
+        """Ticks that were never recorded, as `lost`."""
+    @property
+    def other_lost(self) -> list[Any]:
+        """Worlds, names, attachments: a line each."""
+    @property
+    def notes(self) -> list[Any]:
+        """What else was seen."""
+    def __repr__(self) -> str:
+        ...
+
+def repair(file: Union[str, os.PathLike[str]], target: Union[str, os.PathLike[str]], *, overwrite: bool = False) -> SessionRepair:
+    """Writes what can still be read of a damaged session into `target`; `file` is only read. A sample comes
+    out with every bit, or not at all. Releases the GIL. Raises Error where there is nothing to salvage, for
+    a target that is there already, and for the same file twice.
+    """
 class SessionBlocks:
     """Walks through a session, a dict of arrays at a time."""
 

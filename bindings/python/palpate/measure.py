@@ -7,6 +7,11 @@
         for finding in found.findings:
             print(finding["severity"], finding["text"])
 
+Several presses and people become key points for the maps:
+
+    means = palpate.measure.average(["me.csv", "you.csv"], mirrors={"P4": "P6"})
+    pathlib.Path("keys.csv").write_text(means.key_points())
+
 docs/measure-a-person.md is the protocol and says what the numbers mean.
 """
 
@@ -18,9 +23,37 @@ import numpy as np
 from numpy.typing import NDArray
 
 from palpate import _measure
-from palpate._measure import Estimate, KeyEllipse, Measurement, dots, row_header
+from palpate._measure import (
+    Averages,
+    DragMean,
+    Estimate,
+    KeyEllipse,
+    MeanEllipse,
+    Measurement,
+    PointMean,
+    StencilSheet,
+    average,
+    dots,
+    row_header,
+    stencil,
+)
 
-__all__ = ["Estimate", "KeyEllipse", "Measurement", "Synthetic", "dots", "row_header", "synthesize"]
+__all__ = [
+    "Averages",
+    "DragMean",
+    "Estimate",
+    "KeyEllipse",
+    "MeanEllipse",
+    "Measurement",
+    "PointMean",
+    "StencilSheet",
+    "Synthetic",
+    "average",
+    "dots",
+    "row_header",
+    "stencil",
+    "synthesize",
+]
 
 
 class Synthetic(NamedTuple):

@@ -22,6 +22,7 @@
 #include "palpate/engine/session_replay.h"
 #include "palpate/trace/sample_block.h"
 #include "palpate/trace/session_reader.h"
+#include "palpate/trace/session_repair.h"
 #include "world_handle.h"
 
 namespace palpate::python {
@@ -336,6 +337,66 @@ void closeSession(SessionFile& session) {
   session.close();
 }
 
+trace::SessionRepair repaired(const std::filesystem::path& file, const std::filesystem::path& target, bool overwrite) {
+  if (!overwrite && std::filesystem::exists(target)) {
+    throw Error::inFile(target.string(), "is there already; overwrite=True replaces it");
+  }
+  return unlocked(
+      [&](Interrupts& interrupts) { return trace::repairSession(file, target, interrupts.progress()); });
+}
+
+FactsList missingOf(const trace::SessionRepair& repair, const std::vector<trace::MissingTicks>& missing) {
+  FactsList all;
+  for (const trace::MissingTicks& ticks : missing) {
+    Facts one;
+    one["finger"] = textOf(repair.fingers.at(ticks.finger));
+    one["first_tick"] = ticks.first;
+    one["last_tick"] = ticks.last;
+    one["samples"] = ticks.count;
+    all.append(one);
+  }
+  return all;
+}
+
+py::list textsOf(const std::vector<std::string>& lines) {
+  py::list all;
+  for (const std::string& line : lines) all.append(textOf(line));
+  return all;
+}
+
+void bindRepair(py::module_& module) {
+  using trace::SessionRepair;
+  py::class_<SessionRepair>(module, "SessionRepair", "What was salvaged of a damaged session, and what was lost.")
+      .def_property_readonly("nothing_lost", &SessionRepair::nothingLost, "All that was recorded is in the new file.")
+      .def_readonly("samples", &SessionRepair::samples, "Salvaged.")
+      .def_readonly("blocks", &SessionRepair::blocks, "Salvaged.")
+      .def_readonly("events", &SessionRepair::events, "Salvaged.")
+      .def_readonly("worlds", &SessionRepair::worlds, "Salvaged.")
+      .def_readonly("attachments", &SessionRepair::attachments, "Salvaged.")
+      .def_property_readonly("samples_lost", &SessionRepair::samplesLost, "Those that are known by their time.")
+      .def_readonly("blocks_lost", &SessionRepair::blocks_lost, "With a checksum that does not hold, or missing.")
+      .def_readonly("bytes_missing", &SessionRepair::bytes_missing, "At the file's end.")
+      .def_readonly("header_lost", &SessionRepair::header_lost, "When it began, its rate, notes.")
+      .def_property_readonly(
+          "lost", [](const SessionRepair& r) { return missingOf(r, r.lost); },
+          "A dict each: finger, first_tick, last_tick (both included), samples.")
+      .def_property_readonly(
+          "gaps", [](const SessionRepair& r) { return missingOf(r, r.gaps); },
+          "Ticks that were never recorded, as `lost`.")
+      .def_property_readonly(
+          "other_lost", [](const SessionRepair& r) { return textsOf(r.other); },
+          "Worlds, names, attachments: a line each.")
+      .def_property_readonly(
+          "notes", [](const SessionRepair& r) { return textsOf(r.notes); }, "What else was seen.")
+      .def("__repr__", [](const SessionRepair& r) {
+        return fmt::format("SessionRepair({} samples, {})", r.samples, r.nothingLost() ? "nothing lost" : "with losses");
+      });
+  module.def("repair", repaired, py::arg("file"), py::arg("target"), py::kw_only(), py::arg("overwrite") = false,
+             "Writes what can still be read of a damaged session into `target`; `file` is only read. A sample comes\n"
+             "out with every bit, or not at all. Releases the GIL. Raises Error where there is nothing to salvage, for\n"
+             "a target that is there already, and for the same file twice.");
+}
+
 void bindReplay(py::module_& module) {
   using engine::ReplayDifference;
   using engine::ReplayReport;
@@ -368,6 +429,7 @@ void bindReplay(py::module_& module) {
 
 void bindSessions(py::module_& module) {
   bindReplay(module);
+  bindRepair(module);
   py::class_<Blocks>(module, "SessionBlocks", "Walks through a session, a dict of arrays at a time.")
       .def(
           "__iter__", [](Blocks& blocks) -> Blocks& { return blocks; }, "Itself.")

@@ -13,6 +13,7 @@
 #include <limits>
 
 #include "arrays.h"
+#include "averages.h"
 #include "dicts.h"
 #include "interrupts.h"
 #include "palpate/base/error.h"
@@ -249,6 +250,8 @@ PYBIND11_MODULE(_measure, module) {
       "towards it. contact_px: the marked contact. partial: the ellipse may leave the dots. Never raises for what\n"
       "the pictures show: see Measurement.accepted. Releases the GIL. Raises Error, ValueError.");
   module.def("row_header", measure::keyRowHeader, "The columns of Measurement.row, with the line's end.");
+  bindAverages(module);
+  bindStencil(module);
   bindSynthesis(module);
 }
 

@@ -1,0 +1,175 @@
+// Tables of presses ─► measure::averagePresses ─► Averages: an ellipse a point, key points for the maps; and the sheet
+// that the dots are punched with.
+#include "averages.h"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <array>
+#include <map>
+#include <string>
+#include <variant>
+
+#include "palpate/measure/average.h"
+#include "palpate/measure/stencil.h"
+
+namespace py = pybind11;
+
+namespace palpate::python {
+
+namespace {
+
+using measure::Averages;
+using measure::AverageSettings;
+using measure::DragMean;
+using measure::MeanEllipse;
+using measure::PointMean;
+using measure::PressRow;
+
+// --- what goes in ---------------------------------------------------------------------------------------------------
+
+/// A file's name, or a table itself: a text with a line's end.
+using Table = std::variant<std::string, std::filesystem::path>;
+
+std::vector<PressRow> pressesOf(const Table& table) {
+  const auto* words = std::get_if<std::string>(&table);
+  if (words && words->find('\n') != std::string::npos) return measure::parsePresses(*words, "table");
+  return measure::readPresses(words ? std::filesystem::path(*words) : std::get<std::filesystem::path>(table));
+}
+
+/// Of several tables each is a person's where its rows do not say whose they are.
+std::vector<PressRow> pressesOf(const std::vector<Table>& tables) {
+  std::vector<PressRow> all;
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    for (PressRow& press : pressesOf(tables[i])) {
+      if (press.subject.empty() && tables.size() > 1) press.subject = fmt::format("table {}", i);
+      all.push_back(std::move(press));
+    }
+  }
+  return all;
+}
+
+using Drag = std::variant<double, std::string>;
+
+double degreesOf(const Drag& drag) {
+  if (const auto* degrees = std::get_if<double>(&drag)) return *degrees;
+  const auto named = measure::dragNamed(std::get<std::string>(drag));
+  if (!named) throw py::value_error("drag: degrees, \"up\", \"left\" and so on, not " + std::get<std::string>(drag));
+  return *named;
+}
+
+Averages averaged(const std::vector<Table>& tables, const std::optional<Drag>& drag,
+                  const std::map<std::string, std::string>& mirrors, const std::string& averaging) {
+  AverageSettings settings;
+  if (averaging != "tensorial" && averaging != "plain") {
+    throw py::value_error("averaging: \"tensorial\" or \"plain\", not " + averaging);
+  }
+  if (averaging == "plain") settings.averaging = maps::Averaging::plain;
+  if (drag) settings.drag_deg = degreesOf(*drag);
+  settings.mirrors.assign(mirrors.begin(), mirrors.end());
+  return measure::averagePresses(pressesOf(tables), settings);
+}
+
+std::vector<measure::StencilSheet> stencil(double spacing_mm, int columns, int rows, double hole_mm,
+                                           const std::string& page, bool scale_target) {
+  using measure::StencilPage;
+  static const std::map<std::string, StencilPage> kPages = {{"auto", StencilPage::fitting},
+                                                            {"a4", StencilPage::a4},
+                                                            {"a3", StencilPage::a3},
+                                                            {"a2", StencilPage::a2},
+                                                            {"tiled-a4", StencilPage::tiled_a4}};
+  const auto found = kPages.find(page);
+  if (found == kPages.end()) {
+    throw py::value_error("page: \"auto\", \"a4\", \"a3\", \"a2\" or \"tiled-a4\", not " + page);
+  }
+  return measure::stencilSheets({.spacing_mm = spacing_mm,
+                                 .columns = columns,
+                                 .rows = rows,
+                                 .hole_mm = hole_mm,
+                                 .page = found->second,
+                                 .scale_target = scale_target});
+}
+
+// --- what comes out -------------------------------------------------------------------------------------------------
+
+void bindMeans(py::module_& module) {
+  py::class_<MeanEllipse>(module, "MeanEllipse",
+                          "The mean of some presses. A standard error that nothing is known of is NaN.")
+      .def_readonly("half_major_mm", &MeanEllipse::half_major_mm, "Half the major axis.")
+      .def_readonly("major_over_minor", &MeanEllipse::major_over_minor, "Ratio of the axes.")
+      .def_readonly("direction_deg", &MeanEllipse::direction_deg,
+                    "Of the major axis, from the right towards the head, in (-90, 90]; an sd of 52 says nothing.")
+      .def_readonly("hardly_determined", &MeanEllipse::hardly_determined,
+                    "The direction's standard error is above 10 degrees, or the presses do not agree on it.")
+      .def_readonly("resultant", &MeanEllipse::resultant, "How much the directions agree: 1 all alike, 0 not at all.")
+      .def_readonly("freedom", &MeanEllipse::freedom, "Degrees of freedom behind the errors; 0: not known.")
+      .def_readonly("subjects", &MeanEllipse::subjects, "People.")
+      .def_readonly("presses", &MeanEllipse::presses, "Presses.")
+      .def("__repr__", [](const MeanEllipse& m) {
+        return fmt::format("MeanEllipse({:.1f} mm, ratio {:.2f}, {:.0f} degrees, {} presses of {})",
+                           m.half_major_mm.value, m.major_over_minor.value, m.direction_deg.value, m.presses,
+                           m.subjects);
+      });
+  py::class_<DragMean>(module, "DragMean", "The presses of one way of pulling.")
+      .def_readonly("drag_deg", &DragMean::drag_deg, "That way, from the right towards the head; None: not said.")
+      .def_readonly("mean", &DragMean::mean, "Their mean.")
+      .def("__repr__", [](const DragMean& d) {
+        return fmt::format("DragMean({}, {} presses)", d.drag_deg ? measure::dragWords(*d.drag_deg) : "not said",
+                           d.mean.presses);
+      });
+}
+
+void bindPoints(py::module_& module) {
+  py::class_<PointMean>(module, "PointMean", "What all presses of a point say.")
+      .def_readonly("name", &PointMean::name, "Of the point.")
+      .def_property_readonly(
+          "place_mm", [](const PointMean& p) { return std::pair(p.place_mm.x(), p.place_mm.y()); },
+          "On the map: right, headwards.")
+      .def_readonly("drags", &PointMean::drags, "By the way the skin was pulled; at least one.")
+      .def_readonly("mean", &PointMean::mean, "Over the drags; the tissue's own where `along_drag` is known.")
+      .def_readonly("along_drag", &PointMean::along_drag,
+                    "By how much a drag stretches the ellipse along itself; None unless two drags 60 degrees or more\n"
+                    "apart were measured.")
+      .def_readonly("half_major_4_mm", &PointMean::half_major_4_mm, "Of the ellipse of 4 mm; None: not measured.")
+      .def_readonly("peak_mm", &PointMean::peak_mm, "Under the contact; None: not measured.")
+      .def_readonly("stiffness_n_per_mm", &PointMean::stiffness_n_per_mm, "None: not measured.")
+      .def_readonly("mirrored_from", &PointMean::mirrored_from, "The point that this one mirrors; empty: measured.")
+      .def_property_readonly("remark", measure::dragRemark,
+                             "What stands between the pulled direction and a word about the tissue; empty: nothing.")
+      .def("__repr__",
+           [](const PointMean& p) { return fmt::format("PointMean({}, {} drags)", p.name, p.drags.size()); });
+  py::class_<Averages>(module, "Averages", "An ellipse a point, of several presses and people.")
+      .def_readonly("points", &Averages::points, "In the order of the tables, then the mirrored ones.")
+      .def("key_points", measure::keyPointTable, py::arg("by_drag") = false,
+           "The table that maps are made of, as text; by_drag: a row a point and drag.")
+      .def("__repr__", [](const Averages& a) { return fmt::format("Averages({} points)", a.points.size()); });
+}
+
+}  // namespace
+
+void bindAverages(py::module_& module) {
+  bindMeans(module);
+  bindPoints(module);
+  module.def(
+      "average", averaged, py::arg("tables"), py::kw_only(), py::arg("drag") = py::none(),
+      py::arg("mirrors") = std::map<std::string, std::string>(), py::arg("averaging") = "tensorial",
+      "Means of presses. tables: files (CSV), or texts of such a table; of several each is one person's where its\n"
+      "rows do not say. drag: only presses pulled that way, degrees or a word (\"up\"). mirrors: points that nobody\n"
+      "measured as mirror images, {from: to}. averaging: \"tensorial\", or \"plain\" as the dissertation prints.\n"
+      "Raises Error with file and line, ValueError.");
+}
+
+void bindStencil(py::module_& module) {
+  py::class_<measure::StencilSheet>(module, "StencilSheet", "A sheet of paper.")
+      .def_readonly("name", &measure::StencilSheet::name, "Of a tile, \"r1c2\": row and column; empty: the only one.")
+      .def_readonly("svg", &measure::StencilSheet::svg, "The drawing, in mm, to be printed at 100 %.")
+      .def("__repr__", [](const measure::StencilSheet& s) { return "StencilSheet('" + s.name + "')"; });
+  module.def("stencil", stencil, py::kw_only(), py::arg("spacing_mm") = 30.0, py::arg("columns") = 11,
+             py::arg("rows") = 13, py::arg("hole_mm") = 8.0, py::arg("page") = "auto", py::arg("scale_target") = false,
+             "The sheet to punch for the dots, at true size. spacing_mm: 5 to 100; columns, rows: 2 to 60; hole_mm:\n"
+             "less than half the spacing; page: \"auto\", \"a4\", \"a3\", \"a2\" or \"tiled-a4\"; scale_target: with a\n"
+             "ruler of 100 mm. Raises Error for what is out of range or does not fit, ValueError.");
+}
+
+}  // namespace palpate::python
