@@ -25,8 +25,8 @@ constexpr Index kAnyTriangle = 1'000'000;
 std::string bearer(const std::string& token) { return "Authorization: Bearer " + token + "\r\n"; }
 
 /// Presses at the top of the dome, so far aside.
-std::string press(double aside_mm = 0.0, double depth_mm = 6.0, bool pressed = true) {
-  return nlohmann::json{{"type", "finger"},          {"finger", 0},
+std::string press(double aside_mm = 0.0, double depth_mm = 6.0, bool pressed = true, int finger = 0) {
+  return nlohmann::json{{"type", "finger"},          {"finger", finger},
                         {"pressed", pressed},        {"place", {aside_mm, 0.0, 20.0}},
                         {"normal", {0.0, 0.0, 1.0}}, {"depth_mm", depth_mm}}
       .dump();
@@ -99,6 +99,32 @@ TEST(Serve, AFingerOfWhichNothingIsHeardIsLetGoThoughItsConnectionLives) {
   hand.say(press());
   ASSERT_TRUE(frameWith(hand, true));
   EXPECT_TRUE(frameWith(hand, false, 3.0)) << "it still presses";
+}
+
+TEST(Serve, ADeviceKeepsItsFingerAndPagesHaveTheOther) {
+  ServedCommand server({"--device", "hand"});
+  PlainStream hand(server.port(), kControlToken);
+  const auto hello = nlohmann::json::parse(hand.receiveText("hello").value_or("{}"));
+  ASSERT_EQ(hello["fingers"].size(), 2u);
+  EXPECT_EQ(hello["fingers"][0]["device"], "hand");
+  EXPECT_EQ(hello["fingers"][1]["device"], "");
+  hand.say(press());
+  EXPECT_NE(hand.receiveText("refused").value_or("").find("a device holds this finger"), std::string::npos);
+
+  constexpr int kRight = 1;
+  std::optional<engine::StreamedFrame> pressed;
+  for (int i = 0; i < 100 && !pressed; ++i) {
+    hand.say(press(0.0, 6.0, true, kRight));
+    engine::StreamedFrame frame;
+    const auto message = hand.receiveKind(2, 1.0);
+    if (!message || !engine::decodeFrame(message->bytes, kAnyTriangle, frame)) continue;
+    if (frame.fingers.at(kRight).depth_mm > 4.0) pressed = frame;
+  }
+  ASSERT_TRUE(pressed) << "the page's own finger presses beside the device's";
+  EXPECT_GT(pressed->fingers[kRight].force.z(), 0.1);
+  EXPECT_TRUE(pressed->fingers[0].tip.allFinite()) << "that of the device is shown too";
+  EXPECT_EQ(server.end(SIGTERM), 143);
+  EXPECT_TRUE(server.report().is_object());
 }
 
 // --- who may come in

@@ -276,6 +276,36 @@ test('a file that is no mesh is answered in words, and the touch goes on', async
   quiet(tab);
 });
 
+test('while it is hidden no frames pile up, and it goes on where it was', async () => {
+  const tab = await opened();
+  await tab.press(...MIDDLE);
+  await untilForce(tab);
+  await tab.ask('palpate.picture.renderer.setAnimationLoop(null)'); // what a hidden tab comes to
+  await pause(1500);
+  assert.ok((await tab.ask('palpate.frames.length')) <= 2);
+  await tab.ask('(palpate.seen = palpate.newest.tick, palpate.picture.renderer.setAnimationLoop((now) => palpate.pass(now)))');
+  await tab.until('palpate.newest.tick > palpate.seen + 1400', 5);
+  await tab.release(...MIDDLE);
+  await untilFree(tab);
+  quiet(tab);
+});
+
+test('a mesh that takes too long is given up, and the body before is felt again', async () => {
+  const file = join(scratch, 'fine.stl');
+  writeFileSync(file, stlOf(plate(550))); // 605,000 triangles: seconds
+  const tab = await opened();
+  await tab.choose('#file', [file]);
+  await tab.until("!document.getElementById('give-up').hidden", 10);
+  await tab.ask("document.getElementById('give-up').click()");
+  assert.match(await tab.ask("document.getElementById('waiting-words').textContent"), /old body/);
+  await tab.until("document.getElementById('waiting').hidden && palpate.body.landmarks.length > 0", 60);
+  assert.equal(await tab.ask("document.getElementById('message').hidden"), true, 'it was wished, so it is no fault');
+  await tab.press(...MIDDLE);
+  await untilForce(tab);
+  await tab.release(...MIDDLE);
+  quiet(tab);
+});
+
 test('what was felt is saved as files that palpate reads', async () => {
   const tab = await opened();
   await tab.click('#export');

@@ -49,6 +49,12 @@ class LocalSource {
     this.opening = FIRST_BODY;
     return body;
   }
+  /// A page that is hidden draws nothing and takes nothing: then the worker keeps its frames to itself.
+  taken(frames) {
+    const ready = Math.min(frames, this.owed); // not those of a worker that was given up
+    this.owed -= ready;
+    if (ready > 0) this.worker?.postMessage({ ready });
+  }
   setDysfunctions(list) {
     return this.ask({ task: 'setDysfunctions', list });
   }
@@ -57,7 +63,9 @@ class LocalSource {
   }
   /// Gives up whatever the worker is busy with; what was asked rejects. The old body comes back as a new one.
   async restart() {
-    this.fail(new Error('given up'));
+    const error = new Error('given up');
+    error.given_up = true;
+    this.fail(error);
     return this.start();
   }
 
@@ -66,6 +74,7 @@ class LocalSource {
   async launch() {
     this.asked = new Map();
     this.next_id = 1;
+    this.owed = 0; // frames that it sent and nobody drew yet
     if (this.shared) this.writer = new AimWriter(this.shared);
     this.worker = new Worker(new URL('./worker.js', import.meta.url), { type: 'module' });
     this.worker.onmessage = ({ data }) => this.take(data);
@@ -90,7 +99,7 @@ class LocalSource {
   }
   take(data) {
     if (data.frame) {
-      this.worker.postMessage({ ready: 1 });
+      ++this.owed;
       this.frame(data.frame);
       return;
     }

@@ -117,7 +117,7 @@ class Page {
   }
   setBody(body) {
     this.body = body;
-    this.frames.length = 0; // those of the old body
+    this.takeFrames(); // those of the old body
     [0, 1].forEach((finger) => this.fingers.leave(finger));
     this.picture.setBody(body);
     this.names.setBody(body);
@@ -138,17 +138,23 @@ class Page {
 
   // ---- one picture
 
+  takeFrames() {
+    const frames = this.frames;
+    this.frames = [];
+    if (frames.length > 0) this.source.taken(frames.length);
+    return frames;
+  }
   pass(now) {
     const seconds = Math.min(0.1, (now - (this.before ?? now)) / 1000);
     this.before = now;
     this.fingers.pass(seconds);
     this.headset.follow();
-    for (const frame of this.frames) {
+    const frames = this.takeFrames();
+    for (const frame of frames) {
       this.picture.take(frame);
       this.plot.add(frame.fingers.map(({ force }) => Math.hypot(...force)), frame.tick);
     }
-    const newest = this.frames.at(-1);
-    this.frames.length = 0;
+    const newest = frames.at(-1);
     this.picture.draw(now);
     this.names.draw(this.camera);
     if (!newest) return;
@@ -232,15 +238,18 @@ class Page {
 
   async open(name, bytes, unit_mm) {
     this.wait(`Reading ${name}`, true);
+    let given_up = false;
     try {
       this.setBody(await this.source.open(name, bytes, unit_mm));
       element('first-body').hidden = false;
       element('message').hidden = true;
     } catch (error) {
+      given_up = error.given_up;
+      if (given_up) return; // giveUp goes on, and says so
       if (error.fatal) this.setBody(await this.source.restart());
       throw error;
     } finally {
-      this.wait(null);
+      if (!given_up) this.wait(null);
     }
   }
   async backToFirst() {

@@ -15,8 +15,8 @@ const MOST_PIXELS = 1.7e6; // of a screen with very many, not all are drawn
 export class Picture {
   constructor(canvas) {
     this.canvas = canvas;
-    const antialias = !drawsInSoftware();
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias, alpha: true, powerPreference: 'high-performance' });
+    this.in_software = drawsInSoftware();
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !this.in_software, alpha: true, powerPreference: 'high-performance' });
     this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace; // the skin's shader ends in sRGB itself
     this.scene = new THREE.Scene();
     this.world = new THREE.Group();
@@ -42,7 +42,7 @@ export class Picture {
         part.dispose();
       }
     }
-    this.skin = new SkinView(body);
+    this.skin = new SkinView(body, this.in_software);
     this.bones = body.bones ? new BonesView(body.bones) : null;
     this.world.add(this.skin.mesh);
     if (this.bones) this.world.add(this.bones.mesh);

@@ -7,7 +7,9 @@ const ROOM = SECONDS * RATE;
 export class Plot {
   constructor(canvas) {
     this.canvas = canvas;
-    this.context = canvas.getContext('2d');
+    // Drawn by the processor, a strip so small costs nothing; where the processor plays graphics card it costs more than
+    // the body (docs/web.md).
+    this.context = canvas.getContext('2d', { willReadFrequently: true });
     this.forces = [new Float32Array(ROOM), new Float32Array(ROOM)];
     this.next = 0;
     this.last_tick = 0;

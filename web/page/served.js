@@ -130,6 +130,7 @@ class ServedSource {
       this.bar.tell(message.why);
     }
   }
+  taken() {} // pictures are made when they are drawn
   say(message) {
     if (this.socket?.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify(message));
   }

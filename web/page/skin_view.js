@@ -5,39 +5,14 @@ import { FLOATS_OF_VERTEX } from './engine.js';
 
 export const COLOURINGS = ['plain', 'strain', 'stiffness'];
 
-const VERTEX = `
-in float strain;
-in float stiffness;
-uniform vec2 stiffness_range;
-uniform float strain_range;
-uniform int colouring;
-out vec3 at;
-out vec3 outward;
-out float value;
-void main() {
-  value = colouring == 1 ? 0.5 + 0.5 * strain / strain_range
-                         : (stiffness - stiffness_range.x) / max(1e-6, stiffness_range.y - stiffness_range.x);
-  vec4 seen = modelViewMatrix * vec4(position, 1.0);
-  at = seen.xyz;
-  outward = normalMatrix * normal;
-  gl_Position = projectionMatrix * seen;
-}`;
-
 // Two lights that go with the camera and a little from everywhere; light wraps round the skin and reddens where it ends.
-const FRAGMENT = `
+const LIGHT = `
 uniform sampler2D strain_map;
 uniform sampler2D stiffness_map;
 uniform int colouring;
 uniform float opacity;
 uniform vec3 skin;
-in vec3 at;
-in vec3 outward;
-in float value;
-out vec4 colour;
-void main() {
-  vec3 n = normalize(outward);
-  vec3 v = normalize(-at);
-  if (!gl_FrontFacing) n = -n;
+vec4 lit_skin(vec3 n, vec3 v, float value) {
   vec3 base = skin;
   float gloss = 0.10;
   if (colouring != 0) {
@@ -55,8 +30,56 @@ void main() {
   vec3 light = base * lit + vec3(gloss) * shine;
   float rim = 1.0 - max(dot(n, v), 0.0);
   float seen = opacity < 1.0 ? opacity + (1.0 - opacity) * rim * rim * 0.7 : 1.0;
-  colour = vec4(pow(light, vec3(1.0 / 2.2)), seen);
+  return vec4(pow(light, vec3(1.0 / 2.2)), seen);
 }`;
+
+const VERTEX = `
+in float strain;
+in float stiffness;
+uniform vec2 stiffness_range;
+uniform float strain_range;
+#ifdef BY_VERTEX
+${LIGHT}
+out vec4 lit;
+#else
+uniform int colouring;
+out vec3 at;
+out vec3 outward;
+out float value;
+#endif
+void main() {
+  float shown = colouring == 1 ? 0.5 + 0.5 * strain / strain_range
+                               : (stiffness - stiffness_range.x) / max(1e-6, stiffness_range.y - stiffness_range.x);
+  vec4 seen = modelViewMatrix * vec4(position, 1.0);
+#ifdef BY_VERTEX
+  vec3 n = normalize(normalMatrix * normal);
+  vec3 v = normalize(-seen.xyz);
+  lit = lit_skin(dot(n, v) < -0.2 ? -n : n, v, shown); // at the rim normals may look a little away
+#else
+  value = shown;
+  at = seen.xyz;
+  outward = normalMatrix * normal;
+#endif
+  gl_Position = projectionMatrix * seen;
+}`;
+
+const FRAGMENT = `
+out vec4 colour;
+#ifdef BY_VERTEX
+in vec4 lit;
+void main() {
+  colour = lit;
+}
+#else
+${LIGHT}
+in vec3 at;
+in vec3 outward;
+in float value;
+void main() {
+  vec3 n = normalize(outward);
+  colour = lit_skin(gl_FrontFacing ? n : -n, normalize(-at), value);
+}
+#endif`;
 
 function mapOf(bytes) {
   const texture = new THREE.DataTexture(bytes, 256, 1, THREE.RGBAFormat);
@@ -75,7 +98,8 @@ function rangeOf(values) {
 }
 
 export class SkinView {
-  constructor(body) {
+  /// `by_vertex`: lit there, which is a third of the work where the processor draws.
+  constructor(body, by_vertex = false) {
     const vertices = body.rest.length / FLOATS_OF_VERTEX;
     this.buffer = new THREE.InterleavedBuffer(body.rest.slice(), FLOATS_OF_VERTEX);
     this.buffer.setUsage(THREE.DynamicDrawUsage);
@@ -89,6 +113,7 @@ export class SkinView {
     geometry.computeBoundingSphere();
     this.material = new THREE.ShaderMaterial({
       glslVersion: THREE.GLSL3,
+      defines: by_vertex ? { BY_VERTEX: 1 } : {},
       vertexShader: VERTEX,
       fragmentShader: FRAGMENT,
       side: body.closed ? THREE.FrontSide : THREE.DoubleSide,

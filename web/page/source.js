@@ -10,6 +10,7 @@
 //                                   place: on the skin at rest, mm; normal: out of it; depth: mm under it when pressed;
 //                                   not pressed: the finger hovers. null: the finger leaves.
 //   source.onFrame(callback)        callback(frame), at most one a picture, see below
+//   source.taken(frames)            so many of them were drawn or thrown away: only then others follow
 //   source.onTrouble(callback)      callback(words) when it stops for good; onBody(callback): another Body from now on
 //   await source.open(name, bytes, unit_mm)      a mesh file: a Body; rejects in words and keeps the old body
 //   await source.setDysfunctions([{x, y, radius, change}])   gives the new stiffness (Float32Array)

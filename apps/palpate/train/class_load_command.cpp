@@ -37,7 +37,7 @@ struct ClassLoadArguments {
   std::string records_folder;
   std::string database;
   double servo_s = 0.0;
-  int servo_pairs = 3;
+  int servo_pairs = 7;
 };
 
 /// Of the whole class. A database that was just killed is waited for, a minute long.
@@ -138,7 +138,12 @@ double medianOf(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// In turns, so that whatever else the machine does falls on both.
+double periodP99Us(const scene::World& world, double seconds, ProgressLine& progress) {
+  constexpr double kPeriodUs = 1000.0;
+  return kPeriodUs + measureServo(world, seconds, progress.display()).loop.lateness.p99_us;
+}
+
+/// In turns, and each of the two first in every other pair, so that whatever else the machine does falls on both.
 void runServoBeside(const ClassLoadArguments& arguments) {
   const classroom::ClassFolder folder = classroom::readClassFolder(arguments.folder);
   const classroom::Member member = classroom::readMember(folder.station(folder.stations.front()));
@@ -147,19 +152,22 @@ void runServoBeside(const ClassLoadArguments& arguments) {
   std::vector<double> without;
   std::vector<double> with;
   std::vector<double> ratios;
-  constexpr double kPeriodUs = 1000.0;
-  for (int pair = 0; pair < arguments.servo_pairs; ++pair) {
-    const RealtimeReport alone = measureServo(*world, arguments.servo_s, progress.display());
+  const auto measureAlone = [&] { without.push_back(periodP99Us(*world, arguments.servo_s, progress)); };
+  const auto measureBeside = [&](int pair) {
     const LinkBesideServo link(member,
                                std::filesystem::path(arguments.records_folder) / fmt::format("servo{}.results", pair));
     while (!link.connected()) {
       endIfAsked();
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
-    const RealtimeReport beside = measureServo(*world, arguments.servo_s, progress.display());
+    with.push_back(periodP99Us(*world, arguments.servo_s, progress));
+  };
+  for (int pair = 0; pair < arguments.servo_pairs; ++pair) {
+    const bool alone_first = pair % 2 == 0;
+    if (alone_first) measureAlone();
+    measureBeside(pair);
+    if (!alone_first) measureAlone();
     endIfAsked();
-    without.push_back(kPeriodUs + alone.loop.lateness.p99_us);
-    with.push_back(kPeriodUs + beside.loop.lateness.p99_us);
     ratios.push_back(with.back() / without.back());
   }
   progress.clear();
