@@ -152,8 +152,8 @@ void runServoBeside(const ClassLoadArguments& arguments) {
   std::vector<double> without;
   std::vector<double> with;
   std::vector<double> ratios;
-  const auto measureAlone = [&] { without.push_back(periodP99Us(*world, arguments.servo_s, progress)); };
-  const auto measureBeside = [&](int pair) {
+  const auto measure_alone = [&] { without.push_back(periodP99Us(*world, arguments.servo_s, progress)); };
+  const auto measure_beside = [&](int pair) {
     const LinkBesideServo link(member,
                                std::filesystem::path(arguments.records_folder) / fmt::format("servo{}.results", pair));
     while (!link.connected()) {
@@ -164,9 +164,9 @@ void runServoBeside(const ClassLoadArguments& arguments) {
   };
   for (int pair = 0; pair < arguments.servo_pairs; ++pair) {
     const bool alone_first = pair % 2 == 0;
-    if (alone_first) measureAlone();
-    measureBeside(pair);
-    if (!alone_first) measureAlone();
+    if (alone_first) measure_alone();
+    measure_beside(pair);
+    if (!alone_first) measure_alone();
     endIfAsked();
     ratios.push_back(with.back() / without.back());
   }
