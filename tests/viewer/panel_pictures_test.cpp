@@ -170,7 +170,7 @@ DevicesShown someDevices() {
   left.about = "openhaptics, PHANTOM Omni, at most 3.30 N";
   left.workspace.frame.origin_mm = Vec3(-30, 41, 120);
   left.reading.tip = Vec3(-28.0, 37.0, 92.0);
-  left.reading.place = Vec3(2.0, -4.0, -28.0);
+  left.known_place = left.reading.place = Vec3(2.0, -4.0, -28.0);
   left.reading.force = Vec3(0.2, 0.0, 1.61);
   left.reading.state.loop_ticks = 2;
   left.reading.state.buttons = 2;
