@@ -201,7 +201,8 @@ void Viewer::makeTarget(int width, int height) {
 /// What the cursor's pixels mean in this frame; the first time also where the camera stands.
 void Viewer::lookAround() {
   if (!seen_) {
-    if (session_.size_points.x() < kNarrowPoints) session_.state.shown.panel = false;
+    // The column of a trainee stands in any window: the body keeps to what it leaves.
+    if (!training_ && session_.size_points.x() < kNarrowPoints) session_.state.shown.panel = false;
     session_.camera = homeView(*world_, session_.state.shown, view::StandardView::back, session_.size_points);
     takeSceneLook(*world_, session_, session_.size_points);
     beginScene();

@@ -1,4 +1,5 @@
 // The training window: its words, its keys, its door, and sittings in a viewer without a window.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -583,6 +584,23 @@ TEST_F(TrainingWindow, HidesThePlaceInTheBodyBeforeTheClockOfTheTrialBegins) {
   EXPECT_FALSE(stage.viewer->training()->screen().time_left);
   ASSERT_TRUE(stage.settled());
   EXPECT_GT(stage.viewer->training()->screen().time_left.value_or(0.0), 0.98);
+}
+
+TEST_F(TrainingWindow, InASmallWindowEverySiteAndEveryWordAboutKeysIsInSight) {
+  TrainingSeat stage(records, SittingKind::practice);
+  stage.comeIn();
+  ASSERT_TRUE(stage.begin());
+  stage.frame();
+  const WidgetPlaces& places = widgetPlaces();
+  constexpr float kColumnLeft = kWidth - 300.0f;
+  for (int site = 1; site <= 12; ++site) {
+    const auto tag = places.at(fmt::format("training/tag/{}", site));
+    EXPECT_GE(tag[0], 0.0f) << site;
+    EXPECT_LE(tag[2], kColumnLeft) << site;
+    EXPECT_GE(places.at(fmt::format("training/site/{}", site))[0], kColumnLeft) << site;
+  }
+  EXPECT_LE(places.at("training/keys")[3], kHeight);
+  EXPECT_LE(places.at("training/button/2")[3], places.at("training/keys")[1]);
 }
 
 TEST_F(TrainingWindow, KeepsEachAnswerAtOnceWithItsTicksInTheSessionFile) {

@@ -64,13 +64,19 @@ void arrowTo(ImDrawList& list, const ImVec2& at, bool from_left, const std::stri
   list.AddText({corner.x + 6.0f, corner.y + 5.0f}, kLightInk, says.c_str());
 }
 
-}  // namespace
-
 void paintSiteMark(ImDrawList& list, const ImVec2& at, float radius, const SiteMark& mark) {
   rimmedCircle(list, at, radius, kLightInk, 2.0f);
   if (mark.pressed) list.AddCircleFilled(at, radius - 3.0f, kLightInk, kRound);
   if (mark.touched) rimmedCircle(list, at, radius + 5.0f, kBlueInk, 2.5f);
   if (mark.picked) brackets(list, at, radius + 8.0f);
+}
+
+}  // namespace
+
+void paintSiteDot(ImDrawList& list, const ImVec2& at, float radius, bool pressed) {
+  const ImU32 ink = ImGui::GetColorU32(ImGuiCol_Text);
+  list.AddCircle(at, radius, ink, kRound, 2.0f);
+  if (pressed) list.AddCircleFilled(at, radius - 3.0f, ink, kRound);
 }
 
 int paintSiteMarks(const TrainingScreen& screen, const std::vector<SeenSite>& sites) {

@@ -12,8 +12,8 @@ namespace palpate::viewer {
 /// Draws all; the number whose tag was clicked, or 0.
 int paintSiteMarks(const TrainingScreen& screen, const std::vector<SeenSite>& sites);
 
-/// One mark of this radius, points.
-void paintSiteMark(ImDrawList& list, const ImVec2& at, float radius, const SiteMark& mark);
+/// Ring or disc of a site in the ink of words: on a button of a light theme the light ink for skin could not be told.
+void paintSiteDot(ImDrawList& list, const ImVec2& at, float radius, bool pressed);
 
 /// A ring of which this share is left, from the top clockwise, open where the time has gone.
 void paintTimeRing(ImDrawList& list, const ImVec2& middle, float radius, double share);

@@ -22,6 +22,11 @@ constexpr float kTallButton = 58.0f;
 /// With so many buttons a card has two columns of them, where the window is wide enough.
 constexpr std::size_t kManyButtons = 7;
 constexpr float kRingRadius = 44.0f;
+/// Below this height of the window, points, which large text leaves of a small one, ring and buttons are smaller: the words
+/// about keys must stay in sight.
+constexpr float kLowRoom = 600.0f;
+constexpr float kSmallRingRadius = 20.0f;
+constexpr float kLowButton = 30.0f;
 
 constexpr auto kStillWindow = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                               ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
@@ -95,7 +100,7 @@ bool bigButton(const TrainingButton& button, std::size_t index, const ImVec2& si
 }
 
 /// One below the other, or in two columns.
-TrainingClick buttons(const TrainingScreen& screen, bool two_columns) {
+TrainingClick buttons(const TrainingScreen& screen, bool two_columns, float low_button = kButtonHeight) {
   TrainingClick clicked;
   const ImGuiStyle& style = ImGui::GetStyle();
   const float room = ImGui::GetContentRegionAvail().x;
@@ -104,7 +109,7 @@ TrainingClick buttons(const TrainingScreen& screen, bool two_columns) {
     const TrainingButton& button = screen.buttons[i];
     const bool tall = two_columns || !button.line.empty();
     if (two_columns && i % 2 == 1) ImGui::SameLine();
-    if (bigButton(button, i, {width, tall ? kTallButton : kButtonHeight}, i == screen.focus)) {
+    if (bigButton(button, i, {width, tall ? kTallButton : low_button}, i == screen.focus)) {
       clicked = {button.act, button.value};
     }
   }
@@ -219,9 +224,7 @@ int siteButton(const SiteMark& mark, const ImVec2& size) {
                      ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_ButtonHovered : ImGuiCol_Button), 6.0f);
   frameOfButton(corner, opposite, mark.picked);
   const float middle = 0.5f * (corner.y + opposite.y);
-  SiteMark dot = mark;
-  dot.picked = dot.touched = false;
-  paintSiteMark(list, {corner.x + 20.0f, middle}, 7.0f, dot);
+  paintSiteDot(list, {corner.x + 20.0f, middle}, 7.0f, mark.pressed);
   const std::string number = fmt::format("{}", mark.number);
   list.AddText({corner.x + 40.0f, middle - 0.5f * ImGui::GetFontSize()}, ImGui::GetColorU32(ImGuiCol_Text),
                number.c_str());
@@ -243,16 +246,16 @@ int siteList(const TrainingScreen& screen, float height) {
   return clicked;
 }
 
-void ring(const TrainingScreen& screen) {
+void ring(const TrainingScreen& screen, float radius) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const ImVec2 middle(corner.x + 0.5f * ImGui::GetContentRegionAvail().x, corner.y + kRingRadius + 6.0f);
+  const ImVec2 middle(corner.x + 0.5f * ImGui::GetContentRegionAvail().x, corner.y + radius + 6.0f);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (screen.outcome != TrainingScreen::Outcome::none) {
-    paintOutcome(list, middle, kRingRadius, screen.outcome);
+    paintOutcome(list, middle, radius, screen.outcome);
   } else if (screen.time_left) {
-    paintTimeRing(list, middle, kRingRadius, *screen.time_left);
+    paintTimeRing(list, middle, radius, *screen.time_left);
   }
-  ImGui::Dummy({1.0f, 2.0f * kRingRadius + 16.0f});
+  ImGui::Dummy({1.0f, 2.0f * radius + 16.0f});
 }
 
 void centredGrey(const std::string& text) {
@@ -284,24 +287,27 @@ TrainingClick column(const TrainingScreen& screen, const ImVec2& room) {
   ImGui::SetNextWindowSize({kTrainingColumn, room.y});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {20.0f, 14.0f});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
+  const bool low = room.y < kLowRoom;
+  const float button_height = low ? kLowButton : kButtonHeight;
   if (ImGui::Begin("training_column", nullptr, kStillWindow)) {
     centredGrey(screen.corner);
-    ring(screen);
+    ring(screen, low ? kSmallRingRadius : kRingRadius);
     if (!screen.progress.empty()) centredGrey(screen.progress);
     blockBar(screen);
     ImGui::PushTextWrapPos(0.0f);
     const float keys = ImGui::CalcTextSize(screen.keys.c_str(), nullptr, false, ImGui::GetContentRegionAvail().x).y;
     ImGui::PopTextWrapPos();
     const auto count = static_cast<float>(screen.buttons.size());
-    const float below = count * (kButtonHeight + ImGui::GetStyle().ItemSpacing.y) + keys + 24.0f;
+    const float below = count * (button_height + ImGui::GetStyle().ItemSpacing.y) + keys + 24.0f;
     if (screen.picks_sites) {
       const float height = siteHeight(screen, ImGui::GetContentRegionAvail().y - below);
       if (const int site = siteList(screen, height); site != 0) clicked = {TrainingAct::pick_site, site};
       gap(6.0f);
     }
-    if (const TrainingClick button = buttons(screen, false); button.act != TrainingAct::none) clicked = button;
+    if (const TrainingClick button = buttons(screen, false, button_height); button.act != TrainingAct::none) clicked = button;
     ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), room.y - keys - 16.0f));
     greyWords(screen.keys);
+    notePlace("training/keys");
   }
   ImGui::End();
   ImGui::PopStyleVar(2);
