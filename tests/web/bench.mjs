@@ -73,7 +73,7 @@ if (!existsSync(`${site}/palpate.wasm`)) {
 const gzip = (name) => gzipSync(readFileSync(`${site}/${name}`), { level: 9 }).length / 1000;
 const result = { wasm_gzip_kb: gzip('palpate.wasm'), glue_gzip_kb: gzip('palpate.mjs'), three_gzip_kb: gzip('three.module.min.js') };
 if (existsSync(reference)) {
-  const compared = await compareWithNative(site, reference);
+  const compared = await compareWithNative(site, reference, 12);
   result.hash_equal = compared.every(({ equal }) => equal);
   result.tick = compared.map(({ radius_mm, web, native, p50_ratio }) => ({ radius_mm, p50_us: web.p50_us, native_p50_us: native.p50_us, p50_ratio }));
 } else {

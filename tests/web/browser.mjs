@@ -97,6 +97,9 @@ class Tab {
     if (exceptionDetails) throw new Error(exceptionDetails.exception?.description ?? exceptionDetails.text);
     return result.value;
   }
+  close() {
+    return this.browser.send('Target.closeTarget', { targetId: this.target });
+  }
   async until(expression, seconds = 30) {
     const end = Date.now() + 1000 * seconds;
     for (;;) {

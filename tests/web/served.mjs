@@ -78,6 +78,8 @@ test('one page presses, another sees it, and who instructs halts it', { timeout:
   await teacher.ask("(() => { const e = document.querySelector('#served-text'); e.value = '<b>softer</b>'; e.dispatchEvent(new KeyboardEvent('keydown', {key: 'Enter'})); })()");
   await says(onlooker, '<b>softer</b>');
   for (const tab of [hand, onlooker, teacher]) assert.deepEqual(tab.complaints, []);
+  await hand.release(...MIDDLE); // or it would have the finger again after the next start of the server
+  await hand.close();
 });
 
 test('a page comes back by itself when the server does', { timeout: 240000 }, async () => {
@@ -89,6 +91,19 @@ test('a page comes back by itself when the server does', { timeout: 240000 }, as
   await says(tab, 'You look on');
   const frames = await tab.ask('palpate.newest.tick');
   await tab.until(`palpate.newest.tick !== ${frames}`);
+});
+
+test('a page that comes to be hidden lifts its finger, and does not knock', { timeout: 240000 }, async () => {
+  const onlooker = await opened('look');
+  const hand = await opened('control', other);
+  await hand.press(...MIDDLE);
+  await pressing(onlooker);
+  await other.open('about:blank'); // in front of it
+  await free(onlooker);
+  for (let i = 0; i < 30; ++i) {
+    assert.equal(await onlooker.ask('palpate.newest.fingers[0].touch'), 0);
+    await pause(100);
+  }
 });
 
 test('a wrong token and none are told in words', { timeout: 120000 }, async () => {
