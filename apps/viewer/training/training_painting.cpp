@@ -22,8 +22,8 @@ constexpr float kTallButton = 58.0f;
 /// With so many buttons a card has two columns of them, where the window is wide enough.
 constexpr std::size_t kManyButtons = 7;
 constexpr float kRingRadius = 44.0f;
-/// Below this height of the window, points, which large text leaves of a small one, ring and buttons are smaller: the words
-/// about keys must stay in sight.
+/// Below this height of the window, points, which large text leaves of a small one, ring and buttons are smaller: the
+/// words about keys must stay in sight.
 constexpr float kLowRoom = 600.0f;
 constexpr float kSmallRingRadius = 20.0f;
 constexpr float kLowButton = 30.0f;
@@ -304,7 +304,8 @@ TrainingClick column(const TrainingScreen& screen, const ImVec2& room) {
       if (const int site = siteList(screen, height); site != 0) clicked = {TrainingAct::pick_site, site};
       gap(6.0f);
     }
-    if (const TrainingClick button = buttons(screen, false, button_height); button.act != TrainingAct::none) clicked = button;
+    if (const TrainingClick button = buttons(screen, false, button_height); button.act != TrainingAct::none)
+      clicked = button;
     ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), room.y - keys - 16.0f));
     greyWords(screen.keys);
     notePlace("training/keys");
