@@ -208,10 +208,14 @@ TEST(Devices, WhatIsDoneToAForceIsSaidWhileItIsDone) {
   held.open();
   held.press();
   held.stage.key(window::Key::pause);
+  // The loop must have seen the stop before it is released: on a busy machine a click comes between two ticks.
+  ASSERT_TRUE(held.stage.until([&] { return held.force() == 0.0; }));
   held.stage.click("stop/release");
-  ASSERT_TRUE(held.stage.until([&] { return widgetPlaces().contains("interventions"); }));
-  const std::string words = held.devices().fingers[0].interventions.recent(held.stage.now_s);
-  EXPECT_NE(words.find("held back"), std::string::npos) << words;
+  const auto words = [&] { return held.devices().fingers[0].interventions.recent(held.stage.now_s); };
+  // Softening by the press may be said first, and alone.
+  EXPECT_TRUE(held.stage.until([&] { return words().find("held back") != std::string::npos; })) << words();
+  held.stage.frame();
+  EXPECT_TRUE(widgetPlaces().contains("interventions"));
 }
 
 TEST(Interventions, AreCountedAndSaidForAWhile) {
