@@ -11,7 +11,7 @@ import { engineOf } from './engine_in_node.mjs';
 const quickest = (runs) => runs.reduce((best, run) => (run.p50_us < best.p50_us ? run : best));
 
 /// Native and web in turn, so that both meet the same moods of the processor; of each the quickest counts.
-export async function compareWithNative(site, reference, times = 1) {
+export async function compareWithNative(site, reference, times = 3) {
   const folder = mkdtempSync(join(tmpdir(), 'palpate-web-'));
   try {
     const native = () => JSON.parse(execFileSync(reference, [folder], { encoding: 'utf8' }));

@@ -3,11 +3,8 @@
 // it too.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -17,29 +14,9 @@
 #include "palpate/base/error.h"
 #include "palpate/mesh/files/load.h"
 #include "palpate/mesh/files/save.h"
+#include "web/engine/tick_blocks.h"
 
 namespace {
-
-/// As web/engine/bench_exports.cpp has it, so that both are timed alike.
-constexpr std::size_t kTicksOfBlock = 20;
-
-/// Mean time of a tick, us, of each block along the path.
-palpate::lab::Percentiles blockTimes(const palpate::contact::Surface& surface,
-                                     const palpate::contact::FingerSettings& finger,
-                                     std::span<const palpate::Vec3> tips) {
-  using Clock = std::chrono::steady_clock;
-  std::vector<palpate::contact::FingerOutput> outputs(tips.size());
-  std::vector<double> tick_us;
-  palpate::contact::FingerState state;
-  for (std::size_t from = 0; from < tips.size(); from += kTicksOfBlock) {
-    const std::size_t end = std::min(tips.size(), from + kTicksOfBlock);
-    const Clock::time_point before = Clock::now();
-    for (std::size_t i = from; i < end; ++i) outputs[i] = palpate::contact::step(surface, finger, state, tips[i]);
-    const std::chrono::duration<double, std::micro> passed = Clock::now() - before;
-    tick_us.push_back(passed.count() / static_cast<double>(end - from));
-  }
-  return palpate::lab::percentilesOf(std::move(tick_us));
-}
 
 std::string figuresOf(palpate::bench::ContactWorld& world, double radius_mm) {
   palpate::contact::FingerSettings finger;
@@ -47,7 +24,8 @@ std::string figuresOf(palpate::bench::ContactWorld& world, double radius_mm) {
   const palpate::device::Trajectory path = palpate::lab::workloadPath("back_slide");
   const palpate::bench::ContactFigures figures = palpate::bench::measureContact(world, path, finger);
   const auto tips = palpate::device::resampled(path, finger.tick_s).tip_mm;
-  const palpate::lab::Percentiles tick_us = blockTimes(world.surface, finger, tips);
+  std::vector<palpate::contact::FingerOutput> outputs(tips.size());
+  const auto tick_us = palpate::lab::percentilesOf(palpate::web::timeBlocks(world.surface, finger, tips, outputs));
   return fmt::format(R"({{"radius_mm":{},"hash":"{:016x}","ticks":{},"p50_us":{:.4f},"p99_us":{:.4f}}})", radius_mm,
                      figures.hash, figures.ticks, tick_us.p50, tick_us.p99);
 }

@@ -1,13 +1,12 @@
 // The measured loop, for node: a mesh file and a path in, the hash of all that was felt and the time of a tick out.
 //
 // The same steps in the same order as `palpate bench contact` (bench/runs/contact_run.h), so that both can be compared.
-#include <emscripten.h>
-
 #include <algorithm>
 #include <memory>
 #include <vector>
 
 #include "engine/exports.h"
+#include "engine/tick_blocks.h"
 #include "palpate/base/hash.h"
 #include "palpate/contact/finger.h"
 #include "palpate/contact/surface.h"
@@ -30,10 +29,6 @@ contact::Surface surfaceOf(std::string_view stl) {
   return contact::buildSurface(repaired.mesh, std::vector<double>(repaired.mesh.positions.size(), kStiffness), options);
 }
 
-/// Ticks between two readings of the clock. One alone is not timed: a call out of WebAssembly takes half as long as it, and
-/// more or less from run to run.
-constexpr std::size_t kTicksOfBlock = 20;
-
 void warmUp(const contact::Surface& surface, const contact::FingerSettings& settings, std::span<const Vec3> tips) {
   contact::FingerState state;
   for (const Vec3& tip : tips.first(std::min<std::size_t>(tips.size(), 5000)))
@@ -48,13 +43,7 @@ struct Run {
 Run runAlong(const contact::Surface& surface, const contact::FingerSettings& settings, std::span<const Vec3> tips) {
   std::vector<contact::FingerOutput> outputs(tips.size());
   Run run;
-  contact::FingerState state;
-  for (std::size_t from = 0; from < tips.size(); from += kTicksOfBlock) {
-    const std::size_t end = std::min(tips.size(), from + kTicksOfBlock);
-    const double before = emscripten_get_now();
-    for (std::size_t i = from; i < end; ++i) outputs[i] = contact::step(surface, settings, state, tips[i]);
-    run.tick_us.push_back((emscripten_get_now() - before) * 1e3 / static_cast<double>(end - from));
-  }
+  run.tick_us = timeBlocks(surface, settings, tips, outputs);
   for (const contact::FingerOutput& o : outputs) {
     for (const Vec3* v : {&o.proxy, &o.anchor, &o.normal, &o.force}) run.hash.add(*v);
     run.hash.add(o.depth_mm);
