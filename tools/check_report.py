@@ -739,6 +739,9 @@ def report_in(path):
 
 
 def main():
+    if sys.argv[1:2] in (["-h"], ["--help"]):
+        print(__doc__.strip())
+        sys.exit()
     if len(sys.argv) != 3:
         sys.exit(__doc__)
     report = report_in(sys.argv[1])
