@@ -6,9 +6,12 @@
 #include <set>
 
 #include "palpate/base/text.h"
+#include "palpate/classroom/class_store.h"
+#include "palpate/classroom/row_sink.h"
 #include "palpate/trace/session_reader.h"
 #include "palpate/trace/session_writer.h"
 #include "palpate/training/records/session_files.h"
+#include "support/postgres_server.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
 #include "training/records_samples.h"
@@ -167,6 +170,74 @@ TEST(Results, VerifyAnswersByItsExitCode) {
   const auto broken = records.results("verify a.results");
   EXPECT_EQ(broken.exit_code, 1);
   EXPECT_NE(broken.out.find("trial 2 is missing"), std::string::npos) << broken.out;
+}
+
+TEST(Results, OfAClassLieInPostgresAndAreReadWrittenAndForgottenAsInAFile) {
+  const auto server = support::PostgresServer::started();
+  if (server == nullptr) GTEST_SKIP() << support::PostgresServer::kNotInstalled;
+  const std::string address = server->connection("osteo");
+  const Records records;
+  {
+    Store file(records.file, Store::Open::existing);
+    classroom::ClassStore database(address);
+    database.keep(file.rows().all());
+  }
+  const std::string quoted = "'" + address + "'";
+  for (const char* reading : {"list", "class", "trainee 00000-00000"}) {
+    const auto file = records.results(std::string(reading) + " a.results");
+    const auto database = records.results(std::string(reading) + " " + quoted);
+    EXPECT_EQ(database.exit_code, 0) << database.err;
+    EXPECT_EQ(database.out, file.out) << reading;
+  }
+  EXPECT_EQ(records.results("export a.results --csv one").exit_code, 0);
+  EXPECT_EQ(records.results("export " + quoted + " --csv other").exit_code, 0);
+  for (const auto& entry : std::filesystem::directory_iterator(records.folder / "one")) {
+    EXPECT_EQ(support::contentOf(records.folder / "other" / entry.path().filename()), support::contentOf(entry.path()));
+  }
+  const auto page = runPalpate("report " + quoted, records.folder.path());
+  EXPECT_EQ(page.exit_code, 0) << page.err;
+  EXPECT_NE(page.out.find("database osteo -> class.html"), std::string::npos) << page.out;
+  const auto verified = nlohmann::json::parse(records.results("verify --json " + quoted).out);
+  EXPECT_EQ(verified.at("trials"), 13);
+  EXPECT_EQ(verified.at("faults").size(), 0u) << "session files are at the stations: " << verified.dump(2);
+
+  EXPECT_EQ(records.results("delete --trainee 00000-00000 " + quoted).exit_code, 1) << "nobody typed yes";
+  const auto deleted = records.results("delete --yes --json --trainee 00000-00000 " + quoted);
+  EXPECT_EQ(deleted.exit_code, 0) << deleted.err;
+  EXPECT_EQ(nlohmann::json::parse(deleted.out).at("trials"), 1);
+  EXPECT_EQ(records.results("trainee 00000-00000 " + quoted).exit_code, 2);
+  EXPECT_EQ(nlohmann::json::parse(records.results("purge --dry-run --json " + quoted).out).at("sittings"), 2);
+  EXPECT_EQ(nlohmann::json::parse(records.results("class --json " + quoted).out).at("trainees").size(), 1u);
+  EXPECT_EQ(nlohmann::json::parse(records.results("purge --json " + quoted).out).at("sittings"), 2);
+  EXPECT_EQ(nlohmann::json::parse(records.results("class --json " + quoted).out).at("trainees").size(), 0u);
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(records.folder.path())) {
+    EXPECT_EQ(entry.path().string().find("osteo"), std::string::npos) << "no file is named after the address";
+  }
+}
+
+TEST(Results, OfAClassAreWholeWithoutTheSessionFilesThatLieAtItsStations) {
+  const Records records;
+  std::string trial;
+  {
+    Store station(records.file, Store::Open::existing);
+    const std::vector<training::AnyRow> rows = station.rows().all();
+    classroom::fileSink(records.folder / "class.results")->keep(rows);
+    trial = station.trials(station.blocks(station.sittings(records.anna.id).front().id).front().id).front().id;
+  }
+  std::filesystem::remove_all(records.folder / "sessions");
+  EXPECT_EQ(records.results("verify a.results").exit_code, 1) << "at the station they are missed";
+  const auto whole = records.results("verify class.results");
+  EXPECT_EQ(whole.exit_code, 0) << whole.out;
+  EXPECT_NE(whole.out.find("at the stations"), std::string::npos) << whole.out;
+  const auto replayed = records.results("replay " + trial + " class.results --out a.session");
+  EXPECT_EQ(replayed.exit_code, 2);
+  EXPECT_NE(replayed.err.find("stay at the station"), std::string::npos) << replayed.err;
+}
+
+TEST(Results, OfADatabaseThatIsNotThereAreRefusedInOneLine) {
+  const auto refused = runPalpate("results list 'host=/nowhere/at/all dbname=x'");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_EQ(std::ranges::count(refused.err, '\n'), 1) << refused.err;
 }
 
 TEST(Results, PurgeCountsBeforeItForgets) {

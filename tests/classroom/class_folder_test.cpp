@@ -54,6 +54,24 @@ TEST(ClassFolderTest, WhatWasMadeIsReadBack) {
   EXPECT_EQ(readMember(read.ingest() / "ingest.toml").role, Role::ingest);
 }
 
+TEST(ClassFolderTest, SaysForHowLongThingsAreKept) {
+  const TemporaryFolder temporary;
+  ClassPlan plan = aPlan();
+  plan.retention = {.days = 730, .samples_days = 14};
+  const ClassFolder made = makeClassFolder(temporary / "class", plan);
+  addStation(made, "late");
+  const ClassFolder read = readClassFolder(temporary / "class");
+  EXPECT_EQ(read.retention, plan.retention);
+  EXPECT_EQ(readMember(read.station("s02")).retention, plan.retention);
+  EXPECT_EQ(readMember(read.station("late")).retention, plan.retention);
+  const std::filesystem::path file = temporary / "class" / "class.toml";
+  writeFile(file, "id = \"osteo-1\"\nhost = \"localhost\"\n");  // as of before there was a word for it
+  EXPECT_EQ(readClassFolder(temporary / "class").retention, Retention());
+  writeFile(file, "id = \"osteo-1\"\nhost = \"localhost\"\nretain_days = 0\n");
+  const std::string words = support::messageOf([&] { readClassFolder(temporary / "class"); });
+  EXPECT_NE(words.find("retain_days"), std::string::npos) << words;
+}
+
 TEST(ClassFolderTest, KeysAreTheirOwnersAlone) {
   const TemporaryFolder temporary;
   const ClassFolder made = makeClassFolder(temporary / "class", aPlan(1));

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <set>
 
+#include "palpate/classroom/database_copy.h"
+#include "palpate/classroom/row_sink.h"
 #include "palpate/training/records/store.h"
 #include "support/error_message.h"
 #include "support/postgres_server.h"
@@ -168,6 +170,66 @@ TEST_F(ClassStoreTest, WhoWasDeletedStaysDeletedWhateverStillComes) {
   const AnyRow row = back;
   store.keep(std::span(&row, 1));
   EXPECT_TRUE(store.rows().trainee(gone));
+}
+
+TEST_F(ClassStoreTest, PurgeForgetsWhatWasKeptLongEnoughAndNobodyForGood) {
+  const samples::History history = samples::history(3, 2, 4);
+  constexpr std::int64_t kDay = 86'400'000;
+  ClassStore store(connection_);
+  store.keep(history.rows);
+  EXPECT_EQ(store.purge(samples::kMonday + 200 * kDay).sittings, 0);
+  EXPECT_EQ(store.rows().trialCount(), 24);
+  const training::Purged purged = store.purge(samples::kMonday + 500 * kDay);
+  EXPECT_EQ(purged.sittings, 6);
+  EXPECT_EQ(purged.trainees, 3);
+  EXPECT_EQ(store.rows().trialCount(), 0);
+  EXPECT_TRUE(store.rows().trainees().empty());
+  EXPECT_EQ(store.purge(samples::kMonday + 500 * kDay).sittings, 0);
+  // Who comes back after years is no stranger: their station sends them anew (TrainingDesk::beginSitting).
+  const AnyRow trainee = history.trainees[1];
+  const AnyRow sitting = samples::sitting(history.trainees[1], 600);
+  const std::vector<AnyRow> back = {trainee, sitting};
+  EXPECT_EQ(store.keep(back).keys.size(), 2u);
+  EXPECT_EQ(store.rows().sittings(history.trainees[1].id).size(), 1u);
+}
+
+TEST_F(ClassStoreTest, HowLongAClassKeepsThingsIsSaidByItsFolderAndByNoStation) {
+  const training::ClassRow ours{"osteo-1", "Osteopathy, first year", 30, 10};
+  const auto sink = databaseSink(connection_, ours);
+  const AnyRow theirs = training::ClassRow{"osteo-1", "x", 36500, 36500};
+  EXPECT_EQ(sink->keep(std::span(&theirs, 1)).keys.size(), 1u);
+  const training::ClassRow kept = ClassStore(connection_).rows().classes().at(0);
+  EXPECT_EQ(kept.label, ours.label);
+  EXPECT_EQ(kept.retain_days, 30);
+  EXPECT_EQ(kept.retain_samples_days, 10);
+}
+
+TEST_F(ClassStoreTest, ACopyInMemoryHoldsEveryRowAndNeverSaysTheAddress) {
+  const samples::History history = samples::history(3, 2, 12);
+  ClassStore store(connection_);
+  store.keep(history.rows);
+  EXPECT_TRUE(isDatabaseAddress(connection_)) << connection_;
+  training::Store copy = copyOfDatabase(connection_);
+  EXPECT_EQ(samples::saidAll(copy.rows().all()), samples::saidAll(store.rows().all()));
+  EXPECT_EQ(copy.file(), "database acopyinmemoryholdseveryrowandneversaystheaddress");
+}
+
+TEST_F(ClassStoreTest, AStrangersDatabaseIsNotCopiedAndGetsNoTables) {
+  const std::string words = support::messageOf([&] { copyOfDatabase(connection_); });
+  EXPECT_NE(words.find("holds no training records"), std::string::npos) << words;
+  PostgresSql sql(connection_);
+  sql.connect();
+  EXPECT_EQ(training::schemaVersionOf(sql), 0);
+}
+
+TEST(DatabaseAddress, IsToldFromAFile) {
+  for (const char* address : {"postgresql://teacher@localhost/osteo", "postgres:///osteo", "dbname=osteo",
+                              "host=/run/postgresql dbname=osteo", "service=osteo", "user=me dbname=osteo"}) {
+    EXPECT_TRUE(isDatabaseAddress(address)) << address;
+  }
+  for (const char* file : {"class.results", "/home/a/dbname.results", "", "postgresql.results", "./host"}) {
+    EXPECT_FALSE(isDatabaseAddress(file)) << file;
+  }
 }
 
 TEST_F(ClassStoreTest, TwelveTrialsASecondAreKeptInTime) {

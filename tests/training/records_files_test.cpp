@@ -290,6 +290,39 @@ TEST(Purge, ForgetsWhatAClassHasKeptLongEnough) {
   EXPECT_FALSE(station.store.stations().empty());
 }
 
+TEST(Purge, TellsTheClassNothingForWhoIsGoneHereMayHaveSatElsewhereSince) {
+  Station station;
+  station.store.fillOutbox(true);
+  const Uuid gone = station.store.trainees().front().id;
+  EXPECT_EQ(purge(station.store, samples::kMonday + 500 * 86'400'000ll, true).trainees, 3);
+  for (const OutboxEntry& entry : station.store.waiting(1000)) EXPECT_NE(entry.kind, "delete") << entry.body;
+  EXPECT_FALSE(station.store.rows().noted("deleted", deletedMark(gone)));
+}
+
+TEST(Purge, OfAClassThatKeepsThingsForLessLeavesLess) {
+  Station station;
+  ClassRow strict = samples::aClass();
+  strict.retain_days = strict.retain_samples_days = 30;
+  station.store.keep(strict);
+  EXPECT_EQ(purge(station.store, samples::kMonday + 50 * 86'400'000ll, true).sittings, 6);
+  EXPECT_EQ(station.store.rows().trialCount(), 0);
+}
+
+TEST(Store, InMemoryHoldsWhatAFileHoldsAndLeavesNone) {
+  const support::TemporaryFolder folder;
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder.path());
+  const samples::History history = samples::history(2, 2, 3);
+  {
+    Store copy = Store::inMemory("database class");
+    copy.keepAny(history.rows);
+    EXPECT_EQ(samples::saidAll(copy.rows().all()).size(), history.rows.size());
+    EXPECT_EQ(copy.file(), "database class");
+  }
+  std::filesystem::current_path(before);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
 TEST(DefaultRecords, LieInTheUsersDataFolder) {
   const char* const before = std::getenv("XDG_DATA_HOME");
   const std::string kept = before == nullptr ? "" : before;

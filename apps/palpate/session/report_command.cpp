@@ -15,6 +15,7 @@
 #include "apps/palpate/train/report/training_report.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
+#include "palpate/classroom/database_copy.h"
 
 namespace palpate::app {
 
@@ -34,6 +35,7 @@ struct ReportArguments {
 
 /// run.session -> run.html, also of run.session.partial, and of class.results; in the working folder.
 std::filesystem::path pageOf(const std::filesystem::path& file) {
+  if (classroom::isDatabaseAddress(file.string())) return "class.html";
   std::string name = file.filename().string();
   const std::size_t end = std::min(name.find(".session"), name.find(".results"));
   if (end != std::string::npos && end > 0) name.resize(end);
@@ -78,10 +80,10 @@ void printNumbers(const nlohmann::ordered_json& json) {
   fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
-void printSentences(const std::vector<std::string>& sentences, const ReportArguments& arguments,
+void printSentences(const std::vector<std::string>& sentences, const std::filesystem::path& file,
                     const std::filesystem::path& page) {
   for (const std::string& sentence : sentences) fmt::print("{}\n", readableText(sentence));
-  fmt::print("{} -> {}\n", arguments.file.string(), page.string());
+  fmt::print("{} -> {}\n", file.string(), page.string());
 }
 
 void runTrainingReport(const ReportArguments& arguments) {
@@ -93,7 +95,7 @@ void runTrainingReport(const ReportArguments& arguments) {
   if (wants_page) writeFile(page, trainingPage(report, progress.callback()));
   progress.clear();
   if (arguments.json) return printNumbers(trainingReportJson(report));
-  printSentences(trainingSentences(report), arguments, page);
+  printSentences(trainingSentences(report), report.file, page);
 }
 
 void runSessionReport(const ReportArguments& arguments) {
@@ -107,7 +109,7 @@ void runSessionReport(const ReportArguments& arguments) {
   if (wants_page) writeFile(page, reportPage(report, progress.callback()));
   progress.clear();
   if (arguments.json) return printNumbers(reportJson(report));
-  printSentences(reportSentences(report), arguments, page);
+  printSentences(reportSentences(report), arguments.file, page);
 }
 
 void runReport(const ReportArguments& arguments) {
@@ -128,8 +130,12 @@ void addReportCommand(CLI::App& app) {
       "report",
       "Tell what a recorded session was (forces, contacts, phases, maps of the body), or how training went (learning "
       "curve, accuracy, what was felt; of a trainee or a class), as one HTML page");
-  command.add_option("FILE", a.file, "Session file, or record of training (.results)")->required();
-  command.add_option("-o,--out", a.out, "Page to write; left out: the file's name with .html, in this folder");
+  command
+      .add_option("FILE", a.file,
+                  "Session file, or record of training (.results, or a class's PostgreSQL: postgresql://...)")
+      ->required();
+  command.add_option("-o,--out", a.out,
+                     "Page to write; left out: the file's name with .html (of a database class.html), in this folder");
   addTimeSpan(command, a.span);
   command.add_option("--folder", a.folder,
                      "Where the files that the scene names lie now; left out: in the session, else where they lay");

@@ -61,6 +61,12 @@ void addClassInitCommand(CLI::App& parent) {
   command.add_option("--host", arguments->hosts,
                      "Name or address under which stations reach this computer, several: the first is used");
   addNumber(command, "--port", arguments->plan.port, between(1, 65535), "Of the broker")->capture_default_str();
+  addNumber(command, "--retain-days", arguments->plan.retention.days, between(1, 36500, "days"),
+            "Rows are kept so many days after a sitting")
+      ->capture_default_str();
+  addNumber(command, "--retain-samples-days", arguments->plan.retention.samples_days, between(1, 36500, "days"),
+            "Session files, at the stations, so many")
+      ->capture_default_str();
   command.add_option("--label", arguments->plan.label, "What the class is called by people");
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.callback([arguments] { runClassInit(*arguments); });

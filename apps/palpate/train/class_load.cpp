@@ -109,7 +109,7 @@ class LoadedStation {
     block_.id = newId();
     block_.sitting = sitting_.id;
     block_.protocol_id = protocol.id;
-    store_.keep(training::ClassRow{member.class_id, "", 365, 90});
+    store_.keep(training::ClassRow{.id = member.class_id});
     store_.keep(training::StationRow{member.station_id, member.name, "", "none", 0});
     store_.keep(trainee);
     store_.keep(protocol);

@@ -36,16 +36,16 @@ struct ClassServeArguments {
 
 std::unique_ptr<classroom::RowSink> sinkFor(const ClassServeArguments& arguments,
                                             const classroom::ClassFolder& folder) {
-  if (!arguments.database.empty()) return classroom::databaseSink(arguments.database);
-  if (!arguments.records.empty()) return classroom::fileSink(arguments.records);
-  return classroom::fileSink(folder.folder / "class.results");
+  // The class itself; its stations say themselves what they are.
+  const training::ClassRow of{folder.class_id, folder.label, folder.retention.days, folder.retention.samples_days};
+  if (!arguments.database.empty()) return classroom::databaseSink(arguments.database, of);
+  if (!arguments.records.empty()) return classroom::fileSink(arguments.records, of);
+  return classroom::fileSink(folder.folder / "class.results", of);
 }
 
-/// The class itself; its stations say themselves what they are.
-void keepClass(classroom::RowSink& sink, const classroom::ClassFolder& folder) {
-  const training::AnyRow row = training::ClassRow{folder.class_id, folder.label, 365, 90};
+void tryDatabase(classroom::RowSink& sink) {
   try {
-    sink.keep({&row, 1});
+    sink.keep({});
   } catch (const Error& error) {
     say(fmt::format("palpate: the database does not answer yet: {}\n", error.what()));
   }
@@ -87,7 +87,7 @@ void runClassServe(const ClassServeArguments& arguments) {
     member.host = "localhost";
   }
   auto sink = sinkFor(arguments, folder);
-  keepClass(*sink, folder);
+  tryDatabase(*sink);
   const classroom::Collector collector(member, std::move(sink));
   ProgressLine progress;
   const auto started = Clock::now();

@@ -13,6 +13,7 @@
 #include "apps/palpate/common/json.h"
 #include "apps/palpate/common/number_option.h"
 #include "apps/palpate/train/class_commands.h"
+#include "apps/palpate/train/results_commands.h"
 #include "apps/viewer/classroom/class_window.h"
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
@@ -36,7 +37,7 @@ struct ClassWatchArguments {
 
 /// What was measured before anybody watched.
 void rememberRecords(const std::string& file, classroom::ClassWatch& watch) {
-  training::Store store(file, training::Store::Open::read_only);
+  training::Store store = recordsAt(file, training::Store::Open::read_only);
   for (const training::SittingRow& sitting : store.sittings()) {
     for (const training::BlockRow& block : store.blocks(sitting.id)) watch.remember(sitting.trainee, block);
   }
@@ -120,7 +121,8 @@ void addClassWatchCommand(CLI::App& parent) {
   const auto arguments = std::make_shared<ClassWatchArguments>();
   CLI::App& command = *parent.add_subcommand("watch", "The instructor's view: every station, who needs help first");
   command.add_option("DIR", arguments->folder, "Folder of the class, or of its instructor")->required();
-  command.add_option("--records", arguments->records, "Records (SQLite) whose results the learning curve begins with");
+  command.add_option("--records", arguments->records,
+                     "Records (a file, or the address of PostgreSQL) whose results the learning curve begins with");
   command.add_option("--station", arguments->opened, "Open this station at first");
   command.add_option("--picture", arguments->picture, "Write the last picture to this PNG file");
   addNumber(command, "--seconds", arguments->seconds, between(0.0, 1e6, "s"), "End by itself after so long; 0: never");

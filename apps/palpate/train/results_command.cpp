@@ -10,6 +10,7 @@
 #include "apps/palpate/train/results_commands.h"
 #include "palpate/base/error.h"
 #include "palpate/base/nearest_name.h"
+#include "palpate/classroom/database_copy.h"
 #include "palpate/training/records/default_records.h"
 #include "palpate/training/records/trainee_code.h"
 
@@ -42,11 +43,19 @@ std::size_t trialsOf(Store& store, const SittingRow& sitting) {
 }  // namespace
 
 void addResultsFile(CLI::App& command, ResultsArguments& arguments) {
-  command.add_option("FILE", arguments.file, "Records of training (default: your own, palpate.results)");
+  command.add_option("FILE", arguments.file,
+                     "Records of training (default: your own, palpate.results), or a class's PostgreSQL: "
+                     "\"host=/run/postgresql dbname=class\" or postgresql://...");
   command.add_flag("--json", arguments.json, "Print one JSON object");
 }
 
+Store recordsAt(const std::string& file_or_address, Store::Open how) {
+  return classroom::isDatabaseAddress(file_or_address) ? classroom::copyOfDatabase(file_or_address)
+                                                       : Store(file_or_address, how);
+}
+
 Store openedResults(const ResultsArguments& arguments) {
+  if (classroom::isDatabaseAddress(arguments.file)) return classroom::copyOfDatabase(arguments.file);
   const std::filesystem::path file =
       arguments.file.empty() ? training::defaultRecords() : std::filesystem::path(arguments.file);
   std::error_code error;

@@ -22,14 +22,17 @@ void addResultsReplayCommand(CLI::App& parent);
 void addResultsVerifyCommand(CLI::App& parent);
 
 struct ResultsArguments {
-  std::string file;  ///< empty: the user's own
+  std::string file;  ///< or the address of a class's database; empty: the user's own
   bool json = false;
 };
 /// [FILE] and --json. `arguments` must outlive the command.
 void addResultsFile(CLI::App& command, ResultsArguments& arguments);
 
-/// Brings it forward where it is older. Throws Error, which says where records are made when there are none.
+/// Brings a file forward where it is older. Throws Error, which says where records are made when there are none.
 training::Store openedResults(const ResultsArguments& arguments);
+
+/// A file, or a copy of what the database at this address holds (classroom/database_copy.h).
+training::Store recordsAt(const std::string& file_or_address, training::Store::Open how);
 
 /// By the code on their card, their pseudonym, or its first letters. Throws Error.
 training::TraineeRow traineeCalled(training::Store& store, const std::string& code_or_id);

@@ -1,4 +1,5 @@
-// `palpate results delete` and `purge`: forgetting one trainee, or what has been kept for long enough.
+// `palpate results delete` and `purge`: forgetting one trainee, or what has been kept for long enough; at a station, in
+// a class's file or in its database.
 #include <fmt/format.h>
 
 #include <iostream>
@@ -8,6 +9,8 @@
 #include "apps/palpate/train/results_commands.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
+#include "palpate/classroom/class_store.h"
+#include "palpate/classroom/database_copy.h"
 #include "palpate/training/records/deletion.h"
 #include "palpate/training/records/trainee_code.h"
 
@@ -24,35 +27,60 @@ struct DeleteArguments {
   bool dry_run = false;
 };
 
-bool saidYes(Store& store, const training::TraineeRow& trainee) {
-  std::size_t sittings = 0, trials = 0;
+struct RowsOf {
+  std::size_t sittings = 0;
+  std::size_t trials = 0;
+};
+
+RowsOf rowsOf(Store& store, const training::TraineeRow& trainee) {
+  RowsOf rows;
   for (const training::SittingRow& sitting : store.sittings(trainee.id)) {
-    ++sittings;
-    for (const training::BlockRow& block : store.blocks(sitting.id)) trials += store.trials(block.id).size();
+    ++rows.sittings;
+    for (const training::BlockRow& block : store.blocks(sitting.id)) rows.trials += store.trials(block.id).size();
   }
-  say(
-      fmt::format("Delete trainee {} for ever: {} sittings, {} trials, their session files and their key?\n"
-                  "Type yes to delete: ",
-                  trainee.id, sittings, trials));
+  return rows;
+}
+
+bool saidYes(const RowsOf& rows, const training::TraineeRow& trainee, std::string_view what) {
+  say(fmt::format("Delete trainee {} for ever: {} sittings, {} trials{}?\nType yes to delete: ", trainee.id,
+                  rows.sittings, rows.trials, what));
   std::string answer;
   std::getline(std::cin, answer);
   return trimmed(answer) == "yes";
 }
 
+void printDeletedJson(const nlohmann::ordered_json& json) { fmt::print("{}\n", json.dump(2)); }
+
+void deleteInDatabase(const DeleteArguments& arguments, Store& copy, const training::TraineeRow& trainee) {
+  const RowsOf rows = rowsOf(copy, trainee);
+  classroom::ClassStore database(arguments.results.file);
+  const bool found = database.erase(trainee.id, "palpate results");
+  if (arguments.results.json) {
+    return printDeletedJson({{"deleted", found}, {"sittings", rows.sittings}, {"trials", rows.trials}});
+  }
+  fmt::print("deleted in {}: {} sittings, {} trials; what still comes of them is not kept\n", copy.file().string(),
+             rows.sittings, rows.trials);
+  fmt::print("Records at stations are not reached: delete there as well, where there are any.\n");
+}
+
 void runResultsDelete(const DeleteArguments& arguments) {
   Store store = openedResults(arguments.results);
+  const bool in_database = classroom::isDatabaseAddress(arguments.results.file);
   const training::TraineeRow trainee = traineeCalled(store, arguments.trainee);
-  if (!arguments.yes && !saidYes(store, trainee)) {
+  const std::string_view what = in_database ? ", in the class's database" : ", their session files and their key";
+  if (!arguments.yes && !saidYes(rowsOf(store, trainee), trainee, what)) {
     fmt::print(stderr, "nothing was deleted (--yes does not ask)\n");
     throw CLI::RuntimeError(1);
   }
+  if (in_database) return deleteInDatabase(arguments, store, trainee);
   const training::Deleted deleted = deleteTrainee(store, trainee.id, "palpate results");
   if (arguments.results.json) {
-    const nlohmann::ordered_json json = {{"deleted", deleted.found}, {"sittings", deleted.sittings},
-                                         {"trials", deleted.trials}, {"session_files", deleted.files},
-                                         {"key", deleted.key},       {"class_is_told", store.fillsOutbox()}};
-    fmt::print("{}\n", json.dump(2));
-    return;
+    return printDeletedJson({{"deleted", deleted.found},
+                             {"sittings", deleted.sittings},
+                             {"trials", deleted.trials},
+                             {"session_files", deleted.files},
+                             {"key", deleted.key},
+                             {"class_is_told", store.fillsOutbox()}});
   }
   fmt::print("deleted: {} sittings, {} trials, {} session files{}\n", deleted.sittings, deleted.trials, deleted.files,
              deleted.key ? ", the key" : "");
@@ -62,7 +90,10 @@ void runResultsDelete(const DeleteArguments& arguments) {
 
 void runResultsPurge(const DeleteArguments& arguments) {
   Store store = openedResults(arguments.results);
-  const training::Purged purged = purge(store, training::utcMs(), !arguments.dry_run);
+  const std::int64_t now = training::utcMs();
+  const bool in_database = classroom::isDatabaseAddress(arguments.results.file) && !arguments.dry_run;
+  const training::Purged purged =
+      in_database ? classroom::ClassStore(arguments.results.file).purge(now) : purge(store, now, !arguments.dry_run);
   if (arguments.results.json) {
     const nlohmann::ordered_json json = {{"purged", !arguments.dry_run},
                                          {"sittings", purged.sittings},

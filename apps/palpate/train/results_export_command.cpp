@@ -7,6 +7,8 @@
 #include "apps/palpate/train/results_commands.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
+#include "palpate/classroom/class_store.h"
+#include "palpate/classroom/database_copy.h"
 #include "palpate/training/records/export.h"
 #include "palpate/training/records/trainee_code.h"
 
@@ -28,6 +30,16 @@ void refuseThere(const fs::path& file, bool force) {
   if (!force && fs::exists(file, error)) throw Error::inFile(file.string(), "is there already (--force replaces it)");
 }
 
+/// In the records themselves: of a database `store` is a copy.
+void noteExport(const std::string& file_or_address, training::Store& store, std::size_t files) {
+  const auto note = [files](training::RowTables& rows) {
+    rows.note(training::utcMs(), "palpate results", "exported", fmt::format("{} files", files));
+  };
+  if (!classroom::isDatabaseAddress(file_or_address)) return note(store.rows());
+  classroom::ClassStore database(file_or_address);
+  note(database.rows());
+}
+
 void runResultsExport(const ExportArguments& arguments) {
   if (arguments.csv.empty() && arguments.json.empty() && arguments.xapi.empty()) {
     throw Error("export: say as what: --csv DIR, --json FILE or --xapi FILE");
@@ -46,7 +58,7 @@ void runResultsExport(const ExportArguments& arguments) {
     writeFile(file, text);
     fmt::print("{}\n", file.string());
   }
-  store.rows().note(training::utcMs(), "palpate results", "exported", fmt::format("{} files", files.size()));
+  noteExport(arguments.results.file, store, files.size());
   if (!arguments.xapi.empty()) {
     fmt::print(stderr,
                "note: a record store cannot forget single statements by itself; deleting a trainee here does "

@@ -41,6 +41,10 @@ void runTrialReplay(const TrialReplayArguments& arguments) {
   const training::TrialRow trial = trialCalled(store, arguments.trial);
   const auto sitting = store.rows().sitting(trial.sitting);
   if (!sitting) throw Error(fmt::format("trial {} belongs to no sitting", trial.id));
+  if (store.holdsCopies()) {
+    throw Error::inFile(store.file().string(),
+                        "holds what stations sent; samples stay at the station: replay it there");
+  }
   std::error_code error;
   if (std::filesystem::exists(arguments.out, error)) throw Error::inFile(arguments.out, "is there already");
   const training::OpenedSession opened = training::SessionFiles(store).open(*sitting);

@@ -456,6 +456,12 @@ void TrainingDesk::beginSitting(Session& session, LiveServo& servo) {
     training::StationRow station = stationOf(store_, settings_.member);
     station.device = device_;
     store_.keep(station);
+    if (const auto& member = settings_.member) {
+      store_.keep(training::ClassRow{member->class_id, member->class_id, member->retention.days,
+                                     member->retention.samples_days});
+    }
+    // Anew for the class, which may have forgotten somebody who was away for long.
+    if (const auto trainee = store_.trainee(desk_.trainee().id)) store_.keep(*trainee);
     store_.keep(training::protocolRowOf(settings_.protocol));
     training::SittingPlan plan = planOf(kind, session);
     plan.row.station = station.id;

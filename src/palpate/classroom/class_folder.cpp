@@ -73,6 +73,7 @@ Member memberOf(const ClassFolder& folder, Role role, const std::string& name) {
   if (role == Role::station) member.station_id = stationIdOf(folder.class_id, name);
   member.host = folder.host;
   member.port = folder.port;
+  member.retention = folder.retention;
   return member;
 }
 
@@ -167,7 +168,7 @@ ClassFolder makeClassFolder(const fs::path& folder, const ClassPlan& plan) {
   if (fs::exists(folder) && !(fs::is_directory(folder) && fs::is_empty(folder))) {
     throw Error::inFile(folder.string(), "is there already; a class gets a folder of its own");
   }
-  ClassFolder made{folder, plan.class_id, plan.label, plan.hosts.front(), plan.port, {}};
+  ClassFolder made{folder, plan.class_id, plan.label, plan.hosts.front(), plan.port, plan.retention, {}};
   makeFolder(folder);
   fs::permissions(folder, fs::perms::owner_all);
   const Certified authority = makeAuthority(fmt::format("palpate class {}", plan.class_id));
@@ -197,8 +198,8 @@ ClassFolder makeClassFolder(const fs::path& folder, const ClassPlan& plan) {
   writeFile(
       folder / "class.toml",
       fmt::format("# A class: `palpate class init` made this folder.\nid = \"{}\"\nlabel = \"{}\"\nhost = \"{}\"  # "
-                  "the broker's, as stations reach it\nport = {}\n",
-                  plan.class_id, plan.label, made.host, made.port));
+                  "the broker's, as stations reach it\nport = {}\n\n{}",
+                  plan.class_id, plan.label, made.host, made.port, retentionText(plan.retention)));
   return made;
 }
 
@@ -212,13 +213,15 @@ ClassFolder readClassFolder(const fs::path& folder) {
   } catch (const toml::parse_error& error) {
     throw Error::atLine(name, error.source().begin.line, error.description());
   }
-  const scene::TomlTable table(root, name, "a class", {"id", "label", "host", "port"});
+  const scene::TomlTable table(root, name, "a class",
+                               {"id", "label", "host", "port", "retain_days", "retain_samples_days"});
   ClassFolder read;
   read.folder = folder;
   table.read("id", read.class_id);
   table.read("label", read.label);
   table.read("host", read.host);
   table.read("port", read.port, NumberRange{1, 65535});
+  readRetention(table, read.retention);
   if (!isClassWord(read.class_id)) table.fail("id is a word of lower-case letters, digits and hyphens, at most 32");
   if (!isHost(read.host)) table.fail("host is the broker's name or address");
   std::error_code fault;

@@ -22,6 +22,7 @@ struct ClassPlan {
   int stations = 1;
   std::vector<std::string> hosts = {"localhost"};  ///< names and addresses of the broker; stations use the first
   int port = kStandardPort;
+  Retention retention;
 };
 
 struct ClassFolder {
@@ -30,6 +31,7 @@ struct ClassFolder {
   std::string label;
   std::string host;
   int port = kStandardPort;
+  Retention retention;
   std::vector<std::string> stations;  ///< names, in order
 
   std::filesystem::path broker() const { return folder / "broker"; }

@@ -68,9 +68,9 @@ training::Uuid uuidOfName(const std::string& text) {
 Member parseMember(std::string_view text, const std::filesystem::path& file) {
   const toml::table root = parsedToml(text, file);
   const std::string name = file.string();
-  const scene::TomlTable table(
-      root, name, "a member of a class",
-      {"role", "class", "name", "station_id", "host", "port", "authority", "certificate", "key"});
+  const scene::TomlTable table(root, name, "a member of a class",
+                               {"role", "class", "name", "station_id", "host", "port", "retain_days",
+                                "retain_samples_days", "authority", "certificate", "key"});
   Member member;
   member.role = roleOf(table);
   member.name = wordFor(member.role);
@@ -79,6 +79,7 @@ Member parseMember(std::string_view text, const std::filesystem::path& file) {
   table.read("station_id", member.station_id);
   table.read("host", member.host);
   table.read("port", member.port, kPortRange);
+  readRetention(table, member.retention);
   checkNames(table, member);
   const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
   member.authority = fileNamed(table, "authority", folder);
@@ -116,11 +117,24 @@ std::string memberText(const Member& member) {
                         member.station_id);
   }
   text += fmt::format("\n# The broker.\nhost = \"{}\"\nport = {}\n", member.host, member.port);
+  if (member.role == Role::station) text += "\n" + retentionText(member.retention);
   text += fmt::format(
       "\n# Beside this file: who signed the broker's certificate, and what this member shows. Whoever has the key is "
       "this\n# member.\nauthority = \"{}\"\ncertificate = \"{}\"\nkey = \"{}\"\n",
       member.authority.filename().string(), member.certificate.filename().string(), member.key.filename().string());
   return text;
+}
+
+void readRetention(const scene::TomlTable& table, Retention& retention) {
+  table.read("retain_days", retention.days, kRetentionDays);
+  table.read("retain_samples_days", retention.samples_days, kRetentionDays);
+}
+
+std::string retentionText(const Retention& retention) {
+  return fmt::format(
+      "# Days after a sitting for which rows, and session files, are kept; `palpate results purge` forgets what is "
+      "older.\nretain_days = {}\nretain_samples_days = {}\n",
+      retention.days, retention.samples_days);
 }
 
 bool isClassWord(std::string_view text) {

@@ -9,8 +9,13 @@
 #include <string>
 #include <string_view>
 
+#include "palpate/base/number_range.h"
 #include "palpate/base/words.h"
 #include "palpate/training/records/rows.h"
+
+namespace palpate::scene {
+class TomlTable;
+}
 
 namespace palpate::classroom {
 
@@ -23,6 +28,14 @@ enum class Role : std::uint8_t {
 
 inline constexpr int kStandardPort = 8883;  // MQTT over TLS, as registered
 
+/// For how long a class keeps what it records, whole days after a sitting (training::ClassRow).
+struct Retention {
+  int days = training::ClassRow().retain_days;                  ///< rows
+  int samples_days = training::ClassRow().retain_samples_days;  ///< session files
+  friend bool operator==(const Retention&, const Retention&) = default;
+};
+inline constexpr NumberRange kRetentionDays = {1, 36500};
+
 /// One who takes part.
 struct Member {
   Role role = Role::station;
@@ -31,6 +44,7 @@ struct Member {
   training::Uuid station_id;  ///< of its rows (training::StationRow::id); empty for the other roles
   std::string host = "localhost";
   int port = kStandardPort;
+  Retention retention;  ///< of a station's own records
   // Absolute, once read.
   std::filesystem::path authority;    ///< ca.crt: who signed the broker's certificate
   std::filesystem::path certificate;  ///< of this member
@@ -44,6 +58,10 @@ Member readMember(const std::filesystem::path& file_or_folder);
 Member parseMember(std::string_view text, const std::filesystem::path& file);
 /// With explanations; parseMember gives the same back. Files are named relative to the folder of the text's own.
 std::string memberText(const Member& member);
+
+/// `retain_days` and `retain_samples_days`; what is not said stays. Throws Error with the line.
+void readRetention(const scene::TomlTable& table, Retention& retention);
+std::string retentionText(const Retention& retention);
 
 /// A word that may stand in a topic and in a certificate: lower-case letters, digits and hyphens, at most 32.
 bool isClassWord(std::string_view text);

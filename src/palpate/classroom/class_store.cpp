@@ -183,4 +183,19 @@ bool ClassStore::erase(const Uuid& trainee, std::string_view actor) {
   return there;
 }
 
+training::Purged ClassStore::purge(std::int64_t now_ms) {
+  training::Purged purged;
+  training::SqlTransaction transaction(sql_);
+  for (const training::KeptLongEnough& of : training::keptLongEnough(tables_, now_ms)) {
+    for (const SittingRow& sitting : of.sittings) sql_.change("DELETE FROM session WHERE id = $1", {sitting.id});
+    purged.sittings += static_cast<int>(of.sittings.size());
+    if (of.nothing_left) purged.trainees += tables_.erase(of.trainee.id) ? 1 : 0;
+  }
+  sweeps_ = sweeps_ || purged.sittings + purged.trainees > 0;
+  if (sweeps_) tables_.note(training::utcMs(), "purge", "purged", std::to_string(purged.sittings) + " sittings");
+  transaction.commit();
+  sweep();
+  return purged;
+}
+
 }  // namespace palpate::classroom

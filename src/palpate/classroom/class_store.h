@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "palpate/classroom/postgres_sql.h"
+#include "palpate/training/records/deletion.h"
 #include "palpate/training/records/row_tables.h"
 
 namespace palpate::classroom {
@@ -46,6 +47,10 @@ class ClassStore {
 
   /// The trainee, everything of theirs, and whatever of theirs still comes. True: there was somebody.
   bool erase(const training::Uuid& trainee, std::string_view actor);
+
+  /// What the class has kept for long enough (training::keptLongEnough). Nobody is marked as deleted: whoever comes
+  /// back is welcome. One transaction.
+  training::Purged purge(std::int64_t now_ms);
 
   training::RowTables& rows() { return tables_; }
 

@@ -1,7 +1,6 @@
 #include "palpate/classroom/row_sink.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "palpate/base/error.h"
 #include "palpate/classroom/class_store.h"
@@ -17,7 +16,11 @@ constexpr std::string_view kDeleted = "deleted";  // in the file's audit
 
 class FileSink : public RowSink {
  public:
-  explicit FileSink(const std::filesystem::path& file) : store_(file, training::Store::Open::create_too) {}
+  FileSink(const std::filesystem::path& file, const std::optional<training::ClassRow>& of)
+      : store_(file, training::Store::Open::create_too) {
+    store_.holdCopies();
+    if (of) store_.keep(*of);
+  }
 
   Kept keep(std::span<const AnyRow> rows) override {
     Kept kept;
@@ -67,7 +70,8 @@ class FileSink : public RowSink {
 
 class DatabaseSink : public RowSink {
  public:
-  explicit DatabaseSink(std::string connection) : connection_(std::move(connection)) {}
+  DatabaseSink(std::string connection, const std::optional<training::ClassRow>& of)
+      : connection_(std::move(connection)), class_(of) {}
 
   Kept keep(std::span<const AnyRow> rows) override {
     if (!store_) {
@@ -75,20 +79,25 @@ class DatabaseSink : public RowSink {
     } else if (!store_->connected()) {
       store_->reconnect();
     }
+    if (class_) store_->rows().keep(*class_);
+    class_.reset();
     ClassStore::Kept kept = store_->keep(rows);
     return {std::move(kept.keys), kept.refused.size(), kept.refused.empty() ? std::string() : kept.refused.back().why};
   }
 
  private:
   std::string connection_;
+  std::optional<training::ClassRow> class_;  // until it is kept
   std::optional<ClassStore> store_;
 };
 
 }  // namespace
 
-std::unique_ptr<RowSink> fileSink(const std::filesystem::path& file) { return std::make_unique<FileSink>(file); }
-std::unique_ptr<RowSink> databaseSink(const std::string& connection) {
-  return std::make_unique<DatabaseSink>(connection);
+std::unique_ptr<RowSink> fileSink(const std::filesystem::path& file, const std::optional<training::ClassRow>& of) {
+  return std::make_unique<FileSink>(file, of);
+}
+std::unique_ptr<RowSink> databaseSink(const std::string& connection, const std::optional<training::ClassRow>& of) {
+  return std::make_unique<DatabaseSink>(connection, of);
 }
 
 }  // namespace palpate::classroom

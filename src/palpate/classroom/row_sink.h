@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -30,9 +31,13 @@ class RowSink {
   RowSink& operator=(const RowSink&) = default;
 };
 
+// `of`: the class whose rows these are, kept as its folder says; what stations say of it changes nothing.
+
 /// An SQLite file, made where there is none. Throws Error.
-std::unique_ptr<RowSink> fileSink(const std::filesystem::path& file);
+std::unique_ptr<RowSink> fileSink(const std::filesystem::path& file,
+                                  const std::optional<training::ClassRow>& of = std::nullopt);
 /// PostgreSQL, as libpq has it: "host=/run/postgresql dbname=class". A server that does not answer yet is waited for.
-std::unique_ptr<RowSink> databaseSink(const std::string& connection);
+std::unique_ptr<RowSink> databaseSink(const std::string& connection,
+                                      const std::optional<training::ClassRow>& of = std::nullopt);
 
 }  // namespace palpate::classroom

@@ -11,7 +11,9 @@
 #include <fstream>
 #include <set>
 
+#include "apps/palpate/train/results_commands.h"
 #include "palpate/base/error.h"
+#include "palpate/classroom/database_copy.h"
 #include "palpate/training/psychometric.h"
 #include "palpate/training/records/trainee_code.h"
 #include "study/page/study_page.h"
@@ -54,7 +56,7 @@ WantedTrainee wantedTrainee(const TrainingReportSettings& settings, training::St
     if (settings.trainee.size() >= kPseudonymLetters && row.id.starts_with(settings.trainee)) found.push_back(row.id);
   }
   if (found.size() == 1) return {found.front(), shortPseudonym(found.front())};
-  throw Error::inFile(settings.file.string(),
+  throw Error::inFile(store.file().string(),
                       found.empty() ? fmt::format("holds no trainee '{}'", settings.trainee)
                                     : fmt::format("holds {} trainees '{}...'", found.size(), settings.trainee));
 }
@@ -202,6 +204,7 @@ std::string devicesSentence(const TrainingReport& report) {
 }  // namespace
 
 bool isRecordsFile(const std::filesystem::path& file) {
+  if (classroom::isDatabaseAddress(file.string())) return true;
   if (file.extension() != ".results") return false;
   std::array<char, 16> begin{};
   std::ifstream stream(file, std::ios::binary);
@@ -210,15 +213,15 @@ bool isRecordsFile(const std::filesystem::path& file) {
 }
 
 TrainingReport trainingReport(const TrainingReportSettings& settings, const Progress& progress) {
-  palpate::report(progress, "reading " + settings.file.string(), 0.0);
-  training::Store store(settings.file, training::Store::Open::read_only);
+  palpate::report(progress, "reading", 0.0);
+  training::Store store = recordsAt(settings.file.string(), training::Store::Open::read_only);
   TrainingReport report;
-  report.file = settings.file;
+  report.file = store.file();
   report.record = training::trainingRecord(store, [&](const training::TraineeRow& row) {
     return settings.only_class.empty() || row.class_id == settings.only_class;
   });
   if (!settings.only_class.empty() && report.record.trainees.empty()) {
-    throw Error::inFile(settings.file.string(), fmt::format("holds no trainee of a class '{}'", settings.only_class));
+    throw Error::inFile(report.file.string(), fmt::format("holds no trainee of a class '{}'", settings.only_class));
   }
   palpate::report(progress, "computing", 0.0);
   if (!settings.trainee.empty()) {

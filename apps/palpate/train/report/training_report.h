@@ -56,7 +56,7 @@ std::vector<std::string> trainingSentences(const TrainingReport& report);
 /// One HTML page that needs nothing else, well-formed, with all numbers as JSON in it. Draws its pictures.
 std::string trainingPage(const TrainingReport& report, const Progress& progress);
 
-/// Whether the file is one of training's records: SQLite with our tables.
+/// Whether the file is one of training's records (SQLite with our tables), or the address of a class's database.
 bool isRecordsFile(const std::filesystem::path& file);
 
 /// What no number here shows.

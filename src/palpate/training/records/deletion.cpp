@@ -38,65 +38,91 @@ void sweepFile(Store& store) { store.rows().sql().run("VACUUM; PRAGMA wal_checkp
 
 std::int64_t endOf(const SittingRow& sitting) { return std::max(sitting.start_ms, sitting.end_ms); }
 
-}  // namespace
+enum class Tell : std::uint8_t { nobody, the_class };
 
-Deleted deleteTrainee(Store& store, const Uuid& trainee, std::string_view actor) {
+/// Files and rows of somebody who is in the records.
+Deleted forget(Store& store, const TraineeRow& trainee, std::string_view actor, Tell tell) {
   SessionFiles files(store);
-  const std::optional<TraineeRow> row = store.trainee(trainee);
-  Deleted deleted{.found = row.has_value()};
-  if (!row) return deleted;
-  if (!row->key_ref.empty()) deleted.key = files.vault().destroy(row->key_ref);
-  const std::vector<SittingRow> sittings = store.sittings(trainee);
+  Deleted deleted{.found = true};
+  if (!trainee.key_ref.empty()) deleted.key = files.vault().destroy(trainee.key_ref);
+  const std::vector<SittingRow> sittings = store.sittings(trainee.id);
   for (const SittingRow& sitting : sittings) deleted.files += removeFilesOf(files, sitting.id);
 
   RowTables& rows = store.rows();
   const std::int64_t trials_before = rows.trialCount();
   SqlTransaction transaction(rows.sql());
   for (const SittingRow& sitting : sittings) forgetWaiting(store, sitting.id);
-  rows.sql().change("DELETE FROM outbox WHERE subject = $1", {trainee});
-  rows.erase(trainee);
-  const std::int64_t now = utcMs();
-  rows.note(now, actor, "deleted", deletedMark(trainee));
-  if (store.fillsOutbox()) store.queueDeletion({deletedMark(trainee), now});
+  rows.sql().change("DELETE FROM outbox WHERE subject = $1", {trainee.id});
+  rows.erase(trainee.id);
+  if (tell == Tell::the_class) {
+    const std::int64_t now = utcMs();
+    rows.note(now, actor, "deleted", deletedMark(trainee.id));
+    if (store.fillsOutbox()) store.queueDeletion({deletedMark(trainee.id), now});
+  }
   transaction.commit();
   deleted.sittings = static_cast<int>(sittings.size());
   deleted.trials = static_cast<int>(trials_before - rows.trialCount());
+  return deleted;
+}
+
+void purgeRows(Store& store, const SittingRow& sitting) {
+  SqlTransaction transaction(store.rows().sql());
+  forgetWaiting(store, sitting.id);
+  store.rows().sql().change("DELETE FROM session WHERE id = $1", {sitting.id});
+  transaction.commit();
+}
+
+}  // namespace
+
+Deleted deleteTrainee(Store& store, const Uuid& trainee, std::string_view actor) {
+  const std::optional<TraineeRow> row = store.trainee(trainee);
+  if (!row) return {};
+  const Deleted deleted = forget(store, *row, actor, Tell::the_class);
   sweepFile(store);
   return deleted;
 }
 
-Purged purge(Store& store, std::int64_t now_ms, bool really) {
-  SessionFiles files(store);
+std::vector<KeptLongEnough> keptLongEnough(RowTables& rows, std::int64_t now_ms) {
   std::map<std::string, ClassRow> classes;
-  for (const ClassRow& row : store.classes()) classes[row.id] = row;
-  Purged purged;
-  for (const TraineeRow& trainee : store.trainees()) {
+  for (const ClassRow& row : rows.classes()) classes[row.id] = row;
+  std::vector<KeptLongEnough> all;
+  for (const TraineeRow& trainee : rows.trainees()) {
     const auto found = classes.find(trainee.class_id);
     if (found == classes.end()) continue;
     const std::int64_t oldest_rows = now_ms - kDayMs * found->second.retain_days;
     const std::int64_t oldest_files = now_ms - kDayMs * found->second.retain_samples_days;
-    bool left = trainee.created_ms >= oldest_rows;
-    for (SittingRow& sitting : store.sittings(trainee.id)) {
+    KeptLongEnough of;
+    of.trainee = trainee;
+    of.nothing_left = trainee.created_ms < oldest_rows;
+    for (const SittingRow& sitting : rows.sittings(trainee.id)) {
       const bool old = endOf(sitting) < oldest_rows;
-      left = left || !old;
-      const bool old_file = endOf(sitting) < std::max(oldest_files, oldest_rows) && !files.filesOf(sitting.id).empty();
-      purged.sittings += old ? 1 : 0;
-      purged.files += old_file ? 1 : 0;
-      if (!really) continue;
-      if (old_file) removeFilesOf(files, sitting.id);
-      SqlTransaction transaction(store.rows().sql());
-      if (old) {
-        forgetWaiting(store, sitting.id);
-        store.rows().sql().change("DELETE FROM session WHERE id = $1", {sitting.id});
-      } else if (old_file) {
-        store.rows().sql().change("UPDATE session SET file = '' WHERE id = $1", {sitting.id});
-      }
-      transaction.commit();
+      of.nothing_left = of.nothing_left && old;
+      if (old) of.sittings.push_back(sitting);
+      if (endOf(sitting) < std::max(oldest_files, oldest_rows)) of.files.push_back(sitting);
     }
-    purged.trainees += left ? 0 : 1;
-    if (really && !left) deleteTrainee(store, trainee.id, "purge");
+    all.push_back(std::move(of));
   }
-  if (really && purged.sittings + purged.files > 0) {
+  return all;
+}
+
+Purged purge(Store& store, std::int64_t now_ms, bool really) {
+  SessionFiles files(store);
+  Purged purged;
+  for (const KeptLongEnough& of : keptLongEnough(store.rows(), now_ms)) {
+    for (const SittingRow& sitting : of.files) {
+      if (files.filesOf(sitting.id).empty()) continue;
+      ++purged.files;
+      if (!really) continue;
+      removeFilesOf(files, sitting.id);
+      store.rows().sql().change("UPDATE session SET file = '' WHERE id = $1", {sitting.id});
+    }
+    purged.sittings += static_cast<int>(of.sittings.size());
+    purged.trainees += of.nothing_left ? 1 : 0;
+    if (!really) continue;
+    for (const SittingRow& sitting : of.sittings) purgeRows(store, sitting);
+    if (of.nothing_left) forget(store, of.trainee, "purge", Tell::nobody);
+  }
+  if (really && purged.sittings + purged.files + purged.trainees > 0) {
     store.rows().note(utcMs(), "purge", "purged", std::to_string(purged.sittings) + " sittings");
     sweepFile(store);
   }

@@ -2,12 +2,15 @@
 //
 //   deleteTrainee: key ─ session files ─ rows ─ what waits for the class ─ a notice to the class ─ the file rewritten
 //
+//   purge: what keptLongEnough says, of each trainee; nobody else is told
+//
 // In this order, so that after a power cut in between nothing readable is left that nobody knows of: doing it again
 // finishes it. What was exported or sent elsewhere is elsewhere; a class learns by the notice.
 #pragma once
 
 #include <cstdint>
 #include <string_view>
+#include <vector>
 
 #include "palpate/training/records/session_files.h"
 #include "palpate/training/records/store.h"
@@ -26,14 +29,24 @@ struct Deleted {
 /// are. Throws Error.
 Deleted deleteTrainee(Store& store, const Uuid& trainee, std::string_view actor);
 
+/// What has been kept of one trainee for as long as their class said.
+struct KeptLongEnough {
+  TraineeRow trainee;
+  std::vector<SittingRow> sittings;  ///< whose rows are to go
+  std::vector<SittingRow> files;     ///< whose session files are to go: these, and younger ones
+  bool nothing_left = false;         ///< the trainee goes too
+};
+/// By the days of each trainee's class; of trainees without one nothing. `now_ms`: since 1970.
+std::vector<KeptLongEnough> keptLongEnough(RowTables& rows, std::int64_t now_ms);
+
 struct Purged {
   int sittings = 0;  ///< with their rows, older than the class keeps them
   int files = 0;     ///< session files, older than the class keeps those
   int trainees = 0;  ///< of whom nothing was left
 };
 
-/// By the days of each trainee's class; of trainees without one nothing. `now_ms`: since 1970. `really`: else it is
-/// only counted.
+/// Forgets what `keptLongEnough` says. A class is told nothing: it keeps what it has by its own days, and who is gone
+/// here may have sat elsewhere since. `really`: else it is only counted.
 Purged purge(Store& store, std::int64_t now_ms, bool really);
 
 }  // namespace palpate::training

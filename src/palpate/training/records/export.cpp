@@ -48,7 +48,8 @@ std::string csvLine(const R& row) {
   bool first = true;
   eachField(
       [&](const char* /*name*/, const auto& value, const FieldRule& /*rule*/) {
-        line += (first ? "" : ",") + csvCell(value);
+        if (!first) line += ',';
+        line += csvCell(value);
         first = false;
       },
       row);

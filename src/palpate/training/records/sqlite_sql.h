@@ -12,7 +12,9 @@ namespace palpate::training {
 
 class SqliteSql : public Sql {
  public:
-  SqliteSql(const std::filesystem::path& file, trace::Database::Mode mode) : database_(file, mode) {}
+  /// `called`: in messages, instead of the file's name.
+  SqliteSql(const std::filesystem::path& file, trace::Database::Mode mode, const std::filesystem::path& called = {})
+      : database_(file, mode, called) {}
 
   Dialect dialect() const override { return Dialect::sqlite; }
   void run(const std::string& statements) override { database_.run(statements); }

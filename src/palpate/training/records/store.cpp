@@ -11,7 +11,19 @@ namespace fs = std::filesystem;
 
 /// As tools see it that ask a file what it is: schema.cpp writes it.
 constexpr std::int64_t kOurApplicationId = 0x50616c52;
+// Settings that are on or off.
 constexpr const char* kOutboxSetting = "outbox";
+constexpr const char* kCopiesSetting = "copies";
+
+bool isOn(Sql& sql, const char* setting) {
+  return !sql.ask("SELECT value FROM setting WHERE name = $1 AND value = 'on'", {std::string(setting)}).empty();
+}
+
+void turn(Sql& sql, const char* setting, bool on) {
+  sql.change(
+      "INSERT INTO setting (name, value) VALUES ($1, $2) ON CONFLICT (name) DO UPDATE SET value = excluded.value",
+      {std::string(setting), std::string(on ? "on" : "off")});
+}
 
 /// A file of nothing: whoever made it was killed before there was a table in it.
 void makeEmptyFile(const fs::path& file) {
@@ -64,11 +76,13 @@ struct Store::Tables {
   std::unique_ptr<SqliteSql> sql;
   RowTables rows;
   bool outbox = false;
+  bool copies = false;
 
-  Tables(const fs::path& named, Open how) : file(named), sql(openedRecords(named, how)), rows(*sql) {
+  Tables(const fs::path& named, std::unique_ptr<SqliteSql> opened, Open how)
+      : file(named), sql(std::move(opened)), rows(*sql) {
     settle(*sql, file, how);
-    outbox =
-        !sql->ask("SELECT value FROM setting WHERE name = $1 AND value = 'on'", {std::string(kOutboxSetting)}).empty();
+    outbox = isOn(*sql, kOutboxSetting);
+    copies = isOn(*sql, kCopiesSetting);
   }
 
   void queue(const AnyRow& row) {
@@ -93,7 +107,14 @@ struct Store::Tables {
   }
 };
 
-Store::Store(const fs::path& file, Open how) : tables_(std::make_unique<Tables>(file, how)) {}
+Store::Store(const fs::path& file, Open how) : tables_(std::make_unique<Tables>(file, openedRecords(file, how), how)) {}
+Store::Store(std::unique_ptr<Tables> tables) : tables_(std::move(tables)) {}
+Store Store::inMemory(const std::string& called) {
+  auto sql = std::make_unique<SqliteSql>(":memory:", trace::Database::Mode::create, called);
+  Store store(std::make_unique<Tables>(called, std::move(sql), Open::create_too));
+  store.holdCopies();
+  return store;
+}
 Store::~Store() = default;
 Store::Store(Store&&) noexcept = default;
 
@@ -134,10 +155,7 @@ std::optional<BlockRow> Store::lastMeasured(const Uuid& trainee) { return tables
 void Store::fillOutbox(bool on) {
   if (on == tables_->outbox) return;
   SqlTransaction transaction(*tables_->sql);
-  tables_->sql->change(
-      "INSERT INTO setting (name, value) VALUES ($1, $2) ON CONFLICT (name) DO UPDATE SET value = "
-      "excluded.value",
-      {std::string(kOutboxSetting), std::string(on ? "on" : "off")});
+  turn(*tables_->sql, kOutboxSetting, on);
   if (on) {
     for (const AnyRow& row : tables_->rows.all()) tables_->queue(row);
   }
@@ -146,6 +164,13 @@ void Store::fillOutbox(bool on) {
 }
 
 bool Store::fillsOutbox() const { return tables_->outbox; }
+
+void Store::holdCopies() {
+  if (!tables_->copies) turn(*tables_->sql, kCopiesSetting, true);
+  tables_->copies = true;
+}
+
+bool Store::holdsCopies() const { return tables_->copies; }
 
 void Store::queueDeletion(const DeletionRow& notice) { tables_->queue(notice); }
 

@@ -32,6 +32,8 @@ class Store {
   /// Brings an older schema forward, inside one transaction. Throws Error for what is no such file, or of a newer
   /// schema.
   Store(const std::filesystem::path& file, Open how);
+  /// Empty, gone with the object, for copies of what another database holds; messages call it so.
+  static Store inMemory(const std::string& called);
   ~Store();
   Store(Store&&) noexcept;
 
@@ -71,14 +73,19 @@ class Store {
   void acknowledged(std::span<const Uuid> rows);       ///< away with them, durable
   std::size_t waitingCount();
 
+  /// Remembered in the file: rows of other computers, of a class; the session files that they name lie there.
+  void holdCopies();
+  bool holdsCopies() const;
+
   /// For what reads the records of a station and of a class alike, and for `deletion.h`.
   RowTables& rows();
 
-  const std::filesystem::path& file() const;
-  std::filesystem::path folder() const;  ///< of the file: session files lie in it
+  const std::filesystem::path& file() const;  ///< what it is called, where it is in memory
+  std::filesystem::path folder() const;       ///< of the file: session files lie in it
 
  private:
   struct Tables;
+  explicit Store(std::unique_ptr<Tables> tables);
   std::unique_ptr<Tables> tables_;
 };
 

@@ -1,0 +1,22 @@
+// What a class's PostgreSQL holds at one moment, as records that everything which reads a station's file reads too:
+// lists, exports, verification, reports.
+//
+//   PostgreSQL ─ one snapshot ─► Store in memory ─► results, reports
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "palpate/training/records/store.h"
+
+namespace palpate::classroom {
+
+/// "postgresql://...", or words as libpq has them: "host=/run/postgresql dbname=class". Anything else is a file.
+bool isDatabaseAddress(std::string_view text);
+
+/// The collector may go on meanwhile. The copy is called "database NAME", never by the address, which may hold a
+/// password. Throws DatabaseAway, or Error for a database that holds no training records of this version; nothing is
+/// made or brought forward there.
+training::Store copyOfDatabase(const std::string& address);
+
+}  // namespace palpate::classroom
