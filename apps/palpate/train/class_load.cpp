@@ -125,6 +125,12 @@ class LoadedStation {
   std::unique_ptr<StationLink> link_;
 };
 
+/// Of the station that is loaded as the i-th.
+const std::string& loadedName(const classroom::ClassFolder& folder, const ClassLoadSettings& load, int i) {
+  const int at = load.first - 1 + i;
+  return folder.stations.at(static_cast<std::size_t>(at));
+}
+
 /// The instructor: counts live samples and how long they took.
 class LoadViewer {
  public:
@@ -132,7 +138,7 @@ class LoadViewer {
     classroom::MqttSettings settings = classroom::linkOf(classroom::readMember(folder.instructor()));
     settings.client_id += fmt::format("-load-{}", load.first);
     for (int i = 0; i < load.stations; ++i) {
-      const std::string& name = folder.stations[static_cast<std::size_t>(load.first - 1 + i)];
+      const std::string& name = loadedName(folder, load, i);
       settings.subscriptions.push_back({classroom::topicText({folder.class_id, name, "live"}), 0});
     }
     link_ = std::make_unique<classroom::MqttLink>(
@@ -169,7 +175,7 @@ using Stations = std::vector<std::unique_ptr<LoadedStation>>;
 Stations stationsOf(const classroom::ClassFolder& folder, const ClassLoadSettings& settings) {
   Stations stations;
   for (int i = 0; i < settings.stations; ++i) {
-    const std::string& name = folder.stations[static_cast<std::size_t>(settings.first - 1 + i)];
+    const std::string& name = loadedName(folder, settings, i);
     stations.push_back(std::make_unique<LoadedStation>(classroom::readMember(folder.station(name)),
                                                        settings.folder / (name + ".results"),
                                                        static_cast<std::uint64_t>(settings.first + i)));
