@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <set>
+#include <thread>
+#include <utility>
 
 #include "palpate/classroom/database_copy.h"
 #include "palpate/classroom/row_sink.h"
@@ -212,6 +214,28 @@ TEST_F(ClassStoreTest, ACopyInMemoryHoldsEveryRowAndNeverSaysTheAddress) {
   training::Store copy = copyOfDatabase(connection_);
   EXPECT_EQ(samples::saidAll(copy.rows().all()), samples::saidAll(store.rows().all()));
   EXPECT_EQ(copy.file(), "database acopyinmemoryholdseveryrowandneversaystheaddress");
+}
+
+TEST_F(ClassStoreTest, ACopyIsOfOneMomentWhileTheCollectorGoesOn) {
+  const samples::History history = samples::history(1, 1, 0);
+  ClassStore(connection_).keep(history.rows);
+  std::jthread collector([&](const std::stop_token& ending) {
+    ClassStore store(connection_);
+    for (std::uint64_t number = 100; !ending.stop_requested(); ++number) {
+      const training::TraineeRow trainee = samples::trainee(std::to_string(number));
+      const training::SittingRow sitting = samples::sitting(trainee, number);
+      const std::vector<AnyRow> rows = {trainee, sitting, samples::block(sitting, number)};
+      store.keep(rows);
+    }
+  });
+  std::size_t seen = 0;
+  for (int i = 0; i < 20; ++i) {
+    training::Store copy = copyOfDatabase(connection_);
+    const std::size_t trainees = copy.trainees().size();
+    EXPECT_EQ(copy.sittings().size(), trainees);
+    EXPECT_GE(trainees, std::exchange(seen, trainees));
+  }
+  EXPECT_GT(seen, 1u);
 }
 
 TEST_F(ClassStoreTest, AStrangersDatabaseIsNotCopiedAndGetsNoTables) {
