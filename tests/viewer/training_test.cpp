@@ -15,6 +15,7 @@
 #include "apps/viewer/training/voice.h"
 #include "apps/viewer/viewer.h"
 #include "palpate/base/error.h"
+#include "palpate/classroom/class_folder.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/trace/database.h"
 #include "palpate/trace/session_reader.h"
@@ -453,7 +454,8 @@ std::shared_ptr<const scene::World> smallTorso() {
 class TrainingSeat {
  public:
   explicit TrainingSeat(const std::filesystem::path& records, std::optional<SittingKind> kind = {},
-                        const training::Protocol& protocol = training::builtInProtocol()) {
+                        const training::Protocol& protocol = training::builtInProtocol(),
+                        const std::optional<classroom::Member>& member = {}) {
     ViewerSettings settings;
     settings.intro = false;
     settings.output_folder = records.parent_path();
@@ -461,7 +463,8 @@ class TrainingSeat {
     settings.training->records = records;
     settings.training->protocol = protocol;
     settings.training->seed = 5;
-    settings.training->desk = {.code = someCode(), .kind = kind};
+    settings.training->desk = {.class_id = member ? member->class_id : "", .code = someCode(), .kind = kind};
+    settings.training->member = member;
     ViewState state;
     state.look.shading = view::Shading::gouraud;  // quick to draw
     viewer = std::make_unique<Viewer>(smallTorso(), state, std::move(settings));
@@ -634,6 +637,34 @@ TEST_F(TrainingWindow, KeepsEachAnswerAtOnceWithItsTicksInTheSessionFile) {
     return true;
   });
   EXPECT_NEAR(peak_n, kept.peak_force_n, 1e-6) << "the file has what the trial was about";
+}
+
+TEST_F(TrainingWindow, OfAClassSaysAnewWhoSitsAndForHowLongThingsAreKept) {
+  classroom::ClassPlan plan{.class_id = "osteo-1", .port = 1};  // where no broker listens
+  plan.retention = {.days = 30, .samples_days = 10};
+  const classroom::ClassFolder made = classroom::makeClassFolder(folder / "class", plan);
+  const training::TraineeRow known{training::pseudonymOf("osteo-1", someCode()), "osteo-1", 1, "left", true, ""};
+  {  // was here years ago, and the class knows all of it
+    training::Store store(records, training::Store::Open::create_too);
+    store.keep(known);
+    store.fillOutbox(true);
+    for (const training::OutboxEntry& entry : store.waiting(100)) store.acknowledged({&entry.row, 1});
+  }
+  {
+    TrainingSeat stage(records, SittingKind::practice, training::builtInProtocol(),
+                       classroom::readMember(made.station("s01")));
+    ASSERT_TRUE(stage.settled());
+    stage.viewer->finish();
+  }
+  training::Store store(records, training::Store::Open::existing);
+  const training::ClassRow kept = store.classes().at(0);
+  EXPECT_EQ(kept.retain_days, 30);
+  EXPECT_EQ(kept.retain_samples_days, 10);
+  std::vector<std::string> waiting;
+  for (const training::OutboxEntry& entry : store.waiting(100)) waiting.push_back(entry.kind);
+  const auto trainee = std::ranges::find(waiting, "trainee");
+  EXPECT_NE(trainee, waiting.end());
+  EXPECT_LT(trainee, std::ranges::find(waiting, "session")) << "before what refers to it";
 }
 
 TEST_F(TrainingWindow, GoesOnWithABlockWhereItStopped) {
