@@ -24,8 +24,11 @@ void startPalpate(const std::string& arguments, const std::filesystem::path& in)
   ASSERT_EQ(std::system(line.c_str()), 0);
 }
 
-/// Likely free: of the ports that no service has.
-std::string somePort() { return std::to_string(20000 + getpid() % 12000); }
+/// Likely free: of the ports that no service has; another each time, for what was started may run on for a while.
+std::string somePort() {
+  static int asked = 0;
+  return std::to_string(20000 + (getpid() + 1000 * asked++) % 12000);
+}
 
 TEST(ClassCommand, InitMakesAFolderOnce) {
   const TemporaryFolder folder;
@@ -84,6 +87,33 @@ TEST(ClassCommand, CheckSaysNoWithoutABrokerAndOkWithOne) {
   EXPECT_TRUE(board["connected"]);
   ASSERT_EQ(board["tiles"].size(), 3U);
   for (const auto& tile : board["tiles"]) EXPECT_FALSE(tile["online"]) << tile.dump();
+}
+
+TEST(ClassCommand, AStationThatWasRemovedIsLetInNoLongerAndServeNoticesByItself) {
+  if (classroom::brokerProgram().empty()) GTEST_SKIP() << "mosquitto is not installed (apt install mosquitto)";
+  const TemporaryFolder folder;
+  ASSERT_EQ(runPalpate("class init osteo --class osteo-1 --stations 2 --port " + somePort(), folder.path()).exit_code,
+            0);
+  std::filesystem::copy(folder / "osteo/stations/s02", folder / "lost", std::filesystem::copy_options::recursive);
+  startPalpate("class serve osteo --broker --seconds 25", folder.path());
+  const auto comesIn = [&](const char* who) {
+    return runPalpate(std::string("class check ") + who, folder.path()).exit_code == 0;
+  };
+  ASSERT_TRUE(support::waitFor([&] { return comesIn("lost"); })) << support::contentOf(folder / "serve.log");
+
+  const auto unsure = runPalpate("class remove-station osteo s02", folder.path());
+  EXPECT_EQ(unsure.exit_code, 1) << "nobody typed yes";
+  EXPECT_TRUE(std::filesystem::exists(folder / "osteo/stations/s02"));
+  EXPECT_EQ(runPalpate("class remove-station osteo s07 --yes", folder.path()).exit_code, 2);
+  const auto removed = runPalpate("class remove-station osteo s02 --yes", folder.path());
+  EXPECT_EQ(removed.exit_code, 0) << removed.err;
+  EXPECT_TRUE(support::waitFor([&] { return !comesIn("lost"); }));
+  EXPECT_EQ(runPalpate("class add-station osteo s02", folder.path()).exit_code, 0);
+  for (const char* who : {"osteo/stations/s01", "osteo/stations/s02", "osteo"}) {
+    EXPECT_TRUE(support::waitFor([&] { return comesIn(who); })) << who << support::contentOf(folder / "serve.log");
+  }
+  EXPECT_FALSE(comesIn("lost"));
+  EXPECT_NE(support::contentOf(folder / "serve.log").find("a station was removed"), std::string::npos);
 }
 
 TEST(ClassCommand, AStationsFolderIsNoInstructors) {

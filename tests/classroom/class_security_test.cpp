@@ -54,6 +54,19 @@ TEST_F(ClassSecurityTest, NobodyWithoutACertificateOfThisClassComesIn) {
   EXPECT_TRUE(staysOut(stranger));
 }
 
+TEST_F(ClassSecurityTest, AStationThatWasRemovedStaysOutAndTheOthersComeIn) {
+  const std::filesystem::path lost = temporary_ / "lost";  // a stick with all that the station had
+  std::filesystem::copy(folder_.station("s02"), lost, std::filesystem::copy_options::recursive);
+  EXPECT_FALSE(staysOut(linkOf(readMember(lost))));
+  removeStation(folder_, "s02");
+  broker_->restart();
+  EXPECT_TRUE(staysOut(linkOf(readMember(lost))));
+  addStation(folder_, "s02");
+  for (const Member& member : {station("s01"), station("s02"), instructor(), ingest()}) {
+    EXPECT_FALSE(staysOut(linkOf(member))) << member.name;
+  }
+}
+
 TEST_F(ClassSecurityTest, AStationDoesNotTalkToABrokerOfAnotherClass) {
   const ClassFolder other = makeClassFolder(temporary_ / "other", brokers::smallClass(2, folder_.port));
   MqttSettings misled = linkOf(station("s01"));

@@ -1,6 +1,7 @@
 // `palpate class`: a class over the network; each subcommand has a file of its own, the two that make folders are here.
 #include <fmt/format.h>
 
+#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -8,7 +9,9 @@
 
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/number_option.h"
+#include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/train/class_commands.h"
+#include "palpate/base/text.h"
 #include "palpate/classroom/class_folder.h"
 
 namespace palpate::app {
@@ -44,10 +47,29 @@ void runClassInit(const ClassInitArguments& arguments) {
   fmt::print("Does it work?       palpate class check {}\n", arguments.folder);
 }
 
-struct AddStationArguments {
+struct StationArguments {
   std::string folder;
   std::string name;
+  bool yes = false;
 };
+
+void runRemoveStation(const StationArguments& arguments) {
+  const classroom::ClassFolder folder = classroom::readClassFolder(arguments.folder);
+  if (!arguments.yes) {
+    say(fmt::format("Let station {} in no longer? Its certificate stays revoked for ever. Type yes: ", arguments.name));
+    std::string answer;
+    std::getline(std::cin, answer);
+    if (trimmed(answer) != "yes") {
+      fmt::print(stderr, "nothing was removed (--yes does not ask)\n");
+      throw CLI::RuntimeError(1);
+    }
+  }
+  classroom::removeStation(folder, arguments.name);
+  fmt::print(
+      "{} is let in no longer. `palpate class serve --broker` notices by itself; start another broker again.\n"
+      "The name is free: palpate class add-station {} {}\n",
+      arguments.name, arguments.folder, arguments.name);
+}
 
 }  // namespace
 
@@ -73,7 +95,7 @@ void addClassInitCommand(CLI::App& parent) {
 }
 
 void addClassAddStationCommand(CLI::App& parent) {
-  const auto arguments = std::make_shared<AddStationArguments>();
+  const auto arguments = std::make_shared<StationArguments>();
   CLI::App& command = *parent.add_subcommand("add-station", "One more station; the broker need not be told");
   command.add_option("DIR", arguments->folder, "Folder of the class")->required();
   command.add_option("NAME", arguments->name, "What it is called; without a name the next number");
@@ -84,11 +106,21 @@ void addClassAddStationCommand(CLI::App& parent) {
   });
 }
 
+void addClassRemoveStationCommand(CLI::App& parent) {
+  const auto arguments = std::make_shared<StationArguments>();
+  CLI::App& command = *parent.add_subcommand("remove-station", "Let a station in no longer: its folder was lost");
+  command.add_option("DIR", arguments->folder, "Folder of the class")->required();
+  command.add_option("NAME", arguments->name, "Which station: s01")->required();
+  command.add_flag("--yes", arguments->yes, "Do not ask");
+  command.callback([arguments] { runRemoveStation(*arguments); });
+}
+
 void addClassCommand(CLI::App& app) {
   CLI::App& command = *app.add_subcommand("class", "A class over the network: broker, collector, instructor's view");
   command.require_subcommand(1);
   addClassInitCommand(command);
   addClassAddStationCommand(command);
+  addClassRemoveStationCommand(command);
   addClassServeCommand(command);
   addClassCheckCommand(command);
   addClassWatchCommand(command);

@@ -11,6 +11,7 @@ namespace palpate::app {
 // `parent` is the class command.
 void addClassInitCommand(CLI::App& parent);
 void addClassAddStationCommand(CLI::App& parent);
+void addClassRemoveStationCommand(CLI::App& parent);
 void addClassServeCommand(CLI::App& parent);
 void addClassCheckCommand(CLI::App& parent);
 void addClassWatchCommand(CLI::App& parent);

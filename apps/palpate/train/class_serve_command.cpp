@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -66,24 +67,49 @@ std::string textOf(const classroom::CollectorReport& report) {
   return text;
 }
 
-/// Starts a broker that died again; a port that is still taken is tried until it is free.
-void attendBroker(std::optional<classroom::BrokerProcess>& broker) {
-  if (!broker || broker->running()) return;
-  try {
-    broker->restart();
-    say("palpate: the broker had ended and was started again\n");
-  } catch (const Error& error) {
-    say(fmt::format("palpate: {}\n", error.what()));
-  }
+/// When a station was last removed; nothing: never.
+std::optional<std::filesystem::file_time_type> lastRemoval(const classroom::ClassFolder& folder) {
+  std::error_code none;
+  const auto time = std::filesystem::last_write_time(folder.revocationList(), none);
+  return none ? std::nullopt : std::optional(time);
 }
+
+/// Starts a broker again that died, or that must read whom it lets in no longer; a port that is still taken is tried
+/// until it is free.
+class BrokerKeeper {
+ public:
+  explicit BrokerKeeper(const classroom::ClassFolder& folder)
+      : folder_(folder), broker_(folder, folder.broker() / "broker.log"), removal_(lastRemoval(folder)) {}
+
+  bool running() { return broker_.running(); }
+  void attend() {
+    const auto removal = lastRemoval(folder_);
+    const bool removed = removal != removal_;
+    if (!removed && broker_.running()) return;
+    try {
+      if (removed) classroom::writeBrokerConfiguration(folder_);
+      broker_.restart();
+      removal_ = removal;
+      say(removed ? "palpate: a station was removed; the broker was started again\n"
+                  : "palpate: the broker had ended and was started again\n");
+    } catch (const Error& error) {
+      say(fmt::format("palpate: {}\n", error.what()));
+    }
+  }
+
+ private:
+  const classroom::ClassFolder& folder_;
+  classroom::BrokerProcess broker_;
+  std::optional<std::filesystem::file_time_type> removal_;
+};
 
 void runClassServe(const ClassServeArguments& arguments) {
   const classroom::ClassFolder folder = classroom::readClassFolder(arguments.folder);
   classroom::Member member = classroom::readMember(folder.ingest());
   const FinishesInOrder in_order;
-  std::optional<classroom::BrokerProcess> broker;
+  std::optional<BrokerKeeper> broker;
   if (arguments.broker) {
-    broker.emplace(folder, folder.broker() / "broker.log");
+    broker.emplace(folder);
     member.host = "localhost";
   }
   auto sink = sinkFor(arguments, folder);
@@ -97,7 +123,7 @@ void runClassServe(const ClassServeArguments& arguments) {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
     if (Clock::now() < next) continue;
     next += std::chrono::seconds(1);
-    attendBroker(broker);
+    if (broker) broker->attend();
     const classroom::CollectorReport report = collector.report();
     if (arguments.json) {
       fmt::print("{}\n", jsonOf(report, broker && broker->running()).dump());

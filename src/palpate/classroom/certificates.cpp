@@ -29,6 +29,9 @@ using KeyHandle = std::unique_ptr<EVP_PKEY, Releases<EVP_PKEY_free>>;
 using CertificateHandle = std::unique_ptr<X509, Releases<X509_free>>;
 using BioHandle = std::unique_ptr<BIO, Releases<BIO_free_all>>;
 using NumberHandle = std::unique_ptr<BIGNUM, Releases<BN_free>>;
+using ListHandle = std::unique_ptr<X509_CRL, Releases<X509_CRL_free>>;
+using RevokedHandle = std::unique_ptr<X509_REVOKED, Releases<X509_REVOKED_free>>;
+using TimeHandle = std::unique_ptr<ASN1_TIME, Releases<ASN1_TIME_free>>;
 using ExtensionHandle = std::unique_ptr<X509_EXTENSION, Releases<X509_EXTENSION_free>>;
 
 [[noreturn]] void refuseCertificate(const char* what) {
@@ -69,6 +72,14 @@ KeyHandle keyFrom(const std::string& pem) {
   return key;
 }
 
+constexpr long kDayS = 86400;
+
+TimeHandle timeIn(int days) {
+  TimeHandle time(X509_gmtime_adj(nullptr, days * kDayS));
+  mustBe(time != nullptr, "dating it");
+  return time;
+}
+
 /// A certificate that is being made.
 class Draft {
  public:
@@ -81,7 +92,6 @@ class Draft {
     mustBe(serial && BN_rand(serial.get(), kSerialBits, BN_RAND_TOP_ONE, BN_RAND_BOTTOM_ANY) == 1 &&
                BN_to_ASN1_INTEGER(serial.get(), X509_get_serialNumber(x)) != nullptr,
            "drawing its number");
-    constexpr long kDayS = 86400;
     X509_gmtime_adj(X509_getm_notBefore(x), -kDayS);  // clocks of a class differ
     X509_gmtime_adj(X509_getm_notAfter(x), days * kDayS);
     X509_set_pubkey(x, key_.get());
@@ -148,6 +158,32 @@ Certified makeServerCertificate(const Certified& authority, const std::vector<st
 
 Certified makeMemberCertificate(const Certified& authority, const std::string& name) {
   return issued(authority, name, "clientAuth", {});
+}
+
+std::string makeRevocationList(const Certified& authority, const std::vector<std::string>& certificates) {
+  const CertificateHandle issuer = certificateFrom(authority.certificate);
+  const ListHandle list(X509_CRL_new());
+  mustBe(list && X509_CRL_set_version(list.get(), X509_CRL_VERSION_2) == 1 &&
+             X509_CRL_set_issuer_name(list.get(), X509_get_subject_name(issuer.get())) == 1 &&
+             X509_CRL_set1_lastUpdate(list.get(), timeIn(-1).get()) == 1 &&  // clocks of a class differ
+             X509_CRL_set1_nextUpdate(list.get(), timeIn(kAuthorityDays).get()) == 1,
+         "listing what is revoked");
+  for (const std::string& certificate : certificates) {
+    RevokedHandle revoked(X509_REVOKED_new());
+    mustBe(revoked &&
+               X509_REVOKED_set_serialNumber(revoked.get(),
+                                             X509_get_serialNumber(certificateFrom(certificate).get())) == 1 &&
+               X509_REVOKED_set_revocationDate(revoked.get(), timeIn(0).get()) == 1 &&
+               X509_CRL_add0_revoked(list.get(), revoked.get()) == 1,
+           "revoking it");
+    static_cast<void>(revoked.release());  // the list's now
+  }
+  const KeyHandle issuer_key = keyFrom(authority.key);
+  const BioHandle bio(BIO_new(BIO_s_mem()));
+  mustBe(X509_CRL_sort(list.get()) == 1 && X509_CRL_sign(list.get(), issuer_key.get(), EVP_sha256()) > 0 && bio &&
+             PEM_write_bio_X509_CRL(bio.get(), list.get()) == 1,
+         "signing the list");
+  return textIn(bio.get());
 }
 
 std::string fingerprintOf(const std::string& certificate) {

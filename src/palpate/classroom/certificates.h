@@ -27,6 +27,10 @@ Certified makeServerCertificate(const Certified& authority, const std::vector<st
 /// Of one who connects; `name` is what the broker's access list knows it by.
 Certified makeMemberCertificate(const Certified& authority, const std::string& name);
 
+/// The certificates that a broker is to let in no longer, as of now and for as long as the authority lasts (PEM). A new
+/// list replaces the one before.
+std::string makeRevocationList(const Certified& authority, const std::vector<std::string>& certificates);
+
 /// SHA-256 of the certificate itself, hex.
 std::string fingerprintOf(const std::string& certificate);
 /// Days until it is no longer valid; negative: it is not.

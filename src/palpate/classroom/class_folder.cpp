@@ -113,13 +113,16 @@ std::string brokerConfiguration(const ClassFolder& folder) {
       "acl_file {1}/access.acl\n\n"
       "# Stations keep what is not acknowledged and send it again, so nothing here has to last.\n"
       "persistence false\n"
+      "{4}"
       "max_packet_size 131072\n"
       "max_queued_messages 5000\n"
       "set_tcp_nodelay true\n"
       "log_type error\n"
       "log_type warning\n"
       "log_type notice\n",
-      folder.class_id, at, folder.port, userNow());
+      folder.class_id, at, folder.port, userNow(),
+      fs::exists(folder.revocationList()) ? fmt::format("# Stations that were removed.\ncrlfile {}/revoked.crl\n", at)
+                                          : "");
 }
 
 }  // namespace
@@ -231,6 +234,27 @@ ClassFolder readClassFolder(const fs::path& folder) {
   }
   std::ranges::sort(read.stations);
   return read;
+}
+
+void removeStation(const ClassFolder& folder, const std::string& name) {
+  const fs::path at = folder.station(name);
+  if (!isStationName(name) || !fs::exists(at / "station.crt")) {
+    throw Error::inFile(folder.folder.string(), fmt::format("has no station '{}'", name));
+  }
+  const fs::path revoked = folder.folder / "revoked";
+  std::vector<std::string> certificates = {readFile(at / "station.crt", kMostClassFileBytes)};
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(revoked, none)) {
+    certificates.push_back(readFile(entry.path() / "station.crt", kMostClassFileBytes));
+  }
+  // First the list: whatever happens then, the station stays out.
+  writeFile(folder.revocationList(), makeRevocationList(authorityOf(folder), certificates));
+  makeFolder(revoked);
+  int number = 1;
+  while (fs::exists(revoked / fmt::format("{}-{}", name, number))) ++number;
+  fs::rename(at, revoked / fmt::format("{}-{}", name, number));
+  fs::remove(revoked / fmt::format("{}-{}", name, number) / "station.key");
+  writeBrokerConfiguration(folder);
 }
 
 std::string addStation(const ClassFolder& folder, const std::string& name) {

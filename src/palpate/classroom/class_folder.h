@@ -6,6 +6,8 @@
 //   DIR/broker/                        mosquitto.conf, access.acl, ca.crt, server.crt, server.key
 //   DIR/instructor/, DIR/ingest/       instructor.toml, ingest.toml, with certificate and key
 //   DIR/stations/s01/ ...              station.toml, with certificate and key
+//   DIR/revoked/s01-1/ ...             of stations that were removed, without the key; DIR/broker/revoked.crl names
+//   them
 #pragma once
 
 #include <filesystem>
@@ -36,6 +38,7 @@ struct ClassFolder {
 
   std::filesystem::path broker() const { return folder / "broker"; }
   std::filesystem::path configuration() const { return broker() / "mosquitto.conf"; }
+  std::filesystem::path revocationList() const { return broker() / "revoked.crl"; }
   std::filesystem::path instructor() const { return folder / "instructor"; }
   std::filesystem::path ingest() const { return folder / "ingest"; }
   std::filesystem::path station(const std::string& name) const { return folder / "stations" / name; }
@@ -48,6 +51,10 @@ ClassFolder readClassFolder(const std::filesystem::path& folder);
 
 /// One more station: the next number, or this name. Throws Error where it is already. The broker need not be told.
 std::string addStation(const ClassFolder& folder, const std::string& name = {});
+
+/// Its certificate is revoked: a broker that is started from now on lets it in no longer, whoever has its folder. Its
+/// rows stay, and the name may be added again. Throws Error where there is no such station.
+void removeStation(const ClassFolder& folder, const std::string& name);
 
 /// The broker's configuration for where the folder lies now, written again: paths in it are absolute.
 void writeBrokerConfiguration(const ClassFolder& folder);
