@@ -96,10 +96,10 @@ TEST(ClassCommand, AStationThatWasRemovedIsLetInNoLongerAndServeNoticesByItself)
             0);
   std::filesystem::copy(folder / "osteo/stations/s02", folder / "lost", std::filesystem::copy_options::recursive);
   startPalpate("class serve osteo --broker --seconds 25", folder.path());
-  const auto comesIn = [&](const char* who) {
+  const auto comes_in = [&](const char* who) {
     return runPalpate(std::string("class check ") + who, folder.path()).exit_code == 0;
   };
-  ASSERT_TRUE(support::waitFor([&] { return comesIn("lost"); })) << support::contentOf(folder / "serve.log");
+  ASSERT_TRUE(support::waitFor([&] { return comes_in("lost"); })) << support::contentOf(folder / "serve.log");
 
   const auto unsure = runPalpate("class remove-station osteo s02", folder.path());
   EXPECT_EQ(unsure.exit_code, 1) << "nobody typed yes";
@@ -107,12 +107,12 @@ TEST(ClassCommand, AStationThatWasRemovedIsLetInNoLongerAndServeNoticesByItself)
   EXPECT_EQ(runPalpate("class remove-station osteo s07 --yes", folder.path()).exit_code, 2);
   const auto removed = runPalpate("class remove-station osteo s02 --yes", folder.path());
   EXPECT_EQ(removed.exit_code, 0) << removed.err;
-  EXPECT_TRUE(support::waitFor([&] { return !comesIn("lost"); }));
+  EXPECT_TRUE(support::waitFor([&] { return !comes_in("lost"); }));
   EXPECT_EQ(runPalpate("class add-station osteo s02", folder.path()).exit_code, 0);
   for (const char* who : {"osteo/stations/s01", "osteo/stations/s02", "osteo"}) {
-    EXPECT_TRUE(support::waitFor([&] { return comesIn(who); })) << who << support::contentOf(folder / "serve.log");
+    EXPECT_TRUE(support::waitFor([&] { return comes_in(who); })) << who << support::contentOf(folder / "serve.log");
   }
-  EXPECT_FALSE(comesIn("lost"));
+  EXPECT_FALSE(comes_in("lost"));
   EXPECT_NE(support::contentOf(folder / "serve.log").find("a station was removed"), std::string::npos);
 }
 

@@ -108,16 +108,16 @@ TEST(ClassFolderTest, AStationMoreIsAddedByNumberOrName) {
 TEST(ClassFolderTest, AStationThatIsRemovedLeavesItsNameFreeAndItsNumberOnTheList) {
   const TemporaryFolder temporary;
   const ClassFolder made = makeClassFolder(temporary / "class", aPlan(3));
-  const auto serialOf = [](const std::filesystem::path& certificate) {
+  const auto serial_of = [](const std::filesystem::path& certificate) {
     const std::string out =
         support::runProgram("/usr/bin/openssl", "x509 -noout -serial -in " + certificate.string()).out;
     return out.substr(out.find('=') + 1, 32);
   };
-  std::vector<std::string> serials = {serialOf(made.station("s02") / "station.crt")};
+  std::vector<std::string> serials = {serial_of(made.station("s02") / "station.crt")};
   removeStation(made, "s02");
   EXPECT_EQ(readClassFolder(made.folder).stations, (std::vector<std::string>{"s01", "s03"}));
   EXPECT_EQ(addStation(made, "s02"), "s02");
-  serials.push_back(serialOf(made.station("s02") / "station.crt"));
+  serials.push_back(serial_of(made.station("s02") / "station.crt"));
   removeStation(made, "s02");
   const auto list = support::runProgram("/usr/bin/openssl", "crl -noout -text -CAfile " +
                                                                 (made.folder / "authority/ca.crt").string() + " -in " +
@@ -125,7 +125,7 @@ TEST(ClassFolderTest, AStationThatIsRemovedLeavesItsNameFreeAndItsNumberOnTheLis
   EXPECT_EQ(list.exit_code, 0) << list.err;
   EXPECT_NE(list.err.find("verify OK"), std::string::npos) << list.err;
   for (const std::string& serial : serials) EXPECT_NE(list.out.find(serial), std::string::npos) << list.out;
-  EXPECT_EQ(list.out.find(serialOf(made.station("s01") / "station.crt")), std::string::npos);
+  EXPECT_EQ(list.out.find(serial_of(made.station("s01") / "station.crt")), std::string::npos);
   for (const char* name : {"s02", "s09", "../s01", "instructor", ""}) EXPECT_THROW(removeStation(made, name), Error);
   EXPECT_FALSE(std::filesystem::exists(made.folder / "revoked/s02-2/station.key"));
 }
