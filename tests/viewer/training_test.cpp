@@ -640,7 +640,9 @@ TEST_F(TrainingWindow, KeepsEachAnswerAtOnceWithItsTicksInTheSessionFile) {
 }
 
 TEST_F(TrainingWindow, OfAClassSaysAnewWhoSitsAndForHowLongThingsAreKept) {
-  classroom::ClassPlan plan{.class_id = "osteo-1", .port = 1};  // where no broker listens
+  classroom::ClassPlan plan;
+  plan.class_id = "osteo-1";
+  plan.port = 1;  // where no broker listens
   plan.retention = {.days = 30, .samples_days = 10};
   const classroom::ClassFolder made = classroom::makeClassFolder(folder / "class", plan);
   const training::TraineeRow known{training::pseudonymOf("osteo-1", someCode()), "osteo-1", 1, "left", true, ""};
