@@ -58,21 +58,19 @@ TEST_F(BenchBaseline, RefusesAFileThatIsNone) {
   }
 }
 
-/// Wide enough for another processor and a busy machine: only what became several times slower is caught here. Vectors
-/// of another width alone make some kernels several times slower: there is a baseline for each.
-TEST_F(BenchBaseline, OfThisProjectHolds) {
-#ifndef NDEBUG
-  GTEST_SKIP() << "the kept baseline is one of optimised builds";
-#endif
-  const auto here = nlohmann::json::parse(std::ifstream(measured(1.0)))["machine"]["simd"].get<std::string>();
-  for (const char* kept : {"baseline.json", "baseline_avx2.json"}) {
-    const std::string file = std::string(PALPATE_SOURCE_DIR "/bench/") + kept;
-    if (nlohmann::json::parse(std::ifstream(file))["machine"]["simd"] != here) continue;
-    const auto result = runPalpate("bench --baseline " + file + " --tolerance 3" + kQuick);
-    EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
-    return;
-  }
-  GTEST_SKIP() << "no baseline is kept for " << here;
+TEST_F(BenchBaseline, OfSeveralFilesTakesTheOneForVectorsAsWideAsHere) {
+  auto json = nlohmann::json::parse(std::ifstream(measured(100.0)));
+  const auto here = json["machine"]["simd"].get<std::string>();
+  json["machine"]["simd"] = "of another width";
+  const std::string other = (folder.path() / "other.json").string();
+  std::ofstream(other) << json.dump();
+  const std::string fitting = measured(100.0);
+  const auto result = runPalpate("bench --baseline " + other + " " + fitting + " --json" + kQuick);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(nlohmann::json::parse(result.out)["baseline"], fitting);
+  const auto none = runPalpate("bench --baseline " + other + kQuick);
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_NE(none.err.find("no baseline for " + here), std::string::npos) << none.err;
 }
 
 TEST_F(BenchBaseline, IsNotTheDefault) { EXPECT_EQ(runPalpate("bench").exit_code, 2); }

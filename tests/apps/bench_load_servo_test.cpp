@@ -6,6 +6,7 @@
 
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
+#include "support/timed.h"
 
 namespace palpate {
 namespace {
@@ -63,7 +64,6 @@ TEST(BenchServoCommand, MeasuresLatenessAndComputeTimeApart) {
   const bool all_granted = scheduler != "SCHED_OTHER" && json["memory_locked"];
   EXPECT_EQ(json["fallback"].get<std::string>().empty(), all_granted) << "what was refused must be said";
   EXPECT_GT(json["safety_us_per_tick"].get<double>(), 0.0);
-  EXPECT_LT(json["safety_us_per_tick"].get<double>(), 1.0) << "0.10 us on a quiet core (docs/benchmarks.md)";
   EXPECT_LT(json["safety_us_per_tick"], json["safety_tick_us"]);
   EXPECT_EQ(json["peers"]["sleep_until"]["scheduler"], "SCHED_OTHER");
   EXPECT_TRUE(json["ratio_to"].contains("sleep_until"));
@@ -76,11 +76,15 @@ TEST(BenchSessionCommand, MeasuresWhatASessionCosts) {
   EXPECT_EQ(json["fingers"], 2);
   EXPECT_EQ(json["identical"], true);
   EXPECT_EQ(json["dropped"], 0);
-  EXPECT_LT(json["record_us_per_tick"].get<double>(), 0.5) << "0.09 us on a quiet core (docs/sessions.md)";
+  EXPECT_GT(json["record_us_per_tick"].get<double>(), 0.0);
   EXPECT_GT(json["bytes_per_tick"].get<double>(), 10.0);
   EXPECT_LT(json["bytes_per_tick"].get<double>(), 400.0);
-  EXPECT_GT(json["replay_times_real_time"].get<double>(), 10.0) << "250 times on a quiet core";
-  EXPECT_LT(json["seek_s"].get<double>(), 1.0);
+  EXPECT_GT(json["replay_times_real_time"].get<double>(), 0.0);
+  EXPECT_GT(json["seek_s"].get<double>(), 0.0);
+  if (!support::timesAreJudged()) return;
+  EXPECT_LT(json["record_us_per_tick"].get<double>(), 0.25) << "0.09 us on a quiet core (docs/sessions.md)";
+  EXPECT_GT(json["replay_times_real_time"].get<double>(), 100.0) << "250 times on a quiet core";
+  EXPECT_LT(json["seek_s"].get<double>(), 0.2);
 }
 
 }  // namespace

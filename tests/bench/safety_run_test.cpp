@@ -1,8 +1,9 @@
-// What safety costs, on the scene that `palpate simulate` takes by itself. The bar of a quiet core is 0.10 us
-// (docs/benchmarks.md); here compilers may run beside it.
+// What safety costs, on the default scene of `palpate simulate`.
 #include "bench/runs/safety_run.h"
 
 #include <gtest/gtest.h>
+
+#include "support/timed.h"
 
 namespace palpate::bench {
 namespace {
@@ -14,8 +15,8 @@ TEST(SafetyRun, CostsAShareOfATick) {
   const SafetyCost cost = measureSafety(*world, device::pathsOf(*world), 0.3);
   EXPECT_GT(cost.blocks, 20u);
   EXPECT_GT(cost.safety_us, 0.0);
-  EXPECT_LE(cost.safety_us, 0.5);
   EXPECT_GT(cost.tick_us, cost.safety_us);
+  if (support::timesAreJudged()) EXPECT_LE(cost.safety_us, 0.10) << "the bar of docs/benchmarks.md";
 }
 
 }  // namespace

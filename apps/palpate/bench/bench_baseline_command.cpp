@@ -13,6 +13,7 @@
 #include "apps/palpate/common/number_option.h"
 #include "apps/palpate/common/progress_line.h"
 #include "bench/kernels/kernel_times.h"
+#include "lab/counters/machine.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
 
@@ -24,6 +25,8 @@ using Json = nlohmann::ordered_json;
 
 /// What the file holds: ratios of kernels to fixed reference loops, measured on some machine.
 struct Baseline {
+  std::string file;
+  std::string simd;           ///< vectors of the machine it was measured on; empty where the file does not name them
   std::size_t triangles = 0;  ///< of the back that the kernels ran on
   std::vector<bench::KernelTime> kernels;
 };
@@ -47,6 +50,8 @@ Baseline readBaseline(const std::filesystem::path& file) {
   try {
     const nlohmann::json json = nlohmann::json::parse(text);
     Baseline baseline;
+    baseline.file = file.string();
+    baseline.simd = json.value("machine", nlohmann::json::object()).value("simd", "");
     baseline.triangles = json.at("triangles").get<std::size_t>();
     if (baseline.triangles < kLeastTriangles || baseline.triangles > kMostTriangles) {
       throw Error("the number of triangles is not one of a benchmark's back");
@@ -75,7 +80,8 @@ void writeBaseline(const std::filesystem::path& file, const Baseline& baseline) 
 constexpr int kSlower = 1;  // exit code: the answer is "no"
 
 struct BaselineArguments {
-  std::string baseline, write;
+  std::vector<std::string> baselines;  ///< one for each width of vectors
+  std::string write;
   std::size_t triangles = 41582;
   double tolerance = 0.3;
   double seconds = 4.0;
@@ -120,14 +126,30 @@ Baseline measure(std::size_t triangles, double seconds) {
   progress.show("preparing the kernels", 0.0);
   const std::vector<bench::Kernel> kernels = bench::makeKernels(triangles);
   progress.show("measuring the kernels", 0.5);
-  return {triangles, bench::timeKernels(kernels, seconds)};
+  return {.file = {}, .simd = {}, .triangles = triangles, .kernels = bench::timeKernels(kernels, seconds)};
+}
+
+/// The file that was measured with vectors as wide as here: their width alone makes some kernels several times slower.
+/// Files that do not name a width fit everywhere. Throws Error where none fits.
+Baseline fittingBaseline(const std::vector<std::string>& files) {
+  const std::string here = lab::thisMachine().simd;
+  std::string others;
+  for (const std::string& file : files) {
+    Baseline baseline = readBaseline(file);
+    if (baseline.simd.empty() || baseline.simd == here) return baseline;
+    others += fmt::format(" {} ({})", file, baseline.simd);
+  }
+  throw Error(fmt::format("no baseline for {} vectors:{}; expected one made with --write-baseline on such a processor",
+                          here, others));
 }
 
 void compareWith(const BaselineArguments& arguments) {
-  const Baseline before = readBaseline(arguments.baseline);
+  const Baseline before = fittingBaseline(arguments.baselines);
   const Baseline now = measure(before.triangles, arguments.seconds);
   const auto all = bench::compared(before.kernels, now.kernels, arguments.tolerance);
-  printReport(jsonOf(all, arguments.tolerance), textOf(all, arguments.tolerance), arguments.json);
+  Json json = jsonOf(all, arguments.tolerance);
+  json["baseline"] = before.file;
+  printReport(json, textOf(all, arguments.tolerance), arguments.json);
   if (std::any_of(all.begin(), all.end(), [](const bench::Comparison& c) { return c.slower; })) {
     throw CLI::RuntimeError(kSlower);
   }
@@ -136,8 +158,8 @@ void compareWith(const BaselineArguments& arguments) {
 void run(const CLI::App& bench, const BaselineArguments& arguments) {
   if (!bench.get_subcommands().empty()) return;
   if (!arguments.write.empty()) writeBaseline(arguments.write, measure(arguments.triangles, arguments.seconds));
-  if (!arguments.baseline.empty()) compareWith(arguments);
-  if (arguments.baseline.empty() && arguments.write.empty()) throw CLI::RequiredError::Subcommand(1);
+  if (!arguments.baselines.empty()) compareWith(arguments);
+  if (arguments.baselines.empty() && arguments.write.empty()) throw CLI::RequiredError::Subcommand(1);
 }
 
 }  // namespace
@@ -147,7 +169,9 @@ void addBenchBaseline(CLI::App& bench) {
   const auto option = [&](const char* name, auto& value, const char* help) {
     return bench.add_option(name, value, help)->group("Regression guard (without a subcommand)");
   };
-  option("--baseline", arguments->baseline, "Compare with the ratios in this file; exit 1 if a kernel got slower");
+  option("--baseline", arguments->baselines,
+         "Compare with the ratios in this file; of several, with the first for vectors as wide as here; exit 1 if a "
+         "kernel got slower");
   option("--write-baseline", arguments->write, "Measure and write such a file");
   const auto number = [&](const char* name, auto& value, const Limits& limits, const char* help) {
     addNumber(bench, name, value, limits, help)
