@@ -3,6 +3,8 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -265,22 +267,36 @@ TEST_F(SimulateWithADevice, PlaysARecordedFingerAgain) {
   EXPECT_NEAR(after[1], before[0], 1e-5);
 }
 
-/// The program of docs/remote.md, started before there is anybody to talk to.
-TEST_F(SimulateWithADevice, IsMovedByAnotherProgram) {
-  const std::string port = std::to_string(20000 + ::getpid() % 20000);
-  const std::string example =
-      "python3 " + std::string(PALPATE_SOURCE_DIR) + "/examples/remote_finger.py --seconds 2 --port ";
-  int python = -1;
-  std::thread program(
-      [&] { python = std::system((example + port + " >'" + (folder_ / "example.txt").string() + "' 2>&1").c_str()); });
-  const support::CommandResult result = simulate("--seconds 3 --realtime --device remote:" + port + " --out run");
-  program.join();
-  const std::string said = support::contentOf(folder_ / "example.txt");
-  EXPECT_EQ(python, 0) << said;
-  EXPECT_NE(said.find("answered "), std::string::npos) << said;
-  ASSERT_EQ(result.exit_code, 0) << result.err;
-  const json report = json::parse(result.out);
-  EXPECT_GT(report["fingers"][0]["depth_mm"]["peak"], 0.5) << "it pressed the skin";
+/// With the program of docs/remote.md, started before there is anybody to talk to.
+class SimulateWithAProgram : public SimulateWithADevice {
+ protected:
+  void expectItPresses(const std::string& more_words) {
+    const std::string port = std::to_string(20000 + ::getpid() % 20000);
+    const std::string example =
+        "python3 " + std::string(PALPATE_SOURCE_DIR) + "/examples/remote_finger.py --seconds 2 --port " + port;
+    const std::string log = (folder_ / "example.txt").string();
+    int python = -1;
+    std::thread program([&] { python = std::system((example + more_words + " >'" + log + "' 2>&1").c_str()); });
+    const support::CommandResult result = simulate("--seconds 3 --realtime --device remote:" + port + " --out run");
+    program.join();
+    const std::string said = support::contentOf(log);
+    EXPECT_EQ(python, 0) << said;
+    EXPECT_NE(said.find("answered "), std::string::npos) << said;
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const json report = json::parse(result.out);
+    EXPECT_GT(report["fingers"][0]["depth_mm"]["peak"], 0.5) << "it pressed the skin";
+  }
+};
+
+TEST_F(SimulateWithAProgram, MovesAFinger) { expectItPresses(""); }
+
+TEST_F(SimulateWithAProgram, MovesAFingerWithASignatureThatIsNotOurs) {
+  const std::string key = (folder_ / "remote.key").string();
+  std::ofstream(key) << "0f1e2d3c4b5a69788796a5b4c3d2e1f0\n";
+  std::filesystem::permissions(key, std::filesystem::perms::owner_read);
+  ::setenv("PALPATE_REMOTE_KEY_FILE", key.c_str(), 1);
+  expectItPresses(" --key-file '" + key + "'");
+  ::unsetenv("PALPATE_REMOTE_KEY_FILE");
 }
 
 }  // namespace

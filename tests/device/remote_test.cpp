@@ -3,12 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <string>
 
 #include "device/remote_client.h"
 #include "palpate/base/error.h"
 #include "palpate/base/random.h"
 #include "support/counted.h"
+#include "support/temporary_folder.h"
 
 namespace palpate::device {
 namespace {
@@ -46,7 +50,7 @@ TEST(Remote, ASilentClientHasNoPlaceAndZeroForceUntilItSpeaksAgain) {
   const Client client;
   client.send("p 0 0 0");
   std::uint64_t tick = 0;
-  for (; tick <= kMostSilentTicks; ++tick) EXPECT_TRUE(device.read_tip(tick).allFinite()) << tick;
+  for (; tick <= kMaxSilentTicks; ++tick) EXPECT_TRUE(device.read_tip(tick).allFinite()) << tick;
   EXPECT_FALSE(device.read_tip(tick).allFinite());
   EXPECT_EQ(device.state().faults, kStalePose);
   device.write_force({0, 0, 3});
@@ -56,20 +60,39 @@ TEST(Remote, ASilentClientHasNoPlaceAndZeroForceUntilItSpeaksAgain) {
   EXPECT_TRUE(device.read_tip(tick + 1).allFinite());
 }
 
-TEST(Remote, TheLastToSpeakHasTheFinger) {
+TEST(Remote, TheFirstToSpeakKeepsTheFingerUntilItHasBeenSilentForASecond) {
   const Device device = opened();
   const Client one;
   const Client two;
   one.send("p 1 0 0");
   device.read_tip(0);
   two.send("p 2 0 0");
-  EXPECT_EQ(device.read_tip(1).x(), 2.0);
+  EXPECT_EQ(device.read_tip(1).x(), 1.0);
+  device.write_force({0, 0, 1});
+  EXPECT_NE(one.answer(), "");
+  EXPECT_EQ(two.answer(), "");
+  EXPECT_EQ(device.explain(), "1 messages came while another client had the finger");
+  two.send("p 2 0 0");
+  EXPECT_EQ(device.read_tip(1000).x(), 2.0) << "a second at 1 kHz";
   device.write_force({0, 0, 1});
   EXPECT_EQ(one.answer(), "");
   EXPECT_NE(two.answer(), "");
 }
 
-TEST(Remote, AClientThatDiedDisturbsNobody) {
+TEST(Remote, OneDatagramIsNotAnsweredForEver) {
+  const Device device = opened();
+  const Client client;
+  client.send("p 0 0 0");
+  int answers = 0;
+  for (std::uint64_t tick = 0; tick < 3000; ++tick) {
+    device.read_tip(tick);
+    device.write_force({0, 0, 1});
+    answers += client.answer().empty() ? 0 : 1;
+  }
+  EXPECT_EQ(answers, 22) << "20 ticks of silence, the first, and a last zero";
+}
+
+TEST(Remote, AClientThatDiedDisturbsNobodyForLong) {
   const Device device = opened();
   { Client().send("p 1 0 0"); }
   for (std::uint64_t tick = 0; tick < 10; ++tick) {
@@ -78,7 +101,7 @@ TEST(Remote, AClientThatDiedDisturbsNobody) {
   }
   const Client next;
   next.send("p 7 0 0");
-  EXPECT_EQ(device.read_tip(11).x(), 7.0);
+  EXPECT_EQ(device.read_tip(1100).x(), 7.0);
 }
 
 TEST(Remote, RefusesWhatIsNoPoseAndSaysHowMuchOfIt) {
@@ -161,6 +184,43 @@ TEST(Remote, ListensOnThisMachineAndSaysWhyNot) {
     options.which = which;
     EXPECT_THROW(openRemote(options), Error) << which;
   }
+}
+
+class RemoteBeyondLoopback : public testing::Test {
+ protected:
+  RemoteBeyondLoopback() {
+    options_.which = "0.0.0.0:" + std::to_string(RemoteClient::port());
+    std::ofstream(file_) << "0123456789abcdef0123456789abcdef\n";
+    std::filesystem::permissions(file_, static_cast<std::filesystem::perms>(0600));
+  }
+  ~RemoteBeyondLoopback() override { ::unsetenv(kRemoteKeyVariable); }
+  const support::TemporaryFolder folder_;
+  const std::filesystem::path file_ = folder_ / "key";
+  OpenOptions options_;
+};
+
+TEST_F(RemoteBeyondLoopback, IsRefusedWithoutAKey) {
+  const Probe probe = probeRemote(options_);
+  EXPECT_FALSE(probe.available);
+  EXPECT_NE(probe.reason.find("PALPATE_REMOTE_KEY_FILE"), std::string::npos) << probe.reason;
+  EXPECT_THROW(openRemote(options_), Error);
+  ::setenv(kRemoteKeyVariable, "/no/such/key", 1);
+  EXPECT_THROW(openRemote(options_), Error);
+  ::setenv(kRemoteKeyVariable, file_.c_str(), 1);
+  std::filesystem::permissions(file_, static_cast<std::filesystem::perms>(0644));
+  EXPECT_THROW(openRemote(options_), Error) << "others may read it";
+}
+
+TEST_F(RemoteBeyondLoopback, AKeyOpensItAndUnsignedPosesDoNotMoveIt) {
+  ::setenv(kRemoteKeyVariable, file_.c_str(), 1);
+  EXPECT_TRUE(probeRemote(options_).available);
+  const Device device = openRemote(options_);
+  const Client client;
+  client.send("p 1 2 3");
+  EXPECT_FALSE(device.read_tip(0).allFinite());
+  device.write_force({0, 0, 1});
+  EXPECT_EQ(client.answer(), "");
+  EXPECT_NE(device.explain().find("1 messages were not signed"), std::string::npos) << device.explain();
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
-// recvfrom until nothing waits, the newest good pose counts; sendto whoever that came from. Numbers by std::from_chars
-// and fmt::format_to_n, which know no locale and take no memory. Own.
+// recvfrom until nothing waits, the newest good pose counts; sendto whoever holds the finger.
 #include "palpate/device/remote_device.h"
 
 #include <arpa/inet.h>
@@ -12,39 +11,23 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <memory>
+#include <string>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "palpate/base/error.h"
 #include "palpate/base/nearest_name.h"
 #include "palpate/base/text.h"
-#include "palpate/device/trajectory.h"
 
 namespace palpate::device {
 
 namespace {
 
-/// A flood of messages must not keep a tick from ending.
-constexpr int kMostMessagesATick = 32;
-
 constexpr const char* kLoopback = "127.0.0.1";
-
-std::string_view nextWord(std::string_view& text) noexcept {
-  const std::size_t begin = text.find_first_not_of(" \t\r\n");
-  if (begin == std::string_view::npos) return text = {};
-  const std::size_t end = std::min(text.find_first_of(" \t\r\n", begin), text.size());
-  const std::string_view word = text.substr(begin, end - begin);
-  text.remove_prefix(end);
-  return word;
-}
-
-template <class Number>
-bool readNumber(std::string_view word, Number& value) noexcept {
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  return error == std::errc() && end == word.data() + word.size();
-}
 
 struct Listen {
   std::string address = kLoopback;
@@ -62,10 +45,35 @@ Listen listenAt(const std::string& which) {
   if (port.empty()) return listen;
   const std::optional<double> number = parseNumber(port);
   if (!number || *number < 1.0 || *number > 65535.0 || *number != std::floor(*number)) {
-    throw Error(fmt::format("remote: '{}' is no port, which is 1 to 65535", oneLine(port)));
+    throw Error(fmt::format("remote: '{}' must be a port, 1 to 65535", oneLine(port)));
   }
   listen.port = static_cast<int>(*number);
   return listen;
+}
+
+bool isOnThisMachine(const Listen& listen) {
+  in_addr address{};
+  constexpr std::uint32_t kLoopbackNet = 127;
+  return ::inet_pton(AF_INET, listen.address.c_str(), &address) != 1 || ntohl(address.s_addr) >> 24 == kLoopbackNet;
+}
+
+/// The secret that clients must have; none where the variable is not set, on loopback. Throws Error.
+std::optional<std::string> keyFor(const Listen& listen) {
+  const char* file = std::getenv(kRemoteKeyVariable);  // NOLINT(concurrency-mt-unsafe)
+  if (file != nullptr && *file != '\0') return readRemoteKey(file);
+  if (isOnThisMachine(listen)) return std::nullopt;
+  throw Error(
+      fmt::format("remote: other computers reach {}:{}, so clients must have a key: name its file in {} "
+                  "(docs/remote.md)",
+                  listen.address, listen.port, kRemoteKeyVariable));
+}
+
+RemoteGate::Seed randomSeed() {
+  std::array<unsigned char, RemoteGate::Seed().size() / 2> random{};
+  if (::getentropy(random.data(), random.size()) != 0) throw Error("remote: the system gives no random numbers");
+  RemoteGate::Seed seed;
+  for (std::size_t i = 0; i < random.size(); ++i) fmt::format_to_n(seed.data() + 2 * i, 2, "{:02x}", random[i]);
+  return seed;
 }
 
 /// An open socket that does not wait.
@@ -78,7 +86,7 @@ class Socket {
     address.sin_port = htons(static_cast<std::uint16_t>(listen.port));
     if (::inet_pton(AF_INET, listen.address.c_str(), &address.sin_addr) != 1) {
       ::close(file_);
-      throw Error(fmt::format("remote: '{}' is no IPv4 address", oneLine(listen.address)));
+      throw Error(fmt::format("remote: '{}' must be an IPv4 address", oneLine(listen.address)));
     }
     if (::bind(file_, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) != 0)
       refuse("cannot listen", listen);
@@ -98,121 +106,126 @@ class Socket {
   int file_;
 };
 
-/// What the servo's thread keeps of its clients. Counts are for `explain`, on another.
+/// Counts are for `explain`, on another thread than the servo's.
 class Remote {
  public:
   Remote(const Listen& listen, const OpenOptions& options)
-      : socket_(listen), listen_(listen), origin_mm_(options.origin_mm), scale_(options.scale) {}
+      : gate_(keyFor(listen), randomSeed(), static_cast<std::uint64_t>(std::ceil(kHandoverS / options.tick_s))),
+        socket_(listen),
+        listen_(listen),
+        origin_mm_(options.origin_mm),
+        scale_(options.scale) {}
 
   Vec3 read(std::uint64_t tick) noexcept {
     if (closed_.load(std::memory_order_relaxed)) {
       state_.faults = kClosed;
       return kNoPlace;
     }
-    if (receive()) last_tick_ = tick;
+    if (receive(tick)) {
+      last_tick_ = tick;
+      has_pose_ = true;
+    }
     state_.age_ticks = tick > last_tick_ ? tick - last_tick_ : 0;
-    state_.faults = !has_client_ ? kNoPose : state_.age_ticks > kMostSilentTicks ? kStalePose : 0u;
+    state_.faults = !has_pose_ ? kNoPose : state_.age_ticks > kMaxSilentTicks ? kStalePose : 0u;
     faults_.store(state_.faults, std::memory_order_relaxed);
     return state_.faults == 0 ? Vec3(origin_mm_ + scale_ * pose_.tip_mm) : kNoPlace;
   }
 
   void write(const Vec3& force) noexcept {
-    if (!has_client_ || closed_.load(std::memory_order_relaxed)) return;
-    send(state_.faults == 0 && force.allFinite() ? force : Vec3::Zero());
+    if (closed_.load(std::memory_order_relaxed)) return;
+    answer(state_.faults == 0 && force.allFinite() ? force : Vec3::Zero());
   }
 
   const DeviceState& state() const noexcept { return state_; }
 
   void close() noexcept {
-    if (closed_.exchange(true) || !has_client_) return;
-    send(Vec3::Zero());
+    if (!closed_.exchange(true)) answer(Vec3::Zero());
   }
 
   std::string explain() const {
     const std::uint32_t faults = faults_.load(std::memory_order_relaxed);
-    const std::uint64_t refused = refused_.load(std::memory_order_relaxed);
-    std::string text;
-    if (faults == kNoPose) text = fmt::format("nobody has sent a position to {}:{} yet", listen_.address, listen_.port);
-    if (faults == kStalePose) text = "the client has fallen silent";
-    if (refused > 0) {
-      text += fmt::format("{}{} messages were not \"p x y z\"", text.empty() ? "" : "; ", refused);
+    std::vector<std::string> words;
+    if (faults == kNoPose) {
+      words.push_back(fmt::format("no position has come to {}:{} yet", listen_.address, listen_.port));
     }
-    return text;
+    if (faults == kStalePose) words.emplace_back("the client has fallen silent");
+    const RemoteCounts& counts = gate_.counts();
+    for (const auto& [count, what] :
+         {std::pair(&counts.malformed, "messages were not \"p x y z\""),
+          std::pair(&counts.unsigned_, "messages were not signed, or not new"),
+          std::pair(&counts.ignored, "messages came while another client had the finger")}) {
+      if (const std::uint64_t many = count->load(std::memory_order_relaxed); many > 0) {
+        words.push_back(fmt::format("{} {}", many, what));
+      }
+    }
+    return fmt::format("{}", fmt::join(words, "; "));
   }
 
  private:
   /// True when a good pose came.
-  bool receive() noexcept {
+  bool receive(std::uint64_t tick) noexcept {
     bool came = false;
-    std::array<char, kMostMessageBytes + 1> message;
-    for (int i = 0; i < kMostMessagesATick; ++i) {
+    gate_.tick(tick);
+    std::array<char, kMaxDatagramBytes + 1> message;
+    for (int i = 0; i < kMaxDatagramsPerTick; ++i) {
       sockaddr_in from{};
       socklen_t length = sizeof(from);
       const ssize_t bytes =
           ::recvfrom(socket_.file(), message.data(), message.size(), 0, reinterpret_cast<sockaddr*>(&from), &length);
       if (bytes < 0) break;  // nothing waits, or an earlier answer found nobody
-      const auto size = static_cast<std::size_t>(bytes);
-      const std::optional<RemotePose> pose =
-          size > kMostMessageBytes ? std::nullopt : parsePose({message.data(), size});
-      if (!pose) {
-        refused_.fetch_add(1, std::memory_order_relaxed);
-        continue;
-      }
+      const RemotePeer sender{ntohl(from.sin_addr.s_addr), ntohs(from.sin_port)};
+      const auto pose = gate_.take({message.data(), static_cast<std::size_t>(bytes)}, sender, tick);
+      send(gate_.reply(), sender);
+      if (!pose) continue;
       pose_ = *pose;
-      client_ = from;
-      has_client_ = came = true;
+      came = true;
     }
     state_.buttons = pose_.buttons;
     return came;
   }
 
-  void send(const Vec3& force) noexcept {
-    std::array<char, 128> text;
-    const auto end =
-        fmt::format_to_n(text.data(), text.size(), "f {:.6f} {:.6f} {:.6f}\n", force.x(), force.y(), force.z());
-    (void)::sendto(socket_.file(), text.data(), std::min(end.size, text.size()), MSG_DONTWAIT | MSG_NOSIGNAL,
-                   reinterpret_cast<const sockaddr*>(&client_), sizeof(client_));
+  void answer(const Vec3& force) noexcept {
+    const std::string_view text = gate_.answer(force);
+    if (!text.empty()) send(text, *gate_.holder());
   }
 
+  void send(std::string_view text, const RemotePeer& peer) noexcept {
+    if (text.empty()) return;
+    sockaddr_in to{};
+    to.sin_family = AF_INET;
+    to.sin_port = htons(peer.port);
+    to.sin_addr.s_addr = htonl(peer.address);
+    (void)::sendto(socket_.file(), text.data(), text.size(), MSG_DONTWAIT | MSG_NOSIGNAL,
+                   reinterpret_cast<const sockaddr*>(&to), sizeof(to));
+  }
+
+  RemoteGate gate_;
   Socket socket_;
   Listen listen_;
   Vec3 origin_mm_;
   double scale_;
   DeviceState state_{.faults = kNoPose};
   RemotePose pose_;
-  sockaddr_in client_{};
-  bool has_client_ = false;
+  bool has_pose_ = false;
   std::uint64_t last_tick_ = 0;
   std::atomic<std::uint32_t> faults_{kNoPose};
-  std::atomic<std::uint64_t> refused_{0};
   std::atomic<bool> closed_{false};
 };
 
 }  // namespace
 
-std::optional<RemotePose> parsePose(std::string_view message) noexcept {
-  if (nextWord(message) != "p") return std::nullopt;
-  RemotePose pose;
-  for (int axis = 0; axis < 3; ++axis) {
-    double& value = pose.tip_mm[axis];
-    if (!readNumber(nextWord(message), value) || !(std::abs(value) <= kMaxCoordinateMm)) return std::nullopt;
-  }
-  const std::string_view buttons = nextWord(message);
-  if (!buttons.empty() && !readNumber(buttons, pose.buttons)) return std::nullopt;
-  if (!nextWord(message).empty()) return std::nullopt;
-  return pose;
-}
-
 Probe probeRemote(const OpenOptions& options) {
   Probe probe;
   try {
     const Listen listen = listenAt(options.which);
+    const bool has_key = keyFor(listen).has_value();
     const Socket socket(listen);
     probe.available = true;
-    probe.devices.push_back(fmt::format("any program that sends to {}:{}", listen.address, listen.port));
+    probe.devices.push_back(fmt::format("any program that {} {}:{}", has_key ? "has the key and sends to" : "sends to",
+                                        listen.address, listen.port));
   } catch (const Error& error) {
     probe.reason = error.what();
-    probe.remedy = "say another port: remote:PORT (docs/remote.md)";
+    probe.remedy = "name another port, remote:PORT, or the file of a key (docs/remote.md)";
   }
   return probe;
 }
