@@ -147,17 +147,15 @@ std::string originOf(std::string_view url) {
   return name + "://" + host;
 }
 
-bool originAllowed(std::string_view origin, const std::vector<std::string>& named, std::string_view local_address,
-                   int port) {
+bool originAllowed(std::string_view origin, const std::vector<std::string>& named, const LocalPlace& local) {
   if (origin.empty()) return true;
   const std::string from = originOf(origin);
   if (from.empty() || from.size() < origin.size() - 4) return false;  // something follows: no origin of a page
   if (std::find(named.begin(), named.end(), from) != named.end()) return true;
-  const bool is_v6 = local_address.find(':') != std::string_view::npos;
-  const std::string own =
-      is_v6 ? fmt::format("http://[{}]:{}", local_address, port) : fmt::format("http://{}:{}", local_address, port);
-  if (from == originOf(own)) return true;
-  return isLoopback(local_address) && from == originOf(fmt::format("http://localhost:{}", port));
+  const bool is_v6 = local.address.find(':') != std::string_view::npos;
+  const std::string own = is_v6 ? fmt::format("[{}]", local.address) : std::string(local.address);
+  if (from == originOf(fmt::format("{}://{}:{}", local.scheme, own, local.port))) return true;
+  return isLoopback(local.address) && from == originOf(fmt::format("{}://localhost:{}", local.scheme, local.port));
 }
 
 }  // namespace palpate::app::serving

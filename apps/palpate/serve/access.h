@@ -48,10 +48,15 @@ bool isLoopback(std::string_view address);
 /// is no origin of a page.
 std::string originOf(std::string_view url);
 
-/// Whether a page from there may open a stream: those named, and the server's own address as the browser wrote it -
-/// `local_address` is that of the connection, so a strange name that leads here (DNS rebinding) is not it. An empty
-/// origin is no browser's: programs send none.
-bool originAllowed(std::string_view origin, const std::vector<std::string>& named, std::string_view local_address,
-                   int port);
+/// Where a connection arrived.
+struct LocalPlace {
+  std::string_view scheme;   ///< "http" or "https"
+  std::string_view address;  ///< of the connection, so a strange name that leads here (DNS rebinding) is not it
+  int port = 0;
+};
+
+/// Whether a page from there may open a stream: those named, and the server's own address as the browser wrote it. An
+/// empty origin is no browser's: programs send none.
+bool originAllowed(std::string_view origin, const std::vector<std::string>& named, const LocalPlace& local);
 
 }  // namespace palpate::app::serving

@@ -3,20 +3,21 @@
 #pragma once
 
 #include <atomic>
-#include <boost/asio/ip/tcp.hpp>
 #include <boost/beast/http/empty_body.hpp>
 #include <boost/beast/http/message.hpp>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
 #include <string_view>
 
 #include "apps/palpate/serve/network.h"
+#include "apps/palpate/serve/visit_book.h"
+#include "apps/palpate/serve/wire.h"
 #include "palpate/base/stopwatch.h"
 
 namespace palpate::app::serving {
 
-using Socket = boost::asio::ip::tcp::socket;
 using Request = boost::beast::http::request<boost::beast::http::empty_body>;
 using Frame = std::shared_ptr<const std::string>;
 
@@ -24,11 +25,8 @@ class Onlooker;
 
 struct HallCounts {
   std::atomic<std::uint64_t> onlookers{0}, most_onlookers{0}, frames_sent{0}, frames_skipped{0}, bytes_sent{0},
-      refused_token{0}, refused_origin{0}, refused_full{0}, malformed{0}, dropped{0};
+      refused_token{0}, refused_origin{0}, refused_full{0}, malformed{0}, dropped{0}, hung_up{0};
 };
-
-/// So many requests are answered at once; more are hung up on.
-inline constexpr std::size_t kMostVisits = 256;
 
 struct Hall {
   Hall(NetworkSettings of, Exhibits shown, ControlDesk at)
@@ -41,7 +39,9 @@ struct Hall {
   HallCounts counts;
   std::map<OnlookerId, std::shared_ptr<Onlooker>> onlookers;
   OnlookerId last_id = 0;
-  std::size_t visits = 0;
+  VisitBook book;
+  std::map<VisitId, std::function<void()>> hang_up;  ///< of those in the book
+  VisitId last_visit = 0;
   Frame newest;
   nlohmann::ordered_json vitals;
   bool closing = false;
@@ -55,6 +55,8 @@ struct Hall {
   void show(const Frame& frame);
   void join(const std::shared_ptr<Onlooker>& onlooker, OnlookerId id);
   void leave(OnlookerId id);
+  /// Hangs up on this visit, where it is one, to make room.
+  void makeRoom(VisitId id);
 };
 
 /// Answers the requests that come over this socket, one after the other, and makes an onlooker of one that asks for the
@@ -62,7 +64,7 @@ struct Hall {
 void beginVisit(Socket socket, Hall& hall);
 
 /// Completes the handshake and streams until it ends. Keeps itself alive; the hall knows it from the handshake on.
-void beginLooking(Socket socket, Hall& hall, Role role, const Request& request);
+void beginLooking(Wire wire, Hall& hall, Role role, const Request& request);
 
 /// For Hall: what everybody is told, and the end of everybody.
 void tell(Onlooker& onlooker, const std::string& state);

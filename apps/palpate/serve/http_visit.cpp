@@ -1,7 +1,7 @@
-// Requests by HTTP: the page's files, skin and forms for who has a token, and the way to the stream. Own.
-#include <boost/asio/ip/tcp.hpp>
+// Requests by HTTP: the page's files, skin and forms for who has a token, and the way to the stream.
+#include <algorithm>
 #include <boost/beast/core/flat_buffer.hpp>
-#include <boost/beast/core/tcp_stream.hpp>
+#include <boost/beast/core/string.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
 #include <chrono>
@@ -22,8 +22,9 @@ namespace {
 using Status = boost::system::error_code;
 
 constexpr std::uint32_t kMostHeaderBytes = 8192;
-/// For all of an answer: a skin of millions of triangles over a slow line.
-constexpr std::chrono::seconds kDelivery{120};
+/// An answer goes out in such pieces, each in its time: a skin of millions of triangles may take long over a slow line,
+/// but not for ever.
+constexpr std::size_t kPieceBytes = 65536;
 constexpr std::string_view kBearer = "Bearer ";
 constexpr std::string_view kServed = "/served/";
 constexpr std::string_view kStream = "/served/contacts";
@@ -34,33 +35,82 @@ std::chrono::milliseconds milliseconds(double seconds) {
   return std::chrono::milliseconds(static_cast<std::int64_t>(1000.0 * seconds));
 }
 
+/// The address, of IPv6 the network that one client has; empty on this computer, from where a proxy brings everybody.
+std::string clientOf(const Socket& socket) {
+  Status status;
+  asio::ip::address address = socket.remote_endpoint(status).address();
+  if (address.is_v6() && address.to_v6().is_v4_mapped()) {
+    address = asio::ip::make_address_v4(asio::ip::v4_mapped, address.to_v6());
+  }
+  if (address.is_loopback()) return {};
+  if (address.is_v4()) return address.to_string();
+  constexpr std::size_t kNetBytes = 8;
+  const auto bytes = address.to_v6().to_bytes();
+  return {reinterpret_cast<const char*>(bytes.data()), kNetBytes};
+}
+
+/// Of "Bearer TOKEN"; the first word in letters of any size (RFC 9110). Empty for anything else.
+std::string_view tokenIn(beast::string_view authorization) {
+  const beast::string_view scheme = authorization.substr(0, kBearer.size());
+  if (!beast::iequals(scheme, {kBearer.data(), kBearer.size()})) return {};
+  return trimmed(viewOf(authorization.substr(scheme.size())));
+}
+
 /// Without what a query adds.
 std::string_view pathOf(const Request& request) {
   const std::string_view target = viewOf(request.target());
   return target.substr(0, target.find('?'));
 }
 
+/// An answer on its way.
+template <class Body>
+struct Delivery {
+  explicit Delivery(http::response<Body> of) : answer(std::move(of)) {}
+  http::response<Body> answer;
+  http::response_serializer<Body> serializer{answer};
+  std::size_t left_of_piece = 0;
+};
+
 class Visit : public std::enable_shared_from_this<Visit> {
  public:
-  Visit(Socket socket, Hall& hall) : stream_(std::move(socket)), hall_(hall) { ++hall_.visits; }
-  ~Visit() { --hall_.visits; }
+  Visit(Socket socket, Hall& hall)
+      : wire_(std::move(socket), hall.settings.tls.get()), hall_(hall), id_(++hall_.last_visit) {}
+  ~Visit() { leave(); }
   Visit(const Visit&) = delete;
   Visit& operator=(const Visit&) = delete;
+
+  void begin() {
+    hall_.hang_up[id_] = [this] { line().close(); };
+    hall_.makeRoom(hall_.book.enter(id_, clientOf(line().socket()), hall_.now()));
+    if (!wire_.isTls()) return read();
+    line().expires_after(milliseconds(hall_.settings.handshake_s));
+    wire_.async_handshake([self = shared_from_this()](Status status) {
+      if (!status && !self->hall_.closing) self->read();
+    });
+  }
+
+ private:
+  beast::tcp_stream& line() { return wire_.next_layer(); }
+
+  void leave() {
+    hall_.book.leave(id_);
+    hall_.hang_up.erase(id_);
+  }
 
   void read() {
     parser_.emplace();
     parser_->header_limit(kMostHeaderBytes);
     parser_->body_limit(0);
-    stream_.expires_after(milliseconds(hall_.settings.handshake_s));
-    http::async_read(stream_, buffer_, *parser_,
+    line().expires_after(milliseconds(hall_.settings.handshake_s));
+    http::async_read(wire_, buffer_, *parser_,
                      [self = shared_from_this()](Status status, std::size_t) { self->take(status); });
   }
 
- private:
   void take(Status status) {
     if (status == http::error::end_of_stream || status == beast::error::timeout || hall_.closing) return hangUp();
     if (status && status.category() != http::make_error_code(http::error::bad_method).category()) return hangUp();
     request_ = parser_->release();
+    hall_.book.moved(id_, hall_.now());
     if (status) {
       ++hall_.counts.malformed;
       request_.keep_alive(false);
@@ -83,10 +133,11 @@ class Visit : public std::enable_shared_from_this<Visit> {
     send(file->content, file->type, file);
   }
 
-  bool comesFromAfar() const {
+  bool comesFromAfar() {
     Status ignored;
-    const std::string local = stream_.socket().local_endpoint(ignored).address().to_string();
-    return !originAllowed(viewOf(request_[http::field::origin]), hall_.settings.origins, local, hall_.port);
+    const std::string local = line().socket().local_endpoint(ignored).address().to_string();
+    return !originAllowed(viewOf(request_[http::field::origin]), hall_.settings.origins,
+                          {wire_.isTls() ? "https" : "http", local, hall_.port});
   }
 
   /// The role of who asks; answers those that have none.
@@ -100,14 +151,14 @@ class Visit : public std::enable_shared_from_this<Visit> {
     if (role == Role::none) {
       ++hall_.counts.refused_token;
       refuse(http::status::unauthorized);
+      return role;
     }
+    hall_.makeRoom(hall_.book.showedToken(id_, hall_.now()));
     return role;
   }
 
   void handOut(std::string_view path) {
-    const std::string_view authorization = viewOf(request_[http::field::authorization]);
-    const bool bearer = authorization.starts_with(kBearer);
-    if (admitted(bearer ? authorization.substr(kBearer.size()) : std::string_view()) == Role::none) return;
+    if (admitted(tokenIn(request_[http::field::authorization])) == Role::none) return;
     if (path == "/served/skin") return send(hall_.exhibits.skin, "application/octet-stream");
     if (path == "/served/forms") return send(hall_.exhibits.forms, "application/octet-stream");
     if (path != "/served/state") return refuse(http::status::not_found);
@@ -130,8 +181,9 @@ class Visit : public std::enable_shared_from_this<Visit> {
       ++hall_.counts.refused_full;
       return refuse(http::status::service_unavailable);
     }
-    stream_.expires_never();
-    beginLooking(stream_.release_socket(), hall_, role, request_);
+    leave();
+    line().expires_never();
+    beginLooking(std::move(wire_), hall_, role, request_);
   }
 
   template <class Body>
@@ -180,25 +232,36 @@ class Visit : public std::enable_shared_from_this<Visit> {
 
   template <class Body>
   void write(http::response<Body> answer) {
-    const auto kept = std::make_shared<http::response<Body>>(std::move(answer));
-    stream_.expires_after(kDelivery);
-    http::async_write(stream_, *kept, [self = shared_from_this(), kept](Status status, std::size_t) {
-      if (status) return;
-      if (kept->keep_alive()) {
-        self->read();
-      } else {
-        self->hangUp();
-      }
-    });
+    const auto delivery = std::make_shared<Delivery<Body>>(std::move(answer));
+    delivery->serializer.limit(kPieceBytes);
+    writeSome(delivery);
+  }
+
+  template <class Body>
+  void writeSome(const std::shared_ptr<Delivery<Body>>& delivery) {
+    if (delivery->left_of_piece == 0) {
+      delivery->left_of_piece = kPieceBytes;
+      line().expires_after(milliseconds(hall_.settings.piece_s));
+      hall_.book.moved(id_, hall_.now());
+    }
+    http::async_write_some(wire_, delivery->serializer,
+                           [self = shared_from_this(), delivery](Status status, std::size_t bytes) {
+                             if (status) return;
+                             delivery->left_of_piece -= std::min(delivery->left_of_piece, bytes);
+                             if (!delivery->serializer.is_done()) return self->writeSome(delivery);
+                             if (delivery->answer.keep_alive()) return self->read();
+                             self->hangUp();
+                           });
   }
 
   void hangUp() {
     Status ignored;
-    stream_.socket().shutdown(Socket::shutdown_both, ignored);
+    line().socket().shutdown(Socket::shutdown_both, ignored);
   }
 
-  beast::tcp_stream stream_;
+  Wire wire_;
   Hall& hall_;
+  const VisitId id_;
   beast::flat_buffer buffer_{2 * kMostHeaderBytes};
   std::optional<http::request_parser<http::empty_body>> parser_;
   Request request_;
@@ -207,6 +270,6 @@ class Visit : public std::enable_shared_from_this<Visit> {
 
 }  // namespace
 
-void beginVisit(Socket socket, Hall& hall) { std::make_shared<Visit>(std::move(socket), hall)->read(); }
+void beginVisit(Socket socket, Hall& hall) { std::make_shared<Visit>(std::move(socket), hall)->begin(); }
 
 }  // namespace palpate::app::serving

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "apps/palpate/serve/hall.h"
+#include "apps/palpate/serve/own_addresses.h"
 #include "palpate/base/error.h"
 
 namespace palpate::app::serving {
@@ -78,11 +79,7 @@ void Network::Parts::accept() {
       });
       return;
     }
-    if (hall.visits < kMostVisits) {
-      beginVisit(std::move(socket), hall);
-    } else {
-      ++hall.counts.refused_full;
-    }
+    beginVisit(std::move(socket), hall);
     accept();
   });
 }
@@ -135,10 +132,13 @@ Network::~Network() {
 
 int Network::port() const { return parts_->hall.port; }
 
-std::string Network::address() const {
-  std::string host = parts_->hall.settings.host;
-  if (host.find(':') != std::string::npos) host = "[" + host + "]";
-  return fmt::format("http://{}:{}", host, port());
+std::vector<std::string> Network::addresses() const {
+  const NetworkSettings& settings = parts_->hall.settings;
+  std::vector<std::string> addresses;
+  for (const std::string& host : reachableHosts(settings.host)) {
+    addresses.push_back(fmt::format("{}://{}:{}", settings.tls ? "https" : "http", host, port()));
+  }
+  return addresses;
 }
 
 void Network::show(std::shared_ptr<const std::string> frame) {
@@ -158,8 +158,9 @@ void Network::tellVitals(nlohmann::ordered_json vitals) {
 
 NetworkCounts Network::counts() const {
   const HallCounts& counts = parts_->hall.counts;
-  return {counts.onlookers,     counts.most_onlookers, counts.frames_sent,  counts.frames_skipped, counts.bytes_sent,
-          counts.refused_token, counts.refused_origin, counts.refused_full, counts.malformed,      counts.dropped};
+  return {counts.onlookers,  counts.most_onlookers, counts.frames_sent,    counts.frames_skipped,
+          counts.bytes_sent, counts.refused_token,  counts.refused_origin, counts.refused_full,
+          counts.malformed,  counts.dropped,        counts.hung_up};
 }
 
 // --- the hall
@@ -197,6 +198,14 @@ void Hall::leave(OnlookerId id) {
   counts.onlookers = onlookers.size();
   desk.left(id, now());
   if (!closing) tellState();
+}
+
+void Hall::makeRoom(VisitId id) {
+  const auto visit = hang_up.find(id);
+  if (visit == hang_up.end()) return;
+  ++counts.hung_up;
+  visit->second();
+  hang_up.erase(id);
 }
 
 }  // namespace palpate::app::serving

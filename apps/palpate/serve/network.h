@@ -17,17 +17,23 @@
 #include "apps/palpate/serve/control_desk.h"
 #include "apps/palpate/serve/site.h"
 
+namespace boost::asio::ssl {
+class context;
+}
+
 namespace palpate::app::serving {
 
 struct NetworkSettings {
   std::string host = "127.0.0.1";  ///< an address of this computer, or "localhost"
   int port = 8080;                 ///< 0: any that is free
   Tokens tokens;
-  std::vector<std::string> origins;  ///< pages from there may look, besides the server's own
-  std::size_t onlookers = 64;        ///< at once
-  double handshake_s = 10.0;         ///< for a request to be complete
-  double silence_s = 20.0;           ///< an onlooker that answers no ping for so long is gone
-  double stall_s = 5.0;              ///< and one that takes nothing for so long
+  std::shared_ptr<boost::asio::ssl::context> tls;  ///< null: plain HTTP
+  std::vector<std::string> origins;                ///< pages from there may look, besides the server's own
+  std::size_t onlookers = 64;                      ///< at once
+  double handshake_s = 10.0;                       ///< for a request to be complete, that of TLS included
+  double silence_s = 20.0;                         ///< an onlooker that answers no ping for so long is gone
+  double stall_s = 5.0;                            ///< and one that takes nothing for so long
+  double piece_s = 10.0;                           ///< for 64 KiB of an answer to be taken
 };
 
 /// What is shown, made once.
@@ -50,6 +56,7 @@ struct NetworkCounts {
   std::uint64_t refused_full = 0;
   std::uint64_t malformed = 0;  ///< requests and messages
   std::uint64_t dropped = 0;    ///< onlookers that were silent or took nothing
+  std::uint64_t hung_up = 0;    ///< requests that got nowhere, for others that came
 };
 
 class Network {
@@ -62,8 +69,8 @@ class Network {
   Network& operator=(const Network&) = delete;
 
   int port() const;
-  /// "http://127.0.0.1:8080"
-  std::string address() const;
+  /// "http://127.0.0.1:8080": those under which a browser reaches it, at least one.
+  std::vector<std::string> addresses() const;
 
   // The owner's thread; none of them waits.
 

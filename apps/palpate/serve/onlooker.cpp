@@ -37,8 +37,8 @@ constexpr double kMostWishesPerS = 200.0;
 
 class Onlooker : public std::enable_shared_from_this<Onlooker> {
  public:
-  Onlooker(Socket socket, Hall& hall, Role role, OnlookerId id)
-      : stream_(std::move(socket)), hall_(hall), role_(role), id_(id) {}
+  Onlooker(Wire wire, Hall& hall, Role role, OnlookerId id)
+      : stream_(std::move(wire)), hall_(hall), role_(role), id_(id) {}
 
   void accept(const Request& request) {
     holdBackLittle();
@@ -185,7 +185,7 @@ class Onlooker : public std::enable_shared_from_this<Onlooker> {
     beast::get_lowest_layer(stream_).socket().close(ignored);
   }
 
-  websocket::stream<beast::tcp_stream> stream_;
+  websocket::stream<Wire> stream_;
   Hall& hall_;
   const Role role_;
   const OnlookerId id_;
@@ -202,8 +202,8 @@ class Onlooker : public std::enable_shared_from_this<Onlooker> {
   double allowed_at_s_ = 0.0;
 };
 
-void beginLooking(Socket socket, Hall& hall, Role role, const Request& request) {
-  std::make_shared<Onlooker>(std::move(socket), hall, role, ++hall.last_id)->accept(request);
+void beginLooking(Wire wire, Hall& hall, Role role, const Request& request) {
+  std::make_shared<Onlooker>(std::move(wire), hall, role, ++hall.last_id)->accept(request);
 }
 
 void tell(Onlooker& onlooker, const std::string& state) { onlooker.tell(state); }

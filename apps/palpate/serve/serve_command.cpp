@@ -31,6 +31,15 @@ void addAccess(CLI::App& command, serving::ServeOptions& options) {
   command.add_option("--token-file", options.token_file,
                      "Read the three tokens from this file of yours alone (mode 600), or write those that are made; "
                      "other users see the words of a command, not its files");
+  CLI::Option* certificate = command
+                                 .add_option("--tls-cert", options.tls_cert,
+                                             "Certificate (PEM, with those that it is signed by) for HTTPS; needs "
+                                             "--tls-key")
+                                 ->type_name("FILE");
+  CLI::Option* key =
+      command.add_option("--tls-key", options.tls_key, "Its key (PEM, not readable by others)")->type_name("FILE");
+  certificate->needs(key);
+  key->needs(certificate);
   command
       .add_option("--origin", options.origins,
                   "A page from there may look too, for a proxy: https://place.example; once for each")

@@ -16,6 +16,7 @@
 #include "apps/palpate/common/json.h"
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/run/playback.h"
+#include "apps/palpate/serve/tls.h"
 #include "apps/viewer/live_servo.h"
 #include "palpate/base/error.h"
 #include "palpate/base/hash.h"
@@ -245,17 +246,24 @@ void showUntilTheEnd(const ServeOptions& options, const scene::World& world, vie
 
 // --- what is printed
 
+constexpr std::string_view kPlainWarning =
+    "warning: plain HTTP: everybody on the way can read the tokens and the body that is shown; use --tls-cert and "
+    "--tls-key, or a proxy with TLS (docs/serve.md)\n";
+
 void printAddress(const ServeOptions& options, const Network& network, const Tokens& tokens, const fs::path& file,
                   const std::string& title) {
+  const std::vector<std::string> addresses = network.addresses();
+  if (!isLoopback(options.host) && options.tls_cert.empty()) say(kPlainWarning);
   if (options.json) {
     const nlohmann::ordered_json line = {
-        {"event", "serving"}, {"address", network.address()}, {"port", network.port()}, {"token_file", file.string()}};
+        {"event", "serving"},     {"address", addresses.front()},     {"addresses", addresses},
+        {"port", network.port()}, {"tls", !options.tls_cert.empty()}, {"token_file", file.string()}};
     fmt::print("{}\n", line.dump());
   } else {
-    fmt::print("Palpate serves \"{}\" on {}\n", title, network.address());
+    fmt::print("Palpate serves \"{}\" on {}\n", title, fmt::join(addresses, ", "));
     for (const auto& [what, token] : {std::pair("look on ", &tokens.look), std::pair("touch   ", &tokens.control),
                                       std::pair("instruct", &tokens.instruct)}) {
-      fmt::print("  to {}  {}/#token={}\n", what, network.address(), *token);
+      fmt::print("  to {}  {}/#token={}\n", what, addresses.front(), *token);
     }
     fmt::print("Ctrl+C ends it.\n");
   }
@@ -274,6 +282,7 @@ nlohmann::ordered_json reportJson(const NetworkCounts& counts, const servo::Loop
           {"refused_full", counts.refused_full},
           {"malformed", counts.malformed},
           {"dropped", counts.dropped},
+          {"hung_up", counts.hung_up},
           {"ticks", loop.ticks},
           {"overruns", loop.overruns},
           {"compute_us", percentilesJson(loop.compute)},
@@ -287,11 +296,14 @@ void printReport(const ServeOptions& options, const NetworkCounts& counts, const
   }
   fmt::print("{} onlookers at most, {} frames; {} ticks, {} deadlines missed\n", counts.most_onlookers,
              counts.frames_sent, loop.ticks, loop.overruns);
-  const std::uint64_t refused =
-      counts.refused_token + counts.refused_origin + counts.refused_full + counts.malformed + counts.dropped;
+  const std::uint64_t refused = counts.refused_token + counts.refused_origin + counts.refused_full + counts.malformed +
+                                counts.dropped + counts.hung_up;
   if (refused == 0) return;
-  fmt::print("refused: {} wrong tokens, {} other origins, {} for whom there was no room, {} malformed; {} dropped\n",
-             counts.refused_token, counts.refused_origin, counts.refused_full, counts.malformed, counts.dropped);
+  fmt::print(
+      "refused: {} wrong tokens, {} other origins, {} for whom there was no room, {} malformed; {} dropped, {} stalled "
+      "requests hung up on\n",
+      counts.refused_token, counts.refused_origin, counts.refused_full, counts.malformed, counts.dropped,
+      counts.hung_up);
 }
 
 std::vector<std::string> originsOf(const ServeOptions& options) {
@@ -312,6 +324,7 @@ void serve(const ServeOptions& options) {
   settings.port = options.port;
   settings.tokens = tokensFor(options);
   settings.origins = originsOf(options);
+  if (!options.tls_cert.empty()) settings.tls = tlsFrom(options.tls_cert, options.tls_key);
   settings.onlookers = options.onlookers;
   Exhibits exhibits;
   exhibits.site = siteFor(options);

@@ -18,6 +18,7 @@ struct ServeOptions {
   int port = 8080;
   Tokens tokens;  ///< those that are given
   std::filesystem::path token_file;
+  std::filesystem::path tls_cert, tls_key;  ///< both or neither
   std::vector<std::string> origins;
   std::size_t onlookers = 64;
   std::filesystem::path site;     ///< empty: the installed one, or a page that says so
