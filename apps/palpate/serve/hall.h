@@ -74,6 +74,15 @@ void show(Onlooker& onlooker, const Frame& frame);
 void look(Onlooker& onlooker);
 void sendAway(Onlooker& onlooker);
 
+inline constexpr std::uint32_t kMaxHeaderBytes = 8192;
+
+/// An answer goes out in such pieces, each in its time: a skin of millions of triangles may take long over a slow line,
+/// but not for ever.
+inline constexpr std::size_t kPieceBytes = 65536;
+
+/// A page sends sixty a second, a hasty one a hundred more.
+inline constexpr double kMaxWishesPerS = 200.0;
+
 /// The protocol that both sides name; a page's token stands beside it, where no log writes it down.
 inline constexpr std::string_view kProtocol = "palpate.1";
 inline constexpr std::string_view kTokenProtocol = "palpate.token.";

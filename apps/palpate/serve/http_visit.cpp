@@ -25,10 +25,6 @@ namespace {
 
 using Status = boost::system::error_code;
 
-constexpr std::uint32_t kMostHeaderBytes = 8192;
-/// An answer goes out in such pieces, each in its time: a skin of millions of triangles may take long over a slow line,
-/// but not for ever.
-constexpr std::size_t kPieceBytes = 65536;
 constexpr std::string_view kBearer = "Bearer ";
 constexpr std::string_view kServed = "/served/";
 constexpr std::string_view kStream = "/served/contacts";
@@ -107,7 +103,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
 
   void read() {
     parser_.emplace();
-    parser_->header_limit(kMostHeaderBytes);
+    parser_->header_limit(kMaxHeaderBytes);
     parser_->body_limit(0);
     line().expires_after(milliseconds(hall_.settings.handshake_s));
     http::async_read(wire_, buffer_, *parser_,
@@ -270,7 +266,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
   Wire wire_;
   Hall& hall_;
   const VisitId id_;
-  beast::flat_buffer buffer_{2 * kMostHeaderBytes};
+  beast::flat_buffer buffer_{2 * kMaxHeaderBytes};
   std::optional<http::request_parser<http::empty_body>> parser_;
   Request request_;
   std::string own_text_;

@@ -30,9 +30,6 @@ constexpr int kUnsentBytes = 4096;
 /// Instructors' messages that wait; one that is behind by more reads nothing.
 constexpr std::size_t kMostWaiting = 8;
 
-/// A page sends sixty a second, a hasty one a hundred more.
-constexpr double kMostWishesPerS = 200.0;
-
 }  // namespace
 
 class Onlooker : public std::enable_shared_from_this<Onlooker> {
@@ -146,7 +143,7 @@ class Onlooker : public std::enable_shared_from_this<Onlooker> {
 
   bool isHasty() {
     const double now_s = hall_.now();
-    allowance_ = std::min(kMostWishesPerS, allowance_ + kMostWishesPerS * (now_s - allowed_at_s_));
+    allowance_ = std::min(kMaxWishesPerS, allowance_ + kMaxWishesPerS * (now_s - allowed_at_s_));
     allowed_at_s_ = now_s;
     allowance_ -= 1.0;
     return allowance_ < 0.0;
@@ -198,7 +195,7 @@ class Onlooker : public std::enable_shared_from_this<Onlooker> {
   bool closing_ = false;
   bool dropped_ = false;
   double write_began_s_ = 0.0;
-  double allowance_ = kMostWishesPerS;
+  double allowance_ = kMaxWishesPerS;
   double allowed_at_s_ = 0.0;
 };
 

@@ -27,10 +27,8 @@ namespace palpate::device {
 
 namespace {
 
-constexpr const char* kLoopback = "127.0.0.1";
-
 struct Listen {
-  std::string address = kLoopback;
+  std::string address = kRemoteAddress;
   int port = kRemotePort;
 };
 

@@ -13,6 +13,7 @@
 namespace palpate::device {
 
 inline constexpr int kRemotePort = 4730;
+inline constexpr const char* kRemoteAddress = "127.0.0.1";
 
 /// A flood of messages must not keep a tick from ending.
 inline constexpr int kMaxDatagramsPerTick = 32;

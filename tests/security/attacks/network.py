@@ -125,7 +125,7 @@ def second_sender(room):
     return lab.judged(stolen == 0 and kept > 0, f"300 poses of a second sender: {stolen} answers to it, {kept} to the first")
 
 
-@lab.attack("remote-open-address", "network", [lab.Mend(DEVICE, "if (isOnThisMachine(listen)) return std::nullopt;", "return std::nullopt;")],
+@lab.attack("remote-open-address", "network", [lab.Mend(DEVICE, "if (isOnThisMachine(listen)) return", "if (isOnThisMachine(listen) || file == nullptr) return")],
             seconds=30)
 def open_address(room):
     """An address that other computers reach, opened without a key."""
@@ -151,7 +151,8 @@ def readable_key(room):
 
 
 @lab.attack("remote-forged", "network",
-            [lab.Mend(GATE, "if (!equalInConstantTime(signature, {expected.data(), expected.size()})) return std::nullopt;", "")], seconds=40)
+            [lab.Mend(GATE, "if (!equalInConstantTime(signature, {expected.data(), expected.size()})) return std::nullopt;",
+                      "if (signature.size() != expected.size()) return std::nullopt;")], seconds=40)
 def forged(room):
     """Poses and hellos without the key, with another, and with a place changed on the way."""
     port = room.free_port(socket.SOCK_DGRAM)
@@ -311,7 +312,7 @@ def bearer(room):
 
 
 @lab.attack("serve-plain-on-a-network", "network",
-            [lab.Mend("apps/palpate/serve/served_run.cpp", "if (!isLoopback(options.host) && options.tls_cert.empty()) say(kPlainWarning);", ""),
+            [lab.Mend("apps/palpate/serve/served_run.cpp", "if (!isLoopback(options.host) && options.tls_cert.empty()) say(", "if (options.port < 0) say("),
              lab.Mend("apps/palpate/serve/own_addresses.cpp", 'if (!v6 && host != "0.0.0.0") return', "if (true) return")], seconds=30)
 def plain(room):
     """Plain HTTP on every interface: without a word, under an address that no browser opens."""
