@@ -1,6 +1,5 @@
 #include "apps/viewer/live_servo.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "palpate/device/device_profile.h"
@@ -25,7 +24,7 @@ double fingerRadius(const scene::Scene& scene, std::size_t finger) {
 }
 
 engine::ServoPlan planFor(std::shared_ptr<const scene::World> world, const scene::Scene& scene, bool other_body,
-                          const std::optional<device::Capabilities>& held) {
+                          std::span<const device::Capabilities> held, double tick_s) {
   std::vector<contact::FingerSettings> fingers;
   for (std::size_t i = 0; i < kFingers; ++i) {
     scene::Finger finger;
@@ -33,8 +32,8 @@ engine::ServoPlan planFor(std::shared_ptr<const scene::World> world, const scene
     fingers.push_back(scene::contactSettings(scene, finger));
   }
   engine::ServoPlan plan = engine::servoPlan(std::move(world), std::move(fingers));
-  if (held) {
-    plan.limiter = servo::limiterSettings(*plan.world, device::profileOf(scene.safety.device, *held));
+  if (!held.empty()) {
+    plan.limiter = servo::limiterSettings(*plan.world, device::profileOf(scene.safety.device, held), tick_s);
   } else {
     removeLimits(plan.limiter);
   }
@@ -46,20 +45,6 @@ device::Capabilities abilityOf(const OpenedDevice& opened) {
   device::Capabilities able = opened.device.capabilities;
   able.motion_scale = opened.workspace.frame.mm;
   return able;
-}
-
-std::optional<device::Capabilities> leastOf(std::span<const device::Capabilities> devices) {
-  if (devices.empty()) return std::nullopt;
-  device::Capabilities least;
-  const auto lower = [](double& value, double other) {
-    if (other > 0.0) value = value > 0.0 ? std::min(value, other) : other;
-  };
-  for (const device::Capabilities& device : devices) {
-    least.motion_scale = std::max(least.motion_scale, device.motion_scale);
-    lower(least.max_force_n, device.max_force_n);
-    lower(least.nominal_stiffness_n_per_mm, device.nominal_stiffness_n_per_mm);
-  }
-  return least;
 }
 
 LiveServo::Held LiveServo::heldBy(OpenedDevice opened) {
@@ -120,17 +105,17 @@ std::vector<device::Device> LiveServo::takeLeaving() {
   return std::exchange(leaving_, {});
 }
 
-std::optional<device::Capabilities> LiveServo::limitsWith(std::size_t finger, const OpenedDevice* opened) const {
+std::vector<device::Capabilities> LiveServo::abilitiesWith(std::size_t finger, const OpenedDevice* opened) const {
   std::vector<device::Capabilities> devices;
   for (std::size_t i = 0; i < kFingers; ++i) {
     if (i != finger && held_[i]) devices.push_back(abilityOf(held_[i]->opened));
   }
   if (opened != nullptr) devices.push_back(abilityOf(*opened));
-  return leastOf(devices);
+  return devices;
 }
 
-std::optional<device::Capabilities> LiveServo::limits() const {
-  return limitsWith(0, held_[0] ? &held_[0]->opened : nullptr);
+std::vector<device::Capabilities> LiveServo::abilities() const {
+  return abilitiesWith(0, held_[0] ? &held_[0]->opened : nullptr);
 }
 
 bool LiveServo::place(std::size_t finger, const device::Workspace& workspace) {

@@ -32,13 +32,10 @@ struct OpenedDevice {
 
 /// The plan for a world with the settings of a scene: the first two fingers' radii, a fingertip where there are fewer.
 /// A mouse pushes nobody's hand and has no limits; where hardware is held, the scene's hold for all fingers, and those
-/// that the hardware names itself. Throws Error for settings that make no sense.
+/// of the weakest device (device/device_profile.h). `tick_s` is the servo's; 0: as the scene says. Throws Error for
+/// settings that make no sense.
 engine::ServoPlan planFor(std::shared_ptr<const scene::World> world, const scene::Scene& scene, bool other_body,
-                          const std::optional<device::Capabilities>& held = {});
-
-/// The least force and stiffness that the devices name (0: none does) and the greatest scale of their motion, at least
-/// 1; nothing without devices.
-std::optional<device::Capabilities> leastOf(std::span<const device::Capabilities> devices);
+                          std::span<const device::Capabilities> held = {}, double tick_s = 0.0);
 
 /// As its workspace makes it: what the limits are taken from.
 device::Capabilities abilityOf(const OpenedDevice& opened);
@@ -57,7 +54,7 @@ class LiveServo {
 
   // Devices come and go while the servo runs: in one tick, with the limits of the plan, the one before at zero force.
 
-  /// The device takes the finger; one that held it goes. The plan must have its limits (leastOf).
+  /// The device takes the finger; one that held it goes. The plan must have its limits.
   void hold(std::size_t finger, OpenedDevice opened, engine::ServoPlan plan);
   /// The mouse takes the finger back.
   void letGo(std::size_t finger, engine::ServoPlan plan);
@@ -72,9 +69,9 @@ class LiveServo {
   const OpenedDevice& opened(std::size_t finger) const { return held_[finger]->opened; }
   /// Of a finger that is held: the device as the servo has it.
   const device::Device& device(std::size_t finger) const { return held_[finger]->placed; }
-  /// leastOf those that hold fingers; the same if this finger were held by that device, or for null by the mouse.
-  std::optional<device::Capabilities> limits() const;
-  std::optional<device::Capabilities> limitsWith(std::size_t finger, const OpenedDevice* opened) const;
+  /// Of the devices that hold fingers; the same if this finger were held by that device, or for null by the mouse.
+  std::vector<device::Capabilities> abilities() const;
+  std::vector<device::Capabilities> abilitiesWith(std::size_t finger, const OpenedDevice* opened) const;
 
   // Of a finger that is held; nothing happens to another.
 

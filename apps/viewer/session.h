@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "apps/viewer/devices/devices_shown.h"
 #include "apps/viewer/editing/change_history.h"
@@ -53,8 +54,8 @@ struct Session {
 
   // What is.
   double now_s = 0.0;
-  std::string held_by = "mouse";             ///< what moves the fingers, in words
-  std::optional<device::Capabilities> held;  ///< limits of the devices that hold fingers; nothing: all are the mouse's
+  std::string held_by = "mouse";           ///< what moves the fingers, in words
+  std::vector<device::Capabilities> held;  ///< of the devices that hold fingers; empty: all are the mouse's
   DevicesShown devices;
   double ticks_per_s = 1000.0;  ///< of the servo: those of the scene that the window began with
   WorldFacts world;

@@ -10,7 +10,9 @@
 
 #include "apps/viewer/files/state_file.h"
 #include "palpate/base/error.h"
+#include "palpate/device/device_profile.h"
 #include "palpate/scene/scene_file.h"
+#include "palpate/servo/device_limits.h"
 #include "palpate/view/layers/skin_picture.h"
 
 namespace palpate::viewer {
@@ -29,6 +31,26 @@ void tellRate(Session& session) {
   session.report(Severity::info,
                  fmt::format("Felt at {:.0f} ticks a second, as this window began; the scene says {:.0f}",
                              session.ticks_per_s, session.scene.ticks_per_s));
+}
+
+/// The panel, the plots and the banner show what the servo gets.
+void tellLimits(const engine::ServoPlan& plan, Session& session) {
+  DevicesShown& shown = session.devices;
+  const scene::SafetySettings& safety = plan.world->scene.safety;
+  session.device_limit_n = plan.limiter.force_n;
+  shown.stiffness_factor = plan.limiter.stiffness_factor;
+  shown.unsafe = safety.unsafe_stiffness;
+  std::vector<std::string> notes;
+  if (!session.held.empty()) {
+    notes = servo::safetyNotes(safety, device::profileOf(session.scene.safety.device, session.held),
+                               1.0 / session.ticks_per_s);
+  }
+  for (const std::string& note : notes) {
+    if (std::ranges::find(shown.safety_notes, note) == shown.safety_notes.end()) {
+      session.messages.note(note, session.now_s);
+    }
+  }
+  shown.safety_notes = std::move(notes);
 }
 
 }  // namespace
@@ -50,6 +72,7 @@ scene::Scene sceneFromFile(const std::string& file, const scene::Scene& like) {
   scene.body = {};
   scene.body.kind = scene::BodyKind::mesh;
   scene.body.file = path;
+  scene.safety.unsafe_stiffness = false;  // it was given for another body
   return scene;
 }
 
@@ -137,8 +160,9 @@ void Turnover::takeResult(Session& session, engine::ServoThread& servo) {
 
 void Turnover::adopt(Session& session, const engine::BuildResult& result, engine::ServoThread& servo) {
   try {
-    engine::ServoPlan plan = planFor(result.world, session.scene, result.wish.body == nullptr, session.held);
-    session.devices.stiffness_factor = plan.limiter.stiffness_factor;
+    engine::ServoPlan plan =
+        planFor(result.world, session.scene, result.wish.body == nullptr, session.held, 1.0 / session.ticks_per_s);
+    tellLimits(plan, session);
     servo.change(std::move(plan));
   } catch (const Error& error) {
     failure_ = error.what();
@@ -150,8 +174,9 @@ void Turnover::adopt(Session& session, const engine::BuildResult& result, engine
 }
 
 engine::ServoPlan Turnover::planNow(Session& session) const {
-  engine::ServoPlan plan = planFor(coming_ ? coming_ : shown_, session.scene, coming_ && other_body_, session.held);
-  session.devices.stiffness_factor = plan.limiter.stiffness_factor;
+  engine::ServoPlan plan = planFor(coming_ ? coming_ : shown_, session.scene, coming_ && other_body_, session.held,
+                                   1.0 / session.ticks_per_s);
+  tellLimits(plan, session);
   return plan;
 }
 

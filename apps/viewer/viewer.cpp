@@ -19,18 +19,12 @@
 #include "apps/viewer/panels/widgets.h"
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
-#include "palpate/device/device_profile.h"
 #include "palpate/trace/forces_table.h"
 #include "palpate/trace/session_reader.h"
 
 namespace palpate::viewer {
 
 namespace {
-
-/// The force that a device of the scene would hold, N.
-double deviceLimit(const scene::SafetySettings& safety) {
-  return device::largestForceN(safety, device::profileOf(safety.device));
-}
 
 using Kind = window::Command::Kind;
 
@@ -47,10 +41,10 @@ constexpr double kDrawnPointMm = 8.0;
 constexpr int kClearSupersampling = 2;
 
 /// Of devices that are open before there is a servo.
-std::optional<device::Capabilities> limitsOf(const std::vector<OpenedDevice>& devices) {
+std::vector<device::Capabilities> abilitiesOf(const std::vector<OpenedDevice>& devices) {
   std::vector<device::Capabilities> able;
   for (const OpenedDevice& opened : devices) able.push_back(abilityOf(opened));
-  return leastOf(able);
+  return able;
 }
 
 WorldFacts factsOf(const scene::World& world) {
@@ -84,7 +78,7 @@ Viewer::Viewer(const std::shared_ptr<const scene::World>& world, ViewState state
     : settings_(std::move(settings)),
       host_(std::move(host)),
       world_(world),
-      servo_(planFor(world, world->scene, true, limitsOf(settings_.devices)), settings_.devices),
+      servo_(planFor(world, world->scene, true, abilitiesOf(settings_.devices)), settings_.devices),
       model_(std::make_unique<LiveModel>(world)),
       turnover_(world),
       devices_(servo_, turnover_),
@@ -98,11 +92,10 @@ Viewer::Viewer(const std::shared_ptr<const scene::World>& world, ViewState state
   session_.document = documentOf(world->scene.file);
   session_.output_folder = outputs_.folder();
   takeFacts();
-  session_.device_limit_n = deviceLimit(world->scene.safety);
   session_.profile.knots = world->deformation.normal_profile.knots;
-  session_.held = servo_.limits();
-  session_.devices.stiffness_factor = turnover_.planNow(session_).limiter.stiffness_factor;
+  session_.held = servo_.abilities();
   session_.ticks_per_s = servo_.thread().ticksPerS();
+  turnover_.planNow(session_);  // tells the session what the limits are
   for (SampleHistory& plot : session_.plots.fingers) plot = SampleHistory(session_.ticks_per_s);
   input_.settings = session_.state.input;
   session_.performance.graphics = view::rendererWords();
@@ -227,7 +220,6 @@ void Viewer::takeWorld() {
   model_->setWorld(world_);
   if (training_) training_->worldCame(*world_);
   takeFacts();
-  session_.device_limit_n = deviceLimit(session_.scene.safety);
   if (session_.profile.handle < 0) session_.profile.knots = world_->deformation.normal_profile.knots;
   if (!shown.other_body) return;
   devices_.bodyChanged();

@@ -227,6 +227,10 @@ TEST(SessionSettings, AreReadBackToTheBit) {
   EXPECT_EQ(back.settings.passivity.friction_n, 0.1 + 0.2);
   EXPECT_EQ(back.settings.start, scene::StartRule::ramp);
   EXPECT_FALSE(back.closes_loop);
+  EXPECT_EQ(asText(limiter, false).find("unsafe"), std::string::npos) << "recordings of before have no such line";
+  limiter.unsafe = true;
+  EXPECT_TRUE(limiterFrom(asText(limiter, false)).settings.unsafe);
+  EXPECT_NE(limitsInWords(limiter).find("UNSAFE"), std::string::npos);
   EXPECT_THROW(contactSettingsFrom("radius = 8\n"), Error);
   EXPECT_THROW(contactSettingsFrom("radius_mm = much\n"), Error);
 }

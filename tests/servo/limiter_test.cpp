@@ -265,7 +265,78 @@ TEST(DeviceLimits, HoldWhatTheDeviceTakesWhateverTheSceneWishes) {
   safety.device = scene::DeviceModel::unknown;
   device::Capabilities reported;
   reported.max_force_n = 8.0;
-  EXPECT_EQ(device::largestForceN(safety, device::profileOf(safety.device, reported)), 8.0) << "what the driver says";
+  reported.takes_force = true;
+  EXPECT_EQ(device::largestForceN(safety, device::profileOf(safety.device, reported)), 3.3)
+      << "a driver's word makes no unknown device stronger than the weakest known one";
+  safety.device = scene::DeviceModel::premium_3_0;
+  EXPECT_EQ(device::largestForceN(safety, device::profileOf(safety.device, reported)), 3.3) << "nor does a scene's";
+  reported.kind = scene::DeviceModel::touch_x;
+  EXPECT_EQ(device::largestForceN(safety, device::profileOf(safety.device, reported)), 7.9) << "its own row";
+}
+
+TEST(DeviceLimits, NoSceneAsksPastThemAndOnlyTheCommandLineLiftsThem) {
+  scene::SafetySettings wish;
+  wish.stiffness_cap_n_per_mm = 5.0;
+  wish.nominal_force_n = 100.0;
+  wish.delay_ticks = 3.0;
+  const device::DeviceProfile unknown;
+  EXPECT_NEAR(stiffnessCap(wish, unknown, 0.001), 2.0 / 3.0, 1e-12);
+  EXPECT_EQ(device::largestForceN(wish, unknown), 3.3);
+  const std::vector<std::string> notes = safetyNotes(wish, unknown, 0.001);
+  ASSERT_EQ(notes.size(), 2u);
+  EXPECT_NE(notes[0].find("stiffness_cap_n_per_mm = 5 is more than device, rate and delay"), std::string::npos);
+  EXPECT_NE(notes[1].find("nominal_force_n = 100 is more than an unknown device takes: 3.3 N"), std::string::npos);
+  EXPECT_FALSE(limiterSettings(wish, unknown, 0.001).unsafe);
+
+  wish.unsafe_stiffness = true;
+  EXPECT_EQ(stiffnessCap(wish, unknown, 0.001), 5.0);
+  EXPECT_EQ(device::largestForceN(wish, unknown), 100.0);
+  EXPECT_TRUE(limiterSettings(wish, unknown, 0.001).unsafe);
+  ASSERT_EQ(safetyNotes(wish, unknown, 0.001).size(), 1u);
+  EXPECT_TRUE(safetyNotes(wish, unknown, 0.001)[0].starts_with(kUnsafeMark));
+
+  device::Capabilities driver;
+  driver.takes_force = true;
+  driver.max_force_n = 8.0;
+  EXPECT_EQ(device::largestForceN(wish, device::profileOf(wish.device, driver)), 8.0) << "a driver's word still bounds";
+  EXPECT_EQ(device::largestForceN(wish, device::profileOf(scene::DeviceModel::omni)), 3.3) << "it can do no more";
+
+  scene::SafetySettings modest;
+  modest.unsafe_stiffness = true;
+  EXPECT_FALSE(limiterSettings(modest, unknown, 0.001).unsafe) << "consent to what nobody asks for changes nothing";
+  EXPECT_TRUE(safetyNotes(modest, unknown, 0.001).empty());
+}
+
+TEST(DeviceLimits, GuardsStayTightWhereAHandMayBe) {
+  scene::SafetySettings loose;
+  loose.passivity = loose.soft_contact = false;
+  loose.start = scene::StartRule::ramp;
+  loose.ramp_s = 0.0;
+  loose.delay_ticks = 0.0;
+  loose.max_age_ticks = 1000.0;
+  loose.max_jump_mm = loose.max_tip_speed_mm_per_s = loose.max_force_rate_n_per_ms = 1e6;
+  const LimiterSettings scripted = limiterSettings(loose, device::DeviceProfile{}, 0.001);
+  EXPECT_FALSE(scripted.passivity.on) << "a path that nobody holds is a scene's own affair";
+  EXPECT_EQ(scripted.max_jump_mm, 1e6);
+
+  device::Capabilities able;
+  able.takes_force = true;
+  able.delay_ticks = 1;
+  const device::DeviceProfile open = device::profileOf(loose.device, able);
+  const LimiterSettings held = limiterSettings(loose, open, 0.001);
+  const LimiterSettings usual = limiterSettings(scene::SafetySettings{}, open, 0.001);
+  EXPECT_TRUE(held.passivity.on);
+  EXPECT_TRUE(held.soft_contact);
+  EXPECT_EQ(held.passivity.delay_ticks, usual.passivity.delay_ticks) << "the back end knows of a tick";
+  EXPECT_EQ(held.ramp_s, kQuickestRampS);
+  EXPECT_EQ(held.max_age_ticks, kLoosestGuard * usual.max_age_ticks);
+  EXPECT_EQ(held.max_jump_mm, kLoosestGuard * usual.max_jump_mm);
+  EXPECT_EQ(held.max_tip_speed_mm_per_s, kLoosestGuard * usual.max_tip_speed_mm_per_s);
+  EXPECT_EQ(held.max_force_rate_n_per_ms, kLoosestGuard * usual.max_force_rate_n_per_ms);
+  EXPECT_EQ(safetyNotes(loose, open, 0.001).size(), 8u) << "each is said";
+  loose.unsafe_stiffness = true;
+  EXPECT_FALSE(limiterSettings(loose, open, 0.001).passivity.on);
+  EXPECT_EQ(limiterSettings(loose, open, 0.001).max_jump_mm, held.max_jump_mm) << "no consent loosens a guard";
 }
 
 TEST(DeviceLimits, CapTheStiffnessByDelayAndRate) {
@@ -283,7 +354,7 @@ TEST(DeviceLimits, CapTheStiffnessByDelayAndRate) {
   touch.device = scene::DeviceModel::touch;
   EXPECT_EQ(cap(touch, 0.001, 1.0), 0.4);
   touch.stiffness_cap_n_per_mm = 5.0;
-  EXPECT_EQ(cap(touch, 0.001, 1.0), 0.4) << "never silently above it";
+  EXPECT_EQ(cap(touch, 0.001, 1.0), 0.4) << "never above it";
   scene::SafetySettings falcon = unknown;
   falcon.device = scene::DeviceModel::falcon;
   EXPECT_EQ(cap(falcon, 0.001, 1.0), 2.0);

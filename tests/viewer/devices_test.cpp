@@ -261,8 +261,8 @@ TEST(Devices, TheWorkspaceIsPartOfTheSceneSavedAndReadBack) {
   EXPECT_GT(settings.scale, 1.5);
   EXPECT_TRUE(settings.origin_mm);
   ASSERT_TRUE(held.stage.until([&] { return held.devices().fingers[0].workspace.frame.mm == settings.scale; }));
-  ASSERT_TRUE(held.stage.session().held);
-  EXPECT_EQ(held.stage.session().held->motion_scale, settings.scale) << "the limits follow";
+  ASSERT_EQ(held.stage.session().held.size(), 1u);
+  EXPECT_EQ(held.stage.session().held[0].motion_scale, settings.scale) << "the limits follow";
   held.stage.key(window::key('S'), {true, false});
   const std::filesystem::path file = held.stage.session().document.file;
   const scene::Scene saved = scene::load(file);

@@ -69,12 +69,9 @@ TEST(LiveServo, ADeviceHoldsTheLeftFingerWithinItsOwnLimitAndTheMouseKeepsTheRig
   device::Device held = device::scriptedDevice("held", std::make_shared<const std::vector<Vec3>>(path));
   held.capabilities.max_force_n = 1.5;
   held.capabilities.nominal_stiffness_n_per_mm = 0.4;
-  const auto limits = leastOf(std::span(&held.capabilities, 1));
-  ASSERT_TRUE(limits);
-  EXPECT_EQ(limits->max_force_n, 1.5);
-  EXPECT_EQ(limits->nominal_stiffness_n_per_mm, 0.4);
-  EXPECT_FALSE(leastOf({}));
-  LiveServo servo(planFor(world, world->scene, true, limits), {{"held", held, {}}});
+  LiveServo servo(planFor(world, world->scene, true, std::span(&held.capabilities, 1)), {{"held", held, {}}});
+  ASSERT_EQ(servo.abilities().size(), 1u);
+  EXPECT_EQ(servo.abilities()[0].max_force_n, 1.5);
   EXPECT_TRUE(servo.isHeld(0));
   EXPECT_FALSE(servo.isHeld(1));
   EXPECT_TRUE(waitFor(servo, [&] { return servo.thread().contacts()[0].device_force.z() > 1.45; }))
@@ -82,6 +79,18 @@ TEST(LiveServo, ADeviceHoldsTheLeftFingerWithinItsOwnLimitAndTheMouseKeepsTheRig
   EXPECT_LE(servo.thread().contacts()[0].device_force.norm(), 1.5 + 1e-9);
   servo.point(1, pressAt({60, 100, 0}, 4.0));
   EXPECT_TRUE(waitFor(servo, [&] { return servo.thread().contacts()[1].contact.depth_mm > 3.5; }));
+}
+
+TEST(LiveServo, TheCapIsOfTheRateOfTheLoopNotOfTheSceneThatCame) {
+  const support::TemporaryFolder folder;
+  const auto world = sheet(folder, 3.0);
+  scene::Scene fast = world->scene;
+  fast.ticks_per_s = 4000.0;
+  const auto felt = scene::rebuilt(*world, fast);
+  device::Capabilities able;
+  able.takes_force = true;
+  EXPECT_EQ(planFor(felt, fast, true, std::span(&able, 1)).limiter.stiffness_factor, 1.0) << "3 N/mm at 4 kHz";
+  EXPECT_LT(planFor(felt, fast, true, std::span(&able, 1), 0.004).limiter.stiffness_factor, 0.1) << "at 250 Hz";
 }
 
 TEST(LiveServo, TakesAnotherWorldBetweenTwoTicksAndGivesTheOldOneBack) {

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "apps/palpate/common/progress_line.h"
 #include "palpate/base/error.h"
 #include "palpate/device/workspace.h"
+#include "palpate/servo/device_limits.h"
 
 namespace palpate::app {
 
@@ -24,6 +26,18 @@ CLI::Option* addDeviceOption(CLI::App& command, std::vector<std::string>& names,
       ->type_name("NAME[:WHICH]")
       ->check(CLI::Validator(known, ""))
       ->allow_extra_args(false);  // one a time: what follows is the scene
+}
+
+void addUnsafeStiffness(CLI::App& command, bool& unsafe) {
+  command.add_flag("--unsafe-stiffness", unsafe,
+                   "Render the stiffness and force that the scene's [safety] asks for, beyond what is safe for the "
+                   "device (docs/safety.md)");
+}
+
+void sayUnsafe(std::span<const std::string> notes) {
+  for (const std::string& note : notes) {
+    if (note.starts_with(servo::kUnsafeMark)) say("palpate: " + note + "\n");
+  }
 }
 
 std::vector<device::Device> openDevices(std::span<const std::string> names,

@@ -15,6 +15,13 @@ namespace palpate::app {
 /// the command.
 CLI::Option* addDeviceOption(CLI::App& command, std::vector<std::string>& names, const std::string& help);
 
+/// Adds --unsafe-stiffness (scene::SafetySettings::unsafe_stiffness), for commands in which a person decides about his
+/// own hand: no training, no server.
+void addUnsafeStiffness(CLI::App& command, bool& unsafe);
+
+/// What safety has to say about a run before a hand is on the device, on stderr, a line each.
+void sayUnsafe(std::span<const std::string> notes);
+
 /// Opens them in their order, device i as `fingers[i]` says. Throws Error with the reason for one that does not open,
 /// and for more devices than fingers.
 std::vector<device::Device> openDevices(std::span<const std::string> names,

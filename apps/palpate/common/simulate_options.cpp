@@ -96,6 +96,7 @@ scene::Scene sceneFor(const SimulateOptions& given) {
   useTrajectories(options, scene);
   if (options.needs_fingers) useSomeFinger(scene);
   if (options.seconds > 0.0) scene.seconds = options.seconds;
+  scene.safety.unsafe_stiffness = options.unsafe_stiffness;
   if (options.radius_given) {
     for (scene::Finger& finger : scene.fingers) finger.radius_mm = options.radius_mm;
   }

@@ -26,6 +26,7 @@ struct SimulateOptions {
   std::optional<std::string> out;  ///< empty: results_folder.h finds a fresh name
   bool overwrite = false;
   std::vector<std::string> devices;  ///< that hold the first fingers, instead of their paths
+  bool unsafe_stiffness = false;     ///< addUnsafeStiffness
   bool realtime = false;
   bool session = false;
   bool pictures = true;

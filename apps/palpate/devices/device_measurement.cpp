@@ -2,6 +2,7 @@
 
 #include "apps/palpate/common/interruption.h"
 #include "palpate/base/stopwatch.h"
+#include "palpate/device/back_ends.h"
 #include "palpate/servo/pacing.h"
 
 namespace palpate::app {
@@ -10,6 +11,12 @@ namespace {
 
 constexpr double kLookS = 50e-6;
 constexpr std::uint64_t kLooksPerReport = 2000;
+
+/// What answers at once has a position whenever it is asked, which the servo does once a tick.
+double lookS(const device::Capabilities& able) {
+  const bool at_once = able.rhythm == device::Rhythm::on_call;
+  return at_once ? device::OpenOptions{}.tick_s : kLookS;
+}
 
 }  // namespace
 
@@ -22,13 +29,14 @@ DeviceMeasurement measureDevice(const device::Device& device, double seconds, co
   std::uint64_t positions = 0;
   std::int64_t newest_ns = 0;
   servo::PacingSettings pacing;
-  pacing.period_s = kLookS;
+  const double look_s = lookS(device.capabilities);
+  pacing.period_s = look_s;
   pacing.spin_s = 0.0;  // the driver's thread may need this core
   servo::Pacer pacer(pacing);
   const auto started = Clock::now();
   while (secondsSince(started) < seconds && endAskedBy() == 0) {
     const Vec3 tip = device.read_tip(pacer.waitForNext().tick);
-    const device::DeviceState state = device.state();
+    const device::DeviceState state = device.state ? device.state() : device::DeviceState{};
     device.write_force(Vec3::Zero());
     ++looks;
     with_position += tip.allFinite() || state.faults == device::kStalePose ? 1 : 0;
@@ -37,7 +45,7 @@ DeviceMeasurement measureDevice(const device::Device& device, double seconds, co
     const std::int64_t now_ns = monotonicNs();
     if (newest_ns != 0) intervals.add(now_ns - newest_ns);
     if (state.loop_ticks != 0)
-      delays.add(static_cast<std::int64_t>(static_cast<double>(state.loop_ticks) * kLookS * 1e9));
+      delays.add(static_cast<std::int64_t>(static_cast<double>(state.loop_ticks) * look_s * 1e9));
     newest_ns = now_ns;
     ++positions;
   }

@@ -19,7 +19,8 @@ struct DeviceMeasurement {
   std::string trouble;                  ///< in words, at the end; empty: none
 };
 
-/// Asks 20,000 times a second, which is how finely times are told. Ends early when a signal asked for it.
+/// Asks 20,000 times a second, which is how finely times are told; a device that answers at once is asked once a tick.
+/// Ends early when a signal asked for it.
 DeviceMeasurement measureDevice(const device::Device& device, double seconds, const Progress& progress);
 
 }  // namespace palpate::app

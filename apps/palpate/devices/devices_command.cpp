@@ -54,7 +54,7 @@ DeviceFinding findingOf(const std::string& words, const DevicesOptions& options,
   DeviceFinding finding;
   finding.back_end = name.back_end;
   finding.probe = name.back_end->probe(opening);
-  const bool hardware = !finding.probe.looked_for.empty();
+  const bool hardware = !finding.probe.looked_for.empty() || name.back_end->name == "hand";
   if (options.doctor && finding.probe.available && hardware) measure(words, options, progress, finding);
   return finding;
 }

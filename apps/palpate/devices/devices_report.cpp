@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/palpate/common/json.h"
+#include "palpate/device/device_profile.h"
 
 namespace palpate::app {
 
@@ -16,11 +17,17 @@ using DevicesJson = nlohmann::ordered_json;
 /// null: it does not say.
 DevicesJson positiveOrNull(double value) { return value > 0.0 ? DevicesJson(value) : DevicesJson(nullptr); }
 
+/// What the limiter allows on it at most: the weakest known device's where its type is not known.
+double trustedForceN(const device::Capabilities& able) {
+  return device::profileOf(scene::DeviceModel::unknown, able).force_n;
+}
+
 DevicesJson capabilitiesJson(const device::Capabilities& able) {
   return {{"model", able.model},
           {"max_force_n", positiveOrNull(able.max_force_n)},
           {"continuous_force_n", positiveOrNull(able.continuous_force_n)},
           {"nominal_stiffness_n_per_mm", positiveOrNull(able.nominal_stiffness_n_per_mm)},
+          {"force_limit_n", trustedForceN(able)},
           {"rate_hz", positiveOrNull(able.rate_hz)},
           {"delay_ticks", able.delay_ticks}};
 }
@@ -47,9 +54,15 @@ std::string abilityText(const device::Capabilities& able) {
   const auto number = [](double value, const char* unit) {
     return value > 0.0 ? fmt::format("{:.2f} {}", value, unit) : std::string("not said");
   };
-  return fmt::format("  device     {}; force at most {}, for long {}; wall {}; its own rate {}\n", able.model,
-                     number(able.max_force_n, "N"), number(able.continuous_force_n, "N"),
-                     number(able.nominal_stiffness_n_per_mm, "N/mm"), number(able.rate_hz, "Hz"));
+  std::string text = fmt::format("  device     {}; force at most {}, for long {}; wall {}; its own rate {}\n",
+                                 able.model, number(able.max_force_n, "N"), number(able.continuous_force_n, "N"),
+                                 number(able.nominal_stiffness_n_per_mm, "N/mm"), number(able.rate_hz, "Hz"));
+  const double trusted_n = trustedForceN(able);
+  if (able.max_force_n > 0.0 && able.max_force_n <= trusted_n) return text;
+  return text + fmt::format("  limit      {:.2f} N{}\n", trusted_n,
+                            able.kind == scene::DeviceModel::unknown && !able.documented
+                                ? ": its type is not known, so the weakest known device's"
+                                : "");
 }
 
 std::string measuredText(const DeviceMeasurement& measured) {

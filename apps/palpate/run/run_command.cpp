@@ -45,6 +45,7 @@ struct RunOptions {
   int width = 0;
   int height = 0;
   std::uint64_t frames = 0;
+  bool unsafe_stiffness = false;
   bool no_intro = false;
   bool no_shortcuts = false;
   bool no_state = false;
@@ -107,7 +108,7 @@ scene::Scene standardScene() {
   return scene;
 }
 
-scene::Scene sceneToRun(const RunOptions& options) {
+scene::Scene namedScene(const RunOptions& options) {
   const scene::Scene standard = standardScene();
   if (options.scene.empty()) return standard;
   scene::Scene scene = viewer::sceneFromFile(options.scene, standard);
@@ -115,6 +116,13 @@ scene::Scene sceneToRun(const RunOptions& options) {
   if (!scene.file.empty()) throw Error("--unit and --group are for mesh files: " + options.scene + " says its own");
   useUnit(options.unit_mm, scene.body);
   scene.body.group = options.group;
+  return scene;
+}
+
+/// The consent is for this scene: one that is opened later does not have it.
+scene::Scene sceneToRun(const RunOptions& options) {
+  scene::Scene scene = namedScene(options);
+  scene.safety.unsafe_stiffness = options.unsafe_stiffness;
   return scene;
 }
 
@@ -230,6 +238,7 @@ void addRunCommand(CLI::App& app) {
                                  "glasses"));
   addDeviceOption(*command, options->devices,
                   "Holds the left finger instead of the mouse, the right one when given again");
+  addUnsafeStiffness(*command, options->unsafe_stiffness);
   addNumber(*command, "--frames", options->frames, between(1, 1e12), "Close after so many frames");
   command->add_option("-o,--out", options->out, "Folder for pictures and tables that are saved")->capture_default_str();
   addNumber(*command, "--width", options->width, between(320, 16384, "pixels"),

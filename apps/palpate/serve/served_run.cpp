@@ -144,7 +144,7 @@ viewer::LiveServo servoFor(const std::shared_ptr<const scene::World>& world, con
   std::vector<viewer::OpenedDevice> devices = openedFor(*world, options.devices);
   std::vector<device::Capabilities> able;
   for (const viewer::OpenedDevice& device : devices) able.push_back(viewer::abilityOf(device));
-  return viewer::LiveServo(viewer::planFor(world, world->scene, true, viewer::leastOf(able)), std::move(devices));
+  return viewer::LiveServo(viewer::planFor(world, world->scene, true, able), std::move(devices));
 }
 
 std::vector<device::Device> devicesOf(const viewer::LiveServo& servo) {

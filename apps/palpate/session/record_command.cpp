@@ -15,7 +15,6 @@
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/common/simulate_options.h"
 #include "apps/palpate/session/session_text.h"
-#include "apps/viewer/live_servo.h"
 #include "palpate/base/error.h"
 #include "palpate/device/device_profile.h"
 #include "palpate/device/finger_path.h"
@@ -76,15 +75,17 @@ std::vector<device::Device> devicesFor(const RecordArguments& arguments, const s
   return devices;
 }
 
-/// The limits of the weakest device hold for all fingers.
-engine::ServoPlan planFor(const RecordArguments& arguments, const std::shared_ptr<const scene::World>& world,
-                          const std::vector<device::Device>& devices) {
-  engine::ServoPlan plan = engine::servoPlan(world, engine::fingerSettings(world->scene));
+device::DeviceProfile profileFor(const RecordArguments& arguments, const scene::World& world,
+                                 const std::vector<device::Device>& devices) {
   std::vector<device::Capabilities> able;
   for (std::size_t i = 0; i < arguments.devices.size(); ++i) able.push_back(devices[i].capabilities);
-  if (const auto least = viewer::leastOf(able)) {
-    plan.limiter = servo::limiterSettings(*world, device::profileOf(world->scene.safety.device, *least));
-  }
+  return device::profileOf(world.scene.safety.device, able);
+}
+
+/// The limits of the weakest device hold for all fingers.
+engine::ServoPlan planFor(const std::shared_ptr<const scene::World>& world, const device::DeviceProfile& profile) {
+  engine::ServoPlan plan = engine::servoPlan(world, engine::fingerSettings(world->scene));
+  plan.limiter = servo::limiterSettings(*world, profile);
   return plan;
 }
 
@@ -152,7 +153,11 @@ void runRecord(const RecordArguments& arguments) {
   const std::vector<device::Device> devices = devicesFor(arguments, *world, paths);
   const double scripted_s = static_cast<double>(paths.ticks) / world->scene.ticks_per_s;
   const double for_ever = arguments.devices.empty() ? scripted_s : std::numeric_limits<double>::infinity();
-  engine::ServoThread servo(planFor(arguments, world, devices), devices);
+  const device::DeviceProfile profile = profileFor(arguments, *world, devices);
+  const std::vector<std::string> notes =
+      servo::safetyNotes(world->scene.safety, profile, 1.0 / world->scene.ticks_per_s);
+  sayUnsafe(notes);
+  engine::ServoThread servo(planFor(world, profile), devices);
   const StoppedBySignal stopped(servo.emergencyStop());
   engine::SessionRecorder recorder(servo, recorderSettings(arguments, *world, devices));
   const std::size_t marks = waitForTheEnd(
@@ -163,6 +168,7 @@ void runRecord(const RecordArguments& arguments) {
   if (arguments.json) {
     nlohmann::ordered_json json = {{"file", arguments.out.string()}};
     json.update(factsJson(session.facts()));
+    json["safety_notes"] = notes;
     json["marks"] = marks;
     json["overruns"] = loop.overruns;
     json["stalls"] = loop.stalls;
@@ -171,6 +177,7 @@ void runRecord(const RecordArguments& arguments) {
   }
   fmt::print("{}\n  {}; {} marks, {} deadlines missed\n", arguments.out.string(), sessionLine(session.facts()), marks,
              loop.overruns);
+  for (const std::string& note : notes) fmt::print("  note  {}\n", note);
 }
 
 }  // namespace
@@ -184,6 +191,7 @@ void addRecordCommand(CLI::App& app) {
   addNumber(command, "--seconds", a.input.seconds, above(0.0, 864000.0, "s"),
             "How long to record; left out: until Ctrl+C, without a device until the last path has ended");
   addDeviceOption(command, a.devices, "Holds the first finger instead of its path, the next one when given again");
+  addUnsafeStiffness(command, a.input.unsafe_stiffness);
   command.add_option("-o,--out", a.out, "Session file to write")->required();
   command.add_flag("--overwrite", a.overwrite, "Replace a session of that name");
   command.add_option("--notes", a.notes, "What it is about, in a sentence; left out: the scene's title");

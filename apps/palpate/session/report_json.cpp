@@ -154,6 +154,7 @@ Json reportJson(const SessionReport& report) {
   json["seconds"] = statistics.seconds(statistics.ticks.expected());
   json["sentences"] = reportSentences(report);
   json["ticks"] = ticksJson(report);
+  json["unsafe_stiffness"] = report.unsafe;
   json["emergency_stops"] = emergencyStops(report);
   Json fingers = Json::array();
   for (std::size_t f = 0; f < statistics.fingers.size(); ++f) fingers.push_back(fingerReportJson(report, f));

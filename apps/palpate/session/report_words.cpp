@@ -1,5 +1,6 @@
 // What the numbers of a session say in sentences, and the words for its bits. Own.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -135,9 +136,15 @@ std::string coverageSentence(const SessionReport& report) {
                      rounded(surface.dorsal_mm2, 3));
 }
 
+/// Empty for a recording within the safe limits.
+std::string unsafeSentence(const SessionReport& report) {
+  return report.unsafe.empty() ? ""
+                               : fmt::format("Recorded with --unsafe-stiffness ({}). ", fmt::join(report.unsafe, "; "));
+}
+
 std::string safetySentence(const SessionReport& report) {
   const std::uint64_t stops = emergencyStops(report);
-  if (safetyLines(report).empty()) return "The safety limits never had to act.";
+  if (safetyLines(report).empty()) return unsafeSentence(report) + "The safety limits never had to act.";
   std::string words;
   for (std::size_t bit = 0; bit < servo::kSafetyBits; ++bit) {
     std::uint64_t ticks = 0;
@@ -146,7 +153,7 @@ std::string safetySentence(const SessionReport& report) {
     words += fmt::format("{}{} ({} s)", words.empty() ? "" : ", ", servo::safetyNames()[bit],
                          rounded(report.statistics.seconds(ticks)));
   }
-  return fmt::format("The safety limits acted: {}. {}", words,
+  return fmt::format("{}The safety limits acted: {}. {}", unsafeSentence(report), words,
                      stops == 0 ? "The emergency stop was not pressed."
                                 : fmt::format("The emergency stop was pressed {}.", plural(stops, "time")));
 }

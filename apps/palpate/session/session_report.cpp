@@ -125,6 +125,20 @@ ReportBody reportBody(trace::SessionReader& session, const ReportSettings& setti
   return body;
 }
 
+/// Each pair of finger and limits once.
+void addUnsafe(trace::SessionReader& session, std::uint32_t number, SessionReport& report) {
+  try {
+    const trace::SessionWorld world = session.world(number);
+    for (const auto& [finger, limits] : engine::limitsIn(world, session.facts().fingers)) {
+      std::string words = finger + ": " + engine::limitsInWords(limits);
+      if (limits.unsafe && std::ranges::find(report.unsafe, words) == report.unsafe.end()) {
+        report.unsafe.push_back(std::move(words));
+      }
+    }
+  } catch (const Error&) {  // NOLINT(bugprone-empty-catch): bodyOf says that nothing is recorded of it
+  }
+}
+
 }  // namespace
 
 SessionReport sessionReport(trace::SessionReader& session, const ReportSettings& settings, const Progress& progress) {
@@ -137,6 +151,7 @@ SessionReport sessionReport(trace::SessionReader& session, const ReportSettings&
   report.events = session.events(settings.span);
   for (const trace::WorldChange& change : report.statistics.worlds) {
     report.bodies.push_back(bodyOf(session, change.world));
+    addUnsafe(session, change.world, report);
   }
   report.body = reportBody(session, settings, report.statistics, progress);
   return report;

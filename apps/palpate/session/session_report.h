@@ -33,6 +33,7 @@ struct SessionReport {
   bool whole = true;  ///< false: only what lies between --from and --to
   trace::SessionStatistics statistics;
   std::vector<trace::SessionEvent> events;
+  std::vector<std::string> unsafe;  ///< fingers that felt more than is safe, with their limits; usually empty
   std::vector<std::string> bodies;  ///< of each world that was felt, in the order of statistics.worlds
   ReportBody body;
 

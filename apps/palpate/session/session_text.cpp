@@ -9,6 +9,7 @@
 
 #include "apps/palpate/common/number_option.h"
 #include "palpate/base/error.h"
+#include "palpate/engine/session_settings.h"
 
 namespace palpate::app {
 
@@ -24,6 +25,39 @@ double bytesPerSample(const std::filesystem::path& file, const trace::SessionFac
   std::error_code error;
   const auto bytes = std::filesystem::file_size(file, error);
   return error || facts.samples == 0 ? 0.0 : static_cast<double>(bytes) / static_cast<double>(facts.samples);
+}
+
+/// The limits of each finger in a world; one line where they are the same for all.
+std::string limitsText(const trace::SessionWorld& world, const trace::SessionFacts& facts) {
+  std::vector<std::pair<std::string, std::string>> lines;  // names of fingers, limits
+  for (const auto& [finger, limits] : engine::limitsIn(world, facts.fingers)) {
+    const std::string words = engine::limitsInWords(limits);
+    if (!lines.empty() && lines.back().second == words) {
+      lines.back().first += ", " + finger;
+    } else {
+      lines.emplace_back(finger, words);
+    }
+  }
+  std::string text;
+  for (const auto& [names, words] : lines) text += fmt::format("limits      {}: {}\n", names, words);
+  return text;
+}
+
+Json limitsJson(trace::SessionReader& reader) {
+  const trace::SessionFacts& facts = reader.facts();
+  Json json = Json::array();
+  for (std::uint64_t i = 0; i < facts.worlds; ++i) {
+    const trace::SessionWorld world = reader.world(facts.first_world + i);
+    for (const auto& [finger, limits] : engine::limitsIn(world, facts.fingers)) {
+      json.push_back({{"world", facts.first_world + i},
+                      {"finger", finger},
+                      {"force_n", limits.force_n},
+                      {"stiffness_factor", limits.stiffness_factor},
+                      {"stiffness_n_per_mm", limits.stiffness_factor * limits.stiffness_n_per_mm},
+                      {"unsafe_stiffness", limits.unsafe}});
+    }
+  }
+  return json;
 }
 
 }  // namespace
@@ -95,6 +129,7 @@ std::string sessionInfo(const std::filesystem::path& file) {
   for (std::uint64_t i = 0; i < facts.worlds; ++i) {
     const trace::SessionWorld world = reader.world(facts.first_world + i);
     text += fmt::format("world       {}, {} triangles\n", world.body, world.triangles);
+    text += limitsText(world, facts);
   }
   for (const trace::SessionEvent& event : reader.events()) {
     text += fmt::format("event       {:.3f} s, {}: {}\n", static_cast<double>(event.tick) / facts.header.ticks_per_s,
@@ -111,6 +146,7 @@ Json sessionInfoJson(const std::filesystem::path& file) {
   trace::SessionReader reader(file);
   Json json = {{"file", file.string()}};
   json.update(factsJson(reader.facts()));
+  json["limits"] = limitsJson(reader);
   json["bytes_per_sample"] = bytesPerSample(file, reader.facts());
   json["damaged_blocks"] = reader.damagedBlocks().size();
   return json;

@@ -60,6 +60,7 @@ void addSimulateCommand(CLI::App& app) {
   addDeviceOption(*command, options->devices,
                   "Holds the first finger instead of its path, the second when given again; its origin lies where the "
                   "path begins, and hardware needs --realtime");
+  addUnsafeStiffness(*command, options->unsafe_stiffness);
   addOutputOptions(*command, *options);
   command->add_flag("--keys", *keys, "Print every key of scene files (Markdown) and stop");
   command->callback([=] {

@@ -8,7 +8,6 @@
 #include "apps/palpate/common/interruption.h"
 #include "apps/palpate/common/json.h"
 #include "palpate/body/places.h"
-#include "palpate/servo/device_limits.h"
 
 namespace palpate::app {
 
@@ -62,12 +61,12 @@ Json coverJson(const SimulationResult& result) {
           {"at_mm", {cover.at.x(), cover.at.y(), cover.at.z()}}};
 }
 
-/// What a hand on a device could feel of this scene at most.
-Json deviceJson(const scene::World& world) {
-  const servo::LimiterSettings limits = servo::limiterSettings(world);
+/// What a hand on the device felt of this scene at most, or without one could have.
+Json deviceJson(const servo::LimiterSettings& limits) {
   return {{"force_n", limits.force_n},
           {"stiffness_factor", limits.stiffness_factor},
-          {"stiffness_n_per_mm", limits.stiffness_factor * limits.stiffness_n_per_mm}};
+          {"stiffness_n_per_mm", limits.stiffness_factor * limits.stiffness_n_per_mm},
+          {"unsafe_stiffness", limits.unsafe}};
 }
 
 Json bodyJson(const scene::World& world) {
@@ -164,10 +163,11 @@ std::string safetyLine(const SimulationResult& result) {
     limited += finger.limited;
     touching += finger.touching;
   }
-  const servo::LimiterSettings limits = servo::limiterSettings(*result.world);
+  const servo::LimiterSettings& limits = result.limits;
   std::string factor;
   if (limits.stiffness_factor < 1.0) factor = fmt::format("; all forces times {:.2f}", limits.stiffness_factor);
-  return fmt::format("  device     force kept within {:.1f} N{}; changed in {:.1f} % of the touching ticks\n",
+  const char* unsafe = limits.unsafe ? "UNSAFE: " : "";
+  return fmt::format("  device     {}force kept within {:.1f} N{}; changed in {:.1f} % of the touching ticks\n", unsafe,
                      limits.force_n, factor, 100.0 * share(limited, touching));
 }
 
@@ -199,7 +199,7 @@ nlohmann::ordered_json reportOf(const SimulationResult& result) {
                  {"tick_us", percentilesJson(result.loop.compute)},
                  {"overruns", result.loop.overruns},
                  {"slow_ticks", result.loop.slow_ticks},
-                 {"device", deviceJson(*result.world)},
+                 {"device", deviceJson(result.limits)},
                  {"fingers", fingers},
                  {"bone_cover", coverJson(result)},
                  {"hash", fmt::format("{:016x}", result.hash)},

@@ -27,6 +27,11 @@ constexpr const char* kPicturesFile = "pictures.png";
 constexpr const char* kPlotFile = "forces.png";
 constexpr double kPlotScale = 1.5;  ///< sharp on today's screens, and a third cheaper than the figures of documents
 
+template <class T>
+void append(std::vector<T>& to, const std::vector<T>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
 void makeFolder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
@@ -47,11 +52,17 @@ void saveAutomaticPaths(const scene::World& world, const device::FingerPaths& pa
   }
 }
 
-/// A device is felt within the scene's limits and those that it names itself.
-void holdBy(const device::Device& device, const scene::World& world, servo::FingerChain& finger) {
-  const auto profile = device::profileOf(world.scene.safety.device, device.capabilities);
-  finger.limiter_settings = servo::limiterSettings(world, profile);
-  servo::giveDevice(finger, device);
+/// The limits of the weakest device hold for all fingers: what two of them feel must compare.
+void takeLimits(const std::vector<device::Device>& devices, servo::Rig& rig, SimulationResult& result) {
+  const scene::World& world = *result.world;
+  std::vector<device::Capabilities> able;
+  for (const device::Device& device : devices) able.push_back(device.capabilities);
+  const device::DeviceProfile profile = device::profileOf(world.scene.safety.device, able);
+  result.limits = servo::limiterSettings(world, profile);
+  for (servo::FingerChain& finger : rig.fingers) finger.limiter_settings = result.limits;
+  const std::vector<std::string> notes = servo::safetyNotes(world.scene.safety, profile, result.limits.tick_s);
+  sayUnsafe(notes);
+  append(result.notes, notes);
 }
 
 /// Opens the devices and puts them in place of the first fingers' paths, where these begin.
@@ -68,8 +79,11 @@ void useDevices(const SimulationSettings& settings, const device::FingerPaths& p
       throw Error(devices[i].name + ": a hand takes its time: --realtime");
     }
     devices[i] = placedDevice(devices[i], settings.devices[i], i, paths.tips[i]->front(), result.world->scene);
-    holdBy(devices[i], *result.world, rig.fingers[i]);
-    const double factor = rig.fingers[i].limiter_settings.stiffness_factor;
+    servo::giveDevice(rig.fingers[i], devices[i]);
+  }
+  takeLimits(devices, rig, result);
+  const double factor = result.limits.stiffness_factor;
+  for (std::size_t i = 0; i < devices.size(); ++i) {
     result.notes.push_back(fmt::format("finger {} is held by {}{}", result.world->scene.fingers[i].name,
                                        device::describe(devices[i]),
                                        factor < 1.0 ? fmt::format("; all forces times {:.2f}", factor) : ""));
@@ -157,11 +171,6 @@ void leavePlot(const RunRecorder& recorder, SimulationResult& result) {
   const ForcesPlot plot{.title = result.world->scene.title};
   figures::writePng(forcesFigure(plot, recorder.strips()), result.folder / kPlotFile, kPlotScale);
   result.files.emplace_back(kPlotFile);
-}
-
-template <class T>
-void append(std::vector<T>& to, const std::vector<T>& from) {
-  to.insert(to.end(), from.begin(), from.end());
 }
 
 }  // namespace

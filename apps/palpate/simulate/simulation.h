@@ -35,6 +35,7 @@ struct SimulationResult {
   double planned_s = 0.0;   ///< of what was asked for
   int ended_by = 0;         ///< the signal that ended it early, or 0
   servo::LoopReport loop;
+  servo::LimiterSettings limits;         ///< that held: of the weakest device for all fingers
   std::optional<DisplayReport> display;  ///< of a realtime run
   std::vector<FingerStatistics> fingers;
   std::optional<engine::BoneCover> cover;  ///< between skin and bone where the fingers pressed deepest

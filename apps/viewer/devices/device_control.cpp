@@ -124,7 +124,7 @@ void DeviceControl::takeOpened(std::size_t finger, Session& session, const scene
                           fmt::format("The {} finger stays the mouse's: {}", kFingerNames[finger], opened->error));
   const std::string about = device::describe(*opened->value);
   OpenedDevice held{words, std::move(*opened->value), workspaceNow(finger, words, session, world)};
-  const auto before = std::exchange(session.held, servo_.limitsWith(finger, &held));
+  const auto before = std::exchange(session.held, servo_.abilitiesWith(finger, &held));
   try {
     servo_.hold(finger, std::move(held), turnover_.planNow(session));
   } catch (const Error& error) {
@@ -142,7 +142,7 @@ void DeviceControl::takeOpened(std::size_t finger, Session& session, const scene
 void DeviceControl::close(std::size_t finger, Session& session) {
   if (!servo_.isHeld(finger)) return;
   const std::string name = servo_.opened(finger).words;
-  session.held = servo_.limitsWith(finger, nullptr);
+  session.held = servo_.abilitiesWith(finger, nullptr);
   servo_.letGo(finger, turnover_.planNow(session));
   session.devices.fingers[finger].trouble.clear();
   if (session.devices.calibration.finger == finger) session.devices.calibration = {};
@@ -192,7 +192,7 @@ void DeviceControl::placeDevices(Session& session, const scene::World& world) {
     const double scale = servo_.opened(i).workspace.frame.mm;
     const device::Workspace workspace = workspaceNow(i, servo_.opened(i).words, session, world);
     if (!servo_.place(i, workspace) || workspace.frame.mm == scale) continue;
-    session.held = servo_.limits();
+    session.held = servo_.abilities();
     session.asks.changed |= kFingerChange;
   }
 }

@@ -62,8 +62,10 @@ struct DevicesShown {
   std::vector<BackEndFound> back_ends;
   bool looking = false;  ///< for them, beside the window
   std::array<FingerHeld, 2> fingers;
-  bool stopped = false;           ///< the emergency stop is latched
-  double stiffness_factor = 1.0;  ///< of all forces: no place stiffer than the devices can render
+  bool stopped = false;                   ///< the emergency stop is latched
+  double stiffness_factor = 1.0;          ///< of all forces: no place stiffer than the devices can render
+  std::vector<std::string> safety_notes;  ///< what the scene asks for and does not get (servo::safetyNotes)
+  bool unsafe = false;                    ///< --unsafe-stiffness was given, and this scene is the one it was given for
   CalibrationSteps calibration;
 
   bool anyHeld() const { return !fingers[0].words.empty() || !fingers[1].words.empty(); }

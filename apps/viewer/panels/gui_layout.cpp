@@ -103,7 +103,7 @@ std::span<const PanelEntry> panelList() { return kPanels; }
 
 bool staysInPictures(std::string_view window) {
   return window == "##MainMenuBar" || window.starts_with("measuring") || window.starts_with("panel") ||
-         window.starts_with("plots") || window == "ruler" || window == "stop";
+         window.starts_with("plots") || window == "ruler" || window == "stop" || window == "unsafe";
 }
 
 FreeArea freeArea(const Shown& shown, float width, float height) {
@@ -170,6 +170,7 @@ FreeArea drawGui(Session& session) {
   } else {
     drawAroundTheBody(session, size.x, free);
   }
+  if (session.devices.unsafe) unsafeBanner(session.devices.safety_notes, free);
   if (session.devices.stopped) stopBanner(free, session.asks);
   buildProgress(session.building, free, session.asks);
   grantActions(session);

@@ -6,6 +6,7 @@
 
 #include "apps/viewer/panels/panels.h"
 #include "apps/viewer/panels/widgets.h"
+#include "palpate/servo/device_limits.h"
 
 namespace palpate::viewer {
 
@@ -126,6 +127,25 @@ void stopBanner(const FreeArea& free, Asks& asks) {
     ImGui::PopStyleColor();
   }
   notePlaceOfWindow("stop");
+  ImGui::End();
+  ImGui::PopStyleColor(2);
+}
+
+void unsafeBanner(std::span<const std::string> notes, const FreeArea& free) {
+  constexpr ImU32 kAmber = IM_COL32(240, 130, 20, 255);
+  constexpr float kWidth = 6.0f;
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  list.AddRectFilled({free.left, free.top}, {free.right, free.top + kWidth}, kAmber);
+  ImGui::SetNextWindowPos({middleOf(free), free.top + kWidth}, ImGuiCond_Always, {0.5f, 0.0f});
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(150, 70, 0, 245));
+  ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32_WHITE);
+  if (ImGui::Begin("unsafe", nullptr, kNotice | ImGuiWindowFlags_NoInputs)) {
+    const bool lifts = !notes.empty() && notes.front().starts_with(servo::kUnsafeMark);
+    wrappedWords(lifts ? notes.front() + ". Pause stops all forces."
+                       : std::string("UNSAFE STIFFNESS allowed (--unsafe-stiffness). Pause stops all forces."),
+                 free);
+  }
+  notePlaceOfWindow("unsafe");
   ImGui::End();
   ImGui::PopStyleColor(2);
 }

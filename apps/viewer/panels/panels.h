@@ -160,6 +160,8 @@ void hint(std::string_view words, const FreeArea& free);
 void editingFrame(const FreeArea& free);
 /// Round the whole picture while the emergency stop is latched, with the button that releases it.
 void stopBanner(const FreeArea& free, Asks& asks);
+/// Along the upper edge as long as --unsafe-stiffness holds; `notes` as servo::safetyNotes gives them.
+void unsafeBanner(std::span<const std::string> notes, const FreeArea& free);
 /// A line a finger: what the servo does to the force of a held one just now.
 void interventionNotice(std::span<const std::string> lines, const FreeArea& free);
 /// What a ruler measures, beside its second end; before, what to do.

@@ -427,9 +427,9 @@ bool TrainingDesk::mayQuit() {
 training::SittingPlan TrainingDesk::planOf(training::SittingKind kind, const Session& session) {
   training::SittingPlan plan;
   plan.protocol = settings_.protocol;
-  if (session.held) {
+  if (!session.held.empty()) {
     plan.protocol.base_n_per_mm =
-        training::renderableBase(plan.protocol, base_, device::profileOf(base_.safety.device, *session.held));
+        training::renderableBase(plan.protocol, base_, device::profileOf(base_.safety.device, session.held));
   }
   plan.kind = kind;
   plan.sites = sites_;

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "palpate/device/device_profile.h"
 #include "palpate/engine/session_settings.h"
 #include "palpate/servo/device_limits.h"
@@ -23,20 +21,11 @@ device::Device heldByScript(std::size_t finger, const std::shared_ptr<Vec3>& tip
 }  // namespace
 
 servo::LimiterSettings limitsFor(const scene::World& world, const std::vector<device::Device>& devices) {
-  const auto lower = [](double& value, double other) {
-    if (other > 0.0) value = value > 0.0 ? std::min(value, other) : other;
-  };
-  device::Capabilities least;
-  bool any = false;
+  std::vector<device::Capabilities> able;
   for (const device::Device& device : devices) {
-    if (!device.capabilities.takes_force) continue;
-    any = true;
-    least.motion_scale = std::max(least.motion_scale, device.capabilities.motion_scale);
-    lower(least.max_force_n, device.capabilities.max_force_n);
-    lower(least.nominal_stiffness_n_per_mm, device.capabilities.nominal_stiffness_n_per_mm);
+    if (device.capabilities.takes_force) able.push_back(device.capabilities);
   }
-  if (!any) return servo::limiterSettings(world);
-  return servo::limiterSettings(world, device::profileOf(world.scene.safety.device, least));
+  return servo::limiterSettings(world, device::profileOf(world.scene.safety.device, able));
 }
 
 std::string nameOfFinger(const scene::World& world, std::size_t finger) {

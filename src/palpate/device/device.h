@@ -60,6 +60,9 @@ struct Capabilities {
   Rhythm rhythm = Rhythm::on_call;
   /// The row of the table (device_profile.h) that it is, whatever a scene says; unknown: as the scene says.
   scene::DeviceModel kind = scene::DeviceModel::unknown;
+  /// max_force_n is what its maker publishes for this type, which a table of ours names. Never by what a driver or a
+  /// plugin claims: without a kind and this, the limits of the weakest known device hold.
+  bool documented = false;
   double motion_scale = 1.0;  ///< mm of the body a mm of the device (workspace.h): what it renders is stiffer by it
   std::string model;          ///< as the device calls itself
   std::string version;        ///< of the driver

@@ -3,10 +3,13 @@
 #include "palpate/device/device_profile.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace palpate::device {
 
-DeviceProfile profileOf(scene::DeviceModel model) {
+namespace {
+
+DeviceProfile rowOf(scene::DeviceModel model) {
   using scene::DeviceModel;
   switch (model) {
     case DeviceModel::unknown:
@@ -31,7 +34,10 @@ DeviceProfile profileOf(scene::DeviceModel model) {
   return {};
 }
 
-namespace {
+/// 0 stands for "nobody says".
+void lower(double& value, double other) {
+  if (other > 0.0) value = value > 0.0 ? std::min(value, other) : other;
+}
 
 /// A motion is scaled and a force is not: a spring of the body is `scale` times as stiff in the hand, and what the
 /// device has of mass and damping is so much less in the body.
@@ -44,19 +50,61 @@ DeviceProfile asTheBodySees(DeviceProfile profile, double scale) {
   return profile;
 }
 
+DeviceProfile leastOf(const DeviceProfile& a, const DeviceProfile& b) {
+  DeviceProfile least;
+  least.known = a.known && b.known;
+  least.force_n = std::min(a.force_n, b.force_n);
+  least.stiffness_n_per_mm = a.stiffness_n_per_mm;
+  lower(least.stiffness_n_per_mm, b.stiffness_n_per_mm);
+  least.mass_kg = std::min(a.mass_kg, b.mass_kg);
+  least.damping_n_s_per_mm = std::min(a.damping_n_s_per_mm, b.damping_n_s_per_mm);
+  least.friction_n = std::min(a.friction_n, b.friction_n);
+  least.encoder_mm = std::max(a.encoder_mm, b.encoder_mm);
+  least.motion_scale = std::max(a.motion_scale, b.motion_scale);
+  least.unsafe_force_n = std::min(a.unsafe_force_n, b.unsafe_force_n);
+  least.open = a.open || b.open;
+  least.delay_ticks = std::max(a.delay_ticks, b.delay_ticks);
+  return least;
+}
+
 }  // namespace
 
-DeviceProfile profileOf(scene::DeviceModel model, const Capabilities& reported) {
-  DeviceProfile profile = profileOf(reported.kind != scene::DeviceModel::unknown ? reported.kind : model);
-  if (reported.max_force_n > 0.0) profile.force_n = reported.max_force_n;
-  if (reported.nominal_stiffness_n_per_mm > 0.0) profile.stiffness_n_per_mm = reported.nominal_stiffness_n_per_mm;
-  profile.known = profile.known || reported.max_force_n > 0.0;
+DeviceProfile profileOf(scene::DeviceModel model) {
+  DeviceProfile profile = rowOf(model);
+  if (profile.known) profile.unsafe_force_n = profile.force_n;
+  return profile;
+}
+
+DeviceProfile profileOf(scene::DeviceModel named, const Capabilities& reported) {
+  const bool recognised = reported.kind != scene::DeviceModel::unknown;
+  DeviceProfile profile = profileOf(recognised || reported.takes_force ? reported.kind : named);
+  if (reported.documented && !recognised) {
+    profile.known = true;
+    profile.force_n = reported.max_force_n;
+  }
+  if (reported.max_force_n > 0.0) profile.unsafe_force_n = reported.max_force_n;
+  lower(profile.force_n, reported.max_force_n);
+  lower(profile.stiffness_n_per_mm, reported.nominal_stiffness_n_per_mm);
+  if (!recognised) lower(profile.stiffness_n_per_mm, profileOf(named).stiffness_n_per_mm);
+  profile.open = reported.takes_force;
+  profile.delay_ticks = reported.takes_force ? reported.delay_ticks : 0.0;
   return asTheBodySees(profile, reported.motion_scale);
+}
+
+DeviceProfile profileOf(scene::DeviceModel named, std::span<const Capabilities> open) {
+  const bool any_force = std::ranges::any_of(open, &Capabilities::takes_force);
+  std::optional<DeviceProfile> least;
+  for (const Capabilities& device : open) {
+    if (any_force && !device.takes_force) continue;
+    const DeviceProfile profile = profileOf(named, device);
+    least = least ? leastOf(*least, profile) : profile;
+  }
+  return least.value_or(profileOf(named));
 }
 
 double largestForceN(const scene::SafetySettings& safety, const DeviceProfile& profile) {
   if (!(safety.nominal_force_n > 0.0)) return profile.force_n;
-  return profile.known ? std::min(safety.nominal_force_n, profile.force_n) : safety.nominal_force_n;
+  return std::min(safety.nominal_force_n, safety.unsafe_stiffness ? profile.unsafe_force_n : profile.force_n);
 }
 
 }  // namespace palpate::device

@@ -47,7 +47,11 @@ class HandDevice {
     return hand_.readTip();
   }
 
+  /// The motor has a force at once: the next position was read after it.
+  DeviceState state() const noexcept { return {.loop_ticks = written_ ? 1u : 0u}; }
+
   void writeForce(const Vec3& force) noexcept {
+    written_ = true;
     force_ = force.allFinite() ? force : Vec3(Vec3::Zero());
     pass(due_, force_);
     ++due_;
@@ -72,6 +76,7 @@ class HandDevice {
   double tick_s_;
   Vec3 force_ = Vec3::Zero();
   std::uint64_t due_ = 0;  ///< the tick whose force comes next
+  bool written_ = false;
 };
 
 Capabilities capabilitiesOf(const HandChoice& choice, const SimulatedHandSettings& settings) {
@@ -135,6 +140,7 @@ Device openHand(const OpenOptions& options) {
   device.capabilities = capabilitiesOf(choice, settings);
   device.read_tip = [hand](std::uint64_t tick) { return hand->readTip(tick); };
   device.write_force = [hand](const Vec3& force) { hand->writeForce(force); };
+  device.state = [hand] { return hand->state(); };
   return device;
 }
 

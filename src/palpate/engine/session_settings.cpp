@@ -74,6 +74,9 @@ std::vector<Field> fieldsOf(RecordedLimiter& recorded) {
           number("passivity_most_n", p.most_n)};
 }
 
+/// Written only where it is true: recordings of before have none.
+constexpr const char* kUnsafe = "unsafe_stiffness";
+
 std::string asText(const std::vector<Field>& fields) {
   std::string text;
   for (const Field& field : fields) text += fmt::format("{} = {}\n", field.name, field.get());
@@ -101,7 +104,9 @@ std::string asText(const contact::FingerSettings& settings) {
 
 std::string asText(const servo::LimiterSettings& settings, bool closes_loop) {
   RecordedLimiter copy{settings, closes_loop};
-  return asText(fieldsOf(copy));
+  std::string text = asText(fieldsOf(copy));
+  if (settings.unsafe) text += asText({flag(kUnsafe, copy.settings.unsafe)});
+  return text;
 }
 
 contact::FingerSettings contactSettingsFrom(const std::string& text) {
@@ -112,8 +117,29 @@ contact::FingerSettings contactSettingsFrom(const std::string& text) {
 
 RecordedLimiter limiterFrom(const std::string& text) {
   RecordedLimiter recorded;
-  read(text, fieldsOf(recorded));
+  std::vector<Field> fields = fieldsOf(recorded);
+  fields.push_back(flag(kUnsafe, recorded.settings.unsafe));
+  read(text, fields);
   return recorded;
+}
+
+std::string limitsInWords(const servo::LimiterSettings& limits) {
+  std::string text = fmt::format("force at most {:.3g} N, all forces times {:.3g}, at most {:.3g} N/mm", limits.force_n,
+                                 limits.stiffness_factor, limits.stiffness_factor * limits.stiffness_n_per_mm);
+  return limits.unsafe ? text + "; UNSAFE: more than is safe for the device, by --unsafe-stiffness" : text;
+}
+
+std::vector<FingerLimits> limitsIn(const trace::SessionWorld& world, std::span<const trace::SessionFinger> fingers) {
+  std::vector<FingerLimits> all;
+  for (std::size_t i = 0; i < std::min(world.fingers.size(), fingers.size()); ++i) {
+    try {
+      const servo::LimiterSettings limits = limiterFrom(world.fingers[i].limiter).settings;
+      if (limits.limited) all.push_back({fingers[i].name, limits});
+    } catch (const Error&) {
+      continue;  // of another version; a replay refuses it
+    }
+  }
+  return all;
 }
 
 std::uint64_t hashOf(const scene::World& world) {

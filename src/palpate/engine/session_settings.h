@@ -26,6 +26,16 @@ struct RecordedLimiter {
   bool closes_loop = true;
 };
 RecordedLimiter limiterFrom(const std::string& text);
+/// What a limiter lets through, for people.
+std::string limitsInWords(const servo::LimiterSettings& limits);
+
+/// The limits that a finger was felt with in a recorded world.
+struct FingerLimits {
+  std::string finger;
+  servo::LimiterSettings limits;
+};
+/// Of the fingers that had any, which the mouse's have not; settings that cannot be read are left out.
+std::vector<FingerLimits> limitsIn(const trace::SessionWorld& world, std::span<const trace::SessionFinger> fingers);
 
 /// Of skin, stiffness and force law: two worlds with the same hash give the same forces.
 std::uint64_t hashOf(const scene::World& world);

@@ -26,6 +26,7 @@ enum class StartRule : std::uint8_t {
 };
 
 struct SafetySettings {
+  /// Of a device that does not say its kind, and of none.
   DeviceModel device = DeviceModel::unknown;
   /// Largest force sent to the device, N, never above what the device holds for a moment. 0: that.
   double nominal_force_n = 0.0;
@@ -52,6 +53,9 @@ struct SafetySettings {
   double slew_per_motion = 2.0;
   double slew_mm = 0.1;
   double passivity_allowance_n_mm = 1.0;
+  /// --unsafe-stiffness of the command line: what is asked for holds beyond what the device is trusted with. Never a
+  /// key: no scene file sets it, none keeps it.
+  bool unsafe_stiffness = false;
 };
 
 }  // namespace palpate::scene

@@ -2,10 +2,15 @@
 // study stability`); between its rows the lower one holds. Own.
 #include "palpate/servo/device_limits.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace palpate::servo {
@@ -94,6 +99,46 @@ PassivitySettings passivityOf(const scene::SafetySettings& safety, const device:
   return settings;
 }
 
+/// A number of [safety] that a scene may make stricter at will, and looser within bounds where a hand is on a device.
+struct Guard {
+  const char* key;
+  double scene::SafetySettings::*member;
+  double least;
+  double most;
+  bool of_motion = false;  ///< in mm of the body, which the device's scale makes of the hand's
+};
+constexpr scene::SafetySettings kUsual;
+constexpr double kNoBound = std::numeric_limits<double>::infinity();
+constexpr std::array kGuards = {
+    Guard{"ramp_s", &scene::SafetySettings::ramp_s, kQuickestRampS, kNoBound},
+    Guard{"max_age_ticks", &scene::SafetySettings::max_age_ticks, 0.0, kLoosestGuard* kUsual.max_age_ticks},
+    Guard{"max_jump_mm", &scene::SafetySettings::max_jump_mm, 0.0, kLoosestGuard* kUsual.max_jump_mm, true},
+    Guard{"max_tip_speed_mm_per_s", &scene::SafetySettings::max_tip_speed_mm_per_s, 0.0,
+          kLoosestGuard* kUsual.max_tip_speed_mm_per_s, true},
+    Guard{"max_force_rate_n_per_ms", &scene::SafetySettings::max_force_rate_n_per_ms, 0.0,
+          kLoosestGuard* kUsual.max_force_rate_n_per_ms},
+};
+
+double mostOf(const Guard& guard, const device::DeviceProfile& profile) {
+  return guard.of_motion ? guard.most * std::max(1.0, profile.motion_scale) : guard.most;
+}
+
+scene::SafetySettings withoutConsent(scene::SafetySettings asked) {
+  asked.unsafe_stiffness = false;
+  return asked;
+}
+
+/// --unsafe-stiffness was given and makes a difference.
+bool exceedsSafe(const scene::SafetySettings& asked, const device::DeviceProfile& profile, double tick_s) {
+  if (!asked.unsafe_stiffness) return false;
+  const scene::SafetySettings safe = withoutConsent(asked);
+  const scene::SafetySettings held = heldSafety(asked, profile);
+  const scene::SafetySettings kept = heldSafety(safe, profile);
+  return stiffnessCap(asked, profile, tick_s) > stiffnessCap(safe, profile, tick_s) ||
+         device::largestForceN(asked, profile) > device::largestForceN(safe, profile) ||
+         held.passivity != kept.passivity || held.soft_contact != kept.soft_contact;
+}
+
 }  // namespace
 
 double stableStiffness(double tick_s, double delay_ticks, bool identified) {
@@ -107,12 +152,75 @@ double stableStiffness(double tick_s, double delay_ticks, bool identified) {
   return stiffness / std::max(1.0, std::ceil(delay_ticks - kRounding));
 }
 
+scene::SafetySettings heldSafety(const scene::SafetySettings& asked, const device::DeviceProfile& profile) {
+  scene::SafetySettings held = asked;
+  held.delay_ticks = std::max(asked.delay_ticks, profile.delay_ticks);
+  if (!profile.open) return held;
+  for (const Guard& guard : kGuards) {
+    held.*guard.member = std::clamp(asked.*guard.member, guard.least, mostOf(guard, profile));
+  }
+  held.passivity = asked.passivity || !asked.unsafe_stiffness;
+  held.soft_contact = asked.soft_contact || !asked.unsafe_stiffness;
+  return held;
+}
+
 double stiffnessCap(const scene::SafetySettings& safety, const device::DeviceProfile& profile, double tick_s) {
-  double cap = stableStiffness(tick_s, safety.delay_ticks, isIdentified(safety)) / profile.motion_scale;
+  const double delay_ticks = std::max(safety.delay_ticks, profile.delay_ticks);
+  double cap = stableStiffness(tick_s, delay_ticks, isIdentified(safety)) / profile.motion_scale;
   if (profile.stiffness_n_per_mm > 0.0) cap = std::min(cap, profile.stiffness_n_per_mm);
   if (!(safety.stiffness_cap_n_per_mm > 0.0)) return cap;
-  const double wished = safety.stiffness_cap_n_per_mm / profile.motion_scale;
-  return profile.known ? std::min(cap, wished) : wished;
+  const double asked = safety.stiffness_cap_n_per_mm / profile.motion_scale;
+  return safety.unsafe_stiffness ? asked : std::min(cap, asked);
+}
+
+std::vector<std::string> safetyNotes(const scene::SafetySettings& asked, const device::DeviceProfile& profile,
+                                     double tick_s) {
+  const scene::SafetySettings safe = withoutConsent(asked);
+  const scene::SafetySettings held = heldSafety(asked, profile);
+  const double scale = profile.motion_scale;  // a cap is asked for as the hand feels it
+  const double safe_cap = scale * stiffnessCap(safe, profile, tick_s);
+  const double cap = scale * stiffnessCap(asked, profile, tick_s);
+  const double safe_n = device::largestForceN(safe, profile);
+  const double force_n = device::largestForceN(asked, profile);
+  std::vector<std::string> notes;
+  const auto note = [&notes](std::string text) { notes.push_back("[safety] " + std::move(text)); };
+  if (exceedsSafe(asked, profile, tick_s)) {
+    notes.push_back(
+        fmt::format("{} (--unsafe-stiffness): up to {:.3g} N/mm and {:.3g} N{}{} where {:.3g} N/mm and "
+                    "{:.3g} N are safe: the loop may oscillate",
+                    kUnsafeMark, cap, force_n, held.passivity ? "" : ", without passivity",
+                    held.soft_contact ? "" : ", without soft contact", safe_cap, safe_n));
+  }
+  if (asked.stiffness_cap_n_per_mm > cap) {
+    note(
+        fmt::format("stiffness_cap_n_per_mm = {:.3g} is more than device, rate and delay keep at rest: {:.3g} N/mm "
+                    "holds; only --unsafe-stiffness allows more",
+                    asked.stiffness_cap_n_per_mm, cap));
+  }
+  if (asked.nominal_force_n > force_n) {
+    note(fmt::format("nominal_force_n = {:.3g} is more than {} takes: {:.3g} N holds{}", asked.nominal_force_n,
+                     profile.known ? "the device" : "an unknown device", force_n,
+                     profile.known ? "" : ", the weakest known device's"));
+  }
+  if (held.delay_ticks > asked.delay_ticks) {
+    note(fmt::format("delay_ticks = {:.3g} is less than the device's own: {:.3g} holds", asked.delay_ticks,
+                     held.delay_ticks));
+  }
+  for (const Guard& guard : kGuards) {
+    const double value = held.*guard.member;
+    const bool heeded = guard.member != &scene::SafetySettings::ramp_s || asked.start == scene::StartRule::ramp;
+    if (heeded && value != asked.*guard.member) {
+      note(fmt::format("{} = {:.3g} is too loose for a hand: {:.3g} holds", guard.key, asked.*guard.member, value));
+    }
+  }
+  if (held.passivity != asked.passivity) note("passivity = false: on a device it stays on");
+  if (held.soft_contact != asked.soft_contact) note("soft_contact = false: on a device it stays on");
+  if (profile.open && isIdentified(asked)) {
+    note(
+        "damping and friction of the device are taken from the scene: they must be measured on this very device "
+        "(palpate devices --identify)");
+  }
+  return notes;
 }
 
 double stiffnessFactor(const tissue::ForceLaw& law, double stiffness_n_per_mm, double most_mm, double force_n,
@@ -131,9 +239,11 @@ double stiffnessFactor(const tissue::ForceLaw& law, double stiffness_n_per_mm, d
   return low;
 }
 
-LimiterSettings limiterSettings(const scene::SafetySettings& safety, const device::DeviceProfile& profile,
+LimiterSettings limiterSettings(const scene::SafetySettings& asked, const device::DeviceProfile& profile,
                                 double tick_s) {
+  const scene::SafetySettings safety = heldSafety(asked, profile);
   LimiterSettings settings;
+  settings.unsafe = exceedsSafe(asked, profile, tick_s);
   settings.tick_s = tick_s;
   settings.force_n = device::largestForceN(safety, profile);
   settings.soft_contact = safety.soft_contact;
@@ -147,11 +257,11 @@ LimiterSettings limiterSettings(const scene::SafetySettings& safety, const devic
   return settings;
 }
 
-LimiterSettings limiterSettings(const scene::World& world, const device::DeviceProfile& profile) {
+LimiterSettings limiterSettings(const scene::World& world, const device::DeviceProfile& profile, double tick_s) {
   const scene::Scene& scene = world.scene;
   const tissue::ForceLaw& law = world.surface.force_law;
   const double most_mm = scene.contact.finger.max_depth_mm;
-  LimiterSettings settings = limiterSettings(scene.safety, profile, 1.0 / scene.ticks_per_s);
+  LimiterSettings settings = limiterSettings(scene.safety, profile, tick_s > 0.0 ? tick_s : 1.0 / scene.ticks_per_s);
   const double sideways = std::max(1.0, scene.contact.finger.stiffness_ratio);
   const double cap = stiffnessCap(scene.safety, profile, settings.tick_s);
   settings.stiffness_factor = 1.0;

@@ -4,6 +4,10 @@
 // One for all, so that the ratio of two places, which is what a palpating finger compares, stays as it is.
 #pragma once
 
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "palpate/device/device_profile.h"
 #include "palpate/scene/world.h"
 #include "palpate/servo/limiter.h"
@@ -14,7 +18,18 @@ namespace palpate::servo {
 /// sampling the pose to the force. More where the device's own damping and friction were measured.
 double stableStiffness(double tick_s, double delay_ticks, bool identified);
 
-/// The stiffest that this scene lets a hand feel on that device, N/mm.
+/// A scene's safety settings as they hold on that device: what a scene asks for is a wish, what the device needs a hard
+/// minimum. The delay is at least what its back end knows of. Where a hand may be on the device, passivity and soft
+/// contact stay on and guards within kLoosestGuard of their defaults; --unsafe-stiffness gives up the first two.
+scene::SafetySettings heldSafety(const scene::SafetySettings& asked, const device::DeviceProfile& profile);
+
+/// How many times its default a guard of [safety] (max_age_ticks, max_jump_mm, ...) may be on a device.
+inline constexpr double kLoosestGuard = 4.0;
+/// Of start = "ramp" on a device, s.
+inline constexpr double kQuickestRampS = 0.1;
+
+/// The stiffest that this scene lets a hand feel on that device, N/mm: min(asked, what device, rate and delay keep at
+/// rest). With --unsafe-stiffness what is asked.
 double stiffnessCap(const scene::SafetySettings& safety, const device::DeviceProfile& profile, double tick_s);
 
 /// The factor on all forces that keeps the steepest part of the force law, up to the largest force, within the cap: in
@@ -22,12 +37,21 @@ double stiffnessCap(const scene::SafetySettings& safety, const device::DevicePro
 double stiffnessFactor(const tissue::ForceLaw& law, double stiffness_n_per_mm, double most_mm, double force_n,
                        double cap_n_per_mm);
 
+/// How the note begins that says what --unsafe-stiffness lifts.
+inline constexpr std::string_view kUnsafeMark = "UNSAFE";
+
+/// A line for everything that the scene asks for and does not get on that device, one for what --unsafe-stiffness lifts
+/// and one for what only holds if the scene's measurements are of this device. Empty for most scenes.
+std::vector<std::string> safetyNotes(const scene::SafetySettings& asked, const device::DeviceProfile& profile,
+                                     double tick_s);
+
 /// The limits for a device, whatever the scene: its stiffness factor is 1.
 LimiterSettings limiterSettings(const scene::SafetySettings& safety, const device::DeviceProfile& profile,
                                 double tick_s);
 
-/// The same with the factor that this world's scene needs.
-LimiterSettings limiterSettings(const scene::World& world, const device::DeviceProfile& profile);
+/// The same with the factor that this world's scene needs. `tick_s` is the loop's, which another scene may have begun;
+/// 0: as this scene says.
+LimiterSettings limiterSettings(const scene::World& world, const device::DeviceProfile& profile, double tick_s = 0.0);
 
 /// For a device of the kind that the scene names.
 LimiterSettings limiterSettings(const scene::World& world);

@@ -47,6 +47,7 @@ inline constexpr std::uint32_t kFaultBits =
 
 struct LimiterSettings {
   bool limited = true;              ///< false: the contact's force as it is, for what pushes no hand
+  bool unsafe = false;              ///< more than the device is trusted with, by --unsafe-stiffness; said, not used
   double force_n = 3.3;             ///< the largest
   double stiffness_factor = 1.0;    ///< of all forces: no place is stiffer than the device can render
   double stiffness_n_per_mm = 0.5;  ///< the greatest tangent stiffness of the scene, before that factor

@@ -11,11 +11,16 @@ namespace palpate::device::forcedimension {
 namespace {
 
 constexpr std::array kProfiles = {
-    TypeProfile{33, "omega.3", 12.0, 5.0, 75.0},  TypeProfile{34, "omega.6", 12.0, 5.0, 75.0},
-    TypeProfile{36, "omega.6", 12.0, 5.0, 75.0},  TypeProfile{35, "omega.7", 12.0, 5.0, 75.0},
-    TypeProfile{37, "omega.7", 12.0, 5.0, 75.0},  TypeProfile{60, "Falcon", 8.0, 3.0, 40.0},
-    TypeProfile{63, "delta.3", 20.0, 5.0, 150.0}, TypeProfile{64, "delta.6", 20.0, 5.0, 150.0},
-    TypeProfile{104, "sigma.7", 12.0, 4.0, 75.0}, TypeProfile{105, "sigma.7", 12.0, 4.0, 75.0},
+    TypeProfile{33, "omega.3", 12.0, 5.0, 75.0, scene::DeviceModel::omega_3},
+    TypeProfile{34, "omega.6", 12.0, 5.0, 75.0, scene::DeviceModel::omega_3},
+    TypeProfile{36, "omega.6", 12.0, 5.0, 75.0, scene::DeviceModel::omega_3},
+    TypeProfile{35, "omega.7", 12.0, 5.0, 75.0, scene::DeviceModel::omega_3},
+    TypeProfile{37, "omega.7", 12.0, 5.0, 75.0, scene::DeviceModel::omega_3},
+    TypeProfile{60, "Falcon", 8.0, 3.0, 40.0, scene::DeviceModel::falcon},
+    TypeProfile{63, "delta.3", 20.0, 5.0, 150.0},
+    TypeProfile{64, "delta.6", 20.0, 5.0, 150.0},
+    TypeProfile{104, "sigma.7", 12.0, 4.0, 75.0},
+    TypeProfile{105, "sigma.7", 12.0, 4.0, 75.0},
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "palpate/device/hardware/shared_library.h"
+#include "palpate/scene/safety_settings.h"
 
 namespace palpate::device::forcedimension {
 
@@ -52,7 +53,8 @@ struct TypeProfile {
   const char* model;
   double max_force_n;
   double nominal_stiffness_n_per_mm;
-  double reach_mm;  ///< radius of the ball that it reaches
+  double reach_mm;                                        ///< radius of the ball that it reaches
+  scene::DeviceModel kind = scene::DeviceModel::unknown;  ///< whose mechanics are assumed
 };
 /// Null for a type that is not listed.
 const TypeProfile* profileOf(int type);

@@ -92,6 +92,8 @@ void Driver::askAbilities(const OpenOptions& options) {
   const TypeProfile* profile = api_.system_type == nullptr ? nullptr : profileOf(api_.system_type(id_));
   if (profile != nullptr) {
     capabilities_.model = profile->model;
+    capabilities_.kind = profile->kind;
+    capabilities_.documented = true;
     capabilities_.max_force_n = profile->max_force_n;
     capabilities_.nominal_stiffness_n_per_mm = profile->nominal_stiffness_n_per_mm;
     const Vec3 reach = Vec3::Constant(options.scale * profile->reach_mm);

@@ -44,6 +44,8 @@ Capabilities capabilitiesOf(const DeviceReply& device, const Service& service, d
   able.delay_ticks = 1;
   able.rhythm = Rhythm::blocking;
   able.model = modelOf(device);
+  // A Minverse is another device, of which nobody says what it holds.
+  if (device.type.starts_with("inverse3")) able.kind = scene::DeviceModel::inverse3;
   able.version = service.version.words;
   return able;
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <chrono>
 #include <cmath>
 #include <map>
@@ -65,7 +66,34 @@ DeviceFrame frameOf(const OpenOptions& options) {
   return frame;
 }
 
+/// Parts of a model's name; the first row that fits counts.
+struct ModelName {
+  std::string_view part;
+  std::string_view other_part;
+  scene::DeviceModel kind;
+};
+constexpr std::array kModelNames = {
+    ModelName{"premium", "3.0", scene::DeviceModel::premium_3_0},
+    ModelName{"premium", "1.5", scene::DeviceModel::premium_1_5},
+    ModelName{"premium", "", scene::DeviceModel::unknown},
+    ModelName{"omni", "", scene::DeviceModel::omni},
+    ModelName{"desktop", "", scene::DeviceModel::touch_x},  // the Touch X of before
+    ModelName{"touch x", "", scene::DeviceModel::touch_x},
+    ModelName{"touch", "", scene::DeviceModel::touch},
+};
+
 }  // namespace
+
+scene::DeviceModel kindOf(std::string_view model) {
+  std::string lower(model);
+  std::ranges::transform(lower, lower.begin(), [](unsigned char letter) { return std::tolower(letter); });
+  for (const ModelName& name : kModelNames) {
+    if (lower.find(name.part) != std::string::npos && lower.find(name.other_part) != std::string::npos) {
+      return name.kind;
+    }
+  }
+  return scene::DeviceModel::unknown;
+}
 
 Session::~Session() {
   stop();
@@ -205,6 +233,7 @@ Capabilities Session::capabilitiesOf(Handle handle, const DeviceFrame& frame) co
   able.delay_ticks = 1;
   able.rhythm = Rhythm::self_paced;
   able.model = text(kModelType);
+  able.kind = kindOf(able.model);
   able.version = text(kApiVersion);
   firstError();  // what a device does not know it answers with an error
   return able;

@@ -10,6 +10,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "palpate/device/back_ends.h"
@@ -20,6 +21,9 @@
 namespace palpate::device::openhaptics {
 
 /// One device on the scheduler. What has no other remark belongs to the scheduler's thread while it runs.
+/// The kind of device that calls itself so: "PHANTOM Omni". Unknown for a name that is not listed.
+scene::DeviceModel kindOf(std::string_view model);
+
 struct Slot {
   Slot(const DriverLinkSettings& settings, const DeviceFrame& place) : frame(place), link(settings) {}
 

@@ -171,19 +171,25 @@ Section tissueSection() {
 Section safetySection() {
   using S = SafetySettings;
   std::vector<Key<S>> keys = {
-      choice<S, DeviceModel>("device", &S::device, "Whose limits hold; a device that is open brings its own."),
+      choice<S, DeviceModel>("device", &S::device,
+                             "Whose limits hold without an open device; one that is open has its own."),
       number<S>("nominal_force_n", &S::nominal_force_n, between(0, 100),
-                "Largest force sent to the device, never above its own; 0 is that (3.3 for an unknown one)."),
-      number<S>("stiffness_cap_n_per_mm", &S::stiffness_cap_n_per_mm, between(0, 100),
-                "Stiffest that a hand may feel anywhere, never above the device's own; 0 is that, and what delay_ticks "
-                "and ticks_per_s allow. All places are softened by one factor."),
-      number<S>("delay_ticks", &S::delay_ticks, between(0, 6),
-                "From sampling the pose to the force taking effect, in ticks, with the amplifier's lag."),
+                "Largest force sent to the device, never above its own; 0 is that (3.3 for a device of unknown type)."),
+      number<S>(
+          "stiffness_cap_n_per_mm", &S::stiffness_cap_n_per_mm, between(0, 100),
+          "Stiffest that a hand may feel anywhere, never above what the device, delay_ticks and ticks_per_s allow; "
+          "0 is that. All places are softened by one factor. Only --unsafe-stiffness allows more."),
+      number<S>(
+          "delay_ticks", &S::delay_ticks, between(0, 6),
+          "From sampling the pose to the force taking effect, in ticks, with the amplifier's lag; at least what an "
+          "open device has."),
       number<S>("device_damping_n_s_per_mm", &S::device_damping_n_s_per_mm, between(0, 1),
                 "Measured on this very device; 0 is the assumption for its kind."),
       number<S>("device_friction_n", &S::device_friction_n, between(0, 100), "Likewise."),
-      flag<S>("passivity", &S::passivity, "Take away what the sampled loop gives beyond the skin's own law."),
-      flag<S>("soft_contact", &S::soft_contact, "A fast first touch meets a soft toe of the force law."),
+      flag<S>("passivity", &S::passivity,
+              "Take away what the sampled loop gives beyond the skin's own law. Stays on where a device is open."),
+      flag<S>("soft_contact", &S::soft_contact,
+              "A fast first touch meets a soft toe of the force law. Stays on where a device is open."),
       choice<S, StartRule>("start", &S::start,
                            "Where the tip is inside at the start, or after a fault: no force until it has been outside "
                            "once, or one that grows over ramp_s."),

@@ -1,0 +1,138 @@
+// What a stranger's scene may not ask of a hand, from the outside: limits, notes, --unsafe-stiffness and what a
+// recording keeps of it.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "palpate/base/text.h"
+#include "support/run_command.h"
+#include "support/temporary_folder.h"
+
+namespace palpate {
+namespace {
+
+using nlohmann::json;
+using support::CommandResult;
+using support::runPalpate;
+
+const std::string kWish = PALPATE_TEST_DATA "/safety/wish_stiffness_cap.toml";
+
+class SafetyLimits : public testing::Test {
+ protected:
+  CommandResult run(const std::string& arguments) const { return runPalpate(arguments, folder_.path()); }
+  CommandResult simulate(const std::string& arguments) const {
+    return run("simulate --no-pictures --no-plot --json " + kWish + " " + arguments);
+  }
+  static json reportOf(const CommandResult& result) {
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return json::parse(result.out);
+  }
+  support::TemporaryFolder folder_;
+};
+
+TEST_F(SafetyLimits, ASceneCannotWishPastTheCapOrTheWeakestKnownForce) {
+  const CommandResult result = simulate("--out run --session");
+  const json report = reportOf(result);
+  EXPECT_NEAR(report["device"]["stiffness_factor"].get<double>(), 0.1333, 0.0002);
+  EXPECT_EQ(report["device"]["force_n"], 3.3);
+  EXPECT_FALSE(report["device"]["unsafe_stiffness"]);
+  EXPECT_LE(report["fingers"][0]["device_force_peak_n"].get<double>(), 3.3);
+  const std::string notes = report["notes"].dump();
+  EXPECT_NE(notes.find("stiffness_cap_n_per_mm = 5 is more than"), std::string::npos) << notes;
+  EXPECT_NE(notes.find("nominal_force_n = 100 is more than"), std::string::npos) << notes;
+  EXPECT_EQ(result.err.find("UNSAFE"), std::string::npos);
+  EXPECT_EQ(run("info run/run.session").out.find("UNSAFE"), std::string::npos);
+  EXPECT_NE(run("info run/run.session").out.find("all forces times 0.133"), std::string::npos);
+}
+
+TEST_F(SafetyLimits, ConsentOnTheCommandLineIsSaidInReportAndRecording) {
+  const CommandResult result = simulate("--unsafe-stiffness --out run --session");
+  const json report = reportOf(result);
+  EXPECT_EQ(report["device"]["stiffness_factor"], 1.0);
+  EXPECT_EQ(report["device"]["force_n"], 100.0);
+  EXPECT_TRUE(report["device"]["unsafe_stiffness"]);
+  EXPECT_GT(report["fingers"][0]["device_force_peak_n"].get<double>(), 10.0);
+  EXPECT_NE(report["notes"].dump().find("UNSAFE (--unsafe-stiffness): up to 5 N/mm and 100 N"), std::string::npos);
+  EXPECT_NE(result.err.find("palpate: UNSAFE"), std::string::npos) << result.err;
+
+  const CommandResult info = run("info run/run.session");
+  EXPECT_NE(info.out.find("UNSAFE"), std::string::npos) << info.out;
+  EXPECT_TRUE(reportOf(run("info --json run/run.session"))["limits"][0]["unsafe_stiffness"]);
+  EXPECT_EQ(reportOf(run("report --json run/run.session"))["unsafe_stiffness"].size(), 1u);
+  EXPECT_TRUE(reportOf(run("replay --verify --json run/run.session"))["identical"]);
+  // The recording's own scene does not bring the consent along.
+  EXPECT_EQ(support::contentOf(folder_ / "run/run.session").find("unsafe_stiffness = true"), std::string::npos);
+}
+
+TEST_F(SafetyLimits, ARecordingWithoutAWindowSaysIt) {
+  const std::string scene = "record " + kWish + " --seconds 0.3 --json -o ";
+  const CommandResult unsafe = run(scene + "unsafe.session --unsafe-stiffness");
+  EXPECT_NE(unsafe.err.find("palpate: UNSAFE"), std::string::npos) << unsafe.err;
+  EXPECT_EQ(reportOf(unsafe)["safety_notes"].size(), 1u);
+  EXPECT_NE(run("info unsafe.session").out.find("UNSAFE"), std::string::npos);
+  EXPECT_EQ(reportOf(run(scene + "safe.session"))["safety_notes"].size(), 2u);
+}
+
+TEST_F(SafetyLimits, NoSceneFileGivesTheConsent) {
+  std::string text = readFile(kWish, 10000);
+  text.replace(text.find("[safety]"), 8, "[safety]\nunsafe_stiffness = true");
+  writeFile(folder_ / "scene.toml", text);
+  const CommandResult result = run("simulate --no-pictures --no-plot scene.toml");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find("unsafe_stiffness"), std::string::npos) << result.err;
+}
+
+TEST_F(SafetyLimits, TrainingAndServersTakeNoConsent) {
+  for (const char* command : {"train", "serve", "trainee"}) {
+    const CommandResult help = run(std::string(command) + " --help");
+    EXPECT_EQ(help.out.find("--unsafe-stiffness"), std::string::npos) << command;
+  }
+  for (const char* command : {"simulate", "run", "record"}) {
+    const CommandResult help = run(std::string(command) + " --help");
+    EXPECT_NE(help.out.find("--unsafe-stiffness"), std::string::npos) << command;
+  }
+}
+
+TEST_F(SafetyLimits, OfAHeldDeviceAreReportedAsTheyHeld) {
+  const json report = reportOf(simulate("--out run --session --device hand:touch_x"));
+  const double factor = report["device"]["stiffness_factor"];
+  EXPECT_NEAR(factor, 0.6667 / 5.0, 0.0005);
+  EXPECT_EQ(report["device"]["force_n"], 7.9);
+  const std::string notes = report["notes"].dump();
+  EXPECT_NE(notes.find("all forces times 0.13"), std::string::npos) << notes;
+  const json limits = reportOf(run("info --json run/run.session"))["limits"][0];
+  EXPECT_EQ(limits["stiffness_factor"], factor) << "one truth";
+  EXPECT_EQ(limits["force_n"], report["device"]["force_n"]);
+  EXPECT_EQ(limits["stiffness_n_per_mm"], report["device"]["stiffness_n_per_mm"]);
+}
+
+TEST_F(SafetyLimits, TheDeviceThatOpenedDecidesNotTheOneThatTheSceneNames) {
+  std::string text = readFile(kWish, 10000);
+  text.replace(text.find("[safety]"), 8, "[safety]\ndevice = \"premium_3_0\"\npassivity = false");
+  writeFile(folder_ / "scene.toml", text);
+  const json report =
+      reportOf(run("simulate --no-pictures --no-plot --json scene.toml --device hand:omni --out run --session"));
+  EXPECT_EQ(report["device"]["force_n"], 3.3);
+  EXPECT_NEAR(report["device"]["stiffness_factor"].get<double>(), 0.1, 1e-6) << "0.5 N/mm of the Omni";
+  EXPECT_NE(report["notes"].dump().find("passivity = false: on a device it stays on"), std::string::npos);
+}
+
+TEST_F(SafetyLimits, TheDoctorMeasuresASimulatedHandLikeAnyDevice) {
+  const CommandResult result = run("devices --doctor --seconds 0.3 --device hand:stylus_z,omni --json");
+  const json finding = reportOf(result)[0];
+  EXPECT_TRUE(finding["available"]);
+  EXPECT_EQ(finding["not_measured"], "");
+  EXPECT_EQ(finding["capabilities"]["max_force_n"], 3.3);
+  EXPECT_EQ(finding["capabilities"]["force_limit_n"], 3.3);
+  ASSERT_FALSE(finding["measured"].is_null());
+  EXPECT_GT(finding["measured"]["positions_per_s"], 50.0);
+  EXPECT_LT(finding["measured"]["positions_per_s"], 1100.0) << "a position a tick";
+  EXPECT_NEAR(finding["measured"]["delay_us"]["p50"].get<double>(), 1000.0, 50.0);
+  EXPECT_EQ(finding["measured"]["with_position_share"], 1.0);
+  const CommandResult text = run("devices --doctor --seconds 0.2 --device hand");
+  EXPECT_NE(text.out.find("simulated touch_x, stylus_x"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("positions"), std::string::npos) << text.out;
+}
+
+}  // namespace
+}  // namespace palpate
