@@ -274,6 +274,21 @@ TEST(Devices, TheWorkspaceIsPartOfTheSceneSavedAndReadBack) {
   EXPECT_TRUE(held.stage.until([&] { return held.devices().fingers[0].workspace.frame.mm == 1.0; })) << "undo";
 }
 
+TEST(Devices, UnsafeStiffnessIsSeenUntilAnotherBodyIsOpened) {
+  Stage stage;
+  Session& session = stage.session();
+  EXPECT_EQ(widgetPlaces().count("unsafe"), 0u);
+  session.scene.safety.unsafe_stiffness = true;
+  session.asks.changed |= kMapChange;
+  ASSERT_TRUE(stage.until([&] { return session.devices.unsafe; }));
+  stage.frame();
+  EXPECT_EQ(widgetPlaces().count("unsafe"), 1u) << "the strip along the upper edge";
+  stage.drop(stage.folder / "sheet.ply");
+  ASSERT_TRUE(stage.until([&] { return !session.devices.unsafe; }));
+  stage.frame();
+  EXPECT_EQ(widgetPlaces().count("unsafe"), 0u);
+}
+
 TEST(Devices, ThreePlacesThatAreTouchedCalibrateOne) {
   HeldStage held;
   held.open();

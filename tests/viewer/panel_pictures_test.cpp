@@ -221,14 +221,6 @@ TEST_F(PanelPictures, OfTheEmergencyStop) {
   });
 }
 
-TEST_F(PanelPictures, OfUnsafeStiffness) {
-  const FreeArea free{0.0f, 24.0f, 640.0f, 160.0f};
-  const std::vector<std::string> notes = {
-      "UNSAFE (--unsafe-stiffness): up to 5 N/mm and 100 N where 0.667 N/mm and 3.3 N are safe: the loop may "
-      "oscillate"};
-  expect("unsafe_stiffness", 640, 160, [&] { unsafeBanner(notes, free); });
-}
-
 TEST_F(PanelPictures, OfTissue) {
   ProfileEdit profile;
   expectPanel("tissue", 595, [&] { tissuePanel({scene, profile, true}, asks); });
