@@ -7,6 +7,7 @@
 
 #include "palpate/classroom/broker_process.h"
 #include "palpate/training/records/store.h"
+#include "palpate/training/records/trainee_code.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
 #include "support/wait_for.h"
@@ -60,7 +61,7 @@ TEST(ClassCommand, CheckSaysNoWithoutABrokerAndOkWithOne) {
             0);
   const auto without = runPalpate("class check osteo", folder.path());
   EXPECT_EQ(without.exit_code, 1);
-  EXPECT_NE(without.out.find("NO  instructor connects"), std::string::npos) << without.out;
+  EXPECT_NE(without.out.find("NO  checker connects"), std::string::npos) << without.out;
 
   startPalpate("class serve osteo --broker --seconds 25", folder.path());
   nlohmann::json found;
@@ -70,7 +71,7 @@ TEST(ClassCommand, CheckSaysNoWithoutABrokerAndOkWithOne) {
     return with.exit_code == 0;
   })) << found.dump(2)
       << support::contentOf(folder / "serve.log");
-  EXPECT_EQ(found["steps"].size(), 6U);
+  EXPECT_EQ(found["steps"].size(), 13U);
 
   std::filesystem::create_directory(folder / "records");
   const auto load =
@@ -114,6 +115,40 @@ TEST(ClassCommand, AStationThatWasRemovedIsLetInNoLongerAndServeNoticesByItself)
   }
   EXPECT_FALSE(comes_in("lost"));
   EXPECT_NE(support::contentOf(folder / "serve.log").find("a station was removed"), std::string::npos);
+}
+
+TEST(ClassCommand, RenewMakesNewCertificatesAndCheckRefusesAKeyThatOthersMayRead) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(runPalpate("class init osteo --class osteo-1 --stations 2 --port 1", folder.path()).exit_code, 0);
+  const auto before = support::contentOf(folder / "osteo/stations/s01/station.crt");
+  const auto renewed = runPalpate("class renew osteo s01 --days 30", folder.path());
+  EXPECT_EQ(renewed.exit_code, 0) << renewed.err;
+  EXPECT_NE(support::contentOf(folder / "osteo/stations/s01/station.crt"), before);
+  std::filesystem::permissions(folder / "osteo/stations/s02/station.key", std::filesystem::perms::others_read,
+                               std::filesystem::perm_options::add);
+  const auto checked = runPalpate("class check osteo", folder.path());
+  EXPECT_EQ(checked.exit_code, 1);
+  EXPECT_NE(checked.out.find("certificate of s01: valid for 29 days; `palpate class renew`"), std::string::npos)
+      << checked.out;
+  EXPECT_NE(checked.out.find("stations/s02/station.key can be used by others"), std::string::npos) << checked.out;
+  EXPECT_EQ(runPalpate("class renew osteo s07", folder.path()).exit_code, 2);
+}
+
+TEST(ClassCommand, ACodeIsFoundByTheClassesSecret) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(runPalpate("class init osteo --class osteo-1 --stations 1 --port 1", folder.path()).exit_code, 0);
+  const auto made = runPalpate("results codes --count 1 --class osteo --json", folder.path());
+  const auto one = nlohmann::json::parse(made.out)["codes"][0];
+  const std::string code = one["code"];
+  EXPECT_NE(one["trainee"], training::pseudonymOf("osteo-1", code));
+  {
+    training::Store store(folder / "a.results", training::Store::Open::create_too);
+    store.keep(training::ClassRow{.id = "osteo-1"});
+    store.keep(training::TraineeRow{.id = one["trainee"], .class_id = "osteo-1"});
+  }
+  EXPECT_EQ(runPalpate("results trainee " + code + " a.results", folder.path()).exit_code, 2);
+  EXPECT_EQ(runPalpate("results trainee " + code + " a.results --class osteo", folder.path()).exit_code, 0);
+  EXPECT_EQ(runPalpate("results trainee " + code + " a.results", folder.path()).exit_code, 0) << "it is remembered";
 }
 
 TEST(ClassCommand, AStationsFolderIsNoInstructors) {

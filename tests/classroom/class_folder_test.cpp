@@ -81,7 +81,7 @@ TEST(ClassFolderTest, KeysAreTheirOwnersAlone) {
     ++keys;
     EXPECT_EQ(modeOf(entry.path()), 0600U) << entry.path();
   }
-  EXPECT_EQ(keys, 5);  // authority, broker, instructor, collector, one station
+  EXPECT_EQ(keys, 8);  // authority, broker, instructor, collector, checker, one station; the secret, there and here
   EXPECT_EQ(modeOf(made.folder), 0700U);
 }
 
@@ -100,7 +100,7 @@ TEST(ClassFolderTest, AStationMoreIsAddedByNumberOrName) {
   EXPECT_EQ(addStation(made), "s03");
   EXPECT_EQ(addStation(made, "by-the-window"), "by-the-window");
   EXPECT_EQ(readMember(made.station("by-the-window")).station_id, stationIdOf("osteo-1", "by-the-window"));
-  for (const char* name : {"instructor", "ingest", "../s09", "a+b", "#", "S01", "-x"}) {
+  for (const char* name : {"instructor", "ingest", "checker", "../s09", "a+b", "#", "S01", "-x"}) {
     EXPECT_THROW(addStation(made, name), Error) << name;
   }
 }
@@ -166,6 +166,80 @@ TEST(ClassFolderTest, MemberFilesSayWhatIsWrongAndWhere) {
   EXPECT_NE(message_with("port = 8883", "prot = 8883").find("did you mean 'port'"), std::string::npos);
   EXPECT_NE(message_with("\"s1\"", "\"instructor\"").find("name"), std::string::npos);
   EXPECT_NE(message_with("key = \"a.key\"", "").find("key is missing"), std::string::npos);
+}
+
+TEST(ClassFolderTest, AClassHasASecretThatItsStationsKnow) {
+  const TemporaryFolder temporary;
+  const ClassFolder made = makeClassFolder(temporary / "class", aPlan(1));
+  EXPECT_EQ(made.trainee_key.size(), 64u);
+  const ClassFolder read = readClassFolder(made.folder);
+  EXPECT_EQ(read.trainee_key, made.trainee_key);
+  EXPECT_EQ(readMember(read.station("s01")).trainee_key, made.trainee_key);
+  EXPECT_EQ(readMember(read.station(addStation(read))).trainee_key, made.trainee_key);
+  EXPECT_EQ(readMember(read.instructor()).trainee_key, "");
+  const ClassFolder other = makeClassFolder(temporary / "other", aPlan(1));
+  EXPECT_NE(other.trainee_key, made.trainee_key);
+  writeFile(made.folder / kTraineeKeyFile, "no key\n");
+  EXPECT_THROW(readClassFolder(made.folder), Error);
+}
+
+TEST(ClassFolderTest, AnOlderClassWithoutASecretStaysWithoutOne) {
+  const TemporaryFolder temporary;
+  const ClassFolder made = makeClassFolder(temporary / "class", aPlan(1));
+  std::filesystem::remove(made.folder / kTraineeKeyFile);
+  std::filesystem::remove(made.station("s01") / kTraineeKeyFile);
+  std::filesystem::remove_all(made.checker());
+  const ClassFolder old = readClassFolder(made.folder);
+  EXPECT_EQ(old.trainee_key, "");
+  renewCertificates(old);
+  EXPECT_FALSE(std::filesystem::exists(made.folder / kTraineeKeyFile)) << "every pseudonym would be another";
+  EXPECT_EQ(readMember(old.station("s01")).trainee_key, "");
+  EXPECT_EQ(readMember(old.checker()).role, Role::checker) << "what it lacks is made";
+}
+
+TEST(ClassFolderTest, RenewsEveryCertificateAndWarnsSixtyDaysBefore) {
+  const TemporaryFolder temporary;
+  const ClassFolder made = makeClassFolder(temporary / "class", aPlan(2));
+  EXPECT_TRUE(certificateWarnings(certificateLives(made)).empty());
+  EXPECT_EQ(renewCertificates(made, {}, kWarnDays - 1).size(), 6u);  // broker, instructor, collector, checker, two
+  const auto lives = certificateLives(made);
+  EXPECT_EQ(lives.size(), 7u);
+  EXPECT_EQ(certificateWarnings(lives).size(), 6u) << "all but the authority";
+  EXPECT_NE(certificateWarnings(lives).front().find("the broker ends in 5"), std::string::npos);
+  const std::vector<std::string> hosts = hostsOf(support::contentOf(made.broker() / "server.crt"));
+  EXPECT_EQ(hosts, (std::vector<std::string>{"teacher.local", "192.168.1.10", "localhost", "127.0.0.1"}));
+  EXPECT_EQ(renewCertificates(made, {"s02"}).size(), 1u);
+  EXPECT_EQ(certificateWarnings(certificateLives(made)).size(), 5u);
+  EXPECT_EQ(modeOf(made.station("s02") / "station.key"), 0600U);
+  EXPECT_THROW(renewCertificates(made, {"s09"}), Error);
+  EXPECT_EQ(
+      support::runProgram("openssl", "verify -CAfile authority/ca.crt stations/s02/station.crt", made.folder).exit_code,
+      0);
+}
+
+TEST(ClassFolderTest, SaysWhatAnOlderConfigurationOfTheBrokerLacks) {
+  const TemporaryFolder temporary;
+  const ClassFolder made = makeClassFolder(temporary / "class", aPlan(1));
+  EXPECT_EQ(outdatedConfiguration(made), "");
+  std::string text = support::contentOf(made.configuration());
+  const std::string line = "use_username_as_clientid true\n";
+  text.erase(text.find(line), line.size());
+  writeFile(made.configuration(), text);
+  EXPECT_EQ(outdatedConfiguration(made), "lacks use_username_as_clientid");
+  writeBrokerConfiguration(made);
+  writeFile(made.broker() / "access.acl", "");
+  EXPECT_EQ(outdatedConfiguration(made), "has another access list");
+}
+
+TEST(ClassFolderTest, AKeyThatOthersMayReadIsSeen) {
+  const TemporaryFolder temporary;
+  const ClassFolder made = makeClassFolder(temporary / "class", aPlan(1));
+  const auto key = made.station("s01") / "station.key";
+  EXPECT_EQ(keyFileFault(key), "");
+  for (const mode_t mode : {0644U, 0640U, 0604U}) {
+    ASSERT_EQ(chmod(key.c_str(), mode), 0);
+    EXPECT_NE(keyFileFault(key).find("chmod 600"), std::string::npos) << keyFileFault(key);
+  }
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "palpate/classroom/class_watch.h"
 #include "palpate/classroom/collector.h"
 #include "palpate/classroom/station_link.h"
+#include "palpate/training/records/deletion.h"
 #include "support/postgres_server.h"
 #include "support/wait_for.h"
 #include "training/records_samples.h"
@@ -43,14 +44,17 @@ class ClassOutboxTest : public brokers::BrokerTest {
 /// Trials of one block, one after the other, as a sitting keeps them.
 class Trainee {
  public:
-  explicit Trainee(Store& store, std::uint64_t number) : store_(store) {
+  explicit Trainee(Store& store, std::uint64_t number, const std::string& at = "s01") : store_(store) {
     const auto who = rows::trainee("T" + std::to_string(number));
     trainee = who.id;
-    store_.keep(rows::station());
+    training::StationRow station = rows::station();
+    station.id = stationIdOf("osteo-1", at);
+    store_.keep(station);
     store_.keep(rows::aClass());
     store_.keep(who);
     store_.keep(rows::protocol());
     sitting_ = rows::sitting(who, number);
+    sitting_.station = station.id;
     block_ = rows::block(sitting_, number);
     block_.finished = false;
     store_.keep(std::vector<training::Row>{sitting_, block_});
@@ -106,7 +110,7 @@ TEST_F(ClassOutboxTest, EveryTrialIsThereOnceAlthoughBrokerAndCollectorAreKilled
   std::set<training::Uuid> expected;
   for (const char* name : {"s01", "s02", "s03"}) {
     stores.push_back(storeOf(name));
-    trainees.push_back(std::make_unique<Trainee>(*stores.back(), stores.size()));
+    trainees.push_back(std::make_unique<Trainee>(*stores.back(), stores.size(), name));
     links.push_back(
         std::make_unique<StationLink>(station(name), *stores.back(), StationInfo{"palpate", "mouse"}, kQuickPace));
   }
@@ -220,17 +224,122 @@ TEST_F(ClassOutboxTest, WhoIsDeletedIsGoneFromTheClassAndFromTheBroker) {
   ASSERT_TRUE(waitFor([&] { return watch.tile("s01") && watch.tile("s01")->state; }));
 
   const training::DeletionRow deletion{training::deletedMark(deleted.trainee), training::utcMs()};
-  MqttLink station_itself(linkOf(station("s02")), {});
-  ASSERT_TRUE(waitFor([&] { return station_itself.connected(); }));
   const Envelope envelope{1, training::outboxKey(deletion), 0.0};
-  ASSERT_TRUE(station_itself.publish(
-      {topicText({"osteo-1", "s02", "delete"}), rowText(envelope, training::rowJson(deletion)), 1, false, 0}));
+  const auto ask = [&](const Member& who, const std::string& as) {
+    MqttLink link(linkOf(who), {});
+    return waitFor([&] { return link.connected(); }) &&
+           link.publish(
+               {topicText({"osteo-1", as, "delete"}), rowText(envelope, training::rowJson(deletion)), 1, false, 0});
+  };
   Store gathered(records_, Store::Open::read_only);
+  ASSERT_TRUE(ask(station("s02"), "s02"));
+  std::vector<std::string> said;
+  EXPECT_TRUE(waitFor([&] { return !(said = collects->takeSaid()).empty(); }));
+  EXPECT_NE(said.front().find("s02 deleted a trainee: 0 of its sittings are gone; not deleted: 1 of"),
+            std::string::npos)
+      << said.front();
+  EXPECT_TRUE(gathered.trainee(deleted.trainee)) << "another station's notice took it away";
+  EXPECT_TRUE(watch.tile("s01")->state);
+  ASSERT_TRUE(ask(readMember(addInstructor(folder_)), "instructor"));
   EXPECT_TRUE(waitFor([&] { return !gathered.trainee(deleted.trainee); }));
   EXPECT_TRUE(waitFor([&] { return !watch.tile("s01")->state; })) << "the broker still says who sits there";
   EXPECT_TRUE(gathered.trainee(stays.trainee));
   const auto there = trialsIn(gathered.rows());
   EXPECT_EQ(std::set<training::Uuid>(there.begin(), there.end()), stays.kept);
+}
+
+TEST_F(ClassOutboxTest, WhatAStationMayNotWriteIsRefusedSaidAndParkedInItsOutbox) {
+  const auto store = storeOf("s01");
+  Trainee owner(*store, 1);
+  owner.answer();
+  const auto link = std::make_unique<StationLink>(station("s01"), *store, StationInfo{"palpate", "mouse"}, kQuickPace);
+  const auto collects = collector();
+  ASSERT_TRUE(waitFor([&] { return store->waitingCount() == 0; }));
+
+  // Records that were copied to another computer: of a station that s02 is not.
+  const auto copied = storeOf("s02");
+  Trainee foreign(*copied, 2, "s01");
+  foreign.answer();
+  const StationLink other(station("s02"), *copied, {"palpate", "mouse"}, kQuickPace);
+  EXPECT_TRUE(waitFor([&] { return other.counts().refused >= 4; })) << other.counts().refused;
+  EXPECT_TRUE(waitFor([&] { return copied->waiting(100).empty(); })) << "it is not sent for ever";
+  EXPECT_EQ(copied->waitingCount(), copied->refusedCount()) << "nothing is lost at the station";
+  EXPECT_NE(other.trouble().find("the class refused"), std::string::npos) << other.trouble();
+  EXPECT_GE(collects->report().refused, 4u);
+  const auto said = collects->takeSaid();
+  ASSERT_FALSE(said.empty());
+  EXPECT_EQ(said.front().rfind("s02: ", 0), 0u) << said.front();
+  Store gathered(records_, Store::Open::read_only);
+  EXPECT_EQ(trialsIn(gathered.rows()).size(), 1u);
+}
+
+TEST_F(ClassOutboxTest, AStationHearsOfADeletionInTheClassAndIsWelcomeAfterwards) {
+  const auto store = storeOf("s01");
+  Trainee gone(*store, 1);
+  gone.answer();
+  StationLink link(station("s01"), *store, {"palpate", "mouse"}, kQuickPace);
+  const auto collects = collector();
+  ASSERT_TRUE(waitFor([&] { return store->waitingCount() == 0; }));
+  {
+    Store gathered(records_, Store::Open::existing);
+    EXPECT_TRUE(training::deleteTrainee(gathered, gone.trainee, "palpate results").found);
+  }
+  gone.answer();  // the sitting that goes on is not kept, and does not wait for ever either
+  EXPECT_TRUE(waitFor([&] { return store->waitingCount() == 0; }));
+  Store gathered(records_, Store::Open::read_only);
+  EXPECT_FALSE(gathered.trainee(gone.trainee));
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));  // the notice, and its confirmation
+  EXPECT_TRUE(waitFor([&] { return store->waitingCount() == 0; }));
+  const auto again = rows::trainee("T1");
+  ASSERT_EQ(again.id, gone.trainee);
+  store->keep(again);
+  auto sitting = rows::sitting(again, 50);
+  sitting.station = stationIdOf("osteo-1", "s01");
+  store->keep(std::vector<training::Row>{sitting});
+  EXPECT_TRUE(waitFor([&] { return store->waitingCount() == 0; }));
+  EXPECT_EQ(gathered.sittings(gone.trainee).size(), 1u) << "a later sign-in counts, whatever the clocks say";
+}
+
+TEST_F(ClassOutboxTest, NobodyIsThrownOutByAClientIdOfAnother) {
+  const auto store = storeOf("s01");
+  const StationLink link(station("s01"), *store, {"palpate", "mouse"}, kQuickPace);
+  const auto collects = collector();
+  ASSERT_TRUE(waitFor([&] { return link.connected() && collects->report().connected; }));
+  for (int i = 0; i < 10; ++i) {
+    for (const char* id : {"palpate-osteo-1-ingest", "palpate-osteo-1-s01", "ingest+", "s01"}) {
+      MqttSettings settings = linkOf(station("s02"));
+      settings.client_id = id;
+      const MqttLink thief(settings, {});
+      EXPECT_TRUE(waitFor([&] { return thief.connected(); }));
+      EXPECT_TRUE(link.connected()) << id;
+      EXPECT_TRUE(collects->report().connected) << id;
+    }
+  }
+}
+
+TEST_F(ClassOutboxTest, AStationThatFloodsTheInboxWaitsForItself) {
+  const auto server = support::PostgresServer::started();
+  if (server == nullptr) GTEST_SKIP() << support::PostgresServer::kNotInstalled;
+  const std::string connection = server->connection("flood");
+  server->kill();  // nothing is taken
+  const Collector collects(ingest(), databaseSink(connection));
+  ASSERT_TRUE(waitFor([&] { return collects.report().connected; }));
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));  // its subscriptions
+  training::ProtocolRow protocol = rows::protocol();
+  protocol.text = std::string(60'000, 'x');
+  MqttLink flood(linkOf(station("s02")), {});
+  ASSERT_TRUE(waitFor([&] { return flood.connected(); }));
+  std::uint64_t sent = 0;
+  for (int version = 2; version < 1000; ++version) {
+    protocol.version = version;
+    const training::AnyRow row = protocol;
+    const OutMessage message{topicText({"osteo-1", "s02", "protocol"}),
+                             rowText({sent, training::outboxKey(row), 0.0}, training::rowJson(row)), 1, false, 0};
+    EXPECT_LT(message.payload.size(), 1000u);
+    if (waitFor([&] { return flood.publish(message); })) ++sent;
+  }
+  EXPECT_TRUE(waitFor([&] { return collects.report().dropped > 100; }));
+  EXPECT_LE(collects.report().inbox_bytes, (std::size_t{4} << 20) + 70'000);
 }
 
 }  // namespace

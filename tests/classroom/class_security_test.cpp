@@ -89,7 +89,9 @@ TEST_F(ClassSecurityTest, AStationWritesItsOwnTopicsAlone) {
 TEST_F(ClassSecurityTest, TheInstructorAsksAndWritesNoResults) {
   MqttLink link(linkOf(instructor()), {});
   EXPECT_TRUE(accepts(link, topic("s01", "cmd")));
-  for (const char* kind : {"trial", "block", "session", "event", "ack", "state", "live", "delete"}) {
+  EXPECT_TRUE(accepts(link, topic("instructor", "delete")));
+  EXPECT_FALSE(accepts(link, topic("s01", "delete")));
+  for (const char* kind : {"trial", "block", "session", "event", "ack", "state", "live"}) {
     EXPECT_FALSE(accepts(link, topic("s01", kind))) << kind;
     EXPECT_FALSE(accepts(link, topic("instructor", kind))) << kind;
   }
@@ -125,6 +127,39 @@ TEST_F(ClassSecurityTest, AStationHearsNobodyElse) {
   }));
   const std::lock_guard lock(mutex);
   EXPECT_EQ(heard, std::set<std::string>{topic("s02", "cmd")});
+}
+
+TEST_F(ClassSecurityTest, TheCheckerAsksTheCollectorAndNothingElse) {
+  MqttLink link(linkOf(readMember(folder_.checker())), {});
+  EXPECT_TRUE(accepts(link, topic("checker", "check")));
+  for (const char* kind : {"trial", "delete", "ack", "cmd"}) {
+    EXPECT_FALSE(accepts(link, topic("s01", kind))) << kind;
+    EXPECT_FALSE(accepts(link, topic("checker", kind))) << kind;
+  }
+}
+
+TEST_F(ClassSecurityTest, TwoProgramsWithOneCertificateTakeTurnsEverMoreSlowlyAndSayWhy) {
+  std::atomic<int> connections = 0;
+  const MqttHandlers counting{{}, [&] { ++connections; }};
+  const MqttLink first(linkOf(station("s01")), counting);
+  const MqttLink second(linkOf(station("s01")), counting);
+  std::string said;
+  const auto until = Clock::now() + std::chrono::seconds(5);
+  while (Clock::now() < until) {
+    for (const MqttLink* link : {&first, &second}) said += link->trouble();
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  EXPECT_NE(said.find("another program"), std::string::npos) << said.substr(0, 200);
+  EXPECT_LE(connections, 10);  // with half a second each it would be twenty
+}
+
+TEST_F(ClassSecurityTest, EveryInstructorsWindowHasItsOwnConnection) {
+  const MqttLink first(linkOf(instructor()), {});
+  const MqttLink second(linkOf(readMember(addInstructor(folder_))), {});
+  ASSERT_TRUE(waitFor([&] { return first.connected() && second.connected(); }));
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  EXPECT_TRUE(first.connected());
+  EXPECT_TRUE(second.connected());
 }
 
 }  // namespace

@@ -88,5 +88,19 @@ TEST(TraineeCodes, Sha256IsThatOfTheStandard) {
   EXPECT_EQ(sha256Hex("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }
 
+TEST(RecordsCodes, WithAClassesSecretNobodyTellsThePseudonymFromTheCard) {
+  const std::string key(64, 'a');
+  const std::string code = codeOf(7);
+  EXPECT_EQ(pseudonymOf("osteo-1", code, key), pseudonymOf("osteo-1", " " + code, key));
+  EXPECT_NE(pseudonymOf("osteo-1", code, key), pseudonymOf("osteo-1", code));
+  EXPECT_NE(pseudonymOf("osteo-1", code, key), pseudonymOf("osteo-1", code, std::string(64, 'b')));
+  EXPECT_NE(pseudonymOf("osteo-1", code, key), pseudonymOf("osteo-2", code, key));
+  EXPECT_EQ(pseudonymOf("osteo-1", code, key)[14], '8');
+  // RFC 4231, test case 2.
+  const auto digest = hmacSha256Of("Jefe", "what do ya want for nothing?");
+  EXPECT_EQ(digest[0], 0x5b);
+  EXPECT_EQ(digest[31], 0x43);
+}
+
 }  // namespace
 }  // namespace palpate::training

@@ -154,5 +154,40 @@ TEST(RecordsStore, TwoProgramsKeepAtOnce) {
   EXPECT_EQ(one.rows().trialCount(), 20);
 }
 
+TEST(RecordsStore, WhatAClassRefusedStaysAndIsTriedAgainWhenAsked) {
+  const support::TemporaryFolder folder;
+  const samples::History history = samples::history(1, 1, 1);
+  Store store(folder / "a.results", Store::Open::create_too);
+  store.fillOutbox(true);
+  store.keepAny(history.rows);
+  const std::vector<std::string> keys = waitingKeys(store);
+  store.refused(std::span(keys).first(2), "not yours");
+  EXPECT_EQ(waitingKeys(store).size(), keys.size() - 2);
+  EXPECT_EQ(store.waitingCount(), keys.size()) << "nothing is lost";
+  EXPECT_EQ(store.refusedCount(), 2u);
+  store.tryRefusedAgain();
+  EXPECT_EQ(waitingKeys(store), keys);
+}
+
+TEST(RecordsStore, ADeletionThatWasHeardOfStandsBetweenWhatWasAndWhatComes) {
+  const support::TemporaryFolder folder;
+  const samples::History history = samples::history(1, 1, 1);
+  Store store(folder / "a.results", Store::Open::create_too);
+  store.fillOutbox(true);
+  store.keepAny(history.rows);
+  const TraineeRow who = history.trainees[0];
+  const std::vector<std::string> marks = {deletedMark(who.id)};
+  store.hearDeleted(marks);
+  store.hearDeleted(marks);
+  store.keep(who);
+  std::vector<std::string> kinds;
+  for (const OutboxEntry& entry : store.waiting(100)) kinds.push_back(entry.kind);
+  ASSERT_GE(kinds.size(), 2u);
+  EXPECT_EQ(kinds.back(), "trainee") << "signed in after it";
+  EXPECT_EQ(kinds[kinds.size() - 2], "delete");
+  EXPECT_EQ(std::ranges::count(kinds, "delete"), 1);
+  EXPECT_EQ(std::ranges::count(kinds, "trainee"), 1);
+}
+
 }  // namespace
 }  // namespace palpate::training

@@ -20,7 +20,7 @@
 #include "palpate/classroom/class_folder.h"
 #include "palpate/classroom/messages.h"
 #include "palpate/classroom/mqtt_link.h"
-#include "palpate/training/records/row_json.h"
+#include "palpate/training/records/trainee_code.h"
 
 namespace palpate::app {
 
@@ -38,6 +38,7 @@ struct Finding {
   std::string what = {};
   bool good = false;
   std::string detail = {};
+  bool warns = false;  ///< good today, and not for long
 };
 
 bool within(double seconds, const std::function<bool()>& so) {
@@ -49,33 +50,53 @@ bool within(double seconds, const std::function<bool()>& so) {
   return so();
 }
 
-/// Beside whoever uses this certificate now, not instead of them.
-MqttSettings besides(const Member& member) {
-  MqttSettings settings = classroom::linkOf(member);
-  settings.client_id += "-check";
-  return settings;
-}
-
-Finding checkCertificate(const std::string& whose, const std::filesystem::path& file) {
-  Finding finding{fmt::format("certificate of {}", whose)};
-  try {
-    const int days = classroom::daysLeft(readFile(file, kMostPemBytes));
-    finding.good = days >= 0;
-    finding.detail = finding.good ? fmt::format("valid for {} days", days) : "no longer valid";
-  } catch (const Error& error) {
-    finding.detail = error.what();
-  }
+Finding lifeOf(const classroom::CertificateLife& life) {
+  Finding finding{fmt::format("certificate of {}", life.whose), life.days_left >= 0, {}};
+  finding.detail = finding.good ? fmt::format("valid for {} days", life.days_left) : "no longer valid";
+  finding.warns = life.days_left <= classroom::kWarnDays;
+  if (finding.warns) finding.detail += "; `palpate class renew` makes a new one";
   return finding;
 }
 
+Finding checkCertificate(const std::string& whose, const std::filesystem::path& file) {
+  try {
+    return lifeOf({whose, file, classroom::daysLeft(readFile(file, kMostPemBytes))});
+  } catch (const Error& error) {
+    return {fmt::format("certificate of {}", whose), false, error.what()};
+  }
+}
+
+Finding checkKeys(const std::vector<std::filesystem::path>& files) {
+  for (const auto& file : files) {
+    const std::string fault = classroom::keyFileFault(file);
+    if (!fault.empty()) return {"keys are their owner's alone", false, fmt::format("{} {}", file.string(), fault)};
+  }
+  return {"keys are their owner's alone", true, fmt::format("{} files", files.size())};
+}
+
+std::vector<std::filesystem::path> keysIn(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> keys;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (entry.path().extension() == ".key") keys.push_back(entry.path());
+  }
+  std::ranges::sort(keys);
+  return keys;
+}
+
+Finding checkConfiguration(const classroom::ClassFolder& folder) {
+  const std::string outdated = classroom::outdatedConfiguration(folder);
+  return {"configuration of the broker", outdated.empty(),
+          outdated.empty() ? "" : outdated + "; `palpate class renew` writes it anew"};
+}
+
 Finding checkConnection(const Member& member) {
-  const MqttLink link(besides(member), {});
+  const MqttLink link(classroom::linkOf(member), {});
   const bool good = within(kPatienceS, [&] { return link.connected(); });
   return {fmt::format("{} connects to {}:{}", member.name, member.host, member.port), good, link.trouble()};
 }
 
 Finding checkShutOut(const Member& member) {
-  MqttSettings settings = besides(member);
+  MqttSettings settings = classroom::linkOf(member);
   settings.certificate.clear();
   settings.key.clear();
   settings.client_id += "-nobody";
@@ -84,17 +105,13 @@ Finding checkShutOut(const Member& member) {
   return {"nobody gets in without a certificate", !let_in, let_in ? "the broker lets anybody in" : ""};
 }
 
-/// A station's own row goes to the database, and its acknowledgement comes back.
-Finding checkCollector(const Member& station) {
+/// A question goes to the collector and to its database, and an acknowledgement comes back.
+Finding checkCollector(const Member& member) {
   Finding finding{"what a station records reaches the database"};
-  training::StationRow row;
-  row.id = station.station_id;
-  row.name = station.name;
-  row.certificate_sha256 = classroom::fingerprintOf(readFile(station.certificate, kMostPemBytes));
-  const training::Uuid key = training::outboxKey(row);
+  const training::Uuid key = training::uuidOf(training::utcMs(), training::systemRandom());
   std::atomic<bool> acknowledged = false;
-  MqttSettings settings = besides(station);
-  settings.subscriptions = {{classroom::topicText({station.class_id, station.name, "ack"}), 1}};
+  MqttSettings settings = classroom::linkOf(member);
+  settings.subscriptions = {{classroom::topicText({member.class_id, member.name, "ack"}), 1}};
   MqttLink link(settings, {[&](std::string_view, std::string_view text) {
                              const auto keys = classroom::parseAck(text);
                              if (keys && std::ranges::find(*keys, key) != keys->end()) acknowledged = true;
@@ -105,30 +122,37 @@ Finding checkCollector(const Member& station) {
     return finding;
   }
   std::this_thread::sleep_for(std::chrono::milliseconds(200));  // its subscription
-  link.publish({classroom::topicText({station.class_id, station.name, "station"}),
-                classroom::rowText({1, key, 0.0}, training::rowJson(row)), 1, false, 0});
+  link.publish({classroom::topicText({member.class_id, member.name, std::string(classroom::kCheckKind)}),
+                classroom::rowText({1, key, 0.0}, "{}"), 1, false, 0});
   finding.good = within(kPatienceS, [&] { return acknowledged.load(); });
   if (!finding.good) finding.detail = "no acknowledgement: is `palpate class serve` running, and its database?";
   return finding;
 }
 
+/// With a certificate of its own: a certificate is one connection, and nobody is to lose theirs.
 std::vector<Finding> findingsOfClass(const classroom::ClassFolder& folder) {
-  const Member instructor = classroom::readMember(folder.instructor());
-  std::vector<Finding> findings = {checkCertificate("the broker", folder.broker() / "server.crt"),
-                                   checkCertificate("the instructor", instructor.certificate)};
-  findings.push_back(checkConnection(instructor));
+  std::vector<Finding> findings;
+  for (const classroom::CertificateLife& life : classroom::certificateLives(folder)) findings.push_back(lifeOf(life));
+  findings.push_back(checkKeys(keysIn(folder.folder)));
+  findings.push_back(checkConfiguration(folder));
+  if (!std::filesystem::exists(folder.checker() / "checker.toml")) {
+    findings.push_back({"certificate of the checker", false, "of an older class; `palpate class renew` makes it"});
+    return findings;
+  }
+  const Member checker = classroom::readMember(folder.checker());
+  findings.push_back(checkConnection(checker));
   if (!findings.back().good) return findings;
-  findings.push_back(checkShutOut(instructor));
-  if (folder.stations.empty()) return findings;
-  const Member station = classroom::readMember(folder.station(folder.stations.front()));
-  findings.push_back(checkConnection(station));
-  findings.push_back(checkCollector(station));
+  findings.push_back(checkShutOut(checker));
+  findings.push_back(checkCollector(checker));
   return findings;
 }
 
+/// A training that runs with this certificate is off for a second or two; its rows wait.
 std::vector<Finding> findingsOfMember(const Member& member) {
-  std::vector<Finding> findings = {checkCertificate(member.name, member.certificate), checkConnection(member)};
-  if (findings.back().good && member.role == classroom::Role::station) findings.push_back(checkCollector(member));
+  std::vector<Finding> findings = {checkCertificate(member.name, member.certificate), checkKeys({member.key}),
+                                   checkConnection(member)};
+  const bool asks = member.role == classroom::Role::station || member.role == classroom::Role::checker;
+  if (findings.back().good && asks) findings.push_back(checkCollector(member));
   return findings;
 }
 
@@ -140,7 +164,8 @@ void runClassCheck(const std::string& folder, bool json) {
   if (json) {
     nlohmann::ordered_json all = {{"ok", good}, {"steps", nlohmann::ordered_json::array()}};
     for (const Finding& finding : findings) {
-      all["steps"].push_back({{"what", finding.what}, {"ok", finding.good}, {"detail", finding.detail}});
+      all["steps"].push_back(
+          {{"what", finding.what}, {"ok", finding.good}, {"warning", finding.warns}, {"detail", finding.detail}});
     }
     fmt::print("{}\n", all.dump(2));
   } else {

@@ -71,7 +71,44 @@ void runRemoveStation(const StationArguments& arguments) {
       arguments.name, arguments.folder, arguments.name);
 }
 
+struct RenewArguments {
+  std::string folder;
+  std::vector<std::string> names;
+  int days = classroom::kMemberDays;
+};
+
+void runClassRenew(const RenewArguments& arguments) {
+  const classroom::ClassFolder folder = classroom::readClassFolder(arguments.folder);
+  for (const auto& renewed : classroom::renewCertificates(folder, arguments.names, arguments.days)) {
+    fmt::print("{}\n", renewed.string());
+  }
+  fmt::print(
+      "Carry each station its folder again; what it has stays valid to its end. `palpate class serve --broker` notices "
+      "by "
+      "itself; start another broker again.\n");
+}
+
 }  // namespace
+
+void addClassRenewCommand(CLI::App& parent) {
+  const auto arguments = std::make_shared<RenewArguments>();
+  CLI::App& command = *parent.add_subcommand("renew", "Make new certificates, and what an older class lacks");
+  command.add_option("DIR", arguments->folder, "Folder of the class")->required();
+  command.add_option("NAME", arguments->names,
+                     "Which: broker, instructor, instructor-2, ingest, checker, s01 (default: all)");
+  addNumber(command, "--days", arguments->days, between(1, 3650, "days"), "Validity")->capture_default_str();
+  command.callback([arguments] { runClassRenew(*arguments); });
+}
+
+void addClassAddInstructorCommand(CLI::App& parent) {
+  const auto arguments = std::make_shared<StationArguments>();
+  CLI::App& command =
+      *parent.add_subcommand("add-instructor", "Make a certificate for one more window; the broker need not be told");
+  command.add_option("DIR", arguments->folder, "Folder of the class")->required();
+  command.callback([arguments] {
+    fmt::print("{}\n", classroom::addInstructor(classroom::readClassFolder(arguments->folder)).string());
+  });
+}
 
 void addClassInitCommand(CLI::App& parent) {
   const auto arguments = std::make_shared<ClassInitArguments>();
@@ -121,6 +158,8 @@ void addClassCommand(CLI::App& app) {
   addClassInitCommand(command);
   addClassAddStationCommand(command);
   addClassRemoveStationCommand(command);
+  addClassAddInstructorCommand(command);
+  addClassRenewCommand(command);
   addClassServeCommand(command);
   addClassCheckCommand(command);
   addClassWatchCommand(command);

@@ -12,6 +12,8 @@ namespace palpate::app {
 void addClassInitCommand(CLI::App& parent);
 void addClassAddStationCommand(CLI::App& parent);
 void addClassRemoveStationCommand(CLI::App& parent);
+void addClassAddInstructorCommand(CLI::App& parent);
+void addClassRenewCommand(CLI::App& parent);
 void addClassServeCommand(CLI::App& parent);
 void addClassCheckCommand(CLI::App& parent);
 void addClassWatchCommand(CLI::App& parent);

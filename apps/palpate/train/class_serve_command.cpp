@@ -1,6 +1,7 @@
 // `palpate class serve DIR`: collects a class's rows, and with --broker runs the broker too.
 #include <fmt/format.h>
 
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -8,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/interruption.h"
@@ -26,6 +28,8 @@ namespace palpate::app {
 
 namespace {
 
+constexpr auto kWarnsAgain = std::chrono::hours(24);
+
 struct ClassServeArguments {
   std::string folder;
   std::string records;
@@ -38,7 +42,9 @@ struct ClassServeArguments {
 std::unique_ptr<classroom::RowSink> sinkFor(const ClassServeArguments& arguments,
                                             const classroom::ClassFolder& folder) {
   // The class itself; its stations say themselves what they are.
-  const training::ClassRow of{folder.class_id, folder.label, folder.retention.days, folder.retention.samples_days};
+  const classroom::SinkRules of{
+      training::ClassRow{folder.class_id, folder.label, folder.retention.days, folder.retention.samples_days},
+      folder.station_megabytes << 20, folder.trainee_key};
   if (!arguments.database.empty()) return classroom::databaseSink(arguments.database, of);
   if (!arguments.records.empty()) return classroom::fileSink(arguments.records, of);
   return classroom::fileSink(folder.folder / "class.results", of);
@@ -55,23 +61,37 @@ void tryDatabase(classroom::RowSink& sink) {
 nlohmann::ordered_json jsonOf(const classroom::CollectorReport& report, bool broker) {
   return {{"connected", report.connected}, {"database", report.database}, {"broker_runs", broker},
           {"stations", report.stations},   {"rows", report.rows},         {"trials", report.trials},
-          {"commits", report.commits},     {"refused", report.refused},   {"dropped", report.dropped},
-          {"inbox", report.inbox},         {"trouble", report.trouble}};
+          {"commits", report.commits},     {"waited", report.waited},     {"refused", report.refused},
+          {"dropped", report.dropped},     {"inbox", report.inbox},       {"inbox_bytes", report.inbox_bytes},
+          {"trouble", report.trouble}};
 }
 
 std::string textOf(const classroom::CollectorReport& report) {
   std::string text = fmt::format("{} stations, {} rows, {} trials", report.stations, report.rows, report.trials);
+  if (report.refused > 0) text += fmt::format(", {} refused", report.refused);
   if (!report.connected) text += "; no broker";
   if (!report.database) text += "; no database";
   if (!report.trouble.empty()) text += fmt::format(" ({})", report.trouble);
   return text;
 }
 
-/// When a station was last removed; nothing: never.
-std::optional<std::filesystem::file_time_type> lastRemoval(const classroom::ClassFolder& folder) {
+/// When a station was last removed, and when the broker's certificate was made; the beginning of time: never.
+using BrokerFiles = std::array<std::filesystem::file_time_type, 2>;
+BrokerFiles brokerFiles(const classroom::ClassFolder& folder) {
+  BrokerFiles times{};
   std::error_code none;
-  const auto time = std::filesystem::last_write_time(folder.revocationList(), none);
-  return none ? std::nullopt : std::optional(time);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const auto time =
+        std::filesystem::last_write_time(i == 0 ? folder.revocationList() : folder.broker() / "server.crt", none);
+    if (!none) times.at(i) = time;
+  }
+  return times;
+}
+
+void warnOfCertificates(const classroom::ClassFolder& folder) {
+  for (const std::string& line : classroom::certificateWarnings(classroom::certificateLives(folder))) {
+    say(fmt::format("palpate: {}\n", line));
+  }
 }
 
 /// Starts a broker again that died, or that must read whom it lets in no longer; a port that is still taken is tried
@@ -79,19 +99,21 @@ std::optional<std::filesystem::file_time_type> lastRemoval(const classroom::Clas
 class BrokerKeeper {
  public:
   explicit BrokerKeeper(const classroom::ClassFolder& folder)
-      : folder_(folder), broker_(folder, folder.broker() / "broker.log"), removal_(lastRemoval(folder)) {}
+      : folder_(folder), broker_(folder, folder.broker() / "broker.log"), files_(brokerFiles(folder)) {}
 
   bool running() { return broker_.running(); }
   void attend() {
-    const auto removal = lastRemoval(folder_);
-    const bool removed = removal != removal_;
-    if (!removed && broker_.running()) return;
+    const BrokerFiles files = brokerFiles(folder_);
+    const bool changed = files != files_;
+    if (!changed && broker_.running()) return;
     try {
-      if (removed) classroom::writeBrokerConfiguration(folder_);
+      if (changed) classroom::writeBrokerConfiguration(folder_);
       broker_.restart();
-      removal_ = removal;
-      say(removed ? "palpate: a station was removed; the broker was started again\n"
-                  : "palpate: the broker had ended and was started again\n");
+      const bool removed = files[0] != files_[0];
+      files_ = files;
+      say(removed   ? "palpate: a station was removed; the broker was started again\n"
+          : changed ? "palpate: the broker has a new certificate and was started again\n"
+                    : "palpate: the broker had ended and was started again\n");
     } catch (const Error& error) {
       say(fmt::format("palpate: {}\n", error.what()));
     }
@@ -100,7 +122,7 @@ class BrokerKeeper {
  private:
   const classroom::ClassFolder& folder_;
   classroom::BrokerProcess broker_;
-  std::optional<std::filesystem::file_time_type> removal_;
+  BrokerFiles files_;
 };
 
 void runClassServe(const ClassServeArguments& arguments) {
@@ -114,7 +136,9 @@ void runClassServe(const ClassServeArguments& arguments) {
   }
   auto sink = sinkFor(arguments, folder);
   tryDatabase(*sink);
-  const classroom::Collector collector(member, std::move(sink));
+  classroom::Collector collector(member, std::move(sink));
+  warnOfCertificates(folder);
+  auto warns_next = Clock::now() + kWarnsAgain;
   ProgressLine progress;
   const auto started = Clock::now();
   auto next = started;
@@ -124,9 +148,19 @@ void runClassServe(const ClassServeArguments& arguments) {
     if (Clock::now() < next) continue;
     next += std::chrono::seconds(1);
     if (broker) broker->attend();
+    if (Clock::now() >= warns_next) {
+      warnOfCertificates(folder);
+      warns_next += kWarnsAgain;
+    }
     const classroom::CollectorReport report = collector.report();
+    const std::vector<std::string> lines = collector.takeSaid();
+    if (!arguments.json) {
+      for (const std::string& line : lines) say(fmt::format("palpate: {}\n", line));
+    }
     if (arguments.json) {
-      fmt::print("{}\n", jsonOf(report, broker && broker->running()).dump());
+      nlohmann::ordered_json json = jsonOf(report, broker && broker->running());
+      json["said"] = lines;
+      fmt::print("{}\n", json.dump());
       std::fflush(stdout);
     } else if (const std::string text = textOf(report); text != said) {
       progress.show(text, 0.0);

@@ -12,11 +12,14 @@
 #include "apps/palpate/common/interruption.h"
 #include "apps/palpate/common/json.h"
 #include "apps/palpate/common/number_option.h"
+#include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/train/class_commands.h"
 #include "apps/palpate/train/results_commands.h"
 #include "apps/viewer/classroom/class_window.h"
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
+#include "palpate/base/text.h"
+#include "palpate/classroom/class_folder.h"
 #include "palpate/classroom/class_settings.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/scene/world.h"
@@ -73,6 +76,10 @@ void runClassWatch(const ClassWatchArguments& arguments) {
   const bool whole = std::filesystem::exists(folder / "class.toml");
   const classroom::Member member = classroom::readMember(whole ? folder / "instructor" : folder);
   if (member.role != classroom::Role::instructor) throw Error(arguments.folder + ": is no instructor's folder");
+  const int days = classroom::daysLeft(readFile(member.certificate, 65536));
+  for (const std::string& line : classroom::certificateWarnings({{"this window", member.certificate, days}})) {
+    say(fmt::format("palpate: {}\n", line));
+  }
   const FinishesInOrder in_order;
   classroom::ClassWatch watch(member);
   if (!arguments.records.empty()) rememberRecords(arguments.records, watch);

@@ -17,6 +17,7 @@ namespace {
 struct CodesArguments {
   int count = 12;
   std::string class_id;
+  std::string key;  ///< of a class that has one
   bool csv = false;
   bool json = false;
 };
@@ -38,7 +39,7 @@ void runResultsCodes(const CodesArguments& arguments) {
   if (arguments.json) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const std::string& code : codes) {
-      list.push_back({{"code", code}, {"trainee", training::pseudonymOf(arguments.class_id, code)}});
+      list.push_back({{"code", code}, {"trainee", training::pseudonymOf(arguments.class_id, code, arguments.key)}});
     }
     fmt::print("{}\n", nlohmann::ordered_json{{"class", arguments.class_id}, {"codes", list}}.dump(2));
     return;
@@ -46,7 +47,8 @@ void runResultsCodes(const CodesArguments& arguments) {
   std::string text = arguments.csv ? "code,pseudonym,class,name (keep this list outside)\n" : "";
   for (const std::string& code : codes) {
     text += arguments.csv
-                ? fmt::format("{},{},{},\n", code, training::pseudonymOf(arguments.class_id, code), arguments.class_id)
+                ? fmt::format("{},{},{},\n", code, training::pseudonymOf(arguments.class_id, code, arguments.key),
+                              arguments.class_id)
                 : cardOf(code, arguments.class_id);
   }
   fmt::print("{}", text);
@@ -58,11 +60,21 @@ void addResultsCodesCommand(CLI::App& parent) {
   const auto arguments = std::make_shared<CodesArguments>();
   CLI::App& command = *parent.add_subcommand("codes", "New codes to sign in with, as cards to print");
   addNumber(command, "--count", arguments->count, between(1, 10000), "So many")->capture_default_str();
-  command.add_option("--class", arguments->class_id, "The class that they are for: pseudonyms depend on it")
-      ->type_name("ID");
+  command
+      .add_option(
+          "--class", arguments->class_id,
+          "The class that they are for, whose pseudonyms are printed: its folder; its id where the class has no secret")
+      ->type_name("DIR");
   CLI::Option* csv = command.add_flag("--csv", arguments->csv, "A table to write names beside, instead of cards");
   command.add_flag("--json", arguments->json, "Print one JSON object")->excludes(csv);
-  command.callback([arguments] { runResultsCodes(*arguments); });
+  command.callback([arguments] {
+    if (!arguments->class_id.empty() && std::filesystem::is_directory(arguments->class_id)) {
+      ClassSecret secret = secretIn(arguments->class_id);
+      arguments->class_id = secret.class_id;
+      arguments->key = secret.key;
+    }
+    runResultsCodes(*arguments);
+  });
 }
 
 }  // namespace palpate::app

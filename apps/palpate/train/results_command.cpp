@@ -10,6 +10,7 @@
 #include "apps/palpate/train/results_commands.h"
 #include "palpate/base/error.h"
 #include "palpate/base/nearest_name.h"
+#include "palpate/classroom/class_folder.h"
 #include "palpate/classroom/database_copy.h"
 #include "palpate/training/records/default_records.h"
 #include "palpate/training/records/trainee_code.h"
@@ -54,25 +55,58 @@ Store recordsAt(const std::string& file_or_address, Store::Open how) {
                                                        : Store(file_or_address, how);
 }
 
+void addClassFolder(CLI::App& command, ResultsArguments& arguments) {
+  command
+      .add_option(
+          "--class", arguments.class_folder,
+          "Folder of the class or of a station, whose secret makes pseudonyms of codes (default: what the records "
+          "remember)")
+      ->type_name("DIR");
+}
+
+ClassSecret secretIn(const std::string& folder) {
+  if (std::filesystem::exists(std::filesystem::path(folder) / "class.toml")) {
+    const classroom::ClassFolder read = classroom::readClassFolder(folder);
+    return {read.class_id, read.trainee_key};
+  }
+  const classroom::Member member = classroom::readMember(folder);
+  return {member.class_id, member.trainee_key};
+}
+
+namespace {
+
+void remember(Store& store, const std::string& class_folder) {
+  if (class_folder.empty()) return;
+  const ClassSecret secret = secretIn(class_folder);
+  store.rememberTraineeKey(secret.class_id, secret.key);
+}
+
+}  // namespace
+
 Store openedResults(const ResultsArguments& arguments) {
-  if (classroom::isDatabaseAddress(arguments.file)) return classroom::copyOfDatabase(arguments.file);
+  if (classroom::isDatabaseAddress(arguments.file)) {
+    Store copy = classroom::copyOfDatabase(arguments.file);
+    remember(copy, arguments.class_folder);
+    return copy;
+  }
   const std::filesystem::path file =
       arguments.file.empty() ? training::defaultRecords() : std::filesystem::path(arguments.file);
   std::error_code error;
   if (!std::filesystem::exists(file, error)) {
     throw Error::inFile(file.string(), "no such file; `palpate train` makes records");
   }
-  return Store(file, Store::Open::existing);
+  Store store(file, Store::Open::existing);
+  remember(store, arguments.class_folder);
+  return store;
 }
 
 TraineeRow traineeCalled(Store& store, const std::string& code_or_id) {
-  std::vector<std::string> classes = {""};
-  for (const training::ClassRow& row : store.classes()) classes.push_back(row.id);
   if (training::codeTyped(code_or_id)) {
-    for (const std::string& class_id : classes) {
-      if (auto found = store.trainee(training::pseudonymOf(class_id, code_or_id))) return *found;
+    for (const training::Uuid& id : store.pseudonymsOf(code_or_id)) {
+      if (auto found = store.trainee(id)) return *found;
     }
-    throw Error(fmt::format("nobody with the code {} has sat here", *training::codeTyped(code_or_id)));
+    throw Error(fmt::format("nobody with the code {} has sat here; for a class's database give its folder with --class",
+                            *training::codeTyped(code_or_id)));
   }
   std::vector<TraineeRow> found;
   for (const TraineeRow& trainee : store.trainees()) {

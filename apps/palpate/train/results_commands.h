@@ -22,9 +22,18 @@ void addResultsReplayCommand(CLI::App& parent);
 void addResultsVerifyCommand(CLI::App& parent);
 
 struct ResultsArguments {
-  std::string file;  ///< or the address of a class's database; empty: the user's own
+  std::string class_folder;  ///< whose secret tells pseudonyms from codes; empty: what the records remember
+  std::string file;          ///< or the address of a class's database; empty: the user's own
   bool json = false;
 };
+/// --class DIR, for commands that are given a code.
+void addClassFolder(CLI::App& command, ResultsArguments& arguments);
+/// The secret of a class's or a station's folder, with the class's id. Throws Error.
+struct ClassSecret {
+  std::string class_id;
+  std::string key;
+};
+ClassSecret secretIn(const std::string& folder);
 /// [FILE] and --json. `arguments` must outlive the command.
 void addResultsFile(CLI::App& command, ResultsArguments& arguments);
 

@@ -55,11 +55,20 @@ void deleteInDatabase(const DeleteArguments& arguments, Store& copy, const train
   const RowsOf rows = rowsOf(copy, trainee);
   classroom::ClassStore database(arguments.results.file);
   const bool found = database.erase(trainee.id, "palpate results");
+  const std::string& left = database.notErased();
   if (arguments.results.json) {
-    return printDeletedJson({{"deleted", found}, {"sittings", rows.sittings}, {"trials", rows.trials}});
+    printDeletedJson(
+        {{"deleted", found && left.empty()}, {"sittings", rows.sittings}, {"trials", rows.trials}, {"not_done", left}});
+  } else {
+    fmt::print("{} {}: {} sittings, {} trials; what still comes of them is not kept\n",
+               left.empty() ? "deleted in" : "only removed from the tables of", copy.file().string(), rows.sittings,
+               rows.trials);
   }
-  fmt::print("deleted in {}: {} sittings, {} trials; what still comes of them is not kept\n", copy.file().string(),
-             rows.sittings, rows.trials);
+  if (!left.empty()) {
+    fmt::print(stderr, "palpate: NOT deleted for good: {}\n", left);
+    throw CLI::RuntimeError(1);
+  }
+  if (arguments.results.json) return;
   fmt::print("Records at stations are not reached: delete there as well, where there are any.\n");
 }
 
@@ -92,8 +101,16 @@ void runResultsPurge(const DeleteArguments& arguments) {
   Store store = openedResults(arguments.results);
   const std::int64_t now = training::utcMs();
   const bool in_database = classroom::isDatabaseAddress(arguments.results.file) && !arguments.dry_run;
-  const training::Purged purged =
-      in_database ? classroom::ClassStore(arguments.results.file).purge(now) : purge(store, now, !arguments.dry_run);
+  training::Purged purged;
+  std::string left;
+  if (in_database) {
+    classroom::ClassStore database(arguments.results.file);
+    purged = database.purge(now);
+    left = database.notErased();
+  } else {
+    purged = purge(store, now, !arguments.dry_run);
+  }
+  if (!left.empty()) fmt::print(stderr, "palpate: NOT deleted for good: {}\n", left);
   if (arguments.results.json) {
     const nlohmann::ordered_json json = {{"purged", !arguments.dry_run},
                                          {"sittings", purged.sittings},
@@ -112,6 +129,7 @@ void addResultsDeleteCommand(CLI::App& parent) {
   const auto arguments = std::make_shared<DeleteArguments>();
   CLI::App& command = *parent.add_subcommand("delete", "Forget one trainee: rows, session files, key; the class too");
   addResultsFile(command, arguments->results);
+  addClassFolder(command, arguments->results);
   command.add_option("--trainee", arguments->trainee, kTraineeHelp)->required()->type_name("CODE");
   command.add_flag("--yes", arguments->yes, "Do not ask");
   command.callback([arguments] { runResultsDelete(*arguments); });

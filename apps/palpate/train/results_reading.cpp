@@ -159,6 +159,7 @@ void addResultsListCommand(CLI::App& parent) {
   const auto arguments = std::make_shared<ReadingArguments>();
   CLI::App& command = addReading(parent, "list", "The sittings, oldest first", runResultsList, arguments);
   addResultsFile(command, arguments->results);
+  addClassFolder(command, arguments->results);
   command.add_option("--trainee", arguments->trainee, kTraineeHelp)->type_name("CODE");
 }
 
@@ -167,6 +168,7 @@ void addResultsTraineeCommand(CLI::App& parent) {
   CLI::App& command = addReading(parent, "trainee", "One trainee", runResultsTrainee, arguments);
   command.add_option("CODE", arguments->trainee, kTraineeHelp)->required();
   addResultsFile(command, arguments->results);
+  addClassFolder(command, arguments->results);
 }
 
 void addResultsClassCommand(CLI::App& parent) {

@@ -40,6 +40,7 @@ viewer::TrainingSettings trainingSettings(const TrainOptions& options) {
   } else {
     settings.member = classroom::readMember(options.class_id);
     settings.desk.class_id = settings.member->class_id;
+    settings.desk.trainee_key = settings.member->trainee_key;
   }
   if (!options.code.empty()) {
     const auto code = training::codeTyped(options.code);

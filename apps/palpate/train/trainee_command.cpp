@@ -229,8 +229,10 @@ class TraineeCommand {
     const std::string typed = options_.code.empty() ? training::simulatedCode(seed_, number) : options_.code;
     const std::string code = *training::codeTyped(typed);
     const bool alone = simulated_.trainees == 1;
-    const training::TraineeRow row = training::simulatedTrainee(classId(), code, start_ms_);
-    if (!store.trainee(row.id)) store.keep(row);
+    const training::TraineeRow row =
+        training::simulatedTrainee(classId(), code, start_ms_, member_ ? member_->trainee_key : std::string());
+    // Anew for a class, which may have forgotten somebody who was away.
+    if (const auto known = store.trainee(row.id); !known || member_) store.keep(known.value_or(row));
     training::TraineeCourse course;
     course.observer = alone ? observer_ : training::oneOfClass(observer_, simulated_.spread, seed_, number);
     course.trainee = row.id;

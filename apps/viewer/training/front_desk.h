@@ -17,6 +17,7 @@ namespace palpate::viewer {
 
 struct FrontDeskSettings {
   std::string class_id = {};
+  std::string trainee_key = {};  ///< the class's secret, from which ids are made; empty: it has none
   /// Signs in at once; a typing error is told as if it had been typed.
   std::string code = {};
   /// Done at once after signing in, in place of the choice.

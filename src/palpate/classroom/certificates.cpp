@@ -32,6 +32,7 @@ using NumberHandle = std::unique_ptr<BIGNUM, Releases<BN_free>>;
 using ListHandle = std::unique_ptr<X509_CRL, Releases<X509_CRL_free>>;
 using RevokedHandle = std::unique_ptr<X509_REVOKED, Releases<X509_REVOKED_free>>;
 using TimeHandle = std::unique_ptr<ASN1_TIME, Releases<ASN1_TIME_free>>;
+using AltNamesHandle = std::unique_ptr<GENERAL_NAMES, Releases<GENERAL_NAMES_free>>;
 using ExtensionHandle = std::unique_ptr<X509_EXTENSION, Releases<X509_EXTENSION_free>>;
 
 [[noreturn]] void refuseCertificate(const char* what) {
@@ -121,10 +122,11 @@ class Draft {
   CertificateHandle certificate_;
 };
 
-Certified issued(const Certified& authority, const std::string& name, const char* usage, const std::string& hosts) {
+Certified issued(const Certified& authority, const std::string& name, const char* usage, const std::string& hosts,
+                 int days) {
   const CertificateHandle issuer = certificateFrom(authority.certificate);
   const KeyHandle issuer_key = keyFrom(authority.key);
-  Draft draft(name, kMemberDays);
+  Draft draft(name, days);
   draft.extend(NID_basic_constraints, "critical,CA:FALSE", issuer.get());
   draft.extend(NID_key_usage, "critical,digitalSignature", issuer.get());
   draft.extend(NID_ext_key_usage, usage, issuer.get());
@@ -148,16 +150,38 @@ Certified makeAuthority(const std::string& name) {
   return draft.signedBy(nullptr, nullptr);
 }
 
-Certified makeServerCertificate(const Certified& authority, const std::vector<std::string>& hosts) {
+Certified makeServerCertificate(const Certified& authority, const std::vector<std::string>& hosts, int days) {
   std::string names;
   for (const std::string& host : hosts) {
     names += fmt::format("{}{}:{}", names.empty() ? "" : ",", isAddress(host) ? "IP" : "DNS", host);
   }
-  return issued(authority, hosts.empty() ? "broker" : hosts.front(), "serverAuth", names);
+  return issued(authority, hosts.empty() ? "broker" : hosts.front(), "serverAuth", names, days);
 }
 
-Certified makeMemberCertificate(const Certified& authority, const std::string& name) {
-  return issued(authority, name, "clientAuth", {});
+Certified makeMemberCertificate(const Certified& authority, const std::string& name, int days) {
+  return issued(authority, name, "clientAuth", {}, days);
+}
+
+std::vector<std::string> hostsOf(const std::string& certificate) {
+  const CertificateHandle read = certificateFrom(certificate);
+  const AltNamesHandle names(
+      static_cast<GENERAL_NAMES*>(X509_get_ext_d2i(read.get(), NID_subject_alt_name, nullptr, nullptr)));
+  std::vector<std::string> hosts;
+  for (int i = 0; names && i < sk_GENERAL_NAME_num(names.get()); ++i) {
+    const GENERAL_NAME* name = sk_GENERAL_NAME_value(names.get(), i);
+    const ASN1_STRING* const text = name->type == GEN_DNS ? name->d.dNSName : name->d.iPAddress;
+    if (name->type == GEN_DNS) {
+      hosts.emplace_back(reinterpret_cast<const char*>(ASN1_STRING_get0_data(text)),
+                         static_cast<std::size_t>(ASN1_STRING_length(text)));
+    } else if (name->type == GEN_IPADD) {
+      std::array<char, INET6_ADDRSTRLEN> words{};
+      const int family = ASN1_STRING_length(text) == 4 ? AF_INET : AF_INET6;
+      if (inet_ntop(family, ASN1_STRING_get0_data(text), words.data(), words.size()) != nullptr) {
+        hosts.emplace_back(words.data());
+      }
+    }
+  }
+  return hosts;
 }
 
 std::string makeRevocationList(const Certified& authority, const std::vector<std::string>& certificates) {

@@ -17,15 +17,20 @@ struct Certified {
 
 /// Ten years: longer than a class lasts, for it can sign new members as long.
 inline constexpr int kAuthorityDays = 3650;
-/// Two years: a course and its repetition; `palpate class add-station` makes new ones.
+/// Two years: a course and its repetition; `palpate class renew` makes new ones.
 inline constexpr int kMemberDays = 730;
+/// So long before a certificate ends people are warned.
+inline constexpr int kWarnDays = 60;
 
 /// Who signs the others. Throws Error, as all of these.
 Certified makeAuthority(const std::string& name);
 /// Of a broker that is reached under these names and addresses.
-Certified makeServerCertificate(const Certified& authority, const std::vector<std::string>& hosts);
+Certified makeServerCertificate(const Certified& authority, const std::vector<std::string>& hosts,
+                                int days = kMemberDays);
 /// Of one who connects; `name` is what the broker's access list knows it by.
-Certified makeMemberCertificate(const Certified& authority, const std::string& name);
+Certified makeMemberCertificate(const Certified& authority, const std::string& name, int days = kMemberDays);
+/// The names and addresses of a broker's certificate, in order.
+std::vector<std::string> hostsOf(const std::string& certificate);
 
 /// The certificates that a broker is to let in no longer, as of now and for as long as the authority lasts (PEM). A new
 /// list replaces the one before.

@@ -13,6 +13,7 @@
 #include "palpate/base/text.h"
 #include "palpate/classroom/certificates.h"
 #include "palpate/scene/toml_table.h"
+#include "palpate/training/records/trainee_code.h"
 
 namespace palpate::classroom {
 
@@ -52,16 +53,18 @@ void checkPlan(const ClassPlan& plan) {
   if (plan.label.find_first_of("\"\\\n\r") != std::string::npos) throw Error("label: without quotes and line ends");
 }
 
-void writeMember(const fs::path& folder, Member member, const Certified& authority, const std::string& name) {
+void writeMember(const fs::path& folder, Member member, const Certified& authority, const std::string& name,
+                 int days = kMemberDays) {
   makeFolder(folder);
   const std::string stem(wordFor(member.role));
-  const Certified made = makeMemberCertificate(authority, name);
+  const Certified made = makeMemberCertificate(authority, name, days);
   member.authority = folder / "ca.crt";
   member.certificate = folder / (stem + ".crt");
   member.key = folder / (stem + ".key");
   writeFile(member.authority, authority.certificate);
   writeFile(member.certificate, made.certificate);
   writeKeyFile(member.key, made.key);
+  if (!member.trainee_key.empty()) writeKeyFile(folder / kTraineeKeyFile, member.trainee_key + "\n");
   writeFile(folder / (stem + ".toml"), memberText(member));
 }
 
@@ -74,6 +77,7 @@ Member memberOf(const ClassFolder& folder, Role role, const std::string& name) {
   member.host = folder.host;
   member.port = folder.port;
   member.retention = folder.retention;
+  if (role == Role::station) member.trainee_key = folder.trainee_key;
   return member;
 }
 
@@ -82,8 +86,41 @@ Certified authorityOf(const ClassFolder& folder) {
   return {readFile(at / "ca.crt", kMostClassFileBytes), readFile(at / "ca.key", kMostClassFileBytes)};
 }
 
-void writeStation(const ClassFolder& folder, const Certified& authority, const std::string& name) {
-  writeMember(folder.station(name), memberOf(folder, Role::station, name), authority, name);
+void writeStation(const ClassFolder& folder, const Certified& authority, const std::string& name,
+                  int days = kMemberDays) {
+  writeMember(folder.station(name), memberOf(folder, Role::station, name), authority, name, days);
+}
+
+void writeRole(const ClassFolder& folder, const Certified& authority, Role role, int number = 1,
+               int days = kMemberDays) {
+  const fs::path at = role == Role::instructor ? folder.instructor(number) : folder.folder / wordFor(role);
+  writeMember(at, memberOf(folder, role, std::string(wordFor(role))), authority, roleCertificateName(role, number),
+              days);
+}
+
+void writeServer(const ClassFolder& folder, const Certified& authority, const std::vector<std::string>& hosts,
+                 int days = kMemberDays) {
+  const Certified server = makeServerCertificate(authority, hosts, days);
+  writeFile(folder.broker() / "ca.crt", authority.certificate);
+  writeFile(folder.broker() / "server.crt", server.certificate);
+  writeKeyFile(folder.broker() / "server.key", server.key);
+}
+
+std::string newTraineeKey() {
+  std::string key;
+  for (int i = 0; i < 2; ++i) {
+    for (const std::uint64_t bits : training::systemRandom()) key += fmt::format("{:016x}", bits);
+  }
+  return key;
+}
+
+/// Of the windows that are there.
+std::vector<int> instructorsOf(const ClassFolder& folder) {
+  std::vector<int> numbers;
+  for (int number = 1; number <= kMaxInstructors; ++number) {
+    if (fs::exists(folder.instructor(number) / "instructor.toml")) numbers.push_back(number);
+  }
+  return numbers;
 }
 
 std::string numberedStation(int number) { return fmt::format("s{:02d}", number); }
@@ -110,12 +147,22 @@ std::string brokerConfiguration(const ClassFolder& folder) {
       "# Nobody without a certificate of this class; what it is called is who it is. TLS 1.2 and later.\n"
       "require_certificate true\n"
       "use_identity_as_username true\n"
+      "# A certificate is one connection and one session: nobody can throw another out by its client id.\n"
+      "use_username_as_clientid true\n"
+      "max_connections 900\n"
+      "max_qos 1\n"
       "acl_file {1}/access.acl\n\n"
       "# Stations keep what is not acknowledged and send it again, so nothing here has to last.\n"
       "persistence false\n"
       "{4}"
+      "persistent_client_expiration 1h\n"
       "max_packet_size 131072\n"
+      "max_inflight_messages 100\n"
+      "max_inflight_bytes 4194304\n"
       "max_queued_messages 5000\n"
+      "max_queued_bytes 16777216\n"
+      "max_keepalive 60\n"
+      "memory_limit 536870912\n"
       "set_tcp_nodelay true\n"
       "log_type error\n"
       "log_type warning\n"
@@ -127,7 +174,13 @@ std::string brokerConfiguration(const ClassFolder& folder) {
 
 }  // namespace
 
-std::string roleCertificateName(Role role) { return std::string(wordFor(role)) + "+"; }
+fs::path ClassFolder::instructor(int number) const {
+  return folder / (number == 1 ? std::string("instructor") : fmt::format("instructor-{}", number));
+}
+
+std::string roleCertificateName(Role role, int number) {
+  return number == 1 ? fmt::format("{}+", wordFor(role)) : fmt::format("{}+{}", wordFor(role), number);
+}
 
 void writeKeyFile(const fs::path& file, const std::string& text) {
   const mode_t before = umask(S_IRWXG | S_IRWXO);
@@ -147,13 +200,18 @@ std::string accessList(const std::string& class_id) {
   text +=
       "# A station: its own topics alone. (No pattern ever matches a name with a plus sign, so not the roles below.)\n";
   for (const char* kind : {"status", "state", "live", "station", "class", "trainee", "protocol", "session", "block",
-                           "trial", "event", "delete"}) {
+                           "trial", "event", "delete", "check"}) {
     text += fmt::format("pattern write {}/%u/{}\n", root, kind);
   }
   text += fmt::format("pattern read {0}/%u/ack\npattern read {0}/%u/cmd\n", root);
-  text += fmt::format("\n# The instructor sees all and asks; results are none of theirs to write.\nuser {}\n",
-                      roleCertificateName(Role::instructor));
-  text += fmt::format("topic read {0}/#\ntopic write {0}/+/cmd\n", root);
+  text += "\n# The instructor's windows see all, ask, and delete; results are none of theirs to write.\n";
+  for (int number = 1; number <= kMaxInstructors; ++number) {
+    text += fmt::format("user {1}\ntopic read {0}/#\ntopic write {0}/+/cmd\ntopic write {0}/instructor/delete\n", root,
+                        roleCertificateName(Role::instructor, number));
+  }
+  text +=
+      fmt::format("\n# `palpate class check`.\nuser {1}\ntopic write {0}/checker/check\ntopic read {0}/checker/ack\n",
+                  root, roleCertificateName(Role::checker));
   text += fmt::format(
       "\n# The collector reads rows and acknowledges them; it clears the state of somebody who was deleted.\nuser {}\n",
       roleCertificateName(Role::ingest));
@@ -171,29 +229,31 @@ ClassFolder makeClassFolder(const fs::path& folder, const ClassPlan& plan) {
   if (fs::exists(folder) && !(fs::is_directory(folder) && fs::is_empty(folder))) {
     throw Error::inFile(folder.string(), "is there already; a class gets a folder of its own");
   }
-  ClassFolder made{folder, plan.class_id, plan.label, plan.hosts.front(), plan.port, plan.retention, {}};
+  ClassFolder made{.folder = folder,
+                   .class_id = plan.class_id,
+                   .label = plan.label,
+                   .host = plan.hosts.front(),
+                   .port = plan.port,
+                   .retention = plan.retention,
+                   .trainee_key = newTraineeKey(),
+                   .stations = {}};
   makeFolder(folder);
   fs::permissions(folder, fs::perms::owner_all);
   const Certified authority = makeAuthority(fmt::format("palpate class {}", plan.class_id));
   makeFolder(folder / "authority");
   writeFile(folder / "authority" / "ca.crt", authority.certificate);
   writeKeyFile(folder / "authority" / "ca.key", authority.key);
+  writeKeyFile(folder / kTraineeKeyFile, made.trainee_key + "\n");
 
   std::vector<std::string> hosts = plan.hosts;
   for (const char* here : {"localhost", "127.0.0.1"}) {
     if (std::ranges::find(hosts, here) == hosts.end()) hosts.emplace_back(here);
   }
-  const Certified server = makeServerCertificate(authority, hosts);
   makeFolder(made.broker());
-  writeFile(made.broker() / "ca.crt", authority.certificate);
-  writeFile(made.broker() / "server.crt", server.certificate);
-  writeKeyFile(made.broker() / "server.key", server.key);
+  writeServer(made, authority, hosts);
   writeBrokerConfiguration(made);
 
-  for (const auto& [role, at] :
-       {std::pair(Role::instructor, made.instructor()), std::pair(Role::ingest, made.ingest())}) {
-    writeMember(at, memberOf(made, role, std::string(wordFor(role))), authority, roleCertificateName(role));
-  }
+  for (const Role role : {Role::instructor, Role::ingest, Role::checker}) writeRole(made, authority, role);
   for (int i = 1; i <= plan.stations; ++i) {
     made.stations.push_back(numberedStation(i));
     writeStation(made, authority, made.stations.back());
@@ -201,8 +261,10 @@ ClassFolder makeClassFolder(const fs::path& folder, const ClassPlan& plan) {
   writeFile(
       folder / "class.toml",
       fmt::format("# A class: `palpate class init` made this folder.\nid = \"{}\"\nlabel = \"{}\"\nhost = \"{}\"  # "
-                  "the broker's, as stations reach it\nport = {}\n\n{}",
-                  plan.class_id, plan.label, made.host, made.port, retentionText(plan.retention)));
+                  "the broker's, as stations reach it\nport = {}\n\n{}\n# A station's share of the disk in the class's "
+                  "records, MB since the last purge.\nstation_megabytes = {}\n",
+                  plan.class_id, plan.label, made.host, made.port, retentionText(plan.retention),
+                  made.station_megabytes));
   return made;
 }
 
@@ -216,8 +278,9 @@ ClassFolder readClassFolder(const fs::path& folder) {
   } catch (const toml::parse_error& error) {
     throw Error::atLine(name, error.source().begin.line, error.description());
   }
-  const scene::TomlTable table(root, name, "a class",
-                               {"id", "label", "host", "port", "retain_days", "retain_samples_days"});
+  const scene::TomlTable table(
+      root, name, "a class",
+      {"id", "label", "host", "port", "retain_days", "retain_samples_days", "station_megabytes"});
   ClassFolder read;
   read.folder = folder;
   table.read("id", read.class_id);
@@ -225,6 +288,10 @@ ClassFolder readClassFolder(const fs::path& folder) {
   table.read("host", read.host);
   table.read("port", read.port, NumberRange{1, 65535});
   readRetention(table, read.retention);
+  int megabytes = static_cast<int>(read.station_megabytes);
+  table.read("station_megabytes", megabytes, NumberRange{1, 1'000'000});
+  read.station_megabytes = megabytes;
+  read.trainee_key = readTraineeKey(folder);
   if (!isClassWord(read.class_id)) table.fail("id is a word of lower-case letters, digits and hyphens, at most 32");
   if (!isHost(read.host)) table.fail("host is the broker's name or address");
   std::error_code fault;
@@ -268,6 +335,104 @@ std::string addStation(const ClassFolder& folder, const std::string& name) {
   if (fs::exists(folder.station(added))) throw Error::inFile(folder.station(added).string(), "is there already");
   writeStation(folder, authorityOf(folder), added);
   return added;
+}
+
+fs::path addInstructor(const ClassFolder& folder) {
+  for (int number = 1; number <= kMaxInstructors; ++number) {
+    const fs::path at = folder.instructor(number);
+    if (fs::exists(at)) continue;
+    writeRole(folder, authorityOf(folder), Role::instructor, number);
+    return at;
+  }
+  throw Error::inFile(folder.folder.string(),
+                      fmt::format("has {} instructors already, as many as it may", kMaxInstructors));
+}
+
+std::vector<fs::path> renewCertificates(const ClassFolder& folder, const std::vector<std::string>& names, int days) {
+  const Certified authority = authorityOf(folder);
+  days = std::min(days, daysLeft(authority.certificate));
+  if (days <= 0) {
+    throw Error::inFile((folder.folder / "authority/ca.crt").string(),
+                        "has ended: make a new class (`palpate class init`) and carry its folders to the stations");
+  }
+  std::vector<std::string> left = names;
+  std::vector<fs::path> renewed;
+  // Once for each that is there and is asked for.
+  const auto renew = [&](const fs::path& at, const auto& write) {
+    const std::string name = at.filename().string();
+    if (!names.empty() && std::erase(left, name) == 0) return;
+    write();
+    renewed.push_back(at);
+  };
+  renew(folder.broker(), [&] {
+    writeServer(folder, authority, hostsOf(readFile(folder.broker() / "server.crt", kMostClassFileBytes)), days);
+  });
+  for (const int number : instructorsOf(folder)) {
+    renew(folder.instructor(number), [&] { writeRole(folder, authority, Role::instructor, number, days); });
+  }
+  renew(folder.ingest(), [&] { writeRole(folder, authority, Role::ingest, 1, days); });
+  renew(folder.checker(), [&] { writeRole(folder, authority, Role::checker, 1, days); });
+  for (const std::string& name : folder.stations) {
+    renew(folder.station(name), [&] { writeStation(folder, authority, name, days); });
+  }
+  if (!left.empty()) throw Error::inFile(folder.folder.string(), fmt::format("has nobody called '{}'", left.front()));
+  writeBrokerConfiguration(folder);
+  return renewed;
+}
+
+std::vector<CertificateLife> certificateLives(const ClassFolder& folder) {
+  std::vector<CertificateLife> lives;
+  const auto add = [&lives](const std::string& whose, const fs::path& file) {
+    lives.push_back({whose, file, daysLeft(readFile(file, kMostClassFileBytes))});
+  };
+  add("the class's authority", folder.folder / "authority/ca.crt");
+  add("the broker", folder.broker() / "server.crt");
+  for (const int number : instructorsOf(folder)) {
+    add(number == 1 ? std::string("the instructor") : fmt::format("instructor {}", number),
+        folder.instructor(number) / "instructor.crt");
+  }
+  add("the collector", folder.ingest() / "ingest.crt");
+  if (fs::exists(folder.checker())) add("the checker", folder.checker() / "checker.crt");
+  for (const std::string& name : folder.stations) add(name, folder.station(name) / "station.crt");
+  return lives;
+}
+
+std::vector<std::string> certificateWarnings(const std::vector<CertificateLife>& lives) {
+  std::vector<std::string> warnings;
+  for (const CertificateLife& life : lives) {
+    if (life.days_left > kWarnDays) continue;
+    warnings.push_back(
+        life.days_left < 0
+            ? fmt::format("the certificate of {} has ended; `palpate class renew` makes a new one", life.whose)
+            : fmt::format("the certificate of {} ends in {} days; `palpate class renew` makes a new one", life.whose,
+                          life.days_left));
+  }
+  return warnings;
+}
+
+std::string outdatedConfiguration(const ClassFolder& folder) {
+  std::error_code fault;
+  if (!fs::exists(folder.configuration(), fault)) return "is missing";
+  const std::string there = readFile(folder.configuration(), kMostClassFileBytes);
+  const std::string access = readFile(folder.broker() / "access.acl", kMostClassFileBytes);
+  std::string lacks;
+  const std::string now = brokerConfiguration(folder);
+  for (const std::string_view line : split(now, '\n')) {
+    if (line.empty() || line.starts_with('#')) continue;
+    if (("\n" + there).find("\n" + std::string(line) + "\n") != std::string::npos) continue;
+    lacks += fmt::format("{}{}", lacks.empty() ? "lacks " : ", ", line.substr(0, line.find(' ')));
+  }
+  if (lacks.empty() && access != accessList(folder.class_id)) lacks = "has another access list";
+  return lacks;
+}
+
+std::string keyFileFault(const fs::path& file) {
+  std::error_code fault;
+  const fs::perms allowed = fs::status(file, fault).permissions();
+  if (fault || !fs::exists(file, fault)) return "is missing";
+  if ((allowed & (fs::perms::group_all | fs::perms::others_all)) == fs::perms::none) return {};
+  return fmt::format("can be used by others (mode {:o}): chmod 600 {}", static_cast<unsigned>(allowed) & 0777U,
+                     file.string());
 }
 
 }  // namespace palpate::classroom

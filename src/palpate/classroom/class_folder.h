@@ -4,7 +4,10 @@
 //   DIR/class.toml                     what the class is called, where its broker is
 //   DIR/authority/ca.crt, ca.key       signs the others; the key never leaves this computer
 //   DIR/broker/                        mosquitto.conf, access.acl, ca.crt, server.crt, server.key
+//   DIR/trainees.key                   the class's secret, from which trainees' pseudonyms are made
 //   DIR/instructor/, DIR/ingest/       instructor.toml, ingest.toml, with certificate and key
+//   DIR/instructor-2/ ...              for further windows: a certificate is one connection
+//   DIR/checker/                       checker.toml, for `palpate class check`
 //   DIR/stations/s01/ ...              station.toml, with certificate and key
 //   DIR/revoked/s01-1/ ...             of stations that were removed, without the key; DIR/broker/revoked.crl names
 //   them
@@ -14,7 +17,9 @@
 #include <string>
 #include <vector>
 
+#include "palpate/classroom/certificates.h"
 #include "palpate/classroom/class_settings.h"
+#include "palpate/classroom/row_keeper.h"
 
 namespace palpate::classroom {
 
@@ -34,13 +39,17 @@ struct ClassFolder {
   std::string host;
   int port = kStandardPort;
   Retention retention;
-  std::vector<std::string> stations;  ///< names, in order
+  std::int64_t station_megabytes = kStationBytes >> 20;  ///< a station's share of the disk, since the last purge
+  std::string trainee_key;                               ///< empty: the class is of before there was one
+  std::vector<std::string> stations;                     ///< names, in order
 
   std::filesystem::path broker() const { return folder / "broker"; }
   std::filesystem::path configuration() const { return broker() / "mosquitto.conf"; }
   std::filesystem::path revocationList() const { return broker() / "revoked.crl"; }
-  std::filesystem::path instructor() const { return folder / "instructor"; }
+  /// The number-th window, from 1.
+  std::filesystem::path instructor(int number = 1) const;
   std::filesystem::path ingest() const { return folder / "ingest"; }
+  std::filesystem::path checker() const { return folder / "checker"; }
   std::filesystem::path station(const std::string& name) const { return folder / "stations" / name; }
 };
 
@@ -60,9 +69,38 @@ void removeStation(const ClassFolder& folder, const std::string& name);
 void writeBrokerConfiguration(const ClassFolder& folder);
 std::string accessList(const std::string& class_id);
 
+/// What is there and differs from what would be written now; empty: nothing. In words, with what it lacks.
+std::string outdatedConfiguration(const ClassFolder& folder);
+
 /// What certificates of roles are named. The plus sign keeps the broker from ever matching them with the patterns for
-/// stations.
-std::string roleCertificateName(Role role);
+/// stations. `number`: of an instructor's window.
+std::string roleCertificateName(Role role, int number = 1);
+
+/// Windows of a class at once; the broker knows of all of them from the beginning.
+inline constexpr int kMaxInstructors = 9;
+/// One more window, which the broker need not be told: its folder. Throws Error where there are kMaxInstructors.
+std::filesystem::path addInstructor(const ClassFolder& folder);
+
+/// New certificates and keys for these ("broker", "instructor", "instructor-2", "ingest", "checker", stations); empty:
+/// for all, and whatever an older class lacks. What is older stays valid to its end. Returns the folders, whose
+/// contents are to be carried to where they are used. Throws Error for a name that is not there.
+std::vector<std::filesystem::path> renewCertificates(const ClassFolder& folder,
+                                                     const std::vector<std::string>& names = {},
+                                                     int days = kMemberDays);
+
+/// A certificate of a class and when it ends.
+struct CertificateLife {
+  std::string whose;  ///< "the broker", "s01"
+  std::filesystem::path file;
+  int days_left = 0;  ///< negative: it has ended
+};
+/// Of all that are there, the authority's too. Throws Error for one that cannot be read.
+std::vector<CertificateLife> certificateLives(const ClassFolder& folder);
+/// One line for each that ends within kWarnDays.
+std::vector<std::string> certificateWarnings(const std::vector<CertificateLife>& lives);
+
+/// Empty: the file is its owner's alone; else what is wrong and what to do.
+std::string keyFileFault(const std::filesystem::path& file);
 
 /// Private: the owner alone may read it.
 void writeKeyFile(const std::filesystem::path& file, const std::string& text);

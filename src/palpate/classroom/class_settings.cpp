@@ -38,7 +38,7 @@ Role roleOf(const scene::TomlTable& table) {
   std::string word;
   table.read("role", word);
   const auto role = valueNamed<Role>(word);
-  if (!role) table.fail("role is station, instructor or ingest");
+  if (!role) table.fail("role must be station, instructor, ingest or checker");
   return *role;
 }
 
@@ -91,21 +91,30 @@ Member parseMember(std::string_view text, const std::filesystem::path& file) {
 Member readMember(const std::filesystem::path& file_or_folder) {
   std::filesystem::path file = file_or_folder;
   if (std::filesystem::is_directory(file)) {
-    constexpr std::array kNames = {"station.toml", "instructor.toml", "ingest.toml"};
+    constexpr std::array kNames = {"station.toml", "instructor.toml", "ingest.toml", "checker.toml"};
     const auto* const found =
         std::ranges::find_if(kNames, [&](const char* name) { return std::filesystem::exists(file_or_folder / name); });
     if (found == kNames.end()) {
-      throw Error::inFile(file.string(), "holds no station.toml, instructor.toml or ingest.toml");
+      throw Error::inFile(file.string(), "holds no station.toml, instructor.toml, ingest.toml or checker.toml");
     }
     file /= *found;
   }
-  const Member member = parseMember(readFile(file, kMostMemberBytes), file);
+  Member member = parseMember(readFile(file, kMostMemberBytes), file);
+  member.trainee_key = readTraineeKey(file.parent_path());
   for (const auto& needed : {member.authority, member.certificate, member.key}) {
     if (!std::filesystem::is_regular_file(needed)) {
       throw Error::inFile(file.string(), fmt::format("names {}, which is not there", needed.string()));
     }
   }
   return member;
+}
+
+std::string readTraineeKey(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / kTraineeKeyFile;
+  if (!std::filesystem::exists(file)) return {};
+  std::string key(trimmed(readFile(file, kMostMemberBytes)));
+  if (!training::isHash(key)) throw Error::inFile(file.string(), "must hold 64 hex digits");
+  return key;
 }
 
 std::string memberText(const Member& member) {
@@ -143,7 +152,7 @@ bool isClassWord(std::string_view text) {
 }
 
 bool isStationName(std::string_view text) {
-  return isClassWord(text) && text != wordFor(Role::instructor) && text != wordFor(Role::ingest);
+  return isClassWord(text) && !valueNamed<Role>(text == wordFor(Role::station) ? "" : text);
 }
 
 training::Uuid stationIdOf(std::string_view class_id, std::string_view station) {

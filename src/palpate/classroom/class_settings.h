@@ -24,6 +24,7 @@ enum class Role : std::uint8_t {
   station,     ///< publishes under its own name, hears its own commands and acknowledgements
   instructor,  ///< reads all, writes commands
   ingest,      ///< reads rows, writes acknowledgements
+  checker,     ///< asks whether broker, collector and database answer (`palpate class check`)
 };
 
 inline constexpr int kStandardPort = 8883;  // MQTT over TLS, as registered
@@ -40,11 +41,13 @@ inline constexpr NumberRange kRetentionDays = {1, 36500};
 struct Member {
   Role role = Role::station;
   std::string class_id;       ///< "osteo-1"
-  std::string name;           ///< in topics and as the certificate's subject: "s01"; "instructor", "ingest"
+  std::string name;           ///< in topics and as the certificate's subject: "s01"; "instructor", "ingest", "checker"
   training::Uuid station_id;  ///< of its rows (training::StationRow::id); empty for the other roles
   std::string host = "localhost";
   int port = kStandardPort;
   Retention retention;  ///< of a station's own records
+  /// The class's secret, from which trainees' ids are made (training::pseudonymOf); empty: an older class has none.
+  std::string trainee_key;
   // Absolute, once read.
   std::filesystem::path authority;    ///< ca.crt: who signed the broker's certificate
   std::filesystem::path certificate;  ///< of this member
@@ -68,6 +71,11 @@ bool isClassWord(std::string_view text);
 /// Of a station: a class word, and none of the roles'.
 bool isStationName(std::string_view text);
 
+/// The file of the class's secret, in the class's folder and in each station's: 64 hex digits, its owner's alone.
+inline constexpr const char* kTraineeKeyFile = "trainees.key";
+/// Throws Error for a file that holds no such key; empty where there is none.
+std::string readTraineeKey(const std::filesystem::path& folder);
+
 /// Any computer makes the same of the same names.
 training::Uuid stationIdOf(std::string_view class_id, std::string_view station);
 
@@ -77,5 +85,5 @@ template <>
 struct palpate::WordsOf<palpate::classroom::Role> {
   using V = palpate::classroom::Role;
   static constexpr std::array kAll = {Word{"station", V::station}, Word{"instructor", V::instructor},
-                                      Word{"ingest", V::ingest}};
+                                      Word{"ingest", V::ingest}, Word{"checker", V::checker}};
 };

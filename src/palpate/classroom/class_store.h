@@ -9,13 +9,13 @@
 // The server may die at any moment: every call then throws DatabaseAway, and the caller connects again when it likes.
 #pragma once
 
-#include <map>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "palpate/classroom/postgres_sql.h"
+#include "palpate/classroom/row_keeper.h"
 #include "palpate/training/records/deletion.h"
 #include "palpate/training/records/row_tables.h"
 
@@ -24,25 +24,17 @@ namespace palpate::classroom {
 class ClassStore {
  public:
   /// Connects, makes the tables where there are none and brings older ones forward. Throws DatabaseAway, or Error for
-  /// a schema that is newer than ours.
-  explicit ClassStore(std::string connection);
+  /// a schema that is newer than ours and for an address with a password in it (refusePassword).
+  explicit ClassStore(std::string connection, KeeperRules rules = {});
 
   bool connected() const { return sql_.connected(); }
   /// Anew. Throws DatabaseAway.
   void reconnect();
 
-  struct Refused {
-    training::Uuid key;
-    std::string why;
-  };
-  struct Kept {
-    /// Outbox keys (training::outboxKey), in the order of `rows`: in the database now, or belonging to somebody who was
-    /// deleted; to be acknowledged.
-    std::vector<training::Uuid> keys;
-    /// Not kept: a row that it belongs to has not come yet, or it contradicts another. Sent again, it may be.
-    std::vector<Refused> refused;
-  };
+  using Kept = KeptRows;
   /// One transaction. Throws DatabaseAway; nothing was kept then, as far as anybody can know.
+  Kept keep(std::span<const SentRow> rows);
+  /// As the teacher, who may write anybody's rows.
   Kept keep(std::span<const training::AnyRow> rows);
 
   /// The trainee, everything of theirs, and whatever of theirs still comes. True: there was somebody.
@@ -52,25 +44,19 @@ class ClassStore {
   /// back is welcome. One transaction.
   training::Purged purge(std::int64_t now_ms);
 
+  /// Deleted rows that still lie in the server's files, because this role may not rewrite them: why, and what to do;
+  /// empty: all were swept away.
+  const std::string& notErased() const { return not_erased_; }
+
   training::RowTables& rows() { return tables_; }
 
  private:
-  void keepOne(const training::AnyRow& row);
-  bool belongsToDeleted(const training::AnyRow& row) const;
-  /// What anybody has deleted since the last time: asked once for a batch instead of for each row.
-  void learnDeletions();
-  void forgetDeletions();
-  void obey(const training::DeletionRow& deletion);
-  void eraseRows(const training::Uuid& trainee, std::int64_t at_ms, std::string_view actor);
   void sweep();
-  std::vector<std::size_t> refusedOneByOne(std::span<const training::AnyRow> rows, std::span<const std::size_t> order,
-                                           Kept& kept);
 
   PostgresSql sql_;
   training::RowTables tables_;
-  std::map<std::string, std::int64_t> deleted_;  // marks, and when
-  std::int64_t last_note_ = 0;                   // of the audit, that was read
-  bool sweeps_ = false;                          // rows were deleted that still lie in the server's files
+  RowKeeper keeper_;
+  std::string not_erased_;
 };
 
 }  // namespace palpate::classroom

@@ -24,10 +24,20 @@ namespace {
 
 using training::AnyRow;
 
-constexpr std::size_t kMostInbox = 20000;  // some 20 MB of rows; more is dropped and comes again
-constexpr std::size_t kMostBatch = 500;    // rows of one commit
+// What does not fit is dropped and comes again. Bytes as rows are unpacked: 263 on the way may be 64 kB here.
+constexpr std::size_t kMaxInboxRows = 20000;
+constexpr std::size_t kMaxInboxBytes = std::size_t{32} << 20;
+constexpr std::size_t kMaxStationBytes = std::size_t{4} << 20;  // of one station among them
+constexpr std::size_t kRowBytes = 200;                          // beside its text
+constexpr std::size_t kMaxBatchBytes = std::size_t{8} << 20;
+constexpr std::size_t kMostBatch = 500;  // rows of one commit
 /// A batch waits so long for company: a commit costs more than its rows.
 constexpr auto kGather = std::chrono::milliseconds(20);
+/// A station is told again of deletions that it has not confirmed.
+constexpr auto kTellsAgain = std::chrono::seconds(5);
+constexpr auto kSaysAgain = std::chrono::minutes(1);
+constexpr std::size_t kMaxSaidLines = 100;
+constexpr std::size_t kMaxSaid = 300;
 constexpr auto kFirstRetry = std::chrono::milliseconds(200);
 constexpr auto kLongestRetry = std::chrono::milliseconds(2000);
 /// The broker keeps rows for a collector that is away; how many is its own limit, and stations send them again anyway.
@@ -39,22 +49,35 @@ struct Collector::Course {
   struct ArrivedRow {
     std::string station;
     std::string kind;
+    training::Uuid key;  ///< as its sender calls it
     std::string body;
+    std::size_t bytes() const { return body.size() + kRowBytes; }
+  };
+  struct Batch {
+    std::vector<SentRow> rows;
+    std::vector<training::Uuid> keys;  ///< one per row
+    std::vector<std::pair<std::string, training::Uuid>>
+        checks;  ///< by station: to be acknowledged when the database answers
+    std::map<std::pair<std::string, std::string>, std::vector<training::Uuid>> refused;  ///< by station and reason
+    bool empty() const { return rows.empty() && checks.empty() && refused.empty(); }
   };
 
-  struct ReadRow {
-    std::string station;
-    training::Uuid key;
-    AnyRow row;
-  };
-
-  static std::optional<ReadRow> readRow(const ArrivedRow& arrived) {
+  /// By the certificate's name, which the broker has checked.
+  SentRow sentBy(const std::string& station, AnyRow row, std::size_t bytes) const {
+    const bool teacher = station == wordFor(Role::instructor);
+    return {std::move(row), teacher ? training::Uuid() : stationIdOf(class_id, station), station, bytes};
+  }
+  void read(const ArrivedRow& arrived, Batch& batch) const {
+    if (arrived.kind == kCheckKind) {
+      batch.checks.emplace_back(arrived.station, arrived.key);
+      return;
+    }
     try {
       AnyRow row = training::rowFromJson(arrived.kind, arrived.body);
-      training::Uuid key = training::outboxKey(row);
-      return ReadRow{arrived.station, std::move(key), std::move(row)};
-    } catch (const Error&) {
-      return std::nullopt;
+      batch.keys.push_back(training::outboxKey(row));
+      batch.rows.push_back(sentBy(arrived.station, std::move(row), arrived.body.size()));
+    } catch (const Error& error) {
+      batch.refused[{arrived.station, error.what()}].push_back(arrived.key);
     }
   }
 
@@ -62,7 +85,7 @@ struct Collector::Course {
     MqttSettings settings = linkOf(member);
     settings.session_expiry_s = kSessionExpiryS;
     for (const char* kind :
-         {"station", "class", "trainee", "protocol", "session", "block", "trial", "event", "delete"}) {
+         {"station", "class", "trainee", "protocol", "session", "block", "trial", "event", "delete", "check"}) {
       settings.subscriptions.push_back({fmt::format("palpate/v1/{}/st/+/{}", class_id, kind), 1});
     }
     settings.subscriptions.push_back({fmt::format("palpate/v1/{}/st/+/state", class_id), 0});
@@ -86,15 +109,22 @@ struct Collector::Course {
     const auto at = parseTopic(where);
     if (!at || at->class_id != class_id) return refuse(where);
     if (at->kind == "state") return noteState(at->station, what);
-    auto message = isRowKind(at->kind) ? parseRowMessage(what) : std::nullopt;
+    if (!isRowKind(at->kind) && at->kind != kCheckKind) return refuse(where);
+    {
+      const std::lock_guard lock(mutex);
+      stations.insert(at->station);
+      // Not even unpacked: whoever sends faster than the database takes it waits for itself.
+      if (bytes_of[at->station] >= kMaxStationBytes || inbox_bytes >= kMaxInboxBytes || inbox.size() >= kMaxInboxRows) {
+        ++counts.dropped;
+        return;
+      }
+    }
+    auto message = parseRowMessage(what);
     if (!message) return refuse(where);
     const std::lock_guard lock(mutex);
-    stations.insert(at->station);
-    if (inbox.size() >= kMostInbox) {
-      ++counts.dropped;
-      return;
-    }
-    inbox.push_back({at->station, at->kind, std::move(message->body)});
+    inbox.push_back({at->station, at->kind, std::move(message->envelope.id), std::move(message->body)});
+    inbox_bytes += inbox.back().bytes();
+    bytes_of[at->station] += inbox.back().bytes();
     woken.notify_all();
   }
   void refuse(std::string_view where) {
@@ -116,43 +146,40 @@ struct Collector::Course {
   // In the collector's own thread.
   void run() {
     for (;;) {
-      std::vector<ReadRow> batch = nextBatch();
+      const Batch batch = nextBatch();
       if (batch.empty()) return;
       keepBatch(batch);
     }
   }
   /// Waits for rows; empty: it is to end.
-  std::vector<ReadRow> nextBatch() {
-    std::vector<ReadRow> batch;
+  Batch nextBatch() {
+    Batch batch;
     std::unique_lock lock(mutex);
     while (batch.empty()) {
       woken.wait(lock, [this] { return ending || !inbox.empty(); });
       if (inbox.empty()) return {};
       woken.wait_for(lock, kGather, [this] { return ending || inbox.size() >= kMostBatch; });
-      std::set<training::Uuid> seen;  // a row that was sent again meanwhile
-      for (; !inbox.empty() && batch.size() < kMostBatch; inbox.pop_front()) {
-        auto row = readRow(inbox.front());
-        if (!row) {
-          ++counts.refused;
-          counts.trouble = fmt::format("{}: a row '{}' that is none", inbox.front().station, inbox.front().kind);
-        } else if (seen.insert(row->key).second) {
-          batch.push_back(std::move(*row));
-        }
+      std::set<std::pair<std::string, training::Uuid>> seen;  // a row that was sent again meanwhile
+      std::size_t bytes = 0;
+      while (!inbox.empty() && seen.size() < kMostBatch && bytes < kMaxBatchBytes) {
+        const ArrivedRow arrived = std::move(inbox.front());
+        inbox.pop_front();
+        inbox_bytes -= arrived.bytes();
+        if (auto& left = bytes_of[arrived.station]; (left -= arrived.bytes()) == 0) bytes_of.erase(arrived.station);
+        if (!seen.insert({arrived.station, arrived.key}).second) continue;
+        bytes += arrived.bytes();
+        lock.unlock();  // reading takes longer than taking
+        read(arrived, batch);
+        lock.lock();
       }
     }
-    // What others refer to comes first, whatever the order in which it arrived.
-    std::ranges::stable_sort(batch, {}, [](const ReadRow& read) { return read.row.index(); });
     return batch;
   }
-  void keepBatch(const std::vector<ReadRow>& batch) {
-    std::vector<AnyRow> rows;
-    rows.reserve(batch.size());
-    for (const ReadRow& read : batch) rows.push_back(read.row);
+  void keepBatch(const Batch& batch) {
     try {
-      const RowSink::Kept kept = sink->keep(rows);
+      const KeptRows kept = sink->keep(batch.rows);
       retry = kFirstRetry;
-      noteKept(kept);
-      settle(batch, {kept.keys.begin(), kept.keys.end()});
+      settle(batch, kept);
     } catch (const Error& error) {
       // The batch is let go: whatever is in it comes again.
       {
@@ -163,45 +190,80 @@ struct Collector::Course {
       pauseAfterFailure();
     }
   }
-  void noteKept(const RowSink::Kept& kept) {
-    const std::lock_guard lock(mutex);
-    counts.database = true;
-    ++counts.commits;
-    counts.refused += kept.refused;
-    counts.trouble = kept.why;
-  }
   void pauseAfterFailure() {
     std::unique_lock lock(mutex);
     woken.wait_for(lock, retry, [this] { return ending; });
     retry = std::min<std::chrono::milliseconds>(2 * retry, kLongestRetry);
   }
-  /// What is in the database is said to be there.
-  void settle(const std::vector<ReadRow>& batch, const std::set<training::Uuid>& kept) {
+  /// What is in the database is said to be there, and what was refused is said to be refused.
+  void settle(const Batch& batch, const KeptRows& kept) {
     std::map<std::string, std::vector<training::Uuid>> keys;
+    auto refused = batch.refused;
     std::uint64_t trials = 0;
-    for (const ReadRow& read : batch) {
-      if (!kept.contains(read.key)) continue;
-      keys[read.station].push_back(read.key);
-      trials += std::holds_alternative<training::TrialRow>(read.row) ? 1U : 0U;
-      if (const auto* deletion = std::get_if<training::DeletionRow>(&read.row)) forget(*deletion);
+    auto why = kept.refused.begin();
+    for (std::size_t i = 0; i < batch.rows.size(); ++i) {
+      const SentRow& sent = batch.rows[i];
+      if (kept.fates[i] == RowFate::refused) refused[{sent.name, (why++)->why}].push_back(batch.keys[i]);
+      if (kept.fates[i] != RowFate::kept) continue;
+      keys[sent.name].push_back(batch.keys[i]);
+      trials += std::holds_alternative<training::TrialRow>(sent.row) ? 1U : 0U;
+      if (const auto* deletion = std::get_if<training::DeletionRow>(&sent.row)) forget(*deletion, sent);
     }
-    for (const auto& [station, rows] : keys) {
-      const Envelope envelope{sequence++, rows.front(),
-                              std::chrono::duration<double>(Clock::now().time_since_epoch()).count()};
-      for (const std::string& text : ackTexts(envelope, rows)) {
-        mqtt->publish({topicText({class_id, station, "ack"}), text, 1, false, 0});
-      }
+    for (const auto& [station, key] : batch.checks) keys[station].push_back(key);
+    const auto answer = [&](const std::string& station, const std::vector<std::string>& texts) {
+      for (const std::string& text : texts) mqtt->publish({topicText({class_id, station, "ack"}), text, 1, false, 0});
+    };
+    for (const auto& [station, rows] : keys) answer(station, ackTexts(nextEnvelope(rows.front()), rows));
+    for (const auto& [by, rows] : refused) answer(by.first, refusalTexts(nextEnvelope(rows.front()), rows, by.second));
+    tellDeletions(batch, kept, answer);
+    note(batch, kept, refused, trials);
+  }
+  Envelope nextEnvelope(const training::Uuid& id) {
+    return {sequence++, id, std::chrono::duration<double>(Clock::now().time_since_epoch()).count()};
+  }
+  template <class Answer>
+  void tellDeletions(const Batch& batch, const KeptRows& kept, const Answer& answer) {
+    for (const auto& [station, marks] : kept.to_hear) {
+      const auto now = Clock::now();
+      if (const auto told = told_at.find(station); told != told_at.end() && now - told->second < kTellsAgain) continue;
+      told_at[station] = now;
+      const auto sent = std::ranges::find(batch.rows, station, &SentRow::station);
+      answer(sent->name, hearTexts(nextEnvelope(station), marks));
     }
+  }
+  template <class Refused>
+  void note(const Batch& batch, const KeptRows& kept, const Refused& refused, std::uint64_t trials) {
     const std::lock_guard lock(mutex);
-    counts.rows += kept.size();
+    counts.database = true;
+    ++counts.commits;
+    counts.rows += kept.keys.size() + batch.checks.size();
     counts.trials += trials;
+    counts.waited += kept.waits.size();
+    counts.trouble = kept.waits.empty() ? sink->trouble() : kept.waits.back().why;
+    for (const auto& [by, rows] : refused) {
+      counts.refused += rows.size();
+      counts.trouble = fmt::format("{}: {} rows refused: {}", by.first, rows.size(), oneLine(by.second, kMaxSaid));
+      const auto now = Clock::now();
+      const auto found = said_at.find(by.first);
+      if (found != said_at.end() && now - found->second < kSaysAgain) continue;
+      said_at[by.first] = now;
+      say(counts.trouble);
+    }
+    for (const std::string& line : kept.said) say(line);
+  }
+  /// The lock is held.
+  void say(std::string line) {
+    if (said.size() >= kMaxSaidLines) said.pop_front();
+    said.push_back(std::move(line));
   }
   /// The retained messages that name a deleted trainee.
-  void forget(const training::DeletionRow& deletion) {
+  void forget(const training::DeletionRow& deletion, const SentRow& sent) {
+    if (deletion.at_ms == 0) return;
     std::vector<std::string> clear;
     {
       const std::lock_guard lock(mutex);
       for (const auto& [station, trainee] : sits) {
+        if (!sent.station.empty() && station != sent.name) continue;
         if (training::deletedMark(trainee) == deletion.trainee_sha256) clear.push_back(station);
       }
       for (const std::string& station : clear) sits.erase(station);
@@ -213,11 +275,16 @@ struct Collector::Course {
   std::unique_ptr<RowSink> sink;                  ///< the collector's thread alone
   std::chrono::milliseconds retry = kFirstRetry;  ///< the collector's thread alone
   std::uint64_t sequence = 1;
+  std::map<training::Uuid, Clock::time_point> told_at;  ///< the collector's thread alone
 
   mutable std::mutex mutex;  ///< of what follows
   std::condition_variable woken;
   bool ending = false;
   std::deque<ArrivedRow> inbox;
+  std::size_t inbox_bytes = 0;
+  std::map<std::string, std::size_t> bytes_of;  ///< of the inbox, by station
+  std::deque<std::string> said;
+  std::map<std::string, Clock::time_point> said_at;
   std::set<std::string> stations;
   std::map<std::string, training::Uuid> sits;
   CollectorReport counts;
@@ -234,10 +301,18 @@ CollectorReport Collector::report() const {
   const std::lock_guard lock(course_->mutex);
   CollectorReport report = course_->counts;
   report.inbox = course_->inbox.size();
+  report.inbox_bytes = course_->inbox_bytes;
   report.stations = course_->stations.size();
   report.connected = course_->mqtt && course_->mqtt->connected();
   if (!report.connected && course_->mqtt) report.trouble = course_->mqtt->trouble();
   return report;
+}
+
+std::vector<std::string> Collector::takeSaid() {
+  const std::lock_guard lock(course_->mutex);
+  std::vector<std::string> lines(course_->said.begin(), course_->said.end());
+  course_->said.clear();
+  return lines;
 }
 
 }  // namespace palpate::classroom

@@ -23,11 +23,13 @@ struct CollectorReport {
   std::uint64_t rows = 0;    ///< kept and acknowledged, repeats among them
   std::uint64_t trials = 0;  ///< of them
   std::uint64_t commits = 0;
-  std::uint64_t refused = 0;  ///< were no rows, or rows that the database would not have
+  std::uint64_t waited = 0;   ///< what they belong to had not come yet; they come again
+  std::uint64_t refused = 0;  ///< were no rows, or rows that their sender may not write (row_keeper.h)
   std::uint64_t dropped = 0;  ///< came faster than the database took them; they come again
-  std::size_t inbox = 0;      ///< waiting now
-  std::size_t stations = 0;   ///< heard of
-  std::string trouble;        ///< the newest, in words; empty: none
+  std::size_t inbox = 0;      ///< rows waiting now
+  std::size_t inbox_bytes = 0;
+  std::size_t stations = 0;  ///< heard of
+  std::string trouble;       ///< the newest, in words; empty: none
 };
 
 class Collector {
@@ -41,6 +43,9 @@ class Collector {
   Collector& operator=(const Collector&) = delete;
 
   CollectorReport report() const;
+  /// What has happened that a teacher should know, one line each, since this was last asked: rows that were refused,
+  /// and what a deletion has left. Of each station at most one line in a minute.
+  std::vector<std::string> takeSaid();
 
  private:
   struct Course;

@@ -41,6 +41,8 @@ constexpr std::size_t kMostPlainRow = kMostMessageBytes - 150;
 /// A compressed row, as text: 64 kB that do not compress.
 constexpr std::size_t kMostRowMessage = 100000;
 constexpr std::size_t kKeysInAck = 90;
+constexpr std::size_t kMarksInMessage = 55;
+constexpr std::size_t kMaxWhy = 300;
 
 std::string screenWord(Screen screen) {
   const auto* const found = std::ranges::find(kScreenWords, screen, &Word<Screen>::value);
@@ -136,6 +138,19 @@ class MessageReader {
     return read;
   }
 
+  std::vector<std::string> list(const char* name, bool (*is_one)(std::string_view)) {
+    std::vector<std::string> read;
+    const Json* values = member(name);
+    good_ = good_ && values->is_array();
+    if (!good_) return read;
+    for (const Json& value : *values) {
+      good_ = good_ && value.is_string() && is_one(value.get_ref<const std::string&>());
+      if (!good_) return {};
+      read.push_back(value.get<std::string>());
+    }
+    return read;
+  }
+
   void refuse() { good_ = false; }
   /// Everything was as it should be, and nothing else was there.
   bool good() const { return good_ && used_ == object_.size(); }
@@ -196,6 +211,20 @@ std::optional<std::string> unpacked(const std::string& text) {
   return row;
 }
 
+/// As many messages as are needed.
+std::vector<std::string> listTexts(const Json& head, const char* name, const std::vector<std::string>& values,
+                                   std::size_t in_one) {
+  std::vector<std::string> texts;
+  for (std::size_t begin = 0; begin < values.size(); begin += in_one) {
+    const std::size_t end = std::min(values.size(), begin + in_one);
+    Json message = head;
+    message[name] = Json::array();
+    for (std::size_t i = begin; i < end; ++i) message[name].push_back(values[i]);
+    texts.push_back(lineOf(message));
+  }
+  return texts;
+}
+
 int wrongInARow(const std::vector<training::TrialRow>& trials) {
   const auto right = std::find_if(trials.rbegin(), trials.rend(), [](const auto& trial) { return trial.correct; });
   return static_cast<int>(right - trials.rbegin());
@@ -212,7 +241,10 @@ std::optional<Topic> parseTopic(std::string_view text) {
   const auto parts = split(text, '/');
   if (parts.size() != 6 || parts[0] != "palpate" || parts[1] != "v1" || parts[3] != "st") return std::nullopt;
   Topic topic{std::string(parts[2]), std::string(parts[4]), std::string(parts[5])};
-  if (!isClassWord(topic.class_id) || !isStationName(topic.station) || !isClassWord(topic.kind)) return std::nullopt;
+  const bool may_send = isStationName(topic.station) ||
+                        (topic.station == wordFor(Role::instructor) && topic.kind == "delete") ||
+                        (topic.station == wordFor(Role::checker) && (topic.kind == kCheckKind || topic.kind == "ack"));
+  if (!isClassWord(topic.class_id) || !may_send || !isClassWord(topic.kind)) return std::nullopt;
   return topicText(topic) == text ? std::optional(topic) : std::nullopt;
 }
 
@@ -374,28 +406,41 @@ std::optional<Message<Command>> parseCommand(std::string_view text) {
 }
 
 std::vector<std::string> ackTexts(const Envelope& envelope, const std::vector<training::Uuid>& keys) {
-  std::vector<std::string> texts;
-  for (std::size_t begin = 0; begin < keys.size(); begin += kKeysInAck) {
-    const std::size_t end = std::min(keys.size(), begin + kKeysInAck);
-    Json message = enveloped(envelope);
-    message["rows"] = Json::array();
-    for (std::size_t i = begin; i < end; ++i) message["rows"].push_back(keys[i]);
-    texts.push_back(lineOf(message));
-  }
-  return texts;
+  return listTexts(enveloped(envelope), "rows", keys, kKeysInAck);
+}
+
+std::vector<std::string> refusalTexts(const Envelope& envelope, const std::vector<training::Uuid>& keys,
+                                      const std::string& why) {
+  Json head = enveloped(envelope);
+  head["why"] = shortened(why, kMaxWhy);
+  return listTexts(head, "refused", keys, kKeysInAck);
+}
+
+std::vector<std::string> hearTexts(const Envelope& envelope, const std::vector<std::string>& marks) {
+  return listTexts(enveloped(envelope), "deleted", marks, kMarksInMessage);
 }
 
 std::optional<std::vector<training::Uuid>> parseAck(std::string_view text) {
   MessageReader reader(text, kMostMessageBytes);
   reader.envelope();
-  const Json* rows = reader.member("rows");
-  if (rows == nullptr || !rows->is_array() || !reader.good()) return std::nullopt;
-  std::vector<training::Uuid> keys;
-  for (const Json& row : *rows) {
-    if (!row.is_string() || !training::isUuid(row.get_ref<const std::string&>())) return std::nullopt;
-    keys.push_back(row.get<std::string>());
-  }
-  return keys;
+  std::vector<training::Uuid> keys = reader.list("rows", training::isUuid);
+  return reader.good() ? std::optional(std::move(keys)) : std::nullopt;
+}
+
+std::optional<Refusal> parseRefusal(std::string_view text) {
+  MessageReader reader(text, kMostMessageBytes);
+  reader.envelope();
+  Refusal refusal;
+  refusal.why = reader.text("why", kMaxWhy);
+  refusal.keys = reader.list("refused", training::isUuid);
+  return reader.good() ? std::optional(std::move(refusal)) : std::nullopt;
+}
+
+std::optional<std::vector<std::string>> parseHear(std::string_view text) {
+  MessageReader reader(text, kMostMessageBytes);
+  reader.envelope();
+  std::vector<std::string> marks = reader.list("deleted", training::isHash);
+  return reader.good() ? std::optional(std::move(marks)) : std::nullopt;
 }
 
 }  // namespace palpate::classroom

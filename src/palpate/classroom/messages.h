@@ -5,6 +5,7 @@
 //     status   retained, last will "offline"     state    retained, cleared at sign-off     live   10 Hz, QoS 0
 //     session, block, trial, event, ...: rows of the outbox, QoS 1 (training/records/row_json.h)
 //     ack      collector -> station: what is in the database         cmd   instructor -> station
+//     check    asks the collector whether its database answers; acknowledged as a row is
 //
 // Each message has the station's sequence number, a UUID and the station's monotonic time. Live messages have at most
 // 200 bytes, the others 4 kB; a row that is longer travels compressed.
@@ -35,6 +36,8 @@ struct Topic {
 std::string topicText(const Topic& topic);
 /// Nothing for what is no topic of a class.
 std::optional<Topic> parseTopic(std::string_view text);
+/// Asks whether rows would reach the database: acknowledged, and kept nowhere.
+inline constexpr std::string_view kCheckKind = "check";
 /// Kinds that carry rows: "station", "class", "trainee", "protocol", "session", "block", "trial", "event", "delete".
 bool isRowKind(std::string_view kind);
 
@@ -118,6 +121,11 @@ std::string rowText(const Envelope& envelope, const std::string& body);
 std::string commandText(const Envelope& envelope, const Command& command);
 /// As many messages as are needed to keep each within its size.
 std::vector<std::string> ackTexts(const Envelope& envelope, const std::vector<training::Uuid>& keys);
+/// On the topic of acknowledgements too: rows that are not kept, for this reason.
+std::vector<std::string> refusalTexts(const Envelope& envelope, const std::vector<training::Uuid>& keys,
+                                      const std::string& why);
+/// On the topic of acknowledgements too: trainees who were deleted for every station (training::deletedMark).
+std::vector<std::string> hearTexts(const Envelope& envelope, const std::vector<std::string>& marks);
 
 // Reading; nothing for what is no such message.
 std::optional<Message<StationStatus>> parseStatus(std::string_view text);
@@ -126,6 +134,12 @@ std::optional<Message<LiveSample>> parseLive(std::string_view text);
 std::optional<RowMessage> parseRowMessage(std::string_view text);
 std::optional<Message<Command>> parseCommand(std::string_view text);
 std::optional<std::vector<training::Uuid>> parseAck(std::string_view text);
+struct Refusal {
+  std::vector<training::Uuid> keys;
+  std::string why;
+};
+std::optional<Refusal> parseRefusal(std::string_view text);
+std::optional<std::vector<std::string>> parseHear(std::string_view text);
 
 }  // namespace palpate::classroom
 

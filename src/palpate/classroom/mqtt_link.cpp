@@ -14,7 +14,9 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
+#include <optional>
 #include <thread>
+#include <utility>
 
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
@@ -25,6 +27,11 @@ namespace {
 
 constexpr std::chrono::milliseconds kFirstPause(500);
 constexpr std::chrono::milliseconds kLongestPause(8000);
+/// A connection that lasted as long was a good one. A certificate is one connection (use_username_as_clientid): two
+/// programs with the same would else throw each other out twice a second.
+constexpr double kSteadyS = 10.0;
+constexpr const char* kTakenOver =
+    "the connection was ended; another program may use this certificate, and each needs its own";
 constexpr int kLoopMs = 200;    // how soon it sees that it is to end; messages wake it at once
 constexpr int kReachMs = 2000;  // a computer of the same room answers sooner
 constexpr double kLongestGoodbyeS = 1.0;
@@ -172,12 +179,13 @@ struct MqttLink::Course {
       mosquitto_subscribe_v5(client, nullptr, wanted.topic.c_str(), wanted.quality, 0, nullptr);
     }
     is_connected = true;
-    pause = kFirstPause;
+    connected_at = Clock::now();
     say({});
     if (handlers.on_connected) handlers.on_connected();
   }
   void lost(int code) {
     is_connected = false;
+    if (code == MQTT_RC_SESSION_TAKEN_OVER) return say(kTakenOver);  // mosquitto 2.0.11 only hangs up
     say(code == 0 ? "the connection ended" : code >= kFirstRefusal ? mosquitto_reason_string(code) : reasonOf(code));
   }
   void say(const std::string& what) {
@@ -204,6 +212,13 @@ struct MqttLink::Course {
     int code = connectNow();
     while (code == MOSQ_ERR_SUCCESS && !isEnding()) code = mosquitto_loop(client, kLoopMs, 1);
     const bool was_connected = is_connected.exchange(false);
+    if (const auto since = std::exchange(connected_at, {})) {
+      if (secondsSince(*since) >= kSteadyS) {
+        pause = kFirstPause;
+      } else if (code == MOSQ_ERR_CONN_LOST || code == MOSQ_ERR_NO_CONN || code == MOSQ_ERR_TLS) {
+        return say(kTakenOver);
+      }
+    }
     if (code != MOSQ_ERR_SUCCESS && (was_connected || code == MOSQ_ERR_TLS)) say(reasonOf(code));
   }
   bool isEnding() {
@@ -228,6 +243,7 @@ struct MqttLink::Course {
   std::atomic<int> under_way = 0;
   std::atomic<std::uint64_t> refused = 0;
   std::chrono::milliseconds pause = kFirstPause;  ///< before the next attempt; the link's thread alone
+  std::optional<Clock::time_point> connected_at;  ///< the link's thread alone
   mutable std::mutex mutex;
   std::condition_variable woken;
   bool ending = false;

@@ -56,7 +56,8 @@ struct MqttHandlers {
 
 class MqttLink {
  public:
-  /// Returns at once and connects by itself, again and again, 0.5 to 8 s apart. Throws Error for certificates that
+  /// Returns at once and connects by itself, again and again, 0.5 to 8 s apart: the longer, the shorter its
+  /// connections last, as where another program uses the same certificate. Throws Error for certificates that
   /// cannot be used.
   MqttLink(const MqttSettings& settings, MqttHandlers handlers);
   /// In order: what was handed over goes out first, for at most so long.

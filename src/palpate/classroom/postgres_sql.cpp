@@ -7,6 +7,9 @@
 
 #include <charconv>
 #include <optional>
+#include <utility>
+
+#include "palpate/base/nearest_name.h"
 
 namespace palpate::classroom {
 
@@ -26,11 +29,13 @@ constexpr Oid kInt4Oid = 23;
 constexpr Oid kFloat4Oid = 700;
 constexpr Oid kFloat8Oid = 701;
 
+constexpr std::size_t kMaxQuoted = 60;
+
 /// The server's words in one line, without its "ERROR:  ".
 std::string oneLineOf(const char* message) {
   std::string words = message == nullptr ? "" : message;
   words = words.substr(0, words.find('\n'));
-  for (const std::string_view prefix : {"ERROR:  ", "FATAL:  "}) {
+  for (const std::string_view prefix : {"ERROR:  ", "FATAL:  ", "WARNING:  "}) {
     if (words.starts_with(prefix)) words.erase(0, prefix.size());
   }
   return words.empty() ? "no answer" : words;
@@ -48,17 +53,30 @@ SqlValue numberOf(std::string_view text) {
   Number number{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || end != text.data() + text.size()) {
-    throw Error(fmt::format("the database gave '{}' for a number", text));
+    throw Error(fmt::format("the database gave '{}' for a number", oneLine(text.substr(0, kMaxQuoted))));
   }
   return number;
 }
 
 SqlValue cellOf(const PGresult* result, int row, int column) {
   if (::PQgetisnull(result, row, column) != 0) return std::monostate{};
-  const std::string_view text(::PQgetvalue(result, row, column),
-                              static_cast<std::size_t>(::PQgetlength(result, row, column)));
-  switch (::PQftype(result, column)) {
+  return postgresValue(::PQftype(result, column), {::PQgetvalue(result, row, column),
+                                                   static_cast<std::size_t>(::PQgetlength(result, row, column))});
+}
+
+void noteWarning(void* warnings, const char* message) {
+  constexpr std::size_t kMaxWarnings = 100;
+  auto& list = *static_cast<std::vector<std::string>*>(warnings);
+  if (list.size() >= kMaxWarnings) list.erase(list.begin());
+  list.push_back(oneLineOf(message));
+}
+
+}  // namespace
+
+SqlValue postgresValue(unsigned type, std::string_view text) {
+  switch (type) {
     case kBoolOid:
+      if (text != "t" && text != "f") throw Error("the database must give 't' or 'f' for yes or no");
       return std::int64_t{text == "t" ? 1 : 0};
     case kInt8Oid:
     case kInt2Oid:
@@ -72,12 +90,30 @@ SqlValue cellOf(const PGresult* result, int row, int column) {
   }
 }
 
-}  // namespace
+void refusePassword(const std::string& connection) {
+  char* fault = nullptr;
+  PQconninfoOption* const options = ::PQconninfoParse(connection.c_str(), &fault);
+  ::PQfreemem(fault);
+  bool has_password = false;
+  for (const PQconninfoOption* option = options; option != nullptr && option->keyword != nullptr; ++option) {
+    const std::string_view keyword = option->keyword;
+    has_password = has_password || ((keyword == "password" || keyword == "sslpassword") && option->val != nullptr);
+  }
+  ::PQconninfoFree(options);
+  if (has_password) {
+    throw Error(
+        "the database's address must not hold a password, which every user of this computer could read (ps); put it "
+        "into "
+        "~/.pgpass, a service file or PGPASSWORD");
+  }
+}
 
 void PostgresSql::Finish::operator()(pg_conn* connection) const { ::PQfinish(connection); }
 void PostgresSql::Clear::operator()(pg_result* result) const { ::PQclear(result); }
 
-PostgresSql::PostgresSql(std::string connection) : settings_(std::move(connection)) {}
+PostgresSql::PostgresSql(std::string connection) : settings_(std::move(connection)) { refusePassword(settings_); }
+
+std::vector<std::string> PostgresSql::takeWarnings() { return std::exchange(warnings_, {}); }
 
 bool PostgresSql::connected() const { return connection_ != nullptr && ::PQstatus(connection_.get()) == CONNECTION_OK; }
 
@@ -93,8 +129,7 @@ void PostgresSql::connect() {
     connection_.reset();
     throw DatabaseAway(fmt::format("the class's database: {}", words));
   }
-  ::PQsetNoticeProcessor(
-      connection_.get(), [](void*, const char*) {}, nullptr);  // a library prints nothing
+  ::PQsetNoticeProcessor(connection_.get(), &noteWarning, &warnings_);  // a library prints nothing
   run("SET client_min_messages = warning; SET synchronous_commit = on");
 }
 

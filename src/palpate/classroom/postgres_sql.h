@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "palpate/training/records/sql.h"
 
@@ -15,14 +16,25 @@ namespace palpate::classroom {
 
 using training::DatabaseAway;
 
+/// Throws Error for an address that has a password in it: whoever sees the list of processes would see it. libpq finds
+/// passwords in ~/.pgpass, in a service file, or in PGPASSWORD.
+void refusePassword(const std::string& connection);
+
+/// What a server gave for a value of this type (an OID of its catalogue), as text. Throws Error for what is no such
+/// value.
+training::SqlValue postgresValue(unsigned type, std::string_view text);
+
 /// A connection; one thread. It is not made anew by itself: `connect` does that, and forgets nothing but the
 /// transaction that was under way.
 class PostgresSql : public training::Sql {
  public:
   /// `connection` as libpq has it: "host=/run/postgresql dbname=class", "postgresql://...". Does not connect yet.
+  /// Throws Error for one with a password (refusePassword).
   explicit PostgresSql(std::string connection);
 
   void connect();  ///< throws DatabaseAway
+  /// What the server has warned of since this was last asked, one line each; the newest hundred.
+  std::vector<std::string> takeWarnings();
   bool connected() const;
 
   training::Dialect dialect() const override { return training::Dialect::postgresql; }
@@ -45,6 +57,7 @@ class PostgresSql : public training::Sql {
   const std::string& prepared(std::string_view sql);
 
   std::string settings_;
+  std::vector<std::string> warnings_;
   std::unique_ptr<pg_conn, Finish> connection_;
   std::map<std::string, std::string, std::less<>> names_;  // of statements that the server has prepared
 };

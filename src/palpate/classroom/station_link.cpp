@@ -8,6 +8,7 @@
 #include <condition_variable>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
@@ -20,7 +21,10 @@ namespace {
 
 constexpr auto kLivePeriod = std::chrono::milliseconds(100);    // 10 Hz
 constexpr auto kOutboxPeriod = std::chrono::milliseconds(250);  // how soon a new row is seen
+constexpr std::size_t kMaxAnswers = 10000;
 constexpr auto kDiskPeriod = std::chrono::seconds(10);
+/// Rows that the class refused are sent again after so long: a clock may have been put right, a share made larger.
+constexpr auto kRefusedPeriod = std::chrono::minutes(10);
 
 bool diskNearlyFull(const std::filesystem::path& folder) {
   std::error_code fault;
@@ -38,6 +42,7 @@ struct StationLink::Course {
     status.device = info.device;
     status.safety = "ok";
     row_count = own.waitingCount();
+    own.rememberTraineeKey(member.class_id, member.trainee_key);
     MqttSettings settings = linkOf(member);
     settings.subscriptions = {{topic("ack"), 1}, {topic("cmd"), 1}};
     StationStatus gone = status;
@@ -63,6 +68,7 @@ struct StationLink::Course {
 
   static training::Store opened(training::Store& store) {
     store.fillOutbox(true);
+    store.tryRefusedAgain();
     return {store.file(), training::Store::Open::existing};
   }
   std::string topic(const char* kind) const { return topicText({member.class_id, member.name, kind}); }
@@ -77,10 +83,16 @@ struct StationLink::Course {
     if (at->kind == "cmd") {
       if (const auto command = parseCommand(what)) commands.put(command->content, Clock::now());
     } else if (at->kind == "ack") {
-      const auto keys = parseAck(what);
-      if (!keys) return;
       const std::lock_guard lock(mutex);
-      acknowledged.insert(acknowledged.end(), keys->begin(), keys->end());
+      if (const auto keys = parseAck(what)) {
+        acknowledged.insert(acknowledged.end(), keys->begin(), keys->end());
+      } else if (auto refusal = parseRefusal(what)) {
+        refusals.push_back(std::move(*refusal));
+      } else if (const auto marks = parseHear(what)) {
+        to_hear.insert(to_hear.end(), marks->begin(), marks->end());
+      }
+      if (refusals.size() > kMaxAnswers || to_hear.size() > kMaxAnswers)
+        refusals.clear(), to_hear.clear();  // come again
       woken.notify_all();
     }
   }
@@ -95,11 +107,18 @@ struct StationLink::Course {
     auto outbox_next = Clock::now();
     auto disk_next = Clock::now();
     auto live_next = Clock::now();
+    auto refused_next = Clock::now() + kRefusedPeriod;
     std::unique_lock lock(mutex);
     while (!ending) {
       const auto until = live ? std::min(live_next, outbox_next) : outbox_next;
-      woken.wait_until(lock, until, [&] { return ending || !acknowledged.empty() || hasNews(live_next); });
+      woken.wait_until(lock, until, [&] { return ending || hasAnswers() || hasNews(live_next); });
       const bool acks = takeAcks(lock);
+      if (Clock::now() >= refused_next) {
+        lock.unlock();
+        work([this] { own.tryRefusedAgain(); });
+        lock.lock();
+        refused_next = Clock::now() + kRefusedPeriod;
+      }
       tellState(lock);
       if (live && Clock::now() >= live_next) {
         tellLive(lock);
@@ -134,14 +153,22 @@ struct StationLink::Course {
     const std::lock_guard lock(mutex);
     fault = said;
   }
+  bool hasAnswers() const { return !acknowledged.empty() || !refusals.empty() || !to_hear.empty(); }
   bool takeAcks(std::unique_lock<std::mutex>& lock) {
-    if (acknowledged.empty()) return false;
-    std::vector<training::Uuid> keys;
-    keys.swap(acknowledged);
+    if (!hasAnswers()) return false;
+    const auto keys = std::exchange(acknowledged, {});
+    const auto not_kept = std::exchange(refusals, {});
+    const auto marks = std::exchange(to_hear, {});
     lock.unlock();
-    work([&] { own.acknowledged(keys); });
+    work([&] {
+      own.acknowledged(keys);
+      for (const Refusal& refusal : not_kept) own.refused(refusal.keys, refusal.why);
+      if (!marks.empty()) own.hearDeleted(marks);
+      refused_count = own.refusedCount();
+    });
     sender.acknowledged();
     lock.lock();
+    if (!not_kept.empty()) why_refused = not_kept.back().why;
     return true;
   }
   void tellState(std::unique_lock<std::mutex>& lock) {
@@ -173,13 +200,19 @@ struct StationLink::Course {
     const auto entries = own.waiting(sender.window(Clock::now()));
     sender.restrictTo(entries);
     for (const training::OutboxEntry& entry : entries) {
-      if (!sender.due(entry.row, Clock::now())) continue;
+      // What was recorded after a deletion must not reach the class before it.
+      const bool last = entry.kind == "delete";
+      if (!sender.due(entry.row, Clock::now())) {
+        if (last) return;
+        continue;
+      }
       if (!sender.takeToken(Clock::now())) return;
       if (!mqtt->publish({topic(entry.kind.c_str()), rowText(nextEnvelope(entry.row), entry.body), 1, false, 0}))
         return;
       ++sent_count;
       if (sender.wasSent(entry.row)) ++repeat_count;
       sender.sent(entry.row, Clock::now());
+      if (last) return;
     }
   }
   /// What was acknowledged last.
@@ -198,6 +231,7 @@ struct StationLink::Course {
   CommandQueue commands;
   std::atomic<std::uint64_t> sequence = 1;
   std::atomic<std::size_t> row_count = 0;
+  std::atomic<std::size_t> refused_count = 0;
   std::atomic<std::uint64_t> live_count = 0;
   std::atomic<std::uint64_t> sent_count = 0;
   std::atomic<std::uint64_t> repeat_count = 0;
@@ -211,6 +245,9 @@ struct StationLink::Course {
   std::atomic<bool> state_stale = true;
   std::optional<LiveSample> live;
   std::vector<training::Uuid> acknowledged;
+  std::vector<Refusal> refusals;
+  std::vector<std::string> to_hear;
+  std::string why_refused;
   bool disk_full = false;
   std::string fault;
 
@@ -255,13 +292,18 @@ void StationLink::publishSafety(const std::string& safety) {
 std::optional<Command> StationLink::takeCommand() { return course_->commands.take(Clock::now()); }
 bool StationLink::connected() const { return course_->mqtt->connected(); }
 std::size_t StationLink::waiting() const { return course_->row_count; }
-LinkCounts StationLink::counts() const { return {course_->live_count, course_->sent_count, course_->repeat_count}; }
+LinkCounts StationLink::counts() const {
+  return {course_->live_count, course_->sent_count, course_->repeat_count, course_->refused_count};
+}
 
 std::string StationLink::trouble() const {
   const std::string connection = course_->mqtt->trouble();
   const std::lock_guard lock(course_->mutex);
   if (course_->disk_full) return "less than 1 GB is left on the disk";
   if (!course_->fault.empty()) return course_->fault;
+  if (connection.empty() && course_->refused_count > 0) {
+    return fmt::format("the class refused {} rows: {}", course_->refused_count.load(), course_->why_refused);
+  }
   return connection;
 }
 

@@ -43,6 +43,7 @@ struct LinkCounts {
   std::uint64_t live = 0;
   std::uint64_t rows = 0;     ///< repeats among them
   std::uint64_t repeats = 0;  ///< of rows that were not acknowledged in time
+  std::size_t refused = 0;    ///< rows that the class would not have; tried again after ten minutes
 };
 
 class StationLink {

@@ -37,17 +37,10 @@ struct WantedTrainee {
   std::string name;
 };
 
-std::vector<std::string> classIds(const std::vector<training::ClassRow>& classes) {
-  std::vector<std::string> ids = {""};  // of a station that belongs to none
-  for (const training::ClassRow& row : classes) ids.push_back(row.id);
-  return ids;
-}
-
 WantedTrainee wantedTrainee(const TrainingReportSettings& settings, training::Store& store) {
   const std::vector<training::TraineeRow> trainees = store.trainees();
   if (const auto code = training::codeTyped(settings.trainee)) {
-    for (const std::string& class_id : classIds(store.classes())) {
-      const training::Uuid id = training::pseudonymOf(class_id, *code);
+    for (const training::Uuid& id : store.pseudonymsOf(*code)) {
       if (std::ranges::count(trainees, id, &training::TraineeRow::id) > 0) return {id, *code};
     }
   }

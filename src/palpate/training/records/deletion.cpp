@@ -32,6 +32,13 @@ void forgetWaiting(Store& store, const Uuid& sitting) {
   }
 }
 
+/// In a class's records: what stations still send of this sitting is known by it (classroom/row_keeper.h).
+void noteParts(Store& store, const SittingRow& sitting) {
+  const auto note = [&store](const Uuid& id) { store.rows().note(utcMs(), "collector", "deleted", deletedMark(id)); };
+  for (const BlockRow& block : store.blocks(sitting.id)) note(block.id);
+  note(sitting.id);
+}
+
 /// Deleted rows are overwritten where they stood (secure_delete); copies of their pages are in the log, and in free
 /// pages of before it was switched on.
 void sweepFile(Store& store) { store.rows().sql().run("VACUUM; PRAGMA wal_checkpoint(TRUNCATE)"); }
@@ -51,7 +58,10 @@ Deleted forget(Store& store, const TraineeRow& trainee, std::string_view actor, 
   RowTables& rows = store.rows();
   const std::int64_t trials_before = rows.trialCount();
   SqlTransaction transaction(rows.sql());
-  for (const SittingRow& sitting : sittings) forgetWaiting(store, sitting.id);
+  for (const SittingRow& sitting : sittings) {
+    if (tell == Tell::the_class && store.holdsCopies()) noteParts(store, sitting);
+    forgetWaiting(store, sitting.id);
+  }
   rows.sql().change("DELETE FROM outbox WHERE subject = $1", {trainee.id});
   rows.erase(trainee.id);
   if (tell == Tell::the_class) {
@@ -122,11 +132,16 @@ Purged purge(Store& store, std::int64_t now_ms, bool really) {
     for (const SittingRow& sitting : of.sittings) purgeRows(store, sitting);
     if (of.nothing_left) forget(store, of.trainee, "purge", Tell::nobody);
   }
+  if (really) forgetSentBytes(store.rows().sql());
   if (really && purged.sittings + purged.files + purged.trainees > 0) {
     store.rows().note(utcMs(), "purge", "purged", std::to_string(purged.sittings) + " sittings");
     sweepFile(store);
   }
   return purged;
+}
+
+void forgetSentBytes(Sql& sql) {
+  sql.change("DELETE FROM setting WHERE name LIKE $1", {std::string(kSentBytesSetting) + "%"});
 }
 
 }  // namespace palpate::training

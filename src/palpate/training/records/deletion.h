@@ -49,4 +49,9 @@ struct Purged {
 /// here may have sat elsewhere since. `really`: else it is only counted.
 Purged purge(Store& store, std::int64_t now_ms, bool really);
 
+/// Of a class's records: how many bytes a station has sent since the last purge, under this name with the station's id.
+inline constexpr std::string_view kSentBytesSetting = "sent_bytes/";
+/// In the caller's transaction: every station's share of the disk begins anew.
+void forgetSentBytes(Sql& sql);
+
 }  // namespace palpate::training

@@ -76,7 +76,7 @@ ExportedFile csvVisits(const std::vector<AnyRow>& rows) {
 }
 
 ExportedFile csvDictionary() {
-  const std::set<std::string_view> own = {"schema_version", "setting", "outbox", "audit"};
+  const std::set<std::string_view> own = {"schema_version", "setting", "outbox", "origin", "audit"};
   ExportedFile file{"data_dictionary.csv", "table,column,meaning\r\n"};
   for (const TableInfo& table : tables()) {
     if (own.contains(table.name)) continue;

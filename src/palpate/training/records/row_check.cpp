@@ -56,7 +56,7 @@ bool isInnerFile(std::string_view text) {
   if (text.front() == '/' || text.find_first_of("\\:\n\r\t") != std::string_view::npos || !isPlainText(text)) {
     return false;
   }
-  return ("/" + std::string(text) + "/").find("/../") == std::string::npos;
+  return fmt::format("/{}/", text).find("/../") == std::string::npos;
 }
 
 /// Empty: nothing is wrong.
@@ -69,7 +69,7 @@ std::string_view faultOfText(const std::string& value, FieldRule::Form form) {
     case FieldRule::Form::uuid:
       return isUuid(value) ? "" : "is no UUID";
     case FieldRule::Form::hash:
-      return value.size() == 64 && std::ranges::all_of(value, isLowerHex) ? "" : "is no SHA-256";
+      return isHash(value) ? "" : "is no SHA-256";
     case FieldRule::Form::file:
       return isInnerFile(value) ? "" : "leads out of the folder";
     case FieldRule::Form::number:
@@ -89,6 +89,8 @@ bool isUuid(std::string_view text) {
   }
   return true;
 }
+
+bool isHash(std::string_view text) { return text.size() == 64 && std::ranges::all_of(text, isLowerHex); }
 
 void checkField(std::string_view kind, std::string_view name, const std::string& value, const FieldRule& rule) {
   if (value.empty()) {

@@ -25,6 +25,8 @@ void checkField(std::string_view kind, std::string_view name, const Value& value
 }
 
 bool isUuid(std::string_view text);
+/// SHA-256 as 64 lower-case hex digits.
+bool isHash(std::string_view text);
 
 /// Every field of a row. Throws Error for the first that is wrong.
 template <class R>

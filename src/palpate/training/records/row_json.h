@@ -20,7 +20,7 @@ namespace palpate::training {
 /// holds their id no longer, not even in this notice.
 struct DeletionRow {
   std::string trainee_sha256;  ///< deletedMark(id)
-  std::int64_t at_ms = 0;      ///< what was made later is somebody who came back
+  std::int64_t at_ms = 0;      ///< for people; 0: a station has heard of a deletion in the class, and asks for none
 };
 
 using AnyRow =

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "palpate/base/error.h"
+#include "palpate/base/nearest_name.h"
 #include "palpate/training/records/row_check.h"
 #include "palpate/training/records/row_fields.h"
 
@@ -47,7 +48,8 @@ struct FieldsFromSql {
 
   template <class Value>
   void operator()(const char* name, Value& value, const FieldRule& /*rule*/) {
-    const SqlValue& from = values.at(next++);
+    if (next >= values.size()) throw Error(fmt::format("{}: the database left out '{}'", table, name));
+    const SqlValue& from = values[next++];
     if (!read(from, value)) throw Error(fmt::format("{}: '{}' holds what it cannot hold", table, name));
   }
 
@@ -181,7 +183,7 @@ void insertVisits(Sql& sql, const TrialRow& trial) {
 }
 
 template <class R>
-void keepRow(Sql& sql, const R& row, RowTables::Update update) {
+bool keepRow(Sql& sql, const R& row, RowTables::Update update) {
   if constexpr (std::same_as<R, DeletionRow>) {
     throw Error("a deletion is no row to keep");
   } else {
@@ -197,40 +199,42 @@ void keepRow(Sql& sql, const R& row, RowTables::Update update) {
                             std::int64_t{standard.retain_samples_days}});
       }
     }
-    [[maybe_unused]] const bool changed = insertRow(sql, row, update);
+    const bool changed = insertRow(sql, row, update);
     if constexpr (std::same_as<R, TrialRow>) {
-      if (!changed) return;
+      if (!changed) return false;
       if (update == RowTables::Update::always) sql.change("DELETE FROM site_visit WHERE trial_id = $1", {row.id});
       insertVisits(sql, row);
     }
+    return changed;
   }
 }
 
 /// What a row is missing, in words, where the database says "foreign key".
 std::string explained(const AnyRow& row, std::string_view cause) {
-  const std::string what = fmt::format("{} {}", kindOf(row), idOf(row));
+  const std::string what = fmt::format("{} {}", kindOf(row), oneLine(idOf(row)));
   const bool lacks =
       cause.find("FOREIGN KEY") != std::string_view::npos || cause.find("foreign key") != std::string_view::npos;
   if (!lacks) return fmt::format("{} cannot be kept: {}", what, cause);
   if (const auto* block = std::get_if<BlockRow>(&row)) {
-    return fmt::format("{} cannot be kept before its session {} and protocol {} version {}", what, block->sitting,
-                       block->protocol_id, block->protocol_version);
+    return fmt::format("{} cannot be kept before its session {} and protocol {} version {}", what,
+                       oneLine(block->sitting), oneLine(block->protocol_id), block->protocol_version);
   }
   if (const auto* sitting = std::get_if<SittingRow>(&row)) {
-    return fmt::format("{} cannot be kept before its trainee {} and station {}", what, sitting->trainee,
-                       sitting->station);
+    return fmt::format("{} cannot be kept before its trainee {} and station {}", what, oneLine(sitting->trainee),
+                       oneLine(sitting->station));
   }
   if (const auto* trial = std::get_if<TrialRow>(&row)) {
-    return fmt::format("{} cannot be kept before its block {} and session {}", what, trial->block, trial->sitting);
+    return fmt::format("{} cannot be kept before its block {} and session {}", what, oneLine(trial->block),
+                       oneLine(trial->sitting));
   }
   return fmt::format("{} cannot be kept before the row that it belongs to", what);
 }
 
 }  // namespace
 
-void RowTables::keep(const AnyRow& row, Update update) {
+bool RowTables::keep(const AnyRow& row, Update update) {
   try {
-    std::visit([&](const auto& held) { keepRow(sql_, held, update); }, row);
+    return std::visit([&](const auto& held) { return keepRow(sql_, held, update); }, row);
   } catch (const DatabaseAway&) {
     throw;  // nothing is wrong with the row
   } catch (const Error& error) {
@@ -262,7 +266,7 @@ void RowTables::fillVisits(std::vector<TrialRow>& trials, const std::string& con
       fmt::format("SELECT {}, site_visit.trial_id FROM site_visit JOIN trial ON trial.id = site_visit.trial_id {}",
                   fmt::join(columnsOf<SiteVisit>("site_visit"), ", "), condition);
   for (const SqlValues& found : sql_.ask(text, values)) {
-    const auto* id = std::get_if<std::string>(&found.back());
+    const auto* id = found.empty() ? nullptr : std::get_if<std::string>(&found.back());
     const auto trial = id == nullptr ? by_id.end() : by_id.find(*id);
     if (trial == by_id.end()) continue;
     eachField(FieldsFromSql{found, "site_visit"}, trial->second->visits.emplace_back());
@@ -354,6 +358,7 @@ std::vector<AnyRow> RowTables::all() {
 
 bool RowTables::erase(const Uuid& trainee) {
   if (!isUuid(trainee)) return false;
+  sql_.change("DELETE FROM origin WHERE subject = $1", {trainee});
   return sql_.change("DELETE FROM trainee WHERE id = $1", {trainee}) > 0;  // the rest follows (ON DELETE CASCADE)
 }
 

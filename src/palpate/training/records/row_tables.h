@@ -26,9 +26,9 @@ class RowTables {
     always,      ///< a station's own rows come in the order of their making
     when_newer,  ///< over a network an older state may come after a newer one; a trial that is there stays as it is
   };
-  /// Checks it first (row_check.h). Throws Error, also where the row that it belongs to is missing. Deletions are not
-  /// kept.
-  void keep(const AnyRow& row, Update update = Update::always);
+  /// Checks it first (row_check.h). True: the tables changed. Throws Error, also where the row that it belongs to is
+  /// missing. Deletions are not kept.
+  bool keep(const AnyRow& row, Update update = Update::always);
 
   // In the order of their times.
   std::vector<StationRow> stations();

@@ -198,9 +198,17 @@ std::vector<TableInfo> ownTables() {
         {"kind", text, "the table; delete: a trainee is to be deleted"},
         {"subject", text, "the row's id; a newer version of it takes the place of one that waits"},
         {"row_id", text, "what an acknowledgement names: of a row that changes, of this version of it"},
-        {"body", text, "the row as JSON"}},
+        {"body", text, "the row as JSON"},
+        {"refused", text, "why the class refused it: it is not sent for a while; empty: it was not", "DEFAULT ''",
+         false, 3}},
        "",
        {"subject", "row_id"}},
+      {"origin",
+       "in a class: which station first sent a trainee or a station, whose row it is from then on",
+       {{"subject", uuid, "the row's id", "PRIMARY KEY"}, {"station_id", uuid, "of the station that sent it"}},
+       "",
+       {},
+       3},
       {"audit",
        "what was done to the records, without saying to whom",
        {{"number", counter, "in the order in which it was done"},
@@ -257,10 +265,21 @@ int schemaVersionOf(Sql& sql) {
   const std::string_view asked =
       sql.dialect() == Dialect::sqlite
           ? "SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name = 'schema_version'"
-          : "SELECT count(*) FROM information_schema.tables WHERE table_schema = current_schema() "
-            "AND table_name = 'schema_version'";
+          // The catalogue shows what is there; information_schema only what this role may use.
+          : "SELECT count(*) FROM pg_catalog.pg_class c JOIN pg_catalog.pg_namespace n ON n.oid = c.relnamespace "
+            "WHERE n.nspname = coalesce(current_schema(), 'public') AND c.relname = 'schema_version'";
   if (sql.number(asked) == 0) return 0;
-  return static_cast<int>(sql.number("SELECT coalesce(max(number), 0) FROM schema_version"));
+  try {
+    return static_cast<int>(sql.number("SELECT coalesce(max(number), 0) FROM schema_version"));
+  } catch (const DatabaseAway&) {
+    throw;
+  } catch (const Error& error) {
+    if (sql.dialect() == Dialect::sqlite) throw;
+    throw Error(
+        fmt::format("the records cannot be read by this role of the database: {}; its owner grants it "
+                    "(docs/class.md, roles)",
+                    error.cause()));
+  }
 }
 
 void bringForward(Sql& sql, std::string_view what) {

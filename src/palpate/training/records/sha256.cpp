@@ -2,6 +2,7 @@
 #include "palpate/training/records/sha256.h"
 
 #include <openssl/evp.h>
+#include <openssl/hmac.h>
 
 #include <algorithm>
 #include <memory>
@@ -48,6 +49,15 @@ std::array<std::uint8_t, 32> sha256Of(std::string_view bytes) {
   RunningSha256 running;
   running.add(bytes);
   return running.end();
+}
+
+std::array<std::uint8_t, 32> hmacSha256Of(std::string_view key, std::string_view bytes) {
+  std::array<std::uint8_t, 32> digest{};
+  if (::HMAC(::EVP_sha256(), key.data(), static_cast<int>(key.size()),
+             reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), digest.data(), nullptr) == nullptr) {
+    throw Error("HMAC is not to be had from OpenSSL");
+  }
+  return digest;
 }
 
 std::string sha256Hex(std::string_view bytes) { return hexOfDigest(sha256Of(bytes)); }

@@ -1,7 +1,10 @@
 #include "palpate/training/records/store.h"
 
+#include <algorithm>
+
 #include "palpate/base/error.h"
 #include "palpate/training/records/sqlite_sql.h"
+#include "palpate/training/records/trainee_code.h"
 
 namespace palpate::training {
 
@@ -14,6 +17,8 @@ constexpr std::int64_t kOurApplicationId = 0x50616c52;
 // Settings that are on or off.
 constexpr const char* kOutboxSetting = "outbox";
 constexpr const char* kCopiesSetting = "copies";
+/// Before a class's id.
+const std::string kTraineeKeySetting = "trainee_key/";
 
 bool isOn(Sql& sql, const char* setting) {
   return !sql.ask("SELECT value FROM setting WHERE name = $1 AND value = 'on'", {std::string(setting)}).empty();
@@ -90,7 +95,7 @@ struct Store::Tables {
     const std::string key = outboxKey(row);
     const std::string body = rowJson(row);
     // Where an older version waits it is replaced where it stands: rows that refer to it come after it.
-    if (sql->change("UPDATE outbox SET row_id = $1, body = $2 WHERE subject = $3 AND kind = $4",
+    if (sql->change("UPDATE outbox SET row_id = $1, body = $2, refused = '' WHERE subject = $3 AND kind = $4",
                     {key, body, idOf(row), kind}) == 0) {
       sql->change("INSERT INTO outbox (kind, subject, row_id, body) VALUES ($1, $2, $3, $4)",
                   {kind, idOf(row), key, body});
@@ -177,7 +182,7 @@ void Store::queueDeletion(const DeletionRow& notice) { tables_->queue(notice); }
 std::vector<OutboxEntry> Store::waiting(std::size_t most) {
   std::vector<OutboxEntry> entries;
   for (const SqlValues& row :
-       tables_->sql->ask("SELECT number, kind, row_id, body FROM outbox ORDER BY number LIMIT $1",
+       tables_->sql->ask("SELECT number, kind, row_id, body FROM outbox WHERE refused = '' ORDER BY number LIMIT $1",
                          {static_cast<std::int64_t>(most)})) {
     entries.push_back({std::get<std::int64_t>(row[0]), std::get<std::string>(row[1]), std::get<std::string>(row[2]),
                        std::get<std::string>(row[3])});
@@ -194,6 +199,59 @@ void Store::acknowledged(std::span<const Uuid> rows) {
 
 std::size_t Store::waitingCount() {
   return static_cast<std::size_t>(tables_->sql->number("SELECT count(*) FROM outbox"));
+}
+
+void Store::refused(std::span<const Uuid> rows, std::string_view why) {
+  SqlTransaction transaction(*tables_->sql);
+  for (const Uuid& row : rows) {
+    tables_->sql->change("UPDATE outbox SET refused = $1 WHERE row_id = $2", {std::string(why), row});
+  }
+  transaction.commit();
+}
+
+std::size_t Store::refusedCount() {
+  return static_cast<std::size_t>(tables_->sql->number("SELECT count(*) FROM outbox WHERE refused <> ''"));
+}
+
+void Store::tryRefusedAgain() { tables_->sql->change("UPDATE outbox SET refused = '' WHERE refused <> ''"); }
+
+void Store::hearDeleted(std::span<const std::string> marks) {
+  SqlTransaction transaction(*tables_->sql);
+  // A trainee's row that waits would not be kept: a later one must stand after this notice.
+  std::vector<Uuid> gone;
+  for (const SqlValues& row : tables_->sql->ask("SELECT subject FROM outbox WHERE kind = 'trainee'")) {
+    const auto& subject = std::get<std::string>(row[0]);
+    if (std::ranges::find(marks, deletedMark(subject)) != marks.end()) gone.push_back(subject);
+  }
+  for (const Uuid& id : gone) tables_->sql->change("DELETE FROM outbox WHERE kind = 'trainee' AND subject = $1", {id});
+  for (const std::string& mark : marks) {
+    // One that waits, or asks for the deletion itself, says so already.
+    if (tables_->sql->number("SELECT count(*) FROM outbox WHERE kind = 'delete' AND subject = $1", {mark}) == 0) {
+      tables_->queue(DeletionRow{mark, 0});
+    }
+  }
+  transaction.commit();
+}
+
+void Store::rememberTraineeKey(const std::string& class_id, const std::string& key) {
+  if (key.empty()) return;
+  tables_->sql->change(
+      "INSERT INTO setting (name, value) VALUES ($1, $2) ON CONFLICT (name) DO UPDATE SET value = excluded.value",
+      {kTraineeKeySetting + class_id, key});
+}
+
+std::vector<Uuid> Store::pseudonymsOf(std::string_view code) {
+  std::vector<std::string> classes = {""};
+  for (const ClassRow& row : this->classes()) classes.push_back(row.id);
+  std::vector<Uuid> ids;
+  for (const std::string& class_id : classes) {
+    for (const SqlValues& row :
+         tables_->sql->ask("SELECT value FROM setting WHERE name = $1", {kTraineeKeySetting + class_id})) {
+      ids.push_back(pseudonymOf(class_id, code, std::get<std::string>(row[0])));
+    }
+    ids.push_back(pseudonymOf(class_id, code));
+  }
+  return ids;
 }
 
 RowTables& Store::rows() { return tables_->rows; }

@@ -69,9 +69,22 @@ class Store {
   bool fillsOutbox() const;
   /// Inside the caller's transaction (deletion.h).
   void queueDeletion(const DeletionRow& notice);
-  std::vector<OutboxEntry> waiting(std::size_t most);  ///< oldest first
+  std::vector<OutboxEntry> waiting(std::size_t most);  ///< oldest first; without those that were refused
   void acknowledged(std::span<const Uuid> rows);       ///< away with them, durable
-  std::size_t waitingCount();
+  std::size_t waitingCount();                          ///< with those that were refused
+  /// A class would not have these rows: they stay, and are not among `waiting` until they are to be tried again.
+  void refused(std::span<const Uuid> rows, std::string_view why);
+  std::size_t refusedCount();
+  void tryRefusedAgain();
+  /// Trainees were deleted in the class, for every station: that this station has heard of it is said in its turn,
+  /// after what waits and before what is recorded from now on.
+  void hearDeleted(std::span<const std::string> marks);
+
+  /// The secret of a class whose trainees sit here (trainee_code.h), remembered in the file, so that codes can be
+  /// found.
+  void rememberTraineeKey(const std::string& class_id, const std::string& key);
+  /// Every pseudonym that may stand here for a code: of each class, with its secret and, as older ones are, without.
+  std::vector<Uuid> pseudonymsOf(std::string_view code);
 
   /// Remembered in the file: rows of other computers, of a class; the session files that they name lie there.
   void holdCopies();

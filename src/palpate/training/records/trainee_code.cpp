@@ -68,6 +68,12 @@ Uuid uuidText(std::array<std::uint8_t, 16> bytes, unsigned version) {
   return text;
 }
 
+Uuid uuidOfDigest(const std::array<std::uint8_t, 32>& digest) {
+  std::array<std::uint8_t, 16> bytes{};
+  std::copy_n(digest.begin(), bytes.size(), bytes.begin());
+  return uuidText(bytes, 8);
+}
+
 }  // namespace
 
 std::string codeOf(std::uint64_t random_bits) {
@@ -95,18 +101,14 @@ std::optional<std::string> codeTyped(std::string_view typed) {
   return writtenCode(code);
 }
 
-Uuid pseudonymOf(std::string_view class_id, std::string_view code) {
+Uuid pseudonymOf(std::string_view class_id, std::string_view code, std::string_view key) {
   // As on the card, so that it does not matter how it was typed.
   const std::string written = codeTyped(code).value_or(std::string(code));
-  return uuidOfText("palpate trainee\n" + std::string(class_id) + '\n' + written);
+  const std::string text = "palpate trainee\n" + std::string(class_id) + '\n' + written;
+  return uuidOfDigest(key.empty() ? sha256Of(text) : hmacSha256Of(key, text));
 }
 
-Uuid uuidOfText(std::string_view text) {
-  const auto digest = sha256Of(text);
-  std::array<std::uint8_t, 16> bytes{};
-  std::copy_n(digest.begin(), bytes.size(), bytes.begin());
-  return uuidText(bytes, 8);
-}
+Uuid uuidOfText(std::string_view text) { return uuidOfDigest(sha256Of(text)); }
 
 Uuid uuidOf(std::int64_t unix_ms, const std::array<std::uint64_t, 2>& random) {
   std::array<std::uint8_t, 16> bytes{};

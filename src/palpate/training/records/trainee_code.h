@@ -1,7 +1,8 @@
 // What a trainee types to sign in, and the pseudonym that it stands for: any station makes the same of the same code,
 // so nobody has to carry a list from one to the other. Whoever has the code has the pseudonym; names stay outside.
 //
-//   "7Q2MK-9DXP4" ─ pseudonymOf ─► UUID version 8: 122 bits of SHA-256 of class and code
+//   "7Q2MK-9DXP4" ─ pseudonymOf ─► UUID version 8: 122 bits of HMAC-SHA-256 of class and code with the class's secret;
+//                                  of a class without a secret, SHA-256
 #pragma once
 
 #include <array>
@@ -18,7 +19,8 @@ namespace palpate::training {
 std::string codeOf(std::uint64_t random_bits);
 /// As it is written on a card, whatever was typed (lower case, O for 0, blanks); nothing: a typing error, or no code.
 std::optional<std::string> codeTyped(std::string_view typed);
-Uuid pseudonymOf(std::string_view class_id, std::string_view code);
+/// `key`: the class's secret (64 hex digits), so that whoever has seen a card cannot tell its pseudonym; empty: none.
+Uuid pseudonymOf(std::string_view class_id, std::string_view code, std::string_view key = {});
 
 /// UUID version 8 that any computer makes of the same text.
 Uuid uuidOfText(std::string_view text);

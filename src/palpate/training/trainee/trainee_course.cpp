@@ -198,8 +198,9 @@ StationRow simulatedStation(std::int64_t start_ms) {
           .calibrated_ms = start_ms};
 }
 
-TraineeRow simulatedTrainee(const std::string& class_id, const std::string& code, std::int64_t created_ms) {
-  return {.id = pseudonymOf(class_id, code),
+TraineeRow simulatedTrainee(const std::string& class_id, const std::string& code, std::int64_t created_ms,
+                            const std::string& key) {
+  return {.id = pseudonymOf(class_id, code, key),
           .class_id = class_id,
           .created_ms = created_ms,
           .dominant_hand = {},

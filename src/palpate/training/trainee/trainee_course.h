@@ -76,7 +76,8 @@ void sitCourse(Store& store, const TraineeBench& bench, const TraineeCourse& cou
 
 /// The station of simulated trainees, and one of them; kept before the first sitting.
 StationRow simulatedStation(std::int64_t start_ms);
-TraineeRow simulatedTrainee(const std::string& class_id, const std::string& code, std::int64_t created_ms);
+TraineeRow simulatedTrainee(const std::string& class_id, const std::string& code, std::int64_t created_ms,
+                            const std::string& key = {});
 /// A code as a real one is written, from a seed.
 std::string simulatedCode(std::uint64_t seed, int number);
 

@@ -1,0 +1,134 @@
+// Which rows a class keeps, the same in both of its databases: a station's own, none of somebody who was deleted, none
+// that are dated after now, and no more than a station's share of the disk.
+//
+//   rows, each with who sent it ─ keep, one transaction ─► RowTables, and what became of each row
+//
+// A row belongs to the station that first sent it; what belongs to a sitting belongs to the sitting's station. A
+// deletion goes by identity and by order of arrival, never by a clock:
+//   - a station's notice takes away what that station has sent so far; whatever it sends later is of a later sign-in;
+//   - a deletion in the class's own records (or by the teacher's certificate) holds for every station until that
+//   station
+//     says that it has heard of it (a notice with at_ms = 0). What it sends after that is of a later sign-in.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "palpate/training/records/row_tables.h"
+
+namespace palpate::classroom {
+
+/// A row and who sent it.
+struct SentRow {
+  training::AnyRow row;
+  training::Uuid station = {};  ///< by its certificate (stationIdOf); empty: the teacher, who may write anybody's rows
+  std::string name = {};        ///< of the station, for messages
+  std::size_t bytes = 0;        ///< as it came
+};
+
+enum class RowFate : std::uint8_t {
+  kept,     ///< in the database, or of somebody who was deleted: to be acknowledged
+  waits,    ///< what it belongs to has not come yet, or it contradicts another row: sent again, it may be kept
+  refused,  ///< not its sender's, dated after now, or beyond its sender's share: to be answered
+};
+struct NotKept {
+  training::Uuid key;  ///< training::outboxKey
+  std::string why;
+};
+struct KeptRows {
+  std::vector<RowFate> fates;        ///< one per row, in order
+  std::vector<training::Uuid> keys;  ///< outbox keys of those that were kept, in order
+  std::vector<NotKept> waits;
+  std::vector<NotKept> refused;
+  std::vector<std::string> said;  ///< what a deletion has left, for people
+  /// Deletions of which a station must hear, by the station's id: training::deletedMark.
+  std::map<training::Uuid, std::vector<std::string>> to_hear;
+};
+
+/// Clocks of a class may differ by so much.
+inline constexpr std::int64_t kClockSkewMs = 120'000;
+/// A station's share of the class's disk: some 170,000 trials.
+inline constexpr std::int64_t kStationBytes = std::int64_t{256} << 20;
+
+struct KeeperRules {
+  std::string class_id = {};  ///< other classes' rows are kept with the standard retention; empty: of any class
+  std::int64_t station_bytes = kStationBytes;  ///< of rows since the last purge
+};
+
+/// One thread, as the tables.
+class RowKeeper {
+ public:
+  explicit RowKeeper(training::RowTables& tables, KeeperRules rules = {}) : tables_(tables), rules_(std::move(rules)) {}
+
+  /// One transaction. Throws DatabaseAway; nothing was kept then, as far as anybody can know.
+  KeptRows keep(std::span<const SentRow> rows);
+
+  /// In the caller's transaction: everything of the trainee, for every station. True: there was somebody.
+  bool erase(const training::Uuid& trainee, std::string_view actor);
+
+  /// Rows were deleted since the last time this was asked.
+  bool takeErased() { return std::exchange(erased_, false); }
+
+ private:
+  struct Verdict {
+    RowFate fate = RowFate::kept;
+    std::string why = {};
+  };
+  Verdict keepOne(const SentRow& sent, std::int64_t now_ms);
+  std::optional<std::string> objection(const SentRow& sent, std::int64_t now_ms);
+  std::optional<std::string> notTheirs(const SentRow& sent);
+  void rememberRefused(const SentRow& sent, const std::string& why);
+  std::optional<std::string> refusedWithWhole(const SentRow& sent) const;
+  bool belongsToDeleted(const training::AnyRow& row, const training::Uuid& station) const;
+  bool isDeletedFor(const std::string& mark, const training::Uuid& station) const;
+  void noteParts(const training::AnyRow& row);
+  void write(const SentRow& sent);
+  void claim(const training::Uuid& subject, const training::Uuid& station);
+
+  void obey(const training::DeletionRow& deletion, const SentRow& sent);
+  int eraseSittings(const std::vector<training::SittingRow>& sittings);
+  void note(std::string_view actor, const std::string& mark);
+
+  training::Uuid ownerOfStation(const training::Uuid& station);
+  training::Uuid ownerOfTrainee(const training::Uuid& trainee);
+  training::Uuid ownerOfSitting(const training::Uuid& sitting);
+  training::Uuid sittingOfBlock(const training::Uuid& block);
+  /// The first column of the first row; empty: none.
+  std::string textOf(std::string_view sql, const training::Uuid& id);
+
+  std::int64_t& bytesOf(const training::Uuid& station);
+  void saveBytes();
+
+  /// What anybody has deleted since the last time: asked once for a batch instead of for each row.
+  void learn();
+  /// What was learned may have been undone.
+  void forget();
+  KeptRows keepEach(std::span<const SentRow> rows, std::span<const std::size_t> order, bool savepoints);
+
+  training::RowTables& tables_;
+  KeeperRules rules_;
+
+  // Notes of the audit by number, which is the order of arrival.
+  std::int64_t last_note_ = 0;
+  std::map<std::string, std::int64_t, std::less<>> marks_;             ///< of whatever was deleted
+  std::map<std::string, std::int64_t, std::less<>> for_all_;           ///< of trainees: for every station
+  std::map<std::pair<std::string, std::string>, std::int64_t> heard_;  ///< mark, station
+
+  // Found before; forgotten when they are many, and whenever something is deleted.
+  std::map<training::Uuid, training::Uuid> station_owner_;
+  std::map<training::Uuid, training::Uuid> sitting_owner_;
+  std::map<training::Uuid, training::Uuid> block_sitting_;
+  std::map<training::Uuid, std::int64_t> bytes_;
+  /// Trainees, sittings and blocks that a station was refused: so is what belongs to them.
+  std::map<std::pair<training::Uuid, training::Uuid>, std::string> refused_;
+  std::vector<std::string> said_;
+  bool erased_ = false;
+};
+
+}  // namespace palpate::classroom
