@@ -55,6 +55,7 @@ std::optional<device::Capabilities> leastOf(std::span<const device::Capabilities
     if (other > 0.0) value = value > 0.0 ? std::min(value, other) : other;
   };
   for (const device::Capabilities& device : devices) {
+    least.takes_force = least.takes_force || device.takes_force;
     least.motion_scale = std::max(least.motion_scale, device.motion_scale);
     lower(least.max_force_n, device.max_force_n);
     lower(least.nominal_stiffness_n_per_mm, device.nominal_stiffness_n_per_mm);

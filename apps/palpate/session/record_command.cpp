@@ -83,7 +83,9 @@ engine::ServoPlan planFor(const RecordArguments& arguments, const std::shared_pt
   std::vector<device::Capabilities> able;
   for (std::size_t i = 0; i < arguments.devices.size(); ++i) able.push_back(devices[i].capabilities);
   if (const auto least = viewer::leastOf(able)) {
-    plan.limiter = servo::limiterSettings(*world, device::profileOf(world->scene.safety.device, *least));
+    const device::DeviceProfile profile = device::profileOf(world->scene.safety.device, *least);
+    servo::requireStable(profile, world->scene.safety, 1.0 / world->scene.ticks_per_s);
+    plan.limiter = servo::limiterSettings(*world, profile);
   }
   return plan;
 }

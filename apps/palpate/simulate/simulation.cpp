@@ -50,6 +50,7 @@ void saveAutomaticPaths(const scene::World& world, const device::FingerPaths& pa
 /// A device is felt within the scene's limits and those that it names itself.
 void holdBy(const device::Device& device, const scene::World& world, servo::FingerChain& finger) {
   const auto profile = device::profileOf(world.scene.safety.device, device.capabilities);
+  servo::requireStable(profile, world.scene.safety, 1.0 / world.scene.ticks_per_s);
   finger.limiter_settings = servo::limiterSettings(world, profile);
   servo::giveDevice(finger, device);
 }

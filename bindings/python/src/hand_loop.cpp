@@ -36,7 +36,10 @@ servo::LimiterSettings limitsFor(const scene::World& world, const std::vector<de
     lower(least.nominal_stiffness_n_per_mm, device.capabilities.nominal_stiffness_n_per_mm);
   }
   if (!any) return servo::limiterSettings(world);
-  return servo::limiterSettings(world, device::profileOf(world.scene.safety.device, least));
+  least.takes_force = true;
+  const device::DeviceProfile profile = device::profileOf(world.scene.safety.device, least);
+  servo::requireStable(profile, world.scene.safety, 1.0 / world.scene.ticks_per_s);
+  return servo::limiterSettings(world, profile);
 }
 
 std::string nameOfFinger(const scene::World& world, std::size_t finger) {

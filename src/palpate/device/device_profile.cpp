@@ -51,6 +51,7 @@ DeviceProfile profileOf(scene::DeviceModel model, const Capabilities& reported) 
   if (reported.max_force_n > 0.0) profile.force_n = reported.max_force_n;
   if (reported.nominal_stiffness_n_per_mm > 0.0) profile.stiffness_n_per_mm = reported.nominal_stiffness_n_per_mm;
   profile.known = profile.known || reported.max_force_n > 0.0;
+  profile.open = reported.takes_force;
   return asTheBodySees(profile, reported.motion_scale);
 }
 

@@ -20,6 +20,7 @@ struct DeviceProfile {
   double friction_n = 0.0;
   double encoder_mm = 0.055;  ///< smallest motion that is seen
   double motion_scale = 1.0;  ///< Capabilities::motion_scale; all of the above is as the body sees it
+  bool open = false;          ///< at least one takes forces: a hand may be on it
 };
 
 /// An unknown device has the least force of all, the lightest mass, the coarsest encoder, and swallows nothing.
