@@ -25,7 +25,7 @@ const std::vector<Study>& studies() {
       {"directions", "Directions of ellipses averaged as numbers and as tensors (E29, E30)", studyDirections},
       {"stability",
        "Whether a hand can safely hold the loop: stiffness, rate, delay, hand and device, bare and controlled",
-       studyStability},
+       studyStability, false, true},
       {"relaxation", "Skin that gives way in time: the force of a press that is held, its work, the dent that stays",
        studyRelaxation},
       {"measuring", "Key ellipses from synthetic photographs against their truth: bars, refusals, honesty of the sd",
@@ -39,7 +39,7 @@ StudyPage runStudy(const Study& study, const StudySettings& settings) {
   const auto start = Clock::now();
   StudyPage page = study.run(settings);
   page.seconds = secondsSince(start);
-  page.name = study.name;
+  if (page.name.empty()) page.name = study.name;
   page.machine = lab::lineOf(lab::thisMachine());
   if (page.command.empty()) {
     page.command = fmt::format("palpate study {}{} --out DIR", study.name, settings.quick ? " --quick" : "");

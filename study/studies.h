@@ -15,6 +15,7 @@ struct Study {
   std::string what;  ///< its help, one line
   std::function<StudyPage(const StudySettings& settings)> run;
   bool draws = false;  ///< its cases, from a seed: it takes --seed and --cases
+  bool maps = false;   ///< it has a map of its own that takes minutes: it takes --map
 };
 
 /// In the order of a report.

@@ -113,6 +113,7 @@ LoopSettings loopOf(const LoopPlan& plan) {
   settings.plate = plan.plate;
   settings.limits =
       limitsOf(plan.believed != nullptr ? *plan.believed : plan.device, tick_s, believed, plan.protection);
+  if (plan.controlled_everywhere) settings.limits.passivity.on = plan.protection != Protection::none;
   return settings;
 }
 
@@ -142,11 +143,11 @@ void TapResult::takeWorst(const TapResult& other) {
   bounces = std::max(bounces, other.bounces);
 }
 
-KickResult kick(const LoopPlan& plan) {
+KickResult kick(const LoopPlan& plan, double wait_s) {
   ClosedLoop loop = restingLoop(plan, kPushN);
   const std::size_t from = ticksOf(plan, 0.4);
   const std::size_t until = from + ticksOf(plan, 0.004);
-  const std::size_t watched = from + ticksOf(plan, 0.4);
+  const std::size_t watched = from + ticksOf(plan, wait_s);
   const std::size_t end = watched + ticksOf(plan, 0.4);
   const Vec3 push = loop.hand().goal.push;
   std::vector<double> height;

@@ -18,6 +18,8 @@ struct LoopPlan {
   const device::DeviceProfile* believed = nullptr;
   double believed_delay_ticks = -1.0;  ///< below 0: the true one
   bool quantised = true;
+  /// The controller runs also where the product turns it off because nothing is stable (servo::stableStiffness).
+  bool controlled_everywhere = true;
   PlateSettings plate;
   std::uint64_t seed = 1;
 };
@@ -35,13 +37,14 @@ double frictionLimit(const LoopPlan& plan);
 // Pressed by 1 N, at rest, then kicked by 1 N for 4 ms.
 
 struct KickResult {
-  double peak_to_peak_mm = 0.0;  ///< from 0.4 to 0.8 s after the kick
+  double peak_to_peak_mm = 0.0;  ///< in the last 0.4 s
   double settled_ms = 0.0;       ///< after the kick: since then within 30 um of the end
   double damped_share = 0.0;     ///< ticks in which the controller acted
   bool oscillates(double encoder_mm) const { return peak_to_peak_mm > 2.0 * encoder_mm; }
 };
 
-KickResult kick(const LoopPlan& plan);
+/// Watched until `wait_s` + 0.4 s after the kick.
+KickResult kick(const LoopPlan& plan, double wait_s = 0.4);
 
 /// The least stiffness tried that oscillates after a kick, N/mm, in steps of `factor` from `from`; `to` if none does.
 double onsetOf(LoopPlan plan, double from, double to, double factor);

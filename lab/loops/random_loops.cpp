@@ -14,23 +14,14 @@ device::HandModel anyHand(Random& random) {
   using device::HandKind;
   switch (random.below(5)) {
     case 0:
-      return {random.uniform(0.14, 0.57), random.uniform(63e-3, 151e-3), random.uniform(3.7e-3, 10.3e-3),
-              random.uniform(228e-3, 651e-3), random.uniform(0.87e-3, 4.6e-3)};
-    case 1: {
-      const device::HandModel z = device::handModel(HandKind::stylus_z);
-      return {around(random, z.mass_kg), random.uniform(214e-3, 533e-3), random.uniform(13e-3, 28e-3),
-              random.uniform(679e-3, 1043e-3), random.uniform(0.0, 1.4e-3)};
-    }
+      return handLike(HandKind::stylus_x, random);
+    case 1:
+      return handLike(HandKind::stylus_z, random);
     default:
       break;
   }
   constexpr std::array kOthers{HandKind::stylus_y, HandKind::thimble, HandKind::arm};
-  device::HandModel hand = device::handModel(kOthers[random.below(kOthers.size())]);
-  for (double* value : {&hand.mass_kg, &hand.stiffness_n_per_mm, &hand.damping_n_s_per_mm, &hand.grip_n_per_mm,
-                        &hand.grip_damping_n_s_per_mm}) {
-    *value = around(random, *value);
-  }
-  return hand;
+  return handLike(kOthers[random.below(kOthers.size())], random);
 }
 
 const device::DeviceProfile& nominal(std::size_t number) {
@@ -43,6 +34,26 @@ const device::DeviceProfile& nominal(std::size_t number) {
 }
 
 }  // namespace
+
+device::HandModel handLike(device::HandKind kind, Random& random) {
+  using device::HandKind;
+  device::HandModel hand = device::handModel(kind);
+  switch (kind) {
+    case HandKind::stylus_x:
+      return {random.uniform(0.14, 0.57), random.uniform(63e-3, 151e-3), random.uniform(3.7e-3, 10.3e-3),
+              random.uniform(228e-3, 651e-3), random.uniform(0.87e-3, 4.6e-3)};
+    case HandKind::stylus_z:
+      return {around(random, hand.mass_kg), random.uniform(214e-3, 533e-3), random.uniform(13e-3, 28e-3),
+              random.uniform(679e-3, 1043e-3), random.uniform(0.0, 1.4e-3)};
+    default:
+      break;
+  }
+  for (double* value : {&hand.mass_kg, &hand.stiffness_n_per_mm, &hand.damping_n_s_per_mm, &hand.grip_n_per_mm,
+                        &hand.grip_damping_n_s_per_mm}) {
+    *value = around(random, *value);
+  }
+  return hand;
+}
 
 const std::vector<scene::DeviceModel>& nominalDevices() {
   using scene::DeviceModel;

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <system_error>
-
+#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <system_error>
 
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
@@ -68,6 +68,29 @@ std::string markdownOf(const StudyPage& page) {
   return markdown + endMarkdown(page);
 }
 
+namespace {
+
+nlohmann::ordered_json rowsAsJson(const TextTable& table) {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const std::vector<std::string>& cells : table.rows) {
+    nlohmann::ordered_json row;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      double number = 0.0;
+      const char* end = cells[i].data() + cells[i].size();
+      const auto [stopped, error] = std::from_chars(cells[i].data(), end, number);
+      if (error == std::errc() && stopped == end) {
+        row[table.headings[i]] = number;
+      } else {
+        row[table.headings[i]] = cells[i];
+      }
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace
+
 std::string jsonOf(const StudyPage& page) {
   nlohmann::ordered_json json;
   json["study"] = page.name;
@@ -80,6 +103,9 @@ std::string jsonOf(const StudyPage& page) {
   }
   for (const StudyFigure& figure : page.figures) json["figures"].push_back(figure.stem + ".svg");
   for (const StudyTable& table : page.tables) json["tables"].push_back(table.stem + ".csv");
+  for (const StudyTable& table : page.tables) {
+    if (!table.key.empty()) json[table.key] = rowsAsJson(table.table);
+  }
   json["command"] = page.command;
   json["machine"] = page.machine;
   json["seconds"] = page.seconds;

@@ -27,6 +27,7 @@ struct StudySettings {
   Progress progress{};
   std::optional<std::uint64_t> seed{};  ///< of a study that draws its cases (Study::draws)
   std::optional<std::size_t> cases{};   ///< how many it draws
+  bool map = false;                     ///< of a study that has one (Study::maps): that alone
 };
 
 struct StudyFigure {
@@ -40,10 +41,13 @@ struct StudyTable {
   std::string title;  ///< a sentence above the table
   TextTable table;
   bool shown = true;  ///< false: long, so a CSV file only
+  /// The rows are in the JSON object under this name too, an object each by the headings; cells that are numbers as
+  /// numbers. Empty: they are not.
+  std::string key{};
 };
 
 struct StudyPage {
-  std::string name{};  ///< of the subcommand and of the Markdown file
+  std::string name{};  ///< of the Markdown file; empty: the subcommand's
   std::string title;
   std::string question;               ///< what was asked, one paragraph
   std::vector<std::string> findings;  ///< a paragraph each, most important first

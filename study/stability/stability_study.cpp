@@ -9,6 +9,7 @@
 #include "palpate/scene/words.h"
 #include "study/page/plot_parts.h"
 #include "study/stability/stability_findings.h"
+#include "study/stability/stability_map_study.h"
 #include "study/stability/stability_measurement.h"
 
 namespace palpate::study {
@@ -210,6 +211,7 @@ std::vector<std::string> methodOf(const StabilityMeasurement& found) {
 }  // namespace
 
 StudyPage studyStability(const StudySettings& settings) {
+  if (settings.map) return studyStabilityMap(settings);
   const StabilityMeasurement found = measureStability(stabilityPlan(settings.quick), settings.progress);
   return {.title = "A loop that is safe to touch",
           .question =

@@ -1,4 +1,5 @@
 #include "palpate/servo/limiter.h"
+#include "palpate/base/error.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -7,6 +8,7 @@
 #include <limits>
 
 #include "lab/counters/thread_counts.h"
+#include "palpate/base/error.h"
 #include "palpate/base/random.h"
 #include "palpate/servo/device_limits.h"
 
@@ -347,7 +349,7 @@ TEST(DeviceLimits, CapTheStiffnessByDelayAndRate) {
   };
   EXPECT_EQ(cap(unknown, 0.001, 1.0), 2.0);
   EXPECT_EQ(cap(unknown, 0.001, 2.0), 1.0);
-  EXPECT_EQ(cap(unknown, 0.002, 1.0), 0.9);
+  EXPECT_EQ(cap(unknown, 0.002, 1.0), 0.75);
   EXPECT_EQ(cap(unknown, 0.00025, 1.0), 3.0);
   EXPECT_LT(cap(unknown, 0.004, 1.0), 0.35) << "where the nominal device still rests at 250 Hz";
   scene::SafetySettings touch = unknown;
@@ -360,7 +362,53 @@ TEST(DeviceLimits, CapTheStiffnessByDelayAndRate) {
   EXPECT_EQ(cap(falcon, 0.001, 1.0), 2.0);
   falcon.device_damping_n_s_per_mm = 1e-3;
   falcon.device_friction_n = 0.4;
-  EXPECT_EQ(cap(falcon, 0.001, 1.0), 3.0) << "identified";
+  EXPECT_EQ(cap(falcon, 0.001, 1.0), 2.0) << "identified: quieter, not stiffer";
+}
+
+TEST(DeviceLimits, ALightOrUnknownDeviceIsHeldSofterThanAHeavyOne) {
+  device::DeviceProfile unknown = device::profileOf(scene::DeviceModel::unknown);
+  unknown.open = true;
+  const device::DeviceProfile omni = device::profileOf(scene::DeviceModel::omni);
+  const device::DeviceProfile falcon = device::profileOf(scene::DeviceModel::falcon);
+  for (const double rate : {250.0, 500.0, 1000.0, 2000.0, 4000.0}) {
+    double before = 100.0;
+    for (double delay = 0.0; delay <= 7.0; delay += 0.5) {
+      const double light = stableStiffness(1.0 / rate, delay, omni);
+      EXPECT_EQ(light, stableStiffness(1.0 / rate, delay, unknown));
+      EXPECT_LE(light, stableStiffness(1.0 / rate, delay, falcon));
+      EXPECT_LE(light, before) << "more delay is never stiffer";
+      before = light;
+    }
+  }
+  EXPECT_EQ(stableStiffness(0.001, 7.0, falcon), 0.0);
+  EXPECT_EQ(stableStiffness(0.01, 0.0, falcon), 0.0) << "slower than anything that was measured";
+}
+
+TEST(DeviceLimits, RefuseADeviceWhereNoStiffnessIsStable) {
+  device::DeviceProfile omni = device::profileOf(scene::DeviceModel::omni);
+  EXPECT_TRUE(whyRefused(omni, 0.001, 2.0).empty());
+  EXPECT_NE(whyRefused(omni, 0.001, 3.0).find("1000 Hz with 3 ticks"), std::string::npos);
+  scene::SafetySettings late;
+  late.delay_ticks = 3.0;
+  EXPECT_NO_THROW(requireStable(omni, late, 0.001)) << "nobody holds it";
+  EXPECT_GT(limiterSettings(late, omni, 0.001).force_n, 0.0);
+  EXPECT_FALSE(limiterSettings(late, omni, 0.001).passivity.on) << "from there on the controller itself makes the buzz";
+  omni.open = true;
+  EXPECT_THROW(requireStable(omni, late, 0.001), Error);
+  EXPECT_EQ(limiterSettings(late, omni, 0.001).force_n, 0.0) << "whoever forgets to ask sends nothing";
+  late.delay_ticks = 2.0;
+  EXPECT_NO_THROW(requireStable(omni, late, 0.001));
+  EXPECT_TRUE(limiterSettings(late, omni, 0.001).passivity.on);
+}
+
+TEST(DeviceLimits, TrustNothingOfWhatIsOnlyAssumedOfADevice) {
+  scene::SafetySettings safety;
+  const device::DeviceProfile touch_x = device::profileOf(scene::DeviceModel::touch_x);
+  EXPECT_EQ(limiterSettings(safety, touch_x, 0.001).passivity.friction_n, 0.0);
+  EXPECT_EQ(limiterSettings(safety, touch_x, 0.001).passivity.damping_n_s_per_mm, 0.0);
+  safety.device_damping_n_s_per_mm = 2e-4;
+  safety.device_friction_n = 0.06;
+  EXPECT_GT(limiterSettings(safety, touch_x, 0.001).passivity.friction_n, 0.0);
 }
 
 TEST(DeviceLimits, TheFactorLooksAtTheSteepestPartThatTheForceReaches) {

@@ -25,7 +25,7 @@
 #include <cstdlib>
 #include <functional>
 
-#include "lab/loops/random_loops.h"
+#include "lab/loops/stability_map.h"
 #include "palpate/base/hash.h"
 #include "palpate/scene/words.h"
 
@@ -287,6 +287,51 @@ TEST(Stability, TheControllerLeavesAPassiveLoopAlone) {
       EXPECT_EQ(press(plan).damped_share, 0.0) << called(plan, device, HandKind::stylus_x);
     }
   }
+}
+
+// Where a session may start, at the product's own caps: systems off nominal, nearly frictionless ones among them. All
+// 60 systems of all cells: `palpate study stability --map`.
+TEST(Stability, WhatTheProductAllowsRestsAndGivesNoEnergy) {
+  StabilityMapPlan plan = stabilityMapPlan();
+  plan.seed = 31;
+  plan.systems = heavy() ? 12 : 1;
+  plan.threads = 1;
+  if (!heavy()) {
+    plan.rates = {500.0, 1000.0};
+    plan.delays = {0, 1, 2, 3};
+  }
+  std::size_t bare = 0;
+  std::size_t refused = 0;
+  double bare_energy = 0.0;
+  for (const StabilityCell& cell : measureStabilityMap(plan)) {
+    const std::string what = std::to_string(cell.ticks_per_s) + " Hz, " + std::to_string(cell.delay_ticks) +
+                             " ticks, " + std::string(wordFor(cell.device)) + ", " + std::string(wordFor(cell.hand)) +
+                             ", " + std::to_string(cell.cap_n_per_mm) + " N/mm";
+    EXPECT_LE(cell.oscillates_controlled, cell.oscillates_bare) << what;
+    refused += cell.refused.empty() ? 0 : 1;
+    if (!cell.refused.empty()) continue;
+    EXPECT_EQ(cell.oscillates_controlled, 0u) << what;
+    EXPECT_LE(cell.port_energy_mj_max, 0.01) << what;
+    bare += cell.oscillates_bare;
+    bare_energy = std::max(bare_energy, cell.port_energy_bare_mj_max);
+  }
+  EXPECT_GT(refused, 0u);
+  EXPECT_GT(bare, 0u);
+  EXPECT_GT(bare_energy, 1.0) << "without the controller it does";
+}
+
+// Friction that was assumed and is not there: a limit cycle lived on within a tenth of it.
+TEST(Stability, ADeviceWithHardlyAnyFrictionComesToRest) {
+  std::size_t oscillate = 0;
+  for (std::size_t number = 0; number < 60; ++number) {
+    StabilityCell cell;
+    cell.device = DeviceModel::premium_3_0;
+    cell.hand = HandKind::thimble;
+    cell.cap_n_per_mm = 2.0;
+    LoopPlan plan = mappedLoop(cell, 5, 3 * number);
+    oscillate += kick(plan).oscillates(plan.device.encoder_mm) ? 1 : 0;
+  }
+  EXPECT_EQ(oscillate, 0u);
 }
 
 /// Whether a finger that presses for four seconds is told that the scene is too stiff.

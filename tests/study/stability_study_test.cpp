@@ -5,6 +5,7 @@
 
 #include "study/says.h"
 #include "study/stability/stability_findings.h"
+#include "study/stability/stability_map_study.h"
 
 namespace palpate::study {
 
@@ -75,6 +76,28 @@ TEST(StabilityStudy, NamesItsNumbersForPrograms) {
   EXPECT_EQ(numberNamed(found, "port_energy_mj_max"), 0.0);
   EXPECT_DOUBLE_EQ(numberNamed(found, "stiffness_bias_percent_max"), 1.3) << "up to 1 N/mm";
   EXPECT_NEAR(numberNamed(found, "theory_error_percent_max"), 1.5, 0.01);
+}
+
+TEST(StabilityStudy, CountsWhatTheMapAllowsApartFromWhatItRefuses) {
+  std::vector<lab::StabilityCell> cells(2);
+  cells[0].oscillates_bare = 4;
+  cells[0].port_energy_mj_max = 0.005;
+  cells[1].refused = "no stiffness is stable";
+  cells[1].oscillates_bare = cells[1].oscillates_controlled = 7;
+  cells[1].port_energy_mj_max = 50.0;
+  EXPECT_EQ(totalsOf(cells).allowed, 1u);
+  EXPECT_EQ(totalsOf(cells).oscillates_bare, 11u);
+  EXPECT_EQ(totalsOf(cells).oscillates_allowed, 0u);
+  EXPECT_EQ(totalsOf(cells).port_energy_allowed_mj_max, 0.005);
+  EXPECT_EQ(totalsOf(cells).controlled_above_bare, 0u);
+  EXPECT_TRUE(says(stabilityMapPage(lab::stabilityMapPlan(), cells).findings, "what is allowed holds"));
+  const std::string json = jsonOf(stabilityMapPage(lab::stabilityMapPlan(), cells));
+  for (const char* key : {"\"cells\": [", "\"oscillates_bare\": 4.0", "\"port_energy_mj_max\": 50.0"}) {
+    EXPECT_NE(json.find(key), std::string::npos) << key;
+  }
+  cells[0].oscillates_controlled = 5;
+  EXPECT_EQ(totalsOf(cells).controlled_above_bare, 1u);
+  EXPECT_TRUE(says(stabilityMapPage(lab::stabilityMapPlan(), cells).findings, "does not hold"));
 }
 
 }  // namespace palpate::study

@@ -79,7 +79,9 @@ device::DeviceProfile profileFor(const RecordArguments& arguments, const scene::
                                  const std::vector<device::Device>& devices) {
   std::vector<device::Capabilities> able;
   for (std::size_t i = 0; i < arguments.devices.size(); ++i) able.push_back(devices[i].capabilities);
-  return device::profileOf(world.scene.safety.device, able);
+  const device::DeviceProfile profile = device::profileOf(world.scene.safety.device, able);
+  servo::requireStable(profile, world.scene.safety, 1.0 / world.scene.ticks_per_s);
+  return profile;
 }
 
 /// The limits of the weakest device hold for all fingers.

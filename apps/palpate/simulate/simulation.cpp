@@ -58,6 +58,7 @@ void takeLimits(const std::vector<device::Device>& devices, servo::Rig& rig, Sim
   std::vector<device::Capabilities> able;
   for (const device::Device& device : devices) able.push_back(device.capabilities);
   const device::DeviceProfile profile = device::profileOf(world.scene.safety.device, able);
+  servo::requireStable(profile, world.scene.safety, 1.0 / world.scene.ticks_per_s);
   result.limits = servo::limiterSettings(world, profile);
   for (servo::FingerChain& finger : rig.fingers) finger.limiter_settings = result.limits;
   const std::vector<std::string> notes = servo::safetyNotes(world.scene.safety, profile, result.limits.tick_s);

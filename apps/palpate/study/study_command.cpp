@@ -42,15 +42,18 @@ struct StudyArguments {
   bool json = false;
   std::optional<std::uint64_t> seed;
   std::optional<std::size_t> cases;
+  bool map = false;
 };
 
 void run(const study::Study& study, const StudyArguments& arguments) {
   if (!arguments.folder.empty()) study::makeFolder(arguments.folder);  // a folder that cannot be is refused at once
-  tellOfEarlier(arguments.folder, study.name + ".md");
+  tellOfEarlier(arguments.folder, study.name + (arguments.map ? "_map.md" : ".md"));
   ProgressLine progress;
-  const study::StudyPage page = study::runStudy(
-      study,
-      {.quick = arguments.quick, .progress = progress.callback(), .seed = arguments.seed, .cases = arguments.cases});
+  const study::StudyPage page = study::runStudy(study, {.quick = arguments.quick,
+                                                        .progress = progress.callback(),
+                                                        .seed = arguments.seed,
+                                                        .cases = arguments.cases,
+                                                        .map = arguments.map});
   if (!arguments.folder.empty()) study::writePage(page, arguments.folder, progress.callback());
   progress.clear();
   fmt::print("{}", arguments.json ? study::jsonOf(page) : study::textOf(page));
@@ -69,6 +72,11 @@ void addPage(CLI::App& parent, const study::Study& study) {
   if (study.draws) {
     addNumber(command, "--seed", arguments->seed, between(0, 1e15), "Other cases for each");
     addNumber(command, "--cases", arguments->cases, between(2, 100000), "How many good ones are drawn");
+  }
+  if (study.maps) {
+    command.add_flag(
+        "--map", arguments->map,
+        "Only the map of what is allowed: random systems at every rate and delay, some minutes on two cores");
   }
   command.callback([arguments, study] { run(study, *arguments); });
 }

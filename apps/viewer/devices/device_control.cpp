@@ -7,6 +7,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/device/back_ends.h"
+#include "palpate/servo/device_limits.h"
 
 namespace palpate::viewer {
 
@@ -126,6 +127,8 @@ void DeviceControl::takeOpened(std::size_t finger, Session& session, const scene
   OpenedDevice held{words, std::move(*opened->value), workspaceNow(finger, words, session, world)};
   const auto before = std::exchange(session.held, servo_.abilitiesWith(finger, &held));
   try {
+    servo::requireStable(device::profileOf(session.scene.safety.device, held.device.capabilities), session.scene.safety,
+                         1.0 / session.ticks_per_s);
     servo_.hold(finger, std::move(held), turnover_.planNow(session));
   } catch (const Error& error) {
     session.held = before;

@@ -25,7 +25,9 @@ servo::LimiterSettings limitsFor(const scene::World& world, const std::vector<de
   for (const device::Device& device : devices) {
     if (device.capabilities.takes_force) able.push_back(device.capabilities);
   }
-  return servo::limiterSettings(world, device::profileOf(world.scene.safety.device, able));
+  const device::DeviceProfile profile = device::profileOf(world.scene.safety.device, able);
+  servo::requireStable(profile, world.scene.safety, 1.0 / world.scene.ticks_per_s);
+  return servo::limiterSettings(world, profile);
 }
 
 std::string nameOfFinger(const scene::World& world, std::size_t finger) {

@@ -56,7 +56,9 @@ DeviceProfile leastOf(const DeviceProfile& a, const DeviceProfile& b) {
   least.force_n = std::min(a.force_n, b.force_n);
   least.stiffness_n_per_mm = a.stiffness_n_per_mm;
   lower(least.stiffness_n_per_mm, b.stiffness_n_per_mm);
-  least.mass_kg = std::min(a.mass_kg, b.mass_kg);
+  // The lightest in the hand, seen at the larger scale: a light device beside a scaled heavy one stays light.
+  least.mass_kg =
+      std::min(a.mass_kg * a.motion_scale, b.mass_kg * b.motion_scale) / std::max(a.motion_scale, b.motion_scale);
   least.damping_n_s_per_mm = std::min(a.damping_n_s_per_mm, b.damping_n_s_per_mm);
   least.friction_n = std::min(a.friction_n, b.friction_n);
   least.encoder_mm = std::max(a.encoder_mm, b.encoder_mm);

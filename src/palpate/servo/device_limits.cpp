@@ -1,5 +1,4 @@
-// Load time. The table of stable stiffness is what randomised devices and hands kept at rest, 400 of each (`palpate
-// study stability`); between its rows the lower one holds. Own.
+// Load time.
 #include "palpate/servo/device_limits.h"
 
 #include <fmt/format.h>
@@ -13,21 +12,50 @@
 #include <utility>
 #include <vector>
 
+#include "palpate/base/error.h"
+
 namespace palpate::servo {
 
 namespace {
 
-/// What the delay may be wrong by, in ticks.
-constexpr double kDelayMargin = 1.0;
-constexpr double kIdentifiedMargin = 0.5;
+/// What the delay may be wrong by: a tick and an amplifier that nobody measured, or 1.5 ms. What is assumed too long
+/// damps, which a device with hardly any friction needs: with less it rings on for a second under a dead load.
+constexpr double kAmplifierS = 0.0005;
+constexpr double kLeastMarginS = 0.0015;
+constexpr double kIdentifiedMarginTicks = 0.5;
 
-/// The share of a device's damping and friction that is counted on: assumed ones may be far off.
+double assumedMarginTicks(double tick_s) { return std::max(tick_s + kAmplifierS, kLeastMarginS) / tick_s; }
+
+/// The share of a device's damping and friction that is counted on. Of assumed ones nothing: a device with 0 to 15 % of
+/// the friction that was assumed kept a limit cycle alive within a tenth of it.
 struct Trust {
   double damping;
   double friction;
 };
-constexpr Trust kAssumed{0.25, 0.1};
+constexpr Trust kAssumed{0.0, 0.0};
 constexpr Trust kIdentified{0.5, 0.25};
+
+/// Stable stiffness of one rate, N/mm, by the delay in whole ticks; 0: none. About four fifths of the stiffest step of
+/// a ladder (20 %) on which none of 360 random systems of any device of that class oscillated or left energy at the
+/// port: another seed than that of `palpate study stability --map`, which checks it.
+struct StableRow {
+  double ticks_per_s;
+  std::array<double, 7> light;  ///< below kHeavyKg, and every open device that is unknown
+  std::array<double, 7> heavy;
+};
+constexpr double kHeavyKg = 0.15;
+constexpr std::array kStable = {
+    StableRow{4000.0, {2.5, 1.8, 1.3, 1.0, 0.9, 0.7, 0.6}, {3.0, 3.0, 1.8, 1.5, 1.0, 0.9, 0.7}},
+    StableRow{2000.0, {2.5, 1.5, 1.0, 0.7, 0.6, 0.5, 0.4}, {3.0, 2.0, 1.5, 1.2, 0.9, 0.7, 0.6}},
+    StableRow{1000.0, {2.5, 1.1, 0.5, 0.0, 0.0, 0.0, 0.0}, {3.0, 2.0, 1.0, 2.0 / 3.0, 0.5, 0.4, 0.0}},
+    StableRow{500.0, {1.0, 0.3, 0.0, 0.0, 0.0, 0.0, 0.0}, {2.0, 0.75, 0.4, 0.0, 0.0, 0.0, 0.0}},
+    StableRow{250.0, {0.25, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, {0.9, 0.2, 0.0, 0.0, 0.0, 0.0, 0.0}}};
+
+/// A scene without a device, or a device of 150 g and more: nothing that is lighter can be in the hand.
+bool isHeavy(const device::DeviceProfile& profile) {
+  if (!profile.known) return !profile.open;
+  return profile.mass_kg * profile.motion_scale >= kHeavyKg;
+}
 
 constexpr double kMostPassivityForce = 1.5;
 constexpr double kPassivityShare = 0.4;  // of the largest force
@@ -83,13 +111,13 @@ tissue::ForceLaw lawAt(const tissue::ForceLaw& law, double tissue_mm) {
   return here;
 }
 
-PassivitySettings passivityOf(const scene::SafetySettings& safety, const device::DeviceProfile& profile,
-                              double force_n) {
+PassivitySettings passivityOf(const scene::SafetySettings& safety, const device::DeviceProfile& profile, double force_n,
+                              double tick_s) {
   const bool identified = isIdentified(safety);
   const Trust trust = identified ? kIdentified : kAssumed;
   PassivitySettings settings;
-  settings.on = safety.passivity;
-  settings.delay_ticks = safety.delay_ticks + (identified ? kIdentifiedMargin : kDelayMargin);
+  settings.on = safety.passivity && stableStiffness(tick_s, safety.delay_ticks, profile) > 0.0;
+  settings.delay_ticks = safety.delay_ticks + (identified ? kIdentifiedMarginTicks : assumedMarginTicks(tick_s));
   settings.damping_n_s_per_mm = trust.damping * (identified ? safety.device_damping_n_s_per_mm / profile.motion_scale
                                                             : profile.damping_n_s_per_mm);
   settings.friction_n = trust.friction * (identified ? safety.device_friction_n : profile.friction_n);
@@ -141,15 +169,29 @@ bool exceedsSafe(const scene::SafetySettings& asked, const device::DeviceProfile
 
 }  // namespace
 
-double stableStiffness(double tick_s, double delay_ticks, bool identified) {
+double stableStiffness(double tick_s, double delay_ticks, const device::DeviceProfile& profile) {
   constexpr double kRounding = 1e-9;
-  // Slower than 500 Hz: with the square of the rate, from 0.9 at 2 ms. At 250 Hz a controlled loop rests up to 0.35
-  // N/mm.
-  double stiffness = 0.9 * (0.002 / tick_s) * (0.002 / tick_s);
-  if (tick_s <= 0.002 + kRounding) stiffness = 0.9;
-  if (tick_s <= 0.001 + kRounding) stiffness = identified ? 3.0 : 2.0;
-  if (tick_s <= 0.00025 + kRounding) stiffness = 3.0;
-  return stiffness / std::max(1.0, std::ceil(delay_ticks - kRounding));
+  const double ticks = std::max(0.0, std::ceil(delay_ticks - kRounding));
+  for (const StableRow& row : kStable) {
+    if (tick_s > (1.0 + kRounding) / row.ticks_per_s) continue;
+    const auto& stable = isHeavy(profile) ? row.heavy : row.light;
+    return ticks < static_cast<double>(stable.size()) ? stable[static_cast<std::size_t>(ticks)] : 0.0;
+  }
+  return 0.0;
+}
+
+std::string whyRefused(const device::DeviceProfile& profile, double tick_s, double delay_ticks) {
+  if (stableStiffness(tick_s, delay_ticks, profile) > 0.0) return {};
+  return fmt::format(
+      "no stiffness is stable at {:.4g} Hz with {:.3g} ticks of delay on {}; set `ticks_per_s` higher, or "
+      "`[safety] delay_ticks` lower where it is less (docs/stability.md)",
+      1.0 / tick_s, delay_ticks, isHeavy(profile) ? "this device" : "a device this light or unknown");
+}
+
+void requireStable(const device::DeviceProfile& profile, const scene::SafetySettings& safety, double tick_s) {
+  if (!profile.open) return;
+  const double delay_ticks = heldSafety(safety, profile).delay_ticks;
+  if (const std::string why = whyRefused(profile, tick_s, delay_ticks); !why.empty()) throw Error(why);
 }
 
 scene::SafetySettings heldSafety(const scene::SafetySettings& asked, const device::DeviceProfile& profile) {
@@ -166,7 +208,7 @@ scene::SafetySettings heldSafety(const scene::SafetySettings& asked, const devic
 
 double stiffnessCap(const scene::SafetySettings& safety, const device::DeviceProfile& profile, double tick_s) {
   const double delay_ticks = std::max(safety.delay_ticks, profile.delay_ticks);
-  double cap = stableStiffness(tick_s, delay_ticks, isIdentified(safety)) / profile.motion_scale;
+  double cap = std::max(kSoftestCap, stableStiffness(tick_s, delay_ticks, profile)) / profile.motion_scale;
   if (profile.stiffness_n_per_mm > 0.0) cap = std::min(cap, profile.stiffness_n_per_mm);
   if (!(safety.stiffness_cap_n_per_mm > 0.0)) return cap;
   const double asked = safety.stiffness_cap_n_per_mm / profile.motion_scale;
@@ -246,6 +288,7 @@ LimiterSettings limiterSettings(const scene::SafetySettings& asked, const device
   settings.unsafe = exceedsSafe(asked, profile, tick_s);
   settings.tick_s = tick_s;
   settings.force_n = device::largestForceN(safety, profile);
+  if (profile.open && !(stableStiffness(tick_s, safety.delay_ticks, profile) > 0.0)) settings.force_n = 0.0;
   settings.soft_contact = safety.soft_contact;
   settings.start = safety.start;
   settings.ramp_s = safety.ramp_s;
@@ -253,7 +296,7 @@ LimiterSettings limiterSettings(const scene::SafetySettings& asked, const device
   settings.max_jump_mm = safety.max_jump_mm;
   settings.max_tip_speed_mm_per_s = safety.max_tip_speed_mm_per_s;
   settings.max_force_rate_n_per_ms = safety.max_force_rate_n_per_ms;
-  settings.passivity = passivityOf(safety, profile, settings.force_n);
+  settings.passivity = passivityOf(safety, profile, settings.force_n, tick_s);
   return settings;
 }
 

@@ -14,9 +14,19 @@
 
 namespace palpate::servo {
 
-/// What loop and hand were found to keep at rest, N/mm (docs/stability.md): by the rate, and by the whole delay from
-/// sampling the pose to the force. More where the device's own damping and friction were measured.
-double stableStiffness(double tick_s, double delay_ticks, bool identified);
+/// What loop and hand were found to keep at rest and no tap to take energy from, N/mm in the hand: by the rate, the
+/// whole delay from sampling the pose to the force, and the mass of the device. 0: no stiffness was. `palpate study
+/// stability --map`, docs/stability.md.
+double stableStiffness(double tick_s, double delay_ticks, const device::DeviceProfile& profile);
+
+/// Why such a device must not push a hand at this rate and delay, one line; empty: it may.
+std::string whyRefused(const device::DeviceProfile& profile, double tick_s, double delay_ticks);
+
+/// Throws Error with that reason where a hand may be on the device: before its forces are switched on.
+void requireStable(const device::DeviceProfile& profile, const scene::SafetySettings& safety, double tick_s);
+
+/// Where nothing is stable: what paths from files, which close no loop, are scaled to, N/mm.
+inline constexpr double kSoftestCap = 0.05;
 
 /// A scene's safety settings as they hold on that device: what a scene asks for is a wish, what the device needs a hard
 /// minimum. The delay is at least what its back end knows of. Where a hand may be on the device, passivity and soft
@@ -45,7 +55,8 @@ inline constexpr std::string_view kUnsafeMark = "UNSAFE";
 std::vector<std::string> safetyNotes(const scene::SafetySettings& asked, const device::DeviceProfile& profile,
                                      double tick_s);
 
-/// The limits for a device, whatever the scene: its stiffness factor is 1.
+/// The limits for a device, whatever the scene: its stiffness factor is 1. An open device that is refused (whyRefused)
+/// gets no force.
 LimiterSettings limiterSettings(const scene::SafetySettings& safety, const device::DeviceProfile& profile,
                                 double tick_s);
 

@@ -20,7 +20,7 @@
 namespace palpate::servo {
 
 /// Longest delay that the observer can follow, in ticks.
-inline constexpr double kLongestDelayTicks = 8.0;
+inline constexpr double kLongestDelayTicks = 12.0;
 
 struct PassivitySettings {
   bool on = true;
