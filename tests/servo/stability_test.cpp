@@ -10,9 +10,9 @@
 //   T6  any tick: <= 1.3 k v T + 1.0 N                            the same
 //   T7  port energy <= 0.01 mJ; at most 3, 5 bounces              the same
 //   T8  stiffness within 2 %, 4 % (6 %: the Omni's encoder)       AControlledPressFeelsLikeTheSkin
-//   T9  hysteresis -5..5 %, -8..16 %                              the same
+//   T9  hysteresis -5..5 %, -8..16 % (3 N/mm: above every cap)    the same; AtTheCapsPressAndSlideMeetTheFirstBars
 //   T10 noise above 20 Hz: 0.05 N identified, 0.08 not; 0.11 N    the same
-//   T11 slide over a map: 0.7 N, 0.09 N of noise, no energy       SlidingOverAMapIsQuiet
+//   T11 slide over a map: 0.7 N, 0.09 N of noise, no energy       SlidingOverAMapIsQuiet; AtTheCaps... (0.06 N)
 //   T12 ratio of two places within 2 %                            TwoPlacesKeepTheirRatio
 //   T13 wrong beliefs                                             StaysAtRestWhenTheDeviceIsNotWhatItIsBelievedToBe
 //   T14 amplifier of 0.5 ms at 2.5 N/mm                           HalfAMillisecondOfAmplifierIsWithinTheMargin
@@ -185,6 +185,21 @@ TEST(Stability, SlidingOverAMapIsQuiet) {
   bare.plate.other_n_per_mm = 3.0;
   EXPECT_GT(slide(bare).noise_n, 0.17);
   EXPECT_GT(slide(bare).port_energy_mj, 10.0);
+}
+
+// T9, T11: above its cap no device is driven; there the first bars hold.
+TEST(Stability, AtTheCapsPressAndSlideMeetTheFirstBars) {
+  for (const Protection protection : {Protection::assumed, Protection::identified}) {
+    for (const DeviceModel device : nominalDevices()) {
+      for (const HandKind hand : {HandKind::stylus_x, HandKind::stylus_z}) {
+        LoopPlan plan = planOf(device, hand, servo::stiffnessCap({}, profileOf(device), 0.001), protection);
+        EXPECT_LE(std::abs(press(plan).hysteresis), 0.05) << called(plan, device, hand);
+        plan.plate.other_n_per_mm = plan.plate.stiffness_n_per_mm;
+        plan.plate.stiffness_n_per_mm /= 6.0;
+        EXPECT_LE(slide(plan).noise_n, 0.06) << called(plan, device, hand);
+      }
+    }
+  }
 }
 
 // T12: what a palpating finger compares.
