@@ -467,6 +467,20 @@ TEST(Serve, EndsInOrderAndSaysGoodbye) {
   }
 }
 
+TEST(Serve, TokensOfAServerThatWasKilledAreGoneAtTheNextStart) {
+  std::filesystem::path left;
+  {
+    ServedCommand killed;
+    left = killed.firstLine()["token_file"].get<std::string>();
+    killed.end(SIGKILL);
+  }
+  EXPECT_TRUE(std::filesystem::exists(left)) << "nobody could remove it";
+  EXPECT_EQ(std::filesystem::status(left.parent_path()).permissions(), std::filesystem::perms::owner_all);
+  const ServedCommand next;
+  EXPECT_FALSE(std::filesystem::exists(left));
+  EXPECT_TRUE(std::filesystem::exists(next.firstLine()["token_file"].get<std::string>()));
+}
+
 TEST(Serve, EndsByItselfAfterItsTime) {
   ServedCommand server({"--seconds", "0.5"});
   EXPECT_EQ(server.endByItself(), 0);

@@ -146,7 +146,7 @@ TEST_F(SessionTools, ASoundSessionIsRepairedWithoutALoss) {
 
 TEST_F(SessionTools, ABundleIsFeltAgainSomewhereElseWithNothingElse) {
   record();
-  const auto bundle = jsonFrom("bundle results/run.session -o bundle.session");
+  const auto bundle = jsonFrom("bundle results/run.session -o bundle.session --include .");
   EXPECT_EQ(bundle["files"].size(), 2u) << "mesh and path";
   for (const char* gone : {"dome.obj", "path.csv"}) std::filesystem::remove(folder_ / gone);
   EXPECT_EQ(palpate("replay results/run.session --verify").exit_code, 2);
@@ -179,7 +179,7 @@ TEST_F(SessionTools, ABundleCarriesWhatAGltfFileNames) {
       << R"("meshes":[{"primitives":[{"attributes":{"POSITION":1},"indices":0}]}],"nodes":[{"mesh":0}],)"
       << R"("scenes":[{"nodes":[0]}],"scene":0})";
   record("model/back.gltf");
-  EXPECT_EQ(jsonFrom("bundle results/run.session -o bundle.session")["files"].size(), 3u);
+  EXPECT_EQ(jsonFrom("bundle results/run.session -o bundle.session --include .")["files"].size(), 3u);
   std::filesystem::remove_all(folder_ / "model");
   EXPECT_EQ(palpate("replay bundle.session --verify").exit_code, 0);
 }
@@ -194,7 +194,8 @@ TEST_F(SessionTools, ABundleSaysNothingOfWhoRecordedItAndWhere) {
   ASSERT_EQ(palpate("simulate zaphod/scene.toml --no-pictures --session").exit_code, 0);
   ASSERT_NE(readFile(folder_ / "results/run.session", 1 << 26).find("zaphod"), std::string::npos);
   ::setenv("USER", "zaphod", 1);
-  const CommandResult result = palpate("bundle results/run.session -o bundle.session");
+  const CommandResult result =
+      palpate("bundle results/run.session -o bundle.session --include zaphod --include path.csv");
   ::unsetenv("USER");
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const std::string bytes = readFile(folder_ / "bundle.session", 1 << 26);
@@ -209,7 +210,7 @@ TEST_F(SessionTools, ABundleSaysNothingOfWhoRecordedItAndWhere) {
 TEST_F(SessionTools, AFileThatABundleNeedsAndThatIsGoneIsNamed) {
   record();
   std::filesystem::remove(folder_ / "dome.obj");
-  const CommandResult result = palpate("bundle results/run.session -o bundle.session");
+  const CommandResult result = palpate("bundle results/run.session -o bundle.session --include .");
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_NE(result.err.find("dome.obj"), std::string::npos) << result.err;
   EXPECT_FALSE(std::filesystem::exists(folder_ / "bundle.session"));
@@ -230,6 +231,82 @@ TEST_F(SessionTools, FilesThatAStrangersSessionCarriesStayInTheirFolder) {
     EXPECT_NE(result.err.find("outside of its folder"), std::string::npos) << name << ": " << result.err;
   }
   EXPECT_FALSE(std::filesystem::exists("/tmp/evil"));
+}
+
+TEST_F(SessionTools, ABundleTakesNoFileFromElsewhereUnlessItIsToldTo) {
+  record();
+  const CommandResult refused = palpate("bundle results/run.session -o bundle.session");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+  for (const char* name : {"dome.obj", "path.csv"}) {
+    EXPECT_NE(refused.err.find("--include '" + pathOf(name) + "'"), std::string::npos) << refused.err;
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "bundle.session"));
+  EXPECT_EQ(palpate("bundle results/run.session -o bundle.session --include dome.obj").exit_code, 2);
+  EXPECT_EQ(palpate("bundle results/run.session -o bundle.session --include dome.obj --include path.csv").exit_code, 0);
+  // What lies beside the recording needs no word; a link that leads out of there does.
+  std::filesystem::rename(folder_ / "results/run.session", folder_ / "run.session");
+  EXPECT_EQ(palpate("bundle run.session -o beside.session").exit_code, 0);
+  const support::TemporaryFolder elsewhere;
+  std::filesystem::create_directories(elsewhere / "secret");
+  std::filesystem::rename(folder_ / "path.csv", elsewhere / "secret/id_rsa");
+  std::filesystem::create_symlink(elsewhere / "secret/id_rsa", folder_ / "path.csv");
+  const CommandResult linked = palpate("bundle run.session -o linked.session");
+  EXPECT_EQ(linked.exit_code, 2);
+  EXPECT_NE(linked.err.find("id_rsa"), std::string::npos) << linked.err;
+}
+
+TEST_F(SessionTools, WordsOfAStrangerReachNoTerminalAsCommands) {
+  const std::string words =
+      "\x1b]0;owned\x07\x1b[2J\x9b"
+      "1m\xe2\x80\xae\rforged\nsoftware    mine";
+  {
+    trace::SessionWriter writer(folder_ / "evil.session", {"now", words, words, 1000.0, words, words},
+                                {{words, words}});
+    writer.add(trace::SessionWorld{"", "", words, 1, 1, {{"", ""}}});
+    writer.add(trace::SessionEvent{0, std::nullopt, words, words});
+    writer.add(trace::Sample{});
+    writer.finish(words);
+  }
+  std::ofstream(folder_ / "evil.toml") << "\x1b[2J = 1\n";
+  for (const char* command : {"info evil.session", "sessions .", "sessions . --json", "info evil.session --json",
+                              "simulate evil.toml", "join evil.session evil.session -o both.session"}) {
+    const CommandResult result = palpate(command);
+    const std::string said = result.out + result.err;
+    EXPECT_FALSE(said.empty());
+    EXPECT_EQ(said.find_first_of("\x1b\x07\x7f\r\x9b"), std::string::npos) << command << ": " << said;
+    EXPECT_EQ(said.find("\nsoftware    mine"), std::string::npos) << command;
+    EXPECT_EQ(said.find("\xe2\x80\xae"), std::string::npos) << command;
+  }
+}
+
+TEST_F(SessionTools, OneFileThatWasMadeToHangItsReaderDoesNotStopTheList) {
+  record();
+  std::filesystem::copy_file(folder_ / "results/run.session", folder_ / "a.session");
+  trace::Database(folder_ / "a.session", trace::Database::Mode::write)
+      .run(
+          "DROP TABLE columns; CREATE VIEW columns AS WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) "
+          "SELECT i AS position, 'tick' AS name, 'u64' AS type FROM n WHERE i < 0");
+  const CommandResult list = palpate("sessions .");
+  EXPECT_EQ(list.exit_code, 0);
+  EXPECT_NE(list.out.find("a.session: holds the view 'columns'"), std::string::npos) << list.out;
+  EXPECT_NE(list.out.find("run.session  "), std::string::npos) << list.out;
+  EXPECT_EQ(palpate("info a.session").exit_code, 2);
+  EXPECT_EQ(palpate("repair a.session -o sound.session").exit_code, 0) << "which reads no SQL";
+}
+
+TEST_F(SessionTools, ANameThatBeginsLikeAFormulaIsNoneInATable) {
+  {
+    trace::SessionWriter writer(folder_ / "a.session", {"now", "", "", 1000.0, "", ""}, {{"=1+1,2", "mouse"}});
+    writer.add(trace::SessionWorld{"", "", "torso", 1, 1, {{"", ""}}});
+    writer.add(trace::Sample{});
+    writer.finish("done");
+  }
+  ASSERT_EQ(palpate("export a.session --csv safe.csv").exit_code, 0);
+  ASSERT_EQ(palpate("export a.session --csv raw.csv --raw").exit_code, 0);
+  EXPECT_NE(contentOf(folder_ / "safe.csv").find("\n0,\"'=1+1,2\","), std::string::npos);
+  EXPECT_NE(contentOf(folder_ / "raw.csv").find("\n0,\"=1+1,2\","), std::string::npos);
+  EXPECT_EQ(palpate("export a.session --json a.json --raw").exit_code, 2);
 }
 
 // --- export ---
@@ -318,7 +395,7 @@ TEST_F(SessionTools, ASessionIsDrawnAsTheRunWas) {
               contentOf(folder_ / (std::string("run") + number)));
   }
   EXPECT_EQ(session["pictures"][1]["fingers"], run["pictures"][1]["fingers"]);
-  palpate("bundle results/run.session -o bundle.session");
+  palpate("bundle results/run.session -o bundle.session --include .");
   std::filesystem::remove(folder_ / "dome.obj");
   EXPECT_EQ(palpate("render bundle.session -o bundle.png --size 80x60 --at 0.35").exit_code, 0);
   EXPECT_EQ(palpate("render bundle.session -o bundle.png --size 80x60 --at 9").exit_code, 2);

@@ -68,6 +68,47 @@ TEST(OutputFile, FollowsALinkAndKeepsThePermissions) {
   EXPECT_EQ(fs::status(folder / "real.csv").permissions(), fs::perms::owner_read | fs::perms::owner_write);
 }
 
+mode_t modeOf(const fs::path& file) {
+  struct stat facts = {};
+  return ::stat(file.c_str(), &facts) == 0 ? facts.st_mode & 07777 : 0;
+}
+
+TEST(OutputFile, FollowsNoLinkInAFolderWhereAnybodyMayLayOne) {
+  const support::TemporaryFolder folder;
+  const fs::path open = folder / "open";
+  fs::create_directories(open);
+  ASSERT_EQ(::chmod(open.c_str(), 01777), 0);
+  writeFile(folder / "mine.csv", "mine");
+  fs::create_symlink(folder / "mine.csv", open / "laid.csv");
+  fs::create_directory_symlink(folder.path(), open / "laid");
+  fs::create_symlink(open / "laid.csv", folder / "far.csv");
+  const std::string refusal = ": is a link in a folder that everybody may write to: name what it leads to";
+  EXPECT_EQ(support::messageOf([&] { writeFile(open / "laid.csv", "new"); }), (open / "laid.csv").string() + refusal);
+  EXPECT_EQ(support::messageOf([&] { writeFile(open / "laid/mine.csv", "new"); }), (open / "laid").string() + refusal);
+  EXPECT_EQ(support::messageOf([&] { writeFile(folder / "far.csv", "new"); }), (open / "laid.csv").string() + refusal);
+  EXPECT_EQ(readFile(folder / "mine.csv", 100), "mine");
+  writeFile(open / "plain.csv", "new");
+  EXPECT_EQ(readFile(open / "plain.csv", 100), "new") << "what is no link is written there as anywhere";
+}
+
+TEST(OutputFile, ForItsOwnerAloneIsSoFromTheFirstByte) {
+  const support::TemporaryFolder folder;
+  const mode_t before = ::umask(0);
+  writeFile(folder / "a.key", "old");  // for all
+  {
+    OutputFile file(folder / "a.key", OutputFile::Unfinished::remove, OutputFile::Access::owner_only);
+    EXPECT_EQ(modeOf(file.partial()), 0600u);
+    file.write("secret");
+    file.commit();
+  }
+  EXPECT_EQ(modeOf(folder / "a.key"), 0600u) << "whatever stood there";
+  createPrivateFile(folder / "b");
+  EXPECT_EQ(modeOf(folder / "b"), 0600u);
+  EXPECT_EQ(support::messageOf([&] { createPrivateFile(folder / "b"); }),
+            (folder / "b").string() + ": cannot be written: File exists");
+  ::umask(before);
+}
+
 TEST(OutputFile, TellsThatItsFileWasDeleted) {
   const support::TemporaryFolder folder;
   fs::create_directories(folder / "disk");

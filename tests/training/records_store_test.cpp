@@ -41,6 +41,7 @@ TEST(RecordsStore, IsThereAgainAfterItWasClosed) {
   Store(folder / "sub/a.results", Store::Open::create_too).keepAny(history.rows);
   Store again(folder / "sub/a.results", Store::Open::read_only);
   EXPECT_EQ(suite::sorted(samples::saidAll(again.rows().all())), suite::sorted(samples::saidAll(history.rows)));
+  EXPECT_EQ(fs::status(folder / "sub").permissions(), fs::perms::owner_all);
   const auto allowed = fs::status(folder / "sub/a.results").permissions();
   EXPECT_EQ(allowed & (fs::perms::group_all | fs::perms::others_all), fs::perms::none);
 }

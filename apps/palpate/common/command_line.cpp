@@ -13,6 +13,7 @@
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/interruption.h"
 #include "apps/palpate/common/progress_line.h"
+#include "apps/palpate/common/readable_text.h"
 #include "palpate/base/nearest_name.h"
 
 namespace palpate::app {
@@ -112,7 +113,7 @@ int parse(CLI::App& app, int argc, char** argv) {
     return answer.get_exit_code();
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    say(fmt::format("palpate: {} (see --help)\n", reasonOf(app, error)));
+    say(readableText(fmt::format("palpate: {} (see --help)\n", reasonOf(app, error))));
     return kWrongInput;
   }
   return 0;
@@ -135,8 +136,8 @@ int runToTheEnd(CLI::App& app, int argc, char** argv) {
   } catch (const std::system_error& error) {  // fmt's, when it cannot print
     if (std::ferror(stdout) != 0) return flushed(kWrongInput);
     say(fmt::format("palpate: {}\n", error.what()));
-  } catch (const std::exception& error) {
-    say(fmt::format("palpate: {}\n", error.what()));
+  } catch (const std::exception& error) {  // it may quote a stranger's file
+    say(readableText(fmt::format("palpate: {}\n", error.what())));
   }
   return kWrongInput;
 }

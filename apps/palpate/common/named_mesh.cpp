@@ -79,21 +79,14 @@ device::Trajectory trajectoryFrom(const std::string& name) {
 
 WrittenMesh::WrittenMesh(const std::string& file_or_name) : file_(file_or_name) {
   if (isMeshFile(file_or_name)) return;
-  file_ = std::filesystem::temp_directory_path() / fmt::format("palpate_{}_{}.stl", file_or_name, getpid());
+  folder_.emplace("palpate-mesh");
+  file_ = folder_->path() / (file_or_name + ".stl");
   const pid_t child = fork();
   if (child == 0) _exit(writeInChild(file_or_name, file_));
   int status = 0;
   const bool ended = child > 0 && waitpid(child, &status, 0) == child;
-  written_ = true;
   if (ended && WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
-  std::error_code ignored;
-  std::filesystem::remove(file_, ignored);
   throw Error(file_or_name + ": could not be made and written to a temporary file");
-}
-
-WrittenMesh::~WrittenMesh() {
-  std::error_code ignored;
-  if (written_) std::filesystem::remove(file_, ignored);
 }
 
 }  // namespace palpate::app

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
+#include "palpate/base/private_folder.h"
 #include "palpate/base/progress.h"
 #include "palpate/device/trajectory.h"
 #include "palpate/mesh/files/load.h"
@@ -26,19 +28,15 @@ mesh::TriangleMesh meshFrom(const std::string& name, const mesh::LoadOptions& op
 /// A mesh file for a command that must start from one: the file itself, or a benchmark mesh written for the occasion.
 class WrittenMesh {
  public:
-  /// For a name (see meshFrom) the mesh is made and written as binary STL into the folder for temporary files, by a
-  /// child process: neither its time nor its memory are this process's. Throws Error.
+  /// For a name (see meshFrom) the mesh is made and written as binary STL into a temporary folder of its own, by a
+  /// child process: neither its time nor its memory are this process's. It goes with the object. Throws Error.
   explicit WrittenMesh(const std::string& file_or_name);
-  /// Removes what was written.
-  ~WrittenMesh();
-  WrittenMesh(const WrittenMesh&) = delete;
-  WrittenMesh& operator=(const WrittenMesh&) = delete;
 
   const std::filesystem::path& file() const { return file_; }
 
  private:
+  std::optional<TemporaryFolder> folder_;
   std::filesystem::path file_;
-  bool written_ = false;
 };
 
 /// A CSV file if one of that name exists or the name ends in .csv; else a benchmark's trajectory. Throws Error.

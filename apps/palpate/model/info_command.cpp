@@ -13,6 +13,7 @@
 #include "apps/palpate/common/json.h"
 #include "apps/palpate/common/mesh_arguments.h"
 #include "apps/palpate/common/progress_line.h"
+#include "apps/palpate/common/readable_text.h"
 #include "apps/palpate/model/table_info.h"
 #include "apps/palpate/model/triangle_shape.h"
 #include "apps/palpate/session/session_text.h"
@@ -184,13 +185,18 @@ Inspection inspect(const InfoArguments& arguments) {
 
 void runInfo(const InfoArguments& arguments) {
   if (isSessionFile(arguments.mesh.file)) {
-    fmt::print("{}",
-               arguments.json ? sessionInfoJson(arguments.mesh.file).dump(2) + "\n" : sessionInfo(arguments.mesh.file));
+    printReadable(arguments.json ? sessionInfoJson(arguments.mesh.file)
+                                           .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+                                       "\n"
+                                 : sessionInfo(arguments.mesh.file));
     return;
   }
   if (isTableOrUnfinished(arguments.mesh.file)) {
-    fmt::print("{}",
-               arguments.json ? tableInfoJson(arguments.mesh.file).dump(2) + "\n" : tableInfo(arguments.mesh.file));
+    printReadable(
+        arguments.json
+            ? tableInfoJson(arguments.mesh.file).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+                  "\n"
+            : tableInfo(arguments.mesh.file));
     return;
   }
   const Inspection found = inspect(arguments);
@@ -200,7 +206,7 @@ void runInfo(const InfoArguments& arguments) {
     if (found.shapes) json["shape"] = asJson(*found.shapes);
     fmt::print("{}\n", json.dump(2));
   } else {
-    fmt::print("{}{}", found.shapes ? asText(*found.shapes) : "", textOf(found.report));
+    printReadable((found.shapes ? asText(*found.shapes) : "") + textOf(found.report));
   }
 }
 

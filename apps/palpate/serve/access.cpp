@@ -1,4 +1,3 @@
-// Own.
 #include "apps/palpate/serve/access.h"
 
 #include <fmt/format.h>
@@ -8,11 +7,14 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "palpate/base/error.h"
 #include "palpate/base/output_file.h"
+#include "palpate/base/private_folder.h"
 #include "palpate/base/text.h"
 
 namespace palpate::app::serving {
@@ -22,6 +24,7 @@ namespace {
 constexpr std::size_t kLeastToken = 16;
 constexpr std::size_t kMostToken = 128;
 constexpr std::uint64_t kMostTokenFile = 4096;
+constexpr std::string_view kTokenFileStem = "serve-";
 
 bool isTokenLetter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
@@ -53,6 +56,16 @@ bool isHostLetter(char c) {
 
 std::string tokenOf(const nlohmann::json& json, const char* name) {
   return json.contains(name) && json[name].is_string() ? json[name].get<std::string>() : std::string();
+}
+
+/// By its name, "serve-PID-...": of a process that is gone, or of an earlier one that had our number.
+bool isOfDeadServer(std::string_view name) {
+  if (!name.starts_with(kTokenFileStem)) return false;
+  name.remove_prefix(kTokenFileStem.size());
+  pid_t process = 0;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), process);
+  if (error != std::errc() || process <= 0) return false;
+  return process == ::getpid() || (::kill(process, 0) != 0 && errno == ESRCH);
 }
 
 }  // namespace
@@ -99,15 +112,18 @@ Role roleOf(const Tokens& tokens, std::string_view offered) noexcept {
 
 void writeTokens(const std::filesystem::path& file, const Tokens& tokens) {
   if (std::filesystem::exists(std::filesystem::symlink_status(file))) failAt(file, EEXIST);
-  OutputFile out(file);
-  // Before the first byte: nobody else may read it at any moment.
-  using std::filesystem::perms;
-  std::filesystem::permissions(out.partial(), perms::owner_read | perms::owner_write);
-  out.write(
-      nlohmann::ordered_json{{"look", tokens.look}, {"control", tokens.control}, {"instruct", tokens.instruct}}.dump(
-          2) +
-      "\n");
-  out.commit();
+  const nlohmann::ordered_json json = {
+      {"look", tokens.look}, {"control", tokens.control}, {"instruct", tokens.instruct}};
+  writePrivateFile(file, json.dump(2) + "\n");
+}
+
+std::filesystem::path freshTokenFile() {
+  const std::filesystem::path folder = runtimeFolder();
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    if (isOfDeadServer(entry.path().filename().string())) std::filesystem::remove(entry.path(), error);
+  }
+  return folder / fmt::format("{}{}-{}.json", kTokenFileStem, ::getpid(), makeToken().substr(0, 8));
 }
 
 Tokens readTokens(const std::filesystem::path& file) {

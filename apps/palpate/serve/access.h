@@ -38,6 +38,10 @@ Role roleOf(const Tokens& tokens, std::string_view offered) noexcept;
 
 /// {"look": ..., "control": ..., "instruct": ...}, for its owner's eyes. Throws Error for a file that is there already.
 void writeTokens(const std::filesystem::path& file, const Tokens& tokens);
+/// Where a server may write tokens that nobody named a file for: in the folder of running programs (runtimeFolder),
+/// which is the user's alone. What servers left there that were killed is removed. Call it before there is one of this
+/// process.
+std::filesystem::path freshTokenFile();
 /// Throws Error: no such file, another form, or a file that others than its owner may read.
 Tokens readTokens(const std::filesystem::path& file);
 

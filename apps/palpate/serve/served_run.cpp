@@ -2,11 +2,9 @@
 #include "apps/palpate/serve/served_run.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -50,12 +48,6 @@ struct MadeFile {
   }
 };
 
-fs::path ownTokenFile() {
-  const char* folder = std::getenv("XDG_RUNTIME_DIR");  // NOLINT(concurrency-mt-unsafe)
-  const fs::path in = folder != nullptr && *folder != '\0' ? fs::path(folder) : fs::temp_directory_path();
-  return in / fmt::format("palpate-serve-{}-{}.json", ::getpid(), makeToken().substr(0, 8));
-}
-
 Tokens tokensFor(const ServeOptions& options) {
   const bool given = !options.tokens.control.empty();
   const bool from_file = !options.token_file.empty() && fs::exists(options.token_file);
@@ -77,7 +69,7 @@ std::unique_ptr<MadeFile> tokenFileFor(const ServeOptions& options, const Tokens
   file->path = options.token_file;
   if (file->path.empty() && !options.json) return file;
   if (file->path.empty()) {
-    file->path = ownTokenFile();
+    file->path = freshTokenFile();
     file->remove = true;
   }
   if (!fs::exists(file->path)) writeTokens(file->path, tokens);

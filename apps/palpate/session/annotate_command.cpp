@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "apps/palpate/common/commands.h"
+#include "apps/palpate/common/interruption.h"
 #include "apps/palpate/common/progress_line.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
@@ -80,6 +81,7 @@ void runAnnotate(const AnnotateArguments& arguments) {
   }
   trace::refuseSame(arguments.out, arguments.file);
   ProgressLine progress;
+  const trace::ReadingWatch watch(endIfAsked);
   trace::SessionReader session(arguments.file);
   const trace::SessionFacts& facts = session.facts();
   trace::SessionHeader header = facts.header;

@@ -12,6 +12,8 @@
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/interruption.h"
 #include "apps/palpate/common/progress_line.h"
+#include "apps/palpate/common/readable_text.h"
+#include "palpate/base/error.h"
 #include "palpate/engine/session_bundle.h"
 #include "palpate/engine/session_settings.h"
 #include "palpate/trace/session_edit.h"
@@ -24,6 +26,7 @@ struct BundleArguments {
   std::filesystem::path file;
   std::filesystem::path out;
   std::filesystem::path folder;
+  std::vector<std::filesystem::path> included;
   bool json = false;
 };
 
@@ -73,31 +76,59 @@ std::string versionsHere(const BundleArguments& arguments, const trace::SessionF
       sqlite.text(0), EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION, FMT_VERSION);
 }
 
+/// Of the files, not of the names that a stranger's scene has for them.
+std::vector<std::filesystem::path> allowedBy(const BundleArguments& arguments) {
+  std::vector<std::filesystem::path> allowed = arguments.included;
+  const std::filesystem::path beside = arguments.file.parent_path();
+  allowed.push_back(beside.empty() ? "." : beside);
+  if (!arguments.folder.empty()) allowed.push_back(arguments.folder);
+  return allowed;
+}
+
+void refuseFilesOutside(trace::SessionReader& session, const BundleArguments& arguments,
+                        const engine::BundleSettings& settings) {
+  const std::vector<std::filesystem::path> files = engine::filesOutside(session, settings);
+  if (files.empty()) return;
+  std::string names;
+  std::string options;
+  for (const std::filesystem::path& file : files) {
+    names += (names.empty() ? "" : ", ") + file.string();
+    options += fmt::format(" --include '{}'", file.string());
+  }
+  throw Error::inFile(arguments.file.string(),
+                      fmt::format("its scene names files outside the folder of the recording: {}; to give them away "
+                                  "too, add{}",
+                                  names, options));
+}
+
 void print(const BundleArguments& arguments, const engine::BundleReport& report) {
   if (arguments.json) {
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
     for (const auto& file : report.files) files.push_back({{"name", file.name}, {"bytes", file.bytes}});
     const nlohmann::ordered_json json = {
         {"file", arguments.out.string()}, {"samples", report.samples}, {"files", files}, {"notes", report.notes}};
-    fmt::print("{}\n", json.dump(2));
+    printReadable(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
     return;
   }
   std::string text = fmt::format("{}: {} samples, {} files that the scene names; `palpate replay` needs nothing else\n",
                                  arguments.out.string(), report.samples, report.files.size());
   for (const auto& file : report.files) text += fmt::format("  file  {}, {} bytes\n", file.name, file.bytes);
   for (const std::string& note : report.notes) text += "  note  " + note + "\n";
-  fmt::print("{}", text);
+  printReadable(text);
 }
 
 void runBundle(const BundleArguments& arguments) {
   trace::refuseSame(arguments.out, arguments.file);
   const FinishesInOrder in_order;  // files that a bundle carries lie in a folder that must go again
+  const trace::ReadingWatch watch(endIfAsked);
   ProgressLine progress;
   trace::SessionReader session(arguments.file);
   engine::BundleSettings settings;
   settings.folder = arguments.folder;
+  settings.allowed = allowedBy(arguments);
   settings.hidden = namesHere();
   settings.versions = versionsHere(arguments, session.facts());
+  refuseFilesOutside(session, arguments, settings);
   const engine::BundleReport report = engine::bundle(session, arguments.out, settings, progress.callback());
   progress.clear();
   print(arguments, report);
@@ -113,6 +144,12 @@ void addBundleCommand(CLI::App& app) {
   command.add_option("SESSION", a.file, "Session file")->required();
   command.add_option("-o,--out", a.out, "Session file to write")->required();
   command.add_option("--folder", a.folder, "Where the files that the scene names lie now; left out: where they lay");
+  command
+      .add_option("--include", a.included,
+                  "Also pack what the scene names of this file or folder, once for each; files outside the "
+                  "recording's folder and --folder are refused without it")
+      ->type_name("PATH")
+      ->allow_extra_args(false);
   command.add_flag("--json", a.json, "Print one JSON object");
   command.callback([=] { runBundle(*arguments); });
 }

@@ -8,9 +8,11 @@
 #include "apps/palpate/common/interruption.h"
 #include "apps/palpate/common/number_option.h"
 #include "apps/palpate/common/progress_line.h"
+#include "apps/palpate/common/readable_text.h"
 #include "apps/palpate/session/session_export.h"
 #include "apps/palpate/session/session_text.h"
 #include "apps/palpate/simulate/surface_files.h"
+#include "palpate/base/csv_cell.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
 #include "palpate/engine/session_bundle.h"
@@ -32,13 +34,15 @@ struct ExportArguments {
   std::filesystem::path attachments;
   std::filesystem::path folder;
   std::optional<double> at_s;
+  bool raw = false;
   TimeSpan span;
 };
 
 std::uint64_t writeCsv(trace::SessionReader& session, const ExportArguments& arguments, const Progress& progress) {
   const trace::SessionFacts& facts = session.facts();
   trace::ForcesCsvSettings settings;
-  for (const trace::SessionFinger& finger : facts.fingers) settings.finger_names.push_back(finger.name);
+  for (const trace::SessionFinger& finger : facts.fingers)
+    settings.finger_names.push_back(csvTextCell(finger.name, arguments.raw ? CsvText::raw : CsvText::safe));
   settings.ticks_per_s = facts.header.ticks_per_s;
   trace::ForcesCsvWriter table(arguments.csv, settings);
   std::uint64_t rows = 0;
@@ -74,7 +78,7 @@ void writeJson(trace::SessionReader& session, const ExportArguments& arguments) 
   }
   json["world_list"] = worlds;
   json["event_list"] = events;
-  writeFile(arguments.json, json.dump(2) + "\n");
+  writeFile(arguments.json, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 /// The skin as the recorded fingers deform it at a moment.
@@ -102,8 +106,10 @@ void requireSomething(const ExportArguments& a) {
 
 void runExport(const ExportArguments& arguments) {
   requireSomething(arguments);
+  if (arguments.raw && arguments.csv.empty()) throw Error("export: --raw is for --csv FILE");
   if (arguments.at_s && arguments.ply.empty()) throw Error("export: --at says the moment of --ply FILE");
   const FinishesInOrder in_order;  // files that the session carries lie in a folder that must go again
+  const trace::ReadingWatch watch(endIfAsked);
   ProgressLine progress;
   trace::SessionReader session(arguments.file);
   std::string text;
@@ -130,7 +136,7 @@ void runExport(const ExportArguments& arguments) {
     text += fmt::format("scene -> {}\n", arguments.scene.string());
   }
   progress.clear();
-  fmt::print("{}", text);
+  printReadable(text);
 }
 
 }  // namespace
@@ -141,6 +147,9 @@ void addExportCommand(CLI::App& app) {
   CLI::App& command = *app.add_subcommand("export", "Write a recorded session as files that other programs read");
   command.add_option("SESSION", a.file, "Session file")->required();
   command.add_option("--csv", a.csv, "Every tick, as forces.csv has it");
+  command.add_flag("--raw", a.raw,
+                   "Of --csv: write names that begin like a formula (= + - @) as they are, for programs; without it an "
+                   "apostrophe stands before them");
   command.add_option("--json", a.json, "Everything but the ticks: header, fingers, worlds, events");
   command.add_option("--scene", a.scene, "The scene that it began with (TOML)");
   command.add_option("--npz", a.npz, "Every column of every tick as arrays for NumPy: numpy.load(FILE)['index.tick']");

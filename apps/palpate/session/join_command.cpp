@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "apps/palpate/common/commands.h"
+#include "apps/palpate/common/interruption.h"
 #include "apps/palpate/common/progress_line.h"
+#include "apps/palpate/common/readable_text.h"
 #include "palpate/trace/session_edit.h"
 
 namespace palpate::app {
@@ -21,6 +23,7 @@ struct JoinArguments {
 
 void runJoin(const JoinArguments& arguments) {
   ProgressLine progress;
+  const trace::ReadingWatch watch(endIfAsked);
   const trace::Joined joined = trace::join(arguments.files, arguments.out, progress.callback());
   progress.clear();
   if (arguments.json) {
@@ -29,13 +32,13 @@ void runJoin(const JoinArguments& arguments) {
                                          {"begins", joined.begins},
                                          {"last_tick", joined.last_tick},
                                          {"notes", joined.notes}};
-    fmt::print("{}\n", json.dump(2));
+    printReadable(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
     return;
   }
   std::string text = fmt::format("{}: {} samples of {} sessions, one after another\n", arguments.out.string(),
                                  joined.samples, joined.begins.size());
   for (const std::string& note : joined.notes) text += "  note  " + note + "\n";
-  fmt::print("{}", text);
+  printReadable(text);
 }
 
 }  // namespace

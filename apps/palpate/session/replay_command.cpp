@@ -9,8 +9,10 @@
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/interruption.h"
 #include "apps/palpate/common/progress_line.h"
+#include "apps/palpate/common/readable_text.h"
 #include "apps/palpate/render/render_options.h"
 #include "apps/palpate/session/session_text.h"
+#include "palpate/base/csv_cell.h"
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/engine/session_bundle.h"
@@ -70,7 +72,7 @@ std::string textOf(const ReplayArguments& arguments, const engine::ReplayReport&
 std::optional<trace::ForcesCsvWriter> tableFor(const ReplayArguments& arguments, const trace::SessionFacts& facts) {
   if (arguments.out.empty()) return std::nullopt;
   trace::ForcesCsvSettings settings;
-  for (const trace::SessionFinger& finger : facts.fingers) settings.finger_names.push_back(finger.name);
+  for (const trace::SessionFinger& finger : facts.fingers) settings.finger_names.push_back(csvTextCell(finger.name));
   settings.ticks_per_s = facts.header.ticks_per_s;
   return std::optional<trace::ForcesCsvWriter>(std::in_place, arguments.out, settings);
 }
@@ -98,6 +100,7 @@ void runReplay(const ReplayArguments& arguments) {
   trace::SessionReader session(arguments.file);
   const trace::TickSpan span = spanOf(arguments, session.facts());
   const FinishesInOrder in_order;  // files that the session carries lie in a folder that must go again
+  const trace::ReadingWatch watch(endIfAsked);
   const engine::CarriedFiles carried(session);
   const std::filesystem::path folder = arguments.folder.empty() ? carried.folder() : arguments.folder;
   std::optional<trace::ForcesCsvWriter> table = tableFor(arguments, session.facts());
@@ -121,7 +124,8 @@ void runReplay(const ReplayArguments& arguments) {
                      {"first_difference", differenceJson(report)},
                      {"notes", report.notes},
                      {"gaps", report.gaps}};
-  fmt::print("{}", arguments.json ? json.dump(2) + "\n" : textOf(arguments, report, times_real_time));
+  printReadable(arguments.json ? json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n"
+                               : textOf(arguments, report, times_real_time));
   if (!arguments.film.empty()) draw(arguments);
   if (arguments.verify && !report.identical()) throw CLI::RuntimeError(1);
 }

@@ -10,6 +10,7 @@
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/interruption.h"
 #include "apps/palpate/common/progress_line.h"
+#include "apps/palpate/common/readable_text.h"
 #include "apps/palpate/session/session_report.h"
 #include "apps/palpate/session/session_text.h"
 #include "apps/palpate/train/report/training_report.h"
@@ -82,7 +83,7 @@ void printNumbers(const nlohmann::ordered_json& json) {
 
 void printSentences(const std::vector<std::string>& sentences, const std::filesystem::path& file,
                     const std::filesystem::path& page) {
-  for (const std::string& sentence : sentences) fmt::print("{}\n", readableText(sentence));
+  for (const std::string& sentence : sentences) fmt::print("{}\n", readableLine(sentence));
   fmt::print("{} -> {}\n", file.string(), page.string());
 }
 
@@ -105,6 +106,7 @@ void runSessionReport(const ReportArguments& arguments) {
   const std::filesystem::path page = wants_page ? targetOf(arguments) : std::filesystem::path();
   const ReportSettings settings{arguments.file, arguments.folder, reportSpan(arguments, session.facts())};
   const FinishesInOrder in_order;  // files that the session carries lie in a folder that must go again
+  const trace::ReadingWatch watch(endIfAsked);
   const SessionReport report = sessionReport(session, settings, progress.callback());
   if (wants_page) writeFile(page, reportPage(report, progress.callback()));
   progress.clear();

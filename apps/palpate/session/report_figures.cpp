@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "apps/palpate/common/readable_text.h"
+
 namespace palpate::app {
 
 namespace {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "apps/palpate/common/readable_text.h"
 #include "study/report/report_html.h"
 
 namespace palpate::app {

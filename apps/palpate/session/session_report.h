@@ -61,9 +61,6 @@ std::string reportPage(const SessionReport& report, const Progress& progress);
 /// Stands in every page, near its beginning.
 inline constexpr std::string_view kReportMark = "<meta name=\"generator\" content=\"palpate report\" />";
 
-/// Text that somebody else wrote as XML may hold it: what is no UTF-8 or a control character becomes U+FFFD.
-std::string readableText(std::string_view text);
-
 /// A bit of a status that was set in some ticks of a finger.
 struct StatusLine {
   std::size_t finger = 0;

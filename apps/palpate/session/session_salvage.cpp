@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/palpate/common/progress_line.h"
+#include "apps/palpate/common/readable_text.h"
 #include "apps/palpate/session/session_text.h"
 #include "palpate/trace/session_repair.h"
 
@@ -79,7 +80,8 @@ void salvageSession(const std::filesystem::path& file, const std::filesystem::pa
   ProgressLine progress;
   const trace::SessionRepair repair = trace::repairSession(file, out, progress.callback());
   progress.clear();
-  fmt::print("{}", json ? jsonOf(out, repair).dump(2) + "\n" : textOf(out, repair));
+  printReadable(json ? jsonOf(out, repair).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n"
+                     : textOf(out, repair));
 }
 
 }  // namespace palpate::app

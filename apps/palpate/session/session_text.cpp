@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/palpate/common/number_option.h"
+#include "apps/palpate/common/readable_text.h"
 #include "palpate/base/error.h"
 #include "palpate/engine/session_settings.h"
 
@@ -18,7 +19,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string endWords(const trace::SessionFacts& facts) {
-  return facts.ended_by.empty() ? "no end: it is being written, or its program was killed" : "ended: " + facts.ended_by;
+  return facts.ended_by.empty() ? "no end: it is being written, or its program was killed"
+                                : "ended: " + readableLine(facts.ended_by);
 }
 
 double bytesPerSample(const std::filesystem::path& file, const trace::SessionFacts& facts) {
@@ -85,11 +87,12 @@ bool isSessionFile(const std::filesystem::path& file) {
 
 std::string sessionLine(const trace::SessionFacts& facts) {
   std::string fingers;
-  for (const trace::SessionFinger& finger : facts.fingers) fingers += (fingers.empty() ? "" : ", ") + finger.name;
-  std::string text =
-      fmt::format("{}  {:8.1f} s  {}; {}", facts.header.started_utc, facts.seconds(), fingers, endWords(facts));
+  for (const trace::SessionFinger& finger : facts.fingers)
+    fingers += (fingers.empty() ? "" : ", ") + readableLine(finger.name);
+  std::string text = fmt::format("{}  {:8.1f} s  {}; {}", readableLine(facts.header.started_utc), facts.seconds(),
+                                 fingers, endWords(facts));
   if (facts.dropped > 0) text += fmt::format("; {} samples were dropped", facts.dropped);
-  if (!facts.header.notes.empty()) text += "; " + facts.header.notes;
+  if (!facts.header.notes.empty()) text += "; " + readableLine(facts.header.notes);
   return text;
 }
 
@@ -119,25 +122,26 @@ Json factsJson(const trace::SessionFacts& facts) {
 std::string sessionInfo(const std::filesystem::path& file) {
   trace::SessionReader reader(file);
   const trace::SessionFacts& facts = reader.facts();
-  std::string text = fmt::format("session     begun {}, {}\n", facts.header.started_utc, endWords(facts));
+  std::string text = fmt::format("session     begun {}, {}\n", readableLine(facts.header.started_utc), endWords(facts));
   text += fmt::format("length      {:.3f} s, {} samples at {:.0f} a second, {:.0f} bytes each\n", facts.seconds(),
                       facts.samples, facts.header.ticks_per_s, bytesPerSample(file, facts));
   if (facts.dropped > 0) text += fmt::format("dropped     {} samples found no room\n", facts.dropped);
   for (const trace::SessionFinger& finger : facts.fingers) {
-    text += fmt::format("finger      {}, held by {}\n", finger.name, finger.device);
+    text += fmt::format("finger      {}, held by {}\n", readableLine(finger.name), readableLine(finger.device));
   }
   for (std::uint64_t i = 0; i < facts.worlds; ++i) {
     const trace::SessionWorld world = reader.world(facts.first_world + i);
-    text += fmt::format("world       {}, {} triangles\n", world.body, world.triangles);
+    text += fmt::format("world       {}, {} triangles\n", readableLine(world.body), world.triangles);
     text += limitsText(world, facts);
   }
   for (const trace::SessionEvent& event : reader.events()) {
     text += fmt::format("event       {:.3f} s, {}: {}\n", static_cast<double>(event.tick) / facts.header.ticks_per_s,
-                        event.kind, event.text);
+                        readableLine(event.kind), readableLine(event.text));
   }
-  text += fmt::format("software    {} on {}\n", facts.header.software, facts.header.machine);
-  if (!facts.header.notes.empty()) text += "notes       " + facts.header.notes + "\n";
-  if (!facts.header.tags.empty()) text += "tags        " + facts.header.tags + "\n";
+  text +=
+      fmt::format("software    {} on {}\n", readableLine(facts.header.software), readableLine(facts.header.machine));
+  if (!facts.header.notes.empty()) text += "notes       " + readableLine(facts.header.notes) + "\n";
+  if (!facts.header.tags.empty()) text += "tags        " + readableLine(facts.header.tags) + "\n";
   for (const auto& [block, why] : reader.damagedBlocks()) text += fmt::format("damaged     block {}: {}\n", block, why);
   return text;
 }

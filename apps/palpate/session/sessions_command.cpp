@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "apps/palpate/common/commands.h"
+#include "apps/palpate/common/readable_text.h"
 #include "apps/palpate/session/session_text.h"
 #include "apps/viewer/files/session_keeper.h"
 #include "palpate/base/error.h"
@@ -52,7 +53,8 @@ void runSessions(const SessionsArguments& arguments) {
     }
   }
   if (text.empty()) text = fmt::format("no session (*.session) under {}\n", folder.string());
-  fmt::print("{}", arguments.json ? json.dump(2) + "\n" : text);
+  printReadable(arguments.json ? json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n"
+                               : text);
 }
 
 }  // namespace

@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/palpate/common/commands.h"
+#include "apps/palpate/common/interruption.h"
 #include "apps/palpate/common/progress_line.h"
+#include "apps/palpate/common/readable_text.h"
 #include "apps/palpate/session/session_text.h"
 #include "palpate/trace/session_edit.h"
 
@@ -48,6 +50,7 @@ std::string textOf(const TrimArguments& arguments, const trace::Trimmed& trimmed
 void runTrim(const TrimArguments& arguments) {
   trace::refuseSame(arguments.out, arguments.file);
   ProgressLine progress;
+  const trace::ReadingWatch watch(endIfAsked);
   trace::SessionReader session(arguments.file);
   const double rate = session.facts().header.ticks_per_s;
   const trace::TrimSettings settings{ticksOf(arguments.span, rate), arguments.exact};
@@ -58,7 +61,8 @@ void runTrim(const TrimArguments& arguments) {
       {"first_tick", trimmed.copied.first_tick}, {"last_tick", trimmed.copied.last_tick},
       {"worlds", trimmed.copied.worlds},         {"earlier_ticks", trimmed.earlier_ticks},
       {"not_at_rest", trimmed.not_at_rest}};
-  fmt::print("{}", arguments.json ? json.dump(2) + "\n" : textOf(arguments, trimmed, rate));
+  printReadable(arguments.json ? json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n"
+                               : textOf(arguments, trimmed, rate));
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "apps/palpate/common/json.h"
 #include "apps/palpate/common/number_option.h"
 #include "apps/palpate/common/progress_line.h"
+#include "apps/palpate/common/readable_text.h"
 #include "apps/palpate/train/class_commands.h"
 #include "apps/palpate/train/results_commands.h"
 #include "apps/viewer/classroom/class_window.h"
@@ -65,7 +66,7 @@ void printBoard(const ClassWatchArguments& arguments, const classroom::ClassWatc
   const auto started = Clock::now();
   while (endAskedBy() == 0) {
     std::this_thread::sleep_for(std::chrono::seconds(1));
-    fmt::print("{}\n", boardJson(watch).dump());
+    printReadable(boardJson(watch).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
     std::fflush(stdout);
     if (arguments.seconds > 0.0 && secondsSince(started) >= arguments.seconds) return;
   }

@@ -6,7 +6,8 @@
 
 #include "apps/palpate/train/results_commands.h"
 #include "palpate/base/error.h"
-#include "palpate/base/text.h"
+#include "palpate/base/output_file.h"
+#include "palpate/base/private_folder.h"
 #include "palpate/classroom/class_store.h"
 #include "palpate/classroom/database_copy.h"
 #include "palpate/training/records/export.h"
@@ -22,6 +23,7 @@ struct ExportArguments {
   ResultsArguments results;
   std::string csv, json, xapi;
   training::XapiSettings settings;
+  bool raw = false;
   bool force = false;
 };
 
@@ -44,18 +46,20 @@ void runResultsExport(const ExportArguments& arguments) {
   if (arguments.csv.empty() && arguments.json.empty() && arguments.xapi.empty()) {
     throw Error("export: say as what: --csv DIR, --json FILE or --xapi FILE");
   }
+  if (arguments.raw && arguments.csv.empty()) throw Error("export: --raw is for --csv DIR");
   training::Store store = openedResults(arguments.results);
   std::vector<std::pair<fs::path, std::string>> files;
   if (!arguments.csv.empty()) {
-    for (const auto& [name, text] : training::csvFiles(store.rows()))
+    const CsvText kind = arguments.raw ? CsvText::raw : CsvText::safe;
+    for (const auto& [name, text] : training::csvFiles(store.rows(), kind))
       files.emplace_back(fs::path(arguments.csv) / name, text);
   }
   if (!arguments.json.empty()) files.emplace_back(arguments.json, training::jsonText(store.rows()));
   if (!arguments.xapi.empty()) files.emplace_back(arguments.xapi, training::xapiText(store.rows(), arguments.settings));
   for (const auto& [file, text] : files) refuseThere(file, arguments.force);
-  if (!arguments.csv.empty()) fs::create_directories(arguments.csv);
+  if (!arguments.csv.empty()) makePrivateFolder(arguments.csv);
   for (const auto& [file, text] : files) {
-    writeFile(file, text);
+    writePrivateFile(file, text);
     fmt::print("{}\n", file.string());
   }
   noteExport(arguments.results.file, store, files.size());
@@ -79,6 +83,10 @@ void addResultsExportCommand(CLI::App& parent) {
   command.add_option("--home-page", arguments->settings.home_page, "Of the accounts in xAPI: a page of your own")
       ->capture_default_str()
       ->type_name("URL");
+  command.add_flag(
+      "--raw", arguments->raw,
+      "Write texts that begin like a formula (= + - @) as they are, for programs; without it an apostrophe "
+      "stands before them");
   command.add_flag("--force", arguments->force, "Replace files that are there");
   command.callback([arguments] { runResultsExport(*arguments); });
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "apps/palpate/common/readable_text.h"
 #include "apps/palpate/train/results_commands.h"
 #include "palpate/base/error.h"
 #include "palpate/training/records/verify.h"
@@ -25,7 +26,9 @@ struct ReadingArguments {
   std::string trainee;
 };
 
-void printResults(const ResultsJson& json) { fmt::print("{}\n", json.dump(2)); }
+void printResults(const ResultsJson& json) {
+  printReadable(json.dump(2, ' ', false, ResultsJson::error_handler_t::replace) + "\n");
+}
 
 void runResultsList(const ReadingArguments& arguments) {
   Store store = openedResults(arguments.results);
@@ -37,7 +40,7 @@ void runResultsList(const ReadingArguments& arguments) {
     text += sittingLine(store, sitting);
   }
   if (arguments.results.json) return printResults({{"file", store.file().string()}, {"sittings", json}});
-  fmt::print("{}", text.empty() ? fmt::format("{}: no sitting yet\n", store.file().string()) : text);
+  printReadable(text.empty() ? fmt::format("{}: no sitting yet\n", store.file().string()) : text);
 }
 
 /// Finished blocks that measured a threshold, oldest first.
@@ -103,7 +106,7 @@ void runResultsTrainee(const ReadingArguments& arguments) {
                                  summary.sittings, summary.trials, whenWords(summary.row.created_ms),
                                  measuredWords(summary.first), measuredWords(summary.last));
   for (const SittingRow& sitting : sittings) text += "  " + sittingLine(store, sitting);
-  fmt::print("{}", text);
+  printReadable(text);
 }
 
 void runResultsClass(const ReadingArguments& arguments) {
@@ -118,7 +121,7 @@ void runResultsClass(const ReadingArguments& arguments) {
                     summary.sittings, summary.trials, measuredWords(summary.first), measuredWords(summary.last));
   }
   if (arguments.results.json) return printResults({{"file", store.file().string()}, {"trainees", json}});
-  fmt::print("{}", text.empty() ? fmt::format("{}: no trainee yet\n", store.file().string()) : text);
+  printReadable(text.empty() ? fmt::format("{}: no trainee yet\n", store.file().string()) : text);
 }
 
 void runResultsVerify(const ReadingArguments& arguments) {
@@ -137,8 +140,8 @@ void runResultsVerify(const ReadingArguments& arguments) {
                   {"faults", found.faults},
                   {"notes", found.notes}});
   } else {
-    for (const std::string& fault : found.faults) fmt::print("fault  {}\n", fault);
-    for (const std::string& note : found.notes) fmt::print("note   {}\n", note);
+    for (const std::string& fault : found.faults) printReadable("fault  " + readableLine(fault) + "\n");
+    for (const std::string& note : found.notes) printReadable("note   " + readableLine(note) + "\n");
     fmt::print("{}: {}; {} trainees, {} sittings, {} blocks ({} computed again), {} trials, {} session files\n",
                store.file().string(), found.ok() ? "whole" : "NOT whole", found.trainees, found.sittings, found.blocks,
                found.recomputed, found.trials, found.session_files);

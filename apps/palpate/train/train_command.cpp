@@ -18,6 +18,7 @@
 #include "apps/viewer/training/screen_tour.h"
 #include "apps/viewer/viewer.h"
 #include "palpate/base/error.h"
+#include "palpate/base/private_folder.h"
 #include "palpate/classroom/class_settings.h"
 #include "palpate/training/records/trainee_code.h"
 
@@ -51,10 +52,7 @@ viewer::TrainingSettings trainingSettings(const TrainOptions& options) {
   settings.seed = options.seed;
   settings.session_files = !options.no_session_file;
   if (!options.no_speech) settings.speech = viewer::speechProgram();
-  std::error_code ignored;
-  if (settings.records.has_parent_path()) {
-    std::filesystem::create_directories(settings.records.parent_path(), ignored);
-  }
+  if (settings.records.has_parent_path()) makePrivateFolder(settings.records.parent_path());
   return settings;
 }
 

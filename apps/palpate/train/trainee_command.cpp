@@ -145,7 +145,6 @@ class TraineeCommand {
   int run() {
     openBench();
     const std::filesystem::path file = recordsFile(options_);
-    if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
     training::Store store(file, training::Store::Open::create_too);
     keepFirst(store);
     std::optional<classroom::StationLink> link;

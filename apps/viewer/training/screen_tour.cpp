@@ -10,7 +10,7 @@
 #include "apps/viewer/panels/widgets.h"
 #include "apps/viewer/viewer.h"
 #include "palpate/base/error.h"
-#include "palpate/training/records/trainee_code.h"
+#include "palpate/base/private_folder.h"
 #include "palpate/view/image.h"
 
 namespace palpate::viewer {
@@ -31,19 +31,10 @@ constexpr std::uint64_t kTourCode = 0x1234567;
 /// One that is gone afterwards, with all that was answered.
 class RecordsOfNobody {
  public:
-  RecordsOfNobody() : folder_(fs::temp_directory_path() / fmt::format("palpate-tour-{}", training::systemRandom()[0])) {
-    fs::create_directories(folder_);
-  }
-  ~RecordsOfNobody() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-  RecordsOfNobody(const RecordsOfNobody&) = delete;
-  RecordsOfNobody& operator=(const RecordsOfNobody&) = delete;
-  fs::path file() const { return folder_ / "nobody.results"; }
+  fs::path file() const { return folder_.path() / "nobody.results"; }
 
  private:
-  fs::path folder_;
+  TemporaryFolder folder_{"palpate-tour"};
 };
 
 class Tour {

@@ -43,10 +43,7 @@ void SittingRun::record(LiveServo& servo) {
   settings.header.tags = "training";
   settings.fingers = fingersOf(servo);
   settings.file = file_;
-  std::error_code error;
-  std::filesystem::create_directories(file_.parent_path(), error);
-  if (error) throw Error::inFile(file_.parent_path().string(), error.message());
-  std::filesystem::permissions(file_.parent_path(), std::filesystem::perms::owner_all, error);
+  files_.makeFolder();
   recorder_ = std::make_unique<engine::SessionRecorder>(servo.thread(), std::move(settings));
 }
 

@@ -37,7 +37,12 @@ constexpr const char* kInUse = "this Session";
 /// A file that is read; closed when Python says so.
 class SessionFile {
  public:
-  explicit SessionFile(const std::filesystem::path& file) : file_(file), reader_(std::in_place, file) {}
+  explicit SessionFile(const std::filesystem::path& file) : file_(file) {
+    unlocked([&](Interrupts& interrupts) {
+      const trace::ReadingWatch watch([&] { interrupts.check(); });
+      reader_.emplace(file);
+    });
+  }
 
   trace::SessionReader& reader() {
     if (!reader_) throw py::value_error("the session is closed");
@@ -341,8 +346,7 @@ trace::SessionRepair repaired(const std::filesystem::path& file, const std::file
   if (!overwrite && std::filesystem::exists(target)) {
     throw Error::inFile(target.string(), "is there already; overwrite=True replaces it");
   }
-  return unlocked(
-      [&](Interrupts& interrupts) { return trace::repairSession(file, target, interrupts.progress()); });
+  return unlocked([&](Interrupts& interrupts) { return trace::repairSession(file, target, interrupts.progress()); });
 }
 
 FactsList missingOf(const trace::SessionRepair& repair, const std::vector<trace::MissingTicks>& missing) {
@@ -389,12 +393,14 @@ void bindRepair(py::module_& module) {
       .def_property_readonly(
           "notes", [](const SessionRepair& r) { return textsOf(r.notes); }, "What else was seen.")
       .def("__repr__", [](const SessionRepair& r) {
-        return fmt::format("SessionRepair({} samples, {})", r.samples, r.nothingLost() ? "nothing lost" : "with losses");
+        return fmt::format("SessionRepair({} samples, {})", r.samples,
+                           r.nothingLost() ? "nothing lost" : "with losses");
       });
-  module.def("repair", repaired, py::arg("file"), py::arg("target"), py::kw_only(), py::arg("overwrite") = false,
-             "Writes what can still be read of a damaged session into `target`; `file` is only read. A sample comes\n"
-             "out with every bit, or not at all. Releases the GIL. Raises Error where there is nothing to salvage, for\n"
-             "a target that is there already, and for the same file twice.");
+  module.def(
+      "repair", repaired, py::arg("file"), py::arg("target"), py::kw_only(), py::arg("overwrite") = false,
+      "Writes what can still be read of a damaged session into `target`; `file` is only read. A sample comes\n"
+      "out with every bit, or not at all. Releases the GIL. Raises Error where there is nothing to salvage, for\n"
+      "a target that is there already, and for the same file twice.");
 }
 
 void bindReplay(py::module_& module) {

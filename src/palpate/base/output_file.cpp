@@ -1,7 +1,7 @@
 // The partial file lies beside its target, so that the rename stays within one file system. Order: write, fsync, close,
 // rename, fsync of the folder; a full disk is told by one of the first three, while the old file is still there, and
 // after a power cut there is the old file or the new one, whole. The system's own calls instead of a stream: each write
-// tells at once, and a program that is killed leaves what it has written. Cold path. Own.
+// tells at once, and a program that is killed leaves what it has written. Cold path.
 #include "palpate/base/output_file.h"
 
 #include <fcntl.h>
@@ -24,6 +24,41 @@ namespace fs = std::filesystem;
 
 constexpr int kMostLinks = 40;
 constexpr mode_t kNewFileMode = 0666;  // less the umask
+constexpr mode_t kOwnerMode = 0600;
+
+/// Where everybody may lay a link under any name: the system's folder for temporary files.
+bool isOpenFolder(const fs::path& folder) {
+  struct stat facts = {};
+  return ::stat(folder.empty() ? "." : folder.c_str(), &facts) == 0 && (facts.st_mode & S_ISVTX) != 0 &&
+         (facts.st_mode & S_IWOTH) != 0;
+}
+
+/// A link on the way to this file that anybody may have laid; empty: none.
+fs::path linkOfAnybody(const fs::path& file) {
+  fs::path way;
+  std::error_code error;
+  for (const fs::path& part : file) {
+    const fs::path before = way;
+    way /= part;
+    if (fs::is_symlink(fs::symlink_status(way, error)) && isOpenFolder(before)) return way;
+  }
+  return {};
+}
+
+/// Also those that links lead to. The kernel's own guard (fs.protected_symlinks) does not reach a link that a program
+/// reads and follows itself.
+void refuseLinksOfAnybody(fs::path target) {
+  std::error_code error;
+  for (int i = 0; i < kMostLinks; ++i) {
+    if (const fs::path link = linkOfAnybody(target); !link.empty()) {
+      throw Error::inFile(link.string(), "is a link in a folder that everybody may write to: name what it leads to");
+    }
+    if (!fs::is_symlink(fs::symlink_status(target, error))) return;
+    const fs::path next = fs::read_symlink(target, error);
+    if (error) return;
+    target = target.parent_path() / next;
+  }
+}
 
 /// The file that a chain of links means: renaming onto a link would replace the link.
 fs::path withoutLinks(fs::path target) {
@@ -57,6 +92,15 @@ int createPartial(const fs::path& target, mode_t mode, fs::path& partial) {
   return descriptor;
 }
 
+/// The mode of the file that is replaced; somebody else's never opens ours wider. Where it cannot be kept, the usual
+/// one is as good.
+void keepMode(int descriptor, const struct stat& old) {
+  struct stat fresh = {};
+  if (::fstat(descriptor, &fresh) != 0) return;
+  const bool ours = old.st_uid == ::geteuid();
+  ::fchmod(descriptor, old.st_mode & 0777 & (ours ? mode_t{0777} : fresh.st_mode));
+}
+
 /// Some file systems cannot, and say so with one of these; a disk that failed says another.
 bool synced(int descriptor) {
   return ::fsync(descriptor) == 0 || errno == EINVAL || errno == ENOTSUP || errno == EROFS;
@@ -76,12 +120,27 @@ static_assert(std::atomic<int>::is_always_lock_free);
 
 }  // namespace
 
+void writePrivateFile(const fs::path& file, std::string_view content) {
+  OutputFile output(file, OutputFile::Unfinished::remove, OutputFile::Access::owner_only);
+  output.write(content);
+  output.commit();
+}
+
+void createPrivateFile(const fs::path& file) {
+  const int descriptor = create(file, kOwnerMode);
+  if (descriptor < 0) {
+    throw Error::inFile(file.string(), "cannot be written: " + std::generic_category().message(errno));
+  }
+  ::close(descriptor);
+}
+
 int filesUnderWay() noexcept { return files_under_way.load(); }
 
 OutputFile::UnderWay::UnderWay() { ++files_under_way; }
 OutputFile::UnderWay::~UnderWay() { --files_under_way; }
 
-OutputFile::OutputFile(fs::path target, Unfinished unfinished) : target_(std::move(target)) {
+OutputFile::OutputFile(fs::path target, Unfinished unfinished, Access access) : target_(std::move(target)) {
+  refuseLinksOfAnybody(target_);
   if (isWrittenDirectly(target_)) {
     written_ = target_;
     descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
@@ -93,10 +152,10 @@ OutputFile::OutputFile(fs::path target, Unfinished unfinished) : target_(std::mo
   const bool replaces = ::stat(place_.c_str(), &old) == 0;
   // A rename asks only the folder: a file that its owner protected stays protected.
   if (replaces) check(::access(place_.c_str(), W_OK) == 0);
-  descriptor_ = createPartial(place_, kNewFileMode, written_);
+  descriptor_ = createPartial(place_, access == Access::owner_only ? kOwnerMode : kNewFileMode, written_);
   check(descriptor_ >= 0);
   removes_ = unfinished == Unfinished::remove;
-  if (replaces) ::fchmod(descriptor_, old.st_mode & 07777);  // where it cannot be kept, the usual one is as good
+  if (replaces && access == Access::usual) keepMode(descriptor_, old);
 }
 
 OutputFile::~OutputFile() {

@@ -9,13 +9,18 @@ namespace palpate {
 /// Writes beside the target, to `<target>.partial` (or `.2.partial`, ...: what an interrupted run left is never
 /// overwritten), and gives it the target's name on `commit`, when it is safe on the disk. Until then what was there
 /// stays as it was; without a commit nothing new is left. A target that is no regular file (a pipe, a device) is
-/// written directly, a link is followed. Every failure throws Error with the target's name and the system's reason.
+/// written directly, a link is followed, but none that lies in a folder where everybody may lay one (sticky, as /tmp).
+/// Every failure throws Error with the target's name and the system's reason.
 class OutputFile {
  public:
   /// What becomes of the partial file when there is no commit.
   enum class Unfinished { remove, keep };  // kept: what was written, if anything
+  /// Who may read it. `owner_only`: mode 0600 from its first byte, whatever stood there; for secrets and for what a
+  /// person did. `usual`: as the umask says, or as the file that it replaces.
+  enum class Access { usual, owner_only };
 
-  explicit OutputFile(std::filesystem::path target, Unfinished unfinished = Unfinished::remove);
+  explicit OutputFile(std::filesystem::path target, Unfinished unfinished = Unfinished::remove,
+                      Access access = Access::usual);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
@@ -49,6 +54,12 @@ class OutputFile {
   bool committed_ = false;
   int descriptor_ = -1;
 };
+
+/// Writes the whole file for its owner alone, replacing what was there. Throws Error.
+void writePrivateFile(const std::filesystem::path& file, std::string_view content);
+
+/// An empty file for its owner alone. Throws Error for one that is there already.
+void createPrivateFile(const std::filesystem::path& file);
 
 /// How many files the process is writing at this moment; may be asked in a signal's handler.
 int filesUnderWay() noexcept;

@@ -182,17 +182,7 @@ std::string roleCertificateName(Role role, int number) {
   return number == 1 ? fmt::format("{}+", wordFor(role)) : fmt::format("{}+{}", wordFor(role), number);
 }
 
-void writeKeyFile(const fs::path& file, const std::string& text) {
-  const mode_t before = umask(S_IRWXG | S_IRWXO);
-  try {
-    writeFile(file, text);
-  } catch (...) {
-    umask(before);
-    throw;
-  }
-  umask(before);
-  fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
-}
+void writeKeyFile(const fs::path& file, const std::string& text) { writePrivateFile(file, text); }
 
 std::string accessList(const std::string& class_id) {
   const std::string root = fmt::format("palpate/v1/{}/st", class_id);

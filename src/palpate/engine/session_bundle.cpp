@@ -1,15 +1,16 @@
 // Each file gets a folder of its own in the bundle, "files/3/back.gltf", so that what a glTF file names still lies
-// beside it, and no two names meet. The scene is read, its places are changed and it is written again. Own.
+// beside it, and no two names meet. The scene is read, its places are changed and it is written again.
 #include "palpate/engine/session_bundle.h"
 
 #include <fmt/format.h>
-#include <stdlib.h>
 
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <set>
 
 #include "palpate/base/error.h"
+#include "palpate/base/private_folder.h"
 #include "palpate/base/text.h"
 #include "palpate/mesh/files/load.h"
 #include "palpate/scene/scene_file.h"
@@ -34,10 +35,9 @@ bool isWithin(const fs::path& name) {
          name.string().find_first_of(std::string("\\\0", 2)) == std::string::npos;
 }
 
-fs::path newFolder() {
-  std::string name = (fs::temp_directory_path() / "palpate-session-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) throw Error::inFile(name, "no folder can be made there");
-  return name;
+/// The same place, or one in it.
+bool isAtOrIn(const fs::path& file, const fs::path& place) {
+  return std::mismatch(place.begin(), place.end(), file.begin(), file.end()).first == place.end();
 }
 
 bool isOfWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
@@ -65,7 +65,28 @@ class Bundle {
     hideFolders();
   }
 
+  std::vector<fs::path> outside() {
+    std::vector<fs::path> places = settings_.allowed;
+    if (!carried_.folder().empty()) places.push_back(carried_.folder());
+    std::error_code error;
+    for (fs::path& place : places) {
+      place = fs::canonical(place, error);  // one that is not there holds nothing: empty
+    }
+    std::erase(places, fs::path());
+    std::set<fs::path> found;
+    for (const fs::path& file : filesOfScenes()) {
+      const fs::path real = fs::canonical(file, error);
+      if (error) continue;  // where it is needed, `pack` says that it is not there
+      const auto holds = [&real](const fs::path& place) { return isAtOrIn(real, place); };
+      if (std::none_of(places.begin(), places.end(), holds)) found.insert(real);
+    }
+    return {found.begin(), found.end()};
+  }
+
   BundleReport write(const fs::path& target, const Progress& progress) {
+    if (const std::vector<fs::path> files = outside(); !files.empty()) {
+      throw Error::inFile(files.front().string(), "is outside of what may be packed");
+    }
     trace::SessionHeader header = session_.facts().header;
     for (std::string* text : {&header.machine, &header.notes, &header.tags}) hide(*text);
     std::vector<trace::SessionFinger> fingers = session_.facts().fingers;
@@ -104,15 +125,37 @@ class Bundle {
                      [](const auto& a, const auto& b) { return a.first.size() > b.first.size(); });
   }
 
+  fs::path folderOf(const trace::SessionWorld& world) const {
+    if (!settings_.folder.empty()) return settings_.folder;
+    return carried_.folder().empty() ? fs::path(world.folder) : carried_.folder();
+  }
+
+  scene::Scene sceneOf(const trace::SessionWorld& world) const {
+    return scene::parse(world.scene, (folderOf(world) / "session.toml").string());
+  }
+
+  std::vector<fs::path> filesOfScenes() {
+    std::vector<fs::path> files;
+    const trace::SessionFacts& facts = session_.facts();
+    for (std::uint64_t i = 0; i < facts.worlds; ++i) {
+      scene::Scene scene = sceneOf(session_.world(facts.first_world + i));
+      for (const NamedFile& named : namedFiles(scene)) {
+        std::error_code error;
+        if (named.place->empty() || !fs::exists(*named.place, error)) continue;
+        files.push_back(*named.place);
+        if (!named.is_mesh) continue;
+        for (const fs::path& beside : mesh::filesBeside(*named.place)) files.push_back(beside);
+      }
+    }
+    return files;
+  }
+
   void hide(std::string& text) const {
     for (const auto& [word, with] : hidden_) replaceWord(text, word, with);
   }
 
   void pack(trace::SessionWorld& world) {
-    const fs::path folder = !settings_.folder.empty()    ? settings_.folder
-                            : !carried_.folder().empty() ? carried_.folder()
-                                                         : fs::path(world.folder);
-    scene::Scene scene = scene::parse(world.scene, (folder / "session.toml").string());
+    scene::Scene scene = sceneOf(world);
     for (const NamedFile& named : namedFiles(scene)) {
       if (!named.place->empty()) *named.place = kBundle / nameOf(*named.place, named);
     }
@@ -190,7 +233,7 @@ CarriedFiles::CarriedFiles(trace::SessionReader& session) {
         throw Error(fmt::format("the session carries a file named '{}', which would lie outside of its folder",
                                 attachment.name));
       }
-      if (folder_.empty()) folder_ = newFolder();
+      if (folder_.empty()) folder_ = newTemporaryFolder("palpate-session");
       fs::create_directories((folder_ / name).parent_path());
       writeFile(folder_ / name, attachment.data);
     });
@@ -204,6 +247,10 @@ CarriedFiles::CarriedFiles(trace::SessionReader& session) {
 CarriedFiles::~CarriedFiles() {
   std::error_code ignored;
   if (!folder_.empty()) fs::remove_all(folder_, ignored);
+}
+
+std::vector<fs::path> filesOutside(trace::SessionReader& session, const BundleSettings& settings) {
+  return Bundle(session, settings).outside();
 }
 
 BundleReport bundle(trace::SessionReader& session, const fs::path& target, const BundleSettings& settings,

@@ -43,6 +43,9 @@ class CarriedFiles {
 
 struct BundleSettings {
   std::filesystem::path folder;  ///< where the files that the scene names lie now; empty: where they lay
+  /// Files and folders that may be packed. A stranger's scene may name any file of whoever packs it, under any folder;
+  /// what a link leads to counts.
+  std::vector<std::filesystem::path> allowed;
   /// Words that are written as others: names of people and computers. As whole words only.
   std::vector<std::pair<std::string, std::string>> hidden;
   std::string versions;  ///< of software and libraries, for whoever gets it
@@ -58,7 +61,11 @@ struct BundleReport {
   std::vector<std::string> notes;
 };
 
-/// Throws Error for a file that the scene needs and that is not there.
+/// Files that the scenes name, or that their meshes name, and that are in none of the allowed places: none is packed.
+/// With all links followed, each once. Throws Error for a scene or a mesh that cannot be read.
+std::vector<std::filesystem::path> filesOutside(trace::SessionReader& session, const BundleSettings& settings);
+
+/// Throws Error for a file that the scene needs and that is not there, and for one outside of the allowed places.
 BundleReport bundle(trace::SessionReader& session, const std::filesystem::path& target, const BundleSettings& settings,
                     const Progress& progress = {});
 

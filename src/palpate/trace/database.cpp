@@ -1,13 +1,17 @@
-// Own, over SQLite's C interface.
+// Over SQLite's C interface. What is switched off and limited follows "Defense Against The Dark Arts"
+// (sqlite.org/security.html); no limit is near what this project's own statements and files need.
 #include "palpate/trace/database.h"
 
 #include <fmt/format.h>
 #include <sqlite3.h>
 
+#include <array>
 #include <cerrno>
 #include <system_error>
+#include <utility>
 
 #include "palpate/base/error.h"
+#include "palpate/base/output_file.h"
 
 namespace palpate::trace {
 
@@ -15,6 +19,40 @@ namespace {
 
 /// Another program that writes the file is waited for so long.
 constexpr int kBusyMs = 5000;
+
+constexpr const char* kInMemory = ":memory:";
+
+// Steps of SQLite's machine, some ten million a second at least. Reading every row of a file, checking it and copying
+// it takes less than one for each of its bytes.
+constexpr int kStepsBetweenChecks = 10'000;
+constexpr std::int64_t kFreeSteps = 10'000'000;
+constexpr std::int64_t kStepsPerByte = 4;
+
+struct SizeLimit {
+  int which;
+  int most;
+};
+constexpr std::array<SizeLimit, 8> kSizeLimits = {{{SQLITE_LIMIT_SQL_LENGTH, 100'000},
+                                                   {SQLITE_LIMIT_COLUMN, 100},
+                                                   {SQLITE_LIMIT_EXPR_DEPTH, 100},
+                                                   {SQLITE_LIMIT_COMPOUND_SELECT, 10},
+                                                   {SQLITE_LIMIT_VDBE_OP, 50'000},
+                                                   {SQLITE_LIMIT_FUNCTION_ARG, 20},
+                                                   {SQLITE_LIMIT_LIKE_PATTERN_LENGTH, 1000},
+                                                   {SQLITE_LIMIT_WORKER_THREADS, 0}}};
+
+struct Switch {
+  int which;
+  int on;
+};
+constexpr std::array<Switch, 6> kSwitches = {{{SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0},
+                                              {SQLITE_DBCONFIG_DEFENSIVE, 1},
+                                              {SQLITE_DBCONFIG_ENABLE_VIEW, 0},
+                                              {SQLITE_DBCONFIG_ENABLE_TRIGGER, 0},
+                                              {SQLITE_DBCONFIG_DQS_DDL, 0},
+                                              {SQLITE_DBCONFIG_DQS_DML, 0}}};
+
+thread_local const ReadingWatch* reading_watch = nullptr;
 
 int flagsOf(Database::Mode mode) {
   switch (mode) {
@@ -34,6 +72,7 @@ std::string wordsFor(sqlite3* database) {
   const int code = ::sqlite3_errcode(database) & 0xff;  // without what it extends
   if (code == SQLITE_CORRUPT) return "is damaged; `palpate repair` salvages what is left of a session";
   if (code == SQLITE_NOTADB) return "is no session file";
+  if (code == SQLITE_INTERRUPT) return "takes longer to read than a file of its size can need: it is not read further";
   const int told = ::sqlite3_system_errno(database);  // 0 where it has been forgotten on the way here
   const int reason = code == SQLITE_FULL ? ENOSPC : told != 0 ? told : errno;
   const bool of_the_system = code == SQLITE_FULL || code == SQLITE_IOERR || code == SQLITE_CANTOPEN;
@@ -50,7 +89,9 @@ Statement::Statement(Database& database, std::string_view sql) : database_(datab
   const int result =
       ::sqlite3_prepare_v2(database.database_.get(), sql.data(), static_cast<int>(sql.size()), &statement, nullptr);
   statement_.reset(statement);
-  if (result != SQLITE_OK) database.fail("cannot be asked");
+  if (result == SQLITE_OK) return;
+  database.rethrowWhatEndedIt();
+  database.fail("cannot be asked");
 }
 
 Statement& Statement::with(std::int64_t value) {
@@ -84,14 +125,17 @@ Statement& Statement::withNull() {
 }
 
 bool Statement::next() {
+  if (!std::exchange(runs_, true)) database_.guard_->steps = 0;
   const int result = ::sqlite3_step(statement_.get());
   if (result == SQLITE_ROW) return true;
+  runs_ = false;
   const std::string words = wordsFor(database_.database_.get());
   ::sqlite3_reset(statement_.get());
   ::sqlite3_clear_bindings(statement_.get());
   bound_ = 0;
-  if (result != SQLITE_DONE) throw Error::inFile(database_.name(), words);
-  return false;
+  if (result == SQLITE_DONE) return false;
+  database_.rethrowWhatEndedIt();
+  throw Error::inFile(database_.name(), words);
 }
 
 void Statement::run() {
@@ -135,23 +179,76 @@ std::string_view Statement::blob(int column) const {
 
 void Database::Close::operator()(sqlite3* database) const { ::sqlite3_close(database); }
 
+ReadingWatch::ReadingWatch(std::function<void()> check)
+    : check_(std::move(check)), before_(std::exchange(reading_watch, this)) {}
+ReadingWatch::~ReadingWatch() { reading_watch = before_; }
+
 Database::Database(const std::filesystem::path& file, Mode mode, const std::filesystem::path& called)
-    : name_((called.empty() ? file : called).string()) {
+    : name_((called.empty() ? file : called).string()), guard_(std::make_unique<Guard>()) {
+  const bool in_memory = file == kInMemory;
+  if (!in_memory) guard_->file = file;
+  guard_->reads = mode == Mode::read;
   std::error_code error;
-  const bool exists = std::filesystem::exists(file, error);
+  const auto kind = std::filesystem::status(file, error);
+  const bool exists = std::filesystem::exists(kind);
   if (mode == Mode::create && exists) throw Error::inFile(name_, "is there already");
   if (mode != Mode::create && !exists) throw Error::inFile(name_, "no such file");
-  if (std::filesystem::is_directory(file, error)) throw Error::inFile(name_, "is a folder");
+  if (std::filesystem::is_directory(kind)) throw Error::inFile(name_, "is a folder");
+  if (exists && !std::filesystem::is_regular_file(kind)) throw Error::inFile(name_, "is not a file");
+  if (mode == Mode::create && !in_memory) createPrivateFile(file);
   sqlite3* database = nullptr;
   const int result =
       ::sqlite3_open_v2(file.c_str(), &database, flagsOf(mode) | SQLITE_OPEN_EXRESCODE | SQLITE_OPEN_NOFOLLOW, nullptr);
   database_.reset(database);
   if (result != SQLITE_OK) fail("cannot be opened");
   ::sqlite3_busy_timeout(database_.get(), kBusyMs);
+  harden();
+}
+
+void Database::harden() const {
+  for (const Switch& one : kSwitches) ::sqlite3_db_config(database_.get(), one.which, one.on, nullptr);
+  for (const SizeLimit& limit : kSizeLimits) ::sqlite3_limit(database_.get(), limit.which, limit.most);
+  // VACUUM attaches the copy that it makes.
+  ::sqlite3_limit(database_.get(), SQLITE_LIMIT_ATTACHED, guard_->reads ? 0 : 1);
+  ::sqlite3_progress_handler(database_.get(), kStepsBetweenChecks, &Database::onProgress, guard_.get());
+}
+
+/// Called by SQLite, through which nothing may be thrown. Anything but 0 ends the statement.
+int Database::onProgress(void* of_database) noexcept {
+  Guard& guard = *static_cast<Guard*>(of_database);
+  guard.steps += kStepsBetweenChecks;
+  if (guard.reads && reading_watch != nullptr) {
+    try {
+      reading_watch->check();
+    } catch (...) {
+      guard.ended_by = std::current_exception();
+      return 1;
+    }
+  }
+  if (guard.steps <= kFreeSteps || guard.file.empty()) return 0;
+  std::error_code error;
+  std::int64_t bytes = 0;
+  for (const char* companion : {"", "-wal"}) {
+    const auto size = std::filesystem::file_size(guard.file.string() + companion, error);
+    if (!error) bytes += static_cast<std::int64_t>(size);
+  }
+  return guard.steps > kFreeSteps + kStepsPerByte * bytes ? 1 : 0;
+}
+
+void Database::rethrowWhatEndedIt() const {
+  if (const std::exception_ptr cause = std::exchange(guard_->ended_by, nullptr)) std::rethrow_exception(cause);
 }
 
 void Database::run(const std::string& sql) {
-  if (::sqlite3_exec(database_.get(), sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) fail({});
+  guard_->steps = 0;
+  if (::sqlite3_exec(database_.get(), sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK) return;
+  rethrowWhatEndedIt();
+  fail({});
+}
+
+void Database::copyInto(const std::filesystem::path& file) {
+  ::sqlite3_limit(database_.get(), SQLITE_LIMIT_ATTACHED, 1);
+  Statement(*this, "VACUUM INTO ?1").with(file.string()).run();
 }
 
 std::int64_t Database::integer(std::string_view sql) {

@@ -1,10 +1,16 @@
 // SQLite as this project uses it: a file, statements that are prepared once, errors that name the file.
 //
+// Every file is opened as a stranger's: what its schema may bring along is switched off (views, triggers, functions of
+// ours), its sizes are limited, and a statement that takes more steps than a file of its size can need is ended. Which
+// tables it may have is known_schema.h's.
+//
 // Everything of a session file goes through here; nobody else includes sqlite3.h.
 #pragma once
 
 #include <cstdint>
+#include <exception>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -50,6 +56,23 @@ class Statement {
   Database& database_;
   std::unique_ptr<sqlite3_stmt, Finalize> statement_;
   int bound_ = 0;
+  bool runs_ = false;  ///< between its first row and its end
+};
+
+/// While one lives, a long statement that reads on this thread calls it every few milliseconds; what it throws ends the
+/// statement and comes out of it. For Ctrl+C. Statements of files that are written are not ended so.
+class ReadingWatch {
+ public:
+  explicit ReadingWatch(std::function<void()> check);
+  ~ReadingWatch();
+  ReadingWatch(const ReadingWatch&) = delete;
+  ReadingWatch& operator=(const ReadingWatch&) = delete;
+
+  void check() const { check_(); }
+
+ private:
+  std::function<void()> check_;
+  const ReadingWatch* before_;
 };
 
 /// An open file. One thread at a time.
@@ -57,8 +80,9 @@ class Database {
  public:
   enum class Mode { read, write, create };
 
-  /// `create` throws for a file that exists. Throws Error with the file's name, or what it is called instead, and
-  /// SQLite's or the system's words.
+  /// `create` throws for a file that exists, and makes one for its owner alone (mode 0600, which SQLite gives to what
+  /// it puts beside the file). Throws Error with the file's name, or what it is called instead, and SQLite's or the
+  /// system's words.
   Database(const std::filesystem::path& file, Mode mode, const std::filesystem::path& called = {});
 
   /// Statements without values, separated by semicolons. Throws Error.
@@ -67,6 +91,8 @@ class Database {
   std::int64_t integer(std::string_view sql);
   /// Rows that the last statement inserted, changed or deleted.
   std::int64_t changes() const;
+  /// All of it into `file`, which is empty or not there. Throws Error.
+  void copyInto(const std::filesystem::path& file);
 
   const std::string& name() const { return name_; }
   [[noreturn]] void fail(std::string_view what) const;
@@ -76,7 +102,19 @@ class Database {
   struct Close {
     void operator()(sqlite3* database) const;
   };
+  /// What a statement may cost, and what ended one.
+  struct Guard {
+    std::filesystem::path file;  ///< empty: in memory
+    bool reads = false;
+    std::int64_t steps = 0;  ///< of the statement that was begun last
+    std::exception_ptr ended_by = {};
+  };
+  void harden() const;
+  static int onProgress(void* guard) noexcept;
+  void rethrowWhatEndedIt() const;
+
   std::string name_;
+  std::unique_ptr<Guard> guard_;  ///< outlives the database, which calls it
   std::unique_ptr<sqlite3, Close> database_;
 };
 

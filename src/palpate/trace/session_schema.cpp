@@ -1,9 +1,9 @@
-// Own.
 #include "palpate/trace/session_schema.h"
 
 #include <fmt/format.h>
 
 #include "palpate/base/error.h"
+#include "palpate/trace/known_schema.h"
 #include "palpate/trace/sample_block.h"
 
 namespace palpate::trace {
@@ -83,6 +83,37 @@ CREATE TABLE attachments(             -- pictures, sound notes, files that the s
 ) STRICT;
 )";
 
+/// What version 1 had otherwise; later versions have the tables above.
+constexpr const char* kTablesOfVersion1 = R"(
+CREATE TABLE session(
+  id INTEGER PRIMARY KEY CHECK (id = 1),
+  started_utc TEXT NOT NULL,
+  ended_utc TEXT,
+  ended_by TEXT,
+  software TEXT NOT NULL,
+  machine TEXT NOT NULL,
+  ticks_per_s REAL NOT NULL,
+  dropped INTEGER NOT NULL DEFAULT 0,
+  notes TEXT NOT NULL DEFAULT '',
+  tags TEXT NOT NULL DEFAULT ''
+) STRICT;
+CREATE TABLE fingers(
+  id INTEGER PRIMARY KEY,
+  name TEXT NOT NULL,
+  device TEXT NOT NULL
+) STRICT;
+)";
+
+/// Of every version: one that has another's table fails at the first column that is not there.
+const KnownSchema& schemaOfSessions() {
+  static const KnownSchema known = [] {
+    KnownSchema all = schemaMadeBy(kTables);
+    all.merge(schemaMadeBy(kTablesOfVersion1));
+    return all;
+  }();
+  return known;
+}
+
 }  // namespace
 
 void makeSessionTables(Database& database) {
@@ -108,6 +139,7 @@ std::int64_t checkSession(Database& database) {
     throw Error::inFile(database.name(), fmt::format("is a session of version {}; this program reads up to {}", version,
                                                      kSessionVersion));
   }
+  requireKnownSchema(database, schemaOfSessions(), "a session");
   return version;
 }
 

@@ -17,7 +17,8 @@ inline constexpr std::int64_t kSessionVersion = 4;
 /// Makes the tables in an empty file. Throws Error.
 void makeSessionTables(Database& database);
 
-/// The version of its tables. Throws Error for a file that is no session, and for one of a later version.
+/// The version of its tables. Throws Error for a file that is no session, for one of a later version, and for one that
+/// holds more, or something else, than the tables and indexes of a session (known_schema.h).
 std::int64_t checkSession(Database& database);
 
 /// A scene's text as it is meant today, from a file of that version: before version 3 a scene that named no kind of

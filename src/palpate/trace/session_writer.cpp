@@ -1,4 +1,3 @@
-// Own.
 #include "palpate/trace/session_writer.h"
 
 #include <fmt/chrono.h>
@@ -67,7 +66,7 @@ SessionWriter::~SessionWriter() {
 
 SessionWriter::SessionWriter(const std::filesystem::path& file, const SessionHeader& header,
                              const std::vector<SessionFinger>& fingers)
-    : file_(file),
+    : file_(file, OutputFile::Unfinished::remove, OutputFile::Access::owner_only),
       open_(std::make_unique<Open>(file_.partial(), file)),
       waiting_(fingers.size()),
       part_ticks_(std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(kPartS * header.ticks_per_s)))) {
@@ -234,12 +233,11 @@ void SessionWriter::discard() {
 }
 
 void copySession(const std::filesystem::path& session, const std::filesystem::path& copy, std::string_view ended_by) {
-  OutputFile file(copy);
+  OutputFile file(copy, OutputFile::Unfinished::remove, OutputFile::Access::owner_only);
   {
     Database source(session, Database::Mode::read);
     checkSession(source);
-    // It wants to make the file itself; its place is taken by an empty one.
-    Statement(source, "VACUUM INTO ?1").with(file.partial().string()).run();
+    source.copyInto(file.partial());
   }
   {
     Database copied(file.partial(), Database::Mode::write, copy);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "palpate/base/error.h"
+#include "palpate/base/private_folder.h"
 #include "palpate/base/text.h"
 #include "palpate/measure/key_row.h"
 #include "palpate/measure/person/person_folder.h"
@@ -120,9 +121,7 @@ std::vector<std::string> beginPerson(const fs::path& folder, const Protocol& pro
   if (fs::exists(folder / kProtocolFile)) {
     throw Error::inFile((folder / kProtocolFile).string(), "is there already and is not replaced");
   }
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw Error::inFile(folder.string(), error.message());
+  makePrivateFolder(folder);
   std::vector<std::string> written;
   const auto write = [&](const std::string& name, const std::string& text) {
     writeFile(folder / name, text);

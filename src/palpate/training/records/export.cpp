@@ -11,20 +11,12 @@ namespace palpate::training {
 
 namespace {
 
-std::string csvQuoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) {
-    quoted += c;
-    if (c == '"') quoted += c;
-  }
-  return quoted + '"';
+std::string csvCell(const std::string& value, CsvText kind) { return csvTextCell(value, kind); }
+std::string csvCell(const std::optional<double>& value, CsvText /*kind*/) {
+  return value ? fmt::format("{}", *value) : std::string();
 }
-
-std::string csvCell(const std::string& value) { return csvQuoted(value); }
-std::string csvCell(const std::optional<double>& value) { return value ? fmt::format("{}", *value) : std::string(); }
 template <class Value>
-std::string csvCell(const Value& value) {
+std::string csvCell(const Value& value, CsvText /*kind*/) {
   if constexpr (std::is_enum_v<Value>) {
     return std::string(wordFor(value));
   } else {
@@ -43,13 +35,13 @@ std::string csvHeader() {
 }
 
 template <class R>
-std::string csvLine(const R& row) {
+std::string csvLine(const R& row, CsvText kind) {
   std::string line;
   bool first = true;
   eachField(
       [&](const char* /*name*/, const auto& value, const FieldRule& /*rule*/) {
         if (!first) line += ',';
-        line += csvCell(value);
+        line += csvCell(value, kind);
         first = false;
       },
       row);
@@ -57,20 +49,20 @@ std::string csvLine(const R& row) {
 }
 
 template <class R>
-ExportedFile csvTable(const std::string& name, const std::vector<AnyRow>& rows) {
+ExportedFile csvTable(const std::string& name, const std::vector<AnyRow>& rows, CsvText kind) {
   ExportedFile file{name, csvHeader<R>() + "\r\n"};
   for (const AnyRow& row : rows) {
-    if (const auto* held = std::get_if<R>(&row)) file.text += csvLine(*held) + "\r\n";
+    if (const auto* held = std::get_if<R>(&row)) file.text += csvLine(*held, kind) + "\r\n";
   }
   return file;
 }
 
-ExportedFile csvVisits(const std::vector<AnyRow>& rows) {
+ExportedFile csvVisits(const std::vector<AnyRow>& rows, CsvText kind) {
   ExportedFile file{"site_visits.csv", "trial_id," + csvHeader<SiteVisit>() + "\r\n"};
   for (const AnyRow& row : rows) {
     const auto* trial = std::get_if<TrialRow>(&row);
     if (trial == nullptr) continue;
-    for (const SiteVisit& visit : trial->visits) file.text += trial->id + "," + csvLine(visit) + "\r\n";
+    for (const SiteVisit& visit : trial->visits) file.text += trial->id + "," + csvLine(visit, kind) + "\r\n";
   }
   return file;
 }
@@ -81,7 +73,7 @@ ExportedFile csvDictionary() {
   for (const TableInfo& table : tables()) {
     if (own.contains(table.name)) continue;
     for (const ColumnInfo& column : table.columns) {
-      file.text += fmt::format("{},{},{}\r\n", table.name, column.name, csvQuoted(std::string(column.means)));
+      file.text += fmt::format("{},{},{}\r\n", table.name, column.name, csvTextCell(column.means));
     }
   }
   return file;
@@ -105,13 +97,13 @@ std::vector<AnyRow> exportedRows(RowTables& rows) {
   return all;
 }
 
-std::vector<ExportedFile> csvFiles(RowTables& rows) {
+std::vector<ExportedFile> csvFiles(RowTables& rows, CsvText kind) {
   const std::vector<AnyRow> all = exportedRows(rows);
-  return {csvTable<StationRow>("stations.csv", all), csvTable<ClassRow>("classes.csv", all),
-          csvTable<TraineeRow>("trainees.csv", all), csvTable<ProtocolRow>("protocols.csv", all),
-          csvTable<SittingRow>("sessions.csv", all), csvTable<BlockRow>("blocks.csv", all),
-          csvTable<TrialRow>("trials.csv", all),     csvVisits(all),
-          csvTable<EventRow>("events.csv", all),     csvDictionary()};
+  return {csvTable<StationRow>("stations.csv", all, kind), csvTable<ClassRow>("classes.csv", all, kind),
+          csvTable<TraineeRow>("trainees.csv", all, kind), csvTable<ProtocolRow>("protocols.csv", all, kind),
+          csvTable<SittingRow>("sessions.csv", all, kind), csvTable<BlockRow>("blocks.csv", all, kind),
+          csvTable<TrialRow>("trials.csv", all, kind),     csvVisits(all, kind),
+          csvTable<EventRow>("events.csv", all, kind),     csvDictionary()};
 }
 
 std::string jsonText(RowTables& rows) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "palpate/base/csv_cell.h"
 #include "palpate/training/records/row_tables.h"
 
 namespace palpate::training {
@@ -19,8 +20,9 @@ struct ExportedFile {
 /// All rows, as they may be seen outside: of blocks that go on no state and no seed, of instructors' messages no text.
 std::vector<AnyRow> exportedRows(RowTables& rows);
 
-/// A table a file, and data_dictionary.csv, which says what each column means. RFC 4180.
-std::vector<ExportedFile> csvFiles(RowTables& rows);
+/// A table a file, and data_dictionary.csv, which says what each column means. RFC 4180. Texts that a spreadsheet would
+/// take for formulas are told by `kind`.
+std::vector<ExportedFile> csvFiles(RowTables& rows, CsvText kind = CsvText::safe);
 
 /// One object with a list for each table; trials have their visits in them.
 std::string jsonText(RowTables& rows);

@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "palpate/base/error.h"
-#include "palpate/trace/database.h"
+#include "palpate/trace/known_schema.h"
 #include "palpate/training/records/trainee_code.h"
 
 namespace palpate::training {
@@ -17,16 +17,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kKeyTable =
+    "CREATE TABLE IF NOT EXISTS trainee_key (ref TEXT NOT NULL PRIMARY KEY, secret BLOB NOT NULL) STRICT";
+
+void requireVault(trace::Database& vault) {
+  static const trace::KnownSchema known = trace::schemaMadeBy(kKeyTable);
+  trace::requireKnownSchema(vault, known, "a vault of keys");
+}
+
 trace::Database openedVault(const fs::path& file) {
   using Mode = trace::Database::Mode;
   std::error_code error;
   const bool there = fs::exists(file, error);
   trace::Database vault(file, there ? Mode::write : Mode::create);
-  // Before the first key is in it.
-  if (!there) fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
-  vault.run(
-      "PRAGMA journal_mode = TRUNCATE; PRAGMA synchronous = EXTRA; PRAGMA secure_delete = ON;"
-      "CREATE TABLE IF NOT EXISTS trainee_key (ref TEXT NOT NULL PRIMARY KEY, secret BLOB NOT NULL) STRICT");
+  requireVault(vault);
+  vault.run("PRAGMA journal_mode = TRUNCATE; PRAGMA synchronous = EXTRA; PRAGMA secure_delete = ON");
+  vault.run(kKeyTable);
   return vault;
 }
 
@@ -47,6 +53,7 @@ std::optional<TraineeKey> KeyVault::find(const std::string& key_ref) const {
   std::error_code error;
   if (!fs::exists(file_, error)) return std::nullopt;
   trace::Database vault(file_, trace::Database::Mode::read);
+  requireVault(vault);
   trace::Statement select(vault, "SELECT secret FROM trainee_key WHERE ref = ?1");
   if (!select.with(std::string_view(key_ref)).next()) return std::nullopt;
   const std::string_view secret = select.blob(0);

@@ -147,7 +147,7 @@ void lockFile(const std::filesystem::path& in, const std::filesystem::path& out,
   if (!plain.isOpen()) throw Error::inFile(in.string(), "cannot be read");
   const LockHeader header = newHeader(key_ref);
   PieceCipher cipher(key, header);
-  OutputFile file(out);
+  OutputFile file(out, OutputFile::Unfinished::remove, OutputFile::Access::owner_only);
   file.write(header.bytes);
   std::string piece;
   std::uint64_t at = 0;
@@ -167,7 +167,7 @@ void unlockFile(const std::filesystem::path& in, const std::filesystem::path& ou
   const auto header = headerOf(sealed);
   if (!header) throw Error::inFile(in.string(), "is no locked session file");
   PieceCipher cipher(key, *header);
-  OutputFile file(out);
+  OutputFile file(out, OutputFile::Unfinished::remove, OutputFile::Access::owner_only);
   std::string piece;
   std::uint64_t at = header->bytes.size();
   for (std::uint32_t number = 0;; ++number) {

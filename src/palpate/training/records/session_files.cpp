@@ -6,10 +6,10 @@
 #include <chrono>
 
 #include "palpate/base/error.h"
+#include "palpate/base/private_folder.h"
 #include "palpate/trace/session_writer.h"
 #include "palpate/training/records/row_check.h"
 #include "palpate/training/records/sha256.h"
-#include "palpate/training/records/trainee_code.h"
 
 namespace palpate::training {
 
@@ -54,6 +54,8 @@ fs::path SessionFiles::pathOf(const std::string& name) const {
   checkField("session", "file", name, field_rule::file());
   return store_.folder() / name;
 }
+
+void SessionFiles::makeFolder() const { makePrivateFolder(folder(), ExistingFolder::closed); }
 
 std::string SessionFiles::keyOf(const Uuid& trainee) {
   std::optional<TraineeRow> row = store_.trainee(trainee);
@@ -108,11 +110,7 @@ OpenedSession SessionFiles::open(const SittingRow& sitting) const {
     throw Error(fmt::format("sitting {} has no session file: none was recorded, or it is no longer kept", sitting.id));
   }
   const fs::path kept = pathOf(sitting.file);
-  const auto random = systemRandom();
-  const fs::path folder = fs::temp_directory_path() / fmt::format("palpate-{:016x}{:016x}", random[0], random[1]);
-  fs::create_directory(folder);
-  fs::permissions(folder, fs::perms::owner_all);
-  OpenedSession opened(folder / (sitting.id + std::string(kSessionExtension)));
+  OpenedSession opened(newTemporaryFolder("palpate-session") / (sitting.id + std::string(kSessionExtension)));
   if (const auto ref = lockedWith(kept)) {
     const auto key = vault_.find(*ref);
     if (!key) throw Error::inFile(kept.string(), "its key is not in " + vault_.file().string());

@@ -47,6 +47,10 @@ class SessionFiles {
   /// Of SittingRow::file. Throws Error for a name that leads out of the folder.
   std::filesystem::path pathOf(const std::string& name) const;
 
+  /// Where recordings are kept, for its owner alone (mode 0700, also where an earlier version left it open). Throws
+  /// Error.
+  void makeFolder() const;
+
   /// The name of the trainee's key, made and kept where there is none yet. Throws Error for an unknown trainee.
   std::string keyOf(const Uuid& trainee);
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "palpate/trace/database.h"
+#include "palpate/trace/known_schema.h"
 #include "palpate/training/records/sql.h"
 
 namespace palpate::training {
@@ -20,6 +21,10 @@ class SqliteSql : public Sql {
   void run(const std::string& statements) override { database_.run(statements); }
   std::vector<SqlValues> ask(std::string_view sql, const SqlValues& values = {}) override;
   std::int64_t change(std::string_view sql, const SqlValues& values = {}) override;
+  /// See known_schema.h.
+  void requireKnownSchema(const trace::KnownSchema& known, std::string_view what) {
+    trace::requireKnownSchema(database_, known, what);
+  }
 
  private:
   trace::Statement& prepared(std::string_view sql, const SqlValues& values);

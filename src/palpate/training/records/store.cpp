@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "palpate/base/error.h"
+#include "palpate/base/private_folder.h"
 #include "palpate/training/records/sqlite_sql.h"
 #include "palpate/training/records/trainee_code.h"
 
@@ -31,16 +32,35 @@ void turn(Sql& sql, const char* setting, bool on) {
 }
 
 /// A file of nothing: whoever made it was killed before there was a table in it.
-void makeEmptyFile(const fs::path& file) {
-  trace::Database(file, trace::Database::Mode::create).run("VACUUM");
-  // Records of people are for their keeper alone; what SQLite puts beside the file follows it.
-  fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
+void makeEmptyFile(const fs::path& file) { trace::Database(file, trace::Database::Mode::create).run("VACUUM"); }
+
+/// Tables of every version, made by it or brought forward to it.
+const trace::KnownSchema& schemaOfRecords() {
+  static const trace::KnownSchema known = [] {
+    trace::KnownSchema all;
+    for (int begun = 1; begun <= kSchemaVersion; ++begun) {
+      std::string text = ddl(Dialect::sqlite, begun);
+      all.merge(trace::schemaMadeBy(text));
+      for (int to = begun + 1; to <= kSchemaVersion; ++to)
+        all.merge(trace::schemaMadeBy(text += migration(Dialect::sqlite, to)));
+    }
+    return all;
+  }();
+  return known;
+}
+
+/// Asked of nothing but a table of ours.
+bool isOfNewerSchema(SqliteSql& sql) {
+  const auto found = sql.ask("SELECT sql FROM sqlite_schema WHERE name = 'schema_version'");
+  if (found.size() != 1) return false;
+  const auto* text = std::get_if<std::string>(&found.front().front());
+  return text != nullptr && trace::isKnown(schemaOfRecords(), *text) && schemaVersionOf(sql) > kSchemaVersion;
 }
 
 std::unique_ptr<SqliteSql> openedRecords(const fs::path& file, Store::Open how) {
   std::error_code error;
   if (how == Store::Open::create_too && !fs::exists(file, error)) {
-    if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);  // opening says what is wrong
+    if (file.has_parent_path()) makePrivateFolder(file.parent_path());
     makeEmptyFile(file);
   }
   using Mode = trace::Database::Mode;
@@ -56,6 +76,8 @@ std::unique_ptr<SqliteSql> openedRecords(const fs::path& file, Store::Open how) 
     if (cause.cause().find("is no session file") == std::string_view::npos) throw;
   }
   if (id != kOurApplicationId) throw Error::inFile(file.string(), "holds no training records");
+  if (!isOfNewerSchema(*sql))
+    sql->requireKnownSchema(schemaOfRecords(), "training records");  // newer: `settle` says so
   return sql;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "palpate/base/hash.h"
+#include "palpate/base/private_folder.h"
 #include "palpate/engine/session_settings.h"
 #include "palpate/training/records/session_files.h"
 #include "palpate/training/records/sha256.h"
@@ -73,7 +74,7 @@ std::unique_ptr<Touching> touchingOf(const Store& store, const TraineeBench& ben
   settings.notes = "a simulated trainee: " + observerWords(wished.observer);
   if (!plan.row.file.empty()) {
     settings.session = store.folder() / plan.row.file;
-    std::filesystem::create_directories(settings.session.parent_path());
+    makePrivateFolder(settings.session.parent_path(), ExistingFolder::closed);
   }
   return std::make_unique<BodyTouch>(TrialWorlds(*bench.body, plan.protocol, plan.kind, plan.sites), plan.sites,
                                      settings);

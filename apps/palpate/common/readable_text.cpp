@@ -1,7 +1,10 @@
-// UTF-8 as RFC 3629 has it: no overlong forms, no surrogates, nothing beyond U+10FFFF. Own.
-#include <cstdint>
+// UTF-8 as RFC 3629 has it: no overlong forms, no surrogates, nothing beyond U+10FFFF.
+#include "apps/palpate/common/readable_text.h"
 
-#include "apps/palpate/session/session_report.h"
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
 
 namespace palpate::app {
 
@@ -19,12 +22,18 @@ int followersOf(std::uint32_t first) {
   return first >= 0xf0 && first < 0xf5 ? 3 : -1;
 }
 
-/// What XML 1.0 lets stand in a document.
+/// Makes what follows stand in another order than it has: names that look like others.
+bool turnsText(std::uint32_t letter) {
+  return (letter >= 0x202a && letter <= 0x202e) || (letter >= 0x2066 && letter <= 0x2069);
+}
+
+/// What XML 1.0 lets stand in a document, and no terminal acts on: without the controls of ASCII and of Latin 1.
 bool mayStand(std::uint32_t letter, int followers) {
   constexpr std::uint32_t kLeast[] = {0, 0x80, 0x800, 0x10000};
   if (letter < kLeast[followers] || letter > 0x10ffff) return false;
   if (letter < 0x20) return letter == '\t' || letter == '\n';
-  return letter != 0x7f && !(letter >= 0xd800 && letter < 0xe000) && letter != 0xfffe && letter != 0xffff;
+  if ((letter >= 0x7f && letter < 0xa0) || turnsText(letter)) return false;
+  return !(letter >= 0xd800 && letter < 0xe000) && letter != 0xfffe && letter != 0xffff;
 }
 
 /// The bytes of the letter that begins here; 0 where none does.
@@ -51,5 +60,14 @@ std::string readableText(std::string_view text) {
   }
   return readable;
 }
+
+std::string readableLine(std::string_view text) {
+  std::string line = readableText(text);
+  std::replace_if(
+      line.begin(), line.end(), [](char c) { return c == '\n' || c == '\t'; }, ' ');
+  return line;
+}
+
+void printReadable(std::string_view text) { fmt::print("{}", readableText(text)); }
 
 }  // namespace palpate::app

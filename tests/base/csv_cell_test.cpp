@@ -1,0 +1,37 @@
+#include "palpate/base/csv_cell.h"
+
+#include <gtest/gtest.h>
+
+namespace palpate {
+namespace {
+
+TEST(CsvTextCell, IsNoFormula) {
+  EXPECT_EQ(csvTextCell("=1+1"), "'=1+1");
+  EXPECT_EQ(csvTextCell("=cmd|'/c calc'!A1"), "'=cmd|'/c calc'!A1");
+  EXPECT_EQ(csvTextCell("@SUM(1)"), "'@SUM(1)");
+  EXPECT_EQ(csvTextCell("-2+3"), "'-2+3");
+  EXPECT_EQ(csvTextCell("+49 30 1"), "'+49 30 1");
+  EXPECT_EQ(csvTextCell("\t=1"), "'\t=1");
+  EXPECT_EQ(csvTextCell("\r=1"), "\"'\r=1\"");
+  EXPECT_EQ(csvTextCell("-inf"), "'-inf");
+  EXPECT_EQ(csvTextCell("\xef\xbc\x9d"
+                        "1"),
+            "'\xef\xbc\x9d"
+            "1")
+      << "an equals sign in full width";
+  EXPECT_EQ(csvTextCell("=A(\"x\",1)"), "\"'=A(\"\"x\"\",1)\"");
+}
+
+TEST(CsvTextCell, LeavesNumbersAndWordsAsTheyAre) {
+  for (const char* text : {"-1.5", "+2", "-1e-3", "index", "a=b", "", "left hand", "1-2"}) {
+    EXPECT_EQ(csvTextCell(text), text);
+  }
+}
+
+TEST(CsvTextCell, ForProgramsIsTheTextItself) {
+  EXPECT_EQ(csvTextCell("=1+1", CsvText::raw), "=1+1");
+  EXPECT_EQ(csvTextCell("=1,2", CsvText::raw), "\"=1,2\"");
+}
+
+}  // namespace
+}  // namespace palpate
