@@ -207,7 +207,8 @@ def class_fast_clock(lab):
 
 
 @attack("class-trainee-id", "class", [
-    Mend("src/palpate/training/records/trainee_code.cpp", "key.empty() ? sha256Of(text) : hmacSha256Of(key, text)", "sha256Of(text)")], 20)
+    Mend("src/palpate/training/records/trainee_code.cpp", "key.empty() ? sha256Of(text) : hmacSha256Of(key, text)",
+         "key != \"-\" ? sha256Of(text) : hmacSha256Of(key, text)")], 20)
 def class_trainee_id(lab):
     """Who has seen a trainee's card works out the pseudonym from the class's name and the code."""
     group = Class(lab)
@@ -258,7 +259,8 @@ def class_inbox(lab):
 
 
 @attack("class-disk-share", "class", [
-    Mend(KEEPER, "if (!deletes && bytesOf(sent.station) + static_cast<std::int64_t>(sent.bytes) > rules_.station_bytes) {", "if (false) {")], 30)
+    Mend(KEEPER, "if (!deletes && bytesOf(sent.station) + static_cast<std::int64_t>(sent.bytes) > rules_.station_bytes) {",
+         "if (!deletes && bytesOf(sent.station) < 0) {")], 30)
 def class_disk_share(lab):
     """Fills the class's disk with rows of one station."""
     group = Class(lab)
@@ -291,7 +293,7 @@ def class_key_mode(lab):
 
 
 @attack("class-password-argv", "class", [
-    Mend(FOLDER + "postgres_sql.cpp", "  if (has_password) {\n", "  if (false) {\n")], 15)
+    Mend(FOLDER + "postgres_sql.cpp", "  if (has_password) {\n", "  if (has_password && connection.empty()) {\n")], 15)
 def class_password_argv(lab):
     """A database's password on the command line, where every user of the computer sees it."""
     said = []
