@@ -14,8 +14,8 @@
 #include "palpate/body/skin_surface.h"
 #include "palpate/mesh/nearest.h"
 #include "palpate/mesh/validate.h"
-#include "support/winding_number.h"
 #include "support/timed.h"
+#include "support/winding_number.h"
 
 namespace palpate::body {
 namespace {

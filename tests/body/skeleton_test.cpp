@@ -16,8 +16,8 @@
 #include "palpate/base/error.h"
 #include "palpate/mesh/nearest.h"
 #include "palpate/mesh/validate.h"
-#include "support/winding_number.h"
 #include "support/timed.h"
+#include "support/winding_number.h"
 
 namespace palpate::body {
 namespace {
