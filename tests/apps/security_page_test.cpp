@@ -11,9 +11,12 @@
 #include "palpate/base/text.h"
 #include "palpate/classroom/class_settings.h"
 #include "palpate/classroom/messages.h"
+#include "palpate/classroom/row_keeper.h"
+#include "palpate/device/device_profile.h"
 #include "palpate/device/remote_device.h"
 #include "palpate/measure/photograph.h"
 #include "palpate/scene/scene_file.h"
+#include "palpate/servo/device_limits.h"
 
 namespace palpate {
 namespace {
@@ -54,6 +57,11 @@ std::vector<LimitRow> limitRows() {
       {"`serve`", "silence until a page's finger is lifted, s", fmt::format("{}", desk.silence_s)},
       {"`class`", "port of the broker, TCP with TLS", fmt::format("{}", classroom::kStandardPort)},
       {"`class`", "bytes of a message", fmt::format("{}", classroom::kMostMessageBytes)},
+      {"`class`", "a row may be dated after now by, s", fmt::format("{}", classroom::kClockSkewMs / 1000)},
+      {"`class`", "disk of a station between two purges, MB", fmt::format("{}", classroom::kStationBytes >> 20)},
+      {"device", "force where its type is unknown, N", fmt::format("{}", DeviceProfile{}.force_n)},
+      {"device", "how far a scene may loosen a guard, times its default", fmt::format("{}", servo::kLoosestGuard)},
+      {"device", "quickest ramp of a start inside, s", fmt::format("{}", servo::kQuickestRampS)},
       {"files", "bytes of a scene", fmt::format("{}", scene::kMaxSceneBytes)},
       {"files", "pixels of a photograph", fmt::format("{}", measure::kMostPixels)},
   };

@@ -11,6 +11,7 @@
 #include "apps/viewer/viewer.h"
 #include "palpate/base/error.h"
 #include "palpate/base/private_folder.h"
+#include "palpate/training/records/trainee_code.h"
 #include "palpate/view/image.h"
 
 namespace palpate::viewer {
