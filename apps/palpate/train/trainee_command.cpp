@@ -83,7 +83,7 @@ std::string sittingLine(const SatThrough& sat, int sites, double wall_s) {
   return line + fmt::format("; {:.1f} min in {:.1f} s\n", sat.simulated_s / 60.0, wall_s);
 }
 
-Json sittingJson(const SatThrough& sat, int sites) {
+Json satThroughJson(const SatThrough& sat, int sites) {
   const training::BlockRow& block = sat.block;
   return {{"sitting", sat.row.id},
           {"kind", wordFor(sat.row.kind)},
@@ -245,7 +245,7 @@ class TraineeCommand {
     if (tells()) fmt::print("trainee {}: {}\n", code, training::observerWords(course.observer));
     Clock::time_point began = Clock::now();
     training::sitCourse(store, bench_, course, [&](const SatThrough& sat) {
-      sittings.push_back(sittingJson(sat, bench_.sites.choices()));
+      sittings.push_back(satThroughJson(sat, bench_.sites.choices()));
       if (sat.block.finished) finished_[sat.row.kind].push_back(sat.block.threshold);
       if (tells()) {
         progress_.clear();

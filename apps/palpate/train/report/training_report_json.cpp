@@ -167,7 +167,7 @@ Json comparedJson(const training::TraineeStatistics& trainee) {
   return json;
 }
 
-Json sittingJson(const training::SittingQuality& sitting) {
+Json sittingQualityJson(const training::SittingQuality& sitting) {
   return {{"id", sitting.row.id},         {"kind", wordFor(sitting.row.kind)},      {"start_ms", sitting.row.start_ms},
           {"end_ms", sitting.row.end_ms}, {"app_version", sitting.row.app_version}, {"device", sitting.row.device},
           {"file", sitting.row.file},     {"file_sha256", sitting.row.file_sha256}, {"events", sitting.events}};
@@ -206,7 +206,7 @@ Json traineeJson(const training::TraineeStatistics& trainee, bool whole) {
   }
   json["learning"] = learningJson(trainee);
   json["sittings"] = Json::array();
-  for (const training::SittingQuality& sitting : trainee.sittings) json["sittings"].push_back(sittingJson(sitting));
+  for (const training::SittingQuality& sitting : trainee.sittings) json["sittings"].push_back(sittingQualityJson(sitting));
   json["fits"] = Json::array();
   for (const training::ThresholdPoint& point : trainee.points) {
     if (!point.threshold || !training::isTest(point.kind)) continue;
