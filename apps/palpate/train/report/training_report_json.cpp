@@ -206,7 +206,8 @@ Json traineeJson(const training::TraineeStatistics& trainee, bool whole) {
   }
   json["learning"] = learningJson(trainee);
   json["sittings"] = Json::array();
-  for (const training::SittingQuality& sitting : trainee.sittings) json["sittings"].push_back(sittingQualityJson(sitting));
+  for (const training::SittingQuality& sitting : trainee.sittings)
+    json["sittings"].push_back(sittingQualityJson(sitting));
   json["fits"] = Json::array();
   for (const training::ThresholdPoint& point : trainee.points) {
     if (!point.threshold || !training::isTest(point.kind)) continue;
