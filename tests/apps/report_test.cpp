@@ -9,6 +9,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "apps/palpate/common/readable_text.h"
 #include "apps/palpate/session/session_report.h"
 #include "palpate/base/random.h"
 #include "palpate/base/text.h"

@@ -220,7 +220,8 @@ TEST(Results, OfAClassAreWholeWithoutTheSessionFilesThatLieAtItsStations) {
   std::string trial;
   {
     Store station(records.file, Store::Open::existing);
-    const std::vector<training::AnyRow> rows = station.rows().all();
+    std::vector<classroom::SentRow> rows;
+    for (training::AnyRow& row : station.rows().all()) rows.push_back({std::move(row)});
     classroom::fileSink(records.folder / "class.results")->keep(rows);
     trial = station.trials(station.blocks(station.sittings(records.anna.id).front().id).front().id).front().id;
   }
