@@ -37,6 +37,7 @@ servo::LimiterSettings limitsOf(const device::DeviceProfile& device, double tick
   scene::SafetySettings safety;
   safety.delay_ticks = delay_ticks;
   safety.passivity = safety.soft_contact = protection != Protection::none;
+  safety.unsafe_stiffness = protection == Protection::none;  // on an open device nothing else takes both away
   if (protection == Protection::identified) {
     safety.device_damping_n_s_per_mm = device.damping_n_s_per_mm;
     safety.device_friction_n = device.friction_n;
