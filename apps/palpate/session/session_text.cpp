@@ -41,7 +41,7 @@ std::string limitsText(const trace::SessionWorld& world, const trace::SessionFac
     }
   }
   std::string text;
-  for (const auto& [names, words] : lines) text += fmt::format("limits      {}: {}\n", names, words);
+  for (const auto& [names, words] : lines) text += fmt::format("limits      {}: {}\n", readableLine(names), words);
   return text;
 }
 
