@@ -6,6 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "palpate/base/private_folder.h"
 #include "palpate/base/random.h"
 #include "palpate/base/text.h"
 #include "palpate/mesh/files/save.h"
@@ -247,10 +248,9 @@ TEST_F(SessionTools, ABundleTakesNoFileFromElsewhereUnlessItIsToldTo) {
   // What lies beside the recording needs no word; a link that leads out of there does.
   std::filesystem::rename(folder_ / "results/run.session", folder_ / "run.session");
   EXPECT_EQ(palpate("bundle run.session -o beside.session").exit_code, 0);
-  const support::TemporaryFolder elsewhere;
-  std::filesystem::create_directories(elsewhere / "secret");
-  std::filesystem::rename(folder_ / "path.csv", elsewhere / "secret/id_rsa");
-  std::filesystem::create_symlink(elsewhere / "secret/id_rsa", folder_ / "path.csv");
+  const palpate::TemporaryFolder elsewhere("elsewhere");
+  std::filesystem::rename(folder_ / "path.csv", elsewhere.path() / "id_rsa");
+  std::filesystem::create_symlink(elsewhere.path() / "id_rsa", folder_ / "path.csv");
   const CommandResult linked = palpate("bundle run.session -o linked.session");
   EXPECT_EQ(linked.exit_code, 2);
   EXPECT_NE(linked.err.find("id_rsa"), std::string::npos) << linked.err;
