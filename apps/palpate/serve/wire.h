@@ -17,6 +17,8 @@ namespace palpate::app::serving {
 
 using Socket = boost::asio::ip::tcp::socket;
 
+// The names are Beast's.
+// NOLINTBEGIN(readability-identifier-naming)
 class Wire {
  public:
   using next_layer_type = boost::beast::tcp_stream;
@@ -83,5 +85,6 @@ class Wire {
   std::unique_ptr<next_layer_type> plain_;
   std::unique_ptr<Tls> tls_;
 };
+// NOLINTEND(readability-identifier-naming)
 
 }  // namespace palpate::app::serving
