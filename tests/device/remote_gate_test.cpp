@@ -100,7 +100,7 @@ TEST(RemoteGate, WithAKeyOnlySignedPosesMoveTheFinger) {
   EXPECT_FALSE(gate.take(changed, kFirst, 0)) << "another place";
   EXPECT_FALSE(gate.take(pose(std::string(32, 'b'), 1), kFirst, 0)) << "another run";
   EXPECT_FALSE(gate.take(signedBy(kSecret, "q 1 2 3 " + nonce + " 1"), kFirst, 0)) << "signed, but no pose";
-  EXPECT_EQ(gate.counts().unsigned_, 4u);
+  EXPECT_EQ(gate.counts().not_signed_, 4u);
   EXPECT_EQ(gate.counts().malformed, 1u);
   EXPECT_FALSE(gate.holder());
   const auto taken = gate.take(pose(nonce, 2) + "\n", kFirst, 0);
