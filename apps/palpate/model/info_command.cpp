@@ -185,18 +185,11 @@ Inspection inspect(const InfoArguments& arguments) {
 
 void runInfo(const InfoArguments& arguments) {
   if (isSessionFile(arguments.mesh.file)) {
-    printReadable(arguments.json ? sessionInfoJson(arguments.mesh.file)
-                                           .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
-                                       "\n"
-                                 : sessionInfo(arguments.mesh.file));
+    printReadable(arguments.json ? jsonText(sessionInfoJson(arguments.mesh.file)) : sessionInfo(arguments.mesh.file));
     return;
   }
   if (isTableOrUnfinished(arguments.mesh.file)) {
-    printReadable(
-        arguments.json
-            ? tableInfoJson(arguments.mesh.file).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
-                  "\n"
-            : tableInfo(arguments.mesh.file));
+    printReadable(arguments.json ? jsonText(tableInfoJson(arguments.mesh.file)) : tableInfo(arguments.mesh.file));
     return;
   }
   const Inspection found = inspect(arguments);

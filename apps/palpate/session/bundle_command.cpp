@@ -11,6 +11,7 @@
 
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/interruption.h"
+#include "apps/palpate/common/json.h"
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/common/readable_text.h"
 #include "palpate/base/error.h"
@@ -107,7 +108,7 @@ void print(const BundleArguments& arguments, const engine::BundleReport& report)
     for (const auto& file : report.files) files.push_back({{"name", file.name}, {"bytes", file.bytes}});
     const nlohmann::ordered_json json = {
         {"file", arguments.out.string()}, {"samples", report.samples}, {"files", files}, {"notes", report.notes}};
-    printReadable(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+    printReadable(jsonText(json));
     return;
   }
   std::string text = fmt::format("{}: {} samples, {} files that the scene names; `palpate replay` needs nothing else\n",

@@ -6,6 +6,7 @@
 
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/interruption.h"
+#include "apps/palpate/common/json.h"
 #include "apps/palpate/common/number_option.h"
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/common/readable_text.h"
@@ -78,7 +79,7 @@ void writeJson(trace::SessionReader& session, const ExportArguments& arguments) 
   }
   json["world_list"] = worlds;
   json["event_list"] = events;
-  writeFile(arguments.json, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+  writeFile(arguments.json, jsonText(json));
 }
 
 /// The skin as the recorded fingers deform it at a moment.

@@ -7,6 +7,7 @@
 
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/interruption.h"
+#include "apps/palpate/common/json.h"
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/common/readable_text.h"
 #include "palpate/trace/session_edit.h"
@@ -32,7 +33,7 @@ void runJoin(const JoinArguments& arguments) {
                                          {"begins", joined.begins},
                                          {"last_tick", joined.last_tick},
                                          {"notes", joined.notes}};
-    printReadable(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+    printReadable(jsonText(json));
     return;
   }
   std::string text = fmt::format("{}: {} samples of {} sessions, one after another\n", arguments.out.string(),

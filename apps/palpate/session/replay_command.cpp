@@ -8,6 +8,7 @@
 
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/interruption.h"
+#include "apps/palpate/common/json.h"
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/common/readable_text.h"
 #include "apps/palpate/render/render_options.h"
@@ -124,8 +125,7 @@ void runReplay(const ReplayArguments& arguments) {
                      {"first_difference", differenceJson(report)},
                      {"notes", report.notes},
                      {"gaps", report.gaps}};
-  printReadable(arguments.json ? json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n"
-                               : textOf(arguments, report, times_real_time));
+  printReadable(arguments.json ? jsonText(json) : textOf(arguments, report, times_real_time));
   if (!arguments.film.empty()) draw(arguments);
   if (arguments.verify && !report.identical()) throw CLI::RuntimeError(1);
 }

@@ -9,6 +9,7 @@
 
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/interruption.h"
+#include "apps/palpate/common/json.h"
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/common/readable_text.h"
 #include "apps/palpate/session/session_report.h"
@@ -77,9 +78,7 @@ trace::TickSpan reportSpan(const ReportArguments& arguments, const trace::Sessio
 }
 
 /// JSON on the standard output; what is no text in it is replaced.
-void printNumbers(const nlohmann::ordered_json& json) {
-  fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
-}
+void printNumbers(const nlohmann::ordered_json& json) { fmt::print("{}", jsonText(json)); }
 
 void printSentences(const std::vector<std::string>& sentences, const std::filesystem::path& file,
                     const std::filesystem::path& page) {

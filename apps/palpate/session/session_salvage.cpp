@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "apps/palpate/common/json.h"
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/common/readable_text.h"
 #include "apps/palpate/session/session_text.h"
@@ -80,8 +81,7 @@ void salvageSession(const std::filesystem::path& file, const std::filesystem::pa
   ProgressLine progress;
   const trace::SessionRepair repair = trace::repairSession(file, out, progress.callback());
   progress.clear();
-  printReadable(json ? jsonOf(out, repair).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n"
-                     : textOf(out, repair));
+  printReadable(json ? jsonText(jsonOf(out, repair)) : textOf(out, repair));
 }
 
 }  // namespace palpate::app

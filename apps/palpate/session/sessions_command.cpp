@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "apps/palpate/common/commands.h"
+#include "apps/palpate/common/json.h"
 #include "apps/palpate/common/readable_text.h"
 #include "apps/palpate/session/session_text.h"
 #include "apps/viewer/files/session_keeper.h"
@@ -53,8 +54,7 @@ void runSessions(const SessionsArguments& arguments) {
     }
   }
   if (text.empty()) text = fmt::format("no session (*.session) under {}\n", folder.string());
-  printReadable(arguments.json ? json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n"
-                               : text);
+  printReadable(arguments.json ? jsonText(json) : text);
 }
 
 }  // namespace

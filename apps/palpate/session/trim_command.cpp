@@ -6,6 +6,7 @@
 
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/interruption.h"
+#include "apps/palpate/common/json.h"
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/common/readable_text.h"
 #include "apps/palpate/session/session_text.h"
@@ -61,8 +62,7 @@ void runTrim(const TrimArguments& arguments) {
       {"first_tick", trimmed.copied.first_tick}, {"last_tick", trimmed.copied.last_tick},
       {"worlds", trimmed.copied.worlds},         {"earlier_ticks", trimmed.earlier_ticks},
       {"not_at_rest", trimmed.not_at_rest}};
-  printReadable(arguments.json ? json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n"
-                               : textOf(arguments, trimmed, rate));
+  printReadable(arguments.json ? jsonText(json) : textOf(arguments, trimmed, rate));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "apps/palpate/common/json.h"
 #include "apps/palpate/common/readable_text.h"
 #include "apps/palpate/train/results_commands.h"
 #include "palpate/base/error.h"
@@ -26,9 +27,7 @@ struct ReadingArguments {
   std::string trainee;
 };
 
-void printResults(const ResultsJson& json) {
-  printReadable(json.dump(2, ' ', false, ResultsJson::error_handler_t::replace) + "\n");
-}
+void printResults(const ResultsJson& json) { printReadable(jsonText(json)); }
 
 void runResultsList(const ReadingArguments& arguments) {
   Store store = openedResults(arguments.results);
