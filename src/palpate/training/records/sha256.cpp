@@ -9,6 +9,7 @@
 
 #include "palpate/base/byte_file.h"
 #include "palpate/base/error.h"
+#include "palpate/base/hmac_sha256.h"
 
 namespace palpate::training {
 
@@ -33,14 +34,9 @@ class RunningSha256 {
   std::unique_ptr<EVP_MD_CTX, decltype(&::EVP_MD_CTX_free)> context_;
 };
 
-std::string hexOfDigest(const std::array<std::uint8_t, 32>& digest) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string text;
-  for (const std::uint8_t byte : digest) {
-    text += kDigits[byte >> 4];
-    text += kDigits[byte & 15];
-  }
-  return text;
+std::string hexText(const Sha256Digest& digest) {
+  const std::array<char, 64> digits = hexOf(digest);
+  return {digits.data(), digits.size()};
 }
 
 }  // namespace
@@ -60,7 +56,7 @@ std::array<std::uint8_t, 32> hmacSha256Of(std::string_view key, std::string_view
   return digest;
 }
 
-std::string sha256Hex(std::string_view bytes) { return hexOfDigest(sha256Of(bytes)); }
+std::string sha256Hex(std::string_view bytes) { return hexText(sha256Of(bytes)); }
 
 std::string sha256OfFile(const std::filesystem::path& file) {
   ByteFile bytes(file);
@@ -74,7 +70,7 @@ std::string sha256OfFile(const std::filesystem::path& file) {
     }
     running.add(piece);
   }
-  return hexOfDigest(running.end());
+  return hexText(running.end());
 }
 
 }  // namespace palpate::training
