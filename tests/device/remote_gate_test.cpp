@@ -100,7 +100,7 @@ TEST(RemoteGate, WithAKeyOnlySignedPosesMoveTheFinger) {
   EXPECT_FALSE(gate.take(changed, kFirst, 0)) << "another place";
   EXPECT_FALSE(gate.take(pose(std::string(32, 'b'), 1), kFirst, 0)) << "another run";
   EXPECT_FALSE(gate.take(signedBy(kSecret, "q 1 2 3 " + nonce + " 1"), kFirst, 0)) << "signed, but no pose";
-  EXPECT_EQ(gate.counts().not_signed_, 4u);
+  EXPECT_EQ(gate.counts().not_signed, 4u);
   EXPECT_EQ(gate.counts().malformed, 1u);
   EXPECT_FALSE(gate.holder());
   const auto taken = gate.take(pose(nonce, 2) + "\n", kFirst, 0);
@@ -188,19 +188,19 @@ TEST(RemoteGate, AsksForNeitherMemoryNorLocksWithAKey) {
 
 TEST(RemoteKey, IsReadFromAFileOfTheOwnerAlone) {
   const support::TemporaryFolder folder;
-  const auto fileWith = [&](const std::string& content, int mode) {
+  const auto file_with = [&](const std::string& content, int mode) {
     const std::filesystem::path file = folder / "key";
     std::ofstream(file) << content;
     std::filesystem::permissions(file, static_cast<std::filesystem::perms>(mode));
     return file;
   };
-  EXPECT_EQ(readRemoteKey(fileWith(kSecret + "\n", 0600)), kSecret);
-  EXPECT_EQ(readRemoteKey(fileWith(kSecret, 0400)), kSecret);
-  EXPECT_THROW(readRemoteKey(fileWith(kSecret, 0640)), Error);
-  EXPECT_THROW(readRemoteKey(fileWith(kSecret, 0604)), Error);
-  EXPECT_THROW(readRemoteKey(fileWith("short", 0600)), Error);
-  EXPECT_THROW(readRemoteKey(fileWith(kSecret + "\n" + kSecret, 0600)), Error);
-  EXPECT_THROW(readRemoteKey(fileWith(std::string(kMaxKeyBytes + 1, 'a'), 0600)), Error);
+  EXPECT_EQ(readRemoteKey(file_with(kSecret + "\n", 0600)), kSecret);
+  EXPECT_EQ(readRemoteKey(file_with(kSecret, 0400)), kSecret);
+  EXPECT_THROW(readRemoteKey(file_with(kSecret, 0640)), Error);
+  EXPECT_THROW(readRemoteKey(file_with(kSecret, 0604)), Error);
+  EXPECT_THROW(readRemoteKey(file_with("short", 0600)), Error);
+  EXPECT_THROW(readRemoteKey(file_with(kSecret + "\n" + kSecret, 0600)), Error);
+  EXPECT_THROW(readRemoteKey(file_with(std::string(kMaxKeyBytes + 1, 'a'), 0600)), Error);
   EXPECT_THROW(readRemoteKey(folder / "nothing"), Error);
 }
 

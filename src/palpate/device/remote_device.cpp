@@ -150,7 +150,7 @@ class Remote {
     const RemoteCounts& counts = gate_.counts();
     for (const auto& [count, what] :
          {std::pair(&counts.malformed, "messages were not \"p x y z\""),
-          std::pair(&counts.not_signed_, "messages were not signed, or not new"),
+          std::pair(&counts.not_signed, "messages were not signed, or not new"),
           std::pair(&counts.ignored, "messages came while another client had the finger")}) {
       if (const std::uint64_t many = count->load(std::memory_order_relaxed); many > 0) {
         words.push_back(fmt::format("{} {}", many, what));

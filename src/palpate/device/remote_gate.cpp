@@ -133,7 +133,7 @@ std::optional<RemotePose> RemoteGate::take(std::string_view datagram, const Remo
     }
     message = opened(message);
     if (message.empty()) {
-      countOne(counts_.not_signed_);
+      countOne(counts_.not_signed);
       return std::nullopt;
     }
   }
@@ -167,7 +167,7 @@ std::string_view RemoteGate::opened(std::string_view message) noexcept {
 
 void RemoteGate::greet(std::string_view message, std::size_t bytes, std::uint64_t tick) noexcept {
   auto text = verified(message);
-  if (!text || bytes < kHelloBytes || greeted_tick_ == tick) return countOne(counts_.not_signed_);
+  if (!text || bytes < kHelloBytes || greeted_tick_ == tick) return countOne(counts_.not_signed);
   const std::string_view theirs = lastWord(*text);
   if (*text != kHello || theirs.size() != kNonceDigits || !std::all_of(theirs.begin(), theirs.end(), isLetterOrDigit)) {
     return countOne(counts_.malformed);

@@ -61,9 +61,9 @@ struct RemotePeer {
 };
 
 struct RemoteCounts {
-  std::atomic<std::uint64_t> malformed{0};    ///< not "p x y z"
-  std::atomic<std::uint64_t> not_signed_{0};  ///< without the key, or not new
-  std::atomic<std::uint64_t> ignored{0};      ///< another client had the finger
+  std::atomic<std::uint64_t> malformed{0};   ///< not "p x y z"
+  std::atomic<std::uint64_t> not_signed{0};  ///< without the key, or not new
+  std::atomic<std::uint64_t> ignored{0};     ///< another client had the finger
 };
 
 class RemoteGate {
