@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "palpate/base/error.h"
+#include "palpate/base/hmac_sha256.h"
 #include "palpate/base/output_file.h"
 #include "palpate/base/private_folder.h"
 #include "palpate/base/text.h"
@@ -28,15 +29,6 @@ constexpr std::string_view kTokenFileStem = "serve-";
 
 bool isTokenLetter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
-}
-
-/// Looks at every letter of what was offered, whatever it finds.
-bool sameToken(std::string_view token, std::string_view offered) noexcept {
-  std::size_t different = token.size() ^ offered.size();
-  for (std::size_t i = 0; i < offered.size(); ++i) {
-    different |= static_cast<unsigned char>(offered[i]) ^ static_cast<unsigned char>(token[i % token.size()]);
-  }
-  return different == 0;
 }
 
 [[noreturn]] void failAt(const std::filesystem::path& file, int reason) {
@@ -104,9 +96,9 @@ Tokens completed(Tokens given) {
 
 Role roleOf(const Tokens& tokens, std::string_view offered) noexcept {
   if (offered.size() > kMostToken) return Role::none;
-  const bool looks = sameToken(tokens.look, offered);
-  const bool controls = sameToken(tokens.control, offered);
-  const bool instructs = sameToken(tokens.instruct, offered);
+  const bool looks = equalInConstantTime(tokens.look, offered);
+  const bool controls = equalInConstantTime(tokens.control, offered);
+  const bool instructs = equalInConstantTime(tokens.instruct, offered);
   return instructs ? Role::instruct : controls ? Role::control : looks ? Role::look : Role::none;
 }
 

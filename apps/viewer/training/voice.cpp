@@ -15,8 +15,6 @@
 
 #include "palpate/base/text.h"
 
-extern char** environ;
-
 namespace palpate::viewer {
 
 namespace {

@@ -173,7 +173,7 @@ bool RowKeeper::erase(const Uuid& trainee, std::string_view actor) {
   return there;
 }
 
-void RowKeeper::obey(const DeletionRow& deletion, const SentRow& sent) {
+void RowKeeper::applyDeletion(const DeletionRow& deletion, const SentRow& sent) {
   const std::string& mark = deletion.trainee_sha256;
   const bool of_all = sent.station.empty();
   const bool only_heard = deletion.at_ms == 0 && !of_all;
@@ -408,7 +408,7 @@ RowKeeper::Verdict RowKeeper::keepOne(const SentRow& sent, std::int64_t now_ms) 
   }
   if (!refused_.empty()) refused_.erase({sent.station, training::idOf(sent.row)});
   if (const auto* deletion = std::get_if<DeletionRow>(&sent.row)) {
-    obey(*deletion, sent);
+    applyDeletion(*deletion, sent);
   } else if (belongsToDeleted(sent.row, sent.station)) {
     noteParts(sent.row);
   } else {

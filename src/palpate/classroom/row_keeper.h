@@ -91,7 +91,7 @@ class RowKeeper {
   void write(const SentRow& sent);
   void claim(const training::Uuid& subject, const training::Uuid& station);
 
-  void obey(const training::DeletionRow& deletion, const SentRow& sent);
+  void applyDeletion(const training::DeletionRow& deletion, const SentRow& sent);
   int eraseSittings(const std::vector<training::SittingRow>& sittings);
   void note(std::string_view actor, const std::string& mark);
 
