@@ -152,12 +152,17 @@ std::string groupSentence(const training::Occasion& occasion) {
   return text + ".";
 }
 
+/// A factor of at least 1 means better: they feel a smaller change.
+std::string changedBy(double factor) {
+  return factor >= 1.0 ? fmt::format("{:.2f} times smaller", factor) : fmt::format("{:.2f} times larger", 1.0 / factor);
+}
+
 std::string classChangeSentence(const training::ClassChange& change) {
   if (change.group.people < 2) return {};
   return fmt::format(
-      "From first to last test, {} trainees: the change that they need became {:.2f} times smaller (95 % interval "
-      "{:.2f} to {:.2f}). {}",
-      change.trainees, change.group.factor, change.group.low, change.group.high,
+      "From first to last test, {} trainees: the change that they need became {} (95 % interval "
+      "{} to {}). {}",
+      change.trainees, changedBy(change.group.factor), changedBy(change.group.low), changedBy(change.group.high),
       !change.group.real() ? "Too early to call a change."
                            : fmt::format("Single trainees: {} clearly better, {} clearly worse, {} too early to call.",
                                          change.clearly_better, change.clearly_worse,
