@@ -20,43 +20,20 @@
 #include <vector>
 
 #include "palpate/base/error.h"
-#include "palpate/base/nearest_name.h"
-#include "palpate/base/text.h"
+#include "palpate/device/remote_socket.h"
 
 namespace palpate::device {
 
 namespace {
 
-struct Listen {
-  std::string address = kRemoteAddress;
-  int port = kRemotePort;
-};
+constexpr const char* kWho = "remote";
 
-/// "4730", "0.0.0.0:4730" -> where to listen. Throws Error.
-Listen listenAt(const std::string& which) {
-  Listen listen;
-  std::string port = which;
-  if (const std::size_t colon = which.rfind(':'); colon != std::string::npos) {
-    listen.address = which.substr(0, colon);
-    port = which.substr(colon + 1);
-  }
-  if (port.empty()) return listen;
-  const std::optional<double> number = parseNumber(port);
-  if (!number || *number < 1.0 || *number > 65535.0 || *number != std::floor(*number)) {
-    throw Error(fmt::format("remote: '{}' must be a port, 1 to 65535", oneLine(port)));
-  }
-  listen.port = static_cast<int>(*number);
-  return listen;
-}
-
-bool isOnThisMachine(const Listen& listen) {
-  in_addr address{};
-  constexpr std::uint32_t kLoopbackNet = 127;
-  return ::inet_pton(AF_INET, listen.address.c_str(), &address) != 1 || ntohl(address.s_addr) >> 24 == kLoopbackNet;
+SocketAddress listenAt(const std::string& which) {
+  return socketAddressOf(which, {.address = kRemoteAddress, .port = kRemotePort}, kWho);
 }
 
 /// The secret that clients must have; none where the variable is not set, on loopback. Throws Error.
-std::optional<std::string> keyFor(const Listen& listen) {
+std::optional<std::string> keyFor(const SocketAddress& listen) {
   const char* file = std::getenv(kRemoteKeyVariable);  // NOLINT(concurrency-mt-unsafe)
   if (file != nullptr && *file != '\0') return readRemoteKey(file);
   if (isOnThisMachine(listen)) return std::nullopt;
@@ -74,42 +51,12 @@ RemoteGate::Seed randomSeed() {
   return seed;
 }
 
-/// An open socket that does not wait.
-class Socket {
- public:
-  explicit Socket(const Listen& listen) : file_(::socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)) {
-    if (file_ < 0) refuse("no socket", listen);
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_port = htons(static_cast<std::uint16_t>(listen.port));
-    if (::inet_pton(AF_INET, listen.address.c_str(), &address.sin_addr) != 1) {
-      ::close(file_);
-      throw Error(fmt::format("remote: '{}' must be an IPv4 address", oneLine(listen.address)));
-    }
-    if (::bind(file_, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) != 0)
-      refuse("cannot listen", listen);
-  }
-  ~Socket() { ::close(file_); }
-  Socket(const Socket&) = delete;
-  Socket& operator=(const Socket&) = delete;
-  int file() const noexcept { return file_; }
-
- private:
-  [[noreturn]] void refuse(const char* what, const Listen& listen) const {
-    const std::string why = std::generic_category().message(errno);
-    if (file_ >= 0) ::close(file_);
-    throw Error(fmt::format("remote: {} at {}:{}: {}; another program may listen there: say remote:PORT", what,
-                            listen.address, listen.port, why));
-  }
-  int file_;
-};
-
 /// Counts are for `explain`, on another thread than the servo's.
 class Remote {
  public:
-  Remote(const Listen& listen, const OpenOptions& options)
+  Remote(const SocketAddress& listen, const OpenOptions& options)
       : gate_(keyFor(listen), randomSeed(), static_cast<std::uint64_t>(std::ceil(kHandoverS / options.tick_s))),
-        socket_(listen),
+        socket_(listen, kWho),
         listen_(listen),
         origin_mm_(options.origin_mm),
         scale_(options.scale) {}
@@ -198,8 +145,8 @@ class Remote {
   }
 
   RemoteGate gate_;
-  Socket socket_;
-  Listen listen_;
+  UdpSocket socket_;
+  SocketAddress listen_;
   Vec3 origin_mm_;
   double scale_;
   DeviceState state_{.faults = kNoPose};
@@ -215,9 +162,9 @@ class Remote {
 Probe probeRemote(const OpenOptions& options) {
   Probe probe;
   try {
-    const Listen listen = listenAt(options.which);
+    const SocketAddress listen = listenAt(options.which);
     const bool has_key = keyFor(listen).has_value();
-    const Socket socket(listen);
+    const UdpSocket socket(listen, kWho);
     probe.available = true;
     probe.devices.push_back(fmt::format("any program that {} {}:{}", has_key ? "has the key and sends to" : "sends to",
                                         listen.address, listen.port));
