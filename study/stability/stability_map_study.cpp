@@ -113,13 +113,15 @@ StudyPage stabilityMapPage(const lab::StabilityMapPlan& plan, const std::vector<
 
 StudyPage studyStabilityMap(const StudySettings& settings) {
   lab::StabilityMapPlan plan = lab::stabilityMapPlan();
+  plan.seed = settings.seed.value_or(plan.seed);
   if (settings.quick) {
     plan.rates = {500.0, 1000.0};
     plan.delays = {0, 1, 3};
     plan.systems = 2;
   }
   StudyPage page = stabilityMapPage(plan, lab::measureStabilityMap(plan, settings.progress));
-  page.command = fmt::format("palpate study stability --map{} --out DIR", settings.quick ? " --quick" : "");
+  page.command =
+      fmt::format("palpate study stability --map --seed {}{} --out DIR", plan.seed, settings.quick ? " --quick" : "");
   return page;
 }
 

@@ -348,7 +348,7 @@ TEST(DeviceLimits, CapTheStiffnessByDelayAndRate) {
     return stiffnessCap(safety, device::profileOf(safety.device), tick_s);
   };
   EXPECT_EQ(cap(unknown, 0.001, 1.0), 2.0);
-  EXPECT_EQ(cap(unknown, 0.001, 2.0), 1.0);
+  EXPECT_EQ(cap(unknown, 0.001, 2.0), 0.8);
   EXPECT_EQ(cap(unknown, 0.002, 1.0), 0.75);
   EXPECT_EQ(cap(unknown, 0.00025, 1.0), 1.8);
   EXPECT_LT(cap(unknown, 0.004, 1.0), 0.35) << "where the nominal device still rests at 250 Hz";

@@ -77,6 +77,7 @@ void addPage(CLI::App& parent, const study::Study& study) {
     command.add_flag(
         "--map", arguments->map,
         "Only the map of what is allowed: random systems at every rate and delay, some minutes on two cores");
+    addNumber(command, "--seed", arguments->seed, between(0, 1e15), "Other systems for the map")->needs("--map");
   }
   command.callback([arguments, study] { run(study, *arguments); });
 }

@@ -14,9 +14,6 @@ namespace palpate::trace {
 
 namespace {
 
-/// More fingers than a rig has.
-constexpr std::int64_t kMostFingers = 1000;
-
 /// Several times those of this version.
 constexpr std::size_t kMostColumns = 200;
 
@@ -74,7 +71,7 @@ void SessionReader::readFacts() {
                                                   : "SELECT id, name, device, capabilities, placed FROM fingers "
                                                     "ORDER BY id");
   while (fingers.next()) {
-    if (fingers.integer(0) != static_cast<std::int64_t>(facts_.fingers.size()) || fingers.integer(0) >= kMostFingers) {
+    if (fingers.integer(0) != static_cast<std::int64_t>(facts_.fingers.size()) || fingers.integer(0) >= kMaxFingers) {
       throw Error::inFile(database_.name(), "is a session whose fingers are not numbered from 0");
     }
     facts_.fingers.push_back({std::string(fingers.text(1)), std::string(fingers.text(2)), std::string(fingers.text(3)),

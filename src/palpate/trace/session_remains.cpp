@@ -17,7 +17,6 @@ namespace {
 
 using Values = std::vector<RawValue>;
 
-constexpr std::int64_t kMostFingers = 1000;
 constexpr std::int64_t kMostWorlds = 1'000'000;
 
 /// The shape of a row, a letter a value: n nothing, i integer, r number, t text, b bytes, ? a text or nothing,
@@ -75,7 +74,7 @@ std::uint64_t countOf(const RawValue& value) {
 
 /// A block: part, finger, first tick, last tick, rows, checksum from the second value on.
 bool isPlausible(const Values& v) {
-  return v[1].integer >= 0 && v[2].integer >= 0 && v[2].integer < kMostFingers && v[3].integer >= 0 &&
+  return v[1].integer >= 0 && v[2].integer >= 0 && v[2].integer < kMaxFingers && v[3].integer >= 0 &&
          v[4].integer >= v[3].integer && v[5].integer > 0 &&
          v[5].integer <= static_cast<std::int64_t>(kMostBlockRows) && v[6].integer >= 0 &&
          v[6].integer <= std::int64_t{std::numeric_limits<std::uint32_t>::max()};
@@ -121,7 +120,7 @@ class Sorter {
       block.rows = countOf(v[2]);
       block.last_tick = block.first_tick + block.rows - 1;
       block.is_known = true;
-    } else if (isLike(v, "iii", true) && v[1].integer >= 0 && v[1].integer < kMostFingers) {
+    } else if (isLike(v, "iii", true) && v[1].integer >= 0 && v[1].integer < kMaxFingers) {
       fingers_[v[2].integer] = {v[0].integer, static_cast<std::uint32_t>(v[1].integer)};  // part, finger, id
     }
   }
@@ -188,7 +187,7 @@ class Sorter {
   void addEvent(const RawRow& row) {
     const Values& v = row.values;
     SessionEvent event{countOf(v[1]), std::nullopt, textOf(v[3]), textOf(v[4])};
-    if (v[2].isInteger() && v[2].integer >= 0 && v[2].integer < kMostFingers) {
+    if (v[2].isInteger() && v[2].integer >= 0 && v[2].integer < kMaxFingers) {
       event.finger = static_cast<std::uint32_t>(v[2].integer);
     }
     remains_.events[row.id] = event;
@@ -203,7 +202,7 @@ class Sorter {
         remains_.columns.insert_or_assign(row.id, columnOf(name, type));
       } catch (const Error&) {  // not one of ours: its blocks will not unpack, and say so
       }
-    } else if (row.id < kMostFingers) {
+    } else if (row.id < kMaxFingers) {
       SessionFinger finger{name, type};
       if (v.size() == 5) finger.capabilities = textOf(v[3]);
       if (v.size() == 5) finger.placed = textOf(v[4]);

@@ -14,6 +14,9 @@ inline constexpr std::int64_t kSessionApplication = 0x50616c70;
 /// ever.
 inline constexpr std::int64_t kSessionVersion = 4;
 
+/// Fingers of a session: more than any rig has, so that a row that says more is damage.
+inline constexpr std::int64_t kMaxFingers = 1000;
+
 /// Makes the tables in an empty file. Throws Error.
 void makeSessionTables(Database& database);
 
