@@ -121,7 +121,7 @@ TEST_F(HostileSession, APipeIsNoFile) {
 
 TEST_F(HostileSession, ARecordingIsForItsOwnerAloneWhileItIsWritten) {
   const mode_t before = ::umask(0);
-  const auto modeOf = [](const std::string& file) {
+  const auto mode_of = [](const std::string& file) {
     struct stat facts = {};
     return ::stat(file.c_str(), &facts) == 0 ? facts.st_mode & 07777 : 0;
   };
@@ -129,13 +129,13 @@ TEST_F(HostileSession, ARecordingIsForItsOwnerAloneWhileItIsWritten) {
                        {.started_utc = utcNow(), .software = {}, .machine = {}, .notes = {}, .tags = {}},
                        {{"index", "mouse"}});
   const std::string partial = writer.partial().string();
-  for (const char* companion : {"", "-wal", "-shm"}) EXPECT_EQ(modeOf(partial + companion), 0600u) << companion;
+  for (const char* companion : {"", "-wal", "-shm"}) EXPECT_EQ(mode_of(partial + companion), 0600u) << companion;
   writer.add(Sample{});
   writer.flush();
   copySession(writer.partial(), folder_ / "copy.session", "cut off");
-  EXPECT_EQ(modeOf((folder_ / "copy.session").string()), 0600u);
+  EXPECT_EQ(mode_of((folder_ / "copy.session").string()), 0600u);
   writer.finish("done");
-  EXPECT_EQ(modeOf((folder_ / "b.session").string()), 0600u);
+  EXPECT_EQ(mode_of((folder_ / "b.session").string()), 0600u);
   ::umask(before);
 }
 

@@ -30,7 +30,7 @@ void changeRecords(const fs::path& file, const std::string& sql) {
 TEST(HostileRecords, AreRefusedWhateverTheyBringAlong) {
   const support::TemporaryFolder folder;
   const fs::path file = folder / "a.results";
-  Store(file, Store::Open::create_too);
+  { const Store made(file, Store::Open::create_too); }
   const std::string sound = readFile(file, 1u << 24);
   for (const char* sql :
        {"DROP TABLE setting; CREATE VIEW setting AS WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) "
@@ -62,22 +62,22 @@ TEST(HostileRecords, AVaultOfKeysLikewise) {
 TEST(HostileRecords, WhatAPersonDidIsTheirKeepersAloneFromTheFirstByte) {
   const mode_t before = ::umask(0);
   const support::TemporaryFolder folder;
-  const auto modeOf = [&](const std::string& name) {
+  const auto mode_of = [&](const std::string& name) {
     struct stat facts = {};
     return ::stat((folder / name).c_str(), &facts) == 0 ? facts.st_mode & 07777 : 0;
   };
   fs::create_directories(folder / "sub/sessions");  // as an earlier version left it
   Store store(folder / "sub/a.results", Store::Open::create_too);
   store.keepAny(samples::history(1, 1, 2).rows);
-  for (const char* end : {"", "-wal", "-shm"}) EXPECT_EQ(modeOf(std::string("sub/a.results") + end), 0600u) << end;
+  for (const char* end : {"", "-wal", "-shm"}) EXPECT_EQ(mode_of(std::string("sub/a.results") + end), 0600u) << end;
   SessionFiles(store).makeFolder();
-  EXPECT_EQ(modeOf("sub/sessions"), 0700u);
+  EXPECT_EQ(mode_of("sub/sessions"), 0700u);
   KeyVault vault(folder / "sub/a.results");
   vault.make();
-  EXPECT_EQ(modeOf("sub/a.keys"), 0600u);
+  EXPECT_EQ(mode_of("sub/a.keys"), 0600u);
   writeFile(folder / "plain", "ticks");
   lockFile(folder / "plain", folder / "locked", newTraineeKey(), "k1");
-  EXPECT_EQ(modeOf("locked"), 0600u);
+  EXPECT_EQ(mode_of("locked"), 0600u);
   ::umask(before);
 }
 
