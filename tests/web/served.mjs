@@ -3,8 +3,8 @@
 //   node --test tests/web/served.mjs          SITE in PALPATE_SITE (build/web/site), the command in PALPATE_COMMAND
 //                                             (build/release/palpate), pictures in PALPATE_PICTURES (build/web/pictures)
 import assert from 'node:assert/strict';
-import { spawn } from 'node:child_process';
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { execFileSync, spawn } from 'node:child_process';
+import { chmodSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import test, { after, before } from 'node:test';
 import { Browser, pause } from './browser.mjs';
@@ -16,8 +16,9 @@ const MIDDLE = [360, 300];
 
 let browser, other, server, address, tokens;
 
-async function started(port = 0) {
-  const child = spawn(command, ['serve', '--port', String(port), '--json', '--site', site, '--token-file', join(drawn, `tokens-${process.pid}.json`)],
+async function started(port = 0, more = []) {
+  const token_file = join(drawn, `tokens-${process.pid}${more.length ? '-tls' : ''}.json`);
+  const child = spawn(command, ['serve', '--port', String(port), '--json', '--site', site, '--token-file', token_file, ...more],
                       { stdio: ['ignore', 'pipe', 'ignore'] });
   const line = await new Promise((done, fail) => {
     let text = '';
@@ -113,5 +114,28 @@ test('a wrong token and none are told in words', { timeout: 120000 }, async () =
     assert.match(await tab.ask("document.querySelector('#message-words').textContent"), new RegExp(words));
     await tab.ask('sessionStorage.clear()');
     await pause(10);
+  }
+});
+
+test('a page feels over TLS: https for the page, wss for the touch', { timeout: 240000 }, async () => {
+  const [key, certificate] = ['key', 'cert'].map((name) => join(drawn, `tls-${process.pid}-${name}.pem`));
+  execFileSync('openssl', ['req', '-x509', '-newkey', 'rsa:2048', '-nodes', '-days', '2', '-subj', '/CN=127.0.0.1', '-keyout', key, '-out', certificate],
+               { stdio: 'ignore' });
+  chmodSync(key, 0o600);
+  const secure = await started(0, ['--tls-cert', certificate, '--tls-key', key]);
+  const trusting = await Browser.launch(['--ignore-certificate-errors']); // nobody signed this one
+  try {
+    assert.match(secure.address, /^https:/);
+    const { control } = JSON.parse(readFileSync(secure.token_file, 'utf8'));
+    const hand = await trusting.open(`${secure.address}/#token=${control}`);
+    await hand.until("document.body.dataset.state === 'ready'");
+    await hand.press(...MIDDLE);
+    await pressing(hand);
+    assert.equal(await hand.ask('location.protocol'), 'https:');
+    assert.deepEqual(hand.complaints, []);
+  } finally {
+    await trusting.close();
+    await ended(secure.child);
+    for (const file of [key, certificate]) rmSync(file);
   }
 });
