@@ -221,6 +221,46 @@ TEST(Repair, WindingFollowsTheMajorityAndClosedPartsFaceOutwards) {
   EXPECT_GT(signedVolume(inside_out.mesh), 0.0);
 }
 
+/// The sphere of 20 mm without what lies above `height` mm; inside out.
+TriangleMesh insideOutBowl(double height) {
+  TriangleMesh mesh = zoo::sphere(20.0, 4);
+  std::erase_if(mesh.triangles, [&](const Triangle& t) { return centreOf(mesh, t).z() > height; });
+  for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+  return mesh;
+}
+
+TEST(Repair, OpenBodiesFaceOutwardsToo) {
+  const auto result = repair(insideOutBowl(14.0));
+  EXPECT_EQ(countOf(result, "open parts turned outside out"), 1u);
+  EXPECT_FALSE(result.closed);
+  EXPECT_GT(signedVolume(result.mesh), 0.0);
+  EXPECT_TRUE(result.warnings.empty());
+  EXPECT_TRUE(repair(result.mesh).actions.empty()) << "once is enough";
+  EXPECT_TRUE(repair(insideOutBowl(14.0), {.orient_outwards = false}).actions.size() <= 1);
+  EXPECT_FALSE(validate(insideOutBowl(14.0)).fit());
+}
+
+TEST(Repair, ABowlThatMayBeInsideOutIsReportedAndASheetIsNot) {
+  const auto bowl = repair(insideOutBowl(0.0));
+  EXPECT_EQ(countOf(bowl, "turned outside out"), 0u);
+  ASSERT_EQ(bowl.warnings.size(), 1u);
+  EXPECT_NE(bowl.warnings[0].find("may be inside out"), std::string::npos);
+  EXPECT_EQ(validate(insideOutBowl(0.0)).doubtful_parts.count, 1u);
+  TriangleMesh sheet = zoo::wavyGrid(20, 100.0, 12.0);
+  for (int side = 0; side < 2; ++side) {
+    const auto result = repair(sheet);
+    EXPECT_EQ(countOf(result, "turned outside out"), 0u);
+    EXPECT_TRUE(result.warnings.empty());
+    for (Triangle& t : sheet.triangles) std::swap(t[1], t[2]);
+  }
+}
+
+TEST(Repair, TheOpenWallOfAHollowKeepsFacingIn) {
+  TriangleMesh mesh = zoo::sphere(40.0, 3);
+  append(insideOutBowl(14.0), mesh);
+  EXPECT_EQ(countOf(repair(mesh), "turned outside out"), 0u);
+}
+
 TEST(Repair, TheWallOfAHollowKeepsFacingIn) {
   const auto result = repair(zoo::hollowSphere());
   EXPECT_TRUE(result.actions.empty());

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "palpate/base/error.h"
 #include "palpate/mesh/components.h"
@@ -12,6 +13,7 @@
 #include "palpate/mesh/fans.h"
 #include "palpate/mesh/holes.h"
 #include "palpate/mesh/intersections.h"
+#include "palpate/mesh/open_parts.h"
 #include "palpate/mesh/slivers.h"
 #include "palpate/mesh/topology.h"
 #include "palpate/mesh/weld.h"
@@ -119,6 +121,16 @@ class Repairing {
   void faceOutwards() {
     if (!options_.orient_outwards) return;
     note("closed parts turned outside out", turnOutwards(result_.mesh, edges_, patches_));
+    const OpenParts open = findOpenParts(result_.mesh, edges_);
+    for (const std::vector<Index>& part : open.inside_out) {
+      for (const Index t : part) std::swap(result_.mesh.triangles[t][1], result_.mesh.triangles[t][2]);
+    }
+    note("open parts turned outside out", open.inside_out.size());
+    if (open.doubtful.empty()) return;
+    result_.warnings.push_back(fmt::format("{} open part{} may be inside out (first triangle: {}): felt from the inside "
+                                           "of its bowl; turn the triangles if the outside is meant",
+                                           open.doubtful.size(), open.doubtful.size() == 1 ? "" : "s",
+                                           open.doubtful[0]));
   }
 
   void separateFans() {

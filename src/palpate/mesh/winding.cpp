@@ -135,21 +135,6 @@ double volumeOf(const TriangleMesh& mesh, std::span<const Index> triangles, cons
   return six_times / 6.0;
 }
 
-/// How often the triangles wind around the point: near 0 outside, near +-1 inside.
-double windingNumber(const TriangleMesh& mesh, std::span<const Index> triangles, const Vec3& point) {
-  double half_angles = 0.0;
-  for (Index t : triangles) {
-    const Vec3 a = mesh.positions[mesh.triangles[t][0]] - point;
-    const Vec3 b = mesh.positions[mesh.triangles[t][1]] - point;
-    const Vec3 c = mesh.positions[mesh.triangles[t][2]] - point;
-    const double la = a.norm();
-    const double lb = b.norm();
-    const double lc = c.norm();
-    half_angles += std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-  }
-  return half_angles / (2.0 * std::numbers::pi);
-}
-
 /// Closed units with their boxes: who lies inside whom.
 class ClosedParts {
  public:
@@ -246,6 +231,20 @@ std::size_t turnOutwards(TriangleMesh& mesh, const EdgeUses& edges, const Patche
     for (Index t : triangles[u]) flip(mesh.triangles[t]);
   }
   return inside_out.size();
+}
+
+double windingNumber(const TriangleMesh& mesh, std::span<const Index> triangles, const Vec3& point) {
+  double half_angles = 0.0;
+  for (Index t : triangles) {
+    const Vec3 a = mesh.positions[mesh.triangles[t][0]] - point;
+    const Vec3 b = mesh.positions[mesh.triangles[t][1]] - point;
+    const Vec3 c = mesh.positions[mesh.triangles[t][2]] - point;
+    const double la = a.norm();
+    const double lb = b.norm();
+    const double lc = c.norm();
+    half_angles += std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  }
+  return half_angles / (2.0 * std::numbers::pi);
 }
 
 double signedVolume(const TriangleMesh& mesh) {
