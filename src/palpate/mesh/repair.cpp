@@ -11,6 +11,7 @@
 #include "palpate/mesh/components.h"
 #include "palpate/mesh/doubled_triangles.h"
 #include "palpate/mesh/fans.h"
+#include "palpate/mesh/hairline_gaps.h"
 #include "palpate/mesh/holes.h"
 #include "palpate/mesh/intersections.h"
 #include "palpate/mesh/open_parts.h"
@@ -73,6 +74,21 @@ class Repairing {
     open_length_mm_ = surfaceState(result_.mesh, edgeUses(result_.mesh), {}).open_length_mm;
   }
 
+  void joinHairlines() {
+    if (!options_.weld) return;
+    const double gap_mm = kHairlineShare * boundingBox(result_.mesh).diagonal().norm();
+    const HairlineGaps gaps = findHairlineGaps(result_.mesh, gap_mm);
+    if (gaps.walls == 0) return;
+    std::vector<Triangle> kept;
+    for (std::size_t t = 0; t < result_.mesh.triangles.size(); ++t) {
+      if (gaps.is_wall[t]) continue;
+      const auto& [a, b, c] = result_.mesh.triangles[t];
+      kept.push_back({gaps.same_as[a], gaps.same_as[b], gaps.same_as[c]});
+    }
+    result_.mesh.triangles = std::move(kept);
+    noteDropped("triangles dropped that faced each other across a hairline gap between two parts", gaps.walls);
+  }
+
   void collapseSlivers() {
     report(progress_, "repairing", 0.2);
     const auto given = triangleCount();
@@ -127,10 +143,10 @@ class Repairing {
     }
     note("open parts turned outside out", open.inside_out.size());
     if (open.doubtful.empty()) return;
-    result_.warnings.push_back(fmt::format("{} open part{} may be inside out (first triangle: {}): felt from the inside "
-                                           "of its bowl; turn the triangles if the outside is meant",
-                                           open.doubtful.size(), open.doubtful.size() == 1 ? "" : "s",
-                                           open.doubtful[0]));
+    result_.warnings.push_back(
+        fmt::format("{} open part{} may be inside out (first triangle: {}): felt from the inside "
+                    "of its bowl; turn the triangles if the outside is meant",
+                    open.doubtful.size(), open.doubtful.size() == 1 ? "" : "s", open.doubtful[0]));
   }
 
   void separateFans() {
@@ -243,6 +259,7 @@ RepairResult repair(TriangleMesh mesh, const RepairOptions& options, const Progr
   repairing.dropUnusable();
   repairing.measureGiven();
   repairing.weld();
+  repairing.joinHairlines();
   repairing.collapseSlivers();
   repairing.removeTwins();
   repairing.checkSomethingIsLeft();

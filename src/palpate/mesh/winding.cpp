@@ -162,7 +162,21 @@ class ClosedParts {
     return false;
   }
 
+  /// Whether the whole mesh, as it is wound, has its outside in front of the unit and its inside behind: the wall of a
+  /// hollow, also of one that several units enclose together (voxels that meet in edges).
+  bool isSoundWall(Index unit) {
+    const Index t = triangles_[unit][0];
+    const auto& [a, b, c] = mesh_.triangles[t];
+    const Vec3 normal = areaVector2(mesh_.positions[a], mesh_.positions[b], mesh_.positions[c]).stableNormalized();
+    const Vec3 off = kOffTheWall * boxes_[unit].diagonal().norm() * normal;
+    work_left_ -= std::min(work_left_, 2 * mesh_.triangles.size());
+    const Vec3 centre = centreOf(mesh_, mesh_.triangles[t]);
+    return std::abs(windingNumber(mesh_, triangles_.entries, centre + off)) < 0.25 &&
+           windingNumber(mesh_, triangles_.entries, centre - off) > 0.75;
+  }
+
  private:
+  static constexpr double kOffTheWall = 1e-6;  // of the unit's size
   static constexpr Index kSeveral = kNoIndex - 1;
 
   void add(Index vertex, Index unit) {
@@ -224,7 +238,10 @@ std::size_t turnOutwards(TriangleMesh& mesh, const EdgeUses& edges, const Patche
   std::vector<Index> inside_out;
   for (Index u = 0; u < units.count; ++u) {
     if (!units.closed[u] || triangles[u].empty()) continue;
-    if (volumeOf(mesh, triangles[u], parts.box(u).center()) >= 0.0 || parts.isInsideAnother(u)) continue;
+    if (volumeOf(mesh, triangles[u], parts.box(u).center()) >= 0.0 || parts.isInsideAnother(u) ||
+        parts.isSoundWall(u)) {
+      continue;
+    }
     inside_out.push_back(u);
   }
   for (Index u : inside_out) {
