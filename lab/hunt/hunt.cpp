@@ -57,6 +57,7 @@ void addPath(const FailingPath& path, const HuntReport& report, HuntResult& sum)
   ++sum.paths;
   sum.ticks += report.ticks;
   sum.touching_ticks += report.touching_ticks;
+  sum.held_through_ticks += report.held_through_ticks;
   sum.events += report.events;
   for (std::size_t f = 0; f < kFaults; ++f) {
     const Finding& finding = report.findings[f];
@@ -71,6 +72,7 @@ void addPath(const FailingPath& path, const HuntReport& report, HuntResult& sum)
 void addAll(const HuntResult& more, HuntResult& sum) {
   sum.ticks += more.ticks;
   sum.touching_ticks += more.touching_ticks;
+  sum.held_through_ticks += more.held_through_ticks;
   sum.events += more.events;
   sum.paths += more.paths;
   for (std::size_t f = 0; f < kFaults; ++f) sum.fault_ticks[f] += more.fault_ticks[f];

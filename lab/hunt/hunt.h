@@ -46,7 +46,7 @@ struct FailingPath {
 };
 
 struct HuntResult {
-  std::size_t ticks = 0, touching_ticks = 0, events = 0, paths = 0;
+  std::size_t ticks = 0, touching_ticks = 0, held_through_ticks = 0, events = 0, paths = 0;
   std::size_t bodies = 0;
   std::array<std::size_t, kFaults> fault_ticks{};
   std::vector<FailingPath> failing;

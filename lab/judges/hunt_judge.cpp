@@ -24,6 +24,8 @@ constexpr double kConeRounding = 1e-9;
 constexpr double kStepShare = 1.1;
 /// The proxy moves at most twice as far as the tip, which moves once itself.
 constexpr double kProxyAndTip = 3.0;
+/// The way from a proxy to its tip begins off the skin, by this share of it.
+constexpr double kOffTheProxy = 1e-6;
 /// Beside a border a force fades and a finger may be let go: within this share of the diagonal nothing is said.
 constexpr double kBorderShare = 0.02;
 
@@ -50,7 +52,8 @@ mesh::TriangleMesh notEmpty(mesh::TriangleMesh mesh) {
 }  // namespace
 
 const char* nameOf(Fault fault) {
-  constexpr std::array<const char*, kFaults> kNames{"fall", "missed_contact", "wrong_force", "step_over_bound"};
+  constexpr std::array<const char*, kFaults> kNames{"fall", "missed_contact", "wrong_force", "step_over_bound",
+                                                    "held_in_air"};
   return kNames[static_cast<std::size_t>(fault)];
 }
 
@@ -217,11 +220,25 @@ void HuntJudge::judgeTouching(const contact::FingerOutput& o) {
     return;
   }
   if (isOnItsWay(o.status)) return;
+  if (body_.closed() && has_force && !let_be_) judgeHeldInAir(o);
   judgeForce(o);
   if (settings_.radius_mm > 0.0) {
     judgeSphere(o);
   } else {
     judgePoint(o);
+  }
+}
+
+void HuntJudge::judgeHeldInAir(const contact::FingerOutput& o) {
+  const double clear = body_.nearest(o.tip).distance;
+  const double rounding = body_.selfIntersecting() ? kTinySphereShare * body_.diagonal() : 10.0 * body_.tolerance();
+  if (clear <= std::max(settings_.radius_mm, rounding)) return;
+  if (insideBall(o.tip, clear, tip_ball_)) return;
+  const BoxTree::Crossing between = body_.tree().crossing(o.proxy + kOffTheProxy * (o.tip - o.proxy), o.tip);
+  if (between.inwards != 0 || between.entry) {
+    ++report_.held_through_ticks;
+  } else {
+    found(Fault::held_in_air, "force on a tip in free air, N", o.force.norm(), 0.0);
   }
 }
 

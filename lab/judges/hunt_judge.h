@@ -23,10 +23,11 @@ enum class Fault {
   fall,            ///< the finger is free, the tip is inside, and was outside or held before
   missed_contact,  ///< the tip went in without a force; a free sphere overlaps the skin from outside
   wrong_force,     ///< not finite, pulling, out of the friction cone, of a sphere sunk in, of a proxy off the skin
-  step             ///< the force changed by more than the tip's motion and the catch-up allow
+  step,            ///< the force changed by more than the tip's motion and the catch-up allow
+  held_in_air  ///< a force although the tip is outside, clear of the skin, and nothing lies between it and its proxy
 };
-inline constexpr std::size_t kFaults = 4;
-/// "fall", "missed_contact", "wrong_force", "step_over_bound".
+inline constexpr std::size_t kFaults = 5;
+/// "fall", "missed_contact", "wrong_force", "step_over_bound", "held_in_air".
 const char* nameOf(Fault fault);
 std::optional<Fault> faultNamed(std::string_view name);
 
@@ -42,6 +43,9 @@ struct HuntReport {
   std::size_t ticks = 0;
   std::size_t touching_ticks = 0;
   std::size_t events = 0;  ///< ticks whose status says that contact was given up for another place
+  /// Ticks with a tip that came out elsewhere and is held through the body by the side where it went in: no fault
+  /// (docs/contact.md, thin parts).
+  std::size_t held_through_ticks = 0;
   std::array<Finding, kFaults> findings;
 
   const Finding& of(Fault fault) const { return findings[static_cast<std::size_t>(fault)]; }
@@ -114,6 +118,8 @@ class HuntJudge {
   bool cameThroughSkin(const Vec3& tip);
   bool isFarFromBorder(const Vec3& place, double reach);
   void judgeTouching(const contact::FingerOutput& o);
+  /// Closed bodies only: an open one has no outside that a winding number tells.
+  void judgeHeldInAir(const contact::FingerOutput& o);
   void judgeForce(const contact::FingerOutput& o);
   void judgePoint(const contact::FingerOutput& o);
   void judgeSphere(const contact::FingerOutput& o);

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <utility>
 
 #include "lab/workloads/heldout_meshes.h"
 #include "lab/workloads/hunted_damage.h"
@@ -156,12 +158,90 @@ mesh::TriangleMesh ridge(Random& random) {
                [=](double x, double) { return sign * slope * std::abs(x - 75); });
 }
 
+// ---- voxels, hairline gaps, thin parts, open and inside out ---------------------------------------------------------
+
+/// The skin of cubes of a lattice: what a segmented scan looks like. Cubes that share only an edge or a corner are
+/// there.
+mesh::TriangleMesh voxels(Random& random) {
+  constexpr int kCells = 9;
+  const double size = random.uniform(4, 12), share = random.uniform(0.5, 0.95), reach = random.uniform(2.5, 4.5);
+  std::vector<std::uint8_t> filled(kCells * kCells * kCells, 0);
+  const auto at = [&](int x, int y, int z) {
+    const bool within = std::min({x, y, z}) >= 0 && std::max({x, y, z}) < kCells;
+    return within && filled[static_cast<std::size_t>((z * kCells + y) * kCells + x)] != 0;
+  };
+  for (int i = 0; i < kCells * kCells * kCells; ++i) {
+    const Vec3 from_middle = Vec3(i % kCells, i / kCells % kCells, i / (kCells * kCells)) - Vec3::Constant(kCells / 2);
+    filled[static_cast<std::size_t>(i)] = from_middle.norm() <= reach && random.uniform(0, 1) < share ? 1 : 0;
+  }
+  filled[filled.size() / 2] = 1;  // one at least
+  mesh::TriangleMesh mesh;
+  const auto add_face = [&](const Vec3& corner, const Vec3& u, const Vec3& v) {  // seen from u x v
+    const auto first = static_cast<Index>(mesh.positions.size());
+    for (const Vec3& p : {corner, Vec3(corner + u), Vec3(corner + u + v), Vec3(corner + v)})
+      mesh.positions.push_back(size * p);
+    const Index turn = random.below(2) == 0 ? 0 : 1;  // either diagonal
+    mesh.triangles.push_back({first + turn, first + turn + 1, first + turn + 2});
+    mesh.triangles.push_back({first + turn, first + turn + 2, first + (turn + 3) % 4});
+  };
+  for (int i = 0; i < kCells * kCells * kCells; ++i) {
+    const int x = i % kCells, y = i / kCells % kCells, z = i / (kCells * kCells);
+    if (!at(x, y, z)) continue;
+    const Vec3 c(x, y, z), ex = Vec3::UnitX(), ey = Vec3::UnitY(), ez = Vec3::UnitZ();
+    if (!at(x + 1, y, z)) add_face(c + ex, ey, ez);
+    if (!at(x - 1, y, z)) add_face(c, ez, ey);
+    if (!at(x, y + 1, z)) add_face(c + ey, ez, ex);
+    if (!at(x, y - 1, z)) add_face(c, ex, ez);
+    if (!at(x, y, z + 1)) add_face(c + ez, ex, ey);
+    if (!at(x, y, z - 1)) add_face(c, ey, ex);
+  }
+  return mesh;
+}
+
+/// Boxes made beside each other, with a nanometre to a tenth of a millimetre between them.
+mesh::TriangleMesh hairlineParts(Random& random) {
+  const double gap = std::pow(10.0, random.uniform(-6, -1));
+  const int cells = 2 + static_cast<int>(random.below(5));
+  mesh::TriangleMesh mesh;
+  for (int i = 0; i < 6; ++i) {
+    mesh::TriangleMesh part = plateMesh(40, 30, cells);
+    for (Vec3& p : part.positions) p += Vec3(i % 3 * (40 + gap), i / 3 * (40 + gap), 0);
+    mesh::append(part, mesh);
+  }
+  return mesh;
+}
+
+/// Plates and limbs of 0.5 to 8 mm, far enough apart not to touch.
+mesh::TriangleMesh thinParts(Random& random) {
+  mesh::TriangleMesh mesh;
+  for (int i = 0; i < 4; ++i) {
+    mesh::TriangleMesh part = plateMesh(40, random.uniform(0.5, 8), 10);
+    if (random.below(2) == 0) {
+      part = bumpyBallMesh(20, 0, 0, 4);
+      squeeze(part, Vec3::UnitZ(), random.uniform(0.02, 0.2));
+    }
+    place(part, 90 * Vec3(i % 2, i / 2, 0), random);
+    mesh::append(part, mesh);
+  }
+  return mesh;
+}
+
+/// A sound shape with an opening, all its triangles turned: repair has to find the outside.
+mesh::TriangleMesh insideOutOpen(Random& random) {
+  mesh::TriangleMesh mesh = bumpyBallMesh(random.uniform(40, 70), random.uniform(0, 0.1), random.uniform(2, 8), 5);
+  const Vec3 axis = anyDirection(random);
+  const double height = mesh::boundingBox(mesh).sizes().maxCoeff() * random.uniform(0.32, 0.45);
+  std::erase_if(mesh.triangles, [&](const Triangle& t) { return mesh::centreOf(mesh, t).dot(axis) > height; });
+  for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+  return mesh;
+}
+
 struct BodyKind {
   const char* name;
   mesh::TriangleMesh (*make)(Random& random);
 };
 
-constexpr std::array<BodyKind, 20> kMade{{
+constexpr std::array<BodyKind, 24> kMade{{
     {"leaf", leaf},
     {"coarse", coarse},
     {"slivers", slivers},
@@ -187,6 +267,10 @@ constexpr std::array<BodyKind, 20> kMade{{
        splitIntoSlivers(mesh, 0.5, r);
        return mesh;
      }},
+    {"voxels", voxels},
+    {"hairline_parts", hairlineParts},
+    {"thin_parts", thinParts},
+    {"inside_out_open", insideOutOpen},
 }};
 
 }  // namespace

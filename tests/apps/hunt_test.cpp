@@ -27,7 +27,8 @@ TEST_F(HuntCommand, CountsWhatItFindsAndSaysSoByItsExitCode) {
   const auto json = nlohmann::json::parse(end.out);
   EXPECT_EQ(json["ticks"], 20000);
   EXPECT_EQ(json["bodies"], 3);
-  for (const char* key : {"falls", "missed_contacts", "wrong_forces", "steps_over_bound", "events"})
+  for (const char* key :
+       {"falls", "missed_contacts", "wrong_forces", "steps_over_bound", "held_in_air", "held_through_body", "events"})
     EXPECT_TRUE(json[key].is_number_unsigned()) << key;
   EXPECT_EQ(end.exit_code, json["failing_paths"].empty() ? 0 : 1);
   for (const auto& path : json["failing_paths"]) {

@@ -67,6 +67,19 @@ class FingerTrack {
 
 inline bool touches(const FingerOutput& output) { return output.touch != Touch::free; }
 
+/// Two boxes of 50 mm that share the edge at x = y = 50. The finger presses the first from y = 50 and is drawn out of
+/// its side at x = 50, into the air under the other box: it is let go there, `clear_mm` off the skin.
+template <class Track>
+void expectLetGoInTheOtherSector(Track& finger, double clear_mm) {
+  finger.to({30, 70, 25});
+  finger.slide({30, 45, 25}, 0.25);
+  finger.slide({50 + clear_mm, 40, 25}, 0.25);
+  FingerOutput output;
+  for (int i = 0; i < 300; ++i) output = finger.to({50.001 + clear_mm, 40, 25});
+  EXPECT_FALSE(touches(output)) << output.force.norm() << " N";
+  EXPECT_GT(finger.slide({49, 40, 25}, 0.25).force.x(), 0.0) << "and felt again from that side";
+}
+
 /// Tangential over normal force.
 inline double ratioOf(const FingerOutput& output) {
   const double normal = output.force.dot(output.normal);

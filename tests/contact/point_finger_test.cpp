@@ -184,6 +184,25 @@ TEST(PointFinger, IsNeverThrownToTheFarSideOfABody) {
   EXPECT_NEAR(finger.to({50, 60, 2}).force.z(), -2 * kTestStiffness, 1e-9);
 }
 
+TEST(PointFinger, IsNotHeldInFreeAirByAnEdgeThatTwoBoxesShare) {
+  mesh::TriangleMesh boxes = zoo::cubesSharingAnEdge();
+  for (Vec3& place : boxes.positions) place *= 5.0;
+  const Surface surface = surfaceOf(boxes);
+  EXPECT_TRUE(surface.touches_itself);
+  FingerTrack finger(surface);
+  expectLetGoInTheOtherSector(finger, 1.0);
+}
+
+TEST(PointFinger, IsHeldByAnEdgeThatTwoBoxesShareWhileItIsInside) {
+  mesh::TriangleMesh boxes = zoo::cubesSharingAnEdge();
+  for (Vec3& place : boxes.positions) place *= 5.0;
+  const Surface surface = surfaceOf(boxes);
+  FingerTrack finger(surface);
+  finger.to({30, 70, 25});
+  finger.slide({30, 45, 25}, 0.25);
+  EXPECT_NEAR(finger.slide({49.9, 40, 25}, 0.25).depth_mm, 10.0, 0.1);
+}
+
 TEST(PointFinger, FeelsRepairedNonManifoldAndOneSidedMeshes) {
   for (const auto& mesh : {zoo::cubesSharingAnEdge(), zoo::book(), zoo::moebius(), zoo::cubeWithFin(),
                            zoo::plateWithFoldedSliver(), zoo::cubeWithNeedles(), zoo::cubeWithCap()}) {

@@ -151,6 +151,28 @@ TEST(SphereFinger, IsNeverThrownToTheFarSideOfABody) {
   EXPECT_NEAR(finger.to({50, 60, -5}).force.z(), -3 * kTestStiffness, 1e-6);
 }
 
+TEST(SphereFinger, IsNotHeldInFreeAirByAnEdgeThatTwoBoxesShare) {
+  mesh::TriangleMesh boxes = zoo::cubesSharingAnEdge();
+  for (Vec3& place : boxes.positions) place *= 5.0;
+  const Surface surface = surfaceOf(boxes);
+  FingerTrack finger(surface, sphereOf(5.0));
+  expectLetGoInTheOtherSector(finger, 6.0);
+}
+
+TEST(SphereFinger, IsLetGoWhereItsCentreIsPastAGapAndInFreeAir) {
+  // Two bars with 6 mm between them, 10 mm thick.
+  mesh::TriangleMesh bars = zoo::cube(10.0, {-13, 0, 0});
+  mesh::append(zoo::cube(10.0, {3, 0, 0}), bars);
+  const Surface surface = surfaceOf(bars);
+  FingerTrack finger(surface, sphereOf(5.0));
+  finger.to({0.1, 5, 20});
+  FingerOutput output = finger.slide({0.1, 5, -4.0}, 0.1);  // 4 mm below the bars: not clear yet
+  EXPECT_GT(output.force.z(), 5.0) << "it does not fit through";
+  finger.slide({0.1, 5, -6.0}, 0.1);
+  for (int i = 0; i < 500; ++i) output = finger.to({0.1, 5, -6.0});
+  EXPECT_FALSE(touches(output)) << output.force.norm() << " N";
+}
+
 TEST(SphereFinger, ALostTipGivesNoForceAndForgetsNothing) {
   const Surface plate = surfaceOf(zoo::grid());
   FingerTrack finger(plate, sphereOf(5.0));

@@ -91,4 +91,11 @@ TEST(SurfaceWalk, StiffnessIsBarycentric) {
               1e-12);
 }
 
+TEST(Surface, KnowsWhetherTheBodyTouchesItself) {
+  for (const auto& mesh : {zoo::cube(), zoo::sphere(), zoo::hollowSphere(), zoo::grid(), zoo::overlappingSpheres()})
+    EXPECT_FALSE(surfaceOf(mesh).touches_itself);
+  for (const auto& mesh : {zoo::cubesSharingAnEdge(), zoo::cubesSharingAVertex()})
+    EXPECT_TRUE(surfaceOf(mesh).touches_itself);
+}
+
 }  // namespace palpate::contact

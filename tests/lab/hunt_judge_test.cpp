@@ -96,6 +96,31 @@ TEST_F(HuntJudgement, ATipThatWentRightThroughIsOutsideAgain) {
   EXPECT_TRUE(judged({above(1), pressed(2), freeOutputAt({51, 47, -1})}).of(Fault::fall).ticks == 0);
 }
 
+/// A finger whose proxy is at the plate's upper rim, with its tip at `tip`.
+TEST_F(HuntJudgement, AForceInFreeAirWithNothingBetweenIsAFault) {
+  const auto held = [&](const Vec3& tip) {
+    contact::FingerOutput o = pressed(1);
+    o.tip = tip;
+    o.proxy = o.anchor = o.hold = {100, 47, kTop};
+    o.depth_mm = (o.proxy - tip).norm();
+    o.normal = (o.proxy - tip) / o.depth_mm;
+    o.force = kStiffness * o.depth_mm * o.normal;
+    o.triangle = plate.nearest(o.proxy).triangle;
+    return o;
+  };
+  const HuntReport in_air = judged({above(1), pressed(1), held({103, 47, 26})});
+  EXPECT_EQ(ticksOf(in_air, Fault::held_in_air), 1u);
+  EXPECT_EQ(in_air.held_through_ticks, 0u);
+  EXPECT_EQ(ticksOf(judged({above(1), pressed(1), held({97, 47, 26})}), Fault::held_in_air), 0u) << "inside";
+  EXPECT_EQ(ticksOf(judged({above(9), held({103, 47, 26})}, 5.0), Fault::held_in_air), 0u) << "a sphere is not clear";
+  contact::FingerOutput fading = held({103, 47, 26});
+  fading.status = contact::kCatchingUp | contact::kLettingGo;
+  EXPECT_EQ(ticksOf(judged({above(1), pressed(1), fading}), Fault::held_in_air), 0u);
+  const HuntReport through = judged({above(1), pressed(1), held({95, 47, -3})});
+  EXPECT_EQ(ticksOf(through, Fault::held_in_air), 0u);
+  EXPECT_EQ(through.held_through_ticks, 1u) << "behind the plate";
+}
+
 TEST_F(HuntJudgement, AFreeSphereMayNotOverlapTheSkin) {
   EXPECT_EQ(ticksOf(judged({above(9), above(4.9)}, 5.0), Fault::missed_contact), 1u);
   EXPECT_TRUE(judged({above(9), above(4.9999)}, 5.0).clean()) << "less than a thousandth of the radius";

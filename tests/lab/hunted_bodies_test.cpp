@@ -9,6 +9,7 @@
 #include "lab/workloads/hunted_shapes.h"
 #include "palpate/base/error.h"
 #include "palpate/mesh/repair.h"
+#include "palpate/mesh/validate.h"
 #include "palpate/mesh/winding.h"
 
 namespace palpate::lab {
@@ -58,7 +59,19 @@ TEST(HuntedBodies, HaveWhatTheirKindsAreNamedFor) {
     EXPECT_FALSE(mesh::repair(huntedBody(kind, 2), {.fill_holes = false}).closed) << kind;
     EXPECT_TRUE(repaired(kind).closed) << kind << ": its holes are small";
   }
+  EXPECT_FALSE(repaired("inside_out_open").closed);
+  EXPECT_GT(mesh::signedVolume(repaired("inside_out_open").mesh), 0.0) << "repair has found its outside";
+  EXPECT_GT(mesh::validate(huntedBody("voxels", 2)).coincident_vertices.count, 0u);
+  EXPECT_TRUE(repaired("voxels").closed);
   for (const char* kind : {"hollow", "chain"}) EXPECT_EQ(repaired(kind).components, 2u) << kind;
+}
+
+TEST(HuntedBodies, VoxelsKeepTheirHollowsThroughRepair) {
+  // In body 11 several lumps that meet in edges enclose a hollow together.
+  for (std::uint64_t seed = 6; seed < 18; ++seed) {
+    const mesh::TriangleMesh given = huntedBody("voxels", seed);
+    EXPECT_NEAR(mesh::signedVolume(mesh::repair(given).mesh), mesh::signedVolume(given), 1e-3) << seed;
+  }
 }
 
 TEST(HuntedDamage, SliversLeaveTheSurfaceWhereItWas) {

@@ -221,6 +221,80 @@ TEST(Repair, WindingFollowsTheMajorityAndClosedPartsFaceOutwards) {
   EXPECT_GT(signedVolume(inside_out.mesh), 0.0);
 }
 
+/// The sphere of 20 mm without what lies above `height` mm; inside out.
+TriangleMesh insideOutBowl(double height) {
+  TriangleMesh mesh = zoo::sphere(20.0, 4);
+  std::erase_if(mesh.triangles, [&](const Triangle& t) { return centreOf(mesh, t).z() > height; });
+  for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+  return mesh;
+}
+
+TEST(Repair, OpenBodiesFaceOutwardsToo) {
+  const auto result = repair(insideOutBowl(14.0));
+  EXPECT_EQ(countOf(result, "open parts turned outside out"), 1u);
+  EXPECT_FALSE(result.closed);
+  EXPECT_GT(signedVolume(result.mesh), 0.0);
+  EXPECT_TRUE(result.warnings.empty());
+  EXPECT_TRUE(repair(result.mesh).actions.empty()) << "once is enough";
+  EXPECT_TRUE(repair(insideOutBowl(14.0), {.orient_outwards = false}).actions.size() <= 1);
+  EXPECT_FALSE(validate(insideOutBowl(14.0)).fit());
+}
+
+TEST(Repair, ABowlThatMayBeInsideOutIsReportedAndASheetIsNot) {
+  const auto bowl = repair(insideOutBowl(0.0));
+  EXPECT_EQ(countOf(bowl, "turned outside out"), 0u);
+  ASSERT_EQ(bowl.warnings.size(), 1u);
+  EXPECT_NE(bowl.warnings[0].find("may be inside out"), std::string::npos);
+  EXPECT_EQ(validate(insideOutBowl(0.0)).doubtful_parts.count, 1u);
+  TriangleMesh sheet = zoo::wavyGrid(20, 100.0, 12.0);
+  for (int side = 0; side < 2; ++side) {
+    const auto result = repair(sheet);
+    EXPECT_EQ(countOf(result, "turned outside out"), 0u);
+    EXPECT_TRUE(result.warnings.empty());
+    for (Triangle& t : sheet.triangles) std::swap(t[1], t[2]);
+  }
+}
+
+TEST(Repair, TheOpenWallOfAHollowKeepsFacingIn) {
+  TriangleMesh mesh = zoo::sphere(40.0, 3);
+  append(insideOutBowl(14.0), mesh);
+  EXPECT_EQ(countOf(repair(mesh), "turned outside out"), 0u);
+}
+
+/// Two cubes of 10 mm beside each other, `gap_mm` apart.
+TriangleMesh cubesBesideEachOther(double gap_mm) {
+  TriangleMesh mesh = zoo::cube(10.0, {0, 0, 0});
+  append(zoo::cube(10.0, {10.0 + gap_mm, 0, 0}), mesh);
+  return mesh;
+}
+
+TEST(Repair, PartsBesideEachOtherBecomeOneAcrossAHairline) {
+  for (const double gap_mm : {0.0, 1e-9, 1e-6, 1e-3}) {
+    TriangleMesh mesh = cubesBesideEachOther(0.0);
+    for (std::size_t v = 8; v < mesh.positions.size(); ++v) mesh.positions[v].x() += gap_mm;
+    const auto result = repair(mesh);
+    EXPECT_TRUE(result.closed) << gap_mm;
+    EXPECT_EQ(result.components, 1u) << gap_mm;
+    EXPECT_EQ(result.mesh.triangles.size(), 20u) << gap_mm << ": the two walls between them are gone";
+    EXPECT_NEAR(signedVolume(result.mesh), 2000.0, 0.2) << gap_mm;
+  }
+  TriangleMesh cut_otherwise = cubesBesideEachOther(1e-3);  // the wall at x = 10 along its other diagonal
+  std::vector<Triangle*> wall;
+  for (Triangle& t : cut_otherwise.triangles) {
+    if (std::all_of(t.begin(), t.end(), [&](Index v) { return cut_otherwise.positions[v].x() == 10.0; }))
+      wall.push_back(&t);
+  }
+  ASSERT_EQ(wall.size(), 2u);
+  const Triangle one = *wall[0], other = *wall[1];  // (a, b, c), (a, c, d)
+  *wall[0] = {one[0], one[1], other[2]};
+  *wall[1] = {one[1], one[2], other[2]};
+  EXPECT_EQ(repair(cut_otherwise).mesh.triangles.size(), 20u);
+  EXPECT_TRUE(repair(cut_otherwise).closed);
+  const auto apart = repair(cubesBesideEachOther(0.01));
+  EXPECT_EQ(apart.components, 2u) << "5e-4 of the diagonal is a gap";
+  EXPECT_EQ(apart.mesh.triangles.size(), 24u);
+}
+
 TEST(Repair, TheWallOfAHollowKeepsFacingIn) {
   const auto result = repair(zoo::hollowSphere());
   EXPECT_TRUE(result.actions.empty());

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <set>
 #include <utility>
@@ -19,6 +20,34 @@ TEST(Validate, ASoundMeshHasNoTraits) {
     EXPECT_TRUE(report.closed);
     EXPECT_TRUE(report.self_intersections_checked);
     EXPECT_TRUE(describe(report).empty());
+  }
+}
+
+/// A cylinder whose caps are fans round their middles: every box of a cap overlaps the others.
+TriangleMesh cylinderWithFans(Index sides) {
+  TriangleMesh mesh;
+  for (Index i = 0; i < sides; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / sides;
+    for (const double z : {0.0, 400.0}) mesh.positions.emplace_back(60.0 * std::cos(angle), 60.0 * std::sin(angle), z);
+  }
+  mesh.positions.emplace_back(0, 0, 0);
+  mesh.positions.emplace_back(0, 0, 400);
+  for (Index i = 0; i < sides; ++i) {
+    const Index low = 2 * i, next = 2 * ((i + 1) % sides);
+    mesh.triangles.push_back({low, next, next + 1});
+    mesh.triangles.push_back({low, next + 1, low + 1});
+    mesh.triangles.push_back({2 * sides, next, low});
+    mesh.triangles.push_back({2 * sides + 1, low + 1, next + 1});
+  }
+  return mesh;
+}
+
+TEST(Validate, FansAreSearchedForSelfIntersectionsToTheEnd) {
+  for (const Index sides : {180u, 240u, 1000u}) {
+    const auto report = validate(cylinderWithFans(sides));
+    EXPECT_TRUE(report.self_intersections_checked) << sides;
+    EXPECT_TRUE(report.fit()) << sides;
+    EXPECT_EQ(report.self_intersections.count, 0u) << sides;
   }
 }
 

@@ -95,6 +95,8 @@ nlohmann::ordered_json huntJson(const lab::HuntPlan& plan, const lab::HuntResult
   json["missed_contacts"] = ticksOf(result, lab::Fault::missed_contact);
   json["wrong_forces"] = ticksOf(result, lab::Fault::wrong_force);
   json["steps_over_bound"] = ticksOf(result, lab::Fault::step);
+  json["held_in_air"] = ticksOf(result, lab::Fault::held_in_air);
+  json["held_through_body"] = result.held_through_ticks;
   json["events"] = result.events;
   json["failing_paths"] = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < result.failing.size(); ++i)
@@ -118,6 +120,8 @@ std::string huntText(const lab::HuntResult& result, const std::vector<std::strin
   text += fmt::format("missed contacts   {}\n", ticksOf(result, lab::Fault::missed_contact));
   text += fmt::format("wrong forces      {}\n", ticksOf(result, lab::Fault::wrong_force));
   text += fmt::format("steps over bound  {}\n", ticksOf(result, lab::Fault::step));
+  text += fmt::format("held in air       {}\n", ticksOf(result, lab::Fault::held_in_air));
+  text += fmt::format("held through body {}\n", result.held_through_ticks);
   text += fmt::format("events            {}\n", result.events);
   for (std::size_t i = 0; i < std::min(result.failing.size(), kMostLines); ++i)
     text += failingText(result.failing[i], files[i]);

@@ -116,6 +116,8 @@ nlohmann::ordered_json traitsOf(const ValidationReport& report) {
   traits["non_manifold_edges"] = jsonOf(report.non_manifold_edges);
   traits["non_manifold_vertices"] = jsonOf(report.non_manifold_vertices);
   traits["inconsistent_edges"] = jsonOf(report.inconsistent_edges);
+  traits["inside_out_parts"] = jsonOf(report.inside_out_parts);
+  traits["doubtful_parts"] = jsonOf(report.doubtful_parts);
   traits["border_edges"] = jsonOf(report.border_edges);
   traits["self_intersections"] = jsonOf(report.self_intersections);
   traits["touching_edges"] = jsonOf(report.touching_edges);

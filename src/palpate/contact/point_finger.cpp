@@ -137,6 +137,10 @@ Press pressPoint(const Surface& surface, const FingerSettings& settings, FingerS
         return {};
       }
     }
+    if (!leaves && boundsTwoSectors(surface, state.proxy) && isInAir(surface, state.proxy.position, tip)) {
+      state.touching = false;
+      return {};
+    }
     if (!leaves) {
       press = pressAt(surface, settings, state.proxy, tip);
       press.status |= status;

@@ -15,6 +15,9 @@ constexpr double kSurelyOutside = 0.25;
 constexpr double kInside = 0.5;
 constexpr double kSurelyInside = 0.9;
 
+/// The way from a place of the skin begins this share of it off the place, so that the place itself is no obstacle.
+constexpr double kOffThePlace = 1e-6;
+
 }  // namespace
 
 bool isOutside(const Surface& surface, const Vec3& tip, double lag) noexcept {
@@ -24,6 +27,15 @@ bool isOutside(const Surface& surface, const Vec3& tip, double lag) noexcept {
   if (nearest.triangle == kNoIndex) return false;
   const SurfacePoint place{nearest.closest.point, nearest.triangle, nearest.closest.feature};
   return !onBorder(surface, place) && (tip - place.position).dot(normalAt(surface, place)) > releaseSlack(surface);
+}
+
+bool isInAir(const Surface& surface, const Vec3& place, const Vec3& tip) noexcept {
+  const Vec3 way = tip - place;
+  const double lag = way.norm();
+  if (!(kOffThePlace * lag > releaseSlack(surface))) return false;
+  const Vec3 begin = place + kOffThePlace * way;
+  return tree::firstFrontCrossing(surface.tree, begin, tip).triangle == kNoIndex &&
+         tree::firstFrontCrossing(surface.tree, tip, begin).triangle == kNoIndex && isOutside(surface, tip, lag);
 }
 
 bool isInside(const Surface& surface, const Vec3& tip) noexcept {

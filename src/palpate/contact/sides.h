@@ -2,6 +2,7 @@
 // is held that may be inside already.
 #pragma once
 
+#include "palpate/contact/finger_state.h"
 #include "palpate/contact/surface.h"
 
 namespace palpate::contact {
@@ -10,6 +11,17 @@ namespace palpate::contact {
 /// winding number, of parts that overlap too. Of a body with holes, or a sheet, that tells less: there the tip has to
 /// be in front of the nearest place besides, and that must not be the border. About 1 us (tree/winding_number.h).
 bool isOutside(const Surface& surface, const Vec3& tip, double lag) noexcept;
+
+/// Whether a tip that is held at `place` is in free air with nothing between: it is out of the body, and the straight
+/// way to the place meets no skin. False within rounding of the place.
+bool isInAir(const Surface& surface, const Vec3& place, const Vec3& tip) noexcept;
+
+/// Whether that has to be asked of a proxy on the skin: only where the body touches itself. At the edge of two boxes
+/// that share it the skin bounds two empty sectors, and the proxy may be in the one while the tip came out into the
+/// other. Everywhere else the side of the place's normal is exact and says the same.
+inline bool boundsTwoSectors(const Surface& surface, const SurfacePoint& place) noexcept {
+  return surface.touches_itself && place.feature != tree::Feature::face;
+}
 
 /// Whether a tip that is about to be let go is inside a closed body. False for an open sheet.
 bool isInside(const Surface& surface, const Vec3& tip) noexcept;

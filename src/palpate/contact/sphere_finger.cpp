@@ -115,6 +115,7 @@ struct Move {
   SurfacePoint under_tip;  ///< the place of the skin that a point finger would press
   SurfacePoint foot;       ///< the place that the sphere stands on; the last one when it is in the air
   std::uint32_t status = 0;
+  bool on_one_place = false;  ///< it stands on `under_tip` and nowhere else
 };
 
 /// The centre of a sphere that stands on `foot` only.
@@ -140,6 +141,7 @@ bool standsOnOnePlace(const SphereTask& task, Move& move) {
   if (!stands) return false;
   move.centre = centre;
   move.foot = walk.at;
+  move.on_one_place = true;
   return true;
 }
 
@@ -191,6 +193,19 @@ Press pressWith(const FingerSettings& settings, const SphereTask& task, const Mo
   return press;
 }
 
+/// Whether a tip came out elsewhere and is in free air, seen from where the sphere is held: by an edge that two boxes
+/// share, or by a gap that the sphere was pressed against and that its centre has passed. On one ordinary place the tip
+/// is behind the skin, and nothing has to be asked.
+bool isHeldInAir(const SphereTask& task, const Move& move, const Vec3& proxy) noexcept {
+  const Surface& surface = task.surface;
+  if (boundsTwoSectors(surface, move.under_tip) && isInAir(surface, move.under_tip.position, task.tip)) return true;
+  if (move.on_one_place || (task.tip - move.foot.position).norm() < task.radius) return false;
+  // Behind the skin at the place that a point would press, which is nearly everywhere: the way from there to the tip
+  // begins inside, so the tip is inside or there is skin between.
+  if ((task.tip - move.under_tip.position).dot(normalAt(surface, move.under_tip)) < 0.0) return false;
+  return isInAir(surface, proxy, task.tip);
+}
+
 }  // namespace
 
 Press pressSphere(const Surface& surface, const FingerSettings& settings, double radius, FingerState& state,
@@ -208,7 +223,9 @@ Press pressSphere(const Surface& surface, const FingerSettings& settings, double
   Press press;
   if (!reached) press = pressWith(settings, task, move, state);
   const bool faded = (press.status & kAtBorder) != 0 && press.felt_depth_mm <= 0.0;
-  const bool let_go = too_deep && isOutside(surface, tip, lag) && !overlapsFront(surface, tip, radius);
+  const bool away =
+      too_deep ? isOutside(surface, tip, lag) : state.fits && !reached && isHeldInAir(task, move, press.proxy);
+  const bool let_go = away && !overlapsFront(surface, tip, radius);
   state.touching = !reached && !faded && !let_go;
   return state.touching ? press : Press{};
 }

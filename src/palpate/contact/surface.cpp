@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "palpate/base/error.h"
 #include "palpate/contact/surface_walk.h"
 #include "palpate/mesh/intersections.h"
+#include "palpate/mesh/weld.h"
 
 namespace palpate::contact {
 
@@ -80,6 +82,50 @@ void checkFans(const Surface& surface) {
   }
 }
 
+/// Vertices of the triangles around a corner, without itself; each once where the fan is closed.
+void neighboursOf(const Surface& surface, Index record, int corner, std::vector<Index>& vertices) {
+  vertices.clear();
+  visitFan(surface, record, corner,
+           [&](Index t, int c) { vertices.push_back(surface.tree.records[t].vertices[(c + 1) % 3]); });
+}
+
+/// Whether a vertex is the middle that repair gave an edge to tell it from another between the same two vertices
+/// (mesh/fans.h): it lies in the middle of two neighbours that have an edge of their own as well.
+bool anyEdgeTwice(const mesh::TriangleMesh& mesh, const Surface& surface) {
+  std::vector<std::uint8_t> done(mesh.positions.size(), 0);
+  std::vector<Index> around, beyond;
+  for (Index r = 0; r < surface.tree.records.size(); ++r) {
+    for (int corner = 0; corner < 3; ++corner) {
+      const Index v = surface.tree.records[r].vertices[corner];
+      if (std::exchange(done[v], 1) != 0) continue;
+      neighboursOf(surface, r, corner, around);
+      for (std::size_t i = 0; i < around.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+          if (mesh.positions[v] != Vec3(0.5 * (mesh.positions[around[i]] + mesh.positions[around[j]]))) continue;
+          bool twice = false;
+          visitFan(surface, r, corner, [&](Index t, int) {
+            const auto& vertices = surface.tree.records[t].vertices;
+            const auto at = std::find(vertices.begin(), vertices.end(), around[i]);
+            if (at == vertices.end()) return;
+            neighboursOf(surface, t, static_cast<int>(at - vertices.begin()), beyond);
+            twice = twice || std::find(beyond.begin(), beyond.end(), around[j]) != beyond.end();
+          });
+          if (twice) return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+bool touchesItself(const mesh::TriangleMesh& mesh, const Surface& surface) {
+  const std::vector<Index> same_as = mesh::equalVertices(mesh.positions);
+  for (Index v = 0; v < same_as.size(); ++v) {
+    if (same_as[v] != v) return true;
+  }
+  return anyEdgeTwice(mesh, surface);
+}
+
 /// Marks what has a vertex in common with an edge that pierces or with a triangle that is pierced: a ring more than
 /// where sheets meet, so that a small sphere fits wherever a walk arrives there.
 void findEntangled(const mesh::TriangleMesh& mesh, Surface& surface) {
@@ -113,6 +159,7 @@ Surface buildSurface(const mesh::TriangleMesh& mesh, std::vector<double> stiffne
   checkFans(surface);
   const auto& on_border = surface.vertex_on_border;
   surface.closed = std::find(on_border.begin(), on_border.end(), 1) == on_border.end();
+  surface.touches_itself = touchesItself(mesh, surface);
   if (options.self_intersecting.value_or(true)) findEntangled(mesh, surface);
   surface.self_intersecting = options.self_intersecting.value_or(!surface.entangled.empty());
   return surface;

@@ -32,6 +32,9 @@ struct Surface {
   /// (docs/contact.md). Empty where none do.
   std::vector<std::uint8_t> entangled;
   bool closed = false;  ///< no border anywhere
+  /// Two fans share a vertex's place, or two joints share an edge's: the body touches itself there without piercing, as
+  /// the voxels of a segmented scan do. A proxy there may bound two empty sectors at once (sides.h: isInAir).
+  bool touches_itself = false;
 };
 
 /// `mesh` must be fit for contact, as mesh::repair leaves it: an edge has at most one neighbour on each side and the

@@ -5,13 +5,16 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "palpate/base/error.h"
 #include "palpate/mesh/components.h"
 #include "palpate/mesh/doubled_triangles.h"
 #include "palpate/mesh/fans.h"
+#include "palpate/mesh/hairline_gaps.h"
 #include "palpate/mesh/holes.h"
 #include "palpate/mesh/intersections.h"
+#include "palpate/mesh/open_parts.h"
 #include "palpate/mesh/slivers.h"
 #include "palpate/mesh/topology.h"
 #include "palpate/mesh/weld.h"
@@ -71,6 +74,21 @@ class Repairing {
     open_length_mm_ = surfaceState(result_.mesh, edgeUses(result_.mesh), {}).open_length_mm;
   }
 
+  void joinHairlines() {
+    if (!options_.weld) return;
+    const double gap_mm = kHairlineShare * boundingBox(result_.mesh).diagonal().norm();
+    const HairlineGaps gaps = findHairlineGaps(result_.mesh, gap_mm);
+    if (gaps.walls == 0) return;
+    std::vector<Triangle> kept;
+    for (std::size_t t = 0; t < result_.mesh.triangles.size(); ++t) {
+      if (gaps.is_wall[t]) continue;
+      const auto& [a, b, c] = result_.mesh.triangles[t];
+      kept.push_back({gaps.same_as[a], gaps.same_as[b], gaps.same_as[c]});
+    }
+    result_.mesh.triangles = std::move(kept);
+    noteDropped("triangles dropped that faced each other across a hairline gap between two parts", gaps.walls);
+  }
+
   void collapseSlivers() {
     report(progress_, "repairing", 0.2);
     const auto given = triangleCount();
@@ -119,6 +137,16 @@ class Repairing {
   void faceOutwards() {
     if (!options_.orient_outwards) return;
     note("closed parts turned outside out", turnOutwards(result_.mesh, edges_, patches_));
+    const OpenParts open = findOpenParts(result_.mesh, edges_);
+    for (const std::vector<Index>& part : open.inside_out) {
+      for (const Index t : part) std::swap(result_.mesh.triangles[t][1], result_.mesh.triangles[t][2]);
+    }
+    note("open parts turned outside out", open.inside_out.size());
+    if (open.doubtful.empty()) return;
+    result_.warnings.push_back(
+        fmt::format("{} open part{} may be inside out (first triangle: {}): felt from the inside "
+                    "of its bowl; turn the triangles if the outside is meant",
+                    open.doubtful.size(), open.doubtful.size() == 1 ? "" : "s", open.doubtful[0]));
   }
 
   void separateFans() {
@@ -231,6 +259,7 @@ RepairResult repair(TriangleMesh mesh, const RepairOptions& options, const Progr
   repairing.dropUnusable();
   repairing.measureGiven();
   repairing.weld();
+  repairing.joinHairlines();
   repairing.collapseSlivers();
   repairing.removeTwins();
   repairing.checkSomethingIsLeft();

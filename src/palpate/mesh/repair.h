@@ -21,7 +21,7 @@ struct RepairOptions {
   bool weld = true;
   /// Join also vertices nearer than this (mm); 0 = equal coordinates only.
   double weld_distance_mm = 0.0;
-  /// Turn closed parts outside out.
+  /// Turn closed parts outside out, and open ones that are bodies with openings (open_parts.h).
   bool orient_outwards = true;
   /// Fill the small holes of nearly closed parts (holes.h).
   bool fill_holes = true;

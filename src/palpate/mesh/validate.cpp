@@ -11,6 +11,7 @@
 #include "palpate/mesh/doubled_triangles.h"
 #include "palpate/mesh/holes.h"
 #include "palpate/mesh/intersections.h"
+#include "palpate/mesh/open_parts.h"
 #include "palpate/mesh/slivers.h"
 #include "palpate/mesh/topology.h"
 #include "palpate/mesh/weld.h"
@@ -168,6 +169,13 @@ void checkFans(const Sound& sound, ValidationReport& found) {
   }
 }
 
+void checkOpenParts(const Sound& sound, const EdgeUses& edges, ValidationReport& found) {
+  if (found.closed || found.inconsistent_edges.count > 0) return;  // repair makes the winding consistent first
+  const OpenParts open = findOpenParts(sound.mesh, edges);
+  for (const std::vector<Index>& part : open.inside_out) found.inside_out_parts.add(sound.original[part[0]]);
+  for (const Index triangle : open.doubtful) found.doubtful_parts.add(sound.original[triangle]);
+}
+
 void checkIntersections(const Sound& sound, const Progress& progress, ValidationReport& found) {
   const Intersections intersections = findIntersections(sound.mesh, progress);
   found.self_intersections_checked = intersections.complete;
@@ -195,7 +203,7 @@ bool hasDoubtfulSize(const Eigen::AlignedBox3d& box) {
 bool ValidationReport::sound() const {
   for (const Trait* trait :
        {&non_finite_vertices, &unused_vertices, &non_manifold_vertices, &wrong_indices, &zero_area_triangles,
-        &duplicate_triangles, &opposite_triangles, &non_manifold_edges, &inconsistent_edges}) {
+        &duplicate_triangles, &opposite_triangles, &non_manifold_edges, &inconsistent_edges, &inside_out_parts}) {
     if (trait->count > 0) return false;
   }
   return triangles > 0 && volume_mm3 >= 0.0;
@@ -215,6 +223,7 @@ ValidationReport validate(const TriangleMesh& mesh, const ValidateOptions& optio
   checkEdges(sound, edges, found);
   checkClosure(sound, edges, progress, found);
   found.one_sided = found.inconsistent_edges.count > 0 && findPatches(sound.mesh, edges).seam_edges > 0;
+  checkOpenParts(sound, edges, found);
   report(progress, "checking", 0.6);
   checkFans(sound, found);
   found.components = findComponents(sound.mesh).count;
@@ -241,6 +250,10 @@ std::vector<std::string> describe(const ValidationReport& found) {
               "edges of inconsistent winding, at triangles");
   if (found.one_sided) s.emplace_back("a part is one-sided (a Moebius strip): it cannot be wound consistently");
   if (found.volume_mm3 < 0.0) s.emplace_back("closed, but inside out: its volume is negative");
+  addSentence(s, found.inside_out_parts, "open part that is inside out, at triangle",
+              "open parts that are inside out, at triangles");
+  addSentence(s, found.doubtful_parts, "open part that may be inside out, at triangle",
+              "open parts that may be inside out, at triangles");
   addSentence(s, found.self_intersections, "edge that pierces the mesh itself, at triangle",
               "edges that pierce the mesh itself, at triangles");
   addSentence(s, found.touching_edges, "edge that only touches the mesh itself, at triangle",

@@ -135,21 +135,6 @@ double volumeOf(const TriangleMesh& mesh, std::span<const Index> triangles, cons
   return six_times / 6.0;
 }
 
-/// How often the triangles wind around the point: near 0 outside, near +-1 inside.
-double windingNumber(const TriangleMesh& mesh, std::span<const Index> triangles, const Vec3& point) {
-  double half_angles = 0.0;
-  for (Index t : triangles) {
-    const Vec3 a = mesh.positions[mesh.triangles[t][0]] - point;
-    const Vec3 b = mesh.positions[mesh.triangles[t][1]] - point;
-    const Vec3 c = mesh.positions[mesh.triangles[t][2]] - point;
-    const double la = a.norm();
-    const double lb = b.norm();
-    const double lc = c.norm();
-    half_angles += std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-  }
-  return half_angles / (2.0 * std::numbers::pi);
-}
-
 /// Closed units with their boxes: who lies inside whom.
 class ClosedParts {
  public:
@@ -177,7 +162,21 @@ class ClosedParts {
     return false;
   }
 
+  /// Whether the whole mesh, as it is wound, has its outside in front of the unit and its inside behind: the wall of a
+  /// hollow, also of one that several units enclose together (voxels that meet in edges).
+  bool isSoundWall(Index unit) {
+    const Index t = triangles_[unit][0];
+    const auto& [a, b, c] = mesh_.triangles[t];
+    const Vec3 normal = areaVector2(mesh_.positions[a], mesh_.positions[b], mesh_.positions[c]).stableNormalized();
+    const Vec3 off = kOffTheWall * boxes_[unit].diagonal().norm() * normal;
+    work_left_ -= std::min(work_left_, 2 * mesh_.triangles.size());
+    const Vec3 centre = centreOf(mesh_, mesh_.triangles[t]);
+    return std::abs(windingNumber(mesh_, triangles_.entries, centre + off)) < 0.25 &&
+           windingNumber(mesh_, triangles_.entries, centre - off) > 0.75;
+  }
+
  private:
+  static constexpr double kOffTheWall = 1e-6;  // of the unit's size
   static constexpr Index kSeveral = kNoIndex - 1;
 
   void add(Index vertex, Index unit) {
@@ -239,13 +238,30 @@ std::size_t turnOutwards(TriangleMesh& mesh, const EdgeUses& edges, const Patche
   std::vector<Index> inside_out;
   for (Index u = 0; u < units.count; ++u) {
     if (!units.closed[u] || triangles[u].empty()) continue;
-    if (volumeOf(mesh, triangles[u], parts.box(u).center()) >= 0.0 || parts.isInsideAnother(u)) continue;
+    if (volumeOf(mesh, triangles[u], parts.box(u).center()) >= 0.0 || parts.isInsideAnother(u) ||
+        parts.isSoundWall(u)) {
+      continue;
+    }
     inside_out.push_back(u);
   }
   for (Index u : inside_out) {
     for (Index t : triangles[u]) flip(mesh.triangles[t]);
   }
   return inside_out.size();
+}
+
+double windingNumber(const TriangleMesh& mesh, std::span<const Index> triangles, const Vec3& point) {
+  double half_angles = 0.0;
+  for (Index t : triangles) {
+    const Vec3 a = mesh.positions[mesh.triangles[t][0]] - point;
+    const Vec3 b = mesh.positions[mesh.triangles[t][1]] - point;
+    const Vec3 c = mesh.positions[mesh.triangles[t][2]] - point;
+    const double la = a.norm();
+    const double lb = b.norm();
+    const double lc = c.norm();
+    half_angles += std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  }
+  return half_angles / (2.0 * std::numbers::pi);
 }
 
 double signedVolume(const TriangleMesh& mesh) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "palpate/mesh/topology.h"
@@ -28,6 +29,9 @@ std::size_t makeWindingConsistent(TriangleMesh& mesh, const Patches& patches);
 /// more than two triangles; returns how many. Those that lie inside another stay: they are the wall of a hollow. What
 /// was closed stays closed. Winding must be consistent; `edges` and `patches` must be those of the mesh as it is wound.
 std::size_t turnOutwards(TriangleMesh& mesh, const EdgeUses& edges, const Patches& patches);
+
+/// How often the triangles wind around the point: near 0 outside, near +-1 inside. The exact sum of solid angles.
+double windingNumber(const TriangleMesh& mesh, std::span<const Index> triangles, const Vec3& point);
 
 /// Volume under the triangles, mm^3: enclosed when they are closed, positive when they face outwards.
 double signedVolume(const TriangleMesh& mesh);

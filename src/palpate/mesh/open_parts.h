@@ -1,0 +1,26 @@
+// Which way the open parts of a mesh face: a body with an opening is felt from its outside as a closed one is.
+//
+// A part hangs together across edges. An open one has no volume of its own; each of its border loops is closed in
+// thought by a fan to the loop's middle. Where these caps are small the part is a body with openings, and the sign of
+// its volume tells its side. A sheet is mostly cap: nothing is said of it, and it is felt from the side it was given.
+#pragma once
+
+#include <vector>
+
+#include "palpate/mesh/topology.h"
+#include "palpate/mesh/triangle_mesh.h"
+
+namespace palpate::mesh {
+
+struct OpenParts {
+  /// Triangles of bodies with openings that face inwards, part by part; the wall of a hollow is not among them.
+  std::vector<std::vector<Index>> inside_out;
+  /// First triangles of parts that may be inside out, but are as much a bowl as a body.
+  std::vector<Index> doubtful;
+};
+
+/// The winding must be consistent within each part; `edges` must be those of the mesh as it is wound. Closed parts are
+/// left out (turnOutwards). Linear, but for parts inside others.
+OpenParts findOpenParts(const TriangleMesh& mesh, const EdgeUses& edges);
+
+}  // namespace palpate::mesh
