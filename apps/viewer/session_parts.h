@@ -56,6 +56,7 @@ struct WorldFacts {
   std::vector<std::string> notes;
   bool has_picture = false;
   std::shared_ptr<const scene::SkinChannels> channels = nullptr;  ///< numbers and colours of its file, or null
+  std::string tissue = {};                                        ///< and its force law, in words
   bool has_names = true;                                          ///< places that the overlay of names can show
 };
 

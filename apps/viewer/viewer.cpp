@@ -63,6 +63,7 @@ WorldFacts factsOf(const scene::World& world) {
           .notes = world.notes,
           .has_picture = world.texture != nullptr,
           .channels = world.channels,
+          .tissue = scene::inWords(world.tissue),
           .has_names = !world.anatomy.landmarks.empty()};
 }
 

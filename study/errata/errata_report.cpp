@@ -42,6 +42,7 @@ std::vector<std::string> cellsOf(const ErratumEffect& effect) {
           number(effect, effect.moved_ratio, 2),
           effect.isMeasured() ? effect.reading : fmt::format("- ({})", effect.text.choice),
           activeText(effect),
+          effect.isMeasured() ? fmt::format("{}; {}", effect.body, effect.tissue) : "",
           effect.text.erratum == Erratum::none ? "" : std::string(wordFor(effect.text.by_default)),
           fmt::format("{}", effect.text.ours)};
 }
@@ -55,6 +56,8 @@ nlohmann::ordered_json objectOf(const ErratumEffect& effect) {
     return json;
   }
   json["reading"] = effect.reading;
+  json["body"] = effect.body;
+  json["tissue"] = effect.tissue;
   json["active"] = effect.active;
   if (!effect.inert.empty()) json["inert"] = effect.inert;
   json["touching_percent"] = effect.look.touching_percent;
@@ -99,10 +102,10 @@ nlohmann::ordered_json listOf(const std::vector<ErratumEffect>& effects) {
 }  // namespace
 
 TextTable tableOf(const ErrataEffects& effects) {
-  TextTable table{
-      {"erratum", "touching %", "peak N", "drag mm", "force N", "proxy mm", "lost ticks", "missed %", "skin mm",
-       "rms mm", "strain %", "moved x", "other reading", "active", "by default", "what the engine does"},
-      {}};
+  TextTable table{{"erratum", "touching %", "peak N", "drag mm", "force N", "proxy mm", "lost ticks", "missed %",
+                   "skin mm", "rms mm", "strain %", "moved x", "other reading", "active", "body and tissue",
+                   "by default", "what the engine does"},
+                  {}};
   for (const ErratumEffect* effect : allRows(effects)) table.rows.push_back(cellsOf(*effect));
   return table;
 }

@@ -86,7 +86,9 @@ std::string optionsOf(const Base& base) {
   return fmt::format("contact.source = \"hdb\", partition.tree = \"{}\", radius_mm = 0", wordFor(*base));
 }
 
-void name(ErratumEffect& effect, const Base& base) {
+void name(ErratumEffect& effect, const Base& base, const scene::World& world) {
+  effect.body = world.body_name;
+  effect.tissue = scene::inWords(world.tissue);
   effect.base = base ? wordFor(*base) : wordFor(scene::ContactSource::surface);
   effect.active = optionsOf(base);
 }
@@ -257,9 +259,10 @@ class Baselines {
 ErratumEffect effectOf(const scene::Scene& scene, Baselines& baselines, const Base& base, const Reading& reading) {
   scene::Scene other = corrected(scene, base);
   reading.apply(other);
-  ErratumEffect effect = compared(baselines.track(base), trackOf(other));
+  const Track theirs = trackOf(other);
+  ErratumEffect effect = compared(baselines.track(base), theirs);
   effect.reading = reading.words;
-  name(effect, base);
+  name(effect, base, *theirs.world);
   return effect;
 }
 
@@ -285,7 +288,7 @@ ErratumEffect effectOfNone(Baselines& baselines, const Base& base) {
   ErratumEffect effect;
   effect.look = lookOf(baselines.track(base));
   effect.reading = "fidelity = \"corrected\"";
-  name(effect, base);
+  name(effect, base, *baselines.track(base).world);
   effect.text.ours = "what the rows below with these options are compared with";
   return effect;
 }

@@ -24,6 +24,8 @@ struct RunLook {
 struct ErratumEffect {
   scene::ErratumText text;
   std::string reading;    ///< what was set, as it stands in a scene file; empty: nothing to switch, nothing measured
+  std::string body;       ///< that it was measured on
+  std::string tissue;     ///< of that body and its force law, in words; with the reading
   std::string base;       ///< "surface", "bsp" or "octree": what the fingers collide with
   std::string active;     ///< options that were active on both sides, as they stand in a scene file
   std::string inert;      ///< errata of the reading that cannot act under these options; empty: none

@@ -122,6 +122,56 @@ TEST(HdbFinger, RestsAtALocalMinimumOfTheDistanceAlsoAtEdgesAndCorners) {
   }
 }
 
+namespace {
+
+/// A tip that wanders under a sheet, away from its border, with stops so that a proxy that leapt may arrive.
+template <class Height>
+std::vector<Vec3> wanderingUnder(Height height, double depth_mm, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<Vec3> tips = {Vec3(50, 50, height(0.0, 0.0) + 5.0)};
+  double x = 0.0;
+  double y = 0.0;
+  double heading = 0.0;
+  for (int i = 0; i < 6000; ++i) {
+    const double step_mm = i % 300 < 40 ? 0.0 : 0.08;
+    heading += random.uniform(-0.1, 0.1);
+    x += step_mm * std::cos(heading);
+    y += step_mm * std::sin(heading);
+    if (std::hypot(x, y) > 25.0) heading = std::atan2(-y, -x);
+    tips.emplace_back(50 + x, 50 + y, height(x, y) - depth_mm);
+  }
+  return tips;
+}
+
+}  // namespace
+
+TEST(HdbFinger, FeelsWhatTheDefaultFingerFeelsToTheBitWhereItsListReaches) {
+  // A tent, an egg crate and a saddle: over their ridges a proxy leaps and uses up its path on the way.
+  using Height = double (*)(double, double);
+  const std::initializer_list<Height> heights = {
+      [](double x, double y) { return -0.3 * (std::abs(x) + std::abs(y)); },
+      [](double x, double y) { return 2.0 * std::sin(0.4 * x) * std::sin(0.4 * y); },
+      [](double x, double y) { return 0.02 * (x * x - y * y); }};
+  std::size_t leaps = 0;
+  for (const Height height : heights) {
+    for (const double edge_mm : {10.0, 40.0}) {
+      const HdbBody body(sheetOver(height, 24), boxOf(edge_mm));
+      HdbTrack boxed(body);
+      FingerTrack walking(body.surface);
+      for (const Vec3& tip : wanderingUnder(height, 4.0, 11)) {
+        const FingerOutput felt = boxed.to(tip);
+        const FingerOutput meant = walking.to(tip);
+        ASSERT_EQ(felt.force, meant.force) << tip.transpose();
+        ASSERT_EQ(felt.proxy, meant.proxy) << tip.transpose();
+        ASSERT_EQ(felt.hold, meant.hold) << tip.transpose();
+        ASSERT_EQ(felt.status, meant.status) << tip.transpose();
+        leaps += (felt.status & kCatchingUp) != 0 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(leaps, 300u) << "in these ticks a way of its own would end elsewhere";
+}
+
 TEST(HdbFinger, SlidesRoundAnEdgeWithoutLeavingTheSkin) {
   const HdbBody roof(sheetOver([](double x, double) { return -std::abs(x); }));
   HdbTrack finger(roof, frictionless());

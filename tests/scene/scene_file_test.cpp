@@ -132,7 +132,8 @@ TEST(SceneFile, NamesWrongTypesAndRanges) {
   EXPECT_EQ(messageFor("[contact]\nforce_shading = 1\n" + kFinger),
             "s.toml:2: [contact] force_shading must be true or false, not a number");
   EXPECT_EQ(messageFor("[body]\nkind = \"tors\"\n" + kFinger),
-            "s.toml:2: [body] kind must be \"trunk\" or \"torso\" or \"mesh\", not \"tors\"; did you mean \"torso\"?");
+            "s.toml:2: [body] kind must be \"trunk\" or \"torso\" or \"back\" or \"mesh\", not \"tors\"; did you mean "
+            "\"torso\"?");
   EXPECT_EQ(messageFor("title = 5\n" + kFinger), "s.toml:1: title must be a text in quotes, not a number");
   EXPECT_EQ(messageFor("[output]\nsurfaces_at_s = 3\n" + kFinger),
             "s.toml:2: [output] surfaces_at_s must be a list of numbers, not a number");

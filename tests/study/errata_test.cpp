@@ -77,6 +77,20 @@ TEST(Errata, SayInEachRowWhatWasActive) {
   EXPECT_NE(errataText(effects()).find("inert: E4, E5, E6, E7, E10, E11, E12"), std::string::npos);
 }
 
+TEST(Errata, SayInEachRowOnWhichBodyAndTissueItWasMeasured) {
+  for (const auto* rows : {&effects().errata, &effects().corrected, &effects().all_literal}) {
+    for (const ErratumEffect& row : *rows) {
+      EXPECT_EQ(row.body.find("sheet.obj") == std::string::npos, !row.isMeasured()) << row.reading << ": " << row.body;
+      EXPECT_EQ(row.tissue.empty(), !row.isMeasured()) << row.reading;
+    }
+  }
+  EXPECT_EQ(effect(Erratum::E18_profile_rim).tissue, "half-Gaussian tissue, force F = k d");
+  EXPECT_EQ(allWith("surface").tissue, "half-Gaussian tissue as printed, force F = k d");
+  EXPECT_NE(errataText(effects()).find("body and tissue"), std::string::npos);
+  EXPECT_EQ(nlohmann::json::parse(errataJson(effects()))["errata"][13]["tissue"],
+            "half-Gaussian tissue, force F = k d");
+}
+
 TEST(Errata, TogetherTakeTheFingerAwayWhereItTouchesThroughThePrintedSearchOfTheBspTree) {
   EXPECT_EQ(allWith("surface").force_n, 0.0) << "without a partition no printed search is asked";
   EXPECT_GT(allWith("surface").skin_mm, 1.0);

@@ -240,9 +240,10 @@ TEST_F(PanelPictures, OfDysfunctions) {
 }
 
 TEST_F(PanelPictures, OfTheModel) {
-  world.notes = {"2 holes of the skin were closed"};
+  world.tissue = "half-Gaussian tissue, force F = k d";
+  world.notes = {"no layers because of fidelity.E15 = \"literal\"", "2 holes of the skin were closed"};
   bool dialog = false;
-  expectPanel("model", 500, [&] { modelPanel({scene, world, dialog}, asks); });
+  expectPanel("model", 560, [&] { modelPanel({scene, world, dialog}, asks); });
 }
 
 TEST_F(PanelPictures, OfTheModelOfAMeshFile) {

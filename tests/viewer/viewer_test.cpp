@@ -20,6 +20,27 @@ TEST(Viewer, PressesWhereTheMouseIsHeldAndLiftsWhenItIsLetGo) {
   EXPECT_TRUE(stage.until([&] { return stage.finger().touch == contact::Touch::free; }));
 }
 
+TEST(Viewer, NamesTheTissueOfTheBodyAndWhyItHasNoLayers) {
+  const support::TemporaryFolder folder;
+  const view::OffscreenContext context;
+  const auto shown = [&](const std::string& fidelity) {
+    const auto world = scene::build(scene::parse(
+        fidelity + "[body]\nkind = \"back\"\n[[finger]]\nname = \"a\"\nscript = [{ do = \"lift\" }]\n", "s.toml"));
+    ViewerSettings settings;
+    settings.intro = false;
+    settings.output_folder = folder.path();
+    settings.default_scene = sheetScene(folder);
+    return Viewer(world, Stage::quiet(), std::move(settings)).session().world;
+  };
+  const WorldFacts layered = shown("");
+  EXPECT_EQ(layered.tissue, "layered tissue, force by its layers");
+  EXPECT_TRUE(layered.notes.empty());
+  const WorldFacts printed = shown("fidelity.E15 = \"literal\"\n");
+  EXPECT_EQ(printed.tissue, "half-Gaussian tissue, force F = k d");
+  ASSERT_EQ(printed.notes.size(), 1u);
+  EXPECT_TRUE(printed.notes[0].starts_with("no layers because of fidelity.E15 = \"literal\"")) << printed.notes[0];
+}
+
 TEST(Viewer, TheWheelDeepensWhilePressingAndZoomsOtherwise) {
   Stage stage;
   const double distance = stage.session().camera.distance_mm;

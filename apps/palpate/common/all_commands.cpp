@@ -36,6 +36,11 @@ void addAllCommands(CLI::App& app) {
   addStudyCommand(app);
   addTissueCommand(app);
   addTrainCommand(app);
+  app.footer(
+      "Examples:\n"
+      "  palpate run --preset vhb                 Touch the dissertation's Virtual Haptic Back\n"
+      "  palpate run my_scan.stl                  Touch any mesh with the mouse\n"
+      "  palpate simulate --preset vhb --json     Palpate without a window or device, and print what was felt");
 }
 
 }  // namespace palpate::app

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "apps/palpate/common/choice_option.h"
 #include "apps/palpate/common/default_scene.h"
 #include "apps/palpate/common/number_option.h"
+#include "apps/palpate/common/presets.h"
 #include "apps/palpate/common/unit_option.h"
 #include "palpate/base/error.h"
 #include "palpate/mesh/files/load.h"
@@ -28,6 +30,11 @@ SimulateOptions withMeshApart(SimulateOptions options) {
 }
 
 scene::Scene startingScene(const SimulateOptions& options) {
+  if (!options.preset.empty()) {
+    if (!options.scene.empty())
+      throw Error(fmt::format("{} and --preset {}: one scene at a time", options.scene, options.preset));
+    return presetScene(options.preset);
+  }
   if (!options.scene.empty()) {
     scene::Scene scene = scene::load(options.scene);
     if (options.trajectories.empty() && options.needs_fingers) scene::requireFingers(scene);
@@ -45,7 +52,7 @@ void useMesh(const SimulateOptions& options, scene::Scene& scene) {
   useUnit(options.mesh_unit_mm, scene.body);
   scene.body.group = options.mesh_group;
   scene.body.fit.clear();  // of another mesh
-  if (options.scene.empty()) scene.title = scene.body.file.filename().string();
+  if (options.scene.empty() && options.preset.empty()) scene.title = scene.body.file.filename().string();
 }
 
 void useTrajectories(const SimulateOptions& options, scene::Scene& scene) {
@@ -72,6 +79,7 @@ void addInputOptions(CLI::App& command, SimulateOptions& options) {
   command.add_option(
       "SCENE", options.scene,
       "Scene file (TOML, docs/scene-files.md), or a mesh as with --mesh; without one: ten seconds on the trunk");
+  addPresetOption(command, options.preset);
   command.add_option("--mesh", options.mesh,
                      "Palpate this mesh (OBJ, STL, PLY, OFF, glTF, GLB) instead of the scene's body");
   addUnit(command, options.mesh_unit_mm);

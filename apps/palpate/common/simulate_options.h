@@ -14,7 +14,8 @@ class App;
 namespace palpate::app {
 
 struct SimulateOptions {
-  std::string scene;  ///< or a mesh file; empty: the default scene, or none when there is a mesh
+  std::string scene;   ///< or a mesh file; empty: the preset, else the default scene, or none when there is a mesh
+  std::string preset;  ///< presets.h
   std::string mesh;
   double mesh_unit_mm = 0.0;  ///< 0: as the format says
   double mesh_scale = 1.0;

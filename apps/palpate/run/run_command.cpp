@@ -14,6 +14,7 @@
 #include "apps/palpate/common/device_option.h"
 #include "apps/palpate/common/interruption.h"
 #include "apps/palpate/common/number_option.h"
+#include "apps/palpate/common/presets.h"
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/common/unit_option.h"
 #include "apps/palpate/run/playback.h"
@@ -34,6 +35,7 @@ namespace {
 
 struct RunOptions {
   std::string scene;
+  std::string preset;
   std::string play;
   std::string out = ".";
   std::string replay;
@@ -111,6 +113,10 @@ scene::Scene standardScene() {
 }
 
 scene::Scene namedScene(const RunOptions& options) {
+  if (!options.preset.empty() && !options.scene.empty()) {
+    throw Error(options.scene + " and --preset " + options.preset + ": one scene at a time");
+  }
+  if (!options.preset.empty()) return presetScene(options.preset);
   const scene::Scene standard = standardScene();
   if (options.scene.empty()) return standard;
   scene::Scene scene = viewer::sceneFromFile(options.scene, standard);
@@ -232,7 +238,14 @@ void runWindow(const RunOptions& options) {
 void addRunCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand("run", "Open a window and touch a body with the mouse");
   const auto options = std::make_shared<RunOptions>();
-  command->add_option("SCENE", options->scene, "Scene (TOML) or mesh file; without one: the built-in torso");
+  command->add_option("SCENE", options->scene, "Scene (TOML) or mesh file; without one: the built-in trunk");
+  addPresetOption(*command, options->preset);
+  command->footer(
+      "Examples:\n"
+      "  palpate run --preset vhb                 The dissertation's Virtual Haptic Back\n"
+      "  palpate run                              The built-in trunk in layered tissue\n"
+      "  palpate run my_scan.stl                  Any mesh\n"
+      "  palpate run scene.toml --device mouse    A scene file, the left finger held by a device");
   addUnit(*command, options->unit_mm);
   command->add_option("--group", options->group, "Only this group or object of an OBJ file");
   command->add_option("--play", options->play, "Play an input script (docs/viewer.md): time_s, event, values");

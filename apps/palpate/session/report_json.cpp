@@ -135,7 +135,11 @@ Json ticksJson(const SessionReport& report) {
 
 Json coverageJson(const SessionReport& report) {
   const ReportBody& body = report.body;
-  Json json = {{"body", body.name}, {"why_not", body.why_not}, {"notes", body.notes}, {"reach_mm", body.reach_mm}};
+  Json json = {{"body", body.name},
+               {"tissue", body.tissue},
+               {"why_not", body.why_not},
+               {"notes", body.notes},
+               {"reach_mm", body.reach_mm}};
   if (!body.surface) return json;
   json["touched_mm2"] = body.surface->touched_mm2;
   json["back_mm2"] = body.surface->dorsal_mm2;

@@ -59,6 +59,7 @@ std::string factsTable(const SessionReport& report) {
     html += factRow("Finger", scripted ? finger.name : finger.name + ", held by " + finger.device);
   }
   html += factRow("Body", bodyWords(report));
+  html += factRow("Tissue", report.body.tissue);
   for (const std::string& unsafe : report.unsafe) html += factRow("Safety", unsafe);
   html += factRow("Notes", facts.header.notes);
   html += factRow("Tags", facts.header.tags);

@@ -88,6 +88,9 @@ void buildSurface(const FeltBody& felt, const std::filesystem::path& folder, con
     body.notes.emplace_back(
         "Body or stiffness are not the recorded ones to the bit, but every place that was touched lies on this skin.");
   }
+  body.tissue = scene::inWords(world->tissue);
+  std::string note = scene::tissueNote(world->scene, world->tissue, world->stiffness_n_per_mm);
+  if (!note.empty()) body.notes.push_back("Tissue: " + std::move(note) + ".");
   body.landmarks = world->anatomy.landmarks;
   report(progress, "spreading what was felt", 0.0);
   body.surface = trace::touchedSurface(world->skin, felt.places, body.reach_mm);

@@ -21,6 +21,7 @@ namespace palpate::app {
 struct ReportBody {
   std::string name;  ///< of the body that was touched longest; empty: none was
   std::optional<trace::TouchedSurface> surface;
+  std::string tissue;                         ///< of it and its force law, in words; empty: it cannot be built
   std::string why_not;                        ///< a sentence; empty where there is a surface, or nothing was touched
   std::vector<std::string> notes;             ///< what else is to be known about the map, a sentence each
   std::vector<double> reach_mm;               ///< of each finger, as the maps have it

@@ -27,6 +27,7 @@ void runSimulate(const SimulateOptions& options) {
       scene, {results.folder, options.realtime, options.devices, options.session, options.pictures, options.plot},
       progress.display());
   progress.clear();
+  result.preset = options.preset;
   result.files.emplace_back("report.json");
   const std::string json = reportOf(result).dump(2) + "\n";
   writeFile(result.folder / "report.json", json);

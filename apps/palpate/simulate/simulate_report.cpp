@@ -8,6 +8,7 @@
 #include "apps/palpate/common/interruption.h"
 #include "apps/palpate/common/json.h"
 #include "palpate/body/places.h"
+#include "palpate/scene/words.h"
 
 namespace palpate::app {
 
@@ -185,6 +186,9 @@ nlohmann::ordered_json reportOf(const SimulationResult& result) {
     fingers.push_back(fingerJson(*result.world, i, result.fingers[i]));
   }
   Json report = {{"title", result.world->scene.title},
+                 {"preset", result.preset.empty() ? Json(nullptr) : Json(result.preset)},
+                 {"tissue", wordFor(result.world->tissue.model)},
+                 {"law", wordFor(result.world->tissue.law)},
                  {"mode", result.display ? "realtime" : "headless"},
                  {"complete", result.ended_by == 0},
                  {"ended_by", result.ended_by == 0 ? Json(nullptr) : Json(nameOfSignal(result.ended_by))},
@@ -212,6 +216,7 @@ nlohmann::ordered_json reportOf(const SimulationResult& result) {
 std::string summaryOf(const SimulationResult& result) {
   std::string text = fmt::format("{}\n", result.world->scene.title);
   text += fmt::format("  body       {}\n", bodyLine(*result.world));
+  text += fmt::format("  tissue     {}\n", scene::inWords(result.world->tissue));
   text += fmt::format("  run        {}\n", runLine(result));
   text += fingerTable(result);
   text += placeLines(result);

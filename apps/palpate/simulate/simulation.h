@@ -27,6 +27,7 @@ struct DisplayReport {
 };
 
 struct SimulationResult {
+  std::string preset;  ///< that it was asked for by; empty: none
   std::shared_ptr<const scene::World> world;
   std::filesystem::path folder;
   double build_s = 0.0;

@@ -54,25 +54,56 @@ std::vector<SkinLandmark> skinLandmarks(const SkinSurface& surface, const Shape&
   return landmarks;
 }
 
+void setDepths(Torso& body) {
+  BoneDepth depth = depthToBones(body.skin.mesh.positions, body.bones);
+  body.depth_mm = std::move(depth.depth_mm);
+  body.nearest_bone = std::move(depth.bone);
+}
+
+/// Without depths.
+Torso bodyOf(const SkinSettings& skin, SkinExtent extent, std::size_t skin_triangles, std::size_t bone_triangles) {
+  BonesSettings bones;  // at 1750 mm and symmetric: the relief is computed there, before both are shaped alike
+  bones.triangles = bone_triangles;
+  Torso body;
+  body.bones = makeBones(bones);
+  const SkinSurface surface =
+      bones.triangles >= kReliefBoneTriangles ? makeSkinSurface(skin, body.bones) : makeSkinSurface(skin);
+  const Shape shape(skin);
+  for (Bone& bone : body.bones) {
+    for (Vec3& point : bone.mesh.positions) point = shape(point);
+  }
+  body.skin = meshSkin(surface, extent, skin_triangles);
+  body.landmarks = skinLandmarks(surface, shape);
+  return body;
+}
+
+/// Leaves out the bones whose middle lies below this height, and what is named after them.
+void keepBonesAbove(double y, Torso& body) {
+  std::erase_if(body.bones, [&](const Bone& bone) { return mesh::boundingBox(bone.mesh).center().y() < y; });
+  const auto is_gone = [&](const SkinLandmark& landmark) {
+    return std::ranges::find(body.bones, landmark.bone, &Bone::name) == body.bones.end();
+  };
+  std::erase_if(body.landmarks, is_gone);
+}
+
 }  // namespace
 
 Torso makeTorso(const TorsoSettings& settings) {
-  BonesSettings bones;  // at 1750 mm and symmetric: the relief is computed there, before both are shaped alike
-  bones.triangles = boneTriangles(settings);
-  Torso torso;
-  torso.bones = makeBones(bones);
-  const SkinSurface surface = bones.triangles >= kReliefBoneTriangles ? makeSkinSurface(settings.shape, torso.bones)
-                                                                      : makeSkinSurface(settings.shape);
-  const Shape shape(settings.shape);
-  for (Bone& bone : torso.bones) {
-    for (Vec3& point : bone.mesh.positions) point = shape(point);
-  }
-  torso.skin = meshSkin(surface, SkinExtent::torso, settings.triangles - bones.triangles);
-  BoneDepth depth = depthToBones(torso.skin.mesh.positions, torso.bones);
-  torso.depth_mm = std::move(depth.depth_mm);
-  torso.nearest_bone = std::move(depth.bone);
-  torso.landmarks = skinLandmarks(surface, shape);
+  const std::size_t bone_triangles = boneTriangles(settings);
+  Torso torso = bodyOf(settings.shape, SkinExtent::torso, settings.triangles - bone_triangles, bone_triangles);
+  setDepths(torso);
   return torso;
+}
+
+Torso makeBackOverBones(const BackSettings& settings) {
+  // Of the same size as the skin's, and never so few that the relief of the skin would need others.
+  const auto as_fine =
+      static_cast<std::size_t>(kBoneShare / (1.0 - kBoneShare) * static_cast<double>(settings.triangles));
+  const std::size_t bone_triangles = std::clamp<std::size_t>(as_fine / 2 * 2, kReliefBoneTriangles, kMostBoneTriangles);
+  Torso back = bodyOf(settings.shape, SkinExtent::patch, settings.triangles, bone_triangles);
+  keepBonesAbove(mesh::boundingBox(back.skin.mesh).min().y(), back);
+  setDepths(back);
+  return back;
 }
 
 const SkinLandmark& landmark(const Torso& torso, std::string_view name) {

@@ -19,6 +19,8 @@ struct TorsoSettings {
 /// The grid that the bones are drawn from holds no more.
 inline constexpr std::size_t kMostBoneTriangles = 60000;
 inline constexpr std::size_t kFewestTorsoTriangles = kFewestTriangles + kFewestBoneTriangles;
+/// Of the skin alone: the model of section 2.1.
+inline constexpr std::size_t kDissertationBackTriangles = 2962;
 
 /// A point that an examiner looks for, on the skin above the bone.
 struct SkinLandmark {
@@ -39,6 +41,11 @@ struct Torso {
 
 /// Builds the torso; one to two seconds on one core, nearly all of it for the bones. Throws Error on a wrong setting.
 Torso makeTorso(const TorsoSettings& settings = {});
+
+/// The dissertation's back: the patch of makeBack in `settings.triangles` triangles, 2962 being those of its section
+/// 2.1, and besides them the bones that lie under it, T1 to L3, ribs and scapulae (41), of the body's own share.
+/// As long as makeTorso. Throws Error on a wrong setting.
+Torso makeBackOverBones(const BackSettings& settings = {.triangles = kDissertationBackTriangles, .shape = {}});
 
 /// The landmark of that name. Throws Error when there is none.
 const SkinLandmark& landmark(const Torso& torso, std::string_view name);

@@ -35,10 +35,6 @@ void land(const tree::Crossing& crossing, FingerState& state) {
   state.hold = crossing.point;  // what the tip slides further within this tick is friction already
 }
 
-bool inFrontOf(const Surface& surface, const SurfacePoint& place, const Vec3& tip) {
-  return (tip - place.position).dot(normalAt(surface, place)) > releaseSlack(surface);
-}
-
 /// True when the tip has left the skin at the proxy. A proxy that is still on its way is no judge: then the end of the
 /// walk is asked, and only if that agrees the proxy goes there.
 bool released(const Surface& surface, const WalkResult& walk, const Vec3& tip, FingerState& state) {
@@ -99,6 +95,10 @@ void holdInside(const Surface& surface, const Vec3& tip, double path_mm, FingerS
 
 }  // namespace
 
+bool inFrontOf(const Surface& surface, const SurfacePoint& place, const Vec3& tip) noexcept {
+  return (tip - place.position).dot(normalAt(surface, place)) > releaseSlack(surface);
+}
+
 Press pressTowards(const Surface& surface, const FingerSettings& settings, const Vec3& proxy, const Vec3& normal,
                    const Vec3& tip) noexcept {
   Press press;
@@ -126,7 +126,7 @@ Press pressPoint(const Surface& surface, const FingerSettings& settings, FingerS
   for (int sheet = 0; sheet < kMostSheets; ++sheet) {
     const WalkResult walk = walkOnOneSheet(surface, state.proxy, tip, path);
     state.proxy = walk.at;
-    state.guarded = walk.entangled;
+    state.guarded = walk.stopped;
     std::uint32_t status = walk.finished ? 0u : kCatchingUp;
     bool leaves = released(surface, walk, tip, state);
     const double lag = (walk.at.position - tip).norm();

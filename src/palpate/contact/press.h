@@ -33,6 +33,9 @@ inline double directionlessDepth(const Surface& surface) { return 1e-11 * surfac
 /// would start its next segment behind it and fall through without an event.
 inline double releaseSlack(const Surface& surface) { return 1e-12 * surface.tree.diagonal; }
 
+/// Whether the tip is in front of the skin's tangent plane at `place`, by more than rounding.
+bool inFrontOf(const Surface& surface, const SurfacePoint& place, const Vec3& tip) noexcept;
+
 /// The press of a tip that the skin holds at `proxy`: along the line between the two, or along `normal` and of no depth
 /// where that line is only rounding.
 Press pressTowards(const Surface& surface, const FingerSettings& settings, const Vec3& proxy, const Vec3& normal,

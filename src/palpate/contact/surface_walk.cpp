@@ -10,6 +10,7 @@
 
 #include <hwy/cache_control.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace palpate::contact {
@@ -91,6 +92,14 @@ WalkResult walkOnOneSheet(const Surface& surface, const SurfacePoint& from, cons
                           double path_mm) noexcept {
   if (surface.entangled.empty()) return walkToNearest(surface, from, target, path_mm);
   return walk(surface, from, target, path_mm, [&](Index triangle) { return surface.entangled[triangle] != 0; });
+}
+
+WalkResult walkOnListed(const Surface& surface, std::span<const Index> triangles, const SurfacePoint& from,
+                        const Vec3& target, double path_mm) noexcept {
+  return walk(surface, from, target, path_mm, [&](Index triangle) {
+    const bool entangled = !surface.entangled.empty() && surface.entangled[triangle] != 0;
+    return entangled || std::ranges::find(triangles, triangle) == triangles.end();
+  });
 }
 
 Vec3 normalAt(const Surface& surface, const SurfacePoint& point) noexcept {

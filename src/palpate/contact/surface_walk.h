@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <span>
 #include <type_traits>
 
 #include "palpate/contact/finger.h"
@@ -14,8 +15,8 @@ inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 struct WalkResult {
   SurfacePoint at;
-  bool finished = false;   ///< false: the path or the moves were used up on the way
-  bool entangled = false;  ///< it ended where sheets that pierce each other begin
+  bool finished = false;  ///< false: the path or the moves were used up on the way
+  bool stopped = false;   ///< it ended before a triangle that it may not enter
 };
 
 /// Walks from triangle to triangle while that brings the target strictly nearer, at most `path_mm` far. Each piece of
@@ -26,6 +27,11 @@ WalkResult walkToNearest(const Surface& surface, const SurfacePoint& from, const
 /// The same, but it goes no farther than to the triangles marked in Surface::entangled, nor within them.
 WalkResult walkOnOneSheet(const Surface& surface, const SurfacePoint& from, const Vec3& target,
                           double path_mm) noexcept;
+
+/// walkOnOneSheet over the listed triangles alone (records of the tree): for a finger that sees no others. A short
+/// list: each move searches it.
+WalkResult walkOnListed(const Surface& surface, std::span<const Index> triangles, const SurfacePoint& from,
+                        const Vec3& target, double path_mm) noexcept;
 
 /// The unit normal whose side test is exact at that place: of the face, of both faces of the edge, of the vertex.
 Vec3 normalAt(const Surface& surface, const SurfacePoint& point) noexcept;

@@ -15,7 +15,7 @@
 #include <array>
 
 #include "palpate/contact/half_spaces.h"
-#include "palpate/tree/exact_predicates.h"
+#include "palpate/tree/triangle_tree.h"
 
 namespace palpate::hdb {
 
@@ -39,10 +39,6 @@ contact::HalfSpace planeOf(const TriangleRecord& record, double standoff_mm) {
 }
 
 double excess(const contact::HalfSpace& plane, const Vec3& x) { return plane.normal.dot(x) - plane.offset; }
-
-bool crosses(const TriangleRecord& record, const Vec3& from, const Vec3& to) {
-  return tree::crossesFrontToBack(record.corners[0], record.corners[1], record.corners[2], from, to);
-}
 
 /// The mover of one tick.
 struct Mover {
@@ -143,17 +139,23 @@ tree::Crossing firstFrontCrossing(const contact::Surface& surface, std::span<con
                                   const Vec3& to) noexcept {
   tree::Crossing first;
   for (const Index t : triangles) {
-    const TriangleRecord& record = surface.tree.records[t];
-    if (!crosses(record, from, to)) continue;
-    const contact::HalfSpace plane = planeOf(record, 0.0);
-    const double before = excess(plane, from);
-    const double fall = before - excess(plane, to);
-    const double fraction = fall > 0.0 ? std::clamp(before / fall, 0.0, 1.0) : 0.0;
-    const bool earlier =
-        first.triangle == kNoIndex || fraction < first.fraction || (fraction == first.fraction && t < first.triangle);
-    if (earlier) first = {from + fraction * (to - from), fraction, t};
+    tree::Crossing crossing;
+    if (!tree::detail::crossingOf(surface.tree.records[t], from, to, crossing)) continue;
+    crossing.triangle = t;
+    const bool earlier = first.triangle == kNoIndex || crossing.fraction < first.fraction ||
+                         (crossing.fraction == first.fraction && t < first.triangle);
+    if (earlier) first = crossing;
   }
   return first;
+}
+
+bool isInFront(const contact::Surface& surface, std::span<const Index> triangles, const Vec3& place) noexcept {
+  const double reach = kTouching * standoff(surface);
+  return std::ranges::none_of(triangles, [&](Index t) {
+    const TriangleRecord& record = surface.tree.records[t];
+    if (tree::closestOnTriangle(record.corners, place).squared_distance > reach * reach) return false;
+    return excess(planeOf(record, 0.0), place) <= 0.0;
+  });
 }
 
 Arrival moveTowards(const contact::Surface& surface, std::span<const Index> triangles, const Vec3& target,

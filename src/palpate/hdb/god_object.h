@@ -1,8 +1,7 @@
 // A point that follows the tip but never passes the front of a triangle: the god object over a loose list of triangles.
 //
 // It knows no neighbours: every move is tested against every listed triangle, as a toolkit must that is handed
-// triangles without their neighbours. The default finger walks on the surface instead (contact/surface_walk.h);
-// hdb_finger.h uses this one.
+// triangles without their neighbours. hdb_finger.h uses it where a walk over the skin (contact/surface_walk.h) ends.
 #pragma once
 
 #include <span>
@@ -26,6 +25,9 @@ inline double standoff(const contact::Surface& surface) { return 1e-9 * surface.
 /// (records of the tree) from front to back. Slides along one, two or three planes at a time. noexcept, no allocation.
 Arrival moveTowards(const contact::Surface& surface, std::span<const Index> triangles, const Vec3& target,
                     double path_mm, Vec3& place) noexcept;
+
+/// Whether `place` is in front of each listed triangle that it touches.
+bool isInFront(const contact::Surface& surface, std::span<const Index> triangles, const Vec3& place) noexcept;
 
 /// Where the segment first passes a listed triangle from front to back (exactly), or triangle kNoIndex.
 tree::Crossing firstFrontCrossing(const contact::Surface& surface, std::span<const Index> triangles, const Vec3& from,

@@ -1,6 +1,8 @@
-// A tick: the box follows the proxy of the last tick; the tip's motion may pass a candidate (contact starts); the god
-// object follows the tip along the skin; the place of the skin under it is held by friction. When the god object gets
-// to the tip, nothing is between them: let go.
+// A tick: the box follows the proxy of the last tick; the tip's motion may pass a candidate (contact starts); the proxy
+// walks towards the tip over the candidates, as the default finger's does over the whole skin, so that both feel the
+// same. Where the walk has nothing to go on - the list ends, the skin ends, sheets pierce each other, the tip has come
+// out - the god object decides: it starts above the proxy and is tested against every candidate. When it gets to the
+// tip, nothing is between them: the finger is released.
 //
 // Where the skin ends, or the list does, nothing holds the god object: it falls towards the tip by one path bound a
 // tick, so the force fades within some ticks (no more than k times the bound in one) and the finger comes free.
@@ -8,6 +10,9 @@
 // Based on: Ji, dissertation 2008, 2.2 and 3.3.3: the haptic process sees the triangles near the proxy and no others.
 #include "palpate/hdb/hdb_finger.h"
 
+#include <optional>
+
+#include "palpate/contact/border.h"
 #include "palpate/contact/felt_force.h"
 #include "palpate/contact/surface_walk.h"
 #include "palpate/hdb/god_object.h"
@@ -33,6 +38,36 @@ bool enters(const contact::Surface& surface, HdbCandidates& candidates, const Ve
   return true;
 }
 
+/// Whether the god object is above the proxy: it is not while it falls past an end of the skin.
+bool isOnSkin(const contact::Surface& surface, const contact::FingerState& state) {
+  const double farthest = kOnSkin * standoff(surface);
+  return (state.centre - state.proxy.position).squaredNorm() < farthest * farthest;
+}
+
+/// The place of a god object above `proxy`; nothing where the skin is so sharp that it would be behind a candidate.
+std::optional<Vec3> placeAbove(const contact::Surface& surface, const std::vector<Index>& near,
+                               const contact::SurfacePoint& proxy) {
+  const Vec3 place = proxy.position + standoff(surface) * contact::normalAt(surface, proxy);
+  return isInFront(surface, near, place) ? std::optional(place) : std::nullopt;
+}
+
+/// Walks over the candidates. Nothing, and the state as it was, where only the god object knows what comes of the tick.
+std::optional<contact::Press> pressOnWalk(const contact::Surface& surface, const contact::FingerSettings& settings,
+                                          const std::vector<Index>& near, const Vec3& tip, double path_mm,
+                                          contact::FingerState& state) {
+  const contact::WalkResult walk = contact::walkOnListed(surface, near, state.proxy, tip, path_mm);
+  if (walk.stopped || contact::inFrontOf(surface, walk.at, tip)) return std::nullopt;
+  if (contact::beyondBorder(surface, walk.at, tip) > 0.0) return std::nullopt;
+  const auto above = placeAbove(surface, near, walk.at);
+  if (!above) return std::nullopt;
+  state.proxy = walk.at;
+  state.centre = *above;
+  contact::Press press =
+      contact::pressTowards(surface, settings, walk.at.position, contact::normalAt(surface, walk.at), tip);
+  if (!walk.finished) press.status |= contact::kCatchingUp;
+  return press;
+}
+
 /// The skin's point nearest to the god object becomes the proxy. True when the god object is on the skin.
 bool findSkinUnder(const contact::Surface& surface, const std::vector<Index>& near, contact::FingerState& state) {
   const double farthest = kOnSkin * standoff(surface);
@@ -48,22 +83,38 @@ bool findSkinUnder(const contact::Surface& surface, const std::vector<Index>& ne
   return found;
 }
 
+/// Moves the god object. Not touching where it gets to the tip.
+contact::Press pressOfGodObject(const contact::Surface& surface, const contact::FingerSettings& settings,
+                                const std::vector<Index>& near, const Vec3& tip, double path_mm,
+                                contact::FingerState& state) {
+  const Arrival arrival = moveTowards(surface, near, tip, path_mm, state.centre);
+  state.touching = arrival != Arrival::reached;
+  if (!state.touching) return {};
+  const bool found = findSkinUnder(surface, near, state);
+  const Vec3& proxy = found ? state.proxy.position : state.centre;
+  contact::Press press = contact::pressTowards(surface, settings, proxy, contact::normalAt(surface, state.proxy), tip);
+  if (arrival == Arrival::under_way) press.status |= contact::kCatchingUp;
+  return press;
+}
+
 contact::Press pressHdb(const contact::Surface& surface, const contact::FingerSettings& settings,
                         HdbCandidates& candidates, contact::FingerState& state, const Vec3& tip) {
   candidates.refresh(state.touching ? state.centre : state.tip);
-  if (!state.touching && !enters(surface, candidates, tip, state)) return {};
+  bool on_skin = state.touching && isOnSkin(surface, state);
+  if (!state.touching) {
+    if (!enters(surface, candidates, tip, state)) return {};
+    on_skin = true;
+  }
   const double path = contact::pathBound(settings, (tip - state.tip).norm());
   const Vec3 reach = Vec3::Constant(path + kOnSkin * standoff(surface));
-  const auto& near = candidates.near(Box3(state.centre - reach, state.centre + reach));
-  const Arrival arrival = moveTowards(surface, near, tip, path, state.centre);
-  state.touching = arrival != Arrival::reached;
-  if (!state.touching) return {};
-  const bool on_skin = findSkinUnder(surface, near, state);
-  const Vec3& proxy = on_skin ? state.proxy.position : state.centre;
-  contact::Press press = contact::pressTowards(surface, settings, proxy, contact::normalAt(surface, state.proxy), tip);
-  if (press.depth_mm > settings.max_depth_mm) press.status |= contact::kTooDeep;
-  if (arrival == Arrival::under_way) press.status |= contact::kCatchingUp;
-  return press;
+  Box3 around(state.centre - reach, state.centre + reach);
+  if (on_skin) around.extend(Box3(state.proxy.position - reach, state.proxy.position + reach));
+  const auto& near = candidates.near(around);
+  std::optional<contact::Press> press;
+  if (on_skin) press = pressOnWalk(surface, settings, near, tip, path, state);
+  if (!press) press = pressOfGodObject(surface, settings, near, tip, path, state);
+  if (press->touching && press->depth_mm > settings.max_depth_mm) press->status |= contact::kTooDeep;
+  return *press;
 }
 
 }  // namespace

@@ -272,12 +272,34 @@ maps::SurfaceEllipse bentEllipse(const maps::SurfaceEllipse& ellipse, const Dire
   return {bent.half_major_mm * axis, bent.aspect};
 }
 
+namespace {
+
+/// The factors as radii at equal angles, so that radiusAt interpolates them.
+maps::PolarContour asRadii(const DirectedFactors& factors) noexcept {
+  maps::PolarContour radii{.count = factors.size()};
+  std::ranges::copy(factors, radii.log_radii.begin());
+  return radii;
+}
+
+}  // namespace
+
+maps::SurfaceContour bentContour(maps::SurfaceContour contour, const DirectedFactors& factors,
+                                 const PlaceReach& place) noexcept {
+  const maps::PolarContour between = asRadii(factors);
+  for (std::size_t i = 0; i < contour.contour.count; ++i) {
+    const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(contour.contour.count);
+    const Vec3 ahead = std::cos(angle) * contour.axis_x + std::sin(angle) * contour.axis_y;
+    const double at_place = std::atan2(ahead.dot(place.second), ahead.dot(place.first));
+    contour.contour.log_radii[i] += std::log(maps::radiusAt(between, at_place));
+  }
+  return contour;
+}
+
 maps::SurfaceContour bentContour(const maps::SurfaceEllipse& ellipse, const DirectedFactors& factors,
                                  const PlaceReach& place) noexcept {
   constexpr std::size_t kRadii = 48;  // four between two ways
   maps::SurfaceContour bent{.contour = {.count = kRadii}, .axis_x = place.first, .axis_y = place.second};
-  maps::PolarContour between{.count = kDirections};
-  std::ranges::copy(factors, between.log_radii.begin());
+  const maps::PolarContour between = asRadii(factors);
   for (std::size_t i = 0; i < kRadii; ++i) {
     const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(kRadii);
     const Vec3 ahead = std::cos(angle) * place.first + std::sin(angle) * place.second;

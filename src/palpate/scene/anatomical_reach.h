@@ -80,6 +80,10 @@ class AnatomicalReach {
 maps::SurfaceEllipse bentEllipse(const maps::SurfaceEllipse& ellipse, const DirectedFactors& factors,
                                  const PlaceReach& place) noexcept;
 
+/// A contour in the place's plane, its radii times all of the factors.
+maps::SurfaceContour bentContour(maps::SurfaceContour contour, const DirectedFactors& factors,
+                                 const PlaceReach& place) noexcept;
+
 /// The region as a contour, its radii times all of the factors.
 maps::SurfaceContour bentContour(const maps::SurfaceEllipse& ellipse, const DirectedFactors& factors,
                                  const PlaceReach& place) noexcept;

@@ -1,6 +1,6 @@
-// The body: trunk or torso is made, a mesh file is read, mended and judged; both are ordered along a space-filling
-// curve, so that triangles near each other lie near each other in memory. Whatever belongs to a vertex or a triangle
-// follows. Own.
+// The body: trunk, torso or back is made, a mesh file is read, mended and judged; both are ordered along a
+// space-filling curve, so that triangles near each other lie near each other in memory. Whatever belongs to a vertex or
+// a triangle follows.
 #include "palpate/scene/body_parts.h"
 
 #include <fmt/format.h>
@@ -45,6 +45,21 @@ BodyParts makeTorsoParts(const BodySettings& body, const Progress& progress) {
   parts.skin = std::move(torso.skin.mesh);
   const auto order = mesh::reorderSpatially(parts.skin);
   parts.anatomy = anatomyOf(std::move(torso), order.source_vertex);
+  parts.texture = loadSkinTexture(body, parts.skin, progress);
+  return parts;
+}
+
+BodyParts makeBackParts(const BodySettings& body, const Progress& progress) {
+  report(progress, "building the back", 0.0);
+  body::BackSettings settings;
+  settings.triangles = body.triangles != 0 ? body.triangles : body::kDissertationBackTriangles;
+  settings.shape = {body.shape.stature_mm, body.shape.relief, body.shape.asymmetry};
+  body::Torso back = body::makeBackOverBones(settings);
+  BodyParts parts;
+  parts.name = fmt::format("built-in back, {} triangles over {} bones", settings.triangles, back.bones.size());
+  parts.skin = std::move(back.skin.mesh);
+  const auto order = mesh::reorderSpatially(parts.skin);
+  parts.anatomy = anatomyOf(std::move(back), order.source_vertex);
   parts.texture = loadSkinTexture(body, parts.skin, progress);
   return parts;
 }
@@ -173,6 +188,8 @@ BodyParts makeBody(const BodySettings& settings, const Progress& progress) {
       return makeTrunkParts(settings, progress);
     case BodyKind::torso:
       return makeTorsoParts(settings, progress);
+    case BodyKind::back:
+      return makeBackParts(settings, progress);
     default:
       return makeMeshParts(settings, progress);
   }

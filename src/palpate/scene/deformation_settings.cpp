@@ -29,20 +29,6 @@ deform::FormSettings formsOf(const Scene& scene) {
   return forms;
 }
 
-bool wantsLayers(const Scene& scene, const deform::FormSettings& forms) {
-  if (scene.deformation.tissue != TissueModel::layered) return false;
-  const deform::TissueSettings usual;
-  const bool own_dent = forms.common.tissue.normal_radius_mm != usual.normal_radius_mm ||
-                        forms.common.tissue.normal_radius_per_depth != usual.normal_radius_per_depth;
-  deform::FormSettings shape = forms;  // what says nothing about the shape of the skin does not count
-  shape.common.normals = deform::Normals::analytic;
-  shape.common.strain = false;
-  shape.search = deform::Search::neighbours;
-  shape.together = deform::Together::solved;
-  return !own_dent && !deform::needsForms(shape) && !deform::sharesRegion(forms) &&
-         forms.region == deform::NormalRegion::linear && forms.boundary == deform::Boundary::zero;
-}
-
 std::optional<maps::PolarContourMap> contoursOf(const Scene& scene, const maps::EllipseMapSettings& settings) {
   const std::filesystem::path& file = scene.deformation.contours;
   if (scene.deformation.forms.shape != deform::Shape::contour || file.empty()) return std::nullopt;

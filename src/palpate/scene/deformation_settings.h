@@ -29,10 +29,6 @@ struct Scene;
 /// The forms of a scene, complete: its files read, its fidelity and kind of strain filled in. Throws Error.
 deform::FormSettings formsOf(const Scene& scene);
 
-/// True if the scene asks for layered tissue and for no form of the deformation that would take its place: a profile, a
-/// region, a printed formula.
-bool wantsLayers(const Scene& scene, const deform::FormSettings& forms);
-
 /// The measured contours of a scene that names a table of them, for shape "contour". Throws Error for a file that is
 /// none.
 std::optional<maps::PolarContourMap> contoursOf(const Scene& scene, const maps::EllipseMapSettings& settings);

@@ -36,7 +36,7 @@ constexpr std::array<ErratumText, kErrata> kTexts = {{
     {Erratum::E2_drag_spring, kAmbiguous, kSetting, kOwnChoice,
      "20 mm of drag at 10 mm depth are beyond the friction cone",
      "the tangential spring has a stiffness of its own: 1 times the normal one, within the 0.6 to 1.1 of tissue; 0.23 "
-     "brings the 20 mm back",
+     "brings the 20 mm back in half-Gaussian tissue",
      "friction.stiffness_ratio"},
     {Erratum::E3_stiffness_place, kCosmetic, kNone, kCorrected, "1.3.1 sums springs at three nodes, 2.2 says F = k d",
      "2.2, with k interpolated in the triangle", "1.3.1 describes other systems"},

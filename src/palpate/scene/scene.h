@@ -24,7 +24,7 @@
 
 namespace palpate::scene {
 
-enum class BodyKind : std::uint8_t { trunk, torso, mesh };
+enum class BodyKind : std::uint8_t { trunk, torso, mesh, back };
 
 /// Length of one unit of a mesh file.
 enum class Unit : std::uint8_t { from_file, millimetre, centimetre, decimetre, metre, inch };
@@ -42,9 +42,9 @@ struct TextureSource {
 struct BodySettings {
   BodyKind kind = BodyKind::trunk;
   // A built-in body.
-  std::size_t triangles = 0;       ///< of skin and bones together; 0: as many as the body has by itself
+  std::size_t triangles = 0;  ///< of skin and bones together, back: of the skin; 0: as many as the body has by itself
   std::size_t bone_triangles = 0;  ///< of them for bones; 0: the body's own share
-  body::TrunkShape shape;          ///< the torso has only stature, relief and asymmetry of it
+  body::TrunkShape shape;          ///< torso and back have only stature, relief and asymmetry of it
   // A mesh file.
   std::filesystem::path file;
   Unit unit = Unit::from_file;

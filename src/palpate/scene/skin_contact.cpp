@@ -48,9 +48,9 @@ std::optional<deform::Contact> contactAsFelt(const World& world, const contact::
   std::optional<deform::Contact> contact = deform::contactOf(meant, dragRegion(world, meant), forms.common.tissue);
   if (!contact) return contact;
   if (world.contours) contact->tangential_contour = world.contours->on(meant.anchor, meant.normal);
+  if (world.layered) return layeredContact(world, *contact);
   if (forms.shape == deform::Shape::contour && world.reach)
     contact->tangential_contour = anatomicalContour(world, *contact);
-  if (world.layered) return layeredContact(world, *contact);
   return deform::formedRegions(*contact, forms);
 }
 

@@ -117,6 +117,24 @@ DirectedFactors dragFactors(const Scene& scene, const PlaceReach& place) noexcep
   return factors;
 }
 
+/// A contour that was measured is where a tenth of the drag was left, as a measured ellipse is: its rim lies beyond.
+void scaleContour(maps::SurfaceContour& contour, double factor) noexcept {
+  const double log_farthest = std::log(kFarthestRimMm);
+  for (std::size_t i = 0; i < contour.contour.count; ++i) {
+    double& radius = contour.contour.log_radii[i];
+    radius = std::min(radius + std::log(factor), log_farthest);
+  }
+}
+
+/// What the drag's region becomes in the shape "contour": the measured contour, or without a table the flat ellipse,
+/// longer and shorter to each side by what lies there.
+maps::SurfaceContour contourOfPlace(const World& world, const deform::Contact& contact,
+                                    const PlaceReach& place) noexcept {
+  const DirectedFactors factors = dragFactors(world.scene, place);
+  return world.contours ? bentContour(contact.tangential_contour, factors, place)
+                        : bentContour(contact.tangential_region, factors, place);
+}
+
 /// The regions of flat skin over even tissue become those of the place. `tenth_q`: where a tenth of the drag is left.
 void followAnatomy(const World& world, double tenth_q, deform::Contact& contact) noexcept {
   ReachWish wish{.press = &contact.layered->press};
@@ -129,7 +147,12 @@ void followAnatomy(const World& world, double tenth_q, deform::Contact& contact)
   const PlaceReach place = world.reach->at(world.surface.tree, contact.anchor_triangle, contact.anchor, normal, wish);
   contact.depth_mm = std::min(contact.depth_mm, place.deepest_mm);
   contact.normal_region = bentEllipse(contact.normal_region, place.press, place);
-  if (drags) contact.tangential_region = bentEllipse(contact.tangential_region, dragFactors(world.scene, place), place);
+  if (!drags) return;
+  if (world.deformation.shape == deform::Shape::contour) {
+    contact.tangential_contour = contourOfPlace(world, contact, place);
+  } else {
+    contact.tangential_region = bentEllipse(contact.tangential_region, dragFactors(world.scene, place), place);
+  }
 }
 
 }  // namespace
@@ -173,9 +196,10 @@ deform::Contact layeredContact(const World& world, deform::Contact contact) noex
   contact.layered.emplace(deform::LayeredShape{layered.pressAt(thickness, contact.depth_mm), drag.share});
   contact.normal_region = maps::liftedOntoSurface({contact.layered->press.radius_mm, 1.0}, contact.normal);
   const double stretch = std::sqrt(drag.along_mm / drag.across_mm);
-  contact.tangential_region = isMeasured(world.scene)
-                                  ? turnedWithDrag(contact, stretch, 1.0 / std::max(0.3, drag.tenth_q))
-                                  : solvedRegion(contact, drag);
+  const double rim_of_tenth = 1.0 / std::max(0.3, drag.tenth_q);
+  contact.tangential_region =
+      isMeasured(world.scene) ? turnedWithDrag(contact, stretch, rim_of_tenth) : solvedRegion(contact, drag);
+  if (world.contours) scaleContour(contact.tangential_contour, rim_of_tenth);
   const double rim = contact.tangential_region.half_major.norm();
   if (rim > kFarthestRimMm) contact.tangential_region.half_major *= kFarthestRimMm / rim;
   if (world.reach) followAnatomy(world, drag.tenth_q, contact);

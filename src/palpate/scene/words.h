@@ -41,7 +41,8 @@ struct WordsOf<scene::HeldFinger> {
 template <>
 struct WordsOf<scene::BodyKind> {
   using V = scene::BodyKind;
-  static constexpr std::array kAll = {Word{"trunk", V::trunk}, Word{"torso", V::torso}, Word{"mesh", V::mesh}};
+  static constexpr std::array kAll = {Word{"trunk", V::trunk}, Word{"torso", V::torso}, Word{"back", V::back},
+                                      Word{"mesh", V::mesh}};
 };
 
 template <>

@@ -253,8 +253,12 @@ std::shared_ptr<const World> withBody(const Scene& asked, BodyParts body, deform
   noteUnknownScalar(scene, body.channels.get(), notes);
   noteOldLimits(scene.safety, notes);
   PlacedTissue tissue;
-  if (wantsLayers(scene, forms)) tissue = placedTissue(scene, body.anatomy.depth_mm, body.given_layers);
+  TissueChoice choice = tissueChoice(scene, forms, !body.anatomy.depth_mm.empty());
+  if (choice.model == TissueModel::layered) {
+    tissue = placedTissue(scene, body.anatomy.depth_mm, body.given_layers);
+  }
   std::vector<double> stiffness = stiffnessOf(scene, body, keys, tissue, notes);
+  if (std::string note = tissueNote(scene, choice, stiffness); !note.empty()) notes.push_back(std::move(note));
   noteSteepMap(body.skin, stiffness, 1.0 / scene.ticks_per_s, notes);
   const std::optional<body::BreathField> breath = breathOf(scene, body, notes);
 
@@ -292,7 +296,8 @@ std::shared_ptr<const World> withBody(const Scene& asked, BodyParts body, deform
                                              .texture = std::move(body.texture),
                                              .channels = std::move(body.channels),
                                              .given_stiffness_n_per_mm = std::move(body.given_stiffness_n_per_mm),
-                                             .given_layers = std::move(body.given_layers)});
+                                             .given_layers = std::move(body.given_layers),
+                                             .tissue = std::move(choice)});
 }
 
 }  // namespace

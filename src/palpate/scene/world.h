@@ -15,6 +15,7 @@
 #include "palpate/hdb/hdb_candidates.h"
 #include "palpate/maps/literal_ellipse_map.h"
 #include "palpate/scene/scene.h"
+#include "palpate/scene/tissue_choice.h"
 #include "palpate/tissue/layered_tissue.h"
 
 namespace palpate::scene {
@@ -57,6 +58,7 @@ struct World {
   /// What the body itself says, a skin vertex each, before dysfunctions; empty: the scene says (buildOn).
   std::vector<double> given_stiffness_n_per_mm = {};
   std::shared_ptr<const tissue::LayeredTissue> given_layers = nullptr;  ///< of the body itself (BodyParts), or null
+  TissueChoice tissue = {};  ///< what acts, and why where it is not what the scene asks for
 };
 
 /// Loads or makes the body, mends and orders it, and builds what the run needs. Throws Error: a file that cannot be

@@ -2,6 +2,7 @@
 // how far its skin follows.
 #include <fmt/format.h>
 
+#include "palpate/body/outline_mesher.h"
 #include "palpate/scene/keys/section_keys.h"
 #include "palpate/scene/words.h"
 
@@ -18,7 +19,8 @@ Key<BodySettings> textureKey() {
       "texture", way(&S::texture, &TextureSource::file),
       "A PNG or JPEG picture on the skin, or a glTF or GLB file for its base colour picture. Mesh: it lies there by "
       "the "
-      "file's texture coordinates (OBJ, glTF, GLB). Trunk, torso: left half from behind, right half from the front "
+      "file's texture coordinates (OBJ, glTF, GLB). Trunk, torso, back: left half from behind, right half from the "
+      "front "
       "(docs/trunk.md).");
   key.read = [read = std::move(key.read)](S& s, const Entry& entry) {
     read(s, entry);
@@ -28,11 +30,16 @@ Key<BodySettings> textureKey() {
   return key;
 }
 
+std::size_t fewestTriangles(BodyKind kind) {
+  if (kind == BodyKind::trunk) return body::kFewestTrunkTriangles;
+  return kind == BodyKind::back ? body::kFewestTriangles : kFewestTriangles;
+}
+
 /// What a built-in body can be made of.
 void requireTriangles(const BodySettings& body, const Entry& entry) {
   if (body.kind == BodyKind::mesh || body.triangles == 0) return;
   const bool trunk = body.kind == BodyKind::trunk;
-  const std::size_t least = trunk ? body::kFewestTrunkTriangles : kFewestTriangles;
+  const std::size_t least = fewestTriangles(body.kind);
   if (body.triangles < least) entry.fail(fmt::format("needs at least {} triangles", least));
   if (trunk && body.triangles % 2 != 0) {
     entry.fail(fmt::format("a closed body has an even number of triangles: {} or {}, or kind = \"torso\"",
@@ -46,11 +53,16 @@ Section bodySection() {
   using S = BodySettings;
   using Shape = body::TrunkShape;
   std::vector<Key<S>> keys = {
-      choice<S, BodyKind>("kind", &S::kind, "The built-in trunk, the back of it alone (torso), or a mesh file."),
-      count<S>("triangles", &S::triangles, 0, 4'000'000,
-               "Trunk, torso: of skin and bones together; 0 is 83164 (trunk, an even number) or 20389 (torso)."),
+      choice<S, BodyKind>(
+          "kind", &S::kind,
+          "The built-in trunk, the back of it alone (torso), the dissertation's piece of 350 x 400 x 120 "
+          "mm of that (back), or a mesh file."),
+      count<S>(
+          "triangles", &S::triangles, 0, 4'000'000,
+          "Trunk, torso: of skin and bones together; 0 is 83164 (trunk, an even number) or 20389 (torso). Back: of "
+          "the skin alone; 0 is 2962."),
       number<S>("stature_mm", way(&S::shape, &Shape::stature_mm), between(500, 2500),
-                "Trunk, torso: how tall the whole person is."),
+                "Trunk, torso, back: how tall the whole person is."),
       number<S>("girth", way(&S::shape, &Shape::girth), between(0.8, 1.3),
                 "Trunk: factor on breadth and depth of the frame, bones and all."),
       number<S>("body_mass_index", way(&S::shape, &Shape::body_mass_index), between(16, 45),
@@ -62,15 +74,15 @@ Section bodySection() {
                 "Trunk: curve of the lumbar spine, L1 to L5."),
       choice<S, body::Posture>("posture", way(&S::shape, &Shape::posture),
                                "Trunk: standing, prone on a table (chest and belly pressed flat), or sitting."),
-      number<S>(
-          "spine_relief", way(&S::shape, &Shape::relief, &body::ReliefSettings::spine), between(0, 3),
-          "Trunk, torso: how far the spinous processes show on the skin; 0 is not at all, 1 a lean standing man."),
+      number<S>("spine_relief", way(&S::shape, &Shape::relief, &body::ReliefSettings::spine), between(0, 3),
+                "Trunk, torso, back: how far the spinous processes show on the skin; 0 is not at all, 1 a lean "
+                "standing man."),
       number<S>("rib_relief", way(&S::shape, &Shape::relief, &body::ReliefSettings::ribs), between(0, 3),
-                "Trunk, torso: the same for the ribs."),
+                "Trunk, torso, back: the same for the ribs."),
       number<S>("scapula_relief", way(&S::shape, &Shape::relief, &body::ReliefSettings::scapulae), between(0, 3),
-                "Trunk, torso: the same for the shoulder blades."),
+                "Trunk, torso, back: the same for the shoulder blades."),
       number<S>("asymmetry", way(&S::shape, &Shape::asymmetry), between(0, 3),
-                "Trunk, torso: natural differences of left and right; 0 is a mirror image."),
+                "Trunk, torso, back: natural differences of left and right; 0 is a mirror image."),
       file<S>("file", &S::file, "Mesh: OBJ, STL, PLY, OFF, glTF or GLB, relative to the scene file."),
       choice<S, Unit>("unit", &S::unit, "Mesh: the unit of the file; auto is m for glTF and GLB, mm for the others."),
       number<S>("scale", &S::scale, above(0, 1e6), "Mesh: factor on its size, after the unit."),

@@ -22,12 +22,15 @@ Keys tissueKeys() {
   using T = deform::TissueSettings;
   const auto tissue = [](double T::*member) { return way(&D::forms, &F::common, &deform::Settings::tissue, member); };
   return {
-      choice<D, TissueModel>("tissue", &D::tissue,
-                             "What lies over the bones: layers of skin, fat and muscle, as thick as they are at the "
-                             "place (docs/tissue.md); "
-                             "the half Gaussian, in regions of one size for the whole body; or that as printed (E18, "
-                             "E21). A profile, region "
-                             "or shape of one's own, or a body without bones, is never layered."),
+      choice<D, TissueModel>(
+          "tissue", &D::tissue,
+          "What lies over the bones: layers of skin, fat and muscle, as thick as they are at the "
+          "place (docs/tissue.md); "
+          "the half Gaussian, in regions of one size for the whole body; or that as printed (E18, "
+          "E21). A body without "
+          "bones is never layered, nor is a scene that sets fidelity.E15, E18 or E21, a profile, "
+          "profile_rim, region, normal_radius or radial_share of its own: a note then says so, and the "
+          "force law \"layered\" is F = k d. All other keys act on layers too."),
       number<D>("normal_cap_mm", tissue(&T::normal_cap_mm), between(0, 1000),
                 "The skin is pressed in no deeper than this."),
       number<D>("tangential_cap_mm", tissue(&T::tangential_cap_mm), between(0, 1000),
@@ -59,7 +62,7 @@ Keys regionKeys() {
       choice<D, deform::Boundary>(
           "boundary", way(&D::forms, &F::boundary),
           "What was measured as the drag's boundary: where the skin is still, or its 2 mm contour; that makes the "
-          "regions 1.635 times as large (E20)."),
+          "regions 1.635 times as large (E20). Layered tissue reads it as the 2 mm contour, whatever is said here."),
   };
 }
 

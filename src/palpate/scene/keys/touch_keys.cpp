@@ -48,10 +48,10 @@ Section frictionSection() {
       skinKey(),
       number<S>("static", &S::mu_static, between(0, 5), "Coefficient up to which the skin sticks to the finger."),
       number<S>("dynamic", &S::mu_dynamic, between(0, 5), "Coefficient while the finger slips; not above static."),
-      number<S>(
-          "stiffness_ratio", &S::stiffness_ratio, above(0, 100),
-          "Tangential over normal stiffness. Tissue has 0.6 to 1.1; 0.23 lets the skin follow 20 mm at 10 mm depth, as "
-          "the dissertation has it (E2)."),
+      number<S>("stiffness_ratio", &S::stiffness_ratio, above(0, 100),
+                "Tangential over normal stiffness. Tissue has 0.6 to 1.1; 0.23 lets half-Gaussian tissue follow 20 mm "
+                "at 10 mm "
+                "depth, as the dissertation has it (E2)."),
   };
   return section<S>("friction", "How the skin holds the finger.", way(&Scene::contact, &ContactSettings::finger),
                     std::move(keys), [](const S& friction, const Entry& entry) {
