@@ -1,6 +1,7 @@
 // `palpate realism` and `palpate tissue library`, as a machine reads them.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -44,6 +45,46 @@ TEST(RealismCommand, SaysWhatIsWrongWithAFileOfCases) {
   EXPECT_NE(complaint(R"({"r": [0, 1], "cases": [{"layers_mm_kPa": [[9, 30]], )" + short_list + "}]}")
                 .find("uz and ur must have 2 numbers"),
             std::string::npos);
+}
+
+/// Made-up people; on solved stacks, so that few of them are solved.
+constexpr const char* kLivingRows =
+    "SubID,Location,Thickness,Skin,Fat,Total_Stiff\n"
+    "1,LL_A,12,1,1.65,0.006\n"
+    "2,LL_A,12,1,1.65,0.004\n"
+    "3,LL_A,12,1,1.65,\n";
+
+TEST(RealismCommand, ComparesWithLivingLimbsHalfByHalf) {
+  const support::TemporaryFolder folder;
+  std::ofstream(folder / "001_MasterList_indentation_orig.csv") << kLivingRows;
+  const auto result = support::runPalpate("realism --json --living " + folder.path().string());
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json.at("people"), 2);
+  EXPECT_EQ(json.at("left_out"), 1);
+  EXPECT_EQ(json.at("half"), "even");
+  EXPECT_EQ(json.at("tests"), 1);
+  const double even = json.at("thin_cover_ratio").get<double>();
+  const double odd = json.at("fitted_half").at("thin_cover_ratio").get<double>();
+  EXPECT_NEAR(even / odd, 1.5, 0.01) << "the same layers, a third softer";
+  EXPECT_NEAR(json.at("median_error_percent").get<double>(), 100.0 * std::abs(even - 1.0), 0.1);
+  const auto& body = json.at("default_body");
+  EXPECT_GT(body.at("even").at("thin_cover_ratio").get<double>(),
+            json.at("default_moduli_on_a_limb").at("even").at("thin_cover_ratio").get<double>());
+  EXPECT_EQ(json.at("ratio_by_cover").size(), 5u);
+  EXPECT_EQ(json.at("sites").size(), 8u);
+  const auto text = support::runPalpate("realism --living " + folder.path().string());
+  EXPECT_NE(text.out.find("2 presses of a probe on the limbs of 2 people; 1 rows"), std::string::npos) << text.out;
+}
+
+TEST(RealismCommand, RefusesAListOfLivingLimbsWithFileAndLine) {
+  const support::TemporaryFolder folder;
+  std::ofstream(folder / "list.csv") << "SubID,Location,Thickness,Skin,Fat,Total_Stiff\n1,LL_A,12,1,x,0.006\n";
+  const auto result = support::runPalpate("realism --living " + (folder / "list.csv").string());
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find("list.csv:2: "), std::string::npos) << result.err;
+  EXPECT_EQ(support::runPalpate("realism --living " + (folder / "nothing").string()).exit_code, 2);
+  EXPECT_EQ(support::runPalpate("realism --living a.csv --cases b.json").exit_code, 2);
 }
 
 TEST(TissueLibraryCommand, ListsPlacesThatGetSofterWithThickness) {

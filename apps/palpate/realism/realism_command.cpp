@@ -9,6 +9,7 @@
 #include "apps/palpate/common/number_option.h"
 #include "apps/palpate/common/picture_file.h"
 #include "apps/palpate/common/progress_line.h"
+#include "apps/palpate/realism/living_report.h"
 #include "apps/palpate/realism/realism_stacks.h"
 
 namespace palpate::app {
@@ -22,6 +23,7 @@ using lab::RealismFigures;
 
 struct RealismArguments {
   std::string cases;
+  std::string living;
   std::string plot;
   double png_scale = 1.5;
   bool json = false;
@@ -130,7 +132,20 @@ figures::Figure figuresPicture(const RealismFigures& figures) {
   return figure;
 }
 
+void runLiving(const RealismArguments& arguments) {
+  LivingReport living;
+  {
+    ProgressLine progress;
+    living = judgeLiving(arguments.living, progress.callback());
+  }
+  fmt::print("{}", arguments.json ? livingJson(living).dump(2) + "\n" : livingText(living));
+}
+
 void runRealism(const RealismArguments& arguments) {
+  if (!arguments.living.empty()) {
+    runLiving(arguments);
+    return;
+  }
   if (!arguments.plot.empty()) checkPictureName(arguments.plot);
   RealismFigures figures;
   {
@@ -153,7 +168,12 @@ void addRealismCommand(CLI::App& app) {
       "realism", "How far the skin and the force are from finite elements of layered tissue (docs/realism.md)");
   command.add_option("--cases", a.cases,
                      "JSON of solved presses to judge by; left out: six places of a body, solved now (some 30 s)");
-  command.add_option("--plot", a.plot, "Picture to write: .png or .svg");
+  CLI::Option& living =
+      *command.add_option("--living", a.living,
+                          "Compare with presses of an ultrasound probe on living limbs instead (N/mm): the list " +
+                              std::string(lab::kLivingList) + " or its folder (some two minutes)");
+  living.excludes("--cases");
+  command.add_option("--plot", a.plot, "Picture to write: .png or .svg")->excludes(&living);
   addNumber(command, "--png-scale", a.png_scale, between(0.2, 8.0), "PNG: pixels a CSS pixel")->capture_default_str();
   command.add_flag("--json", a.json, "Print one JSON object");
   command.callback([arguments] { runRealism(*arguments); });
