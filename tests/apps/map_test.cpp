@@ -242,12 +242,17 @@ TEST_F(Map, OfASceneTakesItsKeyPointsAndBones) {
 TEST_F(Map, OfASceneHasTheContoursThatFollowBonesAndFolds) {
   const std::string trunk = "[body]\nkind = \"trunk\"\ntriangles = 20000\n";  // with a cleft, armpits and stumps
   write("ellipses.toml", trunk);
-  write("contours.toml", trunk + "[deformation]\nshape = \"contour\"\n");
+  write("contours.toml", trunk + "[deformation]\nshape = \"contour\"\ntissue = \"gaussian\"\n");
+  write("layers.toml", trunk + "[deformation]\nshape = \"contour\"\n");
   summaryOf("ellipses --scene ellipses.toml -o e.csv");
   const nlohmann::json summary = summaryOf("contours --scene contours.toml -o c.csv");
   EXPECT_EQ(summary["map"], "contours");
   const Table measured = tableOf(folder_ / "e.csv");
   const Table bent = tableOf(folder_ / "c.csv");
+  summaryOf("contours --scene layers.toml -o l.csv");
+  const std::vector<double> rims = tableOf(folder_ / "l.csv").at("mean_radius_mm");
+  EXPECT_LE(*std::ranges::max_element(rims), 160.0 + 1e-9) << "the rim of a tenth lies beyond what was measured";
+  EXPECT_LT(*std::ranges::min_element(rims), 0.5 * 160.0);
   std::size_t shorter = 0;
   std::size_t lopsided = 0;
   const std::size_t vertices = bent.at("mean_radius_mm").size();

@@ -215,7 +215,7 @@ def links_laid_in_a_shared_folder(room):
     session = recording(room, "a.session")
     (shared / "out.csv").symlink_to(victim)
     written = room.run("export", session, "--csv", shared / "out.csv")
-    direct = victim.read_text() == "precious"
+    direct = victim.read_bytes() == b"precious"
     # The shell's number becomes the command's: the link is laid under the name that it had until now.
     shell = subprocess.Popen(["sh", "-c", 'echo $$; read go; exec "$0" "$@"', room.palpate, "bench", "load", "torso_5000"],
                              stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd=room.folder,
@@ -227,7 +227,7 @@ def links_laid_in_a_shared_folder(room):
     except subprocess.TimeoutExpired:
         shell.kill()
         shell.communicate()
-    named = victim.exists() and victim.read_text() == "precious"
+    named = victim.exists() and victim.read_bytes() == b"precious"
     left = [file.name for file in shared.iterdir() if not file.is_symlink()]
     return lab.judged(direct and named and not left and shell.returncode == 0,
                       f"a link as target: exit {written.returncode}, victim {'whole' if direct else 'REPLACED'}; a link under the old "
