@@ -164,14 +164,19 @@ mesh::TriangleMesh ridge(Random& random) {
 /// there.
 mesh::TriangleMesh voxels(Random& random) {
   constexpr int kCells = 9;
+  constexpr std::size_t kRow = kCells;
+  const auto cell_of = [](int i) { return std::array{i % kCells, i / kCells % kCells, i / (kCells * kCells)}; };
   const double size = random.uniform(4, 12), share = random.uniform(0.5, 0.95), reach = random.uniform(2.5, 4.5);
   std::vector<std::uint8_t> filled(kCells * kCells * kCells, 0);
   const auto at = [&](int x, int y, int z) {
     const bool within = std::min({x, y, z}) >= 0 && std::max({x, y, z}) < kCells;
-    return within && filled[static_cast<std::size_t>((z * kCells + y) * kCells + x)] != 0;
+    return within && filled[kRow * (kRow * static_cast<std::size_t>(z) + static_cast<std::size_t>(y)) +
+                            static_cast<std::size_t>(x)] != 0;
   };
   for (int i = 0; i < kCells * kCells * kCells; ++i) {
-    const Vec3 from_middle = Vec3(i % kCells, i / kCells % kCells, i / (kCells * kCells)) - Vec3::Constant(kCells / 2);
+    constexpr int kMiddle = kCells / 2;
+    const auto [x, y, z] = cell_of(i);
+    const Vec3 from_middle(x - kMiddle, y - kMiddle, z - kMiddle);
     filled[static_cast<std::size_t>(i)] = from_middle.norm() <= reach && random.uniform(0, 1) < share ? 1 : 0;
   }
   filled[filled.size() / 2] = 1;  // one at least
@@ -185,7 +190,7 @@ mesh::TriangleMesh voxels(Random& random) {
     mesh.triangles.push_back({first + turn, first + turn + 2, first + (turn + 3) % 4});
   };
   for (int i = 0; i < kCells * kCells * kCells; ++i) {
-    const int x = i % kCells, y = i / kCells % kCells, z = i / (kCells * kCells);
+    const auto [x, y, z] = cell_of(i);
     if (!at(x, y, z)) continue;
     const Vec3 c(x, y, z), ex = Vec3::UnitX(), ey = Vec3::UnitY(), ez = Vec3::UnitZ();
     if (!at(x + 1, y, z)) add_face(c + ex, ey, ez);
@@ -205,7 +210,8 @@ mesh::TriangleMesh hairlineParts(Random& random) {
   mesh::TriangleMesh mesh;
   for (int i = 0; i < 6; ++i) {
     mesh::TriangleMesh part = plateMesh(40, 30, cells);
-    for (Vec3& p : part.positions) p += Vec3(i % 3 * (40 + gap), i / 3 * (40 + gap), 0);
+    const int row = i / 3;
+    for (Vec3& p : part.positions) p += Vec3(i % 3 * (40 + gap), row * (40 + gap), 0);
     mesh::append(part, mesh);
   }
   return mesh;
@@ -220,7 +226,8 @@ mesh::TriangleMesh thinParts(Random& random) {
       part = bumpyBallMesh(20, 0, 0, 4);
       squeeze(part, Vec3::UnitZ(), random.uniform(0.02, 0.2));
     }
-    place(part, 90 * Vec3(i % 2, i / 2, 0), random);
+    const int row = i / 2;
+    place(part, 90 * Vec3(i % 2, row, 0), random);
     mesh::append(part, mesh);
   }
   return mesh;

@@ -199,7 +199,8 @@ Press pressWith(const FingerSettings& settings, const SphereTask& task, const Mo
 bool isHeldInAir(const SphereTask& task, const Move& move, const Vec3& proxy) noexcept {
   const Surface& surface = task.surface;
   if (boundsTwoSectors(surface, move.under_tip) && isInAir(surface, move.under_tip.position, task.tip)) return true;
-  // Through an opening the winding number does not tell inside from outside: an open body holds on until it is too deep.
+  // Through an opening the winding number does not tell inside from outside: an open body holds on until it is too
+  // deep.
   if (!surface.closed || move.on_one_place || (task.tip - move.foot.position).norm() < task.radius) return false;
   // Behind the skin at the place that a point would press, which is nearly everywhere: the way from there to the tip
   // begins inside, so the tip is inside or there is skin between.

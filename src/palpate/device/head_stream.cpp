@@ -10,7 +10,7 @@ namespace palpate::device {
 
 namespace {
 
-constexpr const char* kWho = "head tracker";
+constexpr const char* kHeadTracker = "head tracker";
 constexpr std::size_t kNumbers = 6;
 constexpr double kMmInCm = 10.0;
 
@@ -33,7 +33,8 @@ std::optional<Vec3> headPlaceOf(std::span<const unsigned char> message) noexcept
   return place;
 }
 
-HeadStream::HeadStream(const std::string& which) : socket_(socketAddressOf(which, {.port = kHeadPort}, kWho), kWho) {}
+HeadStream::HeadStream(const std::string& which)
+    : socket_(socketAddressOf(which, {.port = kHeadPort}, kHeadTracker), kHeadTracker) {}
 
 std::optional<Vec3> HeadStream::newest() noexcept {
   std::optional<Vec3> newest;

@@ -151,7 +151,7 @@ tree::Crossing firstFrontCrossing(const contact::Surface& surface, std::span<con
 
 bool isInFront(const contact::Surface& surface, std::span<const Index> triangles, const Vec3& place) noexcept {
   const double reach = kTouching * standoff(surface);
-  return std::ranges::none_of(triangles, [&](Index t) {
+  return std::none_of(triangles.begin(), triangles.end(), [&](Index t) {
     const TriangleRecord& record = surface.tree.records[t];
     if (tree::closestOnTriangle(record.corners, place).squared_distance > reach * reach) return false;
     return excess(planeOf(record, 0.0), place) <= 0.0;

@@ -79,7 +79,8 @@ class Namesakes {
   std::span<const Entry> of(Index name) const {
     const auto first = std::lower_bound(all_.begin(), all_.end(), Entry{name, 0, 0});
     const auto end = std::find_if(first, all_.end(), [&](const Entry& entry) { return entry[0] != name; });
-    return {first, end};
+    return std::span(all_).subspan(static_cast<std::size_t>(first - all_.begin()),
+                                   static_cast<std::size_t>(end - first));
   }
   Index vertexOf(Index name, Index part) const {
     for (const Entry& entry : of(name)) {
