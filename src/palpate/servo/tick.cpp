@@ -45,7 +45,6 @@ void runFinger(FingerChain& finger, LoopEvent event, EmergencyStop* stop, trace:
 
 void forgetTouch(FingerChain& finger) noexcept {
   finger.contact = {};
-  finger.solver.handover = {};
   finger.forgot |= trace::kForgotTouch;
 }
 
