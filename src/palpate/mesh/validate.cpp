@@ -11,7 +11,7 @@
 #include "palpate/mesh/doubled_triangles.h"
 #include "palpate/mesh/holes.h"
 #include "palpate/mesh/intersections.h"
-#include "palpate/mesh/open_parts.h"
+#include "palpate/mesh/parts/open_parts.h"
 #include "palpate/mesh/slivers.h"
 #include "palpate/mesh/topology.h"
 #include "palpate/mesh/weld.h"

@@ -1,5 +1,5 @@
 // Volume is the sum of tetrahedra over the triangles and the caps.
-#include "palpate/mesh/open_parts.h"
+#include "palpate/mesh/parts/open_parts.h"
 
 #include <algorithm>
 #include <cmath>
