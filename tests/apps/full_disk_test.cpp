@@ -72,8 +72,9 @@ class FullDisk : public testing::TestWithParam<WritingCommand> {
     std::ofstream table(folder_ / "dots.csv");
     table << "picture,x_px,y_px\n";
     for (int i = 0; i < 11 * 13; ++i) {
+      const int row = i / 11;
       const double x = 40.0 * (i % 11 - 5);
-      const double y = 40.0 * (i / 11 - 6);
+      const double y = 40.0 * (row - 6);
       const double up = 24.0 * std::exp(-(x * x + 0.8 * y * y) / 4900.0);
       table << "before," << 300.0 + x << ',' << 400.0 + y << "\nafter," << 300.0 + x << ',' << 400.0 + y - up << '\n';
     }
