@@ -52,7 +52,7 @@ int freePort() {
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  ::bind(file, reinterpret_cast<const sockaddr*>(&address), sizeof(address));
+  EXPECT_EQ(::bind(file, reinterpret_cast<const sockaddr*>(&address), sizeof(address)), 0);
   socklen_t length = sizeof(address);
   ::getsockname(file, reinterpret_cast<sockaddr*>(&address), &length);
   ::close(file);
