@@ -6,6 +6,7 @@
 #include <string>
 
 #include "apps/palpate/common/commands.h"
+#include "apps/palpate/common/json.h"
 #include "apps/palpate/common/number_option.h"
 #include "apps/palpate/common/picture_file.h"
 #include "apps/palpate/common/progress_line.h"
@@ -138,7 +139,7 @@ void runLiving(const RealismArguments& arguments) {
     ProgressLine progress;
     living = judgeLiving(arguments.living, progress.callback());
   }
-  fmt::print("{}", arguments.json ? livingJson(living).dump(2) + "\n" : livingText(living));
+  fmt::print("{}", arguments.json ? jsonText(livingJson(living)) : livingText(living));
 }
 
 void runRealism(const RealismArguments& arguments) {
@@ -155,7 +156,7 @@ void runRealism(const RealismArguments& arguments) {
     figures = lab::judgeRealism(stacks, progress.callback());
   }
   if (!arguments.plot.empty()) writePicture(figuresPicture(figures), arguments.plot, arguments.png_scale);
-  fmt::print("{}", arguments.json ? figuresJson(figures).dump(2) + "\n" : figuresText(figures));
+  fmt::print("{}", arguments.json ? jsonText(figuresJson(figures)) : figuresText(figures));
   if (!arguments.plot.empty() && !arguments.json) fmt::print("-> {}\n", arguments.plot);
 }
 

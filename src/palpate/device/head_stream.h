@@ -3,7 +3,7 @@
 //
 //   opentrack ─ 48 bytes ─► UDP, 127.0.0.1:4242 ─► newest(), once a picture ─► Viewer::headAt ─► window/head_tracker.h
 //
-// Only the picture follows it, never a force: whoever reaches the port can move a camera within bounds.
+// Only the picture follows it, never a force: a program that reaches the port can move a camera within bounds.
 //
 // The message: x, y, z in cm and yaw, pitch, roll in degrees, six little-endian doubles, from the place where the head
 // was when the tracker was centred: x to the right, y up, z away from the screen (opentrack inverts an axis where a
