@@ -53,10 +53,11 @@ struct WrongProtocol {
 
 class WrongProtocols : public testing::TestWithParam<WrongProtocol> {};
 
-TEST_P(WrongProtocols, AreRefusedWithTheirLine) {
+TEST_P(WrongProtocols, AreRefusedWithTheirLineAndInOneLine) {
   const std::string message = support::messageOf([] { parseProtocol(GetParam().text, "own.toml"); });
   EXPECT_NE(message.find(GetParam().told), std::string::npos) << message;
   EXPECT_EQ(message.find("own.toml:"), 0U) << message;
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -67,7 +68,9 @@ INSTANTIATE_TEST_SUITE_P(
                     WrongProtocol{"[exam]\nlevels_percent = [0, 3]\n", "own.toml:2"},
                     WrongProtocol{"[exam]\nleast = 30\nmost = 20\n", "own.toml:1"},
                     WrongProtocol{"sites = ['T6']", "one site"}, WrongProtocol{"hidden = 3", "[hidden]"},
-                    WrongProtocol{"[hidden]\nradius_mm = 1e9", "own.toml:2"}, WrongProtocol{"x = [", "own.toml:1"}));
+                    WrongProtocol{"[hidden]\nradius_mm = 1e9", "own.toml:2"}, WrongProtocol{"x = [", "own.toml:1"},
+                    // The parser's message quotes the end of the line.
+                    WrongProtocol{"[exam]\nfeedback = f\ndraw = 'balanced'\n", "own.toml:"}));
 
 }  // namespace
 }  // namespace palpate::training

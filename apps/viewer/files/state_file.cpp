@@ -9,11 +9,11 @@
 #include <cstdlib>
 
 #include "palpate/base/error.h"
-#include "palpate/base/nearest_name.h"
 #include "palpate/base/output_file.h"
 #include "palpate/base/text.h"
 #include "palpate/base/words.h"
 #include "palpate/scene/keys/key_table.h"
+#include "palpate/scene/toml_table.h"
 
 namespace palpate::viewer {
 
@@ -146,12 +146,7 @@ std::string stateAsToml(const Remembered& remembered) {
 }
 
 Remembered parseState(std::string_view text, std::string_view name) {
-  toml::table table;
-  try {
-    table = toml::parse(text, name);
-  } catch (const toml::parse_error& error) {
-    throw Error::atLine(name, error.source().begin.line, oneLine(error.description()));
-  }
+  const toml::table table = scene::parsedToml(text, name);
   if (table["version"].value_or<std::int64_t>(0) != kStateVersion) throw Error::inFile(name, "is of another version");
   Remembered remembered;
   forEachValue(remembered, StateReader{table});

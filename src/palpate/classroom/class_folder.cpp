@@ -262,12 +262,7 @@ ClassFolder readClassFolder(const fs::path& folder) {
   const fs::path file = folder / "class.toml";
   const std::string text = readFile(file, kMostClassFileBytes);
   const std::string name = file.string();
-  toml::table root;
-  try {
-    root = toml::parse(text, name);
-  } catch (const toml::parse_error& error) {
-    throw Error::atLine(name, error.source().begin.line, error.description());
-  }
+  const toml::table root = scene::parsedToml(text, name);
   const scene::TomlTable table(
       root, name, "a class",
       {"id", "label", "host", "port", "retain_days", "retain_samples_days", "station_megabytes"});

@@ -19,14 +19,6 @@ constexpr std::uint64_t kMostMemberBytes = 65536;
 constexpr std::size_t kLongestClassWord = 32;
 constexpr NumberRange kPortRange = {1, 65535};
 
-toml::table parsedToml(std::string_view text, const std::filesystem::path& file) {
-  try {
-    return toml::parse(text, file.string());
-  } catch (const toml::parse_error& error) {
-    throw Error::atLine(file.string(), error.source().begin.line, error.description());
-  }
-}
-
 std::filesystem::path fileNamed(const scene::TomlTable& table, const char* key, const std::filesystem::path& folder) {
   std::string name;
   table.read(key, name);
@@ -66,8 +58,8 @@ training::Uuid uuidOfName(const std::string& text) {
 }  // namespace
 
 Member parseMember(std::string_view text, const std::filesystem::path& file) {
-  const toml::table root = parsedToml(text, file);
   const std::string name = file.string();
+  const toml::table root = scene::parsedToml(text, name);
   const scene::TomlTable table(root, name, "a member of a class",
                                {"role", "class", "name", "station_id", "host", "port", "retain_days",
                                 "retain_samples_days", "authority", "certificate", "key"});

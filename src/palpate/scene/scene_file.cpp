@@ -8,21 +8,11 @@
 #include "palpate/base/text.h"
 #include "palpate/mesh/files/load.h"
 #include "palpate/scene/keys/scene_keys.h"
+#include "palpate/scene/toml_table.h"
 
 namespace palpate::scene {
 
 namespace {
-
-/// The parser quotes what it stumbled over; its sentences are shorter.
-constexpr std::size_t kLongestParseMessage = 300;
-
-toml::table parsedToml(std::string_view toml_text, std::string_view name) {
-  try {
-    return toml::parse(toml_text, name);
-  } catch (const toml::parse_error& error) {
-    throw Error::atLine(name, error.source().begin.line, oneLine(error.description(), kLongestParseMessage));
-  }
-}
 
 std::vector<std::string> sectionNames() {
   std::vector<std::string> names;

@@ -6,6 +6,7 @@
 
 #include <toml++/toml.h>
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,18 @@
 #include "palpate/base/text.h"
 
 namespace palpate::scene {
+
+/// What a parser says at most: its message may quote the file, with its ends of line.
+inline constexpr std::size_t kLongestParseMessage = 300;
+
+/// `file` is how the text is called in errors. Throws Error with the line where it is no TOML.
+inline toml::table parsedToml(std::string_view text, std::string_view file) {
+  try {
+    return toml::parse(text, file);
+  } catch (const toml::parse_error& error) {
+    throw Error::atLine(file, error.source().begin.line, oneLine(error.description(), kLongestParseMessage));
+  }
+}
 
 /// The table and the file's name must outlive it.
 class TomlTable {

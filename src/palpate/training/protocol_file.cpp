@@ -228,11 +228,7 @@ std::string inQuotes(std::string_view text) {
 
 Protocol parseProtocol(std::string_view text, std::string_view file) {
   if (text.size() > kMostProtocolBytes) throw Error::inFile(file, "larger than any protocol (1 MiB)");
-  try {
-    return protocolFrom(toml::parse(text, file), file);
-  } catch (const toml::parse_error& error) {
-    throw Error::atLine(file, error.source().begin.line, std::string(error.description()));
-  }
+  return protocolFrom(scene::parsedToml(text, file), file);
 }
 
 Protocol protocolNamed(const std::string& name_or_file) {

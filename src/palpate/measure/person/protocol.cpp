@@ -129,12 +129,7 @@ Protocol readProtocol(const std::filesystem::path& file) {
 }
 
 Protocol parseProtocol(std::string_view text, std::string_view file) {
-  toml::table root;
-  try {
-    root = toml::parse(text, file);
-  } catch (const toml::parse_error& error) {
-    throw Error::atLine(file, error.source().begin.line, oneLine(error.description(), 300));
-  }
+  const toml::table root = scene::parsedToml(text, file);
   const ProtocolTable keys(root, file, "",
                            {"person", "spacing_mm", "drift_mm", "head", "partial", "presses", "enough", "drags",
                             "stature_mm", "body_mass_index", "point", "pictures"});
