@@ -111,6 +111,7 @@ void HuntJudge::add(const contact::FingerOutput& o) {
     last_tip_ = o.tip;
     last_force_ = o.force;
     last_proxy_ = o.proxy;
+    last_status_ = o.status;
   }
   ++tick_;
   ++report_.ticks;
@@ -179,7 +180,8 @@ bool HuntJudge::cameThroughSkin(const Vec3& tip) {
 }
 
 /// Where there is a border a tip may come in round it, and may be let go at it: only what passes through the skin
-/// itself, and what is let go far from any border, is a fault.
+/// itself, and what is let go farther from any border than the proxy can go in this tick, is a fault. A proxy that was
+/// on its way may have gone through the opening already.
 void HuntJudge::judgeFreeBesideBorder(const contact::FingerOutput& o) {
   const double moved = (o.tip - tip_ball_.centre).norm();
   if (moved + settings_.radius_mm < tip_ball_.radius && !tip_ball_.inside && past_ == Past::outside) return;
@@ -194,7 +196,8 @@ void HuntJudge::judgeFreeBesideBorder(const contact::FingerOutput& o) {
     past_ = Past::outside;
     return;
   }
-  const bool let_go = past_ == Past::held && isFarFromBorder(last_proxy_, (o.tip - last_tip_).norm());
+  const double path = (kProxyAndTip - 1.0) * (o.tip - last_tip_).norm() + settings_.catch_up_mm_per_s * settings_.tick_s;
+  const bool let_go = past_ == Past::held && !isOnItsWay(last_status_) && isFarFromBorder(last_proxy_, path);
   past_ = came_through || let_go || past_ == Past::fallen ? Past::fallen : Past::unknown;
   if (past_ == Past::fallen) found(Fault::fall, "depth of a free tip inside, mm", distance, 0.0);
 }
@@ -229,13 +232,25 @@ void HuntJudge::judgeTouching(const contact::FingerOutput& o) {
   }
 }
 
+/// A way through an edge, to rounding, meets the skin: where two boxes touch along an edge there is no gap.
+bool HuntJudge::isSkinBetween(const Vec3& from, const Vec3& to) const {
+  const Vec3 along = to - from;
+  const Vec3 aside = along.unitOrthogonal() * (10.0 * body_.tolerance());
+  const Vec3 across = along.normalized().cross(aside);
+  for (const Vec3& offset : {Vec3(Vec3::Zero()), Vec3(aside + across), Vec3(aside - across), Vec3(-aside + across),
+                             Vec3(-aside - across)}) {
+    const BoxTree::Crossing between = body_.tree().crossing(from + offset, to + offset);
+    if (between.inwards != 0 || between.entry) return true;
+  }
+  return false;
+}
+
 void HuntJudge::judgeHeldInAir(const contact::FingerOutput& o) {
   const double clear = body_.nearest(o.tip).distance;
   const double rounding = body_.selfIntersecting() ? kTinySphereShare * body_.diagonal() : 10.0 * body_.tolerance();
   if (clear <= std::max(settings_.radius_mm, rounding)) return;
   if (insideBall(o.tip, clear, tip_ball_)) return;
-  const BoxTree::Crossing between = body_.tree().crossing(o.proxy + kOffTheProxy * (o.tip - o.proxy), o.tip);
-  if (between.inwards != 0 || between.entry) {
+  if (isSkinBetween(o.proxy + kOffTheProxy * (o.tip - o.proxy), o.tip)) {
     ++report_.held_through_ticks;
   } else {
     found(Fault::held_in_air, "force on a tip in free air, N", o.force.norm(), 0.0);

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -120,6 +121,7 @@ class HuntJudge {
   void judgeTouching(const contact::FingerOutput& o);
   /// Closed bodies only: an open one has no outside that a winding number tells.
   void judgeHeldInAir(const contact::FingerOutput& o);
+  bool isSkinBetween(const Vec3& from, const Vec3& to) const;
   void judgeForce(const contact::FingerOutput& o);
   void judgePoint(const contact::FingerOutput& o);
   void judgeSphere(const contact::FingerOutput& o);
@@ -135,6 +137,7 @@ class HuntJudge {
   bool first_ = true, let_be_ = false;  ///< inside from the start
   Past past_ = Past::unknown;
   Vec3 last_tip_ = Vec3::Zero(), last_force_ = Vec3::Zero(), last_proxy_ = Vec3::Zero();
+  std::uint32_t last_status_ = 0;
   ClearBall tip_ball_, centre_ball_;
   std::vector<Index> nearby_;
   std::array<std::size_t, kFaults> last_found_{};  ///< tick + 1: a tick counts once a fault

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "palpate/contact/border.h"
 #include "palpate/contact/press.h"
@@ -44,16 +45,16 @@ Vec3 withinPath(const SphereTask& task, const Vec3& place) {
 }
 
 /// Planes of the feet at a place that fits: what the next step has to respect. Beyond a border there are none, but the
-/// sheet goes on flat; otherwise the sphere would come back under it.
-void planFrom(const SphereTask& task, const Vec3& centre, const Feet& feet, HalfSpaces& planes) {
+/// sheet goes on flat; otherwise the sphere would come back under it. Returns the place of the border then.
+std::optional<SurfacePoint> planFrom(const SphereTask& task, const Vec3& centre, const Feet& feet, HalfSpaces& planes) {
   planes.clear();
   for (int i = 0; i < feet.count; ++i) planes.add(keepOff(feet.feet[i], task.radius));
-  if (feet.count > 0) return;
+  if (feet.count > 0) return {};
   const SurfacePoint below = walkToNearest(task.surface, task.last, centre, kUnbounded).at;
   Foot foot;
-  if (beyondBorder(task.surface, below, centre) > 0.0 && standsOn(task.surface, below, centre, foot)) {
-    planes.add(keepOff(foot, task.radius));
-  }
+  if (!(beyondBorder(task.surface, below, centre) > 0.0) || !standsOn(task.surface, below, centre, foot)) return {};
+  planes.add(keepOff(foot, task.radius));
+  return below;
 }
 
 /// The place of the planes' half-spaces nearest to the point that is `share` of the way from the start to the tip.
@@ -206,8 +207,9 @@ bool descend(const SphereTask& task, Vec3& centre, SurfacePoint& foot, StandingP
   double longest = kUnbounded;
   const auto settle_at = [&](const Vec3& place) {
     centre = place;
-    planFrom(task, centre, feet, planes);
+    const std::optional<SurfacePoint> border = planFrom(task, centre, feet, planes);
     if (feet.count > 0) foot = feet.feet[feet.lowest()].at;
+    if (border) foot = *border;
     remember(feet, standing);
     failures = 0;
     longest = kUnbounded;

@@ -35,8 +35,9 @@ bool isFreeWay(const SphereTask& task, const Vec3& from, const Vec3& to) noexcep
 bool pushOut(const SphereTask& task, Vec3& centre) noexcept;
 
 /// Brings a centre that fits as near to the tip as the path and the rounds allow. True when it ends at a local minimum.
-/// `foot` becomes the lowest foot there; it is left alone when the sphere ends in the air. `standing` are the feet at
-/// the centre, where they are known, and then those at the place where it ends.
+/// `foot` becomes the lowest foot there, or the place of a border whose sheet goes on flat under it; it is left alone
+/// when the sphere ends in the air. `standing` are the feet at the centre, where they are known, and then those at the
+/// place where it ends.
 bool descend(const SphereTask& task, Vec3& centre, SurfacePoint& foot, StandingPlaces& standing) noexcept;
 
 }  // namespace palpate::contact

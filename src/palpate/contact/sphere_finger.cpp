@@ -194,25 +194,37 @@ Press pressWith(const FingerSettings& settings, const SphereTask& task, const Mo
 }
 
 /// Whether a tip came out elsewhere and is in free air, seen from where the sphere is held: by an edge that two boxes
-/// share, or by a gap that the sphere was pressed against and that its centre has passed. On one ordinary place the tip
-/// is behind the skin, and nothing has to be asked.
+/// share, by a gap that the sphere was pressed against and that its centre has passed, or by the back of a fold. On one
+/// ordinary place the tip is behind the skin, and nothing has to be asked.
 bool isHeldInAir(const SphereTask& task, const Move& move, const Vec3& proxy) noexcept {
   const Surface& surface = task.surface;
   if (boundsTwoSectors(surface, move.under_tip) && isInAir(surface, move.under_tip.position, task.tip)) return true;
   // Through an opening the winding number does not tell inside from outside: an open body holds on until it is too
   // deep.
-  if (!surface.closed || move.on_one_place || (task.tip - move.foot.position).norm() < task.radius) return false;
-  // Behind the skin at the place that a point would press, which is nearly everywhere: the way from there to the tip
-  // begins inside, so the tip is inside or there is skin between.
-  if ((task.tip - move.under_tip.position).dot(normalAt(surface, move.under_tip)) < 0.0) return false;
+  if (!surface.closed || (task.tip - move.foot.position).norm() < task.radius) return false;
+  const bool ordinary = surface.entangled.empty() || surface.entangled[move.foot.triangle] == 0;
+  if (move.on_one_place && ordinary) return false;
   return isInAir(surface, proxy, task.tip);
 }
 
-}  // namespace
+/// A tip that is inside although nothing holds its sphere: between sheets that pierce each other a way may be missed.
+/// The nearest skin holds it from now on.
+Press holdInside(const Surface& surface, const FingerSettings& settings, double radius, const Vec3& tip,
+                 FingerState& state) {
+  const tree::NearestPoint nearest = nearestPoint(surface.tree, tip, kUnbounded);
+  state.proxy = {nearest.closest.point, nearest.triangle, nearest.closest.feature};
+  const Vec3 normal = normalAt(surface, state.proxy);
+  state.centre = state.proxy.position + radius * normal;
+  state.fits = false;
+  return pressTowards(surface, settings, state.proxy.position, normal, tip);
+}
 
-Press pressSphere(const Surface& surface, const FingerSettings& settings, double radius, FingerState& state,
-                  const Vec3& tip) noexcept {
-  if (!state.touching && !landSphere(surface, radius, state, tip)) return {};
+/// What ends a contact.
+enum class Ending { none, reached, at_border, in_air };
+
+/// Moves the sphere in contact, and says whether the contact ends with that.
+Ending pressOnce(const Surface& surface, const FingerSettings& settings, double radius, const Vec3& tip,
+                 FingerState& state, Press& press) {
   const double path = pathBound(settings, (tip - state.tip).norm());
   const SphereTask task{surface, radius, tip, state.centre, path, state.proxy};
   Move move = moveCentre(task, state.fits, state.standing);
@@ -221,14 +233,32 @@ Press pressSphere(const Surface& surface, const FingerSettings& settings, double
   if (too_deep) move.status |= kTooDeep;
   state.centre = move.centre;
   state.fits = (move.status & kStartedInside) == 0;
-  const bool reached = lag <= directionlessDepth(surface) && state.fits;
+  if (lag <= directionlessDepth(surface) && state.fits) {
+    if (state.from_inside || !isBuried(surface, tip)) return Ending::reached;
+    press = holdInside(surface, settings, radius, tip, state);
+    return Ending::none;
+  }
+  press = pressWith(settings, task, move, state);
+  if ((press.status & kAtBorder) != 0 && press.felt_depth_mm <= 0.0) return Ending::at_border;
+  const bool away = too_deep ? isOutside(surface, tip, lag) : state.fits && isHeldInAir(task, move, press.proxy);
+  return away && !overlapsFront(surface, tip, radius) ? Ending::in_air : Ending::none;
+}
+
+}  // namespace
+
+Press pressSphere(const Surface& surface, const FingerSettings& settings, double radius, FingerState& state,
+                  const Vec3& tip) noexcept {
+  if (!state.touching && !landSphere(surface, radius, state, tip)) return {};
   Press press;
-  if (!reached) press = pressWith(settings, task, move, state);
-  const bool faded = (press.status & kAtBorder) != 0 && press.felt_depth_mm <= 0.0;
-  const bool away =
-      too_deep ? isOutside(surface, tip, lag) : state.fits && !reached && isHeldInAir(task, move, press.proxy);
-  const bool let_go = away && !overlapsFront(surface, tip, radius);
-  state.touching = !reached && !faded && !let_go;
+  Ending ending = pressOnce(surface, settings, radius, tip, state, press);
+  // What a border lets go may have come through the skin elsewhere on the way of this tick.
+  const auto came_through = [&] {
+    return tree::firstFrontCrossing(surface.tree, state.tip, tip).triangle != kNoIndex;
+  };
+  if (ending == Ending::at_border && came_through() && landSphere(surface, radius, state, tip)) {
+    ending = pressOnce(surface, settings, radius, tip, state, press);
+  }
+  state.touching = ending == Ending::none;
   return state.touching ? press : Press{};
 }
 
