@@ -227,6 +227,8 @@ TEST(SessionSettings, AreReadBackToTheBit) {
   EXPECT_EQ(back.settings.passivity.friction_n, 0.1 + 0.2);
   EXPECT_EQ(back.settings.start, scene::StartRule::ramp);
   EXPECT_FALSE(back.closes_loop);
+  EXPECT_TRUE(back.follows_exchange);
+  EXPECT_FALSE(limiterFrom("limited = 1\n").follows_exchange) << "recordings of before have no such line";
   EXPECT_EQ(asText(limiter, false).find("unsafe"), std::string::npos) << "recordings of before have no such line";
   limiter.unsafe = true;
   EXPECT_TRUE(limiterFrom(asText(limiter, false)).settings.unsafe);

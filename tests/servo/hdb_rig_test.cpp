@@ -112,6 +112,40 @@ TEST(HdbRig, ARebuiltPartitionChangesNoForceAndAllocatesNothingInTheTick) {
   EXPECT_GE(replaced, 8u);
 }
 
+/// A skin that becomes five times as stiff under a finger, or as soft again: the force follows within the bound on
+/// steps.
+TEST(FingerSolver, AnExchangedStiffnessIsFeltWithoutAStep) {
+  const auto world = torso(kHdb);
+  contact::Surface stiff = world->surface;
+  for (double& k : stiff.stiffness_n_per_mm) k *= 5.0;
+  FingerSolvers at_work = makeSolvers(world->surface, nullptr, 1);
+  const Vec3 above = device::pathsOf(*world).tips[0]->front();
+  contact::FingerSettings settings;
+  contact::FingerState state;
+  Vec3 tip = above;
+  contact::FingerOutput felt = touch(at_work[0], settings, state, tip);
+  while (felt.depth_mm < 15.0) felt = touch(at_work[0], settings, state, tip -= Vec3(0.0, 0.0, 0.25));
+  for (const contact::Surface* surface : {&std::as_const(stiff), &world->surface}) {
+    const double before = felt.force.norm();
+    FingerSolvers next = makeSolvers(*surface, nullptr, 1);
+    exchange(at_work[0], next[0], state);
+    contact::FingerState fresh = state;
+    const double wanted = contact::step(*surface, settings, fresh, tip).force.norm();
+    ASSERT_GT(std::max(before / wanted, wanted / before), 4.0);
+    int ticks = 0;
+    for (double change = 1.0; change > 0.0 && ticks < 5000; ++ticks) {
+      const Vec3 last = felt.force;
+      felt = touch(at_work[0], settings, state, tip);
+      change = (felt.force - last).norm();
+      const double bound = settings.catch_up_mm_per_s * settings.tick_s * wanted / felt.depth_mm;
+      ASSERT_LE(change, 1.001 * bound) << ticks;
+    }
+    EXPECT_NEAR(felt.force.norm(), wanted, 1e-9);
+    EXPECT_GT(ticks, 10);
+    EXPECT_EQ(felt.status & contact::kCatchingUp, 0u);
+  }
+}
+
 TEST(FingerSolver, AnExchangeKeepsTheTouchUnlessTheFingerLooksForTheSkinInAnotherWay) {
   const auto world = torso(kHdb);
   FingerSolvers at_work = makeSolvers(world->surface, nullptr, 1);

@@ -34,7 +34,7 @@ Vec3 tipOf(const trace::Sample& sample) {
 }
 
 void forget(std::uint32_t bits, servo::FingerChain& chain) {
-  if ((bits & trace::kForgotTouch) != 0) chain.contact = {};
+  if ((bits & trace::kForgotTouch) != 0) forgetTouch(chain);
   if ((bits & trace::kForgotLimiter) == 0) return;
   const bool closes_loop = chain.limiter.closes_loop;  // as the settings say
   chain.limiter = {};
@@ -112,11 +112,12 @@ class Replay {
       } else {
         chain.solver = std::move(solvers[i]);
       }
-      if (other_body) chain.contact = {};
+      if (other_body) forgetTouch(chain);
       chain.contact_settings = contactSettingsFrom(recorded.fingers[i].contact);
       const RecordedLimiter limiter = limiterFrom(recorded.fingers[i].limiter);
       chain.limiter_settings = limiter.settings;
       chain.limiter.closes_loop = limiter.closes_loop;
+      chain.solver.handover.follows = limiter.follows_exchange;
     }
     worlds_.push_back(world);  // a solver that was put down still points to the one before
     number_ = number;

@@ -76,6 +76,8 @@ std::vector<Field> fieldsOf(RecordedLimiter& recorded) {
 
 /// Written only where it is true: recordings of before have none.
 constexpr const char* kUnsafe = "unsafe_stiffness";
+/// Of the solver, written always: recordings from before it stepped where a surface was exchanged in contact.
+constexpr const char* kFollowsExchange = "follows_exchange";
 
 std::string asText(const std::vector<Field>& fields) {
   std::string text;
@@ -103,8 +105,8 @@ std::string asText(const contact::FingerSettings& settings) {
 }
 
 std::string asText(const servo::LimiterSettings& settings, bool closes_loop) {
-  RecordedLimiter copy{settings, closes_loop};
-  std::string text = asText(fieldsOf(copy));
+  RecordedLimiter copy{settings, closes_loop, true};
+  std::string text = asText(fieldsOf(copy)) + asText({flag(kFollowsExchange, copy.follows_exchange)});
   if (settings.unsafe) text += asText({flag(kUnsafe, copy.settings.unsafe)});
   return text;
 }
@@ -119,6 +121,7 @@ RecordedLimiter limiterFrom(const std::string& text) {
   RecordedLimiter recorded;
   std::vector<Field> fields = fieldsOf(recorded);
   fields.push_back(flag(kUnsafe, recorded.settings.unsafe));
+  fields.push_back(flag(kFollowsExchange, recorded.follows_exchange));
   read(text, fields);
   return recorded;
 }

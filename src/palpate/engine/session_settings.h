@@ -24,6 +24,7 @@ contact::FingerSettings contactSettingsFrom(const std::string& text);
 struct RecordedLimiter {
   servo::LimiterSettings settings;
   bool closes_loop = true;
+  bool follows_exchange = false;  ///< servo::Handover::follows; recordings from before it say nothing of it
 };
 RecordedLimiter limiterFrom(const std::string& text);
 /// What a limiter lets through, for people.

@@ -46,6 +46,7 @@ void Simulator::feel(std::span<const Vec3> tips, std::span<contact::FingerOutput
 void Simulator::lift(std::size_t finger) noexcept {
   if (finger >= fingers_.size()) return;
   fingers_[finger].state = {};
+  fingers_[finger].solver.handover.on = false;
   felt_[finger] = contact::freeOutput(felt_[finger].tip);
 }
 

@@ -26,10 +26,8 @@ contact::FingerOutput touchAtRest(FingerSolver& solver, const contact::FingerSet
   return contact::step(*solver.surface, settings, state, tip);
 }
 
-}  // namespace
-
-contact::FingerOutput touch(FingerSolver& solver, const contact::FingerSettings& settings, contact::FingerState& state,
-                            const Vec3& tip, std::uint64_t tick) noexcept {
+contact::FingerOutput touchWhereItIs(FingerSolver& solver, const contact::FingerSettings& settings,
+                                     contact::FingerState& state, const Vec3& tip, std::uint64_t tick) noexcept {
   if (!solver.breath) return touchAtRest(solver, settings, state, tip);
   const body::BreathField& breath = *solver.breath;
   const double lift_mm = breath.lift(static_cast<double>(tick) * settings.tick_s);
@@ -42,6 +40,37 @@ contact::FingerOutput touch(FingerSolver& solver, const contact::FingerSettings&
   return felt;
 }
 
+/// Brings the force of an exchanged surface nearer to what that surface gives, from where the last tick was.
+void handOver(const contact::FingerSettings& settings, const Vec3& tip, Handover& handover,
+              contact::FingerOutput& felt) noexcept {
+  const Vec3 change = felt.force - handover.force;
+  const double most_mm = 3.0 * (tip - handover.tip).norm() + settings.catch_up_mm_per_s * settings.tick_s;
+  const double most_n = handover.secant_n_per_mm * most_mm;
+  const double size = change.norm();
+  handover.on = size > most_n && most_n > 0.0;
+  if (!handover.on) return;
+  felt.force = handover.force + (most_n / size) * change;
+  felt.status |= contact::kCatchingUp;
+  if (felt.touch != contact::Touch::free) return;
+  felt.touch = contact::Touch::stick;  // what was felt fades
+  felt.normal = felt.force.normalized();
+  felt.status |= contact::kLettingGo;
+}
+
+}  // namespace
+
+contact::FingerOutput touch(FingerSolver& solver, const contact::FingerSettings& settings, contact::FingerState& state,
+                            const Vec3& tip, std::uint64_t tick) noexcept {
+  contact::FingerOutput felt = touchWhereItIs(solver, settings, state, tip, tick);
+  if ((felt.status & contact::kTipLost) != 0 || !solver.handover.follows) return felt;
+  Handover& handover = solver.handover;
+  if (felt.depth_mm > 0.0) handover.secant_n_per_mm = felt.force.norm() / felt.depth_mm;
+  if (handover.on) handOver(settings, tip, handover, felt);
+  handover.force = felt.force;
+  handover.tip = tip;
+  return felt;
+}
+
 contact::FingerOutput atRest(const body::BreathField& breath, contact::FingerOutput felt, double lift_mm) noexcept {
   for (Vec3* place : {&felt.tip, &felt.proxy, &felt.anchor, &felt.hold}) *place = breath.rest(*place, lift_mm);
   if (felt.dent.rest_mm > 0.0) felt.dent.place = breath.rest(felt.dent.place, lift_mm);
@@ -51,7 +80,10 @@ contact::FingerOutput atRest(const body::BreathField& breath, contact::FingerOut
 void exchange(FingerSolver& at_work, FingerSolver& next, contact::FingerState& state) noexcept {
   // The centre of one is not the centre of the other: a sphere's, or the god object's.
   if (at_work.box.has_value() != next.box.has_value()) state = {};
-  std::swap(at_work, next);
+  std::swap(at_work.surface, next.surface);
+  at_work.box.swap(next.box);
+  std::swap(at_work.breath, next.breath);
+  at_work.handover.on = true;
 }
 
 }  // namespace palpate::servo

@@ -18,10 +18,21 @@
 
 namespace palpate::servo {
 
+/// The force of the last tick, which the first ticks on an exchanged surface start from: a skin five times as stiff
+/// under a finger that is 15 mm deep would be 30 N more from one tick to the next.
+struct Handover {
+  bool follows = true;           ///< false only while a recording from before this is felt again
+  bool on = false;               ///< the surface was exchanged, and the force has not yet reached what it gives
+  Vec3 force = Vec3::Zero();     ///< of the last tick, N
+  Vec3 tip = Vec3::Zero();       ///< of the last tick, mm
+  double secant_n_per_mm = 0.0;  ///< of the last tick that touched: force over depth
+};
+
 struct FingerSolver {
   const contact::Surface* surface = nullptr;  ///< must outlive the solver
   std::optional<hdb::HdbCandidates> box;      ///< none: the finger walks on the whole surface
   std::optional<body::BreathField> breath;    ///< how the surface moves; none: it does not
+  Handover handover = {};
 };
 
 /// One for each finger of a rig, in its order.
@@ -40,7 +51,9 @@ contact::FingerOutput touch(FingerSolver& solver, const contact::FingerSettings&
 contact::FingerOutput atRest(const body::BreathField& breath, contact::FingerOutput felt, double lift_mm) noexcept;
 
 /// Swaps what a finger touches, between two ticks. Its memory stays when it looks for the skin as before (the body is
-/// the caller's affair: for another one give it a new state), and starts anew otherwise. Nothing is allocated or freed.
+/// the caller's affair: for another one give it a new state), and starts anew otherwise. What is felt goes from
+/// the one to the other as fast as the bound on steps allows, k (3 |dD| + c) (docs/contact.md). Nothing is allocated or
+/// freed.
 void exchange(FingerSolver& at_work, FingerSolver& next, contact::FingerState& state) noexcept;
 
 }  // namespace palpate::servo

@@ -45,6 +45,7 @@ void runFinger(FingerChain& finger, LoopEvent event, EmergencyStop* stop, trace:
 
 void forgetTouch(FingerChain& finger) noexcept {
   finger.contact = {};
+  finger.solver.handover.on = false;
   finger.forgot |= trace::kForgotTouch;
 }
 
