@@ -10,8 +10,11 @@
 #include "palpate/contact/finger.h"
 #include "palpate/deform/deformer.h"
 #include "palpate/mesh/nearest.h"
+#include "palpate/scene/body_parts.h"
 #include "palpate/scene/skin_contact.h"
 #include "palpate/scene/world.h"
+#include "palpate/tree/winding_number.h"
+#include "support/mesh_zoo.h"
 
 namespace palpate::scene {
 namespace {
@@ -118,6 +121,37 @@ INSTANTIATE_TEST_SUITE_P(Trunk, FarSide, testing::Values("average", "thin", "hea
   std::replace(name.begin(), name.end(), ' ', '_');
   return name;
 });
+
+/// A lens 6 mm thick, without bones. A press of 8 mm is held through it; its dent must not come out below.
+TEST(ThinPart, HoldsADentThatWouldComeOutOfItsFarSide) {
+  Scene scene;
+  scene.body.kind = BodyKind::mesh;
+  BodyParts lens;
+  lens.name = "lens";
+  lens.skin = zoo::sphere(30.0, 5);
+  for (Vec3& p : lens.skin.positions) p.z() *= 0.1;
+  lens.closed = true;
+  const WorldPointer world = buildOn(scene, std::move(lens));
+  Index deep = 0;
+  for (const Vec3& place : {Vec3(0, 0, 3), Vec3(10, 5, 3), Vec3(-15, 0, 3), Vec3(3, -12, -3)}) {
+    const auto contact = contactOf(*world, felt(*world, place, 8.0, 0.0, 0.0));
+    ASSERT_TRUE(contact);
+    deform::Deformer deformer(world->deformable, world->deformation);
+    deform::DeformedSurface surface(world->deformable);
+    deformer.apply(std::span(&*contact, 1), surface);
+    for (Index v = 0; v < surface.vertices(); ++v) {
+      const double moved_mm = surface.displacementAt(v).norm();
+      if (moved_mm < 0.05) continue;
+      deep += moved_mm > 2.0 ? 1 : 0;
+      // What slides along the round rim leaves it by a few hundredths.
+      const Vec3 place = surface.positionAt(v).cast<double>();
+      const bool at_skin = tree::nearestPoint(world->surface.tree, place, 0.1).triangle != kNoIndex;
+      EXPECT_TRUE(at_skin || tree::windingNumber(world->surface.tree, place) > 0.5)
+          << "vertex " << v << " moved by " << moved_mm << " mm";
+    }
+  }
+  EXPECT_GT(deep, 20u) << "and yet dented";
+}
 
 }  // namespace
 }  // namespace palpate::scene

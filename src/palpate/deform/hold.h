@@ -49,6 +49,7 @@ class Hold {
   ShearBound shearNear(const Displacement& displacement, const ThePlan& plan, Index block,
                        double beyond_mm) const noexcept;
   bool findDoubtful(const Displacement& displacement, ThePlan& plan) const noexcept;
+  bool findThin(const ThePlan& plan) const noexcept;
   void dropFaintEdges(const Displacement& displacement, ThePlan& plan) const noexcept;
   void listPulls(ThePlan& plan) const noexcept;
   void setNormal(Index vertex, const DeformedBlock& surface) const noexcept;
@@ -67,10 +68,13 @@ Index Hold<Displacement>::apply(const Displacement& displacement, ThePlan& plan,
   const bool may_fold = findDoubtful(displacement, plan);
   dropFaintEdges(displacement, plan);
   const bool may_tear = !plan.edges.empty();
-  if (!may_fold && !may_tear) return 0;
+  const bool is_thin = findThin(plan);
+  if (!may_fold && !may_tear && !is_thin) return 0;
   listPulls(plan);
   shear_.setPulls(plan.pulls);
+  if (is_thin) shear_.keepWithinPart(surface);
   if (may_tear) shear_.taper(surface, bound_.press + bound_.drag, Curves{skin_, displacement, plan});
+  shear_.joinSeams(surface);
   shear_.unfold(surface, plan.doubtful);
   return static_cast<Index>(shear_.held().size());
 }
@@ -120,6 +124,16 @@ bool Hold<Displacement>::findDoubtful(const Displacement& displacement, ThePlan&
   return any;
 }
 
+/// Whether any part of what moves is thinner than a dent may be deep.
+template <class Displacement>
+bool Hold<Displacement>::findThin(const ThePlan& plan) const noexcept {
+  double all = 0.0;
+  for (const auto& mover : plan.movers) all += Displacement::pressOf(mover) + Displacement::dragOf(mover);
+  bool any = false;
+  plan.moved.forEach([&](Index block) { any = any || ShearLimit::isThin(skin_, block, all); });
+  return any;
+}
+
 /// Leaves the edges at which skin may have to be held.
 template <class Displacement>
 void Hold<Displacement>::dropFaintEdges(const Displacement& displacement, ThePlan& plan) const noexcept {
@@ -157,6 +171,7 @@ void Hold<Displacement>::listPulls(ThePlan& plan) const noexcept {
     const auto& frame = plan.frames[i];
     Pull pull;
     pull.anchor = frame.anchor;
+    pull.normal = frame.normal;
     pull.anchor_triangle = frame.anchor_triangle;
     pull.contact = i;
     pull.region = parts.subspan(plan.first_part[i], plan.first_part[i + 1] - plan.first_part[i]);

@@ -1,4 +1,4 @@
-// The three steps: room beside skin that stays, room along the surface, triangles that would fold.
+// The steps: room in a thin part, beside skin that stays and along the surface, seams of two fingers, triangles that would fold.
 //
 // Data flow: regions and amplitudes of the plan, displaced surface -> here, behind every displacement -> positions and
 // displacements of the surface; which vertices were held back -> their normals. Costs about 0.1 us a vertex of a region
@@ -22,6 +22,9 @@ constexpr double kUnfolded = 0.03;
 constexpr double kReserve = 0.8;
 /// Turns of drawing triangles together: on scanned bodies one to five, a hundred at most.
 constexpr int kTurns = 200;
+/// Turns along the vertices of fingers that press towards each other, of which each shortens what is too long: two to
+/// ten on scanned hands.
+constexpr int kSeamTurns = 50;
 /// Triangles in one turn, two hundred times what scanned bodies need; more are no matter of single triangles.
 constexpr std::size_t kMostFolds = 4096;
 /// Of shortening everything. Each leaves at most nine tenths.
@@ -151,6 +154,47 @@ void ShearLimit::setPulls(std::span<const Pull> pulls) noexcept {
       if (regions_[part.block] == 0 && part.vertices != 0) blocks_.push_back(part.block);
       regions_[part.block] |= part.vertices;
     }
+  }
+}
+
+void ShearLimit::keepWithinPart(const DeformedBlock& surface) noexcept {
+  forEachMoved([&](Index v) {
+    const float room = kShareOfThickness * skin_.thickness_mm[v];
+    const auto inwards = static_cast<float>(-displacementOf(surface, v).dot(skin_.restNormal(v).cast<double>()));
+    if (inwards > room * kBeyondRounding) hold(v, room / inwards, surface);
+  });
+}
+
+bool ShearLimit::pressTowardsEachOther() const noexcept {
+  for (const Pull& a : pulls_) {
+    for (const Pull& b : pulls_) {
+      if (a.normal.dot(b.normal) < 0.0) return true;
+    }
+  }
+  return false;
+}
+
+/// Shortens what moves the ends of the vertex's edges apart. True if anything was.
+bool ShearLimit::joinAt(Index vertex, const DeformedBlock& surface) noexcept {
+  bool any = false;
+  for (const Index beside : skin_.neighbours[vertex]) {
+    const float room = kMaxParting * (skin_.restPosition(vertex) - skin_.restPosition(beside)).norm();
+    const auto parts =
+        static_cast<float>((displacementOf(surface, vertex) - displacementOf(surface, beside)).norm());
+    if (!(parts > room * kBeyondRounding)) continue;
+    hold(vertex, room / parts, surface);
+    if (moves(beside)) hold(beside, room / parts, surface);
+    any = true;
+  }
+  return any;
+}
+
+void ShearLimit::joinSeams(const DeformedBlock& surface) noexcept {
+  if (pulls_.size() < 2 || !pressTowardsEachOther()) return;
+  for (int turn = 0; turn < kSeamTurns; ++turn) {
+    bool any = false;
+    forEachMoved([&](Index v) { any = joinAt(v, surface) || any; });
+    if (!any) return;
   }
 }
 

@@ -2,14 +2,16 @@
 //
 // The formulae of a press and a drag know the place of a vertex, not the surface: next to skin that stays behind
 // because it faces away (between toes, at the rim of a narrow limb) a vertex may be told to go farther than its
-// triangle is long, and in a steep or thin triangle neighbours may be told to pass each other. Three steps, each of
+// triangle is long, and in a steep or thin triangle neighbours may be told to pass each other. Five steps, each of
 // which leaves alone what needs no help, bit by bit:
+//   0. where the part is thin (Skin::thickness_mm) a vertex goes in by at most kShareOfThickness of it;
 //   1. beside skin that stays behind, a vertex moves by at most kSteepest mm per mm of surface between the two;
 //   2. a region that has such an edge, or a wall, ends along the surface too: what a contact moves falls off with the
 //      way along the edges as in the profile stretched by kRoundabout, so that what is near only through the air stays;
-//   3. triangles that may fold are looked at, and where one does its corners are drawn together just enough; if that
+//   3. between fingers that press towards each other neighbours part by at most kMaxParting mm per mm between them;
+//   4. triangles that may fold are looked at, and where one does its corners are drawn together just enough; if that
 //      does not end, the whole displacement is shortened until none folds.
-// 1 and 2 change steadily with the contact and do not depend on the order of vertices; 3 is exact. Costs nothing where
+// 0 to 2 change steadily with the contact and do not depend on the order of vertices; 4 is exact. Costs nothing where
 // no region has an edge and no block may fold (fold_bounds.h). Own; the projection of single triangles after Mueller et
 // al., "Position based dynamics", 2007.
 #pragma once
@@ -24,6 +26,7 @@ namespace palpate::deform {
 /// What one contact moves, as far as its skin can be held back.
 struct Pull {
   Vec3 anchor = Vec3::Zero();
+  Vec3 normal = Vec3::UnitZ();
   Index anchor_triangle = kNoIndex;
   std::size_t contact = 0;  ///< whose it is, of those that the displacement has framed
   std::span<const BlockPart> region;
@@ -47,13 +50,23 @@ class ShearLimit {
     return isGentle(slope) ? kCertain * kFaint * own_mm : 0.0;
   }
 
+  /// Step 0. Leaves the vertices that are deeper than the part allows what it allows.
+  void keepWithinPart(const DeformedBlock& surface) noexcept;
+  /// Whether that may hold anything back in a block that moves by at most so much.
+  static bool isThin(const Skin& skin, Index block, double moved_mm) noexcept {
+    return !skin.least_thickness_mm.empty() && kShareOfThickness * skin.least_thickness_mm[block] < moved_mm;
+  }
+
   /// Steps 1 and 2. `curves.press(pull, q)` and `curves.drag(pull, q)` are those that the displacement was made with,
   /// `curves.moved(pull, vertex)` is what a pull alone moves a vertex of its region by at most, mm; `slope` is how much
   /// the displacement differs per mm at most.
   template <class Curves>
   void taper(const DeformedBlock& surface, double slope, const Curves& curves) noexcept;
 
-  /// Step 3, for the triangles at moved vertices of `doubtful` blocks, at vertices held back and at skin that stays.
+  /// Step 3. Nothing for one pull, and for pulls whose normals are less than a right angle apart.
+  void joinSeams(const DeformedBlock& surface) noexcept;
+
+  /// Step 4, for the triangles at moved vertices of `doubtful` blocks, at vertices held back and at skin that stays.
   void unfold(const DeformedBlock& surface, const BlockSet& doubtful) noexcept;
 
   /// Vertices that were held back since `start`, in no particular order.
@@ -68,6 +81,11 @@ class ShearLimit {
   /// How far a vertex may move per mm of surface between it and skin that stays. Below 0.7 a wall of right-angled
   /// triangles cannot turn over; half of that again is room for the widest angles of scanned skin.
   static constexpr float kSteepest = 0.6f;
+  /// How much farther apart the ends of an edge may move per mm of it, at a seam of two fingers: one finger alone makes
+  /// 1.3 at most.
+  static constexpr float kMaxParting = 2.0f;
+  /// Of its thickness under a vertex, what a part can be dented by: as of the tissue over a bone.
+  static constexpr float kShareOfThickness = 0.9f;
 
  private:
   /// On a sphere the way along the surface is at most pi/2 times that seen along the normal, and the way along edges at
@@ -102,6 +120,8 @@ class ShearLimit {
   void measureAlongSurface(const Pull& pull) noexcept;
   template <class Curves>
   void roomAlongSurface(const Curves& curves) noexcept;
+  bool pressTowardsEachOther() const noexcept;
+  bool joinAt(Index vertex, const DeformedBlock& surface) noexcept;
   void holdWithin(Index vertex, float room_mm, const DeformedBlock& surface) noexcept;
   void hold(Index vertex, float share, const DeformedBlock& surface) noexcept;
   void noteHeld(Index vertex) noexcept;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "palpate/base/error.h"
 #include "palpate/deform/normals.h"
@@ -115,6 +116,18 @@ Skin buildSkin(const mesh::TriangleMesh& mesh) {
   skin.spread_of_tiles = spreadOfTiles(skin.fold_bounds);
   skin.room_beside_staying = roomBesideStaying(skin);
   return skin;
+}
+
+void setThickness(std::vector<float> thickness_mm, Skin& skin) {
+  if (thickness_mm.size() != skin.vertices) {
+    throw Error(fmt::format("{} thicknesses for {} vertices", thickness_mm.size(), skin.vertices));
+  }
+  skin.thickness_mm = std::move(thickness_mm);
+  skin.least_thickness_mm.assign(skin.blocks, std::numeric_limits<float>::infinity());
+  for (Index v = 0; v < skin.vertices; ++v) {
+    float& least = skin.least_thickness_mm[blockOf(v)];
+    least = std::min(least, skin.thickness_mm[v]);
+  }
 }
 
 }  // namespace palpate::deform

@@ -31,6 +31,10 @@ struct Skin {
   std::vector<FoldBound> fold_bounds;        ///< per block
   std::vector<float> spread_of_tiles;        ///< the largest FoldBound::spread of each tile
   AlignedVector<float> room_beside_staying;  ///< per vertex, padded to whole blocks; mm (fold_bounds.h)
+  /// Per vertex how thick the part is under it, mm, and the least of each block: no dent comes out of the far side.
+  /// Empty: nobody has measured it, and nothing limits the dent but the caps.
+  std::vector<float> thickness_mm;
+  std::vector<float> least_thickness_mm;
 
   std::span<const GroupLink> linksOf(Index block) const { return vertex_graph.linksOf(block); }
   TileBounds tileBounds(Index tile) const {
@@ -61,5 +65,8 @@ struct Skin {
 /// Normals are area-weighted (computed from the positions as floats). Throws Error for a triangle that names a vertex
 /// that is not there. Positions that are not finite are carried along; such vertices never move.
 Skin buildSkin(const mesh::TriangleMesh& mesh);
+
+/// `thickness_mm`: one a vertex (tree/thickness.h). Throws Error for another number of them.
+void setThickness(std::vector<float> thickness_mm, Skin& skin);
 
 }  // namespace palpate::deform

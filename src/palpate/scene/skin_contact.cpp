@@ -4,12 +4,18 @@
 #include "palpate/scene/skin_contact.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
 
 #include "palpate/contact/friction.h"
 #include "palpate/deform/finger_contact.h"
+#include "palpate/deform/shear_limit.h"
 #include "palpate/mesh/triangle_mesh.h"
 #include "palpate/scene/tissue_of_body.h"
 #include "palpate/tissue/law_inverse.h"
+#include "palpate/tissue/profile.h"
+#include "palpate/tree/thickness.h"
 
 namespace palpate::scene {
 
@@ -43,12 +49,57 @@ double depthAtRest(const World& world, double rest_mm, Index triangle) noexcept 
   return tissue::depthOf(world.surface.force_law, rest_mm, tissue_mm.empty() ? 0.0 : tissue_mm[corner]);
 }
 
+/// How much a place counts that faces the finger so far (cosine): all from the second on. What faces away more slides
+/// along the part's flank and does not come out of it.
+constexpr double kFlank = 0.5;
+constexpr double kFacing = 0.7;
+/// Where the part's thickness is asked for around a finger: rings at these location ratios, so many places each.
+constexpr std::array<double, 4> kPartRings = {0.0, 0.2, 0.4, 0.6};
+constexpr int kPlacesOfARing = 8;
+
+/// The deepest press of which nothing comes out of the part beneath one place of its region; `share` of the press
+/// arrives there.
+double deepestAt(const tree::TriangleTree& tree, const Vec3& over, const Vec3& normal, double reach_mm, double share,
+                 double depth_mm) noexcept {
+  const Vec3 end = over - (reach_mm + share * depth_mm) * normal;
+  const tree::Crossing entry = tree::firstFrontCrossing(tree, over + reach_mm * normal, end);
+  if (entry.triangle == kNoIndex) return depth_mm;
+  const auto& corners = tree.records[entry.triangle].corners;
+  const double facing = mesh::areaVector2(corners[0], corners[1], corners[2]).normalized().dot(normal);
+  const double counts = share * std::clamp((facing - kFlank) / (kFacing - kFlank), 0.0, 1.0);
+  const double most_mm = counts * depth_mm / deform::ShearLimit::kShareOfThickness;
+  if (!(most_mm > 0.0)) return depth_mm;
+  const double way = tree::wayThrough(tree, entry.point, -normal, most_mm);
+  return std::min(depth_mm, deform::ShearLimit::kShareOfThickness * way / counts);
+}
+
+/// A dent must not come out of the far side of a thin part: the press, shortened to what the part holds anywhere in its
+/// core. Some 20 us.
+double depthWithinPart(const World& world, const deform::Contact& contact) noexcept {
+  const double reach_mm = contact.normal_region.half_major.norm();
+  const Vec3 normal = contact.normal.normalized();
+  const Vec3 first = normal.unitOrthogonal();
+  const Vec3 second = normal.cross(first);
+  double depth_mm = std::min(contact.depth_mm, world.deformation.common.tissue.normal_cap_mm);
+  if (!(depth_mm > 0.0) || !normal.allFinite()) return contact.depth_mm;
+  for (const double q : kPartRings) {
+    const double r = q * reach_mm;
+    for (int i = 0; i < (q > 0.0 ? kPlacesOfARing : 1); ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / kPlacesOfARing;
+      const Vec3 over = contact.anchor + r * (std::cos(angle) * first + std::sin(angle) * second);
+      depth_mm = deepestAt(world.surface.tree, over, normal, std::max(r, 1.0), tissue::profile(q), depth_mm);
+    }
+  }
+  return depth_mm;
+}
+
 std::optional<deform::Contact> contactAsFelt(const World& world, const contact::FingerOutput& meant) noexcept {
   const deform::FormSettings& forms = world.deformation;
   std::optional<deform::Contact> contact = deform::contactOf(meant, dragRegion(world, meant), forms.common.tissue);
   if (!contact) return contact;
   if (world.contours) contact->tangential_contour = world.contours->on(meant.anchor, meant.normal);
   if (world.layered) return layeredContact(world, *contact);
+  if (!world.deformable.thickness_mm.empty()) contact->depth_mm = depthWithinPart(world, *contact);
   if (forms.shape == deform::Shape::contour && world.reach)
     contact->tangential_contour = anatomicalContour(world, *contact);
   return deform::formedRegions(*contact, forms);

@@ -19,12 +19,14 @@
 #include "palpate/base/background.h"
 #include "palpate/base/error.h"
 #include "palpate/body/places.h"
+#include "palpate/deform/shear_limit.h"
 #include "palpate/scene/anatomical_reach.h"
 #include "palpate/scene/body_parts.h"
 #include "palpate/scene/hdb_source.h"
 #include "palpate/scene/skin_channels.h"
 #include "palpate/scene/tissue_of_body.h"
 #include "palpate/tissue/force_table.h"
+#include "palpate/tree/thickness.h"
 
 namespace palpate::scene {
 
@@ -244,6 +246,16 @@ Scene withPlaces(Scene scene, const std::vector<body::SkinLandmark>& landmarks) 
   return scene;
 }
 
+/// A press of all that the cap allows must not come out of the far side of a thin part.
+void limitToParts(const mesh::TriangleMesh& skin, const contact::Surface& surface, const deform::FormSettings& forms,
+                  deform::Skin& deformable) {
+  std::vector<Vec3> inwards;
+  inwards.reserve(surface.vertex_normals.size());
+  for (const Vec3& normal : surface.vertex_normals) inwards.push_back(-normal);
+  const double most_mm = forms.common.tissue.normal_cap_mm / deform::ShearLimit::kShareOfThickness;
+  setThickness(tree::thicknessUpTo(surface.tree, skin.positions, inwards, most_mm), deformable);
+}
+
 std::shared_ptr<const World> withBody(const Scene& asked, BodyParts body, deform::FormSettings forms,
                                       const Progress& progress) {
   const Scene scene = withPlaces(asked, body.anatomy.landmarks);
@@ -271,6 +283,8 @@ std::shared_ptr<const World> withBody(const Scene& asked, BodyParts body, deform
 
   report(progress, "preparing the deformation", 0.0);
   making_deformable.join();
+  // Over bones the tissue's own thickness is the limit.
+  if (!tissue.layered && forms.common.limit_shear) limitToParts(body.skin, surface, forms, deformable);
   const maps::EllipseMapSettings map_settings = ellipseMapSettings(scene, body.skin);
   maps::AnyEllipseMap ellipses(keys, map_settings, literalMapForms(scene));
   auto contours = contoursOf(scene, map_settings);

@@ -1,0 +1,44 @@
+// One short segment a vertex, asked from its far end: what it enters there is the side where the part ends.
+// Data flow: tree and vertices of a body at load -> here -> deform::Skin::thickness_mm.
+#include "palpate/tree/thickness.h"
+
+#include <cmath>
+#include <limits>
+
+namespace palpate::tree {
+
+namespace {
+
+/// Sides of other parts that one segment may meet before the own far side; what is left then is taken for it.
+constexpr int kMaxSides = 8;
+/// The segment ends this share of it before the vertex, so that the vertex's own triangles are not met.
+constexpr double kBeforeTheVertex = 1e-3;
+
+}  // namespace
+
+// The crossing nearest to the place, of those into the body on the way to it.
+double wayThrough(const TriangleTree& tree, const Vec3& at, const Vec3& inwards, double most_mm) noexcept {
+  const Vec3 end = at + kBeforeTheVertex * most_mm * inwards;
+  Vec3 from = at + most_mm * inwards;
+  double way = std::numeric_limits<double>::infinity();
+  for (int side = 0; side < kMaxSides; ++side) {
+    const Crossing crossing = firstFrontCrossing(tree, from, end);
+    if (crossing.triangle == kNoIndex) break;
+    way = (crossing.point - at).norm();
+    from = crossing.point - kBeforeTheVertex * most_mm * inwards;
+    if ((from - at).dot(inwards) <= kBeforeTheVertex * most_mm) break;
+  }
+  return way;
+}
+
+std::vector<float> thicknessUpTo(const TriangleTree& tree, const std::vector<Vec3>& positions,
+                                 const std::vector<Vec3>& inwards, double most_mm) {
+  std::vector<float> thickness(positions.size(), std::numeric_limits<float>::infinity());
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    if (!positions[v].allFinite() || !(inwards[v].squaredNorm() > 0.5)) continue;
+    thickness[v] = static_cast<float>(wayThrough(tree, positions[v], inwards[v], most_mm));
+  }
+  return thickness;
+}
+
+}  // namespace palpate::tree
