@@ -1,13 +1,17 @@
 // Layers over the bones of the default body: where it lies thick and thin, what that makes of a press and of a drag.
 #include "palpate/scene/tissue_of_body.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <functional>
 
 #include "palpate/body/places.h"
 #include "palpate/scene/skin_contact.h"
+#include "palpate/tissue/force_law.h"
 #include "palpate/tissue/layered_library.h"
+#include "support/temporary_folder.h"
 
 namespace palpate::scene {
 namespace {
@@ -136,6 +140,46 @@ TEST(LayeredBody, ADragAlongTheSpineFollowsTheMeasuredEllipseAndOneAcrossTurnsIt
     return reach(contact.tangential_region, Vec3::UnitX()) / reach(contact.tangential_region, Vec3::UnitY());
   };
   EXPECT_GT(elongation(aside), 1.5 * elongation(up)) << "longer along the drag";
+}
+
+/// Where a tenth of the drag is left, as a location ratio.
+double tenthOf(const tissue::LayeredCurve& drag) {
+  double low = 0.0, high = 1.0;
+  for (int i = 0; i < 50; ++i) {
+    const double q = 0.5 * (low + high);
+    (tissue::curveAt(drag, tissue::kDragBend, q * q).value > 0.1 ? low : high) = q;
+  }
+  return low;
+}
+
+// What `palpate measure session` writes: a trunk with a person's own points, and the 2 mm contour as the boundary.
+TEST(LayeredBody, OfAMeasuredPersonHasLayersBonesAndTheEllipsesThatWereMeasured) {
+  const auto average = trunk();
+  const Vec3 t6 = body::placeNamed(average->anatomy.landmarks, "T6").point;
+  const Vec3 flank = body::placeNamed(average->anatomy.landmarks, "L3 right 60").point;
+  support::TemporaryFolder folder;
+  std::ofstream(folder / "person.csv") << "name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg\n"
+                                       << fmt::format("P1,{},{},72,1.4,25\n", t6.x(), t6.y())
+                                       << fmt::format("P2,{},{},105,1.25,80\n", flank.x(), flank.y());
+  const auto person = trunk([&](Scene& scene) {
+    scene.ellipses.key_points = folder / "person.csv";
+    scene.deformation.forms.boundary = deform::Boundary::two_mm;
+  });
+  ASSERT_TRUE(person->layered);
+  const auto force = [](const World& world, const char* words) {
+    const Index v = vertexAt(world, words);
+    return tissue::normalForce(world.surface.force_law, world.stiffness_n_per_mm[v], 5.0, world.surface.tissue_mm[v]);
+  };
+  const double bony = force(*person, "T6") / force(*person, "L3 right 60");
+  EXPECT_GT(bony, 2.0);
+  EXPECT_NEAR(bony, force(*average, "T6") / force(*average, "L3 right 60"), 0.1 * bony);
+  const std::pair<const char*, double> measured[] = {{"T6", 72.0}, {"L3 right 60", 105.0}};
+  for (const auto& [words, half_major_mm] : measured) {
+    const auto contact = contactOf(*person, fingerAt(*person, vertexAt(*person, words), 5.0, {0, 20, 0}));
+    ASSERT_TRUE(contact);
+    const double tenth = contact->tangential_region.half_major.norm() * tenthOf(contact->layered->drag);
+    EXPECT_NEAR(tenth, half_major_mm, 0.02 * half_major_mm) << words;
+  }
 }
 
 }  // namespace

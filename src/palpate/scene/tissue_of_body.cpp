@@ -6,6 +6,7 @@
 #include "palpate/scene/tissue_of_body.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "palpate/base/error.h"
@@ -18,7 +19,8 @@ namespace palpate::scene {
 namespace {
 
 /// The rim of a drag lies no farther than this, mm: beyond begin a trunk's flanks and arms. Where people were measured
-/// with a longer reach than it allows for, a tenth of the drag is left nearer than where they had it.
+/// with a longer reach than it allows for, a tenth of the drag is left nearer than where they had it; of a person whose own
+/// points are given it is left where it was measured (leaveATenthAt).
 constexpr double kFarthestRimMm = 160.0;
 /// Drags shorter than this have no direction yet, mm.
 constexpr double kShortestDragMm = 1e-6;
@@ -109,8 +111,35 @@ bool isMeasured(const Scene& scene) noexcept {
   return scene.body.kind != BodyKind::mesh || !scene.ellipses.key_points.empty();
 }
 
-/// What was measured is as long as it was: it only shortens.
+/// Measured on this very person: the ellipse has seen the bones and folds of the place already.
+bool isOwn(const Scene& scene) noexcept { return !scene.ellipses.key_points.empty(); }
+
+/// A drag that reaches far: (1 - q^2)^2, of which a tenth is left at 0.83 of the way to the rim. Made once, at load.
+const tissue::LayeredCurve& farReachingDrag() {
+  static const tissue::LayeredCurve curve = [] {
+    std::array<tissue::CurveSample, 64> samples;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const double q = static_cast<double>(i) / static_cast<double>(samples.size());
+      samples[i] = {q, (1.0 - q * q) * (1.0 - q * q), 1.0};
+    }
+    return tissue::fittedShare(samples, tissue::kDragBend);
+  }();
+  return curve;
+}
+
+/// Where the farthest rim is too near for a measured ellipse, the drag falls off more slowly on the way: so far that a
+/// tenth is left at `tenth_q`, where it was measured.
+void leaveATenthAt(double tenth_q, tissue::LayeredCurve& share) noexcept {
+  const tissue::LayeredCurve& far = farReachingDrag();
+  const double q2 = tenth_q * tenth_q;
+  const double near = tissue::curveAt(share, tissue::kDragBend, q2).value;
+  const double wide = tissue::curveAt(far, tissue::kDragBend, q2).value;
+  if (near < 0.1 && wide > near) share = tissue::blended(share, far, std::min(1.0, (0.1 - near) / (wide - near)));
+}
+
+/// What was measured on others is as long as it was, or shorter; what was measured on this person stays.
 DirectedFactors dragFactors(const Scene& scene, const PlaceReach& place) noexcept {
+  if (isOwn(scene)) return {};
   DirectedFactors factors = place.drag;
   if (!isMeasured(scene)) return factors;
   for (double& factor : factors) factor = std::min(factor, 0.0);
@@ -169,6 +198,7 @@ double fatOf(const Scene& scene) {
 PlacedTissue placedTissue(const Scene& scene, const std::vector<double>& bone_depth_mm,
                           std::shared_ptr<const tissue::LayeredTissue> given) {
   if (bone_depth_mm.empty()) return {};
+  static_cast<void>(farReachingDrag());  // not while a finger waits
   PlacedTissue placed;
   placed.layered = given ? std::move(given) : std::make_shared<const tissue::LayeredTissue>(nodesOf(scene));
   placed.thickness_mm.reserve(bone_depth_mm.size());
@@ -200,9 +230,16 @@ deform::Contact layeredContact(const World& world, deform::Contact contact) noex
   contact.tangential_region =
       isMeasured(world.scene) ? turnedWithDrag(contact, stretch, rim_of_tenth) : solvedRegion(contact, drag);
   if (world.contours) scaleContour(contact.tangential_contour, rim_of_tenth);
+  double tenth_q = drag.tenth_q;
   const double rim = contact.tangential_region.half_major.norm();
-  if (rim > kFarthestRimMm) contact.tangential_region.half_major *= kFarthestRimMm / rim;
-  if (world.reach) followAnatomy(world, drag.tenth_q, contact);
+  if (rim > kFarthestRimMm) {
+    contact.tangential_region.half_major *= kFarthestRimMm / rim;
+    if (isOwn(world.scene)) {
+      tenth_q *= rim / kFarthestRimMm;
+      leaveATenthAt(tenth_q, contact.layered->drag);
+    }
+  }
+  if (world.reach) followAnatomy(world, tenth_q, contact);
   return contact;
 }
 
