@@ -43,17 +43,18 @@ std::string someCode(std::uint64_t bits = 0x1234567) { return training::codeOf(b
 /// A sitting that somebody goes through who presses all and answers right or wrong in turn.
 class WordsOfSitting {
  public:
-  explicit WordsOfSitting(SittingKind kind)
+  explicit WordsOfSitting(SittingKind kind, bool familiar = true)
       : sitting({.protocol = training::builtInProtocol(),
                  .kind = kind,
                  .sites = training::flatTwelve(),
                  .seed = 3,
                  .row = {.id = "018f3c1e-0000-7000-8000-000000000001"},
-                 .familiar = true},
+                 .familiar = familiar},
                 {}) {}
 
-  TrainingScreen screen(int picked = 0) const {
+  TrainingScreen screen(int picked = 0, double force_share = 1.0) const {
     TrainingView view;
+    view.force_share = force_share;
     view.stage = TrainingStage::sitting;
     view.by_mouse = true;
     view.sitting = &sitting;
@@ -118,6 +119,17 @@ TEST(TrainingWords, ATestShowsNoNumberNoLevelAndNoPlaceOnAnyScreenUntilItIsOver)
       somebody.answer(trial % 2 == 0);
     }
   }
+}
+
+TEST(TrainingWords, ADeviceThatGivesLessThanTheForcesSaysSoBeforeTheFirstTrial) {
+  const WordsOfSitting somebody(SittingKind::practice, false);
+  ASSERT_EQ(somebody.sitting.screen(), Screen::device_check);
+  const auto says = [](const TrainingScreen& screen) {
+    const std::vector<std::string> words = wordsOf(screen);
+    return std::ranges::any_of(words, [](const std::string& w) { return w.find("52 % of every force") != w.npos; });
+  };
+  EXPECT_TRUE(says(somebody.screen(0, 0.52)));
+  EXPECT_FALSE(says(somebody.screen(0, 1.0)));
 }
 
 TEST(TrainingWords, TheScreenOfATestIsTheSameWhereverThePlaceIsHidden) {

@@ -205,6 +205,7 @@ TrainingView TrainingDesk::view() const {
   view.message = message_;
   view.device = device_;
   view.by_mouse = by_mouse_;
+  view.force_share = force_share_;
   view.focus = focus_;
   view.sitting = sitting();
   view.now = now();
@@ -520,6 +521,7 @@ void TrainingDesk::followClass() {
 void TrainingDesk::advance(Session& session, LiveServo& servo, Turnover& turnover, double elapsed_s) {
   by_mouse_ = !session.devices.anyHeld();
   device_ = by_mouse_ ? "mouse" : session.held_by;
+  force_share_ = session.devices.stiffness_factor;
   ignored_buttons_ = 0;
   for (std::size_t i = 0; i < kFingers; ++i) {
     if (!servo.isHeld(i)) continue;

@@ -155,6 +155,7 @@ class TrainingDesk {
   double said_s_ = 0.0;
   std::uint64_t said_ = 0;
   bool by_mouse_ = true;
+  double force_share_ = 1.0;
   std::string device_ = "mouse";
   std::string thimble_;
   std::string familiar_;  ///< who has had the familiarisation with which device in this run

@@ -14,6 +14,9 @@ namespace {
 using training::Screen;
 using training::SittingKind;
 
+/// A device that gives this share of the forces, or more, gives them whole.
+constexpr double kWholeForce = 0.995;
+
 constexpr const char* kCardKeys = "Arrow keys choose, Enter takes, Esc goes back.";
 
 TrainingButton button(TrainingAct act, std::string label, std::string line = {}) {
@@ -220,6 +223,10 @@ TrainingScreen sittingScreen(const TrainingView& view) {
     case Screen::device_check:
       screen.sites.clear();
       if (view.by_mouse) screen.lines = {"Press with the left mouse button on the back. The wheel presses deeper."};
+      if (view.force_share < kWholeForce) {
+        screen.lines.push_back(fmt::format("This device gives {:.0f} % of every force: all places are softer alike.",
+                                           100.0 * view.force_share));
+      }
       nextButton("Next", screen);
       addTouchKeys(view, screen);
       break;

@@ -55,6 +55,7 @@ struct TrainingView {
   std::vector<Offer> offers = {};
   std::string device = {};  ///< that holds the finger, in words
   bool by_mouse = false;
+  double force_share = 1.0;  ///< of the body's forces, what the device can render (DevicesShown::stiffness_factor)
   std::size_t focus = 0;
   const training::Sitting* sitting = nullptr;
   training::Moment now = {};
