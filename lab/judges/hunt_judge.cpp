@@ -196,7 +196,8 @@ void HuntJudge::judgeFreeBesideBorder(const contact::FingerOutput& o) {
     past_ = Past::outside;
     return;
   }
-  const double path = (kProxyAndTip - 1.0) * (o.tip - last_tip_).norm() + settings_.catch_up_mm_per_s * settings_.tick_s;
+  const double path =
+      (kProxyAndTip - 1.0) * (o.tip - last_tip_).norm() + settings_.catch_up_mm_per_s * settings_.tick_s;
   const bool let_go = past_ == Past::held && !isOnItsWay(last_status_) && isFarFromBorder(last_proxy_, path);
   past_ = came_through || let_go || past_ == Past::fallen ? Past::fallen : Past::unknown;
   if (past_ == Past::fallen) found(Fault::fall, "depth of a free tip inside, mm", distance, 0.0);
@@ -237,8 +238,8 @@ bool HuntJudge::isSkinBetween(const Vec3& from, const Vec3& to) const {
   const Vec3 along = to - from;
   const Vec3 aside = along.unitOrthogonal() * (10.0 * body_.tolerance());
   const Vec3 across = along.normalized().cross(aside);
-  for (const Vec3& offset : {Vec3(Vec3::Zero()), Vec3(aside + across), Vec3(aside - across), Vec3(-aside + across),
-                             Vec3(-aside - across)}) {
+  for (const Vec3& offset :
+       {Vec3(Vec3::Zero()), Vec3(aside + across), Vec3(aside - across), Vec3(-aside + across), Vec3(-aside - across)}) {
     const BoxTree::Crossing between = body_.tree().crossing(from + offset, to + offset);
     if (between.inwards != 0 || between.entry) return true;
   }

@@ -209,8 +209,8 @@ bool isHeldInAir(const SphereTask& task, const Move& move, const Vec3& proxy) no
 
 /// A tip that is inside although nothing holds its sphere: between sheets that pierce each other a way may be missed.
 /// The nearest skin holds it from now on.
-Press holdInside(const Surface& surface, const FingerSettings& settings, double radius, const Vec3& tip,
-                 FingerState& state) {
+Press heldByNearest(const Surface& surface, const FingerSettings& settings, double radius, const Vec3& tip,
+                    FingerState& state) {
   const tree::NearestPoint nearest = nearestPoint(surface.tree, tip, kUnbounded);
   state.proxy = {nearest.closest.point, nearest.triangle, nearest.closest.feature};
   const Vec3 normal = normalAt(surface, state.proxy);
@@ -235,7 +235,7 @@ Ending pressOnce(const Surface& surface, const FingerSettings& settings, double 
   state.fits = (move.status & kStartedInside) == 0;
   if (lag <= directionlessDepth(surface) && state.fits) {
     if (state.from_inside || !isBuried(surface, tip)) return Ending::reached;
-    press = holdInside(surface, settings, radius, tip, state);
+    press = heldByNearest(surface, settings, radius, tip, state);
     return Ending::none;
   }
   press = pressWith(settings, task, move, state);
@@ -252,9 +252,7 @@ Press pressSphere(const Surface& surface, const FingerSettings& settings, double
   Press press;
   Ending ending = pressOnce(surface, settings, radius, tip, state, press);
   // What a border lets go may have come through the skin elsewhere on the way of this tick.
-  const auto came_through = [&] {
-    return tree::firstFrontCrossing(surface.tree, state.tip, tip).triangle != kNoIndex;
-  };
+  const auto came_through = [&] { return tree::firstFrontCrossing(surface.tree, state.tip, tip).triangle != kNoIndex; };
   if (ending == Ending::at_border && came_through() && landSphere(surface, radius, state, tip)) {
     ending = pressOnce(surface, settings, radius, tip, state, press);
   }

@@ -1,4 +1,4 @@
-// The steps: room in a thin part, beside skin that stays and along the surface, seams of two fingers, triangles that would fold.
+// The steps: room in a thin part, beside skin that stays and along the surface, seams of two fingers, folded triangles.
 //
 // Data flow: regions and amplitudes of the plan, displaced surface -> here, behind every displacement -> positions and
 // displacements of the surface; which vertices were held back -> their normals. Costs about 0.1 us a vertex of a region
@@ -179,8 +179,7 @@ bool ShearLimit::joinAt(Index vertex, const DeformedBlock& surface) noexcept {
   bool any = false;
   for (const Index beside : skin_.neighbours[vertex]) {
     const float room = kMaxParting * (skin_.restPosition(vertex) - skin_.restPosition(beside)).norm();
-    const auto parts =
-        static_cast<float>((displacementOf(surface, vertex) - displacementOf(surface, beside)).norm());
+    const auto parts = static_cast<float>((displacementOf(surface, vertex) - displacementOf(surface, beside)).norm());
     if (!(parts > room * kBeyondRounding)) continue;
     hold(vertex, room / parts, surface);
     if (moves(beside)) hold(beside, room / parts, surface);

@@ -19,8 +19,8 @@ namespace palpate::scene {
 namespace {
 
 /// The rim of a drag lies no farther than this, mm: beyond begin a trunk's flanks and arms. Where people were measured
-/// with a longer reach than it allows for, a tenth of the drag is left nearer than where they had it; of a person whose own
-/// points are given it is left where it was measured (leaveATenthAt).
+/// with a longer reach than it allows for, a tenth of the drag is left nearer than where they had it; of a person whose
+/// own points are given it is left where it was measured (leaveATenthAt).
 constexpr double kFarthestRimMm = 160.0;
 /// Drags shorter than this have no direction yet, mm.
 constexpr double kShortestDragMm = 1e-6;

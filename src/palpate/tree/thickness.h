@@ -12,8 +12,8 @@ namespace palpate::tree {
 double wayThrough(const TriangleTree& tree, const Vec3& place, const Vec3& inwards, double most_mm) noexcept;
 
 /// Per vertex of `tree`'s mesh the way along `inwards[v]` (unit) from the vertex to where it leaves the body, at most
-/// `most_mm`: infinite where it does not leave within that. mm. About 0.3 us a vertex: it looks no farther. `inwards` may
-/// be zero or not finite: infinite.
+/// `most_mm`: infinite where it does not leave within that. mm. About 0.3 us a vertex: it looks no farther. `inwards`
+/// may be zero or not finite: infinite.
 std::vector<float> thicknessUpTo(const TriangleTree& tree, const std::vector<Vec3>& positions,
                                  const std::vector<Vec3>& inwards, double most_mm);
 
