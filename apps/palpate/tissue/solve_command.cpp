@@ -30,6 +30,8 @@ struct SolveArguments {
   double indenter_radius_mm = 8.0;
   std::string depths = "2:10:2";
   double fineness = 1.0;
+  double bone_radius_mm = 0.0;
+  double contact_kpa_per_mm = 1500.0;
   bool no_drag = false;
   bool fingers = false;
   std::string output;
@@ -140,6 +142,8 @@ void runSolve(const SolveArguments& arguments) {
   elements::StackSettings settings;
   settings.press = elements::settingsOf(arguments.indenter_radius_mm, depthsFrom(arguments.depths));
   settings.press.fineness = arguments.fineness;
+  settings.press.bone_radius_mm = arguments.bone_radius_mm;
+  settings.press.contact_kpa_per_mm = arguments.contact_kpa_per_mm;
   if (arguments.no_drag) settings.drag.reset();
 
   const FinishesInOrder in_order;
@@ -181,6 +185,12 @@ void addTissueSolveCommand(CLI::App& parent) {
   command.add_option("--depths", a.depths, "Depths to tell, in mm: FROM:TO:STEP or a list with commas")
       ->capture_default_str();
   addNumber(command, "--fineness", a.fineness, between(0.5, 4.0), "Of the mesh: 2 makes elements half as large")
+      ->capture_default_str();
+  addNumber(command, "--bone-radius-mm", a.bone_radius_mm, between(0.0, 100.0, "mm"),
+            "0: the bone is a plane; otherwise a post with a round top, and the deepest layer goes on around it")
+      ->capture_default_str();
+  addNumber(command, "--contact-kpa-per-mm", a.contact_kpa_per_mm, between(100.0, 1e6),
+            "Of the springs that stand for a rigid sphere")
       ->capture_default_str();
   command.add_flag("--no-drag", a.no_drag, "Only the press");
   command.add_flag("--fingers", a.fingers,
