@@ -51,16 +51,19 @@ double at(const std::vector<double>& radii, const std::vector<double>& values, d
   return values[above - 1] + share * (values[above] - values[above - 1]);
 }
 
-/// A finger of no radius that comes down in the middle and stays.
-contact::FingerOutput pressed(const scene::World& world, double depth_mm) {
-  const contact::FingerSettings settings = scene::contactSettings(world.scene, scene::Finger{});
+/// A finger that comes down in the middle and stays; radius 0: a point.
+contact::FingerOutput pressed(const scene::World& world, double depth_mm, double radius_mm = 0.0) {
+  scene::Finger finger;
+  finger.radius_mm = radius_mm;
+  const contact::FingerSettings settings = scene::contactSettings(world.scene, finger);
   contact::FingerState state;
   contact::FingerOutput output;
   constexpr int kWay = 400;
   constexpr int kRest = 50;
   for (int tick = 0; tick <= kWay + kRest; ++tick) {
     const double share = std::min(1.0, static_cast<double>(tick) / kWay);
-    output = contact::step(world.surface, settings, state, Vec3(0.0, 0.0, 1.0 - share * (1.0 + depth_mm)));
+    output =
+        contact::step(world.surface, settings, state, Vec3(0.0, 0.0, radius_mm + (1.0 - share * (1.0 + depth_mm))));
   }
   return output;
 }
@@ -118,6 +121,10 @@ PressError pressError(const scene::World& world, const FemCase& truth, const std
   error.force_n = felt.force.norm();
   error.force_error = (error.force_n - truth.truth.force_n) / truth.truth.force_n;
   return error;
+}
+
+double pressedForce(const scene::World& world, double radius_mm, double depth_mm) {
+  return pressed(world, depth_mm, radius_mm).force.norm();
 }
 
 double dragError(const scene::World& world, const elements::DragField& truth) {

@@ -38,6 +38,9 @@ std::shared_ptr<const scene::World> flatWorld(scene::TissueModel model,
 /// A press of the case's depth in the middle of it.
 PressError pressError(const scene::World& world, const FemCase& truth, const std::vector<double>& radii_mm);
 
+/// The force in N on a finger of this radius (0: a point), pressed into the middle.
+double pressedForce(const scene::World& world, double radius_mm, double depth_mm);
+
 /// A drag of the skin: RMS over 60 mm along and across, a square, of the share that follows.
 double dragError(const scene::World& world, const elements::DragField& truth);
 

@@ -49,6 +49,22 @@ TEST_F(TissueSolveCommand, PrintsWhatItSolvedAndWritesTheTable) {
   }
 }
 
+TEST_F(TissueSolveCommand, SolvesOtherFingersIntoTheTableWhereAsked) {
+  const CommandResult result = solve(
+      "--layer skin:2:150 --layer muscle:8:27 --depths 0.5,3 --no-drag --fingers --fineness 0.5 -o thin.json --json");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const json solved = json::parse(result.out);
+  const tissue::LayeredTable table = tissue::readLayeredTable(folder_ / "thin.json");
+  ASSERT_EQ(table.fingers.size(), 6u);
+  ASSERT_EQ(solved["fingers"].size(), 6u);
+  EXPECT_EQ(table.fingers[0].radius_mm, 1.0);
+  EXPECT_EQ(table.fingers[0].depths_mm, std::vector{0.5}) << "a small sphere is not pressed deep";
+  EXPECT_EQ(table.fingers[5].radius_mm, 24.0);
+  EXPECT_EQ(table.fingers[5].depths_mm, (std::vector{0.5, 3.0}));
+  EXPECT_LT(table.fingers[2].force_n[1], table.shapes[1].force_n) << "4 mm against 8";
+  EXPECT_GT(table.fingers[3].force_n[1], 1.2 * table.shapes[1].force_n) << "12 mm against 8";
+}
+
 TEST_F(TissueSolveCommand, WhereTissueGivesWayItKeepsWhatItReachedAndSaysNo) {
   const CommandResult result =
       solve("--layer skin:2:150 --layer fat:2:10 --layer muscle:5:27 --depths 4,8.5 --no-drag -o rib.json");

@@ -7,6 +7,9 @@
 
 #include <map>
 
+#include "palpate/elements/finger_solver.h"
+#include "palpate/tissue/layered_library.h"
+
 namespace palpate::lab {
 namespace {
 
@@ -38,6 +41,23 @@ TEST(Realism, TheSkinOverLayersIsThatOfFiniteElements) {
     EXPECT_LE(error.shape.normal_rms, 0.015) << one.name << " " << one.truth.depth_mm;
     EXPECT_LE(error.shape.vector_rms, 0.02) << one.name << " " << one.truth.depth_mm;
     EXPECT_LE(std::abs(error.force_error), 0.1) << one.name << " " << one.truth.depth_mm;
+  }
+}
+
+/// Beside the spine, blended from the shipped stacks; the truth is solved here. `palpate realism --radius` goes over
+/// six places and five radii.
+TEST(Realism, TheForceOnAFingerIsThatOfASphereOfItsRadius) {
+  const auto layered = std::make_shared<const tissue::LayeredTissue>(tissue::libraryNodes(8.0));
+  const tissue::LayerStack stack = tissue::libraryStack(35.0, tissue::libraryFatShare(35.0, 8.0));
+  const auto world =
+      flatWorld(scene::TissueModel::layered, layered, 35.0, layered->secantAt(35.0, tissue::kReferenceDepthMm));
+  for (const double radius : {4.0, 12.0, 16.0}) {
+    const elements::PressSolution truth = elements::solvePress(stack, elements::settingsOf(radius, {2.0, 5.0, 8.0}));
+    ASSERT_EQ(truth.table.shapes.size(), 3u) << truth.stopped_by;
+    for (const tissue::PressedShape& shape : truth.table.shapes) {
+      const double felt = pressedForce(*world, radius, shape.depth_mm);
+      EXPECT_NEAR(felt / shape.force_n, 1.0, 0.05) << radius << " mm at " << shape.depth_mm;
+    }
   }
 }
 

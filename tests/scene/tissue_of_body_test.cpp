@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <functional>
 
@@ -180,6 +181,45 @@ TEST(LayeredBody, OfAMeasuredPersonHasLayersBonesAndTheEllipsesThatWereMeasured)
     const double tenth = contact->tangential_region.half_major.norm() * tenthOf(contact->layered->drag);
     EXPECT_NEAR(tenth, half_major_mm, 0.02 * half_major_mm) << words;
   }
+
+TEST(LayeredBody, PushesBackOnAFingerByItsRadiusUnlessTheSceneSaysNo) {
+  const auto forces = [](const World& world) {
+    const Index vertex = vertexAt(world, "T9 right 30 mm");
+    const double tissue_mm = world.surface.tissue_mm[vertex];
+    std::vector<double> felt;
+    for (const double radius : {0.0, 4.0, 8.0, 12.0}) {
+      felt.push_back(
+          tissue::normalForce(world.surface.force_law, world.stiffness_n_per_mm[vertex], 5.0, {tissue_mm, radius}));
+    }
+    return felt;
+  };
+  const auto felt = forces(*trunk());
+  EXPECT_EQ(felt[0], felt[2]) << "a point is felt as a fingertip";
+  EXPECT_LT(felt[1], 0.75 * felt[2]);
+  EXPECT_GT(felt[3], 1.2 * felt[2]);
+  const auto alike = forces(*trunk([](Scene& s) { s.tissue.by_finger_radius = false; }));
+  EXPECT_EQ(alike, std::vector<double>(4, felt[2]));
+  const auto point = forces(*trunk([](Scene& s) { s.tissue.point_radius_mm = 4.0; }));
+  EXPECT_EQ(point[0], felt[1]);
+  EXPECT_EQ(point[2], felt[2]);
+}
+
+TEST(LayeredBody, SaysWhichFingerIsLargerThanWhatWasSolved) {
+  const auto notes = [](double radius_mm, bool counts) {
+    const auto world = trunk([&](Scene& s) {
+      s.fingers.resize(1);
+      s.fingers[0].name = "palm";
+      s.fingers[0].radius_mm = radius_mm;
+      s.tissue.by_finger_radius = counts;
+    });
+    return std::ranges::count_if(world->notes, [](const std::string& note) {
+      return note ==
+             "finger 'palm': layers push back on a radius of 30 mm as on one of 24 mm, the nearest that was solved";
+    });
+  };
+  EXPECT_EQ(notes(30.0, true), 1);
+  EXPECT_EQ(notes(30.0, false), 0);
+  EXPECT_EQ(notes(24.0, true), 0);
 }
 
 }  // namespace

@@ -411,6 +411,20 @@ TEST(DeviceLimits, TrustNothingOfWhatIsOnlyAssumedOfADevice) {
   EXPECT_GT(limiterSettings(safety, touch_x, 0.001).passivity.friction_n, 0.0);
 }
 
+TEST(DeviceLimits, AllowForTheSteeperForcesOfALargerFinger) {
+  const auto steepest = [](double radius_mm) {
+    scene::Scene scene;
+    scene.body.triangles = 20000;
+    scene.fingers.resize(1);
+    scene.fingers[0].radius_mm = radius_mm;
+    return limiterSettings(*scene::build(scene), device::profileOf(scene::DeviceModel::omega_3)).steepest;
+  };
+  const double fingertip = steepest(8.0);
+  EXPECT_EQ(steepest(0.0), fingertip);
+  EXPECT_EQ(steepest(4.0), fingertip) << "settings of a finger may change while it is held";
+  EXPECT_GT(steepest(16.0), 1.05 * fingertip);
+}
+
 TEST(DeviceLimits, TheFactorLooksAtTheSteepestPartThatTheForceReaches) {
   tissue::ForceLaw law;
   EXPECT_EQ(stiffnessFactor(law, 1.0, 40.0, 3.3, 2.0), 1.0);

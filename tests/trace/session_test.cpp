@@ -42,8 +42,9 @@ TEST(SampleBlock, GivesEveryBitBack) {
 }
 
 TEST(SampleBlock, HoldsAllOfASample) {
-  // What a new member of Sample adds must get a column, or replays would lose it; tissue_mm follows from the place.
-  EXPECT_EQ(sizeof(contact::FingerOutput), 7 * sizeof(Vec3) + 4 * sizeof(double) + 16 + 8);
+  // What a new member of Sample adds must get a column, or replays would lose it; tissue_mm follows from the place,
+  // finger_mm from the settings.
+  EXPECT_EQ(sizeof(contact::FingerOutput), 7 * sizeof(Vec3) + 5 * sizeof(double) + 16 + 8);
   EXPECT_EQ(sizeof(Sample), 16 + sizeof(contact::FingerOutput) + sizeof(Vec3) + 32);
   EXPECT_EQ(sampleColumns().size(), 1u + 6 * 3 + 1 + 3 + 4 + 5 + 6);
 }
@@ -99,7 +100,7 @@ class SessionFile : public testing::Test {
 };
 
 TEST(SessionVersion, ASceneThatNamedNoBodyMeantTheTorsoBeforeTheTrunkWasMade) {
-  const std::string tissue = "\n[deformation]\ntissue = \"gaussian\"\n";
+  const std::string tissue = "\n[deformation]\ntissue = \"gaussian\"\n\n[tissue]\nby_finger_radius = false\n";
   EXPECT_EQ(sceneOfVersion(2, "title = \"a\"\n"), "title = \"a\"\n\n[body]\nkind = \"torso\"\n" + tissue);
   EXPECT_EQ(sceneOfVersion(1, "[body]\ntriangles = 8163\n\n[view]\nkind = 1\n"),
             "[body]\nkind = \"torso\"\ntriangles = 8163\n\n[view]\nkind = 1\n" + tissue);
@@ -108,10 +109,15 @@ TEST(SessionVersion, ASceneThatNamedNoBodyMeantTheTorsoBeforeTheTrunkWasMade) {
 }
 
 TEST(SessionVersion, ASceneThatNamedNoTissueMeantTheHalfGaussianBeforeLayersWereTheRule) {
-  EXPECT_EQ(sceneOfVersion(3, "title = \"a\"\n"), "title = \"a\"\n\n[deformation]\ntissue = \"gaussian\"\n");
+  const std::string radius = "\n[tissue]\nby_finger_radius = false\n";
+  EXPECT_EQ(sceneOfVersion(3, "title = \"a\"\n"), "title = \"a\"\n\n[deformation]\ntissue = \"gaussian\"\n" + radius);
   const std::string layered = "[deformation]\ntissue = \"layered\"\n";
-  EXPECT_EQ(sceneOfVersion(3, layered), layered);
-  EXPECT_EQ(sceneOfVersion(4, "title = \"a\"\n"), "title = \"a\"\n");
+  EXPECT_EQ(sceneOfVersion(3, layered), layered + radius);
+}
+
+TEST(SessionVersion, LayersPushedBackOnEveryFingerAsOnAFingertipBeforeTheRadiusCounted) {
+  EXPECT_EQ(sceneOfVersion(4, "[tissue]\nfat_mm = 8\n"), "[tissue]\nby_finger_radius = false\nfat_mm = 8\n");
+  EXPECT_EQ(sceneOfVersion(5, "title = \"a\"\n"), "title = \"a\"\n");
 }
 
 TEST_F(SessionFile, GivesBackHeaderWorldsEventsAndTicks) {
@@ -208,7 +214,7 @@ TEST_F(SessionFile, SaysWhatIsNoSession) {
   begin("later.session").finish("done");
   Database(folder_ / "later.session", Database::Mode::write).run("PRAGMA user_version = 99");
   EXPECT_EQ(support::messageOf([&] { SessionReader(folder_ / "later.session"); }),
-            (folder_ / "later.session").string() + ": is a session of version 99; this program reads up to 4");
+            (folder_ / "later.session").string() + ": is a session of version 99; this program reads up to 5");
 }
 
 TEST_F(SessionFile, NamesABlockThatIsDamaged) {

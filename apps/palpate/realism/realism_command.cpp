@@ -11,6 +11,7 @@
 #include "apps/palpate/common/picture_file.h"
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/realism/living_report.h"
+#include "apps/palpate/realism/radius_report.h"
 #include "apps/palpate/realism/realism_stacks.h"
 
 namespace palpate::app {
@@ -27,6 +28,7 @@ struct RealismArguments {
   std::string living;
   std::string plot;
   double png_scale = 1.5;
+  bool radius = false;
   bool json = false;
 };
 
@@ -142,7 +144,20 @@ void runLiving(const RealismArguments& arguments) {
   fmt::print("{}", arguments.json ? jsonText(livingJson(living)) : livingText(living));
 }
 
+void runRadius(const RealismArguments& arguments) {
+  RadiusReport radius;
+  {
+    ProgressLine progress;
+    radius = judgeRadius(progress.callback());
+  }
+  fmt::print("{}", arguments.json ? jsonText(radiusJson(radius)) : radiusText(radius));
+}
+
 void runRealism(const RealismArguments& arguments) {
+  if (arguments.radius) {
+    runRadius(arguments);
+    return;
+  }
   if (!arguments.living.empty()) {
     runLiving(arguments);
     return;
@@ -174,7 +189,12 @@ void addRealismCommand(CLI::App& app) {
                           "Compare with presses of an ultrasound probe on living limbs instead (N/mm): the list " +
                               std::string(lab::kLivingList) + " or its folder (some two minutes)");
   living.excludes("--cases");
-  command.add_option("--plot", a.plot, "Picture to write: .png or .svg")->excludes(&living);
+  CLI::Option& radius = *command.add_flag(
+      "--radius", a.radius,
+      "Compare the force on fingers of 2 to 16 mm with spheres of their radius instead (some two minutes)");
+  radius.excludes("--cases");
+  radius.excludes(&living);
+  command.add_option("--plot", a.plot, "Picture to write: .png or .svg")->excludes(&living)->excludes(&radius);
   addNumber(command, "--png-scale", a.png_scale, between(0.2, 8.0), "PNG: pixels a CSS pixel")->capture_default_str();
   command.add_flag("--json", a.json, "Print one JSON object");
   command.callback([arguments] { runRealism(*arguments); });

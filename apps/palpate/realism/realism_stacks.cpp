@@ -65,16 +65,25 @@ bool sameLayers(const tissue::LayerStack& a, const tissue::LayerStack& b) {
 
 }  // namespace
 
-std::vector<JudgedStack> stacksOfBody(const Progress& progress) {
-  std::vector<JudgedStack> stacks;
-  for (std::size_t i = 0; i < std::size(kPlaces); ++i) {
-    const SolvedPlace& place = kPlaces[i];
+std::vector<JudgedPlace> placesOfBody() {
+  std::vector<JudgedPlace> places;
+  for (const SolvedPlace& place : kPlaces) {
     const double share = tissue::libraryFatShare(place.thickness_mm, place.fat_mm);
-    const tissue::LayerStack stack = tissue::libraryStack(place.thickness_mm, share);
+    places.push_back({place.name, place.thickness_mm, tissue::libraryStack(place.thickness_mm, share),
+                      std::make_shared<const tissue::LayeredTissue>(tissue::libraryNodes(place.fat_mm))});
+  }
+  return places;
+}
+
+std::vector<JudgedStack> stacksOfBody(const Progress& progress) {
+  const std::vector<JudgedPlace> places = placesOfBody();
+  std::vector<JudgedStack> stacks;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const JudgedPlace& place = places[i];
     const auto [table, drag] =
-        solved(stack, {2.0, 5.0, 7.5, 10.0}, place.name, part(progress, i, std::size(kPlaces), place.name));
+        solved(place.stack, {2.0, 5.0, 7.5, 10.0}, place.name, part(progress, i, places.size(), place.name));
     JudgedStack judged{.name = place.name, .truth = lab::casesOf(table, place.name), .drag = drag};
-    judged.tissue = std::make_shared<const tissue::LayeredTissue>(tissue::libraryNodes(place.fat_mm));
+    judged.tissue = place.tissue;
     judged.thickness_mm = place.thickness_mm;
     stacks.push_back(std::move(judged));
   }

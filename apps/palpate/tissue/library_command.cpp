@@ -11,6 +11,7 @@
 #include "apps/palpate/common/progress_line.h"
 #include "palpate/base/error.h"
 #include "palpate/base/output_file.h"
+#include "palpate/elements/finger_solver.h"
 #include "palpate/elements/stack_solver.h"
 #include "palpate/tissue/layered_library.h"
 
@@ -23,7 +24,9 @@ using tissue::LayeredNode;
 struct LibraryArguments {
   std::string output;
   double fat_mm = 8.0;
+  double finger_mm = tissue::kFingertipMm;
   bool solve = false;
+  bool fingers = false;
   bool json = false;
 };
 
@@ -35,13 +38,16 @@ constexpr double kClosestToBone = 0.1;
 
 std::string listOf(const std::vector<double>& numbers) { return fmt::format("{:.6g}", fmt::join(numbers, ", ")); }
 
+std::vector<double> depthsOver(double thickness_mm) {
+  std::vector<double> depths = kDepthsMm;
+  std::erase_if(depths, [&](double depth) { return depth > (1.0 - kClosestToBone) * thickness_mm; });
+  return depths;
+}
+
 LayeredNode solvedNode(double thickness_mm, double share, const Progress& progress) {
   const tissue::LayerStack stack = tissue::libraryStack(thickness_mm, share);
   elements::StackSettings settings;
-  settings.press.depths_mm.clear();
-  for (const double depth : kDepthsMm) {
-    if (depth <= (1.0 - kClosestToBone) * thickness_mm) settings.press.depths_mm.push_back(depth);
-  }
+  settings.press.depths_mm = depthsOver(thickness_mm);
   const elements::PressSolution solution = elements::solveStack(stack, settings, progress).press;
   if (solution.table.shapes.empty())
     throw Error(fmt::format("{} mm with {} of fat: {}", thickness_mm, share, solution.stopped_by));
@@ -74,33 +80,62 @@ std::string libraryText(const std::vector<LayeredNode>& nodes) {
   return text + "};\n";
 }
 
+/// The forces of other fingers as the shipped file has them: how many of the depths were reached, and the force there.
+std::string fingersText(const Progress& progress) {
+  std::vector<double> radii;
+  std::string rows;
+  const std::size_t count = kThicknessesMm.size() * kFatShares.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    report(progress, "solving the fingers", static_cast<double>(i) / static_cast<double>(count));
+    const double thickness = kThicknessesMm[i / kFatShares.size()];
+    const tissue::LayerStack stack = tissue::libraryStack(thickness, kFatShares[i % kFatShares.size()]);
+    elements::PressSettings press;
+    press.depths_mm = depthsOver(thickness);
+    radii.clear();
+    for (const tissue::FingerForces& finger : elements::solveFingers(stack, press)) {
+      std::vector<double> numbers = {0.0};
+      for (std::size_t d = 0; d < finger.depths_mm.size() && finger.depths_mm[d] == kDepthsMm[d]; ++d) {
+        numbers.push_back(finger.force_n[d]);
+      }
+      numbers.front() = static_cast<double>(numbers.size() - 1);
+      rows += "    " + listOf(numbers) + ",\n";
+      radii.push_back(finger.radius_mm);
+    }
+  }
+  return "// Made by `palpate tissue library --solve --fingers`; layered_library.cpp says what stands where.\n" +
+         fmt::format("constexpr double kFingerRadiiMm[] = {{{}}};\n", listOf(radii)) +
+         fmt::format("constexpr double kFingerDepthsMm[] = {{{}}};\n", listOf(kDepthsMm)) +
+         "constexpr double kFingerForces[] = {\n" + rows + "};\n";
+}
+
 void solveLibrary(const LibraryArguments& arguments) {
   if (arguments.output.empty()) throw Error("--solve needs -o FILE");
-  std::vector<LayeredNode> nodes;
+  std::string text;
   {
     ProgressLine progress;
-    nodes = solvedNodes(progress.callback());
+    text = arguments.fingers ? fingersText(progress.callback()) : libraryText(solvedNodes(progress.callback()));
   }
   OutputFile file(arguments.output);
-  file.write(libraryText(nodes));
+  file.write(text);
   file.commit();
-  fmt::print("-> {} ({} stacks)\n", arguments.output, nodes.size());
+  fmt::print("-> {} ({} stacks)\n", arguments.output, kThicknessesMm.size() * kFatShares.size());
 }
 
 void listLibrary(const LibraryArguments& arguments) {
   const tissue::LayeredTissue tissue(tissue::libraryNodes(arguments.fat_mm));
   nlohmann::ordered_json json;
   json["fat_mm"] = arguments.fat_mm;
+  json["finger_radius_mm"] = arguments.finger_mm;
   json["places"] = nlohmann::ordered_json::array();
   std::string text = fmt::format(
-      "skin 2 mm, 150 kPa; fat of {:.4g} mm, 10 kPa, less over shallow bone; muscle 27 kPa; a fingertip of 8 mm\n",
-      arguments.fat_mm);
+      "skin 2 mm, 150 kPa; fat of {:.4g} mm, 10 kPa, less over shallow bone; muscle 27 kPa; a finger of {:.4g} mm\n",
+      arguments.fat_mm, arguments.finger_mm);
   text += "  thickness   fat   force in N at 2, 5, 8 and 10 mm      secant at 8 mm   k_t / k_n\n";
   for (const double thickness : tissue::libraryThicknesses()) {
     const double fat = tissue::libraryFatShare(thickness, arguments.fat_mm) *
                        (thickness - tissue::libraryStack(thickness, 0.5).layers.front().thickness_mm);
-    const auto force = [&](double depth) { return depth * tissue.secantAt(thickness, depth); };
-    const double secant = tissue.secantAt(thickness, tissue::kReferenceDepthMm);
+    const auto force = [&](double depth) { return depth * tissue.secantAt(thickness, depth, arguments.finger_mm); };
+    const double secant = tissue.secantAt(thickness, tissue::kReferenceDepthMm, arguments.finger_mm);
     text += fmt::format("{:8.4g} mm {:5.1f} {:8.2f}{:8.2f}{:8.2f}{:8.2f} {:12.3f} N/mm {:10.2f}\n", thickness, fat,
                         force(2), force(5), force(8), force(10), secant, tissue.tangentialAt(thickness));
     json["places"].push_back({{"thickness_mm", thickness},
@@ -120,7 +155,13 @@ void addTissueLibraryCommand(CLI::App& parent) {
   CLI::App& command = *parent.add_subcommand("library", "The solved stacks that a body's places are blended from");
   addNumber(command, "--fat-mm", a.fat_mm, between(0.5, 60.0, "mm"), "Fat between skin and muscle")
       ->capture_default_str();
-  command.add_flag("--solve", a.solve, "Solve all of them again (minutes) and write the source file that is shipped");
+  addNumber(command, "--finger-radius-mm", a.finger_mm, between(1.0, 24.0, "mm"), "Finger that presses")
+      ->capture_default_str();
+  CLI::Option& solve = *command.add_flag("--solve", a.solve,
+                                         "Solve all of them again (minutes) and write the source file that is shipped");
+  command
+      .add_flag("--fingers", a.fingers, "With --solve: the forces of fingers of other radii, which have their own file")
+      ->needs(&solve);
   command.add_option("-o,--out", a.output, "With --solve: the file");
   command.add_flag("--json", a.json, "Print one JSON object");
   command.callback([arguments] { arguments->solve ? solveLibrary(*arguments) : listLibrary(*arguments); });

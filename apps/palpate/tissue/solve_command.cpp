@@ -17,6 +17,7 @@
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/tissue/layered_figure.h"
 #include "palpate/base/error.h"
+#include "palpate/elements/finger_solver.h"
 #include "palpate/elements/stack_solver.h"
 
 namespace palpate::app {
@@ -29,7 +30,10 @@ struct SolveArguments {
   double indenter_radius_mm = 8.0;
   std::string depths = "2:10:2";
   double fineness = 1.0;
+  double bone_radius_mm = 0.0;
+  double contact_kpa_per_mm = 1500.0;
   bool no_drag = false;
+  bool fingers = false;
   std::string output;
   std::string plot;
   bool json = false;
@@ -80,6 +84,11 @@ nlohmann::ordered_json jsonOf(const elements::StackSolution& solution) {
   for (const elements::PressStep& step : press.path) json["systems"] = json["systems"].get<int>() + step.systems;
   json["stored_mj"] = press.path.empty() ? 0.0 : press.path.back().energy_mj;
   json["work_mj"] = press.work_mj;
+  json["fingers"] = nlohmann::ordered_json::array();
+  for (const tissue::FingerForces& finger : press.table.fingers) {
+    json["fingers"].push_back(
+        {{"radius_mm", finger.radius_mm}, {"depths", finger.depths_mm}, {"force_n", finger.force_n}});
+  }
   json["drag"] = nullptr;
   if (press.table.drag) {
     const tissue::DragShape& drag = *press.table.drag;
@@ -109,6 +118,10 @@ std::string textOf(const elements::StackSolution& solution) {
         "the stiffness of a press\n",
         drag.exponent, drag.along_mm, drag.across_mm, 100.0 * solution.drag_rms, drag.tangential_over_normal);
   }
+  for (const tissue::FingerForces& finger : press.table.fingers) {
+    text += fmt::format("finger of {:g} mm: {:.3f} N at {:.4g} mm\n", finger.radius_mm, finger.force_n.back(),
+                        finger.depths_mm.back());
+  }
   text += fmt::format("solved to {:.4g} mm in {:.1f} s\n", press.converged_to_mm, solution.seconds);
   return text;
 }
@@ -127,16 +140,19 @@ void runSolve(const SolveArguments& arguments) {
   if (!arguments.plot.empty()) checkPictureName(arguments.plot);
   const tissue::LayerStack stack = stackFrom(arguments);
   elements::StackSettings settings;
-  settings.press.indenter_radius_mm = arguments.indenter_radius_mm;
-  settings.press.radius_mm = std::max(settings.press.radius_mm, 6.0 * arguments.indenter_radius_mm);
-  settings.press.depths_mm = depthsFrom(arguments.depths);
+  settings.press = elements::settingsOf(arguments.indenter_radius_mm, depthsFrom(arguments.depths));
   settings.press.fineness = arguments.fineness;
+  settings.press.bone_radius_mm = arguments.bone_radius_mm;
+  settings.press.contact_kpa_per_mm = arguments.contact_kpa_per_mm;
   if (arguments.no_drag) settings.drag.reset();
 
   const FinishesInOrder in_order;
   ProgressLine progress;
-  const elements::StackSolution solution =
-      elements::solveStack(stack, settings, progress.display(), [] { return endAskedBy() != 0; });
+  const auto stop = [] { return endAskedBy() != 0; };
+  elements::StackSolution solution = elements::solveStack(stack, settings, progress.display(), stop);
+  if (arguments.fingers && !stop()) {
+    solution.press.table.fingers = elements::solveFingers(stack, settings.press, progress.display(), stop);
+  }
   progress.clear();
   const elements::PressSolution& press = solution.press;
   if (!press.table.shapes.empty()) writeResults(arguments, solution);
@@ -170,7 +186,16 @@ void addTissueSolveCommand(CLI::App& parent) {
       ->capture_default_str();
   addNumber(command, "--fineness", a.fineness, between(0.5, 4.0), "Of the mesh: 2 makes elements half as large")
       ->capture_default_str();
+  addNumber(command, "--bone-radius-mm", a.bone_radius_mm, between(0.0, 100.0, "mm"),
+            "0: the bone is a plane; otherwise a post with a round top, and the deepest layer goes on around it")
+      ->capture_default_str();
+  addNumber(command, "--contact-kpa-per-mm", a.contact_kpa_per_mm, between(100.0, 1e6),
+            "Of the springs that stand for a rigid sphere")
+      ->capture_default_str();
   command.add_flag("--no-drag", a.no_drag, "Only the press");
+  command.add_flag("--fingers", a.fingers,
+                   "Press spheres of 1 to 24 mm too (some 20 s): a scene then takes the table's own forces for a "
+                   "finger's radius instead of the shipped stacks' ratio");
   command.add_option("-o,--out", a.output, "Table to write (JSON)");
   command.add_option("--plot", a.plot, "Picture to write: .png or .svg");
   command.add_flag("--json", a.json, "Print one JSON object");

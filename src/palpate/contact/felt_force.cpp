@@ -38,10 +38,11 @@ GripLimits gripLimits(const FingerSettings& settings, const tissue::Response& ti
 }
 
 /// The most that the force grows with the depth here, N/mm: the chord's slope or the tangent's.
-double tangentOf(const Surface& surface, const SkinHere& here, double depth_mm, const tissue::Response& tissue) {
+double tangentOf(const Surface& surface, const SkinHere& here, double depth_mm, const tissue::PressedPlace& place,
+                 const tissue::Response& tissue) {
   if (surface.force_law.kind == tissue::ForceLaw::Kind::linear) return here.stiffness_n_per_mm;
   return std::max(tissue.secant_n_per_mm,
-                  tissue::tangentStiffness(surface.force_law, here.stiffness_n_per_mm, depth_mm, here.tissue_mm));
+                  tissue::tangentStiffness(surface.force_law, here.stiffness_n_per_mm, depth_mm, place));
 }
 
 /// A press that the skin no longer gives: the tip is out of the body and what it felt fades.
@@ -75,6 +76,7 @@ bool followPress(const Surface& surface, double most_mm, const Vec3& tip, Press&
 /// A tip that touches nothing, and what the skin makes of having been touched.
 FingerOutput leftOutput(const Surface& surface, const FingerSettings& settings, const Vec3& tip, FingerState& state) {
   FingerOutput output = freeOutput(tip);
+  output.finger_mm = settings.radius_mm;
   if (settings.relaxation.on()) {
     recover(surface, settings, state.anchor, state.memory);
     output.dent = state.memory.dent;
@@ -113,9 +115,9 @@ FingerOutput feltOutput(const Surface& surface, const FingerSettings& settings, 
     return leftOutput(surface, settings, tip, state);
   }
   const SkinHere here = skinAt(surface, state.proxy);
-  tissue::Response tissue =
-      tissue::respond(surface.force_law, here.stiffness_n_per_mm, press.felt_depth_mm, here.tissue_mm);
-  double most_n = most_mm * tangentOf(surface, here, press.felt_depth_mm, tissue);
+  const tissue::PressedPlace place{here.tissue_mm, settings.radius_mm};
+  tissue::Response tissue = tissue::respond(surface.force_law, here.stiffness_n_per_mm, press.felt_depth_mm, place);
+  double most_n = most_mm * tangentOf(surface, here, press.felt_depth_mm, place, tissue);
   double rest_mm = 0.0;
   if (settings.relaxation.on()) {
     const Relaxed now = relaxed(settings, tissue, here.stiffness_n_per_mm, press.proxy, state.memory);
@@ -137,6 +139,7 @@ FingerOutput feltOutput(const Surface& surface, const FingerSettings& settings, 
   output.force = state.force = tissue.force_n * press.normal + pressure.tangential_n_per_mm * hold.pull;
   output.depth_mm = press.depth_mm;
   output.tissue_mm = here.tissue_mm;
+  output.finger_mm = settings.radius_mm;
   output.touch = state.slipping && hold.settled ? Touch::slip : Touch::stick;
   output.triangle = surface.tree.source_triangle[state.proxy.triangle];
   output.anchor_triangle = surface.tree.source_triangle[state.anchor.triangle];

@@ -166,6 +166,7 @@ void check(const tissue::LayerStack& stack, const PressSettings& settings) {
   checkSize("the disc's radius in mm", settings.radius_mm, 4.0 * settings.indenter_radius_mm, 2000.0);
   checkSize("the mesh's fineness", settings.fineness, 0.5, 8.0);
   checkSize("the contact's stiffness in kPa/mm", settings.contact_kpa_per_mm, 1.0, 1e7);
+  checkSize("the bone's radius in mm", settings.bone_radius_mm, 0.0, 100.0);
   checkSize("the first step in mm", settings.first_step_mm, 1e-3, 5.0);
   checkSize("the longest step in mm", settings.longest_step_mm, 1e-3, 10.0);
   if (settings.depths_mm.empty()) throw Error("no depth is asked for");
@@ -202,11 +203,30 @@ std::vector<double> tableRadii(double disc_radius_mm) {
   return radii;
 }
 
+namespace {
+
+tissue::LayerStack aroundBone(tissue::LayerStack stack, double bone_radius_mm) {
+  constexpr double kBesideMm = 30.0;
+  if (!(bone_radius_mm > 0.0)) return stack;
+  stack.layers.push_back(stack.layers.back());
+  stack.layers.back().thickness_mm = kBesideMm;
+  return stack;
+}
+
+MeshFineness meshFor(const tissue::LayerStack& stack, const PressSettings& settings) {
+  MeshFineness mesh = finenessFor(settings);
+  mesh.bone = {.cover_mm = tissue::totalThickness(stack), .radius_mm = settings.bone_radius_mm};
+  return mesh;
+}
+
+}  // namespace
+
 PressSolution solvePress(const tissue::LayerStack& stack, const PressSettings& settings, const Progress& progress,
                          const std::function<bool()>& stop) {
   check(stack, settings);
   const auto start = Clock::now();
-  PressModel model(stack, finenessFor(settings), settings.indenter_radius_mm, settings.contact_kpa_per_mm);
+  PressModel model(aroundBone(stack, settings.bone_radius_mm), meshFor(stack, settings), settings.indenter_radius_mm,
+                   settings.contact_kpa_per_mm);
   PressPath path(model, settings);
   PressSolution solution;
   tissue::LayeredTable& table = solution.table;

@@ -22,6 +22,9 @@ struct PressSettings {
   double contact_kpa_per_mm = 1500.0;                          ///< of the springs that stand for a rigid sphere
   double first_step_mm = 0.25;
   double longest_step_mm = 1.0;
+  /// 0: the base is a plane. Otherwise the layers lie over the round top of a post of bone this wide, and the deepest
+  /// goes on around it, 30 mm farther down.
+  double bone_radius_mm = 0.0;
 };
 
 /// The mesh that goes with a sphere: it is fine as far as the skin can touch.

@@ -1,5 +1,8 @@
 #include "palpate/elements/quad_mesh.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace palpate::elements {
 
 namespace {
@@ -46,10 +49,12 @@ void addElements(QuadMesh& mesh, const Numbering& number, const std::vector<int>
   }
 }
 
-void addFreedoms(QuadMesh& mesh) {
-  constexpr double kOnBorder = 1e-9;
+constexpr double kOnBorder = 1e-9;
+
+void addFreedoms(QuadMesh& mesh, const BonePost& bone) {
   for (std::size_t n = 0; n < mesh.r.size(); ++n) {
-    const bool held = mesh.z[n] < kOnBorder || mesh.r[n] > mesh.columns.back() - kOnBorder;
+    const bool held = mesh.z[n] < kOnBorder || mesh.r[n] > mesh.columns.back() - kOnBorder ||
+                      bone.holds(mesh.r[n], mesh.height() - mesh.z[n]);
     const bool axis = mesh.r[n] < kOnBorder;
     std::array<int, 2>& freedoms = mesh.freedoms.emplace_back(std::array{kHeld, kHeld});
     if (!held && !axis) freedoms[0] = mesh.freedom_count++;
@@ -59,6 +64,12 @@ void addFreedoms(QuadMesh& mesh) {
 
 }  // namespace
 
+bool BonePost::holds(double r, double depth_mm) const {
+  if (!(radius_mm > 0.0)) return false;
+  const double above_centre = std::max(0.0, cover_mm + radius_mm - depth_mm);
+  return std::hypot(r, above_centre) < radius_mm + kOnBorder;
+}
+
 QuadMesh quadMesh(const tissue::LayerStack& stack, const MeshFineness& fineness) {
   QuadMesh mesh;
   mesh.columns = bordersAlong(fineness.columns);
@@ -67,7 +78,7 @@ QuadMesh quadMesh(const tissue::LayerStack& stack, const MeshFineness& fineness)
   const Numbering number(mesh);
   addNodes(mesh, number);
   addElements(mesh, number, rows.layers);
-  addFreedoms(mesh);
+  addFreedoms(mesh, fineness.bone);
   return mesh;
 }
 

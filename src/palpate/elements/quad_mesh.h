@@ -11,9 +11,17 @@
 
 namespace palpate::elements {
 
+/// A post of bone under the axis with a round top; everything in it is held.
+struct BonePost {
+  double cover_mm = 0.0;   ///< from the surface down to its top
+  double radius_mm = 0.0;  ///< 0: there is none
+  bool holds(double r, double depth_mm) const;
+};
+
 struct MeshFineness {
   Spacing columns;
   RowFineness rows;
+  BonePost bone = {};
 };
 
 /// No degree of freedom: held.

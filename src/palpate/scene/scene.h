@@ -104,10 +104,12 @@ struct PartitionSettings {
 struct TissueSettings {
   /// Its table is read, its layers are filled in, when the scene is built.
   tissue::ForceLaw force_law = {.kind = tissue::ForceLaw::Kind::layered};
-  std::filesystem::path force_table;    ///< for the law of that kind
-  double fat_mm = 0.0;                  ///< of layered tissue; 0: by the body's mass
-  std::filesystem::path layer_table;    ///< one stack for every place (`palpate tissue solve`); empty: the library's
-  contact::Relaxation relaxation = {};  ///< of every finger's force: filled in by contactSettings (world.h)
+  std::filesystem::path force_table;  ///< for the law of that kind
+  double fat_mm = 0.0;                ///< of layered tissue; 0: by the body's mass
+  std::filesystem::path layer_table;  ///< one stack for every place (`palpate tissue solve`); empty: the library's
+  bool by_finger_radius = true;       ///< layered law: force by the finger's radius; false: every finger is a fingertip
+  double point_radius_mm = tissue::kFingertipMm;  ///< layered law: the radius that a point is felt with
+  contact::Relaxation relaxation = {};            ///< of every finger's force: filled in by contactSettings (world.h)
 };
 
 /// What one stretch of a finger's script does.

@@ -42,11 +42,12 @@ maps::SurfaceEllipse dragRegion(const World& world, const contact::FingerOutput&
 }
 
 /// mm: how deep skin is that stays at this effective depth by itself (contact/relaxation.h).
-double depthAtRest(const World& world, double rest_mm, Index triangle) noexcept {
+double depthAtRest(const World& world, double rest_mm, Index triangle, double finger_mm) noexcept {
   const std::vector<double>& tissue_mm = world.surface.tissue_mm;
   if (triangle >= world.skin.triangles.size()) return 0.0;
   const Index corner = world.skin.triangles[triangle][0];
-  return tissue::depthOf(world.surface.force_law, rest_mm, tissue_mm.empty() ? 0.0 : tissue_mm[corner]);
+  return tissue::depthOf(world.surface.force_law, rest_mm,
+                         tissue::PressedPlace{tissue_mm.empty() ? 0.0 : tissue_mm[corner], finger_mm});
 }
 
 /// How much a place counts that faces the finger so far (cosine): all from the second on. What faces away more slides
@@ -117,7 +118,7 @@ std::optional<deform::Contact> contactOf(const World& world, const contact::Fing
   const bool literal = world.deformation.fidelity.literal(Erratum::E1_anchor);
   contact::FingerOutput meant = literal ? withLiteralAnchor(finger) : finger;
   if (finger.rest_mm > 0.0) {
-    meant.depth_mm = std::max(meant.depth_mm, depthAtRest(world, finger.rest_mm, finger.triangle));
+    meant.depth_mm = std::max(meant.depth_mm, depthAtRest(world, finger.rest_mm, finger.triangle, finger.finger_mm));
   }
   return contactAsFelt(world, meant);
 }
@@ -129,7 +130,7 @@ std::optional<deform::Contact> dentOf(const World& world, const contact::FingerO
   left.tip = left.proxy = left.anchor = left.hold = dent.place;
   left.triangle = left.anchor_triangle = dent.triangle;
   left.normal = normalOf(world.skin, dent.triangle);
-  left.depth_mm = depthAtRest(world, dent.rest_mm, dent.triangle);
+  left.depth_mm = depthAtRest(world, dent.rest_mm, dent.triangle, finger.finger_mm);
   left.touch = contact::Touch::stick;
   return contactAsFelt(world, left);
 }

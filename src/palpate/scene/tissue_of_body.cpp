@@ -79,7 +79,7 @@ maps::SurfaceEllipse turnedWithDrag(const deform::Contact& contact, double stret
   return ellipseOf(shape, first, second);
 }
 
-std::vector<tissue::LayeredNode> nodesOf(const Scene& scene) {
+std::vector<tissue::LayeredNode> solvedNodes(const Scene& scene) {
   const std::filesystem::path& file = scene.tissue.layer_table;
   if (file.empty()) {
     std::vector<tissue::LayeredNode> nodes = tissue::libraryNodes(fatOf(scene));
@@ -92,6 +92,13 @@ std::vector<tissue::LayeredNode> nodesOf(const Scene& scene) {
   } catch (const Error& error) {
     throw Error::inFile(file.string(), error.what());
   }
+}
+
+std::vector<tissue::LayeredNode> nodesOf(const Scene& scene) {
+  std::vector<tissue::LayeredNode> nodes = solvedNodes(scene);
+  if (scene.tissue.by_finger_radius) return nodes;
+  for (tissue::LayeredNode& node : nodes) node.fingers.clear();
+  return nodes;
 }
 
 /// The region of a drag where nobody has measured one: as the layers themselves have it, along the drag.

@@ -179,7 +179,11 @@ std::vector<double> stiffnessOf(const Scene& scene, const BodyParts& body, const
 
 tissue::ForceLaw forceLaw(const Scene& scene, const PlacedTissue& tissue) {
   tissue::ForceLaw law = scene.tissue.force_law;
-  if (tissue.layered) law.layers = tissue.layered->forceRows();
+  if (tissue.layered) {
+    law.layers = tissue.layered->forceRows();
+    law.layers.knows_radius = law.layers.knows_radius && scene.tissue.by_finger_radius;
+    law.layers.point_mm = scene.tissue.point_radius_mm;
+  }
   if (law.kind == tissue::ForceLaw::Kind::table && !scene.tissue.force_table.empty()) {
     law.table = tissue::readForceTable(scene.tissue.force_table);
   }
@@ -191,6 +195,21 @@ std::shared_ptr<const hdb::HdbSurface> detectingBoxIfAsked(const Scene& scene, c
                                                            const contact::Surface& surface, const Progress& progress) {
   if (scene.contact.source != ContactSource::hdb) return nullptr;
   return buildHdbSource(scene, skin, surface, progress);
+}
+
+/// A finger of a radius that no stack was solved for.
+void noteFingers(const Scene& scene, const tissue::ForceLaw& law, std::vector<std::string>& notes) {
+  if (law.kind != tissue::ForceLaw::Kind::layered || !law.layers.knows_radius) return;
+  const auto& radii = tissue::LayeredForce::kRadiiMm;
+  for (const Finger& finger : scene.fingers) {
+    if (!(finger.radius_mm > 0.0)) continue;
+    const double counts_as = std::clamp(finger.radius_mm, radii.front(), radii.back());
+    if (counts_as == finger.radius_mm) continue;
+    notes.push_back(
+        fmt::format("finger '{}': layers push back on a radius of {:g} mm as on one of {:g} mm, the "
+                    "nearest that was solved",
+                    finger.name, finger.radius_mm, counts_as));
+  }
 }
 
 // ---- what is seen
@@ -279,6 +298,7 @@ std::shared_ptr<const World> withBody(const Scene& asked, BodyParts body, deform
   Background making_deformable([&] { deformable = deform::buildSkin(body.skin); });
   contact::Surface surface = contact::buildSurface(
       body.skin, stiffness, {forceLaw(scene, tissue), body.self_intersecting, std::move(tissue.thickness_mm)});
+  noteFingers(scene, surface.force_law, notes);
   auto hdb = detectingBoxIfAsked(scene, body.skin, surface, progress);
 
   report(progress, "preparing the deformation", 0.0);

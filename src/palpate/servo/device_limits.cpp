@@ -102,17 +102,27 @@ std::vector<Stiffest> stiffestPlaces(const scene::World& world) {
   return places;
 }
 
-/// The law of one place: of layered tissue its only row.
-tissue::ForceLaw lawAt(const tissue::ForceLaw& law, double tissue_mm) {
+/// The law of one place under one finger: of layered tissue its only row.
+tissue::ForceLaw lawAt(const tissue::ForceLaw& law, const tissue::PressedPlace& place) {
   if (law.kind != tissue::ForceLaw::Kind::layered || law.layers.rows == 0) return law;
   tissue::ForceLaw here = law;
   here.layers.rows = 1;
-  here.layers.thinnest_mm = tissue_mm;
+  here.layers.thinnest_mm = place.tissue_mm;
+  here.layers.knows_radius = false;
   for (std::uint32_t i = 1; i < tissue::LayeredForce::kDepths; ++i) {
     const double depth = tissue::LayeredForce::kDepthStepMm * i;
-    here.layers.factor[0][i] = tissue::respond(law, 1.0, depth, tissue_mm).secant_n_per_mm;
+    here.layers.factor[tissue::LayeredForce::kFingertip][0][i] =
+        tissue::respond(law, 1.0, depth, place).secant_n_per_mm;
   }
   return here;
+}
+
+/// Radius of the finger that feels the steepest forces: the larger, the stiffer. A fingertip at least, since settings
+/// of a finger may change while it is held.
+double largestFinger(const scene::Scene& scene, const tissue::ForceLaw& law) {
+  double largest_mm = std::max(tissue::kFingertipMm, law.layers.point_mm);
+  for (const scene::Finger& finger : scene.fingers) largest_mm = std::max(largest_mm, finger.radius_mm);
+  return largest_mm;
 }
 
 PassivitySettings passivityOf(const scene::SafetySettings& safety, const device::DeviceProfile& profile, double force_n,
@@ -311,10 +321,11 @@ LimiterSettings limiterSettings(const scene::World& world, const device::DeviceP
   LimiterSettings settings = limiterSettings(scene.safety, profile, tick_s > 0.0 ? tick_s : 1.0 / scene.ticks_per_s);
   const double sideways = std::max(1.0, scene.contact.finger.stiffness_ratio);
   const double cap = stiffnessCap(scene.safety, profile, settings.tick_s);
+  const double finger_mm = largestFinger(scene, law);
   settings.stiffness_factor = 1.0;
   settings.steepest = 0.0;
   for (const Stiffest& place : stiffestPlaces(world)) {
-    const tissue::ForceLaw here = lawAt(law, place.tissue_mm);
+    const tissue::ForceLaw here = lawAt(law, {place.tissue_mm, finger_mm});
     const double stiffest = place.stiffness_n_per_mm * sideways;
     const double factor = stiffnessFactor(here, stiffest, most_mm, settings.force_n, cap);
     settings.stiffness_factor = std::min(settings.stiffness_factor, factor);

@@ -11,8 +11,10 @@ namespace {
 constexpr double kFirstForce = 0.25;
 constexpr double kLongestToe = 2.0;  // mm
 
+tissue::PressedPlace placeOf(const contact::FingerOutput& contact) { return {contact.tissue_mm, contact.finger_mm}; }
+
 double toeOf(const contact::FingerOutput& contact, const tissue::ForceLaw& law, const Approach& approach) {
-  const double unit = tissue::normalForce(law, 1.0, contact.depth_mm, contact.tissue_mm);
+  const double unit = tissue::normalForce(law, 1.0, contact.depth_mm, placeOf(contact));
   const double local = contact.force.dot(contact.normal) / unit;  // the map's stiffness here
   const double stiffness = local * approach.steepest * approach.stiffness_factor;
   const double step = std::max(0.0, approach.step_mm);
@@ -39,8 +41,8 @@ double softShare(SoftContact& state, const contact::FingerOutput& contact, const
   if (!(state.toe_mm > 0.0)) return 1.0;
   const double felt = toeDepth(state.toe_mm, contact.depth_mm);
   if (law.kind == tissue::ForceLaw::Kind::linear) return felt / contact.depth_mm;
-  const double whole = tissue::normalForce(law, 1.0, contact.depth_mm, contact.tissue_mm);
-  return whole > 0.0 ? tissue::normalForce(law, 1.0, felt, contact.tissue_mm) / whole : 1.0;
+  const double whole = tissue::normalForce(law, 1.0, contact.depth_mm, placeOf(contact));
+  return whole > 0.0 ? tissue::normalForce(law, 1.0, felt, placeOf(contact)) / whole : 1.0;
 }
 
 }  // namespace palpate::servo

@@ -79,14 +79,32 @@ RowPlace rowPlace(const LayeredForce& layers, double tissue_mm) noexcept {
   return {row, row + 1, place - row};
 }
 
+/// A radius between two of kRadiiMm.
+struct FingerPlace {
+  std::uint32_t below = LayeredForce::kFingertip;
+  std::uint32_t above = LayeredForce::kFingertip;
+  double share = 0.0;
+};
+
+FingerPlace fingerPlace(const LayeredForce& layers, double finger_mm) noexcept {
+  const double radius = finger_mm > 0.0 ? finger_mm : layers.point_mm;
+  if (!layers.knows_radius || radius == kFingertipMm) return {};
+  constexpr const auto& kRadii = LayeredForce::kRadiiMm;
+  constexpr std::uint32_t kLast = LayeredForce::kRadii - 1;
+  if (!(radius > kRadii.front())) return {0, 0, 0.0};
+  if (radius >= kRadii[kLast]) return {kLast, kLast, 0.0};
+  std::uint32_t above = 1;
+  while (radius >= kRadii[above]) ++above;
+  return {above - 1, above, (radius - kRadii[above - 1]) / (kRadii[above] - kRadii[above - 1])};
+}
+
 /// The factor on the secant, straight between depths, from 0 at the surface; and its slope.
 struct SecantPlace {
   double factor = 0.0;
   double slope = 0.0;  ///< 1/mm
 };
 
-SecantPlace secantOnRow(const LayeredForce& layers, std::uint32_t row, double depth) noexcept {
-  const std::array<double, LayeredForce::kDepths>& factor = layers.factor[row];
+SecantPlace secantOnRow(const std::array<double, LayeredForce::kDepths>& factor, double depth) noexcept {
   constexpr double kStep = LayeredForce::kDepthStepMm;
   constexpr std::uint32_t kLastPiece = LayeredForce::kDepths - 2;
   const double place = depth / kStep;
@@ -104,16 +122,25 @@ SecantPlace secantOnRow(const LayeredForce& layers, std::uint32_t row, double de
   return {from + slope * (depth - from_mm), slope};
 }
 
-SecantPlace secantOfLayers(const LayeredForce& layers, double tissue_mm, double depth) noexcept {
+SecantPlace between(const SecantPlace& a, const SecantPlace& b, double share) noexcept {
+  return {a.factor + share * (b.factor - a.factor), a.slope + share * (b.slope - a.slope)};
+}
+
+SecantPlace secantOnRows(const LayeredForce::Rows& factor, const RowPlace& at, double depth) noexcept {
+  return between(secantOnRow(factor[at.row], depth), secantOnRow(factor[at.next], depth), at.share);
+}
+
+SecantPlace secantOfLayers(const LayeredForce& layers, const PressedPlace& place, double depth) noexcept {
   if (layers.rows == 0) return {1.0, 0.0};
-  const RowPlace at = rowPlace(layers, tissue_mm);
-  const SecantPlace a = secantOnRow(layers, at.row, depth);
-  const SecantPlace b = secantOnRow(layers, at.next, depth);
-  return {a.factor + at.share * (b.factor - a.factor), a.slope + at.share * (b.slope - a.slope)};
+  const RowPlace row = rowPlace(layers, place.tissue_mm);
+  const FingerPlace finger = fingerPlace(layers, place.finger_mm);
+  const SecantPlace below = secantOnRows(layers.factor[finger.below], row, depth);
+  if (finger.share == 0.0) return below;
+  return between(below, secantOnRows(layers.factor[finger.above], row, depth), finger.share);
 }
 
 /// dh/dd.
-double tangentFactor(const ForceLaw& law, double depth, double tissue_mm) noexcept {
+double tangentFactor(const ForceLaw& law, double depth, const PressedPlace& place) noexcept {
   switch (law.kind) {
     case ForceLaw::Kind::linear:
       return 1.0;
@@ -125,7 +152,7 @@ double tangentFactor(const ForceLaw& law, double depth, double tissue_mm) noexce
     case ForceLaw::Kind::table:
       return scaleOf(law) * pieceAt(law.table, depth).slope;
     case ForceLaw::Kind::layered: {
-      const SecantPlace at = secantOfLayers(law.layers, tissue_mm, depth);
+      const SecantPlace at = secantOfLayers(law.layers, place, depth);
       return at.factor + depth * at.slope;
     }
   }
@@ -152,17 +179,23 @@ void checkTable(const ForceTable& table) {
   }
 }
 
+void checkRows(const LayeredForce::Rows& factor, std::uint32_t rows) {
+  for (std::uint32_t row = 0; row < rows; ++row) {
+    for (std::uint32_t i = 1; i < LayeredForce::kDepths; ++i) {
+      requireLaw(std::isfinite(factor[row][i]) && factor[row][i] > 0.0, "layered tissue must push back at every depth");
+    }
+  }
+}
+
 void checkLayers(const LayeredForce& layers) {
   requireLaw(layers.rows <= LayeredForce::kRows, "layered tissue has at most 16 rows");
   if (layers.rows == 0) return;
   requireLaw(layers.thinnest_mm > 0.0 && layers.inverse_step >= 0.0 &&
                  1.0 / layers.thinnest_mm > layers.inverse_step * (layers.rows - 1),
              "the thicknesses of layered tissue must increase from above 0");
-  for (std::uint32_t row = 0; row < layers.rows; ++row) {
-    for (std::uint32_t i = 1; i < LayeredForce::kDepths; ++i) {
-      requireLaw(std::isfinite(layers.factor[row][i]) && layers.factor[row][i] > 0.0,
-                 "layered tissue must push back at every depth");
-    }
+  requireLaw(std::isfinite(layers.point_mm) && layers.point_mm > 0.0, "the radius of a point must be above 0");
+  for (std::uint32_t radius = 0; radius < LayeredForce::kRadii; ++radius) {
+    if (layers.knows_radius || radius == LayeredForce::kFingertip) checkRows(layers.factor[radius], layers.rows);
   }
 }
 
@@ -188,7 +221,7 @@ void check(const ForceLaw& law) {
   }
 }
 
-double detail::secantFactor(const ForceLaw& law, double depth_mm, double tissue_mm) noexcept {
+double detail::secantFactor(const ForceLaw& law, double depth_mm, const PressedPlace& place) noexcept {
   switch (law.kind) {
     case ForceLaw::Kind::linear:
       return 1.0;
@@ -199,7 +232,7 @@ double detail::secantFactor(const ForceLaw& law, double depth_mm, double tissue_
     case ForceLaw::Kind::table:
       return scaleOf(law) * fromTable(law.table, depth_mm) / depth_mm;
     case ForceLaw::Kind::layered:
-      return secantOfLayers(law.layers, tissue_mm, depth_mm).factor;
+      return secantOfLayers(law.layers, place, depth_mm).factor;
   }
   return 1.0;
 }
@@ -211,14 +244,15 @@ double detail::tangentialRatio(const ForceLaw& law, double tissue_mm) noexcept {
   return a + at.share * (law.layers.tangential[at.next] - a);
 }
 
-double tangentStiffness(const ForceLaw& law, double stiffness_n_per_mm, double depth_mm, double tissue_mm) noexcept {
-  return stiffness_n_per_mm * tangentFactor(law, std::max(0.0, depth_mm), tissue_mm);
+double tangentStiffness(const ForceLaw& law, double stiffness_n_per_mm, double depth_mm,
+                        const PressedPlace& place) noexcept {
+  return stiffness_n_per_mm * tangentFactor(law, std::max(0.0, depth_mm), place);
 }
 
-double steepestFactor(const ForceLaw& law, double depth_mm) noexcept {
+double steepestFactor(const ForceLaw& law, double depth_mm, double finger_mm) noexcept {
   double steepest = 0.0;
   const auto look = [&](double depth, double tissue_mm) {
-    steepest = std::max(steepest, tangentFactor(law, depth, tissue_mm));
+    steepest = std::max(steepest, tangentFactor(law, depth, {tissue_mm, finger_mm}));
   };
   look(0.0, 0.0);
   look(depth_mm, 0.0);

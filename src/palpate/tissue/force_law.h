@@ -18,13 +18,20 @@ namespace palpate::tissue {
 /// to 10 mm best is right at about 8 mm, so a map measured with one number per place means this depth.
 inline constexpr double kReferenceDepthMm = 8.0;
 
+/// Radius of the fingertip that a stiffness map means, mm: of the rigid sphere that layered tissue was solved for.
+inline constexpr double kFingertipMm = 8.0;
+
 /// N/mm, of slopes: stiffer than this a fingertip's own pad gives way first, and a hand at 1 kHz would not be held
 /// stably (docs/stability.md). Bounds what is extrapolated, and a body's own tissue (softenedTo).
 inline constexpr double kStiffestTissue = 1.9;
 
-/// Secants of layered tissue by thickness and depth, over those at the reference depth. Both are evenly spaced, the
-/// thickness as 1 / mm, in which stiffness is nearly straight: a look-up is a division and no search.
+/// Secants of layered tissue by the finger's radius, thickness and depth, over those of a fingertip at the reference
+/// depth. Thickness and depth are evenly spaced, the thickness as 1 / mm, in which stiffness is nearly straight: a
+/// look-up is a division and no search. Between two radii the force is straight.
 struct LayeredForce {
+  static constexpr std::uint32_t kRadii = 7;
+  static constexpr std::array<double, kRadii> kRadiiMm = {1.0, 2.0, 4.0, kFingertipMm, 12.0, 16.0, 24.0};
+  static constexpr std::uint32_t kFingertip = 3;
   static constexpr std::uint32_t kRows = 16;
   static constexpr std::uint32_t kDepths = 33;
   static constexpr double kDepthStepMm = 0.5;
@@ -32,7 +39,11 @@ struct LayeredForce {
   double thinnest_mm = 0.0;                ///< of the tissue over the bone, in the first row
   double inverse_step = 0.0;               ///< what 1 / thickness falls by from row to row, 1/mm
   std::array<double, kRows> tangential{};  ///< k_t / k_n
-  std::array<std::array<double, kDepths>, kRows> factor{};  ///< from no depth, where it is 0, on
+  /// By depth from 0 mm, where it is 0.
+  using Rows = std::array<std::array<double, kDepths>, kRows>;
+  std::array<Rows, kRadii> factor{};  ///< one per radius of kRadiiMm
+  bool knows_radius = false;          ///< false: every finger counts as a fingertip, factor[kFingertip]
+  double point_mm = kFingertipMm;     ///< the radius that a finger without one is felt with
   double thicknessOf(std::uint32_t row) const noexcept { return 1.0 / (1.0 / thinnest_mm - inverse_step * row); }
 };
 
@@ -76,29 +87,44 @@ struct Response {
   double tangential = 1.0;       ///< what the skin's own layers make of k_t / k_n; 1 without them
 };
 
+/// What only the layered law asks for. Beyond its rows and radii the first or last counts.
+struct PressedPlace {
+  double tissue_mm = 0.0;  ///< thickness over the bone
+  double finger_mm = 0.0;  ///< radius of the finger; 0: a point
+};
+
 /// Throws Error naming the first parameter of the law's kind that makes no sense.
 void check(const ForceLaw& law);
 
 namespace detail {
 /// h(d) / d for a depth > 0, of a law that is not linear.
-double secantFactor(const ForceLaw& law, double depth_mm, double tissue_mm) noexcept;
+double secantFactor(const ForceLaw& law, double depth_mm, const PressedPlace& place) noexcept;
 double tangentialRatio(const ForceLaw& law, double tissue_mm) noexcept;
 }  // namespace detail
 
-/// For a depth in mm under the undeformed skin, the local stiffness in N/mm and the thickness of the tissue over the
-/// bone, which only the layered law asks for (beyond its rows the first or last counts). A depth or a stiffness that is
+/// For a depth in mm under the undeformed skin and the local stiffness in N/mm. A depth or a stiffness that is
 /// not positive (NaN included) gives no force, and the secant is the stiffness then. Continuous and, to rounding, not
 /// decreasing in both.
 /// Linear costs one comparison more than a product, the others up to 50 ns. Any thread.
 inline Response respond(const ForceLaw& law, double stiffness_n_per_mm, double depth_mm,
-                        double tissue_mm = 0.0) noexcept {
+                        const PressedPlace& place) noexcept {
   if (!(depth_mm > 0.0) || !(stiffness_n_per_mm > 0.0)) return {0.0, stiffness_n_per_mm};
   if (law.kind == ForceLaw::Kind::linear) return {stiffness_n_per_mm * depth_mm, stiffness_n_per_mm};
-  const double secant = stiffness_n_per_mm * detail::secantFactor(law, depth_mm, tissue_mm);
-  return {secant * depth_mm, secant, detail::tangentialRatio(law, tissue_mm)};
+  const double secant = stiffness_n_per_mm * detail::secantFactor(law, depth_mm, place);
+  return {secant * depth_mm, secant, detail::tangentialRatio(law, place.tissue_mm)};
+}
+
+/// Of a point.
+inline Response respond(const ForceLaw& law, double stiffness_n_per_mm, double depth_mm,
+                        double tissue_mm = 0.0) noexcept {
+  return respond(law, stiffness_n_per_mm, depth_mm, PressedPlace{.tissue_mm = tissue_mm});
 }
 
 /// The force alone, N.
+inline double normalForce(const ForceLaw& law, double stiffness_n_per_mm, double depth_mm,
+                          const PressedPlace& place) noexcept {
+  return respond(law, stiffness_n_per_mm, depth_mm, place).force_n;
+}
 inline double normalForce(const ForceLaw& law, double stiffness_n_per_mm, double depth_mm,
                           double tissue_mm = 0.0) noexcept {
   return respond(law, stiffness_n_per_mm, depth_mm, tissue_mm).force_n;
@@ -106,10 +132,15 @@ inline double normalForce(const ForceLaw& law, double stiffness_n_per_mm, double
 
 /// dF/dd in N/mm at a depth >= 0: what a small change of depth feels like. At a row of a table the slope that follows.
 double tangentStiffness(const ForceLaw& law, double stiffness_n_per_mm, double depth_mm,
-                        double tissue_mm = 0.0) noexcept;
+                        const PressedPlace& place) noexcept;
+inline double tangentStiffness(const ForceLaw& law, double stiffness_n_per_mm, double depth_mm,
+                               double tissue_mm = 0.0) noexcept {
+  return tangentStiffness(law, stiffness_n_per_mm, depth_mm, PressedPlace{.tissue_mm = tissue_mm});
+}
 
-/// The largest tangent stiffness down to a depth, as a factor on the map's stiffness, wherever on the skin; 1 for the
-/// linear law. A limit on how fast a force may change has to allow for it.
-double steepestFactor(const ForceLaw& law, double depth_mm) noexcept;
+/// The largest tangent stiffness that a finger of this radius (0: a point) meets down to a depth, as a factor on the
+/// map's stiffness, wherever on the skin; 1 for the linear law. A limit on how fast a force may change has to allow for
+/// it.
+double steepestFactor(const ForceLaw& law, double depth_mm, double finger_mm = 0.0) noexcept;
 
 }  // namespace palpate::tissue

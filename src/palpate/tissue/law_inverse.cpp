@@ -4,11 +4,11 @@
 
 namespace palpate::tissue {
 
-double depthOf(const ForceLaw& law, double effective_mm, double tissue_mm) noexcept {
+double depthOf(const ForceLaw& law, double effective_mm, const PressedPlace& place) noexcept {
   if (!(effective_mm > 0.0)) return 0.0;
   if (law.kind == ForceLaw::Kind::linear) return effective_mm;
   constexpr double kDeepestMm = 1000.0;
-  const auto reaches = [&](double depth_mm) { return normalForce(law, 1.0, depth_mm, tissue_mm) >= effective_mm; };
+  const auto reaches = [&](double depth_mm) { return normalForce(law, 1.0, depth_mm, place) >= effective_mm; };
   double deep = effective_mm;
   while (deep < kDeepestMm && !reaches(deep)) deep *= 2.0;
   if (deep >= kDeepestMm) return kDeepestMm;

@@ -10,6 +10,7 @@ namespace palpate::tissue {
 
 namespace {
 
+#include "palpate/tissue/layered_fingers_data.inc"
 #include "palpate/tissue/layered_library_data.inc"
 
 constexpr std::size_t kShares = std::size(kFatShares);
@@ -54,13 +55,39 @@ class NodeReader {
   std::span<const double> numbers_;
 };
 
+/// The forces of the other fingers, stack after stack: of each radius how many depths were reached, then their forces
+/// at the first of kFingerDepthsMm.
+class FingerReader {
+ public:
+  explicit FingerReader(std::span<const double> numbers) : numbers_(numbers) {}
+
+  std::vector<FingerForces> next() {
+    std::vector<FingerForces> fingers;
+    for (const double radius : kFingerRadiiMm) {
+      FingerForces& finger = fingers.emplace_back(FingerForces{radius, {}, {}});
+      const auto count = static_cast<std::size_t>(numbers_.front());
+      finger.depths_mm.assign(std::begin(kFingerDepthsMm), std::begin(kFingerDepthsMm) + count);
+      finger.force_n.assign(numbers_.begin() + 1, numbers_.begin() + 1 + static_cast<std::ptrdiff_t>(count));
+      numbers_ = numbers_.subspan(count + 1);
+    }
+    return fingers;
+  }
+
+ private:
+  std::span<const double> numbers_;
+};
+
 /// By thickness, by share.
 std::vector<std::array<LayeredNode, kShares>> allNodes() {
   std::vector<std::array<LayeredNode, kShares>> nodes;
   NodeReader reader(kNodes);
+  FingerReader fingers(kFingerForces);
   for (const double thickness : kThicknessesMm) {
     nodes.emplace_back();
-    for (LayeredNode& node : nodes.back()) node = reader.next(thickness);
+    for (LayeredNode& node : nodes.back()) {
+      node = reader.next(thickness);
+      node.fingers = fingersOf(fingers.next(), kFingertipMm, node);
+    }
   }
   return nodes;
 }
@@ -117,6 +144,25 @@ std::vector<double> libraryNumbers(const LayeredNode& node) {
     add(node.presses[i].outward);
   }
   return numbers;
+}
+
+std::vector<FingerSecants> fingersLikeLibrary(const LayerStack& stack, double indenter_radius_mm,
+                                              const LayeredNode& node) {
+  const double thickness = totalThickness(stack);
+  const auto under_skin = std::span(stack.layers).subspan(1);
+  const auto fat = std::ranges::min_element(under_skin, {}, &Layer::young_kpa);
+  const LayeredTissue library(libraryNodes(fat == under_skin.end() ? 0.0 : fat->thickness_mm));
+  std::vector<FingerSecants> fingers;
+  for (const double radius : LayeredForce::kRadiiMm) {
+    FingerSecants& finger = fingers.emplace_back(FingerSecants{radius, {}});
+    for (std::size_t i = 0; i < node.depths_mm.size(); ++i) {
+      const double depth = node.depths_mm[i];
+      const double ratio =
+          library.secantAt(thickness, depth, radius) / library.secantAt(thickness, depth, indenter_radius_mm);
+      finger.secants.push_back(node.secants[i] * ratio);
+    }
+  }
+  return fingers;
 }
 
 }  // namespace palpate::tissue

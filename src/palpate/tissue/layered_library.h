@@ -27,4 +27,9 @@ std::vector<LayeredNode> libraryNodes(double fat_mm);
 /// A node as the shipped file has it.
 std::vector<double> libraryNumbers(const LayeredNode& node);
 
+/// Forces of other fingers on a stack that was solved for one sphere alone: as they change with the radius in the
+/// shipped stack of its thickness and fat (the softest layer under the first).
+std::vector<FingerSecants> fingersLikeLibrary(const LayerStack& stack, double indenter_radius_mm,
+                                              const LayeredNode& node);
+
 }  // namespace palpate::tissue

@@ -25,6 +25,7 @@ constexpr std::uint64_t kMostTableBytes = 64'000'000;
 constexpr std::size_t kMostLayers = 16;
 constexpr std::size_t kMostRadii = 10'000;
 constexpr std::size_t kMostShapes = 1'000;
+constexpr std::size_t kMaxFingers = 100;
 constexpr std::size_t kLongestLayerName = 40;
 
 constexpr NumberRange kThickness{0.1, 500.0};
@@ -34,6 +35,7 @@ constexpr NumberRange kIndenterRadius{0.1, 1000.0};
 constexpr NumberRange kTableRadii{0.0, 10'000.0};
 constexpr NumberRange kTableDepths{0.0, 500.0, true};
 constexpr NumberRange kTableForces{0.0, 1e6};
+constexpr NumberRange kFingerForces{0.0, 1e6, true};
 constexpr NumberRange kContactRadii{0.0, 1000.0};
 /// Of the skin on the axis: a bulge or a dent is no larger.
 constexpr NumberRange kShapeShares{-100.0, 100.0};
@@ -106,6 +108,39 @@ void check(const DragShape& drag, std::size_t radii) {
   if (!drag.on_across.empty()) checkShares(drag.on_across, radii, 1.0, "drag", "on_across");
 }
 
+void check(const FingerForces& finger, const std::string& where) {
+  demand(kIndenterRadius, finger.radius_mm, where, "radius_mm", "mm");
+  if (finger.depths_mm.empty()) throw Error(where + ": depths_mm: at least one is needed");
+  if (finger.depths_mm.size() > kMostShapes)
+    throw Error(fmt::format("{}: depths_mm: more than {}", where, kMostShapes));
+  if (finger.force_n.size() != finger.depths_mm.size()) {
+    throw Error(
+        fmt::format("{}: force_n has {} numbers for {} depths", where, finger.force_n.size(), finger.depths_mm.size()));
+  }
+  for (std::size_t i = 0; i < finger.depths_mm.size(); ++i) {
+    demand(kTableDepths, finger.depths_mm[i], where, fmt::format("depths_mm, number {},", i + 1), "mm");
+    demand(kFingerForces, finger.force_n[i], where, fmt::format("force_n, number {},", i + 1), "N");
+    if (i == 0) continue;
+    if (!(finger.depths_mm[i] > finger.depths_mm[i - 1])) throw Error(where + ": depths_mm must increase");
+    if (finger.force_n[i] < finger.force_n[i - 1]) throw Error(where + ": force_n must not fall");
+  }
+}
+
+void checkFingers(const LayeredTable& table) {
+  if (table.fingers.size() > kMaxFingers) throw Error(fmt::format("fingers: more than {}", kMaxFingers));
+  for (std::size_t i = 0; i < table.fingers.size(); ++i) {
+    const FingerForces& finger = table.fingers[i];
+    check(finger, fmt::format("finger {}", i + 1));
+    if (finger.radius_mm == table.indenter_radius_mm) {
+      throw Error(fmt::format("finger {}: radius_mm must differ from indenter_radius_mm, {}", i + 1, finger.radius_mm));
+    }
+    if (i > 0 && !(finger.radius_mm > table.fingers[i - 1].radius_mm)) {
+      throw Error(fmt::format("finger {}: radius_mm must increase, but {} follows {}", i + 1, finger.radius_mm,
+                              table.fingers[i - 1].radius_mm));
+    }
+  }
+}
+
 void checkOrder(const PressedShape& before, const PressedShape& shape, const std::string& where) {
   if (!(shape.depth_mm > before.depth_mm)) {
     throw Error(fmt::format("{}: depth_mm must increase, but {} follows {}", where, shape.depth_mm, before.depth_mm));
@@ -139,6 +174,16 @@ std::string dragText(const DragShape& drag) {
   if (!drag.on_along.empty()) text += fmt::format(",\n    \"on_along\": {}", listText(drag.on_along, "      "));
   if (!drag.on_across.empty()) text += fmt::format(",\n    \"on_across\": {}", listText(drag.on_across, "      "));
   return text + "},\n";
+}
+
+std::string fingersText(const std::vector<FingerForces>& fingers) {
+  std::string text = "  \"fingers\": [\n";
+  for (std::size_t i = 0; i < fingers.size(); ++i) {
+    text += fmt::format("{}    {{\"radius_mm\": {}, \"depths_mm\": {},\n", i == 0 ? "" : ",\n", fingers[i].radius_mm,
+                        listText(fingers[i].depths_mm, "       "));
+    text += fmt::format("     \"force_n\": {}}}", listText(fingers[i].force_n, "       "));
+  }
+  return text + "\n  ],\n";
 }
 
 std::string shapeText(const PressedShape& shape) {
@@ -194,6 +239,12 @@ PressedShape shapeFrom(const mesh::JsonValue& value) {
           .contact_radius_mm = numberIn(value, "contact_radius_mm"),
           .down = numbersIn(value, "down"),
           .outward = numbersIn(value, "outward")};
+}
+
+FingerForces fingerFrom(const mesh::JsonValue& value) {
+  return {.radius_mm = numberIn(value, "radius_mm"),
+          .depths_mm = numbersIn(value, "depths_mm"),
+          .force_n = numbersIn(value, "force_n")};
 }
 
 DragShape dragFrom(const mesh::JsonValue& value) {
@@ -258,6 +309,7 @@ void check(const LayeredTable& table) {
     if (i > 0) checkOrder(table.shapes[i - 1], table.shapes[i], where);
   }
   if (table.drag) check(*table.drag, table.radii_mm.size());
+  checkFingers(table);
 }
 
 std::string layeredTableText(const LayeredTable& table) {
@@ -268,6 +320,7 @@ std::string layeredTableText(const LayeredTable& table) {
   }
   text += fmt::format("]}},\n  \"indenter_radius_mm\": {},\n", table.indenter_radius_mm);
   if (table.drag) text += dragText(*table.drag);
+  if (!table.fingers.empty()) text += fingersText(table.fingers);
   text += fmt::format("  \"radii_mm\": {},\n  \"shapes\": [\n", listText(table.radii_mm, "    "));
   for (std::size_t i = 0; i < table.shapes.size(); ++i) {
     text += fmt::format("{}{}", i == 0 ? "" : ",\n", shapeText(table.shapes[i]));
@@ -287,6 +340,9 @@ LayeredTable parseLayeredTable(std::string_view json, std::string_view name) {
   table.radii_mm = numbersIn(root, "radii_mm");
   for (const mesh::JsonValue& shape : member(root, "shapes").items()) table.shapes.push_back(shapeFrom(shape));
   if (root["drag"]) table.drag = dragFrom(root["drag"]);
+  if (root["fingers"]) {
+    for (const mesh::JsonValue& finger : root["fingers"].items()) table.fingers.push_back(fingerFrom(finger));
+  }
   try {
     check(table);
   } catch (const Error& error) {

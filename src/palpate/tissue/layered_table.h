@@ -56,12 +56,22 @@ struct DragShape {
   std::vector<double> on_across;
 };
 
+/// The same stack under a sphere of another radius: only the force.
+struct FingerForces {
+  double radius_mm = 0.0;
+  std::vector<double> depths_mm;  ///< increasing, > 0
+  std::vector<double> force_n;    ///< one per depth, > 0, not falling
+};
+
 struct LayeredTable {
   LayerStack stack;
   double indenter_radius_mm = 8.0;
   std::vector<double> radii_mm;      ///< from 0, increasing: where the shapes are told, at rest
   std::vector<PressedShape> shapes;  ///< depths increasing, > 0
   std::optional<DragShape> drag;     ///< where it was solved
+  /// Of other radii than the indenter's, increasing; none: the shipped stacks say how forces change with the radius
+  /// (nodeOf in layered_tissue.h).
+  std::vector<FingerForces> fingers = {};
 };
 
 /// Throws Error naming what makes no sense: radii or depths that do not increase, shapes of other sizes, forces that

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "palpate/base/error.h"
+#include "palpate/tissue/layered_library.h"
 
 namespace palpate::tissue {
 
@@ -44,6 +45,9 @@ double radiusOf(const LayeredTable& table) {
   }
   return std::min(std::clamp(radius, kLeastRadiusMm, kMostRadiusMm), table.radii_mm.back());
 }
+
+/// N/mm: of a finger that one stack was solved for less deep than its neighbours; steeper than any that was.
+constexpr double kAnySlope = 1e3;
 
 /// By area, and not nothing in the middle.
 double weightAt(double q) { return std::sqrt(q + 0.02); }
@@ -116,8 +120,7 @@ struct DepthPlace {
   double share = 0.0;
 };
 
-DepthPlace depthPlace(const LayeredNode& node, double depth_mm) noexcept {
-  const std::vector<double>& depths = node.depths_mm;
+DepthPlace depthPlace(std::span<const double> depths, double depth_mm) noexcept {
   if (!(depth_mm > depths.front())) return {};
   const std::size_t last = depths.size() - 1;
   if (depth_mm >= depths[last]) return {last, last, 0.0};
@@ -127,26 +130,38 @@ DepthPlace depthPlace(const LayeredNode& node, double depth_mm) noexcept {
 }
 
 PressCurves pressOf(const LayeredNode& node, double depth_mm) noexcept {
-  const DepthPlace at = depthPlace(node, depth_mm);
+  const DepthPlace at = depthPlace(node.depths_mm, depth_mm);
   return blended(node.presses[at.below], node.presses[at.above], at.share);
 }
 
 /// F / d, straight from 0 at no depth through the stored ones, and on with the last slope while that is not too steep.
-double secantOf(const LayeredNode& node, double depth_mm) noexcept {
+double secantOn(std::span<const double> depths, std::span<const double> secants, double depth_mm,
+                double steepest_n_per_mm = kStiffestTissue) noexcept {
   if (!(depth_mm > 0.0)) return 0.0;
-  const std::size_t last = node.depths_mm.size() - 1;
-  const double first_depth = node.depths_mm.front();
-  if (depth_mm <= first_depth) return node.secants.front() * depth_mm / first_depth;
-  if (depth_mm <= node.depths_mm[last]) {
-    const DepthPlace at = depthPlace(node, depth_mm);
-    return node.secants[at.below] + at.share * (node.secants[at.above] - node.secants[at.below]);
+  const std::size_t last = depths.size() - 1;
+  const double first_depth = depths.front();
+  if (depth_mm <= first_depth) return secants.front() * depth_mm / first_depth;
+  if (depth_mm <= depths[last]) {
+    const DepthPlace at = depthPlace(depths, depth_mm);
+    return secants[at.below] + at.share * (secants[at.above] - secants[at.below]);
   }
-  const double end = node.depths_mm[last];
-  const double before = last > 0 ? node.depths_mm[last - 1] : 0.0;
-  const double slope = (node.secants[last] - (last > 0 ? node.secants[last - 1] : 0.0)) / (end - before);
-  const double tangent = std::min(node.secants[last] + end * std::max(0.0, slope), kStiffestTissue);
-  const double force = node.secants[last] * end + std::max(tangent, node.secants[last]) * (depth_mm - end);
+  const double end = depths[last];
+  const double before = last > 0 ? depths[last - 1] : 0.0;
+  const double slope = (secants[last] - (last > 0 ? secants[last - 1] : 0.0)) / (end - before);
+  const double tangent = std::min(secants[last] + end * std::max(0.0, slope), steepest_n_per_mm);
+  const double force = secants[last] * end + std::max(tangent, secants[last]) * (depth_mm - end);
   return force / depth_mm;
+}
+
+double secantOf(const LayeredNode& node, double depth_mm, double finger_mm) noexcept {
+  const auto of = [&](const std::vector<double>& secants) { return secantOn(node.depths_mm, secants, depth_mm); };
+  if (node.fingers.empty()) return of(node.secants);
+  const auto above = std::ranges::upper_bound(node.fingers, finger_mm, {}, &FingerSecants::radius_mm);
+  if (above == node.fingers.begin()) return of(above->secants);
+  const FingerSecants& below = *(above - 1);
+  if (above == node.fingers.end() || below.radius_mm == finger_mm) return of(below.secants);
+  const double share = (finger_mm - below.radius_mm) / (above->radius_mm - below.radius_mm);
+  return of(below.secants) + share * (of(above->secants) - of(below.secants));
 }
 
 double geometric(double a, double b, double share) noexcept {
@@ -155,6 +170,53 @@ double geometric(double a, double b, double share) noexcept {
 }
 
 }  // namespace
+
+namespace {
+
+/// Between nodes of the same radii; otherwise those of the first.
+std::vector<FingerSecants> blendedFingers(const LayeredNode& a, const LayeredNode& b, double share,
+                                          const std::vector<double>& depths) {
+  std::vector<FingerSecants> fingers;
+  if (a.fingers.empty() || b.fingers.empty()) return fingers;
+  for (const FingerSecants& finger : a.fingers) {
+    FingerSecants& mixed = fingers.emplace_back(FingerSecants{finger.radius_mm, {}});
+    for (const double depth : depths) {
+      mixed.secants.push_back(
+          geometric(secantOf(a, depth, finger.radius_mm), secantOf(b, depth, finger.radius_mm), share));
+    }
+  }
+  return fingers;
+}
+
+/// Between two depths the secant is straight and the force a parabola, steepest at its end.
+void soften(double most_n_per_mm, const std::vector<double>& depths, std::vector<double>& secants) {
+  double depth_before = 0.0;
+  double secant_before = 0.0;
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    const double steepness = depths[i] / (depths[i] - depth_before);
+    const double most = (most_n_per_mm + steepness * secant_before) / (1.0 + steepness);
+    secants[i] = std::min(secants[i], most);
+    depth_before = depths[i];
+    secant_before = secants[i];
+  }
+}
+
+}  // namespace
+
+std::vector<FingerSecants> fingersOf(const std::vector<FingerForces>& solved, double indenter_radius_mm,
+                                     const LayeredNode& node) {
+  std::vector<FingerSecants> fingers = {{indenter_radius_mm, node.secants}};
+  for (const FingerForces& finger : solved) {
+    std::vector<double> secants;
+    for (std::size_t i = 0; i < finger.depths_mm.size(); ++i)
+      secants.push_back(finger.force_n[i] / finger.depths_mm[i]);
+    FingerSecants& added = fingers.emplace_back(FingerSecants{finger.radius_mm, {}});
+    for (const double depth : node.depths_mm)
+      added.secants.push_back(secantOn(finger.depths_mm, secants, depth, kAnySlope));
+  }
+  std::ranges::sort(fingers, {}, &FingerSecants::radius_mm);
+  return fingers;
+}
 
 LayeredNode nodeOf(const LayeredTable& table) {
   check(table);
@@ -168,6 +230,11 @@ LayeredNode nodeOf(const LayeredTable& table) {
   }
   node.drag = dragCurve(table);
   if (table.drag) node.tangential_over_normal = table.drag->tangential_over_normal;
+  if (!table.fingers.empty()) {
+    node.fingers = fingersOf(table.fingers, table.indenter_radius_mm, node);
+  } else if (!table.stack.layers.empty()) {
+    node.fingers = fingersLikeLibrary(table.stack, table.indenter_radius_mm, node);
+  }
   return node;
 }
 
@@ -178,27 +245,20 @@ LayeredNode blended(const LayeredNode& a, const LayeredNode& b, double share) {
   const LayeredNode& longer = a.depths_mm.back() == deepest ? a : b;
   for (const double depth : longer.depths_mm) {
     node.depths_mm.push_back(depth);
-    node.secants.push_back(geometric(secantOf(a, depth), secantOf(b, depth), share));
+    node.secants.push_back(
+        geometric(secantOn(a.depths_mm, a.secants, depth), secantOn(b.depths_mm, b.secants, depth), share));
     node.presses.push_back(blended(pressOf(a, depth), pressOf(b, depth), share));
   }
   node.drag = blended(a.drag, b.drag, share);
   node.tangential_over_normal =
       a.tangential_over_normal + share * (b.tangential_over_normal - a.tangential_over_normal);
+  node.fingers = blendedFingers(a, b, share, node.depths_mm);
   return node;
 }
 
-/// Between two depths the secant is straight and the force a parabola, steepest at its end.
 LayeredNode softenedTo(double most_n_per_mm, LayeredNode node) {
-  double depth_before = 0.0;
-  double secant_before = 0.0;
-  for (std::size_t i = 0; i < node.depths_mm.size(); ++i) {
-    const double depth = node.depths_mm[i];
-    const double steepness = depth / (depth - depth_before);
-    const double most = (most_n_per_mm + steepness * secant_before) / (1.0 + steepness);
-    node.secants[i] = std::min(node.secants[i], most);
-    depth_before = depth;
-    secant_before = node.secants[i];
-  }
+  soften(most_n_per_mm, node.depths_mm, node.secants);
+  for (FingerSecants& finger : node.fingers) soften(most_n_per_mm, node.depths_mm, finger.secants);
   return node;
 }
 
@@ -234,9 +294,13 @@ double LayeredTissue::tangentialAt(double thickness_mm) const noexcept {
   return at.a->tangential_over_normal + at.share * (at.b->tangential_over_normal - at.a->tangential_over_normal);
 }
 
-double LayeredTissue::secantAt(double thickness_mm, double depth_mm) const noexcept {
+double LayeredTissue::secantAt(double thickness_mm, double depth_mm, double finger_mm) const noexcept {
   const Between at = between(thickness_mm);
-  return geometric(secantOf(*at.a, depth_mm), secantOf(*at.b, depth_mm), at.share);
+  return geometric(secantOf(*at.a, depth_mm, finger_mm), secantOf(*at.b, depth_mm, finger_mm), at.share);
+}
+
+bool LayeredTissue::knowsRadius() const noexcept {
+  return std::ranges::none_of(nodes_, [](const LayeredNode& node) { return node.fingers.empty(); });
 }
 
 double LayeredTissue::deepestAt(double thickness_mm) const noexcept {
@@ -248,12 +312,17 @@ LayeredForce LayeredTissue::forceRows() const {
   rows.thinnest_mm = thinnest();
   rows.inverse_step = (1.0 / thinnest() - 1.0 / thickest()) / (LayeredForce::kRows - 1);
   rows.rows = rows.inverse_step > 0.0 ? LayeredForce::kRows : 1;
+  rows.knows_radius = knowsRadius();
   for (std::uint32_t row = 0; row < rows.rows; ++row) {
     const double thickness = rows.thicknessOf(row);
     rows.tangential[row] = tangentialAt(thickness);
     const double at_reference = secantAt(thickness, kReferenceDepthMm);
-    for (std::uint32_t i = 0; i < LayeredForce::kDepths; ++i) {
-      rows.factor[row][i] = secantAt(thickness, LayeredForce::kDepthStepMm * i) / at_reference;
+    for (std::uint32_t radius = 0; radius < LayeredForce::kRadii; ++radius) {
+      if (!rows.knows_radius && radius != LayeredForce::kFingertip) continue;
+      for (std::uint32_t i = 0; i < LayeredForce::kDepths; ++i) {
+        rows.factor[radius][row][i] =
+            secantAt(thickness, LayeredForce::kDepthStepMm * i, LayeredForce::kRadiiMm[radius]) / at_reference;
+      }
     }
   }
   return rows;

@@ -14,23 +14,38 @@
 
 namespace palpate::tissue {
 
+/// The force over the depth under a finger of one radius.
+struct FingerSecants {
+  double radius_mm = 0.0;
+  std::vector<double> secants;  ///< N/mm, one per depth of the node
+};
+
 /// What a stack answers, as curves: a table without its radii.
 struct LayeredNode {
   double thickness_mm = 0.0;         ///< of all layers
   std::vector<double> depths_mm;     ///< increasing
-  std::vector<double> secants;       ///< force over depth there, N/mm
+  std::vector<double> secants;       ///< force over depth there, N/mm, under the sphere that it was solved for
   std::vector<PressCurves> presses;  ///< there; all of one radius
   DragCurve drag;
   double tangential_over_normal = 0.7;
+  /// By radius, increasing, the solved sphere's among them; none: every finger pushes as that one.
+  std::vector<FingerSecants> fingers = {};
 };
 
-/// Throws Error for a table that check() refuses or that has too few radii.
+/// A table's own radii, where it has any; otherwise forces change with the radius as in the shipped stack that is
+/// nearest in thickness and fat (fingersLikeLibrary). Throws Error for a table that check() refuses or that has too few
+/// radii.
 LayeredNode nodeOf(const LayeredTable& table);
+
+/// Solved forces as LayeredNode::fingers, at the node's depths: beyond what was solved the force goes straight on.
+std::vector<FingerSecants> fingersOf(const std::vector<FingerForces>& solved, double indenter_radius_mm,
+                                     const LayeredNode& node);
 
 /// Between two nodes; depths of `a`, beyond the last of `b` what that has. Secants blend as logarithms.
 LayeredNode blended(const LayeredNode& a, const LayeredNode& b, double share);
 
-/// The node with forces that grow by at most so much per mm: as if something softer gave way before it.
+/// The node with forces that grow by at most so much per mm, whatever the finger: as if something softer gave way
+/// before it.
 LayeredNode softenedTo(double most_n_per_mm, LayeredNode node);
 
 /// Immutable; any number of threads.
@@ -45,16 +60,19 @@ class LayeredTissue {
   DragCurve dragAt(double thickness_mm) const noexcept;
   /// Of k_t over k_n.
   double tangentialAt(double thickness_mm) const noexcept;
-  /// F / d at a depth, N/mm: beyond the solved depths straight on, but no steeper than the stiffest tissue
-  /// (kStiffestTissue).
-  double secantAt(double thickness_mm, double depth_mm) const noexcept;
+  /// F / d at a depth under a finger of this radius, N/mm: beyond the solved depths straight on, but no steeper than
+  /// the stiffest tissue (kStiffestTissue). Straight between two radii; beyond them the first or last counts.
+  double secantAt(double thickness_mm, double depth_mm, double finger_mm = kFingertipMm) const noexcept;
   /// The deepest that the skin goes here, mm: what was solved, and never to the bone.
   double deepestAt(double thickness_mm) const noexcept;
 
   double thinnest() const noexcept { return nodes_.front().thickness_mm; }
   double thickest() const noexcept { return nodes_.back().thickness_mm; }
 
-  /// The law of all these places: rows by thickness.
+  /// Whether the force depends on the finger's radius.
+  bool knowsRadius() const noexcept;
+
+  /// The law of all these places: rows by radius and thickness.
   LayeredForce forceRows() const;
 
  private:

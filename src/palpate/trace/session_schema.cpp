@@ -145,11 +145,11 @@ std::int64_t checkSession(Database& database) {
 
 namespace {
 
-/// The scene with this key in this table, where it does not say one itself. Scenes are written by this program
-/// (scene/scene_writer.h): a table's keys follow its title, one a line, without comments.
+/// The scene with this key and value (as TOML) in this table, where it does not say one itself. Scenes are written by
+/// this program (scene/scene_writer.h): a table's keys follow its title, one a line, without comments.
 std::string withKey(std::string scene, const std::string& table, const std::string& key, const std::string& value) {
   const std::string title = "[" + table + "]\n";
-  const std::string line = key + " = \"" + value + "\"\n";
+  const std::string line = key + " = " + value + "\n";
   const std::size_t found = scene.find(title);
   if (found == std::string::npos) return scene + "\n" + title + line;
   const std::size_t keys = found + title.size();
@@ -165,8 +165,10 @@ std::string withKey(std::string scene, const std::string& table, const std::stri
 std::string sceneOfVersion(std::int64_t version, std::string scene) {
   constexpr std::int64_t kTrunkIsMeant = 3;
   constexpr std::int64_t kLayersAreMeant = 4;
-  if (version < kTrunkIsMeant) scene = withKey(std::move(scene), "body", "kind", "torso");
-  if (version < kLayersAreMeant) scene = withKey(std::move(scene), "deformation", "tissue", "gaussian");
+  constexpr std::int64_t kRadiusIsFelt = 5;
+  if (version < kTrunkIsMeant) scene = withKey(std::move(scene), "body", "kind", "\"torso\"");
+  if (version < kLayersAreMeant) scene = withKey(std::move(scene), "deformation", "tissue", "\"gaussian\"");
+  if (version < kRadiusIsFelt) scene = withKey(std::move(scene), "tissue", "by_finger_radius", "false");
   return scene;
 }
 

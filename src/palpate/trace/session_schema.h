@@ -12,7 +12,7 @@ inline constexpr std::int64_t kSessionApplication = 0x50616c70;
 
 /// Of the tables and of what their texts mean; counts up whenever that changes. Files of every version are read for
 /// ever.
-inline constexpr std::int64_t kSessionVersion = 4;
+inline constexpr std::int64_t kSessionVersion = 5;
 
 /// Fingers of a session: more than any rig has, so that a row that says more is damage.
 inline constexpr std::int64_t kMaxFingers = 1000;
@@ -26,7 +26,7 @@ std::int64_t checkSession(Database& database);
 
 /// A scene's text as it is meant today, from a file of that version: before version 3 a scene that named no kind of
 /// body meant the torso, and not the trunk; before version 4 one that named no tissue meant the half Gaussian, and not
-/// layers.
+/// layers; before version 5 layers pushed back on every finger as on one of 8 mm.
 std::string sceneOfVersion(std::int64_t version, std::string scene);
 
 }  // namespace palpate::trace

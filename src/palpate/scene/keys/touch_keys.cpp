@@ -151,6 +151,12 @@ Section tissueSection() {
       file<S>("layer_table", &S::layer_table,
               "Layered tissue: one stack for every place, from palpate tissue solve or palpate fit profile; left out: "
               "the library's stacks by thickness."),
+      flag<S>(
+          "by_finger_radius", &S::by_finger_radius,
+          "Layered law: a larger finger is pushed back harder (1 to 24 mm; beyond, the nearest counts); false: every "
+          "finger feels what one of 8 mm does."),
+      number<S>("point_radius_mm", &S::point_radius_mm, between(1, 24),
+                "Layered law: the radius that a finger of radius 0 is felt with."),
   };
   const std::vector<Key<S>> relaxation = relaxationKeys();
   keys.insert(keys.end(), relaxation.begin(), relaxation.end());
