@@ -42,7 +42,7 @@ SkinNeeds SkinLayer::needsOf(const Look& look, const Viewpoint& viewpoint) const
   const bool pores =
       look.detail && look.shading == Shading::skin && viewpoint.pixelsPerMm(buffers_->box()) > kFewestPixelsPerMm;
   const bool picture = look.texture && picture_.isThere();
-  return {pores, picture, look.texture && !picture && buffers_->hasColours()};
+  return {pores, picture, look.texture && !picture && buffers_->hasColours(), picture && picture_.isMade()};
 }
 
 void SkinLayer::drawColours(const Look& look, const Viewpoint& viewpoint, const SkinTouch& touch,
