@@ -225,6 +225,10 @@ std::vector<NamedFile> namedFiles(scene::Scene& scene) {
                                   {&scene.tissue.layer_table}};
   if (!scene::madeSeed(scene.body.texture)) files.push_back({&scene.body.texture.file, true});
   files.push_back({&scene.body.fit});
+  for (scene::PlaceProfile& place : scene.profiles) {
+    files.push_back({&place.press_file});
+    files.push_back({&place.drag_file});
+  }
   for (scene::Finger& finger : scene.fingers) files.push_back({&finger.trajectory, false, false});
   return files;
 }

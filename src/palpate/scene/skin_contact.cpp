@@ -8,6 +8,7 @@
 #include "palpate/contact/friction.h"
 #include "palpate/deform/finger_contact.h"
 #include "palpate/mesh/triangle_mesh.h"
+#include "palpate/scene/curves/place_curves.h"
 #include "palpate/scene/tissue_of_body.h"
 #include "palpate/tissue/law_inverse.h"
 
@@ -43,15 +44,23 @@ double depthAtRest(const World& world, double rest_mm, Index triangle) noexcept 
   return tissue::depthOf(world.surface.force_law, rest_mm, tissue_mm.empty() ? 0.0 : tissue_mm[corner]);
 }
 
-std::optional<deform::Contact> contactAsFelt(const World& world, const contact::FingerOutput& meant) noexcept {
+std::optional<deform::Contact> contactOfTissue(const World& world, std::optional<deform::Contact> contact,
+                                               const contact::FingerOutput& meant) noexcept {
   const deform::FormSettings& forms = world.deformation;
-  std::optional<deform::Contact> contact = deform::contactOf(meant, dragRegion(world, meant), forms.common.tissue);
-  if (!contact) return contact;
   if (world.contours) contact->tangential_contour = world.contours->on(meant.anchor, meant.normal);
   if (world.layered) return layeredContact(world, *contact);
   if (forms.shape == deform::Shape::contour && world.reach)
     contact->tangential_contour = anatomicalContour(world, *contact);
   return deform::formedRegions(*contact, forms);
+}
+
+std::optional<deform::Contact> contactAsFelt(const World& world, const contact::FingerOutput& meant) noexcept {
+  const deform::FormSettings& forms = world.deformation;
+  const auto plain = deform::contactOf(meant, dragRegion(world, meant), forms.common.tissue);
+  if (!plain) return plain;
+  const std::optional<deform::Contact> contact = contactOfTissue(world, plain, meant);
+  if (!world.place_curves) return contact;
+  return withPlaceCurve(*world.place_curves, deform::formedRegions(*plain, forms), *contact);
 }
 
 Vec3 normalOf(const mesh::TriangleMesh& skin, Index triangle) noexcept {
