@@ -30,6 +30,9 @@ struct PartitionFigures {
   double hybrid_us_per_tick = 0.0;
   double hybrid_worst_us = 0.0;
   std::uint64_t hybrid_refreshes = 0;
+  double linked_us_per_tick = 0.0;  ///< the hybrid of tree and linked list follows the box
+  double linked_worst_us = 0.0;
+  double linked_boxes = 0.0;  ///< of nodes and triangles that it tests a tick
   double bytes_per_triangle = 0.0;
   double build_ns_per_triangle = 0.0;
   std::optional<std::uint64_t> allocations;  ///< during all queries

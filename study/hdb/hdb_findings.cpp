@@ -2,6 +2,7 @@
 #include "study/hdb/hdb_findings.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -160,6 +161,51 @@ std::string elseIfFinding(const HdbMeasurement& found) {
       atLeast(through), boxes, through < 1.0 ? " tried here" : "");
 }
 
+const char* verdictOnHybrid(double on_smallest, double on_largest) {
+  if (on_smallest < 1.0 && on_largest < 1.0) return "it is faster throughout";
+  if (on_smallest >= 1.0 && on_largest >= 1.0) return "it is slower throughout";
+  return on_largest < 1.0 ? "it pays on fine meshes only" : "it pays on coarse meshes only";
+}
+
+std::string times(double ratio) { return rounded(ratio) + " times"; }
+
+/// What the hybrid does on the largest model, against the other lists in the same run.
+std::string listFinding(const HdbMeasurement& found) {
+  const ListCosts& costs = found.lists;
+  const std::size_t model = costs.models.back();
+  const ListRow& leaves = *rowOf(costs, model, hdb::HdbQuery::leaves);
+  const ListRow& exact = *rowOf(costs, model, hdb::HdbQuery::triangles);
+  const ListRow& coherent = *rowOf(costs, model, hdb::HdbQuery::coherent);
+  const ListRow& linked = *rowOf(costs, model, hdb::HdbQuery::linked);
+  const bool same = std::all_of(costs.rows.begin(), costs.rows.end(), [](const ListRow& row) { return row.same; });
+  std::vector<std::string> against_coherent;
+  std::vector<double> ratios;
+  for (const std::size_t other : costs.models) {
+    const double ratio =
+        rowOf(costs, other, hdb::HdbQuery::linked)->tick_us / rowOf(costs, other, hdb::HdbQuery::coherent)->tick_us;
+    ratios.push_back(ratio);
+    against_coherent.push_back(fmt::format("{} on {} triangles", times(ratio), counted(static_cast<double>(other))));
+  }
+  return fmt::format(
+      "The list of 6.2 (4) was built in two ways: a coherent list with a margin, and a hybrid of octree and linked "
+      "list "
+      "that marks and unmarks what the faces of the box pass. With every list all forces and proxies {} the default "
+      "finger's to the bit. On {} triangles the hybrid lists {} a tick, exactly those that the box meets, where the "
+      "coherent list has {} and the leaves {}; it tests {} boxes a tick to follow the box and {} to find what is near "
+      "the finger, where the exact list is asked anew and {} are tested, and the coherent list tests {}. Its tick "
+      "takes "
+      "{} as long as with the exact list and {} as long as with the leaves; against the coherent list {}: {}. The "
+      "default finger, which needs no list, takes {} of it. A finger's list takes {} bytes a triangle (coherent {}) "
+      "and {} of "
+      "the time that the partition takes to build.",
+      same ? "are" : "are NOT", counted(static_cast<double>(model)), counted(linked.listed), counted(coherent.listed),
+      counted(leaves.listed), counted(linked.moved), counted(linked.tested), counted(exact.tested),
+      counted(coherent.tested), times(linked.tick_us / exact.tick_us), times(linked.tick_us / leaves.tick_us),
+      fmt::format("{}", fmt::join(against_coherent, ", ")), verdictOnHybrid(ratios.front(), ratios.back()),
+      percent(costs.default_us.back() / linked.tick_us), rounded(linked.bytes / static_cast<double>(model)),
+      rounded(coherent.bytes / static_cast<double>(model)), percent(linked.make_us / costs.build_us.back()));
+}
+
 }  // namespace
 
 double mostPunctured(const std::vector<PunctureRow>& rows, double from_lead, double to_lead) {
@@ -199,8 +245,11 @@ double safeMargin(const HdbMeasurement& found) {
 }
 
 std::vector<std::string> hdbFindings(const HdbMeasurement& found) {
-  return {ruleFinding(found), marginFinding(found), leadFinding(found),  quarterFinding(found),
-          costFinding(found), leavesFinding(found), elseIfFinding(found)};
+  std::vector<std::string> findings = {ruleFinding(found),    marginFinding(found), leadFinding(found),
+                                       quarterFinding(found), costFinding(found),   leavesFinding(found),
+                                       elseIfFinding(found)};
+  if (!found.lists.models.empty()) findings.push_back(listFinding(found));
+  return findings;
 }
 
 }  // namespace palpate::study

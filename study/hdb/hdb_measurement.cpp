@@ -194,6 +194,7 @@ HdbPlan hdbPlan(bool quick) {
   plan.depths_mm = {2, 12};
   plan.margin_shares = {0.0, 1.0};
   plan.fine_triangles = 20389;
+  plan.lists = {.models = {2962, 20389}, .strokes = 3, .runs = 1};
   return plan;
 }
 
@@ -216,6 +217,7 @@ HdbMeasurement measureHdbSizes(const HdbPlan& plan, const Progress& progress) {
   HdbMeasurement found{.plan = plan};
   found.longest_edge = model.longest_edge;
   found.depth_mm = StrokeSettings{}.depth_mm;
+  found.lists = measureLists(plan.lists);
   found.tick_us = meanTickMicroseconds(surface, plan.runs);
   found.sizes = sizeRows(plan, model, octree, progress);
   found.punctures = edgeRows(strokes, false, progress, 0.15);

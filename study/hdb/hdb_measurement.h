@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "study/hdb/list_costs.h"
 #include "study/measured/haptic_frames.h"
 #include "study/page/study_page.h"
 
@@ -23,6 +24,7 @@ struct HdbPlan {
   std::vector<double> depths_mm{1, 2, 4, 8, 12, 20};             ///< of the margins
   std::vector<double> margin_shares{0.0, 0.25, 0.5, 0.75, 1.0};  ///< margin over depth
   std::size_t fine_triangles = 200000;                           ///< of the model that E12's rule is tried on
+  ListPlan lists{};
 };
 
 HdbPlan hdbPlan(bool quick);
@@ -76,6 +78,7 @@ struct HdbMeasurement {
   std::vector<PunctureRow> fine_e12{};        ///< the same on the fine model with E12's rule: the longest triangle edge
   std::vector<PunctureRow> fine_recommended{};  ///< and with ours: the depth
   double else_if_punctured = 0.0;  ///< with the printed traversal (E4), no delay: the least over kElseIfShares
+  ListCosts lists{};               ///< the ways to keep what may be touched (6.2, item 4)
 };
 
 /// Sizes of box that the printed traversal is tried with, over the model's longest edge.

@@ -191,6 +191,20 @@ class RenderOfATorso : public Render {
   }
 };
 
+TEST_F(RenderOfATorso, WearsItsTextureAsTheSceneSaysUnlessAFlagDoes) {
+  std::ofstream(folder_ / "torso.toml") << "[body]\nkind = \"torso\"\ntriangles = 8163\ntexture = \"made:3\"\n";
+  ASSERT_EQ(ofTorso("-o worn.png").exit_code, 0);
+  ASSERT_EQ(ofTorso("--texture -o asked.png").exit_code, 0);
+  ASSERT_EQ(ofTorso("--no-texture -o bare.png").exit_code, 0);
+  EXPECT_EQ(image("worn.png").pixels, image("asked.png").pixels);
+  EXPECT_NE(image("worn.png").pixels, image("bare.png").pixels);
+  std::ofstream(folder_ / "torso.toml", std::ios::app) << "[view]\ntexture = false\n";
+  ASSERT_EQ(ofTorso("-o off.png").exit_code, 0);
+  ASSERT_EQ(ofTorso("--texture -o on.png").exit_code, 0);
+  EXPECT_EQ(image("off.png").pixels, image("bare.png").pixels);
+  EXPECT_EQ(image("on.png").pixels, image("worn.png").pixels);
+}
+
 TEST_F(RenderOfATorso, TurnsToAPlaceByItsName) {
   ASSERT_EQ(ofTorso("--zoom 3 --look-at T6 -o a.png").exit_code, 0);
   ASSERT_EQ(ofTorso("--zoom 3 --look-at 't6 right 60 mm' -o b.png").exit_code, 0);

@@ -40,7 +40,7 @@ TEST(HdbBars, SlidesOverTheBackAsTheDefaultFingerDoes) {
   const auto partition = partitionOf(lab::workloadMesh("back_8163"));
   const bench::Window window{lab::kSlideFromSeconds, lab::kSlideUntilSeconds};
   const auto reference = bench::measureContact(world, lab::workloadPath("back_slide"), {}, window);
-  for (const HdbQuery query : {HdbQuery::leaves, HdbQuery::triangles, HdbQuery::coherent}) {
+  for (const HdbQuery query : {HdbQuery::leaves, HdbQuery::triangles, HdbQuery::coherent, HdbQuery::linked}) {
     const auto found =
         figures(world, "back_slide", makeHdbSurface(world.surface, partition, usualBox(*partition, query)), window);
     EXPECT_EQ(found.falls.ticks, 0u);

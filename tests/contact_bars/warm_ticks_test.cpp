@@ -60,7 +60,7 @@ TEST_F(WarmTicks, OfAFingertipAskNothingOfTheSystem) {
 }
 
 TEST_F(WarmTicks, OfTheDetectingBoxAskNothingOfTheSystem) {
-  for (const auto query : {hdb::HdbQuery::leaves, hdb::HdbQuery::coherent}) {
+  for (const auto query : {hdb::HdbQuery::leaves, hdb::HdbQuery::coherent, hdb::HdbQuery::linked}) {
     bench::HdbRunSettings settings;
     settings.hdb.query = query;
     expectNothingAsked([&] { return bench::measureHdb(world, slide, fingerOf(0.0), settings).contact; });

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "palpate/base/text.h"
 #include "palpate/scene/scene_writer.h"
 #include "palpate/scene/world.h"
@@ -75,6 +77,39 @@ TEST_F(SkinTextureOf, ABodySaysWhatIsWrongAndWhere) {
   writeFile(folder_ / "bare.glb", support::glbBytes(zoo::cube(0.1)));
   EXPECT_EQ(refusalOf("file = \"ball.obj\"\ntexture = \"bare.glb\""),
             "s.toml:4: [body] texture: bare.glb: has no base colour texture");
+}
+
+TEST_F(SkinTextureOf, ABuiltInBodyCanBeMade) {
+  const std::string finger = kFinger;
+  const auto world =
+      build(parse("[body]\nkind = \"back\"\ntexture = \"made:9\"\n" + finger, (folder_ / "s.toml").string()));
+  ASSERT_TRUE(world->texture && world->texture->made);
+  const MadeSkin& made = *world->texture->made;
+  EXPECT_EQ(made.seed, 9u);
+  EXPECT_TRUE(world->texture->picture.empty());
+  EXPECT_EQ(world->texture->corners.size(), world->skin.triangles.size());
+  EXPECT_NEAR(made.size_mm.x(), 350.0, 1.0);
+  EXPECT_NEAR(made.size_mm.y(), 400.0, 1.0);
+  ASSERT_GE(made.spine_mm.size(), 12u);
+  for (const Vec2& tip : made.spine_mm) EXPECT_NEAR(tip.x(), 175.0, 15.0);
+  EXPECT_TRUE(std::is_sorted(made.spine_mm.begin(), made.spine_mm.end(),
+                             [](const Vec2& a, const Vec2& b) { return a.y() > b.y(); }));
+  EXPECT_NE(sceneAsToml(world->scene, folder_.path()).find("texture = \"made:9\"\n"), std::string::npos);
+}
+
+TEST_F(SkinTextureOf, AMadeBodyNeedsAWholeNumberAndABuiltInBody) {
+  TextureSource source;
+  for (const auto& [file, seed] : {std::pair{"made", std::optional<std::uint64_t>(1)},
+                                   {"made:12", 12},
+                                   {"skin.png", std::nullopt},
+                                   {"made.png", std::nullopt}}) {
+    source.file = file;
+    EXPECT_EQ(madeSeed(source), seed) << file;
+  }
+  EXPECT_EQ(refusalOf("file = \"ball.obj\"\ntexture = \"made:x\""),
+            "s.toml:4: [body] texture: the seed in 'made:x' must be a whole number, as in made:7");
+  EXPECT_EQ(refusalOf("file = \"ball.obj\"\ntexture = \"made\""),
+            "s.toml:4: [body] texture: made is for the trunk, the torso and the back");
 }
 
 TEST_F(SkinTextureOf, ABuiltInBodyIsSeenFromBehindInItsLeftHalfAndFromTheFrontInItsRight) {

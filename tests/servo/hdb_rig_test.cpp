@@ -47,7 +47,7 @@ std::vector<contact::FingerOutput> felt(const scene::World& world,
 TEST(HdbRig, FeelsTheTorsoAsTheDefaultSourceDoes) {
   const auto world = torso(kHdb);
   const auto reference = felt(*world, nullptr);
-  for (const auto query : {hdb::HdbQuery::leaves, hdb::HdbQuery::coherent}) {
+  for (const auto query : {hdb::HdbQuery::leaves, hdb::HdbQuery::coherent, hdb::HdbQuery::linked}) {
     hdb::HdbSettings settings = world->hdb->settings;
     settings.query = query;
     const auto found = felt(*world, hdb::makeHdbSurface(world->surface, world->hdb->partition, settings));

@@ -160,6 +160,29 @@ TEST(HdbVerdicts, LeadLeavesAndTraversalFollowTheirStrokes) {
   EXPECT_TRUE(says(hdbFindings(found), "held strokes with some size of box"));
 }
 
+TEST(HdbVerdicts, TheHybridPaysOnlyWhereItIsFaster) {
+  HdbMeasurement found = someBoxes();
+  EXPECT_FALSE(says(hdbFindings(found), "hybrid")) << "nothing was measured";
+  using Query = hdb::HdbQuery;
+  found.lists.models = {1000, 9000};
+  found.lists.default_us = {0.2, 0.2};
+  found.lists.build_us = {100.0, 900.0};
+  for (const std::size_t model : found.lists.models) {
+    for (const Query query : {Query::leaves, Query::triangles, Query::coherent, Query::linked}) {
+      const double us = query != Query::linked ? 10.0 : model == 1000 ? 20.0 : 5.0;
+      found.lists.rows.push_back({.model = model, .query = query, .tick_us = us, .same = true});
+    }
+  }
+  EXPECT_TRUE(says(hdbFindings(found), "are the default finger's to the bit"));
+  EXPECT_TRUE(says(hdbFindings(found),
+                   "against the coherent list 2.0 times on 1,000 triangles, 0.50 times on 9,000 triangles: it pays on "
+                   "fine meshes only"));
+  found.lists.rows.back().tick_us = 11.0;
+  found.lists.rows.back().same = false;
+  EXPECT_TRUE(says(hdbFindings(found), "it is slower throughout"));
+  EXPECT_TRUE(says(hdbFindings(found), "are NOT the default finger's"));
+}
+
 TEST(HdbVerdicts, AStrokeIsHeldByAQuarterOnlyWhereTheRuleSaysSo) {
   HdbMeasurement found = someBoxes();
   EXPECT_TRUE(says(hdbFindings(found), "is held by 1/4 and not by 1/10"));

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/mesh/reorder.h"
 #include "palpate/view/offscreen.h"
 #include "view/pixel_difference.h"
 #include "view/small_world.h"
@@ -22,8 +23,10 @@ constexpr double kFar = 2000.0;
 
 /// A renderer, a target and a camera straight above the middle of the flat skin.
 struct Scene {
+  explicit Scene(std::shared_ptr<const scene::World> shown = flatWorld()) : world(std::move(shown)) {}
+
   OffscreenContext context;
-  std::shared_ptr<const scene::World> world = flatWorld();
+  std::shared_ptr<const scene::World> world;
   Target target{kWidth, kHeight};
   Renderer renderer{world};
   Camera camera = fitted(mesh::boundingBox(world->skin), kAspect);
@@ -71,6 +74,28 @@ TEST(Renderer, DrawsTheSamePictureTwice) {
   scene.look.overlays.set();
   const Image first = scene.draw();
   EXPECT_EQ(scene.draw().pixels, first.pixels);
+}
+
+// Skin that is pressed and dragged, seen whole and from near by, where most of it is outside the picture.
+TEST(Renderer, DrawsTheSamePictureWhenWhatIsOutsideIsLeftOut) {
+  mesh::TriangleMesh mesh = zoo::grid(120, 300.0);
+  mesh::reorderSpatially(mesh);
+  Scene scene(worldOf(std::move(mesh)));
+  scene.press({150.0, 150.0, 0.0}, 8.0, {12.0, 0.0, 0.0});
+  for (const double opacity : {1.0, 0.6}) {
+    for (const double nearness : {1.0, 0.4, 0.15}) {
+      Camera camera = scene.camera;
+      scene.camera.distance_mm *= nearness;
+      scene.camera.centre += Vec3(20.0, 10.0, 0.0);
+      scene.camera.yaw_rad = 0.4;
+      scene.look.skin_opacity = opacity;
+      const Image left_out = scene.draw();
+      scene.look.cull = false;
+      EXPECT_EQ(scene.draw().pixels, left_out.pixels) << nearness << " " << opacity;
+      scene.look.cull = true;
+      scene.camera = camera;
+    }
+  }
 }
 
 TEST(Renderer, ShowsAFieldInTheColoursOfItsMap) {

@@ -89,6 +89,63 @@ TEST(SkinChunks, LeaveOutOnlyWhatIsOutsideThePicture) {
   EXPECT_GT(left_out, sheet.mesh.triangles.size() / 2);
 }
 
+/// What each chunk is by itself, without the tree: the sphere of its box against the planes and the influences.
+std::vector<int> drawnChunkByChunk(const Sheet& sheet, const Mat4f& clip, std::span<const Influence> influences) {
+  constexpr std::size_t kChunk = 64;
+  const std::vector<Vec3f> places = placesOf(deform::buildSkin(sheet.mesh));
+  std::vector<int> count(3 * sheet.mesh.triangles.size(), 0);
+  for (std::size_t first = 0; first < sheet.mesh.triangles.size(); first += kChunk) {
+    const std::size_t end = std::min(first + kChunk, sheet.mesh.triangles.size());
+    SkinChunks alone(places, std::span(sheet.mesh.triangles).subspan(first, end - first));
+    const SplitRuns& runs = alone.split(clip, influences);
+    const int is = runs.plain.empty() ? (runs.touched.empty() ? 0 : 2) : 1;
+    std::fill(count.begin() + static_cast<std::ptrdiff_t>(3 * first),
+              count.begin() + static_cast<std::ptrdiff_t>(3 * end), is);
+  }
+  return count;
+}
+
+// The tree over the chunks decides for many at once, and never otherwise than they would one by one.
+TEST(SkinChunks, AreChosenByTheirTreeAsEachWouldBe) {
+  Sheet sheet;
+  const Influence finger{{100, 120, 0}, {180, 120, 0}, 15.0f};
+  for (const double nearness : {1.0, 0.6, 0.3, 0.1}) {
+    for (const double yaw : {0.0, 0.7}) {
+      Camera camera = sheet.camera;
+      camera.distance_mm *= nearness;
+      camera.yaw_rad = yaw;
+      camera.centre += Vec3(40.0, -30.0, 0.0);
+      const Mat4f clip = frustumOf(screenOf(camera, 1.5), camera.eye(), 10.0, 5000.0).clip();
+      const auto expected = drawnChunkByChunk(sheet, clip, {&finger, 1});
+      const SplitRuns& runs = sheet.chunks.split(clip, {&finger, 1});
+      std::vector<int> found(expected.size(), 0);
+      for (const IndexRun& run : runs.plain) std::fill_n(found.begin() + run.first, run.count, 1);
+      for (const IndexRun& run : runs.touched) std::fill_n(found.begin() + run.first, run.count, 2);
+      ASSERT_EQ(found, expected) << nearness << " " << yaw;
+    }
+  }
+}
+
+TEST(SkinChunks, AreMostlyNotLookedAtWhereAllOrNothingIsSeen) {
+  Sheet sheet;
+  const std::size_t chunks = sheet.mesh.triangles.size() / 64;
+  sheet.camera.distance_mm *= 2.0;
+  sheet.chunks.split(sheet.clip(), {});
+  EXPECT_LT(sheet.chunks.tested(), chunks / 4);
+  EXPECT_EQ(sheet.chunks.split(sheet.clip(), {}).plain.size(), 1u);
+  sheet.camera.centre += Vec3(5000.0, 0.0, 0.0);
+  sheet.chunks.split(sheet.clip(), {});
+  EXPECT_LT(sheet.chunks.tested(), chunks / 4);
+}
+
+TEST(SkinChunks, AreAllTakenWithoutCulling) {
+  Sheet sheet;
+  sheet.camera.distance_mm *= 0.1;
+  for (const int count : drawn(sheet.chunks.split(sheet.clip(), {}, false), 3 * sheet.mesh.triangles.size())) {
+    EXPECT_EQ(count, 1);
+  }
+}
+
 TEST(CoarserTriangles, CoverTheSameSkinWithFewerOfItsVertices) {
   const deform::Skin skin = deform::buildSkin(zoo::sphere(50.0, 5));
   const std::vector<Stays> none(skin.vertices, Stays::no);

@@ -220,5 +220,21 @@ TEST_F(TexturedSkin, SaysWhichPictureIsBroken) {
   }
 }
 
+// A painted skin has factors on the tone: the tone is seen through it.
+TEST_F(TexturedSkin, OfAPaintedPictureFollowsTheTone) {
+  const auto world = std::make_shared<scene::World>(*texturedWorld(zoo::grid(20, 100.0), support::onSheet, ""));
+  scene::SkinTexture texture = *world->texture;
+  texture.made = scene::MadeSkin{.seed = 3, .size_mm = {100.0, 100.0}};
+  world->texture = std::make_shared<const scene::SkinTexture>(std::move(texture));
+  for (const Shading shading : {Shading::skin, Shading::gouraud}) {
+    look_.shading = shading;
+    look_.skin_tone = 1.0;
+    const Pixel light = draw(world).at(kTexturedWidth / 2, kTexturedHeight / 2);
+    look_.skin_tone = 6.0;
+    const Pixel dark = draw(world).at(kTexturedWidth / 2, kTexturedHeight / 2);
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_LT(dark[c] + 40, light[c]);
+  }
+}
+
 }  // namespace
 }  // namespace palpate::view

@@ -71,6 +71,8 @@ void addBenchFrameCommand(CLI::App& parent) {
   addNumber(command, "--seconds", run.seconds, between(0.0, 600.0, "s"),
             "How long to repeat; the best picture of each place counts")
       ->capture_default_str();
+  command.add_flag("--close", run.close, "From near by: 100 mm of the body from the lower to the upper edge");
+  command.add_flag("--cull,!--no-cull", run.cull, "Leave out skin that is outside the picture (default)");
   command.add_flag("--no-labels", arguments->no_labels, "Without scale, orientation and numbers");
   command.add_flag("--peers", arguments->peers, "As in the other benchmarks; no other library draws this picture");
   command.add_flag("--json", arguments->json, "Print one JSON object");

@@ -45,6 +45,9 @@ nlohmann::ordered_json jsonOf(const BenchPartitionArguments& arguments, const be
   json["hybrid_us_per_tick"] = f.hybrid_us_per_tick;
   json["hybrid_worst_us"] = f.hybrid_worst_us;
   json["hybrid_refreshes"] = f.hybrid_refreshes;
+  json["linked_us_per_tick"] = f.linked_us_per_tick;
+  json["linked_worst_us"] = f.linked_worst_us;
+  json["linked_boxes"] = f.linked_boxes;
   json["bytes_per_triangle"] = f.bytes_per_triangle;
   json["build_ns_per_triangle"] = f.build_ns_per_triangle;
   json["allocations"] = orNull(f.allocations);
@@ -64,6 +67,8 @@ std::string textOf(const bench::PartitionFigures& f) {
                       f.mean_triangles, f.mean_ranges, f.mean_rendered);
   text += fmt::format("coherent list         {:.3f} us a tick, worst {:.1f} us, {} refreshes\n", f.hybrid_us_per_tick,
                       f.hybrid_worst_us, f.hybrid_refreshes);
+  text += fmt::format("linked list           {:.3f} us a tick, worst {:.1f} us, {:.0f} boxes tested\n",
+                      f.linked_us_per_tick, f.linked_worst_us, f.linked_boxes);
   text += fmt::format("memory, build         {:.1f} bytes, {:.0f} ns a triangle\n", f.bytes_per_triangle,
                       f.build_ns_per_triangle);
   return text +

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <vector>
 
 #include "bench/runs/deform_run.h"
@@ -20,6 +21,8 @@ namespace {
 using bench::kPlaces;
 
 constexpr double kDepthMm = 8.0;
+/// How much of the body a near camera sees, from the lower to the upper edge.
+constexpr double kCloseMm = 100.0;
 /// As many bone triangles as the torso of 41,582 triangles has.
 constexpr std::size_t kBoneTriangles = 18296;
 
@@ -58,7 +61,9 @@ class Bench {
       : world_(std::move(world)), target_(run.width, run.height), painter_(world_), skin_(*world_, {.strain = false}) {
     const double aspect = static_cast<double>(run.width) / run.height;
     settings_.camera = view::fitted(mesh::boundingBox(world_->skin), aspect);
+    if (run.close) goNear(wanderingFinger(*world_).front());
     settings_.look.shading = run.shading;
+    settings_.look.cull = run.cull;
     settings_.look.skin_opacity = run.skin_opacity;
     settings_.stereo.mode = run.stereo;
     if (!run.labels) settings_.labels = view::LabelSettings::none();
@@ -103,6 +108,11 @@ class Bench {
   }
 
  private:
+  void goNear(const view::FingerMark& mark) {
+    settings_.camera.centre = mark.contact.proxy;
+    settings_.camera.distance_mm = 0.5 * kCloseMm / std::tan(0.5 * settings_.camera.height_rad);
+  }
+
   void note(int step, std::size_t place, Clock::time_point start) {
     best_[step][place] = std::min(best_[step][place], millisecondsSince(start));
   }

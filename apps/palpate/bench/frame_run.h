@@ -18,6 +18,8 @@ struct FrameRun {
   int height = 720;
   double skin_opacity = 1.0;
   bool labels = true;
+  bool close = false;    ///< the camera stands near the finger, so that most of the skin is outside the picture
+  bool cull = true;      ///< false: skin outside the picture is drawn too
   double seconds = 2.0;  ///< how long to repeat
 };
 

@@ -4,6 +4,7 @@
 //   session ───────► world ─ recorded ──────────►                                          film
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -322,8 +323,9 @@ void addLookOptions(CLI::App& command, RenderOptions& options) {
   addNumber(command, "--dent-contrast", options.dent_contrast, between(0.0, 5.0),
             "How strongly dents are shaded; 1 is as it would be, above it is exaggerated");
   command.add_flag("--white", options.white, "White background");
-  command.add_flag("--texture,!--no-texture", options.texture,
-                   "The body's own picture, if the scene names one, or the colours of its PLY file (default)");
+  command.add_flag_function(
+      "--texture,!--no-texture", [&options](std::int64_t times) { options.texture = times > 0; },
+      "The body's own picture, if the scene names one, or the colours of its PLY file (default: as the scene says)");
   command.add_flag("--detail,!--no-detail", options.detail, "Skin lines, near by (default)");
   command.add_option("--title", options.title, "Words in the upper left corner");
   command.add_flag("--labels,!--no-labels", options.labels, "Legend, scale bar, directions and numbers (default)");

@@ -15,6 +15,7 @@
 #include "palpate/mesh/files/load.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/scene/scene_writer.h"
+#include "palpate/scene/skin_texture.h"
 #include "palpate/trace/session_edit.h"
 
 namespace palpate::engine {
@@ -215,11 +216,19 @@ class Bundle {
 }  // namespace
 
 std::vector<NamedFile> namedFiles(scene::Scene& scene) {
-  std::vector<NamedFile> files = {{&scene.body.file, true},          {&scene.body.texture.file, true},
-                                  {&scene.ellipses.key_points},      {&scene.deformation.contours},
-                                  {&scene.deformation.profile_file}, {&scene.deformation.tangential_profile_file},
-                                  {&scene.tissue.force_table},       {&scene.tissue.layer_table}};
+  std::vector<NamedFile> files = {{&scene.body.file, true},
+                                  {&scene.ellipses.key_points},
+                                  {&scene.deformation.contours},
+                                  {&scene.deformation.profile_file},
+                                  {&scene.deformation.tangential_profile_file},
+                                  {&scene.tissue.force_table},
+                                  {&scene.tissue.layer_table}};
+  if (!scene::madeSeed(scene.body.texture)) files.push_back({&scene.body.texture.file, true});
   files.push_back({&scene.body.fit});
+  for (scene::PlaceProfile& place : scene.profiles) {
+    files.push_back({&place.press_file});
+    files.push_back({&place.drag_file});
+  }
   for (scene::Finger& finger : scene.fingers) files.push_back({&finger.trajectory, false, false});
   return files;
 }

@@ -79,7 +79,6 @@ void makeLeaf(Growth& growth, Index node, std::size_t first_entry, std::size_t e
 
 namespace {
 
-constexpr Index kBlockEntries = 16;  // fewer cost nodes, more cost box tests
 /// Below this many divisions items are halved by number, so that nothing nests deeper than this and 32 more.
 constexpr int kDivisionsBySpace = 32;
 

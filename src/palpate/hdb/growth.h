@@ -10,6 +10,9 @@
 
 namespace palpate::hdb {
 
+/// The most entries of a node without children. Fewer cost nodes, more cost box tests.
+inline constexpr Index kBlockEntries = 16;
+
 /// An entry while the tree grows.
 struct Item {
   Vec3 point;      ///< what stands for it: case C decides by it, blocks are made by it

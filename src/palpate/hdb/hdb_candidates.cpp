@@ -50,15 +50,46 @@ std::shared_ptr<const HdbSurface> makeHdbSurface(const contact::Surface& surface
 
 HdbCandidates::HdbCandidates(std::shared_ptr<const HdbSurface> surface) : surface_(std::move(surface)) {
   const Partition& partition = *surface_->partition;
-  leaves_.prepareFor(partition);
-  reserveTouched(leaves_.leaves, partition.leaves.size());
-  reserveTouched(leaf_ranges_, partition.leaves.size());
-  list_.prepareFor(partition);
+  switch (surface_->settings.query) {
+    case HdbQuery::leaves:
+      leaves_.prepareFor(partition);
+      reserveTouched(leaves_.leaves, partition.leaves.size());
+      reserveTouched(leaf_ranges_, partition.leaves.size());
+      break;
+    case HdbQuery::triangles:
+    case HdbQuery::coherent:
+      list_.prepareFor(partition);
+      break;
+    case HdbQuery::linked:
+      linked_.prepareFor(partition);
+  }
   reserveTouched(near_, partition.triangles.size());
 }
 
 const std::vector<EntryRange>& HdbCandidates::ranges() const {
   return surface_->settings.query == HdbQuery::leaves ? leaf_ranges_ : list_.hits.ranges;
+}
+
+std::size_t HdbCandidates::size() const noexcept {
+  return surface_->settings.query == HdbQuery::linked ? linked_.triangles : entriesIn(ranges());
+}
+
+std::size_t HdbCandidates::bytes() const noexcept {
+  const std::size_t of_indices = leaves_.leaves.capacity() + list_.hits.triangles.capacity() +
+                                 list_.hits.stamp_of_triangle.capacity() + near_.capacity() +
+                                 linked_.marked.capacity() + linked_.next.capacity() + linked_.previous.capacity();
+  return sizeof(Index) * of_indices + sizeof(EntryRange) * (leaf_ranges_.capacity() + list_.hits.ranges.capacity()) +
+         sizeof(std::uint16_t) * linked_.marks.capacity();
+}
+
+/// Entries become records of the surface's tree; those without one are dropped.
+void HdbCandidates::keepRecords() noexcept {
+  std::size_t kept = 0;
+  for (const Index entry : near_) {
+    const Index record = surface_->record_of_triangle[surface_->partition->triangles[entry]];
+    if (record != kNoIndex) near_[kept++] = record;
+  }
+  near_.resize(kept);
 }
 
 void HdbCandidates::findLeaves(const Box3& box) noexcept {
@@ -94,6 +125,9 @@ void HdbCandidates::refresh(const Vec3& proxy) noexcept {
       break;
     case HdbQuery::coherent:
       asked = follow(list_, *surface_->partition, box);
+      break;
+    case HdbQuery::linked:
+      asked = moveTo(linked_, *surface_->partition, box);
   }
   queries_ += asked ? 1 : 0;
 }
@@ -101,7 +135,13 @@ void HdbCandidates::refresh(const Vec3& proxy) noexcept {
 const std::vector<Index>& HdbCandidates::near(const Box3& box) noexcept {
   const Partition& partition = *surface_->partition;
   near_.clear();
+  if (surface_->settings.query == HdbQuery::linked) {
+    appendNear(linked_, partition, box, near_);
+    keepRecords();
+    return near_;
+  }
   for (const EntryRange& range : ranges()) {
+    boxes_tested_ += range.size();
     for (Index entry = range.begin; entry < range.end; ++entry) {
       if (!partition.boxes[entry].intersects(box)) continue;
       const Index record = surface_->record_of_triangle[partition.triangles[entry]];

@@ -14,6 +14,7 @@
 #include "palpate/base/vec.h"
 #include "palpate/contact/surface.h"
 #include "palpate/hdb/coherent_list.h"
+#include "palpate/hdb/linked_triangles.h"
 #include "palpate/hdb/literal_traversal.h"
 #include "palpate/hdb/partition.h"
 
@@ -23,7 +24,8 @@ namespace palpate::hdb {
 enum class HdbQuery : std::uint8_t {
   leaves,     ///< all triangles of the leaves that it meets: the dissertation's haptic process
   triangles,  ///< the triangles that it meets
-  coherent    ///< those and some from a margin, listed anew only when the box leaves the margin (future work 4)
+  coherent,   ///< those and some from a margin, listed anew only when the box leaves the margin (future work 4)
+  linked      ///< those that it meets, in a hybrid of tree and linked list that follows the box (future work 4)
 };
 
 struct HdbSettings {
@@ -64,21 +66,30 @@ class HdbCandidates {
   const std::vector<Index>& near(const Box3& box) noexcept;
 
   /// Triangles in the list: an upper bound where the partition repeats them.
-  std::size_t size() const noexcept { return entriesIn(ranges()); }
+  std::size_t size() const noexcept;
   /// Times that the partition was asked.
   std::uint64_t queries() const { return queries_; }
+  /// Boxes of triangles, with HdbQuery::linked of nodes too, that near() has tested.
+  std::uint64_t boxesTested() const { return boxes_tested_ + linked_.boxes_found; }
+  /// Boxes of nodes and of triangles tested to make the linked list follow; 0 with the other queries.
+  std::uint64_t boxesMoved() const { return linked_.boxes_moved; }
+  /// What this finger's list takes.
+  std::size_t bytes() const noexcept;
 
  private:
   const std::vector<EntryRange>& ranges() const;
+  void keepRecords() noexcept;
   void findLeaves(const Box3& box) noexcept;
 
   std::shared_ptr<const HdbSurface> surface_;
   LeafHits leaves_;
   std::vector<EntryRange> leaf_ranges_;
   CoherentList list_;  ///< also of HdbQuery::triangles: its hits alone
+  LinkedTriangles linked_;
   std::vector<Index> near_;
   std::uint32_t ticks_left_ = 0;
   std::uint64_t queries_ = 0;
+  std::uint64_t boxes_tested_ = 0;
 };
 
 }  // namespace palpate::hdb

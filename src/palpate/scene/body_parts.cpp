@@ -45,7 +45,7 @@ BodyParts makeTorsoParts(const BodySettings& body, const Progress& progress) {
   parts.skin = std::move(torso.skin.mesh);
   const auto order = mesh::reorderSpatially(parts.skin);
   parts.anatomy = anatomyOf(std::move(torso), order.source_vertex);
-  parts.texture = loadSkinTexture(body, parts.skin, progress);
+  parts.texture = loadSkinTexture(body, parts.skin, parts.anatomy.landmarks, progress);
   return parts;
 }
 
@@ -60,7 +60,7 @@ BodyParts makeBackParts(const BodySettings& body, const Progress& progress) {
   parts.skin = std::move(back.skin.mesh);
   const auto order = mesh::reorderSpatially(parts.skin);
   parts.anatomy = anatomyOf(std::move(back), order.source_vertex);
-  parts.texture = loadSkinTexture(body, parts.skin, progress);
+  parts.texture = loadSkinTexture(body, parts.skin, parts.anatomy.landmarks, progress);
   return parts;
 }
 
@@ -79,7 +79,7 @@ BodyParts makeTrunkParts(const BodySettings& body, const Progress& progress) {
   const std::optional<body::Support> support = trunk.support;
   parts.anatomy = anatomyOf(std::move(trunk), order.source_vertex);
   parts.anatomy.support = support;
-  parts.texture = loadSkinTexture(body, parts.skin, progress);
+  parts.texture = loadSkinTexture(body, parts.skin, parts.anatomy.landmarks, progress);
   return parts;
 }
 
@@ -129,7 +129,7 @@ BodyParts makeMeshParts(const BodySettings& settings, const Progress& progress) 
   } catch (const Error& error) {
     throw Error::inFile(settings.file.string(), error.what());
   }
-  parts.texture = loadSkinTexture(settings, parts.skin, progress);
+  parts.texture = loadSkinTexture(settings, parts.skin, {}, progress);
   if (!settings.fit.empty()) parts.anatomy = fittedAnatomy(settings.fit, parts.skin, progress);
   return parts;
 }

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "palpate/deform/forms.h"
 #include "palpate/maps/contour_map.h"
@@ -22,6 +23,20 @@ struct DeformationSettings {
   std::filesystem::path profile_file;
   std::filesystem::path tangential_profile_file;
   std::filesystem::path contours;  ///< for shape "contour"; empty: by the anatomy
+};
+
+/// A place whose skin follows a curve of its own (curves/place_curves.h).
+struct PlaceProfile {
+  double x_mm = 0.0;
+  double y_mm = 0.0;
+  double radius_mm = 40.0;     ///< outside nothing changes
+  double edge_softness = 0.5;  ///< share of the radius over which the curve goes over into that around the place
+  tissue::ProfileKind press = tissue::ProfileKind::half_gaussian;
+  std::filesystem::path press_file = {};  ///< of the kind "user"
+  tissue::ProfileKind drag = tissue::ProfileKind::half_gaussian;
+  std::filesystem::path drag_file = {};
+  double region = 1.0;  ///< factor on the regions of press and drag
+  std::string at = {};  ///< the centre in words, before x and y
 };
 
 struct Scene;

@@ -181,6 +181,7 @@ struct Scene {
   PartitionSettings partition;
   TissueSettings tissue;
   DeformationSettings deformation;
+  std::vector<PlaceProfile> profiles;
   StrainSettings strain;
   OutputSettings output;
   ViewSettings view;

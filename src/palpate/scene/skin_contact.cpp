@@ -12,6 +12,7 @@
 #include "palpate/deform/finger_contact.h"
 #include "palpate/deform/shear_limit.h"
 #include "palpate/mesh/triangle_mesh.h"
+#include "palpate/scene/curves/place_curves.h"
 #include "palpate/scene/tissue_of_body.h"
 #include "palpate/tissue/law_inverse.h"
 #include "palpate/tissue/profile.h"
@@ -94,16 +95,24 @@ double depthWithinPart(const World& world, const deform::Contact& contact) noexc
   return depth_mm;
 }
 
-std::optional<deform::Contact> contactAsFelt(const World& world, const contact::FingerOutput& meant) noexcept {
+std::optional<deform::Contact> contactOfTissue(const World& world, std::optional<deform::Contact> contact,
+                                               const contact::FingerOutput& meant) noexcept {
   const deform::FormSettings& forms = world.deformation;
-  std::optional<deform::Contact> contact = deform::contactOf(meant, dragRegion(world, meant), forms.common.tissue);
-  if (!contact) return contact;
   if (world.contours) contact->tangential_contour = world.contours->on(meant.anchor, meant.normal);
   if (world.layered) return layeredContact(world, *contact);
   if (!world.deformable.thickness_mm.empty()) contact->depth_mm = depthWithinPart(world, *contact);
   if (forms.shape == deform::Shape::contour && world.reach)
     contact->tangential_contour = anatomicalContour(world, *contact);
   return deform::formedRegions(*contact, forms);
+}
+
+std::optional<deform::Contact> contactAsFelt(const World& world, const contact::FingerOutput& meant) noexcept {
+  const deform::FormSettings& forms = world.deformation;
+  const auto plain = deform::contactOf(meant, dragRegion(world, meant), forms.common.tissue);
+  if (!plain) return plain;
+  const std::optional<deform::Contact> contact = contactOfTissue(world, plain, meant);
+  if (!world.place_curves) return contact;
+  return withPlaceCurve(*world.place_curves, deform::formedRegions(*plain, forms), *contact);
 }
 
 Vec3 normalOf(const mesh::TriangleMesh& skin, Index triangle) noexcept {

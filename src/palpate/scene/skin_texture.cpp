@@ -5,6 +5,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
+
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
 #include "palpate/mesh/files/load.h"
@@ -70,7 +73,32 @@ std::vector<mesh::TextureCorners> backAndFront(const mesh::TriangleMesh& skin) {
   return corners;
 }
 
+MadeSkin madeSkin(std::uint64_t seed, const mesh::TriangleMesh& skin, std::span<const body::SkinLandmark> landmarks) {
+  const Eigen::AlignedBox3d box = mesh::boundingBox(skin);
+  MadeSkin made{.seed = seed, .size_mm = box.sizes().head<2>()};
+  for (const body::SkinLandmark& landmark : landmarks) {
+    if (landmark.name.starts_with("spinous_")) made.spine_mm.emplace_back((landmark.position - box.min()).head<2>());
+  }
+  std::sort(made.spine_mm.begin(), made.spine_mm.end(), [](const Vec2& a, const Vec2& b) { return a.y() > b.y(); });
+  return made;
+}
+
+constexpr std::string_view kMade = "made";
+
 }  // namespace
+
+std::optional<std::uint64_t> madeSeed(const TextureSource& source) {
+  const std::string name = source.file.filename().string();
+  if (name == kMade) return 1;
+  if (!name.starts_with(std::string(kMade) + ":")) return std::nullopt;
+  const std::string_view number = std::string_view(name).substr(kMade.size() + 1);
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), seed);
+  if (error != std::errc() || end != number.data() + number.size()) {
+    failForTexture(source, fmt::format("the seed in '{}' must be a whole number, as in made:7", name));
+  }
+  return seed;
+}
 
 void failForTexture(const TextureSource& source, std::string_view cause) {
   const std::string message = fmt::format("[body] texture: {}", cause);
@@ -79,8 +107,14 @@ void failForTexture(const TextureSource& source, std::string_view cause) {
 }
 
 std::shared_ptr<const SkinTexture> loadSkinTexture(const BodySettings& body, const mesh::TriangleMesh& skin,
+                                                   std::span<const body::SkinLandmark> landmarks,
                                                    const Progress& progress) {
   if (body.texture.file.empty()) return nullptr;
+  if (const auto seed = madeSeed(body.texture)) {
+    if (body.kind == BodyKind::mesh) failForTexture(body.texture, "made is for the trunk, the torso and the back");
+    return std::make_shared<const SkinTexture>(
+        SkinTexture{body.texture, {}, backAndFront(skin), madeSkin(*seed, skin, landmarks)});
+  }
   std::string picture = checkedPicture(body.texture);
   if (body.kind != BodyKind::mesh) {
     return std::make_shared<const SkinTexture>(SkinTexture{body.texture, std::move(picture), backAndFront(skin)});

@@ -175,7 +175,7 @@ template <>
 struct WordsOf<hdb::HdbQuery> {
   using V = hdb::HdbQuery;
   static constexpr std::array kAll = {Word{"leaves", V::leaves}, Word{"triangles", V::triangles},
-                                      Word{"coherent", V::coherent}};
+                                      Word{"coherent", V::coherent}, Word{"linked", V::linked}};
 };
 
 /// How leaves are found: nothing is findLeaves, which misses none.

@@ -22,6 +22,7 @@
 #include "palpate/deform/shear_limit.h"
 #include "palpate/scene/anatomical_reach.h"
 #include "palpate/scene/body_parts.h"
+#include "palpate/scene/curves/place_curves.h"
 #include "palpate/scene/hdb_source.h"
 #include "palpate/scene/skin_channels.h"
 #include "palpate/scene/tissue_of_body.h"
@@ -254,6 +255,7 @@ Scene withPlaces(Scene scene, const std::vector<body::SkinLandmark>& landmarks) 
     y_mm = point.y();
   };
   for (maps::Dysfunction& dysfunction : scene.dysfunctions) find(dysfunction.at, dysfunction.x_mm, dysfunction.y_mm);
+  for (PlaceProfile& profile : scene.profiles) find(profile.at, profile.x_mm, profile.y_mm);
   for (Finger& finger : scene.fingers) {
     try {
       find(finger.at, finger.at_mm.x(), finger.at_mm.y());
@@ -291,6 +293,7 @@ std::shared_ptr<const World> withBody(const Scene& asked, BodyParts body, deform
   std::vector<double> stiffness = stiffnessOf(scene, body, keys, tissue, notes);
   if (std::string note = tissueNote(scene, choice, stiffness); !note.empty()) notes.push_back(std::move(note));
   noteSteepMap(body.skin, stiffness, 1.0 / scene.ticks_per_s, notes);
+  auto place_curves = placeCurvesOf(scene, forms, notes);
   const std::optional<body::BreathField> breath = breathOf(scene, body, notes);
 
   report(progress, "building the contact surface", 0.0);
@@ -323,6 +326,7 @@ std::shared_ptr<const World> withBody(const Scene& asked, BodyParts body, deform
                                              .anatomy = std::move(body.anatomy),
                                              .layered = std::move(tissue.layered),
                                              .reach = std::move(reach),
+                                             .place_curves = std::move(place_curves),
                                              .breath = breath,
                                              .notes = std::move(notes),
                                              .body_notes = std::move(body.notes),

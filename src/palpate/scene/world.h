@@ -32,6 +32,7 @@ struct Anatomy {
 struct SkinTexture;
 struct SkinChannels;
 class AnatomicalReach;
+struct PlaceCurves;
 
 struct World {
   Scene scene;              ///< the settings it was built from
@@ -49,6 +50,8 @@ struct World {
   std::shared_ptr<const tissue::LayeredTissue> layered = nullptr;
   /// How the regions of press and drag follow bones and folds (anatomical_reach.h); null where they do not.
   std::shared_ptr<const AnatomicalReach> reach = nullptr;
+  /// Places whose skin follows curves of their own (curves/place_curves.h); null where there are none.
+  std::shared_ptr<const PlaceCurves> place_curves = nullptr;
   std::optional<body::BreathField> breath = {};            ///< how the skin moves; none: it does not
   std::vector<std::string> notes;                          ///< what the user should know: repairs, a doubtful unit
   std::vector<std::string> body_notes = {};                ///< those of them that are about the body

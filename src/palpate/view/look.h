@@ -50,6 +50,7 @@ struct Look {
   FingerShape finger = FingerShape::sphere;
   bool detail = true;   ///< pores (Shading::skin)
   bool texture = true;  ///< the user's picture or colours, on a skin that has some (Colouring::plain)
+  bool cull = true;     ///< skin outside the picture is not drawn; false is for measuring what that saves
   bool white_background = false;
   bool light_background = false;           ///< light grey, for a window of light panels; white goes before it
   std::optional<double> plain_background;  ///< one grey (0 black, 1 white) in place of all: for cut_out.h

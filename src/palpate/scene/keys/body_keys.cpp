@@ -20,8 +20,7 @@ Key<BodySettings> textureKey() {
       "A PNG or JPEG picture on the skin, or a glTF or GLB file for its base colour picture. Mesh: it lies there by "
       "the "
       "file's texture coordinates (OBJ, glTF, GLB). Trunk, torso, back: left half from behind, right half from the "
-      "front "
-      "(docs/trunk.md).");
+      "front (docs/trunk.md), or \"made\" or \"made:SEED\": a skin that the program paints (docs/rendering.md).");
   key.read = [read = std::move(key.read)](S& s, const Entry& entry) {
     read(s, entry);
     s.texture.scene_file = entry.file;

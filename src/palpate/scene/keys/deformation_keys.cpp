@@ -132,6 +132,14 @@ void checkProfileFile(const ProfilePlace& place, const D& settings, const Entry&
   if (!is_user && has_file) entry.fail(fmt::format("{0}_file is read only with {0} = \"user\"", place.prefix));
 }
 
+/// The same for a place.
+void checkPlaceFile(tissue::ProfileKind kind, const std::filesystem::path& file, std::string_view key,
+                    const Entry& entry) {
+  const bool is_user = kind == tissue::ProfileKind::user;
+  if (is_user && file.empty()) entry.fail(fmt::format("{0} = \"user\" needs {0}_file", key));
+  if (!is_user && !file.empty()) entry.fail(fmt::format("{0}_file is read only with {0} = \"user\"", key));
+}
+
 void checkFiles(const D& settings, const Entry& entry) {
   checkProfileFile(kPress, settings, entry);
   checkProfileFile(kDrag, settings, entry);
@@ -150,6 +158,35 @@ Section deformationSection() {
   append(keys, otherKeys());
   return section<D>("deformation", "How the skin gives way (functional shape matched deformation).",
                     &Scene::deformation, std::move(keys), checkFiles);
+}
+
+Section profileSection() {
+  using S = PlaceProfile;
+  const std::vector<Key<S>> keys = {
+      text<S>("at", &S::at, "Centre by name: \"T9 right 30 mm\" (docs/names.md)."),
+      unlessNamed(number<S>("x_mm", &S::x_mm, between(-kLongestMm, kLongestMm), "Centre in numbers, seen along z.")),
+      unlessNamed(number<S>("y_mm", &S::y_mm, between(-kLongestMm, kLongestMm), "Centre in numbers, seen along z.")),
+      number<S>("radius_mm", &S::radius_mm, above(0, kLongestMm), "Outside nothing changes."),
+      number<S>("edge_softness", &S::edge_softness, between(0, 1),
+                "Share of the radius over which the curves go over into those around the place; 0 is a hard edge."),
+      choice<S, tissue::ProfileKind>("press", &S::press,
+                                     "Curve of a press there, in the place of layers too; its numbers are those of "
+                                     "[deformation] profile_... (docs/profiles.md)."),
+      file<S>("press_file", &S::press_file, "Press, \"user\": table q,value."),
+      choice<S, tissue::ProfileKind>("drag", &S::drag, "The same for a drag."),
+      file<S>("drag_file", &S::drag_file, "Drag, \"user\": table q,value."),
+      number<S>("region", &S::region, above(0, 10),
+                "Factor on the regions that [deformation] and the map give press and drag there."),
+  };
+  const auto read = [keys](const toml::table& table, const Entry& entry) {
+    S profile;
+    readTable(table, entry.name, entry.file, keys, profile);
+    checkPlaceFile(profile.press, profile.press_file, "press", entry);
+    checkPlaceFile(profile.drag, profile.drag_file, "drag", entry);
+    return profile;
+  };
+  return listSection<S>("profile", "A place whose skin follows a curve of its own; its force stays.", &Scene::profiles,
+                        read, keys, [keys] { return describe<S>("[[profile]]", keys); });
 }
 
 Section strainSection() {

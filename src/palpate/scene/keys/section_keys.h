@@ -21,6 +21,7 @@ Section safetySection();
 
 // How it gives way: deformation_keys.cpp.
 Section deformationSection();
+Section profileSection();
 Section strainSection();
 
 // How pictures look: view_keys.cpp.

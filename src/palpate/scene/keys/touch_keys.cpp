@@ -93,7 +93,8 @@ Section partitionSection() {
       number<S>("hdb_edge_mm", &S::hdb_edge_mm, between(0, kLongestMm), "Edge of that box; 0 is by hdb_fraction."),
       choice<S, hdb::HdbQuery>("query", &S::query,
                                "What may be touched: all triangles of the leaves that the box meets, those that it "
-                               "meets itself, or a list of these that is made anew only when the box leaves it."),
+                               "meets itself, a list of these that is made anew only when the box leaves it, or the "
+                               "same in a linked list that follows the box."),
       choice<S, std::optional<hdb::LiteralTraversal>>(
           "traversal", &S::traversal,
           "How the leaves are found: all of them, or as printed, with its gaps; where it says "

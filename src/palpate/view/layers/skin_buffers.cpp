@@ -190,10 +190,10 @@ SkinBuffers::Density& SkinBuffers::densityFor(const Viewpoint& viewpoint) {
   return coarse_ && small ? *coarse_ : *whole_;
 }
 
-const SplitRuns& SkinBuffers::bind(const Viewpoint& viewpoint, std::span<const Influence> influences) {
+const SplitRuns& SkinBuffers::bind(const Viewpoint& viewpoint, std::span<const Influence> influences, bool cull) {
   Density& density = densityFor(viewpoint);
   glBindVertexArray(density.vertex_array.get());
-  return density.chunks.split(viewpoint.clip, influences);
+  return density.chunks.split(viewpoint.clip, influences, cull);
 }
 
 void SkinBuffers::upload(const deform::DeformedSurface& surface, deform::VertexRange range) {

@@ -38,7 +38,7 @@ class SkinBuffers {
 
   /// Binds vertices and triangles as fine as this viewpoint needs them; which of them may be seen. Valid until the next
   /// call.
-  const SplitRuns& bind(const Viewpoint& viewpoint, std::span<const Influence> influences);
+  const SplitRuns& bind(const Viewpoint& viewpoint, std::span<const Influence> influences, bool cull = true);
 
   /// Binds the skin's vertices with the edges of its triangles, for a program that draws lines; then drawEdges.
   void bindEdges();

@@ -1,13 +1,15 @@
-// Which triangles a picture needs. Chunks of 64 triangles in spatial order have a sphere each: outside a plane of the
-// frustum they are left out, near an influence they count as touched. The coarser set is vertex clustering: each cube
-// keeps one vertex a facing, and triangles that fold over go.
+// Which triangles a picture needs. Chunks of 64 triangles in spatial order have a sphere each, and so have cells of 8,
+// 64, ... of them: outside a plane of the frustum they are left out, near an influence they count as touched. The
+// coarser set is vertex clustering: each cube keeps one vertex a facing, and triangles that fold over go.
 //
 // Based on: Rossignac and Borrel, "Multi-resolution 3D approximations for rendering complex scenes", 1993 (clustering).
 #include "palpate/view/layers/skin_chunks.h"
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <tuple>
+#include <utility>
 
 namespace palpate::view {
 
@@ -34,9 +36,16 @@ Planes planesOf(const Mat4f& clip) {
   return planes;
 }
 
-bool mayBeSeen(const Planes& planes, const Vec3f& centre, float radius) {
-  return std::all_of(planes.begin(), planes.end(),
-                     [&](const auto& plane) { return plane.dot(centre.homogeneous()) > -radius; });
+/// Chunks in a cell of the tree, and cells in the next larger one.
+constexpr std::size_t kCellParts = 8;
+/// By this the sphere of a cell is larger than it need be, so that rounding never decides against a chunk in it.
+constexpr float kRoundingMm = 0.01f;
+
+/// How far inside the frustum a point is: of the plane that it is inside least.
+float insideBy(const Planes& planes, const Vec3f& point) {
+  float least = std::numeric_limits<float>::infinity();
+  for (const Eigen::Vector4f& plane : planes) least = std::min(least, plane.dot(point.homogeneous()));
+  return least;
 }
 
 bool isNear(const Influence& influence, const Vec3f& centre, float radius) {
@@ -124,29 +133,76 @@ std::vector<Triangle> coarserTriangles(const DrawnShape& shape, std::span<const 
 
 SkinChunks::SkinChunks(std::span<const Vec3f> places, std::span<const Triangle> triangles)
     : indices_(static_cast<Index>(3 * triangles.size())) {
+  std::vector<Sphere>& chunks = levels_.emplace_back();
   for (std::size_t first = 0; first < triangles.size(); first += kChunkTriangles) {
     const std::size_t end = std::min(first + kChunkTriangles, triangles.size());
     Eigen::AlignedBox3f box;
     for (std::size_t t = first; t < end; ++t) {
       for (const Index v : triangles[t]) box.extend(places[v]);
     }
-    chunks_.push_back({box.center(), 0.5f * box.diagonal().norm()});
+    chunks.push_back({box.center(), 0.5f * box.diagonal().norm()});
+  }
+  while (levels_.back().size() > kCellParts) {
+    const std::vector<Sphere>& parts = levels_.back();
+    std::vector<Sphere> cells;
+    for (std::size_t first = 0; first < parts.size(); first += kCellParts) {
+      const std::size_t end = std::min(first + kCellParts, parts.size());
+      Eigen::AlignedBox3f centres;
+      for (std::size_t i = first; i < end; ++i) centres.extend(parts[i].centre);
+      Sphere cell{centres.center(), 0.0f};
+      for (std::size_t i = first; i < end; ++i) {
+        const float reach = (parts[i].centre - cell.centre).norm() + parts[i].radius_mm + kRoundingMm;
+        cell.radius_mm = std::max(cell.radius_mm, reach);
+      }
+      cells.push_back(cell);
+    }
+    levels_.push_back(std::move(cells));
   }
 }
 
-const SplitRuns& SkinChunks::split(const Mat4f& clip, std::span<const Influence> influences) {
-  const Planes planes = planesOf(clip);
+struct SkinChunks::Question {
+  Planes planes;
+  std::span<const Influence> influences;
+  bool cull;
+
+  bool touches(const Sphere& sphere) const {
+    return std::any_of(influences.begin(), influences.end(), [&](const Influence& influence) {
+      return isNear(influence, sphere.centre, sphere.radius_mm + kTouchedDisplacementMm);
+    });
+  }
+};
+
+void SkinChunks::take(std::vector<IndexRun>& runs, std::size_t first_chunk, std::size_t end_chunk) {
+  const auto first = static_cast<Index>(first_chunk) * kChunkIndices;
+  append(runs, first, std::min(static_cast<Index>(end_chunk) * kChunkIndices, indices_) - first);
+}
+
+void SkinChunks::visit(const Question& question, std::size_t level, std::size_t node) {
+  const Sphere& sphere = levels_[level][node];
+  ++tested_;
+  const float inside = question.cull ? insideBy(question.planes, sphere.centre) : sphere.radius_mm;
+  if (!(inside > -(sphere.radius_mm + kMostDisplacementMm))) return;
+  const bool touched = question.touches(sphere);
+  if (level == 0) return take(touched ? runs_.touched : runs_.plain, node, node + 1);
+  std::size_t first = node, end = node + 1;
+  if (!touched && inside > sphere.radius_mm - kMostDisplacementMm) {  // nor is any chunk in it, and all are seen
+    for (std::size_t i = 0; i < level; ++i) {
+      first *= kCellParts;
+      end *= kCellParts;
+    }
+    return take(runs_.plain, first, std::min(end, levels_[0].size()));
+  }
+  end = std::min(kCellParts * end, levels_[level - 1].size());
+  for (std::size_t part = kCellParts * first; part < end; ++part) visit(question, level - 1, part);
+}
+
+const SplitRuns& SkinChunks::split(const Mat4f& clip, std::span<const Influence> influences, bool cull) {
+  const Question question{planesOf(clip), influences, cull};
   runs_.touched.clear();
   runs_.plain.clear();
-  for (std::size_t i = 0; i < chunks_.size(); ++i) {
-    const Chunk& chunk = chunks_[i];
-    if (!mayBeSeen(planes, chunk.centre, chunk.radius_mm + kMostDisplacementMm)) continue;
-    const bool touched = std::any_of(influences.begin(), influences.end(), [&](const Influence& influence) {
-      return isNear(influence, chunk.centre, chunk.radius_mm + kTouchedDisplacementMm);
-    });
-    const Index first = static_cast<Index>(i) * kChunkIndices;
-    append(touched ? runs_.touched : runs_.plain, first, std::min(kChunkIndices, indices_ - first));
-  }
+  tested_ = 0;
+  const std::size_t top = levels_.size() - 1;
+  for (std::size_t node = 0; node < levels_[top].size(); ++node) visit(question, top, node);
   return runs_;
 }
 

@@ -1,7 +1,9 @@
 // The skin's triangles in chunks, to draw each with no more work than it needs: nothing for what is out of the picture,
 // the shader with shadows and blanching only where a finger is near.
 //
-// The mesh is sorted spatially, so consecutive triangles lie together. No GL: index ranges out.
+// The mesh is sorted along Morton's curve, which goes through the cells of an octree one after the other: eight
+// consecutive chunks are about a cell, eight of these the next larger one. By this tree whole parts of a body are left
+// out, or taken, without a look at their chunks. No GL: index ranges out.
 #pragma once
 
 #include <cstdint>
@@ -51,17 +53,24 @@ class SkinChunks {
   /// `triangles` over vertices at these places.
   SkinChunks(std::span<const Vec3f> places, std::span<const Triangle> triangles);
 
-  /// The chunks that may be seen, neighbouring ones joined. Valid until the next call.
-  const SplitRuns& split(const Mat4f& clip, std::span<const Influence> influences);
+  /// The chunks that may be seen, neighbouring ones joined; without `cull` all of them. Valid until the next call.
+  const SplitRuns& split(const Mat4f& clip, std::span<const Influence> influences, bool cull = true);
+  /// Spheres that the last split tested.
+  std::size_t tested() const { return tested_; }
 
  private:
-  struct Chunk {
+  struct Sphere {
     Vec3f centre;
     float radius_mm;  // at rest
   };
+  struct Question;
 
-  std::vector<Chunk> chunks_;
+  void visit(const Question& question, std::size_t level, std::size_t node);
+  void take(std::vector<IndexRun>& runs, std::size_t first_chunk, std::size_t end_chunk);
+
+  std::vector<std::vector<Sphere>> levels_;  // the chunks, then cells of eight of the level before
   Index indices_ = 0;
+  std::size_t tested_ = 0;
   SplitRuns runs_;
 };
 

@@ -42,7 +42,7 @@ SkinNeeds SkinLayer::needsOf(const Look& look, const Viewpoint& viewpoint) const
   const bool pores =
       look.detail && look.shading == Shading::skin && viewpoint.pixelsPerMm(buffers_->box()) > kFewestPixelsPerMm;
   const bool picture = look.texture && picture_.isThere();
-  return {pores, picture, look.texture && !picture && buffers_->hasColours()};
+  return {pores, picture, look.texture && !picture && buffers_->hasColours(), picture && picture_.isMade()};
 }
 
 void SkinLayer::drawColours(const Look& look, const Viewpoint& viewpoint, const SkinTouch& touch,
@@ -65,7 +65,7 @@ void SkinLayer::draw(const Look& look, const Viewpoint& viewpoint, const SkinTou
   const bool transparent = look.skin_opacity < 1.0;
   const bool lit = !buffers_->hasField(look);
   const auto influences = lit ? influencesOf(touch, viewpoint.lights) : std::vector<Influence>();
-  const SplitRuns& runs = buffers_->bind(viewpoint, influences);
+  const SplitRuns& runs = buffers_->bind(viewpoint, influences, look.cull);
   glEnable(GL_DEPTH_TEST);
   // A closed skin hides its inside; an open sheet may be looked at from within.
   (closed_ ? glEnable : glDisable)(GL_CULL_FACE);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "palpate/view/layers/skin_shader.h"
+#include "palpate/view/made_skin.h"
 #include "palpate/view/skin_tone.h"
 
 namespace palpate::view {
@@ -46,7 +47,7 @@ std::string definesOf(const SkinNeeds& needs, bool touched) {
   return defines;
 }
 
-void start(const Program& program, const Look& look, const Viewpoint& viewpoint) {
+void start(const Program& program, const Look& look, const Viewpoint& viewpoint, const SkinNeeds& needs = {}) {
   program.use();
   setViewpoint(program, viewpoint);
   const SkinTone tone = skinToneOf(look.skin_tone);
@@ -57,6 +58,7 @@ void start(const Program& program, const Look& look, const Viewpoint& viewpoint)
   program.set("dent_contrast", static_cast<float>(look.dent_contrast));
   program.set("skin_opacity", static_cast<float>(std::min(1.0, look.skin_opacity)));
   program.set("picture", 0);
+  program.set("made_white", needs.made ? kMadeSkinWhite : 0.0f);
 }
 
 void uploadColourMap(GLuint texture, ColourMap map) {
@@ -158,13 +160,13 @@ const Program& SkinPaint::programFor(Shading shading, const SkinNeeds& needs, bo
 }
 
 void SkinPaint::use(const Look& look, const Viewpoint& viewpoint, const SkinNeeds& needs) {
-  start(programFor(look.shading, needs, false), look, viewpoint);
+  start(programFor(look.shading, needs, false), look, viewpoint, needs);
 }
 
 void SkinPaint::useTouched(const Look& look, const Viewpoint& viewpoint, const SkinNeeds& needs,
                            const SkinTouch& touch) {
   const Program& program = programFor(look.shading, needs, true);
-  start(program, look, viewpoint);
+  start(program, look, viewpoint, needs);
   setFingers(program, touch.casters);
   setMarks(program, touch.marks);
 }

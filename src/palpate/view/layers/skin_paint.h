@@ -38,6 +38,7 @@ struct SkinNeeds {
   bool pores = false;
   bool picture = false;  ///< the user's, bound as texture unit 0, in the place of the skin's own colour
   bool colours = false;  ///< those of the body's file, in that place
+  bool made = false;     ///< that picture has factors on the skin's own colour
 };
 
 class SkinPaint {

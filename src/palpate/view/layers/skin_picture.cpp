@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "palpate/view/made_skin.h"
+
 namespace palpate::view {
 
 namespace {
@@ -38,6 +40,7 @@ void upload(GLuint name, Image image) {
 }  // namespace
 
 Image decodedPicture(const scene::SkinTexture& texture) {
+  if (texture.made) return paintedSkin(*texture.made);
   const std::string file = texture.source.file.string();
   const ImageSize size = imageSizeOf(texture.picture);
   if (std::max(size.width, size.height) > kMostPictureSide) {

@@ -9,8 +9,8 @@
 
 namespace palpate::view {
 
-/// The pixels of a texture. Needs no GL; any thread. Throws Error naming the scene file for a broken picture, and for
-/// one of more than kMostPictureSide pixels along a side.
+/// The pixels of a texture, decoded or painted. Needs no GL; any thread. Throws Error naming the scene file for a
+/// broken picture, and for one of more than kMostPictureSide pixels along a side.
 Image decodedPicture(const scene::SkinTexture& texture);
 inline constexpr int kMostPictureSide = 16384;
 
@@ -20,6 +20,8 @@ class SkinPicture {
   /// takes it. Throws Error as decodedPicture, and keeps what there was.
   void show(std::shared_ptr<const scene::SkinTexture> texture);
   bool isThere() const { return texture_ != nullptr; }
+  /// Painted: factors on the skin's own colour (view/made_skin.h), not colours.
+  bool isMade() const { return texture_ != nullptr && texture_->made.has_value(); }
   /// For the program in use, as unit 0.
   void bind() const;
 

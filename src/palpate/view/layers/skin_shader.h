@@ -25,6 +25,7 @@ invariant gl_Position;
 uniform vec3 skin_colour;
 uniform float skin_blood;   // SkinTone
 uniform float skin_opacity;
+uniform float made_white;   // kMadeSkinWhite where the picture has factors on the skin's colour; 0: it has colours
 uniform float dent_contrast;  // 1: as it would be; above, what a dent does to normals and to light is exaggerated
 
 vec3 placeHere() { return vec3(x, y, z + lift_mm * breath_share); }
@@ -98,8 +99,9 @@ void main() {
   float shine = skin_sheen * dent * sheenOf(normal, to_key, to_eye, 0.60, 0.50);
   front.a = opacityAt(abs(facing), skin_opacity);
 #ifdef PICTURE
-  front.rgb = light;
-  back = light_behind;
+  vec3 under = made_white > 0.0 ? made_white * albedoHere() : vec3(1.0);
+  front.rgb = under * light;
+  back = under * light_behind;
   front_shine = shine;
   at = picture_place;
 #else
@@ -210,6 +212,7 @@ out vec4 colour;
 #ifdef PICTURE
 in vec2 at;
 uniform sampler2D picture;
+uniform float made_white;
 #endif
 
 uniform float skin_opacity;
@@ -282,7 +285,7 @@ void main() {
   vec3 smooth_normal = normalize(gl_FrontFacing ? normal : -normal);
   vec3 detailed = smooth_normal;
 #ifdef PICTURE
-  vec3 skin = texture(picture, at).rgb;
+  vec3 skin = texture(picture, at).rgb * (made_white > 0.0 ? made_white * albedo.rgb : vec3(1.0));
 #else
   vec3 skin = albedo.rgb;
 #endif

@@ -3,8 +3,6 @@
 //
 // Computed once at load in rest coordinates, so that it moves with the skin. The shader multiplies it with the colour
 // of the whole skin; finer detail is the shader's own (skin_shader.h).
-//
-// Based on: Perlin, "An image synthesizer", 1985 (noise as sums of smooth lattice values).
 #pragma once
 
 #include <array>

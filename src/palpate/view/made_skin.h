@@ -1,0 +1,20 @@
+// A picture of skin that the program paints itself: pigment and blood of a back, with moles, freckles and what else a
+// photograph of one shows.
+//
+// What is painted is what the place does to the tone of the whole skin, so that any tone may be under it. Colours of
+// the folds and over the bones are not in it: they are the body's own (layers/skin_tint.h).
+#pragma once
+
+#include "palpate/scene/skin_texture.h"
+#include "palpate/view/image.h"
+
+namespace palpate::view {
+
+/// The most that a place may be brighter than the tone: the picture's white.
+inline constexpr float kMadeSkinWhite = 1.35f;
+
+/// Factors on the tone, over kMadeSkinWhite, as sRGB. The same seed and body give the same picture. Its left and right
+/// edges fit each other. About a second for a whole trunk (2 pixels a millimetre).
+Image paintedSkin(const scene::MadeSkin& made);
+
+}  // namespace palpate::view
