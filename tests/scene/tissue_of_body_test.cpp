@@ -181,6 +181,7 @@ TEST(LayeredBody, OfAMeasuredPersonHasLayersBonesAndTheEllipsesThatWereMeasured)
     const double tenth = contact->tangential_region.half_major.norm() * tenthOf(contact->layered->drag);
     EXPECT_NEAR(tenth, half_major_mm, 0.02 * half_major_mm) << words;
   }
+}
 
 TEST(LayeredBody, PushesBackOnAFingerByItsRadiusUnlessTheSceneSaysNo) {
   const auto forces = [](const World& world) {
