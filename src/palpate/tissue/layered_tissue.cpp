@@ -300,7 +300,7 @@ double LayeredTissue::secantAt(double thickness_mm, double depth_mm, double fing
 }
 
 bool LayeredTissue::knowsRadius() const noexcept {
-  return std::ranges::none_of(nodes_, [](const LayeredNode& node) { return node.fingers.empty(); });
+  return std::ranges::all_of(nodes_, [](const LayeredNode& node) { return !node.fingers.empty(); });
 }
 
 double LayeredTissue::deepestAt(double thickness_mm) const noexcept {
