@@ -17,6 +17,7 @@ namespace {
 TEST(SessionBundle, KnowsEveryKeyThatNamesAFile) {
   scene::Scene scene;
   scene.fingers.resize(1);
+  scene.profiles.resize(1);
   scene.body.kind = scene::BodyKind::mesh;
   std::size_t named = 0;
   for (const NamedFile& file : namedFiles(scene)) *file.place = "/elsewhere/" + std::to_string(++named);

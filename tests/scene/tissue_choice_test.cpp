@@ -89,6 +89,7 @@ std::vector<std::string> valuesOf(const KeyRow& row) {
 std::string companionOf(const KeyRow& row, const std::string& value) {
   if (row.key == "profile" && value == "\"user\"") return "profile_file = \"profile.csv\"\n";
   if (row.key == "tangential_profile" && value == "\"user\"") return "tangential_profile_file = \"profile.csv\"\n";
+  if (row.table == "[[profile]]" && value == "\"user\"") return row.key + "_file = \"profile.csv\"\n";
   if (row.key == "force_law" && value == "\"table\"") return "force_table = \"law.csv\"\n";
   if (row.key == "dynamic") return "static = 1\n";
   return {};
@@ -116,6 +117,7 @@ class EveryKey : public DomeScene {
     for (const KeyRow& row : describeKeys()) {
       if (row.table == "[body]" || row.table == "[[device]]" || row.table.starts_with("script")) continue;
       for (const std::string& value : valuesOf(row)) {
+        if (row.table == "[[profile]]" && value == "\"logarithm\"") continue;  // refused for a place
         all.push_back({row.table + " " + row.key + " = " + value, sceneWith(row, value)});
       }
     }
