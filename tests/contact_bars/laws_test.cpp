@@ -57,7 +57,10 @@ double expectKept(bench::ContactWorld& world, double radius_mm, double most_step
   EXPECT_EQ(figures.contact_ticks, figures.ticks) << radius_mm;
   EXPECT_LE(figures.max_force_step_n, most_step_n) << radius_mm << " at tick " << figures.max_force_step_tick;
   support::expectNone(figures.counts.allocations, "layered");
-  EXPECT_GT(figures.peak_force_n, 4.0) << "the path shows nothing";
+  // Layers push a sphere of half a millimetre, as one of 1 mm, back with a quarter of what a point, which counts as a
+  // fingertip, feels.
+  const bool is_small = radius_mm > 0.0 && radius_mm < 2.0;
+  EXPECT_GT(figures.peak_force_n, is_small ? 1.0 : 4.0) << "the path shows nothing";
   return figures.max_force_step_n / figures.peak_force_n;
 }
 
