@@ -147,7 +147,7 @@ class Painter {
   template <class Make>
   void addSpots(double per_square_dm, std::vector<Spot>& spots, Make&& make) {
     const double wanted = per_square_dm * 1e-4 * wide_mm_ * high_mm_;
-    for (int i = 0; i < static_cast<int>(wanted + 0.5); ++i) {
+    for (long i = 0; i < std::lround(wanted); ++i) {
       Spot spot{.at = anywhere()};
       if (make(spot)) spots.push_back(spot);
     }
@@ -207,7 +207,7 @@ class Painter {
         const double taken = layers_[i].pigment * kPigment[channel] + layers_[i].blood * kBlood[channel];
         const double linear = std::min(1.0, std::exp(-taken) / double{kMadeSkinWhite});
         const double encoded = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-        image.pixels[i][static_cast<std::size_t>(channel)] = static_cast<std::uint8_t>(255.0 * encoded + 0.5);
+        image.pixels[i][static_cast<std::size_t>(channel)] = static_cast<std::uint8_t>(std::lround(255.0 * encoded));
       }
     }
     return image;
