@@ -147,7 +147,7 @@ class Painter {
   template <class Make>
   void addSpots(double per_square_dm, std::vector<Spot>& spots, Make&& make) {
     const double wanted = per_square_dm * 1e-4 * wide_mm_ * high_mm_;
-    for (long i = 0; i < std::lround(wanted); ++i) {
+    for (auto left = std::lround(wanted); left > 0; --left) {
       Spot spot{.at = anywhere()};
       if (make(spot)) spots.push_back(spot);
     }
