@@ -180,8 +180,8 @@ bool HuntJudge::cameThroughSkin(const Vec3& tip) {
 }
 
 /// Where there is a border a tip may come in round it, and may be let go at it: only what passes through the skin
-/// itself, and what is let go farther from any border than the proxy can go in this tick, is a fault. What was held at
-/// a border is let go there, whatever place it shows.
+/// itself, and what is let go farther from any border than the proxy can go in this tick, is a fault. A proxy that was
+/// on its way may have gone through the opening already.
 void HuntJudge::judgeFreeBesideBorder(const contact::FingerOutput& o) {
   const double moved = (o.tip - tip_ball_.centre).norm();
   if (moved + settings_.radius_mm < tip_ball_.radius && !tip_ball_.inside && past_ == Past::outside) return;
@@ -198,8 +198,7 @@ void HuntJudge::judgeFreeBesideBorder(const contact::FingerOutput& o) {
   }
   const double path =
       (kProxyAndTip - 1.0) * (o.tip - last_tip_).norm() + settings_.catch_up_mm_per_s * settings_.tick_s;
-  const bool was_at_border = (last_status_ & contact::kAtBorder) != 0;
-  const bool let_go = past_ == Past::held && !was_at_border && isFarFromBorder(last_proxy_, path);
+  const bool let_go = past_ == Past::held && !isOnItsWay(last_status_) && isFarFromBorder(last_proxy_, path);
   past_ = came_through || let_go || past_ == Past::fallen ? Past::fallen : Past::unknown;
   if (past_ == Past::fallen) found(Fault::fall, "depth of a free tip inside, mm", distance, 0.0);
 }

@@ -216,15 +216,15 @@ TEST(PressSolver, SillyWishesAreRefusedInWords) {
 /// A round top of bone gives way to the sides; the wider it is, the nearer to a plane.
 TEST(PressSolver, OverNarrowBoneTheForceIsSmallerThanOverAPlane) {
   const tissue::LayerStack rib{{{"skin", 2.0, 150.0}, {"fat", 3.5, 10.0}, {"muscle", 3.5, 27.0}}, 0.48};
-  const auto forceOver = [&](double bone_radius_mm) {
+  const auto force_over = [&](double bone_radius_mm) {
     PressSettings settings{.depths_mm = {4.0}, .fineness = 0.7};
     settings.bone_radius_mm = bone_radius_mm;
     return solvePress(rib, settings).table.shapes.at(0).force_n;
   };
-  const double plane = forceOver(0.0);
-  const double narrow = forceOver(4.0) / plane;
-  const double wide = forceOver(12.0) / plane;
-  const double flat = forceOver(90.0) / plane;
+  const double plane = force_over(0.0);
+  const double narrow = force_over(4.0) / plane;
+  const double wide = force_over(12.0) / plane;
+  const double flat = force_over(90.0) / plane;
   EXPECT_LT(narrow, 0.75);
   EXPECT_GT(narrow, 0.4);
   EXPECT_GT(wide, narrow + 0.05);

@@ -202,7 +202,7 @@ TEST(HuntJudgementOfTornBodies, WhatIsLetGoInsideFarFromTheHoleHasFallenAndWhatC
   };
   contact::FingerOutput held = freeOutputAt({0, 0, -50});
   held.touch = contact::Touch::stick;
-  held.status = contact::kCatchingUp;  // its force is not what is judged here
+  held.normal = {0, 0, -1};
   held.proxy = ball.nearest({0, 0, -50}).point;
   held.force = {0, 0, -5};
   EXPECT_EQ(falls({freeOutputAt({0, 0, -70}), held, freeOutputAt({0, 0, -45}), freeOutputAt({0, 0, -40})}), 2u);

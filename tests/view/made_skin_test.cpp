@@ -14,7 +14,7 @@ scene::MadeSkin aBack(std::uint64_t seed = 7) {
 }
 
 const Image& backOfSeed7() {
-  static const Image& image = backOfSeed7();
+  static const Image image = paintedSkin(aBack());
   return image;
 }
 
