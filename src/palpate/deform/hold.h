@@ -50,6 +50,7 @@ class Hold {
                        double beyond_mm) const noexcept;
   bool findDoubtful(const Displacement& displacement, ThePlan& plan) const noexcept;
   bool findThin(const ThePlan& plan) const noexcept;
+  static double movedTogether(const ThePlan& plan) noexcept;
   void dropFaintEdges(const Displacement& displacement, ThePlan& plan) const noexcept;
   void listPulls(ThePlan& plan) const noexcept;
   void setNormal(Index vertex, const DeformedBlock& surface) const noexcept;
@@ -124,11 +125,19 @@ bool Hold<Displacement>::findDoubtful(const Displacement& displacement, ThePlan&
   return any;
 }
 
+/// What all contacts move their centres by, mm: no vertex moves farther.
+template <class Displacement>
+double Hold<Displacement>::movedTogether(const ThePlan& plan) noexcept {
+  double all = 0.0;
+  for (const auto& mover : plan.movers) all += Displacement::pressOf(mover) + Displacement::dragOf(mover);
+  return all;
+}
+
 /// Whether any part of what moves is thinner than a dent may be deep.
 template <class Displacement>
 bool Hold<Displacement>::findThin(const ThePlan& plan) const noexcept {
-  double all = 0.0;
-  for (const auto& mover : plan.movers) all += Displacement::pressOf(mover) + Displacement::dragOf(mover);
+  if (skin_.least_thickness_mm.empty()) return false;
+  const double all = movedTogether(plan);
   bool any = false;
   plan.moved.forEach([&](Index block) { any = any || ShearLimit::isThin(skin_, block, all); });
   return any;
@@ -137,8 +146,7 @@ bool Hold<Displacement>::findThin(const ThePlan& plan) const noexcept {
 /// Leaves the edges at which skin may have to be held.
 template <class Displacement>
 void Hold<Displacement>::dropFaintEdges(const Displacement& displacement, ThePlan& plan) const noexcept {
-  double all = 0.0;
-  for (const auto& mover : plan.movers) all += Displacement::pressOf(mover) + Displacement::dragOf(mover);
+  const double all = movedTogether(plan);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < plan.movers.size(); ++i) {
     const auto& mover = plan.movers[i];

@@ -52,9 +52,10 @@ class ShearLimit {
 
   /// Step 0. Leaves the vertices that are deeper than the part allows what it allows.
   void keepWithinPart(const DeformedBlock& surface) noexcept;
-  /// Whether that may hold anything back in a block that moves by at most so much.
+  /// Whether that may hold anything back in a block that moves by at most this much. Only of a skin whose thickness is
+  /// known.
   static bool isThin(const Skin& skin, Index block, double moved_mm) noexcept {
-    return !skin.least_thickness_mm.empty() && kShareOfThickness * skin.least_thickness_mm[block] < moved_mm;
+    return kShareOfThickness * skin.least_thickness_mm[block] < moved_mm;
   }
 
   /// Steps 1 and 2. `curves.press(pull, q)` and `curves.drag(pull, q)` are those that the displacement was made with,

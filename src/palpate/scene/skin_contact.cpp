@@ -55,7 +55,7 @@ double depthAtRest(const World& world, double rest_mm, Index triangle, double fi
 /// along the part's flank and does not come out of it.
 constexpr double kFlank = 0.5;
 constexpr double kFacing = 0.7;
-/// Where the part's thickness is asked for around a finger: rings at these location ratios, so many places each.
+/// Where the part's thickness is asked for around a finger: rings at these location ratios, this many places each.
 constexpr std::array<double, 4> kPartRings = {0.0, 0.2, 0.4, 0.6};
 constexpr int kPlacesOfARing = 8;
 

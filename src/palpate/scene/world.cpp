@@ -270,11 +270,8 @@ Scene withPlaces(Scene scene, const std::vector<body::SkinLandmark>& landmarks) 
 /// A press of all that the cap allows must not come out of the far side of a thin part.
 void limitToParts(const mesh::TriangleMesh& skin, const contact::Surface& surface, const deform::FormSettings& forms,
                   deform::Skin& deformable) {
-  std::vector<Vec3> inwards;
-  inwards.reserve(surface.vertex_normals.size());
-  for (const Vec3& normal : surface.vertex_normals) inwards.push_back(-normal);
   const double most_mm = forms.common.tissue.normal_cap_mm / deform::ShearLimit::kShareOfThickness;
-  setThickness(tree::thicknessUpTo(surface.tree, skin.positions, inwards, most_mm), deformable);
+  setThickness(tree::thicknessUpTo(surface.tree, skin.positions, surface.vertex_normals, most_mm), deformable);
 }
 
 std::shared_ptr<const World> withBody(const Scene& asked, BodyParts body, deform::FormSettings forms,

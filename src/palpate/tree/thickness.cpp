@@ -32,11 +32,11 @@ double wayThrough(const TriangleTree& tree, const Vec3& at, const Vec3& inwards,
 }
 
 std::vector<float> thicknessUpTo(const TriangleTree& tree, const std::vector<Vec3>& positions,
-                                 const std::vector<Vec3>& inwards, double most_mm) {
+                                 const std::vector<Vec3>& normals, double most_mm) {
   std::vector<float> thickness(positions.size(), std::numeric_limits<float>::infinity());
   for (std::size_t v = 0; v < positions.size(); ++v) {
-    if (!positions[v].allFinite() || !(inwards[v].squaredNorm() > 0.5)) continue;
-    thickness[v] = static_cast<float>(wayThrough(tree, positions[v], inwards[v], most_mm));
+    if (!positions[v].allFinite() || !(normals[v].squaredNorm() > 0.5)) continue;
+    thickness[v] = static_cast<float>(wayThrough(tree, positions[v], -normals[v], most_mm));
   }
   return thickness;
 }

@@ -22,8 +22,8 @@ namespace palpate::view {
 namespace {
 
 constexpr double kPixelsPerMm = 2.0;
-constexpr double kMostPixels = 4096.0;
-/// Broad variation is worked out every so many pixels and joined by straight lines.
+constexpr double kMaxPixels = 4096.0;
+/// Broad variation is worked out once in this many pixels and joined by straight lines.
 constexpr int kCoarse = 8;
 
 /// How much light a unit of each takes: red, green, blue.
@@ -55,7 +55,7 @@ class Painter {
       : made_(made),
         wide_mm_(2.0 * made.size_mm.x()),
         high_mm_(made.size_mm.y()),
-        pixels_per_mm_(std::min(kPixelsPerMm, kMostPixels / std::max(wide_mm_, high_mm_))),
+        pixels_per_mm_(std::min(kPixelsPerMm, kMaxPixels / std::max(wide_mm_, high_mm_))),
         random_(made.seed) {
     for (int axis = 0; axis < 3; ++axis) shift_[axis] = random_.uniform(0.0, 1000.0);
     width_ = std::max(2, static_cast<int>(wide_mm_ * pixels_per_mm_));
@@ -143,7 +143,7 @@ class Painter {
   /// A size between these, small ones far more often.
   double sized(double least, double most) { return least * std::pow(most / least, std::pow(random_.uniform(), 2.2)); }
 
-  /// So many of a kind per square decimetre; `make` may say that this one is not to be.
+  /// This many of a kind per square decimetre; `make` may say that this one is not to be.
   template <class Make>
   void addSpots(double per_square_dm, std::vector<Spot>& spots, Make&& make) {
     const double wanted = per_square_dm * 1e-4 * wide_mm_ * high_mm_;

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -19,8 +18,6 @@ namespace palpate::scene {
 namespace {
 
 constexpr int kSamples = 400;
-/// The middle is met to this much more than any other place.
-constexpr double kMiddleWeight = 1e4;
 
 double valueOf(const tissue::LayeredCurve& curve, double bend, double q) {
   return tissue::curveAt(curve, bend, q * q).value;
@@ -89,24 +86,15 @@ deform::LayeredShape shapeOf(const PlaceCurves& curves, const deform::Contact& c
 
 FittedCurve fittedCurve(const tissue::ProfileSettings& profile, double bend) {
   const tissue::ProfileCurve wanted(profile);
-  Eigen::MatrixXd terms(kSamples + 1, tissue::kCurveTerms);
-  Eigen::VectorXd values(kSamples + 1);
+  std::vector<tissue::CurveSample> samples;
   for (int i = 0; i <= kSamples; ++i) {
     const double q = static_cast<double>(i) / (kSamples + 1);  // both are 0 on the rim
-    const double weight = i == 0 ? kMiddleWeight : 1.0;
-    values[i] = weight * wanted.at(q).value;
-    for (int k = 0; k < tissue::kCurveTerms; ++k) {
-      tissue::LayeredCurve single;
-      single.terms[static_cast<std::size_t>(k)] = 1.0;
-      terms(i, k) = weight * valueOf(single, bend, q);
-    }
+    samples.push_back({q, wanted.at(q).value});
   }
-  const Eigen::VectorXd solved = terms.colPivHouseholderQr().solve(values);
   FittedCurve fitted;
-  std::copy(solved.begin(), solved.end(), fitted.curve.terms.begin());
-  for (int i = 0; i <= kSamples; ++i) {
-    const double q = static_cast<double>(i) / (kSamples + 1);
-    fitted.error = std::max(fitted.error, std::abs(valueOf(fitted.curve, bend, q) - wanted.at(q).value));
+  fitted.curve = tissue::fittedShare(samples, bend);
+  for (const tissue::CurveSample& sample : samples) {
+    fitted.error = std::max(fitted.error, std::abs(valueOf(fitted.curve, bend, sample.q) - sample.value));
   }
   return fitted;
 }
