@@ -17,8 +17,9 @@ double shareOf(std::size_t part, std::size_t all, double of_none) {
 
 /// Warnings that say how far the numbers themselves may be trusted.
 bool isWarned(const JudgedPair& pair) {
-  return std::any_of(pair.warnings.begin(), pair.warnings.end(),
-                     [](const std::string& code) { return code == "form" || code == "forms" || code == "no_peak"; });
+  return std::any_of(pair.warnings.begin(), pair.warnings.end(), [](const std::string& code) {
+    return code == "form" || code == "forms" || code == "no_peak" || code == "imprecise";
+  });
 }
 
 TextTable outsideTable(const std::vector<JudgedPair>& pairs) {
@@ -149,6 +150,7 @@ StudyPage studyMeasuringOutside(const StudySettings& settings) {
                   {"axes4_within_2sd", n.axes4_within_2sd},
                   {"peak_stated_share", shareOf(n.peaks, n.accepted, 0.0)},
                   {"missed_warned_share", n.missed_warned_share},
+                  {"axis2_median_percent", set.axis2_percent.median},
                   {"axis2_p95_percent", set.axis2_percent.p95},
                   {"axis4_p95_percent", set.axis4_percent.p95},
                   {"pairs", static_cast<double>(n.pairs)}},

@@ -112,8 +112,10 @@ TEST(FieldForm, TheDerivativesOfEveryFormAreItsOwn) {
       const FormValue shorter = formAt(form, rho2, 0.71 - step, 0.2);
       EXPECT_NEAR(slope(longer, shorter, &FormValue::round), at.round_by_tail, 1e-6);
       EXPECT_NEAR(slope(longer, shorter, &FormValue::radial), at.radial_by_tail, 1e-6);
-      EXPECT_NEAR(slope(formAt(form, rho2, 0.71, 0.2 + step), formAt(form, rho2, 0.71, 0.2 - step), &FormValue::radial),
-                  at.radial_by_sideways, 1e-6);
+      const FormValue more = formAt(form, rho2, 0.71, 0.2 + step);
+      const FormValue less = formAt(form, rho2, 0.71, 0.2 - step);
+      EXPECT_NEAR(slope(more, less, &FormValue::round), at.round_by_sideways, 1e-6);
+      EXPECT_NEAR(slope(more, less, &FormValue::radial), at.radial_by_sideways, 1e-6);
     }
   }
 }
@@ -151,15 +153,57 @@ TEST(FieldForms, OfLayersTheSolvedFormIsLikeliestAndItsSdHolds) {
   EXPECT_LT(two.half_major_mm.sd, 0.08 * two.half_major_mm.value);
 }
 
-TEST(FieldForms, WhatTheSolvedFormSaysOfAStackIsWhatTheSolverSays) {
-  const elements::DragField field =
-      elements::solveDragField({.layers = {{"skin", 2.0, 150.0}, {"fat", 9.0, 10.0}, {"muscle", 14.0, 27.0}}}, {});
-  for (const double r : {0.0, 4.0, 10.0, 20.0, 45.0, 90.0}) {
+TEST(FieldForms, TheTableOfTheSolvedFormIsWhatTheSolverSaysOfItsStack) {
+  constexpr std::size_t kStack = 1;
+  const SolvedStack& stack = kSolvedStacks[kStack];
+  const elements::DragField field = elements::solveDragField(
+      {.layers = {{"skin", 2.0, stack.skin_kpa}, {"fat", stack.fat_mm, 10.0}, {"muscle", stack.muscle_mm, 27.0}}},
+      {.patch_radius_mm = kSolvedPatchMm});
+  const double tail = kSolvedLongestTail * kStack / (kSolvedStacks.size() - 1.0);
+  for (std::size_t i = 0; i + 2 < kSolvedKnots; ++i) {
+    const double r = solvedKnotMm(i);
     SCOPED_TRACE(r);
-    const SolvedDrag drag = solvedDragAt(r * r / (kSolvedPatchMm * kSolvedPatchMm), 0.4 * 2.0);
-    EXPECT_NEAR(drag.along, field.movedAt(Vec2(r, 0.0)).x(), 0.01);
-    EXPECT_NEAR(drag.across, field.movedAt(Vec2(0.0, r)).x(), 0.01);
+    const SolvedDrag drag = solvedDragAt(r * r / (kSolvedPatchMm * kSolvedPatchMm), tail);
+    EXPECT_NEAR(drag.along, field.movedAt(Vec2(r, 0.0)).x(), 1e-4);
+    EXPECT_NEAR(drag.across, field.movedAt(Vec2(0.0, r)).x(), 1e-4);
   }
+}
+
+TEST(FieldForms, OfAHalfSpaceTheDeepFormIsLikeliestAndItsSdHolds) {
+  for (const double drag_deg : {10.0, 70.0, 130.0}) {
+    SCOPED_TRACE(drag_deg);
+    const TrueField truth({.family = TailFamily::half_space,
+                           .contact_mm = {4.0, -6.0},
+                           .peak_mm = 14.0,
+                           .drag_rad = drag_deg / kDegPerRad,
+                           .half_major_mm = 90.0});
+    const std::vector<FieldDatum> data =
+        dataOf([&](const Vec2& p) { return truth.displacementAt(p); }, Vec2(0.2, -0.2), 0.05);
+    const std::vector<WeighedField> forms = fitForms(data, driftPriorOf(0.4));
+    EXPECT_EQ(forms.front().fitted.form, FieldForm::deep);
+    FieldFit fit = reportField(forms, Mat2::Identity(), driftPriorOf(0.4));
+    widenByDots(data, forms.front().fitted.numbers, fit);
+    const KeyEllipse known = truth.ellipseAt(2.0);
+    EXPECT_LT(std::abs(fit.at_2_mm.half_major_mm.value - known.half_major_mm.value),
+              2.0 * fit.at_2_mm.half_major_mm.sd);
+    EXPECT_LT(std::abs(fit.at_2_mm.half_minor_mm.value - known.half_minor_mm.value),
+              2.0 * fit.at_2_mm.half_minor_mm.sd);
+    EXPECT_NEAR(fit.at_2_mm.half_major_mm.value, known.half_major_mm.value, 0.08 * known.half_major_mm.value);
+  }
+}
+
+TEST(SkinField, AStickThatPressesMovesTheSkinOutwardsAllAround) {
+  const double log_weight = -2.0 * std::log(20.0);
+  const SkinField dragged{.log_shape = {log_weight, 0.0, log_weight}, .peak_mm = {0.0, 10.0}, .form = FieldForm::deep};
+  SkinField both = dragged;
+  both.pressed = {0.1, 0.3};
+  for (const Vec2& place : {Vec2(20.0, 0.0), Vec2(0.0, 20.0), Vec2(-14.0, -14.0)}) {
+    const Vec2 outwards = displacementAt(both, place) - displacementAt(dragged, place);
+    EXPECT_NEAR(outwards.dot(place.normalized()), outwards.norm(), 1e-9);
+  }
+  // At one radius: 10 mm (0.1 / 2 + 0.3 / 2^1.5).
+  EXPECT_NEAR((displacementAt(both, {20.0, 0.0}) - displacementAt(dragged, {20.0, 0.0})).x(), 0.5 + 3.0 / 2.8284271,
+              1e-6);
 }
 
 TEST(FieldForms, AHalfGaussianIsNoneOfTheOthersAndItsPeakIsSeen) {

@@ -34,6 +34,7 @@ enum Unknown : int {
   kPeak = 5,
   kTail = 7,
   kSideways = 8,
+  kPressed = 9,
   kDrift = kFirstDrift
 };
 
@@ -48,6 +49,7 @@ struct FormPrior {
   double elongation_sd = 0.0;  ///< of ln(a/b)
   double sideways_mean = 0.0;  ///< of kappa
   double sideways_sd = 0.0;
+  bool presses = false;  ///< skin that moves outwards all around the stick
   double shape_mean = 0.0;
   double shape_sd = 0.0;  ///< of the mean of ln W; 0: nothing is known
 };
@@ -55,10 +57,12 @@ struct FormPrior {
 /// The solved one has the ellipse of the drag in itself, and its size from the stick's tip: 6 mm, give or take a third.
 /// Of the others, kappa of a half space of incompressible matter is 1.
 FormPrior formPriorOf(FieldForm form) {
-  if (form == FieldForm::deep) return {.elongation_sd = 0.35, .sideways_mean = 1.0, .sideways_sd = 0.5};
+  if (form == FieldForm::deep)
+    return {.elongation_sd = 0.35, .sideways_mean = 0.95, .sideways_sd = 0.1, .presses = true};
   if (form != FieldForm::solved) return {.elongation_sd = 0.7, .sideways_sd = 1.5};
   return {.elongation_sd = 0.35,
           .sideways_sd = 0.25,
+          .presses = true,
           .shape_mean = -2.0 * std::log(kSolvedPatchMm),
           .shape_sd = 2.0 * 0.35};
 }
@@ -68,6 +72,10 @@ FormPrior formPriorOf(FieldForm form) {
 constexpr double kPeakMostMm = 30.0;   // skin is not dragged farther
 constexpr double kPeakOverSeen = 3.0;  // of the dot that moved most: no core is narrower than stick and skin make it
 constexpr double kPeakSd = 0.1;        // of that bound
+constexpr double kPressedFarSd =
+    0.15;  // Boussinesq against Cerruti where nu is 0.4 and the press as strong as the drag
+constexpr double kPressedNearSd = 0.7;
+constexpr double kNone = 1e-4;
 constexpr double kSidewaysLeast = -0.9;
 constexpr double kSidewaysMost = 4.0;
 // Of a body that breathes or rolls between the pictures, of its shift: a turn about the spine by 0.06 degrees lowers
@@ -96,6 +104,7 @@ constexpr std::array kStartWidthsMm = {35.0, 70.0};
 constexpr std::array kPointedStartWidthsMm = {15.0, 40.0};
 constexpr std::array kSolvedStartWidthsMm = {kSolvedPatchMm};
 constexpr std::array kSolvedStartTails = {0.4, 1.0, 1.7};
+constexpr std::array kDeepStartTails = {0.8};
 constexpr double kLeastShare = 0.01;  // a form that explains the dots so much worse is left out
 /// Errors of the chart and of every form are alike from dot to dot: chi2 differs by more than chance has it.
 constexpr double kChanceOfCost = 2.0;
@@ -154,19 +163,28 @@ Vec2 modelAt(FieldForm form, const FieldNumbers& n, const Shape& shape, const Fi
   const double distance2 = std::max(offset.squaredNorm(), 1e-9);
   const double along = offset.dot(peak);
   const Vec2 radial = along / distance2 * offset;  // (e . peak) e
-  dragged = f.round * peak + f.radial * radial;
+  const Vec2 pressed = n.segment<2>(kPressed);
+  const PressShape press = pressShapeAt(rho2);
+  const double peak_mm = std::max(peak.norm(), 1e-9);
+  const double per_radius = std::exp(0.5 * n[kMeanShape]);
+  const double outwards = peak_mm * per_radius * press.value.dot(pressed);
+  dragged = f.round * peak + f.radial * radial + outwards * offset;
   if (slope) {
-    const Vec2 by_rho2 = f.round_by_rho2 * peak + f.radial_by_rho2 * radial;
+    const Vec2 by_rho2 =
+        f.round_by_rho2 * peak + f.radial_by_rho2 * radial + peak_mm * per_radius * press.by_rho2.dot(pressed) * offset;
     const Mat2 radial_by_offset = (offset * peak.transpose() + along * Mat2::Identity()) / distance2 -
                                   2.0 * along / (distance2 * distance2) * offset * offset.transpose();
     Jacobian& j = *slope;
-    j.middleCols<2>(kContact) = -2.0 * by_rho2 * weighed.transpose() - f.radial * radial_by_offset;
-    j.col(kMeanShape) = by_rho2 * rho2;
+    j.middleCols<2>(kContact) =
+        -2.0 * by_rho2 * weighed.transpose() - f.radial * radial_by_offset - outwards * Mat2::Identity();
+    j.col(kMeanShape) = by_rho2 * rho2 + 0.5 * outwards * offset;
     for (int i = 0; i < 2; ++i)
       j.col(kDeviator + i) = by_rho2 * offset.dot(shape.by_deviator[static_cast<std::size_t>(i)] * offset);
-    j.middleCols<2>(kPeak) = f.round * Mat2::Identity() + f.radial / distance2 * offset * offset.transpose();
+    j.middleCols<2>(kPeak) = f.round * Mat2::Identity() + f.radial / distance2 * offset * offset.transpose() +
+                             outwards / (peak_mm * peak_mm) * offset * peak.transpose();
+    j.middleCols<2>(kPressed) = peak_mm * per_radius * offset * press.value.transpose();
     j.col(kTail) = f.round_by_tail * peak + f.radial_by_tail * radial;
-    j.col(kSideways) = f.radial_by_sideways * radial;
+    j.col(kSideways) = f.round_by_sideways * peak + f.radial_by_sideways * radial;
     j.rightCols<kDriftUnknowns>() = datum.to_skin * driftSlopeAt(datum.picture_mm);
     return dragged + j.rightCols<kDriftUnknowns>() * n.tail<kDriftUnknowns>();
   }
@@ -201,6 +219,8 @@ void addPrior(const FieldNumbers& n, const Prior& prior, Normal& normal) {
   expect(kDeviator + 1, 0.0, form.elongation_sd);
   expect(kSideways, form.sideways_mean, form.sideways_sd);
   if (form.shape_sd > 0.0) expect(kMeanShape, form.shape_mean, form.shape_sd);
+  expect(kPressed, 0.0, form.presses ? kPressedFarSd : kNone);
+  expect(kPressed + 1, 0.0, form.presses ? kPressedNearSd : kNone);
   expect(kDrift, 0.0, prior.drift.shift_mm);
   expect(kDrift + 1, 0.0, prior.drift.shift_mm);
   expect(kDrift + 2, 0.0, prior.drift.scale);
@@ -266,6 +286,7 @@ std::array<bool, kFieldUnknowns> heldOf(const FieldNumbers& n, const FieldNumber
                                         Freedom freedom) {
   std::array<bool, kFieldUnknowns> held = {};
   held[kSideways] = freedom == Freedom::plain;
+  held[kPressed] = held[kPressed + 1] = freedom != Freedom::bends;
   for (std::size_t i = static_cast<std::size_t>(unknownsOf(freedom)); i < held.size(); ++i) held[i] = true;
   const auto hold_at = [&](int unknown, double low, double high) {
     const auto at = static_cast<std::size_t>(unknown);
@@ -429,7 +450,8 @@ std::span<const double> startWidthsOf(FieldForm form) {
 
 std::span<const double> startTailsOf(FieldForm form) {
   if (form == FieldForm::solved) return kSolvedStartTails;
-  return std::span(kStartTails).first(form == FieldForm::deep ? 1 : kStartTails.size());
+  if (form == FieldForm::deep) return kDeepStartTails;
+  return kStartTails;
 }
 
 /// Contact and drift from `known`, where there is one.
@@ -492,6 +514,7 @@ SkinField fieldOf(const FieldNumbers& n, FieldForm form) {
           n.segment<2>(kPeak),
           std::clamp(n[kTail], 0.0, kTailMost),
           std::clamp(n[kSideways], kSidewaysLeast, kSidewaysMost),
+          n.segment<2>(kPressed),
           form};
 }
 

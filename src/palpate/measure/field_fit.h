@@ -1,5 +1,5 @@
-// The numbers of a skin field, found from how the dots moved: thirteen that are asked for, eight that only take care of
-// how the body bent between the pictures.
+// The numbers of a skin field, found from how the dots moved: thirteen that are asked for, ten that only take care of
+// how the stick pressed besides and how the body bent between the pictures.
 //
 //   dots on the chart ─ fitField ─► FittedField ─ reportField (field_report.h) ─► ellipses, contact, peak with their sd
 #pragma once
@@ -23,12 +23,12 @@ struct FieldDatum {
   Mat2 to_skin = Mat2::Identity();
 };
 
-/// Order of the unknowns: contact x, y; mean logarithm of the shape and its two deviators; peak x, y; 1/P; kappa; drift
-/// in the picture: right, down (mm), scale, turn (mm per 100 mm); then its bends: stretch and shear (mm per 100 mm),
-/// and the squares x^2, xy, y^2 of motions to the right and down (mm per (100 mm)^2).
-inline constexpr int kFieldUnknowns = 21;
-inline constexpr int kFirstDrift = 9;
-inline constexpr int kFirstBend = 13;
+/// Order of the unknowns: contact x, y; mean logarithm of the shape and its two deviators; peak x, y; 1/P; kappa;
+/// pressed, far and near; drift in the picture: right, down (mm), scale, turn (mm per 100 mm); then its bends: stretch
+/// and shear (mm per 100 mm), and the squares x^2, xy, y^2 of motions to the right and down (mm per (100 mm)^2).
+inline constexpr int kFieldUnknowns = 23;
+inline constexpr int kFirstDrift = 11;
+inline constexpr int kFirstBend = 15;
 using FieldNumbers = Eigen::Matrix<double, kFieldUnknowns, 1>;
 using FieldCovariance = Eigen::Matrix<double, kFieldUnknowns, kFieldUnknowns>;
 

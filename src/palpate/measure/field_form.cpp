@@ -26,25 +26,54 @@ Fall fallAt(double s, double k) {
   return {f, -f / (1.0 + k * s), f * (logarithm / (k * k) - s / (k * (1.0 + k * s)))};
 }
 
+/// Of the deep form: c from -0.2 to 1.8.
+constexpr double kTailWithoutCore = 0.2;
+
 /// Of the pointed form, of rho: no skin has a kink.
 constexpr double kRounding = 0.1;
 
 FormValue withSideways(const Fall& fall, double s_by_rho2, double rho2, double sideways) {
   const double share = rho2 / (1.0 + rho2);
   const double by_rho2 = fall.by_s * s_by_rho2;
-  return {fall.value,        sideways * share * fall.value,
-          by_rho2,           sideways * (share * by_rho2 + fall.value / ((1.0 + rho2) * (1.0 + rho2))),
-          fall.by_tail,      sideways * share * fall.by_tail,
-          share * fall.value};
+  return {.round = fall.value,
+          .radial = sideways * share * fall.value,
+          .round_by_rho2 = by_rho2,
+          .radial_by_rho2 = sideways * (share * by_rho2 + fall.value / ((1.0 + rho2) * (1.0 + rho2))),
+          .round_by_tail = fall.by_tail,
+          .radial_by_tail = sideways * share * fall.by_tail,
+          .radial_by_sideways = share * fall.value};
+}
+
+/// With R^2 = 1 + rho^2: skin moves by (1 - nu) / R + c / R^3 and radially by nu rho^2 / R^3. c = 1 is a load spread
+/// over the skin as R^-5; without c it is a force at a point below the skin.
+FormValue deepAt(double rho2, double tail, double sideways) {
+  const double nu = 0.5 * sideways;
+  const double core = tail - kTailWithoutCore;
+  const double far = 1.0 / std::sqrt(1.0 + rho2);
+  const double near = far * far * far;
+  const double nearer = near * far * far;
+  const double scale = 1.0 / (1.0 - nu + core);
+  FormValue value{.round = scale * ((1.0 - nu) * far + core * near),
+                  .radial = scale * nu * rho2 * near,
+                  .round_by_rho2 = -scale * (0.5 * (1.0 - nu) * near + 1.5 * core * nearer),
+                  .radial_by_rho2 = scale * nu * (near - 1.5 * rho2 * nearer)};
+  value.round_by_tail = scale * (near - value.round);
+  value.radial_by_tail = -scale * value.radial;
+  value.round_by_sideways = 0.5 * scale * (value.round - far);
+  value.radial_by_sideways = 0.5 * scale * (rho2 * near + value.radial);
+  return value;
 }
 
 FormValue solvedAt(double rho2, double tail, double sideways) {
   const SolvedDrag d = solvedDragAt(rho2, tail);
   const double more = 1.0 + sideways;
-  return {d.across,          more * (d.along - d.across),
-          d.across_by_rho2,  more * (d.along_by_rho2 - d.across_by_rho2),
-          d.across_by_tail,  more * (d.along_by_tail - d.across_by_tail),
-          d.along - d.across};
+  return {.round = d.across,
+          .radial = more * (d.along - d.across),
+          .round_by_rho2 = d.across_by_rho2,
+          .radial_by_rho2 = more * (d.along_by_rho2 - d.across_by_rho2),
+          .round_by_tail = d.across_by_tail,
+          .radial_by_tail = more * (d.along_by_tail - d.across_by_tail),
+          .radial_by_sideways = d.along - d.across};
 }
 
 }  // namespace
@@ -57,15 +86,18 @@ FormValue formAt(FieldForm form, double rho2, double tail, double sideways) {
       const double rho = std::sqrt(rho2 + kRounding * kRounding);
       return withSideways(fallAt(rho - kRounding, tail), 0.5 / rho, rho2, sideways);
     }
-    case FieldForm::deep: {
-      Fall fall = fallAt(rho2, 2.0);
-      fall.by_tail = 0.0;
-      return withSideways(fall, 1.0, rho2, sideways);
-    }
+    case FieldForm::deep:
+      return deepAt(rho2, tail, sideways);
     case FieldForm::solved:
       break;
   }
   return solvedAt(rho2, tail, sideways);
+}
+
+PressShape pressShapeAt(double rho2) {
+  const double inverse = 1.0 / (1.0 + rho2);
+  const double root = std::sqrt(inverse);
+  return {{inverse, inverse * root}, {-inverse * inverse, -1.5 * inverse * inverse * root}};
 }
 
 const char* nameOf(FieldForm form) {

@@ -19,6 +19,7 @@ namespace palpate::measure {
 namespace {
 
 constexpr int kDrawsOfFit = 300;
+constexpr double kSlopeStep = 0.02;  // of an sd
 constexpr int kRaysOfDraw = 24;
 constexpr int kRootSteps = 12;
 constexpr int kHalvings = 24;
@@ -28,12 +29,14 @@ constexpr std::uint64_t kSeed = 20080611;  // of the draws: any, but always the 
 constexpr double kGaussianRim = 6.158;
 /// What no dot saw of the peak is extrapolated: so much of it counts as unsure.
 constexpr double kSdOfUnseen = 0.25;
-constexpr double kCoreShare = 0.5;  // of the peak: where the skin moves farther is the core
+constexpr double kSdOfUnseenDeep = 0.6;  // how the stick's load is spread is not seen either
+constexpr double kCoreShare = 0.5;       // of the peak: where the skin moves farther is the core
 /// An ellipse around few dots is read between them: this share over (1 + dots)^1.5 counts as unsure. Both from pairs
 /// outside the fitted forms (docs/measuring.md).
 constexpr double kSdBetweenDots = 0.2;
 /// Of a half axis: six stacks stand for all skin over bone.
 constexpr double kSdOfSolved = 0.013;
+constexpr double kSdOfDeep = 0.02;     // how the stick's load is spread
 constexpr double kCompactTail = 0.45;  // of 1/P: above it a tail has no rim
 
 /// rho^2 along a ray at which the motion falls to the level; 0 where even the peak is below.
@@ -130,18 +133,58 @@ double spread(const std::vector<Reported>& draws, const Difference& difference) 
   return draws.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(draws.size()));
 }
 
+constexpr std::size_t kAxes = 2 * kLevelsMm.size();
+using AxisSlopes = Eigen::Matrix<double, kAxes, kFieldUnknowns>;
+
+Eigen::Vector<double, kAxes> logAxesOf(const Reported& reported) {
+  Eigen::Vector<double, kAxes> logarithms;
+  for (std::size_t i = 0; i < kLevelsMm.size(); ++i) {
+    logarithms[2 * static_cast<Eigen::Index>(i)] = std::log(std::max(reported.levels[i].half_major_mm, 1e-3));
+    logarithms[2 * static_cast<Eigen::Index>(i) + 1] = std::log(std::max(reported.levels[i].half_minor_mm, 1e-3));
+  }
+  return logarithms;
+}
+
+/// Of the logarithms of the half axes, by every unknown in its sd; forwards, away from the bound of the tail at 0.
+AxisSlopes axisSlopesOf(const FittedField& fitted, const Mat2& mean_to_skin) {
+  const Eigen::Vector<double, kAxes> here =
+      logAxesOf(reportedOf(fitted.numbers, fitted.form, mean_to_skin, kRaysOfDraw));
+  AxisSlopes slopes = AxisSlopes::Zero();
+  for (int i = 0; i < kFirstDrift; ++i) {
+    const double step = kSlopeStep * std::sqrt(fitted.covariance(i, i));
+    FieldNumbers numbers = fitted.numbers;
+    numbers[i] += step;
+    slopes.col(i) = (logAxesOf(reportedOf(numbers, fitted.form, mean_to_skin, kRaysOfDraw)) - here) / step;
+  }
+  return slopes;
+}
+
+/// Peak and core of the deep form hang together, and the core leans on its bounds: what is sure of the axes would be
+/// lost in draws. Their logarithms are carried on in straight lines.
+void straighten(const Eigen::Vector<double, kAxes>& logarithms, Reported& draw) {
+  for (std::size_t i = 0; i < kLevelsMm.size(); ++i) {
+    draw.levels[i].half_major_mm = std::exp(logarithms[2 * static_cast<Eigen::Index>(i)]);
+    draw.levels[i].half_minor_mm = std::exp(logarithms[2 * static_cast<Eigen::Index>(i) + 1]);
+  }
+}
+
 std::vector<Reported> drawsOf(std::span<const WeighedField> forms, const Mat2& mean_to_skin) {
   std::vector<Reported> draws;
   Random random(kSeed);
   for (const auto& [fitted, share] : forms) {
     const Eigen::LLT<FieldCovariance> root(fitted.covariance);
     if (root.info() != Eigen::Success) continue;
+    const bool is_straight = fitted.form == FieldForm::deep;
+    const AxisSlopes slopes = is_straight ? axisSlopesOf(fitted, mean_to_skin) : AxisSlopes::Zero();
+    const Eigen::Vector<double, kAxes> axes =
+        logAxesOf(reportedOf(fitted.numbers, fitted.form, mean_to_skin, kRaysOfDraw));
     const auto count = static_cast<int>(std::lround(share * kDrawsOfFit));
     for (int i = 0; i < count; ++i) {
       FieldNumbers normal;
       for (int j = 0; j < kFieldUnknowns; ++j) normal[j] = random.normal();
-      const FieldNumbers numbers = fitted.numbers + root.matrixL() * normal;
-      draws.push_back(reportedOf(numbers, fitted.form, mean_to_skin, kRaysOfDraw));
+      const FieldNumbers off = root.matrixL() * normal;
+      draws.push_back(reportedOf(fitted.numbers + off, fitted.form, mean_to_skin, kRaysOfDraw));
+      if (is_straight) straighten(axes + slopes * off, draws.back());
     }
   }
   return draws;
@@ -213,6 +256,11 @@ std::size_t dotsWithin(std::span<const FieldDatum> data, const KeyEllipse& key, 
   return static_cast<std::size_t>(std::count_if(data.begin(), data.end(), is_within));
 }
 
+double sdOfForm(FieldForm form) {
+  if (form == FieldForm::solved) return kSdOfSolved;
+  return form == FieldForm::deep ? kSdOfDeep : 0.0;
+}
+
 }  // namespace
 
 LevelEllipse levelEllipse(const SkinField& field, double level_mm, int rays) {
@@ -246,9 +294,11 @@ void widenByDots(std::span<const FieldDatum> data, const FieldNumbers& numbers, 
   if (seen < kCoreShare * fit.peak_mm->value) {
     fit.peak_mm.reset();
   } else {
-    fit.peak_mm->sd = std::hypot(fit.peak_mm->sd, kSdOfUnseen * std::max(0.0, fit.peak_mm->value - seen));
+    const double unseen = std::max(0.0, fit.peak_mm->value - seen);
+    const double share = fit.field.form == FieldForm::deep ? kSdOfUnseenDeep : kSdOfUnseen;
+    fit.peak_mm->sd = std::hypot(fit.peak_mm->sd, share * unseen);
   }
-  const double of_form = fit.field.form == FieldForm::solved ? kSdOfSolved : 0.0;
+  const double of_form = sdOfForm(fit.field.form);
   for (KeyEllipse* key : {&fit.at_2_mm, &fit.at_4_mm}) {
     const double unsure = kSdBetweenDots / std::pow(1.0 + static_cast<double>(dotsWithin(data, *key, fit)), 1.5);
     for (Estimate* axis : {&key->half_major_mm, &key->half_minor_mm})

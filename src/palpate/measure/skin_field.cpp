@@ -29,7 +29,9 @@ Vec2 displacementAt(const SkinField& field, const Vec2& place_mm) {
   const double rho2 = offset.dot(shapeOf(field.log_shape) * offset);
   const FormValue value = formAt(field.form, rho2, field.inverse_tail, field.sideways);
   const double distance2 = offset.squaredNorm();
-  const Vec2 moved = value.round * field.peak_mm;
+  const double outwards = field.peak_mm.norm() * pressShapeAt(rho2).value.dot(field.pressed) *
+                          std::exp(0.25 * (field.log_shape[0] + field.log_shape[2]));
+  const Vec2 moved = value.round * field.peak_mm + outwards * offset;
   if (distance2 == 0.0) return moved;
   return moved + value.radial * offset * (offset.dot(field.peak_mm) / distance2);
 }

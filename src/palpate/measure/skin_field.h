@@ -1,4 +1,4 @@
-// The displacement of dragged skin as a form with thirteen numbers, and what of it is reported.
+// The displacement of dragged skin as a form with fifteen numbers, and what of it is reported.
 //
 //   SkinField ─ displacementAt ─► mm    fitted by field_fit.h; drawn by overlays
 //
@@ -27,8 +27,9 @@ struct SkinField {
   Vec2 contact_mm = Vec2::Zero();
   Vec3 log_shape = Vec3::Zero();  ///< xx, xy, yy of the logarithm of W; W in 1/mm^2
   Vec2 peak_mm = Vec2::Zero();
-  double inverse_tail = 0.0;  ///< k = 1/P; 0 is the half Gaussian, 2 the longest tail
-  double sideways = 0.0;      ///< kappa
+  double inverse_tail = 0.0;    ///< k = 1/P; 0 is the half Gaussian, 2 the longest tail
+  double sideways = 0.0;        ///< kappa
+  Vec2 pressed = Vec2::Zero();  ///< outwards all around (pressShapeAt), shares of the peak
   FieldForm form = FieldForm::smooth;
 };
 

@@ -9,16 +9,15 @@ namespace palpate::measure {
 
 namespace {
 
-constexpr std::size_t kKnots = 42;
 constexpr double kStep = 0.16;  // of ln(1 + rho^2)
 
-using Curve = std::array<double, kKnots>;
+using Curve = std::array<double, kSolvedKnots>;
 
 /// Along and across, by turns.
-constexpr std::array<Curve, 12> kCurves = {{
+constexpr std::array<Curve, 2 * kSolvedStacks.size()> kCurves = {{
 #include "palpate/measure/solved_drag_data.inc"
 }};
-constexpr std::size_t kStacks = kCurves.size() / 2;
+constexpr std::size_t kStacks = kSolvedStacks.size();
 
 /// Weights of four neighbouring knots for a value and its derivative (Catmull and Rom).
 struct Weights {
@@ -28,7 +27,7 @@ struct Weights {
 };
 
 Weights weightsAt(double place) {
-  const double cell = std::clamp(std::floor(place), 1.0, static_cast<double>(kKnots) - 3.0);
+  const double cell = std::clamp(std::floor(place), 1.0, static_cast<double>(kSolvedKnots) - 3.0);
   const double t = place - cell;
   return {static_cast<std::size_t>(cell) - 1,
           {0.5 * t * (t * (2.0 - t) - 1.0), 0.5 * (t * t * (3.0 * t - 5.0) + 2.0),
@@ -44,9 +43,11 @@ double sum(const Curve& curve, std::size_t first, const std::array<double, 4>& w
 
 }  // namespace
 
+double solvedKnotMm(std::size_t i) { return kSolvedPatchMm * std::sqrt(std::expm1(kStep * static_cast<double>(i))); }
+
 SolvedDrag solvedDragAt(double rho2, double tail) {
   const double place = std::log1p(rho2) / kStep;
-  if (!(place < static_cast<double>(kKnots) - 2.0)) return {};
+  if (!(place < static_cast<double>(kSolvedKnots) - 2.0)) return {};
   const Weights w = weightsAt(place);
   constexpr double kPerTail = (kStacks - 1) / kSolvedLongestTail;
   const double stack = std::clamp(tail * kPerTail, 0.0, static_cast<double>(kStacks) - 1.0);

@@ -1,11 +1,13 @@
 // How the skin over layers and bone follows a dragged patch, as solved by finite elements: the third form of the fit.
 //
 // Of round layers the whole motion follows from two curves: a place at the angle a from the drag moves by along(r) cos
-// a outwards and by -across(r) sin a round the contact, shares of the drag. Six stacks, from the shortest tail to the
-// longest, between them blended (`palpate tissue solve --layer skin:2mm:150kPa ...`, patch of radius 6 mm): skin of 2
-// mm with 50, 150, 150, 150, 400, 1000 kPa; fat of 4, 4, 9, 13, 13, 13 mm with 10 kPa; muscle of 6, 6, 14, 30, 30, 30
-// mm with 27 kPa.
+// a outwards and by -across(r) sin a round the contact, shares of the drag. Six stacks from the shortest tail to the
+// longest, blended in between; `palpate tissue library --solve --drag -o src/palpate/measure/solved_drag_data.inc`
+// solves them again.
 #pragma once
+
+#include <array>
+#include <cstddef>
 
 namespace palpate::measure {
 
@@ -13,6 +15,24 @@ namespace palpate::measure {
 inline constexpr double kSolvedPatchMm = 6.0;
 /// `tail` of the stack with the longest tail; 0 is the shortest.
 inline constexpr double kSolvedLongestTail = 2.0;
+
+/// Skin of 2 mm, fat of 10 kPa, muscle of 27 kPa, over bone.
+struct SolvedStack {
+  double skin_kpa = 0.0;
+  double fat_mm = 0.0;
+  double muscle_mm = 0.0;
+};
+inline constexpr std::array<SolvedStack, 6> kSolvedStacks = {{{50.0, 4.0, 6.0},
+                                                              {150.0, 4.0, 6.0},
+                                                              {150.0, 9.0, 14.0},
+                                                              {150.0, 13.0, 30.0},
+                                                              {400.0, 13.0, 30.0},
+                                                              {1000.0, 13.0, 30.0}}};
+
+/// Distances of the table from the contact, at equal steps of ln(1 + rho^2); the last one and what is farther is at
+/// rest.
+inline constexpr std::size_t kSolvedKnots = 42;
+double solvedKnotMm(std::size_t i);
 
 struct SolvedDrag {
   double along = 0.0;
