@@ -199,11 +199,10 @@ void addTissueLibraryCommand(CLI::App& parent) {
       ->capture_default_str();
   CLI::Option& solve = *command.add_flag("--solve", a.solve,
                                          "Solve all of them again (minutes) and write the source file that is shipped");
-  CLI::Option& fingers =
-      *command
-           .add_flag("--fingers", a.fingers,
-                     "With --solve: the forces of fingers of other radii, which have their own file")
-           ->needs(&solve);
+  CLI::Option& fingers = *command
+                              .add_flag("--fingers", a.fingers,
+                                        "With --solve: the forces of fingers of other radii, which have their own file")
+                              ->needs(&solve);
   command
       .add_flag("--drag", a.drag,
                 "With --solve: the drags that `palpate measure` fits to photographs, instead of the body's")
