@@ -4,6 +4,7 @@
 
 #include "lab/counters/machine.h"
 #include "palpate/base/stopwatch.h"
+#include "study/measuring/outside_study.h"
 
 namespace palpate::study {
 
@@ -29,7 +30,7 @@ const std::vector<Study>& studies() {
       {"relaxation", "Skin that gives way in time: the force of a press that is held, its work, the dent that stays",
        studyRelaxation},
       {"measuring", "Key ellipses from synthetic photographs against their truth: bars, refusals, honesty of the sd",
-       studyMeasuring, true},
+       studyMeasuring, true, false, namesOfOutsideFamilies()},
       {"training", "Thresholds of simulated trainees: bias, spread, coverage, examination, places left out, a course",
        studyTraining, true}};
   return all;

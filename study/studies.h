@@ -14,8 +14,9 @@ struct Study {
   std::string name;  ///< of the subcommand
   std::string what;  ///< its help, one line
   std::function<StudyPage(const StudySettings& settings)> run;
-  bool draws = false;  ///< its cases, from a seed: it takes --seed and --cases
-  bool maps = false;   ///< it has a map of its own that takes minutes: it takes --map
+  bool draws = false;                   ///< its cases, from a seed: it takes --seed and --cases
+  bool maps = false;                    ///< it has a map of its own that takes minutes: it takes --map
+  std::vector<std::string> families{};  ///< of cases that it can be asked for alone: it takes --family
 };
 
 /// In the order of a report.

@@ -5,6 +5,8 @@
 #include <limits>
 #include <optional>
 
+#include "palpate/measure/field_form.h"
+
 namespace palpate::study {
 
 using measure::Measurement;
@@ -132,8 +134,12 @@ void judgeFit(const measure::SyntheticCase& made, const SyntheticTruth& truth, c
   judged.contact_sd_mm = std::hypot(fit.contact_x_mm.sd, fit.contact_y_mm.sd);
   judged.drag_error_deg = std::abs(std::remainder(fit.drag_deg.value - truth.drag_deg, 360.0));
   const double peak = truth.field.peak_mm.norm();
-  judged.peak_error_percent = peak > 0.0 ? 100.0 * (fit.peak_mm.value / peak - 1.0) : 100.0;
+  judged.peak_stated = fit.peak_mm.has_value();
+  if (fit.peak_mm) judged.peak = axisError(*fit.peak_mm, peak);
+  judged.form = measure::nameOf(fit.field.form);
+  judged.form_share = fit.forms.empty() ? 1.0 : fit.forms.front().share;
   judged.residual_rms_mm = fit.residual_rms_mm;
+  judged.residual_pattern = fit.residual_pattern;
   judged.drift_in_sd = fit.drift.in_sd;
 }
 

@@ -56,9 +56,13 @@ struct JudgedPair {
   double contact_error_mm = 0.0;
   double contact_sd_mm = 0.0;
   double drag_error_deg = 0.0;
-  double peak_error_percent = 0.0;
+  std::string form;  ///< likeliest of the fitted ones
+  double form_share = 1.0;
+  AxisError peak;
+  bool peak_stated = false;
   double displacement_rms_mm = 0.0;  ///< measured less true, drift taken off, over all rightly matched dots
   double residual_rms_mm = 0.0;
+  double residual_pattern = 0.0;
   double drift_in_sd = 0.0;
 
   // As the dissertation reads it.

@@ -19,7 +19,7 @@ using measure::SyntheticCase;
 using measure::TailFamily;
 
 /// Numbers of streams: the pairs of one are not those of another.
-enum class Stream : std::uint64_t { good = 1, spoilt, drifted, half_space, windowed, lopsided, timed };
+enum class Stream : std::uint64_t { good = 1, spoilt, drifted, half_space, windowed, lopsided, timed, outside };
 
 std::uint64_t seedOf(std::uint64_t seed, Stream stream, std::size_t i) {
   Random random(seed * 0x2545f4914f6cdd1dull + static_cast<std::uint64_t>(stream) * 1000003u + i);
@@ -139,6 +139,17 @@ double timeFits(const MeasuringPlan& plan) {
 MeasuringPlan measuringPlan(bool quick) {
   if (!quick) return {};
   return {.cases = 8, .megapixels = 1.0, .large_every = 0, .spoilt_each = 1, .exact_each = 8};
+}
+
+ExactPairs measureOutside(OutsideFamily family, std::uint64_t seed, std::size_t count, const Progress& progress) {
+  const OutsideFields fields(family, seed, progress);
+  ExactPairs exact{std::string(nameOf(family)), std::vector<JudgedPair>(count)};
+  shareOut(count, progress, exact.name, [&](std::size_t i) {
+    const SyntheticCase made = fields.caseOf(seedOf(seed, Stream::outside, i), i);
+    const measure::SyntheticTruth truth = measure::truthOf(made);
+    exact.pairs[i] = judgePair(made, truth, measure::measureDots(exactDots(made, truth)));
+  });
+  return exact;
 }
 
 MeasuringMeasurement measureMeasuring(const MeasuringPlan& plan, const Progress& progress) {

@@ -7,6 +7,7 @@
 
 #include "palpate/base/progress.h"
 #include "study/measuring/judged_pair.h"
+#include "study/measuring/outside_fields.h"
 #include "study/measuring/spoilt_pairs.h"
 
 namespace palpate::study {
@@ -46,6 +47,9 @@ struct MeasuringMeasurement {
   double large_s = 0.0;   ///< a pair of 12 megapixels from its files' bytes to findings, one core
   double hundred_fits_s = 0.0;
 };
+
+/// `count` presses of a family whose skin moves as no fitted form has it (outside_fields.h), without pixels.
+ExactPairs measureOutside(OutsideFamily family, std::uint64_t seed, std::size_t count, const Progress& progress);
 
 /// The same for any number of threads, but for the times.
 MeasuringMeasurement measureMeasuring(const MeasuringPlan& plan, const Progress& progress);

@@ -78,7 +78,8 @@ SetNumbers numbersOf(const std::vector<JudgedPair>& pairs) {
   set.direction_deg = percentiles(pairs, directed, [](const auto& pair) { return pair.direction_error_deg; });
   set.contact_mm = percentiles(pairs, any, [](const auto& pair) { return pair.contact_error_mm; });
   set.drag_deg = percentiles(pairs, any, [](const auto& pair) { return pair.drag_error_deg; });
-  set.peak_percent = percentiles(pairs, any, [](const auto& pair) { return std::abs(pair.peak_error_percent); });
+  const auto peaked = [](const JudgedPair& pair) { return pair.accepted && pair.peak_stated; };
+  set.peak_percent = percentiles(pairs, peaked, [](const auto& pair) { return std::abs(pair.peak.percent); });
   set.displacement_mm = percentiles(pairs, any, [](const auto& pair) { return pair.displacement_rms_mm; });
   set.chord_percent = percentiles(pairs, contoured, [](const auto& pair) { return std::abs(pair.chord_percent); });
   set.chord_direction_deg =

@@ -11,6 +11,7 @@
 #include "palpate/measure/synthesis/synthetic_files.h"
 #include "study/measuring/measuring_findings.h"
 #include "study/measuring/measuring_numbers.h"
+#include "study/measuring/outside_study.h"
 #include "study/page/plot_parts.h"
 
 namespace palpate::study {
@@ -228,6 +229,7 @@ std::string commandOf(const StudySettings& settings, const MeasuringPlan& plan) 
 }  // namespace
 
 StudyPage studyMeasuring(const StudySettings& settings) {
+  if (!settings.family.empty()) return studyMeasuringOutside(settings);
   const MeasuringPlan plan = planOf(settings);
   const MeasuringMeasurement found = measureMeasuring(plan, settings.progress);
   return {

@@ -28,6 +28,7 @@ struct StudySettings {
   std::optional<std::uint64_t> seed{};  ///< of a study that draws its cases (Study::draws)
   std::optional<std::size_t> cases{};   ///< how many it draws
   bool map = false;                     ///< of a study that has one (Study::maps): that alone
+  std::string family{};                 ///< of a study that has several (Study::families): that alone; empty: the rest
 };
 
 struct StudyFigure {

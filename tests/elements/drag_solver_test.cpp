@@ -54,6 +54,12 @@ TEST(DragSolver, AgreesWithAnIndependentSolver) {
       EXPECT_NEAR(field.at(at, 0.0), one.at("ux")[i].get<double>(), most) << at;
       EXPECT_NEAR(field.at(0.0, at), one.at("uy")[i].get<double>(), most) << at;
     }
+    // The other quarters are mirrored: along the drag alike, across it turned round.
+    const Vec2 here = field.movedAt({20.0, 14.0});
+    EXPECT_GT(here.y(), 0.0);
+    EXPECT_LT((field.movedAt({-20.0, 14.0}) - Vec2(here.x(), -here.y())).norm(), 1e-12);
+    EXPECT_LT((field.movedAt({-20.0, -14.0}) - here).norm(), 1e-12);
+    EXPECT_EQ(field.movedAt({200.0, 0.0}), Vec2(0.0, 0.0));
     const FittedDrag fitted = fitDrag(field, {0.0, 10.0});
     const nlohmann::json& p = one.at("lorentz").at("p");
     EXPECT_NEAR(fitted.shape.along_mm, p[0].get<double>(), 0.03 * p[0].get<double>());

@@ -9,6 +9,7 @@
 #include "palpate/base/error.h"
 #include "palpate/measure/skin_chart.h"
 #include "palpate/measure/synthesis/synthetic_pair.h"
+#include "palpate/measure/verdict.h"
 
 namespace palpate::measure {
 namespace {
@@ -25,6 +26,29 @@ TEST(Measurement, OfAPressOnATiltedSheetIsItsEllipse) {
   EXPECT_LT((m.chart->pictureAt(m.fit->field.contact_mm) - seen(sheet, {0.0, 0.0})).norm() / sheet.px_per_mm, 1.0);
   ASSERT_TRUE(m.contour);
   EXPECT_NEAR(m.contour->half_chord_mm, 95.0, 4.0);
+}
+
+std::string textOf(const std::vector<Finding>& findings, const std::string& code) {
+  const auto found =
+      std::find_if(findings.begin(), findings.end(), [&](const Finding& finding) { return finding.code == code; });
+  return found == findings.end() ? "" : found->text;
+}
+
+TEST(Measurement, ItsVerdictNamesTheLimitThatHoldsAndACircleOnlyWhereThereIsOne) {
+  Measurement m = measureDots(drawnDots({}, drag(18.0, 95.0, 70.0, 60.0), 0.1));
+  ASSERT_TRUE(m.fit);
+  KeyEllipse& key = m.fit->at_2_mm;
+  key.half_major_mm.sd = 0.065 * key.half_major_mm.value;
+  EXPECT_NE(textOf(judgeFit(m, 0), "imprecise").find("6.5 %"), std::string::npos);
+  EXPECT_TRUE(textOf(judgeFit(m, 0), "unsure").empty());
+  key.half_major_mm.sd = 0.084 * key.half_major_mm.value;
+  EXPECT_NE(textOf(judgeFit(m, 0), "unsure").find("8.4 % only (the limit is 8 %)"), std::string::npos);
+  key.direction_deg.sd = 20.0;
+  key.major_over_minor.value = 1.57;
+  EXPECT_NE(textOf(judgeFit(m, 0), "direction_unsure").find("1.57"), std::string::npos);
+  EXPECT_EQ(textOf(judgeFit(m, 0), "direction_unsure").find("circle"), std::string::npos);
+  key.major_over_minor.value = 1.04;
+  EXPECT_NE(textOf(judgeFit(m, 0), "direction_unsure").find("nearly a circle"), std::string::npos);
 }
 
 TEST(Measurement, ReadsTheHeadWhereItIsSaidToBe) {

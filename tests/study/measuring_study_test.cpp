@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/base/error.h"
 #include "study/measuring/exact_dots.h"
 #include "study/measuring/measuring_findings.h"
 #include "study/measuring/measuring_numbers.h"
+#include "study/measuring/outside_study.h"
 #include "tests/study/says.h"
 
 namespace palpate::study {
@@ -26,6 +28,7 @@ JudgedPair pairOff(double percent, TailFamily family = TailFamily::compact) {
   pair.at_4_mm = {{0.5 * percent, 2.0}, {0.1, 2.0}};
   pair.found_before = pair.found_after = pair.in_order = 1.0;
   pair.matched = 100;
+  pair.peak_stated = true;
   return pair;
 }
 
@@ -231,6 +234,43 @@ TEST(MeasuringStudy, IsTheSameEveryTime) {
   }
   EXPECT_NE(first.good[0].seed, first.good[1].seed);
   EXPECT_NE(first.good[0].seed, smallMeasuring().good[0].seed) << "another seed, other pairs";
+}
+
+TEST(OutsideFields, SharesCountWhatIsStatedAndWhatHolds) {
+  std::vector<JudgedPair> pairs = {pairOff(1.0), pairOff(9.0), refusedAs("unsure")};
+  pairs[0].peak = {30.0, 10.0};
+  pairs[1].peak_stated = false;
+  pairs[1].warnings = {"no_peak"};
+  const OutsideNumbers n = outsideNumbers(pairs);
+  EXPECT_EQ(n.accepted, 2u);
+  EXPECT_EQ(n.peaks, 1u) << "one is not stated";
+  EXPECT_DOUBLE_EQ(n.axes_within_2sd, 0.5) << "9 % with an sd of 2 %";
+  EXPECT_DOUBLE_EQ(n.peak_within_2sd, 0.0) << "30 % with an sd of 10 %";
+  EXPECT_DOUBLE_EQ(n.warned_share, 0.5);
+  EXPECT_DOUBLE_EQ(n.missed_warned_share, 1.0) << "the one that is off is warned of";
+  EXPECT_DOUBLE_EQ(outsideNumbers({}).peak_within_2sd, 1.0);
+}
+
+TEST(OutsideFields, EveryFamilyHasItsPeakAtTheContactAndAContour) {
+  for (const OutsideFamily family : {OutsideFamily::boussinesq, OutsideFamily::exponential, OutsideFamily::irregular}) {
+    SCOPED_TRACE(nameOf(family));
+    EXPECT_EQ(outsideFamilyOf(nameOf(family)), family);
+    const OutsideFields fields(family, 3, {});
+    const measure::SyntheticCase made = fields.caseOf(11, 0);
+    EXPECT_NEAR(made.press.given(Vec2::Zero()).norm(), made.press.peak_mm, 1e-9);
+    const measure::SyntheticTruth truth = measure::truthOf(made);
+    EXPECT_GT(truth.at_2_mm.half_minor_mm.value, truth.at_4_mm.half_minor_mm.value);
+    EXPECT_GT(truth.at_4_mm.half_minor_mm.value, 5.0);
+  }
+  EXPECT_THROW(outsideFamilyOf("rubber"), Error);
+}
+
+TEST(OutsideFields, TheSdOfAnExponentialHolds) {
+  const ExactPairs found = measureOutside(OutsideFamily::exponential, 4, 8, {});
+  const OutsideNumbers n = outsideNumbers(found.pairs);
+  EXPECT_GE(n.accepted, 5u);
+  EXPECT_GE(n.axes_within_2sd, 0.8);
+  EXPECT_GE(n.peak_within_2sd, 0.8);
 }
 
 }  // namespace palpate::study

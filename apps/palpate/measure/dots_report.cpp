@@ -9,6 +9,7 @@
 
 #include "apps/palpate/common/json.h"
 #include "palpate/base/nearest_name.h"
+#include "palpate/measure/field_form.h"
 #include "palpate/measure/key_row.h"
 #include "palpate/measure/overlay.h"
 #include "palpate/measure/skin_chart.h"
@@ -35,6 +36,8 @@ std::string ellipseLine(const KeyEllipse& key) {
 
 std::string tailWords(const FieldFit& fit) {
   const Estimate& k = fit.inverse_tail;
+  if (fit.field.form != measure::FieldForm::smooth)
+    return fmt::format("{} of the form \"{}\"", words(k, 2), measure::nameOf(fit.field.form));
   std::string text = fmt::format("1/P = {}", words(k, 2));
   if (k.value > 0.01) text += fmt::format(" (P {:.2f})", 1.0 / k.value);
   if (fit.gaussian_rim_mm) text += fmt::format(", rim of the half Gaussian {:.0f} mm", *fit.gaussian_rim_mm);
@@ -49,8 +52,9 @@ std::string fitText(const Measurement& m) {
     text += fmt::format("  contact   at {:.1f},{:.1f} px of the first picture, ± {:.1f} and {:.1f} mm\n",
                         contact_px.x(), contact_px.y(), fit.contact_x_mm.sd, fit.contact_y_mm.sd);
   }
-  text += fmt::format("  peak      {} mm, dragged towards {} degrees; tail {}\n", words(fit.peak_mm, 1),
-                      words(fit.drag_deg, 1), tailWords(fit));
+  text += fmt::format("  peak      {}, dragged towards {} degrees; tail {}\n",
+                      fit.peak_mm ? words(*fit.peak_mm, 1) + " mm" : "not seen by any dot", words(fit.drag_deg, 1),
+                      tailWords(fit));
   text += fmt::format(
       "  body      moved {:.2f} mm between the pictures, turned {:.2f} degrees, {:+.2f} % in size; {:.1f} of "
       "the sd allowed\n",
@@ -100,7 +104,14 @@ nlohmann::ordered_json json(const measure::SkinField& field) {
           {"log_shape", {field.log_shape.x(), field.log_shape.y(), field.log_shape.z()}},
           {"peak_mm", json(field.peak_mm)},
           {"inverse_tail", field.inverse_tail},
-          {"sideways", field.sideways}};
+          {"sideways", field.sideways},
+          {"form", measure::nameOf(field.form)}};
+}
+
+nlohmann::ordered_json formsJson(const FieldFit& fit) {
+  nlohmann::ordered_json forms = nlohmann::ordered_json::object();
+  for (const measure::FormShare& form : fit.forms) forms[measure::nameOf(form.form)] = form.share;
+  return forms;
 }
 
 nlohmann::ordered_json json(const Measurement& m, const FieldFit& fit) {
@@ -108,12 +119,14 @@ nlohmann::ordered_json json(const Measurement& m, const FieldFit& fit) {
                                    {"at_4_mm", json(fit.at_4_mm)},
                                    {"contact_x_mm", json(fit.contact_x_mm)},
                                    {"contact_y_mm", json(fit.contact_y_mm)},
-                                   {"peak_mm", json(fit.peak_mm)},
+                                   {"peak_mm", fit.peak_mm ? json(*fit.peak_mm) : nlohmann::ordered_json(nullptr)},
                                    {"drag_deg", json(fit.drag_deg)},
                                    {"inverse_tail", json(fit.inverse_tail)},
                                    {"sideways", json(fit.sideways)},
                                    {"drift", json(fit.drift)},
                                    {"residual_rms_mm", fit.residual_rms_mm},
+                                   {"residual_pattern", fit.residual_pattern},
+                                   {"forms", formsJson(fit)},
                                    {"gaussian_rim_mm", orNull(fit.gaussian_rim_mm)},
                                    {"inside_share", fit.inside_share},
                                    {"field", json(fit.field)}};

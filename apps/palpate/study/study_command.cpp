@@ -2,6 +2,8 @@
 //
 // Each study is a subcommand with a file of its own in study/; those that write a page are listed in study/studies.cpp.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -18,6 +20,7 @@
 #include "palpate/scene/scene_file.h"
 #include "study/errata/errata_report.h"
 #include "study/figures/figure_study.h"
+#include "study/measuring/outside_study.h"
 #include "study/numbers/numbers_study.h"
 #include "study/report/report.h"
 #include "study/studies.h"
@@ -43,17 +46,25 @@ struct StudyArguments {
   std::optional<std::uint64_t> seed;
   std::optional<std::size_t> cases;
   bool map = false;
+  std::string family;
 };
+
+/// Of the page, without its extension.
+std::string pageName(const study::Study& study, const StudyArguments& arguments) {
+  if (arguments.map) return study.name + "_map";
+  return arguments.family.empty() ? study.name : study.name + "_" + arguments.family;
+}
 
 void run(const study::Study& study, const StudyArguments& arguments) {
   if (!arguments.folder.empty()) study::makeFolder(arguments.folder);  // a folder that cannot be is refused at once
-  tellOfEarlier(arguments.folder, study.name + (arguments.map ? "_map.md" : ".md"));
+  tellOfEarlier(arguments.folder, pageName(study, arguments) + ".md");
   ProgressLine progress;
   const study::StudyPage page = study::runStudy(study, {.quick = arguments.quick,
                                                         .progress = progress.callback(),
                                                         .seed = arguments.seed,
                                                         .cases = arguments.cases,
-                                                        .map = arguments.map});
+                                                        .map = arguments.map,
+                                                        .family = arguments.family});
   if (!arguments.folder.empty()) study::writePage(page, arguments.folder, progress.callback());
   progress.clear();
   fmt::print("{}", arguments.json ? study::jsonOf(page) : study::textOf(page));
@@ -78,6 +89,13 @@ void addPage(CLI::App& parent, const study::Study& study) {
         "--map", arguments->map,
         "Only the map of what is allowed: random systems at every rate and delay, some minutes on two cores");
     addNumber(command, "--seed", arguments->seed, between(0, 1e15), "Other systems for the map")->needs("--map");
+  }
+  if (!study.families.empty()) {
+    command
+        .add_option("--family", arguments->family,
+                    fmt::format("Only cases of this family ({} unless --cases says otherwise): {}",
+                                study::kOutsideCases, fmt::join(study.families, ", ")))
+        ->check(CLI::IsMember(study.families));
   }
   command.callback([arguments, study] { run(study, *arguments); });
 }

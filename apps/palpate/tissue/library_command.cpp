@@ -1,6 +1,9 @@
-// `palpate tissue library`: the solved stacks that a body's places are blended from; and how they are solved again.
+// `palpate tissue library`: the solved stacks that a body's places are blended from; and how they are solved again,
+// with the drags that photographs are fitted by.
 #include <fmt/format.h>
 
+#include <cmath>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -11,8 +14,10 @@
 #include "apps/palpate/common/progress_line.h"
 #include "palpate/base/error.h"
 #include "palpate/base/output_file.h"
+#include "palpate/elements/drag_solver.h"
 #include "palpate/elements/finger_solver.h"
 #include "palpate/elements/stack_solver.h"
+#include "palpate/measure/solved_drag.h"
 #include "palpate/tissue/layered_library.h"
 
 namespace palpate::app {
@@ -27,6 +32,7 @@ struct LibraryArguments {
   double finger_mm = tissue::kFingertipMm;
   bool solve = false;
   bool fingers = false;
+  bool drag = false;
   bool json = false;
 };
 
@@ -108,6 +114,40 @@ std::string fingersText(const Progress& progress) {
          "constexpr double kFingerForces[] = {\n" + rows + "};\n";
 }
 
+/// Shares of the drag at the table's distances, 4 digits.
+std::string dragCurve(const std::function<double(double mm)>& moved) {
+  std::vector<double> shares;
+  for (std::size_t i = 0; i < measure::kSolvedKnots; ++i)
+    shares.push_back(std::round(1e4 * moved(measure::solvedKnotMm(i))) * 1e-4 + 0.0);
+  return fmt::format("{{{{{:.4g}}}}},\n", fmt::join(shares, ", "));
+}
+
+std::string dragText(const Progress& progress) {
+  std::string text =
+      "// Made by `palpate tissue library --solve --drag`: along the drag and across it, stack by stack "
+      "(solved_drag.h).\n";
+  for (std::size_t i = 0; i < measure::kSolvedStacks.size(); ++i) {
+    report(progress, "dragging layers", static_cast<double>(i) / static_cast<double>(measure::kSolvedStacks.size()));
+    const measure::SolvedStack& s = measure::kSolvedStacks[i];
+    const elements::DragField field = elements::solveDragField(
+        {.layers = {{"skin", 2.0, s.skin_kpa}, {"fat", s.fat_mm, 10.0}, {"muscle", s.muscle_mm, 27.0}}},
+        {.patch_radius_mm = measure::kSolvedPatchMm});
+    text += dragCurve([&](double mm) { return field.movedAt({mm, 0.0}).x(); });
+    text += dragCurve([&](double mm) { return field.movedAt({0.0, mm}).x(); });
+  }
+  return text;
+}
+
+void solveDrags(const LibraryArguments& arguments) {
+  if (arguments.output.empty()) throw Error("--drag needs -o FILE");
+  ProgressLine progress;
+  OutputFile file(arguments.output);
+  file.write(dragText(progress.callback()));
+  file.commit();
+  progress.clear();
+  fmt::print("-> {} ({} stacks)\n", arguments.output, measure::kSolvedStacks.size());
+}
+
 void solveLibrary(const LibraryArguments& arguments) {
   if (arguments.output.empty()) throw Error("--solve needs -o FILE");
   std::string text;
@@ -159,12 +199,21 @@ void addTissueLibraryCommand(CLI::App& parent) {
       ->capture_default_str();
   CLI::Option& solve = *command.add_flag("--solve", a.solve,
                                          "Solve all of them again (minutes) and write the source file that is shipped");
+  CLI::Option& fingers = *command
+                              .add_flag("--fingers", a.fingers,
+                                        "With --solve: the forces of fingers of other radii, which have their own file")
+                              ->needs(&solve);
   command
-      .add_flag("--fingers", a.fingers, "With --solve: the forces of fingers of other radii, which have their own file")
-      ->needs(&solve);
+      .add_flag("--drag", a.drag,
+                "With --solve: the drags that `palpate measure` fits to photographs, instead of the body's")
+      ->needs(&solve)
+      ->excludes(&fingers);
   command.add_option("-o,--out", a.output, "With --solve: the file");
   command.add_flag("--json", a.json, "Print one JSON object");
-  command.callback([arguments] { arguments->solve ? solveLibrary(*arguments) : listLibrary(*arguments); });
+  command.callback([arguments] {
+    if (arguments->drag) return solveDrags(*arguments);
+    arguments->solve ? solveLibrary(*arguments) : listLibrary(*arguments);
+  });
 }
 
 }  // namespace palpate::app

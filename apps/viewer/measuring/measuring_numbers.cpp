@@ -32,7 +32,7 @@ std::vector<MeasuredNumber> measuredNumbers(const measure::Measurement& measured
   numbers.push_back({"major over minor", withSd(fit.at_2_mm.major_over_minor, 2, "")});
   numbers.push_back({"direction", directionWords(fit.at_2_mm.direction_deg)});
   addEllipse(fit.at_4_mm, numbers);
-  numbers.push_back({"peak", withSd(fit.peak_mm, 1, " mm")});
+  numbers.push_back({"peak", fit.peak_mm ? withSd(*fit.peak_mm, 1, " mm") : "not seen"});
   numbers.push_back({"dragged towards", withSd(fit.drag_deg, 1, "°")});
   numbers.push_back({"tail 1/P", withSd(fit.inverse_tail, 2, "")});
   numbers.push_back({"body moved", fmt::format("{:.2f} mm", fit.drift.length_mm)});

@@ -65,21 +65,32 @@ void check(const tissue::LayerStack& stack, const DragSettings& settings) {
   throw Error(fmt::format("the mesh's fineness is {:g}; it must be 0.5 to 4", settings.fineness));
 }
 
-}  // namespace
-
-double DragField::at(double x, double y) const {
+/// Bilinear in the quarter's grid.
+double between(const std::vector<double>& lines, const std::vector<double>& values, double x, double y) {
   const auto cell = [&](double value) {
-    const auto after = std::upper_bound(lines_mm.begin() + 1, lines_mm.end() - 1, value);
-    return static_cast<std::size_t>(after - lines_mm.begin()) - 1;
+    const auto after = std::upper_bound(lines.begin() + 1, lines.end() - 1, value);
+    return static_cast<std::size_t>(after - lines.begin()) - 1;
   };
   const std::size_t i = cell(x);
   const std::size_t j = cell(y);
-  const double s = std::min(1.0, (x - lines_mm[i]) / (lines_mm[i + 1] - lines_mm[i]));
-  const double t = std::min(1.0, (y - lines_mm[j]) / (lines_mm[j + 1] - lines_mm[j]));
-  const std::size_t size = lines_mm.size();
-  const auto value = [&](std::size_t a, std::size_t b) { return along[a * size + b]; };
+  const double s = std::min(1.0, (x - lines[i]) / (lines[i + 1] - lines[i]));
+  const double t = std::min(1.0, (y - lines[j]) / (lines[j + 1] - lines[j]));
+  const std::size_t size = lines.size();
+  const auto value = [&](std::size_t a, std::size_t b) { return values[a * size + b]; };
   return (1.0 - s) * ((1.0 - t) * value(i, j) + t * value(i, j + 1)) +
          s * ((1.0 - t) * value(i + 1, j) + t * value(i + 1, j + 1));
+}
+
+}  // namespace
+
+double DragField::at(double x, double y) const { return between(lines_mm, along, x, y); }
+
+Vec2 DragField::movedAt(const Vec2& place_mm) const {
+  const double x = std::abs(place_mm.x());
+  const double y = std::abs(place_mm.y());
+  if (std::max(x, y) >= lines_mm.back()) return Vec2::Zero();
+  const double sign = (place_mm.x() < 0.0) == (place_mm.y() < 0.0) ? 1.0 : -1.0;
+  return {between(lines_mm, along, x, y), sign * between(lines_mm, across, x, y)};
 }
 
 DragField solveDragField(const tissue::LayerStack& stack, const DragSettings& settings, const Progress& progress) {
@@ -93,7 +104,10 @@ DragField solveDragField(const tissue::LayerStack& stack, const DragSettings& se
   DragField field;
   field.lines_mm = block.x_mm;
   for (int i = 0; i < block.alongX(); ++i) {
-    for (int j = 0; j < block.alongY(); ++j) field.along.push_back(dragged.displacement[3 * block.node(i, j, 0)]);
+    for (int j = 0; j < block.alongY(); ++j) {
+      field.along.push_back(dragged.displacement[3 * block.node(i, j, 0)]);
+      field.across.push_back(dragged.displacement[3 * block.node(i, j, 0) + 1]);
+    }
   }
   field.drag_n_per_mm = dragged.n_per_mm;
   field.press_n_per_mm = pressed.n_per_mm;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "palpate/base/progress.h"
+#include "palpate/base/vec.h"
 #include "palpate/tissue/layered_table.h"
 
 namespace palpate::elements {
@@ -22,9 +23,12 @@ struct DragSettings {
 struct DragField {
   std::vector<double> lines_mm;         ///< of the grid, along x and along y alike, from 0
   std::vector<double> along;            ///< u_x; that of x = lines[i], y = lines[j] at i * size + j
+  std::vector<double> across;           ///< u_y, in the same order
   double drag_n_per_mm = 0.0;           ///< stiffness of the whole patch along x
   double press_n_per_mm = 0.0;          ///< and straight down
-  double at(double x, double y) const;  ///< between the lines
+  double at(double x, double y) const;  ///< u_x between the lines, x and y >= 0
+  /// Along the skin, anywhere: the other quarters by symmetry; nothing moves beyond the block.
+  Vec2 movedAt(const Vec2& place_mm) const;
 };
 
 /// Throws Error for sizes that make no sense, and where the equations are not solved. Work ends when `progress` throws.

@@ -4,6 +4,10 @@
 // counts by what can be known of it (weightsOf); a dot that nothing explains counts less (pseudo-Huber). First the form
 // with one ellipse, from four starts; then, from the best, sideways motion too.
 //
+// The dots lie 30 mm apart and do not see the core of the field; several forms may explain them about equally well and
+// differ by a tenth at 2 mm and by half at the peak. So every form is fitted, and each counts by how well it does
+// (sharesOf): what they differ by is part of the uncertainty (field_report.h).
+//
 // Based on: Marquardt, "An algorithm for least-squares estimation of nonlinear parameters", 1963; Charbonnier et al.,
 // "Deterministic edge-preserving regularization in computed imaging", 1997 (pseudo-Huber by reweighting).
 #include "palpate/measure/field_fit.h"
@@ -14,6 +18,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "palpate/measure/field_form.h"
+#include "palpate/measure/solved_drag.h"
 
 namespace palpate::measure {
 
@@ -26,6 +34,7 @@ enum Unknown : int {
   kPeak = 5,
   kTail = 7,
   kSideways = 8,
+  kPressed = 9,
   kDrift = kFirstDrift
 };
 
@@ -33,28 +42,56 @@ enum Unknown : int {
 constexpr double kTailMean = 0.8;  // of 1/P: from the half Gaussian, 0, to a half space's long tail, 1 to 1.8
 constexpr double kTailSd = 0.8;
 constexpr double kTailMost = 2.0;
-constexpr double kElongationSd = 0.7;  // of ln(a/b)
+static_assert(kTailMost == kSolvedLongestTail);
+
+/// What a form knows besides.
+struct FormPrior {
+  double elongation_sd = 0.0;  ///< of ln(a/b)
+  double sideways_mean = 0.0;  ///< of kappa
+  double sideways_sd = 0.0;
+  bool presses = false;  ///< skin that moves outwards all around the stick
+  double shape_mean = 0.0;
+  double shape_sd = 0.0;  ///< of the mean of ln W; 0: nothing is known
+};
+
+/// The solved one has the ellipse of the drag in itself, and its size from the stick's tip: 6 mm, give or take a third.
+/// Of the others, kappa of a half space of incompressible matter is 1.
+FormPrior formPriorOf(FieldForm form) {
+  if (form == FieldForm::deep)
+    return {.elongation_sd = 0.35, .sideways_mean = 0.95, .sideways_sd = 0.1, .presses = true};
+  if (form != FieldForm::solved) return {.elongation_sd = 0.7, .sideways_sd = 1.5};
+  return {.elongation_sd = 0.35,
+          .sideways_sd = 0.25,
+          .presses = true,
+          .shape_mean = -2.0 * std::log(kSolvedPatchMm),
+          .shape_sd = 2.0 * 0.35};
+}
+
 // The peak lies between the dots, under the stick, and a long tail's core is narrow: what no dot saw is bounded,
 // softly.
 constexpr double kPeakMostMm = 30.0;   // skin is not dragged farther
 constexpr double kPeakOverSeen = 3.0;  // of the dot that moved most: no core is narrower than stick and skin make it
 constexpr double kPeakSd = 0.1;        // of that bound
-constexpr double kSidewaysSd = 1.5;    // of kappa: a half space of incompressible matter has 1
+constexpr double kPressedFarSd =
+    0.15;  // Boussinesq against Cerruti where nu is 0.4 and the press as strong as the drag
+constexpr double kPressedNearSd = 0.7;
+constexpr double kNone = 1e-4;
 constexpr double kSidewaysLeast = -0.9;
 constexpr double kSidewaysMost = 4.0;
 // Of a body that breathes or rolls between the pictures, of its shift: a turn about the spine by 0.06 degrees lowers
 // the flanks by 0.05 mm.
 constexpr double kStretchOfDrift = 0.1;
 constexpr double kBendOfDrift = 0.035;
-constexpr int kStretches = 2;          // of the bends, the first ones
-constexpr double kShapeLeast = -14.0;  // mean of ln W: radii from 3 mm
-constexpr double kShapeMost = -2.2;    // ... to 1.1 m
+constexpr int kStretches = 2;               // of the bends, the first ones
+constexpr double kShapeLeast = -14.0;       // mean of ln W: radii to 1.1 m
+constexpr double kShapeMost = -2.2;         // ... from 3 mm
+constexpr double kSolvedShapeLeast = -4.8;  // of the patch under the stick: to 11 mm
 
 // Weights: noise of marks and chart, which grows with the displacement itself.
 constexpr double kLeastSdMm = 0.08;
-constexpr double kSdMedians = 1.8;          // of the residuals
-constexpr double kSdOfMotion = 0.04;        // the chart's own error
-constexpr double kResidualOfFormMm = 0.15;  // root mean square; more says that the field is not of this form
+constexpr double kSdMedians = 1.8;           // of the residuals
+constexpr double kSdOfMotion = 0.04;         // the chart's own error
+constexpr double kResidualOfFormMm = 0.115;  // root mean square; more says that the field is not of this form
 constexpr double kLeastScatter =
     0.5;                             // of chi2: errors of the chart are alike from dot to dot and leave small residuals
 constexpr double kFirstSdMm = 0.15;  // before there are residuals
@@ -64,6 +101,14 @@ constexpr int kMostSteps = 40;
 constexpr double kConverged = 1e-5;  // decrease of the cost, of it
 constexpr std::array kStartTails = {0.1, 1.2};
 constexpr std::array kStartWidthsMm = {35.0, 70.0};
+constexpr std::array kPointedStartWidthsMm = {15.0, 40.0};
+constexpr std::array kSolvedStartWidthsMm = {kSolvedPatchMm};
+constexpr std::array kSolvedStartTails = {0.4, 1.0, 1.7};
+constexpr std::array kDeepStartTails = {0.8};
+constexpr double kLeastShare = 0.01;  // a form that explains the dots so much worse is left out
+/// Errors of the chart and of every form are alike from dot to dot: chi2 differs by more than chance has it.
+constexpr double kChanceOfCost = 2.0;
+constexpr double kSmoothBefore = 2.0;  // how much likelier than each other form, before the dots are looked at
 
 using Jacobian = Eigen::Matrix<double, 2, kFieldUnknowns>;
 
@@ -94,22 +139,6 @@ Shape shapeOf(const FieldNumbers& n) {
   return shape;
 }
 
-/// f = (1 + k rho^2)^(-1/k) and its derivative by k; by rho^2 it is -f / (1 + k rho^2).
-struct Fall {
-  double value;
-  double by_tail;
-};
-
-Fall fallAt(double rho2, double k) {
-  if (k * rho2 < 1e-4) {
-    const double f = std::exp(-rho2 + 0.5 * k * rho2 * rho2 - k * k * rho2 * rho2 * rho2 / 3.0);
-    return {f, f * rho2 * rho2 * (0.5 - 2.0 * k * rho2 / 3.0)};
-  }
-  const double logarithm = std::log1p(k * rho2);
-  const double f = std::exp(-logarithm / k);
-  return {f, f * (logarithm / (k * k) - rho2 / (k * (1.0 + k * rho2)))};
-}
-
 constexpr int kDriftUnknowns = kFieldUnknowns - kFirstDrift;
 using DriftSlope = Eigen::Matrix<double, 2, kDriftUnknowns>;
 
@@ -124,32 +153,38 @@ DriftSlope driftSlopeAt(const Vec2& picture_mm) {
 }
 
 /// Displacement of the skin at a dot with its drift; and its derivatives.
-Vec2 modelAt(const FieldNumbers& n, const Shape& shape, const FieldDatum& datum, Vec2& dragged, Jacobian* slope) {
+Vec2 modelAt(FieldForm form, const FieldNumbers& n, const Shape& shape, const FieldDatum& datum, Vec2& dragged,
+             Jacobian* slope) {
   const Vec2 offset = datum.skin_mm - n.segment<2>(kContact);
   const Vec2 peak = n.segment<2>(kPeak);
   const Vec2 weighed = shape.w * offset;
   const double rho2 = offset.dot(weighed);
-  const double k = n[kTail];
-  const double kappa = n[kSideways];
-  const Fall fall = fallAt(rho2, k);
-  const double share = rho2 / (1.0 + rho2);
+  const FormValue f = formAt(form, rho2, n[kTail], n[kSideways]);
   const double distance2 = std::max(offset.squaredNorm(), 1e-9);
   const double along = offset.dot(peak);
   const Vec2 radial = along / distance2 * offset;  // (e . peak) e
-  const Vec2 strength = peak + kappa * share * radial;
-  dragged = fall.value * strength;
+  const Vec2 pressed = n.segment<2>(kPressed);
+  const PressShape press = pressShapeAt(rho2);
+  const double peak_mm = std::max(peak.norm(), 1e-9);
+  const double per_radius = std::exp(0.5 * n[kMeanShape]);
+  const double outwards = peak_mm * per_radius * press.value.dot(pressed);
+  dragged = f.round * peak + f.radial * radial + outwards * offset;
   if (slope) {
-    const Vec2 by_rho2 = fall.value * (kappa / ((1.0 + rho2) * (1.0 + rho2)) * radial - strength / (1.0 + k * rho2));
+    const Vec2 by_rho2 =
+        f.round_by_rho2 * peak + f.radial_by_rho2 * radial + peak_mm * per_radius * press.by_rho2.dot(pressed) * offset;
     const Mat2 radial_by_offset = (offset * peak.transpose() + along * Mat2::Identity()) / distance2 -
                                   2.0 * along / (distance2 * distance2) * offset * offset.transpose();
     Jacobian& j = *slope;
-    j.middleCols<2>(kContact) = -2.0 * by_rho2 * weighed.transpose() - fall.value * kappa * share * radial_by_offset;
-    j.col(kMeanShape) = by_rho2 * rho2;
+    j.middleCols<2>(kContact) =
+        -2.0 * by_rho2 * weighed.transpose() - f.radial * radial_by_offset - outwards * Mat2::Identity();
+    j.col(kMeanShape) = by_rho2 * rho2 + 0.5 * outwards * offset;
     for (int i = 0; i < 2; ++i)
       j.col(kDeviator + i) = by_rho2 * offset.dot(shape.by_deviator[static_cast<std::size_t>(i)] * offset);
-    j.middleCols<2>(kPeak) = fall.value * (Mat2::Identity() + kappa * share / distance2 * offset * offset.transpose());
-    j.col(kTail) = fall.by_tail * strength;
-    j.col(kSideways) = fall.value * share * radial;
+    j.middleCols<2>(kPeak) = f.round * Mat2::Identity() + f.radial / distance2 * offset * offset.transpose() +
+                             outwards / (peak_mm * peak_mm) * offset * peak.transpose();
+    j.middleCols<2>(kPressed) = peak_mm * per_radius * offset * press.value.transpose();
+    j.col(kTail) = f.round_by_tail * peak + f.radial_by_tail * radial;
+    j.col(kSideways) = f.round_by_sideways * peak + f.radial_by_sideways * radial;
     j.rightCols<kDriftUnknowns>() = datum.to_skin * driftSlopeAt(datum.picture_mm);
     return dragged + j.rightCols<kDriftUnknowns>() * n.tail<kDriftUnknowns>();
   }
@@ -166,6 +201,7 @@ struct Normal {
 
 /// What is known before the dots are fitted.
 struct Prior {
+  FieldForm form = FieldForm::smooth;
   DriftPrior drift;
   double peak_mm = kPeakMostMm;
 };
@@ -178,9 +214,13 @@ void addPrior(const FieldNumbers& n, const Prior& prior, Normal& normal) {
     normal.cost += off * off;
   };
   expect(kTail, kTailMean, kTailSd);
-  expect(kDeviator, 0.0, kElongationSd);
-  expect(kDeviator + 1, 0.0, kElongationSd);
-  expect(kSideways, 0.0, kSidewaysSd);
+  const FormPrior form = formPriorOf(prior.form);
+  expect(kDeviator, 0.0, form.elongation_sd);
+  expect(kDeviator + 1, 0.0, form.elongation_sd);
+  expect(kSideways, form.sideways_mean, form.sideways_sd);
+  if (form.shape_sd > 0.0) expect(kMeanShape, form.shape_mean, form.shape_sd);
+  expect(kPressed, 0.0, form.presses ? kPressedFarSd : kNone);
+  expect(kPressed + 1, 0.0, form.presses ? kPressedNearSd : kNone);
   expect(kDrift, 0.0, prior.drift.shift_mm);
   expect(kDrift + 1, 0.0, prior.drift.shift_mm);
   expect(kDrift + 2, 0.0, prior.drift.scale);
@@ -215,7 +255,7 @@ Normal normalOf(std::span<const FieldDatum> data, std::span<const double> sd_mm,
   Vec2 dragged;
   for (std::size_t i = 0; i < data.size(); ++i) {
     const double inverse = 1.0 / sd_mm[i];
-    const Vec2 off = inverse * (modelAt(n, shape, data[i], dragged, &slope) - data[i].moved_mm);
+    const Vec2 off = inverse * (modelAt(prior.form, n, shape, data[i], dragged, &slope) - data[i].moved_mm);
     const double root = std::sqrt(1.0 + off.squaredNorm() / (kRobustSds * kRobustSds));
     normal.cost += 2.0 * kRobustSds * kRobustSds * (root - 1.0);
     const double weight = inverse / root;
@@ -226,10 +266,12 @@ Normal normalOf(std::span<const FieldDatum> data, std::span<const double> sd_mm,
   return normal;
 }
 
-FieldNumbers clamped(FieldNumbers n) {
+double leastShapeOf(FieldForm form) { return form == FieldForm::solved ? kSolvedShapeLeast : kShapeLeast; }
+
+FieldNumbers clamped(FieldNumbers n, FieldForm form) {
   n[kTail] = std::clamp(n[kTail], 0.0, kTailMost);
   n[kSideways] = std::clamp(n[kSideways], kSidewaysLeast, kSidewaysMost);
-  n[kMeanShape] = std::clamp(n[kMeanShape], kShapeLeast, kShapeMost);
+  n[kMeanShape] = std::clamp(n[kMeanShape], leastShapeOf(form), kShapeMost);
   return n;
 }
 
@@ -240,9 +282,11 @@ enum class Freedom : unsigned char { plain, sideways, bends };
 int unknownsOf(Freedom freedom) { return freedom == Freedom::bends ? kFieldUnknowns : kFirstBend; }
 
 /// Unknowns that stay as they are: those that are not free yet, and what would leave its bounds.
-std::array<bool, kFieldUnknowns> heldOf(const FieldNumbers& n, const FieldNumbers& gradient, Freedom freedom) {
+std::array<bool, kFieldUnknowns> heldOf(const FieldNumbers& n, const FieldNumbers& gradient, FieldForm form,
+                                        Freedom freedom) {
   std::array<bool, kFieldUnknowns> held = {};
   held[kSideways] = freedom == Freedom::plain;
+  held[kPressed] = held[kPressed + 1] = freedom != Freedom::bends;
   for (std::size_t i = static_cast<std::size_t>(unknownsOf(freedom)); i < held.size(); ++i) held[i] = true;
   const auto hold_at = [&](int unknown, double low, double high) {
     const auto at = static_cast<std::size_t>(unknown);
@@ -251,7 +295,7 @@ std::array<bool, kFieldUnknowns> heldOf(const FieldNumbers& n, const FieldNumber
   };
   hold_at(kTail, 0.0, kTailMost);
   hold_at(kSideways, kSidewaysLeast, kSidewaysMost);
-  hold_at(kMeanShape, kShapeLeast, kShapeMost);
+  hold_at(kMeanShape, leastShapeOf(form), kShapeMost);
   return held;
 }
 
@@ -282,7 +326,8 @@ Descent descend(std::span<const FieldDatum> data, std::span<const double> sd_mm,
   double damping = 1e-2;
   Normal normal = normalOf(data, sd_mm, n, prior, unknownsOf(freedom));
   for (int step = 0; step < most_steps; ++step) {
-    const FieldNumbers tried = clamped(n + stepOf(normal, damping, heldOf(n, normal.gradient, freedom)));
+    const FieldNumbers tried =
+        clamped(n + stepOf(normal, damping, heldOf(n, normal.gradient, prior.form, freedom)), prior.form);
     const Normal there = normalOf(data, sd_mm, tried, prior, unknownsOf(freedom));
     if (there.cost < normal.cost) {
       const bool is_done = normal.cost - there.cost < kConverged * normal.cost;
@@ -322,10 +367,10 @@ FieldNumbers startOf(std::span<const FieldDatum> data, double tail, double width
   return n;
 }
 
-Prior priorOf(std::span<const FieldDatum> data, const DriftPrior& drift) {
+Prior priorOf(std::span<const FieldDatum> data, const DriftPrior& drift, FieldForm form) {
   double seen = 0.0;
   for (const FieldDatum& datum : data) seen = std::max(seen, datum.moved_mm.norm());
-  return {drift, std::clamp(kPeakOverSeen * seen, 1.0, kPeakMostMm)};
+  return {form, drift, std::clamp(kPeakOverSeen * seen, 1.0, kPeakMostMm)};
 }
 
 double medianOf(std::vector<double> values) {
@@ -339,24 +384,24 @@ double stretchOf(const FieldDatum& datum) {
   return std::max(1.0, Eigen::JacobiSVD<Mat2>(datum.to_skin).singularValues()[0]);
 }
 
-std::vector<double> residualsOf(std::span<const FieldDatum> data, const FieldNumbers& n) {
+std::vector<double> residualsOf(std::span<const FieldDatum> data, FieldForm form, const FieldNumbers& n) {
   std::vector<double> residuals;
   const Shape shape = shapeOf(n);
   Vec2 dragged;
   for (const FieldDatum& datum : data)
-    residuals.push_back((modelAt(n, shape, datum, dragged, nullptr) - datum.moved_mm).norm());
+    residuals.push_back((modelAt(form, n, shape, datum, dragged, nullptr) - datum.moved_mm).norm());
   return residuals;
 }
 
-std::vector<double> weightsOf(std::span<const FieldDatum> data, std::span<const double> stretches,
+std::vector<double> weightsOf(std::span<const FieldDatum> data, std::span<const double> stretches, FieldForm form,
                               const FieldNumbers& n) {
   constexpr double kComponentOfLength = 0.6745 / 1.1774;  // medians of a component and of a length of two
-  const double noise = std::max(kLeastSdMm, kSdMedians * kComponentOfLength * medianOf(residualsOf(data, n)));
+  const double noise = std::max(kLeastSdMm, kSdMedians * kComponentOfLength * medianOf(residualsOf(data, form, n)));
   std::vector<double> sd;
   const Shape shape = shapeOf(n);
   for (std::size_t i = 0; i < data.size(); ++i) {
     Vec2 dragged;
-    modelAt(n, shape, data[i], dragged, nullptr);
+    modelAt(form, n, shape, data[i], dragged, nullptr);
     sd.push_back(std::hypot(noise, kSdOfMotion * dragged.norm()) * stretches[i]);
   }
   return sd;
@@ -367,7 +412,7 @@ std::vector<double> weightsOf(std::span<const FieldDatum> data, std::span<const 
 FieldCovariance covarianceOf(std::span<const FieldDatum> data, std::span<const double> sd_mm, const FieldNumbers& n,
                              const Prior& prior) {
   const Normal normal = normalOf(data, sd_mm, n, prior, kFieldUnknowns);
-  const std::vector<double> residuals = residualsOf(data, n);
+  const std::vector<double> residuals = residualsOf(data, prior.form, n);
   double chi2 = 0.0;
   double squares = 0.0;
   for (std::size_t i = 0; i < data.size(); ++i) {
@@ -384,15 +429,93 @@ FieldCovariance covarianceOf(std::span<const FieldDatum> data, std::span<const d
   return misfit * information.ldlt().solve(FieldCovariance::Identity());
 }
 
+std::vector<double> stretchesOf(std::span<const FieldDatum> data) {
+  std::vector<double> stretches;
+  for (const FieldDatum& datum : data) stretches.push_back(stretchOf(datum));
+  return stretches;
+}
+
+std::span<const double> startWidthsOf(FieldForm form) {
+  switch (form) {
+    case FieldForm::smooth:
+    case FieldForm::deep:
+      return kStartWidthsMm;
+    case FieldForm::pointed:
+      return kPointedStartWidthsMm;
+    case FieldForm::solved:
+      break;
+  }
+  return kSolvedStartWidthsMm;
+}
+
+std::span<const double> startTailsOf(FieldForm form) {
+  if (form == FieldForm::solved) return kSolvedStartTails;
+  if (form == FieldForm::deep) return kDeepStartTails;
+  return kStartTails;
+}
+
+/// Contact and drift from `known`, where there is one.
+FittedField fitOne(std::span<const FieldDatum> data, const DriftPrior& drift, std::span<const double> stretches,
+                   FieldForm form, const FieldNumbers* known) {
+  const Prior prior = priorOf(data, drift, form);
+  std::vector<double> sd;
+  for (const double stretch : stretches) sd.push_back(kFirstSdMm * stretch);
+  Descent best;
+  for (const double tail : startTailsOf(form)) {
+    for (const double width : startWidthsOf(form)) {
+      FieldNumbers start = startOf(data, tail, width);
+      if (known != nullptr) {
+        start.segment<2>(kContact) = known->segment<2>(kContact);
+        start.segment<kFirstBend - kDrift>(kDrift) = known->segment<kFirstBend - kDrift>(kDrift);
+      }
+      const Descent found = descend(data, sd, start, prior, Freedom::plain, kLookSteps);
+      if (found.cost < best.cost) best = found;
+    }
+  }
+  for (const Freedom freedom : {Freedom::plain, Freedom::sideways, Freedom::bends}) {
+    sd = weightsOf(data, stretches, form, best.numbers);
+    best = descend(data, sd, best.numbers, prior, freedom, kMostSteps);
+  }
+  return {form, best.numbers, covarianceOf(data, sd, best.numbers, prior), residualsOf(data, form, best.numbers)};
+}
+
+/// How much each form counts: by what it leaves unexplained, all of them held against the noise of the best.
+std::vector<double> sharesOf(std::span<const FieldDatum> data, const DriftPrior& drift,
+                             std::span<const double> stretches, std::span<const FittedField> forms) {
+  const auto best = std::min_element(forms.begin(), forms.end(), [](const FittedField& a, const FittedField& b) {
+    return medianOf(a.residuals_mm) < medianOf(b.residuals_mm);
+  });
+  const std::vector<double> sd = weightsOf(data, stretches, best->form, best->numbers);
+  std::vector<double> costs;
+  for (const FittedField& form : forms) {
+    costs.push_back(normalOf(data, sd, form.numbers, priorOf(data, drift, form.form), kFieldUnknowns).cost);
+  }
+  const double least = *std::min_element(costs.begin(), costs.end());
+  const double freedom = std::max(1.0, 2.0 * static_cast<double>(data.size()) - kFirstBend);
+  const double chance = kChanceOfCost * std::max(1.0, least / freedom);
+  std::vector<double> shares;
+  double sum = 0.0;
+  for (const double cost : costs) {
+    const double before = forms[shares.size()].form == FieldForm::smooth ? kSmoothBefore : 1.0;
+    const double share = before * std::exp(-0.5 * (cost - least) / chance);
+    shares.push_back(share > kLeastShare ? share : 0.0);
+    sum += shares.back();
+  }
+  for (double& share : shares) share /= sum;
+  return shares;
+}
+
 }  // namespace
 
-SkinField fieldOf(const FieldNumbers& n) {
+SkinField fieldOf(const FieldNumbers& n, FieldForm form) {
   const double mean = n[kMeanShape];
   return {n.segment<2>(kContact),
           {mean + n[kDeviator], n[kDeviator + 1], mean - n[kDeviator]},
           n.segment<2>(kPeak),
           std::clamp(n[kTail], 0.0, kTailMost),
-          std::clamp(n[kSideways], kSidewaysLeast, kSidewaysMost)};
+          std::clamp(n[kSideways], kSidewaysLeast, kSidewaysMost),
+          n.segment<2>(kPressed),
+          form};
 }
 
 Vec2 driftAt(const FieldNumbers& numbers, const FieldDatum& datum) {
@@ -406,23 +529,24 @@ DriftPrior driftPriorOf(double drift_mm) {
 }
 
 FittedField fitField(std::span<const FieldDatum> data, const DriftPrior& drift) {
-  const Prior prior = priorOf(data, drift);
-  std::vector<double> stretches;
-  for (const FieldDatum& datum : data) stretches.push_back(stretchOf(datum));
-  std::vector<double> sd;
-  for (const double stretch : stretches) sd.push_back(kFirstSdMm * stretch);
-  Descent best;
-  for (const double tail : kStartTails) {
-    for (const double width : kStartWidthsMm) {
-      const Descent found = descend(data, sd, startOf(data, tail, width), prior, Freedom::plain, kLookSteps);
-      if (found.cost < best.cost) best = found;
-    }
+  return fitOne(data, drift, stretchesOf(data), FieldForm::smooth, nullptr);
+}
+
+std::vector<WeighedField> fitForms(std::span<const FieldDatum> data, const DriftPrior& drift) {
+  const std::vector<double> stretches = stretchesOf(data);
+  std::vector<FittedField> forms = {fitOne(data, drift, stretches, FieldForm::smooth, nullptr)};
+  for (const FieldForm form : {FieldForm::pointed, FieldForm::deep, FieldForm::solved}) {
+    const FieldNumbers known = forms.front().numbers;
+    forms.push_back(fitOne(data, drift, stretches, form, &known));
   }
-  for (const Freedom freedom : {Freedom::plain, Freedom::sideways, Freedom::bends}) {
-    sd = weightsOf(data, stretches, best.numbers);
-    best = descend(data, sd, best.numbers, prior, freedom, kMostSteps);
+  const std::vector<double> shares = sharesOf(data, drift, stretches, forms);
+  std::vector<WeighedField> weighed;
+  for (std::size_t i = 0; i < forms.size(); ++i) {
+    if (shares[i] > 0.0) weighed.push_back({std::move(forms[i]), shares[i]});
   }
-  return {best.numbers, covarianceOf(data, sd, best.numbers, prior), residualsOf(data, best.numbers)};
+  std::stable_sort(weighed.begin(), weighed.end(),
+                   [](const WeighedField& a, const WeighedField& b) { return a.share > b.share; });
+  return weighed;
 }
 
 Eigen::Vector4d fitDrift(std::span<const FieldDatum> data, const DriftPrior& prior) {

@@ -1,5 +1,5 @@
 // Half axes depend on peak, width and tail together, and on none of them in a straight line: 300 draws from the
-// covariance of the fit say how sure they are.
+// covariances of the fitted forms, each as often as it counts, say how sure they are.
 #include "palpate/measure/field_report.h"
 
 #include <Eigen/Cholesky>
@@ -7,25 +7,40 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <vector>
 
 #include "palpate/base/random.h"
+#include "palpate/measure/field_form.h"
 
 namespace palpate::measure {
 
 namespace {
 
 constexpr int kDrawsOfFit = 300;
+constexpr double kSlopeStep = 0.02;  // of an sd
 constexpr int kRaysOfDraw = 24;
 constexpr int kRootSteps = 12;
+constexpr int kHalvings = 24;
+constexpr double kFarthestRho = 1e4;
 constexpr std::uint64_t kSeed = 20080611;  // of the draws: any, but always the same
 /// ln(q) of the half Gaussian at its rim (E20): exp(-6.158) is what the dissertation cuts off.
 constexpr double kGaussianRim = 6.158;
+/// What no dot saw of the peak is extrapolated: so much of it counts as unsure.
+constexpr double kSdOfUnseen = 0.25;
+constexpr double kSdOfUnseenDeep = 0.6;  // how the stick's load is spread is not seen either
+constexpr double kCoreShare = 0.5;       // of the peak: where the skin moves farther is the core
+/// An ellipse around few dots is read between them: this share over (1 + dots)^1.5 counts as unsure. Both from pairs
+/// outside the fitted forms (docs/measuring.md).
+constexpr double kSdBetweenDots = 0.2;
+/// Of a half axis: six stacks stand for all skin over bone.
+constexpr double kSdOfSolved = 0.013;
+constexpr double kSdOfDeep = 0.02;     // how the stick's load is spread
 constexpr double kCompactTail = 0.45;  // of 1/P: above it a tail has no rim
 
 /// rho^2 along a ray at which the motion falls to the level; 0 where even the peak is below.
-double levelOnRay(const SkinField& field, const Vec2& ray, double level_mm) {
+double smoothLevelOnRay(const SkinField& field, const Vec2& ray, double level_mm) {
   const Vec2 radial = ray.dot(field.peak_mm) * ray;
   const double k = field.inverse_tail;
   const auto strength = [&](double rho2) {
@@ -46,6 +61,27 @@ double levelOnRay(const SkinField& field, const Vec2& ray, double level_mm) {
   return rho2;
 }
 
+double levelOnRay(const SkinField& field, const Vec2& ray, double level_mm) {
+  if (field.form == FieldForm::smooth) return smoothLevelOnRay(field, ray, level_mm);
+  const Vec2 radial = ray.dot(field.peak_mm) * ray;
+  const auto moved = [&](double rho) {
+    const FormValue value = formAt(field.form, rho * rho, field.inverse_tail, field.sideways);
+    return (value.round * field.peak_mm + value.radial * radial).norm();
+  };
+  if (!(moved(0.0) > level_mm)) return 0.0;
+  double low = 0.0;
+  double high = 1.0;
+  while (moved(high) > level_mm && high < kFarthestRho) {
+    low = high;
+    high *= 2.0;
+  }
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (moved(middle) > level_mm ? low : high) = middle;
+  }
+  return 0.25 * (low + high) * (low + high);
+}
+
 Mat2 shapeMatrix(const Vec3& log_shape) {
   Mat2 logarithm;
   logarithm << log_shape[0], log_shape[1], log_shape[1], log_shape[2];
@@ -59,6 +95,7 @@ double halfTurn(double angle_rad) {
 }
 
 struct Reported {
+  FieldForm form = FieldForm::smooth;
   std::array<LevelEllipse, 2> levels;
   Vec2 contact = Vec2::Zero();
   double peak = 0.0;
@@ -71,9 +108,10 @@ struct Reported {
 constexpr std::array kLevelsMm = {2.0, 4.0};
 
 /// The skin's y is up and its x to the right; drift as the skin has it.
-Reported reportedOf(const FieldNumbers& numbers, const Mat2& mean_to_skin, int rays) {
-  const SkinField field = fieldOf(numbers);
+Reported reportedOf(const FieldNumbers& numbers, FieldForm form, const Mat2& mean_to_skin, int rays) {
+  const SkinField field = fieldOf(numbers, form);
   Reported r;
+  r.form = form;
   for (std::size_t i = 0; i < kLevelsMm.size(); ++i) r.levels[i] = levelEllipse(field, kLevelsMm[i], rays);
   r.contact = field.contact_mm;
   r.peak = field.peak_mm.norm();
@@ -95,18 +133,83 @@ double spread(const std::vector<Reported>& draws, const Difference& difference) 
   return draws.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(draws.size()));
 }
 
-std::vector<Reported> drawsOf(const FittedField& fitted, const Mat2& mean_to_skin) {
+constexpr std::size_t kAxes = 2 * kLevelsMm.size();
+using AxisSlopes = Eigen::Matrix<double, kAxes, kFieldUnknowns>;
+
+Eigen::Vector<double, kAxes> logAxesOf(const Reported& reported) {
+  Eigen::Vector<double, kAxes> logarithms;
+  for (std::size_t i = 0; i < kLevelsMm.size(); ++i) {
+    logarithms[2 * static_cast<Eigen::Index>(i)] = std::log(std::max(reported.levels[i].half_major_mm, 1e-3));
+    logarithms[2 * static_cast<Eigen::Index>(i) + 1] = std::log(std::max(reported.levels[i].half_minor_mm, 1e-3));
+  }
+  return logarithms;
+}
+
+/// Of the logarithms of the half axes, by every unknown in its sd; forwards, away from the bound of the tail at 0.
+AxisSlopes axisSlopesOf(const FittedField& fitted, const Mat2& mean_to_skin) {
+  const Eigen::Vector<double, kAxes> here =
+      logAxesOf(reportedOf(fitted.numbers, fitted.form, mean_to_skin, kRaysOfDraw));
+  AxisSlopes slopes = AxisSlopes::Zero();
+  for (int i = 0; i < kFirstDrift; ++i) {
+    const double step = kSlopeStep * std::sqrt(fitted.covariance(i, i));
+    FieldNumbers numbers = fitted.numbers;
+    numbers[i] += step;
+    slopes.col(i) = (logAxesOf(reportedOf(numbers, fitted.form, mean_to_skin, kRaysOfDraw)) - here) / step;
+  }
+  return slopes;
+}
+
+/// Peak and core of the deep form hang together, and the core leans on its bounds: what is sure of the axes would be
+/// lost in draws. Their logarithms are carried on in straight lines.
+void straighten(const Eigen::Vector<double, kAxes>& logarithms, Reported& draw) {
+  for (std::size_t i = 0; i < kLevelsMm.size(); ++i) {
+    draw.levels[i].half_major_mm = std::exp(logarithms[2 * static_cast<Eigen::Index>(i)]);
+    draw.levels[i].half_minor_mm = std::exp(logarithms[2 * static_cast<Eigen::Index>(i) + 1]);
+  }
+}
+
+std::vector<Reported> drawsOf(std::span<const WeighedField> forms, const Mat2& mean_to_skin) {
   std::vector<Reported> draws;
-  const Eigen::LLT<FieldCovariance> root(fitted.covariance);
-  if (root.info() != Eigen::Success) return draws;
   Random random(kSeed);
-  for (int i = 0; i < kDrawsOfFit; ++i) {
-    FieldNumbers normal;
-    for (int j = 0; j < kFieldUnknowns; ++j) normal[j] = random.normal();
-    const FieldNumbers numbers = fitted.numbers + root.matrixL() * normal;
-    draws.push_back(reportedOf(numbers, mean_to_skin, kRaysOfDraw));
+  for (const auto& [fitted, share] : forms) {
+    const Eigen::LLT<FieldCovariance> root(fitted.covariance);
+    if (root.info() != Eigen::Success) continue;
+    const bool is_straight = fitted.form == FieldForm::deep;
+    const AxisSlopes slopes = is_straight ? axisSlopesOf(fitted, mean_to_skin) : AxisSlopes::Zero();
+    const Eigen::Vector<double, kAxes> axes =
+        logAxesOf(reportedOf(fitted.numbers, fitted.form, mean_to_skin, kRaysOfDraw));
+    const auto count = static_cast<int>(std::lround(share * kDrawsOfFit));
+    for (int i = 0; i < count; ++i) {
+      FieldNumbers normal;
+      for (int j = 0; j < kFieldUnknowns; ++j) normal[j] = random.normal();
+      const FieldNumbers off = root.matrixL() * normal;
+      draws.push_back(reportedOf(fitted.numbers + off, fitted.form, mean_to_skin, kRaysOfDraw));
+      if (is_straight) straighten(axes + slopes * off, draws.back());
+    }
   }
   return draws;
+}
+
+/// Of the likeliest form, with lengths that are means by the shares of all.
+Reported meanOf(std::span<const WeighedField> forms, const Mat2& mean_to_skin) {
+  Reported mean;
+  for (std::size_t i = 0; i < forms.size(); ++i) {
+    const Reported one = reportedOf(forms[i].fitted.numbers, forms[i].fitted.form, mean_to_skin, 72);
+    const double share = forms[i].share;
+    if (i == 0) {
+      mean = one;
+      for (LevelEllipse& level : mean.levels) level.half_major_mm = level.half_minor_mm = 0.0;
+      mean.contact = Vec2::Zero();
+      mean.peak = 0.0;
+    }
+    for (std::size_t l = 0; l < mean.levels.size(); ++l) {
+      mean.levels[l].half_major_mm += share * one.levels[l].half_major_mm;
+      mean.levels[l].half_minor_mm += share * one.levels[l].half_minor_mm;
+    }
+    mean.contact += share * one.contact;
+    mean.peak += share * one.peak;
+  }
+  return mean;
 }
 
 KeyEllipse keyEllipseOf(const Reported& best, const std::vector<Reported>& draws, std::size_t level) {
@@ -141,6 +244,23 @@ Drift driftOf(const FieldNumbers& n, const Reported& best, const std::vector<Rep
   return d;
 }
 
+std::size_t dotsWithin(std::span<const FieldDatum> data, const KeyEllipse& key, const FieldFit& fit) {
+  const maps::Ellipse ellipse = ellipseOf(key);
+  const Vec2 major(std::cos(ellipse.direction_rad), std::sin(ellipse.direction_rad));
+  const Vec2 contact(fit.contact_x_mm.value, fit.contact_y_mm.value);
+  const auto is_within = [&](const FieldDatum& datum) {
+    const Vec2 offset = datum.skin_mm - contact;
+    const Vec2 along(offset.dot(major), major.x() * offset.y() - major.y() * offset.x());
+    return Vec2(along.x(), along.y() / ellipse.aspect).norm() <= ellipse.half_major_mm;
+  };
+  return static_cast<std::size_t>(std::count_if(data.begin(), data.end(), is_within));
+}
+
+double sdOfForm(FieldForm form) {
+  if (form == FieldForm::solved) return kSdOfSolved;
+  return form == FieldForm::deep ? kSdOfDeep : 0.0;
+}
+
 }  // namespace
 
 LevelEllipse levelEllipse(const SkinField& field, double level_mm, int rays) {
@@ -168,24 +288,47 @@ LevelEllipse levelEllipse(const SkinField& field, double level_mm, int rays) {
           halfTurn(std::atan2(major.y(), major.x()))};
 }
 
-FieldFit reportField(const FittedField& fitted, const Mat2& mean_to_skin, const DriftPrior& prior) {
-  const Reported best = reportedOf(fitted.numbers, mean_to_skin, 72);
-  const std::vector<Reported> draws = drawsOf(fitted, mean_to_skin);
+void widenByDots(std::span<const FieldDatum> data, const FieldNumbers& numbers, FieldFit& fit) {
+  double seen = 0.0;
+  for (const FieldDatum& datum : data) seen = std::max(seen, (datum.moved_mm - driftAt(numbers, datum)).norm());
+  if (seen < kCoreShare * fit.peak_mm->value) {
+    fit.peak_mm.reset();
+  } else {
+    const double unseen = std::max(0.0, fit.peak_mm->value - seen);
+    const double share = fit.field.form == FieldForm::deep ? kSdOfUnseenDeep : kSdOfUnseen;
+    fit.peak_mm->sd = std::hypot(fit.peak_mm->sd, share * unseen);
+  }
+  const double of_form = sdOfForm(fit.field.form);
+  for (KeyEllipse* key : {&fit.at_2_mm, &fit.at_4_mm}) {
+    const double unsure = kSdBetweenDots / std::pow(1.0 + static_cast<double>(dotsWithin(data, *key, fit)), 1.5);
+    for (Estimate* axis : {&key->half_major_mm, &key->half_minor_mm})
+      axis->sd = std::hypot(axis->sd, unsure * axis->value, of_form * axis->value);
+  }
+}
+
+FieldFit reportField(std::span<const WeighedField> forms, const Mat2& mean_to_skin, const DriftPrior& prior) {
+  const FittedField& likeliest = forms.front().fitted;
+  const Reported best = meanOf(forms, mean_to_skin);
+  const std::vector<Reported> draws = drawsOf(forms, mean_to_skin);
+  std::vector<Reported> alike;  // numbers that mean something in one form only
+  std::copy_if(draws.begin(), draws.end(), std::back_inserter(alike),
+               [&](const Reported& draw) { return draw.form == likeliest.form; });
   FieldFit fit;
-  fit.field = fieldOf(fitted.numbers);
+  fit.field = fieldOf(likeliest.numbers, likeliest.form);
+  for (const WeighedField& form : forms) fit.forms.push_back({form.fitted.form, form.share});
   fit.at_2_mm = keyEllipseOf(best, draws, 0);
   fit.at_4_mm = keyEllipseOf(best, draws, 1);
   fit.contact_x_mm = {best.contact.x(), spread(draws, [&](const auto& d) { return d.contact.x() - best.contact.x(); })};
   fit.contact_y_mm = {best.contact.y(), spread(draws, [&](const auto& d) { return d.contact.y() - best.contact.y(); })};
-  fit.peak_mm = {best.peak, spread(draws, [&](const auto& d) { return d.peak - best.peak; })};
+  fit.peak_mm = Estimate{best.peak, spread(draws, [&](const auto& d) { return d.peak - best.peak; })};
   fit.drag_deg = {kDegPerRad * best.drag, kDegPerRad * spread(draws, [&](const auto& d) {
                                             return std::remainder(d.drag - best.drag, 2.0 * std::numbers::pi);
                                           })};
-  fit.inverse_tail = {best.tail, spread(draws, [&](const auto& d) { return d.tail - best.tail; })};
-  fit.sideways = {best.sideways, spread(draws, [&](const auto& d) { return d.sideways - best.sideways; })};
-  fit.drift = driftOf(fitted.numbers, best, draws, prior);
+  fit.inverse_tail = {best.tail, spread(alike, [&](const auto& d) { return d.tail - best.tail; })};
+  fit.sideways = {best.sideways, spread(alike, [&](const auto& d) { return d.sideways - best.sideways; })};
+  fit.drift = driftOf(likeliest.numbers, best, draws, prior);
   const double two_mm = fit.at_2_mm.half_major_mm.value;
-  if (two_mm > 0.0 && best.peak > 2.0 && best.tail < kCompactTail)
+  if (best.form == FieldForm::smooth && two_mm > 0.0 && best.peak > 2.0 && best.tail < kCompactTail)
     fit.gaussian_rim_mm = two_mm / std::sqrt(std::log(best.peak / 2.0) / kGaussianRim);
   return fit;
 }

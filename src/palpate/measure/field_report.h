@@ -1,6 +1,8 @@
 // What is reported of a fitted field: ellipses at two levels, contact, peak, drag, each with its standard deviation.
 #pragma once
 
+#include <span>
+
 #include "palpate/measure/field_fit.h"
 #include "palpate/measure/measurement.h"
 
@@ -14,8 +16,14 @@ struct LevelEllipse {
 };
 LevelEllipse levelEllipse(const SkinField& field, double level_mm, int rays = 72);
 
-/// Standard deviations by draws from the covariance, the same draws every time. `mean_to_skin`: from the picture's mm
-/// to the skin's in the middle of the dots, for the drift. Leaves residual_rms_mm and inside_share alone.
-FieldFit reportField(const FittedField& fitted, const Mat2& mean_to_skin, const DriftPrior& prior);
+/// Of the forms that were fitted, likeliest first; axes, contact and peak are means by their shares. Standard
+/// deviations by draws from the covariances, the same draws every time: what the forms differ by is in them.
+/// `mean_to_skin`: from the picture's mm to the skin's in the middle of the dots, for the drift. Leaves residual_rms_mm
+/// and inside_share alone.
+FieldFit reportField(std::span<const WeighedField> forms, const Mat2& mean_to_skin, const DriftPrior& prior);
+
+/// What the dots could not see: no peak where none lies in the core, a wider one where the best moved by much less, and
+/// wider half axes where few dots lie within the ellipse. `data` and `numbers`: of the likeliest form.
+void widenByDots(std::span<const FieldDatum> data, const FieldNumbers& numbers, FieldFit& fit);
 
 }  // namespace palpate::measure

@@ -29,12 +29,13 @@ std::string measuredFields(const FieldFit& fit) {
   const bool has_4_mm = fit.at_4_mm.half_major_mm.value > 0.0;
   const Estimate none{.value = std::nan(""), .sd = std::nan("")};
   const Estimate& half_major_4 = has_4_mm ? fit.at_4_mm.half_major_mm : none;
-  std::string row = field(half_major_4.value) + field(fit.peak_mm.value);
-  row += k > kLeastInverseTail ? field(1.0 / k) : ",";
+  std::string row = field(half_major_4.value) + field(fit.peak_mm.value_or(none).value);
+  // The tail of other forms is no P.
+  row += fit.field.form == FieldForm::smooth && k > kLeastInverseTail ? field(1.0 / k) : ",";
   row += field(fit.drift.length_mm) + field(fit.gaussian_rim_mm) + field(fit.drag_deg.value);
   row +=
       sdField(fit.at_2_mm.half_major_mm) + sdField(fit.at_2_mm.major_over_minor) + sdField(fit.at_2_mm.direction_deg);
-  return row + sdField(half_major_4) + sdField(fit.peak_mm);
+  return row + sdField(half_major_4) + sdField(fit.peak_mm.value_or(none));
 }
 
 }  // namespace

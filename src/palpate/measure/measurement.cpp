@@ -25,6 +25,7 @@ constexpr int kMatchesAgain = 2;
 constexpr std::size_t kLeastForFit = 12;
 constexpr int kEllipsePlaces = 72;          // at which it is asked whether dots are around
 constexpr double kNewlyVisibleReach = 0.2;  // of the spacing
+constexpr double kNeighbourReach = 1.5;     // of the spacing: with diagonals
 
 void check(const MeasureSettings& settings) {
   if (!(settings.spacing_mm >= 5.0 && settings.spacing_mm <= 100.0)) throw Error("spacing: 5 to 100 mm");
@@ -74,7 +75,7 @@ class DotPairReading {
     }
     if (m_.matched < kLeastForFit) return;
     report(progress, "fitting the field", 0.5);
-    fit();
+    fitAllForms();
     describe();
     report(progress, "reading the contour", 0.9);
     m_.contour = readContour(m_.dots, *m_.chart, *m_.fit, m_.settings.spacing_mm);
@@ -128,16 +129,26 @@ class DotPairReading {
     }
   }
 
-  void fit() {
+  void gatherMatched() {
     matched_data_.clear();
     for (std::size_t i = 0; i < data_.size(); ++i) {
       if (match_.of[i]) matched_data_.push_back(data_[i]);
     }
+  }
+
+  void fit() {
+    gatherMatched();
     fitted_ = fitField(matched_data_, prior_);
   }
 
+  void fitAllForms() {
+    gatherMatched();
+    forms_ = fitForms(matched_data_, prior_);
+    fitted_ = forms_.front().fitted;
+  }
+
   Vec2 foretoldOf(const FieldDatum& datum) const {
-    return m_.chart->pictureAt(datum.skin_mm + displacementAt(fieldOf(fitted_.numbers), datum.skin_mm) +
+    return m_.chart->pictureAt(datum.skin_mm + displacementAt(fieldOf(fitted_.numbers, fitted_.form), datum.skin_mm) +
                                driftAt(fitted_.numbers, datum));
   }
 
@@ -179,7 +190,7 @@ class DotPairReading {
   }
 
   void describe() {
-    m_.fit = reportField(fitted_, m_.chart->jacobianAt(scale_.centre_px) * scale_.px_per_mm, prior_);
+    m_.fit = reportField(forms_, m_.chart->jacobianAt(scale_.centre_px) * scale_.px_per_mm, prior_);
     FieldFit& fit = *m_.fit;
     double sum = 0.0;
     std::size_t at = 0;
@@ -190,6 +201,8 @@ class DotPairReading {
       sum += m_.dots[i].residual_mm * m_.dots[i].residual_mm;
     }
     fit.residual_rms_mm = std::sqrt(sum / static_cast<double>(m_.matched));
+    fit.residual_pattern = residualPattern();
+    widenByDots(matched_data_, fitted_.numbers, fit);
     const maps::Ellipse ellipse = ellipseOf(fit.at_2_mm);
     const Vec2 major = ellipse.half_major_mm * Vec2(std::cos(ellipse.direction_rad), std::sin(ellipse.direction_rad));
     const Vec2 minor = ellipse.aspect * Vec2(-major.y(), major.x());
@@ -202,6 +215,28 @@ class DotPairReading {
     fit.inside_share = static_cast<double>(inside) / kEllipsePlaces;
   }
 
+  /// Of what the likeliest form leaves, between neighbours over each by itself.
+  double residualPattern() const {
+    const SkinField field = fieldOf(fitted_.numbers, fitted_.form);
+    std::vector<Vec2> left;
+    double squares = 0.0;
+    for (const FieldDatum& datum : matched_data_) {
+      left.push_back(datum.moved_mm - displacementAt(field, datum.skin_mm) - driftAt(fitted_.numbers, datum));
+      squares += left.back().squaredNorm() / static_cast<double>(matched_data_.size());
+    }
+    double common = 0.0;
+    std::size_t pairs = 0;
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        const double distance = (matched_data_[i].skin_mm - matched_data_[j].skin_mm).norm();
+        if (distance > kNeighbourReach * m_.settings.spacing_mm) continue;
+        common += left[i].dot(left[j]);
+        ++pairs;
+      }
+    }
+    return pairs > 0 && squares > 0.0 ? common / (squares * static_cast<double>(pairs)) : 0.0;
+  }
+
   Measurement& m_;
   std::span<const Dot> after_;
   PictureScale scale_;
@@ -209,7 +244,8 @@ class DotPairReading {
   std::vector<FieldDatum> data_;          // one a dot of the grid
   std::vector<FieldDatum> matched_data_;  // of the last fit
   DotMatch match_;
-  FittedField fitted_;
+  FittedField fitted_;  // the likeliest
+  std::vector<WeighedField> forms_;
 };
 
 void append(std::vector<Finding>& findings, std::vector<Finding> more) {

@@ -53,18 +53,26 @@ struct Drift {
   double in_sd = 0.0;      ///< fitted shift, scale and turn over what was allowed
 };
 
+/// How much a form counts in what is reported.
+struct FormShare {
+  FieldForm form = FieldForm::smooth;
+  double share = 1.0;
+};
+
 struct FieldFit {
   SkinField field;
   KeyEllipse at_2_mm;
   KeyEllipse at_4_mm;
   Estimate contact_x_mm;
   Estimate contact_y_mm;
-  Estimate peak_mm;
-  Estimate drag_deg;      ///< of the peak against +x, in (-180, 180]
-  Estimate inverse_tail;  ///< k = 1/P
-  Estimate sideways;      ///< kappa
+  std::vector<FormShare> forms;     ///< that explain the dots about equally well, likeliest first: that of `field`
+  std::optional<Estimate> peak_mm;  ///< none where no dot lies in the core: it would only be extrapolated
+  Estimate drag_deg;                ///< of the peak against +x, in (-180, 180]
+  Estimate inverse_tail;            ///< k = 1/P
+  Estimate sideways;                ///< kappa
   Drift drift;
   double residual_rms_mm = 0.0;
+  double residual_pattern = 0.0;  ///< how alike the residuals of neighbouring dots are: 0 by chance, 1 the same
   /// Rim of the dissertation's half Gaussian with the same peak and 2 mm contour (E20); none for a long tail or a peak
   /// under 2 mm.
   std::optional<double> gaussian_rim_mm = {};

@@ -258,10 +258,11 @@ std::string verdictOf(const Measurement& m) {
   return fmt::format(
       "accepted: half axes at 2 mm {:.1f} ± {:.1f} and {:.1f} ± {:.1f} mm, ratio {:.2f} ± {:.2f}, direction {:.1f} ± "
       "{:.1f} "
-      "degrees; peak {:.1f} ± {:.1f} mm",
+      "degrees; {}",
       key.half_major_mm.value, key.half_major_mm.sd, key.half_minor_mm.value, key.half_minor_mm.sd,
       key.major_over_minor.value, key.major_over_minor.sd, key.direction_deg.value, key.direction_deg.sd,
-      m.fit->peak_mm.value, m.fit->peak_mm.sd);
+      m.fit->peak_mm ? fmt::format("peak {:.1f} ± {:.1f} mm", m.fit->peak_mm->value, m.fit->peak_mm->sd)
+                     : std::string("peak not seen"));
 }
 
 }  // namespace

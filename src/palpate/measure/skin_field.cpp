@@ -1,7 +1,8 @@
-// Based on: Ji, dissertation 2008, (4.14) (the half Gaussian, E19), with a tail of free length in its place.
 #include "palpate/measure/skin_field.h"
 
 #include <cmath>
+
+#include "palpate/measure/field_form.h"
 
 namespace palpate::measure {
 
@@ -26,13 +27,13 @@ Mat2 shapeOf(const Vec3& log_shape) {
 Vec2 displacementAt(const SkinField& field, const Vec2& place_mm) {
   const Vec2 offset = place_mm - field.contact_mm;
   const double rho2 = offset.dot(shapeOf(field.log_shape) * offset);
-  const double k = field.inverse_tail;
-  const double fall = k * rho2 > 1e-7 ? std::exp(-std::log1p(k * rho2) / k) : std::exp(-rho2 + 0.5 * k * rho2 * rho2);
+  const FormValue value = formAt(field.form, rho2, field.inverse_tail, field.sideways);
   const double distance2 = offset.squaredNorm();
-  Vec2 strength = field.peak_mm;
-  if (distance2 > 0.0)
-    strength += field.sideways * rho2 / (1.0 + rho2) * offset * (offset.dot(field.peak_mm) / distance2);
-  return fall * strength;
+  const double outwards = field.peak_mm.norm() * pressShapeAt(rho2).value.dot(field.pressed) *
+                          std::exp(0.25 * (field.log_shape[0] + field.log_shape[2]));
+  const Vec2 moved = value.round * field.peak_mm + outwards * offset;
+  if (distance2 == 0.0) return moved;
+  return moved + value.radial * offset * (offset.dot(field.peak_mm) / distance2);
 }
 
 }  // namespace palpate::measure

@@ -1,4 +1,4 @@
-// The displacement of dragged skin as a formula with thirteen numbers, and what of it is reported.
+// The displacement of dragged skin as a form with fifteen numbers, and what of it is reported.
 //
 //   SkinField ─ displacementAt ─► mm    fitted by field_fit.h; drawn by overlays
 //
@@ -12,15 +12,25 @@
 
 namespace palpate::measure {
 
-/// u(x) = peak (1 + rho^2 / P)^-P + drift, rho^2 = (x - contact)' W (x - contact), ln W = the three numbers of
+/// How the motion falls off from the contact (field_form.h).
+enum class FieldForm : unsigned char {
+  smooth,   ///< half Gaussian to long tail
+  pointed,  ///< exponential to 1/rho
+  deep,     ///< elastic half space
+  solved    ///< layers over bone, by finite elements
+};
+
+/// Smooth: u(x) = peak (1 + rho^2 / P)^-P + drift, rho^2 = (x - contact)' W (x - contact), ln W = the three numbers of
 /// log_shape; and with kappa: peak becomes peak + kappa rho^2 / (1 + rho^2) (e . peak) e, e = (x - contact) / |x -
 /// contact|.
 struct SkinField {
   Vec2 contact_mm = Vec2::Zero();
   Vec3 log_shape = Vec3::Zero();  ///< xx, xy, yy of the logarithm of W; W in 1/mm^2
   Vec2 peak_mm = Vec2::Zero();
-  double inverse_tail = 0.0;  ///< k = 1/P; 0 is the half Gaussian, 2 the longest tail
-  double sideways = 0.0;      ///< kappa
+  double inverse_tail = 0.0;    ///< k = 1/P; 0 is the half Gaussian, 2 the longest tail
+  double sideways = 0.0;        ///< kappa
+  Vec2 pressed = Vec2::Zero();  ///< outwards all around (pressShapeAt), shares of the peak
+  FieldForm form = FieldForm::smooth;
 };
 
 /// Without drift, mm.

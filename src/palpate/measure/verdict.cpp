@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "palpate/measure/field_form.h"
 #include "palpate/measure/skin_chart.h"
 
 namespace palpate::measure {
@@ -20,10 +21,15 @@ constexpr double kLeastMatched = 0.6;
 constexpr double kMostResidualMm = 0.9;
 constexpr double kUsualResidualMm = 0.3;
 constexpr double kLeastPeakMm = 4.0;
-constexpr double kMostAxisSd = 0.055;  // of a half axis
-constexpr double kLeastInside = 0.6;   // of the ellipse within the dots
+constexpr double kMostAxisSd = 0.08;    // of a half axis; what the forms differ by is in it
+constexpr double kUsualAxisSd = 0.055;  // more is warned of
+constexpr double kLeastInside = 0.6;    // of the ellipse within the dots
+constexpr double kSureShare = 0.8;      // of the likeliest form: below it others explain the dots about as well
+constexpr double kUsualPattern = 0.25;  // of residuals of neighbouring dots; by chance 0, drift takes some of it off
+constexpr double kPatternedResidualMm = 0.15;
 constexpr double kMostDriftSds = 2.0;
 constexpr double kHardlyDeterminedDeg = 10.0;
+constexpr double kNearlyRound = 1.15;  // major over minor: below it the direction is hardly determined whatever is seen
 constexpr double kContactSds = 3.0;
 constexpr double kLeastContactSdMm = 1.0;      // nobody clicks better
 constexpr std::size_t kSuspiciousVisible = 4;  // sites that only the second picture shows
@@ -57,19 +63,24 @@ void judgeDrift(const Measurement& m, std::vector<Finding>& findings) {
 void judgeEllipse(const Measurement& m, std::vector<Finding>& findings) {
   const FieldFit& fit = *m.fit;
   const KeyEllipse& key = fit.at_2_mm;
-  if (fit.peak_mm.value < kLeastPeakMm) {
+  const double peak_mm = fit.field.peak_mm.norm();
+  if (peak_mm < kLeastPeakMm) {
     findings.push_back(
         refusal("not_pressed", fmt::format("Nothing was dragged: the skin moved {:.1f} mm at most, and at "
                                            "least {} mm are needed. Press and drag farther.",
-                                           fit.peak_mm.value, kLeastPeakMm)));
+                                           peak_mm, kLeastPeakMm)));
     return;
   }
   const double sd = std::max(key.half_major_mm.sd / std::max(key.half_major_mm.value, 1e-9),
                              key.half_minor_mm.sd / std::max(key.half_minor_mm.value, 1e-9));
-  if (!(sd <= kMostAxisSd) && !m.settings.partial)
-    findings.push_back(refusal("unsure", fmt::format("A half axis is known to {:.0f} % only (at most {:.0f} % is asked "
-                                                     "for). Drag farther, hold the breath, use more dots.",
-                                                     100.0 * sd, 100.0 * kMostAxisSd)));
+  if (!(sd <= kMostAxisSd) && !m.settings.partial) {
+    findings.push_back(
+        refusal("unsure", fmt::format("A half axis is known to {:.1f} % only (the limit is {:g} %). Drag farther, hold "
+                                      "the breath, use more dots.",
+                                      100.0 * sd, 100.0 * kMostAxisSd)));
+  } else if (!(sd <= kUsualAxisSd)) {
+    findings.push_back(warning("imprecise", fmt::format("A half axis is known to {:.1f} % only.", 100.0 * sd)));
+  }
   if (fit.inside_share < kLeastInside && !m.settings.partial)
     findings.push_back(
         refusal("leaves_dots", fmt::format("Only {:.0f} % of the ellipse lies within the dots. Mark more "
@@ -79,11 +90,13 @@ void judgeEllipse(const Measurement& m, std::vector<Finding>& findings) {
     findings.push_back(refusal("contact_outside",
                                "The contact found lies outside the dots. Press between dots, two "
                                "rows from the rim at least."));
-  if (key.direction_deg.sd > kHardlyDeterminedDeg)
-    findings.push_back(
-        warning("direction_unsure", fmt::format("The direction is hardly determined (sd {:.0f} degrees): "
-                                                "the ellipse is nearly a circle.",
-                                                key.direction_deg.sd)));
+  if (key.direction_deg.sd > kHardlyDeterminedDeg) {
+    const double ratio = key.major_over_minor.value;
+    findings.push_back(warning(
+        "direction_unsure",
+        fmt::format("The direction is hardly determined (sd {:.0f} degrees): {} (ratio {:.2f}).", key.direction_deg.sd,
+                    ratio < kNearlyRound ? "the ellipse is nearly a circle" : "the dots say too little of it", ratio)));
+  }
 }
 
 void judgeResiduals(const Measurement& m, std::vector<Finding>& findings) {
@@ -94,11 +107,32 @@ void judgeResiduals(const Measurement& m, std::vector<Finding>& findings) {
                                       "stay unexplained (at most {} mm). Are both pictures of one person, "
                                       "one place and one camera?",
                                       rms, kMostResidualMm)));
-  } else if (rms > kUsualResidualMm) {
-    findings.push_back(warning("form", fmt::format("The field is not quite of the fitted form: {:.2f} mm stay "
-                                                   "unexplained (usually below {} mm).",
-                                                   rms, kUsualResidualMm)));
+  } else if (rms > kUsualResidualMm || (rms > kPatternedResidualMm && m.fit->residual_pattern > kUsualPattern)) {
+    findings.push_back(
+        warning("form", fmt::format("The field is not of any fitted form: {:.2f} mm stay unexplained "
+                                    "(usually below {} mm), and neighbouring dots differ alike ({:.2f}). "
+                                    "The axes may be off by more than their sd.",
+                                    rms, kUsualResidualMm, m.fit->residual_pattern)));
   }
+}
+
+std::string sharesInWords(const FieldFit& fit) {
+  std::string words;
+  for (const FormShare& form : fit.forms)
+    words += fmt::format("{}{} {:.0f} %", words.empty() ? "" : ", ", nameOf(form.form), 100.0 * form.share);
+  return words;
+}
+
+void judgeForms(const Measurement& m, std::vector<Finding>& findings) {
+  const FieldFit& fit = *m.fit;
+  if (!fit.forms.empty() && fit.forms.front().share < kSureShare)
+    findings.push_back(warning("forms", fmt::format("Several forms of the field explain the dots about equally well "
+                                                    "({}); what they differ by is in the sd of axes and peak.",
+                                                    sharesInWords(fit))));
+  if (!fit.peak_mm)
+    findings.push_back(warning("no_peak",
+                               "No peak is stated: no dot lies in the core of the field. Mark dots closer "
+                               "together around the contact, or measure how far the tip of the stick went."));
 }
 
 void judgeContact(const Measurement& m, std::vector<Finding>& findings) {
@@ -172,6 +206,7 @@ std::vector<Finding> judgeFit(const Measurement& m, std::size_t newly_visible) {
   judgeDrift(m, findings);
   judgeEllipse(m, findings);
   judgeResiduals(m, findings);
+  judgeForms(m, findings);
   judgeContact(m, findings);
   judgeOrder(m, newly_visible, findings);
   return findings;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 #include "palpate/base/vec.h"
@@ -47,7 +48,8 @@ struct DotMarks {
   std::uint64_t seed = 1;
 };
 
-enum class TailFamily : unsigned char { compact, long_tail, half_space, windowed_half_space };
+/// `given`: as Press::given has it.
+enum class TailFamily : unsigned char { compact, long_tail, half_space, windowed_half_space, given };
 
 /// What the stick does to the skin.
 struct Press {
@@ -61,8 +63,10 @@ struct Press {
   double tail_power = 0.7;      ///< of a long tail
   double sideways = 0.0;        ///< kappa of skin_field.h
   double asymmetry = 0.0;       ///< how much stronger behind the stick than before it; 0.2: 20 %
-  double dent_mm = 6.0;         ///< along the normal
-  bool stick = true;            ///< stick, hand, forearm and their shadow are seen
+  /// Displacement at a place from the contact, mm, of family `given`; its peak lies at 0 and is peak_mm along the drag.
+  std::function<Vec2(const Vec2& offset_mm)> given = {};
+  double dent_mm = 6.0;  ///< along the normal
+  bool stick = true;     ///< stick, hand, forearm and their shadow are seen
   double stick_length_mm = 110.0;
   double stick_turn_rad = 0.0;  ///< of the stick against the opposite of the drag
   double arm_turn_rad = 0.2;    ///< of the forearm against the stick

@@ -57,9 +57,11 @@ std::string_view nameOf(TailFamily family) {
     case TailFamily::half_space:
       return "half-space";
     case TailFamily::windowed_half_space:
+      return "windowed";
+    case TailFamily::given:
       break;
   }
-  return "windowed";
+  return "given";
 }
 
 std::string truthJson(const SyntheticCase& made, const SyntheticTruth& truth) {

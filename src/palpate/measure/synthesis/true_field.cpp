@@ -118,6 +118,7 @@ TrueField::TrueField(const Press& press) : press_(press) {
     formula_.log_shape = {mean + spread * cosine, spread * std::sin(2.0 * press.direction_rad), mean - spread * cosine};
     return;
   }
+  if (press.family == TailFamily::given) return;
   window_mm_ = press.family == TailFamily::windowed_half_space ? kWindow * press.half_major_mm : 0.0;
   // The wider the patch, the more its load must be for the same peak, and the more then moves at the 2 mm contour.
   const auto narrowness_to_level = [&](double narrowness) {
@@ -147,7 +148,10 @@ Vec2 TrueField::displacementAt(const Vec2& place_mm) const {
   if (press_.peak_mm == 0.0) return Vec2::Zero();
   const Vec2 offset = place_mm - press_.contact_mm;
   const bool in_family = press_.family == TailFamily::compact || press_.family == TailFamily::long_tail;
-  const Vec2 moved = in_family ? measure::displacementAt(formula_, place_mm) : halfSpaceAt(offset);
+  const auto moved_outside = [&] {
+    return press_.family == TailFamily::given ? press_.given(offset) : halfSpaceAt(offset);
+  };
+  const Vec2 moved = in_family ? measure::displacementAt(formula_, place_mm) : moved_outside();
   if (press_.asymmetry == 0.0) return moved;
   const double ahead = offset.dot(formula_.peak_mm) / press_.peak_mm;
   return (1.0 - 0.5 * press_.asymmetry * std::tanh(ahead / (kLopsidedOver * press_.half_major_mm))) * moved;

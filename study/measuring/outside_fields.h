@@ -1,0 +1,48 @@
+// Presses whose skin moves as none of the fitted forms has it: what a stated uncertainty is worth outside them.
+//
+//   family, seed ─ OutsideFields ─► SyntheticCase (TailFamily::given) ─ exactDots, measureDots ─► JudgedPair
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "palpate/base/progress.h"
+#include "palpate/elements/drag_solver.h"
+#include "palpate/measure/synthesis/synthetic_case.h"
+
+namespace palpate::study {
+
+enum class OutsideFamily : unsigned char {
+  layered_mid,    ///< skin of 100 to 220 kPa on fat, muscle and bone, dragged by finite elements
+  layered_stiff,  ///< skin of 600 to 1300 kPa on the same
+  boussinesq,     ///< elastic half space dragged and pressed (Cerruti, Boussinesq)
+  exponential,    ///< exp(-q), q = 1 on an ellipse
+  irregular       ///< half Gaussian or long tail, 15 to 30 % farther to some sides than to others
+};
+
+struct NamedFamily {
+  std::string_view name;
+  OutsideFamily family;
+  std::string_view what;  ///< one line
+};
+
+std::vector<NamedFamily> outsideFamilies();
+std::string_view nameOf(OutsideFamily family);
+/// Throws Error naming the families.
+OutsideFamily outsideFamilyOf(std::string_view name);
+
+class OutsideFields {
+ public:
+  /// Solves the stacks of a layered family, about a second for each.
+  OutsideFields(OutsideFamily family, std::uint64_t seed, const Progress& progress);
+
+  /// Case `i`: marks, camera and body of `drawCase(seed)`, with the press of the family.
+  measure::SyntheticCase caseOf(std::uint64_t seed, std::size_t i) const;
+
+ private:
+  OutsideFamily family_;
+  std::vector<elements::DragField> solved_;  // of a drag by 1 mm
+};
+
+}  // namespace palpate::study
