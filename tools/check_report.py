@@ -353,6 +353,27 @@ def trial_statistics(records, chosen):
 # ---- thresholds
 
 
+def attention(answers, choices, threshold, slope):
+    """How much likelier guesses explain a run of answers than the fitted curve, nat, at most."""
+    lapse, total, highest, easy, missed = 0.02, 0.0, 0.0, 0, 0
+    for change, correct, felt in answers:
+        if felt < 2:
+            continue
+        t, s, guess = threshold, slope, 1 / felt
+        if felt != choices:
+            (at, steep), (all_at, all_steep) = ideal(felt), ideal(choices)
+            t, s = threshold * at / all_at, slope * steep / all_steep
+        f = 1 - math.exp(-math.log(2) * (change / t) ** s)
+        right = guess + (1 - guess - lapse) * f
+        guessed = guess if correct else 1 - guess
+        total = max(0.0, total + math.log(guessed / (right if correct else 1 - right)))
+        highest = max(highest, total)
+        if f >= 0.9:
+            easy += 1
+            missed += not correct
+    return {"easy": easy, "easy_missed": missed, "evidence": highest, "warned": highest >= 5.25}
+
+
 class Point:
     """A block with its trials."""
 
@@ -371,6 +392,7 @@ class Point:
             self.slope = sum(w * slopes(self.choices)[i // len(LAPSES) % SLOPE_POINTS]
                              for i, w in enumerate(self.weights))
             self.lapse = sum(w * LAPSES[i % len(LAPSES)][0] for i, w in enumerate(self.weights))
+            self.attention = attention(self.answers, self.choices, self.threshold["median"], self.slope)
 
     def measures(self):
         return self.threshold is not None and self.kind in ("pre_test", "post_test", "retention")
@@ -394,7 +416,7 @@ class Point:
                  "trials": tally(self.chosen), "seconds": spread([t["seconds"] for t in asked]),
                  "places_felt": spread([t["sites_felt"] for t in asked]), "threshold": self.threshold}
         if self.threshold:
-            found.update({"slope": self.slope, "lapse": self.lapse,
+            found.update({"slope": self.slope, "lapse": self.lapse, "attention": self.attention,
                           "stored": {"median": block["threshold"], "low": block["threshold_low"],
                                      "high": block["threshold_high"]}})
         return found
@@ -446,6 +468,8 @@ def why_not(a, b):
         return "they were felt with different devices"
     if (a.block["protocol_id"], a.block["protocol_version"]) != (b.block["protocol_id"], b.block["protocol_version"]):
         return "they follow different protocols"
+    if a.attention["warned"] or b.attention["warned"]:
+        return "answers in a row were like guesses where changes were easy to feel (inattention)"
     return None
 
 

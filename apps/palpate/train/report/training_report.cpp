@@ -109,6 +109,18 @@ std::string comparisonSentence(const TraineeStatistics& trainee) {
                      change.ratio < 1.0 ? "improvement" : "loss");
 }
 
+/// Tests in which answers in a row were like guesses.
+std::string attentionSentence(const TraineeStatistics& trainee) {
+  std::string tests;
+  for (const ThresholdPoint& point : trainee.points) {
+    if (!training::isTest(point.kind) || !point.attention.warned()) continue;
+    tests += fmt::format("{}{} ({} of {} easy changes missed)", tests.empty() ? "" : ", ",
+                         occasionWords(point.kind, point.nth), point.attention.easy_missed, point.attention.easy);
+  }
+  if (tests.empty()) return {};
+  return fmt::format("Inattention: in {} answers in a row were like guesses; the threshold may be too high.", tests);
+}
+
 std::string examSentence(const TraineeStatistics& trainee) {
   const ThresholdPoint* exam = nullptr;
   for (const ThresholdPoint& point : trainee.points) {
@@ -246,6 +258,7 @@ std::vector<std::string> trainingSentences(const TrainingReport& report) {
     const TraineeStatistics& trainee = report.statistics.trainees.front();
     sentences = {resultSentence(trainee),
                  comparisonSentence(trainee),
+                 attentionSentence(trainee),
                  examSentence(trainee),
                  answersSentence(trainee.tests, "Tests"),
                  answersSentence(trainee.practice, "Practice"),

@@ -148,6 +148,10 @@ Json pointJson(const training::ThresholdPoint& point) {
                {"threshold", nullptr}};
   if (!point.threshold) return json;
   json["threshold"] = summaryJson(*point.threshold);
+  json["attention"] = {{"easy", point.attention.easy},
+                       {"easy_missed", point.attention.easy_missed},
+                       {"evidence", point.attention.evidence},
+                       {"warned", point.attention.warned()}};
   json["slope"] = point.slope;
   json["lapse"] = point.lapse;
   json["stored"] = {{"median", point.stored}, {"low", point.stored_low}, {"high", point.stored_high}};

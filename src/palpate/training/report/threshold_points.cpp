@@ -75,6 +75,7 @@ ThresholdPoint pointOf(const TrainingRecord& record, const SittingRecord& sittin
     point.slope += posterior.weights()[i] * posterior.slopes()[i / lapses % slopes];
     point.lapse += posterior.weights()[i] * posterior.lapses()[i % lapses];
   }
+  point.attention = attentionOf(point.answers, point.choices, point.threshold->median, point.slope);
   return point;
 }
 
@@ -172,6 +173,8 @@ std::optional<std::string> notComparable(const ThresholdPoint& a, const Threshol
   if (isTest(a.kind) != isTest(b.kind)) return "one is practice, the other a test";
   if (a.protocol_id != b.protocol_id || a.protocol_version != b.protocol_version)
     return "they follow different protocols";
+  if (a.attention.warned() || b.attention.warned())
+    return "answers in a row were like guesses where changes were easy to feel (inattention)";
   return std::nullopt;
 }
 

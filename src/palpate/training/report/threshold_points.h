@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "palpate/training/attention.h"
 #include "palpate/training/posterior.h"
 #include "palpate/training/report/training_record.h"
 #include "palpate/training/report/trial_statistics.h"
@@ -42,6 +43,7 @@ struct ThresholdPoint {
   /// With kLeastShownAnswers and where the method measures one.
   std::optional<ThresholdSummary> threshold;
   double slope = 0.0, lapse = 0.0;                           ///< posterior means
+  AttentionCheck attention = {};                             ///< where there is a threshold
   double stored = 0.0, stored_low = 0.0, stored_high = 0.0;  ///< of the block's row
   std::vector<Answer> answers;                               ///< that count
   Prior prior;
@@ -69,7 +71,7 @@ FittedCurve fittedCurve(const Posterior& posterior, const std::vector<double>& c
 /// From 3 % to 100 %, even on a logarithmic axis: where fitted curves are drawn.
 std::vector<double> curveChanges();
 
-/// Why two results must not be compared, in words; nothing: they may.
+/// Why two results must not be compared, in words; nothing: they may. A burst of inattention in either is a reason.
 std::optional<std::string> notComparable(const ThresholdPoint& a, const ThresholdPoint& b);
 
 }  // namespace palpate::training
