@@ -188,37 +188,50 @@ struct Holder {
     };
     device.write_force = [this, write = device.write_force](const Vec3& force) {
       felt_n = force.norm();
+      least_n = std::min(least_n.load(), felt_n.load());
+      most_n = std::max(most_n.load(), felt_n.load());
       write(force);
     };
     return device;
   }
+  /// Least and most are of every tick from now on.
+  void watch() { most_n = least_n = felt_n.load(); }
   device::SimulatedHand hand;
   std::atomic<bool> lost{false};
-  std::atomic<double> felt_n{0.0};
+  std::atomic<double> felt_n{0.0}, least_n{0.0}, most_n{0.0};
 };
+
+bool ticksGoBy(ServoThread& servo, std::uint64_t ticks) {
+  const std::uint64_t from = servo.contacts()[0].tick;
+  return soon(servo, [&] { return servo.contacts()[0].tick > from + ticks; });
+}
+
+/// Waits until a hand that swings in has come to rest: a force that changes by less than 5 % for 300 ticks.
+bool comesToRest(ServoThread& servo, Holder& holder) {
+  for (int i = 0; i < 30; ++i) {
+    holder.watch();
+    if (!ticksGoBy(servo, 300)) return false;
+    if (holder.most_n < 1.05 * holder.least_n) return true;
+  }
+  return false;
+}
 
 /// What two hands at once did not keep; empty: they kept it.
 std::string brokenByTwoHands(ServoThread& servo, Holder& light, Holder& firm) {
   if (!soon(servo, [&] { return light.felt_n > 0.2 && firm.felt_n > 1.5 * light.felt_n; })) return "two forces";
-  const auto at_rest = [&] { return std::abs(firm.felt_n - 0.4 * servo.contacts()[1].contact.depth_mm) < 0.05; };
-  if (!soon(servo, at_rest)) return "each what the skin gives at its own depth";
+  if (!comesToRest(servo, firm)) return "a hand at rest";
   const double firm_before = firm.felt_n;
+  if (!(std::abs(firm_before - 0.4 * servo.contacts()[1].contact.depth_mm) < 0.05)) return "what the skin gives there";
+  firm.watch();
   light.lost = true;
   if (!soon(servo, [&] { return light.felt_n == 0.0; })) return "no force for the one that is lost";
-  std::uint64_t tick = servo.contacts()[0].tick;
-  double least_n = firm_before;
-  const auto watched = [&] {
-    least_n = std::min(least_n, firm.felt_n.load());
-    return servo.contacts()[0].tick > tick + 300;
-  };
-  if (!soon(servo, watched)) return "a loop that goes on";
-  if (!(least_n > 0.7 * firm_before)) return "the other hand must not notice";
+  if (!ticksGoBy(servo, 300)) return "a loop that goes on";
+  if (!(firm.least_n > 0.9 * firm_before)) return "the other hand must not notice";
   if (light.felt_n != 0.0) return "still no force for the one that is lost";
   if ((servo.contacts()[1].safety & servo::kFaultBits) != 0) return "no fault of the other";
   // Back where it was, inside: no force before it has been outside.
   light.lost = false;
-  tick = servo.contacts()[0].tick;
-  if (!soon(servo, [&] { return servo.contacts()[0].tick > tick + 50; })) return "a loop that goes on";
+  if (!ticksGoBy(servo, 50)) return "a loop that goes on";
   if (light.felt_n != 0.0 || (servo.contacts()[0].safety & servo::kHeldBack) == 0) return "the start rule";
   return {};
 }
