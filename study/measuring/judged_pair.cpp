@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "palpate/measure/field_form.h"
+#include "palpate/measure/field/field_form.h"
 
 namespace palpate::study {
 

@@ -7,7 +7,7 @@
 #include "palpate/base/background.h"
 #include "palpate/base/random.h"
 #include "palpate/base/stopwatch.h"
-#include "palpate/measure/field_fit.h"
+#include "palpate/measure/field/field_fit.h"
 #include "palpate/measure/synthesis/one_thread.h"
 #include "study/measuring/exact_dots.h"
 

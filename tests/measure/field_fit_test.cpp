@@ -1,4 +1,4 @@
-#include "palpate/measure/field_fit.h"
+#include "palpate/measure/field/field_fit.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -8,9 +8,9 @@
 
 #include "measure/drawn_dots.h"
 #include "palpate/elements/drag_solver.h"
-#include "palpate/measure/field_form.h"
+#include "palpate/measure/field/field_form.h"
 #include "palpate/measure/field_report.h"
-#include "palpate/measure/solved_drag.h"
+#include "palpate/measure/field/solved_drag.h"
 #include "palpate/measure/synthesis/true_field.h"
 
 namespace palpate::measure {

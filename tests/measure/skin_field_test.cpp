@@ -1,5 +1,5 @@
 // The formula of dragged skin at places where its value is known by hand.
-#include "palpate/measure/skin_field.h"
+#include "palpate/measure/field/skin_field.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 
 #include "apps/palpate/common/json.h"
 #include "palpate/base/nearest_name.h"
-#include "palpate/measure/field_form.h"
+#include "palpate/measure/field/field_form.h"
 #include "palpate/measure/key_row.h"
 #include "palpate/measure/overlay.h"
 #include "palpate/measure/skin_chart.h"

@@ -17,7 +17,7 @@
 #include "palpate/elements/drag_solver.h"
 #include "palpate/elements/finger_solver.h"
 #include "palpate/elements/stack_solver.h"
-#include "palpate/measure/solved_drag.h"
+#include "palpate/measure/field/solved_drag.h"
 #include "palpate/tissue/layered_library.h"
 
 namespace palpate::app {

@@ -22,8 +22,8 @@
 #include <vector>
 
 #include "palpate/maps/key_points.h"
+#include "palpate/measure/field/skin_field.h"
 #include "palpate/measure/press_table.h"
-#include "palpate/measure/skin_field.h"
 
 namespace palpate::measure {
 

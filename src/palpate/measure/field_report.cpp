@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "palpate/base/random.h"
-#include "palpate/measure/field_form.h"
+#include "palpate/measure/field/field_form.h"
 
 namespace palpate::measure {
 

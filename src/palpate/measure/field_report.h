@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "palpate/measure/field_fit.h"
+#include "palpate/measure/field/field_fit.h"
 #include "palpate/measure/measurement.h"
 
 namespace palpate::measure {

@@ -16,8 +16,8 @@
 
 #include "palpate/base/progress.h"
 #include "palpate/measure/dot_grid.h"
+#include "palpate/measure/field/skin_field.h"
 #include "palpate/measure/photograph.h"
-#include "palpate/measure/skin_field.h"
 
 namespace palpate::measure {
 

@@ -18,7 +18,7 @@
 #include "palpate/base/progress.h"
 #include "palpate/base/vec.h"
 #include "palpate/maps/key_points.h"
-#include "palpate/measure/skin_field.h"
+#include "palpate/measure/field/skin_field.h"
 #include "palpate/tissue/fitting/force_fit.h"
 
 namespace palpate::measure {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "palpate/measure/field_form.h"
+#include "palpate/measure/field/field_form.h"
 #include "palpate/measure/skin_chart.h"
 
 namespace palpate::measure {

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "palpate/base/vec.h"
-#include "palpate/measure/skin_field.h"
+#include "palpate/measure/field/skin_field.h"
 #include "palpate/measure/synthesis/synthetic_case.h"
 
 namespace palpate::measure {

@@ -10,7 +10,7 @@
 //   solved:   layers over bone by finite elements (solved_drag.h); radial is 1 + kappa times what was solved
 #pragma once
 
-#include "palpate/measure/skin_field.h"
+#include "palpate/measure/field/skin_field.h"
 
 namespace palpate::measure {
 

@@ -1,8 +1,8 @@
-#include "palpate/measure/skin_field.h"
+#include "palpate/measure/field/skin_field.h"
 
 #include <cmath>
 
-#include "palpate/measure/field_form.h"
+#include "palpate/measure/field/field_form.h"
 
 namespace palpate::measure {
 

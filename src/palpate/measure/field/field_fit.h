@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "palpate/base/vec.h"
-#include "palpate/measure/skin_field.h"
+#include "palpate/measure/field/skin_field.h"
 
 namespace palpate::measure {
 

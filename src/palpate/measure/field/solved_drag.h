@@ -2,8 +2,8 @@
 //
 // Of round layers the whole motion follows from two curves: a place at the angle a from the drag moves by along(r) cos
 // a outwards and by -across(r) sin a round the contact, shares of the drag. Six stacks from the shortest tail to the
-// longest, blended in between; `palpate tissue library --solve --drag -o src/palpate/measure/solved_drag_data.inc`
-// solves them again.
+// longest, blended in between; `palpate tissue library --solve --drag -o
+// src/palpate/measure/field/solved_drag_data.inc` solves them again.
 #pragma once
 
 #include <array>

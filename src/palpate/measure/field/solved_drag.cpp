@@ -1,4 +1,4 @@
-#include "palpate/measure/solved_drag.h"
+#include "palpate/measure/field/solved_drag.h"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@ using Curve = std::array<double, kSolvedKnots>;
 
 /// Along and across, by turns.
 constexpr std::array<Curve, 2 * kSolvedStacks.size()> kCurves = {{
-#include "palpate/measure/solved_drag_data.inc"
+#include "palpate/measure/field/solved_drag_data.inc"
 }};
 constexpr std::size_t kStacks = kSolvedStacks.size();
 

@@ -1,9 +1,9 @@
 // Based on: Ji, dissertation 2008, (4.14) (the half Gaussian, E19), with a tail of free length in its place.
-#include "palpate/measure/field_form.h"
+#include "palpate/measure/field/field_form.h"
 
 #include <cmath>
 
-#include "palpate/measure/solved_drag.h"
+#include "palpate/measure/field/solved_drag.h"
 
 namespace palpate::measure {
 

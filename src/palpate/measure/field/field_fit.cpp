@@ -10,7 +10,7 @@
 //
 // Based on: Marquardt, "An algorithm for least-squares estimation of nonlinear parameters", 1963; Charbonnier et al.,
 // "Deterministic edge-preserving regularization in computed imaging", 1997 (pseudo-Huber by reweighting).
-#include "palpate/measure/field_fit.h"
+#include "palpate/measure/field/field_fit.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/SVD>
@@ -20,8 +20,8 @@
 #include <limits>
 #include <utility>
 
-#include "palpate/measure/field_form.h"
-#include "palpate/measure/solved_drag.h"
+#include "palpate/measure/field/field_form.h"
+#include "palpate/measure/field/solved_drag.h"
 
 namespace palpate::measure {
 
