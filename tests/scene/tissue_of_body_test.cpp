@@ -205,6 +205,23 @@ TEST(LayeredBody, PushesBackOnAFingerByItsRadiusUnlessTheSceneSaysNo) {
   EXPECT_EQ(point[2], felt[2]);
 }
 
+TEST(LayeredBody, NarrowBoneIsFeltSofterAndWideBoneAsItWas) {
+  const auto wide = trunk();
+  const auto narrow = trunk([](Scene& s) { s.tissue.narrow_bone = true; });
+  const auto force = [](const World& world, const std::string& place) {
+    const Index vertex = vertexAt(world, place);
+    return tissue::normalForce(world.surface.force_law, world.stiffness_n_per_mm[vertex], 5.0,
+                               tissue::PressedPlace{world.surface.tissue_mm[vertex], 8.0});
+  };
+  EXPECT_LT(force(*narrow, "T6"), 0.9 * force(*wide, "T6")) << "a spinous process";
+  EXPECT_GT(force(*narrow, "T6"), 0.5 * force(*wide, "T6"));
+  for (Index v = 0; v < wide->skin.positions.size(); ++v) {
+    ASSERT_GE(narrow->surface.tissue_mm[v], wide->surface.tissue_mm[v]);
+    const bool deep = wide->anatomy.depth_mm[v] > 30.0;
+    ASSERT_TRUE(!deep || narrow->stiffness_n_per_mm[v] == wide->stiffness_n_per_mm[v]) << v;
+  }
+}
+
 TEST(LayeredBody, SaysWhichFingerIsLargerThanWhatWasSolved) {
   const auto notes = [](double radius_mm, bool counts) {
     const auto world = trunk([&](Scene& s) {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "palpate/scene/beneath/tissue_beneath.h"
 #include "palpate/scene/section_walk.h"
-#include "palpate/scene/tissue_beneath.h"
 #include "palpate/tree/closest_on_triangle.h"
 
 namespace palpate::scene {

@@ -12,7 +12,9 @@
 #include "palpate/base/error.h"
 #include "palpate/maps/ellipse.h"
 #include "palpate/scene/anatomical_reach.h"
+#include "palpate/scene/beneath/bone_width.h"
 #include "palpate/tissue/layered_library.h"
+#include "palpate/tissue/narrow_bone.h"
 
 namespace palpate::scene {
 
@@ -214,6 +216,13 @@ PlacedTissue placedTissue(const Scene& scene, const std::vector<double>& bone_de
     placed.thickness_mm.push_back(std::clamp(usual, placed.layered->thinnest(), placed.layered->thickest()));
   }
   return placed;
+}
+
+std::vector<double> overNarrowBone(const mesh::TriangleMesh& skin, const Anatomy& anatomy, const PlacedTissue& tissue) {
+  const std::vector<double> radii = boneRadii(skin, anatomy.depth_mm, anatomy.bones);
+  std::vector<double> felt = tissue.thickness_mm;
+  for (std::size_t v = 0; v < felt.size(); ++v) felt[v] = tissue::feltThickness(*tissue.layered, felt[v], radii[v]);
+  return felt;
 }
 
 std::vector<double> secantStiffness(const PlacedTissue& tissue) {

@@ -23,6 +23,10 @@ struct PlacedTissue {
 PlacedTissue placedTissue(const Scene& scene, const std::vector<double>& bone_depth_mm,
                           std::shared_ptr<const tissue::LayeredTissue> given);
 
+/// The thicknesses that push back as these do over bones as narrow as this body's (tissue/narrow_bone.h). The tissue
+/// must be layered.
+std::vector<double> overNarrowBone(const mesh::TriangleMesh& skin, const Anatomy& anatomy, const PlacedTissue& tissue);
+
 /// mm of fat that the scene means: its own number, or by the mass index of the body. // tissue-data: 2 to 25 mm
 double fatOf(const Scene& scene);
 

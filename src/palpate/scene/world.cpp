@@ -286,6 +286,7 @@ std::shared_ptr<const World> withBody(const Scene& asked, BodyParts body, deform
   TissueChoice choice = tissueChoice(scene, forms, !body.anatomy.depth_mm.empty());
   if (choice.model == TissueModel::layered) {
     tissue = placedTissue(scene, body.anatomy.depth_mm, body.given_layers);
+    if (scene.tissue.narrow_bone) tissue.thickness_mm = overNarrowBone(body.skin, body.anatomy, tissue);
   }
   std::vector<double> stiffness = stiffnessOf(scene, body, keys, tissue, notes);
   if (std::string note = tissueNote(scene, choice, stiffness); !note.empty()) notes.push_back(std::move(note));

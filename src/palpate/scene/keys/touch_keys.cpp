@@ -158,6 +158,9 @@ Section tissueSection() {
           "finger feels what one of 8 mm does."),
       number<S>("point_radius_mm", &S::point_radius_mm, between(1, 24),
                 "Layered law: the radius that a finger of radius 0 is felt with."),
+      flag<S>("narrow_bone", &S::narrow_bone,
+              "Layered law: bone that is narrow under the skin, as a spinous process or a rib, pushes back less than a "
+              "wide one; false: all bone counts as wide."),
   };
   const std::vector<Key<S>> relaxation = relaxationKeys();
   keys.insert(keys.end(), relaxation.begin(), relaxation.end());
@@ -185,7 +188,8 @@ Section safetySection() {
       number<S>(
           "stiffness_cap_n_per_mm", &S::stiffness_cap_n_per_mm, between(0, 100),
           "Stiffest that a hand may feel anywhere, never above what the device, delay_ticks and ticks_per_s allow; "
-          "0 is that. All places are softened by one factor. Only --unsafe-stiffness allows more."),
+          "0 is that. All places are softened by one factor, and above 1 N their slopes are held. Only "
+          "--unsafe-stiffness allows more."),
       number<S>(
           "delay_ticks", &S::delay_ticks, between(0, 6),
           "From sampling the pose to the force taking effect, in ticks, with the amplifier's lag; at least what an "

@@ -1,6 +1,6 @@
 // Rays from some vertices of each cell of a grid, then for each vertex the mean of the cells around it; of logarithms,
 // as thicknesses are blended everywhere.
-#include "palpate/scene/tissue_beneath.h"
+#include "palpate/scene/beneath/tissue_beneath.h"
 
 #include <algorithm>
 #include <cmath>

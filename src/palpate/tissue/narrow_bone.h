@@ -1,0 +1,27 @@
+// Tissue over a narrow bone feels softer than over a wide one: it gives way beside it.
+//
+//   thickness, radius of the bone ─ shareOverNarrowBone ─► share of the force over a plane
+//                                 ─ feltThickness ─► the thickness over a plane that pushes back as hard
+//
+// Solved in 3D once (elements/, docs/tissue-solver.md, "Narrow bone"), by a sphere of 8 mm over a post with a round
+// top.
+#pragma once
+
+#include "palpate/tissue/layered_tissue.h"
+
+namespace palpate::tissue {
+
+/// mm, of bone that is flat; what is wider counts as flat.
+inline constexpr double kFlatBoneMm = 1e3;
+
+/// The depth at which the share is told and both thicknesses push back alike, mm: of firm palpation.
+inline constexpr double kSharedDepthMm = 5.0;
+
+/// Of the force over a plane, in (0, 1], for a thickness and a radius of the bone in mm, both above 0. Continuous. Less
+/// than 9 mm of tissue and a radius of less than 3 mm were not solved: they count as those.
+double shareOverNarrowBone(double thickness_mm, double bone_radius_mm) noexcept;
+
+/// mm; never less than the thickness itself. Load time.
+double feltThickness(const LayeredTissue& tissue, double thickness_mm, double bone_radius_mm) noexcept;
+
+}  // namespace palpate::tissue

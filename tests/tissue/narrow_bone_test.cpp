@@ -1,0 +1,48 @@
+// Tissue over a narrow bone gives way beside it.
+#include "palpate/tissue/narrow_bone.h"
+
+#include <gtest/gtest.h>
+
+#include "palpate/tissue/layered_library.h"
+
+namespace palpate::tissue {
+namespace {
+
+TEST(NarrowBone, ShareIsTheSolvedOneAndOneOverAPlane) {
+  EXPECT_DOUBLE_EQ(shareOverNarrowBone(9.0, 3.0), 0.53);
+  EXPECT_DOUBLE_EQ(shareOverNarrowBone(13.0, 8.0), 0.77);
+  EXPECT_DOUBLE_EQ(shareOverNarrowBone(20.0, 40.0), 0.94);
+  for (const double thickness : {3.0, 9.0, 15.0, 40.0}) {
+    EXPECT_NEAR(shareOverNarrowBone(thickness, kFlatBoneMm), 1.0, 0.01) << thickness;
+  }
+}
+
+TEST(NarrowBone, ShareRisesWithThicknessAndRadiusWithoutSteps) {
+  for (double thickness = 5.0; thickness < 60.0; thickness += 0.5) {
+    for (double radius = 2.0; radius < 100.0; radius *= 1.02) {
+      const double share = shareOverNarrowBone(thickness, radius);
+      ASSERT_GE(share, 0.53);
+      ASSERT_LE(share, 1.0);
+      ASSERT_GE(shareOverNarrowBone(thickness + 0.1, radius), share) << thickness << " " << radius;
+      ASSERT_GE(shareOverNarrowBone(thickness, 1.02 * radius), share) << thickness << " " << radius;
+      ASSERT_LE(shareOverNarrowBone(thickness + 0.1, radius), share + 0.01) << thickness << " " << radius;
+      ASSERT_LE(shareOverNarrowBone(thickness, 1.02 * radius), share + 0.01) << thickness << " " << radius;
+    }
+  }
+}
+
+TEST(NarrowBone, TheFeltThicknessPushesBackByTheShare) {
+  const LayeredTissue tissue(libraryNodes(8.0));
+  for (const double thickness : {9.0, 12.0, 18.0}) {
+    for (const double radius : {3.0, 6.0, 15.0}) {
+      const double felt = feltThickness(tissue, thickness, radius);
+      EXPECT_GT(felt, thickness);
+      const double share = tissue.secantAt(felt, kSharedDepthMm) / tissue.secantAt(thickness, kSharedDepthMm);
+      EXPECT_NEAR(share, shareOverNarrowBone(thickness, radius), 1e-6) << thickness << " " << radius;
+    }
+    EXPECT_NEAR(feltThickness(tissue, thickness, kFlatBoneMm), thickness, 0.02 * thickness);
+  }
+}
+
+}  // namespace
+}  // namespace palpate::tissue
