@@ -39,6 +39,7 @@ void tellLimits(const engine::ServoPlan& plan, Session& session) {
   const scene::SafetySettings& safety = plan.world->scene.safety;
   session.device_limit_n = plan.limiter.force_n;
   shown.stiffness_factor = plan.limiter.stiffness_factor;
+  shown.ratios_kept_to_n = plan.limiter.cap_n_per_mm > 0.0 ? plan.limiter.compared_n : 0.0;
   shown.unsafe = safety.unsafe_stiffness;
   std::vector<std::string> notes;
   if (!session.held.empty()) {

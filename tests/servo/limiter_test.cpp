@@ -167,6 +167,54 @@ TEST(Limiter, SoftensAllPlacesByOneFactor) {
   }
 }
 
+TEST(Limiter, HoldsTheSlopeOfASteepPlaceAtTheCapAndLeavesASoftOneAsItIs) {
+  tissue::ForceLaw law;
+  law.kind = tissue::ForceLaw::Kind::power;
+  law.exponent = 2.0;  // F = k d^2 / 8
+  LimiterSettings settings;
+  settings.stiffness_factor = 0.5;
+  settings.cap_n_per_mm = 0.6;
+  settings.force_n = 100.0;
+  const auto felt = [&](double stiffness, double depth) {
+    LimiterState state;
+    state.closes_loop = false;
+    std::uint64_t tick = 0;
+    for (double z = 0.1; z > -depth - 1e-9; z -= 0.1) {
+      const double force = z < 0.0 ? tissue::normalForce(law, stiffness, -z) : 0.0;
+      guardTip(settings, state, {.tip = {0, 0, z}, .tick = tick++});
+      limitForce(settings, state, touchOf({0, 0, z}, {0, 0, force}), law);
+    }
+    return state.force.z();
+  };
+  EXPECT_NEAR(felt(0.4, 8.0), 0.5 * 0.4 * 8.0, 1e-9) << "nowhere steeper than 0.4 N/mm";
+  // 0.5 x 2 d / 4 reaches 0.6 at 2.4 mm.
+  EXPECT_NEAR(felt(2.0, 2.4), 0.5 * 2.0 * 2.4 * 2.4 / 8.0, 1e-9);
+  EXPECT_NEAR(felt(2.0, 7.4), 0.72 + 0.6 * 5.0, 1e-9);
+}
+
+TEST(Limiter, AToeUnderTheCapIsNoSteeperThanTheCap) {
+  tissue::ForceLaw law;
+  law.kind = tissue::ForceLaw::Kind::power;
+  law.exponent = 2.0;
+  LimiterSettings settings;
+  settings.cap_n_per_mm = 0.6;
+  settings.steepest = 4.0;
+  settings.force_n = 100.0;
+  LimiterState state;
+  state.closes_loop = false;
+  double before = 0.0;
+  std::uint64_t tick = 0;
+  for (double z = 1.9; z > -12.0; z -= 1.0) {
+    guardTip(settings, state, {.tip = {0, 0, z}, .tick = tick++});
+    const double force = z < 0.0 ? tissue::normalForce(law, 2.0, -z) : 0.0;
+    const double felt = limitForce(settings, state, touchOf({0, 0, z}, {0, 0, force}), law).z();
+    EXPECT_LE(felt - before, 0.6 + 1e-9) << z;
+    EXPECT_GE(felt, before);
+    before = felt;
+  }
+  EXPECT_GT(state.soft.toe_mm, 0.0);
+}
+
 TEST(Limiter, GivesAFastFirstTouchAToeAndASlowOneNone) {
   const auto second = [](double step_mm) {
     Finger finger;
@@ -423,6 +471,33 @@ TEST(DeviceLimits, AllowForTheSteeperForcesOfALargerFinger) {
   EXPECT_EQ(steepest(0.0), fingertip);
   EXPECT_EQ(steepest(4.0), fingertip) << "settings of a finger may change while it is held";
   EXPECT_GT(steepest(16.0), 1.05 * fingertip);
+}
+
+TEST(DeviceLimits, PlacesKeepTheirRatiosUpToTheForceAtWhichPeopleCompare) {
+  const auto world = scene::build(scene::Scene{});
+  for (const scene::DeviceModel model :
+       {scene::DeviceModel::omni, scene::DeviceModel::premium_3_0, scene::DeviceModel::omega_3}) {
+    const device::DeviceProfile profile = device::profileOf(model);
+    const LimiterSettings settings = limiterSettings(*world, profile);
+    const double cap = stiffnessCap(world->scene.safety, profile, settings.tick_s);
+    const tissue::ForceLaw& law = world->surface.force_law;
+    for (std::size_t v = 0; v < world->stiffness_n_per_mm.size(); v += 7) {
+      const double stiffness = settings.stiffness_factor * world->stiffness_n_per_mm[v];
+      const tissue::PressedPlace place{world->surface.tissue_mm[v], tissue::kFingertipMm};
+      const double held = settings.cap_n_per_mm > 0.0 ? settings.cap_n_per_mm : cap;
+      double felt = 0.0;
+      for (double depth = 0.1; depth < 12.0; depth += 0.1) {
+        const double whole = tissue::normalForce(law, stiffness, depth, place);
+        const double now = tissue::cappedForce(law, stiffness, depth, place, held);
+        ASSERT_LE(now - felt, 0.1 * cap * (1.0 + 1e-9));
+        ASSERT_TRUE(whole > settings.compared_n || std::abs(now - whole) <= 1e-6 * whole)
+            << place.tissue_mm << " mm, " << depth;
+        felt = now;
+      }
+    }
+    EXPECT_LE(settings.stiffness_factor * settings.stiffness_n_per_mm, cap * (1.0 + 1e-9));
+    EXPECT_GE(settings.compared_n, kComparedForceN * (1.0 - 1e-9));
+  }
 }
 
 TEST(DeviceLimits, TheFactorLooksAtTheSteepestPartThatTheForceReaches) {

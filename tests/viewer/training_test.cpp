@@ -52,9 +52,10 @@ class WordsOfSitting {
                  .familiar = familiar},
                 {}) {}
 
-  TrainingScreen screen(int picked = 0, double force_share = 1.0) const {
+  TrainingScreen screen(int picked = 0, double force_share = 1.0, double ratios_kept_to_n = 0.0) const {
     TrainingView view;
     view.force_share = force_share;
+    view.ratios_kept_to_n = ratios_kept_to_n;
     view.stage = TrainingStage::sitting;
     view.by_mouse = true;
     view.sitting = &sitting;
@@ -124,12 +125,14 @@ TEST(TrainingWords, ATestShowsNoNumberNoLevelAndNoPlaceOnAnyScreenUntilItIsOver)
 TEST(TrainingWords, ADeviceThatGivesLessThanTheForcesSaysSoBeforeTheFirstTrial) {
   const WordsOfSitting somebody(SittingKind::practice, false);
   ASSERT_EQ(somebody.sitting.screen(), Screen::device_check);
-  const auto says = [](const TrainingScreen& screen) {
+  const auto says = [](const TrainingScreen& screen, const std::string& what) {
     const std::vector<std::string> words = wordsOf(screen);
-    return std::ranges::any_of(words, [](const std::string& w) { return w.find("52 % of every force") != w.npos; });
+    return std::ranges::any_of(words, [&](const std::string& w) { return w.find(what) != w.npos; });
   };
-  EXPECT_TRUE(says(somebody.screen(0, 0.52)));
-  EXPECT_FALSE(says(somebody.screen(0, 1.0)));
+  EXPECT_TRUE(says(somebody.screen(0, 0.52), "52 % of every force"));
+  EXPECT_FALSE(says(somebody.screen(0, 0.52), "Above"));
+  EXPECT_TRUE(says(somebody.screen(0, 0.52, 2.0), "Above 2 N"));
+  EXPECT_FALSE(says(somebody.screen(0, 1.0), "of every force"));
 }
 
 TEST(TrainingWords, TheScreenOfATestIsTheSameWhereverThePlaceIsHidden) {

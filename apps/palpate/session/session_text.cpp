@@ -56,6 +56,7 @@ Json limitsJson(trace::SessionReader& reader) {
                       {"force_n", limits.force_n},
                       {"stiffness_factor", limits.stiffness_factor},
                       {"stiffness_n_per_mm", limits.stiffness_factor * limits.stiffness_n_per_mm},
+                      {"ratios_kept_to_n", limits.cap_n_per_mm > 0.0 ? limits.compared_n : limits.force_n},
                       {"unsafe_stiffness", limits.unsafe}});
     }
   }

@@ -67,6 +67,7 @@ Json deviceJson(const servo::LimiterSettings& limits) {
   return {{"force_n", limits.force_n},
           {"stiffness_factor", limits.stiffness_factor},
           {"stiffness_n_per_mm", limits.stiffness_factor * limits.stiffness_n_per_mm},
+          {"ratios_kept_to_n", limits.cap_n_per_mm > 0.0 ? limits.compared_n : limits.force_n},
           {"unsafe_stiffness", limits.unsafe}};
 }
 
@@ -167,6 +168,9 @@ std::string safetyLine(const SimulationResult& result) {
   const servo::LimiterSettings& limits = result.limits;
   std::string factor;
   if (limits.stiffness_factor < 1.0) factor = fmt::format("; all forces times {:.2f}", limits.stiffness_factor);
+  if (limits.cap_n_per_mm > 0.0) {
+    factor += fmt::format("; above {:.1f} N no steeper than {:.2f} N/mm", limits.compared_n, limits.cap_n_per_mm);
+  }
   const char* unsafe = limits.unsafe ? "UNSAFE: " : "";
   return fmt::format("  device     {}force kept within {:.1f} N{}; changed in {:.1f} % of the touching ticks\n", unsafe,
                      limits.force_n, factor, 100.0 * share(limited, touching));

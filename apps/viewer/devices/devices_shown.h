@@ -64,6 +64,7 @@ struct DevicesShown {
   std::array<FingerHeld, 2> fingers;
   bool stopped = false;                   ///< the emergency stop is latched
   double stiffness_factor = 1.0;          ///< of all forces: no place stiffer than the devices can render
+  double ratios_kept_to_n = 0.0;          ///< above this force slopes are held at the devices' cap; 0: nowhere
   std::vector<std::string> safety_notes;  ///< what the scene asks for and does not get (servo::safetyNotes)
   bool unsafe = false;                    ///< --unsafe-stiffness was given, and this scene is the one it was given for
   CalibrationSteps calibration;

@@ -101,7 +101,10 @@ void liveWidgets(const Part& part) {
   valueLine("age", fmt::format("{:.1f} ms", static_cast<double>(state.age_ticks) * tick_ms));
   valueLine("buttons", buttonWords(state.buttons));
   valueLine("loss, last second", fmt::format("{:.3f} mJ", held.most_loss_n_mm));
-  valueLine("stiffness of all", fmt::format("{:.0f} %", 100.0 * part.panel.devices.stiffness_factor));
+  const DevicesShown& devices = part.panel.devices;
+  const std::string up_to =
+      devices.ratios_kept_to_n > 0.0 ? fmt::format(" up to {:.2g} N", devices.ratios_kept_to_n) : "";
+  valueLine("stiffness of all", fmt::format("{:.0f} %{}", 100.0 * devices.stiffness_factor, up_to));
   // Always a line: what comes and goes must not move a control from under the mouse.
   const std::string faults = faultWords(state.faults);
   valueLine("faults", faults.empty() ? "none" : faults);

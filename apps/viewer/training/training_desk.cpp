@@ -206,6 +206,7 @@ TrainingView TrainingDesk::view() const {
   view.device = device_;
   view.by_mouse = by_mouse_;
   view.force_share = force_share_;
+  view.ratios_kept_to_n = ratios_kept_to_n_;
   view.focus = focus_;
   view.sitting = sitting();
   view.now = now();
@@ -522,6 +523,7 @@ void TrainingDesk::advance(Session& session, LiveServo& servo, Turnover& turnove
   by_mouse_ = !session.devices.anyHeld();
   device_ = by_mouse_ ? "mouse" : session.held_by;
   force_share_ = session.devices.stiffness_factor;
+  ratios_kept_to_n_ = session.devices.ratios_kept_to_n;
   ignored_buttons_ = 0;
   for (std::size_t i = 0; i < kFingers; ++i) {
     if (!servo.isHeld(i)) continue;

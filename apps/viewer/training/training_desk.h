@@ -156,6 +156,7 @@ class TrainingDesk {
   std::uint64_t said_ = 0;
   bool by_mouse_ = true;
   double force_share_ = 1.0;
+  double ratios_kept_to_n_ = 0.0;
   std::string device_ = "mouse";
   std::string thimble_;
   std::string familiar_;  ///< who has had the familiarisation with which device in this run

@@ -227,6 +227,10 @@ TrainingScreen sittingScreen(const TrainingView& view) {
         screen.lines.push_back(fmt::format("This device gives {:.0f} % of every force: all places are softer alike.",
                                            100.0 * view.force_share));
       }
+      if (view.ratios_kept_to_n > 0.0) {
+        screen.lines.push_back(fmt::format("Above {:.2g} N it shows less of what differs: compare with less force.",
+                                           view.ratios_kept_to_n));
+      }
       nextButton("Next", screen);
       addTouchKeys(view, screen);
       break;

@@ -55,7 +55,8 @@ struct TrainingView {
   std::vector<Offer> offers = {};
   std::string device = {};  ///< that holds the finger, in words
   bool by_mouse = false;
-  double force_share = 1.0;  ///< of the body's forces, what the device can render (DevicesShown::stiffness_factor)
+  double force_share = 1.0;       ///< of the body's forces, what the device can render (DevicesShown::stiffness_factor)
+  double ratios_kept_to_n = 0.0;  ///< above this force places differ less than they do; 0: nowhere
   std::size_t focus = 0;
   const training::Sitting* sitting = nullptr;
   training::Moment now = {};

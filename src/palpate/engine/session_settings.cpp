@@ -54,6 +54,8 @@ std::vector<Field> fieldsOf(RecordedLimiter& recorded) {
           flag("limited", s.limited),
           number("force_n", s.force_n),
           number("stiffness_factor", s.stiffness_factor),
+          number("cap_n_per_mm", s.cap_n_per_mm),
+          number("compared_n", s.compared_n),
           number("stiffness_n_per_mm", s.stiffness_n_per_mm),
           number("steepest", s.steepest),
           number("tick_s", s.tick_s),
@@ -129,6 +131,7 @@ RecordedLimiter limiterFrom(const std::string& text) {
 std::string limitsInWords(const servo::LimiterSettings& limits) {
   std::string text = fmt::format("force at most {:.3g} N, all forces times {:.3g}, at most {:.3g} N/mm", limits.force_n,
                                  limits.stiffness_factor, limits.stiffness_factor * limits.stiffness_n_per_mm);
+  if (limits.cap_n_per_mm > 0.0) text += fmt::format(", held there above {:.3g} N", limits.compared_n);
   return limits.unsafe ? text + "; UNSAFE: more than is safe for the device, by --unsafe-stiffness" : text;
 }
 

@@ -79,6 +79,17 @@ double depthOfForce(const tissue::ForceLaw& law, double stiffness, double force_
   return high;
 }
 
+/// The force up to which no slope is above the cap, N.
+double forceBelowSlope(const tissue::ForceLaw& law, double stiffness, double most_mm, double cap_n_per_mm) {
+  constexpr double kStepMm = 0.05;
+  double force_n = 0.0;
+  for (double depth = kStepMm; depth < most_mm; depth += kStepMm) {
+    if (tissue::tangentStiffness(law, stiffness, depth) > cap_n_per_mm) return force_n;
+    force_n = tissue::normalForce(law, stiffness, depth);
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
 /// The stiffest place of one thickness of tissue.
 struct Stiffest {
   double stiffness_n_per_mm = 0.0;
@@ -322,17 +333,29 @@ LimiterSettings limiterSettings(const scene::World& world, const device::DeviceP
   const double sideways = std::max(1.0, scene.contact.finger.stiffness_ratio);
   const double cap = stiffnessCap(scene.safety, profile, settings.tick_s);
   const double finger_mm = largestFinger(scene, law);
-  settings.stiffness_factor = 1.0;
-  settings.steepest = 0.0;
-  for (const Stiffest& place : stiffestPlaces(world)) {
+  const std::vector<Stiffest> places = stiffestPlaces(world);
+  const double compared_n = std::min(kComparedForceN, settings.force_n);
+  for (const Stiffest& place : places) {
+    const tissue::ForceLaw here = lawAt(law, {place.tissue_mm, finger_mm});
+    const double factor = stiffnessFactor(here, place.stiffness_n_per_mm * sideways, most_mm, compared_n, cap);
+    settings.stiffness_factor = std::min(settings.stiffness_factor, factor);
+  }
+  settings.stiffness_n_per_mm = settings.steepest = 0.0;
+  settings.compared_n = settings.force_n;
+  for (const Stiffest& place : places) {
     const tissue::ForceLaw here = lawAt(law, {place.tissue_mm, finger_mm});
     const double stiffest = place.stiffness_n_per_mm * sideways;
-    const double factor = stiffnessFactor(here, stiffest, most_mm, settings.force_n, cap);
-    settings.stiffness_factor = std::min(settings.stiffness_factor, factor);
-    const double depth = depthOfForce(here, stiffest, settings.force_n / factor, most_mm);
+    const double depth = depthOfForce(here, stiffest, settings.force_n / settings.stiffness_factor, most_mm);
     const double steepest = tissue::steepestFactor(here, depth);
     settings.steepest = std::max(settings.steepest, steepest);
     settings.stiffness_n_per_mm = std::max(settings.stiffness_n_per_mm, stiffest * steepest);
+    const double unheld_n = forceBelowSlope(here, settings.stiffness_factor * stiffest, most_mm, cap);
+    settings.compared_n = std::min(settings.compared_n, std::max(compared_n, unheld_n));
+  }
+  // A rounding above the cap is none.
+  if (settings.stiffness_n_per_mm * settings.stiffness_factor > cap * (1.0 + 1e-9)) {
+    settings.cap_n_per_mm = cap / sideways;
+    settings.stiffness_n_per_mm = cap / settings.stiffness_factor;
   }
   return settings;
 }

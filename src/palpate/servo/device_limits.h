@@ -1,7 +1,9 @@
 // How stiff, how strong: from a scene's safety settings and what is known of the device to the limiter's settings.
 //
-// One factor softens the whole scene where its stiffest place is more than device, rate and delay can render at rest.
-// One for all, so that the ratio of two places, which is what a palpating finger compares, stays as it is.
+// One factor softens the whole scene where, up to the force at which people compare, its stiffest place is more than
+// device, rate and delay can render at rest. One for all, so that the ratio of two places, which is what a palpating
+// finger compares, stays as it is. Above that force a place's own slope is held at the cap: a law that is steep only
+// deep inside would else take most of the force from a light touch, too.
 #pragma once
 
 #include <string>
@@ -42,8 +44,12 @@ inline constexpr double kQuickestRampS = 0.1;
 /// rest). With --unsafe-stiffness what is asked.
 double stiffnessCap(const scene::SafetySettings& safety, const device::DeviceProfile& profile, double tick_s);
 
-/// The factor on all forces that keeps the steepest part of the force law, up to the largest force, within the cap: in
-/// (0, 1]. `stiffness` is that of the stiffest place, `most_mm` the greatest depth.
+/// At least up to this felt force all places keep their ratios, N: a choice within light palpation, which every known
+/// device can hold for long or nearly (docs/servo.md).
+inline constexpr double kComparedForceN = 1.0;
+
+/// The factor on all forces that keeps the steepest part of the force law, up to this force, within the cap: in (0, 1].
+/// `stiffness` is that of the stiffest place, `most_mm` the greatest depth.
 double stiffnessFactor(const tissue::ForceLaw& law, double stiffness_n_per_mm, double most_mm, double force_n,
                        double cap_n_per_mm);
 

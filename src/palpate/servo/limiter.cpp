@@ -65,17 +65,30 @@ double startShare(const LimiterSettings& settings, LimiterState& state, bool tou
   return std::min(1.0, state.ramp_ticks / ticks);
 }
 
-/// The share of the contact's force that is felt because of the way this contact began.
-double toeShare(const LimiterSettings& settings, LimiterState& state, const contact::FingerOutput& contact,
-                const tissue::ForceLaw& law) {
-  if (!settings.soft_contact) return 1.0;
-  const Vec3 step = 0.5 * (state.motion + state.passivity.motion_before);
-  const double share = softShare(state.soft, contact, law,
-                                 {.step_mm = -step.dot(contact.normal),
-                                  .stiffness_factor = settings.stiffness_factor,
-                                  .steepest = settings.steepest});
-  if (share < 1.0) state.status |= kSoftened;
-  return share;
+/// The share of the contact's force that is felt because of the way this contact began, and because its slope is held.
+double feltShare(const LimiterSettings& settings, LimiterState& state, const contact::FingerOutput& contact,
+                 const tissue::ForceLaw& law) {
+  const double depth = contact.depth_mm;
+  double felt = depth;
+  if (settings.soft_contact) {
+    const Vec3 step = 0.5 * (state.motion + state.passivity.motion_before);
+    felt = softDepth(state.soft, contact, law,
+                     {.step_mm = -step.dot(contact.normal),
+                      .stiffness_factor = settings.stiffness_factor,
+                      .steepest = settings.steepest,
+                      .cap_n_per_mm = settings.cap_n_per_mm});
+    if (felt < depth) state.status |= kSoftened;
+  }
+  const bool held = settings.cap_n_per_mm > 0.0 && depth > 0.0 && contact.force.dot(contact.normal) > 0.0;
+  if (!held && !(felt < depth)) return 1.0;
+  if (law.kind == tissue::ForceLaw::Kind::linear) return felt / depth;
+  const tissue::PressedPlace place{contact.tissue_mm, contact.finger_mm};
+  const double whole = tissue::normalForce(law, 1.0, depth, place);
+  if (!(whole > 0.0)) return 1.0;
+  if (!held) return tissue::normalForce(law, 1.0, felt, place) / whole;
+  // A place is known by its force alone: what the map, the finger and its past make of it are in it.
+  const double stiffness = settings.stiffness_factor * localStiffness(contact, law);
+  return tissue::cappedForce(law, 1.0, felt, place, settings.cap_n_per_mm / stiffness) / whole;
 }
 
 Vec3 clamped(const LimiterSettings& settings, LimiterState& state, const Vec3& force) {
@@ -131,7 +144,7 @@ Vec3 limitForce(const LimiterSettings& settings, LimiterState& state, const cont
   if (!settings.limited) return send(state, (state.status & kForceNotFinite) != 0 ? Vec3(Vec3::Zero()) : contact.force);
   if ((state.status & kFaultBits) != 0) return stop(state);
   const bool touching = contact.touch != contact::Touch::free;
-  const double share = startShare(settings, state, touching) * toeShare(settings, state, contact, law);
+  const double share = startShare(settings, state, touching) * feltShare(settings, state, contact, law);
   const Vec3 model = (share * settings.stiffness_factor) * contact.force;
   const Vec3 taken = passivityForce(settings.passivity, state.passivity,
                                     {.motion = state.motion,

@@ -3,8 +3,9 @@
 //
 //   pose ─► guardTip ─► contact ─► limitForce ─► device
 //
-// limitForce, in this order: fault? -> start rule -> one factor for all stiffness -> soft toe -> passivity -> clamp ->
-// rate guard. Any fault is no force in the same tick. The contact's own force is not touched; traces hold both.
+// limitForce, in this order: fault? -> start rule -> one factor for all stiffness -> slope held at the cap, soft toe ->
+// passivity -> clamp -> rate guard. Any fault is no force in the same tick. The contact's own force is not touched;
+// traces hold both.
 // docs/safety.md says what is promised, docs/stability.md what was measured.
 #pragma once
 
@@ -49,8 +50,10 @@ struct LimiterSettings {
   bool limited = true;              ///< false: the contact's force as it is, for what pushes no hand
   bool unsafe = false;              ///< more than the device is trusted with, by --unsafe-stiffness; said, not used
   double force_n = 3.3;             ///< the largest
-  double stiffness_factor = 1.0;    ///< of all forces: no place is stiffer than the device can render
-  double stiffness_n_per_mm = 0.5;  ///< the greatest tangent stiffness of the scene, before that factor
+  double stiffness_factor = 1.0;    ///< of all forces: up to compared_n no place is stiffer than the device can render
+  double cap_n_per_mm = 0.0;        ///< no place's force, after that factor, grows faster; 0: none would
+  double compared_n = 0.0;          ///< the felt force up to which all places keep their ratios; force_n without a cap
+  double stiffness_n_per_mm = 0.5;  ///< the greatest tangent stiffness that is rendered, over that factor
   double steepest = 1.0;            ///< greatest slope of the force law over that of a light touch
   double tick_s = 0.001;
   bool soft_contact = true;

@@ -21,14 +21,18 @@ struct Approach {
   double step_mm = 0.0;           ///< motion of the tip into the skin in a tick
   double stiffness_factor = 1.0;  ///< what the hand feels of the contact's force
   double steepest = 1.0;          ///< greatest slope of the force law over that of a light touch
+  double cap_n_per_mm = 0.0;      ///< what the hand feels no slope above; 0: none
 };
 
 /// The depth whose force is felt at `depth_mm`.
 double toeDepth(double toe_mm, double depth_mm) noexcept;
 
-/// The share of the contact's force that is felt in this tick; 1 without a toe. Decides in the first tick of a contact
-/// and forgets when it ends.
-double softShare(SoftContact& state, const contact::FingerOutput& contact, const tissue::ForceLaw& law,
+/// The depth whose force is felt in this tick, mm: the contact's own without a toe. Decides in the first tick of a
+/// contact and forgets when it ends.
+double softDepth(SoftContact& state, const contact::FingerOutput& contact, const tissue::ForceLaw& law,
                  const Approach& approach) noexcept;
+
+/// What this place's force is over what the law gives for 1 N/mm: the map's stiffness. The contact must press.
+double localStiffness(const contact::FingerOutput& contact, const tissue::ForceLaw& law) noexcept;
 
 }  // namespace palpate::servo
