@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
 
+#include "palpate/base/random.h"
 #include "palpate/contact/finger.h"
 #include "palpate/deform/deformer.h"
 #include "palpate/mesh/nearest.h"
@@ -122,35 +124,67 @@ INSTANTIATE_TEST_SUITE_P(Trunk, FarSide, testing::Values("average", "thin", "hea
   return name;
 });
 
-/// A lens 6 mm thick, without bones. A press of 8 mm is held through it; its dent must not come out below.
-TEST(ThinPart, HoldsADentThatWouldComeOutOfItsFarSide) {
+/// An ellipsoid without bones, flat in z.
+WorldPointer lens(const Vec3& half_axes_mm, int levels) {
   Scene scene;
   scene.body.kind = BodyKind::mesh;
-  BodyParts lens;
-  lens.name = "lens";
-  lens.skin = zoo::sphere(30.0, 5);
-  for (Vec3& p : lens.skin.positions) p.z() *= 0.1;
-  lens.closed = true;
-  const WorldPointer world = buildOn(scene, std::move(lens));
+  BodyParts parts;
+  parts.name = "lens";
+  parts.skin = zoo::sphere(1.0, levels);
+  for (Vec3& p : parts.skin.positions) p = p.cwiseProduct(half_axes_mm);
+  parts.closed = true;
+  return buildOn(scene, std::move(parts));
+}
+
+/// A press through the whole part; its dent must not come out on the other side. Returns how many vertices went deep.
+Index dentWithin(const World& world, const Vec3& place, double depth_mm) {
+  const auto contact = contactOf(world, felt(world, place, depth_mm, 0.0, 0.0));
+  if (!contact) return 0;
+  deform::Deformer deformer(world.deformable, world.deformation);
+  deform::DeformedSurface surface(world.deformable);
+  deformer.apply(std::span(&*contact, 1), surface);
+  Index deep = 0;
+  for (Index v = 0; v < surface.vertices(); ++v) {
+    const double moved_mm = surface.displacementAt(v).norm();
+    if (moved_mm < 0.05) continue;
+    deep += moved_mm > 1.0 ? 1 : 0;
+    // What slides along the round rim leaves it by a few hundredths.
+    const Vec3 at = surface.positionAt(v).cast<double>();
+    const bool at_skin = tree::nearestPoint(world.surface.tree, at, 0.1).triangle != kNoIndex;
+    EXPECT_TRUE(at_skin || tree::windingNumber(world.surface.tree, at) > 0.5)
+        << "vertex " << v << " moved by " << moved_mm << " mm";
+  }
+  return deep;
+}
+
+TEST(ThinPart, HoldsADentThatWouldComeOutOfItsFarSide) {
+  const WorldPointer world = lens({30.0, 30.0, 3.0}, 5);
   Index deep = 0;
   for (const Vec3& place : {Vec3(0, 0, 3), Vec3(10, 5, 3), Vec3(-15, 0, 3), Vec3(3, -12, -3)}) {
-    const auto contact = contactOf(*world, felt(*world, place, 8.0, 0.0, 0.0));
-    ASSERT_TRUE(contact);
-    deform::Deformer deformer(world->deformable, world->deformation);
-    deform::DeformedSurface surface(world->deformable);
-    deformer.apply(std::span(&*contact, 1), surface);
-    for (Index v = 0; v < surface.vertices(); ++v) {
-      const double moved_mm = surface.displacementAt(v).norm();
-      if (moved_mm < 0.05) continue;
-      deep += moved_mm > 2.0 ? 1 : 0;
-      // What slides along the round rim leaves it by a few hundredths.
-      const Vec3 place = surface.positionAt(v).cast<double>();
-      const bool at_skin = tree::nearestPoint(world->surface.tree, place, 0.1).triangle != kNoIndex;
-      EXPECT_TRUE(at_skin || tree::windingNumber(world->surface.tree, place) > 0.5)
-          << "vertex " << v << " moved by " << moved_mm << " mm";
-    }
+    deep += dentWithin(*world, place, 8.0);
   }
   EXPECT_GT(deep, 20u) << "and yet dented";
+}
+
+TEST(ThinPart, HoldsItAtThirtyPlacesOfTenParts) {
+  Random random(32);
+  const auto between = [&](double low, double high) { return low + (high - low) * random.uniform(); };
+  int dented = 0;
+  for (int part = 0; part < 10; ++part) {
+    const double thick_mm = between(1.5, 6.0);
+    const double long_mm = between(20.0, 45.0);
+    const Vec3 axes(long_mm, between(0.5, 1.0) * long_mm, thick_mm);
+    const WorldPointer world = lens(axes, 5);
+    for (int i = 0; i < 3; ++i) {
+      const double angle = between(0.0, 6.28);
+      const double out = between(0.0, 0.7);
+      const Vec3 place(out * axes.x() * std::cos(angle), out * axes.y() * std::sin(angle),
+                       i == 2 ? -thick_mm : thick_mm);
+      SCOPED_TRACE(testing::Message() << "half axes " << axes.transpose() << ", place " << place.transpose());
+      dented += dentWithin(*world, place, between(0.5, 3.5) * thick_mm) > 0 ? 1 : 0;
+    }
+  }
+  EXPECT_GE(dented, 25) << "of 30";
 }
 
 }  // namespace

@@ -167,10 +167,20 @@ TEST(Limiter, SoftensAllPlacesByOneFactor) {
   }
 }
 
-TEST(Limiter, HoldsTheSlopeOfASteepPlaceAtTheCapAndLeavesASoftOneAsItIs) {
+/// Layered tissue alike everywhere: F = k d^2 / 8.
+tissue::ForceLaw squareLaw() {
   tissue::ForceLaw law;
-  law.kind = tissue::ForceLaw::Kind::power;
-  law.exponent = 2.0;  // F = k d^2 / 8
+  law.kind = tissue::ForceLaw::Kind::layered;
+  law.layers.rows = 1;
+  law.layers.thinnest_mm = 10.0;
+  for (std::size_t i = 0; i < tissue::LayeredForce::kDepths; ++i) {
+    law.layers.factor[tissue::LayeredForce::kFingertip][0][i] = tissue::LayeredForce::kDepthStepMm * i / 8.0;
+  }
+  return law;
+}
+
+TEST(Limiter, HoldsTheSlopeOfASteepPlaceAtTheCapAndLeavesASoftOneAsItIs) {
+  const tissue::ForceLaw law = squareLaw();
   LimiterSettings settings;
   settings.stiffness_factor = 0.5;
   settings.cap_n_per_mm = 0.6;
@@ -193,9 +203,7 @@ TEST(Limiter, HoldsTheSlopeOfASteepPlaceAtTheCapAndLeavesASoftOneAsItIs) {
 }
 
 TEST(Limiter, AToeUnderTheCapIsNoSteeperThanTheCap) {
-  tissue::ForceLaw law;
-  law.kind = tissue::ForceLaw::Kind::power;
-  law.exponent = 2.0;
+  const tissue::ForceLaw law = squareLaw();
   LimiterSettings settings;
   settings.cap_n_per_mm = 0.6;
   settings.steepest = 4.0;
@@ -488,7 +496,7 @@ TEST(DeviceLimits, PlacesKeepTheirRatiosUpToTheForceAtWhichPeopleCompare) {
       double felt = 0.0;
       for (double depth = 0.1; depth < 12.0; depth += 0.1) {
         const double whole = tissue::normalForce(law, stiffness, depth, place);
-        const double now = tissue::cappedForce(law, stiffness, depth, place, held);
+        const double now = tissue::cappedForce(law.layers, stiffness, depth, place, held);
         ASSERT_LE(now - felt, 0.1 * cap * (1.0 + 1e-9));
         ASSERT_TRUE(whole > settings.compared_n || std::abs(now - whole) <= 1e-6 * whole)
             << place.tissue_mm << " mm, " << depth;

@@ -1,6 +1,7 @@
 // A larger finger is pushed back harder: the radius as an axis of solved stacks, of tables and of the law.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "palpate/tissue/law_inverse.h"
@@ -50,6 +51,26 @@ TEST(FingerRadius, OfShippedStacksAFingertipFeelsWhatItDidAndOthersMoreTheLarger
         smaller = secant;
       }
       EXPECT_EQ(tissue.secantAt(thickness, depth, 100.0), smaller);
+    }
+  }
+}
+
+TEST(CappedForce, IsTheIntegralOfTheSlopeHeldAtTheCap) {
+  const ForceLaw law = libraryLaw();
+  constexpr double kStep = 0.002;
+  for (const PressedPlace place : {PressedPlace{9.0, 8.0}, PressedPlace{14.5, 10.0}, PressedPlace{40.0, 3.0}}) {
+    const double stiffness = 0.4;
+    for (const double cap : {0.1, 0.3, 0.6, 1.2, 50.0}) {
+      double integral = 0.0;
+      double before = 0.0;
+      for (double depth = kStep; depth < 20.0; depth += kStep) {
+        integral += std::min(cap, tangentStiffness(law, stiffness, depth - 0.5 * kStep, place)) * kStep;
+        const double force = cappedForce(law.layers, stiffness, depth, place, cap);
+        ASSERT_NEAR(force, integral, 1e-3 * (1.0 + integral)) << place.tissue_mm << " mm, " << depth << ", " << cap;
+        ASSERT_LE(force, (1.0 + 1e-12) * normalForce(law, stiffness, depth, place)) << depth;
+        ASSERT_LE(force - before, cap * kStep * (1.0 + 1e-6)) << depth;
+        before = force;
+      }
     }
   }
 }

@@ -334,7 +334,9 @@ LimiterSettings limiterSettings(const scene::World& world, const device::DeviceP
   const double cap = stiffnessCap(scene.safety, profile, settings.tick_s);
   const double finger_mm = largestFinger(scene, law);
   const std::vector<Stiffest> places = stiffestPlaces(world);
-  const double compared_n = std::min(kComparedForceN, settings.force_n);
+  // The slopes of the other laws are not held: for them the factor looks at all forces.
+  const bool holds_slopes = law.kind == tissue::ForceLaw::Kind::layered;
+  const double compared_n = holds_slopes ? std::min(kComparedForceN, settings.force_n) : settings.force_n;
   for (const Stiffest& place : places) {
     const tissue::ForceLaw here = lawAt(law, {place.tissue_mm, finger_mm});
     const double factor = stiffnessFactor(here, place.stiffness_n_per_mm * sideways, most_mm, compared_n, cap);

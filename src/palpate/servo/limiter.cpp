@@ -79,7 +79,8 @@ double feltShare(const LimiterSettings& settings, LimiterState& state, const con
                       .cap_n_per_mm = settings.cap_n_per_mm});
     if (felt < depth) state.status |= kSoftened;
   }
-  const bool held = settings.cap_n_per_mm > 0.0 && depth > 0.0 && contact.force.dot(contact.normal) > 0.0;
+  const bool held = settings.cap_n_per_mm > 0.0 && law.kind == tissue::ForceLaw::Kind::layered && depth > 0.0 &&
+                    contact.force.dot(contact.normal) > 0.0;
   if (!held && !(felt < depth)) return 1.0;
   if (law.kind == tissue::ForceLaw::Kind::linear) return felt / depth;
   const tissue::PressedPlace place{contact.tissue_mm, contact.finger_mm};
@@ -88,7 +89,7 @@ double feltShare(const LimiterSettings& settings, LimiterState& state, const con
   if (!held) return tissue::normalForce(law, 1.0, felt, place) / whole;
   // A place is known by its force alone: what the map, the finger and its past make of it are in it.
   const double stiffness = settings.stiffness_factor * localStiffness(contact, law);
-  return tissue::cappedForce(law, 1.0, felt, place, settings.cap_n_per_mm / stiffness) / whole;
+  return tissue::cappedForce(law.layers, 1.0, felt, place, settings.cap_n_per_mm / stiffness) / whole;
 }
 
 Vec3 clamped(const LimiterSettings& settings, LimiterState& state, const Vec3& force) {

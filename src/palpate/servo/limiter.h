@@ -51,7 +51,7 @@ struct LimiterSettings {
   bool unsafe = false;              ///< more than the device is trusted with, by --unsafe-stiffness; said, not used
   double force_n = 3.3;             ///< the largest
   double stiffness_factor = 1.0;    ///< of all forces: up to compared_n no place is stiffer than the device can render
-  double cap_n_per_mm = 0.0;        ///< no place's force, after that factor, grows faster; 0: none would
+  double cap_n_per_mm = 0.0;        ///< no force of layered tissue, after that factor, grows faster; 0: none would
   double compared_n = 0.0;          ///< the felt force up to which all places keep their ratios; force_n without a cap
   double stiffness_n_per_mm = 0.5;  ///< the greatest tangent stiffness that is rendered, over that factor
   double steepest = 1.0;            ///< greatest slope of the force law over that of a light touch

@@ -171,64 +171,31 @@ double tangentFactor(const ForceLaw& law, double depth, const PressedPlace& plac
   return 1.0;
 }
 
-/// The integral of min(slope, cap) over a length on which the slope goes straight from `from` to `to`.
-double cappedArea(double from, double to, double length, double cap) noexcept {
-  const double whole = 0.5 * (from + to) * length;
-  const double above_from = std::max(0.0, from - cap);
-  const double above_to = std::max(0.0, to - cap);
-  if (above_from == 0.0 && above_to == 0.0) return whole;
-  if (above_from > 0.0 && above_to > 0.0) return cap * length;
-  const double above = std::max(above_from, above_to);
-  return whole - 0.5 * above * above / std::abs(to - from) * length;
+/// A row of secants for one place.
+using PlaceRow = std::array<double, LayeredForce::kDepths>;
+
+PlaceRow rowFor(const LayeredForce& layers, const LayersPlace& at) noexcept {
+  const auto& thin = layers.factor[at.finger.below][at.row.row];
+  const auto& thick = layers.factor[at.finger.below][at.row.next];
+  PlaceRow row;
+  for (std::size_t i = 0; i < row.size(); ++i) row[i] = thin[i] + at.row.share * (thick[i] - thin[i]);
+  if (at.finger.share == 0.0) return row;
+  const auto& wide_thin = layers.factor[at.finger.above][at.row.row];
+  const auto& wide_thick = layers.factor[at.finger.above][at.row.next];
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const double wide = wide_thin[i] + at.row.share * (wide_thick[i] - wide_thin[i]);
+    row[i] += at.finger.share * (wide - row[i]);
+  }
+  return row;
 }
 
-double cappedOnLayers(const LayeredForce& layers, const PressedPlace& place, double depth, double cap) noexcept {
-  if (layers.rows == 0) return std::min(1.0, cap) * depth;
-  constexpr double kStep = LayeredForce::kDepthStepMm;
-  constexpr std::uint32_t kPieces = LayeredForce::kDepths - 1;
-  const LayersPlace at = layersPlace(layers, place);
-  double effective = 0.0;
-  for (std::uint32_t piece = 0; piece < kPieces; ++piece) {
-    const double from_mm = kStep * piece;
-    const double middle_mm = from_mm + 0.5 * kStep;
-    const double to_mm = std::min(depth, from_mm + kStep);
-    // The secant is straight within a piece, so the slope of the force is, too.
-    const SecantPlace middle = secantAt(layers, at, middle_mm);
-    const auto slope = [&](double mm) { return middle.factor + middle.slope * (2.0 * mm - middle_mm); };
-    effective += cappedArea(slope(from_mm), slope(to_mm), to_mm - from_mm, cap);
-    if (depth <= from_mm + kStep) return effective;
-    if (piece + 1 == kPieces) effective += std::min(slope(to_mm), cap) * (depth - to_mm);
-  }
-  return effective;
-}
-
-double cappedOnTable(const ForceTable& table, double scale, double depth, double cap) noexcept {
-  double effective = 0.0;
-  double from_mm = 0.0;
-  for (std::uint32_t i = 0; i < table.rows; ++i) {
-    const double to_mm = i + 1 < table.rows ? std::min(depth, table.depth_mm[i]) : depth;
-    const double slope = scale * pieceAt(table, from_mm).slope;
-    effective += std::min(slope, cap) * (to_mm - from_mm);
-    if (to_mm == depth) return effective;
-    from_mm = to_mm;
-  }
-  return effective;
-}
-
-/// Of a law whose slope only rises or only falls.
-double cappedWhereMonotone(const ForceLaw& law, double depth, double cap) noexcept {
-  const auto effective = [&](double mm) { return mm > 0.0 ? detail::secantFactor(law, mm, {}) * mm : 0.0; };
-  const bool steep_first = tangentFactor(law, 0.0, {}) > cap;
-  const bool steep_last = tangentFactor(law, depth, {}) > cap;
-  if (steep_first == steep_last) return steep_first ? cap * depth : effective(depth);
-  double low = 0.0;
-  double high = depth;
-  for (int i = 0; i < 40; ++i) {
-    const double middle = 0.5 * (low + high);
-    const bool before = (tangentFactor(law, middle, {}) > cap) == steep_first;
-    (before ? low : high) = middle;
-  }
-  return steep_first ? cap * low + effective(depth) - effective(low) : effective(low) + cap * (depth - low);
+/// The integral over a length of what a slope, which goes straight from `from` to `to`, is above the cap.
+double areaAbove(double from, double to, double length, double cap) noexcept {
+  const double a = std::max(0.0, from - cap);
+  const double b = std::max(0.0, to - cap);
+  if (a > 0.0 && b > 0.0) return 0.5 * (a + b) * length;
+  const double most = std::max(a, b);
+  return most > 0.0 ? 0.5 * most * most / std::abs(to - from) * length : 0.0;
 }
 
 void requireLaw(bool holds, const char* what) {
@@ -321,22 +288,32 @@ double tangentStiffness(const ForceLaw& law, double stiffness_n_per_mm, double d
   return stiffness_n_per_mm * tangentFactor(law, std::max(0.0, depth_mm), place);
 }
 
-double cappedForce(const ForceLaw& law, double stiffness_n_per_mm, double depth_mm, const PressedPlace& place,
+double cappedForce(const LayeredForce& layers, double stiffness_n_per_mm, double depth_mm, const PressedPlace& place,
                    double cap_n_per_mm) noexcept {
   if (!(depth_mm > 0.0) || !(stiffness_n_per_mm > 0.0)) return 0.0;
   const double cap = cap_n_per_mm / stiffness_n_per_mm;
-  switch (law.kind) {
-    case ForceLaw::Kind::linear:
-      return stiffness_n_per_mm * std::min(1.0, cap) * depth_mm;
-    case ForceLaw::Kind::power:
-    case ForceLaw::Kind::stiffening:
-      return stiffness_n_per_mm * cappedWhereMonotone(law, depth_mm, cap);
-    case ForceLaw::Kind::table:
-      return stiffness_n_per_mm * cappedOnTable(law.table, scaleOf(law), depth_mm, cap);
-    case ForceLaw::Kind::layered:
-      return stiffness_n_per_mm * cappedOnLayers(law.layers, place, depth_mm, cap);
+  if (layers.rows == 0) return stiffness_n_per_mm * std::min(1.0, cap) * depth_mm;
+  constexpr double kStep = LayeredForce::kDepthStepMm;
+  constexpr std::size_t kPieces = LayeredForce::kDepths - 1;
+  constexpr double kLastMm = kStep * kPieces;
+  const LayersPlace at = layersPlace(layers, place);
+  const PlaceRow row = rowFor(layers, at);
+  const double pressed = std::min(std::ceil(depth_mm / kStep), static_cast<double>(kPieces));
+  const auto pieces = static_cast<std::uint32_t>(pressed);
+  double taken = 0.0;
+  for (std::uint32_t i = 0; i < pieces; ++i) {
+    const double from_mm = kStep * i;
+    // The secant is straight within a piece, so the slope of the force is, too.
+    const double rise = (row[i + 1] - row[i]) / kStep;
+    const double from = row[i] + rise * from_mm;
+    const double to = from + 2.0 * rise * std::min(kStep, depth_mm - from_mm);
+    if (from > cap || to > cap) taken += areaAbove(from, to, std::min(kStep, depth_mm - from_mm), cap);
   }
-  return 0.0;
+  if (depth_mm > kLastMm) {
+    const double last = row[kPieces] + kLastMm * (row[kPieces] - row[kPieces - 1]) / kStep;
+    taken += (depth_mm - kLastMm) * std::max(0.0, last - cap);
+  }
+  return stiffness_n_per_mm * (secantAt(layers, at, depth_mm).factor * depth_mm - taken);
 }
 
 double steepestFactor(const ForceLaw& law, double depth_mm, double finger_mm) noexcept {

@@ -138,10 +138,10 @@ inline double tangentStiffness(const ForceLaw& law, double stiffness_n_per_mm, d
   return tangentStiffness(law, stiffness_n_per_mm, depth_mm, PressedPlace{.tissue_mm = tissue_mm});
 }
 
-/// The force with its slope held below a cap, N: the integral of min(dF/dd, cap) from the surface. Nowhere steeper than
-/// `cap_n_per_mm`, nowhere more than the law's own force, and that force where no smaller depth is steeper.
-/// Layered tissue: up to 0.3 us; the others up to 2 us.
-double cappedForce(const ForceLaw& law, double stiffness_n_per_mm, double depth_mm, const PressedPlace& place,
+/// The force of layered tissue with its slope held below a cap, N: the integral of min(dF/dd, cap) from the surface.
+/// Nowhere steeper than `cap_n_per_mm`, nowhere more than the law's own force, and that force where no smaller depth is
+/// steeper. 0.15 us. No allocation.
+double cappedForce(const LayeredForce& layers, double stiffness_n_per_mm, double depth_mm, const PressedPlace& place,
                    double cap_n_per_mm) noexcept;
 
 /// The largest tangent stiffness that a finger of this radius (0: a point) meets down to a depth, as a factor on the
