@@ -23,7 +23,7 @@
 #include "palpate/base/background.h"
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
-#include "palpate/device/head_stream.h"
+#include "palpate/device/head/head_stream.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/trace/forces_table.h"
 #include "palpate/trace/session_reader.h"
