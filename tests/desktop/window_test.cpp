@@ -295,6 +295,20 @@ TEST(WindowFailure, ADisplayThatIsNotThereIsTheSame) {
   EXPECT_NE(child.errors().find("there is no display"), std::string::npos) << child.errors();
 }
 
+TEST(WindowFailure, AHeadTrackerThatIsNotThereIsNamedBeforeTheWindowOpens) {
+  const auto error_of = [](const char* tracker, const std::string& loader) {
+    Child child({PALPATE_BINARY_DIR "/palpate", "run", "--head-tracker", tracker}, {{"PALPATE_OPENXR_LOADER", loader}},
+                {"DISPLAY", "WAYLAND_DISPLAY"});
+    EXPECT_EQ(child.exitCode(), 2) << tracker;
+    return child.errors();
+  };
+  EXPECT_EQ(error_of("openxt", ""), "palpate: head tracker: 'openxt' must be [ADDRESS:]PORT or openxr\n");
+  EXPECT_NE(error_of("openxr", "/nowhere/loader.so").find("palpate: head tracker openxr: the OpenXR loader"),
+            std::string::npos);
+  const std::string with_double = error_of("openxr", PALPATE_BINARY_DIR "/tests/doubles/openxr/libopenxr_loader.so");
+  EXPECT_NE(with_double.find("there is no display"), std::string::npos) << with_double;
+}
+
 TEST_F(Window, AnOpenGlThatIsTooOldIsNamed) {
   auto environment = desktop->environment();
   environment["MESA_GL_VERSION_OVERRIDE"] = "2.1";

@@ -1,4 +1,4 @@
-#include "palpate/device/head_stream.h"
+#include "palpate/device/head/head_stream.h"
 
 #include <arpa/inet.h>
 #include <gtest/gtest.h>

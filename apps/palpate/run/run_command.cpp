@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "apps/palpate/common/choice_option.h"
@@ -22,8 +23,10 @@
 #include "apps/viewer/viewer.h"
 #include "palpate/base/background.h"
 #include "palpate/base/error.h"
+#include "palpate/base/nearest_name.h"
 #include "palpate/base/stopwatch.h"
-#include "palpate/device/head_stream.h"
+#include "palpate/device/head/head_stream.h"
+#include "palpate/device/head/openxr_head.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/trace/forces_table.h"
 #include "palpate/trace/session_reader.h"
@@ -42,7 +45,7 @@ struct RunOptions {
   std::string beside;
   std::vector<std::string> measure;  ///< two photographs
   std::string stereo;
-  std::string head_tracker;          ///< [ADDRESS:]PORT; empty: none
+  std::string head_tracker;          ///< [ADDRESS:]PORT or openxr; empty: none
   std::vector<std::string> devices;  ///< that hold the first fingers instead of the mouse
   double unit_mm = 0.0;              ///< of a mesh file; 0: as its format says
   std::string group;
@@ -180,9 +183,29 @@ void checkReplays(const RunOptions& options) {
   }
 }
 
-/// Measured from where the head is expected: there the tracker was centred.
-void followHead(device::HeadStream& heads, viewer::Viewer& viewer, double now_s) {
-  const std::optional<Vec3> place = heads.newest();
+/// What says where the head is: nothing, a tracker's program, or a headset.
+using HeadSource = std::variant<std::monostate, device::HeadStream, device::OpenXrHead>;
+
+void openHeadSource(const std::string& which, HeadSource& heads) {
+  if (which.empty()) return;
+  if (which == "openxr") {
+    heads.emplace<device::OpenXrHead>();
+  } else if (which.find_first_of("0123456789") != std::string::npos) {
+    heads.emplace<device::HeadStream>(which);
+  } else {
+    throw Error(fmt::format("head tracker: '{}' must be [ADDRESS:]PORT or openxr", oneLine(which)));
+  }
+}
+
+std::optional<Vec3> newestHead(HeadSource& heads) {
+  if (auto* stream = std::get_if<device::HeadStream>(&heads)) return stream->newest();
+  if (auto* headset = std::get_if<device::OpenXrHead>(&heads)) return headset->newest();
+  return std::nullopt;
+}
+
+/// Measured from where the head is expected: there the tracker was centred, or the headset first seen.
+void followHead(HeadSource& heads, viewer::Viewer& viewer, double now_s) {
+  const std::optional<Vec3> place = newestHead(heads);
   const viewer::HeadSettings& head = viewer.session().state.head;
   if (place) viewer.headAt(head.expected_mm - head.offset_mm + *place, now_s);
 }
@@ -191,8 +214,8 @@ void runWindow(const RunOptions& options) {
   const auto started = Clock::now();
   Playback playback(options.play);
   checkReplays(options);
-  std::optional<device::HeadStream> heads;
-  if (!options.head_tracker.empty()) heads.emplace(options.head_tracker);
+  HeadSource heads;
+  openHeadSource(options.head_tracker, heads);
   // The body is built while the window opens; without a display there is nothing to build it for.
   std::shared_ptr<const scene::World> world;
   std::optional<Background> building;
@@ -209,7 +232,7 @@ void runWindow(const RunOptions& options) {
   viewer::ViewState view_state = state.remembered ? state.remembered->state : viewer::ViewState{};
   view_state.input.shortcuts = !options.no_shortcuts;
   if (!options.stereo.empty()) view_state.stereo.mode = view::stereoModeNamed(options.stereo);
-  if (heads) view_state.head.on = true;
+  if (!options.head_tracker.empty()) view_state.head.on = true;
   building->join();  // without a display the window has thrown
   if (!options.devices.empty()) settings.devices = openedFor(*world, options.devices);
   viewer::Viewer viewer(world, std::move(view_state), std::move(settings), hostOf(window));
@@ -223,7 +246,7 @@ void runWindow(const RunOptions& options) {
   const FinishesInOrder in_order;
   const StoppedBySignal stopped(viewer.emergencyStop());
   showFrames(window, viewer, playback, options.frames, [&](std::uint64_t frame, double now_s) {
-    if (heads) followHead(*heads, viewer, now_s);
+    followHead(heads, viewer, now_s);
     if (!options.verbose) return;
     if (frame == 1) tell(fmt::format("first frame after {:.3f} s\n", secondsSince(started)));
     tellFrame(frame, now_s, viewer);
@@ -265,9 +288,9 @@ void addRunCommand(CLI::App& app) {
   command
       ->add_option(
           "--head-tracker", options->head_tracker,
-          "Follow a head that opentrack sends (\"UDP over network\"; its default is 4242): the screen is a window "
-          "onto a body of true size (docs/viewer.md)")
-      ->type_name("[ADDRESS:]PORT");
+          "Follow a head that opentrack sends (\"UDP over network\"; its default is 4242), or a headset by openxr: the "
+          "screen is a window onto a body of true size (docs/viewer.md)")
+      ->type_name("[ADDRESS:]PORT|openxr");
   addDeviceOption(*command, options->devices,
                   "Holds the left finger instead of the mouse, the right one when given again");
   addUnsafeStiffness(*command, options->unsafe_stiffness);

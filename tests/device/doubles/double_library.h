@@ -13,11 +13,12 @@
 namespace palpate::doubles {
 
 /// "openhaptics", "openhaptics_old", "openhaptics_needing", "forcedimension", "forcedimension_old", "plugin",
-/// "plugin_at_once"; of "haply" where its service is.
+/// "plugin_at_once", "openxr"; of "haply" where its service is.
 inline std::string libraryOf(const std::string& kind) {
   if (kind == "haply") return haplyWords();
   std::string name = kind.starts_with("openhaptics") ? "libHD.so" : "libdhd.so";
   if (kind.starts_with("plugin")) name = "libdouble.so";
+  if (kind == "openxr") name = "libopenxr_loader.so";
   return std::string(PALPATE_BINARY_DIR) + "/tests/doubles/" + kind + "/" + name;
 }
 

@@ -1,4 +1,4 @@
-#include "palpate/device/head_stream.h"
+#include "palpate/device/head/head_stream.h"
 
 #include <sys/socket.h>
 
