@@ -144,7 +144,7 @@ TEST_F(TrainingReport, AClassIsToldTogetherAndEachByPseudonym) {
   const std::string words = wordsOf("");
   EXPECT_TRUE(hasWords(words, "Training report: class"));
   EXPECT_TRUE(hasWords(words, "6 trainees."));
-  EXPECT_TRUE(hasWords(words, "From first to last test, 6 trainees"));
+  EXPECT_TRUE(hasWords(words, "From first to last test, 5 trainees")) << "one test looks like a burst of inattention";
   EXPECT_TRUE(hasWords(words, "Every trainee"));
   EXPECT_TRUE(hasWords(words, last.substr(0, 8)));
   EXPECT_FALSE(hasWords(words, last)) << "nor longer than it must be";

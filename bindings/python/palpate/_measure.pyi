@@ -63,7 +63,7 @@ class Measurement:
     def ellipse_4_mm(self) -> Optional[KeyEllipse]:
         """That of 4 mm."""
     @property
-    def peak_mm(self) -> Optional[Estimate]:
+    def peak_mm(self) -> Optional[Optional[Estimate]]:
         """How far the skin moved under the contact."""
     @property
     def drag_deg(self) -> Optional[Estimate]:
