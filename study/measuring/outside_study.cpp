@@ -145,7 +145,7 @@ StudyPage studyMeasuringOutside(const StudySettings& settings) {
       .figures = {},
       .numbers = {{"axes_within_2sd", n.axes_within_2sd},
                   {"peak_within_2sd", n.peak_within_2sd},
-                  {"accepted_share", n.accepted_share()},
+                  {"accepted_share", n.acceptedShare()},
                   {"warned_share", n.warned_share},
                   {"axes4_within_2sd", n.axes4_within_2sd},
                   {"peak_stated_share", shareOf(n.peaks, n.accepted, 0.0)},

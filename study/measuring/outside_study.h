@@ -23,7 +23,7 @@ struct OutsideNumbers {
   double peak_within_2sd = 0.0;      ///< share of the stated peaks; 1 where none is stated
   double warned_share = 0.0;         ///< of accepted pairs: a warning about the form, or no peak
   double missed_warned_share = 0.0;  ///< of accepted pairs with an axis beyond 2 sd: those with a warning; 1 of none
-  double accepted_share() const { return pairs > 0 ? static_cast<double>(accepted) / static_cast<double>(pairs) : 0.0; }
+  double acceptedShare() const { return pairs > 0 ? static_cast<double>(accepted) / static_cast<double>(pairs) : 0.0; }
 };
 
 OutsideNumbers outsideNumbers(const std::vector<JudgedPair>& pairs);

@@ -62,7 +62,7 @@ TEST(BoneWidth, OfAPostIsItsRadius) {
 TEST(BoneWidth, OfARidgeLiesBetweenATipAndAPlane) {
   const double found = foundRadius(10.0, [](double x, double) { return ballTop(std::abs(x), 5.0); });
   EXPECT_GT(found, 1.5 * 5.0);
-  EXPECT_LT(found, 4.0 * 5.0);
+  EXPECT_LT(found, 3.0 * 5.0);
 }
 
 TEST(BoneWidth, OfAPlaneAlsoOfATiltedOneIsFlat) {

@@ -13,7 +13,8 @@ constexpr std::size_t kBones = 7;
 
 constexpr std::array<double, kCovers> kCoverMm = {9.0, 11.0, 13.0, 16.0, 20.0};
 /// 1 / radius, from flat to 3 mm.
-constexpr std::array<double, kBones> kCurvature = {0.0, 1.0 / 40, 1.0 / 20, 1.0 / 12, 1.0 / 8, 1.0 / 5, 1.0 / 3};
+constexpr std::array<double, kBones> kCurvature = {1.0 / kFlatBoneMm, 1.0 / 40, 1.0 / 20, 1.0 / 12,
+                                                   1.0 / 8,           1.0 / 5,  1.0 / 3};
 /// `palpate tissue solve ... --bone-radius-mm R --depths 2,5 --no-drag`
 constexpr std::array<std::array<double, kBones>, kCovers> kShare = {{{1.0, 0.87, 0.80, 0.73, 0.66, 0.59, 0.53},
                                                                      {1.0, 0.90, 0.83, 0.77, 0.73, 0.67, 0.63},
@@ -45,10 +46,8 @@ double shareOverNarrowBone(double thickness_mm, double bone_radius_mm) noexcept 
   const Between<kBones> bone(kCurvature, 1.0 / bone_radius_mm);
   const double below = onRow(kShare[cover.below], bone);
   const double share = below + cover.share * (onRow(kShare[cover.below + 1], bone) - below);
-  if (thickness_mm <= kCoverMm.back()) return share;
-  // What is missing falls with the square of the thickness, as it does from 13 to 20 mm.
-  const double farther = kCoverMm.back() / thickness_mm;
-  return 1.0 - (1.0 - share) * farther * farther;
+  const double deep = (kDeepBoneMm - thickness_mm) / (kDeepBoneMm - kCoverMm.back());
+  return 1.0 - (1.0 - share) * std::clamp(deep, 0.0, 1.0);
 }
 
 double feltThickness(const LayeredTissue& tissue, double thickness_mm, double bone_radius_mm) noexcept {

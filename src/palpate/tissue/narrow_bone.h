@@ -14,11 +14,15 @@ namespace palpate::tissue {
 /// mm, of bone that is flat; what is wider counts as flat.
 inline constexpr double kFlatBoneMm = 1e3;
 
+/// Under so much tissue nobody feels how wide a bone is, mm.
+inline constexpr double kDeepBoneMm = 30.0;
+
 /// The depth at which the share is told and both thicknesses push back alike, mm: of firm palpation.
 inline constexpr double kSharedDepthMm = 5.0;
 
 /// Of the force over a plane, in (0, 1], for a thickness and a radius of the bone in mm, both above 0. Continuous. Less
-/// than 9 mm of tissue and a radius of less than 3 mm were not solved: they count as those.
+/// than 9 mm of tissue and a radius of less than 3 mm were not solved: they count as those. From 20 mm, which was the
+/// thickest, what is missing falls to nothing at kDeepBoneMm.
 double shareOverNarrowBone(double thickness_mm, double bone_radius_mm) noexcept;
 
 /// mm; never less than the thickness itself. Load time.

@@ -14,7 +14,7 @@ namespace palpate::scene {
 namespace {
 
 constexpr double kAsideMm = tissue::kFingertipMm;
-/// Ends and middles of the two directions, and between them.
+/// Four directions, each to both sides: what a bone is only tilted by takes itself away.
 constexpr std::array<std::array<double, 2>, 8> kRing = {{{1, 0},
                                                          {-1, 0},
                                                          {0, 1},
@@ -32,6 +32,15 @@ double radiusOf(double depth_mm, double aside_mm) {
   return std::max(kNarrowest, square / (2.0 * farther));
 }
 
+/// Of the distances from the ring around a place.
+double radiusWithin(double depth_mm, std::span<const double> ring_mm) {
+  double curvature = 0.0;
+  for (std::size_t i = 0; i < ring_mm.size(); i += 2) {
+    curvature += 2.0 / radiusOf(depth_mm, 0.5 * (ring_mm[i] + ring_mm[i + 1]));
+  }
+  return std::min(tissue::kFlatBoneMm, static_cast<double>(ring_mm.size()) / curvature);
+}
+
 void addRing(const Vec3& place, const Vec3& normal, std::vector<Vec3>& points) {
   const Vec3 first = normal.unitOrthogonal();
   const Vec3 second = normal.cross(first);
@@ -46,7 +55,7 @@ std::vector<double> boneRadii(const mesh::TriangleMesh& skin, std::span<const do
   std::vector<Index> asked;
   std::vector<Vec3> points;
   for (Index v = 0; v < skin.positions.size(); ++v) {
-    if (!(nearest_mm[v] < kDeepBoneMm)) continue;
+    if (!(nearest_mm[v] < tissue::kDeepBoneMm)) continue;
     asked.push_back(v);
     addRing(skin.positions[v], normals[v], points);
   }
@@ -54,9 +63,8 @@ std::vector<double> boneRadii(const mesh::TriangleMesh& skin, std::span<const do
   if (asked.empty() || bones.empty()) return radii;
   const std::vector<double> aside_mm = body::depthToBones(points, bones).depth_mm;
   for (std::size_t i = 0; i < asked.size(); ++i) {
-    double sum = 0.0;
-    for (std::size_t k = 0; k < kRing.size(); ++k) sum += aside_mm[i * kRing.size() + k];
-    radii[asked[i]] = radiusOf(nearest_mm[asked[i]], sum / static_cast<double>(kRing.size()));
+    const std::span<const double> ring(&aside_mm[i * kRing.size()], kRing.size());
+    radii[asked[i]] = radiusWithin(nearest_mm[asked[i]], ring);
   }
   return radii;
 }

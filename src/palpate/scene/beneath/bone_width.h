@@ -11,12 +11,9 @@
 
 namespace palpate::scene {
 
-/// Under thicker tissue nobody feels how wide a bone is, mm.
-inline constexpr double kDeepBoneMm = 30.0;
-
-/// Radius in mm of the round top of a post that recedes as the bone does, the mean of all directions, so that a ridge
-/// counts as wider than a tip; a vertex each. `nearest_mm`: to the nearest bone, a vertex each; kFlatBoneMm beyond
-/// kDeepBoneMm. A quarter of a second for 10,000 vertices; load time.
+/// Radius in mm of the round top of a post that recedes as the bone does, by the mean curvature of all directions, so
+/// that a ridge counts as wider than a tip; a vertex each. `nearest_mm`: to the nearest bone, a vertex each;
+/// tissue::kFlatBoneMm beyond tissue::kDeepBoneMm. A quarter of a second for 10,000 vertices; load time.
 std::vector<double> boneRadii(const mesh::TriangleMesh& skin, std::span<const double> nearest_mm,
                               std::span<const body::Bone> bones);
 
