@@ -8,7 +8,7 @@
 #include <stack>
 
 #include "palpate/base/text.h"
-#include "study/report/report_html.h"
+#include "study/page/report_html.h"
 #include "support/error_message.h"
 #include "support/temporary_folder.h"
 

@@ -14,7 +14,7 @@
 #include "apps/palpate/common/choice_option.h"
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/json.h"
-#include "apps/palpate/common/named_mesh.h"
+#include "apps/palpate/bench/named_mesh.h"
 #include "apps/palpate/common/number_option.h"
 #include "apps/palpate/partition/partition_options.h"
 #include "bench/peers/judge.h"

@@ -9,7 +9,7 @@
 
 #include "apps/palpate/bench/bench_report.h"
 #include "apps/palpate/bench/load_run.h"
-#include "apps/palpate/common/named_mesh.h"
+#include "apps/palpate/bench/named_mesh.h"
 #include "apps/palpate/common/progress_line.h"
 #include "palpate/base/error.h"
 

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/palpate/bench/bench_report.h"
-#include "apps/palpate/bench/servo_run.h"
+#include "apps/palpate/simulate/servo_run.h"
 #include "apps/palpate/common/interruption.h"
 #include "apps/palpate/common/number_option.h"
 #include "apps/palpate/common/progress_line.h"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "apps/palpate/common/named_mesh.h"
+#include "apps/palpate/bench/named_mesh.h"
 #include "apps/palpate/common/number_option.h"
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/common/unit_option.h"

@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "apps/palpate/common/readable_text.h"
-#include "study/report/report_html.h"
+#include "study/page/report_html.h"
 
 namespace palpate::app {
 

@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-#include "apps/palpate/bench/servo_run.h"
+#include "apps/palpate/simulate/servo_run.h"
 #include "apps/palpate/common/default_scene.h"
 #include "apps/palpate/common/interruption.h"
 #include "apps/palpate/common/json.h"

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "palpate/contact/felt_force.h"
-#include "palpate/scene/scene_file.h"
 
 namespace palpate::engine {
 
@@ -29,8 +28,6 @@ Simulator::Simulator(std::shared_ptr<const scene::World> world, std::vector<cont
   for (std::size_t i = 0; i < fingers.size(); ++i) fingers_.push_back({std::move(solvers[i]), fingers[i], {}});
   felt_.resize(fingers.size());
 }
-
-Simulator::Simulator(const std::filesystem::path& scene_file) : Simulator(scene::build(scene::load(scene_file))) {}
 
 contact::FingerOutput Simulator::feel(std::size_t finger, const Vec3& tip) noexcept {
   if (finger >= fingers_.size()) return nobodysOutput(tip);

@@ -1,4 +1,4 @@
-#include "apps/palpate/bench/servo_run.h"
+#include "apps/palpate/simulate/servo_run.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "study/report/report_html.h"
+#include "study/page/report_html.h"
 
 #include <fmt/format.h>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "apps/palpate/common/named_mesh.h"
+#include "apps/palpate/bench/named_mesh.h"
 
 #include <fmt/format.h>
 #include <sys/wait.h>

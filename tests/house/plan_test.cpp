@@ -1,0 +1,27 @@
+// The plan of the house by product, as tools/house counts it. A bar here only ever falls.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/run_command.h"
+
+namespace palpate {
+namespace {
+
+nlohmann::json planOfTheHouse() {
+  const auto answer = support::runProgram(std::filesystem::path(PALPATE_SOURCE_DIR) / "tools/house", "--json");
+  EXPECT_EQ(answer.exit_code, 0) << answer.err;
+  return nlohmann::json::parse(answer.out);
+}
+
+TEST(Plan, IncludesBetweenHousesRunOneWay) {
+  const nlohmann::json plan = planOfTheHouse();
+  EXPECT_GT(plan["includes_between_houses"], 1500) << "it looks at something";
+  EXPECT_LE(plan["wrong_way_includes"], 12) << "tools/house --wrong names them";
+  EXPECT_LE(plan["mutual_folders"], 22) << "tools/house --wrong names them";
+  EXPECT_FALSE(plan["lines_by_house"].contains("other") && plan["lines_by_house"]["other"] > 150)
+      << "a file of no house: HOUSES in tools/house";
+}
+
+}  // namespace
+}  // namespace palpate
