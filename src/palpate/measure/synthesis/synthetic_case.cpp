@@ -17,7 +17,7 @@ constexpr double kBackWidth = 350.0;
 constexpr double kBackLength = 400.0;
 
 int between(Random& random, int least, int most) {
-  return least + static_cast<int>(random.below(static_cast<std::uint64_t>(most - least + 1)));
+  return least + static_cast<int>(random.below(static_cast<std::uint64_t>(most - least) + 1));
 }
 
 /// A stream of its own for each part: what is asked of one changes nothing in the others.

@@ -24,7 +24,7 @@ SyntheticMesh::SyntheticMesh(const SyntheticCase& made, const SyntheticBody& bod
   nodes_.resize(count);
   for (int row = 0; row < rows_; ++row) {
     for (int column = 0; column < columns_; ++column) {
-      const auto i = static_cast<std::size_t>(row * columns_ + column);
+      const auto i = indexOf(column, row);
       const Vec2 skin(-kHalfWidthMm + kStepMm * column, -kHalfLengthMm + kStepMm * row);
       places[i] = movedBody(pressed != nullptr ? body.pressedAt(skin, *pressed) : body.placeAt(skin), motion);
       nodes_[i].place = skin.cast<float>();
@@ -36,15 +36,13 @@ SyntheticMesh::SyntheticMesh(const SyntheticCase& made, const SyntheticBody& bod
   for (int row = 0; row < rows_; ++row) {
     for (int column = 0; column < columns_; ++column) {
       const auto at = [&](int c, int r) -> const Vec3& {
-        return places[static_cast<std::size_t>(std::clamp(r, 0, rows_ - 1) * columns_ +
-                                               std::clamp(c, 0, columns_ - 1))];
+        return places[indexOf(std::clamp(c, 0, columns_ - 1), std::clamp(r, 0, rows_ - 1))];
       };
       const Vec3 normal =
           (at(column + 1, row) - at(column - 1, row)).cross(at(column, row + 1) - at(column, row - 1)).normalized();
       const Vec3 half = (light + (camera.eye() - at(column, row)).normalized()).normalized();
-      nodes_[static_cast<std::size_t>(row * columns_ + column)].light = {
-          static_cast<float>(std::max(0.0, normal.dot(light))),
-          static_cast<float>(std::pow(std::max(0.0, normal.dot(half)), 20.0))};
+      nodes_[indexOf(column, row)].light = {static_cast<float>(std::max(0.0, normal.dot(light))),
+                                            static_cast<float>(std::pow(std::max(0.0, normal.dot(half)), 20.0))};
     }
   }
 }
@@ -87,7 +85,7 @@ void SyntheticMesh::paint(int first, SeenSkin& seen) const {
   seen.light.setTo(cv::Scalar(0.0, 0.0));
   for (int row = 0; row + 1 < rows_; ++row) {
     for (int column = 0; column + 1 < columns_; ++column) {
-      const Node* below = &nodes_[static_cast<std::size_t>(row * columns_ + column)];
+      const Node* below = &nodes_[indexOf(column, row)];
       const Node* above = below + columns_;
       paintTriangle(below[0], below[1], above[1], first, seen);
       paintTriangle(below[0], above[1], above[0], first, seen);

@@ -35,6 +35,9 @@ class SyntheticMesh {
     Vec2f place;
     Vec2f light;
   };
+  std::size_t indexOf(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+  }
   void paintTriangle(const Node& a, const Node& b, const Node& c, int first, SeenSkin& seen) const;
 
   int columns_ = 0;

@@ -83,12 +83,10 @@ StickPicture stickOf(const SyntheticCase& made, const SyntheticBody& body, const
 /// A cloth under the body.
 cv::Mat clothOf(const SyntheticCase& made) {
   Random random(made.look.seed ^ 0x9d39247e33776d41ull);
-  cv::Mat cloth(made.height_px / 40 + 4, made.width_px / 40 + 4, CV_32FC3);
+  cv::Mat_<cv::Vec3f> cloth(made.height_px / 40 + 4, made.width_px / 40 + 4);
   const cv::Vec3f base(static_cast<float>(random.uniform(0.22, 0.36)), static_cast<float>(random.uniform(0.25, 0.38)),
                        static_cast<float>(random.uniform(0.24, 0.38)));
-  for (auto value = cloth.begin<cv::Vec3f>(); value != cloth.end<cv::Vec3f>(); ++value) {
-    *value = static_cast<float>(random.uniform(0.75, 1.15)) * base;
-  }
+  for (cv::Vec3f& value : cloth) value = static_cast<float>(random.uniform(0.75, 1.15)) * base;
   return cloth;
 }
 

@@ -24,10 +24,8 @@ cv::Vec3f linear(double red, double green, double blue) {
 cv::Mat noiseOf(cv::Size size, double bump_texels, Random& random) {
   const cv::Size coarse(static_cast<int>(size.width / bump_texels) + 4,
                         static_cast<int>(size.height / bump_texels) + 4);
-  cv::Mat small(coarse, CV_32F);
-  for (auto value = small.begin<float>(); value != small.end<float>(); ++value) {
-    *value = static_cast<float>(random.uniform(-1.7, 1.7));
-  }
+  cv::Mat_<float> small(coarse);
+  for (float& value : small) value = static_cast<float>(random.uniform(-1.7, 1.7));
   cv::Mat large;
   cv::resize(small, large, size, 0.0, 0.0, cv::INTER_CUBIC);
   return large;
