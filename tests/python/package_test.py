@@ -37,6 +37,7 @@ def test_a_world_can_be_made_without_numpy():
     assert run("-c", text, check=True).stdout.split()[0] == "False"
 
 
+@pytest.mark.skipif(not os.environ.get("PALPATE_HEAVY"), reason="judges by the clock; set PALPATE_HEAVY=1")
 def test_import_time():
     """A bar with room for a loaded machine; tools/bench-python measures it."""
     text = "import time; a = time.perf_counter(); import palpate; print((time.perf_counter() - a) * 1000)"
