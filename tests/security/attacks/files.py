@@ -202,7 +202,7 @@ def formulas_for_a_spreadsheet(room):
 
 @lab.attack("links_laid_in_a_shared_folder", "files", [
     lab.Mend(OUTPUT, "  refuseLinksOfAnybody(target_);\n", ""),
-    lab.Mend("apps/palpate/common/named_mesh.cpp", 'file_ = folder_->path() / (file_or_name + ".stl");',
+    lab.Mend("apps/palpate/bench/named_mesh.cpp", 'file_ = folder_->path() / (file_or_name + ".stl");',
              'file_ = std::filesystem::temp_directory_path() / fmt::format("palpate_{}_{}.stl", file_or_name, getpid());'),
 ], seconds=40)
 def links_laid_in_a_shared_folder(room):
