@@ -7,8 +7,8 @@
 
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
-#include "study/page/study_page.h"
 #include "study/page/report_html.h"
+#include "study/page/study_page.h"
 
 namespace palpate::study {
 

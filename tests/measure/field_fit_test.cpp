@@ -9,8 +9,8 @@
 #include "measure/drawn_dots.h"
 #include "palpate/elements/drag_solver.h"
 #include "palpate/measure/field/field_form.h"
-#include "palpate/measure/field_report.h"
 #include "palpate/measure/field/solved_drag.h"
+#include "palpate/measure/field_report.h"
 #include "palpate/measure/synthesis/true_field.h"
 
 namespace palpate::measure {

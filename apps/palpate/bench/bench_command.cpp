@@ -7,8 +7,8 @@
 #include <string>
 
 #include "apps/palpate/bench/bench_report.h"
-#include "apps/palpate/common/commands.h"
 #include "apps/palpate/bench/named_mesh.h"
+#include "apps/palpate/common/commands.h"
 #include "lab/workloads/heldout_meshes.h"
 #include "lab/workloads/workload_meshes.h"
 #include "lab/workloads/workload_paths.h"

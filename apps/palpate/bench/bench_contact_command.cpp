@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "apps/palpate/bench/bench_report.h"
+#include "apps/palpate/bench/named_mesh.h"
 #include "apps/palpate/bench/peers_report.h"
 #include "apps/palpate/common/choice_option.h"
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/json.h"
-#include "apps/palpate/bench/named_mesh.h"
 #include "apps/palpate/common/number_option.h"
 #include "apps/palpate/partition/partition_options.h"
 #include "bench/peers/judge.h"

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/palpate/bench/bench_report.h"
+#include "apps/palpate/bench/named_mesh.h"
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/json.h"
-#include "apps/palpate/bench/named_mesh.h"
 #include "apps/palpate/common/number_option.h"
 #include "bench/runs/deform_run.h"
 

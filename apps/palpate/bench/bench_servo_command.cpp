@@ -8,11 +8,11 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/palpate/bench/bench_report.h"
-#include "apps/palpate/simulate/servo_run.h"
 #include "apps/palpate/common/interruption.h"
 #include "apps/palpate/common/number_option.h"
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/common/simulate_options.h"
+#include "apps/palpate/simulate/servo_run.h"
 #include "bench/runs/safety_run.h"
 
 namespace palpate::app {

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "apps/palpate/bench/named_mesh.h"
 #include "apps/palpate/common/choice_option.h"
 #include "apps/palpate/common/commands.h"
 #include "apps/palpate/common/mesh_arguments.h"
-#include "apps/palpate/bench/named_mesh.h"
 #include "apps/palpate/common/number_option.h"
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/partition/partition_options.h"

@@ -12,12 +12,12 @@
 #include <thread>
 #include <vector>
 
-#include "apps/palpate/simulate/servo_run.h"
 #include "apps/palpate/common/default_scene.h"
 #include "apps/palpate/common/interruption.h"
 #include "apps/palpate/common/json.h"
 #include "apps/palpate/common/number_option.h"
 #include "apps/palpate/common/progress_line.h"
+#include "apps/palpate/simulate/servo_run.h"
 #include "apps/palpate/train/class_commands.h"
 #include "apps/palpate/train/class_load.h"
 #include "palpate/base/error.h"
