@@ -78,8 +78,8 @@ PALPATE_EXPORT const char* palpate_bench_run(const char* table, std::size_t leng
         device::resampled(device::parseTrajectory({table, length}, "path.csv"), settings.tick_s).tip_mm;
     warmUp(*measured, settings, tips);
     const Run run = runAlong(*measured, settings, tips);
-    report = fmt::format(R"({{"hash":"{:016x}","ticks":{},"p50_us":{:.4f},"p99_us":{:.4f}}})", run.hash.value(),
-                         tips.size(), percentile(run.tick_us, 0.5), percentile(run.tick_us, 0.99));
+    report = fmt::format(R"({{"hash":"{:016x}","ticks":{},"p50_us":{:.4f},"p99_us":{:.4f}}})", run.hash.value(), tips.size(),
+                         percentile(run.tick_us, 0.5), percentile(run.tick_us, 0.99));
   });
 }
 

@@ -165,12 +165,11 @@ void bindStencil(py::module_& module) {
       .def_readonly("name", &measure::StencilSheet::name, "Of a tile, \"r1c2\": row and column; empty: the only one.")
       .def_readonly("svg", &measure::StencilSheet::svg, "The drawing, in mm, to be printed at 100 %.")
       .def("__repr__", [](const measure::StencilSheet& s) { return "StencilSheet('" + s.name + "')"; });
-  module.def(
-      "stencil", stencil, py::kw_only(), py::arg("spacing_mm") = 30.0, py::arg("columns") = 11, py::arg("rows") = 13,
-      py::arg("hole_mm") = 8.0, py::arg("page") = "auto", py::arg("scale_target") = false,
-      "The sheet to punch for the dots, at true size. spacing_mm: 5 to 100; columns, rows: 2 to 60; hole_mm:\n"
-      "less than half the spacing; page: \"auto\", \"a4\", \"a3\", \"a2\" or \"tiled-a4\"; scale_target: with a\n"
-      "ruler of 100 mm. Raises Error for what is out of range or does not fit, ValueError.");
+  module.def("stencil", stencil, py::kw_only(), py::arg("spacing_mm") = 30.0, py::arg("columns") = 11,
+             py::arg("rows") = 13, py::arg("hole_mm") = 8.0, py::arg("page") = "auto", py::arg("scale_target") = false,
+             "The sheet to punch for the dots, at true size. spacing_mm: 5 to 100; columns, rows: 2 to 60; hole_mm:\n"
+             "less than half the spacing; page: \"auto\", \"a4\", \"a3\", \"a2\" or \"tiled-a4\"; scale_target: with a\n"
+             "ruler of 100 mm. Raises Error for what is out of range or does not fit, ValueError.");
 }
 
 }  // namespace palpate::python
