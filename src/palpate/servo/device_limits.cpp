@@ -136,6 +136,21 @@ double largestFinger(const scene::Scene& scene, const tissue::ForceLaw& law) {
   return largest_mm;
 }
 
+/// A stiffest place as that finger feels it, `sideways` times as stiff where it drags.
+struct FeltPlace {
+  tissue::ForceLaw law;
+  double stiffness_n_per_mm = 0.0;
+};
+
+std::vector<FeltPlace> feltPlaces(const scene::World& world, double finger_mm, double sideways) {
+  std::vector<FeltPlace> places;
+  for (const Stiffest& place : stiffestPlaces(world)) {
+    places.push_back(
+        {lawAt(world.surface.force_law, {place.tissue_mm, finger_mm}), place.stiffness_n_per_mm * sideways});
+  }
+  return places;
+}
+
 PassivitySettings passivityOf(const scene::SafetySettings& safety, const device::DeviceProfile& profile, double force_n,
                               double tick_s) {
   const bool identified = isIdentified(safety);
@@ -332,21 +347,17 @@ LimiterSettings limiterSettings(const scene::World& world, const device::DeviceP
   LimiterSettings settings = limiterSettings(scene.safety, profile, tick_s > 0.0 ? tick_s : 1.0 / scene.ticks_per_s);
   const double sideways = std::max(1.0, scene.contact.finger.stiffness_ratio);
   const double cap = stiffnessCap(scene.safety, profile, settings.tick_s);
-  const double finger_mm = largestFinger(scene, law);
-  const std::vector<Stiffest> places = stiffestPlaces(world);
+  const std::vector<FeltPlace> places = feltPlaces(world, largestFinger(scene, law), sideways);
   // The slopes of the other laws are not held: for them the factor looks at all forces.
   const bool holds_slopes = law.kind == tissue::ForceLaw::Kind::layered;
   const double compared_n = holds_slopes ? std::min(kComparedForceN, settings.force_n) : settings.force_n;
-  for (const Stiffest& place : places) {
-    const tissue::ForceLaw here = lawAt(law, {place.tissue_mm, finger_mm});
-    const double factor = stiffnessFactor(here, place.stiffness_n_per_mm * sideways, most_mm, compared_n, cap);
+  for (const auto& [here, stiffest] : places) {
+    const double factor = stiffnessFactor(here, stiffest, most_mm, compared_n, cap);
     settings.stiffness_factor = std::min(settings.stiffness_factor, factor);
   }
   settings.stiffness_n_per_mm = settings.steepest = 0.0;
   settings.compared_n = settings.force_n;
-  for (const Stiffest& place : places) {
-    const tissue::ForceLaw here = lawAt(law, {place.tissue_mm, finger_mm});
-    const double stiffest = place.stiffness_n_per_mm * sideways;
+  for (const auto& [here, stiffest] : places) {
     const double depth = depthOfForce(here, stiffest, settings.force_n / settings.stiffness_factor, most_mm);
     const double steepest = tissue::steepestFactor(here, depth);
     settings.steepest = std::max(settings.steepest, steepest);
