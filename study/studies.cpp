@@ -4,12 +4,13 @@
 
 #include "lab/counters/machine.h"
 #include "palpate/base/stopwatch.h"
-#include "study/measuring/outside_study.h"
 
 namespace palpate::study {
 
-const std::vector<Study>& studies() {
-  static const std::vector<Study> all{
+namespace {
+
+std::vector<Study> ownStudies() {
+  return {
       {"tables", "Tables 3.1, 3.2, Appendix B: drawing, untouched, touched against triangles rendered", studyTables},
       {"hdb", "Size of the haptic detecting box: triangles, time, and when a fast finger gets through", studyHdb},
       {"assignment", "Triangles that a plane crosses, cases A, B, C: count, overlap, misses, time", studyAssignment},
@@ -28,11 +29,19 @@ const std::vector<Study>& studies() {
        "Whether a hand can safely hold the loop: stiffness, rate, delay, hand and device, bare and controlled",
        studyStability, false, true},
       {"relaxation", "Skin that gives way in time: the force of a press that is held, its work, the dent that stays",
-       studyRelaxation},
-      {"measuring", "Key ellipses from synthetic photographs against their truth: bars, refusals, honesty of the sd",
-       studyMeasuring, true, false, namesOfOutsideFamilies()},
-      {"training", "Thresholds of simulated trainees: bias, spread, coverage, examination, places left out, a course",
-       studyTraining, true}};
+       studyRelaxation}};
+}
+
+std::vector<Study> ownAndOffered() {
+  std::vector<Study> all = ownStudies();
+  all.insert(all.end(), offeredStudies().begin(), offeredStudies().end());
+  return all;
+}
+
+}  // namespace
+
+const std::vector<Study>& studies() {
+  static const std::vector<Study> all = ownAndOffered();
   return all;
 }
 

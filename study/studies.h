@@ -1,25 +1,13 @@
 // The studies that write a page each: their names, and how they are run.
 #pragma once
 
-#include <functional>
-#include <string>
-#include <string_view>
 #include <vector>
 
-#include "study/page/study_page.h"
+#include "study/page/study.h"
 
 namespace palpate::study {
 
-struct Study {
-  std::string name;  ///< of the subcommand
-  std::string what;  ///< its help, one line
-  std::function<StudyPage(const StudySettings& settings)> run;
-  bool draws = false;                   ///< its cases, from a seed: it takes --seed and --cases
-  bool maps = false;                    ///< it has a map of its own that takes minutes: it takes --map
-  std::vector<std::string> families{};  ///< of cases that it can be asked for alone: it takes --family
-};
-
-/// In the order of a report.
+/// The dissertation's and, behind them, those that were offered before the first call; in the order of a report.
 const std::vector<Study>& studies();
 
 /// Runs it and completes the page: name, command (where it names none), machine, seconds.
@@ -45,10 +33,6 @@ StudyPage studyHdb(const StudySettings& settings);
 // what was not measured.
 
 StudyPage studyInterpolation(const StudySettings& settings);
-
-// `palpate study measuring`: key ellipses from synthetic photographs against their truth.
-
-StudyPage studyMeasuring(const StudySettings& settings);
 
 // `palpate study profile`: how large the array of the half Gaussian must be, and how it must be read (Figure 4.9).
 
@@ -77,9 +61,5 @@ StudyPage studyTables(const StudySettings& settings);
 // `palpate study threshold`: how many triangles a leaf should hold (3.3.1).
 
 StudyPage studyThreshold(const StudySettings& settings);
-
-// `palpate study training`: whether tests of palpation give back the thresholds of simulated trainees.
-
-StudyPage studyTraining(const StudySettings& settings);
 
 }  // namespace palpate::study

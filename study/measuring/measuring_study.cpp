@@ -1,6 +1,6 @@
 // The study of measuring: how far the numbers that photographs give are from the truth, on photographs whose truth is
 // known.
-#include "study/studies.h"
+#include "study/measuring/measuring_study.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -226,8 +226,6 @@ std::string commandOf(const StudySettings& settings, const MeasuringPlan& plan) 
                      settings.quick ? " --quick" : "");
 }
 
-}  // namespace
-
 StudyPage studyMeasuring(const StudySettings& settings) {
   if (!settings.family.empty()) return studyMeasuringOutside(settings);
   const MeasuringPlan plan = planOf(settings);
@@ -271,6 +269,17 @@ StudyPage studyMeasuring(const StudySettings& settings) {
       .numbers = measuringPairs(found),
       .numbers_on_top = true,
       .command = commandOf(settings, plan)};
+}
+
+}  // namespace
+
+Study measuringStudy() {
+  return {.name = "measuring",
+          .what = "Key ellipses from synthetic photographs against their truth: bars, refusals, honesty of the sd",
+          .run = studyMeasuring,
+          .draws = true,
+          .families = namesOfOutsideFamilies(),
+          .family_cases = kOutsideCases};
 }
 
 }  // namespace palpate::study

@@ -1,11 +1,12 @@
 // The study of training: whether tests of thresholds give back what simulated trainees have.
+#include "study/training/training_study.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "study/page/plot_parts.h"
-#include "study/studies.h"
 #include "study/training/training_findings.h"
 #include "study/training/training_numbers.h"
 
@@ -317,8 +318,6 @@ std::vector<StudyFigure> trainingFigures(const TrainingMeasurement& found) {
        Figure{.panels = {learnerPlot(found.learner), groupPlot(found.example)}, .columns = 2}}};
 }
 
-}  // namespace
-
 StudyPage studyTraining(const StudySettings& settings) {
   TrainingPlan plan = trainingPlan(settings.quick, settings.cases);
   plan.seed = settings.seed.value_or(plan.seed);
@@ -345,6 +344,15 @@ StudyPage studyTraining(const StudySettings& settings) {
           .numbers = trainingPairs(found),
           .numbers_on_top = true,
           .command = trainingCommand(settings, plan)};
+}
+
+}  // namespace
+
+Study trainingStudy() {
+  return {.name = "training",
+          .what = "Thresholds of simulated trainees: bias, spread, coverage, examination, places left out, a course",
+          .run = studyTraining,
+          .draws = true};
 }
 
 }  // namespace palpate::study

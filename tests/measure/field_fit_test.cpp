@@ -9,9 +9,9 @@
 #include "measure/drawn_dots.h"
 #include "palpate/elements/drag_solver.h"
 #include "palpate/measure/field/field_form.h"
-#include "palpate/measure/field/solved_drag.h"
 #include "palpate/measure/field_report.h"
 #include "palpate/measure/synthesis/true_field.h"
+#include "palpate/tissue/solved_drag.h"
 
 namespace palpate::measure {
 namespace {
@@ -155,15 +155,16 @@ TEST(FieldForms, OfLayersTheSolvedFormIsLikeliestAndItsSdHolds) {
 
 TEST(FieldForms, TheTableOfTheSolvedFormIsWhatTheSolverSaysOfItsStack) {
   constexpr std::size_t kStack = 1;
-  const SolvedStack& stack = kSolvedStacks[kStack];
+  const tissue::SolvedStack& stack = tissue::kSolvedStacks[kStack];
   const elements::DragField field = elements::solveDragField(
       {.layers = {{"skin", 2.0, stack.skin_kpa}, {"fat", stack.fat_mm, 10.0}, {"muscle", stack.muscle_mm, 27.0}}},
-      {.patch_radius_mm = kSolvedPatchMm});
-  const double tail = kSolvedLongestTail * kStack / (kSolvedStacks.size() - 1.0);
-  for (std::size_t i = 0; i + 2 < kSolvedKnots; ++i) {
-    const double r = solvedKnotMm(i);
+      {.patch_radius_mm = tissue::kSolvedPatchMm});
+  const double tail = tissue::kSolvedLongestTail * kStack / (tissue::kSolvedStacks.size() - 1.0);
+  for (std::size_t i = 0; i + 2 < tissue::kSolvedKnots; ++i) {
+    const double r = tissue::solvedKnotMm(i);
     SCOPED_TRACE(r);
-    const SolvedDrag drag = solvedDragAt(r * r / (kSolvedPatchMm * kSolvedPatchMm), tail);
+    const tissue::SolvedDrag drag =
+        tissue::solvedDragAt(r * r / (tissue::kSolvedPatchMm * tissue::kSolvedPatchMm), tail);
     EXPECT_NEAR(drag.along, field.movedAt(Vec2(r, 0.0)).x(), 1e-4);
     EXPECT_NEAR(drag.across, field.movedAt(Vec2(0.0, r)).x(), 1e-4);
   }

@@ -5,6 +5,8 @@ namespace palpate::app {
 
 void addAllCommands(CLI::App& app) {
   app.require_subcommand(1);
+  offerMeasuringStudies();
+  offerTrainingStudies();
   addAnnotateCommand(app);
   addBenchCommand(app);
   addBundleCommand(app);

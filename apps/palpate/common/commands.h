@@ -12,6 +12,10 @@ namespace palpate::app {
 /// asked for the end (interruption.h).
 int runCommandLine(CLI::App& app, int argc, char** argv);
 
+/// Studies of the products that are built apart, for `palpate study`: before its commands are added.
+void offerMeasuringStudies();
+void offerTrainingStudies();
+
 /// All subcommands of `palpate`.
 void addAllCommands(CLI::App& app);
 

@@ -1,7 +1,10 @@
 // `palpate measure`: from photographs of a dotted back to a personal map; each subcommand has a file of its own.
 #include "apps/palpate/common/commands.h"
+#include "study/measuring/measuring_study.h"
 
 namespace palpate::app {
+
+void offerMeasuringStudies() { study::offerStudy(study::measuringStudy()); }
 
 void addMeasureCommand(CLI::App& app) {
   CLI::App& measure = *app.add_subcommand("measure", "Key ellipses of a person from photographs of dots on the skin");

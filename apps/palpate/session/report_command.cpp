@@ -12,16 +12,23 @@
 #include "apps/palpate/common/json.h"
 #include "apps/palpate/common/progress_line.h"
 #include "apps/palpate/common/readable_text.h"
+#include "apps/palpate/session/report_source.h"
 #include "apps/palpate/session/session_report.h"
 #include "apps/palpate/session/session_text.h"
-#include "apps/palpate/train/report/training_report.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
-#include "palpate/classroom/database_copy.h"
 
 namespace palpate::app {
 
 namespace {
+
+/// What reports on training, where it is built.
+ReportSource& otherSource() {
+  static ReportSource source;
+  return source;
+}
+
+bool isOthers(const std::filesystem::path& file) { return otherSource().owns != nullptr && otherSource().owns(file); }
 
 struct ReportArguments {
   std::filesystem::path file;
@@ -37,7 +44,10 @@ struct ReportArguments {
 
 /// run.session -> run.html, also of run.session.partial, and of class.results; in the working folder.
 std::filesystem::path pageOf(const std::filesystem::path& file) {
-  if (classroom::isDatabaseAddress(file.string())) return "class.html";
+  if (otherSource().pageName != nullptr) {
+    const std::string given = otherSource().pageName(file);
+    if (!given.empty()) return given;
+  }
   std::string name = file.filename().string();
   const std::size_t end = std::min(name.find(".session"), name.find(".results"));
   if (end != std::string::npos && end > 0) name.resize(end);
@@ -86,16 +96,17 @@ void printSentences(const std::vector<std::string>& sentences, const std::filesy
   fmt::print("{} -> {}\n", file.string(), page.string());
 }
 
-void runTrainingReport(const ReportArguments& arguments) {
+void runOtherReport(const ReportArguments& arguments) {
   ProgressLine progress;
   const bool wants_page = !arguments.json || !arguments.out.empty();
   const std::filesystem::path page = wants_page ? targetOf(arguments) : std::filesystem::path();
-  const TrainingReport report = trainingReport(
-      {arguments.file, arguments.trainee, arguments.only_class, arguments.whole_class}, progress.callback());
-  if (wants_page) writeFile(page, trainingPage(report, progress.callback()));
+  const FinishedReport report =
+      otherSource().report({arguments.file, arguments.trainee, arguments.only_class, arguments.whole_class, wants_page},
+                           progress.callback());
+  if (wants_page) writeFile(page, report.page);
   progress.clear();
-  if (arguments.json) return printNumbers(trainingReportJson(report));
-  printSentences(trainingSentences(report), report.file, page);
+  if (arguments.json) return printNumbers(report.numbers);
+  printSentences(report.sentences, report.file, page);
 }
 
 void runSessionReport(const ReportArguments& arguments) {
@@ -114,7 +125,7 @@ void runSessionReport(const ReportArguments& arguments) {
 }
 
 void runReport(const ReportArguments& arguments) {
-  if (isRecordsFile(arguments.file)) return runTrainingReport(arguments);
+  if (isOthers(arguments.file)) return runOtherReport(arguments);
   if (!arguments.trainee.empty() || !arguments.only_class.empty() || arguments.whole_class) {
     throw Error::inFile(arguments.file.string(),
                         "is no record of training (.results); --trainee and --class ask for one");
@@ -123,6 +134,8 @@ void runReport(const ReportArguments& arguments) {
 }
 
 }  // namespace
+
+void offerReportSource(const ReportSource& source) { otherSource() = source; }
 
 void addReportCommand(CLI::App& app) {
   const auto arguments = std::make_shared<ReportArguments>();

@@ -20,7 +20,6 @@
 #include "palpate/scene/scene_file.h"
 #include "study/errata/errata_report.h"
 #include "study/figures/figure_study.h"
-#include "study/measuring/outside_study.h"
 #include "study/numbers/numbers_study.h"
 #include "study/report/report.h"
 #include "study/studies.h"
@@ -93,8 +92,8 @@ void addPage(CLI::App& parent, const study::Study& study) {
   if (!study.families.empty()) {
     command
         .add_option("--family", arguments->family,
-                    fmt::format("Only cases of this family ({} unless --cases says otherwise): {}",
-                                study::kOutsideCases, fmt::join(study.families, ", ")))
+                    fmt::format("Only cases of this family ({} unless --cases says otherwise): {}", study.family_cases,
+                                fmt::join(study.families, ", ")))
         ->check(CLI::IsMember(study.families));
   }
   command.callback([arguments, study] { run(study, *arguments); });

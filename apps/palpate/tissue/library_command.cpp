@@ -17,8 +17,8 @@
 #include "palpate/elements/drag_solver.h"
 #include "palpate/elements/finger_solver.h"
 #include "palpate/elements/stack_solver.h"
-#include "palpate/measure/field/solved_drag.h"
 #include "palpate/tissue/layered_library.h"
+#include "palpate/tissue/solved_drag.h"
 
 namespace palpate::app {
 
@@ -117,8 +117,8 @@ std::string fingersText(const Progress& progress) {
 /// Shares of the drag at the table's distances, 4 digits.
 std::string dragCurve(const std::function<double(double mm)>& moved) {
   std::vector<double> shares;
-  for (std::size_t i = 0; i < measure::kSolvedKnots; ++i)
-    shares.push_back(std::round(1e4 * moved(measure::solvedKnotMm(i))) * 1e-4 + 0.0);
+  for (std::size_t i = 0; i < tissue::kSolvedKnots; ++i)
+    shares.push_back(std::round(1e4 * moved(tissue::solvedKnotMm(i))) * 1e-4 + 0.0);
   return fmt::format("{{{{{:.4g}}}}},\n", fmt::join(shares, ", "));
 }
 
@@ -126,12 +126,12 @@ std::string dragText(const Progress& progress) {
   std::string text =
       "// Made by `palpate tissue library --solve --drag`: along the drag and across it, stack by stack "
       "(solved_drag.h).\n";
-  for (std::size_t i = 0; i < measure::kSolvedStacks.size(); ++i) {
-    report(progress, "dragging layers", static_cast<double>(i) / static_cast<double>(measure::kSolvedStacks.size()));
-    const measure::SolvedStack& s = measure::kSolvedStacks[i];
+  for (std::size_t i = 0; i < tissue::kSolvedStacks.size(); ++i) {
+    report(progress, "dragging layers", static_cast<double>(i) / static_cast<double>(tissue::kSolvedStacks.size()));
+    const tissue::SolvedStack& s = tissue::kSolvedStacks[i];
     const elements::DragField field = elements::solveDragField(
         {.layers = {{"skin", 2.0, s.skin_kpa}, {"fat", s.fat_mm, 10.0}, {"muscle", s.muscle_mm, 27.0}}},
-        {.patch_radius_mm = measure::kSolvedPatchMm});
+        {.patch_radius_mm = tissue::kSolvedPatchMm});
     text += dragCurve([&](double mm) { return field.movedAt({mm, 0.0}).x(); });
     text += dragCurve([&](double mm) { return field.movedAt({0.0, mm}).x(); });
   }
@@ -145,7 +145,7 @@ void solveDrags(const LibraryArguments& arguments) {
   file.write(dragText(progress.callback()));
   file.commit();
   progress.clear();
-  fmt::print("-> {} ({} stacks)\n", arguments.output, measure::kSolvedStacks.size());
+  fmt::print("-> {} ({} stacks)\n", arguments.output, tissue::kSolvedStacks.size());
 }
 
 void solveLibrary(const LibraryArguments& arguments) {

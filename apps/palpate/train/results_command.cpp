@@ -167,6 +167,7 @@ std::string sittingLine(Store& store, const SittingRow& sitting) {
 }
 
 void addResultsCommand(CLI::App& app) {
+  offerTrainingReports();
   CLI::App& command = *app.add_subcommand("results", "What the records of training hold; codes, exports, deletion");
   command.require_subcommand(1);
   addResultsListCommand(command);

@@ -57,4 +57,7 @@ nlohmann::ordered_json sittingJson(training::Store& store, const training::Sitti
 /// "2026-11-22 10:03  5d79b3cd  pre-test  40 trials, 18 % (13 to 25 %)"
 std::string sittingLine(training::Store& store, const training::SittingRow& sitting);
 
+/// Records of training become a kind of file that `palpate report` takes.
+void offerTrainingReports();
+
 }  // namespace palpate::app

@@ -21,6 +21,7 @@
 #include "palpate/base/private_folder.h"
 #include "palpate/classroom/class_settings.h"
 #include "palpate/training/records/trainee_code.h"
+#include "study/training/training_study.h"
 
 namespace palpate::app {
 
@@ -129,6 +130,8 @@ void showScreens(const TrainOptions& options) {
 }
 
 }  // namespace
+
+void offerTrainingStudies() { study::offerStudy(study::trainingStudy()); }
 
 void addTrainCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand("train", "Train and examine palpation: people in a window, or simulated");

@@ -21,7 +21,7 @@
 #include <utility>
 
 #include "palpate/measure/field/field_form.h"
-#include "palpate/measure/field/solved_drag.h"
+#include "palpate/tissue/solved_drag.h"
 
 namespace palpate::measure {
 
@@ -42,7 +42,7 @@ enum Unknown : int {
 constexpr double kTailMean = 0.8;  // of 1/P: from the half Gaussian, 0, to a half space's long tail, 1 to 1.8
 constexpr double kTailSd = 0.8;
 constexpr double kTailMost = 2.0;
-static_assert(kTailMost == kSolvedLongestTail);
+static_assert(kTailMost == tissue::kSolvedLongestTail);
 
 /// What a form knows besides.
 struct FormPrior {
@@ -63,7 +63,7 @@ FormPrior formPriorOf(FieldForm form) {
   return {.elongation_sd = 0.35,
           .sideways_sd = 0.25,
           .presses = true,
-          .shape_mean = -2.0 * std::log(kSolvedPatchMm),
+          .shape_mean = -2.0 * std::log(tissue::kSolvedPatchMm),
           .shape_sd = 2.0 * 0.35};
 }
 
@@ -102,7 +102,7 @@ constexpr double kConverged = 1e-5;  // decrease of the cost, of it
 constexpr std::array kStartTails = {0.1, 1.2};
 constexpr std::array kStartWidthsMm = {35.0, 70.0};
 constexpr std::array kPointedStartWidthsMm = {15.0, 40.0};
-constexpr std::array kSolvedStartWidthsMm = {kSolvedPatchMm};
+constexpr std::array kSolvedStartWidthsMm = {tissue::kSolvedPatchMm};
 constexpr std::array kSolvedStartTails = {0.4, 1.0, 1.7};
 constexpr std::array kDeepStartTails = {0.8};
 constexpr double kLeastShare = 0.01;  // a form that explains the dots so much worse is left out

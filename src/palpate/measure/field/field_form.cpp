@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "palpate/measure/field/solved_drag.h"
+#include "palpate/tissue/solved_drag.h"
 
 namespace palpate::measure {
 
@@ -65,7 +65,7 @@ FormValue deepAt(double rho2, double tail, double sideways) {
 }
 
 FormValue solvedAt(double rho2, double tail, double sideways) {
-  const SolvedDrag d = solvedDragAt(rho2, tail);
+  const tissue::SolvedDrag d = tissue::solvedDragAt(rho2, tail);
   const double more = 1.0 + sideways;
   return {.round = d.across,
           .radial = more * (d.along - d.across),

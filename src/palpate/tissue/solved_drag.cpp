@@ -1,11 +1,11 @@
-#include "palpate/measure/field/solved_drag.h"
+#include "palpate/tissue/solved_drag.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 
-namespace palpate::measure {
+namespace palpate::tissue {
 
 namespace {
 
@@ -15,7 +15,7 @@ using Curve = std::array<double, kSolvedKnots>;
 
 /// Along and across, by turns.
 constexpr std::array<Curve, 2 * kSolvedStacks.size()> kCurves = {{
-#include "palpate/measure/field/solved_drag_data.inc"
+#include "palpate/tissue/solved_drag_data.inc"
 }};
 constexpr std::size_t kStacks = kSolvedStacks.size();
 
@@ -70,4 +70,4 @@ SolvedDrag solvedDragAt(double rho2, double tail) {
   return drag;
 }
 
-}  // namespace palpate::measure
+}  // namespace palpate::tissue

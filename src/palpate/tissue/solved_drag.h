@@ -3,13 +3,13 @@
 // Of round layers the whole motion follows from two curves: a place at the angle a from the drag moves by along(r) cos
 // a outwards and by -across(r) sin a round the contact, shares of the drag. Six stacks from the shortest tail to the
 // longest, blended in between; `palpate tissue library --solve --drag -o
-// src/palpate/measure/field/solved_drag_data.inc` solves them again.
+// src/palpate/tissue/solved_drag_data.inc` solves them again.
 #pragma once
 
 #include <array>
 #include <cstddef>
 
-namespace palpate::measure {
+namespace palpate::tissue {
 
 /// The patch that was dragged, mm: rho = 1 is its rim.
 inline constexpr double kSolvedPatchMm = 6.0;
@@ -46,4 +46,4 @@ struct SolvedDrag {
 /// At rho^2 >= 0; a tail out of range counts as the nearest; 0 far away.
 SolvedDrag solvedDragAt(double rho2, double tail);
 
-}  // namespace palpate::measure
+}  // namespace palpate::tissue
