@@ -44,8 +44,8 @@ struct ReportArguments {
 
 /// run.session -> run.html, also of run.session.partial, and of class.results; in the working folder.
 std::filesystem::path pageOf(const std::filesystem::path& file) {
-  if (otherSource().pageName != nullptr) {
-    const std::string given = otherSource().pageName(file);
+  if (otherSource().page_name != nullptr) {
+    const std::string given = otherSource().page_name(file);
     if (!given.empty()) return given;
   }
   std::string name = file.filename().string();

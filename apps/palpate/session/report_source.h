@@ -30,7 +30,7 @@ struct ReportSource {
   /// Whether the file, or the address in its place, is one of its own.
   bool (*owns)(const std::filesystem::path& file) = nullptr;
   /// Name of the page where none is given; empty: the file's own with .html.
-  std::string (*pageName)(const std::filesystem::path& file) = nullptr;
+  std::string (*page_name)(const std::filesystem::path& file) = nullptr;
   /// Throws Error.
   FinishedReport (*report)(const ReportRequest& request, const Progress& progress) = nullptr;
 };

@@ -24,7 +24,7 @@ std::string pageOfDatabase(const std::filesystem::path& file) {
 }  // namespace
 
 void offerTrainingReports() {
-  offerReportSource({.owns = isRecordsFile, .pageName = pageOfDatabase, .report = finishedTrainingReport});
+  offerReportSource({.owns = isRecordsFile, .page_name = pageOfDatabase, .report = finishedTrainingReport});
 }
 
 }  // namespace palpate::app
