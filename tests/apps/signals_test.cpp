@@ -32,7 +32,7 @@ class Signals : public testing::Test {
   int ended(std::vector<std::string> arguments, int signal, const std::function<bool()>& ready) {
     const pid_t child = fork();
     if (child == 0) runInFolder(std::move(arguments));
-    const bool came = support::waitFor(ready);
+    const bool came = support::waitFor([&] { return catches(child, signal) && ready(); });
     kill(child, signal);
     int status = 0;
     waitpid(child, &status, 0);
@@ -51,6 +51,15 @@ class Signals : public testing::Test {
     dup2(open("err", O_WRONLY | O_CREAT, 0600), STDERR_FILENO);
     execv(words.front(), words.data());
     _exit(99);
+  }
+
+  /// Whether the process has taken the signal over: before that it ends as every process does. SIGKILL cannot be caught.
+  static bool catches(pid_t process, int signal) {
+    if (signal == SIGKILL) return true;
+    const std::string status = support::contentOf("/proc/" + std::to_string(process) + "/status");
+    const std::size_t caught = status.find("SigCgt:");
+    if (caught == std::string::npos) return false;
+    return (std::stoull(status.substr(caught + 7), nullptr, 16) >> (signal - 1) & 1) != 0;
   }
 
   bool hasBytes(const std::string& name) const {
