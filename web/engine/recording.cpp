@@ -1,7 +1,7 @@
 // Rows are kept short and become samples again when they are written.
 #include "engine/recording.h"
 
-#include "palpate/trace/forces_csv.h"
+#include "palpate/trace/forces_rows.h"
 
 namespace palpate::web {
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "apps/viewer/live_servo.h"
-#include "palpate/base/background.h"
+#include "palpate/base/thread_priority.h"
 #include "palpate/base/output_file.h"
 #include "palpate/device/mouse_finger.h"
 #include "palpate/view/image.h"

@@ -1,12 +1,11 @@
-// Work beside the caller: the one place where the engine asks for a thread to get a cold task done sooner. The servo
-// loop and the hand-over of worlds, which *are* threads, keep their own.
-//
-// Where there are no threads (PALPATE_THREADS=OFF), or none is left, the work is done all the same, by the caller.
+// Cold work beside the caller. Threads come from the environment (base/environment.h): where it has none, the work is
+// done by the caller. The servo loop and the hand-over of worlds, which *are* threads, keep their own.
 #pragma once
 
 #include <cstddef>
 #include <functional>
-#include <future>
+
+#include "palpate/base/environment.h"
 
 namespace palpate {
 
@@ -17,7 +16,7 @@ class Background {
   explicit Background(std::function<void()> work);
   /// Waits for it; what it threw is lost.
   ~Background();
-  Background(Background&&) noexcept = default;
+  Background(Background&& other) noexcept;
   Background& operator=(Background&&) = delete;
 
   /// `join` would not wait for long.
@@ -26,14 +25,10 @@ class Background {
   void join();
 
  private:
-  std::future<void> future_;
+  StartedWork work_;  // empty once it has been joined
 };
 
 /// How many pieces of work are worth starting at once, the caller's own among them; at least 1.
 std::size_t processors();
-
-/// Whatever draws or touches goes before the calling thread from now on: its nice value becomes `nice`, 1 to 19.
-/// Nothing happens where a thread has no priority of its own and the whole process would be slowed (all but Linux).
-void lowerPriority(int nice);
 
 }  // namespace palpate

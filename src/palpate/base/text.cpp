@@ -1,16 +1,10 @@
-// Numbers by std::from_chars, which knows no locale but takes no leading plus either: that is cut off first. A file's
-// size is asked before memory is taken for it; one that shrinks meanwhile is read as far as it goes. Cold path. Own.
+// Numbers by std::from_chars, which knows no locale but takes no leading plus either: that is cut off first.
 #include "palpate/base/text.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
-#include <limits>
 
-#include "palpate/base/error.h"
-#include "palpate/base/output_file.h"
+#include "palpate/base/environment.h"
 
 namespace palpate {
 
@@ -18,36 +12,13 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t\r\n\v\f";
 
-std::size_t sizeOfReadableFile(const std::filesystem::path& file, std::uint64_t max_bytes) {
-  std::error_code error;
-  const auto status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status)) throw Error::inFile(file.string(), "no such file");
-  if (!std::filesystem::is_regular_file(status)) throw Error::inFile(file.string(), "not a file");
-  const std::uint64_t size = std::filesystem::file_size(file, error);
-  if (error) throw Error::inFile(file.string(), error.message());
-  const std::uint64_t limit = std::min<std::uint64_t>(max_bytes, std::numeric_limits<std::size_t>::max());
-  if (size > limit) {
-    throw Error::inFile(file.string(), fmt::format("{} bytes is more than the limit of {}", size, limit));
-  }
-  return static_cast<std::size_t>(size);
-}
-
 }  // namespace
 
 std::string readFile(const std::filesystem::path& file, std::uint64_t max_bytes) {
-  std::string content(sizeOfReadableFile(file, max_bytes), '\0');
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw Error::inFile(file.string(), "cannot be opened for reading");
-  stream.read(content.data(), static_cast<std::streamsize>(content.size()));
-  content.resize(static_cast<std::size_t>(stream.gcount()));
-  return content;
+  return environment().read_file(file, max_bytes);
 }
 
-void writeFile(const std::filesystem::path& file, std::string_view content) {
-  OutputFile output(file);
-  output.write(content);
-  output.commit();
-}
+void writeFile(const std::filesystem::path& file, std::string_view content) { environment().write_file(file, content); }
 
 std::optional<double> parseNumber(std::string_view text) {
   text = trimmed(text);

@@ -6,7 +6,7 @@
 #include <exception>
 #include <utility>
 
-#include "palpate/base/background.h"
+#include "palpate/base/thread_priority.h"
 #include "palpate/base/stopwatch.h"
 
 namespace palpate::engine {

@@ -4,7 +4,7 @@
 #include "palpate/device/finger_path.h"
 #include "palpate/scene/world.h"
 #include "palpate/servo/tick.h"
-#include "palpate/trace/forces_csv.h"
+#include "palpate/trace/forces_rows.h"
 
 namespace palpate::servo {
 

@@ -72,6 +72,16 @@ TriangleMesh read(const MeshFile& file, Format format, VertexChannels* channels)
   return {};
 }
 
+/// Until a host brings one (read_foreign.cpp).
+TriangleMesh refuseForeign(const MeshFile& file, const std::string&) {
+  throw Error::inFile(file.name, "this format would need assimp, and palpate was built without assimp");
+}
+
+ForeignReader& foreignReader() {
+  static ForeignReader reader = refuseForeign;
+  return reader;
+}
+
 bool isGltf(Format format) { return format == Format::gltf || format == Format::glb; }
 
 void follow(VertexChannels* channels, const std::vector<Index>& source_vertex) {
@@ -94,6 +104,12 @@ TriangleMesh loadChecked(const MeshFile& file, Format format, VertexChannels* ch
 }
 
 }  // namespace
+
+TriangleMesh readForeign(const MeshFile& file, const std::string& extension) {
+  return foreignReader()(file, extension);
+}
+
+void useForeignReader(ForeignReader reader) { foreignReader() = reader; }
 
 bool isMeshFile(const std::filesystem::path& file) { return formatByExtension(file).has_value(); }
 

@@ -1,20 +1,21 @@
 // Every other format (3mf, dae, fbx, ...) through assimp. Off by default: its readers are not hardened against hostile
-// files the way ours are, and an error of theirs names no place. The only file that knows assimp; a build without it
-// (PALPATE_ASSIMP=OFF) refuses these formats.
-#include "palpate/base/error.h"
-#include "palpate/mesh/files/readers.h"
-
-#ifdef PALPATE_ASSIMP
+// files the way ours are, and an error of theirs names no place. The only file that knows assimp; it installs itself while
+// the program starts (as base/host_environment.cpp does) and is not compiled without assimp (PALPATE_ASSIMP=OFF).
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
 #include <algorithm>
 #include <assimp/Importer.hpp>
-#endif
+
+#include "palpate/base/error.h"
+#include "palpate/mesh/files/readers.h"
+
+extern "C" {
+extern const int palpate_host_reads_foreign_meshes;
+const int palpate_host_reads_foreign_meshes = 1;
+}
 
 namespace palpate::mesh {
-
-#ifdef PALPATE_ASSIMP
 
 namespace {
 
@@ -39,9 +40,7 @@ void addTriangles(const aiMesh& part, TriangleMesh& mesh) {
   }
 }
 
-}  // namespace
-
-TriangleMesh readForeign(const MeshFile& file, const std::string& extension) {
+TriangleMesh readByAssimp(const MeshFile& file, const std::string& extension) {
   Assimp::Importer importer;
   const aiScene* scene = importer.ReadFileFromMemory(file.bytes.data(), file.bytes.size(), kSteps, extension.c_str());
   if (scene == nullptr) throw Error::inFile(file.name, oneLine(importer.GetErrorString()));
@@ -51,12 +50,11 @@ TriangleMesh readForeign(const MeshFile& file, const std::string& extension) {
   return mesh;
 }
 
-#else
+[[maybe_unused]] const bool installed = [] {
+  useForeignReader(readByAssimp);
+  return true;
+}();
 
-TriangleMesh readForeign(const MeshFile& file, const std::string&) {
-  throw Error::inFile(file.name, "this format would need assimp, and palpate was built without assimp");
-}
-
-#endif
+}  // namespace
 
 }  // namespace palpate::mesh

@@ -29,8 +29,11 @@ TriangleMesh readStl(const MeshFile& file);
 TriangleMesh readPly(const MeshFile& file, VertexChannels* channels = nullptr);
 TriangleMesh readOff(const MeshFile& file);
 TriangleMesh readGltf(const MeshFile& file, TexturePlaces* places = nullptr);
-/// `extension` without its dot tells the format.
+/// Reads every other format; `extension` without its dot tells it. Throws Error where no host has brought a reader.
 TriangleMesh readForeign(const MeshFile& file, const std::string& extension);
+using ForeignReader = TriangleMesh (*)(const MeshFile& file, const std::string& extension);
+/// While the program starts.
+void useForeignReader(ForeignReader reader);
 
 /// No texture here.
 inline TexturePlace noTexturePlace() { return TexturePlace::Constant(std::numeric_limits<float>::quiet_NaN()); }

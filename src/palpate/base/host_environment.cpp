@@ -1,0 +1,89 @@
+// The environment of a program on a usual system: the file system, and a thread for each piece of work by std::async,
+// whose future carries what it threw. There is no pool, so a piece must be worth the making of a thread.
+//
+// It installs itself while the program starts. Nobody names it, so whoever links the library asks the linker for
+// `palpate_host_environment` (host/CMakeLists.txt): without that an archive would leave it out.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <future>
+#include <limits>
+#include <memory>
+#include <thread>
+#include <utility>
+
+#include "palpate/base/environment.h"
+#include "palpate/base/error.h"
+#include "palpate/base/output_file.h"
+
+extern "C" {
+extern const int palpate_host_environment;
+const int palpate_host_environment = 1;
+}
+
+namespace palpate {
+
+namespace {
+
+/// The size is asked before memory is taken for it; a file that shrinks meanwhile is read as far as it goes.
+std::size_t sizeOfReadableFile(const std::filesystem::path& file, std::uint64_t max_bytes) {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status)) throw Error::inFile(file.string(), "no such file");
+  if (!std::filesystem::is_regular_file(status)) throw Error::inFile(file.string(), "not a file");
+  const std::uint64_t size = std::filesystem::file_size(file, error);
+  if (error) throw Error::inFile(file.string(), error.message());
+  const std::uint64_t limit = std::min<std::uint64_t>(max_bytes, std::numeric_limits<std::size_t>::max());
+  if (size > limit) {
+    throw Error::inFile(file.string(), fmt::format("{} bytes is more than the limit of {}", size, limit));
+  }
+  return static_cast<std::size_t>(size);
+}
+
+std::string readWholeFile(const std::filesystem::path& file, std::uint64_t max_bytes) {
+  std::string content(sizeOfReadableFile(file, max_bytes), '\0');
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw Error::inFile(file.string(), "cannot be opened for reading");
+  stream.read(content.data(), static_cast<std::streamsize>(content.size()));
+  content.resize(static_cast<std::size_t>(stream.gcount()));
+  return content;
+}
+
+void writeWholeFile(const std::filesystem::path& file, std::string_view content) {
+  OutputFile output(file);
+  output.write(content);
+  output.commit();
+}
+
+#ifndef PALPATE_NO_THREADS
+
+StartedWork startOnAThread(std::function<void()> work) {
+  // This policy falls back on doing the work in `join` where the system refuses a thread. Such a piece is never `done`:
+  // there is nothing to wait for.
+  const auto future = std::make_shared<std::future<void>>(
+      std::async(std::launch::async | std::launch::deferred, std::move(work)));
+  return {[future] { return future->wait_for(std::chrono::seconds(0)) != std::future_status::timeout; },
+          [future] { future->get(); }};
+}
+
+std::size_t threadsOfTheMachine() { return std::max(1u, std::thread::hardware_concurrency()); }
+
+#endif
+
+[[maybe_unused]] const bool installed = [] {
+  Environment host = environment();
+  host.read_file = readWholeFile;
+  host.write_file = writeWholeFile;
+#ifndef PALPATE_NO_THREADS
+  host.start = startOnAThread;
+  host.processors = threadsOfTheMachine;
+#endif
+  useEnvironment(host);
+  return true;
+}();
+
+}  // namespace
+
+}  // namespace palpate
