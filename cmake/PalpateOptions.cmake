@@ -1,7 +1,7 @@
 # Compiler settings shared by every target of this project, as interface targets that are never exported.
 add_library(palpate_options INTERFACE)
 # Bit-identical forces: a fused multiply-add rounds once instead of twice, which breaks both reproducibility and the exact
-# predicates (docs/contact.md). Never -ffast-math, never -march=native in a released build.
+# predicates (docs/explanation/contact.md). Never -ffast-math, never -march=native in a released build.
 target_compile_options(palpate_options INTERFACE -ffp-contract=off -Wall -Wextra -Wnon-virtual-dtor)
 # Tests of boxes join comparisons by & on purpose, to have no branch between them.
 target_compile_options(palpate_options INTERFACE $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>)

@@ -7,8 +7,8 @@ Start Palpate first, then this:
     python3 examples/remote_finger.py
 
 A datagram to 127.0.0.1:4730 says where the finger is, "p x y z" in mm from where its path would begin; while such poses
-come, every tick of the servo is answered by the force on it, "f x y z" in N (docs/remote.md). No library is needed, nor
-a certain language. To another computer every message is signed by a key that both sides have:
+come, every tick of the servo is answered by the force on it, "f x y z" in N (docs/reference/remote.md). No library is
+needed, nor a certain language. To another computer every message is signed by a key that both sides have:
 
     openssl rand -hex 32 > remote.key; chmod 600 remote.key    # copy it to both
     PALPATE_REMOTE_KEY_FILE=remote.key palpate simulate --realtime --device remote:0.0.0.0:4730 --out felt

@@ -4,8 +4,8 @@
  *     │                                                   │
  *     └────► skin ─────────────────────────────► palpate_skin_apply ─► positions, normals, strain
  *
- * This file needs nothing but a C89 compiler with <stdint.h>, or C++11. Link with -lpalpate. docs/c-api.md tells the
- * rest.
+ * This file needs nothing but a C89 compiler with <stdint.h>, or C++11. Link with -lpalpate. docs/reference/c-api.md
+ * tells the rest.
  *
  * Units and axes: millimetre, newton, second, newton per millimetre. The body's frame: x to the body's right seen from
  * behind, y towards the head, z out of the back. Skin faces counter-clockwise seen from outside. Texts are UTF-8 and
@@ -75,8 +75,8 @@ PALPATE_API const char* palpate_version(void) PALPATE_NOEXCEPT;
 
 typedef struct palpate_world palpate_world;
 
-/* Builds the world of a scene file (TOML, docs/scene-files.md), with the files that it names. Takes 0.02 to some
- * seconds. `utf8_path` as the system takes it. Any thread. */
+/* Builds the world of a scene file (TOML, docs/reference/scene-files.md), with the files that it names. Takes 0.02 to
+ * some seconds. `utf8_path` as the system takes it. Any thread. */
 PALPATE_API int32_t palpate_world_load(const char* utf8_path, palpate_world** out,
                                        palpate_error* error) PALPATE_NOEXCEPT;
 
@@ -276,7 +276,7 @@ PALPATE_API const uint32_t* palpate_skin_changed(const palpate_skin* skin, size_
 PALPATE_API double palpate_skin_lift_mm(const palpate_skin* skin) PALPATE_NOEXCEPT;
 PALPATE_API void palpate_skin_release(palpate_skin* skin) PALPATE_NOEXCEPT;
 
-/* ---- sessions: recorded runs, read back (docs/sessions.md) --------------------------------------------------------
+/* ---- sessions: recorded runs, read back (docs/reference/sessions.md) ----------------------------------------------
  */
 
 typedef struct palpate_session palpate_session;
@@ -322,7 +322,7 @@ typedef struct palpate_sample {
   uint32_t finger;
   uint32_t world;           /* number of the world in which it was felt */
   double device_force_n[3]; /* what went to the hand */
-  uint32_t safety;          /* bits (docs/safety.md); 0: the force went through unchanged */
+  uint32_t safety;          /* bits (docs/explanation/safety.md); 0: the force went through unchanged */
   uint32_t buttons;         /* of the device, bit 0 the first */
 } palpate_sample;
 

@@ -1,4 +1,4 @@
-"""Builds the package with CMake: `pip install bindings/python` (docs/python.md).
+"""Builds the package with CMake: `pip install bindings/python` (docs/reference/python.md).
 
 PALPATE_STAGED: folder of a build that is there already (build/release/python); nothing is compiled then.
 PALPATE_CMAKE_ARGUMENTS: more arguments for CMake.

@@ -1,5 +1,5 @@
 /* A device that is only imagined: a mass on a spring, with a little friction, that circles until a force stops it.
- * A plugin for Palpate (docs/plugins.md) in C99; to build it outside of Palpate:
+ * A plugin for Palpate (docs/howto/plugins.md) in C99; to build it outside of Palpate:
  *
  *   cc -std=c99 -shared -fPIC -I/usr/local/include point_mass.c -o point_mass.so
  *   palpate devices --device plugin:./point_mass.so

@@ -1,5 +1,6 @@
 // An automaton over ticks, unknown -> outside -> held -> fallen, with the geometry asked as rarely as it can be.
-// Data flow: contact::FingerOutput of a run, tick by tick -> here -> HuntReport. Definitions: docs/hunt.md. Own.
+// Data flow: contact::FingerOutput of a run, tick by tick -> here -> HuntReport. Definitions: docs/explanation/hunt.md.
+// Own.
 #include "lab/judges/hunt_judge.h"
 
 #include <algorithm>
@@ -16,8 +17,8 @@ namespace {
 constexpr double kOverlapShare = 1e-3;
 /// A touching sphere may sink by this share of its radius.
 constexpr double kSinkShare = 1e-2;
-/// A point on a self-intersecting surface is felt as a sphere of 1e-4 of its diagonal (docs/contact.md), and its proxy
-/// may lie on that sphere.
+/// A point on a self-intersecting surface is felt as a sphere of 1e-4 of its diagonal (docs/explanation/contact.md),
+/// and its proxy may lie on that sphere.
 constexpr double kTinySphereShare = 2e-4;
 /// Friction's cone, and the share by which a force step may pass its bound.
 constexpr double kConeRounding = 1e-9;

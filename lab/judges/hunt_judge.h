@@ -1,9 +1,9 @@
 // What a finger did wrong along a path, tick by tick, in a microsecond or two each: the judge of `palpate hunt`.
 //
 // It sees outputs and a mesh and has its own geometry; nothing of `contact` but the plain data of finger_state.h, and
-// nothing of `tree`. docs/hunt.md says in words what each fault is. Unlike the other judges it keeps up with a run of
-// ten million ticks: a free tip is only asked for its side when it has left the ball round the last place that is known
-// to hold no surface.
+// nothing of `tree`. docs/explanation/hunt.md says in words what each fault is. Unlike the other judges it keeps up
+// with a run of ten million ticks: a free tip is only asked for its side when it has left the ball round the last place
+// that is known to hold no surface.
 #pragma once
 
 #include <array>
@@ -45,7 +45,7 @@ struct HuntReport {
   std::size_t touching_ticks = 0;
   std::size_t events = 0;  ///< ticks whose status says that contact was given up for another place
   /// Ticks with a tip that came out elsewhere and is held through the body by the side where it went in: no fault
-  /// (docs/contact.md, thin parts).
+  /// (docs/explanation/contact.md, thin parts).
   std::size_t held_through_ticks = 0;
   std::array<Finding, kFaults> findings;
 

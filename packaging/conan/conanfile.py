@@ -1,6 +1,6 @@
 """Recipe for Conan 2: conan create packaging/conan
 
-It builds the source tree that it lies in. Not tried: see docs/c-api.md.
+It builds the source tree that it lies in. Not tried: see docs/reference/c-api.md.
 """
 import os
 

@@ -1,5 +1,6 @@
 # An overlay port: vcpkg install palpate --overlay-ports=packaging/vcpkg
-# It builds the source tree that it lies in; a registry would fetch a release instead. Not tried: see docs/c-api.md.
+# It builds the source tree that it lies in; a registry would fetch a release instead. Not tried:
+# see docs/reference/c-api.md.
 set(SOURCE_PATH "${CMAKE_CURRENT_LIST_DIR}/../..")
 vcpkg_check_features(OUT_FEATURE_OPTIONS FEATURE_OPTIONS FEATURES assimp PALPATE_ASSIMP)
 vcpkg_cmake_configure(

@@ -1,6 +1,6 @@
 // A scene is run for each reading, headless, and compared with the corrected run tick by tick; the skins at 20 pictures
 // a second. Runs to compare with are kept, one without a partition and one for each tree.
-// Based on: Ji, dissertation 2008, and its errata E1 to E34 (docs/dissertation.md).
+// Based on: Ji, dissertation 2008, and its errata E1 to E34 (docs/reference/dissertation.md).
 #include "study/errata/errata_study.h"
 
 #include <fmt/format.h>

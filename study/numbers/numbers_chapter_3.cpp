@@ -112,7 +112,7 @@ void addPartitionComplexity(const PrintedNumbers& printed, Rows& rows) {
                         heightNeeded(hdb::kBspArity), "(3.1) with leaves of 1024 triangles"));
   rows.push_back(judged("(3.5)", "nodes visited over leaves, BSP", printed.bsp_cost_over_n,
                         costOverLeaves(printed, hdb::kBspArity, printed.bsp_height),
-                        "0.1 w 2; a real worst case is looser (docs/partition.md)"));
+                        "0.1 w 2; a real worst case is looser (docs/explanation/partition.md)"));
   addTree("Table 3.4", hdb::kOctreeArity, printed.table_3_4, rows);
   rows.push_back(judged("3.4.2", "height of the octree of 100k triangles", printed.octree_height,
                         heightNeeded(hdb::kOctreeArity), "(3.6) with leaves of 1024 triangles"));

@@ -13,7 +13,7 @@ namespace palpate::study {
 
 namespace {
 
-/// Dead beef, held: the share of its force that it loses (docs/relaxation.md).
+/// Dead beef, held: the share of its force that it loses (docs/explanation/relaxation.md).
 struct Recorded {
   double seconds;
   double lost;

@@ -31,7 +31,7 @@ ReportHead headOf(const std::vector<StudyPage>& pages, std::size_t chapters, boo
       "W. Ji's dissertation \"Spatial Partitioning and Functional Shape Matched Deformation Algorithm for Interactive "
       "Haptic Modeling\" (Ohio University, 2008) asked how a haptic model can be divided, deformed and mapped. Each "
       "chapter here takes one of its questions, measures it again with Palpate and sets the printed answer beside "
-      "ours. E1 to E34 are its checked errata (`docs/dissertation.md`).";
+      "ours. E1 to E34 are its checked errata (`docs/reference/dissertation.md`).";
   if (quick)
     head.about += " This was a quick run: small models and few repetitions, for a look and not for its numbers.";
   if (pages.size() < chapters)

@@ -19,7 +19,7 @@ StudyPage numbersPage(const StudySettings&) {
   page.command = "palpate study numbers --out DIR";
   page.question = "Which of the dissertation's numbers come out, of our engine or of other numbers that it prints?";
   page.findings = numbersFindings(rows);
-  page.method = {numbersLegend(), "docs/dissertation.md names the errata."};
+  page.method = {numbersLegend(), "docs/reference/dissertation.md names the errata."};
   page.tables = {{"numbers_all", "Numbers that can be computed:", tableOf(rows, true)},
                  {"numbers_statements",
                   "Statements that do not hold, and numbers that nobody can compute today:", tableOf(rows, false)}};

@@ -82,7 +82,7 @@ TEST(BenchSessionCommand, MeasuresWhatASessionCosts) {
   EXPECT_GT(json["replay_times_real_time"].get<double>(), 0.0);
   EXPECT_GT(json["seek_s"].get<double>(), 0.0);
   if (!support::timesAreJudged()) return;
-  EXPECT_LT(json["record_us_per_tick"].get<double>(), 0.25) << "0.09 us on a quiet core (docs/sessions.md)";
+  EXPECT_LT(json["record_us_per_tick"].get<double>(), 0.25) << "0.09 us on a quiet core (docs/reference/sessions.md)";
   EXPECT_GT(json["replay_times_real_time"].get<double>(), 100.0) << "250 times on a quiet core";
   EXPECT_LT(json["seek_s"].get<double>(), 0.2);
 }

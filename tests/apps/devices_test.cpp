@@ -267,7 +267,7 @@ TEST_F(SimulateWithADevice, PlaysARecordedFingerAgain) {
   EXPECT_NEAR(after[1], before[0], 1e-5);
 }
 
-/// With the program of docs/remote.md, started before there is anybody to talk to.
+/// With the program of docs/reference/remote.md, started before there is anybody to talk to.
 class SimulateWithAProgram : public SimulateWithADevice {
  protected:
   void expectItPresses(const std::string& more_words) {

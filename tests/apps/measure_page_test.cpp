@@ -1,4 +1,4 @@
-// docs/measure-a-person.md does what it says: its commands, one after the other, in a folder of their own.
+// docs/howto/measure-a-person.md does what it says: its commands, one after the other, in a folder of their own.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ struct PageCommand {
 
 /// Lines "palpate ..." of its blocks of sh; "# exits 1" says how one ends.
 std::vector<PageCommand> commandsOfPage() {
-  std::istringstream page(support::contentOf(fs::path(PALPATE_SOURCE_DIR) / "docs/measure-a-person.md"));
+  std::istringstream page(support::contentOf(fs::path(PALPATE_SOURCE_DIR) / "docs/howto/measure-a-person.md"));
   const std::regex ending("# exits ([0-9]+)");
   std::vector<PageCommand> commands;
   bool inside = false;

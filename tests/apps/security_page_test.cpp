@@ -1,4 +1,4 @@
-// docs/security.md stays true: its table of ports and limits is that of the code.
+// docs/reference/security.md stays true: its table of ports and limits is that of the code.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -70,12 +70,13 @@ std::vector<LimitRow> limitRows() {
 TEST(SecurityPage, TableOfPortsAndLimitsIsThatOfTheCode) {
   std::string table;
   for (const LimitRow& row : limitRows()) table += fmt::format("| {} | {} | {} |\n", row.where, row.what, row.value);
-  const std::string page = readFile(std::filesystem::path(PALPATE_SOURCE_DIR) / "docs/security.md", 1 << 20);
+  const std::string page = readFile(std::filesystem::path(PALPATE_SOURCE_DIR) / "docs/reference/security.md", 1 << 20);
   const std::string head = "| where | what | value |\n|---|---|---|\n";
   const std::size_t begin = page.find(head);
   ASSERT_NE(begin, std::string::npos);
   const std::size_t rows = begin + head.size();
-  EXPECT_EQ(page.substr(rows, page.find("\n\n", rows) + 1 - rows), table) << "docs/security.md should have\n" << table;
+  EXPECT_EQ(page.substr(rows, page.find("\n\n", rows) + 1 - rows), table) << "docs/reference/security.md should have\n"
+                                                                          << table;
 }
 
 }  // namespace

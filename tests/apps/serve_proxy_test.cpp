@@ -1,4 +1,4 @@
-// `palpate serve` behind a real nginx with TLS: with the configuration that docs/serve.md gives.
+// `palpate serve` behind a real nginx with TLS: with the configuration that docs/howto/serve.md gives.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,7 +25,7 @@ std::string nginxProgram() {
 
 /// The configuration of the page.
 std::string nginxOfThePage() {
-  const std::string page = readFile(std::string(PALPATE_SOURCE_DIR) + "/docs/serve.md", 1 << 20);
+  const std::string page = readFile(std::string(PALPATE_SOURCE_DIR) + "/docs/howto/serve.md", 1 << 20);
   const std::string fence = "```nginx\n";
   const std::size_t begin = page.find(fence) + fence.size();
   return page.substr(begin, page.find("```", begin) - begin);

@@ -89,7 +89,7 @@ TEST_F(SessionCommands, WrongInputIsOneLineAndExitTwo) {
 
 /// The code of the page.
 std::string pythonOfThePage() {
-  const std::string page = readFile(std::string(PALPATE_SOURCE_DIR) + "/docs/sessions.md", 1 << 20);
+  const std::string page = readFile(std::string(PALPATE_SOURCE_DIR) + "/docs/reference/sessions.md", 1 << 20);
   const std::string fence = "```python\n";
   const std::size_t begin = page.find(fence) + fence.size();
   return page.substr(begin, page.find("```", begin) - begin);

@@ -17,7 +17,7 @@ TEST(SafetyRun, CostsAShareOfATick) {
   EXPECT_GT(cost.safety_us, 0.0);
   EXPECT_GT(cost.tick_us, cost.safety_us);
   if (support::timesAreJudged()) {
-    EXPECT_LE(cost.safety_us, 0.10) << "the bar of docs/benchmarks.md";
+    EXPECT_LE(cost.safety_us, 0.10) << "the bar of docs/reference/benchmarks.md";
   }
 }
 

@@ -6,14 +6,14 @@ function(run)
 endfunction()
 run(${CMAKE_COMMAND} --install ${PALPATE_BINARY_DIR} --prefix ${work}/prefix)
 
-# The code of docs/pictures.md, as it stands there, with the names that it takes for granted.
-file(READ ${CONSUMER_DIR}/../../docs/pictures.md page)
+# The code of docs/howto/pictures.md, as it stands there, with the names that it takes for granted.
+file(READ ${CONSUMER_DIR}/../../docs/howto/pictures.md page)
 string(REGEX MATCH "## From C\\+\\+\n\n```cpp\n([^`]*)```" found "${page}")
 set(code "${CMAKE_MATCH_1}")
 string(REGEX MATCHALL "#include [^\n]*\n" includes "${code}")
 string(REGEX REPLACE "#include [^\n]*\n" "" code "${code}")
 if(NOT includes OR NOT code)
-  message(FATAL_ERROR "docs/pictures.md has no code after '## From C++'")
+  message(FATAL_ERROR "docs/howto/pictures.md has no code after '## From C++'")
 endif()
 string(CONCAT includes ${includes})
 file(WRITE ${work}/page.cpp "${includes}

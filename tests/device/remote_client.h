@@ -1,4 +1,4 @@
-// A program that moves a finger by datagrams (docs/remote.md), without waiting for anything.
+// A program that moves a finger by datagrams (docs/reference/remote.md), without waiting for anything.
 #pragma once
 
 #include <arpa/inet.h>

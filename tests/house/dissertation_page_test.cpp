@@ -1,4 +1,5 @@
-// docs/dissertation.md stays true: it has every erratum as the engine has it, and names no file that is not there.
+// docs/reference/dissertation.md stays true: it has every erratum as the engine has it, and names no file that is not
+// there.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +18,7 @@ namespace fs = std::filesystem;
 
 const fs::path kRoot = PALPATE_SOURCE_DIR;
 
-std::string page() { return readFile(kRoot / "docs/dissertation.md", 1 << 20); }
+std::string page() { return readFile(kRoot / "docs/reference/dissertation.md", 1 << 20); }
 
 std::string codeOf(std::string_view choice, scene::LiteralForm form) {
   switch (form) {
@@ -40,8 +41,9 @@ TEST(DissertationPage, HasEveryErratumAsTheEngineHasIt) {
     const std::string row =
         fmt::format("| {} | {} | {} | {} | {} |\n", scene::nameOf(erratum.erratum), erratum.printed, erratum.ours,
                     wordFor(erratum.by_default), codeOf(erratum.choice, erratum.form));
-    EXPECT_NE(text.find(row), std::string::npos) << "docs/dissertation.md, table of errata, should have the row\n"
-                                                 << row;
+    EXPECT_NE(text.find(row), std::string::npos)
+        << "docs/reference/dissertation.md, table of errata, should have the row\n"
+        << row;
   }
 }
 

@@ -46,7 +46,7 @@ std::vector<Quote> quotesOf(const std::string& page) {
 
 std::vector<fs::path> documents() {
   std::vector<fs::path> files = {kSources / "README.md"};
-  for (const auto& entry : fs::directory_iterator(kSources / "docs")) {
+  for (const auto& entry : fs::recursive_directory_iterator(kSources / "docs")) {
     if (entry.path().extension() == ".md") files.push_back(entry.path());
   }
   return files;

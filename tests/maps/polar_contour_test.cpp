@@ -49,7 +49,7 @@ TEST(PolarContour, LocationRatioIsDistanceOverRadius) {
   EXPECT_EQ(locationRatio(contour, Vec2(0, 0)), 0.0);
 }
 
-// The bounds that docs/maps.md states.
+// The bounds that docs/explanation/maps.md states.
 TEST(PolarContour, EllipseComesBackWithinTheStatedBound) {
   for (const double degree : {0.0, 17.0, 90.0, 121.0}) {
     const auto worst = [&](double aspect, std::size_t radii) {

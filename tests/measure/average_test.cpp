@@ -91,7 +91,7 @@ TEST(AveragePresses, OnlyTheScatteredDirectionsOfAppendixCAreHardlyDetermined) {
         << point.name << " " << point.mean.direction_deg.sd << " " << point.mean.resultant;
     EXPECT_NE(dragRemark(point).find("pulled up only"), std::string::npos) << dragRemark(point);
   }
-  EXPECT_NEAR(averages.points[4].mean.resultant, 0.46, 0.005) << "printed of the axes, docs/maps.md";
+  EXPECT_NEAR(averages.points[4].mean.resultant, 0.46, 0.005) << "printed of the axes, docs/explanation/maps.md";
 }
 
 // --- means

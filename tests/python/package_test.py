@@ -186,7 +186,7 @@ def test_examples_are_typed():
 
 
 def test_a_wheel_holds_everything(tmp_path):
-    """Made of what the build has staged; building one from nothing is in docs/python.md."""
+    """Made of what the build has staged; building one from nothing is in docs/reference/python.md."""
     environment = dict(os.environ, PALPATE_STAGED=str(STAGE))
     result = run("setup.py", "-q", "build", "-b", str(tmp_path / "build"), "egg_info", "-e", str(tmp_path), "bdist_wheel", "-d",
                  str(tmp_path), cwd=SOURCE / "bindings/python", env=environment)

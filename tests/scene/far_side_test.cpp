@@ -1,6 +1,6 @@
 // A press or a drag on one side of the closed trunk leaves the other side where it is, to the last bit: the far side is
 // told here by where it lies, not by how the deformation finds its region. (Between arm and chest and between the
-// thighs a long drag does reach the other limb: docs/deformation.md.)
+// thighs a long drag does reach the other limb: docs/explanation/deformation.md.)
 #include <gtest/gtest.h>
 
 #include <algorithm>

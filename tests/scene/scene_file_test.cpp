@@ -223,11 +223,12 @@ TEST(SceneFile, EveryDefaultInTheTableIsAcceptedWhenWrittenOut) {
 }
 
 TEST(SceneFile, TheDocumentationHoldsExactlyTheTableOfKeys) {
-  std::ifstream stream(PALPATE_SOURCE_DIR "/docs/scene-files.md");
+  std::ifstream stream(PALPATE_SOURCE_DIR "/docs/reference/scene-files.md");
   std::ostringstream page;
   page << stream.rdbuf();
-  EXPECT_NE(page.str().find(keysAsMarkdown()), std::string::npos) << "docs/scene-files.md must contain this text:\n"
-                                                                  << keysAsMarkdown();
+  EXPECT_NE(page.str().find(keysAsMarkdown()), std::string::npos)
+      << "docs/reference/scene-files.md must contain this text:\n"
+      << keysAsMarkdown();
 }
 
 }  // namespace

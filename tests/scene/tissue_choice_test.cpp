@@ -204,10 +204,11 @@ TEST_F(EveryKey, TheNoteNamesAllThatStandsInTheWayAndWhatComesOfIt) {
   const auto world = onBone(parse(
       "fidelity.E18 = \"literal\"\n[deformation]\nregion = \"shared\"\nradial_share = 0.1\n" + kFinger, "s.toml"));
   ASSERT_EQ(notesOfTissue(*world).size(), 1u);
-  EXPECT_EQ(notesOfTissue(*world)[0],
-            "no layers because of fidelity.E18 = \"literal\", deformation.radial_share = 0.1, deformation.region = "
-            "\"shared\": half-Gaussian tissue, force F = k d, stiffness 0.68 to 0.68 N/mm (docs/scene-files.md, "
-            "tissue)");
+  EXPECT_EQ(
+      notesOfTissue(*world)[0],
+      "no layers because of fidelity.E18 = \"literal\", deformation.radial_share = 0.1, deformation.region = "
+      "\"shared\": half-Gaussian tissue, force F = k d, stiffness 0.68 to 0.68 N/mm (docs/reference/scene-files.md, "
+      "tissue)");
 }
 
 TEST_F(EveryKey, OfABodyWithoutBonesNamesThemInsteadOfANote) {

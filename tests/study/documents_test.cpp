@@ -1,4 +1,4 @@
-// README and docs/dissertation.md count as the studies count.
+// README and docs/reference/dissertation.md count as the studies count.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ TEST(DocumentsOfStudies, CountTheNumbersApart) {
                                        {"| misprints", Verdict::misprint},
                                        {"| inconsistent", Verdict::inconsistent},
                                        {"| not computable", Verdict::not_computable}}) {
-    const std::string page = pageText("docs/dissertation.md");
+    const std::string page = pageText("docs/reference/dissertation.md");
     const auto row = page.find(start);
     ASSERT_NE(row, std::string::npos) << start;
     const auto cell = page.find(" | ", row + 2);
@@ -66,13 +66,14 @@ TEST(DocumentsOfStudies, CountTheErrataThatAreMeasured) {
 TEST(DocumentsOfStudies, SayWhatTheFiguresAreDrawnFrom) {
   const auto printed = figuresOf(FigureBasis::printed);
   const auto examples = figuresOf(FigureBasis::own_example);
-  expectSaid("docs/dissertation.md",
+  expectSaid("docs/reference/dissertation.md",
              fmt::format("Of the {} figures, {} are computed by the engine", dissertationFigures().size(),
                          figuresOf(FigureBasis::computed).size()));
-  expectSaid("docs/dissertation.md", fmt::format("{} plot printed numbers again and compute nothing ({})",
-                                                 printed.size(), fmt::join(printed, ", ")));
-  expectSaid("docs/dissertation.md", fmt::format("{} are computed for an example of our own", examples.size()));
-  expectSaid("docs/dissertation.md", fmt::format("({})", fmt::join(examples, ", ")));
+  expectSaid("docs/reference/dissertation.md", fmt::format("{} plot printed numbers again and compute nothing ({})",
+                                                           printed.size(), fmt::join(printed, ", ")));
+  expectSaid("docs/reference/dissertation.md",
+             fmt::format("{} are computed for an example of our own", examples.size()));
+  expectSaid("docs/reference/dissertation.md", fmt::format("({})", fmt::join(examples, ", ")));
 }
 
 }  // namespace palpate::study

@@ -203,7 +203,8 @@ TEST(ForceLaw, SteepestFactorBoundsTheSlope) {
   EXPECT_DOUBLE_EQ(steepestFactor(tableLaw({{2, 1}, {3, 9}, {8, 10}}), 40.0), 8.0 * 0.8) << "in the middle";
 }
 
-// Forces of a sphere pressed 2, 5, 7.5 and 10 mm into layered tissue, from finite elements (docs/force-laws.md).
+// Forces of a sphere pressed 2, 5, 7.5 and 10 mm into layered tissue, from finite elements
+// (docs/explanation/force-laws.md).
 TEST(ForceLaw, FitsLayeredTissueWhereHookeDoesNot) {
   struct Tissue {
     std::array<double, 4> force_n;

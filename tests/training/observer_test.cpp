@@ -32,7 +32,7 @@ double shareRight(const ObserverSettings& settings, double ratio, int trials, in
   return static_cast<double>(right) / trials;
 }
 
-/// As docs/training-methods.md defines T: halfway between guessing and what lapses leave.
+/// As docs/explanation/training-methods.md defines T: halfway between guessing and what lapses leave.
 double halfway(double lapse) { return 1.0 / 12.0 + (1.0 - 1.0 / 12.0 - lapse) / 2.0; }
 
 TEST(Observer, ReadsItsWordsAndSaysThemAgain) {

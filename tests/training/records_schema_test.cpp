@@ -87,7 +87,8 @@ TEST(RecordsSchema, LaterColumnsHaveADefault) {
 
 /// The page that others read shows the tables as they are made.
 TEST(RecordsSchema, ThePageShowsTheTables) {
-  const std::string page = readFile(std::filesystem::path(PALPATE_SOURCE_DIR) / "docs/results-schema.md", 1u << 20);
+  const std::string page =
+      readFile(std::filesystem::path(PALPATE_SOURCE_DIR) / "docs/reference/results-schema.md", 1u << 20);
   const std::string begin = "<!-- tables: generated, tested -->\n\n";
   const std::size_t at = page.find(begin);
   ASSERT_NE(at, std::string::npos);

@@ -193,7 +193,7 @@ TEST_F(MadeRecord, AClassFindsTheThresholdsItsTraineesWereMadeWith) {
   EXPECT_NEAR(std::log(all.occasions[1].group.mean), std::log(0.14), 0.12);
   ASSERT_TRUE(all.change);
   // A lapse in an easy trial after some misses looks like a burst of inattention in 2 to 3 of 100 attentive tests
-  // (docs/training-methods.md), here in 3 of 32: those three people are compared with nothing.
+  // (docs/explanation/training-methods.md), here in 3 of 32: those three people are compared with nothing.
   EXPECT_EQ(all.change->trainees, 13);
   EXPECT_LT(all.change->group.low, 2.0);
   EXPECT_GT(all.change->group.high, 2.0);

@@ -2,7 +2,7 @@
 //
 // Here each disturbance lasts about a second and what is asked for is what no load of the machine can spoil: that ticks
 // go on while a frame is stuck, that no sample is lost. PALPATE_HEAVY=1 runs each for five seconds, prints the servo's
-// statistics (docs/viewer.md has them) and compares them with an idle run.
+// statistics (docs/reference/viewer.md has them) and compares them with an idle run.
 #include <cstdlib>
 #include <functional>
 #include <iostream>

@@ -1,4 +1,4 @@
-// tools/bench-web: how fast the page is, in numbers. See docs/web.md for what each means.
+// tools/bench-web: how fast the page is, in numbers. See docs/howto/web.md for what each means.
 //
 //   node tests/web/bench.mjs [--json] [--seconds N] [--reference WEB_REFERENCE] [--site SITE]
 import { existsSync, readFileSync } from 'node:fs';

@@ -75,9 +75,9 @@ TEST(Keys, AreNamedAsOnAKeyboard) {
 }
 
 TEST(Keys, AreDocumentedAsTheyAre) {
-  const std::string page = readFile(std::string(PALPATE_SOURCE_DIR) + "/docs/viewer.md", 1 << 20);
+  const std::string page = readFile(std::string(PALPATE_SOURCE_DIR) + "/docs/reference/viewer.md", 1 << 20);
   EXPECT_NE(page.find(window::keysAsMarkdown()), std::string::npos)
-      << "put the output of `palpate run --keys` into docs/viewer.md";
+      << "put the output of `palpate run --keys` into docs/reference/viewer.md";
 }
 
 }  // namespace

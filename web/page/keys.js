@@ -1,4 +1,5 @@
-// The keys of the page: what they are called and what they do. Those of the viewer (docs/viewer.md) do the same here.
+// The keys of the page: what they are called and what they do. Those of the viewer (docs/reference/viewer.md)
+// do the same here.
 
 const STEP_MM = 2;
 

@@ -8,7 +8,7 @@ export class Plot {
   constructor(canvas) {
     this.canvas = canvas;
     // Drawn by the processor, a strip so small costs nothing; where the processor plays graphics card it costs more than
-    // the body (docs/web.md).
+    // the body (docs/howto/web.md).
     this.context = canvas.getContext('2d', { willReadFrequently: true });
     this.forces = [new Float32Array(ROOM), new Float32Array(ROOM)];
     this.next = 0;

@@ -21,7 +21,7 @@ CLI::Option* addDeviceOption(CLI::App& command, std::vector<std::string>& names,
   };
   return command
       .add_option("--device", names,
-                  fmt::format("{}: {}, with :WHICH behind it for one of several (docs/devices.md)", help,
+                  fmt::format("{}: {}, with :WHICH behind it for one of several (docs/reference/devices.md)", help,
                               fmt::join(device::backEndNames(), ", ")))
       ->type_name("NAME[:WHICH]")
       ->check(CLI::Validator(known, ""))
@@ -31,7 +31,7 @@ CLI::Option* addDeviceOption(CLI::App& command, std::vector<std::string>& names,
 void addUnsafeStiffness(CLI::App& command, bool& unsafe) {
   command.add_flag("--unsafe-stiffness", unsafe,
                    "Render the stiffness and force that the scene's [safety] asks for, beyond what is safe for the "
-                   "device (docs/safety.md)");
+                   "device (docs/explanation/safety.md)");
 }
 
 void sayUnsafe(std::span<const std::string> notes) {

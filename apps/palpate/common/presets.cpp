@@ -39,7 +39,7 @@ void addPresetOption(CLI::App& command, std::string& preset) {
   takesOneOf(presetNames(),
              command.add_option("--preset", preset,
                                 "Built-in scene by name: vhb is the dissertation's Virtual Haptic Back "
-                                "(docs/dissertation.md), vhb-literal the same with its formulae as printed"));
+                                "(docs/reference/dissertation.md), vhb-literal the same with its formulae as printed"));
 }
 
 scene::Scene presetScene(const std::string& name) {

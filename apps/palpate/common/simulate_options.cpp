@@ -76,9 +76,9 @@ void useSomeFinger(scene::Scene& scene) {
 }  // namespace
 
 void addInputOptions(CLI::App& command, SimulateOptions& options) {
-  command.add_option(
-      "SCENE", options.scene,
-      "Scene file (TOML, docs/scene-files.md), or a mesh as with --mesh; without one: ten seconds on the trunk");
+  command.add_option("SCENE", options.scene,
+                     "Scene file (TOML, docs/reference/scene-files.md), or a mesh as with --mesh; without one: ten "
+                     "seconds on the trunk");
   addPresetOption(command, options.preset);
   command.add_option("--mesh", options.mesh,
                      "Palpate this mesh (OBJ, STL, PLY, OFF, glTF, GLB) instead of the scene's body");

@@ -18,7 +18,7 @@ struct DeviceFinding {
   std::string not_measured;  ///< why, where it should have been
 };
 
-/// Keys carry their units; docs/devices.md lists them.
+/// Keys carry their units; docs/reference/devices.md lists them.
 nlohmann::ordered_json jsonOf(const DeviceFinding& finding);
 
 /// Name, whether it is there, why not and what mends it; with everything that was looked for when `whole`.

@@ -36,7 +36,7 @@ Identified identifyDevice(const IdentifySettings& settings, const Progress& prog
 std::string safetyLinesOf(const Identified& found);
 
 std::string textOf(const Identified& found);
-/// Keys carry their units; docs/devices.md lists them.
+/// Keys carry their units; docs/reference/devices.md lists them.
 nlohmann::ordered_json jsonOf(const Identified& found);
 
 }  // namespace palpate::app

@@ -143,7 +143,7 @@ void addFitProfileCommand(CLI::App& parent) {
   takesOneOf(profileFormWords(),
              command.add_option("--form", a.form, "Of the table; best: what foretells unseen places best"))
       ->capture_default_str();
-  command.add_option("-o,--out", a.output, "Table of layered tissue to write (docs/tissue.md)");
+  command.add_option("-o,--out", a.output, "Table of layered tissue to write (docs/explanation/tissue.md)");
   command.add_option("--profile", a.profile, "Table q,value to write, as profile_file of a scene reads it");
   command.add_option("--plot", a.plot, "Picture to write: .png or .svg");
   command.add_flag("--json", a.json, "Print one JSON object");

@@ -171,7 +171,7 @@ void addMeasureAverageCommand(CLI::App& parent) {
   const auto arguments = std::make_shared<MeasureAverageArguments>();
   MeasureAverageArguments& a = *arguments;
   CLI::App& command = *parent.add_subcommand("average", "Average presses over drags and people into key points");
-  command.add_option("rows", a.files, "Tables of presses (docs/measure-a-person.md); several: one a person")
+  command.add_option("rows", a.files, "Tables of presses (docs/howto/measure-a-person.md); several: one a person")
       ->required();
   addChoice(command, "--mean", a.settings.averaging,
             Choices<maps::Averaging>{{"tensorial", maps::Averaging::tensorial}, {"plain", maps::Averaging::plain}},

@@ -270,7 +270,8 @@ void addMeasureSessionCommand(CLI::App& parent) {
   MeasureSessionArguments& a = *arguments;
   CLI::App& command = *parent.add_subcommand(
       "session", "Walk a person's folder: measure what is new, and at the end write their map and scene");
-  command.add_option("folder", a.folder, "With protocol.toml and the pictures (docs/measure-a-person.md)")->required();
+  command.add_option("folder", a.folder, "With protocol.toml and the pictures (docs/howto/measure-a-person.md)")
+      ->required();
   addInitOptions(command, a);
   command.add_option("--accept", a.decisions.accept, "Presses that count although they were refused: P1_up_1,...")
       ->delimiter(',')

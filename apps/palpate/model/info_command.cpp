@@ -27,7 +27,7 @@ namespace {
 
 using mesh::ValidationReport;
 
-/// What the surface itself takes; trees and deformation come on top (docs/mesh.md).
+/// What the surface itself takes; trees and deformation come on top (docs/reference/mesh.md).
 std::size_t memoryBytes(const ValidationReport& report) {
   return report.vertices * sizeof(Vec3) + report.triangles * sizeof(Triangle);
 }

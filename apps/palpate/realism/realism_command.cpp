@@ -181,7 +181,8 @@ void addRealismCommand(CLI::App& app) {
   const auto arguments = std::make_shared<RealismArguments>();
   RealismArguments& a = *arguments;
   CLI::App& command = *app.add_subcommand(
-      "realism", "How far the skin and the force are from finite elements of layered tissue (docs/realism.md)");
+      "realism",
+      "How far the skin and the force are from finite elements of layered tissue (docs/explanation/realism.md)");
   command.add_option("--cases", a.cases,
                      "JSON of solved presses to judge by; left out: six places of a body, solved now (some 30 s)");
   CLI::Option& living =

@@ -302,7 +302,7 @@ void addCameraOptions(CLI::App& command, RenderOptions& options) {
             "Turned from that side; positive looks from above");
   addNumber(command, "--zoom", options.zoom, between(0.01, 1000.0), "1 shows the whole body");
   addBodyPlace(command, "--look-at", options.look_at,
-               "Place in the middle of the picture, mm, or in words: \"T6 right 30 mm\" (docs/names.md)");
+               "Place in the middle of the picture, mm, or in words: \"T6 right 30 mm\" (docs/reference/names.md)");
 }
 
 void addLookOptions(CLI::App& command, RenderOptions& options) {

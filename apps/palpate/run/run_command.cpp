@@ -271,7 +271,8 @@ void addRunCommand(CLI::App& app) {
       "  palpate run scene.toml --device mouse    A scene file, the left finger held by a device");
   addUnit(*command, options->unit_mm);
   command->add_option("--group", options->group, "Only this group or object of an OBJ file");
-  command->add_option("--play", options->play, "Play an input script (docs/viewer.md): time_s, event, values");
+  command->add_option("--play", options->play,
+                      "Play an input script (docs/reference/viewer.md): time_s, event, values");
   command->add_option("--replay", options->replay,
                       "Play a session, or press the same places again as a table of forces (CSV), to be stepped tick "
                       "by tick");
@@ -289,7 +290,7 @@ void addRunCommand(CLI::App& app) {
       ->add_option(
           "--head-tracker", options->head_tracker,
           "Follow a head that opentrack sends (\"UDP over network\"; its default is 4242), or a headset by openxr: the "
-          "screen is a window onto a body of true size (docs/viewer.md)")
+          "screen is a window onto a body of true size (docs/reference/viewer.md)")
       ->type_name("[ADDRESS:]PORT|openxr");
   addDeviceOption(*command, options->devices,
                   "Holds the left finger instead of the mouse, the right one when given again");

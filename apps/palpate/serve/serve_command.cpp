@@ -54,7 +54,7 @@ void addAccess(CLI::App& command, serving::ServeOptions& options) {
 void addServeCommand(CLI::App& app) {
   const auto options = std::make_shared<serving::ServeOptions>();
   CLI::App& command = *app.add_subcommand(
-      "serve", "Feel here, with devices, and show it in browsers: the skin is deformed there (docs/serve.md)");
+      "serve", "Feel here, with devices, and show it in browsers: the skin is deformed there (docs/howto/serve.md)");
   options->input.needs_fingers = false;
   addInputOptions(command, options->input);
   addNumber(command, "--seconds", options->input.seconds, above(0.0, 864000.0, "s"),
@@ -64,7 +64,7 @@ void addServeCommand(CLI::App& app) {
   addAccess(command, *options);
   command.add_option("--site", options->site,
                      "Folder of the page (tools/build-web); left out: the installed one, where there is one");
-  command.add_option("--record", options->session, "Record a session (docs/sessions.md) into this file")
+  command.add_option("--record", options->session, "Record a session (docs/reference/sessions.md) into this file")
       ->type_name("FILE");
   command.add_flag("--overwrite", options->overwrite, "Replace a session of that name");
   command.add_flag("--json", options->json,

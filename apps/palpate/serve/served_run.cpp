@@ -240,7 +240,7 @@ void showUntilTheEnd(const ServeOptions& options, const scene::World& world, vie
 
 constexpr std::string_view kPlainWarning =
     "warning: plain HTTP: everybody on the way can read the tokens and the body that is shown; use --tls-cert and "
-    "--tls-key, or a proxy with TLS (docs/serve.md)\n";
+    "--tls-key, or a proxy with TLS (docs/howto/serve.md)\n";
 
 void printAddress(const ServeOptions& options, const Network& network, const Tokens& tokens, const fs::path& file,
                   const std::string& title) {

@@ -64,7 +64,7 @@ class RunRecorder {
   /// Starts `forces.csv` in the folder when the scene wants it.
   RunRecorder(const scene::World& world, const device::FingerPaths& paths, const std::filesystem::path& folder);
 
-  /// Keeps the whole run as a session file besides (docs/sessions.md).
+  /// Keeps the whole run as a session file besides (docs/reference/sessions.md).
   void keepSession(const servo::Rig& rig);
 
   /// Samples in order; the fingers of a tick follow each other.

@@ -60,7 +60,7 @@ SimulationResult simulate(const scene::Scene& scene, const SimulationSettings& s
 
 // What it tells its user: simulate_report.cpp.
 
-/// Keys carry their units; docs/simulate.md lists them.
+/// Keys carry their units; docs/reference/simulate.md lists them.
 nlohmann::ordered_json reportOf(const SimulationResult& result);
 
 /// Some twenty lines, fit for a terminal of 100 columns.

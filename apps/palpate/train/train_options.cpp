@@ -22,7 +22,7 @@ void addWindowOptions(CLI::App& command, TrainOptions& options) {
   addNumber(command, "--height", options.height, between(240, 16384, "pixels"), "Of the window")->group(kGroup);
   command.add_flag("--no-speech", options.no_speech, "Sentences are shown and not spoken")->group(kGroup);
   command.add_flag("--no-state", options.no_state, "Do not read theme and text size of `palpate run`")->group(kGroup);
-  command.add_option("--play", options.play, "Play an input script (docs/viewer.md): time_s, event, values")
+  command.add_option("--play", options.play, "Play an input script (docs/reference/viewer.md): time_s, event, values")
       ->group(kGroup);
   addNumber(command, "--frames", options.frames, between(1, 1e12), "Close after so many frames")->group(kGroup);
   command
@@ -36,7 +36,8 @@ void addWindowOptions(CLI::App& command, TrainOptions& options) {
 void addTrainOptions(CLI::App& command, TrainOptions& options) {
   command.add_option("SCENE", options.scene, "Scene (TOML) or mesh file; without one: the built-in body");
   command.add_option("--records", options.records, "File of results; left out: the user's own");
-  command.add_option("--protocol", options.protocol, "What is trained and tested: vhb, or a file (docs/training.md)")
+  command
+      .add_option("--protocol", options.protocol, "What is trained and tested: vhb, or a file (docs/howto/training.md)")
       ->capture_default_str();
   takesOneOf(choiceNames<training::SittingKind>(),
              command.add_option("--kind", options.kind, "Done at once after signing in; left out: chosen"));

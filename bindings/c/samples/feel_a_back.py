@@ -1,4 +1,5 @@
-"""Palpate from Python without any package: ctypes over palpate.h. (`import palpate` is the comfortable way: docs/python.md.)
+"""Palpate from Python without any package: ctypes over palpate.h. (`import palpate` is the comfortable way:
+docs/reference/python.md.)
 
     python3 feel_a_back.py [LIBRARY]        left out: libpalpate.so.0, as the loader finds it
 """

@@ -1,7 +1,7 @@
 """Feel, see and measure touch on a soft body.
 
 Lengths are millimetres, forces newtons, times seconds; x points to the patient's right seen from behind, y to the head, z
-out of the back. docs/python.md is the manual.
+out of the back. docs/reference/python.md is the manual.
 """
 
 from __future__ import annotations

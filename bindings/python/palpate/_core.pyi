@@ -31,7 +31,7 @@ class World:
 
     @staticmethod
     def load(file: Union[str, os.PathLike[str]]) -> World:
-        """A world from a scene file (docs/scene-files.md). Raises palpate.Error with file and line. Releases the interpreter's lock, as all that build a world do; Ctrl-C interrupts."""
+        """A world from a scene file (docs/reference/scene-files.md). Raises palpate.Error with file and line. Releases the interpreter's lock, as all that build a world do; Ctrl-C interrupts."""
     @staticmethod
     def parse(toml: str, name: str = 'scene') -> World:
         """A world from the text of a scene file. name: stands for the file in messages, its folder for names of files in the text. Raises palpate.Error with name and line."""
@@ -95,7 +95,7 @@ class World:
     def landmark_normals(self) -> dict[str, numpy.typing.NDArray[numpy.float64]]:
         """The skin's normals there, (3,) each, by the same names."""
     def place(self, place: Union[str, numpy.typing.ArrayLike]) -> numpy.typing.NDArray[numpy.float64]:
-        """(3,) mm: the point of the skin at rest that words name ("T6", "left PSIS", "T6 right 30 mm"; docs/names.md), or the nearest to a point (3,). Raises palpate.Error with the name that is near in spelling."""
+        """(3,) mm: the point of the skin at rest that words name ("T6", "left PSIS", "T6 right 30 mm"; docs/reference/names.md), or the nearest to a point (3,). Raises palpate.Error with the name that is near in spelling."""
     def normal_at(self, place: Union[str, numpy.typing.ArrayLike]) -> numpy.typing.NDArray[numpy.float64]:
         """(3,) unit: the normal of the triangle there, out of the body. Raises as `place` does."""
     def triangle_at(self, place: Union[str, numpy.typing.ArrayLike]) -> int:
@@ -244,7 +244,7 @@ class Touch:
         """Triangle under the anchor; -1 when free."""
     @property
     def status(self) -> int:
-        """Bits: 1 tip lost (not finite or absurdly far: no force), 2 catching up, 4 too deep, 8 letting go, 16 at the border, 32 started inside, 64 unsettled, 128 shading failed (docs/contact.md)."""
+        """Bits: 1 tip lost (not finite or absurdly far: no force), 2 catching up, 4 too deep, 8 letting go, 16 at the border, 32 started inside, 64 unsettled, 128 shading failed (docs/explanation/contact.md)."""
     def __repr__(self) -> str:
         """In a few words."""
 
@@ -349,7 +349,7 @@ class Skin:
         """How many vertices the last `apply` found in the reach of a finger."""
     @property
     def status(self) -> int:
-        """Bits of the last `apply`: 1 a contact that is not finite, 2 without triangle, 4 more than there is room for, 8 a region without area, 16 without a vertex (docs/deformation.md)."""
+        """Bits of the last `apply`: 1 a contact that is not finite, 2 without triangle, 4 more than there is room for, 8 a region without area, 16 without a vertex (docs/explanation/deformation.md)."""
     @property
     def world(self) -> World:
         """The world whose skin it is."""
@@ -742,7 +742,7 @@ def probe_devices(names: Optional[list[str]] = None) -> list[dict[str, Any]]:
     looked_for. Opens nothing for long. Raises Error for a name that there is none of.
     """
 def open_device(words: str, *, scale: float = 1.0, origin_mm: numpy.typing.ArrayLike = (0.0, 0.0, 0.0), axes: str = '', library: str = '', ticks_per_s: float = 1000.0) -> Device:
-    """"playback:FILE", "hand:stylus_z,omni", "openhaptics" ... (docs/devices.md), and waits for its first
+    """"playback:FILE", "hand:stylus_z,omni", "openhaptics" ... (docs/reference/devices.md), and waits for its first
     position. scale: mm of the body a mm of the device; origin_mm: where its origin lies in the body.
     Releases the GIL. Raises Error with the reason.
     """

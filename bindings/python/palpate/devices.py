@@ -7,7 +7,7 @@
         report = palpate.devices.drive(world, [device], 10.0, session="run.session")   # the engine's own thread
         tip = device.read(); device.write([0.0, 0.0, 0.5])                             # or your own loop, at your own risk
 
-docs/devices.md lists the names and what mends a device that is not there.
+docs/reference/devices.md lists the names and what mends a device that is not there.
 """
 
 from __future__ import annotations

@@ -12,7 +12,7 @@ Several presses and people become key points for the maps:
     means = palpate.measure.average(["me.csv", "you.csv"], mirrors={"P4": "P6"})
     pathlib.Path("keys.csv").write_text(means.key_points())
 
-docs/measure-a-person.md is the protocol and says what the numbers mean.
+docs/howto/measure-a-person.md is the protocol and says what the numbers mean.
 """
 
 from __future__ import annotations

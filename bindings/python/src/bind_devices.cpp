@@ -230,7 +230,8 @@ void bindDevices(py::module_& module) {
       "open_device", opened, py::arg("words"), py::kw_only(), py::arg("scale") = 1.0,
       py::arg_v("origin_mm", py::reinterpret_borrow<ArrayLike>(py::make_tuple(0.0, 0.0, 0.0)), "(0.0, 0.0, 0.0)"),
       py::arg("axes") = "", py::arg("library") = "", py::arg("ticks_per_s") = 1000.0,
-      "\"playback:FILE\", \"hand:stylus_z,omni\", \"openhaptics\" ... (docs/devices.md), and waits for its first\n"
+      "\"playback:FILE\", \"hand:stylus_z,omni\", \"openhaptics\" ... (docs/reference/devices.md), and waits for its "
+      "first\n"
       "position. scale: mm of the body a mm of the device; origin_mm: where its origin lies in the body.\n"
       "Releases the GIL. Raises Error with the reason.");
   module.def("scripted_device", scripted, py::arg("tips"),

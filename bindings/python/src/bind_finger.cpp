@@ -198,7 +198,7 @@ void bindTouch(py::module_& module) {
   touch.def_property_readonly(
       "status", [](const FingerOutput& self) { return self.status; },
       "Bits: 1 tip lost (not finite or absurdly far: no force), 2 catching up, 4 too deep, 8 letting go, 16 at the "
-      "border, 32 started inside, 64 unsettled, 128 shading failed (docs/contact.md).");
+      "border, 32 started inside, 64 unsettled, 128 shading failed (docs/explanation/contact.md).");
   touch.def(
       "__repr__",
       [](const FingerOutput& self) {

@@ -134,7 +134,7 @@ void bindSkin(py::module_& module) {
       "status", [](const SkinHandle& self) { return self.report.status; },
       "Bits of the last `apply`: 1 a contact that is not finite, 2 without triangle, 4 more than there is room for, 8 "
       "a "
-      "region without area, 16 without a vertex (docs/deformation.md).");
+      "region without area, 16 without a vertex (docs/explanation/deformation.md).");
   skin.def_property_readonly("world", &SkinHandle::world, "The world whose skin it is.");
 }
 

@@ -146,10 +146,11 @@ WorldPointer rebuiltFrom(const WorldHandle& self, const std::string& toml, const
 }
 
 void bindMakers(py::class_<WorldHandle, WorldPointer>& world) {
-  world.def_static("load", &load,
-                   "A world from a scene file (docs/scene-files.md). Raises palpate.Error with file and line. Releases "
-                   "the interpreter's lock, as all that build a world do; Ctrl-C interrupts.",
-                   py::arg("file"));
+  world.def_static(
+      "load", &load,
+      "A world from a scene file (docs/reference/scene-files.md). Raises palpate.Error with file and line. Releases "
+      "the interpreter's lock, as all that build a world do; Ctrl-C interrupts.",
+      py::arg("file"));
   world.def_static("parse", &parse,
                    "A world from the text of a scene file. name: stands for the file in messages, its folder for names "
                    "of files in the text. Raises palpate.Error with name and line.",
@@ -319,7 +320,8 @@ void bindPlaces(py::class_<WorldHandle, WorldPointer>& world) {
       "place",
       [](const WorldHandle& self, const PlaceLike& place) { return toArray(placeOn(*self.world, place).point); },
       "(3,) mm: the point of the skin at rest that words name (\"T6\", \"left PSIS\", \"T6 right 30 mm\"; "
-      "docs/names.md), or the nearest to a point (3,). Raises palpate.Error with the name that is near in spelling.",
+      "docs/reference/names.md), or the nearest to a point (3,). Raises palpate.Error with the name that is near in "
+      "spelling.",
       py::arg("place"));
   world.def(
       "normal_at",

@@ -57,9 +57,9 @@ struct FeltRows {
 class FeltArrays {
  public:
   /// `leading` is the shape before the axis of a vector: (fingers, ticks) or (fingers). `fields`: a sequence of names,
-  /// or None for those that docs/python.md names first. `out`: None for fresh arrays, or a dict of C-ordered writable
-  /// arrays of the right shape and kind, which are written and answered; it says the fields where `fields` does not.
-  /// Throws ValueError, TypeError or KeyError naming the field.
+  /// or None for those that docs/reference/python.md names first. `out`: None for fresh arrays, or a dict of C-ordered
+  /// writable arrays of the right shape and kind, which are written and answered; it says the fields where `fields`
+  /// does not. Throws ValueError, TypeError or KeyError naming the field.
   FeltArrays(std::vector<py::ssize_t> leading, const py::object& fields, const py::object& out);
 
   const FeltRows& rows() const { return rows_; }

@@ -4,7 +4,8 @@
 //
 //   broker ─ rows ─► inbox ─ batch ─► RowSink::keep (commit) ─► ack to each station
 //
-// Based on: outbox and application acknowledgement; a broker's own acknowledgement is not delivery (docs/class.md).
+// Based on: outbox and application acknowledgement; a broker's own acknowledgement is not delivery
+// (docs/howto/class.md).
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,8 @@
 // The haptic finger: one call a tick turns the place of the device's tip into the force on the hand.
 //
-// Words, the same everywhere (docs/contact.md): the *tip* D is where the device is; the *proxy* P is the point of the
-// skin that it presses, at a *depth* p along the normal n; the *friction anchor* A is the point of the skin that
-// friction holds. Force F = k_n p n + k_t u, u being the tangential pull from P to A.
+// Words, the same everywhere (docs/explanation/contact.md): the *tip* D is where the device is; the *proxy* P is the
+// point of the skin that it presses, at a *depth* p along the normal n; the *friction anchor* A is the point of the
+// skin that friction holds. Force F = k_n p n + k_t u, u being the tangential pull from P to A.
 //
 // `step` is noexcept, takes no lock, allocates nothing and does no I/O. Fingers share a Surface and nothing else.
 #pragma once

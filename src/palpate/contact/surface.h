@@ -29,7 +29,7 @@ struct Surface {
   tissue::ForceLaw force_law;
   bool self_intersecting = false;
   /// Per record: 1 in and next to the sheets that pierce each other, where a point is felt as a very small sphere
-  /// (docs/contact.md). Empty where none do.
+  /// (docs/explanation/contact.md). Empty where none do.
   std::vector<std::uint8_t> entangled;
   bool closed = false;  ///< no border anywhere
   /// Two fans share a vertex's place, or two joints share an edge's: the body touches itself there without piercing, as

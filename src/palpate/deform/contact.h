@@ -34,7 +34,8 @@ struct TissueSettings {
   double tangential_cap_mm = 20.0;  ///< (4.17): the largest displacement along the skin
   double f_adj = 1.0;               ///< (4.6): 1.3 for loose skin, 0.7 for tight skin
   /// Radius of the normal region R = R0 + c depth (E21), depth after the cap. The values fit a finite element model of
-  /// a mid back (2 mm skin, 8 mm fat, 30 mm muscle) pressed 2 to 10 mm by a fingertip (docs/deformation.md).
+  /// a mid back (2 mm skin, 8 mm fat, 30 mm muscle) pressed 2 to 10 mm by a fingertip
+  /// (docs/explanation/deformation.md).
   double normal_radius_mm = 13.2;
   double normal_radius_per_depth = 1.22;
 };

@@ -6,7 +6,7 @@
 //             └─ SwingRecord: the place and the force of every tick ─► identify ─► mass, damping, friction, delay
 //
 // Damping and delay look alike in a swing that goes on, and differ in how it begins: a force that jumps is answered
-// only after the delay. docs/devices.md says how exact it is, on simulated devices.
+// only after the delay. docs/reference/devices.md says how exact it is, on simulated devices.
 #pragma once
 
 #include <cstdint>

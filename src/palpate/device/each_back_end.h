@@ -1,4 +1,5 @@
-// What the rows of back_ends.cpp point to: how each back end is looked for, and how it is opened. docs/devices.md.
+// What the rows of back_ends.cpp point to: how each back end is looked for, and how it is opened.
+// docs/reference/devices.md.
 #pragma once
 
 #include "palpate/device/back_ends.h"

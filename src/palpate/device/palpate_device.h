@@ -2,8 +2,8 @@
  *
  *   const struct palpate_device_table* palpate_device_plugin(uint32_t host_version);
  *
- * This file needs nothing but a C99 compiler and is all that a plugin needs. docs/plugins.md tells how to write one;
- * examples/device_plugin is a whole one.
+ * This file needs nothing but a C99 compiler and is all that a plugin needs. docs/howto/plugins.md tells how to write
+ * one; examples/device_plugin is a whole one.
  *
  * Units and axes: millimetre, newton, second; x to the right, y up, z towards the person who holds the device.
  *

@@ -81,7 +81,7 @@ Device openMouse(const OpenOptions& options) {
 
 Probe probeScript(const OpenOptions& options) {
   if (options.tips == nullptr || !options.tips->empty()) return here("the fingers' paths of a scene");
-  return missing("the path has no position", "give the finger steps or a trajectory (docs/scene-files.md)");
+  return missing("the path has no position", "give the finger steps or a trajectory (docs/reference/scene-files.md)");
 }
 
 Device openScript(const OpenOptions& options) { return scriptedDevice("script", options.tips); }

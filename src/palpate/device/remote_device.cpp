@@ -39,7 +39,7 @@ std::optional<std::string> keyFor(const SocketAddress& listen) {
   if (isOnThisMachine(listen)) return std::nullopt;
   throw Error(
       fmt::format("remote: other computers reach {}:{}, so clients must have a key: name its file in {} "
-                  "(docs/remote.md)",
+                  "(docs/reference/remote.md)",
                   listen.address, listen.port, kRemoteKeyVariable));
 }
 
@@ -170,7 +170,7 @@ Probe probeRemote(const OpenOptions& options) {
                                         listen.address, listen.port));
   } catch (const Error& error) {
     probe.reason = error.what();
-    probe.remedy = "name another port, remote:PORT, or the file of a key (docs/remote.md)";
+    probe.remedy = "name another port, remote:PORT, or the file of a key (docs/reference/remote.md)";
   }
   return probe;
 }

@@ -1,5 +1,5 @@
 // Back end `remote`: another program moves the finger and gets its force, by datagrams on this machine or, with a key,
-// over a network (docs/remote.md).
+// over a network (docs/reference/remote.md).
 //
 //   their program ─ "p x y z" ─► UDP, 127.0.0.1:PORT ─► read_tip      write_force ─► "f x y z" ─► who holds the finger
 //

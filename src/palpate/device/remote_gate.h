@@ -1,4 +1,5 @@
-// Who may move a finger by datagrams, and how much each is answered: the protocol of docs/remote.md without its socket.
+// Who may move a finger by datagrams, and how much each is answered: the protocol of docs/reference/remote.md without
+// its socket.
 //
 //   datagram ─ holder? ─ signed, fresh? ─ a pose? ─► take        answer ─► "f x y z", some for each pose and no more
 //

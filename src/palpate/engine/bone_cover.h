@@ -1,7 +1,8 @@
 // How much tissue is left between the pressed skin and the bones: measured on the surface that is drawn and the bones
 // that are drawn, after the fact.
 //
-// Knows nothing of layers or of how deep a press may go; it tells whether they keep their promise (docs/realism.md).
+// Knows nothing of layers or of how deep a press may go; it tells whether they keep their promise
+// (docs/explanation/realism.md).
 #pragma once
 
 #include <optional>

@@ -33,7 +33,7 @@ class LiveSimulator {
   void lift(std::size_t finger) noexcept;
 
   /// What every finger felt in the newest tick: its contact, and as `device_force` the force that is safe to send to a
-  /// hand (docs/servo.md). Stays until the next call.
+  /// hand (docs/explanation/servo.md). Stays until the next call.
   std::span<const trace::Sample> felt() { return servo_.contacts(); }
   /// The skin as these leave it; as Simulator::skin.
   const deform::DeformedSurface& skin();

@@ -140,7 +140,8 @@ std::vector<KeyPoint> parseKeyPoints(std::string_view text, std::string_view fil
 }
 
 std::vector<KeyPoint> dissertationKeyPoints(const MeasuredDataChoice& choice) {
-  // Tips of the spinous processes T5, T10 and L2 on the built-in body (published vertebral heights, docs/maps.md).
+  // Tips of the spinous processes T5, T10 and L2 on the built-in body (published vertebral heights,
+  // docs/explanation/maps.md).
   constexpr double kT5 = 73.0;
   constexpr double kT10 = -62.0;
   constexpr double kL2 = -173.0;

@@ -31,7 +31,7 @@ struct PolarContour {
 PolarContour contourOf(std::span<const double> radii_mm);
 
 /// The ellipse as a contour. Between its radii it errs by less than 0.1 % for 32 or more of them and an aspect of 0.7
-/// or more (docs/maps.md has the table). An empty ellipse gives an empty contour. Throws Error as above.
+/// or more (docs/explanation/maps.md has the table). An empty ellipse gives an empty contour. Throws Error as above.
 PolarContour contourOf(const Ellipse& ellipse, std::size_t radii = kMaxContourRadii);
 
 /// Radius in mm in a direction of the map plane, exactly the given one where the contour has one. Between them a

@@ -18,8 +18,8 @@ namespace palpate::maps {
 struct DepthLaw {
   double soft_n_per_mm = 0.3;
   double stiff_n_per_mm = 1.2;
-  /// 23 mm brings the law near a layered finite element model pressed 10 mm deep by a fingertip (docs/maps.md): 15 mm
-  /// to the bone gives 0.77 (model 0.84), 40 mm gives 0.46 (model 0.42).
+  /// 23 mm brings the law near a layered finite element model pressed 10 mm deep by a fingertip
+  /// (docs/explanation/maps.md): 15 mm to the bone gives 0.77 (model 0.84), 40 mm gives 0.46 (model 0.42).
   double fade_mm = 23.0;
 };
 

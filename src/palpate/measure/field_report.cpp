@@ -32,7 +32,7 @@ constexpr double kSdOfUnseen = 0.25;
 constexpr double kSdOfUnseenDeep = 0.6;  // how the stick's load is spread is not seen either
 constexpr double kCoreShare = 0.5;       // of the peak: where the skin moves farther is the core
 /// An ellipse around few dots is read between them: this share over (1 + dots)^1.5 counts as unsure. Both from pairs
-/// outside the fitted forms (docs/measuring.md).
+/// outside the fitted forms (docs/explanation/measuring.md).
 constexpr double kSdBetweenDots = 0.2;
 /// Of a half axis: six stacks stand for all skin over bone.
 constexpr double kSdOfSolved = 0.013;

@@ -4,8 +4,8 @@
 //   after  ─ findDots ────────────┘              readContour ─────────┘
 //
 // Units: places in pictures px, places on the skin mm of the chart (skin_chart.h), angles degree.
-// Based on: Ji, dissertation 2008, section 5.1 (dots, 2 mm contour, ellipse); docs/measuring.md says what is done
-// otherwise and how well it does.
+// Based on: Ji, dissertation 2008, section 5.1 (dots, 2 mm contour, ellipse); docs/explanation/measuring.md says what
+// is done otherwise and how well it does.
 #pragma once
 
 #include <memory>

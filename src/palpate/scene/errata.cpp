@@ -118,7 +118,7 @@ constexpr std::array<ErratumText, kErrata> kTexts = {{
      "the ellipse on the surface"},
     {Erratum::E33_unnamed_radii, kAmbiguous, kNone, kOwnChoice,
      "base radius, effect radius and key coordinates of the real back are not given",
-     "assumed, and said so (docs/maps.md)", "nothing is printed"},
+     "assumed, and said so (docs/explanation/maps.md)", "nothing is printed"},
     {Erratum::E34_drag_direction, kAmbiguous, kNone, kAsPrinted,
      "the direction of the drag is confounded with the ellipse", "as measured", "the data cannot separate them"},
 }};

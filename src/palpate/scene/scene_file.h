@@ -1,4 +1,4 @@
-// Reads a scene file (TOML). docs/scene-files.md lists every key; it is checked against describeKeys().
+// Reads a scene file (TOML). docs/reference/scene-files.md lists every key; it is checked against describeKeys().
 #pragma once
 
 #include <cstdint>
@@ -45,7 +45,7 @@ struct KeyRow {
 };
 std::vector<KeyRow> describeKeys();
 
-/// describeKeys as the Markdown tables of docs/scene-files.md.
+/// describeKeys as the Markdown tables of docs/reference/scene-files.md.
 std::string keysAsMarkdown();
 
 }  // namespace palpate::scene

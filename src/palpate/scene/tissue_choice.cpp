@@ -119,8 +119,9 @@ std::string tissueNote(const Scene& scene, const TissueChoice& choice, const std
   const std::string why = other_tissue ? fmt::format("{}", fmt::join(choice.instead_of_layers, ", "))
                                        : fmt::format("deformation.tissue = \"{}\"", wordFor(choice.model));
   const auto [soft, stiff] = std::minmax_element(stiffness_n_per_mm.begin(), stiffness_n_per_mm.end());
-  return fmt::format("no layers because of {}: {}, stiffness {:.2f} to {:.2f} N/mm (docs/scene-files.md, tissue)", why,
-                     inWords(choice), *soft, *stiff);
+  return fmt::format(
+      "no layers because of {}: {}, stiffness {:.2f} to {:.2f} N/mm (docs/reference/scene-files.md, tissue)", why,
+      inWords(choice), *soft, *stiff);
 }
 
 }  // namespace palpate::scene

@@ -38,7 +38,7 @@ enum class Overlay : std::uint8_t {
   contact,   ///< friction anchor, proxy, tip, force
   normals,
   section,  ///< cut through the contact, rest against deformed, as a curve in mm (Fig 4.7)
-  names,    ///< of the body's landmarks, as examiners say them (docs/names.md)
+  names,    ///< of the body's landmarks, as examiners say them (docs/reference/names.md)
 };
 
 enum class FingerShape : std::uint8_t { none, sphere, hand };

@@ -3,8 +3,8 @@
 // with who uses them: the states of forces.csv in trace/forces_csv.cpp, how the mouse presses in the viewer.
 //
 // A new enumerator needs its word in its table and nowhere else: the reader, its error messages, the writer, the
-// panels' lists, the commands' choices and docs/scene-files.md follow. Where people read other words than files have, a
-// titleOf says them.
+// panels' lists, the commands' choices and docs/reference/scene-files.md follow. Where people read other words than
+// files have, a titleOf says them.
 #pragma once
 
 #include "palpate/base/words.h"

@@ -132,7 +132,8 @@ double steepnessOf(const mesh::TriangleMesh& skin, const std::array<Index, 3>& t
   return area > 0.0 ? (along_a * b - along_b * a).norm() / area : 0.0;
 }
 
-/// A finger that slides over a steep place gets its force in steps, whatever the loop does (docs/stability.md).
+/// A finger that slides over a steep place gets its force in steps, whatever the loop does
+/// (docs/explanation/stability.md).
 void noteSteepMap(const mesh::TriangleMesh& skin, const std::vector<double>& stiffness, double tick_s,
                   std::vector<std::string>& notes) {
   constexpr double kDepth = 3.0;
@@ -231,7 +232,8 @@ void noteOldLimits(const SafetySettings& safety, std::vector<std::string>& notes
     return;
   }
   notes.emplace_back(
-      "[safety] slew_per_motion, slew_mm and passivity_allowance_n_mm have no effect any more (docs/safety.md)");
+      "[safety] slew_per_motion, slew_mm and passivity_allowance_n_mm have no effect any more "
+      "(docs/explanation/safety.md)");
 }
 
 // ---- how it moves

@@ -18,7 +18,7 @@ namespace palpate::servo {
 
 /// What loop and hand were found to keep at rest and no tap to take energy from, N/mm in the hand: by the rate, the
 /// whole delay from sampling the pose to the force, and the mass of the device. 0: no stiffness was. `palpate study
-/// stability --map`, docs/stability.md.
+/// stability --map`, docs/explanation/stability.md.
 double stableStiffness(double tick_s, double delay_ticks, const device::DeviceProfile& profile);
 
 /// Why such a device must not push a hand at this rate and delay, one line; empty: it may.
@@ -45,7 +45,7 @@ inline constexpr double kQuickestRampS = 0.1;
 double stiffnessCap(const scene::SafetySettings& safety, const device::DeviceProfile& profile, double tick_s);
 
 /// At least up to this felt force all places keep their ratios, N: a choice within light palpation, which every known
-/// device can hold for long or nearly (docs/servo.md).
+/// device can hold for long or nearly (docs/explanation/servo.md).
 inline constexpr double kComparedForceN = 1.0;
 
 /// The factor on all forces that keeps the steepest part of the force law, up to this force, within the cap: in (0, 1].

@@ -6,7 +6,7 @@
 // limitForce, in this order: fault? -> start rule -> one factor for all stiffness -> slope held at the cap, soft toe ->
 // passivity -> clamp -> rate guard. Any fault is no force in the same tick. The contact's own force is not touched;
 // traces hold both.
-// docs/safety.md says what is promised, docs/stability.md what was measured.
+// docs/explanation/safety.md says what is promised, docs/explanation/stability.md what was measured.
 #pragma once
 
 #include <array>

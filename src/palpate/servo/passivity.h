@@ -9,7 +9,7 @@
 // it (a stiff place beside a soft one) as its own law says, and only the loop's part is counted. Based on: Hannaford
 // and Ryu, "Time-domain passivity control of haptic interfaces", IEEE Trans. Robot. Autom. 18 (2002), and later work
 // that compares with a reference energy. What follows the delay, the friction and the bounds here is our own;
-// docs/stability.md measures it.
+// docs/explanation/stability.md measures it.
 #pragma once
 
 #include <array>

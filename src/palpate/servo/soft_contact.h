@@ -2,7 +2,7 @@
 //
 // A tip that arrives at 0.5 m/s is half a millimetre inside before the loop knows, and would meet the whole spring at
 // once. Ramps in time and limits of the change soften that too, but they take force away on the way in and give it back
-// on the way out: they make energy (docs/stability.md). A law of the depth cannot.
+// on the way out: they make energy (docs/explanation/stability.md). A law of the depth cannot.
 #pragma once
 
 #include "palpate/contact/finger_state.h"

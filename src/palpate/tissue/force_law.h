@@ -5,8 +5,8 @@
 // that depends on the depth and, in layered tissue, on how thick the tissue over the bone is there. The map means one
 // thing under every law: the secant stiffness at the reference depth, h(d_ref) = d_ref. So a place that is twice as
 // stiff pushes twice as hard. A law is plain data without pointers, so that it travels inside an immutable surface and
-// two runs can be compared bit by bit. docs/force-laws.md says which law is for what. Based on: Ji, dissertation 2008,
-// (2.1) for Hooke's law and 6.2 for stiffness that follows a Gaussian curve.
+// two runs can be compared bit by bit. docs/explanation/force-laws.md says which law is for what. Based on: Ji,
+// dissertation 2008, (2.1) for Hooke's law and 6.2 for stiffness that follows a Gaussian curve.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ inline constexpr double kReferenceDepthMm = 8.0;
 inline constexpr double kFingertipMm = 8.0;
 
 /// N/mm, of slopes: stiffer than this a fingertip's own pad gives way first, and a hand at 1 kHz would not be held
-/// stably (docs/stability.md). Bounds what is extrapolated, and a body's own tissue (softenedTo).
+/// stably (docs/explanation/stability.md). Bounds what is extrapolated, and a body's own tissue (softenedTo).
 inline constexpr double kStiffestTissue = 1.9;
 
 /// Secants of layered tissue by the finger's radius, thickness and depth, over those of a fingertip at the reference
@@ -68,7 +68,7 @@ struct ForceLaw {
   };
   Kind kind = Kind::linear;
 
-  /// Power: p in [1, 3]. Layered tissue has 1.5 to 1.8 (finite elements, docs/force-laws.md).
+  /// Power: p in [1, 3]. Layered tissue has 1.5 to 1.8 (finite elements, docs/explanation/force-laws.md).
   double exponent = 1.6;
   /// Where the law agrees with Hooke's, mm; of every kind but layered, whose tissue means kReferenceDepthMm.
   double reference_depth_mm = kReferenceDepthMm;

@@ -2,7 +2,7 @@
 //
 // Made by the finite element solver (room `elements`) or fitted to measured curves; what the body blends at run time
 // (layered_library.h). Depths are those of the rigid sphere's lowest point under the undeformed skin.
-// Based on: dissertation, future work 1 and 2; the forms are compared in docs/realism.md.
+// Based on: dissertation, future work 1 and 2; the forms are compared in docs/explanation/realism.md.
 #pragma once
 
 #include <filesystem>
@@ -78,8 +78,8 @@ struct LayeredTable {
 /// fall with the depth, numbers that are not finite.
 void check(const LayeredTable& table);
 
-/// Writes and reads JSON (docs/tissue.md has the form). Reading throws Error naming the file and the key; files of at
-/// most 64 MB.
+/// Writes and reads JSON (docs/explanation/tissue.md has the form). Reading throws Error naming the file and the key;
+/// files of at most 64 MB.
 void writeLayeredTable(const std::filesystem::path& file, const LayeredTable& table);
 LayeredTable readLayeredTable(const std::filesystem::path& file);
 /// `name` stands for the file in messages.

@@ -1,4 +1,4 @@
-// The table of docs/tissue-solver.md at 5 mm, straight between thicknesses and between curvatures.
+// The table of docs/explanation/tissue-solver.md at 5 mm, straight between thicknesses and between curvatures.
 #include "palpate/tissue/narrow_bone.h"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 //   thickness, radius of the bone ─ shareOverNarrowBone ─► share of the force over a plane
 //                                 ─ feltThickness ─► the thickness over a plane that pushes back as hard
 //
-// Solved in 3D once (elements/, docs/tissue-solver.md, "Narrow bone"), by a sphere of 8 mm over a post with a round
-// top.
+// Solved in 3D once (elements/, docs/explanation/tissue-solver.md, "Narrow bone"), by a sphere of 8 mm over a post with
+// a round top.
 #pragma once
 
 #include "palpate/tissue/layered_tissue.h"

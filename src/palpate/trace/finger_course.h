@@ -3,7 +3,7 @@
 //   samples of one finger ─► FingerMotion ─ speeds ─► ContactRuns, PhaseRuns ─► contacts, phases
 //
 // Memory for a few ticks only; session_statistics.h collects what comes out. The rules are this program's own: no norm
-// says when palpation begins. docs/sessions.md has them in words.
+// says when palpation begins. docs/reference/sessions.md has them in words.
 #pragma once
 
 #include <array>

@@ -4,7 +4,7 @@
 //
 // A block is written column by column. A value's bits are XORed with those of the row before, so that what changes
 // little is mostly zeros; the bytes of a column stand sorted by their place in the number, so that the zeros stand
-// together; deflate (zlib) makes them small. docs/sessions.md reads a block in thirty lines of Python.
+// together; deflate (zlib) makes them small. docs/reference/sessions.md reads a block in thirty lines of Python.
 #pragma once
 
 #include <cstdint>

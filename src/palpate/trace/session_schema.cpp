@@ -61,7 +61,7 @@ CREATE TABLE blocks(
   last_tick INTEGER NOT NULL,
   rows INTEGER NOT NULL,
   crc32 INTEGER NOT NULL,             -- of data
-  data BLOB NOT NULL                  -- deflated columns (docs/sessions.md)
+  data BLOB NOT NULL                  -- deflated columns (docs/reference/sessions.md)
 ) STRICT;
 CREATE INDEX blocks_by_part ON blocks(part, finger);
 CREATE INDEX blocks_by_tick ON blocks(first_tick, part, rows);

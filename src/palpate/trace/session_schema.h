@@ -1,4 +1,5 @@
-// What is in a session file: an SQLite database of this application, whose tables are described in docs/sessions.md.
+// What is in a session file: an SQLite database of this application, whose tables are described in
+// docs/reference/sessions.md.
 #pragma once
 
 #include <string>

@@ -18,7 +18,7 @@ namespace palpate::training {
 /// F from which on a change is easy.
 inline constexpr double kEasyShare = 0.9;
 /// Natural logarithm of how much likelier guesses are; an attentive block reaches it in 1 to 2 of 100
-/// (docs/training-methods.md).
+/// (docs/explanation/training-methods.md).
 inline constexpr double kBurstEvidence = 5.25;
 
 struct AttentionCheck {

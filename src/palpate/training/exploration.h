@@ -1,5 +1,6 @@
 // Which sites a finger has felt in a trial: a site counts when it was pressed hard enough for long enough. A place that
-// was never touched cannot be found, and a threshold that ignores it is wrong by half (docs/training-methods.md).
+// was never touched cannot be found, and a threshold that ignores it is wrong by half
+// (docs/explanation/training-methods.md).
 //
 //   trace::Sample of every tick ─ follow ─► presses, dwell, force, depth of each site
 //

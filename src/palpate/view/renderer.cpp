@@ -1,6 +1,6 @@
-// The layers and the order they are drawn in (docs/rendering.md). Of OpenGL's state it sets depth and winding; a layer
-// turns on what it needs and leaves the depth test on, by "less", and blending and culling off. A world with the same
-// body exchanges maps and keeps its buffers. Each picture. Own.
+// The layers and the order they are drawn in (docs/explanation/rendering.md). Of OpenGL's state it sets depth and
+// winding; a layer turns on what it needs and leaves the depth test on, by "less", and blending and culling off. A
+// world with the same body exchanges maps and keeps its buffers. Each picture. Own.
 #include "palpate/view/renderer.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// The one table of keys: what each key does, in which words. The keyboard, the menus, the F1 page and docs/viewer.md
-// all come from it, so that none of them can promise what another does not do.
+// The one table of keys: what each key does, in which words. The keyboard, the menus, the F1 page and
+// docs/reference/viewer.md all come from it, so that none of them can promise what another does not do.
 //
 // Unshifted keys only, or Shift for "finer" and "the other way": a key that needs Shift on one keyboard does not exist
 // on another.
@@ -164,7 +164,7 @@ std::optional<view::Overlay> overlayOf(Action action);
 std::optional<view::Colouring> colouringOf(Action action);
 Action actionFor(view::Overlay overlay);
 
-/// The table as Markdown: what docs/viewer.md holds.
+/// The table as Markdown: what docs/reference/viewer.md holds.
 std::string keysAsMarkdown();
 
 }  // namespace palpate::window

@@ -31,7 +31,7 @@ using measure::KeyEllipse;
 using measure::Measurement;
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-/// More, and the body did not hold its breath (docs/measure-a-person.md).
+/// More, and the body did not hold its breath (docs/howto/measure-a-person.md).
 constexpr double kMostNullDriftMm = 0.3;
 
 // --- pictures -------------------------------------------------------------------------------------------------------

@@ -6,8 +6,8 @@
 // lies in the contact's tangent plane: grad profile = -2 rate scale exp(-rate q^2) (s along + t across), with s = along
 // . d and t = across . d; where the skin rises farther off that plane a part along the normal joins it, and the general
 // sum is taken. Everything is exact for the smooth surface; against the facets of a mesh it differs by what the facets
-// differ from the surface (docs/deformation.md). Based on: Ji, dissertation 2008, sections 4.2 to 4.4; the rule for
-// normals is Nanson's formula.
+// differ from the surface (docs/explanation/deformation.md). Based on: Ji, dissertation 2008, sections 4.2 to 4.4; the
+// rule for normals is Nanson's formula.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "palpate/deform/kernels/kernels.cpp"

@@ -35,7 +35,7 @@ DhdLibrary loadDhd(const OpenOptions& options, Probe& probe) {
   loaded.library = openLibrary(forcedimension::libraryNames(options.library));
   if (loaded.library) missing = forcedimension::resolveApi(loaded.library, loaded.api);
   const LibraryRemedies remedies{.variable = forcedimension::kLibraryVariable,
-                                 .install = "install the maker's SDK, 3.0 or newer (docs/devices.md)",
+                                 .install = "install the maker's SDK, 3.0 or newer (docs/reference/devices.md)",
                                  .dependencies = {{"libusb", "install the system's libusb-1.0-0"}}};
   reportLibrary({"Force Dimension SDK (libdrd, libdhd)", loaded.library, missing, remedies}, probe);
   if (!probe.reason.empty()) return loaded;

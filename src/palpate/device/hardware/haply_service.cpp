@@ -25,7 +25,7 @@ constexpr const char* kSettingsFolder = "etc/haply-inverse-service";
 [[noreturn]] void refuse(std::string_view part) {
   throw Error(
       fmt::format("haply: '{}' in {} is none of HOST:PORT, force_key=auto|vector|values, most_force_n=0.1..{}, "
-                  "http_port=PORT; see docs/devices.md",
+                  "http_port=PORT; see docs/reference/devices.md",
                   oneLine(part), kServiceVariable, kLargestForceN));
 }
 

@@ -22,7 +22,7 @@ constexpr const char* kLibraryWords = "OpenHaptics (libHD)";
 
 LibraryRemedies remedies() {
   return {.variable = openhaptics::kLibraryVariable,
-          .install = "install the maker's device driver and OpenHaptics, 3.0 or newer (docs/devices.md)",
+          .install = "install the maker's device driver and OpenHaptics, 3.0 or newer (docs/reference/devices.md)",
           .dependencies = {{"libncurses", "install the system's libncurses5 and libtinfo5"},
                            {"libtinfo", "install the system's libtinfo5"},
                            {"libPhantomIO", "install the maker's device driver, which brings it"},

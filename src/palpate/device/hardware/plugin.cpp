@@ -78,8 +78,8 @@ Probe probeOne(const plugin::Wanted& wanted) {
 Probe noneNamed() {
   Probe probe;
   probe.reason = fmt::format("no plugin is named, and {} names no folder that has one", plugin::kFoldersVariable);
-  probe.remedy =
-      fmt::format("say plugin:/path/to/it.so, or {}=/folder/of/plugins (docs/plugins.md)", plugin::kFoldersVariable);
+  probe.remedy = fmt::format("say plugin:/path/to/it.so, or {}=/folder/of/plugins (docs/howto/plugins.md)",
+                             plugin::kFoldersVariable);
   return probe;
 }
 

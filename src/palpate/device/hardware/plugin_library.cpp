@@ -36,11 +36,11 @@ std::string fileNamed(const std::string& name) {
 Plugin load(const std::string& file) {
   Plugin plugin;
   plugin.file = file;
-  plugin.remedy = "build it anew with this version's palpate_device.h (docs/plugins.md)";
+  plugin.remedy = "build it anew with this version's palpate_device.h (docs/howto/plugins.md)";
   const SharedLibrary library = openLibrary(std::vector<std::string>{file});
   if (!library) {
     plugin.reason = library.attempts.front().words;
-    plugin.remedy = "name a plugin's file: plugin:/path/to/it.so (docs/plugins.md)";
+    plugin.remedy = "name a plugin's file: plugin:/path/to/it.so (docs/howto/plugins.md)";
     if (const std::string& needs = library.attempts.front().dependency; !needs.empty()) {
       plugin.remedy = "install what it needs: " + needs;
     }

@@ -1,4 +1,4 @@
-// One press of a person's folder through the pipeline. Own; the null drift: docs/measure-a-person.md.
+// One press of a person's folder through the pipeline. Own; the null drift: docs/howto/measure-a-person.md.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -157,7 +157,8 @@ std::string protocolText(const Protocol& protocol) {
   for (const ProtocolDrag& drag : protocol.drags)
     drags += fmt::format("{}\"{}\"", drags.empty() ? "" : ", ", drag.word);
   std::string text = fmt::format(
-      "# What is measured of one person (docs/measure-a-person.md). Change it before the first picture is taken.\n"
+      "# What is measured of one person (docs/howto/measure-a-person.md). Change it before the first picture is "
+      "taken.\n"
       "person = \"{}\"           # a code, never a name\n"
       "spacing_mm = {:g}         # of the stencil; nothing in the pictures says it\n"
       "head = \"{}\"             # edge of the pictures towards the head: top, left, bottom, right\n"

@@ -20,7 +20,8 @@ Key<BodySettings> textureKey() {
       "A PNG or JPEG picture on the skin, or a glTF or GLB file for its base colour picture. Mesh: it lies there by "
       "the "
       "file's texture coordinates (OBJ, glTF, GLB). Trunk, torso, back: left half from behind, right half from the "
-      "front (docs/trunk.md), or \"made\" or \"made:SEED\": a skin that the program paints (docs/rendering.md).");
+      "front (docs/explanation/trunk.md), or \"made\" or \"made:SEED\": a skin that the program paints "
+      "(docs/explanation/rendering.md).");
   key.read = [read = std::move(key.read)](S& s, const Entry& entry) {
     read(s, entry);
     s.texture.scene_file = entry.file;
@@ -90,7 +91,7 @@ Section bodySection() {
       textureKey(),
       file<S>("fit", &S::fit,
               "Mesh: what palpate fit-body wrote of this scan: it gets bones, names and a stiffness by depth "
-              "(docs/fit-body.md)."),
+              "(docs/howto/fit-body.md)."),
   };
   return section<S>("body", "What is touched.", &Scene::body, std::move(keys), [](const S& body, const Entry& entry) {
     if (body.kind == BodyKind::mesh && body.file.empty()) entry.fail("of kind \"mesh\" needs a file");
@@ -108,7 +109,8 @@ Section breathingSection() {
                 "How far the skin over the lower ribs moves between out and in."),
       number<S>("per_minute", &S::per_minute, above(0, 60), "Breaths a minute; 12 to 16 at rest."),
   };
-  return section<S>("breathing", "How the body breathes (docs/trunk.md).", &Scene::breathing, std::move(keys));
+  return section<S>("breathing", "How the body breathes (docs/explanation/trunk.md).", &Scene::breathing,
+                    std::move(keys));
 }
 
 Section stiffnessSection() {
@@ -135,10 +137,9 @@ Section stiffnessSection() {
           "trend."),
       count<S>("polynomial_degree", way(&S::points, &maps::MeasuredStiffness::polynomial_degree), 0,
                maps::kMaxPolynomialDegree, "Source \"points\", interpolation \"polynomial\": its degree."),
-      number<S>(
-          "variation", way(&S::variation, &maps::NaturalVariation::variation), between(0, maps::kMostVariation),
-          "Natural variation between places: the standard deviation over the mean (docs/maps.md); 0 is none, 0.15 "
-          "mild."),
+      number<S>("variation", way(&S::variation, &maps::NaturalVariation::variation), between(0, maps::kMostVariation),
+                "Natural variation between places: the standard deviation over the mean (docs/explanation/maps.md); 0 "
+                "is none, 0.15 mild."),
       number<S>("variation_mm", way(&S::variation, &maps::NaturalVariation::length_mm), between(2, 1000),
                 "Natural variation: places so far apart share 37 % of what they deviate by."),
       count<S, std::uint32_t>("variation_seed", way(&S::variation, &maps::NaturalVariation::seed), 0, 4'000'000'000,
@@ -152,7 +153,7 @@ Section stiffnessSection() {
 Section dysfunctionSection() {
   using S = maps::Dysfunction;
   const std::vector<Key<S>> keys = {
-      text<S>("at", &S::at, "Centre by name: \"T9 right 30 mm\" (docs/names.md)."),
+      text<S>("at", &S::at, "Centre by name: \"T9 right 30 mm\" (docs/reference/names.md)."),
       unlessNamed(number<S>("x_mm", &S::x_mm, between(-kLongestMm, kLongestMm), "Centre in numbers, seen along z.")),
       unlessNamed(number<S>("y_mm", &S::y_mm, between(-kLongestMm, kLongestMm), "Centre in numbers, seen along z.")),
       number<S>("radius_mm", &S::radius_mm, above(0, kLongestMm), "Outside nothing changes."),
@@ -173,7 +174,7 @@ Section ellipsesSection() {
   using S = EllipseSettings;
   std::vector<Key<S>> keys = {
       file<S>("key_points", &S::key_points,
-              "Table of measured ellipses (docs/maps.md); left out: the dissertation's means on a built-in "
+              "Table of measured ellipses (docs/explanation/maps.md); left out: the dissertation's means on a built-in "
               "body, none on a mesh."),
       choice<S, maps::ForceDirection>("data", way(&S::measured, &maps::MeasuredDataChoice::force),
                                       "Without key points: the dissertation's means of the skin dragged up, or down."),

@@ -54,7 +54,7 @@ std::string showFidelity(const Scene& scene) {
 
 Key<Scene> fidelityKey() {
   return {"fidelity", choiceWords(wordList<Reading>()) + ", or one word for each erratum: `fidelity.E14 = \"literal\"`",
-          "The dissertation's formulae with their errata corrected, or as printed (docs/dissertation.md).",
+          "The dissertation's formulae with their errata corrected, or as printed (docs/reference/dissertation.md).",
           [](Scene& scene, const Entry& entry) { readFidelity(scene.fidelity, entry); }, showFidelity};
 }
 

@@ -77,7 +77,8 @@ std::vector<Key<Finger>> fingerKeys() {
       number<S>("radius_mm", &S::radius_mm, between(0, 1000), "0 is a point, 8 a fingertip."),
       file<S>("trajectory", &S::trajectory, "Table t_s,x_mm,y_mm,z_mm; instead of a script."),
       text<S>("at", &S::at,
-              "Script: the place it starts over, by name: \"T6\", \"left PSIS\", \"T6 right 30 mm\" (docs/names.md)."),
+              "Script: the place it starts over, by name: \"T6\", \"left PSIS\", \"T6 right 30 mm\" "
+              "(docs/reference/names.md)."),
       unlessNamed(point2<S>("at_mm", &S::at_mm, between(-kLongestMm, kLongestMm),
                             "Script: the same in numbers, seen along z.")),
       number<S>("start_height_mm", &S::start_height_mm, between(-kLongestMm, kLongestMm),
@@ -103,7 +104,8 @@ std::vector<Key<DeviceSettings>> deviceKeys() {
     return count<S>(name, member, 0, kMostButtons, meaning);
   };
   return {
-      text<S>("name", &S::name, "As for `--device`, with :WHICH behind it where there are several (docs/devices.md)."),
+      text<S>("name", &S::name,
+              "As for `--device`, with :WHICH behind it where there are several (docs/reference/devices.md)."),
       choice<S, HeldFinger>("finger", &S::finger, "The one that it holds: the scene's first or second."),
       number<S>("scale", &S::scale, between(0.05, 20), "Millimetres of the body a millimetre of the device."),
       point3<S>("turn_deg", &S::turn_deg, between(-360, 360),

@@ -33,7 +33,7 @@ Key<contact::FingerSettings> skinKey() {
           .takes = choiceWords(frictionNames()),
           .meaning =
               "Both coefficients by what is on the skin: dry is 0.46 and 0.44, oiled 0.2 and 0.2 "
-              "(docs/tissue.md has the sources); where static or dynamic is written too, that one counts.",
+              "(docs/explanation/tissue.md has the sources); where static or dynamic is written too, that one counts.",
           .read = read,
           .show = show,
           .form = {KeyForm::Kind::choice, 0.0, 0.0, frictionNames()},
@@ -66,7 +66,7 @@ Section contactSection() {
   std::vector<Key<S>> keys = {
       choice<S, ContactSource>("source", &S::source,
                                "What a finger collides with: the whole skin, or only the triangles near the proxy that "
-                               "the [partition] gives, as in the dissertation (docs/contact.md)."),
+                               "the [partition] gives, as in the dissertation (docs/explanation/contact.md)."),
       number<S>(
           "max_depth_mm", finger(&F::max_depth_mm), above(0, kLongestMm),
           "The deepest that is felt; a tip that is out of the body and farther than this from its proxy is let go."),
@@ -114,8 +114,8 @@ std::vector<Key<TissueSettings>> relaxationKeys() {
   const auto term = [](auto R::*member) { return way(&S::relaxation, member); };
   return {
       number<S>("relaxation", term(&R::share), between(0, contact::kMostRelaxation),
-                "Share by which the force of a press that is held falls in time (docs/relaxation.md); 0 is none, 0.15 "
-                "what living limbs may have."),
+                "Share by which the force of a press that is held falls in time (docs/explanation/relaxation.md); 0 is "
+                "none, 0.15 what living limbs may have."),
       number<S>("relaxation_s", term(&R::time_s), between(0.01, 1000),
                 "Relaxation: the time in which it falls by 63 % of that."),
       number<S>("relaxation_2", term(&R::share_2), between(0, contact::kMostRelaxation),
@@ -133,7 +133,8 @@ Section tissueSection() {
   std::vector<Key<S>> keys = {
       choice<S, L::Kind>(
           "force_law", law(&L::kind),
-          "Normal force by depth (docs/force-laws.md): stiffness times depth; a power of the depth; a stiffness that "
+          "Normal force by depth (docs/explanation/force-laws.md): stiffness times depth; a power of the depth; a "
+          "stiffness that "
           "grows along a Gaussian; measured; by the layers of the place, linear where there are none. All agree with "
           "the stiffness map at reference_depth_mm."),
       number<S>("exponent", law(&L::exponent), between(1, 3), "Power: of the depth; layered tissue has 1.5 to 1.8."),

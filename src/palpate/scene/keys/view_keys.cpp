@@ -69,7 +69,7 @@ Section viewSection() {
             "Ends of the colours of colours = \"stiffness\"; left out: the body's softest and stiffest place."),
       range("ellipse_range_mm", &V::ellipse_range_mm,
             "Ends of the colours of colours = \"ellipse-map\", half major axes; left out: the body's."),
-      overlayList("show", &V::show, "What is drawn over the skin (docs/pictures.md)."),
+      overlayList("show", &V::show, "What is drawn over the skin (docs/howto/pictures.md)."),
       number<V>("opacity", &V::opacity, between(0, 1), "Of the skin; below 1 the bones show through."),
       number<V>("skin_tone", &V::skin_tone, between(1, 6),
                 "Of the skin, from very light to very dark, about as Fitzpatrick's types; fractions lie between two."),

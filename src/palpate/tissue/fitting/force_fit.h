@@ -4,7 +4,7 @@
 //
 // Every form is k h(d) with h(d_ref) = d_ref, as the engine's laws are (force_law.h): k is the secant stiffness at the
 // reference depth, what the stiffness map means. A row counts by how sure it is: a part of a force's noise grows with
-// the force and a part does not, in the proportion that makes the curve most likely. Own; docs/fit-tissue.md.
+// the force and a part does not, in the proportion that makes the curve most likely. Own; docs/howto/fit-tissue.md.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// Own; the forms are those of docs/force-laws.md and the cubic of docs/fit-tissue.md.
+// Own; the forms are those of docs/explanation/force-laws.md and the cubic of docs/howto/fit-tissue.md.
 #include "palpate/tissue/fitting/force_forms.h"
 
 #include <cmath>

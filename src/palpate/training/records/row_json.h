@@ -1,5 +1,5 @@
 // Rows as JSON: what waits in the outbox, travels to a class, and is exported. Names are those of the database's
-// columns (docs/results-schema.md).
+// columns (docs/reference/results-schema.md).
 //
 //   AnyRow ─ rowJson ─► outbox, MQTT, exports        text from a network ─ rowFromJson (checks all) ─► AnyRow
 //

@@ -1,5 +1,5 @@
-// What is kept of training, row by row: plain data, the columns of docs/results-schema.md. The same rows go into SQLite
-// on the station, over the wire, and into PostgreSQL of a class.
+// What is kept of training, row by row: plain data, the columns of docs/reference/results-schema.md. The same rows go
+// into SQLite on the station, over the wire, and into PostgreSQL of a class.
 #pragma once
 
 #include <cstdint>

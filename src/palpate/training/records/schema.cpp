@@ -278,7 +278,7 @@ int schemaVersionOf(Sql& sql) {
     if (sql.dialect() == Dialect::sqlite) throw;
     throw Error(
         fmt::format("the records cannot be read by this role of the database: {}; its owner grants it "
-                    "(docs/class.md, roles)",
+                    "(docs/howto/class.md, roles)",
                     error.cause()));
   }
 }

@@ -1,5 +1,5 @@
 // The tables of the records, described once: the DDL of SQLite and of PostgreSQL, the steps from older versions, and
-// the tables of docs/results-schema.md all come from here.
+// the tables of docs/reference/results-schema.md all come from here.
 //
 //   tables() ─ ddl, migration ─► statements ─ bringForward ─► a file of a station, the database of a class
 #pragma once
@@ -59,7 +59,7 @@ void bringForward(Sql& sql, std::string_view what);
 /// 0: there are no such tables.
 int schemaVersionOf(Sql& sql);
 
-/// The tables as docs/results-schema.md shows them.
+/// The tables as docs/reference/results-schema.md shows them.
 std::string schemaPage();
 
 }  // namespace palpate::training
