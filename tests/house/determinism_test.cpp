@@ -1,6 +1,6 @@
 // The same forces to the last bit whether or not the compiler optimised. The small twin is compared on every run: tips
 // on the benchmark's meshes. The whole one, from the default scene to forces.csv, takes a minute for the torso alone
-// and is one of the heavy tests; tests/apps compares a smaller scene where the whole twin is built.
+// and is one of the heavy tests; cli/tests/commands compares a smaller scene where the whole twin is built.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// How long a tick takes, in WebAssembly (bench_exports.cpp) and in native code (tests/web/reference.cpp): timed by the same
+// How long a tick takes, in WebAssembly (bench_exports.cpp) and in native code (web/tests/reference.cpp): timed by the same
 // lines, or the two could not be compared.
 #pragma once
 

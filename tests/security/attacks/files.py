@@ -16,13 +16,13 @@ import time
 import lab
 
 SOUND = lab.ROOT / "tests" / "data" / "sessions" / "version_3" / "trunk.session"
-OUTPUT = "src/palpate/base/output_file.cpp"
-DATABASE = "src/palpate/trace/database.cpp"
-SCHEMA = "src/palpate/trace/session_schema.cpp"
-WRITER = "src/palpate/trace/session_writer.cpp"
-READABLE = "apps/palpate/common/readable_text.cpp"
-ACCESS = "apps/palpate/serve/access.cpp"
-BUNDLE = "src/palpate/engine/session_bundle.cpp"
+OUTPUT = "host/palpate/base/output_file.cpp"
+DATABASE = "host/palpate/trace/database.cpp"
+SCHEMA = "host/palpate/trace/session_schema.cpp"
+WRITER = "host/palpate/trace/session_writer.cpp"
+READABLE = "cli/kit/readable_text.cpp"
+ACCESS = "cli/serve/access.cpp"
+BUNDLE = "host/palpate/engine/session_bundle.cpp"
 SECRET = "-----BEGIN OPENSSH PRIVATE KEY----- of the victim"
 
 
@@ -111,7 +111,7 @@ def scene_naming(file):
 
 
 @lab.attack("bundle_packs_a_key", "files", [
-    lab.Mend("apps/palpate/session/bundle_command.cpp", "  refuseFilesOutside(session, arguments, settings);\n", ""),
+    lab.Mend("cli/session/bundle_command.cpp", "  refuseFilesOutside(session, arguments, settings);\n", ""),
     lab.Mend(BUNDLE, "if (const std::vector<fs::path> files = outside(); !files.empty()) {",
              "if (const std::vector<fs::path> files = {}; !files.empty()) {"),
 ], seconds=20)
@@ -165,7 +165,7 @@ def escapes_for_a_terminal(room):
 
 
 @lab.attack("formulas_for_a_spreadsheet", "files", [
-    lab.Mend("src/palpate/base/csv_cell.cpp", 'isFormula(text) ? "\'" : ""', 'isFormula(text) ? "" : ""'),
+    lab.Mend("core/palpate/base/csv_cell.cpp", 'isFormula(text) ? "\'" : ""', 'isFormula(text) ? "" : ""'),
 ], seconds=30)
 def formulas_for_a_spreadsheet(room):
     """Labels and names that begin like a formula go into the tables that a teacher opens in a spreadsheet."""
@@ -202,7 +202,7 @@ def formulas_for_a_spreadsheet(room):
 
 @lab.attack("links_laid_in_a_shared_folder", "files", [
     lab.Mend(OUTPUT, "  refuseLinksOfAnybody(target_);\n", ""),
-    lab.Mend("apps/palpate/bench/named_mesh.cpp", 'file_ = folder_->path() / (file_or_name + ".stl");',
+    lab.Mend("lab/commands/named_mesh.cpp", 'file_ = folder_->path() / (file_or_name + ".stl");',
              'file_ = std::filesystem::temp_directory_path() / fmt::format("palpate_{}_{}.stl", file_or_name, getpid());'),
 ], seconds=40)
 def links_laid_in_a_shared_folder(room):
@@ -264,7 +264,7 @@ def started_server(room, runtime, *more):
 
 @lab.attack("reading_what_runs", "files", [
     lab.Mend(WRITER, "    : file_(file, OutputFile::Unfinished::remove, OutputFile::Access::owner_only),", "    : file_(file),"),
-    lab.Mend("src/palpate/training/trainee/trainee_course.cpp",
+    lab.Mend("teach/palpate/training/trainee/trainee_course.cpp",
              "makePrivateFolder(settings.session.parent_path(), ExistingFolder::closed);",
              "std::filesystem::create_directories(settings.session.parent_path());"),
     lab.Mend(OUTPUT, "constexpr mode_t kOwnerMode = 0600;", "constexpr mode_t kOwnerMode = 0666;"),
@@ -301,7 +301,7 @@ def reading_what_runs(room):
 
 @lab.attack("tokens_of_the_dead", "files", [
     lab.Mend(ACCESS, "    if (isOfDeadServer(", "    if (folder.empty() && isOfDeadServer("),
-    lab.Mend("src/palpate/base/private_folder.cpp", "  requirePrivateFolder(folder);\n  return folder;", "  return folder;"),
+    lab.Mend("host/palpate/base/private_folder.cpp", "  requirePrivateFolder(folder);\n  return folder;", "  return folder;"),
 ], seconds=40)
 def tokens_of_the_dead(room):
     """The token file of a server that was killed stays for whoever finds it; a folder is laid where it will be written."""

@@ -1,0 +1,110 @@
+// `palpate devices`: every way to come by a device, whether it is there, why not, and how good it is.
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "cli/kit/commands.h"
+#include "cli/kit/device_option.h"
+#include "cli/kit/interruption.h"
+#include "cli/kit/number_option.h"
+#include "cli/kit/progress_line.h"
+#include "cli/devices/devices_report.h"
+#include "cli/devices/identify_run.h"
+#include "palpate/base/error.h"
+#include "palpate/device/mouse_finger.h"
+
+namespace palpate::app {
+
+namespace {
+
+struct DevicesOptions {
+  std::vector<std::string> names;  ///< empty: all
+  double seconds = 1.0;
+  bool doctor = false;
+  bool identify = false;
+  bool realtime = false;
+  bool json = false;
+};
+
+std::vector<std::string> wantedNames(const DevicesOptions& options) {
+  return options.names.empty() ? device::backEndNames() : options.names;
+}
+
+void measure(const std::string& words, const DevicesOptions& options, const Progress& progress,
+             DeviceFinding& finding) {
+  try {
+    const device::Device device = device::openNamed(words, {});
+    if (!device.capabilities.takes_force) return;  // values in memory: nothing to measure
+    finding.capabilities = device.capabilities;
+    finding.measured = measureDevice(device, options.seconds, progress);
+  } catch (const Error& error) {
+    finding.not_measured = error.what();
+  }
+}
+
+DeviceFinding findingOf(const std::string& words, const DevicesOptions& options, const Progress& progress) {
+  device::MouseLink window;  // `palpate run` brings one
+  device::OpenOptions opening;
+  opening.mouse = &window;
+  const device::DeviceName name = device::deviceNamed(words);
+  opening.which = name.which;
+  DeviceFinding finding;
+  finding.back_end = name.back_end;
+  finding.probe = name.back_end->probe(opening);
+  const bool hardware = !finding.probe.looked_for.empty() || name.back_end->name == "hand";
+  if (options.doctor && finding.probe.available && hardware) measure(words, options, progress, finding);
+  return finding;
+}
+
+void runIdentify(const DevicesOptions& options) {
+  if (options.names.size() > 1) throw Error("--identify: one device at a time");
+  ProgressLine progress;
+  IdentifySettings settings;
+  if (!options.names.empty()) settings.device = options.names.front();
+  settings.json = options.json;
+  settings.realtime = options.realtime;
+  const Identified found = identifyDevice(settings, progress.display());
+  progress.clear();
+  fmt::print("{}", options.json ? jsonOf(found).dump(2) + "\n" : textOf(found));
+}
+
+void runDevices(const DevicesOptions& options) {
+  const FinishesInOrder in_order;
+  ProgressLine progress;
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  std::string text;
+  bool all_here = true;
+  for (const std::string& words : wantedNames(options)) {
+    endIfAsked();
+    const DeviceFinding finding = findingOf(words, options, progress.display());
+    all_here = all_here && finding.probe.available && finding.not_measured.empty();
+    json.push_back(jsonOf(finding));
+    text += textOf(finding, options.doctor);
+  }
+  progress.clear();
+  fmt::print("{}", options.json ? json.dump(2) + "\n" : text);
+  if (!options.names.empty() && !all_here) throw CLI::RuntimeError(1);
+}
+
+}  // namespace
+
+void addDevicesCommand(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("devices", "Which devices can be held, and why the others cannot");
+  const auto options = std::make_shared<DevicesOptions>();
+  addDeviceOption(*command, options->names, "Ask for this one only; exit code 1 when it is not there");
+  command->add_flag("--doctor", options->doctor,
+                    "Everything that was looked for; open what is there, without force, and measure rate, delay and "
+                    "jitter");
+  command->add_flag("--identify", options->identify,
+                    "Swing one device that is let go, by a soft spring, and say its mass, damping, friction and delay");
+  command->add_flag("--realtime", options->realtime, "With --identify: a simulated device by the clock, as a real one");
+  addNumber(*command, "--seconds", options->seconds, between(0.1, 60.0, "s"), "How long --doctor measures a device")
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "Print a list of objects instead of the text");
+  command->callback([=] { options->identify ? runIdentify(*options) : runDevices(*options); });
+}
+
+}  // namespace palpate::app

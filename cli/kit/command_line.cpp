@@ -1,0 +1,153 @@
+// A command line from its words to an exit code: what was misspelt, what is called otherwise now, and one line for
+// every error. Own.
+#include <fmt/format.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <string_view>
+#include <system_error>
+
+#include "cli/kit/commands.h"
+#include "cli/kit/interruption.h"
+#include "cli/kit/progress_line.h"
+#include "cli/kit/readable_text.h"
+#include "palpate/base/nearest_name.h"
+
+namespace palpate::app {
+
+namespace {
+
+constexpr int kWrongInput = 2;
+
+// --- words that no command knows, and what was meant
+
+/// The command that the words before the unknown one chose.
+const CLI::App& chosenCommand(const CLI::App& app) {
+  const std::vector<CLI::App*> chosen = app.get_subcommands();
+  return chosen.empty() ? app : chosenCommand(*chosen.back());
+}
+
+/// "palpate bench contact"
+std::string fullName(const CLI::App& command) {
+  const CLI::App* parent = command.get_parent();
+  return parent == nullptr ? command.get_name() : fullName(*parent) + " " + command.get_name();
+}
+
+std::vector<std::string> subcommandsOf(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::App* sub : command.get_subcommands([](const CLI::App*) { return true; })) {
+    names.push_back(sub->get_name());
+  }
+  return names;
+}
+
+/// Without their hyphens, which say nothing about which one is near.
+std::vector<std::string> optionsOf(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    names.insert(names.end(), option->get_lnames().begin(), option->get_lnames().end());
+  }
+  return names;
+}
+
+std::string unknownOption(const CLI::App& command, const std::string& word) {
+  const std::string written = word.substr(0, word.find('='));
+  const std::string nearest = nearestName(written.substr(written.find_first_not_of('-')), optionsOf(command));
+  const std::string hint = nearest.empty() ? nearest : fmt::format("; did you mean '--{}'?", nearest);
+  return fmt::format("unknown option '{}' of {}{}", oneLine(written), fullName(command), hint);
+}
+
+/// Of a word that is neither command nor option CLI11 says at most that something is missing.
+std::string reasonOf(const CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<std::string> unknown = app.remaining(true);
+  const bool about_words =
+      error.get_name() == "RequiredError" || error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
+  if (!about_words || unknown.empty()) return error.what();
+  const std::string& word = unknown.front();
+  const CLI::App& command = chosenCommand(app);
+  if (word.find_first_not_of('-') == std::string::npos) return error.what();
+  if (word.starts_with('-')) return unknownOption(command, word);
+  const std::vector<std::string> commands = subcommandsOf(command);
+  if (!commands.empty()) return unknownName("command", word, "", commands);
+  return fmt::format("'{}' is one word too many for {}", oneLine(word), fullName(command));
+}
+
+// --- names of options that were others once
+
+struct RenamedOption {
+  std::string_view before, now;
+};
+constexpr std::array kRenamedOptions = {
+    RenamedOption{"--output", "--out"},
+    RenamedOption{"--skin-output", "--skin-out"},
+    RenamedOption{"--bones-output", "--bones-out"},
+    RenamedOption{"--unit-mm", "--unit"},
+    RenamedOption{"--mesh-unit", "--unit"},
+    RenamedOption{"--mesh-group", "--group"},
+};
+
+/// The word with the option's present name; says so once for each word.
+std::string withPresentName(const std::string& word) {
+  for (const auto& [before, now] : kRenamedOptions) {
+    if (!word.starts_with(before) || (word.size() > before.size() && word[before.size()] != '=')) continue;
+    say(fmt::format("palpate: note: {} is called {} now; the old name will go\n", before, now));
+    return std::string(now) + word.substr(before.size());
+  }
+  return word;
+}
+
+/// As CLI11 takes them: the last one first.
+std::vector<std::string> wordsOf(int argc, char** argv) {
+  std::vector<std::string> words;
+  for (int i = argc - 1; i > 0; --i) words.push_back(withPresentName(argv[i]));
+  return words;
+}
+
+int parse(CLI::App& app, int argc, char** argv) {
+  try {
+    app.parse(wordsOf(argc, argv));
+  } catch (const CLI::RuntimeError& answer) {  // a command's "no"
+    return answer.get_exit_code();
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    say(readableText(fmt::format("palpate: {} (see --help)\n", reasonOf(app, error))));
+    return kWrongInput;
+  }
+  return 0;
+}
+
+/// What was printed may still be in a buffer, and the disk that it goes to full.
+int flushed(int exit_code) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;
+  const int reason = errno;
+  if (reason == EPIPE) return exitCodeOf(SIGPIPE);  // the reader has what it wanted
+  say(fmt::format("palpate: standard output: cannot be written: {}\n", std::generic_category().message(reason)));
+  return kWrongInput;
+}
+
+int runToTheEnd(CLI::App& app, int argc, char** argv) {
+  try {
+    return flushed(parse(app, argc, argv));
+  } catch (const Ended&) {
+    say(fmt::format("palpate: ended by {}\n", nameOfSignal(endAskedBy())));
+  } catch (const std::system_error& error) {  // fmt's, when it cannot print
+    if (std::ferror(stdout) != 0) return flushed(kWrongInput);
+    say(fmt::format("palpate: {}\n", error.what()));
+  } catch (const std::exception& error) {  // it may quote a stranger's file
+    say(readableText(fmt::format("palpate: {}\n", error.what())));
+  }
+  return kWrongInput;
+}
+
+}  // namespace
+
+int runCommandLine(CLI::App& app, int argc, char** argv) {
+  listenForSignals();
+  const int exit_code = runToTheEnd(app, argc, argv);
+  return endAskedBy() == 0 ? exit_code : exitCodeOf(endAskedBy());
+}
+
+}  // namespace palpate::app

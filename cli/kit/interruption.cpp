@@ -1,0 +1,104 @@
+// The handler does what a handler may: it reads and stores lock-free numbers, writes a line and leaves by _exit. Work
+// that was begun in order looks at the number at its next sign of life. Own.
+#include "cli/kit/interruption.h"
+
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <csignal>
+#include <cstdint>
+#include <ctime>
+#include <utility>
+
+#include "palpate/base/output_file.h"
+
+namespace palpate::app {
+
+namespace {
+
+struct EndingSignal {
+  int number;
+  std::string_view name;
+};
+constexpr std::array<EndingSignal, 3> kEndingSignals = {{{SIGINT, "SIGINT"}, {SIGTERM, "SIGTERM"}, {SIGHUP, "SIGHUP"}}};
+
+constexpr std::string_view kEnding = "\npalpate: ending in order; once more ends at once\n";
+constexpr std::string_view kEnded = "\npalpate: ended by a signal\n";
+
+/// A closing terminal sends its signal twice, a logout two kinds at once: only what comes later is meant as a second
+/// one.
+constexpr std::int64_t kSecondAfterNs = 300'000'000;
+
+std::atomic<int> asked_by{0};
+std::atomic<std::int64_t> asked_at_ns{0};
+std::atomic<int> orderly{0};  // FinishesInOrder that live
+std::atomic<servo::EmergencyStop*> pressed_first{nullptr};
+static_assert(std::atomic<servo::EmergencyStop*>::is_always_lock_free);
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<std::int64_t>::is_always_lock_free);
+
+std::int64_t clockNs() {  // allowed in a handler, unlike std::chrono
+  timespec now = {};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  return now.tv_sec * std::int64_t{1'000'000'000} + now.tv_nsec;
+}
+
+void tell(std::string_view line) {
+  // Nothing can be done where nobody reads it.
+  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, line.data(), line.size());
+}
+
+extern "C" void askForEnd(int signal) {
+  if (servo::EmergencyStop* stop = pressed_first.load()) stop->press();
+  int nobody = 0;
+  if (asked_by.compare_exchange_strong(nobody, signal)) {
+    asked_at_ns.store(clockNs());
+    if (orderly.load() > 0 || filesUnderWay() > 0) return tell(kEnding);
+    tell(kEnded);
+    ::_exit(exitCodeOf(signal));
+  }
+  if (clockNs() - asked_at_ns.load() > kSecondAfterNs) ::_exit(exitCodeOf(signal));
+}
+
+}  // namespace
+
+void listenForSignals() {
+  for (const EndingSignal& signal : kEndingSignals) {
+    struct sigaction before = {};
+    if (::sigaction(signal.number, nullptr, &before) != 0 || before.sa_handler == SIG_IGN) continue;
+    struct sigaction action = {};
+    action.sa_handler = askForEnd;
+    action.sa_flags = SA_RESTART;
+    ::sigaction(signal.number, &action, nullptr);
+  }
+  std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGPIPE, SIG_IGN);
+}
+
+FinishesInOrder::FinishesInOrder() { ++orderly; }
+FinishesInOrder::~FinishesInOrder() { --orderly; }
+
+StoppedBySignal::StoppedBySignal(servo::EmergencyStop& stop) { pressed_first = &stop; }
+StoppedBySignal::~StoppedBySignal() { pressed_first = nullptr; }
+
+int endAskedBy() { return asked_by.load(); }
+
+std::string_view nameOfSignal(int signal) {
+  for (const EndingSignal& known : kEndingSignals) {
+    if (known.number == signal) return known.name;
+  }
+  return {};
+}
+
+void endIfAsked() {
+  if (endAskedBy() != 0) throw Ended();
+}
+
+Progress endingWhenAsked(Progress progress) {
+  return [progress = std::move(progress)](std::string_view stage, double done) {
+    endIfAsked();
+    report(progress, stage, done);
+  };
+}
+
+}  // namespace palpate::app

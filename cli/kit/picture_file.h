@@ -1,0 +1,17 @@
+// A figure into the file that was asked for, as what its name says.
+#pragma once
+
+#include <filesystem>
+
+#include "report/charts/figure.h"
+
+namespace palpate::app {
+
+/// Throws Error for a name that ends in neither .png nor .svg: ask before the work that the picture shows.
+void checkPictureName(const std::filesystem::path& file);
+
+/// `png_scale`: pixels a CSS pixel.
+void writePicture(const figures::Figure& figure, const std::filesystem::path& file,
+                  double png_scale = figures::kPngScale);
+
+}  // namespace palpate::app

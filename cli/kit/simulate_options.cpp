@@ -1,0 +1,114 @@
+#include "cli/kit/simulate_options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <utility>
+
+#include "cli/kit/choice_option.h"
+#include "cli/kit/default_scene.h"
+#include "cli/kit/number_option.h"
+#include "cli/kit/presets.h"
+#include "cli/kit/unit_option.h"
+#include "palpate/base/error.h"
+#include "palpate/mesh/files/load.h"
+#include "palpate/scene/scene_file.h"
+#include "palpate/scene/words.h"
+
+namespace palpate::app {
+
+namespace {
+
+/// A mesh where a scene may stand is palpated as it is, as the window does.
+SimulateOptions withMeshApart(SimulateOptions options) {
+  if (options.scene.empty() || !mesh::isMeshFile(options.scene)) return options;
+  if (!options.mesh.empty())
+    throw Error(fmt::format("{} and --mesh {}: one body at a time", options.scene, options.mesh));
+  options.mesh = std::exchange(options.scene, {});
+  return options;
+}
+
+scene::Scene startingScene(const SimulateOptions& options) {
+  if (!options.preset.empty()) {
+    if (!options.scene.empty())
+      throw Error(fmt::format("{} and --preset {}: one scene at a time", options.scene, options.preset));
+    return presetScene(options.preset);
+  }
+  if (!options.scene.empty()) {
+    scene::Scene scene = scene::load(options.scene);
+    if (options.trajectories.empty() && options.needs_fingers) scene::requireFingers(scene);
+    return scene;
+  }
+  if (options.mesh.empty() && options.trajectories.empty()) return scene::parse(defaultScene(), "default.toml");
+  return {};
+}
+
+void useMesh(const SimulateOptions& options, scene::Scene& scene) {
+  if (options.mesh.empty()) return;
+  scene.body.kind = scene::BodyKind::mesh;
+  scene.body.file = options.mesh;
+  scene.body.scale = options.mesh_scale;
+  useUnit(options.mesh_unit_mm, scene.body);
+  scene.body.group = options.mesh_group;
+  scene.body.fit.clear();  // of another mesh
+  if (options.scene.empty() && options.preset.empty()) scene.title = scene.body.file.filename().string();
+}
+
+void useTrajectories(const SimulateOptions& options, scene::Scene& scene) {
+  for (std::size_t i = 0; i < options.trajectories.size(); ++i) {
+    if (i == scene.fingers.size()) {
+      scene.fingers.emplace_back();
+      scene.fingers.back().name = fmt::format("finger_{}", i + 1);
+    }
+    scene.fingers[i].trajectory = options.trajectories[i];
+    scene.fingers[i].steps.clear();
+  }
+}
+
+/// A body without anybody to touch it gets a finger that finds its own way (device::pathsOf).
+void useSomeFinger(scene::Scene& scene) {
+  if (!scene.fingers.empty()) return;
+  scene.fingers.emplace_back();
+  scene.fingers.back().name = "automatic";
+}
+
+}  // namespace
+
+void addInputOptions(CLI::App& command, SimulateOptions& options) {
+  command.add_option("SCENE", options.scene,
+                     "Scene file (TOML, docs/reference/scene-files.md), or a mesh as with --mesh; without one: ten "
+                     "seconds on the trunk");
+  addPresetOption(command, options.preset);
+  command.add_option("--mesh", options.mesh,
+                     "Palpate this mesh (OBJ, STL, PLY, OFF, glTF, GLB) instead of the scene's body");
+  addUnit(command, options.mesh_unit_mm);
+  addNumber(command, "--mesh-scale", options.mesh_scale, above(0.0, 1e6), "Factor on the mesh's size, after the unit")
+      ->capture_default_str();
+  command.add_option("--group", options.mesh_group, "Only this group or object of an OBJ file");
+  command.add_option("--trajectory", options.trajectories,
+                     "Path of a finger, rows of t_s,x_mm,y_mm,z_mm in the body's coordinates; once for each finger");
+  addNumber(command, "--radius-mm", options.radius_mm, between(0.0, 1000.0, "mm"),
+            "Radius of every finger; 0 is a point, 8 a fingertip");
+}
+
+void addSecondsOption(CLI::App& command, SimulateOptions& options) {
+  addNumber(command, "--seconds", options.seconds, above(0.0, kLongestRunS, "s"),
+            "How long to run; left out: until the last finger has finished");
+}
+
+scene::Scene sceneFor(const SimulateOptions& given) {
+  const SimulateOptions options = withMeshApart(given);
+  scene::Scene scene = startingScene(options);
+  useMesh(options, scene);
+  useTrajectories(options, scene);
+  if (options.needs_fingers) useSomeFinger(scene);
+  if (options.seconds > 0.0) scene.seconds = options.seconds;
+  scene.safety.unsafe_stiffness = options.unsafe_stiffness;
+  if (options.radius_given) {
+    for (scene::Finger& finger : scene.fingers) finger.radius_mm = options.radius_mm;
+  }
+  return scene;
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,222 @@
+// `palpate info MESH`: what a mesh file holds and what is wrong with it.
+#include <fmt/format.h>
+
+#include <array>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/kit/commands.h"
+#include "cli/kit/json.h"
+#include "cli/kit/mesh_arguments.h"
+#include "cli/kit/progress_line.h"
+#include "cli/kit/readable_text.h"
+#include "cli/model/table_info.h"
+#include "cli/model/triangle_shape.h"
+#include "cli/session/session_text.h"
+#include "palpate/mesh/validate.h"
+
+namespace palpate::app {
+
+namespace {
+
+// --- the report, for a person and for a script ---
+
+using mesh::ValidationReport;
+
+/// What the surface itself takes; trees and deformation come on top (docs/reference/mesh.md).
+std::size_t memoryBytes(const ValidationReport& report) {
+  return report.vertices * sizeof(Vec3) + report.triangles * sizeof(Triangle);
+}
+
+std::string words(const Vec3& v) { return fmt::format("{:.6g} {:.6g} {:.6g}", v.x(), v.y(), v.z()); }
+
+std::string boxLine(const ValidationReport& report) {
+  if (report.box.isEmpty()) return "none";
+  return fmt::format("{} mm, from {} to {}", words(report.box.sizes()), words(report.box.min()),
+                     words(report.box.max()));
+}
+
+std::string surfaceLine(const ValidationReport& report) {
+  std::string text(mesh::wordsFor(report.closure));
+  if (report.closed) text += fmt::format(", {:.6g} mm^3", report.volume_mm3);
+  if (report.closed && report.non_manifold_edges.count > 0) text += ", sheets meet in edges";
+  if (report.one_sided) text += ", one-sided";
+  return text + fmt::format(", {:.6g} mm^2, {} component{}", report.area_mm2, report.components,
+                            report.components == 1 ? "" : "s");
+}
+
+// --- what is probably wrong with the unit ---
+
+struct Unit {
+  double factor;
+  const char* name;
+  const char* word;  ///< of --unit
+};
+/// Those that meshes come in, the likeliest first.
+constexpr std::array<Unit, 5> kUnits = {{{1000.0, "metres", "m"},
+                                         {10.0, "centimetres", "cm"},
+                                         {100.0, "decimetres", "dm"},
+                                         {25.4, "inches", "in"},
+                                         {0.001, "micrometres", "0.001"}}};
+
+/// Empty when the size is one of a body or a part of one.
+std::string sizeWarning(const ValidationReport& report) {
+  if (!mesh::hasDoubtfulSize(report.box)) return "";
+  const std::string text = fmt::format("{} mm is {} for a body: is the unit right? ", words(report.box.sizes()),
+                                       report.box.diagonal().norm() < mesh::kShortestBodyMm ? "small" : "large");
+  for (const Unit& unit : kUnits) {
+    const Eigen::AlignedBox3d box(unit.factor * report.box.min(), unit.factor * report.box.max());
+    if (mesh::hasDoubtfulSize(box)) continue;
+    return text + fmt::format("If these are {}, say --unit {}", unit.name, unit.word);
+  }
+  return text + "--unit says how long a unit of the file is";
+}
+
+/// A body as long as one but thinner than any: one axis was scaled as the others were not.
+constexpr double kThinnestBodyMm = 1.0;
+
+std::string thinWarning(const ValidationReport& report) {
+  if (report.box.isEmpty() || mesh::hasDoubtfulSize(report.box)) return "";
+  const double thickness = report.box.sizes().minCoeff();
+  if (thickness >= kThinnestBodyMm) return "";
+  return fmt::format("{:.3g} mm is thin for a body: are all three axes in one unit?", thickness);
+}
+
+std::vector<std::string> warningsOf(const ValidationReport& report) {
+  std::vector<std::string> warnings;
+  for (std::string warning : {sizeWarning(report), thinWarning(report)}) {
+    if (!warning.empty()) warnings.push_back(std::move(warning));
+  }
+  return warnings;
+}
+
+const char* verdictOn(const ValidationReport& report) {
+  if (report.fit()) {
+    return warningsOf(report).empty() ? "fit to be felt as it is\n" : "fit to be felt, if that is its true size\n";
+  }
+  return report.sound() ? "fit to be felt but for its small holes, which repair fills (done when it is used)\n"
+                        : "needs repair before it can be felt (done when it is used)\n";
+}
+
+// --- in words, in JSON ---
+
+nlohmann::ordered_json jsonOf(const mesh::Trait& trait) { return {{"count", trait.count}, {"first", trait.first}}; }
+
+nlohmann::ordered_json traitsOf(const ValidationReport& report) {
+  nlohmann::ordered_json traits;
+  traits["non_finite_vertices"] = jsonOf(report.non_finite_vertices);
+  traits["out_of_range_triangles"] = jsonOf(report.wrong_indices);
+  traits["zero_area_triangles"] = jsonOf(report.zero_area_triangles);
+  traits["duplicate_triangles"] = jsonOf(report.duplicate_triangles);
+  traits["opposite_triangles"] = jsonOf(report.opposite_triangles);
+  traits["non_manifold_edges"] = jsonOf(report.non_manifold_edges);
+  traits["non_manifold_vertices"] = jsonOf(report.non_manifold_vertices);
+  traits["inconsistent_edges"] = jsonOf(report.inconsistent_edges);
+  traits["inside_out_parts"] = jsonOf(report.inside_out_parts);
+  traits["doubtful_parts"] = jsonOf(report.doubtful_parts);
+  traits["border_edges"] = jsonOf(report.border_edges);
+  traits["self_intersections"] = jsonOf(report.self_intersections);
+  traits["touching_edges"] = jsonOf(report.touching_edges);
+  traits["unused_vertices"] = jsonOf(report.unused_vertices);
+  traits["coincident_vertices"] = jsonOf(report.coincident_vertices);
+  return traits;
+}
+
+std::string textOf(const ValidationReport& report) {
+  std::string text = fmt::format(
+      "triangles   {}\nvertices    {}\nbox         {}\nsurface     {}\nmemory      {:.1f} MB\n", report.triangles,
+      report.vertices, boxLine(report), surfaceLine(report), 1e-6 * static_cast<double>(memoryBytes(report)));
+  for (const std::string& sentence : mesh::describe(report)) text += "found       " + sentence + "\n";
+  if (!report.self_intersections_checked) text += "not checked self-intersections\n";
+  for (const std::string& warning : warningsOf(report)) text += "warning     " + warning + "\n";
+  return text + verdictOn(report);
+}
+
+nlohmann::ordered_json jsonOf(const ValidationReport& report) {
+  nlohmann::ordered_json json;
+  json["triangles"] = report.triangles;
+  json["vertices"] = report.vertices;
+  if (!report.box.isEmpty())
+    json["box"] = {{"min_mm", vectorJson(report.box.min())}, {"max_mm", vectorJson(report.box.max())}};
+  json["area_mm2"] = report.area_mm2;
+  json["volume_mm3"] = report.closed ? nlohmann::ordered_json(report.volume_mm3) : nlohmann::ordered_json(nullptr);
+  json["closed"] = report.closed;
+  json["closure"] = mesh::wordsFor(report.closure);
+  json["one_sided"] = report.one_sided;
+  json["components"] = report.components;
+  json["border_loops"] = report.border_loops;
+  json["small_holes"] = report.small_holes;
+  json["fillable_holes"] = report.fillable_holes;
+  json["fit"] = report.fit();
+  json["sound"] = report.sound();
+  json["warnings"] = warningsOf(report);
+  json["self_intersections_checked"] = report.self_intersections_checked;
+  json["memory_bytes"] = memoryBytes(report);
+  json["traits"] = traitsOf(report);
+  return json;
+}
+
+// --- the command ---
+
+struct InfoArguments {
+  MeshArguments mesh;
+  bool quick = false;
+  bool shape = false;
+  bool json = false;
+};
+
+struct Inspection {
+  ValidationReport report;
+  std::optional<TriangleShapes> shapes;
+};
+
+Inspection inspect(const InfoArguments& arguments) {
+  ProgressLine progress;
+  mesh::LoadOptions options = arguments.mesh.options;
+  options.keep_wrong_indices = true;  // to be counted, not refused
+  const mesh::TriangleMesh surface = mesh::load(arguments.mesh.file, options, progress.callback());
+  Inspection found{mesh::validate(surface, {.self_intersections = !arguments.quick}, progress.callback()), {}};
+  const bool can_be_measured = found.report.wrong_indices.count == 0 && found.report.non_finite_vertices.count == 0;
+  if (arguments.shape && can_be_measured) found.shapes = triangleShapes(surface);
+  return found;
+}
+
+void runInfo(const InfoArguments& arguments) {
+  if (isSessionFile(arguments.mesh.file)) {
+    printReadable(arguments.json ? jsonText(sessionInfoJson(arguments.mesh.file)) : sessionInfo(arguments.mesh.file));
+    return;
+  }
+  if (isTableOrUnfinished(arguments.mesh.file)) {
+    printReadable(arguments.json ? jsonText(tableInfoJson(arguments.mesh.file)) : tableInfo(arguments.mesh.file));
+    return;
+  }
+  const Inspection found = inspect(arguments);
+  if (arguments.json) {
+    nlohmann::ordered_json json = {{"file", arguments.mesh.file}};
+    json.update(jsonOf(found.report));
+    if (found.shapes) json["shape"] = asJson(*found.shapes);
+    fmt::print("{}\n", json.dump(2));
+  } else {
+    printReadable((found.shapes ? asText(*found.shapes) : "") + textOf(found.report));
+  }
+}
+
+}  // namespace
+
+void addInfoCommand(CLI::App& app) {
+  auto arguments = std::make_shared<InfoArguments>();
+  CLI::App& command = *app.add_subcommand(
+      "info", "Report what a mesh file holds and what is wrong with it, or a recorded table of forces or session");
+  addMeshArguments(command, arguments->mesh);
+  command.add_flag("--no-self-intersections", arguments->quick,
+                   "Do not look for self-intersections (the slowest check)");
+  command.add_flag("--shape", arguments->shape, "Also tell how even a mesh's triangles are: folds, angles, areas");
+  command.add_flag("--json", arguments->json, "Print one JSON object");
+  command.callback([arguments] { runInfo(*arguments); });
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,169 @@
+// `palpate repair MESH -o OUT`: makes a mesh fit to be felt and says what was done. Of a session file what can still be
+// read (session/session_salvage.h).
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+
+#include "cli/kit/commands.h"
+#include "cli/kit/mesh_arguments.h"
+#include "cli/kit/number_option.h"
+#include "cli/kit/progress_line.h"
+#include "cli/session/session_salvage.h"
+#include "palpate/base/error.h"
+#include "palpate/mesh/files/save.h"
+#include "palpate/mesh/repair.h"
+
+namespace palpate::app {
+
+namespace {
+
+struct RepairArguments {
+  MeshArguments mesh;
+  std::string output;
+  double weld_distance_mm = 0.0;
+  bool no_weld = false;
+  bool keep_orientation = false;
+  bool keep_holes = false;
+  bool json = false;
+};
+
+/// `channels` gets what the file says of each vertex of the result.
+mesh::RepairResult repairFile(const RepairArguments& arguments, mesh::VertexChannels& channels) {
+  ProgressLine progress;
+  mesh::LoadOptions load_options = arguments.mesh.options;
+  load_options.keep_wrong_indices = true;
+  mesh::MeshWithChannels loaded = mesh::loadWithChannels(arguments.mesh.file, load_options, progress.callback());
+  try {
+    const mesh::RepairOptions options{.weld = !arguments.no_weld,
+                                      .weld_distance_mm = arguments.weld_distance_mm,
+                                      .orient_outwards = !arguments.keep_orientation,
+                                      .fill_holes = !arguments.keep_holes};
+    mesh::RepairResult result = mesh::repair(std::move(loaded.mesh), options, progress.callback());
+    channels = mesh::followed(loaded.channels, result.source_vertex);
+    return result;
+  } catch (const Error& error) {
+    throw Error::inFile(arguments.mesh.file, error.what());
+  }
+}
+
+struct TriangleCount {
+  std::size_t added = 0;
+  std::size_t dropped = 0;
+};
+
+TriangleCount trianglesOf(const mesh::RepairResult& result) {
+  TriangleCount count;
+  for (const auto& action : result.actions) {
+    (action.triangles > 0 ? count.added : count.dropped) += static_cast<std::size_t>(std::abs(action.triangles));
+  }
+  return count;
+}
+
+std::string counted(std::size_t count, const char* one) {
+  return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
+}
+
+std::string textOf(const mesh::SurfaceState& state) {
+  return fmt::format("{}; {} in {}, {} of more than two triangles", mesh::wordsFor(state.closure),
+                     counted(state.border_edges, "border edge"), counted(state.border_loops, "loop"),
+                     counted(state.non_manifold_edges, "edge"));
+}
+
+std::string textOf(const mesh::RepairResult& result) {
+  std::string text;
+  for (const auto& action : result.actions) text += fmt::format("{:>9}  {}\n", action.count, action.what);
+  if (result.actions.empty()) text = "nothing to repair\n";
+  const TriangleCount triangles = trianglesOf(result);
+  text += fmt::format("before     {}\nafter      {}\n", textOf(result.before), textOf(result.after));
+  text += fmt::format("triangles  {} - {} dropped + {} added = {}\n", result.before.triangles, triangles.dropped,
+                      triangles.added, result.after.triangles);
+  for (const std::string& warning : result.warnings) text += "warning    " + warning + "\n";
+  return text + fmt::format("{} triangles, {} vertices, {}, {}{}\n", result.mesh.triangles.size(),
+                            result.mesh.positions.size(), counted(result.components, "component"),
+                            mesh::wordsFor(result.after.closure),
+                            result.self_intersecting ? ", intersects itself" : "");
+}
+
+nlohmann::ordered_json jsonOf(const mesh::SurfaceState& state) {
+  return {{"triangles", state.triangles},
+          {"vertices", state.vertices},
+          {"closure", mesh::wordsFor(state.closure)},
+          {"border_edges", state.border_edges},
+          {"border_loops", state.border_loops},
+          {"non_manifold_edges", state.non_manifold_edges}};
+}
+
+nlohmann::ordered_json jsonOf(const mesh::RepairResult& result) {
+  nlohmann::ordered_json json;
+  json["triangles"] = result.mesh.triangles.size();
+  json["vertices"] = result.mesh.positions.size();
+  json["components"] = result.components;
+  json["closed"] = result.closed;
+  json["self_intersecting"] = result.self_intersecting;
+  json["before"] = jsonOf(result.before);
+  json["after"] = jsonOf(result.after);
+  const TriangleCount triangles = trianglesOf(result);
+  json["triangles_dropped"] = triangles.dropped;
+  json["triangles_added"] = triangles.added;
+  json["warnings"] = result.warnings;
+  json["actions"] = nlohmann::ordered_json::array();
+  for (const auto& action : result.actions) {
+    json["actions"].push_back({{"what", action.what}, {"count", action.count}, {"triangles", action.triangles}});
+  }
+  return json;
+}
+
+void runRepair(const RepairArguments& arguments) {
+  mesh::VertexChannels channels;
+  const mesh::RepairResult result = repairFile(arguments, channels);
+  const bool has_room =
+      std::filesystem::path(arguments.output).extension() == ".ply";  // other formats hold places only
+  mesh::save(arguments.output, result.mesh, has_room ? channels : mesh::VertexChannels());
+  fmt::print("{}", arguments.json ? jsonOf(result).dump(2) + "\n" : textOf(result));
+}
+
+/// Options that say something of a mesh.
+void refuseMeshOptions(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_name();
+    if (option->count() == 0 || name == "mesh" || name == "--out" || name == "--json" || name == "--help") continue;
+    throw Error(fmt::format("repair: {} is for meshes, this is a session", name));
+  }
+}
+
+}  // namespace
+
+void addRepairCommand(CLI::App& app) {
+  auto arguments = std::make_shared<RepairArguments>();
+  CLI::App& command =
+      *app.add_subcommand("repair", "Make a mesh fit to be felt, or salvage a session, and say what was done");
+  addMeshArguments(command, arguments->mesh);
+  command
+      .add_option("-o,--out", arguments->output,
+                  "File to write: obj, stl or ply (mm); a ply keeps the numbers and colours of a ply's vertices. Of a "
+                  "session, a session")
+      ->required();
+  command.add_flag("--no-weld", arguments->no_weld, "Leave vertices at the same place apart");
+  addNumber(command, "--weld-distance-mm", arguments->weld_distance_mm, between(0.0, 1e9, "mm"),
+            "Weld also vertices nearer than this; 0: the same place only")
+      ->capture_default_str();
+  command.add_flag("--keep-orientation", arguments->keep_orientation,
+                   "Do not turn closed parts outside out that face inwards");
+  command.add_flag("--keep-holes", arguments->keep_holes, "Leave the small holes of nearly closed parts open");
+  command.add_flag("--json", arguments->json, "Print one JSON object");
+  command.callback([arguments, &command] {
+    if (isOrWasSession(arguments->mesh.file)) {
+      refuseMeshOptions(command);
+      salvageSession(arguments->mesh.file, arguments->output, arguments->json);
+    } else {
+      runRepair(*arguments);
+    }
+  });
+}
+
+}  // namespace palpate::app

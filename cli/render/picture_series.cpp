@@ -1,0 +1,49 @@
+#include "cli/render/picture_series.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace palpate::app {
+
+namespace {
+
+/// A point finger is drawn as a fingertip.
+constexpr double kFingertipMm = 8.0;
+
+view::FingerMark markOf(const scene::World& world, const trace::Sample& sample) {
+  const Vec3f colours[] = {view::kLeftFinger, view::kRightFinger, view::kOtherFinger};
+  const double radius_mm = world.scene.fingers[sample.finger].radius_mm;
+  view::FingerMark mark;
+  mark.contact = sample.contact;
+  mark.radius_mm = radius_mm > 0.0 ? radius_mm : kFingertipMm;
+  mark.colour = colours[std::min<std::size_t>(sample.finger, std::size(colours) - 1)];
+  mark.haptic_radius_mm = radius_mm;
+  mark.left = sample.finger % 2 == 0;
+  return mark;
+}
+
+}  // namespace
+
+std::vector<view::FingerMark> marksOf(const scene::World& world, const servo::TickSamples& frame) {
+  std::vector<view::FingerMark> marks;
+  for (const trace::Sample& sample : frame) marks.push_back(markOf(world, sample));
+  return marks;
+}
+
+std::vector<std::string> fingerNames(const scene::World& world) {
+  std::vector<std::string> names;
+  for (const scene::Finger& finger : world.scene.fingers) names.push_back(finger.name);
+  return names;
+}
+
+PictureSeries::PictureSeries(std::shared_ptr<const scene::World> world, const view::PictureSize& size)
+    : world_(std::move(world)), size_(size), skin_(*world_), studio_(world_) {}
+
+view::TakenPicture PictureSeries::take(const servo::TickSamples& frame, double time_s,
+                                       const view::PictureSettings& settings) {
+  skin_.follow(frame);
+  const std::vector<view::FingerMark> marks = marksOf(*world_, frame);
+  return studio_.take(skin_.surface(), {.fingers = marks, .time_s = time_s, .lift_mm = skin_.lift()}, settings, size_);
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,56 @@
+// What `palpate render` was asked for.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/kit/body_place.h"
+#include "cli/kit/simulate_options.h"
+#include "palpate/scene/view_settings.h"
+#include "palpate/view/picture.h"
+
+namespace palpate::app {
+
+struct RenderOptions {
+  SimulateOptions scene;
+  std::optional<double> at_s;
+  std::vector<std::vector<BodyPlace>> poses;
+  std::filesystem::path output = "picture.png";
+  view::PictureSize size;
+  int frames = 1;
+  double frames_per_s = 25.0;
+  std::string title;
+  bool labels = true;
+  bool json = false;
+  // What replaces the scene's [view]; empty = as the scene says.
+  std::optional<std::string> side, show, shading, finger, stereo;
+  std::optional<std::string> scalar, scalar_map;
+  std::vector<double> scalar_range;
+  std::optional<BodyPlace> look_at;
+  std::optional<Vec3> head_mm;
+  std::optional<double> yaw_deg, pitch_deg, zoom, opacity, skin_tone, dent_contrast, eye_distance_mm, convergence_mm,
+      screen_height_mm;
+  bool swap_eyes = false;
+  bool white = false;
+  std::optional<bool> texture;
+  bool detail = true;
+};
+
+/// The scene's view with what the options replace. Throws Error for an unknown name in --show, which takes overlays and
+/// the words strain, stiffness, ellipse-map and plain for the colours of the skin.
+scene::ViewSettings viewOf(const RenderOptions& options, const scene::ViewSettings& of_scene);
+
+/// The files of the pictures in their order: FILE.png alone, else FILE_0001.png and so on; of a film those that it is
+/// joined from by hand. Throws Error for a name that ends in none of .png, .mp4 and .webm, and for a film of one
+/// picture.
+std::vector<std::filesystem::path> filesOf(const RenderOptions& options);
+/// One of a series, counted from 1.
+std::filesystem::path fileOfSeries(const RenderOptions& options, int number);
+
+/// `palpate render`: draws, writes and, if it `tells`, prints what was drawn. Throws Error; CLI::RuntimeError(1) where
+/// the pictures could not be joined to a film.
+void drawAndTell(const RenderOptions& options, bool tells = true);
+
+}  // namespace palpate::app

@@ -1,0 +1,42 @@
+// A script's events come when their time has come, as if a hand made them.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "view/viewer/files/input_script.h"
+#include "view/viewer/viewer.h"
+#include "palpate/window/window.h"
+
+namespace palpate::app {
+
+class Playback {
+ public:
+  /// An empty name plays nothing. Throws Error.
+  explicit Playback(const std::string& file);
+
+  bool finished() const { return next_ == script_.size(); }
+
+  /// True when the script ends the window. A `close` that something follows is the window's own button, which may ask.
+  bool play(double now_s, window::Window& window, viewer::Viewer& viewer, std::vector<window::InputEvent>& events);
+
+ private:
+  std::vector<viewer::ScriptEvent> script_;
+  std::size_t next_ = 0;
+};
+
+/// Events to pictures until the script, the viewer, a signal or this many frames (0: no end) say so. After each picture
+/// `shown` gets its number, from 1, and its time.
+void showFrames(window::Window& window, viewer::Viewer& viewer, Playback& playback, std::uint64_t frames,
+                const std::function<void(std::uint64_t frame, double now_s)>& shown);
+
+/// What only this window can do, for a viewer; the window must outlive it.
+viewer::ViewerHost hostOf(window::Window& window);
+
+/// The named devices, opened to hold the first fingers, where the scene or nobody says that their spaces lie. Throws
+/// Error.
+std::vector<viewer::OpenedDevice> openedFor(const scene::World& world, const std::vector<std::string>& names);
+
+}  // namespace palpate::app

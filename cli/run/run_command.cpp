@@ -1,0 +1,322 @@
+// `palpate run`: opens the window on a scene, to be touched with the mouse.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "cli/kit/choice_option.h"
+#include "cli/kit/commands.h"
+#include "cli/kit/default_scene.h"
+#include "cli/kit/device_option.h"
+#include "cli/kit/interruption.h"
+#include "cli/kit/number_option.h"
+#include "cli/kit/presets.h"
+#include "cli/kit/progress_line.h"
+#include "cli/kit/unit_option.h"
+#include "cli/run/playback.h"
+#include "view/viewer/files/state_file.h"
+#include "view/viewer/viewer.h"
+#include "palpate/base/background.h"
+#include "palpate/base/error.h"
+#include "palpate/base/nearest_name.h"
+#include "palpate/base/stopwatch.h"
+#include "palpate/device/head/head_stream.h"
+#include "palpate/device/head/openxr_head.h"
+#include "palpate/scene/scene_file.h"
+#include "palpate/trace/forces_table.h"
+#include "palpate/trace/session_reader.h"
+#include "palpate/window/window.h"
+
+namespace palpate::app {
+
+namespace {
+
+struct RunOptions {
+  std::string scene;
+  std::string preset;
+  std::string play;
+  std::string out = ".";
+  std::string replay;
+  std::string beside;
+  std::vector<std::string> measure;  ///< two photographs
+  std::string stereo;
+  std::string head_tracker;          ///< [ADDRESS:]PORT or openxr; empty: none
+  std::vector<std::string> devices;  ///< that hold the first fingers instead of the mouse
+  double unit_mm = 0.0;              ///< of a mesh file; 0: as its format says
+  std::string group;
+  int width = 0;
+  int height = 0;
+  std::uint64_t frames = 0;
+  bool unsafe_stiffness = false;
+  bool no_intro = false;
+  bool no_shortcuts = false;
+  bool no_state = false;
+  bool no_session = false;
+  std::string sessions;  ///< folder; empty: the user's own
+  bool full_screen = false;
+  bool verbose = false;
+  bool keys = false;
+};
+
+viewer::StateReading remembered(const RunOptions& options) {
+  return options.no_state ? viewer::StateReading{} : viewer::readState(viewer::stateFile());
+}
+
+window::WindowSettings windowFor(const RunOptions& options, const viewer::StateReading& state) {
+  window::WindowSettings settings = state.remembered ? state.remembered->window : window::WindowSettings{};
+  if (options.width > 0) settings.width = options.width;
+  if (options.height > 0) settings.height = options.height;
+  settings.full_screen = settings.full_screen || options.full_screen;
+  settings.quad_buffer =
+      !options.stereo.empty() && view::stereoModeNamed(options.stereo) == view::StereoMode::quad_buffer;
+  return settings;
+}
+
+/// One line a frame: what tests and bug reports look at.
+void tell(const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), stdout);  // a reader that has left must not end the window
+  std::fflush(stdout);
+}
+
+void tellFrame(std::uint64_t number, double now_s, viewer::Viewer& viewer) {
+  const viewer::Session& s = viewer.session();
+  const contact::FingerOutput& finger = s.fingers[s.active_finger];
+  const viewer::Message* message = s.messages.all().empty() ? nullptr : &s.messages.all().back();
+  tell(fmt::format(
+      "frame {} t={:.3f} size={}x{} finger={} pressed={} depth={:.2f} force={:.2f} drag={:.2f} wish={:.2f} "
+      "distance={:.0f} yaw={:.3f} body={} building={} panel={} overlays={} row={} recording={} changed={} question={} "
+      "message={}\n",
+      number, now_s, viewer.target().width(), viewer.target().height(), s.active_finger,
+      viewer.pointer().pressed(s.active_finger) ? 1 : 0, finger.depth_mm, finger.force.norm(),
+      (finger.proxy - finger.anchor).norm(), s.state.touch.depth_mm, s.camera.distance_mm, s.camera.yaw_rad,
+      s.world.triangles, s.building ? 1 : 0, s.state.shown.panel ? 1 : 0, s.state.look.overlays.to_string(),
+      s.state.stereo.monitor_row, s.recording.forces ? 1 : 0, s.history.changed() ? 1 : 0, s.question ? 1 : 0,
+      message == nullptr ? "-" : message->text));
+}
+
+void tellServo(const servo::LoopReport& report) {
+  tell(fmt::format(
+      "servo: {} ticks in {:.1f} s, {} overruns, {} slow, {} stalls; tick p50 {:.1f} p99 {:.1f} us; late p50 "
+      "{:.1f} p99 {:.1f} p99.9 {:.1f} max {:.0f} us\n",
+      report.ticks, report.wall_s, report.overruns, report.slow_ticks, report.stalls, report.compute.p50_us,
+      report.compute.p99_us, report.lateness.p50_us, report.lateness.p99_us, report.lateness.p99_9_us,
+      report.lateness.max_us));
+}
+
+/// Of no file: there is none that it could be saved to.
+scene::Scene standardScene() {
+  scene::Scene scene = scene::parse(defaultScene(), "default.toml");
+  scene.file.clear();
+  return scene;
+}
+
+scene::Scene namedScene(const RunOptions& options) {
+  if (!options.preset.empty() && !options.scene.empty()) {
+    throw Error(options.scene + " and --preset " + options.preset + ": one scene at a time");
+  }
+  if (!options.preset.empty()) return presetScene(options.preset);
+  const scene::Scene standard = standardScene();
+  if (options.scene.empty()) return standard;
+  scene::Scene scene = viewer::sceneFromFile(options.scene, standard);
+  if (options.unit_mm == 0.0 && options.group.empty()) return scene;
+  if (!scene.file.empty()) throw Error("--unit and --group are for mesh files: " + options.scene + " says its own");
+  useUnit(options.unit_mm, scene.body);
+  scene.body.group = options.group;
+  return scene;
+}
+
+/// The consent is for this scene: one that is opened later does not have it.
+scene::Scene sceneToRun(const RunOptions& options) {
+  scene::Scene scene = namedScene(options);
+  scene.safety.unsafe_stiffness = options.unsafe_stiffness;
+  return scene;
+}
+
+void keepState(const RunOptions& options, viewer::Viewer& viewer, const window::Window& window) {
+  if (!options.no_state) viewer::writeState(viewer::stateFile(), {viewer.session().state, window.placement()});
+}
+
+/// What cannot be completed at the end is told where somebody still reads.
+void finishViewer(const RunOptions& options, viewer::Viewer& viewer) {
+  viewer::Messages& messages = viewer.session().messages;
+  messages.markRead();
+  const servo::LoopReport report = viewer.finish(endAskedBy() == 0 ? "done" : nameOfSignal(endAskedBy()));
+  if (options.verbose) tellServo(report);
+  if (messages.unread() == 0) return;
+  for (auto message = messages.all().rbegin(); message != messages.all().rend(); ++message) {
+    if (message->severity == viewer::Severity::error) throw Error(message->text);
+  }
+}
+
+/// A signal leaves no time for a question.
+void keepChanges(const viewer::Viewer& viewer) {
+  if (endAskedBy() == 0) return;
+  try {
+    const std::filesystem::path kept = viewer.keepChanges();
+    if (!kept.empty()) say(fmt::format("palpate: the changed scene is kept as {}\n", kept.string()));
+  } catch (const Error& error) {
+    say(fmt::format("palpate: the changed scene is lost: {}\n", error.what()));
+  }
+}
+
+/// What is remembered between runs is the user's; without it sessions need a folder that is named.
+std::filesystem::path sessionFolder(const RunOptions& options) {
+  if (options.no_session) return {};
+  if (!options.sessions.empty()) return std::filesystem::absolute(options.sessions);
+  return options.no_state ? std::filesystem::path() : viewer::sessionsFolder();
+}
+
+/// What cannot be read opens no window.
+void checkReplays(const RunOptions& options) {
+  if (!options.beside.empty() && !trace::isSession(options.replay)) {
+    throw Error("--beside is for a session beside that of --replay");
+  }
+  for (const std::string& file : {options.replay, options.beside}) {
+    if (file.empty()) continue;
+    trace::isSession(file) ? static_cast<void>(trace::SessionReader(file))
+                           : static_cast<void>(trace::readForcesTable(file));
+  }
+}
+
+/// What says where the head is: nothing, a tracker's program, or a headset.
+using HeadSource = std::variant<std::monostate, device::HeadStream, device::OpenXrHead>;
+
+void openHeadSource(const std::string& which, HeadSource& heads) {
+  if (which.empty()) return;
+  if (which == "openxr") {
+    heads.emplace<device::OpenXrHead>();
+  } else if (which.find_first_of("0123456789") != std::string::npos) {
+    heads.emplace<device::HeadStream>(which);
+  } else {
+    throw Error(fmt::format("head tracker: '{}' must be [ADDRESS:]PORT or openxr", oneLine(which)));
+  }
+}
+
+std::optional<Vec3> newestHead(HeadSource& heads) {
+  if (auto* stream = std::get_if<device::HeadStream>(&heads)) return stream->newest();
+  if (auto* headset = std::get_if<device::OpenXrHead>(&heads)) return headset->newest();
+  return std::nullopt;
+}
+
+/// Measured from where the head is expected: there the tracker was centred, or the headset first seen.
+void followHead(HeadSource& heads, viewer::Viewer& viewer, double now_s) {
+  const std::optional<Vec3> place = newestHead(heads);
+  const viewer::HeadSettings& head = viewer.session().state.head;
+  if (place) viewer.headAt(head.expected_mm - head.offset_mm + *place, now_s);
+}
+
+void runWindow(const RunOptions& options) {
+  const auto started = Clock::now();
+  Playback playback(options.play);
+  checkReplays(options);
+  HeadSource heads;
+  openHeadSource(options.head_tracker, heads);
+  // The body is built while the window opens; without a display there is nothing to build it for.
+  std::shared_ptr<const scene::World> world;
+  std::optional<Background> building;
+  if (window::displayOffered()) {
+    building.emplace([&world, scene = sceneToRun(options)] { world = scene::build(scene); });
+  }
+  const viewer::StateReading state = remembered(options);
+  window::Window window(windowFor(options, state));
+  viewer::ViewerSettings settings;
+  settings.intro = !options.no_intro && !state.remembered && options.play.empty();
+  settings.output_folder = options.out;
+  settings.session_folder = sessionFolder(options);
+  settings.default_scene = standardScene();
+  viewer::ViewState view_state = state.remembered ? state.remembered->state : viewer::ViewState{};
+  view_state.input.shortcuts = !options.no_shortcuts;
+  if (!options.stereo.empty()) view_state.stereo.mode = view::stereoModeNamed(options.stereo);
+  if (!options.head_tracker.empty()) view_state.head.on = true;
+  building->join();  // without a display the window has thrown
+  if (!options.devices.empty()) settings.devices = openedFor(*world, options.devices);
+  viewer::Viewer viewer(world, std::move(view_state), std::move(settings), hostOf(window));
+  if (!state.note.empty()) viewer.session().report(viewer::Severity::warning, state.note);
+  if (!options.replay.empty()) viewer.session().wish(viewer::Wish::Kind::open, options.replay);
+  viewer.session().beside_at_first = options.beside;
+  if (options.measure.size() == 2) {
+    viewer.session().wish(viewer::Wish::Kind::measure_before, options.measure[0]);
+    viewer.session().wish(viewer::Wish::Kind::measure_after, options.measure[1]);
+  }
+  const FinishesInOrder in_order;
+  const StoppedBySignal stopped(viewer.emergencyStop());
+  showFrames(window, viewer, playback, options.frames, [&](std::uint64_t frame, double now_s) {
+    followHead(heads, viewer, now_s);
+    if (!options.verbose) return;
+    if (frame == 1) tell(fmt::format("first frame after {:.3f} s\n", secondsSince(started)));
+    tellFrame(frame, now_s, viewer);
+  });
+  keepChanges(viewer);
+  keepState(options, viewer, window);
+  finishViewer(options, viewer);
+}
+
+}  // namespace
+
+void addRunCommand(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("run", "Open a window and touch a body with the mouse");
+  const auto options = std::make_shared<RunOptions>();
+  command->add_option("SCENE", options->scene, "Scene (TOML) or mesh file; without one: the built-in trunk");
+  addPresetOption(*command, options->preset);
+  command->footer(
+      "Examples:\n"
+      "  palpate run --preset vhb                 The dissertation's Virtual Haptic Back\n"
+      "  palpate run                              The built-in trunk in layered tissue\n"
+      "  palpate run my_scan.stl                  Any mesh\n"
+      "  palpate run scene.toml --device mouse    A scene file, the left finger held by a device");
+  addUnit(*command, options->unit_mm);
+  command->add_option("--group", options->group, "Only this group or object of an OBJ file");
+  command->add_option("--play", options->play,
+                      "Play an input script (docs/reference/viewer.md): time_s, event, values");
+  command->add_option("--replay", options->replay,
+                      "Play a session, or press the same places again as a table of forces (CSV), to be stepped tick "
+                      "by tick");
+  command->add_option("--beside", options->beside, "Play this session beside that of --replay");
+  command
+      ->add_option("--measure", options->measure,
+                   "Measure how far skin follows: two photographs of dots, before and after it is dragged")
+      ->type_name("BEFORE AFTER")
+      ->expected(2);
+  takesOneOf(wordList<view::StereoMode>(),
+             command->add_option("--stereo", options->stereo,
+                                 "Stereo mode instead of the remembered one; quad-buffer asks for a window for shutter "
+                                 "glasses"));
+  command
+      ->add_option(
+          "--head-tracker", options->head_tracker,
+          "Follow a head that opentrack sends (\"UDP over network\"; its default is 4242), or a headset by openxr: the "
+          "screen is a window onto a body of true size (docs/reference/viewer.md)")
+      ->type_name("[ADDRESS:]PORT|openxr");
+  addDeviceOption(*command, options->devices,
+                  "Holds the left finger instead of the mouse, the right one when given again");
+  addUnsafeStiffness(*command, options->unsafe_stiffness);
+  addNumber(*command, "--frames", options->frames, between(1, 1e12), "Close after so many frames");
+  command->add_option("-o,--out", options->out, "Folder for pictures and tables that are saved")->capture_default_str();
+  addNumber(*command, "--width", options->width, between(320, 16384, "pixels"),
+            "Of the window, instead of the remembered one");
+  addNumber(*command, "--height", options->height, between(240, 16384, "pixels"), "Of the window");
+  command->add_flag("--full-screen", options->full_screen, "Fill the screen");
+  command->add_flag("--no-intro", options->no_intro, "Do not show how to press in the first seconds");
+  command->add_flag("--no-shortcuts", options->no_shortcuts, "Keys do nothing, but for F1 and Esc");
+  command->add_flag("--no-state", options->no_state, "Neither read nor write what is remembered between runs");
+  command->add_flag("--no-session", options->no_session, "Do not record the last hour by itself");
+  command->add_option("--sessions", options->sessions,
+                      "Folder for the sessions that are recorded by themselves; left out: the user's own, or with "
+                      "--no-state none");
+  command->add_flag("--verbose", options->verbose, "Print a line for every frame, and the servo's report at the end");
+  command->add_flag("--keys", options->keys, "Print the table of keys (Markdown) and stop");
+  command->callback([=] {
+    if (options->keys) {
+      fmt::print("{}", window::keysAsMarkdown());
+    } else {
+      runWindow(*options);
+    }
+  });
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,169 @@
+#include "cli/serve/access.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "palpate/base/error.h"
+#include "palpate/base/hmac_sha256.h"
+#include "palpate/base/output_file.h"
+#include "palpate/base/private_folder.h"
+#include "palpate/base/text.h"
+
+namespace palpate::app::serving {
+
+namespace {
+
+constexpr std::size_t kLeastToken = 16;
+constexpr std::size_t kMostToken = 128;
+constexpr std::uint64_t kMostTokenFile = 4096;
+constexpr std::string_view kTokenFileStem = "serve-";
+
+bool isTokenLetter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
+}
+
+[[noreturn]] void failAt(const std::filesystem::path& file, int reason) {
+  throw Error::inFile(file.string(), std::generic_category().message(reason));
+}
+
+std::string lowered(std::string_view text) {
+  std::string lower(text);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return lower;
+}
+
+bool isHostLetter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '.' || c == ':' || c == '[' || c == ']';
+}
+
+std::string tokenOf(const nlohmann::json& json, const char* name) {
+  return json.contains(name) && json[name].is_string() ? json[name].get<std::string>() : std::string();
+}
+
+/// By its name, "serve-PID-...": of a process that is gone, or of an earlier one that had our number.
+bool isOfDeadServer(std::string_view name) {
+  if (!name.starts_with(kTokenFileStem)) return false;
+  name.remove_prefix(kTokenFileStem.size());
+  pid_t process = 0;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), process);
+  if (error != std::errc() || process <= 0) return false;
+  return process == ::getpid() || (::kill(process, 0) != 0 && errno == ESRCH);
+}
+
+}  // namespace
+
+std::string_view wordOf(Role role) {
+  constexpr std::array<std::string_view, 4> kWords = {"none", "look", "control", "instruct"};
+  return kWords[static_cast<std::size_t>(role)];
+}
+
+std::string faultOfToken(std::string_view token) {
+  if (token.size() < kLeastToken || token.size() > kMostToken) {
+    return fmt::format("a token has {} to {} letters, not {}", kLeastToken, kMostToken, token.size());
+  }
+  if (!std::all_of(token.begin(), token.end(), isTokenLetter)) return "a token has letters, digits, - and _ only";
+  return {};
+}
+
+std::string makeToken() {
+  std::array<unsigned char, 20> random{};
+  if (::getentropy(random.data(), random.size()) != 0) throw Error("the system gives no random numbers");
+  std::string token;
+  for (const unsigned char byte : random) token += fmt::format("{:02x}", byte);
+  return token;
+}
+
+Tokens completed(Tokens given) {
+  for (std::string* token : {&given.look, &given.control, &given.instruct}) {
+    if (token->empty()) *token = makeToken();
+    if (const std::string fault = faultOfToken(*token); !fault.empty()) throw Error("token: " + fault);
+  }
+  if (given.look == given.control || given.look == given.instruct || given.control == given.instruct) {
+    throw Error("token: two of the three are the same: they would not say who is who");
+  }
+  return given;
+}
+
+Role roleOf(const Tokens& tokens, std::string_view offered) noexcept {
+  if (offered.size() > kMostToken) return Role::none;
+  const bool looks = equalInConstantTime(tokens.look, offered);
+  const bool controls = equalInConstantTime(tokens.control, offered);
+  const bool instructs = equalInConstantTime(tokens.instruct, offered);
+  return instructs ? Role::instruct : controls ? Role::control : looks ? Role::look : Role::none;
+}
+
+void writeTokens(const std::filesystem::path& file, const Tokens& tokens) {
+  if (std::filesystem::exists(std::filesystem::symlink_status(file))) failAt(file, EEXIST);
+  const nlohmann::ordered_json json = {
+      {"look", tokens.look}, {"control", tokens.control}, {"instruct", tokens.instruct}};
+  writePrivateFile(file, json.dump(2) + "\n");
+}
+
+std::filesystem::path freshTokenFile() {
+  const std::filesystem::path folder = runtimeFolder();
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    if (isOfDeadServer(entry.path().filename().string())) std::filesystem::remove(entry.path(), error);
+  }
+  return folder / fmt::format("{}{}-{}.json", kTokenFileStem, ::getpid(), makeToken().substr(0, 8));
+}
+
+Tokens readTokens(const std::filesystem::path& file) {
+  struct stat facts = {};
+  if (::stat(file.c_str(), &facts) != 0) failAt(file, errno);
+  if ((facts.st_mode & 0077) != 0) {
+    throw Error::inFile(file.string(), "others may read or write it: chmod 600 " + file.string());
+  }
+  const auto json = nlohmann::json::parse(readFile(file, kMostTokenFile), nullptr, false);
+  if (!json.is_object()) throw Error::inFile(file.string(), R"(is not {"look": ..., "control": ..., "instruct": ...})");
+  try {
+    return completed({tokenOf(json, "look"), tokenOf(json, "control"), tokenOf(json, "instruct")});
+  } catch (const Error& error) {
+    throw Error::inFile(file.string(), error.what());
+  }
+}
+
+bool isLoopback(std::string_view address) {
+  if (address == "localhost" || address == "::1" || address == "[::1]") return true;
+  if (!address.starts_with("127.")) return false;
+  return std::all_of(address.begin(), address.end(), [](char c) { return c == '.' || (c >= '0' && c <= '9'); });
+}
+
+std::string originOf(std::string_view url) {
+  const std::string lower = lowered(url);
+  const std::size_t scheme = lower.find("://");
+  if (scheme == std::string::npos) return {};
+  const std::string name = lower.substr(0, scheme);
+  if (name != "http" && name != "https") return {};
+  std::string host = lower.substr(scheme + 3);
+  if (const std::size_t slash = host.find('/'); slash != std::string::npos) host.resize(slash);
+  const std::string_view standard = name == "http" ? ":80" : ":443";
+  if (host.ends_with(standard) && host.find(':') == host.size() - standard.size()) {
+    host.resize(host.size() - standard.size());
+  }
+  if (host.empty() || host.size() > 255 || !std::all_of(host.begin(), host.end(), isHostLetter)) return {};
+  return name + "://" + host;
+}
+
+bool originAllowed(std::string_view origin, const std::vector<std::string>& named, const LocalPlace& local) {
+  if (origin.empty()) return true;
+  const std::string from = originOf(origin);
+  if (from.empty() || from.size() < origin.size() - 4) return false;  // something follows: no origin of a page
+  if (std::find(named.begin(), named.end(), from) != named.end()) return true;
+  const bool is_v6 = local.address.find(':') != std::string_view::npos;
+  const std::string own = is_v6 ? fmt::format("[{}]", local.address) : std::string(local.address);
+  if (from == originOf(fmt::format("{}://{}:{}", local.scheme, own, local.port))) return true;
+  return isLoopback(local.address) && from == originOf(fmt::format("{}://localhost:{}", local.scheme, local.port));
+}
+
+}  // namespace palpate::app::serving

@@ -1,0 +1,90 @@
+// What all connections of the network thread share: who looks on, what is shown, what was counted. Only that thread
+// touches it, but for the counts.
+#pragma once
+
+#include <atomic>
+#include <boost/beast/http/empty_body.hpp>
+#include <boost/beast/http/message.hpp>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "cli/serve/network.h"
+#include "cli/serve/visit_book.h"
+#include "cli/serve/wire.h"
+#include "palpate/base/stopwatch.h"
+
+namespace palpate::app::serving {
+
+using Request = boost::beast::http::request<boost::beast::http::empty_body>;
+using Frame = std::shared_ptr<const std::string>;
+
+class Onlooker;
+
+struct HallCounts {
+  std::atomic<std::uint64_t> onlookers{0}, most_onlookers{0}, frames_sent{0}, frames_skipped{0}, bytes_sent{0},
+      refused_token{0}, refused_origin{0}, refused_full{0}, malformed{0}, dropped{0}, hung_up{0};
+};
+
+struct Hall {
+  Hall(NetworkSettings of, Exhibits shown, ControlDesk at)
+      : settings(std::move(of)), exhibits(std::move(shown)), desk(std::move(at)) {}
+
+  const NetworkSettings settings;
+  const Exhibits exhibits;
+  ControlDesk desk;
+  int port = 0;
+  HallCounts counts;
+  std::map<OnlookerId, std::shared_ptr<Onlooker>> onlookers;
+  OnlookerId last_id = 0;
+  VisitBook book;
+  std::map<VisitId, std::function<void()>> hang_up;  ///< of those in the book
+  VisitId last_visit = 0;
+  Frame newest;
+  nlohmann::ordered_json vitals;
+  bool closing = false;
+  const Clock::time_point began = Clock::now();
+
+  double now() const { return secondsSince(began); }
+  std::string state() const;
+  /// To everybody.
+  void tellState();
+  void tellMessage(const std::string& words);
+  void show(const Frame& frame);
+  void join(const std::shared_ptr<Onlooker>& onlooker, OnlookerId id);
+  void leave(OnlookerId id);
+  /// Hangs up on this visit, where it is one, to make room.
+  void makeRoom(VisitId id);
+};
+
+/// Answers the requests that come over this socket, one after the other, and makes an onlooker of one that asks for the
+/// stream. Keeps itself alive.
+void beginVisit(Socket socket, Hall& hall);
+
+/// Completes the handshake and streams until it ends. Keeps itself alive; the hall knows it from the handshake on.
+void beginLooking(Wire wire, Hall& hall, Role role, const Request& request);
+
+/// For Hall: what everybody is told, and the end of everybody.
+void tell(Onlooker& onlooker, const std::string& state);
+void tellWords(Onlooker& onlooker, const std::string& message);
+void show(Onlooker& onlooker, const Frame& frame);
+/// Some times a second: who takes nothing is hung up on.
+void look(Onlooker& onlooker);
+void sendAway(Onlooker& onlooker);
+
+inline constexpr std::uint32_t kMaxHeaderBytes = 8192;
+
+/// An answer goes out in such pieces, each in its time: a skin of millions of triangles may take long over a slow line,
+/// but not for ever.
+inline constexpr std::size_t kPieceBytes = 65536;
+
+/// A page sends sixty a second, a hasty one a hundred more.
+inline constexpr double kMaxWishesPerS = 200.0;
+
+/// The protocol that both sides name; a page's token stands beside it, where no log writes it down.
+inline constexpr std::string_view kProtocol = "palpate.1";
+inline constexpr std::string_view kTokenProtocol = "palpate.token.";
+
+}  // namespace palpate::app::serving

@@ -1,0 +1,33 @@
+// A run of `palpate serve`: a world, its servo with devices or with fingers that pages move, and sixty frames a second
+// of what they make of the skin.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cli/kit/simulate_options.h"
+#include "cli/serve/network.h"
+
+namespace palpate::app::serving {
+
+struct ServeOptions {
+  SimulateOptions input;             ///< the scene; `seconds` is how long, 0: until a signal
+  std::vector<std::string> devices;  ///< that hold the first fingers instead of pages
+  std::string host = "127.0.0.1";
+  int port = 8080;
+  Tokens tokens;  ///< those that are given
+  std::filesystem::path token_file;
+  std::filesystem::path tls_cert, tls_key;  ///< both or neither
+  std::vector<std::string> origins;
+  std::size_t onlookers = 64;
+  std::filesystem::path site;     ///< empty: the installed one, or a page that says so
+  std::filesystem::path session;  ///< to record; empty: none
+  bool overwrite = false;
+  bool json = false;
+};
+
+/// Until its time is over or a signal asks for the end. Throws Error.
+void serve(const ServeOptions& options);
+
+}  // namespace palpate::app::serving

@@ -1,0 +1,119 @@
+// Listens to a run, headless or paced, and keeps what is to be kept: the table of forces, the statistics, what every
+// finger felt over time, and the moments whose surfaces are written afterwards.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/plot/run_strip.h"
+#include "palpate/base/hash.h"
+#include "palpate/device/finger_path.h"
+#include "palpate/scene/world.h"
+#include "palpate/servo/loop.h"
+#include "palpate/trace/forces_csv.h"
+#include "palpate/trace/sample.h"
+#include "palpate/trace/session_writer.h"
+
+namespace palpate::app {
+
+// What a run was like, collected sample by sample: how hard and how deep each finger pressed, how it stuck and slipped.
+
+/// Of one finger. Means are over the ticks in contact.
+struct FingerStatistics {
+  std::uint64_t ticks = 0;
+  std::uint64_t touching = 0;
+  std::uint64_t sticking = 0;
+  std::uint64_t slipping = 0;
+  std::uint64_t limited = 0;  ///< touching ticks in which the device got less, or later, than the contact's force
+  std::array<std::uint64_t, servo::kSafetyBits>
+      interventions{};  ///< ticks in which each bit of the safety status was set
+  double peak_force_n = 0.0;
+  double sum_force_n = 0.0;
+  double peak_device_force_n = 0.0;
+  double peak_depth_mm = 0.0;
+  Vec3 deepest_at = Vec3::Zero();  ///< where on the skin that was, mm
+  double sum_depth_mm = 0.0;
+  std::size_t triangles = 0;  ///< different ones under the proxy
+
+  double meanForceN() const { return touching == 0 ? 0.0 : sum_force_n / static_cast<double>(touching); }
+  double meanDepthMm() const { return touching == 0 ? 0.0 : sum_depth_mm / static_cast<double>(touching); }
+};
+
+class RunStatistics {
+ public:
+  RunStatistics(std::size_t fingers, std::size_t triangles);
+  void add(const trace::Sample& sample);
+
+  const std::vector<FingerStatistics>& fingers() const { return fingers_; }
+  /// Names the run: equal for two runs with the same contact forces in every tick.
+  std::uint64_t hash() const { return hash_.value(); }
+  bool anyTouch() const;
+
+ private:
+  std::vector<FingerStatistics> fingers_;
+  std::vector<std::vector<bool>> visited_;  ///< a finger each, a triangle each
+  Hash hash_;
+};
+
+class RunRecorder {
+ public:
+  /// Starts `forces.csv` in the folder when the scene wants it.
+  RunRecorder(const scene::World& world, const device::FingerPaths& paths, const std::filesystem::path& folder);
+
+  /// Keeps the whole run as a session file besides (docs/reference/sessions.md).
+  void keepSession(const servo::Rig& rig);
+
+  /// Samples in order; the fingers of a tick follow each other.
+  void add(const trace::Sample& sample);
+
+  /// Finishes forces.csv and writes the surfaces: at the times the scene asks for, and where the fingers pressed
+  /// deepest.
+  void finish(const Progress& progress);
+  /// After `finish`: what ended the run, for the session.
+  void finishSession(std::string_view ended_by, std::uint64_t dropped);
+
+  const RunStatistics& statistics() const { return statistics_; }
+  /// One a finger of the scene.
+  const std::vector<RunStrip>& strips() const { return strips_; }
+  /// Names of the files written, in the folder.
+  const std::vector<std::string>& files() const { return files_; }
+  /// The frame in which the fingers pressed deepest, and the one in which they pulled the skin farthest; empty when
+  /// they never did.
+  const servo::TickSamples& deepest() const { return deepest_.frame; }
+  const servo::TickSamples& farthest() const { return farthest_; }
+  /// What could not be kept, in words.
+  const std::vector<std::string>& notes() const { return notes_; }
+
+ private:
+  /// A moment to keep: the first frame at or after its tick.
+  struct Moment {
+    std::string file;
+    std::uint64_t tick = 0;
+    servo::TickSamples frame;
+  };
+
+  void addFrame();
+  void write(const Moment& moment);
+
+  const scene::World& world_;
+  std::filesystem::path folder_;
+  std::optional<trace::ForcesCsvWriter> forces_;
+  std::optional<trace::SessionWriter> session_;
+  RunStatistics statistics_;
+  trace::ForcesCsvSettings times_;
+  std::vector<RunStrip> strips_;
+  std::vector<Moment> moments_;
+  Moment deepest_;
+  double deepest_mm_ = 0.0;
+  servo::TickSamples farthest_;
+  double farthest_mm_ = 0.0;
+  servo::TickSamples frame_;
+  std::vector<std::string> files_;
+  std::vector<std::string> notes_;
+};
+
+}  // namespace palpate::app

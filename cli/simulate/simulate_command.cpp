@@ -1,0 +1,77 @@
+// `palpate simulate`: palpates a scene without a device and writes what was felt.
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/kit/commands.h"
+#include "cli/kit/device_option.h"
+#include "cli/kit/interruption.h"
+#include "cli/kit/progress_line.h"
+#include "cli/kit/results_folder.h"
+#include "cli/kit/simulate_options.h"
+#include "cli/simulate/simulation.h"
+#include "palpate/base/text.h"
+#include "palpate/scene/scene_file.h"
+
+namespace palpate::app {
+
+namespace {
+
+void runSimulate(const SimulateOptions& options) {
+  const FinishesInOrder in_order;
+  ProgressLine progress;
+  const scene::Scene scene = sceneFor(options);
+  const ResultsFolder results = resultsFolder(options.out, options.overwrite);
+  SimulationResult result = simulate(
+      scene, {results.folder, options.realtime, options.devices, options.session, options.pictures, options.plot},
+      progress.display());
+  progress.clear();
+  result.preset = options.preset;
+  result.files.emplace_back("report.json");
+  const std::string json = reportOf(result).dump(2) + "\n";
+  writeFile(result.folder / "report.json", json);
+  removeEarlier(results, result.files);
+  fmt::print("{}", options.json ? json : summaryOf(result));
+}
+
+void addOutputOptions(CLI::App& command, SimulateOptions& options) {
+  command.add_option(
+      "-o,--out", options.out,
+      "Folder for forces.csv, forces.png, surfaces (PLY), pictures.png and report.json; left out: results, or "
+      "results-2, ... where an earlier run is");
+  command.add_flag("--overwrite", options.overwrite, "Replace the run that is in the folder");
+  command.add_flag("--realtime", options.realtime,
+                   "Pace the servo loop by the clock, deform at 60 Hz beside it, and report how late it woke");
+  command.add_flag("--session", options.session,
+                   "Leave run.session, every tick to the bit, for `palpate replay` (docs/reference/sessions.md)");
+  command.add_flag("--pictures,!--no-pictures", options.pictures, "Leave pictures.png, what it looked like (default)");
+  command.add_flag("--plot,!--no-plot", options.plot, "Leave forces.png, force, depth and lag over time (default)");
+  command.add_flag("--json", options.json, "Print the report as JSON instead of the summary");
+}
+
+}  // namespace
+
+void addSimulateCommand(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("simulate", "Palpate a body without a device and write what was felt");
+  const auto options = std::make_shared<SimulateOptions>();
+  const auto keys = std::make_shared<bool>(false);
+  addInputOptions(*command, *options);
+  addSecondsOption(*command, *options);
+  addDeviceOption(*command, options->devices,
+                  "Holds the first finger instead of its path, the second when given again; its origin lies where the "
+                  "path begins, and hardware needs --realtime");
+  addUnsafeStiffness(*command, options->unsafe_stiffness);
+  addOutputOptions(*command, *options);
+  command->add_flag("--keys", *keys, "Print every key of scene files (Markdown) and stop");
+  command->callback([=] {
+    options->radius_given = command->count("--radius-mm") > 0;
+    if (*keys) {
+      fmt::print("{}", scene::keysAsMarkdown());
+    } else {
+      runSimulate(*options);
+    }
+  });
+}
+
+}  // namespace palpate::app

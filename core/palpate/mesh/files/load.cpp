@@ -1,0 +1,162 @@
+// The bytes of a file, told apart by their first ones or the file's name, go to the reader of their format; then
+// vertices are welded where the format repeats them, and units become millimetres. Own.
+#include "palpate/mesh/files/load.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <limits>
+
+#include "palpate/base/error.h"
+#include "palpate/base/text.h"
+#include "palpate/mesh/files/detail/readers.h"
+#include "palpate/mesh/weld.h"
+
+namespace palpate::mesh {
+
+namespace {
+
+constexpr double kMillimetresPerMetre = 1000.0;
+
+std::string lowerCase(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+/// With its dot, in lower case; "." when there is none.
+std::string extensionOf(const std::filesystem::path& file) {
+  const std::string ending = lowerCase(file.extension().string());
+  return ending.empty() ? "." : ending;
+}
+
+std::optional<Format> formatByContent(std::string_view bytes) {
+  if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return Format::ply;
+  if (bytes.starts_with("glTF")) return Format::glb;
+  for (std::string_view magic : {"OFF", "COFF", "NOFF", "CNOFF", "STOFF"}) {
+    const bool word_ends =
+        bytes.size() > magic.size() && std::string_view(" \t\r\n#").find(bytes[magic.size()]) != std::string_view::npos;
+    if (bytes.starts_with(magic) && word_ends) return Format::off;
+  }
+  return std::nullopt;
+}
+
+std::optional<Format> formatByExtension(const std::filesystem::path& file) {
+  const std::string extension = extensionOf(file);
+  if (extension == ".obj") return Format::obj;
+  if (extension == ".stl") return Format::stl;
+  if (extension == ".ply") return Format::ply;
+  if (extension == ".off") return Format::off;
+  if (extension == ".gltf") return Format::gltf;
+  if (extension == ".glb") return Format::glb;
+  return std::nullopt;
+}
+
+TriangleMesh read(const MeshFile& file, Format format, VertexChannels* channels) {
+  switch (format) {
+    case Format::obj:
+      return readObj(file);
+    case Format::stl:
+      return readStl(file);
+    case Format::ply:
+      return readPly(file, channels);
+    case Format::off:
+      return readOff(file);
+    case Format::gltf:
+    case Format::glb:
+      return readGltf(file);
+    case Format::foreign:
+      return readForeign(file, extensionOf(std::string(file.name)).substr(1));
+  }
+  return {};
+}
+
+/// Until a host brings one (read_foreign.cpp).
+TriangleMesh refuseForeign(const MeshFile& file, const std::string&) {
+  throw Error::inFile(file.name, "this format would need assimp, and palpate was built without assimp");
+}
+
+ForeignReader& foreignReader() {
+  static ForeignReader reader = refuseForeign;
+  return reader;
+}
+
+bool isGltf(Format format) { return format == Format::gltf || format == Format::glb; }
+
+void follow(VertexChannels* channels, const std::vector<Index>& source_vertex) {
+  if (channels != nullptr) *channels = followed(*channels, source_vertex);
+}
+
+TriangleMesh loadChecked(const MeshFile& file, Format format, VertexChannels* channels) {
+  if (file.bytes.empty()) throw Error::inFile(file.name, "the file is empty");
+  TriangleMesh mesh = read(file, format, channels);
+  if (mesh.triangles.empty()) throw Error::inFile(file.name, "no triangles in it");
+  // STL welds while it reads.
+  const bool repeats_vertices = isGltf(format) || format == Format::foreign;
+  if (format != Format::stl && file.options.weld.value_or(repeats_vertices)) {
+    follow(channels, mergeVertices(mesh, equalVertices(mesh.positions)));
+  }
+  if (!file.options.group.empty()) follow(channels, removeUnusedVertices(mesh));
+  toMillimetres(mesh, format, file.options.unit_mm);
+  report(file.progress, "reading", 1.0);
+  return mesh;
+}
+
+}  // namespace
+
+TriangleMesh readForeign(const MeshFile& file, const std::string& extension) {
+  return foreignReader()(file, extension);
+}
+
+void useForeignReader(ForeignReader reader) { foreignReader() = reader; }
+
+bool isMeshFile(const std::filesystem::path& file) { return formatByExtension(file).has_value(); }
+
+Format formatOf(const std::filesystem::path& file, std::string_view bytes, bool allow_foreign) {
+  if (const auto format = formatByContent(bytes)) return *format;
+  if (const auto format = formatByExtension(file)) return *format;
+  if (allow_foreign) return Format::foreign;
+  throw Error::inFile(file.string(), "not a mesh file that can be read; these can: obj, stl, ply, off, gltf, glb");
+}
+
+void toMillimetres(TriangleMesh& mesh, Format format, double unit_mm) {
+  if (unit_mm == 0.0) unit_mm = isGltf(format) ? kMillimetresPerMetre : 1.0;
+  if (unit_mm == 1.0) return;
+  for (Vec3& position : mesh.positions) position *= unit_mm;
+}
+
+void checkTriangleCount(std::size_t triangles, std::string_view name) {
+  constexpr std::size_t kMost = std::numeric_limits<Index>::max() / 3;
+  if (triangles >= kMost) throw Error::inFile(name, fmt::format("more than {} triangles", kMost));
+}
+
+TriangleMesh load(const std::filesystem::path& file, const LoadOptions& options, const Progress& progress) {
+  report(progress, "reading", 0.0);
+  return withMeshFile(file, options, progress,
+                      [](const MeshFile& mesh_file, Format format) { return loadChecked(mesh_file, format, nullptr); });
+}
+
+TriangleMesh loadFromMemory(std::string_view bytes, Format format, std::string_view name, const LoadOptions& options,
+                            const Progress& progress) {
+  return loadChecked({bytes, name, options, progress, {}}, format, nullptr);
+}
+
+MeshWithChannels loadWithChannels(const std::filesystem::path& file, const LoadOptions& options,
+                                  const Progress& progress) {
+  report(progress, "reading", 0.0);
+  MeshWithChannels loaded;
+  loaded.mesh = withMeshFile(file, options, progress, [&](const MeshFile& mesh_file, Format format) {
+    return loadChecked(mesh_file, format, &loaded.channels);
+  });
+  return loaded;
+}
+
+MeshWithChannels loadWithChannelsFromMemory(std::string_view bytes, Format format, std::string_view name,
+                                            const LoadOptions& options, const Progress& progress) {
+  MeshWithChannels loaded;
+  loaded.mesh = loadChecked({bytes, name, options, progress, {}}, format, &loaded.channels);
+  return loaded;
+}
+
+}  // namespace palpate::mesh

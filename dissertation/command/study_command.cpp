@@ -1,0 +1,264 @@
+// `palpate study`: the dissertation's numbers and figures, computed and drawn by the engine.
+//
+// Each study is a subcommand with a file of its own in study/; those that write a page are listed in dissertation/studies.cpp.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/kit/commands.h"
+#include "cli/kit/default_scene.h"
+#include "cli/kit/interruption.h"
+#include "cli/kit/number_option.h"
+#include "cli/kit/progress_line.h"
+#include "palpate/base/error.h"
+#include "palpate/scene/scene_file.h"
+#include "dissertation/errata/errata_report.h"
+#include "dissertation/figures/figure_study.h"
+#include "dissertation/numbers/numbers_study.h"
+#include "dissertation/report/report.h"
+#include "dissertation/studies.h"
+
+namespace palpate::app {
+
+// `palpate study NAME --out DIR` for every study that writes a page (dissertation/studies.h).
+
+namespace {
+
+/// One folder may hold several studies; that one of them is made again is said.
+void tellOfEarlier(const std::string& folder, const std::string& file) {
+  const std::filesystem::path page = std::filesystem::path(folder) / file;
+  if (folder.empty() || !std::filesystem::exists(page)) return;
+  say(fmt::format("palpate: {} is of an earlier run: it is replaced, and what this run does not write stays\n",
+                  page.string()));
+}
+
+struct StudyArguments {
+  std::string folder;
+  bool quick = false;
+  bool json = false;
+  std::optional<std::uint64_t> seed;
+  std::optional<std::size_t> cases;
+  bool map = false;
+  std::string family;
+};
+
+/// Of the page, without its extension.
+std::string pageName(const study::Study& study, const StudyArguments& arguments) {
+  if (arguments.map) return study.name + "_map";
+  return arguments.family.empty() ? study.name : study.name + "_" + arguments.family;
+}
+
+void run(const study::Study& study, const StudyArguments& arguments) {
+  if (!arguments.folder.empty()) study::makeFolder(arguments.folder);  // a folder that cannot be is refused at once
+  tellOfEarlier(arguments.folder, pageName(study, arguments) + ".md");
+  ProgressLine progress;
+  const study::StudyPage page = study::runStudy(study, {.quick = arguments.quick,
+                                                        .progress = progress.callback(),
+                                                        .seed = arguments.seed,
+                                                        .cases = arguments.cases,
+                                                        .map = arguments.map,
+                                                        .family = arguments.family});
+  if (!arguments.folder.empty()) study::writePage(page, arguments.folder, progress.callback());
+  progress.clear();
+  fmt::print("{}", arguments.json ? study::jsonOf(page) : study::textOf(page));
+  if (!arguments.json && !arguments.folder.empty()) fmt::print("\n{}/{}.md\n", arguments.folder, page.name);
+}
+
+void addPage(CLI::App& parent, const study::Study& study) {
+  auto arguments = std::make_shared<StudyArguments>();
+  CLI::App& command = *parent.add_subcommand(study.name, study.what);
+  command.add_option("-o,--out", arguments->folder,
+                     "Write the page (" + study.name +
+                         ".md) with its figures (PNG, SVG) and tables (CSV) into this folder; made when missing");
+  command.add_flag("--quick", arguments->quick,
+                   "Small models and few repetitions: a look at the page, not a measurement");
+  command.add_flag("--json", arguments->json, "Print the findings and main numbers as one JSON object");
+  if (study.draws) {
+    addNumber(command, "--seed", arguments->seed, between(0, 1e15), "Other cases for each");
+    addNumber(command, "--cases", arguments->cases, between(2, 100000), "How many good ones are drawn");
+  }
+  if (study.maps) {
+    command.add_flag(
+        "--map", arguments->map,
+        "Only the map of what is allowed: random systems at every rate and delay, some minutes on two cores");
+    addNumber(command, "--seed", arguments->seed, between(0, 1e15), "Other systems for the map")->needs("--map");
+  }
+  if (!study.families.empty()) {
+    command
+        .add_option("--family", arguments->family,
+                    fmt::format("Only cases of this family ({} unless --cases says otherwise): {}", study.family_cases,
+                                fmt::join(study.families, ", ")))
+        ->check(CLI::IsMember(study.families));
+  }
+  command.callback([arguments, study] { run(study, *arguments); });
+}
+
+}  // namespace
+
+void addStudyPages(CLI::App& parent) {
+  for (const study::Study& study : study::studies()) addPage(parent, study);
+}
+
+// `palpate study all`: every study, one page each, and report.html.
+
+namespace {
+
+/// The default run on the dissertation's body and in its tissue.
+scene::Scene studyScene() {
+  scene::Scene scene = scene::parse(defaultScene(), "default.toml");
+  scene.body = {};
+  scene.body.kind = scene::BodyKind::torso;
+  scene.deformation.tissue = scene::TissueModel::gaussian;
+  return scene;
+}
+
+struct AllArguments {
+  std::string folder;
+  bool quick = false;
+};
+
+void runAll(const AllArguments& arguments) {
+  const scene::Scene scene = studyScene();
+  tellOfEarlier(arguments.folder, "report.html");
+  ProgressLine progress;
+  const auto tell = [&](const study::ChapterDone& chapter) {
+    progress.clear();
+    fmt::print("{:>2} of {}  {:<14} {:6.1f} s\n", chapter.number, chapter.of, chapter.name, chapter.seconds);
+    std::fflush(stdout);
+  };
+  const FinishesInOrder in_order;
+  study::writeReport(study::reportChapters(scene), {.quick = arguments.quick, .progress = progress.callback()},
+                     arguments.folder, tell, [] { return endAskedBy() != 0; });
+  progress.clear();
+  fmt::print("{}/report.html\n", arguments.folder);
+}
+
+}  // namespace
+
+void addStudyAll(CLI::App& parent) {
+  auto arguments = std::make_shared<AllArguments>();
+  CLI::App& command = *parent.add_subcommand(
+      "all", "Every study, a page each, and one readable report.html with all figures; some minutes on two cores");
+  command.add_option("-o,--out", arguments->folder, "Folder to write into; made when missing")->required();
+  command.add_flag("--quick", arguments->quick,
+                   "Small models and few repetitions: a look at the report, not a measurement");
+  command.callback([arguments] { runAll(*arguments); });
+}
+
+namespace {
+
+// A number that differs without an erratum that says why.
+constexpr int kNotReproduced = 1;
+
+struct NumbersArguments {
+  std::string folder;
+  bool json = false;
+};
+
+void runNumbers(const NumbersArguments& arguments) {
+  tellOfEarlier(arguments.folder, "numbers.md");
+  const auto rows = study::studyNumbers();
+  fmt::print("{}", arguments.json ? study::jsonOf(rows) : study::textOf(rows));
+  if (!arguments.folder.empty()) study::writeNumbers(rows, arguments.folder);
+  if (!study::studyHolds(rows)) throw CLI::RuntimeError(kNotReproduced);
+}
+
+void addNumbers(CLI::App& study) {
+  auto arguments = std::make_shared<NumbersArguments>();
+  CLI::App& command = *study.add_subcommand(
+      "numbers",
+      "Printed numbers of the dissertation beside ours, counted apart: from the engine, arithmetic of printed numbers, "
+      "misprints, inconsistent, not computable. Exit code 0 when none differs without an erratum that names ours, 1 "
+      "otherwise");
+  command.add_option("-o,--out", arguments->folder,
+                     "Also write numbers.md, numbers.csv and numbers.json into this folder");
+  command.add_flag("--json", arguments->json, "Print one JSON object");
+  command.callback([arguments] { runNumbers(*arguments); });
+}
+
+struct FiguresArguments {
+  std::string folder;
+  std::vector<std::string> only;
+  double scale = figures::kPngScale;
+  bool list = false;
+};
+
+void runFigures(const FiguresArguments& arguments) {
+  const auto chosen = study::chosenFigures(arguments.only);
+  if (arguments.list) {
+    for (const auto& figure : chosen) {
+      fmt::print("{:<6} {} ({})\n", figure.number, figure.caption, wordFor(figure.basis));
+    }
+    return;
+  }
+  if (arguments.folder.empty()) throw Error("study figures: --out DIR is needed");
+  tellOfEarlier(arguments.folder, "index.md");
+  ProgressLine progress;
+  study::writeFigures(chosen, arguments.folder, arguments.scale, progress.callback());
+  progress.clear();
+  fmt::print("{} figures in {}\n", chosen.size(), arguments.folder);
+}
+
+void addFigures(CLI::App& study) {
+  auto arguments = std::make_shared<FiguresArguments>();
+  CLI::App& command = *study.add_subcommand("figures",
+                                            "Draw figures of the dissertation: PNG, SVG, the curves as CSV, and "
+                                            "index.md with captions and what each is drawn "
+                                            "from");
+  command.add_option("-o,--out", arguments->folder, "Folder to write into; made when missing");
+  command.add_option("--only", arguments->only, "Only these, for example 4.8,5.11")->delimiter(',');
+  addNumber(command, "--scale", arguments->scale, between(0.25, 8.0), "Pixels of the PNG for 1/96 inch")
+      ->capture_default_str();
+  command.add_flag("--list", arguments->list, "Only list what can be drawn");
+  command.callback([arguments] { runFigures(*arguments); });
+}
+
+struct ErrataArguments {
+  std::string scene;
+  std::string folder;
+  bool json = false;
+};
+
+void runErrata(const ErrataArguments& arguments) {
+  const scene::Scene scene = arguments.scene.empty() ? studyScene() : scene::load(arguments.scene);
+  scene::requireFingers(scene);
+  tellOfEarlier(arguments.folder, "errata.md");
+  ProgressLine progress;
+  const auto effects = study::studyErrata(scene, progress.callback());
+  progress.clear();
+  fmt::print("{}", arguments.json ? study::errataJson(effects) : study::errataText(effects));
+  if (!arguments.folder.empty()) study::writeErrata(effects, arguments.folder);
+}
+
+void addErrata(CLI::App& study) {
+  auto arguments = std::make_shared<ErrataArguments>();
+  CLI::App& command = *study.add_subcommand("errata",
+                                            "What each erratum of the dissertation changes on a scene: forces (N), "
+                                            "proxies (mm), skin (mm), strain (%), against "
+                                            "the corrected engine");
+  command.add_option("scene", arguments->scene, "Scene file (TOML); the built-in scene when left out");
+  command.add_option("-o,--out", arguments->folder,
+                     "Also write errata.md, errata.csv and errata.json into this folder");
+  command.add_flag("--json", arguments->json, "Print one JSON object");
+  command.callback([arguments] { runErrata(*arguments); });
+}
+
+}  // namespace
+
+void addStudyCommand(CLI::App& app) {
+  CLI::App& study = *app.add_subcommand("study", "The dissertation's numbers and figures, reproduced");
+  study.require_subcommand(1);
+  addNumbers(study);
+  addFigures(study);
+  addErrata(study);
+  addStudyPages(study);
+  addStudyAll(study);
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,62 @@
+// What the complexity study measures: w counted on complete trees, and searches of real models over thresholds and
+// sizes of the detecting box.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "dissertation/complexity/search_cost.h"
+#include "lab/measured/haptic_frames.h"
+#include "report/page/plot_parts.h"
+#include "report/page/study_page.h"
+
+namespace palpate::study {
+
+inline constexpr std::array kStudiedThresholds{64, 128, 256, 512, 1024, 2048, 4096};
+/// Edges of the detecting box as parts of the model's longest edge; a quarter is the dissertation's.
+inline constexpr std::array kBoxParts{16, 8, 4, 2};
+inline constexpr int kPrintedPart = 4;
+/// In smaller trees a single leaf is too large a share of all for shares to mean something.
+inline constexpr double kFewestLeaves = 30.0;
+
+/// What (3.5) and (3.9) print for c over n.
+double printedCost(hdb::TreeKind tree);
+
+/// A column of Table 3.3 or 3.4.
+struct WorstColumn {
+  hdb::TreeKind tree = hdb::TreeKind::Bsp;
+  int height = 0;
+  double printed = 0.0;
+  double closed = 0.0;
+  double counted = 0.0;
+};
+
+/// Searches in one tree with one size of box.
+struct SearchCase {
+  std::string model;
+  hdb::TreeKind tree = hdb::TreeKind::Bsp;
+  Index threshold = 0;
+  int part = 0;
+  SearchSweep sweep;
+};
+
+struct ComplexityResults {
+  std::vector<WorstColumn> columns;
+  std::vector<SearchCase> cases;  ///< by model, tree, threshold, part
+  std::string largest_model;
+};
+
+ComplexityResults measureComplexity(const StudySettings& settings);
+
+std::vector<const SearchCase*> casesWhere(const ComplexityResults& results,
+                                          const std::function<bool(const SearchCase&)>& wanted);
+
+/// Threshold and box as printed. The model must have been measured.
+const SearchCase& printedCase(const ComplexityResults& results, const std::string& model, hdb::TreeKind tree);
+
+/// complexity_figures.cpp: the pictures of the study.
+std::vector<StudyFigure> complexityFigures(const ComplexityResults& results);
+
+}  // namespace palpate::study

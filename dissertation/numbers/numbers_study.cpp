@@ -1,0 +1,133 @@
+#include "dissertation/numbers/numbers_study.h"
+
+#include <fmt/format.h>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "palpate/base/text.h"
+#include "report/page/study_page.h"
+#include "report/page/text_table.h"
+
+namespace palpate::study {
+
+std::vector<NumberRow> studyNumbers(const PrintedNumbers& printed) {
+  Rows rows;
+  addHaptics(printed, rows);
+  addPartitionComplexity(printed, rows);
+  addMeasuredRates(printed, rows);
+  addProfile(printed, rows);
+  addInterpolation(printed, rows);
+  addMeasuredEllipses(printed, rows);
+  addStatements(printed, rows);
+  return rows;
+}
+
+namespace {
+
+std::string verdictText(const NumberRow& row) {
+  const std::string_view name = wordFor(row.verdict);
+  return row.erratum != Erratum::none ? fmt::format("{} (E{})", name, numberOf(row.erratum)) : std::string(name);
+}
+
+std::string offText(const NumberRow& row) { return row.off_percent ? fmt::format("{:+.2g} %", *row.off_percent) : ""; }
+
+std::vector<std::string> cellsOf(const NumberRow& row) {
+  return {row.where, row.what, row.printed, row.ours, offText(row), row.tolerance, verdictText(row), row.reason};
+}
+
+nlohmann::ordered_json objectOf(const NumberRow& row) {
+  nlohmann::ordered_json json = {{"where", row.where},
+                                 {"what", row.what},
+                                 {"printed", row.printed},
+                                 {"ours", row.ours},
+                                 {"verdict", wordFor(row.verdict)},
+                                 {"tolerance", row.tolerance}};
+  if (row.off_percent) json["off_percent"] = *row.off_percent;
+  if (row.erratum != Erratum::none) json["erratum"] = fmt::format("E{}", numberOf(row.erratum));
+  json["reason"] = row.reason;
+  return json;
+}
+
+nlohmann::ordered_json listOf(const std::vector<NumberRow>& rows, bool deciding) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const NumberRow& row : rows) {
+    if (decides(row.verdict) == deciding) list.push_back(objectOf(row));
+  }
+  return list;
+}
+
+constexpr const char* kNumbersLegend =
+    "off: ours over the printed number. tolerance: how far ours may be from it, half of the last printed digit where\n"
+    "nothing else is said. from our engine: computed by the engine's code. arithmetic of printed numbers: a "
+    "reciprocal,\n"
+    "a ratio, a mean or a comparison of other printed numbers, which shows that the text agrees with itself.\n";
+
+TextTable tableWhere(const std::vector<NumberRow>& rows, const std::function<bool(const NumberRow&)>& wanted) {
+  TextTable table{{"where", "number", "printed", "ours", "off", "tolerance", "verdict", "how or why"}, {}};
+  for (const NumberRow& row : rows) {
+    if (wanted(row)) table.rows.push_back(cellsOf(row));
+  }
+  return table;
+}
+
+TextTable wholeTable(const std::vector<NumberRow>& rows) {
+  return tableWhere(rows, [](const NumberRow&) { return true; });
+}
+
+}  // namespace
+
+TextTable tableOf(const std::vector<NumberRow>& rows, bool deciding) {
+  return tableWhere(rows, [=](const NumberRow& row) { return decides(row.verdict) == deciding; });
+}
+
+std::string countsLine(const std::vector<NumberRow>& rows) {
+  std::string line;
+  for (const auto& [word, verdict] : WordsOf<Verdict>::kAll) {
+    line += fmt::format("{}{} {}", line.empty() ? "" : ", ", countOf(rows, verdict), word);
+  }
+  return line;
+}
+
+std::string numbersLegend() { return kNumbersLegend; }
+
+std::string textOf(const std::vector<NumberRow>& rows) {
+  return plainText(wholeTable(rows)) + "\n" + kNumbersLegend + "\n" + countsLine(rows) + "\n";
+}
+
+std::string jsonOf(const std::vector<NumberRow>& rows) {
+  nlohmann::ordered_json counts;
+  for (const auto& [word, verdict] : WordsOf<Verdict>::kAll) counts[word] = countOf(rows, verdict);
+  const nlohmann::ordered_json json = {{"holds", studyHolds(rows)},
+                                       {"counts", counts},
+                                       {"rows", listOf(rows, true)},
+                                       {"statements", listOf(rows, false)}};
+  return json.dump(2) + "\n";
+}
+
+std::string markdownOf(const std::vector<NumberRow>& rows) {
+  return "# The dissertation's numbers beside ours\n\n" + countsLine(rows) + ".\n\n" + kNumbersLegend +
+         "\n## Numbers that can be computed\n\n" + markdownOf(tableOf(rows, true)) +
+         "\n## Statements that contradict themselves, and numbers that nobody can compute today\n\n" +
+         markdownOf(tableOf(rows, false));
+}
+
+std::string csvOf(const std::vector<NumberRow>& rows) {
+  TextTable table{{"where", "number", "printed", "ours", "off_percent", "tolerance", "verdict", "erratum", "reason"},
+                  {}};
+  for (const NumberRow& row : rows) {
+    const std::string erratum = row.erratum != Erratum::none ? fmt::format("E{}", numberOf(row.erratum)) : "";
+    const std::string off = row.off_percent ? fmt::format("{:.4g}", *row.off_percent) : "";
+    table.rows.push_back({row.where, row.what, row.printed, row.ours, off, row.tolerance,
+                          std::string(wordFor(row.verdict)), erratum, row.reason});
+  }
+  return csvOf(table);
+}
+
+void writeNumbers(const std::vector<NumberRow>& rows, const std::filesystem::path& folder) {
+  makeFolder(folder);
+  writeFile(folder / "numbers.md", markdownOf(rows));
+  writeFile(folder / "numbers.csv", csvOf(rows));
+  writeFile(folder / "numbers.json", jsonOf(rows));
+}
+
+}  // namespace palpate::study

@@ -1,0 +1,35 @@
+// `palpate study all`: runs every chapter, writes its page, and binds all into report.html.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "palpate/scene/scene.h"
+#include "dissertation/studies.h"
+
+namespace palpate::study {
+
+/// The chapters in order: the studies of numbers, figures and errata, which have commands of their own, as pages like
+/// all others, and the pages of studies.h behind them. The errata are measured on this scene.
+std::vector<Study> reportChapters(const scene::Scene& scene);
+
+/// A chapter that is done, for a line of progress.
+struct ChapterDone {
+  std::size_t number = 0;  ///< from 1
+  std::size_t of = 0;
+  std::string name;
+  double seconds = 0.0;  ///< it took, with drawing
+};
+
+/// Runs the chapters one after the other (times would suffer from each other side by side) and writes everything into
+/// the folder, which is made when missing. The progress names the step, the elapsed time and what is being done.
+/// When the end is asked for (stop, asked between chapters; the progress may throw within one), the report binds the
+/// chapters that are done and says so. Returns the pages. Throws Error naming a file that cannot be written.
+std::vector<StudyPage> writeReport(const std::vector<Study>& chapters, const StudySettings& settings,
+                                   const std::filesystem::path& folder,
+                                   const std::function<void(const ChapterDone&)>& done = {},
+                                   const std::function<bool()>& stop = {});
+
+}  // namespace palpate::study

@@ -1,0 +1,32 @@
+// The edge to plugins (palpate_device.h): whatever a stranger's library fills in becomes what the servo may rely on, or
+// words about what is wrong with it. Pure functions.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "palpate/device/device.h"
+#include "palpate/device/device_frame.h"
+#include "palpate/device/detail/driver_link.h"
+#include "palpate/device/palpate_device.h"
+
+namespace palpate::device::plugin {
+
+/// No plugin has a longer name or line about itself.
+inline constexpr std::size_t kMostNameBytes = 128;
+/// The room that a plugin gets for its words.
+inline constexpr std::size_t kWordsRoom = 512;
+
+/// What is wrong with a table; empty: nothing.
+std::string whatIsWrong(const palpate_device_table* table);
+
+/// The text in a room of so many bytes, fit for a message: it ends at its first NUL or where the room does.
+std::string wordsIn(const char* room, std::size_t bytes);
+
+/// Numbers that are no sensible size become "does not say", a box that is none becomes empty.
+Capabilities capabilitiesOf(const palpate_device_capabilities& able, const DeviceFrame& frame);
+
+/// What a reading is worth in the body frame: not a number, too far and too old are faults.
+DriverReading readingOf(int answer, const palpate_device_reading& reading, const DeviceFrame& frame, double tick_s);
+
+}  // namespace palpate::device::plugin

@@ -1,0 +1,88 @@
+// Text -> TOML tree -> the keys before the first table -> each table by its own reader (scene_keys.h) -> Scene. What no
+// single table can see, two fingers of one name, is checked last. The documentation is made of the same tables. Own.
+#include "palpate/scene/scene_file.h"
+
+#include <algorithm>
+#include <set>
+
+#include "palpate/base/text.h"
+#include "palpate/mesh/files/load.h"
+#include "palpate/scene/keys/scene_keys.h"
+#include "palpate/scene/detail/toml_table.h"
+
+namespace palpate::scene {
+
+namespace {
+
+std::vector<std::string> sectionNames() {
+  std::vector<std::string> names;
+  for (const Section& section : sections()) names.push_back(section.name);
+  return names;
+}
+
+void readSections(const toml::table& root, std::string_view file, Scene& scene) {
+  for (const Section& section : sections()) {
+    if (const toml::node* node = root.get(section.name)) section.read(scene, {*node, file, section.title});
+  }
+}
+
+void requireNamesApart(const Scene& scene, std::string_view name) {
+  std::set<std::string> names;
+  for (const Finger& finger : scene.fingers) {
+    if (!names.insert(finger.name).second) {
+      throw Error::atLine(name, finger.line, fmt::format("is the second [[finger]] of the name '{}'", finger.name));
+    }
+  }
+}
+
+}  // namespace
+
+Scene parse(std::string_view toml_text, std::string_view name) {
+  const toml::table root = parsedToml(toml_text, name);
+  Scene scene;
+  scene.file = name;
+  readTable(root, "", name, topKeys(), scene, sectionNames());
+  readSections(root, name, scene);
+  requireNamesApart(scene, name);
+  return scene;
+}
+
+void requireFingers(const Scene& scene) {
+  if (!scene.fingers.empty()) return;
+  throw Error::inFile(scene.file.string(), "has no [[finger]]: nobody would touch anything");
+}
+
+Scene load(const std::filesystem::path& file) {
+  if (mesh::isMeshFile(file)) {
+    throw Error::inFile(file.string(), "is a mesh, not a scene; a scene names it by file = \"...\" in [body]");
+  }
+  return parse(readFile(file, kMaxSceneBytes), file.string());
+}
+
+std::vector<KeyRow> describeKeys() {
+  std::vector<KeyRow> rows = topRows({});
+  for (const Section& section : sections()) {
+    for (KeyRow& row : section.describe()) rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+std::string keysAsMarkdown() {
+  std::string text;
+  std::string table = "?";
+  for (const KeyRow& row : describeKeys()) {
+    if (row.table != table) {
+      const auto section =
+          std::find_if(sections().begin(), sections().end(), [&](const Section& s) { return s.title == row.table; });
+      text += fmt::format("\n### {}\n\n", row.table.empty() ? "Before the first table" : "`" + row.table + "`");
+      if (section != sections().end()) text += section->about + "\n\n";
+      text += "| key | takes | left out | meaning |\n|---|---|---|---|\n";
+      table = row.table;
+    }
+    text += fmt::format("| `{}` | {} | {} | {} |\n", row.key, row.takes,
+                        row.fallback.empty() ? "" : "`" + row.fallback + "`", row.meaning);
+  }
+  return text;
+}
+
+}  // namespace palpate::scene

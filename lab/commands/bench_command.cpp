@@ -1,0 +1,67 @@
+// `palpate bench`: measures the engine on known meshes and trajectories; what each subcommand does is in a file of its
+// own.
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <memory>
+#include <string>
+
+#include "lab/commands/bench_report.h"
+#include "lab/commands/named_mesh.h"
+#include "cli/kit/commands.h"
+#include "lab/workloads/heldout_meshes.h"
+#include "lab/workloads/workload_meshes.h"
+#include "lab/workloads/workload_paths.h"
+#include "palpate/mesh/files/save.h"
+
+namespace palpate::app {
+namespace {
+
+/// Trajectories are written as .csv, meshes as what the extension says.
+void writeWorkload(const std::string& name, const std::string& file) {
+  if (file.ends_with(".csv")) {
+    device::writeTrajectory(file, trajectoryFrom(name));
+  } else {
+    mesh::save(file, meshFrom(name));
+  }
+}
+
+void addWorkloadCommand(CLI::App& parent) {
+  struct Arguments {
+    std::string name, file;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App& command = *parent.add_subcommand("workload", "Write a benchmark mesh (.stl, .obj, .ply) or path (.csv)");
+  command.add_option("name", arguments->name, "Name, as `palpate bench list` prints it")->required();
+  command.add_option("-o,--out", arguments->file, "File to write")->required();
+  command.callback([arguments] { writeWorkload(arguments->name, arguments->file); });
+}
+
+void printNames() {
+  fmt::print("meshes\n");
+  for (const std::string& name : lab::workloadMeshNames()) fmt::print("  {}\n", name);
+  fmt::print("held-out meshes\n");
+  for (const std::string& name : lab::heldoutMeshNames()) fmt::print("  {}\n", name);
+  fmt::print("trajectories (and the mesh each was made for)\n");
+  for (const lab::PathName& name : lab::workloadPathNames()) fmt::print("  {:18} {}\n", name.path, name.mesh);
+}
+
+}  // namespace
+
+void addBenchCommand(CLI::App& app) {
+  CLI::App& bench = *app.add_subcommand(
+      "bench", "Measure the finger, deformation, partitions, loading, servo loop, sessions, pictures");
+  bench.require_subcommand(0, 1);  // none: the regression guard
+  addBenchBaseline(bench);
+  addBenchContactCommand(bench);
+  addBenchDeformCommand(bench);
+  addBenchFrameCommand(bench);
+  addBenchLoadCommand(bench);
+  addBenchPartitionCommand(bench);
+  addBenchServoCommand(bench);
+  addBenchSessionCommand(bench);
+  addWorkloadCommand(bench);
+  bench.add_subcommand("list", "Name the benchmark meshes and trajectories")->callback(printNames);
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,131 @@
+#include "lab/commands/peers_report.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "lab/commands/bench_report.h"
+#include "cli/kit/json.h"
+#include "cli/kit/number_option.h"
+
+namespace palpate::app {
+
+namespace {
+
+using bench::PeerFigures;
+
+/// This process's own arguments, as Linux keeps them: each ends with a zero byte.
+std::vector<std::string> ownArguments() {
+  std::ifstream file("/proc/self/cmdline", std::ios::binary);
+  std::vector<std::string> arguments;
+  for (std::string argument; std::getline(file, argument, '\0');) arguments.push_back(argument);
+  return arguments;
+}
+
+constexpr const char* kPeersProgram = "palpate_peers";
+
+std::filesystem::path ownFile() {
+  std::error_code none;
+  return std::filesystem::read_symlink("/proc/self/exe", none);
+}
+
+bool linksLibraries(const PeersOption& option) {
+  for (const bench::Peer& peer : option.peers) {
+    if (!peer.package.empty() && peer.contact != nullptr) return true;
+  }
+  return false;
+}
+
+bool isPeersProgram() { return ownFile().filename() == kPeersProgram; }
+
+/// This program has none of the libraries by design: whether they are installed, only the peers' own program can know.
+bool lacksPeersProgram(const PeerFigures& figures) {
+  return !figures.skipped.empty() && !figures.package.empty() && !isPeersProgram();
+}
+
+}  // namespace
+
+void addPeersOption(CLI::App& command, PeersOption& option) {
+  command.add_flag("--peers", option.wanted,
+                   "Put the same queries to Embree, CGAL, FCL and the literal dissertation, in the same run");
+  addNumber(command, "--peer-seconds", option.seconds, between(0.01, 3600.0, "s"),
+            "Time for the queries of each peer; building not counted")
+      ->capture_default_str();
+}
+
+void handOverToPeersProgram(const PeersOption& option) {
+  std::error_code none;
+  const std::filesystem::path program = ownFile().parent_path() / kPeersProgram;
+  if (linksLibraries(option) || isPeersProgram() || !std::filesystem::exists(program, none)) return;
+  std::vector<std::string> arguments = ownArguments();
+  std::vector<char*> pointers;
+  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  pointers.push_back(nullptr);
+  execv(program.c_str(), pointers.data());  // returns only when it cannot: then this program says what it has
+}
+
+namespace {
+
+/// Why there are no figures.
+std::string reasonOf(const PeerFigures& f) {
+  return lacksPeersProgram(f) ? fmt::format("not asked, {} is not beside this program", kPeersProgram) : f.skipped;
+}
+
+nlohmann::ordered_json jsonOf(const PeerFigures& f, PeerTask task) {
+  nlohmann::ordered_json json;
+  if (!f.skipped.empty()) {
+    json["skipped"] = reasonOf(f);
+    json["package"] = f.package;
+    return json;
+  }
+  json[task == PeerTask::contact ? "tick_us" : "hdb_query_us"] = percentilesJson(f.query_us);
+  json["queries"] = f.queries;
+  if (task == PeerTask::contact) {
+    json["mean_distance_mm"] = f.mean_distance_mm;
+    json["hits"] = f.hits;
+  } else {
+    json["mean_triangles"] = f.mean_triangles;
+  }
+  json["disagreements"] = f.disagreements;
+  json["bytes_per_triangle"] = orNull(f.bytes_per_triangle);
+  json["build_ns_per_triangle"] = f.build_ns_per_triangle;
+  json["hash"] = fmt::format("{:016x}", f.hash);
+  return json;
+}
+
+std::string answersText(const PeerFigures& f, PeerTask task) {
+  if (task == PeerTask::boxes) return fmt::format("{:.0f} triangles on average", f.mean_triangles);
+  return fmt::format("nearest {:.5f} mm on average, {} segments hit", f.mean_distance_mm, f.hits);
+}
+
+std::string textOf(const PeerFigures& f, PeerTask task, double ours_p50) {
+  if (lacksPeersProgram(f)) return fmt::format("{:<25}{}\n", f.name + ":", reasonOf(f));
+  if (!f.skipped.empty()) return fmt::format("{:<25}{} ({})\n", f.name + ":", f.skipped, f.package);
+  std::string text = fmt::format("{:<25}{}", f.name, percentilesText(f.query_us));
+  if (f.query_us.p50 > 0.0) text += fmt::format(", ours takes 1/{:.1f}", f.query_us.p50 / ours_p50);
+  text += fmt::format("\n{:<25}{} queries, {}, {} disagree; ", "", f.queries, answersText(f, task), f.disagreements);
+  if (f.bytes_per_triangle) text += fmt::format("{:.0f} bytes, ", *f.bytes_per_triangle);
+  return text + fmt::format("{:.0f} ns a triangle; hash {:016x}\n", f.build_ns_per_triangle, f.hash);
+}
+
+}  // namespace
+
+void addPeers(nlohmann::ordered_json& json, std::span<const PeerFigures> peers, PeerTask task, double ours_p50) {
+  nlohmann::ordered_json& all = json["peers"] = nlohmann::ordered_json::object();
+  nlohmann::ordered_json& ratios = json["ratio_to"] = nlohmann::ordered_json::object();
+  for (const PeerFigures& f : peers) {
+    all[f.name] = jsonOf(f, task);
+    if (f.skipped.empty() && f.query_us.p50 > 0.0) ratios[f.name] = ours_p50 / f.query_us.p50;
+  }
+}
+
+std::string peersText(std::span<const PeerFigures> peers, PeerTask task, double ours_p50) {
+  std::string text;
+  for (const PeerFigures& f : peers) text += textOf(f, task, ours_p50);
+  return text;
+}
+
+}  // namespace palpate::app

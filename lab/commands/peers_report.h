@@ -1,0 +1,47 @@
+// The keys and lines that `--peers` adds to a benchmark's report.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lab/peers/judge.h"
+#include "lab/peers/peer.h"
+
+namespace palpate::app {
+
+// The option --peers: ours beside the libraries that people know.
+//
+// The libraries are linked to a program of their own, palpate_peers, which lies beside `palpate` where it was built:
+// one of them (CGAL) is under the GPL, and a command for everybody should not depend on any of them. That program has
+// the same benchmark commands and measures ours and theirs in one process; `palpate` hands over to it.
+
+struct PeersOption {
+  bool wanted = false;
+  double seconds = 5.0;            ///< for the queries of each peer
+  std::vector<bench::Peer> peers;  ///< in this program
+};
+
+/// Adds --peers and --peer-seconds. `option` must outlive the command.
+void addPeersOption(CLI::App& command, PeersOption& option);
+
+/// In `palpate`: runs palpate_peers in place of this program, with the same arguments, and does not return if there is
+/// one. In palpate_peers: nothing.
+void handOverToPeersProgram(const PeersOption& option);
+
+/// The benchmark commands with the peers that a program has; those of commands.h have none of the libraries.
+void addBenchContactCommand(CLI::App& parent, std::vector<bench::Peer> peers);
+void addBenchPartitionCommand(CLI::App& parent, std::vector<bench::Peer> peers);
+
+/// What a benchmark asks of its peers: the names of its own keys.
+enum class PeerTask { contact, boxes };
+
+/// Adds `peers` and `ratio_to` (ours over theirs at p50) to the report of ours.
+void addPeers(nlohmann::ordered_json& json, std::span<const bench::PeerFigures> peers, PeerTask task, double ours_p50);
+
+/// A line or two a peer.
+std::string peersText(std::span<const bench::PeerFigures> peers, PeerTask task, double ours_p50);
+
+}  // namespace palpate::app

@@ -1,0 +1,32 @@
+// The libraries that were found at build time, in the places of those of their name. Own.
+#include "lab/peers/peer.h"
+
+namespace palpate::bench {
+
+namespace {
+
+/// In the place of the one of its name, which can do nothing.
+[[maybe_unused]] void put(const Peer& peer, std::vector<Peer>& peers) {
+  for (Peer& place : peers) {
+    if (place.name == peer.name) place = peer;
+  }
+}
+
+}  // namespace
+
+std::vector<Peer> linkedPeers() {
+  std::vector<Peer> peers = peersWithoutLibraries();
+#ifdef PALPATE_HAS_EMBREE
+  put(embreePeer(), peers);
+  peers.insert(peers.begin() + 1, embreeToldPeer());
+#endif
+#ifdef PALPATE_HAS_CGAL
+  put(cgalPeer(), peers);
+#endif
+#ifdef PALPATE_HAS_FCL
+  put(fclPeer(), peers);
+#endif
+  return peers;
+}
+
+}  // namespace palpate::bench

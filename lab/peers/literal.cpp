@@ -1,0 +1,37 @@
+// The literal dissertation as a peer, answering as the libraries do.
+#include "lab/literal/hdb_contact.h"
+#include "lab/peers/timed_answers.h"
+
+namespace palpate::bench {
+
+namespace {
+
+PeerRun<ContactAnswer> answerContact(const mesh::TriangleMesh& mesh, std::span<const ContactQuery> queries,
+                                     double seconds) {
+  PeerRun<ContactAnswer> run;
+  auto contact = timedBuild(mesh.triangles.size(), run, [&] { return literal::buildHdbContact(mesh); });
+  ContactAnswer answer;
+  const auto ask = [&](std::size_t i) {
+    const ContactQuery& q = queries[i];
+    answer = {};
+    if (q.reach > 0.0) answer.distance = literal::nearestInLeaves(contact, q.proxy, q.point, q.reach);
+    answer.crosses = literal::crossesInLeaves(contact, q.proxy, q.from, q.to);
+  };
+  timeAnswers(queries.size(), seconds, run, ask, [&](std::size_t) { return answer; });
+  return run;
+}
+
+PeerRun<BoxAnswer> answerBoxes(const mesh::TriangleMesh& mesh, std::span<const Box3> boxes, double seconds) {
+  PeerRun<BoxAnswer> run;
+  auto contact = timedBuild(mesh.triangles.size(), run, [&] { return literal::buildHdbContact(mesh); });
+  std::vector<Index> found;
+  const auto ask = [&](std::size_t i) { literal::trianglesInLeaves(contact, boxes[i], found); };
+  timeAnswers(boxes.size(), seconds, run, ask, [&](std::size_t) { return summaryOf(found); });
+  return run;
+}
+
+}  // namespace
+
+Peer literalPeer() { return {"literal", "", answerContact, answerBoxes, BoxTest::triangle_box}; }
+
+}  // namespace palpate::bench

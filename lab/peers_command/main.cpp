@@ -1,0 +1,15 @@
+// `palpate_peers`: the benchmark commands of `palpate` that know --peers, linked with the libraries that are compared.
+// `palpate bench ... --peers` runs this program; why it is one of its own says lab/commands/peers_report.h.
+#include "lab/commands/peers_report.h"
+#include "cli/kit/commands.h"
+#include "lab/peers/peer.h"
+
+int main(int argc, char** argv) {
+  CLI::App app{"Palpate's benchmarks beside other libraries.", "palpate_peers"};
+  app.require_subcommand(1);
+  CLI::App& bench = *app.add_subcommand("bench", "Measure the finger and the partitions, and their peers");
+  bench.require_subcommand(1);
+  palpate::app::addBenchContactCommand(bench, palpate::bench::linkedPeers());
+  palpate::app::addBenchPartitionCommand(bench, palpate::bench::linkedPeers());
+  return palpate::app::runCommandLine(app, argc, argv);
+}

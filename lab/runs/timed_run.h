@@ -1,0 +1,45 @@
+// Steps a finger along its tips and times each step, with nothing else in the loop.
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "lab/runs/contact_run.h"
+#include "lab/counters/thread_counts.h"
+#include "palpate/base/stopwatch.h"
+
+namespace palpate::bench {
+
+namespace detail {
+
+/// What two readings of the clock cost when nothing is between them.
+inline double emptyTimerMicroseconds() {
+  std::vector<double> samples(2000);
+  for (double& sample : samples) {
+    const Clock::time_point start = Clock::now();
+    sample = microsecondsSince(start);
+  }
+  return lab::percentilesOf(std::move(samples)).p50;
+}
+
+}  // namespace detail
+
+/// `step` takes a tip and gives a FingerOutput.
+template <class Step>
+FingerRun timedRun(std::span<const Vec3> tips, Step&& step) {
+  const double empty_us = detail::emptyTimerMicroseconds();
+  FingerRun run;
+  run.outputs.resize(tips.size());
+  run.tick_us.resize(tips.size());
+  const lab::ThreadCounts before = lab::countsOfThisThread();
+  for (std::size_t k = 0; k < tips.size(); ++k) {
+    const Clock::time_point start = Clock::now();
+    run.outputs[k] = step(tips[k]);
+    run.tick_us[k] = std::max(0.0, microsecondsSince(start) - empty_us);
+  }
+  run.counts = lab::countsSince(before);
+  return run;
+}
+
+}  // namespace palpate::bench

@@ -1,0 +1,194 @@
+// `palpate measure average ROWS.csv...`: presses of several drags and people become key points, with how sure they are.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/kit/choice_option.h"
+#include "cli/kit/commands.h"
+#include "cli/kit/json.h"
+#include "cli/kit/picture_file.h"
+#include "measure/commands/average_figure.h"
+#include "palpate/base/error.h"
+#include "palpate/base/nearest_name.h"
+#include "palpate/base/text.h"
+#include "palpate/measure/average.h"
+
+namespace palpate::app {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct MeasureAverageArguments {
+  std::vector<std::string> files;
+  measure::AverageSettings settings;
+  bool by_drag = false;
+  std::string drag;
+  std::vector<std::string> mirrors;
+  std::string output;
+  std::string plot;
+  bool json = false;
+};
+
+/// Of several files each is a person's where its rows do not say whose they are.
+std::vector<measure::PressRow> pressesFrom(const std::vector<std::string>& files) {
+  std::vector<measure::PressRow> all;
+  for (const std::string& file : files) {
+    for (measure::PressRow& press : measure::readPresses(file)) {
+      if (press.subject.empty() && files.size() > 1) press.subject = file;
+      all.push_back(std::move(press));
+    }
+  }
+  return all;
+}
+
+measure::AverageSettings settingsOf(const MeasureAverageArguments& arguments) {
+  measure::AverageSettings settings = arguments.settings;
+  if (!arguments.drag.empty()) settings.drag_deg = measure::dragNamed(arguments.drag);
+  for (const std::string& mirror : arguments.mirrors) {
+    const auto parts = split(mirror, ':');
+    if (parts.size() != 2 || parts[0].empty() || parts[1].empty()) {
+      throw Error("--mirror: '" + oneLine(mirror) + "' is not FROM:TO, such as P4:P6");
+    }
+    settings.mirrors.emplace_back(parts[0], parts[1]);
+  }
+  return settings;
+}
+
+// --- text
+
+std::string withError(const measure::Estimate& estimate, int digits) {
+  const std::string value = fmt::format("{:.{}f}", estimate.value, digits);
+  return std::isfinite(estimate.sd) ? fmt::format("{} +- {:.{}f}", value, estimate.sd, digits) : value;
+}
+
+std::string lineOf(const std::string& name, const std::string& pulled, const measure::MeanEllipse& mean) {
+  return fmt::format("{:<10}{:<16}{:<17}{:<16}{:<13}{:>7}{:>7}{}\n", name, pulled, withError(mean.half_major_mm, 1),
+                     withError(mean.major_over_minor, 3), withError(mean.direction_deg, 1), mean.presses, mean.subjects,
+                     mean.hardly_determined ? "  direction hardly determined" : "");
+}
+
+std::string pulledWords(const measure::DragMean& drag) {
+  return drag.drag_deg ? measure::dragWords(*drag.drag_deg) : std::string("not said");
+}
+
+std::string textOf(const measure::Averages& averages) {
+  std::string text = fmt::format("{:<10}{:<16}{:<17}{:<16}{:<13}{:>7}{:>7}\n", "point", "pulled", "half major, mm",
+                                 "ratio", "direction", "presses", "people");
+  std::string remarks;
+  for (const measure::PointMean& point : averages.points) {
+    const bool one = point.drags.size() == 1;
+    if (!one) {
+      for (const measure::DragMean& drag : point.drags) text += lineOf(point.name, pulledWords(drag), drag.mean);
+    }
+    const std::string which = one ? pulledWords(point.drags.front()) : point.knowsTissue() ? "the tissue's" : "all";
+    text += lineOf(point.name, which, point.mean);
+    if (point.along_drag) {
+      remarks += fmt::format("{}: a drag stretches the ellipse along itself by {}\n", point.name,
+                             withError(*point.along_drag, 2));
+    }
+    if (!point.mirrored_from.empty()) {
+      remarks += fmt::format("{}: not measured, the mirror image of {}\n", point.name, point.mirrored_from);
+    } else if (const std::string remark = dragRemark(point); !remark.empty()) {
+      remarks += point.name + ": " + remark + "\n";
+    }
+  }
+  return text + (remarks.empty() ? "" : "\n" + remarks);
+}
+
+// --- JSON
+
+/// null where it is not known.
+ordered_json estimateJson(const measure::Estimate& estimate) {
+  return {{"value", estimate.value},
+          {"sd", std::isfinite(estimate.sd) ? ordered_json(estimate.sd) : ordered_json(nullptr)}};
+}
+
+ordered_json meanJson(const measure::MeanEllipse& mean) {
+  return {{"half_major_mm", estimateJson(mean.half_major_mm)},
+          {"major_over_minor", estimateJson(mean.major_over_minor)},
+          {"direction_deg", estimateJson(mean.direction_deg)},
+          {"hardly_determined", mean.hardly_determined},
+          {"resultant", mean.resultant},
+          {"presses", mean.presses},
+          {"subjects", mean.subjects},
+          {"degrees_of_freedom", mean.freedom}};
+}
+
+ordered_json pointJson(const measure::PointMean& point) {
+  ordered_json json = {{"name", point.name}, {"x_mm", point.place_mm.x()}, {"y_mm", point.place_mm.y()}};
+  json.update(meanJson(point.mean));
+  json["is_the_tissues"] = point.knowsTissue();
+  json["stretch_along_drag"] = point.along_drag ? estimateJson(*point.along_drag) : ordered_json(nullptr);
+  json["drags"] = ordered_json::array();
+  for (const measure::DragMean& drag : point.drags) {
+    ordered_json one = {{"drag_deg", orNull(drag.drag_deg)}};
+    one.update(meanJson(drag.mean));
+    json["drags"].push_back(std::move(one));
+  }
+  json["remark"] = dragRemark(point);
+  json["mirrored_from"] = point.mirrored_from;
+  return json;
+}
+
+ordered_json jsonOf(const measure::Averages& averages, const std::vector<std::string>& written) {
+  const bool plain = averages.settings.averaging == maps::Averaging::plain;
+  ordered_json json = {{"mean", plain ? "plain" : "tensorial"}, {"points", ordered_json::array()}};
+  for (const measure::PointMean& point : averages.points) json["points"].push_back(pointJson(point));
+  json["written"] = written;
+  return json;
+}
+
+void runMeasureAverage(const MeasureAverageArguments& arguments) {
+  if (!arguments.plot.empty()) checkPictureName(arguments.plot);
+  const measure::Averages averages = averagePresses(pressesFrom(arguments.files), settingsOf(arguments));
+  std::vector<std::string> written;
+  if (!arguments.output.empty()) {
+    writeFile(arguments.output, keyPointTable(averages, arguments.by_drag));
+    written.push_back(arguments.output);
+  }
+  if (!arguments.plot.empty()) {
+    writePicture(averageFigure(averages), arguments.plot);
+    written.push_back(arguments.plot);
+  }
+  if (arguments.json) return fmt::print("{}\n", jsonOf(averages, written).dump(2));
+  fmt::print("{}", textOf(averages));
+  for (const std::string& file : written) fmt::print("-> {}\n", file);
+}
+
+std::string faultOfDrag(const std::string& words) {
+  return measure::dragNamed(words) ? "" : "'" + oneLine(words) + "' is neither up, down, left, right nor degrees";
+}
+
+}  // namespace
+
+void addMeasureAverageCommand(CLI::App& parent) {
+  const auto arguments = std::make_shared<MeasureAverageArguments>();
+  MeasureAverageArguments& a = *arguments;
+  CLI::App& command = *parent.add_subcommand("average", "Average presses over drags and people into key points");
+  command.add_option("rows", a.files, "Tables of presses (docs/howto/measure-a-person.md); several: one a person")
+      ->required();
+  addChoice(command, "--mean", a.settings.averaging,
+            Choices<maps::Averaging>{{"tensorial", maps::Averaging::tensorial}, {"plain", maps::Averaging::plain}},
+            "Of the ellipses as tensors, or of the numbers and rounded as the dissertation prints them");
+  addChoice(command, "--by", a.by_drag, Choices<bool>{{"point", false}, {"point,drag", true}},
+            "A row of the table for each point, or for each way of pulling there");
+  command.add_option("--drag", a.drag, "Only presses pulled this way: up, down, left, right, or degrees from +x")
+      ->check(CLI::Validator(faultOfDrag, ""))
+      ->type_name("up|down|left|right|DEG");
+  command.add_option("--mirror", a.mirrors, "Points on the other side that nobody measured: P4:P6,P5:P7")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("FROM:TO");
+  command.add_option("-o,--out", a.output, "Table of key points to write, as scenes and palpate map read it");
+  command.add_option("--plot", a.plot, "Picture to write: .png or .svg");
+  command.add_flag("--json", a.json, "Print one JSON object");
+  command.callback([arguments] { runMeasureAverage(*arguments); });
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,60 @@
+// `palpate measure stencil -o stencil.svg`: the sheet to punch, at true size.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "cli/kit/choice_option.h"
+#include "cli/kit/commands.h"
+#include "cli/kit/number_option.h"
+#include "palpate/base/error.h"
+#include "palpate/base/text.h"
+#include "palpate/measure/stencil.h"
+
+namespace palpate::app {
+
+namespace {
+
+struct MeasureStencilArguments {
+  measure::StencilSettings settings;
+  std::string output;
+};
+
+void runMeasureStencil(const MeasureStencilArguments& arguments) {
+  const std::filesystem::path file = arguments.output;
+  if (file.extension() != ".svg") throw Error::inFile(arguments.output, "a stencil is written as .svg");
+  for (const measure::StencilSheet& sheet : stencilSheets(arguments.settings)) {
+    std::filesystem::path of_sheet = file;
+    if (!sheet.name.empty()) of_sheet.replace_filename(file.stem().string() + "-" + sheet.name + ".svg");
+    writeFile(of_sheet, sheet.svg);
+    fmt::print("-> {}\n", of_sheet.string());
+  }
+}
+
+}  // namespace
+
+void addMeasureStencilCommand(CLI::App& parent) {
+  using measure::StencilPage;
+  const auto arguments = std::make_shared<MeasureStencilArguments>();
+  measure::StencilSettings& s = arguments->settings;
+  CLI::App& command = *parent.add_subcommand("stencil", "Draw the sheet to punch for the dots, at true size");
+  addNumber(command, "--spacing-mm", s.spacing_mm, between(5.0, 100.0, "mm"), "Between neighbouring dots")
+      ->capture_default_str();
+  addNumber(command, "--columns", s.columns, between(2, 60), "Dots across")->capture_default_str();
+  addNumber(command, "--rows", s.rows, between(2, 60), "Dots along the spine")->capture_default_str();
+  addNumber(command, "--hole-mm", s.hole_mm, between(1.0, 50.0, "mm"), "Across a hole; at most half the spacing")
+      ->capture_default_str();
+  addChoice(command, "--page", s.page,
+            Choices<StencilPage>{{"auto", StencilPage::fitting},
+                                 {"a4", StencilPage::a4},
+                                 {"a3", StencilPage::a3},
+                                 {"a2", StencilPage::a2},
+                                 {"tiled-a4", StencilPage::tiled_a4}},
+            "Paper; tiled-a4: a file a sheet, to be glued");
+  command.add_flag("--scale-target", s.scale_target, "With a ruler of 100 mm to tape onto the skin");
+  command.add_option("-o,--out", arguments->output, "Drawing to write: .svg")->required();
+  command.callback([arguments] { runMeasureStencil(*arguments); });
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,171 @@
+// `palpate measure stiffness FORCES.csv`: how stiff named places are, from force by depth; key points with a stiffness.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "cli/kit/choice_option.h"
+#include "cli/kit/commands.h"
+#include "cli/kit/picture_file.h"
+#include "cli/kit/progress_line.h"
+#include "measure/commands/stiffness_figure.h"
+#include "palpate/base/text.h"
+#include "palpate/measure/place_stiffness.h"
+
+namespace palpate::app {
+
+namespace {
+
+using measure::PlaceStiffness;
+using nlohmann::ordered_json;
+using tissue::ForceForm;
+
+struct MeasureStiffnessArguments {
+  std::string file;
+  std::string keys;
+  std::optional<ForceForm> form;
+  std::string output;
+  std::string plot;
+  bool json = false;
+};
+
+std::string sceneKeysOf(const measure::PlaceFits& fits, const std::string& table) {
+  return fmt::format("[ellipses]\nkey_points = \"{}\"\n\n[stiffness]\nsource = \"points\"\n\n[tissue]\n{}",
+                     table.empty() ? "TABLE.csv (write it with -o)" : table, tissueKeys(fits));
+}
+
+// --- text
+
+std::string errorWords(double value, double error) {
+  return std::isfinite(error) && error > 0.0 ? fmt::format("{:.3g} +- {:.1g}", value, error)
+                                             : fmt::format("{:.3g}", value);
+}
+
+/// "F = 0.031 d^1.62" and the like: d in mm, F in N.
+std::string formulaOf(const tissue::ForceFit& fit) {
+  const double k = fit.secant.value;
+  if (fit.form == ForceForm::linear) return fmt::format("F = {:.3g} d", k);
+  const double first = fit.numbers.front().value;
+  if (fit.form == ForceForm::power) {
+    return fmt::format("F = {:.3g} d^{:.2f}", k * std::pow(tissue::kReferenceDepthMm, 1.0 - first), first);
+  }
+  return fmt::format("stiffens {:.1f} times within {:.1f} mm", first, fit.numbers.at(1).value);
+}
+
+std::string placeText(const PlaceStiffness& place) {
+  if (place.refused()) return fmt::format("{:<12}refused: {}\n", place.place, place.refusal);
+  std::string text;
+  for (std::size_t i = 0; i < place.forms.size(); ++i) {
+    const measure::FormOfPlace& form = place.forms[i];
+    text += fmt::format("{:<12}{:<12}{:<18}{:>6.3f}{:>9.3f}{:>9.1f} %  {}{}\n", i == 0 ? place.place : "",
+                        nameOf(form.fit.form), errorWords(form.fit.secant.value, form.fit.secant.standard_error),
+                        form.r_squared, form.rms_n, 100.0 * form.fit.unseen_rms, formulaOf(form.fit),
+                        i == place.chosen ? "  <-" : "");
+  }
+  if (place.presses > 1) {
+    text += fmt::format("{:<12}{} presses, {} people: {} N/mm\n", "", place.presses, place.subjects,
+                        errorWords(place.secant_n_per_mm.value, place.secant_n_per_mm.sd));
+  }
+  for (const std::string& warning : place.warnings) text += fmt::format("{:<12}warning: {}\n", "", warning);
+  return text;
+}
+
+std::string textOf(const measure::PlaceFits& fits, const std::string& table) {
+  std::string text = fmt::format("{:<12}{:<12}{:<18}{:>6}{:>9}{:>11}  {}\n", "place", "form", "N/mm at 8 mm", "R2",
+                                 "rms, N", "unseen", "");
+  for (const PlaceStiffness& place : fits.places) text += placeText(place);
+  if (fits.shared) text += "\nin a scene:\n" + sceneKeysOf(fits, table);
+  return text;
+}
+
+// --- JSON
+
+ordered_json formJson(const measure::FormOfPlace& form) {
+  ordered_json json = {{"form", nameOf(form.fit.form)},
+                       {"secant_n_per_mm", form.fit.secant.value},
+                       {"secant_standard_error", form.fit.secant.standard_error}};
+  for (const tissue::FittedNumber& number : form.fit.numbers) json[std::string(number.name)] = number.value;
+  json["r_squared"] = form.r_squared;
+  json["rms_n"] = form.rms_n;
+  json["unseen_rms"] = form.fit.unseen_rms;
+  return json;
+}
+
+ordered_json placeJson(const PlaceStiffness& place) {
+  ordered_json json = {{"place", place.place}, {"presses", place.presses}, {"subjects", place.subjects}};
+  json["refused"] = place.refused();
+  if (place.refused()) {
+    json["reason"] = place.refusal;
+    return json;
+  }
+  json["stiffness_n_per_mm"] = place.secant_n_per_mm.value;
+  json["sd_n_per_mm"] = place.secant_n_per_mm.sd;
+  json["best"] = nameOf(place.best().fit.form);
+  json["deepest_mm"] = place.best().fit.deepest_mm;
+  json["forms"] = ordered_json::array();
+  for (const measure::FormOfPlace& form : place.forms) json["forms"].push_back(formJson(form));
+  json["warnings"] = place.warnings;
+  return json;
+}
+
+ordered_json jsonOf(const measure::PlaceFits& fits, const std::string& table, const std::vector<std::string>& written) {
+  ordered_json json = {{"places", ordered_json::array()}};
+  for (const PlaceStiffness& place : fits.places) json["places"].push_back(placeJson(place));
+  json["scene"] = fits.shared ? sceneKeysOf(fits, table) : "";
+  json["written"] = written;
+  return json;
+}
+
+void runMeasureStiffness(const MeasureStiffnessArguments& arguments) {
+  if (!arguments.plot.empty()) checkPictureName(arguments.plot);
+  const std::vector<measure::PlaceCurve> curves = measure::readPlaceCurves(arguments.file);
+  std::vector<maps::KeyPoint> keys;
+  if (!arguments.keys.empty()) keys = maps::readKeyPoints(arguments.keys);
+  ProgressLine progress;
+  const measure::PlaceFits fits = fitPlaces(curves, {.form = arguments.form}, progress.callback());
+  progress.clear();
+  std::vector<std::string> written;
+  if (!arguments.output.empty()) {
+    writeFile(arguments.output, measure::stiffnessTable(withStiffness(fits, std::move(keys))));
+    written.push_back(arguments.output);
+  }
+  if (!arguments.plot.empty()) {
+    writePicture(placeStiffnessFigure(fits), arguments.plot);
+    written.push_back(arguments.plot);
+  }
+  if (arguments.json) {
+    fmt::print("{}\n", jsonOf(fits, arguments.output, written).dump(2));
+  } else {
+    fmt::print("{}", textOf(fits, arguments.output));
+    for (const std::string& file : written) fmt::print("-> {}\n", file);
+  }
+  for (const PlaceStiffness& place : fits.places) {
+    if (place.refused()) throw CLI::RuntimeError(1);
+  }
+}
+
+}  // namespace
+
+void addMeasureStiffnessCommand(CLI::App& parent) {
+  const auto arguments = std::make_shared<MeasureStiffnessArguments>();
+  MeasureStiffnessArguments& a = *arguments;
+  CLI::App& command = *parent.add_subcommand("stiffness", "Find how stiff places are from force by depth");
+  command.add_option("forces", a.file, "Table place,x_mm,y_mm,depth_mm,force_n and, wanted or not, subject, press")
+      ->required();
+  addChoice(command, "--form", a.form,
+            Choices<std::optional<ForceForm>>{{"best", std::nullopt},
+                                              {"linear", ForceForm::linear},
+                                              {"power", ForceForm::power},
+                                              {"stiffening", ForceForm::stiffening}},
+            "Of every place; best: what foretells unseen rows best");
+  command.add_option("--keys", a.keys, "Key points that get the stiffness of the place of their name");
+  command.add_option("-o,--out", a.output, "Table of key points to write, as scenes and palpate map read it");
+  command.add_option("--plot", a.plot, "Picture to write: .png or .svg");
+  command.add_flag("--json", a.json, "Print one JSON object");
+  command.callback([arguments] { runMeasureStiffness(*arguments); });
+}
+
+}  // namespace palpate::app

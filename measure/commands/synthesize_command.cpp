@@ -1,0 +1,204 @@
+// `palpate measure synthesize`: photographs of a back that was never there, with the truth that they show; for tests,
+// for teaching, and to learn what a way of taking pictures is worth.
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "cli/kit/choice_option.h"
+#include "cli/kit/commands.h"
+#include "cli/kit/interruption.h"
+#include "cli/kit/number_option.h"
+#include "cli/kit/progress_line.h"
+#include "palpate/base/error.h"
+#include "palpate/measure/synthesis/synthetic_files.h"
+
+namespace palpate::app {
+
+namespace {
+
+using measure::SyntheticCase;
+using measure::TailFamily;
+
+/// What is not asked for is drawn from the seed.
+struct SynthesizeArguments {
+  std::string folder;
+  std::int64_t seed = 1;
+  double megapixels = 2.0;
+  double drift_mm = 0.3;
+  std::optional<TailFamily> tail;
+  std::optional<double> half_major_mm;
+  std::optional<double> ratio;
+  std::optional<double> direction_deg;
+  std::optional<double> drag_deg;
+  std::optional<double> peak_mm;
+  std::optional<double> tail_power;
+  std::optional<double> asymmetry_percent;
+  std::vector<double> contact_mm;
+  std::optional<double> tilt_deg;
+  std::optional<double> roll_deg;
+  std::optional<double> blur_px;
+  std::optional<double> jitter_mm;
+  std::optional<int> columns;
+  std::optional<int> rows;
+  std::optional<int> missing;
+  std::optional<int> strays;
+  bool json = false;
+};
+
+const Choices<TailFamily>& tails() {
+  static const Choices<TailFamily> all = [] {
+    Choices<TailFamily> choices;
+    for (const TailFamily family :
+         {TailFamily::compact, TailFamily::long_tail, TailFamily::half_space, TailFamily::windowed_half_space}) {
+      choices.emplace_back(std::string(nameOf(family)), family);
+    }
+    return choices;
+  }();
+  return all;
+}
+
+template <class Value, class Wish>
+void take(Value& value, const std::optional<Wish>& wish, double factor = 1.0) {
+  if (wish) value = static_cast<Value>(*wish * factor);
+}
+
+void changePress(const SynthesizeArguments& arguments, measure::Press& press) {
+  take(press.half_major_mm, arguments.half_major_mm);
+  take(press.ratio, arguments.ratio);
+  take(press.direction_rad, arguments.direction_deg, kRadPerDeg);
+  take(press.drag_rad, arguments.drag_deg, kRadPerDeg);
+  take(press.peak_mm, arguments.peak_mm);
+  take(press.tail_power, arguments.tail_power);
+  take(press.asymmetry, arguments.asymmetry_percent, 0.01);
+  if (!arguments.contact_mm.empty()) press.contact_mm = {arguments.contact_mm[0], arguments.contact_mm[1]};
+  if (press.peak_mm > 0.0) return;
+  press.dent_mm = 0.0;  // nothing is pressed: nobody holds a stick
+  press.stick = false;
+}
+
+void changeMarks(const SynthesizeArguments& arguments, measure::DotMarks& marks) {
+  take(marks.missing, arguments.missing);
+  take(marks.strays, arguments.strays);
+  take(marks.jitter_mm, arguments.jitter_mm);
+  if (!arguments.columns && !arguments.rows) return;
+  take(marks.columns, arguments.columns);
+  take(marks.rows, arguments.rows);
+  marks.corner_mm = -0.5 * marks.spacing_mm * Vec2(marks.columns - 1, marks.rows - 1);
+}
+
+SyntheticCase wanted(const SynthesizeArguments& arguments) {
+  if (arguments.contact_mm.size() == 1) throw CLI::ValidationError("--contact-mm", "takes two numbers, x,y");
+  SyntheticCase made =
+      measure::drawCase(static_cast<std::uint64_t>(arguments.seed),
+                        {.megapixels = arguments.megapixels, .family = arguments.tail, .drift_mm = arguments.drift_mm});
+  changePress(arguments, made.press);
+  changeMarks(arguments, made.marks);
+  take(made.camera.tilt_rad, arguments.tilt_deg, kRadPerDeg);
+  take(made.camera.roll_rad, arguments.roll_deg, kRadPerDeg);
+  take(made.look.blur_px, arguments.blur_px);
+  return made;
+}
+
+void tell(const SynthesizeArguments& arguments, const std::vector<std::filesystem::path>& files,
+          const SyntheticCase& made) {
+  const measure::SyntheticTruth truth = truthOf(made);
+  const measure::KeyEllipse& ellipse = truth.at_2_mm;
+  if (arguments.json) {
+    nlohmann::ordered_json json = {{"folder", arguments.folder}, {"files", nlohmann::ordered_json::array()}};
+    for (const auto& file : files) json["files"].push_back(file.filename().string());
+    json["truth"] = nlohmann::ordered_json::parse(measure::truthJson(made, truth));
+    json["truth"].erase("dots");
+    fmt::print("{}\n", json.dump(1));
+    return;
+  }
+  for (const auto& file : files) fmt::print("-> {}\n", file.string());
+  fmt::print("{} x {} px, {} tail, moved by {:.1f} mm at most, along {:.0f} degrees\n", made.width_px, made.height_px,
+             nameOf(made.press.family), made.press.peak_mm, truth.drag_deg);
+  if (ellipse.half_major_mm.value == 0.0) return fmt::print("nothing moves by 2 mm\n");
+  fmt::print("ellipse of 2 mm: {:.1f} x {:.1f} mm (half axes), major axis at {:.1f} degrees\n",
+             ellipse.half_major_mm.value, ellipse.half_minor_mm.value, ellipse.direction_deg.value);
+}
+
+void runSynthesize(const SynthesizeArguments& arguments) {
+  const SyntheticCase made = wanted(arguments);
+  const std::filesystem::path folder = arguments.folder;
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw Error::inFile(arguments.folder, error.message());
+  ProgressLine progress;
+  const auto files = writeSynthetic(folder, made, progress.callback());
+  progress.clear();
+  tell(arguments, files, made);
+}
+
+void addPressOptions(CLI::App& command, SynthesizeArguments& arguments) {
+  const auto choose = [&arguments](const std::string& word) {
+    for (const auto& [name, family] : tails()) {
+      if (name == word) arguments.tail = family;
+    }
+  };
+  takesOneOf(namesOf(tails()),
+             command.add_option_function<std::string>(
+                 "--tail", choose,
+                 "How the motion falls off: the half Gaussian, a long tail, an elastic half space, or one that ends"));
+  addNumber(command, "--half-major-mm", arguments.half_major_mm, between(20.0, 300.0, "mm"),
+            "Half major axis of the ellipse of 2 mm; of a half space: how far it reaches along the drag");
+  addNumber(command, "--ratio", arguments.ratio, between(1.0, 4.0), "Major over minor axis");
+  addNumber(command, "--direction-deg", arguments.direction_deg, between(-180.0, 180.0, "degrees"),
+            "Of the major axis, from the right towards the head");
+  addNumber(command, "--drag-deg", arguments.drag_deg, between(-180.0, 180.0, "degrees"),
+            "Where the stick drags to, from the right towards the head");
+  addNumber(command, "--peak-mm", arguments.peak_mm, between(0.0, 40.0, "mm"),
+            "Motion of the skin under the stick; 0: nothing is pressed");
+  addNumber(command, "--tail-power", arguments.tail_power, between(0.5, 5.0), "P of a long tail; less is longer");
+  addNumber(command, "--asymmetry-percent", arguments.asymmetry_percent, between(-50.0, 50.0, "%"),
+            "How much more the skin moves behind the stick than before it");
+  addNumber(command, "--contact-mm", arguments.contact_mm, between(-200.0, 200.0, "mm"),
+            "Place of the stick on the skin, x,y from the middle of the back")
+      ->delimiter(',')
+      ->expected(2)
+      ->allow_extra_args(false);
+}
+
+void addPictureOptions(CLI::App& command, SynthesizeArguments& arguments) {
+  addNumber(command, "--drift-mm", arguments.drift_mm, between(0.0, 20.0, "mm"),
+            "How far the body moves between the pictures, sd: 0.3 with the breath held, 1.5 breathing")
+      ->capture_default_str();
+  addNumber(command, "--tilt-deg", arguments.tilt_deg, between(0.0, 45.0, "degrees"),
+            "Of the camera against the upright over the back");
+  addNumber(command, "--roll-deg", arguments.roll_deg, between(-180.0, 180.0, "degrees"),
+            "Of the camera about its line of sight");
+  addNumber(command, "--blur-px", arguments.blur_px, between(0.0, 30.0, "px"), "Blur of the pictures, sd");
+  addNumber(command, "--jitter-mm", arguments.jitter_mm, between(0.0, 10.0, "mm"), "How far marks are off, sd");
+  addNumber(command, "--columns", arguments.columns, between(1, 30), "Columns of dots; the grid is then in the middle");
+  addNumber(command, "--rows", arguments.rows, between(1, 30), "Rows of dots");
+  addNumber(command, "--missing", arguments.missing, between(0, 400), "Dots that are not there");
+  addNumber(command, "--strays", arguments.strays, between(0, 200), "Other marks of the same ink");
+}
+
+}  // namespace
+
+void addMeasureSynthesizeCommand(CLI::App& parent) {
+  auto arguments = std::make_shared<SynthesizeArguments>();
+  CLI::App& command = *parent.add_subcommand(
+      "synthesize",
+      "Paint photographs of a dotted back before and after a press (before.jpg, before2.jpg, after.jpg) with the truth "
+      "beside them (truth.json); what is not asked for is drawn from the seed");
+  command.add_option("-o,--out", arguments->folder, "Folder to write into; made when missing")->required();
+  addNumber(command, "--seed", arguments->seed, between(0, 1e15), "Another body, grid, press, camera for each")
+      ->capture_default_str();
+  addNumber(command, "--megapixels", arguments->megapixels, between(0.5, 48.0), "Size of the pictures, 3 to 4")
+      ->capture_default_str();
+  addPressOptions(command, *arguments);
+  addPictureOptions(command, *arguments);
+  command.add_flag("--json", arguments->json, "Print the files and the truth, without its dots, as one JSON object");
+  command.callback([arguments] { runSynthesize(*arguments); });
+}
+
+}  // namespace palpate::app

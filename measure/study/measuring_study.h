@@ -1,0 +1,10 @@
+// `palpate study measuring`: key ellipses from synthetic photographs against their truth.
+#pragma once
+
+#include "report/page/study.h"
+
+namespace palpate::study {
+
+Study measuringStudy();
+
+}  // namespace palpate::study

@@ -1,0 +1,132 @@
+#include "measure/window/measuring_column.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <array>
+#include <filesystem>
+
+#include "measure/window/measuring_numbers.h"
+#include "view/viewer/panels/panels.h"
+#include "view/viewer/panels/widgets.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> kHeadNames = {"top", "left", "bottom", "right"};
+
+void photoRow(MeasuringView& view, Photo which) {
+  const bool before = which == Photo::before;
+  if (buttonWidget(
+          before ? "measuring/open_before" : "measuring/open_after", before ? "Before ..." : "After ...",
+          before ? "The photograph of the dots while nothing presses." : "The one while the stick drags the skin.")) {
+    view.dialog = which;
+  }
+  ImGui::SameLine(84.0f);
+  const std::string name = std::filesystem::path(view.photo(which).file).filename().string();
+  ImGui::TextUnformatted(name.empty() ? "-" : name.c_str());
+  for (const std::string& note : view.photo(which).notes) remark(note);
+}
+
+void photoRows(MeasuringView& view, Asks& asks) {
+  photoRow(view, Photo::before);
+  photoRow(view, Photo::after);
+  if (view.hasPair() && buttonWidget("measuring/swap", "Swap them", "They were named the wrong way round.")) {
+    asks.wish(Wish::Kind::swap_photos);
+  }
+}
+
+const char* hintOf(const MeasuringView& view) {
+  if (view.tool == MeasuringTool::contact) return "Click where the stick touched the skin, in the photograph before.";
+  if (view.tool == MeasuringTool::dots) {
+    return "Click bare skin to add a dot, a dot to remove it; drag moves it. With Shift a click only selects, arrows "
+           "nudge.";
+  }
+  return "Drag shifts, the wheel zooms.";
+}
+
+void hintRows(MeasuringView& view) {
+  remark(hintOf(view));
+  if (view.settings.contact_px &&
+      buttonWidget("measuring/no_contact", "Forget the contact", "The fitted contact is then compared with nothing.")) {
+    setContact(view, std::nullopt);
+  }
+}
+
+void settingRows(MeasuringView& view) {
+  measure::MeasureSettings& settings = view.settings;
+  bool changed = numberWidget(settings.spacing_mm, {"measuring/spacing", "mm spacing", "%.1f", 5.0, 100.0, 30.0,
+                                                    "From dot to dot on the stencil. All sizes follow from it."});
+  changed |= numberWidget(settings.drift_mm, {"measuring/drift", "mm drift", "%.2f", 0.01, 20.0, 0.4,
+                                              "How far the body may have moved between the photographs."});
+  auto head = static_cast<std::size_t>(settings.head);
+  if (choiceWidget("measuring/head", "head towards", head, kHeadNames,
+                   "The edge of the photograph that is nearest to the head.")) {
+    settings.head = static_cast<measure::HeadTowards>(head);
+    changed = true;
+  }
+  changed |= flagWidget("measuring/partial", "may leave the dots", settings.partial,
+                        "An ellipse that is larger than the dots is not refused for that.");
+  if (changed) settingsChanged(view);
+}
+
+void findingLines(const MeasuringView& view) {
+  if (!view.measured) return;
+  ImGui::PushTextWrapPos(0.0f);
+  for (const measure::Finding& finding : view.measured->findings) {
+    const bool refusal = finding.severity == measure::Severity::refusal;
+    severeWords(refusal ? Severity::error : Severity::warning,
+                fmt::format("{}: {}", refusal ? "Refused" : "Warning", finding.text));
+  }
+  ImGui::PopTextWrapPos();
+}
+
+void numberLines(const MeasuringView& view) {
+  if (!view.measured) return;
+  for (const MeasuredNumber& number : measuredNumbers(*view.measured)) valueLine(number.label.c_str(), number.value);
+}
+
+void textField(const char* path, const char* label, const char* hint, std::string& text) {
+  ImGui::PushID(path);
+  ImGui::SetNextItemWidth(0.68f * ImGui::GetContentRegionAvail().x);
+  ImGui::InputTextWithHint(label, hint, &text);
+  notePlace(path);
+  ImGui::PopID();
+}
+
+void acceptRows(MeasuringView& view, Asks& asks) {
+  AcceptForm& form = view.form;
+  textField("measuring/place", "place", "T6 left 40 mm", form.place);
+  if (!form.place_words.empty()) remark(form.place_words);
+  textField("measuring/name", "name", form.place_name.c_str(), form.name);
+  textField("measuring/table", "table", "key_points.csv", form.table);
+  flagWidget("measuring/use", "the skin here follows it", form.use_in_scene,
+             "The scene takes the table as its key points ([ellipses] key_points).");
+  const std::string obstacle = obstacleToAccept(view);
+  if (buttonWidget("measuring/accept", "Accept", "Adds a row to the table (Enter).")) {
+    asks.wish(Wish::Kind::accept_measurement);
+  }
+  if (!obstacle.empty() && view.measured) remark(obstacle);
+}
+
+}  // namespace
+
+void measuringColumn(MeasuringView& view, Asks& asks) {
+  if (buttonWidget("measuring/close", "Back to the body", "Esc; nothing is lost, it can be opened again.")) {
+    view.open = false;
+  }
+  photoRows(view, asks);
+  ImGui::Separator();
+  hintRows(view);
+  ImGui::Separator();
+  settingRows(view);
+  ImGui::Separator();
+  findingLines(view);
+  acceptRows(view, asks);
+  ImGui::Separator();
+  numberLines(view);
+}
+
+}  // namespace palpate::viewer

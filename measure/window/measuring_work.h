@@ -1,0 +1,87 @@
+// Photographs read and measured beside the display, one piece of work at a time: the newest wish wins.
+//
+//   MeasuringJob ─ own thread: readPhotograph, measurePair │ measureDots, overlayOf ─► MeasuringResult, taken by a
+//   frame
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "view/viewer/devices/beside.h"
+#include "palpate/base/progress.h"
+#include "palpate/measure/measurement.h"
+#include "palpate/measure/overlay.h"
+#include "palpate/view/image.h"
+
+namespace palpate::viewer {
+
+struct MeasuringJob {
+  std::array<std::string, 2> files =
+      {};  ///< photographs to be read, and if there are two measured; both empty: the marks
+  measure::DotPair marks = {};
+  measure::MeasureSettings settings = {};
+  std::vector<measure::Finding> of_photographs = {};  ///< what marks alone cannot tell; goes to their result
+  int width_px = 0;                                   ///< of the photographs that the marks are of
+  int height_px = 0;
+  bool ofPhotographs() const { return !files[0].empty() || !files[1].empty(); }
+};
+
+/// As it is shown: halved until it is small enough to be uploaded within a frame.
+struct ReadPhoto {
+  std::string file = {};
+  int width_px = 0;  ///< before that
+  int height_px = 0;
+  std::vector<std::string> notes = {};
+  view::Image image = {};
+};
+inline constexpr int kMostShownPx = 2048;
+
+struct MeasuringResult {
+  bool of_photographs = false;
+  std::array<std::optional<ReadPhoto>, 2> photos = {};
+  std::shared_ptr<const measure::Measurement> measured = nullptr;
+  measure::Overlay overlay = {};
+  std::vector<measure::Finding> of_photographs_alone = {};  ///< for the next measuring of marks
+  std::vector<std::string> errors = {};
+};
+
+/// Throws what the progress throws; what files and marks have against it becomes errors.
+MeasuringResult measured(const MeasuringJob& job, const Progress& progress);
+
+class MeasuringWork {
+ public:
+  /// Gives up what is at work, and waits for its next sign of life.
+  ~MeasuringWork() { cancel(); }
+
+  /// At once, or when what is at work is done or has given up.
+  void wish(MeasuringJob job);
+  /// No result will come.
+  void cancel();
+  bool busy() const { return work_.busy() || next_.has_value(); }
+  struct State {
+    std::string stage = {};
+    double done = 0.0;
+  };
+  State state() const;
+  /// A finished result, once. Begins what waits.
+  std::optional<MeasuringResult> take();
+
+ private:
+  void begin(MeasuringJob job);
+  void note(std::string_view stage, double done);
+
+  std::optional<MeasuringJob> next_;
+  std::atomic<bool> give_up_{false};
+  bool of_photographs_ = false;  ///< what is at work
+  mutable std::mutex mutex_;     // guards the state
+  State state_;
+  Beside<MeasuringResult> work_;  // last: it uses the above
+};
+
+}  // namespace palpate::viewer

@@ -1,0 +1,100 @@
+// What a study hands back: one page of findings, with its tables and figures as data.
+//
+// A study computes a StudyPage and writes nothing; the page is then written as Markdown, CSV, PNG and SVG (writePage)
+// or becomes a chapter of a report. Whatever a finding says in numbers comes from the run, and its
+// verdict is decided by them: findings are functions of the measurement in files of their own, and a test breaks their
+// numbers (tests/study/*_verdicts_test.cpp).
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "report/charts/figure.h"
+#include "palpate/base/progress.h"
+#include "report/page/text_table.h"
+
+namespace palpate::study {
+
+struct StudySettings {
+  bool quick = false;  ///< smaller models, fewer repetitions: below 3 s, for tests; its times mean little
+  Progress progress{};
+  std::optional<std::uint64_t> seed{};  ///< of a study that draws its cases (Study::draws)
+  std::optional<std::size_t> cases{};   ///< how many it draws
+  bool map = false;                     ///< of a study that has one (Study::maps): that alone
+  std::string family{};                 ///< of a study that has several (Study::families): that alone; empty: the rest
+};
+
+struct StudyFigure {
+  std::string stem;     ///< file name without extension, for example "hdb_punctures"
+  std::string caption;  ///< one or two sentences: what is seen
+  figures::Figure figure;
+};
+
+struct StudyTable {
+  std::string stem;   ///< file name without extension
+  std::string title;  ///< a sentence above the table
+  TextTable table;
+  bool shown = true;  ///< false: long, so a CSV file only
+  /// The rows are in the JSON object under this name too, an object each by the headings; cells that are numbers as
+  /// numbers. Empty: they are not.
+  std::string key{};
+};
+
+struct StudyPage {
+  std::string name{};  ///< of the Markdown file; empty: the subcommand's
+  std::string title;
+  std::string question;               ///< what was asked, one paragraph
+  std::vector<std::string> findings;  ///< a paragraph each, most important first
+  std::vector<std::string> method;    ///< how it was measured and what stands in for what; a paragraph each
+  std::vector<StudyTable> tables;
+  std::vector<StudyFigure> figures;
+  std::vector<std::pair<std::string, double>> numbers;  ///< the main results by name, with the unit in it, for programs
+  bool numbers_on_top = false;  ///< the JSON object has them beside `study` too, not only in `numbers`
+  std::string command{};        ///< that makes this page again
+  std::string machine{};        ///< that it ran on
+  double seconds = 0.0;         ///< that it took
+};
+
+/// Findings, figures (as PNG in the same folder), tables, method, command and machine.
+std::string markdownOf(const StudyPage& page);
+
+/// study, title, findings, numbers, figures and tables (names of files), command, machine, seconds. One JSON object.
+std::string jsonOf(const StudyPage& page);
+
+/// The findings as people read them on a terminal, wrapped.
+std::string textOf(const StudyPage& page);
+
+/// DIR/<name>.md, and for every figure PNG, SVG and its curves as CSV, for every table CSV. The folder is made when
+/// missing. Throws Error naming a file that cannot be written.
+void writePage(const StudyPage& page, const std::filesystem::path& folder, const Progress& progress = {});
+
+/// Makes a folder and its parents where they are missing. Throws Error naming it.
+void makeFolder(const std::filesystem::path& folder);
+
+// ---- writing numbers into findings and tables
+
+/// 41582 as "41,582".
+std::string counted(double number);
+/// To `digits` significant digits, never with an exponent: 0.01234 -> "0.012", 1234 -> "1200" for 2.
+std::string rounded(double number, int digits = 2);
+/// 0.1234 -> "12 %", 0.0123 -> "1.2 %".
+std::string percent(double share);
+
+/// The least and the most of some positive numbers.
+struct Extent {
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0.0;  ///< of ratios and sizes, which are positive
+  void add(double value) {
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+};
+
+}  // namespace palpate::study

@@ -1,0 +1,153 @@
+// `palpate fit profile --data CURVES.csv`: a table of layered tissue, and a scene's own profile, from measured skin.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/kit/choice_option.h"
+#include "cli/kit/commands.h"
+#include "cli/kit/number_option.h"
+#include "cli/kit/picture_file.h"
+#include "cli/kit/progress_line.h"
+#include "solve/commands/profile_report.h"
+#include "palpate/base/error.h"
+#include "palpate/base/text.h"
+
+namespace palpate::app {
+
+namespace {
+
+using tissue::ProfileForm;
+
+constexpr const char* kBestProfileWord = "best";
+
+struct FitProfileArguments {
+  std::string data;
+  std::string forces;
+  std::vector<std::string> layers;
+  std::string form = kBestProfileWord;
+  double indenter_radius_mm = 8.0;
+  std::string output;
+  std::string profile;
+  std::string plot;
+  bool json = false;
+};
+
+void fitDepths(ProfileResult& result) {
+  ProgressLine progress;
+  try {
+    for (const tissue::SkinProfile& profile : result.profiles) {
+      const auto done = static_cast<double>(result.fits.size()) / static_cast<double>(result.profiles.size());
+      report(progress.callback(), "fitting", done);
+      auto& of_depth = result.fits.emplace_back();
+      for (const ProfileForm form : tissue::kProfileForms) of_depth.push_back(fitProfile(profile, form));
+    }
+  } catch (const Error& error) {
+    throw Error::inFile(result.file, error.what());
+  }
+}
+
+ProfileForm profileFormOf(const FitProfileArguments& arguments, const ProfileResult& result) {
+  for (const ProfileForm form : tissue::kProfileForms) {
+    if (nameOf(form) == arguments.form) return form;
+  }
+  return bestForm(result.fits);
+}
+
+/// The law of the only curve of the file.
+tissue::ForceFit forceFrom(const std::string& file) {
+  const std::vector<tissue::ForceCurve> curves = tissue::readForceCurves(file);
+  if (curves.size() > 1) throw Error::inFile(file, "holds several curves; a table of tissue has one");
+  try {
+    return bestOf(fitForces(curves.front(), {}));
+  } catch (const Error& error) {
+    throw Error::inFile(file, error.what());
+  }
+}
+
+/// As far out as every depth was measured.
+double commonRadius(const std::vector<tissue::SkinProfile>& profiles) {
+  double radius = profiles.front().radius_mm.back();
+  for (const tissue::SkinProfile& profile : profiles) radius = std::min(radius, profile.radius_mm.back());
+  return radius;
+}
+
+void makeTable(const FitProfileArguments& arguments, ProfileResult& result) {
+  tissue::LayeredTable& table = result.table;
+  for (const std::string& layer : arguments.layers) table.stack.layers.push_back(tissue::parseLayer(layer));
+  table.indenter_radius_mm = arguments.indenter_radius_mm;
+  table.radii_mm = tissue::tableRadii(commonRadius(result.profiles));
+  for (std::size_t i = 0; i < result.profiles.size(); ++i) {
+    table.shapes.push_back(shapeOf(result.chosenFit(i), table.radii_mm));
+    if (result.force) table.shapes.back().force_n = forceOf(*result.force, result.profiles[i].depth_mm);
+  }
+  try {
+    check(table);
+  } catch (const Error& error) {
+    throw Error::inFile(result.file, error.what());
+  }
+  result.shared = sharedProfile(table.radii_mm, table.shapes);
+}
+
+void writeProfile(const std::string& file, ProfileResult& result) {
+  std::string text = fmt::format("# pressed skin of {}\nq,value\n", oneLine(result.file, 200));
+  for (const tissue::ProfileKnot& knot : result.shared.knots)
+    text += fmt::format("{:.6g},{:.6g}\n", knot.q, knot.value);
+  writeFile(file, text);
+  result.profile_file = file;
+  result.written.push_back(file);
+}
+
+void runFitProfile(const FitProfileArguments& arguments) {
+  if (!arguments.plot.empty()) checkPictureName(arguments.plot);
+  ProfileResult result;
+  result.file = arguments.data;
+  result.profiles = tissue::readSkinProfiles(arguments.data);
+  if (!arguments.forces.empty()) result.force = forceFrom(arguments.forces);
+  fitDepths(result);
+  result.chosen = profileFormOf(arguments, result);
+  makeTable(arguments, result);
+  if (!arguments.output.empty()) {
+    writeLayeredTable(arguments.output, result.table);
+    result.table_file = arguments.output;
+    result.written.push_back(arguments.output);
+  }
+  if (!arguments.profile.empty()) writeProfile(arguments.profile, result);
+  if (!arguments.plot.empty()) {
+    writePicture(profileFitFigure(result), arguments.plot);
+    result.written.push_back(arguments.plot);
+  }
+  fmt::print("{}", arguments.json ? jsonOf(result).dump(2) + "\n" : textOf(result));
+}
+
+std::vector<std::string> profileFormWords() {
+  std::vector<std::string> words = {kBestProfileWord};
+  for (const ProfileForm form : tissue::kProfileForms) words.emplace_back(nameOf(form));
+  return words;
+}
+
+}  // namespace
+
+void addFitProfileCommand(CLI::App& parent) {
+  const auto arguments = std::make_shared<FitProfileArguments>();
+  FitProfileArguments& a = *arguments;
+  CLI::App& command = *parent.add_subcommand("profile", "Find the shape of pressed skin from measured places");
+  command.add_option("--data,CURVES", a.data, "Table depth_mm,r_mm,down_mm and, where it was measured, outward_mm")
+      ->required();
+  command.add_option("--forces", a.forces, "Table depth_mm,force_n of the same place; left out: forces are 0, unknown");
+  command.add_option("--layer", a.layers, "What lies there, NAME:THICKNESS:MODULUS from the skin down; repeatable")
+      ->allow_extra_args(false);
+  addNumber(command, "--indenter-radius-mm", a.indenter_radius_mm, between(0.1, 1000.0, "mm"), "Of the sphere");
+  takesOneOf(profileFormWords(),
+             command.add_option("--form", a.form, "Of the table; best: what foretells unseen places best"))
+      ->capture_default_str();
+  command.add_option("-o,--out", a.output, "Table of layered tissue to write (docs/explanation/tissue.md)");
+  command.add_option("--profile", a.profile, "Table q,value to write, as profile_file of a scene reads it");
+  command.add_option("--plot", a.plot, "Picture to write: .png or .svg");
+  command.add_flag("--json", a.json, "Print one JSON object");
+  command.callback([arguments] { runFitProfile(*arguments); });
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,201 @@
+// Own.
+#include "solve/commands/force_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate::app {
+
+namespace {
+
+using nlohmann::ordered_json;
+using tissue::FittedNumber;
+using tissue::ForceFit;
+using tissue::ForceForm;
+
+/// At a share of the sorted values: 0.5 is the median.
+double quantile(std::vector<double> values, double share) {
+  std::ranges::sort(values);
+  const double place = share * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, values.size() - 1);
+  return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
+}
+
+/// One number of every curve.
+template <class Number>
+std::vector<double> ofAll(const ForceResult& result, ForceForm form, const Number& number) {
+  std::vector<double> values;
+  for (const FittedCurve& one : result.curves) values.push_back(number(fitOf(one.fits, form)));
+  return values;
+}
+
+double exponentOf(const ForceFit& power) { return power.numbers.front().value; }
+
+// --- text
+
+std::string numberText(const FittedNumber& number) {
+  std::string text = fmt::format("{:.4g}", number.value);
+  if (number.at_end) return text + " (at the end of its range)";
+  if (number.standard_error > 0.0) text += fmt::format(" +- {:.2g}", number.standard_error);
+  return text;
+}
+
+std::string numbersText(const ForceFit& fit) {
+  std::string text;
+  for (const FittedNumber& number : fit.numbers) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", number.name, numberText(number));
+  }
+  if (fit.form == ForceForm::measured) text = fmt::format("{} rows", fit.law.table.rows);
+  if (fit.offset.value > 0.0 || fit.offset.at_end) {
+    text += fmt::format("{}contact at {} mm", text.empty() ? "" : ", ", numberText(fit.offset));
+  }
+  return text;
+}
+
+std::string fitsText(const std::vector<ForceFit>& fits, ForceForm chosen) {
+  std::string text = fmt::format("{:<12}{:>8}{:>9}  {:<20}{}\n", "form", "RMS", "unseen", "N/mm at 8 mm", "numbers");
+  for (const ForceFit& fit : fits) {
+    text +=
+        fmt::format("{:<12}{:>6.1f} %{:>7.1f} %  {:<20}{}{}\n", nameOf(fit.form), 100.0 * fit.rms,
+                    100.0 * fit.unseen_rms, numberText(fit.secant), numbersText(fit), fit.form == chosen ? "  <-" : "");
+  }
+  return text;
+}
+
+std::string curvesText(const ForceResult& result) {
+  constexpr std::size_t kMostShown = 40;
+  std::string text = fmt::format("{:<24}{:>6}{:>9}{:>14}{:>10}{:>8}  {}\n", "curve", "rows", "deepest", "N/mm at 8 mm",
+                                 "exponent", "RMS", "best form");
+  for (std::size_t i = 0; i < std::min(result.curves.size(), kMostShown); ++i) {
+    const FittedCurve& one = result.curves[i];
+    const ForceFit& power = fitOf(one.fits, ForceForm::power);
+    const ForceFit& best = bestOf(one.fits);
+    text += fmt::format("{:<24}{:>6}{:>9.2f}{:>14.3f}{:>10.2f}{:>6.1f} %  {}, {:.1f} %\n", one.curve.name, power.rows,
+                        power.deepest_mm, power.secant.value, exponentOf(power), 100.0 * power.rms, nameOf(best.form),
+                        100.0 * best.rms);
+  }
+  if (result.curves.size() > kMostShown) text += fmt::format("... {} more\n", result.curves.size() - kMostShown);
+  return text;
+}
+
+std::string spreadText(const ForceResult& result) {
+  const std::vector<double> exponents = ofAll(result, ForceForm::power, exponentOf);
+  std::string text = "\nmedian over curves, each with numbers of its own\n";
+  text += fmt::format("{:<12}{:>8}{:>9}\n", "form", "RMS", "unseen");
+  for (const ForceForm form : tissue::kForceForms) {
+    text += fmt::format("{:<12}{:>6.1f} %{:>7.1f} %\n", nameOf(form),
+                        100.0 * quantile(ofAll(result, form, [](const ForceFit& fit) { return fit.rms; }), 0.5),
+                        100.0 * quantile(ofAll(result, form, [](const ForceFit& fit) { return fit.unseen_rms; }), 0.5));
+  }
+  return text + fmt::format("exponent: {:.2f} in the middle, 8 of 10 from {:.2f} to {:.2f}\n", quantile(exponents, 0.5),
+                            quantile(exponents, 0.1), quantile(exponents, 0.9));
+}
+
+// --- JSON
+
+ordered_json numberJson(const FittedNumber& number) {
+  return {{"value", number.value}, {"standard_error", number.standard_error}, {"at_end", number.at_end}};
+}
+
+ordered_json fitJson(const ForceFit& fit) {
+  ordered_json json = {{"form", nameOf(fit.form)}, {"secant_n_per_mm", numberJson(fit.secant)}};
+  json["numbers"] = ordered_json::object();
+  for (const FittedNumber& number : fit.numbers) json["numbers"][std::string(number.name)] = numberJson(number);
+  json["offset_mm"] = numberJson(fit.offset);
+  json["rms"] = fit.rms;
+  json["unseen_rms"] = fit.unseen_rms;
+  json["noise_floor"] = fit.noise_floor;
+  json["rows"] = fit.rows;
+  json["deepest_mm"] = fit.deepest_mm;
+  return json;
+}
+
+ordered_json fitsJson(const std::vector<ForceFit>& fits) {
+  ordered_json json = ordered_json::array();
+  for (const ForceFit& fit : fits) json.push_back(fitJson(fit));
+  return json;
+}
+
+ordered_json spreadJson(const ForceResult& result) {
+  const std::vector<double> exponents = ofAll(result, ForceForm::power, exponentOf);
+  ordered_json json;
+  json["exponent"] = {
+      {"p10", quantile(exponents, 0.1)}, {"median", quantile(exponents, 0.5)}, {"p90", quantile(exponents, 0.9)}};
+  for (const ForceForm form : tissue::kForceForms) {
+    json["rms_median"][std::string(nameOf(form))] =
+        quantile(ofAll(result, form, [](const ForceFit& fit) { return fit.rms; }), 0.5);
+  }
+  return json;
+}
+
+}  // namespace
+
+const ForceFit& fitOf(const std::vector<ForceFit>& fits, ForceForm form) {
+  return *std::ranges::find(fits, form, &ForceFit::form);
+}
+
+std::string sceneKeys(const ForceResult& result) {
+  const ForceFit& fit = fitOf(result.fits(), result.chosen);
+  std::string keys = "[tissue]\n";
+  const auto number = [&](std::size_t i) { return fit.numbers[i].value; };
+  constexpr double kLeastExponent = 1.0;  // that a scene takes
+  constexpr double kMostExponent = 3.0;
+  const bool known_power = fit.form == ForceForm::power && number(0) >= kLeastExponent && number(0) <= kMostExponent;
+  if (fit.form == ForceForm::linear) {
+    keys += "force_law = \"linear\"\n";
+  } else if (known_power) {
+    keys += fmt::format("force_law = \"power\"\nexponent = {:.4g}\n", number(0));
+  } else if (fit.form == ForceForm::stiffening) {
+    keys += fmt::format("force_law = \"stiffening\"\nstiffening_ratio = {:.4g}\nstiffening_depth_mm = {:.4g}\n",
+                        number(0), number(1));
+  } else {
+    keys += fmt::format("force_law = \"table\"\nforce_table = \"{}\"\n",
+                        result.table.empty() ? "TABLE.csv (write it with -o)" : result.table);
+  }
+  return keys + fmt::format("\n[stiffness]\nsource = \"constant\"\nconstant_n_per_mm = {:.4g}\n", fit.secant.value);
+}
+
+std::string textOf(const ForceResult& result) {
+  std::string text;
+  if (result.shared.empty()) {
+    const ForceFit& power = fitOf(result.fits(), ForceForm::power);
+    text = fmt::format("{}: {} rows, {:.4g} mm deep\n\n", result.file, power.rows, power.deepest_mm);
+    text += fitsText(result.fits(), result.chosen);
+  } else {
+    text = fmt::format("{}: {} curves\n\n", result.file, result.curves.size());
+    text += curvesText(result) + spreadText(result);
+    text += "\none shape for all, each curve with a stiffness of its own (unseen: the shape is that of other curves)\n";
+    text += fitsText(result.shared, result.chosen);
+  }
+  text += "\nRMS of (fit - force) / max(force, 0.3 of the largest); unseen: of rows left out of the fit.\n";
+  text += "\nin a scene:\n" + sceneKeys(result);
+  for (const std::string& file : result.written) text += "-> " + file + "\n";
+  return text;
+}
+
+ordered_json jsonOf(const ForceResult& result) {
+  const ForceFit& power = fitOf(result.fits(), ForceForm::power);
+  const ForceFit& best = bestOf(result.fits());
+  ordered_json json = {{"file", result.file}, {"free_offset", result.free_offset}};
+  json["p"] = exponentOf(power);
+  json["p_standard_error"] = power.numbers.front().standard_error;
+  json["k_n_per_mm"] = power.secant.value;
+  json["reference_depth_mm"] = tissue::kReferenceDepthMm;
+  json["best"] = nameOf(best.form);
+  json["chosen"] = nameOf(result.chosen);
+  json["fits"] = fitsJson(result.fits());
+  json["curves"] = ordered_json::array();
+  for (const FittedCurve& one : result.curves) {
+    json["curves"].push_back(
+        {{"curve", one.curve.name}, {"best", nameOf(bestOf(one.fits).form)}, {"fits", fitsJson(one.fits)}});
+  }
+  json["spread"] = spreadJson(result);
+  json["scene"] = sceneKeys(result);
+  json["written"] = result.written;
+  return json;
+}
+
+}  // namespace palpate::app

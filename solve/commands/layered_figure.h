@@ -1,0 +1,30 @@
+// Tables of layered tissue as pictures: the pressed skin, its sideways motion, the force, the width of the dent.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "report/charts/figure.h"
+#include "palpate/tissue/layered_table.h"
+
+namespace palpate::app {
+
+struct NamedTable {
+  std::string name;
+  tissue::LayeredTable table;
+};
+
+struct LayeredFigureSettings {
+  std::string title;
+  std::optional<double> depth_mm;  ///< of the shapes; none: every depth of one table, the deepest that several share
+  double to_radius_mm = 60.0;
+};
+
+/// The deepest that all tables reach.
+double sharedDepth(const std::vector<NamedTable>& tables);
+
+/// One table: its shapes by depth. Several: all of them at one depth, and their forces by depth.
+figures::Figure layeredFigure(const std::vector<NamedTable>& tables, const LayeredFigureSettings& settings);
+
+}  // namespace palpate::app

@@ -1,0 +1,219 @@
+// `palpate tissue library`: the solved stacks that a body's places are blended from; and how they are solved again,
+// with the drags that photographs are fitted by.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "cli/kit/commands.h"
+#include "cli/kit/number_option.h"
+#include "cli/kit/progress_line.h"
+#include "palpate/base/error.h"
+#include "palpate/base/output_file.h"
+#include "palpate/elements/drag_solver.h"
+#include "palpate/elements/finger_solver.h"
+#include "palpate/elements/stack_solver.h"
+#include "palpate/tissue/layered_library.h"
+#include "palpate/tissue/solved_drag.h"
+
+namespace palpate::app {
+
+namespace {
+
+using tissue::LayeredNode;
+
+struct LibraryArguments {
+  std::string output;
+  double fat_mm = 8.0;
+  double finger_mm = tissue::kFingertipMm;
+  bool solve = false;
+  bool fingers = false;
+  bool drag = false;
+  bool json = false;
+};
+
+const std::vector<double> kThicknessesMm = {9, 12, 16, 22, 30, 40, 50, 62};
+const std::vector<double> kFatShares = {0.1, 0.25, 0.45, 0.7};
+const std::vector<double> kDepthsMm = {0.5, 1, 1.5, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12};
+/// The sphere stays this far from the bone, as a share of the thickness.
+constexpr double kClosestToBone = 0.1;
+
+std::string listOf(const std::vector<double>& numbers) { return fmt::format("{:.6g}", fmt::join(numbers, ", ")); }
+
+std::vector<double> depthsOver(double thickness_mm) {
+  std::vector<double> depths = kDepthsMm;
+  std::erase_if(depths, [&](double depth) { return depth > (1.0 - kClosestToBone) * thickness_mm; });
+  return depths;
+}
+
+LayeredNode solvedNode(double thickness_mm, double share, const Progress& progress) {
+  const tissue::LayerStack stack = tissue::libraryStack(thickness_mm, share);
+  elements::StackSettings settings;
+  settings.press.depths_mm = depthsOver(thickness_mm);
+  const elements::PressSolution solution = elements::solveStack(stack, settings, progress).press;
+  if (solution.table.shapes.empty())
+    throw Error(fmt::format("{} mm with {} of fat: {}", thickness_mm, share, solution.stopped_by));
+  if (!solution.stopped_by.empty())
+    say(fmt::format("{} mm with {} of fat: solved to {:.2f} mm: {}\n", thickness_mm, share, solution.converged_to_mm,
+                    solution.stopped_by));
+  return tissue::nodeOf(solution.table);
+}
+
+/// Thickness by thickness, share by share.
+std::vector<LayeredNode> solvedNodes(const Progress& progress) {
+  const std::size_t count = kThicknessesMm.size() * kFatShares.size();
+  std::vector<LayeredNode> nodes(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double thickness = kThicknessesMm[i / kFatShares.size()];
+    const double share = kFatShares[i % kFatShares.size()];
+    nodes[i] = solvedNode(thickness, share, [&](std::string_view, double done) {
+      report(progress, "solving the library", (static_cast<double>(i) + done) / static_cast<double>(count));
+    });
+  }
+  return nodes;
+}
+
+std::string libraryText(const std::vector<LayeredNode>& nodes) {
+  std::string text = "// Made by `palpate tissue library --solve`; layered_library.cpp says what stands where.\n";
+  text += fmt::format("constexpr double kThicknessesMm[] = {{{}}};\n", listOf(kThicknessesMm));
+  text += fmt::format("constexpr double kFatShares[] = {{{}}};\n", listOf(kFatShares));
+  text += "constexpr double kNodes[] = {\n";
+  for (const LayeredNode& node : nodes) text += "    " + listOf(tissue::libraryNumbers(node)) + ",\n";
+  return text + "};\n";
+}
+
+/// The forces of other fingers as the shipped file has them: how many of the depths were reached, and the force there.
+std::string fingersText(const Progress& progress) {
+  std::vector<double> radii;
+  std::string rows;
+  const std::size_t count = kThicknessesMm.size() * kFatShares.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    report(progress, "solving the fingers", static_cast<double>(i) / static_cast<double>(count));
+    const double thickness = kThicknessesMm[i / kFatShares.size()];
+    const tissue::LayerStack stack = tissue::libraryStack(thickness, kFatShares[i % kFatShares.size()]);
+    elements::PressSettings press;
+    press.depths_mm = depthsOver(thickness);
+    radii.clear();
+    for (const tissue::FingerForces& finger : elements::solveFingers(stack, press)) {
+      std::vector<double> numbers = {0.0};
+      for (std::size_t d = 0; d < finger.depths_mm.size() && finger.depths_mm[d] == kDepthsMm[d]; ++d) {
+        numbers.push_back(finger.force_n[d]);
+      }
+      numbers.front() = static_cast<double>(numbers.size() - 1);
+      rows += "    " + listOf(numbers) + ",\n";
+      radii.push_back(finger.radius_mm);
+    }
+  }
+  return "// Made by `palpate tissue library --solve --fingers`; layered_library.cpp says what stands where.\n" +
+         fmt::format("constexpr double kFingerRadiiMm[] = {{{}}};\n", listOf(radii)) +
+         fmt::format("constexpr double kFingerDepthsMm[] = {{{}}};\n", listOf(kDepthsMm)) +
+         "constexpr double kFingerForces[] = {\n" + rows + "};\n";
+}
+
+/// Shares of the drag at the table's distances, 4 digits.
+std::string dragCurve(const std::function<double(double mm)>& moved) {
+  std::vector<double> shares;
+  for (std::size_t i = 0; i < tissue::kSolvedKnots; ++i)
+    shares.push_back(std::round(1e4 * moved(tissue::solvedKnotMm(i))) * 1e-4 + 0.0);
+  return fmt::format("{{{{{:.4g}}}}},\n", fmt::join(shares, ", "));
+}
+
+std::string dragText(const Progress& progress) {
+  std::string text =
+      "// Made by `palpate tissue library --solve --drag`: along the drag and across it, stack by stack "
+      "(solved_drag.h).\n";
+  for (std::size_t i = 0; i < tissue::kSolvedStacks.size(); ++i) {
+    report(progress, "dragging layers", static_cast<double>(i) / static_cast<double>(tissue::kSolvedStacks.size()));
+    const tissue::SolvedStack& s = tissue::kSolvedStacks[i];
+    const elements::DragField field = elements::solveDragField(
+        {.layers = {{"skin", 2.0, s.skin_kpa}, {"fat", s.fat_mm, 10.0}, {"muscle", s.muscle_mm, 27.0}}},
+        {.patch_radius_mm = tissue::kSolvedPatchMm});
+    text += dragCurve([&](double mm) { return field.movedAt({mm, 0.0}).x(); });
+    text += dragCurve([&](double mm) { return field.movedAt({0.0, mm}).x(); });
+  }
+  return text;
+}
+
+void solveDrags(const LibraryArguments& arguments) {
+  if (arguments.output.empty()) throw Error("--drag needs -o FILE");
+  ProgressLine progress;
+  OutputFile file(arguments.output);
+  file.write(dragText(progress.callback()));
+  file.commit();
+  progress.clear();
+  fmt::print("-> {} ({} stacks)\n", arguments.output, tissue::kSolvedStacks.size());
+}
+
+void solveLibrary(const LibraryArguments& arguments) {
+  if (arguments.output.empty()) throw Error("--solve needs -o FILE");
+  std::string text;
+  {
+    ProgressLine progress;
+    text = arguments.fingers ? fingersText(progress.callback()) : libraryText(solvedNodes(progress.callback()));
+  }
+  OutputFile file(arguments.output);
+  file.write(text);
+  file.commit();
+  fmt::print("-> {} ({} stacks)\n", arguments.output, kThicknessesMm.size() * kFatShares.size());
+}
+
+void listLibrary(const LibraryArguments& arguments) {
+  const tissue::LayeredTissue tissue(tissue::libraryNodes(arguments.fat_mm));
+  nlohmann::ordered_json json;
+  json["fat_mm"] = arguments.fat_mm;
+  json["finger_radius_mm"] = arguments.finger_mm;
+  json["places"] = nlohmann::ordered_json::array();
+  std::string text = fmt::format(
+      "skin 2 mm, 150 kPa; fat of {:.4g} mm, 10 kPa, less over shallow bone; muscle 27 kPa; a finger of {:.4g} mm\n",
+      arguments.fat_mm, arguments.finger_mm);
+  text += "  thickness   fat   force in N at 2, 5, 8 and 10 mm      secant at 8 mm   k_t / k_n\n";
+  for (const double thickness : tissue::libraryThicknesses()) {
+    const double fat = tissue::libraryFatShare(thickness, arguments.fat_mm) *
+                       (thickness - tissue::libraryStack(thickness, 0.5).layers.front().thickness_mm);
+    const auto force = [&](double depth) { return depth * tissue.secantAt(thickness, depth, arguments.finger_mm); };
+    const double secant = tissue.secantAt(thickness, tissue::kReferenceDepthMm, arguments.finger_mm);
+    text += fmt::format("{:8.4g} mm {:5.1f} {:8.2f}{:8.2f}{:8.2f}{:8.2f} {:12.3f} N/mm {:10.2f}\n", thickness, fat,
+                        force(2), force(5), force(8), force(10), secant, tissue.tangentialAt(thickness));
+    json["places"].push_back({{"thickness_mm", thickness},
+                              {"fat_mm", fat},
+                              {"force_n", {{"2", force(2)}, {"5", force(5)}, {"8", force(8)}, {"10", force(10)}}},
+                              {"secant_n_per_mm", secant},
+                              {"tangential_over_normal", tissue.tangentialAt(thickness)}});
+  }
+  fmt::print("{}", arguments.json ? json.dump(2) + "\n" : text);
+}
+
+}  // namespace
+
+void addTissueLibraryCommand(CLI::App& parent) {
+  const auto arguments = std::make_shared<LibraryArguments>();
+  LibraryArguments& a = *arguments;
+  CLI::App& command = *parent.add_subcommand("library", "The solved stacks that a body's places are blended from");
+  addNumber(command, "--fat-mm", a.fat_mm, between(0.5, 60.0, "mm"), "Fat between skin and muscle")
+      ->capture_default_str();
+  addNumber(command, "--finger-radius-mm", a.finger_mm, between(1.0, 24.0, "mm"), "Finger that presses")
+      ->capture_default_str();
+  CLI::Option& solve = *command.add_flag("--solve", a.solve,
+                                         "Solve all of them again (minutes) and write the source file that is shipped");
+  CLI::Option& fingers = *command
+                              .add_flag("--fingers", a.fingers,
+                                        "With --solve: the forces of fingers of other radii, which have their own file")
+                              ->needs(&solve);
+  command
+      .add_flag("--drag", a.drag,
+                "With --solve: the drags that `palpate measure` fits to photographs, instead of the body's")
+      ->needs(&solve)
+      ->excludes(&fingers);
+  command.add_option("-o,--out", a.output, "With --solve: the file");
+  command.add_flag("--json", a.json, "Print one JSON object");
+  command.callback([arguments] {
+    if (arguments->drag) return solveDrags(*arguments);
+    arguments->solve ? solveLibrary(*arguments) : listLibrary(*arguments);
+  });
+}
+
+}  // namespace palpate::app

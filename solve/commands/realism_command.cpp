@@ -1,0 +1,204 @@
+// `palpate realism`: how far what is felt and seen is from finite elements, case by case.
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "cli/kit/commands.h"
+#include "cli/kit/json.h"
+#include "cli/kit/number_option.h"
+#include "cli/kit/picture_file.h"
+#include "cli/kit/progress_line.h"
+#include "solve/commands/living_report.h"
+#include "solve/commands/radius_report.h"
+#include "solve/commands/realism_stacks.h"
+
+namespace palpate::app {
+
+namespace {
+
+using lab::JudgedDrag;
+using lab::JudgedPress;
+using lab::PressError;
+using lab::RealismFigures;
+
+struct RealismArguments {
+  std::string cases;
+  std::string living;
+  std::string plot;
+  double png_scale = 1.5;
+  bool radius = false;
+  bool json = false;
+};
+
+nlohmann::ordered_json errorJson(const PressError& error) {
+  return {{"normal_rms", error.shape.normal_rms},
+          {"vector_rms", error.shape.vector_rms},
+          {"worst_point", error.shape.worst},
+          {"force_n", error.force_n},
+          {"force_error", error.force_error}};
+}
+
+nlohmann::ordered_json figuresJson(const RealismFigures& figures) {
+  nlohmann::ordered_json json;
+  json["cases"] = nlohmann::ordered_json::array();
+  for (const JudgedPress& press : figures.presses) {
+    json["cases"].push_back({{"name", press.name},
+                             {"depth", press.depth_mm},
+                             {"layered_stack", press.layered_stack},
+                             {"true_force_n", press.true_force_n},
+                             {"layered", errorJson(press.layered)},
+                             {"gaussian", errorJson(press.gaussian)},
+                             {"literal", errorJson(press.literal)}});
+  }
+  json["drags"] = nlohmann::ordered_json::array();
+  for (const JudgedDrag& drag : figures.drags) {
+    json["drags"].push_back({{"name", drag.name},
+                             {"layered_stack", drag.layered_stack},
+                             {"layered_rms", drag.layered_rms},
+                             {"gaussian_rms", drag.gaussian_rms}});
+  }
+  const lab::WorstErrors worst = figures.worst(&JudgedPress::layered, lab::kJudgedFromMm);
+  json["normal_rms_worst"] = worst.normal_rms;
+  json["vector_rms_worst"] = worst.vector_rms;
+  json["force_error_worst"] = worst.force_error;
+  json["tangential_rms_worst"] = figures.worstDrag(&JudgedDrag::layered_rms);
+  json["force_error_worst_from_2_mm"] = figures.worst(&JudgedPress::layered, 2.0).force_error;
+  for (const auto& [name, member] :
+       {std::pair{"gaussian", &JudgedPress::gaussian}, {"literal", &JudgedPress::literal}}) {
+    const lab::WorstErrors other = figures.worst(member, lab::kJudgedFromMm);
+    json[std::string(name) + "_worst"] = {
+        {"normal_rms", other.normal_rms}, {"vector_rms", other.vector_rms}, {"force_error", other.force_error}};
+  }
+  json["left_out"] = figures.left_out;
+  return json;
+}
+
+std::string percent(double share) { return fmt::format("{:.1f}", 100.0 * share); }
+
+std::string figuresText(const RealismFigures& figures) {
+  std::string text =
+      "  percent of the depth, RMS over 40 mm: normal / with the way outward; force against finite elements\n";
+  text += fmt::format("  {:<20}{:>7}{:>18}{:>18}{:>18}{:>9}{:>9}{:>9}{:>9}\n", "stack", "depth", "layered", "gaussian",
+                      "literal", "force", "layered", "gauss.", "literal");
+  const auto shape = [](const PressError& error) {
+    return percent(error.shape.normal_rms) + " / " + percent(error.shape.vector_rms);
+  };
+  const auto force = [](const PressError& error) { return fmt::format("{:+.0f} %", 100.0 * error.force_error); };
+  for (const JudgedPress& press : figures.presses) {
+    text += fmt::format("  {:<20}{:>7}{:>18}{:>18}{:>18}{:>9}{:>9}{:>9}{:>9}\n", press.name,
+                        fmt::format("{:.4g} mm", press.depth_mm), shape(press.layered), shape(press.gaussian),
+                        shape(press.literal), fmt::format("{:.2f} N", press.true_force_n), force(press.layered),
+                        force(press.gaussian), force(press.literal));
+  }
+  for (const JudgedDrag& drag : figures.drags) {
+    text += fmt::format("  {:<20}{:>7}{:>18}{:>18}   percent of the drag, RMS over 60 mm along and across\n", drag.name,
+                        "drag", percent(drag.layered_rms), percent(drag.gaussian_rms));
+  }
+  const lab::WorstErrors worst = figures.worst(&JudgedPress::layered, lab::kJudgedFromMm);
+  text += fmt::format(
+      "worst of layered stacks from {} mm on: normal {} %, vector {} %, force {} % ({} % from 2 mm on), drag {} %\n",
+      lab::kJudgedFromMm, percent(worst.normal_rms), percent(worst.vector_rms), percent(worst.force_error),
+      percent(figures.worst(&JudgedPress::layered, 2.0).force_error),
+      percent(figures.worstDrag(&JudgedDrag::layered_rms)));
+  for (const std::string& name : figures.left_out) text += "left out: " + name + "\n";
+  return text;
+}
+
+figures::Plot errorPlot(const RealismFigures& figures, const std::string& title, const std::string& label,
+                        double (*value)(const PressError&)) {
+  figures::Plot plot{.title = title, .x = {.label = "depth", .unit = "mm"}, .y = {.label = label, .unit = "%"}};
+  const auto add = [&](const char* name, PressError JudgedPress::*of, figures::Marker marker, std::size_t colour) {
+    figures::Series series{
+        .name = name, .stroke = figures::Stroke::none, .marker = marker, .colour = figures::seriesColour(colour)};
+    for (const JudgedPress& press : figures.presses) {
+      series.x.push_back(press.depth_mm);
+      series.y.push_back(100.0 * value(press.*of));
+    }
+    plot.series.push_back(std::move(series));
+  };
+  add("layered", &JudgedPress::layered, figures::Marker::circle, 0);
+  add("gaussian", &JudgedPress::gaussian, figures::Marker::square, 1);
+  add("literal", &JudgedPress::literal, figures::Marker::triangle, 2);
+  return plot;
+}
+
+figures::Figure figuresPicture(const RealismFigures& figures) {
+  figures::Figure figure;
+  figure.title = "how far the skin and the force are from finite elements";
+  figure.columns = 2;
+  figure.panels = {errorPlot(figures, "shape, a mark a stack and depth", "RMS over 40 mm, of the depth",
+                             [](const PressError& error) { return error.shape.vector_rms; }),
+                   errorPlot(figures, "force", "force against finite elements",
+                             [](const PressError& error) { return error.force_error; })};
+  return figure;
+}
+
+void runLiving(const RealismArguments& arguments) {
+  LivingReport living;
+  {
+    ProgressLine progress;
+    living = judgeLiving(arguments.living, progress.callback());
+  }
+  fmt::print("{}", arguments.json ? jsonText(livingJson(living)) : livingText(living));
+}
+
+void runRadius(const RealismArguments& arguments) {
+  RadiusReport radius;
+  {
+    ProgressLine progress;
+    radius = judgeRadius(progress.callback());
+  }
+  fmt::print("{}", arguments.json ? jsonText(radiusJson(radius)) : radiusText(radius));
+}
+
+void runRealism(const RealismArguments& arguments) {
+  if (arguments.radius) {
+    runRadius(arguments);
+    return;
+  }
+  if (!arguments.living.empty()) {
+    runLiving(arguments);
+    return;
+  }
+  if (!arguments.plot.empty()) checkPictureName(arguments.plot);
+  RealismFigures figures;
+  {
+    ProgressLine progress;
+    const auto stacks = arguments.cases.empty() ? stacksOfBody(progress.callback())
+                                                : stacksOfFile(arguments.cases, progress.callback());
+    figures = lab::judgeRealism(stacks, progress.callback());
+  }
+  if (!arguments.plot.empty()) writePicture(figuresPicture(figures), arguments.plot, arguments.png_scale);
+  fmt::print("{}", arguments.json ? jsonText(figuresJson(figures)) : figuresText(figures));
+  if (!arguments.plot.empty() && !arguments.json) fmt::print("-> {}\n", arguments.plot);
+}
+
+}  // namespace
+
+void addRealismCommand(CLI::App& app) {
+  const auto arguments = std::make_shared<RealismArguments>();
+  RealismArguments& a = *arguments;
+  CLI::App& command = *app.add_subcommand(
+      "realism",
+      "How far the skin and the force are from finite elements of layered tissue (docs/explanation/realism.md)");
+  command.add_option("--cases", a.cases,
+                     "JSON of solved presses to judge by; left out: six places of a body, solved now (some 30 s)");
+  CLI::Option& living =
+      *command.add_option("--living", a.living,
+                          "Compare with presses of an ultrasound probe on living limbs instead (N/mm): the list " +
+                              std::string(lab::kLivingList) + " or its folder (some two minutes)");
+  living.excludes("--cases");
+  CLI::Option& radius = *command.add_flag(
+      "--radius", a.radius,
+      "Compare the force on fingers of 2 to 16 mm with spheres of their radius instead (some two minutes)");
+  radius.excludes("--cases");
+  radius.excludes(&living);
+  command.add_option("--plot", a.plot, "Picture to write: .png or .svg")->excludes(&living)->excludes(&radius);
+  addNumber(command, "--png-scale", a.png_scale, between(0.2, 8.0), "PNG: pixels a CSS pixel")->capture_default_str();
+  command.add_flag("--json", a.json, "Print one JSON object");
+  command.callback([arguments] { runRealism(*arguments); });
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,16 @@
+// `palpate tissue`: layered tissue solved, shown, and what is published about it; each subcommand has a file of its
+// own.
+#include "cli/kit/commands.h"
+
+namespace palpate::app {
+
+void addTissueCommand(CLI::App& app) {
+  CLI::App& tissue = *app.add_subcommand("tissue", "Layered tissue under a press: solve, show, published moduli");
+  tissue.require_subcommand(1);
+  addTissueLibraryCommand(tissue);
+  addTissueModuliCommand(tissue);
+  addTissueShowCommand(tissue);
+  addTissueSolveCommand(tissue);
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,299 @@
+#include "teach/class_window/class_tiles.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate::viewer {
+
+namespace {
+
+using classroom::Need;
+using classroom::Tile;
+
+constexpr float kTileWidth = 218.0f;
+constexpr float kTileHeight = 112.0f;
+constexpr double kFullForceN = 5.0;  ///< a bar is full: harder than anybody palpates
+constexpr double kCountsN = 0.5;     ///< a press counts from here on (training/exploration.h)
+
+// Blue and orange tell apart for every eye; what they mean is also written.
+constexpr ImU32 kCalm = IM_COL32(86, 156, 214, 255);
+constexpr ImU32 kUrgent = IM_COL32(230, 145, 40, 255);
+constexpr ImU32 kStale = IM_COL32(120, 120, 120, 255);
+
+ImU32 inkOfText(float opacity = 1.0f) {
+  ImVec4 ink = ImGui::GetStyleColorVec4(ImGuiCol_Text);
+  ink.w *= opacity;
+  return ImGui::ColorConvertFloat4ToU32(ink);
+}
+
+std::string kindWords(training::SittingKind kind) {
+  std::string words(wordFor(kind));
+  std::replace(words.begin(), words.end(), '_', '-');
+  return words;
+}
+
+std::string ageWords(const Tile& tile) {
+  if (!tile.online) return "offline";
+  if (!tile.age_s) return "no data yet";
+  if (*tile.age_s < 2.0) return fmt::format("{:.1f} s", *tile.age_s);
+  return *tile.age_s < 100.0 ? fmt::format("{:.0f} s old", *tile.age_s) : "long ago";
+}
+
+std::string trialWords(const classroom::StationState& state) {
+  if (state.screen == training::Screen::trial && state.trial > 0) {
+    return fmt::format("{}, trial {} of {}", kindWords(state.kind), state.trial, state.trials_at_most);
+  }
+  switch (state.screen) {
+    case training::Screen::device_check:
+      return "device check";
+    case training::Screen::familiarisation:
+      return "familiarisation";
+    case training::Screen::instruction:
+      return kindWords(state.kind) + ", instruction";
+    case training::Screen::feedback:
+      return kindWords(state.kind) + ", feedback";
+    case training::Screen::block_summary:
+      return kindWords(state.kind) + ", block done";
+    case training::Screen::free_exploration:
+      return "free exploration";
+    default:
+      return "finished";
+  }
+}
+
+std::string levelWords(const classroom::StationState& state) {
+  std::string words = state.change > 0.0 ? fmt::format("level {:.0f} %", 100.0 * state.change) : std::string();
+  if (state.threshold > 0.0) {
+    words += fmt::format("{}T {:.0f} % ({:.0f}-{:.0f})", words.empty() ? "" : ", ", 100.0 * state.threshold,
+                         100.0 * state.low, 100.0 * state.high);
+  }
+  return words;
+}
+
+/// A bar that says how hard, with a line where a press begins to count.
+void forceBar(const Tile& tile, float width, float height) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const auto share = static_cast<float>(std::clamp(tile.live.force_n / kFullForceN, 0.0, 1.0));
+  draw.AddRectFilled(at, {at.x + width, at.y + height}, inkOfText(0.12f));
+  draw.AddRectFilled(at, {at.x + share * width, at.y + height}, tile.fresh ? kCalm : kStale);
+  const float counts = at.x + width * static_cast<float>(kCountsN / kFullForceN);
+  draw.AddLine({counts, at.y}, {counts, at.y + height}, inkOfText(0.8f));
+  ImGui::Dummy({width, height});
+}
+
+void tileInside(const Tile& tile) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImGui::TextUnformatted(tile.station.c_str());
+  const std::string age = ageWords(tile);
+  ImGui::SameLine(width - ImGui::CalcTextSize(age.c_str()).x);
+  ImGui::TextDisabled("%s", age.c_str());
+  if (!tile.state) {
+    ImGui::TextDisabled("%s", tile.online ? "nobody signed in" : "");
+    return;
+  }
+  ImGui::TextUnformatted((trialWords(*tile.state) + (tile.state->paused ? ", paused" : "")).c_str());
+  ImGui::TextUnformatted(levelWords(*tile.state).c_str());
+  forceBar(tile, 0.55f * width, 12.0f);
+  ImGui::SameLine();
+  ImGui::Text("%d pressed", tile.live.sites_pressed);
+  if (tile.need == Need::none) return;
+  ImGui::PushStyleColor(ImGuiCol_Text, kUrgent);
+  ImGui::TextUnformatted(fmt::format("! {}", classroom::wordsOf(tile.need)).c_str());
+  ImGui::PopStyleColor();
+}
+
+/// True when it was clicked.
+bool oneTile(const Tile& tile, bool opened) {
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, tile.fresh || tile.age_s == std::nullopt ? 1.0f : 0.6f);
+  const ImU32 edge = tile.need != Need::none ? kUrgent : opened ? kCalm : inkOfText(0.25f);
+  ImGui::PushStyleColor(ImGuiCol_Border, edge);
+  ImGui::PushStyleVar(ImGuiStyleVar_ChildBorderSize, opened || tile.need != Need::none ? 2.0f : 1.0f);
+  if (ImGui::BeginChild(tile.station.c_str(), {kTileWidth, kTileHeight}, true,
+                        ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
+    tileInside(tile);
+  }
+  ImGui::EndChild();
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+  return ImGui::IsItemClicked();
+}
+
+struct Strip {
+  ImVec2 low, high;
+  ImVec2 at(double x, double y) const {  // each from 0 to 1, y upwards
+    return {low.x + static_cast<float>(x) * (high.x - low.x), high.y - static_cast<float>(y) * (high.y - low.y)};
+  }
+};
+
+Strip stripBegun(float height) {
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImGui::Dummy({width, height});
+  const Strip strip{low, {low.x + width, low.y + height}};
+  ImGui::GetWindowDrawList()->AddRect(strip.low, strip.high, inkOfText(0.3f));
+  return strip;
+}
+
+void labelAt(const ImVec2& at, const std::string& text, float opacity = 0.7f) {
+  ImGui::GetWindowDrawList()->AddText(at, inkOfText(opacity), text.c_str());
+}
+
+void forceTrace(const std::vector<classroom::ForcePoint>& forces) {
+  const Strip strip = stripBegun(90.0f);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  double most = 2.0;
+  for (const auto& point : forces) most = std::max(most, point.force_n);
+  std::vector<ImVec2> line;
+  for (const auto& point : forces) {
+    const double x = 1.0 + point.s / classroom::ClassBoard::kForcesKeptS;
+    if (x >= 0.0) line.push_back(strip.at(std::min(1.0, x), std::clamp(point.force_n / most, 0.0, 1.0)));
+  }
+  const ImVec2 counts = strip.at(0.0, kCountsN / most);
+  draw.AddLine(counts, strip.at(1.0, kCountsN / most), inkOfText(0.35f));
+  if (line.size() > 1) draw.AddPolyline(line.data(), static_cast<int>(line.size()), kCalm, 0, 1.5f);
+  labelAt({strip.low.x + 4.0f, strip.low.y + 2.0f}, fmt::format("force, {:.1f} N", most));
+  labelAt({strip.low.x + 4.0f, counts.y - 18.0f}, "0.5 N");
+  labelAt({strip.high.x - 70.0f, strip.high.y - 18.0f}, "last 20 s");
+}
+
+/// T with its 95 % interval, on an axis of halves: 4 to 100 %.
+void thresholdBand(const classroom::StationState& state) {
+  if (!(state.threshold > 0.0)) {
+    ImGui::TextDisabled("No threshold yet");
+    return;
+  }
+  ImGui::Text("T %.0f %%, 95 %% interval %.0f to %.0f %%", 100.0 * state.threshold, 100.0 * state.low,
+              100.0 * state.high);
+  const Strip strip = stripBegun(26.0f);
+  const auto place = [](double change) { return std::clamp(std::log(change / 0.04) / std::log(1.0 / 0.04), 0.0, 1.0); };
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled(strip.at(place(state.low), 0.8), strip.at(place(state.high), 0.2), IM_COL32(86, 156, 214, 110));
+  draw.AddLine(strip.at(place(state.threshold), 1.0), strip.at(place(state.threshold), 0.0), kCalm, 2.0f);
+  for (const double tick : {0.07, 0.14, 0.28, 0.5}) {
+    draw.AddLine(strip.at(place(tick), 0.0), strip.at(place(tick), 0.25), inkOfText(0.6f));
+    labelAt({strip.at(place(tick), 0.0).x + 3.0f, strip.high.y - 16.0f}, fmt::format("{:.0f}", 100.0 * tick), 0.6f);
+  }
+}
+
+void backWithFinger(const OpenedStation& station, float height) {
+  const BackPicture& back = station.back;
+  const Tile& tile = station.tile;
+  if (back.texture == 0) return;
+  const float room = ImGui::GetContentRegionAvail().x;
+  const float wide = std::min(room, height * static_cast<float>(back.aspect));
+  const float high = wide / static_cast<float>(back.aspect);
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 0.5f * (room - wide));
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  // ImGui's OpenGL renderer takes the texture's number as if it were a pointer.
+  // NOLINTNEXTLINE(performance-no-int-to-ptr)
+  const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(back.texture));
+  ImGui::Image(texture, {wide, high}, {0, 1}, {1, 0});  // OpenGL's rows run upwards
+  const auto on_screen = [&](const Vec2& place) {
+    return ImVec2(low.x + static_cast<float>(place.x()) * wide, low.y + static_cast<float>(place.y()) * high);
+  };
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  for (std::size_t i = 0; i < back.sites.size(); ++i) {
+    const ImVec2 at = on_screen(back.sites[i]);
+    const bool under = tile.fresh && tile.live.site == static_cast<int>(i) + 1;
+    draw.AddCircle(at, 9.0f, under ? kUrgent : IM_COL32(30, 30, 30, 200), 0, under ? 2.5f : 1.2f);
+    const std::string number = std::to_string(i + 1);
+    const ImVec2 size = ImGui::CalcTextSize(number.c_str());
+    draw.AddText({at.x - 0.5f * size.x, at.y - 0.5f * size.y}, IM_COL32(20, 20, 20, 255), number.c_str());
+  }
+  const auto finger = tile.online && tile.age_s ? back.seen_at(tile.live.finger_mm) : std::nullopt;
+  if (!finger || finger->minCoeff() < 0.0 || finger->maxCoeff() > 1.0) return;
+  const auto radius = static_cast<float>(5.0 + 4.0 * std::clamp(tile.live.force_n, 0.0, kFullForceN));
+  draw.AddCircleFilled(on_screen(*finger), radius, tile.fresh ? IM_COL32(86, 156, 214, 190) : kStale);
+  draw.AddCircle(on_screen(*finger), radius, IM_COL32(20, 60, 110, 255), 0, 1.5f);
+}
+
+std::optional<classroom::Command> commandRow(const Tile& tile, ClassView& view) {
+  std::optional<classroom::Command> asked;
+  ImGui::SetNextItemWidth(-80.0f);
+  const bool entered = ImGui::InputTextWithHint("##message", "Words for this trainee", view.message.data(),
+                                                view.message.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+  ImGui::SameLine();
+  if ((ImGui::Button("Send") || entered) && view.message.front() != '\0') {
+    asked = {classroom::CommandKind::message, view.message.data()};
+    view.message.fill('\0');
+  }
+  const bool paused = tile.state && tile.state->paused;
+  if (ImGui::Button(paused ? "Go on" : "Pause")) {
+    asked = {paused ? classroom::CommandKind::go_on : classroom::CommandKind::pause, {}};
+  }
+  ImGui::SameLine();
+  if (ImGui::Button("Next block")) asked = {classroom::CommandKind::next_block, {}};
+  ImGui::SameLine();
+  ImGui::TextDisabled("%s", view.told.c_str());
+  return asked;
+}
+
+}  // namespace
+
+std::optional<std::string> classTiles(const std::vector<Tile>& tiles, const ClassView& view, float width) {
+  std::optional<std::string> clicked;
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const int columns = std::max(1, static_cast<int>((width + gap) / (kTileWidth + gap)));
+  int column = 0;
+  for (const Tile& tile : tiles) {
+    if (column > 0) ImGui::SameLine();
+    if (oneTile(tile, tile.station == view.opened)) clicked = tile.station;
+    column = (column + 1) % columns;
+  }
+  return clicked;
+}
+
+std::optional<classroom::Command> openedStation(const OpenedStation& station, ClassView& view) {
+  const Tile& tile = station.tile;
+  ImGui::Text("%s", tile.station.c_str());
+  ImGui::SameLine();
+  ImGui::TextDisabled("%s", fmt::format("{}, {}", tile.status.device, ageWords(tile)).c_str());
+  if (tile.status.safety != "ok" && !tile.status.safety.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, kUrgent);
+    ImGui::TextWrapped("! %s", tile.status.safety.c_str());
+    ImGui::PopStyleColor();
+  }
+  if (tile.state) {
+    ImGui::TextUnformatted(trialWords(*tile.state).c_str());
+    if (tile.state->change > 0.0) {
+      ImGui::SameLine();
+      ImGui::TextDisabled("level %.0f %%", 100.0 * tile.state->change);
+    }
+  }
+  backWithFinger(station, std::max(160.0f, ImGui::GetContentRegionAvail().y - 250.0f));
+  forceTrace(station.forces);
+  if (tile.state) thresholdBand(*tile.state);
+  ImGui::Separator();
+  return commandRow(tile, view);
+}
+
+void classCurve(const std::vector<classroom::CurvePoint>& curve) {
+  ImGui::TextUnformatted("Class: thresholds, median and quartiles");
+  if (curve.empty()) {
+    ImGui::TextDisabled("No finished test yet");
+    return;
+  }
+  const Strip strip = stripBegun(std::max(60.0f, ImGui::GetContentRegionAvail().y - 4.0f));
+  double most = 0.4;
+  for (const auto& point : curve) most = std::max(most, 1.1 * point.high);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const auto place = [&](const classroom::CurvePoint& point, double value) {
+    return strip.at((point.number - 0.5) / static_cast<double>(curve.size()), value / most);
+  };
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    const auto& point = curve[i];
+    draw.AddLine(place(point, point.low), place(point, point.high), kCalm, 5.0f);
+    draw.AddCircleFilled(place(point, point.median), 4.0f, inkOfText());
+    if (i > 0) draw.AddLine(place(curve[i - 1], curve[i - 1].median), place(point, point.median), inkOfText(0.7f));
+    labelAt({place(point, 0.0).x - 12.0f, strip.high.y - 18.0f}, fmt::format("{} ({})", point.number, point.trainees));
+    labelAt({place(point, point.median).x + 8.0f, place(point, point.median).y - 8.0f},
+            fmt::format("{:.0f} %", 100.0 * point.median));
+  }
+}
+
+}  // namespace palpate::viewer

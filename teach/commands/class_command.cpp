@@ -1,0 +1,169 @@
+// `palpate class`: a class over the network; each subcommand has a file of its own, the two that make folders are here.
+#include <fmt/format.h>
+
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "cli/kit/commands.h"
+#include "cli/kit/number_option.h"
+#include "cli/kit/progress_line.h"
+#include "teach/commands/class_commands.h"
+#include "palpate/base/text.h"
+#include "palpate/classroom/class_folder.h"
+
+namespace palpate::app {
+
+namespace {
+
+struct ClassInitArguments {
+  std::string folder;
+  classroom::ClassPlan plan;
+  std::vector<std::string> hosts;
+  bool json = false;
+};
+
+void runClassInit(const ClassInitArguments& arguments) {
+  classroom::ClassPlan plan = arguments.plan;
+  if (!arguments.hosts.empty()) plan.hosts = arguments.hosts;
+  const classroom::ClassFolder made = classroom::makeClassFolder(arguments.folder, plan);
+  if (arguments.json) {
+    const nlohmann::ordered_json json = {{"folder", arguments.folder},
+                                         {"class", made.class_id},
+                                         {"host", made.host},
+                                         {"port", made.port},
+                                         {"stations", made.stations}};
+    fmt::print("{}\n", json.dump(2));
+    return;
+  }
+  fmt::print("{}: class {} with {} stations, {} to {}\n\n", arguments.folder, made.class_id, made.stations.size(),
+             made.stations.front(), made.stations.back());
+  fmt::print("On this computer:   palpate class serve {} --broker\n", arguments.folder);
+  fmt::print("                    palpate class watch {}\n", arguments.folder);
+  fmt::print("At each station:    its own folder of {}/stations, then palpate train --class FOLDER\n",
+             arguments.folder);
+  fmt::print("Does it work?       palpate class check {}\n", arguments.folder);
+}
+
+struct StationArguments {
+  std::string folder;
+  std::string name;
+  bool yes = false;
+};
+
+void runRemoveStation(const StationArguments& arguments) {
+  const classroom::ClassFolder folder = classroom::readClassFolder(arguments.folder);
+  if (!arguments.yes) {
+    say(fmt::format("Let station {} in no longer? Its certificate stays revoked for ever. Type yes: ", arguments.name));
+    std::string answer;
+    std::getline(std::cin, answer);
+    if (trimmed(answer) != "yes") {
+      fmt::print(stderr, "nothing was removed (--yes does not ask)\n");
+      throw CLI::RuntimeError(1);
+    }
+  }
+  classroom::removeStation(folder, arguments.name);
+  fmt::print(
+      "{} is let in no longer. `palpate class serve --broker` notices by itself; start another broker again.\n"
+      "The name is free: palpate class add-station {} {}\n",
+      arguments.name, arguments.folder, arguments.name);
+}
+
+struct RenewArguments {
+  std::string folder;
+  std::vector<std::string> names;
+  int days = classroom::kMemberDays;
+};
+
+void runClassRenew(const RenewArguments& arguments) {
+  const classroom::ClassFolder folder = classroom::readClassFolder(arguments.folder);
+  for (const auto& renewed : classroom::renewCertificates(folder, arguments.names, arguments.days)) {
+    fmt::print("{}\n", renewed.string());
+  }
+  fmt::print(
+      "Carry each station its folder again; what it has stays valid to its end. `palpate class serve --broker` notices "
+      "by "
+      "itself; start another broker again.\n");
+}
+
+}  // namespace
+
+void addClassRenewCommand(CLI::App& parent) {
+  const auto arguments = std::make_shared<RenewArguments>();
+  CLI::App& command = *parent.add_subcommand("renew", "Make new certificates, and what an older class lacks");
+  command.add_option("DIR", arguments->folder, "Folder of the class")->required();
+  command.add_option("NAME", arguments->names,
+                     "Which: broker, instructor, instructor-2, ingest, checker, s01 (default: all)");
+  addNumber(command, "--days", arguments->days, between(1, 3650, "days"), "Validity")->capture_default_str();
+  command.callback([arguments] { runClassRenew(*arguments); });
+}
+
+void addClassAddInstructorCommand(CLI::App& parent) {
+  const auto arguments = std::make_shared<StationArguments>();
+  CLI::App& command =
+      *parent.add_subcommand("add-instructor", "Make a certificate for one more window; the broker need not be told");
+  command.add_option("DIR", arguments->folder, "Folder of the class")->required();
+  command.callback([arguments] {
+    fmt::print("{}\n", classroom::addInstructor(classroom::readClassFolder(arguments->folder)).string());
+  });
+}
+
+void addClassInitCommand(CLI::App& parent) {
+  const auto arguments = std::make_shared<ClassInitArguments>();
+  CLI::App& command = *parent.add_subcommand("init", "Make certificates and configuration of a class");
+  command.add_option("DIR", arguments->folder, "Folder to make: the teacher's, with the keys")->required();
+  command.add_option("--class", arguments->plan.class_id, "What the class is called in messages: osteo-1")->required();
+  addNumber(command, "--stations", arguments->plan.stations, between(1, 999), "So many stations, s01 and on")
+      ->capture_default_str();
+  command.add_option("--host", arguments->hosts,
+                     "Name or address under which stations reach this computer, several: the first is used");
+  addNumber(command, "--port", arguments->plan.port, between(1, 65535), "Of the broker")->capture_default_str();
+  addNumber(command, "--retain-days", arguments->plan.retention.days, between(1, 36500, "days"),
+            "Rows are kept so many days after a sitting")
+      ->capture_default_str();
+  addNumber(command, "--retain-samples-days", arguments->plan.retention.samples_days, between(1, 36500, "days"),
+            "Session files, at the stations, so many")
+      ->capture_default_str();
+  command.add_option("--label", arguments->plan.label, "What the class is called by people");
+  command.add_flag("--json", arguments->json, "Print one JSON object");
+  command.callback([arguments] { runClassInit(*arguments); });
+}
+
+void addClassAddStationCommand(CLI::App& parent) {
+  const auto arguments = std::make_shared<StationArguments>();
+  CLI::App& command = *parent.add_subcommand("add-station", "One more station; the broker need not be told");
+  command.add_option("DIR", arguments->folder, "Folder of the class")->required();
+  command.add_option("NAME", arguments->name, "What it is called; without a name the next number");
+  command.callback([arguments] {
+    const classroom::ClassFolder folder = classroom::readClassFolder(arguments->folder);
+    const std::string name = classroom::addStation(folder, arguments->name);
+    fmt::print("{}\n", folder.station(name).string());
+  });
+}
+
+void addClassRemoveStationCommand(CLI::App& parent) {
+  const auto arguments = std::make_shared<StationArguments>();
+  CLI::App& command = *parent.add_subcommand("remove-station", "Let a station in no longer: its folder was lost");
+  command.add_option("DIR", arguments->folder, "Folder of the class")->required();
+  command.add_option("NAME", arguments->name, "Which station: s01")->required();
+  command.add_flag("--yes", arguments->yes, "Do not ask");
+  command.callback([arguments] { runRemoveStation(*arguments); });
+}
+
+void addClassCommand(CLI::App& app) {
+  CLI::App& command = *app.add_subcommand("class", "A class over the network: broker, collector, instructor's view");
+  command.require_subcommand(1);
+  addClassInitCommand(command);
+  addClassAddStationCommand(command);
+  addClassRemoveStationCommand(command);
+  addClassAddInstructorCommand(command);
+  addClassRenewCommand(command);
+  addClassServeCommand(command);
+  addClassCheckCommand(command);
+  addClassWatchCommand(command);
+  addClassLoadCommand(command);
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,192 @@
+// `palpate class serve DIR`: collects a class's rows, and with --broker runs the broker too.
+#include <fmt/format.h>
+
+#include <array>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "cli/kit/commands.h"
+#include "cli/kit/interruption.h"
+#include "cli/kit/number_option.h"
+#include "cli/kit/progress_line.h"
+#include "teach/commands/class_commands.h"
+#include "palpate/base/error.h"
+#include "palpate/base/stopwatch.h"
+#include "palpate/base/text.h"
+#include "palpate/classroom/broker_process.h"
+#include "palpate/classroom/certificates.h"
+#include "palpate/classroom/class_folder.h"
+#include "palpate/classroom/collector.h"
+
+namespace palpate::app {
+
+namespace {
+
+constexpr auto kWarnsAgain = std::chrono::hours(24);
+
+struct ClassServeArguments {
+  std::string folder;
+  std::string records;
+  std::string database;
+  bool broker = false;
+  double seconds = 0.0;
+  bool json = false;
+};
+
+std::unique_ptr<classroom::RowSink> sinkFor(const ClassServeArguments& arguments,
+                                            const classroom::ClassFolder& folder) {
+  // The class itself; its stations say themselves what they are.
+  const classroom::SinkRules of{
+      training::ClassRow{folder.class_id, folder.label, folder.retention.days, folder.retention.samples_days},
+      folder.station_megabytes << 20, folder.trainee_key};
+  if (!arguments.database.empty()) return classroom::databaseSink(arguments.database, of);
+  if (!arguments.records.empty()) return classroom::fileSink(arguments.records, of);
+  return classroom::fileSink(folder.folder / "class.results", of);
+}
+
+void tryDatabase(classroom::RowSink& sink) {
+  try {
+    sink.keep({});
+  } catch (const Error& error) {
+    say(fmt::format("palpate: the database does not answer yet: {}\n", error.what()));
+  }
+}
+
+nlohmann::ordered_json jsonOf(const classroom::CollectorReport& report, bool broker) {
+  return {{"connected", report.connected}, {"database", report.database}, {"broker_runs", broker},
+          {"stations", report.stations},   {"rows", report.rows},         {"trials", report.trials},
+          {"commits", report.commits},     {"waited", report.waited},     {"refused", report.refused},
+          {"dropped", report.dropped},     {"inbox", report.inbox},       {"inbox_bytes", report.inbox_bytes},
+          {"trouble", report.trouble}};
+}
+
+std::string textOf(const classroom::CollectorReport& report) {
+  std::string text = fmt::format("{} stations, {} rows, {} trials", report.stations, report.rows, report.trials);
+  if (report.refused > 0) text += fmt::format(", {} refused", report.refused);
+  if (!report.connected) text += "; no broker";
+  if (!report.database) text += "; no database";
+  if (!report.trouble.empty()) text += fmt::format(" ({})", report.trouble);
+  return text;
+}
+
+/// When a station was last removed, and when the broker's certificate was made; the beginning of time: never.
+using BrokerFiles = std::array<std::filesystem::file_time_type, 2>;
+BrokerFiles brokerFiles(const classroom::ClassFolder& folder) {
+  BrokerFiles times{};
+  std::error_code none;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const auto time =
+        std::filesystem::last_write_time(i == 0 ? folder.revocationList() : folder.broker() / "server.crt", none);
+    if (!none) times.at(i) = time;
+  }
+  return times;
+}
+
+void warnOfCertificates(const classroom::ClassFolder& folder) {
+  for (const std::string& line : classroom::certificateWarnings(classroom::certificateLives(folder))) {
+    say(fmt::format("palpate: {}\n", line));
+  }
+}
+
+/// Starts a broker again that died, or that must read whom it lets in no longer; a port that is still taken is tried
+/// until it is free.
+class BrokerKeeper {
+ public:
+  explicit BrokerKeeper(const classroom::ClassFolder& folder)
+      : folder_(folder), broker_(folder, folder.broker() / "broker.log"), files_(brokerFiles(folder)) {}
+
+  bool running() { return broker_.running(); }
+  void attend() {
+    const BrokerFiles files = brokerFiles(folder_);
+    const bool changed = files != files_;
+    if (!changed && broker_.running()) return;
+    try {
+      if (changed) classroom::writeBrokerConfiguration(folder_);
+      broker_.restart();
+      const bool removed = files[0] != files_[0];
+      files_ = files;
+      say(removed   ? "palpate: a station was removed; the broker was started again\n"
+          : changed ? "palpate: the broker has a new certificate and was started again\n"
+                    : "palpate: the broker had ended and was started again\n");
+    } catch (const Error& error) {
+      say(fmt::format("palpate: {}\n", error.what()));
+    }
+  }
+
+ private:
+  const classroom::ClassFolder& folder_;
+  classroom::BrokerProcess broker_;
+  BrokerFiles files_;
+};
+
+void runClassServe(const ClassServeArguments& arguments) {
+  const classroom::ClassFolder folder = classroom::readClassFolder(arguments.folder);
+  classroom::Member member = classroom::readMember(folder.ingest());
+  const FinishesInOrder in_order;
+  std::optional<BrokerKeeper> broker;
+  if (arguments.broker) {
+    broker.emplace(folder);
+    member.host = "localhost";
+  }
+  auto sink = sinkFor(arguments, folder);
+  tryDatabase(*sink);
+  classroom::Collector collector(member, std::move(sink));
+  warnOfCertificates(folder);
+  auto warns_next = Clock::now() + kWarnsAgain;
+  ProgressLine progress;
+  const auto started = Clock::now();
+  auto next = started;
+  std::string said;
+  while (endAskedBy() == 0 && (arguments.seconds <= 0.0 || secondsSince(started) < arguments.seconds)) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    if (Clock::now() < next) continue;
+    next += std::chrono::seconds(1);
+    if (broker) broker->attend();
+    if (Clock::now() >= warns_next) {
+      warnOfCertificates(folder);
+      warns_next += kWarnsAgain;
+    }
+    const classroom::CollectorReport report = collector.report();
+    const std::vector<std::string> lines = collector.takeSaid();
+    if (!arguments.json) {
+      for (const std::string& line : lines) say(fmt::format("palpate: {}\n", line));
+    }
+    if (arguments.json) {
+      nlohmann::ordered_json json = jsonOf(report, broker && broker->running());
+      json["said"] = lines;
+      fmt::print("{}\n", json.dump());
+      std::fflush(stdout);
+    } else if (const std::string text = textOf(report); text != said) {
+      progress.show(text, 0.0);
+      said = text;
+    }
+  }
+  progress.clear();
+  if (!arguments.json) fmt::print("{}\n", textOf(collector.report()));
+}
+
+}  // namespace
+
+void addClassServeCommand(CLI::App& parent) {
+  const auto arguments = std::make_shared<ClassServeArguments>();
+  CLI::App& command = *parent.add_subcommand("serve", "Collect what the stations of a class record");
+  command.add_option("DIR", arguments->folder, "Folder of the class")->required();
+  CLI::Option* records = command.add_option("--records", arguments->records,
+                                            "Into this SQLite file; without it and --database DIR/class.results");
+  command
+      .add_option("--database", arguments->database,
+                  "Into PostgreSQL: \"host=/run/postgresql dbname=class\" or postgresql://...")
+      ->excludes(records);
+  command.add_flag("--broker", arguments->broker, "Run mosquitto too, with the class's configuration");
+  addNumber(command, "--seconds", arguments->seconds, between(0.0, 1e6, "s"), "End by itself after so long; 0: never");
+  command.add_flag("--json", arguments->json, "Print a JSON object each second");
+  command.callback([arguments] { runClassServe(*arguments); });
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,141 @@
+// `palpate class watch DIR`: the instructor's view, as a window or as a line of JSON each second.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+
+#include "cli/kit/commands.h"
+#include "cli/kit/default_scene.h"
+#include "cli/kit/interruption.h"
+#include "cli/kit/json.h"
+#include "cli/kit/number_option.h"
+#include "cli/kit/progress_line.h"
+#include "cli/kit/readable_text.h"
+#include "teach/commands/class_commands.h"
+#include "teach/commands/results_commands.h"
+#include "teach/class_window/class_window.h"
+#include "palpate/base/error.h"
+#include "palpate/base/stopwatch.h"
+#include "palpate/base/text.h"
+#include "palpate/classroom/class_folder.h"
+#include "palpate/classroom/class_settings.h"
+#include "palpate/scene/scene_file.h"
+#include "palpate/scene/world.h"
+#include "palpate/training/records/store.h"
+
+namespace palpate::app {
+
+namespace {
+
+struct ClassWatchArguments {
+  std::string folder;
+  std::string records;
+  std::string picture;
+  std::string opened;
+  double seconds = 0.0;
+  bool json = false;
+};
+
+/// What was measured before anybody watched.
+void rememberRecords(const std::string& file, classroom::ClassWatch& watch) {
+  training::Store store = recordsAt(file, training::Store::Open::read_only);
+  for (const training::SittingRow& sitting : store.sittings()) {
+    for (const training::BlockRow& block : store.blocks(sitting.id)) watch.remember(sitting.trainee, block);
+  }
+}
+
+nlohmann::ordered_json boardJson(const classroom::ClassWatch& watch) {
+  nlohmann::ordered_json json = {{"connected", watch.connected()}, {"trouble", watch.trouble()}};
+  json["tiles"] = nlohmann::ordered_json::array();
+  for (const classroom::Tile& tile : watch.tiles()) json["tiles"].push_back(tileJson(tile));
+  json["learning_curve"] = nlohmann::ordered_json::array();
+  for (const classroom::CurvePoint& point : watch.learningCurve()) {
+    json["learning_curve"].push_back({{"number", point.number},
+                                      {"trainees", point.trainees},
+                                      {"median", point.median},
+                                      {"low", point.low},
+                                      {"high", point.high}});
+  }
+  return json;
+}
+
+void printBoard(const ClassWatchArguments& arguments, const classroom::ClassWatch& watch) {
+  const auto started = Clock::now();
+  while (endAskedBy() == 0) {
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+    printReadable(boardJson(watch).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+    std::fflush(stdout);
+    if (arguments.seconds > 0.0 && secondsSince(started) >= arguments.seconds) return;
+  }
+}
+
+void runClassWatch(const ClassWatchArguments& arguments) {
+  const std::filesystem::path folder = arguments.folder;
+  const bool whole = std::filesystem::exists(folder / "class.toml");
+  const classroom::Member member = classroom::readMember(whole ? folder / "instructor" : folder);
+  if (member.role != classroom::Role::instructor) throw Error(arguments.folder + ": is no instructor's folder");
+  const int days = classroom::daysLeft(readFile(member.certificate, 65536));
+  for (const std::string& line : classroom::certificateWarnings({{"this window", member.certificate, days}})) {
+    say(fmt::format("palpate: {}\n", line));
+  }
+  const FinishesInOrder in_order;
+  classroom::ClassWatch watch(member);
+  if (!arguments.records.empty()) rememberRecords(arguments.records, watch);
+  if (arguments.json) return printBoard(arguments, watch);
+  viewer::ClassWindowSettings settings;
+  settings.title = fmt::format("{} - Palpate", member.class_id);
+  settings.world = scene::build(scene::parse(defaultScene(), "default.toml"));
+  settings.opened = arguments.opened;
+  settings.seconds = arguments.seconds;
+  settings.picture = arguments.picture;
+  settings.ending = [] { return endAskedBy() != 0; };
+  viewer::runClassWindow(watch, settings);
+}
+
+}  // namespace
+
+nlohmann::ordered_json tileJson(const classroom::Tile& tile) {
+  nlohmann::ordered_json json = {{"station", tile.station},
+                                 {"online", tile.online},
+                                 {"device", tile.status.device},
+                                 {"safety", tile.status.safety},
+                                 {"needs", classroom::wordsOf(tile.need)},
+                                 {"fresh", tile.fresh},
+                                 {"age_s", orNull(tile.age_s)},
+                                 {"force_n", tile.live.force_n},
+                                 {"site", tile.live.site},
+                                 {"sites_pressed", tile.live.sites_pressed}};
+  if (!tile.state) {
+    json["state"] = nullptr;
+    return json;
+  }
+  json["state"] = {{"trainee", tile.state->trainee},
+                   {"kind", wordFor(tile.state->kind)},
+                   {"trial", tile.state->trial},
+                   {"trials_at_most", tile.state->trials_at_most},
+                   {"change", tile.state->change},
+                   {"threshold", tile.state->threshold},
+                   {"low", tile.state->low},
+                   {"high", tile.state->high},
+                   {"wrong_in_a_row", tile.state->wrong_in_a_row},
+                   {"paused", tile.state->paused}};
+  return json;
+}
+
+void addClassWatchCommand(CLI::App& parent) {
+  const auto arguments = std::make_shared<ClassWatchArguments>();
+  CLI::App& command = *parent.add_subcommand("watch", "The instructor's view: every station, who needs help first");
+  command.add_option("DIR", arguments->folder, "Folder of the class, or of its instructor")->required();
+  command.add_option("--records", arguments->records,
+                     "Records (a file, or the address of PostgreSQL) whose results the learning curve begins with");
+  command.add_option("--station", arguments->opened, "Open this station at first");
+  command.add_option("--picture", arguments->picture, "Write the last picture to this PNG file");
+  addNumber(command, "--seconds", arguments->seconds, between(0.0, 1e6, "s"), "End by itself after so long; 0: never");
+  command.add_flag("--json", arguments->json, "No window: print a JSON object each second");
+  command.callback([arguments] { runClassWatch(*arguments); });
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,80 @@
+// `palpate results codes`: cards for trainees to sign in with. Nothing is kept of them: a code becomes a pseudonym when
+// it is first typed, and who got which is the teacher's own list.
+#include <fmt/format.h>
+
+#include <memory>
+#include <set>
+#include <vector>
+
+#include "cli/kit/number_option.h"
+#include "teach/commands/results_commands.h"
+#include "palpate/training/records/trainee_code.h"
+
+namespace palpate::app {
+
+namespace {
+
+struct CodesArguments {
+  int count = 12;
+  std::string class_id;
+  std::string key;  ///< of a class that has one
+  bool csv = false;
+  bool json = false;
+};
+
+std::vector<std::string> newCodes(int count) {
+  std::set<std::string> codes;
+  while (static_cast<int>(codes.size()) < count) codes.insert(training::codeOf(training::systemRandom()[0]));
+  return {codes.begin(), codes.end()};
+}
+
+std::string cardOf(const std::string& code, const std::string& class_id) {
+  const std::string title = class_id.empty() ? "Palpation training" : "Palpation training, " + class_id;
+  return fmt::format("+{0:-<38}+\n| {1:<36} |\n| {2:<36} |\n| {3:<36} |\n| {2:<36} |\n| {4:<36} |\n+{0:-<38}+\n\n", "",
+                     title.substr(0, 36), "", "Your code:   " + code, "Keep it: it is how you sign in.");
+}
+
+void runResultsCodes(const CodesArguments& arguments) {
+  const std::vector<std::string> codes = newCodes(arguments.count);
+  if (arguments.json) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const std::string& code : codes) {
+      list.push_back({{"code", code}, {"trainee", training::pseudonymOf(arguments.class_id, code, arguments.key)}});
+    }
+    fmt::print("{}\n", nlohmann::ordered_json{{"class", arguments.class_id}, {"codes", list}}.dump(2));
+    return;
+  }
+  std::string text = arguments.csv ? "code,pseudonym,class,name (keep this list outside)\n" : "";
+  for (const std::string& code : codes) {
+    text += arguments.csv
+                ? fmt::format("{},{},{},\n", code, training::pseudonymOf(arguments.class_id, code, arguments.key),
+                              arguments.class_id)
+                : cardOf(code, arguments.class_id);
+  }
+  fmt::print("{}", text);
+}
+
+}  // namespace
+
+void addResultsCodesCommand(CLI::App& parent) {
+  const auto arguments = std::make_shared<CodesArguments>();
+  CLI::App& command = *parent.add_subcommand("codes", "New codes to sign in with, as cards to print");
+  addNumber(command, "--count", arguments->count, between(1, 10000), "So many")->capture_default_str();
+  command
+      .add_option(
+          "--class", arguments->class_id,
+          "The class that they are for, whose pseudonyms are printed: its folder; its id where the class has no secret")
+      ->type_name("DIR");
+  CLI::Option* csv = command.add_flag("--csv", arguments->csv, "A table to write names beside, instead of cards");
+  command.add_flag("--json", arguments->json, "Print one JSON object")->excludes(csv);
+  command.callback([arguments] {
+    if (!arguments->class_id.empty() && std::filesystem::is_directory(arguments->class_id)) {
+      ClassSecret secret = secretIn(arguments->class_id);
+      arguments->class_id = secret.class_id;
+      arguments->key = secret.key;
+    }
+    runResultsCodes(*arguments);
+  });
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,184 @@
+// `palpate results`: what the records of training hold. Each subcommand that changes or writes something has a file of
+// its own; what only reads is in results_reading.cpp.
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "cli/kit/commands.h"
+#include "teach/commands/results_commands.h"
+#include "palpate/base/error.h"
+#include "palpate/base/nearest_name.h"
+#include "palpate/classroom/class_folder.h"
+#include "palpate/classroom/database_copy.h"
+#include "palpate/training/records/default_records.h"
+#include "palpate/training/records/trainee_code.h"
+
+namespace palpate::app {
+
+namespace {
+
+using training::BlockRow;
+using training::SittingRow;
+using training::Store;
+using training::TraineeRow;
+
+/// Fewer letters of a pseudonym could be anybody's.
+constexpr std::size_t kLeastPseudonym = 4;
+
+std::string resultsPercent(double share) { return fmt::format("{:.3g}", 100.0 * share); }
+
+std::string resultsKind(training::SittingKind kind) {
+  std::string words(wordFor(kind));
+  std::ranges::replace(words, '_', '-');
+  return words;
+}
+
+std::size_t trialsOf(Store& store, const SittingRow& sitting) {
+  std::size_t trials = 0;
+  for (const BlockRow& block : store.blocks(sitting.id)) trials += store.trials(block.id).size();
+  return trials;
+}
+
+}  // namespace
+
+void addResultsFile(CLI::App& command, ResultsArguments& arguments) {
+  command.add_option("FILE", arguments.file,
+                     "Records of training (default: your own, palpate.results), or a class's PostgreSQL: "
+                     "\"host=/run/postgresql dbname=class\" or postgresql://...");
+  command.add_flag("--json", arguments.json, "Print one JSON object");
+}
+
+Store recordsAt(const std::string& file_or_address, Store::Open how) {
+  return classroom::isDatabaseAddress(file_or_address) ? classroom::copyOfDatabase(file_or_address)
+                                                       : Store(file_or_address, how);
+}
+
+void addClassFolder(CLI::App& command, ResultsArguments& arguments) {
+  command
+      .add_option(
+          "--class", arguments.class_folder,
+          "Folder of the class or of a station, whose secret makes pseudonyms of codes (default: what the records "
+          "remember)")
+      ->type_name("DIR");
+}
+
+ClassSecret secretIn(const std::string& folder) {
+  if (std::filesystem::exists(std::filesystem::path(folder) / "class.toml")) {
+    const classroom::ClassFolder read = classroom::readClassFolder(folder);
+    return {read.class_id, read.trainee_key};
+  }
+  const classroom::Member member = classroom::readMember(folder);
+  return {member.class_id, member.trainee_key};
+}
+
+namespace {
+
+void remember(Store& store, const std::string& class_folder) {
+  if (class_folder.empty()) return;
+  const ClassSecret secret = secretIn(class_folder);
+  store.rememberTraineeKey(secret.class_id, secret.key);
+}
+
+}  // namespace
+
+Store openedResults(const ResultsArguments& arguments) {
+  if (classroom::isDatabaseAddress(arguments.file)) {
+    Store copy = classroom::copyOfDatabase(arguments.file);
+    remember(copy, arguments.class_folder);
+    return copy;
+  }
+  const std::filesystem::path file =
+      arguments.file.empty() ? training::defaultRecords() : std::filesystem::path(arguments.file);
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) {
+    throw Error::inFile(file.string(), "no such file; `palpate train` makes records");
+  }
+  Store store(file, Store::Open::existing);
+  remember(store, arguments.class_folder);
+  return store;
+}
+
+TraineeRow traineeCalled(Store& store, const std::string& code_or_id) {
+  if (training::codeTyped(code_or_id)) {
+    for (const training::Uuid& id : store.pseudonymsOf(code_or_id)) {
+      if (auto found = store.trainee(id)) return *found;
+    }
+    throw Error(fmt::format("nobody with the code {} has sat here; for a class's database give its folder with --class",
+                            *training::codeTyped(code_or_id)));
+  }
+  std::vector<TraineeRow> found;
+  for (const TraineeRow& trainee : store.trainees()) {
+    if (code_or_id.size() >= kLeastPseudonym && trainee.id.starts_with(code_or_id)) found.push_back(trainee);
+  }
+  if (found.size() == 1) return found.front();
+  if (found.empty()) {
+    throw Error(fmt::format("'{}' is neither a code (as on the card) nor a pseudonym here (palpate results class)",
+                            oneLine(code_or_id)));
+  }
+  throw Error(fmt::format("'{}' is how {} pseudonyms begin; give more of it", oneLine(code_or_id), found.size()));
+}
+
+std::string whenWords(std::int64_t ms) {
+  return fmt::format("{:%Y-%m-%d %H:%M}", fmt::gmtime(static_cast<std::time_t>(ms / 1000)));
+}
+
+std::string thresholdWords(const BlockRow& block) {
+  if (block.method == training::Method::mastery) {
+    return block.level ? fmt::format("level {} %", resultsPercent(*block.level)) : std::string();
+  }
+  if (block.threshold <= 0.0 || block.trials == 0) return {};
+  return fmt::format("{} % ({} to {} %)", resultsPercent(block.threshold), resultsPercent(block.low),
+                     resultsPercent(block.high));
+}
+
+nlohmann::ordered_json blockJson(const BlockRow& block) {
+  return {{"block", block.id},
+          {"number", block.number},
+          {"method", wordFor(block.method)},
+          {"finished", block.finished},
+          {"trials", block.trials},
+          {"threshold", block.threshold},
+          {"low", block.low},
+          {"high", block.high},
+          {"level", block.level ? nlohmann::ordered_json(*block.level) : nlohmann::ordered_json(nullptr)},
+          {"verdict", wordFor(block.verdict)}};
+}
+
+nlohmann::ordered_json sittingJson(Store& store, const SittingRow& sitting) {
+  nlohmann::ordered_json blocks = nlohmann::ordered_json::array();
+  for (const BlockRow& block : store.blocks(sitting.id)) blocks.push_back(blockJson(block));
+  return {{"sitting", sitting.id},        {"trainee", sitting.trainee},         {"kind", wordFor(sitting.kind)},
+          {"start_ms", sitting.start_ms}, {"end_ms", sitting.end_ms},           {"device", sitting.device},
+          {"file", sitting.file},         {"trials", trialsOf(store, sitting)}, {"blocks", blocks}};
+}
+
+std::string sittingLine(Store& store, const SittingRow& sitting) {
+  std::string line = fmt::format("{}  {}  {:9}  {:3} trials", whenWords(sitting.start_ms), sitting.trainee.substr(0, 8),
+                                 resultsKind(sitting.kind), trialsOf(store, sitting));
+  for (const BlockRow& block : store.blocks(sitting.id)) {
+    const std::string measured = thresholdWords(block);
+    if (!measured.empty()) line += ", " + measured;
+    if (block.verdict != training::Verdict::none) line += fmt::format(", {}", wordFor(block.verdict));
+    if (!block.finished) line += ", not finished";
+  }
+  return line + "\n";
+}
+
+void addResultsCommand(CLI::App& app) {
+  offerTrainingReports();
+  CLI::App& command = *app.add_subcommand("results", "What the records of training hold; codes, exports, deletion");
+  command.require_subcommand(1);
+  addResultsListCommand(command);
+  addResultsTraineeCommand(command);
+  addResultsClassCommand(command);
+  addResultsCodesCommand(command);
+  addResultsExportCommand(command);
+  addResultsDeleteCommand(command);
+  addResultsPurgeCommand(command);
+  addResultsReplayCommand(command);
+  addResultsVerifyCommand(command);
+}
+
+}  // namespace palpate::app

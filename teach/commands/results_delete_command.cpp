@@ -1,0 +1,146 @@
+// `palpate results delete` and `purge`: forgetting one trainee, or what has been kept for long enough; at a station, in
+// a class's file or in its database.
+#include <fmt/format.h>
+
+#include <iostream>
+#include <memory>
+
+#include "cli/kit/progress_line.h"
+#include "teach/commands/results_commands.h"
+#include "palpate/base/error.h"
+#include "palpate/base/text.h"
+#include "palpate/classroom/class_store.h"
+#include "palpate/classroom/database_copy.h"
+#include "palpate/training/records/deletion.h"
+#include "palpate/training/records/trainee_code.h"
+
+namespace palpate::app {
+
+namespace {
+
+using training::Store;
+
+struct DeleteArguments {
+  ResultsArguments results;
+  std::string trainee;
+  bool yes = false;
+  bool dry_run = false;
+};
+
+struct RowsOf {
+  std::size_t sittings = 0;
+  std::size_t trials = 0;
+};
+
+RowsOf rowsOf(Store& store, const training::TraineeRow& trainee) {
+  RowsOf rows;
+  for (const training::SittingRow& sitting : store.sittings(trainee.id)) {
+    ++rows.sittings;
+    for (const training::BlockRow& block : store.blocks(sitting.id)) rows.trials += store.trials(block.id).size();
+  }
+  return rows;
+}
+
+bool saidYes(const RowsOf& rows, const training::TraineeRow& trainee, std::string_view what) {
+  say(fmt::format("Delete trainee {} for ever: {} sittings, {} trials{}?\nType yes to delete: ", trainee.id,
+                  rows.sittings, rows.trials, what));
+  std::string answer;
+  std::getline(std::cin, answer);
+  return trimmed(answer) == "yes";
+}
+
+void printDeletedJson(const nlohmann::ordered_json& json) { fmt::print("{}\n", json.dump(2)); }
+
+void deleteInDatabase(const DeleteArguments& arguments, Store& copy, const training::TraineeRow& trainee) {
+  const RowsOf rows = rowsOf(copy, trainee);
+  classroom::ClassStore database(arguments.results.file);
+  const bool found = database.erase(trainee.id, "palpate results");
+  const std::string& left = database.notErased();
+  if (arguments.results.json) {
+    printDeletedJson(
+        {{"deleted", found && left.empty()}, {"sittings", rows.sittings}, {"trials", rows.trials}, {"not_done", left}});
+  } else {
+    fmt::print("{} {}: {} sittings, {} trials; what still comes of them is not kept\n",
+               left.empty() ? "deleted in" : "only removed from the tables of", copy.file().string(), rows.sittings,
+               rows.trials);
+  }
+  if (!left.empty()) {
+    fmt::print(stderr, "palpate: NOT deleted for good: {}\n", left);
+    throw CLI::RuntimeError(1);
+  }
+  if (arguments.results.json) return;
+  fmt::print("Records at stations are not reached: delete there as well, where there are any.\n");
+}
+
+void runResultsDelete(const DeleteArguments& arguments) {
+  Store store = openedResults(arguments.results);
+  const bool in_database = classroom::isDatabaseAddress(arguments.results.file);
+  const training::TraineeRow trainee = traineeCalled(store, arguments.trainee);
+  const std::string_view what = in_database ? ", in the class's database" : ", their session files and their key";
+  if (!arguments.yes && !saidYes(rowsOf(store, trainee), trainee, what)) {
+    fmt::print(stderr, "nothing was deleted (--yes does not ask)\n");
+    throw CLI::RuntimeError(1);
+  }
+  if (in_database) return deleteInDatabase(arguments, store, trainee);
+  const training::Deleted deleted = deleteTrainee(store, trainee.id, "palpate results");
+  if (arguments.results.json) {
+    return printDeletedJson({{"deleted", deleted.found},
+                             {"sittings", deleted.sittings},
+                             {"trials", deleted.trials},
+                             {"session_files", deleted.files},
+                             {"key", deleted.key},
+                             {"class_is_told", store.fillsOutbox()}});
+  }
+  fmt::print("deleted: {} sittings, {} trials, {} session files{}\n", deleted.sittings, deleted.trials, deleted.files,
+             deleted.key ? ", the key" : "");
+  fmt::print("{}Exports and backups that you made before are not reached.\n",
+             store.fillsOutbox() ? "The class is told when it is next reached. " : "");
+}
+
+void runResultsPurge(const DeleteArguments& arguments) {
+  Store store = openedResults(arguments.results);
+  const std::int64_t now = training::utcMs();
+  const bool in_database = classroom::isDatabaseAddress(arguments.results.file) && !arguments.dry_run;
+  training::Purged purged;
+  std::string left;
+  if (in_database) {
+    classroom::ClassStore database(arguments.results.file);
+    purged = database.purge(now);
+    left = database.notErased();
+  } else {
+    purged = purge(store, now, !arguments.dry_run);
+  }
+  if (!left.empty()) fmt::print(stderr, "palpate: NOT deleted for good: {}\n", left);
+  if (arguments.results.json) {
+    const nlohmann::ordered_json json = {{"purged", !arguments.dry_run},
+                                         {"sittings", purged.sittings},
+                                         {"session_files", purged.files},
+                                         {"trainees", purged.trainees}};
+    fmt::print("{}\n", json.dump(2));
+    return;
+  }
+  fmt::print("{}: {} sittings, {} session files, {} trainees of whom nothing is left\n",
+             arguments.dry_run ? "old enough to go" : "gone", purged.sittings, purged.files, purged.trainees);
+}
+
+}  // namespace
+
+void addResultsDeleteCommand(CLI::App& parent) {
+  const auto arguments = std::make_shared<DeleteArguments>();
+  CLI::App& command = *parent.add_subcommand("delete", "Forget one trainee: rows, session files, key; the class too");
+  addResultsFile(command, arguments->results);
+  addClassFolder(command, arguments->results);
+  command.add_option("--trainee", arguments->trainee, kTraineeHelp)->required()->type_name("CODE");
+  command.add_flag("--yes", arguments->yes, "Do not ask");
+  command.callback([arguments] { runResultsDelete(*arguments); });
+}
+
+void addResultsPurgeCommand(CLI::App& parent) {
+  const auto arguments = std::make_shared<DeleteArguments>();
+  CLI::App& command = *parent.add_subcommand("purge", "Forget what the classes have kept for as long as they said");
+  addResultsFile(command, arguments->results);
+  command.add_flag("--dry-run", arguments->dry_run, "Only count");
+  command.callback([arguments] { runResultsPurge(*arguments); });
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,94 @@
+// `palpate results export`: tables, one JSON file, or statements for a learning record store.
+#include <fmt/format.h>
+
+#include <memory>
+#include <vector>
+
+#include "teach/commands/results_commands.h"
+#include "palpate/base/error.h"
+#include "palpate/base/output_file.h"
+#include "palpate/base/private_folder.h"
+#include "palpate/classroom/class_store.h"
+#include "palpate/classroom/database_copy.h"
+#include "palpate/training/records/export.h"
+#include "palpate/training/records/trainee_code.h"
+
+namespace palpate::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ExportArguments {
+  ResultsArguments results;
+  std::string csv, json, xapi;
+  training::XapiSettings settings;
+  bool raw = false;
+  bool force = false;
+};
+
+void refuseThere(const fs::path& file, bool force) {
+  std::error_code error;
+  if (!force && fs::exists(file, error)) throw Error::inFile(file.string(), "is there already (--force replaces it)");
+}
+
+/// In the records themselves: of a database `store` is a copy.
+void noteExport(const std::string& file_or_address, training::Store& store, std::size_t files) {
+  const auto note = [files](training::RowTables& rows) {
+    rows.note(training::utcMs(), "palpate results", "exported", fmt::format("{} files", files));
+  };
+  if (!classroom::isDatabaseAddress(file_or_address)) return note(store.rows());
+  classroom::ClassStore database(file_or_address);
+  note(database.rows());
+}
+
+void runResultsExport(const ExportArguments& arguments) {
+  if (arguments.csv.empty() && arguments.json.empty() && arguments.xapi.empty()) {
+    throw Error("export: say as what: --csv DIR, --json FILE or --xapi FILE");
+  }
+  if (arguments.raw && arguments.csv.empty()) throw Error("export: --raw is for --csv DIR");
+  training::Store store = openedResults(arguments.results);
+  std::vector<std::pair<fs::path, std::string>> files;
+  if (!arguments.csv.empty()) {
+    const CsvText kind = arguments.raw ? CsvText::raw : CsvText::safe;
+    for (const auto& [name, text] : training::csvFiles(store.rows(), kind))
+      files.emplace_back(fs::path(arguments.csv) / name, text);
+  }
+  if (!arguments.json.empty()) files.emplace_back(arguments.json, training::jsonText(store.rows()));
+  if (!arguments.xapi.empty()) files.emplace_back(arguments.xapi, training::xapiText(store.rows(), arguments.settings));
+  for (const auto& [file, text] : files) refuseThere(file, arguments.force);
+  if (!arguments.csv.empty()) makePrivateFolder(arguments.csv);
+  for (const auto& [file, text] : files) {
+    writePrivateFile(file, text);
+    fmt::print("{}\n", file.string());
+  }
+  noteExport(arguments.results.file, store, files.size());
+  if (!arguments.xapi.empty()) {
+    fmt::print(stderr,
+               "note: a record store cannot forget single statements by itself; deleting a trainee here does "
+               "not reach it\n");
+  }
+}
+
+}  // namespace
+
+void addResultsExportCommand(CLI::App& parent) {
+  const auto arguments = std::make_shared<ExportArguments>();
+  CLI::App& command = *parent.add_subcommand("export", "For statistics (CSV, JSON) or a learning record store (xAPI)");
+  command.add_option("FILE", arguments->results.file, "Records of training (default: your own, palpate.results)");
+  command.add_option("--csv", arguments->csv, "A table a file, with a dictionary of what the columns mean")
+      ->type_name("DIR");
+  command.add_option("--json", arguments->json, "All of it in one file")->type_name("FILE");
+  command.add_option("--xapi", arguments->xapi, "Statements of xAPI 1.0.3")->type_name("FILE");
+  command.add_option("--home-page", arguments->settings.home_page, "Of the accounts in xAPI: a page of your own")
+      ->capture_default_str()
+      ->type_name("URL");
+  command.add_flag(
+      "--raw", arguments->raw,
+      "Write texts that begin like a formula (= + - @) as they are, for programs; without it an apostrophe "
+      "stands before them");
+  command.add_flag("--force", arguments->force, "Replace files that are there");
+  command.callback([arguments] { runResultsExport(*arguments); });
+}
+
+}  // namespace palpate::app

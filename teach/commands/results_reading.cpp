@@ -1,0 +1,189 @@
+// What of the records can be read at a glance: sittings, one trainee, everybody, and whether all of it is whole.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "cli/kit/json.h"
+#include "cli/kit/readable_text.h"
+#include "teach/commands/results_commands.h"
+#include "palpate/base/error.h"
+#include "palpate/training/records/verify.h"
+
+namespace palpate::app {
+
+namespace {
+
+using training::BlockRow;
+using training::SittingRow;
+using training::Store;
+using training::TraineeRow;
+using ResultsJson = nlohmann::ordered_json;
+
+struct ReadingArguments {
+  ResultsArguments results;
+  std::string trainee;
+};
+
+void printResults(const ResultsJson& json) { printReadable(jsonText(json)); }
+
+void runResultsList(const ReadingArguments& arguments) {
+  Store store = openedResults(arguments.results);
+  const std::string whose = arguments.trainee.empty() ? "" : traineeCalled(store, arguments.trainee).id;
+  ResultsJson json = ResultsJson::array();
+  std::string text;
+  for (const SittingRow& sitting : store.sittings(whose)) {
+    json.push_back(sittingJson(store, sitting));
+    text += sittingLine(store, sitting);
+  }
+  if (arguments.results.json) return printResults({{"file", store.file().string()}, {"sittings", json}});
+  printReadable(text.empty() ? fmt::format("{}: no sitting yet\n", store.file().string()) : text);
+}
+
+/// Finished blocks that measured a threshold, oldest first.
+std::vector<BlockRow> measuredBlocks(Store& store, const TraineeRow& trainee) {
+  std::vector<BlockRow> measured;
+  for (const SittingRow& sitting : store.sittings(trainee.id)) {
+    for (const BlockRow& block : store.blocks(sitting.id)) {
+      using training::SittingKind;
+      const bool test = sitting.kind == SittingKind::pre_test || sitting.kind == SittingKind::post_test ||
+                        sitting.kind == SittingKind::exam || sitting.kind == SittingKind::retention;
+      if (test && block.finished && block.threshold > 0.0) measured.push_back(block);
+    }
+  }
+  return measured;
+}
+
+struct TraineeSummary {
+  TraineeRow row;
+  std::size_t sittings = 0;
+  std::size_t trials = 0;
+  std::int64_t last_ms = 0;
+  std::optional<BlockRow> first = {}, last = {};  ///< of those that measured
+};
+
+TraineeSummary traineeSummary(Store& store, const TraineeRow& row) {
+  TraineeSummary summary{.row = row};
+  for (const SittingRow& sitting : store.sittings(row.id)) {
+    ++summary.sittings;
+    summary.last_ms = std::max(summary.last_ms, std::max(sitting.start_ms, sitting.end_ms));
+    for (const BlockRow& block : store.blocks(sitting.id)) summary.trials += store.trials(block.id).size();
+  }
+  const std::vector<BlockRow> measured = measuredBlocks(store, row);
+  if (!measured.empty()) {
+    summary.first = measured.front();
+    summary.last = measured.back();
+  }
+  return summary;
+}
+
+ResultsJson traineeSummaryJson(const TraineeSummary& summary) {
+  const auto measured = [](const std::optional<BlockRow>& block) {
+    return block ? blockJson(*block) : ResultsJson(nullptr);
+  };
+  return {{"trainee", summary.row.id},      {"class", summary.row.class_id},    {"created_ms", summary.row.created_ms},
+          {"consent", summary.row.consent}, {"sittings", summary.sittings},     {"trials", summary.trials},
+          {"last_ms", summary.last_ms},     {"first", measured(summary.first)}, {"last", measured(summary.last)}};
+}
+
+std::string measuredWords(const std::optional<BlockRow>& block) { return block ? thresholdWords(*block) : "-"; }
+
+void runResultsTrainee(const ReadingArguments& arguments) {
+  Store store = openedResults(arguments.results);
+  const TraineeSummary summary = traineeSummary(store, traineeCalled(store, arguments.trainee));
+  const std::vector<SittingRow> sittings = store.sittings(summary.row.id);
+  if (arguments.results.json) {
+    ResultsJson json = traineeSummaryJson(summary);
+    json["list"] = ResultsJson::array();
+    for (const SittingRow& sitting : sittings) json["list"].push_back(sittingJson(store, sitting));
+    return printResults(json);
+  }
+  std::string text = fmt::format("{}{}\n  {} sittings, {} trials, since {}\n  first measured {}, last {}\n",
+                                 summary.row.id, summary.row.class_id.empty() ? "" : ", class " + summary.row.class_id,
+                                 summary.sittings, summary.trials, whenWords(summary.row.created_ms),
+                                 measuredWords(summary.first), measuredWords(summary.last));
+  for (const SittingRow& sitting : sittings) text += "  " + sittingLine(store, sitting);
+  printReadable(text);
+}
+
+void runResultsClass(const ReadingArguments& arguments) {
+  Store store = openedResults(arguments.results);
+  ResultsJson json = ResultsJson::array();
+  std::string text;
+  for (const TraineeRow& row : store.trainees()) {
+    const TraineeSummary summary = traineeSummary(store, row);
+    json.push_back(traineeSummaryJson(summary));
+    text +=
+        fmt::format("{}  {:10}  {:3} sittings  {:4} trials  first {:22}  last {}\n", row.id.substr(0, 8), row.class_id,
+                    summary.sittings, summary.trials, measuredWords(summary.first), measuredWords(summary.last));
+  }
+  if (arguments.results.json) return printResults({{"file", store.file().string()}, {"trainees", json}});
+  printReadable(text.empty() ? fmt::format("{}: no trainee yet\n", store.file().string()) : text);
+}
+
+void runResultsVerify(const ReadingArguments& arguments) {
+  Store store = openedResults(arguments.results);
+  const training::Verified found = verifyRecords(store);
+  if (arguments.results.json) {
+    printResults({{"file", store.file().string()},
+                  {"ok", found.ok()},
+                  {"trials", found.trials},
+                  {"trainees", found.trainees},
+                  {"sittings", found.sittings},
+                  {"blocks", found.blocks},
+                  {"session_files", found.session_files},
+                  {"recomputed", found.recomputed},
+                  {"schema", training::kSchemaVersion},
+                  {"faults", found.faults},
+                  {"notes", found.notes}});
+  } else {
+    for (const std::string& fault : found.faults) printReadable("fault  " + readableLine(fault) + "\n");
+    for (const std::string& note : found.notes) printReadable("note   " + readableLine(note) + "\n");
+    fmt::print("{}: {}; {} trainees, {} sittings, {} blocks ({} computed again), {} trials, {} session files\n",
+               store.file().string(), found.ok() ? "whole" : "NOT whole", found.trainees, found.sittings, found.blocks,
+               found.recomputed, found.trials, found.session_files);
+  }
+  if (!found.ok()) throw CLI::RuntimeError(1);
+}
+
+CLI::App& addReading(CLI::App& parent, const std::string& name, const std::string& help,
+                     void (*run)(const ReadingArguments&), const std::shared_ptr<ReadingArguments>& arguments) {
+  CLI::App& command = *parent.add_subcommand(name, help);
+  command.callback([arguments, run] { run(*arguments); });
+  return command;
+}
+
+}  // namespace
+
+void addResultsListCommand(CLI::App& parent) {
+  const auto arguments = std::make_shared<ReadingArguments>();
+  CLI::App& command = addReading(parent, "list", "The sittings, oldest first", runResultsList, arguments);
+  addResultsFile(command, arguments->results);
+  addClassFolder(command, arguments->results);
+  command.add_option("--trainee", arguments->trainee, kTraineeHelp)->type_name("CODE");
+}
+
+void addResultsTraineeCommand(CLI::App& parent) {
+  const auto arguments = std::make_shared<ReadingArguments>();
+  CLI::App& command = addReading(parent, "trainee", "One trainee", runResultsTrainee, arguments);
+  command.add_option("CODE", arguments->trainee, kTraineeHelp)->required();
+  addResultsFile(command, arguments->results);
+  addClassFolder(command, arguments->results);
+}
+
+void addResultsClassCommand(CLI::App& parent) {
+  const auto arguments = std::make_shared<ReadingArguments>();
+  CLI::App& command = addReading(parent, "class", "Everybody, a line each", runResultsClass, arguments);
+  addResultsFile(command, arguments->results);
+}
+
+void addResultsVerifyCommand(CLI::App& parent) {
+  const auto arguments = std::make_shared<ReadingArguments>();
+  CLI::App& command = addReading(parent, "verify", "Whether rows, session files and results are whole and agree",
+                                 runResultsVerify, arguments);
+  addResultsFile(command, arguments->results);
+}
+
+}  // namespace palpate::app

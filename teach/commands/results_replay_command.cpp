@@ -1,0 +1,81 @@
+// `palpate results replay`: one trial out of a locked session file, as a session that every other command knows.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "cli/kit/progress_line.h"
+#include "teach/commands/results_commands.h"
+#include "palpate/base/error.h"
+#include "palpate/base/nearest_name.h"
+#include "palpate/trace/session_edit.h"
+#include "palpate/training/records/session_files.h"
+
+namespace palpate::app {
+
+namespace {
+
+struct TrialReplayArguments {
+  ResultsArguments results;
+  std::string trial;
+  std::string out;
+};
+
+/// By its id, or how only one id ends: the beginning is the time.
+training::TrialRow trialCalled(training::Store& store, const std::string& id) {
+  if (const auto found = store.rows().trial(id)) return *found;
+  std::vector<training::TrialRow> found;
+  for (const training::SittingRow& sitting : store.sittings()) {
+    for (const training::BlockRow& block : store.blocks(sitting.id)) {
+      for (const training::TrialRow& trial : store.trials(block.id)) {
+        if (id.size() >= 4 && trial.id.ends_with(id)) found.push_back(trial);
+      }
+    }
+  }
+  if (found.size() == 1) return found.front();
+  throw Error(fmt::format("'{}' is {} here (ids are in `palpate results export --csv`)", oneLine(id),
+                          found.empty() ? "no trial" : "the end of several trials' ids"));
+}
+
+void runTrialReplay(const TrialReplayArguments& arguments) {
+  training::Store store = openedResults(arguments.results);
+  const training::TrialRow trial = trialCalled(store, arguments.trial);
+  const auto sitting = store.rows().sitting(trial.sitting);
+  if (!sitting) throw Error(fmt::format("trial {} belongs to no sitting", trial.id));
+  if (store.holdsCopies()) {
+    throw Error::inFile(store.file().string(),
+                        "holds what stations sent; samples stay at the station: replay it there");
+  }
+  std::error_code error;
+  if (std::filesystem::exists(arguments.out, error)) throw Error::inFile(arguments.out, "is there already");
+  const training::OpenedSession opened = training::SessionFiles(store).open(*sitting);
+  ProgressLine progress;
+  trace::SessionReader session(opened.file());
+  const trace::TrimSettings settings{{trial.file_tick0, trial.file_tick1}, false};
+  const trace::Trimmed trimmed = trace::trim(session, settings, arguments.out, progress.callback());
+  progress.clear();
+  if (arguments.results.json) {
+    const nlohmann::ordered_json json = {{"file", arguments.out},
+                                         {"trial", trial.id},
+                                         {"samples", trimmed.copied.samples},
+                                         {"first_tick", trimmed.copied.first_tick},
+                                         {"last_tick", trimmed.copied.last_tick}};
+    fmt::print("{}\n", json.dump(2));
+    return;
+  }
+  fmt::print("{}: trial {}, {} samples; it is not locked: remove it when you are done\n", arguments.out, trial.number,
+             trimmed.copied.samples);
+}
+
+}  // namespace
+
+void addResultsReplayCommand(CLI::App& parent) {
+  const auto arguments = std::make_shared<TrialReplayArguments>();
+  CLI::App& command =
+      *parent.add_subcommand("replay", "One trial as a session file, for palpate replay, run, render and report");
+  command.add_option("TRIAL", arguments->trial, "Its id, or the end of it")->required();
+  addResultsFile(command, arguments->results);
+  command.add_option("-o,--out", arguments->out, "The session file to write")->required()->type_name("OUT.session");
+  command.callback([arguments] { runTrialReplay(*arguments); });
+}
+
+}  // namespace palpate::app

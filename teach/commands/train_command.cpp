@@ -1,0 +1,150 @@
+// `palpate train`: a window in which people feel, answer, and are told how well; or a simulated trainee without one.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "cli/kit/commands.h"
+#include "cli/kit/interruption.h"
+#include "cli/kit/progress_line.h"
+#include "cli/run/playback.h"
+#include "teach/commands/train_options.h"
+#include "teach/commands/trainee_command.h"
+#include "view/viewer/files/state_file.h"
+#include "teach/window/screen_tour.h"
+#include "view/viewer/viewer.h"
+#include "palpate/base/error.h"
+#include "palpate/base/private_folder.h"
+#include "palpate/classroom/class_settings.h"
+#include "palpate/training/records/trainee_code.h"
+#include "teach/study/training_study.h"
+
+namespace palpate::app {
+
+namespace {
+
+/// A word is a class without a network; a file or folder is that of a station which takes part in one.
+bool isClassName(const std::string& text) {
+  return text.empty() || (classroom::isClassWord(text) && !std::filesystem::exists(text));
+}
+
+viewer::TrainingSettings trainingSettings(const TrainOptions& options) {
+  viewer::TrainingSettings settings;
+  settings.records = recordsFile(options);
+  settings.protocol = training::protocolNamed(options.protocol);
+  settings.desk.kind = kindAskedFor(options);
+  if (isClassName(options.class_id)) {
+    settings.desk.class_id = options.class_id;
+  } else {
+    settings.member = classroom::readMember(options.class_id);
+    settings.desk.class_id = settings.member->class_id;
+    settings.desk.trainee_key = settings.member->trainee_key;
+  }
+  if (!options.code.empty()) {
+    const auto code = training::codeTyped(options.code);
+    if (!code) throw Error(fmt::format("--code '{}' is no code: a letter of it is wrong", options.code));
+    settings.desk.code = *code;
+  }
+  settings.thimble = options.thimble;
+  settings.seed = options.seed;
+  settings.session_files = !options.no_session_file;
+  if (!options.no_speech) settings.speech = viewer::speechProgram();
+  if (settings.records.has_parent_path()) makePrivateFolder(settings.records.parent_path());
+  return settings;
+}
+
+window::WindowSettings trainingWindow(const TrainOptions& options) {
+  window::WindowSettings settings;
+  settings.title = "Palpate training";
+  if (options.width > 0) settings.width = options.width;
+  if (options.height > 0) settings.height = options.height;
+  settings.full_screen = options.full_screen;
+  return settings;
+}
+
+/// Of what people have chosen for `palpate run`, what helps them to read.
+viewer::ViewState readableState(const TrainOptions& options) {
+  viewer::ViewState state;
+  if (options.no_state) return state;
+  const viewer::StateReading reading = viewer::readState(viewer::stateFile());
+  if (!reading.remembered) return state;
+  const viewer::ViewState& chosen = reading.remembered->state;
+  state.theme = chosen.theme;
+  state.text_size = chosen.text_size;
+  state.reduced_motion = chosen.reduced_motion;
+  state.input = chosen.input;
+  return state;
+}
+
+/// What is on the screen, a line whenever it changes: for tests and for whoever helps from afar.
+class ScreenTeller {
+ public:
+  void tell(const viewer::Viewer& viewer) {
+    std::string words;
+    for (const std::string& part : viewer::wordsOf(viewer.training()->screen())) words += " | " + part;
+    if (std::exchange(before_, words) == words) return;
+    fmt::print("screen{}\n", words);
+    std::fflush(stdout);
+  }
+
+ private:
+  std::string before_;
+};
+
+void trainInWindow(const TrainOptions& options) {
+  Playback playback(options.play);
+  viewer::ViewerSettings settings;
+  settings.training = trainingSettings(options);
+  settings.intro = false;
+  settings.output_folder = options.out.empty() ? "." : options.out;
+  window::Window window(trainingWindow(options));  // without a display it says so before a body is built
+  const auto world = scene::build(sceneToTrainOn(options));
+  if (!options.devices.empty()) settings.devices = openedFor(*world, options.devices);
+  viewer::Viewer viewer(world, readableState(options), std::move(settings), hostOf(window));
+  const FinishesInOrder in_order;
+  const StoppedBySignal stopped(viewer.emergencyStop());
+  ScreenTeller teller;
+  showFrames(window, viewer, playback, options.frames, [&](std::uint64_t, double) {
+    if (options.verbose) teller.tell(viewer);
+  });
+  viewer::Messages& messages = viewer.session().messages;
+  messages.markRead();
+  viewer.finish(endAskedBy() == 0 ? "done" : nameOfSignal(endAskedBy()));
+  if (messages.unread() > 0) throw Error(messages.all().back().text);
+}
+
+void showScreens(const TrainOptions& options) {
+  ProgressLine progress;
+  const viewer::TourSettings settings{.folder = options.screens,
+                                      .protocol = training::protocolNamed(options.protocol),
+                                      .width = options.width > 0 ? options.width : 1280,
+                                      .height = options.height > 0 ? options.height : 800,
+                                      .state = readableState(options)};
+  const auto files = viewer::tourScreens(scene::build(sceneToTrainOn(options), progress.display()), settings);
+  progress.clear();
+  for (const std::filesystem::path& file : files) fmt::print("{}\n", file.string());
+}
+
+}  // namespace
+
+void offerTrainingStudies() { study::offerStudy(study::trainingStudy()); }
+
+void addTrainCommand(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("train", "Train and examine palpation: people in a window, or simulated");
+  const auto options = std::make_shared<TrainOptions>();
+  const auto simulated = std::make_shared<TraineeOptions>();
+  addTrainOptions(*command, *options);
+  addTraineeOptions(*command, *simulated);
+  command->callback([=] {
+    if (!options->screens.empty()) return showScreens(*options);
+    if (options->trainee.empty()) return trainInWindow(*options);
+    const int code = runTrainee(*options, *simulated);
+    if (code != 0) throw CLI::RuntimeError(code);
+  });
+}
+
+}  // namespace palpate::app

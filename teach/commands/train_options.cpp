@@ -1,0 +1,78 @@
+#include "teach/commands/train_options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "cli/kit/choice_option.h"
+#include "cli/kit/default_scene.h"
+#include "cli/kit/device_option.h"
+#include "cli/kit/number_option.h"
+#include "view/viewer/turnover.h"
+#include "palpate/scene/scene_file.h"
+#include "palpate/training/records/default_records.h"
+
+namespace palpate::app {
+
+namespace {
+
+void addWindowOptions(CLI::App& command, TrainOptions& options) {
+  constexpr const char* kGroup = "Window";
+  command.add_flag("--full-screen", options.full_screen, "Fill the screen")->group(kGroup);
+  addNumber(command, "--width", options.width, between(320, 16384, "pixels"), "Of the window")->group(kGroup);
+  addNumber(command, "--height", options.height, between(240, 16384, "pixels"), "Of the window")->group(kGroup);
+  command.add_flag("--no-speech", options.no_speech, "Sentences are shown and not spoken")->group(kGroup);
+  command.add_flag("--no-state", options.no_state, "Do not read theme and text size of `palpate run`")->group(kGroup);
+  command.add_option("--play", options.play, "Play an input script (docs/reference/viewer.md): time_s, event, values")
+      ->group(kGroup);
+  addNumber(command, "--frames", options.frames, between(1, 1e12), "Close after so many frames")->group(kGroup);
+  command
+      .add_option("--screens", options.screens,
+                  "Open no window: write a picture of every screen into this folder, with records of nobody")
+      ->group(kGroup);
+}
+
+}  // namespace
+
+void addTrainOptions(CLI::App& command, TrainOptions& options) {
+  command.add_option("SCENE", options.scene, "Scene (TOML) or mesh file; without one: the built-in body");
+  command.add_option("--records", options.records, "File of results; left out: the user's own");
+  command
+      .add_option("--protocol", options.protocol, "What is trained and tested: vhb, or a file (docs/howto/training.md)")
+      ->capture_default_str();
+  takesOneOf(choiceNames<training::SittingKind>(),
+             command.add_option("--kind", options.kind, "Done at once after signing in; left out: chosen"));
+  command.add_option("--class", options.class_id,
+                     "The class that codes belong to: a word, or the station's file of `palpate class init`");
+  command.add_option("--code", options.code, "Signs in at once with this code");
+  addDeviceOption(command, options.devices, "Holds the finger instead of the mouse");
+  command.add_option(
+      "--thimble", options.thimble,
+      "What the finger wears in the device, for the record: \"rigid thimble\", \"pen\"; left out: asked");
+  addNumber(command, "--seed", options.seed, between(0, 9007199254740991.0),
+            "Of everything that is drawn; left out: the system's randomness");
+  command.add_option("--trainee", options.trainee,
+                     "A simulated trainee in place of a person, without a window: weber=0.2,lapse=0.02,sites=12,...");
+  addNumber(command, "--sittings", options.sittings, between(1, 1000), "Of a simulated trainee, one after the other");
+  command.add_option("-o,--out", options.out,
+                     "Folder for pictures that are saved; of a simulated trainee a file (JSON) with what it did");
+  command.add_flag("--json", options.json, "Of a simulated trainee: print what it did as JSON");
+  command.add_flag("--no-session-file", options.no_session_file, "Do not keep trials tick by tick");
+  command.add_flag("--verbose", options.verbose, "Say what happens, line by line");
+  addWindowOptions(command, options);
+}
+
+std::filesystem::path recordsFile(const TrainOptions& options) {
+  return options.records.empty() ? training::defaultRecords() : std::filesystem::path(options.records);
+}
+
+scene::Scene sceneToTrainOn(const TrainOptions& options) {
+  scene::Scene standard = scene::parse(defaultScene(), "default.toml");
+  standard.file.clear();
+  return options.scene.empty() ? standard : viewer::sceneFromFile(options.scene, standard);
+}
+
+std::optional<training::SittingKind> kindAskedFor(const TrainOptions& options) {
+  return options.kind.empty() ? std::nullopt : choiceNamed<training::SittingKind>(options.kind);
+}
+
+}  // namespace palpate::app

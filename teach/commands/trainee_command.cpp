@@ -1,0 +1,333 @@
+// Options -> records, body, trainees -> their sittings, one line each, and a report for machines.
+#include "teach/commands/trainee_command.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "cli/kit/interruption.h"
+#include "cli/kit/number_option.h"
+#include "cli/kit/progress_line.h"
+#include "palpate/base/error.h"
+#include "palpate/base/stopwatch.h"
+#include "palpate/base/text.h"
+#include "palpate/classroom/station_link.h"
+#include "palpate/training/records/trainee_code.h"
+#include "palpate/training/trainee/body_touch.h"
+#include "palpate/training/trainee/imagined_touch.h"
+#include "palpate/training/trainee/trainee_course.h"
+
+namespace palpate::app {
+
+namespace {
+
+using training::SatThrough;
+using training::SittingKind;
+using Json = nlohmann::ordered_json;
+
+/// "2026-01-05T09:00:00Z" or "2026-01-05".
+std::int64_t startMs(const std::string& words) {
+  std::tm time{};
+  const char* rest = ::strptime(words.c_str(), "%Y-%m-%d", &time);
+  if (rest != nullptr && *rest != '\0') rest = ::strptime(rest, "T%H:%M:%SZ", &time);
+  if (rest == nullptr || *rest != '\0') {
+    throw Error(fmt::format("--start '{}' is no time like 2026-01-05T09:00:00Z", words));
+  }
+  return std::int64_t{1000} * ::timegm(&time);
+}
+
+std::string percentWords(double share) { return fmt::format("{:.3g}", 100.0 * share); }
+
+int flaggedOf(const SatThrough& sat, int sites) {
+  return static_cast<int>(
+      std::ranges::count_if(sat.trials, [&](const training::TrialRow& trial) { return trial.visited < sites; }));
+}
+
+int rightOf(const SatThrough& sat) {
+  return static_cast<int>(std::ranges::count_if(sat.trials, &training::TrialRow::correct));
+}
+
+std::string trialLine(const training::TrialRow& trial) {
+  const char* verdict = trial.timeout ? "no answer in time" : trial.correct ? "right" : "wrong";
+  return fmt::format("  trial {:2}: change {} %, site {}, answered {}: {}; {} felt, {:.1f} s\n", trial.number,
+                     percentWords(trial.change), trial.site_true, trial.site_answer, verdict, trial.visited,
+                     trial.seconds);
+}
+
+std::string sittingLine(const SatThrough& sat, int sites, double wall_s) {
+  const training::BlockRow& block = sat.block;
+  std::string line = fmt::format("{}: {} trials, {} right", wordFor(sat.row.kind), sat.trials.size(), rightOf(sat));
+  if (sat.resumed) line += ", went on with an earlier block";
+  if (block.trials > 0) {
+    line += fmt::format("; T {} % ({} to {} %)", percentWords(block.threshold), percentWords(block.low),
+                        percentWords(block.high));
+  }
+  if (block.level) line += fmt::format("; level {} %", percentWords(*block.level));
+  if (block.verdict != training::Verdict::none) line += fmt::format("; {}", wordFor(block.verdict));
+  if (const int flagged = flaggedOf(sat, sites); flagged > 0) {
+    line += fmt::format("; {} trials with places not felt", flagged);
+  }
+  if (!block.finished) line += "; put down";
+  return line + fmt::format("; {:.1f} min in {:.1f} s\n", sat.simulated_s / 60.0, wall_s);
+}
+
+Json satThroughJson(const SatThrough& sat, int sites) {
+  const training::BlockRow& block = sat.block;
+  return {{"sitting", sat.row.id},
+          {"kind", wordFor(sat.row.kind)},
+          {"start_ms", sat.row.start_ms},
+          {"device", sat.row.device},
+          {"file", sat.row.file},
+          {"file_sha256", sat.row.file_sha256},
+          {"block", block.id},
+          {"resumed", sat.resumed},
+          {"finished", block.finished},
+          {"trials", sat.trials.size()},
+          {"right", rightOf(sat)},
+          {"counted", block.trials},
+          {"flagged", flaggedOf(sat, sites)},
+          {"threshold", block.threshold},
+          {"low", block.low},
+          {"high", block.high},
+          {"level", block.level ? Json(*block.level) : Json(nullptr)},
+          {"verdict", wordFor(block.verdict)},
+          {"simulated_s", sat.simulated_s}};
+}
+
+/// The trainee's own finger in place of the scene's plans.
+scene::Scene withOneFingertip(scene::Scene scene, bool standard) {
+  constexpr double kFingertipMm = 8.0;
+  if (standard || scene.fingers.empty()) {
+    scene::Finger fingertip;
+    fingertip.name = "index";
+    fingertip.radius_mm = kFingertipMm;
+    scene.fingers = {fingertip};
+  }
+  scene.fingers.resize(1);
+  scene.fingers.front().steps.clear();
+  scene.fingers.front().trajectory.clear();
+  return scene;
+}
+
+/// One run of the command.
+class TraineeCommand {
+ public:
+  TraineeCommand(const TrainOptions& options, const TraineeOptions& simulated)
+      : options_(options),
+        simulated_(simulated),
+        observer_(training::observerNamed(options.trainee)),
+        seed_(options.seed.value_or(observer_.seed)),
+        start_ms_(startMs(simulated.start)) {
+    // What is wrong is said before a body is built.
+    if (simulated.trainees > 1 && !options.code.empty()) throw Error("--code is one trainee's; --trainees are several");
+    if (!options.code.empty() && !training::codeTyped(options.code)) {
+      throw Error(fmt::format("--code '{}' is no code: a letter of it is wrong", options.code));
+    }
+    bench_.hand = device::handChoice(simulated.hand);
+    bench_.protocol = training::protocolNamed(options.protocol);
+    if (!options.class_id.empty() && !classroom::isClassWord(options.class_id)) {
+      member_ = classroom::readMember(options.class_id);
+    }
+  }
+
+  int run() {
+    openBench();
+    const std::filesystem::path file = recordsFile(options_);
+    training::Store store(file, training::Store::Open::create_too);
+    keepFirst(store);
+    std::optional<classroom::StationLink> link;
+    if (member_) link.emplace(*member_, store, classroom::StationInfo{"palpate, simulated", deviceWords()});
+    for (int i = 0; i < simulated_.trainees && endAskedBy() == 0; ++i) train(store, i);
+    if (link) sendWaiting(store);
+    progress_.clear();
+    finish(store);
+    return endAskedBy() == 0 ? 0 : exitCodeOf(endAskedBy());
+  }
+
+ private:
+  std::string classId() const { return member_ ? member_->class_id : options_.class_id; }
+  std::string deviceWords() const {
+    return simulated_.fast ? std::string(training::kNoBody) : training::deviceWords(bench_.hand);
+  }
+
+  /// What the first sitting's rows refer to.
+  void keepFirst(training::Store& store) {
+    training::StationRow station = training::simulatedStation(start_ms_);
+    station.device = deviceWords();
+    if (member_) {
+      station.id = member_->station_id;
+      station.name = member_->name;
+    }
+    store.keep(station);
+    store.keep(training::protocolRowOf(bench_.protocol));
+    bench_.station = station.id;
+    const std::string id = classId();
+    const auto known = store.classes();
+    if (id.empty() || std::ranges::find(known, id, &training::ClassRow::id) != known.end()) return;
+    store.keep(training::ClassRow{.id = id, .label = id});
+  }
+
+  /// Until the class has it all, nothing went for a while, or the end was asked for: what waits goes another time.
+  void sendWaiting(training::Store& store) {
+    constexpr double kPatienceS = 10.0;
+    Clock::time_point went = Clock::now();
+    std::size_t before = store.waitingCount();
+    while (before > 0 && secondsSince(went) < kPatienceS && endAskedBy() == 0) {
+      progress_.show(fmt::format("sending to the class, {} rows", before), 0.0);
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      const std::size_t waits = store.waitingCount();
+      if (waits < before) went = Clock::now();
+      before = waits;
+    }
+    progress_.clear();
+    if (before > 0 && !options_.json) fmt::print("{} rows wait for the class\n", before);
+  }
+
+  void openBench() {
+    const scene::Scene scene = withOneFingertip(sceneToTrainOn(options_), options_.scene.empty());
+    const auto body = scene::build(scene, progress_.display());
+    bench_.sites = training::sitesOn(*body, bench_.protocol);
+    if (!simulated_.fast) bench_.body = body;
+    bench_.session_files = !options_.no_session_file;
+    bench_.stop = [] { return endAskedBy() != 0; };
+    bench_.answered = [this](const training::TrialRow& trial) { answered(trial); };
+  }
+
+  /// Of a class each sitting is too much to read.
+  bool tells() const { return !options_.json && (simulated_.trainees == 1 || options_.verbose); }
+
+  void answered(const training::TrialRow& trial) {
+    if (options_.verbose && !options_.json) {
+      progress_.clear();
+      fmt::print("{}", trialLine(trial));
+      std::fflush(stdout);
+    } else {
+      progress_.show(fmt::format("{}, trial {}", person_, trial.number), 0.0);
+    }
+  }
+
+  std::vector<SittingKind> kinds() const {
+    if (simulated_.programme) return training::vhbCourse();
+    const SittingKind kind = kindAskedFor(options_).value_or(SittingKind::pre_test);
+    return std::vector<SittingKind>(static_cast<std::size_t>(options_.sittings), kind);
+  }
+
+  void train(training::Store& store, int number) {
+    const std::string typed = options_.code.empty() ? training::simulatedCode(seed_, number) : options_.code;
+    const std::string code = *training::codeTyped(typed);
+    const bool alone = simulated_.trainees == 1;
+    const training::TraineeRow row =
+        training::simulatedTrainee(classId(), code, start_ms_, member_ ? member_->trainee_key : std::string());
+    // Anew for a class, which may have forgotten somebody who was away.
+    if (const auto known = store.trainee(row.id); !known || member_) store.keep(known.value_or(row));
+    training::TraineeCourse course;
+    course.observer = alone ? observer_ : training::oneOfClass(observer_, simulated_.spread, seed_, number);
+    course.trainee = row.id;
+    course.kinds = kinds();
+    course.goes_on = simulated_.programme;
+    course.seed = seed_ + static_cast<std::uint64_t>(number);
+    course.start_ms = start_ms_;
+    course.most_trials = simulated_.most_trials;
+    person_ = code;
+    Json sittings = Json::array();
+    if (tells()) fmt::print("trainee {}: {}\n", code, training::observerWords(course.observer));
+    Clock::time_point began = Clock::now();
+    training::sitCourse(store, bench_, course, [&](const SatThrough& sat) {
+      sittings.push_back(satThroughJson(sat, bench_.sites.choices()));
+      if (sat.block.finished) finished_[sat.row.kind].push_back(sat.block.threshold);
+      if (tells()) {
+        progress_.clear();
+        fmt::print("{}", sittingLine(sat, bench_.sites.choices(), secondsSince(began)));
+        std::fflush(stdout);
+      }
+      began = Clock::now();
+    });
+    trainees_.push_back({{"code", code},
+                         {"trainee", row.id},
+                         {"observer", training::observerWords(course.observer)},
+                         {"sittings", std::move(sittings)}});
+  }
+
+  void finish(const training::Store& store) {
+    const Json report = {{"records", store.file().string()}, {"seed", seed_}, {"trainees", std::move(trainees_)}};
+    if (!options_.out.empty()) writeFile(options_.out, report.dump(2) + "\n");
+    if (options_.json) {
+      fmt::print("{}\n", report.dump(2));
+      return;
+    }
+    if (simulated_.trainees > 1) fmt::print("{}", classLines());
+    fmt::print("kept in {}\n", store.file().string());
+  }
+
+  /// Of tests; what a practice reads on its way is no result.
+  std::string classLines() const {
+    std::string lines;
+    for (const auto& [kind, thresholds] : finished_) {
+      if (training::settingsOf(bench_.protocol, kind).feedback) continue;
+      const auto n = static_cast<double>(thresholds.size());
+      const double mean = std::accumulate(thresholds.begin(), thresholds.end(), 0.0) / n;
+      double squares = 0.0;
+      for (const double threshold : thresholds) squares += (threshold - mean) * (threshold - mean);
+      lines += fmt::format("{}: {} trainees, T {} % on average (SD {} %)\n", wordFor(kind), thresholds.size(),
+                           percentWords(mean), percentWords(std::sqrt(squares / std::max(1.0, n - 1.0))));
+    }
+    return lines;
+  }
+
+  const TrainOptions& options_;
+  const TraineeOptions& simulated_;
+  training::ObserverSettings observer_;
+  std::uint64_t seed_;
+  std::int64_t start_ms_;
+  training::TraineeBench bench_;
+  std::optional<classroom::Member> member_;  ///< of a class on the network
+  ProgressLine progress_;
+  std::string person_;
+  Json trainees_ = Json::array();
+  std::map<SittingKind, std::vector<double>> finished_;  ///< thresholds of finished blocks
+};
+
+}  // namespace
+
+void addTraineeOptions(CLI::App& command, TraineeOptions& options) {
+  constexpr const char* kGroup = "Simulated trainee";
+  command
+      .add_flag("--programme", options.programme,
+                "The whole course: pre-test, six practices, post-test; what the records hold already is left out")
+      ->group(kGroup);
+  command.add_flag("--fast", options.fast, "Touches nothing: felt stiffness as even tissue would give it")
+      ->group(kGroup);
+  addNumber(command, "--trainees", options.trainees, between(1, 1000), "A class of so many, one after the other")
+      ->group(kGroup);
+  addNumber(command, "--spread", options.spread, between(0.0, 1.0),
+            "Of the thresholds of several: standard deviation of the logarithm")
+      ->group(kGroup);
+  command
+      .add_option("--hand", options.hand,
+                  "The simulated hand and its device, as for --device hand: thimble,touch_x or stylus_z,premium_3_0")
+      ->capture_default_str()
+      ->group(kGroup);
+  command.add_option("--start", options.start, "When the first sitting is, UTC")->capture_default_str()->group(kGroup);
+  addNumber(command, "--most-trials", options.most_trials, between(0, 1000),
+            "Puts each block down after so many trials; 0: never")
+      ->group(kGroup);
+}
+
+int runTrainee(const TrainOptions& options, const TraineeOptions& simulated) {
+  const FinishesInOrder in_order;
+  return TraineeCommand(options, simulated).run();
+}
+
+}  // namespace palpate::app

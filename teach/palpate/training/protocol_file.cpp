@@ -1,0 +1,265 @@
+// A protocol as a TOML file: read key by key, written with explanations. Changes stand in per cent there.
+#include <fmt/format.h>
+
+#include <toml++/toml.h>
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+
+#include "palpate/base/error.h"
+#include "palpate/scene/detail/toml_table.h"
+#include "palpate/training/protocol.h"
+#include "palpate/training/records/sha256.h"
+
+namespace palpate::training {
+
+namespace {
+
+using scene::TomlTable;
+
+constexpr std::size_t kMostProtocolBytes = std::size_t{1} << 20;
+constexpr std::size_t kLongestProtocolId = 32;
+constexpr int kMostTrials = 1000;
+
+struct NamedSitting {
+  const char* table;
+  SittingSettings Protocol::*settings;
+  const char* what;
+};
+constexpr std::array kSittings = {
+    NamedSitting{"practice", &Protocol::practice, "feedback after each answer; the true site can be felt"},
+    NamedSitting{"mastery", &Protocol::mastery, "three of four right leads to the next level"},
+    NamedSitting{"pre_test", &Protocol::pre_test, "measures the threshold; no feedback"},
+    NamedSitting{"post_test", &Protocol::post_test, "the same afterwards"},
+    NamedSitting{"exam", &Protocol::exam, "pass, not yet or repeat"},
+    NamedSitting{"retention", &Protocol::retention, "the same a week later"},
+};
+
+/// A number that stands in per cent in the file and as a share inside.
+void readPercent(const TomlTable& table, const char* key, double& share, const NumberRange& percent) {
+  double value = 100.0 * share;
+  table.read(key, value, percent);
+  if (table.node(key) != nullptr) share = value / 100.0;
+}
+
+template <class Value>
+void readWord(const TomlTable& table, const char* key, Value& value) {
+  std::string word(wordFor(value));
+  table.read(key, word);
+  const auto named = valueNamed<Value>(word);
+  if (!named) table.fail(*table.node(key), unknownName(key, word, "a protocol", wordList<Value>()));
+  value = *named;
+}
+
+void readLevels(const TomlTable& table, BlockSettings& block) {
+  const toml::node* node = table.node("levels_percent");
+  if (node == nullptr) return;
+  const toml::array* list = node->as_array();
+  if (list == nullptr) table.fail(*node, "levels_percent takes a list of numbers");
+  block.levels.clear();
+  for (const toml::node& one : *list) {
+    const auto percent = one.value<double>();
+    if (!one.is_number() || !percent || !(*percent > 0.0 && *percent <= 100.0)) {
+      table.fail(one, "a level is a number above 0 and at most 100");
+    }
+    block.levels.push_back(*percent / 100.0);
+  }
+  std::ranges::sort(block.levels);
+}
+
+SittingSettings sittingFrom(const toml::table& keys, std::string_view file, std::string_view name,
+                            SittingSettings settings) {
+  const TomlTable table(
+      keys, file, fmt::format("[{}]", name),
+      {"method", "meaning", "levels_percent", "start_percent", "draw", "warm_up", "easy", "easy_share_percent", "least",
+       "most", "half_width", "mark_percent", "sure_percent", "feedback", "limit_s", "all_sites", "natural_stiffness"});
+  BlockSettings& block = settings.block;
+  readWord(table, "method", block.method);
+  readWord(table, "meaning", block.meaning);
+  readLevels(table, block);
+  readPercent(table, "start_percent", block.start, {0.0, 100.0, true});
+  readWord(table, "draw", block.draw);
+  table.read("warm_up", block.warm_up, {0, kMostTrials});
+  table.read("easy", block.easy, {0, kMostTrials});
+  readPercent(table, "easy_share_percent", block.easy_share, {0.0, 50.0});
+  table.read("least", block.stop.least, {1, kMostTrials});
+  table.read("most", block.stop.most, {1, kMostTrials});
+  table.read("half_width", block.stop.half_width, {0.0, 3.0});
+  readPercent(table, "mark_percent", block.stop.mark, {0.0, 100.0});
+  readPercent(table, "sure_percent", block.stop.sure, {50.0, 99.99});
+  table.read("feedback", settings.feedback);
+  table.read("limit_s", settings.limit_s, {0.0, 3600.0});
+  table.read("all_sites", settings.all_sites);
+  table.read("natural_stiffness", settings.natural_stiffness);
+  try {
+    static_cast<void>(Block(block, 1));
+  } catch (const Error& error) {
+    table.fail(error.what());
+  }
+  return settings;
+}
+
+std::vector<std::string> sitesFrom(const TomlTable& table) {
+  std::vector<std::string> sites;
+  const toml::node* node = table.node("sites");
+  if (node == nullptr) return sites;
+  const toml::array* list = node->as_array();
+  if (list == nullptr)
+    table.fail(*node, "sites takes a list of places such as [\"T6 left 30 mm\", \"T6 right 30 mm\"]");
+  for (const toml::node& one : *list) {
+    const auto words = one.value_exact<std::string>();
+    if (!words || words->empty()) table.fail(one, "a site is a place in words, such as \"T6 left 30 mm\"");
+    sites.push_back(*words);
+  }
+  if (sites.size() == 1) table.fail(*node, "one site alone leaves nothing to choose");
+  return sites;
+}
+
+const toml::table* tableNamed(const toml::table& root, const char* name, std::string_view file) {
+  const toml::node* node = root.get(name);
+  if (node == nullptr) return nullptr;
+  if (!node->is_table()) {
+    throw Error::atLine(file, node->source().begin.line, fmt::format("{0} is a table, written as [{0}]", name));
+  }
+  return node->as_table();
+}
+
+void readHidden(const toml::table& root, std::string_view file, HiddenPlace& hidden) {
+  const toml::table* keys = tableNamed(root, "hidden", file);
+  if (keys == nullptr) return;
+  const TomlTable table(*keys, file, "[hidden]", {"radius_mm", "edge_softness", "depth_mm", "bony_displacement_mm"});
+  table.read("radius_mm", hidden.radius_mm, {5.0, 100.0});
+  table.read("edge_softness", hidden.edge_softness, {0.0, 1.0});
+  table.read("depth_mm", hidden.depth_mm, {0.0, 50.0});
+  table.read("bony_displacement_mm", hidden.bony_displacement_mm, {-15.0, 15.0});
+}
+
+void readExploration(const toml::table& root, std::string_view file, ExplorationSettings& exploration) {
+  const toml::table* keys = tableNamed(root, "exploration", file);
+  if (keys == nullptr) return;
+  const TomlTable table(*keys, file, "[exploration]", {"force_n", "dwell_s", "radius_mm"});
+  table.read("force_n", exploration.force_n, {0.05, 10.0});
+  table.read("dwell_s", exploration.dwell_s, {0.0, 10.0});
+  table.read("radius_mm", exploration.radius_mm, {5.0, 50.0});
+}
+
+Protocol protocolFrom(const toml::table& root, std::string_view file) {
+  Protocol protocol = builtInProtocol();
+  std::vector<std::string> keys = {
+      "id",     "version",    "title", "sites", "base_n_per_mm", "break_after_min", "least_days_to_retention",
+      "hidden", "exploration"};
+  for (const NamedSitting& one : kSittings) keys.emplace_back(one.table);
+  const TomlTable table(root, file, "a protocol", keys);
+  table.read("id", protocol.id);
+  const bool plain = std::ranges::all_of(
+      protocol.id, [](unsigned char letter) { return std::isalnum(letter) != 0 || letter == '-' || letter == '_'; });
+  if (!plain || protocol.id.empty() || protocol.id.size() > kLongestProtocolId) {
+    table.fail("id is a word of letters, digits, - and _: '" + oneLine(protocol.id) + "'");
+  }
+  table.read("version", protocol.version, {1, 1e6});
+  table.read("title", protocol.title);
+  protocol.sites = sitesFrom(table);
+  table.read("base_n_per_mm", protocol.base_n_per_mm, {0.02, 2.0});
+  table.read("break_after_min", protocol.break_after_min, {0.0, 240.0});
+  table.read("least_days_to_retention", protocol.least_days_to_retention, {0.0, 365.0});
+  readHidden(root, file, protocol.hidden);
+  readExploration(root, file, protocol.exploration);
+  const int choices = protocol.sites.empty() ? 12 : static_cast<int>(protocol.sites.size());
+  for (const NamedSitting& one : kSittings) {
+    SittingSettings& settings = protocol.*one.settings;
+    settings.block.choices = choices;
+    if (const toml::table* sitting = tableNamed(root, one.table, file)) {
+      settings = sittingFrom(*sitting, file, one.table, settings);
+    }
+  }
+  return protocol;
+}
+
+// --- written
+
+/// 15 digits: what is read back is the same number, and 28 stays "28".
+std::string number(double value) {
+  const std::string text = fmt::format("{:.15g}", value);
+  return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
+}
+
+std::string levelsText(const std::vector<double>& levels) {
+  std::vector<std::string> words;
+  for (const double level : levels) words.push_back(number(100.0 * level));
+  return fmt::format("[{}]", fmt::join(words, ", "));
+}
+
+std::string sittingText(const NamedSitting& named, const SittingSettings& settings) {
+  const BlockSettings& block = settings.block;
+  std::string text = fmt::format("\n[{}]  # {}\n", named.table, named.what);
+  const auto line = [&text](std::string_view key, std::string_view value) {
+    text += fmt::format("{} = {}\n", key, value);
+  };
+  line("method", fmt::format("\"{}\"", wordFor(block.method)));
+  line("meaning", fmt::format("\"{}\"", wordFor(block.meaning)));
+  if (!block.levels.empty()) line("levels_percent", levelsText(block.levels));
+  line("start_percent", number(100.0 * block.start));
+  line("draw", fmt::format("\"{}\"", wordFor(block.draw)));
+  line("warm_up", std::to_string(block.warm_up));
+  line("easy", std::to_string(block.easy));
+  line("easy_share_percent", number(100.0 * block.easy_share));
+  line("least", std::to_string(block.stop.least));
+  line("most", std::to_string(block.stop.most));
+  line("half_width", number(block.stop.half_width));
+  line("mark_percent", number(100.0 * block.stop.mark));
+  line("sure_percent", number(100.0 * block.stop.sure));
+  line("feedback", settings.feedback ? "true" : "false");
+  line("limit_s", number(settings.limit_s));
+  line("all_sites", settings.all_sites ? "true" : "false");
+  line("natural_stiffness", settings.natural_stiffness ? "true" : "false");
+  return text;
+}
+
+std::string inQuotes(std::string_view text) {
+  std::string safe = "\"";
+  for (const char letter : text) {
+    if (letter == '"' || letter == '\\') safe += '\\';
+    safe += static_cast<unsigned char>(letter) < 0x20 ? ' ' : letter;
+  }
+  return safe + '"';
+}
+
+}  // namespace
+
+Protocol parseProtocol(std::string_view text, std::string_view file) {
+  if (text.size() > kMostProtocolBytes) throw Error::inFile(file, "larger than any protocol (1 MiB)");
+  return protocolFrom(scene::parsedToml(text, file), file);
+}
+
+Protocol protocolNamed(const std::string& name_or_file) {
+  if (name_or_file.empty() || name_or_file == "vhb") return builtInProtocol();
+  return parseProtocol(readFile(name_or_file, kMostProtocolBytes), name_or_file);
+}
+
+std::string protocolText(const Protocol& protocol) {
+  std::vector<std::string> sites;
+  for (const std::string& words : protocol.sites) sites.push_back(inQuotes(words));
+  std::string text = fmt::format(
+      "# What is trained and tested (palpate train --protocol FILE). Changes are in per cent of what `meaning` says.\n"
+      "id = {}\nversion = {}  # another number whenever anything below is changed\ntitle = {}\n"
+      "sites = [{}]  # places in words; none: the twelve, six levels on both sides\n"
+      "base_n_per_mm = {}  # of the even tissue that tests are made on\n"
+      "break_after_min = {}\nleast_days_to_retention = {}\n",
+      inQuotes(protocol.id), protocol.version, inQuotes(protocol.title), fmt::join(sites, ", "),
+      number(protocol.base_n_per_mm), number(protocol.break_after_min), number(protocol.least_days_to_retention));
+  text += fmt::format(
+      "\n[hidden]  # the place that is to be found\nradius_mm = {}\nedge_softness = {}  # share over which it fades\n"
+      "depth_mm = {}  # what lies deep is felt less\nbony_displacement_mm = {}  # bone that stands nearer to the "
+      "skin\n",
+      number(protocol.hidden.radius_mm), number(protocol.hidden.edge_softness), number(protocol.hidden.depth_mm),
+      number(protocol.hidden.bony_displacement_mm));
+  text += fmt::format("\n[exploration]  # a site counts as felt\nforce_n = {}\ndwell_s = {}\nradius_mm = {}\n",
+                      number(protocol.exploration.force_n), number(protocol.exploration.dwell_s),
+                      number(protocol.exploration.radius_mm));
+  for (const NamedSitting& one : kSittings) text += sittingText(one, protocol.*one.settings);
+  return text;
+}
+
+std::string protocolSha256(const Protocol& protocol) { return sha256Hex(protocolText(protocol)); }
+
+}  // namespace palpate::training

@@ -1,0 +1,524 @@
+// Changes stand in per cent on logarithmic axes: as much better is as far down everywhere. Own.
+#include "teach/report/training_figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "palpate/training/psychometric.h"
+
+namespace palpate::app {
+
+namespace {
+
+using figures::Marker;
+using figures::Plot;
+using figures::Series;
+using figures::Shape;
+using figures::Stroke;
+using training::AnswerBox;
+using training::Occasion;
+using training::ThresholdPoint;
+using training::TraineeStatistics;
+using training::TrialStatistics;
+
+/// Where a change is said on an axis, per cent: the levels of the Virtual Haptic Back and their neighbours.
+constexpr std::array kSaidChanges = {2.0, 3.0, 5.0, 7.0, 10.0, 14.0, 20.0, 28.0, 40.0, 60.0, 80.0, 100.0};
+/// More words than this below an axis cover each other.
+constexpr std::size_t kMostOccasionWords = 9;
+constexpr figures::Colour kQuartileColour{0.72, 0.75, 0.80};
+
+std::vector<figures::Tick> changeTicks(double least, double most) {
+  std::vector<figures::Tick> ticks;
+  for (const double change : kSaidChanges) {
+    if (change >= least && change <= most) ticks.push_back({change, fmt::format("{:g}", change)});
+  }
+  return ticks;
+}
+
+figures::Axis changeAxis(std::string label, double least, double most) {
+  return {.label = std::move(label),
+          .unit = "%",
+          .scale = figures::Scale::logarithmic,
+          .from = least,
+          .to = most,
+          .ticks = changeTicks(least, most)};
+}
+
+/// A range of changes in per cent that shows all of these.
+struct ShownChanges {
+  double least = 100.0, most = 5.0;
+  void add(double share) {
+    least = std::min(least, 100.0 * share);
+    most = std::max(most, 100.0 * share);
+  }
+  figures::Axis axis(std::string label) const {
+    return changeAxis(std::move(label), std::max(1.5, least / 1.15), std::min(200.0, most * 1.15));
+  }
+};
+
+figures::Axis occasionAxis(const std::vector<std::string>& words) {
+  figures::Axis axis{.from = 0.5, .to = static_cast<double>(words.size()) + 0.5};
+  const std::size_t every = (words.size() + kMostOccasionWords - 1) / kMostOccasionWords;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    axis.ticks.push_back({static_cast<double>(i + 1), i % every == 0 ? words[i] : ""});
+  }
+  return axis;
+}
+
+/// Upright lines with short ends.
+void addErrorBar(Shape& bars, double x, double low, double high, double half_width) {
+  bars.paths.push_back({{x, low}, {x, high}});
+  bars.paths.push_back({{x - half_width, low}, {x + half_width, low}});
+  bars.paths.push_back({{x - half_width, high}, {x + half_width, high}});
+}
+
+Shape errorBars(const figures::Colour& colour) {
+  return {.closed = false, .stroke = Stroke::solid, .colour = colour, .width_px = 1.3};
+}
+
+Shape curveBand(const std::string& name, const std::vector<double>& x, const std::vector<double>& low,
+                const std::vector<double>& high, const figures::Colour& colour) {
+  Shape band{.name = name, .stroke = Stroke::none, .colour = colour, .fill = colour};
+  std::vector<Vec2> outline;
+  for (std::size_t i = 0; i < x.size(); ++i) outline.emplace_back(x[i], low[i]);
+  for (std::size_t i = x.size(); i-- > 0;) outline.emplace_back(x[i], high[i]);
+  band.paths.push_back(std::move(outline));
+  return band;
+}
+
+figures::Figure wideFigure(Plot plot, double height_px) {
+  figures::Figure figure;
+  figure.panel_width_px = 860.0;
+  figure.panel_height_px = height_px;
+  figure.panels.emplace_back(std::move(plot));
+  return figure;
+}
+
+// ---- learning curves
+
+/// Quartiles of the class where the trainee's occasions have them.
+void addOthers(const TraineeStatistics& trainee, const std::vector<Occasion>& others, ShownChanges& shown, Plot& plot) {
+  std::vector<double> x, low, high, middle;
+  for (std::size_t i = 0; i < trainee.curve.size(); ++i) {
+    const ThresholdPoint& point = trainee.points[trainee.curve[i].point];
+    const auto at = std::ranges::find_if(
+        others, [&](const Occasion& each) { return each.kind == point.kind && each.nth == point.nth; });
+    if (at == others.end()) continue;
+    x.push_back(static_cast<double>(i + 1));
+    low.push_back(100.0 * at->medians.lower_quartile);
+    high.push_back(100.0 * at->medians.upper_quartile);
+    middle.push_back(100.0 * at->medians.median);
+    shown.add(at->medians.lower_quartile);
+    shown.add(at->medians.upper_quartile);
+  }
+  if (x.size() < 2) return;
+  plot.shapes.push_back(curveBand("middle half of the class", x, low, high, figures::withAlpha(kQuartileColour, 0.45)));
+  plot.series.push_back({.name = "class median",
+                         .x = x,
+                         .y = middle,
+                         .stroke = Stroke::dashed,
+                         .colour = figures::mixed(kQuartileColour, figures::kInk, 0.4),
+                         .width_px = 1.2});
+}
+
+void addFiltered(const TraineeStatistics& trainee, ShownChanges& shown, Plot& plot) {
+  std::vector<double> x, low, high, middle;
+  for (std::size_t i = 0; i < trainee.curve.size(); ++i) {
+    const auto& filtered = trainee.curve[i].filtered;
+    x.push_back(static_cast<double>(i + 1));
+    low.push_back(100.0 * filtered.low);
+    high.push_back(100.0 * filtered.high);
+    middle.push_back(100.0 * filtered.median);
+    shown.add(filtered.low);
+    shown.add(filtered.high);
+  }
+  if (x.size() > 1) {
+    plot.shapes.push_back(curveBand("95 % band", x, low, high, figures::withAlpha(figures::kBlue, 0.18)));
+  }
+  plot.series.push_back({.name = "so far", .x = x, .y = middle, .colour = figures::kBlue, .width_px = 2.2});
+}
+
+/// The exponential, between the blocks too.
+void addLearning(const TraineeStatistics& trainee, Plot& plot) {
+  if (!trainee.learning) return;
+  Series line{.name = "fitted exponential", .x = {}, .y = {}, .stroke = Stroke::dashed, .colour = figures::kGreen};
+  for (const training::CurvePoint& point : trainee.learning->fit.curve) {
+    line.x.push_back(static_cast<double>(trainee.learning->first + 1) + point.session);
+    line.y.push_back(100.0 * point.median);
+  }
+  plot.series.push_back(std::move(line));
+}
+
+/// Each block by itself, with its 95 % interval.
+void addBlocks(const TraineeStatistics& trainee, bool tests, ShownChanges& shown, Plot& plot) {
+  const figures::Colour colour = tests ? figures::kVermilion : figures::kInk;
+  Series points{.name = tests ? "a test by itself, 95 % interval" : "practice by itself, 95 % interval",
+                .x = {},
+                .y = {},
+                .stroke = Stroke::none,
+                .marker = tests ? Marker::square : Marker::circle,
+                .colour = colour};
+  Shape bars = errorBars(colour);
+  for (std::size_t i = 0; i < trainee.curve.size(); ++i) {
+    const ThresholdPoint& point = trainee.points[trainee.curve[i].point];
+    if (training::isTest(point.kind) != tests) continue;
+    const double x = static_cast<double>(i + 1);
+    points.x.push_back(x);
+    points.y.push_back(100.0 * point.threshold->median);
+    addErrorBar(bars, x, 100.0 * point.threshold->low, 100.0 * point.threshold->high, 0.06);
+    shown.add(point.threshold->low);
+    shown.add(point.threshold->high);
+  }
+  if (points.x.empty()) return;
+  plot.shapes.push_back(std::move(bars));
+  plot.series.push_back(std::move(points));
+}
+
+/// Of many occasions the first, the last and the direction are enough to be told; all are in the table.
+std::string firstAndLast(const std::string& what, const std::string& first, const std::string& last,
+                         std::size_t count) {
+  if (count == 1) return fmt::format("{}: {}.", what, first);
+  return fmt::format("{} over {} occasions: first {}, last {}.", what, count, first, last);
+}
+
+// ---- psychometric functions
+
+std::string boxesWords(const std::vector<AnswerBox>& boxes, double scale, std::string_view unit) {
+  std::string words;
+  for (const AnswerBox& box : boxes) {
+    words += fmt::format("{}at {:.{}f}{} {} of {}", words.empty() ? "" : ", ", scale * box.middle,
+                         scale * box.middle < 10.0 ? 1 : 0, unit, box.correct, box.trials);
+  }
+  return words;
+}
+
+/// Shares in per cent with Wilson's intervals.
+void addBoxes(const std::vector<AnswerBox>& boxes, double scale, const std::string& name, const figures::Colour& colour,
+              Marker marker, Plot& plot) {
+  Series points{.name = name, .x = {}, .y = {}, .stroke = Stroke::none, .marker = marker, .colour = colour};
+  Shape bars = errorBars(colour);
+  for (const AnswerBox& box : boxes) {
+    points.x.push_back(scale * box.middle);
+    points.y.push_back(100.0 * box.share);
+    bars.paths.push_back(
+        {{scale * box.middle, 100.0 * box.interval.low}, {scale * box.middle, 100.0 * box.interval.high}});
+  }
+  plot.shapes.push_back(std::move(bars));
+  plot.series.push_back(std::move(points));
+}
+
+figures::Axis rightAxis(const std::string& label) { return {.label = label, .unit = "%", .from = 0.0, .to = 100.0}; }
+
+Series levelLine(const std::string& name, double from, double to, double y) {
+  return {
+      .name = name, .x = {from, to}, .y = {y, y}, .stroke = Stroke::dotted, .colour = figures::kInk, .width_px = 1.2};
+}
+
+Plot fitPlot(const ThresholdPoint& point) {
+  const training::FittedCurve curve = training::fittedCurve(training::posteriorOf(point), training::curveChanges());
+  Plot plot{.title = fmt::format("{}, {}", occasionWords(point.kind, point.nth), dayWords(point.start_ms))};
+  plot.x = changeAxis("change", 3.0, 100.0);
+  plot.y = rightAxis("right answers");
+  std::vector<double> x, low, high, mean;
+  for (std::size_t i = 0; i < curve.changes.size(); ++i) {
+    x.push_back(100.0 * curve.changes[i]);
+    low.push_back(100.0 * curve.low[i]);
+    high.push_back(100.0 * curve.high[i]);
+    mean.push_back(100.0 * curve.mean[i]);
+  }
+  plot.shapes.push_back(curveBand("95 % band", x, low, high, figures::withAlpha(figures::kBlue, 0.18)));
+  const double t = 100.0 * point.threshold->median;
+  plot.shapes.push_back({.name = "T",
+                         .paths = {{{t, 0.0}, {t, 100.0}}},
+                         .closed = false,
+                         .stroke = Stroke::dashed,
+                         .colour = figures::kVermilion,
+                         .width_px = 1.6});
+  plot.series.push_back(levelLine("chance", 3.0, 100.0, 100.0 / point.choices));
+  plot.series.push_back({.name = "fitted", .x = x, .y = mean, .colour = figures::kBlue, .width_px = 2.2});
+  addBoxes(point.trials.boxes, 100.0, "answers, neighbouring changes together", figures::kInk, Marker::circle, plot);
+  return plot;
+}
+
+}  // namespace
+
+TrainingPicture curvePicture(const TraineeStatistics& trainee, const std::vector<Occasion>& others) {
+  Plot plot;
+  ShownChanges shown;
+  addOthers(trainee, others, shown, plot);
+  const bool has_others = !plot.shapes.empty();
+  addFiltered(trainee, shown, plot);
+  addLearning(trainee, plot);
+  addBlocks(trainee, false, shown, plot);
+  addBlocks(trainee, true, shown, plot);
+  std::vector<std::string> words;
+  for (const training::FilteredPoint& point : trainee.curve) {
+    words.push_back(occasionWords(trainee.points[point.point].kind, trainee.points[point.point].nth));
+  }
+  plot.x = occasionAxis(words);
+  plot.y = shown.axis("smallest reliable change");
+  const auto said = [&](const training::FilteredPoint& point) {
+    const ThresholdPoint& block = trainee.points[point.point];
+    return fmt::format("{} {}", occasionWords(block.kind, block.nth),
+                       thresholdWords(block.threshold->median, block.threshold->low, block.threshold->high));
+  };
+  return {
+      "curve",
+      std::string("Lower is better. Markers: each block by itself. Line and blue band: what all blocks up to it say "
+                  "together, with its 95 % band; a threshold may wander by a fifth between blocks.") +
+          (has_others ? " Grey: the middle half of the class." : ""),
+      firstAndLast("Learning curve, smallest reliable change", said(trainee.curve.front()), said(trainee.curve.back()),
+                   trainee.curve.size()),
+      wideFigure(std::move(plot), 400.0)};
+}
+
+TrainingPicture classCurvePicture(const training::TrainingStatistics& statistics) {
+  const std::vector<Occasion>& occasions = statistics.all.occasions;
+  Plot plot;
+  ShownChanges shown;
+  std::vector<double> x, low, high, middle;
+  std::vector<std::string> words;
+  Series everybody{.name = "a trainee", .x = {}, .y = {}, .stroke = Stroke::none, .marker = Marker::circle};
+  everybody.colour = figures::withAlpha(figures::kSky, 0.45);
+  Series group{
+      .name = "mean of the group, 95 % interval", .x = {}, .y = {}, .stroke = Stroke::none, .marker = Marker::diamond};
+  group.colour = figures::kVermilion;
+  Shape bars = errorBars(figures::kVermilion);
+  bars.width_px = 1.8;
+  for (std::size_t i = 0; i < occasions.size(); ++i) {
+    const Occasion& occasion = occasions[i];
+    const double at = static_cast<double>(i + 1);
+    words.push_back(occasionWords(occasion.kind, occasion.nth));
+    x.push_back(at);
+    low.push_back(100.0 * occasion.medians.lower_quartile);
+    high.push_back(100.0 * occasion.medians.upper_quartile);
+    middle.push_back(100.0 * occasion.medians.median);
+    shown.add(occasion.medians.least);
+    shown.add(occasion.medians.greatest);
+    std::size_t of_occasion = 0;
+    for (const TraineeStatistics& trainee : statistics.trainees) {
+      for (const ThresholdPoint& point : trainee.points) {
+        if (!point.threshold || point.kind != occasion.kind || point.nth != occasion.nth) continue;
+        // Beside each other in a fixed pattern, so that equal results do not cover each other.
+        constexpr std::size_t kPlaces = 13;
+        const double aside = static_cast<double>(of_occasion++ * 5 % kPlaces) / (kPlaces - 1) - 0.5;
+        everybody.x.push_back(at - 0.12 + 0.2 * aside);
+        everybody.y.push_back(100.0 * point.threshold->median);
+      }
+    }
+    if (occasion.group.people < 2) continue;
+    group.x.push_back(at + 0.18);
+    group.y.push_back(100.0 * occasion.group.mean);
+    addErrorBar(bars, at + 0.18, 100.0 * occasion.group.low, 100.0 * occasion.group.high, 0.05);
+    shown.add(occasion.group.low);
+    shown.add(occasion.group.high);
+  }
+  if (x.size() > 1) {
+    plot.shapes.push_back(
+        curveBand("middle half of the class", x, low, high, figures::withAlpha(kQuartileColour, 0.5)));
+  }
+  if (!bars.paths.empty()) plot.shapes.push_back(std::move(bars));
+  plot.series.push_back(std::move(everybody));
+  plot.series.push_back({.name = "median", .x = x, .y = middle, .colour = figures::kBlue, .width_px = 2.0});
+  if (!group.x.empty()) plot.series.push_back(std::move(group));
+  plot.x = occasionAxis(words);
+  plot.y = shown.axis("smallest reliable change");
+  const auto said = [&](std::size_t i) {
+    return fmt::format("{} median {}, middle half {} to {}", words[i], changeWords(occasions[i].medians.median),
+                       changeWords(occasions[i].medians.lower_quartile),
+                       changeWords(occasions[i].medians.upper_quartile));
+  };
+  return {"curve",
+          "Lower is better. Dots: each trainee's own threshold; grey: the middle half of them. Diamonds: the mean of "
+          "the group behind them, which allows for how well each trainee is known.",
+          firstAndLast("Learning curve of the class", said(0), said(occasions.size() - 1), occasions.size()),
+          wideFigure(std::move(plot), 420.0)};
+}
+
+TrainingPicture fitPicture(const std::vector<const ThresholdPoint*>& blocks) {
+  figures::Figure figure;
+  figure.columns = 2;
+  figure.panel_width_px = 430.0;
+  figure.panel_height_px = 360.0;
+  std::string alternative;
+  for (const ThresholdPoint* point : blocks) {
+    figure.panels.emplace_back(fitPlot(*point));
+    alternative += fmt::format("{}: T {}. Right answers {}. ", occasionWords(point->kind, point->nth),
+                               thresholdWords(point->threshold->median, point->threshold->low, point->threshold->high),
+                               boxesWords(point->trials.boxes, 100.0, " %"));
+  }
+  alternative.pop_back();
+  return {"fit",
+          "How often answers are right at which change: the fitted function with its 95 % band, and the answers with "
+          "neighbouring changes together (bars: 95 %). Dashed: T. Answers given after fewer places were felt lie on a "
+          "function of their own; the fit allows for it, the dots do not.",
+          alternative, std::move(figure)};
+}
+
+TrainingPicture collapsedPicture(const std::vector<AnswerBox>& boxes) {
+  Plot plot;
+  plot.x = {.label = "change / own threshold", .scale = figures::Scale::logarithmic, .from = 0.25, .to = 8.0};
+  for (const double at : {0.25, 0.5, 1.0, 2.0, 4.0, 8.0}) plot.x.ticks.push_back({at, fmt::format("{:g}", at)});
+  plot.y = rightAxis("right answers");
+  Series expected{.name = "fitted", .x = {}, .y = {}, .colour = figures::kBlue, .width_px = 2.2};
+  for (const AnswerBox& box : boxes) {
+    expected.x.push_back(box.middle);
+    expected.y.push_back(100.0 * box.expected);
+  }
+  plot.series.push_back(std::move(expected));
+  addBoxes(boxes, 1.0, "answers of tests, 95 % intervals", figures::kInk, Marker::circle, plot);
+  return {"fit",
+          "All answers of tests, the change counted in units of each block's own threshold, and what the fitted "
+          "functions expect. Below the threshold dots lie somewhat under the line also where the model holds exactly: "
+          "answers chose both the changes and the threshold. It is a picture of the answers, no test of the model.",
+          "Right answers of tests by change over own threshold: " + boxesWords(boxes, 1.0, "") + ".",
+          wideFigure(std::move(plot), 360.0)};
+}
+
+// ---- accuracy, force, time
+
+namespace {
+
+struct ShownTrials {
+  const TrialStatistics* trials = nullptr;
+  std::string name;
+  figures::Colour colour;
+  Marker marker = Marker::circle;
+  Stroke stroke = Stroke::solid;
+};
+
+std::vector<ShownTrials> shownTrials(const TestsAndPracticeShown& shown) {
+  std::vector<ShownTrials> all;
+  if (shown.tests != nullptr && shown.tests->counted > 0) {
+    all.push_back({shown.tests, "tests", figures::kVermilion, Marker::square, Stroke::solid});
+  }
+  if (shown.practice != nullptr && shown.practice->counted > 0) {
+    all.push_back({shown.practice, "practice", figures::kBlue, Marker::circle, Stroke::dashed});
+  }
+  return all;
+}
+
+/// Shares of all counts, as the outline of bars.
+Series outlineSeries(const training::Histogram& histogram, const std::string& name, const figures::Colour& colour,
+                     Stroke stroke) {
+  Series outline{.name = name, .x = {0.0}, .y = {0.0}, .stroke = stroke, .colour = colour, .width_px = 1.8};
+  double all = 0.0;
+  for (const int count : histogram.counts) all += count;
+  for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
+    for (const std::size_t side : {i, i + 1}) {
+      outline.x.push_back(histogram.width * static_cast<double>(side));
+      outline.y.push_back(all > 0.0 ? 100.0 * histogram.counts[i] / all : 0.0);
+    }
+  }
+  outline.x.push_back(histogram.width * static_cast<double>(histogram.counts.size()));
+  outline.y.push_back(0.0);
+  return outline;
+}
+
+/// So that an axis ends with the last box that has anything.
+double lastBox(const std::vector<ShownTrials>& shown,
+               std::initializer_list<training::Histogram TrialStatistics::*> of) {
+  double end = 1.0;
+  for (const ShownTrials& each : shown) {
+    for (const auto member : of) {
+      const training::Histogram& histogram = each.trials->*member;
+      for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
+        if (histogram.counts[i] > 0) end = std::max(end, histogram.width * static_cast<double>(i + 2));
+      }
+    }
+  }
+  return end;
+}
+
+figures::Figure panelFigure(std::vector<Plot> plots) {
+  figures::Figure figure;
+  figure.columns = static_cast<int>(plots.size());
+  figure.panel_width_px = (860.0 - 18.0 * static_cast<double>(plots.size() - 1)) / static_cast<double>(plots.size());
+  figure.panel_height_px = 320.0;
+  for (Plot& plot : plots) figure.panels.emplace_back(std::move(plot));
+  return figure;
+}
+
+Plot sharePlot(std::string title, std::string label, std::string unit, double to) {
+  Plot plot{.title = std::move(title)};
+  plot.x = {.label = std::move(label), .unit = std::move(unit), .from = 0.0, .to = to};
+  plot.y = {.label = "share of trials", .unit = "%", .from = 0.0};
+  return plot;
+}
+
+}  // namespace
+
+TrainingPicture accuracyPicture(const TestsAndPracticeShown& shown) {
+  Plot raw{.title = "as answered"};
+  Plot corrected{.title = "corrected for chance"};
+  raw.y = rightAxis("right answers");
+  corrected.y = {.label = "found", .unit = "%", .from = -20.0, .to = 100.0};
+  std::string alternative;
+  for (const ShownTrials& each : shownTrials(shown)) {
+    addBoxes(each.trials->boxes, 100.0, each.name, each.colour, each.marker, raw);
+    Series points{
+        .name = each.name, .x = {}, .y = {}, .stroke = each.stroke, .marker = each.marker, .colour = each.colour};
+    for (const AnswerBox& box : each.trials->boxes) {
+      points.x.push_back(100.0 * box.middle);
+      points.y.push_back(100.0 * box.corrected);
+    }
+    corrected.series.push_back(std::move(points));
+    alternative += fmt::format("Right answers in {}: {}. ", each.name, boxesWords(each.trials->boxes, 100.0, " %"));
+  }
+  corrected.series.push_back(levelLine("guessing", 3.0, 100.0, 0.0));
+  for (Plot* plot : {&raw, &corrected}) plot->x = changeAxis("change", 3.0, 100.0);
+  if (!alternative.empty()) alternative.pop_back();
+  return {"accuracy",
+          "Neighbouring changes together; the table below has each. Corrected for chance, 0 % is a guesser and 100 % "
+          "finds every place. Bars: 95 %.",
+          alternative, panelFigure({std::move(raw), std::move(corrected)})};
+}
+
+TrainingPicture handlingPicture(const TestsAndPracticeShown& shown) {
+  const std::vector<ShownTrials> all = shownTrials(shown);
+  const double most_force = lastBox(all, {&TrialStatistics::search_force_bins, &TrialStatistics::palpate_force_bins});
+  std::vector<Plot> plots;
+  std::string alternative;
+  for (const ShownTrials& each : all) {
+    Plot plot = sharePlot("force, " + each.name, "mean force of a trial", "N", most_force);
+    plot.series.push_back(outlineSeries(each.trials->search_force_bins, "search", figures::kSky, Stroke::dashed));
+    plot.series.push_back(
+        outlineSeries(each.trials->palpate_force_bins, "palpation", figures::kVermilion, Stroke::solid));
+    plots.push_back(std::move(plot));
+    alternative += fmt::format(
+        "In {} the median force was {:.2f} N while searching and {:.2f} N while palpating, the median speed {:.0f} "
+        "mm/s. ",
+        each.name, each.trials->search_force_n.median, each.trials->palpate_force_n.median,
+        each.trials->speed_mm_per_s.median);
+  }
+  Plot speed = sharePlot("speed", "mean speed of a trial", "mm/s", lastBox(all, {&TrialStatistics::speed_bins}));
+  for (const ShownTrials& each : all) {
+    speed.series.push_back(outlineSeries(each.trials->speed_bins, each.name, each.colour, each.stroke));
+  }
+  plots.push_back(std::move(speed));
+  if (!alternative.empty()) alternative.pop_back();
+  return {"handling",
+          "How hard and how fast: means of each trial while the finger moves over the skin (search) and while it stays "
+          "(palpation).",
+          alternative, panelFigure(std::move(plots))};
+}
+
+TrainingPicture secondsPicture(const TestsAndPracticeShown& shown) {
+  const std::vector<ShownTrials> all = shownTrials(shown);
+  Plot plot = sharePlot("", "time for a trial", "s", lastBox(all, {&TrialStatistics::seconds_bins}));
+  std::string alternative;
+  for (const ShownTrials& each : all) {
+    plot.series.push_back(outlineSeries(each.trials->seconds_bins, each.name, each.colour, each.stroke));
+    alternative += fmt::format("In {} a trial took {:.0f} s (median; middle half {:.0f} to {:.0f} s). ", each.name,
+                               each.trials->seconds.median, each.trials->seconds.lower_quartile,
+                               each.trials->seconds.upper_quartile);
+  }
+  if (!alternative.empty()) alternative.pop_back();
+  return {"seconds", "How long a trial took, pauses left out.", alternative, wideFigure(std::move(plot), 280.0)};
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,43 @@
+// The pictures of a training report, each with the words for who cannot see it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "teach/report/training_report.h"
+#include "report/charts/figure.h"
+
+namespace palpate::app {
+
+struct TrainingPicture {
+  std::string id;           ///< in the page
+  std::string caption;      ///< how to read it
+  std::string alternative;  ///< what is seen
+  figures::Figure figure;
+};
+
+/// Thresholds from block to block with 95 % bands, and the class's quartiles behind. Needs a point.
+TrainingPicture curvePicture(const training::TraineeStatistics& trainee, const std::vector<training::Occasion>& others);
+/// The class from occasion to occasion: everybody, quartiles, the group with its 95 % interval. Needs an occasion.
+TrainingPicture classCurvePicture(const training::TrainingStatistics& statistics);
+
+/// Fitted function and binned answers of the first and the newest of these blocks, which have thresholds.
+TrainingPicture fitPicture(const std::vector<const training::ThresholdPoint*>& blocks);
+/// All answers of a class against the change in units of each one's threshold.
+TrainingPicture collapsedPicture(const std::vector<training::AnswerBox>& boxes);
+
+/// What of tests, what of practice; either may have nothing.
+struct TestsAndPracticeShown {
+  const training::TrialStatistics* tests = nullptr;
+  const training::TrialStatistics* practice = nullptr;
+};
+TrainingPicture accuracyPicture(const TestsAndPracticeShown& shown);
+TrainingPicture handlingPicture(const TestsAndPracticeShown& shown);  ///< force and speed
+TrainingPicture secondsPicture(const TestsAndPracticeShown& shown);
+TrainingPicture answersPicture(const training::TrialStatistics& trials, const std::string& what);
+
+/// Dwell and peak force of each site on the back.
+TrainingPicture coveragePicture(const training::TrialStatistics& trials, const ReportBack& back,
+                                const std::string& what);
+
+}  // namespace palpate::app

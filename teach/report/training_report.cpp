@@ -1,0 +1,309 @@
+// Finds whose report it is, and says the main results. Own.
+#include "teach/report/training_report.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ctime>
+#include <fstream>
+#include <set>
+
+#include "teach/commands/results_commands.h"
+#include "palpate/base/error.h"
+#include "palpate/classroom/database_copy.h"
+#include "palpate/training/psychometric.h"
+#include "palpate/training/records/trainee_code.h"
+#include "report/page/study_page.h"
+
+namespace palpate::app {
+
+namespace {
+
+using training::SittingKind;
+using training::ThresholdPoint;
+using training::TraineeStatistics;
+using training::TrialStatistics;
+
+constexpr std::size_t kPseudonymLetters = 8;
+/// A blank at which no line ends (U+00A0).
+constexpr std::string_view kNoBreak = "\u00a0";
+
+/// Everything that is not of that trainee; with the word for it.
+struct WantedTrainee {
+  training::Uuid id;
+  std::string name;
+};
+
+WantedTrainee wantedTrainee(const TrainingReportSettings& settings, training::Store& store) {
+  const std::vector<training::TraineeRow> trainees = store.trainees();
+  if (const auto code = training::codeTyped(settings.trainee)) {
+    for (const training::Uuid& id : store.pseudonymsOf(*code)) {
+      if (std::ranges::count(trainees, id, &training::TraineeRow::id) > 0) return {id, *code};
+    }
+  }
+  std::vector<training::Uuid> found;
+  for (const training::TraineeRow& row : trainees) {
+    if (settings.trainee.size() >= kPseudonymLetters && row.id.starts_with(settings.trainee)) found.push_back(row.id);
+  }
+  if (found.size() == 1) return {found.front(), shortPseudonym(found.front())};
+  throw Error::inFile(store.file().string(),
+                      found.empty() ? fmt::format("holds no trainee '{}'", settings.trainee)
+                                    : fmt::format("holds {} trainees '{}...'", found.size(), settings.trainee));
+}
+
+std::string classWords(const std::vector<training::ClassRow>& classes, const std::string& id) {
+  for (const training::ClassRow& row : classes) {
+    if (row.id == id) return row.label.empty() ? row.id : fmt::format("{} ({})", row.label, row.id);
+  }
+  return id;
+}
+
+/// Quartiles behind a trainee's own curve.
+std::vector<training::Occasion> othersOf(const training::TrainingStatistics& all) {
+  std::vector<training::Occasion> occasions = all.all.occasions;
+  std::erase_if(occasions, [](const training::Occasion& occasion) {
+    return occasion.medians.count < static_cast<std::size_t>(kLeastOthers);
+  });
+  return occasions;
+}
+
+/// The trainee's own rows, and the class's quartiles.
+void keepOne(TrainingReport& report, const WantedTrainee& wanted) {
+  report.name = wanted.name;
+  const auto at = std::ranges::find(report.record.trainees, wanted.id, [](const auto& one) { return one.row.id; });
+  const std::string class_id = at->row.class_id;
+  training::TrainingRecord others = report.record;
+  std::erase_if(others.trainees, [&](const auto& one) { return one.row.class_id != class_id; });
+  if (others.trainees.size() >= static_cast<std::size_t>(kLeastOthers)) {
+    report.others = othersOf(training::trainingStatistics(others, {.curves = false, .groups = false}));
+  }
+  report.class_words = classWords(report.record.classes, class_id);
+  std::erase_if(report.record.trainees, [&](const auto& one) { return one.row.id != wanted.id; });
+}
+
+// ---- sentences
+
+std::string resultSentence(const TraineeStatistics& trainee) {
+  const ThresholdPoint* latest = trainee.latest();
+  if (latest == nullptr) return "No result yet: no block has enough answers for a threshold.";
+  const auto& t = *latest->threshold;
+  return fmt::format("Smallest reliable change: about {} of {}, measured in the {} of {} with {} answers.",
+                     thresholdWords(t.median, t.low, t.high), wordFor(latest->meaning),
+                     occasionWords(latest->kind, latest->nth), dayWords(latest->start_ms), latest->trials.counted);
+}
+
+std::string comparisonSentence(const TraineeStatistics& trainee) {
+  if (!trainee.compared) return {};
+  const ThresholdPoint& before = trainee.points[trainee.compared->before];
+  const ThresholdPoint& now = trainee.points[trainee.compared->now];
+  const std::string first = fmt::format("First test ({}): {}.", occasionWords(before.kind, before.nth),
+                                        changeWords(before.threshold->median));
+  if (trainee.compared->why_not) return first + " The two are not compared: " + *trainee.compared->why_not + ".";
+  const training::ThresholdChange& change = trainee.compared->change;
+  if (!change.clear) return first + " Too early to call a change.";
+  return fmt::format("{} Now {} ({:.2f} times, {:.2f} to {:.2f}): a clear {}.", first,
+                     changeWords(now.threshold->median), change.ratio, change.low, change.high,
+                     change.ratio < 1.0 ? "improvement" : "loss");
+}
+
+/// Tests in which answers in a row were like guesses.
+std::string attentionSentence(const TraineeStatistics& trainee) {
+  std::string tests;
+  for (const ThresholdPoint& point : trainee.points) {
+    if (!training::isTest(point.kind) || !point.attention.warned()) continue;
+    tests += fmt::format("{}{} ({} of {} easy changes missed)", tests.empty() ? "" : ", ",
+                         occasionWords(point.kind, point.nth), point.attention.easy_missed, point.attention.easy);
+  }
+  if (tests.empty()) return {};
+  return fmt::format("Inattention: in {} answers in a row were like guesses; the threshold may be too high.", tests);
+}
+
+std::string examSentence(const TraineeStatistics& trainee) {
+  const ThresholdPoint* exam = nullptr;
+  for (const ThresholdPoint& point : trainee.points) {
+    if (point.kind == SittingKind::exam && point.finished) exam = &point;
+  }
+  if (exam == nullptr || exam->verdict == training::Verdict::none) return {};
+  const std::array<std::string_view, 4> words = {"", "passed", "not yet", "to be repeated (too close to call)"};
+  return fmt::format("Examination of {}: {}.", dayWords(exam->start_ms),
+                     words[static_cast<std::size_t>(exam->verdict)]);
+}
+
+std::string answersSentence(const TrialStatistics& trials, std::string_view what) {
+  if (trials.shown == 0) return {};
+  std::string text = fmt::format(
+      "{}: {} of {} counted answers were right; a trial took {:.0f} s (median) and {:.1f} places were felt.", what,
+      trials.correct, trials.counted, trials.seconds.median, trials.places_felt.mean);
+  if (trials.excluded > 0) {
+    text += fmt::format(" {} {} left out.", trials.excluded, trials.excluded == 1 ? "trial is" : "trials are");
+  }
+  return text;
+}
+
+std::string lapseSentence(const TrialStatistics& tests) {
+  if (tests.easy == 0) return {};
+  return fmt::format(
+      "Of {} easy trials in tests {} went wrong{}.", tests.easy, tests.easy_wrong,
+      10 * tests.easy_wrong > tests.easy ? ": attention may have wandered, read the results with care" : "");
+}
+
+std::string groupSentence(const training::Occasion& occasion) {
+  std::string text = fmt::format("{}: {} trainee{}", occasionWords(occasion.kind, occasion.nth), occasion.medians.count,
+                                 occasion.medians.count == 1 ? "" : "s");
+  if (occasion.group.people >= 2) {
+    text += fmt::format(", mean smallest reliable change {} (95 % interval {} to {}), standard deviation {}",
+                        changeWords(occasion.group.mean), changeWords(occasion.group.low),
+                        changeWords(occasion.group.high), changeWords(occasion.group.sd));
+  } else {
+    text += fmt::format(", median {}", changeWords(occasion.medians.median));
+  }
+  text[0] = text[0] >= 'a' && text[0] <= 'z' ? static_cast<char>(text[0] - 'a' + 'A') : text[0];
+  return text + ".";
+}
+
+/// A factor of at least 1 means better: they feel a smaller change.
+std::string changedBy(double factor) {
+  return factor >= 1.0 ? fmt::format("{:.2f} times smaller", factor) : fmt::format("{:.2f} times larger", 1.0 / factor);
+}
+
+std::string classChangeSentence(const training::ClassChange& change) {
+  if (change.group.people < 2) return {};
+  return fmt::format(
+      "From first to last test, {} trainees: the change that they need became {} (95 % interval "
+      "{} to {}). {}",
+      change.trainees, changedBy(change.group.factor), changedBy(change.group.low), changedBy(change.group.high),
+      !change.group.real() ? "Too early to call a change."
+                           : fmt::format("Single trainees: {} clearly better, {} clearly worse, {} too early to call.",
+                                         change.clearly_better, change.clearly_worse,
+                                         change.trainees - change.clearly_better - change.clearly_worse));
+}
+
+std::vector<std::string> classSentences(const TrainingReport& report) {
+  const training::ClassStatistics& all = report.statistics.all;
+  std::vector<std::string> sentences = {fmt::format("{} trainee{}.", report.statistics.trainees.size(),
+                                                    report.statistics.trainees.size() == 1 ? "" : "s")};
+  const training::Occasion* first = nullptr;
+  const training::Occasion* last = nullptr;
+  for (const training::Occasion& occasion : all.occasions) {
+    if (!training::isTest(occasion.kind) || occasion.kind == SittingKind::exam) continue;
+    if (first == nullptr) first = &occasion;
+    last = &occasion;
+  }
+  if (first != nullptr) sentences.push_back(groupSentence(*first));
+  if (last != first) sentences.push_back(groupSentence(*last));
+  if (all.change) sentences.push_back(classChangeSentence(*all.change));
+  sentences.push_back(answersSentence(all.tests, "Tests"));
+  sentences.push_back(answersSentence(all.practice, "Practice"));
+  sentences.push_back(lapseSentence(all.tests));
+  return sentences;
+}
+
+std::string devicesSentence(const TrainingReport& report) {
+  std::set<std::string> devices;
+  for (const TraineeStatistics& trainee : report.statistics.trainees) {
+    for (const ThresholdPoint& point : trainee.points) devices.insert(point.device);
+  }
+  if (devices.size() < 2) return {};
+  return fmt::format("{} devices were used. A threshold belongs to its device and thimble: do not compare across them.",
+                     devices.size());
+}
+
+}  // namespace
+
+bool isRecordsFile(const std::filesystem::path& file) {
+  if (classroom::isDatabaseAddress(file.string())) return true;
+  if (file.extension() != ".results") return false;
+  std::array<char, 16> begin{};
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(begin.data(), begin.size());
+  return std::string_view(begin.data(), begin.size()).starts_with("SQLite format 3") || !stream.gcount();
+}
+
+TrainingReport trainingReport(const TrainingReportSettings& settings, const Progress& progress) {
+  palpate::report(progress, "reading", 0.0);
+  training::Store store = recordsAt(settings.file.string(), training::Store::Open::read_only);
+  TrainingReport report;
+  report.file = store.file();
+  report.record = training::trainingRecord(store, [&](const training::TraineeRow& row) {
+    return settings.only_class.empty() || row.class_id == settings.only_class;
+  });
+  if (!settings.only_class.empty() && report.record.trainees.empty()) {
+    throw Error::inFile(report.file.string(), fmt::format("holds no trainee of a class '{}'", settings.only_class));
+  }
+  palpate::report(progress, "computing", 0.0);
+  if (!settings.trainee.empty()) {
+    keepOne(report, wantedTrainee(settings, store));
+  } else if (report.record.trainees.size() == 1 && !settings.whole_class && settings.only_class.empty()) {
+    const training::Uuid id = report.record.trainees.front().row.id;
+    keepOne(report, {id, shortPseudonym(id)});
+  } else {
+    report.of_class = true;
+    report.class_words = settings.only_class.empty() ? "" : classWords(report.record.classes, settings.only_class);
+  }
+  report.statistics =
+      training::trainingStatistics(report.record, {.curves = !report.of_class, .groups = report.of_class});
+  return report;
+}
+
+std::vector<std::string> trainingSentences(const TrainingReport& report) {
+  std::vector<std::string> sentences;
+  if (report.statistics.trainees.empty()) {
+    sentences.emplace_back("No trainee has any record here yet.");
+  } else if (report.of_class) {
+    sentences = classSentences(report);
+  } else {
+    const TraineeStatistics& trainee = report.statistics.trainees.front();
+    sentences = {resultSentence(trainee),
+                 comparisonSentence(trainee),
+                 attentionSentence(trainee),
+                 examSentence(trainee),
+                 answersSentence(trainee.tests, "Tests"),
+                 answersSentence(trainee.practice, "Practice"),
+                 lapseSentence(trainee.tests)};
+  }
+  sentences.push_back(devicesSentence(report));
+  sentences.emplace_back(kNotShown);
+  std::erase(sentences, std::string());
+  return sentences;
+}
+
+std::string occasionWords(SittingKind kind, int nth) {
+  switch (kind) {
+    case SittingKind::practice:
+      return fmt::format("practice {}", nth);
+    case SittingKind::mastery:
+      return fmt::format("mastery {}", nth);
+    case SittingKind::pre_test:
+      return nth == 1 ? "pre-test" : fmt::format("pre-test {}", nth);
+    case SittingKind::post_test:
+      return nth == 1 ? "post-test" : fmt::format("post-test {}", nth);
+    case SittingKind::exam:
+      return nth == 1 ? "examination" : fmt::format("examination {}", nth);
+    case SittingKind::retention:
+      return nth == 1 ? "retention test" : fmt::format("retention test {}", nth);
+    case SittingKind::free:
+      break;
+  }
+  return "free exploration";
+}
+
+std::string shortPseudonym(const training::Uuid& id) { return id.substr(0, kPseudonymLetters); }
+
+std::string changeWords(double change) {
+  return fmt::format("{:.{}f}{}%", 100.0 * change, change < 0.0995 ? 1 : 0, kNoBreak);
+}
+
+std::string thresholdWords(double median, double low, double high) {
+  const std::string from = changeWords(low);
+  return fmt::format("{} ({} to {})", changeWords(median), from.substr(0, from.find(kNoBreak)), changeWords(high));
+}
+
+std::string dayWords(std::int64_t utc_ms) {
+  if (utc_ms <= 0) return "no date";
+  return fmt::format("{:%Y-%m-%d}", fmt::gmtime(static_cast<std::time_t>(utc_ms / 1000)));
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,297 @@
+// Every number of the report, by names that stay. Own.
+#include <nlohmann/json.hpp>
+
+#include "teach/report/training_report.h"
+#include "palpate/training/psychometric.h"
+
+namespace palpate::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json spreadJson(const training::Spread& spread) {
+  if (spread.count == 0) return nullptr;
+  return {{"count", spread.count},      {"mean", spread.mean},
+          {"least", spread.least},      {"lower_quartile", spread.lower_quartile},
+          {"median", spread.median},    {"upper_quartile", spread.upper_quartile},
+          {"greatest", spread.greatest}};
+}
+
+Json histogramJson(const training::Histogram& histogram) {
+  return {{"box_width", histogram.width}, {"counts", histogram.counts}};
+}
+
+Json levelsJson(const std::vector<training::LevelAccuracy>& levels) {
+  Json json = Json::array();
+  for (const training::LevelAccuracy& level : levels) {
+    json.push_back({{"change", level.change},
+                    {"trials", level.trials},
+                    {"correct", level.correct},
+                    {"share", level.share},
+                    {"low", level.interval.low},
+                    {"high", level.interval.high},
+                    {"chance", level.chance},
+                    {"corrected", level.corrected}});
+  }
+  return json;
+}
+
+Json boxesJson(const std::vector<training::AnswerBox>& boxes) {
+  Json json = Json::array();
+  for (const training::AnswerBox& box : boxes) {
+    json.push_back({{"from", box.from},
+                    {"to", box.to},
+                    {"middle", box.middle},
+                    {"trials", box.trials},
+                    {"correct", box.correct},
+                    {"share", box.share},
+                    {"low", box.interval.low},
+                    {"high", box.interval.high},
+                    {"chance", box.chance},
+                    {"corrected", box.corrected},
+                    {"expected", box.expected}});
+  }
+  return json;
+}
+
+Json sitesJson(const std::vector<training::SiteFelt>& sites) {
+  Json json = Json::array();
+  for (const training::SiteFelt& site : sites) {
+    json.push_back({{"site", site.site},
+                    {"trials", site.trials},
+                    {"felt", site.felt},
+                    {"presses_per_trial", site.presses},
+                    {"dwell_s_per_trial", site.dwell_s},
+                    {"peak_force_n", site.peak_force_n},
+                    {"greatest_force_n", site.greatest_force_n},
+                    {"deepest_mm", site.deepest_mm}});
+  }
+  return json;
+}
+
+Json answersJson(const training::SiteAnswers& answers) {
+  Json rows = Json::array();
+  for (int truth = 1; truth <= answers.sites; ++truth) {
+    Json row = Json::array();
+    for (int answer = 1; answer <= answers.sites; ++answer) row.push_back(answers.at(truth, answer));
+    row.push_back(answers.at(truth, 0));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+Json countsJson(const training::TrialStatistics& trials) {
+  return {{"shown", trials.shown},
+          {"warm_up", trials.warm_up},
+          {"excluded", trials.excluded},
+          {"counted", trials.counted},
+          {"correct", trials.correct},
+          {"timeouts", trials.timeouts},
+          {"not_all_felt", trials.not_all_felt},
+          {"easy", trials.easy},
+          {"easy_wrong", trials.easy_wrong}};
+}
+
+Json trialsJson(const training::TrialStatistics& trials) {
+  Json json = countsJson(trials);
+  if (trials.shown == 0) return json;
+  json["levels"] = levelsJson(trials.levels);
+  json["boxes"] = boxesJson(trials.boxes);
+  json["sites"] = sitesJson(trials.felt);
+  json["answers"] = answersJson(trials.answers);
+  json["wrong"] = {{"beside", trials.wrong.beside},
+                   {"other_side", trials.wrong.other_side},
+                   {"elsewhere", trials.wrong.elsewhere},
+                   {"none", trials.wrong.none}};
+  json["seconds"] = spreadJson(trials.seconds);
+  json["seconds_correct"] = spreadJson(trials.seconds_correct);
+  json["seconds_wrong"] = spreadJson(trials.seconds_wrong);
+  json["places_felt"] = spreadJson(trials.places_felt);
+  json["mean_force_n"] = spreadJson(trials.mean_force_n);
+  json["peak_force_n"] = spreadJson(trials.peak_force_n);
+  json["search_force_n"] = spreadJson(trials.search_force_n);
+  json["palpate_force_n"] = spreadJson(trials.palpate_force_n);
+  json["speed_mm_per_s"] = spreadJson(trials.speed_mm_per_s);
+  json["seconds_boxes"] = histogramJson(trials.seconds_bins);
+  json["search_force_boxes"] = histogramJson(trials.search_force_bins);
+  json["palpate_force_boxes"] = histogramJson(trials.palpate_force_bins);
+  json["speed_boxes"] = histogramJson(trials.speed_bins);
+  return json;
+}
+
+Json summaryJson(const training::ThresholdSummary& summary) {
+  return {{"median", summary.median},
+          {"low", summary.low},
+          {"high", summary.high},
+          {"mean_ln", summary.mean_ln},
+          {"sd_ln", summary.sd_ln}};
+}
+
+Json pointJson(const training::ThresholdPoint& point) {
+  Json json = {{"block", point.block},
+               {"kind", wordFor(point.kind)},
+               {"nth", point.nth},
+               {"start_ms", point.start_ms},
+               {"method", wordFor(point.method)},
+               {"change_meaning", wordFor(point.meaning)},
+               {"protocol", point.protocol_id},
+               {"protocol_version", point.protocol_version},
+               {"device", point.device},
+               {"choices", point.choices},
+               {"finished", point.finished},
+               {"verdict", wordFor(point.verdict)},
+               {"mastered_change", point.level ? Json(*point.level) : Json(nullptr)},
+               {"trials", countsJson(point.trials)},
+               {"seconds", spreadJson(point.trials.seconds)},
+               {"places_felt", spreadJson(point.trials.places_felt)},
+               {"threshold", nullptr}};
+  if (!point.threshold) return json;
+  json["threshold"] = summaryJson(*point.threshold);
+  json["attention"] = {{"easy", point.attention.easy},
+                       {"easy_missed", point.attention.easy_missed},
+                       {"evidence", point.attention.evidence},
+                       {"warned", point.attention.warned()}};
+  json["slope"] = point.slope;
+  json["lapse"] = point.lapse;
+  json["stored"] = {{"median", point.stored}, {"low", point.stored_low}, {"high", point.stored_high}};
+  return json;
+}
+
+Json comparedJson(const training::TraineeStatistics& trainee) {
+  if (!trainee.compared) return nullptr;
+  const training::TestsCompared& compared = *trainee.compared;
+  Json json = {{"before", trainee.points[compared.before].block}, {"now", trainee.points[compared.now].block}};
+  json["why_not"] = compared.why_not ? Json(*compared.why_not) : Json(nullptr);
+  if (compared.why_not) return json;
+  json["ratio"] = compared.change.ratio;
+  json["low"] = compared.change.low;
+  json["high"] = compared.change.high;
+  json["clear"] = compared.change.clear;
+  return json;
+}
+
+Json sittingQualityJson(const training::SittingQuality& sitting) {
+  return {{"id", sitting.row.id},         {"kind", wordFor(sitting.row.kind)},      {"start_ms", sitting.row.start_ms},
+          {"end_ms", sitting.row.end_ms}, {"app_version", sitting.row.app_version}, {"device", sitting.row.device},
+          {"file", sitting.row.file},     {"file_sha256", sitting.row.file_sha256}, {"events", sitting.events}};
+}
+
+Json learningJson(const training::TraineeStatistics& trainee) {
+  if (!trainee.learning) return nullptr;
+  const auto place = [](const training::CurvePoint& point) {
+    return Json{{"session", point.session}, {"median", point.median}, {"low", point.low}, {"high", point.high}};
+  };
+  const training::LearningFit& fit = trainee.learning->fit;
+  Json json = {{"first_block", trainee.points[trainee.curve[trainee.learning->first].point].block},
+               {"start", place(fit.start)},
+               {"end", place(fit.end)},
+               {"pace_sessions", fit.pace_sessions},
+               {"curve", Json::array()}};
+  for (const training::CurvePoint& point : fit.curve) json["curve"].push_back(place(point));
+  return json;
+}
+
+Json traineeJson(const training::TraineeStatistics& trainee, bool whole) {
+  Json json = {{"trainee", shortPseudonym(trainee.id)}};
+  json["points"] = Json::array();
+  for (const training::ThresholdPoint& point : trainee.points) json["points"].push_back(pointJson(point));
+  json["tests"] = whole ? trialsJson(trainee.tests) : countsJson(trainee.tests);
+  json["practice"] = whole ? trialsJson(trainee.practice) : countsJson(trainee.practice);
+  json["compared"] = comparedJson(trainee);
+  json["excluded"] = trainee.excluded;
+  json["changed_results"] = trainee.changed_results;
+  if (!whole) return json;
+  json["curve"] = Json::array();
+  for (const training::FilteredPoint& point : trainee.curve) {
+    Json filtered = summaryJson(point.filtered);
+    filtered["block"] = trainee.points[point.point].block;
+    json["curve"].push_back(std::move(filtered));
+  }
+  json["learning"] = learningJson(trainee);
+  json["sittings"] = Json::array();
+  for (const training::SittingQuality& sitting : trainee.sittings)
+    json["sittings"].push_back(sittingQualityJson(sitting));
+  json["fits"] = Json::array();
+  for (const training::ThresholdPoint& point : trainee.points) {
+    if (!point.threshold || !training::isTest(point.kind)) continue;
+    const training::FittedCurve curve = training::fittedCurve(training::posteriorOf(point), training::curveChanges());
+    json["fits"].push_back({{"block", point.block},
+                            {"changes", curve.changes},
+                            {"mean", curve.mean},
+                            {"low", curve.low},
+                            {"high", curve.high},
+                            {"answers", boxesJson(point.trials.boxes)}});
+  }
+  return json;
+}
+
+Json groupJson(const training::GroupEstimate& group) {
+  if (group.people < 2) return nullptr;
+  return {{"people", group.people},
+          {"mean", group.mean},
+          {"low", group.low},
+          {"high", group.high},
+          {"sd", group.sd},
+          {"mean_ln", group.mean_ln},
+          {"error_of_mean_ln", group.error_of_mean_ln},
+          {"sd_ln", group.sd_ln}};
+}
+
+Json occasionsJson(const std::vector<training::Occasion>& occasions, bool with_group) {
+  Json json = Json::array();
+  for (const training::Occasion& occasion : occasions) {
+    json.push_back(
+        {{"kind", wordFor(occasion.kind)}, {"nth", occasion.nth}, {"medians", spreadJson(occasion.medians)}});
+    if (!with_group) continue;
+    json.back()["group"] = groupJson(occasion.group);
+    json.back()["verdicts"] = occasion.verdicts;
+  }
+  return json;
+}
+
+Json classJson(const training::ClassStatistics& all) {
+  Json json = {{"occasions", occasionsJson(all.occasions, true)},
+               {"tests", trialsJson(all.tests)},
+               {"practice", trialsJson(all.practice)},
+               {"collapsed", boxesJson(all.collapsed)},
+               {"change", nullptr}};
+  if (!all.change) return json;
+  json["change"] = {{"trainees", all.change->trainees},
+                    {"clearly_better", all.change->clearly_better},
+                    {"clearly_worse", all.change->clearly_worse}};
+  if (all.change->group.people >= 2) {
+    json["change"]["factor"] = all.change->group.factor;
+    json["change"]["low"] = all.change->group.low;
+    json["change"]["high"] = all.change->group.high;
+    json["change"]["sd_ln"] = all.change->group.sd_ln;
+  }
+  return json;
+}
+
+}  // namespace
+
+Json trainingReportJson(const TrainingReport& report) {
+  Json json = {{"report", "training"},
+               {"of", report.of_class ? "class" : "trainee"},
+               {"records", report.file.filename().string()},
+               {"class", report.class_words},
+               {"threshold_definition", training::kThresholdDefinition},
+               {"sentences", trainingSentences(report)}};
+  json["trainees"] = Json::array();
+  for (const training::TraineeStatistics& trainee : report.statistics.trainees) {
+    json["trainees"].push_back(traineeJson(trainee, !report.of_class));
+  }
+  if (report.of_class) {
+    json["all"] = classJson(report.statistics.all);
+  } else {
+    json["others"] = occasionsJson(report.others, false);
+  }
+  json["protocols"] = Json::array();
+  for (const training::ProtocolRow& row : report.record.protocols) {
+    json["protocols"].push_back({{"id", row.id}, {"version", row.version}, {"sha256", row.sha256}});
+  }
+  return json;
+}
+
+}  // namespace palpate::app

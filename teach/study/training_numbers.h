@@ -1,0 +1,44 @@
+// What must be reached by tests of thresholds, what was, and the main results by the names that programs know.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "teach/study/training_measurement.h"
+
+namespace palpate::study {
+
+/// One row of what must be reached.
+struct TrainingBar {
+  std::string what;
+  std::string bar;
+  std::string reached;
+  bool met = false;
+};
+
+/// Only of what was measured: the quick form leaves much out.
+std::vector<TrainingBar> trainingBars(const TrainingMeasurement& found);
+
+/// Over some cells: the largest without sign, the least and the most.
+struct CellExtremes {
+  double bias_points = 0.0;
+  double sd_ln = 0.0;
+  double coverage_least = 1.0;
+  double coverage_most = 0.0;
+  double mean_trials = 0.0;
+};
+
+/// Of cells whose truth is not over `most_truth`: 40 % is held against bars of its own.
+CellExtremes extremesOf(const std::vector<RecoveryCell>& cells, double most_truth = 0.3);
+
+const MethodRow& rowOf(const TrainingMeasurement& found, AskedBy method);
+
+/// How far the corrected threshold of those who search so many places is from the truth, percent; naive likewise.
+double correctedPercent(const ExplorationRow& row);
+double naivePercent(const ExplorationRow& row);
+
+/// By the names that programs know.
+std::vector<std::pair<std::string, double>> trainingPairs(const TrainingMeasurement& found);
+
+}  // namespace palpate::study

@@ -1,0 +1,799 @@
+// The training window: its words, its keys, its door, and sittings in a viewer without a window.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <set>
+
+#include "view/viewer/panels/widgets.h"
+#include "teach/window/front_desk.h"
+#include "teach/window/offers.h"
+#include "teach/window/training_keys.h"
+#include "teach/window/training_words.h"
+#include "teach/window/voice.h"
+#include "view/viewer/viewer.h"
+#include "palpate/base/error.h"
+#include "palpate/classroom/class_folder.h"
+#include "palpate/scene/scene_file.h"
+#include "palpate/trace/database.h"
+#include "palpate/trace/session_reader.h"
+#include "palpate/training/records/session_files.h"
+#include "palpate/training/records/trainee_code.h"
+#include "palpate/view/offscreen.h"
+#include "support/temporary_folder.h"
+#include "support/wait_for.h"
+#include "teach/tests/training/twelve.h"
+
+namespace palpate::viewer {
+namespace {
+
+using training::Screen;
+using training::SittingKind;
+using window::Key;
+
+constexpr std::array kTests = {SittingKind::pre_test, SittingKind::post_test, SittingKind::exam,
+                               SittingKind::retention};
+
+std::string someCode(std::uint64_t bits = 0x1234567) { return training::codeOf(bits); }
+
+// --- words
+
+/// A sitting that somebody goes through who presses all and answers right or wrong in turn.
+class WordsOfSitting {
+ public:
+  explicit WordsOfSitting(SittingKind kind, bool familiar = true)
+      : sitting({.protocol = training::builtInProtocol(),
+                 .kind = kind,
+                 .sites = training::flatTwelve(),
+                 .seed = 3,
+                 .row = {.id = "018f3c1e-0000-7000-8000-000000000001"},
+                 .familiar = familiar},
+                {}) {}
+
+  TrainingScreen screen(int picked = 0, double force_share = 1.0, double ratios_kept_to_n = 0.0) const {
+    TrainingView view;
+    view.force_share = force_share;
+    view.ratios_kept_to_n = ratios_kept_to_n;
+    view.stage = TrainingStage::sitting;
+    view.by_mouse = true;
+    view.sitting = &sitting;
+    view.picked = picked;
+    view.now = {.s = s};
+    return screenOf(view);
+  }
+  void pressAll(int but = 0) {
+    for (const training::Site& site : sitting.plan().sites.sites) {
+      for (int i = 0; i < 400 && site.number != but; ++i) {
+        s += 0.001;
+        sitting.feel(training::pressAt(site.point_mm, 1.0), {.s = s});
+      }
+    }
+  }
+  void answer(bool right) {
+    const int truth = sitting.hidden()->site;
+    sitting.answer(right ? truth : truth % 12 + 1, {.s = s});
+  }
+
+  training::Sitting sitting;
+  double s = 0.0;
+};
+
+bool hasDigit(const std::string& words) { return words.find_first_of("0123456789") != std::string::npos; }
+
+/// Whatever is no number of a site may have no digit.
+void expectNoNumbers(const TrainingScreen& screen, int picked) {
+  std::vector<std::string> words = wordsOf(screen);
+  for (const SiteMark& mark : screen.sites) {
+    std::erase(words, std::to_string(mark.number));
+    EXPECT_FALSE(mark.is_true);
+  }
+  for (std::string part : words) {
+    if (const auto at = part.find("site " + std::to_string(picked)); picked != 0 && at != std::string::npos) {
+      part.erase(at, std::string("site ").size() + std::to_string(picked).size());
+    }
+    EXPECT_FALSE(hasDigit(part)) << part;
+    for (const char* telling :
+         {"%", "level", "Level", "correct", "Correct", "right of", "wrong", "N/mm", "threshold"}) {
+      EXPECT_EQ(part.find(telling), std::string::npos) << part;
+    }
+  }
+  EXPECT_TRUE(screen.progress.empty());
+  EXPECT_TRUE(screen.mark_word.empty());
+  EXPECT_EQ(screen.outcome, TrainingScreen::Outcome::none);
+}
+
+TEST(TrainingWords, ATestShowsNoNumberNoLevelAndNoPlaceOnAnyScreenUntilItIsOver) {
+  for (const SittingKind kind : kTests) {
+    WordsOfSitting somebody(kind);
+    expectNoNumbers(somebody.screen(), 0);
+    somebody.sitting.next({});
+    for (int trial = 0; trial < 12 && somebody.sitting.screen() == Screen::trial; ++trial) {
+      expectNoNumbers(somebody.screen(), 0);
+      expectNoNumbers(somebody.screen(5), 5);
+      somebody.pressAll(trial % 3);
+      expectNoNumbers(somebody.screen(), 0);
+      somebody.answer(trial % 2 == 0);
+      expectNoNumbers(somebody.screen(), 0);
+      if (trial % 3 == 0) continue;
+      somebody.answer(trial % 2 == 0);
+    }
+  }
+}
+
+TEST(TrainingWords, ADeviceThatGivesLessThanTheForcesSaysSoBeforeTheFirstTrial) {
+  const WordsOfSitting somebody(SittingKind::practice, false);
+  ASSERT_EQ(somebody.sitting.screen(), Screen::device_check);
+  const auto says = [](const TrainingScreen& screen, const std::string& what) {
+    const std::vector<std::string> words = wordsOf(screen);
+    return std::ranges::any_of(words, [&](const std::string& w) { return w.find(what) != w.npos; });
+  };
+  EXPECT_TRUE(says(somebody.screen(0, 0.52), "52 % of every force"));
+  EXPECT_FALSE(says(somebody.screen(0, 0.52), "Above"));
+  EXPECT_TRUE(says(somebody.screen(0, 0.52, 2.0), "Above 2 N"));
+  EXPECT_FALSE(says(somebody.screen(0, 1.0), "of every force"));
+}
+
+TEST(TrainingWords, TheScreenOfATestIsTheSameWhereverThePlaceIsHidden) {
+  std::set<std::string> different;
+  std::set<int> places;
+  WordsOfSitting somebody(SittingKind::pre_test);
+  somebody.sitting.next({});
+  for (int trial = 0; trial < 10; ++trial) {
+    places.insert(somebody.sitting.hidden()->site);
+    std::string all;
+    for (const std::string& part : wordsOf(somebody.screen(2))) all += part + "|";
+    if (trial > 0) different.insert(all);  // the first has no "Answer saved."
+    somebody.pressAll();
+    somebody.answer(trial % 2 == 0);
+  }
+  EXPECT_GT(places.size(), 3u);
+  EXPECT_EQ(different.size(), 1u);
+}
+
+TEST(TrainingWords, PracticeSaysWhatWasRightAndMarksThePlace) {
+  WordsOfSitting somebody(SittingKind::practice);
+  somebody.sitting.next({});
+  const int truth = somebody.sitting.hidden()->site;
+  for (const SiteMark& mark : somebody.screen().sites) EXPECT_FALSE(mark.is_true);
+  somebody.pressAll();
+  somebody.answer(true);
+  const TrainingScreen right = somebody.screen();
+  EXPECT_EQ(right.outcome, TrainingScreen::Outcome::right);
+  EXPECT_TRUE(right.sites[static_cast<std::size_t>(truth) - 1].is_true);
+  EXPECT_FALSE(right.mark_word.empty());
+  EXPECT_NE(right.progress.find("1 of 1 right"), std::string::npos) << right.progress;
+  somebody.sitting.next({});
+  somebody.pressAll();
+  somebody.answer(false);
+  EXPECT_EQ(somebody.screen().outcome, TrainingScreen::Outcome::wrong);
+}
+
+TEST(TrainingWords, AFilledDotMeansThatAPlaceWasPressedEnough) {
+  WordsOfSitting somebody(SittingKind::pre_test);
+  somebody.sitting.next({});
+  somebody.pressAll(4);
+  for (const SiteMark& mark : somebody.screen().sites) EXPECT_EQ(mark.pressed, mark.number != 4);
+}
+
+TEST(TrainingWords, WhileTheBodyOfATrialIsMadeNothingCanBeAnswered) {
+  WordsOfSitting somebody(SittingKind::pre_test);
+  somebody.sitting.next({});
+  TrainingView view;
+  view.stage = TrainingStage::sitting;
+  view.sitting = &somebody.sitting;
+  view.picked = 3;
+  view.waiting = true;
+  const TrainingScreen screen = screenOf(view);
+  EXPECT_EQ(screen.notice, kOneMoment);
+  EXPECT_FALSE(screen.picks_sites);
+  EXPECT_FALSE(screen.time_left);
+  EXPECT_FALSE(screen.buttons.front().enabled);
+}
+
+TEST(TrainingWords, SentencesAreShort) {
+  for (const SittingKind kind : {SittingKind::practice, SittingKind::pre_test}) {
+    for (const Offer& offer : offersFor({}, training::builtInProtocol(), 0)) {
+      EXPECT_LE(std::ranges::count(offer.line, ' '), 11) << offer.line;
+    }
+    WordsOfSitting somebody(kind);
+    EXPECT_LE(std::ranges::count(somebody.screen().title, ' '), 11);
+  }
+}
+
+// --- what comes next
+
+const Offer& suggested(const std::vector<Offer>& offers) {
+  return *std::ranges::find_if(offers, [](const Offer& offer) { return offer.suggested; });
+}
+
+TEST(TrainingOffers, FollowTheCourseFromTheFirstTestToWhatHasStayed) {
+  const training::Protocol protocol = training::builtInProtocol();
+  constexpr std::int64_t kDay = 86'400'000;
+  TrainingPast past;
+  const auto next = [&](std::int64_t now_ms) { return suggested(offersFor(past, protocol, now_ms)).kind; };
+  EXPECT_EQ(next(0), SittingKind::pre_test);
+  past.kinds[SittingKind::pre_test].finished = 1;
+  EXPECT_EQ(next(0), SittingKind::practice);
+  past.kinds[SittingKind::practice] = {.finished = kPracticesOfCourse - 1};
+  EXPECT_EQ(next(0), SittingKind::practice);
+  past.kinds[SittingKind::practice].interrupted = true;
+  past.kinds[SittingKind::practice].finished = kPracticesOfCourse;
+  EXPECT_EQ(next(0), SittingKind::practice) << "what was interrupted goes on";
+  past.kinds[SittingKind::practice].interrupted = false;
+  EXPECT_EQ(next(0), SittingKind::post_test);
+  past.kinds[SittingKind::post_test] = {.finished = 1, .last_ms = 10 * kDay};
+  EXPECT_EQ(next(11 * kDay), SittingKind::exam);
+  EXPECT_EQ(next(18 * kDay), SittingKind::retention);
+}
+
+TEST(TrainingOffers, WhatHasStayedCannotBeTestedBeforeItsTime) {
+  const training::Protocol protocol = training::builtInProtocol();
+  constexpr std::int64_t kDay = 86'400'000;
+  TrainingPast past;
+  const auto retention = [&](std::int64_t now_ms) {
+    const auto offers = offersFor(past, protocol, now_ms);
+    return *std::ranges::find(offers, SittingKind::retention, &Offer::kind);
+  };
+  EXPECT_FALSE(retention(100 * kDay).enabled);
+  past.kinds[SittingKind::post_test] = {.finished = 1, .last_ms = 10 * kDay};
+  EXPECT_FALSE(retention(16 * kDay).enabled);
+  EXPECT_EQ(retention(16 * kDay).line, "Tomorrow: a week after the last test.");
+  EXPECT_TRUE(retention(17 * kDay).enabled);
+}
+
+// --- the door
+
+class TrainingDoor : public testing::Test {
+ protected:
+  FrontDesk desk(FrontDeskSettings settings = {}) { return {store, training::builtInProtocol(), std::move(settings)}; }
+  static TrainingView seen(const FrontDesk& desk) {
+    TrainingView view;
+    desk.describe(view);
+    return view;
+  }
+  static void agree(FrontDesk& desk) {
+    desk.act(TrainingAct::yes, 0);
+    desk.act(TrainingAct::yes, 0);
+    desk.act(TrainingAct::choose, 1);
+  }
+
+  const support::TemporaryFolder folder;
+  training::Store store{folder / "door.results", training::Store::Open::create_too};
+};
+
+TEST_F(TrainingDoor, TellsATypingErrorAndLetsItBeMended) {
+  FrontDesk door = desk();
+  std::string wrong = someCode();
+  wrong.back() = wrong.back() == '0' ? '1' : '0';
+  door.type(wrong);
+  door.act(TrainingAct::sign_in, 0);
+  EXPECT_EQ(door.stage(), TrainingStage::sign_in);
+  EXPECT_EQ(seen(door).notice, "This is no code. Check each letter, then try again.");
+  EXPECT_EQ(seen(door).typed, wrong);
+  for (std::size_t i = 0; i < wrong.size(); ++i) door.erase();
+  std::string lower = someCode();
+  std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  door.type(lower);
+  door.act(TrainingAct::sign_in, 0);
+  EXPECT_EQ(door.stage(), TrainingStage::new_code);
+  EXPECT_EQ(seen(door).code, someCode());
+}
+
+TEST_F(TrainingDoor, AsksAboutANewCodeAndForConsentOnce) {
+  FrontDesk first = desk({.code = someCode()});
+  EXPECT_EQ(first.stage(), TrainingStage::new_code);
+  EXPECT_TRUE(store.trainees().empty()) << "nothing is kept before there is consent";
+  agree(first);
+  EXPECT_EQ(first.stage(), TrainingStage::choice);
+  ASSERT_EQ(store.trainees().size(), 1u);
+  EXPECT_TRUE(store.trainees().front().consent);
+  EXPECT_EQ(store.trainees().front().dominant_hand, "right");
+  EXPECT_EQ(desk({.code = someCode()}).stage(), TrainingStage::choice);
+}
+
+TEST_F(TrainingDoor, KeepsNothingOfWhoeverDoesNotAgree) {
+  FrontDesk door = desk({.code = someCode()});
+  door.act(TrainingAct::yes, 0);
+  EXPECT_EQ(door.stage(), TrainingStage::consent);
+  door.act(TrainingAct::no, 0);
+  EXPECT_EQ(door.stage(), TrainingStage::sign_in);
+  EXPECT_TRUE(store.trainees().empty());
+  EXPECT_TRUE(seen(door).typed.empty());
+}
+
+TEST_F(TrainingDoor, MakesACodeForWhoeverHasNone) {
+  FrontDesk door = desk();
+  door.act(TrainingAct::make_code, 0);
+  EXPECT_EQ(door.stage(), TrainingStage::own_code);
+  EXPECT_EQ(training::codeTyped(seen(door).code), seen(door).code);
+  door.act(TrainingAct::yes, 0);
+  EXPECT_EQ(door.stage(), TrainingStage::consent);
+}
+
+TEST_F(TrainingDoor, GoesStraightToWhatWasAskedFor) {
+  FrontDesk door = desk({.code = someCode(), .kind = SittingKind::exam});
+  agree(door);
+  EXPECT_EQ(door.takeChosen(), SittingKind::exam);
+  EXPECT_EQ(door.takeChosen(), std::nullopt);
+  door.comeBack();
+  EXPECT_EQ(door.stage(), TrainingStage::choice);
+}
+
+// --- keys
+
+window::InputEvent pressOf(Key key, window::Modifiers modifiers = {}) {
+  window::InputEvent event;
+  event.kind = window::InputEvent::Kind::key;
+  event.key = key;
+  event.modifiers = modifiers;
+  event.down = true;
+  return event;
+}
+
+TEST(TrainingKeys, NoKeyOfTheWindowThatTellsSomethingGetsThrough) {
+  WordsOfSitting somebody(SittingKind::exam);
+  somebody.sitting.next({});
+  const std::set<window::Action> harmless = {
+      window::Action::full_screen, window::Action::screenshot, window::Action::screenshot_with_pop_ups,
+      window::Action::deeper,      window::Action::lighter,    window::Action::home};
+  for (const window::KeyBinding& binding : window::keyTable()) {
+    for (const window::Chord& chord : {binding.chord, binding.also}) {
+      if (chord.key == Key::none) continue;
+      const auto stroke = strokeOf(pressOf(chord.key, chord.modifiers), somebody.screen());
+      if (stroke.kind != TrainingStroke::Kind::pass) continue;
+      EXPECT_TRUE(harmless.contains(binding.action)) << binding.name;
+    }
+  }
+}
+
+TEST(TrainingKeys, EveryButtonOfEveryScreenCanBePressedWithoutAMouse) {
+  for (const SittingKind kind : {SittingKind::practice, SittingKind::exam, SittingKind::free}) {
+    WordsOfSitting somebody(kind);
+    for (int step = 0; step < 4; ++step) {
+      TrainingScreen screen = somebody.screen(3);
+      std::set<TrainingAct> reached;
+      for (const Key key : {Key::enter, Key::space, Key::escape, window::key('P')}) {
+        reached.insert(strokeOf(pressOf(key), screen).click.act);
+      }
+      for (const TrainingButton& button : screen.buttons) EXPECT_TRUE(reached.contains(button.act)) << button.label;
+      if (somebody.sitting.screen() == Screen::trial) {
+        somebody.pressAll();
+        somebody.answer(true);
+      } else {
+        somebody.sitting.next({});
+      }
+    }
+  }
+}
+
+TEST(TrainingKeys, ArrowsWalkFromPlaceToPlaceOnBothSides) {
+  const training::SiteSet sites = training::flatTwelve();
+  EXPECT_EQ(siteTowards(sites, 0, Vec2(0, -1)), 1);
+  EXPECT_EQ(siteTowards(sites, 1, Vec2(0, -1)), 2);
+  EXPECT_EQ(siteTowards(sites, 1, Vec2(0, 1)), 1) << "there is nothing above";
+  EXPECT_EQ(siteTowards(sites, 3, Vec2(1, 0)), 9);
+  EXPECT_EQ(siteTowards(sites, 9, Vec2(-1, 0)), 3);
+  EXPECT_EQ(siteTowards(sites, 12, Vec2(0, 1)), 11);
+}
+
+TEST(TrainingKeys, FocusSkipsWhatCannotBeChosen) {
+  TrainingScreen screen;
+  screen.buttons = {{.act = TrainingAct::choose, .value = 0},
+                    {.act = TrainingAct::choose, .value = 1, .enabled = false},
+                    {.act = TrainingAct::choose, .value = 2}};
+  EXPECT_EQ(strokeOf(pressOf(Key::down), screen).index, 2u);
+  EXPECT_EQ(strokeOf(pressOf(Key::up), screen).index, 2u);
+  screen.focus = 1;
+  EXPECT_EQ(strokeOf(pressOf(Key::enter), screen).kind, TrainingStroke::Kind::nothing);
+}
+
+// --- speech
+
+class TrainingVoice : public testing::Test {
+ protected:
+  /// Takes its time and writes down its last argument.
+  std::string speaker(double seconds) const {
+    const auto file = folder / "speaker";
+    std::ofstream(file) << "#!/bin/sh\nsleep " << seconds << "\nfor last; do :; done\nprintf '%s\\n' \"$last\" >> '"
+                        << (folder / "said").string() << "'\n";
+    std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+    return file.string();
+  }
+  std::vector<std::string> said() const {
+    std::ifstream file(folder / "said");
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(file, line);) lines.push_back(line);
+    return lines;
+  }
+  static bool falls(Voice& voice) {
+    return support::waitFor([&] {
+      voice.advance();
+      return !voice.speaks();
+    });
+  }
+
+  const support::TemporaryFolder folder;
+};
+
+TEST_F(TrainingVoice, NeverWaitsAndSaysTheNewestNext) {
+  Voice voice(speaker(0.3));
+  const auto began = std::chrono::steady_clock::now();
+  for (const char* sentence : {"one", "two", "three"}) voice.say(sentence);
+  EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::milliseconds(200));
+  ASSERT_TRUE(falls(voice));
+  EXPECT_EQ(said(), (std::vector<std::string>{"one", "three"}));
+}
+
+TEST_F(TrainingVoice, GivesASentenceToNoShell) {
+  Voice voice(speaker(0.0));
+  voice.say("$(touch stolen); `touch stolen` \"quoted\"");
+  ASSERT_TRUE(falls(voice));
+  EXPECT_EQ(said(), (std::vector<std::string>{"$(touch stolen); `touch stolen` \"quoted\""}));
+}
+
+TEST_F(TrainingVoice, IsSilentWithoutAProgramAndWhenSwitchedOff) {
+  Voice silent(std::nullopt);
+  silent.say("nothing");
+  EXPECT_FALSE(silent.speaks());
+  ::setenv("PALPATE_SPEECH", "off", 1);
+  EXPECT_EQ(speechProgram(), std::nullopt);
+  ::setenv("PALPATE_SPEECH", "/no/such/program", 1);
+  EXPECT_EQ(speechProgram(), std::nullopt);
+  ::setenv("PALPATE_SPEECH", speaker(0.0).c_str(), 1);
+  EXPECT_EQ(speechProgram(), (folder / "speaker").string());
+  ::unsetenv("PALPATE_SPEECH");
+}
+
+TEST(TrainingSpeech, SaysSignsInWords) {
+  EXPECT_EQ(asSpoken("about 18 % (13–25 %)."), "about 18 per cent (13 to 25 per cent).");
+}
+
+// --- in the window
+
+constexpr int kWidth = 640;
+constexpr int kHeight = 480;
+
+/// A torso that is soon built, the same for all tests.
+std::shared_ptr<const scene::World> smallTorso() {
+  static const auto world = [] {
+    scene::Scene scene = scene::parse("[body]\ntriangles = 8164\n", "training.toml");
+    scene.file.clear();
+    return scene::build(scene);
+  }();
+  return world;
+}
+
+/// Somebody at a training window: keys, frames, and what is in the record.
+class TrainingSeat {
+ public:
+  explicit TrainingSeat(const std::filesystem::path& records, std::optional<SittingKind> kind = {},
+                        const training::Protocol& protocol = training::builtInProtocol(),
+                        const std::optional<classroom::Member>& member = {}) {
+    ViewerSettings settings;
+    settings.intro = false;
+    settings.output_folder = records.parent_path();
+    settings.training.emplace();
+    settings.training->records = records;
+    settings.training->protocol = protocol;
+    settings.training->seed = 5;
+    settings.training->desk = {.class_id = member ? member->class_id : "", .code = someCode(), .kind = kind};
+    settings.training->member = member;
+    ViewState state;
+    state.look.shading = view::Shading::gouraud;  // quick to draw
+    viewer = std::make_unique<Viewer>(smallTorso(), state, std::move(settings));
+    frames(3);
+  }
+
+  void frame(const std::vector<window::InputEvent>& events = {}) {
+    viewer->frame(kWidth, kHeight, 1.0, now_s += 1.0 / 60.0, events);
+  }
+  void frames(int count) {
+    for (int i = 0; i < count; ++i) frame();
+  }
+  void key(Key k, window::Modifiers modifiers = {}) {
+    window::InputEvent event = pressOf(k, modifiers);
+    frame({event});
+    event.down = false;
+    frame({event});
+    frame();
+  }
+  void text(const std::string& letters) {
+    window::InputEvent event;
+    event.kind = window::InputEvent::Kind::text;
+    event.text = letters;
+    frame({event});
+    frame();
+  }
+  template <class Ready>
+  bool until(const Ready& ready) {
+    return support::waitFor([&] {
+      frame();
+      return ready();
+    });
+  }
+  bool settled() {
+    frame();
+    return until([this] { return !viewer->training()->waiting(); });
+  }
+  void comeIn() {
+    for (int i = 0; i < 3; ++i) key(Key::enter);  // new here, agrees, left hand
+  }
+  /// Past device check and familiarisation, into the first trial.
+  bool begin() {
+    if (!settled()) return false;
+    pick(4);
+    key(window::key('T'));
+    if (!until([this] { return words().find("Your device works") != std::string::npos; })) return false;
+    key(Key::space);
+    if (!settled()) return false;
+    key(Key::space);
+    if (!settled()) return false;
+    key(Key::space);
+    return settled() && sitting().screen() == Screen::trial;
+  }
+  void pick(int site) {
+    key(Key::backspace);
+    text(std::to_string(site));
+  }
+  /// Until its dot is filled.
+  bool press(int site) {
+    pick(site);
+    key(Key::space);
+    const bool filled = until([&] { return sitting().visited(site); });
+    key(Key::space);
+    return filled;
+  }
+  /// Taken at the second time, when nothing was pressed.
+  void answer(int site) {
+    const std::size_t before = sitting().trials().size();
+    for (int i = 0; i < 2 && sitting().trials().size() == before; ++i) {
+      pick(site);
+      key(Key::enter);
+    }
+  }
+
+  std::string words() const {
+    std::string all;
+    for (const std::string& part : wordsOf(viewer->training()->screen())) all += part + "\n";
+    return all;
+  }
+  const training::Sitting& sitting() const { return *viewer->training()->sitting(); }
+
+  const view::OffscreenContext context;
+  std::unique_ptr<Viewer> viewer;
+  double now_s = 0.0;
+};
+
+class TrainingWindow : public testing::Test {
+ protected:
+  std::vector<training::TrialRow> keptTrials() {
+    training::Store store(records, training::Store::Open::existing);
+    std::vector<training::TrialRow> trials;
+    for (const auto& sitting : store.sittings()) {
+      for (const auto& block : store.blocks(sitting.id)) {
+        for (auto& trial : store.trials(block.id)) trials.push_back(std::move(trial));
+      }
+    }
+    return trials;
+  }
+
+  const support::TemporaryFolder folder;
+  const std::filesystem::path records = folder / "class.results";
+};
+
+TEST_F(TrainingWindow, HidesThePlaceInTheBodyBeforeTheClockOfTheTrialBegins) {
+  TrainingSeat stage(records, SittingKind::practice);
+  stage.comeIn();
+  ASSERT_TRUE(stage.begin());
+  const auto hidden = stage.sitting().hidden();
+  const auto& dysfunctions = stage.viewer->world().scene.dysfunctions;
+  ASSERT_EQ(dysfunctions.size(), 1u);
+  const training::Site* site = stage.sitting().plan().sites.numbered(hidden->site);
+  EXPECT_NEAR(dysfunctions.front().x_mm, site->place_mm.x(), 1e-9);
+  EXPECT_NEAR(dysfunctions.front().y_mm, site->place_mm.y(), 1e-9);
+  ASSERT_TRUE(stage.press(2));
+  stage.answer(hidden->site);
+  ASSERT_EQ(stage.sitting().screen(), Screen::feedback);
+  stage.key(Key::space);
+  ASSERT_TRUE(stage.viewer->training()->waiting()) << "each trial has a body of its own";
+  EXPECT_NE(stage.words().find(kOneMoment), std::string::npos);
+  EXPECT_FALSE(stage.viewer->training()->screen().time_left);
+  ASSERT_TRUE(stage.settled());
+  EXPECT_GT(stage.viewer->training()->screen().time_left.value_or(0.0), 0.98);
+}
+
+TEST_F(TrainingWindow, InASmallWindowEverySiteAndEveryWordAboutKeysIsInSight) {
+  TrainingSeat stage(records, SittingKind::practice);
+  stage.comeIn();
+  ASSERT_TRUE(stage.begin());
+  stage.frame();
+  const WidgetPlaces& places = widgetPlaces();
+  constexpr float kColumnLeft = kWidth - 300.0f;
+  for (int site = 1; site <= 12; ++site) {
+    const auto tag = places.at(fmt::format("training/tag/{}", site));
+    EXPECT_GE(tag[0], 0.0f) << site;
+    EXPECT_LE(tag[2], kColumnLeft) << site;
+    EXPECT_GE(places.at(fmt::format("training/site/{}", site))[0], kColumnLeft) << site;
+  }
+  EXPECT_LE(places.at("training/keys")[3], kHeight);
+  EXPECT_LE(places.at("training/button/2")[3], places.at("training/keys")[1]);
+}
+
+TEST_F(TrainingWindow, KeepsEachAnswerAtOnceWithItsTicksInTheSessionFile) {
+  training::TrialRow kept;
+  training::Uuid sitting;
+  {
+    TrainingSeat stage(records, SittingKind::practice);
+    stage.comeIn();
+    ASSERT_TRUE(stage.begin());
+    ASSERT_TRUE(stage.press(2));
+    stage.answer(2);
+    ASSERT_EQ(keptTrials().size(), 1u) << "before the next screen, not at the end";
+    kept = keptTrials().front();
+    sitting = kept.sitting;
+    stage.viewer->finish();
+  }
+  EXPECT_EQ(kept.site_answer, 2);
+  ASSERT_EQ(kept.visits.size(), 1u);
+  EXPECT_EQ(kept.visits.front().site, 2);
+  training::Store store(records, training::Store::Open::existing);
+  const auto row = store.sittings().front();
+  EXPECT_TRUE(row.file.ends_with(".locked")) << row.file;
+  EXPECT_EQ(row.device, "mouse");
+  EXPECT_GT(row.end_ms, row.start_ms);
+  const training::OpenedSession opened = training::SessionFiles(store).open(row);
+  trace::SessionReader reader(opened.file());
+  EXPECT_LT(kept.file_tick0, kept.file_tick1);
+  double peak_n = 0.0;
+  reader.forEachTick({kept.file_tick0, kept.file_tick1}, [&](std::span<const trace::Sample> fingers) {
+    for (const trace::Sample& sample : fingers) peak_n = std::max(peak_n, sample.contact.force.norm());
+    return true;
+  });
+  EXPECT_NEAR(peak_n, kept.peak_force_n, 1e-6) << "the file has what the trial was about";
+}
+
+TEST_F(TrainingWindow, OfAClassSaysAnewWhoSitsAndForHowLongThingsAreKept) {
+  classroom::ClassPlan plan;
+  plan.class_id = "osteo-1";
+  plan.port = 1;  // where no broker listens
+  plan.retention = {.days = 30, .samples_days = 10};
+  const classroom::ClassFolder made = classroom::makeClassFolder(folder / "class", plan);
+  const training::TraineeRow known{training::pseudonymOf("osteo-1", someCode()), "osteo-1", 1, "left", true, ""};
+  {  // was here years ago, and the class knows all of it
+    training::Store store(records, training::Store::Open::create_too);
+    store.keep(known);
+    store.fillOutbox(true);
+    for (const training::OutboxEntry& entry : store.waiting(100)) store.acknowledged({&entry.row, 1});
+  }
+  {
+    TrainingSeat stage(records, SittingKind::practice, training::builtInProtocol(),
+                       classroom::readMember(made.station("s01")));
+    ASSERT_TRUE(stage.settled());
+    stage.viewer->finish();
+  }
+  training::Store store(records, training::Store::Open::existing);
+  const training::ClassRow kept = store.classes().at(0);
+  EXPECT_EQ(kept.retain_days, 30);
+  EXPECT_EQ(kept.retain_samples_days, 10);
+  std::vector<std::string> waiting;
+  for (const training::OutboxEntry& entry : store.waiting(100)) waiting.push_back(entry.kind);
+  const auto trainee = std::ranges::find(waiting, "trainee");
+  EXPECT_NE(trainee, waiting.end());
+  EXPECT_LT(trainee, std::ranges::find(waiting, "session")) << "before what refers to it";
+}
+
+TEST_F(TrainingWindow, GoesOnWithABlockWhereItStopped) {
+  {
+    TrainingSeat stage(records, SittingKind::practice);
+    stage.comeIn();
+    ASSERT_TRUE(stage.begin());
+    stage.answer(1);
+    stage.key(Key::space);
+    ASSERT_TRUE(stage.settled());
+    EXPECT_EQ(stage.sitting().trialNumber(), 2);
+    stage.viewer->finish("SIGTERM");
+  }
+  TrainingSeat again(records);
+  EXPECT_NE(again.words().find("Goes on where it stopped."), std::string::npos);
+  again.key(Key::enter);  // it is what is suggested
+  ASSERT_TRUE(again.begin());
+  EXPECT_EQ(again.sitting().trialNumber(), 2);
+}
+
+TEST_F(TrainingWindow, NothingIsLostWhileTheRecordCannotBeWritten) {
+  TrainingSeat stage(records, SittingKind::pre_test);
+  stage.comeIn();
+  ASSERT_TRUE(stage.begin());
+  {
+    trace::Database other(records, trace::Database::Mode::write);
+    other.run("BEGIN IMMEDIATE");
+    stage.answer(3);
+    EXPECT_TRUE(stage.viewer->training()->screen().trouble);
+    stage.key(Key::enter);
+    EXPECT_TRUE(stage.viewer->training()->screen().trouble) << "nothing goes on";
+    other.run("COMMIT");
+  }
+  stage.key(Key::enter);
+  EXPECT_FALSE(stage.viewer->training()->screen().trouble) << stage.words();
+  ASSERT_EQ(keptTrials().size(), 1u);
+  EXPECT_EQ(keptTrials().front().site_answer, 3);
+}
+
+TEST_F(TrainingWindow, NothingOfTheWindowCanBeReachedThatWouldTellMoreThanTheFinger) {
+  TrainingSeat stage(records, SittingKind::pre_test);
+  stage.comeIn();
+  ASSERT_TRUE(stage.begin());
+  const std::string before = stage.words();
+  for (const window::KeyBinding& binding : window::keyTable()) {
+    using window::Action;
+    if (binding.action == Action::cancel || binding.action == Action::quit ||
+        binding.action == Action::emergency_stop || binding.action == Action::hold ||
+        binding.action == Action::show_planes || binding.action == Action::screenshot ||
+        binding.action == Action::screenshot_with_pop_ups) {
+      continue;  // leaving, answering, pausing, stopping: tested by themselves
+    }
+    stage.key(binding.chord.key, binding.chord.modifiers);
+  }
+  window::InputEvent drop;
+  drop.kind = window::InputEvent::Kind::drop;
+  drop.text = "another.toml";
+  stage.frame({drop});
+  stage.frames(3);
+  const Session& session = stage.viewer->session();
+  EXPECT_EQ(session.state.look.overlays.count(), 0u);
+  EXPECT_EQ(session.state.look.colouring, view::Colouring::plain);
+  EXPECT_FALSE(session.editor.active);
+  EXPECT_FALSE(session.measuring.open);
+  EXPECT_FALSE(session.state.shown.help);
+  EXPECT_FALSE(session.replay.frozen);
+  EXPECT_FALSE(session.opening);
+  for (const auto& [path, place] : widgetPlaces()) EXPECT_TRUE(path.starts_with("training/")) << path;
+  EXPECT_EQ(stage.sitting().screen(), Screen::trial);
+}
+
+TEST_F(TrainingWindow, WhileItIsPausedThereIsNothingToBeFound) {
+  TrainingSeat stage(records, SittingKind::pre_test);
+  stage.comeIn();
+  ASSERT_TRUE(stage.begin());
+  stage.key(window::key('P'));
+  ASSERT_TRUE(stage.settled());
+  EXPECT_TRUE(stage.viewer->world().scene.dysfunctions.empty());
+  const double left = stage.sitting().secondsLeft({.s = 0.0});
+  EXPECT_GT(left, 0.0);
+  stage.key(window::key('P'));
+  ASSERT_TRUE(stage.settled());
+  EXPECT_EQ(stage.viewer->world().scene.dysfunctions.size(), 1u);
+  EXPECT_FALSE(stage.sitting().paused());
+}
+
+TEST_F(TrainingWindow, ClosingItInABlockAsksFirst) {
+  TrainingSeat stage(records, SittingKind::practice);
+  stage.comeIn();
+  ASSERT_TRUE(stage.begin());
+  stage.viewer->session().wish(Wish::Kind::quit);
+  stage.frames(2);
+  EXPECT_FALSE(stage.viewer->wantsToQuit());
+  EXPECT_NE(stage.words().find("Leave now?"), std::string::npos);
+  stage.key(Key::enter);  // stay
+  EXPECT_EQ(stage.sitting().screen(), Screen::trial);
+  stage.key(Key::escape);
+  stage.key(Key::right);
+  stage.key(Key::enter);
+  EXPECT_FALSE(stage.viewer->wantsToQuit()) << "to leave a sitting is not to close the window";
+  EXPECT_EQ(stage.viewer->training()->sitting(), nullptr);
+  stage.viewer->session().wish(Wish::Kind::quit);
+  stage.frames(2);
+  EXPECT_TRUE(stage.viewer->wantsToQuit());
+}
+
+TEST_F(TrainingWindow, NeedsABodyThatHasThePlacesOfItsProtocol) {
+  training::Protocol protocol = training::builtInProtocol();
+  protocol.sites = {"no such place", "T6"};
+  ASSERT_NE(smallTorso(), nullptr);
+  EXPECT_THROW(TrainingSeat(records, SittingKind::practice, protocol), Error);
+}
+
+}  // namespace
+}  // namespace palpate::viewer

@@ -1,0 +1,139 @@
+// What any database of the records must do, SQLite or PostgreSQL: called by the tests of both with empty tables.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "palpate/training/records/row_tables.h"
+#include "support/error_message.h"
+#include "teach/tests/training/records_samples.h"
+
+namespace palpate::training::suite {
+
+inline void keepAll(RowTables& tables, const std::vector<AnyRow>& rows) {
+  SqlTransaction transaction(tables.sql());
+  for (const AnyRow& row : rows) tables.keep(row);
+  transaction.commit();
+}
+
+inline std::vector<std::string> sorted(std::vector<std::string> texts) {
+  std::ranges::sort(texts);
+  return texts;
+}
+
+/// Bit for bit, whichever order, and no more after keeping them again.
+inline void rowsComeBack(RowTables& tables) {
+  const samples::History history = samples::history(3, 2, 12);
+  for (int time = 0; time < 2; ++time) {
+    keepAll(tables, history.rows);
+    EXPECT_EQ(sorted(samples::saidAll(tables.all())), sorted(samples::saidAll(history.rows)));
+  }
+  EXPECT_EQ(tables.trialCount(), static_cast<std::int64_t>(history.trials));
+  const auto& trial = std::get<TrialRow>(history.rows[6]);
+  ASSERT_TRUE(tables.trial(trial.id));
+  EXPECT_EQ(rowJson(*tables.trial(trial.id)), rowJson(trial));
+  EXPECT_FALSE(tables.trial("no id at all"));
+}
+
+inline void rowsAreBroughtUpToDate(RowTables& tables) {
+  samples::History history = samples::history(1, 1, 2);
+  keepAll(tables, history.rows);
+  auto sitting = std::get<SittingRow>(history.rows[4]);
+  auto block = std::get<BlockRow>(history.rows[5]);
+  auto trial = std::get<TrialRow>(history.rows[6]);
+  sitting.end_ms += 5;
+  sitting.file = "sessions/x.session.locked";
+  block.state_json = R"({"seed":"7","outcomes":[1]})";
+  block.level = 0.07;
+  trial.visits.resize(1);
+  keepAll(tables, {sitting, block, trial});
+  EXPECT_EQ(rowJson(*tables.sitting(sitting.id)), rowJson(sitting));
+  EXPECT_EQ(rowJson(*tables.block(block.id)), rowJson(block));
+  EXPECT_EQ(rowJson(*tables.trial(trial.id)), rowJson(trial));
+}
+
+inline void findsWhatWasInterruptedAndMeasured(RowTables& tables) {
+  const TraineeRow who = samples::trainee();
+  const SittingRow first = samples::sitting(who, 1), second = samples::sitting(who, 2),
+                   practice = samples::sitting(who, 3, SittingKind::practice);
+  BlockRow measured = samples::block(first, 1), stopped = samples::block(second, 2),
+           practised = samples::block(practice, 3);
+  stopped.finished = false;
+  keepAll(tables,
+          {samples::station(), samples::protocol(), who, first, second, practice, measured, stopped, practised});
+  ASSERT_TRUE(tables.interrupted(who.id, SittingKind::pre_test));
+  EXPECT_EQ(tables.interrupted(who.id, SittingKind::pre_test)->block.id, stopped.id);
+  EXPECT_EQ(tables.interrupted(who.id, SittingKind::pre_test)->sitting.id, second.id);
+  EXPECT_FALSE(tables.interrupted(who.id, SittingKind::practice));
+  EXPECT_FALSE(tables.interrupted(samples::trainee("B").id, SittingKind::pre_test));
+  ASSERT_TRUE(tables.lastMeasured(who.id));
+  EXPECT_EQ(tables.lastMeasured(who.id)->id, measured.id);  // neither the interrupted nor the practice
+  stopped.finished = true;
+  keepAll(tables, {stopped});
+  EXPECT_FALSE(tables.interrupted(who.id, SittingKind::pre_test));
+  EXPECT_EQ(tables.lastMeasured(who.id)->id, stopped.id);
+}
+
+/// Each row that must not be kept, and what is said of it.
+inline void refusesWhatDoesNotFit(RowTables& tables) {
+  const samples::History history = samples::history(1, 1, 3);
+  keepAll(tables, history.rows);
+  const std::vector<std::string> before = samples::saidAll(tables.all());
+  const auto refused = [&](const AnyRow& row) {
+    return support::messageOf([&] {
+      SqlTransaction transaction(tables.sql());
+      tables.keep(row);
+      transaction.commit();
+    });
+  };
+  auto trial = std::get<TrialRow>(history.rows[6]);
+  trial.id = samples::id(9, 1);
+  EXPECT_NE(refused(trial).find("cannot be kept"), std::string::npos) << "the number is taken";
+  trial.number = 99;
+  trial.block = samples::id(9, 2);
+  EXPECT_NE(refused(trial).find("before its block"), std::string::npos);
+  trial.block = "x";
+  EXPECT_NE(refused(trial).find("'block_id' is no UUID"), std::string::npos);
+  trial.block = std::get<TrialRow>(history.rows[6]).block;
+  trial.change = 1.5;
+  EXPECT_NE(refused(trial).find("'change' is 1.5"), std::string::npos);
+  auto sitting = std::get<SittingRow>(history.rows[4]);
+  sitting.id = samples::id(9, 3);
+  sitting.trainee = samples::trainee("nobody").id;
+  EXPECT_NE(refused(sitting).find("before its trainee"), std::string::npos);
+  EXPECT_EQ(samples::saidAll(tables.all()), before);
+}
+
+inline void erasesOneAndLeavesTheOthers(RowTables& tables) {
+  const samples::History history = samples::history(3, 2, 5);
+  keepAll(tables, history.rows);
+  const Uuid gone = history.trainees[1].id;
+  std::vector<std::string> others;
+  for (const std::string& text : samples::saidAll(tables.all())) others.push_back(text);
+  EXPECT_TRUE(tables.erase(gone));
+  EXPECT_FALSE(tables.erase(gone));
+  const std::vector<std::string> left = samples::saidAll(tables.all());
+  EXPECT_EQ(left.size(), others.size() - 1 - 2 * (1 + 1 + 5 + 1));
+  EXPECT_TRUE(std::ranges::all_of(
+      left, [&](const std::string& text) { return std::ranges::find(others, text) != others.end(); }));
+  EXPECT_EQ(tables.sql().number("SELECT count(*) FROM site_visit WHERE trial_id NOT IN (SELECT id FROM trial)"), 0);
+}
+
+struct Case {
+  const char* name;
+  void (*run)(RowTables&);
+};
+inline const std::vector<Case>& cases() {
+  static const std::vector<Case> all = {{"RowsComeBack", rowsComeBack},
+                                        {"RowsAreBroughtUpToDate", rowsAreBroughtUpToDate},
+                                        {"FindsWhatWasInterruptedAndMeasured", findsWhatWasInterruptedAndMeasured},
+                                        {"RefusesWhatDoesNotFit", refusesWhatDoesNotFit},
+                                        {"ErasesOneAndLeavesTheOthers", erasesOneAndLeavesTheOthers}};
+  return all;
+}
+
+}  // namespace palpate::training::suite

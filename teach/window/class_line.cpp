@@ -1,0 +1,36 @@
+#include "teach/window/class_line.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace palpate::viewer {
+
+void ClassLine::felt(const trace::Sample& sample) {
+  const bool newer = sample.tick > pressing_.tick;
+  if (newer || sample.contact.force.norm() > pressing_.contact.force.norm()) pressing_ = sample;
+}
+
+void ClassLine::follow(const training::Sitting* sitting) {
+  if (sitting == nullptr) {
+    if (std::exchange(told_, false)) link_.clearState();
+    seen_.reset();
+    return;
+  }
+  const Seen now{sitting->screen(), sitting->trialNumber(), sitting->paused()};
+  if (seen_ != now) {
+    seen_ = now;
+    told_ = true;
+    link_.publishState(classroom::stateOf(*sitting));
+  }
+  const auto& sites = sitting->plan().sites.sites;
+  const auto pressed =
+      std::ranges::count_if(sites, [&](const training::Site& site) { return sitting->visited(site.number); });
+  link_.publishLive({.finger_mm = pressing_.contact.tip,
+                     .force_n = pressing_.contact.force.norm(),
+                     .depth_mm = pressing_.contact.depth_mm,
+                     .site = sitting->touchedSite(),
+                     .sites_pressed = static_cast<int>(pressed),
+                     .phase = sitting->screen()});
+}
+
+}  // namespace palpate::viewer

@@ -1,0 +1,254 @@
+#include "teach/window/screen_tour.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+#include <utility>
+
+#include "view/viewer/panels/widgets.h"
+#include "view/viewer/viewer.h"
+#include "palpate/base/error.h"
+#include "palpate/base/private_folder.h"
+#include "palpate/training/records/trainee_code.h"
+#include "palpate/view/image.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+namespace fs = std::filesystem;
+using training::Screen;
+using window::Key;
+
+/// Longer than a body is built and a press lasts, s.
+constexpr double kPatienceS = 60.0;
+constexpr double kTourFrameS = 1.0 / 60.0;
+/// So that the same pictures show the same trials.
+constexpr std::uint64_t kTourSeed = 7;
+constexpr std::uint64_t kTourCode = 0x1234567;
+
+/// One that is gone afterwards, with all that was answered.
+class RecordsOfNobody {
+ public:
+  fs::path file() const { return folder_.path() / "nobody.results"; }
+
+ private:
+  TemporaryFolder folder_{"palpate-tour"};
+};
+
+class Tour {
+ public:
+  Tour(const std::shared_ptr<const scene::World>& world, const TourSettings& settings) : settings_(settings) {
+    ViewerSettings of_viewer;
+    of_viewer.intro = false;
+    of_viewer.output_folder = settings.folder;
+    of_viewer.training.emplace();
+    of_viewer.training->records = records_.file();
+    of_viewer.training->protocol = settings.protocol;
+    of_viewer.training->seed = kTourSeed;
+    viewer_ = std::make_unique<Viewer>(world, settings.state, std::move(of_viewer));
+    frames(3);
+  }
+
+  std::vector<fs::path> go() {
+    fs::create_directories(settings_.folder);
+    frontDesk();
+    practice();
+    test();
+    free();
+    return std::move(files_);
+  }
+
+ private:
+  void frontDesk() {
+    take("welcome");
+    text("7Q2MK-9DX");
+    key(Key::enter);
+    take("typing-error");
+    for (int i = 0; i < 9; ++i) key(Key::backspace);
+    text(training::codeOf(kTourCode));
+    key(Key::enter);
+    take("new-code");
+    key(Key::enter);
+    take("what-is-kept");
+    key(Key::enter);
+    take("hand");
+    key(Key::right);
+    key(Key::enter);
+    take("choice");
+  }
+
+  void practice() {
+    choose(training::SittingKind::practice);
+    take("device-check");
+    pressSite(4);
+    key(Key::enter);
+    settle();
+    pressSite(4);
+    take("familiarisation");
+    key(kKeyT);
+    key(Key::space);
+    take("instruction");
+    key(Key::space);
+    settle();
+    for (const int site : {1, 2, 3, 9}) pressSite(site, true);
+    take("practice-trial");
+    answer(truth());
+    take("right");
+    key(Key::space);
+    settle();
+    answer(truth() % 12 + 1);
+    settle();
+    take("wrong");
+    key(Key::space);
+    settle();
+    key(window::key('P'));
+    take("paused");
+    key(Key::escape);
+    take("leaving");
+    key(Key::right);
+    key(Key::enter);
+    take("choice-again");
+  }
+
+  void test() {
+    choose(training::SittingKind::pre_test);
+    settle();
+    key(Key::space);
+    settle();
+    for (const int site : {1, 2, 7}) pressSite(site, true);
+    key(Key::backspace);
+    text("7");
+    take("test-trial");
+    key(Key::enter);
+    take("not-pressed-yet");
+    key(Key::enter);
+    settle();
+    take("answer-saved");
+    while (screen() == Screen::trial) {
+      answer(truth());
+      settle();
+    }
+    take("test-summary");
+    key(Key::space);
+    take("finished");
+    key(Key::space);
+  }
+
+  void free() {
+    choose(training::SittingKind::free);
+    settle();
+    take("free-exploration");
+    key(Key::enter);
+    settle();
+    key(Key::enter);
+  }
+
+  // --- hands
+
+  Screen screen() const { return viewer_->training()->sitting()->screen(); }
+  int truth() const { return viewer_->training()->sitting()->hidden()->site; }
+
+  void frame(const std::vector<window::InputEvent>& events = {}) {
+    viewer_->frame(settings_.width, settings_.height, 1.0, now_s_ += kTourFrameS, events);
+  }
+  void frames(int count) {
+    for (int i = 0; i < count; ++i) frame();
+  }
+
+  /// Frames until it is so.
+  template <class Ready>
+  void until(const Ready& ready, const char* what) {
+    for (const auto end = now_s_ + 60.0 * kPatienceS; !ready();) {
+      if (now_s_ > end) throw Error(fmt::format("the tour of screens waits in vain for {}", what));
+      frame();
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+  }
+  void settle() {
+    frames(2);
+    until([this] { return !viewer_->training()->waiting(); }, "the body of a trial");
+    frames(2);
+  }
+
+  void key(Key k) {
+    window::InputEvent event;
+    event.kind = window::InputEvent::Kind::key;
+    event.key = k;
+    event.time_s = now_s_;
+    event.down = true;
+    frame({event});
+    event.down = false;
+    frame({event});
+    frames(2);
+  }
+  void text(const std::string& letters) {
+    window::InputEvent event;
+    event.kind = window::InputEvent::Kind::text;
+    event.text = letters;
+    frame({event});
+    frames(2);
+  }
+
+  void choose(training::SittingKind kind) {
+    const std::string name = nameOfKind(kind);
+    for (std::size_t i = 0; i < 10; ++i) {
+      const TrainingScreen& shown = viewer_->training()->screen();
+      if (shown.buttons[shown.focus].label == name) break;
+      key(Key::down);
+    }
+    key(Key::enter);
+    settle();
+  }
+
+  void answer(int site) {
+    settle();
+    for (int i = 0; i < 2 && screen() == Screen::trial; ++i) {
+      const int before = viewer_->training()->sitting()->trialNumber();
+      key(Key::backspace);
+      text(fmt::format("{}", site));
+      key(Key::enter);
+      if (screen() != Screen::trial || viewer_->training()->sitting()->trialNumber() != before) return;
+    }
+  }
+
+  /// With the keyboard's finger, until the dot is filled or for a moment.
+  void pressSite(int site, bool lifts = false) {
+    const bool trial = viewer_->training()->screen().picks_sites;
+    key(Key::backspace);
+    text(fmt::format("{}", site));
+    key(trial ? Key::space : kKeyT);
+    const auto end = now_s_ + 2.0;
+    const auto pressed = [&] { return viewer_->training()->sitting()->visited(site); };
+    while (now_s_ < end && !(trial && pressed())) {
+      frame();
+      std::this_thread::sleep_for(std::chrono::milliseconds(16));
+    }
+    if (lifts) key(trial ? Key::space : kKeyT);
+  }
+
+  void take(const std::string& name) {
+    frames(2);
+    fs::path file = settings_.folder / fmt::format("{:02}-{}.png", files_.size() + 1, name);
+    view::writePng(file, viewer_->target().read());
+    files_.push_back(std::move(file));
+  }
+
+  static constexpr Key kKeyT = window::key('T');
+  const TourSettings& settings_;
+  const RecordsOfNobody records_;
+  const view::OffscreenContext context_;
+  std::unique_ptr<Viewer> viewer_;
+  double now_s_ = 0.0;
+  std::vector<fs::path> files_;
+};
+
+}  // namespace
+
+std::vector<fs::path> tourScreens(const std::shared_ptr<const scene::World>& world, const TourSettings& settings) {
+  return Tour(world, settings).go();
+}
+
+}  // namespace palpate::viewer

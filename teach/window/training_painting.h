@@ -1,0 +1,33 @@
+// Puts a TrainingScreen where it belongs: words and buttons in points, marks of sites where the camera sees them.
+//
+//   TrainingScreen, places of the sites ─ paintTraining ─► ImGui, in a frame that has begun ─► what was clicked
+//
+// Everything grows with the text size of the window. It decides nothing: all words are the screen's.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "teach/window/training_screen.h"
+#include "palpate/base/vec.h"
+
+namespace palpate::viewer {
+
+struct TrainingClick {
+  TrainingAct act = TrainingAct::none;
+  int value = 0;
+};
+
+/// Where each site of the screen is seen, points, in their order; nothing: it is on the far side.
+struct SeenSite {
+  std::optional<Vec2> at;
+  bool tag_left = false;  ///< its number stands on the left of it
+};
+
+/// Beside the body stands a column this wide, points; above it a strip as high as its words need, at most this.
+inline constexpr float kTrainingColumn = 300.0f;
+inline constexpr float kTrainingStrip = 96.0f;
+
+TrainingClick paintTraining(const TrainingScreen& screen, const std::vector<SeenSite>& sites);
+
+}  // namespace palpate::viewer

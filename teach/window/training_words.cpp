@@ -1,0 +1,334 @@
+#include "teach/window/training_words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "palpate/training/wording.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+using training::Screen;
+using training::SittingKind;
+
+/// A device that gives this share of the forces, or more, gives them whole.
+constexpr double kWholeForce = 0.995;
+
+constexpr const char* kCardKeys = "Arrow keys choose, Enter takes, Esc goes back.";
+
+TrainingButton button(TrainingAct act, std::string label, std::string line = {}) {
+  return {.act = act, .label = std::move(label), .line = std::move(line)};
+}
+
+std::string withCapitalLetter(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
+
+// --- the front desk
+
+TrainingScreen signInScreen(const TrainingView& view) {
+  TrainingScreen screen;
+  screen.title = "Welcome";
+  screen.lines = {"Type the code on your card, then press Enter."};
+  screen.entry = TrainingScreen::Entry{"Code", view.typed};
+  screen.buttons = {button(TrainingAct::sign_in, "Sign in"),
+                    button(TrainingAct::make_code, "I have no code", "Makes one for you to write down.")};
+  screen.keys = "Letters and digits type, Enter signs in.";
+  return screen;
+}
+
+TrainingScreen newCodeScreen(const TrainingView& view) {
+  TrainingScreen screen;
+  screen.title = "This code is new here. Go on?";
+  screen.entry = TrainingScreen::Entry{"Code", view.code};
+  screen.lines = {"Is it the one on your card?"};
+  screen.buttons = {button(TrainingAct::yes, "Yes, go on"), button(TrainingAct::no, "No, type it again")};
+  screen.keys = kCardKeys;
+  return screen;
+}
+
+TrainingScreen ownCodeScreen(const TrainingView& view) {
+  TrainingScreen screen;
+  screen.title = "This is your code";
+  screen.entry = TrainingScreen::Entry{"Code", view.code};
+  screen.lines = {"Write it down and keep it. It is the only way back to your results."};
+  screen.buttons = {button(TrainingAct::yes, "I have written it down"), button(TrainingAct::no, "Back")};
+  screen.keys = kCardKeys;
+  return screen;
+}
+
+TrainingScreen consentScreen(const TrainingView& view) {
+  TrainingScreen screen;
+  screen.title = "What is kept";
+  screen.lines = {"Kept: your answers, their times, and how the finger moved and pressed.",
+                  "Not kept: your name, your mail, your date of birth. A code stands for you.",
+                  "Your teacher sees the results of your code. You may have all of it deleted at any time."};
+  screen.buttons = {button(TrainingAct::yes, "I agree"), button(TrainingAct::no, "I do not agree", "Nothing is kept.")};
+  screen.corner = view.code;
+  screen.keys = kCardKeys;
+  return screen;
+}
+
+TrainingScreen handScreen(const TrainingView& view) {
+  TrainingScreen screen;
+  screen.title = "Which hand do you write with?";
+  screen.buttons = {button(TrainingAct::choose, "Left"), button(TrainingAct::choose, "Right"),
+                    button(TrainingAct::choose, "I would rather not say")};
+  for (std::size_t i = 0; i < screen.buttons.size(); ++i) screen.buttons[i].value = static_cast<int>(i);
+  screen.corner = view.code;
+  screen.keys = kCardKeys;
+  return screen;
+}
+
+TrainingScreen choiceScreen(const TrainingView& view) {
+  TrainingScreen screen;
+  screen.title = "What would you like to do?";
+  for (std::size_t i = 0; i < view.offers.size(); ++i) {
+    const Offer& offer = view.offers[i];
+    screen.buttons.push_back({.act = TrainingAct::choose,
+                              .value = static_cast<int>(i),
+                              .label = offer.name,
+                              .line = offer.line,
+                              .badge = offer.suggested ? "suggested" : "",
+                              .enabled = offer.enabled});
+  }
+  screen.buttons.push_back(button(TrainingAct::sign_out, "Sign out"));
+  screen.corner = view.code;
+  screen.keys = kCardKeys;
+  return screen;
+}
+
+TrainingScreen thimbleScreen(const TrainingView& view) {
+  TrainingScreen screen;
+  screen.title = "What touches your finger?";
+  screen.lines = {fmt::format("The device is {}. Results belong to what you feel with.", view.device)};
+  for (std::size_t i = 0; i < kThimbles.size(); ++i) {
+    screen.buttons.push_back({.act = TrainingAct::choose,
+                              .value = static_cast<int>(i),
+                              .label = std::string(kThimbles[i].name),
+                              .line = std::string(kThimbles[i].line)});
+  }
+  screen.corner = view.code;
+  screen.keys = kCardKeys;
+  return screen;
+}
+
+// --- a sitting
+
+void addSites(const TrainingView& view, TrainingScreen& screen) {
+  const training::Sitting& sitting = *view.sitting;
+  const bool asks = sitting.screen() == Screen::trial && !view.waiting;
+  const int truth = sitting.feelsTruth() && sitting.hidden() ? sitting.hidden()->site : 0;
+  for (const training::Site& site : sitting.plan().sites.sites) {
+    SiteMark mark{.number = site.number};
+    mark.pressed = asks && sitting.visited(site.number);
+    mark.picked = view.picked == site.number && !view.waiting;
+    mark.touched = sitting.touchedSite() == site.number && !view.waiting;
+    mark.is_true = truth == site.number;
+    screen.sites.push_back(mark);
+  }
+  screen.picks_sites = asks;
+  if (truth != 0) screen.mark_word = "feel it here";
+}
+
+TrainingButton answerButton(const TrainingView& view) {
+  const training::Site* site = view.sitting->plan().sites.numbered(view.picked);
+  TrainingButton answer = button(TrainingAct::answer, "Answer");
+  if (site != nullptr) answer.label = fmt::format("Answer: {}", training::spoken(*site));
+  answer.enabled = site != nullptr && !view.waiting;
+  return answer;
+}
+
+void trialButtons(const TrainingView& view, TrainingScreen& screen) {
+  screen.buttons = {answerButton(view), button(TrainingAct::pause, "Pause"), button(TrainingAct::leave, "Leave")};
+  screen.keys = view.by_mouse ? "Number and Enter answer. Arrows go from place to place, Space presses and lifts. "
+                                "P pauses, Esc leaves."
+                              : "Number and Enter answer, or the device's button on the place. P pauses, Esc leaves.";
+  if (!view.waiting) screen.time_left = view.sitting->shareOfTimeLeft(view.now);
+}
+
+/// Practice alone says how far it is and what was right.
+void addProgress(const training::Sitting& sitting, TrainingScreen& screen) {
+  const int most = sitting.trialsAtMost();
+  const int number = sitting.trialNumber();
+  const bool ended = sitting.result().has_value();
+  const int answered = ended ? most : std::max(0, number - 1);
+  if (most > 0) screen.done = std::min(1.0, static_cast<double>(answered) / most);
+  if (!sitting.showsProgress() || number == 0) return;
+  const auto& trials = sitting.trials();
+  const auto right = std::ranges::count_if(trials, [](const training::TrialRow& trial) { return trial.correct; });
+  const int shown = sitting.screen() == Screen::feedback ? number - 1 : number;
+  screen.progress = fmt::format("Trial {} of {}", std::max(1, shown), most);
+  if (!trials.empty()) screen.progress += fmt::format(" · {} of {} right", right, trials.size());
+}
+
+void nextButton(const char* label, TrainingScreen& screen) {
+  screen.buttons = {button(TrainingAct::next, label), button(TrainingAct::leave, "Leave")};
+  screen.keys = "Space or Enter goes on, Esc leaves.";
+}
+
+/// Without a device the finger goes by keys, too.
+void addTouchKeys(const TrainingView& view, TrainingScreen& screen) {
+  if (view.by_mouse) screen.keys += " Arrows go from place to place, T presses and lifts.";
+}
+
+/// The sentence of the sitting is what is read first; a trial's own stands above what has just been said.
+void addSaid(const TrainingView& view, TrainingScreen& screen) {
+  const training::Sitting& sitting = *view.sitting;
+  const std::string said = sitting.said().text;
+  if (sitting.screen() != Screen::trial) {
+    screen.title = said;
+    return;
+  }
+  screen.title = training::instruction(sitting.plan().protocol, sitting.plan().kind);
+  const bool over = said == training::answerSaved() && view.said_long_ago;
+  if (said != screen.title && !over) screen.notice = said;
+}
+
+TrainingScreen cardOfSitting(const TrainingView& view, TrainingScreen screen) {
+  const training::Sitting& sitting = *view.sitting;
+  screen.place = TrainingPlace::card;
+  screen.sites.clear();
+  switch (sitting.screen()) {
+    case Screen::instruction:
+      screen.lines = {training::greeting(sitting.plan().kind),
+                      "A dot fills when its place was pressed enough. The ring shows the time."};
+      if (sitting.plan().kind == SittingKind::mastery) screen.lines.pop_back();
+      nextButton("Start", screen);
+      return screen;
+    case Screen::block_summary:
+      nextButton(sitting.showsProgress() ? "Another block" : "Finish", screen);
+      screen.buttons.back().label = "Finish";
+      if (!sitting.showsProgress()) screen.buttons.pop_back();
+      return screen;
+    default:
+      screen.buttons = {button(TrainingAct::next, "Back to the choice")};
+      screen.keys = "Space or Enter goes on.";
+      return screen;
+  }
+}
+
+TrainingScreen sittingScreen(const TrainingView& view) {
+  TrainingScreen screen;
+  screen.place = TrainingPlace::body;
+  screen.corner = view.code;
+  const training::Sitting& sitting = *view.sitting;
+  addSaid(view, screen);
+  addSites(view, screen);
+  switch (sitting.screen()) {
+    case Screen::device_check:
+      screen.sites.clear();
+      if (view.by_mouse) screen.lines = {"Press with the left mouse button on the back. The wheel presses deeper."};
+      if (view.force_share < kWholeForce) {
+        screen.lines.push_back(fmt::format("This device gives {:.0f} % of every force: all places are softer alike.",
+                                           100.0 * view.force_share));
+      }
+      if (view.ratios_kept_to_n > 0.0) {
+        screen.lines.push_back(fmt::format("Above {:.2g} N it shows less of what differs: compare with less force.",
+                                           view.ratios_kept_to_n));
+      }
+      nextButton("Next", screen);
+      addTouchKeys(view, screen);
+      break;
+    case Screen::familiarisation:
+      screen.lines = {"Compare it with the places around it."};
+      nextButton("Next", screen);
+      addTouchKeys(view, screen);
+      break;
+    case Screen::trial:
+      addProgress(sitting, screen);
+      trialButtons(view, screen);
+      break;
+    case Screen::feedback:
+      addProgress(sitting, screen);
+      if (!sitting.trials().empty()) {
+        screen.outcome =
+            sitting.trials().back().correct ? TrainingScreen::Outcome::right : TrainingScreen::Outcome::wrong;
+      }
+      nextButton("Next", screen);
+      addTouchKeys(view, screen);
+      break;
+    case Screen::free_exploration:
+      screen.buttons = {button(TrainingAct::next, "Finish")};
+      screen.keys = "Enter finishes.";
+      addTouchKeys(view, screen);
+      break;
+    default:
+      screen = cardOfSitting(view, std::move(screen));
+  }
+  if (view.waiting && screen.place == TrainingPlace::body) screen.notice = kOneMoment;
+  return screen;
+}
+
+TrainingScreen stageScreen(const TrainingView& view) {
+  switch (view.stage) {
+    case TrainingStage::sign_in:
+      return signInScreen(view);
+    case TrainingStage::new_code:
+      return newCodeScreen(view);
+    case TrainingStage::own_code:
+      return ownCodeScreen(view);
+    case TrainingStage::consent:
+      return consentScreen(view);
+    case TrainingStage::hand:
+      return handScreen(view);
+    case TrainingStage::choice:
+      return choiceScreen(view);
+    case TrainingStage::thimble:
+      return thimbleScreen(view);
+    case TrainingStage::sitting:
+      return sittingScreen(view);
+  }
+  return {};
+}
+
+// --- what lies over it
+
+TrainingScreen overScreen(const TrainingView& view) {
+  TrainingScreen screen;
+  screen.corner = view.code;
+  screen.keys = kCardKeys;
+  switch (view.over) {
+    case TrainingOver::paused:
+      screen.title = training::pausedWords();
+      screen.buttons = {button(TrainingAct::go_on, "Go on"), button(TrainingAct::leave, "Leave")};
+      screen.keys = "P or Enter goes on, Esc leaves.";
+      break;
+    case TrainingOver::leaving:
+      screen.title = "Leave now?";
+      screen.lines = {"Every answer is saved. Next time it goes on from here."};
+      screen.buttons = {button(TrainingAct::no, "Stay"), button(TrainingAct::yes, "Leave")};
+      break;
+    case TrainingOver::trouble:
+      screen.title = "The last answer is not saved yet";
+      screen.lines = {withCapitalLetter(view.trouble), "Nothing is lost: call your teacher, then try again."};
+      screen.trouble = true;
+      screen.buttons = {button(TrainingAct::retry, "Try again")};
+      screen.keys = "Enter tries again.";
+      break;
+    case TrainingOver::message:
+      screen.title = view.message;
+      screen.lines = {"From your teacher."};
+      screen.buttons = {button(TrainingAct::yes, "All right")};
+      screen.keys = "Enter goes on.";
+      break;
+    case TrainingOver::none:
+      break;
+  }
+  return screen;
+}
+
+}  // namespace
+
+TrainingScreen screenOf(const TrainingView& view) {
+  TrainingScreen screen = view.over == TrainingOver::none ? stageScreen(view) : overScreen(view);
+  if (!view.notice.empty()) screen.notice = view.notice;
+  if (!screen.buttons.empty()) screen.focus = std::min(view.focus, screen.buttons.size() - 1);
+  return screen;
+}
+
+}  // namespace palpate::viewer

@@ -1,0 +1,142 @@
+// Names on the skin: where they are, which are seen, and that each eye sees their dots where it sees the skin.
+#include "palpate/view/overlays/body_names.h"
+
+#include <gtest/gtest.h>
+
+#include "palpate/view/overlays/marks.h"
+#include "palpate/view/picture.h"
+#include "view/tests/view/small_world.h"
+
+namespace palpate::view {
+namespace {
+
+constexpr PictureSize kNamesPicture{960, 540, 1};
+
+body::SkinLandmark landmarkAt(const std::string& name, const Vec3& place) {
+  return {.name = name, .bone = "bone", .position = place, .normal = Vec3::UnitZ(), .bone_position = place};
+}
+
+std::shared_ptr<const scene::World> worldWith(mesh::TriangleMesh mesh, std::vector<body::SkinLandmark> landmarks) {
+  auto world = std::make_shared<scene::World>(*worldOf(std::move(mesh)));
+  world->anatomy.landmarks = std::move(landmarks);
+  return world;
+}
+
+std::shared_ptr<const scene::World> flatBack() {
+  return worldWith(zoo::grid(50, 100.0),
+                   {landmarkAt("spinous_T6", {50.0, 50.0, 2.0}), landmarkAt("psis_left", {30.0, 20.0, -1.0})});
+}
+
+std::vector<std::string> wordsSeen(const std::vector<const BodyName*>& names) {
+  std::vector<std::string> words;
+  for (const BodyName* name : names) words.push_back(name->words);
+  return words;
+}
+
+TEST(BodyNames, LieOnTheSkinWithTheirSitesAndKeepToItsTriangles) {
+  const auto world = flatBack();
+  const deform::DeformedSurface rest(world->deformable);
+  const std::vector<BodyName> names = bodyNames(*world);
+  ASSERT_EQ(names.size(), 4u) << "T6, the PSIS, and the two sites beside T6";
+  EXPECT_EQ(names[0].words, "T6");
+  EXPECT_EQ(names[0].kind, NameKind::spine);
+  EXPECT_LT((placeOf(names[0], *world, rest) - Vec3(50, 50, 0)).norm(), 1e-4);
+  EXPECT_EQ(names[1].words, "left PSIS");
+  EXPECT_EQ(names[2].words, "left site 2");
+  EXPECT_EQ(names[2].kind, NameKind::site);
+  EXPECT_LT((placeOf(names[2], *world, rest) - Vec3(20, 50, 0)).norm(), 1e-4);
+}
+
+TEST(BodyNames, GoWhereThePressedSkinGoes) {
+  const auto world = flatBack();
+  const FingerMark finger = pressedFinger(*world, {50.0, 50.0, 0.0}, 6.0);
+  const std::vector<BodyName> names = bodyNames(*world);
+  const Vec3 pressed = placeOf(names[0], *world, deformedBy(*world, {&finger, 1}));
+  EXPECT_LT(pressed.z(), -4.0);
+  EXPECT_LT((pressed - Vec3(50, 50, -6)).norm(), 1.5);
+}
+
+TEST(BodyNames, OfAnotherPartOfTheBodyAreLeftOut) {
+  const auto world = worldWith(zoo::grid(50, 100.0), {landmarkAt("spinous_C7", {50.0, 160.0, 0.0})});
+  EXPECT_TRUE(bodyNames(*world).empty());
+  EXPECT_TRUE(bodyNames(*flatWorld()).empty());
+}
+
+TEST(BodyNames, AreSeenWhereSkinFacesTheEyeAndNoOtherSkinHidesIt) {
+  // Two balls, one behind the other.
+  mesh::TriangleMesh balls = zoo::joined(zoo::sphere(20.0, 3, {0, 0, 0}), zoo::sphere(10.0, 3, {0, 0, 60}));
+  const auto world =
+      worldWith(std::move(balls), {landmarkAt("spinous_T1", {0, 0, 20}), landmarkAt("spinous_T2", {0, 0, -20}),
+                                   landmarkAt("spinous_T3", {0, 0, 70})});
+  const std::vector<BodyName> names = bodyNames(*world);
+  using Words = std::vector<std::string>;
+  EXPECT_EQ(wordsSeen(namesSeen(names, *world, {0, 0, 500})), Words({"T3"})) << "the front ball hides T1";
+  EXPECT_EQ(wordsSeen(namesSeen(names, *world, {0, 300, 400})), Words({"T1", "T3"}));
+  EXPECT_EQ(wordsSeen(namesSeen(names, *world, {0, 0, -500})), Words({"T2"}));
+}
+
+PictureSettings namedView(StereoMode mode) {
+  PictureSettings settings;
+  settings.camera.centre = {50.0, 50.0, -40.0};  // the skin lies before the screen
+  settings.camera.distance_mm = 600.0;
+  settings.camera.height_rad = 0.3;
+  settings.stereo.mode = mode;
+  settings.labels = LabelSettings::none();
+  settings.look.show(Overlay::names);
+  return settings;
+}
+
+/// Middle of the pixels of the dots' own colour near a place; none: NaN.
+Vec2 dotNear(const Image& image, const Vec2& place) {
+  Vec2 sum = Vec2::Zero();
+  double count = 0.0;
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const Pixel& p = image.at(x, y);
+      const bool is_dot = p[0] == kNamePaint[0] && p[1] == kNamePaint[1] && p[2] == kNamePaint[2];
+      if (!is_dot || (Vec2(x, y) - place).norm() > 40.0) continue;
+      sum += Vec2(x + 0.5, y + 0.5);
+      count += 1.0;
+    }
+  }
+  return sum / count;
+}
+
+TEST(NamesInPictures, HaveTheirDotsWhereTheSkinIs) {
+  const auto world = flatBack();
+  const PictureSettings settings = namedView(StereoMode::mono);
+  const Screen screen = screenOf(settings.camera, 16.0 / 9.0);
+  const Frustum frustum = frustumOf(screen, settings.camera.eye(), 1.0, 1e4);
+  const Image image = picture(world, deform::DeformedSurface(world->deformable), {}, settings, kNamesPicture);
+  for (const Vec3& place : {Vec3(50, 50, 0), Vec3(30, 20, 0), Vec3(80, 50, 0)}) {
+    const Vec2 seen = seenAt(frustum, place).cwiseProduct(Vec2(kNamesPicture.width, kNamesPicture.height));
+    EXPECT_LT((dotNear(image, seen) - seen).norm(), 1.0) << place.transpose();
+  }
+}
+
+TEST(NamesInPictures, EachEyeSeesTheDotsOnTheSkin) {
+  const auto world = flatBack();
+  const PictureSettings settings = namedView(StereoMode::sbs_full);
+  const Image image = picture(world, deform::DeformedSurface(world->deformable), {}, settings, kNamesPicture);
+  const Vec2 half(0.5 * kNamesPicture.width, kNamesPicture.height);
+  const Eyes eyes = eyesOf(settings.camera, settings.stereo, half.x() / half.y());
+  for (const Eye eye : {Eye::left, Eye::right}) {
+    const Vec2 shift(eye == Eye::left ? 0.0 : half.x(), 0.0);
+    const Frustum frustum = frustumOf(eyes.screen, eyes.of(eye), 1.0, 1e4);
+    const Vec2 seen = seenAt(frustum, Vec3(50, 50, 0)).cwiseProduct(half) + shift;
+    EXPECT_LT((dotNear(image, seen) - seen).norm(), 1.0);
+  }
+}
+
+TEST(NamesInPictures, ANoteSaysWhenTheBodyHasNone) {
+  const PictureSettings settings = namedView(StereoMode::mono);
+  for (const bool named : {true, false}) {
+    const auto world = named ? flatBack() : flatWorld();
+    const auto notes = Studio(world).take(deform::DeformedSurface(world->deformable), {}, settings, {160, 90, 1}).notes;
+    using Notes = std::vector<std::string>;
+    EXPECT_EQ(notes, named ? Notes() : Notes{"this body has no named places"});
+  }
+}
+
+}  // namespace
+}  // namespace palpate::view

@@ -1,0 +1,93 @@
+// What a panel asks for when its controls are used: no viewer, no servo and no session is there.
+#include "view/viewer/panels/asks.h"
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include "view/viewer/panels/gui_layout.h"
+#include "view/viewer/panels/widgets.h"
+#include "palpate/view/offscreen.h"
+
+namespace palpate::viewer {
+namespace {
+
+/// A window with one panel in it, and a mouse.
+class OnePanel {
+ public:
+  template <class Draw>
+  void frame(const Draw& draw, const std::vector<window::InputEvent>& events = {}) {
+    gui_.begin(Vec2(300, 600), 1.0, 1.0 / 60.0, events);
+    widgetPlaces().clear();
+    ImGui::SetNextWindowPos({0.0f, 0.0f});
+    ImGui::SetNextWindowSize({300.0f, 600.0f});
+    if (ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoDecoration)) draw();
+    ImGui::End();
+    gui_.end();
+  }
+
+  /// There, down, up.
+  template <class Draw>
+  void click(const std::string& widget, const Draw& draw) {
+    for (int i = 0; i < 3; ++i) frame(draw);  // windows that fit their contents know them after a frame
+    ASSERT_TRUE(widgetPlaces().contains(widget)) << widget;
+    const auto [left, top, right, below] = widgetPlaces().at(widget);
+    const Vec2 at(0.5 * (left + right), 0.5 * (top + below));
+    frame(draw, {{.kind = window::InputEvent::Kind::move, .at = at}});
+    frame(draw, {{.kind = window::InputEvent::Kind::button, .at = at, .down = true}});
+    frame(draw, {{.kind = window::InputEvent::Kind::button, .at = at, .down = false}});
+    frame(draw);
+  }
+
+ private:
+  const view::OffscreenContext context_;
+  window::Gui gui_;
+};
+
+TEST(Asks, OfTheModelPanelAreAWishAndADialog) {
+  OnePanel one;
+  Asks asks;
+  scene::Scene scene;
+  const WorldFacts world;
+  bool dialog = false;
+  const auto draw = [&] { modelPanel({scene, world, dialog}, asks); };
+  one.click("model/open", draw);
+  EXPECT_TRUE(dialog);
+  EXPECT_TRUE(asks.wishes.empty());
+  one.click("model/default", draw);
+  ASSERT_EQ(asks.wishes.size(), 1u);
+  EXPECT_EQ(asks.wishes.front().kind, Wish::Kind::default_scene);
+}
+
+TEST(Asks, OfAChangedKeyTellWhatFollowsFromIt) {
+  OnePanel one;
+  Asks asks;
+  scene::Scene scene;
+  TouchSettings touch;
+  std::size_t active = 1;
+  const auto draw = [&] { touchPanel({touch, active, scene}, asks); };
+  one.click("touch/resisting", draw);
+  EXPECT_FALSE(touch.resisting_cursor);
+  EXPECT_EQ(asks.changed, kNothing) << "the scene was not touched";
+  one.click("contact/force_shading", draw);
+  EXPECT_EQ(asks.changed, kFingerChange | kMapChange);
+  one.click("touch/radius", draw);
+  EXPECT_EQ(scene.fingers.size(), 2u) << "the second finger had to be added";
+}
+
+TEST(Asks, OfTheDysfunctionPanelCanBeTakenBack) {
+  OnePanel one;
+  Asks asks;
+  std::vector<maps::Dysfunction> items(2);
+  Editor editor{.active = true, .selected = 1};
+  const auto draw = [&] { dysfunctionPanel({{items, editor, asks}, "delete dysfunction 2", ""}); };
+  one.click("dysfunctions/delete", draw);
+  EXPECT_EQ(items.size(), 1u);
+  EXPECT_EQ(asks.changed, kMapChange);
+  EXPECT_EQ(asks.step, "delete dysfunction 2");
+  one.click("dysfunctions/undo", draw);
+  one.click("dysfunctions/redo", draw);
+  EXPECT_EQ(asks.actions, std::vector{window::Action::undo}) << "there is nothing to redo";
+}
+
+}  // namespace
+}  // namespace palpate::viewer

@@ -1,0 +1,147 @@
+#include "view/viewer/editing/pointer.h"
+
+#include <gtest/gtest.h>
+
+#include "palpate/base/random.h"
+#include "palpate/mesh/files/save.h"
+#include "support/mesh_zoo.h"
+#include "support/temporary_folder.h"
+
+namespace palpate::viewer {
+namespace {
+
+using Kind = window::Command::Kind;
+const Vec2 kSize(1000, 800);
+
+class PointerOn : public testing::Test {
+ protected:
+  void SetUp() override {
+    mesh::save(folder / "ball.ply", zoo::sphere(80.0, 4));
+    scene::Scene scene;
+    scene.body.kind = scene::BodyKind::mesh;
+    scene.body.file = folder / "ball.ply";
+    world = scene::build(scene);
+    session.camera.distance_mm = 400.0;
+    look();
+  }
+  void look() {
+    const double aspect = kSize.x() / kSize.y();
+    pointer.look({view::screenOf(session.camera, aspect), session.camera.eye(), kSize, view::StereoMode::mono}, world);
+  }
+  void send(Kind kind, const Vec2& at, double amount = 0.0, const Vec2& by = Vec2::Zero()) {
+    window::Command command;
+    command.kind = kind;
+    command.at = at;
+    command.by = by;
+    command.amount = amount;
+    pointer.apply(command, session);
+  }
+
+  const support::TemporaryFolder folder;
+  std::shared_ptr<const scene::World> world;
+  Session session;
+  Pointer pointer;
+};
+
+TEST_F(PointerOn, ThePlaceIsAlwaysOnTheSkinAtRest) {
+  Random random(5);
+  send(Kind::press, 0.5 * kSize);
+  for (int i = 0; i < 500; ++i) {
+    send(Kind::slide, Vec2(random.uniform(-100, 1100), random.uniform(-100, 900)));
+    ASSERT_TRUE(pointer.placeOf(0));
+    EXPECT_NEAR(pointer.placeOf(0)->point.norm(), 80.0, 0.5);
+  }
+}
+
+TEST_F(PointerOn, AFingerBesideTheBodyIsNowhereUntilItComesOverIt) {
+  send(Kind::hover, Vec2(5, 5));
+  EXPECT_FALSE(pointer.target(0, session).present);
+  send(Kind::hover, 0.5 * kSize);
+  EXPECT_TRUE(pointer.target(0, session).present);
+  EXPECT_FALSE(pointer.target(0, session).pressed);
+  send(Kind::hover, Vec2(5, 5));
+  EXPECT_TRUE(pointer.target(0, session).present) << "it waits where it last was";
+}
+
+TEST_F(PointerOn, APressBesideTheBodyPressesNothing) {
+  send(Kind::press, Vec2(5, 5));
+  EXPECT_FALSE(pointer.pressed(0));
+}
+
+TEST_F(PointerOn, AHeldFingerDoesNotFollowTheMouse) {
+  send(Kind::press, 0.5 * kSize);
+  const Vec3 place = pointer.placeOf(0)->point;
+  send(Kind::hover, Vec2(600, 400));
+  EXPECT_EQ(pointer.placeOf(0)->point, place);
+}
+
+TEST_F(PointerOn, DepthAndForceStayWithinTheirLimits) {
+  send(Kind::deepen, 0.5 * kSize, 1000.0);
+  EXPECT_EQ(session.state.touch.depth_mm, kMostDepthMm);
+  send(Kind::deepen, 0.5 * kSize, -1000.0);
+  EXPECT_EQ(session.state.touch.depth_mm, 0.0);
+  session.state.touch.by = device::PressBy::force;
+  const double force = session.state.touch.force_n;
+  send(Kind::deepen, 0.5 * kSize, 2.0);
+  EXPECT_DOUBLE_EQ(session.state.touch.force_n, force + 2.0 * kForcePerNotchN);
+}
+
+TEST_F(PointerOn, AResistingCursorGoesSlowerTheHarderTheSkinPushes) {
+  const auto depth_after_drag = [&](double force) {
+    session.state.touch.depth_mm = 5.0;
+    session.fingers[0].force = Vec3(0, 0, force);
+    send(Kind::deepen, 0.5 * kSize, 1.5);
+    return session.state.touch.depth_mm;
+  };
+  EXPECT_GT(depth_after_drag(0.0), depth_after_drag(4.0));
+  EXPECT_GT(depth_after_drag(4.0), depth_after_drag(12.0));
+  session.state.touch.resisting_cursor = false;
+  EXPECT_EQ(depth_after_drag(0.0), depth_after_drag(12.0));
+}
+
+TEST_F(PointerOn, TheKeyboardMovesTheFingerByTwoMillimetres) {
+  send(Kind::hover, 0.5 * kSize);
+  const Vec3 before = pointer.placeOf(0)->point;
+  EXPECT_TRUE(pointer.step(window::Action::ring_right, false, session));
+  EXPECT_NEAR(pointer.placeOf(0)->point.x() - before.x(), 2.0, 0.1);
+  EXPECT_TRUE(pointer.step(window::Action::ring_left, true, session));
+  EXPECT_NEAR(pointer.placeOf(0)->point.x() - before.x(), 1.8, 0.1);
+  EXPECT_FALSE(pointer.step(window::Action::help, false, session));
+}
+
+TEST_F(PointerOn, ZoomsAndTurnsAboutWhatIsUnderTheCursor) {
+  const Vec2 cursor(600, 350);
+  const Vec3 held = pointer.skinAt(cursor)->point;
+  send(Kind::zoom, cursor, 3.0);
+  look();
+  EXPECT_LT((pointer.skinAt(cursor)->point - held).norm(), 0.2);
+  send(Kind::grab, cursor);
+  send(Kind::orbit, cursor, 0.0, Vec2(40, 25));
+  look();
+  EXPECT_LT((pointer.skinAt(cursor)->point - held).norm(), 0.2);
+}
+
+TEST_F(PointerOn, TheOtherFingerKeepsItsDepth) {
+  send(Kind::press, 0.5 * kSize);
+  session.state.touch.depth_mm = 3.0;
+  window::Command take;
+  take.kind = Kind::take_finger;
+  take.finger = 1;
+  pointer.apply(take, session);
+  session.state.touch.depth_mm = 9.0;
+  EXPECT_EQ(pointer.target(0, session).depth_mm, 3.0);
+  EXPECT_EQ(pointer.target(1, session).depth_mm, 9.0);
+  EXPECT_TRUE(pointer.target(0, session).pressed);
+}
+
+TEST_F(PointerOn, InAHalfOfAStereoPictureTheCursorIsFoldedBack) {
+  const double aspect = kSize.x() / kSize.y();
+  const Vec3 middle = pointer.skinAt(0.5 * kSize)->point;
+  pointer.look({view::screenOf(session.camera, aspect), session.camera.eye(), kSize, view::StereoMode::sbs_half},
+               world);
+  EXPECT_LT((pointer.skinAt(Vec2(250, 400))->point - middle).norm(), 1e-6);
+  EXPECT_LT((pointer.skinAt(Vec2(750, 400))->point - middle).norm(), 1e-6);
+}
+
+}  // namespace
+}  // namespace palpate::viewer

@@ -1,0 +1,140 @@
+// A viewer without a window: events in, frames out, and the numbers a user would see. Waits for the servo thread by
+// looking, never by sleeping a fixed time.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <memory>
+
+#include "view/viewer/panels/widgets.h"
+#include "view/viewer/viewer.h"
+#include "palpate/base/stopwatch.h"
+#include "palpate/mesh/files/save.h"
+#include "palpate/scene/scene_file.h"
+#include "palpate/view/offscreen.h"
+#include "support/mesh_zoo.h"
+#include "support/temporary_folder.h"
+
+namespace palpate::viewer {
+
+inline constexpr int kStageWidth = 1280;
+inline constexpr int kStageHeight = 800;
+
+/// A gently waved sheet of 200 mm, seen from its front.
+inline scene::Scene sheetScene(const support::TemporaryFolder& folder) {
+  const auto file = folder / "sheet.ply";
+  if (!std::filesystem::exists(file)) mesh::save(file, zoo::wavyGrid(40, 200.0, 3.0));
+  scene::Scene scene = scene::parse("[[finger]]\nname = \"a\"\nscript = [{ do = \"lift\" }]\n", "stage.toml");
+  scene.file.clear();
+  scene.body.kind = scene::BodyKind::mesh;
+  scene.body.file = file;
+  return scene;
+}
+
+class Stage {
+ public:
+  explicit Stage(ViewState state = quiet()) : Stage(std::move(state), {}) {}
+  /// `records`: sessions by themselves, into the folder `sessions`.
+  Stage(ViewState state, ViewerHost host, bool records = false) {
+    ViewerSettings settings;
+    settings.intro = false;
+    settings.output_folder = folder.path();
+    if (records) settings.session_folder = folder / "sessions";
+    settings.default_scene = sheetScene(folder);
+    viewer = std::make_unique<Viewer>(scene::build(sheetScene(folder)), std::move(state), std::move(settings),
+                                      std::move(host));
+    frame();
+  }
+
+  /// Plain and quick to draw.
+  static ViewState quiet() {
+    ViewState state;
+    state.look.shading = view::Shading::gouraud;
+    state.hints = false;
+    state.reduced_motion = true;
+    return state;
+  }
+
+  void frame(const std::vector<window::InputEvent>& events = {}) {
+    viewer->frame(kStageWidth, kStageHeight, 1.0, now_s += 1.0 / 60.0, events);
+  }
+  /// Frames until it is so, for at most twenty seconds.
+  template <class Ready>
+  bool until(const Ready& ready) {
+    const auto end = Clock::now() + std::chrono::seconds(20);
+    while (!ready()) {
+      if (Clock::now() > end) return false;
+      frame();
+    }
+    return true;
+  }
+
+  void move(const Vec2& to) {
+    at_ = to;
+    frame({event(window::InputEvent::Kind::move)});
+  }
+  void button(bool down, window::Button which = window::Button::left) {
+    window::InputEvent e = event(window::InputEvent::Kind::button);
+    e.button = which;
+    e.down = down;
+    frame({e});
+  }
+  void scroll(double notches) {
+    window::InputEvent e = event(window::InputEvent::Kind::scroll);
+    e.notches = notches;
+    frame({e});
+  }
+  void key(window::Key k, window::Modifiers modifiers = {}) {
+    window::InputEvent e = event(window::InputEvent::Kind::key);
+    e.key = k;
+    e.modifiers = modifiers;
+    e.down = true;
+    frame({e});
+    e.down = false;
+    frame({e});
+  }
+  void drop(const std::filesystem::path& file) {
+    window::InputEvent e = event(window::InputEvent::Kind::drop);
+    e.text = file.string();
+    frame({e});
+  }
+  void loseFocus() { frame({event(window::InputEvent::Kind::focus)}); }
+
+  /// A click on a control by its name, as one would with a mouse: there, down, up.
+  void click(const std::string& widget) {
+    frame();
+    const auto place = widgetPlaces().find(widget);
+    ASSERT_NE(place, widgetPlaces().end()) << "no control '" << widget << "' on the screen";
+    const auto& [left, top, right, below] = place->second;
+    move(Vec2(0.5 * (left + right), 0.5 * (top + below)));
+    button(true);
+    button(false);
+    frame();
+  }
+  /// The middle of what the panels leave free: over the sheet.
+  Vec2 middle() const { return {790.0, 350.0}; }
+
+  Session& session() { return viewer->session(); }
+  const contact::FingerOutput& finger(std::size_t i = 0) { return session().fingers[i]; }
+  std::string lastMessage() {
+    return session().messages.all().empty() ? std::string() : session().messages.all().back().text;
+  }
+
+  const support::TemporaryFolder folder;
+  const view::OffscreenContext context;
+  std::unique_ptr<Viewer> viewer;
+  double now_s = 0.0;
+
+ private:
+  window::InputEvent event(window::InputEvent::Kind kind) const {
+    window::InputEvent e;
+    e.kind = kind;
+    e.at = at_;
+    e.time_s = now_s;
+    return e;
+  }
+  Vec2 at_ = Vec2::Zero();
+};
+
+}  // namespace palpate::viewer

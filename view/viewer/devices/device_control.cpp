@@ -1,0 +1,300 @@
+#include "view/viewer/devices/device_control.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "palpate/base/error.h"
+#include "palpate/device/back_ends.h"
+#include "palpate/servo/device_limits.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+constexpr double kTendedEveryS = 1.0;
+/// For the list of messages: over the picture lies the banner.
+constexpr const char* kStopped = "Emergency stop: no device gets a force";
+
+BackEndFound found(const device::BackEnd& back_end) {
+  const device::Probe probe = back_end.probe({});
+  return {.name = std::string(back_end.name),
+          .about = std::string(back_end.about),
+          .available = probe.available,
+          .reason = probe.reason,
+          .remedy = probe.remedy,
+          .version = probe.version,
+          .devices = probe.devices};
+}
+
+/// Those that a window has no use for: the mouse is there anyway, a script is played by F7.
+bool isForWindows(const device::BackEnd& back_end) { return back_end.name != "mouse" && back_end.name != "script"; }
+
+/// What a hand holds is chosen before what is played.
+std::size_t firstToOffer(const std::vector<BackEndFound>& back_ends) {
+  for (std::size_t i = 0; i < back_ends.size(); ++i) {
+    if (back_ends[i].available && back_ends[i].name != "playback" && back_ends[i].name != "remote") return i;
+  }
+  return 0;
+}
+
+bool isOf(const std::string& words, std::string_view back_end) { return words.substr(0, words.find(':')) == back_end; }
+
+/// A tick without a position must not take a control from under a click that wants one.
+void keepPlace(FingerHeld& held, double now_s) {
+  constexpr double kKnownS = 0.5;
+  const Vec3& place = held.reading.place;
+  if (!place.allFinite() && now_s - held.known_s < kKnownS) return;
+  held.known_place = place;
+  held.known_s = now_s;
+}
+
+}  // namespace
+
+DeviceControl::~DeviceControl() { give_up_ = true; }
+
+void DeviceControl::begin(Session& session) {
+  tellWho(session);
+  for (const scene::DeviceSettings& device : session.scene.devices) {
+    const auto finger = static_cast<std::size_t>(device.finger);
+    if (!servo_.isHeld(finger)) open(finger, device.name, session);
+  }
+}
+
+bool DeviceControl::grant(const Wish& wish, Session& session) {
+  switch (wish.kind) {
+    case Wish::Kind::open_device:
+      open(wish.finger, wish.file, session);
+      return true;
+    case Wish::Kind::close_device:
+      close(wish.finger, session);
+      return true;
+    case Wish::Kind::find_devices:
+      lookForBackEnds(session);
+      return true;
+    case Wish::Kind::stop:
+      press(session);
+      return true;
+    case Wish::Kind::release_stop:
+      servo_.thread().emergencyStop().release();
+      session.report(Severity::info, "The emergency stop is released: forces come back once the tip has been outside");
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool DeviceControl::hears(const window::InputEvent& event, bool text_wanted, Session& session) {
+  using Kind = window::InputEvent::Kind;
+  if (event.kind == Kind::focus && !event.down) clutch_key_ = false;
+  if (event.kind != Kind::key) return false;
+  const bool pause = event.key == window::bindingOf(window::Action::emergency_stop).chord.key;
+  const bool space = event.key == window::Key::space && servo_.anyHeld() && !text_wanted;
+  if (pause || space) {
+    if (event.down) press(session);
+    return true;
+  }
+  if (window::Chord{event.key, event.modifiers} != window::bindingOf(window::Action::clutch).chord) return false;
+  if (text_wanted || !servo_.anyHeld()) return false;
+  clutch_key_ = event.down;
+  return true;
+}
+
+void DeviceControl::press(Session& session) {
+  servo_.thread().emergencyStop().press();
+  if (!session.devices.stopped) session.messages.note(kStopped, session.now_s);
+  session.devices.stopped = true;
+}
+
+void DeviceControl::open(std::size_t finger, const std::string& words, Session& session) {
+  FingerHeld& held = session.devices.fingers[finger];
+  if (opening_[finger].busy()) return session.report(Severity::info, held.opening + " is still being opened");
+  device::OpenOptions options;
+  options.tick_s = 1.0 / session.ticks_per_s;
+  options.give_up = &give_up_;
+  if (opening_[finger].start([words, options] { return device::openNamed(words, options); })) held.opening = words;
+}
+
+void DeviceControl::takeOpened(std::size_t finger, Session& session, const scene::World& world) {
+  auto opened = opening_[finger].take();
+  if (!opened) return;
+  const std::string words = std::exchange(session.devices.fingers[finger].opening, {});
+  if (!opened->value)
+    return session.report(Severity::error,
+                          fmt::format("The {} finger stays the mouse's: {}", kFingerNames[finger], opened->error));
+  const std::string about = device::describe(*opened->value);
+  OpenedDevice held{words, std::move(*opened->value), workspaceNow(finger, words, session, world)};
+  const auto before = std::exchange(session.held, servo_.abilitiesWith(finger, &held));
+  try {
+    servo::requireStable(device::profileOf(session.scene.safety.device, held.device.capabilities), session.scene.safety,
+                         1.0 / session.ticks_per_s);
+    servo_.hold(finger, std::move(held), turnover_.planNow(session));
+  } catch (const Error& error) {
+    session.held = before;
+    return session.report(Severity::error, error.what());
+  }
+  looks_[finger] = {.since_s = session.now_s};
+  session.devices.fingers[finger].interventions = {};
+  session.devices.fingers[finger].known_s = -1.0;  // of the device before, if any
+  tellWho(session);
+  if (session.active_finger == finger && !servo_.isHeld(1 - finger)) session.active_finger = 1 - finger;
+  session.report(Severity::info, fmt::format("The {} finger is held by {}", kFingerNames[finger], about));
+}
+
+void DeviceControl::close(std::size_t finger, Session& session) {
+  if (!servo_.isHeld(finger)) return;
+  const std::string name = servo_.opened(finger).words;
+  session.held = servo_.abilitiesWith(finger, nullptr);
+  servo_.letGo(finger, turnover_.planNow(session));
+  session.devices.fingers[finger].trouble.clear();
+  if (session.devices.calibration.finger == finger) session.devices.calibration = {};
+  tellWho(session);
+  session.report(Severity::info, fmt::format("{} is let go; the mouse has the {} finger", name, kFingerNames[finger]));
+}
+
+/// Looking opens a driver for a moment, so one that is held here is left alone.
+void DeviceControl::lookForBackEnds(Session& session) {
+  std::vector<std::string> held;
+  for (const FingerHeld& finger : session.devices.fingers) {
+    held.push_back(finger.words);
+    held.push_back(finger.opening);
+  }
+  const auto look = [held] {
+    std::vector<BackEndFound> all;
+    for (const device::BackEnd& back_end : device::backEnds()) {
+      if (!isForWindows(back_end)) continue;
+      const bool ours = std::any_of(held.begin(), held.end(), [&](const auto& h) { return isOf(h, back_end.name); });
+      if (ours) {
+        all.push_back({.name = std::string(back_end.name),
+                       .about = std::string(back_end.about),
+                       .available = true,
+                       .devices = {"at work here"}});
+      } else {
+        all.push_back(found(back_end));
+      }
+    }
+    return all;
+  };
+  session.devices.looking = looking_.start(look) || session.devices.looking;
+}
+
+device::Workspace DeviceControl::workspaceNow(std::size_t finger, const std::string& words, const Session& session,
+                                              const scene::World& world) {
+  const scene::DeviceSettings settings =
+      device::settingsOf(session.scene, words, finger).value_or(scene::DeviceSettings{});
+  std::optional<Vec3>& origin = origins_[finger];
+  if (!settings.origin_mm && !origin) origin = device::standardOrigin(world, words, finger);
+  return device::workspaceOf(settings, origin.value_or(Vec3::Zero()));
+}
+
+/// By panel, undo or another scene: whoever changed it.
+void DeviceControl::placeDevices(Session& session, const scene::World& world) {
+  for (std::size_t i = 0; i < kFingers; ++i) {
+    if (!servo_.isHeld(i)) continue;
+    const double scale = servo_.opened(i).workspace.frame.mm;
+    const device::Workspace workspace = workspaceNow(i, servo_.opened(i).words, session, world);
+    if (!servo_.place(i, workspace) || workspace.frame.mm == scale) continue;
+    session.held = servo_.abilities();
+    session.asks.changed |= kFingerChange;
+  }
+}
+
+void DeviceControl::tellWho(Session& session) const {
+  std::string who;
+  for (std::size_t i = 0; i < kFingers; ++i) {
+    FingerHeld& finger = session.devices.fingers[i];
+    finger.words = servo_.isHeld(i) ? servo_.opened(i).words : std::string();
+    finger.about = servo_.isHeld(i) ? device::describe(servo_.opened(i).device) : std::string();
+    finger.able = servo_.isHeld(i) ? servo_.opened(i).device.capabilities : device::Capabilities{};
+    if (!servo_.isHeld(i)) finger.clutch = false;
+    if (servo_.isHeld(i)) who += (who.empty() ? "" : ", ") + servo_.opened(i).device.name;
+  }
+  session.held_by = who.empty() ? "mouse" : who;
+}
+
+void DeviceControl::tellTrouble(std::size_t finger, std::string trouble, Session& session) {
+  if (!servo_.isHeld(finger)) return;
+  const std::string was = std::exchange(session.devices.fingers[finger].trouble, std::move(trouble));
+  const std::string& is = session.devices.fingers[finger].trouble;
+  if (is.empty() && !was.empty()) session.report(Severity::info, servo_.opened(finger).words + " is back");
+  if (!is.empty() && was.empty()) session.report(Severity::warning, is);
+}
+
+/// Once a second: looking for a lost device may take its driver a moment, so it is done beside the display.
+void DeviceControl::tend(Session& session) {
+  if (const auto troubles = tending_.take(); troubles && troubles->value) {
+    for (std::size_t i = 0; i < kFingers; ++i) tellTrouble(i, (*troubles->value)[i], session);
+  }
+  if (session.now_s < tended_s_ + kTendedEveryS || !servo_.anyHeld()) return;
+  std::array<device::Device, kFingers> devices;
+  for (std::size_t i = 0; i < kFingers; ++i) {
+    if (servo_.isHeld(i)) devices[i] = servo_.device(i);
+  }
+  const auto look = [devices] {
+    std::array<std::string, kFingers> troubles;
+    for (std::size_t i = 0; i < kFingers; ++i) {
+      const std::vector<std::string> trouble = device::tendDevices(std::span(&devices[i], 1));
+      if (!trouble.empty()) troubles[i] = trouble.front();
+    }
+    return troubles;
+  };
+  if (tending_.start(look)) tended_s_ = session.now_s;
+}
+
+void DeviceControl::felt(const trace::Sample& sample, Session& session) {
+  if (!servo_.isHeld(sample.finger)) return;
+  session.devices.fingers[sample.finger].interventions.add(sample.safety, session.now_s);
+  Look& look = looks_[sample.finger];
+  look.most_loss_n_mm = std::max(look.most_loss_n_mm, sample.loss_n_mm);
+}
+
+void DeviceControl::readState(std::size_t finger, Session& session) {
+  constexpr double kLookS = 1.0;
+  FingerHeld& held = session.devices.fingers[finger];
+  held.workspace = servo_.opened(finger).workspace;
+  held.reading = servo_.reading(finger);
+  keepPlace(held, session.now_s);
+  Look& look = looks_[finger];
+  const double seconds = session.now_s - look.since_s;
+  if (seconds < kLookS) return;
+  held.positions_per_s = static_cast<double>(held.reading.fresh - look.fresh) / seconds;
+  held.most_loss_n_mm = look.most_loss_n_mm;
+  look = {.since_s = session.now_s, .fresh = held.reading.fresh};
+}
+
+void DeviceControl::advance(Session& session, const scene::World& world) {
+  DevicesShown& shown = session.devices;
+  if (auto looked = looking_.take()) {
+    shown.looking = false;
+    const bool first = shown.back_ends.empty();
+    if (looked->value) shown.back_ends = std::move(*looked->value);
+    for (FingerHeld& finger : shown.fingers) {
+      if (first) finger.back_end = firstToOffer(shown.back_ends);
+    }
+  }
+  for (std::size_t i = 0; i < kFingers; ++i) {
+    takeOpened(i, session, world);
+    const bool calibrated = shown.calibration.finger == i;
+    servo_.clutch(i, clutch_key_ || shown.fingers[i].clutch || calibrated);
+    if (servo_.isHeld(i)) readState(i, session);
+  }
+  placeDevices(session, world);
+  tend(session);
+  const bool pressed = servo_.thread().emergencyStop().pressed();
+  // By a device's own button, or a signal.
+  if (pressed && !shown.stopped) session.messages.note(kStopped, session.now_s);
+  shown.stopped = pressed;
+  if (closing_.busy()) {
+    closing_.take();
+    return;
+  }
+  if (auto leaving = servo_.takeLeaving(); !leaving.empty()) {
+    closing_.start([devices = std::make_shared<std::vector<device::Device>>(std::move(leaving))] {
+      devices->clear();
+      return 0;
+    });
+  }
+}
+
+}  // namespace palpate::viewer

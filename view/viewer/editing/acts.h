@@ -1,0 +1,18 @@
+// What the keys and menus do to the session: switches, modes, wishes. Pure.
+#pragma once
+
+#include "view/viewer/session.h"
+#include "palpate/window/keys.h"
+
+namespace palpate::viewer {
+
+/// Does what changes data only, and leaves a wish for the rest. Camera moves are wishes to the viewer as well.
+void perform(window::Action action, Session& session);
+
+/// Whether a switch is on, for check marks in menus; false for actions that are no switches.
+bool isOn(window::Action action, const Session& session);
+
+/// The next of 100, 60, 30 and 0 %.
+double nextOpacity(double opacity);
+
+}  // namespace palpate::viewer

@@ -1,0 +1,27 @@
+// Placing, moving, sizing and deleting dysfunctions, every gesture one step that can be undone (change_history.h).
+// Pure.
+//
+//   mouse ─ Input ─► Command ─ applyEdit ─┐
+//   panel, keys ──────────────────────────┴─► the scene's dysfunctions ─ Asks::changed ─► a world with another map
+#pragma once
+
+#include <optional>
+
+#include "view/viewer/editing/editor.h"
+#include "palpate/base/vec.h"
+#include "palpate/window/input.h"
+
+namespace palpate::viewer {
+
+/// Leaves the editor; also gives up the gesture under way.
+void stopEditing(const DysfunctionEdit& edit);
+
+/// Editor commands of the input rules; `place` is the skin under the cursor, in the map plane. False for others.
+bool applyEdit(const window::Command& command, const std::optional<Vec2>& place, const DysfunctionEdit& edit);
+
+void deleteSelected(const DysfunctionEdit& edit);
+
+/// The dysfunction at a place of the map plane: the one whose centre is nearest among those that reach it; -1 for none.
+int dysfunctionAt(const std::vector<maps::Dysfunction>& items, const Vec2& place);
+
+}  // namespace palpate::viewer

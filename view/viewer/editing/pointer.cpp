@@ -1,0 +1,195 @@
+#include "view/viewer/editing/pointer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate::viewer {
+
+namespace {
+
+using Kind = window::Command::Kind;
+
+constexpr double kRingStepMm = 2.0;
+constexpr double kFineRingStepMm = 0.2;
+constexpr double kCentreFlightS = 0.2;
+/// A finger that slides off the skin's outline follows the nearest skin within this, mm.
+constexpr double kEdgeReachMm = 60.0;
+/// Force at which a resisting cursor moves half as fast, N.
+constexpr double kHalfSpeedN = 8.0;
+
+}  // namespace
+
+void Pointer::look(const PickScreen& screen, std::shared_ptr<const scene::World> world) {
+  screen_ = screen;
+  world_ = std::move(world);
+}
+
+void Pointer::reset() {
+  for (Finger& finger : fingers_) finger = {};
+}
+
+view::Ray Pointer::rayAt(const Vec2& pixel) const {
+  const Vec2 place = view::placeInEye(screen_.stereo, pixel.cwiseQuotient(screen_.size));
+  return view::rayThrough(screen_.screen, screen_.eye, place.x(), place.y());
+}
+
+std::optional<SkinPlace> Pointer::skinAt(const Vec2& pixel) const {
+  if (!world_) return std::nullopt;
+  return view::skinAlong(world_->surface, rayAt(pixel));
+}
+
+/// Past the outline a pressed finger goes on along the nearest skin instead of stopping dead.
+void Pointer::moveFinger(std::size_t finger, const Vec2& pixel) {
+  auto place = skinAt(pixel);
+  Finger& moved = fingers_[finger];
+  if (!place && moved.pressed && moved.place) {
+    const view::Ray ray = rayAt(pixel);
+    const double along = (moved.place->point - ray.origin).dot(ray.direction);
+    place = view::skinNear(world_->surface, ray.origin + along * ray.direction, kEdgeReachMm);
+  }
+  if (place) moved.place = place;
+}
+
+Vec3 Pointer::pivotAt(const Vec2& pixel, const Session& session) const {
+  const auto place = skinAt(pixel);
+  return place ? place->point : session.camera.centre;
+}
+
+void Pointer::deepen(Session& session, double notches) {
+  TouchSettings& touch = session.state.touch;
+  if (touch.by == device::PressBy::force) {
+    touch.force_n = std::clamp(touch.force_n + notches * kForcePerNotchN, 0.0, kMostForceN);
+  } else {
+    touch.depth_mm = std::clamp(touch.depth_mm + notches * kDepthPerNotchMm, 0.0, kMostDepthMm);
+  }
+}
+
+bool Pointer::apply(const window::Command& command, Session& session) {
+  const std::size_t active = session.active_finger;
+  view::Camera& camera = session.camera;
+  switch (command.kind) {
+    case Kind::hover:
+      // A held finger stays where it was put.
+      if (!fingers_[active].pressed) moveFinger(active, command.at);
+      return true;
+    case Kind::press:
+      moveFinger(active, command.at);
+      fingers_[active].pressed = fingers_[active].place.has_value();
+      return true;
+    case Kind::slide:
+      moveFinger(active, command.at);
+      return true;
+    case Kind::lift:
+      fingers_[active].pressed = false;
+      return true;
+    case Kind::lift_all:
+      for (Finger& finger : fingers_) finger.pressed = false;
+      return true;
+    case Kind::take_finger:
+      // The finger that is left keeps what it was asked for.
+      fingers_[active].depth_mm = session.state.touch.depth_mm;
+      fingers_[active].force_n = session.state.touch.force_n;
+      session.active_finger = command.finger;
+      return true;
+    case Kind::deepen: {
+      const double force = session.fingers[active].force.norm();
+      const bool resists = session.state.touch.resisting_cursor && command.amount != std::round(command.amount);
+      deepen(session, command.amount / (resists ? 1.0 + force / kHalfSpeedN : 1.0));
+      return true;
+    }
+    case Kind::grab:
+      flight_.reset();
+      pivot_ = pivotAt(command.at, session);
+      return true;
+    case Kind::orbit:
+      camera = view::orbited(camera, pivot_, command.by, screen_.size.y());
+      session.opened.camera_moved = true;
+      return true;
+    case Kind::pan:
+      camera = view::panned(camera, pivot_, command.by, screen_.size.y());
+      session.opened.camera_moved = true;
+      return true;
+    case Kind::zoom:
+      flight_.reset();
+      camera = view::zoomed(camera, pivotAt(command.at, session), command.amount);
+      session.opened.camera_moved = true;
+      return true;
+    case Kind::centre:
+      if (const auto place = skinAt(command.at)) fly(view::centredOn(camera, place->point), session, kCentreFlightS);
+      session.opened.camera_moved = true;
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool Pointer::step(window::Action action, bool fine, Session& session) {
+  using window::Action;
+  Vec3 direction;
+  const view::Camera& camera = session.camera;
+  switch (action) {
+    case Action::ring_left:
+      direction = -camera.right();
+      break;
+    case Action::ring_right:
+      direction = camera.right();
+      break;
+    case Action::ring_up:
+      direction = camera.up();
+      break;
+    case Action::ring_down:
+      direction = -camera.up();
+      break;
+    default:
+      return false;
+  }
+  Finger& finger = fingers_[session.active_finger];
+  if (!finger.place) finger.place = skinAt(0.5 * screen_.size);
+  if (!finger.place || !world_) return true;
+  const Vec3 wanted = finger.place->point + (fine ? kFineRingStepMm : kRingStepMm) * direction;
+  const Vec3 towards = (wanted - screen_.eye).normalized();
+  // Along the line of sight, as the mouse would go; behind an outline to the nearest skin.
+  auto place = view::skinAlong(world_->surface, {screen_.eye, towards});
+  if (!place || (place->point - wanted).norm() > kEdgeReachMm) {
+    place = view::skinNear(world_->surface, wanted, kEdgeReachMm);
+  }
+  if (place) finger.place = place;
+  return true;
+}
+
+void Pointer::demonstrate(std::size_t finger, const SkinPlace& place, bool pressed) {
+  fingers_[finger].place = place;
+  fingers_[finger].pressed = pressed;
+}
+
+device::FingerTarget Pointer::target(std::size_t finger, const Session& session) const {
+  const Finger& from = fingers_[finger];
+  const TouchSettings& touch = session.state.touch;
+  const bool active = finger == session.active_finger;
+  device::FingerTarget target;
+  target.present = from.place.has_value();
+  target.pressed = from.pressed;
+  target.by = touch.by;
+  target.depth_mm = active ? touch.depth_mm : from.depth_mm;
+  target.force_n = active ? touch.force_n : from.force_n;
+  target.max_depth_mm = std::min(kMostDepthMm, session.scene.contact.finger.max_depth_mm);
+  target.radius_mm = fingerRadius(session.scene, finger);
+  if (from.place) {
+    target.place = from.place->point;
+    target.normal = from.place->normal;
+  }
+  return target;
+}
+
+void Pointer::fly(const view::Camera& to, const Session& session, double seconds) {
+  flight_ = Flight{session.camera, to, session.now_s, session.state.reduced_motion ? 0.0 : seconds};
+}
+
+void Pointer::advance(Session& session) {
+  if (!flight_) return;
+  const double share = flight_->seconds > 0.0 ? (session.now_s - flight_->start_s) / flight_->seconds : 1.0;
+  session.camera = view::between(flight_->from, flight_->to, share);
+  if (share >= 1.0) flight_.reset();
+}
+
+}  // namespace palpate::viewer

@@ -1,0 +1,74 @@
+// Where the mouse fingers and the camera go: commands of the input rules, applied to a camera and two finger targets.
+// Pure; the skin is asked through its surface at rest.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "view/viewer/live_servo.h"
+#include "view/viewer/session.h"
+#include "palpate/view/orbit.h"
+#include "palpate/window/input.h"
+
+namespace palpate::viewer {
+
+/// The screen the cursor moves on: pixels, and the eye to pick with.
+struct PickScreen {
+  view::Screen screen;
+  Vec3 eye = Vec3::Zero();
+  Vec2 size = Vec2(1, 1);  ///< pixels
+  view::StereoMode stereo = view::StereoMode::mono;
+};
+
+class Pointer {
+ public:
+  /// Pixels to a ray through the scene; the cursor in a half of a stereo picture is folded back.
+  view::Ray rayAt(const Vec2& pixel) const;
+  std::optional<SkinPlace> skinAt(const Vec2& pixel) const;
+
+  /// What is looked at; once a frame.
+  void look(const PickScreen& screen, std::shared_ptr<const scene::World> world);
+  /// Another body: no finger is on it yet.
+  void reset();
+
+  /// True if the command was about a finger or the camera, and then it was done; false for actions and the editor's.
+  bool apply(const window::Command& command, Session& session);
+  /// A ring step of the keyboard.
+  bool step(window::Action action, bool fine, Session& session);
+  /// A press by nobody's hand: the first seconds' demonstration.
+  void demonstrate(std::size_t finger, const SkinPlace& place, bool pressed);
+
+  /// To be sent to the servo. Depth, force and radius come from the settings.
+  device::FingerTarget target(std::size_t finger, const Session& session) const;
+  const std::optional<SkinPlace>& placeOf(std::size_t finger) const { return fingers_[finger].place; }
+  bool pressed(std::size_t finger) const { return fingers_[finger].pressed; }
+  /// Sends the camera to another view; at once with reduced motion.
+  void fly(const view::Camera& to, const Session& session, double seconds);
+  /// Once a frame: the camera's flight goes on.
+  void advance(Session& session);
+
+ private:
+  struct Finger {
+    std::optional<SkinPlace> place;
+    bool pressed = false;
+    double depth_mm = 6.0;
+    double force_n = 3.0;
+  };
+
+  void moveFinger(std::size_t finger, const Vec2& pixel);
+  void deepen(Session& session, double notches);
+  Vec3 pivotAt(const Vec2& pixel, const Session& session) const;
+
+  PickScreen screen_;
+  std::shared_ptr<const scene::World> world_;
+  std::array<Finger, kFingers> fingers_;
+  Vec3 pivot_ = Vec3::Zero();
+  struct Flight {
+    view::Camera from, to;
+    double start_s, seconds;
+  };
+  std::optional<Flight> flight_;
+};
+
+}  // namespace palpate::viewer

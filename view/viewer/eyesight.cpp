@@ -1,0 +1,41 @@
+#include "view/viewer/eyesight.h"
+
+namespace palpate::viewer {
+
+void Eyesight::keepUsable(Session& session) {
+  view::StereoMode& mode = session.state.stereo.mode;
+  const view::UsableMode usable = view::usableMode(mode, quad_buffer_offered_, last_usable_);
+  if (usable.mode != mode) {
+    session.report(Severity::warning, usable.note + "; a screen for shutter glasses needs `--stereo quad-buffer`");
+  }
+  mode = last_usable_ = usable.mode;
+}
+
+view::StereoSettings Eyesight::settings(Session& session) {
+  session.quad_buffer_offered = quad_buffer_offered_;
+  keepUsable(session);
+  view::StereoSettings stereo = session.state.stereo;
+  const HeadSettings& head = session.state.head;
+  head_.settings.expected_mm = head.expected_mm;
+  head_.settings.offset_mm = head.offset_mm;
+  session.head.eyes_mm = head_.eyesAt(session.now_s);
+  session.head.state = head_.stateAt(session.now_s);
+  stereo.head.reset();
+  if (head.on) stereo.head = view::TrackedHead{session.head.eyes_mm, head.screen_height_mm};
+  return stereo;
+}
+
+std::vector<window::InputEvent> asOneEyeSees(std::span<const window::InputEvent> events, view::StereoMode mode,
+                                             int width, int height) {
+  std::vector<window::InputEvent> seen(events.begin(), events.end());
+  if (!view::hasTwoParts(mode)) return seen;
+  const Vec2 whole(width, height);
+  const view::EyePicture eye = view::eyePictureIn(mode, width, height);
+  for (window::InputEvent& event : seen) {
+    event.at =
+        view::placeInEye(mode, event.at.cwiseQuotient(whole)).cwiseProduct(Vec2(eye.seen_width, eye.seen_height));
+  }
+  return seen;
+}
+
+}  // namespace palpate::viewer

@@ -1,0 +1,61 @@
+// A recorded table of forces, felt once more: its tips are pressed into the body at hand, tick by tick, as fast as the
+// machine can. On the body and with the settings it was recorded with, every force comes out as it was.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "view/viewer/files/replay.h"
+#include "view/viewer/plots/touch_history.h"
+#include "palpate/base/background.h"
+#include "palpate/scene/world.h"
+
+namespace palpate::viewer {
+
+/// Longer tables are cut: the newest part of this length is kept, s.
+inline constexpr double kLongestReplayS = 600.0;
+
+struct RecordedTouch {
+  std::string file;
+  TouchHistory history;
+  double ticks_per_s = 1000.0;
+  std::vector<double> radius_mm;                        ///< of each finger
+  bool of_script = false;                               ///< of the scene's own fingers: it plays when it is there
+  std::shared_ptr<const scene::World> world = nullptr;  ///< it was felt on; null: the one at hand
+  std::vector<ReplayMark> marks = {};
+  std::vector<std::string> notes = {};  ///< what is not as it was, in words
+};
+
+/// The first two fingers of the table. Throws Error when it cannot be read.
+RecordedTouch touchedAgain(const std::shared_ptr<const scene::World>& world, const scene::Scene& scene,
+                           const std::filesystem::path& table);
+
+/// What the first two fingers of the scene do and feel by their scripts and trajectories, as `palpate simulate` feels
+/// it but for the device's limits. Throws Error where there is no path.
+RecordedTouch touchOfScript(const std::shared_ptr<const scene::World>& world);
+
+/// Does it beside the display, one table at a time.
+class ReplayLoader {
+ public:
+  ReplayLoader() = default;
+  ReplayLoader(const ReplayLoader&) = delete;  // the work writes into this one
+  ReplayLoader& operator=(const ReplayLoader&) = delete;
+  /// False, with nothing done, while another table is at work.
+  bool load(std::function<RecordedTouch()> read);
+  struct Result {
+    std::optional<RecordedTouch> touch;
+    std::string error;
+  };
+  /// What became of it, once.
+  std::optional<Result> take();
+
+ private:
+  Result result_;                   // the work's, until it is done
+  std::optional<Background> work_;  // last: it uses the result
+};
+
+}  // namespace palpate::viewer

@@ -1,0 +1,37 @@
+// The frame around the panels: what stands where on the screen, and which parts of the session each panel gets.
+//
+//   Session ─ drawGui ─► each panel (panels.h): the parts it shows and may change ─► Asks, for everything else
+//
+// All need a Gui frame that has begun.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "view/viewer/panels/panels.h"
+#include "view/viewer/session.h"
+
+namespace palpate::viewer {
+
+/// Draws everything over the picture: menu, side panel, plots, hint, message, dialogs. Does the actions that were asked
+/// for and passes the words on; wishes and notes of changes stay in session.asks. Returns the area left free.
+FreeArea drawGui(Session& session);
+/// Where the picture will be free before anything was drawn.
+FreeArea freeArea(const Shown& shown, float width, float height);
+
+/// Whether a window of this name belongs to a saved picture: menu bar, side panel and plots do, all else lies over it
+/// for a moment.
+bool staysInPictures(std::string_view window);
+
+using PanelFunction = void (*)(Session&);
+struct PanelEntry {
+  const char* name;
+  PanelFunction draw;
+  bool open_at_first = false;
+};
+/// From top to bottom.
+std::span<const PanelEntry> panelList();
+/// All sections in one narrow window at an edge of the screen.
+void sidePanel(Session& session, float width, const FreeArea& free);
+
+}  // namespace palpate::viewer

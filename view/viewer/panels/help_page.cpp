@@ -1,0 +1,90 @@
+// F1: the table of keys and the rules of the mouse on one page.
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "view/viewer/panels/panels.h"
+#include "palpate/window/keys.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+struct MouseRule {
+  const char* input;
+  const char* does;
+};
+constexpr MouseRule kMouse[] = {
+    {"Left on the skin", "press; move to pull the skin, wheel for the depth (Shift: finer)"},
+    {"Left beside the body, right", "turn about the place under the cursor"},
+    {"Left and right together", "up and down changes the depth"},
+    {"Middle, or Shift and left", "shift the view"},
+    {"Wheel", "nearer and farther, about the cursor"},
+    {"Double click", "turn about that place from now on"},
+};
+
+void row(const char* input, const char* does) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(input);
+  ImGui::TableNextColumn();
+  ImGui::TextWrapped("%s", does);
+}
+
+/// Of the keys and buttons, points: those on the left of the page have long names.
+constexpr float kLeftNames = 190.0f;
+constexpr float kRightNames = 120.0f;
+
+bool beginRows(const char* name, float names) {
+  if (!ImGui::BeginTable(name, 2)) return false;
+  ImGui::TableSetupColumn("input", ImGuiTableColumnFlags_WidthFixed, names);
+  ImGui::TableSetupColumn("does");
+  return true;
+}
+
+void groupOf(window::KeyGroup group, float names) {
+  const auto index = static_cast<std::size_t>(group);
+  ImGui::TextDisabled("%s", std::string(window::kKeyGroupNames[index]).c_str());
+  if (!beginRows(std::string(window::kKeyGroupNames[index]).c_str(), names)) return;
+  for (const window::KeyBinding& binding : window::keyTable()) {
+    if (binding.group == group) row(window::keysOf(binding).c_str(), std::string(binding.does).c_str());
+  }
+  ImGui::EndTable();
+}
+
+void mouseRules() {
+  ImGui::TextDisabled("Mouse");
+  if (!beginRows("mouse", kLeftNames)) return;
+  for (const MouseRule& rule : kMouse) row(rule.input, rule.does);
+  ImGui::EndTable();
+}
+
+}  // namespace
+
+void helpPage(bool& open) {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0.5f * size.x, 0.5f * size.y}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowBgAlpha(1.0f);
+  ImGui::SetNextWindowSize({std::min(1100.0f, size.x - 40.0f), std::min(760.0f, size.y - 40.0f)});
+  if (ImGui::Begin("Keys and mouse (F1 or Esc closes)", &open,
+                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+                       ImGuiWindowFlags_NoSavedSettings)) {
+    constexpr float kLeastForTwo = 760.0f;                         // in a narrow window one column, to be scrolled
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {4.0f, 0.5f});  // all of it is to be seen at once
+    if (ImGui::BeginTable("columns", size.x < kLeastForTwo ? 1 : 2)) {
+      ImGui::TableNextColumn();
+      mouseRules();
+      groupOf(window::KeyGroup::touch, kLeftNames);
+      groupOf(window::KeyGroup::overlays, kLeftNames);
+      ImGui::TableNextColumn();
+      groupOf(window::KeyGroup::view, kRightNames);
+      groupOf(window::KeyGroup::window, kRightNames);
+      groupOf(window::KeyGroup::file, kRightNames);
+      ImGui::EndTable();
+    }
+    ImGui::PopStyleVar();
+  }
+  ImGui::End();
+}
+
+}  // namespace palpate::viewer

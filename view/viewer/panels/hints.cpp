@@ -1,0 +1,39 @@
+#include "view/viewer/panels/hints.h"
+
+#include <iterator>
+
+namespace palpate::viewer {
+
+namespace {
+
+using Kind = window::Command::Kind;
+
+struct Hint {
+  std::string_view words;
+  Kind asks_for;
+};
+constexpr Hint kHints[] = {
+    {"Hold the left button on the back to press it", Kind::press},
+    {"Scroll while holding: deeper or lighter", Kind::deepen},
+    {"Move while holding: pull the skin", Kind::slide},
+    {"Drag beside the body, or with the right button: turn", Kind::orbit},
+    {"F1: everything else", Kind::act},
+};
+
+const Hint* hintNumber(int i) { return i >= 0 && i < static_cast<int>(std::size(kHints)) ? &kHints[i] : nullptr; }
+
+}  // namespace
+
+std::string_view hintText(int i) {
+  const Hint* hint = hintNumber(i);
+  return hint != nullptr ? hint->words : std::string_view();
+}
+
+void countHint(const window::Command& command, int& hint, bool& wanted) {
+  const Hint* present = hintNumber(hint);
+  if (present == nullptr || command.kind != present->asks_for) return;
+  if (command.kind == Kind::act && command.action != window::Action::help) return;
+  if (hintNumber(++hint) == nullptr) wanted = false;
+}
+
+}  // namespace palpate::viewer

@@ -1,0 +1,195 @@
+// The menus: the same table of keys once more, for those who look before they type.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <span>
+
+#include "view/viewer/panels/panels.h"
+#include "view/viewer/panels/widgets.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+using window::Action;
+
+/// The menus' parts together, and what they ask for.
+struct Menus {
+  const MenuBar& bar;
+  ViewState& state;
+  Asks& asks;
+};
+
+void item(const Menus& menus, Action action) {
+  const window::KeyBinding& binding = window::bindingOf(action);
+  const bool on = menus.bar.on[static_cast<std::size_t>(action)];
+  if (ImGui::MenuItem(std::string(binding.name).c_str(), window::keysOf(binding).c_str(), on)) menus.asks.act(action);
+  notePlace(fmt::format("menu/{}", binding.name));
+}
+
+void recentFiles(const Menus& menus) {
+  if (!ImGui::BeginMenu("Recent", !menus.state.recent.empty())) return;
+  for (const std::string& file : menus.state.recent) {
+    if (ImGui::MenuItem(file.c_str())) menus.asks.wish(Wish::Kind::open, file);
+  }
+  ImGui::EndMenu();
+}
+
+void fileMenu(const Menus& menus) {
+  item(menus, Action::open);
+  recentFiles(menus);
+  if (ImGui::MenuItem("Built-in torso")) menus.asks.wish(Wish::Kind::default_scene);
+  item(menus, Action::measure_person);
+  for (const Action action : {Action::reload, Action::save, Action::save_as}) item(menus, action);
+  ImGui::Separator();
+  for (const Action action : {Action::undo, Action::redo, Action::reset, Action::copy_scene}) item(menus, action);
+  ImGui::Separator();
+  for (const Action action : {Action::screenshot, Action::screenshot_with_pop_ups, Action::clear_screenshot}) {
+    item(menus, action);
+  }
+  item(menus, Action::record);
+  ImGui::Separator();
+  item(menus, Action::quit);
+}
+
+void themeMenu(window::Theme& theme) {
+  if (!ImGui::BeginMenu("Theme")) return;
+  for (std::size_t i = 0; i < window::kThemeNames.size(); ++i) {
+    const auto offered = static_cast<window::Theme>(i);
+    if (ImGui::MenuItem(std::string(window::kThemeNames[i]).c_str(), nullptr, theme == offered)) theme = offered;
+  }
+  ImGui::EndMenu();
+}
+
+void textSizeMenu(double& text_size) {
+  if (!ImGui::BeginMenu("Text size")) return;
+  for (const double size : {0.75, 1.0, 1.25, 1.5, 2.0, 2.5}) {
+    if (ImGui::MenuItem(fmt::format("{:.0f} %", 100.0 * size).c_str(), nullptr, text_size == size)) text_size = size;
+  }
+  ImGui::EndMenu();
+}
+
+void mouseMenu(window::InputSettings& input) {
+  if (!ImGui::BeginMenu("Mouse")) return;
+  for (std::size_t i = 0; i < window::kMousePresetNames.size(); ++i) {
+    const auto preset = static_cast<window::MousePreset>(i);
+    if (ImGui::MenuItem(std::string(window::kMousePresetNames[i]).c_str(), nullptr, input.preset == preset)) {
+      input.preset = preset;
+    }
+  }
+  ImGui::Separator();
+  ImGui::MenuItem("Swap left and right", nullptr, &input.swap_left_and_right);
+  ImGui::MenuItem("Invert the wheel's zoom", nullptr, &input.invert_zoom);
+  double& speed = input.speed;
+  ImGui::SetNextItemWidth(110.0f);
+  numberWidget(speed, {"mouse/speed", "speed of turning", "%.2f", 0.25, 4.0, 1.0, "Of the camera."});
+  ImGui::EndMenu();
+}
+
+void viewMenu(const Menus& menus) {
+  for (const Action action : {Action::home, Action::full_screen, Action::panel, Action::plots, Action::numbers,
+                              Action::performance, Action::measure, Action::reach}) {
+    item(menus, action);
+  }
+  ImGui::Separator();
+  for (const Action action : {Action::freeze, Action::play_script, Action::slower, Action::faster}) {
+    item(menus, action);
+  }
+  ImGui::Separator();
+  ImGui::MenuItem("Panel on the right", nullptr, &menus.state.shown.panel_right);
+  ImGui::Separator();
+  if (ImGui::MenuItem("Copy the view")) menus.asks.wish(Wish::Kind::copy_view);
+  if (ImGui::MenuItem("Paste the view")) menus.asks.wish(Wish::Kind::paste_view);
+  ImGui::Separator();
+  themeMenu(menus.state.theme);
+  textSizeMenu(menus.state.text_size);
+  mouseMenu(menus.state.input);
+  ImGui::MenuItem("Reduced motion", nullptr, &menus.state.reduced_motion);
+  if (ImGui::MenuItem("Reset the layout")) {
+    menus.state.shown = {};
+    menus.state.text_size = 1.0;
+  }
+}
+
+void showMenu(const Menus& menus) {
+  for (std::size_t i = 0; i < view::kOverlays; ++i) item(menus, window::actionFor(static_cast<view::Overlay>(i)));
+  item(menus, Action::skin_opacity);
+  ImGui::Separator();
+  for (const Action action : {Action::colour_strain, Action::colour_stiffness, Action::colour_ellipses}) {
+    item(menus, action);
+  }
+  ImGui::Separator();
+  item(menus, Action::stereo_mode);
+  item(menus, Action::swap_eyes);
+}
+
+void helpMenu(const Menus& menus) {
+  item(menus, Action::help);
+  if (ImGui::MenuItem("Show the hints again")) {
+    menus.state.hints = true;
+    menus.bar.hint = 0;
+  }
+  const std::size_t unread = menus.bar.unread_messages;
+  const std::string messages = unread == 0 ? std::string("Messages") : fmt::format("Messages ({} new)", unread);
+  if (ImGui::MenuItem(messages.c_str())) menus.state.shown.messages = true;
+}
+
+template <class Draw>
+void menu(const Menus& menus, const char* name, const Draw& draw) {
+  const bool open = ImGui::BeginMenu(name);
+  notePlace(fmt::format("menu/{}", name));
+  if (!open) return;
+  draw(menus);
+  ImGui::EndMenu();
+}
+
+void recordingSign(const std::string& words) {
+  if (words.empty()) return;
+  constexpr ImU32 kRed = IM_COL32(226, 44, 38, 255);
+  const float radius = 0.36f * ImGui::GetFontSize();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddCircleFilled({at.x + radius, at.y + 0.5f * ImGui::GetFrameHeight()}, radius, kRed);
+  ImGui::Dummy({2.0f * radius, ImGui::GetFontSize()});
+  ImGui::TextUnformatted(words.c_str());
+  notePlace("menu/recording");
+}
+
+void stopSign(const Menus& menus) {
+  if (!menus.bar.offers_stop) return;
+  if (menus.bar.stopped) {
+    ImGui::TextColored({1.0f, 0.35f, 0.3f, 1.0f}, "STOPPED");
+    return notePlace("menu/stopped");
+  }
+  if (stopButton("menu/stop", "STOP", false, "Emergency stop: no device gets a force (Space or Pause).")) {
+    menus.asks.wish(Wish::Kind::stop);
+  }
+}
+
+/// At the right end: what is touched, by what, how fast; as much of it as there is room for.
+void statusLine(std::span<const std::string> parts) {
+  for (; !parts.empty(); parts = parts.subspan(1)) {
+    const std::string words = fmt::format("{}", fmt::join(parts, "   "));
+    const float left = ImGui::GetWindowWidth() - ImGui::CalcTextSize(words.c_str()).x - 16.0f;
+    if (left <= ImGui::GetCursorPosX()) continue;
+    ImGui::SameLine(left);
+    ImGui::TextUnformatted(words.c_str());
+    return notePlace("menu/status");
+  }
+}
+
+}  // namespace
+
+void menuBar(const MenuBar& bar, Asks& asks) {
+  if (!ImGui::BeginMainMenuBar()) return;
+  const Menus menus{bar, bar.state, asks};
+  menu(menus, "File", fileMenu);
+  menu(menus, "View", viewMenu);
+  menu(menus, "Show", showMenu);
+  menu(menus, "Help", helpMenu);
+  stopSign(menus);
+  recordingSign(bar.recording);
+  statusLine(bar.status);
+  ImGui::EndMainMenuBar();
+}
+
+}  // namespace palpate::viewer

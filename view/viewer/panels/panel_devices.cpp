@@ -1,0 +1,282 @@
+// What holds the fingers: devices that are here and why others are not, opened and let go; how the one that holds a
+// finger does; where its space lies in the body.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+
+#include "view/viewer/panels/panels.h"
+#include "view/viewer/panels/widgets.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+constexpr std::array<const char*, 2> kSides = {"left", "right"};
+
+/// One finger's part of the panel; names of its controls begin with "devices/left/".
+struct Part {
+  const DevicePanel& panel;
+  Asks& asks;
+  std::size_t finger;
+
+  FingerHeld& held() const { return panel.devices.fingers[finger]; }
+  CalibrationSteps& calibration() const { return panel.devices.calibration; }
+  std::string path(const char* control) const { return fmt::format("devices/{}/{}", kSides[finger], control); }
+  bool button(const char* control, const char* label, const char* meaning = "") const {
+    return buttonWidget(path(control).c_str(), label, meaning);
+  }
+  bool number(double& value, const char* control, NumberWidget widget) const {
+    const std::string name = path(control);
+    widget.path = name.c_str();
+    return numberWidget(value, widget);
+  }
+};
+
+std::string faultWords(std::uint32_t faults) {
+  static constexpr std::array<const char*, 5> kWords = {"no position", "position too old", "the driver is in trouble",
+                                                        "wants to be calibrated by hand", "closed"};
+  std::string words;
+  for (std::size_t i = 0; i < kWords.size(); ++i) {
+    if ((faults >> i & 1u) != 0) words += fmt::format("{}{}", words.empty() ? "" : ", ", kWords[i]);
+  }
+  return words;
+}
+
+std::string buttonWords(std::uint32_t buttons) {
+  std::string words;
+  for (std::size_t i = 0; i < 32; ++i) {
+    if ((buttons >> i & 1u) != 0) words += fmt::format("{}{}", words.empty() ? "" : " ", i + 1);
+  }
+  return words.empty() ? "none" : words;
+}
+
+void stopWidgets(const DevicesShown& devices, Asks& asks) {
+  if (!devices.stopped) {
+    if (stopButton("devices/stop", "EMERGENCY STOP", true,
+                   "No device gets a force until it is released (Space or Pause).")) {
+      asks.wish(Wish::Kind::stop);
+    }
+    return;
+  }
+  remark("Stopped: no device gets a force.");
+  if (buttonWidget("devices/release", "Release the stop", "A finger feels again once its tip has been outside.")) {
+    asks.wish(Wish::Kind::release_stop);
+  }
+}
+
+// ---- a finger that the mouse has
+
+void openWidgets(const Part& part) {
+  FingerHeld& held = part.held();
+  const std::vector<BackEndFound>& back_ends = part.panel.devices.back_ends;
+  if (!held.opening.empty()) return remark(fmt::format("opening {} ...", held.opening));
+  if (back_ends.empty()) return;
+  std::vector<std::string_view> names;
+  for (const BackEndFound& back_end : back_ends) names.push_back(back_end.name);
+  choiceWidget(part.path("back_end").c_str(), "device", held.back_end, names, "What is to hold this finger.");
+  ImGui::SetNextItemWidth(0.56f * ImGui::GetContentRegionAvail().x);
+  ImGui::InputText(part.path("which").insert(0, "which##").c_str(), &held.which);
+  notePlace(part.path("which"));
+  const std::string& name = back_ends[std::min(held.back_end, back_ends.size() - 1)].name;
+  if (part.button("open", "Open", "It takes the finger from the mouse; forces begin once its tip has been outside.")) {
+    part.asks.wishForFinger(Wish::Kind::open_device, part.finger, held.which.empty() ? name : name + ":" + held.which);
+  }
+}
+
+// ---- a finger that a device has
+
+void liveWidgets(const Part& part) {
+  const FingerHeld& held = part.held();
+  const device::DeviceState& state = held.reading.state;
+  const double tick_ms = 1000.0 / part.panel.ticks_per_s;
+  const Vec3& tip = held.reading.tip;
+  valueLine("tip", tip.allFinite() ? fmt::format("{:.0f}, {:.0f}, {:.0f} mm", tip.x(), tip.y(), tip.z()) : "none");
+  valueLine("force", fmt::format("{:.2f} N", held.reading.force.norm()));
+  valueLine("positions", fmt::format("{:.0f} Hz", held.positions_per_s));
+  valueLine("delay", state.loop_ticks == 0 ? std::string("not seen")
+                                           : fmt::format("{:.1f} ms", static_cast<double>(state.loop_ticks) * tick_ms));
+  valueLine("age", fmt::format("{:.1f} ms", static_cast<double>(state.age_ticks) * tick_ms));
+  valueLine("buttons", buttonWords(state.buttons));
+  valueLine("loss, last second", fmt::format("{:.3f} mJ", held.most_loss_n_mm));
+  const DevicesShown& devices = part.panel.devices;
+  const std::string up_to =
+      devices.ratios_kept_to_n > 0.0 ? fmt::format(" up to {:.2g} N", devices.ratios_kept_to_n) : "";
+  valueLine("stiffness of all", fmt::format("{:.0f} %{}", 100.0 * devices.stiffness_factor, up_to));
+  // Always a line: what comes and goes must not move a control from under the mouse.
+  const std::string faults = faultWords(state.faults);
+  valueLine("faults", faults.empty() ? "none" : faults);
+}
+
+void interventionWidgets(const Part& part) {
+  const auto& counts = part.held().interventions.counts();
+  if (!ImGui::TreeNode(part.path("interventions").insert(0, "interventions##").c_str())) return;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (counts[i] > 0) valueLine(servo::safetyNames()[i], fmt::format("{} ticks", counts[i]));
+  }
+  ImGui::TreePop();
+}
+
+/// The scene's table for this device on this finger, made when it is missing.
+void keep(const Part& part, const scene::DeviceSettings& settings) {
+  auto& devices = part.panel.scene.devices;
+  const auto same = [&](const scene::DeviceSettings& other) {
+    return other.name == settings.name && other.finger == settings.finger;
+  };
+  const auto known = std::find_if(devices.begin(), devices.end(), same);
+  known == devices.end() ? devices.push_back(settings) : void(*known = settings);
+  part.asks.changed |= kFingerChange;
+}
+
+scene::DeviceSettings settingsNow(const Part& part) {
+  const FingerHeld& held = part.held();
+  auto settings = device::settingsOf(part.panel.scene, held.words, part.finger).value_or(scene::DeviceSettings{});
+  settings.name = held.words;
+  settings.finger = static_cast<scene::HeldFinger>(part.finger);
+  if (!settings.origin_mm) settings.origin_mm = held.workspace.frame.origin_mm;
+  return settings;
+}
+
+bool buttonChoice(const Part& part, const char* control, const char* label, std::size_t& button) {
+  static constexpr std::array<std::string_view, 5> kButtons = {"none", "1", "2", "3", "4"};
+  return choiceWidget(part.path(control).c_str(), label, button, kButtons,
+                      "Which of the device's own buttons does it.");
+}
+
+void workspaceWidgets(const Part& part) {
+  if (!ImGui::TreeNode(part.path("workspace").insert(0, "workspace##").c_str())) {
+    return notePlace(part.path("workspace"));
+  }
+  notePlace(part.path("workspace"));
+  scene::DeviceSettings now = settingsNow(part);
+  bool changed = part.number(now.scale, "scale",
+                             {"", "scale", "%.2f", 0.1, 5.0, 1.0,
+                              "Millimetres of the body a millimetre of the device. More is stiffer "
+                              "in the hand, so the limits are taken down with it."});
+  static constexpr std::array<const char*, 3> kTurns = {"turn_x", "turn_y", "turn_z"};
+  static constexpr std::array<const char*, 3> kTurnLabels = {"turn x", "turn y", "turn z"};
+  static constexpr std::array<const char*, 3> kOrigins = {"origin_x", "origin_y", "origin_z"};
+  static constexpr std::array<const char*, 3> kOriginLabels = {"origin x", "origin y", "origin z"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    changed |= part.number(now.turn_deg[static_cast<int>(i)], kTurns[i],
+                           {"", kTurnLabels[i], "%.0f deg", -180.0, 180.0, 0.0, "How the device stands to the body."});
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    changed |= part.number(
+        (*now.origin_mm)[static_cast<int>(i)], kOrigins[i],
+        {"", kOriginLabels[i], "%.0f mm", -600.0, 600.0, 0.0, "Place of the body where the device's own origin lies."});
+  }
+  changed |= buttonChoice(part, "clutch_button", "clutch by", now.clutch_button);
+  changed |= buttonChoice(part, "stop_button", "stop by", now.stop_button);
+  if (part.held().reading.shift_mm.norm() > 0.5) {
+    remark(fmt::format("moved on by {:.0f} mm with the clutch", part.held().reading.shift_mm.norm()));
+    if (part.button("keep_shift", "Keep it", "The origin becomes what the clutch has made of it.")) {
+      *now.origin_mm += part.held().reading.shift_mm;
+      changed = true;
+    }
+  }
+  if (changed) keep(part, now);
+  ImGui::TreePop();
+}
+
+// ---- three places
+
+void useCalibration(const Part& part, const device::Calibration& found) {
+  scene::DeviceSettings now = settingsNow(part);
+  now.scale = found.frame.mm;
+  now.turn_deg = device::turnOf(found.frame.axes);
+  now.origin_mm = found.frame.origin_mm;
+  keep(part, now);
+  part.calibration() = {};
+}
+
+void takeWidgets(const Part& part) {
+  CalibrationSteps& steps = part.calibration();
+  remark(
+      fmt::format("Place {} of {}: click it on the body, hold the tip there, take it. The finger stays where it is, "
+                  "without force.",
+                  steps.of_device.size() + 1, device::kCalibrationPlaces));
+  const auto& clicked = part.panel.reading;
+  const Vec3& place = part.held().known_place;
+  if (!clicked) return remark("No place of the body was clicked yet.");
+  valueLine("place",
+            fmt::format("{:.0f}, {:.0f}, {:.0f} mm", clicked->place.x(), clicked->place.y(), clicked->place.z()));
+  ImGui::BeginDisabled(!place.allFinite());
+  if (part.button("take", "Take this place", "Needs a position of the device.")) steps.take(place, clicked->place);
+  ImGui::EndDisabled();
+}
+
+void calibrationWidgets(const Part& part) {
+  CalibrationSteps& steps = part.calibration();
+  if (steps.finger != part.finger) {
+    if (part.button("calibrate", "Calibrate by three places",
+                    "Turn, scale and origin from three places that are touched.")) {
+      steps = {};
+      steps.finger = part.finger;
+    }
+    return;
+  }
+  if (!steps.trouble.empty()) remark(steps.trouble);
+  if (steps.found) {
+    remark(fmt::format("The places go together within {:.1f} mm; scale {:.2f}.", steps.found->residual_mm,
+                       steps.found->frame.mm));
+    if (part.button("use", "Use it")) return useCalibration(part, *steps.found);
+    ImGui::SameLine();
+  } else {
+    takeWidgets(part);
+  }
+  if (part.button("stop_calibrating", "Leave it")) steps = {};
+}
+
+void heldWidgets(const Part& part) {
+  FingerHeld& held = part.held();
+  remark(held.about);
+  if (part.button("close", "Let it go", "The mouse has the finger again.")) {
+    part.asks.wishForFinger(Wish::Kind::close_device, part.finger);
+  }
+  ImGui::SameLine();
+  const std::string clutch = part.path("clutch");
+  flagWidget(clutch.c_str(), "clutch", held.clutch,
+             "The device moves and the finger stays, without force (key U, or the device's own button).");
+  liveWidgets(part);
+  interventionWidgets(part);
+  workspaceWidgets(part);
+  calibrationWidgets(part);
+  if (!held.trouble.empty()) remark(held.trouble);
+}
+
+void backEndWidgets(const BackEndFound& back_end) {
+  valueLine(back_end.name.c_str(), back_end.available ? "here" : "not here");
+  if (!back_end.available) {
+    remark(back_end.reason);
+    if (!back_end.remedy.empty()) remark("Remedy: " + back_end.remedy);
+  } else if (!back_end.devices.empty()) {
+    remark(fmt::format("{}", fmt::join(back_end.devices, ", ")));
+  }
+}
+
+}  // namespace
+
+void devicePanel(const DevicePanel& panel, Asks& asks) {
+  const DevicesShown& devices = panel.devices;
+  stopWidgets(devices, asks);
+  for (std::size_t i = 0; i < devices.fingers.size(); ++i) {
+    const Part part{panel, asks, i};
+    ImGui::Separator();
+    valueLine(fmt::format("{} finger", kSides[i]).c_str(),
+              devices.fingers[i].words.empty() ? "mouse" : devices.fingers[i].words);
+    devices.fingers[i].words.empty() ? openWidgets(part) : heldWidgets(part);
+  }
+  ImGui::Separator();
+  flagWidget("devices/reach", "show what they reach", panel.reach, "The box of a device that holds a finger (key J).");
+  if (devices.looking) {
+    remark("looking for devices ...");
+  } else if (devices.back_ends.empty() || buttonWidget("devices/look", "Look again")) {
+    asks.wish(Wish::Kind::find_devices);
+  }
+  for (const BackEndFound& back_end : devices.back_ends) backEndWidgets(back_end);
+}
+
+}  // namespace palpate::viewer

@@ -1,0 +1,83 @@
+// What is touched, and how its triangles are sorted in space.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "view/viewer/panels/panels.h"
+#include "view/viewer/panels/widgets.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+void factsOf(const WorldFacts& world) {
+  ImGui::TextWrapped("%s", world.name.c_str());
+  valueLine("triangles of the skin", fmt::format("{}", world.triangles));
+  valueLine("size", fmt::format("{:.0f} x {:.0f} x {:.0f} mm", world.width_mm, world.height_mm, world.depth_mm));
+  valueLine("stiffness", fmt::format("{:.2f} to {:.2f} N/mm", world.softest_n_per_mm, world.stiffest_n_per_mm));
+  if (!world.tissue.empty()) ImGui::TextWrapped("%s", world.tissue.c_str());
+  for (const std::string& note : world.notes) remark(note);
+}
+
+void buildWidgets(const SceneKeys& keys) {
+  keyWidget(keys, {"body", "posture", "posture"});
+  keyWidget(keys, {"body", "body_mass_index", "body mass", 16.0, 45.0, "%.1f kg/m2"});
+  keyWidget(keys, {"body", "muscle", "muscle", 0.0, 2.0});
+  keyWidget(keys, {"body", "girth", "girth", 0.8, 1.3});
+  keyWidget(keys, {"body", "kyphosis_deg", "kyphosis", 15.0, 65.0, "%.0f deg"});
+  keyWidget(keys, {"body", "lordosis_deg", "lordosis", 0.0, 50.0, "%.0f deg"});
+}
+
+void breathingWidgets(const SceneKeys& keys) {
+  keyWidget(keys, {"breathing", "on", "breathes"});
+  if (!keys.scene.breathing.on) return;
+  keyWidget(keys, {"breathing", "depth_mm", "breath", 0.0, 5.0, "%.1f mm"});
+  keyWidget(keys, {"breathing", "per_minute", "breaths a minute", 4.0, 30.0, "%.0f"});
+}
+
+void bodyWidgets(const SceneKeys& keys) {
+  const scene::BodyKind kind = keys.scene.body.kind;
+  if (kind != scene::BodyKind::mesh) {
+    keyWidget(keys, {"body", "kind", "body"});
+    keyWidget(keys, {"body", "triangles", "triangles"});
+    keyWidget(keys, {"body", "stature_mm", "stature", 500.0, 2500.0, "%.0f mm"});
+    if (kind == scene::BodyKind::trunk) buildWidgets(keys);
+    keyWidget(keys, {"body", "spine_relief", "spine shows", 0.0, 3.0});
+    keyWidget(keys, {"body", "rib_relief", "ribs show", 0.0, 3.0});
+    keyWidget(keys, {"body", "scapula_relief", "scapulae show", 0.0, 3.0});
+    keyWidget(keys, {"body", "asymmetry", "asymmetry", 0.0, 3.0});
+    breathingWidgets(keys);
+  } else {
+    keyWidget(keys, {"body", "unit", "unit of the file"});
+    keyWidget(keys, {"body", "scale", "scale"});
+    keyWidget(keys, {"body", "repair", "mend the mesh"});
+    if (!keys.scene.body.fit.empty()) breathingWidgets(keys);
+  }
+}
+
+void partitionWidgets(const SceneKeys& keys) {
+  keyWidget(keys, {"partition", "tree", "tree"});
+  keyWidget(keys, {"partition", "assign", "cut triangles"});
+  keyWidget(keys, {"partition", "threshold", "triangles a leaf"});
+  keyWidget(keys, {"partition", "hdb_fraction", "detecting box", 0.01, 1.0});
+  keyWidget(keys, {"partition", "hdb_edge_mm", "its edge", 0.0, 400.0, "%.0f mm"});
+  keyWidget(keys, {"partition", "query", "asks for"});
+  otherKeys(keys, "partition");
+}
+
+}  // namespace
+
+void modelPanel(const ModelPanel& panel, Asks& asks) {
+  const SceneKeys keys{panel.scene, asks};
+  factsOf(panel.world);
+  if (buttonWidget("model/open", "Open ...", "A scene or a mesh; or drop a file on the window.")) {
+    panel.open_dialog = true;
+  }
+  ImGui::SameLine();
+  if (buttonWidget("model/default", "Built-in body")) asks.wish(Wish::Kind::default_scene);
+  ImGui::Separator();
+  bodyWidgets(keys);
+  ImGui::Separator();
+  partitionWidgets(keys);
+}
+
+}  // namespace palpate::viewer

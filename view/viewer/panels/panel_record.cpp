@@ -1,0 +1,79 @@
+// What is written while one palpates: forces, pictures, the scene.
+#include <fmt/format.h>
+
+#include "view/viewer/panels/panels.h"
+#include "view/viewer/panels/widgets.h"
+
+namespace palpate::viewer {
+
+std::string recordingWords(const Recording& recording, double now_s) {
+  std::string words;
+  if (recording.forces) {
+    const int seconds = static_cast<int>(now_s - recording.since_s);
+    words = fmt::format("recording {}:{:02}", seconds / 60, seconds % 60);
+  }
+  if (recording.sequence) {
+    words += fmt::format("{}{} pictures", words.empty() ? "recording " : ", ", recording.pictures);
+  }
+  return words;
+}
+
+namespace {
+
+/// What is recorded by itself.
+void sessionPart(const Recording& recording, bool& keeps_last_hour, Asks& asks) {
+  flagWidget("record/session", "Record the last hour by itself", keeps_last_hour,
+             "Every tick of both fingers, in a session file that a crash leaves readable.");
+  if (!recording.session) return;
+  const int seconds = static_cast<int>(recording.session_s);
+  remark(fmt::format("{}:{:02} recorded{}", seconds / 60, seconds % 60,
+                     recording.dropped == 0 ? "" : fmt::format(", {} samples missing", recording.dropped)));
+  if (buttonWidget("record/keep", recording.keeping ? "Keeping ..." : "Keep the session (Shift+R)",
+                   "Copies the last hour into a session file: to be shown again, proven, sent with a bug report.")) {
+    asks.wish(Wish::Kind::keep_session);
+  }
+  if (buttonWidget("record/mark", "Set a mark (Shift+M)", "In the session, to be found again.")) {
+    asks.wish(Wish::Kind::mark);
+  }
+  if (!recording.kept_file.empty() &&
+      buttonWidget("record/play", "Show what was kept", "Plays it on the body it was felt on; Space ends it.")) {
+    asks.wish(Wish::Kind::open, recording.kept_file);
+  }
+}
+
+}  // namespace
+
+void recordPanel(const Recording& recording, bool& keeps_last_hour, double now_s, Asks& asks) {
+  sessionPart(recording, keeps_last_hour, asks);
+  if (buttonWidget("record/forces", recording.forces ? "Stop recording (R)" : "Record forces (R)",
+                   "Every finger in every tick, as a CSV table.")) {
+    asks.wish(Wish::Kind::record);
+  }
+  if (recording.forces) {
+    remark(fmt::format("{:.1f} s into {}", now_s - recording.since_s, recording.forces_file));
+  }
+  if (!recording.forces && !recording.forces_file.empty() &&
+      buttonWidget(
+          "record/replay", "Replay what was recorded",
+          "Presses the same places again, to be stepped tick by tick. Other tables: Open, or drop them here.")) {
+    asks.wish(Wish::Kind::open, recording.forces_file);
+  }
+  if (buttonWidget("record/sequence", recording.sequence ? "Stop the pictures" : "Record pictures",
+                   "Every frame as a PNG file, in a folder of their own.")) {
+    asks.wish(Wish::Kind::sequence);
+  }
+  if (recording.sequence) remark(fmt::format("{} pictures in {}", recording.pictures, recording.sequence_folder));
+  if (buttonWidget("record/picture", "Save a picture (F12)")) asks.wish(Wish::Kind::screenshot);
+  if (buttonWidget("record/clear_picture", "... without background (Ctrl+F12)",
+                   "The body alone; the rest of the PNG file is transparent.")) {
+    asks.wish(Wish::Kind::clear_screenshot);
+  }
+  if (buttonWidget("record/csv", "Save the plots as CSV")) asks.wish(Wish::Kind::plots_csv);
+  if (buttonWidget("record/scene", "Save the scene (Ctrl+S)")) asks.wish(Wish::Kind::save);
+  if (buttonWidget("record/copy_scene", "Copy as a scene (Ctrl+C)",
+                   "What is seen and felt now, as the text of a scene file: for mails, notes and bug reports.")) {
+    asks.act(window::Action::copy_scene);
+  }
+}
+
+}  // namespace palpate::viewer

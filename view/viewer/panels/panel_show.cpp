@@ -1,0 +1,121 @@
+// How the picture looks and what is drawn over it.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "view/viewer/panels/panels.h"
+#include "view/viewer/panels/widgets.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+/// What is read here in place of the words of scene files.
+constexpr std::string_view titleOf(view::Shading shading) {
+  return shading == view::Shading::gouraud ? "smooth (Gouraud)" : wordFor(shading);
+}
+constexpr std::string_view titleOf(view::FingerShape shape) {
+  return shape == view::FingerShape::sphere ? "ball" : wordFor(shape);
+}
+
+/// In the order of the words, which is that of the enumerators.
+template <class E>
+constexpr auto allTitles() {
+  std::array<std::string_view, WordsOf<E>::kAll.size()> titles;
+  for (std::size_t i = 0; i < titles.size(); ++i) titles[i] = titleOf(WordsOf<E>::kAll[i].value);
+  return titles;
+}
+constexpr auto kShadings = allTitles<view::Shading>();
+constexpr auto kFingerShapes = allTitles<view::FingerShape>();
+
+void lookWidgets(const ShowPanel& panel) {
+  view::Look& look = panel.look;
+  auto shading = static_cast<std::size_t>(look.shading);
+  if (choiceWidget("show/shading", "shading", shading, kShadings,
+                   "Light at the corners, as in the dissertation and fastest, or at each pixel, as skin takes it.")) {
+    look.shading = static_cast<view::Shading>(shading);
+    panel.simpler_when_slow = false;  // who chooses gets what he chose
+  }
+  flagWidget("show/simpler", "smooth while it is slow", panel.simpler_when_slow,
+             "Below 30 pictures a second the skin is drawn smooth, until there is time to spare.");
+  if (panel.simple_now) {
+    remark("Drawn smooth for now: pictures came too slowly.");
+    if (buttonWidget("show/all_the_same", "Draw skin all the same")) panel.simpler_when_slow = false;
+  }
+  auto finger = static_cast<std::size_t>(look.finger);
+  if (choiceWidget("show/finger", "finger", finger, kFingerShapes, "What is drawn where the finger is.")) {
+    look.finger = static_cast<view::FingerShape>(finger);
+  }
+  numberWidget(look.skin_opacity,
+               {"show/opacity", "skin opacity", "%.2f", 0.0, 1.0, 1.0, "Below 1 the bones show through (key O)."});
+  numberWidget(look.skin_tone, {"show/tone", "skin tone", "%.1f", 1.0, 6.0, 3.0,
+                                "From 1, very light, to 6, very dark, about as Fitzpatrick's types."});
+  numberWidget(look.dent_contrast, {"show/dents", "shading of dents", "%.1f x", 0.0, 5.0, 1.0,
+                                    "1 is as it would be; above, dents are drawn deeper than light would show them."});
+  const bool has_colours = panel.world.channels && !panel.world.channels->colours.empty();
+  if (panel.world.has_picture) {
+    flagWidget("show/picture", "picture on the skin", look.texture, "The one that the scene names.");
+  } else if (has_colours) {
+    flagWidget("show/colours", "colours of the file", look.texture, "Those that the mesh file has for its vertices.");
+  }
+  flagWidget("show/white", "white background", look.white_background, "For papers.");
+}
+
+view::ColourRange& rangeOf(view::Look& look) {
+  if (look.colouring == view::Colouring::stiffness) return look.stiffness_n_per_mm;
+  return look.colouring == view::Colouring::ellipses ? look.half_major_mm : look.strain_percent;
+}
+
+/// The range stays as the user set it until he asks for another: colours must mean the same before and after.
+void rangeWidgets(view::Look& look, const WorldFacts& world) {
+  if (look.colouring == view::Colouring::plain) return;
+  if (look.colouring == view::Colouring::scalar) return scalarWidgets(look, world);
+  view::ColourRange& range = rangeOf(look);
+  const bool strain = look.colouring == view::Colouring::strain;
+  if (strain) {
+    double end = range.high;
+    if (numberWidget(end, {"show/range", "to", "%.1f %%", 0.5, 100.0, 20.0, "Symmetric about no strain."})) {
+      range = {-end, end};
+    }
+    return;
+  }
+  const bool stiffness = look.colouring == view::Colouring::stiffness;
+  const char* format = stiffness ? "%.2f N/mm" : "%.0f mm";
+  const double most = stiffness ? 5.0 : 400.0;
+  numberWidget(range.low, {"show/low", "from", format, 0.0, most, stiffness ? 0.3 : 100.0, "The lower end's colour."});
+  numberWidget(range.high, {"show/high", "to", format, 0.0, most, stiffness ? 1.2 : 200.0, "The upper end's colour."});
+  if (stiffness && buttonWidget("show/fit", "Fit to the body")) {
+    range = {world.softest_n_per_mm, world.stiffest_n_per_mm};
+  }
+  range.high = std::max(range.high, range.low + 1e-3);
+}
+
+void overlayWidget(view::Look& look, view::Overlay overlay) {
+  const window::KeyBinding& binding = window::bindingOf(window::actionFor(overlay));
+  bool on = look.shows(overlay);
+  const std::string path = fmt::format("show/{}", view::kOverlayNames[static_cast<std::size_t>(overlay)]);
+  const std::string label = fmt::format("{}  ({})", binding.name, window::nameOf(binding.chord));
+  if (flagWidget(path.c_str(), label.c_str(), on, std::string(binding.does).c_str())) {
+    look.show(overlay, on);
+  }
+}
+
+}  // namespace
+
+void showPanel(const ShowPanel& panel) {
+  lookWidgets(panel);
+  ImGui::Separator();
+  auto colouring = static_cast<std::size_t>(panel.look.colouring);
+  if (choiceWidget("show/colour", "colour by", colouring, view::kColouringNames, "What the skin's colour says.")) {
+    panel.look.colouring = static_cast<view::Colouring>(colouring);
+  }
+  rangeWidgets(panel.look, panel.world);
+  ImGui::Separator();
+  for (std::size_t i = 0; i < view::kOverlays; ++i) overlayWidget(panel.look, static_cast<view::Overlay>(i));
+  if (panel.look.shows(view::Overlay::names) && !panel.world.has_names) remark("This body has no named places.");
+}
+
+}  // namespace palpate::viewer

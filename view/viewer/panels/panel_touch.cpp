@@ -1,0 +1,87 @@
+// How the finger presses and how the skin holds it.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "view/viewer/editing/pointer.h"
+#include "view/viewer/panels/panels.h"
+#include "view/viewer/panels/widgets.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+constexpr auto kPressBy = allWords<device::PressBy>();
+constexpr std::array<std::string_view, kFingers> kFingerChoices = {"left (blue)", "right (red)"};
+
+void pressWidgets(TouchSettings& touch) {
+  auto by = static_cast<std::size_t>(touch.by);
+  if (choiceWidget("touch/by", "press by", by, kPressBy,
+                   "By depth a stiff place pushes back harder; by force it gives way less, so that it shows as a "
+                   "shallower dent: better for comparing places.")) {
+    touch.by = static_cast<device::PressBy>(by);
+  }
+  if (touch.by == device::PressBy::depth) {
+    numberWidget(touch.depth_mm,
+                 {"touch/depth", "depth", "%.1f mm", 0.0, kMostDepthMm, 6.0,
+                  "How deep the finger presses. Wheel while pressing: 0.5 mm a notch, with Shift 0.1."});
+  } else {
+    numberWidget(touch.force_n, {"touch/force", "normal force", "%.2f N", 0.0, kMostForceN, 3.0,
+                                 "How hard the finger presses: the part of the force along the press, without what it "
+                                 "pulls sideways. Wheel while pressing: 0.25 N a notch."});
+  }
+  flagWidget(
+      "touch/resisting", "resisting cursor", touch.resisting_cursor,
+      "Pressing with both buttons moves slower the harder the skin pushes back: the eye reads it as resistance.");
+}
+
+void radiusWidget(scene::Scene& scene, std::size_t active, Asks& asks) {
+  double radius = fingerRadius(scene, active);
+  if (!numberWidget(radius, {"touch/radius", "finger radius", "%.1f mm", 0.5, 30.0, 8.0,
+                             "Of the finger that is used now; 8 mm is a fingertip."})) {
+    return;
+  }
+  while (scene.fingers.size() <= active) {
+    scene::Finger finger;
+    finger.name = fmt::format("finger_{}", scene.fingers.size() + 1);
+    finger.steps = {{}, {}};  // a scene file wants to know what a finger does: nothing
+    scene.fingers.push_back(finger);
+  }
+  scene.fingers[active].radius_mm = radius;
+  asks.changed |= kFingerChange;
+}
+
+/// The skin never holds a sliding finger better than a still one: each slider pushes the other along.
+void gripWidgets(contact::FingerSettings& friction, Asks& asks) {
+  if (numberWidget(friction.mu_static, {"friction/static", "grip", "%.2f", 0.0, 2.0, 0.46,
+                                        "Friction up to which the skin sticks to the finger (static coefficient)."})) {
+    friction.mu_dynamic = std::min(friction.mu_dynamic, friction.mu_static);
+    asks.changed |= kFingerChange;
+  }
+  if (numberWidget(friction.mu_dynamic, {"friction/dynamic", "grip, sliding", "%.2f", 0.0, 2.0, 0.44,
+                                         "Friction while the finger slips (dynamic coefficient)."})) {
+    friction.mu_static = std::max(friction.mu_static, friction.mu_dynamic);
+    asks.changed |= kFingerChange;
+  }
+}
+
+}  // namespace
+
+void touchPanel(const TouchPanel& panel, Asks& asks) {
+  const SceneKeys keys{panel.scene, asks};
+  choiceWidget("touch/finger", "finger", panel.active_finger, kFingerChoices,
+               "Which finger the mouse moves; the other stays where it is (keys 1 and 2).");
+  pressWidgets(panel.touch);
+  radiusWidget(panel.scene, panel.active_finger, asks);
+  ImGui::Separator();
+  keyWidget(keys, {"friction", "skin", "skin"});
+  gripWidgets(panel.scene.contact.finger, asks);
+  keyWidget(keys, {"friction", "stiffness_ratio", "sideways stiffness", 0.05, 3.0});
+  ImGui::Separator();
+  keyWidget(keys, {"contact", "source", "feels through"});
+  keyWidget(keys, {"contact", "max_depth_mm", "deepest", 1.0, 100.0, "%.0f mm"});
+  keyWidget(keys, {"contact", "force_shading", "smooth over triangles"});
+}
+
+}  // namespace palpate::viewer

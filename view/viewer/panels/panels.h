@@ -1,0 +1,170 @@
+// The panels, each in a file of its own (panel_<name>.cpp), and what puts them on the screen.
+//
+//   drawGui (gui_layout.h) ─► a panel: the parts it shows and may change, by reference ─► Asks, for everything else
+//
+// A panel is a function that draws the controls of one section; the frame around it is drawn by sidePanel. It knows no
+// Session: what its struct does not hold, it neither sees nor changes. All need a Gui frame that has begun.
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "view/viewer/devices/devices_shown.h"
+#include "view/viewer/editing/editor.h"
+#include "view/viewer/editing/ruler.h"
+#include "view/viewer/files/replay.h"
+#include "view/viewer/panels/asks.h"
+#include "view/viewer/panels/messages.h"
+#include "view/viewer/plots/sample_history.h"
+#include "view/viewer/session_parts.h"
+#include "view/viewer/vertex_values.h"
+#include "view/viewer/view_state.h"
+#include "palpate/engine/world_builder.h"
+#include "palpate/scene/scene.h"
+#include "palpate/view/camera.h"
+
+namespace palpate::viewer {
+
+/// Points of the screen that the picture has to itself.
+struct FreeArea {
+  float left = 0.0f;
+  float top = 0.0f;
+  float right = 0.0f;
+  float below = 0.0f;
+};
+
+inline constexpr float kPlotsHeight = 150.0f;  ///< of the strips below the picture
+
+// ---- sections of the side panel
+
+struct TouchPanel {
+  TouchSettings& touch;
+  std::size_t& active_finger;
+  scene::Scene& scene;
+};
+void touchPanel(const TouchPanel& panel, Asks& asks);
+
+struct DevicePanel {
+  DevicesShown& devices;
+  scene::Scene& scene;
+  const std::optional<VertexReading>& reading;  ///< of the place that was clicked last
+  bool& reach;
+  double ticks_per_s;
+};
+void devicePanel(const DevicePanel& panel, Asks& asks);
+
+struct TissuePanel {
+  scene::Scene& scene;
+  ProfileEdit& profile;
+  bool has_bones;
+};
+void tissuePanel(const TissuePanel& panel, Asks& asks);
+
+struct DysfunctionPanel {
+  DysfunctionEdit edit;
+  std::string undo_words = {};  ///< the step that would be taken back; empty: none
+  std::string redo_words = {};
+};
+void dysfunctionPanel(const DysfunctionPanel& panel);
+
+struct ModelPanel {
+  scene::Scene& scene;
+  const WorldFacts& world;
+  bool& open_dialog;
+};
+void modelPanel(const ModelPanel& panel, Asks& asks);
+
+struct ShowPanel {
+  view::Look& look;
+  bool& simpler_when_slow;
+  bool simple_now;  ///< it is drawn smooth because it was slow
+  const WorldFacts& world;
+};
+void showPanel(const ShowPanel& panel);
+
+/// Which number of the body's file colours the skin, by which colours, and how its values are spread.
+void scalarWidgets(view::Look& look, const WorldFacts& world);
+
+struct VertexPanel {
+  const std::optional<VertexReading>& reading;
+  bool& marked;  ///< by a cross, while the panel is open
+  bool& open;    ///< set while the panel is drawn
+};
+void vertexPanel(const VertexPanel& panel);
+
+struct StereoPanel {
+  view::StereoSettings& stereo;
+  HeadSettings& head;
+  const SeenHead& seen;
+  const view::Camera& camera;
+  const WorldFacts& world;
+};
+void stereoPanel(const StereoPanel& panel);
+
+/// What is being recorded and for how long: "recording 0:12, 37 pictures"; empty when nothing is.
+std::string recordingWords(const Recording& recording, double now_s);
+/// `keeps_last_hour` is switched by it.
+void recordPanel(const Recording& recording, bool& keeps_last_hour, double now_s, Asks& asks);
+void performancePanel(const Performance& performance);
+
+/// A curve of the scene's displacement profile, with handles when it is the user's own.
+void profileCurve(const tissue::ProfileSettings& of_scene, ProfileEdit& profile, Asks& asks);
+
+// ---- around the picture
+
+struct MenuBar {
+  ViewState& state;
+  int& hint;
+  std::bitset<window::kActions> on;  ///< switches that get a check mark
+  std::size_t unread_messages;
+  std::vector<std::string> status;  ///< at the right end; where room is short, without the first ones
+  std::string recording;            ///< behind a red dot, while something is recorded
+  bool offers_stop = false;         ///< a device holds a finger
+  bool stopped = false;
+};
+void menuBar(const MenuBar& menu, Asks& asks);
+
+struct PlotStrips {
+  Plots& plots;
+  const std::array<bool, 2>& present;
+  double device_limit_n;
+  double now_s;
+  std::optional<double> frozen_at_s;  ///< the moment that a frozen picture shows
+};
+void plotStrips(const PlotStrips& panel, const FreeArea& free, Asks& asks);
+
+void replayBar(Replay& replay, const FreeArea& free, Asks& asks);
+void helpPage(bool& open);
+/// Files opened before, a folder to walk through, a line to type into.
+void openDialog(std::span<const std::string> recent, bool& open, Asks& asks);
+/// The same for a photograph; what is chosen becomes this wish.
+void photographDialog(const char* title, Wish::Kind wish, bool& open, Asks& asks);
+/// Where the scene is to be saved; begins beside `now`, or in `folder` when it has no file yet.
+void saveDialog(const std::filesystem::path& now, const std::filesystem::path& folder, bool& open, Asks& asks);
+/// Where the dialogs look from now on; else where they looked last, in the beginning the working folder.
+void showFolder(const std::filesystem::path& folder);
+/// What is asked before something is lost; the answer is a wish.
+void questionDialog(const std::optional<Question>& question, Asks& asks);
+/// In the colour of how much they matter.
+void severeWords(Severity severity, const std::string& words);
+void messageList(Messages& messages, bool& open);
+void toast(Messages& messages, double now_s, const FreeArea& free);
+void buildProgress(const std::optional<engine::BuildProgress>& building, const FreeArea& free, Asks& asks);
+void hint(std::string_view words, const FreeArea& free);
+void editingFrame(const FreeArea& free);
+/// Round the whole picture while the emergency stop is latched, with the button that releases it.
+void stopBanner(const FreeArea& free, Asks& asks);
+/// Along the upper edge as long as --unsafe-stiffness holds; `notes` as servo::safetyNotes gives them.
+void unsafeBanner(std::span<const std::string> notes, const FreeArea& free);
+/// A line a finger: what the servo does to the force of a held one just now.
+void interventionNotice(std::span<const std::string> lines, const FreeArea& free);
+/// What a ruler measures, beside its second end; before, what to do.
+void rulerNotice(const Ruler& ruler, const FreeArea& free);
+
+}  // namespace palpate::viewer

@@ -1,0 +1,123 @@
+// The bar under a frozen picture: which moment it shows, and buttons that step it back and forth.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "view/viewer/files/replay.h"
+#include "view/viewer/panels/panels.h"
+#include "view/viewer/panels/widgets.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+constexpr float kWidth = 460.0f;
+constexpr float kButtonsWidth = 214.0f;
+
+std::string wordsFor(const Replay& replay) {
+  if (replay.table.empty()) return fmt::format("Frozen, {:.3f} s ago", replay.to_s - replay.at_s);
+  return fmt::format("{}: {:.3f} of {:.3f} s", std::filesystem::path(replay.table).filename().string(),
+                     replay.at_s - replay.from_s, replay.to_s - replay.from_s);
+}
+
+void stepButtons(Replay& replay, Asks& asks) {
+  if (buttonWidget("replay/back", "<<", "A picture back (1/60 s): Left.")) stepReplay(replay, -kReplayStepS);
+  ImGui::SameLine();
+  if (buttonWidget("replay/tick_back", "<", "A tick of the servo back: Shift and Left.")) {
+    stepReplay(replay, -replay.tick_s);
+  }
+  ImGui::SameLine();
+  if (buttonWidget("replay/play", replay.playing ? "stop" : "play", "As fast as it was.")) {
+    replay.playing = !replay.playing;
+    if (replay.playing && replay.at_s >= replay.to_s) replay.at_s = replay.from_s;
+  }
+  ImGui::SameLine();
+  if (buttonWidget("replay/tick", ">", "A tick of the servo forth: Shift and Right.")) {
+    stepReplay(replay, replay.tick_s);
+  }
+  ImGui::SameLine();
+  if (buttonWidget("replay/forth", ">>", "A picture forth (1/60 s): Right.")) stepReplay(replay, kReplayStepS);
+  ImGui::SameLine();
+  if (buttonWidget("replay/live", "live", "Back to what is touched now: Space.")) asks.act(window::Action::freeze);
+}
+
+/// Where the marks are, over the slider that was drawn last.
+void drawMarks(const Replay& replay) {
+  const ImVec2 low = ImGui::GetItemRectMin();
+  const ImVec2 high = ImGui::GetItemRectMax();
+  const double span_s = std::max(1e-9, replay.to_s - replay.from_s);
+  // The grab stays inside the slider by half its width and a frame.
+  const float inset = 0.5f * ImGui::GetStyle().GrabMinSize + 2.0f;
+  for (const ReplayMark& mark : replay.marks) {
+    const auto share = static_cast<float>((mark.at_s - replay.from_s) / span_s);
+    const float x = low.x + inset + share * (high.x - low.x - 2.0f * inset);
+    ImGui::GetWindowDrawList()->AddLine({x, low.y}, {x, high.y}, ImGui::GetColorU32(ImGuiCol_PlotHistogram), 2.0f);
+  }
+}
+
+/// For what was recorded: marks, again and again, another one beside it.
+void sessionButtons(Replay& replay, Asks& asks) {
+  flagWidget("replay/loop", "loop", replay.loops, "Begins anew at the end.");
+  ImGui::SameLine();
+  if (!replay.marks.empty()) {
+    if (buttonWidget("replay/mark_back", "mark <", "To the mark before.")) goToMark(replay, false);
+    ImGui::SameLine();
+    if (buttonWidget("replay/mark_forth", "mark >", "To the next mark.")) goToMark(replay, true);
+    ImGui::SameLine();
+  }
+  if (replay.beside.empty()) {
+    if (buttonWidget("replay/beside", "beside ...", "Shows another session beside this one, from its beginning on.")) {
+      replay.chooses_beside = true;
+      asks.act(window::Action::open);
+    }
+  } else if (buttonWidget("replay/alone", "alone", "Without the other session.")) {
+    replay.beside.clear();
+  }
+  const std::string mark = markAt(replay);
+  if (mark.empty()) return;
+  ImGui::SameLine();
+  ImGui::TextUnformatted(mark.c_str());
+}
+
+/// Whose half is whose.
+void nameHalves(const Replay& replay, const FreeArea& free) {
+  const std::array<std::string, 2> names = {std::filesystem::path(replay.table).filename().string(),
+                                            std::filesystem::path(replay.beside).filename().string()};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const float left = i == 0 ? free.left : 0.5f * (free.left + free.right);
+    ImGui::GetForegroundDrawList()->AddText({left + 12.0f, free.top + 8.0f}, ImGui::GetColorU32(ImGuiCol_Text),
+                                            names[i].c_str());
+  }
+}
+
+}  // namespace
+
+void replayBar(Replay& replay, const FreeArea& free, Asks& asks) {
+  if (!replay.beside.empty()) nameHalves(replay, free);
+  ImGui::SetNextWindowPos({0.5f * (free.left + free.right), free.below - 16.0f}, ImGuiCond_Always, {0.5f, 1.0f});
+  const float width = std::min(kWidth, free.right - free.left - 8.0f);
+  ImGui::SetNextWindowSize({width, 0.0f});
+  ImGui::SetNextWindowBgAlpha(0.9f);
+  constexpr auto kBar = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                        ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+  if (ImGui::Begin("replay", nullptr, kBar)) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(wordsFor(replay).c_str());
+    if (ImGui::GetItemRectSize().x + kButtonsWidth + 16.0f < width) ImGui::SameLine(width - kButtonsWidth);
+    stepButtons(replay, asks);
+    ImGui::SetNextItemWidth(-1.0f);
+    if (ImGui::SliderScalar("##moment", ImGuiDataType_Double, &replay.at_s, &replay.from_s, &replay.to_s, "")) {
+      replay.playing = false;
+    }
+    notePlace("replay/moment");
+    drawMarks(replay);
+    if (!replay.table.empty()) sessionButtons(replay, asks);
+    notePlaceOfWindow("replay");
+  }
+  ImGui::End();
+}
+
+}  // namespace palpate::viewer

@@ -1,0 +1,326 @@
+#include "view/viewer/panels/widgets.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "palpate/base/error.h"
+#include "palpate/base/text.h"
+#include "palpate/scene/keys/key_table.h"
+#include "palpate/scene/scene_edit.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+constexpr float kTooltipWidth = 320.0f;
+constexpr float kControlShare = 0.56f;  ///< of the panel's width; the rest is the label
+
+void tooltip(const std::string& text, bool label_hovered = false) {
+  if (text.empty() || (!label_hovered && !ImGui::IsItemHovered())) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(kTooltipWidth);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+void beginControl() { ImGui::SetNextItemWidth(kControlShare * ImGui::GetContentRegionAvail().x); }
+
+/// True when the user asked for the default.
+bool resetMenu(const std::string& fallback) {
+  bool reset = false;
+  if (ImGui::BeginPopupContextItem(nullptr)) {
+    reset = ImGui::MenuItem(fmt::format("Back to {}", fallback).c_str());
+    ImGui::EndPopup();
+  }
+  return reset;
+}
+
+struct SliderLook {
+  const char* label;
+  const char* format;
+  double low;
+  double high;
+};
+struct Slid {
+  bool changed = false;
+  bool label_hovered = false;
+};
+
+/// The label of the item drawn last, without being an item: that one stays the last. True while it is pointed at.
+bool drawLabel(const char* label) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const ImVec2 low(ImGui::GetItemRectMax().x + style.ItemInnerSpacing.x,
+                   ImGui::GetItemRectMin().y + style.FramePadding.y);
+  const ImVec2 size = ImGui::CalcTextSize(label);
+  ImGui::GetWindowDrawList()->AddText(low, ImGui::GetColorU32(ImGuiCol_Text), label);
+  return ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, {low.x + size.x, low.y + size.y});
+}
+
+std::string numberWords(double value, const char* format) {
+  std::array<char, 64> text{};
+  ImGui::DataTypeFormatString(text.data(), static_cast<int>(text.size()), ImGuiDataType_Double, &value, format);
+  return text.data();
+}
+
+/// The number stands before the track, where no grab can cover it. Ctrl and click types it, in place of the track.
+Slid slider(double& value, const SliderLook& look) {
+  constexpr float kNumber = 62.0f;  // room for most of them, so that tracks begin below each other
+  constexpr float kLeastTrack = 40.0f;
+  const std::string words = numberWords(value, look.format);
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float column = std::max({kNumber, ImGui::CalcTextSize(numberWords(look.low, look.format).c_str()).x,
+                                 ImGui::CalcTextSize(numberWords(look.high, look.format).c_str()).x});
+  const float track = std::max(kLeastTrack, ImGui::CalcItemWidth() - column - gap);
+  const float left = ImGui::GetCursorPosX();
+  ImGui::AlignTextToFramePadding();
+  ImGui::SetCursorPosX(left + column - ImGui::CalcTextSize(words.c_str()).x);
+  ImGui::TextUnformatted(words.c_str());
+  ImGui::SameLine(left + column + gap);
+  ImGui::SetNextItemWidth(track);
+  // The format stays, because values are rounded by it; only the number that it would write on the track is unseen.
+  const bool typed = ImGui::TempInputIsActive(ImGui::GetID("##slider"));
+  if (!typed) ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32_BLACK_TRANS);
+  Slid slid;
+  slid.changed = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &look.low, &look.high, look.format);
+  if (!typed) ImGui::PopStyleColor();
+  slid.label_hovered = drawLabel(look.label);
+  return slid;
+}
+
+using scene::KeyForm;
+using scene::KeyRow;
+
+/// Everything about a key, for the tooltip.
+std::string wordsOf(const KeyRow& row, const KeyWidget& widget) {
+  const std::string fallback = scene::defaultOf(widget.table, widget.key);
+  return fmt::format("{}\n\n{}{}\n[{}] {}", row.meaning, row.takes, fallback.empty() ? "" : "; default " + fallback,
+                     widget.table, row.key);
+}
+
+/// Each draws one form and returns the new value as text, or nothing.
+std::string editNumber(const KeyRow& row, const KeyWidget& widget, bool& label_hovered) {
+  double value = parseNumber(row.fallback).value_or(0.0);
+  const bool own = widget.low == widget.high;
+  const double low = own ? row.form.low : widget.low;
+  const double high = own ? row.form.high : widget.high;
+  Slid slid;
+  if (std::isfinite(low) && std::isfinite(high)) {
+    slid = slider(value, {widget.label, widget.format, low, high});
+  } else {
+    slid.changed = ImGui::InputDouble(widget.label, &value, 0.0, 0.0, widget.format);
+  }
+  label_hovered = slid.label_hovered;
+  return slid.changed ? scene::showNumber(value) : std::string();
+}
+
+std::string editWhole(const KeyRow& row, const KeyWidget& widget) {
+  int value = static_cast<int>(parseNumber(row.fallback).value_or(0.0));
+  if (!ImGui::InputInt(widget.label, &value, 0, 0, ImGuiInputTextFlags_EnterReturnsTrue)) return {};
+  return std::to_string(value);
+}
+
+std::string editFlag(const KeyRow& row, const KeyWidget& widget) {
+  bool value = row.fallback == "true";
+  if (!ImGui::Checkbox(widget.label, &value)) return {};
+  return value ? "true" : "false";
+}
+
+std::string editChoice(const KeyRow& row, const KeyWidget& widget) {
+  std::string chosen;
+  const std::string now = row.fallback.size() >= 2 ? row.fallback.substr(1, row.fallback.size() - 2) : std::string();
+  if (!ImGui::BeginCombo(widget.label, now.c_str())) return {};
+  for (const std::string& choice : row.form.choices) {
+    if (ImGui::Selectable(choice.c_str(), choice == now)) chosen = scene::inQuotes(choice);
+  }
+  ImGui::EndCombo();
+  return chosen;
+}
+
+std::string editText(const KeyRow& row, const KeyWidget& widget) {
+  std::string value = row.fallback.size() >= 2 ? row.fallback.substr(1, row.fallback.size() - 2) : std::string();
+  if (!ImGui::InputText(widget.label, &value, ImGuiInputTextFlags_EnterReturnsTrue)) return {};
+  return scene::inQuotes(value);
+}
+
+std::string edit(const KeyRow& row, const KeyWidget& widget, bool& label_hovered) {
+  switch (row.form.kind) {
+    case KeyForm::Kind::number:
+      return editNumber(row, widget, label_hovered);
+    case KeyForm::Kind::whole:
+      return editWhole(row, widget);
+    case KeyForm::Kind::flag:
+      return editFlag(row, widget);
+    case KeyForm::Kind::choice:
+      return editChoice(row, widget);
+    case KeyForm::Kind::text:
+    case KeyForm::Kind::file:
+      return editText(row, widget);
+    default:
+      return {};
+  }
+}
+
+bool setTo(const SceneKeys& keys, const KeyWidget& widget, const std::string& value) {
+  try {
+    scene::setKey(keys.scene, widget.table, widget.key, value);
+  } catch (const Error& error) {
+    keys.asks.tell(Severity::warning, error.what());
+    return false;
+  }
+  keys.asks.changed |= consequenceOf(widget.table);
+  return true;
+}
+
+}  // namespace
+
+std::uint32_t consequenceOf(std::string_view table) {
+  if (table == "body") return kBodyChange;
+  if (table == "friction" || table == "device") return kFingerChange;
+  if (table == "tissue") return kFingerChange | kMapChange;   // how it relaxes is the finger's
+  if (table == "contact") return kFingerChange | kMapChange;  // the source of the contact is built with the maps
+  if (table == "output" || table == "safety" || table == "view") return kNothing;
+  if (table == "finger") return kFingerChange | kMapChange;  // their radii, and the paths that the world knows
+  return kMapChange;
+}
+
+WidgetPlaces& widgetPlaces() {
+  static WidgetPlaces places;  // of the display's thread, like ImGui's own state
+  return places;
+}
+
+void notePlace(const std::string& path) {
+  const ImVec2 low = ImGui::GetItemRectMin();
+  const ImVec2 high = ImGui::GetItemRectMax();
+  widgetPlaces()[path] = {low.x, low.y, high.x, high.y};
+}
+
+void notePlaceOfWindow(const std::string& path) {
+  const ImVec2 low = ImGui::GetWindowPos();
+  const ImVec2 size = ImGui::GetWindowSize();
+  widgetPlaces()[path] = {low.x, low.y, low.x + size.x, low.y + size.y};
+}
+
+bool keyWidget(const SceneKeys& keys, const KeyWidget& widget) {
+  const auto row = scene::keyOf(keys.scene, widget.table, widget.key);
+  if (!row) return false;
+  ImGui::PushID(widget.key.data());
+  beginControl();
+  bool label_hovered = false;
+  std::string value = edit(*row, widget, label_hovered);
+  notePlace(fmt::format("{}/{}", widget.table, widget.key));
+  const std::string fallback = scene::defaultOf(widget.table, widget.key);
+  if (!fallback.empty() && resetMenu(fallback)) value = fallback;
+  tooltip(wordsOf(*row, widget), label_hovered);
+  ImGui::PopID();
+  return !value.empty() && setTo(keys, widget, value);
+}
+
+void otherKeys(const SceneKeys& keys, const char* table) {
+  std::vector<KeyRow> rest;
+  for (const KeyRow& row : scene::keysOf(keys.scene, table)) {
+    const bool editable = row.form.kind != KeyForm::Kind::other;
+    if (editable && !widgetPlaces().contains(fmt::format("{}/{}", table, row.key))) rest.push_back(row);
+  }
+  if (rest.empty()) return;
+  ImGui::PushID(table);
+  if (ImGui::TreeNode("more", "more of [%s]", table)) {
+    for (const KeyRow& row : rest) keyWidget(keys, {table, row.key, row.key.c_str()});
+    // They are to be found here again in the next frame.
+    for (const KeyRow& row : rest) widgetPlaces().erase(fmt::format("{}/{}", table, row.key));
+    ImGui::TreePop();
+  }
+  ImGui::PopID();
+}
+
+bool numberWidget(double& value, const NumberWidget& widget) {
+  ImGui::PushID(widget.path);
+  beginControl();
+  const Slid slid = slider(value, {widget.label, widget.format, widget.low, widget.high});
+  bool changed = slid.changed;
+  notePlace(widget.path);
+  if (resetMenu(fmt::format("{:g}", widget.fallback))) {
+    value = widget.fallback;
+    changed = true;
+  }
+  tooltip(fmt::format("{}\n\n{:g} to {:g}; default {:g}", widget.meaning, widget.low, widget.high, widget.fallback),
+          slid.label_hovered);
+  ImGui::PopID();
+  if (changed) value = std::clamp(value, widget.low, widget.high);  // typed values are not held by the slider
+  return changed;
+}
+
+bool flagWidget(const char* path, const char* label, bool& value, const char* meaning) {
+  ImGui::PushID(path);
+  const bool changed = ImGui::Checkbox(label, &value);
+  notePlace(path);
+  tooltip(meaning);
+  ImGui::PopID();
+  return changed;
+}
+
+bool choiceWidget(const char* path, const char* label, std::size_t& value, std::span<const std::string_view> names,
+                  const char* meaning) {
+  bool changed = false;
+  ImGui::PushID(path);
+  beginControl();
+  const bool open = ImGui::BeginCombo(label, std::string(names[std::min(value, names.size() - 1)]).c_str());
+  notePlace(path);
+  if (open) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (ImGui::Selectable(std::string(names[i]).c_str(), i == value)) {
+        changed = i != value;
+        value = i;
+      }
+    }
+    ImGui::EndCombo();
+  }
+  tooltip(meaning);
+  ImGui::PopID();
+  return changed;
+}
+
+bool buttonWidget(const char* path, const char* label, const char* meaning) {
+  ImGui::PushID(path);
+  const bool clicked = ImGui::Button(label);
+  notePlace(path);
+  tooltip(meaning);
+  ImGui::PopID();
+  return clicked;
+}
+
+bool stopButton(const char* path, const char* label, bool wide, const char* meaning) {
+  ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(190, 20, 16, 255));
+  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, IM_COL32(222, 40, 34, 255));
+  ImGui::PushStyleColor(ImGuiCol_ButtonActive, IM_COL32(140, 12, 10, 255));
+  ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32_WHITE);
+  ImGui::PushID(path);
+  const bool clicked = ImGui::Button(label, wide ? ImVec2(-1.0f, 2.0f * ImGui::GetFrameHeight()) : ImVec2(0.0f, 0.0f));
+  ImGui::PopID();
+  ImGui::PopStyleColor(4);
+  notePlace(path);
+  tooltip(meaning);
+  return clicked;
+}
+
+bool isLightTheme() { return ImGui::GetStyleColorVec4(ImGuiCol_Text).y < 0.5f; }
+
+void valueLine(const char* label, const std::string& value) {
+  ImGui::TextUnformatted(label);
+  const float right = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(value.c_str()).x;
+  ImGui::SameLine(std::max(0.0f, ImGui::GetCursorPosX() + right));
+  ImGui::TextUnformatted(value.c_str());
+}
+
+void remark(const std::string& words) {
+  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+  ImGui::TextWrapped("%s", words.c_str());
+  ImGui::PopStyleColor();
+}
+
+}  // namespace palpate::viewer

@@ -1,0 +1,79 @@
+// Controls of the panels: each says what it is in plain words, explains itself when pointed at (unit, range, default,
+// the scene file's name for it), goes back to its default by a right click, and is known to tests by a path.
+#pragma once
+
+#include <array>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "view/viewer/panels/asks.h"
+#include "palpate/scene/scene.h"
+
+namespace palpate::viewer {
+
+/// Where each control was drawn in this frame, points: "touch/depth" -> left, top, right, below. For tests and input
+/// scripts, which should not know pixels.
+using WidgetPlaces = std::map<std::string, std::array<float, 4>>;
+WidgetPlaces& widgetPlaces();
+
+/// Notes the control that was drawn last.
+void notePlace(const std::string& path);
+/// Notes the window that is being drawn.
+void notePlaceOfWindow(const std::string& path);
+
+/// What a change of a key of this table of the scene file has consequences for (asks.h).
+std::uint32_t consequenceOf(std::string_view table);
+
+/// The scene that controls change, and where they say so.
+struct SceneKeys {
+  scene::Scene& scene;
+  Asks& asks;
+};
+
+/// A control for one key of the scene file.
+struct KeyWidget {
+  std::string_view table;
+  std::string_view key;
+  const char* label;
+  double low = 0.0;  ///< ends of the slider; low = high: those of the key, or no slider where it has none
+  double high = 0.0;
+  const char* format = "%.2f";
+};
+/// Draws it and changes the scene; nothing where the scene file has no such key. True when it was changed.
+bool keyWidget(const SceneKeys& keys, const KeyWidget& widget);
+
+/// All keys of a table that no keyWidget of this frame has shown, under a heading "more": what the scene file can say
+/// and no panel has words for.
+void otherKeys(const SceneKeys& keys, const char* table);
+
+struct NumberWidget {
+  const char* path;  ///< "touch/depth"
+  const char* label;
+  const char* format;
+  double low;
+  double high;
+  double fallback;
+  const char* meaning;
+};
+bool numberWidget(double& value, const NumberWidget& widget);
+
+bool flagWidget(const char* path, const char* label, bool& value, const char* meaning);
+/// The index chosen among the names.
+bool choiceWidget(const char* path, const char* label, std::size_t& value, std::span<const std::string_view> names,
+                  const char* meaning);
+bool buttonWidget(const char* path, const char* label, const char* meaning = "");
+
+/// A red one that is as wide as there is room, or as its words.
+bool stopButton(const char* path, const char* label, bool wide, const char* meaning);
+
+/// Whether the theme has dark letters on light windows.
+bool isLightTheme();
+
+/// A line "label   value", the value right-aligned in digits of equal width.
+void valueLine(const char* label, const std::string& value);
+/// Small grey words.
+void remark(const std::string& words);
+
+}  // namespace palpate::viewer

@@ -1,0 +1,254 @@
+// Force, depth and speed of the last seconds in three strips over one time axis; the newest sample is at the right.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "view/viewer/panels/panels.h"
+#include "view/viewer/panels/widgets.h"
+#include "view/viewer/plots/plot_drawing.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+constexpr float kTitle = 20.0f;    ///< above each strip
+constexpr float kTimes = 18.0f;    ///< below it
+constexpr float kPadding = 16.0f;  ///< of the window, above and below together
+constexpr std::array<double, 5> kWindows = {2.0, 5.0, 10.0, 30.0, 60.0};
+
+struct Strip {
+  const char* title;
+  const char* unit;
+  PlotValue value;
+  double least;  ///< the axis never ends below this
+};
+constexpr std::array<Strip, 3> kStrips = {{{"force", "N", PlotValue::force, 1.0},
+                                           {"depth", "mm", PlotValue::depth, 5.0},
+                                           {"speed", "mm/s", PlotValue::speed, 50.0}}};
+
+/// One look at both fingers: the columns of one frame, the same in every strip.
+struct Columns {
+  double end_s = 0.0;
+  double window_s = 10.0;
+  std::size_t count = 1;
+  std::array<std::vector<ColumnMarks>, 2> marks;
+};
+
+/// Where the axes end now: they grow at once and shrink after three seconds of less.
+double steadyEnd(std::size_t strip, double wanted, double now_s) {
+  struct Axis {
+    double end = 0.0;
+    double since_s = 0.0;
+  };
+  static std::array<Axis, kStrips.size()> axes;  // of the display's thread
+  constexpr double kPatienceS = 3.0;
+  Axis& axis = axes[strip];
+  if (wanted >= axis.end || now_s < axis.since_s || now_s > axis.since_s + kPatienceS) axis = {wanted, now_s};
+  return axis.end;
+}
+
+double greatest(const std::vector<Extent>& extents) {
+  double most = 0.0;
+  for (const Extent& extent : extents) most = std::max(most, extent.any ? static_cast<double>(extent.high) : 0.0);
+  return most;
+}
+
+Columns columnsOf(const PlotStrips& panel, float width) {
+  Columns columns{panel.plots.shownEnd(), panel.plots.window_s, static_cast<std::size_t>(std::max(1.0f, width)), {}};
+  for (std::size_t f = 0; f < 2; ++f) {
+    columns.marks[f] = panel.plots.fingers[f].marks(columns.end_s, columns.window_s, columns.count);
+  }
+  return columns;
+}
+
+/// What is read, of every finger that is there, in its colour; right-aligned.
+void drawReadouts(const PlotStrips& panel, const PlotArea& area, PlotValue value, double time_s) {
+  float right = area.high.x;
+  for (std::size_t f = panel.present.size(); f-- > 0;) {
+    const PlotSample* sample = panel.plots.fingers[f].near(time_s);
+    if (!panel.present[f] || sample == nullptr) continue;
+    const std::string words = fmt::format("{:.2f}", valueOf(*sample, value));
+    right -= ImGui::CalcTextSize(words.c_str()).x;
+    ImGui::GetWindowDrawList()->AddText({right, area.low.y - kTitle}, fingerInk(f), words.c_str());
+    right -= 10.0f;
+  }
+}
+
+void drawTitle(const PlotArea& area, const Strip& strip) {
+  const std::string title = fmt::format("{}, {}", strip.title, strip.unit);
+  ImGui::GetWindowDrawList()->AddText({area.low.x, area.low.y - kTitle}, plotInk(), title.c_str());
+}
+
+/// A strip's curve of each finger.
+using Curves = std::array<std::vector<Extent>, 2>;
+
+Curves curvesOf(const PlotStrips& panel, PlotValue value, const Columns& columns) {
+  Curves curves;
+  for (std::size_t f = 0; f < 2; ++f) {
+    curves[f] = panel.plots.fingers[f].columns(value, columns.end_s, columns.window_s, columns.count);
+  }
+  return curves;
+}
+
+struct CurvesLook {
+  float opacity = 1.0f;
+  bool dotted = false;
+};
+
+void drawCurves(const PlotStrips& panel, const Curves& curves, const CurvesLook& look, const PlotArea& area,
+                double end) {
+  for (std::size_t f = 0; f < 2; ++f) {
+    if (panel.present[f]) drawExtents(curves[f], area, end, {fingerInk(f, look.opacity), look.dotted});
+  }
+}
+
+void drawStrip(const PlotStrips& panel, std::size_t index, const Columns& columns, const PlotArea& area) {
+  const Strip& strip = kStrips[index];
+  const bool force = strip.value == PlotValue::force;
+  const Curves main = curvesOf(panel, strip.value, columns);
+  double most = 0.0;
+  for (const auto& curve : main) most = std::max(most, greatest(curve));  // a force's parts are no greater
+  const double end = steadyEnd(index, axisEnd(1.05 * most, strip.least), panel.now_s);
+  for (const auto& marks : columns.marks) shadeTouching(marks, area);
+  drawPlotAxes(area, end, columns.window_s);
+  if (force) {
+    drawCurves(panel, curvesOf(panel, PlotValue::tangential_force, columns), {kPartOpacity, true}, area, end);
+    drawCurves(panel, curvesOf(panel, PlotValue::normal_force, columns), {kPartOpacity, false}, area, end);
+    drawPlotLimit(area, panel.device_limit_n, end);
+    for (std::size_t f = 0; f < 2; ++f) drawEvents(columns.marks[f], area, f);
+  }
+  drawCurves(panel, main, {}, area, end);
+}
+
+void pausePlots(Plots& plots, bool pause) {
+  plots.end_s = plots.shownEnd();
+  plots.paused = pause;
+}
+
+/// A click pauses or goes on; dragging scrolls back; the wheel takes a longer or a shorter time into view.
+void useMouse(const PlotStrips& panel, const PlotArea& area) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
+    if (!panel.plots.paused) pausePlots(panel.plots, true);
+    panel.plots.end_s -= io.MouseDelta.x / area.width() * panel.plots.window_s;
+  } else if (ImGui::IsMouseReleased(ImGuiMouseButton_Left) && ImGui::GetMouseDragDelta().x == 0.0f &&
+             area.holds(io.MouseClickedPos[ImGuiMouseButton_Left])) {
+    pausePlots(panel.plots, !panel.plots.paused);
+  }
+  if (io.MouseWheel == 0.0f) return;
+  const auto* now = std::find(kWindows.begin(), kWindows.end(), panel.plots.window_s);
+  const auto* last = std::prev(kWindows.end());
+  if (io.MouseWheel > 0.0f && now != kWindows.begin()) panel.plots.window_s = *std::prev(now);
+  if (io.MouseWheel < 0.0f && now < last) panel.plots.window_s = *std::next(now);
+}
+
+/// The time that is read: under the cursor, else of the frozen picture, else the newest.
+double timeRead(const PlotStrips& panel, std::span<const PlotArea> areas) {
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  for (const PlotArea& area : areas) {
+    if (!area.holds(mouse)) continue;
+    const double share = (mouse.x - area.low.x) / area.width();
+    return panel.plots.shownEnd() - (1.0 - share) * panel.plots.window_s;
+  }
+  return panel.frozen_at_s ? *panel.frozen_at_s : panel.plots.shownEnd();
+}
+
+/// One line through all strips.
+void drawCursor(const PlotStrips& panel, std::span<const PlotArea> areas, double time_s) {
+  const double ago_s = panel.plots.shownEnd() - time_s;
+  if (ago_s <= 0.0 || ago_s > panel.plots.window_s) return;
+  for (const PlotArea& area : areas) {
+    const float x = area.high.x - static_cast<float>(ago_s / panel.plots.window_s) * area.width();
+    ImGui::GetWindowDrawList()->AddLine({x, area.low.y}, {x, area.high.y}, plotInk());
+  }
+}
+
+void windowChoice(Plots& plots) {
+  const std::string now = fmt::format("{:g} s", plots.window_s);
+  ImGui::SetNextItemWidth(66.0f);
+  if (ImGui::BeginCombo("##window", now.c_str())) {
+    for (const double seconds : kWindows) {
+      if (ImGui::Selectable(fmt::format("{:g} s", seconds).c_str(), seconds == plots.window_s)) {
+        plots.window_s = seconds;
+      }
+    }
+    ImGui::EndCombo();
+  }
+  notePlace("plots/window");
+}
+
+void buttons(const PlotStrips& panel, Asks& asks) {
+  windowChoice(panel.plots);
+  if (buttonWidget("plots/pause", panel.plots.paused ? "live" : "pause",
+                   "A click into a plot does the same; dragging there scrolls back, the wheel zooms.")) {
+    pausePlots(panel.plots, !panel.plots.paused);
+  }
+  if (buttonWidget("plots/csv", "CSV", "Save what the plots show as a table.")) asks.wish(Wish::Kind::plots_csv);
+}
+
+constexpr float kGap = 14.0f;  ///< between strips
+
+/// Strips side by side, as many as have room: in a narrow window the last ones are left out.
+std::vector<PlotArea> areasIn(const ImVec2& corner, float width, int legend_lines) {
+  constexpr float kLeastStrip = 150.0f;
+  const auto count = static_cast<std::size_t>(
+      std::clamp((width + kGap) / (kLeastStrip + kGap), 1.0f, static_cast<float>(kStrips.size())));
+  const auto gaps = static_cast<float>(count - 1);
+  const float each = (width - gaps * kGap) / static_cast<float>(count);
+  const float legend = static_cast<float>(legend_lines) * kPlotLegendLine;
+  const float foot = corner.y + kPlotsHeight - kPadding - kTimes - legend;
+  std::vector<PlotArea> areas;
+  for (std::size_t i = 0; i < count; ++i) {
+    const float left = corner.x + static_cast<float>(i) * (each + kGap);
+    areas.push_back({{left, corner.y + kTitle}, {left + each, foot}});
+  }
+  return areas;
+}
+
+void strips(const PlotStrips& panel, std::span<const PlotArea> areas) {
+  for (const PlotArea& area : areas) {
+    if (ImGui::IsWindowHovered() && area.holds(ImGui::GetIO().MousePos)) useMouse(panel, area);
+  }
+  const Columns columns = columnsOf(panel, areas.front().width());
+  const double time_s = timeRead(panel, areas);
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    drawStrip(panel, i, columns, areas[i]);
+    drawTitle(areas[i], kStrips[i]);
+    drawReadouts(panel, areas[i], kStrips[i].value, time_s);
+  }
+  drawCursor(panel, areas, time_s);
+}
+
+}  // namespace
+
+void plotStrips(const PlotStrips& panel, const FreeArea& free, Asks& asks) {
+  ImGui::SetNextWindowPos({free.left, free.below});
+  ImGui::SetNextWindowSize({free.right - free.left, kPlotsHeight});
+  constexpr auto kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                          ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing |
+                          ImGuiWindowFlags_NoScrollWithMouse;
+  if (ImGui::Begin("plots", nullptr, kFixed)) {
+    constexpr float kButtons = 78.0f;
+    constexpr float kLeastWithButtons = 300.0f;  // narrower strips need the place; the mouse does the same in them
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    const float whole = ImGui::GetContentRegionAvail().x;
+    const bool has_buttons = whole > kLeastWithButtons;
+    const float width = has_buttons ? whole - kButtons - kGap : whole;
+    const int lines = plotLegendLines(whole, panel.present[1]);
+    strips(panel, areasIn(from, width, lines));
+    const float legend = static_cast<float>(lines) * kPlotLegendLine;
+    drawPlotLegend({from.x, from.y + kPlotsHeight - kPadding - legend + 4.0f}, whole, panel.present[1]);
+    if (has_buttons) {
+      ImGui::SetCursorScreenPos({from.x + width + kGap, from.y});
+      ImGui::BeginGroup();
+      buttons(panel, asks);
+      ImGui::EndGroup();
+    }
+  }
+  ImGui::End();
+}
+
+}  // namespace palpate::viewer
