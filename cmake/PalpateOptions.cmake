@@ -26,7 +26,9 @@ endif()
 # The same for what is compiled inside this source tree: headers by their place in it.
 add_library(palpate_build INTERFACE)
 target_link_libraries(palpate_build INTERFACE palpate_options)
-target_include_directories(palpate_build INTERFACE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR})
+set(PALPATE_INCLUDE_FOLDERS ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/core ${PROJECT_SOURCE_DIR}/host ${PROJECT_SOURCE_DIR}/view
+                            ${PROJECT_SOURCE_DIR}/measure ${PROJECT_SOURCE_DIR}/teach ${PROJECT_SOURCE_DIR}/solve)
+target_include_directories(palpate_build INTERFACE ${PALPATE_INCLUDE_FOLDERS})
 # One order of arithmetic everywhere: with Eigen's packets a sum of three is added in another order where there is SSE than
 # where there is none. Three-vectors are no slower without.
 target_compile_definitions(palpate_build INTERFACE EIGEN_DONT_VECTORIZE)
@@ -45,7 +47,7 @@ function(palpate_precompile target owner)
     return()
   endif()
   if(target STREQUAL owner)
-    target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src/precompiled.h ${ARGN})
+    target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.h ${ARGN})
   else()
     target_precompile_headers(${target} REUSE_FROM ${owner})
   endif()
@@ -59,3 +61,8 @@ function(palpate_unite)
   endif()
   set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${PALPATE_UNITY_BATCH})
 endfunction()
+
+# The owner of the precompiled header of everything that goes into our own programs only.
+add_library(palpate_programs OBJECT ${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp)
+target_link_libraries(palpate_programs PRIVATE palpate_build)
+palpate_precompile(palpate_programs palpate_programs)

@@ -1,5 +1,5 @@
 # Tests of the C interface, included by bindings/c/CMakeLists.txt: `ctest -R '^c\.'`.
-set(tests ${PROJECT_SOURCE_DIR}/tests/c)
+set(tests ${CMAKE_CURRENT_SOURCE_DIR}/tests)
 set(c_stage ${CMAKE_CURRENT_BINARY_DIR}/tests)
 
 # palpate_add_c_test(<name> <library> <source> [<argument>...]): the test c.<name>

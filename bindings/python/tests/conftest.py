@@ -10,7 +10,7 @@ import pytest
 
 import palpate
 
-SOURCE = pathlib.Path(__file__).resolve().parents[2]
+SOURCE = pathlib.Path(__file__).resolve().parents[3]
 
 
 def dome(cells: int = 40, half_mm: float = 100.0, height_mm: float = 20.0) -> tuple[np.ndarray, np.ndarray]:

@@ -1,0 +1,61 @@
+# Rooms: one folder of a house, one object library, in the order of ARCHITECTURE.md. A room may use those before it, and a
+# test links the rooms up to its own and no others.
+set(PALPATE_CORE_ROOMS base mesh body tissue maps tree contact hdb deform trace scene device servo engine)
+set(PALPATE_HOST_ROOMS base mesh tissue trace scene device servo engine)
+
+# palpate_add_rooms(<house> <prefix> <room>...) compiles <house>/palpate/<room> as <prefix>_<room>. Called again by the
+# determinism tests with other flags.
+function(palpate_add_rooms house prefix)
+  set(folder ${PROJECT_SOURCE_DIR}/${house}/palpate)
+  # These include themselves, once for each instruction set.
+  set_property(SOURCE ${folder}/tree/wide_node.cpp ${folder}/deform/kernels/kernels.cpp PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
+  set_property(SOURCE ${folder}/engine/session_settings.cpp PROPERTY COMPILE_DEFINITIONS
+               PALPATE_VERSION="${PROJECT_VERSION}") # recordings say what wrote them
+  if(NOT PALPATE_THREADS)
+    set_property(SOURCE ${folder}/base/host_environment.cpp PROPERTY COMPILE_DEFINITIONS PALPATE_NO_THREADS)
+  endif()
+  foreach(room ${ARGN})
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/${room}/*.cpp)
+    if(NOT PALPATE_ASSIMP)
+      list(REMOVE_ITEM sources ${folder}/mesh/files/read_foreign.cpp)
+    endif()
+    if(NOT sources)
+      continue() # a room of headers
+    endif()
+    set(target ${prefix}_${room})
+    add_library(${target} OBJECT ${sources})
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    target_link_libraries(${target} PRIVATE palpate_build Eigen3::Eigen fmt::fmt hwy::hwy)
+    if(house STREQUAL host)
+      target_link_libraries(${target} PRIVATE ${PALPATE_ASSIMP_LIBRARY} tomlplusplus::tomlplusplus Threads::Threads)
+      if(room STREQUAL device) # what speaks to a maker's service
+        target_link_libraries(${target} PRIVATE Boost::headers nlohmann_json::nlohmann_json)
+      endif()
+    endif()
+    palpate_precompile(${target} ${PALPATE_ROOM_HEADER_OWNER})
+  endforeach()
+endfunction()
+
+# palpate_public_headers(<variable> <house> <folder below palpate/>...): every header that lies directly in these folders.
+# What is not for others lies deeper, in `detail` for instance.
+function(palpate_public_headers variable house)
+  set(headers)
+  foreach(folder ${ARGN})
+    file(GLOB found CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${house}/palpate/${folder}/*.h)
+    list(APPEND headers ${found})
+  endforeach()
+  set(${variable} ${headers} PARENT_SCOPE)
+endfunction()
+
+# palpate_add_library(<target> <house> <folder>...): a static library of every source below these folders of a house, lightly
+# optimised and compiled in portions: what is around the engine.
+function(palpate_add_library target house)
+  set(sources)
+  foreach(folder ${ARGN})
+    file(GLOB_RECURSE found CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${house}/${folder}/*.cpp)
+    list(APPEND sources ${found})
+  endforeach()
+  add_library(${target} STATIC ${sources})
+  target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:palpate_build>)
+  palpate_unite(${target})
+endfunction()

@@ -1,0 +1,41 @@
+# How a house adds its tests: <house>/tests/<folder>/*.cpp becomes the program test_<folder>, whose tests are <folder>.Suite.Name.
+find_package(GTest REQUIRED)
+find_package(rapidcheck REQUIRED)
+include(GoogleTest)
+set(PALPATE_TEST_FOLDER ${CMAKE_BINARY_DIR}/tests) # where the programs lie
+
+add_library(palpate_test_build INTERFACE)
+target_link_libraries(palpate_test_build INTERFACE palpate_build Eigen3::Eigen GTest::gtest rapidcheck nlohmann_json::nlohmann_json
+                                                   fmt::fmt Threads::Threads)
+target_compile_options(palpate_test_build INTERFACE ${PALPATE_LIGHTLY_OPTIMISED})
+target_compile_definitions(palpate_test_build INTERFACE PALPATE_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data"
+                           PALPATE_SOURCE_DIR="${PROJECT_SOURCE_DIR}" PALPATE_BINARY_DIR="${CMAKE_BINARY_DIR}"
+                           $<$<BOOL:${PALPATE_ASSIMP}>:PALPATE_ASSIMP>)
+target_include_directories(palpate_test_build INTERFACE ${PROJECT_SOURCE_DIR}/tests)
+
+# Helpers of many tests, and the one precompiled header of all.
+file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/support/*.cpp)
+add_library(palpate_test_support STATIC ${sources})
+target_link_libraries(palpate_test_support PRIVATE palpate_test_build)
+palpate_precompile(palpate_test_support palpate_test_support <gtest/gtest.h>)
+
+# palpate_add_test(<folder> <library>...): of the house that calls, or of the whole.
+function(palpate_add_test folder)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/tests/${folder}/*.cpp)
+  if(CMAKE_CURRENT_SOURCE_DIR STREQUAL "${PROJECT_SOURCE_DIR}/tests")
+    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
+  endif()
+  set(target test_${folder})
+  add_executable(${target} ${sources})
+  target_link_libraries(${target} PRIVATE palpate_test_support ${ARGN} palpate_test_build GTest::gtest_main)
+  set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PALPATE_TEST_FOLDER})
+  palpate_precompile(${target} palpate_test_support)
+  palpate_unite(${target})
+  gtest_discover_tests(${target} TEST_PREFIX "${folder}." DISCOVERY_MODE PRE_TEST WORKING_DIRECTORY ${PALPATE_TEST_FOLDER}
+                       PROPERTIES TIMEOUT 600)
+endfunction()
+
+# The test starts the built command.
+function(palpate_runs_the_command test)
+  set_property(GLOBAL APPEND PROPERTY PALPATE_RUNNERS ${test})
+endfunction()

@@ -1,0 +1,37 @@
+# Doubles of the device makers' libraries (doubles/), each in a folder of its own under the real name: whole, too old, and in
+# need of a library that the loader does not find. Those who open one name it: add_dependencies(test_x double_y).
+set(doubles ${CMAKE_CURRENT_LIST_DIR}/doubles)
+# A maker's library knows nothing of our names for its types, so its calls are not checked by them.
+file(GLOB sources CONFIGURE_DEPENDS ${doubles}/*.cpp)
+set_property(SOURCE ${sources} PROPERTY COMPILE_OPTIONS $<$<CXX_COMPILER_ID:Clang>:-fno-sanitize=function>)
+# palpate_add_double(<library's name> <source> <folder> [<definition>...])
+function(palpate_add_double name source folder)
+  add_library(double_${folder} MODULE ${doubles}/${source}.cpp ${doubles}/double_settings.cpp)
+  target_link_libraries(double_${folder} PRIVATE palpate_build Threads::Threads)
+  target_include_directories(double_${folder} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  target_compile_definitions(double_${folder} PRIVATE ${ARGN})
+  set_target_properties(double_${folder} PROPERTIES OUTPUT_NAME ${name} SKIP_BUILD_RPATH ON
+                        LIBRARY_OUTPUT_DIRECTORY ${PALPATE_TEST_FOLDER}/doubles/${folder})
+  add_dependencies(palpate_doubles double_${folder})
+endfunction()
+add_custom_target(palpate_doubles)
+palpate_add_double(HD openhaptics_double openhaptics)
+palpate_add_double(HD openhaptics_double openhaptics_old PALPATE_DOUBLE_LACKS_FUNCTIONS)
+palpate_add_double(HD openhaptics_double openhaptics_needing PALPATE_DOUBLE_NEEDS)
+palpate_add_double(dhd forcedimension_double forcedimension)
+palpate_add_double(dhd forcedimension_double forcedimension_old PALPATE_DOUBLE_IS_OLD)
+palpate_add_double(double plugin_double plugin)
+palpate_add_double(double plugin_double plugin_at_once PALPATE_DOUBLE_AT_ONCE)
+palpate_add_double(openxr_loader openxr_double openxr)
+add_library(double_missing SHARED ${doubles}/missing_library.cpp)
+set_target_properties(double_missing PROPERTIES OUTPUT_NAME PhantomIOLib42
+                      LIBRARY_OUTPUT_DIRECTORY ${PALPATE_TEST_FOLDER}/doubles/missing)
+target_link_libraries(double_openhaptics_needing PRIVATE double_missing)
+# A service of Haply's in the test's own process.
+add_library(double_haply STATIC ${doubles}/haply_double.cpp)
+target_link_libraries(double_haply PRIVATE palpate_build Boost::headers nlohmann_json::nlohmann_json Threads::Threads)
+target_compile_options(double_haply PRIVATE ${PALPATE_LIGHTLY_OPTIMISED})
+foreach(test test_device test_servo)
+  add_dependencies(${test} palpate_doubles)
+  target_link_libraries(${test} PRIVATE double_haply)
+endforeach()
