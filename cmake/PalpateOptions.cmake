@@ -64,5 +64,5 @@ endfunction()
 
 # The owner of the precompiled header of everything that goes into our own programs only.
 add_library(palpate_programs OBJECT ${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp)
-target_link_libraries(palpate_programs PRIVATE palpate_build)
+target_link_libraries(palpate_programs PRIVATE palpate_build Eigen3::Eigen)
 palpate_precompile(palpate_programs palpate_programs)
