@@ -5,6 +5,7 @@ namespace palpate::app {
 
 void addAllCommands(CLI::App& app) {
   app.require_subcommand(1);
+  offerMeasuringMode();
   offerMeasuringStudies();
   offerTrainingStudies();
   addAnnotateCommand(app);

@@ -15,6 +15,8 @@ int runCommandLine(CLI::App& app, int argc, char** argv);
 /// Studies of the products that are built apart, for `palpate study`: before its commands are added.
 void offerMeasuringStudies();
 void offerTrainingStudies();
+/// And of modes for the window of `palpate run`.
+void offerMeasuringMode();
 
 /// All subcommands of `palpate`.
 void addAllCommands(CLI::App& app);

@@ -1,6 +1,7 @@
 // `palpate run`: opens the window on a scene, to be touched with the mouse.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -19,7 +20,8 @@
 #include "cli/kit/progress_line.h"
 #include "cli/kit/unit_option.h"
 #include "cli/run/playback.h"
-#include "view/viewer/files/state_file.h"
+#include "cli/run/run_modes.h"
+#include "view/viewer/state/state_file.h"
 #include "view/viewer/viewer.h"
 #include "palpate/base/background.h"
 #include "palpate/base/error.h"
@@ -36,6 +38,11 @@ namespace palpate::app {
 
 namespace {
 
+std::vector<OfferedMode>& offeredModes() {
+  static std::vector<OfferedMode> modes;
+  return modes;
+}
+
 struct RunOptions {
   std::string scene;
   std::string preset;
@@ -43,7 +50,7 @@ struct RunOptions {
   std::string out = ".";
   std::string replay;
   std::string beside;
-  std::vector<std::string> measure;  ///< two photographs
+  std::vector<ModeMaker> modes;
   std::string stereo;
   std::string head_tracker;          ///< [ADDRESS:]PORT or openxr; empty: none
   std::vector<std::string> devices;  ///< that hold the first fingers instead of the mouse
@@ -233,16 +240,13 @@ void runWindow(const RunOptions& options) {
   view_state.input.shortcuts = !options.no_shortcuts;
   if (!options.stereo.empty()) view_state.stereo.mode = view::stereoModeNamed(options.stereo);
   if (!options.head_tracker.empty()) view_state.head.on = true;
+  for (const ModeMaker& make : options.modes) settings.modes.push_back(make());
   building->join();  // without a display the window has thrown
   if (!options.devices.empty()) settings.devices = openedFor(*world, options.devices);
   viewer::Viewer viewer(world, std::move(view_state), std::move(settings), hostOf(window));
   if (!state.note.empty()) viewer.session().report(viewer::Severity::warning, state.note);
-  if (!options.replay.empty()) viewer.session().wish(viewer::Wish::Kind::open, options.replay);
+  if (!options.replay.empty()) viewer.session().request(viewer::OpenFile{options.replay});
   viewer.session().beside_at_first = options.beside;
-  if (options.measure.size() == 2) {
-    viewer.session().wish(viewer::Wish::Kind::measure_before, options.measure[0]);
-    viewer.session().wish(viewer::Wish::Kind::measure_after, options.measure[1]);
-  }
   const FinishesInOrder in_order;
   const StoppedBySignal stopped(viewer.emergencyStop());
   showFrames(window, viewer, playback, options.frames, [&](std::uint64_t frame, double now_s) {
@@ -257,6 +261,10 @@ void runWindow(const RunOptions& options) {
 }
 
 }  // namespace
+
+void offerRunMode(OfferedMode mode) {
+  if (std::ranges::find(offeredModes(), mode) == offeredModes().end()) offeredModes().push_back(mode);
+}
 
 void addRunCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand("run", "Open a window and touch a body with the mouse");
@@ -277,11 +285,7 @@ void addRunCommand(CLI::App& app) {
                       "Play a session, or press the same places again as a table of forces (CSV), to be stepped tick "
                       "by tick");
   command->add_option("--beside", options->beside, "Play this session beside that of --replay");
-  command
-      ->add_option("--measure", options->measure,
-                   "Measure how far skin follows: two photographs of dots, before and after it is dragged")
-      ->type_name("BEFORE AFTER")
-      ->expected(2);
+  for (const OfferedMode& add : offeredModes()) options->modes.push_back(add(*command));
   takesOneOf(wordList<view::StereoMode>(),
              command->add_option("--stereo", options->stereo,
                                  "Stereo mode instead of the remembered one; quad-buffer asks for a window for shutter "

@@ -15,7 +15,7 @@
 #include "cli/kit/progress_line.h"
 #include "cli/run/playback.h"
 #include "cli/serve/tls.h"
-#include "view/viewer/live_servo.h"
+#include "view/viewer/world/live_servo.h"
 #include "palpate/base/error.h"
 #include "palpate/base/hash.h"
 #include "palpate/base/stopwatch.h"

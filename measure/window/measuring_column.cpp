@@ -30,11 +30,11 @@ void photoRow(MeasuringView& view, Photo which) {
   for (const std::string& note : view.photo(which).notes) remark(note);
 }
 
-void photoRows(MeasuringView& view, Asks& asks) {
+void photoRows(MeasuringView& view, MeasuringRequests& requests) {
   photoRow(view, Photo::before);
   photoRow(view, Photo::after);
   if (view.hasPair() && buttonWidget("measuring/swap", "Swap them", "They were named the wrong way round.")) {
-    asks.wish(Wish::Kind::swap_photos);
+    requests.emplace_back(SwapPhotos{});
   }
 }
 
@@ -96,7 +96,7 @@ void textField(const char* path, const char* label, const char* hint, std::strin
   ImGui::PopID();
 }
 
-void acceptRows(MeasuringView& view, Asks& asks) {
+void acceptRows(MeasuringView& view, MeasuringRequests& requests) {
   AcceptForm& form = view.form;
   textField("measuring/place", "place", "T6 left 40 mm", form.place);
   if (!form.place_words.empty()) remark(form.place_words);
@@ -106,25 +106,25 @@ void acceptRows(MeasuringView& view, Asks& asks) {
              "The scene takes the table as its key points ([ellipses] key_points).");
   const std::string obstacle = obstacleToAccept(view);
   if (buttonWidget("measuring/accept", "Accept", "Adds a row to the table (Enter).")) {
-    asks.wish(Wish::Kind::accept_measurement);
+    requests.emplace_back(AcceptMeasurement{});
   }
   if (!obstacle.empty() && view.measured) remark(obstacle);
 }
 
 }  // namespace
 
-void measuringColumn(MeasuringView& view, Asks& asks) {
+void measuringColumn(MeasuringView& view, MeasuringRequests& requests) {
   if (buttonWidget("measuring/close", "Back to the body", "Esc; nothing is lost, it can be opened again.")) {
     view.open = false;
   }
-  photoRows(view, asks);
+  photoRows(view, requests);
   ImGui::Separator();
   hintRows(view);
   ImGui::Separator();
   settingRows(view);
   ImGui::Separator();
   findingLines(view);
-  acceptRows(view, asks);
+  acceptRows(view, requests);
   ImGui::Separator();
   numberLines(view);
 }

@@ -6,6 +6,6 @@
 namespace palpate::viewer {
 
 /// In the window that is being drawn.
-void measuringColumn(MeasuringView& view, Asks& asks);
+void measuringColumn(MeasuringView& view, MeasuringRequests& requests);
 
 }  // namespace palpate::viewer

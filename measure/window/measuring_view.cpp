@@ -250,14 +250,15 @@ void panBy(MeasuringView& view, const Vec2& by) {
   keepInside(view);
 }
 
-bool measuringKey(MeasuringView& view, window::Key key, const window::Modifiers& modifiers, Asks& asks) {
+bool measuringKey(MeasuringView& view, window::Key key, const window::Modifiers& modifiers,
+                  MeasuringRequests& requests) {
   if (key == window::Key::escape) return leaveSomething(view);
   if (view.dialog) return true;
   if (key == window::Key::tab) {
     const int step = modifiers.shift ? 3 : 1;
     view.tab = static_cast<MeasuringTab>((static_cast<int>(view.tab) + step) % 4);
   } else if (key == window::Key::enter || key == window::Key::pad_enter) {
-    asks.wish(Wish::Kind::accept_measurement);
+    requests.emplace_back(AcceptMeasurement{});
   } else if (key == window::Key::delete_key) {
     removeSelected(view);
   } else if (key == window::Key::home) {

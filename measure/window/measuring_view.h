@@ -1,7 +1,7 @@
 // Measuring a person in the window: two photographs, the marks in them, what came of them and what was corrected by
 // hand. Plain data and pure functions, without ImGui, files or threads.
 //
-//   mouse, keys, fields ─► MeasuringView ─ stale ─► MeasuringDesk: measured beside the display ─► taken by the view
+//   mouse, keys, fields ─► MeasuringView ─ stale ─► MeasuringMode: measured beside the display ─► taken by the view
 #pragma once
 
 #include <array>
@@ -11,12 +11,13 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
-#include "view/viewer/editing/edit_history.h"
-#include "view/viewer/panels/asks.h"
+#include "view/viewer/state/edit_history.h"
 #include "palpate/measure/measurement.h"
 #include "palpate/measure/overlay.h"
+#include "palpate/window/keys.h"
 
 namespace palpate::viewer {
 
@@ -37,6 +38,22 @@ struct ShownPhoto {
   std::vector<std::string> notes = {};
   std::uint32_t texture = 0;  ///< of the graphics card (view::GlId), perhaps smaller; 0: none
 };
+
+// What only the mode can do.
+
+/// This photograph takes a place.
+struct ShowPhoto {
+  Photo place = Photo::before;
+  std::string file = {};
+};
+struct SwapPhotos {};
+struct AcceptMeasurement {
+  bool sure = false;  ///< whatever speaks against it
+};
+/// The work under way is given up.
+struct CancelMeasuring {};
+using MeasuringRequest = std::variant<ShowPhoto, SwapPhotos, AcceptMeasurement, CancelMeasuring>;
+using MeasuringRequests = std::vector<MeasuringRequest>;
 
 struct ChosenMark {
   Photo photo = Photo::before;
@@ -159,7 +176,8 @@ void zoomAbout(MeasuringView& view, const Vec2& place, double factor);
 void panBy(MeasuringView& view, const Vec2& by);
 
 /// A key while the view is open. False: it means what it means elsewhere.
-bool measuringKey(MeasuringView& view, window::Key key, const window::Modifiers& modifiers, Asks& asks);
+bool measuringKey(MeasuringView& view, window::Key key, const window::Modifiers& modifiers,
+                  MeasuringRequests& requests);
 
 /// What keeps the result from being accepted; empty: nothing. A refusal by the measuring is none: that is asked.
 std::string obstacleToAccept(const MeasuringView& view);

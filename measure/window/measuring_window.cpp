@@ -96,11 +96,11 @@ float statusHeight(const Status& status, const ImVec2& room) {
 }
 
 /// Below the photographs: the verdict, or how far the work is.
-void statusRow(const MeasuringView& view, const Status& status, Asks& asks) {
+void statusRow(const MeasuringView& view, const Status& status, MeasuringRequests& requests) {
   if (view.working) {
     ImGui::ProgressBar(static_cast<float>(view.done), {-80.0f, 0.0f}, view.stage.c_str());
     ImGui::SameLine();
-    if (buttonWidget("measuring/cancel", "Cancel")) asks.wish(Wish::Kind::cancel_measuring);
+    if (buttonWidget("measuring/cancel", "Cancel")) requests.emplace_back(CancelMeasuring{});
     return;
   }
   ImGui::PushTextWrapPos(0.0f);
@@ -108,22 +108,22 @@ void statusRow(const MeasuringView& view, const Status& status, Asks& asks) {
   ImGui::PopTextWrapPos();
 }
 
-void photoSide(MeasuringView& view, bool narrow, Asks& asks) {
+void photoSide(MeasuringView& view, bool narrow, MeasuringRequests& requests) {
   tabs(view, narrow ? kTabNames.size() : kTabNames.size() - 1);
   if (view.tab != MeasuringTab::numbers) tools(view);
   if (view.tab == MeasuringTab::numbers) {
-    if (ImGui::BeginChild("measuring_numbers")) measuringColumn(view, asks);
+    if (ImGui::BeginChild("measuring_numbers")) measuringColumn(view, requests);
     return ImGui::EndChild();
   }
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const Status status = statusOf(view);
   showPhotos(view, Vec2(std::max(40.0f, room.x), std::max(40.0f, room.y - statusHeight(status, room))));
-  statusRow(view, status, asks);
+  statusRow(view, status, requests);
 }
 
 }  // namespace
 
-void measuringWindow(MeasuringView& view, const FreeArea& free, Asks& asks) {
+void measuringWindow(MeasuringView& view, const FreeArea& free, MeasuringRequests& requests) {
   const float width = free.right - free.left;
   ImGui::SetNextWindowPos({free.left, free.top});
   ImGui::SetNextWindowSize({width, free.below - free.top});
@@ -132,14 +132,14 @@ void measuringWindow(MeasuringView& view, const FreeArea& free, Asks& asks) {
                           ImGuiWindowFlags_NoScrollWithMouse;
   const bool narrow = width < kNarrow;
   if (!narrow && view.tab == MeasuringTab::numbers) view.tab = MeasuringTab::result;
-  if (ImGui::Begin("measuring", nullptr, kFlags)) {
+  if (ImGui::Begin("mode_measuring", nullptr, kFlags)) {
     if (!narrow) {
-      if (ImGui::BeginChild("measuring_column", {kColumn, 0.0f})) measuringColumn(view, asks);
+      if (ImGui::BeginChild("measuring_column", {kColumn, 0.0f})) measuringColumn(view, requests);
       ImGui::EndChild();
       ImGui::SameLine();
     }
     const auto no_scroll = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
-    if (ImGui::BeginChild("measuring_photos", {0.0f, 0.0f}, false, no_scroll)) photoSide(view, narrow, asks);
+    if (ImGui::BeginChild("measuring_photos", {0.0f, 0.0f}, false, no_scroll)) photoSide(view, narrow, requests);
     ImGui::EndChild();
   }
   ImGui::End();
@@ -147,9 +147,9 @@ void measuringWindow(MeasuringView& view, const FreeArea& free, Asks& asks) {
   if (!view.dialog) return;
   bool open = true;
   const bool before = *view.dialog == Photo::before;
-  photographDialog(before ? "Open the photograph before" : "Open the photograph after",
-                   before ? Wish::Kind::measure_before : Wish::Kind::measure_after, open, asks);
-  if (!open) view.dialog.reset();
+  std::string chosen = photographDialog(before ? "Open the photograph before" : "Open the photograph after", open);
+  if (!chosen.empty()) requests.emplace_back(ShowPhoto{*view.dialog, std::move(chosen)});
+  if (!open || !chosen.empty()) view.dialog.reset();
 }
 
 }  // namespace palpate::viewer

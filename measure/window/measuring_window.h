@@ -7,6 +7,6 @@
 namespace palpate::viewer {
 
 /// Fills the area, in a Gui frame that has begun.
-void measuringWindow(MeasuringView& view, const FreeArea& free, Asks& asks);
+void measuringWindow(MeasuringView& view, const FreeArea& free, MeasuringRequests& requests);
 
 }  // namespace palpate::viewer

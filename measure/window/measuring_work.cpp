@@ -87,7 +87,7 @@ MeasuringResult measured(const MeasuringJob& job, const Progress& progress) {
   return result;
 }
 
-void MeasuringWork::wish(MeasuringJob job) {
+void MeasuringWork::request(MeasuringJob job) {
   if (!work_.busy()) return begin(std::move(job));
   if (job.ofPhotographs() || of_photographs_) give_up_ = true;
   next_ = std::move(job);

@@ -1,4 +1,4 @@
-// Photographs read and measured beside the display, one piece of work at a time: the newest wish wins.
+// Photographs read and measured beside the display, one piece of work at a time: the newest request wins.
 //
 //   MeasuringJob ─ own thread: readPhotograph, measurePair │ measureDots, overlayOf ─► MeasuringResult, taken by a
 //   frame
@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "view/viewer/devices/beside.h"
+#include "view/viewer/state/async_task.h"
 #include "palpate/base/progress.h"
 #include "palpate/measure/measurement.h"
 #include "palpate/measure/overlay.h"
@@ -60,7 +60,7 @@ class MeasuringWork {
   ~MeasuringWork() { cancel(); }
 
   /// At once, or when what is at work is done or has given up.
-  void wish(MeasuringJob job);
+  void request(MeasuringJob job);
   /// No result will come.
   void cancel();
   bool busy() const { return work_.busy() || next_.has_value(); }
@@ -81,7 +81,7 @@ class MeasuringWork {
   bool of_photographs_ = false;  ///< what is at work
   mutable std::mutex mutex_;     // guards the state
   State state_;
-  Beside<MeasuringResult> work_;  // last: it uses the above
+  AsyncTask<MeasuringResult> work_;  // last: it uses the above
 };
 
 }  // namespace palpate::viewer

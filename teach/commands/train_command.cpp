@@ -14,8 +14,9 @@
 #include "cli/run/playback.h"
 #include "teach/commands/train_options.h"
 #include "teach/commands/trainee_command.h"
-#include "view/viewer/files/state_file.h"
+#include "view/viewer/state/state_file.h"
 #include "teach/window/screen_tour.h"
+#include "teach/window/training_mode.h"
 #include "view/viewer/viewer.h"
 #include "palpate/base/error.h"
 #include "palpate/base/private_folder.h"
@@ -83,9 +84,9 @@ viewer::ViewState readableState(const TrainOptions& options) {
 /// What is on the screen, a line whenever it changes: for tests and for whoever helps from afar.
 class ScreenTeller {
  public:
-  void tell(const viewer::Viewer& viewer) {
+  void tell(const viewer::TrainingMode& training) {
     std::string words;
-    for (const std::string& part : viewer::wordsOf(viewer.training()->screen())) words += " | " + part;
+    for (const std::string& part : viewer::wordsOf(training.screen())) words += " | " + part;
     if (std::exchange(before_, words) == words) return;
     fmt::print("screen{}\n", words);
     std::fflush(stdout);
@@ -97,19 +98,22 @@ class ScreenTeller {
 
 void trainInWindow(const TrainOptions& options) {
   Playback playback(options.play);
+  viewer::TrainingSettings of_training = trainingSettings(options);
   viewer::ViewerSettings settings;
-  settings.training = trainingSettings(options);
   settings.intro = false;
   settings.output_folder = options.out.empty() ? "." : options.out;
   window::Window window(trainingWindow(options));  // without a display it says so before a body is built
   const auto world = scene::build(sceneToTrainOn(options));
   if (!options.devices.empty()) settings.devices = openedFor(*world, options.devices);
+  auto mode = std::make_unique<viewer::TrainingMode>(std::move(of_training));
+  const viewer::TrainingMode& training = *mode;
+  settings.modes.push_back(std::move(mode));
   viewer::Viewer viewer(world, readableState(options), std::move(settings), hostOf(window));
   const FinishesInOrder in_order;
   const StoppedBySignal stopped(viewer.emergencyStop());
   ScreenTeller teller;
   showFrames(window, viewer, playback, options.frames, [&](std::uint64_t, double) {
-    if (options.verbose) teller.tell(viewer);
+    if (options.verbose) teller.tell(training);
   });
   viewer::Messages& messages = viewer.session().messages;
   messages.markRead();

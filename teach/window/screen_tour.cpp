@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "view/viewer/panels/widgets.h"
+#include "teach/window/training_mode.h"
 #include "view/viewer/viewer.h"
 #include "palpate/base/error.h"
 #include "palpate/base/private_folder.h"
@@ -44,10 +45,10 @@ class Tour {
     ViewerSettings of_viewer;
     of_viewer.intro = false;
     of_viewer.output_folder = settings.folder;
-    of_viewer.training.emplace();
-    of_viewer.training->records = records_.file();
-    of_viewer.training->protocol = settings.protocol;
-    of_viewer.training->seed = kTourSeed;
+    auto training = std::make_unique<TrainingMode>(
+        TrainingSettings{.records = records_.file(), .protocol = settings.protocol, .seed = kTourSeed});
+    training_ = training.get();
+    of_viewer.modes.push_back(std::move(training));
     viewer_ = std::make_unique<Viewer>(world, settings.state, std::move(of_viewer));
     frames(3);
   }
@@ -148,8 +149,8 @@ class Tour {
 
   // --- hands
 
-  Screen screen() const { return viewer_->training()->sitting()->screen(); }
-  int truth() const { return viewer_->training()->sitting()->hidden()->site; }
+  Screen screen() const { return training_->sitting()->screen(); }
+  int truth() const { return training_->sitting()->hidden()->site; }
 
   void frame(const std::vector<window::InputEvent>& events = {}) {
     viewer_->frame(settings_.width, settings_.height, 1.0, now_s_ += kTourFrameS, events);
@@ -169,7 +170,7 @@ class Tour {
   }
   void settle() {
     frames(2);
-    until([this] { return !viewer_->training()->waiting(); }, "the body of a trial");
+    until([this] { return !training_->waiting(); }, "the body of a trial");
     frames(2);
   }
 
@@ -195,7 +196,7 @@ class Tour {
   void choose(training::SittingKind kind) {
     const std::string name = nameOfKind(kind);
     for (std::size_t i = 0; i < 10; ++i) {
-      const TrainingScreen& shown = viewer_->training()->screen();
+      const TrainingScreen& shown = training_->screen();
       if (shown.buttons[shown.focus].label == name) break;
       key(Key::down);
     }
@@ -206,22 +207,22 @@ class Tour {
   void answer(int site) {
     settle();
     for (int i = 0; i < 2 && screen() == Screen::trial; ++i) {
-      const int before = viewer_->training()->sitting()->trialNumber();
+      const int before = training_->sitting()->trialNumber();
       key(Key::backspace);
       text(fmt::format("{}", site));
       key(Key::enter);
-      if (screen() != Screen::trial || viewer_->training()->sitting()->trialNumber() != before) return;
+      if (screen() != Screen::trial || training_->sitting()->trialNumber() != before) return;
     }
   }
 
   /// With the keyboard's finger, until the dot is filled or for a moment.
   void pressSite(int site, bool lifts = false) {
-    const bool trial = viewer_->training()->screen().picks_sites;
+    const bool trial = training_->screen().picks_sites;
     key(Key::backspace);
     text(fmt::format("{}", site));
     key(trial ? Key::space : kKeyT);
     const auto end = now_s_ + 2.0;
-    const auto pressed = [&] { return viewer_->training()->sitting()->visited(site); };
+    const auto pressed = [&] { return training_->sitting()->visited(site); };
     while (now_s_ < end && !(trial && pressed())) {
       frame();
       std::this_thread::sleep_for(std::chrono::milliseconds(16));
@@ -241,6 +242,7 @@ class Tour {
   const RecordsOfNobody records_;
   const view::OffscreenContext context_;
   std::unique_ptr<Viewer> viewer_;
+  const TrainingMode* training_ = nullptr;  ///< the viewer's
   double now_s_ = 0.0;
   std::vector<fs::path> files_;
 };

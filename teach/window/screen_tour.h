@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "view/viewer/view_state.h"
+#include "view/viewer/state/view_state.h"
 #include "palpate/scene/world.h"
 #include "palpate/training/protocol.h"
 

@@ -17,8 +17,8 @@ nlohmann::json planOfTheHouse() {
 TEST(Plan, IncludesBetweenHousesRunOneWay) {
   const nlohmann::json plan = planOfTheHouse();
   EXPECT_GT(plan["includes_between_houses"], 1500) << "it looks at something";
-  EXPECT_LE(plan["wrong_way_includes"], 4) << "tools/house --wrong names them";
-  EXPECT_LE(plan["mutual_folders"], 20) << "tools/house --wrong names them";
+  EXPECT_EQ(plan["wrong_way_includes"], 0) << "tools/house --wrong names them";
+  EXPECT_LE(plan["mutual_folders"], 10) << "tools/house --wrong names them";
   EXPECT_FALSE(plan["lines_by_house"].contains("other") && plan["lines_by_house"]["other"] > 150)
       << "a file of no house: HOUSES in tools/house";
 }

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "view/viewer/session.h"
+#include "view/viewer/state/session.h"
 #include "palpate/window/head_tracker.h"
 #include "palpate/window/input.h"
 

@@ -3,12 +3,12 @@
 
 #include <string_view>
 
-#include "view/viewer/session.h"
+#include "view/viewer/state/session.h"
 
 namespace palpate::viewer {
 
-/// Whether the wish throws changes away and has not been asked about; then the session asks, and it waits in there.
-bool mustAskFirst(const Wish& wish, Session& session);
+/// Whether the request throws changes away and has not been asked about; then the session asks, and it waits in there.
+bool mustAskFirst(const Request& request, Session& session);
 
 /// The answer to the session's question that a key means, or none.
 std::string_view answerOf(window::Key key, const Session& session);

@@ -1,6 +1,10 @@
 #include "view/viewer/shading_guard.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+
+#include "view/viewer/state/session.h"
 
 namespace palpate::viewer {
 
@@ -29,6 +33,26 @@ ShadingGuard::Change ShadingGuard::frame(double between_s, double cost_s, bool c
   patience_ = std::min(kMostPatience, 2.0 * patience_);
   spare_s_ = 0.0;
   return Change::as_wished;
+}
+
+void guardShading(ShadingGuard& guard, Session& session, double elapsed_s, bool counts) {
+  const ViewState& state = session.state;
+  if (!state.simpler_when_slow || state.look.shading == view::Shading::gouraud) {
+    guard.reset();
+  } else {
+    const bool gains = counts && !session.building && !session.recording.sequence;
+    const auto change = guard.frame(elapsed_s, 1e-3 * session.performance.frame_ms, gains);
+    if (change == ShadingGuard::Change::simpler) {
+      // The menu bar says so as long as it lasts; a plate over the picture would hide what is slow already.
+      session.messages.note(fmt::format("Pictures came {:.0f} times a second, so the skin is drawn smooth for now; "
+                                        "Show > shading decides for good",
+                                        session.performance.frames_per_s),
+                            session.now_s);
+    } else if (change == ShadingGuard::Change::as_wished) {
+      session.messages.note("There is time to spare: the skin is drawn as before", session.now_s);
+    }
+  }
+  session.simple_shading = guard.simple();
 }
 
 }  // namespace palpate::viewer

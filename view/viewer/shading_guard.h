@@ -8,6 +8,8 @@
 
 namespace palpate::viewer {
 
+struct Session;
+
 struct ShadingGuardSettings {
   double slow_s = 1.0 / 30.0;  ///< between two pictures; beyond it a drag no longer looks like one motion
   double slow_for_s = 1.5;     ///< so long before it acts: a hitch is no reason
@@ -37,5 +39,9 @@ class ShadingGuard {
   double slow_s_ = 0.0;
   double spare_s_ = 0.0;
 };
+
+/// Once a frame: has the guard decide how the session's skin is drawn, and the user told. `counts`: something is gained
+/// by drawing simpler.
+void guardShading(ShadingGuard& guard, Session& session, double elapsed_s, bool counts);
 
 }  // namespace palpate::viewer

@@ -8,27 +8,27 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "view/viewer/camera_control.h"
 #include "view/viewer/devices/device_control.h"
 #include "view/viewer/editing/pointer.h"
 #include "view/viewer/eyesight.h"
 #include "view/viewer/files/outputs.h"
-#include "view/viewer/files/recorded_touch.h"
 #include "view/viewer/files/session_keeper.h"
-#include "view/viewer/live_model.h"
-#include "view/viewer/live_servo.h"
-#include "measure/window/measuring_desk.h"
+#include "view/viewer/frame_painter.h"
+#include "view/viewer/modes/mode.h"
 #include "view/viewer/panels/intro.h"
-#include "view/viewer/plots/press_peak.h"
-#include "view/viewer/plots/touch_history.h"
-#include "view/viewer/session.h"
+#include "view/viewer/replay_player.h"
+#include "view/viewer/request_handler.h"
 #include "view/viewer/shading_guard.h"
-#include "teach/window/training_desk.h"
-#include "view/viewer/turnover.h"
+#include "view/viewer/state/session.h"
+#include "view/viewer/viewer_host.h"
+#include "view/viewer/world/live_model.h"
+#include "view/viewer/world/live_servo.h"
+#include "view/viewer/world/world_swap.h"
 #include "palpate/view/offscreen.h"
 #include "palpate/window/gui.h"
 
@@ -40,18 +40,7 @@ struct ViewerSettings {
   scene::Scene default_scene;                     ///< for "Built-in torso"
   std::vector<OpenedDevice> devices;              ///< that hold the first fingers instead of the mouse
   std::filesystem::path session_folder = {};      ///< for the session that is recorded by itself; empty: none is
-  std::optional<TrainingSettings> training = {};  ///< in the place of menus and panels
-};
-
-/// What only a window can do; members may be empty.
-struct ViewerHost {
-  std::function<void()> toggle_full_screen;
-  std::function<void(const std::string&)> set_clipboard;
-  std::function<std::string()> clipboard;
-  std::function<void(bool)> show_cursor;
-  std::function<void(const std::string&)> set_title;
-  /// Framebuffer 0 has a picture for each eye; the viewer then draws quad-buffer stereo into it (drawsItself).
-  bool quad_buffer = false;
+  std::vector<std::unique_ptr<Mode>> modes = {};  ///< that the window has beside feeling the body; the first goes first
 };
 
 /// Needs a current GL context; belongs to its thread. Throws Error where the world cannot be drawn or felt.
@@ -73,7 +62,7 @@ class Viewer {
 
   const view::Target& target() const { return *target_; }
   /// The last frame went to framebuffer 0: nothing is left but to swap.
-  bool drawsItself() const { return host_.quad_buffer && stereo_.mode == view::StereoMode::quad_buffer; }
+  bool drawsItself() const { return viewer::drawsItself(stereo_, host_.quad_buffer); }
   bool wantsToQuit() const { return quit_; }
   /// Press it from any thread or signal handler; lives as long as the viewer.
   servo::EmergencyStop& emergencyStop() { return servo_.thread().emergencyStop(); }
@@ -81,8 +70,6 @@ class Viewer {
   const window::Input& input() const { return input_; }
   const Pointer& pointer() const { return pointer_; }
   const scene::World& world() const { return model_->world(); }
-  /// Null where nobody is trained.
-  const TrainingDesk* training() const { return training_.get(); }
   /// For an end that cannot ask: a changed scene beside the one it came from; which, or empty. Throws Error.
   std::filesystem::path keepChanges() const { return outputs_.keepChanges(session_); }
   /// Ends the servo; its report of the whole run. The session says what ended it. Nothing may be called afterwards.
@@ -93,52 +80,21 @@ class Viewer {
   void lookAround();
   void takeWorld();
   void takeFacts();
-  void followServo(double elapsed_s);
-  void takeSamples();
-  void plot(const trace::Sample& sample);
-  void replay(const std::string& file, bool beside = false);
-  void takeReplay();
-  void takeBeside(RecordedTouch touch);
-  void leaveReplay();
-  void show(std::span<const trace::Sample> contacts);
-  const TouchHistory& history() const { return recorded_ ? recorded_->history : history_; }
-  void handle(std::span<const window::InputEvent> events);
-  void obey(const window::Command& command);
-  void actOn(const window::Command& command);
-  void useChanges();
   void beginScene();
-  void grant(const Wish& wish);
-  bool grantOfScene(const Wish& wish);
-  bool grantOfPicture(const Wish& wish);
-  void answer(const std::string& chosen);
-  void takeBack(bool undoes);
-  void saveThen(Wish how, const std::optional<Wish>& then);
-  void reload();
-  void playScript();
-  void copyScene();
-  bool hearsOfMeasuring(const window::InputEvent& event);
-  void train(double elapsed_s);
-  void drawPanels();
+  void followServo(double elapsed_s);
+  void show(std::span<const trace::Sample> contacts);
+  void takeSamples();
+  void handle(std::span<const window::InputEvent> events);
+  void handle(const window::Command& command);
+  void actOn(const window::Command& command);
   void measure(const window::Command& command);
-  void flyTo(const view::Camera& camera);
+  view::Frustum frustum() const;
   void placeRulerLabel();
   void tellTitle();
-  void setView(view::StandardView side);
+  void useChanges(double elapsed_s);
   void pointServo();
   void showCursor();
-  void guardShading(double elapsed_s);
-  std::vector<view::FingerMark> fingerMarks();
-  const TouchHistory::Moment& momentBeside() const;
-  std::vector<view::FingerMark> marksBeside() const;
-  std::vector<view::Lines> rings() const;
-  void addReach(std::vector<view::Lines>& lines) const;
-  void paint(double scale, window::Gui::Choice windows = nullptr);
-  void paintBeside(double scale, window::Gui::Choice windows);
-  void paintHalf(LiveModel& model, std::span<const view::FingerMark> fingers, double scale);
-  void paintMeasuring(window::Gui::Choice windows);
   void paintAndKeep(double scale);
-  view::PictureSettings pictureSettings() const;
-  void paintClear(double scale);
 
   ViewerSettings settings_;
   ViewerHost host_;
@@ -148,33 +104,26 @@ class Viewer {
   std::shared_ptr<const scene::World> world_;
   LiveServo servo_;
   std::unique_ptr<LiveModel> model_;
-  Turnover turnover_;
+  WorldSwap world_swap_;
   DeviceControl devices_;
   SessionKeeper keeper_;
-  TouchHistory history_;
-  ReplayLoader replay_loader_;
-  bool loads_beside_ = false;
-  std::optional<RecordedTouch> recorded_;  ///< looked at in place of the history
-  std::optional<RecordedTouch> beside_;    ///< on the right of it
-  std::unique_ptr<LiveModel> beside_model_;
-  std::unique_ptr<view::Target> half_;  ///< of a picture of two sessions
-  MeasuringDesk measuring_;
+  ReplayPlayer replay_;
   Outputs outputs_;
-  std::unique_ptr<TrainingDesk> training_;
+  Modes modes_;  ///< after the servo: what they record ends before it
+  CameraControl camera_;
+  RequestHandler requests_;
   Intro intro_;
   Eyesight eyesight_;
   view::StereoSettings stereo_;  ///< of this frame
   ShadingGuard shading_guard_;
-  std::array<PressPeak, kFingers> peaks_;
+  FramePainter painter_;
   window::Gui gui_;
   std::unique_ptr<view::Target> target_;
   view::Eyes eyes_;  ///< of this frame
   window::Theme theme_ = window::Theme::dark;
-  int standard_view_ = 0;
   double frame_s_ = 1.0 / 60.0;  ///< smoothed time between two frames
   bool seen_ = false;            ///< a frame has been drawn
   bool own_cursor_ = false;      ///< drawn once for each eye, in place of the system's
-  bool clear_picture_ = false;   ///< to be taken in this frame
   std::string title_;
   bool quit_ = false;
 };

@@ -156,7 +156,7 @@ class MeasuringPictures : public testing::Test {
     for (int frame = 0; frame < 3; ++frame) {
       gui_.begin(Vec2(width, height), 1.0, 1.0 / 60.0, {});
       widgetPlaces().clear();
-      measuringWindow(view, {0.0f, 0.0f, static_cast<float>(width), static_cast<float>(height)}, asks);
+      measuringWindow(view, {0.0f, 0.0f, static_cast<float>(width), static_cast<float>(height)}, requests);
       gui_.end();
     }
     target.bind();
@@ -169,7 +169,7 @@ class MeasuringPictures : public testing::Test {
   }
 
   MeasuringView view;
-  Asks asks;
+  MeasuringRequests requests;
 
  private:
   const view::OffscreenContext context_;

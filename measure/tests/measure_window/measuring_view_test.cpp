@@ -94,43 +94,43 @@ TEST(MeasuringView, CorrectionsAndTheContactAreTakenBackAndDoneAgain) {
 
 TEST(MeasuringView, ArrowsNudgeTheSelectedDotAsOneStep) {
   MeasuringView view = threeMarks();
-  Asks asks;
-  EXPECT_TRUE(measuringKey(view, window::Key::right, {}, asks));
+  MeasuringRequests requests;
+  EXPECT_TRUE(measuringKey(view, window::Key::right, {}, requests));
   EXPECT_FALSE(view.history.canUndo()) << "nothing was selected";
   clickPhoto(view, Photo::after, {205.0, 50.0}, true);
   ASSERT_EQ(view.marks.after.size(), 3u) << "with Shift a click only selects";
-  for (int i = 0; i < 5; ++i) measuringKey(view, window::Key::right, {}, asks);
-  measuringKey(view, window::Key::up, {.ctrl = false, .shift = true}, asks);
+  for (int i = 0; i < 5; ++i) measuringKey(view, window::Key::right, {}, requests);
+  measuringKey(view, window::Key::up, {.ctrl = false, .shift = true}, requests);
   EXPECT_TRUE(view.marks.after[1].place_px.isApprox(Vec2(210.0, 49.8)));
   EXPECT_EQ(undoCorrection(view), "nudge a dot");
   EXPECT_EQ(view.marks.after[1].place_px, Vec2(205.0, 50.0));
   view.selected = ChosenMark{Photo::before, 2};
-  measuringKey(view, window::Key::delete_key, {}, asks);
+  measuringKey(view, window::Key::delete_key, {}, requests);
   EXPECT_EQ(view.marks.before.size(), 2u);
   EXPECT_FALSE(view.selected);
 }
 
 TEST(MeasuringView, KeysOfTheBodyDoNothingAndEscLeavesOneThingAtATime) {
   MeasuringView view = threeMarks();
-  Asks asks;
+  MeasuringRequests requests;
   view.tab = MeasuringTab::before;
   for (const auto tab : {MeasuringTab::after, MeasuringTab::result, MeasuringTab::all, MeasuringTab::before}) {
-    measuringKey(view, window::Key::tab, {}, asks);
+    measuringKey(view, window::Key::tab, {}, requests);
     EXPECT_EQ(view.tab, tab);
   }
-  measuringKey(view, window::Key::tab, {.ctrl = false, .shift = true}, asks);
+  measuringKey(view, window::Key::tab, {.ctrl = false, .shift = true}, requests);
   EXPECT_EQ(view.tab, MeasuringTab::all);
-  EXPECT_TRUE(measuringKey(view, window::key('W'), {}, asks)) << "wires of a body that is not seen";
-  EXPECT_FALSE(measuringKey(view, window::functionKey(1), {}, asks));
-  EXPECT_FALSE(measuringKey(view, window::key('Z'), {.ctrl = true, .shift = false}, asks));
-  measuringKey(view, window::Key::enter, {}, asks);
-  ASSERT_EQ(asks.wishes.size(), 1u);
-  EXPECT_EQ(asks.wishes.front().kind, Wish::Kind::accept_measurement);
+  EXPECT_TRUE(measuringKey(view, window::key('W'), {}, requests)) << "wires of a body that is not seen";
+  EXPECT_FALSE(measuringKey(view, window::functionKey(1), {}, requests));
+  EXPECT_FALSE(measuringKey(view, window::key('Z'), {.ctrl = true, .shift = false}, requests));
+  measuringKey(view, window::Key::enter, {}, requests);
+  ASSERT_EQ(requests.size(), 1u);
+  EXPECT_TRUE(std::holds_alternative<AcceptMeasurement>(requests.front()));
   view.selected = ChosenMark{Photo::before, 0};
   view.dialog = Photo::after;
-  for (int i = 0; i < 3; ++i) EXPECT_TRUE(measuringKey(view, window::Key::escape, {}, asks)) << i;
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(measuringKey(view, window::Key::escape, {}, requests)) << i;
   EXPECT_EQ(view.tool, MeasuringTool::look);
-  EXPECT_FALSE(measuringKey(view, window::Key::escape, {}, asks)) << "the view itself is the window's to close";
+  EXPECT_FALSE(measuringKey(view, window::Key::escape, {}, requests)) << "the view itself is the window's to close";
 }
 
 TEST(MeasuringView, AnotherPhotographForgetsWhatWasCorrected) {
@@ -156,8 +156,8 @@ TEST(MeasuringView, AZoomKeepsThePlaceUnderTheCursorAndTheFrameLeadsBack) {
   zoomAbout(view, frame().share(mouse), 3.0);
   EXPECT_TRUE(frame().toPhoto(mouse).isApprox(before, 1e-9)) << frame().toPhoto(mouse).transpose();
   EXPECT_TRUE(frame().toScreen(frame().toPhoto({444.0, 111.0})).isApprox(Vec2(444.0, 111.0), 1e-9));
-  Asks asks;
-  measuringKey(view, window::Key::home, {}, asks);
+  MeasuringRequests requests;
+  measuringKey(view, window::Key::home, {}, requests);
   EXPECT_EQ(view.zoom, 1.0);
   EXPECT_EQ(view.middle, Vec2(0.5, 0.5)) << "the whole photograph is in the middle";
 }
@@ -194,7 +194,7 @@ TEST(MeasuringWork, MeasuresCorrectedMarksAndKeepsWhatOnlyPhotographsTell) {
   MeasuringJob job{.marks = trueMarks(), .width_px = 1224, .height_px = 1632};
   job.of_photographs = {{measure::Severity::warning, "time", "Taken a day apart."}};
   const std::size_t dots = job.marks.before.size();
-  work.wish(job);
+  work.request(job);
   const auto whole = waitFor(work);
   ASSERT_TRUE(whole && whole->measured && whole->measured->fit);
   ASSERT_FALSE(whole->measured->findings.empty());
@@ -203,7 +203,7 @@ TEST(MeasuringWork, MeasuresCorrectedMarksAndKeepsWhatOnlyPhotographsTell) {
   EXPECT_EQ(whole->overlay.panels.size(), 3u);
   EXPECT_EQ(marksOf(*whole->measured).before.size(), dots) << "every mark is in the grid or a stray";
   job.marks.after[40].place_px += Vec2(400.0, 0.0);
-  work.wish(job);
+  work.request(job);
   const auto wrong = waitFor(work);
   ASSERT_TRUE(wrong && wrong->measured);
   EXPECT_EQ(wrong->measured->matched + 1, whole->measured->matched) << "a dot that lies elsewhere is none of the grid";
@@ -213,7 +213,7 @@ TEST(MeasuringWork, TellsOfFilesThatAreNoPhotographs) {
   const support::TemporaryFolder folder;
   writeFile(folder / "notes.jpg", "these are words, not a picture\n");
   MeasuringWork work;
-  work.wish({.files = {(folder / "notes.jpg").string(), (folder / "gone.png").string()}});
+  work.request({.files = {(folder / "notes.jpg").string(), (folder / "gone.png").string()}});
   const auto result = waitFor(work);
   ASSERT_TRUE(result);
   EXPECT_FALSE(result->measured);
@@ -222,17 +222,17 @@ TEST(MeasuringWork, TellsOfFilesThatAreNoPhotographs) {
   EXPECT_NE(result->errors[1].find("gone.png: "), std::string::npos) << result->errors[1];
 }
 
-TEST(MeasuringWork, TheNewestWishWinsAndACancelledOneNeverComes) {
+TEST(MeasuringWork, TheNewestRequestWinsAndACancelledOneNeverComes) {
   MeasuringWork work;
   MeasuringJob job{.marks = trueMarks()};
   for (const double spacing : {10.0, 20.0, 30.0}) {
     job.settings.spacing_mm = spacing;
-    work.wish(job);
+    work.request(job);
   }
   double last = 0.0;
   while (const auto result = waitFor(work)) last = result->measured->settings.spacing_mm;
   EXPECT_EQ(last, 30.0);
-  work.wish(job);
+  work.request(job);
   work.cancel();
   EXPECT_FALSE(waitFor(work));
   EXPECT_FALSE(work.busy());

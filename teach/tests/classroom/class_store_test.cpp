@@ -182,7 +182,7 @@ TEST_F(ClassStoreTest, PurgeForgetsWhatWasKeptLongEnoughAndNobodyForGood) {
   EXPECT_EQ(store.rows().trialCount(), 0);
   EXPECT_TRUE(store.rows().trainees().empty());
   EXPECT_EQ(store.purge(samples::kMonday + 500 * kDay).sittings, 0);
-  // Who comes back after years is no stranger: their station sends them anew (TrainingDesk::beginSitting).
+  // Who comes back after years is no stranger: their station sends them anew (TrainingMode::beginSitting).
   const AnyRow trainee = history.trainees[1];
   const AnyRow sitting = samples::sitting(history.trainees[1], 600);
   const std::vector<AnyRow> back = {trainee, sitting};

@@ -7,10 +7,12 @@
 #include <fstream>
 #include <set>
 
+#include "measure/window/measuring_mode.h"
 #include "view/viewer/panels/widgets.h"
 #include "teach/window/front_desk.h"
 #include "teach/window/offers.h"
 #include "teach/window/training_keys.h"
+#include "teach/window/training_mode.h"
 #include "teach/window/training_words.h"
 #include "teach/window/voice.h"
 #include "view/viewer/viewer.h"
@@ -474,12 +476,18 @@ class TrainingSeat {
     ViewerSettings settings;
     settings.intro = false;
     settings.output_folder = records.parent_path();
-    settings.training.emplace();
-    settings.training->records = records;
-    settings.training->protocol = protocol;
-    settings.training->seed = 5;
-    settings.training->desk = {.class_id = member ? member->class_id : "", .code = someCode(), .kind = kind};
-    settings.training->member = member;
+    TrainingSettings of_training;
+    of_training.records = records;
+    of_training.protocol = protocol;
+    of_training.seed = 5;
+    of_training.desk = {.class_id = member ? member->class_id : "", .code = someCode(), .kind = kind};
+    of_training.member = member;
+    auto training_mode = std::make_unique<TrainingMode>(of_training);
+    training = training_mode.get();
+    settings.modes.push_back(std::move(training_mode));
+    auto measuring_mode = std::make_unique<MeasuringMode>();
+    measuring = measuring_mode.get();
+    settings.modes.push_back(std::move(measuring_mode));
     ViewState state;
     state.look.shading = view::Shading::gouraud;  // quick to draw
     viewer = std::make_unique<Viewer>(smallTorso(), state, std::move(settings));
@@ -515,7 +523,7 @@ class TrainingSeat {
   }
   bool settled() {
     frame();
-    return until([this] { return !viewer->training()->waiting(); });
+    return until([this] { return !training->waiting(); });
   }
   void comeIn() {
     for (int i = 0; i < 3; ++i) key(Key::enter);  // new here, agrees, left hand
@@ -556,13 +564,15 @@ class TrainingSeat {
 
   std::string words() const {
     std::string all;
-    for (const std::string& part : wordsOf(viewer->training()->screen())) all += part + "\n";
+    for (const std::string& part : wordsOf(training->screen())) all += part + "\n";
     return all;
   }
-  const training::Sitting& sitting() const { return *viewer->training()->sitting(); }
+  const training::Sitting& sitting() const { return *training->sitting(); }
 
   const view::OffscreenContext context;
   std::unique_ptr<Viewer> viewer;
+  const TrainingMode* training = nullptr;    ///< the viewer's
+  const MeasuringMode* measuring = nullptr;  ///< and one that nothing may open
   double now_s = 0.0;
 };
 
@@ -597,11 +607,11 @@ TEST_F(TrainingWindow, HidesThePlaceInTheBodyBeforeTheClockOfTheTrialBegins) {
   stage.answer(hidden->site);
   ASSERT_EQ(stage.sitting().screen(), Screen::feedback);
   stage.key(Key::space);
-  ASSERT_TRUE(stage.viewer->training()->waiting()) << "each trial has a body of its own";
+  ASSERT_TRUE(stage.training->waiting()) << "each trial has a body of its own";
   EXPECT_NE(stage.words().find(kOneMoment), std::string::npos);
-  EXPECT_FALSE(stage.viewer->training()->screen().time_left);
+  EXPECT_FALSE(stage.training->screen().time_left);
   ASSERT_TRUE(stage.settled());
-  EXPECT_GT(stage.viewer->training()->screen().time_left.value_or(0.0), 0.98);
+  EXPECT_GT(stage.training->screen().time_left.value_or(0.0), 0.98);
 }
 
 TEST_F(TrainingWindow, InASmallWindowEverySiteAndEveryWordAboutKeysIsInSight) {
@@ -710,13 +720,13 @@ TEST_F(TrainingWindow, NothingIsLostWhileTheRecordCannotBeWritten) {
     trace::Database other(records, trace::Database::Mode::write);
     other.run("BEGIN IMMEDIATE");
     stage.answer(3);
-    EXPECT_TRUE(stage.viewer->training()->screen().trouble);
+    EXPECT_TRUE(stage.training->screen().trouble);
     stage.key(Key::enter);
-    EXPECT_TRUE(stage.viewer->training()->screen().trouble) << "nothing goes on";
+    EXPECT_TRUE(stage.training->screen().trouble) << "nothing goes on";
     other.run("COMMIT");
   }
   stage.key(Key::enter);
-  EXPECT_FALSE(stage.viewer->training()->screen().trouble) << stage.words();
+  EXPECT_FALSE(stage.training->screen().trouble) << stage.words();
   ASSERT_EQ(keptTrials().size(), 1u);
   EXPECT_EQ(keptTrials().front().site_answer, 3);
 }
@@ -745,7 +755,7 @@ TEST_F(TrainingWindow, NothingOfTheWindowCanBeReachedThatWouldTellMoreThanTheFin
   EXPECT_EQ(session.state.look.overlays.count(), 0u);
   EXPECT_EQ(session.state.look.colouring, view::Colouring::plain);
   EXPECT_FALSE(session.editor.active);
-  EXPECT_FALSE(session.measuring.open);
+  EXPECT_FALSE(stage.measuring->view().open);
   EXPECT_FALSE(session.state.shown.help);
   EXPECT_FALSE(session.replay.frozen);
   EXPECT_FALSE(session.opening);
@@ -772,7 +782,7 @@ TEST_F(TrainingWindow, ClosingItInABlockAsksFirst) {
   TrainingSeat stage(records, SittingKind::practice);
   stage.comeIn();
   ASSERT_TRUE(stage.begin());
-  stage.viewer->session().wish(Wish::Kind::quit);
+  stage.viewer->session().request(Quit{});
   stage.frames(2);
   EXPECT_FALSE(stage.viewer->wantsToQuit());
   EXPECT_NE(stage.words().find("Leave now?"), std::string::npos);
@@ -782,8 +792,8 @@ TEST_F(TrainingWindow, ClosingItInABlockAsksFirst) {
   stage.key(Key::right);
   stage.key(Key::enter);
   EXPECT_FALSE(stage.viewer->wantsToQuit()) << "to leave a sitting is not to close the window";
-  EXPECT_EQ(stage.viewer->training()->sitting(), nullptr);
-  stage.viewer->session().wish(Wish::Kind::quit);
+  EXPECT_EQ(stage.training->sitting(), nullptr);
+  stage.viewer->session().request(Quit{});
   stage.frames(2);
   EXPECT_TRUE(stage.viewer->wantsToQuit());
 }

@@ -63,7 +63,7 @@ TEST(Acts, EscapeClosesOneThingAtATime) {
   perform(Action::cancel, session);
   EXPECT_FALSE(session.editor.active);
   perform(Action::cancel, session);
-  EXPECT_TRUE(session.asks.wishes.empty());
+  EXPECT_TRUE(session.asks.requests.empty());
 }
 
 TEST(Hints, ComeOneAfterTheOtherAndThenNoMore) {

@@ -1,5 +1,5 @@
 // What a panel asks for when its controls are used: no viewer, no servo and no session is there.
-#include "view/viewer/panels/asks.h"
+#include "view/viewer/state/requests.h"
 
 #include <gtest/gtest.h>
 #include <imgui.h>
@@ -43,7 +43,7 @@ class OnePanel {
   window::Gui gui_;
 };
 
-TEST(Asks, OfTheModelPanelAreAWishAndADialog) {
+TEST(Asks, OfTheModelPanelAreARequestAndADialog) {
   OnePanel one;
   Asks asks;
   scene::Scene scene;
@@ -52,10 +52,10 @@ TEST(Asks, OfTheModelPanelAreAWishAndADialog) {
   const auto draw = [&] { modelPanel({scene, world, dialog}, asks); };
   one.click("model/open", draw);
   EXPECT_TRUE(dialog);
-  EXPECT_TRUE(asks.wishes.empty());
+  EXPECT_TRUE(asks.requests.empty());
   one.click("model/default", draw);
-  ASSERT_EQ(asks.wishes.size(), 1u);
-  EXPECT_EQ(asks.wishes.front().kind, Wish::Kind::default_scene);
+  ASSERT_EQ(asks.requests.size(), 1u);
+  EXPECT_TRUE(std::holds_alternative<OpenBuiltIn>(asks.requests.front()));
 }
 
 TEST(Asks, OfAChangedKeyTellWhatFollowsFromIt) {

@@ -6,8 +6,8 @@
 #include <set>
 #include <utility>
 
-#include "view/viewer/devices/interventions.h"
-#include "view/viewer/files/scene_document.h"
+#include "view/viewer/state/interventions.h"
+#include "view/viewer/state/scene_document.h"
 #include "host/tests/device/doubles/double_library.h"
 #include "support/wait_for.h"
 

@@ -1,4 +1,4 @@
-#include "view/viewer/editing/edit_history.h"
+#include "view/viewer/state/edit_history.h"
 
 #include <gtest/gtest.h>
 

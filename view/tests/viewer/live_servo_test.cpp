@@ -1,4 +1,4 @@
-#include "view/viewer/live_servo.h"
+#include "view/viewer/world/live_servo.h"
 
 #include <gtest/gtest.h>
 

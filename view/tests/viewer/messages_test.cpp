@@ -1,4 +1,4 @@
-#include "view/viewer/panels/messages.h"
+#include "view/viewer/state/messages.h"
 
 #include <gtest/gtest.h>
 

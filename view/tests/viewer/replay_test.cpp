@@ -1,5 +1,5 @@
 // Stepping back and forth through what was touched: the last minute of a frozen session, and recorded tables.
-#include "view/viewer/files/replay.h"
+#include "view/viewer/state/replay.h"
 
 #include "view/viewer/files/recorded_touch.h"
 #include "palpate/base/text.h"

@@ -1,4 +1,4 @@
-#include "view/viewer/plots/sample_history.h"
+#include "view/viewer/state/sample_history.h"
 
 #include <gtest/gtest.h>
 

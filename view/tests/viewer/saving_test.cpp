@@ -111,7 +111,7 @@ TEST(Saving, AsAnotherFileByItsDialog) {
   stage.frame();
   ASSERT_TRUE(widgetPlaces().contains("save/save"));
   stage.session().state.shown.save_dialog = false;  // its field was offered the present name
-  stage.session().wish(Wish::Kind::save, (stage.folder / "other.toml").string());
+  stage.session().request(SaveScene{(stage.folder / "other.toml").string()});
   stage.frame();
   EXPECT_EQ(textOf(file), kByHand) << "the first one stays as it was";
   EXPECT_NE(textOf(stage.folder / "other.toml").find("# dry"), std::string::npos);

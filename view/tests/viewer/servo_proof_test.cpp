@@ -75,7 +75,7 @@ std::vector<Phase> phases(const std::filesystem::path& big) {
        }},
       {"PNG sequence",
        [](Stage& stage, int i) {
-         if (i == 0) stage.session().wish(Wish::Kind::sequence);
+         if (i == 0) stage.session().request(ToggleSequence{});
          stage.frame();
        }},
       {"load of 1 M triangles",

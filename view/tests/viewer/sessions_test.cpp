@@ -175,7 +175,7 @@ TEST(Sessions, TwoStandBesideEachOther) {
   ASSERT_TRUE(stage.shows(first));
   stage.frame();
   const view::Image alone = stage.viewer->target().read();
-  stage.session().wish(Wish::Kind::open_beside, second);
+  stage.session().request(OpenBeside{second});
   ASSERT_TRUE(stage.until([&] { return stage.session().replay.beside == second; })) << stage.lastMessage();
   stage.session().replay.loops = true;
   stage.session().replay.playing = true;

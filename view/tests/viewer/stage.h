@@ -7,6 +7,7 @@
 #include <chrono>
 #include <memory>
 
+#include "measure/window/measuring_mode.h"
 #include "view/viewer/panels/widgets.h"
 #include "view/viewer/viewer.h"
 #include "palpate/base/stopwatch.h"
@@ -42,6 +43,9 @@ class Stage {
     settings.output_folder = folder.path();
     if (records) settings.session_folder = folder / "sessions";
     settings.default_scene = sheetScene(folder);
+    auto mode = std::make_unique<MeasuringMode>();
+    measuring_ = mode.get();
+    settings.modes.push_back(std::move(mode));
     viewer = std::make_unique<Viewer>(scene::build(sheetScene(folder)), std::move(state), std::move(settings),
                                       std::move(host));
     frame();
@@ -116,6 +120,7 @@ class Stage {
   Vec2 middle() const { return {790.0, 350.0}; }
 
   Session& session() { return viewer->session(); }
+  MeasuringMode& measuring() { return *measuring_; }
   const contact::FingerOutput& finger(std::size_t i = 0) { return session().fingers[i]; }
   std::string lastMessage() {
     return session().messages.all().empty() ? std::string() : session().messages.all().back().text;
@@ -135,6 +140,7 @@ class Stage {
     return e;
   }
   Vec2 at_ = Vec2::Zero();
+  MeasuringMode* measuring_ = nullptr;  ///< the viewer's
 };
 
 }  // namespace palpate::viewer

@@ -1,4 +1,4 @@
-#include "view/viewer/files/state_file.h"
+#include "view/viewer/state/state_file.h"
 
 #include <gtest/gtest.h>
 

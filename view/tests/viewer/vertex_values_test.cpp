@@ -1,5 +1,5 @@
 // Numbers that a mesh file brings, in the window: which one is shown, and what a press reads.
-#include "view/viewer/vertex_values.h"
+#include "view/viewer/state/vertex_values.h"
 
 #include <gtest/gtest.h>
 

@@ -199,9 +199,9 @@ TEST(Viewer, SavesPicturesAndSequences) {
   const view::Image picture = support::readPng(stage.folder / "palpate.png");
   EXPECT_EQ(picture.width, kStageWidth);
   EXPECT_EQ(picture.height, kStageHeight);
-  stage.session().wish(Wish::Kind::sequence);
+  stage.session().request(ToggleSequence{});
   for (int i = 0; i < 5; ++i) stage.frame();
-  stage.session().wish(Wish::Kind::sequence);
+  stage.session().request(ToggleSequence{});
   stage.frame();
   stage.viewer->finish();
   EXPECT_TRUE(fs::exists(stage.folder / "pictures" / "frame_00003.png"));
@@ -350,16 +350,16 @@ TEST(Viewer, CopiesItsViewAsTextAndPastesItBack) {
   host.clipboard = [&] { return clipboard; };
   Stage stage(Stage::quiet(), host);
   stage.session().camera.yaw_rad = 0.5;
-  stage.session().wish(Wish::Kind::copy_view);
+  stage.session().request(CopyView{});
   stage.frame();
   EXPECT_TRUE(clipboard.starts_with("palpate-view ")) << clipboard;
   stage.session().camera.yaw_rad = -1.0;
-  stage.session().wish(Wish::Kind::paste_view);
+  stage.session().request(PasteView{});
   stage.frame();
   stage.frame();
   EXPECT_NEAR(stage.session().camera.yaw_rad, 0.5, 1e-4);
   clipboard = "nonsense";
-  stage.session().wish(Wish::Kind::paste_view);
+  stage.session().request(PasteView{});
   stage.frame();
   EXPECT_EQ(stage.lastMessage(), "The clipboard holds no view");
 }

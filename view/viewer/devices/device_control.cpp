@@ -62,37 +62,19 @@ void DeviceControl::begin(Session& session) {
   }
 }
 
-bool DeviceControl::grant(const Wish& wish, Session& session) {
-  switch (wish.kind) {
-    case Wish::Kind::open_device:
-      open(wish.finger, wish.file, session);
-      return true;
-    case Wish::Kind::close_device:
-      close(wish.finger, session);
-      return true;
-    case Wish::Kind::find_devices:
-      lookForBackEnds(session);
-      return true;
-    case Wish::Kind::stop:
-      press(session);
-      return true;
-    case Wish::Kind::release_stop:
-      servo_.thread().emergencyStop().release();
-      session.report(Severity::info, "The emergency stop is released: forces come back once the tip has been outside");
-      return true;
-    default:
-      return false;
-  }
+void DeviceControl::release(Session& session) {
+  servo_.thread().emergencyStop().release();
+  session.report(Severity::info, "The emergency stop is released: forces come back once the tip has been outside");
 }
 
-bool DeviceControl::hears(const window::InputEvent& event, bool text_wanted, Session& session) {
+bool DeviceControl::handle(const window::InputEvent& event, bool text_wanted, Session& session) {
   using Kind = window::InputEvent::Kind;
   if (event.kind == Kind::focus && !event.down) clutch_key_ = false;
   if (event.kind != Kind::key) return false;
   const bool pause = event.key == window::bindingOf(window::Action::emergency_stop).chord.key;
   const bool space = event.key == window::Key::space && servo_.anyHeld() && !text_wanted;
   if (pause || space) {
-    if (event.down) press(session);
+    if (event.down) stop(session);
     return true;
   }
   if (window::Chord{event.key, event.modifiers} != window::bindingOf(window::Action::clutch).chord) return false;
@@ -101,7 +83,7 @@ bool DeviceControl::hears(const window::InputEvent& event, bool text_wanted, Ses
   return true;
 }
 
-void DeviceControl::press(Session& session) {
+void DeviceControl::stop(Session& session) {
   servo_.thread().emergencyStop().press();
   if (!session.devices.stopped) session.messages.note(kStopped, session.now_s);
   session.devices.stopped = true;
@@ -129,7 +111,7 @@ void DeviceControl::takeOpened(std::size_t finger, Session& session, const scene
   try {
     servo::requireStable(device::profileOf(session.scene.safety.device, held.device.capabilities), session.scene.safety,
                          1.0 / session.ticks_per_s);
-    servo_.hold(finger, std::move(held), turnover_.planNow(session));
+    servo_.hold(finger, std::move(held), world_swap_.planNow(session));
   } catch (const Error& error) {
     session.held = before;
     return session.report(Severity::error, error.what());
@@ -146,7 +128,7 @@ void DeviceControl::close(std::size_t finger, Session& session) {
   if (!servo_.isHeld(finger)) return;
   const std::string name = servo_.opened(finger).words;
   session.held = servo_.abilitiesWith(finger, nullptr);
-  servo_.letGo(finger, turnover_.planNow(session));
+  servo_.letGo(finger, world_swap_.planNow(session));
   session.devices.fingers[finger].trouble.clear();
   if (session.devices.calibration.finger == finger) session.devices.calibration = {};
   tellWho(session);

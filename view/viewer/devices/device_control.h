@@ -1,7 +1,7 @@
 // Devices that come and go while the window is open: found, opened, closed and looked after beside the display; the
 // clutch, the emergency stop, and what the panel knows of all of them.
 //
-//   Wish ─► open beside the display ─► LiveServo::hold, in one tick with its limits ─► DevicesShown, once a frame
+//   OpenDevice ─► open beside the display ─► LiveServo::hold, in one tick with its limits ─► DevicesShown, once a frame
 #pragma once
 
 #include <array>
@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "view/viewer/devices/beside.h"
-#include "view/viewer/live_servo.h"
-#include "view/viewer/session.h"
-#include "view/viewer/turnover.h"
+#include "view/viewer/state/async_task.h"
+#include "view/viewer/state/session.h"
+#include "view/viewer/world/live_servo.h"
+#include "view/viewer/world/world_swap.h"
 
 namespace palpate::viewer {
 
@@ -20,7 +20,7 @@ namespace palpate::viewer {
 class DeviceControl {
  public:
   /// Both must outlive it.
-  DeviceControl(LiveServo& servo, Turnover& turnover) : servo_(servo), turnover_(turnover) {}
+  DeviceControl(LiveServo& servo, WorldSwap& world_swap) : servo_(servo), world_swap_(world_swap) {}
   /// Gives up what is being opened.
   ~DeviceControl();
   DeviceControl(const DeviceControl&) = delete;
@@ -28,10 +28,13 @@ class DeviceControl {
 
   /// The devices that the window began with, and those that the scene names are opened.
   void begin(Session& session);
-  /// True if it was about devices, and then it was done.
-  bool grant(const Wish& wish, Session& session);
+  void open(std::size_t finger, const std::string& words, Session& session);
+  void close(std::size_t finger, Session& session);
+  void lookForBackEnds(Session& session);
+  void stop(Session& session);
+  void release(Session& session);
   /// True if the event was the emergency stop's or the clutch's alone. The stop is heard whatever else is asked.
-  bool hears(const window::InputEvent& event, bool text_wanted, Session& session);
+  bool handle(const window::InputEvent& event, bool text_wanted, Session& session);
   /// One tick of a finger.
   void felt(const trace::Sample& sample, Session& session);
   /// Once a frame, before the changes of the scene are used.
@@ -46,11 +49,7 @@ class DeviceControl {
     double most_loss_n_mm = 0.0;
   };
 
-  void press(Session& session);
-  void open(std::size_t finger, const std::string& words, Session& session);
-  void close(std::size_t finger, Session& session);
   void takeOpened(std::size_t finger, Session& session, const scene::World& world);
-  void lookForBackEnds(Session& session);
   void placeDevices(Session& session, const scene::World& world);
   device::Workspace workspaceNow(std::size_t finger, const std::string& words, const Session& session,
                                  const scene::World& world);
@@ -60,17 +59,17 @@ class DeviceControl {
   void readState(std::size_t finger, Session& session);
 
   LiveServo& servo_;
-  Turnover& turnover_;
+  WorldSwap& world_swap_;
   bool clutch_key_ = false;
   std::array<std::optional<Vec3>, kFingers> origins_;  ///< where nobody named one; found when it is needed
   double tended_s_ = 0.0;
   std::array<Look, kFingers> looks_;
   std::atomic<bool> give_up_{false};
   // Last, because they use the above.
-  std::array<Beside<device::Device>, kFingers> opening_;
-  Beside<std::vector<BackEndFound>> looking_;
-  Beside<std::array<std::string, kFingers>> tending_;
-  Beside<int> closing_;
+  std::array<AsyncTask<device::Device>, kFingers> opening_;
+  AsyncTask<std::vector<BackEndFound>> looking_;
+  AsyncTask<std::array<std::string, kFingers>> tending_;
+  AsyncTask<int> closing_;
 };
 
 }  // namespace palpate::viewer

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "view/viewer/editing/dysfunction_editor.h"
-#include "view/viewer/files/replay.h"
+#include "view/viewer/state/replay.h"
 
 namespace palpate::viewer {
 
@@ -39,39 +39,51 @@ auto* switchOf(Action action, S& session) {
       return &session.state.stereo.swap_eyes;
     case Action::measure:
       return &session.ruler.active;
-    case Action::measure_person:
-      return &session.measuring.open;
     default:
       return static_cast<decltype(&session.replay.frozen)>(nullptr);
   }
 }
 
 /// What an action only hands on to those who hold the window, the files and the servo; nothing for the others.
-std::optional<Wish::Kind> wishOf(Action action) {
-  using Kind = Wish::Kind;
-  static constexpr std::pair<Action, Kind> kWishes[] = {
-      {Action::emergency_stop, Kind::stop},
-      {Action::full_screen, Kind::full_screen},
-      {Action::screenshot, Kind::screenshot},
-      {Action::screenshot_with_pop_ups, Kind::screenshot_with_pop_ups},
-      {Action::clear_screenshot, Kind::clear_screenshot},
-      {Action::play_script, Kind::play_script},
-      {Action::record, Kind::record},
-      {Action::keep_session, Kind::keep_session},
-      {Action::mark, Kind::mark},
-      {Action::save, Kind::save},
-      {Action::reload, Kind::reload},
-      {Action::reset, Kind::reset},
-      {Action::undo, Kind::undo},
-      {Action::redo, Kind::redo},
-      {Action::copy_scene, Kind::copy_scene},
-      {Action::quit, Kind::quit},
-      {Action::home, Kind::home},
-  };
-  for (const auto& [of, kind] : kWishes) {
-    if (of == action) return kind;
+std::optional<Request> requestOf(Action action) {
+  switch (action) {
+    case Action::emergency_stop:
+      return StopDevices{};
+    case Action::full_screen:
+      return ToggleFullScreen{};
+    case Action::screenshot:
+      return TakeScreenshot{};
+    case Action::screenshot_with_pop_ups:
+      return TakeScreenshot{.with_pop_ups = true};
+    case Action::clear_screenshot:
+      return TakeClearScreenshot{};
+    case Action::play_script:
+      return PlayScript{};
+    case Action::record:
+      return ToggleForces{};
+    case Action::keep_session:
+      return KeepRecording{};
+    case Action::mark:
+      return SetMark{};
+    case Action::save:
+      return SaveScene{};
+    case Action::reload:
+      return Reload{};
+    case Action::reset:
+      return ResetScene{};
+    case Action::undo:
+      return Undo{};
+    case Action::redo:
+      return Redo{};
+    case Action::copy_scene:
+      return CopyScene{};
+    case Action::quit:
+      return Quit{};
+    case Action::home:
+      return GoHome{};
+    default:
+      return std::nullopt;
   }
-  return std::nullopt;
 }
 
 void nextStereoMode(Session& session) {
@@ -111,14 +123,12 @@ void cancel(Session& session) {
     shown.help = false;
   } else if (shown.messages) {
     shown.messages = false;
-  } else if (session.measuring.open) {
-    session.measuring.open = false;
   } else if (session.editor.active) {
     stopEditing(session.dysfunctions());
   } else if (session.ruler.active) {
     session.ruler = {};
   } else if (session.building) {
-    session.wish(Wish::Kind::cancel_build);
+    session.request(CancelBuild{});
   }
 }
 
@@ -145,7 +155,7 @@ void perform(Action action, Session& session) {
     *on = !*on;
     return;
   }
-  if (const auto kind = wishOf(action)) return session.wish(*kind);
+  if (auto request = requestOf(action)) return session.request(*std::move(request));
   switch (action) {
     case Action::skin_opacity:
       look.skin_opacity = nextOpacity(look.skin_opacity);
@@ -166,6 +176,8 @@ void perform(Action action, Session& session) {
       return deleteSelected(session.dysfunctions());
     case Action::cancel:
       return cancel(session);
+    case Action::measure_person:  // no mode has taken it
+      return session.report(Severity::info, "This window measures no photographs");
     default:
       return;
   }

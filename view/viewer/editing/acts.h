@@ -1,12 +1,12 @@
-// What the keys and menus do to the session: switches, modes, wishes. Pure.
+// What the keys and menus do to the session: switches, modes, requests. Pure.
 #pragma once
 
-#include "view/viewer/session.h"
+#include "view/viewer/state/session.h"
 #include "palpate/window/keys.h"
 
 namespace palpate::viewer {
 
-/// Does what changes data only, and leaves a wish for the rest. Camera moves are wishes to the viewer as well.
+/// Does what changes data only, and leaves a request for the rest. Camera moves are requests to the viewer as well.
 void perform(window::Action action, Session& session);
 
 /// Whether a switch is on, for check marks in menus; false for actions that are no switches.

@@ -7,7 +7,7 @@
 
 #include <optional>
 
-#include "view/viewer/editing/editor.h"
+#include "view/viewer/state/editor.h"
 #include "palpate/base/vec.h"
 #include "palpate/window/input.h"
 

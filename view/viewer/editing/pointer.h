@@ -6,8 +6,8 @@
 #include <memory>
 #include <optional>
 
-#include "view/viewer/live_servo.h"
-#include "view/viewer/session.h"
+#include "view/viewer/state/session.h"
+#include "view/viewer/world/live_servo.h"
 #include "palpate/view/orbit.h"
 #include "palpate/window/input.h"
 

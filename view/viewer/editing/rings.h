@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "view/viewer/editing/pointer.h"
-#include "view/viewer/session.h"
+#include "view/viewer/state/session.h"
 #include "palpate/view/lines.h"
 
 namespace palpate::viewer {

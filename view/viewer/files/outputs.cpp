@@ -106,14 +106,15 @@ void Outputs::savePlots(Session& session) {
   if (attempt(session, write)) session.report(Severity::info, fmt::format("The plots are in {}", file.string()));
 }
 
-Outputs::Saving Outputs::saveScene(Session& session, const Wish& wish) {
-  fs::path target = !wish.file.empty() ? fs::path(wish.file) : session.document.file;
+Outputs::Saving Outputs::saveScene(Session& session, const SaveScene& request) {
+  fs::path target = !request.file.empty() ? fs::path(request.file) : session.document.file;
   if (target.empty()) target = freshFile(folder_, "scene", ".toml");
-  if (!wish.sure && wouldOverwrite(session.document, target)) {
+  if (!request.sure && wouldOverwrite(session.document, target)) {
     const bool known = fs::absolute(target).lexically_normal() == session.document.file;
     session.ask({.kind = Question::Kind::overwrite,
                  .words = fmt::format("{} {}. Write over it?", target.string(),
                                       known ? "was changed by somebody else since it was opened" : "exists already"),
+                 .answers = {"Overwrite", "Cancel"},
                  .file = target.string()});
     return Saving::asked;
   }

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "view/viewer/files/recorders.h"
-#include "view/viewer/session.h"
+#include "view/viewer/state/session.h"
 #include "palpate/view/cut_out.h"
 
 namespace palpate::viewer {
@@ -31,15 +31,19 @@ class Outputs {
   void toggleSequence(Session& session);
   void savePlots(Session& session);
   enum class Saving : std::uint8_t { done, asked, failed };
-  /// To the wish's file, else to where the scene came from, else to a fresh name in the folder. Asks before it writes
-  /// over what this window has neither read nor written, unless the wish is sure.
-  Saving saveScene(Session& session, const Wish& wish);
+  /// To the request's file, else to where the scene came from, else to a fresh name in the folder. Asks before it
+  /// writes over what this window has neither read nor written, unless the request is sure.
+  Saving saveScene(Session& session, const SaveScene& request);
   /// Writes the drawn displacement profile to a file and has the scene use it.
   void useProfile(Session& session);
   void askForScreenshot(bool with_pop_ups = false) {
     screenshot_ = true;
     with_pop_ups_ = with_pop_ups;
   }
+  /// The body alone, without a background.
+  void askForClearPicture() { clear_picture_ = true; }
+  /// It was asked for in this frame; once.
+  bool takeClearPicture() { return std::exchange(clear_picture_, false); }
   /// The picture of this frame is kept, and pop-ups are no part of it. Pictures of a sequence never have them.
   bool wantsNoPopUps(const Session& session) const { return screenshot_ ? !with_pop_ups_ : session.recording.sequence; }
   /// The picture that was saved since the last call, or empty.
@@ -72,6 +76,7 @@ class Outputs {
   std::filesystem::path saved_picture_;
   bool screenshot_ = false;
   bool with_pop_ups_ = false;
+  bool clear_picture_ = false;
 };
 
 }  // namespace palpate::viewer

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "view/viewer/files/replay.h"
-#include "view/viewer/plots/touch_history.h"
+#include "view/viewer/state/replay.h"
+#include "view/viewer/state/touch_history.h"
 #include "palpate/base/background.h"
 #include "palpate/scene/world.h"
 

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "view/viewer/live_servo.h"
 #include "palpate/base/thread_priority.h"
+#include "view/viewer/world/live_servo.h"
 #include "palpate/base/output_file.h"
 #include "palpate/device/mouse_finger.h"
 #include "palpate/view/image.h"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "view/viewer/live_servo.h"
+#include "view/viewer/world/live_servo.h"
 #include "palpate/scene/scene_writer.h"
 
 namespace palpate::viewer {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "view/viewer/session.h"
+#include "view/viewer/state/session.h"
 
 namespace palpate::viewer {
 

@@ -13,9 +13,9 @@
 #include <string_view>
 #include <vector>
 
-#include "view/viewer/devices/beside.h"
-#include "view/viewer/live_servo.h"
-#include "view/viewer/session.h"
+#include "view/viewer/state/async_task.h"
+#include "view/viewer/state/session.h"
+#include "view/viewer/world/live_servo.h"
 #include "palpate/engine/session_recorder.h"
 
 namespace palpate::viewer {
@@ -57,7 +57,7 @@ class SessionKeeper {
   std::unique_ptr<engine::SessionRecorder> recorder_;
   bool failed_ = false;  ///< until it is switched off and on again
   std::array<std::string, kFingers> held_by_;
-  Beside<std::vector<std::filesystem::path>> tidying_;
+  AsyncTask<std::vector<std::filesystem::path>> tidying_;
 };
 
 }  // namespace palpate::viewer

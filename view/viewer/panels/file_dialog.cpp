@@ -114,31 +114,29 @@ void openDialog(std::span<const std::string> recent, bool& open, Asks& asks) {
         "TOML scenes, OBJ, STL, PLY, OFF, glTF and GLB meshes, sessions, recorded forces (CSV); or drop a file on the "
         "window.");
     if (!chosen.empty()) {
-      asks.wish(Wish::Kind::open, chosen);
+      asks.request(OpenFile{chosen});
       open = false;
     }
   }
   ImGui::End();
 }
 
-void photographDialog(const char* title, Wish::Kind wish, bool& open, Asks& asks) {
+std::string photographDialog(const char* title, bool& open) {
   Listing& listing = shownListing();
   static std::string typed;
+  std::string chosen;
   if (beginDialog(title, open)) {
     if (ImGui::IsWindowAppearing()) listing = listingOf(listing.folder, kPhotographKinds);
-    std::string chosen = walk(listing);
+    chosen = walk(listing);
     ImGui::SetNextItemWidth(-80.0f);
     const bool entered = ImGui::InputText("##photograph", &typed, ImGuiInputTextFlags_EnterReturnsTrue);
     notePlace("photograph/file");
     ImGui::SameLine();
     if ((buttonWidget("photograph/open", "Open") || entered) && !typed.empty()) chosen = typed;
     remark("JPEG, PNG or TIFF; or drop the photograph on the window.");
-    if (!chosen.empty()) {
-      asks.wish(wish, chosen);
-      open = false;
-    }
   }
   ImGui::End();
+  return chosen;
 }
 
 void saveDialog(const fs::path& now, const fs::path& folder, bool& open, Asks& asks) {
@@ -159,7 +157,7 @@ void saveDialog(const fs::path& now, const fs::path& folder, bool& open, Asks& a
     if ((buttonWidget("save/save", "Save") || entered) && !typed.empty()) {
       fs::path file = listing.folder / typed;  // a full path stays one
       if (file.extension() != ".toml") file += ".toml";
-      asks.wish(Wish::Kind::save, file.string());
+      asks.request(SaveScene{file.string()});
       open = false;
     }
     remark("A scene (TOML) with all that was changed, camera and look too. You are asked before a file is replaced.");

@@ -6,16 +6,13 @@
 #include <utility>
 
 #include "view/viewer/editing/acts.h"
-#include "measure/window/measuring_window.h"
+#include "view/viewer/modes/mode.h"
 #include "view/viewer/panels/hints.h"
 #include "view/viewer/panels/widgets.h"
 
 namespace palpate::viewer {
 
 namespace {
-
-constexpr float kPanelWidth = 300.0f;
-constexpr float kMenuHeight = 24.0f;
 
 constexpr const char* kPerformance = "Performance";
 
@@ -58,12 +55,22 @@ constexpr PanelEntry kPanels[] = {
     {kPerformance, [](Session& s) { performancePanel(s.performance); }},
 };
 
-MenuBar menuOf(Session& session) {
-  MenuBar menu{
-      session.state, session.hint, {}, session.messages.unread(), {}, recordingWords(session.recording, session.now_s)};
+MenuBar menuOf(Session& session, const Modes& modes) {
+  MenuBar menu{.state = session.state,
+               .hint = session.hint,
+               .on = {},
+               .unread_messages = session.messages.unread(),
+               .status = {},
+               .recording = recordingWords(session.recording, session.now_s)};
   menu.offers_stop = session.devices.anyHeld() || session.devices.stopped;
   menu.stopped = session.devices.stopped;
   for (std::size_t i = 0; i < window::kActions; ++i) menu.on[i] = isOn(static_cast<window::Action>(i), session);
+  for (const auto& mode : modes) {
+    const auto item = mode->menuItem();
+    if (!item) continue;
+    menu.modes.push_back(item->action);
+    menu.on[static_cast<std::size_t>(item->action)] = item->on;
+  }
   menu.status.push_back(session.world.name + (session.history.changed() ? " *" : ""));
   if (session.simple_shading) menu.status.emplace_back("drawn smooth: slow");
   menu.status.push_back(session.held_by);
@@ -90,8 +97,11 @@ std::vector<std::string> interventionLines(const Session& session) {
 }
 
 /// Does what was asked for as of a key and says what was told.
-void grantActions(Session& session) {
-  for (const window::Action action : std::exchange(session.asks.actions, {})) perform(action, session);
+void doActions(Session& session, const Modes& modes) {
+  for (const window::Action action : std::exchange(session.asks.actions, {})) {
+    if (modes.handle({.kind = window::Command::Kind::act, .action = action}, session)) continue;
+    perform(action, session);
+  }
   for (Asks::Words& words : std::exchange(session.asks.words, {})) {
     session.report(words.severity, std::move(words.text));
   }
@@ -102,21 +112,14 @@ void grantActions(Session& session) {
 std::span<const PanelEntry> panelList() { return kPanels; }
 
 bool staysInPictures(std::string_view window) {
-  return window == "##MainMenuBar" || window.starts_with("measuring") || window.starts_with("panel") ||
+  return window == "##MainMenuBar" || window.starts_with("mode") || window.starts_with("panel") ||
          window.starts_with("plots") || window == "ruler" || window == "stop" || window == "unsafe";
 }
 
-FreeArea freeArea(const Shown& shown, float width, float height) {
-  FreeArea free{0.0f, kMenuHeight, width, height};
-  if (shown.panel) (shown.panel_right ? free.right : free.left) += shown.panel_right ? -kPanelWidth : kPanelWidth;
-  if (shown.plots) free.below -= kPlotsHeight;
-  return free;
-}
-
 void sidePanel(Session& session, float width, const FreeArea& free) {
-  const float left = session.state.shown.panel_right ? width - kPanelWidth : 0.0f;
+  const float left = session.state.shown.panel_right ? width - kSidePanelWidth : 0.0f;
   ImGui::SetNextWindowPos({left, free.top});
-  ImGui::SetNextWindowSize({kPanelWidth, ImGui::GetIO().DisplaySize.y - free.top});
+  ImGui::SetNextWindowSize({kSidePanelWidth, ImGui::GetIO().DisplaySize.y - free.top});
   constexpr auto kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
   session.vertex_panel_open = false;
@@ -155,32 +158,39 @@ void drawAroundTheBody(Session& session, float width, const FreeArea& free) {
   }
 }
 
+/// The emergency stop and messages are seen whatever a mode shows.
+void drawModeWindow(Mode& mode, Session& session, const FreeArea& free) {
+  mode.draw(free);
+  if (session.devices.stopped) stopBanner(free, session.asks);
+  toast(session.messages, session.now_s, free);
+}
+
 }  // namespace
 
-FreeArea drawGui(Session& session) {
+void drawGui(Session& session, const Modes& modes) {
   widgetPlaces().clear();
   Shown& shown = session.state.shown;
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const FreeArea free = freeArea(shown, size.x, size.y);
+  if (Mode* mode = modes.claimant(&Claims::window)) return drawModeWindow(*mode, session, free);
   if (!shown.open_dialog) session.replay.chooses_beside = false;
-  menuBar(menuOf(session), session.asks);
-  grantActions(session);
-  if (session.measuring.open) {
-    measuringWindow(session.measuring, {0.0f, kMenuHeight, size.x, size.y}, session.asks);
+  menuBar(menuOf(session, modes), session.asks);
+  doActions(session, modes);
+  if (Mode* mode = modes.claimant(&Claims::body)) {
+    mode->draw({0.0f, kMenuBarHeight, size.x, size.y});
   } else {
     drawAroundTheBody(session, size.x, free);
   }
   if (session.devices.unsafe) unsafeBanner(session.devices.safety_notes, free);
   if (session.devices.stopped) stopBanner(free, session.asks);
   buildProgress(session.building, free, session.asks);
-  grantActions(session);
+  doActions(session, modes);
   toast(session.messages, session.now_s, free);
   if (shown.help) helpPage(shown.help);
   if (shown.messages) messageList(session.messages, shown.messages);
   if (shown.open_dialog) openDialog(session.state.recent, shown.open_dialog, session.asks);
   if (shown.save_dialog) saveDialog(session.document.file, session.output_folder, shown.save_dialog, session.asks);
   questionDialog(session.question, session.asks);
-  return free;
 }
 
 }  // namespace palpate::viewer

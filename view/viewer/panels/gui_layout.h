@@ -9,18 +9,19 @@
 #include <string_view>
 
 #include "view/viewer/panels/panels.h"
-#include "view/viewer/session.h"
+#include "view/viewer/state/session.h"
 
 namespace palpate::viewer {
 
-/// Draws everything over the picture: menu, side panel, plots, hint, message, dialogs. Does the actions that were asked
-/// for and passes the words on; wishes and notes of changes stay in session.asks. Returns the area left free.
-FreeArea drawGui(Session& session);
-/// Where the picture will be free before anything was drawn.
-FreeArea freeArea(const Shown& shown, float width, float height);
+class Modes;
 
-/// Whether a window of this name belongs to a saved picture: menu bar, side panel and plots do, all else lies over it
-/// for a moment.
+/// Draws everything over the picture: menu, side panel, plots, hint, message, dialogs; or what a mode has in place of
+/// them. Does the actions that were asked for and passes the words on; requests and notes of changes stay in
+/// session.asks.
+void drawGui(Session& session, const Modes& modes);
+
+/// Whether a window of this name belongs to a saved picture: menu bar, side panel, plots and what a mode draws in place
+/// of the body ("mode...") do, all else lies over it for a moment.
 bool staysInPictures(std::string_view window);
 
 using PanelFunction = void (*)(Session&);

@@ -30,7 +30,7 @@ void item(const Menus& menus, Action action) {
 void recentFiles(const Menus& menus) {
   if (!ImGui::BeginMenu("Recent", !menus.state.recent.empty())) return;
   for (const std::string& file : menus.state.recent) {
-    if (ImGui::MenuItem(file.c_str())) menus.asks.wish(Wish::Kind::open, file);
+    if (ImGui::MenuItem(file.c_str())) menus.asks.request(OpenFile{file});
   }
   ImGui::EndMenu();
 }
@@ -38,8 +38,8 @@ void recentFiles(const Menus& menus) {
 void fileMenu(const Menus& menus) {
   item(menus, Action::open);
   recentFiles(menus);
-  if (ImGui::MenuItem("Built-in torso")) menus.asks.wish(Wish::Kind::default_scene);
-  item(menus, Action::measure_person);
+  if (ImGui::MenuItem("Built-in torso")) menus.asks.request(OpenBuiltIn{});
+  for (const Action action : menus.bar.modes) item(menus, action);
   for (const Action action : {Action::reload, Action::save, Action::save_as}) item(menus, action);
   ImGui::Separator();
   for (const Action action : {Action::undo, Action::redo, Action::reset, Action::copy_scene}) item(menus, action);
@@ -98,8 +98,8 @@ void viewMenu(const Menus& menus) {
   ImGui::Separator();
   ImGui::MenuItem("Panel on the right", nullptr, &menus.state.shown.panel_right);
   ImGui::Separator();
-  if (ImGui::MenuItem("Copy the view")) menus.asks.wish(Wish::Kind::copy_view);
-  if (ImGui::MenuItem("Paste the view")) menus.asks.wish(Wish::Kind::paste_view);
+  if (ImGui::MenuItem("Copy the view")) menus.asks.request(CopyView{});
+  if (ImGui::MenuItem("Paste the view")) menus.asks.request(PasteView{});
   ImGui::Separator();
   themeMenu(menus.state.theme);
   textSizeMenu(menus.state.text_size);
@@ -161,7 +161,7 @@ void stopSign(const Menus& menus) {
     return notePlace("menu/stopped");
   }
   if (stopButton("menu/stop", "STOP", false, "Emergency stop: no device gets a force (Space or Pause).")) {
-    menus.asks.wish(Wish::Kind::stop);
+    menus.asks.request(StopDevices{});
   }
 }
 

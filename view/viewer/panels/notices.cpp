@@ -91,7 +91,7 @@ void buildProgress(const std::optional<engine::BuildProgress>& building, const F
     ImGui::TextUnformatted(building->stage.c_str());
     ImGui::ProgressBar(static_cast<float>(building->done), {260.0f, 0.0f});
     ImGui::SameLine();
-    if (buttonWidget("building/cancel", "Cancel")) asks.wish(Wish::Kind::cancel_build);
+    if (buttonWidget("building/cancel", "Cancel")) asks.request(CancelBuild{});
   }
   ImGui::End();
 }
@@ -123,7 +123,7 @@ void stopBanner(const FreeArea& free, Asks& asks) {
     ImGui::SetWindowFontScale(1.0f);
     wrappedWords("No device gets a force. After the release a finger feels again once its tip has been outside.", free);
     ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(90, 6, 4, 255));
-    if (buttonWidget("stop/release", "Release the stop")) asks.wish(Wish::Kind::release_stop);
+    if (buttonWidget("stop/release", "Release the stop")) asks.request(ReleaseStop{});
     ImGui::PopStyleColor();
   }
   notePlaceOfWindow("stop");
@@ -192,13 +192,13 @@ void questionDialog(const std::optional<Question>& question, Asks& asks) {
     ImGui::PushTextWrapPos(0.0f);
     ImGui::TextUnformatted(question->words.c_str());
     ImGui::PopTextWrapPos();
-    const auto answers = answersTo(*question);
-    for (const std::string_view answer : answers) {
+    const std::vector<std::string>& answers = question->answers;
+    for (const std::string& answer : answers) {
       if (answer != answers.front()) ImGui::SameLine();
       const std::string path = fmt::format("question/{}", answer);
       const char* means = answer == answers.front() ? "Enter" : answer == answers.back() ? "Esc" : "";
-      if (buttonWidget(path.c_str(), std::string(answer).c_str(), means)) {
-        asks.wish(Wish::Kind::answer, std::string(answer));
+      if (buttonWidget(path.c_str(), answer.c_str(), means)) {
+        asks.request(AnswerQuestion{answer});
       }
     }
   } else {

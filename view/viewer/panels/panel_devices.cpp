@@ -57,13 +57,13 @@ void stopWidgets(const DevicesShown& devices, Asks& asks) {
   if (!devices.stopped) {
     if (stopButton("devices/stop", "EMERGENCY STOP", true,
                    "No device gets a force until it is released (Space or Pause).")) {
-      asks.wish(Wish::Kind::stop);
+      asks.request(StopDevices{});
     }
     return;
   }
   remark("Stopped: no device gets a force.");
   if (buttonWidget("devices/release", "Release the stop", "A finger feels again once its tip has been outside.")) {
-    asks.wish(Wish::Kind::release_stop);
+    asks.request(ReleaseStop{});
   }
 }
 
@@ -82,7 +82,7 @@ void openWidgets(const Part& part) {
   notePlace(part.path("which"));
   const std::string& name = back_ends[std::min(held.back_end, back_ends.size() - 1)].name;
   if (part.button("open", "Open", "It takes the finger from the mouse; forces begin once its tip has been outside.")) {
-    part.asks.wishForFinger(Wish::Kind::open_device, part.finger, held.which.empty() ? name : name + ":" + held.which);
+    part.asks.request(OpenDevice{part.finger, held.which.empty() ? name : name + ":" + held.which});
   }
 }
 
@@ -234,7 +234,7 @@ void heldWidgets(const Part& part) {
   FingerHeld& held = part.held();
   remark(held.about);
   if (part.button("close", "Let it go", "The mouse has the finger again.")) {
-    part.asks.wishForFinger(Wish::Kind::close_device, part.finger);
+    part.asks.request(CloseDevice{part.finger});
   }
   ImGui::SameLine();
   const std::string clutch = part.path("clutch");
@@ -274,7 +274,7 @@ void devicePanel(const DevicePanel& panel, Asks& asks) {
   if (devices.looking) {
     remark("looking for devices ...");
   } else if (devices.back_ends.empty() || buttonWidget("devices/look", "Look again")) {
-    asks.wish(Wish::Kind::find_devices);
+    asks.request(FindDevices{});
   }
   for (const BackEndFound& back_end : devices.back_ends) backEndWidgets(back_end);
 }

@@ -73,7 +73,7 @@ void modelPanel(const ModelPanel& panel, Asks& asks) {
     panel.open_dialog = true;
   }
   ImGui::SameLine();
-  if (buttonWidget("model/default", "Built-in body")) asks.wish(Wish::Kind::default_scene);
+  if (buttonWidget("model/default", "Built-in body")) asks.request(OpenBuiltIn{});
   ImGui::Separator();
   bodyWidgets(keys);
   ImGui::Separator();

@@ -30,14 +30,14 @@ void sessionPart(const Recording& recording, bool& keeps_last_hour, Asks& asks) 
                      recording.dropped == 0 ? "" : fmt::format(", {} samples missing", recording.dropped)));
   if (buttonWidget("record/keep", recording.keeping ? "Keeping ..." : "Keep the session (Shift+R)",
                    "Copies the last hour into a session file: to be shown again, proven, sent with a bug report.")) {
-    asks.wish(Wish::Kind::keep_session);
+    asks.request(KeepRecording{});
   }
   if (buttonWidget("record/mark", "Set a mark (Shift+M)", "In the session, to be found again.")) {
-    asks.wish(Wish::Kind::mark);
+    asks.request(SetMark{});
   }
   if (!recording.kept_file.empty() &&
       buttonWidget("record/play", "Show what was kept", "Plays it on the body it was felt on; Space ends it.")) {
-    asks.wish(Wish::Kind::open, recording.kept_file);
+    asks.request(OpenFile{recording.kept_file});
   }
 }
 
@@ -47,7 +47,7 @@ void recordPanel(const Recording& recording, bool& keeps_last_hour, double now_s
   sessionPart(recording, keeps_last_hour, asks);
   if (buttonWidget("record/forces", recording.forces ? "Stop recording (R)" : "Record forces (R)",
                    "Every finger in every tick, as a CSV table.")) {
-    asks.wish(Wish::Kind::record);
+    asks.request(ToggleForces{});
   }
   if (recording.forces) {
     remark(fmt::format("{:.1f} s into {}", now_s - recording.since_s, recording.forces_file));
@@ -56,20 +56,20 @@ void recordPanel(const Recording& recording, bool& keeps_last_hour, double now_s
       buttonWidget(
           "record/replay", "Replay what was recorded",
           "Presses the same places again, to be stepped tick by tick. Other tables: Open, or drop them here.")) {
-    asks.wish(Wish::Kind::open, recording.forces_file);
+    asks.request(OpenFile{recording.forces_file});
   }
   if (buttonWidget("record/sequence", recording.sequence ? "Stop the pictures" : "Record pictures",
                    "Every frame as a PNG file, in a folder of their own.")) {
-    asks.wish(Wish::Kind::sequence);
+    asks.request(ToggleSequence{});
   }
   if (recording.sequence) remark(fmt::format("{} pictures in {}", recording.pictures, recording.sequence_folder));
-  if (buttonWidget("record/picture", "Save a picture (F12)")) asks.wish(Wish::Kind::screenshot);
+  if (buttonWidget("record/picture", "Save a picture (F12)")) asks.request(TakeScreenshot{});
   if (buttonWidget("record/clear_picture", "... without background (Ctrl+F12)",
                    "The body alone; the rest of the PNG file is transparent.")) {
-    asks.wish(Wish::Kind::clear_screenshot);
+    asks.request(TakeClearScreenshot{});
   }
-  if (buttonWidget("record/csv", "Save the plots as CSV")) asks.wish(Wish::Kind::plots_csv);
-  if (buttonWidget("record/scene", "Save the scene (Ctrl+S)")) asks.wish(Wish::Kind::save);
+  if (buttonWidget("record/csv", "Save the plots as CSV")) asks.request(SavePlots{});
+  if (buttonWidget("record/scene", "Save the scene (Ctrl+S)")) asks.request(SaveScene{});
   if (buttonWidget("record/copy_scene", "Copy as a scene (Ctrl+C)",
                    "What is seen and felt now, as the text of a scene file: for mails, notes and bug reports.")) {
     asks.act(window::Action::copy_scene);

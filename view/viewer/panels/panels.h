@@ -15,31 +15,22 @@
 #include <string_view>
 #include <vector>
 
-#include "view/viewer/devices/devices_shown.h"
-#include "view/viewer/editing/editor.h"
-#include "view/viewer/editing/ruler.h"
-#include "view/viewer/files/replay.h"
-#include "view/viewer/panels/asks.h"
-#include "view/viewer/panels/messages.h"
-#include "view/viewer/plots/sample_history.h"
-#include "view/viewer/session_parts.h"
-#include "view/viewer/vertex_values.h"
-#include "view/viewer/view_state.h"
+#include "view/viewer/state/devices_shown.h"
+#include "view/viewer/state/editor.h"
+#include "view/viewer/state/free_area.h"
+#include "view/viewer/state/messages.h"
+#include "view/viewer/state/replay.h"
+#include "view/viewer/state/requests.h"
+#include "view/viewer/state/ruler.h"
+#include "view/viewer/state/sample_history.h"
+#include "view/viewer/state/session_parts.h"
+#include "view/viewer/state/vertex_values.h"
+#include "view/viewer/state/view_state.h"
 #include "palpate/engine/world_builder.h"
 #include "palpate/scene/scene.h"
 #include "palpate/view/camera.h"
 
 namespace palpate::viewer {
-
-/// Points of the screen that the picture has to itself.
-struct FreeArea {
-  float left = 0.0f;
-  float top = 0.0f;
-  float right = 0.0f;
-  float below = 0.0f;
-};
-
-inline constexpr float kPlotsHeight = 150.0f;  ///< of the strips below the picture
 
 // ---- sections of the side panel
 
@@ -127,6 +118,7 @@ struct MenuBar {
   std::string recording;            ///< behind a red dot, while something is recorded
   bool offers_stop = false;         ///< a device holds a finger
   bool stopped = false;
+  std::vector<window::Action> modes = {};  ///< what else this window can be used for (mode.h)
 };
 void menuBar(const MenuBar& menu, Asks& asks);
 
@@ -143,13 +135,13 @@ void replayBar(Replay& replay, const FreeArea& free, Asks& asks);
 void helpPage(bool& open);
 /// Files opened before, a folder to walk through, a line to type into.
 void openDialog(std::span<const std::string> recent, bool& open, Asks& asks);
-/// The same for a photograph; what is chosen becomes this wish.
-void photographDialog(const char* title, Wish::Kind wish, bool& open, Asks& asks);
+/// The same for a photograph: the file that was chosen, or nothing yet.
+std::string photographDialog(const char* title, bool& open);
 /// Where the scene is to be saved; begins beside `now`, or in `folder` when it has no file yet.
 void saveDialog(const std::filesystem::path& now, const std::filesystem::path& folder, bool& open, Asks& asks);
 /// Where the dialogs look from now on; else where they looked last, in the beginning the working folder.
 void showFolder(const std::filesystem::path& folder);
-/// What is asked before something is lost; the answer is a wish.
+/// What is asked before something is lost; the answer is a request.
 void questionDialog(const std::optional<Question>& question, Asks& asks);
 /// In the colour of how much they matter.
 void severeWords(Severity severity, const std::string& words);

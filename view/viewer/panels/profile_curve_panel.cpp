@@ -146,12 +146,12 @@ void profileCurve(const ProfileSettings& of_scene, ProfileEdit& profile, Asks& a
     remark(error.what());
   }
   if (own) {
-    if (editHandles(profile, sheet)) asks.wish(Wish::Kind::use_profile);
+    if (editHandles(profile, sheet)) asks.request(UseProfile{});
     drawHandles(profile.knots, sheet);
     remark("Drag the handles; double click adds one, right click takes one away.");
   } else if (buttonWidget("tissue/own", "Draw my own curve", "Starts with this one and gives it handles.")) {
     profile.knots = firstHandles(settings);
-    asks.wish(Wish::Kind::use_profile);
+    asks.request(UseProfile{});
   }
 }
 

@@ -6,9 +6,9 @@
 #include <array>
 #include <filesystem>
 
-#include "view/viewer/files/replay.h"
 #include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/widgets.h"
+#include "view/viewer/state/replay.h"
 
 namespace palpate::viewer {
 

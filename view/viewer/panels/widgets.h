@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "view/viewer/panels/asks.h"
+#include "view/viewer/state/requests.h"
 #include "palpate/scene/scene.h"
 
 namespace palpate::viewer {
@@ -22,9 +22,6 @@ WidgetPlaces& widgetPlaces();
 void notePlace(const std::string& path);
 /// Notes the window that is being drawn.
 void notePlaceOfWindow(const std::string& path);
-
-/// What a change of a key of this table of the scene file has consequences for (asks.h).
-std::uint32_t consequenceOf(std::string_view table);
 
 /// The scene that controls change, and where they say so.
 struct SceneKeys {

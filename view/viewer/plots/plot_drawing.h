@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "view/viewer/plots/sample_history.h"
+#include "view/viewer/state/sample_history.h"
 
 namespace palpate::viewer {
 

@@ -186,7 +186,7 @@ void buttons(const PlotStrips& panel, Asks& asks) {
                    "A click into a plot does the same; dragging there scrolls back, the wheel zooms.")) {
     pausePlots(panel.plots, !panel.plots.paused);
   }
-  if (buttonWidget("plots/csv", "CSV", "Save what the plots show as a table.")) asks.wish(Wish::Kind::plots_csv);
+  if (buttonWidget("plots/csv", "CSV", "Save what the plots show as a table.")) asks.request(SavePlots{});
 }
 
 constexpr float kGap = 14.0f;  ///< between strips

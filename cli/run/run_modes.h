@@ -1,0 +1,19 @@
+// What other products add to the window of `palpate run`: a mode each, and its options.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <memory>
+
+#include "view/viewer/modes/mode.h"
+
+namespace palpate::app {
+
+/// Makes a mode, once the command line has been read.
+using ModeMaker = std::function<std::unique_ptr<viewer::Mode>()>;
+/// Adds the mode's options to `palpate run`.
+using OfferedMode = ModeMaker (*)(CLI::App& command);
+/// Before the commands are added (common/commands.h); the same mode once.
+void offerRunMode(OfferedMode mode);
+
+}  // namespace palpate::app

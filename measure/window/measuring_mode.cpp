@@ -1,0 +1,256 @@
+#include "measure/window/measuring_mode.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "measure/window/key_table_file.h"
+#include "measure/window/measuring_window.h"
+#include "palpate/base/error.h"
+#include "palpate/base/output_file.h"
+#include "palpate/base/text.h"
+#include "palpate/body/places.h"
+#include "palpate/measure/key_row.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// "12.5, -40": places of a body without names.
+std::optional<Vec2> twoNumbers(std::string_view words) {
+  const auto parts = split(words, ',');
+  if (parts.size() != 2) return std::nullopt;
+  const auto x = parseNumber(trimmed(parts[0]));
+  const auto y = parseNumber(trimmed(parts[1]));
+  return x && y ? std::optional(Vec2(*x, *y)) : std::nullopt;
+}
+
+void resolvePlace(AcceptForm& form, std::span<const body::SkinLandmark> landmarks) {
+  form.at_mm.reset();
+  form.place_name.clear();
+  form.place_words.clear();
+  if (trimmed(form.place).empty()) return;
+  form.at_mm = twoNumbers(form.place);
+  if (!form.at_mm) {
+    try {
+      const body::NamedPlace place = body::placeNamed(landmarks, form.place);
+      form.at_mm = Vec2(place.point.x(), place.point.y());
+      form.place_name = place.name;
+    } catch (const Error& error) {
+      form.place_words = error.what();
+      return;
+    }
+  }
+  form.place_words = fmt::format("{}{}x {:.0f}, y {:.0f} mm", form.place_name, form.place_name.empty() ? "" : ": ",
+                                 form.at_mm->x(), form.at_mm->y());
+}
+
+fs::path tableOf(const MeasuringView& view, const Session& session) {
+  return (session.output_folder / view.form.table).lexically_normal();
+}
+
+/// What speaks against it, a sentence each.
+std::string doubts(const measure::Measurement& measured, const KeyTableFile& table, const fs::path& file,
+                   const std::string& name) {
+  std::string words;
+  for (const measure::Finding& finding : measured.findings) {
+    if (finding.severity == measure::Severity::refusal) words += fmt::format("Refused: {}\n", finding.text);
+  }
+  if (table.kind == KeyTableFile::Kind::other) {
+    words += fmt::format("{} is no table of key points and would be written over.\n", file.string());
+  } else if (table.has(name)) {
+    words += fmt::format("{} has a row \"{}\" already: it would be replaced.\n", file.string(), name);
+  }
+  return words;
+}
+
+KeyTableRow rowOf(const measure::Measurement& measured, const std::string& name, const Vec2& at_mm) {
+  const std::string header = measure::keyRowHeader();
+  const std::string values = measure::keyRow(measured, name, at_mm);
+  return {std::string(trimmed(header)), std::string(trimmed(values))};
+}
+
+void useInScene(Session& session, const fs::path& file) {
+  session.scene.ellipses.key_points = file;
+  session.asks.changed |= kMapChange;
+  session.asks.step = "measured key points";
+}
+
+}  // namespace
+
+bool MeasuringMode::handle(const window::InputEvent& event, Session& session, bool typing) {
+  const Shown& shown = session.state.shown;
+  if (!view_.open || event.kind != window::InputEvent::Kind::key || !event.down) return false;
+  if (typing || shown.help || shown.messages || shown.open_dialog || shown.save_dialog) return false;
+  return measuringKey(view_, event.key, event.modifiers, requests_);
+}
+
+bool MeasuringMode::handle(const window::Command& command, Session& session) {
+  if (command.kind != window::Command::Kind::act) return false;
+  if (command.action == window::Action::measure_person) {
+    view_.open = !view_.open;
+    return true;
+  }
+  const Shown& shown = session.state.shown;
+  const bool covered = shown.open_dialog || shown.save_dialog || shown.help || shown.messages;
+  if (command.action != window::Action::cancel || !view_.open || covered) return false;
+  view_.open = false;
+  return true;
+}
+
+std::optional<ModeMenuItem> MeasuringMode::menuItem() const {
+  return ModeMenuItem{window::Action::measure_person, view_.open};
+}
+
+void MeasuringMode::draw(const FreeArea& area) { measuringWindow(view_, area, requests_); }
+
+bool MeasuringMode::handle(const Request& request, Session& session) {
+  if (const auto* open = std::get_if<OpenFile>(&request)) {
+    if (!isPhotograph(open->file)) return false;
+    handle(ShowPhoto{freePlace(view_), open->file}, session);
+    return true;
+  }
+  const bool undoes = std::holds_alternative<Undo>(request);
+  if (undoes || std::holds_alternative<Redo>(request)) {
+    if (view_.open) takeBack(undoes, session);
+    return view_.open;
+  }
+  const auto* quit = std::get_if<Quit>(&request);
+  return quit != nullptr && !quit->sure && asksFirst(request, session);
+}
+
+/// What was corrected in photographs stays while the view is closed, but goes with them.
+bool MeasuringMode::asksFirst(Waiting waiting, Session& session) {
+  if (!view_.unsaved) return false;
+  waiting_ = std::move(waiting);
+  session.ask({.kind = Question::Kind::of_mode,
+               .words = "The dots of the photographs were corrected. Accept the measurement first?",
+               .answers = {"Accept", "Discard", "Stay"}});
+  return true;
+}
+
+bool MeasuringMode::answer(const Question& question, std::string_view chosen, Session& session) {
+  const std::optional<Waiting> waiting = std::exchange(waiting_, std::nullopt);
+  if (!waiting) return false;
+  if (chosen == question.answers.back()) return true;
+  const auto* request = std::get_if<MeasuringRequest>(&*waiting);
+  if (request != nullptr && std::holds_alternative<AcceptMeasurement>(*request)) {
+    handle(*request, session);
+    return true;
+  }
+  if (chosen == question.answers.front() && accept(session, false) != Accepting::done) return true;
+  view_.unsaved = false;
+  if (request != nullptr) {
+    requests_.push_back(*request);
+  } else {
+    session.request(std::get<Request>(*waiting));  // the scene may have been changed, too
+  }
+  return true;
+}
+
+void MeasuringMode::handle(const MeasuringRequest& request, Session& session) {
+  if (std::holds_alternative<CancelMeasuring>(request)) return work_.cancel();
+  if (const auto* accepted = std::get_if<AcceptMeasurement>(&request)) {
+    accept(session, accepted->sure);
+    return;
+  }
+  if (asksFirst(request, session)) return;
+  if (const auto* photo = std::get_if<ShowPhoto>(&request)) {
+    choosePhoto(view_, photo->place, photo->file);
+  } else {
+    swapPhotos(view_);
+    std::swap(pictures_[0], pictures_[1]);
+  }
+  view_.open = true;
+}
+
+void MeasuringMode::takeBack(bool undoes, Session& session) {
+  const std::string words = undoes ? undoCorrection(view_) : redoCorrection(view_);
+  const char* what = undoes ? "Undo" : "Redo";
+  session.report(Severity::info, words.empty() ? fmt::format("Nothing to {}", undoes ? "undo" : "redo")
+                                               : fmt::format("{}: {}", what, words));
+}
+
+void MeasuringMode::advance(Session& session, std::span<const body::SkinLandmark> landmarks) {
+  for (const MeasuringRequest& request : std::exchange(requests_, {})) handle(request, session);
+  if (view_.open && view_.form.table.empty()) {
+    const fs::path& of_scene = session.scene.ellipses.key_points;
+    view_.form.table = of_scene.empty() ? "key_points.csv" : fs::absolute(of_scene).string();
+  }
+  begin();
+  take(session);
+  view_.working = work_.busy();
+  const MeasuringWork::State state = work_.state();
+  view_.stage = state.stage;
+  view_.done = state.done;
+  if (view_.open) resolvePlace(view_.form, landmarks);
+}
+
+/// What is stale goes to work; marks not before the mouse has let them go.
+void MeasuringMode::begin() {
+  MeasuringView& view = view_;
+  if (view.stale == Stale::nothing || (view.stale == Stale::marks && view.drag)) return;
+  const bool of_marks = std::exchange(view.stale, Stale::nothing) == Stale::marks && view.measured;
+  if (!of_marks && !view.failure.empty()) view.failure.clear();
+  MeasuringJob job{.settings = view.settings};
+  if (of_marks) {
+    job.marks = view.marks;
+    job.of_photographs = of_photographs_;
+    job.width_px = view.photos[0].width_px;
+    job.height_px = view.photos[0].height_px;
+  } else {
+    for (std::size_t i = 0; i < view.photos.size(); ++i) job.files[i] = view.photos[i].file;
+    if (!job.ofPhotographs()) return;
+  }
+  work_.request(std::move(job));
+}
+
+void MeasuringMode::take(Session& session) {
+  auto result = work_.take();
+  if (!result) return;
+  MeasuringView& view = view_;
+  for (std::size_t i = 0; i < view.photos.size(); ++i) {
+    const std::optional<ReadPhoto>& read = result->photos[i];
+    if (!read) continue;
+    pictures_[i].emplace(read->image);
+    view.photos[i] = {read->file, read->width_px, read->height_px, read->notes, pictures_[i]->texture()};
+  }
+  of_photographs_ = std::move(result->of_photographs_alone);
+  if (result->measured) takeMeasured(view, result->measured, std::move(result->overlay), result->of_photographs);
+  if (result->errors.empty()) return;
+  view.failure = result->errors.front();
+  for (std::string& error : result->errors) session.report(Severity::error, std::move(error));
+}
+
+MeasuringMode::Accepting MeasuringMode::accept(Session& session, bool sure) {
+  MeasuringView& view = view_;
+  if (const std::string obstacle = obstacleToAccept(view); !obstacle.empty()) {
+    session.report(Severity::warning, obstacle);
+    return Accepting::failed;
+  }
+  const std::string name = acceptedName(view.form);
+  const fs::path file = tableOf(view, session);
+  const KeyTableFile table = readKeyTable(file);
+  if (const std::string against = doubts(*view.measured, table, file, name); !sure && !against.empty()) {
+    waiting_ = MeasuringRequest(AcceptMeasurement{.sure = true});
+    session.ask(
+        {.kind = Question::Kind::of_mode, .words = against + "Accept all the same?", .answers = {"Accept", "Cancel"}});
+    return Accepting::asked;
+  }
+  try {
+    writeFile(file, tableWith(table, rowOf(*view.measured, name, *view.form.at_mm)));
+  } catch (const std::exception& error) {
+    session.report(Severity::error, error.what());
+    return Accepting::failed;
+  }
+  view.unsaved = false;
+  if (view.form.use_in_scene) useInScene(session, file);
+  session.report(Severity::info, fmt::format("{} is in {}{}", name, file.string(),
+                                             view.form.use_in_scene ? "; the skin follows it" : ""));
+  return Accepting::done;
+}
+
+}  // namespace palpate::viewer

@@ -1,0 +1,568 @@
+#include "teach/window/training_mode.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+#include "teach/window/site_marks.h"
+#include "palpate/base/error.h"
+#include "palpate/training/records/trainee_code.h"
+#include "palpate/training/trial_scene.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+using training::Screen;
+
+/// A finger of the mouse presses as hard as this everywhere, so that what differs is how far the skin gives way.
+constexpr double kMousePressN = 2.0;
+/// So long "Answer saved." stands over the next trial, s.
+constexpr double kAnswerSavedS = 3.0;
+/// Digits that follow each other faster belong to one number, ms.
+constexpr std::int64_t kSameNumberMs = 1500;
+/// Around the sites as much of the body is seen as tells where on it they are, mm.
+constexpr double kRoomAsideMm = 110.0;
+/// Farther from its site than this, what the eye meets first is another side of the body, mm.
+constexpr double kSameSideMm = 25.0;
+
+bool sameHidden(const scene::Scene& a, const scene::Scene& b) {
+  return std::ranges::equal(a.dysfunctions, b.dysfunctions, [](const auto& x, const auto& y) {
+    return x.x_mm == y.x_mm && x.y_mm == y.y_mm && x.change_percent == y.change_percent;
+  });
+}
+
+/// The member's own, or the one that this record has always had.
+training::StationRow stationOf(training::Store& store, const std::optional<classroom::Member>& member) {
+  const std::vector<training::StationRow> known = store.stations();
+  training::StationRow station;
+  if (member) {
+    station.id = member->station_id;
+    station.name = member->name;
+  } else if (!known.empty()) {
+    station = known.front();
+  } else {
+    station.id = training::uuidOf(training::utcMs(), training::systemRandom());
+    station.name = "station";
+  }
+  return station;
+}
+
+}  // namespace
+
+TrainingMode::TrainingMode(TrainingSettings settings)
+    : settings_(std::move(settings)),
+      store_(settings_.records, training::Store::Open::create_too),
+      desk_(store_, settings_.protocol, settings_.desk),
+      voice_(settings_.speech),
+      thimble_(settings_.thimble) {
+  tidying_.start([records = settings_.records] {
+    training::Store store(records, training::Store::Open::existing);
+    return training::SessionFiles(store).lockLeftBehind();
+  });
+  compose();
+}
+
+TrainingMode::~TrainingMode() { TrainingMode::finish("interrupted"); }
+
+void TrainingMode::begin(Session& session, const scene::World& world, window::Gui& gui) {
+  const auto& landmarks = world.anatomy.landmarks;
+  sites_ = settings_.protocol.sites.empty() ? training::twelveSites(landmarks)
+                                            : training::sitesNamed(landmarks, settings_.protocol.sites);
+  base_ = session.scene;
+  if (settings_.member) {
+    const std::string app = engine::sessionHeader(session.ticks_per_s).software;
+    class_ = std::make_unique<ClassLine>(*settings_.member, store_, classroom::StationInfo{app, session.held_by});
+  }
+  ViewState& state = session.state;
+  state.shown = {.panel = true, .panel_right = true, .plots = false, .numbers = false, .reach = false};
+  state.hints = false;
+  const view::Shading shading = state.look.shading;
+  state.look = {};
+  state.look.shading = shading;
+  state.touch = {.by = device::PressBy::force, .force_n = kMousePressN};
+  session.mark_vertex = false;
+  gui.useLargeLetters();
+}
+
+training::Moment TrainingMode::now() const { return {clock_s_, training::utcMs(), tick_}; }
+
+bool TrainingMode::clockRuns() const { return run_ && !world_.waiting() && state_ == State::going_on; }
+
+// --- the body
+
+TrialWorld::Body TrainingMode::wanted() const {
+  // While something is asked there is nothing to be felt: nobody searches while the clock stands still.
+  if (!run_ || state_ != State::going_on || run_->sitting().paused()) return {};
+  const training::Sitting& sitting = run_->sitting();
+  const bool of_trial = sitting.screen() == Screen::trial || sitting.screen() == Screen::feedback;
+  int trial = of_trial ? sitting.trialNumber() : 0;
+  if (sitting.screen() == Screen::feedback) trial = static_cast<int>(sitting.trials().back().number);
+  return {sitting.hidden(), trial};
+}
+
+void TrainingMode::layBody(Session& session, WorldSwap& world_swap) {
+  if (!run_) return;
+  if (world_.waiting() && !world_swap.failure().empty()) {
+    state_ = State::trouble;
+    trouble_ = world_swap.failure();
+  }
+  const TrialWorld::Body body = wanted();
+  if (!world_.request(body)) return;
+  const training::SittingPlan& plan = run_->sitting().plan();
+  world_swap.lay(training::trialScene(base_, plan.protocol, plan.kind, plan.sites, body.hidden), session);
+  compose();
+}
+
+void TrainingMode::worldCame(const scene::World& world) {
+  if (!run_ || !world_.waiting()) return;
+  const training::SittingPlan& plan = run_->sitting().plan();
+  const auto hidden = world_.requested() ? world_.requested()->hidden : std::nullopt;
+  world_.taken(sameHidden(world.scene, training::trialScene(base_, plan.protocol, plan.kind, plan.sites, hidden)));
+}
+
+void TrainingMode::feel(const trace::Sample& sample) {
+  tick_ = std::max(tick_, sample.tick);
+  takeButton(sample.buttons);
+  if (class_) class_->felt(sample);
+  const bool came = world_.feel(sample.world);
+  if (!run_ || world_.waiting() || state_ != State::going_on) return;
+  if (came && run_->sitting().screen() == Screen::trial && world_.begins()) run_->sitting().ready(now());
+  run_->sitting().feel(sample, now());
+}
+
+void TrainingMode::takeButton(std::uint32_t buttons) {
+  const std::uint32_t down = buttons & ~holder_.ignored_buttons;
+  const bool pressed = down != 0 && buttons_ == 0;
+  buttons_ = down;
+  if (!pressed || !run_ || state_ != State::going_on || world_.waiting()) return;
+  if (run_->sitting().screen() != Screen::trial) return clicks_.push_back({TrainingAct::next, 0});
+  if (const int site = run_->sitting().touchedSite(); site != 0) {
+    clicks_.push_back({TrainingAct::pick_site, site});
+    clicks_.push_back({TrainingAct::answer, 0});
+  } else {
+    desk_.tell("Touch the place that you mean, then press the button.");
+  }
+}
+
+// --- what is seen
+
+void TrainingMode::look(const Sight& sight, const Session& session) {
+  seen_.clear();
+  for (const training::Site& site : sites_.sites) {
+    SeenSite seen;
+    const Vec2 share = view::seenAt(sight.frustum, site.point_mm);
+    if (share.allFinite()) {
+      const Vec2 at = share.cwiseProduct(sight.size_points);
+      const auto place = sight.pointer.skinAt(at * sight.pixels_per_point);
+      if (place && (place->point - site.point_mm).norm() < kSameSideMm) seen.at = at;
+      if (place && site.number == picked_ && keyboard_.moved) keyboard_.place = place;
+    }
+    const double middle = view::seenAt(sight.frustum, Vec3(0.0, site.point_mm.y(), site.point_mm.z())).x();
+    seen.tag_left = site.side == training::Side::left ? share.x() <= middle : share.x() < middle;
+    seen_.push_back(seen);
+  }
+  if (std::exchange(keyboard_.moved, false) && keyboard_.place) {
+    sight.pointer.demonstrate(session.active_finger, *keyboard_.place, keyboard_.presses);
+  }
+}
+
+std::optional<Eigen::AlignedBox3d> TrainingMode::homeBox() const {
+  Eigen::AlignedBox3d box;
+  for (const training::Site& site : sites_.sites) box.extend(site.point_mm);
+  const Vec3 room(kRoomAsideMm, kRoomAsideMm, 0.0);
+  return Eigen::AlignedBox3d(box.min() - room, box.max() + room);
+}
+
+void TrainingMode::adjust(view::PictureSettings& picture) const {
+  picture.look.colouring = view::Colouring::plain;
+  picture.look.overlays.reset();
+  picture.look.skin_opacity = 1.0;
+  picture.labels = view::LabelSettings::none();
+}
+
+TrainingOver TrainingMode::over() const {
+  switch (state_) {
+    case State::going_on:
+      return run_ && run_->sitting().paused() ? TrainingOver::paused : TrainingOver::none;
+    case State::leaving:
+    case State::quitting:
+      return TrainingOver::leaving;
+    case State::trouble:
+      return TrainingOver::trouble;
+    case State::message:
+      break;
+  }
+  return TrainingOver::message;
+}
+
+TrainingView TrainingMode::view() const {
+  TrainingView view;
+  desk_.describe(view);
+  if (kind_) view.stage = TrainingStage::thimble;
+  view.over = over();
+  view.trouble = trouble_;
+  view.message = message_;
+  view.device = holder_.words;
+  view.by_mouse = holder_.mouse;
+  view.force_share = holder_.force_share;
+  view.ratios_kept_to_n = holder_.ratios_kept_to_n;
+  view.focus = focus_;
+  view.sitting = sitting();
+  view.now = now();
+  view.waiting = world_.waiting();
+  view.picked = picked_;
+  view.said_long_ago = clock_s_ - said_s_ > kAnswerSavedS;
+  return view;
+}
+
+/// A sitting that has not begun shows the door it came through.
+void TrainingMode::compose() {
+  TrainingView shown = view();
+  if (shown.stage == TrainingStage::sitting && !run_) shown.stage = TrainingStage::choice;
+  screen_ = screenOf(shown);
+  if (std::exchange(screen_title_, screen_.title) != screen_.title) {
+    focus_ = 0;
+    const auto suggested = std::ranges::find_if(screen_.buttons, [](const auto& b) { return !b.badge.empty(); });
+    if (suggested != screen_.buttons.end()) focus_ = static_cast<std::size_t>(suggested - screen_.buttons.begin());
+    screen_.focus = focus_;
+  }
+}
+
+void TrainingMode::draw(const FreeArea& /*area*/) {
+  const TrainingClick clicked = paintTraining(screen_, seen_);
+  if (clicked.act != TrainingAct::none) clicks_.push_back(clicked);
+}
+
+void TrainingMode::speak() {
+  voice_.advance();
+  if (!voice_.can()) return;
+  if (run_ && state_ == State::going_on) {
+    const training::Said said = run_->sitting().said();
+    if (std::exchange(spoken_, said.number) != said.number) voice_.say(said.text);
+    spoken_title_ = screen_.title;
+  } else if (std::exchange(spoken_title_, screen_.title) != screen_.title) {
+    voice_.say(screen_.title);
+  }
+}
+
+// --- what is asked for
+
+bool TrainingMode::handle(const window::InputEvent& event, Session& /*session*/, bool /*typing*/) {
+  const TrainingStroke stroke = strokeOf(event, screen_);
+  using Kind = TrainingStroke::Kind;
+  switch (stroke.kind) {
+    case Kind::pass:
+      return event.kind == window::InputEvent::Kind::drop;
+    case Kind::nothing:
+      break;
+    case Kind::press_button:
+      clicks_.push_back(stroke.click);
+      break;
+    case Kind::focus:
+      focus_ = stroke.index;
+      break;
+    case Kind::letters:
+      typed(stroke.text);
+      break;
+    case Kind::erase:
+      run_ ? (digits_.clear(), picked_ = 0, void()) : desk_.erase();
+      break;
+    case Kind::walk:
+      walk(stroke.by);
+      break;
+    case Kind::touch:
+      keyboard_.press(!keyboard_.presses && picked_ != 0);
+      digits_.clear();
+      break;
+  }
+  return true;
+}
+
+/// A number that is typed picks its site: the digits together where there is such a site, else the last one alone.
+void TrainingMode::typed(const std::string& letters) {
+  if (!run_) return desk_.type(letters);
+  if (screen_.place != TrainingPlace::body) return;
+  const std::int64_t now_ms = training::utcMs();
+  if (now_ms - std::exchange(digits_ms_, now_ms) > kSameNumberMs) digits_.clear();
+  for (const char letter : letters) {
+    if (letter < '0' || letter > '9') continue;
+    for (const std::string& candidate : {digits_ + letter, std::string(1, letter)}) {
+      int number = 0;
+      std::from_chars(candidate.data(), candidate.data() + candidate.size(), number);
+      if (sites_.numbered(number) == nullptr) continue;
+      digits_ = candidate;
+      picked_ = number;
+      break;
+    }
+  }
+}
+
+void TrainingMode::walk(const Vec2& by) {
+  picked_ = siteTowards(sites_, picked_, by);
+  digits_.clear();
+  keyboard_.press(false);
+}
+
+bool TrainingMode::handle(const window::Command& command, Session& /*session*/) {
+  using CommandKind = window::Command::Kind;
+  switch (command.kind) {
+    case CommandKind::act: {
+      using window::Action;
+      static constexpr std::array kAllowed = {Action::deeper, Action::lighter,     Action::home,
+                                              Action::clutch, Action::full_screen, Action::screenshot};
+      return std::ranges::find(kAllowed, command.action) == kAllowed.end();
+    }
+    case CommandKind::edit_grab:
+    case CommandKind::edit_move:
+    case CommandKind::edit_drop:
+    case CommandKind::edit_size:
+    case CommandKind::edit_strength:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool TrainingMode::handleOver(TrainingAct act) {
+  if (state_ == State::going_on) return false;
+  if (state_ == State::trouble) {
+    if (act != TrainingAct::retry) return true;
+    state_ = State::going_on;
+    if (trouble_.empty() || (run_ && !run_->trouble().empty())) return true;
+    world_.fail();
+  } else if (act == TrainingAct::yes || act == TrainingAct::no) {
+    const State asked = std::exchange(state_, State::going_on);
+    if (act == TrainingAct::yes && asked != State::message) leaveNow(asked == State::quitting);
+  }
+  return true;
+}
+
+void TrainingMode::leaveNow(bool quits) {
+  if (run_) {
+    run_->sitting().leave(now());
+    endSitting();
+  }
+  quit_ = quit_ || quits;
+}
+
+void TrainingMode::actOnSitting(TrainingAct act, int value) {
+  training::Sitting& sitting = run_->sitting();
+  switch (act) {
+    case TrainingAct::next:
+      if (sitting.screen() == Screen::finished) return endSitting();
+      if (world_.waiting() && sitting.screen() == Screen::feedback) return;
+      sitting.next(now());
+      picked_ = sitting.screen() == Screen::feedback ? picked_ : 0;
+      break;
+    case TrainingAct::pick_site:
+      picked_ = value;
+      digits_.clear();
+      return;
+    case TrainingAct::answer:
+      if (picked_ == 0 || world_.waiting()) return;
+      if (sitting.answer(picked_, now())) {
+        picked_ = sitting.screen() == Screen::feedback && sitting.hidden() ? sitting.hidden()->site : 0;
+        digits_.clear();
+      }
+      break;
+    case TrainingAct::pause:
+      sitting.pause(now());
+      break;
+    case TrainingAct::go_on:
+      sitting.goOn(now());
+      break;
+    case TrainingAct::leave:
+      // What is over already needs no question.
+      if (sitting.screen() == Screen::block_summary || sitting.screen() == Screen::finished) return leaveNow(false);
+      state_ = State::leaving;
+      return;
+    default:
+      return;
+  }
+  if (keyboard_.presses) keyboard_.press(false);
+}
+
+void TrainingMode::handle(const TrainingClick& click, Session& session, LiveServo& servo) {
+  if (click.act == TrainingAct::quit) {
+    quit_ = quit_ || mayQuit();
+  } else if (handleOver(click.act)) {
+    return;
+  } else if (run_) {
+    actOnSitting(click.act, click.value);
+  } else if (kind_) {
+    if (click.act == TrainingAct::choose && static_cast<std::size_t>(click.value) < kThimbles.size()) {
+      thimble_ = kThimbles[static_cast<std::size_t>(click.value)].word;
+      beginSitting(session, servo);
+    } else if (click.act == TrainingAct::no) {
+      kind_.reset();
+      desk_.comeBack();
+    }
+  } else {
+    try {
+      desk_.act(click.act, click.value);
+    } catch (const Error& error) {
+      desk_.tell(error.what());
+    }
+  }
+}
+
+bool TrainingMode::handle(const Request& request, Session& /*session*/) {
+  return std::holds_alternative<Quit>(request) && !mayQuit();
+}
+
+bool TrainingMode::mayQuit() {
+  if (!run_ || run_->sitting().screen() == Screen::finished || run_->sitting().screen() == Screen::block_summary) {
+    return true;
+  }
+  state_ = State::quitting;
+  return false;
+}
+
+// --- a sitting
+
+training::SittingPlan TrainingMode::planOf(training::SittingKind kind, const Session& session) {
+  training::SittingPlan plan;
+  plan.protocol = settings_.protocol;
+  if (!session.held.empty()) {
+    plan.protocol.base_n_per_mm =
+        training::renderableBase(plan.protocol, base_, device::profileOf(base_.safety.device, session.held));
+  }
+  plan.kind = kind;
+  plan.sites = sites_;
+  plan.seed = settings_.seed.value_or(training::systemRandom()[0] >> 1);
+  plan.tick_s = 1.0 / session.ticks_per_s;
+  const training::TraineeRow& trainee = desk_.trainee();
+  training::SittingRow& row = plan.row;
+  row.id = training::uuidOf(training::utcMs(), training::systemRandom());
+  row.trainee = trainee.id;
+  row.app_version = engine::sessionHeader(session.ticks_per_s).software;
+  row.device = holder_.mouse ? "mouse" : fmt::format("{}, {}", holder_.words, thimble_);
+  if (settings_.session_files) row.file = training::SessionFiles::nameFor(row.id);
+  if (const auto interrupted = store_.interrupted(trainee.id, kind)) plan.resumed = interrupted->block;
+  if (const auto before = store_.lastMeasured(trainee.id); before && before->threshold > 0.0) {
+    plan.before = training::ShownThreshold{before->threshold, before->low, before->high};
+  }
+  plan.familiar = familiar_ == trainee.id + row.device;
+  return plan;
+}
+
+void TrainingMode::beginSitting(Session& session, LiveServo& servo) {
+  const training::SittingKind kind = *std::exchange(kind_, std::nullopt);
+  try {
+    training::StationRow station = stationOf(store_, settings_.member);
+    station.device = holder_.words;
+    store_.keep(station);
+    if (const auto& member = settings_.member) {
+      store_.keep(training::ClassRow{member->class_id, member->class_id, member->retention.days,
+                                     member->retention.samples_days});
+    }
+    // Anew for the class, which may have forgotten somebody who was away for long.
+    if (const auto trainee = store_.trainee(desk_.trainee().id)) store_.keep(*trainee);
+    store_.keep(training::protocolRowOf(settings_.protocol));
+    training::SittingPlan plan = planOf(kind, session);
+    plan.row.station = station.id;
+    run_ = std::make_unique<SittingRun>(store_, servo, std::move(plan), now());
+  } catch (const Error& error) {
+    return desk_.comeBack(error.what());
+  }
+  spoken_ = 0;
+  picked_ = 0;
+  keepRows();
+}
+
+void TrainingMode::endSitting() {
+  const std::string words = run_->finish("done", now());
+  run_.reset();
+  world_.clear();
+  state_ = State::going_on;
+  desk_.comeBack(words.empty() ? "Saved." : words);
+}
+
+void TrainingMode::keepRows() {
+  if (!run_ || run_->keep()) return;
+  state_ = State::trouble;
+  trouble_ = run_->trouble();
+}
+
+/// For the record: a force that was cut off is no force of the trainee's.
+void TrainingMode::followSafety(const Session& session) {
+  if (std::exchange(stopped_, session.devices.stopped) == session.devices.stopped) return;
+  if (class_) class_->safety(stopped_ ? "emergency stop" : "ok");
+  if (!run_) return;
+  run_->sitting().safety(stopped_ ? "emergency stop" : "emergency stop released", now());
+}
+
+/// What an instructor may ask: nothing of it touches device or force.
+void TrainingMode::followClass() {
+  if (!class_) return;
+  class_->follow(sitting());
+  while (const auto command = class_->takeCommand()) {
+    using Kind = classroom::CommandKind;
+    if (command->kind == Kind::message) {
+      message_ = command->text;
+      if (state_ == State::going_on) state_ = State::message;
+    } else if (run_ && command->kind == Kind::pause) {
+      run_->sitting().pause(now());
+    } else if (run_ && command->kind == Kind::go_on) {
+      run_->sitting().goOn(now());
+    } else if (run_ && command->kind == Kind::next_block) {
+      leaveNow(state_ == State::quitting);
+    }
+  }
+}
+
+TrainingMode::Holder TrainingMode::holderOf(const Session& session, LiveServo& servo) {
+  Holder holder;
+  holder.mouse = !session.devices.anyHeld();
+  if (!holder.mouse) holder.words = session.held_by;
+  holder.force_share = session.devices.stiffness_factor;
+  holder.ratios_kept_to_n = session.devices.ratios_kept_to_n;
+  for (std::size_t i = 0; i < kFingers; ++i) {
+    if (!servo.isHeld(i)) continue;
+    const device::Workspace& workspace = servo.opened(i).workspace;
+    holder.ignored_buttons |= workspace.clutch_buttons | workspace.stop_buttons;
+  }
+  return holder;
+}
+
+void TrainingMode::advance(const ModeWork& work) {
+  Session& session = work.session;
+  LiveServo& servo = work.servo;
+  holder_ = holderOf(session, servo);
+  for (const TrainingClick& click : std::exchange(clicks_, {})) handle(click, session, servo);
+  if (const auto chosen = desk_.takeChosen()) {
+    kind_ = chosen;
+    if (holder_.mouse || !thimble_.empty()) beginSitting(session, servo);
+  }
+  if (clockRuns()) {
+    clock_s_ += work.elapsed_s;
+    run_->sitting().tick(now());
+  }
+  if (run_) {
+    const Screen screen = run_->sitting().screen();
+    const training::Said said = run_->sitting().said();
+    if (std::exchange(said_, said.number) != said.number) said_s_ = clock_s_;
+    if (screen == Screen::instruction || screen == Screen::trial) {
+      familiar_ = desk_.trainee().id + run_->sitting().plan().row.device;
+    }
+  }
+  followSafety(session);
+  followClass();
+  keepRows();
+  layBody(session, work.world_swap);
+  speak();
+  compose();
+}
+
+std::string TrainingMode::finish(std::string_view ended_by) {
+  voice_.hush();
+  if (!run_) return {};
+  std::string words = run_->finish(ended_by, now());
+  run_.reset();
+  return words;
+}
+
+}  // namespace palpate::viewer

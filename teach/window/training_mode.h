@@ -1,0 +1,159 @@
+// The training window: what `palpate train` puts in the place of menus and panels. From events to acts, from acts to a
+// sitting, from the sitting to the body that is felt, to the screen, to the voice and to the record.
+//
+//   InputEvent, click, device's button ─► act ─► FrontDesk │ Sitting ─► rows ─► Store
+//   Sitting::hidden ─ trialScene ─► WorldSwap (built beside, handed to the servo) ─► the trial's clock begins
+//   servo ─ samples ─► Sitting::feel
+//
+// While a sitting goes on nothing of the window can be reached that would tell more than the finger does.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "view/viewer/modes/mode.h"
+#include "view/viewer/state/async_task.h"
+#include "teach/window/class_line.h"
+#include "teach/window/front_desk.h"
+#include "teach/window/sitting_run.h"
+#include "teach/window/training_keys.h"
+#include "teach/window/trial_world.h"
+#include "teach/window/voice.h"
+#include "palpate/view/painter.h"
+
+namespace palpate::viewer {
+
+struct TrainingSettings {
+  std::filesystem::path records;
+  training::Protocol protocol = training::builtInProtocol();
+  FrontDeskSettings desk = {};
+  std::string thimble = {};                      ///< of a device; empty: asked for
+  std::optional<std::uint64_t> seed = {};        ///< nothing: the system's randomness, another one for each sitting
+  bool session_files = true;                     ///< trials are kept tick by tick
+  std::optional<std::string> speech = {};        ///< program
+  std::optional<classroom::Member> member = {};  ///< of a class that is told live
+};
+
+class TrainingMode : public Mode {
+ public:
+  /// Opens the record. Throws Error.
+  explicit TrainingMode(TrainingSettings settings);
+  ~TrainingMode() override;
+
+  /// The whole window, and the mouse too while a sheet lies over the body.
+  Claims claims() const override {
+    return {.window = true, .body = false, .touch = screen_.place != TrainingPlace::body};
+  }
+  /// Sites of this body, a plain look, a mouse that presses with a force. Throws Error for a body that does not have
+  /// the places of the protocol.
+  void begin(Session& session, const scene::World& world, window::Gui& gui) override;
+  void worldCame(const scene::World& world) override;
+  void feel(const trace::Sample& sample) override;
+  /// The sites with room around them.
+  std::optional<Eigen::AlignedBox3d> homeBox() const override;
+  /// Where sites are seen, and the keyboard's finger.
+  void look(const Sight& sight, const Session& session) override;
+  bool handle(const window::InputEvent& event, Session& session, bool typing) override;
+  /// Of the commands of the mouse and the keys that are left, those that a test allows go on to the viewer.
+  bool handle(const window::Command& command, Session& session) override;
+  void draw(const FreeArea& area) override;
+  /// The window is to be closed: while a block goes on it asks first.
+  bool handle(const Request& request, Session& session) override;
+  /// Obeys what was asked for, keeps rows, has the world changed that a trial needs.
+  void advance(const ModeWork& work) override;
+  bool wantsToQuit() const override { return quit_; }
+  /// Skin as it is, and nothing that would give a place away.
+  void adjust(view::PictureSettings& picture) const override;
+  std::string finish(std::string_view ended_by) override;
+
+  const TrainingScreen& screen() const { return screen_; }
+  const training::Sitting* sitting() const { return run_ ? &run_->sitting() : nullptr; }
+  bool waiting() const { return world_.waiting(); }
+
+ private:
+  /// What has to be answered before anything else.
+  enum class State : std::uint8_t { going_on, leaving, quitting, trouble, message };
+  /// A finger that no hand moves: it walks from site to site and presses by a key.
+  struct KeyboardFinger {
+    bool presses = false;
+    bool moved = false;  ///< the pointer has not been told yet
+    std::optional<SkinPlace> place = {};
+    void press(bool down) {
+      presses = down;
+      moved = true;
+    }
+  };
+  /// What holds the finger that is trained, and what it can render.
+  struct Holder {
+    bool mouse = true;
+    std::string words = "mouse";
+    double force_share = 1.0;
+    double ratios_kept_to_n = 0.0;
+    std::uint32_t ignored_buttons = 0;  ///< clutch and stop
+  };
+  static Holder holderOf(const Session& session, LiveServo& servo);
+
+  bool mayQuit();
+  training::Moment now() const;
+  bool clockRuns() const;
+  TrainingOver over() const;
+  TrainingView view() const;
+  void handle(const TrainingClick& click, Session& session, LiveServo& servo);
+  bool handleOver(TrainingAct act);
+  void actOnSitting(TrainingAct act, int value);
+  void typed(const std::string& letters);
+  void walk(const Vec2& by);
+  void takeButton(std::uint32_t buttons);
+  void beginSitting(Session& session, LiveServo& servo);
+  void endSitting();
+  void leaveNow(bool quits);
+  training::SittingPlan planOf(training::SittingKind kind, const Session& session);
+  void keepRows();
+  void followSafety(const Session& session);
+  void followClass();
+  TrialWorld::Body wanted() const;
+  void layBody(Session& session, WorldSwap& world_swap);
+  void speak();
+  void compose();
+
+  TrainingSettings settings_;
+  training::Store store_;
+  AsyncTask<int> tidying_;  ///< locks what a killed run left open
+  std::unique_ptr<ClassLine> class_;
+  FrontDesk desk_;
+  Voice voice_;
+  training::SiteSet sites_;
+  scene::Scene base_;
+  std::optional<training::SittingKind> kind_;  ///< chosen, waits for the thimble
+  std::unique_ptr<SittingRun> run_;
+  State state_ = State::going_on;
+  std::string message_;
+  std::string trouble_;
+  bool quit_ = false;
+  TrainingScreen screen_;
+  std::vector<SeenSite> seen_;
+  std::size_t focus_ = 0;
+  std::string screen_title_;
+  int picked_ = 0;
+  std::string digits_;
+  std::int64_t digits_ms_ = 0;  ///< when the last of them came
+  KeyboardFinger keyboard_;
+  std::vector<TrainingClick> clicks_;
+  // Clocks: of trials, which stands still while the body is made and while something is asked.
+  double clock_s_ = 0.0;
+  std::uint64_t tick_ = 0;
+  std::uint32_t buttons_ = 0;
+  TrialWorld world_;
+  std::uint64_t spoken_ = 0;
+  std::string spoken_title_;
+  double said_s_ = 0.0;
+  std::uint64_t said_ = 0;
+  Holder holder_;
+  std::string thimble_;
+  std::string familiar_;  ///< who has had the familiarisation with which device in this run
+  bool stopped_ = false;
+};
+
+}  // namespace palpate::viewer

@@ -1,0 +1,34 @@
+// Where the body is looked at from because the user asked for it: standard views, home, a finger's place.
+#pragma once
+
+#include "view/viewer/editing/pointer.h"
+#include "view/viewer/modes/mode.h"
+#include "view/viewer/state/home_view.h"
+#include "view/viewer/state/session.h"
+
+namespace palpate::viewer {
+
+class CameraControl {
+ public:
+  /// All must outlive it.
+  CameraControl(Session& session, Pointer& pointer, const Modes& modes,
+                const std::shared_ptr<const scene::World>& world)
+      : session_(session), pointer_(pointer), modes_(modes), world_(world) {}
+
+  /// True if the action was about the camera, and then it was done.
+  bool act(window::Action action);
+  /// Of the whole body, or of the part that a mode is about.
+  void setView(view::StandardView side);
+  void flyTo(const view::Camera& camera);
+  /// Another body is seen from its back, or as its scene says.
+  void showBody(const view::Camera& camera);
+
+ private:
+  Session& session_;
+  Pointer& pointer_;
+  const Modes& modes_;
+  const std::shared_ptr<const scene::World>& world_;
+  int standard_view_ = 0;
+};
+
+}  // namespace palpate::viewer

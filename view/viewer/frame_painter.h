@@ -1,0 +1,56 @@
+// One frame of the viewer as a picture: the body with fingers, rings and overlays, two recordings side by side, or what
+// a mode shows in place of the body; the panels over it.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "view/viewer/editing/pointer.h"
+#include "view/viewer/modes/mode.h"
+#include "view/viewer/plots/press_peak.h"
+#include "view/viewer/replay_player.h"
+#include "view/viewer/state/session.h"
+#include "view/viewer/world/live_model.h"
+#include "palpate/view/cut_out.h"
+#include "palpate/view/offscreen.h"
+#include "palpate/window/gui.h"
+
+namespace palpate::viewer {
+
+/// What is painted, of this frame alone.
+struct FrameParts {
+  Session& session;
+  LiveModel& model;
+  const scene::World& world;
+  const Pointer& pointer;
+  const ReplayPlayer& replay;
+  const Modes& modes;
+  window::Gui& gui;
+  view::Target& target;
+  const view::StereoSettings& stereo;
+  bool quad_buffer;  ///< framebuffer 0 has a picture for each eye
+  double pixels_per_point;
+};
+
+/// Needs a current GL context.
+class FramePainter {
+ public:
+  /// With the windows of the panels that `windows` chooses (default: all).
+  void paint(const FrameParts& frame, window::Gui::Choice windows = nullptr);
+  /// Body, fingers and overlays alone, by one eye, without background.
+  view::CutOut paintClear(const FrameParts& frame);
+
+ private:
+  std::vector<view::FingerMark> fingerMarks(const FrameParts& frame);
+  void paintBeside(const FrameParts& frame, window::Gui::Choice windows);
+  void paintHalf(const FrameParts& frame, LiveModel& model, std::span<const view::FingerMark> fingers);
+
+  std::array<PressPeak, kFingers> peaks_;
+  std::unique_ptr<view::Target> half_;  ///< of a picture of two recordings
+};
+
+/// It is drawn for both eyes into framebuffer 0.
+bool drawsItself(const view::StereoSettings& stereo, bool quad_buffer);
+
+}  // namespace palpate::viewer

@@ -1,0 +1,68 @@
+// What is shown in place of the present: the last minute of this run, a recording, a table of forces that is felt
+// again, the scene's own fingers; and a second recording beside it.
+//
+//   file ─ ReplayLoader, on its own thread ─► RecordedTouch ─► Session::replay, plots, model ─ left ─► the present
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "view/viewer/files/recorded_touch.h"
+#include "view/viewer/state/session.h"
+#include "view/viewer/state/touch_history.h"
+#include "view/viewer/world/live_model.h"
+
+namespace palpate::viewer {
+
+/// Needs a current GL context for the second recording's model.
+class ReplayPlayer {
+ public:
+  explicit ReplayPlayer(double ticks_per_s) : history_(ticks_per_s) {}
+
+  /// Begins to read a recording or a table of forces, to be shown alone or beside the one that is shown.
+  void load(const std::string& file, bool beside, const std::shared_ptr<const scene::World>& world, Session& session);
+  /// The scene's own fingers, or an end of them.
+  void playScript(const std::shared_ptr<const scene::World>& world, Session& session);
+  /// What has been read is shown, frozen at its beginning.
+  void take(const std::shared_ptr<const scene::World>& world, LiveModel& model, Session& session);
+
+  /// A tick of a finger, while the present is shown.
+  void add(const trace::Sample& sample) { history_.add(sample); }
+  /// Another body: what was felt belongs to the one before.
+  void clear() { history_.clear(); }
+
+  /// Once a frame: time passes, and a recording that is no longer frozen is left. The moment to be shown; null: the
+  /// present.
+  const TouchHistory::Moment* advance(const std::shared_ptr<const scene::World>& world, LiveModel& model,
+                                      Session& session, double elapsed_s);
+
+  /// Null: the history of this run, or the present.
+  const RecordedTouch* recorded() const { return recorded_ ? &*recorded_ : nullptr; }
+
+  /// The recording on the right.
+  struct Beside {
+    Beside(RecordedTouch touched, std::shared_ptr<const scene::World> world)
+        : touch(std::move(touched)), model(std::move(world)) {}
+    RecordedTouch touch;
+    LiveModel model;
+  };
+  /// Null: there is none.
+  Beside* beside() const { return beside_.get(); }
+  /// As long after its beginning as the one on the left.
+  const TouchHistory::Moment& momentBeside(const Replay& replay) const;
+
+ private:
+  const TouchHistory& history() const { return recorded_ ? recorded_->history : history_; }
+  void show(RecordedTouch touch, LiveModel& model, Session& session);
+  void leave(const std::shared_ptr<const scene::World>& world, LiveModel& model, Session& session);
+
+  TouchHistory history_;  ///< of this run
+  ReplayLoader loader_;
+  bool loads_beside_ = false;
+  std::optional<RecordedTouch> recorded_;
+  std::unique_ptr<Beside> beside_;
+};
+
+}  // namespace palpate::viewer

@@ -1,0 +1,81 @@
+// Does what panels, keys and menus have asked for and only the viewer can do: each request goes to the modes, then
+// waits for an answer if something would be lost, then to the part of the viewer that it is about.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "view/viewer/camera_control.h"
+#include "view/viewer/devices/device_control.h"
+#include "view/viewer/files/outputs.h"
+#include "view/viewer/files/session_keeper.h"
+#include "view/viewer/modes/mode.h"
+#include "view/viewer/replay_player.h"
+#include "view/viewer/state/session.h"
+#include "view/viewer/viewer_host.h"
+#include "view/viewer/world/world_swap.h"
+
+namespace palpate::viewer {
+
+/// The parts of the viewer that requests are about; all must outlive the handler.
+struct RequestParts {
+  Session& session;
+  WorldSwap& world_swap;
+  DeviceControl& devices;
+  SessionKeeper& keeper;
+  Outputs& outputs;
+  ReplayPlayer& replay;
+  CameraControl& camera;
+  const Modes& modes;
+  const ViewerHost& host;
+  const scene::Scene& default_scene;  ///< for "Built-in torso"
+  const std::shared_ptr<const scene::World>& world;
+};
+
+class RequestHandler {
+ public:
+  explicit RequestHandler(const RequestParts& parts) : parts_(parts) {}
+  void handle(const Request& request);
+  /// The window was asked to close, and nothing is in the way.
+  bool quits() const { return quits_; }
+
+ private:
+  // Nothing has to be asked any more.
+  void fulfil(const OpenFile& request);
+  void fulfil(const OpenBeside& request);
+  void fulfil(const OpenBuiltIn& request);
+  void fulfil(const Reload& request);
+  void fulfil(const CancelBuild& request);
+  void fulfil(const SaveScene& request);
+  void fulfil(const CopyScene& request);
+  void fulfil(const ResetScene& request);
+  void fulfil(const Undo& request);
+  void fulfil(const Redo& request);
+  void fulfil(const UseProfile& request);
+  void fulfil(const AnswerQuestion& request);
+  void fulfil(const TakeScreenshot& request);
+  void fulfil(const TakeClearScreenshot& request);
+  void fulfil(const ToggleSequence& request);
+  void fulfil(const PlayScript& request);
+  void fulfil(const SavePlots& request);
+  void fulfil(const ToggleForces& request);
+  void fulfil(const KeepRecording& request);
+  void fulfil(const SetMark& request);
+  void fulfil(const GoHome& request);
+  void fulfil(const ToggleFullScreen& request);
+  void fulfil(const CopyView& request);
+  void fulfil(const PasteView& request);
+  void fulfil(const OpenDevice& request);
+  void fulfil(const CloseDevice& request);
+  void fulfil(const FindDevices& request);
+  void fulfil(const StopDevices& request);
+  void fulfil(const ReleaseStop& request);
+  void fulfil(const Quit& request);
+  void saveThen(const SaveScene& request, const std::optional<Request>& then);
+
+  RequestParts parts_;
+  bool quits_ = false;
+};
+
+}  // namespace palpate::viewer

@@ -1,0 +1,166 @@
+#include "view/viewer/state/change_history.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "view/viewer/state/scene_document.h"
+#include "view/viewer/state/session.h"
+#include "view/viewer/state/state_file.h"
+#include "palpate/base/text.h"
+#include "palpate/scene/scene_edit.h"
+#include "palpate/scene/scene_writer.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+/// What is kept from run to run and is no change: what is open, and where.
+constexpr std::array<std::string_view, 9> kNoHabits = {"version", "window_", "full_screen", "panel", "plots",
+                                                       "numbers", "reach",   "hints",       "recent"};
+
+bool isHabit(std::string_view line) {
+  return std::none_of(kNoHabits.begin(), kNoHabits.end(),
+                      [&](std::string_view name) { return line.starts_with(name); });
+}
+
+std::string habitsOf(const ViewState& state, const std::vector<tissue::ProfileKnot>& drawn) {
+  std::string habits;
+  const std::string all = stateAsToml({state, {}});
+  for (const std::string_view line : split(all, '\n')) {
+    if (isHabit(line)) habits += fmt::format("{}\n", line);
+  }
+  for (const tissue::ProfileKnot& knot : drawn) habits += fmt::format("profile = {} {}\n", knot.q, knot.value);
+  return habits;
+}
+
+SessionSnapshot snapshotOf(const Session& session) {
+  SessionSnapshot snapshot{.scene = session.scene,
+                           .state = session.state,
+                           .drawn = session.profile.drawn,
+                           .document = sceneAsChanged(session)};
+  snapshot.document_text = scene::sceneAsToml(snapshot.document);
+  snapshot.habits = habitsOf(snapshot.state, snapshot.drawn);
+  return snapshot;
+}
+
+bool areSame(const std::vector<tissue::ProfileKnot>& a, const std::vector<tissue::ProfileKnot>& b) {
+  const auto same = [](const tissue::ProfileKnot& k, const tissue::ProfileKnot& l) {
+    return k.q == l.q && k.value == l.value;
+  };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
+}
+
+std::string shortened(const std::string& value) {
+  constexpr std::size_t kMost = 24;
+  if (value.empty()) return "none";
+  return value.size() <= kMost && value.find('\n') == std::string::npos ? value : "...";
+}
+
+/// The name of the first line that is another one.
+std::string changedHabit(const std::string& was, const std::string& is) {
+  const auto before = split(was, '\n');
+  const auto now = split(is, '\n');
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (i < before.size() && before[i] == now[i]) continue;
+    std::string name(trimmed(now[i].substr(0, now[i].find('='))));
+    std::replace(name.begin(), name.end(), '_', ' ');
+    if (!name.empty()) return name;
+  }
+  return "profile";
+}
+
+std::string wordsFor(const SessionSnapshot& was, const SessionSnapshot& is) {
+  const auto differences = scene::differences(was.document, is.document);
+  if (differences.empty()) return changedHabit(was.habits, is.habits);
+  const scene::Difference& first = differences.front();
+  const std::string name =
+      fmt::format("{}{}{}", first.table, first.table.empty() || first.key.empty() ? "" : " ", first.key);
+  return fmt::format("{} {} -> {}", name, shortened(first.was), shortened(first.is));
+}
+
+}  // namespace
+
+void ChangeHistory::begin(const Session& session) {
+  now_ = snapshotOf(session);
+  saved_ = now_;
+  steps_.clear();
+  by_widget_ = false;
+  words_.clear();
+}
+
+void ChangeHistory::follow(Session& session, const Stir& stir) {
+  if (!session.asks.step.empty()) words_ = std::exchange(session.asks.step, {});
+  const bool held = stir.widget || stir.hand;
+  if (!held && (stir.any || by_widget_)) settle(session);
+  by_widget_ = stir.widget;
+}
+
+/// What only a hand on the body changes of the habits, the depth it presses to, is touching and no step.
+void ChangeHistory::settle(Session& session) {
+  SessionSnapshot is = snapshotOf(session);
+  std::string words = std::exchange(words_, {});
+  const bool habit = is.habits != now_.habits;
+  if (is.document_text == now_.document_text && !habit) return;
+  const bool step = is.document_text != now_.document_text || by_widget_;
+  if (step) steps_.add(now_, words.empty() ? wordsFor(now_, is) : std::move(words));
+  now_ = std::move(is);
+}
+
+void ChangeHistory::saved(const Session& session) {
+  now_ = snapshotOf(session);
+  saved_ = now_;
+}
+
+void ChangeHistory::undo(Session& session) {
+  settle(session);
+  if (!steps_.canUndo()) return session.report(Severity::info, "Nothing to undo");
+  session.report(Severity::info, "Undo: " + steps_.undoWords());
+  restore(steps_.undo(now_), session);
+}
+
+void ChangeHistory::redo(Session& session) {
+  settle(session);
+  if (!steps_.canRedo()) return session.report(Severity::info, "Nothing to redo");
+  session.report(Severity::info, "Redo: " + steps_.redoWords());
+  restore(steps_.redo(now_), session);
+}
+
+void ChangeHistory::reset(Session& session) {
+  settle(session);
+  if (now_.document_text == saved_.document_text && now_.habits == saved_.habits) {
+    return session.report(Severity::info, "Nothing was changed");
+  }
+  steps_.add(now_, "reset");
+  session.report(Severity::info, "Everything is as it was opened or saved");
+  restore(saved_, session);
+}
+
+void ChangeHistory::restore(SessionSnapshot to, Session& session) {
+  for (const scene::Difference& difference : scene::differences(session.scene, to.scene)) {
+    session.asks.changed |= consequenceOf(difference.table);
+  }
+  session.scene = std::move(to.scene);
+  ViewState& state = session.state;
+  to.state.shown = state.shown;
+  to.state.hints = state.hints;
+  to.state.recent = std::move(state.recent);
+  to.state.stereo.monitor_row = state.stereo.monitor_row;
+  state = std::move(to.state);
+  Editor& editor = session.editor;
+  editor.before.reset();
+  editor.selected = std::min(editor.selected, static_cast<int>(session.scene.dysfunctions.size()) - 1);
+  // The file of the user's profile has one name, so its words are written back.
+  ProfileEdit& profile = session.profile;
+  if (!areSame(profile.drawn, to.drawn) && !to.drawn.empty() &&
+      session.scene.deformation.forms.normal_profile.kind == tissue::ProfileKind::user) {
+    profile.knots = to.drawn;
+    session.request(UseProfile{});
+  }
+  profile.drawn = std::move(to.drawn);
+  now_ = snapshotOf(session);
+}
+
+}  // namespace palpate::viewer

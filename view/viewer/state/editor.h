@@ -1,0 +1,26 @@
+// What is known while dysfunctions are edited: which one is selected, and how they were before the gesture under way.
+// Plain data; the gestures are in dysfunction_editor.h.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "view/viewer/state/requests.h"
+#include "palpate/maps/stiffness_map.h"
+
+namespace palpate::viewer {
+
+struct Editor {
+  bool active = false;
+  int selected = -1;                                          ///< index of a dysfunction, or none
+  std::optional<std::vector<maps::Dysfunction>> before = {};  ///< while one is dragged
+};
+
+/// All that an edit touches: the scene's dysfunctions, the editor, and the way to say what changed.
+struct DysfunctionEdit {
+  std::vector<maps::Dysfunction>& items;
+  Editor& editor;
+  Asks& asks;
+};
+
+}  // namespace palpate::viewer

@@ -1,0 +1,142 @@
+#include "view/viewer/state/scene_document.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "view/viewer/state/home_view.h"
+#include "view/viewer/state/session.h"
+#include "palpate/base/error.h"
+#include "palpate/base/output_file.h"
+#include "palpate/base/text.h"
+#include "palpate/scene/scene_file.h"
+#include "palpate/scene/scene_patch.h"
+#include "palpate/scene/scene_writer.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kMostPitchDeg = 89.0;  // what [view] takes
+
+/// `kept` becomes `is` where that is no longer what it was.
+template <class T>
+void keepChange(const T& was, const T& is, T& kept) {
+  if (!(was == is)) kept = is;
+}
+
+void keepRange(const view::ColourRange& was, const view::ColourRange& is, std::optional<Vec2>& kept) {
+  if (was.low != is.low || was.high != is.high) kept = Vec2(is.low, is.high);
+}
+
+void keepLook(const view::Look& was, const view::Look& is, scene::Scene& scene) {
+  scene::ViewSettings& view = scene.view;
+  keepChange(was.shading, is.shading, view.shading);
+  keepChange(was.colouring, is.colouring, view.colours);
+  keepChange(was.skin_opacity, is.skin_opacity, view.opacity);
+  keepChange(was.skin_tone, is.skin_tone, view.skin_tone);
+  keepChange(was.dent_contrast, is.dent_contrast, view.dent_contrast);
+  keepChange(was.finger, is.finger, view.finger);
+  keepChange(was.white_background, is.white_background, view.white_background);
+  keepChange(was.texture, is.texture, view.texture);
+  keepChange(was.detail, is.detail, view.detail);
+  keepChange(was.scalar, is.scalar, view.scalar);
+  keepChange(was.scalar_map, is.scalar_map, view.scalar_map);
+  keepRange(was.scalar_range, is.scalar_range, view.scalar_range);
+  keepRange(was.stiffness_n_per_mm, is.stiffness_n_per_mm, view.stiffness_range_n_per_mm);
+  keepRange(was.half_major_mm, is.half_major_mm, view.ellipse_range_mm);
+  keepChange(was.strain_percent.high, is.strain_percent.high, scene.strain.range_percent);
+  if (was.overlays == is.overlays) return;
+  view.show.clear();
+  for (std::size_t i = 0; i < view::kOverlays; ++i) {
+    if (is.overlays[i]) view.show.push_back(static_cast<view::Overlay>(i));
+  }
+}
+
+void keepStereo(const view::StereoSettings& was, const view::StereoSettings& is, scene::ViewSettings& view) {
+  keepChange(was.mode, is.mode, view.stereo);
+  keepChange(was.eye_distance_mm, is.eye_distance_mm, view.eye_distance_mm);
+  keepChange(was.convergence_mm, is.convergence_mm, view.convergence_mm);
+  keepChange(was.swap_eyes, is.swap_eyes, view.swap_eyes);
+}
+
+double rounded(double value, double steps) { return std::round(value * steps) / steps; }
+
+std::string textOf(const fs::path& file) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored)) return {};
+  return readFile(file, scene::kMaxSceneBytes);
+}
+
+void writeWords(const fs::path& file, const std::string& text) {
+  OutputFile out(file);
+  out.write(text);
+  out.commit();
+}
+
+}  // namespace
+
+SceneDocument documentOf(const fs::path& file) {
+  if (file.empty()) return {};
+  try {
+    return {fs::absolute(file).lexically_normal(), textOf(file)};
+  } catch (const Error&) {
+    return {fs::absolute(file).lexically_normal(), {}};
+  }
+}
+
+bool wouldOverwrite(const SceneDocument& document, const fs::path& target) {
+  std::error_code ignored;
+  if (!fs::exists(target, ignored)) return false;
+  if (fs::absolute(target).lexically_normal() != document.file) return true;
+  try {
+    return textOf(target) != document.text;
+  } catch (const Error&) {
+    return true;
+  }
+}
+
+void keepCamera(const Session& session, scene::ViewSettings& view) {
+  const view::Camera camera = cameraOfFreePart(session.camera, session.state.shown, session.size_points);
+  const view::Camera plain;                                                 // of the angle of view
+  const bool rolled = std::abs(camera.roll_rad) > 0.25 * std::numbers::pi;  // no other view is
+  view.side = rolled ? scene::StandardView::table : scene::StandardView::back;
+  const double yaw_rad = rolled ? camera.yaw_rad + view::kTableYawRad : camera.yaw_rad;
+  view.yaw_deg = rounded(std::remainder(yaw_rad, 2.0 * std::numbers::pi) / kRadPerDeg, 100.0);
+  view.pitch_deg = std::clamp(rounded(camera.pitch_rad / kRadPerDeg, 100.0), -kMostPitchDeg, kMostPitchDeg);
+  view.zoom = rounded(std::tan(0.5 * plain.height_rad) / std::tan(0.5 * camera.height_rad), 1000.0);
+  view.look_at_mm = camera.centre.unaryExpr([](double mm) { return rounded(mm, 10.0); });
+  view.distance_mm = rounded(camera.distance_mm, 10.0);
+}
+
+scene::Scene sceneAsChanged(const Session& session) {
+  scene::Scene scene = session.scene;
+  keepLook(session.opened.look, session.state.look, scene);
+  keepStereo(session.opened.stereo, session.state.stereo, scene.view);
+  return scene;
+}
+
+scene::Scene sceneToSave(const Session& session) {
+  scene::Scene scene = sceneAsChanged(session);
+  if (session.opened.camera_moved) keepCamera(session, scene.view);
+  return scene;
+}
+
+SceneWriting writeScene(const scene::Scene& scene, const SceneDocument& document, const fs::path& target) {
+  const fs::path file = fs::absolute(target).lexically_normal();
+  SceneWriting writing;
+  auto text = document.text.empty() ? std::nullopt : scene::patchedScene(document.text, scene, file);
+  if (!document.text.empty() && !text && file == document.file) {
+    writing.kept = file.string() + ".bak";
+    writeWords(writing.kept, document.text);
+  }
+  if (!text) text = scene::sceneAsToml(scene, file.parent_path());
+  writing.document = {file, *text};
+  writing.as_it_was = file == document.file && *text == document.text && fs::exists(file);
+  if (!writing.as_it_was) writeWords(file, *text);
+  return writing;
+}
+
+}  // namespace palpate::viewer

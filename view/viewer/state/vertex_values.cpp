@@ -1,0 +1,65 @@
+#include "view/viewer/state/vertex_values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "palpate/body/places.h"
+#include "palpate/mesh/triangle_mesh.h"
+#include "palpate/scene/skin_channels.h"
+#include "palpate/view/scene_view.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+/// All are asked: 2 ms for a million, once a click.
+Index nearestVertex(const std::vector<Vec3>& positions, const Vec3& place) {
+  const auto nearer = [&](const Vec3& a, const Vec3& b) {
+    return (a - place).squaredNorm() < (b - place).squaredNorm();
+  };
+  return static_cast<Index>(std::min_element(positions.begin(), positions.end(), nearer) - positions.begin());
+}
+
+}  // namespace
+
+VertexReading readVertex(const scene::World& world, const Vec3& place) {
+  VertexReading reading;
+  const Index v = reading.vertex = nearestVertex(world.skin.positions, place);
+  reading.place = world.skin.positions[v];
+  reading.stiffness_n_per_mm = world.stiffness_n_per_mm[v];
+  const scene::Anatomy& anatomy = world.anatomy;
+  reading.where = body::inWords(anatomy.landmarks, place);
+  if (!anatomy.depth_mm.empty()) reading.bone_depth_mm = anatomy.depth_mm[v];
+  if (!anatomy.nearest_bone.empty()) reading.bone = anatomy.bones[anatomy.nearest_bone[v]].name;
+  if (!world.channels) return reading;
+  reading.in_file = world.channels->source_vertex[v];
+  for (const scene::SkinScalar& scalar : world.channels->scalars) {
+    reading.scalars.push_back({scalar.name, scalar.values[v]});
+  }
+  return reading;
+}
+
+view::Lines vertexMark(const VertexReading& reading, const scene::World& world,
+                       const deform::DeformedSurface& surface) {
+  constexpr double kShareOfBody = 0.008;
+  constexpr view::Paint kPaint{255, 225, 60, 255};
+  view::Lines mark{2.0, {}};
+  const double half_mm = kShareOfBody * mesh::boundingBox(world.skin).diagonal().norm();
+  mark.addCross(surface.positionAt(reading.vertex).cast<double>(), half_mm, kPaint);
+  return mark;
+}
+
+std::string useChannelsOf(const scene::World& world, view::Look& look) {
+  const scene::SkinChannels* channels = world.channels.get();
+  if (channels == nullptr) return {};
+  const bool keeps = !look.scalar.empty() && scene::scalarNamed(channels, look.scalar) != nullptr;
+  if (!keeps) view::showScalar(world, {}, look);
+  std::string brings = channels->colours.empty() ? "" : "colours";
+  if (!channels->scalars.empty()) {
+    brings += (brings.empty() ? "" : " and ") + fmt::format("numbers ({})", scene::scalarNames(channels));
+  }
+  return brings.empty() ? brings : fmt::format("The file brings {} for its vertices: see Show", brings);
+}
+
+}  // namespace palpate::viewer

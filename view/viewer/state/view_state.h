@@ -1,0 +1,80 @@
+// What the user has chosen about looking and touching, kept from run to run (state/state_file.h); the camera is not
+// among it. Plain data.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "palpate/base/words.h"
+#include "palpate/device/mouse_finger.h"
+#include "palpate/view/look.h"
+#include "palpate/view/stereo.h"
+#include "palpate/window/gui.h"
+#include "palpate/window/input.h"
+
+namespace palpate {
+
+template <>
+struct WordsOf<device::PressBy> {
+  using V = device::PressBy;
+  static constexpr std::array kAll = {Word{"depth", V::depth}, Word{"force", V::force}};
+};
+
+}  // namespace palpate
+
+namespace palpate::viewer {
+
+/// How the mouse presses.
+struct TouchSettings {
+  device::PressBy by = device::PressBy::depth;
+  double depth_mm = 6.0;
+  double force_n = 3.0;
+  bool resisting_cursor = true;  ///< a drag in depth goes slower the harder the skin pushes back
+};
+inline constexpr double kMostDepthMm = 25.0;
+inline constexpr double kMostForceN = 20.0;
+inline constexpr double kDepthPerNotchMm = 0.5;
+inline constexpr double kForcePerNotchN = 0.25;
+
+/// What is open.
+struct Shown {
+  bool panel = true;
+  bool panel_right = false;
+  bool plots = true;
+  bool performance = false;
+  bool numbers = true;
+  bool reach = true;  ///< the box of what devices reach
+  bool help = false;
+  bool messages = false;
+  bool open_dialog = false;
+  bool save_dialog = false;
+};
+
+/// A head before a real screen of known size (view::TrackedHead).
+struct HeadSettings {
+  bool on = false;
+  Vec3 expected_mm = {0.0, 0.0, 600.0};  ///< where the eyes are taken to be while nothing measures them
+  Vec3 offset_mm = {0.0, 0.0, 0.0};      ///< from the middle of the screen to the origin of what measures
+  double screen_height_mm = 300.0;
+};
+inline constexpr double kNearestHeadMm = 100.0;
+inline constexpr double kLeastScreenMm = 20.0;
+inline constexpr double kMostScreenMm = 3000.0;
+
+struct ViewState {
+  view::Look look;
+  bool simpler_when_slow = true;  ///< draw the skin smooth while pictures come too slowly (shading_guard.h)
+  view::StereoSettings stereo;    ///< without the head, which is below
+  HeadSettings head;
+  TouchSettings touch;
+  window::InputSettings input;
+  Shown shown;
+  window::Theme theme = window::Theme::dark;
+  double text_size = 1.0;  ///< 0.75 to 2.5, on top of the screen's own scale
+  bool reduced_motion = false;
+  bool keeps_last_hour = true;  ///< records a session by itself
+  bool hints = true;
+  std::vector<std::string> recent;  ///< files, newest first
+};
+
+}  // namespace palpate::viewer
