@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "cli/devices/devices_report.h"
+#include "cli/devices/identify_run.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/device_option.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
-#include "cli/devices/devices_report.h"
-#include "cli/devices/identify_run.h"
 #include "palpate/base/error.h"
 #include "palpate/device/mouse_finger.h"
 

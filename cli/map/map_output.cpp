@@ -9,11 +9,11 @@
 #include <limits>
 #include <numbers>
 
-#include "report/charts/figure.h"
-#include "report/charts/ticks.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
 #include "palpate/mesh/files/save.h"
+#include "report/charts/figure.h"
+#include "report/charts/ticks.h"
 
 namespace palpate::app {
 

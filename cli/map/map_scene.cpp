@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "report/charts/plot.h"
 #include "palpate/base/error.h"
 #include "palpate/scene/skin_contact.h"
+#include "report/charts/plot.h"
 
 namespace palpate::app {
 

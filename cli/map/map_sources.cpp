@@ -6,9 +6,9 @@
 #include <cmath>
 #include <memory>
 
-#include "report/charts/plot.h"
 #include "palpate/base/error.h"
 #include "palpate/maps/stiffness_map.h"
+#include "report/charts/plot.h"
 
 namespace palpate::app {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "palpate/window/window.h"
 #include "view/viewer/files/input_script.h"
 #include "view/viewer/viewer.h"
-#include "palpate/window/window.h"
 
 namespace palpate::app {
 

@@ -21,8 +21,6 @@
 #include "cli/kit/unit_option.h"
 #include "cli/run/playback.h"
 #include "cli/run/run_modes.h"
-#include "view/viewer/state/state_file.h"
-#include "view/viewer/viewer.h"
 #include "palpate/base/background.h"
 #include "palpate/base/error.h"
 #include "palpate/base/nearest_name.h"
@@ -33,6 +31,8 @@
 #include "palpate/trace/forces_table.h"
 #include "palpate/trace/session_reader.h"
 #include "palpate/window/window.h"
+#include "view/viewer/state/state_file.h"
+#include "view/viewer/viewer.h"
 
 namespace palpate::app {
 

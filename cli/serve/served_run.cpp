@@ -15,7 +15,6 @@
 #include "cli/kit/progress_line.h"
 #include "cli/run/playback.h"
 #include "cli/serve/tls.h"
-#include "view/viewer/world/live_servo.h"
 #include "palpate/base/error.h"
 #include "palpate/base/hash.h"
 #include "palpate/base/stopwatch.h"
@@ -23,6 +22,7 @@
 #include "palpate/device/back_ends.h"
 #include "palpate/engine/session_recorder.h"
 #include "palpate/engine/streamed_world.h"
+#include "view/viewer/world/live_servo.h"
 
 namespace palpate::app::serving {
 

@@ -10,8 +10,8 @@
 #include "cli/kit/json.h"
 #include "cli/kit/readable_text.h"
 #include "cli/session/session_text.h"
-#include "view/viewer/files/session_keeper.h"
 #include "palpate/base/error.h"
+#include "view/viewer/files/session_keeper.h"
 
 namespace palpate::app {
 

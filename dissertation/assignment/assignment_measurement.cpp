@@ -6,11 +6,11 @@
 #include <cmath>
 #include <optional>
 
+#include "lab/measured/haptic_frames.h"
+#include "lab/measured/stopwatch.h"
 #include "palpate/hdb/literal_octree.h"
 #include "palpate/hdb/literal_traversal.h"
 #include "palpate/hdb/statistics.h"
-#include "lab/measured/haptic_frames.h"
-#include "lab/measured/stopwatch.h"
 
 namespace palpate::study {
 

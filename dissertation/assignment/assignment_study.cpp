@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
-#include "palpate/scene/words.h"
 #include "dissertation/assignment/assignment_findings.h"
 #include "dissertation/assignment/assignment_measurement.h"
 #include "lab/measured/haptic_frames.h"
+#include "palpate/scene/words.h"
 #include "report/page/plot_parts.h"
 
 namespace palpate::study {

@@ -1,6 +1,7 @@
 // `palpate study`: the dissertation's numbers and figures, computed and drawn by the engine.
 //
-// Each study is a subcommand with a file of its own in study/; those that write a page are listed in dissertation/studies.cpp.
+// Each study is a subcommand with a file of its own in study/; those that write a page are listed in
+// dissertation/studies.cpp.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -16,13 +17,13 @@
 #include "cli/kit/interruption.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
-#include "palpate/base/error.h"
-#include "palpate/scene/scene_file.h"
 #include "dissertation/errata/errata_report.h"
 #include "dissertation/figures/figure_study.h"
 #include "dissertation/numbers/numbers_study.h"
 #include "dissertation/report/report.h"
 #include "dissertation/studies.h"
+#include "palpate/base/error.h"
+#include "palpate/scene/scene_file.h"
 
 namespace palpate::app {
 

@@ -5,8 +5,8 @@
 #include <cctype>
 #include <string>
 
-#include "palpate/hdb/complexity.h"
 #include "dissertation/complexity/complexity_results.h"
+#include "palpate/hdb/complexity.h"
 #include "report/page/plot_parts.h"
 
 namespace palpate::study {

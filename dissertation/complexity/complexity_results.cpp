@@ -6,8 +6,8 @@
 
 #include <iterator>
 
-#include "palpate/hdb/complexity.h"
 #include "lab/measured/model_meshes.h"
+#include "palpate/hdb/complexity.h"
 
 namespace palpate::study {
 

@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "palpate/scene/words.h"
 #include "dissertation/complexity/complexity_findings.h"
 #include "dissertation/complexity/complexity_results.h"
+#include "palpate/scene/words.h"
 
 namespace palpate::study {
 

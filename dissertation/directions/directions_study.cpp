@@ -7,11 +7,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "palpate/scene/words.h"
 #include "dissertation/directions/axis_means.h"
 #include "dissertation/directions/direction_fields.h"
 #include "dissertation/directions/direction_findings.h"
 #include "lab/measured/back_map.h"
+#include "palpate/scene/words.h"
 #include "report/page/plot_parts.h"
 
 namespace palpate::study {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "report/charts/figure.h"
 #include "palpate/base/words.h"
+#include "report/charts/figure.h"
 
 namespace palpate::study {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "palpate/base/progress.h"
 #include "dissertation/figures/dissertation_figures.h"
+#include "palpate/base/progress.h"
 
 namespace palpate::study {
 

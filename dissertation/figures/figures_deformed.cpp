@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "palpate/body/hand.h"
 #include "dissertation/figures/dissertation_figures.h"
 #include "lab/measured/model_meshes.h"
 #include "lab/measured/pressed_skin.h"
+#include "palpate/body/hand.h"
 #include "report/page/plot_parts.h"
 
 namespace palpate::study {

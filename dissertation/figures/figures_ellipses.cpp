@@ -4,12 +4,12 @@
 #include <array>
 #include <cmath>
 
+#include "dissertation/figures/dissertation_figures.h"
+#include "dissertation/numbers/table_5_1.h"
+#include "lab/measured/model_meshes.h"
 #include "palpate/maps/ellipse_map.h"
 #include "palpate/maps/gaussian_interpolation.h"
 #include "palpate/maps/literal_interpolation.h"
-#include "dissertation/figures/dissertation_figures.h"
-#include "lab/measured/model_meshes.h"
-#include "dissertation/numbers/table_5_1.h"
 #include "report/page/plot_parts.h"
 
 namespace palpate::study {

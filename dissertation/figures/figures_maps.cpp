@@ -5,11 +5,11 @@
 #include <limits>
 #include <numbers>
 
-#include "palpate/maps/ellipse_map.h"
 #include "dissertation/figures/dissertation_figures.h"
+#include "dissertation/numbers/table_5_1.h"
 #include "lab/measured/model_meshes.h"
 #include "lab/measured/pressed_skin.h"
-#include "dissertation/numbers/table_5_1.h"
+#include "palpate/maps/ellipse_map.h"
 #include "report/page/plot_parts.h"
 
 namespace palpate::study {

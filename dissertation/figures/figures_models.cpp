@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <span>
 
-#include "palpate/base/gaussian.h"
-#include "palpate/hdb/partition.h"
-#include "palpate/maps/key_points.h"
 #include "dissertation/figures/dissertation_figures.h"
 #include "lab/measured/back_map.h"
 #include "lab/measured/model_meshes.h"
+#include "palpate/base/gaussian.h"
+#include "palpate/hdb/partition.h"
+#include "palpate/maps/key_points.h"
 #include "report/page/plot_parts.h"
 
 namespace palpate::study {

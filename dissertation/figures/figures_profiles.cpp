@@ -3,11 +3,11 @@
 
 #include <cmath>
 
+#include "dissertation/figures/dissertation_figures.h"
+#include "dissertation/profile/array_quality.h"
 #include "palpate/base/gaussian.h"
 #include "palpate/tissue/profile_forms.h"
-#include "dissertation/figures/dissertation_figures.h"
 #include "report/page/plot_parts.h"
-#include "dissertation/profile/array_quality.h"
 
 namespace palpate::study {
 

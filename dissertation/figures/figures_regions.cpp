@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "palpate/deform/region_frame.h"
 #include "dissertation/figures/dissertation_figures.h"
 #include "lab/measured/model_meshes.h"
 #include "lab/measured/pressed_skin.h"
+#include "palpate/deform/region_frame.h"
 #include "report/page/plot_parts.h"
 
 namespace palpate::study {

@@ -1,8 +1,8 @@
 // Figure 3.11: the search that ends in one leaf of a complete tree.
 #include <fmt/format.h>
 
-#include "palpate/hdb/complexity.h"
 #include "dissertation/figures/dissertation_figures.h"
+#include "palpate/hdb/complexity.h"
 #include "report/page/plot_parts.h"
 
 namespace palpate::study {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "dissertation/figures/dissertation_figures.h"
 #include "palpate/base/gaussian.h"
 #include "palpate/deform/contact.h"
 #include "palpate/tissue/profile_forms.h"
-#include "dissertation/figures/dissertation_figures.h"
 #include "report/page/plot_parts.h"
 
 namespace palpate::study {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "palpate/hdb/partition.h"
 #include "dissertation/figures/dissertation_figures.h"
+#include "palpate/hdb/partition.h"
 #include "report/page/plot_parts.h"
 
 namespace palpate::study {

@@ -5,13 +5,13 @@
 #include <limits>
 #include <vector>
 
-#include "report/charts/figure.h"
-#include "report/charts/mesh_view.h"
+#include "dissertation/figures/dissertation_figures.h"
+#include "lab/measured/model_meshes.h"
 #include "palpate/hdb/haptic_box.h"
 #include "palpate/hdb/literal_traversal.h"
 #include "palpate/hdb/partition.h"
-#include "dissertation/figures/dissertation_figures.h"
-#include "lab/measured/model_meshes.h"
+#include "report/charts/figure.h"
+#include "report/charts/mesh_view.h"
 #include "report/page/plot_parts.h"
 
 namespace palpate::study {

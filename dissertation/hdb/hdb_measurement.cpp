@@ -8,11 +8,11 @@
 #include <memory>
 #include <vector>
 
-#include "lab/workloads/workload_meshes.h"
 #include "dissertation/hdb/late_box.h"
 #include "lab/measured/finger_strokes.h"
 #include "lab/measured/haptic_frames.h"
 #include "lab/measured/skin_places.h"
+#include "lab/workloads/workload_meshes.h"
 
 namespace palpate::study {
 

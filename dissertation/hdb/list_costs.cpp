@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <memory>
 
-#include "lab/workloads/workload_meshes.h"
-#include "palpate/hdb/hdb_finger.h"
 #include "lab/measured/finger_strokes.h"
 #include "lab/measured/haptic_frames.h"
 #include "lab/measured/stopwatch.h"
+#include "lab/workloads/workload_meshes.h"
+#include "palpate/hdb/hdb_finger.h"
 
 namespace palpate::study {
 

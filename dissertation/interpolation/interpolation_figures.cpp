@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 
-#include "palpate/maps/ellipse_map.h"
 #include "dissertation/interpolation/left_out.h"
-#include "lab/measured/back_map.h"
 #include "dissertation/numbers/table_5_1.h"
+#include "lab/measured/back_map.h"
+#include "palpate/maps/ellipse_map.h"
 #include "report/page/plot_parts.h"
 
 namespace palpate::study {

@@ -1,8 +1,8 @@
 // The pictures of the interpolation study: surfaces of Table 5.1, maps of the back.
 #pragma once
 
-#include "report/charts/figure.h"
 #include "palpate/maps/measured_data.h"
+#include "report/charts/figure.h"
 
 namespace palpate::study {
 

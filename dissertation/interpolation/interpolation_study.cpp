@@ -10,8 +10,8 @@
 
 #include "dissertation/interpolation/interpolation_figures.h"
 #include "dissertation/interpolation/interpolation_findings.h"
-#include "lab/measured/back_map.h"
 #include "dissertation/numbers/table_5_1.h"
+#include "lab/measured/back_map.h"
 #include "report/page/plot_parts.h"
 
 namespace palpate::study {

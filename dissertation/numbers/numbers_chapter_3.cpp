@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dissertation/numbers/numbers_study.h"
 #include "palpate/hdb/complexity.h"
 #include "palpate/tissue/force_law.h"
-#include "dissertation/numbers/numbers_study.h"
 #include "report/page/study_page.h"
 
 namespace palpate::study {

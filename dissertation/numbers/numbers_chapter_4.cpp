@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "palpate/base/gaussian.h"
 #include "dissertation/numbers/numbers_study.h"
 #include "dissertation/profile/array_quality.h"
+#include "palpate/base/gaussian.h"
 
 namespace palpate::study {
 

@@ -3,12 +3,12 @@
 
 #include <array>
 
+#include "dissertation/numbers/numbers_study.h"
+#include "dissertation/numbers/table_5_1.h"
 #include "palpate/base/error.h"
 #include "palpate/maps/literal_interpolation.h"
 #include "palpate/maps/measured_data.h"
 #include "palpate/scene/words.h"
-#include "dissertation/numbers/numbers_study.h"
-#include "dissertation/numbers/table_5_1.h"
 
 namespace palpate::study {
 

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "palpate/hdb/haptic_box.h"
-#include "palpate/maps/measured_data.h"
-#include "lab/measured/model_meshes.h"
 #include "dissertation/numbers/numbers_study.h"
 #include "dissertation/numbers/printed_numbers.h"
+#include "lab/measured/model_meshes.h"
+#include "palpate/hdb/haptic_box.h"
+#include "palpate/maps/measured_data.h"
 
 namespace palpate::study {
 

@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "lab/commands/named_mesh.h"
 #include "cli/kit/choice_option.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/mesh_arguments.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
-#include "lab/commands/partition_options.h"
 #include "dissertation/partition/partition_report.h"
+#include "lab/commands/named_mesh.h"
+#include "lab/commands/partition_options.h"
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/hdb/literal_octree.h"

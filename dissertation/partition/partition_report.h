@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "report/charts/figure.h"
 #include "lab/counters/statistics.h"
 #include "palpate/hdb/haptic_box.h"
 #include "palpate/hdb/literal_traversal.h"
 #include "palpate/hdb/statistics.h"
+#include "report/charts/figure.h"
 
 namespace palpate::app {
 

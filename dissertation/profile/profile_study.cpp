@@ -8,8 +8,8 @@
 #include <cmath>
 #include <limits>
 
-#include "report/page/plot_parts.h"
 #include "dissertation/profile/profile_findings.h"
+#include "report/page/plot_parts.h"
 
 namespace palpate::study {
 

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "report/page/plot_parts.h"
 #include "dissertation/relaxation/relaxation_findings.h"
+#include "report/page/plot_parts.h"
 
 namespace palpate::study {
 

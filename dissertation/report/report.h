@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "palpate/scene/scene.h"
 #include "dissertation/studies.h"
+#include "palpate/scene/scene.h"
 
 namespace palpate::study {
 

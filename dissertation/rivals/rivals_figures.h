@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "report/page/study_page.h"
 #include "dissertation/rivals/rivals_measurement.h"
+#include "report/page/study_page.h"
 
 namespace palpate::study {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "report/page/study_page.h"
 #include "dissertation/rivals/rivals_measurement.h"
+#include "report/page/study_page.h"
 
 namespace palpate::study {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "palpate/base/progress.h"
 #include "dissertation/rivals/tissue_block.h"
+#include "palpate/base/progress.h"
 
 namespace palpate::study {
 

@@ -53,7 +53,8 @@ std::vector<std::string> methodOf(const RivalsPlan& plan) {
   return {
       fmt::format(
           "The truth: finite elements of finite strain under a frictionless ball of 8 mm, made outside this project "
-          "(`dissertation/rivals/layered_truth.json` says how and how it was checked). The body of the rivals: a block of "
+          "(`dissertation/rivals/layered_truth.json` says how and how it was checked). The body of the rivals: a block "
+          "of "
           "{:g} mm "
           "with the same layers on a fixed base, cells of {:.1f} mm unless said otherwise; the error is the root mean "
           "square "

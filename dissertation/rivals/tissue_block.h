@@ -6,8 +6,8 @@
 
 #include <vector>
 
-#include "palpate/mesh/triangle_mesh.h"
 #include "dissertation/rivals/layered_truth.h"
+#include "palpate/mesh/triangle_mesh.h"
 
 namespace palpate::study {
 

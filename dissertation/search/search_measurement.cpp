@@ -7,14 +7,14 @@
 #include <array>
 #include <cmath>
 
+#include "lab/measured/model_meshes.h"
+#include "lab/measured/skin_places.h"
+#include "lab/measured/stopwatch.h"
 #include "palpate/deform/region_by_rings.h"
 #include "palpate/hdb/haptic_box.h"
 #include "palpate/hdb/vertex_search.h"
 #include "palpate/maps/ellipse.h"
 #include "palpate/tree/triangle_tree.h"
-#include "lab/measured/model_meshes.h"
-#include "lab/measured/skin_places.h"
-#include "lab/measured/stopwatch.h"
 
 namespace palpate::study {
 

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "report/page/plot_parts.h"
 #include "dissertation/search/search_findings.h"
+#include "report/page/plot_parts.h"
 
 namespace palpate::study {
 

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "palpate/scene/words.h"
-#include "report/page/plot_parts.h"
 #include "dissertation/stability/stability_findings.h"
 #include "dissertation/stability/stability_map_study.h"
 #include "dissertation/stability/stability_measurement.h"
+#include "palpate/scene/words.h"
+#include "report/page/plot_parts.h"
 
 namespace palpate::study {
 

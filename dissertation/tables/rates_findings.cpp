@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "dissertation/numbers/printed_numbers.h"
-#include "report/page/study_page.h"
 #include "dissertation/tables/rate_curves.h"
+#include "report/page/study_page.h"
 
 namespace palpate::study {
 

@@ -7,11 +7,11 @@
 #include <memory>
 #include <numeric>
 
-#include "palpate/base/error.h"
-#include "palpate/view/layers/immediate_drawing.h"
 #include "lab/measured/haptic_frames.h"
 #include "lab/measured/literal_process.h"
 #include "lab/measured/stopwatch.h"
+#include "palpate/base/error.h"
+#include "palpate/view/layers/immediate_drawing.h"
 
 namespace palpate::study {
 

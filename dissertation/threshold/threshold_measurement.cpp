@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "palpate/hdb/statistics.h"
 #include "lab/measured/haptic_frames.h"
+#include "palpate/hdb/statistics.h"
 
 namespace palpate::study {
 

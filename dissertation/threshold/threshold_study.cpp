@@ -5,11 +5,11 @@
 
 #include <algorithm>
 
-#include "palpate/scene/words.h"
-#include "lab/measured/haptic_frames.h"
-#include "report/page/plot_parts.h"
 #include "dissertation/threshold/threshold_findings.h"
 #include "dissertation/threshold/threshold_measurement.h"
+#include "lab/measured/haptic_frames.h"
+#include "palpate/scene/words.h"
+#include "report/page/plot_parts.h"
 
 namespace palpate::study {
 

@@ -8,12 +8,12 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "lab/commands/bench_report.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
-#include "lab/kernels/kernel_times.h"
+#include "lab/commands/bench_report.h"
 #include "lab/counters/machine.h"
+#include "lab/kernels/kernel_times.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
 

@@ -6,9 +6,9 @@
 #include <memory>
 #include <string>
 
+#include "cli/kit/commands.h"
 #include "lab/commands/bench_report.h"
 #include "lab/commands/named_mesh.h"
-#include "cli/kit/commands.h"
 #include "lab/workloads/heldout_meshes.h"
 #include "lab/workloads/workload_meshes.h"
 #include "lab/workloads/workload_paths.h"

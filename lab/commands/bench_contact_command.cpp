@@ -9,14 +9,14 @@
 #include <utility>
 #include <vector>
 
-#include "lab/commands/bench_report.h"
-#include "lab/commands/named_mesh.h"
-#include "lab/commands/peers_report.h"
 #include "cli/kit/choice_option.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
+#include "lab/commands/bench_report.h"
+#include "lab/commands/named_mesh.h"
 #include "lab/commands/partition_options.h"
+#include "lab/commands/peers_report.h"
 #include "lab/peers/judge.h"
 #include "lab/peers/peer.h"
 #include "lab/runs/contact_run.h"

@@ -4,11 +4,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "lab/commands/bench_report.h"
-#include "lab/commands/named_mesh.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
+#include "lab/commands/bench_report.h"
+#include "lab/commands/named_mesh.h"
 #include "lab/runs/deform_run.h"
 
 namespace palpate::app {

@@ -5,10 +5,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "lab/commands/bench_report.h"
-#include "lab/commands/frame_run.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/number_option.h"
+#include "lab/commands/bench_report.h"
+#include "lab/commands/frame_run.h"
 #include "palpate/base/words.h"
 
 namespace palpate::app {

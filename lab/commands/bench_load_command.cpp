@@ -7,10 +7,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "cli/kit/progress_line.h"
 #include "lab/commands/bench_report.h"
 #include "lab/commands/load_run.h"
 #include "lab/commands/named_mesh.h"
-#include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
 
 namespace palpate::app {

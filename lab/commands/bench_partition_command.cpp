@@ -6,14 +6,14 @@
 #include <utility>
 #include <vector>
 
-#include "lab/commands/bench_report.h"
-#include "lab/commands/named_mesh.h"
-#include "lab/commands/peers_report.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
+#include "lab/commands/bench_report.h"
+#include "lab/commands/named_mesh.h"
 #include "lab/commands/partition_options.h"
+#include "lab/commands/peers_report.h"
 #include "lab/peers/judge.h"
 #include "lab/peers/peer.h"
 #include "lab/runs/partition_run.h"

@@ -7,12 +7,12 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "lab/commands/bench_report.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
 #include "cli/kit/simulate_options.h"
 #include "cli/simulate/servo_run.h"
+#include "lab/commands/bench_report.h"
 #include "lab/runs/safety_run.h"
 
 namespace palpate::app {

@@ -7,10 +7,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "lab/commands/bench_report.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
 #include "cli/kit/simulate_options.h"
+#include "lab/commands/bench_report.h"
 #include "lab/runs/session_run.h"
 #include "palpate/base/error.h"
 

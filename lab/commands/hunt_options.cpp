@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "lab/commands/named_mesh.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
 #include "cli/kit/unit_option.h"
+#include "lab/commands/named_mesh.h"
 #include "palpate/base/error.h"
 
 namespace palpate::app {

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "lab/commands/bench_report.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
+#include "lab/commands/bench_report.h"
 
 namespace palpate::app {
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include "lab/kernels/kernel_list.h"
 #include "lab/counters/machine.h"
+#include "lab/kernels/kernel_list.h"
 
 namespace palpate::bench {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "report/charts/plot.h"
 #include "palpate/maps/key_points.h"
+#include "report/charts/plot.h"
 
 namespace palpate::study {
 

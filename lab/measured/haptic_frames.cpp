@@ -4,11 +4,11 @@
 
 #include <numeric>
 
-#include "lab/workloads/workload_meshes.h"
-#include "palpate/contact/finger.h"
 #include "lab/measured/finger_strokes.h"
 #include "lab/measured/literal_process.h"
 #include "lab/measured/stopwatch.h"
+#include "lab/workloads/workload_meshes.h"
+#include "palpate/contact/finger.h"
 
 namespace palpate::study {
 

@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "lab/literal/mesh.h"
+#include "lab/measured/skin_places.h"
 #include "palpate/base/skin_place.h"
 #include "palpate/contact/surface.h"
 #include "palpate/hdb/haptic_box.h"
-#include "lab/measured/skin_places.h"
 
 namespace palpate::study {
 

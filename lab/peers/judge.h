@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "lab/peers/peer.h"
 #include "lab/counters/statistics.h"
+#include "lab/peers/peer.h"
 
 namespace palpate::bench {
 

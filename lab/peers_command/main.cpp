@@ -1,7 +1,7 @@
 // `palpate_peers`: the benchmark commands of `palpate` that know --peers, linked with the libraries that are compared.
 // `palpate bench ... --peers` runs this program; why it is one of its own says lab/commands/peers_report.h.
-#include "lab/commands/peers_report.h"
 #include "cli/kit/commands.h"
+#include "lab/commands/peers_report.h"
 #include "lab/peers/peer.h"
 
 int main(int argc, char** argv) {

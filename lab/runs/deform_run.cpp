@@ -12,8 +12,8 @@
 #include <numeric>
 #include <vector>
 
-#include "lab/literal/deformation.h"
 #include "lab/counters/thread_counts.h"
+#include "lab/literal/deformation.h"
 #include "lab/workloads/workload_meshes.h"
 #include "palpate/base/hash.h"
 #include "palpate/base/stopwatch.h"

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "lab/runs/contact_run.h"
 #include "lab/counters/thread_counts.h"
+#include "lab/runs/contact_run.h"
 #include "palpate/base/stopwatch.h"
 
 namespace palpate::bench {

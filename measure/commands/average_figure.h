@@ -1,8 +1,8 @@
 // Averaged ellipses with their 95 % bands, as a picture.
 #pragma once
 
-#include "report/charts/figure.h"
 #include "palpate/measure/average.h"
+#include "report/charts/figure.h"
 
 namespace palpate::app {
 

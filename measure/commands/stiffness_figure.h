@@ -1,8 +1,8 @@
 // Measured forces of places with the forms that were fitted to them, as a picture.
 #pragma once
 
-#include "report/charts/figure.h"
 #include "palpate/measure/place_stiffness.h"
+#include "report/charts/figure.h"
 
 namespace palpate::app {
 

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <sstream>
 
-#include "report/charts/canvas.h"
-#include "report/charts/lettering.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
+#include "report/charts/canvas.h"
+#include "report/charts/lettering.h"
 
 namespace palpate::figures {
 

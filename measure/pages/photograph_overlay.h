@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "report/charts/figure.h"
 #include "palpate/measure/overlay.h"
 #include "palpate/measure/photograph.h"
+#include "report/charts/figure.h"
 
 namespace palpate::figures {
 

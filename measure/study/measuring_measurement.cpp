@@ -4,12 +4,12 @@
 #include <functional>
 #include <span>
 
+#include "measure/study/exact_dots.h"
 #include "palpate/base/background.h"
 #include "palpate/base/random.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/measure/field/field_fit.h"
 #include "palpate/measure/synthesis/one_thread.h"
-#include "measure/study/exact_dots.h"
 
 namespace palpate::study {
 

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "palpate/base/progress.h"
 #include "measure/study/judged_pair.h"
 #include "measure/study/outside_fields.h"
 #include "measure/study/spoilt_pairs.h"
+#include "palpate/base/progress.h"
 
 namespace palpate::study {
 

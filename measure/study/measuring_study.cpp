@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "palpate/measure/synthesis/synthetic_files.h"
 #include "measure/study/measuring_findings.h"
 #include "measure/study/measuring_numbers.h"
 #include "measure/study/outside_study.h"
+#include "palpate/measure/synthesis/synthetic_files.h"
 #include "report/page/plot_parts.h"
 
 namespace palpate::study {

@@ -12,9 +12,9 @@
 
 #include "measure/window/measuring_view.h"
 #include "measure/window/measuring_work.h"
-#include "view/viewer/modes/mode.h"
 #include "palpate/body/torso.h"
 #include "palpate/view/flat_picture.h"
+#include "view/viewer/modes/mode.h"
 
 namespace palpate::viewer {
 

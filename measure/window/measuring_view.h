@@ -14,10 +14,10 @@
 #include <variant>
 #include <vector>
 
-#include "view/viewer/state/edit_history.h"
 #include "palpate/measure/measurement.h"
 #include "palpate/measure/overlay.h"
 #include "palpate/window/keys.h"
+#include "view/viewer/state/edit_history.h"
 
 namespace palpate::viewer {
 

@@ -13,11 +13,11 @@
 #include <string_view>
 #include <vector>
 
-#include "view/viewer/state/async_task.h"
 #include "palpate/base/progress.h"
 #include "palpate/measure/measurement.h"
 #include "palpate/measure/overlay.h"
 #include "palpate/view/image.h"
+#include "view/viewer/state/async_task.h"
 
 namespace palpate::viewer {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <sstream>
 
+#include "palpate/base/output_file.h"
 #include "report/charts/canvas.h"
 #include "report/charts/drawing.h"
 #include "report/charts/lettering.h"
-#include "palpate/base/output_file.h"
 
 namespace palpate::figures {
 

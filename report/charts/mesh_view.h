@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "palpate/base/vec.h"
 #include "report/charts/colour.h"
 #include "report/charts/plot.h"
-#include "palpate/base/vec.h"
 
 namespace palpate::figures {
 

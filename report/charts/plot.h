@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "report/charts/colour.h"
 #include "palpate/base/vec.h"
+#include "report/charts/colour.h"
 
 namespace palpate::figures {
 

@@ -6,8 +6,8 @@
 #include <map>
 #include <string_view>
 
-#include "report/charts/canvas.h"
 #include "palpate/base/error.h"
+#include "report/charts/canvas.h"
 
 namespace palpate::figures {
 

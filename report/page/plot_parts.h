@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "palpate/hdb/partition.h"
 #include "report/charts/figure.h"
 #include "report/charts/plot.h"
-#include "palpate/hdb/partition.h"
 
 namespace palpate::study {
 

@@ -1,7 +1,7 @@
 // A study that writes a page: its name, its help and how it is run.
 //
-// The dissertation's own studies stand in dissertation/studies.cpp. A product that is built apart offers its study here, so
-// that neither includes the other: `palpate study NAME`, `study all` and the report find both.
+// The dissertation's own studies stand in dissertation/studies.cpp. A product that is built apart offers its study
+// here, so that neither includes the other: `palpate study NAME`, `study all` and the report find both.
 #pragma once
 
 #include <cstddef>

@@ -16,8 +16,8 @@
 #include <utility>
 #include <vector>
 
-#include "report/charts/figure.h"
 #include "palpate/base/progress.h"
+#include "report/charts/figure.h"
 #include "report/page/text_table.h"
 
 namespace palpate::study {

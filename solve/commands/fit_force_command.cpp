@@ -12,11 +12,11 @@
 #include "cli/kit/number_option.h"
 #include "cli/kit/picture_file.h"
 #include "cli/kit/progress_line.h"
-#include "solve/commands/force_fit_figure.h"
-#include "solve/commands/force_report.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
 #include "palpate/tissue/fitting/smoothed_force.h"
+#include "solve/commands/force_fit_figure.h"
+#include "solve/commands/force_report.h"
 
 namespace palpate::app {
 

@@ -11,9 +11,9 @@
 #include "cli/kit/number_option.h"
 #include "cli/kit/picture_file.h"
 #include "cli/kit/progress_line.h"
-#include "solve/commands/profile_report.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
+#include "solve/commands/profile_report.h"
 
 namespace palpate::app {
 

@@ -1,8 +1,8 @@
 // Measured forces and the laws that were fitted to them, as a picture.
 #pragma once
 
-#include "solve/commands/force_report.h"
 #include "report/charts/figure.h"
+#include "solve/commands/force_report.h"
 
 namespace palpate::app {
 

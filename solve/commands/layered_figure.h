@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "report/charts/figure.h"
 #include "palpate/tissue/layered_table.h"
+#include "report/charts/figure.h"
 
 namespace palpate::app {
 

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "solve/realism/living_limbs.h"
 #include "palpate/base/progress.h"
+#include "solve/realism/living_limbs.h"
 
 namespace palpate::app {
 

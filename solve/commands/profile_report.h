@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "report/charts/figure.h"
 #include "palpate/tissue/fitting/force_fit.h"
 #include "palpate/tissue/fitting/profile_fit.h"
+#include "report/charts/figure.h"
 
 namespace palpate::app {
 

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <optional>
 
+#include "palpate/elements/finger_solver.h"
 #include "solve/commands/realism_stacks.h"
 #include "solve/realism/realism.h"
-#include "palpate/elements/finger_solver.h"
 
 namespace palpate::app {
 

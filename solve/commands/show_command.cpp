@@ -13,9 +13,9 @@
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/picture_file.h"
-#include "solve/commands/layered_figure.h"
 #include "palpate/base/error.h"
 #include "palpate/tissue/pressed_numbers.h"
+#include "solve/commands/layered_figure.h"
 
 namespace palpate::app {
 

@@ -15,10 +15,10 @@
 #include "cli/kit/number_option.h"
 #include "cli/kit/picture_file.h"
 #include "cli/kit/progress_line.h"
-#include "solve/commands/layered_figure.h"
 #include "palpate/base/error.h"
 #include "palpate/elements/finger_solver.h"
 #include "palpate/elements/stack_solver.h"
+#include "solve/commands/layered_figure.h"
 
 namespace palpate::app {
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <tuple>
 
-#include "solve/realism/limb_sites.h"
 #include "palpate/elements/probe_solver.h"
 #include "palpate/tissue/published.h"
+#include "solve/realism/limb_sites.h"
 
 namespace palpate::lab {
 

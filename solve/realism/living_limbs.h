@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "solve/realism/living_tests.h"
 #include "palpate/base/progress.h"
+#include "solve/realism/living_tests.h"
 
 namespace palpate::lab {
 

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <string_view>
 
-#include "solve/realism/limb_sites.h"
 #include "palpate/base/csv.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
+#include "solve/realism/limb_sites.h"
 
 namespace palpate::lab {
 

@@ -10,9 +10,9 @@
 #include <memory>
 #include <vector>
 
-#include "solve/realism/fem_cases.h"
 #include "palpate/elements/drag_solver.h"
 #include "palpate/scene/world.h"
+#include "solve/realism/fem_cases.h"
 
 namespace palpate::lab {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "solve/realism/realism.h"
 #include "palpate/base/progress.h"
+#include "solve/realism/realism.h"
 
 namespace palpate::lab {
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "teach/class_window/class_tiles.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/engine/living_skin.h"
 #include "palpate/training/site.h"
@@ -11,6 +10,7 @@
 #include "palpate/view/scene_view.h"
 #include "palpate/window/gui.h"
 #include "palpate/window/window.h"
+#include "teach/class_window/class_tiles.h"
 
 namespace palpate::viewer {
 

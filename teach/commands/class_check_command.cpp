@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "cli/kit/commands.h"
-#include "teach/commands/class_commands.h"
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
@@ -21,6 +20,7 @@
 #include "palpate/classroom/messages.h"
 #include "palpate/classroom/mqtt_link.h"
 #include "palpate/training/records/trainee_code.h"
+#include "teach/commands/class_commands.h"
 
 namespace palpate::app {
 

@@ -10,9 +10,9 @@
 #include "cli/kit/commands.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
-#include "teach/commands/class_commands.h"
 #include "palpate/base/text.h"
 #include "palpate/classroom/class_folder.h"
+#include "teach/commands/class_commands.h"
 
 namespace palpate::app {
 

@@ -18,14 +18,14 @@
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
 #include "cli/simulate/servo_run.h"
-#include "teach/commands/class_commands.h"
-#include "teach/commands/class_load.h"
 #include "palpate/base/error.h"
 #include "palpate/classroom/class_store.h"
 #include "palpate/classroom/station_link.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/training/records/store.h"
 #include "palpate/training/records/trainee_code.h"
+#include "teach/commands/class_commands.h"
+#include "teach/commands/class_load.h"
 
 namespace palpate::app {
 

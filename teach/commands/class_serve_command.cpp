@@ -15,7 +15,6 @@
 #include "cli/kit/interruption.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
-#include "teach/commands/class_commands.h"
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
@@ -23,6 +22,7 @@
 #include "palpate/classroom/certificates.h"
 #include "palpate/classroom/class_folder.h"
 #include "palpate/classroom/collector.h"
+#include "teach/commands/class_commands.h"
 
 namespace palpate::app {
 

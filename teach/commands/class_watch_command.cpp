@@ -14,9 +14,6 @@
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
 #include "cli/kit/readable_text.h"
-#include "teach/commands/class_commands.h"
-#include "teach/commands/results_commands.h"
-#include "teach/class_window/class_window.h"
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
@@ -25,6 +22,9 @@
 #include "palpate/scene/scene_file.h"
 #include "palpate/scene/world.h"
 #include "palpate/training/records/store.h"
+#include "teach/class_window/class_window.h"
+#include "teach/commands/class_commands.h"
+#include "teach/commands/results_commands.h"
 
 namespace palpate::app {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "cli/kit/number_option.h"
-#include "teach/commands/results_commands.h"
 #include "palpate/training/records/trainee_code.h"
+#include "teach/commands/results_commands.h"
 
 namespace palpate::app {
 

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "cli/kit/commands.h"
-#include "teach/commands/results_commands.h"
 #include "palpate/base/error.h"
 #include "palpate/base/nearest_name.h"
 #include "palpate/classroom/class_folder.h"
 #include "palpate/classroom/database_copy.h"
 #include "palpate/training/records/default_records.h"
 #include "palpate/training/records/trainee_code.h"
+#include "teach/commands/results_commands.h"
 
 namespace palpate::app {
 

@@ -6,13 +6,13 @@
 #include <memory>
 
 #include "cli/kit/progress_line.h"
-#include "teach/commands/results_commands.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
 #include "palpate/classroom/class_store.h"
 #include "palpate/classroom/database_copy.h"
 #include "palpate/training/records/deletion.h"
 #include "palpate/training/records/trainee_code.h"
+#include "teach/commands/results_commands.h"
 
 namespace palpate::app {
 

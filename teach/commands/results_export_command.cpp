@@ -4,7 +4,6 @@
 #include <memory>
 #include <vector>
 
-#include "teach/commands/results_commands.h"
 #include "palpate/base/error.h"
 #include "palpate/base/output_file.h"
 #include "palpate/base/private_folder.h"
@@ -12,6 +11,7 @@
 #include "palpate/classroom/database_copy.h"
 #include "palpate/training/records/export.h"
 #include "palpate/training/records/trainee_code.h"
+#include "teach/commands/results_commands.h"
 
 namespace palpate::app {
 

@@ -8,9 +8,9 @@
 
 #include "cli/kit/json.h"
 #include "cli/kit/readable_text.h"
-#include "teach/commands/results_commands.h"
 #include "palpate/base/error.h"
 #include "palpate/training/records/verify.h"
+#include "teach/commands/results_commands.h"
 
 namespace palpate::app {
 

@@ -4,11 +4,11 @@
 #include <memory>
 
 #include "cli/kit/progress_line.h"
-#include "teach/commands/results_commands.h"
 #include "palpate/base/error.h"
 #include "palpate/base/nearest_name.h"
 #include "palpate/trace/session_edit.h"
 #include "palpate/training/records/session_files.h"
+#include "teach/commands/results_commands.h"
 
 namespace palpate::app {
 

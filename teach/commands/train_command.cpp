@@ -12,17 +12,17 @@
 #include "cli/kit/interruption.h"
 #include "cli/kit/progress_line.h"
 #include "cli/run/playback.h"
-#include "teach/commands/train_options.h"
-#include "teach/commands/trainee_command.h"
-#include "view/viewer/state/state_file.h"
-#include "teach/window/screen_tour.h"
-#include "teach/window/training_mode.h"
-#include "view/viewer/viewer.h"
 #include "palpate/base/error.h"
 #include "palpate/base/private_folder.h"
 #include "palpate/classroom/class_settings.h"
 #include "palpate/training/records/trainee_code.h"
+#include "teach/commands/train_options.h"
+#include "teach/commands/trainee_command.h"
 #include "teach/study/training_study.h"
+#include "teach/window/screen_tour.h"
+#include "teach/window/training_mode.h"
+#include "view/viewer/state/state_file.h"
+#include "view/viewer/viewer.h"
 
 namespace palpate::app {
 

@@ -7,9 +7,9 @@
 #include "cli/kit/default_scene.h"
 #include "cli/kit/device_option.h"
 #include "cli/kit/number_option.h"
-#include "view/viewer/world/world_swap.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/training/records/default_records.h"
+#include "view/viewer/world/world_swap.h"
 
 namespace palpate::app {
 

@@ -1,8 +1,8 @@
 // Training as `palpate report` sees it: what its files are, and a report on one.
 #include "cli/session/report_source.h"
-#include "teach/report/training_report.h"
-#include "teach/commands/results_commands.h"
 #include "palpate/classroom/database_copy.h"
+#include "teach/commands/results_commands.h"
+#include "teach/report/training_report.h"
 
 namespace palpate::app {
 

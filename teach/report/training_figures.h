@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "teach/report/training_report.h"
 #include "report/charts/figure.h"
+#include "teach/report/training_report.h"
 
 namespace palpate::app {
 

@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "cli/session/report_html.h"
-#include "teach/report/training_figures.h"
-#include "teach/report/training_tables.h"
 #include "palpate/base/error.h"
 #include "palpate/body/torso.h"
 #include "palpate/training/psychometric.h"
+#include "teach/report/training_figures.h"
+#include "teach/report/training_tables.h"
 
 namespace palpate::app {
 

@@ -11,12 +11,12 @@
 #include <fstream>
 #include <set>
 
-#include "teach/commands/results_commands.h"
 #include "palpate/base/error.h"
 #include "palpate/classroom/database_copy.h"
 #include "palpate/training/psychometric.h"
 #include "palpate/training/records/trainee_code.h"
 #include "report/page/study_page.h"
+#include "teach/commands/results_commands.h"
 
 namespace palpate::app {
 

@@ -1,8 +1,8 @@
 // Every number of the report, by names that stay. Own.
 #include <nlohmann/json.hpp>
 
-#include "teach/report/training_report.h"
 #include "palpate/training/psychometric.h"
+#include "teach/report/training_report.h"
 
 namespace palpate::app {
 

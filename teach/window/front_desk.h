@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "teach/window/training_words.h"
 #include "palpate/training/records/store.h"
+#include "teach/window/training_words.h"
 
 namespace palpate::viewer {
 

@@ -7,13 +7,13 @@
 #include <thread>
 #include <utility>
 
-#include "view/viewer/panels/widgets.h"
-#include "teach/window/training_mode.h"
-#include "view/viewer/viewer.h"
 #include "palpate/base/error.h"
 #include "palpate/base/private_folder.h"
 #include "palpate/training/records/trainee_code.h"
 #include "palpate/view/image.h"
+#include "teach/window/training_mode.h"
+#include "view/viewer/panels/widgets.h"
+#include "view/viewer/viewer.h"
 
 namespace palpate::viewer {
 

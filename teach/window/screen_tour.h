@@ -7,9 +7,9 @@
 #include <memory>
 #include <vector>
 
-#include "view/viewer/state/view_state.h"
 #include "palpate/scene/world.h"
 #include "palpate/training/protocol.h"
+#include "view/viewer/state/view_state.h"
 
 namespace palpate::viewer {
 

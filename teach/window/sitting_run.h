@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
-#include "view/viewer/world/live_servo.h"
 #include "palpate/engine/session_recorder.h"
 #include "palpate/training/records/session_files.h"
 #include "palpate/training/sitting.h"
+#include "view/viewer/world/live_servo.h"
 
 namespace palpate::viewer {
 

@@ -7,9 +7,9 @@
 
 #include <string>
 
-#include "teach/window/training_painting.h"
 #include "palpate/training/site.h"
 #include "palpate/window/input.h"
+#include "teach/window/training_painting.h"
 
 namespace palpate::viewer {
 

@@ -6,10 +6,10 @@
 #include <charconv>
 #include <utility>
 
-#include "teach/window/site_marks.h"
 #include "palpate/base/error.h"
 #include "palpate/training/records/trainee_code.h"
 #include "palpate/training/trial_scene.h"
+#include "teach/window/site_marks.h"
 
 namespace palpate::viewer {
 

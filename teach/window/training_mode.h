@@ -13,15 +13,15 @@
 #include <string>
 #include <vector>
 
-#include "view/viewer/modes/mode.h"
-#include "view/viewer/state/async_task.h"
+#include "palpate/view/painter.h"
 #include "teach/window/class_line.h"
 #include "teach/window/front_desk.h"
 #include "teach/window/sitting_run.h"
 #include "teach/window/training_keys.h"
 #include "teach/window/trial_world.h"
 #include "teach/window/voice.h"
-#include "palpate/view/painter.h"
+#include "view/viewer/modes/mode.h"
+#include "view/viewer/state/async_task.h"
 
 namespace palpate::viewer {
 

@@ -6,9 +6,9 @@
 
 #include <algorithm>
 
-#include "view/viewer/panels/widgets.h"
-#include "teach/window/site_marks.h"
 #include "palpate/window/gui.h"
+#include "teach/window/site_marks.h"
+#include "view/viewer/panels/widgets.h"
 
 namespace palpate::viewer {
 

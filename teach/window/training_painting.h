@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "teach/window/training_screen.h"
 #include "palpate/base/vec.h"
+#include "teach/window/training_screen.h"
 
 namespace palpate::viewer {
 

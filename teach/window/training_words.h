@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "palpate/training/sitting.h"
 #include "teach/window/offers.h"
 #include "teach/window/training_screen.h"
-#include "palpate/training/sitting.h"
 
 namespace palpate::viewer {
 

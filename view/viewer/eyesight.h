@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "view/viewer/state/session.h"
 #include "palpate/window/head_tracker.h"
 #include "palpate/window/input.h"
+#include "view/viewer/state/session.h"
 
 namespace palpate::viewer {
 

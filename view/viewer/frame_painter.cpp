@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "palpate/base/stopwatch.h"
 #include "view/viewer/editing/rings.h"
 #include "view/viewer/state/free_area.h"
 #include "view/viewer/state/home_view.h"
-#include "palpate/base/stopwatch.h"
 
 namespace palpate::viewer {
 

@@ -6,15 +6,15 @@
 #include <memory>
 #include <vector>
 
+#include "palpate/view/cut_out.h"
+#include "palpate/view/offscreen.h"
+#include "palpate/window/gui.h"
 #include "view/viewer/editing/pointer.h"
 #include "view/viewer/modes/mode.h"
 #include "view/viewer/plots/press_peak.h"
 #include "view/viewer/replay_player.h"
 #include "view/viewer/state/session.h"
 #include "view/viewer/world/live_model.h"
-#include "palpate/view/cut_out.h"
-#include "palpate/view/offscreen.h"
-#include "palpate/window/gui.h"
 
 namespace palpate::viewer {
 

@@ -4,9 +4,9 @@
 
 #include <utility>
 
-#include "view/viewer/files/recorded_session.h"
 #include "palpate/trace/forces_table.h"
 #include "palpate/trace/session_reader.h"
+#include "view/viewer/files/recorded_session.h"
 
 namespace palpate::viewer {
 

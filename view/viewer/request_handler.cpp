@@ -1,10 +1,10 @@
 #include "view/viewer/request_handler.h"
 
+#include "palpate/trace/forces_table.h"
+#include "palpate/trace/session_reader.h"
 #include "view/viewer/files/scene_snippet.h"
 #include "view/viewer/files/view_text.h"
 #include "view/viewer/leaving.h"
-#include "palpate/trace/forces_table.h"
-#include "palpate/trace/session_reader.h"
 
 namespace palpate::viewer {
 

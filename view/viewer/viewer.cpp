@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "palpate/base/error.h"
+#include "palpate/base/stopwatch.h"
 #include "view/viewer/editing/acts.h"
 #include "view/viewer/editing/dysfunction_editor.h"
 #include "view/viewer/leaving.h"
@@ -13,8 +15,6 @@
 #include "view/viewer/panels/hints.h"
 #include "view/viewer/panels/widgets.h"
 #include "view/viewer/state/home_view.h"
-#include "palpate/base/error.h"
-#include "palpate/base/stopwatch.h"
 
 namespace palpate::viewer {
 

@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "palpate/view/offscreen.h"
+#include "palpate/window/gui.h"
 #include "view/viewer/camera_control.h"
 #include "view/viewer/devices/device_control.h"
 #include "view/viewer/editing/pointer.h"
@@ -29,8 +31,6 @@
 #include "view/viewer/world/live_model.h"
 #include "view/viewer/world/live_servo.h"
 #include "view/viewer/world/world_swap.h"
-#include "palpate/view/offscreen.h"
-#include "palpate/window/gui.h"
 
 namespace palpate::viewer {
 

@@ -53,7 +53,8 @@ class Signals : public testing::Test {
     _exit(99);
   }
 
-  /// Whether the process has taken the signal over: before that it ends as every process does. SIGKILL cannot be caught.
+  /// Whether the process has taken the signal over: before that it ends as every process does. SIGKILL cannot be
+  /// caught.
   static bool catches(pid_t process, int signal) {
     if (signal == SIGKILL) return true;
     const std::string status = support::contentOf("/proc/" + std::to_string(process) + "/status");

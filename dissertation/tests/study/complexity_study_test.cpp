@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "palpate/hdb/complexity.h"
 #include "dissertation/complexity/search_cost.h"
 #include "lab/measured/model_meshes.h"
+#include "palpate/hdb/complexity.h"
 #include "report/tests/report/page_numbers.h"
 #include "report/tests/report/texts_apart.h"
 

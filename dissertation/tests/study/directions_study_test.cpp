@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "palpate/base/random.h"
 #include "dissertation/directions/axis_means.h"
 #include "dissertation/directions/direction_fields.h"
 #include "lab/measured/back_map.h"
+#include "palpate/base/random.h"
 #include "report/tests/report/page_numbers.h"
 #include "report/tests/report/texts_apart.h"
 

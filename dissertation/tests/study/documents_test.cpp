@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
-#include "palpate/base/text.h"
-#include "palpate/scene/errata.h"
 #include "dissertation/figures/dissertation_figures.h"
 #include "dissertation/numbers/numbers_study.h"
+#include "palpate/base/text.h"
+#include "palpate/scene/errata.h"
 
 namespace palpate::study {
 

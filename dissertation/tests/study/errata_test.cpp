@@ -5,13 +5,13 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "dissertation/errata/errata_report.h"
+#include "dissertation/errata/errata_study.h"
+#include "dissertation/report/report_findings.h"
 #include "palpate/base/error.h"
 #include "palpate/hdb/literal_traversal.h"
 #include "palpate/mesh/files/save.h"
 #include "palpate/scene/scene_file.h"
-#include "dissertation/errata/errata_report.h"
-#include "dissertation/errata/errata_study.h"
-#include "dissertation/report/report_findings.h"
 #include "support/mesh_zoo.h"
 #include "support/temporary_folder.h"
 

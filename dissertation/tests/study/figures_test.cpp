@@ -7,10 +7,10 @@
 
 #include <set>
 
-#include "palpate/base/text.h"
+#include "dissertation/report/report_findings.h"
 #include "lab/measured/model_meshes.h"
 #include "lab/measured/pressed_skin.h"
-#include "dissertation/report/report_findings.h"
+#include "palpate/base/text.h"
 #include "report/tests/report/texts_apart.h"
 #include "support/error_message.h"
 #include "support/temporary_folder.h"

@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "palpate/base/text.h"
 #include "dissertation/numbers/printed_numbers.h"
 #include "dissertation/numbers/table_5_1.h"
 #include "dissertation/profile/array_quality.h"
 #include "dissertation/report/report_findings.h"
+#include "palpate/base/text.h"
 #include "support/error_message.h"
 #include "support/golden.h"
 #include "support/temporary_folder.h"

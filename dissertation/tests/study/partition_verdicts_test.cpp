@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "palpate/hdb/complexity.h"
 #include "dissertation/assignment/assignment_findings.h"
 #include "dissertation/complexity/complexity_findings.h"
 #include "dissertation/hdb/hdb_findings.h"
-#include "report/tests/report/says.h"
 #include "dissertation/tables/rates_findings.h"
 #include "dissertation/threshold/threshold_findings.h"
+#include "palpate/hdb/complexity.h"
+#include "report/tests/report/says.h"
 
 namespace palpate::study {
 

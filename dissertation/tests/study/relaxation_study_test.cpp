@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "dissertation/relaxation/relaxation_findings.h"
-#include "report/tests/report/says.h"
 #include "dissertation/studies.h"
 #include "report/tests/report/page_numbers.h"
+#include "report/tests/report/says.h"
 
 namespace palpate::study {
 

@@ -3,14 +3,14 @@
 
 #include <cmath>
 
-#include "palpate/base/error.h"
 #include "dissertation/rivals/finite_elements.h"
 #include "dissertation/rivals/free_form.h"
 #include "dissertation/rivals/mass_spring.h"
 #include "dissertation/rivals/rivals_findings.h"
-#include "report/tests/report/says.h"
 #include "dissertation/studies.h"
+#include "palpate/base/error.h"
 #include "report/tests/report/page_numbers.h"
+#include "report/tests/report/says.h"
 
 namespace palpate::study {
 

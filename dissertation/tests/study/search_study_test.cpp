@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 
-#include "palpate/mesh/topology.h"
-#include "lab/measured/model_meshes.h"
-#include "report/tests/report/says.h"
 #include "dissertation/search/search_findings.h"
+#include "lab/measured/model_meshes.h"
+#include "palpate/mesh/topology.h"
+#include "report/tests/report/says.h"
 
 namespace palpate::study {
 

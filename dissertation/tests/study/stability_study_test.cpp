@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "report/tests/report/says.h"
 #include "dissertation/stability/stability_findings.h"
 #include "dissertation/stability/stability_map_study.h"
+#include "report/tests/report/says.h"
 
 namespace palpate::study {
 

@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <map>
 
-#include "palpate/base/error.h"
-#include "palpate/base/text.h"
-#include "palpate/hdb/haptic_box.h"
 #include "dissertation/assignment/assignment_measurement.h"
 #include "dissertation/hdb/hdb_measurement.h"
 #include "dissertation/tables/rendering_rates.h"
-#include "report/tests/report/texts_apart.h"
 #include "dissertation/threshold/threshold_measurement.h"
+#include "palpate/base/error.h"
+#include "palpate/base/text.h"
+#include "palpate/hdb/haptic_box.h"
+#include "report/tests/report/texts_apart.h"
 #include "support/temporary_folder.h"
 
 namespace palpate::study {

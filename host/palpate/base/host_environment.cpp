@@ -62,8 +62,8 @@ void writeWholeFile(const std::filesystem::path& file, std::string_view content)
 StartedWork startOnAThread(std::function<void()> work) {
   // This policy falls back on doing the work in `join` where the system refuses a thread. Such a piece is never `done`:
   // there is nothing to wait for.
-  const auto future = std::make_shared<std::future<void>>(
-      std::async(std::launch::async | std::launch::deferred, std::move(work)));
+  const auto future =
+      std::make_shared<std::future<void>>(std::async(std::launch::async | std::launch::deferred, std::move(work)));
   return {[future] { return future->wait_for(std::chrono::seconds(0)) != std::future_status::timeout; },
           [future] { future->get(); }};
 }

@@ -12,8 +12,8 @@
 #include "palpate/base/nearest_name.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/device/detail/each_back_end.h"
-#include "palpate/device/hand_device.h"
 #include "palpate/device/detail/remote_device.h"
+#include "palpate/device/hand_device.h"
 
 namespace palpate::device {
 

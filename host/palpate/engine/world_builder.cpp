@@ -6,8 +6,8 @@
 #include <exception>
 #include <utility>
 
-#include "palpate/base/thread_priority.h"
 #include "palpate/base/stopwatch.h"
+#include "palpate/base/thread_priority.h"
 
 namespace palpate::engine {
 

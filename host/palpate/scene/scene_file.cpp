@@ -7,8 +7,8 @@
 
 #include "palpate/base/text.h"
 #include "palpate/mesh/files/load.h"
-#include "palpate/scene/keys/scene_keys.h"
 #include "palpate/scene/detail/toml_table.h"
+#include "palpate/scene/keys/scene_keys.h"
 
 namespace palpate::scene {
 

@@ -1,4 +1,5 @@
-// forces.csv: every finger in every tick, as a table that spreadsheets and scripts read (forces_rows.h says what is in it).
+// forces.csv: every finger in every tick, as a table that spreadsheets and scripts read (forces_rows.h says what is in
+// it).
 #pragma once
 
 #include <filesystem>

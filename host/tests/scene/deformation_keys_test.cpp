@@ -2,10 +2,10 @@
 
 #include <fstream>
 
+#include "host/tests/scene/scene_text.h"
 #include "palpate/base/error.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/scene/world.h"
-#include "host/tests/scene/scene_text.h"
 #include "support/temporary_folder.h"
 
 namespace palpate::scene {

@@ -4,13 +4,13 @@
 
 #include <functional>
 
+#include "host/tests/scene/scene_text.h"
 #include "palpate/body/places.h"
 #include "palpate/deform/deformer.h"
 #include "palpate/scene/scene_writer.h"
 #include "palpate/scene/skin_contact.h"
 #include "palpate/scene/world.h"
 #include "palpate/tissue/profile_curve.h"
-#include "host/tests/scene/scene_text.h"
 #include "support/temporary_folder.h"
 
 namespace palpate::scene {

@@ -6,8 +6,8 @@
 #include <set>
 #include <sstream>
 
-#include "palpate/base/error.h"
 #include "host/tests/scene/scene_text.h"
+#include "palpate/base/error.h"
 #include "support/error_message.h"
 
 namespace palpate::scene {

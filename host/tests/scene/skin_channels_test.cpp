@@ -6,9 +6,9 @@
 #include <limits>
 #include <numeric>
 
+#include "host/tests/scene/dome_scene.h"
 #include "palpate/mesh/files/load.h"
 #include "palpate/scene/world.h"
-#include "host/tests/scene/dome_scene.h"
 
 namespace palpate::scene {
 namespace {

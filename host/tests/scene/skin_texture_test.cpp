@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "host/tests/scene/scene_text.h"
 #include "palpate/base/text.h"
 #include "palpate/scene/scene_writer.h"
 #include "palpate/scene/world.h"
-#include "host/tests/scene/scene_text.h"
 #include "support/mesh_bytes.h"
 #include "support/mesh_zoo.h"
 #include "support/temporary_folder.h"

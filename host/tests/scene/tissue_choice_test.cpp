@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include "host/tests/scene/dome_scene.h"
+#include "host/tests/scene/scene_text.h"
 #include "palpate/base/text.h"
 #include "palpate/scene/body_parts.h"
 #include "palpate/scene/deformation_settings.h"
@@ -15,8 +17,6 @@
 #include "palpate/scene/skin_contact.h"
 #include "palpate/scene/words.h"
 #include "palpate/scene/world.h"
-#include "host/tests/scene/dome_scene.h"
-#include "host/tests/scene/scene_text.h"
 #include "support/mesh_zoo.h"
 
 namespace palpate::scene {

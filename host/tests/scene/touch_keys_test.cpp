@@ -1,12 +1,12 @@
 // Keys of [friction], [tissue] and [stiffness] that say more than one number, or that must go together.
 #include <gtest/gtest.h>
 
+#include "host/tests/scene/dome_scene.h"
 #include "palpate/scene/scene_edit.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/scene/scene_writer.h"
 #include "palpate/scene/world.h"
 #include "palpate/tissue/published.h"
-#include "host/tests/scene/dome_scene.h"
 #include "support/error_message.h"
 
 namespace palpate::scene {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "palpate/scene/errata.h"
 #include "host/tests/scene/dome_scene.h"
+#include "palpate/scene/errata.h"
 #include "support/error_message.h"
 
 namespace palpate::scene {

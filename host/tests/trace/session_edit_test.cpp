@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "host/tests/trace/wild_sample.h"
 #include "palpate/base/error.h"
 #include "palpate/base/random.h"
 #include "palpate/base/text.h"
@@ -17,7 +18,6 @@
 #include "palpate/trace/session_rest.h"
 #include "support/error_message.h"
 #include "support/temporary_folder.h"
-#include "host/tests/trace/wild_sample.h"
 
 namespace palpate::trace {
 namespace {

@@ -11,6 +11,7 @@
 #include <limits>
 #include <thread>
 
+#include "host/tests/trace/wild_sample.h"
 #include "palpate/base/error.h"
 #include "palpate/base/random.h"
 #include "palpate/base/text.h"
@@ -19,7 +20,6 @@
 #include "palpate/trace/session_schema.h"
 #include "support/error_message.h"
 #include "support/temporary_folder.h"
-#include "host/tests/trace/wild_sample.h"
 
 namespace palpate::trace {
 namespace {

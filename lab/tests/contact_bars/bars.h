@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "lab/runs/contact_run.h"
 #include "lab/judges/invariant_check.h"
+#include "lab/runs/contact_run.h"
 #include "lab/workloads/heldout_meshes.h"
 #include "lab/workloads/workload_meshes.h"
 #include "lab/workloads/workload_paths.h"

@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "lab/runs/contact_run.h"
 #include "core/tests/hdb/hdb_track.h"
+#include "lab/runs/contact_run.h"
 #include "lab/workloads/workload_meshes.h"
 #include "lab/workloads/workload_paths.h"
 

@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <string>
 
-#include "lab/tests/contact_bars/bars.h"
 #include "lab/hunt/hunt.h"
 #include "lab/hunt/kept_case.h"
+#include "lab/tests/contact_bars/bars.h"
 #include "palpate/mesh/files/load.h"
 
 namespace palpate::bars {

@@ -11,8 +11,8 @@
 #include <map>
 #include <numbers>
 
-#include "lab/tests/contact_bars/bars.h"
 #include "lab/hunt/hunt.h"
+#include "lab/tests/contact_bars/bars.h"
 #include "palpate/base/random.h"
 #include "palpate/body/trunk/trunk.h"
 

@@ -4,8 +4,8 @@
 
 #include <cstring>
 
-#include "palpate/base/error.h"
 #include "lab/tests/lab/sha256.h"
+#include "palpate/base/error.h"
 
 namespace palpate::lab {
 namespace {

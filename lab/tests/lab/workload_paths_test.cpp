@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "lab/tests/lab/sha256.h"
 #include "lab/workloads/workload_meshes.h"
 #include "palpate/base/error.h"
-#include "lab/tests/lab/sha256.h"
 
 namespace palpate::lab {
 namespace {

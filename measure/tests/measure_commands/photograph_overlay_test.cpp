@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "support/png_pixels.h"
 #include "palpate/base/text.h"
 #include "support/error_message.h"
+#include "support/png_pixels.h"
 #include "support/temporary_folder.h"
 
 namespace palpate::figures {

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "palpate/base/error.h"
 #include "measure/study/exact_dots.h"
 #include "measure/study/measuring_findings.h"
 #include "measure/study/measuring_numbers.h"
 #include "measure/study/outside_study.h"
+#include "palpate/base/error.h"
 #include "report/tests/report/says.h"
 
 namespace palpate::study {

@@ -8,11 +8,11 @@
 #include <numbers>
 
 #include "measure/window/measuring_window.h"
-#include "view/viewer/panels/widgets.h"
 #include "palpate/view/flat_picture.h"
 #include "palpate/view/offscreen.h"
 #include "palpate/window/gui.h"
 #include "pictures/image_compare.h"
+#include "view/viewer/panels/widgets.h"
 
 namespace palpate::viewer {
 namespace {

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <limits>
 
+#include "palpate/base/text.h"
 #include "report/charts/drawing.h"
 #include "report/charts/plot_layout.h"
-#include "support/png_pixels.h"
-#include "palpate/base/text.h"
 #include "support/error_message.h"
+#include "support/png_pixels.h"
 #include "support/temporary_folder.h"
 
 namespace palpate::figures {

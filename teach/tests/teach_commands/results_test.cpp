@@ -11,9 +11,9 @@
 #include "palpate/trace/session_reader.h"
 #include "palpate/trace/session_writer.h"
 #include "palpate/training/records/session_files.h"
-#include "teach/tests/support/postgres_server.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
+#include "teach/tests/support/postgres_server.h"
 #include "teach/tests/training/records_samples.h"
 
 namespace palpate::app {

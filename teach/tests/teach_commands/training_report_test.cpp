@@ -7,12 +7,12 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "teach/report/training_figures.h"
 #include "palpate/training/records/export.h"
 #include "palpate/training/records/sqlite_sql.h"
-#include "teach/tests/support/made_trainees.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
+#include "teach/report/training_figures.h"
+#include "teach/tests/support/made_trainees.h"
 
 namespace palpate {
 namespace {

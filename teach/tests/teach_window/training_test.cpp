@@ -8,14 +8,6 @@
 #include <set>
 
 #include "measure/window/measuring_mode.h"
-#include "view/viewer/panels/widgets.h"
-#include "teach/window/front_desk.h"
-#include "teach/window/offers.h"
-#include "teach/window/training_keys.h"
-#include "teach/window/training_mode.h"
-#include "teach/window/training_words.h"
-#include "teach/window/voice.h"
-#include "view/viewer/viewer.h"
 #include "palpate/base/error.h"
 #include "palpate/classroom/class_folder.h"
 #include "palpate/scene/scene_file.h"
@@ -27,6 +19,14 @@
 #include "support/temporary_folder.h"
 #include "support/wait_for.h"
 #include "teach/tests/training/twelve.h"
+#include "teach/window/front_desk.h"
+#include "teach/window/offers.h"
+#include "teach/window/training_keys.h"
+#include "teach/window/training_mode.h"
+#include "teach/window/training_words.h"
+#include "teach/window/voice.h"
+#include "view/viewer/panels/widgets.h"
+#include "view/viewer/viewer.h"
 
 namespace palpate::viewer {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "palpate/training/report/training_statistics.h"
-#include "teach/tests/support/made_trainees.h"
 #include "support/temporary_folder.h"
+#include "teach/tests/support/made_trainees.h"
 
 namespace palpate::training {
 namespace {

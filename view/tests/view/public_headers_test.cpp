@@ -28,14 +28,17 @@ void collectIncludes(const fs::path& file, std::set<std::string>& names) {
     if (!line.starts_with(word)) continue;
     const std::string name = line.substr(word.size() + 1, line.find_first_of(">\"", word.size() + 1) - word.size() - 1);
     if (!names.insert(name).second || !name.starts_with("palpate/")) continue;
-    collectIncludes(fs::path(PALPATE_SOURCE_DIR) / "src" / name, names);
+    for (const char* house : {"core", "host", "view"}) {
+      const fs::path header = fs::path(PALPATE_SOURCE_DIR) / house / name;
+      if (fs::exists(header)) collectIncludes(header, names);
+    }
   }
 }
 
 class PublicHeaders : public testing::TestWithParam<std::string> {};
 
 TEST_P(PublicHeaders, BringNoOpenGlAndNothingInternal) {
-  const fs::path folder = fs::path(PALPATE_SOURCE_DIR) / "src/palpate" / GetParam();
+  const fs::path folder = fs::path(PALPATE_SOURCE_DIR) / "view/palpate" / GetParam();
   std::size_t headers = 0;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() != ".h") continue;

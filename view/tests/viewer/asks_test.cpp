@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include "palpate/view/offscreen.h"
 #include "view/viewer/panels/gui_layout.h"
 #include "view/viewer/panels/widgets.h"
-#include "palpate/view/offscreen.h"
 
 namespace palpate::viewer {
 namespace {

@@ -6,10 +6,10 @@
 #include <set>
 #include <utility>
 
-#include "view/viewer/state/interventions.h"
-#include "view/viewer/state/scene_document.h"
 #include "host/tests/device/doubles/double_library.h"
 #include "support/wait_for.h"
+#include "view/viewer/state/interventions.h"
+#include "view/viewer/state/scene_document.h"
 
 namespace palpate::viewer {
 namespace {

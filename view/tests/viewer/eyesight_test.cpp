@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include "view/viewer/panels/gui_layout.h"
-#include "view/viewer/state/home_view.h"
 #include "palpate/base/text.h"
 #include "palpate/scene/scene_file.h"
 #include "stage.h"
+#include "view/viewer/panels/gui_layout.h"
+#include "view/viewer/state/home_view.h"
 
 namespace palpate::viewer {
 namespace {

@@ -1,11 +1,11 @@
 // Distances, the scene's own fingers, the speed of time, pictures without background, scenes for the clipboard.
 #include "stage.h"
 
+#include "palpate/base/text.h"
+#include "palpate/view/cut_out.h"
 #include "view/viewer/files/recorded_touch.h"
 #include "view/viewer/state/home_view.h"
 #include "view/viewer/state/ruler.h"
-#include "palpate/base/text.h"
-#include "palpate/view/cut_out.h"
 
 namespace palpate::viewer {
 namespace {

@@ -10,12 +10,12 @@
 #include <numbers>
 #include <optional>
 
-#include "view/viewer/panels/gui_layout.h"
-#include "view/viewer/panels/hints.h"
-#include "view/viewer/panels/widgets.h"
 #include "palpate/base/text.h"
 #include "palpate/view/offscreen.h"
 #include "pictures/image_compare.h"
+#include "view/viewer/panels/gui_layout.h"
+#include "view/viewer/panels/hints.h"
+#include "view/viewer/panels/widgets.h"
 
 namespace palpate::viewer {
 namespace {

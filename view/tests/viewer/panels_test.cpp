@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
+#include "support/contrast.h"
 #include "view/viewer/panels/gui_layout.h"
 #include "view/viewer/plots/plot_drawing.h"
-#include "support/contrast.h"
 
 namespace palpate::viewer {
 namespace {

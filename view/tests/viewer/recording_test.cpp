@@ -5,9 +5,9 @@
 #include <csignal>
 #include <fstream>
 
-#include "view/viewer/files/recorded_touch.h"
 #include "palpate/trace/forces_table.h"
 #include "stage.h"
+#include "view/viewer/files/recorded_touch.h"
 
 namespace palpate::viewer {
 namespace {

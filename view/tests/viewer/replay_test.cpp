@@ -1,10 +1,10 @@
 // Stepping back and forth through what was touched: the last minute of a frozen session, and recorded tables.
 #include "view/viewer/state/replay.h"
 
-#include "view/viewer/files/recorded_touch.h"
 #include "palpate/base/text.h"
 #include "palpate/trace/forces_table.h"
 #include "stage.h"
+#include "view/viewer/files/recorded_touch.h"
 
 namespace palpate::viewer {
 namespace {

@@ -1,8 +1,8 @@
 // Nothing is lost by a slip: saving, questions, undo of everything, as a user meets them.
 #include "stage.h"
 
-#include "view/viewer/files/scene_snippet.h"
 #include "palpate/base/text.h"
+#include "view/viewer/files/scene_snippet.h"
 
 namespace palpate::viewer {
 namespace {

@@ -4,10 +4,10 @@
 #include <chrono>
 #include <fstream>
 
-#include "view/viewer/files/recorded_session.h"
-#include "view/viewer/files/session_keeper.h"
 #include "palpate/engine/session_replay.h"
 #include "stage.h"
+#include "view/viewer/files/recorded_session.h"
+#include "view/viewer/files/session_keeper.h"
 
 namespace palpate::viewer {
 namespace {

@@ -8,14 +8,14 @@
 #include <memory>
 
 #include "measure/window/measuring_mode.h"
-#include "view/viewer/panels/widgets.h"
-#include "view/viewer/viewer.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/mesh/files/save.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/view/offscreen.h"
 #include "support/mesh_zoo.h"
 #include "support/temporary_folder.h"
+#include "view/viewer/panels/widgets.h"
+#include "view/viewer/viewer.h"
 
 namespace palpate::viewer {
 

@@ -1,9 +1,9 @@
 // The viewer as a user meets it, without a window: events in, pictures and numbers out.
 #include "stage.h"
 
-#include "view/viewer/panels/panels.h"
 #include "palpate/base/text.h"
 #include "pictures/read_png.h"
+#include "view/viewer/panels/panels.h"
 
 namespace palpate::viewer {
 namespace {

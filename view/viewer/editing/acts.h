@@ -1,8 +1,8 @@
 // What the keys and menus do to the session: switches, modes, requests. Pure.
 #pragma once
 
-#include "view/viewer/state/session.h"
 #include "palpate/window/keys.h"
+#include "view/viewer/state/session.h"
 
 namespace palpate::viewer {
 

@@ -7,9 +7,9 @@
 
 #include <optional>
 
-#include "view/viewer/state/editor.h"
 #include "palpate/base/vec.h"
 #include "palpate/window/input.h"
+#include "view/viewer/state/editor.h"
 
 namespace palpate::viewer {
 

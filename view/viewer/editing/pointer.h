@@ -6,10 +6,10 @@
 #include <memory>
 #include <optional>
 
-#include "view/viewer/state/session.h"
-#include "view/viewer/world/live_servo.h"
 #include "palpate/view/orbit.h"
 #include "palpate/window/input.h"
+#include "view/viewer/state/session.h"
+#include "view/viewer/world/live_servo.h"
 
 namespace palpate::viewer {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "view/viewer/editing/dysfunction_editor.h"
 #include "palpate/mesh/triangle_mesh.h"
+#include "view/viewer/editing/dysfunction_editor.h"
 
 namespace palpate::viewer {
 

@@ -5,9 +5,9 @@
 
 #include <vector>
 
+#include "palpate/view/lines.h"
 #include "view/viewer/editing/pointer.h"
 #include "view/viewer/state/session.h"
-#include "palpate/view/lines.h"
 
 namespace palpate::viewer {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <utility>
 
+#include "palpate/view/cut_out.h"
 #include "view/viewer/files/recorders.h"
 #include "view/viewer/state/session.h"
-#include "palpate/view/cut_out.h"
 
 namespace palpate::viewer {
 

@@ -6,10 +6,10 @@
 #include <string_view>
 #include <utility>
 
-#include "view/viewer/world/live_servo.h"
 #include "palpate/device/finger_path.h"
 #include "palpate/servo/tick.h"
 #include "palpate/trace/forces_table.h"
+#include "view/viewer/world/live_servo.h"
 
 namespace palpate::viewer {
 

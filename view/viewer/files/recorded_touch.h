@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "view/viewer/state/replay.h"
-#include "view/viewer/state/touch_history.h"
 #include "palpate/base/background.h"
 #include "palpate/scene/world.h"
+#include "view/viewer/state/replay.h"
+#include "view/viewer/state/touch_history.h"
 
 namespace palpate::viewer {
 

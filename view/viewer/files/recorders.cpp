@@ -2,11 +2,11 @@
 
 #include <utility>
 
-#include "palpate/base/thread_priority.h"
-#include "view/viewer/world/live_servo.h"
 #include "palpate/base/output_file.h"
+#include "palpate/base/thread_priority.h"
 #include "palpate/device/mouse_finger.h"
 #include "palpate/view/image.h"
+#include "view/viewer/world/live_servo.h"
 
 namespace palpate::viewer {
 

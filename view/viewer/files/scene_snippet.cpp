@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "view/viewer/world/live_servo.h"
 #include "palpate/scene/scene_writer.h"
+#include "view/viewer/world/live_servo.h"
 
 namespace palpate::viewer {
 

@@ -7,11 +7,11 @@
 #include <chrono>
 #include <cstdlib>
 
-#include "view/viewer/files/outputs.h"
 #include "palpate/base/error.h"
 #include "palpate/base/output_file.h"
 #include "palpate/base/text.h"
 #include "palpate/device/back_ends.h"
+#include "view/viewer/files/outputs.h"
 
 namespace palpate::viewer {
 

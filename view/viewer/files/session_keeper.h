@@ -13,10 +13,10 @@
 #include <string_view>
 #include <vector>
 
+#include "palpate/engine/session_recorder.h"
 #include "view/viewer/state/async_task.h"
 #include "view/viewer/state/session.h"
 #include "view/viewer/world/live_servo.h"
-#include "palpate/engine/session_recorder.h"
 
 namespace palpate::viewer {
 

@@ -12,14 +12,14 @@
 #include <utility>
 #include <vector>
 
+#include "palpate/view/painter.h"
+#include "palpate/window/gui.h"
+#include "palpate/window/input.h"
 #include "view/viewer/editing/pointer.h"
 #include "view/viewer/state/free_area.h"
 #include "view/viewer/state/session.h"
 #include "view/viewer/world/live_servo.h"
 #include "view/viewer/world/world_swap.h"
-#include "palpate/view/painter.h"
-#include "palpate/window/gui.h"
-#include "palpate/window/input.h"
 
 namespace palpate::viewer {
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "view/viewer/panels/panels.h"
 #include "palpate/window/keys.h"
+#include "view/viewer/panels/panels.h"
 
 namespace palpate::viewer {
 

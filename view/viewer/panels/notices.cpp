@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "palpate/servo/device_limits.h"
 #include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/widgets.h"
-#include "palpate/servo/device_limits.h"
 
 namespace palpate::viewer {
 

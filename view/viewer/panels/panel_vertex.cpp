@@ -8,10 +8,10 @@
 #include <string_view>
 #include <vector>
 
-#include "view/viewer/panels/panels.h"
-#include "view/viewer/panels/widgets.h"
 #include "palpate/body/places.h"
 #include "palpate/scene/skin_channels.h"
+#include "view/viewer/panels/panels.h"
+#include "view/viewer/panels/widgets.h"
 
 namespace palpate::viewer {
 

@@ -15,6 +15,9 @@
 #include <string_view>
 #include <vector>
 
+#include "palpate/engine/world_builder.h"
+#include "palpate/scene/scene.h"
+#include "palpate/view/camera.h"
 #include "view/viewer/state/devices_shown.h"
 #include "view/viewer/state/editor.h"
 #include "view/viewer/state/free_area.h"
@@ -26,9 +29,6 @@
 #include "view/viewer/state/session_parts.h"
 #include "view/viewer/state/vertex_values.h"
 #include "view/viewer/state/view_state.h"
-#include "palpate/engine/world_builder.h"
-#include "palpate/scene/scene.h"
-#include "palpate/view/camera.h"
 
 namespace palpate::viewer {
 

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "view/viewer/panels/panels.h"
-#include "view/viewer/panels/widgets.h"
 #include "palpate/base/error.h"
 #include "palpate/tissue/profile_curve.h"
+#include "view/viewer/panels/panels.h"
+#include "view/viewer/panels/widgets.h"
 
 namespace palpate::viewer {
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include "view/viewer/state/requests.h"
 #include "palpate/scene/scene.h"
+#include "view/viewer/state/requests.h"
 
 namespace palpate::viewer {
 

@@ -1,5 +1,5 @@
-#include "view/viewer/state/devices_shown.h"
 #include "palpate/base/error.h"
+#include "view/viewer/state/devices_shown.h"
 
 namespace palpate::viewer {
 

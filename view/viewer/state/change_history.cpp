@@ -6,12 +6,12 @@
 #include <array>
 #include <utility>
 
-#include "view/viewer/state/scene_document.h"
-#include "view/viewer/state/session.h"
-#include "view/viewer/state/state_file.h"
 #include "palpate/base/text.h"
 #include "palpate/scene/scene_edit.h"
 #include "palpate/scene/scene_writer.h"
+#include "view/viewer/state/scene_document.h"
+#include "view/viewer/state/session.h"
+#include "view/viewer/state/state_file.h"
 
 namespace palpate::viewer {
 

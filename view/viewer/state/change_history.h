@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "view/viewer/state/edit_history.h"
-#include "view/viewer/state/view_state.h"
 #include "palpate/scene/scene.h"
 #include "palpate/tissue/profile_settings.h"
+#include "view/viewer/state/edit_history.h"
+#include "view/viewer/state/view_state.h"
 
 namespace palpate::viewer {
 

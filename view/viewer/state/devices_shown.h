@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "view/viewer/state/interventions.h"
 #include "palpate/device/calibration.h"
 #include "palpate/device/workspace.h"
+#include "view/viewer/state/interventions.h"
 
 namespace palpate::viewer {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "view/viewer/state/requests.h"
 #include "palpate/maps/stiffness_map.h"
+#include "view/viewer/state/requests.h"
 
 namespace palpate::viewer {
 

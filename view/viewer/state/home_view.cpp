@@ -5,9 +5,9 @@
 #include <cmath>
 #include <span>
 
-#include "view/viewer/state/free_area.h"
 #include "palpate/scene/scene_edit.h"
 #include "palpate/view/scene_view.h"
+#include "view/viewer/state/free_area.h"
 
 namespace palpate::viewer {
 

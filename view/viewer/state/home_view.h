@@ -2,9 +2,9 @@
 // scene file says about its pictures ([view]), taken over when the scene is opened. Pure.
 #pragma once
 
-#include "view/viewer/state/session.h"
 #include "palpate/scene/world.h"
 #include "palpate/view/camera.h"
+#include "view/viewer/state/session.h"
 
 namespace palpate::viewer {
 

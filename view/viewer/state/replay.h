@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "view/viewer/state/touch_history.h"
 #include "palpate/window/keys.h"
+#include "view/viewer/state/touch_history.h"
 
 namespace palpate::viewer {
 

@@ -12,8 +12,8 @@
 #include <variant>
 #include <vector>
 
-#include "view/viewer/state/messages.h"
 #include "palpate/window/keys.h"
+#include "view/viewer/state/messages.h"
 
 namespace palpate::viewer {
 

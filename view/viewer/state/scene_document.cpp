@@ -4,14 +4,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "view/viewer/state/home_view.h"
-#include "view/viewer/state/session.h"
 #include "palpate/base/error.h"
 #include "palpate/base/output_file.h"
 #include "palpate/base/text.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/scene/scene_patch.h"
 #include "palpate/scene/scene_writer.h"
+#include "view/viewer/state/home_view.h"
+#include "view/viewer/state/session.h"
 
 namespace palpate::viewer {
 

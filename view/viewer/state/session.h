@@ -11,6 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "palpate/device/device.h"
+#include "palpate/engine/world_builder.h"
+#include "palpate/scene/scene.h"
+#include "palpate/view/camera.h"
 #include "view/viewer/state/change_history.h"
 #include "view/viewer/state/devices_shown.h"
 #include "view/viewer/state/editor.h"
@@ -22,10 +26,6 @@
 #include "view/viewer/state/session_parts.h"
 #include "view/viewer/state/vertex_values.h"
 #include "view/viewer/state/view_state.h"
-#include "palpate/device/device.h"
-#include "palpate/engine/world_builder.h"
-#include "palpate/scene/scene.h"
-#include "palpate/view/camera.h"
 
 namespace palpate::viewer {
 

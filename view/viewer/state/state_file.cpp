@@ -12,8 +12,8 @@
 #include "palpate/base/output_file.h"
 #include "palpate/base/text.h"
 #include "palpate/base/words.h"
-#include "palpate/scene/keys/key_table.h"
 #include "palpate/scene/detail/toml_table.h"
+#include "palpate/scene/keys/key_table.h"
 
 namespace palpate::viewer {
 

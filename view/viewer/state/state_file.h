@@ -8,8 +8,8 @@
 #include <optional>
 #include <string>
 
-#include "view/viewer/state/view_state.h"
 #include "palpate/window/window.h"
+#include "view/viewer/state/view_state.h"
 
 namespace palpate::viewer {
 

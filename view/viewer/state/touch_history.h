@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
-#include "view/viewer/state/fingers.h"
 #include "palpate/trace/sample.h"
+#include "view/viewer/state/fingers.h"
 
 namespace palpate::viewer {
 

@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "view/viewer/state/fingers.h"
 #include "palpate/device/mouse_finger.h"
 #include "palpate/device/workspace.h"
 #include "palpate/engine/servo_thread.h"
+#include "view/viewer/state/fingers.h"
 
 namespace palpate::viewer {
 

@@ -8,12 +8,12 @@
 #include <filesystem>
 #include <utility>
 
-#include "view/viewer/state/state_file.h"
 #include "palpate/base/error.h"
 #include "palpate/device/device_profile.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/servo/device_limits.h"
 #include "palpate/view/layers/skin_picture.h"
+#include "view/viewer/state/state_file.h"
 
 namespace palpate::viewer {
 

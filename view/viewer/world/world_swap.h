@@ -7,9 +7,9 @@
 #include <memory>
 #include <string>
 
+#include "palpate/engine/world_builder.h"
 #include "view/viewer/state/session.h"
 #include "view/viewer/world/live_servo.h"
-#include "palpate/engine/world_builder.h"
 
 namespace palpate::viewer {
 

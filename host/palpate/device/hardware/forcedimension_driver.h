@@ -8,8 +8,8 @@
 #include <string>
 
 #include "palpate/device/back_ends.h"
-#include "palpate/device/device_frame.h"
 #include "palpate/device/detail/driver_link.h"
+#include "palpate/device/device_frame.h"
 #include "palpate/device/hardware/forcedimension_api.h"
 
 namespace palpate::device::forcedimension {

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "palpate/device/back_ends.h"
-#include "palpate/device/device_frame.h"
 #include "palpate/device/detail/driver_link.h"
 #include "palpate/device/detail/driver_thread.h"
-#include "palpate/device/hardware/haply_service.h"
 #include "palpate/device/detail/turns.h"
+#include "palpate/device/device_frame.h"
+#include "palpate/device/hardware/haply_service.h"
 
 namespace palpate::device::haply {
 

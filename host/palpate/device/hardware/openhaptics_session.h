@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "palpate/device/back_ends.h"
-#include "palpate/device/device_frame.h"
 #include "palpate/device/detail/driver_link.h"
+#include "palpate/device/device_frame.h"
 #include "palpate/device/hardware/openhaptics_api.h"
 
 namespace palpate::device::openhaptics {

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <string>
 
+#include "palpate/device/detail/driver_link.h"
 #include "palpate/device/device.h"
 #include "palpate/device/device_frame.h"
-#include "palpate/device/detail/driver_link.h"
 #include "palpate/device/palpate_device.h"
 
 namespace palpate::device::plugin {

@@ -8,10 +8,10 @@
 #include <string>
 
 #include "palpate/device/back_ends.h"
-#include "palpate/device/device_frame.h"
 #include "palpate/device/detail/driver_link.h"
-#include "palpate/device/hardware/plugin_library.h"
 #include "palpate/device/detail/turns.h"
+#include "palpate/device/device_frame.h"
+#include "palpate/device/hardware/plugin_library.h"
 
 namespace palpate::device::plugin {
 

@@ -1,6 +1,6 @@
 // Every other format (3mf, dae, fbx, ...) through assimp. Off by default: its readers are not hardened against hostile
-// files the way ours are, and an error of theirs names no place. The only file that knows assimp; it installs itself while
-// the program starts (as base/host_environment.cpp does) and is not compiled without assimp (PALPATE_ASSIMP=OFF).
+// files the way ours are, and an error of theirs names no place. The only file that knows assimp; it installs itself
+// while the program starts (as base/host_environment.cpp does) and is not compiled without assimp (PALPATE_ASSIMP=OFF).
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
