@@ -1,4 +1,3 @@
-// Own.
 #include "cli/kit/body_place.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // A command line from its words to an exit code: what was misspelt, what is called otherwise now, and one line for
-// every error. Own.
+// every error.
 #include <fmt/format.h>
 
 #include <array>

@@ -1,5 +1,5 @@
 // The handler does what a handler may: it reads and stores lock-free numbers, writes a line and leaves by _exit. Work
-// that was begun in order looks at the number at its next sign of life. Own.
+// that was begun in order looks at the number at its next sign of life.
 #include "cli/kit/interruption.h"
 
 #include <unistd.h>

@@ -1,4 +1,3 @@
-// Own.
 #include "cli/kit/picture_file.h"
 
 #include "palpate/base/error.h"

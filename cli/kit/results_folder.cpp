@@ -1,4 +1,4 @@
-// A run is known by its files: what report.json lists, and the names that every run has. Own.
+// A run is known by its files: what report.json lists, and the names that every run has.
 #include "cli/kit/results_folder.h"
 
 #include <fmt/format.h>

@@ -141,7 +141,7 @@ void addSkinOptions(CLI::App& command, MapArguments& a) {
 
 void addKeyOption(CLI::App& command, MapArguments& a) {
   command.add_option("--keys", a.source.key_file,
-                     "Table of key points (docs/explanation/maps.md); left out: the dissertation's");
+                     "Table of key points (docs/reference/maps.md); left out: the dissertation's");
 }
 
 /// Last: what the scene says itself cannot be said beside it. `beside` are the options that can.

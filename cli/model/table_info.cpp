@@ -1,4 +1,4 @@
-// The table is read as a replay reads it, so what is said here is what will be seen there. Own.
+// The table is read as a replay reads it, so what is said here is what will be seen there.
 #include "cli/model/table_info.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// One pass over the triangles, one over the edges, each measure sorted once. Own.
+// One pass over the triangles, one over the edges, each measure sorted once.
 #include "cli/model/triangle_shape.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,3 @@
-// Own.
 #include "cli/serve/control_desk.h"
 
 #include <algorithm>

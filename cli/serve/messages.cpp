@@ -1,4 +1,4 @@
-// Strict: an unknown key, a number that is no number or out of range, or a word too many, and it is no message. Own.
+// Strict: an unknown key, a number that is no number or out of range, or a word too many, and it is no message.
 #include "cli/serve/messages.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // What a page and the server say to each other beside skin and frames: one JSON object a message.
 //
-// docs/howto/serve.md has the table. From the server: hello, state, message, refused. To it: what Wish holds.
+// docs/reference/serve.md has the table. From the server: hello, state, message, refused. To it: what Wish holds.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// Boost.Asio, one thread and no lock: everything that comes from outside it is posted to it. Own.
+// Boost.Asio, one thread and no lock: everything that comes from outside it is posted to it.
 #include "cli/serve/network.h"
 
 #include <fmt/format.h>

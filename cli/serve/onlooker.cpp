@@ -1,5 +1,5 @@
 // One page that looks on, over a WebSocket: the newest frame whenever it is ready for one, words in between, and what
-// it wishes. A frame that it was not ready for is gone: nothing ever queues up but a few words. Own.
+// it wishes. A frame that it was not ready for is gone: nothing ever queues up but a few words.
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <sys/socket.h>

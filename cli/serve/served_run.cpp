@@ -1,4 +1,4 @@
-// The owner's thread: what the servo gave, sixty times a second, as one frame for the network thread. Own.
+// The owner's thread: what the servo gave, sixty times a second, as one frame for the network thread.
 #include "cli/serve/served_run.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,3 @@
-// Own.
 #include "cli/serve/site.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // Touched triangles have the colour of their value, unlit, so that it can be read off the legend; the rest of the skin
-// is lit, so that the body is seen. Own.
+// is lit, so that the body is seen.
 #include <fmt/format.h>
 
 #include <algorithm>

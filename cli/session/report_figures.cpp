@@ -1,4 +1,4 @@
-// Panels of the course stand above each other and share their time axis, so their frames begin at the same place. Own.
+// Panels of the course stand above each other and share their time axis, so their frames begin at the same place.
 #include "cli/session/report_figures.h"
 
 #include <fmt/format.h>

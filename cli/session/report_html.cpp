@@ -1,4 +1,3 @@
-// Own.
 #include "cli/session/report_html.h"
 
 #include <fmt/format.h>

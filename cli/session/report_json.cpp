@@ -1,4 +1,3 @@
-// Own.
 #include <nlohmann/json.hpp>
 
 #include "cli/kit/json.h"

@@ -1,4 +1,4 @@
-// The page from its summary to its definitions; its tables are in report_tables.cpp. Own.
+// The page from its summary to its definitions; its tables are in report_tables.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>

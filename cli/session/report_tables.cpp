@@ -1,4 +1,3 @@
-// Own.
 #include <fmt/format.h>
 
 #include <algorithm>

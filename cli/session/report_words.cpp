@@ -1,4 +1,4 @@
-// What the numbers of a session say in sentences, and the words for its bits. Own.
+// What the numbers of a session say in sentences, and the words for its bits.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

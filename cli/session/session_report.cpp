@@ -1,5 +1,5 @@
 // The body that is shown is the one that was touched longest: worlds of one body differ in stiffness and the like only,
-// and keep its triangles in their order. Own.
+// and keep its triangles in their order.
 #include "cli/session/session_report.h"
 
 #include <fmt/format.h>

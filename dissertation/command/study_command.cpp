@@ -1,6 +1,6 @@
 // `palpate study`: the dissertation's numbers and figures, computed and drawn by the engine.
 //
-// Each study is a subcommand with a file of its own in study/; those that write a page are listed in
+// Each study is a subcommand with a file of its own in dissertation/; those that write a page are listed in
 // dissertation/studies.cpp.
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,5 +1,5 @@
 // Each stroke has a finger and a list of its own, whose refreshes are put off by another number of ticks: a puncture
-// depends on where in its delay the box is when the finger comes. Own.
+// depends on where in its delay the box is when the finger comes.
 #include "dissertation/hdb/late_box.h"
 
 #include "palpate/hdb/hdb_finger.h"

@@ -1,6 +1,6 @@
 // A printed number is right when ours, rounded to as many digits, is it; misprints are a list of their own, found by
 // place, quantity and number and with the right number beside it, so that none can excuse another row or another fault
-// of ours. Own.
+// of ours.
 #include "dissertation/numbers/number_row.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// The steps of a scene's load in their order, so that a written case behaves in `palpate simulate` as it did here. Own.
+// The steps of a scene's load in their order, so that a written case behaves in `palpate simulate` as it did here.
 #include "lab/hunt/hunt_world.h"
 
 #include <utility>

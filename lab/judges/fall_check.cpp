@@ -1,6 +1,6 @@
 // A small automaton over ticks, from outside to entered to held or fallen. A tick with force needs no question, so only
 // the others pay for the side of their tip. A tip let go beside a border may have left there: its past is unknown.
-// Data flow: tips and forces of a run -> here, afterwards -> FallReport. Own.
+// Data flow: tips and forces of a run -> here, afterwards -> FallReport.
 #include "lab/judges/fall_check.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Every bound is relative, to the mesh's diagonal or to the largest force there can be, and allows a billionth for the
 // rounding of finger and check together.
-// Data flow: outputs of a run -> here, afterwards -> which invariant broke, how often, since when. Own.
+// Data flow: outputs of a run -> here, afterwards -> which invariant broke, how often, since when.
 #include "lab/judges/invariant_check.h"
 
 #include <fmt/format.h>

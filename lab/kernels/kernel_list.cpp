@@ -1,4 +1,4 @@
-// Two kernels of loading, welding and the triangle tree, and all of them in one list. Own.
+// Two kernels of loading, welding and the triangle tree, and all of them in one list.
 #include "lab/kernels/kernel_list.h"
 
 #include <iterator>

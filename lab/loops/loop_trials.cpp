@@ -1,5 +1,5 @@
 // Each trial is one run of a ClosedLoop; its numbers come from the true place of the device and the true force of the
-// motor, never from what the loop believes. Own.
+// motor, never from what the loop believes.
 #include "lab/loops/loop_trials.h"
 
 #include <algorithm>

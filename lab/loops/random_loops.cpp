@@ -1,5 +1,4 @@
 // Spread of the hands: 95 % of 15 people, Fu and Cavusoglu 2012, as quoted by others; where it is not known, +-30 %.
-// Own.
 #include "lab/loops/random_loops.h"
 
 #include <array>

@@ -1,5 +1,5 @@
 // A stroke is a polyline through air and under the skin, then walked at constant speed from a random phase: speeds
-// share their ways, for the seed draws the same numbers. Own.
+// share their ways, for the seed draws the same numbers.
 #include "lab/measured/finger_strokes.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// The built-in back without relief and asymmetry, and the built-in hand, at the printed numbers of triangles. Own.
+// The built-in back without relief and asymmetry, and the built-in hand, at the printed numbers of triangles.
 #include "lab/measured/model_meshes.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Presses by the general displacement whatever the forms are: pictures compare forms, not ways. Own.
+// Presses by the general displacement whatever the forms are: pictures compare forms, not ways.
 #include "lab/measured/pressed_skin.h"
 
 #include <fmt/format.h>

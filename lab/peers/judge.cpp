@@ -1,5 +1,5 @@
 // Contact: the exact answer of our tree, within what single precision leaves. Boxes: brute force over slightly smaller
-// and larger boxes gives the least and most that an answer may hold; a hundred boxes are judged, for each is slow. Own.
+// and larger boxes gives the least and most that an answer may hold; a hundred boxes are judged, for each is slow.
 #include "lab/peers/judge.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The libraries that were found at build time, in the places of those of their name. Own.
+// The libraries that were found at build time, in the places of those of their name.
 #include "lab/peers/peer.h"
 
 namespace palpate::bench {

@@ -1,5 +1,5 @@
 // Where not all queries can be afforded, blocks of consecutive ones are asked, spread over the run: what a library
-// keeps from query to query still helps it. Own.
+// keeps from query to query still helps it.
 #include "lab/peers/timed_answers.h"
 
 #include <malloc.h>

@@ -1,5 +1,5 @@
 // Two runs, the first to find every page of code and surface; then one pass over the outputs for lag, friction and
-// steps of force, one for falls, one for the hash. Own.
+// steps of force, one for falls, one for the hash.
 #include "lab/runs/contact_run.h"
 
 #include <algorithm>

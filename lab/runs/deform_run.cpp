@@ -1,6 +1,6 @@
 // Engine and literal deformation move fingers over the same places, the literal one every fourth of them, on the mesh
 // as it was made. The shortest time of each place counts, since other load only ever adds. Both results are hashed, so
-// that a change shows. Own.
+// that a change shows.
 #include "lab/runs/deform_run.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// contact_run.h with the detecting box as the source of contact: same tips, same figures, and what the box did. Own.
+// contact_run.h with the detecting box as the source of contact: same tips, same figures, and what the box did.
 #include "lab/runs/hdb_run.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // One slide over the surface asks each way of finding in turn: ranges, their triangles, leaves. The list that follows
-// has slides of its own; of these and of builds the shortest time counts, since other load only ever adds. Own.
+// has slides of its own; of these and of builds the shortest time counts, since other load only ever adds.
 #include "lab/runs/partition_run.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // The hand-over is timed in blocks that alternate with blocks without it, on the same rig, while a writer takes the
-// samples out on another thread as it does for a hand. The long session repeats what was recorded. Own.
+// samples out on another thread as it does for a hand. The long session repeats what was recorded.
 #include "lab/runs/session_run.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Shapes by formula: grids that close on themselves, a cut octahedron, faces welded to boxes, sheets over a height.
-// Boxes are made of whole steps from the origin, so that their faces meet bit by bit. Own.
+// Boxes are made of whole steps from the origin, so that their faces meet bit by bit.
 #include "lab/workloads/heldout_meshes.h"
 
 #include <fmt/format.h>

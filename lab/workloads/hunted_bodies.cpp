@@ -1,5 +1,5 @@
 // Kinds beyond the embedded shapes are made from them, or from the held-out meshes, by damage and by gluing.
-// Data flow: kind and seed -> here -> mesh::repair, hunt/hunt_world.h. Own.
+// Data flow: kind and seed -> here -> mesh::repair, hunt/hunt_world.h.
 #include "lab/workloads/hunted_bodies.h"
 
 #include <fmt/format.h>

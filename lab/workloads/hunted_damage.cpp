@@ -1,4 +1,4 @@
-// Each damage is one pass over the mesh and knows nothing of the shape. Own.
+// Each damage is one pass over the mesh and knows nothing of the shape.
 #include "lab/workloads/hunted_damage.h"
 
 #include <algorithm>

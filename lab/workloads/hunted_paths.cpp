@@ -1,5 +1,5 @@
 // One function a kind moves a PathWriter's tip until its share of the ticks is used up; then comes another kind.
-// Data flow: judged body and seed -> here -> hunt/hunt_world.h. Own.
+// Data flow: judged body and seed -> here -> hunt/hunt_world.h.
 #include "lab/workloads/hunted_paths.h"
 
 #include <fmt/format.h>

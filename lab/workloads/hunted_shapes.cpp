@@ -1,5 +1,5 @@
 // One mesher for every form: on a lattice of random place and size, evened out or made coarser at random.
-// Data flow: name and random numbers -> hunted_forms.h -> body::meshZeroSurface -> here -> hunted_bodies.h. Own.
+// Data flow: name and random numbers -> hunted_forms.h -> body::meshZeroSurface -> here -> hunted_bodies.h.
 #include "lab/workloads/hunted_shapes.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // A jittered grid of cells, split at the border until the count is exact, then lifted onto a height and rounded to
-// float. The order of operations is part of the contract: another order rounds differently and makes another mesh. Own.
+// float. The order of operations is part of the contract: another order rounds differently and makes another mesh.
 #include "lab/workloads/workload_meshes.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,3 @@
-// Own.
 #include "measure/commands/dots_report.h"
 
 #include <fmt/format.h>

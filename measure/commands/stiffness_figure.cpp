@@ -1,4 +1,3 @@
-// Own.
 #include "measure/commands/stiffness_figure.h"
 
 #include <fmt/format.h>

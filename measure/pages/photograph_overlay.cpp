@@ -1,6 +1,6 @@
 // Layout first, because legends and findings are wrapped by measuring; then one drawing for every kind of sheet. Marks
 // have a halo: skin, ink and shadow are behind them. Photographs are reduced to the pixels of their panel before they
-// are put on the sheet. Own.
+// are put on the sheet.
 #include "measure/pages/photograph_overlay.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Line by line, so that comments and order of a table that somebody wrote stay. Own.
+// Line by line, so that comments and order of a table that somebody wrote stay.
 #include "measure/window/key_table_file.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Corrections by hand are snapshots of all marks: some hundred numbers a step. What is measured again follows from
-// `stale`, which the desk looks at once a frame. Own.
+// `stale`, which the desk looks at once a frame.
 #include "measure/window/measuring_view.h"
 
 #include <algorithm>

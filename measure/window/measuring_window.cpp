@@ -1,4 +1,4 @@
-// In a narrow window the column is one more tab. Own.
+// In a narrow window the column is one more tab.
 #include "measure/window/measuring_window.h"
 
 #include <fmt/format.h>

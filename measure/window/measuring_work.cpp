@@ -1,5 +1,5 @@
 // Marks take some hundredths of a second, so one measuring of them is always finished: while a slider is pulled,
-// results follow it. Photographs take seconds and are given up at their next report of progress. Own.
+// results follow it. Photographs take seconds and are given up at their next report of progress.
 #include "measure/window/measuring_work.h"
 
 #include <algorithm>

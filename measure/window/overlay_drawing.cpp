@@ -1,4 +1,4 @@
-// Sizes of an overlay are those of a panel 400 wide: here they grow with the panel, not with the zoom. Own.
+// Sizes of an overlay are those of a panel 400 wide: here they grow with the panel, not with the zoom.
 #include "measure/window/overlay_drawing.h"
 
 #include <imgui.h>

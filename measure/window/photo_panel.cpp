@@ -1,5 +1,5 @@
 // The mouse on a photograph: left by the tool, right and middle (with the tool "look" left, too) shift it, the wheel
-// zooms about the cursor. Own.
+// zooms about the cursor.
 #include "measure/window/photo_panel.h"
 
 #include <imgui.h>

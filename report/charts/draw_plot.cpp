@@ -1,5 +1,5 @@
 // A plot's layers from back to front, in the order of plot.h; series and shapes are clipped to the frame, whole markers
-// and labelled places are not. Own.
+// and labelled places are not.
 #include <cmath>
 
 #include "report/charts/drawing.h"

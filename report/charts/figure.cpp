@@ -1,5 +1,5 @@
 // Lays panels, titles and the note out first, because the note's lines are wrapped by measuring, then draws once on the
-// sheet that was asked for: PNG, SVG, or one whose texts a test reads. Own.
+// sheet that was asked for: PNG, SVG, or one whose texts a test reads.
 #include "report/charts/figure.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Corners of a box are numbered by bits, one an axis: an edge changes one bit. Own.
+// Corners of a box are numbered by bits, one an axis: an edge changes one bit.
 #include "report/charts/mesh_view.h"
 
 namespace palpate::figures {

@@ -1,4 +1,4 @@
-// Outlines as polygons: an ellipse has 128 corners. Own.
+// Outlines as polygons: an ellipse has 128 corners.
 #include "report/charts/plot.h"
 
 #include <cmath>

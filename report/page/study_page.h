@@ -3,7 +3,7 @@
 // A study computes a StudyPage and writes nothing; the page is then written as Markdown, CSV, PNG and SVG (writePage)
 // or becomes a chapter of a report. Whatever a finding says in numbers comes from the run, and its
 // verdict is decided by them: findings are functions of the measurement in files of their own, and a test breaks their
-// numbers (tests/study/*_verdicts_test.cpp).
+// numbers (dissertation/tests/study/*_verdicts_test.cpp).
 #pragma once
 
 #include <algorithm>

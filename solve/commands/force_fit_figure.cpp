@@ -1,4 +1,3 @@
-// Own.
 #include "solve/commands/force_fit_figure.h"
 
 #include <fmt/format.h>

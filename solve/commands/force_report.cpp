@@ -1,4 +1,3 @@
-// Own.
 #include "solve/commands/force_report.h"
 
 #include <fmt/format.h>

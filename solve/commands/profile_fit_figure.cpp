@@ -1,4 +1,4 @@
-// Depths by the shade of an ordered colour map, measured places as dots, fits as lines. Own.
+// Depths by the shade of an ordered colour map, measured places as dots, fits as lines.
 #include <fmt/format.h>
 
 #include <algorithm>

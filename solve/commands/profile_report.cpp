@@ -1,4 +1,3 @@
-// Own.
 #include "solve/commands/profile_report.h"
 
 #include <fmt/format.h>

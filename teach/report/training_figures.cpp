@@ -1,4 +1,4 @@
-// Changes stand in per cent on logarithmic axes: as much better is as far down everywhere. Own.
+// Changes stand in per cent on logarithmic axes: as much better is as far down everywhere.
 #include "teach/report/training_figures.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Every number of the report, by names that stay. Own.
+// Every number of the report, by names that stay.
 #include <nlohmann/json.hpp>
 
 #include "palpate/training/psychometric.h"

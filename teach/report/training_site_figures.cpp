@@ -1,4 +1,4 @@
-// Pictures of the sites: which was taken for which, and how each was felt, on the back. Own.
+// Pictures of the sites: which was taken for which, and how each was felt, on the back.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-// Own.
 #include "teach/report/training_tables.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Data flow: TrainingScreen -> here -> ImGui. Once a frame. Own.
+// Data flow: TrainingScreen -> here -> ImGui. Once a frame.
 #include "teach/window/training_painting.h"
 
 #include <fmt/format.h>

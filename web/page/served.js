@@ -1,5 +1,5 @@
 // A body that is felt by `palpate serve`: contacts come over a WebSocket, and the skin is deformed here. See source.js
-// for the interface, docs/howto/serve.md for what goes over the wire.
+// for the interface, docs/reference/serve.md for what goes over the wire.
 //
 //   address#token=... ─► skin, forms (HTTP) ─► ServedSkin ◄─ frames (WebSocket) ─► page
 //   aims of this page, where its token lets it touch ─────────────────────────► server

@@ -1,6 +1,5 @@
 // One lock, one condition for the helpers and one for the caller; parts are taken from a counter. The threads that a
 // fork did not copy are known by the process that made them, and their lock is left alone: it may be held for ever.
-// Own.
 #include "crew.h"
 
 #include <unistd.h>

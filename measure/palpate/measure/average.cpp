@@ -1,7 +1,7 @@
 // Rows -> groups -> means of logarithms and their scatter -> a mean a drag -> a mean a point, and from drags that
 // differ the stretch along them, by least squares.
 //
-// Based on: Ji, dissertation 2008, section 5.1 and Appendix C (plain means); E29, E30, E34. Own.
+// Based on: Ji, dissertation 2008, section 5.1 and Appendix C (plain means); E29, E30, E34.
 #include "palpate/measure/average.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Means as a table of key points, and the words for ways of pulling. Own.
+// Means as a table of key points, and the words for ways of pulling.
 #include <fmt/format.h>
 
 #include <algorithm>

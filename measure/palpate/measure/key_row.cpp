@@ -1,4 +1,3 @@
-// Own.
 #include "palpate/measure/key_row.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 // has no chart or no fit is left out.
 //
 // Colours are of the palette of Okabe and Ito, which people with any common colour vision can tell apart: what was
-// fitted is blue, what the contour says is vermilion, 2 mm solid and 4 mm dashed. Own.
+// fitted is blue, what the contour says is vermilion, 2 mm solid and 4 mm dashed.
 #include "palpate/measure/overlay.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// The table of forces by place and depth. Own.
+// The table of forces by place and depth.
 #include <fmt/format.h>
 
 #include <algorithm>

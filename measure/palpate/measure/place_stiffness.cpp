@@ -1,5 +1,5 @@
 // Curves -> by place -> what cannot be a press refused -> three forms on all rows, the best chosen -> the stiffness of
-// each press in that form -> mean and error over people; one shape for all. Own.
+// each press in that form -> mean and error over people; one shape for all.
 #include "palpate/measure/place_stiffness.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // The whole drawing once, in mm from its upper left corner; each sheet of paper is a window of it.
 //
-// Written as text: an SVG whose size and coordinates are millimetres prints at true size. Own.
+// Written as text: an SVG whose size and coordinates are millimetres prints at true size.
 #include "palpate/measure/stencil.h"
 
 #include <fmt/format.h>

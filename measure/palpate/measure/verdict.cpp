@@ -1,5 +1,5 @@
-// The limits were chosen on synthetic pairs, good and spoilt ones (docs/explanation/measuring.md): none that is far off
-// may pass.
+// The limits were chosen on synthetic pairs, good and spoilt ones (docs/reference/measuring-accuracy.md): none that
+// is far off may pass.
 #include "palpate/measure/verdict.h"
 
 #include <fmt/format.h>

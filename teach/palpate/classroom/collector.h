@@ -5,7 +5,7 @@
 //   broker ─ rows ─► inbox ─ batch ─► RowSink::keep (commit) ─► ack to each station
 //
 // Based on: outbox and application acknowledgement; a broker's own acknowledgement is not delivery
-// (docs/howto/class.md).
+// (docs/reference/class-protocol.md).
 #pragma once
 
 #include <cstdint>

@@ -31,7 +31,7 @@ struct StationInfo {
   std::string device;  ///< "mouse"
 };
 
-/// How rows go out; numbers of docs/howto/class.md.
+/// How rows go out; numbers of docs/reference/class-protocol.md.
 struct OutboxPace {
   double most_per_s = 50.0;  ///< so that a class that comes back after a break does not flood its collector
   double resend_s = 3.0;     ///< without an acknowledgement

@@ -1,4 +1,4 @@
-// Files by the pattern POINT_DRAG_N_part, or as listed -> hash -> kept or measured -> measured.toml. Own.
+// Files by the pattern POINT_DRAG_N_part, or as listed -> hash -> kept or measured -> measured.toml.
 #include "palpate/measure/person/person_folder.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// A complete walk -> mean ellipses, stiffness -> person.csv and a scene; and what a new folder begins with. Own.
+// A complete walk -> mean ellipses, stiffness -> person.csv and a scene; and what a new folder begins with.
 #include <fmt/format.h>
 
 #include <algorithm>

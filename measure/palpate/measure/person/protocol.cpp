@@ -1,4 +1,4 @@
-// TOML -> keys by hand, each named where it is unknown or wrong. Own.
+// TOML -> keys by hand, each named where it is unknown or wrong.
 #include "palpate/measure/person/protocol.h"
 
 #include <fmt/format.h>

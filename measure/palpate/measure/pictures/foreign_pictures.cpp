@@ -1,4 +1,4 @@
-// Own. What people have that is no JPEG, PNG or TIFF, told apart by its first bytes so that the message can say it.
+// What people have that is no JPEG, PNG or TIFF, told apart by its first bytes so that the message can say it.
 #include <algorithm>
 #include <array>
 #include <string_view>

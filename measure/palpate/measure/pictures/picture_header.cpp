@@ -1,4 +1,4 @@
-// Own. The formats by their first bytes; the name of a file says nothing.
+// The formats by their first bytes; the name of a file says nothing.
 #include "palpate/measure/pictures/picture_header.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,3 @@
-// Own.
 #include "palpate/measure/tables/dot_table.h"
 
 #include <fmt/format.h>
