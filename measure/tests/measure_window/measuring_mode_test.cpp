@@ -15,6 +15,21 @@
 namespace palpate::viewer {
 namespace {
 
+/// A stage whose viewer has the mode.
+class MeasuringStage : public Stage {
+ public:
+  MeasuringStage() : MeasuringStage(std::make_unique<MeasuringMode>()) {}
+  MeasuringMode& measuring() { return *measuring_; }
+
+ private:
+  // Braces: the pointer is read before it is moved from.
+  explicit MeasuringStage(std::unique_ptr<MeasuringMode> mode) : MeasuringStage{mode.get(), std::move(mode)} {}
+  MeasuringStage(MeasuringMode* measuring, std::unique_ptr<Mode> mode)
+      : Stage(std::move(mode)), measuring_(measuring) {}
+
+  MeasuringMode* measuring_;  // the viewer's
+};
+
 namespace fs = std::filesystem;
 
 constexpr window::Modifiers kCtrl{.ctrl = true, .shift = false};
@@ -162,20 +177,20 @@ struct WrittenPair {
 
 /// Frames with pauses in between: drawn as fast as it goes, they would leave the measuring little of the processor.
 template <class Ready>
-bool waitUntil(Stage& stage, const Ready& ready) {
+bool waitUntil(MeasuringStage& stage, const Ready& ready) {
   return stage.until([&] {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
     return ready();
   });
 }
 
-bool measuredIt(Stage& stage) {
+bool measuredIt(MeasuringStage& stage) {
   const MeasuringView& view = stage.measuring().view();
   return waitUntil(stage, [&] { return view.measured != nullptr && view.settled(); });
 }
 
 /// The place of the screen where the photograph before shows this.
-Vec2 onScreen(Stage& stage, const Vec2& px) {
+Vec2 onScreen(MeasuringStage& stage, const Vec2& px) {
   stage.frame();
   const auto [left, top, right, below] = widgetPlaces().at("measuring/before");
   const MeasuringView& view = stage.measuring().view();
@@ -186,7 +201,7 @@ Vec2 onScreen(Stage& stage, const Vec2& px) {
 }
 
 TEST(MeasuringWindow, DroppedPhotographsAreMeasuredCorrectedAcceptedAndFelt) {
-  Stage stage;
+  MeasuringStage stage;
   const WrittenPair pair(stage.folder);
   stage.drop(pair.before);
   stage.drop(pair.after);
@@ -228,7 +243,7 @@ TEST(MeasuringWindow, DroppedPhotographsAreMeasuredCorrectedAcceptedAndFelt) {
 }
 
 TEST(MeasuringWindow, TheContactIsClickedAndThePhotographsCanBeSwapped) {
-  Stage stage;
+  MeasuringStage stage;
   const WrittenPair pair(stage.folder);
   stage.measuring().request(ShowPhoto{Photo::before, pair.after});
   stage.measuring().request(ShowPhoto{Photo::after, pair.before});
@@ -254,7 +269,7 @@ TEST(MeasuringWindow, TheContactIsClickedAndThePhotographsCanBeSwapped) {
 }
 
 TEST(MeasuringWindow, AWrongFileIsToldAndTheOtherPhotographIsShown) {
-  Stage stage;
+  MeasuringStage stage;
   const WrittenPair pair(stage.folder);
   writeFile(stage.folder / "notes.jpg", "these are words\n");
   stage.drop(pair.before);
@@ -270,7 +285,7 @@ TEST(MeasuringWindow, AWrongFileIsToldAndTheOtherPhotographIsShown) {
 }
 
 TEST(MeasuringWindow, OpensAndClosesByItsKeyAndKeepsTheBodysKeysOut) {
-  Stage stage;
+  MeasuringStage stage;
   stage.key(window::key('M'), kCtrl);
   EXPECT_TRUE(stage.measuring().view().open);
   stage.key(window::key('W'));
@@ -292,7 +307,7 @@ TEST(MeasuringWindow, OpensAndClosesByItsKeyAndKeepsTheBodysKeysOut) {
 }
 
 TEST(MeasuringWindow, QuittingAsksForWhatWasCorrectedAndThenForTheScene) {
-  Stage stage;
+  MeasuringStage stage;
   Session& session = stage.session();
   stage.measuring().view().measured = madeUpMeasurement();
   stage.measuring().view().marks.before = {{Vec2(1.0, 2.0), 3.0}};

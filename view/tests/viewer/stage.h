@@ -7,7 +7,6 @@
 #include <chrono>
 #include <memory>
 
-#include "measure/window/measuring_mode.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/mesh/files/save.h"
 #include "palpate/scene/scene_file.h"
@@ -36,16 +35,16 @@ inline scene::Scene sheetScene(const support::TemporaryFolder& folder) {
 class Stage {
  public:
   explicit Stage(ViewState state = quiet()) : Stage(std::move(state), {}) {}
+  /// With a mode of another product.
+  explicit Stage(std::unique_ptr<Mode> mode) : Stage(quiet(), {}, false, std::move(mode)) {}
   /// `records`: sessions by themselves, into the folder `sessions`.
-  Stage(ViewState state, ViewerHost host, bool records = false) {
+  Stage(ViewState state, ViewerHost host, bool records = false, std::unique_ptr<Mode> mode = nullptr) {
     ViewerSettings settings;
     settings.intro = false;
     settings.output_folder = folder.path();
     if (records) settings.session_folder = folder / "sessions";
     settings.default_scene = sheetScene(folder);
-    auto mode = std::make_unique<MeasuringMode>();
-    measuring_ = mode.get();
-    settings.modes.push_back(std::move(mode));
+    if (mode) settings.modes.push_back(std::move(mode));
     viewer = std::make_unique<Viewer>(scene::build(sheetScene(folder)), std::move(state), std::move(settings),
                                       std::move(host));
     frame();
@@ -120,7 +119,6 @@ class Stage {
   Vec2 middle() const { return {790.0, 350.0}; }
 
   Session& session() { return viewer->session(); }
-  MeasuringMode& measuring() { return *measuring_; }
   const contact::FingerOutput& finger(std::size_t i = 0) { return session().fingers[i]; }
   std::string lastMessage() {
     return session().messages.all().empty() ? std::string() : session().messages.all().back().text;
@@ -140,7 +138,6 @@ class Stage {
     return e;
   }
   Vec2 at_ = Vec2::Zero();
-  MeasuringMode* measuring_ = nullptr;  ///< the viewer's
 };
 
 }  // namespace palpate::viewer
