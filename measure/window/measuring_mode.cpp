@@ -180,7 +180,7 @@ void MeasuringMode::advance(Session& session, std::span<const body::SkinLandmark
     const fs::path& of_scene = session.scene.ellipses.key_points;
     view_.form.table = of_scene.empty() ? "key_points.csv" : fs::absolute(of_scene).string();
   }
-  begin();
+  startMeasuring();
   take(session);
   view_.working = work_.busy();
   const MeasuringWork::State state = work_.state();
@@ -190,7 +190,7 @@ void MeasuringMode::advance(Session& session, std::span<const body::SkinLandmark
 }
 
 /// What is stale goes to work; marks not before the mouse has let them go.
-void MeasuringMode::begin() {
+void MeasuringMode::startMeasuring() {
   MeasuringView& view = view_;
   if (view.stale == Stale::nothing || (view.stale == Stale::marks && view.drag)) return;
   const bool of_marks = std::exchange(view.stale, Stale::nothing) == Stale::marks && view.measured;

@@ -51,7 +51,7 @@ class MeasuringMode : public Mode {
   void handle(const MeasuringRequest& request, Session& session);
   bool asksFirst(Waiting waiting, Session& session);
   void takeBack(bool undoes, Session& session);
-  void begin();
+  void startMeasuring();
   void take(Session& session);
 
   MeasuringView view_;

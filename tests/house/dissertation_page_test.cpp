@@ -79,7 +79,8 @@ TEST(DissertationPage, ExplainsEveryErratumInItsSection) {
 
 TEST(DissertationPage, NamesOnlyFilesThatExist) {
   const std::string text = page();
-  const std::regex path("`((?:core|host|view|report|cli|solve|measure|teach|lab|dissertation|tests|docs|tools)/[a-z0-9_./]+)`");
+  const std::regex path(
+      "`((?:core|host|view|report|cli|solve|measure|teach|lab|dissertation|tests|docs|tools)/[a-z0-9_./]+)`");
   int named = 0;
   for (std::sregex_iterator match(text.begin(), text.end(), path), end; match != end; ++match) {
     ++named;

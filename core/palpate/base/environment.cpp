@@ -20,6 +20,7 @@ void refuseToWrite(const std::filesystem::path& file, std::string_view) {
   throw Error::inFile(file.string(), kNoFiles);
 }
 
+// NOLINTNEXTLINE(performance-unnecessary-value-param): as Environment::start has it
 StartedWork doneByTheCaller(std::function<void()> work) {
   std::exception_ptr thrown;
   try {

@@ -20,7 +20,7 @@
 
 extern "C" {
 extern const int palpate_host_environment;
-const int palpate_host_environment = 1;
+const int palpate_host_environment = 1;  // NOLINT(readability-identifier-naming): a name for the linker
 }
 
 namespace palpate {
@@ -72,7 +72,7 @@ std::size_t threadsOfTheMachine() { return std::max(1u, std::thread::hardware_co
 
 #endif
 
-[[maybe_unused]] const bool installed = [] {
+[[maybe_unused]] const bool kInstalled = [] {
   Environment host = environment();
   host.read_file = readWholeFile;
   host.write_file = writeWholeFile;

@@ -12,7 +12,7 @@
 
 extern "C" {
 extern const int palpate_host_reads_foreign_meshes;
-const int palpate_host_reads_foreign_meshes = 1;
+const int palpate_host_reads_foreign_meshes = 1;  // NOLINT(readability-identifier-naming): a name for the linker
 }
 
 namespace palpate::mesh {
@@ -50,7 +50,7 @@ TriangleMesh readByAssimp(const MeshFile& file, const std::string& extension) {
   return mesh;
 }
 
-[[maybe_unused]] const bool installed = [] {
+[[maybe_unused]] const bool kInstalled = [] {
   useForeignReader(readByAssimp);
   return true;
 }();
