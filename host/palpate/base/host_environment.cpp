@@ -18,10 +18,12 @@
 #include "palpate/base/error.h"
 #include "palpate/base/output_file.h"
 
+// A name for the linker. NOLINTBEGIN(readability-identifier-naming)
 extern "C" {
 extern const int palpate_host_environment;
-const int palpate_host_environment = 1;  // NOLINT(readability-identifier-naming): a name for the linker
+const int palpate_host_environment = 1;
 }
+// NOLINTEND(readability-identifier-naming)
 
 namespace palpate {
 

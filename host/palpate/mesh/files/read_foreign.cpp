@@ -10,10 +10,12 @@
 #include "palpate/base/error.h"
 #include "palpate/mesh/files/detail/readers.h"
 
+// A name for the linker. NOLINTBEGIN(readability-identifier-naming)
 extern "C" {
 extern const int palpate_host_reads_foreign_meshes;
-const int palpate_host_reads_foreign_meshes = 1;  // NOLINT(readability-identifier-naming): a name for the linker
+const int palpate_host_reads_foreign_meshes = 1;
 }
+// NOLINTEND(readability-identifier-naming)
 
 namespace palpate::mesh {
 
