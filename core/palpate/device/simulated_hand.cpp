@@ -12,7 +12,7 @@ namespace palpate::device {
 namespace {
 
 /// 1 kg = 1e-3 N s^2/mm.
-constexpr double kKilogram = 1e-3;
+constexpr double kHandKilogram = 1e-3;
 
 double rounded(double value, double step) { return step > 0.0 ? std::round(value / step) * step : value; }
 
@@ -48,8 +48,8 @@ SimulatedHand::SimulatedHand(const SimulatedHandSettings& settings) : settings_(
   settings_.steps_per_tick = std::max(40, settings.steps_per_tick);
   step_s_ = settings.tick_s / settings_.steps_per_tick;
   const bool rigid = !(settings.hand.grip_n_per_mm > 0.0);
-  device_mass_ = kKilogram * (settings.device.mass_kg + (rigid ? settings.hand.mass_kg : 0.0));
-  hand_mass_ = rigid ? 0.0 : kKilogram * settings.hand.mass_kg;
+  device_mass_ = kHandKilogram * (settings.device.mass_kg + (rigid ? settings.hand.mass_kg : 0.0));
+  hand_mass_ = rigid ? 0.0 : kHandKilogram * settings.hand.mass_kg;
   device_.place = hand_.place = goal.place = settings.start;
 }
 

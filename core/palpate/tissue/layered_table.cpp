@@ -35,7 +35,7 @@ constexpr NumberRange kIndenterRadius{0.1, 1000.0};
 constexpr NumberRange kTableRadii{0.0, 10'000.0};
 constexpr NumberRange kTableDepths{0.0, 500.0, true};
 constexpr NumberRange kTableForces{0.0, 1e6};
-constexpr NumberRange kFingerForces{0.0, 1e6, true};
+constexpr NumberRange kFingerTableForces{0.0, 1e6, true};
 constexpr NumberRange kContactRadii{0.0, 1000.0};
 /// Of the skin on the axis: a bulge or a dent is no larger.
 constexpr NumberRange kShapeShares{-100.0, 100.0};
@@ -119,7 +119,7 @@ void check(const FingerForces& finger, const std::string& where) {
   }
   for (std::size_t i = 0; i < finger.depths_mm.size(); ++i) {
     demand(kTableDepths, finger.depths_mm[i], where, fmt::format("depths_mm, number {},", i + 1), "mm");
-    demand(kFingerForces, finger.force_n[i], where, fmt::format("force_n, number {},", i + 1), "N");
+    demand(kFingerTableForces, finger.force_n[i], where, fmt::format("force_n, number {},", i + 1), "N");
     if (i == 0) continue;
     if (!(finger.depths_mm[i] > finger.depths_mm[i - 1])) throw Error(where + ": depths_mm must increase");
     if (finger.force_n[i] < finger.force_n[i - 1]) throw Error(where + ": force_n must not fall");
