@@ -47,8 +47,8 @@ function(palpate_public_headers variable house)
   set(${variable} ${headers} PARENT_SCOPE)
 endfunction()
 
-# palpate_add_library(<target> <house> <folder>...): a static library of every source below these folders of a house, lightly
-# optimised and compiled in portions: what is around the engine.
+# palpate_add_library(<target> <house> <folder>...): a static library of every source below these folders of a house, compiled in
+# portions: what is around the engine.
 function(palpate_add_library target house)
   set(sources)
   foreach(folder ${ARGN})
@@ -58,4 +58,11 @@ function(palpate_add_library target house)
   add_library(${target} STATIC ${sources})
   target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:palpate_build>)
   palpate_unite(${target})
+endfunction()
+
+# palpate_add_commands(<target> <house> <folder>...): the same for commands: lightly optimised, with their precompiled header.
+function(palpate_add_commands target house)
+  palpate_add_library(${target} ${house} ${ARGN})
+  target_compile_options(${target} PRIVATE ${PALPATE_LIGHTLY_OPTIMISED})
+  palpate_precompile(${target} palpate_kit)
 endfunction()

@@ -13,7 +13,7 @@ namespace palpate::app {
 using ModeMaker = std::function<std::unique_ptr<viewer::Mode>()>;
 /// Adds the mode's options to `palpate run`.
 using OfferedMode = ModeMaker (*)(CLI::App& command);
-/// Before the commands are added (common/commands.h); the same mode once.
+/// Before the commands are added (cli/kit/commands.h); the same mode once.
 void offerRunMode(OfferedMode mode);
 
 }  // namespace palpate::app

@@ -1,5 +1,5 @@
 // How a panel asks for what it cannot do itself: requests, actions as of a key, words for the user, and notes of what
-// it changed in the scene. Plain data; whoever draws the panels looks at it afterwards.
+// it changed in the scene. Plain data; what draws the panels reads it afterwards.
 //
 //   panel ─► Asks ─► drawGui: actions, words ─► RequestHandler, consequences of changes, once a frame
 #pragma once
