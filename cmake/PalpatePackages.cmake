@@ -3,6 +3,7 @@
 #   libpalpate0      libpalpate.so.0, the C interface
 #   libpalpate-dev   palpate.h, Palpate.cs, the C++ library with its headers and CMake files
 #   palpate          the command
+#   palpate-FAMILY   what it starts: serve, report, measure, teach, study (cli/kit/families.tsv)
 #   python3-palpate  the Python package
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME palpate)
@@ -60,8 +61,20 @@ set(CPACK_DEBIAN_DEV_PACKAGE_SUGGESTS "libepoxy-dev, libimgui-dev, libopencv-dev
 set(CPACK_DEBIAN_DEV_PACKAGE_SHLIBDEPS OFF) # archives need nothing to run
 if(TARGET palpate_command)
   palpate_package(cmd palpate command science
-                  "haptic palpation: feel, see and measure touch on a soft body\nThe command palpate: simulate, run with devices, train, record, measure and study palpation.")
+                  "haptic palpation: feel, see and measure touch on a soft body\nThe command palpate: simulate, run with devices, record and replay palpation.")
 endif()
+macro(palpate_family_package family what) # no scope of its own: palpate_package sets what is read at the end
+  if(TARGET palpate_${family}_family)
+    palpate_package(${family} palpate-${family} ${family} science "${what}")
+    string(TOUPPER ${family} upper)
+    set(CPACK_DEBIAN_${upper}_PACKAGE_DEPENDS "palpate (= ${PROJECT_VERSION})")
+  endif()
+endmacro()
+palpate_family_package(serve "haptic palpation: in browsers\npalpate serve: feel here, with devices, and show it in browsers.")
+palpate_family_package(report "haptic palpation: plots, maps and reports\npalpate recording report, recording plot, body map.")
+palpate_family_package(measure "haptic palpation: measuring from photographs\npalpate measure: how far skin follows a finger, from photographs of dots.")
+palpate_family_package(teach "haptic palpation: training and classes\npalpate train, palpate class: training, examination, their records, a class over the network.")
+palpate_family_package(study "haptic palpation: studies\npalpate study, palpate tissue: the dissertation's numbers and figures, finite elements of tissue, benchmarks.")
 if(TARGET palpate_python)
   # A module fits one minor version of Python.
   execute_process(COMMAND ${Python3_EXECUTABLE} -c "import sys; print(sys.version_info.major, sys.version_info.minor, sys.version_info.minor + 1, sep=';')"

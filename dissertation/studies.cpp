@@ -4,13 +4,20 @@
 
 #include "lab/counters/machine.h"
 #include "palpate/base/stopwatch.h"
+#ifdef PALPATE_HAS_MEASURE
+#include "measure/study/measuring_study.h"
+#endif
+#ifdef PALPATE_HAS_TEACH
+#include "teach/study/training_study.h"
+#endif
 
 namespace palpate::study {
 
 namespace {
 
-std::vector<Study> ownStudies() {
-  return {
+/// The dissertation's, then those of the products that are built.
+std::vector<Study> builtStudies() {
+  std::vector<Study> all = {
       {"tables", "Tables 3.1, 3.2, Appendix B: drawing, untouched, touched against triangles rendered", studyTables},
       {"hdb", "Size of the haptic detecting box: triangles, time, and when a fast finger gets through", studyHdb},
       {"assignment", "Triangles that a plane crosses, cases A, B, C: count, overlap, misses, time", studyAssignment},
@@ -30,18 +37,19 @@ std::vector<Study> ownStudies() {
        studyStability, false, true},
       {"relaxation", "Skin that gives way in time: the force of a press that is held, its work, the dent that stays",
        studyRelaxation}};
-}
-
-std::vector<Study> ownAndOffered() {
-  std::vector<Study> all = ownStudies();
-  all.insert(all.end(), offeredStudies().begin(), offeredStudies().end());
+#ifdef PALPATE_HAS_MEASURE
+  all.push_back(measuringStudy());
+#endif
+#ifdef PALPATE_HAS_TEACH
+  all.push_back(trainingStudy());
+#endif
   return all;
 }
 
 }  // namespace
 
 const std::vector<Study>& studies() {
-  static const std::vector<Study> all = ownAndOffered();
+  static const std::vector<Study> all = builtStudies();
   return all;
 }
 

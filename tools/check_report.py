@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Computes every number of a training report again from the exported tables, and says where they differ.
 
-  palpate results export FILE.results --csv TABLES
-  palpate report FILE.results --out page.html            (or: palpate report FILE.results --json > report.json)
+  palpate train results export FILE.results --csv TABLES
+  palpate train results report FILE.results --out page.html            (or: palpate train results report FILE.results --json > report.json)
   tools/check_report.py page.html TABLES
 
 Plain Python, no packages, and no code of palpate's: counting, quantiles, Wilson's intervals, the posterior of each

@@ -143,7 +143,7 @@ int32_t palpate_session_replay(palpate_session* session, const char* folder, pal
                                palpate_error* error) noexcept {
   return answered(error, [&] {
     require(session != nullptr, "the session is null");
-    require(c_api::isUsable(replay), "replay is null, or its size is not set");
+    require(c_api::isUsable(replay), "recording replay is null, or its size is not set");
     engine::ReplaySettings settings;
     if (folder != nullptr) settings.folder = c_api::pathOf(folder);
     c_api::toCaller(c_api::plain(engine::replay(session->reader, settings)), replay);

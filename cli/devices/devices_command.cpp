@@ -93,6 +93,7 @@ void runDevices(const DevicesOptions& options) {
 
 void addDevicesCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand("devices", "Which devices can be held, and why the others cannot");
+  command->group("Touch");
   const auto options = std::make_shared<DevicesOptions>();
   addDeviceOption(*command, options->names, "Ask for this one only; exit code 1 when it is not there");
   command->add_flag("--doctor", options->doctor,

@@ -2,6 +2,7 @@
 // every error.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -99,16 +100,11 @@ std::string withPresentName(const std::string& word) {
   return word;
 }
 
-/// As CLI11 takes them: the last one first.
-std::vector<std::string> wordsOf(int argc, char** argv) {
-  std::vector<std::string> words;
-  for (int i = argc - 1; i > 0; --i) words.push_back(withPresentName(argv[i]));
-  return words;
-}
-
-int parse(CLI::App& app, int argc, char** argv) {
+int parse(CLI::App& app, const std::vector<std::string>& words) {
+  std::vector<std::string> last_first;  // as CLI11 takes them
+  for (auto word = words.rbegin(); word != words.rend(); ++word) last_first.push_back(withPresentName(*word));
   try {
-    app.parse(wordsOf(argc, argv));
+    app.parse(last_first);
   } catch (const CLI::RuntimeError& answer) {  // a command's "no"
     return answer.get_exit_code();
   } catch (const CLI::ParseError& error) {
@@ -128,9 +124,9 @@ int flushed(int exit_code) {
   return kWrongInput;
 }
 
-int runToTheEnd(CLI::App& app, int argc, char** argv) {
+int runToTheEnd(CLI::App& app, const std::vector<std::string>& words) {
   try {
-    return flushed(parse(app, argc, argv));
+    return flushed(parse(app, words));
   } catch (const Ended&) {
     say(fmt::format("palpate: ended by {}\n", nameOfSignal(endAskedBy())));
   } catch (const std::system_error& error) {  // fmt's, when it cannot print
@@ -142,11 +138,72 @@ int runToTheEnd(CLI::App& app, int argc, char** argv) {
   return kWrongInput;
 }
 
+// --- commands that stood at the top in 0.2
+
+struct MovedCommand {
+  std::string_view before, now;
+};
+constexpr std::array kMovedCommands = {
+    MovedCommand{"annotate", "recording annotate"}, MovedCommand{"bench", "study bench"},
+    MovedCommand{"bundle", "recording bundle"},     MovedCommand{"export", "recording export"},
+    MovedCommand{"fit", "tissue fit"},              MovedCommand{"fit-body", "body fit"},
+    MovedCommand{"hunt", "study hunt"},             MovedCommand{"info", "body info"},
+    MovedCommand{"join", "recording join"},         MovedCommand{"map", "body map"},
+    MovedCommand{"model", "body make"},             MovedCommand{"partition", "study partition"},
+    MovedCommand{"plot", "recording plot"},         MovedCommand{"realism", "tissue realism"},
+    MovedCommand{"record", "recording new"},        MovedCommand{"repair", "body repair"},
+    MovedCommand{"replay", "recording replay"},     MovedCommand{"report", "recording report"},
+    MovedCommand{"results", "train results"},       MovedCommand{"sessions", "recording list"},
+    MovedCommand{"trim", "recording trim"},
+};
+
+/// Of recordings and of records of training there was one command.
+std::string_view presentCommand(const MovedCommand& moved, const std::vector<std::string>& words) {
+  const auto of_training = [](const std::string& word) {
+    return word.ends_with(".results") || word.starts_with("postgres");
+  };
+  const bool training = moved.before == "report" && std::ranges::any_of(words, of_training);
+  return training ? "train results report" : moved.now;
+}
+
 }  // namespace
 
-int runCommandLine(CLI::App& app, int argc, char** argv) {
+std::vector<std::string> wordsOf(int argc, char** argv) { return {argv + std::min(argc, 1), argv + argc}; }
+
+std::vector<std::string> withPresentCommand(std::vector<std::string> words) {
+  const auto moved = words.empty() ? kMovedCommands.end()
+                                   : std::ranges::find(kMovedCommands, words.front(), &MovedCommand::before);
+  if (moved == kMovedCommands.end()) return words;
+  std::string_view now = presentCommand(*moved, words);
+  say(fmt::format("palpate: note: `palpate {}` is called `palpate {}` now; the old name will go\n", moved->before, now));
+  words.erase(words.begin());
+  std::size_t place = 0;
+  for (std::size_t space = now.find(' '); space != std::string_view::npos; space = now.find(' ')) {
+    words.insert(words.begin() + static_cast<std::ptrdiff_t>(place++), std::string(now.substr(0, space)));
+    now.remove_prefix(space + 1);
+  }
+  words.insert(words.begin() + static_cast<std::ptrdiff_t>(place), std::string(now));
+  return words;
+}
+
+CLI::App& commandGroup(CLI::App& app, const std::string& name) {
+  struct Group {
+    std::string_view name, what;
+  };
+  static constexpr std::array kGroups = {
+      Group{"body", "A body: made, fitted to a scan, repaired, looked into, mapped"},
+      Group{"recording", "Recorded sessions: made, listed, replayed, cut, reported, shared"},
+  };
+  for (CLI::App* known : app.get_subcommands([&](const CLI::App* sub) { return sub->get_name() == name; })) return *known;
+  const auto group = std::ranges::find(kGroups, name, &Group::name);
+  CLI::App& added = *app.add_subcommand(name, std::string(group->what));
+  added.require_subcommand(1);
+  return added;
+}
+
+int runCommandLine(CLI::App& app, const std::vector<std::string>& words) {
   listenForSignals();
-  const int exit_code = runToTheEnd(app, argc, argv);
+  const int exit_code = runToTheEnd(app, words);
   return endAskedBy() == 0 ? exit_code : exitCodeOf(endAskedBy());
 }
 

@@ -1,80 +1,105 @@
-// The command line of `palpate` (and of palpate_peers): how it is run, and its subcommands. Each of these lives in a
-// file of its own, adds itself to the command line and runs when chosen.
+// The command line of `palpate`, of the programs that it starts (families.h) and of palpate_peers: how it is run, and the
+// subcommands. Each of these lives in a file of its own, adds itself to the command line or to its group, and runs when
+// chosen.
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
 
 namespace palpate::app {
+
+/// The words behind the program's name.
+std::vector<std::string> wordsOf(int argc, char** argv);
+
+/// Commands that were called otherwise in the last release get their present names, and it is said.
+std::vector<std::string> withPresentCommand(std::vector<std::string> words);
 
 /// Parses a command line, runs what was chosen, and turns every error into one line and an exit code.
 /// 0: done; 1: the command ran and its answer is "no" (a check that failed); 2: wrong input or usage, said in one line
 /// on the standard error, also when the standard output cannot be written; 128 and the signal's number when a signal
 /// asked for the end (interruption.h).
-int runCommandLine(CLI::App& app, int argc, char** argv);
+int runCommandLine(CLI::App& app, const std::vector<std::string>& words);
 
-/// Studies of the products that are built apart, for `palpate study`: before its commands are added.
-void offerMeasuringStudies();
-void offerTrainingStudies();
-/// And of modes for the window of `palpate run`.
-void offerMeasuringMode();
+/// `palpate body`, `palpate recording`: made by whoever asks first.
+CLI::App& commandGroup(CLI::App& app, const std::string& name);
 
-/// All subcommands of `palpate`.
-void addAllCommands(CLI::App& app);
+// The commands of each program.
 
-void addAnnotateCommand(CLI::App& app);
-void addBenchCommand(CLI::App& app);
-// `parent` is the bench command.
-void addBenchContactCommand(CLI::App& parent);
-void addBenchDeformCommand(CLI::App& parent);
-void addBenchFrameCommand(CLI::App& parent);
-void addBenchPartitionCommand(CLI::App& parent);
-void addBundleCommand(CLI::App& app);
-void addClassCommand(CLI::App& app);
-void addDevicesCommand(CLI::App& app);
-void addExportCommand(CLI::App& app);
-void addFitBodyCommand(CLI::App& app);
-void addFitCommand(CLI::App& app);
-// `parent` is the fit command.
-void addFitForceCommand(CLI::App& parent);
-void addFitProfileCommand(CLI::App& parent);
-void addHuntCommand(CLI::App& app);
-void addInfoCommand(CLI::App& app);
-void addJoinCommand(CLI::App& app);
-void addMapCommand(CLI::App& app);
-void addMeasureCommand(CLI::App& app);
-// `parent` is the measure command.
-void addMeasureAverageCommand(CLI::App& parent);
-void addMeasureDotsCommand(CLI::App& parent);
-void addMeasureSessionCommand(CLI::App& parent);
-void addMeasureStencilCommand(CLI::App& parent);
-void addMeasureStiffnessCommand(CLI::App& parent);
-void addMeasureSynthesizeCommand(CLI::App& parent);
-void addModelCommand(CLI::App& app);
-void addPartitionCommand(CLI::App& app);
-void addPlotCommand(CLI::App& app);
-void addSimulateCommand(CLI::App& app);
-void addRealismCommand(CLI::App& app);
-void addRecordCommand(CLI::App& app);
-void addRenderCommand(CLI::App& app);
-void addRepairCommand(CLI::App& app);
-void addReplayCommand(CLI::App& app);
-void addReportCommand(CLI::App& app);
-void addResultsCommand(CLI::App& app);
-void addServeCommand(CLI::App& app);
-void addSessionsCommand(CLI::App& app);
-void addTrainCommand(CLI::App& app);
-void addTrimCommand(CLI::App& app);
-void addStudyCommand(CLI::App& app);
-// `parent` is the study command.
-void addStudyPages(CLI::App& parent);
-/// `palpate study all`.
-void addStudyAll(CLI::App& parent);
+/// `palpate` itself: what touches, draws and records.
+void addOwnCommands(CLI::App& app);
+void addServeFamily(CLI::App& app);
+void addReportFamily(CLI::App& app);
+/// With `run`, whose window measures photographs too.
+void addMeasureFamily(CLI::App& app);
+void addTeachFamily(CLI::App& app);
+void addStudyFamily(CLI::App& app);
+
+// Of the top.
 void addRunCommand(CLI::App& app);
+void addSimulateCommand(CLI::App& app);
+void addRenderCommand(CLI::App& app);
+void addDevicesCommand(CLI::App& app);
+void addMeasureCommand(CLI::App& app);
+void addTrainCommand(CLI::App& app);
+void addClassCommand(CLI::App& app);
+void addStudyCommand(CLI::App& app);
 void addTissueCommand(CLI::App& app);
-// `parent` is the tissue command.
-void addTissueLibraryCommand(CLI::App& parent);
-void addTissueModuliCommand(CLI::App& parent);
-void addTissueShowCommand(CLI::App& parent);
-void addTissueSolveCommand(CLI::App& parent);
+
+// Of `palpate body`. What is of bodies and recordings stands in both.
+void addModelCommand(CLI::App& body);
+void addFitBodyCommand(CLI::App& body);
+void addRepairCommand(CLI::App& group);
+void addInfoCommand(CLI::App& group);
+void addMapCommand(CLI::App& body);
+
+// Of `palpate recording`.
+void addRecordCommand(CLI::App& recording);
+void addSessionsCommand(CLI::App& recording);
+void addReplayCommand(CLI::App& recording);
+void addTrimCommand(CLI::App& recording);
+void addJoinCommand(CLI::App& recording);
+void addAnnotateCommand(CLI::App& recording);
+void addBundleCommand(CLI::App& recording);
+void addExportCommand(CLI::App& recording);
+void addPlotCommand(CLI::App& recording);
+void addReportCommand(CLI::App& recording);
+
+// Of `palpate measure`.
+void addMeasureAverageCommand(CLI::App& measure);
+void addMeasureDotsCommand(CLI::App& measure);
+void addMeasureSessionCommand(CLI::App& measure);
+void addMeasureStencilCommand(CLI::App& measure);
+void addMeasureStiffnessCommand(CLI::App& measure);
+void addMeasureSynthesizeCommand(CLI::App& measure);
+
+// Of `palpate train`.
+void addResultsCommand(CLI::App& train);
+
+// Of `palpate study`.
+void addPartitionCommand(CLI::App& study);
+void addHuntCommand(CLI::App& study);
+void addBenchCommand(CLI::App& study);
+void addBenchContactCommand(CLI::App& bench);
+void addBenchDeformCommand(CLI::App& bench);
+void addBenchFrameCommand(CLI::App& bench);
+void addBenchLoadCommand(CLI::App& bench);
+void addBenchPartitionCommand(CLI::App& bench);
+void addBenchServoCommand(CLI::App& bench);
+void addBenchSessionCommand(CLI::App& bench);
+/// A page each.
+void addStudyPages(CLI::App& study);
+/// `palpate study all`.
+void addStudyAll(CLI::App& study);
+
+// Of `palpate tissue`.
+void addTissueLibraryCommand(CLI::App& tissue);
+void addTissueModuliCommand(CLI::App& tissue);
+void addTissueShowCommand(CLI::App& tissue);
+void addTissueSolveCommand(CLI::App& tissue);
+void addRealismCommand(CLI::App& tissue);
+void addFitCommand(CLI::App& tissue);
+void addFitForceCommand(CLI::App& fit);
+void addFitProfileCommand(CLI::App& fit);
 
 }  // namespace palpate::app

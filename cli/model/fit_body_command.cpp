@@ -1,4 +1,4 @@
-// `palpate fit-body SCAN -o OUT.toml`: finds spine, landmarks and bones of a scanned person and writes a scene of it.
+// `palpate body fit SCAN -o OUT.toml`: finds spine, landmarks and bones of a scanned person and writes a scene of it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -217,10 +217,10 @@ void runFitBody(const FitBodyArguments& arguments) {
 
 }  // namespace
 
-void addFitBodyCommand(CLI::App& app) {
+void addFitBodyCommand(CLI::App& body) {
   auto arguments = std::make_shared<FitBodyArguments>();
-  CLI::App& command = *app.add_subcommand(
-      "fit-body", "Find spine, landmarks and bones of a scanned back or trunk, and write a scene of it");
+  CLI::App& command = *body.add_subcommand(
+      "fit", "Find spine, landmarks and bones of a scanned back or trunk, and write a scene of it");
   addMeshArguments(command, arguments->scan);
   command
       .add_option("--at", arguments->at,

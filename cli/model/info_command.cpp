@@ -1,4 +1,4 @@
-// `palpate info MESH`: what a mesh file holds and what is wrong with it.
+// `palpate body info MESH`: what a mesh file holds and what is wrong with it.
 #include <fmt/format.h>
 
 #include <array>
@@ -207,9 +207,9 @@ void runInfo(const InfoArguments& arguments) {
 
 }  // namespace
 
-void addInfoCommand(CLI::App& app) {
+void addInfoCommand(CLI::App& group) {
   auto arguments = std::make_shared<InfoArguments>();
-  CLI::App& command = *app.add_subcommand(
+  CLI::App& command = *group.add_subcommand(
       "info", "Report what a mesh file holds and what is wrong with it, or a recorded table of forces or session");
   addMeshArguments(command, arguments->mesh);
   command.add_flag("--no-self-intersections", arguments->quick,

@@ -1,4 +1,4 @@
-// `palpate model trunk|back|torso|bones|hand`: writes a part of the built-in human to a mesh file.
+// `palpate body make trunk|back|torso|bones|hand`: writes a part of the built-in human to a mesh file.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -331,8 +331,8 @@ void addHand(CLI::App& model) {
 
 }  // namespace
 
-void addModelCommand(CLI::App& app) {
-  CLI::App* model = app.add_subcommand("model", "Write a part of the built-in human to a mesh file (mm)");
+void addModelCommand(CLI::App& body) {
+  CLI::App* model = body.add_subcommand("make", "Write a part of the built-in human to a mesh file (mm)");
   model->require_subcommand(1);
   addTrunk(*model);
   addBack(*model);

@@ -1,4 +1,4 @@
-// `palpate repair MESH -o OUT`: makes a mesh fit to be felt and says what was done. Of a session file what can still be
+// `palpate body repair MESH -o OUT`: makes a mesh fit to be felt and says what was done. Of a session file what can still be
 // read (session/session_salvage.h).
 #include <fmt/format.h>
 
@@ -138,10 +138,10 @@ void refuseMeshOptions(const CLI::App& command) {
 
 }  // namespace
 
-void addRepairCommand(CLI::App& app) {
+void addRepairCommand(CLI::App& group) {
   auto arguments = std::make_shared<RepairArguments>();
   CLI::App& command =
-      *app.add_subcommand("repair", "Make a mesh fit to be felt, or salvage a session, and say what was done");
+      *group.add_subcommand("repair", "Make a mesh fit to be felt, or salvage a session, and say what was done");
   addMeshArguments(command, arguments->mesh);
   command
       .add_option("-o,--out", arguments->output,

@@ -1,4 +1,4 @@
-// What `palpate fit-body` is given: a scan in millimetres whatever its unit, and landmarks that somebody named on it.
+// What `palpate body fit` is given: a scan in millimetres whatever its unit, and landmarks that somebody named on it.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// `palpate info` on what is no mesh: a recorded table of forces, and a file that was not finished.
+// `palpate body info` on what is no mesh: a recorded table of forces, and a file that was not finished.
 #pragma once
 
 #include <filesystem>

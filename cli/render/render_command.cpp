@@ -384,6 +384,7 @@ void drawAndTell(const RenderOptions& options, bool tells) {
 void addRenderCommand(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("render", "Draw pictures of a scene or of a recorded session without a window");
+  command->group("Touch");
   const auto options = std::make_shared<RenderOptions>();
   addInputOptions(*command, options->scene);
   addSecondsOption(*command, options->scene);

@@ -51,7 +51,7 @@ void addAccess(CLI::App& command, serving::ServeOptions& options) {
 
 }  // namespace
 
-void addServeCommand(CLI::App& app) {
+void addServeFamily(CLI::App& app) {
   const auto options = std::make_shared<serving::ServeOptions>();
   CLI::App& command = *app.add_subcommand(
       "serve", "Feel here, with devices, and show it in browsers: the skin is deformed there (docs/howto/serve.md)");

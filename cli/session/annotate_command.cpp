@@ -1,4 +1,4 @@
-// `palpate annotate`: what somebody wants to say about a session afterwards: notes, tags, marks, pictures, sound notes.
+// `palpate recording annotate`: what somebody wants to say about a session afterwards: notes, tags, marks, pictures, sound notes.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -105,10 +105,10 @@ void runAnnotate(const AnnotateArguments& arguments) {
 
 }  // namespace
 
-void addAnnotateCommand(CLI::App& app) {
+void addAnnotateCommand(CLI::App& recording) {
   const auto arguments = std::make_shared<AnnotateArguments>();
   AnnotateArguments& a = *arguments;
-  CLI::App& command = *app.add_subcommand(
+  CLI::App& command = *recording.add_subcommand(
       "annotate", "Write a recorded session with notes, tags, marks, pictures and sound notes of your own");
   command.add_option("SESSION", a.file, "Session file")->required();
   command.add_option("--notes", a.notes, "What it is about, in place of its notes");

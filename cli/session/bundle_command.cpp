@@ -1,4 +1,4 @@
-// `palpate bundle`: a recorded session with the files that its scene names, in one file to give away.
+// `palpate recording bundle`: a recorded session with the files that its scene names, in one file to give away.
 #include <fmt/format.h>
 #include <pwd.h>
 #include <unistd.h>
@@ -111,7 +111,7 @@ void print(const BundleArguments& arguments, const engine::BundleReport& report)
     printReadable(jsonText(json));
     return;
   }
-  std::string text = fmt::format("{}: {} samples, {} files that the scene names; `palpate replay` needs nothing else\n",
+  std::string text = fmt::format("{}: {} samples, {} files that the scene names; `palpate recording replay` needs nothing else\n",
                                  arguments.out.string(), report.samples, report.files.size());
   for (const auto& file : report.files) text += fmt::format("  file  {}, {} bytes\n", file.name, file.bytes);
   for (const std::string& note : report.notes) text += "  note  " + note + "\n";
@@ -137,10 +137,10 @@ void runBundle(const BundleArguments& arguments) {
 
 }  // namespace
 
-void addBundleCommand(CLI::App& app) {
+void addBundleCommand(CLI::App& recording) {
   const auto arguments = std::make_shared<BundleArguments>();
   BundleArguments& a = *arguments;
-  CLI::App& command = *app.add_subcommand(
+  CLI::App& command = *recording.add_subcommand(
       "bundle", "Write a recorded session with all files that its scene names, and without names of people or folders");
   command.add_option("SESSION", a.file, "Session file")->required();
   command.add_option("-o,--out", a.out, "Session file to write")->required();

@@ -1,4 +1,4 @@
-// `palpate export`: a session as files that other programs read.
+// `palpate recording export`: a session as files that other programs read.
 #include <fmt/format.h>
 
 #include <memory>
@@ -142,10 +142,10 @@ void runExport(const ExportArguments& arguments) {
 
 }  // namespace
 
-void addExportCommand(CLI::App& app) {
+void addExportCommand(CLI::App& recording) {
   const auto arguments = std::make_shared<ExportArguments>();
   ExportArguments& a = *arguments;
-  CLI::App& command = *app.add_subcommand("export", "Write a recorded session as files that other programs read");
+  CLI::App& command = *recording.add_subcommand("export", "Write a recorded session as files that other programs read");
   command.add_option("SESSION", a.file, "Session file")->required();
   command.add_option("--csv", a.csv, "Every tick, as forces.csv has it");
   command.add_flag("--raw", a.raw,

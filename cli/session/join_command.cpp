@@ -1,4 +1,4 @@
-// `palpate join`: recorded sessions one after another in one file.
+// `palpate recording join`: recorded sessions one after another in one file.
 #include <fmt/format.h>
 
 #include <memory>
@@ -44,10 +44,10 @@ void runJoin(const JoinArguments& arguments) {
 
 }  // namespace
 
-void addJoinCommand(CLI::App& app) {
+void addJoinCommand(CLI::App& recording) {
   const auto arguments = std::make_shared<JoinArguments>();
   JoinArguments& a = *arguments;
-  CLI::App& command = *app.add_subcommand("join", "Write recorded sessions of the same fingers one after another");
+  CLI::App& command = *recording.add_subcommand("join", "Write recorded sessions of the same fingers one after another");
   command.add_option("SESSION", a.files, "Session files, in their order")->required()->expected(2, 1000);
   command.add_option("-o,--out", a.out, "Session file to write")->required();
   command.add_flag("--json", a.json, "Print one JSON object");

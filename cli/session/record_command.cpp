@@ -1,4 +1,4 @@
-// `palpate record`: palpates with devices, without a window, until somebody ends it; every tick goes into a session.
+// `palpate recording new`: palpates with devices, without a window, until somebody ends it; every tick goes into a session.
 #include <fmt/format.h>
 #include <poll.h>
 #include <unistd.h>
@@ -184,11 +184,11 @@ void runRecord(const RecordArguments& arguments) {
 
 }  // namespace
 
-void addRecordCommand(CLI::App& app) {
+void addRecordCommand(CLI::App& recording) {
   const auto arguments = std::make_shared<RecordArguments>();
   RecordArguments& a = *arguments;
-  CLI::App& command = *app.add_subcommand(
-      "record", "Palpate with devices in real time, without a window, and record a session until Ctrl+C");
+  CLI::App& command = *recording.add_subcommand(
+      "new", "Palpate with devices in real time, without a window, and record a session until Ctrl+C");
   addInputOptions(command, a.input);
   addNumber(command, "--seconds", a.input.seconds, above(0.0, 864000.0, "s"),
             "How long to record; left out: until Ctrl+C, without a device until the last path has ended");

@@ -1,4 +1,4 @@
-// `palpate replay`: a session's poses through its scene again, compared with what was felt, bit for bit.
+// `palpate recording replay`: a session's poses through its scene again, compared with what was felt, bit for bit.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -132,10 +132,10 @@ void runReplay(const ReplayArguments& arguments) {
 
 }  // namespace
 
-void addReplayCommand(CLI::App& app) {
+void addReplayCommand(CLI::App& recording) {
   const auto arguments = std::make_shared<ReplayArguments>();
   ReplayArguments& a = *arguments;
-  CLI::App& command = *app.add_subcommand(
+  CLI::App& command = *recording.add_subcommand(
       "replay", "Feel a recorded session again, through its own scene, and compare every bit with what was felt");
   command.add_option("SESSION", a.file, "Session file")->required();
   command.add_flag("--verify", a.verify, "Exit code 1 unless every bit is the same");

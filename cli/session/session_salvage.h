@@ -1,4 +1,4 @@
-// What `palpate repair` does with a session: salvages it and says what was lost.
+// What `palpate body repair` does with a session: salvages it and says what was lost.
 #pragma once
 
 #include <filesystem>

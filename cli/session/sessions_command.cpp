@@ -1,4 +1,4 @@
-// `palpate sessions`: which session files are in a folder, and what is in them.
+// `palpate recording list`: which session files are in a folder, and what is in them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -59,9 +59,9 @@ void runSessions(const SessionsArguments& arguments) {
 
 }  // namespace
 
-void addSessionsCommand(CLI::App& app) {
+void addSessionsCommand(CLI::App& recording) {
   const auto arguments = std::make_shared<SessionsArguments>();
-  CLI::App& command = *app.add_subcommand("sessions", "List the recorded sessions of a folder and what is in them");
+  CLI::App& command = *recording.add_subcommand("list", "List the recorded sessions of a folder and what is in them");
   command.add_option("FOLDER", arguments->folder, "With all folders in it")->capture_default_str();
   command.add_flag("--window", arguments->window, "Those that the window recorded by itself, wherever they are");
   command.add_flag("--json", arguments->json, "Print a list of objects");

@@ -1,4 +1,4 @@
-// `palpate trim`: a part of a recorded session as a session.
+// `palpate recording trim`: a part of a recorded session as a session.
 #include <fmt/format.h>
 
 #include <memory>
@@ -67,10 +67,10 @@ void runTrim(const TrimArguments& arguments) {
 
 }  // namespace
 
-void addTrimCommand(CLI::App& app) {
+void addTrimCommand(CLI::App& recording) {
   const auto arguments = std::make_shared<TrimArguments>();
   TrimArguments& a = *arguments;
-  CLI::App& command = *app.add_subcommand("trim", "Write a part of a recorded session as a session");
+  CLI::App& command = *recording.add_subcommand("trim", "Write a part of a recorded session as a session");
   command.add_option("SESSION", a.file, "Session file")->required();
   addTimeSpan(command, a.span);
   command.add_option("-o,--out", a.out, "Session file to write")->required();

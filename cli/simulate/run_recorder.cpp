@@ -69,7 +69,6 @@ RunRecorder::RunRecorder(const scene::World& world, const device::FingerPaths& p
       folder_(folder),
       statistics_(world.scene.fingers.size(), world.skin.triangles.size()),
       times_(servo::forcesSettings(world, paths)) {
-  for (const scene::Finger& finger : world.scene.fingers) strips_.emplace_back(finger.name);
   const scene::OutputSettings& output = world.scene.output;
   if (output.forces) {
     forces_.emplace(folder / "forces.csv", times_);
@@ -105,8 +104,6 @@ void RunRecorder::add(const trace::Sample& sample) {
   if (forces_) forces_->add(sample);
   if (session_) session_->add(sample);
   statistics_.add(sample);
-  const double time_s = times_.start_s + static_cast<double>(sample.tick) / times_.ticks_per_s;
-  strips_[sample.finger].add(feltIn(sample, time_s));
   frame_.push_back(sample);
   if (frame_.size() < world_.scene.fingers.size()) return;
   addFrame();

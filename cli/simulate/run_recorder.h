@@ -1,5 +1,5 @@
-// Listens to a run, headless or paced, and keeps what is to be kept: the table of forces, the statistics, what every
-// finger felt over time, and the moments whose surfaces are written afterwards.
+// Listens to a run, headless or paced, and keeps what is to be kept: the table of forces, the statistics, and the moments
+// whose surfaces are written afterwards.
 #pragma once
 
 #include <array>
@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/plot/run_strip.h"
 #include "palpate/base/hash.h"
 #include "palpate/device/finger_path.h"
 #include "palpate/scene/world.h"
@@ -77,8 +76,6 @@ class RunRecorder {
   void finishSession(std::string_view ended_by, std::uint64_t dropped);
 
   const RunStatistics& statistics() const { return statistics_; }
-  /// One a finger of the scene.
-  const std::vector<RunStrip>& strips() const { return strips_; }
   /// Names of the files written, in the folder.
   const std::vector<std::string>& files() const { return files_; }
   /// The frame in which the fingers pressed deepest, and the one in which they pulled the skin farthest; empty when
@@ -105,7 +102,6 @@ class RunRecorder {
   std::optional<trace::SessionWriter> session_;
   RunStatistics statistics_;
   trace::ForcesCsvSettings times_;
-  std::vector<RunStrip> strips_;
   std::vector<Moment> moments_;
   Moment deepest_;
   double deepest_mm_ = 0.0;

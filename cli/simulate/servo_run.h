@@ -1,4 +1,4 @@
-// Times the servo loop against the clock: the numbers of `palpate bench servo`.
+// Times the servo loop against the clock: the numbers of `palpate study bench servo`.
 #pragma once
 
 #include <string>

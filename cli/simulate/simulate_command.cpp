@@ -44,7 +44,7 @@ void addOutputOptions(CLI::App& command, SimulateOptions& options) {
   command.add_flag("--realtime", options.realtime,
                    "Pace the servo loop by the clock, deform at 60 Hz beside it, and report how late it woke");
   command.add_flag("--session", options.session,
-                   "Leave run.session, every tick to the bit, for `palpate replay` (docs/reference/sessions.md)");
+                   "Leave run.session, every tick to the bit, for `palpate recording replay` (docs/reference/sessions.md)");
   command.add_flag("--pictures,!--no-pictures", options.pictures, "Leave pictures.png, what it looked like (default)");
   command.add_flag("--plot,!--no-plot", options.plot, "Leave forces.png, force, depth and lag over time (default)");
   command.add_flag("--json", options.json, "Print the report as JSON instead of the summary");
@@ -54,6 +54,7 @@ void addOutputOptions(CLI::App& command, SimulateOptions& options) {
 
 void addSimulateCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand("simulate", "Palpate a body without a device and write what was felt");
+  command->group("Touch");
   const auto options = std::make_shared<SimulateOptions>();
   const auto keys = std::make_shared<bool>(false);
   addInputOptions(*command, *options);

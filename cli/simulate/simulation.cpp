@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "cli/kit/device_option.h"
+#include "cli/kit/families.h"
 #include "cli/kit/interruption.h"
-#include "cli/plot/forces_plot.h"
 #include "cli/render/contact_sheet.h"
 #include "cli/simulate/realtime_run.h"
 #include "cli/simulate/run_recorder.h"
@@ -24,8 +27,8 @@ namespace {
 
 constexpr const char* kAutomaticFile = "trajectory_automatic.csv";
 constexpr const char* kPicturesFile = "pictures.png";
+constexpr const char* kForcesFile = "forces.csv";
 constexpr const char* kPlotFile = "forces.png";
-constexpr double kPlotScale = 1.5;  ///< sharp on today's screens, and a third cheaper than the figures of documents
 
 template <class T>
 void append(std::vector<T>& to, const std::vector<T>& from) {
@@ -165,13 +168,18 @@ std::optional<engine::BoneCover> coverOf(const scene::World& world, const servo:
   return engine::BoneCoverMeter(world).of(skin.surface());
 }
 
-/// `palpate plot` draws the same from forces.csv.
-void leavePlot(const RunRecorder& recorder, SimulationResult& result) {
-  const auto ran = [](const RunStrip& strip) { return !strip.steps().empty(); };
-  if (!std::ranges::all_of(recorder.strips(), ran)) return;  // stopped before the first tick
-  const ForcesPlot plot{.title = result.world->scene.title};
-  figures::writePng(forcesFigure(plot, recorder.strips()), result.folder / kPlotFile, kPlotScale);
-  result.files.emplace_back(kPlotFile);
+/// `palpate recording plot` draws it: where its package is not installed, the table is there.
+void leavePlot(SimulationResult& result) {
+  const bool has_table = std::ranges::find(result.files, kForcesFile) != result.files.end();
+  if (!has_table || result.loop.ticks == 0) return;
+  std::vector<std::string> words = {"recording", "plot", (result.folder / kForcesFile).string(), "--out",
+                                    (result.folder / kPlotFile).string()};
+  if (const std::string& title = result.world->scene.title; !title.empty()) words.push_back("--title=" + title);
+  if (runFamily("report", words)) {
+    result.files.emplace_back(kPlotFile);
+  } else {
+    result.notes.push_back(fmt::format("no {}: palpate-report, which draws it, is not installed, or failed", kPlotFile));
+  }
 }
 
 }  // namespace
@@ -202,7 +210,7 @@ SimulationResult simulate(const scene::Scene& scene, const SimulationSettings& s
   if (world.hdb) result.notes.push_back(scene::describe(*world.hdb));
   append(result.notes, recorder.notes());
   noteUntouched(world, recorder.statistics(), result.notes);
-  if (settings.plot) leavePlot(recorder, result);
+  if (settings.plot) leavePlot(result);
   if (settings.pictures) leavePictures(recorder, result, progress);
   result.ended_by = endAskedBy();
   return result;

@@ -260,6 +260,14 @@ void addStudyCommand(CLI::App& app) {
   addErrata(study);
   addStudyPages(study);
   addStudyAll(study);
+  addPartitionCommand(study);
+  addBenchCommand(study);
+  addHuntCommand(study);
+}
+
+void addStudyFamily(CLI::App& app) {
+  addStudyCommand(app);
+  addTissueCommand(app);
 }
 
 }  // namespace palpate::app

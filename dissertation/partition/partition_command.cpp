@@ -1,4 +1,4 @@
-// `palpate partition MESH`: builds the dissertation's partition of a mesh, says what it looks like, and asks it for the
+// `palpate study partition MESH`: builds the dissertation's partition of a mesh, says what it looks like, and asks it for the
 // triangles in a haptic detecting box.
 #include <fmt/format.h>
 
@@ -182,10 +182,10 @@ void addBoxOptions(CLI::App& command, PartitionArguments& arguments) {
 
 }  // namespace
 
-void addPartitionCommand(CLI::App& app) {
+void addPartitionCommand(CLI::App& study) {
   auto arguments = std::make_shared<PartitionArguments>();
   CLI::App& command =
-      *app.add_subcommand("partition", "Divide a mesh by a BSP tree or an octree and ask for the triangles in a box");
+      *study.add_subcommand("partition", "Divide a mesh by a BSP tree or an octree and ask for the triangles in a box");
   addMeshArguments(command, arguments->mesh);
   command.get_option("mesh")->description(kMeshNamesHelp);
   addPartitionSettings(command, arguments->settings);

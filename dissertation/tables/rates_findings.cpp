@@ -159,7 +159,7 @@ std::string graphicFinding(const RatesMeasurement& found) {
   return fmt::format(
       "\"The haptic rendering rate is almost half of the graphic\" (Table 3.1: {} to {}): with {} as the renderer it "
       "is "
-      "{} to {}; {}. Our own pictures are another matter: `palpate bench frame`.",
+      "{} to {}; {}. Our own pictures are another matter: `palpate study bench frame`.",
       rounded(printed.least), rounded(printed.most), found.renderer, rounded(here.least), rounded(here.most),
       halfRateVerdict(here, printed));
 }

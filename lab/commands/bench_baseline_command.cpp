@@ -1,4 +1,4 @@
-// `palpate bench --baseline FILE`: which kernel got slower since the file was written, and by how much.
+// `palpate study bench --baseline FILE`: which kernel got slower since the file was written, and by how much.
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -60,7 +60,7 @@ Baseline readBaseline(const std::filesystem::path& file) {
     if (baseline.kernels.empty()) throw Error("there are no kernels in it");
     return baseline;
   } catch (const nlohmann::json::exception& error) {
-    throw Error::inFile(file.string(), std::string("not a baseline of `palpate bench`: ") + error.what());
+    throw Error::inFile(file.string(), std::string("not a baseline of `palpate study bench`: ") + error.what());
   } catch (const Error& error) {
     throw Error::inFile(file.string(), error.what());
   }

@@ -1,4 +1,4 @@
-// `palpate bench`: measures the engine on known meshes and trajectories; what each subcommand does is in a file of its
+// `palpate study bench`: measures the engine on known meshes and trajectories; what each subcommand does is in a file of its
 // own.
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -32,7 +32,7 @@ void addWorkloadCommand(CLI::App& parent) {
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App& command = *parent.add_subcommand("workload", "Write a benchmark mesh (.stl, .obj, .ply) or path (.csv)");
-  command.add_option("name", arguments->name, "Name, as `palpate bench list` prints it")->required();
+  command.add_option("name", arguments->name, "Name, as `palpate study bench list` prints it")->required();
   command.add_option("-o,--out", arguments->file, "File to write")->required();
   command.callback([arguments] { writeWorkload(arguments->name, arguments->file); });
 }
@@ -48,8 +48,8 @@ void printNames() {
 
 }  // namespace
 
-void addBenchCommand(CLI::App& app) {
-  CLI::App& bench = *app.add_subcommand(
+void addBenchCommand(CLI::App& study) {
+  CLI::App& bench = *study.add_subcommand(
       "bench", "Measure the finger, deformation, partitions, loading, servo loop, sessions, pictures");
   bench.require_subcommand(0, 1);  // none: the regression guard
   addBenchBaseline(bench);

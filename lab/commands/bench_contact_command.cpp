@@ -1,4 +1,4 @@
-// `palpate bench contact`: one finger along one trajectory over one mesh.
+// `palpate study bench contact`: one finger along one trajectory over one mesh.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

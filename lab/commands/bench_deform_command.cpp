@@ -1,4 +1,4 @@
-// `palpate bench deform`: how long the deformation of the skin takes, here and as the dissertation has it.
+// `palpate study bench deform`: how long the deformation of the skin takes, here and as the dissertation has it.
 #include <fmt/format.h>
 
 #include <memory>

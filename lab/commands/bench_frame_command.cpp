@@ -1,4 +1,4 @@
-// `palpate bench frame`: how long a picture takes, from the contact to the last pixel.
+// `palpate study bench frame`: how long a picture takes, from the contact to the last pixel.
 #include <fmt/format.h>
 
 #include <map>

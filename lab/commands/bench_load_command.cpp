@@ -1,4 +1,4 @@
-// `palpate bench load`: how long a user waits, and how much memory it takes, from a mesh file to the first force.
+// `palpate study bench load`: how long a user waits, and how much memory it takes, from a mesh file to the first force.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

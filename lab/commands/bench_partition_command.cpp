@@ -1,4 +1,4 @@
-// `palpate bench partition`: how long the haptic detecting box takes on a mesh.
+// `palpate study bench partition`: how long the haptic detecting box takes on a mesh.
 #include <fmt/format.h>
 
 #include <memory>

@@ -1,4 +1,4 @@
-// What every `palpate bench` command prints in the same way: percentiles, counts and the machine.
+// What every `palpate study bench` command prints in the same way: percentiles, counts and the machine.
 #pragma once
 
 #include <cstdint>
@@ -29,10 +29,10 @@ nlohmann::ordered_json machineJson();
 /// Prints the JSON object with the machine as its last key, or the text with the machine as its last line.
 void printReport(nlohmann::ordered_json json, const std::string& text, bool as_json);
 
-// The subcommands of `palpate bench` that measure the whole program rather than one room, and its regression guard.
+// The subcommands of `palpate study bench` that measure the whole program rather than one room, and its regression guard.
 
 // `bench` is the bench command.
-void addBenchBaseline(CLI::App& bench);  ///< no subcommand: `palpate bench --baseline FILE`
+void addBenchBaseline(CLI::App& bench);  ///< no subcommand: `palpate study bench --baseline FILE`
 void addBenchLoadCommand(CLI::App& bench);
 void addBenchServoCommand(CLI::App& bench);
 void addBenchSessionCommand(CLI::App& bench);

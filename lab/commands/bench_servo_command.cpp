@@ -1,4 +1,4 @@
-// `palpate bench servo`: how punctual the servo loop is, and how long its ticks take, in real time.
+// `palpate study bench servo`: how punctual the servo loop is, and how long its ticks take, in real time.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

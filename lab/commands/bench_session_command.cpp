@@ -1,4 +1,4 @@
-// `palpate bench session`: what recording costs the servo, how large a session is, how fast it is felt again and found
+// `palpate study bench session`: what recording costs the servo, how large a session is, how fast it is felt again and found
 // a place in.
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// Times whole pictures of a back under a finger that wanders: the numbers of `palpate bench frame`.
+// Times whole pictures of a back under a finger that wanders: the numbers of `palpate study bench frame`.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// `palpate hunt`: random bodies and paths, judged by code that shares nothing with the finger; failing paths are made
+// `palpate study hunt`: random bodies and paths, judged by code that shares nothing with the finger; failing paths are made
 // short and written as cases.
 #include <fmt/format.h>
 
@@ -47,9 +47,9 @@ void runHunt(const HuntArguments& arguments) {
 
 }  // namespace
 
-void addHuntCommand(CLI::App& app) {
+void addHuntCommand(CLI::App& study) {
   auto arguments = std::make_shared<HuntArguments>();
-  CLI::App& command = *app.add_subcommand(
+  CLI::App& command = *study.add_subcommand(
       "hunt", "Look for faults of the finger on random bodies and paths (exit code 0: none, 1: some, 2: wrong usage)");
   addHuntOptions(command, *arguments);
   command.callback([arguments] { arguments->replay.empty() ? runHunt(*arguments) : runReplay(*arguments); });

@@ -1,4 +1,4 @@
-// What `palpate hunt` is asked, and the plan that it makes.
+// What `palpate study hunt` is asked, and the plan that it makes.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -1,4 +1,4 @@
-// From a mesh file to the first force: the numbers of `palpate bench load`.
+// From a mesh file to the first force: the numbers of `palpate study bench load`.
 //
 // file -> scene::build (read and weld, repair, order, contact surface, deformation) -> one finger that presses.
 // Exactly what a user waits for between naming a file and feeling it.

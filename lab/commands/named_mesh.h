@@ -16,7 +16,7 @@ namespace palpate::app {
 /// For help texts: what `meshFrom` takes.
 inline constexpr const char* kMeshNamesHelp =
     "Mesh file (obj, stl, ply, off, gltf, glb), torso or torso_N for the built-in body of N triangles, or the name of "
-    "a benchmark mesh (palpate bench list)";
+    "a benchmark mesh (palpate study bench list)";
 
 /// A file of that name exists, or the name has a dot in it.
 bool isMeshFile(const std::string& name);

@@ -1,5 +1,5 @@
 // Numbers are written with all their digits: a fault on a sliver is gone when a tip is rounded to a nanometre.
-// Data flow: hunt.h, minimise.h -> here -> a folder -> lab/tests/contact_bars, `palpate hunt --replay`.
+// Data flow: hunt.h, minimise.h -> here -> a folder -> lab/tests/contact_bars, `palpate study hunt --replay`.
 #include "lab/hunt/kept_case.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// What a finger did wrong along a path, tick by tick, in a microsecond or two each: the judge of `palpate hunt`.
+// What a finger did wrong along a path, tick by tick, in a microsecond or two each: the judge of `palpate study hunt`.
 //
 // It sees outputs and a mesh and has its own geometry; nothing of `contact` but the plain data of finger_state.h, and
 // nothing of `tree`. docs/explanation/hunt.md says in words what each fault is. Unlike the other judges it keeps up

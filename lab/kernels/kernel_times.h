@@ -1,5 +1,5 @@
 // Measures kernels against two fixed loops, and compares the ratios with those of another day: the regression guard of
-// `palpate bench --baseline`.
+// `palpate study bench --baseline`.
 //
 // A kernel's time divided by a loop's, taken at the same moment, says more about the kernel than its time does: a
 // slower processor, or a busy one, slows both.

@@ -1,4 +1,4 @@
-// The dissertation's deformation, line by line: what `palpate bench deform` compares the engine with.
+// The dissertation's deformation, line by line: what `palpate study bench deform` compares the engine with.
 //
 // Rings of neighbour nodes by linked lists around the friction anchor, the displacement of each node inside by a
 // look-up in the stored curve, then the normals of the changed triangles and of their corners, again by lists. Nothing

@@ -1,5 +1,5 @@
 // `palpate_peers`: the benchmark commands of `palpate` that know --peers, linked with the libraries that are compared.
-// `palpate bench ... --peers` runs this program; why it is one of its own says lab/commands/peers_report.h.
+// `palpate study bench ... --peers` runs this program; why it is one of its own says lab/commands/peers_report.h.
 #include "cli/kit/commands.h"
 #include "lab/commands/peers_report.h"
 #include "lab/peers/peer.h"
@@ -7,9 +7,11 @@
 int main(int argc, char** argv) {
   CLI::App app{"Palpate's benchmarks beside other libraries.", "palpate_peers"};
   app.require_subcommand(1);
-  CLI::App& bench = *app.add_subcommand("bench", "Measure the finger and the partitions, and their peers");
+  CLI::App& study = *app.add_subcommand("study", "As `palpate study`");
+  study.require_subcommand(1);
+  CLI::App& bench = *study.add_subcommand("bench", "Measure the finger and the partitions, and their peers");
   bench.require_subcommand(1);
   palpate::app::addBenchContactCommand(bench, palpate::bench::linkedPeers());
   palpate::app::addBenchPartitionCommand(bench, palpate::bench::linkedPeers());
-  return palpate::app::runCommandLine(app, argc, argv);
+  return palpate::app::runCommandLine(app, palpate::app::wordsOf(argc, argv));
 }

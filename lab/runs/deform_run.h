@@ -1,4 +1,4 @@
-// Times the deformation of the benchmark's back under fingers that wander: the numbers of `palpate bench deform`.
+// Times the deformation of the benchmark's back under fingers that wander: the numbers of `palpate study bench deform`.
 //
 // The literal deformation of the dissertation (literal/deformation.h) is timed on the same mesh and the same places in
 // the same run, so that a ratio is always between neighbours in time.

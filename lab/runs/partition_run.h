@@ -1,4 +1,4 @@
-// Times the haptic detecting box on a partition: the numbers of `palpate bench partition`.
+// Times the haptic detecting box on a partition: the numbers of `palpate study bench partition`.
 #pragma once
 
 #include <cstddef>

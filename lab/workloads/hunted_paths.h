@@ -1,4 +1,4 @@
-// The paths of `palpate hunt`: deep, quick, crooked and exact ones, found by the judge's own geometry.
+// The paths of `palpate study hunt`: deep, quick, crooked and exact ones, found by the judge's own geometry.
 #pragma once
 
 #include <cstdint>

@@ -13,7 +13,7 @@
 #include "cli/kit/default_scene.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/number_option.h"
-#include "cli/kit/picture_file.h"
+#include "report/charts/picture_file.h"
 #include "cli/kit/progress_line.h"
 #include "cli/kit/results_folder.h"
 #include "measure/commands/dots_report.h"

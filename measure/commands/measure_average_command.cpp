@@ -11,7 +11,7 @@
 #include "cli/kit/choice_option.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/json.h"
-#include "cli/kit/picture_file.h"
+#include "report/charts/picture_file.h"
 #include "measure/commands/average_figure.h"
 #include "palpate/base/error.h"
 #include "palpate/base/nearest_name.h"
@@ -185,7 +185,7 @@ void addMeasureAverageCommand(CLI::App& parent) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("FROM:TO");
-  command.add_option("-o,--out", a.output, "Table of key points to write, as scenes and palpate map read it");
+  command.add_option("-o,--out", a.output, "Table of key points to write, as scenes and palpate body map read it");
   command.add_option("--plot", a.plot, "Picture to write: .png or .svg");
   command.add_flag("--json", a.json, "Print one JSON object");
   command.callback([arguments] { runMeasureAverage(*arguments); });

@@ -1,10 +1,35 @@
-// `palpate measure`: from photographs of a dotted back to a personal map; each subcommand has a file of its own.
+// `palpate measure`: from photographs of a dotted back to a personal map; each subcommand has a file of its own. And the
+// window of `palpate run` with the mode that measures photographs.
+#include <memory>
+#include <string>
+#include <vector>
+
 #include "cli/kit/commands.h"
-#include "measure/study/measuring_study.h"
+#include "cli/run/run_modes.h"
+#include "measure/window/measuring_mode.h"
 
 namespace palpate::app {
 
-void offerMeasuringStudies() { study::offerStudy(study::measuringStudy()); }
+namespace {
+
+ModeMaker addMeasuringMode(CLI::App& command) {
+  const auto photographs = std::make_shared<std::vector<std::string>>();
+  command
+      .add_option("--measure", *photographs,
+                  "Measure how far skin follows: two photographs of dots, before and after it is dragged")
+      ->type_name("BEFORE AFTER")
+      ->expected(2);
+  return [photographs] {
+    auto mode = std::make_unique<viewer::MeasuringMode>();
+    if (photographs->size() == 2) {
+      mode->request(viewer::ShowPhoto{viewer::Photo::before, photographs->front()});
+      mode->request(viewer::ShowPhoto{viewer::Photo::after, photographs->back()});
+    }
+    return mode;
+  };
+}
+
+}  // namespace
 
 void addMeasureCommand(CLI::App& app) {
   CLI::App& measure = *app.add_subcommand("measure", "Key ellipses of a person from photographs of dots on the skin");
@@ -15,6 +40,12 @@ void addMeasureCommand(CLI::App& app) {
   addMeasureSessionCommand(measure);
   addMeasureAverageCommand(measure);
   addMeasureSynthesizeCommand(measure);
+}
+
+void addMeasureFamily(CLI::App& app) {
+  offerRunMode(addMeasuringMode);
+  addRunCommand(app);
+  addMeasureCommand(app);
 }
 
 }  // namespace palpate::app

@@ -1,7 +1,6 @@
 // A study that writes a page: its name, its help and how it is run.
 //
-// The dissertation's own studies stand in dissertation/studies.cpp. A product that is built apart offers its study
-// here, so that neither includes the other: `palpate study NAME`, `study all` and the report find both.
+// dissertation/studies.cpp lists them; `palpate study NAME`, `study all` and the report find them there.
 #pragma once
 
 #include <cstddef>
@@ -22,12 +21,5 @@ struct Study {
   std::vector<std::string> families{};  ///< of cases that it can be asked for alone: it takes --family
   std::size_t family_cases = 0;         ///< cases of a family where --cases is not given
 };
-
-/// Adds a study behind those that are there; nothing happens where its name is taken. Call it at the start of a
-/// program, on its first thread, before anything asks for the studies.
-void offerStudy(Study study);
-
-/// In the order in which they were offered.
-const std::vector<Study>& offeredStudies();
 
 }  // namespace palpate::study

@@ -1,4 +1,4 @@
-// `palpate fit force CURVES.csv`: a force law for measured curves, and the scene keys that use it.
+// `palpate tissue fit force CURVES.csv`: a force law for measured curves, and the scene keys that use it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 #include "cli/kit/choice_option.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/number_option.h"
-#include "cli/kit/picture_file.h"
+#include "report/charts/picture_file.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"

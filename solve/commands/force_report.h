@@ -1,4 +1,4 @@
-// What `palpate fit force` found, for people and for programs.
+// What `palpate tissue fit force` found, for people and for programs.
 #pragma once
 
 #include <nlohmann/json.hpp>

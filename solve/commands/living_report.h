@@ -1,4 +1,4 @@
-// What `palpate realism --living` finds, for people and for programs.
+// What `palpate tissue realism --living` finds, for people and for programs.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// What `palpate fit profile` found, for people and for programs, and as a picture.
+// What `palpate tissue fit profile` found, for people and for programs, and as a picture.
 #pragma once
 
 #include <nlohmann/json.hpp>

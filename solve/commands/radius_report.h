@@ -1,4 +1,4 @@
-// `palpate realism --radius`: the force on fingers of other radii than a fingertip's, next to finite elements.
+// `palpate tissue realism --radius`: the force on fingers of other radii than a fingertip's, next to finite elements.
 #pragma once
 
 #include <nlohmann/json.hpp>

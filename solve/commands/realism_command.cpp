@@ -1,4 +1,4 @@
-// `palpate realism`: how far what is felt and seen is from finite elements, case by case.
+// `palpate tissue realism`: how far what is felt and seen is from finite elements, case by case.
 #include <fmt/format.h>
 
 #include <memory>
@@ -8,7 +8,7 @@
 #include "cli/kit/commands.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
-#include "cli/kit/picture_file.h"
+#include "report/charts/picture_file.h"
 #include "cli/kit/progress_line.h"
 #include "solve/commands/living_report.h"
 #include "solve/commands/radius_report.h"
@@ -177,10 +177,10 @@ void runRealism(const RealismArguments& arguments) {
 
 }  // namespace
 
-void addRealismCommand(CLI::App& app) {
+void addRealismCommand(CLI::App& tissue) {
   const auto arguments = std::make_shared<RealismArguments>();
   RealismArguments& a = *arguments;
-  CLI::App& command = *app.add_subcommand(
+  CLI::App& command = *tissue.add_subcommand(
       "realism",
       "How far the skin and the force are from finite elements of layered tissue (docs/explanation/realism.md)");
   command.add_option("--cases", a.cases,

@@ -1,4 +1,4 @@
-// Which stacks `palpate realism` judges by, and their solution.
+// Which stacks `palpate tissue realism` judges by, and their solution.
 #pragma once
 
 #include <filesystem>

@@ -12,7 +12,7 @@
 #include "cli/kit/commands.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
-#include "cli/kit/picture_file.h"
+#include "report/charts/picture_file.h"
 #include "palpate/base/error.h"
 #include "palpate/tissue/pressed_numbers.h"
 #include "solve/commands/layered_figure.h"
@@ -155,7 +155,7 @@ void addTissueShowCommand(CLI::App& parent) {
   const auto arguments = std::make_shared<ShowArguments>();
   ShowArguments& a = *arguments;
   CLI::App& command = *parent.add_subcommand("show", "Show tables of layered tissue: the pressed skin, force, stacks");
-  command.add_option("TABLE", a.files, "Tables of `palpate tissue solve` or `palpate fit profile`")->required();
+  command.add_option("TABLE", a.files, "Tables of `palpate tissue solve` or `palpate tissue fit profile`")->required();
   command.add_option("-o,--out", a.output, "Picture to write: .png or .svg");
   addNumber(command, "--depth", a.depth_mm, above(0.0, 500.0, "mm"),
             "Draw the skin at this depth; left out: at every depth of one table, at the deepest that several share");

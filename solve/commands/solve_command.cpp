@@ -13,7 +13,7 @@
 #include "cli/kit/interruption.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
-#include "cli/kit/picture_file.h"
+#include "report/charts/picture_file.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
 #include "palpate/elements/finger_solver.h"

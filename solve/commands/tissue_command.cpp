@@ -5,12 +5,15 @@
 namespace palpate::app {
 
 void addTissueCommand(CLI::App& app) {
-  CLI::App& tissue = *app.add_subcommand("tissue", "Layered tissue under a press: solve, show, published moduli");
+  CLI::App& tissue = *app.add_subcommand(
+      "tissue", "Layered tissue: solved and shown, force laws and profiles fitted, realism, published moduli");
   tissue.require_subcommand(1);
   addTissueLibraryCommand(tissue);
   addTissueModuliCommand(tissue);
   addTissueShowCommand(tissue);
   addTissueSolveCommand(tissue);
+  addFitCommand(tissue);
+  addRealismCommand(tissue);
 }
 
 }  // namespace palpate::app

@@ -1,4 +1,4 @@
-// `palpate results`: what the records of training hold. Each subcommand that changes or writes something has a file of
+// `palpate train results`: what the records of training hold. Each subcommand that changes or writes something has a file of
 // its own; what only reads is in results_reading.cpp.
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -114,7 +114,7 @@ TraineeRow traineeCalled(Store& store, const std::string& code_or_id) {
   }
   if (found.size() == 1) return found.front();
   if (found.empty()) {
-    throw Error(fmt::format("'{}' is neither a code (as on the card) nor a pseudonym here (palpate results class)",
+    throw Error(fmt::format("'{}' is neither a code (as on the card) nor a pseudonym here (palpate train results class)",
                             oneLine(code_or_id)));
   }
   throw Error(fmt::format("'{}' is how {} pseudonyms begin; give more of it", oneLine(code_or_id), found.size()));
@@ -166,9 +166,8 @@ std::string sittingLine(Store& store, const SittingRow& sitting) {
   return line + "\n";
 }
 
-void addResultsCommand(CLI::App& app) {
-  offerTrainingReports();
-  CLI::App& command = *app.add_subcommand("results", "What the records of training hold; codes, exports, deletion");
+void addResultsCommand(CLI::App& train) {
+  CLI::App& command = *train.add_subcommand("results", "What the records of training hold; codes, exports, deletion");
   command.require_subcommand(1);
   addResultsListCommand(command);
   addResultsTraineeCommand(command);
@@ -178,6 +177,7 @@ void addResultsCommand(CLI::App& app) {
   addResultsDeleteCommand(command);
   addResultsPurgeCommand(command);
   addResultsReplayCommand(command);
+  addResultsReportCommand(command);
   addResultsVerifyCommand(command);
 }
 

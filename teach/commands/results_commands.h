@@ -1,4 +1,4 @@
-// The subcommands of `palpate results`, and what they share: which file, which trainee, how times and thresholds read.
+// The subcommands of `palpate train results`, and what they share: which file, which trainee, how times and thresholds read.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -19,6 +19,7 @@ void addResultsExportCommand(CLI::App& parent);
 void addResultsDeleteCommand(CLI::App& parent);
 void addResultsPurgeCommand(CLI::App& parent);
 void addResultsReplayCommand(CLI::App& parent);
+void addResultsReportCommand(CLI::App& parent);
 void addResultsVerifyCommand(CLI::App& parent);
 
 struct ResultsArguments {
@@ -56,8 +57,5 @@ nlohmann::ordered_json blockJson(const training::BlockRow& block);
 nlohmann::ordered_json sittingJson(training::Store& store, const training::SittingRow& sitting);
 /// "2026-11-22 10:03  5d79b3cd  pre-test  40 trials, 18 % (13 to 25 %)"
 std::string sittingLine(training::Store& store, const training::SittingRow& sitting);
-
-/// Records of training become a kind of file that `palpate report` takes.
-void offerTrainingReports();
 
 }  // namespace palpate::app

@@ -1,4 +1,4 @@
-// `palpate results delete` and `purge`: forgetting one trainee, or what has been kept for long enough; at a station, in
+// `palpate train results delete` and `purge`: forgetting one trainee, or what has been kept for long enough; at a station, in
 // a class's file or in its database.
 #include <fmt/format.h>
 
@@ -54,7 +54,7 @@ void printDeletedJson(const nlohmann::ordered_json& json) { fmt::print("{}\n", j
 void deleteInDatabase(const DeleteArguments& arguments, Store& copy, const training::TraineeRow& trainee) {
   const RowsOf rows = rowsOf(copy, trainee);
   classroom::ClassStore database(arguments.results.file);
-  const bool found = database.erase(trainee.id, "palpate results");
+  const bool found = database.erase(trainee.id, "palpate train results");
   const std::string& left = database.notErased();
   if (arguments.results.json) {
     printDeletedJson(
@@ -82,7 +82,7 @@ void runResultsDelete(const DeleteArguments& arguments) {
     throw CLI::RuntimeError(1);
   }
   if (in_database) return deleteInDatabase(arguments, store, trainee);
-  const training::Deleted deleted = deleteTrainee(store, trainee.id, "palpate results");
+  const training::Deleted deleted = deleteTrainee(store, trainee.id, "palpate train results");
   if (arguments.results.json) {
     return printDeletedJson({{"deleted", deleted.found},
                              {"sittings", deleted.sittings},

@@ -1,4 +1,4 @@
-// `palpate results export`: tables, one JSON file, or statements for a learning record store.
+// `palpate train results export`: tables, one JSON file, or statements for a learning record store.
 #include <fmt/format.h>
 
 #include <memory>
@@ -35,7 +35,7 @@ void refuseThere(const fs::path& file, bool force) {
 /// In the records themselves: of a database `store` is a copy.
 void noteExport(const std::string& file_or_address, training::Store& store, std::size_t files) {
   const auto note = [files](training::RowTables& rows) {
-    rows.note(training::utcMs(), "palpate results", "exported", fmt::format("{} files", files));
+    rows.note(training::utcMs(), "palpate train results", "exported", fmt::format("{} files", files));
   };
   if (!classroom::isDatabaseAddress(file_or_address)) return note(store.rows());
   classroom::ClassStore database(file_or_address);

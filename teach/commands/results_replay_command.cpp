@@ -1,4 +1,4 @@
-// `palpate results replay`: one trial out of a locked session file, as a session that every other command knows.
+// `palpate train results replay`: one trial out of a locked session file, as a session that every other command knows.
 #include <fmt/format.h>
 
 #include <memory>
@@ -32,7 +32,7 @@ training::TrialRow trialCalled(training::Store& store, const std::string& id) {
     }
   }
   if (found.size() == 1) return found.front();
-  throw Error(fmt::format("'{}' is {} here (ids are in `palpate results export --csv`)", oneLine(id),
+  throw Error(fmt::format("'{}' is {} here (ids are in `palpate train results export --csv`)", oneLine(id),
                           found.empty() ? "no trial" : "the end of several trials' ids"));
 }
 
@@ -71,7 +71,7 @@ void runTrialReplay(const TrialReplayArguments& arguments) {
 void addResultsReplayCommand(CLI::App& parent) {
   const auto arguments = std::make_shared<TrialReplayArguments>();
   CLI::App& command =
-      *parent.add_subcommand("replay", "One trial as a session file, for palpate replay, run, render and report");
+      *parent.add_subcommand("replay", "One trial as a session file, for palpate recording replay, run, render and report");
   command.add_option("TRIAL", arguments->trial, "Its id, or the end of it")->required();
   addResultsFile(command, arguments->results);
   command.add_option("-o,--out", arguments->out, "The session file to write")->required()->type_name("OUT.session");

@@ -18,7 +18,6 @@
 #include "palpate/training/records/trainee_code.h"
 #include "teach/commands/train_options.h"
 #include "teach/commands/trainee_command.h"
-#include "teach/study/training_study.h"
 #include "teach/window/screen_tour.h"
 #include "teach/window/training_mode.h"
 #include "view/viewer/state/state_file.h"
@@ -135,20 +134,25 @@ void showScreens(const TrainOptions& options) {
 
 }  // namespace
 
-void offerTrainingStudies() { study::offerStudy(study::trainingStudy()); }
-
 void addTrainCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand("train", "Train and examine palpation: people in a window, or simulated");
+  addResultsCommand(*command);
   const auto options = std::make_shared<TrainOptions>();
   const auto simulated = std::make_shared<TraineeOptions>();
   addTrainOptions(*command, *options);
   addTraineeOptions(*command, *simulated);
   command->callback([=] {
+    if (!command->get_subcommands().empty()) return;  // the results were asked for
     if (!options->screens.empty()) return showScreens(*options);
     if (options->trainee.empty()) return trainInWindow(*options);
     const int code = runTrainee(*options, *simulated);
     if (code != 0) throw CLI::RuntimeError(code);
   });
+}
+
+void addTeachFamily(CLI::App& app) {
+  addTrainCommand(app);
+  addClassCommand(app);
 }
 
 }  // namespace palpate::app

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "cli/session/report_html.h"
+#include "report/recording/report_html.h"
 #include "palpate/base/error.h"
 #include "palpate/body/torso.h"
 #include "palpate/training/psychometric.h"

@@ -213,15 +213,6 @@ std::string devicesSentence(const TrainingReport& report) {
 
 }  // namespace
 
-bool isRecordsFile(const std::filesystem::path& file) {
-  if (classroom::isDatabaseAddress(file.string())) return true;
-  if (file.extension() != ".results") return false;
-  std::array<char, 16> begin{};
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(begin.data(), begin.size());
-  return std::string_view(begin.data(), begin.size()).starts_with("SQLite format 3") || !stream.gcount();
-}
-
 TrainingReport trainingReport(const TrainingReportSettings& settings, const Progress& progress) {
   palpate::report(progress, "reading", 0.0);
   training::Store store = recordsAt(settings.file.string(), training::Store::Open::read_only);

@@ -56,9 +56,6 @@ std::vector<std::string> trainingSentences(const TrainingReport& report);
 /// One HTML page that needs nothing else, well-formed, with all numbers as JSON in it. Draws its pictures.
 std::string trainingPage(const TrainingReport& report, const Progress& progress);
 
-/// Whether the file is one of training's records (SQLite with our tables), or the address of a class's database.
-bool isRecordsFile(const std::filesystem::path& file);
-
 /// What no number here shows.
 inline constexpr std::string_view kNotShown =
     "These numbers show how small a difference of stiffness somebody finds on this simulator, with this device. They "

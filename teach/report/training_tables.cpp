@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "cli/session/report_html.h"
+#include "report/recording/report_html.h"
 
 namespace palpate::app {
 

@@ -33,6 +33,15 @@ void collect(const CLI::App& command, const std::vector<std::string>& words, std
   }
 }
 
+void addAllCommands(CLI::App& app) {
+  addOwnCommands(app);
+  addServeFamily(app);
+  addReportFamily(app);
+  addMeasureCommand(app);
+  addTeachFamily(app);
+  addStudyFamily(app);
+}
+
 std::vector<FoundOption> allOptions() {
   CLI::App app{"", "palpate"};
   addAllCommands(app);
@@ -63,15 +72,12 @@ struct Answer {
 };
 
 Answer answerTo(const FoundOption& option, const std::string& value) {
-  std::vector<std::string> words = {"palpate"};
-  words.insert(words.end(), option.words.begin(), option.words.end());
+  std::vector<std::string> words = option.words;
   words.push_back(fmt::format("--{}={}", option.name, value));
-  std::vector<char*> pointers;
-  for (std::string& word : words) pointers.push_back(word.data());
   CLI::App app{"", "palpate"};
   addAllCommands(app);
   testing::internal::CaptureStderr();
-  const int exit_code = runCommandLine(app, static_cast<int>(pointers.size()), pointers.data());
+  const int exit_code = runCommandLine(app, words);
   return {exit_code, testing::internal::GetCapturedStderr()};
 }
 

@@ -5,7 +5,7 @@ const MOST_BYTES = 400e6;
 
 const READ_ME = `What was felt on the page, as palpate reads it:
 
-  palpate info forces.csv                       what there is in it
+  palpate recording info forces.csv                       what there is in it
   palpate run scene.toml --replay forces.csv    look again, tick by tick
 
 scene.toml names the body. For a mesh of your own put its file beside it.

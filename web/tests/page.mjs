@@ -329,7 +329,7 @@ test('what was felt is saved as files that palpate reads', async () => {
   assert.match(readFileSync(join(scratch, 'scene.toml'), 'utf8'), /kind = "torso"/);
   const command = process.env.PALPATE_COMMAND;
   if (!command) return;
-  const info = spawnSync(command, ['info', join(scratch, 'forces.csv')], { encoding: 'utf8' });
+  const info = spawnSync(command, ['recording', 'info', join(scratch, 'forces.csv')], { encoding: 'utf8' });
   assert.equal(info.status, 0, info.stderr);
   assert.match(info.stdout, /left/);
 });

@@ -569,7 +569,7 @@ class LayeredTissue:
         """fat_mm: thickness of the fat, 0 to 60 mm, less where there is no room for it."""
     @staticmethod
     def from_table(file: Union[str, os.PathLike[str]]) -> LayeredTissue:
-        """Of a table that `palpate tissue solve` or `palpate fit profile` wrote. Raises Error."""
+        """Of a table that `palpate tissue solve` or `palpate tissue fit profile` wrote. Raises Error."""
     @property
     def thinnest_mm(self) -> float:
         """The thinnest solved stack, mm."""

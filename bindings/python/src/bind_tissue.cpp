@@ -169,7 +169,7 @@ void bindLayers(py::module_& module) {
           [](const std::filesystem::path& file) {
             return Layers{tissue::LayeredTissue({tissue::nodeOf(tissue::readLayeredTable(file))})};
           },
-          py::arg("file"), "Of a table that `palpate tissue solve` or `palpate fit profile` wrote. Raises Error.")
+          py::arg("file"), "Of a table that `palpate tissue solve` or `palpate tissue fit profile` wrote. Raises Error.")
       .def_property_readonly(
           "thinnest_mm", [](const Layers& l) { return l.tissue.thinnest(); }, "The thinnest solved stack, mm.")
       .def_property_readonly(

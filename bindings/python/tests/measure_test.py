@@ -76,7 +76,7 @@ def test_a_refusal_has_its_reason_and_raises_nothing(painted):
 def test_a_row_of_a_table_is_read_by_the_maps(command, painted, tmp_path):
     found = measure.dots(painted.before, painted.after)
     (tmp_path / "keys.csv").write_text(measure.row_header() + found.row("P1", (0.0, 73.0)))
-    subprocess.run([command, "map", "ellipses", "--keys", "keys.csv", "-o", "map.png"], cwd=tmp_path, check=True)
+    subprocess.run([command, "body", "map", "ellipses", "--keys", "keys.csv", "-o", "map.png"], cwd=tmp_path, check=True)
     with pytest.raises(ValueError, match="name"):
         found.row("a,b", (0, 0))
 

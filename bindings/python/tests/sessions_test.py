@@ -34,7 +34,7 @@ def recorded(command, tmp_path_factory):
     (folder / "scene.toml").write_text(SCENE)
     run = [command, "simulate", "scene.toml", "--no-pictures", "--session", "-o", "out"]
     subprocess.run(run, cwd=folder, check=True, capture_output=True)
-    export = [command, "export", "out/run.session", "--npz", "run.npz"]
+    export = [command, "recording", "export", "out/run.session", "--npz", "run.npz"]
     subprocess.run(export, cwd=folder, check=True, capture_output=True)
     return folder / "out" / "run.session", dict(np.load(folder / "run.npz"))
 

@@ -25,28 +25,28 @@ TEST_P(WrongCommandLine, IsAnsweredInOneLineThatNamesTheWord) {
 INSTANTIATE_TEST_SUITE_P(
     Words, WrongCommandLine,
     testing::Values(Wrong{"simulat", "unknown command 'simulat'; did you mean 'simulate'?"},
-                    Wrong{"map elipses", "unknown command 'elipses'; did you mean 'ellipses'?"},
-                    Wrong{"map nonsense", "unknown command 'nonsense'; known: ellipses, contours, stiffness, depth"},
+                    Wrong{"body map elipses", "unknown command 'elipses'; did you mean 'ellipses'?"},
+                    Wrong{"body map nonsense", "unknown command 'nonsense'; known: ellipses, contours, stiffness, depth"},
                     Wrong{"study", "A subcommand is required"},
                     Wrong{"simulate --secnds 3",
                           "unknown option '--secnds' of palpate simulate; did you mean '--seconds'?"},
-                    Wrong{"bench contact --radius-cm=3",
-                          "unknown option '--radius-cm' of palpate bench contact; did you mean "
+                    Wrong{"study bench contact --radius-cm=3",
+                          "unknown option '--radius-cm' of palpate study bench contact; did you mean "
                           "'--radius-mm'?"},
                     Wrong{"--verison",
                           "unknown option '--verison' of palpate; did you mean "
                           "'--version'?"},
-                    Wrong{"repair a.obj --banana", "unknown option '--banana' of palpate repair"},
-                    Wrong{"info a.obj b.obj", "'b.obj' is one word too many for palpate info"},
-                    Wrong{"partition cube --tree bps", "--tree: 'bps' is not one of bsp|octree; did you mean 'bsp'?"},
-                    Wrong{"map ellipses -o a.csv --quantity aspekt",
+                    Wrong{"body repair a.obj --banana", "unknown option '--banana' of palpate body repair"},
+                    Wrong{"body info a.obj b.obj", "'b.obj' is one word too many for palpate body info"},
+                    Wrong{"study partition cube --tree bps", "--tree: 'bps' is not one of bsp|octree; did you mean 'bsp'?"},
+                    Wrong{"body map ellipses -o a.csv --quantity aspekt",
                           "--quantity: 'aspekt' is not one of half-major|aspect|direction; did you "
                           "mean 'aspect'?"},
                     Wrong{"simulate --seconds 1e12", "--seconds: 1e12 is out of range: above 0 and at most 10,800 s"},
                     Wrong{"simulate --seconds nan",
                           "--seconds: 'nan' is not a finite number (above "
                           "0 and at most 10,800 s)"},
-                    Wrong{"hunt --ticks 1.5",
+                    Wrong{"study hunt --ticks 1.5",
                           "--ticks: '1.5' is not a whole number (1 to "
                           "1,000,000,000,000)"}));
 

@@ -1,4 +1,4 @@
-// `palpate fit-body` as a user calls it, and what is done with the scene that it writes.
+// `palpate body fit` as a user calls it, and what is done with the scene that it writes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -62,7 +62,7 @@ class FitBody : public testing::Test {
 };
 
 TEST_F(FitBody, AScanInMetresThatLiesOnItsSideBecomesASceneWithNamesAndBones) {
-  const auto fitted = palpate("fit-body scan.ply --json -o back.toml" + at("T1") + at("T6") + at("L4") +
+  const auto fitted = palpate("body fit scan.ply --json -o back.toml" + at("T1") + at("T6") + at("L4") +
                               at("left PSIS") + at("right PSIS"));
   ASSERT_EQ(fitted.exit_code, 0) << fitted.err;
   const auto json = nlohmann::json::parse(fitted.out);
@@ -91,7 +91,7 @@ TEST_F(FitBody, AScanInMetresThatLiesOnItsSideBecomesASceneWithNamesAndBones) {
 }
 
 TEST_F(FitBody, ShapeAloneIsEnoughForThisScanAndAnotherScanIsNotTakenForIt) {
-  const auto fitted = palpate("fit-body scan.ply -o back.toml");
+  const auto fitted = palpate("body fit scan.ply -o back.toml");
   ASSERT_EQ(fitted.exit_code, 0) << fitted.err;
   EXPECT_NE(fitted.out.find("certainty"), std::string::npos);
   EXPECT_NE(fitted.out.find("back.aligned.ply"), std::string::npos);
@@ -105,7 +105,7 @@ TEST_F(FitBody, ShapeAloneIsEnoughForThisScanAndAnotherScanIsNotTakenForIt) {
 
 TEST_F(FitBody, WhatIsNoBackIsRefusedAndNothingIsWritten) {
   mesh::save(folder / "cube.obj", zoo::cube(500));
-  const auto refused = palpate("fit-body cube.obj -o cube.toml");
+  const auto refused = palpate("body fit cube.obj -o cube.toml");
   EXPECT_EQ(refused.exit_code, 1) << refused.err;
   EXPECT_NE(refused.err.find("not sure enough"), std::string::npos) << refused.err;
   EXPECT_NE(refused.err.find("--at"), std::string::npos) << "what would help";
@@ -116,13 +116,13 @@ TEST_F(FitBody, WhatIsNoBackIsRefusedAndNothingIsWritten) {
 TEST_F(FitBody, WrongInputIsSaidInOneLine) {
   writeFile(folder / "points.csv", "name,x,y,z\nT6,1,2,3\nT9,1,2\n");
   for (const auto& [arguments, words] : std::vector<std::pair<std::string, std::string>>{
-           {"fit-body missing.ply -o a.toml", "missing.ply"},
-           {"fit-body scan.ply -o a.json", ".toml"},
-           {"fit-body scan.ply -o a.toml --at T6", "NAME=X,Y,Z"},
-           {"fit-body scan.ply -o a.toml --at T6=1,2", "three numbers"},
-           {"fit-body scan.ply -o a.toml --points points.csv", "points.csv:3"},
-           {"fit-body scan.ply -o a.toml --points none.csv", "none.csv"},
-           {"fit-body scan.ply -o a.toml" + at("T6", "L3"), "'T6' contradicts the shape"}}) {
+           {"body fit missing.ply -o a.toml", "missing.ply"},
+           {"body fit scan.ply -o a.json", ".toml"},
+           {"body fit scan.ply -o a.toml --at T6", "NAME=X,Y,Z"},
+           {"body fit scan.ply -o a.toml --at T6=1,2", "three numbers"},
+           {"body fit scan.ply -o a.toml --points points.csv", "points.csv:3"},
+           {"body fit scan.ply -o a.toml --points none.csv", "none.csv"},
+           {"body fit scan.ply -o a.toml" + at("T6", "L3"), "'T6' contradicts the shape"}}) {
     const auto end = palpate(arguments);
     EXPECT_EQ(end.exit_code, 2) << arguments;
     EXPECT_NE(end.err.find(words), std::string::npos) << arguments << ": " << end.err;

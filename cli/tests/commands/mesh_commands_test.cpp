@@ -1,4 +1,4 @@
-// `palpate info` and `palpate repair` as a user calls them.
+// `palpate body info` and `palpate body repair` as a user calls them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,10 +26,10 @@ class MeshCommands : public testing::Test {
 
 TEST_F(MeshCommands, InfoCountsTraits) {
   mesh::save(folder / "fin.obj", zoo::cubeWithFin());
-  const auto text = palpate("info fin.obj");
+  const auto text = palpate("body info fin.obj");
   EXPECT_EQ(text.exit_code, 0) << text.err;
   EXPECT_NE(text.out.find("2 triangles doubled from the other side"), std::string::npos) << text.out;
-  const auto json = nlohmann::json::parse(palpate("info fin.obj --json").out);
+  const auto json = nlohmann::json::parse(palpate("body info fin.obj --json").out);
   EXPECT_EQ(json["triangles"], 16);
   EXPECT_EQ(json["fit"], false);
   EXPECT_EQ(json["traits"]["opposite_triangles"]["first"], (std::vector<int>{13, 15}));
@@ -37,7 +37,7 @@ TEST_F(MeshCommands, InfoCountsTraits) {
 
 TEST_F(MeshCommands, InfoTellsHowEvenTrianglesAreWhenAsked) {
   mesh::save(folder / "cube.obj", zoo::cube(20));
-  const auto shape = nlohmann::json::parse(palpate("info cube.obj --shape --json").out)["shape"];
+  const auto shape = nlohmann::json::parse(palpate("body info cube.obj --shape --json").out)["shape"];
   EXPECT_NEAR(shape["fold_deg"]["least"], 0, 1e-9) << "the diagonals of its sides";
   EXPECT_NEAR(shape["fold_deg"]["p50"], 90, 1e-9) << "its 12 edges are more than its 6 diagonals";
   EXPECT_NEAR(shape["smallest_angle_deg"]["least"], 45, 1e-9);
@@ -49,25 +49,25 @@ TEST_F(MeshCommands, InfoTellsHowEvenTrianglesAreWhenAsked) {
   mesh::TriangleMesh flat = zoo::grid(2, 20);
   flat.positions[1].y() += 5;  // of the first row: two triangles lose area, their neighbours gain none
   mesh::save(folder / "flat.obj", flat);
-  const auto uneven = nlohmann::json::parse(palpate("info flat.obj --shape --json").out)["shape"];
+  const auto uneven = nlohmann::json::parse(palpate("body info flat.obj --shape --json").out)["shape"];
   EXPECT_NEAR(uneven["fold_deg"]["most"], 0, 1e-9);
   EXPECT_GT(uneven["area_deviation"], 0.1);
   EXPECT_LT(uneven["smallest_angle_deg"]["least"], 45 - 1);
 
-  EXPECT_NE(palpate("info cube.obj --shape").out.find("the sharpest 90"), std::string::npos);
-  EXPECT_FALSE(nlohmann::json::parse(palpate("info cube.obj --json").out).contains("shape"));
+  EXPECT_NE(palpate("body info cube.obj --shape").out.find("the sharpest 90"), std::string::npos);
+  EXPECT_FALSE(nlohmann::json::parse(palpate("body info cube.obj --json").out).contains("shape"));
 }
 
 TEST_F(MeshCommands, InfoNamesWrongIndicesInsteadOfRefusingThem) {
   writeFile(folder / "bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 9\n");
-  const auto end = palpate("info bad.obj");
+  const auto end = palpate("body info bad.obj");
   EXPECT_EQ(end.exit_code, 0);
   EXPECT_NE(end.out.find("1 triangle with out-of-range indices (first: 1)"), std::string::npos) << end.out;
 }
 
 TEST_F(MeshCommands, RepairWritesAFitMeshAndSaysWhatItDid) {
   mesh::save(folder / "fin.obj", zoo::cubeWithFin());
-  const auto json = nlohmann::json::parse(palpate("repair fin.obj -o fit.ply --json").out);
+  const auto json = nlohmann::json::parse(palpate("body repair fin.obj -o fit.ply --json").out);
   EXPECT_EQ(json["closed"], true);
   EXPECT_EQ(json["actions"][0]["count"], 2);
   EXPECT_TRUE(mesh::validate(mesh::load(folder / "fit.ply")).fit());
@@ -75,31 +75,31 @@ TEST_F(MeshCommands, RepairWritesAFitMeshAndSaysWhatItDid) {
 
 TEST_F(MeshCommands, InfoDoubtsTheSizeAndNamesTheUnitThatWouldFit) {
   mesh::save(folder / "small.obj", zoo::cube(0.3));
-  const auto small = palpate("info small.obj");
+  const auto small = palpate("body info small.obj");
   EXPECT_NE(small.out.find("warning     0.3 0.3 0.3 mm is small for a body"), std::string::npos) << small.out;
   EXPECT_NE(small.out.find("If these are metres, say --unit m"), std::string::npos) << small.out;
-  const auto in_metres = nlohmann::json::parse(palpate("info small.obj --unit m --json").out);
+  const auto in_metres = nlohmann::json::parse(palpate("body info small.obj --unit m --json").out);
   EXPECT_TRUE(in_metres["warnings"].empty());
-  EXPECT_NE(small.out.find("fit to be felt, if that is its true size"), std::string::npos) << small.out;
-  const auto by_number = nlohmann::json::parse(palpate("info small.obj --unit 1000 --json").out);
+  EXPECT_NE(small.out.find("tissue fit to be felt, if that is its true size"), std::string::npos) << small.out;
+  const auto by_number = nlohmann::json::parse(palpate("body info small.obj --unit 1000 --json").out);
   EXPECT_EQ(by_number["box"], in_metres["box"]);
-  const auto old_name = palpate("info small.obj --unit-mm 1000 --json");
+  const auto old_name = palpate("body info small.obj --unit-mm 1000 --json");
   EXPECT_EQ(nlohmann::json::parse(old_name.out)["box"], in_metres["box"]);
   EXPECT_EQ(old_name.err, "palpate: note: --unit-mm is called --unit now; the old name will go\n");
   mesh::TriangleMesh flat = zoo::cube(300);
   for (Vec3& p : flat.positions) p.z() *= 0.001;
   mesh::save(folder / "flat.obj", flat);
-  EXPECT_NE(palpate("info flat.obj").out.find("0.3 mm is thin for a body"), std::string::npos);
+  EXPECT_NE(palpate("body info flat.obj").out.find("0.3 mm is thin for a body"), std::string::npos);
   mesh::save(folder / "large.obj", zoo::cube(30000));
-  EXPECT_NE(palpate("info large.obj").out.find("is large for a body"), std::string::npos);
+  EXPECT_NE(palpate("body info large.obj").out.find("is large for a body"), std::string::npos);
 }
 
 TEST_F(MeshCommands, InfoNamesVerticesAtOnePlaceAndNoTriangleTwice) {
   mesh::save(folder / "soup.obj", zoo::soup(zoo::cube()));
-  const auto text = palpate("info soup.obj");
+  const auto text = palpate("body info soup.obj");
   EXPECT_NE(text.out.find("28 vertices at the place of an earlier one"), std::string::npos) << text.out;
   EXPECT_NE(text.out.find("36 border edges, at triangles (first: 0, 1, 2, 3, 4)"), std::string::npos) << text.out;
-  const auto json = nlohmann::json::parse(palpate("info soup.obj --json").out);
+  const auto json = nlohmann::json::parse(palpate("body info soup.obj --json").out);
   EXPECT_EQ(json["traits"]["coincident_vertices"]["count"], 28);
   EXPECT_EQ(json["closure"], "open");
 }
@@ -108,21 +108,21 @@ TEST_F(MeshCommands, RepairSaysHowClosedItWasAndIs) {
   mesh::TriangleMesh torn = zoo::sphere(20, 3);
   torn.triangles.pop_back();
   mesh::save(folder / "torn.obj", torn);
-  const auto info = palpate("info torn.obj");
+  const auto info = palpate("body info torn.obj");
   EXPECT_NE(info.out.find("surface     nearly closed"), std::string::npos) << info.out;
   EXPECT_NE(info.out.find("but for its small holes"), std::string::npos) << info.out;
-  const auto text = palpate("repair torn.obj -o whole.ply");
+  const auto text = palpate("body repair torn.obj -o whole.ply");
   EXPECT_NE(text.out.find("before     nearly closed; 3 border edges in 1 loop,"), std::string::npos) << text.out;
   EXPECT_NE(text.out.find("after      closed; 0 border edges"), std::string::npos) << text.out;
   EXPECT_NE(text.out.find("triangles  1279 - 0 dropped + 1 added = 1280"), std::string::npos) << text.out;
-  const auto kept = nlohmann::json::parse(palpate("repair torn.obj -o torn.ply --keep-holes --json").out);
+  const auto kept = nlohmann::json::parse(palpate("body repair torn.obj -o torn.ply --keep-holes --json").out);
   EXPECT_EQ(kept["after"]["closure"], "nearly closed");
   EXPECT_EQ(kept["after"]["border_edges"], 3);
 }
 
 TEST_F(MeshCommands, RepairCountsAddUpAndWhatItOpensIsAWarning) {
   mesh::save(folder / "fin.obj", zoo::cubeWithFin());
-  const auto fin = nlohmann::json::parse(palpate("repair fin.obj -o fit.ply --json").out);
+  const auto fin = nlohmann::json::parse(palpate("body repair fin.obj -o fit.ply --json").out);
   EXPECT_EQ(fin["before"]["triangles"], 16);
   EXPECT_EQ(fin["before"]["closure"], "closed");
   EXPECT_GT(fin["before"]["non_manifold_edges"], 0);
@@ -131,7 +131,7 @@ TEST_F(MeshCommands, RepairCountsAddUpAndWhatItOpensIsAWarning) {
   EXPECT_EQ(fin["actions"][0]["triangles"], -4);
   EXPECT_TRUE(fin["warnings"].empty());
   mesh::save(folder / "sheet.obj", zoo::doubleSidedGrid(4));
-  EXPECT_NE(palpate("repair sheet.obj -o sheet.ply").out.find("warning    the surface was closed and is open now"),
+  EXPECT_NE(palpate("body repair sheet.obj -o sheet.ply").out.find("warning    the surface was closed and is open now"),
             std::string::npos);
 }
 
@@ -139,9 +139,9 @@ TEST_F(MeshCommands, BadInputIsOneLineAndExitCodeTwo) {
   writeFile(folder / "flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
   writeFile(folder / "bad.obj", "v 0 0 zero\n");
   for (const auto& [arguments, message] :
-       {std::pair("info gone.stl", "palpate: gone.stl: no such file\n"),
-        std::pair("info bad.obj", "palpate: bad.obj:1: a coordinate is not a number: 'zero'\n"),
-        std::pair("repair flat.obj -o fit.obj", "palpate: flat.obj: the mesh has no triangle that can be felt\n")}) {
+       {std::pair("body info gone.stl", "palpate: gone.stl: no such file\n"),
+        std::pair("body info bad.obj", "palpate: bad.obj:1: a coordinate is not a number: 'zero'\n"),
+        std::pair("body repair flat.obj -o fit.obj", "palpate: flat.obj: the mesh has no triangle that can be felt\n")}) {
     const auto end = palpate(arguments);
     EXPECT_EQ(end.exit_code, 2) << arguments;
     EXPECT_EQ(end.err, message);

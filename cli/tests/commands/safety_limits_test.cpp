@@ -41,8 +41,8 @@ TEST_F(SafetyLimits, ASceneCannotWishPastTheCapOrTheWeakestKnownForce) {
   EXPECT_NE(notes.find("stiffness_cap_n_per_mm = 5 is more than"), std::string::npos) << notes;
   EXPECT_NE(notes.find("nominal_force_n = 100 is more than"), std::string::npos) << notes;
   EXPECT_EQ(result.err.find("UNSAFE"), std::string::npos);
-  EXPECT_EQ(run("info run/run.session").out.find("UNSAFE"), std::string::npos);
-  EXPECT_NE(run("info run/run.session").out.find("all forces times 0.133"), std::string::npos);
+  EXPECT_EQ(run("recording info run/run.session").out.find("UNSAFE"), std::string::npos);
+  EXPECT_NE(run("recording info run/run.session").out.find("all forces times 0.133"), std::string::npos);
 }
 
 TEST_F(SafetyLimits, ConsentOnTheCommandLineIsSaidInReportAndRecording) {
@@ -55,21 +55,21 @@ TEST_F(SafetyLimits, ConsentOnTheCommandLineIsSaidInReportAndRecording) {
   EXPECT_NE(report["notes"].dump().find("UNSAFE (--unsafe-stiffness): up to 5 N/mm and 100 N"), std::string::npos);
   EXPECT_NE(result.err.find("palpate: UNSAFE"), std::string::npos) << result.err;
 
-  const CommandResult info = run("info run/run.session");
+  const CommandResult info = run("recording info run/run.session");
   EXPECT_NE(info.out.find("UNSAFE"), std::string::npos) << info.out;
-  EXPECT_TRUE(reportOf(run("info --json run/run.session"))["limits"][0]["unsafe_stiffness"]);
-  EXPECT_EQ(reportOf(run("report --json run/run.session"))["unsafe_stiffness"].size(), 1u);
-  EXPECT_TRUE(reportOf(run("replay --verify --json run/run.session"))["identical"]);
+  EXPECT_TRUE(reportOf(run("recording info --json run/run.session"))["limits"][0]["unsafe_stiffness"]);
+  EXPECT_EQ(reportOf(run("recording report --json run/run.session"))["unsafe_stiffness"].size(), 1u);
+  EXPECT_TRUE(reportOf(run("recording replay --verify --json run/run.session"))["identical"]);
   // The recording's own scene does not bring the consent along.
   EXPECT_EQ(support::contentOf(folder_ / "run/run.session").find("unsafe_stiffness = true"), std::string::npos);
 }
 
 TEST_F(SafetyLimits, ARecordingWithoutAWindowSaysIt) {
-  const std::string scene = "record " + kWish + " --seconds 0.3 --json -o ";
+  const std::string scene = "recording new " + kWish + " --seconds 0.3 --json -o ";
   const CommandResult unsafe = run(scene + "unsafe.session --unsafe-stiffness");
   EXPECT_NE(unsafe.err.find("palpate: UNSAFE"), std::string::npos) << unsafe.err;
   EXPECT_EQ(reportOf(unsafe)["safety_notes"].size(), 1u);
-  EXPECT_NE(run("info unsafe.session").out.find("UNSAFE"), std::string::npos);
+  EXPECT_NE(run("recording info unsafe.session").out.find("UNSAFE"), std::string::npos);
   EXPECT_EQ(reportOf(run(scene + "safe.session"))["safety_notes"].size(), 2u);
 }
 
@@ -87,7 +87,7 @@ TEST_F(SafetyLimits, TrainingAndServersTakeNoConsent) {
     const CommandResult help = run(std::string(command) + " --help");
     EXPECT_EQ(help.out.find("--unsafe-stiffness"), std::string::npos) << command;
   }
-  for (const char* command : {"simulate", "run", "record"}) {
+  for (const char* command : {"simulate", "run", "recording new"}) {
     const CommandResult help = run(std::string(command) + " --help");
     EXPECT_NE(help.out.find("--unsafe-stiffness"), std::string::npos) << command;
   }
@@ -104,7 +104,7 @@ TEST_F(SafetyLimits, OfAHeldDeviceAreReportedAsTheyHeld) {
   EXPECT_EQ(report["device"]["force_n"], 7.9);
   const std::string notes = report["notes"].dump();
   EXPECT_NE(notes.find("all forces times 0.20"), std::string::npos) << notes;
-  const json limits = reportOf(run("info --json run/run.session"))["limits"][0];
+  const json limits = reportOf(run("recording info --json run/run.session"))["limits"][0];
   EXPECT_EQ(limits["stiffness_factor"], factor) << "one truth";
   EXPECT_EQ(limits["force_n"], report["device"]["force_n"]);
   EXPECT_EQ(limits["stiffness_n_per_mm"], report["device"]["stiffness_n_per_mm"]);

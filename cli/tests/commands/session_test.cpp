@@ -37,7 +37,7 @@ class SessionCommands : public testing::Test {
 
 TEST_F(SessionCommands, ARunIsFeltAgainToTheBit) {
   record();
-  const CommandResult result = palpate("replay results/run.session --verify --json -o again.csv");
+  const CommandResult result = palpate("recording replay results/run.session --verify --json -o again.csv");
   ASSERT_EQ(result.exit_code, 0) << result.out << result.err;
   const auto json = nlohmann::json::parse(result.out);
   EXPECT_EQ(json["identical"], true);
@@ -48,13 +48,13 @@ TEST_F(SessionCommands, ARunIsFeltAgainToTheBit) {
 
 TEST_F(SessionCommands, SoIsAFingerThatFoundItsOwnWay) {
   ASSERT_EQ(palpate("simulate dome.obj --seconds 1 --no-pictures --session").exit_code, 0);
-  EXPECT_EQ(palpate("replay results/run.session --verify").exit_code, 0);
+  EXPECT_EQ(palpate("recording replay results/run.session --verify").exit_code, 0);
 }
 
 TEST_F(SessionCommands, AnotherBodyIsToldAndEndsWithOne) {
   record();
   mesh::save(folder_ / "dome.obj", zoo::dome({-100.0, -100.0}, 10.0, 21.0));
-  const CommandResult result = palpate("replay results/run.session --verify");
+  const CommandResult result = palpate("recording replay results/run.session --verify");
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_NE(result.out.find("is not the recorded one"), std::string::npos) << result.out;
   EXPECT_NE(result.out.find("different"), std::string::npos);
@@ -62,13 +62,13 @@ TEST_F(SessionCommands, AnotherBodyIsToldAndEndsWithOne) {
 
 TEST_F(SessionCommands, ListInfoAndExportSayWhatIsInIt) {
   record();
-  const CommandResult list = palpate("sessions");
+  const CommandResult list = palpate("recording list");
   EXPECT_NE(list.out.find("results/run.session"), std::string::npos);
   EXPECT_NE(list.out.find("ended: done"), std::string::npos) << list.out;
-  const auto info = nlohmann::json::parse(palpate("info results/run.session --json").out);
+  const auto info = nlohmann::json::parse(palpate("recording info results/run.session --json").out);
   EXPECT_EQ(info["samples"], 2 * 1201);
   EXPECT_EQ(info["damaged_blocks"], 0);
-  EXPECT_EQ(palpate("export results/run.session --csv out.csv --json out.json --scene out.toml").exit_code, 0);
+  EXPECT_EQ(palpate("recording export results/run.session --csv out.csv --json out.json --scene out.toml").exit_code, 0);
   EXPECT_EQ(contentOf(folder_ / "out.csv"), contentOf(folder_ / "results/forces.csv"));
   EXPECT_EQ(nlohmann::json::parse(contentOf(folder_ / "out.json"))["world_list"].size(), 1u);
   EXPECT_NE(contentOf(folder_ / "out.toml").find("dome.obj"), std::string::npos);
@@ -78,13 +78,13 @@ TEST_F(SessionCommands, WrongInputIsOneLineAndExitTwo) {
   std::ofstream(folder_ / "text.session") << "hello";
   record();
   for (const char* arguments :
-       {"replay none.session", "replay text.session", "replay results/run.session --from 3 --to 2",
-        "replay results/run.session --from 99", "export results/run.session", "export text.session --csv a.csv"}) {
+       {"recording replay none.session", "recording replay text.session", "recording replay results/run.session --from 3 --to 2",
+        "recording replay results/run.session --from 99", "recording export results/run.session", "recording export text.session --csv a.csv"}) {
     const CommandResult result = palpate(arguments);
     EXPECT_EQ(result.exit_code, 2) << arguments;
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << arguments << ": " << result.err;
   }
-  EXPECT_NE(palpate("sessions").out.find("text.session: "), std::string::npos);
+  EXPECT_NE(palpate("recording list").out.find("text.session: "), std::string::npos);
 }
 
 /// The code of the page.
@@ -129,11 +129,11 @@ TEST_F(SessionCommands, RecordWritesWhatIsFeltAndTheMarksThatAreTyped) {
   EXPECT_EQ(json["tags"], "one two");
   EXPECT_EQ(json["dropped"], 0);
   EXPECT_GT(json["seconds"].get<double>(), 1.4);
-  const CommandResult info = palpate("info r.session");
+  const CommandResult info = palpate("recording info r.session");
   EXPECT_NE(info.out.find("mark: T6 right"), std::string::npos) << info.out;
   EXPECT_NE(info.out.find("mark: mark 2"), std::string::npos) << info.out;
-  EXPECT_EQ(palpate("replay r.session --verify").exit_code, 0);
-  const CommandResult again = palpate("record dome.obj --seconds 1 -o r.session");
+  EXPECT_EQ(palpate("recording replay r.session --verify").exit_code, 0);
+  const CommandResult again = palpate("recording new dome.obj --seconds 1 -o r.session");
   EXPECT_EQ(again.exit_code, 2);
   EXPECT_NE(again.err.find("exists already"), std::string::npos) << again.err;
 }
@@ -142,18 +142,18 @@ TEST_F(SessionCommands, AnnotateAddsWhatSomebodyWantsToSayAndLeavesTheTicksAsThe
   record();
   std::ofstream(folder_ / "voice.wav") << "RIFF";
   const CommandResult result = palpate(
-      "annotate results/run.session --notes new --tags 'a b' --mark 'T6 right@0.5' --mark end@1.2 --attach "
+      "recording annotate results/run.session --notes new --tags 'a b' --mark 'T6 right@0.5' --mark end@1.2 --attach "
       "voice.wav@0.7 -o more.session");
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  const auto info = nlohmann::json::parse(palpate("info more.session --json").out);
+  const auto info = nlohmann::json::parse(palpate("recording info more.session --json").out);
   EXPECT_EQ(info["notes"], "new");
   EXPECT_EQ(info["tags"], "a b");
   EXPECT_EQ(info["attachments"], 1);
   EXPECT_EQ(info["samples"], 2 * 1201);
-  const std::string text = palpate("info more.session").out;
+  const std::string text = palpate("recording info more.session").out;
   EXPECT_NE(text.find("0.500 s, mark: T6 right"), std::string::npos) << text;
-  EXPECT_EQ(palpate("replay more.session --verify").exit_code, 0);
-  EXPECT_EQ(palpate("export more.session --attachments notes").exit_code, 0);
+  EXPECT_EQ(palpate("recording replay more.session --verify").exit_code, 0);
+  EXPECT_EQ(palpate("recording export more.session --attachments notes").exit_code, 0);
   bool found = false;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_ / "notes")) {
     found = found || (entry.is_regular_file() && contentOf(entry.path()) == "RIFF");
@@ -161,21 +161,21 @@ TEST_F(SessionCommands, AnnotateAddsWhatSomebodyWantsToSayAndLeavesTheTicksAsThe
   EXPECT_TRUE(found);
   for (const char* wrong : {"--mark T6", "--mark T6@9", "--mark @1", "--mark T6@nan", "--attach voice.wav",
                             "--attach missing.wav@1", "--attach dome.obj@1", ""}) {
-    const CommandResult refused = palpate("annotate results/run.session -o wrong.session " + std::string(wrong));
+    const CommandResult refused = palpate("recording annotate results/run.session -o wrong.session " + std::string(wrong));
     EXPECT_EQ(refused.exit_code, 2) << wrong;
     EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
     EXPECT_FALSE(std::filesystem::exists(folder_ / "wrong.session"));
   }
-  EXPECT_EQ(palpate("annotate results/run.session --notes x -o results/run.session").exit_code, 2);
+  EXPECT_EQ(palpate("recording annotate results/run.session --notes x -o results/run.session").exit_code, 2);
 }
 
 TEST_F(SessionCommands, TheWindowsOwnAreListedFromWhereverTheyAre) {
   record();
   ::setenv("XDG_STATE_HOME", (folder_ / "state").c_str(), 1);
-  const CommandResult none = palpate("sessions --window");
+  const CommandResult none = palpate("recording list --window");
   std::filesystem::create_directories(folder_ / "state/palpate/sessions");
   std::filesystem::copy(folder_ / "results/run.session", folder_ / "state/palpate/sessions/a.session");
-  const CommandResult list = palpate("sessions --window");
+  const CommandResult list = palpate("recording list --window");
   ::unsetenv("XDG_STATE_HOME");
   EXPECT_EQ(none.exit_code, 2);
   EXPECT_NE(list.out.find("sessions/a.session"), std::string::npos) << list.out << list.err;

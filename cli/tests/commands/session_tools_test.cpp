@@ -51,8 +51,8 @@ class SessionTools : public testing::Test {
 TEST_F(SessionTools, ATrimmedSessionIsFeltAgainToTheBit) {
   record();
   for (const char* span : {"--from 0.7 --to 1.0", "--from 0.95 --to 1.3", "--from 0.35", "--to 0.45", "--from 1.25"}) {
-    jsonFrom(std::string("trim results/run.session -o part.session ") + span);
-    const auto replay = jsonFrom("replay part.session --verify");
+    jsonFrom(std::string("recording trim results/run.session -o part.session ") + span);
+    const auto replay = jsonFrom("recording replay part.session --verify");
     EXPECT_EQ(replay["identical"], true) << span;
     EXPECT_EQ(replay["unproven"], 0) << span;
     EXPECT_GT(replay["ticks"], 300) << span;
@@ -61,29 +61,29 @@ TEST_F(SessionTools, ATrimmedSessionIsFeltAgainToTheBit) {
 
 TEST_F(SessionTools, ATrimSaysHowMuchEarlierItBegins) {
   record();
-  const auto trim = jsonFrom("trim results/run.session -o part.session --from 0.95 --to 1.3");
+  const auto trim = jsonFrom("recording trim results/run.session -o part.session --from 0.95 --to 1.3");
   EXPECT_EQ(trim["first_tick"].get<int>() + trim["earlier_ticks"].get<int>(), 950);
   EXPECT_GT(trim["first_tick"], 600) << "between the contacts";
   EXPECT_GT(trim["earlier_ticks"], 50);
-  EXPECT_NE(palpate("trim results/run.session -o part.session --from 0.95").out.find("last at rest"),
+  EXPECT_NE(palpate("recording trim results/run.session -o part.session --from 0.95").out.find("last at rest"),
             std::string::npos);
 }
 
 TEST_F(SessionTools, AnExactTrimInAContactIsProvenFromWhereTheFingersRest) {
   record();
-  const auto trim = jsonFrom("trim results/run.session -o part.session --from 0.4 --exact");
+  const auto trim = jsonFrom("recording trim results/run.session -o part.session --from 0.4 --exact");
   EXPECT_EQ(trim["first_tick"], 400);
   EXPECT_EQ(trim["not_at_rest"].size(), 2u);
-  const auto replay = jsonFrom("replay part.session --verify");
+  const auto replay = jsonFrom("recording replay part.session --verify");
   EXPECT_EQ(replay["identical"], true) << "what can be proven";
   EXPECT_GT(replay["unproven"], 2 * 100);
   EXPECT_GT(replay["ticks"], 2 * 600);
   EXPECT_EQ(replay["gaps"].size(), 2u);
-  const CommandResult words = palpate("replay part.session --verify");
+  const CommandResult words = palpate("recording replay part.session --verify");
   EXPECT_NE(words.out.find("cannot be proven"), std::string::npos) << words.out;
   // All of it in the contact: nothing can be proven, and nobody may believe it was.
-  palpate("trim results/run.session -o inside.session --from 0.35 --to 0.4 --exact");
-  const CommandResult nothing = palpate("replay inside.session --verify");
+  palpate("recording trim results/run.session -o inside.session --from 0.35 --to 0.4 --exact");
+  const CommandResult nothing = palpate("recording replay inside.session --verify");
   EXPECT_EQ(nothing.exit_code, 1) << nothing.out;
   EXPECT_NE(nothing.out.find("nothing    could be compared"), std::string::npos) << nothing.out;
 }
@@ -91,28 +91,28 @@ TEST_F(SessionTools, AnExactTrimInAContactIsProvenFromWhereTheFingersRest) {
 TEST_F(SessionTools, ATrimOfADamagedRecordStillDiffers) {
   record();
   mesh::save(folder_ / "dome.obj", zoo::dome({-100.0, -100.0}, 10.0, 21.0));
-  palpate("trim results/run.session -o part.session --from 0.7");
-  EXPECT_EQ(palpate("replay part.session --verify").exit_code, 1);
+  palpate("recording trim results/run.session -o part.session --from 0.7");
+  EXPECT_EQ(palpate("recording replay part.session --verify").exit_code, 1);
 }
 
 // --- join ---
 
 TEST_F(SessionTools, JoinedSessionsAreFeltAgainToTheBit) {
   record();
-  jsonFrom("trim results/run.session -o a.session --to 0.35");  // ends in a contact
-  jsonFrom("trim results/run.session -o b.session --from 0.7");
-  jsonFrom("trim results/run.session -o c.session --from 0.4 --exact");
-  const auto join = jsonFrom("join a.session results/run.session b.session -o all.session");
+  jsonFrom("recording trim results/run.session -o a.session --to 0.35");  // ends in a contact
+  jsonFrom("recording trim results/run.session -o b.session --from 0.7");
+  jsonFrom("recording trim results/run.session -o c.session --from 0.4 --exact");
+  const auto join = jsonFrom("recording join a.session results/run.session b.session -o all.session");
   EXPECT_EQ(join["begins"].size(), 3u);
-  const auto replay = jsonFrom("replay all.session --verify");
+  const auto replay = jsonFrom("recording replay all.session --verify");
   EXPECT_EQ(replay["identical"], true);
   EXPECT_EQ(replay["unproven"], 0);
   EXPECT_EQ(replay["ticks"], join["samples"]);
   // One that was cut in a contact stays unproven there, and only there.
-  jsonFrom("join results/run.session c.session b.session -o all.session");
-  const auto again = jsonFrom("replay all.session --verify");
+  jsonFrom("recording join results/run.session c.session b.session -o all.session");
+  const auto again = jsonFrom("recording replay all.session --verify");
   EXPECT_EQ(again["identical"], true);
-  EXPECT_EQ(again["unproven"], jsonFrom("replay c.session --verify")["unproven"]);
+  EXPECT_EQ(again["unproven"], jsonFrom("recording replay c.session --verify")["unproven"]);
 }
 
 // --- repair ---
@@ -123,13 +123,13 @@ TEST_F(SessionTools, ASalvagedSessionIsFeltAgainAroundItsHoles) {
   ASSERT_GT(bytes.size(), 100000u);
   for (std::size_t at = bytes.size() / 2; at < bytes.size() / 2 + 9000; ++at) bytes[at] = 'x';
   std::ofstream(folder_ / "bent.session", std::ios::binary) << bytes;
-  EXPECT_EQ(palpate("replay bent.session --verify").exit_code, 2);
-  const auto repair = jsonFrom("repair bent.session -o mended.session");
+  EXPECT_EQ(palpate("recording replay bent.session --verify").exit_code, 2);
+  const auto repair = jsonFrom("recording repair bent.session -o mended.session");
   EXPECT_EQ(repair["nothing_lost"], false);
   EXPECT_GT(repair["samples_lost"], 100);
   EXPECT_EQ(repair["samples"].get<int>() + repair["samples_lost"].get<int>(), 2 * 1401);
   EXPECT_EQ(contentOf(folder_ / "bent.session"), bytes);
-  const auto replay = jsonFrom("replay mended.session --verify");
+  const auto replay = jsonFrom("recording replay mended.session --verify");
   EXPECT_EQ(replay["identical"], true);
   EXPECT_EQ(replay["ticks"].get<int>() + replay["unproven"].get<int>(), repair["samples"]);
   EXPECT_GT(replay["ticks"], 500);
@@ -137,29 +137,29 @@ TEST_F(SessionTools, ASalvagedSessionIsFeltAgainAroundItsHoles) {
 
 TEST_F(SessionTools, ASoundSessionIsRepairedWithoutALoss) {
   record();
-  const CommandResult result = palpate("repair results/run.session -o mended.session");
+  const CommandResult result = palpate("recording repair results/run.session -o mended.session");
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_NE(result.out.find("nothing was lost"), std::string::npos) << result.out;
-  EXPECT_EQ(palpate("replay mended.session --verify").exit_code, 0);
+  EXPECT_EQ(palpate("recording replay mended.session --verify").exit_code, 0);
 }
 
 // --- bundle ---
 
 TEST_F(SessionTools, ABundleIsFeltAgainSomewhereElseWithNothingElse) {
   record();
-  const auto bundle = jsonFrom("bundle results/run.session -o bundle.session --include .");
+  const auto bundle = jsonFrom("recording bundle results/run.session -o bundle.session --include .");
   EXPECT_EQ(bundle["files"].size(), 2u) << "mesh and path";
   for (const char* gone : {"dome.obj", "path.csv"}) std::filesystem::remove(folder_ / gone);
-  EXPECT_EQ(palpate("replay results/run.session --verify").exit_code, 2);
+  EXPECT_EQ(palpate("recording replay results/run.session --verify").exit_code, 2);
   const support::TemporaryFolder elsewhere;
   std::filesystem::rename(folder_ / "bundle.session", elsewhere / "bundle.session");
-  EXPECT_EQ(runPalpate("replay bundle.session --verify", elsewhere.path()).exit_code, 0);
+  EXPECT_EQ(runPalpate("recording replay bundle.session --verify", elsewhere.path()).exit_code, 0);
   // What is made of a bundle carries the files on.
   for (const char* made :
-       {"trim bundle.session -o made.session --from 0.7", "repair bundle.session -o made.session",
-        "join bundle.session bundle.session -o made.session", "bundle bundle.session -o made.session"}) {
+       {"recording trim bundle.session -o made.session --from 0.7", "recording repair bundle.session -o made.session",
+        "recording join bundle.session bundle.session -o made.session", "recording bundle bundle.session -o made.session"}) {
     EXPECT_EQ(runPalpate(made, elsewhere.path()).exit_code, 0) << made;
-    const CommandResult replay = runPalpate("replay made.session --verify", elsewhere.path());
+    const CommandResult replay = runPalpate("recording replay made.session --verify", elsewhere.path());
     EXPECT_EQ(replay.exit_code, 0) << made << replay.out << replay.err;
   }
 }
@@ -180,9 +180,9 @@ TEST_F(SessionTools, ABundleCarriesWhatAGltfFileNames) {
       << R"("meshes":[{"primitives":[{"attributes":{"POSITION":1},"indices":0}]}],"nodes":[{"mesh":0}],)"
       << R"("scenes":[{"nodes":[0]}],"scene":0})";
   record("model/back.gltf");
-  EXPECT_EQ(jsonFrom("bundle results/run.session -o bundle.session --include .")["files"].size(), 3u);
+  EXPECT_EQ(jsonFrom("recording bundle results/run.session -o bundle.session --include .")["files"].size(), 3u);
   std::filesystem::remove_all(folder_ / "model");
-  EXPECT_EQ(palpate("replay bundle.session --verify").exit_code, 0);
+  EXPECT_EQ(palpate("recording replay bundle.session --verify").exit_code, 0);
 }
 
 TEST_F(SessionTools, ABundleSaysNothingOfWhoRecordedItAndWhere) {
@@ -196,7 +196,7 @@ TEST_F(SessionTools, ABundleSaysNothingOfWhoRecordedItAndWhere) {
   ASSERT_NE(readFile(folder_ / "results/run.session", 1 << 26).find("zaphod"), std::string::npos);
   ::setenv("USER", "zaphod", 1);
   const CommandResult result =
-      palpate("bundle results/run.session -o bundle.session --include zaphod --include path.csv");
+      palpate("recording bundle results/run.session -o bundle.session --include zaphod --include path.csv");
   ::unsetenv("USER");
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const std::string bytes = readFile(folder_ / "bundle.session", 1 << 26);
@@ -205,13 +205,13 @@ TEST_F(SessionTools, ABundleSaysNothingOfWhoRecordedItAndWhere) {
   EXPECT_EQ(bytes.find(folder_.path().filename().string()), std::string::npos);
   EXPECT_NE(bytes.find("of user, practice"), std::string::npos) << "the rest of the words stays";
   std::filesystem::remove_all(folder_ / "zaphod");
-  EXPECT_EQ(palpate("replay bundle.session --verify").exit_code, 0);
+  EXPECT_EQ(palpate("recording replay bundle.session --verify").exit_code, 0);
 }
 
 TEST_F(SessionTools, AFileThatABundleNeedsAndThatIsGoneIsNamed) {
   record();
   std::filesystem::remove(folder_ / "dome.obj");
-  const CommandResult result = palpate("bundle results/run.session -o bundle.session --include .");
+  const CommandResult result = palpate("recording bundle results/run.session -o bundle.session --include .");
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_NE(result.err.find("dome.obj"), std::string::npos) << result.err;
   EXPECT_FALSE(std::filesystem::exists(folder_ / "bundle.session"));
@@ -227,7 +227,7 @@ TEST_F(SessionTools, FilesThatAStrangersSessionCarriesStayInTheirFolder) {
       writer.add(trace::Sample{});
       writer.finish("done");
     }
-    const CommandResult result = palpate("replay evil.session");
+    const CommandResult result = palpate("recording replay evil.session");
     EXPECT_EQ(result.exit_code, 2) << name;
     EXPECT_NE(result.err.find("outside of its folder"), std::string::npos) << name << ": " << result.err;
   }
@@ -236,22 +236,22 @@ TEST_F(SessionTools, FilesThatAStrangersSessionCarriesStayInTheirFolder) {
 
 TEST_F(SessionTools, ABundleTakesNoFileFromElsewhereUnlessItIsToldTo) {
   record();
-  const CommandResult refused = palpate("bundle results/run.session -o bundle.session");
+  const CommandResult refused = palpate("recording bundle results/run.session -o bundle.session");
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
   for (const char* name : {"dome.obj", "path.csv"}) {
     EXPECT_NE(refused.err.find("--include '" + pathOf(name) + "'"), std::string::npos) << refused.err;
   }
   EXPECT_FALSE(std::filesystem::exists(folder_ / "bundle.session"));
-  EXPECT_EQ(palpate("bundle results/run.session -o bundle.session --include dome.obj").exit_code, 2);
-  EXPECT_EQ(palpate("bundle results/run.session -o bundle.session --include dome.obj --include path.csv").exit_code, 0);
+  EXPECT_EQ(palpate("recording bundle results/run.session -o bundle.session --include dome.obj").exit_code, 2);
+  EXPECT_EQ(palpate("recording bundle results/run.session -o bundle.session --include dome.obj --include path.csv").exit_code, 0);
   // What lies beside the recording needs no word; a link that leads out of there does.
   std::filesystem::rename(folder_ / "results/run.session", folder_ / "run.session");
-  EXPECT_EQ(palpate("bundle run.session -o beside.session").exit_code, 0);
+  EXPECT_EQ(palpate("recording bundle run.session -o beside.session").exit_code, 0);
   const palpate::TemporaryFolder elsewhere("elsewhere");
   std::filesystem::rename(folder_ / "path.csv", elsewhere.path() / "id_rsa");
   std::filesystem::create_symlink(elsewhere.path() / "id_rsa", folder_ / "path.csv");
-  const CommandResult linked = palpate("bundle run.session -o linked.session");
+  const CommandResult linked = palpate("recording bundle run.session -o linked.session");
   EXPECT_EQ(linked.exit_code, 2);
   EXPECT_NE(linked.err.find("id_rsa"), std::string::npos) << linked.err;
 }
@@ -269,8 +269,8 @@ TEST_F(SessionTools, WordsOfAStrangerReachNoTerminalAsCommands) {
     writer.finish(words);
   }
   std::ofstream(folder_ / "evil.toml") << "\x1b[2J = 1\n";
-  for (const char* command : {"info evil.session", "sessions .", "sessions . --json", "info evil.session --json",
-                              "simulate evil.toml", "join evil.session evil.session -o both.session"}) {
+  for (const char* command : {"recording info evil.session", "recording list .", "recording list . --json", "recording info evil.session --json",
+                              "simulate evil.toml", "recording join evil.session evil.session -o both.session"}) {
     const CommandResult result = palpate(command);
     const std::string said = result.out + result.err;
     EXPECT_FALSE(said.empty());
@@ -287,12 +287,12 @@ TEST_F(SessionTools, OneFileThatWasMadeToHangItsReaderDoesNotStopTheList) {
       .run(
           "DROP TABLE columns; CREATE VIEW columns AS WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) "
           "SELECT i AS position, 'tick' AS name, 'u64' AS type FROM n WHERE i < 0");
-  const CommandResult list = palpate("sessions .");
+  const CommandResult list = palpate("recording list .");
   EXPECT_EQ(list.exit_code, 0);
   EXPECT_NE(list.out.find("a.session: holds the view 'columns'"), std::string::npos) << list.out;
   EXPECT_NE(list.out.find("run.session  "), std::string::npos) << list.out;
-  EXPECT_EQ(palpate("info a.session").exit_code, 2);
-  EXPECT_EQ(palpate("repair a.session -o sound.session").exit_code, 0) << "which reads no SQL";
+  EXPECT_EQ(palpate("recording info a.session").exit_code, 2);
+  EXPECT_EQ(palpate("recording repair a.session -o sound.session").exit_code, 0) << "which reads no SQL";
 }
 
 TEST_F(SessionTools, ANameThatBeginsLikeAFormulaIsNoneInATable) {
@@ -302,18 +302,18 @@ TEST_F(SessionTools, ANameThatBeginsLikeAFormulaIsNoneInATable) {
     writer.add(trace::Sample{});
     writer.finish("done");
   }
-  ASSERT_EQ(palpate("export a.session --csv safe.csv").exit_code, 0);
-  ASSERT_EQ(palpate("export a.session --csv raw.csv --raw").exit_code, 0);
+  ASSERT_EQ(palpate("recording export a.session --csv safe.csv").exit_code, 0);
+  ASSERT_EQ(palpate("recording export a.session --csv raw.csv --raw").exit_code, 0);
   EXPECT_NE(contentOf(folder_ / "safe.csv").find("\n0,\"'=1+1,2\","), std::string::npos);
   EXPECT_NE(contentOf(folder_ / "raw.csv").find("\n0,\"=1+1,2\","), std::string::npos);
-  EXPECT_EQ(palpate("export a.session --json a.json --raw").exit_code, 2);
+  EXPECT_EQ(palpate("recording export a.session --json a.json --raw").exit_code, 2);
 }
 
 // --- export ---
 
 TEST_F(SessionTools, EveryColumnComesOutForNumPy) {
   record();
-  ASSERT_EQ(palpate("export results/run.session --npz run.npz --csv run.csv --from 0.2 --to 1.1").exit_code, 0);
+  ASSERT_EQ(palpate("recording export results/run.session --npz run.npz --csv run.csv --from 0.2 --to 1.1").exit_code, 0);
   // With nothing but what comes with Python: an archive of .npy files, each with a head that says its type and shape.
   std::ofstream(folder_ / "read.py") << R"(
 import ast, csv, struct, zipfile
@@ -350,17 +350,17 @@ TEST_F(SessionTools, TheSkinOfAMomentIsThatOfTheRun) {
   std::ofstream(folder_ / "scene.toml") << "[body]\nkind = \"mesh\"\nfile = \"dome.obj\"\n[[finger]]\nname = "
                                            "\"index\"\ntrajectory = \"path.csv\"\n[output]\nsurfaces_at_s = [0.35]\n";
   ASSERT_EQ(palpate("simulate scene.toml --no-pictures --session").exit_code, 0);
-  ASSERT_EQ(palpate("export results/run.session --ply skin.ply --at 0.35").exit_code, 0);
+  ASSERT_EQ(palpate("recording export results/run.session --ply skin.ply --at 0.35").exit_code, 0);
   EXPECT_EQ(contentOf(folder_ / "skin.ply"), contentOf(folder_ / "results/surface_0.350s.ply"));
-  ASSERT_EQ(palpate("export results/run.session --ply deepest.ply").exit_code, 0);
+  ASSERT_EQ(palpate("recording export results/run.session --ply deepest.ply").exit_code, 0);
   EXPECT_EQ(contentOf(folder_ / "deepest.ply"), contentOf(folder_ / "results/surface_deepest.ply"));
   mesh::save(folder_ / "dome.obj", zoo::dome({-100.0, -100.0}, 10.0, 21.0));
-  EXPECT_NE(palpate("export results/run.session --ply skin.ply --at 0.35").out.find("not the recorded one"),
+  EXPECT_NE(palpate("recording export results/run.session --ply skin.ply --at 0.35").out.find("not the recorded one"),
             std::string::npos);
   const CommandResult picture = palpate("render results/run.session --size 80x60 --at 0.35");
   EXPECT_NE(picture.out.find("not the recorded one"), std::string::npos) << picture.out;
   mesh::save(folder_ / "dome.obj", zoo::grid(2, 50.0));
-  const CommandResult other = palpate("export results/run.session --ply skin.ply --at 0.35");
+  const CommandResult other = palpate("recording export results/run.session --ply skin.ply --at 0.35");
   EXPECT_EQ(other.exit_code, 2);
   EXPECT_NE(other.err.find("not the recorded one"), std::string::npos) << other.err;
 }
@@ -375,7 +375,7 @@ TEST_F(SessionTools, PicturesAndSoundsComeOutByTheirTime) {
     writer.add(trace::SessionAttachment{0, "file", "body.obj", "", "v 0 0 0"});
     writer.finish("done");
   }
-  ASSERT_EQ(palpate("export a.session --attachments notes").exit_code, 0);
+  ASSERT_EQ(palpate("recording export a.session --attachments notes").exit_code, 0);
   EXPECT_EQ(contentOf(folder_ / "notes/0001_picture_1.250s.png"), "PNG");
   EXPECT_EQ(contentOf(folder_ / "notes/0002_sound_2.500s.wav"), "RIFF");
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_ / "notes"), {}), 2);
@@ -395,7 +395,7 @@ TEST_F(SessionTools, ASessionIsDrawnAsTheRunWas) {
               contentOf(folder_ / (std::string("run") + number)));
   }
   EXPECT_EQ(session["pictures"][1]["fingers"], run["pictures"][1]["fingers"]);
-  palpate("bundle results/run.session -o bundle.session --include .");
+  palpate("recording bundle results/run.session -o bundle.session --include .");
   std::filesystem::remove(folder_ / "dome.obj");
   EXPECT_EQ(palpate("render bundle.session -o bundle.png --size 80x60 --at 0.35").exit_code, 0);
   EXPECT_EQ(palpate("render bundle.session -o bundle.png --size 80x60 --at 9").exit_code, 2);
@@ -409,10 +409,10 @@ TEST_F(SessionTools, ASessionOfEveryVersionIsSalvagedWhole) {
     for (const auto& file : std::filesystem::directory_iterator(version)) {
       if (file.path().extension() != ".session") continue;
       ++versions;
-      const auto repair = jsonFrom("repair '" + file.path().string() + "' -o mended.session");
+      const auto repair = jsonFrom("recording repair '" + file.path().string() + "' -o mended.session");
       EXPECT_EQ(repair["nothing_lost"], true) << file.path();
-      const auto was = jsonFrom("replay '" + file.path().string() + "' --folder '" + version.path().string() + "'");
-      const auto is = jsonFrom("replay mended.session --folder '" + version.path().string() + "'");
+      const auto was = jsonFrom("recording replay '" + file.path().string() + "' --folder '" + version.path().string() + "'");
+      const auto is = jsonFrom("recording replay mended.session --folder '" + version.path().string() + "'");
       EXPECT_EQ(is["ticks"], was["ticks"]) << file.path();
       EXPECT_EQ(repair["samples"].get<int>(), is["ticks"].get<int>() + is["unproven"].get<int>()) << file.path();
     }
@@ -426,21 +426,21 @@ TEST_F(SessionTools, WrongInputIsOneLineAndExitTwo) {
   record();
   std::ofstream(folder_ / "text.session") << "hello";
   for (const char* arguments :
-       {"trim results/run.session", "trim results/run.session -o results/run.session --from 0.5",
-        "trim results/run.session -o a.session --from 3", "trim results/run.session -o a.session --from 2 --to 1",
-        "trim text.session -o a.session", "join results/run.session -o a.session",
-        "join results/run.session text.session -o a.session",
-        "join results/run.session results/run.session -o results/run.session", "repair text.session -o a.session",
-        "repair results/run.session -o results/run.session", "repair results/run.session -o a.session --no-weld",
-        "repair results/run.session -o a.session --unit m", "repair none.session -o a.session"}) {
+       {"recording trim results/run.session", "recording trim results/run.session -o results/run.session --from 0.5",
+        "recording trim results/run.session -o a.session --from 3", "recording trim results/run.session -o a.session --from 2 --to 1",
+        "recording trim text.session -o a.session", "recording join results/run.session -o a.session",
+        "recording join results/run.session text.session -o a.session",
+        "recording join results/run.session results/run.session -o results/run.session", "recording repair text.session -o a.session",
+        "recording repair results/run.session -o results/run.session", "recording repair results/run.session -o a.session --no-weld",
+        "recording repair results/run.session -o a.session --unit m", "recording repair none.session -o a.session"}) {
     const CommandResult result = palpate(arguments);
     EXPECT_EQ(result.exit_code, 2) << arguments << result.out;
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << arguments << ": " << result.err;
     EXPECT_FALSE(std::filesystem::exists(folder_ / "a.session")) << arguments;
   }
-  EXPECT_NE(palpate("repair results/run.session -o a.session --no-weld").err.find("--no-weld is for meshes"),
+  EXPECT_NE(palpate("recording repair results/run.session -o a.session --no-weld").err.find("--no-weld is for meshes"),
             std::string::npos);
-  EXPECT_EQ(palpate("replay results/run.session --verify").exit_code, 0) << "the source is as it was";
+  EXPECT_EQ(palpate("recording replay results/run.session --verify").exit_code, 0) << "the source is as it was";
 }
 
 }  // namespace

@@ -116,7 +116,7 @@ TEST_F(Signals, ASeriesOfPicturesEndsWithAWholePicture) {
 }
 
 TEST_F(Signals, AHuntTellsWhatItHasFoundSoFar) {
-  const int end = ended({"hunt", "--seconds", "1000", "--threads", "2", "--json"}, SIGINT,
+  const int end = ended({"study", "hunt", "--seconds", "1000", "--threads", "2", "--json"}, SIGINT,
                         [&] { return support::contentOf(folder_ / "err").find("hunting") != std::string::npos; });
   EXPECT_EQ(end, 130);
   const auto json = nlohmann::json::parse(support::contentOf(folder_ / "out"));
@@ -134,7 +134,7 @@ TEST_F(Signals, AStudyOfAllBindsTheChaptersThatAreDone) {
 
 TEST_F(Signals, WhatHasNothingToFinishEndsAtOnce) {
   const Clock::time_point began = Clock::now();
-  const int end = ended({"bench", "servo", "--mesh", "dome.ply", "--seconds", "300"}, SIGTERM,
+  const int end = ended({"study", "bench", "servo", "--mesh", "dome.ply", "--seconds", "300"}, SIGTERM,
                         [&] { return secondsSince(began) > 0.5; });
   EXPECT_EQ(end, 143);
   EXPECT_LT(secondsSince(began), 60.0);
@@ -144,12 +144,12 @@ TEST_F(Signals, ARunThatWasKilledLeavesAPartThatIsExplainedAndNeverOverwritten) 
   const std::vector<std::string> run = {"simulate", "--mesh", "dome.ply", "--seconds", "2000", "--out", "results"};
   EXPECT_EQ(ended(run, SIGKILL, [&] { return hasBytes("results/forces.csv.partial"); }), -SIGKILL);
   const std::string part = support::contentOf(folder_ / "results/forces.csv.partial");
-  const auto told = support::runPalpate("info results/forces.csv.partial", folder_.path());
+  const auto told = support::runPalpate("recording info results/forces.csv.partial", folder_.path());
   EXPECT_EQ(told.exit_code, 0) << told.err;
   EXPECT_NE(told.out.find("unfinished"), std::string::npos) << told.out;
   EXPECT_NE(told.out.find("palpate run --replay results/forces.csv.partial"), std::string::npos) << told.out;
   const auto json =
-      nlohmann::json::parse(support::runPalpate("info --json results/forces.csv.partial", folder_.path()).out);
+      nlohmann::json::parse(support::runPalpate("recording info --json results/forces.csv.partial", folder_.path()).out);
   EXPECT_EQ(json["complete"], false);
   EXPECT_GT(json["fingers"][0]["rows"], 0);
   const auto again =
@@ -176,13 +176,13 @@ TEST_F(Signals, ARecordingIsFinishedAndProven) {
       std::error_code error;
       return fs::file_size(folder_ / "run.session.partial-wal", error) > 150'000 && !error;
     };
-    EXPECT_EQ(ended({"record", "dome.ply", "--seconds", "600", "--overwrite", "-o", "run.session"}, signal, written),
+    EXPECT_EQ(ended({"recording", "new", "dome.ply", "--seconds", "600", "--overwrite", "-o", "run.session"}, signal, written),
               code);
     const auto info =
-        nlohmann::json::parse(support::runPalpate("info run.session --json", folder_.path()).out, nullptr, false);
+        nlohmann::json::parse(support::runPalpate("recording info run.session --json", folder_.path()).out, nullptr, false);
     ASSERT_FALSE(info.is_discarded());
     EXPECT_EQ(info["ended_by"], name);
-    EXPECT_EQ(support::runPalpate("replay run.session --verify", folder_.path()).exit_code, 0);
+    EXPECT_EQ(support::runPalpate("recording replay run.session --verify", folder_.path()).exit_code, 0);
   }
 }
 
@@ -191,11 +191,11 @@ TEST_F(Signals, ARecordingThatIsKilledKeepsWhatWasWrittenAndRepairFinishesIt) {
     std::error_code error;
     return fs::file_size(folder_ / "run.session.partial-wal", error) > 200'000 && !error;
   };
-  EXPECT_EQ(ended({"record", "dome.ply", "--seconds", "600", "-o", "run.session"}, SIGKILL, much), -SIGKILL);
+  EXPECT_EQ(ended({"recording", "new", "dome.ply", "--seconds", "600", "-o", "run.session"}, SIGKILL, much), -SIGKILL);
   EXPECT_FALSE(fs::exists(folder_ / "run.session"));
-  EXPECT_EQ(support::runPalpate("replay run.session.partial --verify", folder_.path()).exit_code, 0);
-  EXPECT_EQ(support::runPalpate("repair run.session.partial -o mended.session", folder_.path()).exit_code, 0);
-  EXPECT_EQ(support::runPalpate("replay mended.session --verify", folder_.path()).exit_code, 0);
+  EXPECT_EQ(support::runPalpate("recording replay run.session.partial --verify", folder_.path()).exit_code, 0);
+  EXPECT_EQ(support::runPalpate("recording repair run.session.partial -o mended.session", folder_.path()).exit_code, 0);
+  EXPECT_EQ(support::runPalpate("recording replay mended.session --verify", folder_.path()).exit_code, 0);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // Counts a partition: one pass over its nodes and entries.
 //
-// Data flow: Partition -> here -> `palpate partition` and the studies. Based on: Ji, dissertation 2008, 3.3.1,
+// Data flow: Partition -> here -> `palpate study partition` and the studies. Based on: Ji, dissertation 2008, 3.3.1,
 // Table 3.3.
 #include "palpate/hdb/statistics.h"
 

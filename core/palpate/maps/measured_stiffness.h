@@ -3,7 +3,7 @@
 //   gri         the engine's default, exact at the keys, never beyond what was measured (gaussian_interpolation.h)
 //   thin_plate  exact at the keys, the smoothest surface between them (thin_plate_spline.h)
 //   polynomial  the trend, not exact at the keys (polynomial_surface.h)
-// From here the scene and `palpate map stiffness` get a value a vertex; stiffness_map.h then adds dysfunctions.
+// From here the scene and `palpate body map stiffness` get a value a vertex; stiffness_map.h then adds dysfunctions.
 // Based on: Ji, dissertation 2008, section 5.2; the alternatives name their sources in their files.
 #pragma once
 

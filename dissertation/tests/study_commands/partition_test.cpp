@@ -1,4 +1,4 @@
-// `palpate partition` and `palpate bench partition` as a user runs them.
+// `palpate study partition` and `palpate study bench partition` as a user runs them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ nlohmann::json jsonFrom(const std::string& arguments) {
 TEST(PartitionCommand, DescribesTheTreeAndMissesNothingInTheBox) {
   for (const std::string tree : {"bsp", "octree"}) {
     for (const std::string assign : {"A", "B", "C"}) {
-      const nlohmann::json json = jsonFrom("partition back_2962 --tree " + tree + " --assign " + assign +
+      const nlohmann::json json = jsonFrom("study partition back_2962 --tree " + tree + " --assign " + assign +
                                            " --threshold 128 --box 175,200,90,80 --json");
       EXPECT_EQ(json.at("triangles"), 2962);
       EXPECT_EQ(json.at("tree"), tree);
@@ -42,22 +42,22 @@ TEST(PartitionCommand, DescribesTheTreeAndMissesNothingInTheBox) {
 }
 
 TEST(PartitionCommand, ComparesThePrintedTraversals) {
-  const std::string box = "partition back_2962 --tree bsp --threshold 128 --box=175,200,90,80 --json --traversal ";
+  const std::string box = "study partition back_2962 --tree bsp --threshold 128 --box=175,200,90,80 --json --traversal ";
   EXPECT_GT(jsonFrom(box + "else-if").at("box").at("missed"), 0);
   EXPECT_GE(jsonFrom(box + "half-space").at("box").at("rendered"), jsonFrom(box + "tight").at("box").at("must"));
   // A small sphere below the skin, inside a cell.
-  const std::string small = "partition back_2962 --tree bsp --threshold 128 --box=175,200,100,20 --json --traversal ";
+  const std::string small = "study partition back_2962 --tree bsp --threshold 128 --box=175,200,100,20 --json --traversal ";
   EXPECT_GT(jsonFrom(small + "sphere-corners").at("box").at("missed"), 0);
   EXPECT_EQ(jsonFrom(small + "sphere").at("box").at("missed"), 0);
 }
 
 TEST(PartitionCommand, SaysHowManyTrianglesThePrintedOctreeLoses) {
-  EXPECT_GT(jsonFrom("partition back_2962 --threshold 64 --octree-rule two-of-three --json").at("lost_triangles"), 0);
-  EXPECT_FALSE(jsonFrom("partition back_2962 --json").contains("lost_triangles"));
+  EXPECT_GT(jsonFrom("study partition back_2962 --threshold 64 --octree-rule two-of-three --json").at("lost_triangles"), 0);
+  EXPECT_FALSE(jsonFrom("study partition back_2962 --json").contains("lost_triangles"));
 }
 
 TEST(PartitionCommand, TakesAQuarterOfTheLongestEdgeOrOfTheBox) {
-  const std::string flat = "partition flat100 --box 50,50,0 --json";
+  const std::string flat = "study partition flat100 --box 50,50,0 --json";
   EXPECT_NEAR(jsonFrom(flat).at("box").at("edges_mm").at(2).get<double>(), 25.0, 1e-6);
   EXPECT_EQ(jsonFrom(flat + " --box-size box").at("box").at("edges_mm").at(2), 0.0);  // E12
 }
@@ -65,7 +65,7 @@ TEST(PartitionCommand, TakesAQuarterOfTheLongestEdgeOrOfTheBox) {
 TEST(PartitionCommand, WritesColouredMeshes) {
   const support::TemporaryFolder folder;
   const auto result = runPalpate(
-      "partition back_2962 --threshold 128 --assign A --box 175,200,90 --leaf-colours leaves.ply "
+      "study partition back_2962 --threshold 128 --assign A --box 175,200,90 --leaf-colours leaves.ply "
       "--selection found.ply",
       folder.path());
   ASSERT_EQ(result.exit_code, 0) << result.err;
@@ -79,7 +79,7 @@ TEST(PartitionCommand, WritesColouredMeshes) {
 TEST(PartitionCommand, DrawsLeavesAndWhatTheBoxFinds) {
   const support::TemporaryFolder folder;
   const auto result = runPalpate(
-      "partition back_2962 --threshold 256 --box 175,200,90 -o leaves.svg -o leaves.png --view back", folder.path());
+      "study partition back_2962 --threshold 256 --box 175,200,90 -o leaves.svg -o leaves.png --view back", folder.path());
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const std::string svg = support::contentOf(folder.path() / "leaves.svg");
   for (const char* text : {"leaves, a colour each", "boxes of the leaves", "triangles in the box", "meet the box",
@@ -91,7 +91,7 @@ TEST(PartitionCommand, DrawsLeavesAndWhatTheBoxFinds) {
 
 TEST(PartitionCommand, NamesWhatIsWrong) {
   const auto expect_wrong = [](const std::string& arguments, const std::string& cause) {
-    const support::CommandResult result = runPalpate("partition " + arguments);
+    const support::CommandResult result = runPalpate("study partition " + arguments);
     EXPECT_EQ(result.exit_code, 2) << arguments;
     EXPECT_NE(result.err.find(cause), std::string::npos) << result.err;
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
@@ -111,7 +111,7 @@ TEST(PartitionCommand, NamesWhatIsWrong) {
 }
 
 TEST(BenchPartitionCommand, PrintsTheFiguresOfTheBox) {
-  const nlohmann::json json = jsonFrom("bench partition --mesh back_2962 --ticks 300 --json");
+  const nlohmann::json json = jsonFrom("study bench partition --mesh back_2962 --ticks 300 --json");
   for (const char* key : {"hdb_query_us", "hybrid_us_per_tick", "bytes_per_triangle", "build_ns_per_triangle"}) {
     EXPECT_TRUE(json.contains(key)) << key;
   }

@@ -1,7 +1,7 @@
 // What a recorded session was, in numbers: forces, depths and speeds of each finger, contacts, search and palpation,
 // what the limiter did, which ticks are missing, and the places that were touched.
 //
-//   SessionReader ─ ticks ─► SessionMeasurement ─► SessionStatistics ─► `palpate report`
+//   SessionReader ─ ticks ─► SessionMeasurement ─► SessionStatistics ─► `palpate recording report`
 //
 // Ticks pass through once. The memory that it takes does not grow with them: series and histograms are of fixed size,
 // lists end at kMostListed while their counts go on. Names of safety bits belong to servo, so bits are counted here as

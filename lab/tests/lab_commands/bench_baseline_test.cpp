@@ -1,4 +1,4 @@
-// The regression guard, `palpate bench --baseline`, from the outside.
+// The regression guard, `palpate study bench --baseline`, from the outside.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -25,7 +25,7 @@ class BenchBaseline : public testing::Test {
   /// A file that this machine wrote, every ratio multiplied.
   std::string measured(double factor) {
     const std::string file = (folder.path() / "baseline.json").string();
-    EXPECT_EQ(runPalpate("bench --write-baseline " + file + " --guard-triangles 2962" + kQuick).exit_code, 0);
+    EXPECT_EQ(runPalpate("study bench --write-baseline " + file + " --guard-triangles 2962" + kQuick).exit_code, 0);
     auto json = nlohmann::json::parse(std::ifstream(file));
     for (auto& kernel : json["kernels"]) kernel["ratio"] = kernel["ratio"].get<double>() * factor;
     return write(json.dump());
@@ -34,25 +34,25 @@ class BenchBaseline : public testing::Test {
 };
 
 TEST_F(BenchBaseline, SaysYesToWhatItCouldDoBefore) {
-  const auto result = runPalpate("bench --baseline " + measured(100.0) + " --json" + kQuick);
+  const auto result = runPalpate("study bench --baseline " + measured(100.0) + " --json" + kQuick);
   EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
   EXPECT_TRUE(nlohmann::json::parse(result.out)["slower"].empty());
 }
 
 TEST_F(BenchBaseline, NamesEveryKernelThatGotSlower) {
-  const auto result = runPalpate("bench --baseline " + measured(0.01) + " --json" + kQuick);
+  const auto result = runPalpate("study bench --baseline " + measured(0.01) + " --json" + kQuick);
   EXPECT_EQ(result.exit_code, 1) << result.err;
   const auto json = nlohmann::json::parse(result.out);
   EXPECT_EQ(json["slower"].size(), json["kernels"].size());
   EXPECT_GT(json["kernels"][0]["change"].get<double>(), 1.3);
-  EXPECT_NE(runPalpate("bench --baseline " + measured(0.01) + kQuick).out.find("SLOWER"), std::string::npos);
+  EXPECT_NE(runPalpate("study bench --baseline " + measured(0.01) + kQuick).out.find("SLOWER"), std::string::npos);
 }
 
 TEST_F(BenchBaseline, RefusesAFileThatIsNone) {
   for (const char* text : {"", "[1, 2]", "{\"triangles\": 2962, \"kernels\": []}",
                            "{\"triangles\": 2962, \"kernels\": [{\"name\": \"weld\", \"ratio\": -1}]}",
                            "{\"triangles\": 3, \"kernels\": [{\"name\": \"weld\", \"ratio\": 1}]}"}) {
-    const auto result = runPalpate("bench --baseline " + write(text) + kQuick);
+    const auto result = runPalpate("study bench --baseline " + write(text) + kQuick);
     EXPECT_EQ(result.exit_code, 2) << text;
     EXPECT_NE(result.err.find("baseline.json"), std::string::npos) << result.err;
   }
@@ -65,15 +65,15 @@ TEST_F(BenchBaseline, OfSeveralFilesTakesTheOneForVectorsAsWideAsHere) {
   const std::string other = (folder.path() / "other.json").string();
   std::ofstream(other) << json.dump();
   const std::string fitting = measured(100.0);
-  const auto result = runPalpate("bench --baseline " + other + " " + fitting + " --json" + kQuick);
+  const auto result = runPalpate("study bench --baseline " + other + " " + fitting + " --json" + kQuick);
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(nlohmann::json::parse(result.out)["baseline"], fitting);
-  const auto none = runPalpate("bench --baseline " + other + kQuick);
+  const auto none = runPalpate("study bench --baseline " + other + kQuick);
   EXPECT_EQ(none.exit_code, 2);
   EXPECT_NE(none.err.find("no baseline for " + here), std::string::npos) << none.err;
 }
 
-TEST_F(BenchBaseline, IsNotTheDefault) { EXPECT_EQ(runPalpate("bench").exit_code, 2); }
+TEST_F(BenchBaseline, IsNotTheDefault) { EXPECT_EQ(runPalpate("study bench").exit_code, 2); }
 
 }  // namespace
 }  // namespace palpate

@@ -1,4 +1,4 @@
-// `palpate bench frame` from the outside.
+// `palpate study bench frame` from the outside.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -11,7 +11,7 @@ namespace {
 using support::runPalpate;
 
 TEST(BenchFrameCommand, SplitsAPictureIntoDeformationUploadAndDrawing) {
-  const auto result = runPalpate("bench frame --triangles 3000 --width 160 --height 90 --seconds 0 --json");
+  const auto result = runPalpate("study bench frame --triangles 3000 --width 160 --height 90 --seconds 0 --json");
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const auto json = nlohmann::json::parse(result.out);
   EXPECT_EQ(json["triangles"], 3000);
@@ -26,7 +26,7 @@ TEST(BenchFrameCommand, SplitsAPictureIntoDeformationUploadAndDrawing) {
 }
 
 TEST(BenchFrameCommand, NamesTheStereoModesItKnows) {
-  const auto result = runPalpate("bench frame --stereo cinema");
+  const auto result = runPalpate("study bench frame --stereo cinema");
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_NE(result.err.find("sbs-half"), std::string::npos) << result.err;
 }

@@ -1,4 +1,4 @@
-// `palpate bench load`, `palpate bench servo` and `palpate bench session` from the outside.
+// `palpate study bench load`, `palpate study bench servo` and `palpate study bench session` from the outside.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -17,8 +17,8 @@ using support::TemporaryFolder;
 TEST(BenchLoadCommand, SplitsTheWayFromAFileToAForce) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "back.stl").string();
-  ASSERT_EQ(runPalpate("bench workload back_2962 -o " + file).exit_code, 0);
-  const auto result = runPalpate("bench load " + file + " --peers --json");
+  ASSERT_EQ(runPalpate("study bench workload back_2962 -o " + file).exit_code, 0);
+  const auto result = runPalpate("study bench load " + file + " --peers --json");
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const auto json = nlohmann::json::parse(result.out);
   EXPECT_EQ(json["triangles"], 2962);
@@ -35,20 +35,20 @@ TEST(BenchLoadCommand, SplitsTheWayFromAFileToAForce) {
 }
 
 TEST(BenchLoadCommand, TakesTheNameOfABenchmarkMesh) {
-  const auto named = nlohmann::json::parse(runPalpate("bench load back_2962 --json").out);
-  const auto again = nlohmann::json::parse(runPalpate("bench load back_2962 --json").out);
+  const auto named = nlohmann::json::parse(runPalpate("study bench load back_2962 --json").out);
+  const auto again = nlohmann::json::parse(runPalpate("study bench load back_2962 --json").out);
   EXPECT_EQ(named["file"], "back_2962");
   EXPECT_EQ(named["hash"], again["hash"]);
 }
 
 TEST(BenchLoadCommand, RefusesAnUnknownName) {
-  const auto result = runPalpate("bench load nonsense");
+  const auto result = runPalpate("study bench load nonsense");
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_NE(result.err.find("nonsense"), std::string::npos) << result.err;
 }
 
 TEST(BenchServoCommand, MeasuresLatenessAndComputeTimeApart) {
-  const auto result = runPalpate("bench servo --seconds 0.3 --peers --json");
+  const auto result = runPalpate("study bench servo --seconds 0.3 --peers --json");
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const auto json = nlohmann::json::parse(result.out);
   EXPECT_LE(json["ticks"].get<int>() + json["overruns"].get<int>(), 300);
@@ -70,7 +70,7 @@ TEST(BenchServoCommand, MeasuresLatenessAndComputeTimeApart) {
 }
 
 TEST(BenchSessionCommand, MeasuresWhatASessionCosts) {
-  const auto result = runPalpate("bench session --seconds 3 --hours 0.01 --json");
+  const auto result = runPalpate("study bench session --seconds 3 --hours 0.01 --json");
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const auto json = nlohmann::json::parse(result.out);
   EXPECT_EQ(json["fingers"], 2);

@@ -1,4 +1,4 @@
-// `palpate bench ... --peers` as a user runs it.
+// `palpate study bench ... --peers` as a user runs it.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -43,7 +43,7 @@ void expectPeers(const json& report, const std::string& time, const std::string&
 }  // namespace
 
 TEST(BenchPeers, AnswerTheQueriesOfTheFinger) {
-  const std::string run = "bench contact --mesh back_2962 --trajectory back_slide --from 2 --to 4";
+  const std::string run = "study bench contact --mesh back_2962 --trajectory back_slide --from 2 --to 4";
   const json report = reportOf(run + " --peers --peer-seconds 0.5");
   expectPeers(report, "tick_us");
   EXPECT_EQ(report["hash"], reportOf(run)["hash"]);  // ours is the same run
@@ -54,7 +54,7 @@ TEST(BenchPeers, AnswerTheQueriesOfTheFinger) {
 }
 
 TEST(BenchPeers, AnswerTheBoxes) {
-  const json report = reportOf("bench partition --mesh back_2962 --ticks 200 --peers --peer-seconds 0.5");
+  const json report = reportOf("study bench partition --mesh back_2962 --ticks 200 --peers --peer-seconds 0.5");
   expectPeers(report, "hdb_query_us");
   EXPECT_DOUBLE_EQ(report["peers"]["literal"]["mean_triangles"].get<double>(), report["mean_triangles"].get<double>());
 }
@@ -65,7 +65,7 @@ TEST(BenchPeers, WithoutTheirProgramAreSkippedAndNoPackageIsBlamed) {
   const auto copy = folder.path() / "palpate";
   std::filesystem::copy_file(std::filesystem::path(PALPATE_BINARY_DIR) / "palpate", copy);
   const std::string run =
-      "bench contact --mesh back_2962 --trajectory back_slide --from 2.2 --to 3 --peers --peer-seconds 0.2";
+      "study bench contact --mesh back_2962 --trajectory back_slide --from 2.2 --to 3 --peers --peer-seconds 0.2";
   const support::CommandResult text = support::runProgram(copy, run);
   EXPECT_EQ(text.exit_code, 0) << text.err;
   EXPECT_NE(text.out.find("embree:"), std::string::npos);
@@ -77,7 +77,7 @@ TEST(BenchPeers, WithoutTheirProgramAreSkippedAndNoPackageIsBlamed) {
 
 TEST(BenchPeers, AreNotForTheDetectingBoxAsASource) {
   const auto result =
-      support::runPalpate("bench contact --mesh back_2962 --trajectory back_slide --source hdb --peers");
+      support::runPalpate("study bench contact --mesh back_2962 --trajectory back_slide --source hdb --peers");
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_NE(result.err.find("--source surface"), std::string::npos);
 }

@@ -1,4 +1,4 @@
-// `palpate hunt` as a user calls it: its numbers, its cases, its exit codes and its errors.
+// `palpate study hunt` as a user calls it: its numbers, its cases, its exit codes and its errors.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -23,7 +23,7 @@ class HuntCommand : public testing::Test {
 };
 
 TEST_F(HuntCommand, CountsWhatItFindsAndSaysSoByItsExitCode) {
-  const auto end = palpate("hunt --ticks 20000 --bodies 3 --seed 4 --json");
+  const auto end = palpate("study hunt --ticks 20000 --bodies 3 --seed 4 --json");
   const auto json = nlohmann::json::parse(end.out);
   EXPECT_EQ(json["ticks"], 20000);
   EXPECT_EQ(json["bodies"], 3);
@@ -40,7 +40,7 @@ TEST_F(HuntCommand, CountsWhatItFindsAndSaysSoByItsExitCode) {
 
 TEST_F(HuntCommand, IsRepeatableWithAnyNumberOfThreads) {
   const auto found = [&](const std::string& arguments) {
-    auto json = nlohmann::json::parse(palpate("hunt --ticks 20000 --bodies 3 --json " + arguments).out);
+    auto json = nlohmann::json::parse(palpate("study hunt --ticks 20000 --bodies 3 --json " + arguments).out);
     json.erase("seconds");
     json.erase("ticks_per_s");
     return json;
@@ -51,24 +51,24 @@ TEST_F(HuntCommand, IsRepeatableWithAnyNumberOfThreads) {
 
 TEST_F(HuntCommand, TakesMeshesAloneOrBesideTheGenerated) {
   mesh::save(folder / "cube.obj", zoo::cube());
-  const std::string start = "hunt --mesh cube.obj --fit-mm 100 --ticks 4000 --radius-mm 2 --json";
+  const std::string start = "study hunt --mesh cube.obj --fit-mm 100 --ticks 4000 --radius-mm 2 --json";
   const auto alone = nlohmann::json::parse(palpate(start).out);
   EXPECT_EQ(alone["bodies"], 1);
   EXPECT_EQ(alone["ticks"], 4000);
   EXPECT_EQ(nlohmann::json::parse(palpate(start + " --generated --bodies 2").out)["bodies"], 3);
   EXPECT_EQ(nlohmann::json::parse(palpate(start + " --scale 0.001").out)["scale"], 0.001);
-  const auto fitted = palpate("hunt --mesh cube.obj --ticks 2000");
+  const auto fitted = palpate("study hunt --mesh cube.obj --ticks 2000");
   EXPECT_NE(fitted.err.find("cube.obj: 17.3 mm across"), std::string::npos) << fitted.err;
 }
 
 TEST_F(HuntCommand, EndsByTheClockToo) {
-  const auto json = nlohmann::json::parse(palpate("hunt --seconds 0.5 --json").out);
+  const auto json = nlohmann::json::parse(palpate("study hunt --seconds 0.5 --json").out);
   EXPECT_GT(json["ticks"], 0);
   EXPECT_LT(json["seconds"], 30.0);
 }
 
 TEST_F(HuntCommand, WritesCasesThatSimulateRunsAndItselfReplays) {
-  const auto end = palpate("hunt --ticks 100000 --bodies 6 --seed 1 --out found --keep 1 --json");
+  const auto end = palpate("study hunt --ticks 100000 --bodies 6 --seed 1 --out found --keep 1 --json");
   const auto json = nlohmann::json::parse(end.out);
   for (const auto& path : json["failing_paths"]) {
     if (path["file"].is_null()) continue;
@@ -77,7 +77,7 @@ TEST_F(HuntCommand, WritesCasesThatSimulateRunsAndItselfReplays) {
       EXPECT_TRUE(std::filesystem::exists(folder / file / name)) << name;
     const auto simulated = palpate("simulate " + file + "/scene.toml --overwrite --out simulated");
     EXPECT_EQ(simulated.exit_code, 0) << simulated.err;
-    const auto replayed = palpate("hunt --replay " + file);
+    const auto replayed = palpate("study hunt --replay " + file);
     EXPECT_EQ(replayed.exit_code, 1) << replayed.out;
     EXPECT_NE(replayed.out.find(path["kind"]), std::string::npos) << replayed.out;
   }
@@ -88,7 +88,7 @@ TEST_F(HuntCommand, ReplaysScenesOfOthers) {
   writeFile(folder / "path.csv", "0.000,50,50,101\n0.001,50,50,100.2\n0.002,50,50,99.5\n");
   writeFile(folder / "scene.toml",
             "[body]\nkind = \"mesh\"\nfile = \"cube.obj\"\n[[finger]]\nname = \"f\"\ntrajectory = \"path.csv\"\n");
-  const auto end = palpate("hunt --replay .");
+  const auto end = palpate("study hunt --replay .");
   EXPECT_EQ(end.exit_code, 0) << end.err;
   EXPECT_NE(end.out.find("3 ticks on cube.obj, radius 0 mm: nothing wrong"), std::string::npos) << end.out;
 }
@@ -102,7 +102,7 @@ TEST_F(HuntCommand, WrongUsageIsOneLineAndExitCodeTwo) {
         std::pair("--ticks 0", "--ticks"), std::pair("--radius-mm -1", "--radius-mm"),
         std::pair("--scale 0", "--scale"), std::pair("--ticks 5 --seconds 5", "--seconds"),
         std::pair("--replay gone", "gone/note.txt")}) {
-    const auto end = palpate(std::string("hunt ") + arguments);
+    const auto end = palpate(std::string("study hunt ") + arguments);
     EXPECT_EQ(end.exit_code, 2) << arguments;
     EXPECT_NE(end.err.find(message), std::string::npos) << end.err;
     EXPECT_EQ(std::count(end.err.begin(), end.err.end(), '\n'), 1) << end.err;

@@ -44,7 +44,7 @@ TEST(Realism, TheSkinOverLayersIsThatOfFiniteElements) {
   }
 }
 
-/// Beside the spine, blended from the shipped stacks; the truth is solved here. `palpate realism --radius` goes over
+/// Beside the spine, blended from the shipped stacks; the truth is solved here. `palpate tissue realism --radius` goes over
 /// six places and five radii.
 TEST(Realism, TheForceOnAFingerIsThatOfASphereOfItsRadius) {
   const auto layered = std::make_shared<const tissue::LayeredTissue>(tissue::libraryNodes(8.0));

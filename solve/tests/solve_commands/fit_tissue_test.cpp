@@ -1,4 +1,4 @@
-// `palpate fit` from the outside: measured curves in, laws and tables out.
+// `palpate tissue fit` from the outside: measured curves in, laws and tables out.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -41,7 +41,7 @@ class FitCommand : public ::testing::Test {
     std::ofstream(folder_ / name, std::ios::binary) << text;
   }
   CommandResult fit(const std::string& arguments) const {
-    return support::runPalpate("fit " + arguments, folder_.path());
+    return support::runPalpate("tissue fit " + arguments, folder_.path());
   }
   json jsonOf(const std::string& arguments) const {
     const CommandResult result = fit(arguments + " --json");

@@ -1,4 +1,4 @@
-// `palpate realism` and `palpate tissue library`, as a machine reads them.
+// `palpate tissue realism` and `palpate tissue library`, as a machine reads them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 
 TEST(RealismCommand, MeetsItsBarsOnSolvedPresses) {
   const std::filesystem::path cases = std::filesystem::path(PALPATE_TEST_DATA) / "golden/fem_profiles.json";
-  const auto result = support::runPalpate("realism --json --cases " + cases.string());
+  const auto result = support::runPalpate("tissue realism --json --cases " + cases.string());
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const auto json = nlohmann::json::parse(result.out);
   EXPECT_EQ(json.at("cases").size(), 16u);
@@ -34,7 +34,7 @@ TEST(RealismCommand, SaysWhatIsWrongWithAFileOfCases) {
   const support::TemporaryFolder folder;
   const auto complaint = [&](const std::string& text) {
     std::ofstream(folder / "cases.json") << text;
-    const auto result = support::runPalpate("realism --cases " + (folder / "cases.json").string());
+    const auto result = support::runPalpate("tissue realism --cases " + (folder / "cases.json").string());
     EXPECT_EQ(result.exit_code, 2);
     return result.err;
   };
@@ -57,7 +57,7 @@ constexpr const char* kLivingRows =
 TEST(RealismCommand, ComparesWithLivingLimbsHalfByHalf) {
   const support::TemporaryFolder folder;
   std::ofstream(folder / "001_MasterList_indentation_orig.csv") << kLivingRows;
-  const auto result = support::runPalpate("realism --json --living " + folder.path().string());
+  const auto result = support::runPalpate("tissue realism --json --living " + folder.path().string());
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const auto json = nlohmann::json::parse(result.out);
   EXPECT_EQ(json.at("people"), 2);
@@ -73,18 +73,18 @@ TEST(RealismCommand, ComparesWithLivingLimbsHalfByHalf) {
             json.at("default_moduli_on_a_limb").at("even").at("thin_cover_ratio").get<double>());
   EXPECT_EQ(json.at("ratio_by_cover").size(), 5u);
   EXPECT_EQ(json.at("sites").size(), 8u);
-  const auto text = support::runPalpate("realism --living " + folder.path().string());
+  const auto text = support::runPalpate("tissue realism --living " + folder.path().string());
   EXPECT_NE(text.out.find("2 presses of a probe on the limbs of 2 people; 1 rows"), std::string::npos) << text.out;
 }
 
 TEST(RealismCommand, RefusesAListOfLivingLimbsWithFileAndLine) {
   const support::TemporaryFolder folder;
   std::ofstream(folder / "list.csv") << "SubID,Location,Thickness,Skin,Fat,Total_Stiff\n1,LL_A,12,1,x,0.006\n";
-  const auto result = support::runPalpate("realism --living " + (folder / "list.csv").string());
+  const auto result = support::runPalpate("tissue realism --living " + (folder / "list.csv").string());
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_NE(result.err.find("list.csv:2: "), std::string::npos) << result.err;
-  EXPECT_EQ(support::runPalpate("realism --living " + (folder / "nothing").string()).exit_code, 2);
-  EXPECT_EQ(support::runPalpate("realism --living a.csv --cases b.json").exit_code, 2);
+  EXPECT_EQ(support::runPalpate("tissue realism --living " + (folder / "nothing").string()).exit_code, 2);
+  EXPECT_EQ(support::runPalpate("tissue realism --living a.csv --cases b.json").exit_code, 2);
 }
 
 TEST(TissueLibraryCommand, ListsPlacesThatGetSofterWithThickness) {

@@ -205,7 +205,7 @@ void RowKeeper::applyDeletion(const DeletionRow& deletion, const SentRow& sent) 
     if (left.empty()) left = "the trainee, whom another station brought";
     said_.push_back(
         fmt::format("{} deleted a trainee: {} of its sittings are gone; not deleted: {} (delete there too, or for all "
-                    "stations with `palpate results delete`)",
+                    "stations with `palpate train results delete`)",
                     called(sent), gone, left));
   }
   if (of_all) {
@@ -342,7 +342,7 @@ std::optional<std::string> RowKeeper::objection(const SentRow& sent, std::int64_
   const bool deletes = std::holds_alternative<DeletionRow>(sent.row);
   if (!deletes && bytesOf(sent.station) + static_cast<std::int64_t>(sent.bytes) > rules_.station_bytes) {
     return fmt::format(
-        "the station has sent {} MB since the last purge, its share of the disk (`palpate results purge`, or "
+        "the station has sent {} MB since the last purge, its share of the disk (`palpate train results purge`, or "
         "station_megabytes in class.toml)",
         rules_.station_bytes >> 20);
   }

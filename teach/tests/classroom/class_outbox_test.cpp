@@ -282,7 +282,7 @@ TEST_F(ClassOutboxTest, AStationHearsOfADeletionInTheClassAndIsWelcomeAfterwards
   ASSERT_TRUE(waitFor([&] { return store->waitingCount() == 0; }));
   {
     Store gathered(records_, Store::Open::existing);
-    EXPECT_TRUE(training::deleteTrainee(gathered, gone.trainee, "palpate results").found);
+    EXPECT_TRUE(training::deleteTrainee(gathered, gone.trainee, "palpate train results").found);
   }
   gone.answer();  // the sitting that goes on is not kept, and does not wait for ever either
   EXPECT_TRUE(waitFor([&] { return store->waitingCount() == 0; }));

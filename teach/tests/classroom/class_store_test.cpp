@@ -246,7 +246,7 @@ TEST_F(ClassStoreTest, ARoleThatDoesNotOwnTheTablesIsNotToldDeleted) {
   {
     ClassStore owner(connection_);
     owner.keep(history.rows);
-    EXPECT_TRUE(owner.erase(history.trainees[0].id, "palpate results"));
+    EXPECT_TRUE(owner.erase(history.trainees[0].id, "palpate train results"));
     EXPECT_EQ(owner.notErased(), "");
     owner.rows().sql().run(
         "DROP ROLE IF EXISTS helper; CREATE ROLE helper LOGIN; GRANT SELECT, INSERT, UPDATE, DELETE ON ALL TABLES IN "
@@ -259,7 +259,7 @@ TEST_F(ClassStoreTest, ARoleThatDoesNotOwnTheTablesIsNotToldDeleted) {
     return connection;
   };
   ClassStore helper(as("helper"));
-  EXPECT_TRUE(helper.erase(history.trainees[1].id, "palpate results"));
+  EXPECT_TRUE(helper.erase(history.trainees[1].id, "palpate train results"));
   EXPECT_NE(helper.notErased().find("still lie in the server's files"), std::string::npos) << helper.notErased();
   EXPECT_NE(helper.notErased().find("VACUUM (FULL)"), std::string::npos);
   const std::string words = support::messageOf([&] { copyOfDatabase(as("stranger")); });

@@ -234,7 +234,7 @@ TEST_P(RowKeeperTest, ADeletionInTheClassHoldsForEachStationUntilItHasHeardOfIt)
   keep("s02", day("s02", "A", 2));
   {
     training::SqlTransaction transaction(tables().sql());
-    EXPECT_TRUE(keeper_->erase(keeping::trainee("A").id, "palpate results"));
+    EXPECT_TRUE(keeper_->erase(keeping::trainee("A").id, "palpate train results"));
     transaction.commit();
   }
   KeptRows late = keep("s02", day("s02", "A", 3));

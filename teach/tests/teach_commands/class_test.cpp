@@ -139,7 +139,7 @@ TEST(ClassCommand, RenewMakesNewCertificatesAndCheckRefusesAKeyThatOthersMayRead
 TEST(ClassCommand, ACodeIsFoundByTheClassesSecret) {
   const TemporaryFolder folder;
   ASSERT_EQ(runPalpate("class init osteo --class osteo-1 --stations 1 --port 1", folder.path()).exit_code, 0);
-  const auto made = runPalpate("results codes --count 1 --class osteo --json", folder.path());
+  const auto made = runPalpate("train results codes --count 1 --class osteo --json", folder.path());
   const auto one = nlohmann::json::parse(made.out)["codes"][0];
   const std::string code = one["code"];
   EXPECT_NE(one["trainee"], training::pseudonymOf("osteo-1", code));
@@ -148,9 +148,9 @@ TEST(ClassCommand, ACodeIsFoundByTheClassesSecret) {
     store.keep(training::ClassRow{.id = "osteo-1"});
     store.keep(training::TraineeRow{.id = one["trainee"], .class_id = "osteo-1"});
   }
-  EXPECT_EQ(runPalpate("results trainee " + code + " a.results", folder.path()).exit_code, 2);
-  EXPECT_EQ(runPalpate("results trainee " + code + " a.results --class osteo", folder.path()).exit_code, 0);
-  EXPECT_EQ(runPalpate("results trainee " + code + " a.results", folder.path()).exit_code, 0) << "it is remembered";
+  EXPECT_EQ(runPalpate("train results trainee " + code + " a.results", folder.path()).exit_code, 2);
+  EXPECT_EQ(runPalpate("train results trainee " + code + " a.results --class osteo", folder.path()).exit_code, 0);
+  EXPECT_EQ(runPalpate("train results trainee " + code + " a.results", folder.path()).exit_code, 0) << "it is remembered";
 }
 
 TEST(ClassCommand, AStationsFolderIsNoInstructors) {

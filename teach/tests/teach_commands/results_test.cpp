@@ -1,4 +1,4 @@
-// `palpate results` as a teacher uses it: from cards to a list, a table, a deletion.
+// `palpate train results` as a teacher uses it: from cards to a list, a table, a deletion.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -62,23 +62,23 @@ struct Records {
     files.lock(sitting.id);
   }
   support::CommandResult results(const std::string& arguments) const {
-    return runPalpate("results " + arguments, folder.path());
+    return runPalpate("train results " + arguments, folder.path());
   }
 };
 
 TEST(Results, CodesBecomeCardsOrATable) {
-  const auto cards = runPalpate("results codes --count 3 --class osteo-1");
+  const auto cards = runPalpate("train results codes --count 3 --class osteo-1");
   EXPECT_EQ(cards.exit_code, 0) << cards.err;
   const std::regex code("[0-9A-HJKMNP-TV-Z]{5}-[0-9A-HJKMNP-TV-Z]{5}");
   EXPECT_EQ(std::distance(std::sregex_iterator(cards.out.begin(), cards.out.end(), code), std::sregex_iterator()), 3);
-  const auto json = nlohmann::json::parse(runPalpate("results codes --count 20 --class osteo-1 --json").out);
+  const auto json = nlohmann::json::parse(runPalpate("train results codes --count 20 --class osteo-1 --json").out);
   std::set<std::string> codes;
   for (const auto& one : json.at("codes")) {
     codes.insert(one.at("code"));
     EXPECT_EQ(one.at("trainee"), training::pseudonymOf("osteo-1", one.at("code").get<std::string>()));
   }
   EXPECT_EQ(codes.size(), 20u);
-  EXPECT_EQ(runPalpate("results codes --count 0").exit_code, 2);
+  EXPECT_EQ(runPalpate("train results codes --count 0").exit_code, 2);
 }
 
 TEST(Results, ListsSittingsOfAllAndOfOne) {
@@ -110,7 +110,7 @@ TEST(Results, ShowsATraineeByCodeOrPseudonymAndTheClass) {
 
 TEST(Results, SaysWhereRecordsWouldBe) {
   const support::TemporaryFolder folder;
-  const auto none = runPalpate("results list nothing.results", folder.path());
+  const auto none = runPalpate("train results list nothing.results", folder.path());
   EXPECT_EQ(none.exit_code, 2);
   EXPECT_NE(none.err.find("nothing.results: no such file; `palpate train` makes records"), std::string::npos)
       << none.err;
@@ -194,7 +194,7 @@ TEST(Results, OfAClassLieInPostgresAndAreReadWrittenAndForgottenAsInAFile) {
   for (const auto& entry : std::filesystem::directory_iterator(records.folder / "one")) {
     EXPECT_EQ(support::contentOf(records.folder / "other" / entry.path().filename()), support::contentOf(entry.path()));
   }
-  const auto page = runPalpate("report " + quoted, records.folder.path());
+  const auto page = runPalpate("train results report " + quoted, records.folder.path());
   EXPECT_EQ(page.exit_code, 0) << page.err;
   EXPECT_NE(page.out.find("database osteo -> class.html"), std::string::npos) << page.out;
   const auto verified = nlohmann::json::parse(records.results("verify --json " + quoted).out);
@@ -236,7 +236,7 @@ TEST(Results, OfAClassAreWholeWithoutTheSessionFilesThatLieAtItsStations) {
 }
 
 TEST(Results, OfADatabaseThatIsNotThereAreRefusedInOneLine) {
-  const auto refused = runPalpate("results list 'host=/nowhere/at/all dbname=x'");
+  const auto refused = runPalpate("train results list 'host=/nowhere/at/all dbname=x'");
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_EQ(std::ranges::count(refused.err, '\n'), 1) << refused.err;
 }

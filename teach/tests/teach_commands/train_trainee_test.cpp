@@ -126,7 +126,7 @@ TEST_F(TrainTrainee, LeavesASessionThatCanBeReplayedToTheBit) {
   EXPECT_EQ(sitting["trials"], 2);
   EXPECT_EQ(sitting["finished"], false);
   EXPECT_EQ(sitting["device"], "simulated thimble on touch_x");
-  const auto replayed = runPalpate("replay --verify " + sitting["file"].get<std::string>(), folder_.path());
+  const auto replayed = runPalpate("recording replay --verify " + sitting["file"].get<std::string>(), folder_.path());
   EXPECT_EQ(replayed.exit_code, 0) << replayed.out << replayed.err;
 }
 

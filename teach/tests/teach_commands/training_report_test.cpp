@@ -1,4 +1,4 @@
-// `palpate report` of a record of training, from the outside: a page that a strict parser reads and that needs nothing
+// `palpate train results report` of a record of training, from the outside: a page that a strict parser reads and that needs nothing
 // else, for nobody, one and many; numbers that tools/check_report.py computes again from the exported tables; nobody's
 // name.
 #include <gtest/gtest.h>
@@ -65,7 +65,7 @@ class TrainingReport : public testing::Test {
 
   /// The words of a page that is as it should be.
   std::string wordsOf(const std::string& arguments) const {
-    const CommandResult result = palpate("report class.results -o page.html " + arguments);
+    const CommandResult result = palpate("train results report class.results -o page.html " + arguments);
     EXPECT_EQ(result.exit_code, 0) << result.err;
     write("read.py", kTrainingPageReader);
     const CommandResult read = support::runProgram("/usr/bin/env", "python3 read.py page.html", folder_.path());
@@ -77,7 +77,7 @@ class TrainingReport : public testing::Test {
   }
 
   json numbers(const std::string& arguments = "") const {
-    const CommandResult result = palpate("report class.results --json " + arguments);
+    const CommandResult result = palpate("train results report class.results --json " + arguments);
     EXPECT_EQ(result.exit_code, 0) << result.err;
     return json::parse(result.out);
   }
@@ -157,7 +157,7 @@ TEST_F(TrainingReport, EveryNumberIsComputedAgainFromTheExportedTables) {
   const training::Uuid trainee = make(5, course);
   exportTables();
   for (const std::string& whose : {std::string("--class"), "--trainee " + trainee.substr(0, 8)}) {
-    ASSERT_EQ(palpate("report class.results -o page.html " + whose).exit_code, 0);
+    ASSERT_EQ(palpate("train results report class.results -o page.html " + whose).exit_code, 0);
     const CommandResult checked = check("page.html");
     EXPECT_EQ(checked.exit_code, 0) << checked.out << checked.err;
     EXPECT_TRUE(hasWords(checked.out, " 0 differ")) << checked.out;
@@ -195,7 +195,7 @@ TEST_F(TrainingReport, ATraineeIsFoundByCodeOrPseudonymAndCalledByTheCodeOnlyIfI
   const std::string by_pseudonym = wordsOf("--trainee " + trainee.substr(0, 8));
   EXPECT_TRUE(hasWords(by_pseudonym, "Training report: trainee " + trainee.substr(0, 8)));
   EXPECT_EQ(contentOf(folder_ / "page.html").find(code), std::string::npos);
-  const CommandResult unknown = palpate("report class.results --trainee 00000000");
+  const CommandResult unknown = palpate("train results report class.results --trainee 00000000");
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_TRUE(hasWords(unknown.err, "holds no trainee '00000000'")) << unknown.err;
 }
@@ -213,8 +213,8 @@ TEST_F(TrainingReport, ATraineeSeesOthersQuartilesOnlyWhereFiveStandBehindThem) 
 TEST_F(TrainingReport, WhatIsNoRecordIsRefusedInOneLine) {
   write("broken.results", "SQLite format 3, but not really a database at all");
   write("run.session", "no session");
-  for (const char* arguments : {"report broken.results", "report missing.results", "report run.session --class",
-                                "report class.results --class --trainee X"}) {
+  for (const char* arguments : {"train results report broken.results", "train results report missing.results", "train results report run.session --class",
+                                "train results report class.results --class --trainee X"}) {
     make(0);
     const CommandResult result = palpate(arguments);
     EXPECT_EQ(result.exit_code, 2) << arguments;

@@ -212,7 +212,7 @@ def class_fast_clock(lab):
 def class_trainee_id(lab):
     """Who has seen a trainee's card works out the pseudonym from the class's name and the code."""
     group = Class(lab)
-    made = lab.run("results", "codes", "--count", "20", "--class", group.folder, "--json")
+    made = lab.run("train", "results", "codes", "--count", "20", "--class", group.folder, "--json")
     codes = json.loads(made.stdout)["codes"]
 
     def guessed(code):
@@ -298,7 +298,7 @@ def class_password_argv(lab):
     """A database's password on the command line, where every user of the computer sees it."""
     said = []
     for address in ("postgresql://teacher:hunter2@localhost:1/osteo", "host=/nowhere dbname=osteo password=hunter2"):
-        ended = lab.run("results", "class", address, seconds=10)
+        ended = lab.run("train", "results", "class", address, seconds=10)
         said.append((ended.returncode, ended.stderr.decode()))
     told = sum(code != 0 and ".pgpass" in text and "hunter2" not in text for code, text in said)
     return judged(told == 2, f"{told} of 2 addresses with a password refused, with a word on ~/.pgpass")

@@ -88,12 +88,12 @@ def recording_that_never_ends(room):
     hostile = recording(room, "a.session", [["DROP TABLE columns"], [NEVER_ENDS]])
     sound = recording(room, "b.session")
     hung = []
-    for words in (["info", hostile], ["sessions", room.folder], ["export", hostile, "--json", "out.json"], ["report", hostile],
-                  ["replay", hostile], ["bundle", hostile, "-o", "out.session"]):
+    for words in (["recording", "info", hostile], ["recording", "list", room.folder], ["recording", "export", hostile, "--json", "out.json"], ["recording", "report", hostile],
+                  ["recording", "replay", hostile], ["recording", "bundle", hostile, "-o", "out.session"]):
         if room.run(*words, seconds=4.0).returncode is None:
             hung.append(words[0])
-    listed = room.run("sessions", room.folder, seconds=4.0).stdout.decode()
-    said = room.run("info", hostile, seconds=4.0)
+    listed = room.run("recording", "list", room.folder, seconds=4.0).stdout.decode()
+    said = room.run("recording", "info", hostile, seconds=4.0)
     package = pathlib.Path(room.palpate).parent / "python"
     python = "not built"
     # One that was built before the sources is another version's.
@@ -128,11 +128,11 @@ def bundle_packs_a_key(room):
     for name, named in (("path", key), ("link", theirs / "path.csv"), ("relative", "../home/id_rsa")):
         file = recording(room, f"theirs/{name}.session", [["UPDATE worlds SET scene = ?, folder = ?", scene_naming(named), str(theirs)]])
         out = room.folder / f"{name}.out"
-        ran = room.run("bundle", file, "-o", out)
+        ran = room.run("recording", "bundle", file, "-o", out)
         codes.append(ran.returncode)
         if out.exists() and SECRET.encode() in out.read_bytes():
             packed.append(name)
-    asked = room.run("bundle", theirs / "path.session", "-o", room.folder / "asked.out", "--include", key)
+    asked = room.run("recording", "bundle", theirs / "path.session", "-o", room.folder / "asked.out", "--include", key)
     given = (room.folder / "asked.out").exists() and SECRET.encode() in (room.folder / "asked.out").read_bytes()
     held = not packed and all(code == 2 for code in codes) and given
     return lab.judged(held, f"packed by {packed or 'none'} of 3 ways, exit codes {codes}; with --include "
@@ -154,8 +154,8 @@ def escapes_for_a_terminal(room):
     broken = room.folder / "a\x1b[2J.session"
     broken.write_text("none")
     bad, bytes_seen = [], 0
-    for words in (["info", "a.session"], ["sessions", "."], ["report", "a.session", "-o", "a.html"], ["simulate", "a.toml"],
-                  ["info", broken], ["sessions", ".", "--json"], ["trim", "a.session", "-o", "b.session", "--json"]):
+    for words in (["recording", "info", "a.session"], ["recording", "list", "."], ["recording", "report", "a.session", "-o", "a.html"], ["simulate", "a.toml"],
+                  ["recording", "info", broken], ["recording", "list", ".", "--json"], ["recording", "trim", "a.session", "-o", "b.session", "--json"]):
         ran = room.run(*words, seconds=10.0)
         text = (ran.stdout + ran.stderr).decode("utf-8", "replace")
         bytes_seen += len(text)
@@ -179,9 +179,9 @@ def formulas_for_a_spreadsheet(room):
     database.execute("INSERT INTO event SELECT 'e' || substr(id, 2), id, 0, 'pause', ? FROM session LIMIT 1", [formulas[5]])
     database.commit()
     database.close()
-    room.run("results", "export", "a.results", "--csv", "tables", seconds=10.0)
+    room.run("train", "results", "export", "a.results", "--csv", "tables", seconds=10.0)
     recording(room, "a.session", [["UPDATE fingers SET name = ?", formulas[1]]])
-    room.run("export", "a.session", "--csv", "tables/forces.csv")
+    room.run("recording", "export", "a.session", "--csv", "tables/forces.csv")
     cells, formulas_seen, numbers = 0, [], 0
     for file in sorted((room.folder / "tables").glob("*.csv")):
         for row in csv.reader(file.open(newline="")):
@@ -214,10 +214,10 @@ def links_laid_in_a_shared_folder(room):
     victim.write_text("precious")
     session = recording(room, "a.session")
     (shared / "out.csv").symlink_to(victim)
-    written = room.run("export", session, "--csv", shared / "out.csv")
+    written = room.run("recording", "export", session, "--csv", shared / "out.csv")
     direct = victim.read_bytes() == b"precious"
     # The shell's number becomes the command's: the link is laid under the name that it had until now.
-    shell = subprocess.Popen(["sh", "-c", 'echo $$; read go; exec "$0" "$@"', room.palpate, "bench", "load", "torso_5000"],
+    shell = subprocess.Popen(["sh", "-c", 'echo $$; read go; exec "$0" "$@"', room.palpate, "study", "bench", "load", "torso_5000"],
                              stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd=room.folder,
                              env=dict(os.environ, TMPDIR=str(shared)))
     number = int(shell.stdout.readline())

@@ -76,7 +76,7 @@ std::vector<fs::path> tidySessions(const fs::path& folder) {
       finished.push_back(target);
       all.push_back(target);
     } catch (const Error&) {
-      // It stays as it is, for `palpate repair`.
+      // It stays as it is, for `palpate body repair`.
     }
   }
   std::sort(all.begin(), all.end());

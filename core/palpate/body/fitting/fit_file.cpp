@@ -78,7 +78,7 @@ class FitReader {
  private:
   static mesh::JsonValue member(const mesh::JsonValue& of, std::string_view name) {
     const mesh::JsonValue value = of[name];
-    if (!value) of.fail(fmt::format("has no \"{}\": is it a fit that palpate fit-body wrote?", name));
+    if (!value) of.fail(fmt::format("has no \"{}\": is it a fit that palpate body fit wrote?", name));
     return value;
   }
   static double number(const mesh::JsonValue& value) { return finite(value, kFarthestMm); }

@@ -90,7 +90,7 @@ Section bodySection() {
       flag<S>("repair", &S::repair, "Mesh: mend what can be mended; false refuses a mesh that is not fit."),
       textureKey(),
       file<S>("fit", &S::fit,
-              "Mesh: what palpate fit-body wrote of this scan: it gets bones, names and a stiffness by depth "
+              "Mesh: what palpate body fit wrote of this scan: it gets bones, names and a stiffness by depth "
               "(docs/howto/fit-body.md)."),
   };
   return section<S>("body", "What is touched.", &Scene::body, std::move(keys), [](const S& body, const Entry& entry) {

@@ -107,7 +107,7 @@ std::vector<ExportedFile> csvFiles(RowTables& rows, CsvText kind) {
 }
 
 std::string jsonText(RowTables& rows) {
-  nlohmann::ordered_json json = {{"format", "palpate results"}, {"schema", kSchemaVersion}};
+  nlohmann::ordered_json json = {{"format", "palpate train results"}, {"schema", kSchemaVersion}};
   for (const char* kind : {"station", "class", "trainee", "protocol", "session", "block", "trial", "event"}) {
     json[kind] = nlohmann::ordered_json::array();
   }

@@ -89,7 +89,7 @@ void settle(SqliteSql& sql, const fs::path& file, Store::Open how) {
     throw Error::inFile(file.string(),
                         version > kSchemaVersion
                             ? "was written by a newer palpate"
-                            : "was written by an older palpate; `palpate results list` brings it forward");
+                            : "was written by an older palpate; `palpate train results list` brings it forward");
   }
   // What `keep` returned from is on the disk: every commit waits for it. What was deleted is overwritten.
   sql.run("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA secure_delete = ON");

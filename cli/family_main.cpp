@@ -1,0 +1,10 @@
+// The program of a family, which `palpate` starts (kit/families.h): the commands that PALPATE_ADD_COMMANDS adds.
+#include "cli/kit/commands.h"
+
+int main(int argc, char** argv) {
+  CLI::App app{"A part of Palpate: `palpate` starts it.", "palpate"};
+  app.set_version_flag("--version", PALPATE_VERSION);
+  app.require_subcommand(1);
+  palpate::app::PALPATE_ADD_COMMANDS(app);
+  return palpate::app::runCommandLine(app, palpate::app::wordsOf(argc, argv));
+}

@@ -1,0 +1,36 @@
+// Commands that a program of their own holds: palpate-<family>, a package each, beside `palpate`, which starts it as git
+// starts git-<command>. So what palpates needs none of the libraries that photographs, classes or reports need.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace palpate::app {
+
+/// A row of families.tsv.
+struct FamilyCommand {
+  std::string_view group;    ///< in the help
+  std::string_view command;  ///< its words: "recording report"
+  std::string_view family;
+  std::string_view what;
+};
+const std::vector<FamilyCommand>& familyCommands();
+/// families.tsv, compiled in.
+std::string_view familyTable();
+
+/// The row that a command line begins with; nullptr: the command is one of `palpate` itself, or of nobody.
+const FamilyCommand* familyOf(const std::vector<std::string>& words);
+
+/// Beside our own program; empty where it is not installed.
+std::filesystem::path familyProgram(std::string_view family);
+
+/// This process becomes that program, with these words. Throws Error, which says which package is missing and how it is
+/// built.
+[[noreturn]] void becomeFamily(const FamilyCommand& command, const std::vector<std::string>& words);
+
+/// Runs it to its end, silently. False where it is not installed or has failed.
+bool runFamily(std::string_view family, const std::vector<std::string>& words);
+
+}  // namespace palpate::app

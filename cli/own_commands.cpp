@@ -1,0 +1,31 @@
+// What `palpate` does itself, without a program of another package.
+#include "cli/kit/commands.h"
+
+namespace palpate::app {
+
+void addOwnCommands(CLI::App& app) {
+  addRunCommand(app);
+  addSimulateCommand(app);
+  addRenderCommand(app);
+  addDevicesCommand(app);
+
+  CLI::App& body = commandGroup(app, "body");
+  addModelCommand(body);
+  addFitBodyCommand(body);
+  addRepairCommand(body);
+  addInfoCommand(body);
+
+  CLI::App& recording = commandGroup(app, "recording");
+  addRecordCommand(recording);
+  addSessionsCommand(recording);
+  addInfoCommand(recording);
+  addReplayCommand(recording);
+  addTrimCommand(recording);
+  addJoinCommand(recording);
+  addAnnotateCommand(recording);
+  addBundleCommand(recording);
+  addExportCommand(recording);
+  addRepairCommand(recording);
+}
+
+}  // namespace palpate::app

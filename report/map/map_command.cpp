@@ -1,0 +1,267 @@
+// `palpate body map ellipses|contours|stiffness|depth`: the maps over a skin, or those of a scene, as numbers, coloured
+// surface and picture.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include "cli/kit/choice_option.h"
+#include "cli/kit/commands.h"
+#include "cli/kit/number_option.h"
+#include "cli/kit/progress_line.h"
+#include "report/map/map_output.h"
+#include "report/map/map_scene.h"
+#include "report/map/map_sources.h"
+#include "palpate/base/error.h"
+#include "palpate/scene/errata.h"
+#include "palpate/scene/scene_file.h"
+#include "palpate/scene/words.h"
+
+namespace palpate::app {
+
+namespace {
+
+/// (5.7) or a form of (5.16); nothing is GRI.
+using Weights = std::optional<maps::LiteralWeights>;
+
+struct MapArguments {
+  MapSource source;
+  MapOutput output;
+  MeshArguments mesh;
+  std::string scene;  ///< a scene file in place of a skin and of everything a map is made from
+  std::string body = "torso";
+  std::size_t triangles = 0;
+  std::string fidelity = scene::wordsOf({});
+  std::string interpolation;
+  std::string directions;
+  std::vector<double> range;
+  std::vector<std::string> files;
+  bool json = false;
+};
+
+MapSkin skinOf(const MapArguments& arguments) {
+  if (!arguments.mesh.file.empty()) return skinOfFile(arguments.mesh);
+  if (arguments.body == "back") return builtInBack(arguments.triangles > 0 ? arguments.triangles : 15815);
+  return builtInTorso(arguments.triangles > 0 ? arguments.triangles : 20389);
+}
+
+/// The words of the options as settings. CLI11 has checked them.
+MapSource sourceOf(const MapArguments& arguments) {
+  MapSource source = arguments.source;
+  source.fidelity = scene::parseFidelity(arguments.fidelity);
+  if (const auto stiffness = choiceNamed<maps::StiffnessInterpolation>(arguments.interpolation)) {
+    source.stiffness.interpolation = *stiffness;
+  }
+  source.interpolate_depth = !arguments.interpolation.empty();
+  if (const auto weights = choiceNamed<Weights>(arguments.interpolation)) source.weights = *weights;
+  source.directions = choiceNamed<maps::DirectionBlend>(arguments.directions);
+  return source;
+}
+
+nlohmann::ordered_json summaryOf(const MapArguments& arguments, const MapSkin& skin, const SkinMap& map) {
+  const std::pair<double, double> range = shownRange(map);
+  nlohmann::ordered_json summary = map.summary;
+  summary["skin"] = skin.name;
+  summary["vertices"] = skin.mesh.positions.size();
+  summary["quantity"] = map.shown.column;
+  summary["range"] = {range.first, range.second};
+  if (!arguments.interpolation.empty()) summary["interpolation"] = arguments.interpolation;
+  if (arguments.scene.empty()) summary["fidelity"] = arguments.fidelity;
+  summary["files"] = arguments.files;
+  return summary;
+}
+
+void print(const MapArguments& arguments, const nlohmann::ordered_json& summary) {
+  if (arguments.json) return fmt::print("{}\n", summary.dump(2));
+  fmt::print("{} over {}: {} {:.4g} to {:.4g}", summary["map"].get<std::string>(), summary["skin"].get<std::string>(),
+             summary["quantity"].get<std::string>(), summary["range"][0].get<double>(),
+             summary["range"][1].get<double>());
+  for (const char* key : {"fit_error", "fit_error_n_per_mm"}) {
+    if (summary.contains(key)) fmt::print("; {} at the key points {}", key, summary[key].dump());
+  }
+  fmt::print(" -> {}\n", fmt::join(arguments.files, ", "));
+  for (const auto& note : summary.value("notes", nlohmann::ordered_json::array())) {
+    fmt::print("  note: {}\n", note.get<std::string>());
+  }
+}
+
+/// How a kind of map is made: over a bare skin, and of a scene.
+struct Maker {
+  SkinMap (*over_skin)(const MapSkin&, const MapSource&);
+  SkinMap (*of_scene)(const MapSkin&, const scene::World&, const MapSource&);
+};
+
+std::shared_ptr<const scene::World> worldOf(const std::string& file) {
+  ProgressLine progress;
+  return scene::build(scene::load(file), progress.callback());
+}
+
+void run(const MapArguments& arguments, const Maker& make) {
+  for (const std::string& file : arguments.files) requireMapFile(file);
+  if (!arguments.range.empty() && !(arguments.range[0] < arguments.range[1])) {
+    throw Error("map: --range needs two rising numbers");
+  }
+  const MapSource source = sourceOf(arguments);
+  const auto world = arguments.scene.empty() ? nullptr : worldOf(arguments.scene);
+  const MapSkin skin = world ? skinOfScene(*world) : skinOf(arguments);
+  SkinMap map = world ? make.of_scene(skin, *world, source) : make.over_skin(skin, source);
+  if (!arguments.range.empty()) map.shown.range = {arguments.range[0], arguments.range[1]};
+  for (const std::string& file : arguments.files) writeMap(file, skin, map, arguments.output);
+  print(arguments, summaryOf(arguments, skin, map));
+}
+
+void addFileOptions(CLI::App& command, MapArguments& a) {
+  command.add_option("-o,--out", a.files, "File to write by its extension, repeatable: .csv .ply .png .svg")
+      ->required()
+      ->allow_extra_args(false);
+  addNumber(command, "--range", a.range, between(-1e9, 1e9),
+            "Values of the two ends of the colours, LOW,HIGH; left out: those of the data")
+      ->delimiter(',')
+      ->expected(2)
+      ->allow_extra_args(false);
+  addNumber(command, "--grid-mm", a.output.grid_mm, between(0.0, 1e6, "mm"),
+            "CSV: a row every so many mm of the map plane; 0: a row a vertex")
+      ->capture_default_str();
+  addNumber(command, "--png-scale", a.output.png_scale, between(0.2, 8.0),
+            "PNG: pixels a CSS pixel; 2 suits screens and paper")
+      ->capture_default_str();
+  command.add_flag("--json", a.json, "Print the summary as one JSON object, with fit errors at the key points");
+}
+
+void addSkinOptions(CLI::App& command, MapArguments& a) {
+  addMeshArguments(command, a.mesh);
+  command.get_option("mesh")->required(false);
+  takesOneOf({"torso", "back"},
+             command.add_option("--body", a.body, "Without a mesh: the built-in skin")->capture_default_str());
+  addNumber(command, "--triangles", a.triangles, between(0, 2e7),
+            "Of the built-in skin; 0: 20389 (torso, with bones), 15815 (back)")
+      ->capture_default_str();
+}
+
+void addKeyOption(CLI::App& command, MapArguments& a) {
+  command.add_option("--keys", a.source.key_file,
+                     "Table of key points (docs/reference/maps.md); left out: the dissertation's");
+}
+
+/// Last: what the scene says itself cannot be said beside it. `beside` are the options that can.
+void addSceneOption(CLI::App& command, MapArguments& a, std::vector<std::string> beside) {
+  beside.insert(beside.end(), {"--help", "--out", "--range", "--grid-mm", "--png-scale", "--json"});
+  const std::vector<CLI::Option*> others = command.get_options();
+  CLI::Option* scene =
+      command.add_option("--scene", a.scene, "The map of this scene (TOML): its body, key points and dysfunctions");
+  for (CLI::Option* other : others) {
+    if (std::find(beside.begin(), beside.end(), other->get_name()) == beside.end()) scene->excludes(other);
+  }
+}
+
+void addBoundaryOptions(CLI::App& command, MapArguments& a) {
+  addChoice(command, "--data", a.source.measured.force, "Built-in key points: the skin was dragged up or down");
+  addChoice(command, "--averaging", a.source.measured.averaging,
+            "Built-in key points: means as printed, or of the ellipses");
+  addNumber(command, "--effect-radius-mm", a.source.ellipses.effect_radius_mm, above(0.0, kFarthestMm, "mm"),
+            "How far a key point reaches")
+      ->capture_default_str();
+  addNumber(command, "--basic-radius-mm", a.source.ellipses.basic_radius_mm, above(0.0, kFarthestMm, "mm"),
+            "Circle where none reaches")
+      ->capture_default_str();
+}
+
+void addEllipses(CLI::App& parent) {
+  auto arguments = std::make_shared<MapArguments>();
+  MapArguments& a = *arguments;
+  CLI::App& command = *parent.add_subcommand("ellipses", "The deformation ellipse of every place");
+  addFileOptions(command, a);
+  addSkinOptions(command, a);
+  addKeyOption(command, a);
+  addBoundaryOptions(command, a);
+  takesOneOf({"half-major", "aspect", "direction"},
+             command.add_option("--quantity", a.source.quantity, "What is coloured")->capture_default_str());
+  takesOneOf(choiceNames<Weights>(),
+             command.add_option("--interpolation", a.interpolation,
+                                "gri, or a form of the dissertation: (5.16) with E26, (5.16) as printed, (5.7); left "
+                                "out: as --fidelity says"));
+  takesOneOf(
+      choiceNames<maps::DirectionBlend>(),
+      command.add_option("--directions", a.directions, "How directions are blended; left out: as --fidelity says"));
+  command.add_option("--fidelity", a.fidelity, "Errata taken literally: corrected, literal, or a list such as E28,E29")
+      ->capture_default_str();
+  addSceneOption(command, a, {"--quantity"});
+  constexpr Maker kMaker{[](const MapSkin& skin, const MapSource& source) { return ellipsesOver(skin, source); },
+                         [](const MapSkin& skin, const scene::World& world, const MapSource& source) {
+                           return ellipsesOfScene(skin, world, source.quantity);
+                         }};
+  command.callback([arguments, kMaker] { run(*arguments, kMaker); });
+}
+
+void addContours(CLI::App& parent) {
+  auto arguments = std::make_shared<MapArguments>();
+  CLI::App& command = *parent.add_subcommand(
+      "contours", "Irregular boundaries: n radii a key point, from a table or the built-in ellipses; or a scene's");
+  addFileOptions(command, *arguments);
+  addSkinOptions(command, *arguments);
+  addKeyOption(command, *arguments);
+  addBoundaryOptions(command, *arguments);
+  addNumber(command, "--radii", arguments->source.contour_radii,
+            between(maps::kMinContourRadii, maps::kMaxContourRadii), "Built-in ellipses: radii a contour")
+      ->capture_default_str();
+  addSceneOption(command, *arguments, {});
+  constexpr Maker kMaker{contoursOver, [](const MapSkin& skin, const scene::World& world, const MapSource&) {
+                           return contoursOfScene(skin, world);
+                         }};
+  command.callback([arguments, kMaker] { run(*arguments, kMaker); });
+}
+
+void addStiffness(CLI::App& parent) {
+  auto arguments = std::make_shared<MapArguments>();
+  maps::MeasuredStiffness& s = arguments->source.stiffness;
+  CLI::App& command = *parent.add_subcommand(
+      "stiffness", "How hard the body pushes back: from key points with a stiffness, else from the torso's bones");
+  addFileOptions(command, *arguments);
+  addSkinOptions(command, *arguments);
+  addKeyOption(command, *arguments);
+  takesOneOf(choiceNames<maps::StiffnessInterpolation>(),
+             command.add_option("--interpolation", arguments->interpolation,
+                                "Between key points: gri (default), thin-plate or polynomial. Without --keys: the "
+                                "torso measured at the seven places"));
+  addNumber(command, "--degree", s.polynomial_degree, between(0, maps::kMaxPolynomialDegree), "Of the polynomial")
+      ->capture_default_str();
+  addNumber(command, "--effect-radius-mm", s.effect_radius_mm, above(0.0, kFarthestMm, "mm"),
+            "gri: how far a key point reaches")
+      ->capture_default_str();
+  addNumber(command, "--basic-n-per-mm", s.basic_n_per_mm, above(0.0, 100.0, "N/mm"),
+            "gri: stiffness where none reaches")
+      ->capture_default_str();
+  addSceneOption(command, *arguments, {});
+  constexpr Maker kMaker{
+      [](const MapSkin& skin, const MapSource& source) { return stiffnessOver(skin, source); },
+      [](const MapSkin& skin, const scene::World& world, const MapSource&) { return stiffnessOfScene(skin, world); }};
+  command.callback([arguments, kMaker] { run(*arguments, kMaker); });
+}
+
+void addDepth(CLI::App& parent) {
+  auto arguments = std::make_shared<MapArguments>();
+  CLI::App& command = *parent.add_subcommand("depth", "How far the bones of the torso lie under the skin");
+  addFileOptions(command, *arguments);
+  addNumber(command, "--triangles", arguments->triangles, between(0, 2e7),
+            "Of the built-in torso; 0: 20389, with bones")
+      ->capture_default_str();
+  addSceneOption(command, *arguments, {});
+  constexpr Maker kMaker{
+      [](const MapSkin& skin, const MapSource&) { return depthOver(skin); },
+      [](const MapSkin& skin, const scene::World& world, const MapSource&) { return depthOfScene(skin, world); }};
+  command.callback([arguments, kMaker] { run(*arguments, kMaker); });
+}
+
+}  // namespace
+
+void addMapCommand(CLI::App& body) {
+  CLI::App& map = *body.add_subcommand("map", "Write the ellipse, contour, stiffness or depth map of a skin or a scene");
+  map.require_subcommand(1);
+  addEllipses(map);
+  addContours(map);
+  addStiffness(map);
+  addDepth(map);
+}
+
+}  // namespace palpate::app

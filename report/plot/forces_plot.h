@@ -1,0 +1,31 @@
+// The picture of a run: force, depth, lag and others over time, a panel each, and below them when a finger stuck or
+// slipped and which status bits were set.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "report/plot/run_strip.h"
+#include "report/charts/figure.h"
+
+namespace palpate::app {
+
+struct ForcesPlot {
+  std::string title;
+  std::vector<Felt> felts = {Felt::force, Felt::depth, Felt::lag};
+  bool states = true;  ///< the panel of states
+};
+
+/// A line a finger; the time axis reaches over all of them. `strips` must hold a step at least.
+figures::Figure forcesFigure(const ForcesPlot& plot, std::span<const RunStrip> strips);
+
+/// The words of status bits that were set: "at the border", "damped".
+struct StatusName {
+  std::uint32_t bit = 0;
+  std::string_view name;
+};
+std::span<const StatusName> contactStatusNames();
+std::span<const StatusName> safetyStatusNames();
+
+}  // namespace palpate::app

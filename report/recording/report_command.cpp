@@ -1,0 +1,80 @@
+// `palpate recording report`: what a recorded session was, as one page that needs nothing else, or as numbers. And the
+// commands of palpate-report, of which it is one.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "cli/kit/commands.h"
+#include "cli/kit/interruption.h"
+#include "cli/kit/progress_line.h"
+#include "cli/session/session_text.h"
+#include "palpate/base/error.h"
+#include "report/recording/report_delivery.h"
+#include "report/recording/session_report.h"
+
+namespace palpate::app {
+
+namespace {
+
+struct ReportArguments {
+  ReportRequest request;
+  std::filesystem::path folder;
+  TimeSpan span;
+};
+
+trace::TickSpan reportSpan(const ReportArguments& arguments, const trace::SessionFacts& facts) {
+  const trace::TickSpan span = ticksOf(arguments.span, facts.header.ticks_per_s);
+  if (facts.samples > 0 && span.from > facts.last_tick) {
+    throw Error::inFile(
+        arguments.request.file.string(),
+        fmt::format("ends at {} s, before --from", static_cast<double>(facts.last_tick) / facts.header.ticks_per_s));
+  }
+  return span;
+}
+
+void runReport(const ReportArguments& arguments) {
+  const ReportRequest& request = arguments.request;
+  if (request.file.extension() == ".results") {
+    throw Error::inFile(request.file.string(), "is a record of training: palpate train results report");
+  }
+  ProgressLine progress;
+  trace::SessionReader session(request.file);
+  const std::filesystem::path page = pageOf(request, standardPage(request.file));
+  const ReportSettings settings{request.file, arguments.folder, reportSpan(arguments, session.facts())};
+  const FinishesInOrder in_order;  // files that the session carries lie in a folder that must go again
+  const trace::ReadingWatch watch(endIfAsked);
+  const SessionReport report = sessionReport(session, settings, progress.callback());
+  const FinishedReport finished{
+      .file = request.file,
+      .page = request.wantsPage() ? reportPage(report, progress.callback()) : std::string(),
+      .numbers = reportJson(report),
+      .sentences = reportSentences(report)};
+  progress.clear();
+  deliver(finished, request, page);
+}
+
+}  // namespace
+
+void addReportCommand(CLI::App& recording) {
+  const auto arguments = std::make_shared<ReportArguments>();
+  ReportArguments& a = *arguments;
+  CLI::App& command = *recording.add_subcommand(
+      "report", "Tell what a recorded session was (forces, contacts, phases, maps of the body) as one HTML page");
+  command.add_option("FILE", a.request.file, "Session file")->required();
+  command.add_option("-o,--out", a.request.out,
+                     "Page to write; left out: the file's name with .html, in this folder");
+  addTimeSpan(command, a.span);
+  command.add_option("--folder", a.folder,
+                     "Where the files that the scene names lie now; left out: in the session, else where they lay");
+  command.add_flag("--json", a.request.json,
+                   "Print all numbers as one JSON object; a page is written then only with --out");
+  command.callback([=] { runReport(*arguments); });
+}
+
+void addReportFamily(CLI::App& app) {
+  addMapCommand(commandGroup(app, "body"));
+  addPlotCommand(commandGroup(app, "recording"));
+  addReportCommand(commandGroup(app, "recording"));
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,276 @@
+// Panels of the course stand above each other and share their time axis, so their frames begin at the same place.
+#include "report/recording/report_figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "cli/kit/readable_text.h"
+
+namespace palpate::app {
+
+namespace {
+
+using figures::Plot;
+using figures::Shape;
+using trace::Measured;
+using trace::Phase;
+
+constexpr figures::Colour kAwayColour{0.86, 0.87, 0.89};
+/// Dotted lines of more marks than this hide what they mark.
+constexpr std::size_t kMostMarkLines = 40;
+
+struct MeasuredPanel {
+  Measured measured;
+  std::string_view label;
+  std::string_view unit;
+};
+constexpr std::array kPanels = {MeasuredPanel{Measured::force, "force", "N"},
+                                MeasuredPanel{Measured::depth, "depth", "mm"},
+                                MeasuredPanel{Measured::proxy_speed, "speed", "mm/s"}};
+
+struct ShownTime {
+  double from_s = 0.0;
+  double to_s = 1.0;
+};
+
+ShownTime shownTime(const SessionReport& report) {
+  const trace::RecordedTicks& ticks = report.statistics.ticks;
+  return {report.secondsAt(ticks.first), report.secondsAt(ticks.last + 1)};
+}
+
+// ---- over time
+
+/// Runs of buckets that know the value: what was not recorded parts them.
+template <class Visit>
+void forEachRun(const trace::TickSeries& series, Measured measured, const Visit& visit) {
+  const auto i = static_cast<std::size_t>(measured);
+  const std::vector<trace::SeriesBucket>& buckets = series.buckets();
+  for (std::size_t begin = 0; begin < buckets.size(); ++begin) {
+    if (buckets[begin].values[i].count == 0) continue;
+    std::size_t end = begin;
+    while (end < buckets.size() && buckets[end].values[i].count > 0) ++end;
+    visit(begin, end);
+    begin = end;
+  }
+}
+
+double middleOf(const SessionReport& report, const trace::TickSeries& series, std::size_t bucket) {
+  const double ticks = (static_cast<double>(bucket) + 0.5) * static_cast<double>(series.ticksABucket());
+  return report.secondsAt(series.firstTick()) + ticks / report.statistics.ticks_per_s;
+}
+
+/// Means as a line, least to greatest as a band behind it.
+void addCourse(const SessionReport& report, const trace::TickSeries& series, const MeasuredPanel& panel,
+               const figures::Colour& colour, const std::string& name, Plot& plot) {
+  const auto i = static_cast<std::size_t>(panel.measured);
+  Shape band{.stroke = figures::Stroke::none, .colour = colour, .fill = figures::withAlpha(colour, 0.25)};
+  figures::Series line{.name = name, .colour = colour, .width_px = 1.1};
+  forEachRun(series, panel.measured, [&](std::size_t begin, std::size_t end) {
+    std::vector<Vec2> outline;
+    for (std::size_t b = begin; b < end; ++b) {
+      const double time = middleOf(report, series, b);
+      const trace::Extremes& value = series.buckets()[b].values[i];
+      outline.emplace_back(time, value.greatest);
+      line.x.push_back(time);
+      line.y.push_back(value.mean());
+    }
+    for (std::size_t b = end; b-- > begin;) {
+      outline.emplace_back(middleOf(report, series, b), series.buckets()[b].values[i].least);
+    }
+    if (series.ticksABucket() > 1) band.paths.push_back(std::move(outline));
+    line.x.push_back(middleOf(report, series, end));
+    line.y.push_back(std::numeric_limits<double>::quiet_NaN());
+  });
+  if (!band.paths.empty()) plot.shapes.push_back(std::move(band));
+  plot.series.push_back(std::move(line));
+}
+
+Plot coursePlot(const SessionReport& report, const MeasuredPanel& panel, bool named) {
+  Plot plot;
+  plot.y = {.label = std::string(panel.label), .unit = std::string(panel.unit), .from = 0.0};
+  for (std::size_t f = 0; f < report.statistics.fingers.size(); ++f) {
+    addCourse(report, report.statistics.fingers[f].series, panel, figures::seriesColour(f),
+              named ? readableText(report.facts.fingers[f].name) : std::string(), plot);
+  }
+  return plot;
+}
+
+figures::Colour colourOf(Phase phase) {
+  if (phase == Phase::away) return kAwayColour;
+  return phase == Phase::search ? figures::kSky : figures::kVermilion;
+}
+
+/// A row of bars a finger, from the top down.
+Plot phasePlot(const SessionReport& report) {
+  Plot plot;
+  const std::size_t fingers = report.statistics.fingers.size();
+  plot.y.from = -0.6;
+  plot.y.to = static_cast<double>(fingers) - 0.4;
+  for (std::size_t f = 0; f < fingers; ++f) {
+    plot.y.ticks.push_back({static_cast<double>(fingers - 1 - f), readableText(report.facts.fingers[f].name)});
+  }
+  for (const Phase phase : {Phase::away, Phase::search, Phase::palpation}) {
+    Shape bars{.name = std::string(phaseWord(phase)),
+               .stroke = figures::Stroke::none,
+               .colour = colourOf(phase),
+               .fill = colourOf(phase)};
+    for (const trace::PhaseSpan& span : report.statistics.phases) {
+      if (span.phase != phase) continue;
+      const double y = static_cast<double>(fingers - 1 - span.finger);
+      bars.paths.push_back(figures::rectangleOutline({report.secondsAt(span.first_tick), y - 0.34},
+                                                     {report.secondsAt(span.last_tick + 1), y + 0.34}));
+    }
+    if (!bars.paths.empty()) plot.shapes.push_back(std::move(bars));
+  }
+  return plot;
+}
+
+void addMarks(const SessionReport& report, std::vector<Plot>& panels) {
+  std::vector<double> times;
+  for (const trace::SessionEvent& event : report.events) {
+    if (event.kind == "mark") times.push_back(report.secondsAt(event.tick));
+  }
+  if (times.empty() || times.size() > kMostMarkLines) return;
+  for (Plot& panel : panels) {
+    const bool phases = &panel == &panels.back();
+    double top = phases ? *panel.y.to : 0.0;
+    for (const figures::Series& series : panel.series) {
+      for (const double y : series.y) top = std::max(top, std::isfinite(y) ? y : 0.0);
+    }
+    for (const Shape& shape : panel.shapes) {
+      for (const auto& path : shape.paths) {
+        for (const Vec2& point : path) top = std::max(top, point.y());
+      }
+    }
+    Shape lines{.name = phases ? "mark" : "", .closed = false, .stroke = figures::Stroke::dashed};
+    lines.colour = figures::kPurple;
+    for (const double time : times) lines.paths.push_back({{time, phases ? *panel.y.from : 0.0}, {time, top}});
+    panel.shapes.push_back(std::move(lines));
+  }
+}
+
+/// Of the names left of the frames, about: letters differ in width.
+double roomForNames(const SessionReport& report) {
+  constexpr double kPixelsALetter = 7.8;
+  constexpr double kLabelAndTicks = 30.0;
+  constexpr std::size_t kMostLetters = 24;
+  std::size_t letters = 6;
+  for (const trace::SessionFinger& finger : report.facts.fingers) letters = std::max(letters, finger.name.size());
+  return kLabelAndTicks + kPixelsALetter * static_cast<double>(std::min(letters, kMostLetters));
+}
+
+ReportPicture coursePicture(const SessionReport& report) {
+  std::vector<Plot> panels;
+  for (const MeasuredPanel& panel : kPanels) panels.push_back(coursePlot(report, panel, panels.empty()));
+  panels.push_back(phasePlot(report));
+  addMarks(report, panels);
+  const ShownTime time = shownTime(report);
+  figures::Figure figure;
+  figure.panel_width_px = 900.0;
+  figure.panel_height_px = std::max(170.0, 80.0 + 24.0 * static_cast<double>(report.statistics.fingers.size()));
+  for (Plot& panel : panels) {
+    panel.x.from = time.from_s;
+    panel.x.to = time.to_s;
+    panel.least_left_px = roomForNames(report);
+  }
+  panels.back().x.label = "time";
+  panels.back().x.unit = "s";
+  figure.panels.assign(panels.begin(), panels.end());
+  std::uint64_t ticks = 1;
+  for (const trace::FingerStatistics& finger : report.statistics.fingers) {
+    ticks = std::max(ticks, finger.series.ticksABucket());
+  }
+  std::string caption =
+      "Force of the contact, depth of the tip under the skin and speed of the finger over time; below, what each "
+      "finger did.";
+  if (ticks > 1) {
+    caption +=
+        fmt::format(" Lines are means over {:.3g} s, the pale bands reach from the least to the greatest tick in them.",
+                    report.statistics.seconds(ticks));
+  }
+  return {"course", "Over time", caption, std::move(figure)};
+}
+
+// ---- distributions
+
+constexpr std::size_t kBars = 48;
+
+/// The greatest value that is shown: nearly all of every finger's ticks.
+double shownMost(const SessionReport& report, Measured measured) {
+  double most = 0.0;
+  for (const trace::FingerStatistics& finger : report.statistics.fingers) {
+    most = std::max(most, 1.1 * finger.of(measured).quantile(0.995));
+  }
+  return most;
+}
+
+/// The outline of the bars of one finger: share of its contact, a bar each.
+figures::Series outlineOf(const trace::FixedHistogram& histogram, std::size_t bins_a_bar) {
+  figures::Series outline{.width_px = 1.6};
+  const auto all = static_cast<double>(histogram.count());
+  const double width = static_cast<double>(bins_a_bar) * histogram.binWidth();
+  outline.x.push_back(0.0);
+  outline.y.push_back(0.0);
+  for (std::size_t bar = 0; bar < kBars; ++bar) {
+    std::uint64_t count = 0;
+    for (std::size_t bin = bar * bins_a_bar; bin < std::min((bar + 1) * bins_a_bar, histogram.bins().size()); ++bin) {
+      count += histogram.bins()[bin];
+    }
+    for (const std::size_t side : {bar, bar + 1}) {
+      outline.x.push_back(static_cast<double>(side) * width);
+      outline.y.push_back(100.0 * static_cast<double>(count) / all);
+    }
+  }
+  outline.x.push_back(static_cast<double>(kBars) * width);
+  outline.y.push_back(0.0);
+  return outline;
+}
+
+Plot distributionPlot(const SessionReport& report, const MeasuredPanel& panel) {
+  Plot plot;
+  plot.x = {.label = std::string(panel.label), .unit = std::string(panel.unit), .from = 0.0};
+  plot.y = {.label = "share of the time in contact", .unit = "%", .from = 0.0};
+  const double bin_width = report.statistics.fingers.front().of(panel.measured).binWidth();
+  const double bar_width = shownMost(report, panel.measured) / static_cast<double>(kBars);
+  const auto bins_a_bar = static_cast<std::size_t>(std::max(1.0, std::ceil(bar_width / bin_width)));
+  plot.x.to = static_cast<double>(kBars * bins_a_bar) * bin_width;
+  for (std::size_t f = 0; f < report.statistics.fingers.size(); ++f) {
+    const trace::FixedHistogram& histogram = report.statistics.fingers[f].of(panel.measured);
+    if (histogram.count() == 0) continue;
+    figures::Series outline = outlineOf(histogram, bins_a_bar);
+    outline.name = readableText(report.facts.fingers[f].name);
+    outline.colour = figures::seriesColour(f);
+    plot.series.push_back(std::move(outline));
+  }
+  return plot;
+}
+
+ReportPicture distributionPicture(const SessionReport& report) {
+  figures::Figure figure;
+  figure.columns = 3;
+  figure.panel_width_px = 320.0;
+  figure.panel_height_px = 260.0;
+  for (const MeasuredPanel& panel : kPanels) figure.panels.emplace_back(distributionPlot(report, panel));
+  return {
+      "distributions", "How often",
+      fmt::format("How often force, depth and speed were how large while a finger was in contact, in {} steps each. "
+                  "The largest values, up to one in 200, lie to the right of the pictures.",
+                  kBars),
+      std::move(figure)};
+}
+
+}  // namespace
+
+std::vector<ReportPicture> coursePictures(const SessionReport& report) {
+  std::vector<ReportPicture> pictures;
+  if (report.statistics.ticks.recorded == 0) return pictures;
+  pictures.push_back(coursePicture(report));
+  if (report.statistics.contact_count > 0) pictures.push_back(distributionPicture(report));
+  return pictures;
+}
+
+}  // namespace palpate::app

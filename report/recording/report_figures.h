@@ -1,0 +1,27 @@
+// The pictures of a session's report: what was felt over time, how often which size, and where on the body.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/recording/session_report.h"
+#include "report/charts/figure.h"
+
+namespace palpate::app {
+
+struct ReportPicture {
+  std::string id;       ///< in the page
+  std::string heading;  ///< of its section
+  std::string caption;
+  figures::Figure figure;
+};
+
+/// Force, depth and speed of each finger over time, with its phases below; and how often they were how large. None of a
+/// session without ticks; distributions only where something was touched.
+std::vector<ReportPicture> coursePictures(const SessionReport& report);
+
+/// Time in contact and peak force on the body's surface, or on a plane where there is none. None where nothing was
+/// touched.
+std::vector<ReportPicture> bodyPictures(const SessionReport& report);
+
+}  // namespace palpate::app

@@ -1,0 +1,46 @@
+// The elements of a report's page. Every text that is not ours passes escapedText() once, on its way into one of them;
+// nothing else makes markup.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "report/recording/session_report.h"
+#include "report/charts/figure.h"
+
+namespace palpate::app {
+
+/// As XML may hold it between tags and in quotes.
+std::string escapedText(std::string_view text);
+
+std::string elementOf(std::string_view tag, std::string_view text);
+
+using Cells = std::vector<std::string>;
+
+/// `kind`: numbers (all columns but the first stand right) or words. Without headings where there are none.
+std::string tableOf(std::string_view kind, const Cells& headings, const std::vector<Cells>& rows);
+
+/// A row of facts; nothing where there is no value.
+std::string factRow(std::string_view name, std::string_view value);
+
+/// The picture inside the page; `alternative` says what it shows to who cannot see it.
+std::string figureHtml(std::string_view id, const figures::Figure& figure, std::string_view alternative,
+                       std::string_view caption);
+
+/// All up to the heading, with the look of every report; kPageEnd closes it.
+std::string pageBegin(std::string_view name);
+inline constexpr std::string_view kPageEnd = "</main>\n</body>\n</html>\n";
+/// The main results, a sentence each.
+std::string summaryOf(const std::vector<std::string>& sentences);
+
+// The tables of a session's report, each with what stands above it; empty where there is nothing to tell.
+
+std::string sizesTable(const SessionReport& report);
+std::string phasesSection(const SessionReport& report);
+std::string contactsSection(const SessionReport& report);
+std::string safetySection(const SessionReport& report);
+std::string servoSection(const SessionReport& report);
+std::string eventsSection(const SessionReport& report);
+
+}  // namespace palpate::app

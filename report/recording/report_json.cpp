@@ -1,0 +1,196 @@
+#include <nlohmann/json.hpp>
+
+#include "cli/kit/json.h"
+#include "report/recording/session_report.h"
+#include "cli/session/session_text.h"
+#include "palpate/body/places.h"
+
+namespace palpate::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using trace::Measured;
+
+Json distributionJson(const trace::FixedHistogram& histogram) {
+  Json json = {{"mean", histogram.mean()},         {"median", histogram.quantile(0.5)},
+               {"p95", histogram.quantile(0.95)},  {"max", histogram.greatest()},
+               {"ticks", histogram.count()},       {"bin_width", histogram.binWidth()},
+               {"beyond_bins", histogram.beyond()}};
+  Json bins = Json::array();  // up to the last one that is not empty
+  std::size_t last = histogram.bins().size();
+  while (last > 0 && histogram.bins()[last - 1] == 0) --last;
+  for (std::size_t bin = 0; bin < last; ++bin) bins.push_back(histogram.bins()[bin]);
+  json["bins"] = std::move(bins);
+  return json;
+}
+
+Json seriesJson(const SessionReport& report, const trace::TickSeries& series) {
+  Json json = {{"from_s", report.secondsAt(series.firstTick())},
+               {"step_s", report.statistics.seconds(series.ticksABucket())}};
+  Json ticks = Json::array();
+  Json touching = Json::array();
+  for (const trace::SeriesBucket& bucket : series.buckets()) {
+    ticks.push_back(bucket.ticks);
+    touching.push_back(bucket.touching);
+  }
+  json["ticks"] = std::move(ticks);
+  json["touching_ticks"] = std::move(touching);
+  const std::array<const char*, trace::kMeasured> names = {"force_n", "depth_mm", "proxy_speed_mm_per_s",
+                                                           "tip_speed_mm_per_s"};
+  for (std::size_t i = 0; i < trace::kMeasured; ++i) {
+    Json least = Json::array();
+    Json mean = Json::array();
+    Json greatest = Json::array();
+    for (const trace::SeriesBucket& bucket : series.buckets()) {
+      const trace::Extremes& value = bucket.values[i];
+      const bool known = value.count > 0;
+      least.push_back(known ? Json(value.least) : Json(nullptr));
+      mean.push_back(known ? Json(value.mean()) : Json(nullptr));
+      greatest.push_back(known ? Json(value.greatest) : Json(nullptr));
+    }
+    json[names[i]] = {{"least", std::move(least)}, {"mean", std::move(mean)}, {"greatest", std::move(greatest)}};
+  }
+  return json;
+}
+
+Json bitsJson(const SessionReport& report, const std::vector<StatusLine>& lines, std::size_t finger) {
+  Json json = Json::array();
+  for (const StatusLine& line : lines) {
+    if (line.finger != finger) continue;
+    json.push_back({{"name", line.name},
+                    {"ticks", line.tally.ticks},
+                    {"times", line.tally.times},
+                    {"first_s", report.secondsAt(line.tally.first_tick)}});
+  }
+  return json;
+}
+
+Json fingerReportJson(const SessionReport& report, std::size_t f) {
+  const trace::FingerStatistics& finger = report.statistics.fingers[f];
+  const auto seconds = [&](std::uint64_t ticks) { return report.statistics.seconds(ticks); };
+  Json json = {{"name", report.facts.fingers[f].name},
+               {"device", report.facts.fingers[f].device},
+               {"ticks", finger.ticks},
+               {"touching_ticks", finger.touching},
+               {"touching_s", seconds(finger.touching)},
+               {"slipping_ticks", finger.slipping},
+               {"contacts", finger.contacts},
+               {"longest_contact_s", seconds(finger.longest_contact_ticks)},
+               {"path_mm", finger.path_mm}};
+  json["force_n"] = distributionJson(finger.of(Measured::force));
+  json["depth_mm"] = distributionJson(finger.of(Measured::depth));
+  json["proxy_speed_mm_per_s"] = distributionJson(finger.of(Measured::proxy_speed));
+  json["tip_speed_mm_per_s"] = distributionJson(finger.of(Measured::tip_speed));
+  const std::array<const char*, trace::kPhases> names = {"away", "search", "palpation"};
+  for (std::size_t i = 0; i < trace::kPhases; ++i) {
+    json["phases"][names[i]] = {{"times", finger.phases[i]}, {"seconds", seconds(finger.phase_ticks[i])}};
+  }
+  json["interventions"] = bitsJson(report, safetyLines(report), f);
+  json["contact_status"] = bitsJson(report, contactLines(report), f);
+  json["series"] = seriesJson(report, finger.series);
+  return json;
+}
+
+Json contactsJson(const SessionReport& report) {
+  Json json = Json::array();
+  for (const trace::Contact& contact : report.statistics.contacts) {
+    json.push_back({{"finger", contact.finger},
+                    {"begin_s", report.secondsAt(contact.first_tick)},
+                    {"seconds", report.statistics.seconds(contact.ticks())},
+                    {"touching_ticks", contact.touching},
+                    {"peak_force_n", contact.peak_force_n},
+                    {"mean_force_n", contact.mean_force_n},
+                    {"peak_depth_mm", contact.peak_depth_mm},
+                    {"path_mm", contact.path_mm},
+                    {"peak_place_mm", vectorJson(contact.peak_place)}});
+    const std::string where = body::inWords(report.body.landmarks, contact.peak_place);
+    if (!where.empty()) json.back()["peak_where"] = where;
+  }
+  return json;
+}
+
+Json phasesJson(const SessionReport& report) {
+  Json json = Json::array();
+  for (const trace::PhaseSpan& span : report.statistics.phases) {
+    json.push_back({{"finger", span.finger},
+                    {"phase", span.phase == trace::Phase::away ? "away" : phaseWord(span.phase)},
+                    {"begin_s", report.secondsAt(span.first_tick)},
+                    {"seconds", report.statistics.seconds(span.ticks())}});
+  }
+  return json;
+}
+
+Json ticksJson(const SessionReport& report) {
+  const trace::RecordedTicks& ticks = report.statistics.ticks;
+  return {{"expected", ticks.expected()},
+          {"recorded", ticks.recorded},
+          {"missing", ticks.missing()},
+          {"gaps", ticks.gaps},
+          {"longest_gap_s", report.statistics.seconds(ticks.longest_gap.missing)},
+          {"longest_gap_at_s", ticks.gaps == 0 ? Json(nullptr) : Json(report.secondsAt(ticks.longest_gap.after_tick))},
+          {"dropped_samples", report.facts.dropped}};
+}
+
+Json coverageJson(const SessionReport& report) {
+  const ReportBody& body = report.body;
+  Json json = {{"body", body.name},
+               {"tissue", body.tissue},
+               {"why_not", body.why_not},
+               {"notes", body.notes},
+               {"reach_mm", body.reach_mm}};
+  if (!body.surface) return json;
+  json["touched_mm2"] = body.surface->touched_mm2;
+  json["back_mm2"] = body.surface->dorsal_mm2;
+  json["touched_back_mm2"] = body.surface->touched_dorsal_mm2;
+  json["touched_back_share"] =
+      body.surface->dorsal_mm2 > 0.0 ? body.surface->touched_dorsal_mm2 / body.surface->dorsal_mm2 : 0.0;
+  return json;
+}
+
+}  // namespace
+
+Json reportJson(const SessionReport& report) {
+  const trace::SessionStatistics& statistics = report.statistics;
+  Json json = {{"file", report.file.string()}, {"session", factsJson(report.facts)}};
+  json["from_s"] = report.secondsAt(statistics.ticks.first);
+  json["seconds"] = statistics.seconds(statistics.ticks.expected());
+  json["sentences"] = reportSentences(report);
+  json["ticks"] = ticksJson(report);
+  json["unsafe_stiffness"] = report.unsafe;
+  json["emergency_stops"] = emergencyStops(report);
+  Json fingers = Json::array();
+  for (std::size_t f = 0; f < statistics.fingers.size(); ++f) fingers.push_back(fingerReportJson(report, f));
+  json["fingers"] = std::move(fingers);
+  json["contact_count"] = statistics.contact_count;
+  json["contacts"] = contactsJson(report);
+  json["phase_count"] = statistics.phase_count;
+  json["phases"] = phasesJson(report);
+  json["coverage"] = coverageJson(report);
+  Json worlds = Json::array();
+  for (std::size_t i = 0; i < statistics.worlds.size(); ++i) {
+    worlds.push_back({{"at_s", report.secondsAt(statistics.worlds[i].tick)},
+                      {"world", statistics.worlds[i].world},
+                      {"body", report.bodies[i]}});
+  }
+  json["worlds"] = std::move(worlds);
+  json["world_changes"] = statistics.world_changes;
+  Json events = Json::array();
+  for (const trace::SessionEvent& event : report.events) {
+    events.push_back({{"at_s", report.secondsAt(event.tick)},
+                      {"finger", orNull(event.finger)},
+                      {"kind", event.kind},
+                      {"text", event.text}});
+  }
+  json["events"] = std::move(events);
+  json["rules"] = {{"speed_window_s", trace::kSpeedWindowS},
+                   {"joined_gap_s", trace::kJoinedGapS},
+                   {"path_step_mm", trace::kPathStepMm},
+                   {"light_force_n", trace::kLightForceN},
+                   {"dwell_speed_mm_per_s", trace::kDwellSpeedMmPerS},
+                   {"least_phase_s", trace::kLeastPhaseS},
+                   {"back_normal_z", trace::kDorsalNormalZ}};
+  return json;
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,199 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "report/recording/report_html.h"
+#include "palpate/body/places.h"
+#include "report/page/study_page.h"
+
+namespace palpate::app {
+
+namespace {
+
+using study::counted;
+using study::percent;
+using study::rounded;
+using trace::Measured;
+
+/// More rows are no table that anybody reads.
+constexpr std::size_t kMostRows = 60;
+
+std::string fingerName(const SessionReport& report, std::size_t finger) { return report.facts.fingers[finger].name; }
+
+std::string moreLine(std::uint64_t all, std::size_t shown, std::string_view things) {
+  if (all <= shown) return {};
+  return fmt::format(
+      "<p class=\"quiet\">{} more {} are not shown here; --from and --to choose a part, --json lists {}.</p>\n",
+      counted(static_cast<double>(all - shown)), things,
+      all <= trace::kMostListed ? "all" : fmt::format("the first {}", counted(trace::kMostListed)));
+}
+
+std::string phaseTimes(const SessionReport& report) {
+  std::vector<Cells> rows;
+  for (std::size_t f = 0; f < report.statistics.fingers.size(); ++f) {
+    const trace::FingerStatistics& finger = report.statistics.fingers[f];
+    std::uint64_t all = 0;
+    for (const std::uint64_t ticks : finger.phase_ticks) all += ticks;
+    if (all == 0) continue;
+    for (const trace::Phase phase : {trace::Phase::search, trace::Phase::palpation, trace::Phase::away}) {
+      const auto i = static_cast<std::size_t>(phase);
+      rows.push_back({fmt::format("{}: {}", fingerName(report, f), phaseWord(phase)),
+                      counted(static_cast<double>(finger.phases[i])),
+                      fmt::format("{:.2f}", report.statistics.seconds(finger.phase_ticks[i])),
+                      percent(static_cast<double>(finger.phase_ticks[i]) / static_cast<double>(all))});
+    }
+  }
+  return rows.empty() ? "" : tableOf("numbers", {"", "times", "in all (s)", "share of its time"}, rows);
+}
+
+/// The longest ones, in the order of time.
+std::string longestPhases(const SessionReport& report) {
+  constexpr std::size_t kMostPhases = 20;
+  std::vector<trace::PhaseSpan> spans = report.statistics.phases;
+  std::erase_if(spans, [](const trace::PhaseSpan& span) { return span.phase == trace::Phase::away; });
+  const std::size_t all = spans.size();
+  std::stable_sort(spans.begin(), spans.end(), [](const auto& a, const auto& b) { return a.ticks() > b.ticks(); });
+  if (spans.size() > kMostPhases) spans.erase(spans.begin() + kMostPhases, spans.end());
+  std::stable_sort(spans.begin(), spans.end(),
+                   [](const auto& a, const auto& b) { return a.first_tick < b.first_tick; });
+  std::vector<Cells> rows;
+  for (const trace::PhaseSpan& span : spans) {
+    rows.push_back({fingerName(report, span.finger), std::string(phaseWord(span.phase)),
+                    fmt::format("{:.2f}", report.secondsAt(span.first_tick)),
+                    fmt::format("{:.2f}", report.statistics.seconds(span.ticks()))});
+  }
+  if (rows.empty()) return {};
+  return elementOf("p", all > kMostPhases ? fmt::format("The {} longest phases on the skin of {}:", kMostPhases,
+                                                        counted(static_cast<double>(all)))
+                                          : std::string("All phases on the skin:")) +
+         "\n" + tableOf("numbers", {"finger", "phase", "begin (s)", "length (s)"}, rows);
+}
+
+std::string bitsTable(const SessionReport& report, const std::vector<StatusLine>& lines) {
+  std::vector<Cells> rows;
+  for (const StatusLine& line : lines) {
+    rows.push_back({fingerName(report, line.finger), line.name, std::string(line.meaning),
+                    counted(static_cast<double>(line.tally.times)),
+                    fmt::format("{:.3f}", report.statistics.seconds(line.tally.ticks)),
+                    fmt::format("{:.3f}", report.secondsAt(line.tally.first_tick))});
+  }
+  return tableOf("words", {"finger", "what", "which means", "times", "in all (s)", "first at (s)"}, rows);
+}
+
+}  // namespace
+
+std::string sizesTable(const SessionReport& report) {
+  struct Quantity {
+    Measured measured;
+    std::string_view name;
+    int decimals;
+  };
+  constexpr std::array kQuantities = {Quantity{Measured::force, "force (N)", 2},
+                                      Quantity{Measured::depth, "depth (mm)", 2},
+                                      Quantity{Measured::proxy_speed, "speed over the skin (mm/s)", 1},
+                                      Quantity{Measured::tip_speed, "speed of the tip (mm/s)", 1}};
+  std::vector<Cells> rows;
+  for (std::size_t f = 0; f < report.statistics.fingers.size(); ++f) {
+    for (const auto& [measured, name, decimals] : kQuantities) {
+      const trace::FixedHistogram& histogram = report.statistics.fingers[f].of(measured);
+      if (histogram.count() == 0) continue;
+      rows.push_back({fmt::format("{}: {}", fingerName(report, f), name), fixedWords(histogram.mean(), decimals),
+                      fixedWords(histogram.quantile(0.5), decimals), fixedWords(histogram.quantile(0.95), decimals),
+                      fixedWords(histogram.greatest(), decimals)});
+    }
+  }
+  if (rows.empty()) return {};
+  return "<p>While in contact:</p>\n" + tableOf("numbers", {"", "mean", "median", "95 % are below", "largest"}, rows);
+}
+
+std::string phasesSection(const SessionReport& report) {
+  const std::string times = phaseTimes(report);
+  return times.empty() ? times : "<h2>Search and palpation</h2>\n" + times + longestPhases(report);
+}
+
+std::string contactsSection(const SessionReport& report) {
+  std::string html = "<h2>Contacts</h2>\n";
+  if (report.statistics.contact_count == 0) return html + "<p>No finger touched the skin.</p>\n";
+  std::vector<trace::Contact> contacts = report.statistics.contacts;
+  std::stable_sort(contacts.begin(), contacts.end(),
+                   [](const auto& a, const auto& b) { return a.first_tick < b.first_tick; });
+  if (contacts.size() > kMostRows) contacts.erase(contacts.begin() + kMostRows, contacts.end());
+  const bool has_names = !report.body.landmarks.empty();
+  std::vector<Cells> rows;
+  for (const trace::Contact& contact : contacts) {
+    const Vec3& place = contact.peak_place;
+    rows.push_back(
+        {fingerName(report, contact.finger), fmt::format("{:.3f}", report.secondsAt(contact.first_tick)),
+         fmt::format("{:.3f}", report.statistics.seconds(contact.ticks())), fixedWords(contact.peak_force_n, 2),
+         fixedWords(contact.mean_force_n, 2), fixedWords(contact.peak_depth_mm, 2), fixedWords(contact.path_mm, 1),
+         fmt::format("{}, {}, {}", fixedWords(place.x(), 1), fixedWords(place.y(), 1), fixedWords(place.z(), 1))});
+    if (has_names) rows.back().push_back(body::inWords(report.body.landmarks, place));
+  }
+  Cells head = {"finger",
+                "begin (s)",
+                "length (s)",
+                "peak force (N)",
+                "mean force (N)",
+                "peak depth (mm)",
+                "path on the skin (mm)",
+                "place of the peak force: x, y, z (mm)"};
+  if (has_names) head.emplace_back("which is");
+  html += tableOf("numbers", head, rows);
+  return html + moreLine(report.statistics.contact_count, rows.size(), "contacts");
+}
+
+std::string safetySection(const SessionReport& report) {
+  std::string html = "<h2>Safety</h2>\n";
+  html += elementOf("p", fmt::format("Emergency stops: {}.", emergencyStops(report))) + "\n";
+  const std::vector<StatusLine> safety = safetyLines(report);
+  html += safety.empty() ? "<p>The safety limits never had to act.</p>\n"
+                         : "<p>What the safety limits did:</p>\n" + bitsTable(report, safety);
+  const std::vector<StatusLine> contact = contactLines(report);
+  if (!contact.empty()) html += "<p>What the contact told of itself:</p>\n" + bitsTable(report, contact);
+  return html;
+}
+
+std::string servoSection(const SessionReport& report) {
+  const trace::RecordedTicks& ticks = report.statistics.ticks;
+  if (ticks.recorded == 0) return {};
+  std::vector<Cells> rows = {
+      {"ticks expected, first to last", counted(static_cast<double>(ticks.expected()))},
+      {"recorded", counted(static_cast<double>(ticks.recorded))},
+      {"missing", fmt::format("{} ({})", counted(static_cast<double>(ticks.missing())),
+                              percent(static_cast<double>(ticks.missing()) / static_cast<double>(ticks.expected())))},
+      {"gaps", counted(static_cast<double>(ticks.gaps))}};
+  if (ticks.gaps > 0) {
+    rows.push_back(
+        {"longest gap",
+         fmt::format("{} ms, at {:.3f} s", rounded(1000.0 * report.statistics.seconds(ticks.longest_gap.missing), 3),
+                     report.secondsAt(ticks.longest_gap.after_tick))});
+  }
+  rows.push_back({"samples that found no room on their way to the file, in the whole recording",
+                  counted(static_cast<double>(report.facts.dropped))});
+  if (ticks.out_of_order > 0) {
+    rows.push_back({"ticks out of order, left out here", counted(static_cast<double>(ticks.out_of_order))});
+  }
+  return "<h2>The loop and its record</h2>\n" + tableOf("numbers", {}, rows) +
+         "<p class=\"quiet\">A missing tick is one that the loop did not reach in time, or whose sample was "
+         "dropped.</p>\n";
+}
+
+std::string eventsSection(const SessionReport& report) {
+  if (report.events.empty()) return {};
+  std::vector<Cells> rows;
+  for (const trace::SessionEvent& event : report.events) {
+    if (rows.size() == kMostRows) break;
+    const bool known = event.finger && *event.finger < report.facts.fingers.size();
+    rows.push_back({fmt::format("{:.3f}", report.secondsAt(event.tick)), known ? fingerName(report, *event.finger) : "",
+                    event.kind, event.text});
+  }
+  std::string html = "<h2>Events and marks</h2>\n" + tableOf("words", {"at (s)", "finger", "kind", "text"}, rows);
+  if (report.events.size() > rows.size()) {
+    html += fmt::format("<p class=\"quiet\">{} more are not shown here; --json lists all.</p>\n",
+                        counted(static_cast<double>(report.events.size() - rows.size())));
+  }
+  return html;
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,232 @@
+// What the numbers of a session say in sentences, and the words for its bits.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "report/plot/forces_plot.h"
+#include "report/recording/session_report.h"
+#include "palpate/servo/limiter.h"
+#include "report/page/study_page.h"
+
+namespace palpate::app {
+
+namespace {
+
+using study::counted;
+using study::percent;
+using study::rounded;
+using trace::Measured;
+
+/// By the place of the bit.
+constexpr std::array<std::string_view, servo::kSafetyBits> kSafetyMeanings = {
+    "the device gave no number: no force",
+    "the tip moved farther than a hand can: no force",
+    "the computed force was no number: no force",
+    "a force that grows slowly after a start inside",
+    "the passivity controller took force away",
+    "shortened to the largest force",
+    "the force would have grown too fast: no force",
+    "the loop had stopped for too long: no force",
+    "the device's last place was too old: no force",
+    "no force until the tip has been outside once",
+    "the soft first moment of a fast touch",
+    "pressed: no force until it is released",
+    "a warning: the controller takes much of the force away",
+    "the device is moved apart from its finger: no force"};
+
+constexpr std::array<std::string_view, 8> kContactMeanings = {
+    "the tip was no place: no force",
+    "the skin's side of the finger was on its way, or the force grew as fast as it may",
+    "deeper than is felt: the force no longer grew",
+    "what was felt had lost its reason and faded",
+    "the force faded because the sheet ends",
+    "a finger that began inside was pushed out",
+    "the finger's place on the skin took more than a tick",
+    "smoothing of facets fell back to the facets"};
+
+double shareOf(std::uint64_t part, std::uint64_t whole) {
+  return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
+}
+
+std::string plural(std::uint64_t count, std::string_view thing) {
+  return fmt::format("{} {}{}", counted(static_cast<double>(count)), thing, count == 1 ? "" : "s");
+}
+
+std::vector<StatusLine> linesOf(const SessionReport& report, std::span<const StatusName> names,
+                                std::span<const std::string_view> meanings,
+                                trace::BitTallies trace::FingerStatistics::*tallies) {
+  std::vector<StatusLine> lines;
+  for (std::size_t f = 0; f < report.statistics.fingers.size(); ++f) {
+    for (std::size_t bit = 0; bit < 32; ++bit) {
+      const trace::BitTally& tally = (report.statistics.fingers[f].*tallies)[bit];
+      if (tally.ticks == 0) continue;
+      const bool known = bit < names.size();
+      lines.push_back({f, known ? std::string(names[bit].name) : fmt::format("bit {}", bit),
+                       known && bit < meanings.size() ? meanings[bit] : std::string_view("not known to this version"),
+                       tally});
+    }
+  }
+  return lines;
+}
+
+// ---- sentences
+
+std::string lengthSentence(const SessionReport& report) {
+  const trace::RecordedTicks& ticks = report.statistics.ticks;
+  if (ticks.recorded == 0) return "Nothing was recorded: there is not a single tick.";
+  const std::string what = report.whole ? "The recording" : "This part of the recording";
+  return fmt::format("{} lasts {} and has {}.", what, durationWords(report.statistics.seconds(ticks.expected())),
+                     plural(report.statistics.fingers.size(), "finger"));
+}
+
+const trace::Contact* strongestContact(const SessionReport& report, std::size_t finger) {
+  const trace::Contact* strongest = nullptr;
+  for (const trace::Contact& contact : report.statistics.contacts) {
+    if (contact.finger != finger) continue;
+    if (strongest == nullptr || contact.peak_force_n > strongest->peak_force_n) strongest = &contact;
+  }
+  return strongest;
+}
+
+std::string touchSentence(const SessionReport& report, std::size_t f) {
+  const trace::FingerStatistics& finger = report.statistics.fingers[f];
+  const std::string& name = report.facts.fingers[f].name;
+  if (finger.ticks == 0) return fmt::format("Nothing was recorded of {}.", name);
+  if (finger.contacts == 0) return fmt::format("{} touched nothing.", name);
+  const trace::FixedHistogram& force = finger.of(Measured::force);
+  const trace::FixedHistogram& depth = finger.of(Measured::depth);
+  std::string text = fmt::format(
+      "{} touched the skin in {}, {} in all ({} of its time).", name, plural(finger.contacts, "contact"),
+      durationWords(report.statistics.seconds(finger.touching)), percent(shareOf(finger.touching, finger.ticks)));
+  text += fmt::format(" It pressed with {} N on average and {} N at most, {} mm deep on average and {} mm at most.",
+                      fixedWords(force.mean(), 2), fixedWords(force.greatest(), 2), fixedWords(depth.mean(), 1),
+                      fixedWords(depth.greatest(), 1));
+  const trace::Contact* strongest = strongestContact(report, f);
+  if (strongest != nullptr && finger.contacts > 1 && report.statistics.contact_count <= trace::kMostListed) {
+    text += fmt::format(" The hardest contact began at {:.2f} s.", report.secondsAt(strongest->first_tick));
+  }
+  return text;
+}
+
+std::string phaseSentence(const SessionReport& report, std::size_t f) {
+  const trace::FingerStatistics& finger = report.statistics.fingers[f];
+  if (finger.contacts == 0) return {};
+  const std::uint64_t all = finger.phase_ticks[0] + finger.phase_ticks[1] + finger.phase_ticks[2];
+  const auto share = [&](trace::Phase phase) {
+    return percent(shareOf(finger.phase_ticks[static_cast<std::size_t>(phase)], all));
+  };
+  return fmt::format(
+      "{} spent {} of its time in search, {} in palpation and {} off the skin; it went {} mm over the skin.",
+      report.facts.fingers[f].name, share(trace::Phase::search), share(trace::Phase::palpation),
+      share(trace::Phase::away), fixedWords(finger.path_mm, 0));
+}
+
+std::string coverageSentence(const SessionReport& report) {
+  if (!report.body.surface) return report.body.why_not;
+  const trace::TouchedSurface& surface = *report.body.surface;
+  if (surface.touched_dorsal_mm2 == 0.0) {
+    return fmt::format("The fingers reached {} mm² of the skin, none of it on the back.",
+                       rounded(surface.touched_mm2, 3));
+  }
+  return fmt::format("The fingers reached {} mm² of the back, {} of its {} mm².",
+                     rounded(surface.touched_dorsal_mm2, 3), percent(surface.touched_dorsal_mm2 / surface.dorsal_mm2),
+                     rounded(surface.dorsal_mm2, 3));
+}
+
+/// Empty for a recording within the safe limits.
+std::string unsafeSentence(const SessionReport& report) {
+  return report.unsafe.empty() ? ""
+                               : fmt::format("Recorded with --unsafe-stiffness ({}). ", fmt::join(report.unsafe, "; "));
+}
+
+std::string safetySentence(const SessionReport& report) {
+  const std::uint64_t stops = emergencyStops(report);
+  if (safetyLines(report).empty()) return unsafeSentence(report) + "The safety limits never had to act.";
+  std::string words;
+  for (std::size_t bit = 0; bit < servo::kSafetyBits; ++bit) {
+    std::uint64_t ticks = 0;
+    for (const trace::FingerStatistics& finger : report.statistics.fingers) ticks += finger.safety[bit].ticks;
+    if (ticks == 0) continue;
+    words += fmt::format("{}{} ({} s)", words.empty() ? "" : ", ", servo::safetyNames()[bit],
+                         rounded(report.statistics.seconds(ticks)));
+  }
+  return fmt::format("{}The safety limits acted: {}. {}", unsafeSentence(report), words,
+                     stops == 0 ? "The emergency stop was not pressed."
+                                : fmt::format("The emergency stop was pressed {}.", plural(stops, "time")));
+}
+
+std::string servoSentence(const SessionReport& report) {
+  const trace::RecordedTicks& ticks = report.statistics.ticks;
+  const std::string expected = counted(static_cast<double>(ticks.expected()));
+  std::string text = fmt::format("All {} ticks were recorded.", expected);
+  if (ticks.missing() > 0) {
+    text = fmt::format("{} of {} ticks are missing ({}), in {}; the longest gap is {} ms, at {:.2f} s.",
+                       counted(static_cast<double>(ticks.missing())), expected,
+                       percent(shareOf(ticks.missing(), ticks.expected())), plural(ticks.gaps, "gap"),
+                       rounded(1000.0 * report.statistics.seconds(ticks.longest_gap.missing), 3),
+                       report.secondsAt(ticks.longest_gap.after_tick));
+  }
+  if (report.facts.dropped > 0) {
+    text += fmt::format(" {} found no room on their way to the file.", plural(report.facts.dropped, "sample"));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> reportSentences(const SessionReport& report) {
+  std::vector<std::string> sentences = {lengthSentence(report)};
+  if (report.statistics.ticks.recorded > 0) {
+    for (std::size_t f = 0; f < report.statistics.fingers.size(); ++f) {
+      sentences.push_back(touchSentence(report, f));
+      sentences.push_back(phaseSentence(report, f));
+    }
+    sentences.push_back(coverageSentence(report));
+    sentences.push_back(safetySentence(report));
+    sentences.push_back(servoSentence(report));
+  }
+  std::erase(sentences, std::string());
+  return sentences;
+}
+
+std::vector<StatusLine> safetyLines(const SessionReport& report) {
+  return linesOf(report, safetyStatusNames(), kSafetyMeanings, &trace::FingerStatistics::safety);
+}
+
+std::vector<StatusLine> contactLines(const SessionReport& report) {
+  return linesOf(report, contactStatusNames(), kContactMeanings, &trace::FingerStatistics::contact_status);
+}
+
+std::uint64_t emergencyStops(const SessionReport& report) {
+  std::uint64_t most = 0;
+  for (const trace::FingerStatistics& finger : report.statistics.fingers) {
+    most = std::max(most, finger.safety[std::countr_zero(std::uint32_t{servo::kEmergencyStop})].times);
+  }
+  return most;
+}
+
+std::string durationWords(double seconds) {
+  if (!(seconds < 120.0)) {
+    const auto whole = static_cast<std::uint64_t>(std::min(std::round(seconds), 1e15));
+    const std::uint64_t hours = whole / 3600;
+    const std::string below = fmt::format("{:02} s", whole % 60);
+    return hours == 0 ? fmt::format("{} min {}", whole / 60, below)
+                      : fmt::format("{} h {:02} min {}", hours, whole / 60 % 60, below);
+  }
+  return fmt::format("{:.{}f} s", seconds, seconds < 1.0 ? 3 : 1);
+}
+
+std::string fixedWords(double value, int decimals) {
+  constexpr double kLong = 1e7;
+  return std::abs(value) < kLong ? fmt::format("{:.{}f}", value, decimals) : fmt::format("{:.3g}", value);
+}
+
+std::string_view phaseWord(trace::Phase phase) {
+  constexpr std::array<std::string_view, trace::kPhases> kWords = {"off the skin", "search", "palpation"};
+  return kWords[static_cast<std::size_t>(phase)];
+}
+
+}  // namespace palpate::app

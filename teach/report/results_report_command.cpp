@@ -1,0 +1,59 @@
+// `palpate train results report`: how training went, of a trainee or a class, as one page or as numbers.
+#include <memory>
+
+#include "cli/kit/progress_line.h"
+#include "palpate/base/error.h"
+#include "palpate/classroom/database_copy.h"
+#include "report/recording/report_delivery.h"
+#include "teach/commands/results_commands.h"
+#include "teach/report/training_report.h"
+
+namespace palpate::app {
+
+namespace {
+
+struct ResultsReportArguments {
+  ReportRequest request;
+  TrainingReportSettings settings;
+};
+
+void runResultsReport(ResultsReportArguments arguments) {
+  const ReportRequest& request = arguments.request;
+  const bool is_database = classroom::isDatabaseAddress(request.file.string());
+  ProgressLine progress;
+  const std::filesystem::path page = pageOf(request, is_database ? "class.html" : standardPage(request.file));
+  arguments.settings.file = request.file;
+  const TrainingReport report = trainingReport(arguments.settings, progress.callback());
+  const FinishedReport finished{
+      .file = report.file,
+      .page = request.wantsPage() ? trainingPage(report, progress.callback()) : std::string(),
+      .numbers = trainingReportJson(report),
+      .sentences = trainingSentences(report)};
+  progress.clear();
+  deliver(finished, request, page);
+}
+
+}  // namespace
+
+void addResultsReportCommand(CLI::App& parent) {
+  const auto arguments = std::make_shared<ResultsReportArguments>();
+  ResultsReportArguments& a = *arguments;
+  CLI::App& command = *parent.add_subcommand(
+      "report",
+      "Tell how training went (learning curve, accuracy, what was felt; of a trainee or a class) as one HTML page");
+  command
+      .add_option("FILE", a.request.file, "Record of training (.results), or a class's PostgreSQL: postgresql://...")
+      ->required();
+  command.add_option("-o,--out", a.request.out,
+                     "Page to write; left out: the file's name with .html (of a database class.html), in this folder");
+  CLI::Option& trainee = *command.add_option(
+      "--trainee", a.settings.trainee, "One trainee, by code or by the first letters of the pseudonym");
+  command.add_flag("--class", a.settings.whole_class, "All trainees, also where there is but one")->excludes(&trainee);
+  command.add_option("--class-word", a.settings.only_class, "The same, of one class where the record has several")
+      ->excludes(&trainee);
+  command.add_flag("--json", a.request.json,
+                   "Print all numbers as one JSON object; a page is written then only with --out");
+  command.callback([=] { runResultsReport(*arguments); });
+}
+
+}  // namespace palpate::app
